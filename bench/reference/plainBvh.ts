@@ -1,7 +1,8 @@
 import { BufferAttribute, BufferGeometry, DoubleSide, Ray, Vector3 } from 'three';
 import { MeshBVH, SAH } from 'three-mesh-bvh';
 import type { Vec3 } from '../../src/math/vec3.ts';
-import { applyPose, poseAt } from '../../src/scene/motion/motion.ts';
+import { poseAt } from '../../src/scene/motion/motion.ts';
+import { applyPose } from '../../src/scene/motion/poses.ts';
 import type { Scene } from '../../src/scene/types.ts';
 
 /** Distance to the nearest surface [m] along a unit direction; undefined where there is none. */

@@ -1,3 +1,4 @@
+import { pointSamples } from '../scene/motion/motion.ts';
 import type { Diagnostic, Scene } from '../scene/types.ts';
 import { DiagnosticLog } from './diagnostics/diagnosticLog.ts';
 import { inputError } from './diagnostics/inputError.ts';
@@ -24,7 +25,7 @@ const writers: Readonly<Record<string, (scene: Scene, name: string) => Promise<E
 function cubicNotes(scene: Scene, name: string): readonly Diagnostic[] {
   const losses = new DiagnosticLog(name);
   for (const { path, motion } of scene.objects)
-    if (motion.kind === 'sampled-points' && motion.velocities)
+    if (pointSamples(motion)?.velocities)
       losses.add(
         'info',
         'convert.interpolation',

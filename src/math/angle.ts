@@ -1,5 +1,5 @@
-/** Degrees as radians: people and files have the first, formulas the second. */
+/** Degrees → radians. Files and the interface use degrees, formulas radians. */
 export const radians = (degrees: number): number => (degrees * Math.PI) / 180;
 
-/** Radians as degrees. */
+/** Radians → degrees. */
 export const degrees = (radians: number): number => (radians * 180) / Math.PI;

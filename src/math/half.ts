@@ -2,7 +2,7 @@
 
 const scratch = new DataView(new ArrayBuffer(4));
 
-/** Nearest half, ties to even; past 65504 infinity. */
+/** The bits of the nearest half, ties to even; infinity above 65504. */
 export function toHalf(value: number): number {
   scratch.setFloat32(0, value);
   const bits = scratch.getUint32(0);
@@ -13,7 +13,7 @@ export function toHalf(value: number): number {
   const biased = exponent - 127 + 15;
   if (biased >= 31) return sign | 0x7c00;
   if (biased < -10) return sign;
-  // A subnormal half shifts the leading one in; a carry out of the rounding runs into the exponent, as it should.
+  // A subnormal half has its leading one explicit. A carry from rounding goes into the exponent, which is the correct next number.
   const full = biased > 0 ? (biased << 23) | mantissa : (mantissa | 0x800000) >>> 0;
   const shift = biased > 0 ? 13 : 14 - biased;
   const kept = full >>> shift;

@@ -3,18 +3,19 @@ import { normalize, scale, type Vec3 } from './vec3.ts';
 
 // Cubic interpolation between samples that need not be evenly spaced.
 
-/** The slope at a sample is (1 − share) times that of the chord from sample `middle` − 1 to `middle`, and `share` times that of the next. */
+/** The slope at a sample: (1 − share) times that of the chord from sample `middle` − 1 to `middle`, plus `share` times that of the next chord. */
 export interface SlopeRule {
   readonly middle: number;
   readonly share: number;
 }
 
-/** Of two neighbouring intervals one that is so many times shorter stands for a jump. */
+/** If one of two neighbouring intervals is this many times shorter than the other, it is treated as a jump. */
 const MAX_INTERVAL_RATIO = 10;
 
 /**
- * The slope at sample k is that of the parabola through it and its neighbours (non-uniform Catmull–Rom); at the ends, of the one through the
- * nearest three. Where there are two samples it is that of their chord; beside a jump, that of the longer one. times: rising, two or more.
+ * The slope at sample k is that of the parabola through it and its neighbours (non-uniform Catmull–Rom); at the ends, of the parabola through the
+ * nearest three. With two samples it is the slope of their chord; beside a jump, that of the longer chord. times: rising, two or more.
+ * docs/physics.md §4.8.
  */
 export function slopeRule(times: ArrayLike<number>, k: number): SlopeRule {
   const last = times.length - 1;
@@ -29,28 +30,28 @@ export function slopeRule(times: ArrayLike<number>, k: number): SlopeRule {
   return { middle, share: share / (before + after) };
 }
 
-/** The cubic from `a` to `b` with the slopes va and vb at its ends, at the share w of `span`. */
+/** The cubic from `a` to `b` with the slopes va and vb at its ends, evaluated at the fraction w of `span`. docs/physics.md §4.8. */
 export function hermite(a: number, va: number, b: number, vb: number, span: number, w: number): number {
   const chord = (b - a) / span;
   return a + w * span * (va + w * (3 * chord - 2 * va - vb + w * (va + vb - 2 * chord)));
 }
 
-/** The rotation vector of a unit quaternion, by the shorter way [rad]. */
+/** The rotation vector of a unit quaternion, for the shorter arc [rad]. */
 export function logarithm(q: Quat): Vec3 {
   return scale(normalize([q[0], q[1], q[2]]), (q[3] < 0 ? -1 : 1) * rotationAngle(q));
 }
 
 const exponential = (v: Vec3): Quat => fromAxisAngle(v, Math.hypot(...v));
 
-/** An orientation and how fast it turns, about its own axes [rad per unit of time]. */
+/** An orientation and its angular velocity in its own axes [rad per unit of time]. */
 export interface AngularState {
   readonly orientation: Quat;
   readonly rate: Vec3;
 }
 
 /**
- * From one orientation to another with the rates that they have, at the share w of `span`: the turns between the control orientations of a
- * Bézier curve one after the other, each by its sum of Bernstein polynomials. Source: Kim, Kim and Shin, SIGGRAPH 1995.
+ * The orientation at the fraction w of `span` between two orientations with given angular velocities: the rotations between the control
+ * orientations of a Bézier curve, each scaled by its cumulative Bernstein polynomial. Source: Kim, Kim and Shin, SIGGRAPH 1995.
  */
 export function hermiteRotation(a: AngularState, b: AngularState, span: number, w: number): Quat {
   const first = scale(a.rate, span / 3);

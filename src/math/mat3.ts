@@ -18,7 +18,7 @@ export const transform = (m: Mat3, v: Vec3): Vec3 => [
 ];
 export const transpose = (m: Mat3): Mat3 => [m[0], m[3], m[6], m[1], m[4], m[7], m[2], m[5], m[8]];
 
-/** The cofactors of `m`: det(M) M⁻ᵀ, the matrix that carries normals, defined for singular M too. */
+/** The cofactors of `m`: det(M) M⁻ᵀ, which transforms normals; defined for singular M too. */
 export const cofactors = (m: Mat3): Mat3 => [
   m[4] * m[8] - m[5] * m[7],
   m[5] * m[6] - m[3] * m[8],
@@ -37,7 +37,7 @@ export const invert = (m: Mat3): Mat3 | undefined => {
   const d = determinant(m);
   return d === 0 || !Number.isFinite(d) ? undefined : transpose(cofactors(m)).map((x) => x / d);
 };
-/** Whether M only makes things longer or shorter along its axes, and mirrors none. */
+/** Whether M is diagonal with positive, finite elements: a scale along the axes. */
 export function isPositiveDiagonal([xx, xy, xz, yx, yy, yz, zx, zy, zz]: Mat3): boolean {
   if (xy !== 0 || xz !== 0 || yx !== 0 || yz !== 0 || zx !== 0 || zy !== 0) return false;
   return xx > 0 && yy > 0 && zz > 0 && xx + yy + zz < Infinity;

@@ -23,7 +23,7 @@ export function multiply(a: Mat4, b: Mat4): Mat4 {
   return m;
 }
 
-/** M, then all enlarged by `s`. */
+/** A uniform scale by `s` applied after M. */
 export const scaledUniformly = (m: Mat4, s: number): Mat4 => [
   s * m[0],
   s * m[1],
@@ -64,7 +64,7 @@ export function invert(m: Mat4): Mat4 | undefined {
   return rows.flatMap((r) => r.slice(4));
 }
 
-/** M applied to a point, with its translation; the last row is taken as 0 0 0 1. */
+/** M applied to a point; the last row is assumed to be 0 0 0 1. */
 export const transformPoint = (m: Mat4, p: Vec3): Vec3 => [
   m[0] * p[0] + m[1] * p[1] + m[2] * p[2] + m[3],
   m[4] * p[0] + m[5] * p[1] + m[6] * p[2] + m[7],
@@ -77,7 +77,7 @@ export const transformVector = (m: Mat4, v: Vec3): Vec3 => [
   m[8] * v[0] + m[9] * v[1] + m[10] * v[2],
 ];
 
-/** The upper left 3×3: what happens to directions. */
+/** The upper left 3×3, which transforms directions. */
 export const linearPart = (m: Mat4): mat3.Mat3 => [m[0], m[1], m[2], m[4], m[5], m[6], m[8], m[9], m[10]];
 
 /** From a linear part and a translation. */
@@ -108,7 +108,7 @@ export const fromPose = (pose: RigidPose): Mat4 => fromParts(quat.toMatrix(pose.
 export function decomposeRigid(m: Mat4): { readonly pose: RigidPose; readonly stretch: mat3.Mat3 } {
   const linear = linearPart(m);
   const position: Vec3 = [m[3], m[7], m[11]];
-  // Most things are not turned at all.
+  // Fast path: most transforms have no rotation.
   if (mat3.isPositiveDiagonal(linear)) return { pose: { position, orientation: quat.IDENTITY }, stretch: linear };
   const orientation = closestRotation(linear);
   const s = mat3.multiply(mat3.transpose(quat.toMatrix(orientation)), linear);
@@ -116,13 +116,13 @@ export function decomposeRigid(m: Mat4): { readonly pose: RigidPose; readonly st
   return { pose: { position, orientation }, stretch: symmetric };
 }
 
-/** The pose with which M = T R S for a stretch S whose inverse is known; undefined where R would be no proper rotation. */
+/** The pose in M = T R S for a stretch S whose inverse is known; undefined if R is not a proper rotation. */
 export function poseFromStretched(m: Mat4, inverseStretch: mat3.Mat3): RigidPose | undefined {
   const turn = mat3.multiply(linearPart(m), inverseStretch);
   return isRotation(turn, 1e-13) ? { position: [m[3], m[7], m[11]], orientation: closestRotation(turn) } : undefined;
 }
 
-/** Whether M is a rotation and a translation only: |MᵀM − 1| ≤ `tolerance` in every element, and no mirror. */
+/** Whether M is a rotation and a translation only: |MᵀM − 1| ≤ `tolerance` in every element, and det M > 0. */
 export function isRigid(m: Mat4, tolerance = 1e-9): boolean {
   return isRotation(linearPart(m), tolerance);
 }

@@ -11,7 +11,7 @@ export function closestRotation(m: Mat3): Quat {
   const scale = rotationScale(m);
   if (scale > 0) return withPositiveW(fromMatrix(scale === 1 ? m : m.map((x) => x / scale)));
   const [xx, xy, xz, yx, yy, yz, zx, zy, zz] = m;
-  // Rows and columns in the order w x y z, so that a tie goes to the smallest rotation.
+  // Rows and columns in the order w x y z, so that ties select the smallest rotation.
   const k: Symmetric4 = [
     [xx + yy + zz, zy - yz, xz - zx, yx - xy],
     [zy - yz, xx - yy - zz, xy + yx, zx + xz],
@@ -25,13 +25,13 @@ export function closestRotation(m: Mat3): Quat {
   return withPositiveW(normalizeQuat([x, y, z, w]));
 }
 
-/** Of the two quaternions of a rotation the one with w ≥ 0. */
+/** The one of q and −q with w ≥ 0. */
 const withPositiveW = ([x, y, z, w]: Quat): Quat => (w < 0 ? [-x, -y, -z, -w] : [x, y, z, w]);
 
-/** Products of f64 rotations stay within this part of one. */
+/** Relative rounding error of products of f64 rotations. */
 const ROUNDING = 1e-14;
 
-/** s > 0 where M = s R, up to rounding, with a proper rotation R; else 0. Most transforms are of this kind, and need no iteration. */
+/** s > 0 if M = s R up to rounding with a proper rotation R, else 0. Most transforms are of this kind and need no iteration. */
 function rotationScale(m: Mat3): number {
   const [a, b, c, d, e, f, g, h, i] = m;
   const square = a * a + d * d + g * g;
@@ -42,7 +42,7 @@ function rotationScale(m: Mat3): number {
   return Math.abs(square - 1) <= ROUNDING ? 1 : Math.sqrt(square);
 }
 
-/** Jacobi's method: makes `k` diagonal in place and returns its eigenvectors as columns. */
+/** Jacobi's method: diagonalizes `k` in place and returns its eigenvectors as columns. */
 function diagonalize(k: Symmetric4): Symmetric4 {
   const vectors: Symmetric4 = [0, 1, 2, 3].map((i) => [0, 1, 2, 3].map((j) => (i === j ? 1 : 0)));
   const size = Math.max(...k.flat().map(Math.abs));

@@ -1,7 +1,7 @@
 import type { Mat3 } from './mat3.ts';
 import { cross, dot, normalize, type Vec3 } from './vec3.ts';
 
-/** A quaternion x i + y j + z k + w; unit where it stands for a rotation. */
+/** A quaternion x i + y j + z k + w; of unit length where it represents a rotation. */
 export type Quat = readonly [x: number, y: number, z: number, w: number];
 
 export const IDENTITY: Quat = [0, 0, 0, 1];
@@ -38,7 +38,7 @@ export function fromAxisAngle(axis: Vec3, angle: number): Quat {
   return [x * s, y * s, z * s, Math.cos(angle / 2)];
 }
 
-/** The rotation angle of a unit quaternion [rad], 0 … π; right for tiny angles too. */
+/** The rotation angle of a unit quaternion [rad], 0 … π; accurate for tiny angles too. */
 export const rotationAngle = (q: Quat): number => 2 * Math.atan2(Math.hypot(q[0], q[1], q[2]), Math.abs(q[3]));
 
 /** Constant angular speed along the shorter arc from `a` (s = 0) to `b` (s = 1). */
@@ -49,7 +49,7 @@ export function slerp(a: Quat, b: Quat, s: number): Quat {
   return normalizeQuat(multiply(a, fromAxisAngle(axis, s * rotationAngle(turn))));
 }
 
-/** Of a proper rotation matrix, by the largest component first (Shepperd 1978), so that no root of a small number is divided by. */
+/** The quaternion of a proper rotation matrix, from its largest component (Shepperd 1978), so that nothing is divided by the root of a small number. */
 export function fromMatrix(m: Mat3): Quat {
   const [xx, xy, xz, yx, yy, yz, zx, zy, zz] = m;
   const [x, y, z, w] = [1 + xx - yy - zz, 1 - xx + yy - zz, 1 - xx - yy + zz, 1 + xx + yy + zz];
@@ -76,7 +76,7 @@ export function toMatrix(q: Quat): Mat3 {
   ];
 }
 
-/** The rotation that carries one unit vector to another by the shortest way; of opposite ones, half a turn about Y, or near that X. */
+/** The rotation that takes one unit vector to another along the shortest arc; for opposite vectors half a turn about an axis perpendicular to them. */
 export function shortestRotation(from: Vec3, to: Vec3): Quat {
   const cosine = dot(from, to);
   if (cosine > 1 - 1e-15) return IDENTITY;

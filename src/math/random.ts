@@ -1,5 +1,5 @@
 /**
- * A seeded generator of numbers in [0, 1): the same sequence on every machine. sfc32 of PractRand (Doty-Humphrey), 2³² seeds
+ * A seeded generator of numbers in [0, 1), with the same sequence on every machine: sfc32 of PractRand (Doty-Humphrey), 2³² seeds
  * with periods of at least 2³².
  */
 export function random(seed: number): () => number {

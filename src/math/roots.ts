@@ -1,4 +1,4 @@
-/** The root of a continuous f between a and b, where f changes sign, to the last bit: halve until no number is between. */
+/** The root of a continuous f between a and b, where f changes sign, to the last bit: halves until no number lies between. */
 export function bisect(f: (x: number) => number, a: number, b: number): number {
   let [lo, hi] = f(a) <= f(b) ? [a, b] : [b, a];
   for (;;) {
@@ -11,7 +11,7 @@ export function bisect(f: (x: number) => number, a: number, b: number): number {
 
 /**
  * The root of a continuous f between a and b, where f changes sign: inverse quadratic steps guarded by bisection, until
- * the bracket is `tolerance` or one rounding wide. An end where f has no opposite sign counts as the root if it is nearer to zero.
+ * the bracket is `tolerance` or one rounding wide. If f has the same sign at both ends, the end with the smaller |f| is returned.
  * Source: Brent 1973, "Algorithms for Minimization without Derivatives", ch. 4.
  */
 export function brent(f: (x: number) => number, a: number, b: number, tolerance = 0): number {
@@ -26,7 +26,7 @@ export function brent(f: (x: number) => number, a: number, b: number, tolerance 
     if (Math.abs(half) <= least || fb === 0) return b;
     const guess =
       Math.abs(last) >= least && Math.abs(fa) > Math.abs(fb) ? interpolate(a, b, c, fa, fb, fc) : Number.NaN;
-    // Written so that a NaN guess bisects.
+    // False for a NaN guess, which then bisects.
     const good = guess / half > 0 && Math.abs(guess) < Math.min(1.5 * Math.abs(half) - least / 2, Math.abs(last) / 2);
     [last, step] = good ? [step, guess] : [half, half];
     [a, fa] = [b, fb];
@@ -44,12 +44,12 @@ function interpolate(a: number, b: number, c: number, fa: number, fb: number, fc
   return (s * ((c - b) * q * (q - r) - (b - a) * (r - 1))) / -((q - 1) * (r - 1) * (s - 1));
 }
 
-/** Halvings and steps that `safeguardedNewton` takes at most: it ends long before. */
+/** Upper limit of steps in `safeguardedNewton`; it converges long before. */
 const MAX_STEPS = 100;
 
 /**
- * The root of a function that rises between a and b: Newton's steps from `guess`, each kept within the bracket that is known by then, halved
- * instead where a step leaves it or the last two did not halve it. f gives value and slope. An end beyond which the root lies is the answer.
+ * The root of an increasing function between a and b: Newton's steps from `guess`, replaced by bisection where a step leaves the current bracket or
+ * the last two steps did not halve it. f returns value and slope. If the root lies beyond an end, that end is returned.
  */
 export function safeguardedNewton(
   f: (x: number) => readonly [value: number, slope: number],

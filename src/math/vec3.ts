@@ -18,7 +18,7 @@ export const cross = (a: Vec3, b: Vec3): Vec3 => [
 /** |a|, without overflow or underflow on the way. */
 export const length = (a: Vec3): number => norm(a[0], a[1], a[2]);
 export const distance = (a: Vec3, b: Vec3): number => norm(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
-/** √(x² + y² + z²). Math.hypot takes ten times as long; it is left what its squares would spoil. */
+/** √(x² + y² + z²). Math.hypot takes ten times as long and is called only where the squares would overflow or underflow. */
 export function norm(x: number, y: number, z: number): number {
   const square = x * x + y * y + z * z;
   return square > 1e-280 && square < 1e300 ? Math.sqrt(square) : Math.hypot(x, y, z);

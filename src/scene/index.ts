@@ -1,5 +1,6 @@
 export type { BoundingBox, BoundingSphere } from './bounds/bounds.ts';
-export { boundingBox, boundingSphere, emissionWindow, objectBounds, sceneBounds } from './bounds/bounds.ts';
+export { boundingBox, boundingSphere } from './bounds/bounds.ts';
+export { emissionWindow, objectBounds, sceneBounds } from './bounds/sceneBounds.ts';
 export { FOREVER, IDENTITY_POSE, makeMaterial, makeObject, makeScene, restingAt } from './defaults.ts';
 export type { BuiltMesh } from './mesh/makeMesh.ts';
 export { gatherPoints, makeMesh } from './mesh/makeMesh.ts';
@@ -8,21 +9,22 @@ export { cornerNormals, deformedNormals, smoothingGroups } from './mesh/normals.
 export type { Polygons, PolygonValues } from './mesh/polygons.ts';
 export type { Axis, RoundOptions, SurfaceBand } from './mesh/primitives.ts';
 export { box, capsule, cone, cylinder, grid, plane, revolve, sphere, torus } from './mesh/primitives.ts';
-export type { FastestVertex } from './motion/fastestVertex.ts';
-export { fastestVertex } from './motion/fastestVertex.ts';
 export { type Flight, fly } from './motion/fly.ts';
+export { bornRigidAcceleration } from './motion/kinds/hyperbolicMotion.ts';
+export type { FastestVertex } from './motion/kinds/motionKind.ts';
 export {
-  bornRigidAcceleration,
+  fastestVertex,
   originWorldLine,
   poseAt,
-  samplePose,
+  restToWorld,
   vertexPosition,
   vertexPositions,
   vertexWorldLine,
 } from './motion/motion.ts';
 export { changeMotion, type MotionChange } from './motion/motionChange.ts';
+export { samplePose } from './motion/poses.ts';
 export type { PoseSamples } from './motion/resample.ts';
-export { resampleRotation, restToWorld, sampleMotion } from './motion/resample.ts';
+export { resampleRotation, sampleMotion } from './motion/resample.ts';
 export { retime, type Timing } from './motion/retime.ts';
 export type * from './types.ts';
 export { InputError } from './types.ts';

@@ -148,7 +148,7 @@ it('nodes are added, connected, set, grouped and copied, by mouse and by keys, a
     return new Set(new Uint32Array(data.buffer)).size;
   });
   expect(kinds).toBeGreaterThan(100);
-  await page.getByRole('img', { name: /^Histogram of the light, in stops: half of it is below/ }).waitFor();
+  await page.getByRole('img', { name: /^Luminance histogram in stops: the median is/ }).waitFor();
   await visit.shot('graph-pictures');
   await page.getByRole('button', { name: 'Pictures on nodes', pressed: true }).click();
   await expect.poll(() => page.locator('.sl-node-picture').count()).toBe(0);

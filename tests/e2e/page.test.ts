@@ -141,7 +141,7 @@ describe('the page', () => {
     await visit.page.locator('canvas').evaluate((canvas: HTMLCanvasElement) => {
       canvas.getContext('webgl2')?.getExtension('WEBGL_lose_context')?.loseContext();
     });
-    await visit.page.getByText('was lost and started again').waitFor();
+    await visit.page.getByText('was lost and has been restarted').waitFor();
     await expect.poll(async () => difference(await visit.pixels(), before)).toBeLessThan(1);
     expect(await visit.status('backend')).toBe('WebGL 2');
     visit.expectComplaint(/Device Lost/);
@@ -157,7 +157,7 @@ describe('the page', () => {
     const before = await visit.pixels();
     expect(colorCount(before)).toBeGreaterThan(50);
     await program.crashGraphics();
-    await visit.page.getByText('was lost and started again').waitFor({ timeout: 30_000 });
+    await visit.page.getByText('was lost and has been restarted').waitFor({ timeout: 30_000 });
     await expect.poll(async () => difference(await visit.pixels(), before)).toBeLessThan(1);
     visit.expectComplaint(/Device Lost/);
     await visit.close();

@@ -111,7 +111,7 @@ it.each([
       await page.page.locator('canvas').evaluate((canvas: HTMLCanvasElement) => {
         canvas.getContext('webgl2')?.getExtension('WEBGL_lose_context')?.loseContext();
       });
-    await page.page.getByText('was lost and started again').waitFor();
+    await page.page.getByText('was lost and has been restarted').waitFor();
     await expect.poll(async () => difference(await page.pixels(), before)).toBeLessThan(0.5);
     expect(await textOf(page).inputValue()).toContain('1 - p.color');
     await undo(page);

@@ -128,7 +128,7 @@ describe('a project', () => {
     // Alone it lacks its scene: that is told, and can be given.
     await drop(page, [{ name: 'alone.slowlight.json', content: Buffer.from(project) }]);
     await page.refusals.waitFor();
-    expect(await page.refusals.textContent()).toMatch(/square\.usda.*last good scene/);
+    expect(await page.refusals.textContent()).toMatch(/square\.usda.*last valid scene/);
     await pink(page);
     await drop(page, [
       { name: 'square.usda', content: SQUARE },
@@ -181,14 +181,14 @@ describe('what is kept', () => {
     await page.page.waitForTimeout(600);
     const address = '?backend=webgl&scene=examples/sphere.usda';
     const second = await (await program.beside(page, address)).ready();
-    expect(await second.page.getByText('that was not saved').count()).toBe(0);
+    expect(await second.page.getByText('There is unsaved work').count()).toBe(0);
     await second.page.close();
     await page.page.close();
     const third = await (await program.beside(page, address)).ready();
-    await third.page.getByText('that was not saved: asked').waitFor();
+    await third.page.getByText(/There is unsaved work from .*: asked/).waitFor();
     await third.shot('project-earlier');
     await serveAsked(third.page);
-    await third.page.getByRole('button', { name: 'Continue it' }).click();
+    await third.page.getByRole('button', { name: 'Restore' }).click();
     await expect.poll(() => exposure(third).inputValue()).toMatch(/^3/);
     await third.close();
   });

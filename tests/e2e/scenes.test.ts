@@ -111,7 +111,7 @@ describe('scenes', () => {
     await notice.waitFor();
     const said = await notice.textContent();
     expect(said).toMatch(/broken\.usda/);
-    expect(said).toMatch(/last good scene/);
+    expect(said).toMatch(/last valid scene/);
     await visit.shot('refused');
     expect(difference(await visit.pixels(), before)).toBeLessThan(1);
     await visit.page.getByRole('button', { name: /^Undo/ }).click();

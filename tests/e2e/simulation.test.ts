@@ -63,7 +63,7 @@ it('a simulation is seen while it is computed, with its energy; it is stopped, k
 
   // By keys: who stops it can let it go on.
   await page.getByRole('button', { name: 'Stop' }).press('Enter');
-  await page.getByText('Stopped: what there is so far is shown.').waitFor();
+  await page.getByText('Stopped: interim results are shown.').waitFor();
   await page.getByText('Simulating').waitFor({ state: 'detached' });
   const goOn = page.getByRole('button', { name: 'Go on' });
   await expect.poll(() => goOn.evaluate((button) => button === document.activeElement)).toBe(true);

@@ -5,7 +5,7 @@ import { velocity } from '../../src/physics/lorentz/boost.ts';
 import { aberrate } from '../../src/physics/optics/aberration.ts';
 import { observerDoppler } from '../../src/physics/optics/doppler.ts';
 import { sceneNightSky } from '../../src/scene/lights/sceneLights.ts';
-import { fastestVertex } from '../../src/scene/motion/fastestVertex.ts';
+import { fastestVertex } from '../../src/scene/motion/motion.ts';
 import type { ProbeObserver } from '../../src/scene/view/probe.ts';
 import {
   curvature,

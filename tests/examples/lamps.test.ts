@@ -1,7 +1,7 @@
 import { describe, expect, it } from 'vitest';
 import { length, normalize, scale, sub, type Vec3, ZERO } from '../../src/math/vec3.ts';
 import { dopplerFactor } from '../../src/physics/optics/doppler.ts';
-import { fastestVertex } from '../../src/scene/motion/fastestVertex.ts';
+import { fastestVertex } from '../../src/scene/motion/motion.ts';
 import type { SphereLight } from '../../src/scene/types.ts';
 import { observedColor } from '../../src/spectrum/color/observerColor.ts';
 import { colorMatching } from '../../src/spectrum/observer/standardObserver.ts';

@@ -1,6 +1,6 @@
 import { describe, expect, it } from 'vitest';
 import { dot, length, normalize, sub, type Vec3 } from '../../src/math/vec3.ts';
-import { fastestVertex } from '../../src/scene/motion/fastestVertex.ts';
+import { fastestVertex } from '../../src/scene/motion/motion.ts';
 import type { Material, RigidMotion, SphereLight } from '../../src/scene/types.ts';
 import { LUMINANCE_WEIGHTS, observedColor } from '../../src/spectrum/color/observerColor.ts';
 import { filterFromRgb, WHITE_FILTER } from '../../src/spectrum/reflectance/spectralFilter.ts';

@@ -1,7 +1,7 @@
 import { describe, expect, it } from 'vitest';
 import type { Vec3 } from '../../src/math/vec3.ts';
 import { properVelocity } from '../../src/physics/lorentz/boost.ts';
-import { fastestVertex } from '../../src/scene/motion/fastestVertex.ts';
+import { fastestVertex } from '../../src/scene/motion/motion.ts';
 import { probeVertices } from '../../src/scene/view/probe.ts';
 import { distanceFromLine, mean, objectAt, openExample, speedOfLight, worldPositions } from './open.ts';
 

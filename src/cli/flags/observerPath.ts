@@ -1,5 +1,6 @@
 import { radians } from '../../math/angle.ts';
 import { addScaled, length, type Vec3 } from '../../math/vec3.ts';
+import { isStatic } from '../../scene/motion/motion.ts';
 import type { Scene, SceneCamera } from '../../scene/types.ts';
 import { framingCamera, lookAtOrientation, observerFromCamera } from '../../scene/view/camera.ts';
 import { type ObserverPath, observerPathFrom } from '../../scene/view/observerPath.ts';
@@ -15,7 +16,7 @@ export function observerPath(scene: Scene, flags: ObserverFlags, c: number, star
   const camera = chooseCamera(scene, flags.camera);
   const { position, lookAt, fov } = flags;
   const up: Vec3 = scene.upAxis === 'Z' ? [0, 0, 1] : [0, 1, 0];
-  const moves = camera.motion.kind !== 'static' && position === undefined;
+  const moves = !isStatic(camera.motion) && position === undefined;
   const beta = flags.beta ?? (moves ? undefined : scene.hints.beta);
   const standpoint = {
     camera,

@@ -1,7 +1,7 @@
 import { Command } from 'commander';
 import { degrees } from '../../math/angle.ts';
-import { fastestVertex } from '../../scene/motion/fastestVertex.ts';
-import type { Diagnostic, Motion, Scene, SceneObject, VariantSet } from '../../scene/types.ts';
+import { fastestVertex, pointSamples, sampleTimes } from '../../scene/motion/motion.ts';
+import type { Diagnostic, Scene, SceneObject, VariantSet } from '../../scene/types.ts';
 import { validate } from '../../scene/validation/validate.ts';
 import { addSceneFlags, openSceneWithFlags, SCENE_ARGUMENT, type SceneFlags } from '../flags/sceneFlags.ts';
 import { speedOfLight, speedOfLightOption } from '../flags/viewFlags.ts';
@@ -65,21 +65,20 @@ function summarize(scene: Scene, c: number) {
 }
 
 function summarizeObject({ path, mesh, motion, lifetime, authoredIn }: SceneObject) {
+  const points = pointSamples(motion);
   return {
     path,
     vertices: mesh.positions.length / 3,
     triangles: mesh.indices.length / 3,
     motion: motion.kind,
-    samples: sampleCount(motion),
-    ...(motion.kind === 'sampled-points' && { interpolation: motion.velocities ? 'cubic' : 'linear' }),
+    samples: sampleTimes(motion)?.length ?? 0,
+    ...(points && { interpolation: points.velocities ? 'cubic' : 'linear' }),
     authoredIn,
     // JSON has no infinity: a bound that is not there is left out.
     birth: Number.isFinite(lifetime.birth) ? lifetime.birth : undefined,
     death: Number.isFinite(lifetime.death) ? lifetime.death : undefined,
   };
 }
-
-const sampleCount = (motion: Motion): number => ('times' in motion ? motion.times.length : 0);
 
 /** The fastest point of the whole scene; undefined where nothing moves. */
 function fastestPoint(scene: Scene, c: number) {

@@ -22,37 +22,34 @@ export const projectTexts = {
 
   'share.title': ['Share by a link', '用链接分享'],
   'share.intro': [
-    'The whole project is in the link, after the #. It is sent to nobody but those whom you give the link.',
+    'The whole project is in the link, after the #. Only people who get the link can see it.',
     '整个项目都在链接中 # 之后的部分。只有得到链接的人才能看到它。',
   ],
   'share.link': ['Link', '链接'],
   'share.copy': ['Copy', '复制'],
   'share.copied': ['Copied', '已复制'],
   'share.local': [
-    'A link cannot carry files, and this project reads some that are on your device: {{files}}. Save it with its files and send the zip.',
+    'A link cannot contain files, and this project reads some from your device: {{files}}. Save it with its files and send the zip.',
     '链接无法携带文件，而此项目读取了您设备上的文件：{{files}}。请连同文件一起保存，然后发送该 zip。',
   ],
 
   'notice.savedWithout': [
-    'Saved {{name}}. It reads files that are not in it ({{files}}): keep them beside it, or save with its files.',
+    'Saved {{name}}. It reads files that it does not contain ({{files}}): keep them beside it, or save with its files.',
     '已保存 {{name}}。它读取的文件不在其中（{{files}}）：请把它们放在旁边，或连同文件一起保存。',
   ],
-  'notice.packing': ['Collecting the files…', '正在收集文件…'],
+  'notice.packing': ['Collecting files…', '正在收集文件…'],
   'notice.tooMuchToPack': [
-    'Its files are {{size}}, more than the {{most}} that the page packs. Save the project alone, and keep the files beside it.',
+    'Its files are {{size}}, more than the {{most}} that the page can pack. Save the project alone, and keep the files beside it.',
     '它的文件共 {{size}}，超过页面可打包的 {{most}}。请只保存项目，并把文件放在旁边。',
   ],
   'notice.notKept': [
-    'This browser does not keep your work ({{why}}): what is not saved is lost when the page is closed. Save the project, or free some storage.',
+    'This browser cannot store your work ({{why}}): unsaved changes are lost when the page is closed. Save the project, or free some storage.',
     '浏览器无法保留您的工作（{{why}}）：关闭页面后，未保存的内容会丢失。请保存项目，或释放存储空间。',
   ],
   'notice.filesNotKept': [
-    'The files ({{size}}) are too large to be kept in the browser. When the page is loaded again they have to be opened again; all else is kept.',
+    'The files ({{size}}) are too large to be stored in the browser. After a reload they must be opened again; everything else is kept.',
     '文件（{{size}}）太大，无法保留在浏览器中。重新加载页面后需再次打开它们；其余内容都会保留。',
   ],
-  'notice.earlier': [
-    'There is work from {{when}} that was not saved: {{name}}.',
-    '有 {{when}} 未保存的工作：{{name}}。',
-  ],
-  'notice.continue': ['Continue it', '继续'],
+  'notice.earlier': ['There is unsaved work from {{when}}: {{name}}.', '有 {{when}} 未保存的工作：{{name}}。'],
+  'notice.continue': ['Restore', '继续'],
 } as const satisfies Record<string, readonly [en: string, zh: string]>;

@@ -1,5 +1,6 @@
 import { rotate } from '../../math/quat.ts';
 import { add, type Vec3 } from '../../math/vec3.ts';
+import { sampleTimes } from '../../scene/motion/motion.ts';
 import type { Material, Mesh, Pose, Scene, Texture, TextureChannel } from '../../scene/types.ts';
 import { DiagnosticLog } from '../diagnostics/diagnosticLog.ts';
 import { redTexture } from '../image/channelTexture.ts';
@@ -18,13 +19,9 @@ export function writeObj(scene: Scene, name: string): ExportedScene {
   let first = 1;
   const parts = [['# Y up, metres', `mtllib ${base}.mtl`]];
   for (const { path, mesh, motion } of exportObjects(scene, losses)) {
-    if (motion.kind !== 'static')
-      losses.add(
-        'warning',
-        'convert.motion',
-        path,
-        `OBJ has no motion: it is written where it is at ${motion.times[0]} s`,
-      );
+    const times = sampleTimes(motion);
+    if (times)
+      losses.add('warning', 'convert.motion', path, `OBJ has no motion: it is written where it is at ${times[0]} s`);
     const name = path.replace(/^\//, '').replace(/\s/g, '_');
     parts.push([`o ${name}`], vertexLines(scene, mesh, exportPoses(motion)[0]), faceLines(mesh, first, library));
     first += mesh.positions.length / 3;

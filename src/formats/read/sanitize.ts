@@ -1,5 +1,7 @@
 import { makeMaterial } from '../../scene/defaults.ts';
 import { deformedNormals, smoothingGroups } from '../../scene/mesh/normals.ts';
+import { pointSamples } from '../../scene/motion/motion.ts';
+import { motionKind } from '../../scene/motion/motions.ts';
 import { isStreamed, pointsAt } from '../../scene/streaming/samplePoints.ts';
 import { withoutNonFiniteVertices } from '../../scene/streaming/streamedPoints.ts';
 import type {
@@ -80,14 +82,7 @@ function areFiniteBits(bits: Uint32Array): boolean {
 }
 
 function isMotionFinite({ path, motion }: { path: string; motion: Motion }, say: ReportIssue): boolean {
-  const lists = [
-    'pose' in motion ? [...motion.pose.position, ...motion.pose.orientation] : motion.times,
-    motion.kind === 'sampled' ? motion.poses : [],
-    motion.kind === 'sampled-points' ? motion.origin : [],
-    motion.kind === 'uniform' ? motion.velocity : [],
-    motion.kind === 'hyperbolic' ? [...motion.properAcceleration, motion.t0] : [],
-  ];
-  if (lists.every(allFinite)) return true;
+  if (motionKind(motion).numbers(motion).every(allFinite)) return true;
   say(path, `where it is, or how it moves, is ${NOT_FINITE_TEXT}; it is left out`);
   return false;
 }
@@ -108,7 +103,7 @@ const NO_POINTS: readonly Float32Array[] = [];
 
 /** A 1 for each vertex that is nowhere, at rest or at a sample; undefined where all are somewhere. */
 function nonFiniteVertices({ mesh, motion }: SceneObject): Uint8Array | undefined {
-  const points = motion.kind === 'sampled-points' ? motion.points : NO_POINTS;
+  const points = pointSamples(motion)?.points ?? NO_POINTS;
   if (isStreamed(points)) return points.statistics.nonFiniteVertices;
   if (cachedAllFinite(mesh.positions) && cachedAllFinite(points)) return undefined;
   const broken = [mesh.positions, ...points].filter((shape) => !allFinite(shape));
@@ -139,10 +134,11 @@ function withoutVertices({ path, mesh }: SceneObject, lost: Uint8Array, say: Rep
 }
 
 function zeroVertices(lost: Uint8Array, motion: Motion): Motion {
-  if (motion.kind !== 'sampled-points') return motion;
-  const { points } = motion;
+  const samples = pointSamples(motion);
+  if (!samples) return motion;
+  const { points } = samples;
   return {
-    ...motion,
+    ...samples,
     points: isStreamed(points) ? withoutNonFiniteVertices(points) : points.map((list) => zeroPoints(list, lost)),
   };
 }
@@ -152,10 +148,11 @@ const zeroPoints = (points: Float32Array, lost: Uint8Array): Float32Array =>
 
 /** Normals of samples that are not all numbers are computed from the points. */
 function withFiniteNormals(motion: Motion, mesh: Mesh): Motion {
-  if (motion.kind !== 'sampled-points' || !motion.normals || cachedAllFinite(motion.normals)) return motion;
+  const samples = pointSamples(motion);
+  if (!samples?.normals || cachedAllFinite(samples.normals)) return motion;
   const groups = smoothingGroups(mesh);
-  const computed = (k: number): Float32Array => finite(deformedNormals(pointsAt(motion, k), mesh.indices, groups));
-  return { ...motion, normals: motion.normals.map((normals, k) => (allFinite(normals) ? normals : computed(k))) };
+  const computed = (k: number): Float32Array => finite(deformedNormals(pointsAt(samples, k), mesh.indices, groups));
+  return { ...samples, normals: samples.normals.map((normals, k) => (allFinite(normals) ? normals : computed(k))) };
 }
 
 /** With normals and uvs that are numbers. */

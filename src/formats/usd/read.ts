@@ -1,4 +1,5 @@
 import { SamplingBudget } from '../../scene/motion/adaptiveSampling.ts';
+import { sampleTimes } from '../../scene/motion/motion.ts';
 import type { Diagnostic, MissingFile, Scene } from '../../scene/types.ts';
 import { DiagnosticList } from '../diagnostics/diagnosticLog.ts';
 import { inputError } from '../diagnostics/inputError.ts';
@@ -139,9 +140,10 @@ function timeRange(context: StageContext, { objects, cameras }: StageContents) {
   const end = metadataNumber(context.layer.metadata, 'endTimeCode');
   let [first, last] = [Infinity, -Infinity];
   for (const { motion } of [...objects, ...cameras]) {
-    if (!('times' in motion)) continue;
-    first = Math.min(first, motion.times[0]);
-    last = Math.max(last, motion.times[motion.times.length - 1]);
+    const times = sampleTimes(motion);
+    if (!times) continue;
+    first = Math.min(first, times[0]);
+    last = Math.max(last, times[times.length - 1]);
   }
   const startTime = start !== undefined ? start / context.codesPerSecond : Number.isFinite(first) ? first : 0;
   const endTime = end !== undefined ? end / context.codesPerSecond : Math.max(startTime, last);

@@ -2,11 +2,13 @@ import { fromAxisAngle, multiply, type Quat } from '../../math/quat.ts';
 import type { Vec3 } from '../../math/vec3.ts';
 import { boundingSphere } from '../../scene/bounds/bounds.ts';
 import { deformedNormals, smoothingGroups } from '../../scene/mesh/normals.ts';
-import { poseAt, samplePose, vertexPositions } from '../../scene/motion/motion.ts';
-import { restToWorld, sampleMotion } from '../../scene/motion/resample.ts';
+import { poseAt, poseSamples, restToWorld, vertexPositions } from '../../scene/motion/motion.ts';
+import { samplePose } from '../../scene/motion/poses.ts';
+import { sampleMotion } from '../../scene/motion/resample.ts';
 import type {
   Diagnostic,
   Motion,
+  Pose,
   RigidMotion,
   SampledMotion,
   SampledPointsMotion,
@@ -57,8 +59,7 @@ export function exportObjects(
 function exportObject(object: SceneObject, scene: Scene, c: number, losses: DiagnosticLog) {
   const own = restToWorld(object, c);
   const { motion } = own;
-  if (motion.kind === 'static' || motion.kind === 'sampled' || motion.kind === 'sampled-points')
-    return { mesh: own.mesh, motion };
+  if (isExportable(motion)) return { mesh: own.mesh, motion };
   const { radius, center } = boundingSphere(own.mesh.positions);
   const reach = radius + Math.hypot(...center);
   const range = [scene.startTime, Math.max(scene.endTime, scene.startTime + 1)];
@@ -68,10 +69,16 @@ function exportObject(object: SceneObject, scene: Scene, c: number, losses: Diag
   return contracted(own, times, samplePose(poses, 0).position, c);
 }
 
-function sampledFrom({ kind }: { readonly kind: 'uniform' | 'hyperbolic' }, range: readonly number[]): string {
-  const motion = kind === 'uniform' ? 'its uniform motion' : 'its hyperbolic motion';
-  return `${motion} is sampled from ${range[0]} to ${range[1]} s; before and after it rests`;
-}
+/** Kinds that they cannot hold, by name: these are sampled. */
+const SAMPLED_TEXTS: { readonly [K in Exclude<Motion, ExportMotion>['kind']]: string } = {
+  uniform: 'its uniform motion',
+  hyperbolic: 'its hyperbolic motion',
+};
+
+const isExportable = (motion: Motion): motion is ExportMotion => !Object.hasOwn(SAMPLED_TEXTS, motion.kind);
+
+const sampledFrom = ({ kind }: Exclude<Motion, ExportMotion>, range: readonly number[]): string =>
+  `${SAMPLED_TEXTS[kind]} is sampled from ${range[0]} to ${range[1]} s; before and after it rests`;
 
 /** A body in its own rest frame, as the points that it has in the world at some times. */
 function contracted(object: SceneObject, times: Float64Array, origin: Vec3, c: number) {
@@ -91,7 +98,7 @@ export function exportRigidMotion(
   path: string,
   losses: DiagnosticLog,
 ): StaticMotion | SampledMotion {
-  if (motion.kind === 'static' || motion.kind === 'sampled') return motion;
+  if (isExportable(motion)) return motion;
   const c = scene.hints.speedOfLight ?? SPEED_OF_LIGHT;
   const range = [scene.startTime, Math.max(scene.endTime, scene.startTime + 1)];
   losses.add('warning', 'convert.motion', path, sampledFrom(motion, range));
@@ -106,10 +113,10 @@ export const vectorYUp = (scene: Scene, [x, y, z]: Vec3): Vec3 => (scene.upAxis 
 export const orientationYUp = (scene: Scene, q: Quat): Quat => (scene.upAxis === 'Y' ? q : multiply(TO_Y_UP, q));
 
 /** Poses at times; one, without a time, where nothing moves. */
-export function exportPoses(motion: Exclude<Motion, { kind: 'uniform' | 'hyperbolic' }>) {
-  if (motion.kind === 'static') return [motion.pose];
-  if (motion.kind === 'sampled-points') return [{ position: motion.origin, orientation: [0, 0, 0, 1] as Quat }];
-  return Array.from(motion.times, (_, i) => samplePose(motion.poses, i));
+export function exportPoses(motion: ExportMotion): readonly Pose[] {
+  const samples = poseSamples(motion);
+  if (!samples) return [poseAt(motion, 0, SPEED_OF_LIGHT)];
+  return Array.from(samples.times, (_, i) => samplePose(samples.poses, i));
 }
 
 /** The scene as files without relativity hold it, in its own kinds of motion; `notes`: what that loses. */

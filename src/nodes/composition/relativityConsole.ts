@@ -1,5 +1,6 @@
 import { NodeRefusal } from '../../graph/nodeType.ts';
 import { fastestInScene } from '../../scene/motion/fastestInScene.ts';
+import { approachesC } from '../../scene/motion/motion.ts';
 import { validate } from '../../scene/validation/validate.ts';
 import { defineNode } from '../defineNode.ts';
 import type { LoadedScene } from '../services.ts';
@@ -114,9 +115,7 @@ const fittingSpeedOfLight = ({ fastest }: LoadedScene): number =>
 
 /** The Rindler horizon, which limits how far a Born-rigid body may extend behind its origin, also depends on c. */
 function assertWithinHorizon({ scene }: LoadedScene, c: number): void {
-  const objects = scene.objects.filter(
-    ({ motion, authoredIn }) => motion.kind === 'hyperbolic' && authoredIn === 'rest',
-  );
+  const objects = scene.objects.filter(({ motion, authoredIn }) => approachesC(motion) && authoredIn === 'rest');
   if (objects.length === 0) return;
   const found = validate({ ...scene, objects, cameras: [] }, c).find(({ code }) => code === 'motion.horizon');
   if (found) throw new NodeRefusal({ severity: 'error', code: found.code, place: found.place, message: found.message });
@@ -127,7 +126,7 @@ function assertWithinHorizon({ scene }: LoadedScene, c: number): void {
  */
 function withFastestAt(loaded: LoadedScene, speedOfLight: number): LoadedScene {
   const { scene, fastest } = loaded;
-  const evenly = scene.objects.some(({ path, motion }) => path === fastest?.path && motion.kind === 'hyperbolic');
+  const evenly = scene.objects.some(({ path, motion }) => path === fastest?.path && approachesC(motion));
   if (!fastest || fastest.speed < speedOfLight || !evenly) return loaded;
   return { scene, fastest: fastestInScene({ ...scene, hints: { ...scene.hints, speedOfLight } }) };
 }

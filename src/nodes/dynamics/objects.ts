@@ -1,6 +1,7 @@
 import { add, scale, type Vec3 } from '../../math/vec3.ts';
 import { boundingBox } from '../../scene/bounds/bounds.ts';
-import { applyPose, poseAt } from '../../scene/motion/motion.ts';
+import { isStatic, poseAt } from '../../scene/motion/motion.ts';
+import { applyPose } from '../../scene/motion/poses.ts';
 import type { Pose, SceneObject } from '../../scene/types.ts';
 import { nodeRefusal } from '../common/params.ts';
 
@@ -25,7 +26,7 @@ export function meshCenter(object: SceneObject): Vec3 {
   return scale(add(min, max), 0.5);
 }
 
-export const isMoving = ({ motion }: SceneObject): boolean => motion.kind !== 'static';
+export const isMoving = ({ motion }: SceneObject): boolean => !isStatic(motion);
 
 /** Bounds of its mesh, in its own frame. */
 export function meshBounds({ mesh, path }: SceneObject) {

@@ -2,7 +2,8 @@ import { box, type Obstacle, plane } from '../../dynamics/forces/obstacle.ts';
 import { conjugate, multiply, rotate, rotationAngle } from '../../math/quat.ts';
 import { addScaled, length, normalize, sub, type Vec3 } from '../../math/vec3.ts';
 import { pointAt } from '../../scene/mesh/polygons.ts';
-import { applyPose, samplePose } from '../../scene/motion/motion.ts';
+import { poseSamples } from '../../scene/motion/motion.ts';
+import { applyPose, samplePose } from '../../scene/motion/poses.ts';
 import type { SceneObject } from '../../scene/types.ts';
 import { nodeRefusal } from '../common/params.ts';
 import type { ColliderMatter } from './matter.ts';
@@ -44,10 +45,11 @@ export function carrierPositions(object: SceneObject, { orientation }: Obstacle,
 }
 
 function isRotating({ motion }: SceneObject): boolean {
-  if (motion.kind !== 'sampled') return false;
-  const first = conjugate(samplePose(motion.poses, 0).orientation);
-  return motion.times.some(
-    (_, k) => rotationAngle(multiply(first, samplePose(motion.poses, k).orientation)) >= MIN_ROTATION,
+  const samples = poseSamples(motion);
+  if (!samples) return false;
+  const first = conjugate(samplePose(samples.poses, 0).orientation);
+  return samples.times.some(
+    (_, k) => rotationAngle(multiply(first, samplePose(samples.poses, k).orientation)) >= MIN_ROTATION,
   );
 }
 

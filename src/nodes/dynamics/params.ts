@@ -1,5 +1,6 @@
 import type { NumberParam } from '../../graph/nodeType.ts';
 import { matchesPath } from '../../scene/compose/mergeScenes.ts';
+import { deforms, isStatic } from '../../scene/motion/motion.ts';
 import type { Scene } from '../../scene/types.ts';
 import { toLoadedScene } from '../common/loadedScene.ts';
 import { assertPathExists, nodeRefusal } from '../common/params.ts';
@@ -57,7 +58,7 @@ export function splitByPath(
   if (objects.length === 0)
     throw nodeRefusal('matter.none', node, 'there is no thing with a surface; connect one that has');
   for (const { path, motion } of objects) {
-    if (motion.kind === 'static' || (may === 'rigid' && motion.kind !== 'sampled-points')) continue;
+    if (isStatic(motion) || (may === 'rigid' && !deforms(motion))) continue;
     const how = may === 'rigid' ? 'changes its shape' : 'moves';
     const message = `${path} ${how} already; put this before what moves it, or choose things ${may === 'rigid' ? 'that keep theirs' : 'at rest'}`;
     throw nodeRefusal('matter.moving', path, message);

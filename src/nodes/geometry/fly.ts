@@ -1,7 +1,7 @@
 import { type NodeProblem, NodeRefusal } from '../../graph/nodeType.ts';
 import { length, normalize, scale } from '../../math/vec3.ts';
-import { fastestVertex } from '../../scene/motion/fastestVertex.ts';
 import { fly, isAtOrBelow, tooLargeToFly } from '../../scene/motion/fly.ts';
+import { fastestVertex } from '../../scene/motion/motion.ts';
 import type { Scene } from '../../scene/types.ts';
 import { timeParam } from '../common/params.ts';
 import { defineNode } from '../defineNode.ts';

@@ -1,5 +1,6 @@
 import { applyRigidMotion, movingPaths, reachFromOrigin } from '../../scene/compose/applyRigidMotion.ts';
 import { motionFromPath } from '../../scene/compose/motionPaths.ts';
+import { sampleTimes } from '../../scene/motion/motion.ts';
 import type { RigidMotion, SceneObject } from '../../scene/types.ts';
 import { toLoadedScene } from '../common/loadedScene.ts';
 import { assertPathExists, nodeRefusal, whichParam } from '../common/params.ts';
@@ -41,8 +42,9 @@ export const moveNode = defineNode({
 
 /** Extends the time range to include a sampled motion. */
 function timeRangeIncluding({ startTime, endTime }: { startTime: number; endTime: number }, motion: RigidMotion) {
-  if (motion.kind !== 'sampled') return { startTime, endTime };
-  const [first, last] = [motion.times[0]!, motion.times[motion.times.length - 1]!];
+  const times = sampleTimes(motion);
+  if (!times) return { startTime, endTime };
+  const [first, last] = [times[0]!, times[times.length - 1]!];
   const still = endTime <= startTime;
   return { startTime: still ? first : Math.min(startTime, first), endTime: still ? last : Math.max(endTime, last) };
 }

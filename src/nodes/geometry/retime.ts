@@ -1,4 +1,4 @@
-import { fastestVertex } from '../../scene/motion/fastestVertex.ts';
+import { approachesC, fastestVertex } from '../../scene/motion/motion.ts';
 import { retime } from '../../scene/motion/retime.ts';
 import { timeParam } from '../common/params.ts';
 import { defineNode } from '../defineNode.ts';
@@ -35,7 +35,7 @@ export const retimeNode = defineNode({
 });
 
 /**
- * The fastest point scales with the speed, at its new time; for hyperbolic motion, which approaches c, it is
+ * The fastest point scales with the speed, at its new time; for what approaches c it is
  * recomputed.
  */
 function retimedFastest(scene: LoadedScene['scene'], before: LoadedScene, speed: number): Pick<LoadedScene, 'fastest'> {
@@ -43,7 +43,7 @@ function retimedFastest(scene: LoadedScene['scene'], before: LoadedScene, speed:
   const object = point && scene.objects.find(({ path }) => path === point.path);
   if (!point || !object) return {};
   const { startTime, endTime, hints } = scene;
-  if (object.motion.kind === 'hyperbolic') {
+  if (approachesC(object.motion)) {
     const found = fastestVertex(object, hints.speedOfLight ?? 299_792_458, [startTime, endTime]);
     return { fastest: { path: object.path, time: found.from, speed: found.speed } };
   }

@@ -2,7 +2,7 @@ import type { Mat4 } from '../../math/mat4.ts';
 import { addScaled, cross, dot, length, negate, scale, type Vec3 } from '../../math/vec3.ts';
 import { type FourVector, fourVector, spatial } from './fourVector.ts';
 
-// Velocities are kept as the proper velocity u = γβ, in units of c: it has no ceiling, so nothing is lost near c.
+// Velocities are given as the proper velocity u = γβ in units of c, which is well conditioned at any speed (docs/physics.md §1.2, §2.1).
 
 /** γ = √(1 + u²) of a proper velocity u = γβ. */
 export const gamma = (u: Vec3): number => Math.sqrt(1 + dot(u, u));
@@ -25,7 +25,7 @@ export const rapidity = (u: Vec3): number => Math.asinh(length(u));
 /**
  * World → the frame that moves with proper velocity u and whose origin meets the world's at ct = 0, without rotation:
  * ct′ = γ ct − u·x,  x′ = x + [u·x/(γ + 1) − ct] u.
- * X [m] in the world frame, the result in the moving frame. Source: Jackson, Classical Electrodynamics, 3rd ed., eq. (11.19).
+ * X [m] in the world frame, the result in the moving frame. docs/physics.md §2.2; Jackson, Classical Electrodynamics, 3rd ed., eq. (11.19).
  */
 export function boost(X: FourVector, u: Vec3): FourVector {
   const g = gamma(u);
@@ -52,8 +52,8 @@ export function boostMatrix(u: Vec3): Mat4 {
 
 /**
  * The spatial part, in the world, of a four-vector (√(m² + x²), x) that is given in the frame moving with u:
- * x + [u·x/(γ + 1) + √(m² + x²)] u, also where the two terms nearly cancel (x backward against u).
- * m is the invariant length: 0 for light, 1 for a four-velocity, cΔτ for a displacement along a world line.
+ * x + [u·x/(γ + 1) + √(m² + x²)] u, accurate also where the two terms nearly cancel (x points against u).
+ * m is the invariant length: 0 for light, 1 for a four-velocity, cΔτ for a displacement along a world line. docs/physics.md §2.3.
  *
  * Along û, with p = x·û, w = |u|: γp + w√(m² + x²) = (w²m² − p² + |u × x|²)/(w√(m² + x²) − γp) where p < 0.
  */
@@ -62,7 +62,7 @@ export function inverseBoostSpatial(x: Vec3, m: number, u: Vec3): Vec3 {
   const ux = dot(u, x);
   const e = m === 0 ? length(x) : Math.hypot(m, x[0], x[1], x[2]);
   const w = length(u);
-  // A slow boost cancels nothing either, and its squares could underflow.
+  // For tiny |u| nothing cancels, and its squares could underflow.
   if (ux >= 0 || w < 1e-100) return addScaled(x, u, ux / (g + 1) + e);
   const p = ux / w;
   const side = cross(u, x);

@@ -3,7 +3,7 @@ import type { Vec3 } from '../../math/vec3.ts';
 import { boostMatrix } from './boost.ts';
 import type { FourVector } from './fourVector.ts';
 
-/** X′ = Λ X + a: a change between any two inertial frames. */
+/** X′ = Λ X + a: a transformation between any two inertial frames (docs/physics.md §2.2). */
 export interface Poincare {
   /** Λ, row by row, on (ct, x, y, z). */
   readonly lorentz: Mat4;
@@ -28,13 +28,13 @@ const minus = (A: FourVector): FourVector => [-A[0], -A[1], -A[2], -A[3]];
 export const applyPoincare = (p: Poincare, X: FourVector): FourVector =>
   plus(applyLorentz(p.lorentz, X), p.translation);
 
-/** First `first`, then `then`. */
+/** `first` followed by `then`. */
 export const composePoincare = (then: Poincare, first: Poincare): Poincare => ({
   lorentz: multiply(then.lorentz, first.lorentz),
   translation: applyPoincare(then, first.translation),
 });
 
-/** Λ⁻¹ = η Λᵀ η with η = diag(−1, 1, 1, 1); exact, no elimination. */
+/** Λ⁻¹ = η Λᵀ η with η = diag(−1, 1, 1, 1); exact, without elimination. */
 export const inverseLorentz = (l: Mat4): Mat4 => [
   ...[l[0], -l[4], -l[8], -l[12]],
   ...[-l[1], l[5], l[9], l[13]],

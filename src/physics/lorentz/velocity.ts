@@ -3,18 +3,18 @@ import { cross, dot, negate, type Vec3 } from '../../math/vec3.ts';
 import { gamma, inverseBoostSpatial } from './boost.ts';
 
 /**
- * Velocity addition: u + u₂ where `u₂` is measured in the frame that moves with u (axes carried by the pure boost):
+ * Velocity addition u ⊕ u₂, with `u2` measured in the frame that moves with u (axes carried by the pure boost):
  * u₂ + [u·u₂/(γ + 1) + γ₂] u. Proper velocities γβ in units of c; the result in the world frame. Neither commutative nor
- * associative: see `wignerRotation`. Source: Jackson §11.4, as a boost of the four-velocity.
+ * associative: see `wignerRotation`. docs/physics.md §2.4; Jackson §11.4, as a boost of the four-velocity.
  */
 export const addVelocities = (u: Vec3, u2: Vec3): Vec3 => inverseBoostSpatial(u2, 1, u);
 
-/** The proper velocity of something (world frame: u) as measured by an observer (world frame: `uObserver`), in his axes. */
+/** The proper velocity, in the observer's frame, of something with proper velocity u; both u and `uObserver` in the world frame. */
 export const relativeVelocity = (u: Vec3, uObserver: Vec3): Vec3 => inverseBoostSpatial(u, 1, negate(uObserver));
 
 /**
- * The rotation R in B(u₂)B(u₁) = R·B(u₁ ⊕ u₂): the axes reached by two boosts, seen from those reached by one. In the axes
- * of the final frame a vector with coordinates v in B(u₁ ⊕ u₂) has coordinates R v in B(u₂)B(u₁).
+ * The rotation R in B(u₂)B(u₁) = R·B(u₁ ⊕ u₂): it relates the axes after two boosts to those after the single boost. A vector with the
+ * coordinates v in the axes of B(u₁ ⊕ u₂) has the coordinates R v in those of B(u₂)B(u₁). docs/physics.md §2.5.
  *
  * As a quaternion ∝ (s₁ × s₂, C₁C₂ + s₁·s₂) with C = cosh(ζ/2) = √((γ + 1)/2), s = sinh(ζ/2) û = u/(2C), so that
  * tan(θ/2) = |s₁ × s₂|/(C₁C₂ + s₁·s₂). Source: product of the spinor matrices C − s·σ; Ungar 1988, Found. Phys. Lett. 1, 57.
@@ -26,14 +26,14 @@ export function wignerRotation(u1: Vec3, u2: Vec3): Quat {
   const ss = dot(u1, u2) * scaleBoth;
   const [x, y, z] = cross(u1, u2);
   const sideSquare = (x * x + y * y + z * z) * scaleBoth * scaleBoth;
-  // (C₁C₂)² − (s₁·s₂)² = 1 + s₁² + s₂² + |s₁ × s₂|² keeps head-on boosts exact.
+  // (C₁C₂)² − (s₁·s₂)² = 1 + s₁² + s₂² + |s₁ × s₂|² avoids cancellation for opposite boosts.
   const real = ss >= 0 ? c1 * c2 + ss : (c1 * c1 + c2 * c2 - 1 + sideSquare) / (c1 * c2 - ss);
   return normalizeQuat([x * scaleBoth, y * scaleBoth, z * scaleBoth, real]);
 }
 
 /**
  * Four-acceleration A^μ = (γ⁴ β·a, γ² a + γ⁴(β·a) β) as [A⁰, A] for a coordinate acceleration a = dv/dt, with U^μA_μ = 0.
- * β in units of c, world frame; A in the unit of a [m/s²]. Source: Jackson §11.7 / any text.
+ * β in units of c, world frame; A in the unit of a [m/s²]. docs/physics.md §2.6; Jackson §11.7.
  */
 export function fourAcceleration(u: Vec3, a: Vec3): readonly [number, number, number, number] {
   const g2 = 1 + dot(u, u);

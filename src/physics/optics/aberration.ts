@@ -2,7 +2,7 @@ import { negate, normalize, type Vec3 } from '../../math/vec3.ts';
 import { inverseBoostSpatial } from '../lorentz/boost.ts';
 
 /**
- * Aberration: n′ = [n + (γ + γ²/(γ + 1) β·n) β]/[γ(1 + β·n)]. Directions crowd toward the motion.
+ * Aberration: n′ = [n + (γ + γ²/(γ + 1) β·n) β]/[γ(1 + β·n)]. Directions are concentrated towards the direction of motion.
  * n: unit, world frame, observer → source. u: the observer's γβ. n′: unit, observer's frame. n = 0 gives 0.
  * docs/physics.md §3.2; Jackson eq. (11.32) as a vector.
  */

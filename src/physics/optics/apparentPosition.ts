@@ -3,8 +3,8 @@ import { mapVectors } from '../../math/vec3Arrays.ts';
 import { inverseBoostSpatial } from '../lorentz/boost.ts';
 
 /**
- * Where a point appears: Δx′ = Δx + [γ²/(γ + 1) β·Δx + γ|Δx|] β, the spatial part of the past light-cone event (−|Δx|, Δx)
- * in the observer's frame. |Δx′| = D|Δx|, so order in depth is kept along each ray.
+ * Apparent position Δx′ = Δx + [γ²/(γ + 1) β·Δx + γ|Δx|] β: the spatial part of the past light-cone event (−|Δx|, Δx)
+ * in the observer's frame. |Δx′| = D|Δx|, so depth order is preserved along each ray.
  * Δx [m]: world frame, observer → emission event. u: the observer's γβ. The result in the observer's frame [m].
  * Any γ, also in the backward direction; Δx = 0 gives 0. docs/physics.md §3.3: the boost of a null vector.
  */

@@ -5,9 +5,9 @@ import { gamma, oneMinusBetaSquared } from '../lorentz/boost.ts';
 // D = ν_observed / ν_emitted throughout: D > 1 is blue.
 
 /**
- * The observer's own factor D_o = γ(1 + β·n), n = Δx/|Δx|: what a static world's light is multiplied with.
- * Δx [any unit of length]: world frame, observer → emission event. u: the observer's γβ. Where u·n < 0 by its conjugate
- * (1 + |u × n|²)/(γ − u·n), exact to the last digits at any γ. Δx = 0, which has no direction, gives γ.
+ * The observer's factor D_o = γ(1 + β·n), n = Δx/|Δx|: D of a source at rest in the world.
+ * Δx [any unit of length]: world frame, observer → emission event. u: the observer's γβ. Where u·n < 0 the conjugate form
+ * (1 + |u × n|²)/(γ − u·n) is used, accurate at any γ. Δx = 0 has no direction and gives γ.
  * docs/physics.md §3.4; Einstein 1905, §7.
  */
 export function observerDoppler(dx: Vec3, u: Vec3): number {
@@ -19,9 +19,9 @@ export function observerDoppler(dx: Vec3, u: Vec3): number {
 }
 
 /**
- * A moving emitter's factor D_e = √(1 − β²)/(1 + β·n), seen by an observer at rest in the world.
+ * The factor of a moving emitter, D_e = √(1 − β²)/(1 + β·n), for an observer at rest in the world.
  * n: unit, world frame, observer → source at the emission event. β: the emitter's velocity in units of c, world frame.
- * `oneMinusBeta2` where 1 − β² is known better than β tells. docs/physics.md §3.4.
+ * `oneMinusBeta2`: 1 − β², if known to more digits than β gives. docs/physics.md §3.4.
  */
 export function emitterDoppler(n: Vec3, beta: Vec3, oneMinusBeta2 = oneMinusBetaSquared(beta)): number {
   const bn = dot(beta, n);
@@ -38,16 +38,16 @@ export const dopplerFactor = (n: Vec3, uObserver: Vec3, uEmitter: Vec3): number 
   observerDoppler(n, uObserver) / observerDoppler(n, uEmitter);
 
 /**
- * D = 1/[γ(1 − β·n′)] of a static world, from the direction in which it is seen.
- * n′: observer's frame, observer → where it appears (any length). u: the observer's γβ.
+ * D = 1/[γ(1 − β·n′)] of a source at rest in the world, from its apparent direction.
+ * n′: observer's frame, observer → apparent position (any length). u: the observer's γβ. docs/physics.md §3.4.
  */
 export const dopplerAtPixel = (nPrime: Vec3, u: Vec3): number => 1 / observerDoppler(nPrime, negate(u));
 
-/** `observerDoppler` of many points, 3 numbers in and 1 out each. */
+/** `observerDoppler` of many points: 3 numbers in and 1 out per point. */
 export const observerDopplers = (dx: Float64Array, u: Vec3, out = new Float64Array(dx.length / 3)): Float64Array =>
   mapScalars(dx, out, (v) => observerDoppler(v, u));
 
-/** `dopplerFactor` of many points that share an observer: offsets Δx and emitters' proper velocities, 3 numbers each. */
+/** `dopplerFactor` of many points for one observer: offsets Δx and emitters' proper velocities, 3 numbers each. */
 export function dopplerFactors(
   dx: Float64Array,
   uObserver: Vec3,
@@ -64,9 +64,9 @@ export function dopplerFactors(
 }
 
 /**
- * The speed across the sky of something at velocity β (units of c), as its picture moves: |β⊥|/(1 + β·n), in units of c.
- * It passes 1 where the thing comes nearly head-on: β sin θ/(1 − β cos θ) with θ from the line of sight toward the observer.
- * n: unit, world frame, observer → source. Source: Rees 1966, Nature 211, 468.
+ * Apparent transverse speed of a source with velocity β (units of c): |β⊥|/(1 + β·n), in units of c. It exceeds 1 for a source that
+ * approaches nearly head-on: β sin θ/(1 − β cos θ), θ the angle between the velocity and the direction to the observer.
+ * n: unit, world frame, observer → source. docs/physics.md §3.5; Rees 1966, Nature 211, 468.
  */
 export function apparentSpeedAcross(n: Vec3, beta: Vec3): number {
   const bn = dot(beta, n);

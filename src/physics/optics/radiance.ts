@@ -1,9 +1,9 @@
-// What a Doppler factor D = ν_observed / ν_emitted does to light. From the invariance of L_ν/ν³ (the number of photons per
-// quantum state). Source: Rybicki & Lightman, Radiative Processes in Astrophysics, §4.9; docs/physics.md §6.1.
+// Transformation of light under a Doppler factor D = ν_observed / ν_emitted, from the invariance of L_ν/ν³ (the number of photons per
+// quantum state). docs/physics.md §6.1; Rybicki & Lightman, Radiative Processes in Astrophysics, §4.9.
 
-/** Frequency seen [Hz]: ν′ = D ν. */
+/** Observed frequency ν′ = D ν [Hz]. */
 export const observedFrequency = (nu: number, D: number): number => D * nu;
-/** Wavelength seen [m]: λ′ = λ/D. */
+/** Observed wavelength λ′ = λ/D [m]. */
 export const observedWavelength = (lambda: number, D: number): number => lambda / D;
 
 /** L_ν′(ν) = D³ L_ν(ν/D) [W/(m² sr Hz)], of an emitted spectrum L_ν. */
@@ -14,11 +14,11 @@ export const radiancePerFrequency = (emitted: (nu: number) => number, nu: number
 export const radiancePerWavelength = (emitted: (lambda: number) => number, lambda: number, D: number): number =>
   D ** 5 * emitted(D * lambda);
 
-/** Radiance over all wavelengths: L′ = D⁴ L [W/(m² sr)]. */
+/** Radiance integrated over all wavelengths: L′ = D⁴ L [W/(m² sr)]. */
 export const bolometricRadiance = (L: number, D: number): number => D ** 4 * L;
 
-/** Solid angle under which a small piece of the sky is seen [sr]: dΩ′ = dΩ/D². */
+/** Solid angle of a small piece of the sky: dΩ′ = dΩ/D² [sr]. */
 export const observedSolidAngle = (omega: number, D: number): number => omega / (D * D);
 
-/** A blackbody at T looks exactly like a blackbody at D T [K]. */
+/** The temperature D T of the blackbody that a blackbody at T looks like [K]. */
 export const blackbodyTemperature = (T: number, D: number): number => D * T;

@@ -3,10 +3,10 @@ import { add, addScaled, dot, length, scale, sub, type Vec3 } from '../../math/v
 import { gamma } from '../lorentz/boost.ts';
 import { polylineEmission, type RetardedEvent, staticEmission } from './emission.ts';
 
-// Cubic pieces of world lines (Hermite form). Any units in which velocities are lengths per time; where light is met, c = 1 and
-// everything is relative to the observer's event, as in emission.ts.
+// Cubic pieces of world lines in Hermite form (docs/physics.md §4.8). Any units in which velocities are lengths per time; in functions of the
+// light cone or a slice c = 1 and everything is relative to the observer's event, as in emission.ts.
 
-/** Begins at `a` with the velocity `va` and ends, `span` later, at `b` with `vb`. */
+/** Starts at `a` with the velocity `va` and ends, `span` later, at `b` with `vb`. */
 export interface CubicPiece {
   readonly a: Vec3;
   readonly va: Vec3;
@@ -16,7 +16,7 @@ export interface CubicPiece {
   readonly span: number;
 }
 
-/** Place and velocity `s` after the beginning: with w = s/span, V the chord's velocity, x = a + s [va + w(3V − 2va − vb) + w²(va + vb − 2V)]. */
+/** Position and velocity at the time `s` after the start: with w = s/span and V the chord's velocity, x = a + s [va + w(3V − 2va − vb) + w²(va + vb − 2V)]. */
 export function cubicAt({ a, va, b, vb, span }: CubicPiece, s: number): { readonly x: Vec3; readonly v: Vec3 } {
   const w = s / span;
   const at = (i: number): [number, number] => {
@@ -29,8 +29,8 @@ export function cubicAt({ a, va, b, vb, span }: CubicPiece, s: number): { readon
 }
 
 /**
- * The control points of the velocity, which is a quadratic Bézier curve: va, 3V − va − vb, vb. No velocity of the piece is
- * greater than the greatest of them.
+ * The control points of the velocity, a quadratic Bézier curve: va, 3V − va − vb, vb. No velocity in the piece exceeds the
+ * largest of them.
  */
 export const controlVelocities = ({ a, va, b, vb, span }: CubicPiece): readonly [Vec3, Vec3, Vec3] => [
   va,
@@ -39,8 +39,8 @@ export const controlVelocities = ({ a, va, b, vb, span }: CubicPiece): readonly 
 ];
 
 /**
- * How much of a piece's bend can stay so that nothing in it is faster than `limit`: 1 all of it, 0 none, which is the chord. Between, all
- * control velocities V + λ(w − V) are within the limit. Velocities in the unit of `limit`.
+ * The largest bend factor λ for which no velocity in the piece exceeds `limit`: 1 keeps the cubic, 0 makes it the chord. All control velocities
+ * V + λ(w − V) are then within the limit. Velocities in the unit of `limit`. docs/physics.md §4.8.
  */
 export function subluminalBend(piece: CubicPiece, limit: number): number {
   const chord = scale(sub(piece.b, piece.a), 1 / piece.span);
@@ -49,7 +49,7 @@ export function subluminalBend(piece: CubicPiece, limit: number): number {
   return controlVelocities(piece).reduce((least, w) => Math.min(least, bendWithin(chord, sub(w, chord), room)), 1);
 }
 
-/** The greatest λ ≤ 1 with |V + λd|² ≤ limit², `room` = limit² − V² > 0; by the root's conjugate where V·d > 0. */
+/** The largest λ ≤ 1 with |V + λd|² ≤ limit², `room` = limit² − V² > 0; in conjugate form where V·d > 0. */
 function bendWithin(chord: Vec3, d: Vec3, room: number): number {
   const [along, square] = [dot(chord, d), dot(d, d)];
   if (2 * along + square <= room) return 1;
@@ -57,7 +57,7 @@ function bendWithin(chord: Vec3, d: Vec3, room: number): number {
   return along > 0 ? room / (along + root) : (root - along) / square;
 }
 
-/** The piece with that much of its bend. */
+/** The piece with the bend factor applied to its end velocities. */
 export function withBend(piece: CubicPiece, bend: number): CubicPiece {
   if (bend === 1) return piece;
   const chord = scale(sub(piece.b, piece.a), 1 / piece.span);
@@ -66,8 +66,8 @@ export function withBend(piece: CubicPiece, bend: number): CubicPiece {
 }
 
 /**
- * Where a piece that begins at tA crosses the past light cone of the origin: f = |x(s)| + tA + s rises, since nothing in it reaches c.
- * It begins on the cone or inside, and ends on it or outside. Lengths and times [m].
+ * The event at which a piece that starts at tA crosses the past light cone of the origin: the root of f = |x(s)| + tA + s, which increases because
+ * all speeds are below c. The piece starts on or inside the cone and ends on or outside it. Lengths and times [m]. docs/physics.md §4.8.
  */
 export function cubicEmission(piece: CubicPiece, tA: number): RetardedEvent {
   const late = (s: number): readonly [number, number] => {
@@ -79,7 +79,7 @@ export function cubicEmission(piece: CubicPiece, tA: number): RetardedEvent {
   return staticEmission(cubicAt(piece, safeguardedNewton(late, 0, piece.span, straight)).x);
 }
 
-/** Where a piece that begins at tA crosses the slice cΔt = β·Δx: s at which γ(tA + s) − u·x(s) = 0, u = γβ. */
+/** The time s after the start tA at which a piece crosses the slice cΔt = β·Δx: γ(tA + s) − u·x(s) = 0, u = γβ. docs/physics.md §5.4. */
 export function cubicCrossing(piece: CubicPiece, tA: number, u: Vec3): number {
   const g = gamma(u);
   const lead = (s: number): readonly [number, number] => {

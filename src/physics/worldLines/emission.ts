@@ -3,23 +3,23 @@ import { brent } from '../../math/roots.ts';
 import { add, addScaled, cross, dot, length, scale, sub, type Vec3 } from '../../math/vec3.ts';
 import { oneMinusBetaSquared } from '../lorentz/boost.ts';
 
-// The emission events in relative form, c = 1: lengths in metres, times in metres of light travel (c t), velocities in units
-// of c, everything relative to the observer's event. These are the functions that have twins in shaders/.
+// Emission events in relative form with c = 1: lengths in metres, times in metres of light travel (ct), velocities in units
+// of c, everything relative to the observer's event. These functions have twins in shaders/. docs/physics.md §4.
 
 /** An event on the observer's past light cone. */
 export interface RetardedEvent {
   /** Δx: observer → emission event, world frame [m]. */
   readonly offset: Vec3;
-  /** How long the light was under way, c(t_o − t_e) = |Δx| [m]. */
+  /** Light travel time c(t_o − t_e) = |Δx| [m]. */
   readonly delay: number;
 }
 
-/** A point at rest. d [m]: observer → point. Its delay |d| is that of any event known to be on the past light cone. */
+/** A point at rest. d [m]: observer → point. Also makes the result for any event that is known to lie on the past light cone. */
 export const staticEmission = (d: Vec3): RetardedEvent => ({ offset: d, delay: length(d) });
 
 /**
- * A uniform mover at d now (when the observer looks): the retarded root of |d + v s| = −s,
- * s = [d·v − √((d·v)² + (1 − v²) d²)]/(1 − v²) ≤ 0, by its conjugate where d·v > 0.
+ * Uniform motion, at d at the observer's time: the retarded root of |d + v s| = −s,
+ * s = [d·v − √((d·v)² + (1 − v²) d²)]/(1 − v²) ≤ 0, in conjugate form where d·v > 0.
  * d [m], v [c]: world frame. `oneMinusV2` = 1 − v² > 0. docs/physics.md §4.2.
  */
 export function presentEmission(d: Vec3, v: Vec3, oneMinusV2: number): RetardedEvent {
@@ -31,8 +31,8 @@ export function presentEmission(d: Vec3, v: Vec3, oneMinusV2: number): RetardedE
 }
 
 /**
- * A point at offset o from an object's centre, both moving with v, from the centre's emission event d_c: as
- * `polylineEmission` with A = d_c + o, T = |d_c|, where q = T² − A² = −(2 d_c·o + o²) cancels nothing.
+ * A point at the offset o from an object's centre, both moving with v, from the centre's emission event d_c: as
+ * `polylineEmission` with A = d_c + o, T = |d_c|, with q = T² − A² = −(2 d_c·o + o²) free of cancellation.
  * d_c, o [m], v [c]: world frame; `oneMinusV2` = 1 − v² > 0. docs/physics.md §4.2.
  */
 export function uniformEmission(center: Vec3, v: Vec3, oneMinusV2: number, o: Vec3): RetardedEvent {
@@ -44,9 +44,9 @@ export function uniformEmission(center: Vec3, v: Vec3, oneMinusV2: number, o: Ve
 }
 
 /**
- * A straight piece from A (time tA) to B (time tB) that crosses the past light cone: A on it or inside, B on it or outside.
- * The time since A, T = −tA after which the observer looks, is s = q/(g + √(g² − (1 − v²)q)), q = T² − A², g = T + A·v.
- * The event is held inside the piece. A, B [m]: observer → sample; tA < tB [m of light]: relative to the observer's time.
+ * A straight piece from A (time tA) to B (time tB) that crosses the past light cone: A on or inside it, B on or outside it.
+ * With T = −tA, the time since A is s = q/(g + √(g² − (1 − v²)q)), q = T² − A², g = T + A·v.
+ * The event is clamped to the piece. A, B [m]: observer → sample; tA < tB [m of light]: relative to the observer's time.
  * docs/physics.md §4.3.
  */
 export function polylineEmission(a: Vec3, tA: number, b: Vec3, tB: number): RetardedEvent {
@@ -60,9 +60,9 @@ export function polylineEmission(a: Vec3, tA: number, b: Vec3, tB: number): Reta
 }
 
 /**
- * The retarded root of |A + v s| = T − s. The root √(g² − (1 − v²)q) is that of ((A + vT)·v)² + (1 − v²)(A + vT)², which
- * holds its digits where the mover passes the observer. One that goes away is found from its place now, as in
- * `presentEmission`. NaN where A is at the observer's event.
+ * The retarded root of |A + v s| = T − s. The discriminant g² − (1 − v²)q is computed as ((A + vT)·v)² + (1 − v²)(A + vT)², which
+ * keeps its digits where the point passes the observer. A receding point is solved from its position at the observer's time, as in
+ * `presentEmission`. NaN if A is the observer's event.
  */
 function timeSince(a: Vec3, T: number, v: Vec3, oneMinusV2: number, q: number, g: number): number {
   const now = addScaled(a, v, T);
@@ -72,7 +72,7 @@ function timeSince(a: Vec3, T: number, v: Vec3, oneMinusV2: number, q: number, g
   return g > 0 ? q / (g + root) : (g - root) / oneMinusV2;
 }
 
-/** r(1 + n·v) = r + d·v without cancellation. */
+/** r(1 + n·v) = r + d·v, without cancellation for approaching points. */
 function lineOfSightRate(d: Vec3, r: number, v: Vec3, oneMinusV2: number): number {
   const dv = dot(d, v);
   if (dv >= 0) return r + dv;
@@ -81,7 +81,7 @@ function lineOfSightRate(d: Vec3, r: number, v: Vec3, oneMinusV2: number): numbe
 }
 
 /**
- * Hyperbolic motion x = d + ℓ(cosh η − 1) â, t = −T + ℓ sinh η with ℓ = 1/k, k = |a|: where it crosses the past light cone of
+ * Hyperbolic motion x = d + ℓ(cosh η − 1) â, t = −T + ℓ sinh η with ℓ = 1/k, k = |a|: its event on the past light cone of
  * the origin, or undefined behind the horizon, 1 + k(T + ξ) ≤ 0.
  *
  * The quadratic in w = e^η (docs/physics.md §4.4) is written with w = 1 + kφ (emission after the turning point, r ≤ T):
@@ -112,8 +112,8 @@ function hyperbolicRoot(b: number, root: number, sigma: number, lead: number, af
 }
 
 /**
- * A circle: the root of |center + arm(−s) − observer| = s by bracketing; the distance to the centre gives the bracket.
- * center, arm (now, perpendicular to the axis) [m]: observer → centre, centre → point, world frame. omega: ω/c [1/m].
+ * Circular motion: the root of |center + arm(−s)| = s by Brent's method; the distance of the centre gives the bracket. docs/physics.md §4.6.
+ * center: observer → centre; arm: centre → point at the observer's time, perpendicular to the axis [m], world frame. omega: ω/c [1/m].
  */
 export function circularEmission(center: Vec3, axis: Vec3, arm: Vec3, omega: number): RetardedEvent {
   const offsetAt = (s: number) => add(center, rotate(fromAxisAngle(axis, -omega * s), arm));

@@ -21,7 +21,7 @@ import {
   type WorldLine,
 } from './worldLine.ts';
 
-/** Where and when the observer looks, in the world frame. */
+/** The observer's event, in the world frame. */
 export interface ObserverEvent {
   /** World time [s]. */
   readonly t: number;
@@ -29,7 +29,7 @@ export interface ObserverEvent {
   readonly position: Vec3;
 }
 
-/** The event on a world line from which light reaches the observer. */
+/** The event of a world line whose light reaches the observer's event. */
 export interface EmissionEvent {
   /** World time t_e [s]. */
   readonly t: number;
@@ -37,15 +37,15 @@ export interface EmissionEvent {
   readonly position: Vec3;
   /** World frame [m/s]. */
   readonly velocity: Vec3;
-  /** Δx: observer → emission event [m]; better known than the difference of two large positions. */
+  /** Δx: observer → emission event [m]; more accurate than the difference of two large positions. */
   readonly offset: Vec3;
-  /** t_o − t_e ≥ 0 [s]; better known than the difference of two large times. */
+  /** t_o − t_e ≥ 0 [s]; more accurate than the difference of two large times. */
   readonly delay: number;
 }
 
 /**
- * The emission event in relative form, in metres and metres of light travel, or undefined where no light from the world
- * line ever reaches the observer (hyperbolic motion behind its horizon). Always the retarded root.
+ * The emission event in relative form, in metres and metres of light travel, or undefined if no light of the world line reaches the
+ * observer's event (hyperbolic motion behind its horizon). Always the retarded root. docs/physics.md §3.1.
  */
 export function pastLightCone(w: WorldLine, observer: ObserverEvent, c: number): RetardedEvent | undefined {
   const { t, position } = observer;
@@ -68,7 +68,7 @@ export function pastLightCone(w: WorldLine, observer: ObserverEvent, c: number):
   }
 }
 
-/** f(t) = |x(t) − x_o| − c(t_o − t) rises while the speed stays below c, so its sign at the samples finds the piece. */
+/** f(t) = |x(t) − x_o| − c(t_o − t) increases while the speed is below c, so bisection on its sign at the samples finds the piece (docs/physics.md §4.7). */
 function sampledEmission(w: PolylineLine | CubicLine, { t, position }: ObserverEvent, c: number): RetardedEvent {
   const offset = (i: number) => sub(samplePosition(w, i), position);
   const time = (i: number) => c * (w.times[i] - t);
@@ -80,8 +80,8 @@ function sampledEmission(w: PolylineLine | CubicLine, { t, position }: ObserverE
 }
 
 /**
- * World time t_e [s] of the event on `w` that the observer sees: |x(t_e) − x_o| = c(t_o − t_e), the retarded root.
- * undefined: behind a horizon, never visible. c [m/s]. docs/physics.md §3.1.
+ * World time t_e [s] of the event of `w` that the observer sees: |x(t_e) − x_o| = c(t_o − t_e), the retarded root.
+ * undefined: behind a horizon, not visible. c [m/s]. docs/physics.md §3.1.
  */
 export function emissionTime(w: WorldLine, observer: ObserverEvent, c: number): number | undefined {
   const seen = pastLightCone(w, observer, c);
@@ -97,7 +97,7 @@ export function emissionEvent(w: WorldLine, observer: ObserverEvent, c: number):
   return { t, position, velocity: velocityAt(w, t, c), offset: seen.offset, delay: seen.delay / c };
 }
 
-/** `emissionTime` of many world lines [s]; NaN where there is none. */
+/** `emissionTime` of many world lines [s]; NaN if there is no event. */
 export function emissionTimes(
   lines: readonly WorldLine[],
   observer: ObserverEvent,
@@ -108,7 +108,7 @@ export function emissionTimes(
   return out;
 }
 
-/** Δx of many world lines, observer → emission event, 3 numbers each [m]; NaN where there is none. */
+/** Δx of many world lines, observer → emission event, 3 numbers each [m]; NaN if there is no event. */
 export function emissionOffsets(
   lines: readonly WorldLine[],
   observer: ObserverEvent,
@@ -121,14 +121,14 @@ export function emissionOffsets(
 }
 
 export interface NewtonOptions {
-  /** How often the step is taken. */
+  /** Number of steps. */
   readonly iterations: number;
-  /** k, 0 < k ≤ 1. */
+  /** k in the step −k f/f′, 0 < k ≤ 1. */
   readonly damping: number;
 }
 
 /**
- * The damped Newton iteration t ← t − k f/f′, started at t_o, for comparison with `emissionTime`:
+ * Damped Newton iteration t ← t − k f/f′, started at t_o, for comparison with `emissionTime`:
  * f = |x(t) − x_o| − c(t_o − t), f′ = (x − x_o)·v/|x − x_o| + c. World time after the last step [s].
  * docs/physics.md §4.11.
  */

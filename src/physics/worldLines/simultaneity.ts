@@ -16,17 +16,17 @@ import {
   type WorldLine,
 } from './worldLine.ts';
 
-// What is "now" for the observer: events with Δt′ = 0. c = 1 in the relative forms, as in emission.ts.
+// Events with Δt′ = 0 in the observer's frame (docs/physics.md §5). c = 1 in the relative forms, as in emission.ts.
 
-/** An event that the observer's frame calls simultaneous with the observer's own. */
+/** An event that is simultaneous with the observer's event in the observer's frame. */
 export interface SimultaneousEvent {
   /** Δx: observer → event, world frame [m]. */
   readonly offset: Vec3;
-  /** World time after the observer's, c(t − t_o) = β·Δx [m]. */
+  /** World time relative to the observer's event, c(t − t_o) = β·Δx [m]. */
   readonly ahead: number;
 }
 
-/** γ(1 − β·v) = γ − u·v > 0, by its conjugate (1 + u²(1 − v²) + |u × v|²)/(γ + u·v) where u·v > 0. v in units of c. */
+/** γ(1 − β·v) = γ − u·v > 0, in conjugate form (1 + u²(1 − v²) + |u × v|²)/(γ + u·v) where u·v > 0. v in units of c. */
 function relativeRate(u: Vec3, v: Vec3): number {
   const uv = dot(u, v);
   if (uv <= 0) return gamma(u) - uv;
@@ -36,8 +36,8 @@ function relativeRate(u: Vec3, v: Vec3): number {
 }
 
 /**
- * A uniform mover that is at d when the world's clock shows T (relative to the observer's time): the event with
- * cΔt = β·Δx comes s = (u·d − γT)/(γ − u·v) later. d [m], v [c], u = γβ: world frame; T [m of light].
+ * Uniform motion, at d at the world time T relative to the observer's: the event with
+ * cΔt = β·Δx is s = (u·d − γT)/(γ − u·v) later. d [m], v [c], u = γβ: world frame; T [m of light].
  * docs/physics.md §5.2.
  */
 export function uniformSlice(d: Vec3, T: number, v: Vec3, u: Vec3): SimultaneousEvent {
@@ -48,7 +48,7 @@ export function uniformSlice(d: Vec3, T: number, v: Vec3, u: Vec3): Simultaneous
 /**
  * Hyperbolic motion (d, T, a as in `hyperbolicEmission`): ℓ sinh η − β_a ℓ(cosh η − 1) = K, K = T + β·d, β_a = β·â.
  * With e^η = 1 + kφ, K ≥ 0: (1 − β_a) kφ² + 2(1 − kK) φ − 2K = 0, its discriminant the sum of squares
- * (1 − β_a kK)² + (kK)²(1 − β_a²); K < 0 with η, K, β_a → −η, −K, −β_a. There always is such an event.
+ * (1 − β_a kK)² + (kK)²(1 − β_a²); for K < 0 with η, K, β_a → −η, −K, −β_a. There always is exactly one event. docs/physics.md §5.3.
  */
 export function hyperbolicSlice(d: Vec3, T: number, a: Vec3, u: Vec3): SimultaneousEvent {
   const g = gamma(u);
@@ -71,7 +71,7 @@ export function hyperbolicSlice(d: Vec3, T: number, a: Vec3, u: Vec3): Simultane
   };
 }
 
-/** A circle (arguments as `circularEmission`): the root of s = β·(center + arm(s)), bracketed by the centre's own. */
+/** Circular motion (arguments as `circularEmission`): the root of s = β·(center + arm(s)) within β·center ± β r. docs/physics.md §5.4. */
 export function circularSlice(center: Vec3, axis: Vec3, arm: Vec3, omega: number, u: Vec3): SimultaneousEvent {
   const beta = scale(u, 1 / gamma(u));
   const offsetAt = (s: number) => add(center, rotate(fromAxisAngle(axis, omega * s), arm));
@@ -81,7 +81,7 @@ export function circularSlice(center: Vec3, axis: Vec3, arm: Vec3, omega: number
   return { offset: offsetAt(ahead), ahead };
 }
 
-/** The event on `w` with Δt′ = 0 for an observer with proper velocity u at `observer`, in relative form. c [m/s]. */
+/** The event of `w` with Δt′ = 0 for an observer with proper velocity u at `observer`, in relative form. c [m/s]. docs/physics.md §5.1. */
 export function simultaneitySlice(w: WorldLine, observer: ObserverEvent, u: Vec3, c: number): SimultaneousEvent {
   const { t, position } = observer;
   switch (w.kind) {
@@ -101,7 +101,7 @@ export function simultaneitySlice(w: WorldLine, observer: ObserverEvent, u: Vec3
   }
 }
 
-/** c(t − t_o) − β·Δx rises along the world line, so its sign at the samples finds the piece. */
+/** c(t − t_o) − β·Δx increases along the world line, so bisection on its sign at the samples finds the piece. */
 function sampledSlice(
   w: PolylineLine | CubicLine,
   { t, position }: ObserverEvent,
@@ -125,7 +125,7 @@ function sampledSlice(
 }
 
 /**
- * World time [s] of the event on `w` that is simultaneous with the observer's in the observer's own frame:
+ * World time [s] of the event of `w` that is simultaneous with the observer's event in the observer's frame:
  * c(t − t_o) = β·(x(t) − x_o). u: the observer's γβ, world frame. c [m/s].
  */
 export const simultaneousTime = (w: WorldLine, observer: ObserverEvent, u: Vec3, c: number): number =>
@@ -144,7 +144,7 @@ export function simultaneousTimes(
 }
 
 /**
- * Where a simultaneous event is in the observer's frame: Δx′ = Δx − γ/(γ + 1)(β·Δx)β, for Δx with cΔt = β·Δx.
+ * Position of a simultaneous event in the observer's frame: Δx′ = Δx − γ/(γ + 1)(β·Δx)β, for Δx with cΔt = β·Δx.
  * Δx [m]: world frame, observer → event. u: the observer's γβ. docs/physics.md §5.5.
  */
 export function simultaneousPosition(dx: Vec3, u: Vec3): Vec3 {
@@ -158,7 +158,7 @@ export const simultaneousPositions = (dx: Float64Array, u: Vec3, out = new Float
 
 /**
  * Lorentz contraction: the offset between two points of a rigid body at one world time, from the offset in its rest frame.
- * Lengths along u shrink by 1/γ. The same formula as `simultaneousPosition`; it is not what is seen.
+ * Lengths along u are divided by γ. The same formula as `simultaneousPosition` (docs/physics.md §5.5); not what is seen.
  * offset [m]: rest frame (axes carried by the pure boost) → world frame. u: the body's γβ.
  */
 export const contraction = (offset: Vec3, u: Vec3): Vec3 => simultaneousPosition(offset, u);

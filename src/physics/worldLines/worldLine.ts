@@ -2,7 +2,7 @@ import { fromAxisAngle, rotate } from '../../math/quat.ts';
 import { add, addScaled, cross, dot, lerp, scale, sub, type Vec3, ZERO } from '../../math/vec3.ts';
 import { type CubicPiece, cubicAt } from './cubicPiece.ts';
 
-/** The path of one point through the world frame: metres, seconds, metres per second. */
+/** The world line of one point in the world frame; SI units. */
 export type WorldLine = StaticLine | UniformLine | HyperbolicLine | CircularLine | PolylineLine | CubicLine;
 
 export interface StaticLine {
@@ -17,31 +17,31 @@ export interface UniformLine {
   /** [m/s], |v| < c. */
   readonly velocity: Vec3;
 }
-/** Constant proper acceleration for all times, momentarily at rest at t0. Zero acceleration rests. */
+/** Constant proper acceleration for all times, momentarily at rest at t0. Zero acceleration means at rest. */
 export interface HyperbolicLine {
   readonly kind: 'hyperbolic';
   /** At t0 [m]. */
   readonly position: Vec3;
-  /** What the traveller feels [m/s²]. */
+  /** [m/s²] */
   readonly properAcceleration: Vec3;
   /** [s] */
   readonly t0: number;
 }
-/** A circle run through at constant speed. */
+/** Circular motion at constant speed. */
 export interface CircularLine {
   readonly kind: 'circular';
   /** [m] */
   readonly center: Vec3;
-  /** Unit; the turn is right-handed about it. */
+  /** Unit; the rotation is right-handed about it. */
   readonly axis: Vec3;
   /** From the centre to the point at t = 0 [m]. */
   readonly arm: Vec3;
   /** [rad/s], |ω| |arm| < c. */
   readonly angularVelocity: number;
 }
-/** What a point that is known at samples has: it rests before the first and after the last one. */
+/** A point given at samples; at rest before the first and after the last one. */
 interface SampledLine {
-  /** [s], strictly rising, at least one. */
+  /** [s], strictly increasing, at least one. */
   readonly times: Float64Array;
   /** 3 per sample [m]. */
   readonly positions: Float64Array;
@@ -53,7 +53,7 @@ export interface PolylineLine extends SampledLine {
 /** Cubic pieces between samples. */
 export interface CubicLine extends SampledLine {
   readonly kind: 'cubic';
-  /** 6 per piece: the velocities with which it begins and ends [m/s]. No control velocity (`controlVelocities`) is as great as c. */
+  /** 6 per piece: its velocities at the start and the end [m/s]. All control velocities (`controlVelocities`) are below c. */
   readonly velocities: Float64Array;
 }
 
@@ -64,7 +64,7 @@ export const samplePosition = (w: SampledLine, i: number): Vec3 => [
   w.positions[3 * i + 2],
 ];
 
-/** The number of samples at or before t, by bisection: 0 before the first, `times.length` from the last on. */
+/** The number of samples at or before t, by bisection: 0 before the first, `times.length` from the last one on. */
 export const samplesUntil = (times: Float64Array, t: number): number => firstAfter(times.length, (i) => times[i] <= t);
 
 /** The piece between samples i and i + 1. */
@@ -79,13 +79,13 @@ export function cubicPiece(w: CubicLine, i: number): CubicPiece {
   };
 }
 
-/** The same with c = 1, places measured from `observer` and times in metres of light. c [m/s]. */
+/** The piece in relative form: c = 1, positions relative to `observer`, times in metres of light. c [m/s]. */
 export function relativePiece(w: CubicLine, i: number, observer: Vec3, c: number): CubicPiece {
   const { a, va, b, vb, span } = cubicPiece(w, i);
   return { a: sub(a, observer), va: scale(va, 1 / c), b: sub(b, observer), vb: scale(vb, 1 / c), span: c * span };
 }
 
-/** The first of `count` samples for which `before` does not hold, where it holds for all before it; `count` where it always holds. */
+/** By bisection, the first of `count` samples for which `before` is false, given that it is true for all samples before that one; `count` if it is always true. */
 export function firstAfter(count: number, before: (sample: number) => boolean): number {
   let [lo, hi] = [0, count];
   while (lo < hi) {
@@ -96,11 +96,11 @@ export function firstAfter(count: number, before: (sample: number) => boolean): 
   return lo;
 }
 
-/** Whether a sampled point rests at t: before its first sample, or from its last one on. */
+/** Whether t is before the first sample or not before the last one, where the point is at rest. */
 export const restsOutsideSamples = (w: SampledLine, t: number): boolean =>
   t < w.times[0] || t >= w.times[w.times.length - 1];
 
-/** x(t) in the world frame [m]; t in world time [s], c in [m/s] (only hyperbolic motion needs it). */
+/** x(t) in the world frame [m]; t: world time [s]; c [m/s] is used only for hyperbolic motion. */
 export function positionAt(w: WorldLine, t: number, c: number): Vec3 {
   switch (w.kind) {
     case 'static':
@@ -108,7 +108,7 @@ export function positionAt(w: WorldLine, t: number, c: number): Vec3 {
     case 'uniform':
       return addScaled(w.position, w.velocity, t);
     case 'hyperbolic': {
-      // ℓ(√(1 + (at/c)²) − 1) â as a sum of positive terms: at²/(1 + √(1 + (at/c)²)).
+      // ℓ(√(1 + (at/c)²) − 1) â = at²/(1 + √(1 + (at/c)²)), without cancellation (docs/physics.md §4.4).
       const s = t - w.t0;
       const a = w.properAcceleration;
       return addScaled(w.position, a, (s * s) / (1 + Math.hypot(1, (Math.hypot(...a) * s) / c)));
@@ -130,7 +130,7 @@ function sampledPosition(w: PolylineLine | CubicLine, t: number): Vec3 {
   return lerp(samplePosition(w, i - 1), samplePosition(w, i), (t - t0) / (t1 - t0));
 }
 
-/** dx/dt in the world frame [m/s]. At a sample the velocity of the piece that begins there. */
+/** dx/dt in the world frame [m/s]. At a sample, the velocity of the piece that starts there. */
 export function velocityAt(w: WorldLine, t: number, c: number): Vec3 {
   switch (w.kind) {
     case 'static':
@@ -156,7 +156,7 @@ export function velocityAt(w: WorldLine, t: number, c: number): Vec3 {
   }
 }
 
-/** A circular line seen from its own centre: the axial part of the arm's place, the turning arm at t, its length [m]. */
+/** The centre of the circle itself, which includes the axial part of the arm, and the arm at t, perpendicular to the axis [m]. */
 export function circleAt(w: CircularLine, t: number): { readonly center: Vec3; readonly arm: Vec3 } {
   const turning = addScaled(w.arm, w.axis, -dot(w.arm, w.axis));
   return {

@@ -1,7 +1,7 @@
 import { add, dot, lerp, type Vec3 } from '../../math/vec3.ts';
 import { type BoundingSphere, boundingSphere, halfDiagonal, sampleBoundingSphere } from '../../scene/bounds/bounds.ts';
 import { upVector } from '../../scene/lights/sceneLights.ts';
-import { applyPose, samplePose } from '../../scene/motion/motion.ts';
+import { applyPose, samplePose } from '../../scene/motion/poses.ts';
 import type { SceneObject } from '../../scene/types.ts';
 import type { ViewPoint } from '../../scene/view/view.ts';
 import type { TracedScene } from '../intersection/tracedScene.ts';

@@ -8,7 +8,7 @@ import { makeObject } from '../../scene/defaults.ts';
 import { pointAt } from '../../scene/mesh/polygons.ts';
 import { grid } from '../../scene/mesh/primitives.ts';
 import { type CubicPointsMotion, parabolaVelocities } from '../../scene/motion/cubicPoints.ts';
-import { deformedPoints } from '../../scene/motion/motion.ts';
+import { deformedPoints } from '../../scene/motion/deformedPoints.ts';
 import type { View } from '../../scene/view/bufferSettings.ts';
 import { rayToward } from '../camera/cameraRay.ts';
 import { CubicChords } from './cubicChords.ts';

@@ -2,7 +2,7 @@ import { toMatrix } from '../../math/quat.ts';
 import { add, sub, type Vec3 } from '../../math/vec3.ts';
 import { type BoundingBox, boundingBox, sampleBoundingBox } from '../../scene/bounds/bounds.ts';
 import { isCubic } from '../../scene/motion/cubicPoints.ts';
-import { samplePose } from '../../scene/motion/motion.ts';
+import { samplePose } from '../../scene/motion/poses.ts';
 import { isStreamed, pointsAt } from '../../scene/streaming/samplePoints.ts';
 import type { Mesh, SampledMotion, SampledPointsMotion, SceneObject } from '../../scene/types.ts';
 import { emptyBox, growBox } from '../acceleration/bvh.ts';

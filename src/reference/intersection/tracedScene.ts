@@ -1,5 +1,5 @@
 import { isTransparent } from '../../scene/materials/transparency.ts';
-import { restToWorld } from '../../scene/motion/resample.ts';
+import { restToWorld } from '../../scene/motion/motion.ts';
 import type { Material, Mesh, Scene, SceneObject } from '../../scene/types.ts';
 import type { Hit, RayFilter, SpacetimeRay } from '../acceleration/ray.ts';
 import { type ObjectIntersector, RayQuery } from '../acceleration/rayQuery.ts';

@@ -1,7 +1,8 @@
 import { rotate } from '../../math/quat.ts';
 import { lerp, type Vec3 } from '../../math/vec3.ts';
 import { pointAt } from '../../scene/mesh/polygons.ts';
-import { deformedPoints, pieceAt, samplePose } from '../../scene/motion/motion.ts';
+import { deformedPoints } from '../../scene/motion/deformedPoints.ts';
+import { pieceAt, samplePose } from '../../scene/motion/poses.ts';
 import { normalsAt as normalsAtSample } from '../../scene/streaming/samplePoints.ts';
 import type { SceneObject } from '../../scene/types.ts';
 

@@ -5,7 +5,7 @@ import { contraction } from '../../physics/worldLines/simultaneity.ts';
 import type { WorldLine } from '../../physics/worldLines/worldLine.ts';
 import { meshBoundingSphere, sampleBoundingSphere } from '../../scene/bounds/bounds.ts';
 import { type CubicPointsMotion, innerControlPoints, isCubic } from '../../scene/motion/cubicPoints.ts';
-import { applyPose, samplePose } from '../../scene/motion/motion.ts';
+import { applyPose, samplePose } from '../../scene/motion/poses.ts';
 import type { Motion, SampledMotion, SampledPointsMotion, SceneObject } from '../../scene/types.ts';
 
 /** What a frame needs to know of an object, whatever its motion: at every world time all its points are within `radius` of `line`. */

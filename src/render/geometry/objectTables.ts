@@ -3,7 +3,7 @@ import { oneMinusBetaSquared } from '../../physics/lorentz/boost.ts';
 import { simultaneousPosition } from '../../physics/worldLines/simultaneity.ts';
 import type { PolylineLine, WorldLine } from '../../physics/worldLines/worldLine.ts';
 import { bendFactor, isCubic } from '../../scene/motion/cubicPoints.ts';
-import { samplePose } from '../../scene/motion/motion.ts';
+import { samplePose } from '../../scene/motion/poses.ts';
 import type { FloatTable } from '../gpu/floatTable.ts';
 import { type Body, worldLineOfCenter } from './bodies.ts';
 import { aberrateCone, type BoundingSphere, coneAround, coneMayIntersectFrustum } from './culling.ts';

@@ -1,6 +1,6 @@
 import { type Vec3, ZERO } from '../../math/vec3.ts';
 import { halfDiagonal } from '../../scene/bounds/bounds.ts';
-import { restToWorld } from '../../scene/motion/resample.ts';
+import { restToWorld } from '../../scene/motion/motion.ts';
 import type { Scene, SceneObject } from '../../scene/types.ts';
 import type { Body } from './bodies.ts';
 

@@ -10,7 +10,8 @@ import {
   type WorldLine,
 } from '../../physics/worldLines/worldLine.ts';
 import { projectedArea } from '../../scene/lights/lightKinds.ts';
-import { originWorldLine, poseAt, samplePose } from '../../scene/motion/motion.ts';
+import { originWorldLine, poseAt } from '../../scene/motion/motion.ts';
+import { samplePose } from '../../scene/motion/poses.ts';
 import type { LocalLight } from '../../scene/types.ts';
 import type { ColorMode } from '../../scene/view/bufferSettings.ts';
 import type * as gpu from '../../shaders/types.ts';

@@ -5,7 +5,8 @@ import { makeObject } from '../defaults.ts';
 import { sphere } from '../mesh/primitives.ts';
 import { vertexPositions } from '../motion/motion.ts';
 import type { Motion } from '../types.ts';
-import { boundingBox, objectBounds } from './bounds.ts';
+import { boundingBox } from './bounds.ts';
+import { objectBounds } from './sceneBounds.ts';
 
 it('the box of an object is that of its vertices, whichever way it is turned and moves', () => {
   const mesh = sphere(1, { segments: 20 });

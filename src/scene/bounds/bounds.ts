@@ -1,11 +1,7 @@
-import { add, distance, lerp, scale, type Vec3 } from '../../math/vec3.ts';
-import { emissionTime, type ObserverEvent } from '../../physics/worldLines/lightCone.ts';
-import type { WorldLine } from '../../physics/worldLines/worldLine.ts';
+import { add, distance, scale, type Vec3 } from '../../math/vec3.ts';
 import { pointAt } from '../mesh/polygons.ts';
-import { pieceAt, vertexPositions } from '../motion/motion.ts';
 import { isStreamed } from '../streaming/samplePoints.ts';
-import type { Mesh, SampledPointsMotion, Scene, SceneObject } from '../types.ts';
-import { SupportMap } from './supportMap.ts';
+import type { Mesh, SampledPointsMotion } from '../types.ts';
 
 export interface BoundingBox {
   readonly min: Vec3;
@@ -79,10 +75,6 @@ export function boundingSphere(points: ArrayLike<number>, box = boundingBox(poin
 
 /** By their positions: objects that share a mesh, or wear it in other materials, share these. */
 const MESH_SPHERES = new WeakMap<Float32Array, BoundingSphere>();
-const SUPPORT_MAPS = new WeakMap<Float32Array, SupportMap>();
-
-/** The origin, and the tips of the axes. */
-const AXES = Float32Array.of(0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1);
 
 /** `boundingSphere` of a mesh, found once. */
 export function meshBoundingSphere({ positions }: Pick<Mesh, 'positions'>): BoundingSphere {
@@ -114,58 +106,4 @@ export function halfDiagonal(spheres: readonly BoundingSphere[]): number {
     spheres.flatMap(({ center, radius }) => [-radius, radius].flatMap((side) => center.map((x) => x + side))),
   );
   return box ? distance(box.min, box.max) / 2 : 1;
-}
-
-/** The box of all that exists at world time t [s]; undefined where nothing does. c [m/s]. */
-export function sceneBounds(scene: Scene, t: number, c: number): BoundingBox | undefined {
-  const corners: number[] = [];
-  for (const object of scene.objects) {
-    if (t < object.lifetime.birth || t > object.lifetime.death) continue;
-    const box = objectBounds(object, t, c);
-    if (box) corners.push(...box.min, ...box.max);
-  }
-  return boundingBox(corners);
-}
-
-/** The box of an object at world time t [s]; of one whose samples are left in a file between the boxes of its samples. */
-export function objectBounds(object: SceneObject, t: number, c: number): BoundingBox | undefined {
-  const { motion } = object;
-  if (motion.kind === 'sampled-points' && isStreamed(motion.points)) return interpolatedBox(motion, t);
-  const { positions } = object.mesh;
-  const { kind } = motion;
-  const isAffine = kind === 'static' || kind === 'uniform' || kind === 'sampled';
-  if (!isAffine || positions.length === 0 || !Number.isFinite(meshBoundingSphere(object.mesh).radius))
-    return boundingBox(vertexPositions(object, t, c));
-  // The object's axes are taken to the world as its points are.
-  const placed = vertexPositions({ ...object, mesh: { ...object.mesh, positions: AXES } }, t, c);
-  const [o, x, y, z] = [0, 1, 2, 3].map((i) => pointAt(placed, i));
-  const extremes = SUPPORT_MAPS.get(positions) ?? new SupportMap(positions);
-  SUPPORT_MAPS.set(positions, extremes);
-  const reach = (k: number, sign: number): number =>
-    o[k] + sign * extremes.support([sign * (x[k] - o[k]), sign * (y[k] - o[k]), sign * (z[k] - o[k])]);
-  return { min: [reach(0, -1), reach(1, -1), reach(2, -1)], max: [reach(0, 1), reach(1, 1), reach(2, 1)] };
-}
-
-function interpolatedBox(motion: SampledPointsMotion, t: number): BoundingBox | undefined {
-  const { before, after, s } = pieceAt(motion.times, t);
-  const [a, b] = [sampleBoundingBox(motion, before), sampleBoundingBox(motion, after)];
-  const between = (p: Vec3, q: Vec3): Vec3 => add(motion.origin, lerp(p, q, s));
-  return a && b && { min: between(a.min, b.min), max: between(a.max, b.max) };
-}
-
-/**
- * World times [s] between which lies the emission of every point that stays within `radius` [m] of `center`, in the world
- * frame: those of the centre for observers who look radius/c earlier and later at the same place. undefined where the
- * centre's horizon hides it from one of them.
- */
-export function emissionWindow(
-  center: WorldLine,
-  radius: number,
-  observer: ObserverEvent,
-  c: number,
-): readonly [from: number, to: number] | undefined {
-  const at = (dt: number) => emissionTime(center, { ...observer, t: observer.t + dt }, c);
-  const from = at(-radius / c);
-  const to = at(radius / c);
-  return from === undefined || to === undefined ? undefined : [from, to];
 }

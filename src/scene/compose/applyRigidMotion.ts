@@ -1,14 +1,15 @@
-import { multiply, rotate } from '../../math/quat.ts';
-import { add, length } from '../../math/vec3.ts';
+import { length } from '../../math/vec3.ts';
 import { meshBoundingSphere } from '../bounds/bounds.ts';
-import { applyPose, samplePose } from '../motion/motion.ts';
+import { isStatic, restingPose } from '../motion/motion.ts';
+import { motionKind } from '../motion/motions.ts';
+import { applyPose } from '../motion/poses.ts';
 import type { Pose, RigidMotion, Scene, SceneObject } from '../types.ts';
 import { withObjects } from './assignMaterial.ts';
 import { matchesPath } from './mergeScenes.ts';
 
 /** Things at a path and below it that move already: a motion of the whole would have to be added to their own. */
 export const movingPaths = (scene: Scene, path: string): readonly string[] =>
-  scene.objects.filter((o) => matchesPath(o.path, path) && o.motion.kind !== 'static').map((o) => o.path);
+  scene.objects.filter((o) => matchesPath(o.path, path) && !isStatic(o.motion)).map((o) => o.path);
 
 /**
  * Things at rest, at a path and below it, lamps too, carried as one body by the motion of a frame: each keeps its place in that frame.
@@ -20,34 +21,19 @@ export function applyRigidMotion(
   frame: RigidMotion,
   authoredIn: SceneObject['authoredIn'],
 ): Scene {
-  const objects = withObjects(scene, path, (object) =>
-    object.motion.kind === 'static'
-      ? { ...object, authoredIn, motion: composeMotion(frame, object.motion.pose) }
-      : object,
-  );
-  const lights = scene.lights.map((light) =>
-    'motion' in light && light.motion.kind === 'static' && matchesPath(light.path, path)
-      ? { ...light, motion: composeMotion(frame, light.motion.pose) }
-      : light,
-  );
+  const objects = withObjects(scene, path, (object) => {
+    const pose = restingPose(object.motion);
+    return pose ? { ...object, authoredIn, motion: composeMotion(frame, pose) } : object;
+  });
+  const lights = scene.lights.map((light) => {
+    const pose = 'motion' in light && matchesPath(light.path, path) ? restingPose(light.motion) : undefined;
+    return pose ? { ...light, motion: composeMotion(frame, pose) } : light;
+  });
   return { ...scene, objects, lights };
 }
 
 /** What stands at a pose in a frame that moves. */
-export function composeMotion(frame: RigidMotion, pose: Pose): RigidMotion {
-  if (frame.kind !== 'sampled') return { ...frame, pose: composePoses(frame.pose, pose) };
-  const poses = new Float64Array(frame.poses.length);
-  for (let k = 0; k < frame.times.length; k++) {
-    const { position, orientation } = composePoses(samplePose(frame.poses, k), pose);
-    poses.set([...position, ...orientation], 7 * k);
-  }
-  return { ...frame, poses };
-}
-
-const composePoses = (frame: Pose, { position, orientation }: Pose): Pose => ({
-  position: add(frame.position, rotate(frame.orientation, position)),
-  orientation: multiply(frame.orientation, orientation),
-});
+export const composeMotion = (frame: RigidMotion, pose: Pose): RigidMotion => motionKind(frame).compose(frame, pose);
 
 /** How far from the origin anything at a path and below it reaches [m]. */
 export function reachFromOrigin(scene: Scene, path: string): number {
@@ -55,6 +41,7 @@ export function reachFromOrigin(scene: Scene, path: string): number {
     .filter((object) => matchesPath(object.path, path))
     .reduce((most, { mesh, motion }) => {
       const { center, radius } = meshBoundingSphere(mesh);
-      return Math.max(most, length(motion.kind === 'static' ? applyPose(motion.pose, center) : center) + radius);
+      const pose = restingPose(motion);
+      return Math.max(most, length(pose ? applyPose(pose, center) : center) + radius);
     }, 0);
 }

@@ -6,6 +6,7 @@ import { add, cross, distance, length, scale, sub, type Vec3 } from '../../math/
 import { FOREVER, makeMaterial, makeObject, makeScene, restingAt } from '../defaults.ts';
 import { pointAt } from '../mesh/polygons.ts';
 import { box, sphere } from '../mesh/primitives.ts';
+import type { SimilarityTransform } from '../motion/kinds/changes.ts';
 import { poseAt, vertexPosition } from '../motion/motion.ts';
 import type { LocalLight, Mesh, Motion, SceneObject } from '../types.ts';
 import { applyRigidMotion, movingPaths } from './applyRigidMotion.ts';
@@ -14,7 +15,7 @@ import { assignMaterial, withLifetime } from './assignMaterial.ts';
 import { mergeScenes } from './mergeScenes.ts';
 import { keyframedMotion, motionFromPath } from './motionPaths.ts';
 import { loopSubdivide, midpointSubdivide } from './subdivideObject.ts';
-import { type SimilarityTransform, transformScene } from './transformScene.ts';
+import { transformScene } from './transformScene.ts';
 
 const C = 30;
 const mesh = box([1, 2, 3]);

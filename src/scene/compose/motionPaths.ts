@@ -1,6 +1,6 @@
 import { fromAxisAngle, IDENTITY, type Quat, rotate, shortestRotation } from '../../math/quat.ts';
 import { add, addScaled, cross, distance, lerp, scale, sub, type Vec3 } from '../../math/vec3.ts';
-import { pieceAt } from '../motion/motion.ts';
+import { pieceAt } from '../motion/poses.ts';
 import { type PoseSamples, sampleMotion } from '../motion/resample.ts';
 import type { Pose, RigidMotion, SampledMotion } from '../types.ts';
 import { perpendicularTo } from './arrange.ts';

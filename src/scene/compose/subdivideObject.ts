@@ -1,5 +1,6 @@
 import { gatherPoints, makeMesh } from '../mesh/makeMesh.ts';
 import { normalizeInPlace } from '../mesh/transformPoints.ts';
+import { pointSamples } from '../motion/motion.ts';
 import { isStreamed } from '../streaming/samplePoints.ts';
 import { subdividePolygons } from '../subdivide/subdividePolygons.ts';
 import { makeTopology } from '../subdivide/topology.ts';
@@ -13,8 +14,10 @@ export const MAX_TRIANGLES = 4_000_000;
 export const trianglesAfter = ({ indices }: Mesh, levels: number): number => (indices.length / 3) * 4 ** levels;
 
 /** Whether its samples can be cut: what is left in a file has the points that the file has. */
-export const canSubdivide = ({ motion }: SceneObject): boolean =>
-  motion.kind !== 'sampled-points' || !isStreamed(motion.points);
+export function canSubdivide({ motion }: SceneObject): boolean {
+  const samples = pointSamples(motion);
+  return !samples || !isStreamed(samples.points);
+}
 
 /** The same shape of smaller triangles: `levels` times cut at the middles of their edges. */
 export function midpointSubdivide(object: SceneObject, levels: number): SceneObject {
@@ -22,7 +25,8 @@ export function midpointSubdivide(object: SceneObject, levels: number): SceneObj
   for (let level = 0; level < levels; level++) {
     const middles = new MidpointMesh(mesh);
     mesh = middles.mesh;
-    if (motion.kind === 'sampled-points') motion = splitSamples(motion, middles);
+    const samples = pointSamples(motion);
+    if (samples) motion = splitSamples(samples, middles);
   }
   return { ...object, mesh, motion };
 }
@@ -105,16 +109,17 @@ export function loopSubdivide(object: SceneObject, levels: number): SceneObject 
     hidden: () => false,
   });
   const { mesh: made, pointOfVertex } = makeMesh(polygons);
-  if (motion.kind !== 'sampled-points' || isStreamed(motion.points)) return { ...object, mesh: made };
+  const deforming = pointSamples(motion);
+  if (!deforming || isStreamed(deforming.points)) return { ...object, mesh: made };
   const at = (values: Float32Array) => surface.at(gatherPoints(values, vertexOfPoint));
-  const samples = motion.points.map(at);
+  const samples = deforming.points.map(at);
   const gathered = (values: Float32Array) => gatherPoints(values, pointOfVertex);
-  const { velocities } = motion;
+  const { velocities } = deforming;
   return {
     ...object,
     mesh: made,
     motion: {
-      ...motion,
+      ...deforming,
       points: samples.map(({ positions }) => gathered(positions)),
       normals: samples.map(({ normals }) => gathered(normals)),
       ...(velocities && { velocities: velocities.map((each) => gathered(at(each).positions)) }),

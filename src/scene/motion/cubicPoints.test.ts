@@ -15,8 +15,7 @@ import {
   parabolaVelocities,
   straightenedPieces,
 } from './cubicPoints.ts';
-import { fastestVertex } from './fastestVertex.ts';
-import { vertexPositions, vertexWorldLine } from './motion.ts';
+import { fastestVertex, vertexPositions, vertexWorldLine } from './motion.ts';
 
 const C = 10;
 

@@ -1,5 +1,6 @@
 import type { Motion, Scene, SceneObject } from '../types.ts';
-import { fastestVertex } from './fastestVertex.ts';
+import { fastestVertex } from './motion.ts';
+import { motionKind } from './motions.ts';
 
 /** The fastest point of a scene. */
 export interface FastestInScene {
@@ -39,7 +40,7 @@ const known = new WeakMap<Motion, Found>();
 function cachedFastestVertex(object: SceneObject, c: number, range: readonly [number, number], atLeast: number): Found {
   const { motion } = object;
   // The bend of cubics depends on c, which is another in another scene.
-  if (motion.kind !== 'sampled-points' || motion.velocities) return fastestVertex(object, c, range, atLeast);
+  if (!motionKind(motion).keepsFastest(motion)) return fastestVertex(object, c, range, atLeast);
   const found = known.get(motion) ?? fastestVertex(object, c, range);
   known.set(motion, found);
   return found;

@@ -5,9 +5,8 @@ import { add, length, scale, sub, type Vec3 } from '../../math/vec3.ts';
 import { makeObject, makeScene, restingAt } from '../defaults.ts';
 import { box } from '../mesh/primitives.ts';
 import type { Motion, SampledPointsMotion, Scene } from '../types.ts';
-import { fastestVertex } from './fastestVertex.ts';
 import { type Flight, fly, tooLargeToFly } from './fly.ts';
-import { poseAt, vertexPosition } from './motion.ts';
+import { fastestVertex, poseAt, vertexPosition } from './motion.ts';
 
 const C = 10;
 const mesh = box([2, 2, 2]);

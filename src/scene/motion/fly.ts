@@ -1,11 +1,12 @@
-import { add, addScaled, length, scale, sub, type Vec3, ZERO } from '../../math/vec3.ts';
+import { add, scale, sub, type Vec3, ZERO } from '../../math/vec3.ts';
 import { properVelocity } from '../../physics/lorentz/boost.ts';
 import { contraction } from '../../physics/worldLines/simultaneity.ts';
 import { boundingBox } from '../bounds/bounds.ts';
 import { isStreamed } from '../streaming/samplePoints.ts';
-import { translateStreamedPoints } from '../streaming/streamedPoints.ts';
-import type { LocalLight, RigidMotion, SampledPointsMotion, Scene, SceneObject } from '../types.ts';
-import { poseAt } from './motion.ts';
+import type { LocalLight, Scene, SceneObject } from '../types.ts';
+import type { FlightPath } from './kinds/changes.ts';
+import { deforms, pointSamples, poseAt } from './motion.ts';
+import { motionKind } from './motions.ts';
 
 /** A flight along a straight line at constant speed. */
 export interface Flight {
@@ -21,9 +22,6 @@ export interface Flight {
 
 /** Most numbers of a deforming mesh's samples that are carried along: each is copied. */
 const MAX_COPIED_NUMBERS = 2 ** 25;
-/** How long a deforming thing flies on before its first and after its last sample [s], in lengths of the animation. */
-const LEAD = 20;
-const MIN_LEAD = 60;
 
 /** Whether a thing is the one of a path, or below it. */
 export const isAtOrBelow = (path: string, wanted: string): boolean => path === wanted || path.startsWith(`${wanted}/`);
@@ -32,9 +30,9 @@ export const isAtOrBelow = (path: string, wanted: string): boolean => path === w
 export const tooLargeToFly = (scene: Scene, path: string): readonly string[] =>
   scene.objects
     .filter(({ motion, mesh, ...object }) => {
-      if (motion.kind !== 'sampled-points' || isStreamed(motion.points) || !isAtOrBelow(object.path, path))
-        return false;
-      return motion.times.length * mesh.positions.length > MAX_COPIED_NUMBERS;
+      const samples = pointSamples(motion);
+      if (!samples || isStreamed(samples.points) || !isAtOrBelow(object.path, path)) return false;
+      return samples.times.length * mesh.positions.length > MAX_COPIED_NUMBERS;
     })
     .map((object) => object.path);
 
@@ -68,61 +66,18 @@ export function fly(scene: Scene, flight: Flight, c: number): Scene {
     ...scene,
     objects: scene.objects.map((object) => (flying.includes(object) ? flyObject(object, flight, course) : object)),
     lights: scene.lights.map((light) =>
-      'motion' in light && lamps.includes(light) ? { ...light, motion: flyFrame(light.motion, course) } : light,
+      'motion' in light && lamps.includes(light)
+        ? { ...light, motion: motionKind(light.motion).fly(light.motion, course) }
+        : light,
     ),
   };
 }
 
-interface FlightPath {
-  /** [m/s] */
-  readonly velocity: Vec3;
-  /** [s] */
-  readonly at: number;
-  readonly c: number;
-  /** Where what is at a place at rest is in flight, at the time `at`. */
-  readonly place: (x: Vec3) => Vec3;
-  /** Of the scene's time [s]. */
-  readonly range: number;
-}
-
-function flyObject(object: SceneObject, { authoredIn }: Flight, course: FlightPath): SceneObject {
+function flyObject(object: SceneObject, { authoredIn }: Flight, path: FlightPath): SceneObject {
   const { motion } = object;
-  if (motion.kind === 'sampled-points')
-    return { ...object, motion: translatePoints(motion, course), authoredIn: 'world' };
-  return { ...object, motion: flyFrame(motion, course), authoredIn };
-}
-
-function flyFrame(motion: RigidMotion, { velocity, at, c, place }: FlightPath): RigidMotion {
-  const pose = poseAt(motion, at, c);
-  const position = place(pose.position);
-  if (length(velocity) === 0) return { kind: 'static', pose: { ...pose, position } };
-  return { kind: 'uniform', pose: { ...pose, position: addScaled(position, velocity, -at) }, velocity };
-}
-
-/** As a share of the motion's time. */
-const JUMP = 1e-6;
-
-function translatePoints(motion: SampledPointsMotion, { velocity, at, range }: FlightPath): SampledPointsMotion {
-  const { times, points, velocities, normals } = motion;
-  const last = times.length - 1;
-  const lead = Math.max(MIN_LEAD, LEAD * range);
-  // A cubic has one velocity at a sample: what it jumps by where it begins and ends takes a short piece more.
-  const jump = velocities ? [JUMP * (times[last] - times[0])] : [];
-  const before = [lead, ...jump].map((ahead) => times[0] - ahead);
-  const after = [...jump, lead].map((behind) => times[last] + behind);
-  const order = [...before.map(() => 0), ...times.keys(), ...after.map(() => last)];
-  const longer = Float64Array.of(...before, ...times, ...after);
-  const moves = (i: number): boolean => i >= before.length && i < before.length + times.length;
-  const shifts = Float64Array.from(order.flatMap((_, i) => scale(velocity, longer[i] - at)));
-  if (isStreamed(points)) return { ...motion, times: longer, points: translateStreamedPoints(points, order, shifts) };
-  const shifted = order.map((k, i) => points[k].map((x, j) => x + shifts[3 * i + (j % 3)]));
   return {
-    ...motion,
-    times: longer,
-    points: shifted,
-    ...(velocities && {
-      velocities: order.map((k, i) => velocities[k].map((v, j) => (moves(i) ? v : 0) + velocity[j % 3])),
-    }),
-    ...(normals && { normals: order.map((k) => normals[k]) }),
+    ...object,
+    motion: motionKind(motion).fly(motion, path),
+    authoredIn: deforms(motion) ? 'world' : authoredIn,
   };
 }

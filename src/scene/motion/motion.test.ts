@@ -3,15 +3,15 @@ import { describe, expect, it } from 'vitest';
 import { fromAxisAngle, IDENTITY, rotate } from '../../math/quat.ts';
 import { add, distance, dot, length, scale, sub, type Vec3 } from '../../math/vec3.ts';
 import { emissionTime } from '../../physics/worldLines/lightCone.ts';
-import { boundingBox, boundingSphere, emissionWindow, sceneBounds } from '../bounds/bounds.ts';
+import { boundingBox, boundingSphere } from '../bounds/bounds.ts';
+import { emissionWindow, sceneBounds } from '../bounds/sceneBounds.ts';
 import { makeObject, makeScene, restingAt } from '../defaults.ts';
 import { pointAt } from '../mesh/polygons.ts';
 import { box, sphere } from '../mesh/primitives.ts';
 import type { Motion, Pose, SampledMotion, SceneCamera, SceneObject } from '../types.ts';
 import { framingCamera, lookAtOrientation, observerFromCamera } from '../view/camera.ts';
-import { fastestVertex } from './fastestVertex.ts';
-import { poseAt, vertexPosition, vertexPositions, vertexWorldLine } from './motion.ts';
-import { resampleRotation, restToWorld, sampleMotion } from './resample.ts';
+import { fastestVertex, poseAt, restToWorld, vertexPosition, vertexPositions, vertexWorldLine } from './motion.ts';
+import { resampleRotation, sampleMotion } from './resample.ts';
 
 const c = 10;
 const cube = (motion: Motion, given: Partial<SceneObject> = {}): SceneObject =>

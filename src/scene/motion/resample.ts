@@ -1,8 +1,7 @@
 import { conjugate, multiply, rotationAngle, slerp, toMatrix } from '../../math/quat.ts';
 import { distance, lerp } from '../../math/vec3.ts';
-import { deformedNormals, smoothingGroups } from '../mesh/normals.ts';
-import type { Pose, SampledMotion, SampledPointsMotion, SceneObject } from '../types.ts';
-import { samplePose, vertexPositions } from './motion.ts';
+import type { Pose, SampledMotion } from '../types.ts';
+import { samplePose } from './poses.ts';
 
 /** Rigid poses at rising times: a `SampledMotion` under construction. */
 export type PoseSamples = Pick<SampledMotion, 'times' | 'poses'>;
@@ -91,24 +90,4 @@ class SampleList {
   finish(): PoseSamples {
     return { times: Float64Array.from(this.times), poses: Float64Array.from(this.poses) };
   }
-}
-
-/**
- * A sampled motion authored in the rest frame, as points of the world: at each sample the body is contracted along its
- * frame's velocity there. c [m/s]. Anything else is given back as it is.
- */
-export function restToWorld(object: SceneObject, c: number): SceneObject {
-  const { motion } = object;
-  if (object.authoredIn !== 'rest' || motion.kind !== 'sampled') return object;
-  return { ...object, authoredIn: 'world', motion: contractedPoints(object, motion, c) };
-}
-
-function contractedPoints(object: SceneObject, motion: SampledMotion, c: number): SampledPointsMotion {
-  const origin = samplePose(motion.poses, 0).position;
-  const points = Array.from(motion.times, (t) =>
-    Float32Array.from(vertexPositions(object, t, c), (x, i) => x - origin[i % 3]),
-  );
-  const groups = smoothingGroups(object.mesh);
-  const normals = points.map((p) => deformedNormals(p, object.mesh.indices, groups));
-  return { kind: 'sampled-points', times: motion.times, origin, points, normals };
 }

@@ -6,8 +6,7 @@ import { makeObject, makeScene } from '../defaults.ts';
 import { box } from '../mesh/primitives.ts';
 import type { Motion, SceneObject } from '../types.ts';
 import { validate } from '../validation/validate.ts';
-import { fastestVertex } from './fastestVertex.ts';
-import { poseAt, vertexPosition } from './motion.ts';
+import { fastestVertex, poseAt, vertexPosition } from './motion.ts';
 import { retime } from './retime.ts';
 
 const C = 10;

@@ -1,5 +1,6 @@
-import { addScaled, scale } from '../../math/vec3.ts';
-import type { Lifetime, Light, Motion, RigidMotion, Scene, SceneCamera, SceneObject } from '../types.ts';
+import type { Lifetime, Light, Scene, SceneCamera, SceneObject } from '../types.ts';
+import { type LinearTimeMap, toWorldTime } from './kinds/changes.ts';
+import { motionKind } from './motions.ts';
 
 /** How an animation is run: from `start + offset` on, `speed` times as fast. */
 export interface Timing {
@@ -7,12 +8,6 @@ export interface Timing {
   readonly offset: number;
   /** Above 0. */
   readonly speed: number;
-}
-
-/** World time of what a file has at its own time τ: t = a τ + b [s]. */
-interface LinearTimeMap {
-  readonly a: number;
-  readonly b: number;
 }
 
 /**
@@ -39,51 +34,27 @@ export function retime(scene: Scene, { offset, speed }: Timing): Scene {
   };
 }
 
-const toWorldTime = (t: number, { a, b }: LinearTimeMap): number => a * t + b;
-
 const retimeObject = (object: SceneObject, map: LinearTimeMap): SceneObject => ({
   ...object,
-  motion: retimeMotion(object.motion, map),
+  motion: motionKind(object.motion).retime(object.motion, map),
   lifetime: retimeLifetime(object.lifetime, map),
 });
 
 const retimeLight = (light: Light, map: LinearTimeMap): Light =>
   'motion' in light
-    ? { ...light, motion: retimeMotion(light.motion, map), lifetime: retimeLifetime(light.lifetime, map) }
+    ? {
+        ...light,
+        motion: motionKind(light.motion).retime(light.motion, map),
+        lifetime: retimeLifetime(light.lifetime, map),
+      }
     : light;
 
 const retimeCamera = (camera: SceneCamera, map: LinearTimeMap): SceneCamera => ({
   ...camera,
-  motion: retimeMotion(camera.motion, map),
+  motion: motionKind(camera.motion).retime(camera.motion, map),
 });
 
 const retimeLifetime = ({ birth, death }: Lifetime, map: LinearTimeMap): Lifetime => ({
   birth: toWorldTime(birth, map),
   death: toWorldTime(death, map),
 });
-
-function retimeMotion<M extends Motion | RigidMotion>(motion: M, map: LinearTimeMap): M;
-function retimeMotion(motion: Motion, map: LinearTimeMap): Motion {
-  const { a, b } = map;
-  switch (motion.kind) {
-    case 'static':
-      return motion;
-    case 'uniform': {
-      // x + v τ with τ = (t − b)/a.
-      const velocity = scale(motion.velocity, 1 / a);
-      return { ...motion, velocity, pose: { ...motion.pose, position: addScaled(motion.pose.position, velocity, -b) } };
-    }
-    case 'hyperbolic':
-      return {
-        ...motion,
-        properAcceleration: scale(motion.properAcceleration, 1 / (a * a)),
-        t0: toWorldTime(motion.t0, map),
-      };
-    case 'sampled':
-      return { ...motion, times: motion.times.map((t) => toWorldTime(t, map)) };
-    case 'sampled-points': {
-      const velocities = motion.velocities?.map((each) => each.map((v) => v / a));
-      return { ...motion, times: motion.times.map((t) => toWorldTime(t, map)), ...(velocities && { velocities }) };
-    }
-  }
-}

@@ -1,23 +1,11 @@
-import { rotate } from '../../math/quat.ts';
-import { dot, length, type Vec3 } from '../../math/vec3.ts';
 import { makeObject } from '../defaults.ts';
 import { isLocalLight, lightKind } from '../lights/lightKinds.ts';
 import { pointAt } from '../mesh/polygons.ts';
-import { isCubic, MAX_CONTROL_SPEED, maxControlSpeed, straightenedPieces } from '../motion/cubicPoints.ts';
-import { fastestVertex } from '../motion/fastestVertex.ts';
-import { isStreamed, sampleCount } from '../streaming/samplePoints.ts';
-import type {
-  Diagnostic,
-  HyperbolicMotion,
-  LocalLight,
-  Mesh,
-  Motion,
-  SampledPointsMotion,
-  Scene,
-  SceneCamera,
-  SceneObject,
-} from '../types.ts';
+import { deforms, sampleTimes } from '../motion/motion.ts';
+import { motionKind } from '../motion/motions.ts';
+import type { Diagnostic, LocalLight, Mesh, Motion, Scene, SceneCamera, SceneObject } from '../types.ts';
 import type { SceneCode } from './diagnosticCodes.ts';
+import { problem, seconds } from './motionFindings.ts';
 
 /**
  * What is wrong with a scene at the speed of light c [m/s], object by object. Errors are things that no picture can be made of;
@@ -38,13 +26,6 @@ export function validate(scene: Scene, c: number): Diagnostic[] {
   ];
 }
 
-const problem = (severity: Diagnostic['severity'], code: SceneCode, place: string, message: string): Diagnostic => ({
-  severity,
-  code,
-  place,
-  message,
-});
-
 function duplicatePaths({ objects }: Scene): Diagnostic[] {
   const seen = new Set<string>();
   return objects
@@ -63,7 +44,7 @@ function validateObject(object: SceneObject, mesh: MeshFindings, c: number): Dia
   ];
   if (hasError(found)) return found;
   found.push(...finiteness(object, mesh));
-  return hasError(found) ? found : [...found, ...validateSpeed(object, c)];
+  return hasError(found) ? found : [...found, ...motionKind(motion).validateSpeed(object, c)];
 }
 
 const hasError = (found: readonly Diagnostic[]): boolean => found.some(({ severity }) => severity === 'error');
@@ -120,9 +101,9 @@ function isDegenerate(p: Float32Array, a: number, b: number, c: number): boolean
 }
 
 function validateTimes(motion: Motion, path: string): Diagnostic[] {
-  if (!('times' in motion)) return [];
-  const { times } = motion;
-  const samples = motion.kind === 'sampled' ? motion.poses.length / 7 : sampleCount(motion);
+  const times = sampleTimes(motion);
+  if (!times) return [];
+  const samples = motionKind(motion).sampleCount(motion);
   if (times.length < 2 || samples !== times.length) {
     return [
       problem(
@@ -158,7 +139,7 @@ function validateLifetime({ lifetime, path }: SceneObject): Diagnostic[] {
 }
 
 function validateAuthoring({ authoredIn, motion, path }: SceneObject): Diagnostic[] {
-  if (authoredIn === 'world' || motion.kind !== 'sampled-points') return [];
+  if (authoredIn === 'world' || !deforms(motion)) return [];
   const message =
     'deforming points are authored in the rest frame, which they do not share; they are taken as the world’s';
   return [problem('info', 'motion.rest-points', path, message)];
@@ -169,99 +150,8 @@ function finiteness({ path, mesh, motion }: SceneObject, { notFinite }: MeshFind
     const message = `vertex ${notFinite} is at ${pointAt(mesh.positions, notFinite).join(', ')}`;
     return [problem('error', 'mesh.not-finite', path, message)];
   }
-  const bad = badMotion(motion);
+  const bad = motionKind(motion).nonFiniteText(motion);
   return bad === undefined ? [] : [problem('error', 'motion.not-finite', path, bad)];
-}
-
-function badMotion(motion: Motion): string | undefined {
-  switch (motion.kind) {
-    case 'sampled': {
-      const at = motion.poses.findIndex((x) => !Number.isFinite(x));
-      return at < 0
-        ? undefined
-        : `the pose at ${seconds(motion.times[Math.floor(at / 7)])} has ${motion.poses[at]} in it`;
-    }
-    case 'sampled-points': {
-      const { points, velocities } = motion;
-      const broken = (all: readonly Float32Array[]) =>
-        all.findIndex((numbers) => numbers.some((x) => !Number.isFinite(x)));
-      const k = Math.max(
-        isStreamed(points) ? points.statistics.firstNonFinite : broken(points),
-        broken(velocities ?? []),
-      );
-      return k < 0
-        ? undefined
-        : `the points or velocities at ${seconds(motion.times[k])} have a number that is not finite`;
-    }
-    default: {
-      const given = [...motion.pose.position, ...motion.pose.orientation, ...vectorOf(motion)];
-      const bad = given.find((x) => !Number.isFinite(x));
-      return bad === undefined ? undefined : `its pose or motion has ${bad} in it`;
-    }
-  }
-}
-
-const vectorOf = (motion: Motion): Vec3 =>
-  motion.kind === 'uniform' ? motion.velocity : motion.kind === 'hyperbolic' ? motion.properAcceleration : [0, 0, 0];
-
-function validateSpeed(object: SceneObject, c: number): Diagnostic[] {
-  const place = `motion of ${object.path}`;
-  if (object.motion.kind === 'hyperbolic') return validateHorizon(object, object.motion, c);
-  const { speed, from, to } = fastestVertex(object, c, [0, 0], c * (1 - 1e-9));
-  if (speed >= c) return [tooFast(place, speed, from, to, c)];
-  return object.motion.kind === 'sampled-points' ? validateBends(object.motion, object.path, c) : [];
-}
-
-/** What of a cubic motion is shown straighter than it is, because it would be faster than light. */
-function validateBends(motion: SampledPointsMotion, path: string, c: number): Diagnostic[] {
-  if (!isCubic(motion)) return [];
-  const pieces = straightenedPieces(motion, c);
-  const [first] = pieces;
-  if (!first) return [];
-  const speed = Math.max(...pieces.map(({ k }) => maxControlSpeed(motion, k)));
-  const lost = Math.max(...pieces.map((piece) => piece.lost));
-  const from = seconds(motion.times[first.k]);
-  const message = `between samples its cubic path could reach ${inUnitsOfC(speed / c)} c, first at t = ${from}; ${pieces.length} of ${motion.times.length - 1} pieces are shown straighter, by up to ${Math.ceil(100 * lost)} %, and velocities jump there; raise c above ${roundedUp(speed / MAX_CONTROL_SPEED)} m/s or write more samples`;
-  return [problem('warning', 'motion.cubic', path, message)];
-}
-
-/** The house's model of a message: what, how much, when, and the least c that would do. */
-function tooFast(place: string, speed: number, from: number, to: number, c: number): Diagnostic {
-  const [fast, least] = [inUnitsOfC(speed / c), roundedUp(speed)];
-  const message = Number.isFinite(from)
-    ? `${fast} c between t = ${seconds(from)} and ${seconds(to)}; raise c above ${least} m/s or slow it down`
-    : `${fast} c at all times; raise c above ${least} m/s or slow it down`;
-  return problem('error', 'motion.superluminal', place, message);
-}
-
-/** Speeds just over c are told with as many digits as it takes to see it. */
-function inUnitsOfC(ratio: number): string {
-  for (let digits = 3; digits < 9; digits++)
-    if (Number(ratio.toPrecision(digits)) > 1) return ratio.toPrecision(digits);
-  return '1';
-}
-
-/** Three digits, and never under the number itself. */
-function roundedUp(x: number): string {
-  const step = 10 ** (Math.floor(Math.log10(x)) - 2);
-  const up = Math.ceil(x / step - 1e-9) * step;
-  return Number(up.toPrecision(3)).toString();
-}
-
-const seconds = (t: number): string => `${t.toFixed(Math.abs(t) < 0.01 && t !== 0 ? 6 : 2)} s`;
-
-/** A Born-rigid body must lie wholly before its horizon, c²/a behind the origin of its frame. */
-function validateHorizon({ path, mesh, authoredIn }: SceneObject, motion: HyperbolicMotion, c: number): Diagnostic[] {
-  if (authoredIn !== 'rest') return [];
-  const a = motion.properAcceleration;
-  let depth = 0;
-  for (let i = 0; i < mesh.positions.length / 3; i++) {
-    depth = Math.max(depth, -dot(a, rotate(motion.pose.orientation, pointAt(mesh.positions, i))));
-  }
-  if (depth < c * c) return [];
-  const [behind, horizon] = [depth, c * c].map((of) => (of / length(a)).toPrecision(3));
-  const message = `a point ${behind} m behind its origin would have to outrun light (horizon at ${horizon} m); raise c above ${roundedUp(Math.sqrt(depth))} m/s or accelerate less`;
-  return [problem('error', 'motion.horizon', `motion of ${path}`, message)];
 }
 
 function validateLocalLight(light: LocalLight, c: number): Diagnostic[] {
@@ -282,9 +172,9 @@ function validateLocalLight(light: LocalLight, c: number): Diagnostic[] {
 function validateRigidMotion({ path, motion }: SceneCamera | LocalLight, c: number): Diagnostic[] {
   const found = validateTimes(motion, path);
   if (hasError(found)) return found;
-  const bad = badMotion(motion);
+  const bad = motionKind(motion).nonFiniteText(motion);
   if (bad !== undefined) return [problem('error', 'motion.not-finite', path, bad)];
-  return validateSpeed(makeObject({ path, mesh: POINT, motion }), c);
+  return motionKind(motion).validateSpeed({ ...makeObject({ path, mesh: POINT }), motion }, c);
 }
 
 const POINT: Mesh = {

@@ -2,9 +2,9 @@ import { fromMatrix, type Quat } from '../../math/quat.ts';
 import { add, addScaled, cross, length, negate, normalize, scale, sub, type Vec3 } from '../../math/vec3.ts';
 import { properVelocity } from '../../physics/lorentz/boost.ts';
 import { velocityAt } from '../../physics/worldLines/worldLine.ts';
-import { sceneBounds } from '../bounds/bounds.ts';
+import { sceneBounds } from '../bounds/sceneBounds.ts';
 import { restingAt } from '../defaults.ts';
-import { originWorldLine, poseAt } from '../motion/motion.ts';
+import { originWorldLine, poseAt, sampleTimes } from '../motion/motion.ts';
 import type { Scene, SceneCamera } from '../types.ts';
 
 /** An observer at one moment of a camera's path. */
@@ -26,8 +26,8 @@ export interface CameraState {
 export function observerFromCamera({ motion, fovY }: SceneCamera, t: number, c: number): CameraState {
   const pose = poseAt(motion, t, c);
   const line = originWorldLine(motion);
-  const last = motion.kind === 'sampled' ? motion.times[motion.times.length - 1] : undefined;
-  const inside = last === t && motion.kind === 'sampled' ? motion.times[motion.times.length - 2] : t;
+  const times = sampleTimes(motion);
+  const inside = times && times[times.length - 1] === t ? times[times.length - 2] : t;
   const v = velocityAt(line, inside, c);
   return { ...pose, u: properVelocity(scale(v, 1 / c)), fovY };
 }

@@ -1,6 +1,7 @@
 import type { Quat } from '../../math/quat.ts';
 import { addScaled, type Vec3, ZERO } from '../../math/vec3.ts';
 import { properVelocity } from '../../physics/lorentz/boost.ts';
+import { isStatic } from '../motion/motion.ts';
 import type { SceneCamera } from '../types.ts';
 import { observerFromCamera } from './camera.ts';
 import type { ViewPoint } from './view.ts';
@@ -29,7 +30,7 @@ export interface ObserverSetup {
  */
 export function observerPathFrom(setup: ObserverSetup, c: number, start: number): ObserverPath {
   const { camera, beta, position, orientation, fovY, hold } = setup;
-  const moves = camera.motion.kind !== 'static' && position === undefined;
+  const moves = !isStatic(camera.motion) && position === undefined;
   return (t) => {
     const carried = observerFromCamera(camera, t, c);
     const drift = moves || hold || !beta ? 0 : c * (t - start);

@@ -5,14 +5,14 @@ import type { Float, Vec3 } from '../types.ts';
 const [LOG_RED, LOG_GREEN, LOG_BLUE] = PRIMARIES.map(Math.log);
 const LOG_RANGE = [Math.log(TINT_RANGE[0]), Math.log(TINT_RANGE[1])] as const;
 
-/** ρ at the wavelength of which `logWavelength` is the logarithm: r, g, b at the primaries, smooth between, constant outside. */
+/** ρ(λ) for ln λ = `logWavelength`: r, g, b at the primaries, smooth between, constant outside. */
 const reflectance = (rgb: Vec3, logWavelength: Float): Float => {
   const toGreen = smoothstep(LOG_BLUE, LOG_GREEN, logWavelength);
   const toRed = smoothstep(LOG_GREEN, LOG_RED, logWavelength);
   return mix(mix(rgb.z, rgb.y, toGreen), rgb.x, toRed);
 };
 
-/** (e^x − 1)/(e^{x/D} − 1) = (e^x − 1) e^{−y}/(1 − e^{−y}), y = x/D; the denominator as a series where y is small. */
+/** (e^x − 1)/(e^{x/D} − 1) = (e^x − 1) e^{−y}/(1 − e^{−y}), y = x/D; the denominator by its series for small y. */
 const planckRatio = (x: number, inverseD: Float): Float => {
   const y = inverseD.mul(x).toVar();
   const fall = exp(y.negate()).toVar();
@@ -21,8 +21,8 @@ const planckRatio = (x: number, inverseD: Float): Float => {
 };
 
 /**
- * Approximate colour after a Doppler shift by D^amount, without the D⁴ of beaming; spectrum/doppler/dopplerTint.ts tells what it takes for true.
- * `rgb` linear sRGB, D > 0, `amount` 0…1. The same colour at D = 1.
+ * Approximate colour after a Doppler shift by D^amount, without the D⁴ of beaming; the model is described in spectrum/doppler/dopplerTint.ts.
+ * `rgb` linear sRGB, D > 0, `amount` 0…1. Identity at D = 1. docs/physics.md §7.10.
  */
 export const dopplerTint = Fn(
   ([rgb, D, amount]: [Vec3, Float, Float]): Vec3 => {

@@ -8,7 +8,7 @@ const polynomial = ([a, b, c]: Polynomial, t: Float): Float => t.mul(c).add(b).m
 const fitted = ([over, under]: readonly [Polynomial, Polynomial], t: Float): Float =>
   polynomial(over, t).div(polynomial(under, t)).toVar();
 
-/** Approximate colour of what glows at T [K], linear sRGB of luminance 1, daylight white (spectrum/color/blackbodyColor.ts). */
+/** Approximate colour of a surface that glows at T [K]: linear sRGB of luminance 1, with daylight as white (spectrum/color/blackbodyColor.ts). */
 export const glowColor = Fn(
   ([temperature]: [Float]): Vec3 => {
     const t = clamp(temperature, ...KRYSTEK_RANGE).toVar();

@@ -4,9 +4,9 @@ import type { HalfTable } from '../tables/halfAtlas.ts';
 import type { Float, Vec3, Vec4 } from '../types.ts';
 
 /**
- * Linear sRGB of a line of radiance 1 that is at the wavelength `surface` [m] where it meets a filter and at `seen` for the eye. The filter:
- * (r, g, b, what it has beyond the visible where this eye sees that); `own`: the last is its own, else what its basis ends at is taken.
- * `observer`: two rows over `WAVELENGTH_RANGE`, the linear sRGB of each and the basis of filters there (observerTable.ts).
+ * Linear sRGB of a spectral line of radiance 1 that has the wavelength `surface` [m] at a filter and `seen` [m] at the observer. The filter is
+ * (r, g, b, its value outside the visible); `own`: use the fourth value there, else the ends of the basis.
+ * `observer`: two rows over `WAVELENGTHS`, the linear sRGB and the filter basis at each (observerTable.ts).
  */
 export const lineColor = (observer: HalfTable, surface: Float, seen: Float, filter: Vec4, own: boolean): Vec3 => {
   const row = (k: number, wavelength: Float): Vec3 => {
@@ -18,7 +18,7 @@ export const lineColor = (observer: HalfTable, surface: Float, seen: Float, filt
   return row(0, seen).mul(select(isVisible(seen), share, 0));
 };
 
-/** 0 at the first of `WAVELENGTH_RANGE`, 1 at the next one. */
+/** 0 at the first of `WAVELENGTHS`, 1 at the second. */
 const coordinateOf = (wavelength: Float): Float => wavelength.div(NANOMETRE).sub(WAVELENGTHS[0] / NANOMETRE);
 
 const isVisible = (wavelength: Float) =>

@@ -2,13 +2,13 @@ import { dot, max, min, select, vec2, vec3, vec4 } from 'three/tsl';
 import { DUSK_SHARES, REDDENED_COLORS, SCATTERED_COLOR } from '../../spectrum/color/scatteredLight.ts';
 import type { Float, Vec2, Vec3 } from '../types.ts';
 
-/** What the light of a sky is made of: luminances of scattered light and of reddened, mildly to deeply; `rest`: a filter before daylight. */
+/** Decomposition of sky light: luminances of scattered and of mildly to deeply reddened light; `rest`: a filter before daylight. */
 export interface SkyParts {
   readonly luminances: readonly Float[];
   readonly rest: Vec3;
 }
 
-/** Twin of `skyParts` of spectrum/color/scatteredLight.ts. */
+/** Twin of `skyParts` in spectrum/color/scatteredLight.ts. docs/physics.md §7.8. */
 export function skyParts(rgb: Vec3): SkyParts {
   const [blue, red, yellow] = (['blue', 'red', 'yellow'] as const).map((name): Vec2 => {
     const [a, b] = DUSK_SHARES[name];

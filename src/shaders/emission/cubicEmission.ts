@@ -8,9 +8,9 @@ import { pieceVelocity } from '../worldLines/pieceVelocity.ts';
 import { linearEmission } from './linearEmission.ts';
 
 /**
- * Emission event of a vertex that moves along cubics between samples and rests before the first and after the last: the piece by bisection, the root
- * in it in a bracket, from where the chord has it. `anchor` = (d_c, R) [m]; `at` gives the vertex's samples relative to the anchor;
- * 2 ≤ `count` ≤ 4096. No control velocity of a piece is as great as 1.
+ * Emission event of a vertex that moves along cubics between samples and is at rest outside them: bisection finds the piece, bracketed Newton steps
+ * started from the chord's root find the event. `anchor` = (d_c, R) [m]; `at` gives the vertex's samples relative to the anchor;
+ * 2 ≤ `count` ≤ 4096. All control velocities are below 1. docs/physics.md §4.8.
  */
 export function cubicEmission(anchor: Vec4, at: SampleTable, velocities: EndVelocities, count: Int): VertexEvent {
   const beforeCone = (sample: Vec4) => coneOffset(anchor, sample.xyz).add(sample.w).lessThanEqual(0);
@@ -28,7 +28,7 @@ export function cubicEmission(anchor: Vec4, at: SampleTable, velocities: EndVelo
   }).toVar();
   const { x: moved, velocity: moving } = evaluateCubic(piece, elapsed);
 
-  // Rest outside the samples: the nearer end, at the time that its distance tells.
+  // At rest outside the samples: the nearer end, at the time given by its distance.
   const early = beforeCone(a).not().toVar();
   const late = beforeCone(b).toVar();
   const resting = early.or(late);

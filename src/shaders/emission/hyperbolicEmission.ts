@@ -4,8 +4,8 @@ import { type HyperbolaVertex, hyperbolaVertex } from '../worldLines/hyperbola.t
 import { hyperbolaEvent } from '../worldLines/hyperbolaEvent.ts';
 
 /**
- * Emission event of a vertex in hyperbolic motion. With T ± x∥ of the vertex seen from the observer, scaled by w (α, κ below), and
- * Q = d² − T² where its rapidity is the anchor's, η solves (aα − 1)η² + (aQ + α + κ)η + Q = 0 on the rising branch; the discriminant is
+ * Emission event of a vertex in hyperbolic motion (docs/physics.md §4.9). With T ± x∥ of the vertex relative to the observer, scaled by w (α, κ below), and
+ * Q = d² − T² at the event where its rapidity equals the anchor's, η solves (aα − 1)η² + (aQ + α + κ)η + Q = 0 on the increasing branch; the discriminant is
  * (aQ + κ − α)² + 4 d⊥², a sum of squares. No event (behind the horizon) where 1 + aη ≤ 0.
  * `anchor` = (d_c, R) [m]; `motion`, `w` = e^φ at the anchor, `bornRigid`, `offset`: see hyperbola.ts.
  */
@@ -17,7 +17,7 @@ export const hyperbolicEmission = (
   offset: Vec3,
 ): HyperbolicVertexEvent => hyperbolaEmission(anchor, motion, w, hyperbolaVertex(motion, w, bornRigid, offset));
 
-/** The same of a vertex that is told by its hyperbola. */
+/** The same for a vertex given by its hyperbola. */
 export function hyperbolaEmission(
   anchor: Vec4,
   motion: Vec4,
@@ -27,7 +27,7 @@ export function hyperbolaEmission(
   const along = dot(anchor.xyz, motion.xyz).toVar();
   const across = anchor.xyz.sub(motion.xyz.mul(along)).toVar();
 
-  // R ± d∥ of the anchor, the smaller one as d⊥²/(R + |d∥|)
+  // R ± d∥ of the anchor, the smaller one in the conjugate form d⊥²/(R + |d∥|)
   const larger = max(anchor.w.add(along.abs()), 1e-20).toVar();
   const smaller = dot(across, across).div(larger).toVar();
   const ahead = along.greaterThan(0);

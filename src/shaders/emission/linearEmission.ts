@@ -2,10 +2,10 @@ import { cross, dot, Fn, max, select, sqrt } from 'three/tsl';
 import type { Float, Vec4 } from '../types.ts';
 
 /**
- * Time after the event `start` at which a point that moves on from there with the constant velocity v crosses the observer's past light cone:
+ * Time after the event `start` at which a point that continues from there with constant velocity v crosses the observer's past light cone:
  * the smaller root of (1 − v²)s² − 2Us + q = 0 with d, T from the observer to `start` (T > 0 before the observer),
- * U = T + d·v, q = T² − d². In f32: q from the anchor, U in conjugate form where the point approaches,
- * U² − (1 − v²)q = (1 − v²)e² + (e·v)² with e = d + vT.
+ * U = T + d·v, q = T² − d². For f32, q is computed from the anchor, U in conjugate form where the point approaches, and
+ * U² − (1 − v²)q as (1 − v²)e² + (e·v)² with e = d + vT. docs/physics.md §4.3, §4.9.
  * `anchor` = (d_c, R) [m]; `velocity` = (v, 1 − v²); `start` = (x, y, z, t) relative to the anchor.
  */
 export const linearEmission = Fn(

@@ -4,9 +4,9 @@ import { recession } from '../kinematics/recession.ts';
 import type { Float, Int, Vec4, VertexEvent, WorldLineAt } from '../types.ts';
 
 /**
- * What damped Newton steps t ← t − k f/f′ make of the emission event, started at the observer's time, with f = |x| − R + t and
- * f′ = 1 + v·n. For comparison with the exact solvers: with few steps it shows what a naive program would show.
- * `anchor` = (d_c, R) [m] is on the past light cone; `line` one of the …Place functions; `damping` k, 0 < k ≤ 1.
+ * The emission event by damped Newton steps t ← t − k f/f′, started at the observer's time, with f = |x| − R + t and
+ * f′ = 1 + v·n. For comparison with the exact solvers: with few steps it shows the errors of a naive program. docs/physics.md §4.11.
+ * `anchor` = (d_c, R) [m] is on the past light cone; `line` is made by one of the …Place functions; `damping` is k, 0 < k ≤ 1.
  */
 export function newtonEmission(anchor: Vec4, line: WorldLineAt, iterations: Int, damping: Float): VertexEvent {
   const time = anchor.w.toVar();

@@ -1,14 +1,14 @@
 import { abs, cross, dot, Fn, float, length, max, min, select, sqrt, vec4 } from 'three/tsl';
 import type { Vec4 } from '../types.ts';
 
-/** Of a length in f32, relative; some roundings. */
+/** Relative rounding error of a length in f32 after some operations. */
 const NOISE = 5e-7;
 
 /**
- * The emission event of a point that moves uniformly and passes `event` = (Δx, c(t − t_o)), which is near the past light cone but not on it, as
- * what is interpolated between vertices: τ = q/(b − √(b² + (1 − v²)q)) later, q = |Δx|² − s², b = s − Δx·v ≤ 0. `velocity` = (v, 1 − v²).
- * b is taken from |Δx| + Δx·v, in conjugate form where the point approaches. What f32 cannot tell from the cone is left where it is:
- * close to c, b is nearly 0, and the noise of q would carry the event far.
+ * The emission event of a point that moves uniformly through `event` = (Δx, c(t − t_o)), which is near the past light cone but not on it, as
+ * values interpolated between vertices are: τ = q/(b − √(b² + (1 − v²)q)) later, q = |Δx|² − s², b = s − Δx·v ≤ 0. `velocity` = (v, 1 − v²).
+ * b is computed from |Δx| + Δx·v, in conjugate form where the point approaches. An event that f32 cannot distinguish from one on the cone is unchanged:
+ * close to c, b is nearly 0, and rounding errors of q would move it far. docs/physics.md §4.10.
  */
 export const ontoLightCone = Fn(
   ([event, velocity]: [Vec4, Vec4]): Vec4 => {

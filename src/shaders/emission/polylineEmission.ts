@@ -6,9 +6,9 @@ import { pieceVelocity } from '../worldLines/pieceVelocity.ts';
 import { linearEmission } from './linearEmission.ts';
 
 /**
- * Emission event of a vertex that moves straight between samples and rests before the first and after the last: the piece by
- * bisection, the root in it in closed form, clamped to it. `anchor` = (d_c, R) [m]; `at` gives the vertex's samples
- * relative to the anchor; 2 ≤ `count` ≤ 4096. Exact: there is no iteration that could fail.
+ * Emission event of a vertex that moves uniformly between samples and is at rest outside them: bisection finds the piece, a closed form
+ * the root, clamped to the piece. `anchor` = (d_c, R) [m]; `at` gives the vertex's samples
+ * relative to the anchor; 2 ≤ `count` ≤ 4096. Exact, without an iteration that could fail. docs/physics.md §4.3, §4.7.
  */
 export function polylineEmission(anchor: Vec4, at: SampleTable, count: Int): VertexEvent {
   const beforeCone = (sample: Vec4) => coneOffset(anchor, sample.xyz).add(sample.w).lessThanEqual(0);
@@ -18,7 +18,7 @@ export function polylineEmission(anchor: Vec4, at: SampleTable, count: Int): Ver
   const moving = pieceVelocity(a, b).toVar();
   const elapsed = clamp(linearEmission(anchor, moving, a), 0, b.w.sub(a.w)).toVar();
 
-  // Rest outside the samples: the nearer end, at the time that its distance tells.
+  // At rest outside the samples: the nearer end, at the time given by its distance.
   const resting = beforeCone(a).not().or(beforeCone(b)).toVar();
   const moved = select(beforeCone(b), b.xyz, a.xyz.add(moving.xyz.mul(elapsed)));
   const x = select(beforeCone(a), moved, a.xyz).toVar();

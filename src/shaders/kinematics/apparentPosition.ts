@@ -2,8 +2,8 @@ import { cross, dot, Fn, length, max, select } from 'three/tsl';
 import type { Float, Vec3 } from '../types.ts';
 
 /**
- * Where a point that emitted at Δx (world frame) stands in the observer's frame, at the end of a light ray:
- * p∥′ = γp∥ + |u| r, across unchanged; |Δx′| = D_o r. Behind in the conjugate form (|u×Δx|² − p∥²)/(|u| r − γp∥).
+ * Apparent position, in the observer's frame, of a point that emitted at Δx (world frame):
+ * p∥′ = γp∥ + |u| r, transverse part unchanged; |Δx′| = D_o r. Behind the observer in conjugate form (|u×Δx|² − p∥²)/(|u| r − γp∥).
  * `dx` [m]; `u` = γβ of the observer. docs/physics.md §3.3.
  */
 export const apparentPosition = Fn(
@@ -17,7 +17,7 @@ export const apparentPosition = Fn(
       .sub(along.mul(along))
       .div(w.mul(r).sub(gamma.mul(along)));
     const boosted = select(along.lessThan(0), behind, gamma.mul(along).add(w.mul(r)));
-    // Twice, because what rounding leaves along the axis would count γ times as much behind.
+    // Orthogonalized twice, because a rounding error along the axis would be amplified by γ behind the observer.
     const rest = dx.sub(axis.mul(along)).toVar();
     return rest.sub(axis.mul(dot(axis, rest))).add(axis.mul(boosted));
   },

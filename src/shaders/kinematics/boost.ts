@@ -1,7 +1,7 @@
 import { dot, Fn, vec4 } from 'three/tsl';
 import type { Float, Vec3, Vec4 } from '../types.ts';
 
-/** World → the frame that moves with `u` = γβ: ct′ = γ ct − u·x, x′ = x + [u·x/(γ + 1) − ct] u. `X` = (x, ct). */
+/** World → the frame that moves with `u` = γβ: ct′ = γ ct − u·x, x′ = x + [u·x/(γ + 1) − ct] u. `X` = (x, ct). docs/physics.md §2.2. */
 export const boost = Fn(
   ([X, u, gamma]: [Vec4, Vec3, Float]) => {
     const along = dot(u, X.xyz).toVar();

@@ -4,7 +4,7 @@ import { emitterDoppler } from './emitterDoppler.ts';
 import { observerDoppler } from './observerDoppler.ts';
 
 /**
- * D = ν_observed/ν_emitted = γ_o(1 + β_o·n)/(γ_e(1 + β_e·n)).
+ * D = ν_observed/ν_emitted = γ_o(1 + β_o·n)/(γ_e(1 + β_e·n)). docs/physics.md §3.4.
  * `dx` [m] observer → emission event; `u`, `gamma` of the observer; `velocity` = (v, 1 − v²) of the emitter there.
  */
 export const dopplerFactor = Fn(

@@ -2,8 +2,8 @@ import { cross, dot, Fn, select } from 'three/tsl';
 import type { Float, Vec3, Vec4 } from '../types.ts';
 
 /**
- * γ(1 − β·v) = γ − u·v, the relative Lorentz factor of observer and source over the source's own; in the conjugate form
- * (1 + u²(1 − v²) + |u×v|²)/(γ + u·v) where they move the same way. `u` = γβ of the observer; `velocity` = (v, 1 − v²).
+ * γ(1 − β·v) = γ − u·v: the relative Lorentz factor of observer and source divided by the source's own; in conjugate form
+ * (1 + u²(1 − v²) + |u×v|²)/(γ + u·v) where u·v > 0. `u` = γβ of the observer; `velocity` = (v, 1 − v²). docs/physics.md §5.2.
  */
 export const lorentzFactorRatio = Fn(
   ([u, gamma, velocity]: [Vec3, Float, Vec4]): Float => {

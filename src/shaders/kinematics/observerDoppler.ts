@@ -2,8 +2,8 @@ import { cross, dot, Fn, length, max, select } from 'three/tsl';
 import type { Float, Vec3 } from '../types.ts';
 
 /**
- * D_o = γ(1 + β·n) of a source at rest in the world, seen along Δx. Behind (u·Δx < 0) in the conjugate form
- * (r² + |u×Δx|²)/((γr − u·Δx) r), which holds in the backward cone. `dx` [m], `u` = γβ. γ where Δx = 0.
+ * D_o = γ(1 + β·n) of a source at rest in the world, in the direction Δx. Where u·Δx < 0 in conjugate form
+ * (r² + |u×Δx|²)/((γr − u·Δx) r), accurate in the backward cone. `dx` [m], `u` = γβ. γ for Δx = 0. docs/physics.md §3.4.
  */
 export const observerDoppler = Fn(
   ([dx, u, gamma]: [Vec3, Vec3, Float]) => {

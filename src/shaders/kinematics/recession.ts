@@ -2,7 +2,7 @@ import { cross, dot, Fn, select } from 'three/tsl';
 import type { Float, Vec3, Vec4 } from '../types.ts';
 
 /**
- * 1 + v·n, in the conjugate form ((1 − v²) + |v×n|²)/(1 − v·n) where the source approaches.
+ * 1 + v·n, in conjugate form ((1 − v²) + |v×n|²)/(1 − v·n) where the source approaches.
  * `n` unit, observer → source; `velocity` = (v, 1 − v²) of the source.
  */
 export const recession = Fn(

@@ -5,8 +5,8 @@ import { bisect } from '../worldLines/bisect.ts';
 import { cubicPiece, cubicRoot, type EndVelocities, evaluateCubic } from '../worldLines/cubicPiece.ts';
 
 /**
- * The event on the observer's slice Δt′ = 0 of a vertex that moves along cubics between samples and rests outside them. `anchor` = (d_c, R) is an
- * event of the slice; `at` gives samples relative to it; 2 ≤ `count` ≤ 4096. u = 0: the slice of world time.
+ * The event on the observer's slice Δt′ = 0 of a vertex that moves along cubics between samples and is at rest outside them. `anchor` = (d_c, R) is an
+ * event of the slice; `at` gives samples relative to it; 2 ≤ `count` ≤ 4096. u = 0: the slice of world time. docs/physics.md §5.4.
  */
 export function cubicSlice(
   anchor: Vec4,
@@ -16,7 +16,7 @@ export function cubicSlice(
   u: Vec3,
   gamma: Float,
 ): VertexEvent {
-  // γt − u·x rises along every world line and is 0 on the slice.
+  // γt − u·x increases along every world line and is 0 on the slice.
   const lead = (time: Float, x: Vec3): Float => gamma.mul(time).sub(dot(u, x));
   const index = bisect(count, (i) => {
     const sample = at(i).toVar();

@@ -5,7 +5,7 @@ import { hyperbolaCrossing } from '../worldLines/hyperbolaCrossing.ts';
 import { hyperbolaEvent } from '../worldLines/hyperbolaEvent.ts';
 
 /**
- * The event of a vertex in hyperbolic motion on the observer's slice Δt′ = 0: u·x = γt, that is
+ * The event of a vertex in hyperbolic motion on the observer's slice Δt′ = 0 (docs/physics.md §5.3): u·x = γt, that is
  * w(γ − u∥)/2 · (t + x∥)/w + (γ + u∥)/2w · (t − x∥)w = u⊥·x⊥. `anchor` = (d_c, R) is an event of the slice; the rest as in
  * hyperbolicEmission. u = 0: the slice of world time.
  */
@@ -22,7 +22,7 @@ export function hyperbolicSlice(
   const along = dot(u, motion.xyz).toVar();
   const across = u.sub(motion.xyz.mul(along)).toVar();
 
-  // γ ± u∥, the smaller one as (1 + u⊥²)/(γ + |u∥|)
+  // γ ± u∥, the smaller one in the conjugate form (1 + u⊥²)/(γ + |u∥|)
   const larger = gamma.add(along.abs()).toVar();
   const smaller = dot(across, across).add(1).div(larger).toVar();
   const ahead = along.greaterThan(0);

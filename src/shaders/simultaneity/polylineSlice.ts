@@ -5,11 +5,11 @@ import { bisect } from '../worldLines/bisect.ts';
 import { pieceVelocity } from '../worldLines/pieceVelocity.ts';
 
 /**
- * The event on the observer's slice Δt′ = 0 of a vertex that moves straight between samples and rests outside them.
- * `anchor` = (d_c, R) is an event of the slice; `at` gives samples relative to it; 2 ≤ `count` ≤ 4096. u = 0: the slice of world time.
+ * The event on the observer's slice Δt′ = 0 of a vertex that moves uniformly between samples and is at rest outside them.
+ * `anchor` = (d_c, R) is an event of the slice; `at` gives samples relative to it; 2 ≤ `count` ≤ 4096. u = 0: the slice of world time. docs/physics.md §5.4.
  */
 export function polylineSlice(anchor: Vec4, at: SampleTable, count: Int, u: Vec3, gamma: Float): VertexEvent {
-  // γt − u·x rises along every world line and is 0 on the slice.
+  // γt − u·x increases along every world line and is 0 on the slice.
   const lead = (sample: Vec4): Float => gamma.mul(sample.w).sub(dot(u, sample.xyz));
   const index = bisect(count, (i) => lead(at(i).toVar()).lessThanEqual(0));
   const a = at(index).toVar();

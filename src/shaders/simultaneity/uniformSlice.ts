@@ -4,7 +4,7 @@ import type { Float, Vec3, Vec4, VertexEvent } from '../types.ts';
 
 /**
  * The event of a uniformly moving (or resting) vertex on the observer's slice Δt′ = 0: s = u·o/(γ − u·v). `anchor` = (d_c, R) is an event
- * of the slice (its time is β·d_c); `velocity` = (v, 1 − v²); `offset` [m] from it at its time. u = 0: the slice of world time.
+ * of the slice (its time is β·d_c); `velocity` = (v, 1 − v²); `offset` [m] from the anchor at its time. u = 0: the slice of world time. docs/physics.md §5.2.
  */
 export function uniformSlice(anchor: Vec4, velocity: Vec4, offset: Vec3, u: Vec3, gamma: Float): VertexEvent {
   const s = dot(u, offset)

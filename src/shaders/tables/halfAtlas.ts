@@ -16,32 +16,32 @@ export interface HalfTexels {
   readonly width: number;
 }
 
-/** Such rows as shaders read them. */
+/** A table of the atlas in a shader. */
 export interface HalfTable {
-  /** Linear between texels, (0.5, 0.5) the middle of the first; no farther out than the middles of the outermost, for beside them are other tables. */
+  /** Bilinear sample; (0.5, 0.5) is the centre of the first texel. Coordinates must stay within the centres of the outermost texels, because other tables adjoin. */
   sampleLinear(x: Float, y: Float): Vec4;
-  /** Counted row after row. */
+  /** The texel at an index that counts row after row. */
   load(index: Int): Vec4;
 }
 
-/** Where a table is. */
+/** Position of a table in the atlas [texels]. */
 interface AtlasRegion {
   readonly x: number;
   readonly y: number;
 }
 
-/** Tables side by side, as high as the first of them. */
+/** A row of tables side by side, as high as the first of them. */
 interface Shelf {
   readonly y: number;
   readonly height: number;
   used: number;
 }
 
-/** Of the texture, and of the widest table. */
+/** Width of the texture, and of the widest table [texels]. */
 const ATLAS_WIDTH = 512;
 
 /**
- * The tables of half floats of a scene, all in one texture: a device may have no more than 16 for a shader. Tables are made when they are first asked for, be it while a
+ * All half-float tables of a scene in one texture, because a device may allow only 16 per shader. Tables are created lazily, also while a
  * shader that reads them is being built.
  */
 export class HalfAtlas {
@@ -52,7 +52,7 @@ export class HalfAtlas {
   /** 1/(width, height) */
   private readonly scale = uniform(new Vector2(1 / ATLAS_WIDTH, 1));
 
-  /** The table of a name; no wider than 512. */
+  /** The table of this name, created on first use; at most `ATLAS_WIDTH` wide. */
   table(name: string, make: () => HalfTexels): HalfTable {
     const table = this.tables.get(name) ?? this.add(make());
     this.tables.set(name, table);
@@ -75,12 +75,12 @@ export class HalfAtlas {
 
   private reader({ x: left, y: top }: AtlasRegion, width: number): HalfTable {
     const read = (texel: TextureNode<'vec4'>): Vec4 => {
-      // Else three multiplies places by the texture's matrix at every fetch.
+      // Otherwise three multiplies coordinates by the texture's matrix at every fetch.
       texel.updateMatrix = false;
       return texel.toVar();
     };
     return {
-      // The base level, for neighbours may not have read it.
+      // An explicit level, because neighbouring fragments may not execute this fetch.
       sampleLinear: (x, y) => read(this.node.sample(vec2(x.add(left), y.add(top)).mul(this.scale)).level(float(0))),
       load: (index) => {
         const row = index.div(int(width)).toVar();
@@ -89,7 +89,7 @@ export class HalfAtlas {
     };
   }
 
-  /** Room on the first shelf that has it, or on a new one. */
+  /** Reserves a region on the first shelf with room, or on a new one. */
   private reserve(width: number, height: number): AtlasRegion {
     let shelf = this.shelves.find((each) => each.height >= height && each.used + width <= ATLAS_WIDTH);
     if (!shelf) {

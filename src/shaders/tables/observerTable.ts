@@ -4,7 +4,7 @@ import { colorMatching, WAVELENGTHS } from '../../spectrum/observer/standardObse
 import { basisAt } from '../../spectrum/reflectance/spectralFilter.ts';
 import type { HalfTexels } from './halfAtlas.ts';
 
-/** The eye and the basis of filters, nanometre by nanometre, as shaders read them (lineColor.ts). */
+/** The standard observer (linear sRGB) and the filter basis at every nanometre, as texels for lineColor.ts. */
 export function observerTexels(): HalfTexels {
   const eye = WAVELENGTHS.flatMap((wavelength) => [...toLinearSrgb(colorMatching(wavelength)), 1]);
   const basis = WAVELENGTHS.flatMap((wavelength) => [...basisAt(wavelength), 1]);

@@ -5,7 +5,7 @@ import { DAYLIGHT } from '../../spectrum/sources/lightSpectrum.ts';
 import type { Float, Vec3, Vec4 } from '../types.ts';
 import type { HalfAtlas, HalfTable } from './halfAtlas.ts';
 
-/** A `DopplerTable` on the GPU, its layers one under the other. */
+/** A `DopplerTable` on the GPU, with its layers one below the other. */
 export interface SpectrumTable {
   readonly table: HalfTable;
   readonly layers: 3 | 4;
@@ -13,18 +13,18 @@ export interface SpectrumTable {
   readonly rows: number;
 }
 
-/** What is seen through each band of a filter, linear sRGB, of light of luminance 1. */
+/** Observed colour of each band of a filter, linear sRGB, in light of luminance 1. */
 export interface BandColors {
   readonly red: Vec3;
   readonly green: Vec3;
   readonly blue: Vec3;
-  /** Through its ultraviolet or infrared, in tables of four layers. */
+  /** Of its ultraviolet or infrared, in tables of four layers. */
   readonly beyond?: Vec3;
-  /** H of `relativeLuminance`. */
+  /** H of `blackbodyLuminance`. */
   readonly H: Float;
 }
 
-/** A table as shaders read it. */
+/** Puts a table into the atlas. */
 export function spectrumTable(
   atlas: HalfAtlas,
   name: string,
@@ -33,21 +33,21 @@ export function spectrumTable(
   return { table: atlas.table(name, () => ({ data, width: columns })), layers, columns, rows };
 }
 
-/** Half of what D/(1 + D) spans. */
+/** Half of the range of D/(1 + D). */
 const HALF_SPAN = SHIFT_LIMIT / (1 + SHIFT_LIMIT) - 0.5;
 
-/** The colours of the bands of a filter that is seen shifted by D, of a blackbody that is seen at T [K]: `tableTexel` at `rowOf` and `columnOf`. */
+/** The band colours of a filter observed with the shift D, in light of a blackbody observed at T [K]: `tableTexel` at `rowOf` and `columnOf`. */
 export const thermalColors = (table: SpectrumTable, T: Float, D: Float): BandColors =>
   colorsAt(table, coordinateOf(D, table.columns), T.div(T.add(MIDDLE_TEMPERATURE)).mul(table.rows - 1));
 
 /**
- * The colours of the bands of a filter that is seen shifted by `out`, of a light that has a colour of its own and is seen shifted by `whole`, both within
- * `SHIFT_LIMIT`; from its `filteredBlackbodyTable`.
+ * The band colours of a filter observed with the shift `out`, in coloured light observed with the shift `whole`, both within
+ * `SHIFT_LIMIT`; from the light's `filteredBlackbodyTable`.
  */
 export const coloredColors = (table: SpectrumTable, whole: Float, out: Float): BandColors =>
   colorsAt(table, coordinateOf(out, table.columns), coordinateOf(whole, table.rows));
 
-/** From 0 to steps − 1: `columnOf`. */
+/** `columnOf`: 0 to steps − 1. */
 function coordinateOf(D: Float, steps: number): Float {
   const shift = D.div(D.add(1))
     .sub(0.5)
@@ -63,7 +63,7 @@ function colorsAt({ table, layers, rows }: SpectrumTable, column: Float, row: Fl
   return layers === 4 ? { ...colors, beyond: layer(3).xyz } : colors;
 }
 
-/** What is seen through a filter: (r, g, b, and in tables of four layers its ultraviolet where D < 1, else its infrared). */
+/** Observed colour of a filter (r, g, b, and for tables of four layers its ultraviolet where D < 1, else its infrared). */
 export function filteredColor({ red, green, blue, beyond }: Omit<BandColors, 'H'>, filter: Vec4): Vec3 {
   const inside = red.mul(filter.x).add(green.mul(filter.y)).add(blue.mul(filter.z));
   return beyond ? inside.add(beyond.mul(filter.w)) : inside;
@@ -71,7 +71,7 @@ export function filteredColor({ red, green, blue, beyond }: Omit<BandColors, 'H'
 
 const OF_DAYLIGHT = Math.expm1(LUMINANCE_THETA / DAYLIGHT.temperature);
 
-/** Y(T)/Y(6504 K) of a blackbody of T [K] whose H is given: H (e^{θ/6504 K} − 1)/(e^{θ/T} − 1), the denominator as a series where θ/T is small. */
+/** Twin of `blackbodyLuminance`: H (e^{θ/6504 K} − 1)/(e^{θ/T} − 1), T [K], the denominator by its series for small θ/T. */
 export const luminanceOf = Fn(
   ([H, T]: [Float, Float]): Float => {
     const x = min(T.reciprocal().mul(LUMINANCE_THETA), 85).toVar();

@@ -31,14 +31,14 @@ import type { Check, Twin, TwinCase } from './twin.ts';
 const OBSERVER = { t: 0, position: ZERO } as const;
 const EACH = 100;
 
-/** (Δx, s) · (v, 1 − v²) · (whether there is an event, how close it is to a sample [m], 0, 0) */
+/** (Δx, s) · (v, 1 − v²) · (exists, distance in time to the nearest sample [m], 0, 0) */
 export const outputsOf = (event: VertexEvent | HyperbolicVertexEvent): readonly Vec4[] => [
   vec4(event.dx, event.s),
   event.velocity,
   vec4('exists' in event ? select(event.exists, 1, 0) : 1, 0, 0, 0),
 ];
 
-/** The same from the CPU, at the world time `t` after the observer's, which is `s` after the anchor's. */
+/** The same outputs from the CPU, at the world time `t` after the observer's and `s` after the anchor's. */
 export function expectedAt(line: WorldLine, dx: Vec3, t: number, s: number): readonly number[] {
   const v = velocityAt(line, t, 1);
   const speed = length(v);
@@ -49,7 +49,7 @@ const nowhere = Array<number>(12).fill(0);
 const nearestSample = (line: WorldLine, t: number): number =>
   'times' in line ? Math.min(...Array.from(line.times, (time) => Math.abs(time - t))) : 1;
 
-/** Objects from toy to building, small enough against their distance to be looked at from outside; or around the observer. */
+/** Objects of 1 m and 100 m, seen from outside, or around the observer. */
 const strata = (speeds: readonly number[]): readonly MotionStratum[] =>
   speeds.flatMap((beta) =>
     [1, 100].flatMap((size) =>
@@ -63,15 +63,15 @@ const strata = (speeds: readonly number[]): readonly MotionStratum[] =>
     ),
   );
 
-/** Around the observer sometimes exactly at the observer. */
+/** `around`: near the observer, sometimes exactly at the observer. */
 function anchorOf(random: () => number, size: number, around = false): Vec3 {
   if (!around) return scale(unitVector(random), logUniform(random, 1.5 * size, 1e5));
   return scale(unitVector(random), random() < 0.1 ? 0 : size * random());
 }
 
 /**
- * f32 directions are known to 6e-8, and near the light cone of a mover that counts γ times as much: one bound up to β = 0.99, one at
- * 0.999 (γ = 22), one at 0.999999 (γ = 707). Ten times that where the observer is among the vertices, and lengths cancel.
+ * f32 directions have errors of 6e-8, which fast motion amplifies: one bound up to β = 0.99, one at
+ * 0.999 (γ = 22), one at 0.999999 (γ = 707). Ten times as large where the observer is among the vertices and lengths cancel.
  */
 const bySpeed =
   (slow: number, fast: number, fastest: number): Check['tolerance'] =>
@@ -80,7 +80,7 @@ const bySpeed =
     return around ? 10 * bound : bound;
   };
 
-/** How far away the vertex is and how far it went to reach its event [m]: what its place and time are known to a part of; not less than 5 cm. */
+/** The length that errors of position and time are relative to: the distance of the vertex plus the path to its event, at least 5 cm [m]. */
 const eventScale = (cpu: readonly number[], input: readonly number[]): number => {
   const dx: Vec3 = [cpu[0], cpu[1], cpu[2]];
   return length(dx) + length(sub(dx, vec3At(input, 0))) + Math.abs(cpu[3]) + 0.05;
@@ -92,7 +92,7 @@ const time: Check = {
   tolerance: bySpeed(3e-6, 2e-5, 2e-2),
 };
 
-/** D of the emitter, from the event and the velocity: the direction is known the worse the nearer; not at a sample, where the velocity jumps. */
+/** D of the emitter from the event and the velocity, weighted by distance (nearby directions are less accurate); not at samples, where the velocity jumps. */
 const doppler: Check = {
   name: 'D, relative, times |Δx| over the reach',
   error: (gpu, cpu, input) => {
@@ -147,7 +147,7 @@ const emissionTwin = (mover: MotionInput, parts: readonly string[]): Twin => ({
   checks: [...eventChecks, exists],
 });
 
-/** Newton steps on two kinds of world line: on a hyperbola a long step can land where 1 − v² is noise, and says nothing. */
+/** Newton's steps are not compared on hyperbolas, where a long step can land where 1 − v² is rounding noise. */
 const newtonTwin = (mover: MotionInput): Twin => ({
   name: `newtonEmission, ${mover.kind}`,
   parts: ['newtonEmission'],
@@ -211,13 +211,13 @@ const staticTwin: Twin = {
   checks: eventChecks,
 };
 
-/** (Δx, s) a little beside the light cone · (v, 1 − v²) */
+/** (Δx, s) slightly off the light cone · (v, 1 − v²) */
 const ontoConeTwin: Twin = {
   name: 'ontoLightCone',
   texels: 2,
   outputs: 3,
   cases: (random) =>
-    // Nearer to c, f32 inputs do not tell how far from the cone an event is.
+    // Nearer to c, the offset from the cone is lost in the rounding of f32 inputs.
     casesOf(strata(SPEEDS.filter((beta) => beta <= 0.99)), EACH, ({ beta, size }) => {
       const dx = anchorOf(random, size);
       const direction = aimedDirection(random, normalize(dx, [0, 0, 1]), AIMS[Math.floor(random() * AIMS.length)]);
@@ -240,14 +240,14 @@ const ontoConeTwin: Twin = {
 
 const LONGEST = 4096;
 
-/** A zigzag of as many samples as a table may have, its root anywhere in it or outside. anchor · (first sample) · (step) */
+/** A zigzag with the maximal number of samples, and its root anywhere in it or outside. anchor · (first sample) · (step) */
 const longestTable: Twin = {
   name: 'polylineEmission, 4096 samples',
   texels: 3,
   outputs: 3,
   cases: (random) =>
     casesOf([{ name: '4096 samples', gamma: 1, beta: 0.5 }], 100, () => {
-      // Powers of two and their parts, so that the shader's own times are exact.
+      // Dyadic numbers, so that the times computed by the shader are exact.
       const dt = 2 ** -Math.floor(4 * random());
       const first = -(Math.floor((LONGEST + 100) * random()) + Math.floor(1024 * random()) / 1024) * dt;
       return [

@@ -6,14 +6,14 @@ export type Aim = 'anywhere' | 'ahead' | 'behind';
 
 const GAMMAS = [1, 1.0000001, 1.001, 1.05, 2, 7, 22, 100, 1000];
 export const AIMS: readonly Aim[] = ['anywhere', 'ahead', 'behind'];
-/** 0.999999 is the fastest mover of the domain: γ = 707. */
+/** Speeds of objects [c]; 0.999999 (γ = 707) is the fastest that is supported. */
 export const SPEEDS = [0, 0.1, 0.5, 0.9, 0.999, 0.999999];
 
 export interface ObserverStratum extends Stratum {
   readonly aim: Aim;
 }
 
-/** Observers from rest to γ = 1000, looking anywhere, into the forward and into the backward cone. */
+/** Observers from rest to γ = 1000, looking anywhere, near the forward axis, and near the backward axis. */
 export const observers: readonly ObserverStratum[] = GAMMAS.flatMap((gamma) =>
   AIMS.map((aim) => ({ name: `γ ${gamma}, ${aim}`, gamma, aim })),
 );
@@ -25,10 +25,10 @@ export function unitVector(random: Random): Vec3 {
   return [s * Math.cos(phi), s * Math.sin(phi), z];
 }
 
-/** From `least` to `most`, evenly in the logarithm. */
+/** A random number from `least` to `most`, uniform in the logarithm. */
 export const logUniform = (random: Random, least: number, most: number): number => least * (most / least) ** random();
 
-/** A unit vector anywhere, or within 1e-5 … 1.5 rad (evenly in the logarithm) of `axis` or of −`axis`. */
+/** A random unit vector, or one at 1.5e-5 … 1.5 rad (uniform in the logarithm) from `axis` or −`axis`. */
 export function aimedDirection(random: Random, axis: Vec3, aim: Aim): Vec3 {
   if (aim === 'anywhere') return unitVector(random);
   const angle = logUniform(random, 1.5e-5, 1.5);
@@ -37,7 +37,7 @@ export function aimedDirection(random: Random, axis: Vec3, aim: Aim): Vec3 {
   return addScaled(scale(axis, aim === 'ahead' ? Math.cos(angle) : -Math.cos(angle)), across, Math.sin(angle));
 }
 
-/** γβ and the place looked at: 0.1 m to 100 km away, sometimes exactly here. */
+/** γβ of the observer and a point 0.1 m to 100 km away, sometimes at distance 0. */
 export function observerInput(random: Random, { gamma, aim }: ObserverStratum): { u: Vec3; n: Vec3; dx: Vec3 } {
   const axis = unitVector(random);
   const n = aimedDirection(random, axis, aim);
@@ -48,7 +48,7 @@ export function observerInput(random: Random, { gamma, aim }: ObserverStratum): 
   };
 }
 
-/** (v, 1 − v²) of a mover at the speed β. */
+/** (v, 1 − v²) for the speed β. */
 export const velocityInput = (direction: Vec3, beta: number): readonly number[] => [
   ...scale(direction, beta),
   (1 - beta) * (1 + beta),
@@ -62,7 +62,7 @@ export const vec3At = (input: readonly number[], texel: number): Vec3 => [
   input[4 * texel + 2],
 ];
 
-/** `each` cases of every stratum. */
+/** `each` cases per stratum. */
 export function casesOf<S extends Stratum>(
   strata: readonly S[],
   each: number,

@@ -173,7 +173,7 @@ const lorentzFactorRatioTwin: Twin = {
       const { u, n } = observerInput(random, stratum);
       return [...u, gammaOf(u), ...velocityInput(n, SPEEDS[Math.floor(random() * SPEEDS.length)])];
     }),
-  // γ − u·v is the relative Lorentz factor of observer and mover over the mover's own.
+  // γ − u·v is the relative Lorentz factor of observer and object divided by the object's own.
   cpu: (input) => {
     const gammaV = 1 / Math.sqrt(input[7]);
     const relativeU = physics.relativeVelocity(scale(vec3At(input, 1), gammaV), vec3At(input, 0));

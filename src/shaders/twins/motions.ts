@@ -27,15 +27,15 @@ export interface MotionStratum extends Stratum {
 type Random = () => number;
 type Texel = (index: number | Int) => Vec4;
 
-/** A kind of motion: how a vertex of it is drawn by lot, told to the CPU and told to the GPU. Its texels follow the anchor's. */
+/** A kind of motion: how a random vertex is generated and passed to the CPU and the GPU. Its texels follow the anchor's. */
 export interface MotionInput {
   readonly kind: 'uniform' | 'hyperbolic' | 'polyline' | 'cubic';
-  /** With the anchor's. */
+  /** Number of texels, including the anchor's. */
   readonly texels: number;
   /** Speeds of its strata [c]. */
   readonly speeds: readonly number[];
   readonly draw: (random: Random, stratum: MotionStratum, anchor: Vec3) => readonly number[];
-  /** The vertex's world line with c = 1, where the anchor's event is at d_c and `time`. */
+  /** The vertex's world line with c = 1, for the anchor's event at d_c and `time`. */
   readonly worldLine: (input: readonly number[], time: number) => WorldLine;
   readonly emission: (texel: Texel) => VertexEvent;
   readonly slice: (texel: Texel, u: Vec3Node, gamma: Float) => VertexEvent;
@@ -51,7 +51,7 @@ const uniform: MotionInput = {
   speeds: SPEEDS,
   draw: (random, { beta, size }, anchor) => {
     const direction = aimedDirection(random, normalize(anchor, [0, 0, 1]), AIMS[Math.floor(random() * AIMS.length)]);
-    // Sometimes the anchor itself, which may be where the observer is.
+    // Sometimes the anchor itself, which may coincide with the observer.
     return [...velocityInput(direction, beta), ...offsetIn(random, random() < 0.1 ? 0 : size), 0];
   },
   worldLine: (input, time) => {
@@ -71,7 +71,7 @@ const hyperbolic: MotionInput = {
   draw: (random, { beta, size }, anchor) => {
     const axis = aimedDirection(random, normalize(anchor, [0, 0, 1]), AIMS[Math.floor(random() * AIMS.length)]);
     const w = Math.sqrt((1 + beta) / (1 - beta)) ** (random() < 0.5 ? -1 : 1);
-    // a·size < 1, or a Born-rigid body reaches its own horizon.
+    // a·size < 1, so that a Born-rigid body does not reach its own horizon.
     const a = logUniform(random, 1e-4, 0.5) / Math.max(size, 1);
     return [...axis, a, ...offsetIn(random, size), random() < 0.5 ? 0 : 1, w, 0, 0, 0];
   },
@@ -98,7 +98,7 @@ const samplesOf =
   (index) =>
     texel(index.add(int(1)));
 
-/** anchor · samples; the anchor is near the middle one, or near an end, so that some vertices rest. */
+/** anchor · samples; the anchor is near the middle sample, or near an end, so that some vertices are at rest. */
 const polyline: MotionInput = {
   kind: 'polyline',
   texels: 1 + SAMPLES,
@@ -134,7 +134,7 @@ const endVelocities =
     end: texel(index.add(int(2 + SAMPLES))).xyz,
   });
 
-/** anchor · samples · velocities at them; all control velocities are within β, and the chords so long as they ask. */
+/** anchor · samples · velocities at them; all control velocities are within β, and the chords follow from them. */
 const cubic: MotionInput = {
   kind: 'cubic',
   texels: 1 + 2 * SAMPLES,

@@ -6,7 +6,7 @@ import { spectrumTwins } from './spectrum.ts';
 import type { Twin } from './twin.ts';
 
 /**
- * Every shader function with its f64 equal, the inputs on which both are compared, and how equal they must be.
+ * Every shader function with its f64 counterpart, the inputs on which both are compared, and the tolerances.
  * tests/gpu/twins/twins.test.ts runs it on WebGPU and WebGL2 and fails where a function of this folder is missing from it.
  */
 export const twinRegistry: readonly Twin[] = [

@@ -8,7 +8,7 @@ import type { Twin } from './twin.ts';
 const OBSERVER = { t: 0, position: ZERO } as const;
 const EACH = 12;
 
-/** Every observer with every speed of the mover. */
+/** Every observer combined with every speed of the object. */
 const strata = (speeds: readonly number[]) =>
   observers.flatMap((observer) =>
     speeds.map((beta) => ({ ...observer, beta, size: 1, name: `${observer.name}, β ${beta}` })),

@@ -23,7 +23,7 @@ import { absolute, always, within } from './checks.ts';
 import { casesOf, logUniform, vec3At } from './inputs.ts';
 import type { Twin } from './twin.ts';
 
-/** Of all tables here: each is read beside others. */
+/** One atlas for all tables here, so that each is read beside others. */
 const atlas = new HalfAtlas();
 const tables = new Map<3 | 4, DopplerTable>();
 function blackbodies(layers: 3 | 4) {
@@ -42,7 +42,7 @@ const bandsAt = (input: readonly number[]): SpectralFilter => ({ rgb: vec3At(inp
 const whiteAt = ([, , , , temperature, Din, Dout]: readonly number[]) =>
   observedColor(WHITE_FILTER, WHITE_FILTER, { kind: 'thermal', temperature }, Din, Dout);
 
-/** Against sums over every nanometre: the table's error is in it. `own`: filters tell of their ultraviolet and infrared. */
+/** Compared with sums over every nanometre, so the table's error is included. `own`: filters have their own ultraviolet and infrared. */
 const thermal = (own: boolean): Twin => ({
   name: own ? 'thermalColors, four layers' : 'thermalColors',
   parts: ['thermalColors', 'filteredColor', 'luminanceOf', 'spectrumTable', 'HalfAtlas'],
@@ -86,7 +86,7 @@ const COLORED = [
   { temperature: 3000, filter: [0.2, 0.5, 1] },
 ] as const;
 
-/** (r, g, b, 0) · (light, D_in, D_out, 0), against sums over every nanometre. */
+/** (r, g, b, 0) · (light, D_in, D_out, 0), compared with sums over every nanometre. */
 const colored: Twin = {
   name: 'coloredColors',
   texels: 2,
@@ -115,7 +115,7 @@ const colored: Twin = {
   checks: [absolute('color, over white', 0, 3, always(1e-2))],
 };
 
-/** (r, g, b, uv) · (wavelength at the filter, for the eye [nm], ir, 0) */
+/** (r, g, b, uv) · (wavelength at the filter and at the observer [nm], ir, 0) */
 const lines = (own: boolean): Twin => ({
   name: own ? 'lineColor, own ends' : 'lineColor',
   parts: ['lineColor', 'observerTexels'],
@@ -130,7 +130,7 @@ const lines = (own: boolean): Twin => ({
   cpu: (input) => {
     const [surface, seen, ir] = input.slice(4);
     const visible = surface * 1e-9 >= VISIBLE[0] && surface * 1e-9 <= VISIBLE[1];
-    // What this eye sees of what is beyond the visible for the surface.
+    // The filter's value outside the visible that this observer would see.
     const beyond = seen > surface ? input[3] : ir;
     const share = visible ? reflectanceAt({ rgb: vec3At(input, 0), uv: 0, ir: 0 }, surface * 1e-9) : beyond;
     return [...scale(toLinearSrgb(colorMatching(seen * 1e-9)), share), 0];

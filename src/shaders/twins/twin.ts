@@ -1,6 +1,6 @@
 import type { Int, Vec4 } from '../types.ts';
 
-/** A stratum of inputs: tolerances may depend on it, and it is named where a case fails. */
+/** A stratum of inputs: tolerances may depend on it, and failure messages name it. */
 export interface Stratum {
   readonly name: string;
   /** Lorentz factor of the observer; 1 where there is none. */
@@ -13,24 +13,24 @@ export interface Stratum {
 
 export interface TwinCase {
   readonly stratum: Stratum;
-  /** 4 numbers per texel, in f64: the CPU takes them as they are, the GPU gets them rounded to f32, as an upload would. */
+  /** 4 numbers per texel, in f64: the CPU uses them as they are, the GPU rounded to f32. */
   readonly input: readonly number[];
 }
 
-/** How far the GPU may be from the CPU in one respect. */
+/** One comparison of GPU and CPU results with its tolerance. */
 export interface Check {
-  /** With its unit: `direction [px]`. */
+  /** Including the unit, e.g. `direction [px]`. */
   readonly name: string;
-  /** From both results (4 numbers per output) and the input. Not a number counts as infinitely wrong. */
+  /** The error, from both results (4 numbers per output) and the input. NaN counts as infinite. */
   readonly error: (gpu: readonly number[], cpu: readonly number[], input: readonly number[]) => number;
   readonly tolerance: (stratum: Stratum) => number;
 }
 
-/** A shader function with its f64 equal, what both are given, and how equal they must be. */
+/** A shader function with its f64 counterpart, their inputs, and the tolerances. */
 export interface Twin {
-  /** As it is exported from shaders/. */
+  /** The function's name as exported from shaders/. */
   readonly name: string;
-  /** Functions without an equal of their own, which are tested through this one. */
+  /** Functions without a twin of their own that are tested through this one. */
   readonly parts?: readonly string[];
   /** vec4 of input per case. */
   readonly texels: number;
@@ -38,7 +38,7 @@ export interface Twin {
   readonly outputs: number;
   readonly cases: (random: () => number) => readonly TwinCase[];
   readonly cpu: (input: readonly number[]) => readonly number[];
-  /** Builds the outputs from the inputs, inside a shader function. */
+  /** Builds the output nodes from the input texels, inside a shader function. */
   readonly gpu: (texel: (index: number | Int) => Vec4) => readonly Vec4[];
   readonly checks: readonly Check[];
 }

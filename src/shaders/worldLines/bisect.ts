@@ -1,12 +1,12 @@
 import { Break, If, int, Loop } from 'three/tsl';
 import type { Bool, Int } from '../types.ts';
 
-/** 2^12 = 4096: the longest table that is searched to the end. */
+/** Enough for 2¹² = 4096 samples. */
 const STEPS = 12;
 
 /**
- * The last index at which `before` holds, where it holds up to some index and not after; 0 where it holds nowhere, count − 2 where it
- * holds everywhere, so that index and index + 1 always bound a piece. 2 ≤ `count` ≤ 4096.
+ * By bisection, the last index at which `before` is true, given that it is true up to some index and false after it; 0 if it is never true, count − 2 if
+ * it is always true, so that index and index + 1 always bound a piece. 2 ≤ `count` ≤ 4096.
  */
 export function bisect(count: Int, before: (index: Int) => Bool): Int {
   const low = int(0).toVar();

@@ -1,10 +1,10 @@
 import { abs, Break, clamp, float, If, int, Loop, length, select, vec4 } from 'three/tsl';
 import type { Float, Int, Vec3, Vec4 } from '../types.ts';
 
-/** The velocities [c] with which the piece after a sample begins and ends. */
+/** The velocities [c] at the start and the end of the piece after a sample. */
 export type EndVelocities = (index: Int) => { readonly begin: Vec3; readonly end: Vec3 };
 
-/** x = a + s(begin + w(bend + w twist)), w = s/span: places relative to the anchor [m], times in light-metres. */
+/** x = a + s(begin + w(bend + w twist)), w = s/span: positions relative to the anchor [m], times in light-metres. docs/physics.md §4.8. */
 export interface ShaderCubic {
   readonly a: Vec4;
   readonly b: Vec4;
@@ -14,7 +14,7 @@ export interface ShaderCubic {
   readonly span: Float;
 }
 
-/** The cubic between two samples (x, y, z, t). As `cubicAt` of physics/. */
+/** The cubic between two samples (x, y, z, t); twin of `cubicAt` in physics/. */
 export function cubicPiece(a: Vec4, b: Vec4, { begin, end }: ReturnType<EndVelocities>): ShaderCubic {
   const span = b.w.sub(a.w).max(1e-30).toVar();
   const chord = b.xyz.sub(a.xyz).div(span).toVar();
@@ -30,7 +30,7 @@ export function cubicPiece(a: Vec4, b: Vec4, { begin, end }: ReturnType<EndVeloc
   };
 }
 
-/** Place and (v, 1 − v²) so long after the beginning of a piece. */
+/** Position and (v, 1 − v²) at the time `s` after the start of a piece. */
 export function evaluateCubic(piece: ShaderCubic, s: Float): { readonly x: Vec3; readonly velocity: Vec4 } {
   const { a, begin, bend, twist, span } = piece;
   const w = s.div(span).toVar();
@@ -47,13 +47,13 @@ export function evaluateCubic(piece: ShaderCubic, s: Float): { readonly x: Vec3;
   return { x, velocity: vec4(v, speed.oneMinus().mul(speed.add(1))).toVar() };
 }
 
-/** Newton's steps end when they are smaller than this share of the piece, and after so many. */
+/** Newton's iteration ends at a step below this fraction of the piece, or after `MAX_STEPS`. */
 const RELATIVE_STEP = 3e-7;
 const MAX_STEPS = 16;
 
 /**
- * How long after the beginning of a piece `miss` is 0, a function that rises along it; its slope too. Newton's steps from `guess`; one that
- * would leave the bracket that is known by then halves it instead. As `safeguardedNewton` of math/.
+ * The time after the start of a piece at which `miss`, an increasing function with value and slope, is 0: Newton's steps from `guess`, replaced by
+ * bisection where a step would leave the current bracket. Twin of `safeguardedNewton` in math/.
  */
 export function cubicRoot(
   piece: ShaderCubic,

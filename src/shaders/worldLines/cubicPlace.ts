@@ -3,7 +3,7 @@ import type { Int, SampleTable, WorldLineAt } from '../types.ts';
 import { bisect } from './bisect.ts';
 import { cubicPiece, type EndVelocities, evaluateCubic } from './cubicPiece.ts';
 
-/** World line of a vertex that moves along cubics between samples (relative to the anchor) and rests outside them; 2 ≤ `count` ≤ 4096. */
+/** World line of a vertex that moves along cubics between samples (relative to the anchor) and is at rest outside them; 2 ≤ `count` ≤ 4096. */
 export const cubicPlace =
   (at: SampleTable, velocities: EndVelocities, count: Int): WorldLineAt =>
   (time) => {

@@ -3,8 +3,8 @@ import type { Float } from '../types.ts';
 import type { HyperbolaVertex } from './hyperbola.ts';
 
 /**
- * η at which the vertex (see hyperbola.ts) crosses the spacelike surface A₊(t + x∥)/w + A₋(t − x∥)w = h, A₊ and A₋ > 0:
- * aA₊η² + (A₊ + A₋ − ak)η − k = 0, k = h − A₊·plus − A₋·minus; the discriminant is (A₊ − A₋ + ak)² + 4A₊A₋. There always is one.
+ * η at which the vertex (see hyperbola.ts) crosses the spacelike hyperplane A₊(t + x∥)/w + A₋(t − x∥)w = h, A₊ and A₋ > 0:
+ * aA₊η² + (A₊ + A₋ − ak)η − k = 0, k = h − A₊·plus − A₋·minus; the discriminant is (A₊ − A₋ + ak)² + 4A₊A₋. There always is exactly one.
  */
 export function hyperbolaCrossing(vertex: HyperbolaVertex, aPlus: Float, aMinus: Float, h: Float): Float {
   const k = h.sub(aPlus.mul(vertex.plus)).sub(aMinus.mul(vertex.minus)).toVar();

@@ -10,7 +10,7 @@ interface HyperbolaEvent {
   readonly s: Float;
   /** (v, 1 − v²) */
   readonly velocity: Vec4;
-  /** false behind the horizon, and for the part of a Born-rigid body that would be beyond its own. */
+  /** False behind the horizon, and for the part of a Born-rigid body beyond its own horizon. */
   readonly exists: Bool;
 }
 

@@ -3,7 +3,7 @@ import { hyperbolaVertex } from './hyperbola.ts';
 import { hyperbolaCrossing } from './hyperbolaCrossing.ts';
 import { hyperbolaEvent } from './hyperbolaEvent.ts';
 
-/** World line of a vertex in hyperbolic motion; arguments as in hyperbolicEmission. At the time t it crosses (t + x∥)/2 + (t − x∥)/2 = t. */
+/** World line of a vertex in hyperbolic motion; arguments as in hyperbolicEmission. Position at the time t: the crossing of (t + x∥)/2 + (t − x∥)/2 = t. */
 export const hyperbolicPlace =
   (motion: Vec4, w: Float, bornRigid: Float, offset: Vec3): WorldLineAt =>
   (time) => {

@@ -3,7 +3,7 @@ import type { Int, SampleTable, WorldLineAt } from '../types.ts';
 import { bisect } from './bisect.ts';
 import { pieceVelocity } from './pieceVelocity.ts';
 
-/** World line of a vertex that moves straight between samples (relative to the anchor) and rests outside them; 2 ≤ `count` ≤ 4096. */
+/** World line of a vertex that moves uniformly between samples (relative to the anchor) and is at rest outside them; 2 ≤ `count` ≤ 4096. */
 export const polylinePlace =
   (at: SampleTable, count: Int): WorldLineAt =>
   (time) => {

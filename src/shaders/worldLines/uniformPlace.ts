@@ -1,6 +1,6 @@
 import type { Vec3, Vec4, WorldLineAt } from '../types.ts';
 
-/** World line of a uniformly moving (or resting) vertex, at `offset` [m] from the anchor at its time; `velocity` = (v, 1 − v²). */
+/** World line of a vertex in uniform motion (or at rest), at `offset` [m] from the anchor at its time; `velocity` = (v, 1 − v²). */
 export const uniformPlace =
   (velocity: Vec4, offset: Vec3): WorldLineAt =>
   (time) => ({ x: offset.add(velocity.xyz.mul(time)).toVar(), velocity });

@@ -1,9 +1,9 @@
 import { dot, type Vec3 } from '../../math/vec3.ts';
 import { LUMINANCE_WEIGHTS } from './observerColor.ts';
 
-/** Between these a blackbody's colour is told [K]; beyond them it is that of the nearer one. */
+/** Range of the fit [K]; temperatures are clamped to it. */
 export const KRYSTEK_RANGE = [1000, 10000] as const;
-/** Krystek's fits: numerator and denominator of u(T) and of v(T), from the constant on. */
+/** Krystek's fits: numerator and denominator of u(T) and of v(T), coefficients from the constant up. */
 export const KRYSTEK_FITS = {
   u: [
     [0.860117757, 1.54118254e-4, 1.28641212e-7],
@@ -24,9 +24,9 @@ export const XYZ_TO_SRGB_ROWS = [
 ] as const;
 
 /**
- * What files mean by a colour temperature T [K]: linear sRGB of a blackbody, scaled to the luminance 1; what lies outside of sRGB is clipped first.
- * UsdLux defines it so, by a fit and for a display whose white is D65. Light that is computed as light is `colorOfSpectrum` a thermal spectrum, where
- * daylight of 6504 K is white: from 1900 K on blackbodyColor(T)/blackbodyColor(6504 K) is that within 2 % of its brightest part.
+ * The colour that files mean by a colour temperature T [K], as UsdLux defines it: linear sRGB of a blackbody, clipped to sRGB, then scaled to the
+ * luminance 1, with D65 as white. Spectral rendering uses `colorOfSpectrum` of a thermal spectrum instead, with 6504 K as white; above
+ * 1900 K, blackbodyColor(T)/blackbodyColor(6504 K) agrees with that within 2 % of the largest channel. docs/physics.md §7.10.
  * Source: Krystek 1985, "An algorithm to calculate correlated colour temperature", eq. for u(T), v(T) (CIE 1960); within 1.5e-4 in u and v.
  */
 export function blackbodyColor(T: number): Vec3 {
@@ -52,12 +52,12 @@ function atUnitLuminance(rgb: Vec3, weights: Vec3): Vec3 {
   return [rgb[0] / luminance, rgb[1] / luminance, rgb[2] / luminance];
 }
 
-/** What the approximate colours take for white. */
+/** White of the approximate colours. */
 export const DAYLIGHT_COLOR = blackbodyColor(6504);
 
 /**
- * The colour of what glows at T [K], of luminance 1, as the *approximate* colours have it: that of a file's colour temperature, in which
- * daylight of 6504 K is white. A shift then tints it as any other colour (dopplerTint.ts); spectra have a blackbody of T·D instead.
+ * The colour of a glowing surface at T [K], of luminance 1, in the *approximate* colours: `blackbodyColor` with 6504 K as white.
+ * A Doppler shift tints it as any other colour (dopplerTint.ts); spectral rendering shows a blackbody of T·D instead.
  */
 export function glowColor(T: number): Vec3 {
   const [r, g, b] = blackbodyColor(T);

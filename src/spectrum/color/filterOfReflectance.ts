@@ -4,15 +4,16 @@ import { filterFromRgb, type SpectralFilter } from '../reflectance/spectralFilte
 import { DAYLIGHT, spectralRadiance } from '../sources/lightSpectrum.ts';
 import { toLinearSrgb } from './observerColor.ts';
 
-/** What one number stands for, of ultraviolet and of infrared light [nm]: as in the presets of materials. */
+/** Ranges over which the ultraviolet and the infrared reflectance are averaged [nm], as in the material presets. */
 const ULTRAVIOLET = [300, 360] as const;
 const INFRARED = [830, 1300] as const;
 
 const known = new WeakMap<MeasuredReflectance, SpectralFilter>();
 
 /**
- * The bands of a measured reflectance: its colour in daylight (exactly; none below 0, where it lies outside of sRGB), and its means over the near ultraviolet and infrared. With `rest` they are the measured
- * reflectance itself at every wavelength; without, what the fast renderer shows of it.
+ * The filter of a measured reflectance: its exact colour in daylight (negative channels, outside sRGB, set to 0) and its means over the near
+ * ultraviolet and infrared. With its `residual` the filter equals the measured reflectance at every wavelength; the fast renderer uses the bands alone.
+ * Cached per reflectance.
  */
 export function filterOfReflectance(reflectance: MeasuredReflectance): SpectralFilter {
   const found = known.get(reflectance);

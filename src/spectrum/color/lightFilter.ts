@@ -5,9 +5,9 @@ import type { LightSpectrum } from '../sources/lightSpectrum.ts';
 import { LUMINANCE_WEIGHTS, observedColor } from './observerColor.ts';
 
 /**
- * The filter k before a blackbody that makes its light on a white surface at rest the linear sRGB `color`: (r, g, b) itself in daylight.
- * What such light could only show with a filter that it lacks light for (blue of embers) is left neutral. Lines and sampled
- * spectra have their own colour: of `color` only the luminance counts.
+ * The filter k before a blackbody for which a white surface at rest shows the linear sRGB `color`; in daylight k is `color` itself.
+ * Bands in which the blackbody has almost no light (blue of embers) stay neutral. Lines and sampled spectra have their own colour:
+ * only the luminance of `color` is used. docs/physics.md §7.7.
  */
 export function lightFilter(color: Vec3, spectrum: LightSpectrum): SpectralFilter {
   const gray = dot(LUMINANCE_WEIGHTS, color);
@@ -17,7 +17,7 @@ export function lightFilter(color: Vec3, spectrum: LightSpectrum): SpectralFilte
 
 const matrices = new WeakMap<LightSpectrum, Mat3>();
 
-/** Columns: what r, g and b alone show of a light at rest. Kept, for a sky asks with every ray. */
+/** Columns: the colours that r, g and b alone show in the light at rest. Cached, because a sky needs it for every ray. */
 function bandMatrix(spectrum: LightSpectrum): Mat3 {
   const known = matrices.get(spectrum);
   if (known) return known;
@@ -28,12 +28,12 @@ function bandMatrix(spectrum: LightSpectrum): Mat3 {
   return matrix;
 }
 
-/** Below this share of the light a band decides nothing. */
+/** Tikhonov parameter ε: a band with a smaller share of the light hardly influences the solution. */
 const DAMPING = 0.05;
 
 /**
- * k ≥ 0 with C k = color, from grey on: iterated Tikhonov, k += (CᵀC + ε²)⁻¹ Cᵀ(color − C k). What C knows well is met to (ε/σ)⁸,
- * what it hardly knows stays grey. Source: Engl, Hanke and Neubauer 1996, "Regularization of Inverse Problems", §5.
+ * k ≥ 0 with C k = color, by iterated Tikhonov regularization started from grey: k += (CᵀC + ε²)⁻¹ Cᵀ(color − C k). Components with large
+ * singular values σ are solved to (ε/σ)⁸, those with small ones stay grey. Source: Engl, Hanke and Neubauer 1996, "Regularization of Inverse Problems", §5.
  */
 function solveNearNeutral(C: Mat3, color: Vec3, gray: number): Vec3 {
   const Ct = transpose(C);

@@ -11,7 +11,7 @@ import {
   spectralRadiance,
 } from '../sources/lightSpectrum.ts';
 
-/** XYZ of the basis functions in `DAYLIGHT`, one a column. */
+/** XYZ of the basis functions in `DAYLIGHT`, one per column. */
 const DAYLIGHT_XYZ: Mat3 = transpose(
   [0, 1, 2].flatMap((j) =>
     tristimulus((wavelength) => basisAt(wavelength)[j] * spectralRadiance(DAYLIGHT, wavelength)),
@@ -19,29 +19,30 @@ const DAYLIGHT_XYZ: Mat3 = transpose(
 );
 
 /**
- * N: XYZ → linear sRGB, row by row, such that a surface of linear sRGB (r, g, b) shows (r, g, b) in daylight at rest: the inverse of
- * the XYZ of the three basis functions in `DAYLIGHT`, whose luminance is 1. It differs by up to 0.06 from the matrix of IEC 61966-2-1, which is made for CIE D65.
+ * N: XYZ → linear sRGB, row by row, defined so that a surface of linear sRGB (r, g, b) shows (r, g, b) in daylight at rest: the inverse of
+ * the XYZ of the three basis functions in `DAYLIGHT`, whose luminance is 1. It differs by up to 0.06 from the matrix of IEC 61966-2-1, whose white is
+ * CIE D65. docs/physics.md §7.2.
  */
 export const XYZ_TO_RENDER_SRGB: Mat3 = invert(DAYLIGHT_XYZ) ?? IDENTITY;
 
-/** Y of linear sRGB as the renderers see it: the luminance of the three basis functions in `DAYLIGHT`; (0.218, 0.711, 0.071), of sum 1. */
+/** Luminance of linear sRGB in the renderers: that of the three basis functions in `DAYLIGHT`, (0.218, 0.711, 0.071), of sum 1. */
 export const LUMINANCE_WEIGHTS: Vec3 = [DAYLIGHT_XYZ[3], DAYLIGHT_XYZ[4], DAYLIGHT_XYZ[5]];
 
-/** N·XYZ: linear sRGB as the renderers see it, white in `DAYLIGHT`. Negative where a colour lies outside of sRGB: only a display clips. */
+/** N·XYZ: the renderers' linear sRGB, white in `DAYLIGHT`. Channels are negative for colours outside sRGB; only a display clips them. */
 export const toLinearSrgb = (xyz: Vec3): Vec3 => transform(XYZ_TO_RENDER_SRGB, xyz);
 
-/** Linear sRGB of a light of luminance 1, at rest: (1, 1, 1) of `DAYLIGHT`. */
+/** Linear sRGB of light of luminance 1, at rest; (1, 1, 1) for `DAYLIGHT`. */
 export const colorOfSpectrum = (spectrum: LightSpectrum): Vec3 =>
   observedColor(WHITE_FILTER, WHITE_FILTER, spectrum, 1, 1);
 
 /**
- * Linear sRGB of what is seen of a surface `a` in a light of filter `k` and spectrum S (of luminance 1), by integration at
- * every nanometre: the truth that tables and shaders are held to. The light meets the surface shifted by `Din`, the eye sees it
- * shifted by `Dout` again, D = Din·Dout in all (D = ν_observed/ν_emitted):
+ * Observed colour, linear sRGB, of a surface with the filter `a` in light with the filter `k` and the spectrum S (of luminance 1), integrated at
+ * every nanometre: the reference for tables and shaders. The light reaches the surface shifted by `Din`, and the observer shifted
+ * again by `Dout`; D = Din·Dout (D = ν_observed/ν_emitted):
  *
  *   N ∫ cmf(λ) a(Dout λ) k(D λ) D⁵ S(D λ) dλ / D⁴
  *
- * The D⁴ that radiance over all wavelengths gains is left to beaming. What a light or an emitter shows of itself has Din = 1.
+ * The factor D⁴ of the radiance over all wavelengths is applied as beaming, elsewhere. Directly visible emitters have Din = 1. docs/physics.md §7.4.
  */
 export function observedColor(
   a: SpectralFilter,
@@ -62,11 +63,11 @@ export function observedColor(
   return toLinearSrgb(xyz);
 }
 
-/** What is white, as every light by itself, passes all; to ask its bands would be most of the work. */
+/** Mean of a filter over a step. White is handled apart, because evaluating its bands would be most of the work. */
 const filterMean = (bands: SpectralFilter, wavelength: number, width: number): number =>
   bands === WHITE_FILTER ? 1 : reflectanceAt(bands, wavelength, width);
 
-/** A line of λ is at λ/Din for the surface and seen at λ/D; its radiance gains D⁴. */
+/** A line emitted at λ is at λ/Din for the surface and at λ/D for the observer; its radiance is multiplied by D⁴. */
 function observedLines(
   a: SpectralFilter,
   k: SpectralFilter,

@@ -4,13 +4,13 @@ import { DAYLIGHT, type SampledSpectrum } from '../sources/lightSpectrum.ts';
 import { logPlanck } from '../sources/planck.ts';
 import { colorOfSpectrum } from './observerColor.ts';
 
-/** What an eye sees shifted by 1/9 to 9. */
+/** Wavelengths that are visible for shifts from 1/9 to 9 [m]. */
 const [FIRST, LAST, STEP] = [40e-9, 7.5e-6, 5e-9];
 const REFERENCE = 550e-9;
 
 type Three<T> = readonly [mild: T, middle: T, deep: T];
 
-/** Daylight times what air makes of it, by (550 nm/λ)⁴. */
+/** Daylight times a factor of air, which is a function of (550 nm/λ)⁴. */
 const throughAir = (left: (ratio: number) => number): SampledSpectrum => ({
   kind: 'sampled',
   first: FIRST,
@@ -22,12 +22,12 @@ const throughAir = (left: (ratio: number) => number): SampledSpectrum => ({
   }),
 });
 
-/** Daylight that air scatters: a blackbody of 6504 K times λ⁻⁴. Source: Rayleigh 1871, Phil. Mag. 41, 107. */
+/** Daylight scattered by air: a blackbody of 6504 K times λ⁻⁴. docs/physics.md §7.8; Rayleigh 1871, Phil. Mag. 41, 107. */
 export const SCATTERED: SampledSpectrum = throughAir((ratio) => ratio);
 
 /**
- * What of daylight comes through air that scatters the rest away, at three optical depths τ at 550 nm: times exp(−τ (550 nm/λ)⁴). Of the sun on its way through much air,
- * and of what it shines on, evening skies are made.
+ * Daylight transmitted through scattering air, exp(−τ (550 nm/λ)⁴), at three optical depths τ at 550 nm: the light of
+ * low suns and evening skies.
  */
 export const REDDENED: Three<SampledSpectrum> = [
   throughAir((ratio) => Math.exp(-0.5 * ratio)),
@@ -35,12 +35,12 @@ export const REDDENED: Three<SampledSpectrum> = [
   throughAir((ratio) => Math.exp(-4 * ratio)),
 ];
 
-/** Linear sRGB of scattered light of luminance 1, at rest. */
+/** Linear sRGB of `SCATTERED` at luminance 1, at rest. */
 export const SCATTERED_COLOR: Vec3 = colorOfSpectrum(SCATTERED);
 
 /**
- * What `scatteredShare` is linear in: of all w (1, 1, 1) + s `SCATTERED_COLOR` the nearest to a colour has s = `SCATTERED_PROJECTION` · colour
- * (least squares). Clear skies are such sums to 3 %: air and haze.
+ * Least squares: among the sums w (1, 1, 1) + s `SCATTERED_COLOR`, the nearest to a colour has s = `SCATTERED_PROJECTION` · colour.
+ * Clear skies are such sums of haze and air to 3 %.
  */
 export const SCATTERED_PROJECTION: Vec3 = projectionOnto(SCATTERED_COLOR);
 
@@ -51,24 +51,24 @@ function projectionOnto([r, g, b]: Vec3): Vec3 {
   return [apart[0] * scale, apart[1] * scale, apart[2] * scale];
 }
 
-/** Linear sRGB of reddened light of luminance 1, at rest. */
+/** Linear sRGB of `REDDENED` at luminance 1, at rest. */
 export const REDDENED_COLORS: Three<Vec3> = [
   colorOfSpectrum(REDDENED[0]),
   colorOfSpectrum(REDDENED[1]),
   colorOfSpectrum(REDDENED[2]),
 ];
 
-/** How much of the light of a sky of linear sRGB `rgb` is scattered, as luminance; the rest is a filter before daylight. Nothing of a sky that is no bluer than white. */
+/** Luminance of the scattered part of a sky of linear sRGB `rgb`; the rest is a filter before daylight. 0 for a sky no bluer than white. */
 export const scatteredShare = (rgb: Vec3): number => Math.max(dot(rgb, SCATTERED_PROJECTION), 0);
 
-/** What the light of a sky is made of: luminances of scattered and of reddened light, and a filter before daylight. */
+/** Decomposition of sky light: luminances of scattered and of reddened light, and a filter before daylight. */
 export interface SkyParts {
   readonly scattered: number;
   readonly reddened: Three<number>;
   readonly rest: Vec3;
 }
 
-/** Rows of the inverse of columns: how much of two lights, beside white, makes a colour. */
+/** Rows that give the amounts of the lights `a` and `b` in a colour that is a sum of white, a and b. */
 function sharesOf(a: Vec3, b: Vec3): readonly [a: Vec3, b: Vec3] {
   const inverse = invert([1, a[0], b[0], 1, a[1], b[1], 1, a[2], b[2]]) ?? IDENTITY;
   return [
@@ -78,7 +78,7 @@ function sharesOf(a: Vec3, b: Vec3): readonly [a: Vec3, b: Vec3] {
 }
 
 const [MILD, MIDDLE, DEEP] = REDDENED_COLORS;
-/** How much of the two lights, beside white, for colours bluer than white and the deepest red; of those that are redder, in two parts. */
+/** `sharesOf` for the pairs of lights used: for colours bluer than the line from white to the deepest red, and for two ranges of redder ones. */
 export const DUSK_SHARES = {
   blue: sharesOf(SCATTERED_COLOR, DEEP),
   red: sharesOf(MIDDLE, DEEP),
@@ -86,8 +86,8 @@ export const DUSK_SHARES = {
 } as const;
 
 /**
- * Of linear sRGB `rgb`. Skies by day and at dusk are sums of white, scattered and reddened light, and no filter is left but a grey one. Of other colours as much is
- * taken for such light as leaves a filter that is nowhere negative.
+ * Decomposes the linear sRGB `rgb` of a sky. Day and dusk skies are sums of white, scattered and reddened light, which leave a grey filter. For other
+ * colours the scattered and reddened part is reduced until the remaining filter is nowhere negative.
  */
 export function skyParts(rgb: Vec3): SkyParts {
   const [blue, red, yellow] = [DUSK_SHARES.blue, DUSK_SHARES.red, DUSK_SHARES.yellow].map(([a, b]) => [
@@ -102,5 +102,5 @@ export function skyParts(rgb: Vec3): SkyParts {
   return { scattered, reddened: [mild, middle, deep], rest: addScaled(rgb, sum, -most) };
 }
 
-/** Light that is darker is none. */
+/** Smaller channels count as zero. */
 const MIN_LIGHT = 1e-9;

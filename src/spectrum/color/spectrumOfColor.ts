@@ -3,19 +3,20 @@ import type { Vec3 } from '../../math/vec3.ts';
 import { DAYLIGHT, type ThermalSpectrum } from '../sources/lightSpectrum.ts';
 import { colorOfSpectrum, XYZ_TO_RENDER_SRGB } from './observerColor.ts';
 
-/** Temperatures that a colour alone may mean [K]; from the first on, redder light is what a filter leaves, as far as the second. */
+/** Temperatures that are inferred from a colour [K]. From `WARM_TEMPERATURE` down to the lower end the inferred temperature fades to daylight's. */
 const RANGE = [1000, 25_000] as const;
 const WARM_TEMPERATURE = 1500;
-/** Distances from the locus of blackbodies in CIE 1960 u, v: as far as the first a colour is one of them, a little tinted; from the second on it is a filter's. */
+/** Distances from the Planckian locus in CIE 1960 u, v: below the first a colour is taken for a blackbody, above the second for filtered daylight. */
 const LOCUS_DISTANCE = [0.01, 0.03] as const;
-/** Of ln T beside daylight's: as far as the first it is daylight. */
+/** Differences of ln T from daylight's: below the first the light is daylight. */
 const DAYLIGHT_RANGE = [0.01, 0.02] as const;
 
 /**
- * What light of a linear sRGB colour is made of that says nothing else. Near the locus of blackbodies, and so of daylight (0.003 from it), it is a blackbody of the correlated
- * colour temperature: shifted by D it is one of T·D, and never greenish. Daylight behind a filter is what is far from it. Between the two T goes over from one to the other, so that light
- * of colours that are hardly different is hardly different: ln T is ln 6504 K plus a share of what lies between, 1 near the locus, 0 far from it and beyond its red end, where
- * sRGB ends, too. What remains of the colour is left to `lightFilter`. Source of the correlated colour temperature: CIE 015:2018, §9.5, nearest in u, v of CIE 1960.
+ * The spectrum assumed for light of which only the linear sRGB colour is known. Near the Planckian locus (daylight is 0.003 from it) it is a
+ * blackbody of the correlated colour temperature, which shifted by D is one of T·D. Far from the locus it is daylight; `lightFilter` makes the rest of
+ * the colour. Between the two ln T is interpolated, so that similar colours have similar spectra: ln T = ln 6504 K + share · (ln T_c − ln 6504 K), with
+ * a share of 1 near the locus and 0 far from it and beyond its red end. docs/physics.md §7.7. Correlated colour temperature: CIE 015:2018, §9.5, nearest in
+ * u, v of CIE 1960.
  */
 export function spectrumOfColor(color: Vec3): ThermalSpectrum {
   const place = uvChromaticity(color);
@@ -29,7 +30,7 @@ export function spectrumOfColor(color: Vec3): ThermalSpectrum {
   return share > 0 ? { kind: 'thermal', temperature: DAYLIGHT.temperature * Math.exp(share * apart) } : DAYLIGHT;
 }
 
-/** 0 at the first, 1 at the second, and smooth. */
+/** Hermite step: 0 at `from`, 1 at `to`. */
 function smoothstep(from: number, to: number, x: number): number {
   const t = Math.min(Math.max((x - from) / (to - from), 0), 1);
   return t * t * (3 - 2 * t);
@@ -39,7 +40,7 @@ type UvChromaticity = readonly [u: number, v: number];
 
 const TO_XYZ: Mat3 = invert(XYZ_TO_RENDER_SRGB) ?? XYZ_TO_RENDER_SRGB;
 
-/** u, v of CIE 1960; undefined of darkness. */
+/** u, v of CIE 1960; undefined for black. */
 function uvChromaticity(color: Vec3): UvChromaticity | undefined {
   const [X, Y, Z] = transform(TO_XYZ, color);
   const sum = X + 15 * Y + 3 * Z;
@@ -51,7 +52,7 @@ interface LocusPoint {
   readonly chromaticity: UvChromaticity;
 }
 
-/** Steps of 10⁶/T along the locus; between two it is taken to be straight, within 2e-5. */
+/** Step of 10⁶/T along the locus; the chord between two points is within 2e-5 of it. */
 const MIRED = 5;
 let locus: readonly LocusPoint[] | undefined;
 
@@ -64,7 +65,7 @@ function planckianLocus(): readonly LocusPoint[] {
   });
 }
 
-/** The place of the locus that is nearest to a colour. */
+/** The point of the locus that is nearest to a chromaticity. */
 function nearestOnLocus(place: UvChromaticity): { readonly temperature: number; readonly distance: number } {
   locus ??= planckianLocus();
   let [distance, found] = [Number.POSITIVE_INFINITY, 0];

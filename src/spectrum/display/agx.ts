@@ -1,7 +1,7 @@
 import { multiply, transform } from '../../math/mat3.ts';
 import type { Vec3 } from '../../math/vec3.ts';
 
-/** Linear sRGB ↔ linear Rec. 2020, with as many digits as the curve was fitted with. */
+/** Linear sRGB ↔ linear Rec. 2020, with the digits that the curve was fitted with. */
 const FROM_SRGB = [0.6274, 0.3293, 0.0433, 0.0691, 0.9195, 0.0113, 0.0164, 0.088, 0.8956];
 const TO_SRGB = [1.6605, -0.5876, -0.0728, -0.1246, 1.1329, -0.0083, -0.0182, -0.1006, 1.1187];
 
@@ -15,11 +15,11 @@ const OUTSET = [
 ];
 
 /**
- * AgX: light as stops round middle grey, through a sigmoid, in primaries that are drawn towards white, so that what is very bright goes to
- * white as on film, without the edges that clipping gives. `inset`: linear sRGB → those primaries, inside Rec. 2020; `outset`: back to
- * Rec. 2020, where the curve's signal is raised to the display's `exponent`; `toSrgb`: to linear sRGB. `stops` [EV]: what is shown, of
- * light 1; `sigmoid`: coefficients from the constant on. Source: T. Sobotka, AgX (2022), with the primaries of Blender 4.0; the polynomial
- * by B. Wrensch, "Minimal AgX Implementation" (iolite-engine.com, 2023).
+ * AgX: log₂ of the light through a sigmoid, in primaries moved towards white, so that bright light fades to white as on film, without
+ * the edges of clipping. `inset`: linear sRGB → those primaries, inside Rec. 2020; `outset`: back to Rec. 2020, where the curve's signal is
+ * raised to the display's `exponent`; `toSrgb`: to linear sRGB. `stops`: range of log₂(light) that is shown [EV]; `sigmoid`: coefficients from
+ * the constant up. docs/physics.md §8.1. Source: T. Sobotka, AgX (2022), with the primaries of Blender 4.0; polynomial by
+ * B. Wrensch, "Minimal AgX Implementation" (iolite-engine.com, 2023).
  */
 export const AGX = {
   inset: multiply(INSET, FROM_SRGB),
@@ -39,7 +39,7 @@ export function agx(rgb: Vec3): Vec3 {
   return each(transform(AGX.toSrgb, light), clamp);
 }
 
-/** 0…1 of the stops → 0…1 of the display's signal. */
+/** Position within the stops, 0…1 → display signal 0…1. */
 export const sigmoid = (x: number): number =>
   AGX.sigmoid.reduceRight<number>((sum, coefficient) => sum * x + coefficient, 0);
 

@@ -3,15 +3,15 @@ import type { Vec3 } from '../../math/vec3.ts';
 
 type Chromaticity = readonly [x: number, y: number];
 
-/** White of sRGB and of Display P3: CIE D65. */
+/** White point of sRGB and Display P3: CIE D65. */
 const D65: Chromaticity = [0.3127, 0.329];
 
-/** XYZ of a chromaticity, of luminance 1. */
+/** XYZ of a chromaticity at luminance 1. */
 const xyzOf = ([x, y]: Chromaticity): Vec3 => [x / y, 1, (1 - x - y) / y];
 const columns = (a: Vec3, b: Vec3, c: Vec3): Mat3 => [0, 1, 2].flatMap((i) => [a[i], b[i], c[i]]);
 const inverse = (m: Mat3): Mat3 => invert(m) ?? IDENTITY;
 
-/** Linear RGB → XYZ of a display of three primaries whose full light is D65 of Y = 1. Source: SMPTE RP 177-1993. */
+/** Linear RGB → XYZ of a display with three primaries, whose white is D65 at Y = 1. Source: SMPTE RP 177-1993. */
 function toXyz(red: Chromaticity, green: Chromaticity, blue: Chromaticity): Mat3 {
   const primaries = columns(xyzOf(red), xyzOf(green), xyzOf(blue));
   const [r, g, b] = transform(inverse(primaries), xyzOf(D65));
@@ -24,5 +24,5 @@ export const XYZ_TO_SRGB: Mat3 = inverse(SRGB_TO_XYZ);
 /** Linear Display P3 → XYZ relative to D65, row by row (SMPTE EG 432-1 primaries). */
 export const P3_TO_XYZ: Mat3 = toXyz([0.68, 0.32], [0.265, 0.69], [0.15, 0.06]);
 export const XYZ_TO_P3: Mat3 = inverse(P3_TO_XYZ);
-/** The same light for a display of the wider gamut: linear sRGB → linear Display P3. White stays white. */
+/** Linear sRGB → linear Display P3, without gamut mapping. White stays white. */
 export const SRGB_TO_P3: Mat3 = multiply(XYZ_TO_P3, SRGB_TO_XYZ);

@@ -2,25 +2,25 @@ import type { Vec3 } from '../../math/vec3.ts';
 import { agx } from './agx.ts';
 
 /**
- * How light becomes what a screen can show. `neutral` keeps colours as they are up to a shoulder; `agx` rolls all of them off as film
- * does; `linear` cuts what is too bright.
+ * Tone curve from linear light to a display. `neutral` keeps colours unchanged up to a shoulder; `agx` compresses all of them as film
+ * does; `linear` clips.
  */
 export type ToneMapping = 'neutral' | 'agx' | 'linear';
 export const TONE_MAPPINGS: readonly ToneMapping[] = ['neutral', 'agx', 'linear'];
 
 /**
- * The shoulder of Khronos PBR Neutral: colours up to `shoulder` are kept as they are, brighter ones are compressed below 1 and
- * fade to white. Its toe, which takes off the 4 % that a product photograph reflects, is left out: it turns the faint light of
- * things that flee to black. Source: github.com/KhronosGroup/ToneMapping, PBR_Neutral/README.md (2024).
+ * The shoulder of Khronos PBR Neutral: colours up to `shoulder` are unchanged, brighter ones are compressed below 1 and
+ * fade to white. Its toe, which subtracts the 4 % Fresnel reflection of product photographs, is left out: it would turn the faint light of
+ * receding objects black. docs/physics.md §8.1. Source: github.com/KhronosGroup/ToneMapping, PBR_Neutral/README.md (2024).
  */
 export const NEUTRAL = { shoulder: 0.8, desaturation: 0.15 } as const;
 
-/** Brighter light counts as this: what is far beyond every curve's end stays finite. */
+/** Light is clamped to this before the curve, so that it stays finite. */
 export const MAX_RADIANCE = 1e15;
 
 /**
- * Linear sRGB radiance → linear sRGB to display, each in 0…1 (still to be encoded): times 2^exposure [EV], then the curve. Colours outside
- * the gamut have negative parts: `agx` draws them in, the others count them as 0.
+ * Linear sRGB radiance → linear sRGB to display, each in 0…1 (still to be encoded): times 2^exposure [EV], then the curve. Negative channels
+ * (colours outside the gamut) are desaturated by `agx` and set to 0 by the others.
  */
 export function toneMap(rgb: Vec3, exposure: number, tone: ToneMapping): Vec3 {
   const exposed = (value: number) => Math.min(Math.max(value * 2 ** exposure, -MAX_RADIANCE), MAX_RADIANCE);

@@ -5,35 +5,35 @@ import { colorMatching, NANOMETRE, VISIBLE, WAVELENGTHS } from '../observer/stan
 import { BASIS_ENDS, BASIS_RANGE, basisAt, type SpectralFilter } from '../reflectance/spectralFilter.ts';
 
 /**
- * The colour of light of a spectrum that a filter sends to the eye, for each of its bands by itself, over two shifts: a texture of
- * half floats, to be interpolated linearly between texels. Layers of rows × columns RGBA texels, row after row;
- * C_j is the linear sRGB (of N, see observerColor.ts) that band j alone shows:
+ * The observed colour of each band of a filter in a light, over two parameters: a texture of half floats with linear
+ * interpolation between texels (docs/physics.md §7.5). Layers of rows × columns RGBA texels, row after row;
+ * C_j is the linear sRGB (by N, see observerColor.ts) that band j alone shows:
  *
  *   layer 0: C_r, H    layer 1: C_g, 0    layer 2: C_b, 0    layer 3, in tables of four: C_x, 0
  *
- * Of three layers: for filters whose ultraviolet and infrared are what their basis ends at (`filterFromRgb` a colour); seen =
- * r C_r + g C_g + b C_b. Of four: for any filter, add x C_x, where x is its `uv` for D_out < 1 and its `ir` for D_out > 1: no eye sees both.
- * H is the luminance of a blackbody (`relativeLuminance`).
+ * Three layers: for filters whose `uv` and `ir` are the values at the ends of the basis (`filterFromRgb` of a colour); the observed colour is
+ * r C_r + g C_g + b C_b. Four layers: for any filter, plus x C_x, where x is its `uv` for D_out < 1 and its `ir` for D_out > 1 (never both are visible).
+ * H gives the luminance of a blackbody (`blackbodyLuminance`).
  */
 export interface DopplerTable {
   readonly data: Uint16Array;
   readonly layers: 3 | 4;
-  /** Along D_out, the shift from the filter to the eye: `columnOf`. */
+  /** Along D_out, the shift from the filter to the observer: `columnOf`. */
   readonly columns: number;
-  /** Along the temperature at which light is seen, filtered or not: `rowOf`. */
+  /** Along the temperature at which the light is observed: `rowOf`. */
   readonly rows: number;
 }
 
-/** Beyond these D_out nothing that is seen comes from within `FLIP_THRESHOLD`: only `uv`, or only `ir`, and nothing more changes. */
+/** For D_out beyond this, or below its reciprocal, all visible light comes from outside `VISIBLE`: only `uv` or only `ir` counts, and nothing changes any more. */
 export const SHIFT_LIMIT = VISIBLE[1] / VISIBLE[0];
 
-/** Of x ≥ 0 on a scale that is nearly logarithmic around 1, has 0 and ∞ at its ends and costs no logarithm; and back. */
+/** Maps 0 … ∞ to 0 … 1: nearly logarithmic around 1, without the cost of a logarithm; and its inverse. */
 export const toUnitRatio = (x: number): number => (x === Number.POSITIVE_INFINITY ? 1 : x / (1 + x));
 export const fromUnitRatio = (s: number): number => s / (1 - s);
 
 const MAX_RATIO_OFFSET = toUnitRatio(SHIFT_LIMIT) - 0.5;
 
-/** Column of a shift D_out, 0…columns − 1 in the middles of texels: linear in D/(1 + D); the middle one is D = 1. */
+/** Column of a shift D_out, 0…columns − 1 at texel centres: linear in D/(1 + D); the middle column is D = 1. */
 export const columnOf = ({ columns }: Pick<DopplerTable, 'columns'>, Dout: number): number =>
   (columns - 1) * Math.min(Math.max(0.5 + (toUnitRatio(Dout) - 0.5) / (2 * MAX_RATIO_OFFSET), 0), 1);
 
@@ -41,13 +41,13 @@ export const columnOf = ({ columns }: Pick<DopplerTable, 'columns'>, Dout: numbe
 export const shiftAt = (column: number, columns: number): number =>
   fromUnitRatio(0.5 + ((2 * column) / (columns - 1) - 1) * MAX_RATIO_OFFSET);
 
-/** A row of a table: light as radiance [1/m] at each of `WAVELENGTH_RANGE`, and its H. */
+/** A row of a table: the radiance of its light [1/m] at each of `WAVELENGTHS`, and its H. */
 export interface TableRow {
   readonly radiance: readonly number[];
   readonly H: number;
 }
 
-/** The table of the lights of its rows, of three layers or four. */
+/** The table with one light per row, of three or four layers. */
 export function shiftedColorTable(lights: readonly TableRow[], layers: 3 | 4, columns: number): DopplerTable {
   const rows = lights.length;
   const data = new Uint16Array(4 * layers * rows * columns);
@@ -63,13 +63,13 @@ export function shiftedColorTable(lights: readonly TableRow[], layers: 3 | 4, co
   return { data, layers, columns, rows };
 }
 
-/** Linear sRGB of each nanometre that is seen, channel by channel, and their sums up to it. */
+/** Observed linear sRGB of each nanometre, by channel, and the running sums. */
 interface ObservedLight {
   readonly colors: readonly Float64Array[];
   readonly sums: readonly Float64Array[];
 }
 
-/** Linear sRGB of light of radiance 1 at each nanometre, channel by channel. */
+/** Linear sRGB of light of radiance 1 at each nanometre, by channel. */
 export const OBSERVER_SRGB = [0, 1, 2].map(
   (k) => new Float64Array(WAVELENGTHS.map((wavelength) => toLinearSrgb(colorMatching(wavelength))[k] * NANOMETRE)),
 );
@@ -85,22 +85,22 @@ function runningSum(values: Float64Array): Float64Array {
   return sums;
 }
 
-/** The sum of the first `place` values, where a place of 2.5 means two and half of the third. */
+/** The sum of the first `place` values; 2.5 means the first two and half of the third. */
 function sumUpTo(sums: Float64Array, place: number): number {
   const within = Math.min(Math.max(place, 0), sums.length - 1);
   const i = Math.min(Math.floor(within), sums.length - 2);
   return sums[i] + (sums[i + 1] - sums[i]) * (within - i);
 }
 
-/** The bands as an eye sees them that meets their light shifted by D: where, counted in `WAVELENGTH_RANGE`, is what. */
+/** The bands of a filter as observed with the shift D; indices count in `WAVELENGTHS`. */
 interface ShiftedBands {
-  /** Here the basis varies; before, it is `ENDS.uv`, after it `ENDS.ir`. */
+  /** The basis varies between `from` and `to`; before, it is `BASIS_ENDS.uv`, after, `BASIS_ENDS.ir`. */
   readonly from: number;
   readonly to: number;
   /** b_r and b_g at `from` … `to` − 1. */
   readonly red: Float64Array;
   readonly green: Float64Array;
-  /** So many nanometres from the first are ultraviolet, and from `infrared` on infrared. */
+  /** The first `ultraviolet` nanometres are ultraviolet, those from `infrared` on are infrared. */
   readonly ultraviolet: number;
   readonly infrared: number;
 }
@@ -120,7 +120,7 @@ function shiftedBands(D: number): ShiftedBands {
   };
 }
 
-/** Finds C_r, C_g, C_b and C_x, one after the other; `closed`: with C_x as it is by the ends of the basis already in the three. */
+/** Writes C_r, C_g, C_b and C_x to `found`; `closed`: the ultraviolet and infrared are included in the first three, by the ends of the basis. */
 function bandColors({ colors, sums }: ObservedLight, bands: ShiftedBands, closed: boolean, found: Float64Array): void {
   const { from, to, red, green } = bands;
   for (let k = 0; k < 3; k++) {
@@ -139,7 +139,7 @@ function bandColors({ colors, sums }: ObservedLight, bands: ShiftedBands, closed
     found[k] = r;
     found[3 + k] = g;
     found[6 + k] = (closed ? total : total - uv - ir) - r - g;
-    // One of them is 0.
+    // One of the two is 0.
     found[9 + k] = uv + ir;
   }
 }
@@ -153,7 +153,7 @@ function storeTexel(data: Uint16Array, layers: number, texel: number, found: Flo
   }
 }
 
-/** What a GPU makes of the table: the linear sRGB of a filter at `row` and `column`, interpolated. */
+/** The linear sRGB of a filter at `row` and `column`, interpolated as a GPU does. */
 export function tableColor(table: DopplerTable, row: number, column: number, { rgb, uv, ir }: SpectralFilter): Vec3 {
   const parts = [...rgb, column < (table.columns - 1) / 2 ? uv : ir].slice(0, table.layers);
   const texels = parts.map((_, layer) => tableTexel(table, layer, row, column));
@@ -161,7 +161,7 @@ export function tableColor(table: DopplerTable, row: number, column: number, { r
   return [channel(0), channel(1), channel(2)];
 }
 
-/** The four numbers of a layer at `row` and `column`, interpolated linearly along both. */
+/** The four channels of a layer at `row` and `column`, bilinearly interpolated. */
 export function tableTexel(
   { data, rows, columns }: DopplerTable,
   layer: number,

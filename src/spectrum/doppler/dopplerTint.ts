@@ -4,15 +4,15 @@ import type { Vec3 } from '../../math/vec3.ts';
 export const PRIMARIES: Vec3 = [611e-9, 549e-9, 464e-9];
 /** hc/(k_B T) of daylight, Planck's law at 6504 K [m]. */
 export const DAYLIGHT_LENGTH = 1.438777e-2 / 6504;
-/** Below the first all that is seen is far infrared and dark; above the second nothing more changes. */
+/** Shifts are clamped to this range: below it everything visible is far infrared and dark, above it nothing changes any more. */
 export const TINT_RANGE = [0.01, 1e6] as const;
 
 /**
- * The colour of light of linear sRGB `rgb` after a Doppler shift by D, without the D⁴ of beaming, as the *approximate* colours have it,
- * which spectra (observerColor.ts) can be compared with. The light is taken for daylight (a blackbody of 6504 K) reflected by three broad bands: the surface reflects r at and above
- * 611 nm, g at 549 nm, b at and below 464 nm and smoothly between them in ln λ. Each primary λ then shows what was emitted
- * at Dλ: ρ(Dλ) · D⁵P(Dλ)/P(λ) / D⁴. White so takes exactly the colours of a blackbody at D·6504 K, and all fades where the visible
- * comes from the infrared or the ultraviolet. `mix` in 0…1 raises D to that power. The same at D = 1.
+ * The colour of light of linear sRGB `rgb` after a Doppler shift by D, without the D⁴ of beaming, in the *approximate* colours; observerColor.ts is
+ * the spectral counterpart. The light is assumed to be daylight (a blackbody of 6504 K) reflected in three broad bands: reflectance r at and above
+ * 611 nm, g at 549 nm, b at and below 464 nm, interpolated smoothly in ln λ. Each primary λ shows the light emitted
+ * at Dλ: ρ(Dλ) · D⁵P(Dλ)/P(λ) / D⁴. White takes the colours of a blackbody at D·6504 K, and colours fade where the visible
+ * comes from the infrared or the ultraviolet. `mix` in 0…1 is an exponent of D. Identity at D = 1. docs/physics.md §7.10.
  */
 export function dopplerTint(rgb: Vec3, D: number, mix: number): Vec3 {
   const shift = Math.min(Math.max(D ** mix, TINT_RANGE[0]), TINT_RANGE[1]);
@@ -20,7 +20,7 @@ export function dopplerTint(rgb: Vec3, D: number, mix: number): Vec3 {
   return [band(PRIMARIES[0]), band(PRIMARIES[1]), band(PRIMARIES[2])];
 }
 
-/** ρ(λ) of the three bands. */
+/** ρ(λ) of the three bands [λ in m]. */
 function reflectance([r, g, b]: Vec3, wavelength: number): number {
   const toRed = smoothBetween(wavelength, PRIMARIES[1], PRIMARIES[0]);
   const toGreen = smoothBetween(wavelength, PRIMARIES[2], PRIMARIES[1]);

@@ -7,11 +7,11 @@ import { type DopplerTable, OBSERVER_SRGB, shiftAt } from './dopplerTable.ts';
 import { luminanceShape } from './thermalTable.ts';
 
 /*
- * Two filters one behind the other, of a light and of a surface, are no filter: Σ k_j b_j(D λ) · Σ a_i b_i(D_out λ). What is seen of a blackbody through both
- * is Σ k_j a_i C_ij, with C_ij the linear sRGB of what passes band i of the one and band j of the other.
+ * The product of two filters, of a light and of a surface, is not a filter: Σ k_j b_j(D λ) · Σ a_i b_i(D_out λ). The observed colour of a blackbody through
+ * both is Σ k_j a_i C_ij, with C_ij the linear sRGB of the light that passes band i of the one and band j of the other. docs/physics.md §7.6.
  */
 
-/** What each band of a filter, seen shifted by D, lets through at every nanometre; of four layers the last is what is beyond the visible (dopplerTable.ts). */
+/** Transmission of each band of a filter observed with the shift D, at every nanometre; the fourth layer is the part outside the visible (dopplerTable.ts). */
 export function bandTransmission(D: number, layers: 3 | 4): readonly Float64Array[] {
   const bands = Array.from({ length: layers }, () => new Float64Array(WAVELENGTHS.length));
   WAVELENGTHS.forEach((wavelength, n) => {
@@ -25,7 +25,7 @@ export function bandTransmission(D: number, layers: 3 | 4): readonly Float64Arra
 
 const BEYOND: SpectralFilter = { rgb: [0, 0, 0], uv: 1, ir: 1 };
 
-/** A blackbody of luminance 1, as each channel of the eye sees it, nanometre by nanometre. */
+/** The linear sRGB channels of a blackbody of luminance 1 at every nanometre. */
 function observedBlackbody(temperature: number): readonly Float64Array[] {
   const spectrum = { kind: 'thermal', temperature } as const;
   const radiance = Float64Array.from(WAVELENGTHS, (wavelength) => spectralRadiance(spectrum, wavelength));
@@ -39,8 +39,8 @@ function sumOf(a: Float64Array, b: Float64Array): number {
 }
 
 /**
- * C_rg, C_gb and C_br of a blackbody that is seen at T [K] and luminance 1, where both filters are seen shifted by D: of light that met a resting surface.
- * As Σ_j C_ij = C_i, what is seen of it is Σ a_i k_i C_i − Σ (a_i − a_j)(k_i − k_j) C_ij over these three: nothing more than bands where either is neutral.
+ * C_rg, C_gb and C_br of a blackbody observed at T [K] and luminance 1, with both filters observed at the shift D, as for light reflected by a surface at rest.
+ * Because Σ_j C_ij = C_i, the observed colour is Σ a_i k_i C_i − Σ (a_i − a_j)(k_i − k_j) C_ij over these three pairs; the second sum is 0 if either filter is neutral.
  */
 export function bandOverlaps(T: number, D: number, layers: 3 | 4): readonly [rg: Vec3, gb: Vec3, br: Vec3] {
   const light = observedBlackbody(T);
@@ -54,15 +54,15 @@ export function bandOverlaps(T: number, D: number, layers: 3 | 4): readonly [rg:
 
 const ONES = new Float64Array(WAVELENGTHS.length).fill(1);
 
-/** A blackbody's light behind a filter of its own: its temperature at rest [K] and k. */
+/** A blackbody behind a filter: its temperature at rest [K] and k. */
 export interface FilteredBlackbody {
   readonly temperature: number;
   readonly filter: Vec3;
 }
 
 /**
- * What is seen of one coloured light that met a resting surface, through each band of the surface's filter: both are seen shifted by D. `bands`: of such a surface, and of the light,
- * as `passing`. Layer after layer (r, g, b, H), H beside the first.
+ * The observed colour of one coloured light reflected by a surface at rest, for each band of the surface's filter, both observed with the shift D.
+ * `bands`: `bandTransmission` of the surface and of the light. Layer after layer (r, g, b, H), with H in the first layer only.
  */
 export function filteredBlackbodyAtRest(
   { temperature, filter }: FilteredBlackbody,
@@ -76,8 +76,8 @@ export function filteredBlackbodyAtRest(
 }
 
 /**
- * What is seen of light of a spectrum that met a resting surface, through each band of the surface's filter (`passing`): both are seen shifted by D, and D⁴ is left out. Linear sRGB, layer
- * after layer, of light of luminance 1 at rest.
+ * The observed colour of light of a sampled spectrum reflected by a surface at rest, for each band of the surface's filter (`bandTransmission`), both observed
+ * with the shift D, without the D⁴ of beaming. Linear sRGB, layer after layer, of light of luminance 1 at rest.
  */
 export function sampledSpectrumAtRest(
   spectrum: SampledSpectrum,
@@ -92,12 +92,12 @@ export function sampledSpectrumAtRest(
 const throughFilter = ([r, g, b]: Vec3, [red, green, blue]: readonly Float64Array[]): Float64Array =>
   red.map((value, n) => r * value + g * green[n] + b * blue[n]);
 
-/** So many steps, 8 nm apart in the middle of what an eye sees, leave 0.1 % of white's. Odd, so that D = 1 is one. */
+/** Steps of the table: 8 nm apart in the middle of the visible, with an error of 0.1 % of white's luminance. Odd, so that D = 1 is a step. */
 const TABLE_STEPS = 97;
 
 /**
- * What is seen of one coloured light through each band of a surface's filter, Σ_j k_j C_ij: as in a table of blackbodies, but over the shift D = D_in D_out from the light to the
- * eye from row to row, and D_out along the rows, both as `columnOf`.
+ * The observed colour of one coloured light through each band of a surface's filter, Σ_j k_j C_ij: as the table of blackbodies, but with the rows over the shift
+ * D = D_in D_out from the light to the observer, and the columns over D_out, both by `columnOf`.
  */
 export function filteredBlackbodyTable(
   { temperature, filter }: FilteredBlackbody,

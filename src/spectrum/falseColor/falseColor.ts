@@ -2,9 +2,9 @@ import { coolWarm, magma, type Rgb8, viridis } from './colorMaps.ts';
 import { bandColor, REFERENCE_WAVELENGTH } from './spectralBands.ts';
 
 /**
- * What colours can stand for instead of light. `doppler`: D, of the surface or of the sky behind it; `emission-time`: how long before the
- * observer's event what is seen happened [s]; `radiance`: luminance of the linear light, before exposure and tone curve; `band`: which
- * part of the emitted spectrum is seen, over the picture.
+ * The quantity that false colours show. `doppler`: D of the surface, or of the sky behind it; `emission-time`: emission time relative to the
+ * observer's event [s]; `radiance`: luminance of the linear light, before exposure and tone curve; `band`: the part of the emitted spectrum
+ * that is visible, as a tint over the picture.
  */
 export type FalseColorQuantity = 'doppler' | 'emission-time' | 'radiance' | 'band';
 export const FALSE_COLOR_QUANTITIES: readonly FalseColorQuantity[] = ['doppler', 'emission-time', 'radiance', 'band'];
@@ -15,18 +15,18 @@ export interface ValueRange {
   readonly to: number;
 }
 
-/** A false-colour picture: of what, and between which values. */
+/** The quantity and the range of a false-colour picture. */
 export interface FalseColorScale extends ValueRange {
   readonly kind: FalseColorQuantity;
 }
 
 interface QuantityColors {
   readonly logarithmic: boolean;
-  /** At a share 0 … 1 of the way between the ends. */
+  /** The colour at the position 0 … 1 between the ends. */
   readonly color: (part: number, scale: ValueRange) => Rgb8;
 }
 
-/** Where a pixel has no such value. */
+/** The colour of pixels without a value. */
 export const NO_VALUE_COLOR: Rgb8 = [44, 47, 52];
 
 const QUANTITY_COLORS: Readonly<Record<FalseColorQuantity, QuantityColors>> = {
@@ -39,20 +39,20 @@ const QUANTITY_COLORS: Readonly<Record<FalseColorQuantity, QuantityColors>> = {
   },
 };
 
-/** Equal ratios, not equal differences, are equal steps of colour. */
+/** Whether equal ratios, not equal differences, are equal steps of colour. */
 export const isLogarithmic = (kind: FalseColorQuantity): boolean => QUANTITY_COLORS[kind].logarithmic;
 
-/** What `value` is in terms in which equal steps are equal steps of colour. */
+/** Maps a value to the scale's units, in which equal steps are equal steps of colour. */
 export const toScaleUnits = (kind: FalseColorQuantity, value: number): number =>
   QUANTITY_COLORS[kind].logarithmic ? Math.log2(Math.max(value, 1e-38)) : value;
 
-/** How far along the colours a value lies: 0 … 1 between the ends. */
+/** Position of a value on the scale: 0 … 1 between the ends. */
 export function positionOnScale(kind: FalseColorQuantity, value: number, { from, to }: ValueRange): number {
   const start = toScaleUnits(kind, from);
   return (toScaleUnits(kind, value) - start) / (toScaleUnits(kind, to) - start);
 }
 
-/** The value at a part of the way. */
+/** The value at a position on the scale: inverse of `positionOnScale`. */
 export function valueAtPosition(kind: FalseColorQuantity, part: number, { from, to }: ValueRange): number {
   const [start, end] = [toScaleUnits(kind, from), toScaleUnits(kind, to)];
   const at = start + part * (end - start);
@@ -62,15 +62,15 @@ export function valueAtPosition(kind: FalseColorQuantity, part: number, { from, 
 export const colorAt = (kind: FalseColorQuantity, part: number, scale: ValueRange): Rgb8 =>
   QUANTITY_COLORS[kind].color(part, scale);
 
-/** The colour of a value; not a number: that there is nothing. */
+/** The colour of a value; NaN has `NO_VALUE_COLOR`. */
 export const falseColor = ({ kind, ...scale }: FalseColorScale, value: number): Rgb8 =>
   Number.isNaN(value) ? NO_VALUE_COLOR : colorAt(kind, positionOnScale(kind, value, scale), scale);
 
-/** How much of a tint is left in the dark: what a band's colour is laid over can be recognised, and the dark still tells its band. */
+/** Least brightness of a band's tint over dark pixels, so that the picture is recognizable and dark parts still show their band. */
 export const MIN_SHADE = 0.35;
 export const shadeFactor = (gray: number): number => MIN_SHADE + (1 - MIN_SHADE) * gray;
 
-/** Of equal width along the colours, as they are kept on a GPU and drawn in a legend. */
+/** `steps` colours at equal steps of position, for GPU textures and legends. */
 export function colorRamp(kind: FalseColorQuantity, scale: ValueRange, steps: number): Rgb8[] {
   return Array.from({ length: steps }, (_, i) => colorAt(kind, i / (steps - 1), scale));
 }

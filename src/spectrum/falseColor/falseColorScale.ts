@@ -1,21 +1,21 @@
 import type { FalseColorQuantity, ValueRange } from './falseColor.ts';
 import { SPECTRAL_BANDS } from './spectralBands.ts';
 
-/** What a false-colour picture would show, at places spread over it; not a number where there is nothing. */
+/** Samples of the shown quantity, spread over the picture; NaN where there is no value. */
 type Values = ArrayLike<number>;
 
-/** Of the values, so few on either side may lie outside the scale. */
+/** Fraction of the values that may lie outside the scale at each end. */
 const OUTLIER_FRACTION = 0.01;
-/** D that a scale may end at; its other end is the reciprocal. */
+/** Allowed upper ends of a scale of D; the lower end is the reciprocal. */
 const SHIFTS = [1.02, 1.05, 1.1, 1.2, 1.5, 2, 3, 5, 10, 20, 50, 100, 200, 500, 1000, 1e4, 1e5, 1e6];
-/** A scale of light has no more decades, counted from its brightest. */
+/** Most decades of a scale of light, counted from its upper end. */
 const MAX_DECADES = 6;
-/** Numbers beside a bar are no longer. */
+/** Most significant digits of the numbers of a legend. */
 const MAX_DIGITS = 6;
-/** Of 550 nm light: all that observers up to some 0.99 c see [m]. */
+/** Range of emitted wavelengths that observers up to about 0.99 c see at 550 nm [m]. */
 const WAVELENGTH_RANGE: ValueRange = { from: 3e-8, to: 1e-5 };
 
-/** A scale of round numbers that holds what there is; the bands' is always the same. */
+/** A scale with round ends that contains the values; that of bands is fixed. */
 export function fitScale(kind: FalseColorQuantity, values: Values): ValueRange {
   if (kind === 'band') return WAVELENGTH_RANGE;
   const known = Float64Array.from(values).filter(Number.isFinite).sort();
@@ -32,7 +32,7 @@ function shiftScale(low: number, high: number): ValueRange {
   return { from: 1 / to, to };
 }
 
-/** Now is at an end of it, unless all that is seen is long ago (or, in a slice, far ahead). */
+/** One end is 0, the observer's time, unless all values are far from it. */
 function timeScale(low: number, high: number): ValueRange {
   const [first, last] = [low > 0 && low < 0.6 * high ? 0 : low, high < 0 && high > 0.6 * low ? 0 : high];
   const step = roundStep((last - first) / 4 || Math.abs(last) / 4 || 1);
@@ -40,20 +40,20 @@ function timeScale(low: number, high: number): ValueRange {
   return to > from ? { from, to } : { from: from - step, to };
 }
 
-/** From power of ten to power of ten. */
+/** Both ends are powers of ten. */
 function lightScale(low: number, high: number): ValueRange {
   const last = Math.ceil(Math.log10(Math.max(high, 1e-30)) - 1e-9);
   const first = Math.floor(Math.log10(Math.max(low, 1e-30)) + 1e-9);
   return { from: 10 ** Math.max(Math.min(first, last - 1), last - MAX_DECADES), to: 10 ** last };
 }
 
-/** 1, 2 or 5 times a power of ten, not less than x. */
+/** The least of 1, 2, 5 times a power of ten that is not below x. */
 function roundStep(x: number): number {
   const unit = 10 ** Math.floor(Math.log10(x) + 1e-9);
   return unit * ([1, 2, 5, 10].find((factor) => factor * unit >= x * (1 - 1e-9)) ?? 10);
 }
 
-/** Where a legend has its numbers. */
+/** The values at which a legend has numbers. */
 export function ticksOf(kind: FalseColorQuantity, scale: ValueRange): number[] {
   switch (kind) {
     case 'doppler':
@@ -78,7 +78,7 @@ function decades({ from, to }: ValueRange): number[] {
   return Array.from({ length: last - first + 1 }, (_, i) => 10 ** (first + i));
 }
 
-/** Significant digits at which no two numbers beside the bar read alike: two, where these do. */
+/** The number of significant digits, from two up, at which all numbers of the legend read differently. */
 export function tickDigits(ticks: readonly number[]): number {
   const alike = (digits: number): boolean => new Set(ticks.map((tick) => tick.toPrecision(digits))).size < ticks.length;
   let digits = 2;

@@ -2,8 +2,8 @@ import type { Vec3 } from '../../math/vec3.ts';
 import { X_BAR, Y_BAR, Z_BAR } from '../tables/cie1931.ts';
 
 /**
- * What the CIE 1931 2° standard observer sees, from violet to red [m]: the nanometres 360 … 830 of its table, each with half of itself
- * to either side. Everything else is, for an eye at rest, invisible.
+ * The visible range of the CIE 1931 2° standard observer [m]: the wavelengths 360 … 830 nm of its table with half a nanometre
+ * on either side. For an observer at rest all else is invisible.
  */
 export const VISIBLE: readonly [shortest: number, longest: number] = [359.5e-9, 830.5e-9];
 /** Width of the steps in which spectra are integrated [m]. */
@@ -17,10 +17,10 @@ export function colorMatching(wavelength: number): Vec3 {
   return [interpolateTable(X_BAR, place), interpolateTable(Y_BAR, place), interpolateTable(Z_BAR, place)];
 }
 
-/** A place is counted from a wavelength in metres: the ends still count where that is rounded. */
+/** Tolerance at the ends of a table for rounding in places computed from wavelengths in metres. */
 const ROUNDING = 1e-9;
 
-/** Of two values or more at 0, 1, 2 … the one at `place`, linear between them, 0 outside. */
+/** Linear interpolation in a table of two or more values at 0, 1, 2 …; 0 outside. */
 export function interpolateTable(values: readonly number[], place: number): number {
   if (!(place >= -ROUNDING && place <= values.length - 1 + ROUNDING)) return 0;
   const i = Math.min(Math.max(Math.floor(place), 0), values.length - 2);

@@ -1,8 +1,8 @@
 import type { SpectralFilter } from './spectralFilter.ts';
 
-// What filters light is linear in its five coefficients; so Lambert's and Fresnel's shares are mixed of them, and asked at wavelengths once.
+// Filters are linear in their five coefficients, so Lambert's and Fresnel's terms are combined as filters and evaluated at wavelengths once.
 
-/** The same at all wavelengths. */
+/** A filter that is the same at all wavelengths. */
 export const neutralFilter = (x: number): SpectralFilter => ({ rgb: [x, x, x], uv: x, ir: x });
 
 export const scaleFilter = ({ rgb: [r, g, b], uv, ir, residual: rest }: SpectralFilter, s: number): SpectralFilter => ({
@@ -12,7 +12,7 @@ export const scaleFilter = ({ rgb: [r, g, b], uv, ir, residual: rest }: Spectral
   ...(rest && { residual: { base: rest.base, share: s * rest.share } }),
 });
 
-/** p a + q b, of which one has a rest, or both have that of one reflectance. */
+/** p a + q b. If both have a residual, it must be of the same reflectance. */
 export function mixFilters(a: SpectralFilter, p: number, b: SpectralFilter, q: number): SpectralFilter {
   const rest = a.residual ?? b.residual;
   return {
@@ -23,6 +23,6 @@ export function mixFilters(a: SpectralFilter, p: number, b: SpectralFilter, q: n
   };
 }
 
-/** Nowhere is more left than this. */
+/** An upper bound of the filter over all wavelengths. */
 export const maxOfFilter = ({ rgb: [r, g, b], uv, ir, residual: rest }: SpectralFilter): number =>
   Math.max(r, g, b, uv, ir) + Math.abs(rest?.share ?? 0);

@@ -1,13 +1,13 @@
 import type { Vec3 } from '../../math/vec3.ts';
 import { filterFromRgb, type SpectralFilter } from './spectralFilter.ts';
 
-/** What a surface reflects, with its ultraviolet (below 360 nm) and infrared (above 830 nm). */
+/** The reflectance of a surface, including ultraviolet (below 360 nm) and infrared (above 830 nm). */
 export interface MaterialPreset {
   readonly about: string;
   readonly filter: SpectralFilter;
-  /** A metal reflects these by its mirror, others by scattering. */
+  /** For metals the filter is the specular reflectance, for others the diffuse one. */
   readonly metallic: boolean;
-  /** 0…1, as of a usual piece of it. */
+  /** 0…1, typical of the material. */
   readonly roughness: number;
 }
 
@@ -25,9 +25,9 @@ const metal = (about: string, rgb: Vec3, uv: number, ir: number): MaterialPreset
 });
 
 /**
- * Surfaces whose infrared or ultraviolet differs from what their colour lets one expect, for scenes where a Doppler shift brings it into sight.
- * Measured-like: rounded from published measurements of one sample, not a measurement of yours; one number stands for all of the ultraviolet
- * (300…360 nm), one for the near infrared (830…1300 nm).
+ * Materials whose infrared or ultraviolet reflectance differs from what their colour suggests, for scenes in which a Doppler shift makes it visible.
+ * Rounded from published measurements of single samples; one number for the ultraviolet (300…360 nm) and one for the near
+ * infrared (830…1300 nm).
  */
 export const MATERIAL_PRESETS: ReadonlyMap<string, MaterialPreset> = new Map([
   [

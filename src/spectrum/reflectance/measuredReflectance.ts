@@ -1,13 +1,13 @@
 import { interpolateTable } from '../observer/standardObserver.ts';
 
-/** Reflectance at `first`, `first + step` … [m], 0 … 1, two values at least, linear between them; before and after them it goes on as it ends. */
+/** Reflectance 0 … 1 at `first`, `first + step` … [m], at least two values, linear between them and constant outside. */
 export interface MeasuredReflectance {
   readonly first: number;
   readonly step: number;
   readonly values: readonly number[];
 }
 
-/** At a wavelength [m]. */
+/** The reflectance at a wavelength [m]. */
 export function measuredReflectanceAt({ first, step, values }: MeasuredReflectance, wavelength: number): number {
   return interpolateTable(values, Math.min(Math.max((wavelength - first) / step, 0), values.length - 1));
 }

@@ -4,16 +4,16 @@ import { BLUE, GREEN, RED } from '../tables/mallettYuksel.ts';
 import { type MeasuredReflectance, measuredReflectanceAt } from './measuredReflectance.ts';
 
 /**
- * A filter: the reflectance of a surface, the glass before a lamp, a picture on a dome. Light of every wavelength is
- * multiplied by ρ(λ) = r·b_r(λ) + g·b_g(λ) + b·b_b(λ) within `FLIP_THRESHOLD`, by `uv` at shorter wavelengths and by `ir` at longer ones;
- * b are the basis functions of Mallett and Yuksel 2019. `rgb` so is the linear sRGB of the surface in daylight.
- * No eye at rest sees `uv` or `ir`; a Doppler shift brings them into sight.
+ * A spectral filter: the reflectance of a surface, a coloured glass before a light, a texel of a dome. Light is
+ * multiplied by ρ(λ) = r·b_r(λ) + g·b_g(λ) + b·b_b(λ) within `VISIBLE`, by `uv` at shorter wavelengths and by `ir` at longer ones;
+ * b are the basis functions of Mallett and Yuksel 2019, so `rgb` is the linear sRGB of the surface in daylight.
+ * `uv` and `ir` are invisible at rest; a Doppler shift makes them visible. docs/physics.md §7.3.
  */
 export interface SpectralFilter {
   readonly rgb: Vec3;
   readonly uv: number;
   readonly ir: number;
-  /** What a measured reflectance has beyond bands, times a share of it. */
+  /** The difference of a measured reflectance from its bands, times a factor. */
   readonly residual?: FilterResidual;
 }
 
@@ -25,39 +25,39 @@ export interface FilterResidual {
   readonly share: number;
 }
 
-/** Ends of the basis [m]: from here to the ends of `FLIP_THRESHOLD`, and beyond them without other values, it stays as it is. */
+/** Ends of the basis [m]: outside them, up to the ends of `VISIBLE` and beyond (unless `uv` or `ir` are given), it is constant. */
 export const BASIS_RANGE = [380e-9, 780e-9] as const;
 const BASIS_STEP = 5 * NANOMETRE;
 
-/** As printed the three sum to 1 within 1e-5; here they do so exactly, for white to be white at any wavelength. */
+/** The published functions sum to 1 within 1e-5; here they are normalized, so that white is 1 at every wavelength. */
 const [B_RED, B_GREEN, B_BLUE] = [RED, GREEN, BLUE].map((band) =>
   band.map((value, i) => value / (RED[i] + GREEN[i] + BLUE[i])),
 );
 
-/** b_r, b_g, b_b at a wavelength [m], of sum 1: linear between the published ones at every 5 nm, constant outside of 380…780 nm. */
+/** b_r, b_g, b_b at a wavelength [m], of sum 1: linear between the published values every 5 nm, constant outside 380…780 nm. */
 export function basisAt(wavelength: number): Vec3 {
   const within = Math.min(Math.max(wavelength, BASIS_RANGE[0]), BASIS_RANGE[1]);
   const place = Math.min((within - BASIS_RANGE[0]) / BASIS_STEP, RED.length - 1);
   return [interpolateTable(B_RED, place), interpolateTable(B_GREEN, place), interpolateTable(B_BLUE, place)];
 }
 
-/** What the basis ends at: how much of r, g and b is in `uv` and in `ir` where nothing else is said. About a third of each. */
+/** The basis at its ends: the weights of r, g and b in the default `uv` and `ir`, about a third each. */
 export const BASIS_ENDS: { readonly uv: Vec3; readonly ir: Vec3 } = {
   uv: basisAt(BASIS_RANGE[0]),
   ir: basisAt(BASIS_RANGE[1]),
 };
 
-/** The filter of a linear sRGB colour; what is not known of its ultraviolet and infrared is what the colour's basis ends at. */
+/** The filter of a linear sRGB colour; by default `uv` and `ir` continue the basis at its ends. */
 export const filterFromRgb = (
   rgb: Vec3,
   uv = dot(BASIS_ENDS.uv, rgb),
   ir = dot(BASIS_ENDS.ir, rgb),
 ): SpectralFilter => ({ rgb, uv, ir });
 
-/** Lets everything through. */
+/** Transmits everything. */
 export const WHITE_FILTER: SpectralFilter = { rgb: [1, 1, 1], uv: 1, ir: 1 };
 
-/** ρ(λ) of a filter at a wavelength [m]; of a step's `width` [m], if any, the mean over a step that crosses an end of `FLIP_THRESHOLD`. */
+/** ρ(λ) of a filter at a wavelength [m]; with a `width` [m], steps that cross an end of `VISIBLE` are averaged. */
 export function reflectanceAt({ rgb, uv, ir, residual: rest }: SpectralFilter, wavelength: number, width = 0): number {
   const ultraviolet = stepFraction(VISIBLE[0] - wavelength, width);
   const infrared = stepFraction(wavelength - VISIBLE[1], width);
@@ -65,14 +65,14 @@ export function reflectanceAt({ rgb, uv, ir, residual: rest }: SpectralFilter, w
   return rest ? bands + residualAt(rest, wavelength, width) : bands;
 }
 
-/** What the rest adds to the bands at a wavelength [m]. */
+/** What the residual adds to the bands at a wavelength [m]. */
 export const residualAt = (
   { base: { reflectance, bands }, share }: FilterResidual,
   wavelength: number,
   width = 0,
 ): number => share * (measuredReflectanceAt(reflectance, wavelength) - reflectanceAt(bands, wavelength, width));
 
-/** How much of a step is beyond an edge that its middle is `beyond` past. */
+/** The fraction of a step that lies past an edge, if its middle is past it by `beyond`. */
 export function stepFraction(beyond: number, width: number): number {
   if (width <= 0) return beyond > 0 ? 1 : 0;
   return Math.min(Math.max(beyond / width + 0.5, 0), 1);

@@ -2,12 +2,12 @@ import { NANOMETRE } from '../observer/standardObserver.ts';
 import { S0, S1, S2 } from '../tables/daylightSeries.ts';
 import type { SampledSpectrum } from './lightSpectrum.ts';
 
-/** Temperatures between which the CIE has measured daylight [K]. */
+/** Range of the CIE D series [K]. */
 const RANGE = [4000, 25_000] as const;
 
 /**
- * The CIE D series: measured daylight of a correlated colour temperature [K], 4000…25,000 (nearer ones beyond it), from 300 to 830 nm; D65 is
- * that of 6504 K. Unlike a blackbody it has the absorption lines of sun and air. Source: CIE 015:2018, §4.1.2, eq. 4.6–4.10.
+ * The CIE D series: daylight of a correlated colour temperature [K], clamped to 4000…25,000, from 300 to 830 nm; D65 is
+ * that of 6504 K. Unlike a blackbody it has the absorption bands of the sun and the air. docs/physics.md §7.9; CIE 015:2018, §4.1.2, eq. 4.6–4.10.
  */
 export function daylightSpectrum(temperature: number): SampledSpectrum {
   const [x, y] = daylightChromaticity(Math.min(Math.max(temperature, RANGE[0]), RANGE[1]));
@@ -22,7 +22,7 @@ export function daylightSpectrum(temperature: number): SampledSpectrum {
   };
 }
 
-/** x, y of CIE 1931 of the daylight locus. */
+/** CIE 1931 x, y of the daylight locus. */
 function daylightChromaticity(T: number): [x: number, y: number] {
   const t = 1000 / T;
   const x =

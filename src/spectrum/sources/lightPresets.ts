@@ -9,29 +9,29 @@ import {
   type ThermalSpectrum,
 } from './lightSpectrum.ts';
 
-/** A spectrum by name, and a line about it that a person can read. */
+/** A named spectrum with a short description. */
 export interface LightPreset {
   readonly about: string;
   readonly spectrum: LightSpectrum;
 }
 
 const thermal = (temperature: number): ThermalSpectrum => ({ kind: 'thermal', temperature });
-/** A lamp of the CIE's tables, 380…780 nm in steps of 5 nm. */
+/** A lamp of the CIE tables, 380…780 nm in steps of 5 nm. */
 const lamp = (values: readonly number[]): SampledSpectrum => ({
   kind: 'sampled',
   first: 380 * NANOMETRE,
   step: 5 * NANOMETRE,
   values,
 });
-/** Wavelengths in nm, with the radiance of each beside it. */
+/** Lines given as (wavelength [nm], relative radiance). */
 const lines = (...all: readonly (readonly [nanometres: number, weight: number])[]): LineSpectrum => ({
   kind: 'lines',
   lines: all.map(([nanometres, weight]) => ({ wavelength: nanometres * NANOMETRE, weight })),
 });
 
 /**
- * Spectra of common lights. Wavelengths of lines are those observed in air (below 200 nm in vacuum) of the NIST Atomic Spectra
- * Database, version 5; air makes them 0.03 % shorter. Their strengths differ from lamp to lamp; those here are typical.
+ * Spectra of common lights. Wavelengths of lines are in air (below 200 nm in vacuum), from the NIST Atomic Spectra
+ * Database, version 5; in air they are 0.03 % shorter. Relative strengths vary between lamps; these are typical.
  */
 export const LIGHT_PRESETS: ReadonlyMap<string, LightPreset> = new Map([
   ['daylight', { about: 'a blackbody of 6504 K, white', spectrum: DAYLIGHT }],
@@ -48,7 +48,7 @@ export const LIGHT_PRESETS: ReadonlyMap<string, LightPreset> = new Map([
     'mercury',
     {
       about: 'mercury vapour at medium pressure, with its ultraviolet',
-      // The visible ones as measured of a clear lamp (H38HT-100, NIST Color Quality Scale 7.4), the others relative to 546 nm, rounded.
+      // Visible lines as measured of a clear lamp (H38HT-100, NIST Color Quality Scale 7.4), the others relative to 546 nm, rounded.
       spectrum: lines(
         [253.6517, 0.25],
         [313.1555, 0.55],
@@ -66,7 +66,7 @@ export const LIGHT_PRESETS: ReadonlyMap<string, LightPreset> = new Map([
     'hydrogen',
     {
       about: 'a glowing nebula: hydrogen from the ultraviolet Lyman α to the infrared Brackett α',
-      // Recombination at 10,000 K, case B, relative to Hβ: what is left where higher Lyman lines do not get out. Source:
+      // Recombination at 10,000 K, case B (opaque to the higher Lyman lines), relative to Hβ. Source:
       // Osterbrock & Ferland 2006, "Astrophysics of Gaseous Nebulae", table 4.4.
       spectrum: lines(
         [121.567, 25],

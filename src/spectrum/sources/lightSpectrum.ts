@@ -1,7 +1,7 @@
 import { colorMatching, interpolateTable, NANOMETRE, tristimulus } from '../observer/standardObserver.ts';
 import { logLuminance, logPlanck, SECOND_RADIATION } from './planck.ts';
 
-/** A blackbody of a temperature above 0 [K]. Shifted by D it is one of T·D. */
+/** A blackbody of a temperature above 0 [K]; shifted by D, one of T·D. */
 export interface ThermalSpectrum {
   readonly kind: 'thermal';
   readonly temperature: number;
@@ -13,13 +13,13 @@ export interface SpectralLine {
   readonly weight: number;
 }
 
-/** Light of single wavelengths: lamps of thin vapour, nebulae, lasers. */
+/** Light of single wavelengths: vapour lamps, nebulae, lasers. */
 export interface LineSpectrum {
   readonly kind: 'lines';
   readonly lines: readonly SpectralLine[];
 }
 
-/** Relative radiance per wavelength at `first`, `first + step` … [m], two values at least, linear between them, 0 outside. */
+/** Relative radiance per wavelength at `first`, `first + step` … [m], at least two values, linear between them, 0 outside. */
 export interface SampledSpectrum {
   readonly kind: 'sampled';
   readonly first: number;
@@ -27,22 +27,22 @@ export interface SampledSpectrum {
   readonly values: readonly number[];
 }
 
-/** What light is made of, in its source's own rest frame; relative, for its brightness is told by the source. */
+/** The relative spectrum of light in its source's rest frame; brightness is given by the source. */
 export type LightSpectrum = ThermalSpectrum | LineSpectrum | SampledSpectrum;
 
-/** What everything shines with that says nothing else: a blackbody of 6504 K, whose colour is sRGB's white, nearly. */
+/** The default spectrum of lights: a blackbody of 6504 K, whose colour is nearly the white of sRGB. */
 export const DAYLIGHT: ThermalSpectrum = { kind: 'thermal', temperature: 6504 };
 
 /**
  * S(λ) [1/m] of a spectrum at a wavelength [m] in its source's rest frame, scaled so that its luminance ∫ ȳ S dλ is 1.
- * Lines have no S(λ): see `countLines`. What is invisible at rest is scaled to the luminance that its power would have at 555 nm.
+ * For lines see `linesOf`. A spectrum that is invisible at rest is scaled as if all of its power were at 555 nm.
  */
 export function spectralRadiance(spectrum: ThermalSpectrum | SampledSpectrum, wavelength: number): number {
   if (spectrum.kind === 'thermal') return thermalRadiance(spectrum.temperature, wavelength, scaleOf(spectrum));
   return interpolateTable(spectrum.values, (wavelength - spectrum.first) / spectrum.step) * scaleOf(spectrum);
 }
 
-/** The mean of S(λ) over a step of `width` [m] around a wavelength: what is narrower than a step is not missed. A blackbody's is S(λ) itself. */
+/** The mean of S(λ) over a step of `width` [m] around a wavelength, so that narrow features are not missed; for a blackbody S(λ) itself. */
 export function meanRadiance(spectrum: ThermalSpectrum | SampledSpectrum, wavelength: number, width: number): number {
   if (spectrum.kind === 'thermal') return spectralRadiance(spectrum, wavelength);
   return meanSample(spectrum, wavelength, width) * scaleOf(spectrum);
@@ -54,7 +54,7 @@ function meanSample(spectrum: SampledSpectrum, wavelength: number, width: number
   return (integralUpTo(spectrum, place + half) - integralUpTo(spectrum, place - half)) / (2 * half);
 }
 
-/** ∫ of the values from the first to `place`, with a step between two as the unit. */
+/** ∫ of the values from the first to `place`, in units of the step. */
 function integralUpTo(spectrum: SampledSpectrum, place: number): number {
   const { values } = spectrum;
   const sums = memoize(integrals, spectrum, () => runningIntegral(values));
@@ -70,16 +70,16 @@ function runningIntegral(values: readonly number[]): Float64Array {
   return sums;
 }
 
-/** The lines of a spectrum, scaled so that their luminance Σ w ȳ(λ) is 1; what is invisible at rest as in `spectralRadiance`. */
+/** The lines of a spectrum, scaled so that their luminance Σ w ȳ(λ) is 1; spectra invisible at rest as in `spectralRadiance`. */
 export function linesOf(spectrum: LineSpectrum): readonly SpectralLine[] {
   const scale = scaleOf(spectrum);
   return spectrum.lines.map(({ wavelength, weight }) => ({ wavelength, weight: weight * scale }));
 }
 
-/** A light of 1 K that should be as bright as day would be brighter than numbers can tell when it comes near at half of c. */
+/** Limit of ln B/Y: light of 1 K scaled to the luminance of daylight would overflow when blue-shifted. */
 const MAX_LOG = 600;
 
-/** Exponents below which Planck's law is a number as it stands, without the logarithms that take three times as long. */
+/** Exponents below which Planck's law is evaluated directly, three times as fast as by logarithms. */
 const MAX_PLAIN_EXPONENT = 200;
 
 /** B(λ, T)/Y(T) [1/m], for ln Y(T). */
@@ -91,7 +91,7 @@ function thermalRadiance(T: number, wavelength: number, logY: number): number {
   return Math.exp(Math.min(logPlanck(wavelength, T) - logY, MAX_LOG));
 }
 
-/** ln Y of blackbodies, 1/Y of others, and integrals, kept: a path tracer asks again for every ray. */
+/** Caches of ln Y (blackbodies), 1/Y (others) and running integrals, which a path tracer needs for every ray. */
 const scales = new WeakMap<LightSpectrum, number>();
 const integrals = new WeakMap<LightSpectrum, Float64Array>();
 
@@ -109,7 +109,7 @@ function findScale(spectrum: LightSpectrum): number {
   if (spectrum.kind === 'thermal') return logLuminance(spectrum.temperature);
   const [luminance, power] = spectrum.kind === 'lines' ? ofLines(spectrum) : ofSamples(spectrum);
   if (luminance > 1e-6 * power) return 1 / luminance;
-  // ȳ is 1 at 555 nm.
+  // ȳ = 1 at 555 nm.
   return power > 0 ? 1 / power : 0;
 }
 

@@ -5,14 +5,14 @@ import { Y_BAR } from '../tables/cie1931.ts';
 export const SECOND_RADIATION = 1.438776877e-2;
 
 /**
- * ln B(λ, T) of a blackbody, up to a constant: B = λ⁻⁵/(exp(c₂/λT) − 1), λ in m, T in K.
- * As a logarithm, for at 1 K the visible part is e^−25,000 of what it is in daylight. Source: Planck's law; Rybicki & Lightman, §1.5.
+ * ln B(λ, T) of a blackbody, up to a constant: B = λ⁻⁵/(exp(c₂/λT) − 1), λ [m], T [K].
+ * A logarithm, because at 1 K the visible part is e^−25,000 of daylight's. docs/physics.md §7.1; Rybicki & Lightman, §1.5.
  */
 export function logPlanck(wavelength: number, T: number): number {
   return -5 * Math.log(wavelength) - logExpm1(SECOND_RADIATION / (wavelength * T));
 }
 
-/** ln(eˣ − 1), also where eˣ is too large for a number. */
+/** ln(eˣ − 1), without overflow for large x. */
 export const logExpm1 = (x: number): number => (x > 40 ? x : Math.log(Math.expm1(x)));
 
 /** ln Y(T): the luminance ∫ ȳ B dλ of a blackbody of T [K], in the unit of `logPlanck`. Finite from 1 K to 1e12 K and beyond. */

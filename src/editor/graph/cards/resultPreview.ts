@@ -2,7 +2,7 @@ import type { NodeResult } from '../../../graph/evaluation/resultCache.ts';
 import type { LoadedScene } from '../../../nodes/services.ts';
 import type { GBufferSpec, ImageSpec, PictureSpec, RelativisticScene, TimeRange } from '../../../nodes/socketValues.ts';
 import type { MotionPath } from '../../../scene/compose/motionPaths.ts';
-import type { Light } from '../../../scene/types.ts';
+import type { Light, RigidMotion } from '../../../scene/types.ts';
 import type { LightSpectrum } from '../../../spectrum/sources/lightSpectrum.ts';
 import { formatCount, formatNumber } from '../../format.ts';
 import { type DisplayValue, displayColor, displayText, formatNumbers } from './displayValue.ts';
@@ -57,12 +57,26 @@ function describeScene({ scene: { objects, lights, cameras } }: LoadedScene): Di
 
 function describeMotion(motion: MotionPath): DisplayValue {
   if (motion.kind !== 'frame') return describeSpan(`graph.course.${motion.kind}`, motion.from, motion.to);
-  const { motion: frame } = motion;
-  if (frame.kind === 'uniform') return displayText(`${formatNumber(Math.hypot(...frame.velocity))}\u202fm/s`);
-  if (frame.kind === 'hyperbolic')
-    return displayText(`${formatNumber(Math.hypot(...frame.properAcceleration))}\u202fm/s²`);
-  if (frame.kind === 'sampled') return describeSpan('graph.course.keys', frame.times[0]!, frame.times.at(-1)!);
-  return { kind: 'words', key: 'graph.course.rest' };
+  return describeFrameMotion(motion.motion);
+}
+
+/** How a frame moves, by the kind of its motion. */
+interface MotionText<M extends RigidMotion> {
+  describe(motion: M): DisplayValue;
+}
+
+const MOTION_TEXTS: { readonly [K in RigidMotion['kind']]: MotionText<Extract<RigidMotion, { readonly kind: K }>> } = {
+  static: { describe: () => ({ kind: 'words', key: 'graph.course.rest' }) },
+  uniform: { describe: ({ velocity }) => displayText(`${formatNumber(Math.hypot(...velocity))}\u202fm/s`) },
+  hyperbolic: {
+    describe: ({ properAcceleration }) => displayText(`${formatNumber(Math.hypot(...properAcceleration))}\u202fm/s²`),
+  },
+  sampled: { describe: ({ times }) => describeSpan('graph.course.keys', times[0]!, times.at(-1)!) },
+};
+
+function describeFrameMotion(motion: RigidMotion): DisplayValue {
+  const text: MotionText<RigidMotion> = MOTION_TEXTS[motion.kind];
+  return text.describe(motion);
 }
 
 const describeSpan = (key: string, from: number, to: number): DisplayValue => ({

@@ -17,7 +17,8 @@ import { usd } from './usd.ts';
 const sources = import.meta.glob<string>(
   [
     '../../../{compute,dynamics,graph,nodes,formats}/**/*.ts',
-    '../../../scene/validation/{validate,renderableScene}.ts',
+    '../../../scene/motion/kinds/*.ts',
+    '../../../scene/validation/{validate,renderableScene,motionFindings}.ts',
     '../../../scene/shaderText/**/*.ts',
     '../../{loading,projects,saving,state}/**/*.{ts,tsx}',
     '../../shell/useSavePicture.ts',
@@ -29,7 +30,7 @@ const sources = import.meta.glob<string>(
     '!../../../formats/diagnostics/diagnosticCodes.ts',
     '!../../../compute/shader.ts',
     // Lines of written files.
-    '!../../../formats/usd/write/{materials,prims}.ts',
+    '!../../../formats/usd/write/{materials,motionLines,prims}.ts',
   ],
   { query: '?raw', import: 'default', eager: true },
 );

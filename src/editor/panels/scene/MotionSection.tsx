@@ -8,6 +8,7 @@ import { nodeLibrary } from '../../../nodes/library.ts';
 import { nearestToOutput, nodesFeedingOutput } from '../../../nodes/project/outputChain.ts';
 import { flyCommand, flyNodesIn, removeFlightCommand } from '../../../nodes/project/projectCommands.ts';
 import type { PictureSpec } from '../../../nodes/socketValues.ts';
+import { isStatic, sampleTimes } from '../../../scene/motion/motion.ts';
 import type { Scene } from '../../../scene/types.ts';
 import { useTexts } from '../../i18n/i18n.ts';
 import { useServices } from '../../services.tsx';
@@ -60,12 +61,12 @@ const nodeAt = (document: GraphDocument, id: string): FlatNode | undefined =>
   nodesFeedingOutput(document).find((node) => node.id === id);
 
 const moves = ({ objects, cameras, lights }: Scene): boolean =>
-  [...objects, ...cameras].some(({ motion }) => motion.kind !== 'static') ||
-  lights.some((light) => 'motion' in light && light.motion.kind !== 'static') ||
+  [...objects, ...cameras].some(({ motion }) => !isStatic(motion)) ||
+  lights.some((light) => 'motion' in light && !isStatic(light.motion)) ||
   objects.some(({ lifetime }) => Number.isFinite(lifetime.birth) || Number.isFinite(lifetime.death));
 
 const sampled = ({ objects, cameras }: Scene): boolean =>
-  [...objects, ...cameras].some(({ motion }) => 'times' in motion);
+  [...objects, ...cameras].some(({ motion }) => sampleTimes(motion) !== undefined);
 
 interface MovablePrim {
   readonly value: string;

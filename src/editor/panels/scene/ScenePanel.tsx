@@ -1,6 +1,7 @@
 import { Badge, ScrollArea, Stack, Table, Text } from '@mantine/core';
 import type { ReactNode } from 'react';
 import type { PictureSpec } from '../../../nodes/socketValues.ts';
+import { isStatic } from '../../../scene/motion/motion.ts';
 import type { Diagnostic } from '../../../scene/types.ts';
 import { formatCount, formatLength, formatSeconds, formatSpeed } from '../../format.ts';
 import { type Translate, useTexts } from '../../i18n/i18n.ts';
@@ -60,7 +61,7 @@ function Figures({ picture }: { readonly picture: PictureSpec }): ReactNode {
   const { t } = useTexts();
   const { scene, fastest } = picture;
   const triangles = scene.objects.reduce((sum, { mesh }) => sum + mesh.indices.length / 3, 0);
-  const moving = scene.objects.filter(({ motion }) => motion.kind !== 'static').length;
+  const moving = scene.objects.filter(({ motion }) => !isStatic(motion)).length;
   const time = fastest && { speed: formatSpeed(fastest.speed), time: unbroken(formatSeconds(fastest.time)) };
   const paths = pathsRow(scene.pathError, t);
   const rows: (readonly [string, ReactNode])[] = [

@@ -1,6 +1,7 @@
 import { Document, type Node as GltfNode, WebIO } from '@gltf-transform/core';
 import { KHRLightsPunctual, KHRMaterialsEmissiveStrength, KHRMaterialsIOR } from '@gltf-transform/extensions';
 import { scale } from '../../../math/vec3.ts';
+import { poseSamples } from '../../../scene/motion/motion.ts';
 import type { Light, Scene } from '../../../scene/types.ts';
 import { formatSpectrum, SPECTRUM_ATTRIBUTE } from '../../attributes/spectrumAttribute.ts';
 import { DiagnosticLog } from '../../diagnostics/diagnosticLog.ts';
@@ -121,7 +122,8 @@ class GltfWriter {
     node
       .setTranslation([...vectorYUp(this.scene, first.position)])
       .setRotation([...orientationYUp(this.scene, first.orientation)]);
-    if (motion.kind === 'sampled') this.animations.addPoses(node, motion);
+    const samples = poseSamples(motion);
+    if (samples) this.animations.addPoses(node, samples);
     return node;
   }
 

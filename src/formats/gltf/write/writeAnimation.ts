@@ -1,5 +1,6 @@
 import type { Accessor, Animation, Buffer, Document, Node as GltfNode } from '@gltf-transform/core';
-import type { SampledMotion, Scene } from '../../../scene/types.ts';
+import { isStatic, sampleTimes } from '../../../scene/motion/motion.ts';
+import type { Motion, SampledMotion, Scene } from '../../../scene/types.ts';
 import type { DiagnosticLog } from '../../diagnostics/diagnosticLog.ts';
 import { exportPoses, orientationYUp, vectorYUp } from '../../write/exportMotion.ts';
 
@@ -18,7 +19,11 @@ export class AnimationWriter {
     this.scene = scene;
     const { objects, cameras, lights } = scene;
     const motions = [...objects, ...cameras, ...lights].flatMap((x) => ('motion' in x ? [x.motion] : []));
-    const starts = motions.map((m) => ('times' in m ? m.times[0] : m.kind === 'static' ? 0 : scene.startTime));
+    const startOf = (motion: Motion): number => {
+      const times = sampleTimes(motion);
+      return times ? times[0] : isStatic(motion) ? 0 : scene.startTime;
+    };
+    const starts = motions.map(startOf);
     this.shift = -starts.reduce((a, b) => Math.min(a, b), 0);
     if (this.shift > 0)
       losses.add('info', 'convert.times', '', `all times are ${this.shift} s later: glTF has none before 0`);

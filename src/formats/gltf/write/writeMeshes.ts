@@ -1,4 +1,5 @@
 import type { Accessor, Buffer, Document, Node as GltfNode, Primitive } from '@gltf-transform/core';
+import { pointSamples } from '../../../scene/motion/motion.ts';
 import { normalsAt, pointsAt } from '../../../scene/streaming/samplePoints.ts';
 import type { Mesh, MeshGroup, SampledPointsMotion, Scene, SceneObject } from '../../../scene/types.ts';
 import type { DiagnosticLog } from '../../diagnostics/diagnosticLog.ts';
@@ -26,7 +27,7 @@ export class MeshWriter {
 
   /** Gives back the motion that needs weights of morph targets. */
   addTo(node: GltfNode, { path, mesh, motion }: ExportObject): SampledPointsMotion | undefined {
-    const deforming = motion.kind === 'sampled-points' ? motion : undefined;
+    const deforming = pointSamples(motion);
     const isWritten = deforming !== undefined && deforming.times.length <= MAX_MORPH_TARGETS;
     if (deforming && !isWritten) {
       const message = `its ${mesh.positions.length / 3} points are sampled at ${deforming.times.length} times, more than the ${MAX_MORPH_TARGETS} that become morph targets; it is written at rest, as it is at its first`;

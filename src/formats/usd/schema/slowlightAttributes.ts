@@ -1,5 +1,12 @@
 import { scale } from '../../../math/vec3.ts';
-import type { HyperbolicMotion, Lifetime, Pose, SceneHints, UniformMotion } from '../../../scene/types.ts';
+import type {
+  HyperbolicMotion,
+  Lifetime,
+  Pose,
+  SceneHints,
+  StaticMotion,
+  UniformMotion,
+} from '../../../scene/types.ts';
 import { parseSceneHints } from '../../attributes/hints.ts';
 import { numberAt, textAt, vec3At } from '../layer/attributes.ts';
 import type { Layer, PrimSpec } from '../layer/layer.ts';
@@ -47,28 +54,50 @@ export const lifetimeOf = ({ birth, death }: SlowlightAttributes): Lifetime => (
 export const authoredInOf = ({ authoredIn }: SlowlightAttributes): 'world' | 'rest' =>
   authoredIn === 'rest' ? 'rest' : 'world';
 
-/** The world time [s] at which a closed-form motion has its pose; undefined where samples say how the object moves. */
-export function poseTimeOf(directions: SlowlightAttributes): number | undefined {
-  if (directions.motion === 'uniform') return 0;
-  return directions.motion === 'hyperbolic' ? (directions.t0 ?? 0) : undefined;
+/** A closed-form motion as our attributes have it. */
+interface ClosedForm {
+  /** The world time at which it has its pose [s]. */
+  poseTime(directions: SlowlightAttributes): number;
+  motion(context: StageContext, path: string, pose: Pose, directions: SlowlightAttributes): Motion;
 }
+type Motion = UniformMotion | HyperbolicMotion;
 
-/** The motion that the attributes ask for, from the pose at their pose time. */
-export function closedFormMotion(
+/** By the values of `slowlight:motion`. */
+const CLOSED_FORMS: { readonly [K in Motion['kind']]: ClosedForm } = {
+  uniform: {
+    poseTime: () => 0,
+    motion: (context, path, pose, directions) => ({
+      kind: 'uniform',
+      pose,
+      velocity: scale(requiredVector(context, path, directions, 'velocity'), context.unit),
+    }),
+  },
+  hyperbolic: {
+    poseTime: ({ t0 }) => t0 ?? 0,
+    motion: (context, path, pose, directions) => {
+      const properAcceleration = scale(requiredVector(context, path, directions, 'properAcceleration'), context.unit);
+      return { kind: 'hyperbolic', pose, properAcceleration, t0: directions.t0 ?? 0 };
+    },
+  },
+};
+
+const isClosedForm = (motion: string | undefined): motion is Motion['kind'] =>
+  motion !== undefined && Object.hasOwn(CLOSED_FORMS, motion);
+
+/** The world time [s] at which a closed-form motion has its pose; undefined where samples say how the object moves. */
+export const poseTimeOf = (directions: SlowlightAttributes): number | undefined =>
+  isClosedForm(directions.motion) ? CLOSED_FORMS[directions.motion].poseTime(directions) : undefined;
+
+/** The motion that the attributes ask for, from the pose at their pose time; at rest where they ask for none. */
+export const closedFormMotion = (
   context: StageContext,
   path: string,
   pose: Pose,
   directions: SlowlightAttributes,
-): UniformMotion | HyperbolicMotion {
-  if (directions.motion === 'uniform')
-    return {
-      kind: 'uniform',
-      pose,
-      velocity: scale(requiredVector(context, path, directions, 'velocity'), context.unit),
-    };
-  const properAcceleration = scale(requiredVector(context, path, directions, 'properAcceleration'), context.unit);
-  return { kind: 'hyperbolic', pose, properAcceleration, t0: directions.t0 ?? 0 };
-}
+): Motion | StaticMotion =>
+  isClosedForm(directions.motion)
+    ? CLOSED_FORMS[directions.motion].motion(context, path, pose, directions)
+    : { kind: 'static', pose };
 
 function requiredVector(
   context: StageContext,
@@ -83,12 +112,10 @@ function requiredVector(
   return [0, 0, 0] as const;
 }
 
-const MOTION_KINDS = new Set([undefined, 'uniform', 'hyperbolic']);
-
 /** Refuses values that mean nothing here, once per prim. */
 export function checkSlowlightAttributes(context: StageContext, path: string, directions: SlowlightAttributes): void {
   const { motion, authoredIn } = directions;
-  if (!MOTION_KINDS.has(motion))
+  if (motion !== undefined && !isClosedForm(motion))
     report(
       context,
       'warning',

@@ -1,8 +1,9 @@
 import type { Scene } from '../../../scene/types.ts';
 import { lightContent, pictureOf, spectrumOf } from './lights/lights.ts';
 import { hintLines, MaterialWriter, TextureFiles } from './materials.ts';
+import type { WriteContext } from './motionLines.ts';
 import { packUsdz } from './packUsdz.ts';
-import { cameraContent, meshContent, type WriteContext } from './prims.ts';
+import { cameraContent, meshContent } from './prims.ts';
 import { PrimTree } from './primTree.ts';
 import { double, type Lines } from './usdaText.ts';
 

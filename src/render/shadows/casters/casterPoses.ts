@@ -3,7 +3,7 @@ import { rotate } from '../../../math/quat.ts';
 import { lerp, scale, sub, type Vec3, ZERO } from '../../../math/vec3.ts';
 import { properVelocity } from '../../../physics/lorentz/boost.ts';
 import { contraction } from '../../../physics/worldLines/simultaneity.ts';
-import { pieceAt, samplePose } from '../../../scene/motion/motion.ts';
+import { pieceAt, samplePose } from '../../../scene/motion/poses.ts';
 import type { Motion } from '../../../scene/types.ts';
 import type { Int, Vec3 as Vector } from '../../../shaders/types.ts';
 import type { DrawCall } from '../../gbuffer/drawCall.ts';

@@ -1,6 +1,6 @@
 import { addScaled, dot, sub, type Vec3 } from '../../../math/vec3.ts';
 import { boundingBox } from '../../../scene/bounds/bounds.ts';
-import { applyPose } from '../../../scene/motion/motion.ts';
+import { applyPose } from '../../../scene/motion/poses.ts';
 import type { Body } from '../../geometry/bodies.ts';
 import type { AtlasTile, LightAxes, ParallelLayer } from './parallelLayer.ts';
 

@@ -2,7 +2,7 @@ import { toMatrix } from '../../../math/quat.ts';
 import { add, length, scale, sub, type Vec3 } from '../../../math/vec3.ts';
 import { gamma } from '../../../physics/lorentz/boost.ts';
 import type { PolylineLine } from '../../../physics/worldLines/worldLine.ts';
-import { samplePose } from '../../../scene/motion/motion.ts';
+import { samplePose } from '../../../scene/motion/poses.ts';
 import { pointsAt } from '../../../scene/streaming/samplePoints.ts';
 import type { SampledMotion, SampledPointsMotion } from '../../../scene/types.ts';
 import type { Observation } from '../../geometry/observation.ts';

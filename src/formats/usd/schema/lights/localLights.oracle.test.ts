@@ -4,7 +4,7 @@ import { join } from 'node:path';
 import { afterAll, expect, it } from 'vitest';
 import { hasUsdCore, python } from '../../../../../tests/support/pythonOracles.ts';
 import type { Vec3 } from '../../../../math/vec3.ts';
-import { applyPose } from '../../../../scene/motion/motion.ts';
+import { applyPose } from '../../../../scene/motion/poses.ts';
 import type { LocalLight } from '../../../../scene/types.ts';
 import { blackbodyColor } from '../../../../spectrum/color/blackbodyColor.ts';
 import { memorySource } from '../../../files/fileSource.ts';

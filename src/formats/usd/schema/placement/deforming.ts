@@ -7,7 +7,7 @@ import { deformedNormals, smoothingGroups } from '../../../../scene/mesh/normals
 import { transformNormalsInPlace, transformPointsInPlace } from '../../../../scene/mesh/transformPoints.ts';
 import { AdaptivePath } from '../../../../scene/motion/adaptiveSampling.ts';
 import { estimateChordError, parabolaVelocities, parabolaVelocityAt } from '../../../../scene/motion/cubicPoints.ts';
-import { pieceAt } from '../../../../scene/motion/motion.ts';
+import { pieceAt } from '../../../../scene/motion/poses.ts';
 import { computePointStatistics } from '../../../../scene/streaming/pointStatistics.ts';
 import { readSample } from '../../../../scene/streaming/storedNumbers.ts';
 import type { PointRecipe } from '../../../../scene/streaming/storedPoints.ts';

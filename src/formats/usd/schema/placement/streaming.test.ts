@@ -1,8 +1,8 @@
 import { readFileSync } from 'node:fs';
 import { describe, expect, it } from 'vitest';
-import { objectBounds, sampleBoundingBox, sampleBoundingSphere } from '../../../../scene/bounds/bounds.ts';
-import { fastestVertex } from '../../../../scene/motion/fastestVertex.ts';
-import { vertexPositions, vertexWorldLine } from '../../../../scene/motion/motion.ts';
+import { sampleBoundingBox, sampleBoundingSphere } from '../../../../scene/bounds/bounds.ts';
+import { objectBounds } from '../../../../scene/bounds/sceneBounds.ts';
+import { fastestVertex, vertexPositions, vertexWorldLine } from '../../../../scene/motion/motion.ts';
 import { isStreamed, normalsAt, pointsAt } from '../../../../scene/streaming/samplePoints.ts';
 import { InputError, type SampledPointsMotion, type Scene, type SceneObject } from '../../../../scene/types.ts';
 import { validate } from '../../../../scene/validation/validate.ts';

@@ -1,7 +1,7 @@
 import { degrees } from '../../../../math/angle.ts';
 import { shortestRotation } from '../../../../math/quat.ts';
 import type { DistantLight, Pose } from '../../../../scene/types.ts';
-import { poseLines } from '../prims.ts';
+import { poseLines } from '../motionLines.ts';
 import { float } from '../usdaText.ts';
 import { colorLines, type LightWriter } from './lightWriter.ts';
 

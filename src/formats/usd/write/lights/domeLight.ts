@@ -1,7 +1,7 @@
 import { IDENTITY } from '../../../../math/quat.ts';
 import type { DomeLight } from '../../../../scene/types.ts';
 import { SKY_ATTRIBUTES } from '../../../attributes/hints.ts';
-import { poseLines, type WriteContext } from '../prims.ts';
+import { poseLines, type WriteContext } from '../motionLines.ts';
 import { floats, type Lines } from '../usdaText.ts';
 import { colorLines, type LightWriter } from './lightWriter.ts';
 

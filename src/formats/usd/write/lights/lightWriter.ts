@@ -1,6 +1,6 @@
 import type { Light, SpectrumLight } from '../../../../scene/types.ts';
 import { formatSpectrum, SPECTRUM_ATTRIBUTE } from '../../../attributes/spectrumAttribute.ts';
-import type { WriteContext } from '../prims.ts';
+import type { WriteContext } from '../motionLines.ts';
 import type { PrimContent } from '../primTree.ts';
 import { floats, type Lines } from '../usdaText.ts';
 

@@ -1,6 +1,6 @@
 import type { Light, RadianceTexture, Texture } from '../../../../scene/types.ts';
 import type { LightSpectrum } from '../../../../spectrum/sources/lightSpectrum.ts';
-import type { WriteContext } from '../prims.ts';
+import type { WriteContext } from '../motionLines.ts';
 import type { PrimContent } from '../primTree.ts';
 import { writeDistantLight } from './distantLight.ts';
 import { writeDomeLight } from './domeLight.ts';

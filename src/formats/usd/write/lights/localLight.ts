@@ -1,6 +1,7 @@
 import { degrees } from '../../../../math/angle.ts';
 import type { LightShaping, LocalLight } from '../../../../scene/types.ts';
-import { motionLines, slowlightLines } from '../prims.ts';
+import { motionLines } from '../motionLines.ts';
+import { slowlightLines } from '../prims.ts';
 import { float, type Lines } from '../usdaText.ts';
 import { colorLines, type LightWriter } from './lightWriter.ts';
 

@@ -1,7 +1,7 @@
 import { conjugate, multiply } from '../../../../math/quat.ts';
 import { EQUATORIAL } from '../../../../scene/stars/equatorial.ts';
 import type { NightSky } from '../../../../scene/types.ts';
-import { poseLines } from '../prims.ts';
+import { poseLines } from '../motionLines.ts';
 import { float } from '../usdaText.ts';
 import type { LightWriter } from './lightWriter.ts';
 

@@ -1,0 +1,46 @@
+import { withBend } from '../../../physics/worldLines/cubicPiece.ts';
+import { longestDisplacement } from '../../streaming/pointStatistics.ts';
+import { isStreamed } from '../../streaming/samplePoints.ts';
+import type { SampledPointsMotion } from '../../types.ts';
+import {
+  bendFactor,
+  type CubicPointsMotion,
+  isCubic,
+  maxControlSpeed,
+  maxPieceSpeed,
+  pointPiece,
+  pointSpeedBound,
+} from '../cubicPoints.ts';
+import { type FastestVertex, REST } from './motionKind.ts';
+
+/** The fastest vertex between samples. */
+export const fastestOfPoints = (motion: SampledPointsMotion, c: number, atLeast: number): FastestVertex =>
+  isCubic(motion) ? fastestCubic(motion, c, atLeast) : fastestPolyline(motion, atLeast);
+
+function fastestPolyline({ times, points }: SampledPointsMotion, atLeast: number): FastestVertex {
+  let best: FastestVertex = { ...REST, speed: atLeast };
+  for (let k = 0; k + 1 < times.length; k++) {
+    const { way, vertex } = isStreamed(points)
+      ? { way: points.statistics.displacements[k], vertex: points.statistics.fastest[k] }
+      : longestDisplacement(points[k], points[k + 1]);
+    const speed = way / (times[k + 1] - times[k]);
+    if (speed > best.speed) best = { speed, vertex, from: times[k], to: times[k + 1] };
+  }
+  return best.from === REST.from ? REST : best;
+}
+
+/** Of the motion as it is shown: where its bend would be faster than light, with less of it. */
+function fastestCubic(motion: CubicPointsMotion, c: number, atLeast: number): FastestVertex {
+  const { times } = motion;
+  let best: FastestVertex = { ...REST, speed: atLeast };
+  for (let k = 0; k + 1 < times.length; k++) {
+    if (maxControlSpeed(motion, k) <= best.speed) continue;
+    const bend = bendFactor(motion, k, c);
+    for (let i = 0; 3 * i < motion.points[k].length; i++) {
+      if (pointSpeedBound(motion, k, i) <= best.speed) continue;
+      const speed = maxPieceSpeed(withBend(pointPiece(motion, k, i), bend), best.speed);
+      if (speed > best.speed) best = { speed, vertex: i, from: times[k], to: times[k + 1] };
+    }
+  }
+  return best.from === REST.from ? REST : best;
+}

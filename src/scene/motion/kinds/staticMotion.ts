@@ -1,0 +1,33 @@
+import type { WorldLine } from '../../../physics/worldLines/worldLine.ts';
+import { pointAt } from '../../mesh/polygons.ts';
+import type { StaticMotion } from '../../types.ts';
+import { applyPose } from '../poses.ts';
+import { flyPose, transformPose } from './changes.ts';
+import { type ObjectWith, REST, type RigidMotionKind } from './motionKind.ts';
+import { affineBounds, nonFinitePoseText, POSED, placeByWorldLine, poseNumbers } from './rigidMotion.ts';
+
+const vertexWorldLine = ({ mesh, motion }: ObjectWith<StaticMotion>, i: number): WorldLine => ({
+  kind: 'static',
+  position: applyPose(motion.pose, pointAt(mesh.positions, i)),
+});
+
+const vertexPlacer = placeByWorldLine(vertexWorldLine);
+
+export const STATIC_MOTION: RigidMotionKind<StaticMotion> = {
+  ...POSED,
+  isStatic: true,
+  approachesC: false,
+  restingPose: ({ pose }) => pose,
+  numbers: (motion) => [poseNumbers(motion)],
+  poseAt: ({ pose }) => pose,
+  originWorldLine: ({ pose }) => ({ kind: 'static', position: pose.position }),
+  vertexWorldLine,
+  vertexPlacer,
+  bounds: affineBounds(vertexPlacer),
+  fastestVertex: () => REST,
+  nonFiniteText: (motion) => nonFinitePoseText(motion, [0, 0, 0]),
+  validateSpeed: () => [],
+  retime: (motion) => motion,
+  transform: (motion, by) => ({ ...motion, pose: transformPose(motion.pose, by) }),
+  fly: ({ pose }, path) => flyPose(pose, path),
+};

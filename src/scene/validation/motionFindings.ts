@@ -1,0 +1,48 @@
+import type { FastestVertex } from '../motion/kinds/motionKind.ts';
+import type { Diagnostic } from '../types.ts';
+import type { SceneCode } from './diagnosticCodes.ts';
+
+export const problem = (
+  severity: Diagnostic['severity'],
+  code: SceneCode,
+  place: string,
+  message: string,
+): Diagnostic => ({
+  severity,
+  code,
+  place,
+  message,
+});
+
+/** An error where the fastest vertex of an object is not slower than light. */
+export function validateFastest(path: string, { speed, from, to }: FastestVertex, c: number): Diagnostic[] {
+  return speed >= c ? [tooFast(`motion of ${path}`, speed, from, to, c)] : [];
+}
+
+/** The house's model of a message: what, how much, when, and the least c that would do. */
+function tooFast(place: string, speed: number, from: number, to: number, c: number): Diagnostic {
+  const [fast, least] = [inUnitsOfC(speed / c), roundedUp(speed)];
+  const message = Number.isFinite(from)
+    ? `${fast} c between t = ${seconds(from)} and ${seconds(to)}; raise c above ${least} m/s or slow it down`
+    : `${fast} c at all times; raise c above ${least} m/s or slow it down`;
+  return problem('error', 'motion.superluminal', place, message);
+}
+
+/** Speeds that need not be known exactly, for they are slower than light. */
+export const almostC = (c: number): number => c * (1 - 1e-9);
+
+/** Speeds just over c have as many digits as it takes to see it. */
+export function inUnitsOfC(ratio: number): string {
+  for (let digits = 3; digits < 9; digits++)
+    if (Number(ratio.toPrecision(digits)) > 1) return ratio.toPrecision(digits);
+  return '1';
+}
+
+/** Three digits, and never under the number itself. */
+export function roundedUp(x: number): string {
+  const step = 10 ** (Math.floor(Math.log10(x)) - 2);
+  const up = Math.ceil(x / step - 1e-9) * step;
+  return Number(up.toPrecision(3)).toString();
+}
+
+export const seconds = (t: number): string => `${t.toFixed(Math.abs(t) < 0.01 && t !== 0 ? 6 : 2)} s`;
