@@ -1,7 +1,7 @@
 import { int, Loop } from 'three/tsl';
 import { normalize, scale } from '../../math/vec3.ts';
+import type { ColorMode } from '../../scene/settings/settings.ts';
 import type { DistantLight } from '../../scene/types.ts';
-import type { ColorMode } from '../../scene/view/bufferSettings.ts';
 import type * as gpu from '../../shaders/types.ts';
 import type { FilteredBlackbody } from '../../spectrum/doppler/filterPairs.ts';
 import {

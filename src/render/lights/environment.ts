@@ -1,7 +1,7 @@
 import { isDistantLight, isLocalLight } from '../../scene/lights/lightKinds.ts';
 import { directLights, sceneDome, sceneNightSky } from '../../scene/lights/sceneLights.ts';
+import type { ColorMode } from '../../scene/settings/settings.ts';
 import type { NightSky, Scene } from '../../scene/types.ts';
-import type { ColorMode } from '../../scene/view/bufferSettings.ts';
 import type { HalfAtlas } from '../../shaders/tables/halfAtlas.ts';
 import { coloredLights } from '../color/lightSpectra.ts';
 import { LineTable } from '../color/lineTable.ts';

@@ -1,7 +1,7 @@
 import type { Light } from '../../../../scene/types.ts';
+import { report } from '../../diagnostics.ts';
 import { sampleTimes } from '../../layer/attributes.ts';
 import type { PropertySpec } from '../../layer/layer.ts';
-import { report } from '../context.ts';
 import { poseTimeOf } from '../slowlightAttributes.ts';
 import { CYLINDER_LIGHT } from './kinds/cylinderLight.ts';
 import { DISK_LIGHT } from './kinds/diskLight.ts';
