@@ -30,15 +30,17 @@ const LIGHTS: { readonly [K in Light['kind']]: PunctualWriter<Extract<Light, { r
     intensity: light.color,
   }),
   sphere: (light) => localLight(light, light.radius === 0 ? undefined : `radius of ${light.radius} m`),
-  rect: (light) => localLight(light, 'shape, a rect,'),
-  disk: (light) => localLight(light, 'shape, a disk,'),
-  cylinder: (light) => localLight(light, 'shape, a cylinder,'),
+  rect: (light) => localLight(light, lostShape(light)),
+  disk: (light) => localLight(light, lostShape(light)),
+  cylinder: (light) => localLight(light, lostShape(light)),
   dome: () => undefined,
   stars: () => undefined,
 };
 
 export const punctualLight = (light: Light): PunctualLight | undefined =>
   (LIGHTS[light.kind] as PunctualWriter<Light>)(light);
+
+const lostShape = ({ kind }: LocalLight): string => `shape, a ${kind},`;
 
 function localLight(light: LocalLight, lost: string | undefined): PunctualLight {
   const cone = spotCone(light);
