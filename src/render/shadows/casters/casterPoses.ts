@@ -3,6 +3,7 @@ import { rotate } from '../../../math/quat.ts';
 import { lerp, scale, sub, type Vec3, ZERO } from '../../../math/vec3.ts';
 import { properVelocity } from '../../../physics/lorentz/boost.ts';
 import { contraction } from '../../../physics/worldLines/simultaneity.ts';
+import { positionAt } from '../../../physics/worldLines/worldLine.ts';
 import { pieceAt, samplePose } from '../../../scene/motion/poses.ts';
 import type { Motion } from '../../../scene/types.ts';
 import type { Int, Vec3 as Vector } from '../../../shaders/types.ts';
@@ -70,7 +71,7 @@ export class PoseTable {
     const worn = new Set(drawables.flatMap(({ batch }) => (batch.instancing ? batch.bodies : [])));
     for (const body of resting) {
       const turn = linearMapOf(body, worn.has(body), 0, 1);
-      if (turn && body.line.kind === 'static') this.set(body, turn, sub(body.line.position, origin), 0);
+      if (turn) this.set(body, turn, sub(positionAt(body.line, 0, 1), origin), 0);
     }
     this.upload();
   }

@@ -118,8 +118,8 @@ export class MovingCasters {
     });
     for (const body of round?.bodies ?? []) {
       const turn = linearMapOf(body, this.instanced.has(body), sight.t, sight.c);
-      if (turn && round && body.line.kind === 'static')
-        this.poses.set(body, turn, sub(body.line.position, round.from), SURROUNDINGS);
+      if (turn && round)
+        this.poses.set(body, turn, sub(positionAt(body.line, sight.t, sight.c), round.from), SURROUNDINGS);
     }
     this.poses.upload();
     this.frame.fill(deforming, sight, NO_CULLING, false);
