@@ -1,4 +1,5 @@
 import { type Vec3, ZERO } from '../../math/vec3.ts';
+import { asPolyline, samplePosition } from '../../physics/worldLines/worldLine.ts';
 import { halfDiagonal } from '../../scene/bounds/bounds.ts';
 import { restToWorld, sampleTimes } from '../../scene/motion/motion.ts';
 import type { Scene, SceneObject } from '../../scene/types.ts';
@@ -17,6 +18,7 @@ export const sceneRadius = (bodies: readonly Body[]): number =>
   halfDiagonal(bodies.map(({ line, radius }) => ({ center: startOf(line), radius })));
 
 function startOf(line: Body['line']): Vec3 {
-  if (line.kind === 'polyline') return [line.positions[0], line.positions[1], line.positions[2]];
+  const samples = asPolyline(line);
+  if (samples) return samplePosition(samples, 0);
   return 'position' in line ? line.position : ZERO;
 }
