@@ -69,25 +69,25 @@ function LazyCommandPalette(): ReactNode {
 
 /** Keyboard shortcuts of the whole page; ignored while a text field has the focus. */
 function usePageKeys(): void {
-  const studio = useEditor();
+  const editor = useEditor();
   const savePicture = useSavePicture();
   const { save } = useSaveProject();
   useEffect(() => {
     const onKey = (event: KeyboardEvent) => {
       const command = event.ctrlKey || event.metaKey;
       const writing = event.target instanceof HTMLElement && event.target.matches('input:not([type=range]), textarea');
-      if (event.key === 'F1' || (event.key === '?' && !writing)) studio.update({ dialog: 'help' });
+      if (event.key === 'F1' || (event.key === '?' && !writing)) editor.update({ dialog: 'help' });
       else if (command && (event.code === 'KeyK' || (event.code === 'KeyP' && event.shiftKey)))
-        studio.update({ dialog: 'palette' });
+        editor.update({ dialog: 'palette' });
       else if (command && event.code === 'KeyG' && event.shiftKey)
-        studio.update({ graph: !studio.store.getState().graph });
+        editor.update({ graph: !editor.store.getState().graph });
       else if (command && event.code === 'KeyS') event.shiftKey ? void savePicture() : save();
-      else if (command && event.code === 'KeyZ' && !writing) event.shiftKey ? studio.redo() : studio.undo();
-      else if (command && event.code === 'KeyY' && !writing) studio.redo();
+      else if (command && event.code === 'KeyZ' && !writing) event.shiftKey ? editor.redo() : editor.undo();
+      else if (command && event.code === 'KeyY' && !writing) editor.redo();
       else return;
       event.preventDefault();
     };
     addEventListener('keydown', onKey);
     return () => removeEventListener('keydown', onKey);
-  }, [studio, savePicture, save]);
+  }, [editor, savePicture, save]);
 }

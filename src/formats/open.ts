@@ -2,7 +2,8 @@ import { InputError, type Scene } from '../scene/types.ts';
 import { formatBytes, inputError, messageOf } from './diagnostics/inputError.ts';
 import { extensionOf, type FileSource, normalizePath } from './files/fileSource.ts';
 import { sanitizeScene } from './read/sanitize.ts';
-import { formatOf, type ReadOptions, sceneFormats } from './registry.ts';
+import type { ReadOptions } from './readOptions.ts';
+import { formatOf, sceneFormats } from './registry.ts';
 
 export interface OpenOptions extends ReadOptions {
   /** Most bytes read for one scene, all its files together. */

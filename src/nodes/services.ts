@@ -1,6 +1,6 @@
 import { type ComputeGpu, openWebGpu } from '../compute/computeDevice.ts';
 import type { ReadFont } from '../formats/font/glyphs.ts';
-import type { ReadOptions } from '../formats/registry.ts';
+import type { ReadOptions } from '../formats/readOptions.ts';
 import type { AbortSignalLike, ProgressCallback } from '../graph/nodeType.ts';
 import type { FastestInScene } from '../scene/motion/fastestInScene.ts';
 import type { Scene } from '../scene/types.ts';

@@ -1,5 +1,5 @@
 import { existsSync, readdirSync, readFileSync } from 'node:fs';
-import { dirname, join, relative } from 'node:path';
+import { basename, dirname, join, relative } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { expect, it } from 'vitest';
 
@@ -76,7 +76,27 @@ it('a folder of the program that a page names exists', () => {
   expect(broken(pages, path, ([, folder]) => existsSync(join(ROOT, folder!)))).toEqual([]);
 });
 
-it('a link from page to page leads to a file', () => {
-  const link = /\]\((?!https?:|#|mailto:)([^)#\s]+)(?:#[^)]*)?\)/g;
-  expect(broken(pages, link, ([, to], page) => existsSync(join(ROOT, dirname(page), to!)))).toEqual([]);
+it('a file that a page names without its folder exists somewhere', () => {
+  const names = new Set(codeFiles.map((file) => basename(file)));
+  const name = /`([\w.-]+\.(?:ts|tsx|mjs|py))`/g;
+  expect(broken(pages, name, ([, file]) => names.has(file!))).toEqual([]);
+});
+
+/** The anchors that GitHub gives the headings of a page. */
+const anchorsOf = (page: string): string[] =>
+  Array.from(read(page).matchAll(/^#+ (.*)$/gm), ([, title]) =>
+    title!
+      .toLowerCase()
+      .replace(/[^\p{L}\p{N}\s_-]/gu, '')
+      .replaceAll(' ', '-'),
+  );
+
+it('a link from page to page leads to a file, and to a heading of it', () => {
+  const link = /\]\((?!https?:|mailto:)([^)#\s]*)(?:#([^)]*))?\)/g;
+  const holds = ([, to, anchor]: RegExpMatchArray, page: string): boolean => {
+    const target = to === '' ? page : join(dirname(page), to!);
+    if (!existsSync(join(ROOT, target))) return false;
+    return anchor === undefined || !target.endsWith('.md') || anchorsOf(target).includes(anchor);
+  };
+  expect(broken(pages, link, holds)).toEqual([]);
 });

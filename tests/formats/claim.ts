@@ -1,5 +1,5 @@
 import type { DiagnosticCode } from '../../src/formats/diagnostics/diagnosticCodes.ts';
-import type { ReadOptions } from '../../src/formats/registry.ts';
+import type { ReadOptions } from '../../src/formats/readOptions.ts';
 import type { Scene } from '../../src/scene/types.ts';
 
 /** By path; the first is opened. */

@@ -4,7 +4,7 @@ import { DIAGNOSTIC_CODES } from '../../src/formats/diagnostics/diagnosticCodes.
 import { entryOf } from '../../src/formats/entry.ts';
 import { memorySource } from '../../src/formats/files/fileSource.ts';
 import { openScene } from '../../src/formats/open.ts';
-import type { ReadOptions } from '../../src/formats/registry.ts';
+import type { ReadOptions } from '../../src/formats/readOptions.ts';
 import { memoryFile, zipSource } from '../../src/formats/zip/zipSource.ts';
 import { InputError, type Scene } from '../../src/scene/types.ts';
 import type { Example, FormatClaim } from './claim.ts';

@@ -2,7 +2,7 @@ import { Document, type Node as GltfNode, type Primitive, WebIO } from '@gltf-tr
 import { ALL_EXTENSIONS } from '@gltf-transform/extensions';
 import { type FileSource, memorySource } from '../../src/formats/files/fileSource.ts';
 import { readGltf } from '../../src/formats/gltf/index.ts';
-import type { ReadOptions } from '../../src/formats/registry.ts';
+import type { ReadOptions } from '../../src/formats/readOptions.ts';
 import type { Scene, SceneObject } from '../../src/scene/types.ts';
 
 /** A document under construction: one buffer, short ways to fill it. */

@@ -4,7 +4,7 @@ import { VISIBLE_POINT_CHANNELS } from '../../reference/compare/channels.ts';
 import { comparisonSheet, errorMap } from '../../reference/figures/errorMap.ts';
 import { checkWritable, writeFileAtomically } from '../files/outputFile.ts';
 import { CliError, EXIT, inputProblem, usageError } from '../terminal/exitCodes.ts';
-import type { CompareFlags } from './compareCommand.ts';
+import type { CompareFlags } from './compareFlags.ts';
 import { comparePair, type ErrorMap } from './metrics.ts';
 import { displayCanvas, openPair, type PictureFile } from './pictureFiles.ts';
 import { compareLines, percent } from './table.ts';

@@ -1,20 +1,8 @@
 import { Command, Option } from 'commander';
 import { parseFraction, parseNotNegative, parseNumber, parsePositive } from '../flags/parse.ts';
+import type { CompareFlags, Metric } from './compareFlags.ts';
 
-export type Metric = 'flip' | 'pixels' | 'aov';
 const metrics: readonly Metric[] = ['flip', 'pixels', 'aov'];
-
-export interface CompareFlags {
-  readonly metric: Metric;
-  readonly output?: string;
-  readonly triptych?: boolean;
-  readonly channel?: string;
-  readonly threshold?: number;
-  readonly failAbove?: number;
-  readonly max?: number;
-  readonly exposure: number;
-  readonly json?: boolean;
-}
 
 const notes = `
 Metrics:

@@ -7,7 +7,7 @@ import { pixelDifference } from '../../reference/compare/pixelDifference.ts';
 import type { RgbImage } from '../../reference/compare/rgbImage.ts';
 import { type ErrorSummary, shareAbove, summarize } from '../../reference/compare/statistics.ts';
 import { inputProblem } from '../terminal/exitCodes.ts';
-import type { CompareFlags } from './compareCommand.ts';
+import type { CompareFlags } from './compareFlags.ts';
 import {
   displayedLinearRgb,
   type EncodedImageFile,

@@ -4,7 +4,7 @@ import { inputError } from '../../formats/diagnostics/inputError.ts';
 import { entryOf } from '../../formats/entry.ts';
 import type { FileSource } from '../../formats/files/fileSource.ts';
 import { openScene } from '../../formats/open.ts';
-import type { ReadOptions } from '../../formats/registry.ts';
+import type { ReadOptions } from '../../formats/readOptions.ts';
 import type { RandomAccessFile } from '../../formats/zip/directory.ts';
 import { splitArchive, zipSource } from '../../formats/zip/zipSource.ts';
 import { setFileReader } from '../../scene/streaming/storedNumbers.ts';

@@ -1,5 +1,5 @@
 import { type Command, InvalidArgumentError, Option } from 'commander';
-import type { Interpolation, ReadOptions } from '../../formats/registry.ts';
+import type { Interpolation, ReadOptions } from '../../formats/readOptions.ts';
 import { type Flight, isAtOrBelow, tooLargeToFly } from '../../scene/motion/fly.ts';
 import { changeMotion, type MotionChange } from '../../scene/motion/motionChange.ts';
 import type { Scene, SceneObject } from '../../scene/types.ts';

@@ -10,7 +10,7 @@ import { speedOfLight } from '../flags/viewFlags.ts';
 import { reportDiagnostics } from '../terminal/diagnostics.ts';
 import { usageError } from '../terminal/exitCodes.ts';
 import { probePixel } from './pixelProbe.ts';
-import type { ProbeFlags } from './probeCommand.ts';
+import type { ProbeFlags } from './probeFlags.ts';
 
 export async function probe(path: string, flags: ProbeFlags): Promise<void> {
   if ((flags.prim === undefined) === (flags.pixel === undefined)) throw usageError('give either --prim or --pixel');

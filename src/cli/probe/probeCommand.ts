@@ -1,18 +1,8 @@
 import { Command } from 'commander';
-import type { PictureSize } from '../../nodes/pictures/pictureRenderer.ts';
-import type { View } from '../../scene/view/bufferSettings.ts';
 import { parseNumber, parsePixel, sizeOption } from '../flags/parse.ts';
-import { addSceneFlags, SCENE_ARGUMENT, type SceneFlags } from '../flags/sceneFlags.ts';
-import { addObserverFlags, type ObserverFlags, viewOption } from '../flags/viewFlags.ts';
-
-export interface ProbeFlags extends ObserverFlags, SceneFlags {
-  readonly prim?: string;
-  readonly pixel?: readonly [number, number];
-  readonly size: PictureSize;
-  readonly time?: number;
-  readonly view: View;
-  readonly json?: boolean;
-}
+import { addSceneFlags, SCENE_ARGUMENT } from '../flags/sceneFlags.ts';
+import { addObserverFlags, viewOption } from '../flags/viewFlags.ts';
+import type { ProbeFlags } from './probeFlags.ts';
 
 const examples = `
 Examples:

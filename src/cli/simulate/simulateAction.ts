@@ -26,7 +26,7 @@ import { reportDiagnostics } from '../terminal/diagnostics.ts';
 import { EXIT, inputProblem, usageError } from '../terminal/exitCodes.ts';
 import { Progress } from '../terminal/progress.ts';
 import { Checkpoint, contentHash, readCheckpoint } from './checkpoint.ts';
-import type { SimulateFlags } from './simulateCommand.ts';
+import type { SimulateFlags } from './simulateFlags.ts';
 
 /** Others are let work, and signals heard, so often [ms]. */
 const YIELD_INTERVAL = 50;

@@ -1,14 +1,5 @@
 import { Command } from 'commander';
-
-export interface SimulateFlags {
-  readonly output?: string;
-  readonly csv?: string;
-  readonly node?: string;
-  readonly checkpoint?: string;
-  readonly resume?: boolean;
-  readonly set?: readonly string[];
-  readonly json?: boolean;
-}
+import type { SimulateFlags } from './simulateFlags.ts';
 
 const examples = `
 Examples:

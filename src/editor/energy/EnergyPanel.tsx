@@ -79,15 +79,15 @@ function UnevaluatedNote(): ReactNode {
 }
 
 function useLabeledRuns(runs: readonly SimulationRun[], quantity: Quantity, unit: string): readonly LabeledRun[] {
-  const { any } = useTexts();
+  const { textOrKey } = useTexts();
   const document = useEditorState((state) => state.history.document);
   return useMemo(() => {
-    const names = runNames(runs, (node) => userTitle(document, node), any);
+    const names = runNames(runs, (node) => userTitle(document, node), textOrKey);
     return runs.map((run, i) => {
       const line = { times: run.record.times, values: valuesOf(run.record, quantity, unit) };
       return { ...run, name: names[i]!, line };
     });
-  }, [runs, quantity, unit, document, any]);
+  }, [runs, quantity, unit, document, textOrKey]);
 }
 
 interface RunsProps {
@@ -99,9 +99,10 @@ interface RunsProps {
 function EnergyPlot({ runs, quantity, unit, logarithmic }: RunsProps & { readonly logarithmic: boolean }): ReactNode {
   const { t } = useTexts();
   const lines = useMemo(() => runs.map(({ line }) => line), [runs]);
-  const spoken = (time: number) => runs.map(({ name, line }) => `${name} ${valueAt(line, time)} ${unit}`).join('; ');
+  const ariaValueText = (time: number) =>
+    runs.map(({ name, line }) => `${name} ${valueAt(line, time)} ${unit}`).join('; ');
   const label = t('energy.plot', { quantity: t(`energy.${quantity}`) });
-  return <LinePlot lines={lines} logarithmic={logarithmic} label={label} spoken={spoken} />;
+  return <LinePlot lines={lines} logarithmic={logarithmic} label={label} ariaValueText={ariaValueText} />;
 }
 
 function valueAt({ times, values }: PlotLine, t: number): string {
@@ -171,7 +172,7 @@ const formatFractionOfC = (beta: number): string => (beta > 0.1 ? formatBeta(bet
 
 /** Step size, how far the run came, and its problem. */
 function RunNotes({ run, figures }: { readonly run: LabeledRun; readonly figures: RunSummary }): ReactNode {
-  const { t, said } = useTexts();
+  const { t, said: translateMessage } = useTexts();
   const running = useEditorState((state) => state.interim === 'running');
   const { record, interim } = run;
   const { step, stop, speedOfLight } = record;
@@ -184,7 +185,9 @@ function RunNotes({ run, figures }: { readonly run: LabeledRun; readonly figures
       <td colSpan={4}>
         {[c, h, far].filter(Boolean).join(' · ')}
         {grown !== undefined && <strong>{t('energy.grown', { time: formatSeconds(grown) })}</strong>}
-        {stop && <strong>{t('energy.failed', { time: formatSeconds(stop.t), why: said(stop.message) })}</strong>}
+        {stop && (
+          <strong>{t('energy.failed', { time: formatSeconds(stop.t), why: translateMessage(stop.message) })}</strong>
+        )}
       </td>
     </tr>
   );

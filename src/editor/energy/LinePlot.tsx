@@ -20,7 +20,7 @@ interface PlotProps {
   readonly logarithmic: boolean;
   readonly label: string;
   /** Returns the value at time t as text, for screen readers. */
-  readonly spoken: (t: number) => string;
+  readonly ariaValueText: (t: number) => string;
 }
 
 const HEIGHT = 220; // [px]
@@ -29,7 +29,7 @@ const SEEK_STEP = 0.01;
 const LARGE_SEEK_STEP = 0.1;
 
 /** Lines over time with a marker at the page's time, which can be dragged or moved by keys. */
-export function LinePlot({ lines, logarithmic, label, spoken }: PlotProps): ReactNode {
+export function LinePlot({ lines, logarithmic, label, ariaValueText }: PlotProps): ReactNode {
   const { observerController } = useServices();
   const host = useRef<HTMLDivElement>(null);
   const time = useTelemetry((live) => live.t);
@@ -60,7 +60,7 @@ export function LinePlot({ lines, logarithmic, label, spoken }: PlotProps): Reac
       aria-valuemin={first}
       aria-valuemax={last}
       aria-valuenow={Math.min(last, Math.max(first, time))}
-      aria-valuetext={`${formatSeconds(time)}: ${spoken(time)}`}
+      aria-valuetext={`${formatSeconds(time)}: ${ariaValueText(time)}`}
       onKeyDown={onKey}
       onPointerDown={onPointer}
       onPointerMove={onPointer}

@@ -13,9 +13,9 @@ export function runNames(
   word: (key: string) => string,
 ): string[] {
   const short = runs.map(({ node, record }) => titleOf(node) ?? methodName(record, word));
-  const lit = runs.map(({ record }, i) => `${short[i]}, c = ${formatNumber(record.speedOfLight, 1)} m/s`);
+  const withSpeedOfLight = runs.map(({ record }, i) => `${short[i]}, c = ${formatNumber(record.speedOfLight, 1)} m/s`);
   return runs.map(({ node }, i) => {
-    const alone = [short, lit].find((names) => names.indexOf(names[i]!) === names.lastIndexOf(names[i]!));
+    const alone = [short, withSpeedOfLight].find((names) => names.indexOf(names[i]!) === names.lastIndexOf(names[i]!));
     return alone?.[i] ?? `${short[i]} (${node})`;
   });
 }

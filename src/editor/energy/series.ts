@@ -15,12 +15,12 @@ export const QUANTITIES = [
 export type Quantity = (typeof QUANTITIES)[number];
 
 /** Values of a quantity, one per frame, in `unit` (see `unitOf`). */
-export function valuesOf(books: RunRecord, quantity: Quantity, unit: string): Float64Array {
-  const { total, speedOfLight, fastest } = books;
+export function valuesOf(record: RunRecord, quantity: Quantity, unit: string): Float64Array {
+  const { total, speedOfLight, fastest } = record;
   if (quantity === 'change') return total.map((energy) => energy - (total[0] ?? 0));
   if (quantity === 'fastest') return unit === 'c' ? fastest.map((speed) => speed / speedOfLight) : fastest;
-  if (quantity === 'momentum' || quantity === 'angularMomentum') return lengths(books[quantity]);
-  return books[quantity];
+  if (quantity === 'momentum' || quantity === 'angularMomentum') return lengths(record[quantity]);
+  return record[quantity];
 }
 
 /** The unit for all runs together: relative to c only if every run has a speed of light. */

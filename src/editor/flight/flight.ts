@@ -76,20 +76,20 @@ function lockedClocks(state: ObserverState, u: Vec3, dt: number, { lock, playing
   return { t: state.t + dt, properTime: state.properTime + (lock === 'look' ? dt / gamma(u) : dt) };
 }
 
-function thrust(state: ObserverState, wanted: Vec3 | undefined, dt: number, rules: FlightRules): ObserverState {
-  const missing = wanted && relativeVelocity(wanted, state.u);
+function thrust(state: ObserverState, target: Vec3 | undefined, dt: number, rules: FlightRules): ObserverState {
+  const missing = target && relativeVelocity(target, state.u);
   const change = missing ? rapidity(missing) : 0;
-  if (!wanted || !missing || change === 0) return coast(state, dt, rules.c);
-  const a = properAcceleration(state.u, wanted, rules);
+  if (!target || !missing || change === 0) return coast(state, dt, rules.c);
+  const a = properAcceleration(state.u, target, rules);
   const burn = Math.min(dt, (change * rules.c) / a);
   const burnt = accelerate(state, scale(normalize(missing), a), burn, rules.c);
-  return burn < dt ? coast({ ...burnt, u: wanted }, dt - burn, rules.c) : burnt;
+  return burn < dt ? coast({ ...burnt, u: target }, dt - burn, rules.c) : burnt;
 }
 
 /** Proper acceleration [m/s²]: a stronger one where the current or the target speed exceeds the walking speed. */
-function properAcceleration(u: Vec3, wanted: Vec3, rules: FlightRules): number {
+function properAcceleration(u: Vec3, target: Vec3, rules: FlightRules): number {
   const walk = Math.atanh(walkingSpeed(rules));
-  const fast = Math.max(rapidity(u), rapidity(wanted)) > walk * 1.001;
+  const fast = Math.max(rapidity(u), rapidity(target)) > walk * 1.001;
   return rules.c * (fast ? Math.atanh(rules.maxSpeed) / SPRINT_TIME : walk / WALK_TIME);
 }
 

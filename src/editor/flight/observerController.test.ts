@@ -28,82 +28,82 @@ const loaded: LoadedScene = {
   }),
 };
 
-let studio: Editor;
-let pilot: ObserverController;
+let editor: Editor;
+let observerController: ObserverController;
 const settled = () => new Promise((done) => setTimeout(done));
 /** Applies the document's current state. */
 async function follow(until?: number): Promise<void> {
   await settled();
-  const { picture, pictureSource } = studio.store.getState();
-  pilot.setPicture(picture!, pictureSource, until);
+  const { picture, pictureSource } = editor.store.getState();
+  observerController.setPicture(picture!, pictureSource, until);
 }
 
 beforeEach(async () => {
   vi.stubGlobal('navigator', {});
-  studio = createEditor({
+  editor = createEditor({
     services: { ...workerServices, readScene: async () => loaded },
     project: projectOfScene('a.usda'),
     playing: true,
   });
-  pilot = new ObserverController(studio);
+  observerController = new ObserverController(editor);
   await follow();
 });
 afterEach(() => vi.unstubAllGlobals());
 
 it('begins in the first camera at the time that the scene asks for', () => {
-  expect(pilot.observer).toMatchObject({ t: 2, position: [1, 0, 0], u: [0, 0, 0] });
+  expect(observerController.observer).toMatchObject({ t: 2, position: [1, 0, 0], u: [0, 0, 0] });
 });
 
 it('stays where it is through an edit, and goes to another camera that is chosen', async () => {
-  pilot.seek(3);
-  studio.set('toneMap', 'exposure', 1, 'exposure');
+  observerController.seek(3);
+  editor.set('toneMap', 'exposure', 1, 'exposure');
   await follow();
-  expect(pilot.observer).toMatchObject({ t: 3, position: [1, 0, 0] });
-  studio.set('camera', 'camera', '/b', 'camera');
+  expect(observerController.observer).toMatchObject({ t: 3, position: [1, 0, 0] });
+  editor.set('camera', 'camera', '/b', 'camera');
   await follow();
-  expect(pilot.observer).toMatchObject({ t: 3, position: [5, 0, 0] });
+  expect(observerController.observer).toMatchObject({ t: 3, position: [5, 0, 0] });
 });
 
 it('waits at the end of a motion that is still computed, and goes on when there is more; at the last end it begins again', async () => {
-  studio.update({ loop: false });
+  editor.update({ loop: false });
   await follow(6);
-  pilot.seek(5.9);
-  pilot.advance(0.25);
-  expect(pilot.observer.t).toBe(6);
-  const { properTime } = pilot.observer;
-  pilot.advance(0.25);
-  expect(pilot.observer).toMatchObject({ t: 6, properTime });
-  expect(studio.store.getState().playing).toBe(true);
-  studio.update({ loop: true });
+  observerController.seek(5.9);
+  observerController.advance(0.25);
+  expect(observerController.observer.t).toBe(6);
+  const { properTime } = observerController.observer;
+  observerController.advance(0.25);
+  expect(observerController.observer).toMatchObject({ t: 6, properTime });
+  expect(editor.store.getState().playing).toBe(true);
+  editor.update({ loop: true });
   await follow();
-  pilot.seek(10);
-  pilot.advance(0.25);
-  expect(pilot.observer.t).toBeCloseTo(0.25, 12);
+  observerController.seek(10);
+  observerController.advance(0.25);
+  expect(observerController.observer.t).toBeCloseTo(0.25, 12);
 });
 
 it('rides a camera with its velocity and its slow clock, until a key takes over', async () => {
-  studio.set('camera', 'camera', '/ride', 'camera');
-  studio.set('camera', 'ride', true, 'ride');
+  editor.set('camera', 'camera', '/ride', 'camera');
+  editor.set('camera', 'ride', true, 'ride');
   await follow();
-  pilot.advance(1);
-  expect(pilot.observer.position[0]).toBeCloseTo(18, 9);
-  expect(pilot.observer.u[0]).toBeCloseTo(0.75, 9);
-  expect(pilot.observer.properTime).toBeCloseTo(0.8, 9);
-  pilot.inputs.press('KeyW');
-  pilot.advance(0.1);
+  observerController.advance(1);
+  expect(observerController.observer.position[0]).toBeCloseTo(18, 9);
+  expect(observerController.observer.u[0]).toBeCloseTo(0.75, 9);
+  expect(observerController.observer.properTime).toBeCloseTo(0.8, 9);
+  observerController.inputs.press('KeyW');
+  observerController.advance(0.1);
   await settled();
-  expect(studio.store.getState().picture?.ride).toBe(false);
+  expect(editor.store.getState().picture?.ride).toBe(false);
 });
 
 it('time starts again at the end, or stops there where it is not to loop', () => {
-  pilot.seek(9.9);
-  pilot.advance(0.25);
-  expect(pilot.observer.t).toBeCloseTo(0.15, 9);
-  studio.update({ loop: false });
-  pilot.seek(9.9);
-  pilot.advance(0.25);
-  expect(pilot.observer.t).toBe(10);
-  expect(studio.store.getState().playing).toBe(false);
-  pilot.togglePlaying();
-  expect(pilot.observer.t).toBe(0);
+  observerController.seek(9.9);
+  observerController.advance(0.25);
+  expect(observerController.observer.t).toBeCloseTo(0.15, 9);
+  editor.update({ loop: false });
+  observerController.seek(9.9);
+  observerController.advance(0.25);
+  expect(observerController.observer.t).toBe(10);
+  expect(editor.store.getState().playing).toBe(false);
+  observerController.togglePlaying();
+  expect(observerController.observer.t).toBe(0);
 });

@@ -21,7 +21,7 @@ export interface RestoredObserver {
 /** Moves the observer and world time by user input. This state is in no document. */
 export class ObserverController {
   readonly inputs = new InputState();
-  private readonly studio: Editor;
+  private readonly editor: Editor;
   private currentPicture: PictureSpec | undefined;
   /** Key of the shown scene; it stays the same when files are added to the scene. */
   private scene = '';
@@ -29,11 +29,11 @@ export class ObserverController {
   private state: ObserverState = { t: 0, position: ZERO, u: ZERO, orientation: IDENTITY, properTime: 0 };
 
   /** For the first picture: the state to restore after a page reload. */
-  private returns: RestoredObserver | undefined;
+  private restored: RestoredObserver | undefined;
 
-  constructor(studio: Editor, returns?: RestoredObserver) {
-    this.studio = studio;
-    this.returns = returns;
+  constructor(editor: Editor, restored?: RestoredObserver) {
+    this.editor = editor;
+    this.restored = restored;
   }
 
   get observer(): ObserverState {
@@ -64,7 +64,7 @@ export class ObserverController {
     if (scene !== this.scene) {
       this.scene = scene;
       this.restart();
-      this.return();
+      this.restore();
     } else if (before !== picture.camera) {
       const { position, orientation } = observerOnCamera(pictureCamera(picture), this.state, picture.speedOfLight);
       this.state = { ...this.state, position, orientation };
@@ -76,15 +76,15 @@ export class ObserverController {
     if (!this.currentPicture) return;
     this.state = initialObserver(this.currentPicture);
     const moving = this.currentPicture.scene.hints.beta !== undefined;
-    this.studio.update({ lock: moving ? 'look' : 'free', cruise: moving });
+    this.editor.update({ lock: moving ? 'look' : 'free', cruise: moving });
   }
 
-  private return(): void {
-    if (!this.returns) return;
-    const { observer, lock, cruise } = this.returns;
+  private restore(): void {
+    if (!this.restored) return;
+    const { observer, lock, cruise } = this.restored;
     this.state = observer;
-    this.studio.update({ lock, cruise });
-    this.returns = undefined;
+    this.editor.update({ lock, cruise });
+    this.restored = undefined;
   }
 
   seek(t: number): void {
@@ -99,26 +99,26 @@ export class ObserverController {
     const turn = this.inputs.takeTurn(dt);
     const controls = this.inputs.controls();
     const busy = turn[0] !== 0 || turn[1] !== 0 || length(controls.thrust) > 0;
-    if (picture.ride && busy) leaveCamera(this.studio);
+    if (picture.ride && busy) leaveCamera(this.editor);
     if (picture.ride && !busy) this.ride(picture, dt);
     else this.fly(picture, dt, turn, controls);
     this.keepTime(picture);
   }
 
   viewPoint(): ViewPoint | undefined {
-    return this.currentPicture && viewPointOf(this.state, this.currentPicture, this.studio.store.getState().lock);
+    return this.currentPicture && viewPointOf(this.state, this.currentPicture, this.editor.store.getState().lock);
   }
 
   cycleLock(): void {
-    const { lock } = this.studio.store.getState();
-    this.studio.update({ lock: LOCKS[(LOCKS.indexOf(lock) + 1) % LOCKS.length]! });
+    const { lock } = this.editor.store.getState();
+    this.editor.update({ lock: LOCKS[(LOCKS.indexOf(lock) + 1) % LOCKS.length]! });
   }
 
   togglePlaying(): void {
-    const { playing, loop } = this.studio.store.getState();
+    const { playing, loop } = this.editor.store.getState();
     const scene = this.currentPicture?.scene;
     if (!playing && !loop && scene && this.state.t >= scene.endTime) this.seek(scene.startTime);
-    this.studio.update({ playing: !playing });
+    this.editor.update({ playing: !playing });
   }
 
   private takeButtons(): void {
@@ -133,8 +133,8 @@ export class ObserverController {
     [yaw, pitch]: readonly [number, number],
     controls: Parameters<typeof stepFlight>[1],
   ) {
-    const { lock, cruise } = this.studio.store.getState();
-    const playing = this.passes;
+    const { lock, cruise } = this.editor.store.getState();
+    const playing = this.timeRuns;
     const { scene, speedOfLight: c, maxSpeed } = picture;
     const up = sceneUpVector(scene);
     const orientation = yaw || pitch ? turnView(this.state.orientation, yaw, pitch, up) : this.state.orientation;
@@ -152,7 +152,7 @@ export class ObserverController {
     const before = this.state;
     const after = observerOnCamera(
       pictureCamera(picture),
-      { ...before, t: before.t + (this.passes ? dt : 0) },
+      { ...before, t: before.t + (this.timeRuns ? dt : 0) },
       picture.speedOfLight,
     );
     const slow = Math.hypot(1, length(after.u));
@@ -160,13 +160,13 @@ export class ObserverController {
   }
 
   /** Whether world time runs. */
-  private get passes(): boolean {
-    const { playing } = this.studio.store.getState();
+  private get timeRuns(): boolean {
+    const { playing } = this.editor.store.getState();
     return playing && (this.until === undefined || this.state.t < this.until);
   }
 
   private keepTime({ scene }: PictureSpec): void {
-    const { playing, loop } = this.studio.store.getState();
+    const { playing, loop } = this.editor.store.getState();
     const { startTime, endTime } = scene;
     const { t: now } = this.state;
     if (!playing) return;
@@ -174,7 +174,7 @@ export class ObserverController {
     const t = until === undefined ? wrapTime(now, startTime, endTime, loop) : Math.min(now, endTime, until);
     if (t === now) return;
     this.seek(t);
-    if (!loop && until === undefined) this.studio.update({ playing: false });
+    if (!loop && until === undefined) this.editor.update({ playing: false });
   }
 }
 

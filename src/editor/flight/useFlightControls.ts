@@ -12,7 +12,7 @@ const RADIANS_PER_PIXEL = 0.0032;
 
 /** Keyboard and mouse input of the viewport while it has the focus. Returns whether it has the focus. */
 export function useFlightControls(host: RefObject<HTMLElement | null>): boolean {
-  const studio = useEditor();
+  const editor = useEditor();
   const { observerController } = useServices();
   const [focused, setFocused] = useState(false);
   useEffect(() => {
@@ -27,7 +27,7 @@ export function useFlightControls(host: RefObject<HTMLElement | null>): boolean 
       observerController.inputs.releaseAll();
       setFocused(false);
     });
-    on('keydown', (event) => handleKeyDown(event, element, observerController, studio));
+    on('keydown', (event) => handleKeyDown(event, element, observerController, editor));
     on('keyup', (event) => {
       observerController.inputs.release(event.code);
       observerController.inputs.holdFullSpeed(event.shiftKey);
@@ -42,66 +42,81 @@ export function useFlightControls(host: RefObject<HTMLElement | null>): boolean 
       if (held)
         observerController.inputs.turn(-event.movementX * RADIANS_PER_PIXEL, -event.movementY * RADIANS_PER_PIXEL);
     });
-    addEventListener('keydown', (event) => focusOnFlightKey(event, element, observerController, studio), {
+    addEventListener('keydown', (event) => focusOnFlightKey(event, element, observerController, editor), {
       signal: end.signal,
     });
     on('dblclick', () => void element.requestPointerLock());
     return () => end.abort();
-  }, [host, observerController, studio]);
+  }, [host, observerController, editor]);
   return focused;
 }
 
 /** Focuses the viewport when a flight key is pressed elsewhere, unless the focused element uses the key. */
-function focusOnFlightKey(event: KeyboardEvent, element: HTMLElement, pilot: ObserverController, studio: Editor): void {
+function focusOnFlightKey(
+  event: KeyboardEvent,
+  element: HTMLElement,
+  observerController: ObserverController,
+  editor: Editor,
+): void {
   if (event.ctrlKey || event.metaKey || event.altKey || !isThrustKey(event.code)) return;
   const { target } = event;
-  if (!(target instanceof HTMLElement) || element.contains(target) || studio.store.getState().dialog) return;
+  if (!(target instanceof HTMLElement) || element.contains(target) || editor.store.getState().dialog) return;
   if (target.closest('input, textarea, [contenteditable], [role=slider], [role=menu], [role=listbox]')) return;
   element.focus();
-  handleKeyDown(event, element, pilot, studio);
+  handleKeyDown(event, element, observerController, editor);
 }
 
-function handleKeyDown(event: KeyboardEvent, element: HTMLElement, pilot: ObserverController, studio: Editor): void {
-  pilot.inputs.holdFullSpeed(event.shiftKey);
+function handleKeyDown(
+  event: KeyboardEvent,
+  element: HTMLElement,
+  observerController: ObserverController,
+  editor: Editor,
+): void {
+  observerController.inputs.holdFullSpeed(event.shiftKey);
   if (event.ctrlKey || event.metaKey || event.altKey) return;
-  if (isFlightKey(event.code)) pilot.inputs.press(event.code);
-  else if (!event.repeat && !runKeyAction(event.code, element, pilot, studio)) return;
+  if (isFlightKey(event.code)) observerController.inputs.press(event.code);
+  else if (!event.repeat && !runKeyAction(event.code, element, observerController, editor)) return;
   event.preventDefault();
 }
 
 /** Runs the action of a key; returns false if it has none. */
-function runKeyAction(code: string, element: HTMLElement, pilot: ObserverController, studio: Editor): boolean {
-  const { cruise, maximized } = studio.store.getState();
+function runKeyAction(
+  code: string,
+  element: HTMLElement,
+  observerController: ObserverController,
+  editor: Editor,
+): boolean {
+  const { cruise, maximized } = editor.store.getState();
   switch (code) {
     case 'Tab':
-      pilot.cycleLock();
+      observerController.cycleLock();
       return true;
     case 'Escape':
       element.blur();
       return true;
     case 'Space':
-      pilot.togglePlaying();
+      observerController.togglePlaying();
       return true;
     case 'KeyC':
-      studio.update({ cruise: !cruise });
+      editor.update({ cruise: !cruise });
       return true;
     case 'KeyR':
-      pilot.restart();
+      observerController.restart();
       return true;
     case 'KeyV':
-      nextView(studio);
+      nextView(editor);
       return true;
     case 'KeyG':
-      toggleGrid(studio);
+      toggleGrid(editor);
       return true;
     case 'KeyX':
-      nextFalseColor(studio);
+      nextFalseColor(editor);
       return true;
     case 'KeyP':
       toggleCrosshair();
       return true;
     case 'KeyF':
-      studio.update({ maximized: !maximized });
+      editor.update({ maximized: !maximized });
       return true;
     default:
       return false;

@@ -9,7 +9,7 @@ import { actionContext, leaveGroup } from './commands/actions.ts';
 /** Path of entered groups, with buttons to leave them. */
 export function Breadcrumb(): ReactNode {
   const { t } = useTexts();
-  const studio = useEditor();
+  const editor = useEditor();
   const document = useEditorState((state) => state.history.document);
   const path = existingPath(
     document,
@@ -21,7 +21,7 @@ export function Breadcrumb(): ReactNode {
     return held?.title || (held && own(document.groups, groupKeyOf(held))?.title) || t('node.group');
   });
   const go = (depth: number) => {
-    const context = actionContext(studio);
+    const context = actionContext(editor);
     if (context) leaveGroup(context, depth);
   };
   return (

@@ -80,7 +80,7 @@ async function resourcesOf(language: Language): Promise<{ readonly translation: 
 export function useTexts(): {
   readonly t: Translate;
   readonly language: Language;
-  readonly any: (key: string, values?: Readonly<Record<string, string>>) => string;
+  readonly textOrKey: (key: string, values?: Readonly<Record<string, string>>) => string;
   readonly said: TranslateMessage;
   readonly example: (name: string) => (typeof exampleTexts)[string] | undefined;
 } {
@@ -90,7 +90,7 @@ export function useTexts(): {
     t: (key, values) => t(key, values ?? {}),
     language,
     /** For keys from node descriptions: a text that is not in the catalogue is returned as it is. */
-    any: (key, values) => (i18n.exists(key) ? t(key, values ?? {}) : key),
+    textOrKey: (key, values) => (i18n.exists(key) ? t(key, values ?? {}) : key),
     /** Translates a message that the program composed in English. */
     said: messageTranslators.get(language) ?? untranslated,
     /** Text of an example where its file has none in this language. */

@@ -1,4 +1,4 @@
-import type { Interpolation } from '../../formats/registry.ts';
+import type { Interpolation } from '../../formats/readOptions.ts';
 import type { LoadedScene } from '../../nodes/services.ts';
 import type { Diagnostic } from '../../scene/types.ts';
 import type { UserFile } from './userFiles.ts';

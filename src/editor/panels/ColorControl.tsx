@@ -9,7 +9,7 @@ import type { ParamProps } from './paramProps.ts';
 
 /** A colour, edited in display sRGB; the document stores linear values. */
 export function ColorControl({ spec, set, value, onChange, onGestureEnd }: ParamProps<ColorParam>): ReactNode {
-  const { any } = useTexts();
+  const { textOrKey } = useTexts();
   const id = useId();
   const shown = cssColor(Array.isArray(value) ? value.map(Number) : spec.default);
   const take = (text: string) => {
@@ -24,7 +24,7 @@ export function ColorControl({ spec, set, value, onChange, onGestureEnd }: Param
         <ColorInput
           size="xs"
           w={124}
-          aria-label={any(spec.title)}
+          aria-label={textOrKey(spec.title)}
           format="hex"
           value={shown}
           onChange={take}

@@ -53,14 +53,14 @@ interface NodeSectionProps {
 }
 
 function NodeSection({ section, inputTitles: feeders }: NodeSectionProps): ReactNode {
-  const { any } = useTexts();
+  const { textOrKey } = useTexts();
   const { node, type, title } = section;
   const shown = visibleParams(type, node.params);
   return (
-    <Stack gap={10} component="section" aria-label={title ?? any(type.title)}>
-      <Tooltip label={any(type.help)} position="top-start" openDelay={400}>
+    <Stack gap={10} component="section" aria-label={title ?? textOrKey(type.title)}>
+      <Tooltip label={textOrKey(type.help)} position="top-start" openDelay={400}>
         <Text component="h2" size="xs" fw={600} c="dimmed" className="sl-section-title">
-          {title ?? any(type.title)}
+          {title ?? textOrKey(type.title)}
         </Text>
       </Tooltip>
       <NodeParams node={node.id} type={type} set={node.params} visible={shown} inputTitles={feeders} />

@@ -28,7 +28,7 @@ export function ExpressionField({
   width,
   leftSection,
 }: ExpressionFieldProps): ReactNode {
-  const { t, said } = useTexts();
+  const { t, said: translateMessage } = useTexts();
   const speedOfLight = useEditorState((state) => state.picture?.speedOfLight);
   const [typed, setTyped] = useState<string>();
   const [problem, setProblem] = useState<string>();
@@ -53,7 +53,7 @@ export function ExpressionField({
   const shown = `${grouped(value, decimals)}${unit ? ` ${unit}` : ''}`;
   return (
     <Tooltip
-      label={problem === undefined ? t('param.expression') : said(problem)}
+      label={problem === undefined ? t('param.expression') : translateMessage(problem)}
       opened={problem ? true : undefined}
       color={problem ? 'red' : undefined}
       openDelay={900}

@@ -33,8 +33,8 @@ interface NodeParamsProps {
 
 /** A control for each parameter. */
 export function NodeParams({ node, type, set, visible: shown, inputTitles }: NodeParamsProps): ReactNode {
-  const { any } = useTexts();
-  const studio = useEditor();
+  const { textOrKey } = useTexts();
+  const editor = useEditor();
   const picture = useEditorState((state) => state.picture);
   const resolved = resolveParams(type, set);
   return shown.map(([name, spec]) => (
@@ -44,9 +44,9 @@ export function NodeParams({ node, type, set, visible: shown, inputTitles }: Nod
       set={set[name]}
       value={resolved[name] ?? suggestion(spec, picture)}
       choices={picture?.scene.cameras.map(({ path }) => path)}
-      drivenBy={inputTitles[name] && any(inputTitles[name])}
-      onChange={(value, gesture) => studio.set(node, name, value, spec.title, gesture)}
-      onGestureEnd={studio.endGesture}
+      drivenBy={inputTitles[name] && textOrKey(inputTitles[name])}
+      onChange={(value, gesture) => editor.set(node, name, value, spec.title, gesture)}
+      onGestureEnd={editor.endGesture}
     />
   ));
 }

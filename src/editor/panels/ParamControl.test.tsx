@@ -35,13 +35,13 @@ beforeAll(async () => {
 });
 afterEach(cleanup);
 
-const studio = createEditor({ services: workerServices, project: projectOfScene(''), playing: false });
+const editor = createEditor({ services: workerServices, project: projectOfScene(''), playing: false });
 
 function show(set: number | undefined) {
   const onChange = vi.fn();
   render(
     <MantineProvider>
-      <EditorProvider value={studio}>
+      <EditorProvider value={editor}>
         <ParamControl spec={spec} set={set} value={set ?? 30} onChange={onChange} onGestureEnd={() => {}} />
       </EditorProvider>
     </MantineProvider>,

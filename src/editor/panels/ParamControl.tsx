@@ -51,7 +51,7 @@ const vectorOf = (spec: VectorParam, value: ParamValue): VectorParam['default'] 
   Array.isArray(value) ? [Number(value[0]), Number(value[1]), Number(value[2])] : spec.default;
 
 function NumberControl({ spec, set, value, onChange, onGestureEnd }: ParamProps<NumberParam>): ReactNode {
-  const { any } = useTexts();
+  const { textOrKey } = useTexts();
   const id = useId();
   const number = Number(value);
   const precision = spec.scale ? 9 : decimals(spec.step);
@@ -62,7 +62,7 @@ function NumberControl({ spec, set, value, onChange, onGestureEnd }: ParamProps<
         <Group gap={2} wrap="nowrap">
           <Unphysical spec={spec} value={number} nature={String(spec.physical)} />
           <ResetButton set={set} onChange={onChange} />
-          <NumberField {...{ spec, number, onChange }} label={any(spec.title)} precision={precision} />
+          <NumberField {...{ spec, number, onChange }} label={textOrKey(spec.title)} precision={precision} />
         </Group>
       </Group>
       {spec.slider !== false && (
@@ -75,7 +75,7 @@ function NumberControl({ spec, set, value, onChange, onGestureEnd }: ParamProps<
           value={sliderPosition(spec, number)}
           onChange={(position) => onChange(sliderValue(spec, position), `slider ${id}`)}
           onChangeEnd={onGestureEnd}
-          thumbLabel={any(spec.title)}
+          thumbLabel={textOrKey(spec.title)}
           thumbValueText={`${number} ${spec.unit ?? ''}`.trim()}
         />
       )}
@@ -130,7 +130,7 @@ function NumberField({ spec, number, onChange, label, precision }: NumberFieldPr
 const decimals = (step: number): number => Math.max(0, Math.ceil(-Math.log10(step)));
 
 function BooleanControl({ spec, set, value, onChange }: ParamProps): ReactNode {
-  const { any, t } = useTexts();
+  const { textOrKey, t } = useTexts();
   const id = useId();
   return (
     <Group gap={4} wrap="nowrap" justify="space-between" mih={24}>
@@ -140,7 +140,7 @@ function BooleanControl({ spec, set, value, onChange }: ParamProps): ReactNode {
         <ResetButton set={set} onChange={onChange} />
         <Switch
           size="xs"
-          aria-label={any(spec.title)}
+          aria-label={textOrKey(spec.title)}
           checked={value === true}
           onChange={(event) => onChange(event.currentTarget.checked)}
         />
@@ -153,7 +153,7 @@ function BooleanControl({ spec, set, value, onChange }: ParamProps): ReactNode {
 const MAX_SEGMENTS = 5;
 
 function ChoiceControl({ spec, set, value, onChange }: ParamProps<ChoiceParam>): ReactNode {
-  const { any } = useTexts();
+  const { textOrKey } = useTexts();
   const id = useId();
   if (spec.options.length > MAX_SEGMENTS)
     return (
@@ -164,12 +164,12 @@ function ChoiceControl({ spec, set, value, onChange }: ParamProps<ChoiceParam>):
         </Group>
         <Select
           size="xs"
-          aria-label={any(spec.title)}
+          aria-label={textOrKey(spec.title)}
           allowDeselect={false}
           searchable={spec.options.length > 10}
           value={String(value)}
           onChange={(chosen) => chosen !== null && onChange(chosen)}
-          data={spec.options.map((option) => ({ value: option.value, label: any(option.title) }))}
+          data={spec.options.map((option) => ({ value: option.value, label: textOrKey(option.title) }))}
         />
       </Stack>
     );
@@ -182,14 +182,14 @@ function ChoiceControl({ spec, set, value, onChange }: ParamProps<ChoiceParam>):
         aria-labelledby={id}
         value={String(value)}
         onChange={onChange}
-        data={spec.options.map((option) => ({ value: option.value, label: any(option.title) }))}
+        data={spec.options.map((option) => ({ value: option.value, label: textOrKey(option.title) }))}
       />
     </Stack>
   );
 }
 
 function TextChoiceControl({ spec, value, choices, onChange }: ParamProps<TextParam>): ReactNode {
-  const { any, t } = useTexts();
+  const { textOrKey, t } = useTexts();
   const id = useId();
   if (!choices || choices.length < 2) return null;
   return (
@@ -197,7 +197,7 @@ function TextChoiceControl({ spec, value, choices, onChange }: ParamProps<TextPa
       <ParamLabel spec={spec} id={id} />
       <Select
         size="xs"
-        aria-label={any(spec.title)}
+        aria-label={textOrKey(spec.title)}
         allowDeselect={false}
         value={String(value)}
         onChange={(chosen) => onChange(chosen || undefined)}

@@ -7,14 +7,14 @@ import { useTexts } from '../i18n/i18n.ts';
 
 /** Title and help of a parameter. */
 export function ParamLabel({ spec, id }: { readonly spec: ParamSpec; readonly id: string }): ReactNode {
-  const { any } = useTexts();
+  const { textOrKey } = useTexts();
   const text = (
     <Text size="sm" id={id} className="sl-param-label" truncate>
-      {any(spec.title)}
+      {textOrKey(spec.title)}
     </Text>
   );
   return spec.help ? (
-    <Tooltip label={any(spec.help)} position="left" multiline maw={260} openDelay={400}>
+    <Tooltip label={textOrKey(spec.help)} position="left" multiline maw={260} openDelay={400}>
       {text}
     </Tooltip>
   ) : (
@@ -48,9 +48,9 @@ export function ResetButton({ set, onChange }: ResetProps): ReactNode {
 
 /** Shown instead of a control when an edge drives the parameter. */
 export function DrivenParam({ spec, by }: { readonly spec: ParamSpec; readonly by: string }): ReactNode {
-  const { any, t } = useTexts();
+  const { textOrKey, t } = useTexts();
   return (
-    <Group gap={4} wrap="nowrap" justify="space-between" mih={26} aria-label={any(spec.title)} role="group">
+    <Group gap={4} wrap="nowrap" justify="space-between" mih={26} aria-label={textOrKey(spec.title)} role="group">
       <ParamLabel spec={spec} id="" />
       <Text size="xs" c="dimmed" truncate>
         {t('param.drivenBy', { node: by })}

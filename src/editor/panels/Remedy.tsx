@@ -10,8 +10,8 @@ import { useEditor, useEditorState } from '../state/context.tsx';
 
 /** Button that applies a problem's suggested fix. */
 export function Remedy({ remedy }: { readonly remedy: NonNullable<NodeProblem['remedy']> }): ReactNode {
-  const { t, any } = useTexts();
-  const studio = useEditor();
+  const { t, textOrKey } = useTexts();
+  const editor = useEditor();
   const type = useEditorState(({ history: { document } }) => {
     const place = locateNode(document, remedy.node);
     return (place && graphIn(document, place.group)?.nodes[place.node]?.type) ?? '';
@@ -24,9 +24,9 @@ export function Remedy({ remedy }: { readonly remedy: NonNullable<NodeProblem['r
       size="compact-xs"
       variant="light"
       className="sl-remedy"
-      onClick={() => studio.set(remedy.node, remedy.param, remedy.value, 'edit.remedy')}
+      onClick={() => editor.set(remedy.node, remedy.param, remedy.value, 'edit.remedy')}
     >
-      {t('notice.remedy', { what: any(spec?.title ?? remedy.param), value: `${shown}${unit}`.trim() })}
+      {t('notice.remedy', { what: textOrKey(spec?.title ?? remedy.param), value: `${shown}${unit}`.trim() })}
     </Button>
   );
 }

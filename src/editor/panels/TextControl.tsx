@@ -30,7 +30,7 @@ interface LinesProps extends Pick<ParamProps<TextParam | ListParam>, 'spec' | 's
 }
 
 function Lines({ spec, set, text, long, onChange, take }: LinesProps): ReactNode {
-  const { any } = useTexts();
+  const { textOrKey } = useTexts();
   const id = useId();
   const [typed, setTyped] = useState<string>();
   const commit = () => {
@@ -39,7 +39,7 @@ function Lines({ spec, set, text, long, onChange, take }: LinesProps): ReactNode
   };
   const field = {
     size: 'xs',
-    'aria-label': any(spec.title),
+    'aria-label': textOrKey(spec.title),
     value: typed ?? text,
     spellCheck: false,
     onBlur: commit,

@@ -28,9 +28,9 @@ interface VectorControlProps {
 
 /** A position or direction: a choice of axis, or three numbers. */
 export function VectorControl({ spec, set, value, onChange }: VectorControlProps): ReactNode {
-  const { any, t } = useTexts();
+  const { textOrKey, t } = useTexts();
   const id = useId();
-  const title = any(spec.title);
+  const title = textOrKey(spec.title);
   const axis = AXES.find(([, one]) => one.every((x, i) => x === value[i]))?.[0] ?? OTHER;
   const choose = (name: string | null) => {
     const chosen = AXES.find(([one]) => one === name);

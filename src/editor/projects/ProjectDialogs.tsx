@@ -16,9 +16,9 @@ import { useSaveProject } from './useSaveProject.ts';
 /** Dialogues about the whole project. */
 export function ProjectDialogs(): ReactNode {
   const { t } = useTexts();
-  const studio = useEditor();
+  const editor = useEditor();
   const dialog = useEditorState((state) => state.dialog);
-  const close = () => studio.update({ dialog: undefined });
+  const close = () => editor.update({ dialog: undefined });
   const frame = { onClose: close, centered: true, closeButtonProps: { 'aria-label': t('close') } };
   return (
     <>
@@ -91,17 +91,17 @@ function Link({ link }: { readonly link: string }): ReactNode {
 }
 
 function NoLink({ why }: { readonly why: string }): ReactNode {
-  const { t, said } = useTexts();
-  const studio = useEditor();
+  const { t, said: translateMessage } = useTexts();
+  const editor = useEditor();
   const { saveWithFiles } = useSaveProject();
   const save = () => {
-    studio.update({ dialog: undefined });
+    editor.update({ dialog: undefined });
     void saveWithFiles();
   };
   return (
     <Stack gap="sm">
       <Text size="sm" role="alert" className="sl-place">
-        {said(why)}
+        {translateMessage(why)}
       </Text>
       <Group justify="flex-end">
         <Button size="xs" variant="light" data-autofocus leftSection={<IconPackageExport size={15} />} onClick={save}>
@@ -114,11 +114,11 @@ function NoLink({ why }: { readonly why: string }): ReactNode {
 
 function Name({ onDone }: { readonly onDone: () => void }): ReactNode {
   const { t } = useTexts();
-  const studio = useEditor();
-  const [name, setName] = useState(() => projectName(studio.store.getState()));
+  const editor = useEditor();
+  const [name, setName] = useState(() => projectName(editor.store.getState()));
   const submit = (event: FormEvent) => {
     event.preventDefault();
-    studio.edit({ kind: 'describe', what: 'title', value: name.trim() }, 'edit.rename');
+    editor.edit({ kind: 'describe', what: 'title', value: name.trim() }, 'edit.rename');
     onDone();
   };
   return (

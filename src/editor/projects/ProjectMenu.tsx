@@ -76,12 +76,12 @@ export function ProjectMenu(): ReactNode {
 
 function OpenItems({ onFile, onFolder }: { readonly onFile: () => void; readonly onFolder: () => void }): ReactNode {
   const { t } = useTexts();
-  const studio = useEditor();
+  const editor = useEditor();
   return (
     <>
       <Menu.Item
         leftSection={<IconFilePlus size={15} />}
-        onClick={() => studio.openProject(projectOfScene(DEFAULT_SCENE))}
+        onClick={() => editor.openProject(projectOfScene(DEFAULT_SCENE))}
       >
         {t('project.new')}
       </Menu.Item>
@@ -98,7 +98,7 @@ function OpenItems({ onFile, onFolder }: { readonly onFile: () => void; readonly
 
 function SaveItems(): ReactNode {
   const { t } = useTexts();
-  const studio = useEditor();
+  const editor = useEditor();
   const { save, saveWithFiles } = useSaveProject();
   return (
     <>
@@ -108,10 +108,10 @@ function SaveItems(): ReactNode {
       <Menu.Item leftSection={<IconPackageExport size={15} />} onClick={() => void saveWithFiles()}>
         {t('project.saveAll')}
       </Menu.Item>
-      <Menu.Item leftSection={<IconLink size={15} />} onClick={() => studio.update({ dialog: 'share' })}>
+      <Menu.Item leftSection={<IconLink size={15} />} onClick={() => editor.update({ dialog: 'share' })}>
         {t('project.share')}
       </Menu.Item>
-      <Menu.Item leftSection={<IconPencil size={15} />} onClick={() => studio.update({ dialog: 'name' })}>
+      <Menu.Item leftSection={<IconPencil size={15} />} onClick={() => editor.update({ dialog: 'name' })}>
         {t('project.rename')}
       </Menu.Item>
     </>
@@ -139,13 +139,13 @@ function ClosedSessionItems({ earlier }: { readonly earlier: readonly SessionRec
 
 /** Sessions of closed tabs, as of the last refresh. */
 function useClosedSessions(): readonly [readonly SessionRecord[], () => void] {
-  const studio = useEditor();
+  const editor = useEditor();
   const { sessions } = useServices();
   const [earlier, setEarlier] = useState<readonly SessionRecord[]>([]);
   const look = () => {
     sessions?.closedSessions().then(
       (closed) => setEarlier(closed.filter(({ unsaved }) => unsaved).slice(0, MAX_LISTED_SESSIONS)),
-      (error: unknown) => studio.notify({ kind: 'error', text: messageOf(error) }),
+      (error: unknown) => editor.notify({ kind: 'error', text: messageOf(error) }),
     );
   };
   return [earlier, look];
@@ -154,7 +154,7 @@ function useClosedSessions(): readonly [readonly SessionRecord[], () => void] {
 /** The project's name, editable, with a mark while there are unsaved changes. */
 export function ProjectName(): ReactNode {
   const { t } = useTexts();
-  const studio = useEditor();
+  const editor = useEditor();
   const name = useEditorState(projectName);
   const unsaved = useEditorState(isUnsaved);
   const shown = name || t('project.unnamed');
@@ -164,7 +164,7 @@ export function ProjectName(): ReactNode {
       aria-label={`${t('project.name')}: ${shown}${unsaved ? `, ${t('project.unsaved')}` : ''}`}
       title={unsaved ? t('project.unsaved') : undefined}
       data-unsaved={unsaved}
-      onClick={() => studio.update({ dialog: 'name' })}
+      onClick={() => editor.update({ dialog: 'name' })}
     >
       <span className="sl-project-title">{shown}</span>
       {unsaved && <span aria-hidden="true">•</span>}

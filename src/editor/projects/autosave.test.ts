@@ -13,9 +13,9 @@ const sessions = {
   saveFiles: vi.fn(async () => {}),
   delete: vi.fn<(id: string) => Promise<void>>(async () => {}),
 };
-let studio: Editor;
+let editor: Editor;
 let localFiles: LocalFiles;
-let told: AutosaveFailure[];
+let reported: AutosaveFailure[];
 let autosave: Autosave;
 
 beforeEach(async () => {
@@ -23,29 +23,29 @@ beforeEach(async () => {
   vi.clearAllMocks();
   sessions.save.mockResolvedValue();
   vi.stubGlobal('navigator', {});
-  told = [];
+  reported = [];
   localFiles = new LocalFiles();
   const services = { ...workerServices, readScene: async (name: string) => ({ scene: makeScene({ name }) }) };
-  studio = createEditor({ services, project: projectOfScene('a.usda'), playing: false });
+  editor = createEditor({ services, project: projectOfScene('a.usda'), playing: false });
   await vi.advanceTimersByTimeAsync(10);
   const store = sessions as unknown as SessionStore;
   const address = () => '/?scene=a.usda';
   autosave = new Autosave({
-    studio,
-    observerController: new ObserverController(studio),
+    studio: editor,
+    observerController: new ObserverController(editor),
     localFiles,
     sessions: store,
     id: 'tab',
     address,
   });
-  autosave.onFailure = (unkept) => told.push(unkept);
+  autosave.onFailure = (failure) => reported.push(failure);
 });
 afterEach(() => {
   vi.useRealTimers();
   vi.unstubAllGlobals();
 });
 
-const expose = (exposure: number) => studio.set('toneMap', 'exposure', exposure, 'exposure', 'drag');
+const expose = (exposure: number) => editor.set('toneMap', 'exposure', exposure, 'exposure', 'drag');
 const exposureKept = () => {
   const { document } = sessions.save.mock.lastCall?.[0] ?? {};
   return (document as ReturnType<typeof projectOfScene>['document']).nodes.toneMap?.params.exposure;
@@ -77,18 +77,18 @@ it('an edit is kept at once where the page goes', () => {
 });
 
 it('files are kept once, and too large ones told; all else is kept', async () => {
-  studio.open(localFiles.add(new Map([['s.usda', new Blob(['x'])]]), 's.usda'));
+  editor.open(localFiles.add(new Map([['s.usda', new Blob(['x'])]]), 's.usda'));
   await vi.advanceTimersByTimeAsync(400);
   expose(1);
   await vi.advanceTimersByTimeAsync(400);
   expect(sessions.saveFiles.mock.calls).toEqual([['tab', '1', localFiles.setOf('local:1/s.usda')?.files]]);
   const large = Object.defineProperty(new Blob(['x']), 'size', { value: 2 ** 30 });
-  studio.open(localFiles.add(new Map([['big.usda', large]]), 'big.usda'));
+  editor.open(localFiles.add(new Map([['big.usda', large]]), 'big.usda'));
   await vi.advanceTimersByTimeAsync(400);
   expect(await autosave.saveNow()).toBe(false);
   expect(sessions.saveFiles).toHaveBeenCalledTimes(1);
   expect(sessions.save.mock.lastCall?.[0].name).toBe('big');
-  expect(told).toEqual([{ kind: 'files', size: '1.00 GiB' }]);
+  expect(reported).toEqual([{ kind: 'files', size: '1.00 GiB' }]);
 });
 
 it('a full store is told once, and again when it was well in between', async () => {
@@ -97,38 +97,38 @@ it('a full store is told once, and again when it was well in between', async () 
     expose(exposure);
     expect(await autosave.saveNow()).toBe(false);
   }
-  expect(told).toEqual([{ kind: 'work', why: 'no room is left' }]);
+  expect(reported).toEqual([{ kind: 'work', why: 'no room is left' }]);
   sessions.save.mockResolvedValue();
   expect(await autosave.saveNow()).toBe(true);
   sessions.save.mockRejectedValue(new Error('gone'));
   await autosave.saveNow();
-  expect(told).toHaveLength(2);
+  expect(reported).toHaveLength(2);
 });
 
 it('what was not saved is put aside where another project takes its place, with its files; the latest three', async () => {
-  studio.open(localFiles.add(new Map([['s.usda', new Blob(['x'])]]), 's.usda'));
-  studio.openProject(projectOfScene('b.usda'));
+  editor.open(localFiles.add(new Map([['s.usda', new Blob(['x'])]]), 's.usda'));
+  editor.openProject(projectOfScene('b.usda'));
   await vi.advanceTimersByTimeAsync(400);
   const others = () => sessions.save.mock.calls.map(([session]) => session).filter(({ id }) => id !== 'tab');
   expect(others(), 'of who only looked').toEqual([]);
-  studio.undo();
+  editor.undo();
   await vi.advanceTimersByTimeAsync(400);
   expose(1);
-  studio.openProject(projectOfScene('b.usda'));
+  editor.openProject(projectOfScene('b.usda'));
   await vi.advanceTimersByTimeAsync(400);
-  const [aside] = others();
-  expect(aside).toMatchObject({ name: 's', unsaved: true, passed: true });
-  expect(aside?.document).toMatchObject({ nodes: { toneMap: { params: { exposure: 1 } } } });
-  expect(sessions.saveFiles).toHaveBeenCalledWith(aside?.id, '1', localFiles.setOf('local:1/s.usda')?.files);
-  studio.undo();
-  studio.redo();
+  const [replaced] = others();
+  expect(replaced).toMatchObject({ name: 's', unsaved: true, passed: true });
+  expect(replaced?.document).toMatchObject({ nodes: { toneMap: { params: { exposure: 1 } } } });
+  expect(sessions.saveFiles).toHaveBeenCalledWith(replaced?.id, '1', localFiles.setOf('local:1/s.usda')?.files);
+  editor.undo();
+  editor.redo();
   await vi.advanceTimersByTimeAsync(400);
   expect(others(), 'doing it again').toHaveLength(1);
   for (const exposure of [2, 3, 4]) {
     expose(exposure);
-    studio.openProject(projectOfScene('c.usda'));
+    editor.openProject(projectOfScene('c.usda'));
     await vi.advanceTimersByTimeAsync(400);
   }
   expect(others()).toHaveLength(4);
-  expect(sessions.delete.mock.calls).toEqual([[aside?.id]]);
+  expect(sessions.delete.mock.calls).toEqual([[replaced?.id]]);
 });

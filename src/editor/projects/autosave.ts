@@ -46,31 +46,31 @@ interface SavedSets {
  */
 export class Autosave {
   /** Called when something cannot be stored. */
-  onFailure: (unkept: AutosaveFailure) => void = () => {};
+  onFailure: (failure: AutosaveFailure) => void = () => {};
   /** Whether the page restored its previous session. */
   readonly isRestored: boolean;
   private readonly options: AutosaveOptions;
-  private readonly keptSets: SavedSets;
+  private readonly storedSets: SavedSets;
   /** Ids of replaced projects, oldest first. */
-  private readonly aside: string[] = [];
-  private readonly told = new Set<AutosaveFailure['kind']>();
+  private readonly replaced: string[] = [];
+  private readonly reported = new Set<AutosaveFailure['kind']>();
   /** Time of the first edit that is not stored yet [ms]. */
-  private since: number | undefined;
+  private firstUnsavedEdit: number | undefined;
   private timer: ReturnType<typeof setTimeout> | undefined;
   /** Whether this tab has something in the store, or to be stored. */
-  private touched: boolean;
+  private hasWork: boolean;
 
   constructor(options: AutosaveOptions) {
     this.options = options;
-    this.keptSets = { ids: new Set(options.savedSets), bytes: 0 };
+    this.storedSets = { ids: new Set(options.savedSets), bytes: 0 };
     this.isRestored = options.savedSets !== undefined;
-    this.touched = this.isRestored;
-    const { studio } = options;
-    studio.store.subscribe((now, before) => {
+    this.hasWork = this.isRestored;
+    const { studio: editor } = options;
+    editor.store.subscribe((now, before) => {
       if (now.history.document === before.history.document && isUnsaved(now) === isUnsaved(before)) return;
-      this.touched = true;
-      if (isReplaced(now, before) && isUnsaved(before)) void this.putAside(before);
-      this.later();
+      this.hasWork = true;
+      if (isReplaced(now, before) && isUnsaved(before)) void this.storeReplaced(before);
+      this.scheduleSave();
     });
     addEventListener('pagehide', () => void this.saveNow());
     document.addEventListener('visibilitychange', () => {
@@ -83,42 +83,42 @@ export class Autosave {
    */
   async saveNow(): Promise<boolean> {
     clearTimeout(this.timer);
-    this.since = undefined;
-    if (!this.touched) return false;
+    this.firstUnsavedEdit = undefined;
+    if (!this.hasWork) return false;
     const { sessions } = this.options;
     try {
       if ('refusal' in sessions) throw new Error(sessions.refusal);
-      const { studio, observerController, id } = this.options;
-      const state = studio.store.getState();
+      const { studio: editor, observerController, id } = this.options;
+      const state = editor.store.getState();
       const { lock, cruise, playing, loop } = state;
       const view = state.picture && { observer: observerController.observer, lock, cruise, playing, loop };
-      await this.keep(sessions, { ...this.session(id, state), ...(view && { view }) }, this.keptSets);
-      this.told.delete('work');
-      return !this.told.has('files');
+      await this.store(sessions, { ...this.session(id, state), ...(view && { view }) }, this.storedSets);
+      this.reported.delete('work');
+      return !this.reported.has('files');
     } catch (error) {
-      this.tell({ kind: 'work', why: messageOf(error) });
+      this.report({ kind: 'work', why: messageOf(error) });
       return false;
     }
   }
 
-  private later(): void {
-    this.since ??= performance.now();
+  private scheduleSave(): void {
+    this.firstUnsavedEdit ??= performance.now();
     clearTimeout(this.timer);
-    const left = this.since + MAX_SAVE_DELAY - performance.now();
+    const left = this.firstUnsavedEdit + MAX_SAVE_DELAY - performance.now();
     this.timer = setTimeout(() => void this.saveNow(), Math.max(0, Math.min(SAVE_DELAY, left)));
   }
 
   /** Listed in the menu together with the sessions of closed tabs. */
-  private async putAside(state: EditorState): Promise<void> {
+  private async storeReplaced(state: EditorState): Promise<void> {
     const { sessions } = this.options;
     if ('refusal' in sessions) return;
     const id = randomId();
-    this.aside.push(id);
+    this.replaced.push(id);
     try {
-      await this.keep(sessions, { ...this.session(id, state), passed: true }, { ids: new Set(), bytes: 0 });
-      if (this.aside.length > MAX_REPLACED_PROJECTS) await sessions.delete(this.aside.shift()!);
+      await this.store(sessions, { ...this.session(id, state), passed: true }, { ids: new Set(), bytes: 0 });
+      if (this.replaced.length > MAX_REPLACED_PROJECTS) await sessions.delete(this.replaced.shift()!);
     } catch (error) {
-      this.tell({ kind: 'work', why: messageOf(error) });
+      this.report({ kind: 'work', why: messageOf(error) });
     }
   }
 
@@ -137,41 +137,41 @@ export class Autosave {
   }
 
   /** The write of the document is started first: it completes even while the page is being closed. */
-  private async keep(sessions: SessionStore, session: SessionRecord, kept: SavedSets): Promise<void> {
+  private async store(sessions: SessionStore, session: SessionRecord, stored: SavedSets): Promise<void> {
     const written = sessions.save(session);
-    await this.keepFiles(sessions, session, kept);
+    await this.storeFiles(sessions, session, stored);
     await written;
   }
 
-  private async keepFiles(
+  private async storeFiles(
     sessions: SessionStore,
     { id, document, origin }: SessionRecord,
-    kept: SavedSets,
+    stored: SavedSets,
   ): Promise<void> {
     const { localFiles } = this.options;
     for (const name of [origin, ...referencedFiles(document as GraphDocument, nodeLibrary)]) {
       const set = localFiles.setOf(name);
-      if (!set || kept.ids.has(set.id)) continue;
-      kept.ids.add(set.id);
+      if (!set || stored.ids.has(set.id)) continue;
+      stored.ids.add(set.id);
       const size = sizeOf(set.files);
-      if (kept.bytes + size > MAX_SESSION_FILE_BYTES) {
-        this.tell({ kind: 'files', size: formatBytes(size) });
+      if (stored.bytes + size > MAX_SESSION_FILE_BYTES) {
+        this.report({ kind: 'files', size: formatBytes(size) });
         continue;
       }
-      kept.bytes += size;
+      stored.bytes += size;
       try {
         await sessions.saveFiles(id, set.id, set.files);
       } catch (error) {
-        kept.ids.delete(set.id);
+        stored.ids.delete(set.id);
         throw error;
       }
     }
   }
 
-  private tell(unkept: AutosaveFailure): void {
-    if (this.told.has(unkept.kind)) return;
-    this.told.add(unkept.kind);
-    this.onFailure(unkept);
+  private report(failure: AutosaveFailure): void {
+    if (this.reported.has(failure.kind)) return;
+    this.reported.add(failure.kind);
+    this.onFailure(failure);
   }
 }
 

@@ -6,15 +6,15 @@ import { openErrorOf, projectFromAddress } from './projectSource.ts';
 
 /** Opens an address: a scene in the current project, or a project in place of it. */
 export function useOpenAddress(): (address: string) => void {
-  const studio = useEditor();
+  const editor = useEditor();
   const { localFiles } = useServices();
   return useCallback(
     (address) => {
-      if (!isProject(address)) return studio.open(address);
-      void projectFromAddress(address, localFiles).then(studio.openProject, (error: unknown) =>
-        studio.notify({ kind: 'error', ...openErrorOf(address, error) }),
+      if (!isProject(address)) return editor.open(address);
+      void projectFromAddress(address, localFiles).then(editor.openProject, (error: unknown) =>
+        editor.notify({ kind: 'error', ...openErrorOf(address, error) }),
       );
     },
-    [studio, localFiles],
+    [editor, localFiles],
   );
 }

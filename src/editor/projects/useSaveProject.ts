@@ -18,21 +18,21 @@ export interface SaveProject {
 }
 
 export function useSaveProject(): SaveProject {
-  const studio = useEditor();
+  const editor = useEditor();
   const { localFiles } = useServices();
   const { t } = useTexts();
   return useMemo(() => {
     const done = (bytes: BlobPart, type: string, name: string, without: readonly string[]): void => {
       download(new Blob([bytes], { type }), name);
-      studio.markSaved();
+      editor.markSaved();
       const text =
         without.length > 0
           ? t('notice.savedWithout', { name, files: without.join(', ') })
           : t('notice.saved', { name });
-      studio.notify({ kind: 'info', text });
+      editor.notify({ kind: 'info', text });
     };
     const save = (): void => {
-      const state = studio.store.getState();
+      const state = editor.store.getState();
       const { document, origin } = state.history;
       const called = (file: string): string => exportedName(file, origin);
       const text = serializeDocument(renameFiles(document, nodeLibrary, called));
@@ -40,19 +40,19 @@ export function useSaveProject(): SaveProject {
       done(text, 'application/json', fileName(projectName(state), '.slowlight.json'), own.map(called));
     };
     const saveWithFiles = async (): Promise<void> => {
-      const state = studio.store.getState();
+      const state = editor.store.getState();
       const name = fileName(projectName(state), '.zip');
-      studio.notify({ kind: 'info', text: t('notice.packing') });
+      editor.notify({ kind: 'info', text: t('notice.packing') });
       const { packedProject, ProjectTooLargeToPack } = await import('./packedProject.ts');
       try {
         const { document, origin } = state.history;
         done((await packedProject(document, origin, localFiles)).slice(), 'application/zip', name, []);
       } catch (error) {
         if (error instanceof ProjectTooLargeToPack)
-          studio.notify({ kind: 'error', text: t('notice.tooMuchToPack', { size: error.size, most: error.limit }) });
-        else studio.notify({ kind: 'error', ...openErrorOf(name, error) });
+          editor.notify({ kind: 'error', text: t('notice.tooMuchToPack', { size: error.size, most: error.limit }) });
+        else editor.notify({ kind: 'error', ...openErrorOf(name, error) });
       }
     };
     return { save, saveWithFiles };
-  }, [studio, localFiles, t]);
+  }, [editor, localFiles, t]);
 }

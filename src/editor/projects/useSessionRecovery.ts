@@ -15,7 +15,7 @@ import { projectFromLink } from './startup.ts';
  */
 export function useSessionRecovery(): void {
   const { t, language } = useTexts();
-  const studio = useEditor();
+  const editor = useEditor();
   const { autosave, sessions } = useServices();
   const resume = useRestoreSession();
   const say = useRef(t);
@@ -26,9 +26,9 @@ export function useSessionRecovery(): void {
         unkept.kind === 'work'
           ? say.current('notice.notKept', { why: unkept.why })
           : say.current('notice.filesNotKept', { size: unkept.size });
-      studio.notify({ kind: 'error', text });
+      editor.notify({ kind: 'error', text });
     };
-  }, [studio, autosave]);
+  }, [editor, autosave]);
 
   const when = useRef((at: number) => new Date(at).toLocaleString());
   when.current = (at) => formatTime(at, language);
@@ -41,23 +41,23 @@ export function useSessionRecovery(): void {
       await sessions.save({ ...latest, passed: true });
       const text = say.current('notice.earlier', { when: when.current(latest.at), name: latest.name });
       const action = { text: say.current('notice.continue'), act: () => resume(latest) };
-      studio.notify({ kind: 'info', text, action });
+      editor.notify({ kind: 'info', text, action });
     };
     offer().catch((error: unknown) => autosave.onFailure({ kind: 'work', why: messageOf(error) }));
-  }, [studio, autosave, sessions, resume]);
+  }, [editor, autosave, sessions, resume]);
 
   useEffect(() => {
     const onFollowed = (): void => {
       if (!isShareLink(location.hash)) return;
       try {
-        studio.openProject(projectFromLink(location.hash));
+        editor.openProject(projectFromLink(location.hash));
       } catch (error) {
-        studio.notify({ kind: 'error', ...linkErrorOf(error) });
+        editor.notify({ kind: 'error', ...linkErrorOf(error) });
       }
     };
     addEventListener('hashchange', onFollowed);
     return () => removeEventListener('hashchange', onFollowed);
-  }, [studio]);
+  }, [editor]);
 }
 
 export const formatTime = (at: number, language: string): string =>
@@ -65,17 +65,17 @@ export const formatTime = (at: number, language: string): string =>
 
 /** Restores the session of a closed tab into this one. */
 export function useRestoreSession(): (session: SessionRecord) => void {
-  const studio = useEditor();
+  const editor = useEditor();
   const { autosave, sessions, localFiles } = useServices();
   return useCallback(
     (session) => {
       const resumed = async (): Promise<void> => {
         if (!sessions) return;
-        studio.openProject(restoreSession(session, await sessions.filesOf(session.id), localFiles));
+        editor.openProject(restoreSession(session, await sessions.filesOf(session.id), localFiles));
         if (await autosave.saveNow()) await sessions.delete(session.id);
       };
-      resumed().catch((error: unknown) => studio.notify({ kind: 'error', ...openErrorOf(session.name, error) }));
+      resumed().catch((error: unknown) => editor.notify({ kind: 'error', ...openErrorOf(session.name, error) }));
     },
-    [studio, autosave, sessions, localFiles],
+    [editor, autosave, sessions, localFiles],
   );
 }

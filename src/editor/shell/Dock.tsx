@@ -99,7 +99,7 @@ const isNarrow = ({ clientWidth, clientHeight }: HTMLElement): boolean =>
 
 /** Shows the graph under the picture and the inspector beside the other panels; on narrow screens all in one stack. */
 function useGraph(api: DockviewApi | undefined, host: React.RefObject<HTMLDivElement | null>): void {
-  const studio = useEditor();
+  const editor = useEditor();
   const shown = useEditorState((state) => state.graph);
   const inspecting = useEditorState((state) => state.inspecting);
   useEffect(() => {
@@ -135,9 +135,9 @@ function useGraph(api: DockviewApi | undefined, host: React.RefObject<HTMLDivEle
   }, [api, host, shown, large]);
   useEffect(() => {
     if (!inspecting) return;
-    studio.update({ graph: true });
+    editor.update({ graph: true });
     api?.getPanel('node')?.api.setActive();
-  }, [api, inspecting, studio]);
+  }, [api, inspecting, editor]);
 }
 
 /** Shows the plots if the project has simulations. */

@@ -9,8 +9,8 @@ import { useOpenFiles } from './useOpenFiles.ts';
 
 /** Drop target for files on the whole page; ignores panels that are dragged inside it. */
 export function DropZone(): ReactNode {
-  const { t, said } = useTexts();
-  const studio = useEditor();
+  const { t, said: translateMessage } = useTexts();
+  const editor = useEditor();
   const open = useOpenFiles();
   const [over, setOver] = useState(false);
   useEffect(() => {
@@ -28,7 +28,7 @@ export function DropZone(): ReactNode {
       event.preventDefault();
       setOver(false);
       droppedFiles(event.dataTransfer).then(open, (error: unknown) =>
-        studio.notify({ kind: 'error', text: t('notice.unreadable', { why: said(messageOf(error)) }) }),
+        editor.notify({ kind: 'error', text: t('notice.unreadable', { why: translateMessage(messageOf(error)) }) }),
       );
     };
     addEventListener('dragover', onOver);
@@ -39,7 +39,7 @@ export function DropZone(): ReactNode {
       removeEventListener('dragleave', onLeave);
       removeEventListener('drop', onDrop);
     };
-  }, [open, studio, t, said]);
+  }, [open, editor, t, translateMessage]);
   return over ? (
     <div className="sl-drop">
       <IconDownload size={32} />

@@ -11,9 +11,9 @@ import { useEditor, useEditorState } from '../state/context.tsx';
 /** Example scenes and projects, each with a thumbnail and what to look for. */
 export function Gallery(): ReactNode {
   const { t } = useTexts();
-  const studio = useEditor();
+  const editor = useEditor();
   const opened = useEditorState((state) => state.dialog === 'gallery');
-  const close = () => studio.update({ dialog: undefined });
+  const close = () => editor.update({ dialog: undefined });
   return (
     <Modal
       opened={opened}
@@ -33,15 +33,15 @@ export function Gallery(): ReactNode {
 
 function Cards({ onChosen }: { readonly onChosen: () => void }): ReactNode {
   const { t } = useTexts();
-  const studio = useEditor();
+  const editor = useEditor();
   const open = useOpenAddress();
   const [examples, setExamples] = useState<readonly Example[]>();
   useEffect(() => {
     loadExamples().then(setExamples, (error: unknown) => {
-      studio.notify({ kind: 'error', text: error instanceof Error ? error.message : String(error) });
+      editor.notify({ kind: 'error', text: error instanceof Error ? error.message : String(error) });
       setExamples([]);
     });
-  }, [studio]);
+  }, [editor]);
   if (examples?.length === 0) return <Text>{t('gallery.empty')}</Text>;
   const choose = (source: string) => {
     open(source);

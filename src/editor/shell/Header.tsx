@@ -29,7 +29,7 @@ import { useSavePicture } from './useSavePicture.ts';
 
 export function Header(): ReactNode {
   const { t } = useTexts();
-  const studio = useEditor();
+  const editor = useEditor();
   const save = useSavePicture();
   return (
     <Group component="header" className="sl-header" gap="xs" wrap="nowrap" px="sm" aria-label={t('header.toolbar')}>
@@ -42,7 +42,7 @@ export function Header(): ReactNode {
         variant="default"
         leftSection={<IconLayoutGrid size={15} />}
         aria-label={t('header.scenes')}
-        onClick={() => studio.update({ dialog: 'gallery' })}
+        onClick={() => editor.update({ dialog: 'gallery' })}
       >
         {t('header.scenes')}
       </Button>
@@ -56,7 +56,7 @@ export function Header(): ReactNode {
       </IconButton>
       <LanguageButton />
       <SchemeButton />
-      <IconButton label={t('header.help')} keys="?" onClick={() => studio.update({ dialog: 'help' })}>
+      <IconButton label={t('header.help')} keys="?" onClick={() => editor.update({ dialog: 'help' })}>
         <IconKeyboard size={17} />
       </IconButton>
     </Group>
@@ -89,25 +89,25 @@ function IconButton({ label, keys, disabled, lang, onClick, children }: IconButt
 }
 
 function UndoRedo(): ReactNode {
-  const { t, any } = useTexts();
-  const studio = useEditor();
+  const { t, textOrKey } = useTexts();
+  const editor = useEditor();
   const last = useEditorState(({ history }) => history.past.at(-1)?.label);
   const next = useEditorState(({ history }) => history.future[0]?.label);
   return (
     <Group gap={0} wrap="nowrap">
       <IconButton
-        label={last ? t('header.undoWhat', { what: any(last) }) : t('header.undo')}
+        label={last ? t('header.undoWhat', { what: textOrKey(last) }) : t('header.undo')}
         keys="Ctrl Z"
         disabled={!last}
-        onClick={studio.undo}
+        onClick={editor.undo}
       >
         <IconArrowBackUp size={17} />
       </IconButton>
       <IconButton
-        label={next ? t('header.redoWhat', { what: any(next) }) : t('header.redo')}
+        label={next ? t('header.redoWhat', { what: textOrKey(next) }) : t('header.redo')}
         keys="Ctrl ⇧ Z"
         disabled={!next}
-        onClick={studio.redo}
+        onClick={editor.redo}
       >
         <IconArrowForwardUp size={17} />
       </IconButton>
@@ -118,13 +118,13 @@ function UndoRedo(): ReactNode {
 /** Toggles the graph. */
 function GraphButton(): ReactNode {
   const { t } = useTexts();
-  const studio = useEditor();
+  const editor = useEditor();
   const shown = useEditorState((state) => state.graph);
   return (
     <IconButton
       label={t(shown ? 'graph.hide' : 'graph.show')}
       keys="Ctrl ⇧ G"
-      onClick={() => studio.update({ graph: !shown })}
+      onClick={() => editor.update({ graph: !shown })}
     >
       <IconSitemap size={17} />
     </IconButton>
@@ -133,12 +133,12 @@ function GraphButton(): ReactNode {
 
 function LanguageButton(): ReactNode {
   const { t, language } = useTexts();
-  const studio = useEditor();
+  const editor = useEditor();
   const other = language === 'en' ? 'zh' : 'en';
   const change = () =>
     setLanguage(other).then(
       () => savePreferences({ ...loadPreferences(), language: other }),
-      () => studio.notify({ kind: 'error', text: t('header.noLanguage') }),
+      () => editor.notify({ kind: 'error', text: t('header.noLanguage') }),
     );
   return (
     <IconButton label={t('header.languageLabel')} lang={other} onClick={() => void change()}>

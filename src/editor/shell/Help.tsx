@@ -55,12 +55,12 @@ const COLUMNS: readonly (readonly KeyGroup[])[] = [
 /** All keyboard shortcuts, over the picture. */
 export function Help(): ReactNode {
   const { t } = useTexts();
-  const studio = useEditor();
+  const editor = useEditor();
   const opened = useEditorState((state) => state.dialog === 'help');
   return (
     <Modal
       opened={opened}
-      onClose={() => studio.update({ dialog: undefined })}
+      onClose={() => editor.update({ dialog: undefined })}
       size="min(820px, 94vw)"
       centered
       title={t('help.title')}

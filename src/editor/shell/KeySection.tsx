@@ -8,14 +8,14 @@ export type KeyRow = readonly [keys: readonly string[], what: TextKey];
 export const OR = ' or ';
 
 export function KeyRows({ rows }: { readonly rows: readonly KeyRow[] }): ReactNode {
-  const { t, any } = useTexts();
+  const { t, textOrKey } = useTexts();
   return rows.map(([keys, what]) => (
     <Group key={what} justify="space-between" wrap="nowrap" gap="md">
       <Text size="sm">{t(what)}</Text>
       <Group gap={4} wrap="nowrap">
         {keys.map((key, i) => (
           // biome-ignore lint/suspicious/noArrayIndexKey: the same key may occur twice
-          <Key key={i} name={key === OR ? OR : any(key)} />
+          <Key key={i} name={key === OR ? OR : textOrKey(key)} />
         ))}
       </Group>
     </Group>

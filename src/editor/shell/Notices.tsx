@@ -37,18 +37,18 @@ export function Notices(): ReactNode {
 /** Reports missing files of a newly opened scene while it is open; otherwise its diagnostics, if any. */
 function useSceneNotices(): void {
   const { t } = useTexts();
-  const studio = useEditor();
+  const editor = useEditor();
   const say = useRef(t);
   say.current = t;
   const source = useEditorState((state) => state.pictureSource.source);
   useEffect(() => {
-    const scene = studio.store.getState().picture?.scene;
+    const scene = editor.store.getState().picture?.scene;
     if (!source || !scene) return;
     const missing = [...new Set(scene.diagnostics.flatMap(({ missing: file }) => (file ? [file.name] : [])))];
     const remarks = scene.diagnostics.filter(({ severity }) => severity !== 'info');
     const warn = (text: string) => {
-      const id = studio.notify({ kind: 'warning', text });
-      return () => studio.dismiss(id);
+      const id = editor.notify({ kind: 'warning', text });
+      return () => editor.dismiss(id);
     };
     if (missing.length > 0) {
       const files = [...missing.slice(0, MAX_NAMED_FILES), ...(missing.length > MAX_NAMED_FILES ? ['…'] : [])].join(
@@ -58,24 +58,24 @@ function useSceneNotices(): void {
     }
     if (scene.objects.length === 0) return warn(say.current('notice.empty', { name: sceneName(source) }));
     if (remarks.length > 0)
-      studio.notify({ kind: 'info', text: say.current('notice.warnings', { count: remarks.length }) });
-  }, [studio, source]);
+      editor.notify({ kind: 'info', text: say.current('notice.warnings', { count: remarks.length }) });
+  }, [editor, source]);
 }
 
 function NoticeCard({ notice }: { readonly notice: Notice }): ReactNode {
-  const { t, said } = useTexts();
-  const studio = useEditor();
+  const { t, said: translateMessage } = useTexts();
+  const editor = useEditor();
   const kept = useEditorState((state) => state.picture !== undefined);
   const place = usePlace(notice);
   const error = notice.kind === 'error';
   useEffect(() => {
     if (notice.kind !== 'info' || notice.action) return;
     const timer = setTimeout(
-      () => studio.dismiss(notice.id),
+      () => editor.dismiss(notice.id),
       Math.max(INFO_DURATION, READING_TIME_PER_CHARACTER * notice.text.length),
     );
     return () => clearTimeout(timer);
-  }, [studio, notice]);
+  }, [editor, notice]);
   return (
     <Notification
       withBorder
@@ -84,7 +84,7 @@ function NoticeCard({ notice }: { readonly notice: Notice }): ReactNode {
       title={error ? t('notice.error') : undefined}
       role={error ? 'alert' : 'status'}
       closeButtonProps={{ 'aria-label': t('close') }}
-      onClose={() => studio.dismiss(notice.id)}
+      onClose={() => editor.dismiss(notice.id)}
     >
       <Stack gap={6}>
         {place && (
@@ -93,7 +93,7 @@ function NoticeCard({ notice }: { readonly notice: Notice }): ReactNode {
           </Text>
         )}
         <Text size="sm" c="var(--mantine-color-text)">
-          {said(notice.text)}
+          {translateMessage(notice.text)}
         </Text>
         {notice.remedy && <Remedy remedy={notice.remedy} />}
         {notice.action && (
@@ -102,7 +102,7 @@ function NoticeCard({ notice }: { readonly notice: Notice }): ReactNode {
             variant="light"
             className="sl-remedy"
             onClick={() => {
-              studio.dismiss(notice.id);
+              editor.dismiss(notice.id);
               notice.action?.act();
             }}
           >
@@ -121,7 +121,7 @@ function NoticeCard({ notice }: { readonly notice: Notice }): ReactNode {
 
 /** Title of the node that a notice refers to. */
 function usePlace({ place }: Notice): string | undefined {
-  const { any, said } = useTexts();
+  const { textOrKey, said: translateMessage } = useTexts();
   const title = useEditorState(({ history }) => (place ? displayTitle(history.document, place) : undefined));
-  return title ? any(title) : place && said(place);
+  return title ? textOrKey(title) : place && translateMessage(place);
 }

@@ -52,14 +52,14 @@ function LockButton(): ReactNode {
 
 function CruiseButton(): ReactNode {
   const { t } = useTexts();
-  const studio = useEditor();
+  const editor = useEditor();
   const cruise = useEditorState((state) => state.cruise);
   return (
     <Tooltip label={t('cruise.help')} openDelay={300}>
       <UnstyledButton
         className="sl-status-item sl-status-button"
         aria-pressed={cruise}
-        onClick={() => studio.update({ cruise: !cruise })}
+        onClick={() => editor.update({ cruise: !cruise })}
       >
         <IconGauge size={14} opacity={cruise ? 1 : 0.35} />
         <Text size="xs" c={cruise ? undefined : 'dimmed'}>
@@ -113,9 +113,9 @@ function Speed(): ReactNode {
 
 /** Lists unphysical settings while they are active. */
 function Unphysical(): ReactNode {
-  const { t, any } = useTexts();
+  const { t, textOrKey } = useTexts();
   const document = useEditorState((state) => state.history.document);
-  const names = unphysical(document).map((title) => any(title));
+  const names = unphysical(document).map((title) => textOrKey(title));
   const text = `${t('status.unphysical')}: ${names.join(', ')}`;
   return names.length > 0 ? (
     <Text size="xs" fw={600} className="sl-unphysical" role="status" title={text} data-status="unphysical">

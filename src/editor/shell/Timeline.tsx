@@ -87,7 +87,7 @@ function Scrubber(): ReactNode {
 
 function LoopButton(): ReactNode {
   const { t } = useTexts();
-  const studio = useEditor();
+  const editor = useEditor();
   const loop = useEditorState((state) => state.loop);
   return (
     <Tooltip label={t('timeline.loop')} openDelay={400}>
@@ -96,7 +96,7 @@ function LoopButton(): ReactNode {
         color={loop ? undefined : 'gray'}
         aria-label={t('timeline.loop')}
         aria-pressed={loop}
-        onClick={() => studio.update({ loop: !loop })}
+        onClick={() => editor.update({ loop: !loop })}
       >
         <IconRepeat size={15} />
       </ActionIcon>

@@ -8,30 +8,30 @@ import type { Editor } from '../state/editor.ts';
 const VIEWS = ['light-cone', 'simultaneity', 'galilean'] as const;
 
 /** Actions shared by keys and buttons; without the node they do nothing. */
-export const nextView = (studio: Editor): void =>
-  change(studio, 'relativity-console', 'view', (now) => next(VIEWS, now), 'param.view');
+export const nextView = (editor: Editor): void =>
+  change(editor, 'relativity-console', 'view', (now) => next(VIEWS, now), 'param.view');
 
-export const toggleGrid = (studio: Editor): void =>
-  change(studio, 'relativity-rasterize', 'grid', (now) => now !== true, 'param.grid');
+export const toggleGrid = (editor: Editor): void =>
+  change(editor, 'relativity-rasterize', 'grid', (now) => now !== true, 'param.grid');
 
-export const nextFalseColor = (studio: Editor): void =>
-  change(studio, 'false-colour', 'of', (now) => next(['none', ...FALSE_COLOR_QUANTITIES], now), 'param.falseColor');
+export const nextFalseColor = (editor: Editor): void =>
+  change(editor, 'false-colour', 'of', (now) => next(['none', ...FALSE_COLOR_QUANTITIES], now), 'param.falseColor');
 
 /** Detaches the observer from the camera it rides on. */
-export const leaveCamera = (studio: Editor): void => change(studio, 'scene-camera', 'ride', () => false, 'param.ride');
+export const leaveCamera = (editor: Editor): void => change(editor, 'scene-camera', 'ride', () => false, 'param.ride');
 
 const next = (values: readonly string[], now: ParamValue | undefined): string =>
   values[(values.indexOf(String(now)) + 1) % values.length]!;
 
 /** Changes a parameter of the node of a type that is nearest to the output. */
 function change(
-  studio: Editor,
+  editor: Editor,
   typeId: string,
   param: string,
   to: (now: ParamValue | undefined) => ParamValue,
   label: string,
 ): void {
-  const node = nearestToOutput(studio.store.getState().history.document, typeId);
+  const node = nearestToOutput(editor.store.getState().history.document, typeId);
   const type = own(nodeLibrary, typeId);
-  if (node && type) studio.set(node.id, param, to(resolveParams(type, node.params)[param]), label);
+  if (node && type) editor.set(node.id, param, to(resolveParams(type, node.params)[param]), label);
 }

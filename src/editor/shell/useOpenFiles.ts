@@ -18,7 +18,7 @@ import type { EditorState } from '../state/editor.ts';
  * scene lacks, or files without a scene, are added to the open scene; otherwise the best scene among them.
  */
 export function useOpenFiles(): (files: PickedFiles) => void {
-  const studio = useEditor();
+  const editor = useEditor();
   const { localFiles } = useServices();
   const { t } = useTexts();
   return useCallback(
@@ -26,26 +26,26 @@ export function useOpenFiles(): (files: PickedFiles) => void {
       const take = async (files: UserFiles): Promise<void> => {
         const paths = [...files.keys()];
         const project = findProject(paths);
-        if (project !== undefined) return studio.openProject(await projectFromFiles(files, project, localFiles));
-        const state = studio.store.getState();
+        if (project !== undefined) return editor.openProject(await projectFromFiles(files, project, localFiles));
+        const state = editor.store.getState();
         const lacking = missingFilesOf(state, paths);
         const entry = entryOf(paths);
         if (lacking.length > 0) {
           const commands = lacking.map(({ node, source }) =>
             setParamCommand(state.history.document, node, 'source', localFiles.addToSet(source, files)),
           );
-          studio.edit({ kind: 'batch', commands }, 'edit.supply');
-        } else if (entry) studio.open(localFiles.add(files, entry));
-        else if (files.size > 0) studio.notify({ kind: 'error', text: t('notice.noScene') });
+          editor.edit({ kind: 'batch', commands }, 'edit.supply');
+        } else if (entry) editor.open(localFiles.add(files, entry));
+        else if (files.size > 0) editor.notify({ kind: 'error', text: t('notice.noScene') });
       };
       expandArchives(picked)
         .then(take)
         .catch((error: unknown) => {
           const name = findProject([...picked.keys()]) ?? [...picked.keys()][0] ?? '';
-          studio.notify({ kind: 'error', ...openErrorOf(name, error) });
+          editor.notify({ kind: 'error', ...openErrorOf(name, error) });
         });
     },
-    [studio, localFiles, t],
+    [editor, localFiles, t],
   );
 }
 

@@ -16,7 +16,7 @@ import { download } from './download.ts';
 
 /** Saves the displayed picture with the visible legend, under a name with scene, time and speed. */
 export function useSavePicture(): () => Promise<void> {
-  const studio = useEditor();
+  const editor = useEditor();
   const { viewport: stage } = useServices();
   const { t } = useTexts();
   return useCallback(async () => {
@@ -24,10 +24,10 @@ export function useSavePicture(): () => Promise<void> {
     if (!captured) return;
     const { viewPoint, settings } = captured;
     const png = new Uint8Array(await (await composePng(captured, t)).arrayBuffer());
-    const name = pictureName(studio.store.getState());
+    const name = pictureName(editor.store.getState());
     download(new Blob([withPngText(png, pictureMetadata(viewPoint, settings))], { type: 'image/png' }), name);
-    studio.notify({ kind: 'info', text: t('notice.saved', { name }) });
-  }, [studio, stage, t]);
+    editor.notify({ kind: 'info', text: t('notice.saved', { name }) });
+  }, [editor, stage, t]);
 }
 
 /** As PNG. Drawn on a canvas of the document, which has the page's fonts. */

@@ -7,22 +7,22 @@ const PAUSE_FACTOR = 3;
  * Returns a function that requests a call of `look`: one runs at a time, at intervals, and the last request is always
  * served.
  */
-export function coalesce(look: () => Promise<void>): () => void {
+export function coalesce(observe: () => Promise<void>): () => void {
   let busy = false;
   let again = false;
-  const go = async (): Promise<void> => {
+  const run = async (): Promise<void> => {
     busy = true;
     while (again) {
       again = false;
       const began = performance.now();
-      await look().catch(ignoreCancelled);
+      await observe().catch(ignoreCancelled);
       await new Promise((done) => setTimeout(done, PAUSE_FACTOR * (performance.now() - began)));
     }
     busy = false;
   };
   return () => {
     again = true;
-    if (!busy) void go();
+    if (!busy) void run();
   };
 }
 

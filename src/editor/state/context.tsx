@@ -8,9 +8,9 @@ const EditorContext = createContext<Editor | undefined>(undefined);
 export const EditorProvider = EditorContext.Provider;
 
 export function useEditor(): Editor {
-  const studio = useContext(EditorContext);
-  if (!studio) throw new Error('no StudioProvider above this component');
-  return studio;
+  const editor = useContext(EditorContext);
+  if (!editor) throw new Error('no StudioProvider above this component');
+  return editor;
 }
 
 export const useEditorState = <T,>(select: (state: EditorState) => T): T => useStore(useEditor().store, select);

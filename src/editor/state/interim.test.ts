@@ -54,9 +54,13 @@ const services: Services = { ...workerServices, readScene: async () => ({ scene:
 const settled = () => new Promise((done) => setTimeout(done, 30));
 
 async function open() {
-  const studio = createEditor({ services, project: { document, origin: 'p', unsaved: false }, playing: false });
+  const editor = createEditor({ services, project: { document, origin: 'p', unsaved: false }, playing: false });
   await settled();
-  return { studio, state: () => studio.store.getState(), end: () => studio.store.getState().picture?.scene.endTime };
+  return {
+    studio: editor,
+    state: () => editor.store.getState(),
+    end: () => editor.store.getState().picture?.scene.endTime,
+  };
 }
 beforeEach(() => {
   led.length = 0;
@@ -83,22 +87,22 @@ it('the picture shows the motion so far, while it goes on to be loaded', async (
 });
 
 it('stopped work stays as it is through edits, and goes on from there when it is asked to', async () => {
-  const { studio, state, end } = await open();
+  const { studio: editor, state, end } = await open();
   led[0]!.give('abc');
   await settled();
-  studio.cancelLoading();
+  editor.cancelLoading();
   await settled();
   expect(led[0]!.stopped).toBe(true);
   expect(state().interim).toBe('stopped');
   expect(state().loading).toBeUndefined();
   expect(end()).toBe(3);
   expect(state().history.document).toBe(document);
-  studio.set('toneMap', 'exposure', 1, 'exposure');
+  editor.set('toneMap', 'exposure', 1, 'exposure');
   await settled();
   expect(state()).toMatchObject({ interim: 'stopped', picture: { exposure: 1 } });
   expect(led).toHaveLength(1);
 
-  studio.resumeWork();
+  editor.resumeWork();
   await settled();
   expect(led[1]).toMatchObject({ interims: true, resume: outputs('abc') });
   expect(state()).toMatchObject({ interim: 'running' });
@@ -109,19 +113,19 @@ it('stopped work stays as it is through edits, and goes on from there when it is
 });
 
 it('other work begins, whatever was stopped; back at that, it is as it was', async () => {
-  const { studio, state, end } = await open();
+  const { studio: editor, state, end } = await open();
   led[0]!.give('abc');
   await settled();
-  studio.cancelLoading();
+  editor.cancelLoading();
   await settled();
-  studio.set('work', 'levels', 2, 'levels');
+  editor.set('work', 'levels', 2, 'levels');
   await settled();
   expect(led[1]).toMatchObject({ params: { levels: 2 } });
   expect(led[1]!.resume).toBeUndefined();
   led[1]!.give('ab');
   await settled();
   expect(state().interim).toBe('running');
-  studio.undo();
+  editor.undo();
   await settled();
   expect([led.length, led[1]!.stopped]).toEqual([2, true]);
   expect(state().interim).toBe('stopped');
@@ -130,8 +134,8 @@ it('other work begins, whatever was stopped; back at that, it is as it was', asy
 });
 
 it('work that has given nothing yet is just cancelled', async () => {
-  const { studio, state } = await open();
-  studio.cancelLoading();
+  const { studio: editor, state } = await open();
+  editor.cancelLoading();
   await settled();
   expect(led[0]!.stopped).toBe(true);
   expect(state().loading).toBeUndefined();
@@ -139,12 +143,12 @@ it('work that has given nothing yet is just cancelled', async () => {
 });
 
 it('where other work has just begun, to cancel ends that, and does not begin it again', async () => {
-  const { studio, state } = await open();
+  const { studio: editor, state } = await open();
   led[0]!.give('abc');
   await settled();
-  studio.set('work', 'levels', 2, 'levels');
+  editor.set('work', 'levels', 2, 'levels');
   await settled();
-  studio.cancelLoading();
+  editor.cancelLoading();
   await settled();
   expect(led.map(({ stopped }) => stopped)).toEqual([true, true]);
   expect(state()).toMatchObject({ interim: 'stopped' });
@@ -152,14 +156,14 @@ it('where other work has just begun, to cancel ends that, and does not begin it 
 });
 
 it('that a run ended before its time is said, once', async () => {
-  const { studio, state } = await open();
+  const { studio: editor, state } = await open();
   const books = { kinetic: Float64Array.of(0), stop: { t: 1.5, message: 'too fast' } };
   led[0]!.end('abc', { books });
   await settled();
   expect(state().notices).toMatchObject([
     { kind: 'warning', place: 'work', text: 'it ended at t = 1.500 s: too fast' },
   ]);
-  studio.set('toneMap', 'exposure', 1, 'exposure');
+  editor.set('toneMap', 'exposure', 1, 'exposure');
   await settled();
   expect(state().notices).toEqual([]);
 });

@@ -15,14 +15,14 @@ export function Viewport(): ReactNode {
   const { t } = useTexts();
   const host = useRef<HTMLDivElement>(null);
   const canvas = useRef<HTMLCanvasElement>(null);
-  const life = useViewportRenderer(canvas);
+  const generation = useViewportRenderer(canvas);
   const focused = useFlightControls(host);
   const shown = useEditorState(({ pictureSource }) => pictureSource.origin || pictureSource.source);
   return (
     <div className="sl-viewport" data-opened={shown}>
       <div ref={host} className="sl-picture" role="application" aria-label={t('viewport.label')} data-viewport>
         {/* A canvas whose context was lost cannot be reused: each generation gets a new one. */}
-        <canvas key={life} ref={canvas} className="sl-canvas" />
+        <canvas key={generation} ref={canvas} className="sl-canvas" />
       </div>
       {!focused && <StartHint />}
       <Legend />
@@ -126,7 +126,7 @@ const LONG_STAGES = { trace: 'viewport.tracing', simulate: 'viewport.simulating'
 /** A scene being read, or the device restarting. */
 function BusyCard(): ReactNode {
   const { t } = useTexts();
-  const studio = useEditor();
+  const editor = useEditor();
   const loading = useEditorState((state) => state.loading);
   const graphics = useEditorState((state) => state.graphics);
   const shown = useEditorState(({ picture }) => picture !== undefined);
@@ -149,7 +149,7 @@ function BusyCard(): ReactNode {
           <Text size="xs" c="dimmed">
             {part === undefined ? step : `${step}, ${Math.round(100 * part)} %`}
           </Text>
-          <Button size="compact-xs" variant="default" onClick={studio.cancelLoading}>
+          <Button size="compact-xs" variant="default" onClick={editor.cancelLoading}>
             {t(running ? 'viewport.stop' : 'viewport.cancel')}
           </Button>
         </Group>
@@ -167,12 +167,12 @@ function BusyCard(): ReactNode {
 /** The picture shows an interim result of stopped work. */
 function StoppedCard(): ReactNode {
   const { t } = useTexts();
-  const studio = useEditor();
+  const editor = useEditor();
   const stopped = useEditorState(({ interim, loading }) => interim === 'stopped' && !loading);
   return stopped ? (
     <Group className="sl-busy" justify="space-between" wrap="nowrap" role="status" data-aside>
       <Text size="xs">{t('viewport.stopped')}</Text>
-      <Button size="compact-xs" variant="default" onClick={studio.resumeWork}>
+      <Button size="compact-xs" variant="default" onClick={editor.resumeWork}>
         {t('viewport.goOn')}
       </Button>
     </Group>

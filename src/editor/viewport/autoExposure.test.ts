@@ -24,16 +24,16 @@ const wanted = (luminance: number): number => meteredExposure([luminance]);
 
 describe('the eye', () => {
   it('takes the first light as it is, and goes to the next bit by bit', async () => {
-    const eye = new AutoExposure(false);
-    eye.observe(drawn(1));
-    await eye.advance(0, 0);
-    expect(eye.exposure(picture)).toBeCloseTo(wanted(1), 12);
-    eye.observe(drawn(16));
-    await eye.advance(0.02, 100);
+    const autoExposure = new AutoExposure(false);
+    autoExposure.observe(drawn(1));
+    await autoExposure.advance(0, 0);
+    expect(autoExposure.exposure(picture)).toBeCloseTo(wanted(1), 12);
+    autoExposure.observe(drawn(16));
+    await autoExposure.advance(0.02, 100);
     const way: number[] = [];
     for (let i = 0; i < 200; i++) {
-      void eye.advance(0.02, 101);
-      way.push(eye.exposure(picture));
+      void autoExposure.advance(0.02, 101);
+      way.push(autoExposure.exposure(picture));
     }
     expect(way[0]).toBeLessThan(wanted(1));
     expect(way[5]).toBeGreaterThan(wanted(16));
@@ -43,93 +43,95 @@ describe('the eye', () => {
   });
 
   it('goes at once where less motion is wished for, and after a blink', async () => {
-    for (const eye of [new AutoExposure(true), new AutoExposure(false)]) {
-      eye.observe(drawn(1));
-      await eye.advance(0, 0);
-      eye.reset();
-      eye.observe(drawn(4));
-      await eye.advance(0.01, 100);
-      void eye.advance(0.01, 101);
-      expect(eye.exposure(picture)).toBeCloseTo(wanted(4), 12);
+    for (const autoExposure of [new AutoExposure(true), new AutoExposure(false)]) {
+      autoExposure.observe(drawn(1));
+      await autoExposure.advance(0, 0);
+      autoExposure.reset();
+      autoExposure.observe(drawn(4));
+      await autoExposure.advance(0.01, 100);
+      void autoExposure.advance(0.01, 101);
+      expect(autoExposure.exposure(picture)).toBeCloseTo(wanted(4), 12);
     }
   });
 
   it('after a blink takes nothing from what was measured of before', async () => {
-    const eye = new AutoExposure(false);
+    const autoExposure = new AutoExposure(false);
     let measured = (_: LightMeterReadings): void => {};
-    eye.observe(drawn(1, { measureLight: () => new Promise((done) => (measured = done)) }));
-    const late = eye.advance(0, 0);
-    eye.observe(drawn(2));
-    eye.reset();
+    autoExposure.observe(drawn(1, { measureLight: () => new Promise((done) => (measured = done)) }));
+    const late = autoExposure.advance(0, 0);
+    autoExposure.observe(drawn(2));
+    autoExposure.reset();
     measured(light(1));
     await late;
-    expect(eye.advance(0, 100)).toBeUndefined();
-    expect(eye.exposure(picture)).toBe(0);
-    eye.observe(drawn(4));
-    await eye.advance(0, 200);
-    expect(eye.exposure(picture)).toBeCloseTo(wanted(4), 12);
+    expect(autoExposure.advance(0, 100)).toBeUndefined();
+    expect(autoExposure.exposure(picture)).toBe(0);
+    autoExposure.observe(drawn(4));
+    await autoExposure.advance(0, 200);
+    expect(autoExposure.exposure(picture)).toBeCloseTo(wanted(4), 12);
   });
 
   it('rests when all that was drawn is measured, and it is where that leads', async () => {
-    const eye = new AutoExposure(false);
-    expect(eye.isSettled).toBe(true);
-    eye.observe(drawn(1));
-    expect(eye.isSettled).toBe(false);
-    const first = eye.advance(0, 0);
-    expect(eye.isSettled).toBe(false);
+    const autoExposure = new AutoExposure(false);
+    expect(autoExposure.isSettled).toBe(true);
+    autoExposure.observe(drawn(1));
+    expect(autoExposure.isSettled).toBe(false);
+    const first = autoExposure.advance(0, 0);
+    expect(autoExposure.isSettled).toBe(false);
     await first;
-    expect(eye.isSettled).toBe(true);
-    eye.observe(drawn(16));
-    await eye.advance(0.02, 100);
-    void eye.advance(0.02, 101);
-    expect(eye.isSettled).toBe(false);
-    for (let i = 0; i < 200; i++) void eye.advance(0.02, 102);
-    expect(eye.isSettled).toBe(true);
-    eye.observe(drawn(2, { measureLight: () => Promise.reject(new Error('lost')) }));
-    await eye.advance(0, 200)?.catch(() => {});
-    expect(eye.isSettled).toBe(true);
+    expect(autoExposure.isSettled).toBe(true);
+    autoExposure.observe(drawn(16));
+    await autoExposure.advance(0.02, 100);
+    void autoExposure.advance(0.02, 101);
+    expect(autoExposure.isSettled).toBe(false);
+    for (let i = 0; i < 200; i++) void autoExposure.advance(0.02, 102);
+    expect(autoExposure.isSettled).toBe(true);
+    autoExposure.observe(drawn(2, { measureLight: () => Promise.reject(new Error('lost')) }));
+    await autoExposure.advance(0, 200)?.catch(() => {});
+    expect(autoExposure.isSettled).toBe(true);
   });
 
   it('measures one picture at a time and none twice; another exposure is no other picture', async () => {
-    const eye = new AutoExposure(true);
+    const autoExposure = new AutoExposure(true);
     let count = 0;
-    const gauge = async () => {
+    const readings = async () => {
       count++;
       return light(1);
     };
-    const still = drawn(1, { measureLight: gauge });
-    eye.observe(still);
-    const first = eye.advance(0, 0);
-    eye.observe(drawn(2, { measureLight: gauge }));
-    expect(eye.advance(0, 100)).toBeUndefined();
+    const still = drawn(1, { measureLight: readings });
+    autoExposure.observe(still);
+    const first = autoExposure.advance(0, 0);
+    autoExposure.observe(drawn(2, { measureLight: readings }));
+    expect(autoExposure.advance(0, 100)).toBeUndefined();
     await first;
-    await eye.advance(0, 200);
+    await autoExposure.advance(0, 200);
     expect(count).toBe(2);
-    eye.observe(drawn(2, { measureLight: gauge, settings: { ...DEFAULT_SETTINGS, exposure: 3, tone: 'agx' } }));
-    expect(eye.advance(0, 300)).toBeUndefined();
+    autoExposure.observe(
+      drawn(2, { measureLight: readings, settings: { ...DEFAULT_SETTINGS, exposure: 3, tone: 'agx' } }),
+    );
+    expect(autoExposure.advance(0, 300)).toBeUndefined();
   });
 
   it('finds the scale of false colours, also where the exposure is set by hand', async () => {
-    const eye = new AutoExposure(true);
+    const autoExposure = new AutoExposure(true);
     const shown = { metering: 'manual', falseColor: 'doppler' } as PictureSpec;
-    const gauge = async (): Promise<LightMeterReadings> => ({ ...light(1), doppler: Float32Array.of(0.6, 1.2) });
-    expect(eye.scale('doppler').to).toBeLessThan(1.1);
-    eye.observe(drawn(1, { picture: shown, measureLight: gauge }));
-    await eye.advance(0, 0);
-    expect(eye.scale('doppler')).toEqual({ from: 0.5, to: 2 });
-    expect(eye.exposure(shown)).toBe(0);
+    const readings = async (): Promise<LightMeterReadings> => ({ ...light(1), doppler: Float32Array.of(0.6, 1.2) });
+    expect(autoExposure.scale('doppler').to).toBeLessThan(1.1);
+    autoExposure.observe(drawn(1, { picture: shown, measureLight: readings }));
+    await autoExposure.advance(0, 0);
+    expect(autoExposure.scale('doppler')).toEqual({ from: 0.5, to: 2 });
+    expect(autoExposure.exposure(shown)).toBe(0);
   });
 
   it('leaves a manual exposure alone, and survives a device that is lost', async () => {
-    const eye = new AutoExposure(true);
+    const autoExposure = new AutoExposure(true);
     const manual = { ...picture, metering: 'manual' } as const;
-    eye.observe(drawn(8, { picture: manual }));
-    expect(eye.advance(0, 0)).toBeUndefined();
-    expect(eye.exposure(manual)).toBe(0);
-    eye.observe(drawn(8, { measureLight: () => Promise.reject(new Error('lost')) }));
-    await expect(eye.advance(0, 100)).rejects.toThrow('lost');
-    eye.observe(drawn(4));
-    await eye.advance(0, 200);
-    expect(eye.exposure(picture)).toBeCloseTo(wanted(4), 12);
+    autoExposure.observe(drawn(8, { picture: manual }));
+    expect(autoExposure.advance(0, 0)).toBeUndefined();
+    expect(autoExposure.exposure(manual)).toBe(0);
+    autoExposure.observe(drawn(8, { measureLight: () => Promise.reject(new Error('lost')) }));
+    await expect(autoExposure.advance(0, 100)).rejects.toThrow('lost');
+    autoExposure.observe(drawn(4));
+    await autoExposure.advance(0, 200);
+    expect(autoExposure.exposure(picture)).toBeCloseTo(wanted(4), 12);
   });
 });

@@ -28,24 +28,24 @@ export interface MeteredPicture {
  */
 export class AutoExposure {
   /** Whether exposure jumps instead of adapting, with prefers-reduced-motion. */
-  private readonly atOnce: boolean;
+  private readonly withoutAdaptation: boolean;
   private value: number | undefined;
   private target = 0;
-  private gauge: LightMeterReadings | undefined;
+  private readings: LightMeterReadings | undefined;
   /** Value ranges of the last measurement. */
-  private scaled:
-    | { readonly gauge: LightMeterReadings | undefined; readonly scales: Map<FalseColorQuantity, ValueRange> }
+  private rangesOfReadings:
+    | { readonly readings: LightMeterReadings | undefined; readonly scales: Map<FalseColorQuantity, ValueRange> }
     | undefined;
   /** The drawn picture that is not measured yet. */
-  private drawn: MeteredPicture | undefined;
-  private known = '';
-  private busy = false;
+  private unmeasured: MeteredPicture | undefined;
+  private measuredContent = '';
+  private isMeasuring = false;
   /** Generation, incremented by `reset`. */
-  private life = 0;
-  private since = Number.NEGATIVE_INFINITY;
+  private generation = 0;
+  private lastMeasurement = Number.NEGATIVE_INFINITY;
 
-  constructor(atOnce: boolean) {
-    this.atOnce = atOnce;
+  constructor(withoutAdaptation: boolean) {
+    this.withoutAdaptation = withoutAdaptation;
   }
 
   /** Automatic part of the exposure [EV]. */
@@ -55,24 +55,25 @@ export class AutoExposure {
 
   /** Value range of a false colour: round numbers that enclose the last measurement. */
   scale(kind: FalseColorQuantity): ValueRange {
-    if (!this.scaled || this.scaled.gauge !== this.gauge) this.scaled = { gauge: this.gauge, scales: new Map() };
-    const { scales } = this.scaled;
-    const scale = scales.get(kind) ?? measuredFalseColorScale(kind, this.gauge);
+    if (!this.rangesOfReadings || this.rangesOfReadings.readings !== this.readings)
+      this.rangesOfReadings = { readings: this.readings, scales: new Map() };
+    const { scales } = this.rangesOfReadings;
+    const scale = scales.get(kind) ?? measuredFalseColorScale(kind, this.readings);
     scales.set(kind, scale);
     return scale;
   }
 
   /** Whether the last picture is measured and adaptation has ended. */
   get isSettled(): boolean {
-    return !this.drawn && !this.busy && (this.value === undefined || this.value === this.target);
+    return !this.unmeasured && !this.isMeasuring && (this.value === undefined || this.value === this.target);
   }
 
   /** Restarts: the next measurement applies at once, and pending ones are discarded. */
   reset(): void {
-    this.life++;
+    this.generation++;
     this.value = undefined;
-    this.drawn = undefined;
-    this.known = '';
+    this.unmeasured = undefined;
+    this.measuredContent = '';
   }
 
   /** Call with every drawn picture. */
@@ -82,36 +83,40 @@ export class AutoExposure {
     // Luminance does not depend on display settings, except through frame graphs.
     const { exposure: _, tone: __, falseColors: ___, frameGraph: ____, ...lit } = drawn.settings;
     const what = contentKey([metering, falseColor === 'none', drawn.viewPoint, lit, frameGraph, drawn.aspect]);
-    if (what === this.known) return;
-    this.known = what;
-    this.drawn = drawn;
+    if (what === this.measuredContent) return;
+    this.measuredContent = what;
+    this.unmeasured = drawn;
   }
 
   /** Advances by dt [s] of real time; `now` [ms]. Returns the running measurement, if any. */
   advance(dt: number, now: number): Promise<void> | undefined {
     if (this.value !== undefined) {
-      const next = this.atOnce ? this.target : adaptExposure(this.value, this.target, dt);
+      const next = this.withoutAdaptation ? this.target : adaptExposure(this.value, this.target, dt);
       this.value = Math.abs(next - this.target) < SETTLED_DIFFERENCE ? this.target : next;
     }
-    if (!this.drawn || this.busy || now - this.since < Math.max(MIN_METERING_INTERVAL, MIN_FRAMES_BETWEEN * 1000 * dt))
+    if (
+      !this.unmeasured ||
+      this.isMeasuring ||
+      now - this.lastMeasurement < Math.max(MIN_METERING_INTERVAL, MIN_FRAMES_BETWEEN * 1000 * dt)
+    )
       return undefined;
-    this.since = now;
-    return this.measure(this.drawn);
+    this.lastMeasurement = now;
+    return this.measure(this.unmeasured);
   }
 
   private async measure(drawn: MeteredPicture): Promise<void> {
-    const { picture, viewPoint, settings, aspect, measureLight: gauge } = drawn;
-    const life = this.life;
-    this.busy = true;
-    this.drawn = undefined;
+    const { picture, viewPoint, settings, aspect, measureLight: readings } = drawn;
+    const generation = this.generation;
+    this.isMeasuring = true;
+    this.unmeasured = undefined;
     try {
-      const measured = await gauge();
-      if (life !== this.life) return;
-      this.gauge = measured;
-      this.target = exposureForMetering(picture.metering, this.gauge, viewPoint, settings, aspect);
+      const measured = await readings();
+      if (generation !== this.generation) return;
+      this.readings = measured;
+      this.target = exposureForMetering(picture.metering, this.readings, viewPoint, settings, aspect);
       this.value ??= this.target;
     } finally {
-      this.busy = false;
+      this.isMeasuring = false;
     }
   }
 }

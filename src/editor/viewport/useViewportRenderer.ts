@@ -14,42 +14,43 @@ const LOSS_WINDOW = 60_000;
  */
 export function useViewportRenderer(canvas: RefObject<HTMLCanvasElement | null>): number {
   const { t } = useTexts();
-  const studio = useEditor();
+  const editor = useEditor();
   const services = useServices();
-  const [life, setLife] = useState(0);
+  const [generation, setLife] = useState(0);
   const losses = useRef<number[]>([]);
   const say = useRef(t);
   say.current = t;
 
   useEffect(() => {
-    let stage: ViewportRenderer | undefined;
+    let viewportRenderer: ViewportRenderer | undefined;
     let over = false;
     const begin = async (element: HTMLCanvasElement) => {
       const started = await ViewportRenderer.start(
         element,
-        studio,
+        editor,
         services.observerController,
         services.backend,
         lost,
       );
       if (over) return started.stop();
-      stage = started;
+      viewportRenderer = started;
       services.viewport.capture = () => started.capture();
       services.viewport.besides = () => started.previewContext();
-      if (life > 0 && losses.current.length > 0) studio.notify({ kind: 'info', text: say.current('notice.recovered') });
+      if (generation > 0 && losses.current.length > 0)
+        editor.notify({ kind: 'info', text: say.current('notice.recovered') });
     };
     const lost = () => {
       if (over) return;
       const now = performance.now();
       losses.current = [...losses.current.filter((time) => now - time < LOSS_WINDOW), now];
       const failed = losses.current.length > MAX_LOSSES;
-      studio.update({ graphics: failed ? 'failed' : 'recovering' });
+      editor.update({ graphics: failed ? 'failed' : 'recovering' });
       if (!failed) setLife((lives) => lives + 1);
     };
     if (canvas.current) {
       begin(canvas.current).catch((error: unknown) => {
         const text = error instanceof Error ? error.message : String(error);
-        studio.notify({ kind: 'error', text });
+        editor.notify({ kind: 'error', text });
         lost();
       });
     }
@@ -57,8 +58,8 @@ export function useViewportRenderer(canvas: RefObject<HTMLCanvasElement | null>)
       over = true;
       services.viewport.capture = undefined;
       services.viewport.besides = undefined;
-      stage?.stop();
+      viewportRenderer?.stop();
     };
-  }, [canvas, studio, services, life]);
-  return life;
+  }, [canvas, editor, services, generation]);
+  return generation;
 }

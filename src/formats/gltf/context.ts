@@ -4,7 +4,7 @@ import type { SampledSpectrum } from '../../spectrum/sources/lightSpectrum.ts';
 import type { DiagnosticCode } from '../diagnostics/diagnosticCodes.ts';
 import type { DiagnosticLog } from '../diagnostics/diagnosticLog.ts';
 import { inputError } from '../diagnostics/inputError.ts';
-import type { ReadOptions } from '../registry.ts';
+import type { ReadOptions } from '../readOptions.ts';
 
 /** What every part of the reader needs to know of the file it reads. */
 export interface GltfContext {

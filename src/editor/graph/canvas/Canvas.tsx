@@ -31,21 +31,21 @@ const EDGE_TYPES: EdgeTypes = { wire: Wire };
 /** Nodes and edges of the shown level. */
 export function GraphCanvas({ panel }: { readonly panel: React.RefObject<HTMLElement | null> }): ReactNode {
   const { t } = useTexts();
-  const studio = useEditor();
+  const editor = useEditor();
   const scheme = useComputedColorScheme('dark');
   const flow = useFlow();
   const pixel = useStore(({ transform }) => canvasPixelSize(transform[2]));
-  const wiring = useWiring(flow.faces, panel);
+  const wiring = useWiring(flow.cards, panel);
   useCanvasViewport(flow, panel);
-  useNodePictures(flow.faces);
+  useNodePictures(flow.cards);
   const labels = useMemo(() => ({ 'minimap.ariaLabel': t('graph.minimap') }), [t]);
   const onDoubleClick = (_event: unknown, { id, data }: FlowNode) => {
-    const context = actionContext(studio);
+    const context = actionContext(editor);
     if (!context) return;
     const { kind, key } = flowItem(id);
     if (kind !== 'node') canvas.setState({ editing: id });
-    else if ('face' in data && data.face.type === GROUP) enterGroup(context, key);
-    else studio.update({ inspecting: true });
+    else if ('card' in data && data.card.type === GROUP) enterGroup(context, key);
+    else editor.update({ inspecting: true });
   };
   return (
     <CanvasPixelContext value={pixel}>
@@ -96,15 +96,15 @@ export function GraphCanvas({ panel }: { readonly panel: React.RefObject<HTMLEle
 }
 
 const minimapClass = ({ data, type }: FlowNode): string =>
-  'face' in data ? `sl-mini sl-mini-${data.face.category}` : `sl-mini sl-mini-${type}`;
+  'card' in data ? `sl-mini sl-mini-${data.card.category}` : `sl-mini sl-mini-${type}`;
 
 /** Selects a node that gets the focus by Tab. */
 function selectFocused({ target }: FocusEvent<HTMLElement>): void {
   const id = target.classList.contains('react-flow__node') ? target.dataset.id : undefined;
   if (id === undefined || !target.matches(':focus-visible')) return;
   const { kind, key } = flowItem(id);
-  const { selection, viewport: sight } = canvas.getState();
+  const { selection, viewport } = canvas.getState();
   if (selection[`${kind}s`].includes(key)) return;
   selectItems({ [`${kind}s`]: [key] });
-  if (kind === 'node') sight?.reveal(key);
+  if (kind === 'node') viewport?.reveal(key);
 }

@@ -44,12 +44,14 @@ export function fitTransform(
 /** All combinations of margins that avoid each overlay on one of its sides or not at all; the first avoids none. */
 function overlayInsets([width, height]: CanvasPoint, over: readonly CanvasRect[]): readonly Insets[] {
   return over.reduce<readonly Insets[]>(
-    (ways, { at: [x, y], size: [wide, high] }) => {
+    (candidates, { at: [x, y], size: [wide, high] }) => {
       const isLeft = x + wide / 2 < width / 2;
       const isAbove = y + high / 2 < height / 2;
       const beside: Insets = isLeft ? [x + wide, 0, 0, 0] : [0, 0, width - x, 0];
       const past: Insets = isAbove ? [0, y + high, 0, 0] : [0, 0, 0, height - y];
-      return [undefined, beside, past].flatMap((more) => ways.map((way) => (more ? maxInsets(way, more) : way)));
+      return [undefined, beside, past].flatMap((more) =>
+        candidates.map((candidate) => (more ? maxInsets(candidate, more) : candidate)),
+      );
     },
     [[0, 0, 0, 0]],
   );

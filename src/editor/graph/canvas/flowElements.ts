@@ -13,7 +13,7 @@ import type { CanvasSelection } from './canvasState.ts';
  * A level of the document as React Flow elements, derived anew whenever the document changes; elements that come out
  * equal keep their identity and are not re-rendered.
  */
-export type CardNode = Node<{ readonly face: CardModel; readonly reach: CanvasPoint }, 'card' | 'dot'>;
+export type CardNode = Node<{ readonly card: CardModel; readonly reach: CanvasPoint }, 'card' | 'dot'>;
 export type NoteNode = Node<{ readonly id: string; readonly note: GraphNote }, 'note'>;
 export type FrameNode = Node<{ readonly id: string; readonly frame: GraphFrame }, 'frame'>;
 export type FlowNode = CardNode | NoteNode | FrameNode;
@@ -39,9 +39,9 @@ export class ElementCache<Item> {
   /** `of`: key of everything that the item depends on. */
   get(id: string, of: string, make: () => Item): Item {
     const before = this.before.get(id);
-    const kept = before?.of === of ? before : { of, item: make() };
-    this.now.set(id, kept);
-    return kept.item;
+    const cache = before?.of === of ? before : { of, item: make() };
+    this.now.set(id, cache);
+    return cache.item;
   }
 
   /** Drops items that were not requested since the last call. */
@@ -61,39 +61,39 @@ export interface FlowInput {
   /** How far titles may extend beyond their nodes (zoomedOutTitle.ts). */
   readonly overhangs: ReadonlyMap<string, CanvasPoint>;
   /** Accessible name of a node. */
-  nameOf(face: CardModel): string;
+  nameOf(card: CardModel): string;
 }
 
 /** Z-order: frames, notes, nodes. */
-export function flowNodes(scenery: FlowInput, kept: ElementCache<FlowNode>): FlowNode[] {
-  const { level, cards: faces, places, selection, overhangs } = scenery;
+export function flowNodes(input: FlowInput, cache: ElementCache<FlowNode>): FlowNode[] {
+  const { level, cards: faces, places, selection, overhangs } = input;
   const boxOf = (id: string): CanvasRect | undefined => {
-    const [face, at] = [faces.get(id), places[id]];
-    return face && at && { at, size: cardSize(face) };
+    const [card, at] = [faces.get(id), places[id]];
+    return card && at && { at, size: cardSize(card) };
   };
   const frames = Object.entries(level.graph.frames).flatMap(([key, frame]): FlowNode[] => {
     const box = frameRect(frame, boxOf);
     if (!box) return [];
     const selected = selection.frames.includes(key);
-    return [kept.get(FRAME + key, JSON.stringify([frame, box, selected]), () => frameNode(key, frame, box, selected))];
+    return [cache.get(FRAME + key, JSON.stringify([frame, box, selected]), () => frameNode(key, frame, box, selected))];
   });
   const notes = Object.entries(level.graph.notes).map(([key, note]): FlowNode => {
-    const at = scenery.notes[key] ?? note.at;
+    const at = input.notes[key] ?? note.at;
     const selected = selection.notes.includes(key);
-    return kept.get(NOTE + key, JSON.stringify([note, at, selected]), () => noteNode(key, note, at, selected));
+    return cache.get(NOTE + key, JSON.stringify([note, at, selected]), () => noteNode(key, note, at, selected));
   });
   const selected = new Set(selection.nodes);
-  const cards = [...faces.values()].map((face): FlowNode => {
-    const at = places[face.id] ?? [0, 0];
-    const isSelected = selected.has(face.id);
-    const name = scenery.nameOf(face);
-    const reach = overhangs.get(face.id) ?? [0, 0];
-    return kept.get(face.id, JSON.stringify([face, at, isSelected, name, reach]), () => ({
-      ...cardNode(face, at, isSelected, reach),
+  const cards = [...faces.values()].map((card): FlowNode => {
+    const at = places[card.id] ?? [0, 0];
+    const isSelected = selected.has(card.id);
+    const name = input.nameOf(card);
+    const reach = overhangs.get(card.id) ?? [0, 0];
+    return cache.get(card.id, JSON.stringify([card, at, isSelected, name, reach]), () => ({
+      ...cardNode(card, at, isSelected, reach),
       ariaLabel: name,
     }));
   });
-  kept.evictUnused();
+  cache.evictUnused();
   return [...frames, ...notes, ...cards];
 }
 
@@ -129,12 +129,12 @@ const noteNode = (id: string, note: GraphNote, at: CanvasPoint, selected: boolea
   ariaLabel: note.text,
 });
 
-const cardNode = (face: CardModel, at: CanvasPoint, selected: boolean, reach: CanvasPoint): CardNode => ({
-  id: face.id,
-  type: face.type === REROUTE ? 'dot' : 'card',
+const cardNode = (card: CardModel, at: CanvasPoint, selected: boolean, reach: CanvasPoint): CardNode => ({
+  id: card.id,
+  type: card.type === REROUTE ? 'dot' : 'card',
   position: position(at),
-  ...sized(cardSize(face)),
-  handles: socketPositions(face).map(
+  ...sized(cardSize(card)),
+  handles: socketPositions(card).map(
     ({ side, socket, at: [x, y] }): NodeHandle => ({
       id: socket.name,
       type: side === 'inputs' ? 'target' : 'source',
@@ -146,7 +146,7 @@ const cardNode = (face: CardModel, at: CanvasPoint, selected: boolean, reach: Ca
       height: SOCKET_SIZE,
     }),
   ),
-  data: { face, reach },
+  data: { card, reach },
   selected,
 });
 
@@ -154,7 +154,7 @@ export function flowEdges(
   level: GraphLevel,
   types: LevelTypes,
   chosen: CanvasSelection,
-  kept: ElementCache<WireEdge>,
+  cache: ElementCache<WireEdge>,
 ): WireEdge[] {
   const conflicts = new Set(types.conflicts.map(({ edge }) => edgeKey(edge.to)));
   const edges = Object.entries(level.graph.edges).map(([id, { from, to }]) => {
@@ -171,8 +171,8 @@ export function flowEdges(
       data: { type, conflict },
       selected,
     });
-    return kept.get(id, JSON.stringify([from, type, conflict, selected]), make);
+    return cache.get(id, JSON.stringify([from, type, conflict, selected]), make);
   });
-  kept.evictUnused();
+  cache.evictUnused();
   return edges;
 }

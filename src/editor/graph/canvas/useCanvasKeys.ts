@@ -7,18 +7,18 @@ import { canvas, selectItems } from './canvasState.ts';
 
 /** Keyboard shortcuts and clipboard events while the canvas has the focus. */
 export function useCanvasKeys(panel: React.RefObject<HTMLElement | null>): void {
-  const studio = useEditor();
+  const editor = useEditor();
   useEffect(() => {
     const host = panel.current;
     if (!host) return;
     const onKeyDown = (event: KeyboardEvent) => {
-      const context = isWriting(event) ? undefined : actionContext(studio);
+      const context = isWriting(event) ? undefined : actionContext(editor);
       if (!context || !act(context, event)) return;
       event.preventDefault();
       event.stopPropagation();
     };
     const onKeyUp = (event: KeyboardEvent) => {
-      if (event.key.startsWith('Arrow')) studio.endGesture();
+      if (event.key.startsWith('Arrow')) editor.endGesture();
     };
     host.addEventListener('keydown', onKeyDown);
     host.addEventListener('keyup', onKeyUp);
@@ -26,7 +26,7 @@ export function useCanvasKeys(panel: React.RefObject<HTMLElement | null>): void 
       host.removeEventListener('keydown', onKeyDown);
       host.removeEventListener('keyup', onKeyUp);
     };
-  }, [studio, panel]);
+  }, [editor, panel]);
   useEffect(() => {
     const isHere = (event: ClipboardEvent) => !isWriting(event) && panel.current?.contains(document.activeElement);
     const give = (event: ClipboardEvent, words: string | undefined) => {
@@ -34,12 +34,12 @@ export function useCanvasKeys(panel: React.RefObject<HTMLElement | null>): void 
       event.clipboardData?.setData('text/plain', words);
       event.preventDefault();
     };
-    const onCopy = (event: ClipboardEvent) => isHere(event) && give(event, copySelection(studio));
-    const onCut = (event: ClipboardEvent) => isHere(event) && give(event, cutSelection(studio));
+    const onCopy = (event: ClipboardEvent) => isHere(event) && give(event, copySelection(editor));
+    const onCut = (event: ClipboardEvent) => isHere(event) && give(event, cutSelection(editor));
     const onPaste = (event: ClipboardEvent) => {
       const words = event.clipboardData?.getData('text/plain');
       if (!isHere(event) || !words) return;
-      pasteText(studio, words);
+      pasteText(editor, words);
       event.preventDefault();
     };
     document.addEventListener('copy', onCopy);
@@ -50,7 +50,7 @@ export function useCanvasKeys(panel: React.RefObject<HTMLElement | null>): void 
       document.removeEventListener('cut', onCut);
       document.removeEventListener('paste', onPaste);
     };
-  }, [studio, panel]);
+  }, [editor, panel]);
 }
 
 const isWriting = ({ target }: Event): boolean =>

@@ -15,8 +15,8 @@ const OVERLAYS = '.sl-graph-tools, .sl-breadcrumb, .react-flow__minimap';
 
 interface ShownGraph {
   /** Card models with all pictures, also those hidden because they would cover other nodes. */
-  readonly whole: ReadonlyMap<string, CardModel>;
-  readonly faces: ReadonlyMap<string, CardModel>;
+  readonly uncropped: ReadonlyMap<string, CardModel>;
+  readonly cards: ReadonlyMap<string, CardModel>;
   readonly places: Readonly<Record<string, CanvasPoint>>;
   /** Nodes as drawn, with notes and frames. */
   readonly nodes: readonly FlowNode[];
@@ -45,13 +45,13 @@ export function useCanvasViewport(shown: ShownGraph, panel: React.RefObject<HTML
   const now = useRef(shown);
   now.current = shown;
   useEffect(() => {
-    const sizeIn = (faces: ReadonlyMap<string, CardModel>, id: string): CanvasPoint => {
-      const face = faces.get(id);
-      return face ? cardSize(face) : [0, 0];
+    const sizeIn = (cards: ReadonlyMap<string, CardModel>, id: string): CanvasPoint => {
+      const card = cards.get(id);
+      return card ? cardSize(card) : [0, 0];
     };
-    const sizeOfNode = (id: string): CanvasPoint => sizeIn(now.current.faces, id);
+    const sizeOfNode = (id: string): CanvasPoint => sizeIn(now.current.cards, id);
     const placeOf = (id: string): CanvasPoint => now.current.places[id] ?? [0, 0];
-    const sight: CanvasViewport = {
+    const viewport: CanvasViewport = {
       center: () => {
         const { width, height, transform } = store.getState();
         const [x, y, zoom] = transform;
@@ -68,7 +68,7 @@ export function useCanvasViewport(shown: ShownGraph, panel: React.RefObject<HTML
       },
       zoom: (factor) => void flow.zoomTo(flow.getZoom() * factor, { duration: transitionDuration() }),
       sizeOf: sizeOfNode,
-      sizeWithPicture: (id) => sizeIn(now.current.whole, id),
+      sizeWithPicture: (id) => sizeIn(now.current.uncropped, id),
       positionOf: placeOf,
       reveal: (node) => {
         const { width, height, transform } = store.getState();
@@ -97,18 +97,18 @@ export function useCanvasViewport(shown: ShownGraph, panel: React.RefObject<HTML
         // Waits until a node that was just added is rendered.
         requestAnimationFrame(() => {
           give(`.react-flow__node[data-id="${node}"]`);
-          sight.reveal(node);
+          viewport.reveal(node);
         });
       },
     };
-    canvas.setState({ viewport: sight });
+    canvas.setState({ viewport });
     // Fits all nodes initially, once the panel has a size.
-    const look = (): boolean => {
+    const fitAll = (): boolean => {
       if (store.getState().width === 0) return false;
-      sight.fit(undefined, 0);
+      viewport.fit(undefined, 0);
       return true;
     };
-    const unwatch = look() ? () => {} : store.subscribe(() => look() && unwatch());
+    const unwatch = fitAll() ? () => {} : store.subscribe(() => fitAll() && unwatch());
     return () => {
       unwatch();
       canvas.setState({ viewport: undefined, adding: undefined, editing: undefined });

@@ -44,22 +44,22 @@ const NO_DRAG: Drag = { nodes: {}, notes: {} };
 export function useFlow() {
   const level = useLevel();
   const chosen = useCanvas((state) => state.selection);
-  const whole = useCardModels(level);
+  const uncropped = useCardModels(level);
   const placed = useMemo(
     () =>
       nodePositions(level.graph, (id) => {
-        const face = whole.get(id);
-        return face ? cardSize(face) : [0, 0];
+        const card = uncropped.get(id);
+        return card ? cardSize(card) : [0, 0];
       }),
-    [level, whole],
+    [level, uncropped],
   );
-  const faces = useMemo(() => withoutCoveringPictures(whole, placed), [whole, placed]);
+  const cards = useMemo(() => withoutCoveringPictures(uncropped, placed), [uncropped, placed]);
   const beyond = useMemo(
     () =>
-      titleOverhangs(new Map([...faces].map(([id, face]) => [id, { at: placed[id] ?? [0, 0], size: cardSize(face) }]))),
-    [faces, placed],
+      titleOverhangs(new Map([...cards].map(([id, card]) => [id, { at: placed[id] ?? [0, 0], size: cardSize(card) }]))),
+    [cards, placed],
   );
-  const { drag, onNodesChange } = useDrag(level, faces, placed);
+  const { drag, onNodesChange } = useDrag(level, cards, placed);
   const nameOf = useNames();
   const nodeCache = useRef(new ElementCache<FlowNode>());
   const edgeCache = useRef(new ElementCache<WireEdge>());
@@ -68,27 +68,27 @@ export function useFlow() {
   const nodes = useMemo(
     () =>
       flowNodes(
-        { level, cards: faces, places, notes: drag.notes, selection: present, overhangs: beyond, nameOf },
+        { level, cards, places, notes: drag.notes, selection: present, overhangs: beyond, nameOf },
         nodeCache.current,
       ),
-    [level, faces, places, drag, present, beyond, nameOf],
+    [level, cards, places, drag, present, beyond, nameOf],
   );
   const edges = useMemo(
     () => flowEdges(level, inferTypes(level, nodeLibrary), present, edgeCache.current),
     [level, present],
   );
-  return { level, whole, faces, places, nodes, edges, onNodesChange, onEdgesChange: selectEdges };
+  return { level, uncropped, cards, places, nodes, edges, onNodesChange, onEdgesChange: selectEdges };
 }
 
-function useNames(): (face: CardModel) => string {
-  const { t, any, said, language } = useTexts();
+function useNames(): (card: CardModel) => string {
+  const { t, textOrKey, said: translateMessage, language } = useTexts();
   // biome-ignore lint/correctness/useExhaustiveDependencies: texts change with the language
   return useCallback(
     ({ title, problem }) =>
       problem
-        ? t('graph.node.problem', { title: any(title), problem: said(problem.message) })
-        : t('graph.node', { title: any(title) }),
-    [language, said],
+        ? t('graph.node.problem', { title: textOrKey(title), problem: translateMessage(problem.message) })
+        : t('graph.node', { title: textOrKey(title) }),
+    [language, translateMessage],
   );
 }
 
@@ -103,25 +103,26 @@ function useCardModels(level: GraphLevel): ReadonlyMap<string, CardModel> {
   const path = useCanvas((state) => state.path);
   const pictures = useCanvas((state) => state.pictures);
   return useMemo(() => {
-    const way = existingPath(level.document, path);
+    const candidate = existingPath(level.document, path);
     const problems = problemsByNode(results);
     const around = {
       level,
       types: inferTypes(level, nodeLibrary),
       edges: connectedSockets(level.graph.edges),
-      resultOf: (node: string) => nodeResultOf(results, level.document, flatNodeId(way, node), level.graph.nodes[node]),
-      problemOf: (node: string) => problems.get(flatNodeId(way, node)),
+      resultOf: (node: string) =>
+        nodeResultOf(results, level.document, flatNodeId(candidate, node), level.graph.nodes[node]),
+      problemOf: (node: string) => problems.get(flatNodeId(candidate, node)),
       pictures,
     };
     return new Map(Object.entries(level.graph.nodes).map(([id, node]) => [id, cardModel(id, node, around)]));
   }, [level, results, path, pictures]);
 }
 
-function useDrag(level: GraphLevel, faces: ReadonlyMap<string, CardModel>, placed: Places) {
-  const studio = useEditor();
+function useDrag(level: GraphLevel, cards: ReadonlyMap<string, CardModel>, placed: Places) {
+  const editor = useEditor();
   const [drag, setDrag] = useState(NO_DRAG);
-  const now = useRef<DragContext>({ level, placed, faces });
-  now.current = { level, placed, faces };
+  const now = useRef<DragContext>({ level, placed, cards });
+  now.current = { level, placed, cards };
   const onNodesChange = useCallback(
     (changes: NodeChange<FlowNode>[]) => {
       selectNodes(changes);
@@ -144,9 +145,9 @@ function useDrag(level: GraphLevel, faces: ReadonlyMap<string, CardModel>, place
       const nodes = changed(moved.nodes, (key) => now.current.placed[key]);
       const notes = changed(moved.notes, (key) => here.graph.notes[key]?.at);
       if (Object.keys(nodes).length + Object.keys(notes).length > 0)
-        studio.edit(moveItemsCommand(here, nodes, notes), 'edit.move');
+        editor.edit(moveItemsCommand(here, nodes, notes), 'edit.move');
     },
-    [studio],
+    [editor],
   );
   return { drag, onNodesChange };
 }
@@ -154,19 +155,19 @@ function useDrag(level: GraphLevel, faces: ReadonlyMap<string, CardModel>, place
 interface DragContext {
   readonly level: GraphLevel;
   readonly placed: Places;
-  readonly faces: ReadonlyMap<string, CardModel>;
+  readonly cards: ReadonlyMap<string, CardModel>;
 }
 
 /** Positions of everything that moves: the dragged nodes, and those in dragged frames. */
 function computeDrag(
   moves: readonly (FlowItem & { readonly at: CanvasPoint })[],
-  { level, placed, faces }: DragContext,
+  { level, placed, cards }: DragContext,
 ): Drag {
   const of = (kind: FlowItem['kind']) => moves.filter((move) => move.kind === kind);
   const nodes = new Map(of('node').map(({ key, at }) => [key, at]));
   const boxOf = (id: string) => {
-    const [face, at] = [faces.get(id), placed[id]];
-    return face && at && { at, size: cardSize(face) };
+    const [card, at] = [cards.get(id), placed[id]];
+    return card && at && { at, size: cardSize(card) };
   };
   for (const { key, at } of of('frame')) {
     const frame = level.graph.frames[key];

@@ -12,41 +12,45 @@ import { canvas, levelAt } from './canvasState.ts';
 import { type FlowNode, flowItem, type WireEdge } from './flowElements.ts';
 
 /** Handlers for edges that are drawn, reconnected, dropped and bent. */
-export function useWiring(faces: ReadonlyMap<string, CardModel>, panel: React.RefObject<HTMLElement | null>) {
-  const studio = useEditor();
+export function useWiring(cards: ReadonlyMap<string, CardModel>, panel: React.RefObject<HTMLElement | null>) {
+  const editor = useEditor();
   const { screenToFlowPosition } = useReactFlow<FlowNode, WireEdge>();
-  const shown = useRef(faces);
-  shown.current = faces;
+  const shown = useRef(cards);
+  shown.current = cards;
   /** The edge being reconnected. */
-  const carried = useRef<GraphEdge>(undefined);
+  const reconnectedEdge = useRef<GraphEdge>(undefined);
   return useMemo(() => {
-    const levelNow = (): GraphLevel => levelAt(studio.store.getState().history.document, canvas.getState().path);
+    const levelNow = (): GraphLevel => levelAt(editor.store.getState().history.document, canvas.getState().path);
     const draw = (edge: GraphEdge) => {
       const level = levelNow();
-      if (!hasEdge(level, edge)) studio.edit(connectCommand(level, edge), 'edit.connect');
+      if (!hasEdge(level, edge)) editor.edit(connectCommand(level, edge), 'edit.connect');
     };
     const toPanel = ([x, y]: CanvasPoint): CanvasPoint => {
       const box = panel.current?.getBoundingClientRect();
       return box ? [x - box.left, y - box.top] : [x, y];
     };
     /** Asks what to connect a dropped edge to: a socket of the node it was dropped on, or a new node. */
-    const ask = (event: MouseEvent | TouchEvent, loose: PendingConnection, onto: string | undefined) => {
+    const requestConnection = (
+      event: MouseEvent | TouchEvent,
+      pendingEnd: PendingConnection,
+      onto: string | undefined,
+    ) => {
       const point = 'clientX' in event ? event : event.changedTouches[0]!;
       const at: CanvasPoint = [point.clientX, point.clientY];
       const place = screenToFlowPosition({ x: at[0], y: at[1] });
       canvas.setState({
-        adding: { at: [place.x, place.y], from: toPanel(at), pending: loose, ...(onto !== undefined && { onto }) },
+        adding: { at: [place.x, place.y], from: toPanel(at), pending: pendingEnd, ...(onto !== undefined && { onto }) },
       });
     };
-    const dropped = (event: MouseEvent | TouchEvent, loose: PendingConnection) => {
+    const dropped = (event: MouseEvent | TouchEvent, pendingEnd: PendingConnection) => {
       const level = levelNow();
-      const taken = carried.current;
-      if (taken) studio.edit(insideGroup(level.group, { kind: 'disconnect', to: taken.to }), 'edit.disconnect');
+      const taken = reconnectedEdge.current;
+      if (taken) editor.edit(insideGroup(level.group, { kind: 'disconnect', to: taken.to }), 'edit.disconnect');
       const onto = nodeUnderPointer(event);
       if (taken && onto === undefined) return;
-      const offers = onto === undefined ? undefined : socketOptions(levelNow(), loose, onto);
+      const offers = onto === undefined ? undefined : socketOptions(levelNow(), pendingEnd, onto);
       if (offers?.length === 0) return;
-      ask(event, loose, onto);
+      requestConnection(event, pendingEnd, onto);
     };
     return {
       isValidConnection: (connection: Connection | WireEdge) => {
@@ -63,8 +67,11 @@ export function useWiring(faces: ReadonlyMap<string, CardModel>, panel: React.Re
       ) => {
         if (params.nodeId === null || params.handleId === null) return;
         const side = params.handleType === 'source' ? 'outputs' : 'inputs';
-        const loose = { node: params.nodeId, side, socket: params.handleId } as const;
-        canvas.setState({ pending: loose, compatibleSockets: findCompatibleSockets(levelNow(), loose, shown.current) });
+        const pendingEnd = { node: params.nodeId, side, socket: params.handleId } as const;
+        canvas.setState({
+          pending: pendingEnd,
+          compatibleSockets: findCompatibleSockets(levelNow(), pendingEnd, shown.current),
+        });
       },
       onConnect: (connection: Connection) => {
         const edge = edgeOfConnection(connection);
@@ -78,15 +85,15 @@ export function useWiring(faces: ReadonlyMap<string, CardModel>, panel: React.Re
         if (pending && !state.isValid && !isBack) dropped(event, pending);
       },
       onReconnectStart: (_event: unknown, { id }: WireEdge) => {
-        carried.current = levelNow().graph.edges[id];
+        reconnectedEdge.current = levelNow().graph.edges[id];
       },
       onReconnect: ({ id }: WireEdge, connection: Connection) => {
         const level = levelNow();
         const [before, edge] = [level.graph.edges[id], edgeOfConnection(connection)];
-        if (before && edge && !hasEdge(level, edge)) studio.edit(reconnectCommand(level, before, edge), 'edit.connect');
+        if (before && edge && !hasEdge(level, edge)) editor.edit(reconnectCommand(level, before, edge), 'edit.connect');
       },
       onReconnectEnd: () => {
-        carried.current = undefined;
+        reconnectedEdge.current = undefined;
       },
       onEdgeClick: (event: React.MouseEvent, { id }: WireEdge) => {
         const level = levelNow();
@@ -94,11 +101,11 @@ export function useWiring(faces: ReadonlyMap<string, CardModel>, panel: React.Re
         if (!event.altKey || !edge) return;
         const { x, y } = screenToFlowPosition({ x: event.clientX, y: event.clientY });
         const { command, node } = rerouteCommand(level, edge, [x, y]);
-        studio.edit(command, 'edit.reroute');
+        editor.edit(command, 'edit.reroute');
         canvas.setState(({ selection }) => ({ selection: { ...selection, nodes: [node], edges: [] } }));
       },
     };
-  }, [studio, screenToFlowPosition, panel]);
+  }, [editor, screenToFlowPosition, panel]);
 }
 
 function edgeOfConnection({
@@ -112,16 +119,22 @@ function edgeOfConnection({
 }
 
 /** The visible sockets that fit a pending connection, by node. Its own node is not filtered. */
-function findCompatibleSockets(level: GraphLevel, loose: PendingConnection, faces: ReadonlyMap<string, CardModel>) {
-  const fits = connectionCheck(level, loose);
-  const found = new Map<string, Set<string>>([[loose.node, new Set([`${loose.side} ${loose.socket}`])]]);
-  for (const { id, rows } of faces.values()) {
-    if (id === loose.node) continue;
-    const sockets = rows.flatMap(({ input, output }) => (loose.side === 'outputs' ? input : output) ?? []);
-    const names = sockets.filter(({ name }) => fits(id, name)).map(({ name }) => `${oppositeSide(loose.side)} ${name}`);
+function findCompatibleSockets(
+  level: GraphLevel,
+  pendingEnd: PendingConnection,
+  cards: ReadonlyMap<string, CardModel>,
+) {
+  const fits = connectionCheck(level, pendingEnd);
+  const found = new Map<string, Set<string>>([[pendingEnd.node, new Set([`${pendingEnd.side} ${pendingEnd.socket}`])]]);
+  for (const { id, rows } of cards.values()) {
+    if (id === pendingEnd.node) continue;
+    const sockets = rows.flatMap(({ input, output }) => (pendingEnd.side === 'outputs' ? input : output) ?? []);
+    const names = sockets
+      .filter(({ name }) => fits(id, name))
+      .map(({ name }) => `${oppositeSide(pendingEnd.side)} ${name}`);
     // Sockets that are not shown are offered when the edge is dropped on the node.
     if (names.length > 0) found.set(id, new Set(names));
-    else if (socketOptions(level, loose, id).length > 0) found.set(id, new Set(['hidden']));
+    else if (socketOptions(level, pendingEnd, id).length > 0) found.set(id, new Set(['hidden']));
   }
   return found;
 }

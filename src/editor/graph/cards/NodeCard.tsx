@@ -27,61 +27,66 @@ function useCompatibleSockets(id: string): ReadonlySet<string> | undefined {
 }
 
 /** A node: title, sockets, set parameters, result and problem. */
-export const NodeCard = memo(function NodeCard({ data: { face, reach } }: NodeProps<CardNode>): ReactNode {
-  const fits = useCompatibleSockets(face.id);
+export const NodeCard = memo(function NodeCard({ data: { card, reach } }: NodeProps<CardNode>): ReactNode {
+  const fits = useCompatibleSockets(card.id);
   const pixel = useContext(CanvasPixelContext);
   return (
     <article
       className="sl-node"
-      data-category={face.category}
-      data-muted={face.muted || undefined}
-      data-collapsed={face.collapsed || undefined}
-      data-picture={(!face.collapsed && face.picture) || undefined}
-      data-problem={face.problem ? 'error' : undefined}
+      data-category={card.category}
+      data-muted={card.muted || undefined}
+      data-collapsed={card.collapsed || undefined}
+      data-picture={(!card.collapsed && card.picture) || undefined}
+      data-problem={card.problem ? 'error' : undefined}
       data-unfit={(fits && fits.size === 0) || undefined}
     >
-      <Head face={face} />
-      {pixel !== undefined && <ZoomedOutLabel face={face} reach={reach} pixel={pixel} />}
-      {face.collapsed ? <CollapsedSockets face={face} /> : <Body face={face} fits={fits} />}
+      <Head card={card} />
+      {pixel !== undefined && <ZoomedOutLabel card={card} reach={reach} pixel={pixel} />}
+      {card.collapsed ? <CollapsedSockets card={card} /> : <Body card={card} fits={fits} />}
     </article>
   );
 });
 
-function Head({ face }: { readonly face: CardModel }): ReactNode {
-  const { any, t, said } = useTexts();
+function Head({ card }: { readonly card: CardModel }): ReactNode {
+  const { textOrKey, t, said: translateMessage } = useTexts();
   return (
     <header className="sl-node-head">
-      {face.type === GROUP && <EnterButton id={face.id} />}
-      <span className="sl-node-title" title={face.kind && `${any(face.title)} (${any(face.kind)})`}>
-        {any(face.title)}
+      {card.type === GROUP && <EnterButton id={card.id} />}
+      <span className="sl-node-title" title={card.kind && `${textOrKey(card.title)} (${textOrKey(card.kind)})`}>
+        {textOrKey(card.title)}
       </span>
-      <NodeProgress id={face.id} />
-      {!face.muted && isFileNode(face.type) && <SaveMark id={face.id} />}
-      {face.muted && <IconEyeOff size={14} aria-label={t('graph.muted')} />}
-      {face.problem ? (
-        <Tooltip label={`${said(face.problem.place)}: ${said(face.problem.message)}`} multiline maw={340} withinPortal>
+      <NodeProgress id={card.id} />
+      {!card.muted && isFileNode(card.type) && <SaveMark id={card.id} />}
+      {card.muted && <IconEyeOff size={14} aria-label={t('graph.muted')} />}
+      {card.problem ? (
+        <Tooltip
+          label={`${translateMessage(card.problem.place)}: ${translateMessage(card.problem.message)}`}
+          multiline
+          maw={340}
+          withinPortal
+        >
           <span className="sl-node-problem">
             <IconAlertTriangle size={15} aria-hidden />
           </span>
         </Tooltip>
       ) : (
-        face.blocked && <IconHourglass size={14} aria-label={t('graph.waits')} />
+        card.blocked && <IconHourglass size={14} aria-label={t('graph.waits')} />
       )}
     </header>
   );
 }
 
 interface ZoomedOutLabelProps {
-  readonly face: CardModel;
+  readonly card: CardModel;
   readonly reach: CanvasPoint;
   readonly pixel: number;
 }
 
 /** Label of a zoomed-out node: its title, centered or above its picture. */
-function ZoomedOutLabel({ face, reach, pixel }: ZoomedOutLabelProps): ReactNode {
-  const { any } = useTexts();
-  const room = titleArea(face, pixel <= MAX_PICTURE_PIXEL);
-  const set = layoutTitle(any(face.title), room, reach, pixel);
+function ZoomedOutLabel({ card, reach, pixel }: ZoomedOutLabelProps): ReactNode {
+  const { textOrKey } = useTexts();
+  const room = titleArea(card, pixel <= MAX_PICTURE_PIXEL);
+  const set = layoutTitle(textOrKey(card.title), room, reach, pixel);
   if (!set) return null;
   const [x, y] = set.reach;
   const place = { left: -x, right: -x, top: -y, height: room[1] + 2 * y };
@@ -94,16 +99,16 @@ function ZoomedOutLabel({ face, reach, pixel }: ZoomedOutLabelProps): ReactNode 
 
 /** Saves the file that the node requests. */
 function SaveMark({ id }: { readonly id: string }): ReactNode {
-  const studio = useEditor();
-  const flat = useCanvas(({ path }) => flatNodeId(existingPath(studio.store.getState().history.document, path), id));
+  const editor = useEditor();
+  const flat = useCanvas(({ path }) => flatNodeId(existingPath(editor.store.getState().history.document, path), id));
   return <SaveFileIcon node={flat} />;
 }
 
 function EnterButton({ id }: { readonly id: string }): ReactNode {
   const { t } = useTexts();
-  const studio = useEditor();
+  const editor = useEditor();
   const open = () => {
-    const context = actionContext(studio);
+    const context = actionContext(editor);
     if (context) enterGroup(context, id);
   };
   return (
@@ -121,28 +126,28 @@ function EnterButton({ id }: { readonly id: string }): ReactNode {
 }
 
 /** All at one point; only edge ends are needed. */
-const CollapsedSockets = ({ face }: { readonly face: CardModel }): ReactNode =>
-  face.rows.flatMap(({ input, output }) => [
+const CollapsedSockets = ({ card }: { readonly card: CardModel }): ReactNode =>
+  card.rows.flatMap(({ input, output }) => [
     input && <SocketHandle key={`in ${input.name}`} side="inputs" socket={input} closed unfit={false} />,
     output && <SocketHandle key={`out ${output.name}`} side="outputs" socket={output} closed unfit={false} />,
   ]);
 
-function Body({ face, fits }: { readonly face: CardModel; readonly fits?: ReadonlySet<string> }): ReactNode {
+function Body({ card, fits }: { readonly card: CardModel; readonly fits?: ReadonlySet<string> }): ReactNode {
   const { t } = useTexts();
   return (
     <>
-      {(face.rows.length > 0 || face.more > 0) && (
+      {(card.rows.length > 0 || card.more > 0) && (
         <div className="sl-node-body">
-          {face.rows.map((row, i) => (
+          {card.rows.map((row, i) => (
             // biome-ignore lint/suspicious/noArrayIndexKey: rows have no id
             <RowLine key={i} row={row} fits={fits} />
           ))}
-          {face.more > 0 && <div className="sl-node-row sl-node-more">{t('graph.more', { count: face.more })}</div>}
+          {card.more > 0 && <div className="sl-node-row sl-node-more">{t('graph.more', { count: card.more })}</div>}
         </div>
       )}
-      {face.picture && <NodePicture face={face} />}
-      {face.tells && (
-        <footer className="sl-node-foot">{face.preview ? <ValueText of={face.preview} /> : <span>–</span>}</footer>
+      {card.picture && <NodePicture card={card} />}
+      {card.hasPreview && (
+        <footer className="sl-node-foot">{card.preview ? <ValueText of={card.preview} /> : <span>–</span>}</footer>
       )}
     </>
   );
@@ -155,12 +160,12 @@ function RowLine({
   readonly row: CardRow;
   readonly fits?: ReadonlySet<string>;
 }) {
-  const { any, t } = useTexts();
+  const { textOrKey, t } = useTexts();
   const unfit = (key: string) => fits !== undefined && !fits.has(key);
   return (
     <div className="sl-node-row" data-param={title ? true : undefined}>
       {input && <SocketHandle side="inputs" socket={input} closed={false} unfit={unfit(`inputs ${input.name}`)} />}
-      <span className="sl-node-label">{title ? any(title) : input && <SocketLabel socket={input} />}</span>
+      <span className="sl-node-label">{title ? textOrKey(title) : input && <SocketLabel socket={input} />}</span>
       {title && (
         <span className="sl-node-value">{value ? <ValueText of={value} /> : <em>{t('graph.driven')}</em>}</span>
       )}
@@ -177,21 +182,21 @@ function RowLine({
 }
 
 function SocketLabel({ socket }: { readonly socket: SocketModel }): ReactNode {
-  const { any } = useTexts();
+  const { textOrKey } = useTexts();
   return (
     <>
-      {any(socket.title)}
+      {textOrKey(socket.title)}
       {socket.number !== undefined && <span className="sl-node-number"> {socket.number}</span>}
     </>
   );
 }
 
 /** A reroute: a bend in an edge. */
-export const RerouteDot = memo(function RerouteDot({ data: { face } }: NodeProps<CardNode>): ReactNode {
-  const fits = useCompatibleSockets(face.id);
-  const { input, output } = face.rows[0] ?? {};
+export const RerouteDot = memo(function RerouteDot({ data: { card } }: NodeProps<CardNode>): ReactNode {
+  const fits = useCompatibleSockets(card.id);
+  const { input, output } = card.rows[0] ?? {};
   return (
-    <div className="sl-dot" data-muted={face.muted || undefined}>
+    <div className="sl-dot" data-muted={card.muted || undefined}>
       {input && <SocketHandle side="inputs" socket={input} closed={false} unfit={fits?.has('inputs in') === false} />}
       {output && (
         <SocketHandle side="outputs" socket={output} closed={false} unfit={fits?.has('outputs out') === false} />

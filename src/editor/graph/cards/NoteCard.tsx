@@ -11,15 +11,15 @@ import { InlineEditor } from './InlineEditor.tsx';
 
 const MIN_SIZE: readonly [width: number, height: number] = [100, 44];
 
-function setNote(studio: Editor, note: string, value: GraphNote): void {
-  const { group } = levelAt(studio.store.getState().history.document, canvas.getState().path);
-  studio.edit(insideGroup(group, { kind: 'set-note', note, value }), 'edit.note');
+function setNote(editor: Editor, note: string, value: GraphNote): void {
+  const { group } = levelAt(editor.store.getState().history.document, canvas.getState().path);
+  editor.edit(insideGroup(group, { kind: 'set-note', note, value }), 'edit.note');
 }
 
 /** A note on the canvas. */
 export const NoteCard = memo(function NoteCard({ data: { id, note }, selected }: NodeProps<NoteNode>): ReactNode {
   const { t } = useTexts();
-  const studio = useEditor();
+  const editor = useEditor();
   const writing = useCanvas((state) => state.editing === `note:${id}`);
   return (
     <div className="sl-note" data-selected={selected || undefined}>
@@ -30,7 +30,7 @@ export const NoteCard = memo(function NoteCard({ data: { id, note }, selected }:
         lineClassName="sl-resize-line"
         handleClassName="sl-resize"
         onResizeEnd={(_event, { x, y, width, height }) =>
-          setNote(studio, id, {
+          setNote(editor, id, {
             ...note,
             at: [Math.round(x), Math.round(y)],
             size: [Math.round(width), Math.round(height)],
@@ -42,7 +42,7 @@ export const NoteCard = memo(function NoteCard({ data: { id, note }, selected }:
           label={t('graph.note')}
           words={note.text}
           long
-          take={(text) => setNote(studio, id, { ...note, text })}
+          take={(text) => setNote(editor, id, { ...note, text })}
         />
       ) : (
         <p>{note.text || <em>{t('graph.note.empty')}</em>}</p>
@@ -54,11 +54,11 @@ export const NoteCard = memo(function NoteCard({ data: { id, note }, selected }:
 /** A frame around nodes: fits itself to them, and moves them when its title is dragged. */
 export const FrameBox = memo(function FrameBox({ data: { id, frame }, selected }: NodeProps<FrameNode>): ReactNode {
   const { t } = useTexts();
-  const studio = useEditor();
+  const editor = useEditor();
   const writing = useCanvas((state) => state.editing === `frame:${id}`);
   const rename = (title: string) => {
-    const { group } = levelAt(studio.store.getState().history.document, canvas.getState().path);
-    studio.edit(insideGroup(group, { kind: 'set-frame', frame: id, value: { ...frame, title } }), 'edit.rename');
+    const { group } = levelAt(editor.store.getState().history.document, canvas.getState().path);
+    editor.edit(insideGroup(group, { kind: 'set-frame', frame: id, value: { ...frame, title } }), 'edit.rename');
   };
   return (
     <div className="sl-frame" data-selected={selected || undefined}>

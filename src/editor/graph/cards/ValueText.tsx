@@ -4,8 +4,8 @@ import type { DisplayValue } from './displayValue.ts';
 
 /** A value as short text, or as its colour. */
 export function ValueText({ of }: { readonly of: DisplayValue }): ReactNode {
-  const { any } = useTexts();
+  const { textOrKey } = useTexts();
   if (of.kind === 'text') return of.text;
-  if (of.kind === 'words') return any(of.key, of.fill);
+  if (of.kind === 'words') return textOrKey(of.key, of.fill);
   return <span className="sl-swatch" style={{ background: of.css }} role="img" aria-label={of.css} />;
 }

@@ -2,7 +2,7 @@ import { expect, it } from 'vitest';
 import { cardSize, freePosition, withoutCoveringPictures } from './cardGeometry.ts';
 import type { CardModel } from './cardModel.ts';
 
-const face = (id: string, picture?: CardModel['picture']): CardModel => ({
+const card = (id: string, picture?: CardModel['picture']): CardModel => ({
   id,
   type: 'tone-map',
   category: 'render',
@@ -11,19 +11,19 @@ const face = (id: string, picture?: CardModel['picture']): CardModel => ({
   collapsed: false,
   rows: [],
   more: 0,
-  tells: false,
+  hasPreview: false,
   blocked: false,
   ...(picture && { picture }),
 });
 
 it('a picture is left out where it would cover another node, and nowhere else', () => {
-  const [above, below, beside] = [face('above', 'metered'), face('below', 'plain'), face('beside')];
-  const faces = new Map([above, below, beside].map((each) => [each.id, each]));
+  const [above, below, beside] = [card('above', 'metered'), card('below', 'plain'), card('beside')];
+  const cards = new Map([above, below, beside].map((each) => [each.id, each]));
   const room = cardSize(above)[1];
-  const tight = withoutCoveringPictures(faces, { above: [0, 0], below: [100, room - 1], beside: [300, 40] });
+  const tight = withoutCoveringPictures(cards, { above: [0, 0], below: [100, room - 1], beside: [300, 40] });
   expect([tight.get('above')?.picture, tight.get('below')?.picture]).toEqual([undefined, 'plain']);
-  const loose = withoutCoveringPictures(faces, { above: [0, 0], below: [100, room], beside: [200, 40] });
-  expect([...loose.values()]).toEqual([...faces.values()]);
+  const pendingEnd = withoutCoveringPictures(cards, { above: [0, 0], below: [100, room], beside: [200, 40] });
+  expect([...pendingEnd.values()]).toEqual([...cards.values()]);
 });
 
 it('a free place is below all that is in the way', () => {

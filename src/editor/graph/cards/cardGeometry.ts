@@ -27,21 +27,21 @@ const FREE_GAP = 24;
 const FRAME_MARGIN = 24;
 const FRAME_TITLE = 34;
 
-export function cardSize(face: CardModel): CanvasPoint {
-  if (face.type === REROUTE) return [REROUTE_SIZE, REROUTE_SIZE];
-  if (face.collapsed) return [NODE_WIDTH, HEAD_HEIGHT];
-  const rows = face.rows.length + (face.more > 0 ? 1 : 0);
+export function cardSize(card: CardModel): CanvasPoint {
+  if (card.type === REROUTE) return [REROUTE_SIZE, REROUTE_SIZE];
+  if (card.collapsed) return [NODE_WIDTH, HEAD_HEIGHT];
+  const rows = card.rows.length + (card.more > 0 ? 1 : 0);
   const body = rows > 0 ? rows * ROW_HEIGHT + 2 * BODY_PADDING : 0;
-  return [NODE_WIDTH, HEAD_HEIGHT + body + pictureHeight(face) + (face.tells ? FOOT_HEIGHT : 0)];
+  return [NODE_WIDTH, HEAD_HEIGHT + body + pictureHeight(card) + (card.hasPreview ? FOOT_HEIGHT : 0)];
 }
 
 const pictureHeight = ({ picture }: CardModel): number =>
   picture ? PICTURE_SIZE[1] + PICTURE_FOOT + (picture === 'metered' ? HISTOGRAM_HEIGHT : 0) : 0;
 
 /** Area for the title of a zoomed-out node: the whole card, or what is above its picture. */
-export function titleArea(face: CardModel, picture: boolean): CanvasPoint {
-  const [width, height] = cardSize(face);
-  return [width, picture && !face.collapsed ? height - pictureHeight(face) : height];
+export function titleArea(card: CardModel, picture: boolean): CanvasPoint {
+  const [width, height] = cardSize(card);
+  return [width, picture && !card.collapsed ? height - pictureHeight(card) : height];
 }
 
 /** A socket with the center of its mark, relative to the node's corner [px]. */
@@ -51,14 +51,14 @@ interface SocketPosition {
   readonly at: CanvasPoint;
 }
 
-export function socketPositions(face: CardModel): SocketPosition[] {
-  const [width, height] = cardSize(face);
+export function socketPositions(card: CardModel): SocketPosition[] {
+  const [width, height] = cardSize(card);
   const heightOf = (row: number): number => {
-    if (face.type === REROUTE) return height / 2;
-    return face.collapsed ? IN_HEAD : HEAD_HEIGHT + BODY_PADDING + (row + 0.5) * ROW_HEIGHT;
+    if (card.type === REROUTE) return height / 2;
+    return card.collapsed ? IN_HEAD : HEAD_HEIGHT + BODY_PADDING + (row + 0.5) * ROW_HEIGHT;
   };
-  const inset = face.type === REROUTE ? REROUTE_SIZE / 2 : 0;
-  return face.rows.flatMap(({ input, output }, row): SocketPosition[] => [
+  const inset = card.type === REROUTE ? REROUTE_SIZE / 2 : 0;
+  return card.rows.flatMap(({ input, output }, row): SocketPosition[] => [
     ...(input ? [{ side: 'inputs' as const, socket: input, at: [inset, heightOf(row)] as const }] : []),
     ...(output ? [{ side: 'outputs' as const, socket: output, at: [width - inset, heightOf(row)] as const }] : []),
   ]);
@@ -99,19 +99,19 @@ const rectsOverlap = (a: CanvasRect, b: CanvasRect): boolean =>
 
 /** Card models, without pictures that would cover another node. */
 export function withoutCoveringPictures(
-  faces: ReadonlyMap<string, CardModel>,
+  cards: ReadonlyMap<string, CardModel>,
   places: Readonly<Record<string, CanvasPoint>>,
 ): ReadonlyMap<string, CardModel> {
-  const bare = [...faces.values()].map(({ picture: _, ...face }): { face: CardModel; box: CanvasRect } => ({
-    face,
-    box: { at: places[face.id] ?? [0, 0], size: cardSize(face) },
+  const bare = [...cards.values()].map(({ picture: _, ...card }): { card: CardModel; box: CanvasRect } => ({
+    card,
+    box: { at: places[card.id] ?? [0, 0], size: cardSize(card) },
   }));
   return new Map(
-    bare.map(({ face, box: { at, size } }) => {
-      const whole = faces.get(face.id)!;
-      const picture: CanvasRect = { at: [at[0], at[1] + size[1]], size: [size[0], cardSize(whole)[1] - size[1]] };
-      const covers = whole.picture && bare.some((other) => other.face !== face && rectsOverlap(picture, other.box));
-      return [face.id, covers ? face : whole];
+    bare.map(({ card, box: { at, size } }) => {
+      const uncropped = cards.get(card.id)!;
+      const picture: CanvasRect = { at: [at[0], at[1] + size[1]], size: [size[0], cardSize(uncropped)[1] - size[1]] };
+      const covers = uncropped.picture && bare.some((other) => other.card !== card && rectsOverlap(picture, other.box));
+      return [card.id, covers ? card : uncropped];
     }),
   );
 }

@@ -60,32 +60,32 @@ async function facesOf(held: GraphDocument): Promise<ReadonlyMap<string, CardMod
   return new Map(Object.entries(held.nodes).map(([id, node]) => [id, cardModel(id, node, around)]));
 }
 
-const inputs = (face: CardModel) => face.rows.flatMap(({ input }) => input?.name ?? []);
+const inputs = (card: CardModel) => card.rows.flatMap(({ input }) => input?.name ?? []);
 
 describe('what a node shows', () => {
   it('its own inputs with a free one more of those that take many, and of parameters what is set or driven', async () => {
-    const faces = await facesOf(document);
-    expect(inputs(faces.get('scene')!)).toEqual(['geometry.1', 'geometry.2', 'lights.1', 'observer', 'time']);
-    expect(inputs(faces.get('box')!)).toEqual(['name', 'width', 'height', 'depth']);
-    expect(faces.get('box')!.rows[2]).toMatchObject({ title: 'param.sizeX', input: { connected: true } });
-    expect(faces.get('box')!.rows[2]).not.toHaveProperty('value');
-    expect(inputs(faces.get('console')!)).toEqual(['scene', 'maxSpeed']);
-    expect(inputs(faces.get('math')!)).toEqual(['operation', 'a', 'b']);
-    expect(inputs(faces.get('lost')!)).toEqual(['anything']);
+    const cards = await facesOf(document);
+    expect(inputs(cards.get('scene')!)).toEqual(['geometry.1', 'geometry.2', 'lights.1', 'observer', 'time']);
+    expect(inputs(cards.get('box')!)).toEqual(['name', 'width', 'height', 'depth']);
+    expect(cards.get('box')!.rows[2]).toMatchObject({ title: 'param.sizeX', input: { connected: true } });
+    expect(cards.get('box')!.rows[2]).not.toHaveProperty('value');
+    expect(inputs(cards.get('console')!)).toEqual(['scene', 'maxSpeed']);
+    expect(inputs(cards.get('math')!)).toEqual(['operation', 'a', 'b']);
+    expect(inputs(cards.get('lost')!)).toEqual(['anything']);
   });
 
   it('what it made', async () => {
-    const faces = await facesOf(document);
-    expect(faces.get('box')!.preview).toEqual({
+    const cards = await facesOf(document);
+    expect(cards.get('box')!.preview).toEqual({
       kind: 'words',
       key: 'graph.things',
       fill: { objects: '1', vertices: '24' },
     });
     // 3 × 0.5 c is above the observer's speed limit.
-    expect(faces.get('math')!.preview).toEqual({ kind: 'text', text: '1.50000' });
-    expect(faces.get('console')!.problem?.message).toContain('1.5 is outside');
-    expect(faces.get('camera')!.blocked).toBe(true);
-    expect(faces.get('number')!.tells).toBe(false);
+    expect(cards.get('math')!.preview).toEqual({ kind: 'text', text: '1.50000' });
+    expect(cards.get('console')!.problem?.message).toContain('1.5 is outside');
+    expect(cards.get('camera')!.blocked).toBe(true);
+    expect(cards.get('number')!.hasPreview).toBe(false);
   });
 
   it('in a group, what is wrong stands at the group too', () => {
@@ -95,9 +95,9 @@ describe('what a node shows', () => {
   });
 
   it('every socket lies on its border, within its height, apart from the others', async () => {
-    for (const face of (await facesOf(document)).values()) {
-      const [width, height] = cardSize(face);
-      const places = socketPositions(face);
+    for (const card of (await facesOf(document)).values()) {
+      const [width, height] = cardSize(card);
+      const places = socketPositions(card);
       expect(new Set(places.map(({ at }) => String(at))).size).toBe(places.length);
       for (const { at, side } of places) {
         expect(at[0]).toBe(side === 'inputs' ? 0 : width);
@@ -112,7 +112,7 @@ it('what is not changed by an edit stays the same object, so that it is not draw
   const [nodes, edges] = [new ElementCache<FlowNode>(), new ElementCache<WireEdge>()];
   const shown = async (held: GraphDocument) => {
     const level = levelOf(held)!;
-    const scenery = {
+    const input = {
       level,
       cards: await facesOf(held),
       places: held.layout,
@@ -121,7 +121,7 @@ it('what is not changed by an edit stays the same object, so that it is not draw
       overhangs: new Map(),
     };
     return {
-      nodes: flowNodes({ ...scenery, nameOf: ({ title }) => title }, nodes),
+      nodes: flowNodes({ ...input, nameOf: ({ title }) => title }, nodes),
       edges: flowEdges(level, inferTypes(level, nodeLibrary), EMPTY_SELECTION, edges),
     };
   };

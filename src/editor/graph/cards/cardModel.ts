@@ -53,7 +53,7 @@ export interface CardModel {
   /** Number of set parameters that are not listed. */
   readonly more: number;
   /** Whether it has a line for its result. */
-  readonly tells: boolean;
+  readonly hasPreview: boolean;
   readonly preview?: DisplayValue;
   /**
    * Whether it shows a picture of its result; `metered`: with the histogram of the luminance that its tone curve gets.
@@ -136,7 +136,7 @@ export function cardModel(id: string, node: GraphNode, around: CardContext): Car
     collapsed: node.collapsed === true,
     rows: [...pairSockets(inputs, outputs), ...rows],
     more,
-    tells,
+    hasPreview: tells,
     ...resultModel(around, id, first, tells),
     ...(around.pictures && first && previewedImage(around.resultOf(id), first.name) && pictureModeOf(node, first)),
   };

@@ -84,15 +84,15 @@ export function layoutTitle(
   const words = wordWidths(title);
   const inside: CanvasPoint = [room[0] - 2 * TITLE_PADDING, room[1] - 2 * TITLE_PADDING];
   const beyond: CanvasPoint = [room[0] + 2 * reach[0] - 2 * TITLE_PADDING, room[1] + 2 * reach[1]];
-  const ways = [
+  const layouts = [
     { most: MAX_FONT_SIZE, least: GOOD_FONT_SIZE, room: inside, reach: [0, 0] },
     { most: GOOD_FONT_SIZE, least: MIN_FONT_SIZE, room: beyond, reach },
   ] as const;
-  for (const way of ways) {
-    for (let size = way.most * pixel; size >= way.least * pixel; size -= 0.5 * pixel) {
-      const lines = countLines(words, way.room[0] / size);
-      if (lines !== undefined && lines * LINE_HEIGHT * size <= way.room[1])
-        return { text: title, size, lines, reach: way.reach };
+  for (const layout of layouts) {
+    for (let size = layout.most * pixel; size >= layout.least * pixel; size -= 0.5 * pixel) {
+      const lines = countLines(words, layout.room[0] / size);
+      if (lines !== undefined && lines * LINE_HEIGHT * size <= layout.room[1])
+        return { text: title, size, lines, reach: layout.reach };
     }
   }
   const size = MIN_FONT_SIZE * pixel;

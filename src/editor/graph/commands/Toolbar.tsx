@@ -31,14 +31,14 @@ const BUTTONS: readonly (readonly [action: string, icon: ReactNode])[] = [
 /** Buttons for the most frequent actions. */
 export function Toolbar(): ReactNode {
   const { t } = useTexts();
-  const studio = useEditor();
+  const editor = useEditor();
   const pictures = useCanvas((state) => state.pictures);
   return (
     <Group className="sl-graph-tools" gap={0} role="toolbar" aria-label={t('graph.tools')}>
       {BUTTONS.map(([id, icon]) => {
         const { title, keys, run } = GRAPH_ACTIONS.find((action) => action.id === id)!;
         const act = () => {
-          const context = actionContext(studio);
+          const context = actionContext(editor);
           if (context) run(context);
         };
         return (
@@ -56,7 +56,7 @@ export function Toolbar(): ReactNode {
       <Tool
         label={t('palette.title')}
         keys={formatKeyBinding('Mod+K')}
-        onClick={() => studio.update({ dialog: 'palette' })}
+        onClick={() => editor.update({ dialog: 'palette' })}
       >
         <IconCommand size={16} />
       </Tool>

@@ -29,7 +29,7 @@ import type { KeyBinding } from './keyBindings.ts';
 
 /** What actions work on: the shown level and the selection. */
 export interface ActionContext {
-  readonly studio: Editor;
+  readonly editor: Editor;
   readonly level: GraphLevel;
   readonly path: readonly string[];
   readonly selection: CanvasSelection;
@@ -38,18 +38,18 @@ export interface ActionContext {
 
 /** Returns undefined while no canvas is mounted. */
 export function actionContext(
-  studio: Editor,
-  { path, selection, viewport: sight }: CanvasState = canvas.getState(),
+  editor: Editor,
+  { path, selection, viewport }: CanvasState = canvas.getState(),
 ): ActionContext | undefined {
-  const { document } = studio.store.getState().history;
+  const { document } = editor.store.getState().history;
   const level = levelAt(document, path);
   return (
-    sight && {
-      studio,
+    viewport && {
+      editor,
       level,
       path: existingPath(document, path),
       selection: prunedSelection(level, selection),
-      viewport: sight,
+      viewport,
     }
   );
 }
@@ -72,41 +72,41 @@ const hasSelection = ({ selection }: ActionContext): boolean =>
 const groupNode = ({ level, selection }: ActionContext): string | undefined =>
   selection.nodes.find((id) => level.graph.nodes[id]?.type === GROUP);
 
-const editLevel = ({ studio, level }: ActionContext, command: Command, label: TextKey, gesture?: string): void =>
-  studio.edit(insideGroup(level.group, command), label, gesture);
+const editLevel = ({ editor, level }: ActionContext, command: Command, label: TextKey, gesture?: string): void =>
+  editor.edit(insideGroup(level.group, command), label, gesture);
 
 /** Runs an action; a refusal becomes a notice. */
-function notifyOnError({ studio }: ActionContext, act: () => void): void {
+function notifyOnError({ editor }: ActionContext, act: () => void): void {
   try {
     act();
   } catch (error) {
     if (!(error instanceof CommandError)) throw error;
-    studio.notify({ kind: 'error', text: error.message });
+    editor.notify({ kind: 'error', text: error.message });
   }
 }
 
 /** Opens the list of nodes to add, at the center or at the pointer. */
-function openAddNode({ viewport: sight }: ActionContext, at: CanvasPoint = sight.center()): void {
-  canvas.setState({ adding: { at, from: sight.toPanel(at) } });
+function openAddNode({ viewport }: ActionContext, at: CanvasPoint = viewport.center()): void {
+  canvas.setState({ adding: { at, from: viewport.toPanel(at) } });
 }
 
 function duplicateSelected(context: ActionContext): void {
-  const { level, selection, studio } = context;
+  const { level, selection, editor } = context;
   const { nodes, notes } = selection;
   const fragment = copyFragment(level.document, { nodes, notes, group: level.group });
   const { command, ...added } = pasteFragment(level.document, fragment, level.group, findFreeCenter(level, fragment));
-  studio.edit(command, 'edit.duplicate');
+  editor.edit(command, 'edit.duplicate');
   selectItems(added);
   revealNodes(added.nodes);
 }
 
 function groupSelection(context: ActionContext): void {
   notifyOnError(context, () => {
-    const { level, selection: chosen, studio } = context;
+    const { level, selection: chosen, editor } = context;
     const selection = { nodes: chosen.nodes, group: level.group };
     const { command, node } = groupCommand(level.document, selection, '', nodeLibrary);
     context.viewport.focus();
-    studio.edit(command, 'edit.group');
+    editor.edit(command, 'edit.group');
     selectItems({ nodes: [node] });
   });
 }
@@ -117,27 +117,27 @@ function ungroupSelection(context: ActionContext): void {
   notifyOnError(context, () => {
     const { command, nodes } = ungroupCommand(context.level.document, node, context.level.group);
     context.viewport.focus();
-    context.studio.edit(command, 'edit.ungroup');
+    context.editor.edit(command, 'edit.ungroup');
     selectItems({ nodes });
   });
 }
 
 /** Shows the inside of a group node. */
-export function enterGroup({ path, viewport: sight }: ActionContext, node: string): void {
-  sight.focus();
+export function enterGroup({ path, viewport }: ActionContext, node: string): void {
+  viewport.focus();
   canvas.setState({ path: [...path, node], selection: EMPTY_SELECTION });
-  requestAnimationFrame(() => sight.fit());
+  requestAnimationFrame(() => viewport.fit());
 }
 
 /** Returns to an enclosing level; `depth`: number of groups still entered. */
-export function leaveGroup({ path, viewport: sight }: ActionContext, depth: number): void {
+export function leaveGroup({ path, viewport }: ActionContext, depth: number): void {
   const left = path[depth];
-  sight.focus();
+  viewport.focus();
   canvas.setState({
     path: path.slice(0, depth),
     selection: { ...EMPTY_SELECTION, nodes: left === undefined ? [] : [left] },
   });
-  requestAnimationFrame(() => sight.fit());
+  requestAnimationFrame(() => viewport.fit());
 }
 
 function toggleFlag(context: ActionContext, kind: 'mute' | 'collapse'): void {
@@ -151,17 +151,17 @@ function toggleFlag(context: ActionContext, kind: 'mute' | 'collapse'): void {
 
 /** Lays out the selected nodes in place, or all nodes. */
 function arrangeNodes(context: ActionContext): void {
-  const { level, selection, viewport: sight, studio } = context;
+  const { level, selection, viewport, editor } = context;
   const nodes = selection.nodes.length > 1 ? selection.nodes : Object.keys(level.graph.nodes);
-  const found = layeredLayout(nodes, Object.values(level.graph.edges), sight.sizeWithPicture);
+  const found = layeredLayout(nodes, Object.values(level.graph.edges), viewport.sizeWithPicture);
   const corner = (places: readonly CanvasPoint[]): CanvasPoint => [
     Math.min(...places.map(([x]) => x)),
     Math.min(...places.map(([, y]) => y)),
   ];
-  const [x, y] = corner(nodes.map(sight.positionOf));
+  const [x, y] = corner(nodes.map(viewport.positionOf));
   const to = Object.entries(found).map(([id, at]): [string, CanvasPoint] => [id, [at[0] + x, at[1] + y]]);
-  studio.edit(moveItemsCommand(level, Object.fromEntries(to)), 'edit.arrange');
-  requestAnimationFrame(() => sight.fit(selection.nodes.length > 1 ? selection.nodes : undefined));
+  editor.edit(moveItemsCommand(level, Object.fromEntries(to)), 'edit.arrange');
+  requestAnimationFrame(() => viewport.fit(selection.nodes.length > 1 ? selection.nodes : undefined));
 }
 
 const alignAction = (to: Alignment, title: TextKey, ...keys: KeyBinding[]): GraphAction => ({
@@ -169,9 +169,9 @@ const alignAction = (to: Alignment, title: TextKey, ...keys: KeyBinding[]): Grap
   title,
   keys,
   isEnabled: hasSeveralNodes,
-  run: ({ studio, level, selection, viewport: sight }) =>
-    studio.edit(
-      alignCommand(level.document, { nodes: selection.nodes, group: level.group }, to, sight.sizeOf),
+  run: ({ editor, level, selection, viewport }) =>
+    editor.edit(
+      alignCommand(level.document, { nodes: selection.nodes, group: level.group }, to, viewport.sizeOf),
       'edit.arrange',
     ),
 });
@@ -181,24 +181,24 @@ const distributeAction = (axis: 0 | 1, title: TextKey): GraphAction => ({
   title,
   keys: [],
   isEnabled: ({ selection }) => selection.nodes.length > 2,
-  run: ({ studio, level, selection, viewport: sight }) =>
-    studio.edit(
-      distributeCommand(level.document, { nodes: selection.nodes, group: level.group }, axis, sight.sizeOf),
+  run: ({ editor, level, selection, viewport }) =>
+    editor.edit(
+      distributeCommand(level.document, { nodes: selection.nodes, group: level.group }, axis, viewport.sizeOf),
       'edit.arrange',
     ),
 });
 
 /** Puts a frame around the selection. */
 function frameSelection(context: ActionContext): void {
-  const { level, selection, studio } = context;
+  const { level, selection, editor } = context;
   const { command, frame: key } = frameCommand(level, selection.nodes, '');
-  studio.edit(command, 'edit.frame');
+  editor.edit(command, 'edit.frame');
   canvas.setState({ selection: { ...EMPTY_SELECTION, frames: [key] }, editing: `frame:${key}` });
 }
 
-function addNote({ level, studio, viewport: sight }: ActionContext): void {
-  const { command, note: key } = noteCommand(level, sight.center());
-  studio.edit(command, 'edit.note');
+function addNote({ level, editor, viewport }: ActionContext): void {
+  const { command, note: key } = noteCommand(level, viewport.center());
+  editor.edit(command, 'edit.note');
   canvas.setState({ selection: { ...EMPTY_SELECTION, notes: [key] }, editing: `note:${key}` });
 }
 
@@ -211,15 +211,15 @@ const firstSelected = ({ nodes, notes, frames }: CanvasSelection): string | unde
 
 /** Removes the selection. */
 function removeSelection(context: ActionContext): void {
-  const { level, selection, studio } = context;
+  const { level, selection, editor } = context;
   context.viewport.focus();
-  studio.edit(removeCommand(level, selection), 'edit.remove');
+  editor.edit(removeCommand(level, selection), 'edit.remove');
   selectItems({});
 }
 
 /** Toggles between the graph taking nearly all of the picture's space and sharing it. */
-function toggleLargeGraph(studio: Editor): void {
-  studio.update({ graphEnlarged: !studio.store.getState().graphEnlarged });
+function toggleLargeGraph(editor: Editor): void {
+  editor.update({ graphEnlarged: !editor.store.getState().graphEnlarged });
 }
 
 /** Toggles pictures on nodes; saved as a preference. */
@@ -229,12 +229,12 @@ function togglePictures(): void {
   savePreferences({ ...loadPreferences(), nodePictures: pictures });
 }
 
-const writeClipboard = (studio: Editor, words: string | undefined): void => {
+const writeClipboard = (editor: Editor, words: string | undefined): void => {
   if (words === undefined) return;
-  navigator.clipboard.writeText(words).catch((error) => reportError(studio, error));
+  navigator.clipboard.writeText(words).catch((error) => reportError(editor, error));
 };
-const reportError = (studio: Editor, error: unknown): void => {
-  studio.notify({ kind: 'error', text: String(error) });
+const reportError = (editor: Editor, error: unknown): void => {
+  editor.notify({ kind: 'error', text: String(error) });
 };
 
 export const GRAPH_ACTIONS: readonly GraphAction[] = [
@@ -247,7 +247,7 @@ export const GRAPH_ACTIONS: readonly GraphAction[] = [
     keys: ['Mod+C'],
     native: true,
     isEnabled: hasSelection,
-    run: ({ studio }) => writeClipboard(studio, copySelection(studio)),
+    run: ({ editor }) => writeClipboard(editor, copySelection(editor)),
   },
   {
     id: 'cut',
@@ -255,17 +255,17 @@ export const GRAPH_ACTIONS: readonly GraphAction[] = [
     keys: ['Mod+X'],
     native: true,
     isEnabled: hasSelection,
-    run: ({ studio }) => writeClipboard(studio, cutSelection(studio)),
+    run: ({ editor }) => writeClipboard(editor, cutSelection(editor)),
   },
   {
     id: 'paste',
     title: 'graph.paste',
     keys: ['Mod+V'],
     native: true,
-    run: ({ studio }) => {
+    run: ({ editor }) => {
       navigator.clipboard.readText().then(
-        (words) => pasteText(studio, words),
-        (error) => reportError(studio, error),
+        (words) => pasteText(editor, words),
+        (error) => reportError(editor, error),
       );
     },
   },
@@ -280,7 +280,7 @@ export const GRAPH_ACTIONS: readonly GraphAction[] = [
     title: 'graph.inspect',
     keys: ['Enter'],
     isEnabled: hasNodes,
-    run: ({ studio }) => studio.update({ inspecting: true }),
+    run: ({ editor }) => editor.update({ inspecting: true }),
   },
   {
     id: 'rename',
@@ -330,18 +330,18 @@ export const GRAPH_ACTIONS: readonly GraphAction[] = [
   alignAction('middle', 'graph.align.middle'),
   distributeAction(0, 'graph.distribute.across'),
   distributeAction(1, 'graph.distribute.down'),
-  { id: 'large', title: 'graph.large', keys: ['Shift+Space'], run: ({ studio }) => toggleLargeGraph(studio) },
+  { id: 'large', title: 'graph.large', keys: ['Shift+Space'], run: ({ editor }) => toggleLargeGraph(editor) },
   { id: 'pictures', title: 'graph.pictures', keys: ['P'], run: togglePictures },
-  { id: 'fit', title: 'graph.fit', keys: ['Home'], run: ({ viewport: sight }) => sight.fit() },
+  { id: 'fit', title: 'graph.fit', keys: ['Home'], run: ({ viewport }) => viewport.fit() },
   {
     id: 'fit-chosen',
     title: 'graph.fitChosen',
     keys: ['.'],
     isEnabled: hasNodes,
-    run: ({ viewport: sight, selection }) => sight.fit(selection.nodes),
+    run: ({ viewport, selection }) => viewport.fit(selection.nodes),
   },
-  { id: 'zoom-in', title: 'graph.zoomIn', keys: ['+', '='], run: ({ viewport: sight }) => sight.zoom(1.25) },
-  { id: 'zoom-out', title: 'graph.zoomOut', keys: ['-'], run: ({ viewport: sight }) => sight.zoom(0.8) },
+  { id: 'zoom-in', title: 'graph.zoomIn', keys: ['+', '='], run: ({ viewport }) => viewport.zoom(1.25) },
+  { id: 'zoom-out', title: 'graph.zoomOut', keys: ['-'], run: ({ viewport }) => viewport.zoom(0.8) },
 ];
 
 /** Step of the arrow keys [px]; Shift makes it larger. */
@@ -356,7 +356,7 @@ const LARGE_NUDGE = 50;
 
 /** Moves the selection by one step; while a key is held, all steps are one undo step. */
 export function nudgeSelection(
-  { level, selection, viewport: sight, studio }: ActionContext,
+  { level, selection, viewport, editor }: ActionContext,
   key: string,
   far: boolean,
 ): boolean {
@@ -364,9 +364,9 @@ export function nudgeSelection(
   if (!step || selection.nodes.length + selection.notes.length === 0) return false;
   const length = far ? LARGE_NUDGE : NUDGE;
   const moved = ([x, y]: CanvasPoint): CanvasPoint => [x + step[0] * length, y + step[1] * length];
-  const nodes = selection.nodes.map((id): [string, CanvasPoint] => [id, moved(sight.positionOf(id))]);
+  const nodes = selection.nodes.map((id): [string, CanvasPoint] => [id, moved(viewport.positionOf(id))]);
   const notes = selection.notes.map((id): [string, CanvasPoint] => [id, moved(level.graph.notes[id]!.at)]);
   const gesture = `nudge ${[...selection.nodes, ...selection.notes].join(' ')}`;
-  studio.edit(moveItemsCommand(level, Object.fromEntries(nodes), Object.fromEntries(notes)), 'edit.move', gesture);
+  editor.edit(moveItemsCommand(level, Object.fromEntries(nodes), Object.fromEntries(notes)), 'edit.move', gesture);
   return true;
 }

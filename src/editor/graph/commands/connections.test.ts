@@ -41,14 +41,16 @@ describe('what a loose end fits', () => {
       ),
       ...Object.keys(nodeLibrary[type]!.params).map((socket): PendingConnection => ({ node, side: 'inputs', socket })),
     ]);
-    const odd = ends.flatMap((loose) => {
-      const fits = connectionCheck(level, loose);
+    const odd = ends.flatMap((pendingEnd) => {
+      const fits = connectionCheck(level, pendingEnd);
       return Object.entries(project.nodes).flatMap(([node, { type }]) => {
         const { inputs, outputs, params } = nodeLibrary[type]!;
-        const names = loose.side === 'inputs' ? Object.keys(outputs) : [...Object.keys(params), ...single(inputs)];
+        const names = pendingEnd.side === 'inputs' ? Object.keys(outputs) : [...Object.keys(params), ...single(inputs)];
         return names.flatMap((socket) => {
-          const refusal = edgeError(project, edgeBetween(loose, node, socket), nodeLibrary);
-          return fits(node, socket) === (refusal === undefined) ? [] : [`${JSON.stringify(loose)} ${node}.${socket}`];
+          const refusal = edgeError(project, edgeBetween(pendingEnd, node, socket), nodeLibrary);
+          return fits(node, socket) === (refusal === undefined)
+            ? []
+            : [`${JSON.stringify(pendingEnd)} ${node}.${socket}`];
         });
       });
     });
@@ -64,16 +66,16 @@ describe('what a loose end fits', () => {
   });
 
   it('offers new nodes that take it, and connects them', () => {
-    const loose: PendingConnection = { node: 'box', side: 'outputs', socket: 'geometry' };
-    const types = addableNodes(level, loose).map(({ id }) => id);
+    const pendingEnd: PendingConnection = { node: 'box', side: 'outputs', socket: 'geometry' };
+    const types = addableNodes(level, pendingEnd).map(({ id }) => id);
     expect(types).toEqual(expect.arrayContaining(['transform', 'merge', 'scene', 'reroute']));
     expect(types).not.toContain('tone-map');
-    for (const addition of addableNodes(level, loose)) {
-      const { command } = addNodeCommand(level, addition, [0, 0], loose);
+    for (const addition of addableNodes(level, pendingEnd)) {
+      const { command } = addNodeCommand(level, addition, [0, 0], pendingEnd);
       const edges = Object.keys(run(command).edges).length;
       expect(edges, addition.id).toBe(Object.keys(project.edges).length + 1);
     }
-    expect(socketFor(level, nodeLibrary.scene!, loose)).toBe('geometry.1');
+    expect(socketFor(level, nodeLibrary.scene!, pendingEnd)).toBe('geometry.1');
   });
 });
 

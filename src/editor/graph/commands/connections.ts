@@ -28,27 +28,27 @@ export function edgeBetween({ node, side, socket }: PendingConnection, other: st
 /** Returns a predicate: whether a socket fits the pending connection. Costly checks are cached. */
 export function connectionCheck(
   level: GraphLevel,
-  loose: PendingConnection,
+  pendingEnd: PendingConnection,
 ): (node: string, socket: string) => boolean {
   const types = inferTypes(level, nodeLibrary);
-  const held = typeAt(types, loose);
-  const circles = nodesClosingCycle(level.graph, loose);
-  const side = oppositeSide(loose.side);
+  const held = typeAt(types, pendingEnd);
+  const circles = nodesClosingCycle(level.graph, pendingEnd);
+  const side = oppositeSide(pendingEnd.side);
   return (node, socket) => {
     if (circles.has(node)) return false;
-    if (socket === NEW_SOCKET || loose.socket === NEW_SOCKET) return socket !== loose.socket;
+    if (socket === NEW_SOCKET || pendingEnd.socket === NEW_SOCKET) return socket !== pendingEnd.socket;
     const type = types.typeOf(node, side, socket);
     if (type === undefined) return false;
-    const [from, to] = loose.side === 'outputs' ? [held, type] : [type, held];
+    const [from, to] = pendingEnd.side === 'outputs' ? [held, type] : [type, held];
     if (!conversion(from, to)) return false;
     // Sockets of type `any` take their type from all connections, so the whole level must be inferred.
     const isSure =
       from !== ANY &&
       to !== ANY &&
       !isGeneric(level, node, side, socket) &&
-      !isGeneric(level, loose.node, loose.side, loose.socket);
+      !isGeneric(level, pendingEnd.node, pendingEnd.side, pendingEnd.socket);
     return (
-      isSure || edgeError(level.document, edgeBetween(loose, node, socket), nodeLibrary, level.group) === undefined
+      isSure || edgeError(level.document, edgeBetween(pendingEnd, node, socket), nodeLibrary, level.group) === undefined
     );
   };
 }
@@ -80,12 +80,12 @@ export interface SocketOption {
 }
 
 /** The sockets of a node that fit a pending connection; parameters last. */
-export function socketOptions(level: GraphLevel, loose: PendingConnection, id: string): SocketOption[] {
+export function socketOptions(level: GraphLevel, pendingEnd: PendingConnection, id: string): SocketOption[] {
   const node = own(level.graph.nodes, id);
   const sockets = node && socketsOf(level, node, nodeLibrary);
   if (!sockets) return [];
-  const fits = connectionCheck(level, loose);
-  const side = oppositeSide(loose.side);
+  const fits = connectionCheck(level, pendingEnd);
+  const side = oppositeSide(pendingEnd.side);
   return Object.entries(sockets[side]).flatMap(([name, { title, type, many }]): SocketOption[] => {
     const socket = many && side === 'inputs' ? `${name}.${freeNumber(level.graph, id, name)}` : name;
     return fits(id, socket) ? [{ socket, title: title ?? (name === type ? `type.${type}` : name) }] : [];
@@ -101,22 +101,22 @@ export function freeNumber({ edges }: Graph, node: string, input: string): numbe
 }
 
 /** The socket that connects a new node of a type to a pending connection; undefined if none fits. */
-export function socketFor(level: GraphLevel, type: NodeType, loose: PendingConnection): string | undefined {
+export function socketFor(level: GraphLevel, type: NodeType, pendingEnd: PendingConnection): string | undefined {
   if (type.id === GROUP_INPUT || type.id === GROUP_OUTPUT) return undefined;
-  return socketAmong(socketsOfType(type), typeAt(inferTypes(level, nodeLibrary), loose), loose.side);
+  return socketAmong(socketsOfType(type), typeAt(inferTypes(level, nodeLibrary), pendingEnd), pendingEnd.side);
 }
 
 /** As `socketFor`, for an instance of a group of the document. */
-export function socketForGroup(level: GraphLevel, group: string, loose: PendingConnection): string | undefined {
+export function socketForGroup(level: GraphLevel, group: string, pendingEnd: PendingConnection): string | undefined {
   const sockets = socketsOf(level, { type: GROUP, params: { group } }, nodeLibrary);
-  return sockets && socketAmong(sockets, typeAt(inferTypes(level, nodeLibrary), loose), loose.side);
+  return sockets && socketAmong(sockets, typeAt(inferTypes(level, nodeLibrary), pendingEnd), pendingEnd.side);
 }
 
-function socketAmong(sockets: NodeSockets, loose: string, side: PendingConnection['side']): string | undefined {
+function socketAmong(sockets: NodeSockets, pendingEnd: string, side: PendingConnection['side']): string | undefined {
   const entries = Object.entries(sockets[oppositeSide(side)]);
-  const convert = (type: string) => (side === 'outputs' ? conversion(loose, type) : conversion(type, loose));
+  const convert = (type: string) => (side === 'outputs' ? conversion(pendingEnd, type) : conversion(type, pendingEnd));
   // Prefers the same type to one that needs a conversion.
-  const found = entries.find(([, { type }]) => type === loose) ?? entries.find(([, { type }]) => convert(type));
+  const found = entries.find(([, { type }]) => type === pendingEnd) ?? entries.find(([, { type }]) => convert(type));
   if (!found) return undefined;
   return found[1].many && side === 'outputs' ? `${found[0]}.1` : found[0];
 }

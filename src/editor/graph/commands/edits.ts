@@ -37,14 +37,14 @@ export function addNodeCommand(
   level: GraphLevel,
   { type, group, socket }: AddableNode,
   at: CanvasPoint,
-  loose?: PendingConnection,
+  pendingEnd?: PendingConnection,
 ) {
   const node = new FreshKeys(level.graph.nodes).next(type);
   const params = group === undefined ? {} : { params: { group } };
   const place: CanvasPoint = [Math.round(at[0]), Math.round(at[1])];
   const add: Command = { kind: 'add-node', node, type, at: place, ...params };
   const commands = [levelBatch(level, [add])];
-  if (loose && socket !== undefined) commands.push(connectCommand(level, edgeBetween(loose, node, socket)));
+  if (pendingEnd && socket !== undefined) commands.push(connectCommand(level, edgeBetween(pendingEnd, node, socket)));
   return { node, command: { kind: 'batch', commands } as const };
 }
 

@@ -15,7 +15,7 @@ interface GroupSocketsProps {
 /** The sockets of the entered group, to rename and remove; new ones are made by drawing edges. */
 export function GroupSockets({ level, side }: GroupSocketsProps): ReactNode {
   const { t } = useTexts();
-  const studio = useEditor();
+  const editor = useEditor();
   const group = own(level.document.groups, level.group ?? '');
   if (!group) return null;
   return (
@@ -31,7 +31,7 @@ export function GroupSockets({ level, side }: GroupSocketsProps): ReactNode {
             maxLength={200}
             onBlur={(event) => {
               const written = event.currentTarget.value;
-              if (written !== title) studio.edit(changeSocketCommand(level, side, name, written), 'edit.rename');
+              if (written !== title) editor.edit(changeSocketCommand(level, side, name, written), 'edit.rename');
             }}
           />
           <Tooltip label={t('inspector.removeSocket')} openDelay={400}>
@@ -39,7 +39,7 @@ export function GroupSockets({ level, side }: GroupSocketsProps): ReactNode {
               variant="subtle"
               color="gray"
               aria-label={`${t('inspector.removeSocket')}: ${title}`}
-              onClick={() => studio.edit(changeSocketCommand(level, side, name), 'edit.remove')}
+              onClick={() => editor.edit(changeSocketCommand(level, side, name), 'edit.remove')}
             >
               <IconTrash size={15} />
             </ActionIcon>

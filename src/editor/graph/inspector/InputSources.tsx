@@ -28,8 +28,8 @@ export function InputSources({ id, node, level }: InputSourcesProps): ReactNode 
       problemOf: () => undefined,
       pictures: false,
     };
-    const face = cardModel(id, node, around);
-    return face.rows.flatMap(({ input, title }) => (input && title === undefined ? [input] : []));
+    const card = cardModel(id, node, around);
+    return card.rows.flatMap(({ input, title }) => (input && title === undefined ? [input] : []));
   }, [id, node, level]);
   const shown = inputs.filter(({ name }) => name !== NEW_SOCKET);
   if (shown.length === 0) return null;
@@ -49,8 +49,8 @@ interface InputSourceProps {
 }
 
 function InputSource({ id, level, socket }: InputSourceProps): ReactNode {
-  const { any, t } = useTexts();
-  const studio = useEditor();
+  const { textOrKey, t } = useTexts();
+  const editor = useEditor();
   const [open, setOpen] = useState(false);
   const to = { node: id, input: socket.name };
   const from = own(level.graph.edges, edgeKey(to))?.from;
@@ -59,23 +59,23 @@ function InputSource({ id, level, socket }: InputSourceProps): ReactNode {
     const held = own(level.graph.nodes, node);
     const title = held && socketsOf(level, held, nodeLibrary)?.outputs;
     const several = title && Object.keys(title).length > 1;
-    const called = any(held?.title ?? nodeLibrary[held?.type ?? '']?.title ?? node);
-    return several ? `${called} (${node}) · ${any(title[output]?.title ?? output)}` : `${called} (${node})`;
+    const called = textOrKey(held?.title ?? nodeLibrary[held?.type ?? '']?.title ?? node);
+    return several ? `${called} (${node}) · ${textOrKey(title[output]?.title ?? output)}` : `${called} (${node})`;
   };
   const sources = open ? compatibleSources(level, to) : from ? [from] : [];
   const take = (chosen: string | null) => {
     const [node, output] = chosen?.split('.') ?? [];
     if (node === undefined || output === undefined)
-      studio.edit(insideGroup(level.group, { kind: 'disconnect', to }), 'edit.disconnect');
+      editor.edit(insideGroup(level.group, { kind: 'disconnect', to }), 'edit.disconnect');
     else {
       const edge = edgeBetween({ node: id, side: 'inputs', socket: socket.name }, node, output);
-      studio.edit(connectCommand(level, edge), 'edit.connect');
+      editor.edit(connectCommand(level, edge), 'edit.connect');
     }
   };
   return (
     <Select
       size="xs"
-      label={`${any(socket.title)}${socket.number ? ` ${socket.number}` : ''}`}
+      label={`${textOrKey(socket.title)}${socket.number ? ` ${socket.number}` : ''}`}
       placeholder={t('inspector.notConnected')}
       nothingFoundMessage={t('inspector.noSource')}
       searchable

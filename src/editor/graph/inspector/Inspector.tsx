@@ -51,19 +51,19 @@ interface InspectedProps {
 }
 
 function NodeInspector({ id, node, level, flat }: InspectedProps): ReactNode {
-  const { any } = useTexts();
+  const { textOrKey } = useTexts();
   const type = own(nodeLibrary, node.type);
   const problem = useEditorState((state) => problemsByNode(state.results).get(flat));
   const isCarrier = node.type === GROUP_INPUT || node.type === GROUP_OUTPUT;
   return (
-    <Stack gap="sm" p="md" component="section" aria-label={any(node.title ?? type?.title ?? node.type)}>
+    <Stack gap="sm" p="md" component="section" aria-label={textOrKey(node.title ?? type?.title ?? node.type)}>
       <div>
         <Text component="h2" size="sm" fw={600}>
-          {any(type?.title ?? node.type)}
+          {textOrKey(type?.title ?? node.type)}
         </Text>
         {type && (
           <Text size="xs" c="dimmed" lh={1.5}>
-            {any(type.help)}
+            {textOrKey(type.help)}
           </Text>
         )}
       </div>
@@ -81,22 +81,22 @@ function NodeInspector({ id, node, level, flat }: InspectedProps): ReactNode {
 
 /** Title of the node, or of its group; focused when the inspector is opened by a command. */
 function Title({ id, node, level, type }: Omit<InspectedProps, 'flat'> & { readonly type?: NodeType }): ReactNode {
-  const { any, t } = useTexts();
-  const studio = useEditor();
+  const { textOrKey, t } = useTexts();
+  const editor = useEditor();
   const field = useRef<HTMLInputElement>(null);
   const inspecting = useEditorState((state) => state.inspecting);
   useEffect(() => {
     if (!inspecting) return;
-    studio.update({ inspecting: false });
+    editor.update({ inspecting: false });
     // Focus after the panel has come to the front.
     requestAnimationFrame(() => field.current?.focus());
-  }, [inspecting, studio]);
+  }, [inspecting, editor]);
   const group = node.type === GROUP ? own(level.document.groups, groupKeyOf(node)) : undefined;
   const held = group ? group.title : (node.title ?? '');
   const take = (title: string) => {
     if (title === held) return;
-    if (group) studio.edit({ kind: 'set-group', group: groupKeyOf(node), value: { ...group, title } }, 'edit.rename');
-    else studio.edit(insideGroup(level.group, { kind: 'rename', node: id, title }), 'edit.rename');
+    if (group) editor.edit({ kind: 'set-group', group: groupKeyOf(node), value: { ...group, title } }, 'edit.rename');
+    else editor.edit(insideGroup(level.group, { kind: 'rename', node: id, title }), 'edit.rename');
   };
   return (
     <TextInput
@@ -104,7 +104,7 @@ function Title({ id, node, level, type }: Omit<InspectedProps, 'flat'> & { reado
       ref={field}
       size="xs"
       label={t('inspector.name')}
-      placeholder={any(type?.title ?? node.type)}
+      placeholder={textOrKey(type?.title ?? node.type)}
       defaultValue={held}
       maxLength={200}
       onBlur={(event) => take(event.currentTarget.value)}
@@ -116,14 +116,14 @@ function Title({ id, node, level, type }: Omit<InspectedProps, 'flat'> & { reado
 }
 
 function ProblemNote({ problem: { message, place, remedy } }: { readonly problem: NodeProblem }): ReactNode {
-  const { said } = useTexts();
+  const { said: translateMessage } = useTexts();
   return (
     <Alert color="red" variant="light" p="xs" icon={<IconAlertTriangle size={16} />} role="status">
       <Stack gap={6}>
         <Text size="xs" ff="monospace" className="sl-place">
-          {said(place)}
+          {translateMessage(place)}
         </Text>
-        <Text size="sm">{said(message)}</Text>
+        <Text size="sm">{translateMessage(message)}</Text>
         {remedy && <Remedy remedy={remedy} />}
       </Stack>
     </Alert>

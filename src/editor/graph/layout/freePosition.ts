@@ -28,9 +28,9 @@ function estimatedSizes(level: GraphLevel, { nodes, edges }: Nodes): ReadonlyMap
   const { pictures } = canvas.getState();
   return new Map(
     Object.entries(nodes).map(([id, node]) => {
-      const face = cardModel(id, node, surroundings);
-      const first = face.rows.find(({ output }) => output)?.output;
-      return [id, cardSize({ ...face, ...(pictures && pictureModeOf(node, first)) })];
+      const card = cardModel(id, node, surroundings);
+      const first = card.rows.find(({ output }) => output)?.output;
+      return [id, cardSize({ ...card, ...(pictures && pictureModeOf(node, first)) })];
     }),
   );
 }
@@ -38,13 +38,13 @@ function estimatedSizes(level: GraphLevel, { nodes, edges }: Nodes): ReadonlyMap
 /** Occupied rectangles of a level, as shown on the canvas, or estimated if it is not shown. */
 function occupiedRects(level: GraphLevel): readonly CanvasRect[] {
   const { graph } = level;
-  const { viewport: sight } = canvas.getState();
-  const sizes = sight ? undefined : estimatedSizes(level, graph);
+  const { viewport } = canvas.getState();
+  const sizes = viewport ? undefined : estimatedSizes(level, graph);
   const notes = Object.values(graph.notes).map(({ at, size }) => ({ at, size }));
   return Object.keys(graph.nodes)
     .map((id): CanvasRect => {
-      const at = sight?.positionOf(id) ?? graph.layout[id] ?? [0, 0];
-      return { at, size: sight?.sizeOf(id) ?? sizes?.get(id) ?? [0, 0] };
+      const at = viewport?.positionOf(id) ?? graph.layout[id] ?? [0, 0];
+      return { at, size: viewport?.sizeOf(id) ?? sizes?.get(id) ?? [0, 0] };
     })
     .concat(notes);
 }
@@ -74,7 +74,7 @@ export function findFreeCenter(level: GraphLevel, fragment: Fragment, middle?: C
 /** Scrolls added nodes into view, once rendered. */
 export function revealNodes(nodes: readonly string[]): void {
   requestAnimationFrame(() => {
-    const { viewport: sight } = canvas.getState();
-    if (sight && !nodes.every(sight.isVisible)) sight.fit(nodes);
+    const { viewport } = canvas.getState();
+    if (viewport && !nodes.every(viewport.isVisible)) viewport.fit(nodes);
   });
 }

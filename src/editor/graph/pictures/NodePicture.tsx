@@ -7,23 +7,23 @@ import { type LuminanceHistogram, STOP_RANGE } from './luminanceHistogram.ts';
 import { useNodePicture } from './nodePictures.ts';
 
 /** Picture of a node's result; an empty frame until it is rendered. */
-export function NodePicture({ face }: { readonly face: CardModel }): ReactNode {
-  const { t, any } = useTexts();
+export function NodePicture({ card }: { readonly card: CardModel }): ReactNode {
+  const { t, textOrKey } = useTexts();
   const path = useCanvas((state) => state.path);
-  const picture = useNodePicture(flatNodeId(path, face.id));
+  const picture = useNodePicture(flatNodeId(path, card.id));
   const canvas = useRef<HTMLCanvasElement>(null);
   const image = picture?.image;
   useEffect(() => {
     if (image) canvas.current?.getContext('2d')?.putImageData(image, 0, 0);
   }, [image]);
   const surfaces = picture !== undefined && !('step' in picture.of);
-  const label = t(surfaces ? 'graph.picture.surfaces' : 'graph.picture', { title: any(face.title) });
+  const label = t(surfaces ? 'graph.picture.surfaces' : 'graph.picture', { title: textOrKey(card.title) });
   return (
     <>
       <div className="sl-node-picture">
         {image && <canvas ref={canvas} role="img" aria-label={label} width={image.width} height={image.height} />}
       </div>
-      {face.picture === 'metered' && <Histogram spread={picture?.spread} />}
+      {card.picture === 'metered' && <Histogram histogram={picture?.spread} />}
     </>
   );
 }
@@ -35,9 +35,9 @@ const at = (stop: number): number => (WIDTH * (stop - FROM)) / (TO - FROM);
 const TICKS = [-8, -4, 0] as const;
 
 /** Histogram of the luminance that the tone curve gets, over stops; white is at 0. */
-function Histogram({ spread }: { readonly spread?: LuminanceHistogram }): ReactNode {
+function Histogram({ histogram }: { readonly histogram?: LuminanceHistogram }): ReactNode {
   const { t } = useTexts();
-  const fill = spread && { middle: formatNumber(spread.middle, 2), over: formatNumber(100 * spread.over, 2) };
+  const fill = histogram && { middle: formatNumber(histogram.middle, 2), over: formatNumber(100 * histogram.over, 2) };
   return (
     <svg
       className="sl-node-spread"
@@ -45,7 +45,7 @@ function Histogram({ spread }: { readonly spread?: LuminanceHistogram }): ReactN
       role="img"
       aria-label={fill ? t('graph.spread', fill) : t('graph.spread.none')}
     >
-      {spread && <path d={outline(spread.bins)} />}
+      {histogram && <path d={outline(histogram.bins)} />}
       {TICKS.map((stop) => (
         <g key={stop} data-white={stop === 0 || undefined}>
           <line x1={at(stop)} x2={at(stop)} y1={0} y2={HEIGHT} />

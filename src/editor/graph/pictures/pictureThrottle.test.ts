@@ -5,28 +5,28 @@ const resting = { view: {}, isStill: true, software: false };
 const image = {};
 
 it('draws once the canvas, the nodes and the picture rest, and not again until something changes', () => {
-  const patience = new PictureThrottle();
+  const throttle = new PictureThrottle();
   const seen = new Map([['tone', image]]);
-  expect(patience.shouldRender(seen, 'here', resting, 0)).toBe(false);
-  expect(patience.shouldRender(seen, 'here', resting, 200)).toBe(true);
-  expect(patience.shouldRender(seen, 'here', resting, 9000)).toBe(false);
+  expect(throttle.shouldRender(seen, 'here', resting, 0)).toBe(false);
+  expect(throttle.shouldRender(seen, 'here', resting, 200)).toBe(true);
+  expect(throttle.shouldRender(seen, 'here', resting, 9000)).toBe(false);
   const drawnAnew = { ...resting, view: {} };
-  expect(patience.shouldRender(seen, 'here', drawnAnew, 9200)).toBe(true);
-  expect(patience.shouldRender(seen, 'here', drawnAnew, 9400)).toBe(false);
+  expect(throttle.shouldRender(seen, 'here', drawnAnew, 9200)).toBe(true);
+  expect(throttle.shouldRender(seen, 'here', drawnAnew, 9400)).toBe(false);
   const edited = new Map([['tone', {}]]);
-  expect(patience.shouldRender(edited, 'here', drawnAnew, 9600)).toBe(false);
-  expect(patience.shouldRender(edited, 'there', drawnAnew, 9800)).toBe(false);
-  expect(patience.shouldRender(edited, 'there', drawnAnew, 10_000)).toBe(true);
-  expect(patience.shouldRender(new Map(), 'there', drawnAnew, 10_200)).toBe(false);
+  expect(throttle.shouldRender(edited, 'here', drawnAnew, 9600)).toBe(false);
+  expect(throttle.shouldRender(edited, 'there', drawnAnew, 9800)).toBe(false);
+  expect(throttle.shouldRender(edited, 'there', drawnAnew, 10_000)).toBe(true);
+  expect(throttle.shouldRender(new Map(), 'there', drawnAnew, 10_200)).toBe(false);
 });
 
 it('keeps up with a picture that moves once a second, and where the processor draws not at all', () => {
   for (const software of [false, true]) {
-    const patience = new PictureThrottle();
+    const throttle = new PictureThrottle();
     const seen = new Map([['tone', image]]);
     let drawn = 0;
     for (let now = 0; now <= 10_000; now += 200)
-      if (patience.shouldRender(seen, 'here', { view: {}, isStill: false, software }, now)) drawn++;
+      if (throttle.shouldRender(seen, 'here', { view: {}, isStill: false, software }, now)) drawn++;
     expect(drawn).toBe(software ? 1 : 10);
   }
 });

@@ -19,7 +19,7 @@ export class PictureThrottle {
   private seen: ReadonlyMap<string, object> = new Map();
   private last = Number.NEGATIVE_INFINITY;
   /** For each node: the value rendered last, and the viewport's picture at that time. */
-  private readonly drawn = new Map<string, { readonly of: object; readonly beside: object }>();
+  private readonly drawn = new Map<string, { readonly of: object; readonly viewportPicture: object }>();
 
   /**
    * `seen`: results of the visible nodes by id; `canvas`: the canvas transform; `now` [ms]. The caller renders if it
@@ -40,10 +40,10 @@ export class PictureThrottle {
     const lacks = (old: boolean): boolean =>
       [...seen].some(([name, of]) => {
         const drawn = this.drawn.get(name);
-        return drawn?.of !== of || (old && drawn.beside !== view);
+        return drawn?.of !== of || (old && drawn.viewportPicture !== view);
       });
     if (!lacks(still || (!software && now - this.last >= MOVING_INTERVAL))) return false;
-    for (const [name, of] of seen) this.drawn.set(name, { of, beside: view });
+    for (const [name, of] of seen) this.drawn.set(name, { of, viewportPicture: view });
     this.last = now;
     return true;
   }

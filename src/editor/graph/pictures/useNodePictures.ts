@@ -15,54 +15,54 @@ import { PictureThrottle } from './pictureThrottle.ts';
 const TICK = 200;
 
 /** Keeps the pictures of visible nodes up to date. */
-export function useNodePictures(faces: ReadonlyMap<string, CardModel>): void {
-  const studio = useEditor();
+export function useNodePictures(cards: ReadonlyMap<string, CardModel>): void {
+  const editor = useEditor();
   const { viewport: stage } = useServices();
   const flow = useStoreApi();
   const on = useCanvas((state) => state.pictures);
-  const shown = useRef(faces);
-  shown.current = faces;
+  const shown = useRef(cards);
+  shown.current = cards;
   useEffect(() => {
     if (!on) return;
-    const painter = new NodePictureRenderer();
-    const patience = new PictureThrottle();
+    const previewRenderer = new NodePictureRenderer();
+    const throttle = new PictureThrottle();
     let busy = false;
     const timer = setInterval(() => {
-      const besides = document.hidden || busy ? undefined : stage.besides?.();
-      if (!besides) return;
-      const { made, inSight } = nodesWithPictures(shown.current, studio);
-      const seen = new Map([...inSight].map((name) => [name, made.get(name)!]));
-      if (!patience.shouldRender(seen, `${flow.getState().transform}`, besides, performance.now())) return;
+      const previewContext = document.hidden || busy ? undefined : stage.besides?.();
+      if (!previewContext) return;
+      const { made, inSight: visible } = nodesWithPictures(shown.current, editor);
+      const seen = new Map([...visible].map((name) => [name, made.get(name)!]));
+      if (!throttle.shouldRender(seen, `${flow.getState().transform}`, previewContext, performance.now())) return;
       busy = true;
       const done = () => {
         busy = false;
       };
       // Pictures that failed because the device was lost are rendered after it is recreated.
-      painter.render(made, inSight, besides).then(done, done);
+      previewRenderer.render(made, visible, previewContext).then(done, done);
     }, TICK);
     return () => {
       clearInterval(timer);
-      painter.stop();
+      previewRenderer.stop();
     };
-  }, [on, studio, stage, flow]);
+  }, [on, editor, stage, flow]);
 }
 
 /** Results of the shown level's nodes by evaluation id, and which of them are visible. */
-function nodesWithPictures(faces: ReadonlyMap<string, CardModel>, studio: Editor) {
-  const { history, results } = studio.store.getState();
-  const { path, viewport: sight } = canvas.getState();
+function nodesWithPictures(cards: ReadonlyMap<string, CardModel>, editor: Editor) {
+  const { history, results } = editor.store.getState();
+  const { path, viewport } = canvas.getState();
   const way = existingPath(history.document, path);
   const made = new Map<string, ImageSpec | GBufferSpec>();
-  const inSight = new Set<string>();
-  for (const face of faces.values()) {
-    const { id, picture, rows, collapsed } = face;
+  const visible = new Set<string>();
+  for (const card of cards.values()) {
+    const { id, picture, rows, collapsed } = card;
     const name = flatNodeId(way, id);
     const output = rows.find((row) => row.output)?.output?.name;
-    const result = picture && nodeResultOf(results, history.document, name, face);
+    const result = picture && nodeResultOf(results, history.document, name, card);
     const value = result && output !== undefined ? previewedImage(result, output) : undefined;
     if (!value) continue;
     made.set(name, value);
-    if (!collapsed && sight?.isVisible(id)) inSight.add(name);
+    if (!collapsed && viewport?.isVisible(id)) visible.add(name);
   }
-  return { made, inSight };
+  return { made, inSight: visible };
 }

@@ -24,7 +24,7 @@ export function AddNode({
   readonly panel: HTMLElement | null;
 }): ReactNode {
   const { t } = useTexts();
-  const studio = useEditor();
+  const editor = useEditor();
   const host = useRef<HTMLDivElement>(null);
   const close = () => canvas.setState({ adding: undefined });
   const back = () => {
@@ -50,7 +50,7 @@ export function AddNode({
         items={items}
         onChoose={({ id }) => {
           close();
-          take(studio, adding, id);
+          take(editor, adding, id);
         }}
         onClose={back}
       />
@@ -59,7 +59,7 @@ export function AddNode({
 }
 
 function useItems(adding: AddNodeRequest) {
-  const { any, t } = useTexts();
+  const { textOrKey, t } = useTexts();
   const document = useEditorState((state) => state.history.document);
   const level = useMemo(() => levelAt(document, canvas.getState().path), [document]);
   const nodes = useNodeItems(level, adding.pending);
@@ -69,15 +69,15 @@ function useItems(adding: AddNodeRequest) {
     const group = t('graph.sockets');
     return socketOptions(level, pending, onto).map(({ socket, title }) => {
       const number = /\.(\d+)$/.exec(socket)?.[1];
-      return { id: socket, label: number ? `${any(title)} ${number}` : any(title), group };
+      return { id: socket, label: number ? `${textOrKey(title)} ${number}` : textOrKey(title), group };
     });
-  }, [nodes, level, pending, onto, any, t]);
+  }, [nodes, level, pending, onto, textOrKey, t]);
 }
 
-function take(studio: Editor, { at, pending, onto }: AddNodeRequest, id: string): void {
-  const level = levelAt(studio.store.getState().history.document, canvas.getState().path);
+function take(editor: Editor, { at, pending, onto }: AddNodeRequest, id: string): void {
+  const level = levelAt(editor.store.getState().history.document, canvas.getState().path);
   if (pending && onto !== undefined) {
-    studio.edit(connectCommand(level, edgeBetween(pending, onto, id)), 'edit.connect');
+    editor.edit(connectCommand(level, edgeBetween(pending, onto, id)), 'edit.connect');
     canvas.getState().viewport?.focus(onto);
     return;
   }
@@ -87,7 +87,7 @@ function take(studio: Editor, { at, pending, onto }: AddNodeRequest, id: string)
   const shift = pending ? (pending.side === 'outputs' ? 0 : -NODE_WIDTH) : -NODE_WIDTH / 2;
   const place = findFreePosition(level, addition, [at[0] + shift, at[1] - 40]);
   const { node, command } = addCommand(level, addition, place, pending);
-  studio.edit(command, 'edit.add');
+  editor.edit(command, 'edit.add');
   selectItems({ nodes: [node] });
   canvas.getState().viewport?.focus(node);
 }

@@ -29,9 +29,9 @@ interface PageCommand {
 /** All commands of the page and the canvas, and all node kinds, by name. */
 export default function CommandPalette(): ReactNode {
   const { t } = useTexts();
-  const studio = useEditor();
+  const editor = useEditor();
   const opened = useEditorState((state) => state.dialog === 'palette');
-  const close = () => studio.update({ dialog: undefined });
+  const close = () => editor.update({ dialog: undefined });
   return (
     <Modal.Root
       opened={opened}
@@ -50,12 +50,12 @@ export default function CommandPalette(): ReactNode {
 
 function Commands({ close }: { readonly close: () => void }): ReactNode {
   const { t } = useTexts();
-  const studio = useEditor();
-  const commands = usePageCommands(studio);
+  const editor = useEditor();
+  const commands = usePageCommands(editor);
   const document = useEditorState((state) => state.history.document);
   const level = useMemo(() => levelAt(document, canvas.getState().path), [document]);
   const nodes = useNodeItems(level);
-  const context = actionContext(studio);
+  const context = actionContext(editor);
   const named = (
     id: string,
     title: TextKey,
@@ -90,9 +90,9 @@ function Commands({ close }: { readonly close: () => void }): ReactNode {
   };
   const run = (id: string) => {
     const [kind, name] = [id.slice(0, id.indexOf(':')), id.slice(id.indexOf(':') + 1)];
-    const now = actionContext(studio);
+    const now = actionContext(editor);
     if (kind === 'page') commands.find(({ title }) => title === name)?.run();
-    else if (kind === 'node') addNode(studio, name);
+    else if (kind === 'node') addNode(editor, name);
     else if (now) GRAPH_ACTIONS.find((action) => action.id === name)?.run(now);
   };
   return (
@@ -101,41 +101,41 @@ function Commands({ close }: { readonly close: () => void }): ReactNode {
 }
 
 /** At the center of the graph's viewport; opens the graph if needed. */
-function addNode(studio: Editor, id: string): void {
-  const { viewport: sight, path } = canvas.getState();
-  const level = levelAt(studio.store.getState().history.document, path);
+function addNode(editor: Editor, id: string): void {
+  const { viewport, path } = canvas.getState();
+  const level = levelAt(editor.store.getState().history.document, path);
   const addition = addableNodes(level).find((each) => each.id === id);
   if (!addition) return;
   const { node, command } = addNodeCommand(
     level,
     addition,
-    findFreePosition(level, addition, sight?.center() ?? [0, 240]),
+    findFreePosition(level, addition, viewport?.center() ?? [0, 240]),
   );
-  studio.edit(command, 'edit.add');
-  studio.update({ graph: true });
+  editor.edit(command, 'edit.add');
+  editor.update({ graph: true });
   selectItems({ nodes: [node] });
-  sight?.focus(node);
+  viewport?.focus(node);
 }
 
-function usePageCommands(studio: Editor): readonly PageCommand[] {
+function usePageCommands(editor: Editor): readonly PageCommand[] {
   const save = useSavePicture();
   const project = useSaveProject();
   const maximized = useEditorState((state) => state.maximized);
   const graph = useEditorState((state) => state.graph);
   return [
-    { title: graph ? 'graph.hide' : 'graph.show', keys: 'Mod+Shift+G', run: () => studio.update({ graph: !graph }) },
-    { title: 'header.scenes', run: () => studio.update({ dialog: 'gallery' }) },
+    { title: graph ? 'graph.hide' : 'graph.show', keys: 'Mod+Shift+G', run: () => editor.update({ graph: !graph }) },
+    { title: 'header.scenes', run: () => editor.update({ dialog: 'gallery' }) },
     { title: 'project.save', keys: 'Mod+S', run: project.save },
     { title: 'project.saveAll', run: () => void project.saveWithFiles() },
-    { title: 'project.share', run: () => studio.update({ dialog: 'share' }) },
-    { title: 'project.rename', run: () => studio.update({ dialog: 'name' }) },
+    { title: 'project.share', run: () => editor.update({ dialog: 'share' }) },
+    { title: 'project.rename', run: () => editor.update({ dialog: 'name' }) },
     { title: 'header.save', keys: 'Mod+Shift+S', run: () => void save() },
-    { title: 'header.undo', keys: 'Mod+Z', run: studio.undo },
-    { title: 'header.redo', keys: 'Mod+Shift+Z', run: studio.redo },
-    { title: 'help.view', run: () => nextView(studio) },
-    { title: 'help.grid', run: () => toggleGrid(studio) },
-    { title: 'help.falseColor', run: () => nextFalseColor(studio) },
-    { title: 'help.maximize', run: () => studio.update({ maximized: !maximized }) },
-    { title: 'header.help', keys: '?', run: () => studio.update({ dialog: 'help' }) },
+    { title: 'header.undo', keys: 'Mod+Z', run: editor.undo },
+    { title: 'header.redo', keys: 'Mod+Shift+Z', run: editor.redo },
+    { title: 'help.view', run: () => nextView(editor) },
+    { title: 'help.grid', run: () => toggleGrid(editor) },
+    { title: 'help.falseColor', run: () => nextFalseColor(editor) },
+    { title: 'help.maximize', run: () => editor.update({ maximized: !maximized }) },
+    { title: 'header.help', keys: '?', run: () => editor.update({ dialog: 'help' }) },
   ];
 }

@@ -13,17 +13,19 @@ interface AddableItem extends AddableNode {
 }
 
 /** All kinds of node that can be added to a level; with a pending connection, only those that fit it. */
-export function addableNodes(level: GraphLevel, loose?: PendingConnection): AddableItem[] {
+export function addableNodes(level: GraphLevel, pendingEnd?: PendingConnection): AddableItem[] {
   const types = Object.values(nodeLibrary).flatMap((type): AddableItem[] => {
     const { id, title, help, category } = type;
     if (id === GROUP || !isAllowedIn(level, id)) return [];
-    const socket = loose && socketFor(level, type, loose);
-    return loose && socket === undefined ? [] : [{ id, type: id, title, help, category, ...(socket && { socket }) }];
+    const socket = pendingEnd && socketFor(level, type, pendingEnd);
+    return pendingEnd && socket === undefined
+      ? []
+      : [{ id, type: id, title, help, category, ...(socket && { socket }) }];
   });
   const groups = Object.entries(level.document.groups).flatMap(([group, { title }]): AddableItem[] => {
     if (containsGroup(level, group, level.group)) return [];
-    const socket = loose && socketForGroup(level, group, loose);
-    if (loose && socket === undefined) return [];
+    const socket = pendingEnd && socketForGroup(level, group, pendingEnd);
+    if (pendingEnd && socket === undefined) return [];
     const words = { title: title || 'node.group', category: 'group' };
     return [{ id: `group:${group}`, type: GROUP, group, ...words, ...(socket && { socket }) }];
   });

@@ -9,21 +9,21 @@ import { addableNodes } from './addableNodes.ts';
 import type { QuickPickItem } from './ranking.ts';
 
 /** Kinds of nodes that can be added, searchable by their names in all languages and by their options. */
-export function useNodeItems(level: GraphLevel, loose?: PendingConnection): readonly QuickPickItem[] {
-  const { any } = useTexts();
+export function useNodeItems(level: GraphLevel, pendingEnd?: PendingConnection): readonly QuickPickItem[] {
+  const { textOrKey } = useTexts();
   return useMemo(
     () =>
-      addableNodes(level, loose).map(
+      addableNodes(level, pendingEnd).map(
         ({ id, type, title, help, category }): QuickPickItem => ({
           id,
-          label: any(title),
-          group: any(`category.${category}`),
+          label: textOrKey(title),
+          group: textOrKey(`category.${category}`),
           category,
-          ...(help && { detail: any(help) }),
-          words: `${inEveryLanguage(title)} ${id} ${any(`category.${category}`)} ${optionTitles(type)}`,
+          ...(help && { detail: textOrKey(help) }),
+          words: `${inEveryLanguage(title)} ${id} ${textOrKey(`category.${category}`)} ${optionTitles(type)}`,
         }),
       ),
-    [level, loose, any],
+    [level, pendingEnd, textOrKey],
   );
 }
 

@@ -1,7 +1,7 @@
 import { describe, expect, it } from 'vitest';
 import { messageTranslator } from './translateMessage.ts';
 
-const say = messageTranslator({
+const translate = messageTranslator({
   'it ended at {} s: {}': '于 {1} s 结束：{2}',
   '{} of {}': '{2} 的 {1}',
   'vertex {} of {}': '{2} 的顶点 {1}',
@@ -15,32 +15,32 @@ const say = messageTranslator({
 
 describe('a sentence in another language', () => {
   it('has its values where that language has them', () => {
-    expect(say('vertex 3 of /Cloth')).toBe('/Cloth 的顶点 3');
-    expect(say('vertex 10 of 3 of 7')).toBe('7 的 3 的顶点 10');
+    expect(translate('vertex 3 of /Cloth')).toBe('/Cloth 的顶点 3');
+    expect(translate('vertex 10 of 3 of 7')).toBe('7 的 3 的顶点 10');
   });
 
   it('has what it holds in it said anew', () => {
-    expect(say('it ended at 0.5 s: vertex 3 of /Cloth has no place any more')).toBe(
+    expect(translate('it ended at 0.5 s: vertex 3 of /Cloth has no place any more')).toBe(
       '于 0.5 s 结束：/Cloth 的顶点 3 已没有位置',
     );
-    expect(say('run: at rest')).toBe('run：静止');
+    expect(translate('run: at rest')).toBe('run：静止');
   });
 
   it('leaves a name as it is', () => {
-    expect(say('node')).toBe('node');
-    expect(say('there is no node')).toBe('没有节点');
+    expect(translate('node')).toBe('node');
+    expect(translate('there is no node')).toBe('没有节点');
   });
 
   it('stays as it is where nobody knows it', () => {
     for (const sentence of ['', 'nobody said this', 'a: b', 'vertex', 'it ended at', '已保存 a: b'])
-      expect(say(sentence)).toBe(sentence);
+      expect(translate(sentence)).toBe(sentence);
   });
 
   it('is the one with the most words of its own, and whole', () => {
-    expect(say('vertex 1 of 2')).toBe('2 的顶点 1');
-    expect(say('at rest of all')).toBe('all 的 静止');
-    expect(say('a/b is muted')).toBe('a/b 已静音');
-    expect(say('{1} has no place any more')).toBe('{1} 已没有位置');
+    expect(translate('vertex 1 of 2')).toBe('2 的顶点 1');
+    expect(translate('at rest of all')).toBe('all 的 静止');
+    expect(translate('a/b is muted')).toBe('a/b 已静音');
+    expect(translate('{1} has no place any more')).toBe('{1} 已没有位置');
   });
 
   it('is the one of which most is known, with what it holds', () => {
@@ -65,6 +65,6 @@ describe('a sentence in another language', () => {
     });
     // Without the bound it would not terminate in reasonable time.
     expect(hard('abcdefghij: '.repeat(160))).toMatch(/^[a-j]$/);
-    expect(say('vertex '.repeat(100_000))).toHaveLength(700_000);
+    expect(translate('vertex '.repeat(100_000))).toHaveLength(700_000);
   });
 });

@@ -33,25 +33,25 @@ interface TranslatedText {
  */
 export function messageTranslator(catalogue: MessageCatalogue): TranslateMessage {
   const whole = new Map(Object.entries(catalogue).filter(([key]) => !key.includes('{}')));
-  const sayings = Object.entries(catalogue).flatMap(([key, other]) =>
+  const patterns = Object.entries(catalogue).flatMap(([key, other]) =>
     key.includes('{}') ? [messagePattern(key, other)] : [],
   );
-  sayings.sort((a, b) => Number(b.onlyJoins) - Number(a.onlyJoins) || b.literalLength - a.literalLength);
-  const kept = new Map<string, TranslatedText>();
-  const say = (text: string, depth: number): TranslatedText => {
+  patterns.sort((a, b) => Number(b.onlyJoins) - Number(a.onlyJoins) || b.literalLength - a.literalLength);
+  const cache = new Map<string, TranslatedText>();
+  const translate = (text: string, depth: number): TranslatedText => {
     const key = `${depth} ${text}`;
-    const said = kept.get(key) ?? most(text, depth);
-    if (kept.size >= MAX_CACHED) kept.clear();
-    kept.set(key, said);
-    return said;
+    const translated = cache.get(key) ?? bestMatch(text, depth);
+    if (cache.size >= MAX_CACHED) cache.clear();
+    cache.set(key, translated);
+    return translated;
   };
-  const most = (text: string, depth: number): TranslatedText => {
+  const bestMatch = (text: string, depth: number): TranslatedText => {
     const known = whole.get(text);
     if (known !== undefined) return { text: known, knownLength: text.length };
     let best: TranslatedText = { text, knownLength: 0 };
     if (depth === MAX_DEPTH) return best;
-    for (const { parts, translation: other, literalLength: weight, onlyJoins } of sayings) {
-      const values = matchValues(text, parts)?.map((value) => say(value, depth + 1));
+    for (const { parts, translation: other, literalLength: weight, onlyJoins } of patterns) {
+      const values = matchValues(text, parts)?.map((value) => translate(value, depth + 1));
       if (!values) continue;
       const ofValues = values.reduce((sum, value) => sum + value.knownLength, 0);
       // A joining pattern counts only if one of its values is translated.
@@ -62,7 +62,8 @@ export function messageTranslator(catalogue: MessageCatalogue): TranslateMessage
     return best;
   };
   // Single words are names of nodes or files.
-  return (sentence) => (sentence.length > MAX_LENGTH || !sentence.includes(' ') ? sentence : say(sentence, 0).text);
+  return (sentence) =>
+    sentence.length > MAX_LENGTH || !sentence.includes(' ') ? sentence : translate(sentence, 0).text;
 }
 
 function messagePattern(key: string, other: string): MessagePattern {

@@ -8,7 +8,7 @@ import { useEditor } from '../../state/context.tsx';
 /** The other scenes of the opened archive or folder, if any. */
 export function OtherScenes({ source }: { readonly source: string }): ReactNode {
   const { t } = useTexts();
-  const studio = useEditor();
+  const editor = useEditor();
   const { localFiles } = useServices();
   const given = localFiles.get(source);
   const scenes = given && given.base === undefined ? scenesIn(localFiles.paths(source)) : [];
@@ -22,7 +22,7 @@ export function OtherScenes({ source }: { readonly source: string }): ReactNode 
       limit={100}
       value={given.entry}
       data={scenes.includes(given.entry) ? scenes : [given.entry, ...scenes]}
-      onChange={(entry) => entry && entry !== given.entry && studio.open(localFiles.sibling(source, entry))}
+      onChange={(entry) => entry && entry !== given.entry && editor.open(localFiles.sibling(source, entry))}
     />
   );
 }

@@ -10,7 +10,7 @@ import { Section } from './Section.tsx';
 /** Variant sets of the file. Selecting one reloads the scene; the observer stays in place. */
 export function Variants({ sets }: { readonly sets: readonly VariantSet[] }): ReactNode {
   const { t } = useTexts();
-  const studio = useEditor();
+  const editor = useEditor();
   const reader = useEditorState(({ history }) => nearestToOutput(history.document, 'read'));
   const set = reader?.params.variants;
   const chosen: readonly string[] = Array.isArray(set) ? set.map(String) : [];
@@ -18,7 +18,7 @@ export function Variants({ sets }: { readonly sets: readonly VariantSet[] }): Re
   const choose = (name: string, option: string | null) => {
     const others = chosen.filter((text) => !text.startsWith(formatVariantChoice(name, '')));
     const next = option ? [...others, formatVariantChoice(name, option)] : others;
-    studio.set(reader.id, 'variants', next.length > 0 ? next : undefined, 'edit.variant');
+    editor.set(reader.id, 'variants', next.length > 0 ? next : undefined, 'edit.variant');
   };
   return (
     <Section title={t('scene.variants')}>

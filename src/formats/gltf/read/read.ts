@@ -20,7 +20,7 @@ import { DiagnosticLog } from '../../diagnostics/diagnosticLog.ts';
 import { messageOf } from '../../diagnostics/inputError.ts';
 import { type FileSource, stemOf } from '../../files/fileSource.ts';
 import { MAX_OBJECTS } from '../../read/limits.ts';
-import type { ReadOptions } from '../../registry.ts';
+import type { ReadOptions } from '../../readOptions.ts';
 import { type GltfContext, gltfError } from '../context.ts';
 import { loadGltf } from '../load/loadGltf.ts';
 import { Baker } from './bake.ts';

@@ -1,18 +1,20 @@
 import type { DiagnosticCode } from '../../diagnostics/diagnosticCodes.ts';
 import type { DiagnosticList } from '../../diagnostics/diagnosticLog.ts';
+import { report } from '../diagnostics.ts';
 import type { Layer, PrimSpec } from '../layer/layer.ts';
-import { report } from '../schema/context.ts';
+import { isActive } from '../layer/query.ts';
 import { applyClips } from './clips/applyClips.ts';
 import { type ClipSet, clipSetOf } from './clips/clipSet.ts';
 import { type ClipSetDefinition, clipSetDefinitions } from './clips/definitions.ts';
-import { LayerStackCache } from './layers/layerStack.ts';
+import { LayerStackCache } from './layers/layerStackCache.ts';
 import { type LayerStore, type LoadedLayer, loadedLayer } from './layers/layerStore.ts';
 import { childNames } from './prim/childNames.ts';
 import { composedPrim } from './prim/composedPrim.ts';
 import { type ComposedVariantSet, variantSetsOf } from './prim/variantSets.ts';
 import { CompositionBudget, STEP_COSTS } from './primIndex/compositionBudget.ts';
 import { isInstance } from './primIndex/instances.ts';
-import { type CompositionContext, PrimIndexBuilder } from './primIndex/primIndexer.ts';
+import type { CompositionContext } from './primIndex/primIndexBuilder.ts';
+import { PrimIndexer } from './primIndex/primIndexer.ts';
 import type { PrimIndexNode } from './primIndex/primIndexNode.ts';
 import { sessionLayer, type VariantSelection } from './sessionLayer.ts';
 
@@ -99,7 +101,7 @@ class StageComposer {
 
   async compose(): Promise<ComposedStage> {
     const stack = await this.whenLayersLoaded(() => this.composer.stacks.getOrBuild(this.root, this.session));
-    const index = await this.whenLayersLoaded(() => PrimIndexBuilder.stagePrim(this.composer, stack, '', undefined));
+    const index = await this.whenLayersLoaded(() => PrimIndexer.stagePrim(this.composer, stack, '', undefined));
     const { name, metadata } = this.root.layer;
     const root = { index, path: '', depth: 0, isShared: false, clips: [] };
     const rootPrims = await this.children(root, childNames(index));
@@ -135,7 +137,7 @@ class StageComposer {
       if (!this.countPrim(path)) break;
       const childPath = `${path}/${name}`;
       const build = (): PrimIndexNode =>
-        PrimIndexBuilder.stagePrim(this.composer, parent.index.stack, childPath, parent.index);
+        PrimIndexer.stagePrim(this.composer, parent.index.stack, childPath, parent.index);
       let index = build();
       if (!this.store.isComplete || this.noted.length > 0) index = await this.whenLayersLoaded(build);
       const prim = composedPrim(index, childPath, this.composer.work);
@@ -208,9 +210,4 @@ class StageComposer {
       this.report('usd.variant', path, message);
     }
   }
-}
-
-export function isActive(prim: PrimSpec): boolean {
-  const active = prim.metadata.get('active');
-  return active?.type !== 'bool' || active.data;
 }

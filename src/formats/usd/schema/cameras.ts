@@ -1,7 +1,8 @@
 import type { SceneCamera } from '../../../scene/types.ts';
+import { report } from '../diagnostics.ts';
 import { attributeOf, numberAt, sampleTimes, textAt } from '../layer/attributes.ts';
 import type { PrimSpec } from '../layer/layer.ts';
-import { report, type StageContext } from './context.ts';
+import type { StageContext } from './context.ts';
 import { rigidMotionOf } from './placement/resampling.ts';
 import type { StageTransform } from './transforms/stageTransform.ts';
 

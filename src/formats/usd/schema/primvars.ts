@@ -1,7 +1,9 @@
 import type { PolygonValues } from '../../../scene/mesh/polygons.ts';
+import { report } from '../diagnostics.ts';
 import { attributeOf, numbersOf, type TimeCode, valueAt } from '../layer/attributes.ts';
 import type { AttributeSpec, NumberArray, PrimSpec } from '../layer/layer.ts';
-import { metadataText, report, type StageContext } from './context.ts';
+import { metadataText } from '../layer/query.ts';
+import type { StageContext } from './context.ts';
 
 /** How many values each interpolation needs. */
 export interface MeshElementCounts {

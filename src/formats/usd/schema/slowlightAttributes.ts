@@ -8,9 +8,10 @@ import type {
   UniformMotion,
 } from '../../../scene/types.ts';
 import { parseSceneHints } from '../../attributes/hints.ts';
+import { report } from '../diagnostics.ts';
 import { numberAt, textAt, vec3At } from '../layer/attributes.ts';
 import type { Layer, PrimSpec } from '../layer/layer.ts';
-import { report, type StageContext } from './context.ts';
+import type { StageContext } from './context.ts';
 
 /** What our own attributes (docs/guide/usd.md) say about a prim; descendants have it too, unless they say otherwise. */
 export interface SlowlightAttributes {

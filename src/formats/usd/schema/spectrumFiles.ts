@@ -4,9 +4,10 @@ import type { MeasuredReflectance } from '../../../spectrum/reflectance/measured
 import type { SampledSpectrum } from '../../../spectrum/sources/lightSpectrum.ts';
 import { readReflectanceCsv, readSpectrumCsv } from '../../attributes/spectrumCsv.ts';
 import { missingSpectrum } from '../../diagnostics/missingFiles.ts';
+import { report } from '../diagnostics.ts';
 import { textOf } from '../layer/attributes.ts';
 import type { PrimSpec, Value } from '../layer/layer.ts';
-import { report, type StageContext } from './context.ts';
+import type { StageContext } from './context.ts';
 
 /** Of one reading of a stage each file once, so that what is found out about a table is found out once. */
 class TableCache<Table> {

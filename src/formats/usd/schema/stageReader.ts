@@ -1,12 +1,13 @@
 import { IDENTITY, invert } from '../../../math/mat4.ts';
 import type { Lifetime, Light, Scene, SceneCamera, SceneObject } from '../../../scene/types.ts';
 import { MAX_OBJECTS } from '../../read/limits.ts';
-import { isActive } from '../compose/composeStage.ts';
+import { report } from '../diagnostics.ts';
 import { attributeOf, sampleTimes, type TimeCode, textAt } from '../layer/attributes.ts';
 import type { PrimSpec } from '../layer/layer.ts';
 import { parentOf } from '../layer/primPaths.ts';
+import { ancestorsOf, isActive } from '../layer/query.ts';
 import { cameraOf } from './cameras.ts';
-import { ancestorsOf, report, type StageContext } from './context.ts';
+import type { StageContext } from './context.ts';
 import { gprimGeometry, isGprim } from './geometry/gprims.ts';
 import { meshGeometry } from './geometry/meshes.ts';
 import type { PrimGeometry } from './geometry/primGeometry.ts';

@@ -1,5 +1,6 @@
+import { report } from '../diagnostics.ts';
 import type { PrimSpec } from '../layer/layer.ts';
-import { report, type StageContext } from './context.ts';
+import type { StageContext } from './context.ts';
 
 /** Prim types that hold something to see and are not read yet, and what becomes of them. */
 const leftOutMessage = (type: string): string => `${type} is not read; it is left out`;

@@ -4,7 +4,7 @@ import type { FileContent } from '../../../files/rangedFile.ts';
 import type { AssetFiles } from '../../assets/assetFiles.ts';
 import type { Layer, PrimSpec } from '../../layer/layer.ts';
 import { pseudoRoot } from '../../layer/primPaths.ts';
-import { metadataNumber } from '../../schema/context.ts';
+import { metadataNumber } from '../../layer/query.ts';
 
 /** A layer in memory. */
 export interface LoadedLayer {

@@ -1,19 +1,6 @@
 import { depthOf, hasPrefix, isPrimPath, parentOf, someAncestor } from '../../layer/primPaths.ts';
 import type { NamespaceMap } from '../primIndex/namespaceMap.ts';
-import type { ReportPrimIssue, StackLayer } from './layerStack.ts';
-
-/** How a layer stack moves the prims that its arcs bring, to other names or places. */
-export interface Relocates {
-  /** As written: where a prim is, and where it goes; '' where it is removed. */
-  readonly bySource: ReadonlyMap<string, string>;
-  readonly byTarget: ReadonlyMap<string, string>;
-  /** Those from or to a prim's children, by the prim's path. */
-  readonly byParent: ReadonlyMap<string, readonly (readonly [source: string, target: string])[]>;
-  /** Maps of arcs with the moves in them, by arc: one prim's arcs are followed again for each prim that is moved in it. */
-  readonly mapsOfArcs: Map<string, NamespaceMap>;
-  /** With the moves of what is around a prim taken into account: where its specs are in the arcs' own namespace. */
-  readonly resolved: ReadonlyMap<string, string>;
-}
+import type { Relocates, ReportPrimIssue, StackLayer } from './layerStack.ts';
 
 /** The relocates of a layer stack, the strongest layer's first; undefined where there are none. */
 export function relocatesOf(layers: readonly StackLayer[], note: ReportPrimIssue): Relocates | undefined {

@@ -10,7 +10,7 @@ import {
   sameMaps,
   withRoot,
 } from './namespaceMap.ts';
-import type { PrimIndexBuilder } from './primIndexer.ts';
+import type { PrimIndexBuilder } from './primIndexBuilder.ts';
 import { hasClasses, type PrimIndexNode } from './primIndexNode.ts';
 import { mapForArc } from './referenceArcs.ts';
 

@@ -1,10 +1,10 @@
 import type { DiagnosticCode } from '../../../diagnostics/diagnosticCodes.ts';
 import { nameOf, parentOf, someAncestor } from '../../layer/primPaths.ts';
-import type { LayerStack, LayerStackCache, ReportPrimIssue } from '../layers/layerStack.ts';
-import type { LayerStore } from '../layers/layerStore.ts';
+import type { LayerStack } from '../layers/layerStack.ts';
 import { addClassArcs, classHierarchyStart, implyClassArcs } from './classArcs.ts';
 import { type CompositionBudget, STEP_COSTS } from './compositionBudget.ts';
 import { isInstance } from './instances.ts';
+import type { ArcOptions, CompositionContext, IndexStackFrame, PrimIndexBuilder } from './primIndexBuilder.ts';
 import {
   allNodes,
   areNestedPaths,
@@ -19,56 +19,27 @@ import { addRelocateArc, implyRelocateArc } from './relocateArcs.ts';
 import { type IndexTask, type IndexTaskKind, TaskList } from './tasks.ts';
 import { addVariantArc, addVariantSets } from './variantArcs.ts';
 
-/** What all prims of a stage are composed with. */
-export interface CompositionContext {
-  readonly store: LayerStore;
-  readonly stacks: LayerStackCache;
-  /** Variants by set, the best first, where nothing is selected. */
-  readonly fallbacks: ReadonlyMap<string, readonly string[]>;
-  readonly work: CompositionBudget;
-  readonly note: ReportPrimIssue;
+/** What a nested index is built for. */
+interface IndexerOrigin {
+  readonly from: PrimIndexer;
+  /** The index is that of the parent prim of the one that `from` builds; otherwise of an arc's target. */
+  readonly isParent: boolean;
+  readonly frame: IndexStackFrame | undefined;
 }
 
-/** An arc to a prim that is not at the root: the prim's own index is built first, with the opinions on what is around it. */
-export interface IndexStackFrame {
-  /** The site whose index is wanted. */
-  readonly path: string;
-  /** The node that has the arc, in the index that is built around this one. */
-  readonly parent: PrimIndexNode;
-  readonly arc: Pick<CompositionArc, 'kind' | 'map'>;
-  readonly skipsDuplicates: boolean;
-  readonly outer: PrimIndexBuilder;
-}
-
-/** What a builder is started by: an arc, or the builder of a prim that is in the one to build. */
-interface BuilderOrigin {
-  readonly frame?: IndexStackFrame;
-  readonly inner?: PrimIndexBuilder;
-}
-
-export interface ArcOptions {
-  /** Its opinions count. */
-  readonly contributes?: boolean;
-  /** What is around the target in namespace has opinions on it as well. */
-  readonly ancestral?: boolean;
-  /** Nothing is added where the index has the site already. */
-  readonly skipsDuplicates?: boolean;
-}
-
-/** Indexes within indexes, to this depth. */
+/** Maximum depth of nested indexes. */
 const MAX_NESTED_INDEXES = 100;
-/** Sites that one prim can have. */
+/** Maximum number of sites of one prim. */
 export const MAX_NODES = 4000;
 
 /**
  * Finds all sites that have opinions on one prim and orders them by strength: local, inherits, variants, relocates,
- * references, payloads, specializes (LIVERPS; OpenUSD glossary, "LIVERPS Strength Ordering"). It starts from the index
- * of the prim around it, since arcs there bring namespace with them, and follows the arcs of every site that it finds.
+ * references, payloads, specializes (LIVERPS; OpenUSD glossary, "LIVERPS Strength Ordering"). It starts from the parent
+ * prim's index, whose arcs bring child prims, and follows the arcs of every site that it finds.
  */
-export class PrimIndexBuilder {
-  readonly composer: CompositionContext;
+export class PrimIndexer implements PrimIndexBuilder {
+  readonly context: CompositionContext;
   readonly frame: IndexStackFrame | undefined;
-  /** Of the prims that are asked for here, this one is so many levels around the last. */
   readonly ancestorDepth: number;
   readonly tasks: TaskList;
   root!: PrimIndexNode;
@@ -79,57 +50,52 @@ export class PrimIndexBuilder {
   private readonly path: string;
   private readonly expected: { target: PrimIndexNode; message: string }[];
 
-  private constructor(
-    composer: CompositionContext,
-    path: string,
-    around: BuilderOrigin = {},
-    evaluatesVariants = true,
-  ) {
-    this.composer = composer;
-    this.tasks = new TaskList(composer.work);
-    const from = around.inner ?? around.frame?.outer;
-    this.path = from?.path ?? path;
-    this.expected = from?.expected ?? [];
-    this.frame = around.inner ? around.inner.frame : around.frame;
-    this.ancestorDepth = (from?.ancestorDepth ?? 0) + (around.inner ? 1 : 0);
-    this.level = (from?.level ?? 0) + 1;
-    this.count = from?.count ?? { nodes: 0 };
+  private constructor(context: CompositionContext, path: string, origin?: IndexerOrigin, evaluatesVariants = true) {
+    this.context = context;
+    this.tasks = new TaskList(context.work);
+    this.path = origin?.from.path ?? path;
+    this.expected = origin?.from.expected ?? [];
+    this.frame = origin?.frame;
+    this.ancestorDepth = (origin?.from.ancestorDepth ?? 0) + (origin?.isParent ? 1 : 0);
+    this.level = (origin?.from.level ?? 0) + 1;
+    this.count = origin?.from.count ?? { nodes: 0 };
     this.evaluatesVariants = evaluatesVariants;
   }
 
-  /** The index of a prim of the stage. `around` is that of its parent, none for the pseudo-root. */
+  /** The index of a prim of the stage. `parent`: its parent's index, none for the pseudo-root. */
   static stagePrim(
-    composer: CompositionContext,
+    context: CompositionContext,
     stack: LayerStack,
     path: string,
-    around: PrimIndexNode | undefined,
+    parent: PrimIndexNode | undefined,
   ): PrimIndexNode {
-    const builder = new PrimIndexBuilder(composer, path);
-    builder.root = around ? builder.childOf(around, path) : new PrimIndexNode(stack, path);
-    const index = builder.run();
-    for (const { target, message } of builder.expected)
-      if (!hasOpinions(target)) builder.report('usd.unresolved-prim', message);
+    const indexer = new PrimIndexer(context, path);
+    indexer.root = parent ? indexer.childOf(parent, path) : new PrimIndexNode(stack, path);
+    const index = indexer.run();
+    for (const { target, message } of indexer.expected)
+      if (!hasOpinions(target)) indexer.report('usd.unresolved-prim', message);
     return index;
   }
 
-  /** Everything that a site has, its ancestors' arcs among them, as it is needed where an arc leads to the site. */
-  private static target(stack: LayerStack, path: string, frame: IndexStackFrame, contributes: boolean): PrimIndexNode {
-    const builder = new PrimIndexBuilder(frame.outer.composer, path, { frame }, false);
-    return builder.buildAt(stack, path, contributes);
+  /** The index of an arc's target with the arcs of its ancestors, variants not yet selected. */
+  private targetIndex(stack: LayerStack, frame: IndexStackFrame, contributes: boolean): PrimIndexNode {
+    const indexer = new PrimIndexer(this.context, frame.path, { from: this, isParent: false, frame }, false);
+    return indexer.buildAt(stack, frame.path, contributes);
   }
 
   private buildAt(stack: LayerStack, path: string, contributes: boolean): PrimIndexNode {
     if (path === '' || path.endsWith('}') || this.isTooDeep(path)) this.root = new PrimIndexNode(stack, path);
     else {
-      const around = new PrimIndexBuilder(this.composer, path, { inner: this }).buildAt(stack, parentOf(path), true);
-      this.root = this.childOf(around, path);
+      const origin = { from: this, isParent: true, frame: this.frame };
+      const parent = new PrimIndexer(this.context, path, origin).buildAt(stack, parentOf(path), true);
+      this.root = this.childOf(parent, path);
     }
     if (!contributes) this.root.isInert = true;
     return path === '' ? this.root : this.run();
   }
 
-  private childOf(around: PrimIndexNode, path: string): PrimIndexNode {
-    return around.childIndex(nameOf(path), isInstance(around));
+  private childOf(parent: PrimIndexNode, path: string): PrimIndexNode {
+    return parent.childIndex(nameOf(path), isInstance(parent));
   }
 
   private isTooDeep(path: string): boolean {
@@ -153,7 +119,7 @@ export class PrimIndexBuilder {
   }
 
   get work(): CompositionBudget {
-    return this.composer.work;
+    return this.context.work;
   }
 
   private isOverBudget(): boolean {
@@ -167,17 +133,14 @@ export class PrimIndexBuilder {
     if (TASKS_FOR_INERT.has(task.kind) || !node.isInert) TASK_HANDLERS[task.kind](this, task);
   }
 
-  /** Says something about the prim that is composed. */
   report(code: DiagnosticCode, message: string): void {
-    this.composer.note(code, this.path, message);
+    this.context.note(code, this.path, message);
   }
 
-  /** A reference or payload has to lead to something; whether it does is known when all arcs are followed. */
   expectOpinions(target: PrimIndexNode, message: string): void {
     this.expected.push({ target, message });
   }
 
-  /** Adds a site under a node, and what is to be done there. Undefined where it cannot be, or is there already. */
   addArc(
     parent: PrimIndexNode,
     stack: LayerStack,
@@ -197,7 +160,7 @@ export class PrimIndexBuilder {
     const contributes = options.contributes ?? true;
     let node: PrimIndexNode;
     if (ancestral) {
-      node = PrimIndexBuilder.target(stack, path, { path, parent, arc, skipsDuplicates, outer: this }, contributes);
+      node = this.targetIndex(stack, { path, parent, arc, skipsDuplicates, outer: this }, contributes);
     } else {
       node = new PrimIndexNode(stack, path);
       node.isInert = !contributes;

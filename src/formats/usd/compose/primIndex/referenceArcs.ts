@@ -1,13 +1,13 @@
 import { messageOf } from '../../../diagnostics/inputError.ts';
 import { depthOf, isPrimPath, stripVariants } from '../../layer/primPaths.ts';
-import { metadataText } from '../../schema/context.ts';
+import { metadataText } from '../../layer/query.ts';
 import { expandExpression } from '../layers/expressions.ts';
 import type { LayerStack } from '../layers/layerStack.ts';
 import { isLayerError, type LoadedLayer } from '../layers/layerStore.ts';
 import { referencesAt, type SourcedReference } from '../layers/siteOpinions.ts';
 import { composeOffsets, isInvertible, NO_OFFSET, type TimeOffset } from '../layers/timeOffset.ts';
 import { arcMap, composeMaps, type NamespaceMap, withPairs, withRoot } from './namespaceMap.ts';
-import type { PrimIndexBuilder } from './primIndexer.ts';
+import type { PrimIndexBuilder } from './primIndexBuilder.ts';
 import type { PrimIndexNode } from './primIndexNode.ts';
 
 /** Follows the references or the payloads that a site has. */
@@ -51,14 +51,14 @@ function targetOf(
     return undefined;
   }
   const stack =
-    arc.asset === '' ? node.stack : builder.composer.stacks.getOrBuild(root, undefined, node.stack.variables);
+    arc.asset === '' ? node.stack : builder.context.stacks.getOrBuild(root, undefined, node.stack.variables);
   return { stack, path, time: referenceTimeOffset(builder, kind, arc, arc.asset === '' ? undefined : root) };
 }
 
 function layerOf(builder: PrimIndexBuilder, kind: string, arc: SourcedReference): LoadedLayer | undefined {
   const asset = assetOf(builder, kind, arc);
   if (asset === '') return undefined;
-  const found = builder.composer.store.find(arc.from.source.id, asset);
+  const found = builder.context.store.find(arc.from.source.id, asset);
   if (!found || !isLayerError(found)) return found;
   builder.report(found.code, kind === 'reference' ? `its reference ${found.message}` : `its payload ${found.message}`);
   return undefined;

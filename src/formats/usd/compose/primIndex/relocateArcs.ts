@@ -1,5 +1,5 @@
 import { IDENTITY, mapToTarget } from './namespaceMap.ts';
-import type { PrimIndexBuilder } from './primIndexer.ts';
+import type { PrimIndexBuilder } from './primIndexBuilder.ts';
 import { makeInert, type PrimIndexNode } from './primIndexNode.ts';
 
 /** A prim that a relocate brings here: what arcs say about it where it comes from counts here, and only that. */

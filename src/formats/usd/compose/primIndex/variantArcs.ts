@@ -2,7 +2,7 @@ import { isVariantName, selectionOf, stripVariants, variantPath } from '../../la
 import { opinionsAt } from '../layers/layerStack.ts';
 import { selectionAt, variantSetsAt, variantsAt } from '../layers/siteOpinions.ts';
 import { IDENTITY, mapToSource, mapToTarget } from './namespaceMap.ts';
-import type { PrimIndexBuilder } from './primIndexer.ts';
+import type { PrimIndexBuilder } from './primIndexBuilder.ts';
 import { allNodes, type PrimIndexNode, strengthOrder } from './primIndexNode.ts';
 import type { IndexTask } from './tasks.ts';
 
@@ -14,7 +14,7 @@ export function addVariantSets(builder: PrimIndexBuilder, node: PrimIndexNode): 
 /** Adds the variant that is selected; else the fallback, once nothing else is left that could select one. */
 export function addVariantArc(builder: PrimIndexBuilder, task: IndexTask): void {
   const { node, set = '', number = 0 } = task;
-  const fallback = builder.composer.fallbacks.get(set)?.find((name) => variantsAt(node.opinions, set).includes(name));
+  const fallback = builder.context.fallbacks.get(set)?.find((name) => variantsAt(node.opinions, set).includes(name));
   const selected = task.kind === 'variant' ? selectionFor(builder, node, set) : fallback;
   if (!selected) {
     if (task.kind === 'variant' && fallback) builder.tasks.add({ ...task, kind: 'fallbackVariant' });

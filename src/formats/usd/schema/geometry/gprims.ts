@@ -1,9 +1,10 @@
 import { withMaterial } from '../../../../scene/mesh/meshOps.ts';
 import { type Axis, box, capsule, cone, cylinder, plane, sphere } from '../../../../scene/mesh/primitives.ts';
 import type { Mesh } from '../../../../scene/types.ts';
+import { report } from '../../diagnostics.ts';
 import { attributeOf, numberAt, sampleTimes, textAt, valueAt } from '../../layer/attributes.ts';
 import type { PrimSpec } from '../../layer/layer.ts';
-import { report, type StageContext } from '../context.ts';
+import type { StageContext } from '../context.ts';
 import type { PrimMaterials } from '../materials/materialBinding.ts';
 import type { PrimGeometry } from './primGeometry.ts';
 

@@ -1,10 +1,11 @@
 import { gatherPoints, makeMesh } from '../../../../scene/mesh/makeMesh.ts';
 import type { Polygons, PolygonValues } from '../../../../scene/mesh/polygons.ts';
 import type { Mesh } from '../../../../scene/types.ts';
+import { report } from '../../diagnostics.ts';
 import { attributeOf, numbersAt, sampleTimes, textAt } from '../../layer/attributes.ts';
 import type { NumberArray, PrimSpec } from '../../layer/layer.ts';
 import { countOf, storedSamples } from '../../layer/storedArray.ts';
-import { isTrue, report, type StageContext } from '../context.ts';
+import { isTrue, type StageContext } from '../context.ts';
 import type { PrimMaterials } from '../materials/materialBinding.ts';
 import { deformedMesh } from '../placement/deforming.ts';
 import { type MeshElementCounts, type Primvar, primvarOf, valuesOnMesh } from '../primvars.ts';

@@ -2,7 +2,7 @@ import { describe, expect, it } from 'vitest';
 import { pointsAt } from '../../../../scene/streaming/samplePoints.ts';
 import type { Mesh, Scene } from '../../../../scene/types.ts';
 import { memorySource } from '../../../files/fileSource.ts';
-import type { ReadOptions } from '../../../registry.ts';
+import type { ReadOptions } from '../../../readOptions.ts';
 import { readUsd } from '../../read.ts';
 
 const readAsIs = (body: string, options: ReadOptions = {}): Promise<Scene> => {

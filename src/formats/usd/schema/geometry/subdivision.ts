@@ -8,10 +8,11 @@ import {
   subdividePolygons,
 } from '../../../../scene/subdivide/subdividePolygons.ts';
 import { makeTopology } from '../../../../scene/subdivide/topology.ts';
-import { isActive } from '../../compose/composeStage.ts';
+import { report } from '../../diagnostics.ts';
 import { numbersAt, textAt } from '../../layer/attributes.ts';
 import type { Layer, PrimSpec } from '../../layer/layer.ts';
-import { report, type StageContext } from '../context.ts';
+import { isActive } from '../../layer/query.ts';
+import type { StageContext, SubdivisionLevels } from '../context.ts';
 
 /** Where no levels are asked for: so many, and up to so many more until a mesh has so many faces that it looks round. */
 const [LEAST_LEVELS, MOST_LEVELS] = [2, 4];
@@ -21,9 +22,6 @@ export const FACE_BUDGET = 500_000;
 
 type Scheme = SubdivisionOptions['scheme'];
 const SCHEMES: readonly string[] = ['catmullClark', 'loop', 'bilinear'] satisfies Scheme[];
-
-/** How often each mesh of a stage is subdivided, and would be alone. */
-export type SubdivisionLevels = ReadonlyMap<string, { readonly levels: number; readonly wanted: number }>;
 
 /** Undefined where the mesh is its polygons. What is not known is Catmull–Clark, as nothing is. */
 function schemeOf(prim: PrimSpec): Scheme | undefined {

@@ -1,6 +1,7 @@
 import type { Vec3 } from '../../../../math/vec3.ts';
+import { report } from '../../diagnostics.ts';
 import type { PrimSpec } from '../../layer/layer.ts';
-import { report, type StageContext } from '../context.ts';
+import type { StageContext } from '../context.ts';
 import { primvarOf } from '../primvars.ts';
 import type { PointInstance, PointInstances } from './pointInstances.ts';
 

@@ -1,9 +1,11 @@
 import * as mat4 from '../../../../math/mat4.ts';
 import type { Vec3 } from '../../../../math/vec3.ts';
 import type { Lifetime } from '../../../../scene/types.ts';
+import { report } from '../../diagnostics.ts';
 import type { PrimSpec } from '../../layer/layer.ts';
 import { parentOf } from '../../layer/primPaths.ts';
-import { metadataNumber, primAt, report, type StageContext, targetsOf } from '../context.ts';
+import { metadataNumber, primAt, targetsOf } from '../../layer/query.ts';
+import type { StageContext } from '../context.ts';
 import { lifetimeOf, poseTimeOf, type SlowlightAttributes } from '../slowlightAttributes.ts';
 import { nestedTransform, ROOT_TRANSFORM, type StageTransform } from '../transforms/stageTransform.ts';
 import { type InstanceColor, instanceColors } from './instanceColors.ts';

@@ -1,6 +1,8 @@
+import { report } from '../../diagnostics.ts';
 import { attributeOf, numbersAt, sampleTimes, valueAt } from '../../layer/attributes.ts';
 import type { PrimSpec } from '../../layer/layer.ts';
-import { report, type StageContext, targetsOf } from '../context.ts';
+import { targetsOf } from '../../layer/query.ts';
+import type { StageContext } from '../context.ts';
 import { unionOfTimes } from '../transforms/xformOps.ts';
 import { InstanceTransforms } from './instanceTransforms.ts';
 

@@ -7,9 +7,10 @@ import { directionFromLatLong, latLongFromDirection } from '../../../../scene/li
 import { sampleTexture } from '../../../../scene/materials/sampleTexture.ts';
 import type { DomeLight, RadianceTexture } from '../../../../scene/types.ts';
 import { SKY_ATTRIBUTES } from '../../../attributes/hints.ts';
+import { report } from '../../diagnostics.ts';
 import { attributeOf, textAt, textOf, valueAt, vec3At } from '../../layer/attributes.ts';
 import type { PrimSpec } from '../../layer/layer.ts';
-import { report, type StageContext, upAxisOf } from '../context.ts';
+import { type StageContext, upAxisOf } from '../context.ts';
 import type { TextureLoader } from '../materials/textureLoader.ts';
 import type { StageTransform } from '../transforms/stageTransform.ts';
 import { emissionOfColor } from './lightInputs.ts';

@@ -8,9 +8,10 @@ import {
   thermalSpectrum,
   unknownSpectrumMessage,
 } from '../../../attributes/spectrumAttribute.ts';
+import { report } from '../../diagnostics.ts';
 import { attributeOf, numberAt, numbersAt, textAt, textOf, valueAt, vec3At } from '../../layer/attributes.ts';
 import type { PrimSpec } from '../../layer/layer.ts';
-import { isTrue, report, type StageContext } from '../context.ts';
+import { isTrue, type StageContext } from '../context.ts';
 import { spectrumOfFile } from '../spectrumFiles.ts';
 
 /** An input of a light: `inputs:name`, or `name` as files before USD 21 wrote it. */

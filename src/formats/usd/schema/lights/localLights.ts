@@ -1,9 +1,10 @@
 import * as mat4 from '../../../../math/mat4.ts';
 import { addScaled, cross, dot, length, negate, normalize, scale, type Vec3 } from '../../../../math/vec3.ts';
 import type { LocalLight, RigidMotion } from '../../../../scene/types.ts';
+import { report } from '../../diagnostics.ts';
 import { attributeOf, textOf, valueAt } from '../../layer/attributes.ts';
 import type { PrimSpec } from '../../layer/layer.ts';
-import { isTrue, report, type StageContext } from '../context.ts';
+import { isTrue, type StageContext } from '../context.ts';
 import { meanColor, type TextureLoader, textureOf } from '../materials/textureLoader.ts';
 import { rigidMotionOf } from '../placement/resampling.ts';
 import { closedFormMotion, lifetimeOf, poseTimeOf, type SlowlightAttributes } from '../slowlightAttributes.ts';

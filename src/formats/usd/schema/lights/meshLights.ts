@@ -1,9 +1,11 @@
 import { cross, length, scale, sub, type Vec3 } from '../../../../math/vec3.ts';
 import { pointAt } from '../../../../scene/mesh/polygons.ts';
 import type { Mesh } from '../../../../scene/types.ts';
+import { report } from '../../diagnostics.ts';
 import { textAt } from '../../layer/attributes.ts';
 import type { PrimSpec } from '../../layer/layer.ts';
-import { report, type StageContext, targetsOf } from '../context.ts';
+import { targetsOf } from '../../layer/query.ts';
+import type { StageContext } from '../context.ts';
 import type { MaterialSyncMode, MaterialTable } from '../materials/materialTable.ts';
 import { emissionOf, lightFlag } from './lightInputs.ts';
 

@@ -1,8 +1,10 @@
 import type { Vec3 } from '../../../../math/vec3.ts';
 import type { PolygonValues } from '../../../../scene/mesh/polygons.ts';
+import { report } from '../../diagnostics.ts';
 import { attributeOf, numbersAt, textAt } from '../../layer/attributes.ts';
 import type { PrimSpec } from '../../layer/layer.ts';
-import { metadataText, report, type StageContext, targetsOf } from '../context.ts';
+import { metadataText, targetsOf } from '../../layer/query.ts';
+import type { StageContext } from '../context.ts';
 import { type MeshElementCounts, primvarOf, valuesOnMesh } from '../primvars.ts';
 import { type BoundMaterial, type DisplayColor, type MaterialTable, withDisplayColor } from './materialTable.ts';
 import { mapCorners, transformUvs } from './uvs.ts';

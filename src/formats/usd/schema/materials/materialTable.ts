@@ -1,9 +1,11 @@
 import type { Vec3 } from '../../../../math/vec3.ts';
 import type { Material } from '../../../../scene/types.ts';
 import { INVISIBLE_BANDS, parseSpectralHints, REFLECTANCE_ATTRIBUTE } from '../../../attributes/hints.ts';
+import { report } from '../../diagnostics.ts';
 import { attributeOf, numberOf, textOf, valueAt } from '../../layer/attributes.ts';
 import type { PrimSpec } from '../../layer/layer.ts';
-import { primAt, report, type StageContext, targetsOf } from '../context.ts';
+import { primAt, targetsOf } from '../../layer/query.ts';
+import type { StageContext } from '../context.ts';
 import { reflectanceOfFile } from '../spectrumFiles.ts';
 import { foreignMaterial, shaderName, surfaceShaders } from './foreignShaders.ts';
 import { isAnimated, type ResolvedInput, resolveInput, shaderId } from './shaderInputs.ts';

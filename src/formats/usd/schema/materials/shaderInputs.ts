@@ -1,6 +1,6 @@
 import { attributeOf, sampleTimes, type TimeCode, textOf, valueAt } from '../../layer/attributes.ts';
 import type { Layer, PrimSpec, Value } from '../../layer/layer.ts';
-import { propertyAt, targetsOf } from '../context.ts';
+import { propertyAt, targetsOf } from '../../layer/query.ts';
 
 /** What an input of a shader is: a value, or an output of another shader. */
 export interface ResolvedInput {

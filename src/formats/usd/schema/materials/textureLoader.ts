@@ -6,9 +6,10 @@ import { messageOf } from '../../../diagnostics/inputError.ts';
 import { missingTexture } from '../../../diagnostics/missingFiles.ts';
 import { type DecodedImage, decodeImage, looksLikeColor } from '../../../image/decodeImage.ts';
 import { decodeRadiance } from '../../../image/radiance.ts';
+import { report } from '../../diagnostics.ts';
 import { textAt, textOf } from '../../layer/attributes.ts';
 import type { PrimSpec, Value } from '../../layer/layer.ts';
-import { report, type StageContext } from '../context.ts';
+import type { StageContext } from '../context.ts';
 import { resolveInput } from './shaderInputs.ts';
 import { atlasOf, readTiles } from './udim.ts';
 

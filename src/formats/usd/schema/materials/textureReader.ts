@@ -1,9 +1,10 @@
 import type { Vec3 } from '../../../../math/vec3.ts';
 import type { NormalTexture, Texture, TextureChannel } from '../../../../scene/types.ts';
 import { type DecodedImage, withAlphaFrom } from '../../../image/decodeImage.ts';
+import { report } from '../../diagnostics.ts';
 import { numberOf, numbersOf, vec3Of } from '../../layer/attributes.ts';
 import type { PrimSpec, Value } from '../../layer/layer.ts';
-import { report, type StageContext } from '../context.ts';
+import type { StageContext } from '../context.ts';
 import { isAnimated, type ResolvedInput, resolveInput, shaderId } from './shaderInputs.ts';
 import { colorSpaceOf, type LoadedImage, type TextureLoader, textureOf } from './textureLoader.ts';
 import { adjustedAlpha, adjustedColor, adjustedMean, adjustedNormals, type TexelReading } from './texturePixels.ts';

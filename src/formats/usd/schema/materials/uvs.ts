@@ -1,9 +1,9 @@
 import { radians } from '../../../../math/angle.ts';
 import type { PolygonValues } from '../../../../scene/mesh/polygons.ts';
+import { report } from '../../diagnostics.ts';
 import { numberOf, numbersOf, textOf } from '../../layer/attributes.ts';
 import type { PrimSpec } from '../../layer/layer.ts';
 import type { StageContext } from '../context.ts';
-import { report } from '../context.ts';
 import { isAnimated, resolveInput, shaderId } from './shaderInputs.ts';
 
 /** Which primvar a texture is looked up by, and what is done to it before. */

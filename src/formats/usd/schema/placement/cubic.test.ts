@@ -5,7 +5,7 @@ import { distance, type Vec3 } from '../../../../math/vec3.ts';
 import { poseAt, vertexPosition } from '../../../../scene/motion/motion.ts';
 import type { Scene, SceneObject } from '../../../../scene/types.ts';
 import { memorySource } from '../../../files/fileSource.ts';
-import type { ReadOptions } from '../../../registry.ts';
+import type { ReadOptions } from '../../../readOptions.ts';
 import { saveScene } from '../../../save.ts';
 import { readUsd } from '../../read.ts';
 

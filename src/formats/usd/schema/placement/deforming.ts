@@ -13,7 +13,8 @@ import { readSample } from '../../../../scene/streaming/storedNumbers.ts';
 import type { PointRecipe } from '../../../../scene/streaming/storedPoints.ts';
 import { makeNormals, makePoints } from '../../../../scene/streaming/streamedPoints.ts';
 import type { Mesh, SampledPointsMotion } from '../../../../scene/types.ts';
-import { report, type StageContext } from '../context.ts';
+import { report } from '../../diagnostics.ts';
+import type { StageContext } from '../context.ts';
 import {
   affordableTimes,
   boxCorners,

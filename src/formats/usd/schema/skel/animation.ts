@@ -1,7 +1,9 @@
 import { toMatrix } from '../../../../math/quat.ts';
+import { report } from '../../diagnostics.ts';
 import { attributeOf, numbersAt, sampleTimes, tokensAt } from '../../layer/attributes.ts';
 import type { NumberArray, PrimSpec } from '../../layer/layer.ts';
-import { primAt, report, type StageContext } from '../context.ts';
+import { primAt } from '../../layer/query.ts';
+import type { StageContext } from '../context.ts';
 import { unionOfTimes } from '../transforms/xformOps.ts';
 import { nearestTarget } from './inheritedProperties.ts';
 

@@ -1,7 +1,9 @@
 import type { SkinInfluences } from '../../../read/skinning.ts';
+import { report } from '../../diagnostics.ts';
 import { attributeOf, numberOf, numbersOf, textAt, tokensAt, valueAt } from '../../layer/attributes.ts';
 import type { AttributeSpec, PrimSpec } from '../../layer/layer.ts';
-import { metadataText, primAt, report, type StageContext, targetsOf } from '../context.ts';
+import { metadataText, primAt, targetsOf } from '../../layer/query.ts';
+import type { StageContext } from '../context.ts';
 import { nearestAncestor, nearestTarget } from './inheritedProperties.ts';
 import { columnMatrices, readSkeleton, type Skeleton } from './skeleton.ts';
 

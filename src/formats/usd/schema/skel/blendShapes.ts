@@ -1,6 +1,8 @@
+import { report } from '../../diagnostics.ts';
 import { attributeOf, numberOf, numbersAt, sampleTimes, tokensAt } from '../../layer/attributes.ts';
 import type { AttributeSpec, NumberArray, PrimSpec } from '../../layer/layer.ts';
-import { primAt, report, type StageContext, targetsOf } from '../context.ts';
+import { primAt, targetsOf } from '../../layer/query.ts';
+import type { StageContext } from '../context.ts';
 
 /** The blend shapes of a mesh with their weights in time. */
 export interface BlendShapes {

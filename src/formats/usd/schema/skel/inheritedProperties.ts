@@ -1,5 +1,5 @@
 import type { Layer, PrimSpec } from '../../layer/layer.ts';
-import { primsAlong, targetsOf } from '../context.ts';
+import { primsAlong, targetsOf } from '../../layer/query.ts';
 
 /** The nearest prim, at a path or above it, for which `found` holds. */
 export const nearestAncestor = (layer: Layer, path: string, found: (prim: PrimSpec) => boolean): PrimSpec | undefined =>

@@ -1,7 +1,8 @@
 import * as mat4 from '../../../../math/mat4.ts';
+import { report } from '../../diagnostics.ts';
 import { numbersAt, tokensAt } from '../../layer/attributes.ts';
 import type { NumberArray, PrimSpec } from '../../layer/layer.ts';
-import { report, type StageContext } from '../context.ts';
+import type { StageContext } from '../context.ts';
 import { localToStageTransform, type StageTransform } from '../transforms/stageTransform.ts';
 import { animationPrim, type JointAnimation, jointAnimationOf } from './animation.ts';
 

@@ -2,7 +2,7 @@ import fc from 'fast-check';
 import { describe, expect, it, vi } from 'vitest';
 import type { Scene } from '../../../../scene/types.ts';
 import { memorySource } from '../../../files/fileSource.ts';
-import type { ReadOptions } from '../../../registry.ts';
+import type { ReadOptions } from '../../../readOptions.ts';
 import { readUsd } from '../../read.ts';
 import { Memo } from './memo.ts';
 

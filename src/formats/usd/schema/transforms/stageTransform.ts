@@ -1,7 +1,7 @@
 import * as mat4 from '../../../../math/mat4.ts';
 import type { TimeCode } from '../../layer/attributes.ts';
 import type { Layer } from '../../layer/layer.ts';
-import { primAt } from '../context.ts';
+import { primAt } from '../../layer/query.ts';
 import { MatrixCache } from './matrixCache.ts';
 import { Memo } from './memo.ts';
 import {

@@ -1,0 +1,13 @@
+import type { PictureSize } from '../../nodes/pictures/pictureRenderer.ts';
+import type { View } from '../../scene/view/bufferSettings.ts';
+import type { SceneFlags } from '../flags/sceneFlags.ts';
+import type { ObserverFlags } from '../flags/viewFlags.ts';
+
+export interface ProbeFlags extends ObserverFlags, SceneFlags {
+  readonly prim?: string;
+  readonly pixel?: readonly [number, number];
+  readonly size: PictureSize;
+  readonly time?: number;
+  readonly view: View;
+  readonly json?: boolean;
+}
