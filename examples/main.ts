@@ -4,6 +4,7 @@ import { fileURLToPath } from 'node:url';
 import { writeTextures, writeUsda } from '../src/formats/usd/index.ts';
 import type { GraphDocument } from '../src/graph/document/document.ts';
 import { serializeDocument } from '../src/graph/document/serialize.ts';
+import { SPEED_OF_LIGHT } from '../src/physics/constants.ts';
 import type { Scene, Texture } from '../src/scene/types.ts';
 import { validate } from '../src/scene/validation/validate.ts';
 import type { ExampleScene } from './kit/example.ts';
@@ -36,7 +37,7 @@ function unknown(name: string): never {
 /** `under`: a folder of examples/, with its own textures. */
 function write({ name, make, texturesOf = name }: ExampleScene, under = ''): void {
   const scene = named(make(), texturesOf);
-  const faults = validate(scene, scene.hints.speedOfLight ?? 299_792_458).filter((d) => d.severity === 'error');
+  const faults = validate(scene, scene.hints.speedOfLight ?? SPEED_OF_LIGHT).filter((d) => d.severity === 'error');
   if (faults.length > 0) throw new Error(faults.map((d) => `${name}: ${d.place}: ${d.message}`).join('\n'));
   const text = writeUsda(scene);
   const place = join(folder, under);

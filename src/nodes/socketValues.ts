@@ -1,23 +1,15 @@
 import type { FrameGraph, FrameGraphPassOf } from '../scene/frameGraph/frameGraph.ts';
+import type { SettingOfNode, ValuesOf } from '../scene/settings/settings.ts';
 import type { Scene } from '../scene/types.ts';
-import type { ColorMode, Solver, View } from '../scene/view/bufferSettings.ts';
-import type { ToneMapping } from '../spectrum/display/toneMap.ts';
 import type { FalseColorQuantity } from '../spectrum/falseColor/falseColor.ts';
-import type { MeteringMode } from './pictures/metering.ts';
 import type { LoadedScene } from './services.ts';
 
 /** A scene with how light travels in it. */
-export interface RelativisticScene extends LoadedScene {
+export interface RelativisticScene extends LoadedScene, ValuesOf<SettingOfNode<'relativity-console'>> {
   /** [m/s] */
   readonly speedOfLight: number;
   /** The observer's maximum speed as a fraction of c. */
   readonly maxSpeed: number;
-  readonly lightDelay: boolean;
-  readonly aberration: boolean;
-  readonly solver: Solver;
-  readonly iterations: number;
-  readonly damping: number;
-  readonly view: View;
 }
 
 /** A relativistic scene with the camera that observes it. */
@@ -31,13 +23,7 @@ export interface CameraView extends RelativisticScene {
 }
 
 /** What the rasterizer is to draw. A description only: the pass runs once per frame. */
-export interface GBufferSpec extends CameraView {
-  readonly colors: ColorMode;
-  readonly dopplerMix: number;
-  readonly beaming: number;
-  readonly antialiasing: boolean;
-  readonly grid: boolean;
-}
+export interface GBufferSpec extends CameraView, ValuesOf<SettingOfNode<'relativity-rasterize'>> {}
 
 /** An image, described by the pass that makes it from others; nothing is rendered before the whole picture is known. */
 export interface ImageSpec {
@@ -47,14 +33,9 @@ export interface ImageSpec {
 }
 
 /** A whole picture, except for time and observer, which change without an evaluation. */
-export interface PictureSpec extends GBufferSpec {
-  readonly shadows: boolean;
+export interface PictureSpec extends GBufferSpec, ValuesOf<SettingOfNode<'deferred-lighting' | 'tone-map'>> {
   /** Whether ambient occlusion dims the light of the sky. */
   readonly occlusion: boolean;
-  readonly tone: ToneMapping;
-  readonly metering: MeteringMode;
-  /** Exposure compensation, added to the metered exposure [EV]. */
-  readonly exposure: number;
   readonly falseColor: FalseColorQuantity | 'none';
   /** Present if the picture is more than one shaded G-buffer. */
   readonly frameGraph?: FrameGraph;

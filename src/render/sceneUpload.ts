@@ -1,9 +1,9 @@
 import { BufferAttribute, BufferGeometry, type DataTexture, Scene as ThreeScene } from 'three/webgpu';
 import { sceneNightSky } from '../scene/lights/sceneLights.ts';
 import { deforms, pointSamples } from '../scene/motion/motion.ts';
+import type { ColorMode } from '../scene/settings/settings.ts';
 import { isStreamed } from '../scene/streaming/samplePoints.ts';
 import type { SampledPointsMotion, Scene, Texture } from '../scene/types.ts';
-import type { ColorMode } from '../scene/view/bufferSettings.ts';
 import { HalfAtlas } from '../shaders/tables/halfAtlas.ts';
 import { type DrawCall, disposeDrawCall, makeDrawCall } from './gbuffer/drawCall.ts';
 import { MATERIAL_TEXELS, materialTexels, type SurfaceTextures } from './gbuffer/surface.ts';

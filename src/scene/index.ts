@@ -26,13 +26,13 @@ export { samplePose } from './motion/poses.ts';
 export type { PoseSamples } from './motion/resample.ts';
 export { resampleRotation, sampleMotion } from './motion/resample.ts';
 export { retime, type Timing } from './motion/retime.ts';
+export type { Solver } from './settings/settings.ts';
 export type * from './types.ts';
 export { InputError } from './types.ts';
 export { validate } from './validation/validate.ts';
-export type { Solver, View } from './view/bufferSettings.ts';
 export type { CameraState } from './view/camera.ts';
 export { framingCamera, lookAtOrientation, observerFromCamera } from './view/camera.ts';
-export type { ProbeObserver, VertexProbe } from './view/probe.ts';
+export type { VertexProbe } from './view/probe.ts';
 export { probeVertex, probeVertices } from './view/probe.ts';
 export {
   AOVS,
@@ -42,3 +42,5 @@ export {
   type RenderSettings,
   type ViewPoint,
 } from './view/view.ts';
+export type { ProbeObserver } from './views/viewRecord.ts';
+export type { View } from './views/views.ts';

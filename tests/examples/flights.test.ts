@@ -6,7 +6,7 @@ import { aberrate } from '../../src/physics/optics/aberration.ts';
 import { observerDoppler } from '../../src/physics/optics/doppler.ts';
 import { sceneNightSky } from '../../src/scene/lights/sceneLights.ts';
 import { fastestVertex } from '../../src/scene/motion/motion.ts';
-import type { ProbeObserver } from '../../src/scene/view/probe.ts';
+import type { ProbeObserver } from '../../src/scene/views/viewRecord.ts';
 import {
   curvature,
   mean,

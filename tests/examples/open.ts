@@ -8,7 +8,7 @@ import { pointAt } from '../../src/scene/mesh/polygons.ts';
 import { vertexPositions } from '../../src/scene/motion/motion.ts';
 import type { Scene, SceneObject } from '../../src/scene/types.ts';
 import { observerFromCamera } from '../../src/scene/view/camera.ts';
-import type { ProbeObserver } from '../../src/scene/view/probe.ts';
+import type { ProbeObserver } from '../../src/scene/views/viewRecord.ts';
 
 /** Every scene of the gallery. */
 export const NAMES = [

@@ -6,7 +6,8 @@ import { boundingSphere } from '../../src/scene/bounds/bounds.ts';
 import { originWorldLine } from '../../src/scene/motion/motion.ts';
 import type { Mesh, SceneObject } from '../../src/scene/types.ts';
 import { observerFromCamera } from '../../src/scene/view/camera.ts';
-import { type ProbeObserver, probeVertices } from '../../src/scene/view/probe.ts';
+import { probeVertices } from '../../src/scene/view/probe.ts';
+import type { ProbeObserver } from '../../src/scene/views/viewRecord.ts';
 import { objectAt, openExample, speedOfLight, worldPositions } from './open.ts';
 
 const scene = await openExample('sphere');

@@ -5,9 +5,9 @@ import { createTracedScene, type TracedScene } from '../../src/reference/interse
 import { makeScene } from '../../src/scene/defaults.ts';
 import { pointsAt } from '../../src/scene/streaming/samplePoints.ts';
 import type { Motion, SampledPointsMotion, SceneObject } from '../../src/scene/types.ts';
-import type { View } from '../../src/scene/view/bufferSettings.ts';
 import { probeVertex, type VertexProbe } from '../../src/scene/view/probe.ts';
 import { DEFAULT_SETTINGS, type RenderSettings, type ViewPoint } from '../../src/scene/view/view.ts';
+import type { View } from '../../src/scene/views/views.ts';
 
 export const tracedScene = (objects: readonly SceneObject[], c = 1): TracedScene =>
   createTracedScene(makeScene({ name: 'test', objects }), c);

@@ -4,9 +4,9 @@ import { properVelocity } from '../../src/physics/lorentz/boost.ts';
 import { apparentPosition } from '../../src/physics/optics/apparentPosition.ts';
 import { simultaneousPosition } from '../../src/physics/worldLines/simultaneity.ts';
 import type { Scene } from '../../src/scene/types.ts';
-import type { View } from '../../src/scene/view/bufferSettings.ts';
 import { framingCamera, lookAtOrientation, observerFromCamera } from '../../src/scene/view/camera.ts';
 import { DEFAULT_SETTINGS, type RenderSettings, type ViewPoint } from '../../src/scene/view/view.ts';
+import type { View } from '../../src/scene/views/views.ts';
 import { type ExampleName, speedOfLight } from '../examples/open.ts';
 import type { ExtraScene } from './extraScenes.ts';
 

@@ -3,6 +3,7 @@ import { parseVariantChoice } from '../../formats/variantChoice.ts';
 import { length, type Vec3 } from '../../math/vec3.ts';
 import type { PictureSize } from '../../nodes/pictures/pictureRenderer.ts';
 import { MAX_BOUNCES, MAX_SAMPLES, SEED_COUNT } from '../../reference/lights/lightOptions.ts';
+import type { NumberRange } from '../../scene/settings/setting.ts';
 import { AOVS, type AovName } from '../../scene/view/view.ts';
 
 /** Readers of flag values. Each throws an InvalidArgumentError, which names what was expected. */
@@ -22,12 +23,24 @@ const numberWhere =
     return value;
   };
 
-export const parsePositive = numberWhere((x) => x > 0, 'a number above 0');
-export const parseNotNegative = numberWhere((x) => x >= 0, 'a number, 0 or above');
-export const parseFraction = numberWhere((x) => x >= 0 && x <= 1, 'a number from 0 to 1');
-export const parseDamping = numberWhere((x) => x > 0 && x <= 1, 'a number above 0 and at most 1');
+/** Reads the numbers of a range. */
+export function parseWithin(range: NumberRange): (text: string) => number {
+  const { min = Number.NEGATIVE_INFINITY, above = Number.NEGATIVE_INFINITY, max = Number.POSITIVE_INFINITY } = range;
+  const whole = range.integer === true;
+  return numberWhere((x) => x >= min && x > above && x <= max && (!whole || Number.isInteger(x)), described(range));
+}
+
+function described({ min, above, max, integer }: NumberRange): string {
+  if (integer) return `a whole number, ${min} to ${max}`;
+  if (above !== undefined)
+    return max === undefined ? `a number above ${above}` : `a number above ${above} and at most ${max}`;
+  return max === undefined ? `a number, ${min} or above` : `a number from ${min} to ${max}`;
+}
+
+export const parsePositive = parseWithin({ above: 0 });
+export const parseNotNegative = parseWithin({ min: 0 });
+export const parseFraction = parseWithin({ min: 0, max: 1 });
 export const parseFov = numberWhere((x) => x > 0 && x < 180, 'degrees between 0 and 180');
-export const parseIterations = numberWhere((x) => Number.isInteger(x) && x >= 1 && x <= 64, 'a whole number, 1 to 64');
 export const parseSamples = numberWhere(
   (x) => Number.isInteger(x) && x >= 1 && x <= MAX_SAMPLES,
   `a whole number, 1 to ${MAX_SAMPLES}`,

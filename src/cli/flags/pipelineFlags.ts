@@ -1,7 +1,7 @@
 import { type Command, Option } from 'commander';
 import { DEFAULT_LIGHT } from '../../reference/lights/lightOptions.ts';
 import type { Backend } from '../../render/settings.ts';
-import type { Solver } from '../../scene/view/bufferSettings.ts';
+import type { Solver } from '../../scene/settings/settings.ts';
 import { usageError } from '../terminal/exitCodes.ts';
 import { parseBounces, parseSeed, parseThreads } from './parse.ts';
 

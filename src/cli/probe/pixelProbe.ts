@@ -8,9 +8,9 @@ import { cameraRay } from '../../reference/camera/cameraRay.ts';
 import { visibleHit } from '../../reference/camera/visibleHit.ts';
 import { createTracedScene } from '../../reference/intersection/tracedScene.ts';
 import type { Scene } from '../../scene/types.ts';
-import type { View } from '../../scene/view/bufferSettings.ts';
 import type { VertexProbe } from '../../scene/view/probe.ts';
 import { DEFAULT_SETTINGS, type ViewPoint } from '../../scene/view/view.ts';
+import type { View } from '../../scene/views/views.ts';
 
 /** What an observer sees at a pixel: a point of a surface, at the event where the light left it. */
 export interface PixelProbe extends Omit<VertexProbe, 'vertex' | 'visible'> {

@@ -1,7 +1,7 @@
 import { Command } from 'commander';
 import { parseNumber, parsePixel, sizeOption } from '../flags/parse.ts';
 import { addSceneFlags, SCENE_ARGUMENT } from '../flags/sceneFlags.ts';
-import { addObserverFlags, viewOption } from '../flags/viewFlags.ts';
+import { addObserverFlags, settingOption } from '../flags/viewFlags.ts';
 import type { ProbeFlags } from './probeFlags.ts';
 
 const examples = `
@@ -26,7 +26,7 @@ export function probeCommand(): Command {
       parseNumber,
     );
   return addSceneFlags(addObserverFlags(command))
-    .addOption(viewOption())
+    .addOption(settingOption('view'))
     .option('--json', 'print as JSON')
     .addHelpText('after', examples)
     .action(async (scene: string, flags: ProbeFlags) => (await import('./probeAction.ts')).probe(scene, flags));

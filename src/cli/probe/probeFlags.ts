@@ -1,5 +1,5 @@
 import type { PictureSize } from '../../nodes/pictures/pictureRenderer.ts';
-import type { View } from '../../scene/view/bufferSettings.ts';
+import type { View } from '../../scene/views/views.ts';
 import type { SceneFlags } from '../flags/sceneFlags.ts';
 import type { ObserverFlags } from '../flags/viewFlags.ts';
 

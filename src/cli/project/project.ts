@@ -16,6 +16,7 @@ import { PROJECT_FILE_NAME } from '../../nodes/project/projectArchive.ts';
 import type { Services } from '../../nodes/services.ts';
 import type { PictureSpec } from '../../nodes/socketValues.ts';
 import type { FrameGraph } from '../../scene/frameGraph/frameGraph.ts';
+import { pickSettings, SETTING_NAMES } from '../../scene/settings/settings.ts';
 import type { Scene } from '../../scene/types.ts';
 import { renderableScene } from '../../scene/validation/renderableScene.ts';
 import { readFont } from '../files/fonts.ts';
@@ -244,25 +245,12 @@ export function refuseSceneFlags(given: ReadonlySet<string>): void {
 }
 
 function flagsOf(picture: PictureSpec, film: boolean): Partial<RenderFlags> {
-  const { view, lightDelay, aberration, colors, dopplerMix, beaming, exposure, metering, tone } = picture;
-  const {
-    solver,
-    iterations,
-    damping,
-    antialiasing,
-    grid,
-    speedOfLight,
-    camera,
-    fovY,
-    falseColor,
-    shadows,
-    occlusion,
-  } = picture;
+  const { speedOfLight, camera, fovY, falseColor, occlusion } = picture;
   const beta = initialBeta(picture, film);
   return {
-    ...{ view, lightDelay, aberration, colors, dopplerMix, beaming, exposure, metering, tone, shadows },
+    ...pickSettings(SETTING_NAMES, picture),
     ...(!occlusion && { occlusionRadius: 0 }),
-    ...{ solver, iterations, damping, antialiasing, grid, c: speedOfLight },
+    c: speedOfLight,
     ...(camera && { camera }),
     ...(beta && { beta }),
     ...(fovY !== undefined && { fov: degrees(fovY) }),

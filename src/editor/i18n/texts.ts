@@ -59,9 +59,6 @@ export const uiTexts = {
   'relation.equal': ['A = B', 'A = B'],
   'relation.unequal': ['A ≠ B', 'A ≠ B'],
 
-  'param.speedOfLight': ['Speed of light', '光速'],
-  'param.view': ['View', '视图'],
-  'param.grid': ['Reference grid', '参考网格'],
   'param.falseColor': ['False colours', '伪彩色'],
   'legend.show': ['Legend', '图例'],
   'legend.doppler': ['Doppler factor D', '多普勒因子 D'],

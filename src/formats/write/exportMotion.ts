@@ -1,5 +1,6 @@
 import { fromAxisAngle, multiply, type Quat } from '../../math/quat.ts';
 import type { Vec3 } from '../../math/vec3.ts';
+import { SPEED_OF_LIGHT } from '../../physics/constants.ts';
 import { boundingSphere } from '../../scene/bounds/bounds.ts';
 import { deformedNormals, smoothingGroups } from '../../scene/mesh/normals.ts';
 import { poseAt, poseSamples, restToWorld, vertexPositions } from '../../scene/motion/motion.ts';
@@ -24,7 +25,6 @@ export type ExportMotion = StaticMotion | SampledMotion | SampledPointsMotion;
 /** Greatest distance of a sampled closed-form path from the true one, as a fraction of the object's size. */
 const CHORD_TOLERANCE = 1e-4;
 /** [m/s], where the scene's author suggests none. */
-const SPEED_OF_LIGHT = 299_792_458;
 
 /** A scene that was written. */
 export interface ExportedScene {

@@ -1,12 +1,13 @@
 import { NodeRefusal } from '../../graph/nodeType.ts';
+import { SPEED_OF_LIGHT } from '../../physics/constants.ts';
 import { fastestInScene } from '../../scene/motion/fastestInScene.ts';
 import { approachesC } from '../../scene/motion/motion.ts';
 import { validate } from '../../scene/validation/validate.ts';
+import { settingParams } from '../common/settingParams.ts';
 import { defineNode } from '../defineNode.ts';
 import type { LoadedScene } from '../services.ts';
 
 const MIN_SPEED_OF_LIGHT = 0.1;
-const MAX_SPEED_OF_LIGHT = 299_792_458;
 /** Used where neither the user nor the file specifies c; makes a street scene relativistic. */
 const DEFAULT_SPEED_OF_LIGHT = 30;
 
@@ -24,7 +25,7 @@ export const relativityConsoleNode = defineNode({
       unit: 'm/s',
       default: DEFAULT_SPEED_OF_LIGHT,
       min: MIN_SPEED_OF_LIGHT,
-      max: MAX_SPEED_OF_LIGHT,
+      max: SPEED_OF_LIGHT,
       step: 0.1,
       scale: 'log',
       suggestion: 'speedOfLight',
@@ -40,64 +41,7 @@ export const relativityConsoleNode = defineNode({
       step: 0.000001,
       scale: 'approach',
     },
-    view: {
-      kind: 'choice',
-      title: 'param.view',
-      help: 'param.view.help',
-      default: 'light-cone',
-      options: [
-        { value: 'light-cone', title: 'view.lightCone' },
-        { value: 'simultaneity', title: 'view.simultaneity' },
-        { value: 'galilean', title: 'view.galilean' },
-      ],
-    },
-    lightDelay: {
-      kind: 'boolean',
-      title: 'param.lightDelay',
-      help: 'param.lightDelay.help',
-      default: true,
-      physical: true,
-      onlyWhen: { param: 'view', is: 'light-cone' },
-    },
-    aberration: {
-      kind: 'boolean',
-      title: 'param.aberration',
-      help: 'param.aberration.help',
-      default: true,
-      physical: true,
-      onlyWhen: { param: 'view', is: 'light-cone' },
-    },
-    solver: {
-      kind: 'choice',
-      title: 'param.solver',
-      help: 'param.solver.help',
-      default: 'exact',
-      options: [
-        { value: 'exact', title: 'solver.exact' },
-        { value: 'newton', title: 'solver.newton' },
-      ],
-    },
-    iterations: {
-      kind: 'number',
-      title: 'param.iterations',
-      help: 'param.iterations.help',
-      default: 8,
-      min: 1,
-      max: 32,
-      step: 1,
-      integer: true,
-      onlyWhen: { param: 'solver', is: 'newton' },
-    },
-    damping: {
-      kind: 'number',
-      title: 'param.damping',
-      help: 'param.damping.help',
-      default: 1,
-      min: 0.05,
-      max: 1,
-      step: 0.05,
-      onlyWhen: { param: 'solver', is: 'newton' },
-    },
+    ...settingParams('relativity-console'),
   },
   inputs: { scene: { type: 'scene' } },
   outputs: { relativity: { type: 'relativity' } },

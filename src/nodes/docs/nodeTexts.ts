@@ -1,8 +1,15 @@
+import { SPEED_OF_LIGHT } from '../../physics/constants.ts';
+import { settingTexts } from '../common/settingTexts.ts';
+
+/** 299 792 458 */
+const REAL_LIGHT = String(SPEED_OF_LIGHT).replace(/\B(?=(\d{3})+$)/g, ' ');
+
 /**
  * All texts that the node library names, in English and Chinese; part of the page's catalogue and of the command line's
  * node reference.
  */
 export const nodeTexts = {
+  ...settingTexts,
   'node.read': ['Read', '读取'],
   'node.read.help': ['Reads a scene file: USD, glTF, OBJ, PLY or STL.', '读取场景文件：USD、glTF、OBJ、PLY 或 STL。'],
   'node.read.source': ['File', '文件'],
@@ -281,83 +288,16 @@ export const nodeTexts = {
   'math.arctangent': ['Angle of the point (B, A)', '点 (B, A) 的方位角'],
   'math.gamma-of-beta': ['γ of the speed β', '由速度 β 求 γ'],
   'math.beta-of-gamma': ['Speed β of γ', '由 γ 求速度 β'],
+  'param.speedOfLight': ['Speed of light', '光速'],
   'param.speedOfLight.help': [
-    'The lower it is, the stronger relativistic effects are. In nature: 299 792 458 m/s.',
-    '越低，相对论效应越明显。真实光速：299 792 458 m/s。',
+    `The lower it is, the stronger relativistic effects are. In nature: ${REAL_LIGHT} m/s.`,
+    `越低，相对论效应越明显。真实光速：${REAL_LIGHT} m/s。`,
   ],
   'param.maxSpeed': ['Maximum speed', '最大速度'],
   'param.maxSpeed.help': [
     'Your maximum speed while Shift is held. Without Shift: half of it, or 8 m/s if that is less.',
     '按住 Shift 时的最高速度；不按时取其一半与 8 m/s 中较小者。',
   ],
-  'param.view.help': [
-    'What you see; positions at your own instant (a “god’s eye” view); or the world with infinite c.',
-    '你所看到的；你此刻同时面上的物体位置（“上帝视角”）；或光速无穷大的世界。',
-  ],
-  'view.lightCone': ['Seen', '所见'],
-  'view.simultaneity': ['Simultaneity', '同时面'],
-  'view.galilean': ['c = ∞', 'c = ∞'],
-  'param.lightDelay': ['Light delay', '光的延迟'],
-  'param.lightDelay.help': [
-    'Moving objects are seen where they were when the light left them.',
-    '运动的物体显示在其发光时的位置。',
-  ],
-  'param.aberration': ['Aberration', '光行差'],
-  'param.aberration.help': ['The directions of light depend on your velocity.', '光的方向随你的速度改变。'],
-  'param.solver': ['Solver', '求解器'],
-  'param.solver.help': [
-    'Exact: closed form or bisection. Newton: the iterative method, for comparison.',
-    '精确：二分加解析解。牛顿：迭代法，用于比较。',
-  ],
-  'solver.exact': ['Exact', '精确'],
-  'solver.newton': ['Newton', '牛顿'],
-  'param.iterations': ['Iterations', '迭代次数'],
-  'param.iterations.help': ['More are more accurate, and slower.', '越多越精确，也越慢。'],
-  'param.damping': ['Damping', '阻尼'],
-  'param.damping.help': ['Smaller steps diverge less easily.', '步长越小越不易发散。'],
-  'param.colors': ['Colours', '颜色'],
-  'param.colors.help': [
-    'Spectral: light has spectra, and Doppler shift acts on wavelengths. Approximate: a simple tint, for comparison.',
-    '光谱：光以光谱计算，频移按波长作用。近似：简单的色调变化，用于比较。',
-  ],
-  'colors.spectral': ['Spectral', '光谱'],
-  'colors.approximate': ['Approximate', '近似'],
-  'param.dopplerMix': ['Doppler mix', '多普勒混合'],
-  'param.dopplerMix.help': ['How strongly the Doppler shift affects colours.', '多普勒频移对颜色的影响程度。'],
-  'param.beaming': ['Beaming', '聚束'],
-  'param.beaming.help': ['How strongly light is brighter ahead and darker behind.', '前方变亮、后方变暗的程度。'],
-  'param.shadows': ['Shadows', '阴影'],
-  'param.shadows.help': [
-    'Suns and lamps cast shadows, each from where the object was when the light passed it.',
-    '太阳和灯投下阴影：每个物体的阴影取自光经过它时它所在的位置。',
-  ],
-  'param.antialiasing': ['Antialiasing', '抗锯齿'],
-  'param.antialiasing.help': [
-    'Smooth edges, stable in motion; a still picture becomes finer over time. Off: every pixel shows what is at its centre.',
-    '边缘平滑，运动时也稳定；静止画面会自动变得更精细。关：每个像素只显示其中心所见。',
-  ],
-  'param.grid.help': ['A grid on the ground that is not affected by relativity.', '不受相对论变形影响的地面网格。'],
-  'param.exposure': ['Exposure', '曝光'],
-  'param.exposure.help': [
-    'Added to the metered exposure. Each stop doubles the brightness.',
-    '在测光结果之上再加的曝光。每增加一档亮度加倍。',
-  ],
-  'param.tone': ['Tone curve', '色调曲线'],
-  'param.tone.help': [
-    'Neutral keeps colours and compresses only very bright light; AgX compresses all light, as film does; Linear clips.',
-    '中性：保持颜色，只压缩很亮的部分；AgX：像胶片一样整体柔化；线性：直接截断过亮的部分。',
-  ],
-  'tone.neutral': ['Neutral', '中性'],
-  'tone.agx': ['AgX', 'AgX'],
-  'tone.linear': ['Linear', '线性'],
-  'param.metering': ['Metering', '测光'],
-  'param.metering.help': [
-    'Automatic follows the picture’s luminance, as an eye does. Resting eye uses the exposure of an observer at rest here, so that the headlight effect is visible. Manual is set by you alone.',
-    '自动：像眼睛一样跟随画面亮度。静止之眼：按此处静止者的曝光，因而能看到聚束效应的真实强弱。手动：完全由你设定。',
-  ],
-  'metering.automatic': ['Automatic', '自动'],
-  'metering.restingEye': ['Resting eye', '静止之眼'],
-  'metering.manual': ['Manual', '手动'],
   'param.falseColor.help': [
     'Shows a quantity as colours: the Doppler factor D; the emission time; the luminance before exposure; the visible part of the emitted spectrum.',
     '用颜色表示数值：多普勒因子 D；所见事件的发生时间；曝光前的亮度；看到的是发射光谱的哪一部分。',

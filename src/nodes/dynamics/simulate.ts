@@ -1,4 +1,5 @@
 import { CancelledError } from '../../graph/evaluation/evaluator.ts';
+import { SPEED_OF_LIGHT } from '../../physics/constants.ts';
 import { defineNode } from '../defineNode.ts';
 import type { RecordedMotion } from './motionRecorder.ts';
 import { penaltyParam, quantityParam } from './params.ts';
@@ -39,7 +40,7 @@ export const simulateNode = defineNode({
       unit: 'm/s',
       default: 10,
       min: 0.1,
-      max: 299_792_458,
+      max: SPEED_OF_LIGHT,
       step: 0.1,
       scale: 'log',
     },

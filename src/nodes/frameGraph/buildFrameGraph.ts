@@ -9,8 +9,9 @@ import {
   MAX_PASSES,
   MAX_STILL_IMAGES,
 } from '../../scene/frameGraph/frameGraph.ts';
+import { BUFFER_SETTINGS, type BufferSettings } from '../../scene/settings/settings.ts';
 import type { Scene } from '../../scene/types.ts';
-import { BUFFER_SETTINGS, type BufferSettings } from '../../scene/view/bufferSettings.ts';
+import { VIEWS } from '../../scene/views/views.ts';
 import type { GBufferSpec, ImageSpec, PictureSpec } from '../socketValues.ts';
 
 /** A picture with too many parts. */
@@ -18,7 +19,7 @@ export class FrameGraphError extends Error {}
 
 /** The primary of two G-buffers: the relativistic one. */
 export const primaryGBuffer = (below: GBufferSpec, above: GBufferSpec): GBufferSpec =>
-  below.view === 'galilean' && above.view !== 'galilean' ? above : below;
+  VIEWS[below.view].relativistic || !VIEWS[above.view].relativistic ? below : above;
 
 /**
  * The picture whose final pass makes `image`: exposure and tone curve are split off for metering and antialiasing;

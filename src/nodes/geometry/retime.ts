@@ -1,3 +1,4 @@
+import { SPEED_OF_LIGHT } from '../../physics/constants.ts';
 import { approachesC, fastestVertex } from '../../scene/motion/motion.ts';
 import { retime } from '../../scene/motion/retime.ts';
 import { timeParam } from '../common/params.ts';
@@ -44,7 +45,7 @@ function retimedFastest(scene: LoadedScene['scene'], before: LoadedScene, speed:
   if (!point || !object) return {};
   const { startTime, endTime, hints } = scene;
   if (approachesC(object.motion)) {
-    const found = fastestVertex(object, hints.speedOfLight ?? 299_792_458, [startTime, endTime]);
+    const found = fastestVertex(object, hints.speedOfLight ?? SPEED_OF_LIGHT, [startTime, endTime]);
     return { fastest: { path: object.path, time: found.from, speed: found.speed } };
   }
   const time = startTime + (point.time - before.scene.startTime) / speed;

@@ -1,8 +1,8 @@
+import { SPEED_OF_LIGHT } from '../../physics/constants.ts';
 import { defineNode } from '../defineNode.ts';
 import { checkedFileName } from '../project/outputFiles.ts';
 
 /** [m/s] */
-const SPEED_OF_LIGHT = 299_792_458;
 
 /** Requests that geometry is written as USD; passes it through. */
 export const writeUsdNode = defineNode({

@@ -1,4 +1,5 @@
-import { adaptExposure, exposureForMetering, type MeteringMode } from './metering.ts';
+import type { MeteringMode } from '../../scene/settings/settings.ts';
+import { adaptExposure, exposureForMetering } from './metering.ts';
 import type { PictureMeter } from './pictureMeter.ts';
 import type { PictureRequest, PictureSize } from './pictureRenderer.ts';
 

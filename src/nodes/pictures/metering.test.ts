@@ -2,11 +2,12 @@ import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
 import { IDENTITY } from '../../math/quat.ts';
 import { properVelocity } from '../../physics/lorentz/boost.ts';
+import type { MeteringMode } from '../../scene/settings/settings.ts';
 import { METER_CELLS } from '../../scene/view/metering.ts';
 import { DEFAULT_SETTINGS, type ViewPoint } from '../../scene/view/view.ts';
 import { DAYLIGHT } from '../../spectrum/sources/lightSpectrum.ts';
 import { logLuminance } from '../../spectrum/sources/planck.ts';
-import { adaptExposure, exposureForMetering, type MeteringMode, meteredExposure } from './metering.ts';
+import { adaptExposure, exposureForMetering, meteredExposure } from './metering.ts';
 
 const places = METER_CELLS * METER_CELLS;
 const filled = (luminance: number) => new Float32Array(places).fill(luminance);

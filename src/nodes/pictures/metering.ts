@@ -1,16 +1,11 @@
 import { skyDoppler } from '../../reference/post/falseColor.ts';
+import type { MeteringMode } from '../../scene/settings/settings.ts';
 import { type LightMeterReadings, METER_CELLS, relativeLuminance } from '../../scene/view/metering.ts';
 import type { RenderSettings, ViewPoint } from '../../scene/view/view.ts';
+import { VIEWS } from '../../scene/views/views.ts';
 import { dopplerTint } from '../../spectrum/doppler/dopplerTint.ts';
 import type { FalseColorQuantity, ValueRange } from '../../spectrum/falseColor/falseColor.ts';
 import { fitScale } from '../../spectrum/falseColor/falseColorScale.ts';
-
-/**
- * What sets the exposure. `automatic`: the picture's own luminance. `resting-eye`: the luminance without the effect of
- * the observer's velocity, so that this effect is visible. `manual`: the user alone.
- */
-export type MeteringMode = 'automatic' | 'resting-eye' | 'manual';
-export const METERING_MODES: readonly MeteringMode[] = ['automatic', 'resting-eye', 'manual'];
 
 /**
  * Percentile ranges of the lit pixels: midtones, without shadows and reflections; and highlights, without glints of the
@@ -71,7 +66,7 @@ function restFrameLuminance(
   settings: RenderSettings,
   aspect: number,
 ): Float32Array {
-  if (settings.view !== 'light-cone') return luminance;
+  if (!VIEWS[settings.view].luminous) return luminance;
   return luminance.map((value, i) => {
     const [x, y] = [aspect * ((i % METER_CELLS) + 0.5), Math.floor(i / METER_CELLS) + 0.5];
     const D = skyDoppler(view, settings, x, y, aspect * METER_CELLS, METER_CELLS);

@@ -1,6 +1,7 @@
 import type { Evaluation } from '../../graph/evaluation/evaluator.ts';
 import { type Vec3, ZERO } from '../../math/vec3.ts';
 import { type FrameGraph, includesToneMapping } from '../../scene/frameGraph/frameGraph.ts';
+import { pickSettings, RENDERER_SETTINGS, type RendererSettings } from '../../scene/settings/settings.ts';
 import type { SceneCamera } from '../../scene/types.ts';
 import type { RenderSettings } from '../../scene/view/view.ts';
 import type { FalseColorQuantity, ValueRange } from '../../spectrum/falseColor/falseColor.ts';
@@ -32,19 +33,7 @@ export function renderSettings(
 ): RenderSettings {
   const scale = picture.falseColor === 'none' ? undefined : scaleOf(picture.falseColor);
   return {
-    view: picture.view,
-    lightDelay: picture.lightDelay,
-    aberration: picture.aberration,
-    colors: picture.colors,
-    dopplerMix: picture.dopplerMix,
-    beaming: picture.beaming,
-    shadows: picture.shadows,
-    solver: picture.solver,
-    iterations: picture.iterations,
-    damping: picture.damping,
-    antialiasing: picture.antialiasing,
-    grid: picture.grid,
-    tone: picture.tone,
+    ...(pickSettings(RENDERER_SETTINGS, picture) as RendererSettings),
     exposure: picture.exposure + (includesToneMapping(picture.frameGraph) ? 0 : metered),
     ...(!picture.occlusion && { occlusionRadius: 0 }),
     ...(scale && picture.falseColor !== 'none' && { falseColors: { kind: picture.falseColor, ...scale } }),

@@ -1,3 +1,4 @@
+import type { MeteringMode } from '../../scene/settings/settings.ts';
 import type { ObserverPath } from '../../scene/view/observerPath.ts';
 import type { AovName, RenderSettings } from '../../scene/view/view.ts';
 import type { FrameTime } from '../project/outputFiles.ts';
@@ -5,7 +6,6 @@ import type { PictureInfo } from './encode.ts';
 import { ExposureMeter } from './exposureMeter.ts';
 import { type FalseColorOptions, FalseColorRenderer } from './falseColor.ts';
 import { FrameGraphSettings } from './frameGraphSettings.ts';
-import type { MeteringMode } from './metering.ts';
 import { PictureMeter } from './pictureMeter.ts';
 import type { PictureRenderer, PictureRequest, RenderedPicture } from './pictureRenderer.ts';
 

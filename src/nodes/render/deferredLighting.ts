@@ -1,3 +1,4 @@
+import { settingParams } from '../common/settingParams.ts';
 import { defineNode } from '../defineNode.ts';
 
 /** Shades a G-buffer, each surface in its rest frame: the radiance that the observer receives. */
@@ -7,7 +8,7 @@ export const deferredLightingNode = defineNode({
   help: 'node.lighting.help',
   category: 'render',
   params: {
-    shadows: { kind: 'boolean', title: 'param.shadows', help: 'param.shadows.help', default: true },
+    ...settingParams('deferred-lighting'),
     occlusion: { kind: 'boolean', title: 'param.occlusion', help: 'param.occlusion.help', default: true },
   },
   inputs: { gbuffer: { type: 'gbuffer' } },

@@ -1,5 +1,5 @@
+import { settingParams } from '../common/settingParams.ts';
 import { defineNode } from '../defineNode.ts';
-import { rasterizeParams } from './rasterizeParams.ts';
 
 /** What a non-relativistic renderer draws of the same scene: light delay, aberration and Doppler shift are off. */
 export const rasterizeNode = defineNode({
@@ -7,12 +7,10 @@ export const rasterizeNode = defineNode({
   title: 'node.rasterizeOrdinary',
   help: 'node.rasterizeOrdinary.help',
   category: 'render',
-  params: {
-    ...rasterizeParams,
-  },
+  params: settingParams('rasterize'),
   inputs: { view: { type: 'view' } },
   outputs: { gbuffer: { type: 'gbuffer' } },
-  evaluate: ({ view }, { antialiasing, grid }) => ({
-    gbuffer: { ...view, view: 'galilean', colors: 'spectral', dopplerMix: 0, beaming: 0, antialiasing, grid },
+  evaluate: ({ view }, params) => ({
+    gbuffer: { ...view, view: 'galilean', colors: 'spectral', dopplerMix: 0, beaming: 0, ...params },
   }),
 });

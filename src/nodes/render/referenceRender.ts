@@ -2,7 +2,7 @@ import { NodeRefusal } from '../../graph/nodeType.ts';
 import { properVelocity } from '../../physics/lorentz/boost.ts';
 import { DEFAULT_LIGHT, MAX_BOUNCES, MAX_SAMPLES, SEED_COUNT } from '../../reference/lights/lightOptions.ts';
 import { makeStillPixels } from '../../scene/frameGraph/still.ts';
-import { BUFFER_SETTINGS } from '../../scene/view/bufferSettings.ts';
+import { BUFFER_SETTINGS } from '../../scene/settings/settings.ts';
 import { framingCamera, observerFromCamera } from '../../scene/view/camera.ts';
 import { DEFAULT_SETTINGS, type RenderSettings, type ViewPoint } from '../../scene/view/view.ts';
 import { defineNode } from '../defineNode.ts';

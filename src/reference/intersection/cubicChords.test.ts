@@ -9,7 +9,7 @@ import { pointAt } from '../../scene/mesh/polygons.ts';
 import { grid } from '../../scene/mesh/primitives.ts';
 import { type CubicPointsMotion, parabolaVelocities } from '../../scene/motion/cubicPoints.ts';
 import { deformedPoints } from '../../scene/motion/deformedPoints.ts';
-import type { View } from '../../scene/view/bufferSettings.ts';
+import type { View } from '../../scene/views/views.ts';
 import { rayToward } from '../camera/cameraRay.ts';
 import { CubicChords } from './cubicChords.ts';
 import { nearestHit } from './tracedScene.ts';

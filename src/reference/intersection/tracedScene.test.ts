@@ -14,7 +14,7 @@ import { velocity } from '../../physics/lorentz/boost.ts';
 import { makeObject, makeScene } from '../../scene/defaults.ts';
 import { box, sphere } from '../../scene/mesh/primitives.ts';
 import type { Mesh, Motion, SceneObject } from '../../scene/types.ts';
-import type { View } from '../../scene/view/bufferSettings.ts';
+import type { View } from '../../scene/views/views.ts';
 import { dopplerOfHit } from '../aov.ts';
 import { cameraRay, rayToward } from '../camera/cameraRay.ts';
 import { fromPreparedScene, nearestHit, prepareScene } from './tracedScene.ts';

@@ -6,7 +6,7 @@ import { normalize, scale, type Vec3 } from '../../math/vec3.ts';
 import { makeObject } from '../../scene/defaults.ts';
 import { sphere } from '../../scene/mesh/primitives.ts';
 import type { Motion, SceneObject } from '../../scene/types.ts';
-import type { View } from '../../scene/view/bufferSettings.ts';
+import type { View } from '../../scene/views/views.ts';
 import { rayToward } from '../camera/cameraRay.ts';
 import { nearestHit } from './tracedScene.ts';
 

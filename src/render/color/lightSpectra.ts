@@ -1,7 +1,7 @@
 import { distance, scale, type Vec3 } from '../../math/vec3.ts';
 import { directLights } from '../../scene/lights/sceneLights.ts';
+import type { ColorMode } from '../../scene/settings/settings.ts';
 import type { DomeLight, Scene, SpectrumLight } from '../../scene/types.ts';
-import type { ColorMode } from '../../scene/view/bufferSettings.ts';
 import type * as gpu from '../../shaders/types.ts';
 import { lightFilter } from '../../spectrum/color/lightFilter.ts';
 import type { FilteredBlackbody } from '../../spectrum/doppler/filterPairs.ts';

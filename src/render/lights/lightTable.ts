@@ -12,8 +12,8 @@ import {
 import { projectedArea } from '../../scene/lights/lightKinds.ts';
 import { isStatic, originWorldLine, poseAt } from '../../scene/motion/motion.ts';
 import { samplePose } from '../../scene/motion/poses.ts';
+import type { ColorMode } from '../../scene/settings/settings.ts';
 import type { LocalLight } from '../../scene/types.ts';
-import type { ColorMode } from '../../scene/view/bufferSettings.ts';
 import type * as gpu from '../../shaders/types.ts';
 import type { FilteredBlackbody } from '../../spectrum/doppler/filterPairs.ts';
 import {

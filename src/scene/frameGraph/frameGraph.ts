@@ -1,6 +1,6 @@
 import type { ToneMapping } from '../../spectrum/display/toneMap.ts';
 import type { FalseColorQuantity, ValueRange } from '../../spectrum/falseColor/falseColor.ts';
-import type { BufferSettings } from '../view/bufferSettings.ts';
+import type { BufferSettings } from '../settings/settings.ts';
 import type { EffectId, MixMode } from './effects.ts';
 import type { StillPixels } from './still.ts';
 

@@ -1,3 +1,4 @@
+import { SPEED_OF_LIGHT } from '../../physics/constants.ts';
 import type { Motion, Scene, SceneObject } from '../types.ts';
 import { fastestVertex } from './motion.ts';
 import { motionKind } from './motions.ts';
@@ -11,9 +12,6 @@ export interface FastestInScene {
   /** [m/s] */
   readonly speed: number;
 }
-
-/** Of a vacuum [m/s]: where a scene suggests nothing, Born-rigid bodies are judged by it. */
-export const SPEED_OF_LIGHT = 299_792_458;
 
 /** Undefined where nothing moves. Samples of deforming meshes, which are many, are gone through once, whatever scenes they come to be in. */
 export function fastestInScene(scene: Scene): FastestInScene | undefined {

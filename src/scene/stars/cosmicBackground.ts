@@ -1,4 +1,5 @@
 import type { Vec3 } from '../../math/vec3.ts';
+import { SPEED_OF_LIGHT } from '../../physics/constants.ts';
 import { DAYLIGHT } from '../../spectrum/sources/lightSpectrum.ts';
 import { logLuminance } from '../../spectrum/sources/planck.ts';
 import type { RenderSettings } from '../view/view.ts';
@@ -8,7 +9,7 @@ import { blackbody } from './blackbody.ts';
 export const COSMIC_TEMPERATURE = 2.7255;
 
 /** 2hc² [W m²/sr] times the 683 lm/W of the visible (CODATA 2018, exact in the SI). */
-const RADIATION = 683 * 2 * 6.62607015e-34 * 299_792_458 ** 2;
+const RADIATION = 683 * 2 * 6.62607015e-34 * SPEED_OF_LIGHT ** 2;
 
 /** Luminance of a blackbody of 6504 K [cd/m²]. */
 export const DAYLIGHT_LUMINANCE = RADIATION * Math.exp(logLuminance(DAYLIGHT.temperature));

@@ -1,4 +1,4 @@
-import { SPEED_OF_LIGHT } from '../motion/fastestInScene.ts';
+import { SPEED_OF_LIGHT } from '../../physics/constants.ts';
 import type { Diagnostic, Scene } from '../types.ts';
 import { validate } from './validate.ts';
 

@@ -1,5 +1,6 @@
 import { fromMatrix, type Quat } from '../../math/quat.ts';
 import { add, addScaled, cross, length, negate, normalize, scale, sub, type Vec3 } from '../../math/vec3.ts';
+import { SPEED_OF_LIGHT } from '../../physics/constants.ts';
 import { properVelocity } from '../../physics/lorentz/boost.ts';
 import { velocityAt } from '../../physics/worldLines/worldLine.ts';
 import { sceneBounds } from '../bounds/sceneBounds.ts';
@@ -50,7 +51,7 @@ const FRAMING_FOV = Math.PI / 3;
 
 /** For a scene without a camera: at rest outside it, a little from above, with all that exists at the opening time in view. */
 export function framingCamera(scene: Scene): SceneCamera {
-  const c = scene.hints.speedOfLight ?? 299_792_458;
+  const c = scene.hints.speedOfLight ?? SPEED_OF_LIGHT;
   const box = sceneBounds(scene, scene.hints.openAt ?? scene.startTime, c) ?? { min: [-1, -1, -1], max: [1, 1, 1] };
   const up: Vec3 = scene.upAxis === 'Z' ? [0, 0, 1] : [0, 1, 0];
   const aside: Vec3 = scene.upAxis === 'Z' ? [0.55, -1, 0] : [0.55, 0, 1];

@@ -2,6 +2,7 @@ import { degrees } from '../../math/angle.ts';
 import { length, type Vec3 } from '../../math/vec3.ts';
 import { velocity } from '../../physics/lorentz/boost.ts';
 import type { FalseColorScale } from '../../spectrum/falseColor/falseColor.ts';
+import { RENDERER_SETTINGS, settingNamed } from '../settings/settings.ts';
 import type { RenderSettings, ViewPoint } from './view.ts';
 
 // What a file of a picture tells in its header, by names of docs/conventions.md: of the picture alone, nothing of whose machine or which files it is from.
@@ -20,20 +21,28 @@ export function observerMetadata({ t, position, u }: ViewPoint, speedOfLight: nu
 
 /** The same, and how its light is shown. `settings` have the exposure that the metering set. */
 export function pictureMetadata(view: ViewPoint, settings: RenderSettings): Record<string, string> {
-  const { lightDelay, aberration, dopplerMix, beaming, exposure, tone, falseColors } = settings;
+  const { falseColors } = settings;
   const showsLight = falseColors === undefined || falseColors.kind === 'band';
   return {
     Software: 'Slowlight',
     ...observerMetadata(view, settings.speedOfLight),
     fieldOfView: `${degrees(view.fovY)} degrees`,
-    view: settings.view,
-    ...(!lightDelay && { lightDelay: 'off' }),
-    ...(!aberration && { aberration: 'off' }),
-    ...(showsLight && { colors: settings.colors, exposure: `${exposure} EV`, tone }),
-    ...(dopplerMix !== 1 && { dopplerMix: String(dopplerMix) }),
-    ...(beaming !== 1 && { beaming: String(beaming) }),
+    ...settingsMetadata(settings, showsLight),
     ...(falseColors && { falseColors: falseColorRange(falseColors) }),
   };
+}
+
+/** The settings that belong in a header, as their entries in the list say. */
+function settingsMetadata(settings: RenderSettings, showsLight: boolean): Record<string, string> {
+  const told = RENDERER_SETTINGS.flatMap((name) => {
+    const { header, default: usual } = settingNamed(name);
+    const value = settings[name];
+    if (!header || (header.when === 'light' && !showsLight) || (header.when === 'changed' && value === usual))
+      return [];
+    const text = typeof value === 'boolean' ? (value ? 'on' : 'off') : String(value);
+    return [{ place: header.place, entry: [name, header.unit ? `${text} ${header.unit}` : text] as const }];
+  });
+  return Object.fromEntries(told.sort((a, b) => a.place - b.place).map(({ entry }) => entry));
 }
 
 const UNITS = { doppler: '', 'emission-time': ' s', radiance: '', band: ' m' } as const;

@@ -1,47 +1,29 @@
 import type { Quat } from '../../math/quat.ts';
 import type { Vec3 } from '../../math/vec3.ts';
-import type { ToneMapping } from '../../spectrum/display/toneMap.ts';
+import { SPEED_OF_LIGHT } from '../../physics/constants.ts';
 import type { FalseColorScale } from '../../spectrum/falseColor/falseColor.ts';
 import type { FrameGraph } from '../frameGraph/frameGraph.ts';
-import type { BufferSettings } from './bufferSettings.ts';
+import { RENDERER_SETTINGS, type RendererSettings, settingNamed } from '../settings/settings.ts';
 
 /** How a picture is made. Every field is plain data, so that a document, a flag or a socket can hold it. */
-export interface RenderSettings extends BufferSettings {
-  /** Suns throw shadows. The reference renderer always has them. */
-  readonly shadows: boolean;
-  /** Off: every pixel shows what is at its centre. Else edges are smoothed, moving pictures follow those before, and resting ones get many samples. */
-  readonly antialiasing: boolean;
-  /** The ground's reference grid, which relativity does not bend. */
-  readonly grid: boolean;
-  /** [EV]: the picture is 2^exposure times as bright. */
-  readonly exposure: number;
-  /** How that becomes what a screen can show. */
-  readonly tone: ToneMapping;
+export interface RenderSettings extends RendererSettings {
   /** Instead of the light: what of it is to be shown as colours, between which values. */
   readonly falseColors?: FalseColorScale;
-  /** How far from a point something can hide its sky, in the fast renderer [m]; 0: nothing does. Absent: a quarter of the scene's size. */
-  readonly occlusionRadius?: number;
   /** What is made of the light, and of that of other G-buffers, before it is exposed; absent: nothing. */
   readonly frameGraph?: FrameGraph;
+  /** [m/s] */
+  readonly speedOfLight: number;
 }
 
-export const DEFAULT_SETTINGS: RenderSettings = {
-  view: 'light-cone',
-  lightDelay: true,
-  aberration: true,
-  colors: 'spectral',
-  dopplerMix: 1,
-  beaming: 1,
-  shadows: true,
-  solver: 'exact',
-  iterations: 8,
-  damping: 1,
-  antialiasing: true,
-  grid: false,
-  exposure: 0,
-  tone: 'neutral',
-  speedOfLight: 299_792_458,
-};
+/** Those of the settings that have a default, with it. */
+const DEFAULTS = Object.fromEntries(
+  RENDERER_SETTINGS.flatMap((name) => {
+    const { default: value } = settingNamed(name);
+    return value === undefined ? [] : [[name, value]];
+  }),
+) as unknown as RendererSettings;
+
+export const DEFAULT_SETTINGS: RenderSettings = { ...DEFAULTS, speedOfLight: SPEED_OF_LIGHT };
 
 /** The settings of one of a frame graph's G-buffers; 0 is that of the settings themselves. */
 export const bufferSettings = (settings: RenderSettings, buffer: number): RenderSettings =>

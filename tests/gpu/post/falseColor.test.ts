@@ -14,9 +14,9 @@ import {
 import { renderTile } from '../../../src/reference/tile.ts';
 import { makeObject, makeScene, restingAt } from '../../../src/scene/defaults.ts';
 import { plane, sphere } from '../../../src/scene/mesh/primitives.ts';
-import type { View } from '../../../src/scene/view/bufferSettings.ts';
 import { METER_CELLS, meterPixel, relativeLuminance } from '../../../src/scene/view/metering.ts';
 import { type AovName, DEFAULT_SETTINGS, type RenderSettings, type ViewPoint } from '../../../src/scene/view/view.ts';
+import type { View } from '../../../src/scene/views/views.ts';
 import { FALSE_COLOR_QUANTITIES, type FalseColorQuantity } from '../../../src/spectrum/falseColor/falseColor.ts';
 import { fitScale } from '../../../src/spectrum/falseColor/falseColorScale.ts';
 import { type HeadlessPictures, openPictures } from '../support/openPictures.ts';

@@ -7,7 +7,7 @@ import { cubicAt } from '../../../physics/worldLines/cubicPiece.ts';
 import { makeObject, makeScene } from '../../../scene/defaults.ts';
 import { grid } from '../../../scene/mesh/primitives.ts';
 import { type CubicPointsMotion, parabolaVelocities, pointPiece } from '../../../scene/motion/cubicPoints.ts';
-import type { View } from '../../../scene/view/bufferSettings.ts';
+import type { View } from '../../../scene/views/views.ts';
 import { makeBatches } from '../../geometry/batches.ts';
 import { makeBody } from '../../geometry/bodies.ts';
 import type { Hypersurface } from '../../geometry/observation.ts';

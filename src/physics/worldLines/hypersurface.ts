@@ -1,0 +1,105 @@
+import { dot, length, type Vec3, ZERO } from '../../math/vec3.ts';
+import { gamma, velocity } from '../lorentz/boost.ts';
+import { type ObserverEvent, pastLightCone } from './lightCone.ts';
+import { type SimultaneousEvent, simultaneitySlice } from './simultaneity.ts';
+import type { WorldLine } from './worldLine.ts';
+
+/** The gradient of c(t − t_o) over the world's space, outwards: a constant vector, and a part along the direction away from the observer. */
+export interface TimeGradient {
+  readonly linear: Vec3;
+  readonly radial: number;
+}
+
+/**
+ * A set of events through the observer's own, which every world line meets at most once: what an instant picture can be made of.
+ * Times are relative to the observer's event, c(t − t_o) [m of light]; places are observer → event, world frame [m]; u is the observer's γβ.
+ */
+export interface Hypersurface {
+  /** Whether its events send the light that arrives; else they are one moment of some frame. */
+  readonly isLightCone: boolean;
+  /** γβ of the frame whose moment it is; 0 for the light cone. */
+  momentVelocity(u: Vec3): Vec3;
+  /** Where a world line meets it; undefined behind a horizon. c [m/s]. */
+  intersect(line: WorldLine, observer: ObserverEvent, u: Vec3, c: number): SimultaneousEvent | undefined;
+  timeGradient(u: Vec3): TimeGradient;
+  /** c(t − t_o) at Δx. */
+  timeAt(dx: Vec3, u: Vec3): number;
+  /** How far behind the surface an event is [m of light, times a positive constant]; it rises along every world line. `g`: γ of u. */
+  lateness(x: number, y: number, z: number, t: number, u: Vec3, g: number): number;
+  /** d(lateness)/d(ct) at (x, y, z) along a world line with velocity v [c]. */
+  latenessRate(x: number, y: number, z: number, vx: number, vy: number, vz: number, u: Vec3, g: number): number;
+  /** Time [m of light] from the event T before the observer's at a to where a point with velocity v [c] meets the surface. */
+  crossingTime(
+    T: number,
+    ax: number,
+    ay: number,
+    az: number,
+    vx: number,
+    vy: number,
+    vz: number,
+    u: Vec3,
+    g: number,
+  ): number;
+}
+
+/** |Δx| = −c(t − t_o): what is seen. docs/physics.md §3.1. */
+const PAST_LIGHT_CONE: Hypersurface = {
+  isLightCone: true,
+  momentVelocity: () => ZERO,
+  intersect(line, observer, _, c) {
+    const seen = pastLightCone(line, observer, c);
+    return seen && { offset: seen.offset, ahead: -seen.delay };
+  },
+  timeGradient: () => ({ linear: ZERO, radial: -1 }),
+  timeAt: (dx) => -length(dx),
+  lateness: (x, y, z, t) => Math.sqrt(x * x + y * y + z * z) + t,
+  latenessRate(x, y, z, vx, vy, vz) {
+    const r = Math.sqrt(x * x + y * y + z * z);
+    return r > 0 ? 1 + (x * vx + y * vy + z * vz) / r : 1;
+  },
+  // As `timeSince` of emission.ts.
+  crossingTime(T, ax, ay, az, vx, vy, vz) {
+    const nx = ax + vx * T;
+    const ny = ay + vy * T;
+    const nz = az + vz * T;
+    const slow = 1 - (vx * vx + vy * vy + vz * vz);
+    const away = nx * vx + ny * vy + nz * vz;
+    const now = nx * nx + ny * ny + nz * nz;
+    const root = Math.sqrt(Math.max(0, away * away + slow * now));
+    if (away > 0) return T - now / (away + root);
+    const g = T + ax * vx + ay * vy + az * vz;
+    const r = Math.sqrt(ax * ax + ay * ay + az * az);
+    return g > 0 ? ((T - r) * (T + r)) / (g + root) : (g - root) / slow;
+  },
+};
+
+/** c(t − t_o) = β·Δx: one moment of the observer's frame. docs/physics.md §5.2. */
+const SLICE: Hypersurface = {
+  isLightCone: false,
+  momentVelocity: (u) => u,
+  intersect: (line, observer, u, c) => simultaneitySlice(line, observer, u, c),
+  timeGradient: (u) => ({ linear: velocity(u), radial: 0 }),
+  timeAt: (dx, u) => dot(u, dx) / gamma(u),
+  lateness: (x, y, z, t, u, g) => g * t - (u[0] * x + u[1] * y + u[2] * z),
+  latenessRate: (_x, _y, _z, vx, vy, vz, u, g) => g - (u[0] * vx + u[1] * vy + u[2] * vz),
+  // As `uniformSlice`.
+  crossingTime: (T, ax, ay, az, vx, vy, vz, u, g) =>
+    (u[0] * ax + u[1] * ay + u[2] * az + g * T) / (g - (u[0] * vx + u[1] * vy + u[2] * vz)),
+};
+
+/** t = t_o: one moment of the world's frame. */
+const NOW: Hypersurface = {
+  isLightCone: false,
+  momentVelocity: () => ZERO,
+  intersect: (line, observer, _, c) => simultaneitySlice(line, observer, ZERO, c),
+  timeGradient: () => ({ linear: ZERO, radial: 0 }),
+  timeAt: () => 0,
+  lateness: (_x, _y, _z, t) => t,
+  latenessRate: () => 1,
+  crossingTime: (T) => T,
+};
+
+export const HYPERSURFACES = { 'past-light-cone': PAST_LIGHT_CONE, slice: SLICE, now: NOW } as const satisfies Readonly<
+  Record<string, Hypersurface>
+>;
+export type HypersurfaceName = keyof typeof HYPERSURFACES;

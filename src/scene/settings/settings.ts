@@ -1,0 +1,285 @@
+import type { ToneMapping } from '../../spectrum/display/toneMap.ts';
+import { VIEW_HELP, VIEW_TITLES } from '../views/views.ts';
+import type { ChoiceSetting, Setting, Words } from './setting.ts';
+
+const CONSOLE = ['relativity-console'] as const;
+const RASTERIZERS = ['relativity-rasterize', 'rasterize'] as const;
+
+/** What a picture can be asked for with, in the order of the flags. Every value is plain data, so that a document, a flag or a socket can hold it. */
+export const SETTINGS = {
+  view: {
+    kind: 'choice',
+    title: ['View', '视图'],
+    help: VIEW_HELP.control,
+    default: 'light-cone',
+    options: VIEW_TITLES,
+    nodes: CONSOLE,
+    flag: { value: 'name', help: VIEW_HELP.flag },
+    perBuffer: true,
+    header: { place: 0, when: 'always' },
+  },
+  /** Off: every point is taken at the observer's own world time, as if light were instantaneous. Light-cone view only. */
+  lightDelay: {
+    kind: 'boolean',
+    title: ['Light delay', '光的延迟'],
+    help: ['Moving objects are seen where they were when the light left them.', '运动的物体显示在其发光时的位置。'],
+    default: true,
+    physical: true,
+    nodes: CONSOLE,
+    onlyWhen: { param: 'view', is: 'light-cone' },
+    flag: { help: 'as if light were instantaneous' },
+    perBuffer: true,
+    header: { place: 1, when: 'changed' },
+  },
+  /** Off: directions are those of the world frame, not the observer's. Light-cone view only. */
+  aberration: {
+    kind: 'boolean',
+    title: ['Aberration', '光行差'],
+    help: ['The directions of light depend on your velocity.', '光的方向随你的速度改变。'],
+    default: true,
+    physical: true,
+    nodes: CONSOLE,
+    onlyWhen: { param: 'view', is: 'light-cone' },
+    flag: { help: "directions of the world's frame, not the observer's" },
+    perBuffer: true,
+    header: { place: 2, when: 'changed' },
+  },
+  /** `spectral`: light is spectra, and a shift is seen at their wavelengths. `approximate`: light is linear sRGB, and a shift is a tint (dopplerTint.ts). */
+  colors: {
+    kind: 'choice',
+    title: ['Colours', '颜色'],
+    help: [
+      'Spectral: light has spectra, and Doppler shift acts on wavelengths. Approximate: a simple tint, for comparison.',
+      '光谱：光以光谱计算，频移按波长作用。近似：简单的色调变化，用于比较。',
+    ],
+    default: 'spectral',
+    options: { spectral: ['Spectral', '光谱'], approximate: ['Approximate', '近似'] },
+    nodes: ['relativity-rasterize'],
+    flag: { value: 'how', help: 'how a Doppler shift turns colours: by spectra, or by a simple tint, for comparison' },
+    perBuffer: true,
+    header: { place: 3, when: 'light' },
+  },
+  /** 0 … 1: how much of log D reaches the colours. */
+  dopplerMix: {
+    kind: 'number',
+    title: ['Doppler mix', '多普勒混合'],
+    help: ['How strongly the Doppler shift affects colours.', '多普勒频移对颜色的影响程度。'],
+    default: 1,
+    physical: 1,
+    range: { min: 0, max: 1 },
+    control: { min: 0, max: 1, step: 0.01 },
+    nodes: ['relativity-rasterize'],
+    flag: { value: '0…1', help: 'how much of the Doppler shift reaches the colours' },
+    perBuffer: true,
+    header: { place: 6, when: 'changed' },
+  },
+  /** 0 … 1: how much of log D⁴ reaches the brightness. */
+  beaming: {
+    kind: 'number',
+    title: ['Beaming', '聚束'],
+    help: ['How strongly light is brighter ahead and darker behind.', '前方变亮、后方变暗的程度。'],
+    default: 1,
+    physical: 1,
+    range: { min: 0, max: 1 },
+    control: { min: 0, max: 1, step: 0.01 },
+    nodes: ['relativity-rasterize'],
+    flag: { value: '0…1', help: 'how much of it reaches the brightness' },
+    perBuffer: true,
+    header: { place: 7, when: 'changed' },
+  },
+  /** Suns and lamps throw shadows. The reference renderer always has them. */
+  shadows: {
+    kind: 'boolean',
+    title: ['Shadows', '阴影'],
+    help: [
+      'Suns and lamps cast shadows, each from where the object was when the light passed it.',
+      '太阳和灯投下阴影：每个物体的阴影取自光经过它时它所在的位置。',
+    ],
+    default: true,
+    nodes: ['deferred-lighting'],
+    flag: { help: 'suns and lamps throw none, for comparison' },
+  },
+  /** [EV]: the picture is 2^exposure times as bright. */
+  exposure: {
+    kind: 'number',
+    title: ['Exposure', '曝光'],
+    help: [
+      'Added to the metered exposure. Each stop doubles the brightness.',
+      '在测光结果之上再加的曝光。每增加一档亮度加倍。',
+    ],
+    default: 0,
+    control: { min: -10, max: 10, step: 0.1, unit: 'EV' },
+    nodes: ['tone-map'],
+    flag: { value: 'EV', help: 'added to what the metering sets: the picture is 2^EV times as bright' },
+    header: { place: 4, when: 'light', unit: 'EV' },
+  },
+  /**
+   * What sets the exposure. `automatic`: the picture's own light. `resting-eye`: the same light without what the observer's velocity does to
+   * its brightness, so that this is seen as it is. `manual`: the person alone.
+   */
+  metering: {
+    kind: 'choice',
+    title: ['Metering', '测光'],
+    help: [
+      'Automatic follows the picture’s luminance, as an eye does. Resting eye uses the exposure of an observer at rest here, so that the headlight effect is visible. Manual is set by you alone.',
+      '自动：像眼睛一样跟随画面亮度。静止之眼：按此处静止者的曝光，因而能看到聚束效应的真实强弱。手动：完全由你设定。',
+    ],
+    default: 'automatic',
+    options: {
+      automatic: ['Automatic', '自动'],
+      'resting-eye': ['Resting eye', '静止之眼'],
+      manual: ['Manual', '手动'],
+    },
+    nodes: ['tone-map'],
+    flag: {
+      value: 'how',
+      help: "what sets the exposure. automatic: the picture's light; resting-eye: what somebody at rest there would have, so that beaming is seen as it is; manual: --exposure alone",
+    },
+    beforeRendering: true,
+  },
+  /** How exposed light becomes what a screen can show. */
+  tone: {
+    kind: 'choice',
+    title: ['Tone curve', '色调曲线'],
+    help: [
+      'Neutral keeps colours and compresses only very bright light; AgX compresses all light, as film does; Linear clips.',
+      '中性：保持颜色，只压缩很亮的部分；AgX：像胶片一样整体柔化；线性：直接截断过亮的部分。',
+    ],
+    default: 'neutral',
+    options: { neutral: ['Neutral', '中性'], agx: ['AgX', 'AgX'], linear: ['Linear', '线性'] },
+    nodes: ['tone-map'],
+    flag: {
+      value: 'curve',
+      help: 'neutral keeps colours and softens what is very bright; agx rolls all of it off, as film does; linear cuts it off',
+    },
+    header: { place: 5, when: 'light' },
+  } satisfies ChoiceSetting<ToneMapping>,
+  solver: {
+    kind: 'choice',
+    title: ['Solver', '求解器'],
+    help: [
+      'Exact: closed form or bisection. Newton: the iterative method, for comparison.',
+      '精确：二分加解析解。牛顿：迭代法，用于比较。',
+    ],
+    default: 'exact',
+    options: { exact: ['Exact', '精确'], newton: ['Newton', '牛顿'] },
+    nodes: CONSOLE,
+    flag: { value: 'name', help: 'how emission events are found' },
+    perBuffer: true,
+  },
+  /** Newton steps per vertex. */
+  iterations: {
+    kind: 'number',
+    title: ['Iterations', '迭代次数'],
+    help: ['More are more accurate, and slower.', '越多越精确，也越慢。'],
+    default: 8,
+    range: { min: 1, max: 64, integer: true },
+    control: { min: 1, max: 32, step: 1, integer: true },
+    nodes: CONSOLE,
+    onlyWhen: { param: 'solver', is: 'newton' },
+    flag: { value: 'n', help: 'steps of the Newton solver' },
+    perBuffer: true,
+  },
+  /** Newton step length, 0 < k ≤ 1. */
+  damping: {
+    kind: 'number',
+    title: ['Damping', '阻尼'],
+    help: ['Smaller steps diverge less easily.', '步长越小越不易发散。'],
+    default: 1,
+    range: { above: 0, max: 1 },
+    control: { min: 0.05, max: 1, step: 0.05 },
+    nodes: CONSOLE,
+    onlyWhen: { param: 'solver', is: 'newton' },
+    flag: { value: 'k', help: 'step length of the Newton solver, 0 < k ≤ 1' },
+    perBuffer: true,
+  },
+  /** Off: every pixel shows what is at its centre. Else edges are smoothed, moving pictures follow those before, and resting ones get many samples. */
+  antialiasing: {
+    kind: 'boolean',
+    title: ['Antialiasing', '抗锯齿'],
+    help: [
+      'Smooth edges, stable in motion; a still picture becomes finer over time. Off: every pixel shows what is at its centre.',
+      '边缘平滑，运动时也稳定；静止画面会自动变得更精细。关：每个像素只显示其中心所见。',
+    ],
+    default: true,
+    nodes: RASTERIZERS,
+    flag: { help: 'every pixel shows what is at its centre, for comparison; in place of --samples' },
+  },
+  /** The ground's reference grid, which relativity does not bend. */
+  grid: {
+    kind: 'boolean',
+    title: ['Reference grid', '参考网格'],
+    help: ['A grid on the ground that is not affected by relativity.', '不受相对论变形影响的地面网格。'],
+    default: false,
+    nodes: RASTERIZERS,
+    flag: { help: 'draw the reference grid on the ground, which relativity does not bend' },
+  },
+  /** How far from a point something can hide its sky, in the fast renderer [m]; 0: nothing does. Absent: a quarter of the scene's size. */
+  occlusionRadius: {
+    kind: 'number',
+    range: { min: 0 },
+    flag: {
+      value: 'm',
+      help: "of raster: how far from a point something can hide its sky; 0: nothing does (default: a quarter of the scene's size)",
+    },
+  },
+} as const satisfies Readonly<Record<string, Setting>>;
+
+type Settings = typeof SETTINGS;
+export type SettingName = keyof Settings;
+export const SETTING_NAMES = Object.keys(SETTINGS) as readonly SettingName[];
+/** By name, with the types of the values erased. */
+export const settingNamed = (name: SettingName): Setting => SETTINGS[name];
+
+export type SettingValue<Name extends SettingName> = Settings[Name] extends {
+  readonly options: Readonly<Record<infer Value, Words>>;
+}
+  ? Value
+  : Settings[Name] extends { readonly kind: 'boolean' }
+    ? boolean
+    : number;
+/** Names of the settings whose entry is like `Like`. */
+type NamesLike<Like> = { [Name in SettingName]: Settings[Name] extends Like ? Name : never }[SettingName];
+/** Names of the parameters that a type of node has of these. */
+export type SettingOfNode<Id extends string> = {
+  [Name in SettingName]: Settings[Name] extends { readonly nodes: readonly (infer Node)[] }
+    ? Id extends Node
+      ? Name
+      : never
+    : never;
+}[SettingName];
+type WithDefault = NamesLike<{ readonly default: unknown }>;
+
+/** A value for each of them; those without a default may be absent. */
+export type ValuesOf<Names extends SettingName> = {
+  readonly [Name in keyof Settings as Name extends Names & WithDefault ? Name : never]: SettingValue<Name>;
+} & {
+  readonly [Name in keyof Settings as Name extends Exclude<Names, WithDefault> ? Name : never]?: SettingValue<Name>;
+};
+/** What of them a renderer obeys. */
+export type RendererSettings = ValuesOf<Exclude<SettingName, NamesLike<{ readonly beforeRendering: true }>>>;
+export const RENDERER_SETTINGS = SETTING_NAMES.filter(
+  (name) => !settingNamed(name).beforeRendering,
+) as readonly (keyof RendererSettings)[];
+
+type PerBuffer = NamesLike<{ readonly perBuffer: true }>;
+/** The settings that a G-buffer is rendered with. */
+export interface BufferSettings extends ValuesOf<PerBuffer> {
+  /** [m/s] */
+  readonly speedOfLight: number;
+}
+export const BUFFER_SETTINGS: readonly (keyof BufferSettings)[] = [
+  ...(SETTING_NAMES.filter((name) => settingNamed(name).perBuffer) as PerBuffer[]),
+  'speedOfLight',
+];
+
+export type Solver = SettingValue<'solver'>;
+export type ColorMode = SettingValue<'colors'>;
+export type MeteringMode = SettingValue<'metering'>;
+
+/** What of an object are values of these settings. */
+export const pickSettings = <Name extends string>(
+  names: readonly Name[],
+  from: { readonly [K in Name]?: unknown },
+): Readonly<Record<string, unknown>> =>
+  Object.fromEntries(names.filter((name) => from[name] !== undefined).map((name) => [name, from[name]]));

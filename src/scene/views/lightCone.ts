@@ -1,0 +1,29 @@
+import { length, scale } from '../../math/vec3.ts';
+import { properVelocity } from '../../physics/lorentz/boost.ts';
+import { apparentPosition, inverseApparentPosition } from '../../physics/optics/apparentPosition.ts';
+import { dopplerFactor } from '../../physics/optics/doppler.ts';
+import { emissionEvent } from '../../physics/worldLines/lightCone.ts';
+import type { ViewRecord } from './viewRecord.ts';
+
+/** What is seen: the events whose light arrives, where and how it arrives. */
+export const lightCone: ViewRecord = {
+  title: ['Seen', '所见'],
+  summary: 'what is seen',
+  help: ['What you see', '你所看到的'],
+  luminous: true,
+  relativistic: true,
+  hypersurface: ({ lightDelay }) => (lightDelay ? 'past-light-cone' : 'now'),
+  placement: ({ aberration }) => (aberration ? 'apparent' : 'plain'),
+  rayToward(n, u, { lightDelay, aberration }) {
+    const dx = aberration ? inverseApparentPosition(n, u) : n;
+    return [lightDelay ? -length(dx) : 0, ...dx];
+  },
+  probe(line, observer, c) {
+    const event = emissionEvent(line, observer, c);
+    if (!event) return undefined;
+    const velocity = scale(event.velocity, 1 / c);
+    const doppler = dopplerFactor(event.offset, observer.u, properVelocity(velocity));
+    const apparent = apparentPosition(event.offset, observer.u);
+    return { time: event.t, position: event.position, velocity, apparent, doppler };
+  },
+};

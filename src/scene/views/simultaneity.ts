@@ -1,0 +1,25 @@
+import { add, scale } from '../../math/vec3.ts';
+import { inverseBoost } from '../../physics/lorentz/boost.ts';
+import { simultaneitySlice, simultaneousPosition } from '../../physics/worldLines/simultaneity.ts';
+import { velocityAt } from '../../physics/worldLines/worldLine.ts';
+import type { ViewRecord } from './viewRecord.ts';
+
+/** Where things are at the observer's own instant. */
+export const simultaneity: ViewRecord = {
+  title: ['Simultaneity', '同时面'],
+  summary: 'where things are at one instant of the observer',
+  help: ['positions at your own instant (a “god’s eye” view)', '你此刻同时面上的物体位置（“上帝视角”）'],
+  luminous: false,
+  relativistic: true,
+  hypersurface: () => 'slice',
+  placement: () => 'contracted',
+  // The events (0, s n′) of the observer's frame.
+  rayToward: (n, u) => inverseBoost([0, ...n], u),
+  probe(line, observer, c) {
+    const { offset, ahead } = simultaneitySlice(line, observer, observer.u, c);
+    const time = observer.t + ahead / c;
+    const velocity = scale(velocityAt(line, time, c), 1 / c);
+    const apparent = simultaneousPosition(offset, observer.u);
+    return { time, position: add(observer.position, offset), velocity, apparent, doppler: 1 };
+  },
+};

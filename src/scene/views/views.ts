@@ -1,0 +1,49 @@
+import { HYPERSURFACES, type Hypersurface } from '../../physics/worldLines/hypersurface.ts';
+import type { Words } from '../settings/setting.ts';
+import { galilean } from './galilean.ts';
+import { lightCone } from './lightCone.ts';
+import { simultaneity } from './simultaneity.ts';
+import type { ViewRecord, ViewToggles } from './viewRecord.ts';
+
+/** Every view, in the order of menus. */
+const VIEW_LIST = { 'light-cone': lightCone, simultaneity, galilean } as const satisfies Readonly<
+  Record<string, ViewRecord>
+>;
+export type View = keyof typeof VIEW_LIST;
+export const VIEWS: Readonly<Record<View, ViewRecord>> = VIEW_LIST;
+export const VIEW_NAMES = Object.keys(VIEW_LIST) as readonly View[];
+
+export interface ViewSettings extends ViewToggles {
+  readonly view: View;
+}
+
+/** The events that a picture with these settings is made of. */
+export const hypersurfaceOf = (settings: ViewSettings): Hypersurface =>
+  HYPERSURFACES[VIEWS[settings.view].hypersurface(settings)];
+
+const records = Object.values(VIEWS);
+
+export const VIEW_TITLES = Object.fromEntries(VIEW_NAMES.map((name) => [name, VIEWS[name].title])) as Readonly<
+  Record<View, Words>
+>;
+
+/** What the choice of a view is about, in its control and in `--help`. */
+export const VIEW_HELP: { readonly control: Words; readonly flag: string } = {
+  control: [
+    `${listed(
+      records.map(({ help: [en] }) => en),
+      '; ',
+      '; or ',
+    )}.`,
+    `${listed(
+      records.map(({ help: [, zh] }) => zh),
+      '；',
+      '；或',
+    )}。`,
+  ],
+  flag: VIEW_NAMES.map((name) => `${name}: ${VIEWS[name].summary}`).join('; '),
+};
+
+function listed(parts: readonly string[], between: string, last: string): string {
+  return parts.slice(0, -1).join(between) + last + parts[parts.length - 1];
+}
