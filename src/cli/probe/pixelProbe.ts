@@ -1,9 +1,9 @@
 import { sub, type Vec3 } from '../../math/vec3.ts';
-import type { PictureSize } from '../../nodes/pictures/pictureRenderer.ts';
 import { properVelocity } from '../../physics/lorentz/boost.ts';
 import { apparentPosition } from '../../physics/optics/apparentPosition.ts';
 import { dopplerFactor } from '../../physics/optics/doppler.ts';
 import { simultaneousPosition } from '../../physics/worldLines/simultaneity.ts';
+import type { PictureSize } from '../../pipelines/pictureRenderer.ts';
 import { cameraRay } from '../../reference/camera/cameraRay.ts';
 import { visibleHit } from '../../reference/camera/visibleHit.ts';
 import { createTracedScene } from '../../reference/intersection/tracedScene.ts';
