@@ -64,7 +64,7 @@ function decompressBlock(source: CrateSource, start: number, stop: number, out: 
   return to;
 }
 
-/** Below this length a loop is faster than copyWithin. */
+/** Below this length a loop is faster than the platform’s copy. */
 const MIN_BULK_COPY = 24;
 
 function copyLiterals(bytes: Uint8Array, from: number, out: Uint8Array, to: number, length: number): void {
