@@ -45,16 +45,16 @@ import {
 import { MAX_OPS, transformOf } from './transforms/xformOps.ts';
 import { reportUnreadValues, unreadType } from './unreadSchemas.ts';
 
-/** What a prim hands down to its children. */
+/** State inherited by child prims. */
 interface Inherited {
   readonly transform: StageTransform;
   readonly material: MaterialBinding | undefined;
   readonly slowlight: SlowlightAttributes;
-  /** A skeleton may bend it. */
+  /** May be skinned. */
   readonly maybeSkinned: boolean;
-  /** Of the nearest prim above that says what it is for. */
+  /** Inherited `purpose`. */
   readonly purpose: string;
-  /** Where what is found goes: into the scene, or into a prototype of instances. */
+  /** Receives what is found: the scene, or a prototype. */
   readonly sink: GprimSink;
 }
 
@@ -75,7 +75,7 @@ const AT_ROOT = {
 
 export type StageContents = Pick<Scene, 'objects' | 'materials' | 'lights' | 'cameras'>;
 
-/** Turns the defined, active, visible prims of a stage into what is observed. */
+/** Reads the defined, active, visible prims of a stage to a scene. */
 export async function readStage(context: StageContext): Promise<StageContents> {
   const reader = new StageReader(context);
   for (const prim of context.layer.rootPrims.values()) await reader.visit(prim, { ...AT_ROOT, sink: reader.scene });
@@ -124,7 +124,7 @@ class StageReader {
   private async read(prim: PrimSpec, own: Inherited): Promise<void> {
     const drawn = isRendered(own.purpose);
     if (drawn) await this.readHere(prim, own);
-    // What is under an instancer is its prototypes, which are nowhere themselves.
+    // Prims below an instancer are its prototypes, not rendered themselves.
     if (prim.typeName === 'PointInstancer') {
       if (drawn) await own.sink.instancer({ prim, transform: own.transform, slowlight: own.slowlight });
       return;
@@ -221,15 +221,20 @@ class StageReader {
       const message = `a ${prim.typeName} in a prototype of instances is not read; it is left out`;
       report(this.context, 'warning', 'usd.instancer', prim.path, message);
     } else if (prim.typeName === 'Camera') this.cameras.push(cameraOf(this.context, prim, own.transform));
-    else if (lights) this.lights.push(await lightOf(this.context, this.textures, prim, own.transform, own.slowlight));
+    else if (lights) this.lights.push(await this.lightOf(prim, own));
     else if (prim.typeName === 'Mesh' || isGprim(prim.typeName)) await this.readGprim(prim, own);
+  }
+
+  private lightOf(prim: PrimSpec, { transform: frame, slowlight }: Inherited): Promise<Light> {
+    const { context, textures } = this;
+    return lightOf({ context, textures, prim, frame, slowlight });
   }
 
   private async readGprim(prim: PrimSpec, own: Inherited): Promise<void> {
     const { material, transform, slowlight, sink } = own;
     const surface = await primMaterialsOf(this.context, this.table, prim, material);
     const make = (): PrimGeometry | undefined => this.geometryOf(prim, surface);
-    // What is bent has its form from more than its own opinions.
+    // A skinned mesh's shape depends on more than its own opinions.
     const shape = own.maybeSkinned ? make() : this.geometryCache.getOrCreate(prim, surface, make);
     if (!shape) return;
     const place =
@@ -326,5 +331,5 @@ type ObjectGeometry = Pick<SceneObject, 'mesh' | 'motion'>;
 const hasSeveralTransforms = ({ children }: PrimSpec): boolean =>
   [...children.values()].filter((child) => child.children.size > 0 || child.properties.has('xformOpOrder')).length > 1;
 
-/** What stands for something else, or helps those who edit, is not looked at. */
+/** Proxies and guides are not rendered. */
 const isRendered = (purpose: string): boolean => purpose !== 'proxy' && purpose !== 'guide';

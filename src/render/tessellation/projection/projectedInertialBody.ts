@@ -4,7 +4,12 @@ import { type Quat, toMatrix } from '../../../math/quat.ts';
 import { add, addScaled, dot, length, negate, scale, sub, type Vec3, ZERO } from '../../../math/vec3.ts';
 import { boostMatrix, gamma, properVelocity } from '../../../physics/lorentz/boost.ts';
 import { contraction, simultaneitySlice, simultaneousPosition } from '../../../physics/worldLines/simultaneity.ts';
-import { positionAt, type StaticLine, type UniformLine } from '../../../physics/worldLines/worldLine.ts';
+import {
+  inertialVelocity,
+  positionAt,
+  type StaticLine,
+  type UniformLine,
+} from '../../../physics/worldLines/worldLine.ts';
 import { DEPTH_WEIGHT, MAX_GRADE_NEAR_CAMERA_PLANE } from '../criterion/edgeCriterion.ts';
 import {
   type ClusterBounds,
@@ -49,7 +54,7 @@ export function inertialMap(
   { view: look }: ScreenMetric,
 ): InertialMap {
   const { observation, projection } = look;
-  const v = line.kind === 'uniform' ? properVelocity(scale(line.velocity, 1 / observation.c)) : ZERO;
+  const v = properVelocity(scale(inertialVelocity(line), 1 / observation.c));
   const toObserver = projection.place === 'apparent' ? boostMatrix(negate(observation.u)) : IDENTITY;
   const now = sub(positionAt(line, observation.t, observation.c), observation.position);
   if (observation.hypersurface === 'past-light-cone') {
