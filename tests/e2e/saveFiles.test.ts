@@ -125,7 +125,7 @@ it('frames come as a zip, scenes as they are; what no browser writes is told wit
   // At once: an inspector that has just been opened takes the focus.
   await button.press('Enter');
   const scene = await download;
-  await page.getByText('box.usdz, which cannot hold all: /Box: its uniform motion is sampled').waitFor();
+  await page.getByText('box.usdz, which cannot represent everything: /Box: its uniform motion is sampled').waitFor();
   expect(scene.suggestedFilename()).toBe('box.usdz');
   expect(Object.keys(unzipSync(readFileSync(await scene.path())))).toEqual(['scene.usda']);
   await visit.close();
