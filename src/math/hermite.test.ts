@@ -5,7 +5,7 @@ import { hermite, hermiteRotation, logarithm, slopeRule } from './hermite.ts';
 import { conjugate, fromAxisAngle, multiply, type Quat, slerp } from './quat.ts';
 import { scale, type Vec3 } from './vec3.ts';
 
-/** The slope at sample k that the rule makes of values. */
+/** The slope at sample k by the rule, for given values. */
 function slope(times: readonly number[], values: readonly number[], k: number): number {
   const { middle, share } = slopeRule(times, k);
   const chord = (i: number) => (values[i] - values[i - 1]) / (times[i] - times[i - 1]);

@@ -20,7 +20,7 @@ describe('root finders', () => {
     expectClose(bisect(f, a, b), root, 4e-16 * Math.max(1, Math.abs(root)));
     expectClose(brent(f, a, b), root, 1e-15 * Math.max(1, Math.abs(root)));
     expectClose(brent(f, b, a), root, 1e-15 * Math.max(1, Math.abs(root)));
-    // A root without a slope is not what it is for.
+    // Roots with zero slope are excluded.
     if (name === 'flat') return;
     const sign = f(a) <= f(b) ? 1 : -1;
     const slope = (x: number) => (sign * (f(x + 1e-6) - f(x - 1e-6))) / 2e-6;

@@ -109,7 +109,7 @@ describe('4×4 matrices', () => {
   it('invert whatever can be inverted', () =>
     fc.assert(
       fc.property(fc.array(element, { minLength: 16, maxLength: 16 }), fc.integer({ min: 0, max: 3 }), (raw, shift) => {
-        // Heavy on a shifted diagonal: regular for sure, and to be pivoted.
+        // Dominated by a shifted diagonal: regular, and in need of pivoting.
         const m = raw.map((x, i) => (i % 4 === (Math.floor(i / 4) + shift) % 4 ? x + 13 : x));
         expectClose(mat4.multiply(m, mat4.invert(m) ?? []), mat4.IDENTITY, 1e-13);
         expectClose(mat4.transpose(mat4.transpose(m)), m, 0);
@@ -138,7 +138,7 @@ describe('rigid part and stretch', () => {
   it('find the rotation that was put in', () =>
     fc.assert(
       fc.property(pose, rotation, fc.tuple(element, element, element), (p, q, logs) => {
-        // A positive stretch along turned axes.
+        // A positive stretch along rotated axes.
         const Q = quat.toMatrix(q);
         const [a, b, c] = logs.map(Math.exp);
         const S = mat3.multiply(Q, mat3.multiply([a, 0, 0, 0, b, 0, 0, 0, c], mat3.transpose(Q)));
@@ -179,7 +179,7 @@ describe('rigid part and stretch', () => {
         const linear = [x, 0, 0, 0, y, 0, 0, 0, z];
         const found = mat4.decomposeRigid(mat4.fromParts(linear, t));
         expect(found).toEqual({ pose: { position: t, orientation: quat.IDENTITY }, stretch: linear });
-        // As Horn's method has it, to which one part in 10¹⁵ is a turn.
+        // Horn's method: relative differences of 10⁻¹⁵ become rotations.
         sameRotation(closestRotation([x, 1e-15 * x, 0, 0, y, 0, 0, 0, z]), quat.IDENTITY, 1e-14);
       }),
     );

@@ -23,7 +23,7 @@ describe.skipIf(!hasColorScience())('colour-science', () => {
   });
 });
 
-/** The paths of numbers that are not alike to eight digits: another machine's numpy may round otherwise. */
+/** Paths of numbers that differ in the first eight digits; another machine's numpy may round differently beyond. */
 function differences(a: unknown, b: unknown, path = ''): string[] {
   if (typeof a === 'number' && typeof b === 'number')
     return Math.abs(a - b) <= 1e-8 * Math.abs(b) + 1e-12 ? [] : [`${path}: ${a}, not ${b}`];
@@ -32,7 +32,7 @@ function differences(a: unknown, b: unknown, path = ''): string[] {
   return [...keys].flatMap((key) => differences(Reflect.get(a, key), Reflect.get(b, key), `${path}/${key}`));
 }
 
-/** The arrays of a file of tables, by the name that they are exported by. */
+/** The arrays of a file of tables, by export name. */
 function tablesOf(file: string): [name: string, values: number[]][] {
   const text = readFileSync(fileURLToPath(new URL(file, import.meta.url)), 'utf8');
   return [...text.matchAll(/export const (\w+): readonly number\[\] = (\[[^\]]*\]);/g)].map(([, name, values]) => [

@@ -23,7 +23,7 @@ const orientation: fc.Arbitrary<Quat> = fc
   .tuple(direction, uniform(0, 6))
   .map(([axis, angle]) => fromAxisAngle(axis, angle));
 
-/** Steps whose thrust is fixed in the camera, as a rocket's is, and so in a gyroscope's axes. */
+/** Steps with thrust fixed in camera axes, as a rocket's, and so in gyroscope axes. */
 function fly(start: ObserverState, thrustInCamera: Vec3, dTau: number, steps: number): ObserverState {
   let state = start;
   for (let i = 0; i < steps; i++) state = accelerate(state, rotate(state.orientation, thrustInCamera), dTau / steps, c);
@@ -50,7 +50,7 @@ describe('constant proper acceleration', () => {
   it('goes round the galaxy: 1 g for a year of his own reaches 0.77 c', () => {
     const year = 365.25 * 86400;
     const end = accelerate(atRest, [0, 0, 9.80665], year, 299792458);
-    // Misner, Thorne & Wheeler §6.2: 1.19 years of the world's, 0.56 light years of way.
+    // Misner, Thorne & Wheeler §6.2: 1.19 years of world time, 0.56 light years of distance.
     expect(velocity(end.u)[2]).toBeCloseTo(0.7746, 3);
     expect(end.t / year).toBeCloseTo(1.187, 2);
     expect(end.position[2] / (299792458 * year)).toBeCloseTo(0.563, 2);
@@ -137,7 +137,7 @@ describe('constant proper acceleration', () => {
     const zeta = Math.acosh(1000);
     const end = accelerate(moving([0, 0, Math.sinh(zeta)]), [0, 0, -zeta * c], 1, c);
     expectClose(end.u, [0, 0, 0], 1e-12);
-    // The way back of the start: x = c²/a (cosh ζ − 1), t = c/a sinh ζ.
+    // The start in reverse: x = c²/a (cosh ζ − 1), t = c/a sinh ζ.
     expectClose(end.position[2] / ((c / zeta) * 999), 1, 1e-12);
     expectClose(end.t / (Math.sinh(zeta) / zeta), 1, 1e-12);
   });
@@ -165,7 +165,7 @@ describe('the carried axes', () => {
         (u, n, zeta, q, axis) => {
           fc.pre(zeta < 4);
           const end = accelerate({ ...moving(u), orientation: q }, scale(n, zeta * c), 1, c);
-          // The gyroscope's axis as a four-vector: carried through both boosts back to the world it is the same either way.
+          // The gyroscope's axis as a four-vector: boosted back to the world it is the same by both routes.
           const inGyro = fourVector(0, rotate(q, axis));
           const world = inverseBoost(inverseBoost(inGyro, scale(n, Math.sinh(zeta))), u);
           const byEnd = inverseBoost(fourVector(0, rotate(end.orientation, axis)), end.u);
@@ -179,21 +179,21 @@ describe('the carried axes', () => {
         const n = perpendicular(m, phi);
         const [u, push] = [properVelocity(scale(m, beta)), 1e-6];
         const end = accelerate(moving(u), scale(n, push * c), 1, c);
-        // Jackson (11.119) in proper terms: the turn is |u| ζ/(γ + 1) for a gain of rapidity ζ across u.
+        // Jackson (11.119) in proper velocities: the rotation is |u| ζ/(γ + 1) for a gain of rapidity ζ perpendicular to u.
         const expected = (length(u) * push) / (gamma(u) + 1);
         expectClose(rotationAngle(end.orientation) / expected, 1, 1e-5);
-        // It turns about push × u: against the way the velocity turns.
+        // The rotation axis is push × u: opposite to the rotation of the velocity.
         const axis = normalize([end.orientation[0], end.orientation[1], end.orientation[2]]);
         expectClose(axis, normalize(cross(n, u)), 1e-5);
       }),
     ));
   it('come back turned from a circle of pushes, by the area in velocity space', () => {
-    // Twelve thousand small pushes turn u once round at constant γ: the Thomas angle is 2π(γ − 1).
+    // Twelve thousand small pushes rotate u once at constant γ: the Thomas angle is 2π(γ − 1).
     const u0 = properVelocity([0.6, 0, 0]);
     const steps = 12000;
     let state = moving(u0);
     for (let i = 0; i < steps; i++) {
-      // Push across the velocity, in the boosted axes, at the middle of the step.
+      // Push perpendicular to the velocity, in the boosted axes, at the middle of the step.
       const angle = (2 * Math.PI * (i + 0.5)) / steps;
       const turn = 2 * Math.asin(length(u0) * Math.sin(Math.PI / steps));
       state = accelerate(state, [-turn * c * Math.sin(angle), turn * c * Math.cos(angle), 0], 1, c);
@@ -215,7 +215,7 @@ describe('the clocks', () => {
     expect([end.t, end.properTime, end.position[0]]).toEqual([5, 4, 30]);
   });
   it('of twins differ after a return trip', () => {
-    // Out and back in four equal burns of rapidity 2: 4 sinh 2 against 8 of his own, in units of c/a.
+    // Out and back in four equal burns of rapidity 2: world time 4 sinh 2, proper time 8, in units of c/a.
     let ship = atRest;
     for (const thrust of [1, -1, -1, 1]) ship = accelerate(ship, [thrust, 0, 0], 2 * c, c);
     expectClose(ship.u, [0, 0, 0], 1e-13);

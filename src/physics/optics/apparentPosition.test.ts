@@ -31,7 +31,7 @@ describe('apparent position', () => {
     fc.assert(
       fc.property(velocityAndOffset, ([u, dx]) => {
         const expected = apparentWithManyDigits(dx, u);
-        // One rounding of Δx turns its direction by 1e-16, which the backward cone magnifies by γ.
+        // One rounding of Δx rotates its direction by 1e-16, which the backward cone magnifies by γ.
         expectClose(apparentPosition(dx, u), expected, 2e-15 * gamma(u) * Math.hypot(...expected));
       }),
       { numRuns: 300 },
@@ -95,7 +95,7 @@ describe('aberration', () => {
         const n = normalize(dx);
         expectClose(unaberrate(aberrate(n, u), u), n, 1e-15 * gamma(u) ** 2);
         expectClose(aberrate(n, [0, 0, 0]), n, 1e-15);
-        // The observer who turns back sees each colour again.
+        // Boosting back restores each colour.
         const there = observerDoppler(n, u);
         const back = observerDoppler(aberrate(n, u), negate(u));
         expectClose(there * back, 1, 1e-14 * gamma(u) ** 2);

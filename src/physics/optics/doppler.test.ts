@@ -85,7 +85,7 @@ describe('Doppler factor', () => {
         const [beta, n] = [velocity(u), normalize(dx)];
         const [b, m] = [bigVec(beta), bigVec(n)];
         const oneMinus = ONE - dotBig(b, b);
-        // |n| is 1 only to rounding; the formula's n is exactly unit.
+        // |n| is 1 only to rounding; the formula's n has unit length exactly.
         const expected = toNumber(div(sqrt(oneMinus), ONE + div(dotBig(b, m), lengthBig(m))));
         expectClose(emitterDoppler(n, beta, toNumber(oneMinus)) / expected, 1, 3e-15 * gamma(u));
       }),

@@ -25,7 +25,7 @@ import { emissionEvent } from './lightCone.ts';
 import { type CubicLine, positionAt, velocityAt } from './worldLine.ts';
 
 const slow = properVelocityUpTo(5).map(velocity);
-/** By its control velocities [c], none of them as great as 1. */
+/** A piece given by its control velocities [c], all below 1. */
 const piece = fc.tuple(offset, slow, slow, slow, magnitude(-2, 2)).map(([a, va, middle, vb, span]): CubicPiece => {
   return { a, va, vb, span, b: addScaled(a, add(add(va, middle), vb), span / 3) };
 });
@@ -71,7 +71,7 @@ describe('its emission event', () => {
     fc.assert(
       fc.property(piece, direction, magnitude(-3, 5), uniform(0.001, 0.999), (p, n, far, w) => {
         const { x, v } = cubicAt(p, w * p.span);
-        // The observer: at x + far n, when the light arrives.
+        // The observer is at x + far n when the light arrives.
         const shifted = { ...p, a: sub(p.a, addScaled(x, n, far)), b: sub(p.b, addScaled(x, n, far)) };
         const seen = cubicEmission(shifted, -w * p.span - far);
         const size = far + length(p.a) + p.span;

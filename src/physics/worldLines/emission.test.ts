@@ -35,7 +35,7 @@ import {
 /** 1 − v², rounded once. */
 const oneMinus = (v: Vec3) => toNumber(ONE - dotBig(bigVec(v), bigVec(v)));
 
-/** The textbook quadratic with 300 digits: delay of a uniform mover that is at d now. */
+/** The textbook quadratic with 300 digits: delay of a point in uniform motion that is at d at the observer's time. */
 function delayWithManyDigits(d: Vec3, v: Vec3): number {
   const [x, b] = [bigVec(d), bigVec(v)];
   const dv = dotBig(x, b);
@@ -63,14 +63,14 @@ describe('uniform emission', () => {
         const a = oneMinus(v);
         const expected = presentEmission([d[0] + o[0], d[1] + o[1], d[2] + o[2]], v, a);
         const center = presentEmission(d, v, a);
-        // One rounding of the centre's place turns its direction, which the backward cone magnifies by γ².
+        // One rounding of the centre's position rotates its direction, which the backward cone magnifies by γ².
         const size = reach + length(d) + center.delay + expected.delay;
         const tolerance = 2e-15 * size * gamma(u) ** 2;
         expectClose(uniformEmission(center.offset, v, a, o).offset, expected.offset, tolerance);
       }),
     ));
   it('keeps its digits for a point of a large body that is close by', () => {
-    // The centre is 1 km off, the point a micrometre; both pass at walking pace and at 0.9 c.
+    // The centre is 1 km away, the point a micrometre from it; both pass at walking pace and at 0.9 c.
     for (const beta of [1e-8, 0.9]) {
       const [v, d]: Vec3[] = [
         [beta, 0, 0],
@@ -96,7 +96,7 @@ describe('polyline piece', () => {
         const exact = presentEmission(d, v, oneMinus(v));
         const [tA, tB] = [-exact.delay - before, -exact.delay + after];
         const seen = polylineEmission(addScaled(d, v, tA), tA, addScaled(d, v, tB), tB);
-        // The velocity is known from the two samples only, and with it 1 − v²; the event stays on the light cone all the same.
+        // The velocity, and with it 1 − v², has the rounding errors of the two samples; the event is on the light cone nevertheless.
         const size = length(d) + Math.abs(tA) + Math.abs(tB);
         const there = addScaled(d, v, -seen.delay);
         expectClose(seen.offset, there, 1e-14 * size * (1 + size / (tB - tA)));
@@ -137,14 +137,14 @@ describe('hyperbolic emission', () => {
     fc.assert(
       fc.property(offset, since, acceleration, (d, T, a) => {
         const reach = length(a) * (length(d) + Math.abs(T));
-        // On the horizon itself the last digit decides.
+        // Exactly at the horizon the last digit decides.
         fc.pre(Math.abs(1 - dot(a, d) + length(a) * T) > 1e-15 * (1 + reach));
         const expected = hyperbolicWithManyDigits(d, T, a);
         const seen = hyperbolicEmission(d, T, a);
         expect(seen === undefined).toBe(expected === undefined);
         if (!seen || expected === undefined) return;
         visible++;
-        // The age of the light grows without bound at the horizon, 1 + k(T + ξ) → 0: nothing can be sharper than that distance.
+        // The delay diverges at the horizon, 1 + k(T + ξ) → 0, which limits the accuracy.
         const margin = 1 - dot(a, d) + length(a) * T;
         const blur = 1 + (length(a) * (length(d) + Math.abs(T))) / margin;
         expectClose(

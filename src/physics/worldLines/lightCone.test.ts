@@ -49,7 +49,7 @@ const time = fc.tuple(fc.constantFrom(-1, 1), magnitude(-6, 4)).map(([s, t]) => 
 /** A velocity up to γ = 10 [c]. */
 const slow = properVelocityUpTo(10).map(velocity);
 
-/** World lines of every kind, written for a speed of light of 1 m/s and then scaled. */
+/** World lines of every kind, for c = 1 m/s, scaled afterwards. */
 const shape: fc.Arbitrary<(c: number) => WorldLine> = fc.oneof(
   offset.map((position) => (): WorldLine => ({ kind: 'static', position })),
   fc.tuple(offset, properVelocityUpTo(1000)).map(
@@ -80,7 +80,7 @@ const shape: fc.Arbitrary<(c: number) => WorldLine> = fc.oneof(
   ),
 );
 
-/** Pieces by their control velocities; the velocity may jump between them. */
+/** Pieces given by their control velocities; the velocity may jump between them. */
 function curve(start: Vec3, legs: readonly (readonly [Vec3, Vec3, Vec3, number])[], t0: number, c: number): CubicLine {
   const mean = legs.map(([a, b, d, span]) => [scale(add(add(a, b), d), 1 / 3), span] as const);
   const { times, positions } = walkWith(start, mean, t0, c);
@@ -147,7 +147,7 @@ describe('the emission event', () => {
         const o = { t, position: positionAt(w, t, c) };
         const size = length(o.position) + c * Math.abs(t) + (w.kind === 'hyperbolic' ? c * Math.abs(w.t0) : 0);
         const late = emissionEvent(w, o, c);
-        // Where the point comes head-on, a place that is one rounding off is seen 2γ² roundings late.
+        // For a head-on approach, one rounding of the position delays the event by 2γ² roundings.
         const g = w.kind === 'hyperbolic' ? Math.hypot(1, (length(w.properAcceleration) * (t - w.t0)) / c) : 1000;
         expect(late ? c * late.delay : Number.POSITIVE_INFINITY).toBeLessThanOrEqual(1e-14 * (1 + g * g) * size);
       }),
@@ -195,7 +195,7 @@ describe('a moving body', () => {
   it('looks as a resting one does to an observer who moves the other way', () =>
     fc.assert(
       fc.property(properVelocityUpTo(50), offset, (u, rest) => {
-        // In the body's frame the observer flies with −u past the point at `rest` when both clocks show 0.
+        // In the body's frame the observer moves with −u and passes the point `rest` when both clocks show 0.
         const w: WorldLine = { kind: 'uniform', position: contraction(rest, u), velocity: scale(velocity(u), 10) };
         const seen = emissionEvent(w, { t: 0, position: [0, 0, 0] }, 10);
         const expected = apparentPosition(rest, negate(u));
@@ -220,7 +220,7 @@ describe('a moving body', () => {
 });
 
 describe('polylines', () => {
-  /** Samples of a uniform mover. */
+  /** Samples of uniform motion. */
   const sampled = (w: UniformLine, times: number[]): PolylineLine => ({
     kind: 'polyline',
     times: Float64Array.from(times),

@@ -25,14 +25,14 @@ const sampled = (at: (nanometres: number) => number): MeasuredReflectance => ({
 });
 const rise = (x: number) => 1 / (1 + Math.exp(-x));
 const bump = (nm: number, middle: number, width: number) => Math.exp(-(((nm - middle) / width) ** 2));
-/** As leaves are: green, dark in the red, bright from 720 nm on. */
+/** Like a leaf: green, dark in the red, bright from 720 nm on. */
 const LEAF = sampled((nm) => 0.04 + 0.09 * bump(nm, 550, 35) + 0.44 * rise((nm - 715) / 12));
-/** As paints are: one edge. */
+/** Like a paint: one edge. */
 const RED = sampled((nm) => 0.05 + 0.75 * rise((nm - 600) / 10));
-/** As glass with a rare earth in it is: a dark band where the eye sees best. */
+/** Like glass with a rare earth: a dark band where the eye is most sensitive. */
 const DIDYMIUM = sampled((nm) => 0.85 - 0.75 * bump(nm, 585, 12) - 0.4 * bump(nm, 525, 10));
 
-/** The sum over every nanometre, written down anew: of daylight that comes by D_in to a surface, seen by D_out; D⁴ left out. */
+/** Independent sum over every nanometre: daylight shifted by D_in to a surface and by D_out to the observer, without D⁴. */
 function integrated(reflectance: MeasuredReflectance, Din: number, Dout: number): Vec3 {
   const T = DAYLIGHT.temperature * Din * Dout;
   const level = Math.exp(logLuminance(T) - logLuminance(DAYLIGHT.temperature)) / (Din * Dout) ** 4;

@@ -36,7 +36,7 @@ describe('the filter of a light', () => {
   test('of a bare blackbody is none, also where it has no blue', () => {
     for (const T of [500, 1000, 1900, 6504, 1e5])
       close(lightFilter(colorOfSpectrum(thermal(T)), thermal(T)).rgb, [1, 1, 1], 9);
-    // What USD makes of 1500 K has its negative blue cut off; that asks for a little more blue, not for any amount.
+    // USD clips the negative blue of 1500 K; the filter may only add a little blue for that.
     expect(Math.max(...lightFilter(blackbodyColor(1500), thermal(1500)).rgb)).toBeLessThan(3);
   });
 

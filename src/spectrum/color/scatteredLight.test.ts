@@ -9,7 +9,7 @@ import { LUMINANCE_WEIGHTS, observedColor, toLinearSrgb } from './observerColor.
 import { REDDENED, SCATTERED, SCATTERED_COLOR, type SkyParts, scatteredShare, skyParts } from './scatteredLight.ts';
 
 describe('scattered light', () => {
-  // Planck's law times λ⁻⁴, summed here by itself.
+  // Planck's law times λ⁻⁴, summed independently.
   test('has the colour of λ⁻⁴ times a blackbody, seen at any shift', () => {
     const radiance = (l: number) => (l * 1e6) ** -9 / Math.expm1(1.438776877e-2 / (l * 6504));
     const seen = (D: number): Vec3 => {
@@ -46,7 +46,7 @@ describe('scattered light', () => {
       const rest = addScaled(color, SCATTERED_COLOR, -share);
       expect(share / dot(LUMINANCE_WEIGHTS, color)).toBeGreaterThanOrEqual(least);
       expect(share / dot(LUMINANCE_WEIGHTS, color)).toBeLessThanOrEqual(most);
-      // What is left is grey.
+      // The rest is grey.
       expect(Math.max(...rest) - Math.min(...rest)).toBeLessThan(
         0.08 * Math.max(...color) + 1e-9 + (share === 0 ? 1 : 0),
       );

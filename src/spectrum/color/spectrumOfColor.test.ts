@@ -21,9 +21,9 @@ import { spectrumOfColor } from './spectrumOfColor.ts';
 const XYZ = invert(XYZ_TO_RENDER_SRGB)!;
 const ofLuminance1 = (color: Vec3): Vec3 => scale(color, 1 / dot(LUMINANCE_WEIGHTS, color));
 const lab = (color: Vec3): Vec3 => labOf(transform(XYZ, ofLuminance1(color)), transform(XYZ, [1, 1, 1]));
-/** Between colours, brightness aside. */
+/** Difference of colours at equal luminance. */
 const apart = (a: Vec3, b: Vec3): number => deltaE2000(lab(a), lab(b));
-/** A lamp of a colour that comes and goes, with D⁴ of beaming left out. */
+/** Observed colour of a light of this colour at the shift D, without the D⁴ of beaming. */
 const seen = (color: Vec3, D: number): Vec3 => {
   const spectrum = spectrumOfColor(color);
   return observedColor(WHITE_FILTER, lightFilter(color, spectrum), spectrum, 1, D);
@@ -45,7 +45,7 @@ describe('light of which only the colour is known', () => {
   });
 
   it('of what files take for 3200 K looks as 1600 K at D = 1/2', () => {
-    // Theirs is for a white of D65; what it differs by is left to the filter.
+    // USD's colours have D65 as white; the filter makes up the difference.
     expect(apart(seen(blackbodyColor(3200), 0.5), colorOfSpectrum(thermal(1600)))).toBeLessThan(2);
   });
 

@@ -93,7 +93,7 @@ describe('agx', () => {
   });
 
   test('light outside the gamut has a colour still, that clipping takes away', () => {
-    // Monochromatic light of 500 nm has much negative red: a small change of it is seen.
+    // Monochromatic light of 500 nm has a large negative red: small changes of it are visible.
     const cyan = (red: number): Vec3 => toneMap([red, 0.4, 0.2], 0, 'agx');
     expect(cyan(-0.15)).not.toEqual(cyan(-0.1));
   });

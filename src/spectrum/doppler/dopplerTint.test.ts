@@ -24,7 +24,7 @@ describe('dopplerTint', () => {
     expect(r2 / b2).toBeGreaterThan(1.3);
   });
 
-  // Planck's law by itself: what a primary shows of white is B(λ, D·T)/B(λ, T), and D⁴ is left to beaming.
+  // Planck's law directly: a primary of white becomes B(λ, D·T)/B(λ, T), without the D⁴ of beaming.
   test('white has the colour of a blackbody at D times the temperature', () => {
     const planck = (T: number) => 1 / Math.expm1(1.438777e-2 / (549e-9 * T));
     for (const D of [0.3, 0.8, 1.2, 4])

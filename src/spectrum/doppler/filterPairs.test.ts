@@ -14,7 +14,7 @@ const lab = (rgb: Vec3) => labOf(transform(TO_XYZ, rgb), transform(TO_XYZ, [1, 1
 const between = (random: () => number, from: number, to: number) => from * (to / from) ** random();
 const anyColor = (random: () => number): Vec3 => [random(), random(), random()];
 
-/** Mean and 95th percentile of the errors of `found` beside `expected`: of luminance, over white's in the same light, and ΔE₀₀. */
+/** Mean and 95th percentile of the errors of `found` against `expected`: luminance, relative to white's in the same light, and ΔE₀₀. */
 function errors(pairs: readonly (readonly [found: Vec3, expected: Vec3, white: Vec3])[]) {
   const percentiles = (values: readonly number[]) => {
     const rising = [...values].sort((a, b) => a - b);
@@ -51,7 +51,7 @@ describe('coloured light on coloured surfaces', () => {
       const found = bandOverlaps(6504 * D, D, 3).reduce((sum, color, i) => addScaled(sum, color, -shares[i]), bands);
       const at = (surface: Vec3, light: Vec3) =>
         observedColor(filterFromRgb(surface), filterFromRgb(light), thermal(6504), 1, D);
-      // Where the light's own luminance under the shift is left out.
+      // Without the light's own luminance under the shift.
       const white = observedColor(WHITE_FILTER, WHITE_FILTER, thermal(6504 * D), 1, 1);
       const level = dot(LUMINANCE_WEIGHTS, at([1, 1, 1], [1, 1, 1])) / dot(LUMINANCE_WEIGHTS, white);
       return [found, scale(at(a, k), 1 / level), white] as const;
@@ -84,7 +84,7 @@ describe('coloured light on coloured surfaces', () => {
       });
     });
     const { luminance, color } = errors(pairs);
-    // Channel by channel it was 0.007 and 0.02, ΔE₀₀ 2.8 and 9.
+    // Multiplied channel by channel the errors were 0.007 and 0.02, ΔE₀₀ 2.8 and 9.
     expect(luminance.mean).toBeLessThan(5e-4);
     expect(luminance.p95).toBeLessThan(2e-3);
     expect(color.mean).toBeLessThan(0.2);

@@ -21,7 +21,7 @@ describe('the shares of the bands', () => {
   });
 
   it('are the eye’s brightness of what comes from there', () => {
-    // By sums over tenths of nanometres of what the standard observer's curve is at the wavelength that is seen.
+    // By sums over tenths of nanometres of the standard observer's curve at the observed wavelength.
     for (const D of [0.3, 0.62, 1, 1.42, 2.1, 5.4]) {
       const sums = SPECTRAL_BANDS.map(() => 0);
       for (let seen = 359.5e-9; seen < 830.5e-9; seen += 1e-10) {

@@ -38,7 +38,7 @@ describe('S', () => {
         for (let i = 0; i < steps; i++) sum += meanRadiance(spiky, 320e-9 + offset + i * width, width) * width;
         for (const value of spiky.values) fine += value * 5e-9;
         const scale = spectralRadiance(spiky, 410e-9) / 3;
-        // A half of the last sample lies outside of the spectrum.
+        // Half of the last sample's step lies outside the spectrum.
         expect(sum).toBeCloseTo((fine - 5e-9) * scale, 6);
       }),
       { numRuns: 40 },

@@ -11,7 +11,7 @@ test.each(judged.planck)('B of %d K at %d nm is that of colour-science', (T, nan
 const steepness = (T: number) => (logLuminance(1.001 * T) - logLuminance(T)) / Math.log(1.001);
 
 test('its luminance follows Wien where it is cold and Rayleigh and Jeans where it is hot', () => {
-  // What is seen of 100 K is all at the red end: d ln Y/d ln T = hc/(λ k_B T).
+  // At 100 K all visible light is at the red end: d ln Y/d ln T = hc/(λ k_B T).
   expect(steepness(100) / (1.438776877e-2 / (825e-9 * 100))).toBeCloseTo(1, 1);
   expect(steepness(1e9)).toBeCloseTo(1, 4);
 });
