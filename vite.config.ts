@@ -48,7 +48,7 @@ export default defineConfig({
   base: './',
   publicDir: false,
   plugins: [react(), oneLanguage(), examples(), fonts(), ownDockTheme()],
-  worker: { format: 'es' },
+  worker: { format: 'es', plugins: () => [withoutGpu()] },
   build: {
     outDir: join(root, 'dist/app'),
     emptyOutDir: true,
@@ -72,6 +72,14 @@ function oneLanguage(): Plugin {
       const texts = Object.entries(language === 'english' ? english : chinese);
       return texts.map(([name, value]) => `export const ${name} = ${JSON.stringify(value)};`).join('\n');
     },
+  };
+}
+
+/** The page's workers draw nothing on a GPU: without this each of them would ship its own copy of three. */
+function withoutGpu(): Plugin {
+  return {
+    name: 'slowlight-workers-without-gpu',
+    load: (id) => (/pipelines\/\w+\.gpu\.ts$/.test(id) ? 'throw new Error("no worker draws on a GPU");' : undefined),
   };
 }
 

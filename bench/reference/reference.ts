@@ -1,6 +1,7 @@
 import { availableParallelism } from 'node:os';
-import { tracerPool } from '../../src/cli/pipelines/tracerPool.ts';
+import { nodeThreads } from '../../src/cli/pipelines/nodeThreads.ts';
 import { length, scale, type Vec3 } from '../../src/math/vec3.ts';
+import { openTracerPool } from '../../src/pipelines/referenceSession.ts';
 import type { SpacetimeRay } from '../../src/reference/acceleration/ray.ts';
 import { cameraRay } from '../../src/reference/camera/cameraRay.ts';
 import { createTracedScene, nearestHit } from '../../src/reference/intersection/tracedScene.ts';
@@ -151,7 +152,7 @@ async function overColors(): Promise<Table> {
 }
 
 async function timeOfPicture(scene: Scene, threads: number): Promise<number> {
-  const pool = tracerPool(scene, C, { threads });
+  const pool = openTracerPool(scene, C, threads, nodeThreads());
   const draw = (): Promise<void> => pool.render(request(SETTINGS), tilesOf(SIZE), () => {});
   // The first picture compiles, and makes what the motion's samples need.
   await draw();

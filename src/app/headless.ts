@@ -1,26 +1,30 @@
 import { inputError } from '../formats/diagnostics/inputError.ts';
-import { SceneRenderer } from '../render/renderer.ts';
+import type { InteractiveRenderer } from '../pipelines/interactiveRenderer.ts';
+import { picturesOf } from '../pipelines/interactiveSession.ts';
+import type { PictureRequest } from '../pipelines/pictureRenderer.ts';
+import { pipelineNamed } from '../pipelines/registry.ts';
 import { type StoredFile, setFileReader } from '../scene/streaming/storedNumbers.ts';
 import { decodeTransfer } from '../scene/transfer/transferCodec.ts';
 import type { Scene } from '../scene/types.ts';
 import type { LightMeterReadings } from '../scene/view/metering.ts';
-import type { AovName, RenderSettings, ViewPoint } from '../scene/view/view.ts';
+import type { AovName } from '../scene/view/view.ts';
 
 /**
  * The page that the command line drives to render with WebGL2. It renders scenes that the page's server has read, and
  * returns pictures as base64, which remote calls can carry.
  *
- * `await page.goto('…/headless.html')`, `await page.evaluate(() => window.slowlight.start())`, then
+ * `await page.goto('…/headless.html')`, `await page.evaluate(() => window.slowlight.start('raster'))`, then
  * `await page.evaluate((r) => window.slowlight.open(r), { scenes: '/scenes', files: '/parts/', width: 640, height: 360 })`
  * once, and `await page.evaluate((r) => window.slowlight.render(r), { view, settings, samples: 1, pixels: true, aovs: ['depth'] })` per picture.
  * Errors reject the call with the renderer's message.
  */
 interface HeadlessPage {
-  start(): Promise<StartReply>;
+  /** `pipeline`: the id of one that draws frames. */
+  start(pipeline: string): Promise<StartReply>;
   open(request: OpenRequest): Promise<void>;
-  render(request: RenderRequest): Promise<RenderReply>;
-  /** Light meter readings as base64 of little-endian f32. */
-  measure(request: Pick<RenderRequest, 'view' | 'settings'>): Promise<Record<keyof LightMeterReadings, string>>;
+  render(request: PictureRequest): Promise<RenderReply>;
+  /** Base64 of the gauge's numbers, little-endian f32. */
+  measure(request: Pick<PictureRequest, 'view' | 'settings'>): Promise<Record<keyof LightMeterReadings, string>>;
 }
 
 interface OpenRequest {
@@ -43,16 +47,6 @@ interface StartReply {
   readonly largest: number;
 }
 
-interface RenderRequest {
-  readonly view: ViewPoint;
-  readonly settings: RenderSettings;
-  /** n × n samples per pixel. */
-  readonly samples: number;
-  /** Whether the display picture is wanted. */
-  readonly pixels: boolean;
-  readonly aovs: readonly AovName[];
-}
-
 interface RenderReply {
   /** Base64 of RGBA8, sRGB, rows from the top; empty if not requested. */
   readonly pixels: string;
@@ -66,12 +60,18 @@ declare global {
   }
 }
 
-let renderer: SceneRenderer | undefined;
+let renderer: InteractiveRenderer | undefined;
+
+/** Each call from outside begins a new frame by itself. */
+const pictures = (opened: InteractiveRenderer) =>
+  picturesOf(opened, { nextFrame: async () => {}, isShared: false, guard: (work) => work, assertHealthy: () => {} });
 
 window.slowlight = {
-  async start() {
+  async start(id) {
     renderer?.dispose();
-    renderer = await SceneRenderer.create({ canvas: newCanvas(), backend: 'webgl' });
+    const pipeline = pipelineNamed(id);
+    renderer = await pipeline.openInteractive?.({ canvas: newCanvas(), backend: 'webgl' });
+    if (!renderer) throw new Error(`pipeline ${id} draws no frames`);
     return { adapterName: adapterName(), largest: renderer.info.maxTextureSize };
   },
 
@@ -83,19 +83,17 @@ window.slowlight = {
     await renderer.setScene(scene, others);
   },
 
-  async render({ view, settings, samples, pixels: wanted, aovs }) {
+  async render(request) {
     if (!renderer) throw new Error('open a scene first');
-    renderer.render(view, settings, samples);
-    const pixels = wanted ? await base64(await renderer.readPixels()) : '';
+    const { pixels, aovs } = await pictures(renderer).render(request);
     const read: Partial<Record<AovName, string>> = {};
-    for (const name of aovs) read[name] = await base64(await renderer.readAov(name));
-    return { pixels, aovs: read };
+    for (const [name, data] of aovs) read[name] = await base64(data);
+    return { pixels: request.pixels ? await base64(pixels) : '', aovs: read };
   },
 
   async measure({ view, settings }) {
     if (!renderer) throw new Error('open a scene first');
-    renderer.render(view, settings);
-    const { luminance, doppler, time } = await renderer.measureLight();
+    const { luminance, doppler, time } = await pictures(renderer).measureLight(view, settings);
     return { luminance: await base64(luminance), doppler: await base64(doppler), time: await base64(time) };
   },
 };

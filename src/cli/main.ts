@@ -1,5 +1,6 @@
 import { readFileSync } from 'node:fs';
 import { Command, CommanderError } from 'commander';
+import { PipelineRefusal } from '../pipelines/pipeline.ts';
 import { InputError } from '../scene/types.ts';
 import { compareCommand } from './compare/compareCommand.ts';
 import { convertCommand } from './convert/convertCommand.ts';
@@ -69,6 +70,7 @@ function report(error: unknown): number {
   if (stopped !== undefined) return stopped;
   if (error instanceof CommanderError) return error.exitCode === 0 ? EXIT.ok : EXIT.usage;
   if (error instanceof CliError) return complain(error.message, error.exitCode);
+  if (error instanceof PipelineRefusal) return complain(error.message, EXIT.usage);
   if (error instanceof InputError) return complain(error.message, EXIT.input);
   const stack = error instanceof Error ? (error.stack ?? error.message) : String(error);
   return complain(`this is a fault of Slowlight's own, please report it:\n${stack}`, EXIT.internal);

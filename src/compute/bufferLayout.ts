@@ -33,7 +33,7 @@ export function packBodies(
 
 export function packObstacles({ obstacles }: ForceRows): Float32Array<ArrayBuffer> {
   const all = new Float32Array(WORDS.obstacle * Math.max(1, obstacles.length));
-  obstacles.forEach(({ middle, orientation, half = [-1, -1, -1] }, i) => {
+  obstacles.forEach(({ center: middle, orientation, halfExtents: half = [-1, -1, -1] }, i) => {
     const rounded = middle.map(Math.fround);
     const rest = middle.map((value, k) => value - rounded[k]);
     all.set([...rounded, 0, ...rest, 0, ...orientation, ...half, 0], WORDS.obstacle * i);
@@ -41,7 +41,7 @@ export function packObstacles({ obstacles }: ForceRows): Float32Array<ArrayBuffe
   return all;
 }
 
-/** `way`: maximum travel of each point [m]. */
+/** `maxTravel`: maximum travel of each point [m]. */
 export function packWorld(
   { c, magneticField = ZERO }: System,
   { pointOfRow, longRowCount, near }: ForceRows,

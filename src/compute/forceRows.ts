@@ -32,12 +32,12 @@ export const WORDS_PER_LINK = 4;
 const LONG_ROW = 64;
 
 /** Throws a SystemError for forces that the GPU does not support. */
-export function forceRowsOf({ forces, masses, pinned, led = [] }: System): ForceRows {
-  if (led.length > 0) throw new SystemError('what goes a way of its own is not led by the GPU');
+export function forceRowsOf({ forces, masses, pinned, kinematic: led = [] }: System): ForceRows {
+  if (led.length > 0) throw new SystemError('objects with prescribed motion are not supported on the GPU');
   const all = forces.map((force) => force.data);
   const plain = [...all.filter(({ kind }) => kind === 'spring'), ...all.filter(({ kind }) => kind !== 'spring')];
   const nears = plain.filter(({ kind }) => kind === 'near');
-  if (nears.length > 1) throw new SystemError('points touch each other by several laws; the GPU knows of one');
+  if (nears.length > 1) throw new SystemError('points have several contact laws; the GPU supports one');
   const barriers = plain.filter(({ kind }) => kind === 'barrier') as BarrierData[];
   const obstacles = [...new Set(barriers.map(({ obstacle }) => obstacle))];
   const tell = (of: LinkVisitor): void =>

@@ -33,9 +33,14 @@ export class GpuIntegrator {
   private readonly neighbors: NeighborList | undefined;
 
   /** `shares`: fractions of the method; `h`: step size [s]. Throws a SystemError for what a GPU cannot compute. */
-  static async create(device: GPUDevice, system: System, shares: readonly number[], h: number): Promise<GpuIntegrator> {
+  static async create(
+    device: GPUDevice,
+    system: System,
+    fractions: readonly number[],
+    h: number,
+  ): Promise<GpuIntegrator> {
     const links = forceRowsOf(system);
-    const stages = splittingStagesOf(shares, h, system.drag);
+    const stages = splittingStagesOf(fractions, h, system.drag);
     const { begin, within, between, end } = stages;
     const passes = await IntegratorPasses.create(device, system, links, [begin, ...within, between, end]);
     return new GpuIntegrator(system, links, stages, passes, h);

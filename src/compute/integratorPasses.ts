@@ -66,8 +66,8 @@ export class IntegratorPasses {
   }
 
   /** Sets the maximum travel of points from their origins [m]. */
-  setMaxTravel(way: number): void {
-    this.device.queue.writeBuffer(this.buffers.world, 0, packWorld(this.system, this.links, way));
+  setMaxTravel(maxTravel: number): void {
+    this.device.queue.writeBuffer(this.buffers.world, 0, packWorld(this.system, this.links, maxTravel));
   }
 
   /** Runs passes from origins and changes; `sequence`: stage index of each. */
@@ -103,9 +103,9 @@ export class IntegratorPasses {
     for (const each of [...Object.values(this.buffers).flat(), this.near]) each.destroy();
   }
 
-  private dispatch(pass: GPUComputePassEncoder, stage: number, way: GPUBindGroup): void {
+  private dispatch(pass: GPUComputePassEncoder, stage: number, maxTravel: GPUBindGroup): void {
     const { pointOfRow, longRowCount } = this.links;
-    pass.setBindGroup(0, way, [stage * STAGE_BYTES]);
+    pass.setBindGroup(0, maxTravel, [stage * STAGE_BYTES]);
     if (pointOfRow.length > longRowCount) {
       pass.setPipeline(this.kernels.short);
       pass.dispatchWorkgroups(Math.ceil((pointOfRow.length - longRowCount) / WORKGROUP_SIZE));

@@ -9,14 +9,13 @@ import { GpuIntegrator } from './gpuIntegrator.ts';
  */
 export async function* runOnGpu(
   device: GPUDevice,
-  order: RunOptions,
+  options: RunOptions,
 ): AsyncGenerator<SimulationFrame, EarlyStop | undefined> {
-  const { system, method, tolerance, start } = order;
+  const { system, method, tolerance, start } = options;
   if (!method.coefficients)
     throw new SystemError(`${method.id} is not computed on the GPU; leapfrog and Yoshida's methods are`);
-  if (tolerance !== undefined)
-    throw new SystemError('steps that follow their error are not taken on the GPU; let them be alike');
-  const course = new FrameBuilder(order);
+  if (tolerance !== undefined) throw new SystemError('adaptive steps are not supported on the GPU; use fixed steps');
+  const course = new FrameBuilder(options);
   const { h, perFrame } = course.steps;
   const machine = await withErrorScopes(device, () => GpuIntegrator.create(device, system, method.coefficients!, h));
   try {

@@ -10,20 +10,20 @@ export const SPLITTING_WGSL = /* wgsl */ `
 struct World {
   // Unit direction of the magnetic field, and its strength [T].
   field: vec3f, strength: f32,
-  // 1/c² [s²/m²]; points, and how many of them have short rows; whether points touch.
+  // 1/c² [s²/m²]; number of points and of short rows; whether there are contacts between nearby points.
   perSquare: f32, points: u32, short: u32, touching: u32,
-  // Of touch [N/m], [m]; how far each point may go, squared [m²].
+  // Contact stiffness [N/m] and distance [m]; maximum travel of a point, squared [m²].
   touchStrength: f32, touchReach: f32, touchWay: f32,
 }
 struct Stage { kick: f32, drift: f32, damp: f32, after: f32, before: f32 }
-// Constant force [N], mass [kg], charge [C]; where the springs of its row begin, where other links do, and where they end; whether it is held.
+// Constant force [N], mass [kg], charge [C]; start of the row's springs, start of its other links, end of the row; whether it is pinned.
 struct Body { pull: vec3f, mass: f32, charge: f32, springs: u32, others: u32, end: u32, held: u32 }
-// Place [m] and momentum [kg m/s] as they came.
+// Position [m] and momentum [kg m/s] at the start of the batch.
 struct Origin { place: vec3f, momentum: vec3f }
-// What they have changed by.
+// Changes since.
 struct Change { way: vec3f, impulse: vec3f }
 struct Link { other: u32, law: u32, strength: f32, length: f32 }
-// In its own frame a plane looks along z. 'rest': what rounding took from 'middle'. 'turn': from its frame to the world. 'half': of a box, its sizes; below 0 of a plane.
+// A plane's normal is z in its own frame. 'rest': rounding error of 'middle'. 'turn': rotation from its frame to the world. 'half': half sizes of a box; negative for a plane.
 struct Obstacle { middle: vec3f, rest: vec3f, turn: vec4f, half: vec3f }
 
 @group(0) @binding(0) var<uniform> world: World;
@@ -35,7 +35,7 @@ struct Obstacle { middle: vec3f, rest: vec3f, turn: vec4f, half: vec3f }
 @group(0) @binding(6) var<storage, read> near: array<u32>;
 @group(0) @binding(7) var<storage, read> here: array<Change>;
 @group(0) @binding(8) var<storage, read_write> next: array<Change>;
-// The least place that went through what is solid, and whether a point went too far for those that are near to be known.
+// Lowest index of a point that passed through a solid, and whether a point travelled beyond the validity of the neighbour list.
 @group(0) @binding(9) var<storage, read_write> marks: array<atomic<u32>, 2>;
 
 fn momentum(i: u32) -> vec3f { return origins[i].momentum + here[i].impulse; }
@@ -53,14 +53,14 @@ fn apart(i: u32, j: u32) -> vec3f {
 
 fn mark(i: u32) { atomicMin(&marks[0], i); }
 
-// −k(r − L) of a spring along the line between its ends; a penalty only pushes.
+// −k(r − L) of a spring along the line between its ends; a penalty only repels.
 fn spring(d: vec3f, strength: f32, length0: f32, pushes: bool) -> vec3f {
   let r = length(d);
   if (r == 0.0 || (pushes && r >= length0)) { return vec3f(0.0); }
   return (-strength * (r - length0) / r) * d;
 }
 
-// Nearer than half of where they touch, or from before to behind the middle since the pass before.
+// Marks pairs nearer than half their contact distance, or that passed each other since the previous pass.
 fn refusePierced(i: u32, j: u32, d: vec3f, touch: f32) {
   let v = velocity(momentum(i), bodies[i].mass) - velocity(momentum(j), bodies[j].mass);
   let way = stage.before * v;
@@ -74,7 +74,7 @@ fn rotate(q: vec4f, v: vec3f) -> vec3f {
   return v + q.w * t + cross(q.xyz, t);
 }
 
-// How far outside, and the way out, in the obstacle's frame.
+// Signed distance and outward normal, in the obstacle's frame.
 fn outOf(half: vec3f, at: vec3f) -> vec4f {
   if (half.x < 0.0) { return vec4f(0.0, 0.0, 1.0, at.z); }
   let over = abs(at) - half;
@@ -87,7 +87,7 @@ fn outOf(half: vec3f, at: vec3f) -> vec4f {
   return vec4f(0.0, 0.0, side.z, over.z);
 }
 
-// Whether a straight way leads through the inside of a box.
+// Whether a straight path passes through a box.
 fn leadsThrough(half: vec3f, from0: vec3f, to: vec3f) -> bool {
   let way = to - from0;
   var enter = 0.0;
@@ -143,7 +143,7 @@ fn touched(i: u32) -> vec3f {
   return force;
 }
 
-// sin and cos to 32 bits: WGSL's own need only be right to 2⁻¹¹. By the nearest multiple of π/2, and polynomials of what is left (Moshier, Cephes, sinf.c).
+// sin and cos to 32 bits: WGSL only guarantees 2⁻¹¹. Reduction to the nearest multiple of π/2, then polynomials (Moshier, Cephes, sinf.c).
 fn sinCos(angle: f32) -> vec2f {
   let quarters = round(angle * 0.63661977);
   let x = ((angle - quarters * 1.5703125) - quarters * 4.837512969970703e-4) - quarters * 7.54978995489188e-8;
@@ -158,7 +158,7 @@ fn sinCos(angle: f32) -> vec2f {
   }
 }
 
-// dp/dt = q p × B/γm turns p about −B by q|B|h/γm.
+// dp/dt = q p × B/γm rotates p about −B by q|B|h/γm.
 fn turned(p: vec3f, body: Body, h: f32) -> vec3f {
   let u = p / body.mass;
   let angle = -body.charge * world.strength * h / (body.mass * sqrt(1.0 + dot(u, u) * world.perSquare));

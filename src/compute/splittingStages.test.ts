@@ -7,8 +7,8 @@ import { makeSystem, momenta } from '../dynamics/system.ts';
 import { type SplittingStage, splittingStagesOf } from './splittingStages.ts';
 
 const SPLITTINGS = ['leapfrog', 'yoshida-4', 'yoshida-6', 'yoshida-8'];
-const rowOf = (shares: readonly number[], h: number, drag: number, steps: number): SplittingStage[] => {
-  const { begin, within, between, end } = splittingStagesOf(shares, h, drag);
+const rowOf = (fractions: readonly number[], h: number, drag: number, steps: number): SplittingStage[] => {
+  const { begin, within, between, end } = splittingStagesOf(fractions, h, drag);
   const each = Array.from({ length: steps }, () => [...within, between]).flat();
   return [begin, ...each.slice(0, -1), end];
 };
@@ -27,7 +27,7 @@ function passed(row: readonly SplittingStage[], from: readonly [x: number, p: nu
 }
 
 describe.each(SPLITTINGS)('the passes of %s', (id) => {
-  const { coefficients: shares } = METHODS.get(id)!;
+  const { coefficients: fractions } = METHODS.get(id)!;
 
   it('are its steps, with the air before and after each', () => {
     const [k, c] = [3, 2];
@@ -45,7 +45,7 @@ describe.each(SPLITTINGS)('the passes of %s', (id) => {
           const begun = [x, state.p[0]] as const;
           const mover = new Integrator(system, METHODS.get(id)!);
           for (let i = 0; i < steps; i++) mover.step(state, 0.1);
-          const [at, p] = passed(rowOf(shares!, 0.1, drag, steps), begun, k, c);
+          const [at, p] = passed(rowOf(fractions!, 0.1, drag, steps), begun, k, c);
           expect(at).toBeCloseTo(state.x[0], 12);
           expect(p).toBeCloseTo(state.p[0], 12);
         },
@@ -54,7 +54,7 @@ describe.each(SPLITTINGS)('the passes of %s', (id) => {
   });
 
   it('know how far things went on since the pass before', () => {
-    const row = rowOf(shares!, 0.1, 0, 3);
+    const row = rowOf(fractions!, 0.1, 0, 3);
     row.slice(1).forEach(({ before }, i) => {
       const { drift, after } = row[i];
       // The first pass of a batch counts the last drift of the batch before.

@@ -24,18 +24,18 @@ export interface SplittingStages {
   readonly end: SplittingStage;
 }
 
-export function splittingStagesOf(shares: readonly number[], h: number, drag: number): SplittingStages {
-  const last = shares.length - 1;
-  const half = (k: number | undefined): number => (k === undefined ? 0 : (shares[k] * h) / 2);
+export function splittingStagesOf(fractions: readonly number[], h: number, drag: number): SplittingStages {
+  const last = fractions.length - 1;
+  const half = (k: number | undefined): number => (k === undefined ? 0 : (fractions[k] * h) / 2);
   const damp = (time: number): number => -Math.expm1(-drag * time);
   /** The k-th kick, and what follows until the next. */
   const pass = (k: number, next?: number): SplittingStage => ({
-    ...{ kick: shares[k] * h, drift: half(k), damp: damp(half(k) + half(next)), after: half(next) },
+    ...{ kick: fractions[k] * h, drift: half(k), damp: damp(half(k) + half(next)), after: half(next) },
     before: half(k === 0 ? last : k - 1) + half(k),
   });
   return {
     begin: { kick: 0, drift: 0, damp: damp(half(0)), after: half(0), before: 0 },
-    within: shares.slice(1).map((_, k) => pass(k, k + 1)),
+    within: fractions.slice(1).map((_, k) => pass(k, k + 1)),
     between: pass(last, 0),
     end: pass(last),
   };

@@ -8,10 +8,10 @@ export class Integrator {
   private readonly system: System;
   private readonly stepper: Stepper;
   /** Fractions of a step, each with drag before and after it. */
-  private readonly shares: readonly number[];
+  private readonly fractions: readonly number[];
   private readonly before: Float64Array;
   /** Momenta of kinematic points. */
-  private readonly ways: Float64Array;
+  private readonly kinematicMomenta: Float64Array;
 
   constructor(system: System, method: IntegrationMethod) {
     this.system = system;
@@ -19,9 +19,9 @@ export class Integrator {
     // second order.
     const row = system.drag > 0 ? method.coefficients : undefined;
     this.stepper = (row ? leapfrog : method).begin(system);
-    this.shares = row ?? [1];
+    this.fractions = row ?? [1];
     this.before = new Float64Array(3 * system.masses.length);
-    this.ways = new Float64Array(3 * (system.led?.length ?? 0));
+    this.kinematicMomenta = new Float64Array(3 * (system.kinematic?.length ?? 0));
   }
 
   /**
@@ -33,10 +33,10 @@ export class Integrator {
     this.before.set(state.x);
     const end = state.t + h;
     this.moveKinematic(state, end);
-    for (const share of this.shares) {
-      applyDrag(state, pinned, (share * drag * h) / 2);
-      this.stepper.step(state, share * h);
-      applyDrag(state, pinned, (share * drag * h) / 2);
+    for (const fraction of this.fractions) {
+      applyDrag(state, pinned, (fraction * drag * h) / 2);
+      this.stepper.step(state, fraction * h);
+      applyDrag(state, pinned, (fraction * drag * h) / 2);
     }
     state.t = end;
     this.placeKinematic(state, end);
@@ -45,23 +45,23 @@ export class Integrator {
 
   /** Kinematic points move uniformly to their position at the end of the step. */
   private moveKinematic({ t, x, p }: State, end: number): void {
-    const { led = [], c, masses } = this.system;
-    led.forEach(({ point, positionAt: place }, i) => {
-      const v = scale(sub(place(end), pointAt(x, point)), 1 / (end - t));
+    const { kinematic = [], c, masses } = this.system;
+    kinematic.forEach(({ point, positionAt }, i) => {
+      const v = scale(sub(positionAt(end), pointAt(x, point)), 1 / (end - t));
       if (!(dot(v, v) / (c * c) < 1)) {
-        const message = `${pointName(point)} is led at ${length(v).toPrecision(4)} m/s, not below c = ${c} m/s; lead it slower`;
+        const message = `${pointName(point)} is moved at ${length(v).toPrecision(4)} m/s, not below c = ${c} m/s; move it slower`;
         throw new StepFailure('light', message, point);
       }
-      this.ways.set(momentum(masses[point], v, c), 3 * i);
-      p.set(this.ways.subarray(3 * i, 3 * i + 3), 3 * point);
+      this.kinematicMomenta.set(momentum(masses[point], v, c), 3 * i);
+      p.set(this.kinematicMomenta.subarray(3 * i, 3 * i + 3), 3 * point);
     });
   }
 
   /** Sets their exact positions, and momenta from the displacement. */
   private placeKinematic({ x, p }: State, end: number): void {
-    this.system.led?.forEach(({ point, positionAt: place }, i) => {
-      x.set(place(end), 3 * point);
-      p.set(this.ways.subarray(3 * i, 3 * i + 3), 3 * point);
+    this.system.kinematic?.forEach(({ point, positionAt }, i) => {
+      x.set(positionAt(end), 3 * point);
+      p.set(this.kinematicMomenta.subarray(3 * i, 3 * i + 3), 3 * point);
     });
   }
 
@@ -75,17 +75,17 @@ export class Integrator {
 }
 
 /** `where`: description of a position [m]. */
-export function tunnelingFailure(point: number, where: string, place: Vec3): StepFailure {
-  const at = place.map((value) => value.toPrecision(4)).join(', ');
+export function tunnelingFailure(point: number, where: string, positionAt: Vec3): StepFailure {
+  const at = positionAt.map((value) => value.toPrecision(4)).join(', ');
   const message = `${pointName(point)} went through what is solid, ${where} (${at}) m; take a smaller step, a harder penalty, or let it go slower`;
   return new StepFailure('pierced', message, point);
 }
 
 /** Damps all points except pinned ones. */
-function applyDrag({ p }: State, pinned: Uint8Array, much: number): void {
-  if (much === 0) return;
-  const share = Math.exp(-much);
-  for (let i = 0; i < pinned.length; i++) if (!pinned[i]) for (let j = 3 * i; j < 3 * i + 3; j++) p[j] *= share;
+function applyDrag({ p }: State, pinned: Uint8Array, exponent: number): void {
+  if (exponent === 0) return;
+  const fraction = Math.exp(-exponent);
+  for (let i = 0; i < pinned.length; i++) if (!pinned[i]) for (let j = 3 * i; j < 3 * i + 3; j++) p[j] *= fraction;
 }
 
 /** Throws a StepFailure if a value is not finite. */
@@ -93,5 +93,5 @@ export function assertFinite({ x, p }: State): void {
   const odd = x.findIndex((value, j) => !Number.isFinite(value) || !Number.isFinite(p[j]));
   if (odd < 0) return;
   const point = Math.floor(odd / 3);
-  throw new StepFailure('infinite', `${pointName(point)} has no place any more; take a smaller step`, point);
+  throw new StepFailure('infinite', `${pointName(point)} has no finite position any more; take a smaller step`, point);
 }

@@ -29,7 +29,7 @@ const coming = (speed: number, forces: System['forces']): System =>
   makeSystem({
     masses: Float64Array.of(1, 5),
     pinned: Uint8Array.of(0, 1),
-    led: [{ point: 1, positionAt: (t) => [-1 + speed * t, 0, 0] }],
+    kinematic: [{ point: 1, positionAt: (t) => [-1 + speed * t, 0, 0] }],
     c: 10,
     forces,
   });
@@ -71,7 +71,7 @@ const sweeping = (omega: number, forces: System['forces'], arm: Vec3): System =>
   return makeSystem({
     masses: Float64Array.of(1, 1, 1, 1),
     pinned: Uint8Array.of(0, 1, 1, 1),
-    led: [
+    kinematic: [
       { point: 1, positionAt: turned(arm[0], arm[1]) },
       { point: 2, positionAt: turned(arm[0] + 1, arm[1]) },
       { point: 3, positionAt: turned(arm[0], arm[1] + 1) },
@@ -98,7 +98,7 @@ describe.each(OURS)('what turns, by %s,', (id) => {
       1,
       0,
       0,
-      ...[1, 2, 3].flatMap((point) => system.led!.find((led) => led.point === point)!.positionAt(0)),
+      ...[1, 2, 3].flatMap((point) => system.kinematic!.find((kinematic) => kinematic.point === point)!.positionAt(0)),
     ];
     const { frames, stop, last } = ranBy(id, system, start, { step: 1e-5, duration: 0.08, every: 0.01 });
     expect(stop).toBeUndefined();
@@ -122,7 +122,7 @@ const towed = (place: (t: number) => Vec3): System =>
   makeSystem({
     masses: Float64Array.of(1, 1),
     pinned: Uint8Array.of(0, 1),
-    led: [{ point: 1, positionAt: place }],
+    kinematic: [{ point: 1, positionAt: place }],
     forces: [springForce({ ends: Uint32Array.of(0, 1), stiffness: Float64Array.of(40), lengths: Float64Array.of(0) })],
   });
 const OMEGA = Math.sqrt(40);
@@ -159,5 +159,5 @@ it('a run that leads goes on from any frame as if it had never stopped', () => {
 it('what is led faster than light ends the run, and is named', () => {
   const { frames, stop } = ranBy('leapfrog', coming(11, []), [0, 0, 0, -1, 0, 0], {});
   expect(frames).toHaveLength(1);
-  expect(stop).toMatchObject({ reason: 'light', point: 1, message: expect.stringContaining('led at 11.00 m/s') });
+  expect(stop).toMatchObject({ reason: 'light', point: 1, message: expect.stringContaining('moved at 11.00 m/s') });
 });

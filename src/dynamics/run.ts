@@ -73,10 +73,10 @@ export interface StepSchedule {
 }
 
 /** Step size and count for a run's options. */
-export function stepSchedule(order: RunOptions): StepSchedule {
-  const { system, method, every } = order;
+export function stepSchedule(options: RunOptions): StepSchedule {
+  const { system, method, every } = options;
   const omega = maxAngularFrequency(system);
-  const perFrame = Math.max(1, Math.ceil(every / maxStepLength(order, omega) - 1e-9));
+  const perFrame = Math.max(1, Math.ceil(every / maxStepLength(options, omega) - 1e-9));
   const h = every / perFrame;
   return { h, perFrame, stable: !method.conditionallyStable || h * omega < 2 };
 }
@@ -92,10 +92,10 @@ function maxStepLength({ method, every, step, tolerance }: RunOptions, omega: nu
  * Runs a system frame by frame, starting with the initial state. Returns the reason if it ended early; the last yielded
  * frame is valid. A generator, so that the caller can cancel, and resume from any frame's state.
  */
-export function* integrate(order: RunOptions): Generator<SimulationFrame, EarlyStop | undefined> {
-  const course = new FrameBuilder(order);
-  const advance = advancer(order, course.steps);
-  const state = copyState(order.start);
+export function* integrate(options: RunOptions): Generator<SimulationFrame, EarlyStop | undefined> {
+  const course = new FrameBuilder(options);
+  const advance = advancer(options, course.steps);
+  const state = copyState(options.start);
   yield course.start();
   while (!course.isDone) {
     let frame: SimulationFrame;
@@ -118,13 +118,13 @@ export class FrameBuilder {
   private frame = 0;
   private taken = 0;
 
-  constructor(order: RunOptions) {
-    this.order = order;
-    this.steps = stepSchedule(order);
-    this.frames = Math.round(order.duration / order.every);
+  constructor(options: RunOptions) {
+    this.order = options;
+    this.steps = stepSchedule(options);
+    this.frames = Math.round(options.duration / options.every);
     const all = this.frames * this.steps.perFrame;
     if (!(all <= MAX_STEPS)) throw new RangeError(`${all} steps are too many`);
-    this.first = conservedQuantities(order.system, order.start);
+    this.first = conservedQuantities(options.system, options.start);
   }
 
   get isDone(): boolean {
@@ -135,15 +135,15 @@ export class FrameBuilder {
 
   /** The next frame, from a state that took so many steps. Throws a StepFailure if the state is not plausible. */
   next(state: State, steps: number): SimulationFrame {
-    const { order, first } = this;
+    const { order: options, first } = this;
     assertFinite(state);
-    const now = conservedQuantities(order.system, state);
-    assertEnergyBounded(order, this.steps, first, now);
+    const now = conservedQuantities(options.system, state);
+    assertEnergyBounded(options, this.steps, first, now);
     this.taken += steps;
     this.frame++;
     // Recomputed, since sums of many steps accumulate rounding errors.
-    const { t, frames } = order.since ?? { t: order.start.t, frames: 0 };
-    state.t = t + (frames + this.frame) * order.every;
+    const { t, frames } = options.since ?? { t: options.start.t, frames: 0 };
+    state.t = t + (frames + this.frame) * options.every;
     return { state: copyState(state), quantities: now, steps: this.taken };
   }
 }
@@ -156,8 +156,8 @@ export function earlyStopFor(error: unknown, t: number): EarlyStop {
 }
 
 /** Returns a function that advances a state by one frame and returns the number of steps. */
-function advancer(order: RunOptions, { h, perFrame }: StepSchedule): (state: State) => number {
-  const { system, method, every, tolerance } = order;
+function advancer(options: RunOptions, { h, perFrame }: StepSchedule): (state: State) => number {
+  const { system, method, every, tolerance } = options;
   const mover = new Integrator(system, method);
   if (tolerance !== undefined) {
     const adaptive = new AdaptiveSteps(mover, system, { order: method.order, tolerance, longest: h });
@@ -171,14 +171,14 @@ function advancer(order: RunOptions, { h, perFrame }: StepSchedule): (state: Sta
 
 /** Beyond the stability limit, growing energy ends the run. */
 function assertEnergyBounded(
-  order: RunOptions,
+  options: RunOptions,
   { h, stable }: StepSchedule,
   first: ConservedQuantities,
   now: ConservedQuantities,
 ): void {
   if (stable || now.total - first.total <= MAX_ENERGY_GAIN * now.kinetic) return;
-  const bound = (2 / maxAngularFrequency(order.system)).toPrecision(3);
+  const bound = (2 / maxAngularFrequency(options.system)).toPrecision(3);
   const gain = (now.total - first.total).toPrecision(3);
-  const message = `the energy has grown by ${gain} J: steps of ${h.toPrecision(3)} s are longer than ${order.method.id} can take here, ${bound} s; take shorter ones`;
+  const message = `the energy has grown by ${gain} J: steps of ${h.toPrecision(3)} s are longer than ${options.method.id} can take here, ${bound} s; take shorter ones`;
   throw new StepFailure('unstable', message);
 }

@@ -31,19 +31,24 @@ function kept(order: RunOptions): RunRecord {
 
 describe('the books of a run', () => {
   it('tell of each frame what mechanics says of it', () => {
-    const books = kept(thrown());
-    expect([books.method, books.speedOfLight, books.step, books.pace]).toEqual(['discrete-gradient', 5, 0.01, 0.25]);
-    expect([...books.times]).toEqual([0.5, 0.75, 1, 1.25, 1.5]);
-    expect([...books.steps]).toEqual([0, 25, 50, 75, 100]);
+    const record = kept(thrown());
+    expect([record.method, record.speedOfLight, record.step, record.pace]).toEqual([
+      'discrete-gradient',
+      5,
+      0.01,
+      0.25,
+    ]);
+    expect([...record.times]).toEqual([0.5, 0.75, 1, 1.25, 1.5]);
+    expect([...record.steps]).toEqual([0, 25, 50, 75, 100]);
     // (γ − 1) m c² = 0.25 · 2 · 25; ½k(r − L)² = 4; p = γmv = 7.5 along y at the origin.
-    expect([books.kinetic[0], books.potential[0], books.fastest[0]]).toEqual([12.5, 4, expect.closeTo(3, 12)]);
-    expect([...books.momentum.subarray(0, 3)]).toEqual([0, 7.5, 0]);
+    expect([record.kinetic[0], record.potential[0], record.fastest[0]]).toEqual([12.5, 4, expect.closeTo(3, 12)]);
+    expect([...record.momentum.subarray(0, 3)]).toEqual([0, 7.5, 0]);
     for (let i = 0; i < 5; i++) {
-      expect(books.total[i]).toBeCloseTo(16.5, 11);
-      expect(books.momentum[3 * i + 1]).toBeCloseTo(7.5, 11);
-      expect(books.angularMomentum[3 * i + 2]).toBeCloseTo(0, 11);
+      expect(record.total[i]).toBeCloseTo(16.5, 11);
+      expect(record.momentum[3 * i + 1]).toBeCloseTo(7.5, 11);
+      expect(record.angularMomentum[3 * i + 2]).toBeCloseTo(0, 11);
     }
-    expect(books.stop).toBeUndefined();
+    expect(record.stop).toBeUndefined();
   });
 
   it('end where the run does, and say why', () => {
@@ -59,17 +64,17 @@ describe('the books of a run', () => {
   });
 
   it('come to a drift, and tell when energy came from nowhere: above the lowest so far by half of what moves has', () => {
-    const books = kept(thrown());
+    const record = kept(thrown());
     const of = (total: number[], kinetic: number[], fastest = [0, 1, 2, 3, 3]) =>
       summarizeRun({
-        ...books,
+        ...record,
         ...{
           total: Float64Array.from(total),
           kinetic: Float64Array.from(kinetic),
           fastest: Float64Array.from(fastest),
         },
       });
-    expect(summarizeRun(books)).toEqual({ drift: expect.closeTo(0, 11), fastest: expect.closeTo(3, 6), until: 1.5 });
+    expect(summarizeRun(record)).toEqual({ drift: expect.closeTo(0, 11), fastest: expect.closeTo(3, 6), until: 1.5 });
     // Falls by 4, rises by 1.9 of 4, then by 2.1.
     expect(of([10, 6, 7.9, 8.1, 20], [0, 4, 4, 4, 9])).toEqual({ drift: 10 / 9, fastest: 3, until: 1.5, grown: 1.25 });
     expect(of([10, 6, 7.9, 7.9, 7.9], [0, 4, 4, 4, 4])).not.toHaveProperty('grown');
@@ -80,13 +85,13 @@ describe('the books of a run', () => {
   });
 
   it('are a table with units, which reads back to the same numbers', () => {
-    const books = kept(thrown());
-    const [head, ...rows] = runRecordCsv(books).trimEnd().split('\n');
+    const record = kept(thrown());
+    const [head, ...rows] = runRecordCsv(record).trimEnd().split('\n');
     expect(head.split(',').slice(0, 3)).toEqual(['time [s]', 'steps', 'kinetic energy [J]']);
     const numbers = rows.map((row) => row.split(',').map(Number));
     expect(numbers.every((row) => row.length === head.split(',').length)).toBe(true);
-    expect(numbers.map((row) => row[4])).toEqual([...books.total]);
-    expect(numbers.map((row) => row.at(-1))).toEqual([...books.fastest]);
-    expect(numbers.map((row) => row[6])).toEqual(Array.from({ length: 5 }, (_, i) => books.momentum[3 * i + 1]));
+    expect(numbers.map((row) => row[4])).toEqual([...record.total]);
+    expect(numbers.map((row) => row.at(-1))).toEqual([...record.fastest]);
+    expect(numbers.map((row) => row[6])).toEqual(Array.from({ length: 5 }, (_, i) => record.momentum[3 * i + 1]));
   });
 });

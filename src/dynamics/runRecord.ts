@@ -9,7 +9,7 @@ export interface RunRecord {
   /** Whether steps were taken on a GPU, in 32-bit floats. */
   readonly onGpu?: boolean;
   /** Whether there are kinematic points, which add and remove energy. */
-  readonly led?: boolean;
+  readonly hasKinematic?: boolean;
   /** [s]; 0 for adaptive steps. */
   readonly step: number;
   /** Interval of frames [s]. */
@@ -52,13 +52,13 @@ const MIN_SPEED = 1e-9;
 /** Relative rounding error of energies, including the 32-bit positions of a GPU. */
 const ENERGY_ROUNDING = 1e-6;
 
-export function summarizeRun({ total, kinetic, fastest, times, led }: RunRecord): RunSummary {
+export function summarizeRun({ total, kinetic, fastest, times, hasKinematic }: RunRecord): RunSummary {
   const top = maxMagnitude(fastest);
   const until = times.at(-1) ?? 0;
   const most = maxMagnitude(kinetic);
   if (top < MIN_SPEED || most === 0) return { drift: undefined, fastest: top, until };
   const drift = maxMagnitude(total.map((energy) => energy - total[0])) / most;
-  const frame = led ? -1 : firstGrowth(total, kinetic);
+  const frame = hasKinematic ? -1 : firstGrowth(total, kinetic);
   return { drift, fastest: top, until, ...(frame >= 0 && { grown: times[frame] }) };
 }
 
@@ -80,8 +80,8 @@ export class RunRecorder {
   private readonly order: RunOptions;
   private readonly rows: RunRecordRow[] = [];
 
-  constructor(order: RunOptions) {
-    this.order = order;
+  constructor(options: RunOptions) {
+    this.order = options;
   }
 
   addFrame({ state, quantities, steps }: SimulationFrame): void {
@@ -90,14 +90,14 @@ export class RunRecorder {
 
   /** The record so far. */
   record(stop?: EarlyStop): RunRecord {
-    const { rows, order } = this;
+    const { rows, order: options } = this;
     const column = (of: (row: RunRecordRow) => number): Float64Array => Float64Array.from(rows, of);
     return {
-      method: order.method.id,
-      speedOfLight: order.system.c,
-      ...(order.system.led && { led: true }),
-      step: order.tolerance === undefined ? stepSchedule(order).h : 0,
-      pace: order.every,
+      method: options.method.id,
+      speedOfLight: options.system.c,
+      ...(options.system.kinematic && { hasKinematic: true }),
+      step: options.tolerance === undefined ? stepSchedule(options).h : 0,
+      pace: options.every,
       times: column(({ t }) => t),
       steps: column(({ steps }) => steps),
       kinetic: column(({ kinetic }) => kinetic),
@@ -117,8 +117,8 @@ const CSV_HEADER =
   'time [s],steps,kinetic energy [J],potential energy [J],total energy [J],px [kg m/s],py [kg m/s],pz [kg m/s],Lx [kg m²/s],Ly [kg m²/s],Lz [kg m²/s],fastest [m/s]';
 
 /** The record as a CSV table: a header with units and a row per frame, in full precision. */
-export function runRecordCsv(books: RunRecord): string {
-  const { times, steps, kinetic, potential, total, momentum, angularMomentum, fastest } = books;
+export function runRecordCsv(record: RunRecord): string {
+  const { times, steps, kinetic, potential, total, momentum, angularMomentum, fastest } = record;
   const rows = Array.from(times, (t, i) => [
     t,
     steps[i],

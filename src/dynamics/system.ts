@@ -10,7 +10,7 @@ export interface System {
   /** 1 for points that are fixed or kinematic. */
   readonly pinned: Uint8Array;
   /** Prescribed motions of some of the pinned points. */
-  readonly led?: readonly KinematicPoint[];
+  readonly kinematic?: readonly KinematicPoint[];
   /** Potentials; the force is the sum of theirs. */
   readonly forces: readonly Force[];
   /** Charge of each point [C]; absent: none. */

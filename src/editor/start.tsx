@@ -15,6 +15,7 @@ import { startTranslation, useTexts } from './i18n/i18n.ts';
 import { readFont } from './loading/fonts.ts';
 import { LocalFiles } from './loading/localFiles.ts';
 import { fileReader, sceneReader } from './loading/sceneLoader.ts';
+import { renderStillInWorker } from './pipelines/renderStill.ts';
 import { Autosave } from './projects/autosave.ts';
 import { openStartupProject, pageAddress, type StartupRequest } from './projects/startup.ts';
 import { type EditorServices, ServicesProvider } from './services.tsx';
@@ -23,7 +24,6 @@ import { EditorProvider } from './state/context.tsx';
 import { createEditor } from './state/editor.ts';
 import { loadPreferences, prefersReducedMotion } from './state/preferences.ts';
 import { theme } from './theme.ts';
-import { traceInWorkers } from './tracing/traceInWorkers.ts';
 import { chooseBackend } from './viewport/chooseBackend.ts';
 import { legendStore } from './viewport/legend/legendState.ts';
 
@@ -49,7 +49,13 @@ export async function startEditor(root: Root, { backend: wanted, ...asked }: Sta
   const { project, view, problem, ...session } = await openStartupProject(asked, localFiles);
   const playing = view?.playing ?? !prefersReducedMotion();
   const studio = createEditor({
-    services: { readScene, readFont, readFile: fileReader(localFiles), trace: traceInWorkers, openGpu: openWebGpu },
+    services: {
+      readScene,
+      readFont,
+      readFile: fileReader(localFiles),
+      renderStill: renderStillInWorker,
+      openGpu: openWebGpu,
+    },
     project,
     playing,
   });

@@ -1,8 +1,8 @@
 import { formatOf, sceneFormats } from './registry.ts';
 
 /**
- * The scenes among files, the best first: the least deep, then of the kind that comes first in the registry (a scene rather
- * than a mesh that it may use), then by name. Hidden files are none.
+ * The scene files, best first: by depth, then by order of the registry (scenes before meshes they may use), then by
+ * name. Hidden files are excluded.
  */
 export function scenesIn(paths: readonly string[]): string[] {
   const depth = (path: string) => path.split('/').length;
@@ -11,6 +11,6 @@ export function scenesIn(paths: readonly string[]): string[] {
   return scenes.sort((a, b) => depth(a) - depth(b) || kind(a) - kind(b) || (a < b ? -1 : 1));
 }
 
-/** Which of the files is the scene. A single file is taken whatever it is, so that its reader can say what is wrong. */
+/** The file to open. A single file is returned whatever its type, so that its reader reports the error. */
 export const entryOf = (paths: readonly string[]): string | undefined =>
   paths.length === 1 ? paths[0] : scenesIn(paths)[0];

@@ -6,11 +6,11 @@ import type { ReadOptions } from './readOptions.ts';
 import { formatOf, sceneFormats } from './registry.ts';
 
 export interface OpenOptions extends ReadOptions {
-  /** Most bytes read for one scene, all its files together. */
+  /** Maximum total size of a scene's files [bytes]. */
   readonly maxBytes?: number;
 }
 
-/** 2 GiB: what one typed array holds everywhere. */
+/** 2 GiB: maximum typed array size on all platforms. */
 export const MAX_BYTES = 2 ** 31;
 
 /**
@@ -56,7 +56,7 @@ async function missingFile(files: FileSource, path: string): Promise<InputError>
   return inputError('file.missing', path, message);
 }
 
-/** The same files, each read once, with a bound on what is read of them together; what is only opened does not count. */
+/** Caches reads and limits their total size; files only opened do not count. */
 function boundedSource(files: FileSource, maxBytes: number): FileSource {
   const held = new Map<string, Promise<Uint8Array | undefined>>();
   let total = 0;

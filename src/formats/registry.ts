@@ -2,17 +2,17 @@ import type { Scene } from '../scene/types.ts';
 import { extensionOf, type FileSource } from './files/fileSource.ts';
 import type { ReadOptions } from './readOptions.ts';
 
-/** A kind of scene file. `read` loads its parser on first use, so that the page stays small. */
+/** A scene file format. `read` loads its parser lazily, to keep the page small. */
 export interface SceneFormat {
   readonly id: string;
-  /** As it is called in menus and messages. */
+  /** Display name. */
   readonly name: string;
   /** Lower case, without the dot. */
   readonly extensions: readonly string[];
   read(source: FileSource, entry: string, options: ReadOptions): Promise<Scene>;
 }
 
-/** Every kind of scene file that can be opened; those that may use others come before them. */
+/** All readable scene formats; those that can reference others come first. */
 export const sceneFormats: readonly SceneFormat[] = [
   {
     id: 'usd',
@@ -46,7 +46,7 @@ export const sceneFormats: readonly SceneFormat[] = [
   },
 ];
 
-/** The format of a path by its extension; undefined where none reads it. */
+/** The format by a path's extension; undefined if unsupported. */
 export function formatOf(path: string): SceneFormat | undefined {
   const extension = extensionOf(path);
   return sceneFormats.find((format) => format.extensions.includes(extension));

@@ -5,7 +5,7 @@ import { inputError } from './diagnostics/inputError.ts';
 import { extensionOf } from './files/fileSource.ts';
 import type { ExportedScene } from './write/exportMotion.ts';
 
-/** Kinds of scene file that are written, by extension. Each writer is loaded on first use. */
+/** Writers by extension, loaded lazily. */
 const writers: Readonly<Record<string, (scene: Scene, name: string) => Promise<ExportedScene>>> = {
   usda: async (scene, name) => {
     const { writeTextures, writeUsda } = await import('./usd/write/writeUsd.ts');
@@ -21,7 +21,7 @@ const writers: Readonly<Record<string, (scene: Scene, name: string) => Promise<E
   obj: async (scene, name) => (await import('./obj/write.ts')).writeObj(scene, name),
 };
 
-/** USD cannot say that points go along cubics; their velocities are written, from which we read them again. */
+/** USD has no cubic point interpolation; velocities are written, from which it is restored. */
 function cubicNotes(scene: Scene, name: string): readonly Diagnostic[] {
   const losses = new DiagnosticLog(name);
   for (const { path, motion } of scene.objects)
@@ -38,7 +38,7 @@ function cubicNotes(scene: Scene, name: string): readonly Diagnostic[] {
 /** Extensions that `saveScene` takes. */
 export const writtenExtensions: readonly string[] = Object.keys(writers);
 
-/** A scene as the kind of file that `name` (no folders) says. Throws an InputError where nothing writes that. */
+/** Saves a scene in the format of `name`'s extension (no folders). Throws an InputError if unsupported. */
 export async function saveScene(scene: Scene, name: string): Promise<ExportedScene> {
   const extension = extensionOf(name);
   if (writtenExtensions.includes(extension)) return writers[extension](scene, name);

@@ -46,11 +46,11 @@ import { mixColorNode } from './render/mixColor.ts';
 import { rasterizeNode } from './render/ordinaryRasterize.ts';
 import { outputNode } from './render/output.ts';
 import { postProcessNode } from './render/postProcess.ts';
-import { referenceRenderNode } from './render/referenceRender.ts';
 import { relativityRasterizeNode } from './render/relativityRasterize.ts';
 import { saveImageNode } from './render/saveImage.ts';
 import { saveVideoNode } from './render/saveVideo.ts';
 import { sceneCameraNode } from './render/sceneCamera.ts';
+import { stillNodes } from './render/still.ts';
 import { toneMapNode } from './render/toneMap.ts';
 import type { Services } from './services.ts';
 import { colorNode } from './utility/color.ts';
@@ -110,7 +110,7 @@ const types = [
   sceneCameraNode,
   relativityRasterizeNode,
   rasterizeNode,
-  referenceRenderNode,
+  ...stillNodes,
   deferredLightingNode,
   ambientOcclusionNode,
   postProcessNode,

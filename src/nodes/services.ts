@@ -4,7 +4,7 @@ import type { ReadOptions } from '../formats/readOptions.ts';
 import type { AbortSignalLike, ProgressCallback } from '../graph/nodeType.ts';
 import type { FastestInScene } from '../scene/motion/fastestInScene.ts';
 import type { Scene } from '../scene/types.ts';
-import type { ReferenceTrace } from './trace.ts';
+import type { RenderStill } from './still.ts';
 
 /**
  * A scene as read, with values that are costly to compute; these are computed where the file is read, off the main
@@ -32,8 +32,8 @@ export interface Services {
   readonly readFont: ReadFont;
   /** Reads a small file, such as a table; throws an `InputError` if it does not exist. */
   readFile(source: string): Promise<Uint8Array>;
-  /** Renders with the reference renderer. */
-  readonly trace: ReferenceTrace;
+  /** Renders stills with a pipeline. */
+  readonly renderStill: RenderStill;
   /** Opens a GPU for computing; throws a `SystemError` if there is none. */
   readonly openGpu: () => Promise<ComputeGpu>;
 }
@@ -44,6 +44,6 @@ export const workerServices: Services = {
   readScene: rejectReading,
   readFont: rejectReading,
   readFile: rejectReading,
-  trace: () => Promise.reject(new Error('a heavy node has no threads of its own')),
+  renderStill: () => Promise.reject(new Error('a heavy node has no threads of its own')),
   openGpu: openWebGpu,
 };

@@ -1,4 +1,5 @@
 import { FloatType, HalfFloatType, PerspectiveCamera, type RenderTarget, Scene, type Texture } from 'three/webgpu';
+import { isStatic } from '../scene/motion/motion.ts';
 import type { RenderSettings } from '../scene/view/view.ts';
 import { type ColorPipelines, colorVariantOf } from './color/colorPipelines.ts';
 import type { DrawCall } from './gbuffer/drawCall.ts';
@@ -153,7 +154,7 @@ export class DeferredPass {
   }
 }
 
-const isMoving = ({ bodies }: SceneUpload): boolean => bodies.some(({ object }) => object.motion.kind !== 'static');
+const isMoving = ({ bodies }: SceneUpload): boolean => bodies.some(({ object }) => !isStatic(object.motion));
 
 function setMaterial(drawable: DrawCall, key: string, make: () => DrawCall['mesh']['material']): void {
   const material = drawable.materials.get(key) ?? make();

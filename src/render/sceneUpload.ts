@@ -1,5 +1,6 @@
 import { BufferAttribute, BufferGeometry, type DataTexture, Scene as ThreeScene } from 'three/webgpu';
 import { sceneNightSky } from '../scene/lights/sceneLights.ts';
+import { deforms, pointSamples } from '../scene/motion/motion.ts';
 import type { ColorMode } from '../scene/settings/settings.ts';
 import { isStreamed } from '../scene/streaming/samplePoints.ts';
 import type { SampledPointsMotion, Scene, Texture } from '../scene/types.ts';
@@ -72,9 +73,10 @@ export class SceneUpload {
     const night = sceneNightSky(scene);
     this.stars = night && new StarPoints(night, uniforms, gpu.renderer.reversedDepthBuffer);
     this.objectWriter = new ObjectTableWriter({ objects: this.objects, samples: this.samples, points: this.points });
-    for (const { id, object } of this.bodies)
-      if (object.motion.kind === 'sampled-points')
-        this.points.set(id, this.pointStore(object.motion, object.mesh.normals, gpu, options));
+    for (const { id, object } of this.bodies) {
+      const samples = pointSamples(object.motion);
+      if (samples) this.points.set(id, this.pointStore(samples, object.mesh.normals, gpu, options));
+    }
     this.fillMaterials();
     const batches = makeBatches({ ...scene, objects: this.bodies.map((b) => b.object) }, this.bodies);
     this.fillInstances(batches);
@@ -145,7 +147,7 @@ export class SceneUpload {
   }
 
   private drawBatch(batch: Batch, uniforms: FrameUniforms): DrawCall {
-    const points = batch.kind === 'sampled-points' ? this.points.get(batch.bodies[0].id) : undefined;
+    const points = deforms(batch) ? this.points.get(batch.bodies[0].id) : undefined;
     const colored = batch.arrays.colors !== undefined;
     const instances = batch.instancing ? this.instances : undefined;
     return makeDrawCall(makeGeometry(batch.arrays), {

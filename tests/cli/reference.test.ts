@@ -162,10 +162,15 @@ test('Ctrl-C in the midst of the pictures ends them, without a word and without 
 });
 
 test('a thread that runs out of memory ends the picture with a word on what to do', async () => {
-  const built = fileURLToPath(new URL('../../dist/lib/cli/pipelines/tracerPool.js', import.meta.url));
-  const { tracerPool } = (await import(built)) as typeof import('../../src/cli/pipelines/tracerPool.ts');
+  const built = (path: string): string => fileURLToPath(new URL(`../../dist/lib/${path}`, import.meta.url));
+  const { nodeThreads } = (await import(
+    built('cli/pipelines/nodeThreads.js')
+  )) as typeof import('../../src/cli/pipelines/nodeThreads.ts');
+  const { openTracerPool } = (await import(
+    built('pipelines/referenceSession.js')
+  )) as typeof import('../../src/pipelines/referenceSession.ts');
   const limits = { maxOldGenerationSizeMb: 4, maxYoungGenerationSizeMb: 1 };
-  const pool = tracerPool(makeScene({ name: 'empty' }), 10, { threads: 2, limits });
+  const pool = openTracerPool(makeScene({ name: 'empty' }), 10, 2, nodeThreads(limits));
   const view: ViewPoint = { t: 0, position: [0, 0, 0], u: [0, 0, 0], orientation: [0, 0, 0, 1], fovY: 1 };
   const request: TileRequest = {
     view,

@@ -132,26 +132,20 @@ test('Ctrl-C ends it in the midst', async () => {
 }, 60_000);
 
 test('it tells how far it is, and is cancelled by whoever asked for it', async () => {
-  const built = new URL('../../dist/lib/cli/pipelines/traceOnThreads.js', import.meta.url).href;
-  const { traceOnThreads } = (await import(built)) as typeof import('../../src/cli/pipelines/traceOnThreads.ts');
+  const built = new URL('../../dist/lib/cli/pipelines/renderStill.js', import.meta.url).href;
+  const { renderStill } = (await import(built)) as typeof import('../../src/cli/pipelines/renderStill.ts');
   const view = { t: 0, position: [0, 0, 0], u: [0, 0, 0], orientation: [0, 0, 0, 1], fovY: 1 } as const;
-  const picture = {
-    view,
-    settings: DEFAULT_SETTINGS,
-    width: 40,
-    height: 20,
-    samples: 1,
-    seed: 0,
-    light: DEFAULT_LIGHT,
-  };
+  const scene = makeScene({ name: 'empty' });
+  const options = { seed: 0, ...DEFAULT_LIGHT };
+  const size = { width: 40, height: 20 };
+  const picture = { pipeline: 'reference', scene, view, settings: DEFAULT_SETTINGS, ...size, samples: 1, options };
   const parts: (number | undefined)[] = [];
-  const empty = makeScene({ name: 'empty' });
-  const pixels = await traceOnThreads(empty, picture, { progress: (part) => parts.push(part) });
+  const pixels = await renderStill(picture, { progress: (part) => parts.push(part) });
   expect(pixels.length).toBe(3 * 40 * 20);
   expect(parts).toEqual([1, 2, 3, 4, 5, 6].map((done) => done / 6));
   const abort = new AbortController();
   const large = { ...picture, width: 4096, height: 4096, samples: 16 };
   const work = { signal: abort.signal, progress: () => abort.abort() };
-  await expect(traceOnThreads(empty, large, work)).rejects.toMatchObject({ name: new CancelledError().name });
-  await expect(traceOnThreads(empty, picture, work)).rejects.toMatchObject({ name: 'CancelledError' });
+  await expect(renderStill(large, work)).rejects.toMatchObject({ name: new CancelledError().name });
+  await expect(renderStill(picture, work)).rejects.toMatchObject({ name: 'CancelledError' });
 });

@@ -40,7 +40,7 @@ it('a reference render tells on its node how far it is, is shown, stays while an
   const { page } = visit;
   const work = page.locator('.react-flow__node[data-id="truth"]').getByRole('progressbar');
   const samples = page.getByRole('textbox', { name: 'Samples' });
-  const tracers = () => page.workers().filter((worker) => worker.url().includes('/trace.worker'));
+  const tracers = () => page.workers().filter((worker) => worker.url().includes('/renderStill.worker'));
   const sample = async (n: string): Promise<void> => {
     await samples.fill(n);
     await samples.press('Enter');

@@ -90,7 +90,7 @@ it('the page that the command line drives tells how large its device draws, befo
       };
     });
   });
-  const started = await visit.page.evaluate(() => window.slowlight.start());
+  const started = await visit.page.evaluate(() => window.slowlight.start('raster'));
   expect(started.largest).toBe(4321);
   expect(started.adapterName).not.toBe('');
   await visit.close();

@@ -7,18 +7,18 @@ export type Files = Readonly<Record<string, string | Uint8Array>>;
 
 export type Example = Files | (() => Promise<Files>);
 
-/** Something that a file can hold, and what becomes of it: a claim, and an example that shows whether it is true. */
+/** A feature of a format and how it is read: a claim, and an example that tests it. */
 export interface FormatClaim {
   /** In Markdown. */
   readonly what: string;
   readonly becomes: string;
   readonly how: 'read' | 'approximated' | 'left out' | 'refused';
-  /** One example or several, of which all of this is true. */
+  /** One or several examples, all of which satisfy the claim. */
   readonly files: Example | readonly Example[];
   readonly options?: ReadOptions;
-  /** What is said of it; of what is read, a remark. */
+  /** Expected diagnostic. */
   readonly says?: DiagnosticCode;
-  /** What must be true of the scene. */
+  /** Assertions on the scene. */
   readonly check?: (scene: Scene) => void;
 }
 

@@ -8,7 +8,7 @@ import { PIXEL, WEBP } from './pictures.ts';
 
 const shown = (bytes: Uint8Array): Files => withMaterial('map_Kd a.png', { 'a.png': bytes });
 
-/** With another width in its header. */
+/** Changes the width in the header. */
 function wider(png: Uint8Array): Uint8Array {
   const out = png.slice();
   new DataView(out.buffer).setUint32(16, 2 ** 20);
@@ -17,7 +17,7 @@ function wider(png: Uint8Array): Uint8Array {
 
 const JPEG = new Uint8Array(encode({ width: 8, height: 8, data: new Uint8Array(256).fill(255) }, 90).data);
 
-/** The first bytes of pictures of other kinds. */
+/** Magic numbers of unsupported image formats. */
 const STRANGE = [
   WEBP,
   ...['    ftypavif    ', '\xabKTX 20\xbb', '\x76\x2f\x31\x01\x02', '#?RADIANCE\n'].map((start) =>
@@ -64,7 +64,7 @@ const pictures: ClaimGroup = {
 const text = (content: string): Uint8Array => new TextEncoder().encode(content);
 const CUBE = text('#usda 1.0\n( metersPerUnit = 1 )\ndef Cube "A" {}');
 const zip = (files: Record<string, Uint8Array>): Files => ({ 'set.zip': zipSync(files) });
-/** Of the first file's local header and of its entry in the directory, the byte at these places. */
+/** Sets a byte in the first file's local header and in its directory entry. */
 function changed(local: number, central: number, value: number): Files {
   const bytes = zipSync({ 'a.usda': CUBE });
   bytes[local] = value;
@@ -91,7 +91,7 @@ const archives: ClaimGroup = {
   ],
 };
 
-/** Says that it holds a gigabyte. */
+/** A zip that claims to hold a gigabyte. */
 function bomb(): Uint8Array {
   const bytes = zipSync({ 'a.usda': CUBE });
   const view = new DataView(bytes.buffer);
@@ -113,7 +113,7 @@ const whole: ClaimGroup = {
   ],
 };
 
-/** Two files that are both called `a.usda`. */
+/** A zip with two files named `a.usda`. */
 function twice(): Uint8Array {
   const bytes = zipSync({ 'a.usda': CUBE, 'b.usda': CUBE });
   for (let i = 0; i < bytes.length; i++)

@@ -25,7 +25,7 @@ function skyIn(scene: Scene, n: Vec3): Vec3 {
 
 const bytes = (text: string): Uint8Array => new TextEncoder().encode(text);
 
-/** A picture whose colours are a function of the pixel, floats. */
+/** A float image whose colours are a function of the pixel. */
 const exr = (width: number, height: number, color: (column: number, row: number) => Vec3): Uint8Array =>
   writeExr({
     width,
@@ -126,7 +126,7 @@ describe.runIf(available)('a pixel of a dome is where UsdLux and the matrices of
     );
     const seen = skyIn(scene, said[i]);
     for (const [k, value] of [4, 2, 1].entries()) expect(seen[k]).toBeCloseTo(value, 4);
-    // So it is when it was written and read once more.
+    // The same after writing and reading back.
     const written = { 'b.usda': bytes(writeUsda(scene)), ...Object.fromEntries(writeTextures(scene)) };
     const again = await readUsd(memorySource(written), 'b.usda');
     expect(skyIn(again, said[i])).toEqual(seen.map((x) => expect.closeTo(x, 9)));
@@ -163,7 +163,7 @@ describe.each(['mirroredBall', 'angular'] as const)('%s', (format) => {
     const numbers = random(3);
     for (let i = 0; i < 200; i++) {
       const n = normalize([numbers() - 0.5, numbers() - 0.5, 1.2 * numbers() - 0.5]);
-      // Behind the ball all directions crowd at its rim.
+      // Directions behind the ball are compressed at its rim.
       if (n[2] < -0.8) continue;
       const told = scale(skyIn(scene, n), 2).map((x) => x - 1) as unknown as Vec3;
       for (let k = 0; k < 3; k++) expect(Math.abs(told[k] - n[k]), `${n}`).toBeLessThan(0.02);

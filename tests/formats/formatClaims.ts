@@ -6,7 +6,7 @@ import { plyGroups } from './ply.ts';
 import { stlGroups } from './stl.ts';
 import { usdGroups } from './usd.ts';
 
-/** What is claimed of one format. */
+/** The claims about one format. */
 export interface FormatChapter {
   readonly title: string;
   /** Where to read more. */

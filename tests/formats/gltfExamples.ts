@@ -4,7 +4,7 @@ import type { Scene } from '../../src/scene/types.ts';
 import { find, GltfBuilder } from '../support/gltfBuilder.ts';
 import type { Files } from './claim.ts';
 
-/** A document with a triangle at `/Thing`, further filled; as one file. */
+/** A .glb with a triangle at `/Thing`, extended by `fill`. */
 export type Fill = (kit: GltfBuilder, thing: ReturnType<GltfBuilder['meshNode']>) => void;
 function filled(fill: Fill): GltfBuilder {
   const kit = new GltfBuilder();
@@ -17,7 +17,7 @@ export const glb =
   (fill: Fill = () => {}, more: Files = {}) =>
   async (): Promise<Files> => ({ 'a.glb': await filled(fill).glb(), ...more });
 
-/** With its triangle compressed, which the example would not be of without. */
+/** With a compressed triangle. */
 export const packed = (extension: string, pack: (doc: Document) => Promise<Uint8Array>) => async (): Promise<Files> => {
   const { doc } = filled((kit, thing) => {
     for (const p of thing.getMesh()!.listPrimitives()) p.setIndices(kit.ints('SCALAR', [0, 1, 2]));
@@ -42,7 +42,7 @@ export const withMaterial = (
     fill(material, kit);
   }, more);
 
-/** A triangle as JSON; `more` is laid over it. */
+/** A triangle as JSON, overridden by `more`. */
 export const json = (more: object): Files => ({
   'a.gltf': JSON.stringify({
     asset: { version: '2.0' },

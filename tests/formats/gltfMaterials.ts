@@ -258,7 +258,7 @@ const lights: ClaimGroup = {
   ],
 };
 
-/** All of a thing on one joint: its only one is 0. */
+/** A mesh fully weighted to one joint. */
 function skinned(
   kit: GltfBuilder,
   thing: ReturnType<GltfBuilder['meshNode']>,

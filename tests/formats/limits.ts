@@ -31,7 +31,7 @@ import { MAX_TOTAL } from '../../src/formats/zip/directory.ts';
 const count = (n: number): string => n.toLocaleString('en');
 const bytes = (n: number): string => formatBytes(n).replace(/\.0+(?= )/, '');
 
-/** What a scene may take, from the constants that say so. */
+/** Limits of a scene, from the readers' constants. */
 export const readerLimits: readonly { readonly what: string; readonly most: string }[] = [
   { what: 'all files of a scene together', most: bytes(MAX_BYTES) },
   { what: 'what a zip unpacks to', most: bytes(MAX_TOTAL) },

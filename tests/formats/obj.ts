@@ -5,7 +5,7 @@ import { PIXEL, WEBP } from './pictures.ts';
 
 const FACE = 'v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3 4\n';
 const obj = (text: string): Files => ({ 'a.obj': text });
-/** A square that wears the material `m` of these lines. */
+/** A square with the material `m`, given by lines of MTL. */
 export const withMaterial = (lines: string, more: Files = {}): Files => ({
   'a.obj': `mtllib a.mtl\nusemtl m\n${FACE.replace('f 1 2 3 4', 'vt 0 0\nvt 1 0\nvt 1 1\nf 1/1 2/2 3/3')}`,
   'a.mtl': `newmtl m\n${lines}\n`,

@@ -5,10 +5,10 @@ import type { Scene } from '../../src/scene/types.ts';
 import { find } from '../support/gltfBuilder.ts';
 import type { Files } from './claim.ts';
 
-/** Far above every speed here [m/s]. */
+/** Speed of light far above every speed in these files [m/s]. */
 export const C = 1e9;
 
-/** A stage in metres of some prims, with a cube beside them that must be there whatever becomes of them. */
+/** A stage in metres with the given prims and a cube that must always be loaded. */
 export const usd = (prims: string): Files => ({
   'a.usda': `#usda 1.0\n(\n    metersPerUnit = 1\n)\n${prims}\ndef Cube "Rest" {}\n`,
 });

@@ -6,7 +6,7 @@ import { approximated, type ClaimGroup, type Files, leftOut, read } from './clai
 import { PIXEL, WEBP } from './pictures.ts';
 import { def, FACE, material, usd } from './usdKit.ts';
 
-/** A square that wears `/M`. */
+/** A square bound to the material `/M`. */
 const worn = (looks: string, uvs = ''): string => def('Mesh', `${FACE}\nrel material:binding = </M>\n${uvs}`) + looks;
 const UVS = 'texCoord2f[] primvars:st = [(0, 0), (1, 0), (1, 1), (0, 1)] ( interpolation = "vertex" )';
 

@@ -2,11 +2,11 @@ import { zlibSync } from 'fflate';
 import { crc32 } from '../../src/formats/files/crc32.ts';
 import type { Seed } from './seeds.ts';
 
-/** A small file that asks for much, or for what must not be. */
+/** A small file that requests excessive or invalid amounts. */
 export interface Bomb extends Seed {
-  /** What is said about it: the codes of the refusal or of remarks, one of which must match. */
+  /** Expected codes of the error or diagnostics; one must match. */
   readonly said: RegExp;
-  /** More objects than these are never made of it; 1000 where it does not say. */
+  /** Maximum number of objects made of it; default: 1000. */
   readonly objects?: number;
 }
 
@@ -38,15 +38,15 @@ const times = (count: number, text: (i: number) => string): string =>
   Array.from({ length: count }, (_, i) => text(i)).join('');
 
 const nested = (depth: number, open: string, close: string): string => open.repeat(depth) + close.repeat(depth);
-/** Each level has ten of the one before, by its arcs. */
+/** Each level references the one before ten times. */
 const levels = (...arcs: readonly string[]): string => {
   const written = (i: number): string => arcs.map((arc) => `${arc} = </L${i + 1}>\n`).join('');
   const level = (i: number): string => times(10, (k) => `def "C${k}" ( ${written(i)} ) {\n}\n`);
   return `${times(9, (i) => `def "L${i}"\n{\n${level(i)}}\n`)}def Cube "L9" {\n}\n`;
 };
-/** What the levels of a file of a hundred lines may become. */
+/** Maximum number of objects from the levels of a hundred-line file. */
 const FROM_LEVELS = 25_000;
-/** Every prim refers to all that come after it, so that each has twice the sites of the next. */
+/** Every prim references all later ones, so each has twice the sites of the next. */
 const web = (count: number): string =>
   times(count, (i) => `def "L${i}" ( references = [${times(count - i - 1, (k) => `</L${i + k + 1}>, `)}] ) {\n}\n`);
 const manySets = (count: number): string =>
@@ -55,7 +55,7 @@ const manySets = (count: number): string =>
 const manyMoves = (count: number): string =>
   `( relocates = { ${times(count, (i) => `</A/B${i}>: </A/C${i}>, `)} } )\n` +
   `def "A" ( references = </S> ) {\n}\nclass "K" {\n}\ndef "S" {\n${times(count, (i) => `def "B${i}" ( inherits = </K> ) {\n}\n`)}}`;
-/** Two variants in each of two variants, and so on. */
+/** Variant sets nested `depth` deep, two variants each. */
 const variants = (depth: number): string =>
   depth === 0
     ? 'def Cube "A" {\n}\n'
@@ -234,7 +234,7 @@ const pictureBombs: readonly Bomb[] = [
   ),
 ];
 
-/** A PNG of a size whose data has so many zeros. */
+/** A PNG with the given size in its header and `zeros` bytes of data. */
 function png(width: number, height: number, zeros: number): Uint8Array {
   const chunk = (type: string, data: Uint8Array): number[] => {
     const body = Uint8Array.of(...bytes(type), ...data);

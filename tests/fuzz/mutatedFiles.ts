@@ -3,7 +3,7 @@ import { mutations } from './mutations.ts';
 import { MEMORY_LIMIT, ReaderThread } from './readerThread.ts';
 import type { Seed } from './seeds.ts';
 
-/** Tests that damaged files of some kinds do no harm. */
+/** Tests that mutated files are read or rejected without crash, hang or excess memory. */
 export function fuzzSeeds(seeds: readonly Seed[]): void {
   const reader = new ReaderThread();
   afterAll(() => reader.end());

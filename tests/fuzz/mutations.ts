@@ -1,7 +1,7 @@
 import { random } from '../../src/math/random.ts';
 import type { Seed } from './seeds.ts';
 
-/** A file with something wrong, and what that is. */
+/** A mutated file and a description of the mutation. */
 export interface Mutation {
   readonly what: string;
   readonly bytes: Uint8Array;
@@ -10,14 +10,14 @@ export interface Mutation {
 const TRUNCATIONS = 20;
 const FLIPS = 1000;
 const MOVES = 60;
-/** What counts and offsets are set to: a hair below and above what 31, 32 and 63 bits hold. */
+/** Values that counts and offsets are set to: just below and above the limits of 31, 32 and 63 bits. */
 const COUNTS = [2n ** 31n - 1n, 2n ** 32n - 1n, 2n ** 40n, 2n ** 63n - 1n];
-/** What numbers in a text are set to. */
+/** Values that numbers in text are set to. */
 const NONSENSE = ['-1', '4294967295', '1e999', 'nan', '0.5', '99999999999999999999', '""', ''];
-/** Places of a binary file, or numbers of a text, that are tried with each of them. */
+/** Maximum number of positions in a binary file, or numbers in a text, mutated with each value. */
 const MAX_POSITIONS = 150;
 
-/** The same damages every time: cut off, bytes changed, pieces moved, and counts that are too large at every place. */
+/** Deterministic mutations: truncation, changed bytes, moved blocks, and too large counts at every position. */
 export function* mutations({ files, entry, text }: Seed): Generator<Mutation> {
   const whole = files[entry];
   for (let k = 0; k < TRUNCATIONS; k++) {

@@ -2,31 +2,31 @@ import { once } from 'node:events';
 import { Worker } from 'node:worker_threads';
 import type { Seed } from './seeds.ts';
 
-/** How the reading of one file ended. */
+/** Result of reading one file. */
 export interface Outcome {
   /** The message of its InputError. */
   readonly refusal?: string;
-  /** The codes of that, or of what is said of the scene. */
+  /** Code of the error, or codes of the scene's diagnostics. */
   readonly said?: string;
-  /** Of the scene that it makes. */
+  /** Number of objects in the scene. */
   readonly objects?: number;
-  /** What must not be: an error of another kind, a scene that is not sound, a reader that hangs. */
+  /** A failure: another kind of error, an invalid scene, or a timeout. */
   readonly fault?: string;
   readonly milliseconds: number;
 }
 
-/** Memory that a bomb, or the readings of all damaged files of a kind, may take beyond what there was before [bytes]. */
+/** Maximum memory growth for a bomb, or for all mutations of one kind [bytes]. */
 export const MEMORY_LIMIT = 2 ** 30;
 
-/** A reading that takes longer hangs [ms]. The slowest of honest ones takes a tenth of a second on a quiet machine. */
+/** Timeout of one read [ms]; the slowest valid file takes a tenth of a second on an idle machine. */
 const READ_TIMEOUT = 20_000;
 
-/** Reads files one after another in a thread, which is ended and begun anew where one hangs. */
+/** Reads files sequentially in a worker thread, which is restarted after a timeout. */
 export class ReaderThread {
   private seed: Seed | undefined;
   private worker: Worker | undefined;
 
-  /** Takes the seed's other files as they are. */
+  /** Sends the seed's other files, unmodified. */
   async setSeed(seed: Seed): Promise<void> {
     this.seed = seed;
     const worker = this.worker ?? (await startWorker());
@@ -42,7 +42,7 @@ export class ReaderThread {
     return { fault: 'it hangs, or ended the thread', milliseconds: READ_TIMEOUT };
   }
 
-  /** Undefined where none comes. */
+  /** Undefined on timeout. */
   private async answer(bytes: Uint8Array): Promise<Outcome | undefined> {
     const worker = this.worker!;
     const waiting = new AbortController();
@@ -64,7 +64,7 @@ export class ReaderThread {
   }
 }
 
-/** Heap that a reader may use [MiB]; typed arrays are outside it. */
+/** Heap limit of the worker [MiB]; typed arrays do not count. */
 const HEAP_LIMIT_MIB = 512;
 
 async function startWorker(): Promise<Worker> {

@@ -1,4 +1,4 @@
-// Reads files in a thread of its own with the built library, so that a reader that hangs can be ended and told.
+// Reads files in a worker thread with the built library, so that a hanging reader can be terminated and reported.
 import { parentPort, workerData } from 'node:worker_threads';
 
 const { decodeImage, memorySource, openScene, readExr } = await import(workerData.library);
@@ -35,7 +35,7 @@ function ofScene(scene) {
   return { fault: polluted ?? faultOf(scene), objects, said: scene.diagnostics.map(({ code }) => code).join(' ') };
 }
 
-/** What no scene may have, however its file looked; undefined where it is sound. */
+/** What is invalid in a scene; undefined where nothing is. */
 function faultOf(scene) {
   for (const { path, mesh, motion } of scene.objects) {
     const vertices = mesh.positions.length / 3;

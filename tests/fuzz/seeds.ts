@@ -4,13 +4,13 @@ import { type ExrChannel, writeExr } from '../../src/formats/image/exr.ts';
 import { GltfBuilder } from '../support/gltfBuilder.ts';
 import { dracoGlb, meshoptGlb } from '../support/gltfCompress.ts';
 
-/** A whole file of a kind, with those that it uses, to be damaged. */
+/** A valid file with its dependencies, the starting point of mutations. */
 export interface Seed {
   readonly name: string;
-  /** By path; `entry` is the one that is damaged. */
+  /** By path; `entry` is the one that is mutated. */
   readonly files: Readonly<Record<string, Uint8Array>>;
   readonly entry: string;
-  /** Numbers stand in it as text. */
+  /** A text format. */
   readonly text: boolean;
 }
 
@@ -26,7 +26,7 @@ const seed = (entry: string, bytes: Uint8Array, text: boolean, beside: Seed['fil
   text,
 });
 
-/** One of every kind of file that is read, with something of everything in it. */
+/** One file of every supported format that uses all its features. */
 export async function seeds(): Promise<Seed[]> {
   const [json, binary] = await gltfSeparate();
   return [
@@ -83,7 +83,7 @@ function everything(): GltfBuilder {
   return kit;
 }
 
-/** The same with its binary chunk beside it. */
+/** The same with a separate binary buffer. */
 async function gltfSeparate(): Promise<readonly [Uint8Array, Uint8Array]> {
   const glb = await everything().glb();
   const length = new DataView(glb.buffer, glb.byteOffset).getUint32(12, true);

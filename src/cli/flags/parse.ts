@@ -1,8 +1,8 @@
 import { InvalidArgumentError, Option } from 'commander';
 import { parseVariantChoice } from '../../formats/variantChoice.ts';
 import { length, type Vec3 } from '../../math/vec3.ts';
-import type { PictureSize } from '../../nodes/pictures/pictureRenderer.ts';
-import { MAX_BOUNCES, MAX_SAMPLES, SEED_COUNT } from '../../reference/lights/lightOptions.ts';
+import type { PictureSize } from '../../pipelines/pictureRenderer.ts';
+import { MAX_SAMPLES } from '../../reference/lights/lightOptions.ts';
 import type { NumberRange } from '../../scene/settings/setting.ts';
 import { AOVS, type AovName } from '../../scene/view/view.ts';
 
@@ -41,20 +41,8 @@ export const parsePositive = parseWithin({ above: 0 });
 export const parseNotNegative = parseWithin({ min: 0 });
 export const parseFraction = parseWithin({ min: 0, max: 1 });
 export const parseFov = numberWhere((x) => x > 0 && x < 180, 'degrees between 0 and 180');
-export const parseSamples = numberWhere(
-  (x) => Number.isInteger(x) && x >= 1 && x <= MAX_SAMPLES,
-  `a whole number, 1 to ${MAX_SAMPLES}`,
-);
-export const parseLevels = numberWhere((x) => Number.isInteger(x) && x >= 0 && x <= 8, 'a whole number, 0 to 8');
-export const parseThreads = numberWhere((x) => Number.isInteger(x) && x >= 1 && x <= 1024, 'a whole number, 1 to 1024');
-export const parseSeed = numberWhere(
-  (x) => Number.isInteger(x) && x >= 0 && x < SEED_COUNT,
-  `a whole number, 0 to ${SEED_COUNT - 1}`,
-);
-export const parseBounces = numberWhere(
-  (x) => Number.isInteger(x) && x >= 0 && x <= MAX_BOUNCES,
-  `a whole number, 0 to ${MAX_BOUNCES}`,
-);
+export const parseSamples = parseWithin({ min: 1, max: MAX_SAMPLES, integer: true });
+export const parseLevels = parseWithin({ min: 0, max: 8, integer: true });
 export const parsePort = numberWhere((x) => Number.isInteger(x) && x >= 0 && x <= 65535, 'a port, 0 to 65535');
 
 export function parseVec3(text: string): Vec3 {

@@ -1,82 +1,110 @@
 import { type Command, Option } from 'commander';
-import { DEFAULT_LIGHT } from '../../reference/lights/lightOptions.ts';
+import {
+  type IntegerOption,
+  type OptionValues,
+  optionsByEffect,
+  type PipelineOption,
+} from '../../pipelines/options.ts';
+import type { Pipeline } from '../../pipelines/pipeline.ts';
+import { AUTOMATIC_PIPELINES, PIPELINES, pipelineNamed } from '../../pipelines/registry.ts';
 import type { Backend } from '../../render/settings.ts';
-import type { Solver } from '../../scene/settings/settings.ts';
+import type { AovName } from '../../scene/view/view.ts';
 import { usageError } from '../terminal/exitCodes.ts';
-import { parseBounces, parseSeed, parseThreads } from './parse.ts';
-
-/** What draws: the rasterizer, on a GPU; or the reference renderer, in 64-bit arithmetic on the processor. */
-export type Pipeline = 'raster' | 'reference';
+import { parseWithin } from './parse.ts';
+import type { SettingFlags } from './viewFlags.ts';
 
 export interface PipelineFlags {
-  readonly pipeline: Pipeline | 'auto';
-  /** What the rasterizer draws with. */
+  /** Id of a pipeline, or `auto`. */
+  readonly pipeline: string;
+  /** What it draws with on a GPU. */
   readonly backend: Backend | 'auto';
-  /** Worker threads of the reference renderer. */
-  readonly threads?: number;
-  /** Of its random numbers. */
-  readonly seed?: number;
-  /** How it follows light; see `LightOptions` of reference/lights/lightingContext.ts. */
-  readonly bounces?: number;
-  readonly mirrors: boolean;
-  readonly glass: boolean;
 }
 
-const pipelines = ['auto', 'raster', 'reference'];
-const backends = ['auto', 'webgpu', 'webgl'];
+/** All flags, for those that the records of pipelines name. */
+type FlagValues = Readonly<Record<string, unknown>>;
+
+const BACKENDS: Record<Backend, string> = { webgpu: 'webgpu draws here', webgl: 'webgl in a headless Chromium' };
+const first = PIPELINES[0];
 
 export function addPipelineFlags(command: Command): Command {
-  const pipeline = new Option(
-    '--pipeline <name>',
-    'raster draws on a GPU; reference traces light in 64-bit arithmetic on the processor, and needs no GPU; auto: raster where it can',
-  );
+  const summaries = PIPELINES.map(({ id, summary }) => `${id} ${summary}`);
+  const pipeline = new Option('--pipeline <name>', [...summaries, `auto: ${first.id} where it can`].join('; '));
+  const drawing = PIPELINES.filter(({ backends }) => backends.length > 0).map(({ id }) => id);
   const backend = new Option(
     '--backend <name>',
-    'of raster: webgpu draws here; webgl in a headless Chromium; auto takes the first that works',
+    `of ${drawing.join(', ')}: ${Object.values(BACKENDS).join('; ')}; auto takes the first that works`,
   );
-  return command
-    .addOption(pipeline.choices(pipelines).default('auto'))
-    .addOption(backend.choices(backends).default('auto'))
-    .option('--threads <n>', 'of reference: worker threads (default: as many as there are processors)', parseThreads)
-    .option(
-      '--seed <n>',
-      'of reference: of its random numbers; the same seed gives the same bits (default: 0)',
-      parseSeed,
-    )
-    .option(
-      '--bounces <n>',
-      `of reference: how often light of the sky and of what glows is scattered on its way (default: ${DEFAULT_LIGHT.bounces})`,
-      parseBounces,
-    )
-    .option('--no-mirrors', 'of reference: smooth surfaces mirror the sky and what glows, not each other')
-    .option(
-      '--glass',
-      'of reference: closed transparent bodies refract light, by their material’s ior',
-      DEFAULT_LIGHT.glass,
-    );
+  command
+    .addOption(pipeline.choices(['auto', ...PIPELINES.map(({ id }) => id)]).default('auto'))
+    .addOption(backend.choices(['auto', ...Object.keys(BACKENDS)]).default('auto'));
+  for (const [name, { option, owners }] of optionsOfAll()) addOptionFlag(command, name, option, owners);
+  return command;
 }
+
+/** Each with the pipelines that have it; of several descriptions the first holds. */
+function optionsOfAll(): Map<string, { readonly option: PipelineOption; readonly owners: string[] }> {
+  const all = new Map<string, { readonly option: PipelineOption; readonly owners: string[] }>();
+  for (const { id, options } of PIPELINES)
+    for (const [name, option] of Object.entries(options)) {
+      const known = all.get(name);
+      if (known) known.owners.push(id);
+      else all.set(name, { option, owners: [id] });
+    }
+  return all;
+}
+
+function addOptionFlag(command: Command, name: string, option: PipelineOption, owners: readonly string[]): void {
+  const help = `of ${owners.join(', ')}: ${option.help}`;
+  if (option.kind === 'integer')
+    command.option(`--${name} <n>`, help, parseWithin({ min: option.min, max: option.max, integer: true }));
+  else if (option.default) command.option(`--no-${name}`, help);
+  else command.option(`--${name}`, help, false);
+}
+
+/** What somebody tells a pipeline. */
+export const optionsOf = ({ options }: Pipeline, flags: PipelineFlags): OptionValues =>
+  Object.fromEntries(Object.keys(options).map((name) => [name, (flags as unknown as OptionValues)[name]]));
 
 /** Says so where flags do not go together, before any work is done. */
-export function checkPipeline(flags: PipelineFlags & { readonly solver: Solver }): void {
-  const { pipeline, backend, solver } = flags;
-  const idle = unusedFlag(flags);
-  if (idle) throw usageError(`${idle} is for the reference renderer: add --pipeline reference, or leave it out`);
-  if (pipeline !== 'reference') return;
-  const foreign = backend !== 'auto' ? `--backend ${backend}` : solver !== 'exact' ? `--solver ${solver}` : undefined;
+export function checkPipeline(
+  flags: PipelineFlags & Pick<SettingFlags, 'solver'> & { readonly aov?: readonly AovName[] },
+): void {
+  const idle = unusedOption(flags);
+  if (idle)
+    throw usageError(`${idle.flag} is for the ${idle.owner.name}: add --pipeline ${idle.owner.id}, or leave it out`);
+  if (flags.pipeline === 'auto') return;
+  const pipeline = pipelineNamed(flags.pipeline);
+  const foreign = foreignSetting(flags, pipeline);
   if (foreign) {
-    throw usageError(
-      `${foreign} is for the rasterizer; --pipeline reference needs no GPU and is always exact. Leave one of them out`,
-    );
+    const why = pipeline.constraint ?? 'does not have it';
+    throw usageError(`${foreign} is for the ${first.name}; --pipeline ${pipeline.id} ${why}. Leave one of them out`);
   }
+  const odd = flags.aov?.find((name) => !pipeline.aovs.includes(name));
+  if (odd) throw usageError(`--aov ${odd}: --pipeline ${pipeline.id} gives ${pipeline.aovs.join(', ') || 'none'}`);
 }
 
-/** A flag that only the reference renderer obeys. With `auto` it may come to that, but nothing that changes the picture may depend on the machine. */
-function unusedFlag({ pipeline, threads, seed, bounces, mirrors, glass }: PipelineFlags): string | undefined {
-  if (pipeline === 'reference') return undefined;
-  if (bounces !== undefined) return '--bounces';
-  if (!mirrors) return '--no-mirrors';
-  if (glass) return '--glass';
-  if (pipeline === 'auto') return undefined;
-  if (threads !== undefined) return '--threads';
-  return seed === undefined ? undefined : '--seed';
+/** A backend or a value of a setting that a pipeline does not have. */
+export function foreignSetting(flags: PipelineFlags, { backends, fixedSettings }: Pipeline): string | undefined {
+  const { backend } = flags;
+  if (backend !== 'auto' && !backends.includes(backend)) return `--backend ${backend}`;
+  const given = flags as unknown as FlagValues;
+  const [odd] = Object.entries(fixedSettings).filter(([name, value]) => given[name] !== value);
+  return odd && `--${odd[0]} ${given[odd[0]]}`;
 }
+
+/** An option of another pipeline. With `auto` it may come to that, but nothing that changes the picture may depend on the machine. */
+function unusedOption(flags: PipelineFlags): { readonly flag: string; readonly owner: Pipeline } | undefined {
+  const drawing = flags.pipeline === 'auto' ? first : pipelineNamed(flags.pipeline);
+  const given = flags as unknown as FlagValues;
+  for (const owner of PIPELINES) {
+    for (const [name, option] of optionsByEffect(owner.options)) {
+      if (Object.hasOwn(drawing.options, name) || !isGiven(option, given[name])) continue;
+      if (flags.pipeline === 'auto' && !option.changesPicture && AUTOMATIC_PIPELINES.includes(owner)) continue;
+      return { flag: option.kind === 'boolean' && option.default ? `--no-${name}` : `--${name}`, owner };
+    }
+  }
+  return undefined;
+}
+
+const isGiven = (option: IntegerOption | PipelineOption, value: unknown): boolean =>
+  option.kind === 'integer' ? value !== undefined : value !== option.default;

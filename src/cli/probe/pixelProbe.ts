@@ -1,8 +1,8 @@
 import { sub } from '../../math/vec3.ts';
-import type { PictureSize } from '../../nodes/pictures/pictureRenderer.ts';
 import { properVelocity } from '../../physics/lorentz/boost.ts';
 import { dopplerFactor } from '../../physics/optics/doppler.ts';
 import { PLACEMENTS } from '../../physics/optics/placement.ts';
+import type { PictureSize } from '../../pipelines/pictureRenderer.ts';
 import { cameraRay } from '../../reference/camera/cameraRay.ts';
 import { visibleHit } from '../../reference/camera/visibleHit.ts';
 import { createTracedScene } from '../../reference/intersection/tracedScene.ts';

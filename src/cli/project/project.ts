@@ -22,7 +22,7 @@ import { renderableScene } from '../../scene/validation/renderableScene.ts';
 import { readFont } from '../files/fonts.ts';
 import { locateScene, openSceneFile } from '../files/sceneFiles.ts';
 import { openDevice } from '../gpu/device.ts';
-import { traceOnThreads } from '../pipelines/traceOnThreads.ts';
+import { renderStill } from '../pipelines/renderStill.ts';
 import type { RenderFlags } from '../render/renderFlags.ts';
 import { inputProblem, usageError } from '../terminal/exitCodes.ts';
 import { heavyNodes } from './heavyNodes.ts';
@@ -166,7 +166,7 @@ function servicesAt(project: string): Services {
   };
   return {
     readFont,
-    trace: traceOnThreads,
+    renderStill,
     openGpu: openDevice,
     async readScene(source, { variants, interpolation }) {
       const read = await openSceneFile(at(source), {

@@ -1,4 +1,5 @@
 import { Command, Option } from 'commander';
+import { PIPELINES } from '../../pipelines/registry.ts';
 import { FALSE_COLOR_QUANTITIES } from '../../spectrum/falseColor/falseColor.ts';
 import {
   parseAovs,
@@ -16,6 +17,10 @@ import { usageError } from '../terminal/exitCodes.ts';
 import type { ProjectFilesFlags, RenderFlags } from './renderFlags.ts';
 
 type Optional<T, K extends keyof T> = Omit<T, K> & Partial<Pick<T, K>>;
+
+const defaultSamples = PIPELINES.map(({ id, samples: { default: n, note } }) =>
+  [`${n} of ${id}`, ...(note ? [note] : [])].join(', '),
+).join('; ');
 
 const examples = `
 Examples:
@@ -49,11 +54,7 @@ export function renderCommand(): Command {
     'with --frames: stay in place although there is a velocity, instead of coasting with it',
   );
   addSettingFlags(command)
-    .option(
-      '--samples <n>',
-      'n × n samples per pixel (default: 1 of raster, whose edges FXAA then smooths; 4 of reference)',
-      parseSamples,
-    )
+    .option('--samples <n>', `n × n samples per pixel (default: ${defaultSamples})`, parseSamples)
     .addOption(
       new Option(
         '--false-colour <what>',

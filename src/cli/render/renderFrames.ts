@@ -2,6 +2,9 @@ import { extname } from 'node:path';
 import { outputSize } from '../../nodes/pictures/falseColor.ts';
 import { type PictureSequence, renderPictureSequence } from '../../nodes/pictures/sequence.ts';
 import type { FrameTime } from '../../nodes/project/outputFiles.ts';
+import type { PictureRenderer } from '../../pipelines/pictureRenderer.ts';
+import type { PipelineSession } from '../../pipelines/pipeline.ts';
+import { pipelineNamed } from '../../pipelines/registry.ts';
 import { validate } from '../../scene/validation/validate.ts';
 import type { AovName, ViewPoint } from '../../scene/view/view.ts';
 import type { FalseColorScale } from '../../spectrum/falseColor/falseColor.ts';
@@ -9,7 +12,7 @@ import { throwIfStopped } from '../files/outputFile.ts';
 import { observerPath } from '../flags/observerPath.ts';
 import { checkPipeline } from '../flags/pipelineFlags.ts';
 import { renderSettings, speedOfLight } from '../flags/viewFlags.ts';
-import { openRenderer, type PipelineInfo, type RendererSession } from '../pipelines/openRenderer.ts';
+import { openFlaggedSession } from '../pipelines/openSession.ts';
 import type { RenderJob } from '../project/project.ts';
 import { reportDiagnostics } from '../terminal/diagnostics.ts';
 import { usageError } from '../terminal/exitCodes.ts';
@@ -22,7 +25,7 @@ export interface RenderReport {
   readonly files: readonly string[];
   readonly frames: readonly FrameTime[];
   readonly first: ViewPoint;
-  readonly info: PipelineInfo;
+  readonly info: PipelineSession['info'];
   readonly samples: number;
   /** [m/s] */
   readonly speedOfLight: number;
@@ -49,13 +52,13 @@ export async function renderFrames(
   const sink = await openFrameSink({ ...flags, size: outputSize(flags) }, scene, frames.length);
   try {
     progress.show('getting ready to draw …');
-    const painter = await openRenderer([scene, ...others], flags, (text) => progress.note(text));
-    const samples = flags.samples ?? (flags.antialiasing ? painter.defaultSamples : 1);
-    const made = await renderIntoSink(painter, { ...wanted, samples }, sink, progress).finally(() => painter.close());
+    const session = await openFlaggedSession([scene, ...others], flags, (text) => progress.note(text));
+    const { info } = session;
+    const samples = flags.samples ?? (flags.antialiasing ? pipelineNamed(info.pipeline).samples.default : 1);
+    const made = await renderIntoSink(session, { ...wanted, samples }, sink, progress).finally(() => session.close());
     throwIfStopped();
     progress.show('finishing …');
     await sink.finish();
-    const { info } = painter;
     const { files } = sink;
     return { files, frames, first: observer(frames[0]!.t), info, samples, speedOfLight: c, ...made };
   } finally {
@@ -65,7 +68,7 @@ export async function renderFrames(
 }
 
 async function renderIntoSink(
-  painter: RendererSession,
+  renderer: PictureRenderer,
   sequence: PictureSequence,
   sink: FrameSink,
   progress: Progress,
@@ -74,7 +77,7 @@ async function renderIntoSink(
   let falseColors: FalseColorScale | undefined;
   const count = sequence.frames.length;
   throwIfStopped();
-  for await (const frame of renderPictureSequence(painter, sequence, (done) => progress.frames(done, count))) {
+  for await (const frame of renderPictureSequence(renderer, sequence, (done) => progress.frames(done, count))) {
     await sink.add(frame);
     exposures.push(frame.exposure);
     falseColors ??= frame.settings.falseColors;

@@ -99,7 +99,7 @@ class Barrier implements Force {
   findTunneled(x0: Float64Array, x1: Float64Array): number | undefined {
     const { points, obstacle } = this.data;
     // A plane cannot be passed through to another side.
-    if (!obstacle.half) return undefined;
+    if (!obstacle.halfExtents) return undefined;
     const [seat0, seat1] = [this.motionAt(x0), this.motionAt(x1)];
     return points.find(
       (i) =>
@@ -113,7 +113,7 @@ class Barrier implements Force {
     const { carriers, back } = this;
     if (carriers.length === 0) return STATIONARY;
     const [middle, first, second] = carriers.map((point) => lerp(pointAt(x, point), pointAt(other, point), 0.5));
-    const gone = sub(middle, this.data.obstacle.middle);
+    const gone = sub(middle, this.data.obstacle.center);
     if (!first || !second) return { translation: gone };
     const [along, arm] = [normalize(sub(first, middle)), sub(second, middle)];
     const across = normalize(addScaled(arm, along, -dot(arm, along)));
@@ -125,7 +125,7 @@ class Barrier implements Force {
   /** A point in the obstacle's frame. */
   private localPoint(x: Float64Array, i: number, { translation, inverseRotation }: ObstacleMotion): Vec3 {
     const place = sub(pointAt(x, i), translation);
-    const { middle } = this.data.obstacle;
+    const { center: middle } = this.data.obstacle;
     return inverseRotation ? add(middle, transform(inverseRotation, sub(place, middle))) : place;
   }
 

@@ -65,8 +65,8 @@ export interface NeighborForceData {
   readonly strength: number;
   /** [m] */
   readonly cutoff: number;
-  /** Both ends of all pairs that can come within the cutoff while each point moves by at most `way` [m]. */
-  candidates(x: Float64Array, way: number): Uint32Array;
+  /** Both ends of all pairs that can come within the cutoff while each point moves by at most `maxTravel` [m]. */
+  candidates(x: Float64Array, maxTravel: number): Uint32Array;
 }
 
 /**

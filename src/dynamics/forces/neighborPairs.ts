@@ -14,18 +14,18 @@ export class NeighborPairs implements Force {
   private readonly bodies: Int32Array;
   private readonly rest: Float64Array;
   private readonly reach: number;
-  private readonly law: PairPotential;
+  private readonly potential: PairPotential;
   readonly data: NeighborForceData;
   private found: { readonly at: Float64Array; readonly pairs: PairForce } | undefined;
 
   /** `bodies`: body of each point; points of none (−1) are excluded. `rest`: positions before any deformation. */
-  constructor(bodies: Int32Array, rest: Float64Array, reach: number, law: PairPotential) {
+  constructor(bodies: Int32Array, rest: Float64Array, reach: number, potential: PairPotential) {
     this.bodies = bodies;
     this.rest = rest;
     this.reach = reach;
-    this.law = law;
-    const candidates = (x: Float64Array, way: number): Uint32Array => this.candidates(x, way);
-    this.data = { kind: 'near', strength: law.strength(0), cutoff: reach, candidates };
+    this.potential = potential;
+    const candidates = (x: Float64Array, maxTravel: number): Uint32Array => this.candidates(x, maxTravel);
+    this.data = { kind: 'near', strength: potential.strength(0), cutoff: reach, candidates };
   }
 
   energy = (x: Float64Array): number => this.pairs(x).energy(x);
@@ -42,7 +42,7 @@ export class NeighborPairs implements Force {
   /** Assumes one contact per point; their actual number is not known in advance. */
   addStiffnessBound(bound: Float64Array): void {
     this.bodies.forEach((body, i) => {
-      if (body >= 0) bound[i] += 2 * this.law.maxStiffness(0);
+      if (body >= 0) bound[i] += 2 * this.potential.maxStiffness(0);
     });
   }
 
@@ -57,15 +57,16 @@ export class NeighborPairs implements Force {
     return maxDisplacement(this.found!.at, x) <= (SKIN_RATIO / 2) * this.reach;
   }
 
-  private among = (x: Float64Array, way: number): PairForce => new PairForce(this.candidates(x, way), this.law);
+  private among = (x: Float64Array, maxTravel: number): PairForce =>
+    new PairForce(this.candidates(x, maxTravel), this.potential);
 
   /**
-   * Both ends of all pairs that can be within reach while each point moves by at most `way`. In index order, so that
+   * Both ends of all pairs that can be within reach while each point moves by at most `maxTravel`. In index order, so that
    * sums are bit-identical whatever the positions at the rebuild.
    */
-  private candidates(x: Float64Array, way: number): Uint32Array {
+  private candidates(x: Float64Array, maxTravel: number): Uint32Array {
     const { bodies } = this;
-    const width = this.reach + 2 * way;
+    const width = this.reach + 2 * maxTravel;
     const cells = new CellList(x, bodies, width);
     const ends: number[] = [];
     for (let i = 0; i < bodies.length; i++) {
@@ -106,7 +107,7 @@ class CellList {
   }
 
   /** Visits all points in the cell of a point and the cells around it. */
-  forEachNeighbor(i: number, tell: (j: number) => void): void {
+  forEachNeighbor(i: number, visit: (j: number) => void): void {
     const { cells, from, points } = this;
     for (const [dx, dy, dz] of NEIGHBOR_CELLS) {
       const cx = cells[3 * i] + dx;
@@ -115,7 +116,7 @@ class CellList {
       const hash = this.hash(cx, cy, cz);
       for (let k = from[hash]; k < from[hash + 1]; k++) {
         const j = points[k];
-        if (cells[3 * j] === cx && cells[3 * j + 1] === cy && cells[3 * j + 2] === cz) tell(j);
+        if (cells[3 * j] === cx && cells[3 * j + 1] === cy && cells[3 * j + 2] === cz) visit(j);
       }
     }
   }

@@ -8,11 +8,11 @@ export interface Obstacle {
   /** The distance alone. */
   distance(x: number, y: number, z: number): number;
   /** A point on a plane, or the center of a box [m]. */
-  readonly middle: Vec3;
+  readonly center: Vec3;
   /** From its own frame to the world; a plane's normal is z. */
   readonly orientation: Quat;
   /** Half of a box's sizes [m]; absent for a plane. */
-  readonly half?: Vec3;
+  readonly halfExtents?: Vec3;
 }
 
 /** The half-space opposite to `normal`. */
@@ -21,21 +21,21 @@ export function plane(point: Vec3, normal: Vec3): Obstacle {
   const [nx, ny, nz] = n;
   const height = dot(point, n);
   return {
-    ...{ middle: point, orientation: shortestRotation([0, 0, 1], n) },
+    ...{ center: point, orientation: shortestRotation([0, 0, 1], n) },
     distanceAndNormal: (place) => [dot(sub(place, point), n), n],
     distance: (x, y, z) => nx * x + ny * y + nz * z - height,
   };
 }
 
 /** A box; inside, the normal is that of the nearest side. */
-export function box(middle: Vec3, size: Vec3, orientation = IDENTITY): Obstacle {
-  const half = scale(size, 0.5);
+export function box(center: Vec3, size: Vec3, orientation = IDENTITY): Obstacle {
+  const halfExtents = scale(size, 0.5);
   const back = conjugate(orientation);
   const [xx, xy, xz, yx, yy, yz, zx, zy, zz] = toMatrix(back);
-  const [mx, my, mz] = middle;
-  const [hx, hy, hz] = half;
+  const [mx, my, mz] = center;
+  const [hx, hy, hz] = halfExtents;
   return {
-    ...{ middle, orientation, half },
+    ...{ center, orientation, halfExtents },
     distance(x, y, z) {
       const dx = x - mx;
       const dy = y - my;
@@ -49,15 +49,15 @@ export function box(middle: Vec3, size: Vec3, orientation = IDENTITY): Obstacle 
       return Math.sqrt(bx * bx + by * by + bz * bz) + Math.min(0, Math.max(ox, oy, oz));
     },
     distanceAndNormal(place) {
-      const [distance, out] = boxDistanceAndNormal(rotate(back, sub(place, middle)), half);
+      const [distance, out] = boxDistanceAndNormal(rotate(back, sub(place, center)), halfExtents);
       return [distance, rotate(orientation, out)];
     },
   };
 }
 
 /** The same in the box's frame. */
-function boxDistanceAndNormal(d: Vec3, half: Vec3): readonly [distance: number, out: Vec3] {
-  const over = d.map((value, k) => Math.abs(value) - half[k]);
+function boxDistanceAndNormal(d: Vec3, halfExtents: Vec3): readonly [distance: number, out: Vec3] {
+  const over = d.map((value, k) => Math.abs(value) - halfExtents[k]);
   const beyond: Vec3 = [0, 1, 2].map((k) => Math.max(0, over[k]) * Math.sign(d[k])) as unknown as Vec3;
   const far = Math.hypot(...beyond);
   if (far > 0) return [far, normalize(beyond)];

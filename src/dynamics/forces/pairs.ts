@@ -27,28 +27,28 @@ export interface PairPotential {
 export class PairForce implements Force {
   /** Both ends of each pair. */
   private readonly ends: Uint32Array;
-  private readonly law: PairPotential;
+  private readonly potential: PairPotential;
 
-  constructor(ends: Uint32Array, law: PairPotential) {
+  constructor(ends: Uint32Array, potential: PairPotential) {
     this.ends = ends;
-    this.law = law;
+    this.potential = potential;
   }
 
   get data(): PairForceData {
-    const { ends, law } = this;
+    const { ends, potential: law } = this;
     const of = (value: (pair: number) => number) => Float64Array.from({ length: ends.length / 2 }, (_, s) => value(s));
     return { kind: law.kind, ends, strengths: of((s) => law.strength(s)), lengths: of((s) => law.restLength(s)) };
   }
 
   energy(x: Float64Array): number {
-    const { ends, law } = this;
+    const { ends, potential: law } = this;
     let sum = 0;
     for (let s = 0; 2 * s < ends.length; s++) sum += law.energy(distanceAt(x, 3 * ends[2 * s], 3 * ends[2 * s + 1]), s);
     return sum;
   }
 
   add(x: Float64Array, sum: Float64Array): void {
-    const { ends, law } = this;
+    const { ends, potential: law } = this;
     for (let s = 0; 2 * s < ends.length; s++) {
       const i = 3 * ends[2 * s];
       const j = 3 * ends[2 * s + 1];
@@ -58,7 +58,7 @@ export class PairForce implements Force {
   }
 
   addDiscreteGradient(x0: Float64Array, x1: Float64Array, sum: Float64Array): void {
-    const { ends, law } = this;
+    const { ends, potential: law } = this;
     for (let s = 0; 2 * s < ends.length; s++) {
       const i = 3 * ends[2 * s];
       const j = 3 * ends[2 * s + 1];
@@ -87,7 +87,7 @@ export class PairForce implements Force {
 
   /** φ′/r, across the line between the ends, and φ″, along it. */
   private curvatures(r: number, s: number, form: StiffnessForm): readonly [across: number, along: number] {
-    const { law } = this;
+    const { potential: law } = this;
     const [across, along] = [law.derivative(r, s) / r, law.secondDerivative(r, s)];
     if (form === 'exact') return [across, along];
     if (form === 'safe') return [Math.max(0, across), Math.max(0, along)];
@@ -100,7 +100,7 @@ export class PairForce implements Force {
    * The second end of a pair whose ends came nearer than half their contact distance, or passed each other within it.
    */
   findTunneled(x0: Float64Array, x1: Float64Array): number | undefined {
-    const { ends, law } = this;
+    const { ends, potential: law } = this;
     if (law.kind !== 'penalty') return undefined;
     for (let s = 0; 2 * s < ends.length; s++) {
       const i = 3 * ends[2 * s];
@@ -113,7 +113,7 @@ export class PairForce implements Force {
   }
 
   addStiffnessBound(bound: Float64Array): void {
-    const { ends, law } = this;
+    const { ends, potential: law } = this;
     for (let s = 0; 2 * s < ends.length; s++) {
       const k = 2 * law.maxStiffness(s);
       bound[ends[2 * s]] += k;

@@ -101,7 +101,7 @@ const LINEAR_SOLVE = { tolerance: 1e-2, most: 400 };
 
 class ImplicitStepper implements Stepper {
   private readonly system: System;
-  private readonly rule: ImplicitScheme;
+  private readonly scheme: ImplicitScheme;
   private readonly omega: number;
   private readonly W: Float64Array;
   private readonly M0: Float64Array;
@@ -121,9 +121,9 @@ class ImplicitStepper implements Stepper {
   private stiffnesses: Stiffness[] = [];
   private readonly anderson: AndersonAcceleration;
 
-  constructor(system: System, rule: ImplicitScheme) {
+  constructor(system: System, scheme: ImplicitScheme) {
     this.system = system;
-    this.rule = rule;
+    this.scheme = scheme;
     this.omega = maxAngularFrequency(system);
     const size = 3 * system.masses.length;
     this.W = new Float64Array(system.masses.length);
@@ -214,7 +214,7 @@ class ImplicitStepper implements Stepper {
   private evaluateResidual({ x, p }: State, h: number): readonly [off: number, size: number] {
     const { system, x0, p0, next, W } = this;
     this.updateMomenta(x, p, h);
-    this.rule.weights(system, this.stepStart, p, W);
+    this.scheme.weights(system, this.stepStart, p, W);
     let off = 0;
     let size = 0;
     for (let i = 0, j = 0; i < W.length; i++, j += 3) {
@@ -234,7 +234,7 @@ class ImplicitStepper implements Stepper {
   /** p = p₀ + h (F̄ + q v̄ × B), v̄ = (x − x₀)/h; p₀ for pinned points. */
   private updateMomenta(x: Float64Array, p: Float64Array, h: number): void {
     const { system, x0, p0, force } = this;
-    this.rule.meanForce(system, x0, x, this.half, force);
+    this.scheme.meanForce(system, x0, x, this.half, force);
     for (let j = 0; j < p.length; j++) p[j] = p0[j] + h * force[j];
     const { charges, magneticField: B, pinned } = system;
     if (charges && B) addMagneticImpulse(p, x0, x, charges, B);

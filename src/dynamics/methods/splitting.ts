@@ -9,9 +9,9 @@ import { type IntegrationMethod, potentialForces, type Stepper } from './method.
  * `row`: their fractions of h before the middle one. Sources: Yoshida 1990, Phys. Lett. A 150, 262; Suzuki and Umeno
  * 1993; Hairer, Lubich, Wanner, §V.3.2.
  */
-const splitting = (id: string, order: number, row: readonly number[]): IntegrationMethod => {
-  const middle = 1 - 2 * row.reduce((sum, share) => sum + share, 0);
-  const shares = [...row, middle, ...row.toReversed()];
+const splitting = (id: string, order: number, coefficients: readonly number[]): IntegrationMethod => {
+  const middle = 1 - 2 * coefficients.reduce((sum, share) => sum + share, 0);
+  const shares = [...coefficients, middle, ...coefficients.toReversed()];
   return {
     id,
     order,

@@ -1,6 +1,6 @@
 import { effectTexts } from '../../nodes/docs/effectTexts.ts';
 import { nodeTexts } from '../../nodes/docs/nodeTexts.ts';
-import { maxSizeTexts } from '../../nodes/pictures/maxSize.ts';
+import { maxSizeTexts } from '../../pipelines/maxSize.ts';
 import { graphTexts } from './graphTexts.ts';
 import { projectTexts } from './projectTexts.ts';
 

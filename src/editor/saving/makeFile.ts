@@ -7,8 +7,9 @@ import { pictureSequence } from '../../nodes/pictures/fileSequence.ts';
 import { type PictureFrame, type PictureSequence, renderPictureSequence } from '../../nodes/pictures/sequence.ts';
 import { exportSceneFile } from '../../nodes/project/exportSceneFile.ts';
 import type { ImageOutput, RequestedFile, SceneOutput, VideoOutput } from '../../nodes/project/outputFiles.ts';
+import { interactivePipeline, openSession } from '../../pipelines/registry.ts';
 import type { Backend } from '../../render/settings.ts';
-import { OffscreenRenderer } from './offscreenRenderer.ts';
+import { pageHost } from '../pipelines/pageHost.ts';
 import { MAX_PAGE_BYTES, UnsupportedInPage } from './unsupportedInPage.ts';
 
 /** A file for download. */
@@ -86,16 +87,23 @@ async function renderFrames(
   { backend, signal, progress }: MakeFileOptions,
   take: (frame: PictureFrame) => Promise<void>,
 ): Promise<void> {
-  const painter = await OffscreenRenderer.open(backend, picture.scenes, sequence.size);
+  const { scenes } = picture;
+  const request = {
+    scenes: [scenes[0]!, ...scenes.slice(1)],
+    size: sequence.size,
+    speedOfLight: sequence.settings.speedOfLight,
+    options: {},
+  } as const;
+  const session = await openSession(interactivePipeline(), request, pageHost(backend));
   const count = sequence.frames.length;
   try {
     throwIfCancelled(signal);
-    for await (const frame of renderPictureSequence(painter, sequence, (done) => progress(done / count))) {
+    for await (const frame of renderPictureSequence(session, sequence, (done) => progress(done / count))) {
       throwIfCancelled(signal);
       await take(frame);
     }
   } finally {
-    painter.close();
+    await session.close();
   }
 }
 

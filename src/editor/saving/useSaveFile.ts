@@ -1,9 +1,9 @@
 import { useCallback } from 'react';
 import { CancelledError, type Evaluation } from '../../graph/evaluation/evaluator.ts';
 import { type NodeProblem, NodeRefusal } from '../../graph/nodeType.ts';
-import { PictureTooLargeError } from '../../nodes/pictures/maxSize.ts';
 import { fileNodesIn, requestedFiles } from '../../nodes/project/fileNodes.ts';
 import type { RequestedFile } from '../../nodes/project/outputFiles.ts';
+import { PictureTooLargeError } from '../../pipelines/maxSize.ts';
 import { type Translate, useTexts } from '../i18n/i18n.ts';
 import type { TranslateMessage } from '../i18n/translations/translateMessage.ts';
 import { fileName, projectName } from '../projects/projectNames.ts';

@@ -99,10 +99,10 @@ it('an edit while a scene is read does not begin the reading anew; another file 
 });
 
 it('a reference render goes on while other things are edited; with numbers of its own changed it begins anew', async () => {
-  const traced: { readonly seed: number; stopped: boolean; readonly done: () => void }[] = [];
+  const traced: { readonly seed: unknown; stopped: boolean; readonly done: () => void }[] = [];
   const tracing: Services = {
     ...services,
-    trace: (_scene, { seed, width, height }, { signal, progress }) =>
+    renderStill: ({ options: { seed }, width, height }, { signal, progress }) =>
       new Promise((done, reject) => {
         const job = { seed, stopped: false, done: () => done(new Float32Array(3 * width * height)) };
         traced.push(job);

@@ -267,7 +267,10 @@ const NO_OUTPUT_EVALUATION: Evaluation = { target: NO_OUTPUT_RESULT, results: ne
  */
 function startEvaluation(store: StoreApi<EditorState>, services: Services) {
   const evaluator = new Evaluator(nodeLibrary, { heavy: heavyWorkers() });
-  const quick: Services = { ...services, trace: () => Promise.reject(new Error('it waits for what is under way')) };
+  const quick: Services = {
+    ...services,
+    renderStill: () => Promise.reject(new Error('it waits for what is under way')),
+  };
   let abort = new AbortController();
   let latest = 0;
   /** Whether cancelled work is kept at its interim result. */

@@ -1,6 +1,7 @@
 import { exposedFrameGraph, renderSettings } from '../../nodes/pictures/renderSettings.ts';
 import type { PictureSpec } from '../../nodes/socketValues.ts';
-import { SceneRenderer } from '../../render/renderer.ts';
+import type { InteractiveRenderer } from '../../pipelines/interactiveRenderer.ts';
+import { interactivePipeline } from '../../pipelines/registry.ts';
 import type { Backend, Sampling } from '../../render/settings.ts';
 import { contentKey, type FrameGraph } from '../../scene/frameGraph/frameGraph.ts';
 import type { Scene } from '../../scene/types.ts';
@@ -40,7 +41,7 @@ export interface CapturedPicture extends DisplayedView {
 
 /** What node pictures need from the viewport (graph/pictures/useNodePictures.ts). */
 export interface PreviewContext {
-  readonly renderer: SceneRenderer;
+  readonly renderer: InteractiveRenderer;
   readonly picture: PictureSpec;
   /** Identity changes with every drawn picture. */
   readonly view: DisplayedView;
@@ -61,7 +62,7 @@ export interface PreviewContext {
 export class ViewportRenderer {
   private readonly studio: Editor;
   private readonly pilot: ObserverController;
-  private readonly renderer: SceneRenderer;
+  private readonly renderer: InteractiveRenderer;
   private readonly canvas: HTMLCanvasElement;
   private readonly observer: ResizeObserver;
   private readonly resolution = new DynamicResolution();
@@ -105,7 +106,7 @@ export class ViewportRenderer {
       if (stage) stage.again();
     };
     const software = isSoftwareRenderer();
-    const renderer = await SceneRenderer.create({
+    const renderer = await interactivePipeline().openInteractive({
       canvas,
       backend,
       onLost,
@@ -124,7 +125,7 @@ export class ViewportRenderer {
 
   private constructor(
     canvas: HTMLCanvasElement,
-    renderer: SceneRenderer,
+    renderer: InteractiveRenderer,
     studio: Editor,
     pilot: ObserverController,
     finest: number | undefined,
@@ -210,7 +211,7 @@ export class ViewportRenderer {
    */
   private refine(): void {
     if (!this.shown || this.uploading || this.prepares || this.waits) return;
-    const goesOn = this.finest !== undefined && this.renderer.accumulate(this.finest);
+    const goesOn = this.finest !== undefined && this.renderer.accumulate?.(this.finest) === true;
     this.canvas.toggleAttribute('data-finest', !goesOn && this.eye.isSettled);
   }
 
@@ -218,7 +219,7 @@ export class ViewportRenderer {
   private read(now: number): void {
     if (!this.shown || this.uploading) return;
     const { width, height } = this.renderer;
-    const pick = (x: number, y: number) => this.renderer.pick(x, y);
+    const pick = async (x: number, y: number) => this.renderer.pick?.(x, y);
     this.reader.update({ ...this.shown, width, height, pick }, now)?.catch(() => {});
   }
 
@@ -259,7 +260,7 @@ export class ViewportRenderer {
   }
 
   private isPrepared({ viewPoint, settings, sampling }: DisplayedFrame): boolean {
-    const preparing = this.renderer.precompile(viewPoint, settings, sampling);
+    const preparing = this.renderer.precompile?.(viewPoint, settings, sampling);
     this.prepares = preparing !== undefined;
     // If the device was lost, the next generation compiles.
     preparing?.catch(() => {});

@@ -1,7 +1,7 @@
 import type { Vec3 } from '../../math/vec3.ts';
 import type { Material, SceneHints } from '../../scene/types.ts';
 
-/** What a file's author suggests for viewing, from the values that stand in it; what is not of its kind is passed over. */
+/** Viewing hints of a file; values of the wrong type are ignored. */
 export function parseSceneHints(get: (name: keyof SceneHints) => unknown): SceneHints {
   const number = (name: keyof SceneHints): number | undefined => finite(get(name));
   const text = (name: keyof SceneHints): string | undefined => {
@@ -19,29 +19,29 @@ export function parseSceneHints(get: (name: keyof SceneHints) => unknown): Scene
   return Object.fromEntries(Object.entries(hints).filter(([, value]) => value !== undefined));
 }
 
-/** Reflectances that a picture may tell, too; `shader`: what reads it where that is a USD material. */
+/** Reflectances that can also be textured; `shader`: the USD shader input that reads them. */
 export const INVISIBLE_BANDS = [
   { of: 'uv', texture: 'uvTexture', name: 'slowlight:albedo:uv', shader: 'Ultraviolet' },
   { of: 'ir', texture: 'irTexture', name: 'slowlight:albedo:ir', shader: 'Infrared' },
 ] as const;
 
-/** A table of what a material reflects at each wavelength. */
+/** Names a table of spectral reflectance. */
 export const REFLECTANCE_ATTRIBUTE = 'slowlight:reflectance';
 
-/** What a material says of light that eyes do not see at rest. */
+/** A material's reflectance and emission outside the visible band. */
 type SpectralHints = Pick<Material, 'uv' | 'ir' | 'emissionTemperature'>;
 
-/** Of the attributes and extras of a material that are ours: where each comes from, and what it may be. */
+/** Slowlight's material attributes and extras: their fields and ranges. */
 export const SPECTRAL_ATTRIBUTES = [
   { of: 'uv', name: 'slowlight:albedo:uv', least: 0, most: 1, range: '0 to 1' },
   { of: 'ir', name: 'slowlight:albedo:ir', least: 0, most: 1, range: '0 to 1' },
   { of: 'emissionTemperature', name: 'slowlight:emission:temperature', least: 1, most: 1e9, range: '1 to 1e9 K' },
 ] as const;
 
-/** Our own attributes of a dome: the colours of its horizon and of the ground. */
+/** Slowlight's attributes of a dome light: the colours of its horizon and of the ground. */
 export const SKY_ATTRIBUTES = ['slowlight:sky:horizon', 'slowlight:sky:ground'] as const;
 
-/** The hints of a material; `refuse` is told of each that is no number of its range, which is passed over. */
+/** A material's spectral hints; `refuse` is called for each value out of range, which is ignored. */
 export function parseSpectralHints(get: (name: string) => unknown, refuse: (message: string) => void): SpectralHints {
   const hints = SPECTRAL_ATTRIBUTES.flatMap(({ of, name, least, most, range }) => {
     const value = get(name);

@@ -1,10 +1,10 @@
 import { LIGHT_PRESETS } from '../../spectrum/sources/lightPresets.ts';
 import type { LightSpectrum } from '../../spectrum/sources/lightSpectrum.ts';
 
-/** Our own attribute or extra of a light: what its light is made of. */
+/** Slowlight's attribute or extra of a light: its spectrum. */
 export const SPECTRUM_ATTRIBUTE = 'slowlight:spectrum';
 
-/** Temperatures of lights that are read [K]. */
+/** Accepted colour temperatures [K]. */
 const TEMPERATURE_RANGE = [1, 1e9] as const;
 
 /** A spectrum as files write it: the name of a preset, or a blackbody's temperature, `2856 K`; undefined where it is neither. */
@@ -28,6 +28,6 @@ export function formatSpectrum(spectrum: LightSpectrum): string | undefined {
   return [...LIGHT_PRESETS].find(([, preset]) => JSON.stringify(preset.spectrum) === text)?.[0];
 }
 
-/** What is said of a text that names no spectrum. */
+/** Message for an unknown spectrum. */
 export const unknownSpectrumMessage = (written: string): string =>
   `${SPECTRUM_ATTRIBUTE} "${written.slice(0, 40)}" is neither a temperature, as "2856 K", nor one of ${[...LIGHT_PRESETS.keys()].join(', ')}; it is left out`;

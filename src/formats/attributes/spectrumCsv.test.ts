@@ -54,7 +54,7 @@ describe('a spectrum from CSV', () => {
         expect(first * 1e9).toBeCloseTo(rows[0][0], 6);
         expect((first + step * (values.length - 1)) * 1e9).toBeCloseTo(rows[rows.length - 1][0], 6);
         const area = rows.slice(1).reduce((sum, [x, y], i) => sum + ((x - rows[i][0]) * (y + rows[i][1])) / 2, 0);
-        // The first and the last stand for half a step.
+        // The first and last sample have half a step's weight.
         const ours =
           values.reduce((sum, y, i) => sum + (i === 0 || i === values.length - 1 ? y / 2 : y), 0) * step * 1e9;
         expect(ours / area).toBeCloseTo(1, 6);

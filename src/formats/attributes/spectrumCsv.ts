@@ -3,12 +3,12 @@ import type { SampledSpectrum } from '../../spectrum/sources/lightSpectrum.ts';
 import { inputError } from '../diagnostics/inputError.ts';
 import { textLines } from '../files/textLines.ts';
 
-/** Shortest and longest wavelength that is read [nm]: X-rays to the far infrared. */
+/** Accepted wavelengths [nm]: X-rays to the far infrared. */
 const WAVELENGTH_RANGE = [1, 100_000] as const;
-/** Most rows of a table, and most samples of a spectrum. */
+/** Maximum number of rows of a table and samples of a spectrum. */
 const MAX_TABLE_ROWS = 100_000;
 const MAX_SAMPLES = 4096;
-/** Steps are no finer than this [nm]: no eye tells it, and every lamp's lines are wider in a table. */
+/** Minimum step [nm]: finer is not visible, and spectral lines are wider in a table. */
 const MIN_STEP = 0.25;
 
 interface SpectrumRow {
@@ -63,7 +63,7 @@ function wordsOf(text: string): string[] {
   return line.split(/[;\t]/).map((word) => word.trim().replace(',', '.'));
 }
 
-/** The first two words as numbers; undefined where they are none. */
+/** The first two words as numbers; undefined where they are not numbers. */
 function rowOf([wavelength, value]: string[]): SpectrumRow | undefined {
   if (!wavelength || !value) return undefined;
   const row = { nanometres: Number(wavelength), value: Number(value) };
@@ -78,7 +78,7 @@ function checked({ nanometres, value }: SpectrumRow, before: SpectrumRow | undef
   return { nanometres, value: Math.max(value, 0) };
 }
 
-/** The rows as they are where their steps are even, else the mean of the light around each even step. */
+/** The rows unchanged if evenly spaced, else resampled to an even step by mean. */
 function evenlySampled(rows: readonly SpectrumRow[]): SampledSpectrum {
   const [first, last] = [rows[0].nanometres, rows[rows.length - 1].nanometres];
   const gaps = rows.slice(1).map(({ nanometres }, i) => nanometres - rows[i].nanometres);
@@ -104,7 +104,7 @@ const spectrum = (first: number, step: number, values: readonly number[]): Sampl
   values,
 });
 
-/** Of the lines from row to row, the mean over half a step to each side of each sample. */
+/** Mean of the linear interpolation over half a step to each side of each sample. */
 function means(rows: readonly SpectrumRow[], first: number, step: number, count: number): number[] {
   const integralUpTo = runningIntegral(rows);
   const last = rows[rows.length - 1].nanometres;
@@ -113,7 +113,7 @@ function means(rows: readonly SpectrumRow[], first: number, step: number, count:
   return Array.from({ length: count }, (_, i) => (integrals[i + 1] - integrals[i]) / (ends[i + 1] - ends[i]));
 }
 
-/** ∫ of the rows up to a wavelength, which must not fall from call to call. */
+/** Running integral of the rows up to a wavelength, for non-decreasing arguments. */
 function runningIntegral(rows: readonly SpectrumRow[]): (nanometres: number) => number {
   let [i, sum] = [0, 0];
   return (nanometres) => {

@@ -1,16 +1,16 @@
 import type { Diagnostic } from '../../scene/types.ts';
 import type { DiagnosticCode } from './diagnosticCodes.ts';
 
-/** Of each kind of diagnostic so many are listed; a file with a million faults has one message more, not a million. */
+/** Maximum number of diagnostics listed per code; further ones are summarized in one message. */
 export const MAX_PER_CODE = 100;
 
-/** What is said about a file: the same thing about the same place once. */
+/** Diagnostics of a file, without duplicates. */
 export class DiagnosticList {
   readonly list: Diagnostic[] = [];
   private readonly said = new Set<string>();
   private readonly counts = new Map<string, number>();
 
-  /** `file` is the place of what says that there are more. */
+  /** `file`: place of the message that summarizes further ones. */
   add(diagnostic: Diagnostic & { readonly code: DiagnosticCode }, file: string): void {
     const { severity, code, place, message } = diagnostic;
     const key = `${code}\n${place}\n${message}`;
@@ -23,7 +23,7 @@ export class DiagnosticList {
   }
 }
 
-/** What a reader or a writer has to say of one file. */
+/** Diagnostics of one file, for its reader or writer. */
 export class DiagnosticLog {
   private readonly said = new DiagnosticList();
   private readonly file: string;
@@ -31,7 +31,7 @@ export class DiagnosticLog {
     this.file = file;
   }
 
-  /** `what` names the thing in the file; empty: the file itself. `more`: what programs need of it besides. */
+  /** `what`: the part of the file; empty: the file itself. `more`: further data for programs. */
   add(
     severity: Diagnostic['severity'],
     code: DiagnosticCode,

@@ -1,14 +1,14 @@
 import { InputError } from '../../scene/types.ts';
 import type { DiagnosticCode } from './diagnosticCodes.ts';
 
-/** An error that names file, place and value and says what to do; `code` is short and stable, for programs. */
+/** An error with file, place, value and remedy; `code` is short and stable, for programs. */
 export function inputError(code: DiagnosticCode, place: string, message: string, cause?: unknown): InputError {
   const error = new InputError({ severity: 'error', code, place, message });
   if (cause !== undefined) error.cause = cause;
   return error;
 }
 
-/** What an unknown thrown value says. */
+/** Message of an unknown thrown value. */
 export const messageOf = (thrown: unknown): string => (thrown instanceof Error ? thrown.message : String(thrown));
 
 /** 1536 → `1.5 KiB`. */

@@ -1,7 +1,7 @@
 import type { Diagnostic, MissingFile } from '../../scene/types.ts';
 import type { DiagnosticCode } from './diagnosticCodes.ts';
 
-/** What every reader says of a picture that is not there: what was asked for, and where it was looked for. */
+/** Diagnostic of a missing texture: its name and where it was searched for. */
 export function missingTexture(
   name: string,
   lookedFor: readonly string[],
@@ -10,7 +10,7 @@ export function missingTexture(
   return { code: 'file.missing-texture', message, missing: { name, lookedFor } };
 }
 
-/** The same of a table of a spectrum; `instead`: what is done without it. */
+/** Diagnostic of a missing spectrum table; `instead`: the fallback. */
 export function missingSpectrum(
   name: string,
   lookedFor: readonly string[],

@@ -7,9 +7,9 @@ import { RangedFile } from './rangedFile.ts';
 export interface FileSource {
   /** The file's bytes, or undefined where there is no such file. */
   read(path: string): Promise<Uint8Array | undefined>;
-  /** The same file, of which parts can be read, as long as the scene is there; absent where the source cannot do that. */
+  /** The file for random access, valid as long as the scene; absent where not supported. */
   open?(path: string): Promise<RangedFile | undefined>;
-  /** Every file there is, where that can be told; for messages and suggestions. */
+  /** All files, where the source can list them; for messages and suggestions. */
   list?(): Promise<string[]>;
 }
 

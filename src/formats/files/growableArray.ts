@@ -1,6 +1,6 @@
 type GrowableNumbers = Float32Array | Int32Array;
 
-/** Numbers of a count that is not known before; a few are pushed at a time. */
+/** A growable typed array, appended a few numbers at a time. */
 class GrowableArray<T extends GrowableNumbers> {
   private held: T;
   private used = 0;
@@ -21,7 +21,7 @@ class GrowableArray<T extends GrowableNumbers> {
     if (c !== undefined) this.held[this.used++] = c;
   }
 
-  /** What there is now; later pushes may or may not show in it. */
+  /** The current contents; later pushes may or may not show in it. */
   values(): T {
     return this.held.subarray(0, this.used) as T;
   }

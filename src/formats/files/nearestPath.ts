@@ -1,7 +1,6 @@
 /**
- * The file that a reference most likely means which leads to none: of the same name, with as many of the folders before it
- * in common as any other, where that is only one (`../textures/a.png` in a flat selection → `a.png`). Case counts only where
- * names differ by nothing else.
+ * The most likely file for a broken reference: of the same name, with the most leading folders in common, if unique
+ * (`../textures/a.png` in a flat selection → `a.png`). Case is ignored unless it alone tells names apart.
  */
 export function nearestPath(paths: Iterable<string>, wanted: string): string | undefined {
   const all = [...paths];

@@ -1,9 +1,9 @@
 import { readRange, type StoredFile } from '../../scene/streaming/storedNumbers.ts';
 
-/** A file, or a part of one, that is not in memory: parts of it are read when they are needed. */
+/** A file or a part of one on disk, read on demand. */
 export class RangedFile {
   readonly file: StoredFile;
-  /** Where in the file it begins [byte]. */
+  /** Offset in the file [bytes]. */
   readonly start: number;
   /** [bytes] */
   readonly size: number;
@@ -14,7 +14,7 @@ export class RangedFile {
     this.size = size;
   }
 
-  /** A copy of `length` bytes from `at` on; both lie within it. */
+  /** A copy of `length` bytes at `at`; the range must lie within it. */
   read(at: number, length: number): Uint8Array<ArrayBuffer> {
     return readRange(this.file, this.start + at, length);
   }
@@ -24,33 +24,30 @@ export class RangedFile {
   }
 }
 
-/** What a file holds: in memory, or to be read in parts. */
+/** File contents: in memory, or read on demand. */
 export type FileContent = Uint8Array | RangedFile;
 
 export const contentSize = (content: FileContent): number =>
   content instanceof RangedFile ? content.size : content.length;
 
-/** All of it, in memory. */
+/** The whole contents in memory. */
 export const contentBytes = (content: FileContent): Uint8Array =>
   content instanceof RangedFile ? content.read(0, content.size) : content;
 
-/** Its first bytes, `length` of them where there are so many. */
+/** The first `length` bytes, or fewer if shorter. */
 export const contentHead = (content: FileContent, length: number): Uint8Array =>
   content instanceof RangedFile ? content.read(0, Math.min(length, content.size)) : content.subarray(0, length);
 
-/** Small things are read by pages of so many bytes, of which so many are kept. */
+/** Size [bytes] and maximum number of cached pages for small reads. */
 const [PAGE, MOST_PAGES] = [2 ** 16, 64];
 
-/**
- * Looks at a file through a window: `hold` moves it to where bytes are wanted. What is in memory is one window that never
- * moves, from byte 0 on.
- */
+/** A sliding window over a file: `ensure` moves it to the wanted bytes. In-memory contents are one fixed window from byte 0. */
 export class FileWindow {
   readonly size: number;
-  /** What is in the window. */
+  /** Bytes in the window. */
   bytes: Uint8Array;
   view: DataView;
-  /** Byte of the file at which it begins. */
+  /** Offset of the window in the file. */
   base = 0;
   private readonly ranged: RangedFile | undefined;
   private readonly pages = new Map<number, Uint8Array>();
@@ -58,7 +55,7 @@ export class FileWindow {
   constructor(content: FileContent) {
     this.size = contentSize(content);
     this.ranged = content instanceof RangedFile ? content : undefined;
-    // Not a Buffer of Node, whose slices are no copies.
+    // Not a Node Buffer, whose slice() does not copy.
     this.bytes =
       content instanceof RangedFile
         ? new Uint8Array(0)
@@ -66,7 +63,7 @@ export class FileWindow {
     this.view = viewOf(this.bytes);
   }
 
-  /** Makes [at, at + length), which are bytes of the file, be in the window. */
+  /** Moves the window so that it contains [at, at + length) of the file. */
   ensure(at: number, length: number): void {
     if (!this.ranged || (at >= this.base && at + length <= this.base + this.bytes.length)) return;
     const page = Math.floor(at / PAGE);
@@ -76,14 +73,14 @@ export class FileWindow {
     this.view = viewOf(this.bytes);
   }
 
-  /** A copy of bytes of the file, of which a large one leaves the window where it is. */
+  /** A copy of bytes of the file; a large one does not move the window. */
   slice(at: number, length: number): Uint8Array<ArrayBuffer> {
     if (this.ranged && length > PAGE) return this.ranged.read(at, length);
     this.ensure(at, length);
     return this.bytes.slice(at - this.base, at - this.base + length) as Uint8Array<ArrayBuffer>;
   }
 
-  /** `length` bytes from `at` on, to be read later; undefined of what is in memory. */
+  /** `length` bytes at `at` to be read later; undefined for in-memory contents. */
   part(at: number, length: number): RangedFile | undefined {
     return this.ranged?.part(at, length);
   }

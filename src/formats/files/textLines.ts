@@ -1,6 +1,6 @@
 import { inputError } from '../diagnostics/inputError.ts';
 
-/** Bytes decoded at a time: no string is as long as a large file. */
+/** Bytes decoded at once: a large file exceeds the maximum string length. */
 const BLOCK = 2 ** 22;
 /** Longest line [bytes]. */
 export const MAX_LINE = 2 ** 24;
@@ -10,7 +10,7 @@ const RETURN = 13;
 export interface TextLine {
   /** From 1. */
   readonly number: number;
-  /** Without its end. */
+  /** Without line ending. */
   readonly text: string;
 }
 
@@ -28,14 +28,14 @@ export function* textLines(bytes: Uint8Array, entry: string): Generator<TextLine
       );
     }
     const lines = decoder.decode(bytes.subarray(from, to)).split(/\r\n|\n|\r/);
-    // After the last line's end nothing stands.
+    // The last line ending is followed by nothing.
     if (lines.at(-1) === '') lines.pop();
     for (const text of lines) yield { number: ++number, text };
     from = to;
   }
 }
 
-/** The end of the first line that ends after a block's bytes; the end of the file where none does. */
+/** End of the first line that ends after the block; end of the file if none does. */
 function endOfBlock(bytes: Uint8Array, from: number): number {
   const isEnd = (at: number): boolean => bytes[at] === NEWLINE || (bytes[at] === RETURN && bytes[at + 1] !== NEWLINE);
   let at = Math.min(from + BLOCK, bytes.length);
@@ -43,7 +43,7 @@ function endOfBlock(bytes: Uint8Array, from: number): number {
   return at;
 }
 
-/** The number that a word is, as single precision has room for it; throws what `fail` makes of the reason where it is none. */
+/** Parses a number in the range of f32; throws what `fail` returns for the reason otherwise. */
 export function parseFiniteNumber(word: string | undefined, fail: (message: string) => Error): number {
   if (!word) throw fail('a number is missing; the file is cut off or damaged');
   const value = Number(word);

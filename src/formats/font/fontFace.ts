@@ -4,15 +4,15 @@ import { unpackWoff } from './woff.ts';
 
 type Commands = ReturnType<OpenTypeFont['charToGlyph']>['path']['commands'];
 
-/** The letters of one font file. */
+/** The glyphs of one font file. */
 export interface FontFace {
-  /** Undefined where the file has no such letter. */
+  /** Undefined if the font lacks it. */
   glyph(letter: string): Glyph | undefined;
 }
 
-/** Reads a WOFF of TrueType outlines, which comes with the program. */
+/** Reads a bundled WOFF with TrueType outlines. */
 export async function readFontFace(bytes: Uint8Array): Promise<FontFace> {
-  // Loaded with the first letter: no other picture needs it.
+  // Loaded lazily: only text needs it.
   const { parse } = await import('opentype.js/dist/opentype.mjs');
   const font = parse(unpackWoff(bytes));
   return {

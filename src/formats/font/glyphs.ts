@@ -4,7 +4,7 @@ import { type FontFace, readFontFace } from './fontFace.ts';
 /** Reads a file of a font’s package: `inter/unicode.json`. */
 export type ReadFont = (path: string) => Promise<Uint8Array>;
 
-/** Fonts by packages of Fontsource, in the order in which a letter is looked for; each is cut into files by what scripts need. */
+/** Fontsource packages in order of fallback; each is split into subsets by script. */
 export const FONTS = [
   /** Latin, Greek, Cyrillic. */
   { name: 'inter', weight: 700 },
@@ -12,7 +12,7 @@ export const FONTS = [
   { name: 'zcool-qingke-huangyou', weight: 400 },
 ] as const;
 
-/** The file of a subset in its font’s package: `latin`, `[5]` → `files/inter-latin-700-normal.woff`. */
+/** File name of a subset: `latin`, `[5]` → `files/inter-latin-700-normal.woff`. */
 export const fontFile = (
   { name, weight }: { readonly name: string; readonly weight: number },
   subset: string,
@@ -24,7 +24,7 @@ interface FontCache {
 }
 const ofReaders = new WeakMap<ReadFont, FontCache>();
 
-/** Letters by themselves; those of no font are not among them. Only the files that have them are read, and each once. */
+/** Glyphs by letter, without those of no font. Loads only the subsets needed, each once. */
 export async function readGlyphs(letters: Iterable<string>, read: ReadFont): Promise<Map<string, Glyph>> {
   const known = ofReaders.get(read) ?? { faces: new Map(), tables: new Map() };
   ofReaders.set(read, known);
@@ -47,7 +47,7 @@ async function findGlyph(letter: string, read: ReadFont, { faces, tables }: Font
   return undefined;
 }
 
-/** What could not be read may be there the next time. */
+/** Failed reads are not cached. */
 function once<T>(kept: Map<string, Promise<T>>, key: string, make: () => Promise<T>): Promise<T> {
   const known = kept.get(key);
   if (known) return known;
@@ -62,7 +62,7 @@ interface FontSubset {
   has(codePoint: number): boolean;
 }
 
-/** `{"latin": "U+0000-00FF,U+0131", "[5]": …}` → the files’ names, with what each has. */
+/** `{"latin": "U+0000-00FF,U+0131", "[5]": …}` → the subsets and their code point ranges. */
 function subsetsIn(bytes: Uint8Array): FontSubset[] {
   const table: Record<string, string> = JSON.parse(new TextDecoder().decode(bytes));
   return Object.entries(table).map(([key, ranges]) => {

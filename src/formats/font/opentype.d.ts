@@ -1,11 +1,11 @@
-/** What is used of opentype.js, whose package comes without types. */
+/** The part of opentype.js in use; the package has no types. */
 declare module 'opentype.js/dist/opentype.mjs' {
   type PathCommand =
     | { readonly type: 'M' | 'L'; readonly x: number; readonly y: number }
     | { readonly type: 'Q'; readonly x1: number; readonly y1: number; readonly x: number; readonly y: number }
     | { readonly type: 'C' | 'Z' };
   interface OpenTypeGlyph {
-    /** 0 is the glyph of letters that the font lacks. */
+    /** 0: missing glyph. */
     readonly index: number;
     readonly advanceWidth?: number;
     /** In font units, y up. */

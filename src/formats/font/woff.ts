@@ -1,6 +1,6 @@
 import { unzlibSync } from 'fflate';
 
-/** What outlines are made of; how letters change each other’s shapes and places (GSUB, GPOS) is not used. */
+/** Tables for outlines; substitution and positioning (GSUB, GPOS) are not used. */
 const TABLES = ['OS/2', 'cmap', 'glyf', 'head', 'hhea', 'hmtx', 'loca', 'maxp', 'name', 'post'];
 
 interface Table {

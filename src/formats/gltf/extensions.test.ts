@@ -11,7 +11,7 @@ import { memorySource } from '../files/fileSource.ts';
 import { readGltf } from './index.ts';
 
 describe('KHR_materials_variants', () => {
-  /** A shoe, red where nothing is chosen; the sole has no variants. */
+  /** A shoe, red by default; the sole has no variants. */
   function shoe(): GltfBuilder {
     const kit = new GltfBuilder();
     const variants = kit.doc.createExtension(KHRMaterialsVariants);

@@ -7,7 +7,7 @@ import type { Scene } from '../../scene/types.ts';
 import type { FileSource } from '../files/fileSource.ts';
 import { openScene } from '../open.ts';
 
-/** Files that nobody here made. They lie beside the repository, and only on some machines. */
+/** Third-party files, beside the repository and only on some machines. */
 const root = fileURLToPath(new URL('../../../../shared/data/gltf/packages/', import.meta.url));
 if (!existsSync(root)) console.warn('skipped: real glTF files; ../shared/data/gltf is not there');
 

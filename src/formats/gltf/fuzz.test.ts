@@ -5,7 +5,7 @@ import { memorySource } from '../files/fileSource.ts';
 import { encodePng } from '../image/encodePng.ts';
 import { readGltf } from './index.ts';
 
-/** A scene with something of everything: a texture, a skin, a morph target, an animation. */
+/** A scene with a texture, a skin, a morph target and an animation. */
 async function sample(): Promise<Uint8Array> {
   const doc = new Document();
   const buffer = doc.createBuffer();

@@ -1,7 +1,7 @@
 import type { Texture, TextureChannel } from '../../scene/types.ts';
 import { decodeSrgb } from '../../spectrum/display/srgb.ts';
 
-/** Writes what a channel says into channel `to` of the RGBA of a picture of the size of `like`, from the nearest texels. */
+/** Writes a texture channel into channel `to` of an RGBA image of the size of `like`, nearest texel. */
 export function writeChannel(
   data: Uint8Array,
   like: Texture,
@@ -22,7 +22,7 @@ export function writeChannel(
   }
 }
 
-/** What a channel says as the red of a picture of its own. */
+/** A texture channel as the red of a new texture. */
 export function redTexture(from: TextureChannel): Texture {
   const data = new Uint8Array(from.texture.data.length).fill(255);
   writeChannel(data, from.texture, 0, from);

@@ -3,7 +3,7 @@ import { InputError } from '../../scene/types.ts';
 import { inputError, messageOf } from '../diagnostics/inputError.ts';
 import { decodePngPixels } from './decodePng.ts';
 
-/** A picture as textures use it: RGBA, 8 bits each, rows from the top, alpha not premultiplied. */
+/** A texture image: RGBA8, rows from the top, straight alpha. */
 export interface DecodedImage {
   readonly width: number;
   readonly height: number;
@@ -14,7 +14,7 @@ export interface DecodedImage {
 export const MAX_SIDE = 16384;
 export const MAX_PIXELS = 2 ** 26;
 
-/** Decodes a PNG or JPEG by its content (not its name). Throws an InputError that names `name` where it cannot. */
+/** Decodes a PNG or JPEG, detected by content. Throws an InputError that names `name`. */
 export function decodeImage(bytes: Uint8Array, name: string): DecodedImage {
   const kind = imageKind(bytes);
   if (kind !== 'PNG' && kind !== 'JPEG') throw unreadableImage(name, kind);
@@ -27,7 +27,7 @@ export function decodeImage(bytes: Uint8Array, name: string): DecodedImage {
   }
 }
 
-/** What kind of picture the bytes begin as. */
+/** Image format by magic number. */
 export function imageKind(bytes: Uint8Array): string {
   const starts = (magic: string, at = 0): boolean => [...magic].every((c, i) => bytes[at + i] === c.charCodeAt(0));
   if (bytes.length === 0) return 'empty';
@@ -69,7 +69,7 @@ function jpegSize(bytes: Uint8Array): { width: number; height: number } {
   return { height: (bytes[at + 5] << 8) | bytes[at + 6], width: (bytes[at + 7] << 8) | bytes[at + 8] };
 }
 
-/** Where the frame header's marker is; −1: nowhere. */
+/** Offset of the frame header's marker; −1: none. */
 function jpegFrame(bytes: Uint8Array): number {
   const u16 = (at: number): number => (bytes[at] << 8) | bytes[at + 1];
   let at = 2;
@@ -93,10 +93,7 @@ function decodePng(bytes: Uint8Array, name: string): DecodedImage {
   return { width, height, data: decodePngPixels(bytes) };
 }
 
-/**
- * Whether a picture without a word about it holds colours as screens show them: UsdPreviewSurface takes 8 bits and three or four channels
- * for that, and all else for plain numbers.
- */
+/** Whether an image without metadata is sRGB: UsdPreviewSurface's `auto` takes 8 bits and three or four channels as sRGB, all else as linear. */
 export function looksLikeColor(bytes: Uint8Array): boolean {
   if (imageKind(bytes) === 'PNG') return bytes[25] === 3 || (bytes[24] === 8 && (bytes[25] & 2) !== 0);
   if (imageKind(bytes) !== 'JPEG') return false;
@@ -104,7 +101,7 @@ export function looksLikeColor(bytes: Uint8Array): boolean {
   return at < 0 || bytes[at + 9] >= 3;
 }
 
-/** The picture (white where there is none) with its alpha from one channel of another, read at the nearest pixel. */
+/** The image (white if none) with alpha from a channel of another, nearest pixel. */
 export function withAlphaFrom(image: DecodedImage | undefined, alpha: DecodedImage, channel: number): DecodedImage {
   const { width, height } = image ?? alpha;
   const data = image ? image.data.slice() : new Uint8Array(width * height * 4).fill(255);
@@ -118,7 +115,7 @@ export function withAlphaFrom(image: DecodedImage | undefined, alpha: DecodedIma
   return { width, height, data };
 }
 
-/** Mean of a channel of plain numbers, 0 … 1. */
+/** Mean of a linear channel, 0 … 1. */
 export function channelMean({ data }: DecodedImage, channel: number): number {
   let sum = 0;
   for (let i = channel; i < data.length; i += 4) sum += data[i];

@@ -33,7 +33,7 @@ export function decodePngPixels(bytes: Uint8Array): Uint8Array {
   return out;
 }
 
-/** Every eighth pixel first, then what lies between (PNG, 8.1). */
+/** Adam7 passes: origin and step of each (PNG, 8.1). */
 const ADAM7 = [
   { x: 0, y: 0, dx: 8, dy: 8 },
   { x: 4, y: 0, dx: 8, dy: 8 },
@@ -78,7 +78,7 @@ function readChunks(bytes: Uint8Array): Chunks {
     const end = at + 8 + length;
     const type = String.fromCharCode(...bytes.subarray(at + 4, at + 8));
     const crc = view.getUint32(end);
-    // A wrong sum in a comment or a profile does not matter here.
+    // Checksums of ancillary chunks are not verified.
     const isNeeded = ['IHDR', 'PLTE', 'tRNS', 'IDAT'].includes(type);
     if (isNeeded && crc32(bytes.subarray(at + 4, end)) !== crc) throw new Error(`wrong check sum of ${type}`);
     if (type === 'IDAT') data.push(bytes.subarray(at + 8, end));
@@ -127,7 +127,7 @@ function unfilter(raw: Uint8Array, rowBytes: number, step: number): void {
   }
 }
 
-/** Of left, up and up-left the one nearest to left + up − up-left. */
+/** Paeth predictor: of left, up and up-left the one nearest to left + up − up-left. */
 function paeth(left: number, up: number, corner: number): number {
   const [toLeft, toUp, toCorner] = [Math.abs(up - corner), Math.abs(left - corner), Math.abs(left + up - 2 * corner)];
   if (toLeft <= toUp && toLeft <= toCorner) return left;
@@ -164,7 +164,7 @@ function paletteWriter({ depth, transparency }: Format, palette: Uint8Array, out
   };
 }
 
-/** The one colour that is transparent, in the picture's own depth. */
+/** The transparent colour key, at the image's own depth. */
 function keyOf(transparency: Uint8Array, channels: number): number[] {
   return Array.from({ length: channels }, (_, k) => (transparency[2 * k] << 8) | transparency[2 * k + 1]);
 }

@@ -44,11 +44,11 @@ export interface PlyHeader {
   readonly endLine: number;
 }
 
-/** Longest header [bytes], most elements, most properties of one. */
+/** Maximum header length [bytes], number of elements, and properties per element. */
 const MAX_HEADER = 2 ** 18;
 export const MAX_PROPERTIES = 1000;
 
-/** Throws an InputError that names the line where the header is not one. */
+/** Throws an InputError that names the line of an invalid header. */
 export function readHeader(bytes: Uint8Array, entry: string): PlyHeader {
   const text = new TextDecoder('latin1').decode(bytes.subarray(0, MAX_HEADER));
   const fail = (line: number, message: string): Error => inputError('ply.header', `${entry}: line ${line}`, message);

@@ -12,7 +12,7 @@ import { type PlyContents, readContents } from './contents.ts';
 import { readHeader } from './header.ts';
 import { plyValueReader } from './valueReader.ts';
 
-/** Faces without normals that meet at less than this are smooth [rad], as those of USD are. */
+/** Faces without normals are smooth below this angle [rad], as for USD. */
 const SMOOTH_ANGLE = Math.PI / 3;
 
 /**
@@ -48,7 +48,7 @@ function meshOf(contents: PlyContents, notes: DiagnosticLog): Mesh | undefined {
     ...(normals ? { normals: { per: 'point', values: normals } } : { smoothAngle: SMOOTH_ANGLE }),
     ...(uvs && { uvs }),
     ...(shownColors && { colors: shownColors }),
-    // The format does not say which side is the outside, and its files do not agree.
+    // PLY does not define an orientation, and files differ.
     doubleSided: true,
   });
   if (skippedFaces > 0)
@@ -61,7 +61,7 @@ function uvsOf({ uvs, cornerUvs }: PlyContents): PolygonValues | undefined {
   return uvs && { per: 'point', values: uvs };
 }
 
-/** White where the picture or the colours tell the colour. */
+/** White where a texture or vertex colours give the colour. */
 function materialOf(texture: Texture | undefined, { colors, faceColors }: PlyContents): Material {
   const isColored = texture ?? colors ?? faceColors;
   return makeMaterial({

@@ -3,20 +3,20 @@ import { parseFiniteNumber, textLines } from '../files/textLines.ts';
 import type { Element, PlyHeader, ScalarType } from './header.ts';
 import { SIZES } from './header.ts';
 
-/** Gives the values of a PLY one after another; each has the place at which it stands. */
+/** Reads the values of a PLY sequentially. */
 export interface PlyValueReader {
   /** The next value; throws an InputError where there is none. */
   next(type: ScalarType): number;
-  /** Where the last value stands, for messages: `line 12`, `byte 3400`. */
+  /** Location of the last value, for messages: `line 12`, `byte 3400`. */
   place(): string;
-  /** Throws an InputError that names `what` where the rest of the file cannot hold so many values of these types. */
+  /** Throws an InputError that names `what` where the rest of the file is too short for `rows` rows of these types. */
   expect(what: () => string, rows: number, types: readonly ScalarType[]): void;
 }
 
 export const plyValueReader = (bytes: Uint8Array, header: PlyHeader, entry: string): PlyValueReader =>
   header.format === 'ascii' ? new PlyTextReader(bytes, header, entry) : new PlyBinaryReader(bytes, header, entry);
 
-/** The types of what each row has at the least: of a list its length. */
+/** Types of the values that each row has at least: of a list its length. */
 export const minRowTypes = ({ properties }: Element): ScalarType[] =>
   properties.map(({ type, count }) => count ?? type);
 
@@ -77,7 +77,7 @@ class PlyBinaryReader implements PlyValueReader {
   }
 }
 
-/** Values between spaces and line ends; how they stand on lines does not matter. */
+/** Whitespace-separated values; line breaks are not significant. */
 class PlyTextReader implements PlyValueReader {
   private readonly entry: string;
   private readonly lines: Iterator<{ number: number; text: string }>;
@@ -98,7 +98,7 @@ class PlyTextReader implements PlyValueReader {
     return `line ${this.line}`;
   }
 
-  /** A value takes a character and a space; that more is asked for than the whole file has is all that can be told. */
+  /** A value takes at least two characters: only counts beyond the whole file's size are detected. */
   expect(what: () => string, rows: number, types: readonly ScalarType[]): void {
     const wanted = 2 * rows * types.length - 1;
     if (wanted > this.bytes) throw tooShort(`${this.entry}: ${this.place()}`, what(), wanted, this.bytes);

@@ -1,8 +1,8 @@
-/** Most objects of a scene: instances make many of little. */
+/** Maximum number of objects of a scene; instancing makes many from little. */
 export const MAX_OBJECTS = 250_000;
 
-/** The steepest that normals of a picture are made: beyond it all of them lie in the surface. */
+/** Maximum normal map strength: beyond it all normals lie in the surface. */
 const MAX_NORMAL_STRENGTH = 1000;
-/** How much steeper a file wants the normals of a picture to be, within what shaders can hold. */
+/** Normal map strength of a file, clamped to what shaders can represent. */
 export const clampNormalStrength = (strength: number): number =>
   Number.isFinite(strength) ? Math.max(-MAX_NORMAL_STRENGTH, Math.min(MAX_NORMAL_STRENGTH, strength)) : 1;

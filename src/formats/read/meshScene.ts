@@ -4,19 +4,16 @@ import type { DiagnosticLog } from '../diagnostics/diagnosticLog.ts';
 import { stemOf } from '../files/fileSource.ts';
 import { UniquePrimPaths } from './primPaths.ts';
 
-/** A mesh with the name it has in its file; empty where it has none. */
+/** A mesh and its name in the file; empty if none. */
 export interface NamedMesh {
   readonly name: string;
   readonly mesh: Mesh;
 }
 
-/** Most corners of one polygon: more are no polygon of a model, and to cut them could take for ever. */
+/** Maximum number of corners of one polygon: triangulation takes O(n²). */
 export const MAX_CORNERS = 4096;
 
-/**
- * The scene of a format that knows only resting meshes, and neither unit nor axes: lengths are taken as metres, Y as up,
- * which is said.
- */
+/** Builds the scene of a format of static meshes without units or axes: lengths are taken as metres, Y as up, and that is reported. */
 export function meshScene(
   entry: string,
   meshes: readonly NamedMesh[],

@@ -1,7 +1,7 @@
-/** Object paths of names that USD takes too, each once under its parent. */
+/** Unique object paths from names, valid in USD. */
 export class UniquePrimPaths {
   private readonly used = new Map<string, number>();
-  /** `parent` is empty at the top. */
+  /** `parent`: empty at the root. */
   of(parent: string, name: string): string {
     const clean = name.replace(/[^\p{L}\p{N}_]/gu, '_').replace(/^(?=\p{N})/u, '_') || '_';
     const wanted = `${parent}/${clean}`;

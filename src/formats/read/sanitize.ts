@@ -19,8 +19,9 @@ import type {
 import type { DiagnosticCode } from '../diagnostics/diagnosticCodes.ts';
 
 /**
- * A scene in which every number is one: files hold NaN and infinities, and finite numbers overflow on their way to metres
- * in f32. What has none is left out, or replaced where nothing of the shape depends on it, and said.
+ * Makes all numbers of a scene finite: files hold NaN and infinities, and finite numbers overflow when converted to
+ * metres in f32. Elements without valid numbers are removed, or replaced where the shape does not depend on them, and
+ * reported.
  */
 export function sanitizeScene(scene: Scene): Scene {
   const found: Diagnostic[] = [];
@@ -63,7 +64,7 @@ function sanitizeObjects(objects: readonly SceneObject[], say: ReportIssue): Sce
   });
 }
 
-/** Whether all numbers are finite: a product with 0 is 0 for these alone, and a sum keeps what is not. */
+/** Whether all numbers are finite: x · 0 is 0 only for finite x, and NaN persists in a sum. */
 function allFinite(numbers: ArrayLike<number>): boolean {
   if (numbers instanceof Float32Array)
     return areFiniteBits(new Uint32Array(numbers.buffer, numbers.byteOffset, numbers.length));
@@ -72,10 +73,10 @@ function allFinite(numbers: ArrayLike<number>): boolean {
   return sum === 0;
 }
 
-/** An exponent of ones: NaN and the infinities. */
+/** All exponent bits set: NaN and infinities. */
 const EXPONENT_MASK = 0x7f800000;
 
-/** The same of f32 by their bits, which is quicker: of long caches every number is looked at. */
+/** The same for f32 by bit pattern, faster for long caches. */
 function areFiniteBits(bits: Uint32Array): boolean {
   for (let i = 0; i < bits.length; i++) if ((bits[i] & EXPONENT_MASK) === EXPONENT_MASK) return false;
   return true;
@@ -87,7 +88,7 @@ function isMotionFinite({ path, motion }: { path: string; motion: Motion }, say:
   return false;
 }
 
-/** What was found of lists of arrays that many objects may share. */
+/** Results cached per array, since objects share them. */
 const FINITE = new WeakMap<readonly Float32Array[] | Float32Array, boolean>();
 
 /** Whether all numbers of one array, or of all in a list, are finite. */
@@ -101,7 +102,7 @@ function cachedAllFinite(numbers: readonly Float32Array[] | Float32Array): boole
 
 const NO_POINTS: readonly Float32Array[] = [];
 
-/** A 1 for each vertex that is nowhere, at rest or at a sample; undefined where all are somewhere. */
+/** 1 for each vertex with a non-finite position, at rest or at a sample; undefined if none. */
 function nonFiniteVertices({ mesh, motion }: SceneObject): Uint8Array | undefined {
   const points = pointSamples(motion)?.points ?? NO_POINTS;
   if (isStreamed(points)) return points.statistics.nonFiniteVertices;
@@ -113,7 +114,7 @@ function nonFiniteVertices({ mesh, motion }: SceneObject): Uint8Array | undefine
   return lost;
 }
 
-/** The mesh without the triangles that have a lost corner. */
+/** The mesh without triangles that use these vertices. */
 function withoutVertices({ path, mesh }: SceneObject, lost: Uint8Array, say: ReportIssue): Mesh {
   const indices: number[] = [];
   const groups = mesh.groups.map(({ start, count, material }) => {
@@ -146,7 +147,7 @@ function zeroVertices(lost: Uint8Array, motion: Motion): Motion {
 const zeroPoints = (points: Float32Array, lost: Uint8Array): Float32Array =>
   points.map((x, i) => (lost[Math.floor(i / 3)] === 1 ? 0 : x));
 
-/** Normals of samples that are not all numbers are computed from the points. */
+/** Recomputes non-finite sample normals from the points. */
 function withFiniteNormals(motion: Motion, mesh: Mesh): Motion {
   const samples = pointSamples(motion);
   if (!samples?.normals || cachedAllFinite(samples.normals)) return motion;
@@ -155,7 +156,7 @@ function withFiniteNormals(motion: Motion, mesh: Mesh): Motion {
   return { ...samples, normals: samples.normals.map((normals, k) => (allFinite(normals) ? normals : computed(k))) };
 }
 
-/** With normals and uvs that are numbers. */
+/** With finite normals and UVs. */
 function withFiniteAttributes(mesh: Mesh, path: string, say: ReportIssue): Mesh {
   const { positions, normals, uvs, colors, indices } = mesh;
   const bad = [normals, uvs, colors ?? []].map((numbers) => !allFinite(numbers));

@@ -1,4 +1,4 @@
-/** What points follow: each `perPoint` joints, by weights that are taken as they are. */
+/** Skin weights: `perPoint` joints per point, weights not normalized. */
 export interface SkinInfluences {
   readonly perPoint: number;
   readonly joints: ArrayLike<number>;

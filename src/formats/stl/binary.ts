@@ -3,12 +3,12 @@ import type { DiagnosticLog } from '../diagnostics/diagnosticLog.ts';
 import { formatBytes, inputError } from '../diagnostics/inputError.ts';
 import { type Facets, facetNormal, isTurned } from './facets.ts';
 
-/** Bytes before the facets: a text of 80, and how many there are. */
+/** Header size [bytes]: 80 of text and the facet count. */
 const HEADER = 84;
-/** A facet: normal, three corners, two bytes of attributes. */
+/** Facet size [bytes]: normal, three corners, two bytes of attributes. */
 const FACET = 50;
 
-/** Whether the bytes are a binary STL. Some of these begin with `solid` as texts do, but then their size is exact. */
+/** Whether the bytes are a binary STL. Some begin with `solid` like text, but match the exact size. */
 export function isBinaryStl(bytes: Uint8Array): boolean {
   const start = new TextDecoder().decode(bytes.subarray(0, 512));
   if (!/^\s*solid\b/i.test(start)) return true;

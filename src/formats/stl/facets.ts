@@ -7,20 +7,20 @@ export interface Facets {
   readonly name: string;
   /** 9 per facet. */
   readonly points: Float32Array;
-  /** How many have a written normal that points away from the one of their corners. */
+  /** Number of facets whose authored normal opposes their winding. */
   readonly turned: number;
 }
 
-/** The normal that the order of a facet's corners gives, not of unit length. */
+/** Normal by winding order, not normalized. */
 export function facetNormal(points: ArrayLike<number>, facet: number): Vec3 {
   const a = pointAt(points, 3 * facet);
   return cross(sub(pointAt(points, 3 * facet + 1), a), sub(pointAt(points, 3 * facet + 2), a));
 }
 
-/** Whether a written normal points away from the one of the corners. */
+/** Whether an authored normal opposes the winding. */
 export const isTurned = (written: Vec3, corners: Vec3): boolean => dot(written, corners) < 0;
 
-/** Flat triangles, each with corners of its own. */
+/** Flat-shaded triangles without shared vertices. */
 export function facetMesh({ points }: Facets): Mesh {
   const vertices = points.length / 3;
   const normals = new Float32Array(points.length);
@@ -34,7 +34,7 @@ export function facetMesh({ points }: Facets): Mesh {
     uvs: new Float32Array(2 * vertices),
     indices: new Uint32Array(vertices).map((_, v) => v),
     groups: [{ start: 0, count: vertices, material: 0 }],
-    // Files of scanners and of many programs have facets the wrong way round.
+    // Winding is unreliable in scans and many exporters.
     doubleSided: true,
   };
 }

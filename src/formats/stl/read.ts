@@ -22,7 +22,7 @@ export async function readStl(source: FileSource, entry: string): Promise<Scene>
   return meshScene(entry, meshes, [], notes);
 }
 
-/** The order of a facet's corners and its normal should say the same of what is outside; the order is what counts here. */
+/** Reports facets whose normal and winding disagree; the winding is used. */
 function noteTurned(solids: readonly Facets[], notes: DiagnosticLog): void {
   const turned = solids.reduce((sum, solid) => sum + solid.turned, 0);
   if (turned === 0) return;

@@ -18,14 +18,14 @@ interface Solid {
   turned: number;
 }
 
-/** What may stand next; each word opens or closes something. */
+/** Keywords that may follow each keyword. */
 const EXPECTED: ReadonlyMap<string, readonly string[]> = new Map([
   ['file', ['solid']],
   ['solid', ['facet', 'endsolid']],
   ['facet', ['outer', 'endfacet']],
   ['loop', ['vertex', 'endloop']],
 ]);
-/** Most solids of one file: each becomes an object. */
+/** Maximum number of solids of one file; each becomes an object. */
 export const MAX_SOLIDS = 2 ** 16;
 
 class StlTextReader {
@@ -73,7 +73,7 @@ class StlTextReader {
   }
 
   private openFacet(words: readonly string[]): void {
-    // A normal that is not a number is of no consequence: the corners tell it.
+    // Invalid normals are ignored: the winding gives them.
     const [x, y, z] = words.slice(2).map(Number);
     this.normal = [x, y, z];
     this.corners = [];

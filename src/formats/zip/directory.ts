@@ -1,7 +1,7 @@
 import { formatBytes, inputError } from '../diagnostics/inputError.ts';
 import { normalizePath } from '../files/fileSource.ts';
 
-/** A file of which parts can be read: on disk, in a browser, in memory. */
+/** A random access file: on disk, in a browser, in memory. */
 export interface RandomAccessFile {
   /** [bytes] */
   readonly size: number;
@@ -9,7 +9,7 @@ export interface RandomAccessFile {
   read(from: number, to: number): Promise<Uint8Array>;
 }
 
-/** Where a packed file is in its archive; plain data. */
+/** Directory entry of a file in an archive; plain data. */
 export interface ZipEntry {
   readonly path: string;
   /** 0: stored, 8: deflated. */
@@ -28,14 +28,14 @@ const ZIP64_LOCATOR = 0x07064b50;
 const END_SIZE = 22;
 const LOCATOR_SIZE = 20;
 const LOCAL = 0x04034b50;
-/** Of a local header [bytes]. */
+/** Size of a local header [bytes]. */
 export const LOCAL_SIZE = 30;
 const MAX_COMMENT = 65535;
-/** Most that the files of one archive hold together, unpacked: what a scene may take. */
+/** Maximum total unpacked size of an archive [bytes]. */
 export const MAX_TOTAL = 2 ** 31;
-/** Deflate makes at most 1032 bytes of one. */
+/** Maximum compression ratio of deflate. */
 export const MAX_RATIO = 1032;
-/** What unpacks to more than this [bytes] and to so many times its own size is no scene. */
+/** Archives above this unpacked size [bytes] and ratio are rejected as bombs. */
 const BOMB_TOTAL = 2 ** 28;
 const BOMB_RATIO = 200;
 
@@ -49,14 +49,14 @@ export async function readZipDirectory(file: RandomAccessFile, name: string): Pr
   return entriesIn(await file.read(start, start + size), count, file.size, name);
 }
 
-/** What archivers of macOS add to a scene's own files. */
+/** Metadata files that macOS adds. */
 const isClutter = (path: string): boolean => /(^|\/)(__MACOSX|\.DS_Store|\._[^/]*)(\/|$)/.test(path);
 
 const fail = (name: string, message: string): never => {
   throw inputError('zip.damaged', name, message);
 };
 
-/** Where the directory of an archive is. */
+/** Location of an archive's central directory. */
 export interface DirectoryPlace {
   readonly count: number;
   /** [bytes] */
@@ -64,10 +64,10 @@ export interface DirectoryPlace {
   readonly size: number;
 }
 
-/** So much of the end of an archive tells where its directory is [bytes]. */
+/** Size of the tail that locates the directory [bytes]. */
 export const TAIL = END_SIZE + MAX_COMMENT + LOCATOR_SIZE;
 
-/** From an archive's last bytes, which begin at its byte `from`. */
+/** Locates the directory from an archive's tail, which begins at byte `from`. */
 export function directoryPlace(tail: Uint8Array, from: number, name: string): DirectoryPlace {
   const view = new DataView(tail.buffer, tail.byteOffset, tail.byteLength);
   let at = tail.length - END_SIZE;
@@ -100,7 +100,7 @@ export function entriesIn(directory: Uint8Array, count: number, fileSize: number
   return entries.filter(({ path }) => !isClutter(path));
 }
 
-/** Where the bytes of a file begin, by its local header. */
+/** Offset of a file's data, by its local header. */
 export function dataStart(header: Uint8Array, { path, offset }: ZipEntry, name: string): number {
   const view = new DataView(header.buffer, header.byteOffset, header.byteLength);
   if (header.length < LOCAL_SIZE || view.getUint32(0, true) !== LOCAL)
@@ -145,7 +145,7 @@ class Directory {
     };
   }
 
-  /** Names are UTF-8, said so or not; of old archivers Latin letters, near enough to find them. */
+  /** File names are UTF-8, flagged or not; else Latin-1 as an approximation. */
   private path(at: number, length: number, isUtf8: boolean): string {
     if (at + length > this.bytes.length) fail(this.name, 'its directory is cut off; copy it again');
     const bytes = this.bytes.subarray(at, at + length);

@@ -1,8 +1,8 @@
 import { type Zippable, zipSync } from 'fflate';
 
-/** The earliest that a zip can say: the same files give the same bytes. */
+/** Earliest date of the zip format, for reproducible output. */
 const NO_DATE = new Date(1980, 0, 1);
-/** These are packed already; deflating them again takes long and gains nothing. */
+/** Already compressed formats, which are stored. */
 const PACKED = /\.(zip|usdz|png|jpe?g|webp|ktx2|mp4|glb)$/i;
 
 /** A zip of some files, in the order given. */

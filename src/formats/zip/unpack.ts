@@ -3,10 +3,10 @@ import { inputError, messageOf } from '../diagnostics/inputError.ts';
 import { crc32 } from '../files/crc32.ts';
 import { dataStart, LOCAL_SIZE, type RandomAccessFile, type ZipEntry } from './directory.ts';
 
-/** What is inflated at a time [bytes]: of a file that holds more than it says not much more is made than this, 1032-fold. */
+/** Chunk size of inflation [bytes]: limits the excess of a file larger than declared, 1032-fold. */
 const PORTION = 2 ** 14;
 
-/** The bytes of one file of an archive. Throws an InputError where they are not what the directory says. */
+/** Unpacks one file of an archive. Throws an InputError where it contradicts the directory. */
 export async function unpack(archive: RandomAccessFile, entry: ZipEntry, name: string): Promise<Uint8Array> {
   const { path, method, packed, size, crc, offset } = entry;
   const fail = (message: string, cause?: unknown): never => {

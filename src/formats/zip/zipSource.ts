@@ -3,15 +3,15 @@ import { nearestPath } from '../files/nearestPath.ts';
 import { type RandomAccessFile, readZipDirectory } from './directory.ts';
 import { unpack } from './unpack.ts';
 
-/** Bytes in memory as a file of parts. */
+/** In-memory bytes as a random access file. */
 export const memoryFile = (bytes: Uint8Array): RandomAccessFile => ({
   size: bytes.length,
   read: async (from, to) => bytes.subarray(from, to),
 });
 
 /**
- * An archive as a folder of its own name: `set.zip/scene.usda`. What is not in it is looked for beside it, in `around`; what a
- * path inside does not lead to, by its name.
+ * Mounts an archive as a folder of its own name: `set.zip/scene.usda`. Paths outside it are resolved in `around`;
+ * broken paths inside by file name.
  */
 export async function zipSource(
   archive: RandomAccessFile,
@@ -33,7 +33,7 @@ export async function zipSource(
   };
 }
 
-/** `set.zip[a/scene.usda]` → `set.zip` and `a/scene.usda`; undefined of what is no zip. */
+/** `set.zip[a/scene.usda]` → `set.zip` and `a/scene.usda`; undefined if not a zip. */
 export function splitArchive(path: string): { readonly archive: string; readonly inner?: string } | undefined {
   const [, archive, inner] = /^(.*\.zip)(?:\[(.+)\])?$/is.exec(path) ?? [];
   if (archive === undefined) return undefined;

@@ -60,13 +60,18 @@ interface Scope extends GraphLevel {
 export function flatten(document: GraphDocument, registry: Registry): FlatGraph {
   const nodes = new Map<string, FlatNode>();
   const aliases = new Map<string, FlatAlias>();
-  const walk: TraceContext = { registry, known: new Map() };
+  const trace: TraceContext = { registry, cache: new Map() };
   const visit = (scope: Scope): void => {
     for (const [id, node] of Object.entries(scope.graph.nodes)) {
       const flatId = scope.prefix + id;
-      if (isPassThrough(node)) aliases.set(flatId, resolveAlias(scope, id, node, walk));
+      if (isPassThrough(node)) aliases.set(flatId, resolveAlias(scope, id, node, trace));
       else
-        nodes.set(flatId, { id: flatId, type: node.type, params: node.params, inputs: resolveInputs(scope, id, walk) });
+        nodes.set(flatId, {
+          id: flatId,
+          type: node.type,
+          params: node.params,
+          inputs: resolveInputs(scope, id, trace),
+        });
       const inner = scope.inside.get(id);
       if (inner) visit(inner);
     }
@@ -83,12 +88,12 @@ const sourceNodes = (sources: readonly FlatSource[]): string[] =>
 interface TraceContext {
   readonly registry: Registry;
   /** Sources of pass-through outputs, by `node.output`. */
-  readonly known: Map<string, FlatSource | undefined>;
+  readonly cache: Map<string, FlatSource | undefined>;
 }
 
-function resolveAlias(scope: Scope, id: string, node: GraphNode, walk: TraceContext): FlatAlias {
-  const output = Object.keys(socketsOf(scope, node, walk.registry)?.outputs ?? {})[0] ?? '';
-  const source = resolveSource(scope, { node: id, output }, walk);
+function resolveAlias(scope: Scope, id: string, node: GraphNode, trace: TraceContext): FlatAlias {
+  const output = Object.keys(socketsOf(scope, node, trace.registry)?.outputs ?? {})[0] ?? '';
+  const source = resolveSource(scope, { node: id, output }, trace);
   return { output, source: source ?? noSource(`nothing is connected to ${scope.prefix}${id}`) };
 }
 
@@ -118,8 +123,8 @@ const incomingEdgesCache = new WeakMap<Graph['edges'], ReadonlyMap<string, reado
 
 /** Incoming edges of each node; those of one socket in order. */
 export function incomingEdges({ edges }: Graph): ReadonlyMap<string, readonly GraphEdge[]> {
-  const known = incomingEdgesCache.get(edges);
-  if (known) return known;
+  const cache = incomingEdgesCache.get(edges);
+  if (cache) return cache;
   const found = new Map<string, GraphEdge[]>();
   for (const edge of Object.values(edges)) {
     const list = found.get(edge.to.node);
@@ -132,10 +137,10 @@ export function incomingEdges({ edges }: Graph): ReadonlyMap<string, readonly Gr
   return found;
 }
 
-function resolveInputs(scope: Scope, id: string, walk: TraceContext): FlatNode['inputs'] {
+function resolveInputs(scope: Scope, id: string, trace: TraceContext): FlatNode['inputs'] {
   const inputs = new Map<string, FlatSource[]>();
   for (const { from, to } of scope.incoming.get(id) ?? []) {
-    const source = resolveSource(scope, from, walk);
+    const source = resolveSource(scope, from, trace);
     if (!source) continue;
     const { base } = inputName(to.input);
     const list = inputs.get(base);
@@ -148,8 +153,8 @@ function resolveInputs(scope: Scope, id: string, walk: TraceContext): FlatNode['
 /**
  * Follows an edge back through pass-through nodes to the node that computes; undefined if nothing is connected there.
  */
-function resolveSource(start: Scope, edge: GraphEdge['from'], walk: TraceContext): FlatSource | undefined {
-  const { known } = walk;
+function resolveSource(start: Scope, edge: GraphEdge['from'], trace: TraceContext): FlatSource | undefined {
+  const { cache: known } = trace;
   const passed = new Set<string>();
   let at: OutputLocation = { scope: start, ...edge };
   let found: FlatSource | undefined;
@@ -166,7 +171,7 @@ function resolveSource(start: Scope, edge: GraphEdge['from'], walk: TraceContext
       break;
     }
     passed.add(place);
-    const before = throughPassThrough(at, node, walk);
+    const before = throughPassThrough(at, node, trace);
     if (!before || 'kind' in before) {
       found = before;
       break;

@@ -64,8 +64,8 @@ function inferLevelTypes(level: GraphLevel, registry: Registry, more?: GraphEdge
   for (const { edge, from, to } of typed) {
     if (from.variable || !to.variable) continue;
     // Of several sources' types, the one that the others convert to.
-    const held = variables.assign(to.variable, from, (other) => conversion(other.type, from.type) !== undefined);
-    if (!conversion(from.type, held.type)) conflicts.push({ edge, message: typeMismatch(from, held) });
+    const effective = variables.assign(to.variable, from, (other) => conversion(other.type, from.type) !== undefined);
+    if (!conversion(from.type, effective.type)) conflicts.push({ edge, message: typeMismatch(from, effective) });
   }
   const sourced = variables.assignedRoots();
   for (const { edge, from, to } of typed) {
@@ -89,8 +89,8 @@ function sinkType(
   variable: string,
   to: TypedEndpoint,
 ): TypedEndpoint {
-  const held = variables.typeOf(variable);
-  if (held && sourced.has(variables.find(variable))) return held;
+  const effective = variables.typeOf(variable);
+  if (effective && sourced.has(variables.find(variable))) return effective;
   return variables.assign(variable, to, (other) => conversion(to.type, other.type) !== undefined);
 }
 
@@ -148,10 +148,10 @@ class TypeVariables {
   }
 
   /** Assigns a type unless one is assigned that does not give way; returns the effective one. */
-  assign(variable: string, end: TypedEndpoint, givesWay: (held: TypedEndpoint) => boolean): TypedEndpoint {
+  assign(variable: string, end: TypedEndpoint, givesWay: (effective: TypedEndpoint) => boolean): TypedEndpoint {
     const root = this.find(variable);
-    const held = this.known.get(root);
-    if (held && !givesWay(held)) return held;
+    const effective = this.known.get(root);
+    if (effective && !givesWay(effective)) return effective;
     this.known.set(root, end);
     return end;
   }

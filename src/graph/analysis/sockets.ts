@@ -41,9 +41,9 @@ export function socketsOf(
   registry: Registry,
 ): NodeSockets | undefined {
   if (node.type === GROUP) return groupSockets(own(document.groups, groupKeyOf(node)))?.outside;
-  const around = group === undefined ? undefined : own(document.groups, group);
-  if (node.type === GROUP_INPUT) return groupSockets(around)?.entry;
-  if (node.type === GROUP_OUTPUT) return groupSockets(around)?.exit;
+  const parentGroup = group === undefined ? undefined : own(document.groups, group);
+  if (node.type === GROUP_INPUT) return groupSockets(parentGroup)?.entry;
+  if (node.type === GROUP_OUTPUT) return groupSockets(parentGroup)?.exit;
   const type = own(registry, node.type);
   return type && socketsOfType(type);
 }

@@ -93,7 +93,7 @@ export function edgeError(
     return at === key || !old.has(at);
   });
   if (conflict) return conflict.message;
-  return isReachable(level.graph, edge.to.node, edge.from.node) ? 'this would close a circle' : undefined;
+  return isReachable(level.graph, edge.to.node, edge.from.node) ? 'this would close a cycle' : undefined;
 }
 
 function socketError(level: GraphLevel, { from, to }: GraphEdge, registry: Registry): string | undefined {

@@ -30,12 +30,12 @@ export interface Grouping {
 /** Groups nodes of a level, replaces them by an instance and preserves connections. */
 export function groupCommand(
   document: GraphDocument,
-  { nodes, group: around }: GraphSelection,
+  { nodes, group: parentGroup }: GraphSelection,
   title: string,
   registry: Registry,
 ): Grouping {
-  const level = levelOf(document, around);
-  if (!level) throw new CommandError(`there is no group "${around}"`);
+  const level = levelOf(document, parentGroup);
+  if (!level) throw new CommandError(`there is no group "${parentGroup}"`);
   const chosen = new Set(nodes);
   assertGroupable(level, chosen);
   const cut = extractGroup(level, chosen, registry);
@@ -50,7 +50,7 @@ export function groupCommand(
   ];
   const commands: Command[] = [
     { kind: 'set-group', group, value: { ...cut.group, title } },
-    insideGroup(around, { kind: 'batch', commands: here }),
+    insideGroup(parentGroup, { kind: 'batch', commands: here }),
   ];
   return { command: { kind: 'batch', commands }, node, group };
 }

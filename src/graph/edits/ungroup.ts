@@ -12,8 +12,8 @@ export interface Ungrouping {
 }
 
 /** Replaces a group node by the group's content; removes the group with its last instance. */
-export function ungroupCommand(document: GraphDocument, node: string, around?: string): Ungrouping {
-  const level = graphIn(document, around);
+export function ungroupCommand(document: GraphDocument, node: string, parentGroup?: string): Ungrouping {
+  const level = graphIn(document, parentGroup);
   const held = level && own(level.nodes, node);
   const key = held?.type === GROUP ? groupKeyOf(held) : '';
   const group = own(document.groups, key);
@@ -31,7 +31,7 @@ export function ungroupCommand(document: GraphDocument, node: string, around?: s
     { kind: 'insert', graph: out },
     ...reconnectedEdges(level, node, group, names.node).map((edge): Command => ({ kind: 'connect', edge })),
   ];
-  const commands = [insideGroup(around, { kind: 'batch', commands: here })];
+  const commands = [insideGroup(parentGroup, { kind: 'batch', commands: here })];
   if (countGroupUses(document, key) === 1) commands.push({ kind: 'set-group', group: key });
   return { command: { kind: 'batch', commands }, nodes: Object.keys(out.nodes) };
 }

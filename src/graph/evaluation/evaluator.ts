@@ -82,7 +82,7 @@ export class Evaluator<Services> {
   private readonly pending = new Map<string, PendingWork<Services>>();
   private readonly stopped = new InterimCache();
   /** Results of the latest evaluation that depend on interim results. */
-  private passing: ReadonlyMap<string, NodeResult> = new Map();
+  private lastInterimResults: ReadonlyMap<string, NodeResult> = new Map();
   private flat: { readonly of: GraphDocument; readonly graph: FlatGraph } | undefined;
   private latest: LastEvaluation<Services> | undefined;
 
@@ -103,19 +103,20 @@ export class Evaluator<Services> {
     const [first = ''] = wanted;
     const flat = this.flattened(document);
     if ('status' in flat) return { target: flat, results: new Map(wanted.map((id) => [id, flat])) };
-    const asked = wanted.join(' ');
+    const targetsKey = wanted.join(' ');
     const latest = this.latest;
-    if (latest?.flat === flat && latest.services === services && latest.asked === asked) return latest.evaluation;
+    if (latest?.flat === flat && latest.services === services && latest.targetsKey === targetsKey)
+      return latest.evaluation;
     const { signal } = how;
-    const errand: EvaluationJob<Services> = { ...how, services, progress, interimResults: new Map() };
-    const run = new Scheduler(flat, this.registry, (call: NodeCall<Services>) => this.perform(call, errand));
+    const job: EvaluationJob<Services> = { ...how, services, progress, interimResults: new Map() };
+    const run = new Scheduler(flat, this.registry, (call: NodeCall<Services>) => this.perform(call, job));
     const reached = run.run(wanted);
     const results = await (signal ? Promise.race([reached, rejectOnAbort(signal)]) : reached);
     this.results.trim(results.size);
-    this.passing = errand.interimResults;
+    this.lastInterimResults = job.interimResults;
     const target = results.get(first) ?? failure('graph.unknown-node', first, 'nothing was asked for');
     const evaluation = { target, results };
-    this.latest = [...results.values()].every(isCacheable) ? { flat, services, asked, evaluation } : undefined;
+    this.latest = [...results.values()].every(isCacheable) ? { flat, services, targetsKey, evaluation } : undefined;
     return evaluation;
   }
 
@@ -134,22 +135,22 @@ export class Evaluator<Services> {
     }
   }
 
-  private perform(call: NodeCall<Services>, errand: EvaluationJob<Services>): NodeResult | Promise<NodeResult> {
+  private perform(call: NodeCall<Services>, job: EvaluationJob<Services>): NodeResult | Promise<NodeResult> {
     const content = this.results.keyOf(call.type.id, call.paramsKey, inputValues(call));
-    const known = this.results.get(content, call.id) ?? this.passed(content, errand);
+    const known = this.results.get(content, call.id) ?? this.reusedInterim(content, job);
     if (known) return known;
     const pending = this.pending.get(content);
-    if (pending && errand.interims === 'all') return firstInterimOf(pending, call.id);
+    if (pending && job.interims === 'all') return firstInterimOf(pending, call.id);
     const stopped = this.stopped.get(content);
-    if (stopped && errand.interims) return interimResult(stopped);
-    if (pending) return this.join(pending, call, errand);
-    if (errand.signal?.aborted) throw new CancelledError();
-    const shared = new SharedWork(errand, call.id, stopped);
-    const work = this.start(call, errand, shared, stopped);
-    if (!(work instanceof Promise)) return this.finish(content, call, work, errand);
+    if (stopped && job.interims) return interimResult(stopped);
+    if (pending) return this.join(pending, call, job);
+    if (job.signal?.aborted) throw new CancelledError();
+    const shared = new SharedWork(job, call.id, stopped);
+    const work = this.start(call, job, shared, stopped);
+    if (!(work instanceof Promise)) return this.finish(content, call, work, job);
     const result = work
       .then(
-        (outcome) => this.finish(content, call, outcome, errand),
+        (settled) => this.finish(content, call, settled, job),
         (error) => {
           if (shared.interim) this.stopped.set(content, shared.interim);
           throw error;
@@ -161,24 +162,24 @@ export class Evaluator<Services> {
   }
 
   /** What the previous evaluation made of the same interim results. */
-  private passed(content: string, { interimResults: passing }: EvaluationJob<Services>): NodeResult | undefined {
-    const passed = this.passing.get(content);
-    if (passed) passing.set(content, passed);
-    return passed;
+  private reusedInterim(content: string, { interimResults }: EvaluationJob<Services>): NodeResult | undefined {
+    const reusedResult = this.lastInterimResults.get(content);
+    if (reusedResult) interimResults.set(content, reusedResult);
+    return reusedResult;
   }
 
   /** Waits for the same work of another evaluation; if that was cancelled, performs it. */
   private async join(
     { node, shared, result }: PendingWork<Services>,
     call: NodeCall<Services>,
-    errand: EvaluationJob<Services>,
+    job: EvaluationJob<Services>,
   ): Promise<NodeResult> {
-    shared.join(errand, call.id);
+    shared.join(job, call.id);
     try {
       return resultAtNode(await result, node, call.id);
     } catch (error) {
-      if (!(error instanceof CancelledError) || errand.signal?.aborted) throw error;
-      return this.perform(call, errand);
+      if (!(error instanceof CancelledError) || job.signal?.aborted) throw error;
+      return this.perform(call, job);
     }
   }
 
@@ -213,16 +214,16 @@ export class Evaluator<Services> {
     content: string,
     { id, interim }: NodeCall<Services>,
     result: NodeResult,
-    { interimResults: passing }: EvaluationJob<Services>,
+    { interimResults }: EvaluationJob<Services>,
   ): NodeResult {
     this.stopped.delete(content);
     if (!interim) {
       if (isCacheable(result)) this.results.set(content, id, result);
       return result;
     }
-    const passed: NodeResult = result.status === 'done' ? { ...result, interim } : result;
-    if (result.status === 'done') passing.set(content, passed);
-    return passed;
+    const reusedResult: NodeResult = result.status === 'done' ? { ...result, interim } : result;
+    if (result.status === 'done') interimResults.set(content, reusedResult);
+    return reusedResult;
   }
 }
 
@@ -252,7 +253,7 @@ interface PendingWork<Services> {
 interface LastEvaluation<Services> {
   readonly flat: FlatGraph;
   readonly services: Services;
-  readonly asked: string;
+  readonly targetsKey: string;
   readonly evaluation: Evaluation;
 }
 

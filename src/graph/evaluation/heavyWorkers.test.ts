@@ -32,12 +32,12 @@ const threads = () =>
     const channel = new MessageChannel();
     open.push(channel);
     serveHeavy<unknown>(library, 'of the thread', {
-      listen: (hear) => void channel.port2.on('message', hear),
+      listen: (onReply) => void channel.port2.on('message', onReply),
       reply: (reply, transfer) => channel.port2.postMessage(reply, transfer),
     });
     return {
       send: (order) => channel.port1.postMessage(order),
-      listen: (hear) => void channel.port1.on('message', hear),
+      listen: (onReply) => void channel.port1.on('message', onReply),
       end: () => {
         ended++;
         channel.port1.close();

@@ -16,7 +16,7 @@ type HeavyResponse =
 
 /** The thread's end of the channel. */
 export interface HeavyPort {
-  listen(hear: (order: HeavyRequest) => void): void;
+  listen(onReply: (order: HeavyRequest) => void): void;
   reply(reply: HeavyResponse, transfer: ArrayBuffer[]): void;
 }
 
@@ -44,7 +44,7 @@ export function serveHeavy<Services>(registry: Registry<Services>, services: Ser
 export interface HeavyWorker {
   send(order: HeavyRequest): void;
   /** Registers the handlers of messages and of failure; called once. */
-  listen(hear: (reply: HeavyResponse) => void, fail: (error: Error) => void): void;
+  listen(onReply: (reply: HeavyResponse) => void, fail: (error: Error) => void): void;
   end(): void;
 }
 

@@ -25,22 +25,22 @@ const MAX_KEPT = 4;
 /** Interim results of cancelled work, by content. */
 export class InterimCache {
   /** Oldest first. */
-  private readonly kept = new Map<string, Outputs>();
+  private readonly entries = new Map<string, Outputs>();
 
   get(content: string): Outputs | undefined {
-    return this.kept.get(content);
+    return this.entries.get(content);
   }
 
   set(content: string, interim: Outputs): void {
-    this.kept.delete(content);
-    this.kept.set(content, interim);
-    for (const oldest of this.kept.keys()) {
-      if (this.kept.size <= MAX_KEPT) break;
-      this.kept.delete(oldest);
+    this.entries.delete(content);
+    this.entries.set(content, interim);
+    for (const oldest of this.entries.keys()) {
+      if (this.entries.size <= MAX_KEPT) break;
+      this.entries.delete(oldest);
     }
   }
 
   delete(content: string): void {
-    this.kept.delete(content);
+    this.entries.delete(content);
   }
 }

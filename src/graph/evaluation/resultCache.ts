@@ -22,7 +22,7 @@ const MAX_BY_VALUE = 4;
 export class ResultCache {
   private readonly capacity: number;
   /** Least recently used first. */
-  private readonly kept = new Map<ContentKey, { readonly result: NodeResult; readonly node: string }>();
+  private readonly entries = new Map<ContentKey, { readonly result: NodeResult; readonly node: string }>();
   private readonly identities = new WeakMap<object, number>();
   private count = 0;
 
@@ -37,23 +37,23 @@ export class ResultCache {
 
   /** A cached problem is reported at the node that has the content now. */
   get(content: ContentKey, node: string): NodeResult | undefined {
-    const kept = this.kept.get(content);
-    if (!kept) return undefined;
-    this.kept.delete(content);
-    this.kept.set(content, kept);
-    return resultAtNode(kept.result, kept.node, node);
+    const entries = this.entries.get(content);
+    if (!entries) return undefined;
+    this.entries.delete(content);
+    this.entries.set(content, entries);
+    return resultAtNode(entries.result, entries.node, node);
   }
 
   set(content: ContentKey, node: string, result: NodeResult): void {
-    this.kept.delete(content);
-    this.kept.set(content, { result, node });
+    this.entries.delete(content);
+    this.entries.set(content, { result, node });
   }
 
   /** Evicts the oldest; `used`: number of results that the last evaluation needed. */
   trim(used: number): void {
-    for (const oldest of this.kept.keys()) {
-      if (this.kept.size <= used + this.capacity) break;
-      this.kept.delete(oldest);
+    for (const oldest of this.entries.keys()) {
+      if (this.entries.size <= used + this.capacity) break;
+      this.entries.delete(oldest);
     }
   }
 

@@ -19,18 +19,18 @@ export class SharedWork<Services> implements AbortSignalLike {
   /** Resolves with the first interim result. */
   readonly firstInterim: Promise<void>;
   private readonly errands: EvaluationJob<Services>[] = [];
-  private readonly tell: ProgressCallback[] = [];
+  private readonly notify: ProgressCallback[] = [];
   private readonly tellInterim: (() => void)[] = [];
   private readonly listeners: (() => void)[] = [];
   private begin = (): void => {};
   private ended = false;
 
   /** `resume`: the interim result of the same work, if it was cancelled before. */
-  constructor(errand: EvaluationJob<Services>, node: string, resume?: Outputs) {
+  constructor(job: EvaluationJob<Services>, node: string, resume?: Outputs) {
     this.firstInterim = new Promise((done) => {
       this.begin = done;
     });
-    this.join(errand, node);
+    this.join(job, node);
     if (resume) this.reportInterim(resume);
   }
 
@@ -39,7 +39,7 @@ export class SharedWork<Services> implements AbortSignalLike {
   }
 
   readonly progress: ProgressCallback = (part, what) => {
-    for (const tell of this.tell) tell(part, what);
+    for (const notify of this.notify) notify(part, what);
   };
 
   readonly reportInterim = (interim: Outputs): void => {
@@ -48,20 +48,20 @@ export class SharedWork<Services> implements AbortSignalLike {
     this.begin();
     // Deferred until the evaluation that started this work has started everything it can.
     void this.firstInterim.then(() => {
-      for (const tell of this.tellInterim) tell();
+      for (const notify of this.tellInterim) notify();
     });
   };
 
-  join(errand: EvaluationJob<Services>, node: string): void {
-    this.errands.push(errand);
-    this.tell.push((part, what) => errand.progress(node, part, what));
-    this.tellInterim.push(() => errand.onInterim?.(node));
-    if (this.listeners.length > 0) this.watch(errand);
+  join(job: EvaluationJob<Services>, node: string): void {
+    this.errands.push(job);
+    this.notify.push((part, what) => job.progress(node, part, what));
+    this.tellInterim.push(() => job.onInterim?.(node));
+    if (this.listeners.length > 0) this.watch(job);
   }
 
   addEventListener(_: 'abort', listener: () => void): void {
     this.listeners.push(listener);
-    if (this.listeners.length === 1) for (const errand of this.errands) this.watch(errand);
+    if (this.listeners.length === 1) for (const job of this.errands) this.watch(job);
   }
 
   private watch({ signal }: EvaluationJob<Services>): void {

@@ -45,8 +45,8 @@ export function nodePage(type: NodeType): string {
 }
 
 function socketLine(side: string, all: NodeType['inputs']): string[] {
-  const told = Object.entries(all).map(([name, socket]) => `\`${name}\` (${socketDescription(socket)})`);
-  return told.length > 0 ? [`${side}: ${told.join(', ')}.`] : [];
+  const described = Object.entries(all).map(([name, socket]) => `\`${name}\` (${socketDescription(socket)})`);
+  return described.length > 0 ? [`${side}: ${described.join(', ')}.`] : [];
 }
 
 const socketDescription = ({ type, many, optional }: Socket): string =>

@@ -80,7 +80,7 @@ export const colliderNode = defineNode({
     const { shape, stiffness, scale, margin, mass, velocity, charge } = params;
     const { chosen, rest } = splitByPath(geometry, params.which, node, params.free ? 'rest' : 'rigid');
     if (params.free && shape !== 'ball') {
-      const message = 'only balls can be free; choose the shape ball, or let it stand fast';
+      const message = 'only balls can be free; choose the shape Ball, or turn Free off';
       const remedy = { node, param: 'free', value: false };
       throw new NodeRefusal({ severity: 'error', code: 'collider.free', place: `${node}.free`, message, remedy });
     }

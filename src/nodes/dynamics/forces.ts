@@ -23,7 +23,7 @@ export interface PointCollection {
   /** Index of the object of each point, for points of nets; otherwise −1. */
   readonly bodies: readonly number[];
   readonly nets: readonly Springs[];
-  readonly balls: readonly SimulatedSphere[];
+  readonly spheres: readonly SimulatedSphere[];
   readonly obstacles: readonly PlacedObstacle[];
 }
 
@@ -56,7 +56,7 @@ const MAX_PAIRS = 4_000_000;
 export function forcesOn(
   all: PointCollection,
   fields: readonly FieldMatter[],
-  touch: ProximityContact,
+  contact: ProximityContact,
 ): Partial<System> & Pick<System, 'forces'> {
   const charges = Float64Array.from(all.charges);
   const isCharged = charges.some((charge) => charge !== 0);
@@ -68,7 +68,7 @@ export function forcesOn(
     ...(all.nets.length > 0 ? [springForce(concatSprings(all.nets))] : []),
     ...sphereContactForces(all),
     ...barrierForces(all),
-    ...proximityForces(all, touch),
+    ...proximityForces(all, contact),
     ...(length(gravity) > 0 ? [uniformField(Float64Array.from(all.masses), gravity)] : []),
     ...(isCharged && length(electric) > 0 ? [uniformField(charges, electric)] : []),
     ...(isCharged && fields.some((field) => field.coulomb) ? [coulombForce(charges)] : []),
@@ -98,10 +98,10 @@ function concatSprings(nets: readonly Springs[]): Springs {
 }
 
 /** Contact of spheres with each other and with points of nets; one force for all of equal stiffness. */
-function sphereContactForces({ bodies, balls, pinned }: PointCollection): Force[] {
+function sphereContactForces({ bodies, spheres: balls, pinned }: PointCollection): Force[] {
   const points = bodies.flatMap((body, i) => (body < 0 ? [] : [i]));
   if (balls.length * (points.length + balls.length) > MAX_PAIRS) {
-    const message = `${balls.length} balls and ${points.length} points are too many to meet; take fewer balls, or coarser meshes`;
+    const message = `${balls.length} balls and ${points.length} points make too many pairs; take fewer balls, or coarser meshes`;
     throw nodeRefusal('collider.many', balls[0].of.node, message);
   }
   const hard = new Map<number, { readonly ends: number[]; readonly reach: number[] }>();
@@ -124,7 +124,7 @@ function sphereContactForces({ bodies, balls, pinned }: PointCollection): Force[
   );
 }
 
-function barrierForces({ bodies, balls, pinned, obstacles }: PointCollection): Force[] {
+function barrierForces({ bodies, spheres: balls, pinned, obstacles }: PointCollection): Force[] {
   const moving = (i: number): boolean => !pinned[i];
   const points = bodies.flatMap((body, i) => (body >= 0 && moving(i) ? [i] : []));
   return obstacles.flatMap(({ obstacle, of: { stiffness, margin }, carriers }) => [
@@ -137,14 +137,14 @@ function barrierForces({ bodies, balls, pinned, obstacles }: PointCollection): F
 
 function proximityForces({ bodies, x }: PointCollection, { reach, stiffness }: ProximityContact): Force[] {
   if (reach === 0) return [];
-  const law = new PenaltyPotential(stiffness, () => reach);
-  return [new NeighborPairs(Int32Array.from(bodies), Float64Array.from(x), reach, law)];
+  const potential = new PenaltyPotential(stiffness, () => reach);
+  return [new NeighborPairs(Int32Array.from(bodies), Float64Array.from(x), reach, potential)];
 }
 
 function coulombForce(charges: Float64Array): Force {
   const charged = charges.filter((charge) => charge !== 0).length;
   if (charged ** 2 / 2 > MAX_PAIRS) {
-    const message = `${charged} charged points are too many to act on each other; charge fewer things, or coarser ones`;
+    const message = `${charged} charged points make too many pairs; charge fewer or coarser objects`;
     throw nodeRefusal('field.charges', 'charge', message);
   }
   return coulomb(charges);

@@ -44,24 +44,24 @@ const ROD_SIDES = 8;
 
 /** Records the frames of a run and turns them into motions of the scene's objects. */
 export class MotionRecorder {
-  private readonly order: RunOptions;
+  private readonly options: RunOptions;
   private readonly rows: RecordedRow[];
   private readonly tracks: readonly MotionTrack[];
   private last: State;
-  private readonly casts: readonly BodyGroup[];
+  private readonly bodyGroups: readonly BodyGroup[];
   private readonly performers: readonly BodyRecorder[];
   private readonly books: RunRecorder;
   private readonly v: Float64Array;
 
   /** `before`: a recording to continue. */
-  constructor(order: RunOptions, casts: readonly BodyGroup[], before?: RecordedMotion) {
-    this.order = order;
-    this.casts = casts;
-    this.v = new Float64Array(order.start.x.length);
-    this.books = new RunRecorder(order);
-    this.performers = casts.flatMap(({ bodies }) => bodies.map((actor) => bodyRecorder(actor, order.start.x)));
+  constructor(options: RunOptions, bodyGroups: readonly BodyGroup[], before?: RecordedMotion) {
+    this.options = options;
+    this.bodyGroups = bodyGroups;
+    this.v = new Float64Array(options.start.x.length);
+    this.books = new RunRecorder(options);
+    this.performers = bodyGroups.flatMap(({ bodies }) => bodies.map((body) => bodyRecorder(body, options.start.x)));
     this.rows = before?.rows.slice() ?? [];
-    this.last = before?.last ?? order.start;
+    this.last = before?.last ?? options.start;
     this.tracks =
       before?.tracks.map(copyTrack) ?? this.performers.map(() => ({ points: [], velocities: [], normals: [] }));
     this.rows.forEach((row, k) => void this.books.addFrame({ ...row, state: { ...this.last, t: this.timeOf(k) } }));
@@ -85,21 +85,21 @@ export class MotionRecorder {
   });
 
   /** World time of frame k [s], computed from the frame rate, whose few digits give short numbers in files. */
-  timeOf = (k: number): number => this.order.start.t + k / this.rate;
+  timeOf = (k: number): number => this.options.start.t + k / this.rate;
 
   /** Frames per second. */
   private get rate(): number {
-    return Number((1 / this.order.every).toPrecision(12));
+    return Number((1 / this.options.every).toPrecision(12));
   }
 
   addFrame({ state: { x, p }, ...row }: SimulationFrame): void {
     // A resumed run accumulates time from another start and would differ in the last digit.
     const state = { t: this.timeOf(this.length), x, p };
     this.books.addFrame({ ...row, state });
-    velocities(this.order.system, state.p, this.v);
+    velocities(this.options.system, state.p, this.v);
     this.rows.push(row);
     this.last = state;
-    this.performers.forEach((performer, i) => void performer.addSample(this.tracks[i], state.x, this.v));
+    this.performers.forEach((recorder, i) => void recorder.addSample(this.tracks[i], state.x, this.v));
   }
 
   record = (stop?: EarlyStop): RunRecord => this.books.record(stop);
@@ -107,10 +107,10 @@ export class MotionRecorder {
   /** All objects with their motion so far; `notes`: diagnostics to add. */
   scene(notes: readonly Diagnostic[]): Scene {
     let i = 0;
-    const parts = this.casts.map(({ scene, bodies }): Scene => {
+    const parts = this.bodyGroups.map(({ scene, bodies }): Scene => {
       const objects = bodies.map((): SceneObject => {
         const at = i++;
-        return this.performers[at].toObject(this.tracks[at], this.times(), this.order.system.c);
+        return this.performers[at].toObject(this.tracks[at], this.times(), this.options.system.c);
       });
       return { ...scene, objects };
     });
@@ -139,16 +139,16 @@ interface BodyRecorder {
   toObject(track: MotionTrack, times: Float64Array, c: number): SceneObject;
 }
 
-function bodyRecorder(actor: SimulatedBody, start: Float64Array): BodyRecorder {
-  switch (actor.kind) {
+function bodyRecorder(body: SimulatedBody, start: Float64Array): BodyRecorder {
+  switch (body.kind) {
     case 'fixed':
-      return { addSample: () => {}, toObject: () => actor.object };
+      return { addSample: () => {}, toObject: () => body.object };
     case 'ball':
-      return sphereRecorder(actor, start);
+      return sphereRecorder(body, start);
     case 'net':
-      return meshRecorder(actor, start);
+      return meshRecorder(body, start);
     case 'rod':
-      return rodRecorder(actor, start);
+      return rodRecorder(body, start);
   }
 }
 
@@ -206,10 +206,10 @@ function sphereRecorder(
       velocities.push(Float32Array.from(pointAt(v, point)));
     },
     toObject(track, times, c) {
-      const way = sampleTrajectory(track, withRestSample(times), c);
-      const poses = new Float64Array(7 * way.length);
-      way.forEach(({ x }, k) => void poses.set([...add(pose.position, x), ...pose.orientation], 7 * k));
-      return { ...object, motion: { kind: 'sampled', times: Float64Array.from(way, ({ t }) => t), poses } };
+      const trajectory = sampleTrajectory(track, withRestSample(times), c);
+      const poses = new Float64Array(7 * trajectory.length);
+      trajectory.forEach(({ x }, k) => void poses.set([...add(pose.position, x), ...pose.orientation], 7 * k));
+      return { ...object, motion: { kind: 'sampled', times: Float64Array.from(trajectory, ({ t }) => t), poses } };
     },
   };
 }
@@ -220,7 +220,7 @@ function sampleTrajectory(
   times: Float64Array,
   c: number,
 ): { readonly t: number; readonly x: Vec3 }[] {
-  const way = [{ t: times[0], x: pointAt(points[0], 0) }];
+  const trajectory = [{ t: times[0], x: pointAt(points[0], 0) }];
   for (let k = 0; k + 1 < times.length; k++) {
     const [a, b] = [points[k], points[k + 1] ?? points[k]].map((each) => pointAt(each, 0));
     const [va, vb] = [velocities[k], velocities[k + 1] ?? velocities[k]].map((each) => pointAt(each, 0));
@@ -229,10 +229,12 @@ function sampleTrajectory(
     const slow = withBend(piece, Number.isFinite(c) ? subluminalBend(piece, MAX_CONTROL_SPEED * c) : 1);
     for (let j = 1; j <= SEGMENTS_PER_FRAME; j++) {
       const s = (span * j) / SEGMENTS_PER_FRAME;
-      way.push(j === SEGMENTS_PER_FRAME ? { t: times[k + 1], x: b } : { t: times[k] + s, x: cubicAt(slow, s).x });
+      trajectory.push(
+        j === SEGMENTS_PER_FRAME ? { t: times[k + 1], x: b } : { t: times[k] + s, x: cubicAt(slow, s).x },
+      );
     }
   }
-  return way;
+  return trajectory;
 }
 
 /** A thin tube between two points. Its vertices move with the ends. */
@@ -246,8 +248,8 @@ function rodRecorder({ of, ends, width }: Extract<SimulatedBody, { kind: 'rod' }
   const path = `${of.path}/Rod`;
   return {
     addSample({ points, velocities, normals }, x, v) {
-      const way = sub(pointAt(x, ends[1]), pointAt(x, ends[0]));
-      const turn = shortestRotation(rest, length(way) > 0 ? normalize(way) : rest);
+      const trajectory = sub(pointAt(x, ends[1]), pointAt(x, ends[0]));
+      const turn = shortestRotation(rest, length(trajectory) > 0 ? normalize(trajectory) : rest);
       const out = round.map((each) => rotate(turn, each));
       const at = (values: Float64Array, offsets: readonly Vec3[]): Float32Array =>
         Float32Array.from(ends.flatMap((end) => offsets.flatMap((offset) => [...add(pointAt(values, end), offset)])));

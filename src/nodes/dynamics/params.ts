@@ -55,8 +55,7 @@ export function splitByPath(
   const own = (wanted: boolean): Scene['objects'] =>
     scene.objects.filter(({ path }) => matchesPath(path, which) === wanted);
   const objects = own(true);
-  if (objects.length === 0)
-    throw nodeRefusal('matter.none', node, 'there is no thing with a surface; connect one that has');
+  if (objects.length === 0) throw nodeRefusal('matter.none', node, 'there is no object with a surface; connect one');
   for (const { path, motion } of objects) {
     if (isStatic(motion) || (may === 'rigid' && !deforms(motion))) continue;
     const how = may === 'rigid' ? 'changes its shape' : 'moves';

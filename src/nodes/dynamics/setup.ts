@@ -47,15 +47,15 @@ export interface SimulationSetup {
 const WELD_TOLERANCE = 1e-6;
 
 /** The system that parts make together. Throws a NodeRefusal that names the part, or a SystemError. */
-export function setUpSimulation(parts: readonly Matter[], c: number, touch: ProximityContact): SimulationSetup {
+export function setUpSimulation(parts: readonly Matter[], c: number, contact: ProximityContact): SimulationSetup {
   const builder = new SystemBuilder(c);
-  const casts = parts.flatMap((part): BodyGroup[] => {
+  const bodyGroups = parts.flatMap((part): BodyGroup[] => {
     if (part.kind === 'field') return [];
-    const actors = part.kind === 'net' ? builder.net(part) : builder.solid(part);
-    return [{ scene: part.scene, bodies: actors }];
+    const bodies = part.kind === 'net' ? builder.net(part) : builder.solid(part);
+    return [{ scene: part.scene, bodies }];
   });
   const fields = parts.filter((part) => part.kind === 'field');
-  return { ...builder.finish(fields, touch), bodyGroups: casts };
+  return { ...builder.finish(fields, contact), bodyGroups };
 }
 
 /** Collects points, springs and obstacles. */
@@ -68,10 +68,10 @@ class SystemBuilder implements PointCollection {
   readonly charges: number[] = [];
   readonly bodies: number[] = [];
   readonly nets: Springs[] = [];
-  readonly balls: SimulatedSphere[] = [];
+  readonly spheres: SimulatedSphere[] = [];
   readonly obstacles: PlacedObstacle[] = [];
   /** With initial velocity [m/s]. */
-  private readonly led: (KinematicPoint & { readonly v: Vec3 })[] = [];
+  private readonly kinematic: (KinematicPoint & { readonly v: Vec3 })[] = [];
   private bodyCount = 0;
 
   constructor(c: number) {
@@ -81,7 +81,7 @@ class SystemBuilder implements PointCollection {
   net(part: MassSpringMatter): SimulatedBody[] {
     const up = part.scene.upAxis === 'Y' ? 1 : 2;
     let held = 0;
-    const actors = part.scene.objects.map((object): SimulatedBody => {
+    const bodies = part.scene.objects.map((object): SimulatedBody => {
       const { points, velocities, pointOfVertex, net, lineOf } = massSpringMesh(object, part, this.c);
       const count = points.length / 3;
       const filled = part.stiffness.filling > 0;
@@ -107,7 +107,7 @@ class SystemBuilder implements PointCollection {
         `${part.node}.pinCenter`,
         'no point is in the box that holds points; put it on some',
       );
-    return actors;
+    return bodies;
   }
 
   /** Adds a center point with springs to all others. */
@@ -130,22 +130,22 @@ class SystemBuilder implements PointCollection {
     if (part.shape !== 'ball') {
       return part.scene.objects.map((object) => prescribedBody(object, this.obstacle(object, part)));
     }
-    const balls = part.scene.objects.map((object) => ({ object, ...this.ball(object, part) }));
-    const shown = balls.map(
+    const spheres = part.scene.objects.map((object) => ({ object, ...this.sphere(object, part) }));
+    const shown = spheres.map(
       ({ object, point }): SimulatedBody =>
         part.free ? { kind: 'ball', object, point } : prescribedBody(object, [point]),
     );
-    return [...shown, ...(part.free?.rods ? this.rods(balls, part.free.rods) : [])];
+    return [...shown, ...(part.free?.rods ? this.rods(spheres, part.free.rods) : [])];
   }
 
-  private ball(object: SceneObject, part: ColliderMatter): { readonly point: number; readonly center: Vec3 } {
+  private sphere(object: SceneObject, part: ColliderMatter): { readonly point: number; readonly center: Vec3 } {
     const { min, max } = meshBounds(object);
     const center = trajectoryOf(object, meshCenter(object), this.c)(START_TIME);
     const radius = Math.max(...sub(max, min)) / 2;
     const { node, charge, free = { mass: 1, velocity: ZERO } } = part;
     const point = this.point(center, free.velocity, { ...free, node, charge }, 1, !part.free, -1);
     if (isMoving(object)) this.leadWith(point, object, meshCenter(object));
-    this.balls.push({ point, radius, of: part });
+    this.spheres.push({ point, radius, of: part });
     return { point, center };
   }
 
@@ -167,22 +167,22 @@ class SystemBuilder implements PointCollection {
 
   private leadAlong(point: number, line: WorldLine): void {
     const { c } = this;
-    this.led.push({ point, positionAt: (t) => positionAt(line, t, c), v: velocityAt(line, START_TIME, c) });
+    this.kinematic.push({ point, positionAt: (t) => positionAt(line, t, c), v: velocityAt(line, START_TIME, c) });
   }
 
   /** Makes a point follow a point of an object, given in the object's frame. */
   private leadWith(point: number, object: SceneObject, place: Vec3): void {
     const { c } = this;
     const v = velocityAt(originWorldLine(object.motion as RigidMotion), START_TIME, c);
-    this.led.push({ point, positionAt: trajectoryOf(object, place, c), v });
+    this.kinematic.push({ point, positionAt: trajectoryOf(object, place, c), v });
   }
 
   private rods(
-    balls: readonly { readonly object: SceneObject; readonly point: number; readonly center: Vec3 }[],
+    spheres: readonly { readonly object: SceneObject; readonly point: number; readonly center: Vec3 }[],
     rods: Rods,
   ): SimulatedBody[] {
-    return balls.flatMap(({ object, point, center }, i): SimulatedBody[] => {
-      const before = rods.to === 'chain' ? balls[i - 1] : undefined;
+    return spheres.flatMap(({ object, point, center }, i): SimulatedBody[] => {
+      const before = rods.to === 'chain' ? spheres[i - 1] : undefined;
       const place = before?.center ?? add(center, rods.pivot);
       const held = before?.point ?? this.point(place, ZERO, PINNED_POINT, 1, true, -1);
       const lengths = Float64Array.of(length(sub(place, center)));
@@ -212,15 +212,15 @@ class SystemBuilder implements PointCollection {
     return this.masses.push(start.mass * share) - 1;
   }
 
-  finish(fields: readonly FieldMatter[], touch: ProximityContact): Pick<SimulationSetup, 'system' | 'start'> {
-    const { c, led, v, x } = this;
+  finish(fields: readonly FieldMatter[], contact: ProximityContact): Pick<SimulationSetup, 'system' | 'start'> {
+    const { c, kinematic, v, x } = this;
     const system = makeSystem({
       ...{ c, masses: Float64Array.from(this.masses), pinned: Uint8Array.from(this.pinned) },
-      ...forcesOn(this, fields, touch),
-      ...(led.length > 0 && { led }),
+      ...forcesOn(this, fields, contact),
+      ...(kinematic.length > 0 && { kinematic }),
     });
     const p = momenta(system, v);
-    for (const each of led) p.set(momentum(system.masses[each.point], each.v, c), 3 * each.point);
+    for (const each of kinematic) p.set(momentum(system.masses[each.point], each.v, c), 3 * each.point);
     return { system, start: { t: START_TIME, x: Float64Array.from(x), p } };
   }
 }

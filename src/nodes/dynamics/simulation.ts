@@ -62,13 +62,13 @@ export class Simulation {
   constructor(matter: readonly Matter[], settings: SimulationSettings, node: string, before?: RecordedMotion) {
     const c = settings.newtonian ? Number.POSITIVE_INFINITY : settings.speedOfLight;
     if (matter.every(({ kind }) => kind === 'field'))
-      throw nodeRefusal('simulate.nothing', node, 'nothing is there to move; connect a Mass spring or a Collider');
-    const stage = withSystemErrors(node, () => setUpSimulation(matter, c, settings.touch));
+      throw nodeRefusal('simulate.nothing', node, 'there is nothing to simulate; connect a Mass spring or a Collider');
+    const setup = withSystemErrors(node, () => setUpSimulation(matter, c, settings.touch));
     this.settings = settings;
     this.node = node;
-    this.runOptions = runOptionsFor(stage, settings, node);
-    this.bodyGroups = stage.bodyGroups;
-    this.recorder = new MotionRecorder(this.runOptions, stage.bodyGroups, before);
+    this.runOptions = runOptionsFor(setup, settings, node);
+    this.bodyGroups = setup.bodyGroups;
+    this.recorder = new MotionRecorder(this.runOptions, setup.bodyGroups, before);
   }
 
   /** Number of frames of the complete run. */
@@ -100,13 +100,18 @@ export class Simulation {
   }
 
   private async *runRemaining(device: GPUDevice | undefined): AsyncGenerator<SimulationFrame, void> {
-    const { runOptions: order, recorder } = this;
+    const { runOptions: options, recorder } = this;
     const { length } = recorder;
     const { state: start, steps } = recorder.latest;
     const known = Math.max(1, length) - 1;
-    const since = { t: order.start.t, frames: known };
-    const left = (this.frames - 1 - known) * order.every;
-    const rest: RunOptions = { ...order, since, duration: left, start: { ...start, t: since.t + known * order.every } };
+    const since = { t: options.start.t, frames: known };
+    const left = (this.frames - 1 - known) * options.every;
+    const rest: RunOptions = {
+      ...options,
+      since,
+      duration: left,
+      start: { ...start, t: since.t + known * options.every },
+    };
     const running = device ? runOnGpu(device, rest) : integrate(rest);
     try {
       // The first frame is the one that it resumes from.
@@ -134,34 +139,34 @@ export class Simulation {
   /** Outputs so far. */
   outputs(): SimulationOutputs {
     const { recorder, settings } = this;
-    const books: RunRecord = { ...recorder.record(this.stop), ...(settings.onGpu && { onGpu: true }) };
-    const whole = recorder.scene(this.notes(books));
+    const record: RunRecord = { ...recorder.record(this.stop), ...(settings.onGpu && { onGpu: true }) };
+    const whole = recorder.scene(this.notes(record));
     const hints = { ...whole.hints, speedOfLight: settings.speedOfLight };
     return {
       geometry: toLoadedScene({ ...whole, hints }),
-      books,
+      books: record,
       ...(recorder.length < this.frames && { reel: recorder.recordedMotion() }),
     };
   }
 
-  private notes(books: RunRecord): Diagnostic[] {
-    const { node, runOptions: order, onSoftware } = this;
-    const { stop } = books;
-    const { h, stable } = stepSchedule(order);
-    const { grown } = summarizeRun(books);
+  private notes(record: RunRecord): Diagnostic[] {
+    const { node, runOptions: options, onSoftware } = this;
+    const { stop } = record;
+    const { h, stable } = stepSchedule(options);
+    const { grown } = summarizeRun(record);
     const notes: Diagnostic[] = [];
     const note = (code: string, param: string, message: string, severity: 'warning' | 'info' = 'warning'): void =>
       void notes.push({ severity, code, place: param ? `${node}.${param}` : node, message });
     if (!stable) {
-      const message = `steps of ${h.toPrecision(3)} s are too long for ${order.method.id}: what is small may grow in each; set a shorter step, or 0`;
+      const message = `steps of ${h.toPrecision(3)} s are too long for ${options.method.id}: perturbations may grow; set a shorter step, or 0`;
       note('simulate.unstable', 'step', message);
     }
     if (onSoftware) {
-      const message = 'the GPU here is a program on the processor; without it the simulation takes less time';
+      const message = 'the GPU here is a software implementation; without it the simulation is faster';
       note('simulate.software', 'onGpu', message, 'info');
     }
     if (grown !== undefined) {
-      const message = `by t = ${grown.toPrecision(4)} s more energy had come from nowhere than half of what moves has: the error of ${order.method.id}; set a shorter step, or another method`;
+      const message = `by t = ${grown.toPrecision(4)} s the energy had grown without a source by more than half of the kinetic energy: an error of ${options.method.id}; set a shorter step, or another method`;
       note('simulate.grows', 'method', message);
     }
     if (stop) {
@@ -173,27 +178,27 @@ export class Simulation {
 }
 
 /** The reason why a run ended, with the affected object's name instead of a point index. */
-function withObjectName(stop: EarlyStop, casts: readonly BodyGroup[]): EarlyStop {
+function withObjectName(stop: EarlyStop, bodyGroups: readonly BodyGroup[]): EarlyStop {
   const { point } = stop;
   if (point === undefined) return stop;
-  for (const actor of casts.flatMap(({ bodies }) => bodies)) {
-    const name = pointNameIn(actor, point);
+  for (const body of bodyGroups.flatMap(({ bodies }) => bodies)) {
+    const name = pointNameIn(body, point);
     if (name) return { ...stop, message: stop.message.replace(pointName(point), name) };
   }
   return stop;
 }
 
 /** Description of a point of a body; undefined if it is not one of its points. */
-function pointNameIn(actor: SimulatedBody, point: number): string | undefined {
-  switch (actor.kind) {
+function pointNameIn(body: SimulatedBody, point: number): string | undefined {
+  switch (body.kind) {
     case 'net': {
-      const vertex = actor.pointOfVertex.indexOf(point);
-      return vertex >= 0 ? `vertex ${vertex} of ${actor.object.path}` : undefined;
+      const vertex = body.pointOfVertex.indexOf(point);
+      return vertex >= 0 ? `vertex ${vertex} of ${body.object.path}` : undefined;
     }
     case 'ball':
-      return actor.point === point ? actor.object.path : undefined;
+      return body.point === point ? body.object.path : undefined;
     case 'fixed':
-      return actor.points.includes(point) ? actor.object.path : undefined;
+      return body.points.includes(point) ? body.object.path : undefined;
     case 'rod':
       return undefined;
   }
@@ -229,25 +234,25 @@ function runOptionsFor(
   }
   const vertices = bodyGroups
     .flatMap(({ bodies }) => bodies)
-    .reduce((sum, actor) => sum + (actor.kind === 'net' ? actor.pointOfVertex.length : 0), 0);
+    .reduce((sum, body) => sum + (body.kind === 'net' ? body.pointOfVertex.length : 0), 0);
   if (vertices * frames > MAX_SAMPLES) {
     const message = `${vertices} vertices in ${frames} frames are more than ${MAX_SAMPLES} samples; keep fewer frames a second, let it end sooner, or take coarser meshes`;
     const most = Math.floor(MAX_SAMPLES / vertices / duration);
     throw nodeRefusal('simulate.samples', `${node}.rate`, message, most >= 1 ? set('rate', most) : undefined);
   }
   if (onGpu && tolerance > 0) {
-    const message = 'steps that follow their error are not taken on the GPU; let them be all alike, with 0';
+    const message = 'adaptive steps are not supported on the GPU; use fixed steps, with 0';
     throw nodeRefusal('simulate.gpu', `${node}.tolerance`, message, set('tolerance', 0));
   }
-  const order: RunOptions = {
+  const options: RunOptions = {
     ...{ system, start, method: METHODS.get(settings.method)!, duration, every: duration / frames },
     ...(step > 0 && { step }),
     ...(tolerance > 0 && { tolerance }),
   };
-  const { h, perFrame } = stepSchedule(order);
+  const { h, perFrame } = stepSchedule(options);
   if (perFrame * frames > MAX_STEPS) {
     const message = `it would take ${(perFrame * frames).toExponential(1)} steps of ${h.toExponential(1)} s, more than ${MAX_STEPS}; set a longer step, take softer springs, or let it end sooner`;
     throw nodeRefusal('simulate.steps', `${node}.step`, message, set('step', duration / MAX_STEPS));
   }
-  return order;
+  return options;
 }

@@ -32,7 +32,8 @@ async function evaluated(...commands: readonly Command[]) {
   const services: Services = {
     ...workerServices,
     readScene: async () => loaded,
-    trace: async (_scene, { width, height, seed }) => new Float32Array(3 * width * height).fill(seed),
+    renderStill: async ({ width, height, options: { seed } }) =>
+      new Float32Array(3 * width * height).fill(Number(seed)),
   };
   return new Evaluator(nodeLibrary).evaluate(document, 'output', services);
 }

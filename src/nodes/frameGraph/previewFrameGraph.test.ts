@@ -21,7 +21,7 @@ const light = (buffer: GBufferSpec): ImageSpec => ({
   step: { kind: 'light', buffer, shadows: true, occlusion: true },
   gbuffer: buffer,
 });
-const toned = (image: ImageSpec): ImageSpec => ({
+const toneMapped = (image: ImageSpec): ImageSpec => ({
   step: { kind: 'tone', tone: 'agx', exposure: 1, metering: 'manual', image },
   gbuffer: image.gbuffer,
 });
@@ -42,7 +42,7 @@ function besideOf(image: ImageSpec) {
 
 it('all images are steps of one plan, each once; curves are among them, and blurs shrink with the picture', () => {
   const [lit, smooth] = [light(seen), blurred(light(seen))];
-  const end = toned(smooth);
+  const end = toneMapped(smooth);
   const made = new Map<string, ImageSpec | GBufferSpec>([
     ['buffer', seen],
     ['lit', lit],
@@ -50,9 +50,9 @@ it('all images are steps of one plan, each once; curves are among them, and blur
     ['tone', end],
     ['output', end],
   ]);
-  const { plan, places } = previewFrameGraph(made, besideOf(end), 0.25);
-  expect(plan.passes.map(({ kind }) => kind)).toEqual(['light', 'effect', 'tone']);
-  expect(plan.passes[1]).toMatchObject({ args: [2, 30], image: 0 });
+  const { plan: frameGraph, places } = previewFrameGraph(made, besideOf(end), 0.25);
+  expect(frameGraph.passes.map(({ kind }) => kind)).toEqual(['light', 'effect', 'tone']);
+  expect(frameGraph.passes[1]).toMatchObject({ args: [2, 30], image: 0 });
   expect(Object.fromEntries(places)).toEqual({
     buffer: { kind: 'gbuffer', buffer: 0 },
     lit: { kind: 'image', step: 0, light: true },
@@ -70,10 +70,10 @@ it('G-buffers are those of the picture, in its order; what takes another one has
     ['other', light(there)],
     ['stranger', stranger],
   ]);
-  const { plan, places } = previewFrameGraph(made, besideOf(picture), 1);
-  expect(plan.extraBuffers).toEqual(buildPicture(picture).frameGraph?.extraBuffers);
+  const { plan: frameGraph, places } = previewFrameGraph(made, besideOf(picture), 1);
+  expect(frameGraph.extraBuffers).toEqual(buildPicture(picture).frameGraph?.extraBuffers);
   expect(places.get('there')).toEqual({ kind: 'gbuffer', buffer: 1 });
-  expect(plan.passes).toMatchObject([{ kind: 'light', buffer: 1 }]);
+  expect(frameGraph.passes).toMatchObject([{ kind: 'light', buffer: 1 }]);
   expect(places.has('stranger')).toBe(false);
   expect(previewFrameGraph(made, besideOf(light(seen)), 1).places.size).toBe(0);
 });
@@ -85,7 +85,7 @@ it('what a plan has no room for has no place', () => {
     long.set(`${i}`, image);
     image = blurred(image, i / 10);
   }
-  const { plan, places } = previewFrameGraph(long, besideOf(light(seen)), 1);
-  expect(plan.passes).toHaveLength(MAX_PASSES);
+  const { plan: frameGraph, places } = previewFrameGraph(long, besideOf(light(seen)), 1);
+  expect(frameGraph.passes).toHaveLength(MAX_PASSES);
   expect(places.size).toBe(MAX_PASSES);
 });

@@ -52,8 +52,11 @@ export function previewFrameGraph(
       if (!(error instanceof FrameGraphError)) throw error;
     }
   }
-  const plan: FrameGraph = { extraBuffers: others, passes: steps.items.map((step) => scaleArguments(step, scale)) };
-  return { plan, places };
+  const frameGraph: FrameGraph = {
+    extraBuffers: others,
+    passes: steps.items.map((step) => scaleArguments(step, scale)),
+  };
+  return { plan: frameGraph, places };
 
   function imagePlace(image: ImageSpec): PreviewTarget {
     const found = addPasses(image, steps, bufferPlace);

@@ -75,7 +75,7 @@ function assertCanFly(scene: Scene, path: string, direction: readonly [number, n
   }
   if (length(direction) === 0) {
     const remedy = { node, param: 'direction', value: [1, 0, 0] };
-    throw refusal({ code: 'fly.direction', place: path, message: 'the direction 0, 0, 0 leads nowhere', remedy });
+    throw refusal({ code: 'fly.direction', place: path, message: 'the direction 0, 0, 0 is not a direction', remedy });
   }
   if (large !== undefined) {
     const message = 'it deforms, and has too many samples to be carried along; let the file move it';

@@ -35,8 +35,8 @@ export const moveNode = defineNode({
       throw nodeRefusal('move.moving', moving, message);
     }
     const motion = motionFromPath(course, reachFromOrigin(scene, which));
-    const carried = applyRigidMotion(scene, which, motion, authoredIn as SceneObject['authoredIn']);
-    return { geometry: toLoadedScene({ ...carried, ...timeRangeIncluding(scene, motion) }) };
+    const moved = applyRigidMotion(scene, which, motion, authoredIn as SceneObject['authoredIn']);
+    return { geometry: toLoadedScene({ ...moved, ...timeRangeIncluding(scene, motion) }) };
   },
 });
 

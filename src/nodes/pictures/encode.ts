@@ -1,10 +1,10 @@
 import { encodePng } from '../../formats/image/encodePng.ts';
 import { type ExrChannel, writeExr } from '../../formats/image/exr.ts';
 import { withPngText } from '../../formats/image/pngText.ts';
+import type { AovValues, PictureSize, RenderedPicture } from '../../pipelines/pictureRenderer.ts';
 import type { Scene } from '../../scene/types.ts';
 import { observerMetadata, pictureMetadata } from '../../scene/view/pictureMetadata.ts';
 import { AOVS, type AovName, type RenderSettings, type ViewPoint } from '../../scene/view/view.ts';
-import type { AovValues, PictureSize, RenderedPicture } from './pictureRenderer.ts';
 
 /** Metadata of a picture. */
 export interface PictureInfo {

@@ -1,7 +1,7 @@
+import type { PictureRequest, PictureSize } from '../../pipelines/pictureRenderer.ts';
 import type { MeteringMode } from '../../scene/settings/settings.ts';
 import { adaptExposure, exposureForMetering } from './metering.ts';
 import type { PictureMeter } from './pictureMeter.ts';
-import type { PictureRequest, PictureSize } from './pictureRenderer.ts';
 
 /** Sets the exposure of consecutive pictures like an adapting eye: metered per picture, eased over scene time. */
 export class ExposureMeter {

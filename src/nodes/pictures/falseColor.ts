@@ -1,9 +1,9 @@
+import type { PictureRenderer, PictureRequest, PictureSize, RenderedPicture } from '../../pipelines/pictureRenderer.ts';
 import { falseColorLegendHeight, withFalseColorLegend } from '../../reference/figures/falseColorLegend.ts';
 import { AOVS_OF_FALSE_COLOR, falseColorPicture, falseColorValues } from '../../reference/post/falseColor.ts';
 import type { FalseColorQuantity, FalseColorScale, ValueRange } from '../../spectrum/falseColor/falseColor.ts';
 import { measuredFalseColorScale } from './metering.ts';
 import type { PictureMeter } from './pictureMeter.ts';
-import type { PictureRenderer, PictureRequest, PictureSize, RenderedPicture } from './pictureRenderer.ts';
 
 /** Options of false-colour pictures. */
 export interface FalseColorOptions {

@@ -41,10 +41,10 @@ describe('what is drawn for a file', () => {
   });
 
   it('is seen by an observer who coasts from the first frame on, unless he holds', async () => {
-    const film = await sequence('film', ...fast);
-    expect(film.frames.map(({ t }) => t)).toEqual([0.25, 0.375, 0.5, 0.625, 0.75]);
-    expect(film.observer(0.25).position).toEqual([0, 1, 6]);
-    expect(film.observer(0.75).position[2]).toBeCloseTo(3, 12);
+    const isFilm = await sequence('film', ...fast);
+    expect(isFilm.frames.map(({ t }) => t)).toEqual([0.25, 0.375, 0.5, 0.625, 0.75]);
+    expect(isFilm.observer(0.25).position).toEqual([0, 1, 6]);
+    expect(isFilm.observer(0.75).position[2]).toBeCloseTo(3, 12);
     const held = await sequence('film', ...fast, set('film', 'hold', true));
     expect(held.observer(0.75).position).toEqual([0, 1, 6]);
     expect(velocity(held.observer(0.75).u)[2]).toBeCloseTo(-0.6, 12);

@@ -1,9 +1,9 @@
+import type { PictureRequest } from '../../pipelines/pictureRenderer.ts';
 import { type FrameGraph, includesToneMapping } from '../../scene/frameGraph/frameGraph.ts';
 import type { RenderSettings } from '../../scene/view/view.ts';
 import type { FalseColorQuantity, ValueRange } from '../../spectrum/falseColor/falseColor.ts';
 import { measuredFalseColorScale } from './metering.ts';
 import type { PictureMeter } from './pictureMeter.ts';
-import type { PictureRequest } from './pictureRenderer.ts';
 import { exposedFrameGraph } from './renderSettings.ts';
 
 /** Sets exposures and false-colour scales of a frame graph; all frames of a film share the scales of the first. */

@@ -1,9 +1,9 @@
+import type { PictureRenderer, PictureSize } from '../../pipelines/pictureRenderer.ts';
 import { AOVS_OF_FALSE_COLOR, falseColorValues } from '../../reference/post/falseColor.ts';
 import { includesToneMapping } from '../../scene/frameGraph/frameGraph.ts';
 import { type LightMeterReadings, METER_CELLS, meterPixel } from '../../scene/view/metering.ts';
 import type { RenderSettings, ViewPoint } from '../../scene/view/view.ts';
 import type { FalseColorQuantity } from '../../spectrum/falseColor/falseColor.ts';
-import type { PictureRenderer, PictureSize } from './pictureRenderer.ts';
 
 /** Measures pictures at the same sample positions as the page, so that exposures and scales agree. */
 export class PictureMeter {

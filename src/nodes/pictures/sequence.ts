@@ -1,3 +1,4 @@
+import type { PictureRenderer, PictureRequest, RenderedPicture } from '../../pipelines/pictureRenderer.ts';
 import type { MeteringMode } from '../../scene/settings/settings.ts';
 import type { ObserverPath } from '../../scene/view/observerPath.ts';
 import type { AovName, RenderSettings } from '../../scene/view/view.ts';
@@ -7,7 +8,6 @@ import { ExposureMeter } from './exposureMeter.ts';
 import { type FalseColorOptions, FalseColorRenderer } from './falseColor.ts';
 import { FrameGraphSettings } from './frameGraphSettings.ts';
 import { PictureMeter } from './pictureMeter.ts';
-import type { PictureRenderer, PictureRequest, RenderedPicture } from './pictureRenderer.ts';
 
 /** Consecutive pictures of one scene. */
 export interface PictureSequence extends FalseColorOptions {

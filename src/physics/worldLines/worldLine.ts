@@ -57,6 +57,16 @@ export interface CubicLine extends SampledLine {
   readonly velocities: Float64Array;
 }
 
+/** The line where it is straight between samples; else undefined. */
+export const asPolyline = (w: WorldLine): PolylineLine | undefined => (w.kind === 'polyline' ? w : undefined);
+
+/** The line where its velocity is always the same; else undefined. */
+export const asInertial = (w: WorldLine): StaticLine | UniformLine | undefined =>
+  w.kind === 'static' || w.kind === 'uniform' ? w : undefined;
+
+/** The constant velocity of a line, 0 at rest [m/s]. */
+export const inertialVelocity = (w: StaticLine | UniformLine): Vec3 => (w.kind === 'uniform' ? w.velocity : ZERO);
+
 /** Sample i [m]. */
 export const samplePosition = (w: SampledLine, i: number): Vec3 => [
   w.positions[3 * i],

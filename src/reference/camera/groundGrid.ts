@@ -1,9 +1,8 @@
-import { add, dot, lerp, type Vec3 } from '../../math/vec3.ts';
-import { type BoundingSphere, boundingSphere, halfDiagonal, sampleBoundingSphere } from '../../scene/bounds/bounds.ts';
+import { dot, lerp, type Vec3 } from '../../math/vec3.ts';
+import { halfDiagonal } from '../../scene/bounds/bounds.ts';
 import { upVector } from '../../scene/lights/sceneLights.ts';
-import { applyPose, samplePose } from '../../scene/motion/poses.ts';
-import type { SceneObject } from '../../scene/types.ts';
 import type { ViewPoint } from '../../scene/view/view.ts';
+import { motionTracer } from '../intersection/motionTracers.ts';
 import type { TracedScene } from '../intersection/tracedScene.ts';
 import { directionAt } from './cameraRay.ts';
 
@@ -77,17 +76,14 @@ const steps = new WeakMap<TracedScene, number>();
 function gridStep(traced: TracedScene): number {
   const known = steps.get(traced);
   if (known) return known;
-  const step = 10 ** Math.floor(Math.log10(Math.max(halfDiagonal(traced.objects.map(startOf)), 1e-6) / 15));
+  const step =
+    10 **
+    Math.floor(
+      Math.log10(
+        Math.max(halfDiagonal(traced.objects.map((object) => motionTracer(object.motion).startSphere(object))), 1e-6) /
+          15,
+      ),
+    );
   steps.set(traced, step);
   return step;
-}
-
-/** Where an object is at time 0, or at its first sample; that round which it deforms is as large as it ever is. */
-function startOf({ mesh, motion }: SceneObject): BoundingSphere {
-  if (motion.kind === 'sampled-points') {
-    const spheres = Array.from(motion.times, (_, k) => sampleBoundingSphere(motion, k));
-    return { center: add(motion.origin, spheres[0].center), radius: Math.max(...spheres.map(({ radius }) => radius)) };
-  }
-  const { center, radius } = boundingSphere(mesh.positions);
-  return { center: applyPose(motion.kind === 'sampled' ? samplePose(motion.poses, 0) : motion.pose, center), radius };
 }

@@ -27,7 +27,7 @@ const MAX_GAMMA = 1e8;
 const ROUNDINGS = 32;
 const MAX_NOISE = 1e-6;
 
-export type HyperbolicObject = SceneObject & { readonly motion: HyperbolicMotion };
+type HyperbolicObject = SceneObject & { readonly motion: HyperbolicMotion };
 
 /** A ray as the object has it: o + s d − A D(s) in the object's own frame, with X + s X′ along A and τ + s τ′ in time [m, m of light]. */
 interface ObjectRayCurve {

@@ -1,9 +1,9 @@
 import { multiply } from '../../math/mat3.ts';
 import { conjugate, rotate, toMatrix } from '../../math/quat.ts';
-import { add, scale, type Vec3, ZERO } from '../../math/vec3.ts';
+import { add, scale, type Vec3 } from '../../math/vec3.ts';
 import { gamma, properVelocity } from '../../physics/lorentz/boost.ts';
 import { contraction } from '../../physics/worldLines/simultaneity.ts';
-import type { Pose, SceneObject, StaticMotion, UniformMotion } from '../../scene/types.ts';
+import type { Pose, SceneObject, UniformMotion } from '../../scene/types.ts';
 import { emptyBox, growBox } from '../acceleration/bvh.ts';
 import { BvhTraversal } from '../acceleration/bvhTraversal.ts';
 import type { Hit, SpacetimeRay } from '../acceleration/ray.ts';
@@ -43,21 +43,21 @@ export class RigidIntersector implements ObjectIntersector {
 
   constructor(
     index: number,
-    object: SceneObject & { readonly motion: StaticMotion | UniformMotion },
+    object: SceneObject,
+    { pose, velocity }: Pick<UniformMotion, 'pose' | 'velocity'>,
     shape: TriangleBvh,
     c: number,
   ) {
-    const { motion } = object;
     this.index = index;
     this.doubleSided = object.mesh.doubleSided;
     this.object = object;
     this.shape = shape;
     this.c = c;
-    this.pose = motion.pose;
-    this.velocity = motion.kind === 'uniform' ? motion.velocity : ZERO;
+    this.pose = pose;
+    this.velocity = velocity;
     this.beta = scale(this.velocity, 1 / c);
     this.u = properVelocity(this.beta);
-    const turn = toMatrix(conjugate(motion.pose.orientation));
+    const turn = toMatrix(conjugate(pose.orientation));
     this.toObject = Float64Array.from(object.authoredIn === 'rest' ? multiply(turn, lengthening(this.u)) : turn);
     this.hasLifetime = !isUnlimited(object.lifetime);
   }

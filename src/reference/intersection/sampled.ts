@@ -2,7 +2,7 @@ import { addScaled, cross, scale, sub, type Vec3, ZERO } from '../../math/vec3.t
 import { properVelocity } from '../../physics/lorentz/boost.ts';
 import { contraction } from '../../physics/worldLines/simultaneity.ts';
 import { samplesUntil } from '../../physics/worldLines/worldLine.ts';
-import type { SampledMotion, SampledPointsMotion, SceneObject } from '../../scene/types.ts';
+import type { SceneObject } from '../../scene/types.ts';
 import { MovingBvhTraversal } from '../acceleration/movingBvhTraversal.ts';
 import type { Hit, SpacetimeRay } from '../acceleration/ray.ts';
 import {
@@ -15,7 +15,7 @@ import {
 } from '../acceleration/rayQuery.ts';
 import { TimeBvh } from '../acceleration/timeBvh.ts';
 import type { CubicChords } from './cubicChords.ts';
-import { SampledShapes, type ShapeCache } from './sampledShapes.ts';
+import type { SampledShapes } from './sampledShapes.ts';
 import { SpacetimeTriangle } from './spacetimeTriangle.ts';
 
 const walk = new MovingBvhTraversal();
@@ -29,8 +29,6 @@ const line = new Float64Array(6);
 /** Roundings on the way from places and times to corners seen from the ray, in units of the last place. */
 const ROUNDINGS = 32;
 
-export type SampledObject = SceneObject & { readonly motion: SampledMotion | SampledPointsMotion };
-
 /**
  * An object whose vertices run straight between samples, or along chords of a cubic (`CubicChords`). Piece k lies between samples k and k + 1; it rests in piece −1, before its first sample,
  * and in the last one, after its last sample.
@@ -38,19 +36,19 @@ export type SampledObject = SceneObject & { readonly motion: SampledMotion | Sam
 export class SampledIntersector implements ObjectIntersector {
   readonly index: number;
   readonly doubleSided: boolean;
-  private readonly object: SampledObject;
+  private readonly object: SceneObject;
   private readonly c: number;
   private readonly samples: SampledShapes;
   private readonly stretches: TimeBvh;
   /** The greatest coordinate of all [m]. */
   private readonly reach: number;
 
-  constructor(index: number, object: SampledObject, c: number, store: ShapeCache) {
+  constructor(index: number, object: SceneObject, c: number, samples: SampledShapes) {
     this.index = index;
     this.doubleSided = object.mesh.doubleSided;
     this.object = object;
     this.c = c;
-    this.samples = new SampledShapes(object, store, c);
+    this.samples = samples;
     this.stretches = new TimeBvh(this.samples.outlines());
     this.reach = Math.max(...this.stretches.whole.map(Math.abs));
   }

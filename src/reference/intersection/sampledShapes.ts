@@ -1,13 +1,8 @@
-import { toMatrix } from '../../math/quat.ts';
 import { add, sub, type Vec3 } from '../../math/vec3.ts';
-import { type BoundingBox, boundingBox, sampleBoundingBox } from '../../scene/bounds/bounds.ts';
-import { isCubic } from '../../scene/motion/cubicPoints.ts';
-import { samplePose } from '../../scene/motion/poses.ts';
-import { isStreamed, pointsAt } from '../../scene/streaming/samplePoints.ts';
-import type { Mesh, SampledMotion, SampledPointsMotion, SceneObject } from '../../scene/types.ts';
+import type { Mesh } from '../../scene/types.ts';
 import { emptyBox, growBox } from '../acceleration/bvh.ts';
-import { buildTriangleBvh, growByTriangle, meshBvh, type TriangleBvh } from '../acceleration/triangleBvh.ts';
-import { CubicChords } from './cubicChords.ts';
+import { growByTriangle, type TriangleBvh } from '../acceleration/triangleBvh.ts';
+import type { CubicChords } from './cubicChords.ts';
 
 /** An object at one of its samples. */
 export interface SampledShape {
@@ -64,35 +59,43 @@ export class ShapeCache {
   }
 }
 
-/** The shapes of a sampled object, made when they are asked for. The tree's structure is one for all samples. */
+/** What the shapes of a kind of sampled motion are made from. */
+export interface ShapeSource {
+  readonly times: Float64Array;
+  /** [m] */
+  readonly origin: Vec3;
+  /** The tree's structure is one for all samples. */
+  readonly topology: TriangleBvh;
+  /** The points are not the scene's. */
+  readonly ownsPoints: boolean;
+  /** Where points go along cubics: its blocks are the pieces. */
+  readonly cubic: CubicChords | undefined;
+  /** Writes the box of the whole object at sample k, from `origin` [m]; those of rigid objects are not tight. */
+  outline(k: number, boxes: Float64Array): void;
+  /** 3 per vertex, world axes, from `origin` [m]. */
+  pointsAt(k: number): Float32Array | Float64Array;
+}
+
+/** The shapes of a sampled object, made when they are asked for. */
 export class SampledShapes {
   readonly times: Float64Array;
   readonly origin: Vec3;
   readonly topology: TriangleBvh;
+  readonly cubic: CubicChords | undefined;
   private readonly mesh: Mesh;
-  private readonly motion: SampledMotion | SampledPointsMotion;
+  private readonly source: ShapeSource;
   private readonly shapes: (SampledShape | undefined)[];
   private readonly store: ShapeCache;
-  /** Where points go along cubics: its blocks are the pieces. */
-  readonly cubic: CubicChords | undefined;
-  private readonly ownsPoints: boolean;
 
-  /** c [m/s]: how much a cubic bends can depend on it. */
-  constructor(
-    { mesh, motion }: SceneObject & { readonly motion: SampledMotion | SampledPointsMotion },
-    store: ShapeCache,
-    c: number,
-  ) {
+  constructor(mesh: Mesh, source: ShapeSource, store: ShapeCache) {
     this.mesh = mesh;
-    this.motion = motion;
+    this.source = source;
     this.store = store;
-    this.cubic = motion.kind === 'sampled-points' && isCubic(motion) ? new CubicChords(motion, c) : undefined;
-    this.ownsPoints = motion.kind === 'sampled' || isStreamed(motion.points) || this.cubic !== undefined;
-    this.times = this.cubic?.times ?? motion.times;
+    this.times = source.times;
+    this.origin = source.origin;
+    this.topology = source.topology;
+    this.cubic = source.cubic;
     this.shapes = new Array(this.times.length);
-    this.origin = motion.kind === 'sampled' ? samplePose(motion.poses, 0).position : motion.origin;
-    this.topology =
-      motion.kind === 'sampled' ? meshBvh(mesh) : buildTriangleBvh({ ...mesh, positions: middlePoints(motion) });
   }
 
   at(k: number): SampledShape {
@@ -101,8 +104,8 @@ export class SampledShapes {
       this.store.touch(known);
       return known;
     }
-    const points = this.pointsAt(k);
-    const made = { points, ownsPoints: this.ownsPoints, boxes: this.refit(points), used: 0 };
+    const points = this.source.pointsAt(k);
+    const made = { points, ownsPoints: this.source.ownsPoints, boxes: this.refit(points), used: 0 };
     this.store.keep(this.shapes, k, made);
     return made;
   }
@@ -110,53 +113,8 @@ export class SampledShapes {
   /** The boxes of the whole object at all samples, 6 numbers each, from `origin` [m]; those of rigid objects are not tight. */
   outlines(): Float64Array {
     const boxes = new Float64Array(6 * this.times.length);
-    for (let k = 0; k < this.times.length; k++) this.outline(k, boxes);
+    for (let k = 0; k < this.times.length; k++) this.source.outline(k, boxes);
     return boxes;
-  }
-
-  private outline(k: number, boxes: Float64Array): void {
-    const { motion, cubic } = this;
-    if (cubic) {
-      cubic.outline(k, boxes);
-      return;
-    }
-    const box = motion.kind === 'sampled' ? boundingBox(this.mesh.positions) : sampleBoundingBox(motion, k);
-    if (!box) emptyBox(boxes, 6 * k);
-    else if (motion.kind === 'sampled') this.turnedBox(motion, k, box, boxes);
-    else boxes.set([...box.min, ...box.max], 6 * k);
-  }
-
-  /** |R| takes half the sides of a box to half the sides of the box round it. */
-  private turnedBox({ poses }: SampledMotion, k: number, box: BoundingBox, boxes: Float64Array): void {
-    const { position, orientation } = samplePose(poses, k);
-    const r = toMatrix(orientation);
-    const from = sub(position, this.origin);
-    for (let i = 0; i < 3; i++) {
-      let [middle, half] = [from[i], 0];
-      for (let j = 0; j < 3; j++) {
-        middle += (r[3 * i + j] * (box.min[j] + box.max[j])) / 2;
-        half += (Math.abs(r[3 * i + j]) * (box.max[j] - box.min[j])) / 2;
-      }
-      boxes[6 * k + i] = middle - half;
-      boxes[6 * k + 3 + i] = middle + half;
-    }
-  }
-
-  private pointsAt(k: number): Float32Array | Float64Array {
-    const { motion } = this;
-    if (motion.kind === 'sampled-points') return this.cubic?.at(k) ?? pointsAt(motion, k);
-    const { position, orientation } = samplePose(motion.poses, k);
-    const r = toMatrix(orientation);
-    const [px, py, pz] = sub(position, this.origin);
-    const from = this.mesh.positions;
-    const out = new Float64Array(from.length);
-    for (let i = 0; i < from.length; i += 3) {
-      const [x, y, z] = [from[i], from[i + 1], from[i + 2]];
-      out[i] = px + r[0] * x + r[1] * y + r[2] * z;
-      out[i + 1] = py + r[3] * x + r[4] * y + r[5] * z;
-      out[i + 2] = pz + r[6] * x + r[7] * y + r[8] * z;
-    }
-    return out;
   }
 
   /** Children come after their parents, so one pass from the end finds all boxes. */
@@ -195,6 +153,3 @@ export class SampledShapes {
 }
 
 const pointOf = (points: ArrayLike<number>, i: number): Vec3 => [points[3 * i], points[3 * i + 1], points[3 * i + 2]];
-
-/** The tree's structure is good for all samples where it fits one in the middle. */
-const middlePoints = (motion: SampledPointsMotion): Float32Array => pointsAt(motion, motion.times.length >> 1);

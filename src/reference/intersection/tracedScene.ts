@@ -5,9 +5,7 @@ import type { Hit, RayFilter, SpacetimeRay } from '../acceleration/ray.ts';
 import { type ObjectIntersector, RayQuery } from '../acceleration/rayQuery.ts';
 import { TopLevelBvh } from '../acceleration/topLevelBvh.ts';
 import { meshBvh, type TriangleBvh } from '../acceleration/triangleBvh.ts';
-import { HyperbolicIntersector } from './hyperbolic.ts';
-import { RigidIntersector } from './rigid.ts';
-import { SampledIntersector } from './sampled.ts';
+import { motionTracer } from './motionTracers.ts';
 import { ShapeCache } from './sampledShapes.ts';
 
 /** A scene that rays can be sent through. */
@@ -37,8 +35,7 @@ export function prepareScene(scene: Scene, c: number): PreparedScene {
   const objects = scene.objects.map((object) => restToWorld(object, c));
   const trees = new Map<Mesh, TriangleBvh>();
   for (const { mesh, motion } of objects)
-    if (motion.kind !== 'sampled' && motion.kind !== 'sampled-points' && !trees.has(mesh))
-      trees.set(mesh, meshBvh(mesh));
+    if (motionTracer(motion).keepsShape && !trees.has(mesh)) trees.set(mesh, meshBvh(mesh));
   return { scene, c, objects, trees };
 }
 
@@ -78,14 +75,12 @@ function createIntersector(
   c: number,
   store: ShapeCache,
 ): ObjectIntersector {
-  const { mesh, motion } = object;
-  if (motion.kind === 'sampled' || motion.kind === 'sampled-points')
-    return new SampledIntersector(index, { ...object, motion }, c, store);
-  const tree = trees.get(mesh);
-  if (!tree) throw new Error(`${object.path} has no tree`);
-  return motion.kind === 'hyperbolic'
-    ? new HyperbolicIntersector(index, { ...object, motion }, tree, c)
-    : new RigidIntersector(index, { ...object, motion }, tree, c);
+  const tree = (): TriangleBvh => {
+    const found = trees.get(object.mesh);
+    if (!found) throw new Error(`${object.path} has no tree`);
+    return found;
+  };
+  return motionTracer(object.motion).createIntersector(object, { index, c, tree, store });
 }
 
 /**

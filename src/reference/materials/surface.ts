@@ -4,13 +4,13 @@ import { fourVector, spatial } from '../../physics/lorentz/fourVector.ts';
 import { contraction } from '../../physics/worldLines/simultaneity.ts';
 import { type Rgba, sampleTexture } from '../../scene/materials/sampleTexture.ts';
 import { pointAt } from '../../scene/mesh/polygons.ts';
-import type { Material, NormalTexture, SceneObject, TextureChannel } from '../../scene/types.ts';
+import type { Material, NormalTexture, TextureChannel } from '../../scene/types.ts';
 import { filterOfReflectance } from '../../spectrum/color/filterOfReflectance.ts';
 import { filterFromRgb, type SpectralFilter } from '../../spectrum/reflectance/spectralFilter.ts';
 import type { Hit } from '../acceleration/ray.ts';
+import { motionTracer } from '../intersection/motionTracers.ts';
 import type { TracedScene } from '../intersection/tracedScene.ts';
 import { materialOf } from './material.ts';
-import { vertexNormalsAt, vertexPositionsAt } from './vertexPositions.ts';
 
 /** What a surface is where a ray meets it. Colours are linear sRGB. */
 export interface SurfacePoint {
@@ -142,18 +142,16 @@ function normalAt(
   uv: Uv,
 ): Vec3 {
   const object = scene.objects[hit.object];
-  const given = interpolate(corners, vertexNormalsAt(object, hit.time));
-  const rest = isAuthoredMoving(object) ? contraction(given, properVelocity(hit.velocity)) : given;
+  const given = interpolate(corners, motionTracer(object.motion).vertexNormals(object, hit.time));
+  const rest = motionTracer(object.motion).isAuthoredMoving(object)
+    ? contraction(given, properVelocity(hit.velocity))
+    : given;
   const smooth = normalize(rest, hit.normal);
   const side = facingNormal(hit);
   if (!map) return faceForward(side, smooth);
   const bent = mappedNormal(map, uv, smooth, tangentFrame(scene, hit, corners));
   return dot(side, smooth) < 0 ? negate(bent) : bent;
 }
-
-/** Whether shape and normals of an object are those of the world's slice, in which it moves. */
-const isAuthoredMoving = ({ motion, authoredIn }: SceneObject): boolean =>
-  'times' in motion || (authoredIn === 'world' && motion.kind !== 'static');
 
 /** Along rising u and v, in the rest frame; of any length, 0 where the uvs tell no direction. */
 type TangentFrame = readonly [u: Vec3, v: Vec3];
@@ -162,10 +160,10 @@ type TangentFrame = readonly [u: Vec3, v: Vec3];
 function tangentFrame({ objects, c }: TracedScene, hit: Hit, { indices }: TriangleVertices): TangentFrame {
   const object = objects[hit.object];
   const { uvs } = object.mesh;
-  const place = vertexPositionsAt(object, hit.time, c);
+  const place = motionTracer(object.motion).vertexPlaces(object, hit.time, c);
   const [a, b, d] = indices.map(place);
   const u = properVelocity(hit.velocity);
-  const written = isAuthoredMoving(object);
+  const written = motionTracer(object.motion).isAuthoredMoving(object);
   const edge = (to: Vec3): Vec3 => (written ? spatial(boost(fourVector(0, sub(to, a)), u)) : sub(to, a));
   const [p, q] = [edge(b), edge(d)];
   const [pu, pv, qu, qv] = [1, 2].flatMap((k) => [0, 1].map((n) => uvs[2 * indices[k] + n] - uvs[2 * indices[0] + n]));

@@ -3,10 +3,10 @@ import { properVelocity } from '../../physics/lorentz/boost.ts';
 import { contraction } from '../../physics/worldLines/simultaneity.ts';
 import { pointAt } from '../../scene/mesh/polygons.ts';
 import type { Hit } from '../acceleration/ray.ts';
+import { motionTracer } from '../intersection/motionTracers.ts';
 import type { TracedScene } from '../intersection/tracedScene.ts';
 import type { RayOrigin } from '../lights/lightingContext.ts';
 import { faceForward, facingNormal, verticesOf } from '../materials/surface.ts';
-import { vertexNormalsAt, vertexPositionsAt } from '../materials/vertexPositions.ts';
 
 /** Where rays leave a surface on the side from which it is looked at. */
 export interface SurfaceOrigin extends RayOrigin {
@@ -24,8 +24,8 @@ export interface SurfaceOrigin extends RayOrigin {
 export function reflectionOrigin(scene: TracedScene, hit: Hit): SurfaceOrigin {
   const corners = verticesOf(scene, hit);
   const object = scene.objects[hit.object];
-  const place = vertexPositionsAt(object, hit.time, scene.c);
-  const normal = vertexNormalsAt(object, hit.time);
+  const place = motionTracer(object.motion).vertexPlaces(object, hit.time, scene.c);
+  const normal = motionTracer(object.motion).vertexNormals(object, hit.time);
   const [a, b, c] = corners.indices.map(place);
   const [p, q, r] = corners.weights;
   const here = add(add(scale(a, p), scale(b, q)), scale(c, r));

@@ -1,9 +1,11 @@
 import { rotate } from '../../math/quat.ts';
 import { sub, type Vec3 } from '../../math/vec3.ts';
 import { isTransparent } from '../../scene/materials/transparency.ts';
+import { deforms } from '../../scene/motion/motion.ts';
+import { motionKind } from '../../scene/motion/motions.ts';
 import type { Material, Motion, Scene, Texture, TextureChannel } from '../../scene/types.ts';
 import { textureKey } from '../gpu/textures.ts';
-import type { Body } from './bodies.ts';
+import { type Body, sharesMesh } from './bodies.ts';
 
 /** Objects with more triangles than this are drawn alone, so that culling them saves their work. */
 const MAX_MERGED_TRIANGLES = 20_000;
@@ -76,7 +78,7 @@ export function makeBatches(scene: Scene, bodies: readonly Body[]): Batch[] {
   const wardrobe = new SharedMeshes(bodies);
   for (const body of bodies) {
     const { mesh, motion } = body.object;
-    const deforming = motion.kind === 'sampled-points';
+    const deforming = deforms(motion);
     const alone = deforming || mesh.indices.length > 3 * MAX_MERGED_TRIANGLES;
     const worn = wardrobe.sharedKey(body);
     for (const { material, start, count } of mesh.groups) {
@@ -112,7 +114,7 @@ class SharedMeshes {
 
   sharedKey(body: Body): string | undefined {
     const { mesh, motion } = body.object;
-    if (motion.kind === 'sampled-points' || motion.kind === 'hyperbolic') return undefined;
+    if (!sharesMesh(motion)) return undefined;
     if (mesh.indices.length < 3 * MIN_INSTANCED_TRIANGLES) return undefined;
     const key = this.keyOf(body);
     return (this.users.get(key) ?? 0) >= MIN_INSTANCES ? key : undefined;
@@ -142,10 +144,9 @@ function makeBatch(scene: Scene, parts: readonly BatchPart[], transparent: boole
     ...(firstInstance !== undefined && {
       instancing: { first: firstInstance, materials: parts.map((p) => p.material) },
     }),
-    arrays:
-      object.motion.kind === 'sampled-points'
-        ? wholeMesh(parts)
-        : mergeParts(firstInstance === undefined ? parts : parts.slice(0, 1), firstInstance === undefined),
+    arrays: deforms(object.motion)
+      ? wholeMesh(parts)
+      : mergeParts(firstInstance === undefined ? parts : parts.slice(0, 1), firstInstance === undefined),
   };
 }
 
@@ -221,8 +222,8 @@ function copyVertices(
   turned: boolean,
 ): void {
   const { mesh, motion } = body.object;
-  const pose = turned && 'pose' in motion ? motion.pose : undefined;
-  const turn = (v: Vec3): Vec3 => (pose ? rotate(pose.orientation, v) : v);
+  const orientation = turned ? motionKind(motion).fixedOrientation(motion) : undefined;
+  const turn = (v: Vec3): Vec3 => (orientation ? rotate(orientation, v) : v);
   const read = (a: Float32Array, v: number): Vec3 => [a[3 * v], a[3 * v + 1], a[3 * v + 2]];
   from.forEach((v, k) => {
     const to = first + k;

@@ -1,12 +1,21 @@
 import { rotate } from '../../math/quat.ts';
-import { add, dot, scale, sub, type Vec3, ZERO } from '../../math/vec3.ts';
+import { add, dot, lerp, scale, sub, type Vec3, ZERO } from '../../math/vec3.ts';
 import { properVelocity } from '../../physics/lorentz/boost.ts';
 import { contraction } from '../../physics/worldLines/simultaneity.ts';
-import type { WorldLine } from '../../physics/worldLines/worldLine.ts';
+import type { HyperbolicLine, WorldLine } from '../../physics/worldLines/worldLine.ts';
 import { meshBoundingSphere, sampleBoundingSphere } from '../../scene/bounds/bounds.ts';
 import { type CubicPointsMotion, innerControlPoints, isCubic } from '../../scene/motion/cubicPoints.ts';
-import { applyPose, samplePose } from '../../scene/motion/poses.ts';
-import type { Motion, SampledMotion, SampledPointsMotion, SceneObject } from '../../scene/types.ts';
+import type { ObjectWith } from '../../scene/motion/kinds/motionKind.ts';
+import { applyPose, pieceAt, samplePose } from '../../scene/motion/poses.ts';
+import type {
+  HyperbolicMotion,
+  Motion,
+  Pose,
+  RigidMotion,
+  SampledMotion,
+  SampledPointsMotion,
+  SceneObject,
+} from '../../scene/types.ts';
 
 /** What a frame needs to know of an object, whatever its motion: at every world time all its points are within `radius` of `line`. */
 export interface Body extends MovingBody {
@@ -26,39 +35,137 @@ export interface MovingBody {
   readonly line: WorldLine;
 }
 
+/** From a vertex as it is uploaded to the world, from the body's centre [m]: the places of the unit vectors. */
+export type LinearMap = readonly [Vec3, Vec3, Vec3];
+
+/** How a body moves, by the kind of its motion (docs/adr/0022-motion-kinds.md). Here without shaders, which workers do not load. */
+interface BodyMotion<M extends Motion> {
+  /** One mesh can be uploaded for many bodies. */
+  readonly sharesMesh: boolean;
+  /** It deforms or is accelerated as Born-rigid bodies are: not one turn and place are those of all of it. */
+  readonly isSolvedPerVertex: boolean;
+  /** At every world time all points of the object are within the radius of the line. */
+  boundingLine(object: ObjectWith<M>): Pick<Body, 'center' | 'radius' | 'line'>;
+  worldLineOfCenter(body: MovingBody, motion: M, c: number, shift: Vec3): WorldLine;
+  /** As `linearMapOf`. */
+  linearMap(body: MovingBody, motion: M, instanced: boolean, t: number, c: number): LinearMap | undefined;
+}
+
+const mapOf = (turned: (axis: Vec3) => Vec3): LinearMap => [turned([1, 0, 0]), turned([0, 1, 0]), turned([0, 0, 1])];
+
+/** Of what has one orientation: meshes of single bodies are uploaded turned. */
+const turnedBy =
+  ({ orientation }: Pose, instanced: boolean) =>
+  (axis: Vec3): Vec3 =>
+    instanced ? rotate(orientation, axis) : axis;
+
+const rigid =
+  <M extends RigidMotion>(lineOf: (motion: M, center: Vec3) => WorldLine) =>
+  ({ mesh, motion }: ObjectWith<M>): Pick<Body, 'center' | 'radius' | 'line'> => {
+    const { center, radius } = meshBoundingSphere(mesh);
+    return { center, radius, line: lineOf(motion, center) };
+  };
+
+const BODY_MOTIONS: { readonly [K in Motion['kind']]: BodyMotion<Extract<Motion, { readonly kind: K }>> } = {
+  static: {
+    sharesMesh: true,
+    isSolvedPerVertex: false,
+    boundingLine: rigid(({ pose }, center) => ({ kind: 'static', position: applyPose(pose, center) })),
+    worldLineOfCenter: ({ line }) => line,
+    linearMap: (_body, { pose }, instanced) => mapOf(turnedBy(pose, instanced)),
+  },
+  uniform: {
+    sharesMesh: true,
+    isSolvedPerVertex: false,
+    boundingLine: rigid(({ pose, velocity }, center) => ({
+      kind: 'uniform',
+      position: applyPose(pose, center),
+      velocity,
+    })),
+    worldLineOfCenter: ({ line, object, center }, { pose, velocity }, c, shift) => {
+      if (object.authoredIn === 'world') return line;
+      const u = properVelocity(scale(velocity, 1 / c));
+      const offset = contraction(add(rotate(pose.orientation, center), shift), u);
+      return { kind: 'uniform', position: add(pose.position, offset), velocity };
+    },
+    linearMap: ({ object }, { pose, velocity }, instanced, _t, c) => {
+      const turned = turnedBy(pose, instanced);
+      if (object.authoredIn === 'world') return mapOf(turned);
+      const u = properVelocity(scale(velocity, 1 / c));
+      return mapOf((axis) => contraction(turned(axis), u));
+    },
+  },
+  hyperbolic: {
+    sharesMesh: false,
+    isSolvedPerVertex: true,
+    boundingLine: rigid(({ pose, properAcceleration, t0 }, center) => ({
+      kind: 'hyperbolic',
+      position: applyPose(pose, center),
+      properAcceleration,
+      t0,
+    })),
+    worldLineOfCenter: hyperbolicLineOfCenter,
+    linearMap: () => undefined,
+  },
+  sampled: {
+    sharesMesh: true,
+    isSolvedPerVertex: false,
+    boundingLine: rigid(sampledLine),
+    worldLineOfCenter: ({ line }) => line,
+    linearMap: (_body, { times, poses }, _instanced, t) => {
+      const { before, after, s } = pieceAt(times, t);
+      const [a, b] = [before, after].map((k) => samplePose(poses, k).orientation);
+      // As each vertex goes: straight from sample to sample.
+      return mapOf((axis) => lerp(rotate(a, axis), rotate(b, axis), s));
+    },
+  },
+  'sampled-points': {
+    sharesMesh: false,
+    isSolvedPerVertex: true,
+    boundingLine: deformingLine,
+    worldLineOfCenter: ({ line }) => line,
+    linearMap: () => undefined,
+  },
+};
+
+const bodyMotion = ({ kind }: Pick<Motion, 'kind'>): BodyMotion<Motion> => BODY_MOTIONS[kind];
+
+export const sharesMesh = (motion: Motion): boolean => bodyMotion(motion).sharesMesh;
+
+export const isSolvedPerVertex = (motion: Pick<Motion, 'kind'>): boolean => bodyMotion(motion).isSolvedPerVertex;
+
 /**
  * World line [m, s] of the bounding sphere's centre, or of the point `shift` [m] from it. c [m/s]: an object authored in its rest
  * frame is contracted about its origin, and where it accelerates every point has its own acceleration a/(1 + a·ξ/c²) (Born rigid).
  */
-export function worldLineOfCenter(body: MovingBody, c: number, shift: Vec3 = ZERO): WorldLine {
-  const { line, object } = body;
-  const { motion } = object;
-  if (line.kind === 'uniform' && motion.kind === 'uniform' && object.authoredIn === 'rest') {
-    const offset = rotate(motion.pose.orientation, body.center);
-    const u = properVelocity(scale(motion.velocity, 1 / c));
-    return { ...line, position: add(motion.pose.position, contraction(add(offset, shift), u)) };
-  }
-  if (line.kind !== 'hyperbolic' || motion.kind !== 'hyperbolic') return line;
-  const position = add(line.position, shift);
-  if (object.authoredIn === 'world') return { ...line, position };
-  const ahead = dot(sub(position, motion.pose.position), motion.properAcceleration) / (c * c);
-  return { ...line, position, properAcceleration: scale(motion.properAcceleration, 1 / (1 + ahead)) };
+export const worldLineOfCenter = (body: MovingBody, c: number, shift: Vec3 = ZERO): WorldLine =>
+  bodyMotion(body.object.motion).worldLineOfCenter(body, body.object.motion, c, shift);
+
+/** The same in hyperbolic motion. */
+export function hyperbolicLineOfCenter(
+  { object, center }: MovingBody,
+  { pose, properAcceleration, t0 }: HyperbolicMotion,
+  c: number,
+  shift: Vec3 = ZERO,
+): HyperbolicLine {
+  const position = add(applyPose(pose, center), shift);
+  if (object.authoredIn === 'world') return { kind: 'hyperbolic', position, properAcceleration, t0 };
+  const ahead = dot(sub(position, pose.position), properAcceleration) / (c * c);
+  return { kind: 'hyperbolic', position, properAcceleration: scale(properAcceleration, 1 / (1 + ahead)), t0 };
 }
 
-export function makeBody(object: SceneObject, id: number): Body {
-  const { motion } = object;
-  if (motion.kind === 'sampled-points') return deformingBody(object, motion, id);
-  const { center, radius } = meshBoundingSphere(object.mesh);
-  return { id, object, center, radius, line: lineOfPoint(motion, center) };
-}
+/**
+ * How a rigid body is turned and contracted at one moment of the world, a time t [s] of its own; c [m/s]. `instanced`: its mesh is uploaded in its
+ * own axes. undefined where it has not one turn for all of it: it deforms, or accelerates as a Born-rigid body does.
+ */
+export const linearMapOf = (body: MovingBody, instanced: boolean, t: number, c: number): LinearMap | undefined =>
+  bodyMotion(body.object.motion).linearMap(body, body.object.motion, instanced, t, c);
 
-function lineOfPoint(motion: Exclude<Motion, SampledPointsMotion>, point: Vec3): WorldLine {
-  if (motion.kind === 'sampled') return sampledLine(motion, point);
-  const position = applyPose(motion.pose, point);
-  if (motion.kind === 'static') return { kind: 'static', position };
-  if (motion.kind === 'uniform') return { kind: 'uniform', position, velocity: motion.velocity };
-  return { kind: 'hyperbolic', position, properAcceleration: motion.properAcceleration, t0: motion.t0 };
-}
+export const makeBody = (object: SceneObject, id: number): Body => ({
+  id,
+  object,
+  ...bodyMotion(object.motion).boundingLine(object),
+});
 
 function sampledLine({ times, poses }: SampledMotion, point: Vec3): WorldLine {
   const positions = new Float64Array(times.length * 3);
@@ -67,7 +174,7 @@ function sampledLine({ times, poses }: SampledMotion, point: Vec3): WorldLine {
 }
 
 /** The centre follows the box of each sample, so that a deforming object that travels has a tight sphere, also round cubics. */
-function deformingBody(object: SceneObject, motion: SampledPointsMotion, id: number): Body {
+function deformingLine({ motion }: ObjectWith<SampledPointsMotion>): Pick<Body, 'center' | 'radius' | 'line'> {
   const positions = new Float64Array(motion.times.length * 3);
   let radius = 0;
   for (let k = 0; k < motion.times.length; k++) {
@@ -78,7 +185,7 @@ function deformingBody(object: SceneObject, motion: SampledPointsMotion, id: num
   if (isCubic(motion))
     for (let k = 0; k + 1 < motion.times.length; k++)
       radius = Math.max(radius, maxControlDeviation(motion, positions, k));
-  return { id, object, center: ZERO, radius, line: { kind: 'polyline', times: motion.times, positions } };
+  return { center: ZERO, radius, line: { kind: 'polyline', times: motion.times, positions } };
 }
 
 /** How far the inner control points of a piece are from those of the centre's own straight way [m]: what is between is not farther. */

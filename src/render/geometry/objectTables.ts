@@ -1,41 +1,24 @@
-import { length, normalize, scale, type Vec3 } from '../../math/vec3.ts';
-import { oneMinusBetaSquared } from '../../physics/lorentz/boost.ts';
 import type { PlacementName } from '../../physics/optics/placement.ts';
+import { length, type Vec3 } from '../../math/vec3.ts';
 import { simultaneousPosition } from '../../physics/worldLines/simultaneity.ts';
-import type { PolylineLine, WorldLine } from '../../physics/worldLines/worldLine.ts';
-import { bendFactor, isCubic } from '../../scene/motion/cubicPoints.ts';
-import { samplePose } from '../../scene/motion/poses.ts';
-import type { FloatTable } from '../gpu/floatTable.ts';
+import { motionKind } from '../../scene/motion/motions.ts';
 import { type Body, worldLineOfCenter } from './bodies.ts';
 import { aberrateCone, type BoundingSphere, type Cone, coneAround, coneMayIntersectFrustum } from './culling.ts';
+import { type ObjectRow, type ObjectTables, objectRows } from './objectRows.ts';
 import {
   intersect,
   type Observation,
   type RelativeEvent,
-  rapidityFactor,
-  relativeTo,
-  sampleWindow,
-  trailingPoint,
   type WorldTubeSection,
   worldTubeSection,
 } from './observation.ts';
-import type { PointStore } from './pointSamples/pointStore.ts';
 
 /** Texels per object in the object table. */
 export const OBJECT_TEXELS = 5;
-/** Longest table that a vertex searches. */
-const MAX_SAMPLES = 4096;
-
 /** How the picture is looked at, for culling: where the observer's frame puts a direction of the world. */
 export interface ViewFrustum {
   readonly sides: readonly Vec3[];
   readonly place: PlacementName;
-}
-
-export interface ObjectTables {
-  readonly objects: FloatTable;
-  readonly samples: FloatTable;
-  readonly points: ReadonlyMap<number, PointStore>;
 }
 
 /**
@@ -99,78 +82,24 @@ export class ObjectTableWriter {
     const { birth, death } = body.object.lifetime;
     const after = (t: number) => clampFinite(sight.c * (t - sight.t) - anchor.ahead);
     out.set([after(birth), after(death), -anchor.ahead, body.id], at + 8);
-    if ('pose' in body.object.motion) out.set(body.object.motion.pose.orientation, at + 16);
-    this.writeMotion(body, line, backToNow ? { ...span, to: Math.max(span.to, 0) } : span, anchor, sight, at);
+    const orientation = motionKind(body.object.motion).fixedOrientation(body.object.motion);
+    if (orientation) out.set(orientation, at + 16);
+    const needed = backToNow ? { ...span, to: Math.max(span.to, 0) } : span;
+    this.writeMotion({ body, line, span: needed, anchor, observation: sight, at });
     return true;
   }
 
   private trailingAnchor(body: Body, sight: Observation): RelativeEvent | undefined {
     const { motion } = body.object;
-    if (motion.kind !== 'hyperbolic') return undefined;
-    return intersect(worldLineOfCenter(body, sight.c, trailingPoint(motion.properAcceleration, body.radius)), sight);
+    const point = objectRows(motion).trailingPoint(motion, body.radius);
+    return point && intersect(worldLineOfCenter(body, sight.c, point), sight);
   }
 
-  private writeMotion(
-    body: Body,
-    line: WorldLine,
-    span: WorldTubeSection,
-    anchor: RelativeEvent,
-    sight: Observation,
-    at: number,
-  ): void {
-    const out = this.tables.objects.values;
-    const rigid = body.object.authoredIn === 'rest' ? 1 : 0;
-    if (line.kind === 'uniform') {
-      const v = scale(line.velocity, 1 / sight.c);
-      out.set([...v, oneMinusBetaSquared(v)], at + 4);
-      out.set([rigid, 0, 0, 0], at + 12);
-    } else if (line.kind === 'hyperbolic') {
-      const shift = span.anchor ? 0 : -body.radius;
-      const reference = span.anchor
-        ? line
-        : worldLineOfCenter(body, sight.c, trailingPoint(line.properAcceleration, body.radius));
-      if (reference.kind !== 'hyperbolic') return;
-      const a = reference.properAcceleration;
-      out.set([...normalize(a, [1, 0, 0]), length(a) / (sight.c * sight.c)], at + 4);
-      out.set([rapidityFactor(a, line.t0, anchor.ahead, sight), rigid, shift, 0], at + 12);
-    } else if (line.kind === 'polyline') {
-      this.writeSamples(body, line, span, anchor, sight, at);
-    }
-  }
-
-  private writeSamples(
-    body: Body,
-    line: PolylineLine,
-    span: WorldTubeSection,
-    anchor: RelativeEvent,
-    sight: Observation,
-    at: number,
-  ): void {
-    const { motion } = body.object;
-    const out = this.tables.objects.values;
-    const store = this.tables.points.get(body.id);
-    const [first, count] = sampleWindow(line, span, sight, Math.min(MAX_SAMPLES, store?.capacity ?? MAX_SAMPLES));
-    const after = (k: number) => sight.c * (line.times[k] - sight.t) - anchor.ahead;
-    const samples = this.tables.samples;
-    out.set([this.used, count], at + 12);
-    if (motion.kind === 'sampled-points' && store) {
-      this.complete = store.ensureResident(first, count) && this.complete;
-      samples.reserve(this.used + count);
-      out.set([...relativeTo(motion.origin, sight, anchor), store.stride], at + 4);
-      const bend = isCubic(motion)
-        ? (k: number) => (k + 1 < line.times.length ? bendFactor(motion, k, sight.c) : 0)
-        : () => 0;
-      out[at + 14] = 1 / sight.c;
-      for (let k = first; k < first + count; k++)
-        samples.values.set([store.slot(k), bend(k), 0, after(k)], 4 * this.used++);
-    } else if (motion.kind === 'sampled') {
-      samples.reserve(this.used + 2 * count);
-      for (let k = first; k < first + count; k++) {
-        const place: Vec3 = [line.positions[3 * k], line.positions[3 * k + 1], line.positions[3 * k + 2]];
-        samples.values.set([...relativeTo(place, sight, anchor), after(k)], 4 * this.used++);
-        samples.values.set(samplePose(motion.poses, k).orientation, 4 * this.used++);
-      }
-    }
+  private writeMotion(row: ObjectRow): void {
+    const { motion } = row.body.object;
+    const { complete, used } = objectRows(motion).write(motion, row, this.tables, this.used);
+    this.complete = complete && this.complete;
+    this.used = used;
   }
 }
 

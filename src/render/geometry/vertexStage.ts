@@ -163,7 +163,7 @@ export function vertexEvent(
 
 /** A vertex of a mesh that many wear, turned as its body is; samples are turned one by one. */
 function turnedVertex({ kind, instances }: EventSources, vertex: VertexInput, texel: (k: number) => Vec4): VertexInput {
-  if (!instances || (kind !== 'static' && kind !== 'uniform')) return vertex;
+  if (!instances || !VERTEX_MOTIONS[kind].turnsInstances) return vertex;
   const orientation = texel(4);
   return {
     ...vertex,
@@ -196,38 +196,50 @@ export function observerPosition(
   return PLACES[how](dx, u, gamma);
 }
 
-function solveVertex(inputs: SolverInputs, { event }: Pick<SpacetimeProjection, 'event'>): SolvedVertex {
-  switch (inputs.sources.kind) {
-    case 'static':
-      return {
-        ...linear(inputs, vec4(0, 0, 0, 1), inputs.vertex.offset, event),
-        normal: inputs.vertex.normal,
-        exists: bool(true),
-      };
-    case 'uniform':
-      return uniformVertex(inputs, event);
-    case 'hyperbolic':
-      return hyperbolicVertex(inputs, event);
-    default:
-      return sampledVertex(inputs, event);
-  }
+/** How a vertex finds its event, by the kind of its body's motion. */
+interface VertexMotion {
+  /** Bodies that share a mesh, which then is in its own axes, have one orientation each. */
+  readonly turnsInstances: boolean;
+  readonly solve: (inputs: SolverInputs, event: SpacetimeProjection['event']) => SolvedVertex;
 }
 
-function linear(inputs: SolverInputs, velocity: Vec4, offset: Vec3, event: SpacetimeProjection['event']): VertexEvent {
-  const { anchor, sources } = inputs;
+const VERTEX_MOTIONS: { readonly [K in Motion['kind']]: VertexMotion } = {
+  static: { turnsInstances: true, solve: staticVertex },
+  uniform: { turnsInstances: true, solve: uniformVertex },
+  hyperbolic: { turnsInstances: false, solve: hyperbolicVertex },
+  sampled: { turnsInstances: false, solve: sampledVertex },
+  'sampled-points': { turnsInstances: false, solve: sampledVertex },
+};
+
+const solveVertex = (inputs: SolverInputs, { event }: Pick<SpacetimeProjection, 'event'>): SolvedVertex =>
+  VERTEX_MOTIONS[inputs.sources.kind].solve(inputs, event);
+
+function staticVertex(inputs: SolverInputs, event: SpacetimeProjection['event']): SolvedVertex {
+  const { anchor, vertex } = inputs;
+  const found = linear(inputs, vec4(0, 0, 0, 1), vertex.offset, event, () => staticEmission(anchor, vertex.offset));
+  return { ...found, normal: vertex.normal, exists: bool(true) };
+}
+
+/** `emission`: the event on the light cone. */
+function linear(
+  { anchor, sources }: SolverInputs,
+  velocity: Vec4,
+  offset: Vec3,
+  event: SpacetimeProjection['event'],
+  emission: () => VertexEvent,
+): VertexEvent {
   if (event === 'newton') return newton(anchor, uniformPlace(velocity, offset), sources.uniforms);
-  if (event === 'emission')
-    return sources.kind === 'static' ? staticEmission(anchor, offset) : uniformEmission(anchor, velocity, offset);
+  if (event === 'emission') return emission();
   return uniformSlice(anchor, velocity, offset, ...sliceOf(event, sources.uniforms));
 }
-
 function uniformVertex(inputs: SolverInputs, event: SpacetimeProjection['event']): SolvedVertex {
-  const { motion, extra } = inputs;
+  const { anchor, motion, extra } = inputs;
   const { offset, normal } = inputs.vertex;
   const rigid = extra.x.greaterThan(0.5);
   const contracted = select(rigid, contractAlongMotion(offset, motion), offset).toVar();
   const restNormal = select(rigid, normal, contractAlongMotion(normal, motion));
-  return { ...linear(inputs, motion, contracted, event), normal: restNormal, exists: bool(true) };
+  const found = linear(inputs, motion, contracted, event, () => uniformEmission(anchor, motion, contracted));
+  return { ...found, normal: restNormal, exists: bool(true) };
 }
 
 function hyperbolicVertex(inputs: SolverInputs, event: SpacetimeProjection['event']): SolvedVertex {

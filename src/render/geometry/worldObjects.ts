@@ -1,6 +1,7 @@
 import { type Vec3, ZERO } from '../../math/vec3.ts';
+import { asPolyline, samplePosition } from '../../physics/worldLines/worldLine.ts';
 import { halfDiagonal } from '../../scene/bounds/bounds.ts';
-import { restToWorld } from '../../scene/motion/motion.ts';
+import { restToWorld, sampleTimes } from '../../scene/motion/motion.ts';
 import type { Scene, SceneObject } from '../../scene/types.ts';
 import type { Body } from './bodies.ts';
 
@@ -10,13 +11,14 @@ export const worldObjects = (scene: Scene, c: number): readonly SceneObject[] =>
 
 /** Its samples in the world depend on the speed of light. */
 export const isSampledAtRest = ({ motion, authoredIn }: SceneObject): boolean =>
-  authoredIn === 'rest' && (motion.kind === 'sampled' || motion.kind === 'sampled-points');
+  authoredIn === 'rest' && sampleTimes(motion) !== undefined;
 
 /** Half the diagonal of the box of all objects where they are at time 0, or at their first sample [m]. */
 export const sceneRadius = (bodies: readonly Body[]): number =>
   halfDiagonal(bodies.map(({ line, radius }) => ({ center: startOf(line), radius })));
 
 function startOf(line: Body['line']): Vec3 {
-  if (line.kind === 'polyline') return [line.positions[0], line.positions[1], line.positions[2]];
+  const samples = asPolyline(line);
+  if (samples) return samplePosition(samples, 0);
   return 'position' in line ? line.position : ZERO;
 }

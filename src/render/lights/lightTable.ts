@@ -10,7 +10,7 @@ import {
   type WorldLine,
 } from '../../physics/worldLines/worldLine.ts';
 import { projectedArea } from '../../scene/lights/lightKinds.ts';
-import { originWorldLine, poseAt } from '../../scene/motion/motion.ts';
+import { isStatic, originWorldLine, poseAt } from '../../scene/motion/motion.ts';
 import { samplePose } from '../../scene/motion/poses.ts';
 import type { ColorMode } from '../../scene/settings/settings.ts';
 import type { LocalLight } from '../../scene/types.ts';
@@ -276,8 +276,8 @@ function texelsOf(lamp: LocalLight): readonly LightTexelName[] {
     'place',
     'color',
     ...(kind !== 'sphere' || shaping ? (['X', 'Y'] as const) : []),
-    ...(mortal || motion.kind !== 'static' ? (['life'] as const) : []),
-    ...(motion.kind === 'static' ? [] : (['motion'] as const)),
+    ...(mortal || !isStatic(motion) ? (['life'] as const) : []),
+    ...(isStatic(motion) ? [] : (['motion'] as const)),
     ...(spectrumKindOf(lamp) === 'daylight' ? [] : (['source'] as const)),
   ];
 }

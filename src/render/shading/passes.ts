@@ -1,5 +1,6 @@
 import { Discard, Fn, float, length, min, select, vec4 } from 'three/tsl';
 import { NoBlending, NodeMaterial, NormalBlending, type Texture } from 'three/webgpu';
+import { isStatic } from '../../scene/motion/motion.ts';
 import type { Float, Vec3, Vec4 } from '../../shaders/types.ts';
 import type { ColorPipeline } from '../color/radiance.ts';
 import { type DrawCall, materialSide } from '../gbuffer/drawCall.ts';
@@ -93,7 +94,7 @@ export function forwardMaterial(
   material.vertexNode = vertexStage(drawable.vertex, projection);
   material.fragmentNode = Fn(() => {
     const surface = readSurface(drawable.surface);
-    const velocity = drawable.batch.kind === 'static' ? undefined : surface.velocity;
+    const velocity = isStatic(drawable.batch) ? undefined : surface.velocity;
     Discard(surface.distance.greaterThan(depthHere(buffer)));
     const light = shade({ ...surface, velocity }, environment, uniforms, pipeline, shadows);
     return vec4(min(light, MAX_LIGHT), surface.color.w);

@@ -2,7 +2,7 @@ import type { Vec3 } from '../../math/vec3.ts';
 import type { Material } from '../../scene/types.ts';
 import type { DrawCall } from '../gbuffer/drawCall.ts';
 import type { Body } from '../geometry/bodies.ts';
-import type { ObjectTables } from '../geometry/objectTables.ts';
+import type { ObjectTables } from '../geometry/objectRows.ts';
 import type { ShadowDetail } from './shadowDetail.ts';
 
 /** What may be between a light and a surface. */

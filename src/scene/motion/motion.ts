@@ -3,13 +3,15 @@ import { positionAt, type WorldLine } from '../../physics/worldLines/worldLine.t
 import type { Motion, Pose, RigidMotion, SampledMotion, SampledPointsMotion, SceneObject } from '../types.ts';
 import type { FastestVertex } from './kinds/motionKind.ts';
 import { placeVertices } from './kinds/rigidMotion.ts';
-import { motionKind } from './motions.ts';
+import { motionFacts, motionKind } from './motions.ts';
 
 // Of any motion, by the record of its kind. What the functions mean: kinds/motionKind.ts.
 
-export const isStatic = (motion: Motion): boolean => motionKind(motion).isStatic;
-export const deforms = (motion: Motion): boolean => motionKind(motion).deforms;
-export const approachesC = (motion: Motion): boolean => motionKind(motion).approachesC;
+type OfKind = Pick<Motion, 'kind'>;
+
+export const isStatic = ({ kind }: OfKind): boolean => motionFacts(kind).isStatic;
+export const deforms = ({ kind }: OfKind): boolean => motionFacts(kind).deforms;
+export const approachesC = ({ kind }: OfKind): boolean => motionFacts(kind).approachesC;
 export const restingPose = (motion: Motion): Pose | undefined => motionKind(motion).restingPose(motion);
 export const sampleTimes = (motion: Motion): Float64Array | undefined => motionKind(motion).sampleTimes(motion);
 export const poseSamples = (motion: Motion): SampledMotion | undefined => motionKind(motion).poseSamples(motion);

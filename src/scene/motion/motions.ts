@@ -23,3 +23,7 @@ export function motionKind<M extends Motion>(motion: M): MotionKind<M>;
 export function motionKind(motion: Motion): MotionKind<Motion> {
   return MOTIONS[motion.kind];
 }
+
+/** The facts of a kind, by its name. */
+export const motionFacts = (kind: Motion['kind']): Pick<MotionKind<Motion>, 'isStatic' | 'deforms' | 'approachesC'> =>
+  MOTIONS[kind];

@@ -11,7 +11,7 @@ type Numbers = readonly number[];
 type ComponentFunction = (...args: number[]) => number;
 
 const clampTo = (x: number, low: number, high: number): number => Math.min(Math.max(x, low), high);
-/** Halves go to the even neighbour. */
+/** Rounds half to even. */
 function round(x: number): number {
   const low = Math.floor(x);
   const part = x - low;
@@ -23,7 +23,7 @@ function smoothstep(from: number, to: number, x: number): number {
 }
 const whole = (x: number): number => x | 0;
 
-/** By components. */
+/** Component-wise. */
 const COMPONENTS: Readonly<Partial<Record<ShaderOperation, ComponentFunction>>> = {
   sin: Math.sin,
   cos: Math.cos,
@@ -73,7 +73,7 @@ const COMPONENTS: Readonly<Partial<Record<ShaderOperation, ComponentFunction>>> 
   ge: (a, b) => Number(a >= b),
 };
 
-/** Whole numbers of 32 bits; by 0 nothing is divided. */
+/** 32-bit integers; division by 0 leaves the dividend. */
 const INTEGER_COMPONENTS: Readonly<Partial<Record<ShaderOperation, ComponentFunction>>> = {
   add: (a, b) => whole(a + b),
   sub: (a, b) => whole(a - b),
@@ -89,7 +89,7 @@ const FLOAT_COMPONENTS: Readonly<Partial<Record<ShaderOperation, ComponentFuncti
 const dot = (a: Numbers, b: Numbers): number => a.reduce((sum, x, i) => sum + x * (b[i] ?? 0), 0);
 const length = (a: Numbers): number => Math.hypot(...a);
 
-/** Of whole vectors. */
+/** On whole vectors. */
 const VECTORS: Readonly<Partial<Record<ShaderOperation, (a: Numbers, b: Numbers) => Numbers>>> = {
   dot: (a, b) => [dot(a, b)],
   length: (a) => [length(a)],
@@ -99,7 +99,7 @@ const VECTORS: Readonly<Partial<Record<ShaderOperation, (a: Numbers, b: Numbers)
   reflect: (a, n) => a.map((x, i) => x - 2 * dot(n, a) * (n[i] ?? 0)),
 };
 
-/** An operation on values whose types are those of the arguments; one number stands for as many as are wanted. */
+/** Evaluates an operation; scalars are broadcast to the number of components. */
 export function applyOperation(f: ShaderOperation, args: readonly Numbers[], types: readonly ShaderType[]): Numbers {
   const [a = [], b = [], c = []] = args;
   if (f === 'select') return c[0] ? b : a;
@@ -113,7 +113,7 @@ export function applyOperation(f: ShaderOperation, args: readonly Numbers[], typ
   return Array.from({ length: size }, (_, i) => each(...args.map((arg) => arg[arg.length === 1 ? 0 : i] ?? 0)));
 }
 
-/** Columns of b, each a sum of a's. A vector on the left is a row. */
+/** Matrix product: each column of b combines a's columns. A vector on the left is a row vector. */
 function product(a: Numbers, b: Numbers, left: ShaderType, right: ShaderType): Numbers {
   const row = left.columns === 1;
   const [rows, inner, columns] = row ? [1, left.rows, right.columns] : [left.rows, left.columns, right.columns];
@@ -126,7 +126,7 @@ function product(a: Numbers, b: Numbers, left: ShaderType, right: ShaderType): N
   });
 }
 
-/** To the components of a type. */
+/** Converts to the component type. */
 export function convertComponents(numbers: Numbers, to: ShaderType): Numbers {
   if (to.of === 'bool') return numbers.map((x) => Number(x !== 0));
   return to.of === 'i32' || to.of === 'whole' ? numbers.map((x) => whole(Math.trunc(x))) : numbers;

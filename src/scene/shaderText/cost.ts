@@ -1,18 +1,18 @@
 import type { ShaderChannel, ShaderExpression, ShaderProgram, ShaderStatement } from './program.ts';
 import { refuse, SHADER_TEXT_LIMITS, type SourceLocation } from './sourceLocation.ts';
 
-/** What a part of a program takes for one pixel. */
+/** Cost of a part of a program per pixel. */
 interface ShaderCost {
   readonly steps: number;
-  /** With all calls written out. */
+  /** With all calls inlined. */
   readonly size: number;
-  /** The most that a loop's inside goes round, of all loops about it. */
+  /** Largest number of iterations of a loop body, with all enclosing loops. */
   readonly rounds: number;
 }
 
 const SAMPLE_COST = 8;
 
-/** Refuses what would take too long, or calls itself; tells what is looked at. `places`: of the functions. */
+/** Throws for programs that take too long or recurse; returns the channels sampled. `places`: of the functions. */
 export function checkCost(
   { functions, effect }: Pick<ShaderProgram, 'functions' | 'effect'>,
   places: readonly SourceLocation[],

@@ -30,7 +30,7 @@ import {
   vector,
 } from './types.ts';
 
-/** What names stand for where an expression is. */
+/** Scope of an expression. */
 export interface ShaderScope {
   variable(name: string): ShaderExpression | undefined;
   function(
@@ -52,7 +52,7 @@ const FUNCTIONS: Readonly<Record<string, number>> = {
   select: 3,
 };
 
-/** Names that a text may not give to its own functions. */
+/** Reserved function names. */
 export const isReservedName = (name: string): boolean =>
   Object.hasOwn(FUNCTIONS, name) ||
   Object.hasOwn(SHADER_CHANNELS, name) ||
@@ -111,7 +111,7 @@ const constants = (values: readonly ShaderExpression[]): readonly (readonly numb
   return numbers.every((list) => list !== undefined) ? numbers : undefined;
 };
 
-/** What is known beforehand is worked out beforehand. */
+/** Constant folding. */
 function operation(
   f: ShaderOperation,
   args: readonly ShaderExpression[],
@@ -137,7 +137,7 @@ function operation(
   };
 }
 
-/** A value as a type that it becomes. */
+/** Implicit conversion. */
 export function convertTo(value: ShaderExpression, type: ShaderType): ShaderExpression {
   if (isSameType(value.type, type)) return value;
   return value.op === 'constant' ? { ...value, type } : { op: 'convert', type, of: value };
@@ -233,7 +233,7 @@ function indexed(of: ShaderExpression, index: ShaderExpression, at: SourceLocati
     : { op: 'column', type, of, column: place };
 }
 
-/** An index that is known. */
+/** A constant index. */
 export function constantIndex(index: ShaderExpression, at: SourceLocation): number {
   if (index.op !== 'constant' || isFloat(index.type) || componentCount(index.type) !== 1)
     refuse(at, 'an index must be a whole number that is known: write [0], or .x');
@@ -296,7 +296,7 @@ function builtin(f: ShaderOperation, args: readonly ShaderExpression[], at: Sour
     const type = { ...concreteType({ ...a.type, of }) };
     return operation(f, [convertTo(a, type), convertTo(b, type), c], type, at);
   }
-  // The last of `mix` may be a number for all components.
+  // The last argument of `mix` may be a scalar.
   const shares = f === 'mix' && componentCount(c.type) === 1 ? [a, b] : args;
   const of = commonComponentType(args.map(({ type }) => type));
   const whole = Object.hasOwn(NUMBER_FUNCTIONS, f) && (of === 'whole' || of === 'i32');

@@ -11,7 +11,7 @@ import type {
 } from './syntax.ts';
 import { type ShaderToken, tokenize } from './tokens.ts';
 
-/** Of WGSL, what a text for one pixel has no use for, or could not be bounded with; and what to write instead. */
+/** WGSL keywords that are not supported, and what to write instead. */
 const REFUSED: Readonly<Record<string, string>> = {
   while: 'write a `for` whose count is known: `for (var i = 0; i < 16; i++)`',
   loop: 'write a `for` whose count is known: `for (var i = 0; i < 16; i++)`',
@@ -31,12 +31,12 @@ const TYPES_REFUSED: readonly [RegExp, string][] = [
   [/^(u32|vec[234]u)$/, 'use i32'],
   [/^(f16|vec[234]h|mat\dx\dh)$/, 'use f32'],
 ];
-/** Binary operators, those that bind least first. */
+/** Binary operators by increasing precedence. */
 const LEVELS = [['||'], ['&&'], ['==', '!=', '<', '>', '<=', '>='], ['+', '-'], ['*', '/', '%']] as const;
 const BITS = new Set(['&', '|', '^', '~', '<<', '>>']);
 const TEMPLATES = /^(vec[234]|mat[234]x[234]|array|ptr|atomic|texture_\w+)$/;
 
-/** The structure of a text; refuses what is not of the language, with its place. */
+/** Parses a text; throws with the location where it is not of the language. */
 export const parse = (text: string): ModuleSyntax => new Parser(tokenize(text)).module();
 
 class Parser {
@@ -244,7 +244,7 @@ class Parser {
     return found;
   }
 
-  /** Chains are as deep as they are long. */
+  /** Chained operators nest as deep as they are long. */
   private chain(at: ShaderToken, longer = true): void {
     if (longer && ++this.chained > SHADER_TEXT_LIMITS.chain)
       refuse(at, `this statement is longer than ${SHADER_TEXT_LIMITS.chain} operators: give parts of it names`);

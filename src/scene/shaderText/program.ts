@@ -1,10 +1,10 @@
 import type { ShaderType } from './types.ts';
 
-/** What a text may look at of any pixel, by its offset from the one that is worked on, in whole pixels, y down. */
+/** Channels that a text can sample, at an offset from the current pixel in whole pixels, y down. */
 export const SHADER_CHANNELS = {
-  /** Linear light of the picture, and its opacity. */
+  /** Linear colour and opacity. */
   image: 4,
-  /** 1 where anything is, 0 where only sky is. */
+  /** 1 on surfaces, 0 on the sky. */
   there: 1,
   /** Apparent distance |Δx′| [m]. */
   depth: 1,
@@ -23,7 +23,7 @@ export const SHADER_CHANNELS = {
 } as const;
 export type ShaderChannel = keyof typeof SHADER_CHANNELS;
 
-/** What is known without looking, by its name and its components. */
+/** Inputs besides the channels, by name, and their number of components. */
 export const SHADER_INPUTS = {
   arg1: 1,
   arg2: 1,
@@ -37,19 +37,19 @@ export const SHADER_INPUTS = {
   'p.uv': 2,
   /** Of the picture [px]. */
   'p.size': 2,
-  /** Where the pixel looks in the world: unit, world frame. */
+  /** View direction of the pixel: unit, world frame. */
   'p.direction': 3,
 } as const;
 export type ShaderInput = keyof typeof SHADER_INPUTS;
 
-/** Functions of numbers. All work component by component, but for those of `WHOLES`; all arguments are of one shape. */
+/** Builtin functions. All are component-wise except `WHOLES`; all arguments have one shape. */
 export const FLOAT_FUNCTIONS = {
   ...{ sin: 1, cos: 1, tan: 1, asin: 1, acos: 1, atan: 1, sinh: 1, cosh: 1, tanh: 1, exp: 1, exp2: 1, log: 1, log2: 1 },
   ...{ sqrt: 1, inverseSqrt: 1, floor: 1, ceil: 1, round: 1, trunc: 1, fract: 1, radians: 1, degrees: 1, saturate: 1 },
   ...{ pow: 2, atan2: 2, step: 2, mix: 3, smoothstep: 3 },
 } as const;
 export const NUMBER_FUNCTIONS = { abs: 1, sign: 1, min: 2, max: 2, clamp: 3 } as const;
-/** Of whole vectors. */
+/** On whole vectors. */
 export const VECTOR_FUNCTIONS = { dot: 2, length: 1, distance: 2, normalize: 1, cross: 2, reflect: 2 } as const;
 
 export type ShaderOperation =
@@ -60,7 +60,7 @@ export type ShaderOperation =
   | 'negate'
   | 'not'
   | ShaderBinaryOperation
-  /** Matrix by matrix or vector, and vector by matrix. */
+  /** Matrix × matrix, matrix × vector, vector × matrix. */
   | 'product';
 export type ShaderBinaryOperation =
   | 'add'
@@ -77,17 +77,17 @@ export type ShaderBinaryOperation =
   | 'gt'
   | 'ge';
 
-/** A checked text: names are places of variables, types are known and equal where they must be, and every loop goes round a number of times that is known. */
+/** A type-checked program: variables are resolved to indices, types match, and every loop count is known. */
 export interface ShaderProgram {
   readonly functions: readonly ShaderFunction[];
-  /** Place of `effect` among them. */
+  /** Index of `effect`. */
   readonly effect: number;
   readonly reads: ReadonlySet<ShaderChannel>;
 }
 
 export interface ShaderFunction {
   readonly name: string;
-  /** The types of its variables; the first ones are its parameters. */
+  /** Types of its variables, parameters first. */
   readonly locals: readonly ShaderType[];
   readonly params: number;
   readonly result: ShaderType;
@@ -102,7 +102,7 @@ export type ShaderExpression = { readonly type: ShaderType } & (
   /** Components of a vector, or a column of a matrix. */
   | { readonly op: 'parts'; readonly of: ShaderExpression; readonly parts: readonly number[] }
   | { readonly op: 'column'; readonly of: ShaderExpression; readonly column: number }
-  /** Of components one after the other; of a single number, all are that. */
+  /** From consecutive components; a single scalar is broadcast. */
   | { readonly op: 'build'; readonly parts: readonly ShaderExpression[] }
   | { readonly op: 'convert'; readonly of: ShaderExpression }
   | { readonly op: 'apply'; readonly f: ShaderOperation; readonly args: readonly ShaderExpression[] }

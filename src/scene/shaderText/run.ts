@@ -9,7 +9,7 @@ import type {
 } from './program.ts';
 import { componentCount } from './types.ts';
 
-/** What a program is told of the pixel that it works on. */
+/** Inputs of a program at the current pixel. */
 export interface PixelContext {
   look(channel: ShaderChannel, dx: number, dy: number): readonly number[];
   input(name: ShaderInput): readonly number[];
@@ -18,7 +18,7 @@ export interface PixelContext {
 type Numbers = readonly number[];
 type ControlFlow = 'break' | 'continue' | { readonly value: Numbers } | undefined;
 
-/** The colour that a program gives a pixel, in f64. */
+/** Evaluates a program at a pixel, in f64. */
 export const runShaderProgram = (program: ShaderProgram, about: PixelContext): Numbers =>
   callFunction(program, program.effect, [], about);
 

@@ -12,11 +12,11 @@ const ABOUT: PixelContext = {
 const effect = (body: string, before = ''): string => `${before}\nfn effect(p: Pixel) -> vec4f {\n${body}\n}`;
 const result = (body: string, before?: string): readonly number[] =>
   runShaderProgram(readShaderText(effect(body, before)), ABOUT);
-/** What a number comes to. */
+/** Evaluates a scalar expression. */
 const number = (expression: string, before?: string): number =>
   result(`return vec4f(${expression}, 0, 0, 1);`, before)[0]!;
 
-/** Why a text is refused, with its place. */
+/** The error of a text, with its location. */
 function refusal(text: string): { line: number; column: number; message: string } {
   try {
     readShaderText(text);

@@ -4,11 +4,13 @@ import type { ShaderProgram } from './program.ts';
 import { typeCheck } from './typeCheck.ts';
 
 /**
- * Reads an effect that somebody wrote: WGSL, of which one function `fn effect(p: Pixel) -> vec4f` gives a pixel's colour. It may have functions and constants of
- * its own, numbers, vectors and matrices of f32 and i32, `if` and `for`; it knows `p.position`, `p.uv`, `p.size`, `p.direction`, `p.color`, arg1 … arg4 and
- * time, and looks about by image(offset), depth(offset), normal(offset) … (`SHADER_CHANNELS`), offsets in whole pixels as vec2i. The same program is run by the
- * reference and made into shaders of both backends, so that a text never reaches a compiler of the GPU, and all that can be wrong is told here.
- * Throws a `ShaderTextError` with its line and column. Every loop's count must be known; `SHADER_TEXT_LIMITS` bounds what a pixel may take.
+ * Parses a user-written effect: a subset of WGSL with `fn effect(p: Pixel) -> vec4f`, which returns a pixel's colour.
+ * It may declare functions and constants, use f32 and i32 scalars, vectors and matrices, `if` and `for`; inputs are
+ * `p.position`, `p.uv`, `p.size`, `p.direction`, `p.color`, arg1 … arg4 and time, and it samples image(offset),
+ * depth(offset), normal(offset) … (`SHADER_CHANNELS`), offsets in whole pixels as vec2i. The same program is
+ * evaluated by the reference and compiled to shaders of both backends, so user text never reaches a GPU compiler and
+ * every error is reported here. Throws a `ShaderTextError` with line and column. Loop counts must be constant;
+ * `SHADER_TEXT_LIMITS` bounds the cost per pixel.
  */
 export function readShaderText(text: string): ShaderProgram {
   const syntax = parse(text);

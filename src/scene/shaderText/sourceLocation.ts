@@ -1,10 +1,10 @@
-/** Where in a text, both from 1. */
+/** Line and column in a text, from 1. */
 export interface SourceLocation {
   readonly line: number;
   readonly column: number;
 }
 
-/** Why a shader text is refused, and what to do. */
+/** An error in a shader text, with its location and a remedy. */
 export class ShaderTextError extends Error {
   readonly line: number;
   readonly column: number;
@@ -20,20 +20,20 @@ export function refuse(at: SourceLocation, message: string): never {
   throw new ShaderTextError(at, message);
 }
 
-/** What a shader text may be, so that it neither stops the page nor the one who waits for its picture. */
+/** Limits of a shader text, which bound the time of a frame. */
 export const SHADER_TEXT_LIMITS = {
   /** Characters. */
   length: 16_384,
-  /** Brackets within brackets. */
+  /** Nesting depth of brackets. */
   depth: 40,
-  /** Operators and parts of one statement that follow each other. */
+  /** Length of one statement in operators and parts. */
   chain: 128,
-  /** Times that one loop goes round. */
+  /** Iterations of one loop. */
   rounds: 512,
-  /** Of loops within loops, also those of functions that are called in them, multiplied. */
+  /** Product of the iterations of nested loops, including those in called functions. */
   nested: 4096,
-  /** Steps for one pixel: each operation is one, each look at a pixel eight. A million pixels take some 5·10¹⁰, a second of a small GPU. */
+  /** Steps per pixel: 1 per operation, 8 per sample. For a million pixels about 5·10¹⁰, a second on a small GPU. */
   steps: 50_000,
-  /** Operations with every call written out. */
+  /** Operations with all calls inlined. */
   size: 4000,
 } as const;

@@ -1,6 +1,6 @@
 import type { SourceLocation } from './sourceLocation.ts';
 
-/** A text as it is written, before anything is known of what its names stand for. */
+/** The syntax tree, before names are resolved. */
 
 interface SyntaxNode {
   readonly at: SourceLocation;
@@ -36,7 +36,7 @@ export interface DeclarationSyntax extends SyntaxNode {
 export interface AssignmentSyntax extends SyntaxNode {
   readonly kind: 'assign';
   readonly target: ExpressionSyntax;
-  /** Of `+=` the plus. */
+  /** `+` of `+=`. */
   readonly sign: string | undefined;
   readonly value: ExpressionSyntax;
 }

@@ -12,7 +12,7 @@ const PARTS = {
   sign: /->|\+\+|--|&&|\|\||<<|>>|[<>=!+\-*/%&|^]=|[-+*/%&|^~!<>=(){}[\],.;:@]/y,
 } as const;
 
-/** The words of a text, and a last one for its end. */
+/** Tokens of a text, with one for its end. */
 export function tokenize(text: string): readonly ShaderToken[] {
   const tokens: ShaderToken[] = [];
   let [at, line, start] = [0, 1, 0];

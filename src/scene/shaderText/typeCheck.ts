@@ -29,7 +29,7 @@ interface Signature {
   readonly result: ShaderType;
 }
 
-/** What the names and types of a text mean, or why they mean nothing. */
+/** Resolves names and types of a text; throws where they are invalid. */
 export function typeCheck(syntax: ModuleSyntax): Pick<ShaderProgram, 'functions' | 'effect'> {
   const signatures = new Map<string, Signature>();
   const known = new Map<string, ShaderExpression>();
@@ -229,7 +229,7 @@ class FunctionChecker {
     return [{ op: 'for', local: local.local, first: from, by, count, body: steps }];
   }
 
-  /** A whole number that is known beforehand. */
+  /** A constant integer. */
   private whole(of: ExpressionSyntax, what: string): number {
     const value = checkExpression(of, this.names);
     if (

@@ -1,10 +1,10 @@
 import { refuse, type SourceLocation } from './sourceLocation.ts';
 import type { TypeSyntax } from './syntax.ts';
 
-/** Of what kind components are; those of literals are `whole` or `broken` until it is known what they are wanted as. */
+/** Component type; literals are `whole` or `broken` until their context decides. */
 export type ComponentType = 'f32' | 'i32' | 'bool' | 'whole' | 'broken';
 
-/** A number (1 × 1), a vector (n × 1), a square matrix (its columns one after the other), or the pixel that is worked on. */
+/** A scalar (1 × 1), a vector (n × 1), a square matrix (column-major), or the current pixel. */
 export interface ShaderType {
   readonly of: ComponentType | 'pixel';
   readonly rows: number;
@@ -22,16 +22,16 @@ export const componentCount = ({ rows, columns }: ShaderType): number => rows * 
 export const isFloat = ({ of }: ShaderType): boolean => of === 'f32' || of === 'broken';
 export const sameShape = (a: ShaderType, b: ShaderType): boolean => a.rows === b.rows && a.columns === b.columns;
 export const isSameType = (a: ShaderType, b: ShaderType): boolean => a.of === b.of && sameShape(a, b);
-/** What a literal is where nothing asks for anything else. */
+/** Default type of a literal. */
 export const concreteType = (type: ShaderType): ShaderType =>
   type.of === 'whole' ? { ...type, of: 'i32' } : type.of === 'broken' ? { ...type, of: 'f32' } : type;
-/** Whether one may stand for the other without a conversion that is written. */
+/** Whether one converts implicitly to the other. */
 export const isConvertible = (from: ShaderType, to: ShaderType): boolean =>
   sameShape(from, to) && (from.of === to.of || isComponentConvertible(from.of, to.of));
 const isComponentConvertible = (from: ShaderType['of'], to: ShaderType['of']): boolean =>
   (from === 'whole' && (to === 'broken' || to === 'f32' || to === 'i32')) || (from === 'broken' && to === 'f32');
 
-/** The component kind that all of them can become. */
+/** The common component type. */
 export function commonComponentType(types: readonly ShaderType[]): ComponentType | undefined {
   const kinds = ['whole', 'broken', 'i32', 'f32', 'bool'] as const;
   return kinds.find((of) => types.every((type) => type.of === of || isComponentConvertible(type.of, of)));
@@ -48,7 +48,7 @@ export function typeName({ of, rows, columns }: ShaderType): string {
   return of === 'bool' ? `vec${rows}<bool>` : `vec${rows}${component[0]}`;
 }
 
-/** A type by its name; undefined where it has none of ours. A vector's or a matrix' without its component (`vec3`) is of `whole` literals. */
+/** Looks up a type by name; undefined if unknown. A vector or matrix name without component type (`vec3`) has `whole` components. */
 export function typeNamed({ name, of }: TypeSyntax): ShaderType | undefined {
   if (name === 'Pixel') return PIXEL;
   const named = NAMED.exec(name);
@@ -66,7 +66,7 @@ export function typeNamed({ name, of }: TypeSyntax): ShaderType | undefined {
   return { of: 'f32', rows: Number(size), columns: Number(size) };
 }
 
-/** The type that stands before a value or a parameter. */
+/** The type annotation of a value or parameter. */
 export function declaredType(written: TypeSyntax): ShaderType {
   const type = typeNamed(written);
   const whole = type && !(written.name.length === 4 && !written.of);

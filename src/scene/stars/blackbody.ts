@@ -2,7 +2,10 @@ import { fromHalf } from '../../math/half.ts';
 import type { Vec3 } from '../../math/vec3.ts';
 import { blackbodyCurve, blackbodyLuminance, rowOf } from '../../spectrum/doppler/thermalTable.ts';
 
-/** The linear sRGB of a blackbody of T [K] at luminance 1, and its luminance over that of daylight's. A sky has thousands of stars for each picture: so from a curve. */
+/**
+ * Linear sRGB of a blackbody of T [K] at luminance 1, and its luminance relative to daylight. Interpolated from a
+ * table, since a sky evaluates thousands per frame.
+ */
 export function blackbody(T: number): { readonly color: Vec3; readonly luminance: number } {
   curve ??= decodedCurve();
   const place = rowOf(curve, T);

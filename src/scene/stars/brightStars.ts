@@ -1,7 +1,7 @@
 import { radians } from '../../math/angle.ts';
 import { CATALOGUE } from './catalogue.ts';
 
-/** Points of light, infinitely far away. */
+/** Point sources at infinity. */
 export interface Stars {
   /** Unit, 3 per star, from the observer to the star: +X to the vernal equinox, +Z to the celestial north pole (J2000). */
   readonly directions: Float32Array;
@@ -42,9 +42,9 @@ function decode(bytes: Uint8Array): Stars {
   return { directions, illuminances, temperatures };
 }
 
-/** [lx] of an apparent visual magnitude. */
+/** Illuminance [lx] of an apparent visual magnitude. */
 export const illuminanceOf = (magnitude: number): number => 10 ** (0.4 * (MAGNITUDE_OF_LUX - magnitude));
 
-/** [K] of a colour index B − V. Source: Ballesteros 2012, EPL 97, 34008, eq. 14. */
+/** Temperature [K] of a colour index B − V. */
 export const temperatureOf = (colorIndex: number): number =>
   4600 * (1 / (0.92 * colorIndex + 1.7) + 1 / (0.92 * colorIndex + 0.62));

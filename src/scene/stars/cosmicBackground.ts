@@ -15,8 +15,8 @@ const RADIATION = 683 * 2 * 6.62607015e-34 * SPEED_OF_LIGHT ** 2;
 export const DAYLIGHT_LUMINANCE = RADIATION * Math.exp(logLuminance(DAYLIGHT.temperature));
 
 /**
- * The background as one sees it who meets it with D: linear sRGB whose luminance is in cd/m². Dark but where D is in the hundreds: then a ring, red, then
- * white, opens ahead. Shares of the shift as everywhere.
+ * The background seen with Doppler factor D: linear sRGB whose luminance is in cd/m². Black unless D is in the
+ * hundreds; then a ring, red, then white, opens ahead. Scaled by the settings' shares of the shift.
  */
 export function cosmicBackground(
   D: number,

@@ -1,10 +1,10 @@
 /**
- * How a picture spreads a point of light, as an eye or a camera does: a core (Gauss) and wings (Moffat 1969), per square pixel at r [px]
- * from its middle; over the plane 1.
+ * Point spread function of an eye or camera: a core (Gaussian) and wings (Moffat 1969), per square pixel at r [px]
+ * from the centre; its integral is 1.
  */
 export const POINT_SPREAD = { core: 0.6, wings: 0.12, reach: 1.3, fall: 2 } as const;
 
-/** A pixel with less than this, as it is displayed, looks dark. */
+/** Displayed radiance below which a pixel looks black. */
 const MIN_VISIBLE_RADIANCE = 2e-4;
 /** [px] */
 export const MAX_SPREAD_RADIUS = 48;
@@ -17,7 +17,7 @@ export function pointSpread(r: number): number {
   return (1 - wings) * gauss + wings * moffat;
 }
 
-/** Where a star, of which a pixel would have all this radiance after exposure, is lost in the dark [px]. */
+/** Radius at which a star of this radiance per pixel, after exposure, falls below `MIN_VISIBLE_RADIANCE` [px]. */
 export function spreadRadius(radiance: number): number {
   const { wings, reach, fall } = POINT_SPREAD;
   const most = (radiance * wings * (fall - 1)) / (Math.PI * reach * reach);

@@ -9,7 +9,7 @@ const WIDTH = 800;
 const HEIGHT = 600;
 const SUN_LIKE = 5800;
 
-/** One star in a direction of the world, and its place [−1 … 1] and light in a picture; undefined where the picture does not have it. */
+/** Projects one star: its position [−1 … 1] and light in the picture; undefined outside. */
 function seen(toward: Vec3, view: Partial<ViewPoint> = {}, settings: Partial<RenderSettings> = {}) {
   const stars = {
     directions: Float32Array.from(normalize(toward)),

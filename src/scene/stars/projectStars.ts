@@ -8,7 +8,7 @@ import { VIEWS } from '../views/views.ts';
 import { MAX_SPREAD_RADIUS, spreadRadius } from './pointSpread.ts';
 import { starlight } from './starlight.ts';
 
-/** Room for all stars of a sky, 3 numbers each. */
+/** Buffers for all stars of a sky, 3 numbers each. */
 export interface ProjectedStars {
   /** Place in the picture, −1 … 1 from left to right and from below up, and the half side of the square that it is seen in [px]. */
   readonly positions: Float32Array;
@@ -16,7 +16,7 @@ export interface ProjectedStars {
   readonly radiances: Float32Array;
 }
 
-/** The stars that a picture has, brightest first as in the sky: how many there are. Frames: equatorial → world → observer → camera. */
+/** Projects the stars into a picture, brightest first as in the sky; returns how many are visible. Frames: equatorial → world → observer → camera. */
 export function projectStars(
   { stars, orientation, gain }: NightSky,
   view: ViewPoint,
@@ -40,10 +40,10 @@ export function projectStars(
     const place = [x / (-z * tanX), y / (-z * tanY)];
     const outside = (pixels: number) =>
       Math.abs(place[0]) > 1 + (2 * pixels) / width || Math.abs(place[1]) > 1 + (2 * pixels) / height;
-    // Most are, and what they shine with is dear.
+    // Most stars are outside, and the radiance is expensive.
     if (outside(MAX_SPREAD_RADIUS)) continue;
     const D = observerDoppler(n, u);
-    // A picture's flat pixels take up less of the sky toward its edges: by cos³ of the angle.
+    // Solid angle of a pixel falls with cos³ of the angle from the view direction.
     const share = (gain * stars.illuminances[i]) / (pixel * (-z) ** 3);
     const light = scale(starlight(stars.temperatures[i], D, settings), share / (boosted ? D * D : 1));
     const brightest = Math.max(...light) * 2 ** settings.exposure;

@@ -41,7 +41,7 @@ describe('starlight', () => {
         expect(Math.abs(value - exact[k])).toBeLessThan(0.03 * Math.max(...exact));
       });
     }
-    // Daylight's own shift is what the tint is made for; a red star's is not: its blue comes from a band that has little.
+    // The tint is fitted to daylight; a red star's blue comes from a band with little light.
     const [r, g, b] = starlight(6504, 1.3, TINTED);
     expect(b).toBeGreaterThan(r);
     expect(luminance([r, g, b]) / luminance(starlight(6504, 1.3, FULL))).toBeCloseTo(1, 1);

@@ -1,17 +1,17 @@
 import { cornersAround, type PolygonValues } from '../mesh/polygons.ts';
 import { INFINITELY_SHARP, makeTopology, type SubdivisionTopology } from './topology.ts';
 
-/** Where values on corners stay linear: at the borders of their pieces, say the seams of a texture (OpenSubdiv's names, as USD has them). */
+/** Where face-varying values are interpolated linearly: at boundaries of their islands, e.g. texture seams (OpenSubdiv's names, as in USD). */
 export type FaceVaryingRule = 'none' | 'cornersOnly' | 'cornersPlus1' | 'cornersPlus2' | 'boundaries' | 'all';
 
-/** Values on corners as a mesh of their own: corners at one point with the same value hang together. */
+/** A face-varying channel with its own topology: corners at one point that have equal values share a value. */
 export interface FaceVaryingChannel {
   readonly topology: SubdivisionTopology;
   /** `width` numbers for each of its points. */
   readonly values: Float64Array;
 }
 
-/** At one point so many different values are compared; more are taken as different. */
+/** Maximum number of distinct values compared at one point; further ones count as distinct. */
 const MAX_COMPARED_VALUES = 64;
 
 export function makeFaceVaryingChannel(
@@ -59,7 +59,7 @@ function weldValues({ points, corners }: SubdivisionTopology, { values, indices 
   return { ids, count, values: out.slice(0, count * width) };
 }
 
-/** Of the values at inner points what the mesh has there; at borders what the rule pins. */
+/** Sharpness of each value: the mesh's own at inner points; at boundaries what the rule pins. */
 function pointSharpness(mesh: SubdivisionTopology, channel: SubdivisionTopology, rule: FaceVaryingRule): Float64Array {
   const isBorder = new Uint8Array(channel.points);
   channel.twins.forEach((twin, c) => {
@@ -95,6 +95,6 @@ function isPinned(rule: FaceVaryingRule, all: readonly number[], own: number, is
   if (rule === 'cornersOnly') return false;
   if (all.length > 2) return true;
   if (rule === 'cornersPlus1') return false;
-  // A seam that ends here, and the other side of a corner.
+  // A dart of a seam, and the other side of a corner.
   return all.length === 1 ? isInside : all.includes(1);
 }

@@ -5,20 +5,20 @@ import { type SparseMatrix, SparseMatrixBuilder } from './sparseMatrix.ts';
 import { nextCorner, previousCorner, type SubdivisionTopology } from './topology.ts';
 
 /**
- * Where the points of a refined mesh (all quads, or all triangles) come to lie, and the tangents there. Sharp edges part
- * the faces around a point: each part has its own tangents, and is called a slot.
+ * Limit positions and tangents of a refined mesh (all quads, or all triangles). Sharp edges divide the faces around a
+ * point; each division has its own tangents and is called a slot.
  */
 export interface LimitMatrices {
   /** By point. */
   readonly positions: SparseMatrix;
-  /** By slot; their cross product points to the side from which the faces run counter-clockwise. */
+  /** Per slot; along × across points to the side from which the faces are counter-clockwise. */
   readonly along: SparseMatrix;
   readonly across: SparseMatrix;
   readonly slotOfCorner: Uint32Array;
   readonly pointOfSlot: Uint32Array;
 }
 
-/** An edge that is at least as sharp after the last level still looks sharp there. */
+/** Minimum sharpness after the last level at which an edge is treated as sharp. */
 const LOOKS_SHARP = 1;
 
 /** Limit masks: Halstead et al. (1993) for Catmull–Clark, Loop (1987); on creases derived here, as Biermann et al. (2000) do. */
@@ -27,7 +27,7 @@ export function limitMatrices(topology: SubdivisionTopology, scheme: Subdivision
   return { positions: positionRows(topology, scheme, around), ...tangentRows(topology, scheme, around) };
 }
 
-/** All else at once: a matrix of the points themselves. */
+/** The limit positions alone. */
 export function limitPositions(topology: SubdivisionTopology, scheme: SubdivisionScheme): SparseMatrix {
   return positionRows(topology, scheme, cornersAround(topology.corners, topology.points));
 }
@@ -88,7 +88,7 @@ function tangentRows(topology: SubdivisionTopology, scheme: SubdivisionScheme, a
   for (let p = 0; p < topology.points; p++) {
     const isFixed = topology.pointSharpness[p] >= LOOKS_SHARP || creases.counts[p] > 2 || isLinear(scheme);
     const corners = around(p);
-    // Nearly all points are like this, and there are millions.
+    // The usual case; meshes have millions of such points.
     const isSmooth = !isFixed && creases.counts[p] === 0 && corners.length > 0;
     for (const fan of isSmooth ? [wholeFan(topology, corners)] : fansOf(topology, corners, isBreak)) {
       for (const c of fan.corners) slotOfCorner[c] = pointOfSlot.length;
@@ -106,13 +106,13 @@ function tangentRows(topology: SubdivisionTopology, scheme: SubdivisionScheme, a
   };
 }
 
-/** Corners around a point, counter-clockwise, between two sharp edges; or all of them. */
+/** The corners around a point, counter-clockwise, between two sharp edges; or all of them. */
 interface Fan {
   readonly corners: number[];
   readonly isClosed: boolean;
 }
 
-/** All corners around a point without sharp edges. */
+/** The fan of a point without sharp edges. */
 function wholeFan(topology: SubdivisionTopology, corners: Uint32Array): Fan {
   const fan: number[] = [];
   for (let c = corners[0]; fan.length < corners.length; c = topology.twins[previousCorner(topology, c)]) fan.push(c);
@@ -134,7 +134,7 @@ function fansOf(topology: SubdivisionTopology, corners: Uint32Array, isBreak: (e
   };
   const starts = corners.filter((c) => isBreak(cornerEdges[c]));
   const fans = Array.from(starts, walk);
-  // An edge that ends at the point parts nothing.
+  // A single sharp edge that ends at the point does not divide its faces.
   const reached = fans.reduce((sum, fan) => sum + fan.corners.length, 0);
   if (starts.length === 1 && reached === corners.length && isDart(topology, fans[0])) {
     return [{ corners: fans[0].corners, isClosed: true }];
@@ -150,7 +150,7 @@ function fansOf(topology: SubdivisionTopology, corners: Uint32Array, isBreak: (e
   return fans;
 }
 
-/** The fan ends at the edge at which it begins. */
+/** Whether the fan begins and ends at the same edge. */
 function isDart(topology: SubdivisionTopology, { corners }: Fan): boolean {
   return topology.twins[previousCorner(topology, corners[corners.length - 1])] === corners[0];
 }
@@ -176,7 +176,7 @@ function addTangents(
 
 type Opposite = ((i: number) => number) | undefined;
 
-/** Of a wave that goes once around: a Fourier sum over the edges and, of quads, over the points across the faces. */
+/** Tangents of a smooth point: the first Fourier mode over its edges and, for quads, the points across its faces. */
 function addSmoothTangents(
   along: SparseMatrixBuilder,
   across: SparseMatrixBuilder,
@@ -200,7 +200,7 @@ interface Wave {
   readonly edge: number;
   readonly cosines: readonly number[];
   readonly sines: readonly number[];
-  /** Between neighbouring edges: the sums of theirs. */
+  /** For face points, which lie between neighbouring edges: sums of the two edges' values. */
   readonly face: { readonly cosines: readonly number[]; readonly sines: readonly number[] };
 }
 const waves = new Map<number, Wave>();
@@ -217,10 +217,10 @@ function waveOf(n: number): Wave {
   if (n <= MAX_CACHED_EDGES) waves.set(n, wave);
   return wave;
 }
-/** Waves of so many edges are kept. */
+/** Modes are cached up to this valence. */
 const MAX_CACHED_EDGES = 32;
 
-/** Of a point that stays, the edges themselves: of one face exactly, of two the sum of both faces' normals. */
+/** Tangents of a corner point: its edges; exact for one face, for two along the sum of both faces' normals. */
 function addCornerTangents(along: SparseMatrixBuilder, across: SparseMatrixBuilder, p: number, edges: number[]): void {
   const last = edges.length - 1;
   along.add(edges[0], 1);
@@ -229,7 +229,7 @@ function addCornerTangents(along: SparseMatrixBuilder, across: SparseMatrixBuild
   across.add(p, -1);
 }
 
-/** From one end of the crease to the other, and into the faces beside it. */
+/** Tangents of a crease point: from one end of the crease to the other, and into the faces beside it. */
 function addCreaseTangents(
   along: SparseMatrixBuilder,
   across: SparseMatrixBuilder,
@@ -248,7 +248,7 @@ function addCreaseTangents(
   else addTrianglesAcross(across, p, edges);
 }
 
-/** Into the faces, by a half wave sin(iθ) over the inner edges: a left eigenvector of the subdivision matrix around the point. */
+/** Into the faces: sin(iθ) over the inner edges, a left eigenvector of the local subdivision matrix. */
 function addQuadsAcross(
   across: SparseMatrixBuilder,
   p: number,
@@ -281,8 +281,8 @@ function addTrianglesAcross(across: SparseMatrixBuilder, p: number, edges: numbe
 }
 
 /**
- * What the eigenvector has at the point, w, and at both ends of its crease, u. By the masks 3/4, 1/8 and 1/2, 1/2:
- * λ u = u/2 + w/8 + `end`/8 and λ w = 3w/4 + u + `inner`, where the inner edges and faces add `end` and `inner`.
+ * The eigenvector at the point, w, and at both ends of its crease, u. By the masks 3/4, 1/8 and 1/2, 1/2: λ u = u/2 +
+ * w/8 + `end`/8 and λ w = 3w/4 + u + `inner`, where the inner edges and faces add `end` and `inner`.
  */
 function addCreaseItself(
   across: SparseMatrixBuilder,

@@ -102,7 +102,7 @@ const slope = (x: number): number => {
   const r = Math.abs(x);
   return Math.sign(x) * (r >= 2 ? 0 : r >= 1 ? -((2 - r) ** 2) / 2 : -2 * r + 1.5 * r * r);
 };
-/** Of control heights on the grid, with one more row around it that goes on straight. */
+/** Spline height from control heights on the grid, extrapolated linearly by one row. */
 function splineHeight(shape: Shape, x: number, y: number, bx = spline, by = spline): number {
   const inside = (i: number): readonly (readonly [number, number])[] =>
     i < 0
@@ -215,7 +215,7 @@ describe('limit masks', () => {
       const child = scheme === 'loop' ? 12 * Math.floor(c / 3) + 3 * (c % 3) : 4 * c;
       const [s, t] = [coarse.slotOfCorner[c], fine.slotOfCorner[child]];
       expectNear(at(b.positions, t), at(a.positions, s), 6);
-      // A smooth point that is held in place is the tip of a cone, and has no one normal.
+      // A fixed smooth point is the tip of a cone and has no unique normal.
       if (pointSharpness[corners[c]] > 0 && shape === pyramid) continue;
       expectNear(at(b.normals, t), at(a.normals, s), 5, `corner ${c}`);
     }
@@ -226,7 +226,7 @@ describe('sharpness', () => {
   const rim = [0, 1, 2, 3, 4].map((i) => [i, (i + 1) % 5]);
   const refined = (levels: number, sharpness: number): number[] =>
     [...refineOnce(pyramid, levels, { creaseSharpness: sharpBetween(rim, sharpness) }).points].flat();
-  /** The refined mesh itself, by values on it that the limit leaves: a bilinear limit moves nothing. */
+  /** The refined mesh itself: the bilinear limit leaves values in place. */
   function refineOnce(shape: Shape, levels: number, rest: Partial<ControlCage>): Shape {
     const refinement = refineTopology(cageOf(shape, rest), 'catmullClark', levels);
     const moved = limitValues({ ...refinement, scheme: 'bilinear' }, shape.points.flat(), 3);

@@ -6,14 +6,14 @@ import { multiplySparse, multiplySparseInto, rowCount, type SparseMatrix } from 
 import { splitIntoQuads, splitIntoTriangles } from './splitTopology.ts';
 import type { SubdivisionTopology } from './topology.ts';
 
-/** Weights that carry values on a cage's points to the points of a refined mesh; made once, for any number of values. */
+/** Weights that take values on a cage's points to the points of a refined mesh; built once, for any number of values. */
 export interface Refinement {
   readonly topology: SubdivisionTopology;
   readonly scheme: SubdivisionScheme;
   readonly steps: readonly RefinementStep[];
 }
 
-/** `levels` ≥ 1; the schemes of triangles take nothing else. */
+/** `levels` ≥ 1; triangle schemes need an all-triangle cage. */
 export function refineTopology(
   cage: SubdivisionTopology,
   scheme: SubdivisionScheme,
@@ -29,11 +29,11 @@ export function refineTopology(
   return { topology, scheme, steps };
 }
 
-/** Faces of a mesh after some levels; `corners`: of all its faces together. */
+/** Number of faces after `levels` levels; `corners`: total number of face corners. */
 export const facesAfter = (corners: number, scheme: SubdivisionScheme, levels: number): number =>
   splitsTriangles(scheme) ? (corners / 3) * 4 ** levels : corners * 4 ** (levels - 1);
 
-/** The face of the cage that each face of the refined mesh lies in; `faceCounts`: of the cage. */
+/** The cage face that contains each refined face; `faceCounts`: of the cage. */
 export function parentFaces({ topology, scheme, steps }: Refinement, faceCounts: ArrayLike<number>): Uint32Array {
   const parents = new Uint32Array(topology.faceStarts.length - 1);
   const each = 4 ** (steps.length - (splitsTriangles(scheme) ? 0 : 1));
@@ -46,7 +46,7 @@ export function parentFaces({ topology, scheme, steps }: Refinement, faceCounts:
   return parents;
 }
 
-/** Values of `width` numbers on the points of the refined mesh, before they are moved to the limit. */
+/** Values of `width` numbers on the refined points, before projection to the limit. */
 function refinedValues({ steps }: Refinement, values: ArrayLike<number>, width: number): Float64Array {
   let now: Float64Array = Float64Array.from(values);
   for (const { middles, children } of steps) {
@@ -58,13 +58,13 @@ function refinedValues({ steps }: Refinement, values: ArrayLike<number>, width: 
   return now;
 }
 
-/** Values of `width` numbers, in the limit, on the points of the refined mesh. */
+/** Limit values of `width` numbers on the refined points. */
 export function limitValues(refinement: Refinement, values: ArrayLike<number>, width: number): Float64Array {
   const limit: SparseMatrix = limitPositions(refinement.topology, refinement.scheme);
   return multiplySparse(limit, refinedValues(refinement, values, width), width);
 }
 
-/** The surface itself: for a cage's points, places and normals of the refined mesh. */
+/** The limit surface: positions and normals of the refined mesh for given cage points. */
 export class LimitSurface {
   readonly refinement: Refinement;
   private readonly limit: LimitMatrices;
@@ -74,7 +74,7 @@ export class LimitSurface {
     this.limit = limitMatrices(refinement.topology, refinement.scheme);
   }
 
-  /** Corners with the same slot have the same place and the same normal. */
+  /** Corners of one slot share position and normal. */
   get slotOfCorner(): Uint32Array {
     return this.limit.slotOfCorner;
   }
@@ -83,7 +83,7 @@ export class LimitSurface {
     return this.limit.pointOfSlot.length;
   }
 
-  /** 3 per slot, from 3 per point of the cage; unit normals, of counter-clockwise faces outward. */
+  /** 3 numbers per slot from 3 per cage point; unit normals, outward for counter-clockwise faces. */
   at(points: ArrayLike<number>): { positions: Float32Array; normals: Float32Array } {
     const refined = refinedValues(this.refinement, points, 3);
     const limit = multiplySparse(this.limit.positions, refined, 3);
@@ -101,7 +101,7 @@ export class LimitSurface {
     return { positions, normals };
   }
 
-  /** Where tangents vanish or run together, the mean over the faces. */
+  /** Fallback where tangents vanish or are parallel: the mean normal of the faces. */
   private setFaceNormals(normals: Float32Array, slots: readonly number[], limit: Float64Array): void {
     const { corners, faceStarts } = this.refinement.topology;
     const missing = new Map(slots.map((s) => [s, new Float64Array(3)]));
@@ -120,7 +120,7 @@ export class LimitSurface {
   }
 }
 
-/** Sines of less than this between two tangents are rounding. */
+/** Below this sine two tangents count as parallel. */
 const PARALLEL = 1e-9;
 
 function setCross(out: Float32Array, slot: number, a: Float64Array, b: Float64Array): boolean {
@@ -137,7 +137,7 @@ function setCross(out: Float32Array, slot: number, a: Float64Array, b: Float64Ar
   return true;
 }
 
-/** Twice the area of a triangle or quad as a vector. */
+/** Twice the area vector of a triangle or quad. */
 function diagonals(points: Float64Array, [a, b, c, d = c]: Uint32Array) {
   const [p, q, r, s] = [a, b, c, d].map((i) => pointAt(points, i));
   const from = d === c ? q : s;

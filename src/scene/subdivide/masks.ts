@@ -3,26 +3,26 @@ import { type CreaseRule, type Creases, creaseRule, creasesAt, decaySharpness, t
 import { type SparseMatrix, SparseMatrixBuilder } from './sparseMatrix.ts';
 import { nextCorner, previousCorner, type SubdivisionTopology } from './topology.ts';
 
-/** How faces are split, and how smoothly: `bilinear` splits as Catmull–Clark does, `linear` as Loop does. */
+/** `bilinear` splits faces as Catmull–Clark, `linear` as Loop, both without smoothing. */
 export type SubdivisionScheme = 'catmullClark' | 'loop' | 'bilinear' | 'linear';
 
 export const splitsTriangles = (scheme: SubdivisionScheme): boolean => scheme === 'loop' || scheme === 'linear';
 export const isLinear = (scheme: SubdivisionScheme): boolean => scheme === 'bilinear' || scheme === 'linear';
 
-/** One level of refinement: the middles of the faces, from the points; then the next level's points, from the points and, behind them, the middles. */
+/** One level of refinement: face points from the points, then the next level's points from the points followed by the face points. */
 export interface RefinementStep {
-  /** Without rows where the scheme has no use for them. */
+  /** Empty where the scheme does not use face points. */
   readonly middles: SparseMatrix;
   readonly children: SparseMatrix;
 }
 
-/** Weight of a triangle's middle at its edges where triangles are to be smoothed (Stam and Loop 2003; of a quad 1/4). */
+/** Weight of a triangle's face point at its edges with smooth triangles (Stam and Loop 2003; of a quad 1/4). */
 const SMOOTH_TRIANGLE = 0.47;
 
 /**
- * The masks of Catmull and Clark (1978) and Loop (1987), with the creases of Hoppe et al. (1994) and DeRose et al. (1998):
- * a sharp edge has its middle, a point on two of them 3/4 of itself and 1/8 of each end, a corner itself. Where sharpness
- * ends between two levels, the masks before and after are blended.
+ * The masks of Catmull and Clark (1978) and Loop (1987), with the creases of Hoppe et al. (1994) and DeRose et al.
+ * (1998): a sharp edge's point is its midpoint, a crease point 3/4 of itself and 1/8 of each end, a corner stays.
+ * Where sharpness ends between two levels, the masks before and after are blended.
  */
 export function refinementStep(
   topology: SubdivisionTopology,
@@ -95,7 +95,7 @@ function addSmoothCatmullClark(
   }
 }
 
-/** Loop's weight of each neighbour of a smooth point with `n` of them. */
+/** Loop's weight of each neighbour of a smooth point of valence `n`. */
 export const loopWeight = (n: number): number => (5 / 8 - (3 / 8 + Math.cos((2 * Math.PI) / n) / 4) ** 2) / n;
 
 function addSmoothLoop(

@@ -1,6 +1,6 @@
 import { INFINITELY_SHARP, type SubdivisionTopology } from './topology.ts';
 
-/** What holds a point: nothing, two sharp edges that run through it, or itself. */
+/** Rule of a point: smooth, on a crease of two sharp edges, or fixed. */
 export type CreaseRule = 'smooth' | 'crease' | 'corner';
 
 /** The sharp edges that meet at each point. */
@@ -10,11 +10,11 @@ export interface Creases {
   readonly ends: Int32Array;
 }
 
-/** One level takes 1 from what is not sharp for ever. */
+/** Sharpness after one level: 1 less unless infinitely sharp. */
 export const decaySharpness = (sharpness: Float64Array): Float64Array =>
   sharpness.map((s) => (s >= INFINITELY_SHARP ? s : Math.max(0, s - 1)));
 
-/** `least`: edges as sharp as that are sharp; absent: all that are sharp at all. */
+/** `least`: the sharpness from which an edge counts as sharp; absent: any above 0. */
 export function creasesAt({ points, edgePoints }: SubdivisionTopology, sharpness: Float64Array, least = 0): Creases {
   const counts = new Uint32Array(points);
   const ends = new Int32Array(2 * points).fill(-1);
@@ -29,13 +29,13 @@ export function creasesAt({ points, edgePoints }: SubdivisionTopology, sharpness
   return { counts, ends };
 }
 
-/** A single sharp edge ends in the smooth. */
+/** A single sharp edge leaves the point smooth (a dart). */
 export function creaseRule({ counts }: Creases, pointSharpness: Float64Array, point: number): CreaseRule {
   if (pointSharpness[point] > 0 || counts[point] > 2) return 'corner';
   return counts[point] === 2 ? 'crease' : 'smooth';
 }
 
-/** How much of each point's present rule is left where its sharpness ends at the next level: the mean of what ends, at most 1. */
+/** Weight of each point's current rule where its sharpness ends at the next level: the mean of what ends, at most 1. */
 export function transitions(
   topology: SubdivisionTopology,
   next: { edges: Float64Array; points: Float64Array },

@@ -1,11 +1,11 @@
-/** A sparse matrix, row by row: row r has the weights `starts[r]` up to `starts[r + 1]`, each at its column. */
+/** A sparse matrix in compressed rows: row r has the weights `starts[r]` to `starts[r + 1]`, each with its column. */
 export interface SparseMatrix {
   readonly starts: Uint32Array;
   readonly columns: Uint32Array;
   readonly weights: Float64Array;
 }
 
-/** Gathers a matrix row by row. */
+/** Builds a matrix row by row. */
 export class SparseMatrixBuilder {
   private readonly starts: Uint32Array;
   private columns: Uint32Array;
@@ -13,7 +13,7 @@ export class SparseMatrixBuilder {
   private rows = 0;
   private size = 0;
 
-  /** `perRow`: about so many weights; it is no bound. */
+  /** `perRow`: expected weights per row; not a limit. */
   constructor(rows: number, perRow: number) {
     this.starts = new Uint32Array(rows + 1);
     this.columns = new Uint32Array(rows * perRow + 16);
@@ -47,7 +47,7 @@ export class SparseMatrixBuilder {
 
 export const rowCount = ({ starts }: SparseMatrix): number => starts.length - 1;
 
-/** out = M x, for values of `width` numbers; `out` is written from its value `first` on, and may be `x` behind all that M reads. */
+/** out = M x for values of `width` numbers; writes `out` from value `first` on. `out` may be `x`, beyond what M reads. */
 export function multiplySparseInto(
   m: SparseMatrix,
   x: Float64Array,

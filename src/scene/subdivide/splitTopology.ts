@@ -2,8 +2,8 @@ import { decaySharpness } from './rules.ts';
 import { nextCorner, previousCorner, type SubdivisionTopology } from './topology.ts';
 
 /**
- * The next level of quads: of each corner a face (its point, the middle of its edge, the middle of the face, the middle of
- * the edge before). Points are numbered: the old ones, one per edge, one per face. Face k comes from corner k.
+ * The next level of quads: one face per corner (its point, the edge point, the face point, the previous edge point).
+ * Point order: the old points, one per edge, one per face. Face k comes from corner k.
  */
 export function splitIntoQuads(topology: SubdivisionTopology): SubdivisionTopology {
   const { points, corners, cornerEdges, twins, edgePoints, faceOfCorner } = topology;
@@ -24,14 +24,14 @@ export function splitIntoQuads(topology: SubdivisionTopology): SubdivisionTopolo
 }
 
 /**
- * The next level of triangles: at each corner one, and one in the middle. Points: the old ones, one per edge.
- * Face 4f + k comes from corner k of face f, 4f + 3 is the middle.
+ * The next level of triangles: one at each corner and one in the middle. Point order: the old points, one per edge.
+ * Face 4f + k comes from corner k of face f, 4f + 3 is the middle one.
  */
 export function splitIntoTriangles(topology: SubdivisionTopology): SubdivisionTopology {
   const { points, corners, cornerEdges, twins, edgePoints } = topology;
   const edges = edgePoints.length / 2;
   const child = emptyLevel(topology, 3, (4 * corners.length) / 3, points + edges);
-  /** Where the triangle of a corner begins. */
+  /** First corner of a corner's triangle. */
   const at = (c: number): number => 12 * Math.floor(c / 3) + 3 * (c % 3);
   for (let c = 0; c < corners.length; c++) {
     const [next, before] = [nextCorner(topology, c), previousCorner(topology, c)];
@@ -51,7 +51,7 @@ export function splitIntoTriangles(topology: SubdivisionTopology): SubdivisionTo
   return child;
 }
 
-/** A level with its old edges halved, and room for the rest. */
+/** The next level with the old edges split, the rest to be filled in. */
 function emptyLevel(parent: SubdivisionTopology, size: number, faces: number, points: number): SubdivisionTopology {
   const { edgePoints, corners } = parent;
   const edges = edgePoints.length / 2;
@@ -77,6 +77,6 @@ function emptyLevel(parent: SubdivisionTopology, size: number, faces: number, po
   };
 }
 
-/** The half of an edge at the point of a corner. */
+/** The half of an edge at a corner's point. */
 const halfAt = ({ edgePoints, corners }: SubdivisionTopology, edge: number, corner: number): number =>
   2 * edge + (edgePoints[2 * edge] === corners[corner] ? 0 : 1);

@@ -11,17 +11,17 @@ export interface SubdivisionOptions {
   readonly faceVarying: FaceVaryingRule;
   /** Triangles are smoothed as Stam and Loop do (2003). */
   readonly smoothTriangles: boolean;
-  /** Faces that shape their neighbours and are not drawn. */
+  /** Hidden faces influence their neighbours but are not rendered. */
   readonly hidden: (face: number) => boolean;
 }
 
 export interface SubdividedPolygons {
-  /** On the limit surface. Their points are the surface's slots. */
+  /** On the limit surface; one point per slot. */
   readonly polygons: Polygons;
   readonly surface: LimitSurface;
 }
 
-/** A subdivision surface as polygons on its limit, with all their values; given normals are not looked at, since the surface has its own. */
+/** The limit surface as polygons, with all primvars; authored normals are ignored. */
 export function subdividePolygons(
   cage: Polygons,
   topology: SubdivisionTopology,
@@ -60,7 +60,7 @@ const onFaces = ({ values, indices }: PolygonValues, faces: Uint32Array, parents
   indices: faces.map((f) => (indices ? indices[parents[f]] : parents[f])),
 });
 
-/** Values on points or corners, refined, and the place of each corner of the refined mesh in them. */
+/** Refined point or corner values, and the index into them of each refined corner. */
 function carried(
   given: PolygonValues,
   width: number,
@@ -83,7 +83,7 @@ function carried(
   return { of: limitValues(how, onPoints, width), ids: refinement.topology.corners };
 }
 
-/** Faces at an open boundary, none of which is drawn where boundaries are not to be interpolated; those whose boundary is written as sharp are. */
+/** Faces at an open boundary, hidden where boundaries are not interpolated; boundaries authored as sharp are kept. */
 export function boundaryFaces(topology: SubdivisionTopology, sharpness: (a: number, b: number) => number): Uint8Array {
   const { twins, corners, cornerEdges, edgePoints, faceOfCorner } = topology;
   const open = new Uint8Array(topology.points);

@@ -1,11 +1,11 @@
 import { cornersAround } from '../mesh/polygons.ts';
 
-/** From here on an edge or a point is sharp at every level (as USD and its kin count). */
+/** From this value on an edge or point is sharp at every level (as in USD and OpenSubdiv). */
 export const INFINITELY_SHARP = 10;
 
 /**
- * How faces hang together. A corner is a place of a face; from it an edge runs to the face's next corner.
- * Edges of one face only, of more than two, or of two that do not run against each other are sharp for ever.
+ * Mesh connectivity. A corner is a face's index into its points; its edge runs to the face's next corner. Edges of
+ * one face only, of more than two, or of two faces in the same direction are infinitely sharp.
  */
 export interface SubdivisionTopology {
   readonly points: number;
@@ -16,7 +16,7 @@ export interface SubdivisionTopology {
   readonly corners: Uint32Array;
   /** The edge from each corner. */
   readonly cornerEdges: Uint32Array;
-  /** The corner from which the face on the other side runs along the same edge, back; −1: none. */
+  /** The corner of the opposite half-edge; −1: none. */
   readonly twins: Int32Array;
   /** Two per edge. */
   readonly edgePoints: Uint32Array;
@@ -25,16 +25,16 @@ export interface SubdivisionTopology {
   readonly pointSharpness: Float64Array;
 }
 
-/** Faces as runs of corners, each with at least three, whose neighbours differ; and what is sharp in them. */
+/** Faces as runs of at least three corners, adjacent ones distinct; and their sharpness. */
 export interface ControlCage {
   readonly points: number;
   readonly faceCounts: ArrayLike<number>;
   readonly faceIndices: ArrayLike<number>;
-  /** Sharpness of an edge, by its two points in any order; absent: all are smooth. */
+  /** Sharpness of an edge by its two points in either order; absent: all smooth. */
   readonly creaseSharpness?: (a: number, b: number) => number;
   /** By point. */
   readonly pointSharpness?: Float64Array;
-  /** A point with one face only keeps its place. */
+  /** Points with a single face are fixed. */
   readonly sharpCorners: boolean;
 }
 
@@ -90,7 +90,7 @@ function joinEdges(faces: Faces) {
   return { cornerEdges, twins, edgePoints: table.points(), broken };
 }
 
-/** Pairs of points in the order in which they are first met; open addressing, for there are millions. */
+/** Point pairs, numbered in order of insertion; open addressing, since meshes have millions. */
 class EdgeTable {
   size = 0;
   private readonly pairs: Uint32Array;
@@ -125,7 +125,7 @@ function hash(a: number, b: number): number {
   return h ^ (h >>> 13);
 }
 
-/** Points that keep their place whatever is written: without faces, with one where that is wished, and where fans of faces only touch. */
+/** Fixes points without faces, with one face if `sharpCorners`, and non-manifold ones where fans of faces only touch. */
 function sharpenPoints(topology: SubdivisionTopology, sharpCorners: boolean, sharpness: Float64Array): void {
   const around = cornersAround(topology.corners, topology.points);
   for (let p = 0; p < topology.points; p++) {
@@ -135,7 +135,7 @@ function sharpenPoints(topology: SubdivisionTopology, sharpCorners: boolean, sha
   }
 }
 
-/** Whether the corners of a point are several closed fans. Open ones are told by their edges. */
+/** Whether a point has several closed fans; open ones are found by their edges. */
 function touchesOnly(topology: SubdivisionTopology, corners: ArrayLike<number>): boolean {
   let walked = 0;
   let corner = corners[0];

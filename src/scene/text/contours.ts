@@ -1,6 +1,6 @@
 import { radians } from '../../math/angle.ts';
 
-/** A place in the plane of a letter: x to the right, y up. */
+/** A point in the plane of a glyph: x to the right, y up. */
 export type Point2 = readonly [x: number, y: number];
 
 /** A straight line to `to`, or, with `control`, the quadratic curve (1 − t)² P + 2t (1 − t) C + t² Q. */
@@ -9,32 +9,32 @@ export interface PathSegment {
   readonly to: Point2;
 }
 
-/** A closed curve; it ends where it starts. What it bounds is to its right, as TrueType has it: holes go the other way round. */
+/** A closed curve with the filled side to its right, as in TrueType: holes run the other way round. */
 export interface Contour {
   readonly start: Point2;
   readonly segments: readonly PathSegment[];
 }
 
-/** A letter in the units of its font, whose capital letters are `capHeight` high. */
+/** A glyph in font units; capitals are `capHeight` high. */
 export interface Glyph {
   readonly contours: readonly Contour[];
-  /** How far on the next letter stands. */
+  /** Advance width. */
   readonly advance: number;
   readonly capHeight: number;
 }
 
-/** A contour as straight pieces: corners, and the outward normals at both ends of the side that begins at each. */
+/** A contour as line segments: corners, and the outward normals at both ends of the segment that starts at each. */
 export interface FlattenedContour {
   readonly corners: readonly Point2[];
   readonly sides: readonly { readonly from: Point2; readonly to: Point2 }[];
 }
 
-/** Sides that meet at less than this are one smooth surface [rad]. */
+/** Segments that meet at a smaller angle are smooth [rad]. */
 const CREASE = radians(25);
 
 /**
- * Cuts curves into as few pieces as leave none farther than `tolerance` from its curve: a quadratic’s chord over 1/n of it is at most
- * |P − 2C + Q| / 4n² away (Sederberg, CAGD course notes, §10.6). Normals are those of the curve, not of the pieces.
+ * Flattens curves into the fewest segments within `tolerance`: a quadratic’s chord over 1/n of it is at most |P − 2C
+ * + Q| / 4n² away (Sederberg, CAGD course notes, §10.6). Normals are those of the curve, not of the segments.
  */
 export function flattenContour({ start, segments }: Contour, tolerance: number): FlattenedContour {
   const corners: Point2[] = [];
@@ -74,14 +74,14 @@ function flattenSegment(from: Point2, { control, to }: PathSegment, tolerance: n
 
 const between = (a: Point2, b: Point2, t: number): Point2 => [a[0] + (b[0] - a[0]) * t, a[1] + (b[1] - a[1]) * t];
 
-/** To the left of the way from a to b, which is outside. */
+/** Normal to the left of a → b, which is outside. */
 function outward(a: Point2, b: Point2): Point2 {
   const [x, y] = [b[0] - a[0], b[1] - a[1]];
   const length = Math.hypot(x, y) || 1;
   return [-y / length, x / length];
 }
 
-/** Where two sides meet nearly straight they share their mean normal. */
+/** Segments that meet smoothly share their mean normal. */
 function smoothed(sides: { from: Point2; to: Point2 }[]): FlattenedContour['sides'] {
   sides.forEach((side, i) => {
     const next = sides[(i + 1) % sides.length];
@@ -95,7 +95,7 @@ function smoothed(sides: { from: Point2; to: Point2 }[]): FlattenedContour['side
   return sides;
 }
 
-/** Twice the area that corners go round, less than 0 clockwise (the shoelace formula). */
+/** Twice the signed area of a polygon, negative if clockwise (shoelace formula). */
 export const twiceArea = (corners: readonly Point2[]): number =>
   corners.reduce((sum, [x, y], i) => {
     const [nx, ny] = corners[(i + 1) % corners.length];

@@ -3,19 +3,19 @@ import type { Mesh } from '../types.ts';
 import { type Contour, type FlattenedContour, flattenContour, type Point2, twiceArea } from './contours.ts';
 import { triangulateCap } from './triangulateCap.ts';
 
-/** How outlines become a solid. */
+/** Options of an extrusion. */
 export interface ExtrusionOptions {
   /** [m] per unit of the outlines. */
   readonly scale: number;
-  /** [m], half of it before the plane of the letter and half behind. */
+  /** Depth [m], centred on the plane of the glyph. */
   readonly depth: number;
-  /** How far a side may be from its curve [m]. */
+  /** Maximum distance of a segment from its curve [m]. */
   readonly tolerance: number;
-  /** So many metres are 1 in texture coordinates. */
+  /** Metres per texture coordinate unit. */
   readonly tile: number;
 }
 
-/** How many triangles `solid` makes: two for each side, and of each cap two less than corners for an island, two more for a hole. */
+/** Number of triangles of `solid`: two per segment, and per cap two fewer than corners for an island, two more for a hole. */
 export function extrusionTriangles(contours: readonly Contour[], how: ExtrusionOptions): number {
   return flattenContours(contours, how).reduce((sum, { corners }) => {
     const cap = corners.length + (twiceArea(corners) < 0 ? -2 : 2);
@@ -27,8 +27,8 @@ const flattenContours = (contours: readonly Contour[], { scale, tolerance }: Ext
   contours.map((contour) => flattenContour(contour, tolerance / scale)).filter(({ corners }) => corners.length > 2);
 
 /**
- * A letter as a closed solid that stands in the plane z = 0 and faces +z. Caps are flat; sides have the normals of the curves, smooth
- * but where those have corners. Texture coordinates: x and y on the caps, the way along the outline and z on the sides.
+ * A glyph as a closed solid in the plane z = 0, facing +z. Caps are flat; sides have the normals of the curves,
+ * smooth except at corners. Texture coordinates: x and y on the caps, arc length and z on the sides.
  */
 export function extrudeContours(contours: readonly Contour[], how: ExtrusionOptions): Mesh {
   const outlines = flattenContours(contours, how);
@@ -69,13 +69,13 @@ class ExtrusionBuilder {
     const { scale, tile } = this.how;
     for (const place of places) {
       const [x, y] = this.corners[place];
-      // Seen from behind, letters are mirrored, and so are their textures.
+      // From behind, glyphs and their textures are mirrored.
       this.corner(place, back, [0, 0, back ? -1 : 1], [(x * scale) / tile, (y * scale) / tile]);
     }
     this.faceCounts.push(3);
   }
 
-  /** The sides of an outline whose corners begin at `first`. */
+  /** The sides of an outline; `first`: index of its first corner. */
   sides({ corners, sides }: FlattenedContour, first: number): void {
     const { scale, depth, tile } = this.how;
     let along = 0;
@@ -84,7 +84,7 @@ class ExtrusionBuilder {
       const [nx, ny] = corners[next];
       const end = along + (Math.hypot(nx - x, ny - y) * scale) / tile;
       const { from, to } = sides[i];
-      // Clockwise seen from the front: the way along the front's edge is backwards for who sees the side.
+      // Clockwise from the front, so the front edge runs backwards seen from the side's outside.
       this.corner(first + i, 0, [from[0], from[1], 0], [along, depth / tile]);
       this.corner(first + next, 0, [to[0], to[1], 0], [end, depth / tile]);
       this.corner(first + next, 1, [to[0], to[1], 0], [end, 0]);

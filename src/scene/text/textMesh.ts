@@ -9,15 +9,15 @@ export interface TextStyle {
   /** [m] */
   readonly depth: number;
   readonly align: 'left' | 'center' | 'right';
-  /** What is added between letters, as a share of the size. */
+  /** Letter spacing, relative to the size. */
   readonly spacing: number;
-  /** From line to line, as a share of the size. */
+  /** Line height, relative to the size. */
   readonly lineHeight: number;
-  /** How far the straight pieces may be from the curves, as a share of the size. */
+  /** Maximum distance of segments from the curves, relative to the size. */
   readonly tolerance: number;
 }
 
-/** Most triangles that a text may be of. */
+/** Maximum number of triangles of a text. */
 export const MAX_TEXT_TRIANGLES = 1_000_000;
 
 export function textTriangles(lines: readonly (readonly Glyph[])[], style: TextStyle): number {
@@ -29,7 +29,7 @@ export function textTriangles(lines: readonly (readonly Glyph[])[], style: TextS
   }, 0);
 }
 
-/** Letters as solids in the plane z = 0, facing +z; the last line stands on y = 0, lines begin, have their middle or end at x = 0. */
+/** Text as solids in the plane z = 0, facing +z; the last line's baseline is y = 0, lines are aligned at x = 0 by their start, middle or end. */
 export function textMesh(lines: readonly (readonly Glyph[])[], style: TextStyle): Mesh {
   const solids = new Map<Glyph, Mesh>();
   const parts = lines.flatMap((letters, line) => {
@@ -46,7 +46,7 @@ export function textMesh(lines: readonly (readonly Glyph[])[], style: TextStyle)
   return mergeMeshes(parts);
 }
 
-/** Where the letters of a line stand, from its beginning, and how long it is [m]. */
+/** Positions of a line's letters from its start, and its length [m]. */
 function layoutLine(letters: readonly Glyph[], { size, spacing }: TextStyle) {
   let x = 0;
   const xs = letters.map(({ advance, capHeight }) => {

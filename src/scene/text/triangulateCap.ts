@@ -34,7 +34,7 @@ export function triangulateCap(outlines: readonly (readonly Point2[])[]): number
 
 const sum = (numbers: readonly number[]): number => numbers.reduce((a, b) => a + b, 0);
 
-/** The innermost island round a point. */
+/** The innermost island that contains a point. */
 function smallestAround(point: Point2, islands: readonly number[], outlines: readonly (readonly Point2[])[]): number {
   const around = islands.filter((island) => isInside(point, outlines[island]));
   const areas = around.map((island) => Math.abs(twiceArea(outlines[island])));
@@ -51,24 +51,24 @@ function isInside([x, y]: Point2, corners: readonly Point2[]): boolean {
   return inside;
 }
 
-/** How far corners are moved aside to be cut [font units], of which an outline’s shortest pieces have a tenth. */
+/** Perturbation of corners for triangulation [font units]; the shortest segments are ten times as long. */
 const PERTURBATION = 1e-6;
 
 /**
- * Earcut drops corners that lie on a line between their neighbours, in the outline or in what is left of it. Moved aside by ever another
- * trifle none do, so that all are used; where they belong, triangles between them have no area.
+ * Earcut drops collinear corners. Perturbed by a different small amount each, none are collinear, so all are used; at
+ * the true positions, triangles between them have zero area.
  */
 const perturbed = ([x, y]: Point2, i: number): Point2 => [
   x + PERTURBATION * Math.cos(i * i),
   y + PERTURBATION * Math.sin(i * i),
 ];
 
-/** Lines of corners are not much longer than this, and each pass halves what is left of one. */
+/** Collinear runs are not much longer than this; each pass halves what is left of one. */
 const PASSES = 16;
-/** What is so little of its longest side’s square is no area but rounding. */
+/** Relative to the longest side squared: smaller areas are rounding errors. */
 const ROUNDING = 1e-9;
 
-/** Turns the longest side of a triangle without area, and with it the triangle beyond into two: in place. */
+/** Flips the longest edge of each zero-area triangle, in place. */
 function withoutSlivers(triangles: number[], all: readonly Point2[]): number[] {
   const sides = new Map<number, number>();
   const key = (a: number, b: number): number => a * all.length + b;
@@ -101,7 +101,7 @@ const isSliver = (a: Point2, b: Point2, p: Point2): boolean =>
   Math.abs(twiceArea([a, b, p])) <= ROUNDING * distance(a, b) ** 2;
 const distance = (a: Point2, b: Point2): number => Math.hypot(b[0] - a[0], b[1] - a[1]);
 
-/** The same triangle, its longest side from the first corner to the second. */
+/** The triangle rotated so that its longest side is the first. */
 function longestFirst(corners: readonly number[], all: readonly Point2[]): number[] {
   const lengths = corners.map((corner, k) => distance(all[corner], all[corners[(k + 1) % 3]]));
   const k = lengths.indexOf(Math.max(...lengths));

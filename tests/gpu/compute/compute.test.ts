@@ -235,7 +235,11 @@ describe('a run that goes wrong', () => {
     expect(await refused(hanging('discrete-gradient'))).toContain('discrete-gradient is not computed on the GPU');
     expect(await refused({ ...hanging('leapfrog'), tolerance: 1e-6 })).toContain('follow their error');
     const masses = Float64Array.of(1);
-    const led = makeSystem({ masses, pinned: Uint8Array.of(1), led: [{ point: 0, positionAt: (t) => [t, 0, 0] }] });
+    const led = makeSystem({
+      masses,
+      pinned: Uint8Array.of(1),
+      kinematic: [{ point: 0, positionAt: (t) => [t, 0, 0] }],
+    });
     expect(await refused(order(led, [0, 0, 0], [0, 0, 0], 'leapfrog', 0.01))).toContain('a way of its own');
     const small = new Proxy(gpu.device, {
       get(device, name) {

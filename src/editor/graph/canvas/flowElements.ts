@@ -83,7 +83,7 @@ export function flowNodes(input: FlowInput, cache: ElementCache<FlowNode>): Flow
     return cache.get(NOTE + key, JSON.stringify([note, at, selected]), () => noteNode(key, note, at, selected));
   });
   const selected = new Set(selection.nodes);
-  const cards = [...faces.values()].map((card): FlowNode => {
+  const cardNodes = [...faces.values()].map((card): FlowNode => {
     const at = places[card.id] ?? [0, 0];
     const isSelected = selected.has(card.id);
     const name = input.nameOf(card);
@@ -94,7 +94,7 @@ export function flowNodes(input: FlowInput, cache: ElementCache<FlowNode>): Flow
     }));
   });
   cache.evictUnused();
-  return [...frames, ...notes, ...cards];
+  return [...frames, ...notes, ...cardNodes];
 }
 
 const sized = ([width, height]: CanvasPoint) => ({ width, height, measured: { width, height } });

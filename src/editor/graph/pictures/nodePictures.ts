@@ -1,8 +1,8 @@
 import { createStore, useStore } from 'zustand';
 import { type PreviewTarget, previewFrameGraph } from '../../../nodes/frameGraph/previewFrameGraph.ts';
 import type { GBufferSpec, ImageSpec } from '../../../nodes/socketValues.ts';
-import { PreviewRenderer, type PreviewRequest } from '../../../render/previews.ts';
-import type { SceneRenderer } from '../../../render/renderer.ts';
+import type { InteractiveRenderer, PreviewSource } from '../../../pipelines/interactiveRenderer.ts';
+import type { PreviewRequest } from '../../../render/previews.ts';
 import type { FrameGraph } from '../../../scene/frameGraph/frameGraph.ts';
 import type { PreviewContext } from '../../viewport/viewportRenderer.ts';
 import { PICTURE_SIZE } from '../cards/cardGeometry.ts';
@@ -36,8 +36,8 @@ const PIXEL_DENSITY = { hardware: 3, software: 1.5 } as const;
 
 /** Renders node pictures with the viewport's renderer, for the lifetime of that renderer. */
 export class NodePictureRenderer {
-  private previews: PreviewRenderer | undefined;
-  private renderer: SceneRenderer | undefined;
+  private previews: PreviewSource | undefined;
+  private renderer: InteractiveRenderer | undefined;
 
   /** `made`: results of all nodes with pictures; `wanted`: which of them to render now. */
   async render(made: NodeImages, wanted: ReadonlySet<string>, besides: PreviewContext): Promise<void> {
@@ -55,7 +55,7 @@ export class NodePictureRenderer {
     const list = [
       ...new Map(asked.flatMap(({ orders }) => orders).map((order) => [requestKey(order), order])).values(),
     ];
-    const drawn = await this.for(renderer).make(plan, list, { width, height });
+    const drawn = await this.for(renderer)?.make(plan, list, { width, height });
     if (!drawn) return;
     const previews = new Map(list.map((order, i) => [requestKey(order), drawn[i]!]));
     const next = new Map([...nodePictures.getState()].filter(([name]) => made.has(name)));
@@ -71,11 +71,11 @@ export class NodePictureRenderer {
     nodePictures.setState(next, true);
   }
 
-  private for(renderer: SceneRenderer): PreviewRenderer {
+  private for(renderer: InteractiveRenderer): PreviewSource | undefined {
     if (!this.previews || this.renderer !== renderer) {
       this.stop();
       this.renderer = renderer;
-      this.previews = new PreviewRenderer(renderer);
+      this.previews = renderer.createPreviews?.();
     }
     return this.previews;
   }

@@ -42,7 +42,7 @@ export const program: MessageCatalogue = {
   'groups.{}: it holds itself: {}': 'groups.{1}：它包含自己：{2}',
   '{} feeds itself; remove one of the edges': '{1} 向自己供给；请删除其中一条连线',
   'the node feeds itself: remove one of the edges': '节点向自己供给：请删除其中一条连线',
-  'this would close a circle': '这样会形成循环',
+  'this would close a cycle': '这样会形成循环',
   '{} stands in no group': '{1} 不在任何节点组中',
   'it stands in no group; remove it': '它不在任何节点组中；请删除',
   'the group {} has no group output': '节点组 {1} 没有组输出',
@@ -70,7 +70,7 @@ export const program: MessageCatalogue = {
   '{} is not a number': '{1} 不是数',
   '{} is not a whole number': '{1} 不是整数',
   '{} is outside {} … {}': '{1} 超出 {2} … {3} 的范围',
-  'the engine opens out groups and bends before it evaluates': '节点组和折点在求值之前展开',
+  'groups and reroutes are removed before evaluation': '节点组和折点在求值之前展开',
 
   // Links
   '{} characters of the {} that a link may have': '{1} 个字符，链接至多 {2} 个',
@@ -113,12 +113,12 @@ export const program: MessageCatalogue = {
   'point {}': '点 {1}',
   'vertex {} of {}': '{2} 的顶点 {1}',
   '{}; take a smaller step': '{1}；请减小步长',
-  '{} has no place any more; take a smaller step': '{1} 的位置已不是有限的数；请减小步长',
+  '{} has no finite position any more; take a smaller step': '{1} 的位置已不是有限的数；请减小步长',
   '{} went through what is solid, {} ({}) m; take a smaller step, a harder penalty, or let it go slower':
     '{1} 穿过了实体，{2}（{3}）m；请减小步长、加大接触劲度，或让它慢一些',
   to: '到达',
   'soon after it was at': '在此后不久：',
-  '{} is led at {} m/s, not below c = {} m/s; lead it slower':
+  '{} is moved at {} m/s, not below c = {} m/s; move it slower':
     '{1} 被带动的速度为 {2} m/s，不低于 c = {3} m/s；请带得慢一些',
   '{} goes at {} m/s, not below c = {} m/s': '{1} 的速度为 {2} m/s，不低于 c = {3} m/s',
   'points fly apart within one step; take a smaller one': '各点在一步之内飞散；请减小步长',
@@ -131,20 +131,19 @@ export const program: MessageCatalogue = {
   'discrete-gradient': '离散梯度',
   'implicit-midpoint': '隐式中点',
   'the GPU was lost ({}); go on, or compute it on the processor': 'GPU 已丢失（{1}）；请继续，或在处理器上计算',
-  'steps of {} s are too long for {}: what is small may grow in each; set a shorter step, or 0':
+  'steps of {} s are too long for {}: perturbations may grow; set a shorter step, or 0':
     '步长 {1} s 对 {2} 来说太长：微小的量可能每步增大；请设更短的步长，或设为 0',
-  'by t = {} s more energy had come from nowhere than half of what moves has: the error of {}; set a shorter step, or another method':
+  'by t = {} s the energy had grown without a source by more than half of the kinetic energy: an error of {}; set a shorter step, or another method':
     '至 t = {1} s，凭空出现的能量已超过运动能量的一半：这是 {2} 的误差；请设更短的步长，或换一种方法',
-  'the GPU here is a program on the processor; without it the simulation takes less time':
+  'the GPU here is a software implementation; without it the simulation is faster':
     '这里的 GPU 是运行在处理器上的程序；不用它，模拟更快',
   'there is no GPU here that computes (WebGPU)': '这里没有能计算的 GPU（WebGPU）',
-  'what goes a way of its own is not led by the GPU': '沿自己路径运动的物体不能由 GPU 带动',
-  'points touch each other by several laws; the GPU knows of one': '各点按多种规律相互接触；GPU 只支持一种',
+  'objects with prescribed motion are not supported on the GPU': '沿自己路径运动的物体不能由 GPU 带动',
+  'points have several contact laws; the GPU supports one': '各点按多种规律相互接触；GPU 只支持一种',
   'it takes a buffer of {}, and the GPU gives {} at most': '它需要 {1} 的缓冲区，而 GPU 至多提供 {2}',
   "{} is not computed on the GPU; leapfrog and Yoshida's methods are": '{1} 不在 GPU 上计算；蛙跳和 Yoshida 方法可以',
-  'steps that follow their error are not taken on the GPU; let them be alike':
-    '随误差调整的步长不在 GPU 上计算；请使用等长的步长',
-  'steps that follow their error are not taken on the GPU; let them be all alike, with 0':
+  'adaptive steps are not supported on the GPU; use fixed steps': '随误差调整的步长不在 GPU 上计算；请使用等长的步长',
+  'adaptive steps are not supported on the GPU; use fixed steps, with 0':
     '随误差调整的步长不在 GPU 上计算；请设为 0，使各步等长',
   'the GPU refuses: {}': 'GPU 拒绝执行：{1}',
   '{}; compute it on the processor': '{1}；请在处理器上计算',
@@ -155,26 +154,25 @@ export const program: MessageCatalogue = {
   'the drag is {} 1/s; make it 0 or above': '阻力为 {1} 1/s；请设为 0 或更大',
   'there are {} points, more than {}; take a coarser mesh': '共有 {1} 个点，超过 {2} 个；请用更粗的网格',
   '{} has the mass {} kg; make it above 0': '{1} 的质量为 {2} kg；请设为大于 0',
-  '{} balls and {} points are too many to meet; take fewer balls, or coarser meshes':
+  '{} balls and {} points make too many pairs; take fewer balls, or coarser meshes':
     '{1} 个球与 {2} 个点太多，无法计算碰撞；请减少球，或用更粗的网格',
-  '{} charged points are too many to act on each other; charge fewer things, or coarser ones':
+  '{} charged points make too many pairs; charge fewer or coarser objects':
     '{1} 个带电的点太多，无法计算相互作用；请减少带电的物体，或用更粗的物体',
   'it passes on what comes in; connect something, or name a file to read instead':
     '它传递收到的内容；请连接内容，或指定要读取的文件',
-  'only balls can be free; choose the shape ball, or let it stand fast':
-    '只有球可以自由运动；请选择形状“球”，或让它固定',
+  'only balls can be free; choose the shape Ball, or turn Free off': '只有球可以自由运动；请选择形状“球”，或让它固定',
   '"{}" is no number of a point, nor two with - between them; write them like 0, 9, 20-29':
     '“{1}”不是点的编号，也不是用 - 连接的两个编号；请写成 0, 9, 20-29',
   'it is not flat, so that it is no plane; choose the shape box or ball': '它不平，因此不是平面；请选择形状“盒”或“球”',
   '{} has no point {}: they are numbered from 0 to {}': '{1} 没有点 {2}：编号从 0 到 {3}',
-  'there is no thing with a surface; connect one that has': '没有带表面的物体；请连接一个',
+  'there is no object with a surface; connect one': '没有带表面的物体；请连接一个',
   '{} {} already; put this before what moves it, or choose things {}':
     '{1} 已{2}；请把此节点放在使其运动的节点之前，或选择{3}的物体',
   moves: '在运动',
   'changes its shape': '在变形',
   'that keep theirs': '不变形',
   'at rest': '静止',
-  'nothing is there to move; connect a Mass spring or a Collider': '没有可运动的物体；请连接质点弹簧或碰撞体',
+  'there is nothing to simulate; connect a Mass spring or a Collider': '没有可运动的物体；请连接质点弹簧或碰撞体',
   '{} frames are more than {}; keep fewer a second, or let it end sooner':
     '{1} 帧超过了 {2} 帧；请减少每秒帧数，或让它早些结束',
   '{} vertices in {} frames are more than {} samples; keep fewer frames a second, let it end sooner, or take coarser meshes':
@@ -193,7 +191,7 @@ export const program: MessageCatalogue = {
   '"{}" is no name of a file without folders that ends in {}; write one like {}':
     '“{1}”不是以 {2} 结尾、不含文件夹的文件名；请写成如 {3}',
   'the scene has no such object; choose another': '场景中没有这个物体；请另选一个',
-  'the direction 0, 0, 0 leads nowhere': '方向 0, 0, 0 不指向任何地方',
+  'the direction 0, 0, 0 is not a direction': '方向 0, 0, 0 不指向任何地方',
   'it deforms, and has too many samples to be carried along; let the file move it':
     '它会变形，样本太多而无法带着走；请在文件中让它运动',
   'with its own motion the flight makes it {} c at t = {} s; fly slower, or raise the speed of light':
@@ -215,7 +213,7 @@ export const program: MessageCatalogue = {
   '"{}" is not {} numbers; write them with blanks between them': '“{1}”不是 {2} 个数；请用空格分隔',
   'there is nothing at "{}"; there is {}': '“{1}”处没有物体；现有 {2}',
   'nothing at all': '一无所有',
-  'there is nothing to be seen of it; write a letter': '它什么也显示不出来；请写一个字',
+  'it shows nothing; write a letter': '它什么也显示不出来；请写一个字',
   'it would be of {} triangles, more than {}; write less, or let curves be coarser (tolerance)':
     '它会有 {1} 个三角形，超过 {2} 个；请少写一些，或让曲线更粗（容差）',
   'it has {} letters, more than {}; write less': '它有 {1} 个字，超过 {2} 个；请少写一些',
@@ -288,7 +286,7 @@ export const program: MessageCatalogue = {
   // Opening and saving
   'it is not what was opened any more, or is gone; open the scene again':
     '它已不是打开时的文件，或已不存在；请重新打开场景',
-  'the font {} cannot be had: the server answers {}': '无法取得字体 {1}：服务器回答 {2}',
+  'the font {} cannot be loaded: the server answers {}': '无法取得字体 {1}：服务器回答 {2}',
   'the file grew while it was read; open it again': '文件在读取时变大了；请重新打开',
   'none of its files is a scene': '其中没有场景文件',
   'there is no such file; put it beside the project, or open it': '没有这个文件；请把它放在项目旁边，或打开它',

@@ -26,7 +26,7 @@ const sources = import.meta.glob<string>(
     '!**/fixtures/**',
     // UI texts, reference pages and GPU programs.
     '!../../../nodes/docs/{nodeTexts,effectTexts,nodeReference}.ts',
-    '!../../../nodes/pictures/maxSize.ts',
+    '!../../../pipelines/maxSize.ts',
     '!../../../formats/diagnostics/diagnosticCodes.ts',
     '!../../../compute/shader.ts',
     // Lines of written files.

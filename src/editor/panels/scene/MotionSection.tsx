@@ -19,7 +19,7 @@ import { Section } from './Section.tsx';
 /** Time mapping of the file's animation, and a motion added to an object. */
 export function MotionSection({ picture }: { readonly picture: PictureSpec }): ReactNode {
   const { t } = useTexts();
-  const studio = useEditor();
+  const editor = useEditor();
   const { observerController } = useServices();
   const document = useEditorState(({ history }) => history.document);
   const things = useMovablePrims(picture.scene);
@@ -29,7 +29,7 @@ export function MotionSection({ picture }: { readonly picture: PictureSpec }): R
     if (!path) return;
     setSearch('');
     const at = Math.round(observerController.observer.t * 1000) / 1000;
-    studio.edit(flyCommand(document, path, at), 'edit.fly');
+    editor.edit(flyCommand(document, path, at), 'edit.fly');
   };
   return (
     <Section title={t('motion.title')}>
@@ -93,9 +93,9 @@ function useMovablePrims({ objects }: Scene): readonly MovablePrim[] {
 
 function FlyParams({ node, things }: { readonly node: string; readonly things: readonly MovablePrim[] }): ReactNode {
   const { t } = useTexts();
-  const studio = useEditor();
+  const editor = useEditor();
   const object = useEditorState(({ history }) => String(nodeAt(history.document, node)?.params.object ?? ''));
-  const land = () => studio.edit(removeFlightCommand(studio.store.getState().history.document, node), 'edit.land');
+  const land = () => editor.edit(removeFlightCommand(editor.store.getState().history.document, node), 'edit.land');
   return (
     <Paper withBorder p="xs" component="fieldset" aria-label={`${t('node.fly')}: ${object}`} className="sl-flight">
       <Stack gap={10}>
@@ -110,7 +110,7 @@ function FlyParams({ node, things }: { readonly node: string; readonly things: r
             limit={50}
             value={object}
             data={things.some(({ value }) => value === object) ? things : [{ value: object, label: object }, ...things]}
-            onChange={(path) => path && studio.set(node, 'object', path, 'edit.fly')}
+            onChange={(path) => path && editor.set(node, 'object', path, 'edit.fly')}
           />
           <Tooltip label={t('motion.land')} openDelay={400}>
             <ActionIcon variant="subtle" color="gray" size={30} aria-label={t('motion.land')} onClick={land}>
@@ -134,7 +134,7 @@ function NearestParams({ type, only }: { readonly type: string; readonly only?: 
  * Controls of a node's parameters except text parameters, which have controls of their own here; or of a single one.
  */
 function MotionParams({ node: id, only }: { readonly node: string; readonly only?: string }): ReactNode {
-  const studio = useEditor();
+  const editor = useEditor();
   const node = useEditorState(({ history }) => nodeAt(history.document, id));
   const type = node && nodeLibrary[node.type];
   if (!type) return null;
@@ -148,8 +148,8 @@ function MotionParams({ node: id, only }: { readonly node: string; readonly only
       spec={spec}
       set={node.params[name]}
       value={resolved[name] ?? spec.default}
-      onChange={(value, gesture) => studio.set(id, name, value, spec.title, gesture)}
-      onGestureEnd={studio.endGesture}
+      onChange={(value, gesture) => editor.set(id, name, value, spec.title, gesture)}
+      onGestureEnd={editor.endGesture}
     />
   ));
 }

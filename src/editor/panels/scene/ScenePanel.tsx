@@ -101,7 +101,7 @@ function pathsRow(error: number | undefined, t: Translate): string | undefined {
 const COLORS = { error: 'red', warning: 'yellow', info: 'gray' } as const;
 
 function Notes({ notes }: { readonly notes: readonly Diagnostic[] }): ReactNode {
-  const { t, said } = useTexts();
+  const { t, said: translateMessage } = useTexts();
   if (notes.length === 0) return null;
   return (
     <Section title={t('info.notes')}>
@@ -111,9 +111,9 @@ function Notes({ notes }: { readonly notes: readonly Diagnostic[] }): ReactNode 
             {note.code}
           </Badge>
           <Text size="xs" ff="monospace" className="sl-place">
-            {said(note.place)}
+            {translateMessage(note.place)}
           </Text>
-          <Text size="xs">{said(note.message)}</Text>
+          <Text size="xs">{translateMessage(note.message)}</Text>
         </Stack>
       ))}
     </Section>

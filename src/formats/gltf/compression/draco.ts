@@ -1,34 +1,34 @@
 import type { Attribute, Decoder, DracoModule, Mesh, NumberArray } from 'draco3dgltf/draco_decoder_gltf_nodejs.js';
 import { ByteReader } from './meshoptBytes.ts';
 
-/** A mesh as Draco unpacks it. */
+/** A decoded Draco mesh. */
 export interface DracoMesh {
   /** 3 per triangle. */
   readonly indices: Uint32Array;
   readonly points: number;
-  /** All values of an attribute, by its id in the data, as numbers of a glTF component type. */
+  /** All values of an attribute, by its id in the data, converted to a glTF component type. */
   attribute(id: number, componentType: number): { readonly components: number; readonly values: DracoValues };
 }
 
 type DracoValues = (Float32Array | Int8Array | Uint8Array | Int16Array | Uint16Array | Uint32Array) &
   ArrayBufferView<ArrayBuffer>;
 
-/** Most triangles for each byte of data: a flat grid, the most regular mesh there is, takes a byte for 4. */
+/** Maximum triangles per byte of data: the most regular mesh, a flat grid, has 4. */
 const MAX_TRIANGLES_PER_BYTE = 64;
 
-/** Memory of the decoder [bytes]: so much, and for each byte of data so much more. A regular grid takes 700 bytes a byte. */
+/** Decoder memory [bytes]: a fixed part, and a part per byte of data. A regular grid takes 700 bytes per byte. */
 const MEMORY = 2 ** 27;
 const MEMORY_PER_BYTE = 2 ** 10;
 
 /**
- * Draco's own decoder, compiled to plain JavaScript (version 1.3.4, the last that needs neither WebAssembly, which
- * `script-src 'self'` forbids, nor a hand on the process): it reads bitstream 2.2, the one glTF asks for. It is loaded
- * on first use, and each file has an instance of its own, so that what a damaged file does to its memory ends with it.
+ * The official Draco decoder compiled to plain JavaScript (version 1.3.4, the last without WebAssembly, which
+ * `script-src 'self'` forbids, and without process hooks): reads bitstream 2.2, which glTF specifies. Loaded lazily;
+ * each file has its own instance, so that a damaged file cannot corrupt another's memory.
  */
 export async function loadDraco(): Promise<(data: Uint8Array) => DracoMesh> {
   const { default: createModule } = await import('draco3dgltf/draco_decoder_gltf_nodejs.js');
   const quiet = (): void => {};
-  // 'SHELL' is what asks nothing of where it runs. The module is no promise, though it has a `then`: it must not be awaited.
+  // 'SHELL' needs nothing of the environment. The module has a `then` but is not a promise: it must not be awaited.
   const draco = createModule({ ENVIRONMENT: 'SHELL', print: quiet, printErr: quiet });
   let allowed = MEMORY;
   const enlarge = draco.reallocBuffer;
@@ -39,7 +39,7 @@ export async function loadDraco(): Promise<(data: Uint8Array) => DracoMesh> {
   };
 }
 
-/** The decoder gives up by throwing a text, where it gets no more memory. */
+/** The decoder throws a string when out of memory. */
 function guarded<T>(decode: () => T): T {
   try {
     return decode();
@@ -68,7 +68,7 @@ function decode(draco: DracoModule, data: Uint8Array): DracoMesh {
 const METADATA_FLAG = 0x8000;
 const EDGEBREAKER = 1;
 
-/** Refuses what claims far more triangles than its bytes can tell, before room is made for them (Draco bitstream 2.2, §4 and §5). */
+/** Throws for triangle counts that the data cannot hold, before allocation (Draco bitstream 2.2, §4 and §5). */
 function checkTriangleCount(data: Uint8Array): void {
   const reader = new ByteReader(data, 0, data.length);
   if (String.fromCharCode(...reader.take(5)) !== 'DRACO') throw new Error('does not begin with DRACO');
@@ -98,7 +98,7 @@ function readIndices(draco: DracoModule, decoder: Decoder, mesh: Mesh): Uint32Ar
   return out;
 }
 
-/** glTF component type → the array that holds it, the decoder's array for it, and the decoder's way of filling that. */
+/** glTF component type → typed array, the decoder's array class, and its fill method. */
 const KINDS = new Map([
   [5120, [Int8Array, 'DracoInt8Array', 'GetAttributeInt8ForAllPoints']],
   [5121, [Uint8Array, 'DracoUInt8Array', 'GetAttributeUInt8ForAllPoints']],

@@ -1,4 +1,4 @@
-/** What is used of Draco's decoder, whose package comes without types. */
+/** The part of Draco's decoder in use; the package has no types. */
 declare module 'draco3dgltf/draco_decoder_gltf_nodejs.js' {
   interface NumberArray {
     GetValue(index: number): number;
@@ -41,7 +41,7 @@ declare module 'draco3dgltf/draco_decoder_gltf_nodejs.js' {
     readonly DracoUInt16Array: new () => NumberArray;
     readonly DracoInt32Array: new () => NumberArray;
     readonly DracoUInt32Array: new () => NumberArray;
-    /** Gives the decoder a memory of that many bytes; false where there is none. */
+    /** Resizes the decoder's memory; false on failure. */
     reallocBuffer: (bytes: number) => ArrayBuffer | false;
     destroy(thing: Decoder | Buffer | Mesh | NumberArray): void;
   }

@@ -2,7 +2,7 @@ import { decodeAttributes } from './meshoptAttributes.ts';
 import { FILTERS } from './meshoptFilters.ts';
 import { decodeSequence, decodeTriangles } from './meshoptIndices.ts';
 
-/** One compressed view of EXT_meshopt_compression, as its JSON tells it. */
+/** A compressed buffer view of EXT_meshopt_compression. */
 export interface MeshoptLayout {
   readonly count: number;
   /** Bytes per element. */
@@ -11,12 +11,12 @@ export interface MeshoptLayout {
   readonly filter?: string;
 }
 
-/** Bytes that one byte of data can stand for at most: the attribute codec leaves out a block of 256 elements at a byte for each 4 of an element. */
+/** Maximum compression ratio: the attribute codec omits a block of 256 elements at a byte for each 4 of an element. */
 const MAX_PACKING = 1024;
-/** Indices that one byte can stand for at most. */
+/** Maximum indices per byte. */
 const MAX_INDICES_PER_BYTE = 3;
 
-/** Refuses, by an Error, a view that its extension does not allow, or whose count its data cannot hold. */
+/** Throws an Error for a view that the extension forbids, or whose count the data cannot hold. */
 export function checkMeshopt({ count, byteStride, mode, filter = 'NONE' }: MeshoptLayout, bytes: number): void {
   const isIndices = mode === 'TRIANGLES' || mode === 'INDICES';
   if (!isIndices && mode !== 'ATTRIBUTES') throw new Error(`has the unknown mode ${mode}`);
@@ -39,7 +39,7 @@ function checkFilter(name: string, stride: number, isIndices: boolean): void {
   if (isIndices || !filter.strides(stride)) throw new Error(`has elements of ${stride} bytes with filter ${name}`);
 }
 
-/** Unpacks a checked view: count × byteStride bytes. Throws an Error that names the byte where its data is damaged. */
+/** Decodes a checked view to count × byteStride bytes. Throws an Error that names the byte where data are damaged. */
 export function decodeMeshopt(
   data: Uint8Array,
   { count, byteStride, mode, filter }: MeshoptLayout,

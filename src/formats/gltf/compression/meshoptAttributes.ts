@@ -16,7 +16,7 @@ const GROUP_BITS = [
   [0, 1, 2, 4],
   [1, 2, 4, 8],
 ] as const;
-/** How version 1 writes a whole byte plane. */
+/** Control codes of version 1 for a whole byte plane. */
 const ALL_ZERO = 2;
 const VERBATIM = 3;
 
@@ -102,7 +102,7 @@ function readGroups(
   }
 }
 
-/** Sixteen differences of a few bits each; the greatest such number stands for a whole byte that follows. */
+/** Sixteen differences of `bits` bits; the maximum value is an escape for a following byte. */
 function readPacked(reader: ByteReader, bits: number, planes: Uint8Array, at: number): void {
   const packed = reader.take((GROUP * bits) / 8);
   const perByte = 8 / bits;
@@ -116,7 +116,7 @@ function readPacked(reader: ByteReader, bits: number, planes: Uint8Array, at: nu
   }
 }
 
-/** Turns `before` into the block's element `i`. */
+/** Updates `before` to the block's element `i`. */
 function addDifferences(
   { stride, channels }: Layout,
   planes: Uint8Array,
@@ -139,7 +139,7 @@ function addWord(before: Uint8Array, k: number, difference: (k: number) => numbe
   before[k + 1] = sum >> 8;
 }
 
-/** Four bytes, exclusive-or with what was rotated to the left by `turn` bits. */
+/** Four bytes as XOR, rotated left by `turn` bits. */
 function flipBits(before: Uint8Array, k: number, difference: (k: number) => number, turn: number): void {
   const turned = difference(k) | (difference(k + 1) << 8) | (difference(k + 2) << 16) | (difference(k + 3) << 24);
   const flipped = turn === 0 ? turned : (turned >>> turn) | (turned << (32 - turn));

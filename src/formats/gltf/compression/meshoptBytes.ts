@@ -1,4 +1,4 @@
-/** Reads bytes one after another; throws an Error that names the byte where it would pass `end`. */
+/** A sequential byte reader; throws an Error that names the byte where it would pass `end`. */
 export class ByteReader {
   at: number;
   private readonly bytes: Uint8Array;
@@ -21,7 +21,7 @@ export class ByteReader {
     return this.bytes.subarray(this.at - count, this.at);
   }
 
-  /** Seven bits a byte, the lowest first; of what is longer than 32 bits the lowest 32. */
+  /** LEB128: seven bits a byte, lowest first, truncated to 32 bits. */
   varint(): number {
     let value = 0;
     for (let shift = 0; shift < 35; shift += 7) {

@@ -1,4 +1,4 @@
-/** Filters of EXT_meshopt_compression (appendix B) and KHR_meshopt_compression: they undo, in place, how values were rounded before. */
+/** Filters of EXT_meshopt_compression (appendix B) and KHR_meshopt_compression: decode quantized values in place. */
 
 type MeshoptFilter = (bytes: Uint8Array<ArrayBuffer>, stride: number) => void;
 
@@ -12,10 +12,10 @@ export const FILTERS: ReadonlyMap<
   ['COLOR', { strides: (n) => n === 4 || n === 8, apply: color }],
 ]);
 
-/** Half away from zero, as the codec's authors round. */
+/** Rounds half away from zero, as the reference decoder does. */
 const round = (x: number): number => Math.trunc(x + (x < 0 ? -0.5 : 0.5));
 
-/** Unit vectors on the octahedron |x| + |y| + |z| = 1, whose size stands in z; w stays. */
+/** Octahedral unit vectors, |x| + |y| + |z| = 1, whose scale is stored in z; w is unchanged. */
 function octahedral(bytes: Uint8Array<ArrayBuffer>, stride: number): void {
   const values = stride === 4 ? new Int8Array(bytes.buffer) : new Int16Array(bytes.buffer);
   const most = stride === 4 ? 127 : 32767;
@@ -23,7 +23,7 @@ function octahedral(bytes: Uint8Array<ArrayBuffer>, stride: number): void {
     const size = values[i + 2];
     let [x, y] = [values[i] / size, values[i + 1] / size];
     const z = 1 - Math.abs(x) - Math.abs(y);
-    // The lower half is folded over the edges.
+    // Unfold the lower half.
     const fold = Math.max(-z, 0);
     x -= x >= 0 ? fold : -fold;
     y -= y >= 0 ? fold : -fold;
@@ -32,7 +32,7 @@ function octahedral(bytes: Uint8Array<ArrayBuffer>, stride: number): void {
   }
 }
 
-/** Unit quaternions without their greatest component, whose place is in the lowest bits of the fourth. */
+/** Unit quaternions without the largest component, whose index is in the lowest bits of the fourth. */
 function quaternion(bytes: Uint8Array<ArrayBuffer>): void {
   const values = new Int16Array(bytes.buffer);
   for (let i = 0; i < values.length; i += 4) {

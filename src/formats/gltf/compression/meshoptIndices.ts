@@ -2,7 +2,7 @@ import { ByteReader, unzigzag } from './meshoptBytes.ts';
 
 /** The index codecs of EXT_meshopt_compression (appendix A, modes 1 and 2). Both throw an Error that names the byte where the data is damaged. */
 
-/** The most recent numbers, the newest at 0; so many as its length, a power of two. */
+/** A ring buffer of recent numbers, newest at 0; its length is a power of two. */
 class RecentQueue {
   private readonly held: Uint32Array;
   private next = 0;
@@ -22,7 +22,7 @@ class RecentQueue {
 
 const TRIANGLES = 0xe1;
 const SEQUENCE = 0xd1;
-/** Bytes at the end of a triangle stream: the frequent pairs of corner codes. */
+/** Size of the table of frequent corner code pairs at the end of a triangle stream [bytes]. */
 const PAIR_TABLE = 16;
 const SEQUENCE_TAIL = 4;
 const NO_EDGE = 15;
@@ -41,16 +41,16 @@ export function decodeTriangles(data: Uint8Array, count: number): Uint32Array {
   return out;
 }
 
-/** Triangles told by an edge or corners seen lately. */
+/** Triangles encoded by recent edges or vertices. */
 class TriangleDecoder {
   private readonly reader: ByteReader;
   private readonly pairs: Uint8Array;
   /** Two numbers per edge. */
   private readonly edges = new RecentQueue(32);
   private readonly corners = new RecentQueue(16);
-  /** The lowest vertex not met yet. */
+  /** The next new vertex. */
   private next = 0;
-  /** The last vertex that was written out. */
+  /** The last vertex encoded explicitly. */
   private last = 0;
   constructor(data: Uint8Array, triangles: number) {
     this.reader = new ByteReader(data, 1 + triangles, data.length - PAIR_TABLE);
@@ -105,7 +105,7 @@ class TriangleDecoder {
   }
 }
 
-/** Mode 2: `count` indices of any kind, each as its difference from the last one of two running sequences. */
+/** Mode 2: `count` arbitrary indices, delta encoded against one of two baselines. */
 export function decodeSequence(data: Uint8Array, count: number): Uint32Array {
   if (data[0] !== SEQUENCE) throw new Error(`begins with byte ${data[0]}, not with ${SEQUENCE}`);
   if (data.length < 1 + count + SEQUENCE_TAIL)

@@ -12,7 +12,7 @@ import type { Mesh, Scene } from '../../../scene/types.ts';
 import { memorySource } from '../../files/fileSource.ts';
 import { readGltf } from '../index.ts';
 
-/** A textured ball that flies. */
+/** A textured moving sphere. */
 function ball(segments = 16): GltfBuilder {
   const kit = new GltfBuilder();
   const mesh = sphere(1, { segments });

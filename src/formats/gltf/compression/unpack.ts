@@ -6,13 +6,12 @@ import { checkRange, MAX_UNPACKED } from '../load/checkReferences.ts';
 import type { DracoMesh } from './draco.ts';
 
 /**
- * Compressed geometry, unpacked: afterwards the JSON reads as if the file had been written without compression, with the
- * unpacked bytes in buffers of their own, and all checks of plain files hold for it. A decoder is loaded only for a file
- * that needs it.
+ * Decompresses geometry: afterwards the JSON is that of an uncompressed file, with the data in buffers of their own,
+ * and all checks of plain files apply. Decoders are loaded lazily.
  */
 
 const DRACO = 'KHR_draco_mesh_compression';
-/** The second is the first's successor: a version more of one codec and a filter more. */
+/** The second adds a version of one codec and a filter. */
 const MESHOPT = ['EXT_meshopt_compression', 'KHR_meshopt_compression'] as const;
 export const COMPRESSIONS: readonly string[] = [DRACO, ...MESHOPT];
 
@@ -27,7 +26,7 @@ export async function unpackGeometry(entry: string, json: GLTF.IGLTF, resources:
   if (primitives.length > 0) await unpacker.unpackPrimitives();
 }
 
-/** Whether a buffer only holds the place of what is compressed, for readers without the extension. */
+/** Whether a buffer is only a placeholder of compressed data, for readers without the extension. */
 export const isFallback = (buffer: GLTF.IBuffer): boolean =>
   MESHOPT.some((name) => (buffer.extensions?.[name] as { fallback?: unknown } | undefined)?.fallback === true);
 
@@ -101,7 +100,7 @@ class GeometryUnpacker {
     }
   }
 
-  /** Gives the accessors of a primitive their unpacked values. */
+  /** Points a primitive's accessors to the decoded values. */
   private fillPrimitive(p: Primitive, packed: DracoPrimitive, mesh: DracoMesh, filled: Map<number, string>): void {
     if (p.mode !== undefined && p.mode !== 4)
       throw new Error(`is compressed as triangles, but drawn in mode ${p.mode}`);
@@ -168,7 +167,7 @@ class GeometryUnpacker {
     return this.json.buffers!.push({ uri, byteLength: bytes.length }) - 1;
   }
 
-  /** What only held the place of compressed data has none, and nothing asks for it any more. */
+  /** Placeholder buffers without data are emptied: nothing refers to them any more. */
   private emptyUnusedBuffers(): void {
     const used = new Set(this.json.bufferViews?.map((view) => view.buffer));
     this.json.buffers?.forEach((buffer, i) => {
@@ -186,7 +185,7 @@ class GeometryUnpacker {
     throw gltfError(this.entry, 'gltf.too-large', what, message);
   }
 
-  /** What a decoder gives; whatever it throws becomes a refusal of the file. */
+  /** Runs a decoder; its exceptions become InputErrors. */
   private attempt<T>(code: DiagnosticCode, what: string, decode: () => T): T {
     try {
       return decode();

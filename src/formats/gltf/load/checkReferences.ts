@@ -12,15 +12,12 @@ const ELEMENT_SIZE: Readonly<Record<string, number>> = {
   MAT3: 9,
   MAT4: 16,
 };
-/** Most bytes that the accessors of a file may unpack to. */
+/** Maximum total unpacked size of a file's accessors [bytes]. */
 export const MAX_UNPACKED = 2 ** 31;
-/** Deepest nesting of nodes. */
+/** Maximum depth of nodes. */
 export const MAX_DEPTH = 1000;
 
-/**
- * Refuses a file whose parts point outside each other or outside the data, before anything is allocated for it:
- * the reader beneath takes the numbers at their word.
- */
+/** Throws for out-of-range references and offsets, before anything is allocated: glTF-Transform does not check them. */
 export function checkGltf(entry: string, json: GLTF.IGLTF, resources: Readonly<Record<string, Uint8Array>>): void {
   const version = json.asset?.version;
   if (version !== '2.0')
@@ -154,7 +151,7 @@ function checkBuffers(entry: string, json: GLTF.IGLTF, resources: Readonly<Recor
   });
 }
 
-/** Refuses a part that wants bytes which are not there. */
+/** Throws where a byte range is outside the data. */
 export function checkRange(entry: string, what: string, offset: number, length: number, available: number): void {
   const whole = Number.isInteger(offset) && Number.isInteger(length) && offset >= 0 && length >= 0;
   if (whole && offset + length <= available) return;
@@ -213,7 +210,7 @@ function checkSparse(
   }
 }
 
-/** Every node has at most one parent, none is its own ancestor, and the nesting is not too deep to be true. */
+/** Checks that the nodes are a forest of limited depth. */
 function checkNodeTree(entry: string, json: GLTF.IGLTF): void {
   const nodes = json.nodes ?? [];
   const parent = new Int32Array(nodes.length).fill(-1);

@@ -1,12 +1,9 @@
 import type { GLTF } from '@gltf-transform/core';
 import { gltfError } from '../context.ts';
 
-/**
- * The parts of a glTF that are looked at, as its schema has them: what is a list, an object, a number. Whether indices lead
- * somewhere is a second question (check.ts).
- */
+/** Schema of the parts of glTF in use: types of values. References are checked in checkReferences.ts. */
 
-/** Throws the reason where a value is not of its kind; `place` as in `nodes[3].mesh`. */
+/** Throws for a value of the wrong type; `place`: as in `nodes[3].mesh`. */
 type SchemaCheck = (value: unknown, place: string) => void;
 
 class SchemaError extends Error {
@@ -55,7 +52,7 @@ const fields =
       check((value as Record<string, unknown>)[name], place === '' ? name : `${place}.${name}`);
     }
   };
-/** An object whose names are the file's own. */
+/** An object with arbitrary keys. */
 const each =
   (of: SchemaCheck): SchemaCheck =>
   (value, place) => {
@@ -86,7 +83,7 @@ const camera: SchemaCheck = (value, place) => {
   const check = (value as { type?: unknown }).type === 'perspective' ? perspective : orthographic;
   check(value, place);
 };
-/** With its picture in the file, or beside it. */
+/** Embedded or external. */
 const image: SchemaCheck = (value, place) => {
   fields({ uri: optional(text), bufferView: optional(index), mimeType: optional(text) })(value, place);
   const { uri, bufferView } = value as GLTF.IImage;
@@ -192,7 +189,7 @@ const FILE = fields({
   scenes: optional(list(fields({ nodes: optional(list(index)) }))),
 });
 
-/** The file as its schema has it; refuses it with the place and the value of what is not so. */
+/** Validates the JSON; throws with the place and value of an error. */
 export function checkSchema(entry: string, json: unknown): GLTF.IGLTF {
   try {
     FILE(json, '');

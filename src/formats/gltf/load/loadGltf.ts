@@ -35,12 +35,12 @@ const EXTENSIONS = [
   KHRTextureTransform,
 ];
 const HANDLED: readonly string[] = [...EXTENSIONS.map((e) => e.EXTENSION_NAME), ...COMPRESSIONS, 'KHR_node_visibility'];
-/** Without these a thing looks a little different, but is where it should be. */
+/** Extensions that affect appearance only. */
 const LOOKS_ONLY =
   /^(KHR_materials_|KHR_xmp|EXT_structural_metadata|EXT_mesh_features|KHR_texture_basisu|EXT_texture_)/;
 const CHANGES_COLOR = /^(KHR_texture_basisu|EXT_texture_|KHR_materials_pbrSpecularGlossiness)/;
 
-/** Loads the file and all that it refers to, checks it and parses it. */
+/** Loads a file with its resources, validates and parses it. */
 export async function loadGltf(
   source: FileSource,
   entry: string,
@@ -108,7 +108,7 @@ function parseJson(entry: string, bytes: Uint8Array): GLTF.IGLTF {
   return checkSchema(entry, json);
 }
 
-/** Buffers and images by uri. Data URIs are unpacked under a short name of their own, which then stands in `json`. */
+/** Buffers and images by URI. Data URIs are decoded and replaced by short names in `json`. */
 async function loadResources(
   source: FileSource,
   entry: string,
@@ -137,7 +137,7 @@ async function loadResources(
   return resources;
 }
 
-/** `image 3, material Wood`: an image with the materials that show it. */
+/** Names an image and the materials that use it: `image 3, material Wood`. */
 function usersOf(json: GLTF.IGLTF, image: number): string {
   const shows = (texture: GLTF.ITextureInfo | undefined) =>
     texture !== undefined && json.textures?.[texture.index]?.source === image;
@@ -166,7 +166,7 @@ async function loadUri(
   return bytes && unshared(bytes);
 }
 
-/** File sources give bytes in plain memory; the type alone does not say so. */
+/** File sources never return shared memory; the type does not say so. */
 const unshared = (bytes: Uint8Array): Uint8Array<ArrayBuffer> => bytes as Uint8Array<ArrayBuffer>;
 
 /** URIs are percent-encoded, but not by every exporter. */
@@ -178,7 +178,7 @@ function unescaped(uri: string): string {
   }
 }
 
-/** Refuses what cannot be shown at all, names what is left out, and keeps both from the reader beneath. */
+/** Throws for unsupported required extensions, reports ignored ones, and hides both from glTF-Transform. */
 function checkExtensions(entry: string, json: GLTF.IGLTF, notes: DiagnosticLog): void {
   for (const name of json.extensionsRequired ?? []) {
     if (HANDLED.includes(name) || LOOKS_ONLY.test(name)) continue;
@@ -196,7 +196,7 @@ function checkExtensions(entry: string, json: GLTF.IGLTF, notes: DiagnosticLog):
   );
 }
 
-/** Textures whose pictures only an extension has that is not read (WebP, KTX2): materials go without them. */
+/** Removes textures only available in unsupported formats (WebP, KTX2) from materials. */
 function dropUnreadTextures(json: GLTF.IGLTF, notes: DiagnosticLog): void {
   const isUnread = (info: GLTF.ITextureInfo | undefined): boolean =>
     info !== undefined && json.textures?.[info.index] !== undefined && json.textures[info.index].source === undefined;

@@ -1,6 +1,6 @@
 import { type Accessor, MathUtils } from '@gltf-transform/core';
 
-/** All numbers of an accessor in order, with normalised integers as fractions; shared with it where it holds floats. */
+/** All numbers of an accessor, normalised integers as fractions; float data are shared. */
 export function floatsOf(accessor: Accessor): Float32Array {
   const array = accessor.getArray();
   if (!array) return new Float32Array(0);

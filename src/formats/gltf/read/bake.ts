@@ -14,14 +14,14 @@ import { type KeyTimes, keyTimesOf } from './keyTimes.ts';
 import type { AnimatedTransform, NodeTransform } from './nodes.ts';
 import type { Geometry } from './primitives.ts';
 
-/** Distance of straight pieces from the true path, as a fraction of half the object's diagonal. */
+/** Maximum error of linear pieces, relative to half the object's diagonal. */
 const RIGID_TOLERANCE = 1e-4;
 const DEFORMING_TOLERANCE = 1e-3;
-/** The path and the axes, 1 m long, of what has no size [m]. */
+/** The same for frames without size: position, and axes 1 m long [m]. */
 const FRAME_TOLERANCE = 1e-4;
-/** How far the matrix of a rigid motion may be from a rotation: files hold single precision. */
+/** Tolerance for a rotation matrix: files are single precision. */
 const RIGIDITY = 1e-5;
-/** Points of a deforming mesh by whose paths its sample times are chosen. */
+/** Number of vertices that the sample times of a deforming mesh are chosen by. */
 const MAX_PROBED_POINTS = 256;
 /** Inside a piece a path is looked at here: in the middle and at two places that no periodic motion has in common. */
 const PATH_PROBES = [0.23, 0.5, 0.71];
@@ -54,12 +54,12 @@ export class Baker {
     this.left = budget;
   }
 
-  /** Greatest distance of a baked path from the file's own [m]; undefined where nothing was baked. */
+  /** Largest error of a baked path [m]; undefined where nothing was baked. */
   get pathError(): number | undefined {
     return this.motionBudget.error;
   }
 
-  /** A mesh that only its node moves: rigid where that is a rotation and a translation, else deforming. */
+  /** A mesh moved only by its node: rigid for rotation and translation, else deforming. */
   bakeAffine(frame: AnimatedTransform, geometry: Geometry, deformer: Deformer): BakedMesh {
     const { transformAt } = frame;
     const knots = keyTimesOf(deformer.curves);
@@ -75,7 +75,7 @@ export class Baker {
     return { mesh: this.placed(geometry.mesh, first).mesh, motion: rigidMotion(times, poses) };
   }
 
-  /** A mesh that bends: every vertex at every sample time. */
+  /** A deforming mesh: every vertex at every sample time. */
   bakePoints(frame: AnimatedTransform, geometry: Geometry, deformer: Deformer): BakedMesh {
     const knots = keyTimesOf(deformer.curves);
     this.noteJumps(frame, knots);
@@ -92,7 +92,7 @@ export class Baker {
     return { mesh, motion: { kind: 'sampled-points', times: Float64Array.from(times), origin, points, normals } };
   }
 
-  /** Where a camera is and looks, or a light; its scale does not count. */
+  /** Motion of a camera or light; scale is ignored. */
   bakeFrame(frame: AnimatedTransform): StaticMotion | SampledMotion {
     const { transformAt } = frame;
     const knots = keyTimesOf(frame.curves);
@@ -107,7 +107,7 @@ export class Baker {
     return rigidMotion(times, times.map(poseAt));
   }
 
-  /** The mesh in a frame that has the node's rotation; scale, shear and mirror are in the mesh. */
+  /** The mesh in a frame with the node's rotation; scale, shear and mirror are applied to the mesh. */
   private placed(mesh: Mesh, placement: NodeTransform): BakedMesh {
     const linear = linearPart(placement.matrix);
     const stretch = times3(transpose(toMatrix(placement.rotation)), linear);
@@ -116,7 +116,7 @@ export class Baker {
     return { mesh: own, motion: { kind: 'static', pose: poseOf(placement) } };
   }
 
-  /** Copies of one mesh in one size share it. */
+  /** Instances of equal scale share one mesh. */
   private stretched(mesh: Mesh, stretch: Mat3): Mesh {
     const known = this.stretches.get(mesh) ?? new Map<string, Mesh>();
     this.stretches.set(mesh, known);
@@ -130,7 +130,7 @@ export class Baker {
     return this.context.options.chordTolerance ?? byDefault;
   }
 
-  /** Times at which `shape` is followed along its path, as closely as the scene's budget allows. */
+  /** Sample times of `shape` along its path, within the scene's budget. */
   private followed(
     { path, curves }: Pick<AnimatedTransform, 'path' | 'curves'>,
     knots: KeyTimes,
@@ -154,7 +154,7 @@ export class Baker {
     this.context.notes.add('warning', 'gltf.jump', path, message);
   }
 
-  /** Sample times of a deforming mesh; with a wider tolerance, or every n-th, where memory would not hold them. */
+  /** Sample times of a deforming mesh; with a larger tolerance, or every n-th, to fit in memory. */
   private pointTimes(frame: AnimatedTransform, { mesh }: Geometry, deformer: Deformer, knots: KeyTimes): number[] {
     if (knots.times.length === 0) return [];
     const vertices = mesh.positions.length / 3;
@@ -186,7 +186,7 @@ const poseOf = ({ matrix, rotation }: NodeTransform): Pose => ({
   orientation: rotation,
 });
 
-/** Poses of a rigid motion; undefined where the frame is scaled or sheared on the way. */
+/** Poses of a rigid motion; undefined if scaled or sheared along the way. */
 function rigidPoses(
   placementAt: (t: number) => NodeTransform,
   first: NodeTransform,
@@ -211,7 +211,7 @@ function rigidMotion(times: readonly number[], poses: readonly Pose[]): StaticMo
   const out = new Float64Array(7 * poses.length);
   let before = poses[0].orientation;
   for (const [i, { position, orientation }] of poses.entries()) {
-    // q and −q turn alike; neighbours get the same sign, so that they can be blended.
+    // q and −q are the same rotation; neighbours get the same sign for interpolation.
     const dot = orientation.reduce((sum, x, k) => sum + x * before[k], 0);
     before = dot < 0 ? (orientation.map((x) => -x) as unknown as Quat) : orientation;
     out.set([...position, ...before], 7 * i);
@@ -219,7 +219,7 @@ function rigidMotion(times: readonly number[], poses: readonly Pose[]): StaticMo
   return { kind: 'sampled', times: Float64Array.from(times), poses: out };
 }
 
-/** For an affine motion the greatest error of any point inside a box is that of one of its corners. */
+/** For an affine motion the largest error in a box is at a corner. */
 function cornerPaths(
   corners: readonly number[],
   placementAt: (t: number) => NodeTransform,

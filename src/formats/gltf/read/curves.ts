@@ -12,7 +12,7 @@ export interface AnimationCurve {
   at(t: number): number[];
 }
 
-/** What a sampler gives, as glTF 2.0 appendix C ("Animation sampler interpolation modes") has it. */
+/** Evaluates a sampler, as in glTF 2.0 appendix C ("Animation sampler interpolation modes"). */
 export function makeCurve(
   entry: string,
   what: string,

@@ -9,15 +9,15 @@ import type { AnimationCurve } from './curves.ts';
 import type { AnimatedTransform, NodeTree } from './nodes.ts';
 import type { Geometry } from './primitives.ts';
 
-/** The bending of one mesh at one node: where its vertices are in the world at any time [s]. */
+/** Deformation of one mesh at one node: its vertices in the world at any time [s]. */
 export interface Deformer {
-  /** Everything that moves or bends it. */
+  /** All curves that affect it. */
   readonly curves: readonly AnimationCurve[];
-  /** World places [m], 3 per vertex; of all vertices, or of those named. */
+  /** World positions [m], 3 per vertex; of all vertices, or of those given. */
   pointsAt(t: number, vertices?: readonly number[]): Float64Array;
   /** World normals, 3 per vertex. */
   normalsAt(t: number): Float32Array;
-  /** Whether the mesh is inside out at a time: its node mirrors it. */
+  /** Whether the node's transform mirrors the mesh at a time. */
   isMirroredAt(t: number): boolean;
 }
 
@@ -26,7 +26,7 @@ interface Joint {
   readonly inverseBind: Mat4;
 }
 
-/** `frame`: where the mesh is without joints. */
+/** `frame`: the node's frame, for meshes without joints. */
 export function makeDeformer(
   context: GltfContext,
   tree: NodeTree,
@@ -52,7 +52,7 @@ export function makeDeformer(
 const givenWeights = (node: GltfNode): readonly number[] =>
   node.getWeights().length > 0 ? node.getWeights() : (node.getMesh()?.getWeights() ?? []);
 
-/** The mesh in the shape that unchanging morph weights give it. */
+/** The mesh with constant morph weights applied. */
 export function settleMorphs(node: GltfNode, geometry: Geometry): Geometry {
   const weights = givenWeights(node);
   const { mesh, morphs } = geometry;
@@ -107,7 +107,7 @@ function points(
   return out;
 }
 
-/** Normals go with the cofactors of what moves the points; a mirror turns them round. */
+/** Normals are transformed by cofactor matrices, and negated by mirrors. */
 function normals(
   { mesh, morphs, skin }: Geometry,
   matrices: readonly Mat4[],
@@ -125,7 +125,7 @@ function normals(
   return out;
 }
 
-/** What carries a vertex: the node, or the blend of its joints, which is good until the next is asked for. */
+/** Matrix of a vertex: the node's, or the blend of its joints, valid until the next call. */
 function matrixOfVertex(matrices: readonly Mat4[], skin: Geometry['skin']): (vertex: number) => Mat4 {
   if (!skin) return () => matrices[0];
   const flat = Float64Array.from(matrices.flatMap((m) => m.slice(0, 12)));

@@ -6,7 +6,7 @@ import { type GltfContext, gltfError } from '../context.ts';
 import { floatsOf } from './accessors.ts';
 import type { NodeTransform } from './nodes.ts';
 
-/** Most instances of one node: each is an object of its own. */
+/** Maximum number of instances of one node; each becomes an object. */
 export const MAX_INSTANCES = 2 ** 16;
 const WIDTHS: ReadonlyMap<string, number> = new Map([
   ['TRANSLATION', 3],
@@ -14,7 +14,7 @@ const WIDTHS: ReadonlyMap<string, number> = new Map([
   ['SCALE', 3],
 ]);
 
-/** Where EXT_mesh_gpu_instancing puts the copies of a node's mesh, in the node's own frame; undefined where it has none. */
+/** Instance transforms of EXT_mesh_gpu_instancing in the node's frame; undefined if absent. */
 export function readInstances(context: GltfContext, node: GltfNode, what: string): NodeTransform[] | undefined {
   const instanced = node.getExtension<InstancedMesh>('EXT_mesh_gpu_instancing');
   if (!instanced) return undefined;

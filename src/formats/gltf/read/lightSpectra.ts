@@ -7,7 +7,7 @@ import type { DiagnosticLog } from '../../diagnostics/diagnosticLog.ts';
 import { missingSpectrum } from '../../diagnostics/missingFiles.ts';
 import { type FileSource, resolvePath } from '../../files/fileSource.ts';
 
-/** The tables that our own extras of lights name (`lamp.csv`, beside the scene), by those names; what is not there or no spectrum is told, and undefined. */
+/** Loads the spectrum tables that lights' extras name (`lamp.csv`, beside the scene); missing or invalid ones are reported and undefined. */
 export async function lightSpectra(
   source: FileSource,
   entry: string,

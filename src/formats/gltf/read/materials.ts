@@ -16,7 +16,7 @@ import type { GltfContext } from '../context.ts';
 
 /** How uv coordinates of a primitive are made for its material: (u, v) → offset + rotation · scale · (u, v), v down. */
 export interface GltfUvSource {
-  /** Which TEXCOORD set. */
+  /** TEXCOORD set. */
   readonly set: number;
   readonly offset: readonly number[];
   /** [rad], as KHR_texture_transform counts it. */
@@ -24,7 +24,7 @@ export interface GltfUvSource {
   readonly scale: readonly number[];
 }
 
-/** Materials of a file in the order in which its meshes ask for them; pictures are decoded once. */
+/** Materials of a file in order of use; images are decoded once. */
 export class GltfMaterialLibrary {
   readonly materials: Material[] = [];
   private readonly context: GltfContext;
@@ -34,7 +34,7 @@ export class GltfMaterialLibrary {
     this.context = context;
   }
 
-  /** Place of a material in `materials`; null is glTF's default one. */
+  /** Index of a material in `materials`; null is glTF's default material. */
   placeOf(material: GltfMaterial | null): number {
     const known = this.places.get(material);
     if (known !== undefined) return known;
@@ -58,7 +58,7 @@ export class GltfMaterialLibrary {
     );
     const emissive = scale(material.getEmissiveFactor(), strength?.getEmissiveStrength() ?? 1);
     const emissiveTexture = this.texture(material.getEmissiveTexture(), material.getEmissiveTextureInfo(), true);
-    // An unlit surface sends out its colour and reflects nothing.
+    // Unlit surfaces emit their colour and reflect nothing.
     const isUnlit = material.getExtension('KHR_materials_unlit') !== null;
     const light = isUnlit ? { emissive: baseColor, emissiveTexture: baseColorTexture } : { emissive, emissiveTexture };
     return {
@@ -77,7 +77,7 @@ export class GltfMaterialLibrary {
     };
   }
 
-  /** Roughness is in the green of its texture, metalness in the blue. */
+  /** Roughness is in the green channel, metalness in the blue. */
   private finish(material: GltfMaterial, isUnlit: boolean): MetallicRoughness {
     const [roughness, metallic] = [material.getRoughnessFactor(), material.getMetallicFactor()];
     if (isUnlit) return { roughness, metallic: 0 };
@@ -99,14 +99,14 @@ export class GltfMaterialLibrary {
     return texture ? { normalTexture: { texture, strength: [strength, strength] } } : {};
   }
 
-  /** What keeps light from all round away, 1 + strength · (red − 1). */
+  /** Ambient occlusion, 1 + strength · (red − 1). */
   private occlusion(material: GltfMaterial): { readonly occlusionTexture?: TextureChannel } {
     const texture = this.texture(material.getOcclusionTexture(), material.getOcclusionTextureInfo(), true, 'linear');
     const strength = Math.min(Math.max(material.getOcclusionStrength(), 0), 1);
     return texture ? { occlusionTexture: { texture, channel: 0, scale: strength, bias: 1 - strength } } : {};
   }
 
-  /** What our own extras of the material say of light that eyes do not see. */
+  /** Spectral properties from the material's extras. */
   private spectral(material: GltfMaterial, name: string): Partial<Material> {
     const extras = new Map(Object.entries(material.getExtras()));
     const refuse = (message: string): void =>
@@ -123,7 +123,7 @@ export class GltfMaterialLibrary {
     );
   }
 
-  /** `{ "image": 2, "channel": 0, "scale": 1, "bias": 0 }`, of which only the image has to be there. */
+  /** `{ "image": 2, "channel": 0, "scale": 1, "bias": 0 }`; only the image is required. */
   private channelOf(value: unknown): TextureChannel | undefined {
     if (typeof value !== 'object' || value === null) return undefined;
     const { image, channel = 0, scale = 1, bias = 0 }: Record<string, unknown> = { ...value };
@@ -165,7 +165,7 @@ export class GltfMaterialLibrary {
     const name = this.imageName(image);
     let decoded: DecodedImage | undefined;
     try {
-      // A missing file was already named when it was looked for, and left no bytes.
+      // Missing files have been reported already and have no bytes.
       decoded = bytes && bytes.length > 0 ? decodeImage(bytes, name) : undefined;
     } catch (thrown) {
       if (!(thrown instanceof InputError)) throw thrown;
@@ -205,7 +205,7 @@ function nameOf(context: GltfContext, material: GltfMaterial): string {
   return material.getName() || `material ${context.document.getRoot().listMaterials().indexOf(material)}`;
 }
 
-/** An opaque material has no alpha, whatever its picture holds. */
+/** Opaque materials ignore the texture's alpha. */
 function withoutAlpha(rgba: Uint8Array): Uint8Array {
   let opaque = true;
   for (let i = 3; i < rgba.length && opaque; i += 4) opaque = rgba[i] === 255;
@@ -215,7 +215,7 @@ function withoutAlpha(rgba: Uint8Array): Uint8Array {
   return out;
 }
 
-/** Where the uvs of a material come from. A mesh has one set: that of the first of its textures. */
+/** UV source of a material. A mesh has one UV set: that of the material's first texture. */
 export function uvSourceOf(context: GltfContext, material: GltfMaterial | null): GltfUvSource {
   const [first, ...more] = material ? uvSources(material) : [];
   const other = material && more.find(({ source }) => JSON.stringify(source) !== JSON.stringify(first.source));

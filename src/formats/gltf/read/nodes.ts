@@ -9,32 +9,32 @@ import { type AnimationCurve, makeCurve } from './curves.ts';
 type AnimatedProperty = 'translation' | 'rotation' | 'scale' | 'weights';
 
 interface TreeNode {
-  /** In the file. */
+  /** Index in the file. */
   readonly place: number;
   readonly source: GltfNode;
   readonly parent: TreeNode | undefined;
-  /** As written, where it is a matrix: it may shear, which translation, rotation and scale cannot tell. */
+  /** The authored matrix, which may shear, unlike translation, rotation and scale. */
   readonly matrix: Mat4 | undefined;
   readonly curves: Readonly<Partial<Record<AnimatedProperty, AnimationCurve>>>;
   readonly path: string;
 }
 
-/** Where a frame is at a time: its matrix to the world, and the product of the rotations alone along the way. */
+/** A frame at a time: its matrix to the world, and the product of the rotations alone. */
 export interface NodeTransform {
   readonly matrix: Mat4;
   readonly rotation: Quat;
 }
 
-/** A frame of a node, or one fixed in it: a thing that may move. */
+/** The frame of a node, or one fixed in it. */
 export interface AnimatedTransform {
   /** For messages. */
   readonly path: string;
-  /** Everything that moves it. */
+  /** All curves that affect it. */
   readonly curves: readonly AnimationCurve[];
   transformAt(t: number): NodeTransform;
 }
 
-/** The node tree with one animation on it: where every node is at any time [s]. */
+/** The node tree with one animation: frames at any time [s]. */
 export class NodeTree {
   private readonly nodes = new Map<GltfNode, TreeNode>();
   private readonly names = new UniquePrimPaths();
@@ -57,12 +57,12 @@ export class NodeTree {
     for (const node of all) if (!children.has(node)) build(node, undefined);
   }
 
-  /** Place among the nodes of the file. */
+  /** Index among the nodes of the file. */
   placeOf(node: GltfNode): number {
     return this.of(node).place;
   }
 
-  /** A path under a node that no node has. */
+  /** A unique path below a node. */
   pathBelow(node: GltfNode, name: string): string {
     return this.names.of(this.path(node), name);
   }
@@ -71,7 +71,7 @@ export class NodeTree {
     return this.of(node).path;
   }
 
-  /** Everything that moves a node: its curves and its ancestors'. */
+  /** All curves that affect a node: its own and its ancestors'. */
   curvesAbove(node: GltfNode): AnimationCurve[] {
     const found: AnimationCurve[] = [];
     for (let n: TreeNode | undefined = this.of(node); n; n = n.parent) {
@@ -85,7 +85,7 @@ export class NodeTree {
     return this.of(node).curves.weights;
   }
 
-  /** The frame of a node; or, with `within`, one that is fixed in it. */
+  /** The frame of a node; with `within`, one fixed in it. */
   frame(node: GltfNode, within?: NodeTransform): AnimatedTransform {
     return {
       path: this.path(node),
@@ -126,7 +126,7 @@ function localTransformAt({ source, matrix, curves }: TreeNode, t: number): Node
   return { matrix: fromParts(linear, [x, y, z] as Vec3), rotation };
 }
 
-/** glTF writes matrices column by column. */
+/** glTF matrices are column-major. */
 const rowMajor = (m: readonly number[]): Mat4 => Array.from({ length: 16 }, (_, i) => m[(i % 4) * 4 + (i >> 2)]);
 
 const WIDTHS: Readonly<Record<string, number>> = { translation: 3, rotation: 4, scale: 3 };

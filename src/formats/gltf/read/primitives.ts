@@ -7,10 +7,10 @@ import { floatsOf } from './accessors.ts';
 import { type GltfMaterialLibrary, type GltfUvSource, uvSourceOf } from './materials.ts';
 import { materialOf } from './variants.ts';
 
-/** A mesh of the file as triangles, and what bends it. All in the mesh's own frame [m]. */
+/** A mesh as triangles, with morph targets and skin. All in the mesh's own frame [m]. */
 export interface Geometry {
   readonly mesh: Mesh;
-  /** Displacements at weight 1, 3 per vertex; zeros where a primitive has no such target. */
+  /** Displacements at weight 1, 3 per vertex; 0 where a primitive lacks the target. */
   readonly morphs: readonly MorphTarget[];
   readonly skin?: SkinWeights;
 }
@@ -102,7 +102,7 @@ function readPrimitive(
     const message = `a triangle wants vertex ${bad} of ${position.getCount()}; the file is damaged, export it again`;
     throw gltfError(context.entry, 'gltf.bad-index', what, message);
   }
-  // Flat normals belong to triangles, so vertices can no longer be shared.
+  // Flat normals are per triangle, so vertices are not shared.
   const isFlat = !p.getAttribute('NORMAL');
   const take: Take = (name, width, of = p) => {
     const accessor = of.getAttribute(name);
@@ -123,7 +123,7 @@ function readPrimitive(
   });
 }
 
-/** Colours of a mesh have no opacity here. */
+/** Vertex alpha is not supported. */
 function noteVertexAlpha({ notes }: GltfContext, what: string, p: Primitive, material: GltfMaterial | null): void {
   const colors = p.getAttribute('COLOR_0');
   if (colors?.getElementSize() !== 4 || (material?.getAlphaMode() ?? 'OPAQUE') === 'OPAQUE') return;
@@ -131,17 +131,17 @@ function noteVertexAlpha({ notes }: GltfContext, what: string, p: Primitive, mat
   notes.add('warning', 'gltf.vertex-alpha', what, 'the opacity of its vertex colours is left out');
 }
 
-/** Values of an attribute, `width` per vertex of the finished mesh. */
+/** Reads an attribute, `width` values per vertex of the merged mesh. */
 type Take = (
   name: string,
   width: number,
   of?: { getAttribute(name: string): Accessor | null },
 ) => Float32Array | undefined;
 
-/** What a primitive wears. */
+/** Material of a primitive. */
 interface PrimitiveMaterial {
   readonly material: GltfMaterial | null;
-  /** Among the scene's materials. */
+  /** Index among the scene's materials. */
   readonly place: number;
   readonly uvs: GltfUvSource;
 }
@@ -180,7 +180,7 @@ function triangleCorners(p: Primitive, vertices: number): Uint32Array | undefine
   if (mode !== 5 && mode !== 6) return undefined;
   const out = new Uint32Array(Math.max(0, run.length - 2) * 3);
   for (let i = 0; i + 2 < run.length; i++) {
-    // A strip turns its winding round at every second triangle; a fan keeps its first vertex.
+    // Strips alternate winding; fans share their first vertex.
     const odd = i & 1;
     out.set(mode === 5 ? [run[i], run[i + 1 + odd], run[i + 2 - odd]] : [run[i + 1], run[i + 2], run[0]], i * 3);
   }
@@ -211,7 +211,7 @@ function flatNormals(positions: Float32Array): Float32Array {
   return normals;
 }
 
-/** Quantised normals are not quite unit. */
+/** Quantised normals are not exactly unit. */
 function unitNormals(normals: Float32Array | undefined): Float32Array | undefined {
   const out = normals?.slice();
   for (let i = 0; out && i < out.length; i += 3) out.set(normalize([out[i], out[i + 1], out[i + 2]], [0, 0, 1]), i);
@@ -219,8 +219,8 @@ function unitNormals(normals: Float32Array | undefined): Float32Array | undefine
 }
 
 /**
- * KHR_texture_transform: translation · rotation · scale, turning as Khronos' sample viewer and three.js do (the matrix
- * printed in the extension turns the other way); then v is turned up.
+ * KHR_texture_transform: translation · rotation · scale, with the rotation direction of Khronos' sample viewer and
+ * three.js (the matrix printed in the extension is the inverse rotation); then v is flipped.
  */
 function toUvs(
   given: Float32Array | undefined,
@@ -256,7 +256,7 @@ function takeSkin(take: Take, vertices: number): SkinWeights | undefined {
     const sum = all.reduce((a, b) => a + b, 0);
     out.weights.set(sum > 0 ? all.map((w) => w / sum) : all, v * perPoint);
     for (const [i, [joints, weights]] of sets.entries()) {
-      // A joint without weight may be any number; 0 always exists.
+      // Joints of weight 0 may be invalid; 0 always exists.
       const followed = joints.subarray(v * 4, v * 4 + 4).map((joint, k) => (weights[v * 4 + k] === 0 ? 0 : joint));
       out.joints.set(followed, v * perPoint + i * 4);
     }

@@ -32,14 +32,14 @@ import { type AnimatedTransform, type NodeTransform, NodeTree } from './nodes.ts
 import { type Geometry, readGeometry } from './primitives.ts';
 import { variantSet } from './variants.ts';
 
-/** Radius that stands for the point lights of glTF, which have none [m]. */
+/** Radius given to glTF's point lights, which have none [m]. */
 export const POINT_LIGHT_RADIUS = 0.05;
-/** Most vertices of a scene: of a mesh that is shown many times in one size, once. */
+/** Maximum number of vertices of a scene; shared meshes count once. */
 export const MAX_VERTICES = 2 ** 26;
 
 /**
- * Reads glTF 2.0 (.gltf with its files, .glb). Node, morph and skin animations become sampled motions in the world frame.
- * Throws an InputError, and nothing else, where it cannot; what it leaves out is in the scene's diagnostics.
+ * Reads glTF 2.0 (.gltf with its files, .glb). Node, morph and skin animations become sampled motions in the world
+ * frame. Throws only InputErrors; ignored features are in the scene's diagnostics.
  */
 export async function readGltf(source: FileSource, entry: string, options: ReadOptions = {}): Promise<Scene> {
   try {
@@ -80,14 +80,14 @@ function buildScene(context: GltfContext): Scene {
   });
 }
 
-/** `extras.slowlight` of the scene that is shown. */
+/** `extras.slowlight` of the scene. */
 function hintsOf(shown: GltfScene | undefined): SceneHints {
   const own = shown?.getExtras().slowlight;
   const values = new Map(typeof own === 'object' && own !== null ? Object.entries(own) : []);
   return parseSceneHints((name) => values.get(name));
 }
 
-/** The set of a file's animations, which is chosen from as variants are. */
+/** Animations are selected like a variant set. */
 const ANIMATION_SET = 'animation';
 
 const animationNames = ({ document }: GltfContext): string[] =>
@@ -96,7 +96,7 @@ const animationNames = ({ document }: GltfContext): string[] =>
     .listAnimations()
     .map((a, i) => a.getName() || `animation ${i}`);
 
-/** What the file offers to choose: variants of its materials, and animations where there are several. */
+/** Variant sets of the file: material variants, and animations if there are several. */
 function offered(context: GltfContext, shown: Animation | undefined): Pick<Scene, 'variants'> {
   const names = animationNames(context);
   const place = shown ? context.document.getRoot().listAnimations().indexOf(shown) : 0;
@@ -126,7 +126,7 @@ function chooseAnimation(context: GltfContext): Animation | undefined {
   return all[place];
 }
 
-/** Walks the nodes of a scene and collects what is in it. */
+/** Traverses the nodes of a scene and collects its contents. */
 class SceneBuilder {
   readonly objects: SceneObject[] = [];
   readonly lights: Light[] = [];
@@ -158,13 +158,13 @@ class SceneBuilder {
     for (const child of node.listChildren()) this.add(child);
   }
 
-  /** An extension as it stands in the file. */
+  /** The raw JSON of an extension. */
   private raw(node: GltfNode, extension: string): Record<string, unknown> | undefined {
     const extensions = this.context.json.nodes?.[this.tree.placeOf(node)].extensions;
     return extensions?.[extension] as Record<string, unknown> | undefined;
   }
 
-  /** A node's own path where it is nothing else, and no other nodes are below it; else a name under it. */
+  /** The node's path if it has one role and no children; else a unique path below it. */
   private pathOf(node: GltfNode, name: string): string {
     const parts = [node.getMesh(), node.getCamera(), node.getExtension('KHR_lights_punctual')];
     const isAlone = parts.filter((part) => part !== null).length === 1 && node.listChildren().length === 0;
@@ -253,7 +253,7 @@ class SceneBuilder {
     this.lights.push(light.getType() === 'spot' ? { ...lamp, shaping } : lamp);
   }
 
-  /** What the light is made of, where our own extra tells. */
+  /** Spectrum of a light from its extras. */
   private spectrum(light: GltfLight, path: string): Pick<DistantLight, 'spectrum'> {
     const written = new Map(Object.entries(light.getExtras())).get(SPECTRUM_ATTRIBUTE);
     if (written === undefined) return {};
@@ -261,12 +261,12 @@ class SceneBuilder {
     const name = String(written);
     const spectrum = spectra.get(name) ?? (typeof written === 'string' ? parseSpectrum(written) : undefined);
     if (spectrum) return { spectrum };
-    // What a file lacks was told when it was looked for.
+    // Missing files have been reported already.
     if (!spectra.has(name)) notes.add('warning', 'gltf.slowlight', path, unknownSpectrumMessage(name));
     return {};
   }
 
-  /** The way a distant light shines, at its start. */
+  /** Direction of a distant light at the start. */
   private shining(node: GltfNode, path: string): Vec3 {
     const curves = this.tree.curvesAbove(node);
     if (curves.length > 0)

@@ -4,10 +4,10 @@ import type { VariantSet } from '../../../scene/types.ts';
 import { type GltfContext, gltfError } from '../context.ts';
 
 const EXTENSION = 'KHR_materials_variants';
-/** glTF has one set of variants, and no name for it. */
+/** Name of glTF's single, unnamed set of variants. */
 const SET = 'material';
 
-/** The variants of the file's materials with the one that is asked for; undefined where it has none. */
+/** Material variants with the selected one; undefined if none. */
 export function variantSet({
   entry,
   json,
@@ -23,7 +23,7 @@ export function variantSet({
   return names.length > 0 ? { set: SET, options: [...new Set(names)], chosen } : undefined;
 }
 
-/** A primitive's material in the chosen variant; its own where that says nothing of it. */
+/** A primitive's material in the selected variant, or its default. */
 export function materialOf({ variants }: GltfContext, primitive: Primitive): GltfMaterial | null {
   const place = variants ? variants.options.indexOf(variants.chosen) : -1;
   const mappings = primitive.getExtension<MappingList>(EXTENSION)?.listMappings() ?? [];

@@ -1,14 +1,14 @@
 import type { Material, Texture, TextureChannel } from '../../../scene/types.ts';
 import { redTexture, writeChannel } from '../../image/channelTexture.ts';
 
-/** Roughness in the green and metalness in the blue of one picture, as glTF wants them, and what they are multiplied with. */
+/** A combined texture, roughness in green and metalness in blue, with its factors. */
 export interface MetallicRoughnessTexture {
   readonly texture: Texture;
   readonly roughness: number;
   readonly metallic: number;
 }
 
-/** The textures of a material's finish as one; undefined where it has none. */
+/** Combines roughness and metalness textures; undefined if there are none. */
 export function metallicRoughnessTexture(material: Material): MetallicRoughnessTexture | undefined {
   const { roughnessTexture: rough, metallicTexture: metal } = material;
   const texture = rough?.texture ?? metal?.texture;
@@ -25,7 +25,7 @@ export function metallicRoughnessTexture(material: Material): MetallicRoughnessT
   };
 }
 
-/** The red of a picture as occlusion, and how strong it is, as glTF wants them. */
+/** Occlusion texture (red) and strength. */
 export function occlusionTextureOf(from: TextureChannel): { readonly texture: Texture; readonly strength: number } {
   const { texture, scale, bias } = from;
   if (isPlain({ ...from, bias: 0 }, 0) && Math.abs(scale + bias - 1) < 1e-6) return { texture, strength: scale };

@@ -18,45 +18,45 @@ import { PrimIndexer } from './primIndex/primIndexer.ts';
 import type { PrimIndexNode } from './primIndex/primIndexNode.ts';
 import { sessionLayer, type VariantSelection } from './sessionLayer.ts';
 
-/** Prims of one stage: a small file can ask for any number. */
+/** Maximum number of prims: a small file can request any number. */
 export const MAX_PRIMS = 250_000;
-/** Samples that all value clips of a stage make. */
+/** Maximum number of samples of all value clips. */
 export const MAX_CLIP_SAMPLES = 2 ** 22;
-/** Prims in prims. */
+/** Maximum depth of prims. */
 export const MAX_DEPTH = 512;
 
 export interface ComposeOptions {
   /** Stronger than what the file selects. */
   readonly variants?: readonly VariantSelection[] | undefined;
-  /** Where nothing is selected: the variants of a set, the best first. */
+  /** By variant set: the variants to try, in this order, where nothing is selected. */
   readonly fallbacks?: ReadonlyMap<string, readonly string[]> | undefined;
 }
 
 export interface ComposedStage {
-  /** The stage as if one layer said it all: prims without arcs, values as they are resolved, paths of the stage. */
+  /** The composed stage as one layer: prims without arcs, resolved values, stage paths. */
   readonly layer: Layer;
   readonly variantSets: readonly ComposedVariantSet[];
 }
 
-/** A thing to say about a prim once it is certain that its index stands. */
+/** A diagnostic deferred until the prim's index is final. */
 interface PendingIssue {
   readonly code: DiagnosticCode;
   readonly path: string;
   readonly message: string;
 }
 
-/** A prim whose children are composed, and what it hands down to them. */
+/** A prim whose children are composed, and their inherited state. */
 interface ParentPrim {
   readonly index: PrimIndexNode;
   readonly path: string;
   readonly depth: number;
-  /** It is in an instance. */
+  /** It is inside an instance. */
   readonly isShared: boolean;
-  /** Those of the prim and of what is around it, the strongest first. */
+  /** Clip sets of the prim and its ancestors, strongest first. */
   readonly clips: readonly ClipSet[];
 }
 
-/** Composes the stage of a root layer. Layers are read as they are needed, so that variants not chosen cost nothing. */
+/** Composes the stage of a root layer. Layers are loaded on demand, so that unselected variants cost nothing. */
 export async function composeStage(
   store: LayerStore,
   root: LoadedLayer,
@@ -69,7 +69,7 @@ export async function composeStage(
 class StageComposer {
   private readonly store: LayerStore;
   private readonly root: LoadedLayer;
-  /** Also without choices the stage's own layers are a stack apart from that of a reference to its root layer. */
+  /** Present even without selections: it tells the stage's stack from that of a reference to the root layer. */
   private readonly session: LoadedLayer;
   private readonly diagnostics: DiagnosticList;
   private readonly composer: CompositionContext;
@@ -109,7 +109,7 @@ class StageComposer {
     return { layer: { name, metadata, rootPrims }, variantSets: this.variantSets };
   }
 
-  /** Runs `build` until it needs no layer that is still to be read; what the last run noted is said. */
+  /** Repeats `build` until all layers are loaded; reports the diagnostics of the last run. */
   private async whenLayersLoaded<T>(build: () => T): Promise<T> {
     for (;;) {
       this.noted = [];
@@ -156,7 +156,7 @@ class StageComposer {
     return children;
   }
 
-  /** Counts one more prim in a prim; false, and said, where it is one too many. */
+  /** Counts a prim; false and reported above the limit. */
   private countPrim(path: string): boolean {
     const { work } = this.composer;
     work.spend(STEP_COSTS.prim);
@@ -165,14 +165,14 @@ class StageComposer {
     return false;
   }
 
-  /** Says where the work ended while a prim was composed; true where nothing that defines it was reached. */
+  /** Reports an exhausted budget; true if the prim has no definition yet. */
   private isCutOff({ path, specifier }: PrimSpec): boolean {
     if (!this.composer.work.isExhausted) return false;
     this.reportFull(path);
     return specifier === 'over';
   }
 
-  /** The clip sets of a prim and of those around it, the strongest first. */
+  /** Clip sets of a prim and its ancestors, strongest first. */
   private async clipSets(
     definitions: readonly ClipSetDefinition[],
     path: string,
@@ -189,7 +189,7 @@ class StageComposer {
     this.report('usd.clips', prim.path, message);
   }
 
-  /** Said once: where the first prim is left out. */
+  /** Reported once, at the first prim left out. */
   private reportFull(path: string): void {
     if (this.isFull) return;
     this.isFull = true;

@@ -47,12 +47,7 @@ export const solidTextNode = definePrimitive({
     const style: TextStyle = { ...measures, align: align as TextStyle['align'] };
     const triangles = textTriangles(lines, style);
     if (triangles === 0)
-      throw nodeRefusal(
-        'letters.none',
-        `${node}.text`,
-        'there is nothing to be seen of it; write a letter',
-        remedy(node, 'c'),
-      );
+      throw nodeRefusal('letters.none', `${node}.text`, 'it shows nothing; write a letter', remedy(node, 'c'));
     if (triangles > MAX_TEXT_TRIANGLES) {
       const message = `it would be of ${triangles} triangles, more than ${MAX_TEXT_TRIANGLES}; write less, or let curves be coarser (tolerance)`;
       throw nodeRefusal('letters.large', node, message);

@@ -1,45 +1,13 @@
 import { dot, float, int, vec3, vec4 } from 'three/tsl';
-import { rotate } from '../../../math/quat.ts';
-import { lerp, scale, sub, type Vec3, ZERO } from '../../../math/vec3.ts';
-import { properVelocity } from '../../../physics/lorentz/boost.ts';
-import { contraction } from '../../../physics/worldLines/simultaneity.ts';
-import { pieceAt, samplePose } from '../../../scene/motion/poses.ts';
-import type { Motion } from '../../../scene/types.ts';
+import { sub, type Vec3, ZERO } from '../../../math/vec3.ts';
+import { positionAt } from '../../../physics/worldLines/worldLine.ts';
 import type { Int, Vec3 as Vector } from '../../../shaders/types.ts';
 import type { DrawCall } from '../../gbuffer/drawCall.ts';
 import type { Body } from '../../geometry/bodies.ts';
+import { type LinearMap, linearMapOf } from '../../geometry/bodies.ts';
 import type { VertexInput } from '../../geometry/vertexInput.ts';
 import { FloatTable } from '../../gpu/floatTable.ts';
 import type { CasterPlacement } from './casterMesh.ts';
-
-/** From a vertex as it is uploaded to the world, from the body's centre [m]: the places of the unit vectors. */
-export type LinearMap = readonly [Vec3, Vec3, Vec3];
-
-/** What deforms or is accelerated as Born-rigid bodies are: not one turn and place are those of all of it. */
-export const isSolvedPerVertex = <M extends Pick<Motion, 'kind'>>(
-  motion: M,
-): motion is Extract<M, { readonly kind: 'sampled-points' | 'hyperbolic' }> =>
-  motion.kind === 'sampled-points' || motion.kind === 'hyperbolic';
-
-/**
- * How a rigid body is turned and contracted at one moment of the world, a time t [s] of its own; c [m/s]. `worn`: its mesh is uploaded in its own axes.
- * undefined where it has not one turn for all of it: it deforms, or accelerates as a Born-rigid body does.
- */
-export function linearMapOf({ object }: Body, instanced: boolean, t: number, c: number): LinearMap | undefined {
-  const { motion, authoredIn } = object;
-  const turn = (of: (axis: Vec3) => Vec3): LinearMap => [of([1, 0, 0]), of([0, 1, 0]), of([0, 0, 1])];
-  if (isSolvedPerVertex(motion)) return undefined;
-  if (motion.kind === 'sampled') {
-    const { before, after, s } = pieceAt(motion.times, t);
-    const [a, b] = [before, after].map((k) => samplePose(motion.poses, k).orientation);
-    // As each vertex goes: straight from sample to sample.
-    return turn((axis) => lerp(rotate(a, axis), rotate(b, axis), s));
-  }
-  const turned = (axis: Vec3): Vec3 => (instanced ? rotate(motion.pose.orientation, axis) : axis);
-  if (motion.kind === 'static' || authoredIn === 'world') return turn(turned);
-  const u = properVelocity(scale(motion.velocity, 1 / c));
-  return turn((axis) => contraction(turned(axis), u));
-}
 
 /** Slot of what has none of its own, and is drawn where all that is round a lamp is. */
 export const SURROUNDINGS = -2;
@@ -70,7 +38,7 @@ export class PoseTable {
     const worn = new Set(drawables.flatMap(({ batch }) => (batch.instancing ? batch.bodies : [])));
     for (const body of resting) {
       const turn = linearMapOf(body, worn.has(body), 0, 1);
-      if (turn && body.line.kind === 'static') this.set(body, turn, sub(body.line.position, origin), 0);
+      if (turn) this.set(body, turn, sub(positionAt(body.line, 0, 1), origin), 0);
     }
     this.upload();
   }

@@ -6,15 +6,16 @@ import { HYPERSURFACES } from '../../../physics/worldLines/hypersurface.ts';
 import { positionAt, velocityAt, type WorldLine } from '../../../physics/worldLines/worldLine.ts';
 import type { Int } from '../../../shaders/types.ts';
 import type { DrawCall } from '../../gbuffer/drawCall.ts';
-import { type Body, worldLineOfCenter } from '../../geometry/bodies.ts';
-import { OBJECT_TEXELS, type ObjectTables, ObjectTableWriter } from '../../geometry/objectTables.ts';
+import { type Body, isSolvedPerVertex, linearMapOf, worldLineOfCenter } from '../../geometry/bodies.ts';
+import type { ObjectTables } from '../../geometry/objectRows.ts';
+import { OBJECT_TEXELS, ObjectTableWriter } from '../../geometry/objectTables.ts';
 import { intersect, type Observation, type RelativeEvent } from '../../geometry/observation.ts';
 import { vertexEvent } from '../../geometry/vertexStage.ts';
 import { FloatTable } from '../../gpu/floatTable.ts';
 import type { ShadowAtlas } from '../atlas/shadowAtlas.ts';
 import type { Occluders } from '../occluders.ts';
 import { type CasterPlacement, type LayerProjection, makeCaster } from './casterMesh.ts';
-import { isSolvedPerVertex, linearMapOf, PoseTable, SURROUNDINGS } from './casterPoses.ts';
+import { PoseTable, SURROUNDINGS } from './casterPoses.ts';
 
 /** Smaller ones throw no shadow: radius over distance. */
 const MIN_APPARENT_SIZE = 0.01;
@@ -120,8 +121,8 @@ export class MovingCasters {
     });
     for (const body of round?.bodies ?? []) {
       const turn = linearMapOf(body, this.instanced.has(body), sight.t, sight.c);
-      if (turn && round && body.line.kind === 'static')
-        this.poses.set(body, turn, sub(body.line.position, round.from), SURROUNDINGS);
+      if (turn && round)
+        this.poses.set(body, turn, sub(positionAt(body.line, sight.t, sight.c), round.from), SURROUNDINGS);
     }
     this.poses.upload();
     this.frame.fill(deforming, sight, NO_CULLING, false);

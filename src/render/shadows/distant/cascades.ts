@@ -1,5 +1,6 @@
 import { addScaled, dot, sub, type Vec3 } from '../../../math/vec3.ts';
 import { boundingBox } from '../../../scene/bounds/bounds.ts';
+import { restingPose } from '../../../scene/motion/motion.ts';
 import { applyPose } from '../../../scene/motion/poses.ts';
 import type { Body } from '../../geometry/bodies.ts';
 import type { AtlasTile, LightAxes, ParallelLayer } from './parallelLayer.ts';
@@ -45,14 +46,13 @@ export function lightSpaceBox(bodies: readonly Body[], axes: LightAxes): LightSp
 const boxes = new WeakMap<Float32Array, ReturnType<typeof boundingBox>>();
 
 function cornersOf({ object: { mesh, motion } }: Body): readonly Vec3[] {
-  if (motion.kind !== 'static') return [];
+  const pose = restingPose(motion);
+  if (!pose) return [];
   if (!boxes.has(mesh.positions)) boxes.set(mesh.positions, boundingBox(mesh.positions));
   const box = boxes.get(mesh.positions);
   if (!box) return [];
   const ends = [box.min, box.max];
-  return [0, 1, 2, 3, 4, 5, 6, 7].map((k) =>
-    applyPose(motion.pose, [ends[k & 1][0], ends[(k >> 1) & 1][1], ends[k >> 2][2]]),
-  );
+  return [0, 1, 2, 3, 4, 5, 6, 7].map((k) => applyPose(pose, [ends[k & 1][0], ends[(k >> 1) & 1][1], ends[k >> 2][2]]));
 }
 
 /** Half sides of the cascades, the least first [m]; the last holds the whole box. */

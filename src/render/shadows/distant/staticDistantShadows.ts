@@ -1,4 +1,5 @@
 import { sub, type Vec3, ZERO } from '../../../math/vec3.ts';
+import { isStatic } from '../../../scene/motion/motion.ts';
 import type { Float } from '../../../shaders/types.ts';
 import type { Body } from '../../geometry/bodies.ts';
 import type { Gpu } from '../../gpu/device.ts';
@@ -28,7 +29,7 @@ interface LightCascades {
 }
 
 export const isAlwaysStatic = ({ object }: Body): boolean =>
-  object.motion.kind === 'static' &&
+  isStatic(object.motion) &&
   object.lifetime.birth === Number.NEGATIVE_INFINITY &&
   object.lifetime.death === Number.POSITIVE_INFINITY;
 

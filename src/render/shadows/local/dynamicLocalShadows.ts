@@ -1,5 +1,6 @@
 import { uniform } from 'three/tsl';
 import { add, addScaled, normalize } from '../../../math/vec3.ts';
+import { isStatic } from '../../../scene/motion/motion.ts';
 import type { Float, Int } from '../../../shaders/types.ts';
 import type { Body } from '../../geometry/bodies.ts';
 import { intersect, type Observation, type RelativeEvent } from '../../geometry/observation.ts';
@@ -57,7 +58,7 @@ export class DynamicLocalShadows {
 
   constructor(occluders: Occluders, lamps: readonly LightEntry[], gpu: Gpu) {
     const { bodies, detail, radius } = occluders;
-    const goes = lamps.some(({ light }) => light.motion.kind !== 'static');
+    const goes = lamps.some(({ light }) => !isStatic(light.motion));
     this.lightCount = lamps.length;
     this.radius = radius;
     this.movingBodies = lamps.length > 0 ? bodies.filter((body) => !isAlwaysStatic(body)) : [];
@@ -99,7 +100,7 @@ export class DynamicLocalShadows {
     if (this.maxCasters === 0) return true;
     const { table, maxCasters: most, movingBodies } = this;
     for (let layer = 0; layer < lamps.length * (2 * most + 1 + MAX_FACES); layer++) table.clear(layer);
-    const going = lamps.filter(({ light }) => light.motion.kind !== 'static');
+    const going = lamps.filter(({ light }) => !isStatic(light.motion));
     const aside = this.staticBodies.filter((body) => {
       const event = intersect(body.line, sight);
       return event && going.every((lamp) => !isTooNear(lightSeenFrom(lamp, event, sight).offset, body.radius));
@@ -153,7 +154,7 @@ export class DynamicLocalShadows {
   /** Whether a body has a tile for a lamp. */
   private setBody(lamp: LightEntry, mover: ObservedCaster, sight: Observation, tile: number): boolean {
     const { body, beta, offset, ahead } = mover;
-    if (lamp.light.motion.kind === 'static' && isAlwaysStatic(body)) return false;
+    if (isStatic(lamp.light.motion) && isAlwaysStatic(body)) return false;
     const from = lightSeenFrom(lamp, { offset, ahead }, sight);
     const { side } = this.tiles;
     const radius = body.radius + mover.drift;
@@ -180,7 +181,7 @@ export class DynamicLocalShadows {
     };
     if (round.size === 0) return [];
     return lamps.flatMap(({ light, line }, slot) => {
-      if (light.motion.kind === 'static') return [];
+      if (isStatic(light.motion)) return [];
       const { offset, ahead } = lightAnchor(line, sight);
       const place = { c: sight.c, radius, side: tiles.side, cell: atlas.cell };
       const layer = lightLayer(light, sight.t + ahead / sight.c, place);

@@ -1,6 +1,7 @@
 import { dot, length, uniform } from 'three/tsl';
 import { Vector4 } from 'three/webgpu';
 import { HYPERSURFACES } from '../../../physics/worldLines/hypersurface.ts';
+import { isStatic } from '../../../scene/motion/motion.ts';
 import type { Float, Int } from '../../../shaders/types.ts';
 import type { Observation } from '../../geometry/observation.ts';
 import type { Gpu } from '../../gpu/device.ts';
@@ -28,7 +29,7 @@ export class LocalShadows {
 
   visibility(slot: Int | number, event: ReceiverEvent, lamp: ShadowedLight): Float | undefined {
     const { emissionDelay, sampleCount } = this;
-    const moves = lamp.motion.kind !== 'static';
+    const moves = !isStatic(lamp.motion);
     const beam = {
       ...lamp,
       emissionDelay: dot(emissionDelay.xyz, lamp.offset)

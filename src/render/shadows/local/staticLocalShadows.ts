@@ -1,4 +1,6 @@
 import { sub, type Vec3, ZERO } from '../../../math/vec3.ts';
+import { positionAt } from '../../../physics/worldLines/worldLine.ts';
+import { isStatic } from '../../../scene/motion/motion.ts';
 import type { Float, Int } from '../../../shaders/types.ts';
 import type { Observation } from '../../geometry/observation.ts';
 import type { Gpu } from '../../gpu/device.ts';
@@ -36,7 +38,7 @@ export class StaticLocalShadows {
     const resting = bodies.filter(isAlwaysStatic);
     let count = 0;
     this.firstTiles = lamps.map(({ light }) => {
-      if (light.motion.kind !== 'static' || resting.length === 0) return undefined;
+      if (!isStatic(light.motion) || resting.length === 0) return undefined;
       count += 6;
       return count - 6;
     });
@@ -46,7 +48,7 @@ export class StaticLocalShadows {
     this.tiling = { side, columns: ATLAS_WIDTH / side };
     this.atlas = new ShadowAtlas(gpu, { cell: side / CELLS_PER_TILE, threshold: perspectiveEdgeThreshold(side) });
     this.table = new LayerTable(lamps.length + count, PERSPECTIVE_LAYER_TEXELS);
-    this.origin = resting[0]?.line.kind === 'static' ? resting[0].line.position : ZERO;
+    this.origin = resting[0] ? positionAt(resting[0].line, 0, 1) : ZERO;
     this.poses = new PoseTable(bodies.length);
     if (count === 0) return;
     this.poses.setStatic(resting, drawables, this.origin);
@@ -70,9 +72,10 @@ export class StaticLocalShadows {
     const drawings: AtlasDraw[] = [];
     lamps.forEach(({ light, line }, slot) => {
       const tile = firstTiles[slot];
-      if (tile === undefined || line.kind !== 'static') return;
+      if (tile === undefined) return;
+      const position = positionAt(line, sight.t, sight.c);
       const layer = lightLayer(light, sight.t, { c: sight.c, radius, side: tiling.side, cell: atlas.cell });
-      const sources = { receivers: sub(line.position, sight.position), occluders: sub(line.position, origin) };
+      const sources = { receivers: sub(position, sight.position), occluders: sub(position, origin) };
       const [faces, first] = [faceCountOf(light), lamps.length + tile];
       setLightTiles(table, { receivers: slot, occluders: first, tile }, layer, sources, faces, tiling);
       for (let k = 0; k < faces; k++) drawings.push({ layer: first + k });

@@ -1,3 +1,4 @@
+import { pointSamples } from '../../../scene/motion/motion.ts';
 import type { MovingBody } from '../../geometry/bodies.ts';
 import { type ClusterBounds, CULLED, DRAWN, type ProjectedBody, TESSELLATED } from '../criterion/projectedBody.ts';
 import { type ScreenMetric, screenMetricOf, type TessellationView } from '../criterion/tessellationView.ts';
@@ -49,9 +50,9 @@ export class BatchPlanner {
     this.bodies = new Map(bodies.map((body) => [body.id, body]));
     this.clusters = new Clusters(batch);
     this.states = new Uint8Array(this.clusters.totalCount);
-    const { motion } = bodies[0].object;
-    const deforms = motion.kind === 'sampled-points';
-    this.deformingBounds = deforms ? new DeformingClusterBounds(this.clusters, arrays.indices, motion) : undefined;
+    const samples = pointSamples(bodies[0].object.motion);
+    const deforms = samples !== undefined;
+    this.deformingBounds = samples && new DeformingClusterBounds(this.clusters, arrays.indices, samples);
     this.bounds = deforms ? [] : clusterBoundsOf(this.clusters, arrays);
     const wholeOf = ({ firstInMesh: from, first, end }: ClusterRange): ClusterBounds =>
       mergeBounds(this.bounds.slice(from, from + end - first));

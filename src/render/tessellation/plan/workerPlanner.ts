@@ -1,5 +1,6 @@
 import { distance } from '../../../math/vec3.ts';
 import { gamma } from '../../../physics/lorentz/boost.ts';
+import { pointSamples } from '../../../scene/motion/motion.ts';
 import { isStreamed } from '../../../scene/streaming/samplePoints.ts';
 import type { MovingBody } from '../../geometry/bodies.ts';
 import { DRAWN } from '../criterion/projectedBody.ts';
@@ -110,18 +111,20 @@ export class WorkerPlanner implements Planner {
 }
 
 const isStreamedPart = ({ batch: { bodies } }: PlannedPart): boolean =>
-  bodies.some(({ object: { motion } }) => motion.kind === 'sampled-points' && isStreamed(motion.points));
+  bodies.some(({ object: { motion } }) => {
+    const samples = pointSamples(motion);
+    return samples !== undefined && isStreamed(samples.points);
+  });
 
 /** Whether a scene is small enough to be copied to a worker; what is left in files can only be planned there. */
 export const fitsWorker = (parts: readonly PlannedPart[]): boolean => {
   if (parts.some(isStreamedPart)) return true;
   const motions = parts.flatMap(({ batch }) => batch.bodies.map(({ object }) => object.motion));
   const points = new Set(
-    motions.flatMap((motion) =>
-      motion.kind === 'sampled-points' && !isStreamed(motion.points)
-        ? [...motion.points, ...(motion.velocities ?? [])]
-        : [],
-    ),
+    motions.flatMap((motion) => {
+      const samples = pointSamples(motion);
+      return samples && !isStreamed(samples.points) ? [...samples.points, ...(samples.velocities ?? [])] : [];
+    }),
   );
   const arrays = parts.flatMap(({ batch: { arrays } }) => [arrays.positions, arrays.indices, arrays.ids]);
   return [...points, ...arrays].reduce((sum, { byteLength }) => sum + byteLength, 0) <= MAX_SCENE_BYTES;

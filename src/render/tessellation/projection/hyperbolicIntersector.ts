@@ -1,7 +1,7 @@
 import { add, dot, length, type Vec3 } from '../../../math/vec3.ts';
-import type { WorldLine } from '../../../physics/worldLines/worldLine.ts';
+import type { HyperbolicLine } from '../../../physics/worldLines/worldLine.ts';
 import type { HyperbolicMotion } from '../../../scene/types.ts';
-import { type MovingBody, worldLineOfCenter } from '../../geometry/bodies.ts';
+import { hyperbolicLineOfCenter, type MovingBody } from '../../geometry/bodies.ts';
 import {
   intersect,
   type Observation,
@@ -62,14 +62,13 @@ export class HyperbolicIntersector implements HypersurfaceIntersector {
     };
   }
 
-  private lineAt(offset: Vec3): WorldLine {
-    return worldLineOfCenter(this.body, this.observation.c, offset);
+  private lineAt(offset: Vec3): HyperbolicLine {
+    return hyperbolicLineOfCenter(this.body, this.motion, this.observation.c, offset);
   }
 
   /** v = κτ/√(1 + κ²τ²), κ = a/c², τ: time since the turning point [m of light]. */
-  private maxSpeed(line: WorldLine, { from, to }: WorldTubeSection): number {
+  private maxSpeed(line: HyperbolicLine, { from, to }: WorldTubeSection): number {
     const { motion, observation } = this;
-    if (line.kind !== 'hyperbolic') return 0;
     const a = line.properAcceleration;
     // Beyond the body's own horizon nothing can be rigid.
     if (dot(a, motion.properAcceleration) < 0 || !Number.isFinite(length(a))) return 1;

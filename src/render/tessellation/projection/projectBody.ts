@@ -1,4 +1,6 @@
+import { asInertial, asPolyline } from '../../../physics/worldLines/worldLine.ts';
 import { isCubic } from '../../../scene/motion/cubicPoints.ts';
+import type { Motion, Pose } from '../../../scene/types.ts';
 import type { BatchArrays, BatchInstancing } from '../../geometry/batches.ts';
 import { type MovingBody, worldLineOfCenter } from '../../geometry/bodies.ts';
 import { sampleWindow, worldTubeSection } from '../../geometry/observation.ts';
@@ -19,46 +21,74 @@ export interface PlannedBatch {
   readonly arrays: Pick<BatchArrays, 'positions' | 'indices' | 'ids'>;
 }
 
+/** A body of a batch in one picture. */
+interface Projection {
+  readonly body: MovingBody;
+  readonly batch: PlannedBatch;
+  readonly metric: ScreenMetric;
+}
+
+/** How a body is shown, by the kind of its motion; undefined where nothing of it ever is. */
+interface BodyProjection<M extends Motion> {
+  project(motion: M, projection: Projection): ProjectedBody | undefined;
+}
+
+function inertial(pose: Pose, { body, batch, metric }: Projection): ProjectedBody | undefined {
+  const { observation } = metric.view;
+  const line = asInertial(worldLineOfCenter(body, observation.c));
+  if (!line) return undefined;
+  const map = inertialMap(line, body.object.authoredIn === 'rest', Math.max(body.radius, 1e-6), metric);
+  const own = batch.instancing ? rotatedMap(map, pose.orientation) : map;
+  return new ProjectedInertialBody(own, batch.arrays.positions, batch.doubleSided, metric);
+}
+
+const PROJECTIONS: { readonly [K in Motion['kind']]: BodyProjection<Extract<Motion, { readonly kind: K }>> } = {
+  static: { project: ({ pose }, projection) => inertial(pose, projection) },
+  uniform: { project: ({ pose }, projection) => inertial(pose, projection) },
+  hyperbolic: {
+    project: (motion, { body, batch, metric }) =>
+      new ProjectedAcceleratedBody(
+        new HyperbolicIntersector(body, motion, batch.arrays.positions, metric.view.observation),
+        false,
+        metric,
+      ),
+  },
+  sampled: {
+    project: (motion, { body, batch, metric }) => {
+      const { observation } = metric.view;
+      const window = sampleWindowOf(body, metric);
+      const line = asPolyline(worldLineOfCenter(body, observation.c));
+      if (!line || !window) return undefined;
+      const poses = new SampledPosesIntersector(motion, line, window, batch.arrays.positions, observation);
+      return new ProjectedAcceleratedBody(poses, true, metric);
+    },
+  },
+  'sampled-points': {
+    project: (motion, { body, metric }) => {
+      const { observation } = metric.view;
+      const window = sampleWindowOf(body, metric);
+      if (!window) return undefined;
+      if (!isCubic(motion))
+        return new ProjectedAcceleratedBody(new SampledPointsIntersector(motion, window, observation), true, metric);
+      const cubic = new CubicPointsIntersector(motion, window, observation);
+      return new ProjectedAcceleratedBody(cubic, !cubic.smooth, metric);
+    },
+  },
+};
+
 /** How a body of a batch is shown in one picture; undefined where nothing of it ever is. */
-export function projectBody(
-  body: MovingBody,
-  { arrays, doubleSided, instancing: worn }: PlannedBatch,
-  gauge: ScreenMetric,
-): ProjectedBody | undefined {
-  const { motion, authoredIn } = body.object;
-  const { observation } = gauge.view;
-  const line = worldLineOfCenter(body, observation.c);
-  if (line.kind === 'static' || line.kind === 'uniform') {
-    const map = inertialMap(line, authoredIn === 'rest', Math.max(body.radius, 1e-6), gauge);
-    const own = worn && 'pose' in motion ? rotatedMap(map, motion.pose.orientation) : map;
-    return new ProjectedInertialBody(own, arrays.positions, doubleSided, gauge);
-  }
-  if (motion.kind === 'hyperbolic')
-    return new ProjectedAcceleratedBody(
-      new HyperbolicIntersector(body, motion, arrays.positions, observation),
-      false,
-      gauge,
-    );
-  const window = sampleWindowOf(body, gauge);
-  if (line.kind !== 'polyline' || !window) return undefined;
-  if (motion.kind === 'sampled')
-    return new ProjectedAcceleratedBody(
-      new SampledPosesIntersector(motion, line, window, arrays.positions, observation),
-      true,
-      gauge,
-    );
-  if (motion.kind !== 'sampled-points') return undefined;
-  if (!isCubic(motion))
-    return new ProjectedAcceleratedBody(new SampledPointsIntersector(motion, window, observation), true, gauge);
-  const cubic = new CubicPointsIntersector(motion, window, observation);
-  return new ProjectedAcceleratedBody(cubic, !cubic.smooth, gauge);
+export function projectBody(body: MovingBody, batch: PlannedBatch, metric: ScreenMetric): ProjectedBody | undefined {
+  const { motion } = body.object;
+  const projection: BodyProjection<Motion> = PROJECTIONS[motion.kind];
+  return projection.project(motion, { body, batch, metric });
 }
 
 /** The samples that a picture of a sampled body needs. */
 export function sampleWindowOf(body: MovingBody, { view: look }: ScreenMetric): SampleWindow | undefined {
   const line = worldLineOfCenter(body, look.observation.c);
   const span = worldTubeSection(line, body.radius, look.observation);
-  if (line.kind !== 'polyline' || !span) return undefined;
-  const [first, count] = sampleWindow(line, span, look.observation, line.times.length);
+  const samples = asPolyline(line);
+  if (!samples || !span) return undefined;
+  const [first, count] = sampleWindow(samples, span, look.observation, samples.times.length);
   return { first, count };
 }

@@ -6,7 +6,12 @@ import { boostMatrix, gamma, properVelocity } from '../../../physics/lorentz/boo
 import { PLACEMENTS } from '../../../physics/optics/placement.ts';
 import type { HypersurfaceName } from '../../../physics/worldLines/hypersurface.ts';
 import { contraction, simultaneitySlice, simultaneousPosition } from '../../../physics/worldLines/simultaneity.ts';
-import { positionAt, type StaticLine, type UniformLine } from '../../../physics/worldLines/worldLine.ts';
+import {
+  inertialVelocity,
+  positionAt,
+  type StaticLine,
+  type UniformLine,
+} from '../../../physics/worldLines/worldLine.ts';
 import type { Observation } from '../../geometry/observation.ts';
 import { DEPTH_WEIGHT, MAX_GRADE_NEAR_CAMERA_PLANE } from '../criterion/edgeCriterion.ts';
 import {
@@ -52,7 +57,7 @@ export function inertialMap(
   { view: look }: ScreenMetric,
 ): InertialMap {
   const { observation, projection } = look;
-  const v = line.kind === 'uniform' ? properVelocity(scale(line.velocity, 1 / observation.c)) : ZERO;
+  const v = properVelocity(scale(inertialVelocity(line), 1 / observation.c));
   const toObserver = PLACEMENTS[projection.place].boost(observation.u);
   const now = sub(positionAt(line, observation.t, observation.c), observation.position);
   return MAPS[observation.hypersurface]({ line, bornRigid, size, v, toObserver, now, observation });

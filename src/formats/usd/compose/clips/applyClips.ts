@@ -4,14 +4,14 @@ import { hasPrefix, stripVariants } from '../../layer/primPaths.ts';
 import { type PrimIndexNode, strongestFirst } from '../primIndex/primIndexNode.ts';
 import { type ClipSet, clipValue, primIn, sampledIn, timesOf } from './clipSet.ts';
 
-/** What schemas give prims without its being written: clips give values to it also where no layer declares it. */
+/** Schema attributes, which clips can set without a declaration. */
 const BUILT_IN = new Set(
   'points normals velocities accelerations extent visibility faceVertexCounts faceVertexIndices widths radius height size'.split(
     ' ',
   ),
 );
 
-/** A clip set where it counts: after so many of the opinions on a prim. */
+/** A clip set and its strength: the number of stronger opinions. */
 interface AppliedClipSet {
   readonly set: ClipSet;
   /** The prim in the clips. */
@@ -19,14 +19,14 @@ interface AppliedClipSet {
   readonly after: number;
 }
 
-/** What evaluating clips may still make: a few entries of `times` can ask for any number of samples. */
+/** Remaining samples: a few entries of `times` can request any number. */
 export interface ClipBudget {
   samples: number;
 }
 
 /**
- * Gives a composed prim the values of the clip sets that it, or a prim around it, has: weaker than what the layer that
- * names the clips says itself, stronger than all that is weaker than this layer. False where the budget ended.
+ * Applies the clip sets of a prim and its ancestors: weaker than the anchoring layer's own values, stronger than
+ * weaker layers. False when the budget is exhausted.
  */
 export function applyClips(
   prim: PrimSpec,
@@ -46,7 +46,7 @@ export function applyClips(
       if (!timeSamples) return false;
       const { spline: _, ...base } = (property ?? declaration(declared)) as AttributeSpec;
       prim.properties = withEntry(prim.properties, name, { ...base, timeSamples });
-      // Clips make it another thing than what else has its opinions.
+      // With clips the content is not shared with prims of equal opinions.
       if (decided.size === 1) prim.content = `${prim.content ?? ''} clips of ${prim.path}`;
     }
   }
@@ -57,7 +57,7 @@ const declaration = ({ kind, name, typeName, custom, uniform, metadata }: Attrib
   return { kind, name, typeName, custom, uniform, metadata };
 };
 
-/** Of each attribute, the place of the strongest opinion on its animation among all opinions on the prim. */
+/** Per attribute: index of the strongest opinion with animation. */
 function placesOfAnimation(index: PrimIndexNode): ReadonlyMap<string, number> {
   const places = new Map<string, number>();
   let place = 0;
@@ -98,7 +98,7 @@ function appliedTo(index: PrimIndexNode, sets: readonly ClipSet[]): AppliedClipS
   return out;
 }
 
-/** What the manifest declares as varying; without one, all that any of the clips has samples of. */
+/** Attributes that the manifest declares as varying; without one, all with samples in any clip. */
 function attributesIn({ manifest, clips }: ClipSet, path: string): Map<string, AttributeSpec> {
   const found = new Map<string, AttributeSpec>();
   for (const layer of manifest ? [manifest] : new Set(clips.map((clip) => clip.layer)))
@@ -108,7 +108,7 @@ function attributesIn({ manifest, clips }: ClipSet, path: string): Map<string, A
   return found;
 }
 
-/** The samples of all clips, one after the other; undefined where there are too many. */
+/** Samples of all clips in sequence; undefined above the limit. */
 function clipSamples(
   set: ClipSet,
   path: string,
@@ -136,6 +136,6 @@ function clipSamples(
 
 const BLOCKED: Value = { type: 'blocked' };
 
-/** Assets in clips are looked for beside them. */
+/** Asset paths in clips are relative to the clip. */
 const withAnchor = (value: Value, anchor: string | undefined): Value =>
   anchor !== undefined && (value.type === 'asset' || value.type === 'asset[]') ? { ...value, anchor } : value;

@@ -8,20 +8,20 @@ import type { ClipSetDefinition } from './definitions.ts';
 import { type ClipTable, type TimeKnot, tableOfTemplate } from './template.ts';
 import { clipTime, stageTimes, TimeMap } from './timeMap.ts';
 
-/** One clip while it counts. */
+/** A clip and the interval in which it is active. */
 interface Clip {
-  /** Undefined where it is not there: it has no values then. */
+  /** Undefined if missing: it has no values. */
   readonly layer: LoadedLayer | undefined;
-  /** On the stage: from where it is written to count, from where it counts (the first: ever), and to where. */
+  /** Stage times: authored start, effective start (−∞ for the first), and end. */
   readonly start: number;
   readonly from: number;
   readonly to: number;
 }
 
-/** Layers whose samples, one after the other, are the values of a prim and of what is in it (OpenUSD, value clips). */
+/** A sequence of layers that provide a prim's time samples (OpenUSD value clips). */
 export interface ClipSet {
   readonly definition: ClipSetDefinition;
-  /** Where the values are in the clips. */
+  /** Prim path in the clips. */
   readonly primPath: string;
   readonly clips: readonly Clip[];
   readonly manifest: LoadedLayer | undefined;
@@ -29,7 +29,7 @@ export interface ClipSet {
   readonly skipsMissing: boolean;
 }
 
-/** Reads a clip set; undefined, and said, where it cannot be followed. Layers that are still to be read are asked for. */
+/** Builds a clip set; undefined and reported if invalid. Layers not loaded yet are requested. */
 export function clipSetOf(
   definition: ClipSetDefinition,
   store: LayerStore,
@@ -109,17 +109,17 @@ function clipsOf({ assets, active }: ClipTable, layerOf: (asset: string) => Load
   }));
 }
 
-/** What a clip's layer has at a path. */
+/** The prim at a path of a clip's layer. */
 export const primIn = (layer: LoadedLayer | undefined, path: string): PrimSpec | undefined =>
   layer && specAt(layer.root, path);
 
-/** Of one attribute in one clip: its samples, where it has any. */
+/** An attribute's samples in one clip, if any. */
 export function sampledIn(prim: PrimSpec | undefined, name: string): AttributeSpec | undefined {
   const found = prim?.properties.get(name);
   return found?.kind === 'attribute' && found.timeSamples && found.timeSamples.times.length > 0 ? found : undefined;
 }
 
-/** Times of the stage at which one clip gives samples: those of its own (to `most`), those of the time map, and its start. */
+/** Stage times of a clip's samples: its own (to `most`), knots of the time map, and its start. */
 export function timesOf(
   { start, from, to }: Clip,
   sampled: AttributeSpec | undefined,

@@ -5,7 +5,7 @@ import { mapTime, type TimeOffset } from '../layers/timeOffset.ts';
 import { layerToStageTime } from '../prim/stageValues.ts';
 import { hasMetadata, type PrimIndexNode, strongestFirst } from '../primIndex/primIndexNode.ts';
 
-/** A clip set as all layers together define it, and the strongest of those that name its layers: there its values count. */
+/** A clip set composed from all layers, anchored at the strongest site that names its clips. */
 export interface ClipSetDefinition {
   readonly name: string;
   readonly entries: ReadonlyMap<string, Value>;
@@ -16,23 +16,20 @@ export interface ClipSetDefinition {
   readonly time: TimeOffset;
 }
 
-/** What a layer says of a clip set, and where. */
+/** One opinion on a clip set. */
 interface ClipEntry {
   readonly value: Value;
   readonly node: PrimIndexNode;
   readonly from: StackLayer;
 }
 
-/** A clip set while its layers are gone through: where it counts is not known at first. */
+/** A clip set being composed: its anchor is not known at first. */
 interface GatheredClipSet {
   readonly entries: Map<string, ClipEntry>;
   source?: { readonly node: PrimIndexNode; readonly from: StackLayer };
 }
 
-/**
- * The clip sets that a prim defines, the strongest first: by the sites that name their layers, and of one site as its
- * `clipSets` orders them, else by their names.
- */
+/** The clip sets of a prim, strongest first: by anchoring site, then by `clipSets`, else by name. */
 export function clipSetDefinitions(index: PrimIndexNode): readonly ClipSetDefinition[] {
   if (!hasMetadata(index, 'clips')) return NO_DEFINITIONS;
   const found = new Map<string, GatheredClipSet>();
@@ -59,7 +56,7 @@ function gather(
   }
 }
 
-/** The sets of which the layers are named here. */
+/** The sets anchored here. */
 function orderedIn(node: PrimIndexNode, found: ReadonlyMap<string, GatheredClipSet>): string[] {
   const names = [...found].flatMap(([name, { source }]) => (source?.node === node ? [name] : [])).sort();
   const ops = node.opinions.flatMap(({ spec }) => {
@@ -71,8 +68,8 @@ function orderedIn(node: PrimIndexNode, found: ReadonlyMap<string, GatheredClipS
 }
 
 /**
- * `active` and `times` are in the times of the layer that names the clips' layers, whatever layer says them; only stronger
- * ones of the same stack have their own. (So it is in OpenUSD 26.11.)
+ * `active` and `times` are in the times of the anchoring layer, whoever authors them; only stronger layers of the
+ * same stack use their own (as OpenUSD 26.11 does).
  */
 function definitionOf(name: string, { entries, source }: GatheredClipSet): ClipSetDefinition {
   const { node, from } = source!;
@@ -92,7 +89,7 @@ const NO_ENTRIES: Dictionary = new Map();
 const dictionaryOf = (value: { readonly type: string } | undefined): Dictionary =>
   value?.type === 'dictionary' ? (value as Value & { type: 'dictionary' }).data : NO_ENTRIES;
 
-/** `active` and `times` are pairs of which the first is a time of the stage; other entries are as they are. */
+/** Maps the stage times of `active` and `times`; other entries are unchanged. */
 function inTime(key: string, value: Value, time: TimeOffset): Value {
   if ((key !== 'active' && key !== 'times') || value.type !== 'double2[]') return value;
   return { type: 'double2[]', data: Float64Array.from(value.data, (x, i) => (i % 2 === 0 ? mapTime(time, x) : x)) };

@@ -1,17 +1,17 @@
 import type { Value } from '../../layer/layer.ts';
 import { mapTime, type TimeOffset } from '../layers/timeOffset.ts';
 
-/** What a clip set says, whether written out or made from a template. */
+/** A clip set, explicit or expanded from a template. */
 export interface ClipTable {
   readonly assets: readonly string[];
-  /** Time of the stage from which on a clip counts, and which one. */
+  /** Stage time from which a clip is active, and its index. */
   readonly active: readonly TimeKnot[];
-  /** Time of the stage, and the clip's own. */
+  /** Stage time, clip time. */
   readonly times: readonly TimeKnot[];
 }
 export type TimeKnot = readonly [time: number, other: number];
 
-/** Clips of one template. */
+/** Maximum number of clips of one template. */
 const MAX_CLIPS = 4096;
 
 interface Template {
@@ -43,8 +43,8 @@ function nameAt({ folder, parts: [before, after], digits }: Template, time: numb
 }
 
 /**
- * The clips that a template stands for, those that are there: one for each step, from its own time on, or from
- * `templateActiveOffset` later. A text says what is wrong with the template.
+ * Expands a template to its existing clips: one per step, active from its own time or `templateActiveOffset` later.
+ * Returns a text for errors in the template.
  */
 export function tableOfTemplate(
   entries: ReadonlyMap<string, Value>,

@@ -1,12 +1,12 @@
 import { inverseOffset, mapTime, NO_OFFSET, type TimeOffset } from '../layers/timeOffset.ts';
 import type { TimeKnot } from './template.ts';
 
-/** Of two knots at one time the first has its sample so much before, as in OpenUSD (UsdTimeCode::SafeStep): a jump. */
+/** At a jump the first of two knots is sampled this much earlier, as in OpenUSD (UsdTimeCode::SafeStep). */
 const JUMP_STEP = 2 * Number.EPSILON * 1e6 * 10;
 
 /**
- * How times of the stage become times in clips: straight between knots, held outside of them; evenly without any. Of two
- * knots at one time the first counts before it, the second from it on.
+ * Maps stage times to clip times: piecewise linear, constant outside; identity without knots. At a jump the first
+ * knot counts before, the second from there on.
  */
 export class TimeMap {
   readonly knots: readonly TimeKnot[];
@@ -17,7 +17,7 @@ export class TimeMap {
     this.even = even;
   }
 
-  /** Where samples are because the map bends or jumps there. */
+  /** Stage times of knots, where samples are needed. */
   get bends(): number[] {
     return this.knots.map(([time], i) => (this.knots[i + 1]?.[0] === time ? time - JUMP_STEP : time));
   }
@@ -38,10 +38,7 @@ export function clipTime({ knots, even }: TimeMap, time: number): number {
   return a + ((next[1] - a) / (next[0] - from)) * (time - from);
 }
 
-/**
- * The times of the stage, in a stretch, that times in a clip (rising) are seen at: none, or several. What comes after
- * `most` of them is left out.
- */
+/** Stage times in an interval at which clip times (rising) occur; up to `most`. */
 export function stageTimes(
   { knots, even }: TimeMap,
   inner: Float64Array,

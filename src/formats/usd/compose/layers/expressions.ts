@@ -1,11 +1,11 @@
 import { numbersOf } from '../../layer/attributes.ts';
 import type { MetadataValue, Value } from '../../layer/layer.ts';
 
-/** What an expression can be; integers are exact up to 2⁵³. */
+/** Values of expressions; integers are exact up to 2⁵³. */
 export type ExpressionValue = string | number | boolean | null | readonly (string | number | boolean)[];
 export type Variables = ReadonlyMap<string, ExpressionValue>;
 
-/** Steps of one evaluation: variables in variables can ask for any number. */
+/** Maximum steps of one evaluation: variables can nest. */
 const MAX_STEPS = 1000;
 const MAX_LENGTH = 65_536;
 
@@ -16,7 +16,7 @@ export const isExpression = (text: string): boolean => text.startsWith('`');
 export const evaluate = (text: string, variables: Variables): ExpressionValue =>
   new Evaluation(text, variables, [], { steps: MAX_STEPS }).whole();
 
-/** Text as it is, or what its expression makes: '' where that is none. Throws an ExpressionFault. */
+/** Plain text unchanged, expressions evaluated; '' for no value. Throws an ExpressionFault. */
 export function expandExpression(text: string, variables: Variables): string {
   if (!isExpression(text)) return text;
   const value = evaluate(text, variables) ?? '';
@@ -24,7 +24,7 @@ export function expandExpression(text: string, variables: Variables): string {
   return value;
 }
 
-/** The same; the expression itself where it makes no text: nothing is called so. */
+/** The same; returns the expression itself on error, which matches no name. */
 export function expandOrKeep(text: string, variables: Variables): string {
   try {
     return expandExpression(text, variables);
@@ -38,7 +38,7 @@ class VariableExpressionError extends Error {}
 
 export const NO_VARIABLES: Variables = new Map();
 
-/** The variables that a layer writes under those of what uses it. */
+/** A layer's variables, overridden by those of the referencing stack. */
 export function variablesUnder(above: Variables, written: MetadataValue | undefined): Variables {
   if (written?.type !== 'dictionary') return above;
   const own = [...written.data].flatMap(([name, value]) => {
@@ -79,7 +79,7 @@ const ESCAPED: ReadonlyMap<string, string> = new Map([
   ['r', '\r'],
 ]);
 
-/** Reads an expression as a tree of what is to be evaluated, so that what is not needed may fail. */
+/** Parses to a tree of closures, so that branches not taken may fail. */
 class Evaluation {
   private readonly text: string;
   private readonly variables: Variables;
@@ -167,7 +167,7 @@ class Evaluation {
     };
   }
 
-  /** `${NAME}`, `${NAME:fallback}`; in a text one without value stays as it is written. */
+  /** `${NAME}`, `${NAME:fallback}`; in a string, undefined variables stay as written. */
   private variable(use: (value: ExpressionValue, name: string) => ExpressionValue, inText = false): LazyValue {
     const start = this.at;
     this.take('${');

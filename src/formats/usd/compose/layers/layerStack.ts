@@ -6,14 +6,14 @@ import type { Variables } from './expressions.ts';
 import type { LoadedLayer } from './layerStore.ts';
 import type { TimeOffset } from './timeOffset.ts';
 
-/** A layer and the layers below it, strongest first: what is edited together and composed as one. */
+/** A layer and its sublayers, strongest first. */
 export interface LayerStack {
   readonly root: LoadedLayer;
   readonly layers: readonly StackLayer[];
   readonly relocates: Relocates | undefined;
-  /** What expressions in its layers are made with: those of its root, under those of the stacks that lead to it. */
+  /** Expression variables: those of its root, overridden by the referencing stacks. */
   readonly variables: Variables;
-  /** By path, what was asked for: one prim can be what many arcs lead to. */
+  /** Opinions cached by path: many arcs can target one prim. */
   readonly opinions: Map<string, readonly Opinion[]>;
 }
 
@@ -25,20 +25,20 @@ export interface StackLayer {
   readonly variables: Variables;
 }
 
-/** How a layer stack moves the prims that its arcs bring, to other names or places. */
+/** Relocates of a layer stack: renames and moves of prims that its arcs bring. */
 export interface Relocates {
-  /** As written: where a prim is, and where it goes; '' where it is removed. */
+  /** As authored: source path → target path; '' where removed. */
   readonly bySource: ReadonlyMap<string, string>;
   readonly byTarget: ReadonlyMap<string, string>;
   /** Those from or to a prim's children, by the prim's path. */
   readonly byParent: ReadonlyMap<string, readonly (readonly [source: string, target: string])[]>;
-  /** Maps of arcs with the moves in them, by arc: one prim's arcs are followed again for each prim that is moved in it. */
+  /** Namespace maps of arcs with relocates, cached by arc. */
   readonly mapsOfArcs: Map<string, NamespaceMap>;
-  /** With the moves of what is around a prim taken into account: where its specs are in the arcs' own namespace. */
+  /** Sources resolved through ancestors' relocates to the arcs' own namespace. */
   readonly resolved: ReadonlyMap<string, string>;
 }
 
-/** What one layer of a stack says about a prim. */
+/** One layer's spec of a prim. */
 export interface Opinion {
   readonly spec: PrimSpec;
   readonly from: StackLayer;

@@ -8,7 +8,7 @@ import { composeOffsets, isInvertible, NO_OFFSET, type TimeOffset } from './time
 /** Maximum depth of sublayers in sublayers. */
 const MAX_DEPTH = 64;
 
-/** Builds layer stacks from a store; one that waits for layers is built again once they are there. */
+/** Builds and caches layer stacks; incomplete ones are rebuilt once their layers are loaded. */
 export class LayerStackCache {
   private readonly store: LayerStore;
   private readonly note: ReportPrimIssue;
@@ -19,7 +19,7 @@ export class LayerStackCache {
     this.note = note;
   }
 
-  /** `above`: the variables of the stack that leads here. */
+  /** `above`: expression variables of the referencing stack. */
   getOrBuild(root: LoadedLayer, session?: LoadedLayer, above = NO_VARIABLES): LayerStack {
     const variables = variablesUnder(above, root.layer.metadata.get('expressionVariables'));
     const values = variables.size > 0 ? JSON.stringify([...variables].sort()) : '';
@@ -39,7 +39,7 @@ export class LayerStackCache {
     return stack;
   }
 
-  /** Adds a layer and what is below it; false where one of them is still to come. */
+  /** Adds a layer and its sublayers; false if one is not loaded yet. */
   private collect(layer: StackLayer, above: readonly LoadedLayer[], into: StackLayer[]): boolean {
     const { source, time, variables } = layer;
     into.push(layer);
@@ -70,7 +70,7 @@ export class LayerStackCache {
     return complete;
   }
 
-  /** Undefined where an expression makes no path. */
+  /** Undefined if the expression fails. */
   private expanded(asset: string, { source, variables }: StackLayer): string | undefined {
     if (!isExpression(asset)) return asset;
     try {

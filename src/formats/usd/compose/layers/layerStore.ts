@@ -6,41 +6,38 @@ import type { Layer, PrimSpec } from '../../layer/layer.ts';
 import { pseudoRoot } from '../../layer/primPaths.ts';
 import { metadataNumber } from '../../layer/query.ts';
 
-/** A layer in memory. */
+/** A loaded layer. */
 export interface LoadedLayer {
   /** Its identifier among the stage's files. */
   readonly id: string;
   readonly layer: Layer;
   readonly root: PrimSpec;
   readonly codesPerSecond: number;
-  /** Made from what the user chose; it adds no prims. */
+  /** The session layer, with the user's selections; it adds no prims. */
   readonly isSession: boolean;
 }
 
-/** Why a layer is not there. */
+/** Why a layer could not be loaded. */
 export interface LayerError {
   readonly code: 'usd.missing-layer' | 'usd.unreadable-layer' | 'usd.too-many-layers';
   readonly message: string;
 }
 
-/** One scene's layers together. */
+/** Maximum number of layers of a scene. */
 export const MAX_LAYERS = 4096;
 
 export type ParseLayer = (content: FileContent, id: string) => Layer;
 
-/**
- * The layers of a stage, each read once. `find` does not wait: a layer that was never asked for is `undefined` at
- * first and there after the next `load`.
- */
+/** The layers of a stage, each read once. `find` is synchronous: it returns `undefined` for a new layer, which is there after the next `load`. */
 export class LayerStore {
   readonly files: AssetFiles;
-  /** Layers that are not there, by what is said of them. */
+  /** Missing layers by message. */
   readonly missing = new Map<string, MissingFile>();
   private readonly parse: ParseLayer;
   private readonly byId = new Map<string, LoadedLayer | LayerError>();
   private readonly byReference = new Map<string, LoadedLayer | LayerError>();
   private readonly wanted = new Map<string, readonly [anchor: string, asset: string]>();
-  /** How many prims and properties the layers write. */
+  /** Number of prim and property specs in the layers. */
   specs = 0;
 
   constructor(files: AssetFiles, parse: ParseLayer) {
@@ -52,7 +49,7 @@ export class LayerStore {
     return this.wanted.size === 0;
   }
 
-  /** The layer that `anchor` calls `asset`. */
+  /** The layer `asset` relative to `anchor`. */
   find(anchor: string, asset: string): LoadedLayer | LayerError | undefined {
     const key = `${anchor}\n${asset}`;
     const found = this.byReference.get(key);
@@ -60,7 +57,7 @@ export class LayerStore {
     return found;
   }
 
-  /** Reads every layer that was asked for and not there. */
+  /** Loads all requested layers. */
   async load(): Promise<void> {
     for (const [key, [anchor, asset]] of [...this.wanted]) {
       this.byReference.set(key, await this.open(anchor, asset));
@@ -109,7 +106,7 @@ export class LayerStore {
     return layer;
   }
 
-  /** The stage's own layer; throws what is wrong with it. */
+  /** The root layer; throws if it is invalid. */
   async root(entry: string, content: FileContent): Promise<LoadedLayer> {
     const id = await this.files.layerIn(entry, content);
     const inside = id === entry ? content : (await this.files.content(id))!;

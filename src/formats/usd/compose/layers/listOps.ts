@@ -1,9 +1,6 @@
 import type { ListOp } from '../../layer/layer.ts';
 
-/**
- * A list with one opinion applied to it: deleted, added, prepended, appended and reordered items, in this order
- * (SdfListOp). `elementKey` says which items are the same.
- */
+/** Applies a list op: deleted, added, prepended, appended and reordered items, in this order (SdfListOp). `elementKey`: identity of items. */
 export function applyListOp<T>(list: readonly T[], op: ListOp<T>, keyOf: (item: T) => string): T[] {
   if (op.explicit) return unique(op.explicit, keyOf);
   const sole = list.length === 0 ? soleList(op) : undefined;
@@ -20,7 +17,7 @@ export function applyListOp<T>(list: readonly T[], op: ListOp<T>, keyOf: (item: 
   return op.ordered ? inOrder(all, op.ordered.map(keyOf), keyOf) : all;
 }
 
-/** What an opinion that says one thing only makes of nothing: most say no more. */
+/** Fast path: a list op with one kind of edit, applied to an empty list. */
 function soleList<T>({ added, prepended, appended, ordered }: ListOp<T>): readonly T[] | undefined {
   if (ordered) return undefined;
   if (!added && !appended) return prepended;
@@ -35,7 +32,7 @@ function unique<T>(items: readonly T[], keyOf: (item: T) => string): T[] {
   return [...seen.values()];
 }
 
-/** Each item that `order` names moves to its place there and takes along what follows it and is not named. */
+/** Reorders items by `order`; each takes along the unnamed items after it. */
 export function inOrder<T>(items: readonly T[], order: readonly string[], keyOf: (item: T) => string): T[] {
   const named = new Set(order);
   const runs = new Map<string, T[]>();

@@ -61,7 +61,7 @@ function relocateError(source: string, target: string): string | undefined {
   return undefined;
 }
 
-/** Relocates are in the namespace that all of them make: none may lead to or from where another one starts. */
+/** Conflicts between relocates: none may start or end at another's source. */
 function relocateConflict(
   source: string,
   target: string,

@@ -4,9 +4,9 @@ import { expandOrKeep } from './expressions.ts';
 import type { Opinion, StackLayer } from './layerStack.ts';
 import { applyListOp } from './listOps.ts';
 
-/** What the layers of one stack say together about the arcs of a prim. */
+/** Composed arcs of one site. */
 
-/** A reference or payload, and the layer that writes it. */
+/** A reference or payload with its authoring layer. */
 export interface SourcedReference extends WrittenArc {
   readonly from: StackLayer;
 }
@@ -21,7 +21,7 @@ export function referencesAt(opinions: readonly Opinion[], key: ArcKey): Sourced
       const value = spec.metadata.get(key);
       return value?.type === 'arcs' ? mapOp(value.op, (arc) => withSource(arc, from)) : undefined;
     },
-    // Relative to different layers the same words are different files.
+    // The same asset path is a different file relative to another layer.
     ({ asset, path, offset, scale, from }) => `${asset && from.source.id}\n${asset}\n${path}\n${offset} ${scale}`,
   );
 }
@@ -50,13 +50,13 @@ export const variantSetsAt = (opinions: readonly Opinion[]): string[] =>
     (name) => name,
   ).filter(isVariantName);
 
-/** The names of a set's variants, in the order of the alphabet. */
+/** Variant names of a set, sorted. */
 export function variantsAt(opinions: readonly Opinion[], set: string): string[] {
   const names = opinions.flatMap(({ spec }) => [...(spec.variantSets.get(set)?.keys() ?? [])]);
   return [...new Set(names)].filter(isVariantName).sort();
 }
 
-/** The strongest selection for a set; '' where none is to be selected. */
+/** The strongest selection of a set; '' for none. */
 export function selectionAt(opinions: readonly Opinion[], set: string): string | undefined {
   for (const { spec, from } of opinions) {
     const written = spec.metadata.get('variants');

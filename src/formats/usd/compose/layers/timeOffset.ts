@@ -1,4 +1,4 @@
-/** How times of a layer become times of what uses it: t′ = scale · t + offset [time codes]. */
+/** Layer offset: t′ = scale · t + offset [time codes]. */
 export interface TimeOffset {
   readonly offset: number;
   readonly scale: number;
@@ -19,6 +19,6 @@ export const inverseOffset = ({ offset, scale }: TimeOffset): TimeOffset =>
 
 export const mapTime = ({ offset, scale }: TimeOffset, time: number): number => scale * time + offset;
 
-/** Finite, and not all times at one. */
+/** Finite, with nonzero scale. */
 export const isInvertible = ({ offset, scale }: TimeOffset): boolean =>
   Number.isFinite(offset) && Number.isFinite(scale) && scale !== 0 && Number.isFinite(1 / scale);

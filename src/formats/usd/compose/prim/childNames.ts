@@ -3,10 +3,7 @@ import { inOrder } from '../layers/listOps.ts';
 import { isInstance } from '../primIndex/instances.ts';
 import type { PrimIndexNode } from '../primIndex/primIndexNode.ts';
 
-/**
- * The names of the prims in a prim, in their order: from the weakest site to the strongest, what is new comes last. In
- * an instance is only what its own arcs bring.
- */
+/** Child names in order: from the weakest site to the strongest, new names last. In an instance only those from its own arcs. */
 export function childNames(index: PrimIndexNode): readonly string[] {
   if (isLeaf(index)) return NO_NAMES;
   let names = new Set<string>();
@@ -37,11 +34,11 @@ function withLayerNames(node: PrimIndexNode, names: Set<string>): Set<string> {
   return all;
 }
 
-/** Relocates of the node's layers: some names go, others come, and those that stay in the prim change in place. */
+/** Applies the relocates of the node's layers: names are removed, added or renamed in place. */
 function relocatedNames(node: PrimIndexNode, names: Set<string>, gone: Set<string>): Set<string> {
   const moves = node.stack.relocates?.byParent.get(node.path);
   if (!moves) return names;
-  /** What each is called now; undefined where it is gone. No move starts where another one ends. */
+  /** New name by old; undefined if moved away. No relocate starts where another ends. */
   const called = new Map<string, string | undefined>([...names].map((name) => [name, name]));
   const taken = new Set(names);
   const come: string[] = [];

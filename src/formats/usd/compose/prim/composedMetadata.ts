@@ -2,7 +2,7 @@ import { type Dictionary, EMPTY_MAP, type ListOp, type MetadataValue, type Value
 import { composeList } from '../layers/listOps.ts';
 import { type OpinionSource, stageValue } from './stageValues.ts';
 
-/** What composition itself is told by, and what is left of it nowhere. */
+/** Metadata consumed by composition. */
 const ARC_KEYS = new Set(['references', 'payload', 'inherits', 'specializes', 'variantSets', 'variants', 'relocates']);
 
 interface SourcedMetadata {
@@ -72,7 +72,7 @@ function dictionaryOf(value: MetadataValue, place: OpinionSource): Dictionary[] 
   return local.type === 'dictionary' ? [local.data] : [];
 }
 
-/** The strongest first. */
+/** Strongest first. */
 function mergedDictionaries(dictionaries: readonly Dictionary[]): Dictionary {
   const out = new Map<string, Value>();
   for (const dictionary of dictionaries) {

@@ -33,7 +33,7 @@ class SourcedOpinion implements OpinionSource {
   }
 }
 
-/** What is said of a prim, strongest first; as much as may be counted. */
+/** Opinions on a prim, strongest first, within the budget. */
 function opinionsOf(index: PrimIndexNode, work: CompositionBudget): SourcedOpinion[] {
   const out: SourcedOpinion[] = [];
   for (const node of strongestFirst(index)) {
@@ -47,7 +47,7 @@ function opinionsOf(index: PrimIndexNode, work: CompositionBudget): SourcedOpini
   return out;
 }
 
-/** What becomes of the opinions on a prim: one spec without arcs, as if one layer said it all. Children are to be added. */
+/** Composes a prim's opinions to one spec without arcs; children are added later. */
 export function composedPrim(index: PrimIndexNode, path: string, work: CompositionBudget): PrimSpec {
   const opinions = opinionsOf(index, work);
   const typeName = opinions.find(({ spec }) => spec.typeName !== '')?.spec.typeName ?? '';
@@ -77,7 +77,7 @@ function metadataOf(opinions: readonly SourcedOpinion[]): ReadonlyMap<string, Me
 const propertyMetadata = (stack: readonly SourcedSpec<PropertySpec>[]): ReadonlyMap<string, MetadataValue> =>
   composeMetadata(stack.map(({ spec, place }) => ({ metadata: spec.metadata, place })));
 
-/** `def` where anything defines the prim; a class that is only inherited or specialized does not make it one. */
+/** `def` if any opinion defines the prim, except `class` opinions of inherited or specialized prims. */
 function specifierOf(opinions: readonly SourcedOpinion[]): Specifier {
   let found: Specifier = 'over';
   for (const { spec, node } of opinions) {
@@ -109,7 +109,7 @@ function composedProperties(opinions: readonly SourcedOpinion[]): ReadonlyMap<st
 }
 
 function composedProperty(stack: readonly SourcedProperty[]): PropertySpec {
-  // What the strongest calls it, it is.
+  // The strongest opinion decides the kind of property.
   if (stack[0].spec.kind === 'attribute') return composedAttribute(stack.filter(isAttribute));
   return composedRelationship(stack.filter(isRelationship));
 }
@@ -119,8 +119,8 @@ const isRelationship = (said: SourcedProperty): said is SourcedProperty<Relation
   said.spec.kind === 'relationship';
 
 /**
- * The default is the strongest one. Samples count where nothing stronger has a default or a spline: of one layer's,
- * samples are first. `None` hides what is weaker; an animation block only the weaker samples and splines.
+ * The default is the strongest one. Time samples count unless a stronger opinion has a default or spline; within one
+ * layer samples come first. `None` blocks everything weaker; an animation block only weaker samples and splines.
  */
 function composedAttribute(stack: readonly SourcedProperty<AttributeSpec>[]): AttributeSpec {
   if (stack.length === 1 && isPlain(stack[0].spec)) return stack[0].spec;
@@ -143,7 +143,7 @@ function composedAttribute(stack: readonly SourcedProperty<AttributeSpec>[]): At
   return out;
 }
 
-/** Says the same wherever it is said: most attributes are the stage's as they are a layer's. */
+/** Whether an attribute is the same in layer and stage, as most are. */
 const isPlain = ({ value, timeSamples, connections, metadata, spline }: AttributeSpec): boolean =>
   !timeSamples &&
   !connections &&
@@ -163,7 +163,7 @@ function composedRelationship(stack: readonly SourcedProperty<RelationshipSpec>[
   return out;
 }
 
-/** Targets in the stage's namespace; those outside of what an arc maps are none. */
+/** Targets mapped to the stage's namespace; unmapped ones are dropped. */
 function composedPaths(
   said: readonly { op: ListOp<string> | undefined; place: OpinionSource }[],
 ): ListOp<string> | undefined {

@@ -4,22 +4,22 @@ import { layerToStageTime, type OpinionSource } from './stageValues.ts';
 const OBJECT_IDS = new WeakMap<object, number>();
 let lastId = 0;
 
-/** Tells objects apart. */
+/** A unique id per object. */
 function objectId(thing: object): number {
   const known = OBJECT_IDS.get(thing) ?? ++lastId;
   OBJECT_IDS.set(thing, known);
   return known;
 }
 
-/** What says where a prim is and what it wears, not what it is. */
+/** Properties of placement and binding, not of content. */
 const PLACEMENT_PROPERTIES = /^(xformOp|visibility$|purpose$|material:binding|slowlight:)/;
 
-/** They hold others, and are nothing themselves that could be shared. */
+/** Grouping types without shareable content. */
 const GROUP_TYPES = new Set(['Xform', 'Scope']);
 
 /**
- * Names what a prim is made of: two prims with one name hold the same values, wherever they are. Opinions that only
- * place a prim do not count, so that instances of a mesh have one name. Undefined for what has no name to be asked for.
+ * Key of a prim's content: equal keys mean equal values, wherever the prims are. Opinions that only place a prim do
+ * not count, so that instances of a mesh share a key. Undefined for prims without content.
  */
 export function contentKeyOf(
   typeName: string,

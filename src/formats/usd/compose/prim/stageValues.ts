@@ -4,7 +4,7 @@ import type { StackLayer } from '../layers/layerStack.ts';
 import { composeOffsets, isNoOffset, mapTime, type TimeOffset } from '../layers/timeOffset.ts';
 import type { PrimIndexNode } from '../primIndex/primIndexNode.ts';
 
-/** Where an opinion comes from: the layer, and the site, which knows how paths and times of its stack become the stage's. */
+/** Source of an opinion: layer and node, which map its paths and times to the stage. */
 export interface OpinionSource {
   readonly from: StackLayer;
   readonly node: PrimIndexNode;
@@ -14,7 +14,7 @@ export interface OpinionSource {
 export const layerToStageTime = ({ from, node }: OpinionSource): TimeOffset =>
   composeOffsets(node.timeToRoot, from.time);
 
-/** A value as the stage has it: times are the stage's, and an asset knows the layer that its path is relative to. */
+/** A value in stage times, with assets anchored at their layer. */
 export function stageValue(value: Value, place: OpinionSource): Value {
   switch (value.type) {
     case 'asset':

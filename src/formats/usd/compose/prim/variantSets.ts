@@ -3,16 +3,16 @@ import { expandOrKeep } from '../layers/expressions.ts';
 import { variantSetsAt } from '../layers/siteOpinions.ts';
 import { hasMetadata, type PrimIndexNode, strongestFirst } from '../primIndex/primIndexNode.ts';
 
-/** What a prim lets one choose between. */
+/** A variant set of a composed prim. */
 export interface ComposedVariantSet {
   readonly path: string;
   readonly set: string;
   readonly variants: readonly string[];
-  /** As the layers or the user select; it need not be among the variants. */
+  /** As selected by layers or user; need not be a valid variant. */
   readonly selected?: string;
 }
 
-/** The sets of a prim, those of the strongest site first, with all variants that any site has. */
+/** Variant sets of a prim, strongest site first, with the variants of all sites. */
 export function variantSetsOf(index: PrimIndexNode, path: string): ComposedVariantSet[] {
   if (!hasMetadata(index, 'variantSets')) return [];
   const nodes = strongestFirst(index).filter((node) => node.contributes);

@@ -25,7 +25,7 @@ export function addClassArcs(builder: PrimIndexBuilder, node: PrimIndexNode, kin
   });
 }
 
-/** Adds a class below a node, or finds it there. Undefined where the arc has no meaning in the node's namespace. */
+/** Adds a class below a node, or returns the existing one. Undefined if the path does not map. */
 function addClassArc(
   builder: PrimIndexBuilder,
   kind: ClassKind,
@@ -39,14 +39,14 @@ function addClassArc(
   builder.work.spend(parent.children.length);
   const known = parent.children.find((child) => child.isSite(parent.stack, path));
   if (known) return known;
-  // Implied from one node of a layer stack to another it can be the very same site: kept only to be implied further.
+  // An implied class can be the very same site: kept inert, to be implied further.
   const contributes = path !== parent.path && !origin?.isSite(parent.stack, path);
   const arc = { kind, origin, map, number, depth: parent.depth };
   const ancestral = contributes && depthOf(path) > 1;
   return builder.addArc(parent, parent.stack, path, arc, { contributes, ancestral, skipsDuplicates: contributes });
 }
 
-/** Where the class is, as seen from a site; the site's variants are kept. */
+/** Path of the class in the site's namespace, with the site's variants. */
 function classPath(site: string, map: NamespaceMap): string | undefined {
   const path = mapToSource(map, stripVariants(site));
   if (path === undefined || !site.includes('{')) return path;
@@ -57,12 +57,12 @@ function classPath(site: string, map: NamespaceMap): string | undefined {
 }
 
 /**
- * A class that what is referred to has can be overridden where it is referred from: the classes under a node are
- * implied under its parent, in the parent's namespace.
+ * Classes of a referenced prim can be overridden in the referencing layers: the classes below a node are implied
+ * below its parent, in the parent's namespace.
  */
 export function implyClassArcs(builder: PrimIndexBuilder, node: PrimIndexNode): void {
   if (!node.parent || !hasClasses(node)) return;
-  // Classes can be outside of what the arc maps: they are in the same place on both sides.
+  // Classes may be outside the arc's namespace: they keep their path.
   implyClassTree(builder, node.parent, node, withRoot(node.arc.map), true);
 }
 
@@ -80,9 +80,9 @@ function implyClassTree(
   }
   for (const child of [...from.children]) {
     if (!child.isClass) continue;
-    // The next class in one chain of classes: it belongs under `from`, not beside it.
+    // The next class of one hierarchy belongs below `from`, not beside it.
     if (isStart && from.isClass && from.depthBelowArc === child.depthBelowArc) continue;
-    // Relocates can make maps of any length, and two are composed with this one.
+    // Maps with relocates can be long, and two are composed here.
     builder.work.spend(2 * STEP_COSTS.item * transfer.pairs.length);
     const map = impliedMap(transfer, child.arc.map);
     const known = to.children.find((c) => c.arc.origin === child && sameMaps(c.arc.map, map));
@@ -96,7 +96,7 @@ function implyClassTree(
 const impliedMap = (transfer: NamespaceMap, classMap: NamespaceMap): NamespaceMap =>
   isIdentity(transfer) ? classMap : withRoot(composeMaps(transfer, composeMaps(classMap, inverseMap(transfer))));
 
-/** The node that a chain of classes starts from, with the chains that what is around it is in: they are implied as one. */
+/** The node that a class hierarchy starts from, including the hierarchies of ancestors: they are implied as a unit. */
 export function classHierarchyStart(node: PrimIndexNode): PrimIndexNode {
   let start = node;
   while (start.isClass) {

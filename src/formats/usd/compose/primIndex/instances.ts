@@ -1,9 +1,6 @@
 import { type PrimIndexNode, strongestFirst } from './primIndexNode.ts';
 
-/**
- * Whether a prim shares what is in it with others of the same arcs: it says `instanceable`, and has an arc that leads
- * to something to share. Only what is said on the prim itself is then its own.
- */
+/** Whether a prim is an instance: `instanceable`, with an arc to share. Only opinions on the prim itself are then local. */
 export function isInstance(index: PrimIndexNode): boolean {
   index.isInstanceCached ??= isInstanceable(index);
   return index.isInstanceCached;

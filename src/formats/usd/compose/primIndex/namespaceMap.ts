@@ -1,13 +1,10 @@
 import { hasPrefix } from '../../layer/primPaths.ts';
 import { composeOffsets, inverseOffset, isNoOffset, NO_OFFSET, type TimeOffset } from '../layers/timeOffset.ts';
 
-/** One side is missing where what is under the other maps nowhere. */
+/** A missing side blocks the prefix: it maps nowhere. */
 type PathPair = readonly [source: string | undefined, target: string | undefined];
 
-/**
- * How the namespace of what an arc leads to becomes the namespace of what has the arc: prefixes and what replaces
- * them, the longest counts; paths under none of them do not map. With it goes how times map.
- */
+/** Maps an arc's target namespace to its source namespace by path prefixes, longest match; other paths do not map. Also maps times. */
 export interface NamespaceMap {
   readonly pairs: readonly PathPair[];
   readonly time: TimeOffset;
@@ -31,7 +28,7 @@ export const mapToSource = (map: NamespaceMap, path: string): string | undefined
 const translate = (pairs: readonly PathPair[], path: string, from: 0 | 1): string | undefined =>
   translateBy(pairs.length > MAX_LINEAR_PAIRS ? pairIndexOf(pairs) : new LinearPairLookup(pairs), path, from);
 
-/** Undefined where no pair covers the path, or where the result belongs to another, closer pair. */
+/** Undefined if no prefix matches, or if the result is under a closer pair. */
 function translateBy(pairs: PairLookup, path: string, from: 0 | 1): string | undefined {
   const to = from === 0 ? 1 : 0;
   const best = pairs.closest(path, from);
@@ -41,7 +38,7 @@ function translateBy(pairs: PairLookup, path: string, from: 0 | 1): string | und
   return pairs.closest(result, to)![to]!.length > replaced.length ? undefined : result;
 }
 
-/** Finds the pair of which one side covers most of a path. */
+/** Finds the longest prefix match of a path. */
 interface PairLookup {
   closest(path: string, side: 0 | 1): PathPair | undefined;
 }
@@ -66,7 +63,7 @@ class LinearPairLookup implements PairLookup {
   }
 }
 
-/** More are found by their paths: relocates can make any number. */
+/** Above this number of pairs a hash map is used: relocates can add any number. */
 const MAX_LINEAR_PAIRS = 6;
 const indices = new WeakMap<readonly PathPair[], HashedPairLookup>();
 
@@ -98,7 +95,7 @@ class HashedPairLookup implements PairLookup {
   }
 }
 
-/** '/', '.' and '{' come after a prefix. */
+/** Characters that may follow a prefix. */
 const SEPARATORS: ReadonlySet<number> = new Set([47, 46, 123]);
 
 /** First `inner`, then `outer`. */
@@ -123,7 +120,7 @@ export function composeMaps(outer: NamespaceMap, inner: NamespaceMap): Namespace
   return { pairs: canonicalPairs(pairs), time };
 }
 
-/** The commonest of all: one arc in what another one leads to. */
+/** Fast path: both maps have one pair. */
 function composeSingle(
   [start, target]: PathPair,
   [source, between]: PathPair,
@@ -138,7 +135,7 @@ export const inverseMap = ({ pairs, time }: NamespaceMap): NamespaceMap => ({
   time: inverseOffset(time),
 });
 
-/** Of long lists, which are asked for once for each class that they are between, and are then indexed. */
+/** Inverses of long maps, cached: they are needed per class. */
 const inverses = new WeakMap<readonly PathPair[], readonly PathPair[]>();
 
 function inversePairs(pairs: readonly PathPair[]): readonly PathPair[] {
@@ -149,7 +146,7 @@ function inversePairs(pairs: readonly PathPair[]): readonly PathPair[] {
   return made;
 }
 
-/** What lies outside of an arc keeps its path: of classes, and of references within one layer. */
+/** Adds the identity for paths outside the arc: for classes and internal references. */
 export function withRoot(map: NamespaceMap): NamespaceMap {
   if (map.pairs.some(([source, target]) => source === '' || target === '')) return map;
   if (map.pairs.length === 1) {
@@ -164,12 +161,12 @@ export const withPairs = (map: NamespaceMap, more: readonly PathPair[]): Namespa
   pairs: canonicalPairs([...map.pairs, ...more]),
 });
 
-/** What is not mapped comes before paths, and after the root, which is empty. */
+/** Blocked pairs sort after the root ('') and before paths. */
 function compare(a = ' ', b = ' '): number {
   return a === b ? 0 : a < b ? -1 : 1;
 }
 
-/** Sorted, and without the pairs that say what shorter ones say already. */
+/** Sorted, without pairs implied by shorter ones. */
 function canonicalPairs(pairs: readonly PathPair[]): readonly PathPair[] {
   if (pairs.length === 1) return pairs;
   const lengthOf = ([source, target]: PathPair): number => (source ?? target ?? '').length;

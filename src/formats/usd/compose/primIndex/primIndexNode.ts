@@ -3,28 +3,28 @@ import { type LayerStack, type Opinion, opinionsAt } from '../layers/layerStack.
 import { composeOffsets, NO_OFFSET, type TimeOffset } from '../layers/timeOffset.ts';
 import { composeMaps, IDENTITY, type NamespaceMap } from './namespaceMap.ts';
 
-/** The arcs of composition, the strongest first. */
+/** Composition arcs, strongest first. */
 export const ARCS = ['root', 'inherit', 'variant', 'relocate', 'reference', 'payload', 'specialize'] as const;
 export type ArcType = (typeof ARCS)[number];
 
-/** How a node comes to be under another. */
+/** The arc from a node's parent to it. */
 export interface CompositionArc {
   readonly kind: ArcType;
-  /** Of a class or relocate that is implied: the node that it is implied by. Absent where the parent has the arc itself. */
+  /** Of an implied class or relocate: the node that implies it. Absent for authored arcs. */
   readonly origin?: PrimIndexNode | undefined;
   /** From the node's namespace to its parent's. */
   readonly map: NamespaceMap;
-  /** Place among the arcs of its kind that are written together. */
+  /** Index among the arcs of its kind on one site. */
   readonly number: number;
-  /** How deep in namespace the prim is that has the arc. */
+  /** Namespace depth of the prim with the arc. */
   readonly depth: number;
 }
 
 const ROOT_ARC: CompositionArc = { kind: 'root', map: IDENTITY, number: 0, depth: 0 };
 
 /**
- * A site that has, or may have, opinions on a prim: a path in a layer stack. The nodes of a prim are a tree: its own
- * site, and under each site those that its arcs lead to, the stronger first.
+ * A node of a prim index: a site (path in a layer stack) that may have opinions on the prim. The root is the prim's
+ * own site, children are the targets of a site's arcs, strongest first.
  */
 export class PrimIndexNode {
   readonly stack: LayerStack;
@@ -32,15 +32,15 @@ export class PrimIndexNode {
   arc: CompositionArc = ROOT_ARC;
   parent: PrimIndexNode | undefined;
   readonly children: PrimIndexNode[] = [];
-  /** What the stack's layers say at the path, strongest first. */
+  /** Opinions of the stack's layers at the path, strongest first. */
   readonly opinions: readonly Opinion[];
-  /** Kept for its place in the tree only: its opinions do not count. */
+  /** Kept only for its position in the tree: its opinions do not count. */
   isInert = false;
-  /** The arc is not on this prim but on one above. */
+  /** The arc is on an ancestor prim. */
   isAncestral = false;
-  /** When it was made; of two nodes in one tree, what is under the other is younger. */
+  /** Creation order; a node is younger than its parent. */
   serial = 0;
-  /** Of a complete index's root, once it is asked: whether it is an instance. */
+  /** Cached by `isInstance`, on the root of a complete index. */
   isInstanceCached: boolean | undefined;
   private cachedMapToRoot: NamespaceMap | undefined;
   private cachedTimeToRoot: TimeOffset | undefined;
@@ -58,7 +58,7 @@ export class PrimIndexNode {
     return !this.isInert && this.opinions.length > 0;
   }
 
-  /** The number of names in its path. */
+  /** Number of path elements. */
   get depth(): number {
     this.cachedDepth ??= depthOf(this.path);
     return this.cachedDepth;
@@ -75,13 +75,13 @@ export class PrimIndexNode {
     return this.parent ? this.parent.depth - this.arc.depth : 0;
   }
 
-  /** Where the arc led. */
+  /** The arc's target path. */
   get pathAtArc(): string {
     this.cachedPathAtArc ??= ancestorPath(this.path, this.depthBelowArc);
     return this.cachedPathAtArc;
   }
 
-  /** The arc is on this very prim. */
+  /** The arc is on this prim itself. */
   get isDirect(): boolean {
     return this.parent !== undefined && !this.isAncestral;
   }
@@ -100,7 +100,7 @@ export class PrimIndexNode {
     return this.cachedMapToRoot;
   }
 
-  /** The times of `mapToRoot`, made without its paths: values need no more, and most opinions hold no paths. */
+  /** The time offset of `mapToRoot`, computed without paths: most opinions hold none. */
   get timeToRoot(): TimeOffset {
     this.cachedTimeToRoot ??= this.parent ? composeOffsets(this.parent.timeToRoot, this.arc.map.time) : NO_OFFSET;
     return this.cachedTimeToRoot;
@@ -110,7 +110,7 @@ export class PrimIndexNode {
     return this.stack === stack && this.path === path;
   }
 
-  /** Puts a tree under this node, in its place by strength. */
+  /** Inserts a subtree by strength. */
   insertChild(child: PrimIndexNode, arc: CompositionArc): void {
     child.arc = arc;
     child.parent = this;
@@ -126,8 +126,8 @@ export class PrimIndexNode {
   }
 
   /**
-   * The same tree one level down in namespace. Sites that nobody spoke at above this, and no arc starts from, are left out. In an
-   * instance nothing counts but what its own arcs lead to.
+   * The index of a child prim before its own arcs. Sites without opinions on the parent and without arcs are dropped.
+   * In an instance only its own arcs count.
    */
   childIndex(name: string, isInInstance: boolean): PrimIndexNode {
     const origins = originsIn(this);
@@ -141,7 +141,7 @@ export class PrimIndexNode {
         below.parent = child;
         child.children.push(below);
       }
-      // Judged by the level above: where a variant ends here, what was selected by it still counts here.
+      // Decided by the parent's opinions: where a variant ends here, selections made in it still count.
       const needed =
         node.opinions.length > 0 ||
         child.children.length > 0 ||
@@ -150,7 +150,7 @@ export class PrimIndexNode {
         !node.isAncestral;
       if (!needed) return undefined;
       if (origins?.has(node)) origins.set(node, child);
-      // What the site's own layers move away is elsewhere.
+      // Relocated away by the site's own layers.
       if (node.parent && child.stack.relocates?.bySource.has(child.path)) makeInert(child);
       return child;
     };
@@ -194,7 +194,7 @@ export class PrimIndexNode {
   }
 }
 
-/** The nodes of a tree that others in it are implied by; what stands for each is still to be said. */
+/** Nodes that are the origin of implied arcs in the tree, to be mapped to their copies. */
 function originsIn(
   tree: PrimIndexNode,
   found?: Map<PrimIndexNode, PrimIndexNode | undefined>,
@@ -206,33 +206,33 @@ function originsIn(
   return origins;
 }
 
-/** What is known of the way to the tree's root is another one's now. */
+/** Invalidates cached maps to the root. */
 function clearTreeCaches(tree: PrimIndexNode): void {
   for (const node of allNodes(tree)) PrimIndexNode.clearCaches(node);
 }
 
-/** Whether any opinion that counts has the metadata of a key. */
+/** Whether any contributing opinion has a metadata key. */
 export const hasMetadata = (index: PrimIndexNode, key: string): boolean =>
   strongestFirst(index).some((node) => !node.isInert && node.opinions.some(({ spec }) => spec.metadata.has(key)));
 
 export const hasOpinions = (node: PrimIndexNode): boolean =>
   node.opinions.length > 0 || node.children.some(hasOpinions);
 
-/** Keeps a tree for its place only. */
+/** Makes a subtree inert. */
 export function makeInert(tree: PrimIndexNode): void {
   for (const node of allNodes(tree)) node.isInert = true;
 }
 
 export const hasClasses = (node: PrimIndexNode): boolean => node.children.some((child) => child.isClass);
 
-/** All nodes of a tree, each before those under it. */
+/** All nodes of a tree in pre-order. */
 export function allNodes(node: PrimIndexNode, into: PrimIndexNode[] = []): PrimIndexNode[] {
   into.push(node);
   for (const child of node.children) allNodes(child, into);
   return into;
 }
 
-/** Below 0 where `a` is stronger: by kind of arc, depth of what has it, origin, and place among those written. */
+/** Negative if `a` is stronger: by arc kind, namespace depth, origin, and index among arcs of one site. */
 function compareSiblings(a: PrimIndexNode, b: PrimIndexNode): number {
   if (a.arc.kind !== b.arc.kind) return ARCS.indexOf(a.arc.kind) - ARCS.indexOf(b.arc.kind);
   if (a.arc.depth !== b.arc.depth) return b.arc.depth - a.arc.depth;
@@ -241,7 +241,7 @@ function compareSiblings(a: PrimIndexNode, b: PrimIndexNode): number {
   return a.arc.number - b.arc.number;
 }
 
-/** Below 0 where `a` comes first in the tree that `within` is in; what is not in it comes last. */
+/** Negative if `a` comes first in the tree of `within`; nodes of other trees come last. */
 function compareInTree(within: PrimIndexNode, a: PrimIndexNode, b: PrimIndexNode): number {
   const [wayToA, wayToB] = [pathFromRoot(a), pathFromRoot(b)];
   const { root } = within;
@@ -252,17 +252,14 @@ function compareInTree(within: PrimIndexNode, a: PrimIndexNode, b: PrimIndexNode
   return (wayToA[fork] ? children.indexOf(wayToA[fork]) : -1) - (wayToB[fork] ? children.indexOf(wayToB[fork]) : -1);
 }
 
-/** The nodes from the root to one. */
+/** The path of nodes from the root. */
 function pathFromRoot(node: PrimIndexNode): PrimIndexNode[] {
   const way: PrimIndexNode[] = [];
   for (let at: PrimIndexNode | undefined = node; at; at = at.parent) way.push(at);
   return way.reverse();
 }
 
-/**
- * The nodes of a tree from the strongest to the weakest: each before those under it, but all that is specialized after
- * everything else (what a base says is weaker than what anybody says about what specializes it).
- */
+/** The nodes in strength order: pre-order, but specializes after everything else (a base is weaker than any opinion on what specializes it). */
 export function strengthOrder(root: PrimIndexNode): PrimIndexNode[] {
   const out: PrimIndexNode[] = [];
   const bases: PrimIndexNode[] = [];
@@ -277,7 +274,7 @@ export function strengthOrder(root: PrimIndexNode): PrimIndexNode[] {
   if (bases.length === 0) return out;
   const places = new Map(allNodes(root.root).map((node, place) => [node, place]));
   while (bases.length > 0) {
-    // Those under a base join the rest, so that each time the strongest of all goes first.
+    // Bases below a base join the queue, so that the strongest comes next.
     let first = 0;
     for (let i = 1; i < bases.length; i++) if (compareBases(bases[i], bases[first], places) < 0) first = i;
     visit(bases.splice(first, 1)[0]);
@@ -287,7 +284,7 @@ export function strengthOrder(root: PrimIndexNode): PrimIndexNode[] {
 
 export const strongestFirst = PrimIndexNode.strongestFirst;
 
-/** Below 0 where the base `a` is stronger than the base `b`; they may be anywhere in one tree. */
+/** Negative if base `a` is stronger than base `b`; they may be anywhere in one tree. */
 function compareBases(a: PrimIndexNode, b: PrimIndexNode, places: ReadonlyMap<PrimIndexNode, number>): number {
   const [originOfA, stepsOfA] = authoredArc(a);
   const [originOfB, stepsOfB] = authoredArc(b);
@@ -298,7 +295,7 @@ function compareBases(a: PrimIndexNode, b: PrimIndexNode, places: ReadonlyMap<Pr
   return depths !== 0 ? depths : (places.get(originOfA) ?? 0) - (places.get(originOfB) ?? 0);
 }
 
-/** The node of the arc as it is written, and how many times it was implied since. */
+/** The node of the authored arc, and how many times it was implied. */
 function authoredArc(node: PrimIndexNode): readonly [PrimIndexNode, number] {
   let at = node;
   let steps = 0;
@@ -314,8 +311,8 @@ function isDescendantOf(node: PrimIndexNode, above: PrimIndexNode): boolean {
   return false;
 }
 
-/** How deep the prim of the stage is where the arc counts first. */
+/** Namespace depth of the stage prim at which the arc applies. */
 const depthInStage = (node: PrimIndexNode): number => node.root.depth - node.depthBelowArc;
 
-/** Whether two paths are one, or one of them is in the other. */
+/** Whether one path is a prefix of the other. */
 export const areNestedPaths = (a: string, b: string): boolean => hasPrefix(a, b) || hasPrefix(b, a);

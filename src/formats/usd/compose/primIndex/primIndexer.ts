@@ -173,7 +173,7 @@ export class PrimIndexer implements PrimIndexBuilder {
     return node;
   }
 
-  /** What is to be done for a new node: its own arcs, unless its index has followed them, and what they imply above. */
+  /** Queues the tasks of a new node: its own arcs, unless its index has followed them, and what they imply. */
   private addTasks(node: PrimIndexNode, ownArcs: boolean): void {
     if (node.isClass) this.tasks.add({ kind: 'impliedClasses', node: classHierarchyStart(node) });
     else if (hasClasses(node)) this.tasks.add({ kind: 'impliedClasses', node });
@@ -195,7 +195,7 @@ export class PrimIndexer implements PrimIndexBuilder {
     }
   }
 
-  /** The prims that lead here, through all indexes that are being built: none of them may be in the target, or around it. */
+  /** Whether the target is, contains or is below a site on the path of arcs to it, through all nested indexes. */
   private makesCycle(parent: PrimIndexNode, stack: LayerStack, path: string): boolean {
     return this.someStackFrame(parent, path, (node, site) => {
       this.work.spend(1);
@@ -213,10 +213,7 @@ export class PrimIndexer implements PrimIndexBuilder {
     });
   }
 
-  /**
-   * Asks this index and those around it. An index may be that of a prim around the one which is wanted: `site` is what
-   * the path becomes there once the wanted one is reached.
-   */
+  /** Calls `ask` for this index and the outer ones. In an ancestor's index, `site` is the path that the final index will have. */
   private someStackFrame(
     parent: PrimIndexNode,
     path: string,
@@ -246,10 +243,10 @@ const TASK_HANDLERS: Readonly<Record<IndexTaskKind, (builder: PrimIndexBuilder, 
   fallbackVariant: (builder, task) => addVariantArc(builder, task),
 };
 
-/** Sites without opinions of their own still imply classes, and are moved. */
+/** Inert sites still imply classes, and are relocated. */
 const TASKS_FOR_INERT: ReadonlySet<IndexTaskKind> = new Set(['impliedClasses', 'relocate', 'impliedRelocate']);
 
-/** Where a relocate of the same layers takes the prim away from, nothing is left that an arc could lead to. */
+/** Whether the path is relocated away by the stack's own layers, so that arcs to it find nothing. */
 function isRelocatedAway({ relocates }: LayerStack, path: string): boolean {
   return relocates !== undefined && someAncestor(path, (around) => relocates.resolved.has(around));
 }

@@ -18,7 +18,7 @@ export function addReferenceArcs(builder: PrimIndexBuilder, node: PrimIndexNode,
     if (!target) return;
     const { stack, path, time } = target;
     const map = mapForArc(node, path, time);
-    // What refers to its own layers sees all of them.
+    // Internal references map the whole namespace.
     const whole = arc.asset === '' ? withRoot(map) : map;
     const written = { kind, map: whole, number, depth: node.depth };
     const added = builder.addArc(node, stack, path, written, { ancestral: depthOf(path) > 1 });
@@ -64,7 +64,7 @@ function layerOf(builder: PrimIndexBuilder, kind: string, arc: SourcedReference)
   return undefined;
 }
 
-/** The path as written, or what its expression makes; empty where that is none. */
+/** The asset path, with expressions evaluated; empty on error. */
 function assetOf(builder: PrimIndexBuilder, kind: string, { asset, from }: SourcedReference): string {
   try {
     return expandExpression(asset, from.variables);
@@ -75,8 +75,8 @@ function assetOf(builder: PrimIndexBuilder, kind: string, { asset, from }: Sourc
 }
 
 /**
- * Times of the target in those of the stack that refers to it; where the two count seconds differently, scaled. Within
- * one stack the offset of the layer that writes the arc does not count: the target's layers have theirs.
+ * Time offset from the target to the referencing stack, scaled by their time codes per second. For internal
+ * references the offset of the authoring layer does not count: the target's layers have it.
  */
 function referenceTimeOffset(
   builder: PrimIndexBuilder,
@@ -97,7 +97,7 @@ function referenceTimeOffset(
   return { offset: own.offset, scale: (own.scale * from.source.codesPerSecond) / target.codesPerSecond };
 }
 
-/** The name, or since OpenUSD 25 the path, of the prim that stands for a layer. */
+/** The default prim's name, or since OpenUSD 25 its path. */
 function defaultPrim({ layer }: LoadedLayer): string | undefined {
   const name = metadataText(layer.metadata, 'defaultPrim');
   if (!name) return undefined;
@@ -107,7 +107,7 @@ function defaultPrim({ layer }: LoadedLayer): string | undefined {
 const describe = ({ asset, path }: SourcedReference): string =>
   `${asset ? `@${asset}@` : ''}${path ? `<${path}>` : ''}`;
 
-/** From the namespace of an arc's target to that of the node which has it, with that node's relocates applied. */
+/** Namespace map of an arc from its target to its node, with the node's relocates. */
 export function mapForArc(node: PrimIndexNode, source: string, time: TimeOffset = NO_OFFSET): NamespaceMap {
   const target = stripVariants(node.path);
   const map = arcMap(source, target, time);

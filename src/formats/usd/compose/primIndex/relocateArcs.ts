@@ -2,7 +2,7 @@ import { IDENTITY, mapToTarget } from './namespaceMap.ts';
 import type { PrimIndexBuilder } from './primIndexBuilder.ts';
 import { makeInert, type PrimIndexNode } from './primIndexNode.ts';
 
-/** A prim that a relocate brings here: what arcs say about it where it comes from counts here, and only that. */
+/** Adds the source of a relocate whose target is this node: only opinions from its arcs count. */
 export function addRelocateArc(builder: PrimIndexBuilder, node: PrimIndexNode): void {
   const source = node.stack.relocates?.byTarget.get(node.path);
   if (source === undefined || (node.isInert && node.depthBelowArc === 0)) return;
@@ -17,7 +17,7 @@ export function addRelocateArc(builder: PrimIndexBuilder, node: PrimIndexNode): 
   makeRelocatedInert(added);
 }
 
-/** What other relocates take away from here speaks at another prim. */
+/** Makes nodes inert that other relocates move elsewhere. */
 function makeRelocatedInert(tree: PrimIndexNode): void {
   for (const child of tree.children) {
     if (child.arc.kind === 'relocate') continue;
@@ -26,7 +26,7 @@ function makeRelocatedInert(tree: PrimIndexNode): void {
   }
 }
 
-/** A relocate in what is referred to moves the prim also where it is referred from. */
+/** A relocate in a referenced layer also applies where it is referenced. */
 export function implyRelocateArc(builder: PrimIndexBuilder, node: PrimIndexNode): void {
   const above = node.parent?.parent;
   if (node.isAncestral || !node.parent || !above) return;

@@ -1,7 +1,7 @@
 import type { CompositionBudget } from './compositionBudget.ts';
 import { type PrimIndexNode, strengthOrder } from './primIndexNode.ts';
 
-/** What is to be done at a node, the most urgent first: selections of variants may depend on all that comes before. */
+/** Tasks of a node by priority: variant selections may depend on all earlier kinds. */
 const TASK_ORDER = [
   'relocate',
   'impliedRelocate',
@@ -19,16 +19,16 @@ export type IndexTaskKind = (typeof TASK_ORDER)[number];
 export interface IndexTask {
   readonly kind: IndexTaskKind;
   readonly node: PrimIndexNode;
-  /** Of a task about a variant set: its name and its place among the sets of the site. */
+  /** Variant set of the task, and its index among the sets of the site. */
   readonly set?: string;
   readonly number?: number;
 }
 
-/** What is to be done, the most urgent first; of one kind in the order in which it came, but for variants and classes. */
+/** A priority queue of tasks; FIFO within one kind, except variants and classes. */
 export class TaskList {
   private readonly work: CompositionBudget;
   private readonly byKind = new Map<IndexTaskKind, IndexTask[]>();
-  /** Sets that no selection was found for: they are asked again when a variant has brought new opinions. */
+  /** Variant sets without a selection yet; retried when a variant has added opinions. */
   private undecided: IndexTask[] = [];
 
   constructor(work: CompositionBudget) {
@@ -45,7 +45,7 @@ export class TaskList {
     this.undecided.push(task);
   }
 
-  /** A variant was added: what had no selection may have one now. */
+  /** Retries undecided sets after a variant was added. */
   retryVariants(): void {
     const asked = [...(this.byKind.get('fallbackVariant') ?? []), ...this.undecided];
     this.byKind.delete('fallbackVariant');
@@ -65,7 +65,7 @@ export class TaskList {
     return undefined;
   }
 
-  /** The place of the task that comes first among those of one kind. */
+  /** Index of the first task of one kind. */
   private firstOf(tasks: readonly IndexTask[]): number {
     const [{ kind, node, set }] = tasks;
     if (set === undefined && kind !== 'impliedClasses') return 0;
@@ -84,7 +84,7 @@ const placesByStrength = (root: PrimIndexNode): ReadonlyMap<PrimIndexNode, numbe
   new Map(strengthOrder(root).map((node, place) => [node, place]));
 
 function comesBefore(a: IndexTask, b: IndexTask, order: ReadonlyMap<PrimIndexNode, number>): boolean {
-  // Classes are implied upwards: from below first.
+  // Classes are implied upwards: deepest node first.
   if (a.kind === 'impliedClasses') return a.node.serial > b.node.serial;
   if (a.node === b.node) return a.set !== undefined && a.number! < b.number!;
   return a.set !== undefined && order.get(a.node)! < order.get(b.node)!;

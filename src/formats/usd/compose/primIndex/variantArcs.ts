@@ -11,7 +11,7 @@ export function addVariantSets(builder: PrimIndexBuilder, node: PrimIndexNode): 
     builder.tasks.add({ kind: 'variant', node, set, number });
 }
 
-/** Adds the variant that is selected; else the fallback, once nothing else is left that could select one. */
+/** Adds the selected variant; else the fallback, once nothing else is left that could select one. */
 export function addVariantArc(builder: PrimIndexBuilder, task: IndexTask): void {
   const { node, set = '', number = 0 } = task;
   const fallback = builder.context.fallbacks.get(set)?.find((name) => variantsAt(node.opinions, set).includes(name));
@@ -26,10 +26,7 @@ export function addVariantArc(builder: PrimIndexBuilder, task: IndexTask): void 
   if (builder.addArc(node, node.stack, variantPath(node.path, set, selected), arc)) builder.tasks.retryVariants();
 }
 
-/**
- * The strongest selection for a set at a node, from all nodes that are there by now; also weaker ones, and those of
- * the indexes around this one.
- */
+/** The strongest selection of a set at a node, among all nodes so far, including weaker ones and outer indexes. */
 function selectionFor(builder: PrimIndexBuilder, node: PrimIndexNode, set: string): string | undefined {
   const levels = indexLevels(builder, node);
   for (const { root } of levels) builder.work.spend(10 * allNodes(root).length);
@@ -44,7 +41,7 @@ function selectionFor(builder: PrimIndexBuilder, node: PrimIndexNode, set: strin
 interface IndexLevel {
   readonly root: PrimIndexNode;
   readonly path: string;
-  /** The node of this index that the next inner one will be under. */
+  /** The node of this index that the inner index will be attached to. */
   readonly inner?: PrimIndexNode;
 }
 
@@ -64,7 +61,7 @@ function indexLevels(builder: PrimIndexBuilder, node: PrimIndexNode): IndexLevel
   return levels;
 }
 
-/** A variant of the set that the same prim has already. */
+/** The variant of the set that was already added for the prim. */
 function existingSelection(root: PrimIndexNode, path: string, depth: number, set: string): string | undefined {
   for (const node of allNodes(root)) {
     if (node.arc.kind !== 'variant' || node.depthBelowArc !== depth) continue;
@@ -74,7 +71,7 @@ function existingSelection(root: PrimIndexNode, path: string, depth: number, set
   return undefined;
 }
 
-/** From the outermost index inwards; an inner one comes right after the node that it will be under. */
+/** From the outermost index inwards; an inner index comes right after the node it will be attached to. */
 function strongestSelection([level, ...inner]: readonly IndexLevel[], set: string): string | undefined {
   for (const node of strengthOrder(level.root)) {
     const found = selectionOfNode(node, level, set);

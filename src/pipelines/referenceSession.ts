@@ -1,33 +1,35 @@
-import { availableParallelism } from 'node:os';
-import type { Vec3 } from '../../math/vec3.ts';
-import type { PictureSize, RenderedPicture } from '../../nodes/pictures/pictureRenderer.ts';
-import { DEFAULT_LIGHT, type LightOptions } from '../../reference/lights/lightOptions.ts';
-import { encodeDisplay } from '../../reference/post/encodeDisplay.ts';
-import { aovsOfFrameGraph, type CapturedPicture, evaluateFrameGraph } from '../../reference/post/frameGraph.ts';
-import type { OutputLayer } from '../../reference/tileRequest.ts';
-import { renderWithPool, type TracerPool, tilesOf } from '../../reference/tracerPool.ts';
-import { upVector } from '../../scene/lights/sceneLights.ts';
-import type { AovName, RenderSettings, ViewPoint } from '../../scene/view/view.ts';
-import { toneMap } from '../../spectrum/display/toneMap.ts';
-import { killWhenStopped } from '../files/outputFile.ts';
-import { speedOfLight } from '../flags/viewFlags.ts';
-import type { RenderFlags } from '../render/renderFlags.ts';
-import { CliError, EXIT, usageError } from '../terminal/exitCodes.ts';
-import type { PictureScenes, RendererSession } from './openRenderer.ts';
-import { tracerPool } from './tracerPool.ts';
+import type { Vec3 } from '../math/vec3.ts';
+import { prepareScene } from '../reference/intersection/tracedScene.ts';
+import { encodeDisplay } from '../reference/post/encodeDisplay.ts';
+import { aovsOfFrameGraph, type CapturedPicture, evaluateFrameGraph } from '../reference/post/frameGraph.ts';
+import type { OutputLayer } from '../reference/tileRequest.ts';
+import { renderWithPool, TracerPool, tilesOf } from '../reference/tracerPool.ts';
+import type { TracerMessage, TracerReply } from '../reference/tracerServer.ts';
+import { upVector } from '../scene/lights/sceneLights.ts';
+import type { Scene } from '../scene/types.ts';
+import type { AovName, RenderSettings, ViewPoint } from '../scene/view/view.ts';
+import { toneMap } from '../spectrum/display/toneMap.ts';
+import type { PipelineHost, ThreadHost } from './host.ts';
+import type { OptionValuesOf } from './options.ts';
+import type { PictureSize, RenderedPicture } from './pictureRenderer.ts';
+import { type PictureScenes, PipelineRefusal, type PipelineSession, type SessionRequest } from './pipeline.ts';
+import { REFERENCE, type REFERENCE_OPTIONS } from './referenceOptions.ts';
+
+type ReferenceOptions = OptionValuesOf<typeof REFERENCE_OPTIONS>;
 
 /** Draws on the processor: 64-bit arithmetic, no GPU. */
-export async function openReferenceRenderer(scenes: PictureScenes, flags: RenderFlags): Promise<RendererSession> {
-  const { size, seed = 0 } = flags;
-  const light = lightOptions(flags);
-  const threads = Math.min(flags.threads ?? availableParallelism(), tilesOf(size).length);
-  const pools = new TracerPools(scenes, threads);
+export function openReferenceSession(
+  { scenes, size, speedOfLight, options }: SessionRequest<ReferenceOptions>,
+  { threads: host }: PipelineHost,
+): PipelineSession {
+  const { seed, bounces, mirrors, glass } = options;
+  const light = { bounces, mirrors, glass };
+  const threads = Math.min(options.threads ?? host.count(scenes[0]), tilesOf(size).length);
+  const pools = new TracerPools(scenes, threads, host);
   // Threads take a while to begin.
-  pools.of(0, speedOfLight(scenes[0], flags.c));
-  const forget = killWhenStopped({ kill: () => pools.stop(new CliError(EXIT.cancelled, 'stopped')) });
+  pools.of(0, speedOfLight);
   return {
-    info: { pipeline: 'reference', threads, seed },
-    defaultSamples: 4,
+    info: { pipeline: REFERENCE.id, threads, seed },
     render: ({ view, settings, samples, pixels, aovs }, onPart) => {
       const request = { view, ...size, samples, seed, light };
       const draw = (
@@ -40,27 +42,36 @@ export async function openReferenceRenderer(scenes: PictureScenes, flags: Render
         ? renderFrameGraph(settings, { view, ...size, scenes, pixels, aovs, draw }, onPart)
         : renderLayers(settings, { ...size, pixels, aovs, draw }, onPart);
     },
-    close: async () => {
-      forget();
-      await pools.close();
-    },
+    stop: (error) => pools.stop(error),
+    close: () => pools.close(),
   };
+}
+
+/** Threads that draw pictures of a scene at one speed of light [m/s]. They share what it is made of. */
+export function openTracerPool(scene: Scene, speedOfLight: number, threads: number, host: ThreadHost): TracerPool {
+  const { id, name } = REFERENCE;
+  const ground = host.share(prepareScene(scene, speedOfLight));
+  const started = Array.from({ length: threads }, () => host.start<TracerMessage, TracerReply>(id));
+  const order = { kind: 'scene', ground, shapes: host.cacheBytes(threads) } as const;
+  return new TracerPool(started, order, (error) => host.explain(error, name));
 }
 
 /** Threads for each scene that is drawn, with each speed of light. */
 class TracerPools {
   private readonly scenes: PictureScenes;
   private readonly threads: number;
+  private readonly host: ThreadHost;
   private readonly open = new Map<string, TracerPool>();
 
-  constructor(scenes: PictureScenes, threads: number) {
+  constructor(scenes: PictureScenes, threads: number, host: ThreadHost) {
     this.scenes = scenes;
     this.threads = threads;
+    this.host = host;
   }
 
   of(scene: number, c: number): TracerPool {
     const key = `${scene} ${c}`;
-    const pool = this.open.get(key) ?? tracerPool(this.scenes[scene] ?? this.scenes[0], c, { threads: this.threads });
+    const pool = this.open.get(key) ?? openTracerPool(this.scenes[scene] ?? this.scenes[0], c, this.threads, this.host);
     this.open.set(key, pool);
     return pool;
   }
@@ -73,12 +84,6 @@ class TracerPools {
     await Promise.all([...this.open.values()].map((pool) => pool.close()));
   }
 }
-
-const lightOptions = ({ bounces = DEFAULT_LIGHT.bounces, mirrors, glass }: RenderFlags): LightOptions => ({
-  bounces,
-  mirrors,
-  glass,
-});
 
 /** Draws layers of one G-buffer's picture. */
 type TraceLayers = (
@@ -119,9 +124,9 @@ async function renderFrameGraph(
   onPart: (part: number) => void = () => {},
 ): Promise<RenderedPicture> {
   const { frameGraph, ...first } = settings;
-  if (!frameGraph) throw new Error('there is no plan to carry out');
+  if (!frameGraph) throw new Error('there is no frame graph to evaluate');
   if (settings.grid)
-    throw usageError(
+    throw new PipelineRefusal(
       'the grid is drawn by the rasterizer only, where a project puts its picture together: switch it off',
     );
   // The beauty is what the plan makes.

@@ -1,5 +1,5 @@
-import type { LightMeterReadings } from '../../scene/view/metering.ts';
-import type { AovName, RenderSettings, ViewPoint } from '../../scene/view/view.ts';
+import type { LightMeterReadings } from '../scene/view/metering.ts';
+import type { AovName, RenderSettings, ViewPoint } from '../scene/view/view.ts';
 
 /** Size of a picture [px]. */
 export interface PictureSize {
@@ -26,10 +26,8 @@ export interface RenderedPicture {
   readonly aovs: AovValues;
 }
 
-/** Renders pictures of one scene, all of one size: on a GPU, in a browser, or on the CPU. */
+/** Renders pictures of one scene, all of one size. */
 export interface PictureRenderer {
-  /** n × n samples per pixel by default. */
-  readonly defaultSamples: number;
   /** `onPart` gets the completed fraction of the picture, 0 … 1. */
   render(request: PictureRequest, onPart?: (part: number) => void): Promise<RenderedPicture>;
   /**

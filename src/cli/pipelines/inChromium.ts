@@ -1,7 +1,8 @@
 import { randomUUID } from 'node:crypto';
 import type { Browser, Page } from 'playwright-core';
-import { assertPictureSize } from '../../nodes/pictures/maxSize.ts';
-import type { PictureRequest, PictureSize, RenderedPicture } from '../../nodes/pictures/pictureRenderer.ts';
+import { assertPictureSize } from '../../pipelines/maxSize.ts';
+import type { PictureRequest, RenderedPicture } from '../../pipelines/pictureRenderer.ts';
+import type { Pipeline, PipelineSession, UncheckedRequest } from '../../pipelines/pipeline.ts';
 import { encodeTransfer } from '../../scene/transfer/transferCodec.ts';
 import type { LightMeterReadings } from '../../scene/view/metering.ts';
 import type { AovName, RenderSettings, ViewPoint } from '../../scene/view/view.ts';
@@ -9,11 +10,10 @@ import { readDiskFile } from '../files/diskFiles.ts';
 import { findChromium } from '../gpu/gpuDrivers.ts';
 import { serveApp } from '../serve/staticServer.ts';
 import { unavailable } from '../terminal/exitCodes.ts';
-import type { PictureScenes, RendererSession } from './openRenderer.ts';
 
 /** What the page headless.html offers to whoever drives it; src/app/headless.ts is the other end and says what it means. */
 interface HeadlessPage {
-  start(): Promise<{ adapterName: string; largest: number }>;
+  start(pipeline: string): Promise<{ adapterName: string; largest: number }>;
   open(request: { scenes: string; files: string; width: number; height: number }): Promise<void>;
   render(request: {
     view: ViewPoint;
@@ -27,11 +27,11 @@ interface HeadlessPage {
 /** The page's window, as seen by the functions below that run in it. */
 type HeadlessWindow = { readonly slowlight: HeadlessPage };
 
-/** Draws with the page's renderer on WebGL2, in a Chromium without a window. The scenes are read here, and sent. */
-export async function openWebGlRenderer(
-  scenes: PictureScenes,
-  { width, height }: PictureSize,
-): Promise<RendererSession> {
+/** Has a pipeline draw frames on WebGL2, in a Chromium without a window. The scenes are read here, and sent. */
+export async function openInChromium(
+  { id }: Pick<Pipeline, 'id'>,
+  { scenes, size: { width, height } }: Pick<UncheckedRequest, 'scenes' | 'size'>,
+): Promise<PipelineSession> {
   // Names that nobody else on this machine can guess: below the second, whatever samples were left in can be read.
   const [sent, files] = [`/${randomUUID()}`, `/${randomUUID()}/`];
   const server = await serveApp(0, async (url) => {
@@ -46,7 +46,10 @@ export async function openWebGlRenderer(
   try {
     browser = await launch();
     const page = await openPage(browser, `${server.url}/headless.html`);
-    const { adapterName, largest } = await page.evaluate(() => (window as unknown as HeadlessWindow).slowlight.start());
+    const { adapterName, largest } = await page.evaluate(
+      (pipeline) => (window as unknown as HeadlessWindow).slowlight.start(pipeline),
+      id,
+    );
     assertPictureSize({ width, height }, largest);
     await page.evaluate((request) => (window as unknown as HeadlessWindow).slowlight.open(request), {
       scenes: sent,
@@ -54,9 +57,12 @@ export async function openWebGlRenderer(
       width,
       height,
     });
-    const info = { pipeline: 'raster', backend: 'webgl', adapter: adapterName } as const;
-    const measure = (view: ViewPoint, settings: RenderSettings) => measureLight(page, view, settings);
-    return { info, defaultSamples: 1, render: (request) => renderPicture(page, request), measureLight: measure, close };
+    return {
+      info: { pipeline: id, backend: 'webgl', adapter: adapterName },
+      render: (request) => renderPicture(page, request),
+      measureLight: (view, settings) => measureLight(page, view, settings),
+      close,
+    };
   } catch (error) {
     await close();
     throw error;

@@ -1,0 +1,83 @@
+import { PictureTooLargeError } from '../../pipelines/maxSize.ts';
+import type { OptionValues } from '../../pipelines/options.ts';
+import type { PictureScenes, Pipeline, PipelineSession, UncheckedRequest } from '../../pipelines/pipeline.ts';
+import { AUTOMATIC_PIPELINES, openSession, pipelineNamed } from '../../pipelines/registry.ts';
+import type { Backend } from '../../render/settings.ts';
+import { killWhenStopped } from '../files/outputFile.ts';
+import { foreignSetting, optionsOf } from '../flags/pipelineFlags.ts';
+import { speedOfLight } from '../flags/viewFlags.ts';
+import type { RenderFlags } from '../render/renderFlags.ts';
+import { CliError, EXIT, unavailable } from '../terminal/exitCodes.ts';
+import { nodeHost } from './nodeHost.ts';
+
+/**
+ * A pipeline that was named, or the first that works here: on each backend in turn, then those that stand in for it, unless somebody asked for
+ * what only the first has.
+ */
+export async function openFlaggedSession(
+  scenes: PictureScenes,
+  flags: RenderFlags,
+  say: (text: string) => void,
+): Promise<PipelineSession> {
+  const candidates = flags.pipeline === 'auto' ? AUTOMATIC_PIPELINES : [pipelineNamed(flags.pipeline)];
+  const missing: string[] = [];
+  for (const [i, pipeline] of candidates.entries()) {
+    if (i > 0) {
+      if (foreignSetting(flags, pipeline)) break;
+      say(`slowlight: no usable GPU, so the ${pipeline.name} draws: ${pipeline.fallback}.\n${missing.join('\n')}`);
+    }
+    const session = await openOnBackend(pipeline, scenes, flags, missing);
+    if (session) return stoppable(session);
+  }
+  const others = AUTOMATIC_PIPELINES.filter(({ backends }) => backends.length === 0).map(({ id }) => id);
+  throw unavailable(`${missing.join('\n')}\nWithout a GPU: --pipeline ${others.join(' or ')}.`);
+}
+
+/** On the first backend that works, or without one where the pipeline needs none. Undefined, and said in `missing`: none works. */
+async function openOnBackend(
+  pipeline: Pipeline,
+  scenes: PictureScenes,
+  flags: RenderFlags,
+  missing: string[],
+): Promise<PipelineSession | undefined> {
+  const { size, backend } = flags;
+  const request = {
+    scenes,
+    size,
+    speedOfLight: speedOfLight(scenes[0], flags.c),
+    options: optionsOf(pipeline, flags) satisfies OptionValues,
+  };
+  if (pipeline.backends.length === 0) return openSession(pipeline, request, nodeHost);
+  for (const each of pipeline.backends.filter((own) => backend === 'auto' || own === backend)) {
+    try {
+      return await OPENERS[each](pipeline, request);
+    } catch (error) {
+      if (!isUnavailable(error)) throw error;
+      missing.push(`${each}: ${error.message}`);
+    }
+  }
+  return undefined;
+}
+
+/** What another backend may have. */
+const isUnavailable = (error: unknown): error is Error =>
+  error instanceof PictureTooLargeError || (error instanceof CliError && error.exitCode === EXIT.unavailable);
+
+const OPENERS: Record<Backend, (pipeline: Pipeline, request: UncheckedRequest) => Promise<PipelineSession>> = {
+  webgpu: (pipeline, request) => openSession(pipeline, request, nodeHost),
+  // Loaded when it is needed: it brings a large library.
+  webgl: async (pipeline, request) => (await import('./inChromium.ts')).openInChromium(pipeline, request),
+};
+
+/** Ends at once when the program is stopped, where it can. */
+function stoppable(session: PipelineSession): PipelineSession {
+  if (!session.stop) return session;
+  const forget = killWhenStopped({ kill: () => session.stop?.(new CliError(EXIT.cancelled, 'stopped')) });
+  return {
+    ...session,
+    close: () => {
+      forget();
+      return session.close();
+    },
+  };
+}

@@ -1,0 +1,72 @@
+import type { AovName, RenderSettings, ViewPoint } from '../scene/view/view.ts';
+import type { GpuAccess } from './host.ts';
+import type { InteractiveRenderer } from './interactiveRenderer.ts';
+import { assertPictureSize } from './maxSize.ts';
+import type { PictureRenderer, PictureRequest, RenderedPicture } from './pictureRenderer.ts';
+import type { Pipeline, PipelineSession, UncheckedRequest } from './pipeline.ts';
+
+/** Draws single pictures with what draws frames. */
+export async function openOnGpu(
+  pipeline: Required<Pick<Pipeline, 'id' | 'openInteractive'>>,
+  { scenes: [scene, ...others], size }: Pick<UncheckedRequest, 'scenes' | 'size'>,
+  gpu: GpuAccess,
+): Promise<PipelineSession> {
+  const renderer = await pipeline.openInteractive(gpu.options);
+  try {
+    assertPictureSize(size, renderer.info.maxTextureSize);
+  } catch (error) {
+    renderer.dispose();
+    gpu.release();
+    throw error;
+  }
+  renderer.setSize(size.width, size.height);
+  await renderer.setScene(scene, others);
+  return {
+    info: { pipeline: pipeline.id, backend: renderer.info.backend, adapter: gpu.adapterName },
+    ...picturesOf(renderer, gpu),
+    close: async () => {
+      renderer.dispose();
+      gpu.release();
+    },
+  };
+}
+
+/** What goes on between the steps of a picture. */
+type FramePacing = Pick<GpuAccess, 'nextFrame' | 'isShared' | 'guard' | 'assertHealthy'>;
+
+/** Pictures of the scene that a renderer has, of its size. */
+export function picturesOf(renderer: InteractiveRenderer, pacing: FramePacing): Required<PictureRenderer> {
+  return {
+    render: async ({ view, settings, samples, pixels: wanted, aovs }: PictureRequest): Promise<RenderedPicture> => {
+      await drawFrame(renderer, pacing, view, settings, samples);
+      const pixels = wanted ? await pacing.guard(renderer.readPixels()) : new Uint8Array();
+      const data = new Map<AovName, Float32Array>();
+      for (const name of aovs) data.set(name, await pacing.guard(renderer.readAov(name)));
+      pacing.assertHealthy();
+      return { pixels, aovs: data };
+    },
+    measureLight: async (view, settings) => {
+      await drawFrame(renderer, pacing, view, settings, 1);
+      const readings = await pacing.guard(renderer.measureLight());
+      pacing.assertHealthy();
+      return readings;
+    },
+  };
+}
+
+async function drawFrame(
+  renderer: InteractiveRenderer,
+  { nextFrame, isShared, guard }: FramePacing,
+  view: ViewPoint,
+  settings: RenderSettings,
+  samples: number,
+): Promise<void> {
+  await nextFrame();
+  const compiling = () => (isShared ? renderer.precompile?.(view, settings, samples) : undefined);
+  for (let busy = compiling(); busy; busy = compiling()) await guard(busy);
+  renderer.render(view, settings, samples);
+  while (renderer.info.waiting) {
+    await guard(nextFrame());
+    renderer.render(view, settings, samples);
+  }
+}

@@ -1,0 +1,30 @@
+import { MAX_SAMPLES } from '../reference/lights/lightOptions.ts';
+import { AOVS, type AovName } from '../scene/view/view.ts';
+import { definePipeline } from './pipeline.ts';
+import { REFERENCE, REFERENCE_OPTIONS } from './referenceOptions.ts';
+
+/** Rays through spacetime in f64 on the processor. Its code is loaded when it is opened. */
+export const referencePipeline = definePipeline({
+  ...REFERENCE,
+  summary: 'traces light in 64-bit arithmetic on the processor, and needs no GPU',
+  backends: [],
+  usesThreads: true,
+  fallback: 'slower, and exact',
+  constraint: 'needs no GPU and is always exact',
+  fixedSettings: { solver: 'exact' },
+  options: REFERENCE_OPTIONS,
+  aovs: Object.keys(AOVS) as AovName[],
+  samples: { default: 4 },
+  isProgressive: false,
+  maxViews: 1,
+  still: {
+    node: 'reference-render',
+    title: 'node.referenceRender',
+    help: 'node.referenceRender.help',
+    maxPixels: 2 ** 22,
+    maxPaths: 2 ** 26,
+    maxSamples: MAX_SAMPLES,
+  },
+  open: async (request, host) => (await import('./referenceSession.ts')).openReferenceSession(request, host),
+  serveThread: async (port) => (await import('../reference/tracerServer.ts')).serveTracer(port),
+});

@@ -1,0 +1,48 @@
+import { describe, expect, it } from 'vitest';
+import { optionsByEffect, withDefaults } from './options.ts';
+import { AUTOMATIC_PIPELINES, interactivePipeline, PIPELINES, pipelineNamed } from './registry.ts';
+
+describe('the list of pipelines', () => {
+  it('has each once, and each can draw', () => {
+    expect(new Set(PIPELINES.map(({ id }) => id)).size).toBe(PIPELINES.length);
+    for (const { id, open, openInteractive } of PIPELINES) {
+      expect(open ?? openInteractive, id).toBeDefined();
+      expect(pipelineNamed(id).id).toBe(id);
+    }
+    expect(() => pipelineNamed('none')).toThrow('none');
+  });
+
+  it('has one for the page, which needs a GPU, and another that stands in where there is none', () => {
+    expect(interactivePipeline().backends).not.toEqual([]);
+    expect(AUTOMATIC_PIPELINES[0]).toBe(PIPELINES[0]);
+    expect(AUTOMATIC_PIPELINES.some(({ backends }) => backends.length === 0)).toBe(true);
+  });
+
+  it('has a default within the range of each option that has one, and code for the threads of those that use them', () => {
+    for (const { id, options, usesThreads, serveThread } of PIPELINES) {
+      for (const [name, option] of Object.entries(options)) {
+        if (option.kind !== 'integer' || option.default === undefined) continue;
+        expect(option.default, name).toBeGreaterThanOrEqual(option.min);
+        expect(option.default, name).toBeLessThanOrEqual(option.max);
+      }
+      expect(serveThread !== undefined, id).toBe(usesThreads);
+    }
+  });
+});
+
+describe('options', () => {
+  const options = {
+    threads: { kind: 'integer', min: 1, max: 8, help: '', changesPicture: false },
+    bounces: { kind: 'integer', min: 0, max: 8, default: 2, help: '', changesPicture: true },
+    mirrors: { kind: 'boolean', default: true, help: '', changesPicture: true },
+  } as const;
+
+  it('have their defaults where nothing is given, also where it is given as undefined', () => {
+    expect(withDefaults(options, { bounces: undefined })).toEqual({ threads: undefined, bounces: 2, mirrors: true });
+    expect(withDefaults(options, { threads: 3, mirrors: false })).toEqual({ threads: 3, bounces: 2, mirrors: false });
+  });
+
+  it('that change the picture come first', () => {
+    expect(optionsByEffect(options).map(([name]) => name)).toEqual(['bounces', 'mirrors', 'threads']);
+  });
+});

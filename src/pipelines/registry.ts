@@ -1,0 +1,41 @@
+import type { PipelineHost } from './host.ts';
+import { openOnGpu } from './interactiveSession.ts';
+import { withDefaults } from './options.ts';
+import type { Pipeline, PipelineSession, UncheckedRequest } from './pipeline.ts';
+import { rasterPipeline } from './raster.ts';
+import { referencePipeline } from './reference.ts';
+
+/** Every pipeline, in the order in which they are tried and listed: a new one is added here and nowhere else. */
+export const PIPELINES: readonly [Pipeline, ...Pipeline[]] = [rasterPipeline, referencePipeline];
+
+export function pipelineNamed(id: string): Pipeline {
+  const found = PIPELINES.find((pipeline) => pipeline.id === id);
+  if (!found) throw new Error(`there is no pipeline ${id}`);
+  return found;
+}
+
+/** Those that can draw where nobody names one: the first, and those that stand in for it. */
+export const AUTOMATIC_PIPELINES: readonly Pipeline[] = PIPELINES.filter(
+  (pipeline, i) => i === 0 || pipeline.fallback !== undefined,
+);
+
+type InteractivePipeline = Pipeline & Required<Pick<Pipeline, 'openInteractive'>>;
+const isInteractive = (pipeline: Pipeline): pipeline is InteractivePipeline => pipeline.openInteractive !== undefined;
+
+/** The first that draws frame by frame: the page's. */
+export function interactivePipeline(): InteractivePipeline {
+  const found = PIPELINES.find(isInteractive);
+  if (!found) throw new Error('no pipeline draws frame by frame');
+  return found;
+}
+
+/** Opens a pipeline to draw pictures; options that are absent have their defaults. */
+export async function openSession(
+  pipeline: Pipeline,
+  { options, ...request }: UncheckedRequest,
+  host: PipelineHost,
+): Promise<PipelineSession> {
+  if (pipeline.open) return pipeline.open({ ...request, options: withDefaults(pipeline.options, options) }, host);
+  if (!isInteractive(pipeline)) throw new Error(`pipeline ${pipeline.id} draws neither pictures nor frames`);
+  return openOnGpu(pipeline, request, await host.openGpu());
+}

@@ -1,0 +1,122 @@
+import { rotate } from '../../math/quat.ts';
+import { add, lerp, type Vec3, ZERO } from '../../math/vec3.ts';
+import { type BoundingSphere, boundingSphere, sampleBoundingSphere } from '../../scene/bounds/bounds.ts';
+import { pointAt } from '../../scene/mesh/polygons.ts';
+import { deformedPoints } from '../../scene/motion/deformedPoints.ts';
+import type { ObjectWith } from '../../scene/motion/kinds/motionKind.ts';
+import { applyPose, pieceAt, samplePose } from '../../scene/motion/poses.ts';
+import { normalsAt } from '../../scene/streaming/samplePoints.ts';
+import type { Motion, Pose, SampledMotion, SceneObject } from '../../scene/types.ts';
+import type { ObjectIntersector } from '../acceleration/rayQuery.ts';
+import type { TriangleBvh } from '../acceleration/triangleBvh.ts';
+import { HyperbolicIntersector } from './hyperbolic.ts';
+import { PointShapes } from './pointShapes.ts';
+import { PoseShapes } from './poseShapes.ts';
+import { RigidIntersector } from './rigid.ts';
+import { SampledIntersector } from './sampled.ts';
+import { SampledShapes, type ShapeCache } from './sampledShapes.ts';
+
+/** What an intersector is made from besides its object. */
+export interface TracerInputs {
+  /** Place of the object in the scene. */
+  readonly index: number;
+  /** [m/s] */
+  readonly c: number;
+  /** The tree of a mesh that keeps its shape. */
+  readonly tree: () => TriangleBvh;
+  readonly store: ShapeCache;
+}
+
+/** What the reference renderer knows of a kind of motion (docs/adr/0022-motion-kinds.md). */
+interface MotionTracer<M extends Motion> {
+  /** One tree of its mesh is good for all times and objects. */
+  readonly keepsShape: boolean;
+  createIntersector(object: ObjectWith<M>, inputs: TracerInputs): ObjectIntersector;
+  /** Whether shape and normals are those of the world's slice, in which it moves. */
+  isAuthoredMoving(object: ObjectWith<M>): boolean;
+  /** Vertex → place on the world's slice t (or, of what is authored at rest, in its rest frame), from an origin that they share. */
+  vertexPlaces(object: ObjectWith<M>, t: number, c: number): (vertex: number) => Vec3;
+  /** Vertex → normal as the object has it at world time t, on the world's axes, not unit. */
+  vertexNormals(object: ObjectWith<M>, t: number): (vertex: number) => Vec3;
+  /** Where an object is at time 0, or at its first sample; that round which it deforms is as large as it ever is. */
+  startSphere(object: ObjectWith<M>): BoundingSphere;
+}
+
+const sphereAt = (pose: Pose, { mesh }: SceneObject): BoundingSphere => {
+  const { center, radius } = boundingSphere(mesh.positions);
+  return { center: applyPose(pose, center), radius };
+};
+
+type WithPose = SceneObject & { readonly motion: { readonly pose: Pose } };
+
+/** Of a kind that has one orientation. */
+const POSED = {
+  keepsShape: true,
+  vertexPlaces:
+    ({ mesh, motion }: WithPose) =>
+    (i: number): Vec3 =>
+      rotate(motion.pose.orientation, pointAt(mesh.positions, i)),
+  vertexNormals:
+    ({ mesh, motion }: WithPose) =>
+    (i: number): Vec3 =>
+      rotate(motion.pose.orientation, pointAt(mesh.normals, i)),
+  startSphere: (object: WithPose): BoundingSphere => sphereAt(object.motion.pose, object),
+};
+
+const isAuthoredInWorld = ({ authoredIn }: SceneObject): boolean => authoredIn === 'world';
+
+/** Vectors of the mesh turned as at t: straight between samples, as vertices go. */
+function turned({ times, poses }: SampledMotion, vectors: Float32Array, t: number): (vertex: number) => Vec3 {
+  const { before, after, s } = pieceAt(times, t);
+  const [a, b] = [samplePose(poses, before).orientation, samplePose(poses, after).orientation];
+  return (i) => lerp(rotate(a, pointAt(vectors, i)), rotate(b, pointAt(vectors, i)), s);
+}
+
+const MOTION_TRACERS: { readonly [K in Motion['kind']]: MotionTracer<Extract<Motion, { readonly kind: K }>> } = {
+  static: {
+    ...POSED,
+    createIntersector: (object, { index, tree, c }) =>
+      new RigidIntersector(index, object, { pose: object.motion.pose, velocity: ZERO }, tree(), c),
+    isAuthoredMoving: () => false,
+  },
+  uniform: {
+    ...POSED,
+    createIntersector: (object, { index, tree, c }) => new RigidIntersector(index, object, object.motion, tree(), c),
+    isAuthoredMoving: isAuthoredInWorld,
+  },
+  hyperbolic: {
+    ...POSED,
+    createIntersector: (object, { index, tree, c }) => new HyperbolicIntersector(index, object, tree(), c),
+    isAuthoredMoving: isAuthoredInWorld,
+  },
+  sampled: {
+    keepsShape: false,
+    createIntersector: (object, { index, c, store }) =>
+      new SampledIntersector(index, object, c, new SampledShapes(object.mesh, new PoseShapes(object), store)),
+    isAuthoredMoving: () => true,
+    vertexPlaces: ({ mesh, motion }, t) => turned(motion, mesh.positions, t),
+    vertexNormals: ({ mesh, motion }, t) => turned(motion, mesh.normals, t),
+    startSphere: (object) => sphereAt(samplePose(object.motion.poses, 0), object),
+  },
+  'sampled-points': {
+    keepsShape: false,
+    createIntersector: (object, { index, c, store }) =>
+      new SampledIntersector(index, object, c, new SampledShapes(object.mesh, new PointShapes(object, c), store)),
+    isAuthoredMoving: () => true,
+    vertexPlaces: ({ motion }, t, c) => deformedPoints(motion, t, c),
+    vertexNormals: ({ mesh, motion }, t) => {
+      const { before, after, s } = pieceAt(motion.times, t);
+      const [a, b] = [normalsAt(motion, before), normalsAt(motion, after)];
+      if (!a || !b) return (i) => pointAt(mesh.normals, i);
+      return (i) => lerp(pointAt(a, i), pointAt(b, i), s);
+    },
+    startSphere: ({ motion }) => {
+      const spheres = Array.from(motion.times, (_, k) => sampleBoundingSphere(motion, k));
+      const radius = Math.max(...spheres.map((sphere) => sphere.radius));
+      return { center: add(motion.origin, spheres[0].center), radius };
+    },
+  },
+};
+
+/** What the reference renderer knows of a motion's kind. */
+export const motionTracer = (motion: Motion): MotionTracer<Motion> => MOTION_TRACERS[motion.kind];

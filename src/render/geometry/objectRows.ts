@@ -1,0 +1,136 @@
+import { length, normalize, scale, type Vec3 } from '../../math/vec3.ts';
+import { oneMinusBetaSquared } from '../../physics/lorentz/boost.ts';
+import { asPolyline, type PolylineLine, samplePosition, type WorldLine } from '../../physics/worldLines/worldLine.ts';
+import { bendFactor, isCubic } from '../../scene/motion/cubicPoints.ts';
+import { samplePose } from '../../scene/motion/poses.ts';
+import type { Motion } from '../../scene/types.ts';
+import type { FloatTable } from '../gpu/floatTable.ts';
+import { type Body, hyperbolicLineOfCenter } from './bodies.ts';
+import {
+  type Observation,
+  type RelativeEvent,
+  rapidityFactor,
+  relativeTo,
+  sampleWindow,
+  trailingPoint,
+  type WorldTubeSection,
+} from './observation.ts';
+import type { PointStore } from './pointSamples/pointStore.ts';
+
+/** Longest table that a vertex searches. */
+const MAX_SAMPLES = 4096;
+
+export interface ObjectTables {
+  readonly objects: FloatTable;
+  readonly samples: FloatTable;
+  readonly points: ReadonlyMap<number, PointStore>;
+}
+
+/** An object at the event of its centre, and what of its table is to be filled. */
+export interface ObjectRow {
+  readonly body: Body;
+  readonly line: WorldLine;
+  readonly span: WorldTubeSection;
+  readonly anchor: RelativeEvent;
+  readonly observation: Observation;
+  /** Of its first number in the object table. */
+  readonly at: number;
+}
+
+/** What was written: samples in all, and whether all that are needed are on the GPU. */
+interface Written {
+  readonly used: number;
+  readonly complete: boolean;
+}
+
+/** What the tables of objects and samples (ObjectTableWriter) hold of a kind of motion. */
+interface ObjectRows<M extends Motion> {
+  /** The point of the ball around the centre, from the centre, that comes out first from behind a horizon. */
+  trailingPoint(motion: M, radius: number): Vec3 | undefined;
+  /** `used`: samples that are in their table already. */
+  write(motion: M, row: ObjectRow, tables: ObjectTables, used: number): Written;
+}
+
+const noTrailingPoint = (): undefined => undefined;
+
+const isRestAuthored = ({ object }: Body): number => (object.authoredIn === 'rest' ? 1 : 0);
+
+/** The samples that are needed, [first, first + count), and their times after the anchor [m of light]. */
+function windowOf(line: PolylineLine, { span, observation, anchor }: ObjectRow, max: number) {
+  const [first, count] = sampleWindow(line, span, observation, max);
+  const after = (k: number) => observation.c * (line.times[k] - observation.t) - anchor.ahead;
+  return { first, count, after };
+}
+
+const OBJECT_ROWS: { readonly [K in Motion['kind']]: ObjectRows<Extract<Motion, { readonly kind: K }>> } = {
+  static: {
+    trailingPoint: noTrailingPoint,
+    write: (_motion, _row, _tables, used) => ({ used, complete: true }),
+  },
+  uniform: {
+    trailingPoint: noTrailingPoint,
+    write: (motion, { body, observation, at }, { objects }, used) => {
+      const v = scale(motion.velocity, 1 / observation.c);
+      objects.values.set([...v, oneMinusBetaSquared(v)], at + 4);
+      objects.values.set([isRestAuthored(body), 0, 0, 0], at + 12);
+      return { used, complete: true };
+    },
+  },
+  hyperbolic: {
+    trailingPoint: ({ properAcceleration }, radius) => trailingPoint(properAcceleration, radius),
+    write: (motion, { body, span, anchor, observation, at }, { objects }, used) => {
+      const { c } = observation;
+      const shift = span.anchor ? 0 : -body.radius;
+      const line = hyperbolicLineOfCenter(body, motion, c);
+      const reference = span.anchor
+        ? line
+        : hyperbolicLineOfCenter(body, motion, c, trailingPoint(line.properAcceleration, body.radius));
+      const a = reference.properAcceleration;
+      objects.values.set([...normalize(a, [1, 0, 0]), length(a) / (c * c)], at + 4);
+      const factor = rapidityFactor(a, line.t0, anchor.ahead, observation);
+      objects.values.set([factor, isRestAuthored(body), shift, 0], at + 12);
+      return { used, complete: true };
+    },
+  },
+  sampled: {
+    trailingPoint: noTrailingPoint,
+    write: ({ poses }, row, { objects, samples }, used) => {
+      const line = asPolyline(row.line);
+      if (!line) return { used, complete: true };
+      const { first, count, after } = windowOf(line, row, MAX_SAMPLES);
+      objects.values.set([used, count], row.at + 12);
+      samples.reserve(used + 2 * count);
+      let next = used;
+      for (let k = first; k < first + count; k++) {
+        const place = relativeTo(samplePosition(line, k), row.observation, row.anchor);
+        samples.values.set([...place, after(k)], 4 * next++);
+        samples.values.set(samplePose(poses, k).orientation, 4 * next++);
+      }
+      return { used: next, complete: true };
+    },
+  },
+  'sampled-points': {
+    trailingPoint: noTrailingPoint,
+    write: (motion, row, { objects, samples, points }, used) => {
+      const { body, observation, anchor, at } = row;
+      const line = asPolyline(row.line);
+      const store = points.get(body.id);
+      if (!line || !store) return { used, complete: true };
+      const { first, count, after } = windowOf(line, row, Math.min(MAX_SAMPLES, store.capacity));
+      objects.values.set([used, count], at + 12);
+      const complete = store.ensureResident(first, count);
+      samples.reserve(used + count);
+      objects.values.set([...relativeTo(motion.origin, observation, anchor), store.stride], at + 4);
+      const bend = isCubic(motion)
+        ? (k: number) => (k + 1 < line.times.length ? bendFactor(motion, k, observation.c) : 0)
+        : () => 0;
+      objects.values[at + 14] = 1 / observation.c;
+      let next = used;
+      for (let k = first; k < first + count; k++) samples.values.set([store.slot(k), bend(k), 0, after(k)], 4 * next++);
+      return { used: next, complete };
+    },
+  },
+};
+
+/** What the tables hold of a motion's kind. */
+export const objectRows = (motion: Motion): ObjectRows<Motion> => OBJECT_ROWS[motion.kind];
