@@ -3,7 +3,7 @@ import { contentBytes, contentHead, type FileContent } from '../../files/rangedF
 import { IDENT_BYTES, isCrate } from '../crate/structure/bootstrap.ts';
 import { isZip, openPackage, type UsdzPackage } from './usdz.ts';
 
-/** A package in a package in a package is opened, no deeper. */
+/** Maximum nesting of packages. */
 const MAX_NESTING = 4;
 
 /**
@@ -14,7 +14,7 @@ export class AssetFiles {
   private readonly source: FileSource;
   private readonly leastRanged: number;
   private readonly packages = new Map<string, UsdzPackage>();
-  /** Folder of the root layer: where paths that do not begin with `./` are looked for last. */
+  /** Folder of the root layer, searched last for paths that do not begin with `./`. */
   private searchFolder = '';
 
   /** Crates and packages of more than `leastRanged` bytes are read in parts, where the source can do that. */
@@ -78,13 +78,13 @@ export class AssetFiles {
     return [...new Set(found)].map((id) => id + ends);
   }
 
-  /** The first of the candidates that is there, with its bytes. */
+  /** The first existing candidate, with its bytes. */
   async findBytes(anchor: string, asset: string): Promise<{ id: string; bytes: Uint8Array } | undefined> {
     const found = await this.find(anchor, asset);
     return found && { id: found.id, bytes: contentBytes(found.content) };
   }
 
-  /** The first of the candidates that is there, with what it holds. */
+  /** The first existing candidate, with its contents. */
   async find(anchor: string, asset: string): Promise<{ id: string; content: FileContent } | undefined> {
     for (const id of this.candidates(anchor, asset)) {
       const content = await this.content(id);

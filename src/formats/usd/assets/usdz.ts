@@ -3,7 +3,7 @@ import { type FileContent, FileWindow } from '../../files/rangedFile.ts';
 import { dataStart, directoryPlace, entriesIn, LOCAL_SIZE, TAIL, type ZipEntry } from '../../zip/directory.ts';
 
 export interface UsdzPackage {
-  /** The layer that is the package's stage: its first file that is one. */
+  /** The root layer of the package: its first layer file. */
   readonly layer: string;
   readonly files: ReadonlyMap<string, FileContent>;
 }

@@ -9,7 +9,7 @@ export function attributeOf(prim: PrimSpec, name: string): AttributeSpec | undef
   return property?.kind === 'attribute' ? property : undefined;
 }
 
-/** Codes at which an attribute has samples; empty where it does not change. */
+/** Time codes of an attribute's samples; empty if constant. */
 export const sampleTimes = (attribute: AttributeSpec | undefined): Float64Array =>
   attribute?.timeSamples && attribute.timeSamples.times.length > 1 ? attribute.timeSamples.times : NO_TIMES;
 const NO_TIMES = new Float64Array(0);
@@ -45,7 +45,7 @@ export function lowerSample(times: Float64Array, time: number): number {
   return low;
 }
 
-/** Types of values that are blended between samples; others are held. */
+/** Linearly interpolated types; others are held. */
 export const LINEAR_TYPES = /^(half|float|double|timecode|matrix|quat)/;
 
 function interpolate(a: Value, b: Value, s: number): Value {

@@ -1,7 +1,4 @@
-/**
- * The layer model: all that one USD file says, before composition and before any meaning is given to it. The text
- * reader fills it; a reader of crate files fills the same.
- */
+/** The layer model: the contents of one USD file before composition and schemas. Filled by the text and the crate reader. */
 export interface Layer {
   /** The file, for messages. */
   readonly name: string;
@@ -12,10 +9,10 @@ export interface Layer {
   rootOrder?: readonly string[];
 }
 
-/** Of most things a prim has none: they share one map, since a scene of a million prims would have four million of its own. */
+/** Shared by all prims without entries: a scene of a million prims would have four million empty maps. */
 export const EMPTY_MAP: ReadonlyMap<string, never> = new Map<string, never>();
 
-/** `map` with an entry more: itself, or a new one where it is NOTHING. */
+/** Adds an entry to `map`, or to a new map if it is the shared empty one. */
 export function withEntry<T>(map: ReadonlyMap<string, T>, key: string, value: T): ReadonlyMap<string, T> {
   const own = map === EMPTY_MAP ? new Map<string, T>() : (map as Map<string, T>);
   return own.set(key, value);
@@ -33,9 +30,9 @@ export interface PrimSpec {
   metadata: ReadonlyMap<string, MetadataValue>;
   properties: ReadonlyMap<string, PropertySpec>;
   children: ReadonlyMap<string, PrimSpec>;
-  /** Variant set → variant → what that variant adds. A set without variants is not among them. */
+  /** Variant set → variant → its opinions. Sets without variants are absent. */
   variantSets: ReadonlyMap<string, ReadonlyMap<string, PrimSpec>>;
-  /** Of a composed prim: prims that have the same are alike but for where they are (compose/content.ts). */
+  /** Content key of a composed prim: prims with equal keys differ only in placement (compose/prim/contentKey.ts). */
   content?: string;
   childOrder?: readonly string[];
   propertyOrder?: readonly string[];
@@ -50,7 +47,7 @@ export interface AttributeSpec {
   readonly typeName: string;
   custom: boolean;
   uniform: boolean;
-  /** Absent: no default is written. `blocked`: `None` is written, which hides weaker opinions. */
+  /** Absent: no default. `blocked`: `None`, which blocks weaker opinions. */
   value?: Value;
   timeSamples?: TimeSamples;
   connections?: ListOp<string>;
@@ -68,13 +65,13 @@ export interface RelationshipSpec {
   metadata: ReadonlyMap<string, MetadataValue>;
 }
 
-/** Samples at rising time codes; a `blocked` sample is kept apart from none. */
+/** Samples at rising time codes; a sample can be `blocked`. */
 export interface TimeSamples {
   readonly times: Float64Array;
   readonly values: readonly Value[];
 }
 
-/** An animation curve: what holds at its knots, between them, before the first and after the last (OpenUSD, Ts). */
+/** An animation curve: knots, interpolation and extrapolation (OpenUSD, Ts). */
 export interface Spline {
   readonly curve: 'bezier' | 'hermite';
   readonly before: Extrapolation;
@@ -88,7 +85,7 @@ export type Extrapolation =
   | { readonly kind: 'none' | 'held' | 'linear' | 'repeat' | 'reset' | 'oscillate' }
   | { readonly kind: 'sloped'; readonly slope: number };
 
-/** The stretch from `start` to `end` is repeated whole: `before` it and `after` it, each time `offset` higher. */
+/** The interval from `start` to `end` is repeated `before` and `after` it, each time `offset` higher. */
 export interface SplineLoop {
   readonly start: number;
   readonly end: number;
@@ -100,9 +97,9 @@ export interface SplineLoop {
 export interface SplineKnot {
   readonly time: number;
   readonly value: number;
-  /** What is approached from before the knot, where the curve jumps there. */
+  /** Left limit at the knot, where the curve jumps. */
   readonly preValue?: number;
-  /** Up to the next knot. `none` is a gap: the attribute has no value there. */
+  /** Of the segment to the next knot. `none`: the attribute has no value there. */
   readonly interpolation: 'none' | 'held' | 'linear' | 'curve';
   readonly pre: Tangent;
   readonly post: Tangent;

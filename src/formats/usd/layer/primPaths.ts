@@ -8,22 +8,22 @@ export const parentOf = (path: string): string => path.slice(0, path.lastIndexOf
 
 export const nameOf = (path: string): string => path.slice(path.lastIndexOf('/') + 1);
 
-/** Whether `path` is `prefix`, or something under it: a child, a property, a variant. */
+/** Whether `path` is `prefix` or below it: a child, property or variant. */
 export function hasPrefix(path: string, prefix: string): boolean {
   if (!path.startsWith(prefix)) return false;
   return path.length === prefix.length || '/.{'.includes(path[prefix.length]);
 }
 
-/** Whether something is so of a path or of one around it, the closest first. */
+/** Whether a predicate holds for a path or an ancestor, nearest first. */
 export function someAncestor(path: string, ask: (around: string) => boolean): boolean {
   for (let at = path; at !== ''; at = parentOf(at)) if (ask(at)) return true;
   return false;
 }
 
-/** Where a path is in the namespace of the stage, which knows no variants. */
+/** The path without variant selections, as on the stage. */
 export const stripVariants = (path: string): string => (path.includes('{') ? path.replaceAll(/\{[^}]*\}/g, '') : path);
 
-/** The path so many levels around another. */
+/** The ancestor path `levels` up. */
 export function ancestorPath(path: string, levels: number): string {
   let end = path.length;
   for (let i = levels; i > 0 && end > 0; i--) end = path.lastIndexOf('/', end - 1);
@@ -40,7 +40,7 @@ export function depthOf(path: string): number {
 /** `/A/B`, without a property, a variant or `..`. */
 export const isPrimPath = (path: string): boolean => /^(\/[^/.{}[\]]+)+$/.test(path);
 
-/** What a variant set or a variant can be called, so that a path can hold it (SdfSchema, variant identifiers). */
+/** Valid names of variant sets and variants (SdfSchema, variant identifiers). */
 export const isVariantName = (name: string): boolean => /^[\p{L}\p{N}_|.-]+$/u.test(name);
 
 export const variantPath = (path: string, set: string, variant: string): string => `${path}{${set}=${variant}}`;
@@ -51,7 +51,7 @@ export function selectionOf(path: string): readonly [set: string, variant: strin
   return set === undefined ? undefined : [set, variant];
 }
 
-/** What a layer says at a path. */
+/** The spec at a path. */
 export function specAt(root: PrimSpec, path: string): PrimSpec | undefined {
   let spec: PrimSpec | undefined = root;
   for (const part of path.split('/').slice(1)) {

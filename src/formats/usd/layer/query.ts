@@ -36,7 +36,7 @@ export function primsAlong(layer: Layer, path: string): PrimSpec[] {
 export const ancestorsOf = (layer: Layer, path: string): PrimSpec[] =>
   primsAlong(layer, path.slice(0, path.lastIndexOf('/')));
 
-/** Targets of a relationship, or sources of a connection, once its list op is applied to nothing. */
+/** Targets of a relationship, or sources of a connection: its list op applied to an empty list. */
 export function targetsOf(prim: PrimSpec, name: string): readonly string[] {
   const property = prim.properties.get(name);
   const op = property?.kind === 'relationship' ? property.targets : property?.connections;

@@ -2,7 +2,7 @@ import { readStoredNumbers, type StoredNumbers, type StoredSample } from '../../
 import { lowerSample, numbersOf } from './attributes.ts';
 import type { AttributeSpec, NumberArray, TupleType, Value } from './layer.ts';
 
-/** An array that was left in its file. It can be used as any other value; each look at `data` reads it. */
+/** An array left on disk, usable as any other value; each access to `data` reads it. */
 export class StoredArray {
   readonly type: `${TupleType}[]`;
   readonly numbers: StoredNumbers;
@@ -17,11 +17,11 @@ export class StoredArray {
   }
 }
 
-/** How many numbers a value has, without reading them. */
+/** Length of a value in numbers, without reading it. */
 export const countOf = (value: Value): number | undefined =>
   value instanceof StoredArray ? value.numbers.count : numbersOf(value)?.length;
 
-/** Where an attribute's values at times are stored, if all of them are: what `valueAtPosition` reads, without reading it. */
+/** The stored arrays behind an attribute's values at the given times, if all are stored; nothing is read. */
 export function storedSamples(attribute: AttributeSpec | undefined): ((time: number) => StoredSample) | undefined {
   const { times, values } = attribute?.timeSamples ?? { times: new Float64Array(0), values: [] };
   const stored = values.filter((value) => value instanceof StoredArray);

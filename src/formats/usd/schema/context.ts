@@ -6,7 +6,7 @@ import type { Layer, PrimSpec } from '../layer/layer.ts';
 import { metadataText } from '../layer/query.ts';
 import type { SampleBudget } from './sampleBudget.ts';
 
-/** One stage while it is read: what its parts need to know, and what they have to say about the file. */
+/** Context of reading one stage: inputs, budgets, diagnostics. */
 export interface StageContext {
   /** The composed stage. */
   readonly layer: Layer;
@@ -15,32 +15,32 @@ export interface StageContext {
   /** Metres in one unit of the file. */
   readonly unit: number;
   readonly codesPerSecond: number;
-  /** The time code at which what cannot change with time is read. */
+  /** Time code at which static values are read. */
   readonly startCode: number;
-  /** Greatest distance between a resampled path and the true one, as a fraction of the object's greatest size. */
+  /** Maximum error of resampled paths, relative to the object's largest extent. */
   readonly chordTolerance: number;
-  /** Along cubics between samples. */
+  /** Cubic interpolation between samples. */
   readonly cubic: boolean;
-  /** The same of what bends, which has every vertex at every sample. */
+  /** The same for deforming meshes, which store every vertex per sample. */
   readonly bendTolerance: number;
   readonly diagnostics: DiagnosticList;
-  /** Memory that is left for the points of deforming meshes. */
+  /** Remaining memory for the points of deforming meshes. */
   readonly pointBudget: { bytes: number };
-  /** Times that are left at which things can be placed. */
+  /** Remaining transform samples. */
   readonly sampleBudget: SampleBudget;
-  /** How much of it is taken before meshes whose samples can stay in their file are left there. */
+  /** Memory used before meshes are streamed from disk. */
   readonly sampleMemory: { bytes: number };
-  /** Told the part of a mesh's samples that is read. */
+  /** Called with the fraction of a mesh's samples read. */
   readonly progress: (part: number) => void;
-  /** Work that is left for the paths between samples. */
+  /** Remaining work for adaptive sampling. */
   readonly motionBudget: SamplingBudget;
-  /** Levels that are wanted, and of each mesh those that there are faces for, once they are known. */
+  /** Requested subdivision levels, and per mesh those within the face budget, once known. */
   readonly subdivision: { readonly wanted?: number; levels?: SubdivisionLevels };
-  /** Paths of the subdivision surfaces that are drawn as their polygons because no levels are wanted. */
+  /** Paths of subdivision surfaces loaded as polygons because no levels are requested. */
   readonly subdivided: string[];
 }
 
-/** Whether an attribute says `true` at the stage's start. */
+/** Whether an attribute is `true` at the stage's start. */
 export const isTrue = (context: StageContext, prim: PrimSpec, name: string): boolean =>
   boolAt(prim, name, context.startCode) === true;
 
@@ -48,5 +48,5 @@ export const isTrue = (context: StageContext, prim: PrimSpec, name: string): boo
 export const upAxisOf = (context: Pick<StageContext, 'layer'>): 'Y' | 'Z' =>
   metadataText(context.layer.metadata, 'upAxis') === 'Z' ? 'Z' : 'Y';
 
-/** How often each mesh of a stage is subdivided, and would be alone. */
+/** Subdivision levels per mesh path, and those without the budget. */
 export type SubdivisionLevels = ReadonlyMap<string, { readonly levels: number; readonly wanted: number }>;

@@ -10,7 +10,7 @@ const COMMON_COST = 32;
 /** Times that are looked at closely in any scene. */
 const FREE_PROBES = 2 ** 15;
 
-/** Prims that are in no place of their own. */
+/** Prim types without a transform. */
 const UNPLACED_TYPES: ReadonlySet<string> = new Set([
   '',
   'Xform',

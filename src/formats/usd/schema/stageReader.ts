@@ -45,16 +45,16 @@ import {
 import { MAX_OPS, transformOf } from './transforms/xformOps.ts';
 import { reportUnreadValues, unreadType } from './unreadSchemas.ts';
 
-/** What a prim hands down to its children. */
+/** State inherited by child prims. */
 interface Inherited {
   readonly transform: StageTransform;
   readonly material: MaterialBinding | undefined;
   readonly slowlight: SlowlightAttributes;
-  /** A skeleton may bend it. */
+  /** May be skinned. */
   readonly maybeSkinned: boolean;
-  /** Of the nearest prim above that says what it is for. */
+  /** Inherited `purpose`. */
   readonly purpose: string;
-  /** Where what is found goes: into the scene, or into a prototype of instances. */
+  /** Receives what is found: the scene, or a prototype. */
   readonly sink: GprimSink;
 }
 
@@ -75,7 +75,7 @@ const AT_ROOT = {
 
 export type StageContents = Pick<Scene, 'objects' | 'materials' | 'lights' | 'cameras'>;
 
-/** Turns the defined, active, visible prims of a stage into what is observed. */
+/** Reads the defined, active, visible prims of a stage to a scene. */
 export async function readStage(context: StageContext): Promise<StageContents> {
   const reader = new StageReader(context);
   for (const prim of context.layer.rootPrims.values()) await reader.visit(prim, { ...AT_ROOT, sink: reader.scene });
@@ -124,7 +124,7 @@ class StageReader {
   private async read(prim: PrimSpec, own: Inherited): Promise<void> {
     const drawn = isRendered(own.purpose);
     if (drawn) await this.readHere(prim, own);
-    // What is under an instancer is its prototypes, which are nowhere themselves.
+    // Prims below an instancer are its prototypes, not rendered themselves.
     if (prim.typeName === 'PointInstancer') {
       if (drawn) await own.sink.instancer({ prim, transform: own.transform, slowlight: own.slowlight });
       return;
@@ -229,7 +229,7 @@ class StageReader {
     const { material, transform, slowlight, sink } = own;
     const surface = await primMaterialsOf(this.context, this.table, prim, material);
     const make = (): PrimGeometry | undefined => this.geometryOf(prim, surface);
-    // What is bent has its form from more than its own opinions.
+    // A skinned mesh's shape depends on more than its own opinions.
     const shape = own.maybeSkinned ? make() : this.geometryCache.getOrCreate(prim, surface, make);
     if (!shape) return;
     const place =
@@ -326,5 +326,5 @@ type ObjectGeometry = Pick<SceneObject, 'mesh' | 'motion'>;
 const hasSeveralTransforms = ({ children }: PrimSpec): boolean =>
   [...children.values()].filter((child) => child.children.size > 0 || child.properties.has('xformOpOrder')).length > 1;
 
-/** What stands for something else, or helps those who edit, is not looked at. */
+/** Proxies and guides are not rendered. */
 const isRendered = (purpose: string): boolean => purpose !== 'proxy' && purpose !== 'guide';

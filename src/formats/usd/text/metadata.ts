@@ -14,7 +14,7 @@ import { parseDictionary, parseItems, parseTypeName, parseValue, rawValue } from
 
 type Metadata = ReadonlyMap<string, MetadataValue>;
 
-/** Key → type of its value, for those that OpenUSD registers (sdf/schema.cpp and the plugInfo of usd, usdGeom, usdShade, usdSkel …). */
+/** Metadata key → value type, for keys registered in OpenUSD (sdf/schema.cpp and the plugInfo of usd, usdGeom, usdShade, usdSkel …). */
 const KEY_TYPES: ReadonlyMap<string, string> = new Map(
   Object.entries({
     bool: 'active autoPlay hasOwnedSubLayers hidden instanceable',
@@ -32,7 +32,7 @@ const KEY_TYPES: ReadonlyMap<string, string> = new Map(
   }).flatMap(([type, keys]) => keys.split(' ').map((key): [string, string] => [key, type])),
 );
 
-/** Words that cannot name a type or a key of one's own. */
+/** Reserved words. */
 export const KEYWORDS: ReadonlySet<string> = new Set(
   'add append class config connect custom customData def default delete displayUnit doc inherits kind nameChildren None offset over payload permission prefixSubstitutions prepend properties references rel relocates reorder rootPrims scale specializes subLayers suffixSubstitutions symmetryArguments symmetryFunction timeSamples uniform variantSet variantSets variants varying'.split(
     ' ',
@@ -59,7 +59,7 @@ export function takeQualifier(s: Scanner): keyof ListOp<unknown> {
   return 'explicit';
 }
 
-/** `[a, b]`, `a` or `None`, put into the list op under its qualifier; items of one identity are refused. */
+/** Parses `[a, b]`, `a` or `None` into the list op under its qualifier; throws for duplicates. */
 export function parseListOp<T>(
   s: Scanner,
   op: ListOp<T>,
@@ -69,7 +69,7 @@ export function parseListOp<T>(
 ): void {
   const items = s.takeKeyword('None') ? [] : s.peek() === '[' ? parseItems(s, item) : [item()];
   if (identity && new Set(items.map(identity)).size < items.length) s.fail('an item of this list is there twice');
-  // Nothing prepended, or deleted, is no opinion; an empty list of its own is one.
+  // An empty prepend or delete is no opinion; an empty explicit list is.
   if (items.length > 0 || qualifier === 'explicit') op[qualifier] = items;
 }
 
@@ -113,7 +113,7 @@ function plainEntry(s: Scanner, key: string): Value {
   return parseValue(s, type ?? 'dictionary');
 }
 
-/** What a crate file keeps as text, because no schema knows its key, as it would be read where it was written. */
+/** Parses the text of unregistered metadata in a crate. */
 export function parseUnregistered(key: string, text: string): Value {
   const s = new Scanner(new TextEncoder().encode(text), key);
   try {
@@ -215,7 +215,7 @@ function textsOf(
   return { type: 'texts', op };
 }
 
-/** Those whose lists can be edited. */
+/** Parsers of list ops. */
 const LIST_PARSERS: ReadonlySet<SpecialParser> = new Set([arcs, paths, texts, names, integers]);
 
 /** `{ a: b, c: d }` */
@@ -268,7 +268,7 @@ function parseArcPath(s: Scanner): string {
   return path;
 }
 
-/** Arcs are the same where all of them is. */
+/** Arcs are equal if all parts are. */
 const identityOfArc = ({ asset, path, offset, scale, customData }: ReferenceSpec): string =>
   [asset, path, offset, scale, customData ? [...customData.keys()].join() : ''].join('\n');
 

@@ -17,7 +17,7 @@ import { Scanner } from './scanner.ts';
 import { parseSpline } from './splines.ts';
 import { parseItems, parseTypeName, parseValue } from './values.ts';
 
-/** Prims in prims and variants in variants, to this depth. */
+/** Maximum depth of prims and variants. */
 export const MAX_DEPTH = 256;
 
 /** Reads a layer of USD text. Throws an InputError that names file, line and column. */
@@ -46,7 +46,7 @@ function parseNames(s: Scanner): string[] {
   return names.length > 0 ? names : s.expected('names in the list before this');
 }
 
-/** A prim and the name that its parent has it by. */
+/** Parses a prim; returns it with its name. */
 function parsePrim(
   s: Scanner,
   parent: string,
@@ -173,7 +173,7 @@ function parseAttribute(
   s.endStatement(`the attribute '${name}'`);
 }
 
-/** One attribute may be written in several statements: its default, its samples, its connections. */
+/** An attribute may have several statements: its default, samples, connections. */
 function declare(s: Scanner, prim: PrimSpec, fresh: AttributeSpec): AttributeSpec {
   const old = prim.properties.get(fresh.name);
   if (old === undefined) {

@@ -19,15 +19,12 @@ const isName = (c: number): boolean => isNameStart(c) || isDigit(c);
 /** 10⁰ … 10²²: the powers of ten that a double holds exactly. */
 const POWERS = Float64Array.from({ length: 23 }, (_, i) => 10 ** i);
 
-/**
- * Reads the small pieces of USD text from its bytes, and knows where it is. The bytes are never made into one string:
- * a scene's text can be larger than the longest string.
- */
+/** Tokenizer of USD text over its bytes, with positions. The bytes are never decoded to one string: a file can exceed the maximum string length. */
 export class Scanner {
   readonly bytes: Uint8Array;
   readonly file: string;
   pos = 0;
-  /** `pos`, as long as nothing but white space came since the last new line. */
+  /** `pos` while only white space has followed the last new line. */
   private lineStart = 0;
   private readonly utf8 = new TextDecoder('utf-8', { fatal: true });
 
@@ -36,7 +33,7 @@ export class Scanner {
     this.file = file;
   }
 
-  /** Passes white space and comments. */
+  /** Skips white space and comments. */
   skip(): void {
     const { bytes } = this;
     for (;;) {
@@ -81,7 +78,7 @@ export class Scanner {
     return c === undefined ? '' : String.fromCharCode(c);
   }
 
-  /** Passes `char` where it comes next. */
+  /** Consumes `char` if it comes next. */
   take(char: string): boolean {
     if (this.peek() !== char) return false;
     this.pos++;
@@ -92,7 +89,7 @@ export class Scanner {
     if (!this.take(char)) this.expected(`'${char}' ${where}`);
   }
 
-  /** A name, or undefined where none comes next. */
+  /** Consumes a name; undefined if none comes next. */
   takeName(): string | undefined {
     this.skip();
     const start = this.pos;
@@ -118,7 +115,7 @@ export class Scanner {
     return name;
   }
 
-  /** The next name without passing it. */
+  /** The next name, not consumed. */
   peekName(): string | undefined {
     this.skip();
     const { pos } = this;
@@ -133,7 +130,7 @@ export class Scanner {
     return true;
   }
 
-  /** Ends a statement: by a new line, by one ';' on its own line, or by the bracket that closes what it stands in. */
+  /** Consumes the end of a statement: a new line, one ';' on its own line, or the closing bracket of the block. */
   endStatement(what: string): void {
     const c = this.peek();
     const newline = this.lineStart === this.pos;
@@ -201,7 +198,7 @@ export class Scanner {
     return this.expected('a number');
   }
 
-  /** The digits of a whole number of any size. */
+  /** Digits of an integer of any size. */
   integerText(): string {
     this.skip();
     const start = this.pos;
@@ -300,7 +297,7 @@ export class Scanner {
     return this.fail('the path that begins here is not closed with > on its line', start);
   }
 
-  /** Bytes as text; refuses what is not UTF-8. */
+  /** Decodes bytes; throws if not UTF-8. */
   text(from: number, to: number): string {
     return this.decode(this.bytes.subarray(from, to), from);
   }
@@ -314,12 +311,12 @@ export class Scanner {
     }
   }
 
-  /** A few bytes as they stand, for comparing with ASCII. */
+  /** Bytes as Latin-1, for comparison with ASCII. */
   private ascii(from: number, to: number): string {
     return String.fromCharCode(...this.bytes.subarray(from, to));
   }
 
-  /** Refuses what comes next, saying what should. */
+  /** Throws for an unexpected token. */
   expected(what: string): never {
     this.skip();
     if (this.pos >= this.bytes.length)

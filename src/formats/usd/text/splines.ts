@@ -6,7 +6,7 @@ import { parseDictionary } from './values.ts';
 type Rounding = (x: number) => number;
 const identity: Rounding = (x) => x;
 
-/** The number types that curves have, and what they make of a number. */
+/** Number types of splines, and their rounding. */
 const ROUNDINGS: ReadonlyMap<string, Rounding> = new Map([
   ['double', identity],
   ['float', Math.fround],

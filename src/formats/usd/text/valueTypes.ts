@@ -1,6 +1,6 @@
 import type { NumberType, TextType, TupleType } from '../layer/layer.ts';
 
-/** How values of one written type name look in text and are stored. */
+/** Text syntax and storage of a type. */
 export type ValueType =
   | { readonly kind: 'bool'; readonly storage: 'bool' }
   | { readonly kind: 'number'; readonly storage: NumberType; readonly scalar: ScalarKind }
@@ -21,7 +21,7 @@ const rolesOf = {
   4: ['color'],
 } as const;
 
-/** Written type name, without `[]` → its storage. Roles are only names for a storage (OpenUSD, Sdf_ValueTypeNames). */
+/** Type name without `[]` → storage. Roles are aliases (OpenUSD, Sdf_ValueTypeNames). */
 export const valueTypes: ReadonlyMap<string, ValueType> = new Map(allTypes());
 
 function* allTypes(): Generator<[string, ValueType]> {

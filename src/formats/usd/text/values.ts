@@ -3,10 +3,10 @@ import type { Dictionary, NumberArray, Value } from '../layer/layer.ts';
 import type { Scanner } from './scanner.ts';
 import { type ScalarKind, type ValueType, valueTypes } from './valueTypes.ts';
 
-/** Dictionaries in dictionaries, and brackets in values of unknown types, to this depth. */
+/** Maximum depth of dictionaries, and of brackets in values of unknown types. */
 const MAX_DEPTH = 64;
 
-/** A value of the written type (`float3[]`), or what stands for none: `None`, `AnimationBlock`. */
+/** Parses a value of the given type (`float3[]`), or `None`, `AnimationBlock`. */
 export function parseValue(s: Scanner, typeName: string, depth = 0): Value {
   const word = s.peekName();
   if (word === 'None' || word === 'AnimationBlock') {
@@ -72,7 +72,7 @@ export function parseItems<T>(s: Scanner, item: () => T): T[] {
   return items;
 }
 
-/** A list of numbers or tuples straight into one flat array, without an object for any of them. */
+/** Parses a list of numbers or tuples directly into one flat array. */
 function parseNumbers(s: Scanner, scalar: ScalarKind, shape: readonly number[]): NumberArray {
   const size = sizeOf(shape);
   s.expect('[', 'before a list');
@@ -88,7 +88,7 @@ function parseNumbers(s: Scanner, scalar: ScalarKind, shape: readonly number[]):
   return n === out.length ? out : out.slice(0, n);
 }
 
-/** How many numbers the list at hand holds: its commas and one more. Only a comment in the list can make it wrong. */
+/** Counts the numbers of a list by its commas; only comments in the list can make it inexact. */
 function countNumbers(s: Scanner): number {
   const { bytes } = s;
   let count = s.peek() === ']' ? 0 : 1;
@@ -148,7 +148,7 @@ function readScalar(s: Scanner, scalar: ScalarKind): number {
   const [least, most] = LIMITS[scalar];
   const whole = Math.trunc(value);
   if (!(whole >= least && whole <= most)) s.fail(`${value} is not a whole number from ${least} to ${most}`);
-  // −0 is not a whole number of its own.
+  // −0 → 0.
   return whole + 0;
 }
 
@@ -174,7 +174,7 @@ function parseLong(s: Scanner, storage: 'int64' | 'uint64'): bigint {
   s.skip();
   const at = s.pos;
   const text = s.integerText();
-  // 2⁶⁴ has 20 digits; anything much longer would only cost time.
+  // 2⁶⁴ has 20 digits; much longer numbers are not converted.
   const value = text.length <= 40 ? BigInt(text) : 2n ** 64n;
   const fits = storage === 'int64' ? BigInt.asIntN(64, value) === value : BigInt.asUintN(64, value) === value;
   return fits ? value : s.fail(`${text.slice(0, 40)} does not fit ${storage}`, at);
@@ -207,7 +207,7 @@ export function parseTypeName(s: Scanner): string {
   return `${name}[]`;
 }
 
-/** The text of a value whose type is not known, with its brackets balanced. */
+/** The text of a value of unknown type, with balanced brackets. */
 export function rawValue(s: Scanner): Value {
   s.skip();
   const start = s.pos;

@@ -2,14 +2,14 @@ import { inputError } from '../../../diagnostics/inputError.ts';
 import { type CrateSource, Cursor } from './crateSource.ts';
 
 const IDENT = 'PXR-USDC';
-/** So many bytes tell whether a file is a crate. */
+/** Length of the magic number. */
 export const IDENT_BYTES = IDENT.length;
 const HEADER_BYTES = 88;
 /** Of one entry in the table of contents: a name of 16 bytes, where the section begins, how long it is. */
 const ENTRY_BYTES = 32;
 const MAX_SECTIONS = 64;
 
-/** Versions 0.4 (structure compressed) to 0.14 (array edits, which are refused where one is met). */
+/** Supported versions: 0.4 (compressed structure) to 0.14 (array edits, which are rejected). */
 const [OLDEST, NEWEST] = [4, 14];
 
 export const SECTIONS = ['TOKENS', 'STRINGS', 'FIELDS', 'FIELDSETS', 'PATHS', 'SPECS'] as const;
@@ -18,7 +18,7 @@ export type SectionName = (typeof SECTIONS)[number];
 export const isCrate = (bytes: Uint8Array): boolean =>
   String.fromCharCode(...bytes.subarray(0, IDENT.length)) === IDENT;
 
-/** Reads the header and the table of contents: where each section begins. Refuses versions that are not read. */
+/** Reads the header and the table of contents. Throws for unsupported versions. */
 export function readSections(source: CrateSource): Map<SectionName, number> {
   source.section = 'header';
   source.require(0, HEADER_BYTES, 'the header');

@@ -2,14 +2,14 @@ import { formatBytes, inputError } from '../../../diagnostics/inputError.ts';
 import { type FileContent, FileWindow } from '../../../files/rangedFile.ts';
 
 /**
- * The bytes of a crate file, and where in it the reader is, for messages. A crate is little-endian, as every machine
- * with typed arrays of note is: arrays are copied as they lie.
+ * A crate file's bytes and the reader's position, for messages. Crates are little-endian, as all relevant platforms
+ * are: arrays are copied as they are.
  */
 export class CrateSource extends FileWindow {
   readonly file: string;
   /** Of the file: 8 is 0.8. Set by the header. */
   version = 0;
-  /** The section that is read, or the spec and which of its fields. */
+  /** The section being read, or the spec and field. */
   section = '';
   node: { readonly path: string } | undefined;
   field = '';
@@ -37,7 +37,7 @@ export class CrateSource extends FileWindow {
     this.fail(`${wanted}, and the file ends at byte ${this.size}; it is cut off or damaged`, at);
   }
 
-  /** Accounts for memory before it is taken: what a few bytes stand for can be without bound. */
+  /** Accounts for memory before allocation: small data can expand without bound. */
   spend(bytes: number, what: string, at?: number): void {
     if (bytes <= this.left) {
       this.left -= bytes;
@@ -59,7 +59,7 @@ export class CrateSource extends FileWindow {
   }
 }
 
-/** Reads one thing after the other. */
+/** A sequential reader. */
 export class Cursor {
   readonly source: CrateSource;
   at: number;
@@ -69,7 +69,7 @@ export class Cursor {
     this.at = at;
   }
 
-  /** Passes `length` bytes; where they begin. */
+  /** Skips `length` bytes; returns their offset. */
   pass(length: number, what: string): number {
     const { at } = this;
     this.source.require(at, length, what);
@@ -77,7 +77,7 @@ export class Cursor {
     return at;
   }
 
-  /** Passes bytes that are read by others; where they begin. */
+  /** Skips bytes that are read elsewhere; returns their offset. */
   skip(length: number, what: string): number {
     const { at } = this;
     this.source.check(at, length, what);
@@ -85,7 +85,7 @@ export class Cursor {
     return at;
   }
 
-  /** Passes `length` bytes; where they begin in the window. */
+  /** Skips `length` bytes; returns their offset in the window. */
   private inWindow(length: number, what: string): number {
     return this.pass(length, what) - this.source.base;
   }
@@ -123,7 +123,7 @@ export class Cursor {
     return Number.isSafeInteger(value) ? value : this.source.fail(`${what} is ${value}, which no file has`, base + at);
   }
 
-  /** How many items follow, each of `itemBytes` at least. */
+  /** Reads an item count, checked against the remaining bytes at `itemBytes` or more per item. */
   count(what: string, itemBytes: number): number {
     const { at } = this;
     const count = this.i64(`the number of ${what}`);

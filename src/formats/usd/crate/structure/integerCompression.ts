@@ -82,7 +82,7 @@ function failTruncated(source: CrateSource, what: string, i: number, count: numb
   return source.fail(`of ${count} ${what} the compressed data holds ${i}`, at);
 }
 
-/** What is kept between calls; more is let go. */
+/** Size of the scratch buffer kept between calls [bytes]. */
 const SCRATCH_BYTES = 2 ** 20;
 let scratchBuffer = new Uint8Array(0);
 

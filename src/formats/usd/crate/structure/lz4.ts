@@ -1,6 +1,6 @@
 import type { CrateSource } from './crateSource.ts';
 
-/** One byte of LZ4 stands for at most so many. */
+/** Maximum compression ratio of LZ4. */
 export const MAX_EXPANSION = 255;
 
 /**
@@ -32,7 +32,7 @@ function decompressBlock(source: CrateSource, start: number, stop: number, out: 
   const end = stop - base;
   let from = start - base;
   let to = begin;
-  /** 15 goes on in bytes of 255 and one less. */
+  /** A length of 15 continues in bytes, up to the first that is not 255. */
   const longer = (nibble: number): number => {
     if (nibble !== 15) return nibble;
     let length = 15;
@@ -64,7 +64,7 @@ function decompressBlock(source: CrateSource, start: number, stop: number, out: 
   return to;
 }
 
-/** Below this a loop is quicker than the platform's copy. */
+/** Below this length a loop is faster than the platform’s copy. */
 const MIN_BULK_COPY = 24;
 
 function copyLiterals(bytes: Uint8Array, from: number, out: Uint8Array, to: number, length: number): void {
@@ -72,7 +72,7 @@ function copyLiterals(bytes: Uint8Array, from: number, out: Uint8Array, to: numb
   else for (let i = 0; i < length; i++) out[to + i] = bytes[from + i];
 }
 
-/** A match may reach into what it writes, which repeats it. */
+/** Overlapping matches repeat. */
 function copyMatch(out: Uint8Array, to: number, distance: number, length: number): void {
   if (length > MIN_BULK_COPY && distance >= length) out.copyWithin(to, to - distance, to - distance + length);
   else if (length > MIN_BULK_COPY && distance === 1) out.fill(out[to - 1], to, to + length);

@@ -1,12 +1,12 @@
 import type { CrateSource, Cursor } from './crateSource.ts';
 import { readInt32s } from './integerCompression.ts';
 
-/** Prims in prims and variants in variants, to this depth; as in text. */
+/** Maximum depth of prims and variants, as in text. */
 const MAX_DEPTH = 256;
 
-/** One path, and the spec that it has. */
+/** A path and its spec. */
 export class PathNode {
-  /** Of this path in its parent: the name of a prim or property, `{set=variant}`, `[target]`. */
+  /** Last path element: the name of a prim or property, `{set=variant}`, `[target]`. */
   readonly element: string;
   readonly isProperty: boolean;
   readonly parent: PathNode | undefined;
@@ -18,7 +18,7 @@ export class PathNode {
   specType = 0;
   /** Where its set of fields begins. */
   fieldSet = -1;
-  /** Whether the spec has found its place in the layer. */
+  /** Whether the spec has been added to the layer. */
   isBuilt = false;
   private text: string | undefined;
 
@@ -44,7 +44,7 @@ function separator(parent: PathNode, element: string, isProperty: boolean): stri
   return !parent.parent || parent.element.endsWith('}') || /^[{[]/.test(element) ? '' : '/';
 }
 
-/** What one path costs beyond its characters. */
+/** Memory of a path besides its characters [bytes]. */
 const NODE_BYTES = 128;
 
 /**

@@ -4,7 +4,7 @@ import { readInt32s } from './integerCompression.ts';
 import { decompress, MAX_EXPANSION } from './lz4.ts';
 import { type PathNode, readPaths } from './pathTree.ts';
 
-/** What the structural sections of a crate say: names, which fields make which set, and which spec has which set. */
+/** Structural sections of a crate: tokens, field sets, specs. */
 export interface Structure {
   readonly tokens: readonly string[];
   /** Index of a string → index of its token. */
@@ -30,7 +30,7 @@ export interface SpecTable {
   readonly types: Int32Array;
 }
 
-/** What a string costs beyond its characters. */
+/** Memory of a string besides its characters [bytes]. */
 const TEXT_BYTES = 32;
 
 export function readStructure(source: CrateSource, sections: ReadonlyMap<SectionName, number>): Structure {
@@ -49,7 +49,7 @@ export function readStructure(source: CrateSource, sections: ReadonlyMap<Section
   };
 }
 
-/** Texts one after the other, each ended by a zero byte, compressed. */
+/** Null-terminated strings, compressed. */
 function readTokens(cursor: Cursor): string[] {
   const { source, at } = cursor;
   const count = cursor.i64('the number of tokens');
@@ -76,7 +76,7 @@ function splitTokens(source: CrateSource, bytes: Uint8Array, count: number, at: 
 }
 
 const utf8 = new TextDecoder('utf-8', { fatal: true, ignoreBOM: true });
-/** Up to this length ASCII is quicker without the platform's decoder. */
+/** Up to this length ASCII is decoded faster without TextDecoder. */
 const MAX_ASCII_LENGTH = 24;
 
 /** Undefined for what is not UTF-8. */
@@ -107,7 +107,7 @@ function readStrings(cursor: Cursor, tokens: number): Uint32Array {
   });
 }
 
-/** How many items a section says it has. What they take is checked where they are decompressed. */
+/** Item count of a section; memory is checked when they are decompressed. */
 function readCount(cursor: Cursor, what: string): number {
   const { at } = cursor;
   const count = cursor.i64(`the number of ${what}`);

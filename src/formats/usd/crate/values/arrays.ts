@@ -7,7 +7,7 @@ import { readInt32s, readInt64s } from '../structure/integerCompression.ts';
 import type { ArrayType, CrateScalar } from './crateTypes.ts';
 import type { ValueRep } from './valueRep.ts';
 
-/** Shorter arrays are never compressed, whatever their representation says. */
+/** Shorter arrays are never compressed, even if flagged so. */
 const MIN_COMPRESSED_LENGTH = 16;
 
 const SCALAR_BYTES = { bool: 1, uchar: 1, int: 4, uint: 4, half: 2, float: 4, double: 8 } as const;
@@ -27,7 +27,7 @@ type CrateTupleArrayType = Extract<ArrayType, { kind: 'tuple' }>;
 /** What a text in an array costs: a reference. */
 const REFERENCE_BYTES = 8;
 
-/** Finds texts by what stands for them in values. */
+/** Looks up tokens and strings by index. */
 export interface TextTable {
   token(index: number, at?: number): string;
   string(index: number, at?: number): string;
@@ -65,10 +65,10 @@ export function readArray(source: CrateSource, rep: ValueRep, type: ArrayType, t
   }
 }
 
-/** Arrays of tuples from this size on [bytes] stay in a file that is not in memory. */
+/** Minimum size of arrays of tuples that are left on disk [bytes]. */
 const MIN_STORED_BYTES = 2 ** 12;
 
-/** The numbers of a large array, not read; undefined of what is small, or in memory anyway. */
+/** A large array left on disk; undefined if small or in memory. */
 function storedInFile(
   cursor: Cursor,
   { storage, scalar, size }: CrateTupleArrayType,
@@ -83,7 +83,7 @@ function storedInFile(
   return new StoredArray(`${storage}[]`, { file: part.file, at, count: count * size, scalar });
 }
 
-/** Before 0.5 the rank stood before the length, before 0.7 the length had 32 bits. */
+/** Before 0.5 the rank preceded the length; before 0.7 the length had 32 bits. */
 function readLength(cursor: Cursor): number {
   const { source } = cursor;
   if (source.version < 5) cursor.u32('the rank of an array');
@@ -123,7 +123,7 @@ export function readNumber(cursor: Cursor, scalar: CrateScalar): number {
   }
 }
 
-/** What is shorter is read number by number, which makes no buffer of its own [bytes]. */
+/** Below this size numbers are read one by one, without a buffer [bytes]. */
 const MIN_COPIED_BYTES = 64;
 
 /** `count` numbers as they lie. Halves become f32. */
@@ -139,7 +139,7 @@ export function readNumbers(cursor: Cursor, scalar: CrateScalar, count: number):
     for (let i = 0; i < count; i++) out[i] = readNumber(each, scalar);
     return out;
   }
-  // A copy: the file need not be kept for it, and it begins where the platform wants numbers to begin.
+  // A copy: aligned, and it does not retain the file.
   const { buffer } = source.slice(from, size);
   return scalar === 'half' ? Float32Array.from(new Uint16Array(buffer), fromHalf) : new NumbersArray(buffer);
 }

@@ -2,7 +2,7 @@ import type { NumberType, TextType, TupleType } from '../../layer/layer.ts';
 
 export type CrateScalar = 'bool' | 'uchar' | 'int' | 'uint' | 'half' | 'float' | 'double';
 
-/** A type whose values can stand in arrays. */
+/** A type that can have arrays. */
 export type ArrayType =
   | { readonly kind: 'bool'; readonly storage: 'bool' }
   | { readonly kind: 'number'; readonly storage: NumberType; readonly scalar: CrateScalar }
@@ -40,7 +40,7 @@ function* allArrayTypes(): Generator<[number, ArrayType]> {
   yield [57, { kind: 'text', storage: 'pathExpression' }];
 }
 
-/** Numbers of the types that stand alone, by name. */
+/** Type codes of the other types, by name. */
 export const NON_ARRAY_TYPES = {
   dictionary: 31,
   tokenListOp: 32,

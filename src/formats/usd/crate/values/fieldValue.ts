@@ -18,7 +18,7 @@ export const ENTRY_BYTES = 64;
 /** What the reader of one kind of value needs to read those inside it. */
 export interface ValueDecoder extends TextTable {
   readonly source: CrateSource;
-  /** Empty for the path that is none. */
+  /** Empty for the invalid path. */
   path(index: number, at?: number): string;
   /** The value of a representation that lies in the file. */
   readAt(cursor: Cursor): FieldValue;

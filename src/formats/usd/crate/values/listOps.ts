@@ -4,7 +4,7 @@ import { NON_ARRAY_TYPES } from './crateTypes.ts';
 import type { FieldValue, ValueDecoder } from './fieldValue.ts';
 import type { ValueRep } from './valueRep.ts';
 
-/** What an item of a list costs. */
+/** Memory of a list item [bytes]. */
 const ITEM_BYTES = 32;
 
 /** Bits of a list op's first byte, in the order in which its lists follow. The lowest says that it is explicit. */

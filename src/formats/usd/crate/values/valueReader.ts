@@ -10,27 +10,21 @@ import { readSpline } from './splines.ts';
 import { readTimeSamples } from './timeSamples.ts';
 import { ValueRep } from './valueRep.ts';
 
-/** Values in values, to this depth. */
+/** Maximum nesting of values. */
 const MAX_DEPTH = 64;
 
-/**
- * What can be, or hold, a dictionary in a dictionary is read each time it is referred to: shared ones could hold each
- * other twice on every level, 2⁶⁴ entries in all.
- */
+/** Types that can contain dictionaries are not cached: shared ones could reference each other twice per level, 2⁶⁴ entries in all. */
 const NOT_CACHED: ReadonlySet<number> = new Set([
   NON_ARRAY_TYPES.dictionary,
   NON_ARRAY_TYPES.value,
   NON_ARRAY_TYPES.unregistered,
 ]);
 
-/**
- * Reads values by their representations. What lies in the file is read once, however often it is referred to: samples
- * of equal arrays are one array.
- */
+/** Decodes values by their representations. Values in the file are cached: samples of equal arrays share one array. */
 export class ValueReader implements ValueDecoder {
   readonly source: CrateSource;
   private readonly structure: Structure;
-  /** What was read, by type and flags, then by place. */
+  /** Cached values by type and flags, then by offset. */
   private readonly cache = new Map<number, Map<number, FieldValue>>();
   private depth = 0;
 
@@ -50,7 +44,7 @@ export class ValueReader implements ValueDecoder {
     return this.token(strings[index], at);
   }
 
-  /** Empty for the path that is none. */
+  /** Empty for the invalid path. */
   path(index: number, at?: number): string {
     const { paths } = this.structure;
     if (index >= paths.length) this.source.fail(`there is no path ${index}; there are ${paths.length}`, at);

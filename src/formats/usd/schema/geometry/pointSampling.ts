@@ -17,7 +17,7 @@ export function transformPointsInto(out: Float64Array, points: ArrayLike<number>
   return out;
 }
 
-/** The eight corners of the box around points; the origin where none is finite. */
+/** Corners of the bounding box of points; the origin if none is finite. */
 export function boxCorners(points: ArrayLike<number>): Vec3[] {
   const box = boundingBox(points);
   if (!box) return [[0, 0, 0]];
@@ -28,7 +28,7 @@ export function boxCorners(points: ArrayLike<number>): Vec3[] {
 /** Memory of a deforming mesh: so many vectors of three f32 for each vertex at each time. */
 export const pointBytes = (times: number, vertices: number, vectors: number): number => times * vertices * 12 * vectors;
 
-/** As many of the times as `bytes` hold, evenly chosen, with the first and the last; at least these two. */
+/** As many times as fit in `bytes`, evenly spaced, including the first and last. */
 export function affordableTimes(times: Float64Array, perTime: number, bytes: number): Float64Array {
   return subsampleEvenly(times, Math.max(2, Math.floor(bytes / perTime)));
 }

@@ -23,7 +23,7 @@ export const FACE_BUDGET = 500_000;
 type Scheme = SubdivisionOptions['scheme'];
 const SCHEMES: readonly string[] = ['catmullClark', 'loop', 'bilinear'] satisfies Scheme[];
 
-/** Undefined where the mesh is its polygons. What is not known is Catmull–Clark, as nothing is. */
+/** Undefined for polygonal meshes. Unknown schemes are Catmull–Clark, the default. */
 function schemeOf(prim: PrimSpec): Scheme | undefined {
   const written = textAt(prim, 'subdivisionScheme', undefined) ?? 'catmullClark';
   if (written === 'none') return undefined;
@@ -36,13 +36,13 @@ function schemeOf(prim: PrimSpec): Scheme | undefined {
  */
 export function subdivisionLevels(layer: Layer, wanted?: number): SubdivisionLevels {
   const all = [...layer.rootPrims.values()].flatMap((prim) => subdividedMeshes(prim));
-  // Instances share their mesh: it counts once.
+  // Instances share a mesh, counted once.
   const meshes = [...new Map(all.map((mesh) => [mesh.key, mesh])).values()];
   const levels = new Map(meshes.map((mesh) => [mesh.key, wanted ?? automaticLevels(mesh)]));
   const faces = (mesh: SubdivisionCandidate): number => facesOf(mesh, levels.get(mesh.key)!);
   let total = meshes.reduce((sum, mesh) => sum + faces(mesh), 0);
   while (total > FACE_BUDGET && meshes.some(({ key }) => levels.get(key)! > 0)) {
-    // A level less is a quarter of the faces: the largest come down first, together with what is left as large as they then are.
+    // One level less means a quarter of the faces: reduce the largest meshes first.
     const order = meshes.filter(({ key }) => levels.get(key)! > 0).sort((a, b) => faces(b) - faces(a));
     for (const mesh of order) {
       if (total <= FACE_BUDGET) break;

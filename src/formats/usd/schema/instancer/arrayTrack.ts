@@ -77,7 +77,7 @@ export class ArrayTrack {
   }
 }
 
-/** Halves hold unit quaternions to a thousandth only, and no shear is meant by that; none at all turns nothing. */
+/** Normalizes: half-precision quaternions are unit to 10⁻³ only, and no shear is meant; zero is the identity. */
 function unit([x, y, z, w]: readonly number[]): Quat {
   return Math.hypot(x, y, z, w) > 0 ? normalizeQuat([x, y, z, w]) : IDENTITY;
 }

@@ -13,8 +13,8 @@ export interface ExtrapolationRange {
 }
 
 /**
- * The way of one instance in its instancer. Between two samples it is where its velocities carry it, brought evenly to
- * where the next sample has it: places that jump at a sample would outrun light.
+ * Path of one instance in its instancer. Between samples it is extrapolated by velocities, corrected linearly to meet
+ * the next sample: jumps at samples would be faster than light.
  */
 export function instanceTransform(
   population: PointInstances,

@@ -63,7 +63,7 @@ export class InstanceTransforms {
     });
   }
 
-  /** Nothing turns or grows, and between samples all goes straight. */
+  /** No rotation or scale changes, linear between samples. */
   get isStraight(): boolean {
     const { orientations, scales, angularVelocities, accelerations } = this;
     const turns = orientations.times.length > 1 || scales.times.length > 1;

@@ -13,7 +13,7 @@ import { type ExtrapolationRange, instanceTransform } from './instancePaths.ts';
 import { type PointInstance, type PointInstances, pointInstancesOf } from './pointInstances.ts';
 import type { PlacedInstancer, Prototype, UnplacedGprim } from './prototype.ts';
 
-/** What holds an instance, or a part of it. */
+/** Context of an instance. */
 export interface InstanceContext {
   readonly transform: StageTransform;
   readonly slowlight: SlowlightAttributes;
@@ -23,7 +23,7 @@ export interface InstanceContext {
   readonly velocity: Vec3 | undefined;
 }
 
-/** What an instancer asks of the reader of the stage. */
+/** Services of the stage reader for instancers. */
 export interface InstancerHost {
   /** What is at a prim and below it, in the axes round the prim. */
   prototype(prim: PrimSpec): Promise<Prototype>;
@@ -155,7 +155,7 @@ export class Instancers {
     return { ...around, transform: frame, lifetime: { birth, death }, velocity: drift };
   }
 
-  /** Where it drifts evenly, its place at world time 0. */
+  /** For constant velocity: its transform at world time 0. */
   private instanceTransform(population: PointInstances, instance: PointInstance, drifts: boolean): StageTransform {
     return instanceTransform(population, instance, drifts ? { start: 0, end: 0 } : this.range);
   }

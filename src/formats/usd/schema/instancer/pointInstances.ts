@@ -6,7 +6,7 @@ import type { StageContext } from '../context.ts';
 import { unionOfTimes } from '../transforms/xformOps.ts';
 import { InstanceTransforms } from './instanceTransforms.ts';
 
-/** From a time on, an instance has this place in the arrays. */
+/** Array index of an instance from a time on. */
 export interface InstanceIndexRun {
   readonly from: number;
   readonly index: number;
@@ -14,7 +14,7 @@ export interface InstanceIndexRun {
   readonly count: number;
 }
 
-/** One instance for as long as it is there without a break, with one prototype. */
+/** One instance over a contiguous interval, with one prototype. */
 export interface PointInstance {
   /** Its id, else its place in the arrays; with what tells it from an earlier one of this name. */
   readonly label: string;

@@ -4,7 +4,7 @@ import type { MeshLight } from '../lights/meshLights.ts';
 import type { SlowlightAttributes } from '../slowlightAttributes.ts';
 import type { StageTransform } from '../transforms/stageTransform.ts';
 
-/** Something to see that is not yet in its place. */
+/** A gprim without placement. */
 export interface UnplacedGprim {
   readonly path: string;
   readonly geometry: PrimGeometry;

@@ -4,7 +4,7 @@ import type { PrimSpec, Value } from '../../layer/layer.ts';
 import type { StageContext } from '../context.ts';
 import { type ResolvedInput, resolveInput, shaderId } from './shaderInputs.ts';
 
-/** What the shaders of MaterialX, MDL, RenderMan, Arnold and others call what is drawn here; the first that is written counts. */
+/** Input names in shaders of MaterialX, MDL, RenderMan, Arnold and others; the first authored one counts. */
 const INPUT_NAMES = {
   color: [
     'diffuseColor',
@@ -34,7 +34,7 @@ const INPUT_NAMES = {
   ior: ['ior', 'specular_IOR', 'specular_ior', 'ior_constant'],
 } as const;
 
-/** What of another renderer's material can be drawn. */
+/** The supported part of another renderer's material. */
 export interface ForeignMaterial {
   readonly color?: Vec3;
   /** An asset: a picture of colours, looked up by the mesh's usual uvs. */
@@ -97,7 +97,7 @@ const defined = (name: string, value: number | undefined) =>
 const assetOf = (value: Value | undefined): Value | undefined =>
   value?.type === 'asset' && textOf(value) ? value : undefined;
 
-/** Nodes of a network are followed so deep, and so many of them. */
+/** Maximum depth and number of network nodes visited. */
 const MAX_UPSTREAM_NODES = 64;
 
 /** What is found first, breadth first, in the inputs of a shader and of all that drive it. */

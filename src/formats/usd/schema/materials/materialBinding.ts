@@ -9,9 +9,9 @@ import { type MeshElementCounts, primvarOf, valuesOnMesh } from '../primvars.ts'
 import { type BoundMaterial, type DisplayColor, type MaterialTable, withDisplayColor } from './materialTable.ts';
 import { mapCorners, transformUvs } from './uvs.ts';
 
-/** The materials of one prim's faces, and the primvars that they read. */
+/** Materials of a prim's faces, and the primvars they read. */
 export interface PrimMaterials {
-  /** Of the faces that no subset holds. */
+  /** Of faces without a subset. */
   readonly base: BoundMaterial;
   /** All materials of it. */
   readonly materials: readonly number[];
@@ -22,10 +22,10 @@ export interface PrimMaterials {
   colors(prim: PrimSpec, topology: MeshElementCounts): PolygonValues | undefined;
 }
 
-/** Where a material is bound: nearest first, unless an ancestor's binding is stronger than its descendants'. */
+/** Binding relationships; the nearest prim wins, unless an ancestor's binding is strongerThanDescendants. */
 const BINDINGS = ['material:binding', 'material:binding:preview', 'material:binding:full'];
 
-/** The path of the material that holds on a prim, given what its parent has. */
+/** The bound material's path, given its parent's. */
 export function materialBindingOf(prim: PrimSpec, inherited: MaterialBinding | undefined): MaterialBinding | undefined {
   if (inherited?.strong) return inherited;
   for (const name of BINDINGS) {

@@ -14,16 +14,16 @@ import { meanColor, type TextureLoader, textureOf } from './textureLoader.ts';
 import { type ColorInputValue, type ColorPrimvar, type ScalarInputValue, TextureReader } from './textureReader.ts';
 import { isSameUv, type UvSource, withTiles } from './uvs.ts';
 
-/** A material, and what it wants of the meshes that wear it. */
+/** A material and the primvars it needs. */
 export interface BoundMaterial {
-  /** Place in `Scene.materials`. */
+  /** Index in `Scene.materials`. */
   readonly index: number;
   readonly uv?: UvSource;
   /** Where its diffuse colour comes from, if it is the mesh's. */
   readonly colors?: ColorPrimvar;
 }
 
-/** How a light that is a mesh goes with its material (`light:materialSyncMode` of UsdLux). */
+/** How a mesh light combines with its material (`light:materialSyncMode` of UsdLux). */
 export type MaterialSyncMode = 'materialGlowTintsLight' | 'independent' | 'noMaterialResponse';
 
 /** `primvars:displayColor` of a mesh. */
@@ -38,7 +38,7 @@ export interface DisplayColor {
 export const withDisplayColor = (material: BoundMaterial, { varies }: DisplayColor): BoundMaterial =>
   varies ? { ...material, colors: { name: 'displayColor', fallback: WHITE } } : material;
 
-/** Inputs of UsdPreviewSurface that change the look and are not drawn. */
+/** Unsupported inputs of UsdPreviewSurface. */
 const UNSUPPORTED_INPUTS = ['displacement', 'clearcoat'];
 
 /** UsdPreviewSurface itself, and as a node of MaterialX; both have the same inputs. */
@@ -104,7 +104,7 @@ export class MaterialTable {
     });
   }
 
-  /** The place of the material at `index` as it is on a light of a radiance. Its own glow tints the light, where that is asked for and it has any. */
+  /** Index of material `index` as an emitter of the given radiance, tinted by its own emission if requested and nonzero. */
   emissive(index: number, radiance: Vec3, mode: MaterialSyncMode): number {
     const key = `${index} ${mode} ${radiance.join(' ')}`;
     const known = this.emissiveIndices.get(key);
@@ -298,7 +298,7 @@ export class MaterialTable {
   }
 }
 
-/** What UsdPreviewSurface is where nothing is written; the grey is that of a mesh without a material. */
+/** Defaults of UsdPreviewSurface; the grey is that of meshes without material. */
 const DEFAULTS: Omit<Material, 'name'> = {
   baseColor: [0.18, 0.18, 0.18],
   emissive: [0, 0, 0],

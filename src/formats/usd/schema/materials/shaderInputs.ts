@@ -10,7 +10,7 @@ export interface ResolvedInput {
   readonly output?: string;
 }
 
-/** Connections through node graphs and material interfaces are followed this far. */
+/** Maximum length of a connection chain. */
 const MAX_HOPS = 32;
 
 /** Follows connections from a property of a shader, a node graph or a material to what drives it. */

@@ -1,9 +1,9 @@
 import { lerp, type Vec3 } from '../../../../math/vec3.ts';
 import type { Material } from '../../../../scene/types.ts';
 
-/** What glass of 1.5 mirrors of light that meets it straight. */
+/** Normal reflectance of a dielectric with n = 1.5. */
 const DIELECTRIC_F0 = 0.04;
-/** No dielectric mirrors more: diamond has 0.17. */
+/** Upper bound for dielectrics: diamond has 0.17. */
 const MAX_DIELECTRIC_F0 = 0.25;
 
 /**

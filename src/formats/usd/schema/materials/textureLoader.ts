@@ -15,7 +15,7 @@ import { atlasOf, readTiles } from './udim.ts';
 
 /** A picture, or the tiles of a set as one. */
 export interface LoadedImage extends DecodedImage {
-  /** It looks like colours, not like plain numbers. */
+  /** Colour data rather than linear numbers, by its content. */
   readonly looksLikeColor: boolean;
   readonly tiles?: readonly [columns: number, rows: number];
 }
@@ -107,7 +107,7 @@ interface TextureRequest {
   readonly paths: readonly string[];
 }
 
-/** A picture of all directions has no rim but at its poles. */
+/** Panoramas wrap around horizontally. */
 const PANORAMA_WRAP = { wrapS: 'repeat', wrapT: 'clamp' } as const;
 
 /** How a UsdUVTexture reads its picture. `alpha: false`: opacity does not come from it, so that it is opaque. */

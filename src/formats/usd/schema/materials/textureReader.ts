@@ -10,7 +10,7 @@ import { colorSpaceOf, type LoadedImage, type TextureLoader, textureOf } from '.
 import { adjustedAlpha, adjustedColor, adjustedMean, adjustedNormals, type TexelReading } from './texturePixels.ts';
 import { type UvSource, uvSourceOf, withTiles } from './uvs.ts';
 
-/** A primvar with colours, and what is taken where a mesh has none. */
+/** A colour primvar and its fallback. */
 export interface ColorPrimvar {
   readonly name: string;
   readonly fallback: Vec3;
@@ -23,7 +23,7 @@ export interface ColorInputValue {
   readonly primvar?: ColorPrimvar;
 }
 
-/** Where opacity comes from, to be put into the alpha of another picture. */
+/** Source of opacity, for the alpha of another texture. */
 export interface AlphaSource {
   readonly shader: PrimSpec;
   readonly image: DecodedImage;
@@ -44,7 +44,7 @@ export interface ScalarInputValue {
   readonly uv?: UvSource | undefined;
 }
 
-/** What drives the inputs of a shader: values, textures, primvars. */
+/** Resolves shader inputs to values, textures and primvars. */
 export class TextureReader {
   private readonly context: StageContext;
   private readonly textures: TextureLoader;

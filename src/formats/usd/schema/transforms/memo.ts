@@ -1,4 +1,4 @@
-/** What is made of some things, made once for the same ones, as long as the first of them is there. */
+/** Memoizes by object keys; entries live as long as the first key. */
 export class Memo<V> {
   private readonly known = new WeakMap<object, MemoNode<V>>();
 

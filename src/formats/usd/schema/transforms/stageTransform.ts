@@ -15,13 +15,13 @@ import {
   type XformOp,
 } from './xformOps.ts';
 
-/** Where a prim's own axes are: its transform and those above it, at every time. */
+/** Local-to-stage transform of a prim over time. */
 export interface StageTransform {
   /** Codes at which the ops have samples; empty where nothing moves. */
   readonly times: Float64Array;
   /** How many ops and products of matrices `matrixAt` takes. */
   readonly cost: number;
-  /** It does not turn, and goes straight from each of its times to the next. */
+  /** No rotation; linear between samples. */
   readonly isStraight?: boolean;
   /** Its times are bounded where they come from, and take none of the scene's. */
   readonly isBudgeted?: boolean;
@@ -31,7 +31,7 @@ export interface StageTransform {
 
 export const ROOT_TRANSFORM: StageTransform = { times: new Float64Array(0), cost: 1, matrixAt: () => mat4.IDENTITY };
 
-/** A cubic takes as long as so many ops. */
+/** Cost of a cubic relative to an op. */
 const CUBIC_COST = 3;
 
 /** `isShareLink`: several frames are within it, and ask for its matrices mostly at the same times. */
@@ -97,6 +97,6 @@ export function transformInMeters(frame: StageTransform, unit: number): StageTra
   if (unit === 1) return frame;
   const matrixAt = (time: TimeCode): mat4.Mat4 => mat4.scaledUniformly(frame.matrixAt(time), unit);
   const made = (): StageTransform => ({ ...frame, matrixAt });
-  // What rests is not kept: the root's frame is there for ever.
+  // Static frames are not cached: the root's lives for ever.
   return frame.times.length > 0 ? IN_METERS.getOrCreate(frame, [unit], made) : made();
 }
