@@ -1,5 +1,5 @@
-import type { PlacementName } from '../../physics/optics/placement.ts';
 import { length, type Vec3 } from '../../math/vec3.ts';
+import type { PlacementName } from '../../physics/optics/placement.ts';
 import { simultaneousPosition } from '../../physics/worldLines/simultaneity.ts';
 import { motionKind } from '../../scene/motion/motions.ts';
 import { type Body, worldLineOfCenter } from './bodies.ts';
