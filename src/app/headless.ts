@@ -23,7 +23,7 @@ interface HeadlessPage {
   start(pipeline: string): Promise<StartReply>;
   open(request: OpenRequest): Promise<void>;
   render(request: PictureRequest): Promise<RenderReply>;
-  /** Base64 of the gauge's numbers, little-endian f32. */
+  /** Light meter readings as base64 of little-endian f32. */
   measure(request: Pick<PictureRequest, 'view' | 'settings'>): Promise<Record<keyof LightMeterReadings, string>>;
 }
 

@@ -48,7 +48,7 @@ export async function startEditor(root: Root, { backend: wanted, ...asked }: Sta
   const readScene = sceneReader(localFiles);
   const { project, view, problem, ...session } = await openStartupProject(asked, localFiles);
   const playing = view?.playing ?? !prefersReducedMotion();
-  const studio = createEditor({
+  const editor = createEditor({
     services: {
       readScene,
       readFont,
@@ -59,17 +59,17 @@ export async function startEditor(root: Root, { backend: wanted, ...asked }: Sta
     project,
     playing,
   });
-  if (view) studio.update({ loop: view.loop });
-  if (problem) studio.notify({ kind: 'error', ...problem });
-  const pilot = new ObserverController(studio, view);
-  const autosave = new Autosave({ ...session, studio, observerController: pilot, localFiles, address: pageAddress });
+  if (view) editor.update({ loop: view.loop });
+  if (problem) editor.notify({ kind: 'error', ...problem });
+  const observerController = new ObserverController(editor, view);
+  const autosave = new Autosave({ ...session, editor, observerController, localFiles, address: pageAddress });
   // A duplicated tab has nothing stored yet.
   void autosave.saveNow();
   const sessions = 'refusal' in session.sessions ? undefined : session.sessions;
-  const services: EditorServices = { observerController: pilot, localFiles, backend, viewport: {}, autosave, sessions };
+  const services: EditorServices = { observerController, localFiles, backend, viewport: {}, autosave, sessions };
   root.render(
     <Page>
-      <EditorProvider value={studio}>
+      <EditorProvider value={editor}>
         <ServicesProvider value={services}>
           <EditorApp />
         </ServicesProvider>

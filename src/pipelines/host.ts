@@ -16,7 +16,7 @@ export interface GpuAccess {
   readonly options: RendererOptions;
   /** Begins a new frame: three's passes are made once in each. */
   nextFrame(): Promise<unknown>;
-  /** Shaders are compiled between the frames of the picture on show. */
+  /** Compiles shaders between the viewport's frames. */
   readonly isShared: boolean;
   /** Rejects as soon as the device fails, whatever becomes of the work. */
   guard<T>(work: Promise<T>): Promise<T>;

@@ -172,7 +172,7 @@ const formatFractionOfC = (beta: number): string => (beta > 0.1 ? formatBeta(bet
 
 /** Step size, how far the run came, and its problem. */
 function RunNotes({ run, figures }: { readonly run: LabeledRun; readonly figures: RunSummary }): ReactNode {
-  const { t, said: translateMessage } = useTexts();
+  const { t, translateMessage } = useTexts();
   const running = useEditorState((state) => state.interim === 'running');
   const { record, interim } = run;
   const { step, stop, speedOfLight } = record;

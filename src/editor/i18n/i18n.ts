@@ -81,7 +81,7 @@ export function useTexts(): {
   readonly t: Translate;
   readonly language: Language;
   readonly textOrKey: (key: string, values?: Readonly<Record<string, string>>) => string;
-  readonly said: TranslateMessage;
+  readonly translateMessage: TranslateMessage;
   readonly example: (name: string) => (typeof exampleTexts)[string] | undefined;
 } {
   const { t, i18n } = useTranslation();
@@ -92,7 +92,7 @@ export function useTexts(): {
     /** For keys from node descriptions: a text that is not in the catalogue is returned as it is. */
     textOrKey: (key, values) => (i18n.exists(key) ? t(key, values ?? {}) : key),
     /** Translates a message that the program composed in English. */
-    said: messageTranslators.get(language) ?? untranslated,
+    translateMessage: messageTranslators.get(language) ?? untranslated,
     /** Text of an example where its file has none in this language. */
     example: (name) => i18n.getResource(i18n.language, 'examples', name),
   };

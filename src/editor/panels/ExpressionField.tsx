@@ -28,7 +28,7 @@ export function ExpressionField({
   width,
   leftSection,
 }: ExpressionFieldProps): ReactNode {
-  const { t, said: translateMessage } = useTexts();
+  const { t, translateMessage } = useTexts();
   const speedOfLight = useEditorState((state) => state.picture?.speedOfLight);
   const [typed, setTyped] = useState<string>();
   const [problem, setProblem] = useState<string>();

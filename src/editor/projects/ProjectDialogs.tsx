@@ -91,7 +91,7 @@ function Link({ link }: { readonly link: string }): ReactNode {
 }
 
 function NoLink({ why }: { readonly why: string }): ReactNode {
-  const { t, said: translateMessage } = useTexts();
+  const { t, translateMessage } = useTexts();
   const editor = useEditor();
   const { saveWithFiles } = useSaveProject();
   const save = () => {

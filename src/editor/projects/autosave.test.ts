@@ -31,7 +31,7 @@ beforeEach(async () => {
   const store = sessions as unknown as SessionStore;
   const address = () => '/?scene=a.usda';
   autosave = new Autosave({
-    studio: editor,
+    editor,
     observerController: new ObserverController(editor),
     localFiles,
     sessions: store,

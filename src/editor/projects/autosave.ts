@@ -23,7 +23,7 @@ export type AutosaveFailure =
   | { readonly kind: 'files'; readonly size: string };
 
 export interface AutosaveOptions {
-  readonly studio: Editor;
+  readonly editor: Editor;
   readonly observerController: ObserverController;
   readonly localFiles: LocalFiles;
   /** A `refusal` if the browser provides no storage. */
@@ -65,7 +65,7 @@ export class Autosave {
     this.storedSets = { ids: new Set(options.savedSets), bytes: 0 };
     this.isRestored = options.savedSets !== undefined;
     this.hasWork = this.isRestored;
-    const { studio: editor } = options;
+    const { editor } = options;
     editor.store.subscribe((now, before) => {
       if (now.history.document === before.history.document && isUnsaved(now) === isUnsaved(before)) return;
       this.hasWork = true;
@@ -88,7 +88,7 @@ export class Autosave {
     const { sessions } = this.options;
     try {
       if ('refusal' in sessions) throw new Error(sessions.refusal);
-      const { studio: editor, observerController, id } = this.options;
+      const { editor, observerController, id } = this.options;
       const state = editor.store.getState();
       const { lock, cruise, playing, loop } = state;
       const view = state.picture && { observer: observerController.observer, lock, cruise, playing, loop };

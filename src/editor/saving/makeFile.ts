@@ -29,15 +29,15 @@ export interface MakeFileOptions {
 }
 
 /** Makes what a node requests; several files become a zip. Throws UnsupportedInPage, NodeRefusal or CancelledError. */
-export async function makeFile(file: RequestedFile, making: MakeFileOptions): Promise<MadeFile> {
-  if (file.kind === 'scene') return sceneFile(file, making);
+export async function makeFile(file: RequestedFile, options: MakeFileOptions): Promise<MadeFile> {
+  if (file.kind === 'scene') return sceneFile(file, options);
   const picture = pictureSequence(file);
-  if (extensionOf(file.name) !== 'mp4') return pictureFile(file, picture, making);
+  if (extensionOf(file.name) !== 'mp4') return pictureFile(file, picture, options);
   const { Mp4Encoder } = await import('./mp4Encoder.ts');
   const encoder = await Mp4Encoder.open(picture.size, file.kind === 'video' ? file.fps : 1, picture.frames.length);
   if (!encoder) throw new UnsupportedInPage('notice.noFilm');
   try {
-    await renderFrames(file, picture, making, async (frame) => {
+    await renderFrames(file, picture, options, async (frame) => {
       await encoder.add(frame.rendered.pixels);
       checkSize(encoder.size);
     });
@@ -63,12 +63,12 @@ async function sceneFile(file: SceneOutput, { node }: MakeFileOptions): Promise<
 async function pictureFile(
   file: ImageOutput | VideoOutput,
   sequence: PictureSequence,
-  making: MakeFileOptions,
+  options: MakeFileOptions,
 ): Promise<MadeFile> {
   const files = new Map<string, Uint8Array>();
   let size = 0;
   const isLight = sequence.aovs.length > 0;
-  await renderFrames(file, sequence, making, async (frame) => {
+  await renderFrames(file, sequence, options, async (frame) => {
     const { rendered, number = 0 } = frame;
     const bytes = isLight
       ? encodeExrPicture(sequence.size, rendered, frame, file.picture.scene)

@@ -17,37 +17,37 @@ import { UnsupportedInPage } from './unsupportedInPage.ts';
 
 /** Makes the file that a node requests, given by its evaluation id, and downloads it; one at a time. */
 export function useSaveFile(): (node: string) => Promise<void> {
-  const studio = useEditor();
+  const editor = useEditor();
   const { backend } = useServices();
-  const { t, said } = useTexts();
+  const { t, translateMessage } = useTexts();
   return useCallback(
     async (node) => {
       if (savingStore.getState().job) return;
       const abort = new AbortController();
       savingStore.setState({ job: { node, name: node, cancel: () => abort.abort() } });
       try {
-        await save({ node, studio, backend, signal: abort.signal, t, said });
+        await save({ node, editor, backend, signal: abort.signal, t, translateMessage });
       } catch (error) {
-        if (!(error instanceof CancelledError)) notifyError(studio, t, error);
+        if (!(error instanceof CancelledError)) notifyError(editor, t, error);
       } finally {
         savingStore.setState({ job: undefined });
       }
     },
-    [studio, backend, t, said],
+    [editor, backend, t, translateMessage],
   );
 }
 
 interface SaveFileContext extends Pick<EditorServices, 'backend'> {
   readonly node: string;
-  readonly studio: Editor;
+  readonly editor: Editor;
   readonly signal: AbortSignal;
   readonly t: Translate;
-  readonly said: TranslateMessage;
+  readonly translateMessage: TranslateMessage;
 }
 
-async function save({ node, studio, backend, signal, t, said }: SaveFileContext): Promise<void> {
-  const { document } = studio.store.getState().history;
-  const evaluation = await studio.evaluate(node, signal);
+async function save({ node, editor, backend, signal, t, translateMessage }: SaveFileContext): Promise<void> {
+  const { document } = editor.store.getState().history;
+  const evaluation = await editor.evaluate(node, signal);
   const file = requireFile(evaluation, requestedFiles(evaluation, fileNodesIn(document)).get(node));
   const told = (change: { name?: string; part?: number }): void =>
     savingStore.setState(({ job }) => ({ job: job && { ...job, ...change } }));
@@ -56,15 +56,21 @@ async function save({ node, studio, backend, signal, t, said }: SaveFileContext)
   const { makeFile } = await import('./makeFile.ts');
   const made = await makeFile(file, { node, backend, signal, progress: (part) => told({ part }) });
   download(made.content, made.name);
-  studio.notify({ kind: 'info', text: savedText(made, { t, said }) });
+  editor.notify({ kind: 'info', text: savedText(made, { t, translateMessage }) });
 }
 
 const MAX_LISTED_LOSSES = 4;
 
-function savedText({ name, losses = [] }: MadeFile, { t, said }: Pick<SaveFileContext, 't' | 'said'>): string {
+function savedText(
+  { name, losses = [] }: MadeFile,
+  { t, translateMessage }: Pick<SaveFileContext, 't' | 'translateMessage'>,
+): string {
   if (losses.length === 0) return t('notice.saved', { name });
   const more = losses.length > MAX_LISTED_LOSSES ? ` (+ ${losses.length - MAX_LISTED_LOSSES})` : '';
-  return t('notice.savedLosing', { name, losses: losses.slice(0, MAX_LISTED_LOSSES).map(said).join('; ') + more });
+  return t('notice.savedLosing', {
+    name,
+    losses: losses.slice(0, MAX_LISTED_LOSSES).map(translateMessage).join('; ') + more,
+  });
 }
 
 /** The file that a node requests; throws what prevents it. */
@@ -75,14 +81,14 @@ function requireFile({ target, results }: Evaluation, file: RequestedFile | unde
   throw new Error('the node asks for no file');
 }
 
-function notifyError(studio: Editor, t: Translate, error: unknown): void {
+function notifyError(editor: Editor, t: Translate, error: unknown): void {
   if (error instanceof UnsupportedInPage) {
-    notifyCommand(studio, (command) => t(error.why, { ...error.fill, command }), t);
+    notifyCommand(editor, (command) => t(error.why, { ...error.fill, command }), t);
     return;
   }
   if (error instanceof PictureTooLargeError) {
     notifyCommand(
-      studio,
+      editor,
       (command) => `${t('picture.tooLarge', { ...error.fill })} ${t('notice.elsewhere', { command })}`,
       t,
     );
@@ -90,14 +96,14 @@ function notifyError(studio: Editor, t: Translate, error: unknown): void {
   }
   const { message, place, remedy }: Pick<NodeProblem, 'message' | 'remedy'> & { place?: string } =
     error instanceof NodeRefusal ? error.problem : { message: error instanceof Error ? error.message : String(error) };
-  studio.notify({ kind: 'error', text: message, ...(place && { place }), ...(remedy && { remedy }) });
+  editor.notify({ kind: 'error', text: message, ...(place && { place }), ...(remedy && { remedy }) });
 }
 
 /** Shows the equivalent command line. */
-function notifyCommand(studio: Editor, words: (command: string) => string, t: Translate): void {
-  const project = fileName(projectName(studio.store.getState()), '.slowlight.json');
+function notifyCommand(editor: Editor, words: (command: string) => string, t: Translate): void {
+  const project = fileName(projectName(editor.store.getState()), '.slowlight.json');
   const command = `slowlight render ${/^[\w.-]+$/.test(project) ? project : `'${project.replaceAll("'", "'\\''")}'`}`;
-  studio.notify({
+  editor.notify({
     kind: 'error',
     text: words(command),
     action: { text: t('notice.copyCommand'), act: () => void navigator.clipboard.writeText(command) },

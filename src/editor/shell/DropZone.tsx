@@ -9,7 +9,7 @@ import { useOpenFiles } from './useOpenFiles.ts';
 
 /** Drop target for files on the whole page; ignores panels that are dragged inside it. */
 export function DropZone(): ReactNode {
-  const { t, said: translateMessage } = useTexts();
+  const { t, translateMessage } = useTexts();
   const editor = useEditor();
   const open = useOpenFiles();
   const [over, setOver] = useState(false);

@@ -63,7 +63,7 @@ function useSceneNotices(): void {
 }
 
 function NoticeCard({ notice }: { readonly notice: Notice }): ReactNode {
-  const { t, said: translateMessage } = useTexts();
+  const { t, translateMessage } = useTexts();
   const editor = useEditor();
   const kept = useEditorState((state) => state.picture !== undefined);
   const place = usePlace(notice);
@@ -121,7 +121,7 @@ function NoticeCard({ notice }: { readonly notice: Notice }): ReactNode {
 
 /** Title of the node that a notice refers to. */
 function usePlace({ place }: Notice): string | undefined {
-  const { textOrKey, said: translateMessage } = useTexts();
+  const { textOrKey, translateMessage } = useTexts();
   const title = useEditorState(({ history }) => (place ? displayTitle(history.document, place) : undefined));
   return title ? textOrKey(title) : place && translateMessage(place);
 }

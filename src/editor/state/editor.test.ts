@@ -29,31 +29,31 @@ const services: Services = {
 };
 
 async function open(...sources: string[]) {
-  const studio = createEditor({ services, project: projectOfScene(sources[0]!), playing: false });
+  const editor = createEditor({ services, project: projectOfScene(sources[0]!), playing: false });
   await settled();
   for (const source of sources.slice(1)) {
-    studio.open(source);
+    editor.open(source);
     await settled();
   }
-  return { studio, state: () => studio.store.getState() };
+  return { editor, state: () => editor.store.getState() };
 }
 
 it('the last good scene stays while another is refused, and undo takes the refusal away', async () => {
-  const { studio, state } = await open('a.usda', 'bad.usda');
+  const { editor, state } = await open('a.usda', 'bad.usda');
   expect(state()).toMatchObject({
     pictureSource: { source: 'a.usda' },
     notices: [{ place: 'bad.usda', text: 'the file is empty' }],
   });
   expect(state().picture?.scene.name).toBe('a.usda');
-  studio.undo();
+  editor.undo();
   await settled();
   expect(state().notices).toEqual([]);
 });
 
 it('reading can be cancelled: the scene before it stays, and the document is its own again', async () => {
-  const { studio, state } = await open('a.usda', 'slow.usda');
+  const { editor, state } = await open('a.usda', 'slow.usda');
   expect(state().loading).toEqual({ node: 'read', source: 'slow.usda', part: 0.5, stage: 'parse' });
-  studio.cancelLoading();
+  editor.cancelLoading();
   await settled();
   expect(state()).toMatchObject({ pictureSource: { source: 'a.usda' }, loading: undefined });
   expect(sourceOf(state().history.document)).toBe('a.usda');
@@ -73,26 +73,26 @@ it('reading again with another variant can be cancelled: the choice is taken bac
             });
           }),
   };
-  const studio = createEditor({ services: slowRed, project: projectOfScene('a.usda'), playing: false });
-  const variants = () => studio.store.getState().history.document.nodes.read?.params.variants;
+  const editor = createEditor({ services: slowRed, project: projectOfScene('a.usda'), playing: false });
+  const variants = () => editor.store.getState().history.document.nodes.read?.params.variants;
   await settled();
-  studio.set('read', 'variants', ['paint=blue'], 'edit.variant');
+  editor.set('read', 'variants', ['paint=blue'], 'edit.variant');
   await settled();
-  studio.set('read', 'variants', ['paint=red'], 'edit.variant');
-  studio.set('toneMap', 'exposure', 1, 'exposure');
+  editor.set('read', 'variants', ['paint=red'], 'edit.variant');
+  editor.set('toneMap', 'exposure', 1, 'exposure');
   await settled();
-  studio.cancelLoading();
+  editor.cancelLoading();
   await settled();
   expect([stopped, variants()]).toEqual([1, ['paint=blue']]);
-  expect(studio.store.getState()).toMatchObject({ loading: undefined, pictureSource: { source: 'a.usda' } });
+  expect(editor.store.getState()).toMatchObject({ loading: undefined, pictureSource: { source: 'a.usda' } });
 });
 
 it('an edit while a scene is read does not begin the reading anew; another file ends it', async () => {
-  const { studio, state } = await open('a.usda', 'slow.usda');
-  studio.set('toneMap', 'exposure', 1, 'exposure');
+  const { editor, state } = await open('a.usda', 'slow.usda');
+  editor.set('toneMap', 'exposure', 1, 'exposure');
   await settled();
   expect(state().loading?.source).toBe('slow.usda');
-  studio.open('b.usda');
+  editor.open('b.usda');
   await settled();
   expect(state()).toMatchObject({ pictureSource: { source: 'b.usda' }, loading: undefined, notices: [] });
   expect(state().picture?.scene.name).toBe('b.usda');
@@ -113,15 +113,15 @@ it('a reference render goes on while other things are edited; with numbers of it
         });
       }),
   };
-  const studio = createEditor({ services: tracing, project: projectOfScene('a.usda'), playing: false });
-  const state = () => studio.store.getState();
+  const editor = createEditor({ services: tracing, project: projectOfScene('a.usda'), playing: false });
+  const state = () => editor.store.getState();
   await settled();
   const edge = (from: string, output: string, to: string, input: string): Command => ({
     kind: 'connect',
     edge: { from: { node: from, output }, to: { node: to, input } },
   });
   const before = state().picture;
-  studio.edit(
+  editor.edit(
     {
       kind: 'batch',
       commands: [
@@ -135,19 +135,19 @@ it('a reference render goes on while other things are edited; with numbers of it
   await settled();
   expect(state().loading).toMatchObject({ node: 'truth', part: 0.25, stage: 'trace' });
   expect(state().picture).toBe(before);
-  studio.set('toneMap', 'exposure', 1, 'exposure');
+  editor.set('toneMap', 'exposure', 1, 'exposure');
   await settled();
   expect(traced).toMatchObject([{ seed: 0, stopped: false }]);
-  studio.set('truth', 'seed', 5, 'seed');
+  editor.set('truth', 'seed', 5, 'seed');
   await settled();
   expect(traced).toMatchObject([{ stopped: true }, { seed: 5, stopped: false }]);
   traced[1]?.done();
   await settled();
   expect(state()).toMatchObject({ loading: undefined, notices: [], picture: { exposure: 1 } });
   expect(state().picture?.frameGraph?.passes).toMatchObject([{ kind: 'still', still: { width: 480, height: 270 } }]);
-  studio.set('truth', 'seed', 6, 'seed');
+  editor.set('truth', 'seed', 6, 'seed');
   await settled();
-  studio.cancelLoading();
+  editor.cancelLoading();
   await settled();
   expect(traced[2]?.stopped).toBe(true);
   expect(state().loading).toBeUndefined();
@@ -155,14 +155,14 @@ it('a reference render goes on while other things are edited; with numbers of it
 });
 
 it('a node in a group is set where its definition is, and what does not fit is told', async () => {
-  const { studio, state } = await open('a.usda');
+  const { editor, state } = await open('a.usda');
   const grouping = groupCommand(state().history.document, { nodes: ['toneMap'] }, 'Picture', nodeLibrary);
-  studio.edit(grouping.command, 'group');
-  studio.set('group/toneMap', 'exposure', 2, 'exposure');
+  editor.edit(grouping.command, 'group');
+  editor.set('group/toneMap', 'exposure', 2, 'exposure');
   await settled();
   expect(state().picture?.exposure).toBe(2);
   expect(state().history.document.groups.group?.nodes.toneMap?.params).toEqual({ exposure: 2 });
-  studio.set('group/gone', 'exposure', 2, 'exposure');
+  editor.set('group/gone', 'exposure', 2, 'exposure');
   expect(state().notices).toMatchObject([{ kind: 'error', text: 'there is no node "group/gone"' }]);
 });
 
@@ -170,26 +170,26 @@ describe('projects', () => {
   const other = { document: newProject('b.usda'), origin: 'other.slowlight.json', unsaved: false };
 
   it('one is opened in place of another as a step that can be undone, and done again', async () => {
-    const { studio, state } = await open('a.usda');
-    studio.openProject(other);
+    const { editor, state } = await open('a.usda');
+    editor.openProject(other);
     await settled();
     expect(state().pictureSource).toMatchObject({ origin: 'other.slowlight.json', source: 'b.usda' });
-    studio.undo();
+    editor.undo();
     await settled();
     expect(state().pictureSource).toMatchObject({ origin: '', source: 'a.usda' });
-    studio.redo();
+    editor.redo();
     await settled();
     expect(state().pictureSource.origin).toBe('other.slowlight.json');
   });
 
   it('one that cannot be shown leaves the last picture, and tells why', async () => {
-    const { studio, state } = await open('a.usda');
+    const { editor, state } = await open('a.usda');
     const output: Command = { kind: 'remove-nodes', nodes: ['output'] };
-    studio.openProject({ ...other, document: applyCommand(other.document, output).document });
+    editor.openProject({ ...other, document: applyCommand(other.document, output).document });
     await settled();
     expect(state().picture?.scene.name).toBe('a.usda');
     expect(state().notices).toMatchObject([{ text: expect.stringMatching(/no output node/), ofDocument: true }]);
-    studio.openProject({ ...other, document: newProject('bad.usda') });
+    editor.openProject({ ...other, document: newProject('bad.usda') });
     await settled();
     expect(state()).toMatchObject({
       unreadableNode: 'read',
@@ -199,41 +199,41 @@ describe('projects', () => {
   });
 
   it('reading one can be cancelled: the one before it is back, whatever was changed meanwhile', async () => {
-    const { studio, state } = await open('a.usda');
-    studio.openProject({ ...other, document: newProject('slow.usda') });
-    studio.set('toneMap', 'exposure', 1, 'exposure');
+    const { editor, state } = await open('a.usda');
+    editor.openProject({ ...other, document: newProject('slow.usda') });
+    editor.set('toneMap', 'exposure', 1, 'exposure');
     await settled();
-    studio.cancelLoading();
+    editor.cancelLoading();
     await settled();
     expect(state()).toMatchObject({ loading: undefined, history: { origin: '' } });
     expect(sourceOf(state().history.document)).toBe('a.usda');
   });
 
   it('a scene that is opened where no node reads files comes in a project of its own', async () => {
-    const { studio, state } = await open('a.usda');
-    studio.edit({ kind: 'remove-nodes', nodes: ['read'] }, 'remove');
-    studio.open('b.usda');
+    const { editor, state } = await open('a.usda');
+    editor.edit({ kind: 'remove-nodes', nodes: ['read'] }, 'remove');
+    editor.open('b.usda');
     await settled();
     expect(state().pictureSource.source).toBe('b.usda');
-    studio.undo();
+    editor.undo();
     expect(state().history.document.nodes.read).toBeUndefined();
   });
 
   it('what no file holds is marked, until it is saved or undone; to look at a scene is no work', async () => {
-    const { studio, state } = await open('a.usda', 'b.usda');
+    const { editor, state } = await open('a.usda', 'b.usda');
     expect(isUnsaved(state())).toBe(false);
-    studio.set('toneMap', 'exposure', 1, 'exposure', 'drag');
+    editor.set('toneMap', 'exposure', 1, 'exposure', 'drag');
     expect(isUnsaved(state())).toBe(true);
-    studio.markSaved();
+    editor.markSaved();
     expect(isUnsaved(state())).toBe(false);
-    studio.set('toneMap', 'exposure', 2, 'exposure');
-    studio.undo();
+    editor.set('toneMap', 'exposure', 2, 'exposure');
+    editor.undo();
     expect(isUnsaved(state())).toBe(false);
-    studio.undo();
+    editor.undo();
     expect(isUnsaved(state())).toBe(true);
-    studio.redo();
+    editor.redo();
     expect(isUnsaved(state())).toBe(false);
-    studio.openProject({ ...other, unsaved: true });
+    editor.openProject({ ...other, unsaved: true });
     expect(isUnsaved(state())).toBe(true);
   });
 });

@@ -274,7 +274,7 @@ function startEvaluation(store: StoreApi<EditorState>, services: Services) {
   let abort = new AbortController();
   let latest = 0;
   /** Whether cancelled work is kept at its interim result. */
-  let held = false;
+  let isStopped = false;
   /** Whether the picture shows an interim result of the running work. */
   let seen = false;
 
@@ -299,14 +299,14 @@ function startEvaluation(store: StoreApi<EditorState>, services: Services) {
       seen = true;
       applyInterim(store, soFar);
     });
-    const interims = held ? ({ interims: 'stopped' } as const) : undefined;
+    const interims = isStopped ? ({ interims: 'stopped' } as const) : undefined;
     const how = { signal, progress, onInterim, ...interims };
     try {
       const result = output === undefined ? NO_OUTPUT_EVALUATION : evaluator.evaluate(document, output, services, how);
       before.abort();
       const evaluation = await result;
       if (turn !== latest) return;
-      held &&= isInterim(evaluation);
+      isStopped &&= isInterim(evaluation);
       applyEvaluation(store, evaluation);
     } catch (error) {
       if (!(error instanceof CancelledError)) throw error;
@@ -325,12 +325,12 @@ function startEvaluation(store: StoreApi<EditorState>, services: Services) {
   const stop = (): boolean => {
     abort.abort();
     if (!seen) return false;
-    held = true;
+    isStopped = true;
     void update();
     return true;
   };
   const goOn = (): void => {
-    held = false;
+    isStopped = false;
     void update();
   };
   return { update: () => void update(), stop, goOn, ask };

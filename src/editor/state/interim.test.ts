@@ -57,7 +57,7 @@ async function open() {
   const editor = createEditor({ services, project: { document, origin: 'p', unsaved: false }, playing: false });
   await settled();
   return {
-    studio: editor,
+    editor,
     state: () => editor.store.getState(),
     end: () => editor.store.getState().picture?.scene.endTime,
   };
@@ -87,7 +87,7 @@ it('the picture shows the motion so far, while it goes on to be loaded', async (
 });
 
 it('stopped work stays as it is through edits, and goes on from there when it is asked to', async () => {
-  const { studio: editor, state, end } = await open();
+  const { editor, state, end } = await open();
   led[0]!.give('abc');
   await settled();
   editor.cancelLoading();
@@ -113,7 +113,7 @@ it('stopped work stays as it is through edits, and goes on from there when it is
 });
 
 it('other work begins, whatever was stopped; back at that, it is as it was', async () => {
-  const { studio: editor, state, end } = await open();
+  const { editor, state, end } = await open();
   led[0]!.give('abc');
   await settled();
   editor.cancelLoading();
@@ -134,7 +134,7 @@ it('other work begins, whatever was stopped; back at that, it is as it was', asy
 });
 
 it('work that has given nothing yet is just cancelled', async () => {
-  const { studio: editor, state } = await open();
+  const { editor, state } = await open();
   editor.cancelLoading();
   await settled();
   expect(led[0]!.stopped).toBe(true);
@@ -143,7 +143,7 @@ it('work that has given nothing yet is just cancelled', async () => {
 });
 
 it('where other work has just begun, to cancel ends that, and does not begin it again', async () => {
-  const { studio: editor, state } = await open();
+  const { editor, state } = await open();
   led[0]!.give('abc');
   await settled();
   editor.set('work', 'levels', 2, 'levels');
@@ -156,7 +156,7 @@ it('where other work has just begun, to cancel ends that, and does not begin it 
 });
 
 it('that a run ended before its time is said, once', async () => {
-  const { studio: editor, state } = await open();
+  const { editor, state } = await open();
   const books = { kinetic: Float64Array.of(0), stop: { t: 1.5, message: 'too fast' } };
   led[0]!.end('abc', { books });
   await settled();

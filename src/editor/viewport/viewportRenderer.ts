@@ -52,7 +52,7 @@ export interface PreviewContext {
   /** Exposure for images without a tone curve [EV]. */
   readonly exposure: number;
   /** A frame graph with the exposure of this picture. */
-  withExposure(plan: FrameGraph): FrameGraph;
+  withExposure(frameGraph: FrameGraph): FrameGraph;
 }
 
 /**
@@ -60,50 +60,50 @@ export interface PreviewContext {
  * rest.
  */
 export class ViewportRenderer {
-  private readonly studio: Editor;
-  private readonly pilot: ObserverController;
+  private readonly editor: Editor;
+  private readonly observerController: ObserverController;
   private readonly renderer: InteractiveRenderer;
   private readonly canvas: HTMLCanvasElement;
   private readonly observer: ResizeObserver;
   private readonly resolution = new DynamicResolution();
-  private readonly eye = new AutoExposure(prefersReducedMotion());
-  private readonly reader = new ValuePicker();
+  private readonly autoExposure = new AutoExposure(prefersReducedMotion());
+  private readonly valuePicker = new ValuePicker();
   /**
    * Samples per pixel side that still pictures accumulate; undefined on software renderers, which do not accumulate.
    */
-  private readonly finest: number | undefined;
+  private readonly maxSamplesPerSide: number | undefined;
   private scale = 1;
   /** Scenes that are uploaded. */
   private scenes: readonly Scene[] = [];
   private uploading = false;
   /** Start of the current upload [ms], and whether it is the previous scene with a longer motion. */
-  private began: number | undefined;
-  private grew = false;
+  private uploadStart: number | undefined;
+  private isGrowing = false;
   /** Earliest time for the next upload of an interim scene [ms]. */
-  private next = 0;
+  private nextUpload = 0;
   /** The displayed frame; undefined while nothing of this scene is displayed. */
-  private shown: DisplayedFrame | undefined;
+  private displayed: DisplayedFrame | undefined;
   /** The requested view at the last tick. */
-  private wanted: DisplayedView | undefined;
+  private requestedView: DisplayedView | undefined;
   /** Whether the same view must be drawn again. */
   private stale = false;
   private frame = 0;
-  private before: number | undefined;
+  private lastTick: number | undefined;
   /** Whether samples of this scene can no longer be read. */
-  private lost = false;
+  private samplesLost = false;
   /** Whether shaders of the requested view are being compiled. */
-  private prepares = false;
+  private compiling = false;
 
   static async start(
     canvas: HTMLCanvasElement,
-    studio: Editor,
-    pilot: ObserverController,
+    editor: Editor,
+    observerController: ObserverController,
     backend: Backend | 'auto',
     onLost: (reason: string) => void,
   ): Promise<ViewportRenderer> {
-    let stage: ViewportRenderer | undefined;
-    const again = (): void => {
-      if (stage) stage.again();
+    let viewportRenderer: ViewportRenderer | undefined;
+    const requestDraw = (): void => {
+      if (viewportRenderer) viewportRenderer.requestDraw();
     };
     const software = isSoftwareRenderer();
     const renderer = await interactivePipeline().openInteractive({
@@ -113,32 +113,32 @@ export class ViewportRenderer {
       shadowDetail: software ? 'coarse' : 'fine',
       tessellationWorker: () => new Worker(new URL('./tessellation.worker.ts', import.meta.url), { type: 'module' }),
       sampleWorker: () => new Worker(new URL('./samples.worker.ts', import.meta.url), { type: 'module' }),
-      onBetterTessellation: again,
-      onSamples: again,
+      onBetterTessellation: requestDraw,
+      onSamples: requestDraw,
       onError: (error) => {
-        if (stage) stage.lose(error);
+        if (viewportRenderer) viewportRenderer.handleSampleError(error);
       },
     });
-    stage = new ViewportRenderer(canvas, renderer, studio, pilot, software ? undefined : 8);
-    return stage;
+    viewportRenderer = new ViewportRenderer(canvas, renderer, editor, observerController, software ? undefined : 8);
+    return viewportRenderer;
   }
 
   private constructor(
     canvas: HTMLCanvasElement,
     renderer: InteractiveRenderer,
-    studio: Editor,
-    pilot: ObserverController,
-    finest: number | undefined,
+    editor: Editor,
+    observerController: ObserverController,
+    maxSamplesPerSide: number | undefined,
   ) {
-    this.finest = finest;
-    this.studio = studio;
-    this.pilot = pilot;
+    this.maxSamplesPerSide = maxSamplesPerSide;
+    this.editor = editor;
+    this.observerController = observerController;
     this.renderer = renderer;
     this.canvas = canvas;
     this.observer = new ResizeObserver(() => this.resize());
     this.observer.observe(canvas);
     this.resize();
-    studio.update({ graphics: renderer.info.backend });
+    editor.update({ graphics: renderer.info.backend });
     this.frame = requestAnimationFrame((now) => this.tick(now));
   }
 
@@ -150,12 +150,12 @@ export class ViewportRenderer {
 
   /** The current picture at full resolution; undefined if there is none. */
   async capture(): Promise<CapturedPicture | undefined> {
-    if (this.scale !== 1 || !this.shown) {
+    if (this.scale !== 1 || !this.displayed) {
       this.scale = 1;
       this.resize();
     }
-    if (!this.shown) return undefined;
-    const shown = this.shown;
+    if (!this.displayed) return undefined;
+    const shown = this.displayed;
     const { width, height } = this.renderer;
     const pixels = new Uint8ClampedArray(await this.renderer.readPixels());
     return { ...shown, image: new ImageData(pixels, width, height) };
@@ -163,17 +163,17 @@ export class ViewportRenderer {
 
   /** Undefined while nothing is displayed or an upload is running. */
   previewContext(): PreviewContext | undefined {
-    const { picture } = this.pilot;
-    if (!picture || !this.shown || this.uploading || this.prepares || this.waits) return undefined;
-    const metered = this.eye.exposure(picture);
+    const { picture } = this.observerController;
+    if (!picture || !this.displayed || this.uploading || this.compiling || this.isWaiting) return undefined;
+    const metered = this.autoExposure.exposure(picture);
     return {
       renderer: this.renderer,
       picture,
-      view: this.shown,
+      view: this.displayed,
       isStill: this.resolution.isStill,
-      software: this.finest === undefined,
+      software: this.maxSamplesPerSide === undefined,
       exposure: picture.exposure + metered,
-      withExposure: (plan) => exposedFrameGraph(plan, metered, (kind) => this.eye.scale(kind)),
+      withExposure: (frameGraph) => exposedFrameGraph(frameGraph, metered, (kind) => this.autoExposure.scale(kind)),
     };
   }
 
@@ -188,72 +188,72 @@ export class ViewportRenderer {
 
   private tick(now: number): void {
     this.frame = requestAnimationFrame((next) => this.tick(next));
-    const interval = now - (this.before ?? now);
-    this.before = now;
-    this.follow();
+    const interval = now - (this.lastTick ?? now);
+    this.lastTick = now;
+    this.followPicture();
     const step = Math.min(MAX_FLIGHT_STEP, interval / 1000);
-    if (!this.waits) this.pilot.advance(step);
+    if (!this.isWaiting) this.observerController.advance(step);
     // If the device was lost, the next generation measures.
-    this.eye.advance(step, now)?.catch(() => {});
+    this.autoExposure.advance(step, now)?.catch(() => {});
     this.resolution.recordFrame(this.draw(false), now, interval);
     if (this.resolution.scale !== this.scale) {
       this.scale = this.resolution.scale;
       this.resize();
-    } else if (this.resolution.isStill) this.refine();
-    this.read(now);
-    const drawn = { ...this.renderer.info, waiting: this.waits, preparing: this.prepares };
-    updateTelemetry(this.pilot.observer, this.shown ? drawn : { ...drawn, triangles: 0 }, now);
+    } else if (this.resolution.isStill) this.accumulate();
+    this.pickValue(now);
+    const drawn = { ...this.renderer.info, waiting: this.isWaiting, preparing: this.compiling };
+    updateTelemetry(this.observerController.observer, this.displayed ? drawn : { ...drawn, triangles: 0 }, now);
   }
 
   /**
    * Accumulates a sample of a still view, unless other work is pending; an attribute of the canvas tells when it is
    * complete and exposure has settled.
    */
-  private refine(): void {
-    if (!this.shown || this.uploading || this.prepares || this.waits) return;
-    const goesOn = this.finest !== undefined && this.renderer.accumulate?.(this.finest) === true;
-    this.canvas.toggleAttribute('data-finest', !goesOn && this.eye.isSettled);
+  private accumulate(): void {
+    if (!this.displayed || this.uploading || this.compiling || this.isWaiting) return;
+    const goesOn = this.maxSamplesPerSide !== undefined && this.renderer.accumulate?.(this.maxSamplesPerSide) === true;
+    this.canvas.toggleAttribute('data-finest', !goesOn && this.autoExposure.isSettled);
   }
 
   /** Picks the value for the legend. */
-  private read(now: number): void {
-    if (!this.shown || this.uploading) return;
+  private pickValue(now: number): void {
+    if (!this.displayed || this.uploading) return;
     const { width, height } = this.renderer;
     const pick = async (x: number, y: number) => this.renderer.pick?.(x, y);
-    this.reader.update({ ...this.shown, width, height, pick }, now)?.catch(() => {});
+    this.valuePicker.update({ ...this.displayed, width, height, pick }, now)?.catch(() => {});
   }
 
   /** Takes over a new picture; another scene is uploaded first, and the last picture stays until then. */
-  private follow(): void {
-    const { picture, pictureSource, interim, results } = this.studio.store.getState();
+  private followPicture(): void {
+    const { picture, pictureSource, interim, results } = this.editor.store.getState();
     if (!picture || this.uploading) return;
     const until = interim === 'running' ? computedUntil(results) : undefined;
     if (sameScenes(picture.scenes, this.scenes)) {
-      if (picture !== this.pilot.picture || until !== this.pilot.computedUntil)
-        this.pilot.setPicture(picture, pictureSource, until);
+      if (picture !== this.observerController.picture || until !== this.observerController.computedUntil)
+        this.observerController.setPicture(picture, pictureSource, until);
       return;
     }
-    const busy = this.began !== undefined || performance.now() < this.next;
-    if (until === undefined || !this.pilot.isShowing(pictureSource) || !busy)
+    const busy = this.uploadStart !== undefined || performance.now() < this.nextUpload;
+    if (until === undefined || !this.observerController.isShowing(pictureSource) || !busy)
       void this.upload(picture, pictureSource, until);
   }
 
   private async upload(picture: PictureSpec, opened: PictureSource, until: number | undefined): Promise<void> {
     this.uploading = true;
-    this.began = performance.now();
+    this.uploadStart = performance.now();
     this.scenes = picture.scenes;
-    this.lost = false;
+    this.samplesLost = false;
     try {
       await this.renderer.setScene(picture.scene, picture.scenes.slice(1));
-      this.shown = undefined;
-      this.wanted = undefined;
-      this.grew = this.pilot.computedUntil !== undefined && this.pilot.isShowing(opened);
-      if (!this.grew) this.eye.reset();
-      this.pilot.setPicture(picture, opened, until);
+      this.displayed = undefined;
+      this.requestedView = undefined;
+      this.isGrowing = this.observerController.computedUntil !== undefined && this.observerController.isShowing(opened);
+      if (!this.isGrowing) this.autoExposure.reset();
+      this.observerController.setPicture(picture, opened, until);
     } catch (error) {
-      this.began = undefined;
+      this.uploadStart = undefined;
       const text = error instanceof Error ? error.message : String(error);
-      this.studio.notify({ kind: 'error', text, place: sceneName(opened.source || opened.origin) });
+      this.editor.notify({ kind: 'error', text, place: sceneName(opened.source || opened.origin) });
     } finally {
       this.uploading = false;
     }
@@ -261,67 +261,77 @@ export class ViewportRenderer {
 
   private isPrepared({ viewPoint, settings, sampling }: DisplayedFrame): boolean {
     const preparing = this.renderer.precompile?.(viewPoint, settings, sampling);
-    this.prepares = preparing !== undefined;
+    this.compiling = preparing !== undefined;
     // If the device was lost, the next generation compiles.
     preparing?.catch(() => {});
     return !preparing;
   }
 
   /** Makes the next tick draw even if nothing has changed. */
-  private again(): void {
+  private requestDraw(): void {
     this.stale = true;
   }
 
   /** Whether samples are pending. */
-  private get waits(): boolean {
-    return this.renderer.info.waiting && !this.lost;
+  private get isWaiting(): boolean {
+    return this.renderer.info.waiting && !this.samplesLost;
   }
 
   /** The last picture stays, and time goes on. */
-  private lose(error: Error): void {
-    this.lost = true;
-    this.studio.notify({ kind: 'error', text: error.message });
+  private handleSampleError(error: Error): void {
+    this.samplesLost = true;
+    this.editor.notify({ kind: 'error', text: error.message });
   }
 
   /** Draws if the view changed; returns whether it did. */
   private draw(always: boolean): boolean {
-    const viewPoint = this.pilot.viewPoint();
-    const { picture } = this.pilot;
+    const viewPoint = this.observerController.viewPoint();
+    const { picture } = this.observerController;
     if (!viewPoint || !picture || this.uploading || !sameScenes(picture.scenes, this.scenes)) return false;
     const { clientWidth, clientHeight } = this.canvas;
-    const wanted = renderSettings(picture, this.eye.exposure(picture), (kind) => this.eye.scale(kind));
-    const before = this.wanted;
-    this.wanted = { viewPoint, settings: wanted };
-    const changes = before !== undefined && !sameView(before, this.wanted);
-    const moves = changes && !sameView({ ...before, settings: wanted }, this.wanted);
-    const drawing = this.affordable(viewPoint, wanted, moves);
+    const wanted = renderSettings(picture, this.autoExposure.exposure(picture), (kind) =>
+      this.autoExposure.scale(kind),
+    );
+    const before = this.requestedView;
+    this.requestedView = { viewPoint, settings: wanted };
+    const changes = before !== undefined && !sameView(before, this.requestedView);
+    const moves = changes && !sameView({ ...before, settings: wanted }, this.requestedView);
+    const drawing = this.preparedFrame(viewPoint, wanted, moves);
     if (!drawing) return false;
-    if (!always && !this.stale && this.shown && sameView(this.shown, drawing)) return false;
-    this.shown = drawing;
+    if (!always && !this.stale && this.displayed && sameView(this.displayed, drawing)) return false;
+    this.displayed = drawing;
     this.stale = false;
     this.canvas.removeAttribute('data-finest');
     const { settings, sampling } = drawing;
     this.renderer.render(viewPoint, settings, sampling);
     if (this.renderer.info.waiting) return false;
-    if (this.began !== undefined) {
+    if (this.uploadStart !== undefined) {
       const now = performance.now();
       // The first upload takes longest and does not predict the next.
-      this.next = this.grew ? now + INTERIM_PAUSE_FACTOR * (now - this.began) : now;
-      this.began = undefined;
+      this.nextUpload = this.isGrowing ? now + INTERIM_PAUSE_FACTOR * (now - this.uploadStart) : now;
+      this.uploadStart = undefined;
     }
     setLegendColors(settings.falseColors);
     const aspect = clientWidth / Math.max(1, clientHeight);
-    this.eye.observe({ picture, viewPoint, settings, aspect, measureLight: () => this.renderer.measureLight() });
+    this.autoExposure.observe({
+      picture,
+      viewPoint,
+      settings,
+      aspect,
+      measureLight: () => this.renderer.measureLight(),
+    });
     return changes;
   }
 
   /** Settings for the available time; until these can be drawn at once, those displayed before. */
-  private affordable(viewPoint: ViewPoint, wanted: RenderSettings, moves: boolean): DisplayedFrame | undefined {
+  private preparedFrame(viewPoint: ViewPoint, wanted: RenderSettings, moves: boolean): DisplayedFrame | undefined {
     const { fullQuality } = this.resolution;
     const settings = fullQuality ? wanted : { ...wanted, occlusionRadius: 0 };
     const plain: DisplayedFrame = { viewPoint, settings, sampling: 1 };
     const best: DisplayedFrame = moves && fullQuality ? { ...plain, sampling: 'temporal' } : plain;
-    return [best, plain].find((drawing) => this.isPrepared(drawing)) ?? (this.shown && { ...this.shown, viewPoint });
+    return (
+      [best, plain].find((drawing) => this.isPrepared(drawing)) ?? (this.displayed && { ...this.displayed, viewPoint })
+    );
   }
 }
 

@@ -2,7 +2,7 @@ import { scale } from '../../math/vec3.ts';
 import { composeMotion } from '../../scene/compose/applyRigidMotion.ts';
 import { motionFromPath } from '../../scene/compose/motionPaths.ts';
 import { FOREVER } from '../../scene/defaults.ts';
-import type { LocalLight } from '../../scene/types.ts';
+import type { LocalLight, LocalLightBase } from '../../scene/types.ts';
 import { rotationXYZ, vectorParam } from '../common/params.ts';
 import { defineNode } from '../defineNode.ts';
 import { lengthParam } from '../geometry/primitives/definePrimitive.ts';
@@ -48,21 +48,16 @@ export const lampNode = defineNode({
       lifetime: FOREVER,
       color: scale(color, strength),
     };
-    return { lights: [{ ...common, ...lightGeometry(shape, size) }] };
+    return { lights: [{ ...common, ...SHAPES[shape](size) }] };
   },
 });
 
-type LightGeometry =
-  | { readonly kind: 'rect'; readonly width: number; readonly height: number }
-  | { readonly kind: 'sphere' | 'disk'; readonly radius: number };
+type ShapeOf<L> = L extends LocalLight ? Omit<L, keyof LocalLightBase> : never;
 
-function lightGeometry(shape: string, size: number): LightGeometry & Pick<LocalLight, 'kind'> {
-  switch (shape) {
-    case 'rect':
-      return { kind: 'rect', width: size, height: size };
-    case 'disk':
-      return { kind: 'disk', radius: size / 2 };
-    default:
-      return { kind: 'sphere', radius: shape === 'ball' ? size / 2 : 0 };
-  }
-}
+/** By the options of `shape`; `size`: diameter or side [m]. */
+const SHAPES = {
+  point: () => ({ kind: 'sphere', radius: 0 }),
+  ball: (size) => ({ kind: 'sphere', radius: size / 2 }),
+  rect: (size) => ({ kind: 'rect', width: size, height: size }),
+  disk: (size) => ({ kind: 'disk', radius: size / 2 }),
+} as const satisfies Readonly<Record<string, (size: number) => ShapeOf<LocalLight>>>;

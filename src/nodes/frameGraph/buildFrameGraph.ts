@@ -41,13 +41,13 @@ export function buildPicture(image: ImageSpec): PictureSpec {
     exposure: toned?.exposure ?? 0,
     falseColor: isFalse ? last.of : 'none',
   } as const;
-  const { plan, scenes } = buildFrameGraph(light, gbuffer);
-  const [step] = plan.passes;
-  if (plan.passes.length === 1 && step?.kind === 'light' && step.buffer === 0)
+  const { plan: frameGraph, scenes } = buildFrameGraph(light, gbuffer);
+  const [step] = frameGraph.passes;
+  if (frameGraph.passes.length === 1 && step?.kind === 'light' && step.buffer === 0)
     return { ...how, shadows: step.shadows, occlusion: step.occlusion, scenes };
-  const metered = plan.passes.find((each) => each.kind === 'tone' && each.metering !== 'manual');
+  const metered = frameGraph.passes.find((each) => each.kind === 'tone' && each.metering !== 'manual');
   const metering = metered?.kind === 'tone' ? metered.metering : how.metering;
-  return { ...how, metering, shadows: true, occlusion: true, frameGraph: plan, scenes };
+  return { ...how, metering, shadows: true, occlusion: true, frameGraph, scenes };
 }
 
 /** A list without duplicates, compared by content. */

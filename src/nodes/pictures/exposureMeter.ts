@@ -20,8 +20,8 @@ export class ExposureMeter {
   async read({ view, settings }: PictureRequest): Promise<number> {
     const { metering, size, last } = this;
     if (metering === 'manual') return 0;
-    const gauge = await this.gauges.read(view, settings, 'radiance');
-    const target = exposureForMetering(metering, gauge, view, settings, size.width / size.height);
+    const readings = await this.gauges.read(view, settings, 'radiance');
+    const target = exposureForMetering(metering, readings, view, settings, size.width / size.height);
     const exposure = last ? adaptExposure(last.exposure, target, Math.abs(view.t - last.t)) : target;
     this.last = { t: view.t, exposure };
     return exposure;

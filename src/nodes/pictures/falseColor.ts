@@ -20,14 +20,14 @@ export const outputSize = ({ size, falseColour, legend }: FalseColorOptions): Pi
 
 /** Maps data to false colours for renderers that do not. All frames of a film share the scale of the first. */
 export class FalseColorRenderer {
-  private readonly painter: PictureRenderer;
+  private readonly renderer: PictureRenderer;
   private readonly gauges: PictureMeter;
   private readonly kind: FalseColorQuantity;
   private readonly wanted: FalseColorOptions;
   private scale: ValueRange | undefined;
 
-  constructor(painter: PictureRenderer, gauges: PictureMeter, kind: FalseColorQuantity, wanted: FalseColorOptions) {
-    this.painter = painter;
+  constructor(renderer: PictureRenderer, gauges: PictureMeter, kind: FalseColorQuantity, wanted: FalseColorOptions) {
+    this.renderer = renderer;
     this.gauges = gauges;
     this.kind = kind;
     this.wanted = wanted;
@@ -54,7 +54,7 @@ export class FalseColorRenderer {
     request: PictureRequest,
     onPart: (part: number) => void,
   ): Promise<Uint8Array> {
-    const { kind, painter, wanted } = this;
+    const { kind, renderer: painter, wanted } = this;
     const { view, settings } = request;
     if (painter.measureLight) {
       const painted = await painter.render({ ...request, settings: { ...settings, falseColors: colors } }, onPart);

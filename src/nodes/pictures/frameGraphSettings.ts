@@ -12,20 +12,20 @@ export class FrameGraphSettings {
   private readonly plan: FrameGraph;
   private scales: Map<FalseColorQuantity, ValueRange> | undefined;
 
-  constructor(gauges: PictureMeter, plan: FrameGraph) {
+  constructor(gauges: PictureMeter, frameGraph: FrameGraph) {
     this.gauges = gauges;
-    this.plan = plan;
+    this.plan = frameGraph;
   }
 
   /** `metered`: metered exposure [EV]. */
   async read(request: PictureRequest, metered: number): Promise<RenderSettings> {
     this.scales ??= await this.measured(request);
-    const plan = exposedFrameGraph(this.plan, metered, (kind) => this.scales?.get(kind));
+    const frameGraph = exposedFrameGraph(this.plan, metered, (kind) => this.scales?.get(kind));
     const { exposure } = request.settings;
     return {
       ...request.settings,
-      frameGraph: plan,
-      exposure: includesToneMapping(plan) ? exposure : exposure + metered,
+      frameGraph,
+      exposure: includesToneMapping(frameGraph) ? exposure : exposure + metered,
     };
   }
 

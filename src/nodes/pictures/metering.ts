@@ -88,5 +88,7 @@ const MEASURED_BY: Readonly<Record<FalseColorQuantity, keyof LightMeterReadings>
 };
 
 /** The false-colour scale that encloses the readings. */
-export const measuredFalseColorScale = (kind: FalseColorQuantity, gauge: LightMeterReadings | undefined): ValueRange =>
-  fitScale(kind, gauge ? gauge[MEASURED_BY[kind]] : []);
+export const measuredFalseColorScale = (
+  kind: FalseColorQuantity,
+  readings: LightMeterReadings | undefined,
+): ValueRange => fitScale(kind, readings ? readings[MEASURED_BY[kind]] : []);

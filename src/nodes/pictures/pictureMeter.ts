@@ -7,17 +7,17 @@ import type { FalseColorQuantity } from '../../spectrum/falseColor/falseColor.ts
 
 /** Measures pictures at the same sample positions as the page, so that exposures and scales agree. */
 export class PictureMeter {
-  private readonly painter: PictureRenderer;
+  private readonly renderer: PictureRenderer;
   private readonly size: PictureSize;
 
-  constructor(painter: PictureRenderer, size: PictureSize) {
-    this.painter = painter;
+  constructor(renderer: PictureRenderer, size: PictureSize) {
+    this.renderer = renderer;
     this.size = size;
   }
 
   /** Values of a false-colour quantity; `radiance`: the luminance that metering uses. */
   async read(view: ViewPoint, settings: RenderSettings, kind: FalseColorQuantity): Promise<LightMeterReadings> {
-    const { painter, size } = this;
+    const { renderer: painter, size } = this;
     if (painter.measureLight) return painter.measureLight(view, settings);
     const { frameGraph, ...plain } = settings;
     const lit = kind !== 'radiance' || includesToneMapping(frameGraph) ? plain : settings;

@@ -43,11 +43,11 @@ export function renderSettings(
 }
 
 /** A frame graph with the measured exposures and scales. */
-export function exposedFrameGraph(plan: FrameGraph, metered: number, scaleOf: FalseColorScales): FrameGraph {
-  const steps = plan.passes.map((step) => {
+export function exposedFrameGraph(frameGraph: FrameGraph, metered: number, scaleOf: FalseColorScales): FrameGraph {
+  const steps = frameGraph.passes.map((step) => {
     if (step.kind === 'tone' && step.metering !== 'manual') return { ...step, exposure: step.exposure + metered };
     const scale = step.kind === 'false-colour' ? scaleOf(step.of) : undefined;
     return scale ? { ...step, scale } : step;
   });
-  return { ...plan, passes: steps };
+  return { ...frameGraph, passes: steps };
 }

@@ -36,15 +36,15 @@ export interface PictureFrame extends PictureInfo {
  * the iteration ends the work.
  */
 export async function* renderPictureSequence(
-  painter: PictureRenderer,
+  renderer: PictureRenderer,
   sequence: PictureSequence,
   onPart: (done: number) => void,
 ): AsyncGenerator<PictureFrame, void> {
   const { settings: plain, size, samples, aovs, observer, falseColour } = sequence;
-  const gauges = new PictureMeter(painter, size);
+  const gauges = new PictureMeter(renderer, size);
   const meter = new ExposureMeter(gauges, sequence.metering, size);
   const composer = plain.frameGraph && new FrameGraphSettings(gauges, plain.frameGraph);
-  const falsely = falseColour && new FalseColorRenderer(painter, gauges, falseColour, sequence);
+  const falsely = falseColour && new FalseColorRenderer(renderer, gauges, falseColour, sequence);
   for (const [i, { number, t }] of sequence.frames.entries()) {
     onPart(i);
     const view = observer(t);
@@ -53,7 +53,7 @@ export async function* renderPictureSequence(
     const metered = request.pixels && showsLight(sequence) ? await meter.read(request) : 0;
     const exposure = plain.exposure + metered;
     const settings = composer ? await composer.read(request, metered) : { ...plain, exposure };
-    const painted = await (falsely ?? painter).render({ ...request, settings }, (part) => onPart(i + part));
+    const painted = await (falsely ?? renderer).render({ ...request, settings }, (part) => onPart(i + part));
     const shown = falsely?.colors ? { ...settings, falseColors: falsely.colors } : settings;
     yield { ...(number !== undefined && { number }), view, settings: shown, exposure, rendered: painted };
   }

@@ -3,7 +3,7 @@ import type { Bool, Float, Vec3 } from '../../shaders/types.ts';
 import { rotateVector } from '../geometry/vertexSamples.ts';
 import type { FrameUniforms } from '../gpu/frameUniforms.ts';
 import { lightEmissionEvent } from './lightEvent.ts';
-import type { LightShape, LightTexels } from './lightTable.ts';
+import type { LightShape, LightTexels } from './lightTexels.ts';
 import { type RestFrame, restFrame, WORLD_FRAME } from './restFrame.ts';
 
 /** A lamp as a surface sees it. */

@@ -1,8 +1,9 @@
 import { Fn, normalize, reflect } from 'three/tsl';
 import type { Float, Vec3, Vec4 } from '../../shaders/types.ts';
+import { type Brdf, brdfOf } from '../brdf/brdf.ts';
+import { skyReflectance } from '../brdf/skyReflectance.ts';
 import {
   type ColorPipeline,
-  IRRADIANCE_POWER,
   RADIANCE_POWER,
   type RadianceAccumulator,
   type SpectralFilter,
@@ -10,12 +11,11 @@ import {
 import type { Surface } from '../gbuffer/surface.ts';
 import type { FrameUniforms } from '../gpu/frameUniforms.ts';
 import type { Environment } from '../lights/environment.ts';
+import { addDistantLight } from '../lights/kinds/distantLight.ts';
+import type { DomeSky } from '../lights/kinds/domeLight.ts';
 import { incidentSpectrumBetween, type RestFrame, restFrame, WORLD_FRAME } from '../lights/restFrame.ts';
-import { skyReflectance } from '../occlusion/skyReflectance.ts';
 import type { LightVisibility } from '../shadows/distant/parallelReceiver.ts';
-import { type Brdf, brdfOf, evaluateBrdf } from './brdf.ts';
 import { addLocalLight, type LocalLightVisibility } from './localLight.ts';
-import { diffuseSky, specularSky } from './sky.ts';
 
 /**
  * What shading reads of a surface: `normal` unit in its rest frame, `dx` observer → event [m], `velocity` (v, 1 − v²), or undefined
@@ -43,57 +43,47 @@ export const shade = (
     const rest = surface.velocity ? restFrame(surface.velocity, uniforms) : WORLD_FRAME;
     const N = surface.normal.toVar();
     const V = rest.into(normalize(surface.dx)).negate().toVar();
-    const eye = pipeline(surface.D, uniforms);
-    const albedo = eye.filter(surface.color.rgb, surface.invisible).toVar();
-    const look = brdfOf(albedo, surface, N, V);
+    const accumulator = pipeline(surface.D, uniforms);
+    const albedo = accumulator.filter(surface.color.rgb, surface.invisible).toVar();
+    const brdf = brdfOf(albedo, surface, N, V);
     const { dx, time } = surface;
     const here = { dx, time, normal: N, velocity: surface.velocity };
-    environment.forEachDistantLight(({ direction, color, source, colored }, index) => {
-      const passage = {
-        ...incidentSpectrumBetween(direction, rest, WORLD_FRAME),
-        ...(source && { source }),
-        ...(colored !== undefined && { colored }),
-      };
-      const share = shadows?.ofDistantLight(index, here);
-      eye.addReflected(
-        share ? color.mul(share) : color,
-        evaluateBrdf(look, rest.into(direction)),
-        passage,
-        IRRADIANCE_POWER,
-      );
+    environment.distantLights.forEach((light, index) => {
+      addDistantLight({ brdf, rest }, light, accumulator, () => shadows?.ofDistantLight(index, here));
     });
-    environment.localLights.forEach((lamp, slot) => {
-      const shelter: LocalLightVisibility = (of, seen) => shadows?.ofLocalLight(slot, here, { ...of, ...seen });
-      addLocalLight({ brdf: look, dx, time, rest, uniforms }, lamp, eye, shelter);
+    environment.localLights.forEach((light, slot) => {
+      const visibility: LocalLightVisibility = (of, emitter) =>
+        shadows?.ofLocalLight(slot, here, { ...of, ...emitter });
+      addLocalLight({ brdf, dx, time, rest, uniforms }, light, accumulator, visibility);
     });
-    skyReflection(look, surface, rest, environment, uniforms, eye);
-    eye.addEmitted(surface.emission.rgb);
-    eye.addGlow(surface.emission);
-    return eye.total();
+    skyReflection(brdf, surface, rest, environment.sky, uniforms, accumulator);
+    accumulator.addEmitted(surface.emission.rgb);
+    accumulator.addGlow(surface.emission);
+    return accumulator.total();
   })();
 
 /** Sky light, and its mirror image; of both, what neighbours and the surface's own small shape leave. */
 function skyReflection(
-  look: Brdf,
+  brdf: Brdf,
   { occlusion, openness }: ShadedSurface,
   rest: RestFrame,
-  environment: Environment,
+  sky: DomeSky,
   uniforms: FrameUniforms,
-  eye: RadianceAccumulator,
+  accumulator: RadianceAccumulator,
 ): void {
-  const { diffuse, specular } = skyReflectance(look, openness);
+  const { diffuse, specular } = skyReflectance(brdf, openness);
   const { zenith } = uniforms;
-  const { N, V } = look;
-  const soft = (n: Vec3) => diffuseSky(environment, n, zenith);
-  const sharp = (n: Vec3) => specularSky(environment, n, zenith, look.roughness);
+  const { N, V } = brdf;
+  const soft = (n: Vec3) => sky.irradiance(n, zenith);
+  const sharp = (n: Vec3) => sky.specular(n, zenith, brdf.roughness);
   const reflected = (nPrime: Vec3, radiance: (n: Vec3) => Vec3, share: SpectralFilter): void => {
     const n = rest.out(nPrime);
-    const passage = {
+    const spectrum = {
       ...incidentSpectrumBetween(n, rest, WORLD_FRAME),
-      source: environment.skySource,
+      source: sky.source,
       colored: 'picture',
     } as const;
-    eye.addReflected(radiance(n), share.mul(occlusion), passage, RADIANCE_POWER);
+    accumulator.addReflected(radiance(n), share.mul(occlusion), spectrum, RADIANCE_POWER);
   };
   reflected(N, soft, diffuse);
   reflected(normalize(reflect(V.negate(), N)).toVar(), sharp, specular);

@@ -31,7 +31,7 @@ export class ShadowMaps implements LightVisibility {
   private readonly local: LocalShadows;
 
   constructor(occluders: Occluders, lights: Pick<Environment, 'distantLights' | 'localLights'>, gpu: Gpu) {
-    const suns = lights.distantLights.slice(0, MAX_DISTANT_LIGHTS).map((light) => ({
+    const suns = lights.distantLights.lights.slice(0, MAX_DISTANT_LIGHTS).map((light) => ({
       direction: normalize(scale(light.direction, -1)),
       radius: distantLightRadius(light),
     }));

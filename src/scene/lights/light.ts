@@ -26,7 +26,7 @@ export interface DistantLight {
   /** What its light is made of, in its own frame; daylight where absent. */
   readonly spectrum?: LightSpectrum;
 }
-interface LocalLightBase {
+export interface LocalLightBase {
   readonly path: string;
   /** Of its middle; its axes are the axes of its frame. */
   readonly motion: RigidMotion;

@@ -81,7 +81,7 @@ export function useFlow() {
 }
 
 function useNames(): (card: CardModel) => string {
-  const { t, textOrKey, said: translateMessage, language } = useTexts();
+  const { t, textOrKey, translateMessage, language } = useTexts();
   // biome-ignore lint/correctness/useExhaustiveDependencies: texts change with the language
   return useCallback(
     ({ title, problem }) =>

@@ -48,7 +48,7 @@ export const NodeCard = memo(function NodeCard({ data: { card, reach } }: NodePr
 });
 
 function Head({ card }: { readonly card: CardModel }): ReactNode {
-  const { textOrKey, t, said: translateMessage } = useTexts();
+  const { textOrKey, t, translateMessage } = useTexts();
   return (
     <header className="sl-node-head">
       {card.type === GROUP && <EnterButton id={card.id} />}

@@ -116,7 +116,7 @@ function Title({ id, node, level, type }: Omit<InspectedProps, 'flat'> & { reado
 }
 
 function ProblemNote({ problem: { message, place, remedy } }: { readonly problem: NodeProblem }): ReactNode {
-  const { said: translateMessage } = useTexts();
+  const { translateMessage } = useTexts();
   return (
     <Alert color="red" variant="light" p="xs" icon={<IconAlertTriangle size={16} />} role="status">
       <Stack gap={6}>

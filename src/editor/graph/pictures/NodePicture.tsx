@@ -23,7 +23,7 @@ export function NodePicture({ card }: { readonly card: CardModel }): ReactNode {
       <div className="sl-node-picture">
         {image && <canvas ref={canvas} role="img" aria-label={label} width={image.width} height={image.height} />}
       </div>
-      {card.picture === 'metered' && <Histogram histogram={picture?.spread} />}
+      {card.picture === 'metered' && <Histogram histogram={picture?.histogram} />}
     </>
   );
 }

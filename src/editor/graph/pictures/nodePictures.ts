@@ -11,11 +11,11 @@ import { type LuminanceHistogram, luminanceHistogram } from './luminanceHistogra
 /** Rendered picture of a node's result. */
 export interface NodePictureData {
   readonly image: ImageData;
-  readonly spread?: LuminanceHistogram;
+  readonly histogram?: LuminanceHistogram;
   /** The value that it shows. */
   readonly of: ImageSpec | GBufferSpec;
   /** The viewport's picture at the time of rendering. */
-  readonly beside: PreviewContext['view'];
+  readonly viewportPicture: PreviewContext['view'];
 }
 
 /** Images and G-buffers by the node ids of evaluations. */
@@ -40,32 +40,32 @@ export class NodePictureRenderer {
   private renderer: InteractiveRenderer | undefined;
 
   /** `made`: results of all nodes with pictures; `wanted`: which of them to render now. */
-  async render(made: NodeImages, wanted: ReadonlySet<string>, besides: PreviewContext): Promise<void> {
-    const { renderer, view: shown, picture, withExposure } = besides;
-    const height = Math.round(PICTURE_SIZE[1] * PIXEL_DENSITY[besides.software ? 'software' : 'hardware']);
+  async render(made: NodeImages, wanted: ReadonlySet<string>, previewContext: PreviewContext): Promise<void> {
+    const { renderer, view: shown, picture, withExposure } = previewContext;
+    const height = Math.round(PICTURE_SIZE[1] * PIXEL_DENSITY[previewContext.software ? 'software' : 'hardware']);
     const width = Math.round(height * Math.min(MAX_ASPECT, renderer.width / renderer.height));
-    const beside = { settings: shown.settings, scenes: picture.scenes };
-    const { plan: planned, places } = previewFrameGraph(made, beside, height / renderer.height);
+    const viewportPicture = { settings: shown.settings, scenes: picture.scenes };
+    const { plan: planned, places } = previewFrameGraph(made, viewportPicture, height / renderer.height);
     if (planned.passes.length === 0) return;
-    const plan = withExposure(planned);
+    const frameGraph = withExposure(planned);
     const asked = [...wanted].flatMap((name) => {
       const place = places.get(name);
-      return place ? [{ name, ...previewRequests(place, plan, besides.exposure) }] : [];
+      return place ? [{ name, ...previewRequests(place, frameGraph, previewContext.exposure) }] : [];
     });
     const list = [
-      ...new Map(asked.flatMap(({ orders }) => orders).map((order) => [requestKey(order), order])).values(),
+      ...new Map(asked.flatMap(({ orders: requests }) => requests).map((order) => [requestKey(order), order])).values(),
     ];
-    const drawn = await this.for(renderer)?.make(plan, list, { width, height });
+    const drawn = await this.for(renderer)?.make(frameGraph, list, { width, height });
     if (!drawn) return;
     const previews = new Map(list.map((order, i) => [requestKey(order), drawn[i]!]));
     const next = new Map([...nodePictures.getState()].filter(([name]) => made.has(name)));
-    for (const { name, orders, toned } of asked) {
-      const [pixels, light] = orders.map((order) => previews.get(requestKey(order)));
+    for (const { name, orders: requests, toned } of asked) {
+      const [pixels, light] = requests.map((order) => previews.get(requestKey(order)));
       next.set(name, {
         image: new ImageData(Uint8ClampedArray.from(pixels ?? []), width, height),
         of: made.get(name)!,
-        beside: shown,
-        ...(light && { spread: luminanceHistogram(light, toned) }),
+        viewportPicture: shown,
+        ...(light && { histogram: luminanceHistogram(light, toned) }),
       });
     }
     nodePictures.setState(next, true);
@@ -93,13 +93,13 @@ const requestKey = (order: PreviewRequest): string => JSON.stringify(order);
  */
 function previewRequests(
   place: PreviewTarget,
-  plan: FrameGraph,
+  frameGraph: FrameGraph,
   exposure: number,
 ): { readonly orders: readonly PreviewRequest[]; readonly toned: number } {
   if (place.kind === 'gbuffer') return { orders: [{ kind: 'albedo', buffer: place.buffer }], toned: 0 };
   const { step, light, metered } = place;
   const image: PreviewRequest = { kind: 'image', step, ...(light && { exposure }) };
-  const curve = plan.passes[step];
+  const curve = frameGraph.passes[step];
   const toned = curve?.kind === 'tone' ? curve.exposure : 0;
   return { orders: metered === undefined ? [image] : [image, { kind: 'luminance', step: metered }], toned };
 }

@@ -31,6 +31,7 @@ const sources = import.meta.glob<string>(
     '!../../../compute/shader.ts',
     // Lines of written files.
     '!../../../formats/usd/write/{materials,motionLines,prims}.ts',
+    '!../../../formats/usd/write/lights/*.ts',
   ],
   { query: '?raw', import: 'default', eager: true },
 );

@@ -101,7 +101,7 @@ function pathsRow(error: number | undefined, t: Translate): string | undefined {
 const COLORS = { error: 'red', warning: 'yellow', info: 'gray' } as const;
 
 function Notes({ notes }: { readonly notes: readonly Diagnostic[] }): ReactNode {
-  const { t, said: translateMessage } = useTexts();
+  const { t, translateMessage } = useTexts();
   if (notes.length === 0) return null;
   return (
     <Section title={t('info.notes')}>

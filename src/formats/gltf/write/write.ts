@@ -1,10 +1,8 @@
 import { Document, type Node as GltfNode, WebIO } from '@gltf-transform/core';
 import { KHRLightsPunctual, KHRMaterialsEmissiveStrength, KHRMaterialsIOR } from '@gltf-transform/extensions';
-import { shortestRotation } from '../../../math/quat.ts';
 import { scale } from '../../../math/vec3.ts';
-import { projectedArea } from '../../../scene/lights/lightKinds.ts';
 import { poseSamples } from '../../../scene/motion/motion.ts';
-import type { Light, LocalLight, SampledMotion, Scene, StaticMotion } from '../../../scene/types.ts';
+import type { Light, Scene } from '../../../scene/types.ts';
 import { formatSpectrum, SPECTRUM_ATTRIBUTE } from '../../attributes/spectrumAttribute.ts';
 import { DiagnosticLog } from '../../diagnostics/diagnosticLog.ts';
 import {
@@ -16,6 +14,7 @@ import {
   orientationYUp,
   vectorYUp,
 } from '../../write/exportMotion.ts';
+import { punctualLight } from './lights.ts';
 import { AnimationWriter } from './writeAnimation.ts';
 import { MeshWriter } from './writeMeshes.ts';
 
@@ -89,31 +88,27 @@ class GltfWriter {
   }
 
   private addLight(light: Light): void {
-    if (light.kind === 'dome' || light.kind === 'stars') {
+    const punctual = punctualLight(light);
+    if (!punctual) {
       this.losses.add('warning', 'convert.light', light.path, 'glTF has no light from a sky; it is left out');
       return;
     }
-    const isSun = light.kind === 'distant';
-    const motion: StaticMotion | SampledMotion = isSun
-      ? { kind: 'static', pose: { position: [0, 0, 0], orientation: shortestRotation([0, 0, -1], light.direction) } }
-      : exportRigidMotion(light.motion, this.scene, light.path, this.losses);
-    const intensity = isSun ? light.color : scale(light.color, projectedArea(light));
+    const { type, intensity, cone, lost } = punctual;
+    const motion = exportRigidMotion(punctual.motion, this.scene, light.path, this.losses);
     const most = Math.max(...intensity);
     const color = most > 0 ? scale(intensity, 1 / most) : intensity;
     const made = this.document.createExtension(KHRLightsPunctual).createLight();
-    const spread = isSun ? undefined : spotCone(light);
     made
-      .setType(isSun ? 'directional' : spread ? 'spot' : 'point')
+      .setType(type)
       .setColor([...color])
       .setIntensity(most);
-    if (spread) made.setInnerConeAngle(spread.inner).setOuterConeAngle(spread.outer);
-    const spectrum = light.spectrum && formatSpectrum(light.spectrum);
+    if (cone) made.setInnerConeAngle(cone.inner).setOuterConeAngle(cone.outer);
+    const spectrum = punctual.spectrum && formatSpectrum(punctual.spectrum);
     if (spectrum) made.setExtras({ [SPECTRUM_ATTRIBUTE]: spectrum });
-    else if (light.spectrum) this.losses.add('warning', 'convert.light', light.path, NO_TABLES);
+    else if (punctual.spectrum) this.losses.add('warning', 'convert.light', light.path, NO_TABLES);
     this.placed(light.path, 'Light', motion).setExtension('KHR_lights_punctual', made);
-    if (isSun || (light.kind === 'sphere' && light.radius === 0)) return;
-    const what = light.kind !== 'sphere' ? `shape, a ${light.kind},` : `radius of ${light.radius} m`;
-    const message = `its ${what} is lost: lights of glTF are points${spread ? ' with a cone' : ''}`;
+    if (lost === undefined) return;
+    const message = `its ${lost} is lost: lights of glTF are points${cone ? ' with a cone' : ''}`;
     this.losses.add('info', 'convert.light', light.path, message);
   }
 
@@ -148,14 +143,6 @@ class GltfWriter {
 function ancestors(path: string): string[] {
   const end = path.lastIndexOf('/');
   return end > 0 ? [path.slice(0, end), ...ancestors(path.slice(0, end))] : [];
-}
-
-/** The cone of a spot light [rad]: of what is shaped, and of faces, which are dark behind. glTF wants 0 ≤ inner < outer ≤ π/2. */
-function spotCone(lamp: LocalLight): { inner: number; outer: number } | undefined {
-  const face = lamp.kind === 'rect' || lamp.kind === 'disk';
-  if (!lamp.shaping) return face ? { inner: 0, outer: Math.PI / 2 } : undefined;
-  const outer = Math.min(Math.max(lamp.shaping.outer, 1e-3), Math.PI / 2);
-  return { inner: Math.min(Math.max(face && outer > 1.5 ? 0 : lamp.shaping.inner, 0), outer - 1e-4), outer };
 }
 
 /** Said of a spectrum that has no name. */

@@ -221,8 +221,13 @@ class StageReader {
       const message = `a ${prim.typeName} in a prototype of instances is not read; it is left out`;
       report(this.context, 'warning', 'usd.instancer', prim.path, message);
     } else if (prim.typeName === 'Camera') this.cameras.push(cameraOf(this.context, prim, own.transform));
-    else if (lights) this.lights.push(await lightOf(this.context, this.textures, prim, own.transform, own.slowlight));
+    else if (lights) this.lights.push(await this.lightOf(prim, own));
     else if (prim.typeName === 'Mesh' || isGprim(prim.typeName)) await this.readGprim(prim, own);
+  }
+
+  private lightOf(prim: PrimSpec, { transform: frame, slowlight }: Inherited): Promise<Light> {
+    const { context, textures } = this;
+    return lightOf({ context, textures, prim, frame, slowlight });
   }
 
   private async readGprim(prim: PrimSpec, own: Inherited): Promise<void> {

@@ -6,6 +6,7 @@ import { formatSpectrum } from '../../attributes/spectrumAttribute.ts';
 import { writeSpectrumCsv } from '../../attributes/spectrumCsv.ts';
 import { encodePng } from '../../image/encodePng.ts';
 import { encodeRadiance } from '../../image/radiance.ts';
+import { pictureOf, spectrumOf } from './lights/lights.ts';
 import type { PrimTree } from './primTree.ts';
 import { block, double, float, floats, type Lines, quoted } from './usdaText.ts';
 
@@ -33,9 +34,9 @@ export class TextureFiles {
       if (material.reflectance) this.addTable(material.reflectance, 'reflectance');
     }
     for (const light of scene.lights) {
-      if (light.kind === 'dome' && light.texture) this.add(light.texture);
-      if (light.kind !== 'stars' && light.spectrum && isTable(light.spectrum))
-        this.addTable(light.spectrum, 'spectrum');
+      const [picture, spectrum] = [pictureOf(light), spectrumOf(light)];
+      if (picture) this.add(picture);
+      if (spectrum && isTable(spectrum)) this.addTable(spectrum, 'spectrum');
     }
   }
 

@@ -1,26 +1,10 @@
-import { degrees } from '../../../math/angle.ts';
-import { conjugate, IDENTITY, multiply, shortestRotation } from '../../../math/quat.ts';
 import { pointSamples } from '../../../scene/motion/motion.ts';
-import { EQUATORIAL } from '../../../scene/stars/equatorial.ts';
 import { normalsAt, pointsAt } from '../../../scene/streaming/samplePoints.ts';
-import type {
-  DomeLight,
-  Light,
-  LightShaping,
-  LocalLight,
-  Mesh,
-  Motion,
-  NightSky,
-  Pose,
-  SceneCamera,
-  SceneObject,
-} from '../../../scene/types.ts';
-import { SKY_ATTRIBUTES } from '../../attributes/hints.ts';
-import { formatSpectrum, SPECTRUM_ATTRIBUTE } from '../../attributes/spectrumAttribute.ts';
+import type { Mesh, Motion, SceneCamera, SceneObject } from '../../../scene/types.ts';
 import { boxCorners } from '../schema/geometry/pointSampling.ts';
-import { motionLines, poseLines, slowlightMotionLines, type WriteContext } from './motionLines.ts';
+import { motionLines, slowlightMotionLines, type WriteContext } from './motionLines.ts';
 import type { PrimContent } from './primTree.ts';
-import { block, double, float, floats, floatTuples, type Lines, timeSamples, withMetadata } from './usdaText.ts';
+import { block, double, float, floatTuples, type Lines, timeSamples, withMetadata } from './usdaText.ts';
 
 /** `materialOf`: the path of a material, by its place in the scene. */
 export function meshContent(
@@ -98,7 +82,10 @@ function pointLines(mesh: Mesh, motion: Motion, placement: WriteContext): Lines 
 type WithSlowlightAttributes = Pick<SceneObject, 'motion' | 'lifetime'> & Partial<Pick<SceneObject, 'authoredIn'>>;
 
 /** Our own attributes: what closed-form motion, lifetime and frame of authoring an object or a light has. */
-function slowlightLines({ motion, lifetime, authoredIn }: WithSlowlightAttributes, placement: WriteContext): Lines {
+export function slowlightLines(
+  { motion, lifetime, authoredIn }: WithSlowlightAttributes,
+  placement: WriteContext,
+): Lines {
   return [
     ...(authoredIn === 'rest' ? ['custom token slowlight:authoredIn = "rest"'] : []),
     ...(Number.isFinite(lifetime.birth) ? [`custom double slowlight:birth = ${double(lifetime.birth)}`] : []),
@@ -122,98 +109,4 @@ export function cameraContent(camera: SceneCamera, placement: WriteContext): Pri
       ...motionLines(camera.motion, placement),
     ],
   };
-}
-
-/** Files that a light names, by the paths that they are written to. */
-export interface LightFiles {
-  readonly picture?: string | undefined;
-  readonly spectrum?: string | undefined;
-}
-
-export function lightContent(light: Light, placement: WriteContext, files: LightFiles): PrimContent {
-  if (light.kind === 'stars') return nightSkyContent(light, placement);
-  const spectrum = light.spectrum && formatSpectrum(light.spectrum);
-  const { picture: file, spectrum: table } = files;
-  const color = [
-    `color3f inputs:color = ${floats(light.color)}`,
-    'float inputs:intensity = 1',
-    ...(spectrum ? [`custom token ${SPECTRUM_ATTRIBUTE} = "${spectrum}"`] : []),
-    ...(table ? [`custom asset ${SPECTRUM_ATTRIBUTE} = @${table}@`] : []),
-  ];
-  if (light.kind === 'distant') {
-    const pose: Pose = { position: [0, 0, 0], orientation: shortestRotation([0, 0, -1], light.direction) };
-    const angle = light.angle === undefined ? [] : [`float inputs:angle = ${float(degrees(light.angle))}`];
-    return { type: 'DistantLight', properties: [...color, ...angle, ...poseLines(pose, placement)] };
-  }
-  if (light.kind !== 'dome') {
-    const sizes = lightSizes(light).map(
-      ([name, size]) => `float inputs:${name} = ${float(size / placement.metersPerUnit)}`,
-    );
-    const shaping = light.shaping ? shapingLines(light.shaping) : [];
-    return {
-      type: LOCAL_LIGHT_TYPES[light.kind],
-      ...(light.shaping && { metadata: ['prepend apiSchemas = ["ShapingAPI"]'] }),
-      properties: [
-        ...color,
-        ...sizes,
-        ...shaping,
-        ...slowlightLines(light, placement),
-        ...motionLines(light.motion, placement),
-      ],
-    };
-  }
-  const { gradient } = light;
-  const sky = gradient
-    ? [gradient.horizon, gradient.ground].map((part, k) => `custom color3f ${SKY_ATTRIBUTES[k]} = ${floats(part)}`)
-    : [];
-  return { type: 'DomeLight', properties: [...color, ...sky, ...(file ? domeLines(light, file, placement) : [])] };
-}
-
-const domeLines = ({ orientation = IDENTITY }: DomeLight, file: string, placement: WriteContext): Lines => [
-  `asset inputs:texture:file = @${file}@`,
-  'token inputs:texture:format = "latlong"',
-  ...poseLines({ position: [0, 0, 0], orientation }, placement),
-];
-
-function nightSkyContent({ gain, orientation }: NightSky, placement: WriteContext): PrimContent {
-  const turn = multiply(orientation, conjugate(EQUATORIAL));
-  return {
-    type: 'DomeLight',
-    properties: [
-      'custom token slowlight:sky = "stars"',
-      `float inputs:intensity = ${float(gain)}`,
-      ...poseLines({ position: [0, 0, 0], orientation: turn }, placement),
-    ],
-  };
-}
-
-const LOCAL_LIGHT_TYPES = {
-  sphere: 'SphereLight',
-  rect: 'RectLight',
-  disk: 'DiskLight',
-  cylinder: 'CylinderLight',
-} as const;
-
-function lightSizes(lamp: LocalLight): readonly (readonly [name: string, size: number])[] {
-  if (lamp.kind === 'rect')
-    return [
-      ['height', lamp.height],
-      ['width', lamp.width],
-    ];
-  if (lamp.kind === 'cylinder')
-    return [
-      ['length', lamp.length],
-      ['radius', lamp.radius],
-    ];
-  return [['radius', lamp.radius]];
-}
-
-/** In degrees from the axis; a cone of 180° is all directions. */
-function shapingLines({ inner, outer, focus }: LightShaping): Lines {
-  const open = outer > Math.PI;
-  return [
-    `float inputs:shaping:cone:angle = ${float(open ? 180 : degrees(outer))}`,
-    `float inputs:shaping:cone:softness = ${float(open ? 0 : 1 - inner / outer)}`,
-    `float inputs:shaping:focus = ${float(focus)}`,
-  ];
 }

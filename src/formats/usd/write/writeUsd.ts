@@ -1,8 +1,9 @@
 import type { Scene } from '../../../scene/types.ts';
+import { lightContent, pictureOf, spectrumOf } from './lights/lights.ts';
 import { hintLines, MaterialWriter, TextureFiles } from './materials.ts';
 import type { WriteContext } from './motionLines.ts';
 import { packUsdz } from './packUsdz.ts';
-import { cameraContent, lightContent, meshContent } from './prims.ts';
+import { cameraContent, meshContent } from './prims.ts';
 import { PrimTree } from './primTree.ts';
 import { double, type Lines } from './usdaText.ts';
 
@@ -33,9 +34,12 @@ export function writeUsda(scene: Scene): string {
   }
   for (const { item, path } of cameras) tree.set(path, cameraContent(item, placement(path)));
   for (const { item, path } of lights) {
-    const picture = item.kind === 'dome' && item.texture ? files.path(item.texture) : undefined;
-    const spectrum = item.kind !== 'stars' && item.spectrum ? files.spectrum(item.spectrum) : undefined;
-    tree.set(path, lightContent(item, placement(path), { picture, spectrum }));
+    const [picture, spectrum] = [pictureOf(item), spectrumOf(item)];
+    const named = {
+      picture: picture && files.path(picture),
+      spectrum: spectrum && files.spectrum(spectrum),
+    };
+    tree.set(path, lightContent(item, placement(path), named));
   }
   return `${[...headerLines(scene, tree), ...tree.lines()].join('\n')}\n`;
 }

@@ -1,7 +1,7 @@
 import { abs, clamp, dot, float, floor, If, int, log2, max, normalize, round, sqrt, vec2, vec3 } from 'three/tsl';
 import type { Bool, Float, Int, Vec3, Vec4 } from '../../../shaders/types.ts';
 import type { LightAtEmission } from '../../lights/lightAtEmission.ts';
-import type { LightTexels } from '../../lights/lightTable.ts';
+import type { LightTexels } from '../../lights/lightTexels.ts';
 import { type AtlasLookup, edgeHeightNear, heightAt, loopTimes, rotateByGoldenAngle } from '../atlas/atlasLookups.ts';
 import type { LayerTable } from '../atlas/layerTable.ts';
 import { TILE_MARGIN } from './parallelLayer.ts';

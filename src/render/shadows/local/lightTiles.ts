@@ -1,7 +1,9 @@
 import { rotate } from '../../../math/quat.ts';
 import type { Vec3 } from '../../../math/vec3.ts';
+import { lightKind } from '../../../scene/lights/lightKinds.ts';
 import { poseAt } from '../../../scene/motion/motion.ts';
 import type { LocalLight } from '../../../scene/types.ts';
+import { lightShader, lightShapeOf } from '../../lights/lightShaders.ts';
 import type { LayerTable } from '../atlas/layerTable.ts';
 import {
   cubeFaceAxes,
@@ -14,20 +16,21 @@ import type { TileGrid } from './perspectiveProjection.ts';
 
 /** Cones up to so far from their axis are on one tile [rad]. */
 const MAX_SINGLE_TILE_ANGLE = 0.95;
-/** A lamp with a size is not shaded by what is nearer than this [radii]: it may be its own bulb. */
+/** What is nearer to a light than this may be its own bulb, and casts no shadow [radii]. */
 const BULB_RADII = 1.05;
 /** Nor any by what is nearer than this part of the scene. */
 const MIN_NEAR = 1e-4;
 
-/** Tiles that a lamp's light falls on. */
-export function faceCountOf({ kind, shaping }: LocalLight): number {
+/** Tiles that a light falls on. */
+export function faceCountOf(light: LocalLight): number {
+  const { shaping } = light;
   if (shaping && shaping.outer <= MAX_SINGLE_TILE_ANGLE) return 1;
-  return kind === 'rect' || kind === 'disk' ? 5 : 6;
+  return lightKind(light).isOneSided ? 5 : 6;
 }
 
-/** How a lamp looks round itself at a time [s]; c [m/s], `radius` of the scene [m]. */
+/** The projection of a light's surroundings at a time [s]; c [m/s], `radius` of the scene [m]. */
 export function lightLayer(
-  lamp: LocalLight,
+  light: LocalLight,
   t: number,
   {
     c,
@@ -36,13 +39,13 @@ export function lightLayer(
     cell,
   }: { readonly c: number; readonly radius: number; readonly side: number; readonly cell: number },
 ): Omit<PerspectiveLayer, 'source'> {
-  const { orientation } = poseAt(lamp.motion, t, c);
+  const { orientation } = poseAt(light.motion, t, c);
   const focal = faceFocal(side, cell);
   return {
     axes: lightFrameAxes(rotate(orientation, [1, 0, 0]), rotate(orientation, [0, 1, 0])),
     focal:
-      faceCountOf(lamp) === 1 && lamp.shaping ? focal / Math.tan(1.02 * Math.max(lamp.shaping.outer, 0.02)) : focal,
-    near: Math.max(MIN_NEAR * radius, 'radius' in lamp && lamp.kind !== 'disk' ? BULB_RADII * lamp.radius : 0),
+      faceCountOf(light) === 1 && light.shaping ? focal / Math.tan(1.02 * Math.max(light.shaping.outer, 0.02)) : focal,
+    near: Math.max(MIN_NEAR * radius, BULB_RADII * lightShader(lightShapeOf(light)).bulbRadius(light)),
   };
 }
 
@@ -52,7 +55,7 @@ export const tileCenter = ({ side, columns }: TileGrid, tile: number): readonly 
   (Math.floor(tile / columns) + 0.5) * side,
 ];
 
-/** Puts a lamp's tiles, from `tile` on, at layers of a table: one of receivers, and from another on those of occluders, which are measured from elsewhere. */
+/** Puts a light's tiles, from `tile` on, at layers of a table: one of receivers, and from another on those of occluders, which are measured from elsewhere. */
 export function setLightTiles(
   table: LayerTable,
   at: { readonly receivers: number; readonly occluders: number; readonly tile: number },

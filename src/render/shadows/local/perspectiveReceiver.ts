@@ -1,22 +1,6 @@
-import {
-  abs,
-  clamp,
-  cross,
-  dot,
-  float,
-  If,
-  int,
-  length,
-  log2,
-  max,
-  min,
-  normalize,
-  round,
-  sqrt,
-  vec2,
-  vec3,
-} from 'three/tsl';
+import { abs, clamp, dot, float, If, int, length, log2, max, min, normalize, round, sqrt, vec2 } from 'three/tsl';
 import type { Bool, Float, Int, Vec2, Vec3 } from '../../../shaders/types.ts';
+import { lightShader } from '../../lights/lightShaders.ts';
 import { type AtlasLookup, loopTimes } from '../atlas/atlasLookups.ts';
 import type { LayerTable } from '../atlas/layerTable.ts';
 import type { ReceiverEvent, ShadowedLight } from '../distant/parallelReceiver.ts';
@@ -58,6 +42,7 @@ export function surroundingsVisibility(
   beam: IncomingLight,
 ): Float {
   const { atlas, table, tiles, sampleCount } = maps;
+  const shader = lightShader(beam.kind);
   const rows = readPerspectiveRows(table, layer);
   const [first, faces, focal] = rows.map(({ w }) => w);
   const source = rows[3].xyz;
@@ -68,7 +53,7 @@ export function surroundingsVisibility(
   const { face, onFace } = cubeFaceOf(at);
   const [place, n] = [onFace(at).toVar(), onFace(normal).toVar()];
   const tile = int(round(first)).add(face).toVar();
-  const [A, B] = lightExtent(beam).map((axis) =>
+  const [A, B] = shader.silhouette(beam).map((axis) =>
     acrossPath(onFace(onLayerAxes(rows, axis)), place)
       .mul(focal)
       .toVar(),
@@ -85,7 +70,7 @@ export function surroundingsVisibility(
     ...surface,
     A,
     B,
-    isParallelogram: isParallelogram(beam),
+    isParallelogram: shader.isParallelogram,
   };
   return pcssVisibility(atlas, footprint, sampleCount, there);
 }
@@ -102,22 +87,6 @@ function normalBiasOf(normal: Vec3, fromLamp: Vec3): Float {
   const facing = clamp(dot(normal, normalize(fromLamp)), -1, 1).toVar();
   return sqrt(facing.mul(facing).oneMinus()).mul(NORMAL_BIAS[1]).add(NORMAL_BIAS[0]);
 }
-
-/** Half axes of what a lamp shows, in the world [m]. */
-function lightExtent({ kind, radius, shape, offset }: IncomingLight): readonly [Vec3, Vec3] {
-  if (kind === 'point') return [vec3(0), vec3(0)];
-  if (shape && kind !== 'cylinder' && kind !== 'sphere') return [shape.X, shape.Y];
-  const to = normalize(offset).toVar();
-  if (shape && kind === 'cylinder') return [shape.X, normalize(cross(shape.X, to)).mul(radius)];
-  // Across the way to a ball, along and across the least of its parts.
-  const aside = abs(to.x)
-    .lessThan(0.7)
-    .select(vec3(1, 0, 0), vec3(0, 1, 0));
-  const X = normalize(cross(to, aside)).toVar();
-  return [X.mul(radius), cross(to, X).mul(radius)];
-}
-
-const isParallelogram = ({ kind }: IncomingLight): boolean => kind === 'rect' || kind === 'cylinder';
 
 /** Where a vector at the lamp, seen along the way to a place, is across the tile's axis [m]. */
 const acrossPath = (v: Vec3, place: Vec3): Vec2 => v.xy.sub(place.xy.mul(v.z.div(place.z)));
@@ -194,6 +163,7 @@ function casterVisibility(
   beam: IncomingLight,
 ): Float {
   const { atlas, table, sampleCount } = maps;
+  const shader = lightShader(beam.kind);
   const rows: PerspectiveRows = readPerspectiveRows(table, layer);
   const [across, up, { w: focal }, source] = rows;
   const { way, looked, beyond } = pathPastCaster(table, layer, event, beam);
@@ -203,7 +173,7 @@ function casterVisibility(
   const depth = d.z.add(length(way).mul(beyond)).max(1e-6).toVar();
   const lift = normalBiasOf(normal, d).mul(depth.div(focal)).toVar();
   const at = d.add(normal.mul(lift)).toVar();
-  const [A, B] = lightExtent(beam).map((axis) => acrossPath(onLayerAxes(rows, axis), at).mul(focal).toVar());
+  const [A, B] = shader.silhouette(beam).map((axis) => acrossPath(onLayerAxes(rows, axis), at).mul(focal).toVar());
   const surface = planeOf(
     depth.add(normal.z.mul(lift)).max(1e-6).reciprocal(),
     normal,
@@ -213,5 +183,10 @@ function casterVisibility(
   const on = at.xy.mul(focal).div(at.z.max(1e-6)).toVar();
   const there = isOnTile(maps, on).toVar();
   const place = there.select(on.add(vec2(across.w, up.w)), vec2(0)).toVar();
-  return pcssVisibility(atlas, { place, ...surface, A, B, isParallelogram: isParallelogram(beam) }, sampleCount, there);
+  return pcssVisibility(
+    atlas,
+    { place, ...surface, A, B, isParallelogram: shader.isParallelogram },
+    sampleCount,
+    there,
+  );
 }

@@ -1,88 +1,45 @@
-import { radians } from '../../../../math/angle.ts';
-import * as mat4 from '../../../../math/mat4.ts';
-import { multiply } from '../../../../math/quat.ts';
-import { normalize } from '../../../../math/vec3.ts';
-import { EQUATORIAL } from '../../../../scene/stars/equatorial.ts';
-import type { DistantLight, Light, NightSky } from '../../../../scene/types.ts';
-import { relativeLuminance } from '../../../../scene/view/metering.ts';
+import type { Light } from '../../../../scene/types.ts';
 import { report } from '../../diagnostics.ts';
-import { sampleTimes, textAt } from '../../layer/attributes.ts';
-import type { PrimSpec, PropertySpec } from '../../layer/layer.ts';
-import type { StageContext } from '../context.ts';
-import type { TextureLoader } from '../materials/textureLoader.ts';
-import { poseTimeOf, type SlowlightAttributes } from '../slowlightAttributes.ts';
-import type { StageTransform } from '../transforms/stageTransform.ts';
-import { domeTexture, skyGradient } from './domeLights.ts';
-import { emissionOf, lightNumber, spectrumOf } from './lightInputs.ts';
-import { isLocalLight, localLightOf } from './localLights.ts';
+import { sampleTimes } from '../../layer/attributes.ts';
+import type { PropertySpec } from '../../layer/layer.ts';
+import { poseTimeOf } from '../slowlightAttributes.ts';
+import { CYLINDER_LIGHT } from './kinds/cylinderLight.ts';
+import { DISK_LIGHT } from './kinds/diskLight.ts';
+import { DISTANT_LIGHT } from './kinds/distantLight.ts';
+import { DOME_LIGHT } from './kinds/domeLight.ts';
+import type { LightPrim, LightSchema } from './kinds/lightSchema.ts';
+import { NIGHT_SKY } from './kinds/nightSky.ts';
+import { RECT_LIGHT } from './kinds/rectLight.ts';
+import { SPHERE_LIGHT } from './kinds/sphereLight.ts';
 
-const DOME_LIGHTS = new Set(['DomeLight', 'DomeLight_1']);
+/** Where types are shared, what is told by an attribute comes first. */
+const LIGHTS: { readonly [K in Light['kind']]: LightSchema<Extract<Light, { readonly kind: K }>> } = {
+  sphere: SPHERE_LIGHT,
+  rect: RECT_LIGHT,
+  disk: DISK_LIGHT,
+  cylinder: CYLINDER_LIGHT,
+  distant: DISTANT_LIGHT,
+  stars: NIGHT_SKY,
+  dome: DOME_LIGHT,
+};
+const SCHEMAS: readonly LightSchema<Light>[] = Object.values(LIGHTS);
 const UNREAD_LIGHTS = new Set(['PortalLight', 'PluginLight']);
 
-export const isLight = (typeName: string): boolean =>
-  isLocalLight(typeName) || DOME_LIGHTS.has(typeName) || typeName === 'DistantLight';
+export const isLight = (typeName: string): boolean => SCHEMAS.some(({ typeNames }) => typeNames.includes(typeName));
 export const isUnreadLight = (typeName: string): boolean => UNREAD_LIGHTS.has(typeName);
 
-/** A light with the brightness and, but for where a lamp is, the pose that it has at the stage's start. */
-export async function lightOf(
-  context: StageContext,
-  textures: TextureLoader,
-  prim: PrimSpec,
-  frame: StageTransform,
-  directions: SlowlightAttributes,
-): Promise<Light> {
-  reportHeldInputs(context, prim, frame, directions);
-  if (isLocalLight(prim.typeName)) return localLightOf(context, textures, prim, frame, directions);
-  const { path } = prim;
-  if (prim.typeName === 'DistantLight') {
-    const direction = normalize(mat4.transformVector(frame.matrixAt(context.startCode), [0, 0, -1]), [0, 0, -1]);
-    const color = emissionOf(context, prim, DISTANT_INTENSITY);
-    return { kind: 'distant', path, direction, color, ...angleOf(context, prim), ...(await spectrumOf(context, prim)) };
-  }
-  if (textAt(prim, 'slowlight:sky', undefined) === 'stars') return nightSkyOf(context, prim, frame);
-  const dome = {
-    kind: 'dome',
-    path,
-    color: emissionOf(context, prim),
-    ...(await spectrumOf(context, prim)),
-  } as const;
-  return { ...dome, ...skyGradient(context, prim, dome.color), ...(await domeTexture(context, textures, prim, frame)) };
+/** A light with the brightness and, but for where a local light is, the pose that it has at the stage's start; its prim's type is that of one (`isLight`). */
+export function lightOf(of: LightPrim): Promise<Light> {
+  const schema = SCHEMAS.find(
+    ({ typeNames, isAsked }) => typeNames.includes(of.prim.typeName) && (isAsked?.(of.prim) ?? true),
+  )!;
+  reportHeldInputs(of, schema.moves);
+  return schema.read(of);
 }
 
-/** Diameter of a distant light's disc, which a file has in degrees, where it is written. */
-function angleOf(context: StageContext, prim: PrimSpec): Pick<DistantLight, 'angle'> {
-  const angle = lightNumber(context, prim, 'angle');
-  return angle === undefined ? {} : { angle: radians(Math.min(Math.max(angle, 0), 180)) };
-}
-
-/** The bright stars as this prim's frame turns them; their colours are their own. */
-async function nightSkyOf(context: StageContext, prim: PrimSpec, frame: StageTransform): Promise<NightSky> {
-  // Loaded with the first scene that has stars: the page is light without them.
-  const { brightStars } = await import('../../../../scene/stars/brightStars.ts');
-  const { orientation } = mat4.decomposeRigid(frame.matrixAt(context.startCode)).pose;
-  return {
-    kind: 'stars',
-    path: prim.path,
-    stars: brightStars(),
-    orientation: multiply(orientation, EQUATORIAL),
-    gain: relativeLuminance(...emissionOf(context, prim)),
-  };
-}
-
-/**
- * Where no intensity is written. UsdLux gives a distant light 50000 over its disc of 0.53°, which is an irradiance of
- * 50000 π sin²(0.265°). What is written is taken for the irradiance, whatever the angle.
- */
-const DISTANT_INTENSITY = 50000 * Math.PI * Math.sin(radians(0.265)) ** 2;
-
-function reportHeldInputs(
-  context: StageContext,
-  prim: PrimSpec,
-  frame: StageTransform,
-  directions: SlowlightAttributes,
-): void {
-  const moved = frame.times.length > 0 || poseTimeOf(directions) !== undefined;
-  if ((moved && !isLocalLight(prim.typeName)) || [...prim.properties.values()].some(isAnimatedInput))
+function reportHeldInputs({ context, prim, frame, slowlight }: LightPrim, moves: boolean): void {
+  const moved = frame.times.length > 0 || poseTimeOf(slowlight) !== undefined;
+  if ((moved && !moves) || [...prim.properties.values()].some(isAnimatedInput))
     report(context, 'warning', 'usd.animated-light', prim.path, 'the light changes with time; it is held at the start');
 }
 

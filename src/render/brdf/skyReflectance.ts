@@ -1,7 +1,7 @@
 import { clamp, exp2, pow } from 'three/tsl';
 import type { Float } from '../../shaders/types.ts';
 import type { SpectralFilter } from '../color/radiance.ts';
-import { type Brdf, environmentBrdf } from '../shading/brdf.ts';
+import { type Brdf, environmentBrdf } from './brdf.ts';
 
 /** What a surface makes of the sky's light. */
 export interface SkyReflectance {

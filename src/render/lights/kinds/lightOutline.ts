@@ -1,5 +1,4 @@
 import {
-  acos,
   atan,
   clamp,
   cos,
@@ -10,7 +9,6 @@ import {
   int,
   Loop,
   length,
-  min,
   mix,
   normalize,
   select,
@@ -19,53 +17,29 @@ import {
   vec2,
   vec3,
 } from 'three/tsl';
-import type { Float, Int, Vec3, Vec4 } from '../../shaders/types.ts';
+import type { Float, Int, Vec3, Vec4 } from '../../../shaders/types.ts';
 
-/** What a lamp covers of the sky above a place: `count` corners, one after the other, relative to that place. */
+/** What a light covers of the sky above a place: `count` corners, one after the other, relative to that place. */
 export interface LightOutline {
   readonly count: number;
   corner(k: Int): Vec3;
 }
 
-/** A face with the half axes X and Y: 4 corners for a rectangle, 16 with the area of the circle for a disk. */
-export function faceOutline(kind: 'rect' | 'disk', center: Vec3, X: Vec3, Y: Vec3): LightOutline {
-  const [count, first] = kind === 'rect' ? [4, Math.PI / 4] : [16, 0];
+/** A regular polygon round a face's middle: its corners, the angle of the first, and how far out they are, in half axes. */
+export interface FacePolygon {
+  readonly count: number;
+  readonly first: number;
+  readonly reach: number;
+}
+
+/** A face with the half axes X and Y. */
+export function faceOutline({ count, first, reach }: FacePolygon, center: Vec3, X: Vec3, Y: Vec3): LightOutline {
   const step = (2 * Math.PI) / count;
-  const reach = kind === 'rect' ? Math.SQRT2 : Math.sqrt(step / Math.sin(step));
   return {
     count,
     corner: (k) => {
       const angle = float(k).mul(step).add(first).toVar();
       return center.add(X.mul(cos(angle).mul(reach))).add(Y.mul(sin(angle).mul(reach)));
-    },
-  };
-}
-
-/** Each end of a tube has so many corners. */
-const END_CORNERS = 7;
-
-/**
- * The side of a tube with the half axis X, as it is seen: between the two lines where it turns away, with half a circle at each end.
- * From its inside nothing.
- */
-export function tubeOutline(center: Vec3, X: Vec3, radius: Float): LightOutline {
-  const axis = normalize(X).toVar();
-  const across = center.sub(axis.mul(dot(center, axis))).toVar();
-  const away = length(across).max(1e-9).toVar();
-  const e = across.div(away).negate().toVar();
-  const s = cross(axis, e).toVar();
-  const open = acos(min(radius.div(away), 1)).toVar();
-  return {
-    count: 2 * END_CORNERS,
-    corner: (k) => {
-      const far = k.greaterThanEqual(int(END_CORNERS));
-      const step = float(select(far, int(2 * END_CORNERS - 1).sub(k), k)).div((END_CORNERS - 1) / 2);
-      const phi = open.mul(step.sub(1)).toVar();
-      const rim = e
-        .mul(cos(phi))
-        .add(s.mul(sin(phi)))
-        .mul(radius);
-      return center.add(X.mul(select(far, float(-1), float(1)))).add(rim);
     },
   };
 }

@@ -1,7 +1,9 @@
 import {
+  abs,
   acos,
   atan,
   clamp,
+  cross,
   dot,
   float,
   If,
@@ -12,13 +14,16 @@ import {
   reflect,
   select,
   sqrt,
+  vec3,
   vec4,
 } from 'three/tsl';
-import type { Float, Vec3 } from '../../shaders/types.ts';
-import type { LightAtEmission } from '../lights/lightAtEmission.ts';
-import { frontOf, shapingFactor } from '../lights/lightShaping.ts';
-import type { RestFrame } from '../lights/restFrame.ts';
-import { areaSpecular } from './brdf.ts';
+import type { SphereLight } from '../../../scene/types.ts';
+import type { Float, Vec3 } from '../../../shaders/types.ts';
+import { areaSpecular } from '../../brdf/brdf.ts';
+import type { LightAtEmission } from '../lightAtEmission.ts';
+import { frontOf, shapingFactor } from '../lightShaping.ts';
+import type { RestFrame } from '../restFrame.ts';
+import type { LightShader } from './lightShader.ts';
 import type { LitSurface } from './litSurface.ts';
 import {
   type AddReflected,
@@ -36,20 +41,38 @@ interface SphericalCap {
   readonly cosine: Float;
 }
 
+export const SPHERE_LIGHT: LightShader<SphereLight> = {
+  maxUnrolled: 2,
+  needsAxes: false,
+  extents: ({ radius }) => ({ x: 1, y: 1, radius, gain: 1 }),
+  bulbRadius: ({ radius }) => radius,
+  addReflected: (receiver, { radius }, emitter, add) => sphereLight(receiver, radius, emitter, add),
+  /** Across the way to it, along and across the least of that way's parts. */
+  silhouette({ radius, offset }) {
+    const to = normalize(offset).toVar();
+    const aside = abs(to.x)
+      .lessThan(0.7)
+      .select(vec3(1, 0, 0), vec3(0, 1, 0));
+    const X = normalize(cross(to, aside)).toVar();
+    return [X.mul(radius), cross(to, X).mul(radius)];
+  },
+  isParallelogram: false,
+};
+
 /**
- * What a surface sends on of the light of a ball, unhidden. In every frame it looks round (Penrose 1959, "The apparent shape of a relativistically moving
- * sphere", Proc. Camb. Phil. Soc. 55). The matt part is exact; where the horizon cuts the ball, its D⁴ is that of all of it, on a surface that is turned
- * towards it until nothing is cut. The glossy part has all light come from the direction within the ball's outline that is nearest to the mirrored ray, with the D
- * of that direction, on a surface that is rougher by the ball's size (Karis 2013, see areaLight.ts).
+ * What a surface reflects of the light of a sphere, unoccluded. In every frame it looks round (Penrose 1959, "The apparent shape of a relativistically moving
+ * sphere", Proc. Camb. Phil. Soc. 55). The matt part is exact; where the horizon cuts the sphere, its D⁴ is that of all of it, on a surface that is turned
+ * towards it until nothing is cut. The glossy part has all light come from the direction within the sphere's outline that is nearest to the mirrored ray, with the D
+ * of that direction, on a surface that is rougher by the sphere's size (Karis 2013, see areaLight.ts).
  */
-export function sphereLight(
-  { brdf: look, rest }: LitSurface,
+function sphereLight(
+  { brdf, rest }: LitSurface,
   radius: Float,
-  lamp: LightAtEmission,
+  emitter: LightAtEmission,
   addReflected: AddReflected,
 ): void {
-  const { frame, center, shape, aliveFactor: shining } = lamp;
-  const { N, V } = look;
+  const { frame, center, shape, aliveFactor } = emitter;
+  const { N, V } = brdf;
   const own = capOfSphere(center, radius);
   const seen = frame.doppler || rest.doppler ? boostedCap(own, frame, rest) : own;
   const height = dot(N, seen.axis).toVar();
@@ -57,17 +80,19 @@ export function sphereLight(
   const matt = select(own.sine2.lessThan(MAX_SINE2), capIrradiance(seen, height), Math.PI).toVar();
   If(matt.greaterThan(0), () => {
     const open = shape && shapingFactor({ ...shape, front: frontOf(shape) }, own.axis.negate());
-    const share = (open && shining ? open.mul(shining(center)) : (open ?? shining?.(center) ?? float(1))).toVar();
+    const share = (
+      open && aliveFactor ? open.mul(aliveFactor(center)) : (open ?? aliveFactor?.(center) ?? float(1))
+    ).toVar();
     const raised = N.add(seen.axis.mul(max(sqrt(seen.sine2).sub(height), 0))).toVar();
     const { D, irradiance } = capLight(own, surfaceInLightFrame(raised, rest, frame));
     const whole = seen.sine2.mul(dot(raised, seen.axis)).mul(Math.PI);
     const toward = nearestInCap(seen, normalize(reflect(V.negate(), N)).toVar()).toVar();
     const widening = sqrt(seen.sine2).div(2).toVar();
-    const glossy = areaSpecular(look, toward, widening, widening).mul(seen.sine2.mul(share).mul(Math.PI));
+    const glossy = areaSpecular(brdf, toward, widening, widening).mul(seen.sine2.mul(share).mul(Math.PI));
     const shift = dopplerFrom(surfaceInLightFrame(N, rest, frame), frame.into(rest.out(toward)));
     addReflected(
-      { share: look.diffuse.mul(matt.mul(irradiance).mul(share).div(whole.mul(Math.PI))), ...(D && { D }) },
-      // The solid angle is the surface's, and D² that of the lamp's own.
+      { share: brdf.diffuse.mul(matt.mul(irradiance).mul(share).div(whole.mul(Math.PI))), ...(D && { D }) },
+      // The solid angle is the surface's, and D² that of the light's own.
       shift ? { share: glossy.mul(shift.mul(shift)), D: shift } : { share: glossy },
     );
   });
