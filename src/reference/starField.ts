@@ -5,6 +5,7 @@ import { cosmicBackground } from '../scene/stars/cosmicBackground.ts';
 import { pointSpread } from '../scene/stars/pointSpread.ts';
 import { projectStars } from '../scene/stars/projectStars.ts';
 import type { NightSky } from '../scene/types.ts';
+import { VIEWS } from '../scene/views/views.ts';
 import type { SpacetimeRay } from './acceleration/ray.ts';
 import { nearestHit, type TracedScene } from './intersection/tracedScene.ts';
 import type { ImageTile, TileRequest } from './tileRequest.ts';
@@ -29,7 +30,7 @@ export function starField(scene: TracedScene, request: TileRequest, tile: ImageT
   const behind = (ray: SpacetimeRay): Vec3 => {
     // Of what is invisible at rest approximate colours know nothing.
     if (settings.colors === 'approximate') return ZERO;
-    const D = settings.view === 'light-cone' ? observerDoppler(ray.dx, view.u) : 1;
+    const D = VIEWS[settings.view].luminous ? observerDoppler(ray.dx, view.u) : 1;
     return scale(cosmicBackground(D, settings), sky.gain);
   };
   return (ray, x, y) => {

@@ -2,11 +2,13 @@ import { Matrix4, PerspectiveCamera, Quaternion } from 'three/webgpu';
 import { degrees } from '../math/angle.ts';
 import { toMatrix } from '../math/quat.ts';
 import { gamma } from '../physics/lorentz/boost.ts';
+import { HYPERSURFACES } from '../physics/worldLines/hypersurface.ts';
 import type { RenderSettings, ViewPoint } from '../scene/view/view.ts';
+import { VIEWS } from '../scene/views/views.ts';
 import type { GBufferView } from './deferredPass.ts';
 import { frustumSides } from './geometry/culling.ts';
 import type { Observation } from './geometry/observation.ts';
-import type { SpacetimeProjection } from './geometry/vertexStage.ts';
+import { type SpacetimeProjection, vertexSolverOf } from './geometry/vertexStage.ts';
 import { FAR, NEAR } from './gpu/depth.ts';
 import { type FrameUniforms, makeFrameUniforms } from './gpu/frameUniforms.ts';
 import type { SamplePosition } from './post/resolve/pixelSamples.ts';
@@ -20,7 +22,7 @@ export interface RenderView extends GBufferView {
 
 export function renderViewOf(upload: SceneUpload, viewPoint: ViewPoint, settings: RenderSettings): RenderView {
   const projection = spacetimeProjectionOf(settings);
-  return { upload, viewPoint, settings, projection, observation: observationOf(viewPoint, settings, projection) };
+  return { upload, viewPoint, settings, projection, observation: observationOf(viewPoint, settings) };
 }
 
 interface Size {
@@ -64,7 +66,7 @@ export class FrameSetup {
   setView({ viewPoint: view, observation, settings, projection, upload }: RenderView, { width, height }: Size): void {
     const { uniforms, camera } = this;
     const tanY = Math.tan(view.fovY / 2);
-    const luminous = settings.view === 'light-cone' ? 1 : 0;
+    const luminous = VIEWS[settings.view].luminous ? 1 : 0;
     const aspect = width / height;
     uniforms.halfTangents.value.set(tanY * aspect, tanY);
     uniforms.u.value.set(...observation.u);
@@ -73,7 +75,7 @@ export class FrameSetup {
     uniforms.damping.value = settings.damping;
     uniforms.onLightCone.value = projection.event === 'emission' ? 1 : 0;
     uniforms.boosted.value = projection.place === 'apparent' ? 1 : 0;
-    uniforms.lightTravels.value = settings.view === 'light-cone' && settings.lightDelay ? 1 : 0;
+    uniforms.lightTravels.value = HYPERSURFACES[observation.hypersurface].isLightCone ? 1 : 0;
     uniforms.boostLight.value = luminous;
     uniforms.dopplerMix.value = luminous * settings.dopplerMix;
     uniforms.beaming.value = luminous * settings.beaming;
@@ -97,7 +99,7 @@ export class FrameSetup {
 
   private frustum({ orientation }: ViewPoint, { place }: SpacetimeProjection) {
     const { x, y } = this.uniforms.halfTangents.value;
-    return { sides: frustumSides(orientation, x, y), boosted: place === 'apparent' };
+    return { sides: frustumSides(orientation, x, y), place };
   }
 
   /** Cuts the batches in which something may be seen, as this picture needs it, and sorts the transparent ones from far to near. */
@@ -115,20 +117,17 @@ export class FrameSetup {
   }
 }
 
-export function spacetimeProjectionOf({ view, lightDelay, aberration, solver }: RenderSettings): SpacetimeProjection {
-  if (view === 'simultaneity') return { event: 'slice', place: 'contracted' };
-  if (view === 'galilean') return { event: 'now', place: 'plain' };
-  const event = lightDelay ? (solver === 'newton' ? 'newton' : 'emission') : 'now';
-  return { event, place: aberration ? 'apparent' : 'plain' };
+export function spacetimeProjectionOf(settings: RenderSettings): SpacetimeProjection {
+  const view = VIEWS[settings.view];
+  return {
+    event: vertexSolverOf(view.hypersurface(settings), settings.solver),
+    place: view.placement(settings),
+  };
 }
 
-function observationOf(
-  { t, position, u }: ViewPoint,
-  { speedOfLight }: RenderSettings,
-  { event }: SpacetimeProjection,
-): Observation {
-  const surface = event === 'slice' || event === 'now' ? event : 'past-light-cone';
-  return { t, position, u, c: speedOfLight, hypersurface: surface };
+function observationOf({ t, position, u }: ViewPoint, settings: RenderSettings): Observation {
+  const hypersurface = VIEWS[settings.view].hypersurface(settings);
+  return { t, position, u, c: settings.speedOfLight, hypersurface };
 }
 
 /** The ground is the plane of the two axes that do not point up, at height 0; its grid is as fine as the scene's size asks. */

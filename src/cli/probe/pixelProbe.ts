@@ -1,8 +1,7 @@
-import { sub, type Vec3 } from '../../math/vec3.ts';
+import { sub } from '../../math/vec3.ts';
 import { properVelocity } from '../../physics/lorentz/boost.ts';
-import { apparentPosition } from '../../physics/optics/apparentPosition.ts';
 import { dopplerFactor } from '../../physics/optics/doppler.ts';
-import { simultaneousPosition } from '../../physics/worldLines/simultaneity.ts';
+import { PLACEMENTS } from '../../physics/optics/placement.ts';
 import type { PictureSize } from '../../pipelines/pictureRenderer.ts';
 import { cameraRay } from '../../reference/camera/cameraRay.ts';
 import { visibleHit } from '../../reference/camera/visibleHit.ts';
@@ -10,7 +9,7 @@ import { createTracedScene } from '../../reference/intersection/tracedScene.ts';
 import type { Scene } from '../../scene/types.ts';
 import type { VertexProbe } from '../../scene/view/probe.ts';
 import { DEFAULT_SETTINGS, type ViewPoint } from '../../scene/view/view.ts';
-import type { View } from '../../scene/views/views.ts';
+import { VIEWS, type View } from '../../scene/views/views.ts';
 
 /** What an observer sees at a pixel: a point of a surface, at the event where the light left it. */
 export interface PixelProbe extends Omit<VertexProbe, 'vertex' | 'visible'> {
@@ -37,8 +36,9 @@ export function probePixel(
   if (!hit) return undefined;
   const { object, time, position, velocity, s: distance } = hit;
   const offset = sub(position, view.position);
-  const apparent = APPARENT_POSITION[how](offset, view.u);
-  const doppler = how === 'light-cone' ? dopplerFactor(offset, view.u, properVelocity(velocity)) : 1;
+  const shown = VIEWS[how];
+  const apparent = PLACEMENTS[shown.placement(settings)].position(offset, view.u);
+  const doppler = shown.luminous ? dopplerFactor(offset, view.u, properVelocity(velocity)) : 1;
   return {
     prim: scene.objects[object].path,
     object: object + 1,
@@ -50,10 +50,3 @@ export function probePixel(
     doppler,
   };
 }
-
-/** Where an event is in the observer's frame, as each view has it; `offset` from the observer's event, world frame [m]. */
-const APPARENT_POSITION: Record<View, (offset: Vec3, u: Vec3) => Vec3> = {
-  'light-cone': apparentPosition,
-  simultaneity: simultaneousPosition,
-  galilean: (offset) => offset,
-};

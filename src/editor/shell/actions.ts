@@ -2,14 +2,13 @@ import { own, type ParamValue } from '../../graph/document/document.ts';
 import { resolveParams } from '../../graph/nodeType.ts';
 import { nodeLibrary } from '../../nodes/library.ts';
 import { nearestToOutput } from '../../nodes/project/outputChain.ts';
+import { VIEW_NAMES } from '../../scene/views/views.ts';
 import { FALSE_COLOR_QUANTITIES } from '../../spectrum/falseColor/falseColor.ts';
 import type { Editor } from '../state/editor.ts';
 
-const VIEWS = ['light-cone', 'simultaneity', 'galilean'] as const;
-
 /** Actions shared by keys and buttons; without the node they do nothing. */
 export const nextView = (editor: Editor): void =>
-  change(editor, 'relativity-console', 'view', (now) => next(VIEWS, now), 'param.view');
+  change(editor, 'relativity-console', 'view', (now) => next(VIEW_NAMES, now), 'param.view');
 
 export const toggleGrid = (editor: Editor): void =>
   change(editor, 'relativity-rasterize', 'grid', (now) => now !== true, 'param.grid');

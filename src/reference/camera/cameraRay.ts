@@ -1,8 +1,7 @@
 import { rotate } from '../../math/quat.ts';
-import { length, normalize, type Vec3 } from '../../math/vec3.ts';
-import { inverseBoost } from '../../physics/lorentz/boost.ts';
-import { inverseApparentPosition } from '../../physics/optics/apparentPosition.ts';
+import { normalize, type Vec3 } from '../../math/vec3.ts';
 import type { RenderSettings, ViewPoint } from '../../scene/view/view.ts';
+import { VIEWS } from '../../scene/views/views.ts';
 import type { SpacetimeRay } from '../acceleration/ray.ts';
 
 /**
@@ -36,12 +35,6 @@ export function directionAt(
 
 /** The ray of a direction n′. */
 export function rayToward({ t, position, u }: ViewPoint, settings: RenderSettings, n: Vec3): SpacetimeRay {
-  if (settings.view === 'simultaneity') {
-    // The events (0, s n′) of the observer's frame.
-    const [dt, ...dx] = inverseBoost([0, ...n], u);
-    return { t, x: position, dt, dx };
-  }
-  const seen = settings.view === 'light-cone';
-  const dx = seen && settings.aberration ? inverseApparentPosition(n, u) : n;
-  return { t, x: position, dt: seen && settings.lightDelay ? -length(dx) : 0, dx };
+  const [dt, ...dx] = VIEWS[settings.view].rayToward(n, u, settings);
+  return { t, x: position, dt, dx };
 }

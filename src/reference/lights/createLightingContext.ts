@@ -1,7 +1,8 @@
-import { type Vec3, ZERO } from '../../math/vec3.ts';
+import type { Vec3 } from '../../math/vec3.ts';
 import { isDistantLight, isLocalLight } from '../../scene/lights/lightKinds.ts';
 import { directLights } from '../../scene/lights/sceneLights.ts';
 import type { RenderSettings } from '../../scene/view/view.ts';
+import { hypersurfaceOf } from '../../scene/views/views.ts';
 import type { TracedScene } from '../intersection/tracedScene.ts';
 import type { Random } from '../sampling/directions.ts';
 import type { LightingContext, LightPropagation } from './lightingContext.ts';
@@ -34,9 +35,6 @@ export function createLightingContext(
   u: Vec3,
   random: Random,
 ): LightingContext {
-  const propagation: LightPropagation =
-    settings.view === 'light-cone' && settings.lightDelay
-      ? { kind: 'past' }
-      : { kind: 'slice', u: settings.view === 'simultaneity' ? u : ZERO };
+  const propagation: LightPropagation = { hypersurface: hypersurfaceOf(settings), u };
   return { scene, settings, options, random, propagation, ...sceneLights(scene) };
 }

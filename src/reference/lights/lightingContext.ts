@@ -1,6 +1,8 @@
-import { dot, length, type Vec3, ZERO } from '../../math/vec3.ts';
-import { gamma, inverseBoost, properVelocity } from '../../physics/lorentz/boost.ts';
+import { type Vec3, ZERO } from '../../math/vec3.ts';
+import { inverseBoost, properVelocity } from '../../physics/lorentz/boost.ts';
+import type { Hypersurface } from '../../physics/worldLines/hypersurface.ts';
 import type { RenderSettings } from '../../scene/view/view.ts';
+import { VIEWS } from '../../scene/views/views.ts';
 import type { SpacetimeRay } from '../acceleration/ray.ts';
 import type { TracedScene } from '../intersection/tracedScene.ts';
 import type { Random } from '../sampling/directions.ts';
@@ -59,11 +61,15 @@ export interface LightingContext {
 }
 
 /** Light that takes its time; or, where the picture is of one moment (a slice of u's own time; the world's for u = 0), none. */
-export type LightPropagation = { readonly kind: 'past' } | { readonly kind: 'slice'; readonly u: Vec3 };
+export interface LightPropagation {
+  readonly hypersurface: Hypersurface;
+  /** The observer's γβ. */
+  readonly u: Vec3;
+}
 
 /** The rest frame of a velocity [c]; in the views that show no light everything is as at rest. */
 export const restFrameOf = ({ settings }: LightingContext, velocity: Vec3): RestFrame =>
-  restFrame(settings.view === 'light-cone' ? properVelocity(velocity) : ZERO);
+  restFrame(VIEWS[settings.view].luminous ? properVelocity(velocity) : ZERO);
 
 /** An event, and how much of a ray that leaves it does not count [m]: what rounding may put between it and its own surface. */
 export interface RayOrigin {
@@ -74,8 +80,7 @@ export interface RayOrigin {
 
 /** The ray from an event to where light from the direction dx [m, world] came from. */
 export function rayBack({ propagation }: LightingContext, { t, x }: RayOrigin, dx: Vec3): SpacetimeRay {
-  if (propagation.kind === 'past') return { t, x, dt: -length(dx), dx };
-  return { t, x, dt: dot(propagation.u, dx) / gamma(propagation.u), dx };
+  return { t, x, dt: propagation.hypersurface.timeAt(dx, propagation.u), dx };
 }
 
 /** The same inside a body of refractive index n that moves with u, for a unit direction of its rest frame: light goes at c/n there. */
@@ -86,7 +91,8 @@ export function rayBackInside(
   frame: RestFrame,
   n: number,
 ): SpacetimeRay {
-  if (lighting.propagation.kind !== 'past') return rayBack(lighting, { t, x, clearance }, frame.toWorld(direction));
+  if (!lighting.propagation.hypersurface.isLightCone)
+    return rayBack(lighting, { t, x, clearance }, frame.toWorld(direction));
   const [dt, ...dx] = inverseBoost([-n, ...direction], frame.u);
   return { t, x, dt, dx };
 }

@@ -2,6 +2,7 @@ import { ZERO } from '../../math/vec3.ts';
 import { dopplerFactor } from '../../physics/optics/doppler.ts';
 import { relativeLuminance } from '../../scene/view/metering.ts';
 import type { AovName, RenderSettings, ViewPoint } from '../../scene/view/view.ts';
+import { VIEWS } from '../../scene/views/views.ts';
 import { encodeSrgb } from '../../spectrum/display/srgb.ts';
 import { toneMap } from '../../spectrum/display/toneMap.ts';
 import {
@@ -62,7 +63,7 @@ export function skyDoppler(
   width: number,
   height: number,
 ): number {
-  if (settings.view !== 'light-cone') return 1;
+  if (!VIEWS[settings.view].luminous) return 1;
   return dopplerFactor(cameraRay(view, settings, x, y, width, height).dx, view.u, ZERO);
 }
 

@@ -1,6 +1,7 @@
 import { negate, normalize, type Vec3, ZERO } from '../../math/vec3.ts';
-import { simultaneousPosition } from '../../physics/worldLines/simultaneity.ts';
+import { PLACEMENTS } from '../../physics/optics/placement.ts';
 import type { RenderSettings } from '../../scene/view/view.ts';
+import { VIEWS } from '../../scene/views/views.ts';
 import { maxOfFilter, neutralFilter, scaleFilter } from '../../spectrum/reflectance/filterAlgebra.ts';
 import type { SpectralFilter } from '../../spectrum/reflectance/spectralFilter.ts';
 import type { Hit, SpacetimeRay } from '../acceleration/ray.ts';
@@ -57,10 +58,10 @@ export function radiance(
   { context, color }: Sensor = sensorsOf(settings)(random),
 ): Vec3 {
   const lighting = createLightingContext(scene, settings, options, receiver.u, random);
-  const luminous = settings.view === 'light-cone';
-  const frame = restFrame(luminous ? receiver.u : ZERO);
+  const view = VIEWS[settings.view];
+  const frame = restFrame(view.luminous ? receiver.u : ZERO);
   // A slice has the sky of the observer's own directions.
-  const toward = settings.view === 'simultaneity' ? simultaneousPosition(ray.dx, receiver.u) : ray.dx;
+  const toward = PLACEMENTS[view.placement(settings)].skyDirection(ray.dx, receiver.u);
   const path = {
     frame,
     context,

@@ -1,6 +1,7 @@
 import { directLights, hasDomeLight, sceneDome } from '../../scene/lights/sceneLights.ts';
 import type { Scene } from '../../scene/types.ts';
 import type { RenderSettings } from '../../scene/view/view.ts';
+import { VIEWS } from '../../scene/views/views.ts';
 import type { HalfAtlas } from '../../shaders/tables/halfAtlas.ts';
 import { observerTexels } from '../../shaders/tables/observerTable.ts';
 import { spectrumTable } from '../../shaders/tables/spectrumTable.ts';
@@ -21,7 +22,7 @@ export type ColorVariant = 'spectral' | 'physical' | 'resting' | 'approximate' |
 
 /** What the settings ask for. Where no shift is shown its code is left out, for on a software GPU it costs all the same. */
 export function colorVariantOf({ view, colors, dopplerMix, beaming }: RenderSettings, scene: Scene): ColorVariant {
-  const shifted = view === 'light-cone' && (dopplerMix > 0 || beaming > 0);
+  const shifted = VIEWS[view].luminous && (dopplerMix > 0 || beaming > 0);
   if (colors === 'approximate') return shifted ? 'approximate' : 'plain';
   if (shifted) return dopplerMix === 1 && beaming === 1 ? 'physical' : 'spectral';
   const daylight =

@@ -1,8 +1,9 @@
 import { length, type Vec3 } from '../../math/vec3.ts';
+import type { PlacementName } from '../../physics/optics/placement.ts';
 import { simultaneousPosition } from '../../physics/worldLines/simultaneity.ts';
 import { motionKind } from '../../scene/motion/motions.ts';
 import { type Body, worldLineOfCenter } from './bodies.ts';
-import { aberrateCone, type BoundingSphere, coneAround, coneMayIntersectFrustum } from './culling.ts';
+import { aberrateCone, type BoundingSphere, type Cone, coneAround, coneMayIntersectFrustum } from './culling.ts';
 import { type ObjectRow, type ObjectTables, objectRows } from './objectRows.ts';
 import {
   intersect,
@@ -17,8 +18,7 @@ export const OBJECT_TEXELS = 5;
 /** How the picture is looked at, for culling: where the observer's frame puts a direction of the world. */
 export interface ViewFrustum {
   readonly sides: readonly Vec3[];
-  /** Whether directions are boosted; otherwise they are drawn as they are in the world. */
-  readonly boosted: boolean;
+  readonly place: PlacementName;
 }
 
 /**
@@ -113,16 +113,19 @@ function overlapsLifetime({ object }: Body, { from, to }: WorldTubeSection, sigh
 
 /** Conservative: false only for what no pixel can show. */
 function maybeVisible(ball: BoundingSphere, sight: Observation, gaze: ViewFrustum): boolean {
-  if (sight.hypersurface === 'slice') return coneMaybeVisible(contracted(ball, sight.u), gaze.sides);
-  const cone = coneAround(ball);
-  if (!cone) return true;
-  return coneMayIntersectFrustum(gaze.boosted ? aberrateCone(cone, sight.u) : cone, gaze.sides);
+  const cone = CONES[gaze.place](ball, sight.u);
+  return !cone || coneMayIntersectFrustum(cone, gaze.sides);
 }
 
-function coneMaybeVisible(ball: BoundingSphere, sides: readonly Vec3[]): boolean {
-  const cone = coneAround(ball);
-  return !cone || coneMayIntersectFrustum(cone, sides);
-}
+/** The cone of directions in which a picture shows what is in a sphere; undefined: all directions. */
+const CONES: Readonly<Record<PlacementName, (sphere: BoundingSphere, u: Vec3) => Cone | undefined>> = {
+  apparent(sphere, u) {
+    const cone = coneAround(sphere);
+    return cone && aberrateCone(cone, u);
+  },
+  contracted: (sphere, u) => coneAround(contracted(sphere, u)),
+  plain: coneAround,
+};
 
 const contracted = (ball: BoundingSphere, u: Vec3): BoundingSphere => ({
   center: simultaneousPosition(ball.center, u),

@@ -1,8 +1,9 @@
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
 import { add, distance, scale, type Vec3 } from '../../math/vec3.ts';
+import type { HypersurfaceName } from '../../physics/worldLines/hypersurface.ts';
 import type { PolylineLine, WorldLine } from '../../physics/worldLines/worldLine.ts';
-import { type Hypersurface, intersect, type Observation, sampleWindow, worldTubeSection } from './observation.ts';
+import { intersect, type Observation, sampleWindow, worldTubeSection } from './observation.ts';
 
 const C = 2;
 const number = (most: number) => fc.double({ min: -most, max: most, noNaN: true });
@@ -28,7 +29,7 @@ const line: fc.Arbitrary<WorldLine> = fc.oneof(
     .map(([position, properAcceleration, t0]): WorldLine => ({ kind: 'hyperbolic', position, properAcceleration, t0 })),
   polyline,
 );
-const surface = fc.constantFrom<Hypersurface>('past-light-cone', 'slice', 'now');
+const surface = fc.constantFrom<HypersurfaceName>('past-light-cone', 'slice', 'now');
 const sight = fc
   .tuple(number(9), vector(9), vector(3), surface)
   .map(([t, position, u, on]): Observation => ({ t, position, u, c: C, hypersurface: on }));

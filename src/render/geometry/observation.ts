@@ -1,7 +1,6 @@
 import { add, distance, length, scale, sub, type Vec3, ZERO } from '../../math/vec3.ts';
-import { velocity } from '../../physics/lorentz/boost.ts';
-import { type ObserverEvent, pastLightCone } from '../../physics/worldLines/lightCone.ts';
-import { simultaneitySlice } from '../../physics/worldLines/simultaneity.ts';
+import { HYPERSURFACES, type HypersurfaceName } from '../../physics/worldLines/hypersurface.ts';
+import type { ObserverEvent } from '../../physics/worldLines/lightCone.ts';
 import {
   type PolylineLine,
   positionAt,
@@ -10,9 +9,6 @@ import {
   type WorldLine,
 } from '../../physics/worldLines/worldLine.ts';
 import type { BoundingSphere } from './culling.ts';
-
-/** Which events of the scene a picture is made of. */
-export type Hypersurface = 'past-light-cone' | 'slice' | 'now';
 
 /** One event relative to the observer's: offset Δx [m], world frame; time c(t − t_o) [m of light]. */
 export interface RelativeEvent {
@@ -24,7 +20,7 @@ export interface RelativeEvent {
 export interface Observation extends ObserverEvent {
   readonly u: Vec3;
   readonly c: number;
-  readonly hypersurface: Hypersurface;
+  readonly hypersurface: HypersurfaceName;
 }
 
 /** What of a world line, and of all that is within a radius of it, lies on the surface. */
@@ -40,17 +36,9 @@ export interface WorldTubeSection {
 /** Where the world line meets the surface; undefined behind a horizon. `lag` [m of light] moves the surface towards the future. */
 export function intersect(line: WorldLine, observation: Observation, lag = 0): RelativeEvent | undefined {
   const observer = lag === 0 ? observation : { t: observation.t + lag / observation.c, position: observation.position };
-  if (observation.hypersurface === 'past-light-cone') {
-    const seen = pastLightCone(line, observer, observation.c);
-    return seen && { offset: seen.offset, ahead: lag - seen.delay };
-  }
-  const slice = simultaneitySlice(
-    line,
-    observer,
-    observation.hypersurface === 'slice' ? observation.u : ZERO,
-    observation.c,
-  );
-  return { offset: slice.offset, ahead: lag + slice.ahead };
+  const { u, c, hypersurface } = observation;
+  const event = HYPERSURFACES[hypersurface].intersect(line, observer, u, c);
+  return event && { offset: event.offset, ahead: lag + event.ahead };
 }
 
 /**
@@ -65,8 +53,8 @@ export function worldTubeSection(
   if (line.kind === 'static') return inertialSection(intersect(line, observation), radius, 0);
   if (line.kind === 'uniform')
     return inertialSection(intersect(line, observation), radius, length(line.velocity) / observation.c);
-  const reach =
-    { 'past-light-cone': 1, slice: length(velocity(observation.u)), now: 0 }[observation.hypersurface] * radius;
+  const gradient = HYPERSURFACES[observation.hypersurface].timeGradient(observation.u);
+  const reach = (length(gradient.linear) + Math.abs(gradient.radial)) * radius;
   const last = intersect(line, observation, reach);
   if (!last) return undefined;
   const anchor = intersect(line, observation);

@@ -16,6 +16,9 @@ import {
   vec3,
   vec4,
 } from 'three/tsl';
+import type { PlacementName } from '../../physics/optics/placement.ts';
+import type { HypersurfaceName } from '../../physics/worldLines/hypersurface.ts';
+import type { Solver } from '../../scene/settings/settings.ts';
 import type { Motion } from '../../scene/types.ts';
 import { cubicEmission } from '../../shaders/emission/cubicEmission.ts';
 import { hyperbolicEmission } from '../../shaders/emission/hyperbolicEmission.ts';
@@ -44,8 +47,12 @@ import { pieceAt, pointSamples, poseSamples, type VertexSamples } from './vertex
 /** How a vertex finds its event, and where the picture puts it; a pipeline is compiled for each pair that is used. */
 export interface SpacetimeProjection {
   readonly event: 'emission' | 'newton' | 'slice' | 'now';
-  readonly place: 'apparent' | 'contracted' | 'plain';
+  readonly place: PlacementName;
 }
+
+/** Which solver finds the events of a surface: for that of light there are two. */
+export const vertexSolverOf = (surface: HypersurfaceName, solver: Solver): SpacetimeProjection['event'] =>
+  surface === 'past-light-cone' ? (solver === 'newton' ? 'newton' : 'emission') : surface;
 
 /** What tells how the bodies of a batch move. */
 export interface MotionSources {
@@ -173,15 +180,20 @@ function rotated(q: Vec4, v: Vec3): Vec3 {
   return v.add(t.mul(q.w)).add(cross(q.xyz, t)).toVar();
 }
 
+/** The GPU's twins of `PLACEMENTS` (src/physics/optics/placement.ts). */
+const PLACES: Readonly<Record<PlacementName, (dx: Vec3, u: Vec3, gamma: Float) => Vec3>> = {
+  apparent: apparentPosition,
+  contracted: simultaneousPosition,
+  plain: (dx) => dx,
+};
+
 /** Where an event at Δx is drawn, from the observer, on the world axes that the boost carries [m]. */
 export function observerPosition(
   dx: Vec3,
   how: SpacetimeProjection['place'],
   { u, gamma }: Pick<FrameUniforms, 'u' | 'gamma'>,
 ): Vec3 {
-  if (how === 'apparent') return apparentPosition(dx, u, gamma);
-  if (how === 'contracted') return simultaneousPosition(dx, u, gamma);
-  return dx;
+  return PLACES[how](dx, u, gamma);
 }
 
 /** How a vertex finds its event, by the kind of its body's motion. */
@@ -287,9 +299,14 @@ function sampled(
 const newton = (anchor: Vec4, line: WorldLineAt, { iterations, damping }: EventSources['uniforms']): VertexEvent =>
   newtonEmission(anchor, line, iterations, damping);
 
-/** The slice of the observer's own frame, or that of the world. */
+/** γβ and γ of the frame whose moment is asked for; those left out: of the world. */
+const MOMENTS: { readonly [Event in SpacetimeProjection['event']]?: (u: Vec3, gamma: Float) => [Vec3, Float] } = {
+  slice: (u, gamma) => [u, gamma],
+};
+
+/** The moment of the observer's own frame, or that of the world. */
 const sliceOf = (event: SpacetimeProjection['event'], { u, gamma }: EventSources['uniforms']): [Vec3, Float] =>
-  event === 'slice' ? [u, gamma] : [vec3(0), float(1)];
+  MOMENTS[event]?.(u, gamma) ?? [vec3(0), float(1)];
 
 /**
  * x∥ → x∥/γ for the velocity (v, 1 − v²): an offset of the rest frame to the world's slice, and a normal of the world's slice to the rest frame

@@ -4,6 +4,7 @@ import { aberrate } from '../../physics/optics/aberration.ts';
 import { observerDoppler } from '../../physics/optics/doppler.ts';
 import type { NightSky } from '../types.ts';
 import type { RenderSettings, ViewPoint } from '../view/view.ts';
+import { VIEWS } from '../views/views.ts';
 import { MAX_SPREAD_RADIUS, spreadRadius } from './pointSpread.ts';
 import { starlight } from './starlight.ts';
 
@@ -24,9 +25,9 @@ export function projectStars(
   height: number,
   out: ProjectedStars,
 ): number {
-  const seen = settings.view === 'light-cone';
-  const boosted = seen && settings.aberration;
-  const u = seen ? view.u : ZERO;
+  const shown = VIEWS[settings.view];
+  const boosted = shown.placement(settings) === 'apparent';
+  const u = shown.luminous ? view.u : ZERO;
   const tanY = Math.tan(view.fovY / 2);
   const tanX = (tanY * width) / height;
   const pixel = (4 * tanX * tanY) / (width * height);

@@ -1,8 +1,6 @@
 import { conjugate, type Quat, rotate } from '../../../math/quat.ts';
 import { length, negate, normalize, scale, sub, type Vec3 } from '../../../math/vec3.ts';
 import { apparentPosition, inverseApparentPosition } from '../../../physics/optics/apparentPosition.ts';
-import { pastLightCone } from '../../../physics/worldLines/lightCone.ts';
-import { simultaneitySlice } from '../../../physics/worldLines/simultaneity.ts';
 import { velocityAt, type WorldLine } from '../../../physics/worldLines/worldLine.ts';
 import { shapingFactor } from '../../../scene/lights/shaping.ts';
 import { originWorldLine, poseAt } from '../../../scene/motion/motion.ts';
@@ -106,18 +104,11 @@ function lightAtEmission(
   { t, x }: RayOrigin,
 ): LightAtEmission | undefined {
   const { propagation, scene } = lighting;
-  const observer = { t, position: x };
-  const event = (): { offset: Vec3; time: number } | undefined => {
-    if (propagation.kind === 'slice') {
-      const { offset, ahead } = simultaneitySlice(line, observer, propagation.u, scene.c);
-      return { offset, time: t + ahead / scene.c };
-    }
-    const found = pastLightCone(line, observer, scene.c);
-    return found && { offset: found.offset, time: t - found.delay / scene.c };
-  };
-  const found = event();
+  const { hypersurface, u } = propagation;
+  const found = hypersurface.intersect(line, { t, position: x }, u, scene.c);
   if (!found) return undefined;
-  const velocity = scale(velocityAt(line, found.time, scene.c), 1 / scene.c);
-  const { orientation } = poseAt(light.motion, found.time, scene.c);
+  const time = t + found.ahead / scene.c;
+  const velocity = scale(velocityAt(line, time, scene.c), 1 / scene.c);
+  const { orientation } = poseAt(light.motion, time, scene.c);
   return { offset: found.offset, frame: restFrameOf(lighting, velocity), orientation };
 }

@@ -2,6 +2,7 @@ import { If, int, select, uniform, vec3 } from 'three/tsl';
 import { type Mesh, Vector3 } from 'three/webgpu';
 import { addScaled, distance, length, scale, sub, type Vec3, ZERO } from '../../../math/vec3.ts';
 import { gamma } from '../../../physics/lorentz/boost.ts';
+import { HYPERSURFACES } from '../../../physics/worldLines/hypersurface.ts';
 import { positionAt, velocityAt, type WorldLine } from '../../../physics/worldLines/worldLine.ts';
 import type { Int } from '../../../shaders/types.ts';
 import type { DrawCall } from '../../gbuffer/drawCall.ts';
@@ -19,7 +20,7 @@ import { PoseTable, SURROUNDINGS } from './casterPoses.ts';
 /** Smaller ones throw no shadow: radius over distance. */
 const MIN_APPARENT_SIZE = 0.01;
 /** Everywhere may be seen. */
-const NO_CULLING = { sides: [], boosted: false };
+const NO_CULLING = { sides: [], place: 'plain' } as const;
 
 /** A body with the event of its centre that is seen, and its velocity there [c]. */
 export interface ObservedCaster extends RelativeEvent {
@@ -105,8 +106,9 @@ export class MovingCasters {
   ): string {
     this.poses.clear();
     const { onLightCone, u, gamma: factor } = this.events;
-    const moment = sight.hypersurface === 'slice' ? sight.u : ZERO;
-    onLightCone.value = sight.hypersurface === 'past-light-cone' ? 1 : 0;
+    const surface = HYPERSURFACES[sight.hypersurface];
+    const moment = surface.momentVelocity(sight.u);
+    onLightCone.value = surface.isLightCone ? 1 : 0;
     u.value.set(...moment);
     factor.value = gamma(moment);
     const deforming: Body[] = [];

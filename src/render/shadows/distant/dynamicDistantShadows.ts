@@ -1,6 +1,6 @@
 import type { Vec3 } from '../../../math/vec3.ts';
 import { addScaled, dot, ZERO } from '../../../math/vec3.ts';
-import { velocity } from '../../../physics/lorentz/boost.ts';
+import { HYPERSURFACES } from '../../../physics/worldLines/hypersurface.ts';
 import type { Float } from '../../../shaders/types.ts';
 import type { Body } from '../../geometry/bodies.ts';
 import type { Observation } from '../../geometry/observation.ts';
@@ -138,5 +138,7 @@ function layerOf(
 }
 
 /** How time goes on along a ray to the sun: into the past, or in the one moment that is looked at. */
-const timePerMeter = ({ hypersurface, u }: Observation, direction: Vec3): number =>
-  hypersurface === 'past-light-cone' ? -1 : hypersurface === 'slice' ? dot(velocity(u), direction) : 0;
+function timePerMeter({ hypersurface, u }: Observation, direction: Vec3): number {
+  const { linear, radial } = HYPERSURFACES[hypersurface].timeGradient(u);
+  return dot(linear, direction) + radial;
+}

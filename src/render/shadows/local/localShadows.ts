@@ -1,6 +1,6 @@
 import { dot, length, uniform } from 'three/tsl';
 import { Vector4 } from 'three/webgpu';
-import { velocity } from '../../../physics/lorentz/boost.ts';
+import { HYPERSURFACES } from '../../../physics/worldLines/hypersurface.ts';
 import { isStatic } from '../../../scene/motion/motion.ts';
 import type { Float, Int } from '../../../shaders/types.ts';
 import type { Observation } from '../../geometry/observation.ts';
@@ -60,5 +60,7 @@ export class LocalShadows {
   }
 }
 
-const emissionDelayPerMeter = ({ hypersurface, u }: Observation): readonly [number, number, number, number] =>
-  hypersurface === 'past-light-cone' ? [0, 0, 0, -1] : hypersurface === 'slice' ? [...velocity(u), 0] : [0, 0, 0, 0];
+function emissionDelayPerMeter({ hypersurface, u }: Observation): readonly [number, number, number, number] {
+  const { linear, radial } = HYPERSURFACES[hypersurface].timeGradient(u);
+  return [...linear, radial];
+}

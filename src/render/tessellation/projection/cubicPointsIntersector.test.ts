@@ -4,20 +4,20 @@ import { direction, expectClose, uniform } from '../../../../tests/support/physi
 import { probePoint, viewFrom } from '../../../../tests/support/rays.ts';
 import { distance, length, scale, sub, type Vec3 } from '../../../math/vec3.ts';
 import { cubicAt } from '../../../physics/worldLines/cubicPiece.ts';
+import type { HypersurfaceName } from '../../../physics/worldLines/hypersurface.ts';
 import { makeObject, makeScene } from '../../../scene/defaults.ts';
 import { grid } from '../../../scene/mesh/primitives.ts';
 import { type CubicPointsMotion, parabolaVelocities, pointPiece } from '../../../scene/motion/cubicPoints.ts';
 import type { View } from '../../../scene/views/views.ts';
 import { makeBatches } from '../../geometry/batches.ts';
 import { makeBody } from '../../geometry/bodies.ts';
-import type { Hypersurface } from '../../geometry/observation.ts';
 import { Clusters } from '../plan/clusters.ts';
 import { DeformingClusterBounds } from '../plan/deformingClusterBounds.ts';
 import { CubicPointsIntersector } from './cubicPointsIntersector.ts';
 
 const C = 10;
 const mesh = grid(3, 3, 2, 2);
-const SURFACES: readonly (readonly [View, Hypersurface])[] = [
+const SURFACES: readonly (readonly [View, HypersurfaceName])[] = [
   ['light-cone', 'past-light-cone'],
   ['simultaneity', 'slice'],
   ['galilean', 'now'],

@@ -98,12 +98,7 @@ export class CubicPointsIntersector extends SampledPointsIntersector {
 
   /** How fast `late` rises along the world line. */
   private latenessRate(): number {
-    const { x, y, z } = this;
     const [vx, vy, vz] = this.velocity;
-    const { u, hypersurface } = this.observation;
-    if (hypersurface === 'now') return 1;
-    if (hypersurface === 'slice') return this.gamma - (u[0] * vx + u[1] * vy + u[2] * vz);
-    const r = Math.sqrt(x * x + y * y + z * z);
-    return r > 0 ? 1 + (x * vx + y * vy + z * vz) / r : 1;
+    return this.surface.latenessRate(this.x, this.y, this.z, vx, vy, vz, this.observation.u, this.gamma);
   }
 }

@@ -1,7 +1,6 @@
 import type { Mat4 } from '../../../math/mat4.ts';
-import { IDENTITY } from '../../../math/mat4.ts';
-import { negate, type Vec3 } from '../../../math/vec3.ts';
-import { boostMatrix, gamma } from '../../../physics/lorentz/boost.ts';
+import type { Vec3 } from '../../../math/vec3.ts';
+import { PLACEMENTS } from '../../../physics/optics/placement.ts';
 import { MAX_GRADE, MAX_GRADE_NEAR_CAMERA_PLANE } from '../criterion/edgeCriterion.ts';
 import {
   type ClusterBounds,
@@ -53,13 +52,12 @@ export class ProjectedAcceleratedBody implements ProjectedBody {
 
   constructor(mover: HypersurfaceIntersector, kinked: boolean, gauge: ScreenMetric) {
     const { observation, projection } = gauge.view;
-    const g = gamma(observation.u);
     this.intersector = mover;
     this.kinked = kinked;
     this.metric = gauge;
-    this.L = projection.place === 'apparent' ? boostMatrix(negate(observation.u)) : IDENTITY;
+    this.L = PLACEMENTS[projection.place].boost(observation.u);
     this.sphere = new ProjectedSphere(this.L, gauge);
-    this.contraction = projection.place === 'contracted' ? 1 / (g * (g + 1)) : 0;
+    this.contraction = PLACEMENTS[projection.place].contraction(observation.u);
   }
 
   classify(lump: ClusterBounds): ClusterState {

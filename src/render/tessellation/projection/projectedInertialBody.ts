@@ -1,8 +1,10 @@
 import { multiply as times } from '../../../math/mat3.ts';
 import { IDENTITY, type Mat4, multiply } from '../../../math/mat4.ts';
 import { type Quat, toMatrix } from '../../../math/quat.ts';
-import { add, addScaled, dot, length, negate, scale, sub, type Vec3, ZERO } from '../../../math/vec3.ts';
+import { add, addScaled, dot, length, scale, sub, type Vec3, ZERO } from '../../../math/vec3.ts';
 import { boostMatrix, gamma, properVelocity } from '../../../physics/lorentz/boost.ts';
+import { PLACEMENTS } from '../../../physics/optics/placement.ts';
+import type { HypersurfaceName } from '../../../physics/worldLines/hypersurface.ts';
 import { contraction, simultaneitySlice, simultaneousPosition } from '../../../physics/worldLines/simultaneity.ts';
 import {
   inertialVelocity,
@@ -10,6 +12,7 @@ import {
   type StaticLine,
   type UniformLine,
 } from '../../../physics/worldLines/worldLine.ts';
+import type { Observation } from '../../geometry/observation.ts';
 import { DEPTH_WEIGHT, MAX_GRADE_NEAR_CAMERA_PLANE } from '../criterion/edgeCriterion.ts';
 import {
   type ClusterBounds,
@@ -55,28 +58,49 @@ export function inertialMap(
 ): InertialMap {
   const { observation, projection } = look;
   const v = properVelocity(scale(inertialVelocity(line), 1 / observation.c));
-  const toObserver = projection.place === 'apparent' ? boostMatrix(negate(observation.u)) : IDENTITY;
+  const toObserver = PLACEMENTS[projection.place].boost(observation.u);
   const now = sub(positionAt(line, observation.t, observation.c), observation.position);
-  if (observation.hypersurface === 'past-light-cone') {
+  return MAPS[observation.hypersurface]({ line, bornRigid, size, v, toObserver, now, observation });
+}
+
+interface MapInputs {
+  readonly line: InertialLine;
+  readonly bornRigid: boolean;
+  readonly size: number;
+  /** γβ of the body. */
+  readonly v: Vec3;
+  /** From (|Δx|, Δx) to (|Δx′|, Δx′). */
+  readonly toObserver: Mat4;
+  /** Its place at the observer's world time, from there. */
+  readonly now: Vec3;
+  readonly observation: Observation;
+}
+
+const worldOffset = ({ bornRigid, v }: MapInputs, p: Vec3): Vec3 => (bornRigid ? contraction(p, v) : p);
+
+const MAPS: Readonly<Record<HypersurfaceName, (inputs: MapInputs) => InertialMap>> = {
+  'past-light-cone'({ bornRigid, v, now, toObserver }) {
     const A = bornRigid ? matrixOf((p) => p) : matrixOf((p) => uncontracted(p, v));
     return { A, x0: uncontracted(now, v), L: multiply(toObserver, boostMatrix(v)), maxStretch: normBound(A) };
-  }
-  const offset = (p: Vec3): Vec3 => (bornRigid ? contraction(p, v) : p);
-  if (observation.hypersurface === 'now') {
-    const A = matrixOf(offset);
-    return { A, x0: now, L: toObserver, maxStretch: normBound(A) };
-  }
-  const place = (p: Vec3): Vec3 => {
-    const moved = { ...line, position: add(line.position, offset(p)) };
-    return simultaneousPosition(
-      simultaneitySlice(moved, observation, observation.u, observation.c).offset,
-      observation.u,
-    );
-  };
-  const x0 = place(ZERO);
-  const A = matrixOf((p) => scale(sub(place(scale(p, size)), x0), 1 / size));
-  return { A, x0, L: IDENTITY, maxStretch: normBound(A) };
-}
+  },
+  slice(inputs) {
+    const { line, size, observation } = inputs;
+    const place = (p: Vec3): Vec3 => {
+      const moved = { ...line, position: add(line.position, worldOffset(inputs, p)) };
+      return simultaneousPosition(
+        simultaneitySlice(moved, observation, observation.u, observation.c).offset,
+        observation.u,
+      );
+    };
+    const x0 = place(ZERO);
+    const A = matrixOf((p) => scale(sub(place(scale(p, size)), x0), 1 / size));
+    return { A, x0, L: IDENTITY, maxStretch: normBound(A) };
+  },
+  now(inputs) {
+    const A = matrixOf((p) => worldOffset(inputs, p));
+    return { A, x0: inputs.now, L: inputs.toObserver, maxStretch: normBound(A) };
+  },
+};
 
 /** The same of points in axes that are turned. */
 export const rotatedMap = (map: InertialMap, orientation: Quat): InertialMap => ({

@@ -1,6 +1,7 @@
 import { toMatrix } from '../../../math/quat.ts';
 import { add, length, scale, sub, type Vec3 } from '../../../math/vec3.ts';
 import { gamma } from '../../../physics/lorentz/boost.ts';
+import { HYPERSURFACES, type Hypersurface } from '../../../physics/worldLines/hypersurface.ts';
 import type { PolylineLine } from '../../../physics/worldLines/worldLine.ts';
 import { samplePose } from '../../../scene/motion/poses.ts';
 import { pointsAt } from '../../../scene/streaming/samplePoints.ts';
@@ -30,6 +31,7 @@ abstract class SampledIntersector implements HypersurfaceIntersector {
   protected x = 0;
   protected y = 0;
   protected z = 0;
+  protected readonly surface: Hypersurface;
   protected readonly gamma: number;
   /** The window has the first and the last sample of the motion, outside which it rests. */
   protected readonly includesStart: boolean;
@@ -41,6 +43,7 @@ abstract class SampledIntersector implements HypersurfaceIntersector {
     this.includesEnd = first + count === times.length;
     this.times = times.slice(first, first + count).map((t) => sight.c * (t - sight.t));
     this.gamma = gamma(sight.u);
+    this.surface = HYPERSURFACES[sight.hypersurface];
   }
 
   abstract setTriangle(a: number, b: number, c: number): void;
@@ -114,30 +117,13 @@ abstract class SampledIntersector implements HypersurfaceIntersector {
 
   /** How far behind the surface the event (x, t) is; it rises along every world line. */
   protected lateness(t: number): number {
-    const { x, y, z } = this;
-    const { u, hypersurface } = this.observation;
-    if (hypersurface === 'past-light-cone') return Math.sqrt(x * x + y * y + z * z) + t;
-    return hypersurface === 'slice' ? this.gamma * t - (u[0] * x + u[1] * y + u[2] * z) : t;
+    return this.surface.lateness(this.x, this.y, this.z, t, this.observation.u, this.gamma);
   }
 
-  /** Time [m of light] from A, T before the observer's, to the crossing, with the velocity in x, y, z: `timeSince` of physics/worldLines/emission.ts, `uniformSlice`. */
+  /** Time [m of light] from A, T before the observer's, to the crossing, with the velocity in x, y, z. */
   private crossingTime(T: number, ax: number, ay: number, az: number): number {
-    const { x: vx, y: vy, z: vz } = this;
-    const { u, hypersurface } = this.observation;
-    if (hypersurface === 'now') return T;
-    if (hypersurface === 'slice')
-      return (u[0] * ax + u[1] * ay + u[2] * az + this.gamma * T) / (this.gamma - (u[0] * vx + u[1] * vy + u[2] * vz));
-    const nx = ax + vx * T;
-    const ny = ay + vy * T;
-    const nz = az + vz * T;
-    const slow = 1 - (vx * vx + vy * vy + vz * vz);
-    const away = nx * vx + ny * vy + nz * vz;
-    const now = nx * nx + ny * ny + nz * nz;
-    const root = Math.sqrt(Math.max(0, away * away + slow * now));
-    if (away > 0) return T - now / (away + root);
-    const g = T + ax * vx + ay * vy + az * vz;
-    const r = Math.sqrt(ax * ax + ay * ay + az * az);
-    return g > 0 ? ((T - r) * (T + r)) / (g + root) : (g - root) / slow;
+    const { x, y, z, surface, gamma } = this;
+    return surface.crossingTime(T, ax, ay, az, x, y, z, this.observation.u, gamma);
   }
 }
 
