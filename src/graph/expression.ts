@@ -21,7 +21,7 @@ const MAX_DEPTH = 32;
 
 /** Exponents of metre, second, kelvin and radian. */
 type Dimensions = readonly [length: number, time: number, temperature: number, angle: number];
-interface Quantity {
+interface DimensionedValue {
   readonly value: number;
   readonly of: Dimensions;
 }
@@ -33,7 +33,7 @@ const SPEED: Dimensions = [1, -1, 0, 0];
 const ANGLE: Dimensions = [0, 0, 0, 1];
 
 /** In SI units. */
-const UNITS: Readonly<Record<string, Quantity>> = {
+const UNITS: Readonly<Record<string, DimensionedValue>> = {
   m: { value: 1, of: LENGTH },
   km: { value: 1e3, of: LENGTH },
   cm: { value: 1e-2, of: LENGTH },
@@ -103,7 +103,11 @@ class ParseError extends Error {
 }
 
 /** A quantity in the field's unit. */
-function toFieldUnit({ value, of }: Quantity, unit: string | undefined, speedOfLight: number | undefined): number {
+function toFieldUnit(
+  { value, of }: DimensionedValue,
+  unit: string | undefined,
+  speedOfLight: number | undefined,
+): number {
   const field = unit === undefined ? undefined : unitOf(unit, speedOfLight);
   const result = sameDimensions(of, NONE) ? value : value / (field?.value ?? 1);
   // A field without a unit accepts angles, in radians.
@@ -115,7 +119,7 @@ function toFieldUnit({ value, of }: Quantity, unit: string | undefined, speedOfL
 }
 
 /** A field's unit, `m/s` or `c`; undefined for units that are not parsed, such as EV. */
-function unitOf(unit: string, speedOfLight: number | undefined): Quantity | undefined {
+function unitOf(unit: string, speedOfLight: number | undefined): DimensionedValue | undefined {
   try {
     return new ExpressionParser(tokenizeExpression(unit), speedOfLight).parse();
   } catch (error) {
@@ -170,7 +174,7 @@ class ExpressionParser {
     this.speedOfLight = speedOfLight;
   }
 
-  parse(): Quantity {
+  parse(): DimensionedValue {
     const result = this.sum();
     if (this.next.kind !== 'end') throw this.unexpected();
     return result;
@@ -192,7 +196,7 @@ class ExpressionParser {
     return text;
   }
 
-  private sum(): Quantity {
+  private sum(): DimensionedValue {
     let sum = this.product();
     for (let at = this.next.at, sign = this.sign('+', '-'); sign; at = this.next.at, sign = this.sign('+', '-')) {
       const term = this.product();
@@ -203,14 +207,14 @@ class ExpressionParser {
     return sum;
   }
 
-  private product(): Quantity {
+  private product(): DimensionedValue {
     let product = this.signed();
     for (let sign = this.sign('*', '/'); sign; sign = this.sign('*', '/'))
       product = multiplyQuantities(product, this.signed(), sign === '*' ? 1 : -1);
     return product;
   }
 
-  private signed(): Quantity {
+  private signed(): DimensionedValue {
     return this.deeper(() => {
       const sign = this.sign('+', '-');
       if (!sign) return this.measured();
@@ -220,14 +224,14 @@ class ExpressionParser {
   }
 
   /** A factor with its units or parenthesized factors: `5 km`, `2pi`, `3(1 + 2)`. */
-  private measured(): Quantity {
+  private measured(): DimensionedValue {
     let value = this.power();
     while (this.next.kind === 'name' || (this.next.kind === 'sign' && this.next.text === '('))
       value = multiplyQuantities(value, this.power(), 1);
     return value;
   }
 
-  private power(): Quantity {
+  private power(): DimensionedValue {
     const base = this.factor();
     const { at } = this.next;
     if (!this.sign('^')) return base;
@@ -239,7 +243,7 @@ class ExpressionParser {
     return { value: base.value ** (sign * value), of: scaleDimensions(base.of, sign * value) };
   }
 
-  private factor(): Quantity {
+  private factor(): DimensionedValue {
     const token = this.next;
     if (token.kind === 'number') {
       this.at++;
@@ -252,7 +256,7 @@ class ExpressionParser {
     return inner;
   }
 
-  private named({ text, at }: ExpressionToken): Quantity {
+  private named({ text, at }: ExpressionToken): DimensionedValue {
     this.at++;
     const bracket = this.next.kind === 'sign' && this.next.text === '(';
     if (bracket && Object.hasOwn(FUNCTIONS, text)) return this.called(FUNCTIONS[text]!, text, at);
@@ -261,7 +265,7 @@ class ExpressionParser {
     throw new ParseError(`"${text}" is neither a unit nor a function`, at);
   }
 
-  private called({ arity, of }: FunctionSpec, name: string, at: number): Quantity {
+  private called({ arity, of }: FunctionSpec, name: string, at: number): DimensionedValue {
     this.sign('(');
     const values = [this.deeper(() => this.sum())];
     while (this.sign(',')) values.push(this.deeper(() => this.sum()));
@@ -273,7 +277,7 @@ class ExpressionParser {
     return { value: of(...values.map(({ value }) => value)), of: NONE };
   }
 
-  private deeper(parse: () => Quantity): Quantity {
+  private deeper(parse: () => DimensionedValue): DimensionedValue {
     if (++this.depth > MAX_DEPTH) throw new ParseError('too many brackets in one another', this.next.at);
     const result = parse();
     this.depth--;
@@ -281,7 +285,7 @@ class ExpressionParser {
   }
 }
 
-const multiplyQuantities = (a: Quantity, b: Quantity, power: 1 | -1): Quantity => ({
+const multiplyQuantities = (a: DimensionedValue, b: DimensionedValue, power: 1 | -1): DimensionedValue => ({
   value: power === 1 ? a.value * b.value : a.value / b.value,
   of: [0, 1, 2, 3].map((i) => a.of[i]! + power * b.of[i]!) as unknown as Dimensions,
 });

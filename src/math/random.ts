@@ -1,8 +1,11 @@
+/** The next number of a sequence, uniform in [0, 1). */
+export type Random = () => number;
+
 /**
  * A seeded generator of numbers in [0, 1), with the same sequence on every machine: sfc32 of PractRand (Doty-Humphrey), 2³² seeds
  * with periods of at least 2³².
  */
-export function random(seed: number): () => number {
+export function random(seed: number): Random {
   let [a, b, c, counter] = [0, seed | 0, seed ^ 0x9e3779b9, 1];
   const next = () => {
     const t = (a + b + counter) | 0;

@@ -46,27 +46,27 @@ type ValueOf<S extends Socket<SocketType>> = S extends { readonly many: true }
   : S extends { readonly optional: true }
     ? SocketValues[S['type']] | undefined
     : SocketValues[S['type']];
-type ValuesOf<S extends SocketTable> = { readonly [K in keyof S]: ValueOf<S[K]> };
-type Params = Readonly<Record<string, ParamSpec>>;
-type ParamsOf<P extends Params> = { readonly [K in keyof P]: ParamValueOf<P[K]> };
+type SocketValuesOf<S extends SocketTable> = { readonly [K in keyof S]: ValueOf<S[K]> };
+export type ParamTable = Readonly<Record<string, ParamSpec>>;
+type ParamsOf<P extends ParamTable> = { readonly [K in keyof P]: ParamValueOf<P[K]> };
 
-export interface NodeDefinition<P extends Params, I extends SocketTable, O extends SocketTable>
+export interface NodeDefinition<P extends ParamTable, I extends SocketTable, O extends SocketTable>
   extends Omit<NodeType<Services>, 'params' | 'inputs' | 'outputs' | 'evaluate'> {
   readonly params: P;
   readonly inputs: I;
   readonly outputs: O;
   evaluate(
-    inputs: ValuesOf<I>,
+    inputs: SocketValuesOf<I>,
     params: ParamsOf<P>,
     work: EvaluationContext<Services> & { readonly node: string },
-  ): ValuesOf<O> | Promise<ValuesOf<O>>;
+  ): SocketValuesOf<O> | Promise<SocketValuesOf<O>>;
 }
 
 /**
  * Defines a node whose code is typed by its own description. The engine connects only sockets of equal types, and the
  * document's values are validated against the description, so the erased types hold.
  */
-export function defineNode<const P extends Params, const I extends SocketTable, const O extends SocketTable>(
+export function defineNode<const P extends ParamTable, const I extends SocketTable, const O extends SocketTable>(
   definition: NodeDefinition<P, I, O>,
 ): NodeType<Services> & NodeDefinition<P, I, O> {
   return definition as unknown as NodeType<Services> & NodeDefinition<P, I, O>;

@@ -1,7 +1,7 @@
 import type { Vec3 } from '../math/vec3.ts';
 import { prepareScene } from '../reference/intersection/tracedScene.ts';
 import { encodeDisplay } from '../reference/post/encodeDisplay.ts';
-import { aovsOfFrameGraph, type CapturedPicture, evaluateFrameGraph } from '../reference/post/frameGraph.ts';
+import { aovsOfFrameGraph, type CapturedBuffers, evaluateFrameGraph } from '../reference/post/frameGraph.ts';
 import type { OutputLayer } from '../reference/tileRequest.ts';
 import { renderWithPool, TracerPool, tilesOf } from '../reference/tracerPool.ts';
 import type { TracerMessage, TracerReply } from '../reference/tracerServer.ts';
@@ -132,7 +132,7 @@ async function renderFrameGraph(
   // The beauty is what the plan makes.
   const data = aovs.filter((name) => name !== 'beauty');
   const needed = aovsOfFrameGraph(frameGraph).map((names, i) => (i === 0 ? [...new Set([...names, ...data])] : names));
-  const taken: CapturedPicture['buffers'][number][] = [];
+  const taken: CapturedBuffers['buffers'][number][] = [];
   for (const [i, names] of needed.entries()) {
     const own = i === 0 ? first : { ...first, ...frameGraph.extraBuffers[i - 1] };
     const scene = frameGraph.extraBuffers[i - 1]?.scene ?? 0;

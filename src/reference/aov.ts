@@ -1,7 +1,7 @@
 import type { Vec3 } from '../math/vec3.ts';
 import { properVelocity } from '../physics/lorentz/boost.ts';
 import { dopplerFactor } from '../physics/optics/doppler.ts';
-import type { AovName, RenderSettings } from '../scene/view/view.ts';
+import type { DataAov, RenderSettings } from '../scene/view/view.ts';
 import { VIEWS } from '../scene/views/views.ts';
 import type { Hit, SpacetimeRay } from './acceleration/ray.ts';
 import type { TracedScene } from './intersection/tracedScene.ts';
@@ -9,8 +9,6 @@ import { createLightingContext } from './lights/createLightingContext.ts';
 import { DEFAULT_LIGHT } from './lights/lightOptions.ts';
 import { surfaceAt } from './materials/surface.ts';
 import { openness } from './transport/openness.ts';
-
-export type DataAov = Exclude<AovName, 'beauty'>;
 
 /** What a picture's data say of a hit: as many numbers as `AOVS` has channels. */
 export type AovReader = (hit: Hit, ray: SpacetimeRay) => readonly number[];

@@ -1,5 +1,5 @@
-import { AOVS } from '../scene/view/view.ts';
-import { aovReader, type DataAov } from './aov.ts';
+import { AOVS, type DataAov } from '../scene/view/view.ts';
+import { aovReader } from './aov.ts';
 import { fillBeauty } from './beauty.ts';
 import { cameraRay } from './camera/cameraRay.ts';
 import { visibleHit } from './camera/visibleHit.ts';

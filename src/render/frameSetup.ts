@@ -25,7 +25,8 @@ export function renderViewOf(upload: SceneUpload, viewPoint: ViewPoint, settings
   return { upload, viewPoint, settings, projection, observation: observationOf(viewPoint, settings) };
 }
 
-interface Size {
+/** Of a picture [px]. */
+export interface PixelSize {
   readonly width: number;
   readonly height: number;
 }
@@ -44,7 +45,7 @@ export class FrameSetup {
    * Puts everything in its place; tells which bodies may be seen, or undefined where samples of them are still to come. `ready` is told before the
    * edges are cut.
    */
-  prepareFrame(motif: RenderView, size: Size, ready = () => {}): readonly boolean[] | undefined {
+  prepareFrame(motif: RenderView, size: PixelSize, ready = () => {}): readonly boolean[] | undefined {
     const { upload, viewPoint, settings, observation, projection } = motif;
     this.setView(motif, size);
     const seen = upload.objectWriter.fill(
@@ -63,7 +64,10 @@ export class FrameSetup {
   }
 
   /** Everything that is the same for all samples of a picture. */
-  setView({ viewPoint: view, observation, settings, projection, upload }: RenderView, { width, height }: Size): void {
+  setView(
+    { viewPoint: view, observation, settings, projection, upload }: RenderView,
+    { width, height }: PixelSize,
+  ): void {
     const { uniforms, camera } = this;
     const tanY = Math.tan(view.fovY / 2);
     const luminous = VIEWS[settings.view].luminous ? 1 : 0;
@@ -91,7 +95,7 @@ export class FrameSetup {
   }
 
   /** Moves the picture so that samples are at this place of their pixels. */
-  jitter([dx, dy]: SamplePosition, { width, height }: Size): void {
+  jitter([dx, dy]: SamplePosition, { width, height }: PixelSize): void {
     this.camera.setViewOffset(width, height, dx, dy, width, height);
     this.camera.updateProjectionMatrix();
     this.uniforms.jitter.value.set((2 * dx) / width, (-2 * dy) / height);
@@ -106,7 +110,7 @@ export class FrameSetup {
   private tessellate(
     { upload, viewPoint: { orientation }, observation, projection }: RenderView,
     seen: readonly boolean[],
-    { height }: Size,
+    { height }: PixelSize,
   ): void {
     const { drawCalls, objectWriter: frame, tessellator } = upload;
     const { x: tanX, y: tanY } = this.uniforms.halfTangents.value;

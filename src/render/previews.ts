@@ -6,6 +6,7 @@ import { toneMaps } from '../shaders/color/toneMap.ts';
 import type { Vec4 } from '../shaders/types.ts';
 import type { BoundRenderView } from './frameGraph/frameGraphRunner.ts';
 import { FrameRenderer } from './frameRenderer.ts';
+import type { PixelSize } from './frameSetup.ts';
 import { dataTarget } from './gbuffer/gbuffer.ts';
 import { readBytes } from './gbuffer/readback.ts';
 import type { Gpu } from './gpu/device.ts';
@@ -31,11 +32,6 @@ export type PreviewRequest =
 /** Rows from the top: sRGB, RGBA8; or luminances. */
 export type Preview = Uint8Array | Float32Array;
 
-interface Size {
-  readonly width: number;
-  readonly height: number;
-}
-
 /**
  * Small pictures of the steps of a plan: drawn by the passes of the picture that is shown, of its scenes as they are staged for it, into targets of their own.
  * Nothing of that picture, its samples or its history changes.
@@ -54,7 +50,11 @@ export class PreviewRenderer {
    * In the order of what is asked for. `plan`: its G-buffers are those of the picture that is shown, in that order. New shaders are compiled between the
    * frames of others. Undefined where there is nothing that previews could be made of. One at a time.
    */
-  async make(plan: FrameGraph, of: readonly PreviewRequest[], size: Size): Promise<readonly Preview[] | undefined> {
+  async make(
+    plan: FrameGraph,
+    of: readonly PreviewRequest[],
+    size: PixelSize,
+  ): Promise<readonly Preview[] | undefined> {
     await this.renderer.withLastView((set) => this.precompiled(plan, of, this.targetsFor(set, size), set));
     const reading = this.renderer.withLastView((set) => {
       const read: Promise<Preview>[] = [];
@@ -70,7 +70,7 @@ export class PreviewRenderer {
     this.targets?.dispose();
   }
 
-  private targetsFor({ gpu, frameSetup, views }: RenderContext, size: Size): PreviewTargets {
+  private targetsFor({ gpu, frameSetup, views }: RenderContext, size: PixelSize): PreviewTargets {
     this.targets ??= new PreviewTargets(gpu, frameSetup.uniforms);
     this.targets.prepare(
       size,
@@ -117,7 +117,7 @@ class PreviewTargets {
   }
 
   /** Lets go of the passes of scenes that are gone. */
-  prepare({ width, height }: Size, uploads: readonly SceneUpload[]): void {
+  prepare({ width, height }: PixelSize, uploads: readonly SceneUpload[]): void {
     for (const upload of this.uploads) if (!uploads.includes(upload)) this.frameRenderer.releaseScene(upload);
     this.uploads = uploads;
     if (width === this.size.width && height === this.size.height) return;

@@ -1,7 +1,7 @@
 export { dopplerTint } from './color/dopplerTint.ts';
 export { glowColor } from './color/glowColor.ts';
 export { lineColor } from './color/lineColor.ts';
-export { type SkyParts, skyParts } from './color/skyParts.ts';
+export { type SkyPartNodes as SkyParts, skyParts } from './color/skyParts.ts';
 export { toneMapAgx, toneMapLinear, toneMapNeutral } from './color/toneMap.ts';
 export { cubicEmission } from './emission/cubicEmission.ts';
 export { hyperbolicEmission } from './emission/hyperbolicEmission.ts';

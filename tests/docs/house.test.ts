@@ -17,7 +17,9 @@ const entries = readdirSync(join(ROOT, 'src'), { recursive: true, withFileTypes:
   path: join(entry.parentPath, entry.name).slice(ROOT.length).replace(/^\//, ''),
   folder: entry.parentPath.slice(ROOT.length).replace(/^\//, ''),
 }));
-const sources = entries.filter(({ path }) => /\.tsx?$/.test(path) && !/\.test\.|\.d\.ts$/.test(path) && !DATA.test(path));
+const sources = entries.filter(
+  ({ path }) => /\.tsx?$/.test(path) && !/\.test\.|\.d\.ts$/.test(path) && !DATA.test(path),
+);
 
 /** Names of the types that a file declares, exported or not. */
 function typesIn(path: string): string[] {
@@ -66,7 +68,9 @@ describe('the house', () => {
       if (!existsSync(at)) return [`${term}: ${place} is not there`];
       const isIn = (file: string) => new RegExp(`\\b${name}\\b`).test(readFileSync(file, 'utf8'));
       const files = basename(place!).includes('.') ? [at] : readdirSync(at).map((file) => join(at, file));
-      return name && !files.some((file) => basename(file).includes('.') && isIn(file)) ? [`${term}: not in ${place}`] : [];
+      return name && !files.some((file) => basename(file).includes('.') && isIn(file))
+        ? [`${term}: not in ${place}`]
+        : [];
     });
     expect(lost).toEqual([]);
   });

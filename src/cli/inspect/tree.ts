@@ -1,11 +1,11 @@
-interface TreeNode {
+interface PathTreeNode {
   note?: string;
-  readonly children: Map<string, TreeNode>;
+  readonly children: Map<string, PathTreeNode>;
 }
 
 /** Paths like `/World/Cube` as an indented tree, each with its note. */
 export function treeLines(entries: readonly { path: string; note: string }[]): string[] {
-  const root: TreeNode = { children: new Map() };
+  const root: PathTreeNode = { children: new Map() };
   for (const { path, note } of entries) {
     let node = root;
     for (const name of path.split('/').filter(Boolean)) node = childOf(node, name);
@@ -14,13 +14,13 @@ export function treeLines(entries: readonly { path: string; note: string }[]): s
   return linesOf(root, '');
 }
 
-function childOf(node: TreeNode, name: string): TreeNode {
+function childOf(node: PathTreeNode, name: string): PathTreeNode {
   const child = node.children.get(name) ?? { children: new Map() };
   node.children.set(name, child);
   return child;
 }
 
-function linesOf(node: TreeNode, indent: string): string[] {
+function linesOf(node: PathTreeNode, indent: string): string[] {
   return [...node.children].flatMap(([name, child], i) => {
     const last = i === node.children.size - 1;
     const line = `${indent}${last ? '└─ ' : '├─ '}${name}${child.note ? `  (${child.note})` : ''}`;

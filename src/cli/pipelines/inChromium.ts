@@ -1,5 +1,6 @@
 import { randomUUID } from 'node:crypto';
 import type { Browser, Page } from 'playwright-core';
+import type { HeadlessPage } from '../../pipelines/headlessPage.ts';
 import { assertPictureSize } from '../../pipelines/maxSize.ts';
 import type { PictureRequest, RenderedPicture } from '../../pipelines/pictureRenderer.ts';
 import type { Pipeline, PipelineSession, UncheckedRequest } from '../../pipelines/pipeline.ts';
@@ -11,19 +12,6 @@ import { findChromium } from '../gpu/gpuDrivers.ts';
 import { serveApp } from '../serve/staticServer.ts';
 import { unavailable } from '../terminal/exitCodes.ts';
 
-/** What the page headless.html offers to whoever drives it; src/app/headless.ts is the other end and says what it means. */
-interface HeadlessPage {
-  start(pipeline: string): Promise<{ adapterName: string; largest: number }>;
-  open(request: { scenes: string; files: string; width: number; height: number }): Promise<void>;
-  render(request: {
-    view: ViewPoint;
-    settings: RenderSettings;
-    samples: number;
-    pixels: boolean;
-    aovs: readonly AovName[];
-  }): Promise<{ pixels: string; aovs: Partial<Record<AovName, string>> }>;
-  measure(request: { view: ViewPoint; settings: RenderSettings }): Promise<Record<keyof LightMeterReadings, string>>;
-}
 /** The page's window, as seen by the functions below that run in it. */
 type HeadlessWindow = { readonly slowlight: HeadlessPage };
 

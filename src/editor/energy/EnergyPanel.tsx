@@ -10,7 +10,7 @@ import { type SimulationRun, simulationRuns, unevaluatedSimulations } from '../s
 import { LinePlot, type PlotLine } from './LinePlot.tsx';
 import { lineStyle } from './lineStyle.ts';
 import { runNames } from './runNames.ts';
-import { frameIndexAt, QUANTITIES, type Quantity, unitOf, valuesOf } from './series.ts';
+import { frameIndexAt, QUANTITIES, type RunQuantity, unitOf, valuesOf } from './series.ts';
 
 /** A run with its name and line style. */
 interface LabeledRun extends SimulationRun {
@@ -21,7 +21,7 @@ interface LabeledRun extends SimulationRun {
 /** Run records of all simulations of the project: plots and a table of figures. */
 export default function EnergyPanel(): ReactNode {
   const { t } = useTexts();
-  const [quantity, setQuantity] = useState<Quantity>('change');
+  const [quantity, setQuantity] = useState<RunQuantity>('change');
   const [logarithmic, setLogarithmic] = useState(false);
   const results = useEditorState((state) => state.results);
   const runs = useMemo(() => simulationRuns(results), [results]);
@@ -41,7 +41,7 @@ export default function EnergyPanel(): ReactNode {
               aria-label={t('energy.quantity')}
               allowDeselect={false}
               value={quantity}
-              onChange={(chosen) => chosen && setQuantity(chosen as Quantity)}
+              onChange={(chosen) => chosen && setQuantity(chosen as RunQuantity)}
               data={QUANTITIES.map((value) => ({ value, label: `${t(`energy.${value}`)} [${unitOf(value, runs)}]` }))}
             />
             <EnergyPlot runs={named} quantity={quantity} unit={unit} logarithmic={logarithmic} />
@@ -78,7 +78,7 @@ function UnevaluatedNote(): ReactNode {
   );
 }
 
-function useLabeledRuns(runs: readonly SimulationRun[], quantity: Quantity, unit: string): readonly LabeledRun[] {
+function useLabeledRuns(runs: readonly SimulationRun[], quantity: RunQuantity, unit: string): readonly LabeledRun[] {
   const { textOrKey } = useTexts();
   const document = useEditorState((state) => state.history.document);
   return useMemo(() => {
@@ -92,7 +92,7 @@ function useLabeledRuns(runs: readonly SimulationRun[], quantity: Quantity, unit
 
 interface RunsProps {
   readonly runs: readonly LabeledRun[];
-  readonly quantity: Quantity;
+  readonly quantity: RunQuantity;
   readonly unit: string;
 }
 

@@ -5,7 +5,7 @@ import uPlot from 'uplot';
 import { formatSeconds } from '../format.ts';
 import { useServices } from '../services.tsx';
 import { useTelemetry } from '../state/context.tsx';
-import { lineStyle, type Scheme } from './lineStyle.ts';
+import { type ColorScheme, lineStyle } from './lineStyle.ts';
 import { onLogarithmicAxis } from './series.ts';
 import { tick, ticksWidth } from './ticks.ts';
 
@@ -134,7 +134,7 @@ function alignedData(lines: readonly PlotLine[], logarithmic: boolean): uPlot.Al
   return only && columns.length === 1 ? only : uPlot.join(columns);
 }
 
-function optionsOf(count: number, logarithmic: boolean, scheme: Scheme, width: number): uPlot.Options {
+function optionsOf(count: number, logarithmic: boolean, scheme: ColorScheme, width: number): uPlot.Options {
   const ink = scheme === 'dark' ? '#aeb5c0' : '#4a5361';
   const grid = { stroke: scheme === 'dark' ? '#2a303b' : '#e3e7ed', width: 1 };
   const axis: uPlot.Axis = { stroke: ink, grid, ticks: grid, font: '11px "Inter Variable", sans-serif' };

@@ -1,4 +1,4 @@
-export type Scheme = 'light' | 'dark';
+export type ColorScheme = 'light' | 'dark';
 
 /**
  * Colours that stay distinct with all types of colour blindness (Okabe and Ito 2008), in brightnesses for a light and a
@@ -11,7 +11,10 @@ const COLORS = {
 const DASHES: readonly (readonly number[])[] = [[], [7, 3], [2, 3], [10, 3, 2, 3], [4, 4], [12, 4]];
 
 /** Colour and dash pattern of the n-th line. */
-export const lineStyle = (n: number, scheme: Scheme): { readonly color: string; readonly dash: readonly number[] } => ({
+export const lineStyle = (
+  n: number,
+  scheme: ColorScheme,
+): { readonly color: string; readonly dash: readonly number[] } => ({
   color: COLORS[scheme][n % COLORS.light.length]!,
   dash: DASHES[n % DASHES.length]!,
 });

@@ -12,10 +12,10 @@ export const QUANTITIES = [
   'momentum',
   'angularMomentum',
 ] as const;
-export type Quantity = (typeof QUANTITIES)[number];
+export type RunQuantity = (typeof QUANTITIES)[number];
 
 /** Values of a quantity, one per frame, in `unit` (see `unitOf`). */
-export function valuesOf(record: RunRecord, quantity: Quantity, unit: string): Float64Array {
+export function valuesOf(record: RunRecord, quantity: RunQuantity, unit: string): Float64Array {
   const { total, speedOfLight, fastest } = record;
   if (quantity === 'change') return total.map((energy) => energy - (total[0] ?? 0));
   if (quantity === 'fastest') return unit === 'c' ? fastest.map((speed) => speed / speedOfLight) : fastest;
@@ -24,7 +24,7 @@ export function valuesOf(record: RunRecord, quantity: Quantity, unit: string): F
 }
 
 /** The unit for all runs together: relative to c only if every run has a speed of light. */
-export function unitOf(quantity: Quantity, runs: readonly SimulationRun[]): string {
+export function unitOf(quantity: RunQuantity, runs: readonly SimulationRun[]): string {
   if (quantity === 'momentum') return 'kg m/s';
   if (quantity === 'angularMomentum') return 'kg m²/s';
   if (quantity !== 'fastest') return 'J';

@@ -1,5 +1,5 @@
 import type { OpenTypeFont } from 'opentype.js/dist/opentype.mjs';
-import type { Contour, Glyph, PathSegment, Point2 } from '../../scene/text/contours.ts';
+import type { Contour, ContourSegment, Glyph, Point2 } from '../../scene/text/contours.ts';
 import { unpackWoff } from './woff.ts';
 
 type Commands = ReturnType<OpenTypeFont['charToGlyph']>['path']['commands'];
@@ -25,7 +25,7 @@ export async function readFontFace(bytes: Uint8Array): Promise<FontFace> {
 }
 
 function contoursFromPath(commands: Commands): Contour[] {
-  const contours: { start: Point2; segments: PathSegment[] }[] = [];
+  const contours: { start: Point2; segments: ContourSegment[] }[] = [];
   for (const command of commands) {
     const last = contours[contours.length - 1];
     if (command.type === 'M') contours.push({ start: [command.x, command.y], segments: [] });

@@ -76,10 +76,10 @@ function cornerUvs(
   return out;
 }
 
-type Faces = Pick<Polygons, 'points' | 'faceCounts' | 'faceIndices'>;
+type ObjFaces = Pick<Polygons, 'points' | 'faceCounts' | 'faceIndices'>;
 
 /** As written; where a corner has none, by its face's smoothing group. */
-function allNormals({ normals }: ObjGeometry, part: ObjPart, corners: Int32Array, faces: Faces): Float32Array {
+function allNormals({ normals }: ObjGeometry, part: ObjPart, corners: Int32Array, faces: ObjFaces): Float32Array {
   const from = normals.values();
   const out = new Float32Array(corners.length);
   let isWhole = true;
@@ -102,7 +102,7 @@ function allNormals({ normals }: ObjGeometry, part: ObjPart, corners: Int32Array
  * A face is smooth with the faces of its group, wherever they meet; faces of group 0 are flat. To that end a point counts
  * as one for each group, and as one for each flat corner, and all of them are smooth.
  */
-function smoothNormals(part: ObjPart, faces: Faces): Float32Array {
+function smoothNormals(part: ObjPart, faces: ObjFaces): Float32Array {
   const smoothing = part.smoothing.values();
   const groups = new Map<number, number>();
   const places = new Map<number, number>();

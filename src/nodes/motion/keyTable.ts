@@ -3,7 +3,7 @@ import type { Vec3 } from '../../math/vec3.ts';
 import type { PoseKey } from '../../scene/compose/motionPaths.ts';
 import { nodeRefusal, rotationXYZ } from '../common/params.ts';
 
-type Numbers = [number, number, number, number, ...([] | [number, number, number])];
+type KeyframeRow = [number, number, number, number, ...([] | [number, number, number])];
 
 /** Maximum number of keys. */
 const MAX_KEYS = 10_000;
@@ -26,7 +26,7 @@ export function parsePathPoints(texts: readonly string[], node: string): Vec3[] 
 /** `t x y z` or `t x y z rx ry rz` per text [s, m, °]; times increase. */
 export function parsePoseKeys(texts: readonly string[], node: string): PoseKey[] {
   const keys = texts.map((text, i): PoseKey => {
-    const [time, x, y, z, ...angles] = parseNumbers(text, [4, 7], `${node}.keys ${i + 1}`) as Numbers;
+    const [time, x, y, z, ...angles] = parseNumbers(text, [4, 7], `${node}.keys ${i + 1}`) as KeyframeRow;
     return { time, position: [x, y, z], orientation: angles.length === 3 ? rotationXYZ(angles) : IDENTITY };
   });
   checkCount(keys, `${node}.keys`);

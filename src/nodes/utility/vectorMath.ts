@@ -13,7 +13,7 @@ const OPERATIONS = {
   dot,
   length,
 } as const satisfies Record<string, (a: Vec3, b: Vec3, factor: number) => Vec3 | number>;
-type Operation = keyof typeof OPERATIONS;
+type VectorOperation = keyof typeof OPERATIONS;
 
 /** A vector operation. */
 export const vectorMathNode = defineNode({
@@ -26,7 +26,7 @@ export const vectorMathNode = defineNode({
       kind: 'choice',
       title: 'param.operation',
       default: 'add',
-      options: (Object.keys(OPERATIONS) as Operation[]).map((value) => ({ value, title: `vectorMath.${value}` })),
+      options: (Object.keys(OPERATIONS) as VectorOperation[]).map((value) => ({ value, title: `vectorMath.${value}` })),
     },
     a: vectorParam('A', [0, 0, 0]),
     b: { ...vectorParam('B', [0, 0, 0]), onlyWhen: { param: 'operation', is: ['add', 'subtract', 'cross', 'dot'] } },
@@ -35,7 +35,7 @@ export const vectorMathNode = defineNode({
   inputs: {},
   outputs: { vector: { type: 'vector' }, number: { type: 'number' } },
   evaluate(_inputs, { operation, a, b, factor }, { node }) {
-    const found = (OPERATIONS[operation as Operation] as (a: Vec3, b: Vec3, factor: number) => Vec3 | number)(
+    const found = (OPERATIONS[operation as VectorOperation] as (a: Vec3, b: Vec3, factor: number) => Vec3 | number)(
       a,
       b,
       factor,

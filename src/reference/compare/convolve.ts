@@ -1,8 +1,8 @@
 /** Weights of the pixels −r … r about one, 2r + 1 of them. */
-export type Kernel = Float64Array;
+export type ConvolutionKernel = Float64Array;
 
 /** Σₖ kernel[k] · plane(x + k − r, y): beyond its border a picture goes on as it is there. */
-export function alongRows(plane: Float32Array, width: number, height: number, kernel: Kernel): Float32Array {
+export function alongRows(plane: Float32Array, width: number, height: number, kernel: ConvolutionKernel): Float32Array {
   const radius = kernel.length >> 1;
   const out = new Float32Array(plane.length);
   const row = new Float64Array(width + 2 * radius);
@@ -19,7 +19,12 @@ export function alongRows(plane: Float32Array, width: number, height: number, ke
 }
 
 /** The same down the columns. */
-export function alongColumns(plane: Float32Array, width: number, height: number, kernel: Kernel): Float32Array {
+export function alongColumns(
+  plane: Float32Array,
+  width: number,
+  height: number,
+  kernel: ConvolutionKernel,
+): Float32Array {
   const radius = kernel.length >> 1;
   const out = new Float32Array(plane.length);
   const sums = new Float64Array(width);
@@ -36,7 +41,7 @@ export function alongColumns(plane: Float32Array, width: number, height: number,
 }
 
 /** f at −r … r, scaled so that its positive weights add up to 1, and its negative ones to −1 where there are any. */
-export function kernelOf(radius: number, f: (x: number) => number): Kernel {
+export function kernelOf(radius: number, f: (x: number) => number): ConvolutionKernel {
   const values = Float64Array.from({ length: 2 * radius + 1 }, (_, i) => f(i - radius));
   const total = (sign: number) => values.reduce((sum, value) => sum + Math.max(sign * value, 0), 0);
   const [positive, negative] = [total(1), total(-1)];

@@ -1,7 +1,7 @@
 import { radians } from '../../math/angle.ts';
 import type { Vec3 } from '../../math/vec3.ts';
 import { fromXyz, lab, toXyz } from './colorSpaces.ts';
-import { alongColumns, alongRows, type Kernel, kernelOf } from './convolve.ts';
+import { alongColumns, alongRows, type ConvolutionKernel, kernelOf } from './convolve.ts';
 import type { RgbImage } from './rgbImage.ts';
 
 /**
@@ -162,7 +162,7 @@ function features(plane: Float32Array, width: number, height: number, pixelsPerD
   const radius = Math.ceil(3 * deviation);
   const gaussian = (x: number) => Math.exp(-(x * x) / (2 * deviation ** 2));
   const smooth = kernelOf(radius, gaussian);
-  const both = (derivative: Kernel) => {
+  const both = (derivative: ConvolutionKernel) => {
     const x = alongColumns(alongRows(plane, width, height, derivative), width, height, smooth);
     const y = alongColumns(alongRows(plane, width, height, smooth), width, height, derivative);
     return x.map((value, i) => Math.hypot(value, y[i]));

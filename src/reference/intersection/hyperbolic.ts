@@ -45,7 +45,7 @@ interface ObjectRayCurve {
  * D = kτ²/(1 + kX + S) behind X, S = √((1 + kX)² − (kτ)²). Either way D is a convex function on the ray, so that the ray is a plane curve
  * that bends one way, and beyond the horizon |kτ| = 1 + kX there is nothing. Source: Rindler, Relativity, §3.8.
  */
-export class HyperbolicIntersector implements ObjectIntersector {
+export class HyperbolicRayIntersector implements ObjectIntersector {
   readonly bounds = undefined;
   readonly index: number;
   readonly doubleSided: boolean;

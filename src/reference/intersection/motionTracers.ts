@@ -9,11 +9,11 @@ import { normalsAt } from '../../scene/streaming/samplePoints.ts';
 import type { Motion, Pose, SampledMotion, SceneObject } from '../../scene/types.ts';
 import type { ObjectIntersector } from '../acceleration/rayQuery.ts';
 import type { TriangleBvh } from '../acceleration/triangleBvh.ts';
-import { HyperbolicIntersector } from './hyperbolic.ts';
+import { HyperbolicRayIntersector } from './hyperbolic.ts';
 import { PointShapes } from './pointShapes.ts';
 import { PoseShapes } from './poseShapes.ts';
 import { RigidIntersector } from './rigid.ts';
-import { SampledIntersector } from './sampled.ts';
+import { SampledRayIntersector } from './sampled.ts';
 import { SampledShapes, type ShapeCache } from './sampledShapes.ts';
 
 /** What an intersector is made from besides its object. */
@@ -86,13 +86,13 @@ const MOTION_TRACERS: { readonly [K in Motion['kind']]: MotionTracer<Extract<Mot
   },
   hyperbolic: {
     ...POSED,
-    createIntersector: (object, { index, tree, c }) => new HyperbolicIntersector(index, object, tree(), c),
+    createIntersector: (object, { index, tree, c }) => new HyperbolicRayIntersector(index, object, tree(), c),
     isAuthoredMoving: isAuthoredInWorld,
   },
   sampled: {
     keepsShape: false,
     createIntersector: (object, { index, c, store }) =>
-      new SampledIntersector(index, object, c, new SampledShapes(object.mesh, new PoseShapes(object), store)),
+      new SampledRayIntersector(index, object, c, new SampledShapes(object.mesh, new PoseShapes(object), store)),
     isAuthoredMoving: () => true,
     vertexPlaces: ({ mesh, motion }, t) => turned(motion, mesh.positions, t),
     vertexNormals: ({ mesh, motion }, t) => turned(motion, mesh.normals, t),
@@ -101,7 +101,7 @@ const MOTION_TRACERS: { readonly [K in Motion['kind']]: MotionTracer<Extract<Mot
   'sampled-points': {
     keepsShape: false,
     createIntersector: (object, { index, c, store }) =>
-      new SampledIntersector(index, object, c, new SampledShapes(object.mesh, new PointShapes(object, c), store)),
+      new SampledRayIntersector(index, object, c, new SampledShapes(object.mesh, new PointShapes(object, c), store)),
     isAuthoredMoving: () => true,
     vertexPlaces: ({ motion }, t, c) => deformedPoints(motion, t, c),
     vertexNormals: ({ mesh, motion }, t) => {

@@ -33,7 +33,7 @@ const ROUNDINGS = 32;
  * An object whose vertices run straight between samples, or along chords of a cubic (`CubicChords`). Piece k lies between samples k and k + 1; it rests in piece −1, before its first sample,
  * and in the last one, after its last sample.
  */
-export class SampledIntersector implements ObjectIntersector {
+export class SampledRayIntersector implements ObjectIntersector {
   readonly index: number;
   readonly doubleSided: boolean;
   private readonly object: SceneObject;

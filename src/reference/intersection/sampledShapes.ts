@@ -134,7 +134,7 @@ export class SampledShapes {
     return boxes;
   }
 
-  /** Corner i of the triangles at world time t, which lies in piece k (as `SampledIntersector` counts them), and its velocity [m/s]. */
+  /** Corner i of the triangles at world time t, which lies in piece k (as `SampledRayIntersector` counts them), and its velocity [m/s]. */
   vertex(i: number, k: number, t: number): { readonly place: Vec3; readonly velocity: Vec3 } {
     const last = this.times.length - 1;
     const [before, after] = [Math.max(0, k), Math.min(last, k + 1)];

@@ -1,10 +1,10 @@
+import type { Random } from '../../math/random.ts';
 import type { Vec3 } from '../../math/vec3.ts';
 import { isDistantLight, isLocalLight } from '../../scene/lights/lightKinds.ts';
 import { directLights } from '../../scene/lights/sceneLights.ts';
 import type { RenderSettings } from '../../scene/view/view.ts';
 import { hypersurfaceOf } from '../../scene/views/views.ts';
 import type { TracedScene } from '../intersection/tracedScene.ts';
-import type { Random } from '../sampling/directions.ts';
 import type { LightingContext, LightPropagation } from './lightingContext.ts';
 import type { LightOptions } from './lightOptions.ts';
 import { tracedLight } from './lightTracers.ts';

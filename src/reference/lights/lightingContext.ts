@@ -1,3 +1,4 @@
+import type { Random } from '../../math/random.ts';
 import { type Vec3, ZERO } from '../../math/vec3.ts';
 import { inverseBoost, properVelocity } from '../../physics/lorentz/boost.ts';
 import type { Hypersurface } from '../../physics/worldLines/hypersurface.ts';
@@ -5,7 +6,6 @@ import type { RenderSettings } from '../../scene/view/view.ts';
 import { VIEWS } from '../../scene/views/views.ts';
 import type { SpacetimeRay } from '../acceleration/ray.ts';
 import type { TracedScene } from '../intersection/tracedScene.ts';
-import type { Random } from '../sampling/directions.ts';
 import { type RestFrame, restFrame } from '../spectral/restFrame.ts';
 import type { SampledRadiance } from '../spectral/sampledRadiance.ts';
 import type { SourceSpectrum } from '../spectral/sourceSpectrum.ts';

@@ -1,7 +1,8 @@
+import type { Random } from '../../math/random.ts';
 import { add, addScaled, dot, normalize, scale, type Vec3 } from '../../math/vec3.ts';
 import { mixFilters, neutralFilter, scaleFilter } from '../../spectrum/reflectance/filterAlgebra.ts';
 import type { SpectralFilter } from '../../spectrum/reflectance/spectralFilter.ts';
-import { cosineDirection, fromLocalBasis, orthonormalBasis, type Random, reflect } from '../sampling/directions.ts';
+import { cosineDirection, fromLocalBasis, orthonormalBasis, reflect } from '../sampling/directions.ts';
 import type { SurfacePoint } from './surface.ts';
 
 // Lambert and GGX with Schlick's Fresnel, all in the surface's rest frame; N, V, L unit, away from the surface.

@@ -19,7 +19,7 @@ export interface CapturedBuffer {
   readonly zenith: Vec3;
 }
 
-export interface CapturedPicture {
+export interface CapturedBuffers {
   readonly view: ViewPoint;
   /** With the plan. */
   readonly settings: RenderSettings;
@@ -52,7 +52,7 @@ function aovsOfStep(step: Extract<FrameGraphPass, { readonly buffer: number }>):
 }
 
 /** What a plan makes of pictures that were taken, in f64: the light that is then exposed and tone mapped. */
-export function evaluateFrameGraph(taken: CapturedPicture): FloatImage {
+export function evaluateFrameGraph(taken: CapturedBuffers): FloatImage {
   const { frameGraph } = taken.settings;
   if (!frameGraph || frameGraph.passes.length === 0) throw new Error('there is no plan to carry out');
   const images: FloatImage[] = [];
@@ -63,7 +63,7 @@ export function evaluateFrameGraph(taken: CapturedPicture): FloatImage {
 function evaluateStep(
   step: FrameGraphPass,
   images: readonly FloatImage[],
-  taken: CapturedPicture,
+  taken: CapturedBuffers,
   steps: readonly FrameGraphPass[],
 ): FloatImage {
   const { view, width, height } = taken;
@@ -107,7 +107,7 @@ function opennessImage({ aovs }: CapturedBuffer, width: number, height: number):
 function falseColorStep(
   { of, scale, image, buffer }: Extract<FrameGraphPass, { readonly kind: 'false-colour' }>,
   images: readonly FloatImage[],
-  taken: CapturedPicture,
+  taken: CapturedBuffers,
   steps: readonly FrameGraphPass[],
 ): FloatImage {
   const { view, width, height } = taken;

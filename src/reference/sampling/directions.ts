@@ -1,6 +1,5 @@
+import type { Random } from '../../math/random.ts';
 import { add, addScaled, dot, normalize, scale, type Vec3 } from '../../math/vec3.ts';
-
-export type Random = () => number;
 
 /** Whether the first of two cases, which has a chance, has come; and numbers for it, the one that decided among them. */
 export function chooseBranch(chance: number, random: Random): { readonly isFirst: boolean; readonly rest: Random } {

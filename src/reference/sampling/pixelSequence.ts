@@ -1,4 +1,4 @@
-import type { Random } from './directions.ts';
+import type { Random } from '../../math/random.ts';
 
 /**
  * Random numbers for the samples of a pixel that know of each other: number 2k and 2k + 1 of the samples 0, 1, 2 … make an Owen-scrambled

@@ -1,5 +1,5 @@
+import type { Random } from '../../math/random.ts';
 import type { RenderSettings } from '../../scene/view/view.ts';
-import type { Random } from '../sampling/directions.ts';
 import { rgbSensor } from './rgbSensor.ts';
 import type { Sensor } from './spectralContext.ts';
 import { spectralSensor } from './spectralSensor.ts';

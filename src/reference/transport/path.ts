@@ -1,3 +1,4 @@
+import type { Random } from '../../math/random.ts';
 import { negate, normalize, type Vec3, ZERO } from '../../math/vec3.ts';
 import { PLACEMENTS } from '../../physics/optics/placement.ts';
 import type { RenderSettings } from '../../scene/view/view.ts';
@@ -11,7 +12,7 @@ import { type LightingContext, rayBack, restFrameOf } from '../lights/lightingCo
 import type { LightOptions } from '../lights/lightOptions.ts';
 import { type Brdf, brdfOf, diffuseLobe, type Lobe, specularLobe } from '../materials/brdf.ts';
 import { type SurfacePoint, surfaceAt } from '../materials/surface.ts';
-import { chooseBranch, type Random, toHemisphere } from '../sampling/directions.ts';
+import { chooseBranch, toHemisphere } from '../sampling/directions.ts';
 import { restFrame, WORLD_FRAME } from '../spectral/restFrame.ts';
 import { NO_LIGHT, plus, type SampledRadiance, times } from '../spectral/sampledRadiance.ts';
 import { sensorsOf } from '../spectral/sensors.ts';
@@ -74,12 +75,12 @@ export function radiance(
 }
 
 /** A beam, and the direction in which the sky is behind it. */
-interface PathSegment extends RaySegment {
+interface ScatteredRay extends RaySegment {
   readonly toward: Vec3;
 }
 
 /** Through all that is transparent, to the first solid surface or the sky. */
-function incidentLight(lighting: LightingContext, gaze: PathSegment, path: PathState): SampledRadiance {
+function incidentLight(lighting: LightingContext, gaze: ScatteredRay, path: PathState): SampledRadiance {
   const { scene } = lighting;
   let beam: RaySegment = gaze;
   let sum = NO_LIGHT;
@@ -118,7 +119,7 @@ function skyLight({ sky }: LightingContext, n: Vec3, path: PathState): SampledRa
 /** What the surface sends towards the receiver, as it arrives there. */
 function surfaceLight(
   lighting: LightingContext,
-  { ray }: PathSegment,
+  { ray }: ScatteredRay,
   hit: Hit,
   path: PathState,
   glass: boolean,

@@ -1,15 +1,15 @@
 import { clamp, dot, exp2, float, max, min, mix, normalize, select, vec4 } from 'three/tsl';
 import type { Float, Vec3, Vec4 } from '../../shaders/types.ts';
-import type { SpectralFilter } from '../color/radiance.ts';
+import type { SpectralFilterNodes } from '../color/radiance.ts';
 import type { SpecularParameters } from '../gbuffer/surfacePacking.ts';
 
 // Lambert and GGX with Schlick's Fresnel, all in the surface's rest frame; N, V, L unit, away from the surface.
 
 /** How a surface reflects towards V. */
-export interface Brdf {
-  readonly diffuse: SpectralFilter;
+export interface BrdfNodes {
+  readonly diffuse: SpectralFilterNodes;
   /** Mirrored share at normal and at grazing incidence. */
-  readonly F0: SpectralFilter;
+  readonly F0: SpectralFilterNodes;
   readonly F90: Float;
   readonly roughness: Float;
   readonly N: Vec3;
@@ -22,11 +22,11 @@ interface Roughness {
 }
 
 export function brdfOf(
-  albedo: SpectralFilter,
+  albedo: SpectralFilterNodes,
   { metallic, F0, roughness }: SpecularParameters & Roughness,
   N: Vec3,
   V: Vec3,
-): Brdf {
+): BrdfNodes {
   return {
     diffuse: albedo.mul(metallic.oneMinus()).toVar(),
     F0: mix(vec4(F0), albedo, metallic).toVar(),
@@ -40,7 +40,7 @@ export function brdfOf(
 }
 
 /** BRDF · cos of light from L. */
-export function evaluateBrdf(brdf: Brdf, L: Vec3): SpectralFilter {
+export function evaluateBrdf(brdf: BrdfNodes, L: Vec3): SpectralFilterNodes {
   const NL = clamp(dot(brdf.N, L), 0, 1).toVar();
   return brdf.diffuse
     .mul(1 / Math.PI)
@@ -49,7 +49,7 @@ export function evaluateBrdf(brdf: Brdf, L: Vec3): SpectralFilter {
 }
 
 /** What is mirrored of light from a lamp with a size, which widens a = roughness² both ways: what the peak gains in breadth it loses in height. */
-export function areaSpecular(brdf: Brdf, L: Vec3, breadth: Float, length: Float): SpectralFilter {
+export function areaSpecular(brdf: BrdfNodes, L: Vec3, breadth: Float, length: Float): SpectralFilterNodes {
   const NL = clamp(dot(brdf.N, L), 0, 1).toVar();
   const a = brdf.roughness.mul(brdf.roughness).toVar();
   const height = a.mul(a).div(a.add(breadth).mul(a.add(length)));
@@ -57,7 +57,7 @@ export function areaSpecular(brdf: Brdf, L: Vec3, breadth: Float, length: Float)
 }
 
 /** Cook–Torrance with GGX and the height-correlated Smith term (Heitz 2014, eq. 99). */
-function ggx({ F0, F90, roughness, N, V, NV }: Brdf, L: Vec3, NL: Float): Vec4 {
+function ggx({ F0, F90, roughness, N, V, NV }: BrdfNodes, L: Vec3, NL: Float): Vec4 {
   const H = normalize(L.add(V)).toVar();
   const a = roughness.mul(roughness).toVar();
   const a2 = a.mul(a).toVar();
@@ -75,7 +75,7 @@ function ggx({ F0, F90, roughness, N, V, NV }: Brdf, L: Vec3, NL: Float): Vec4 {
 }
 
 /** What is mirrored of light from all round: the split-sum fit of Karis (2014, "Physically based shading on mobile"). */
-export function environmentBrdf({ F0, F90, roughness, NV }: Brdf): SpectralFilter {
+export function environmentBrdf({ F0, F90, roughness, NV }: BrdfNodes): SpectralFilterNodes {
   const r = roughness.mul(-1).add(1).toVar();
   const a = min(r.mul(r), exp2(NV.mul(-9.28)))
     .mul(r)

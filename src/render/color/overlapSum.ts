@@ -3,13 +3,13 @@ import type { Vec3 } from '../../shaders/types.ts';
 import { bandOverlaps } from '../../spectrum/doppler/filterPairs.ts';
 import { DAYLIGHT } from '../../spectrum/sources/lightSpectrum.ts';
 import type { Overlaps } from './daylightTable.ts';
-import type { SpectralFilter } from './radiance.ts';
+import type { SpectralFilterNodes } from './radiance.ts';
 
 /** What coloured lights and coloured surfaces make together beyond the products of their bands: Σ (a_i − a_j)(k_i − k_j) C_ij of rg, gb and br (filterPairs.ts). */
 export interface OverlapSum {
   /** Whether any light was added. */
   readonly any: boolean;
-  add(light: Vec3, share: SpectralFilter): void;
+  add(light: Vec3, share: SpectralFilterNodes): void;
   /** Linear sRGB, to be taken away; in daylight at rest. */
   atRest(): Vec3;
   /** The same through the colours of a shift, which are only asked for where there is something of them. */

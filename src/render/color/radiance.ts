@@ -7,7 +7,7 @@ import type { FrameUniforms } from '../gpu/frameUniforms.ts';
  * A filter of light in one pixel: the coefficients r, g, b of spectrum/reflectance/spectralFilter.ts, and its ultraviolet where D < 1 brings that into sight, else its
  * infrared; 0 where no surface of the scene tells of its own.
  */
-export type SpectralFilter = Vec4;
+export type SpectralFilterNodes = Vec4;
 
 /** How light comes from its source to a surface. */
 export interface IncidentSpectrum {
@@ -44,9 +44,9 @@ export type BeamingPower = typeof RADIANCE_POWER | typeof IRRADIANCE_POWER;
 /** Adds up what comes to the observer of one pixel, from a surface or a sky that is seen with one D. */
 export interface RadianceAccumulator {
   /** A colour as a filter; `invisible`: what a surface tells of its ultraviolet and infrared. */
-  filter(rgb: Vec3, invisible?: Vec2): SpectralFilter;
+  filter(rgb: Vec3, invisible?: Vec2): SpectralFilterNodes;
   /** Light that a surface sends on: `light` is the filter of its source, which came brighter by D^power, `share` what the surface makes of it. */
-  addReflected(light: Vec3, share: SpectralFilter, passage: IncidentSpectrum, power: BeamingPower): void;
+  addReflected(light: Vec3, share: SpectralFilterNodes, passage: IncidentSpectrum, power: BeamingPower): void;
   /** Light that is sent out here. */
   addEmitted(light: Vec3, source?: SpectralSource): void;
   /** Light of a blackbody that is sent out here. */

@@ -1,21 +1,21 @@
 import { dot, float, max, vec3, vec4 } from 'three/tsl';
-import { type SkyParts, skyParts } from '../../shaders/color/skyParts.ts';
+import { type SkyPartNodes, skyParts } from '../../shaders/color/skyParts.ts';
 import { filteredColor } from '../../shaders/tables/spectrumTable.ts';
 import type { Float, Vec3 } from '../../shaders/types.ts';
 import { SCATTERED_COLOR, SCATTERED_PROJECTION } from '../../spectrum/color/scatteredLight.ts';
 import { type DaylightTable, SKY_LIGHTS, skyBandsAtRest } from './daylightTable.ts';
-import type { SpectralFilter } from './radiance.ts';
+import type { SpectralFilterNodes } from './radiance.ts';
 
 /** What came of the lights of skies: as surfaces send it, and as the sky itself is seen. */
 export interface SkySums {
-  addReflected(share: SpectralFilter, luminances: readonly Float[]): void;
+  addReflected(share: SpectralFilterNodes, luminances: readonly Float[]): void;
   addEmitted(luminances: readonly Float[]): void;
   atRest(): Vec3;
   shifted(D: Float): Vec3;
 }
 
 /** What the light of a sky is made of; `dusky`: it may be red, and not only blue. */
-export function decomposeSky(light: Vec3, dusky: boolean): SkyParts {
+export function decomposeSky(light: Vec3, dusky: boolean): SkyPartNodes {
   if (dusky) return skyParts(light);
   const share = max(dot(light, vec3(...SCATTERED_PROJECTION)), 0).toVar();
   return { luminances: [share], rest: light.sub(vec3(...SCATTERED_COLOR).mul(share)).toVar() };

@@ -1,6 +1,6 @@
 import { abs, clamp, dot, exp2, float, If, log2, max, select, vec3, vec4 } from 'three/tsl';
 import { lineColor } from '../../shaders/color/lineColor.ts';
-import type { SkyParts } from '../../shaders/color/skyParts.ts';
+import type { SkyPartNodes } from '../../shaders/color/skyParts.ts';
 import type { HalfTable } from '../../shaders/tables/halfAtlas.ts';
 import {
   type BandColors,
@@ -23,7 +23,7 @@ import {
   type LineSource,
   MIN_SHIFT,
   RADIANCE_POWER,
-  type SpectralFilter,
+  type SpectralFilterNodes,
   type ThermalSource,
 } from './radiance.ts';
 import { decomposeSky, skySums } from './skySums.ts';
@@ -84,21 +84,27 @@ export const spectralPipeline =
     const sky = skySums(reddenedSky, ofDay);
     const sum = vec3(0).toVar();
     const overlapping = overlapSum();
-    const ofColor = (rgb: Vec3, shift: Float): SpectralFilter =>
+    const ofColor = (rgb: Vec3, shift: Float): SpectralFilterNodes =>
       own
         ? vec4(rgb, dot(rgb, select(shift.lessThan(1), vec3(...BASIS_ENDS.uv), vec3(...BASIS_ENDS.ir))))
         : vec4(rgb, 0);
 
-    const unshifted = (filter: SpectralFilter, { temperature, luminance }: ThermalSource): Vec3 => {
+    const unshifted = (filter: SpectralFilterNodes, { temperature, luminance }: ThermalSource): Vec3 => {
       const T = temperature.mul(out.mixed).toVar();
       const colors = thermalColors(blackbodies, T, out.mixed);
       return filteredColor(colors, filter).mul(gain(colors.H, T, luminance, out.mixed));
     };
 
-    const parts = (light: Vec3): SkyParts => decomposeSky(light, reddenedSky);
+    const parts = (light: Vec3): SkyPartNodes => decomposeSky(light, reddenedSky);
 
     /** Of a blackbody behind a filter with a colour of its own, that came shifted. */
-    const filteredTwice = (light: number, k: Vec3, share: SpectralFilter, shift: Float, from?: ThermalSource): Vec3 => {
+    const filteredTwice = (
+      light: number,
+      k: Vec3,
+      share: SpectralFilterNodes,
+      shift: Float,
+      from?: ThermalSource,
+    ): Vec3 => {
       const whole = clamp(out.mixed.mul(shift), ...SHIFT_RANGE).toVar();
       const T = whole.mul(from?.temperature ?? DAYLIGHT.temperature).toVar();
       const [seen, H] = [vec3(0).toVar(), float(0).toVar()];
@@ -120,7 +126,7 @@ export const spectralPipeline =
     const filteredAtRest = (
       light: number,
       k: Vec3,
-      share: SpectralFilter,
+      share: SpectralFilterNodes,
       { temperature, luminance }: ThermalSource,
     ): Vec3 => {
       const colors = ofDay.colored(light, lights[light], out.mixed);
@@ -129,7 +135,7 @@ export const spectralPipeline =
     };
 
     /** Of neutral light that came shifted. */
-    const neutral = (level: Float, share: SpectralFilter, shift: Float, from: ThermalSource | undefined): Vec3 => {
+    const neutral = (level: Float, share: SpectralFilterNodes, shift: Float, from: ThermalSource | undefined): Vec3 => {
       const whole = clamp(out.mixed.mul(shift), ...SHIFT_RANGE).toVar();
       const T = whole.mul(from?.temperature ?? DAYLIGHT.temperature).toVar();
       const colors = thermalColors(blackbodies, T, out.mixed);
@@ -139,7 +145,7 @@ export const spectralPipeline =
     /** Of light of any colour that came shifted; `luminances`: and of the other lights of a sky. */
     const pictured = (
       light: Vec3,
-      share: SpectralFilter,
+      share: SpectralFilterNodes,
       shift: Float,
       from?: ThermalSource,
       luminances: readonly Float[] = [],
@@ -163,7 +169,7 @@ export const spectralPipeline =
     };
 
     /** Of light that came to a filter shifted by `D`. */
-    const lines = ({ each }: LineSource, filter: SpectralFilter, shift: Float | undefined): Vec3 => {
+    const lines = ({ each }: LineSource, filter: SpectralFilterNodes, shift: Float | undefined): Vec3 => {
       const sum = vec3(0).toVar();
       each((wavelength, radiance) => {
         const surface = (shift ? wavelength.div(shift) : wavelength).toVar();

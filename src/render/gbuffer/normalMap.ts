@@ -1,9 +1,7 @@
 import { cross, dFdx, dFdy, dot, inverseSqrt, normalize, select, sign, vec3 } from 'three/tsl';
-import type { DataTexture, Node } from 'three/webgpu';
-import type { Vec3, Vec4 } from '../../shaders/types.ts';
+import type { DataTexture } from 'three/webgpu';
+import type { Vec2, Vec3, Vec4 } from '../../shaders/types.ts';
 import { sampled } from '../gpu/textures.ts';
-
-type Vec2 = Node<'vec2'>;
 
 /** What a picture of normals is laid on. */
 export interface NormalMapSurface {

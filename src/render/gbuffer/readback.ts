@@ -1,5 +1,5 @@
 import { DataUtils, type RenderTarget } from 'three/webgpu';
-import type { AovName } from '../../scene/view/view.ts';
+import type { DataAov } from '../../scene/view/view.ts';
 import type { Observation } from '../geometry/observation.ts';
 import type { Gpu } from '../gpu/device.ts';
 import { unpackGBufferNormal } from '../gpu/packNormal.ts';
@@ -48,8 +48,6 @@ function flipRows(pixels: Raw, rows: number): void {
     pixels.set(kept, bottom * row);
   }
 }
-
-type DataAov = Exclude<AovName, 'beauty'>;
 
 /** Where data are: in the G-buffer, and the share of the sky that each point sees beside it. */
 export interface DataTargets {

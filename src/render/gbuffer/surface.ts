@@ -16,11 +16,11 @@ import {
   vec3,
   vec4,
 } from 'three/tsl';
-import type { DataTexture, MRTNode, Node } from 'three/webgpu';
+import type { DataTexture, MRTNode } from 'three/webgpu';
 import type { Material, TextureChannel } from '../../scene/types.ts';
 import { ontoLightCone } from '../../shaders/emission/ontoLightCone.ts';
 import { dopplerFactor } from '../../shaders/kinematics/dopplerFactor.ts';
-import type { Float, Vec3, Vec4 } from '../../shaders/types.ts';
+import type { Float, Vec2, Vec3, Vec4 } from '../../shaders/types.ts';
 import { BASIS_ENDS } from '../../spectrum/reflectance/spectralFilter.ts';
 import { vColor, vEvent, vLife, vMotion, vNormal, vObserverPosition, vUv } from '../geometry/vertexStage.ts';
 import type { Texels } from '../gpu/floatTable.ts';
@@ -113,8 +113,6 @@ export interface Surface extends SpecularParameters {
   /** Apparent distance |Δx′| [m]. */
   readonly distance: Float;
 }
-type Vec2 = Node<'vec2'>;
-
 /** Reads the surface inside a fragment's Fn, after discarding what is not there: outside the lifetime, cut out, or never seen. */
 export function readSurface(sources: SurfaceSources): Surface {
   const { textures } = sources;

@@ -1,6 +1,5 @@
 import { abs, clamp, exp2, floor, log2, max, min, round, select, sqrt, vec3, vec4 } from 'three/tsl';
-import type { Node } from 'three/webgpu';
-import type { Float, Vec3, Vec4 } from '../../shaders/types.ts';
+import type { Float, Vec2, Vec3, Vec4 } from '../../shaders/types.ts';
 import { DAYLIGHT } from '../../spectrum/sources/lightSpectrum.ts';
 import { relativeLuminance } from '../color/luminance.ts';
 import { decodeOctahedral, encodeOctahedral } from '../gpu/octahedral.ts';
@@ -12,8 +11,6 @@ import { CODE_OFFSET, GBUFFER_NORMAL_STEPS, NORMAL_LOW_STEPS, REFLECTANCE_STEPS 
  *   emissive  what it emits, and its finish: how metallic it is and what it mirrors
  *   normal    the normal (to 1.3e-4 rad), reflectance below 360 nm and beyond 830 nm
  */
-
-type Vec2 = Node<'vec2'>;
 
 /** What a surface emits: linear sRGB of daylight's spectrum, or the light of a blackbody. */
 export interface Emission {

@@ -1,12 +1,7 @@
 import { rotate } from '../../math/quat.ts';
 import { addScaled, dot, length, normalize, scale, type Vec3 } from '../../math/vec3.ts';
 import { gamma } from '../../physics/lorentz/boost.ts';
-
-/** The ball that holds every event of an object that can be seen: relative to the observer event, world frame [m]. */
-export interface BoundingSphere {
-  readonly center: Vec3;
-  readonly radius: number;
-}
+import type { BoundingSphere } from '../../scene/bounds/bounds.ts';
 
 /** Directions n with n·axis ≥ cosine, |axis| = 1. Covers more than half the sky where cosine < 0. */
 export interface Cone {

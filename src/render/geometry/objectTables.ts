@@ -1,9 +1,10 @@
 import { length, type Vec3 } from '../../math/vec3.ts';
 import type { PlacementName } from '../../physics/optics/placement.ts';
 import { simultaneousPosition } from '../../physics/worldLines/simultaneity.ts';
+import type { BoundingSphere } from '../../scene/bounds/bounds.ts';
 import { motionKind } from '../../scene/motion/motions.ts';
 import { type Body, worldLineOfCenter } from './bodies.ts';
-import { aberrateCone, type BoundingSphere, type Cone, coneAround, coneMayIntersectFrustum } from './culling.ts';
+import { aberrateCone, type Cone, coneAround, coneMayIntersectFrustum } from './culling.ts';
 import { type ObjectRow, type ObjectTables, objectRows } from './objectRows.ts';
 import {
   intersect,

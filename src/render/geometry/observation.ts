@@ -8,7 +8,7 @@ import {
   samplesUntil,
   type WorldLine,
 } from '../../physics/worldLines/worldLine.ts';
-import type { BoundingSphere } from './culling.ts';
+import type { BoundingSphere } from '../../scene/bounds/bounds.ts';
 
 /** One event relative to the observer's: offset Δx [m], world frame; time c(t − t_o) [m of light]. */
 export interface RelativeEvent {

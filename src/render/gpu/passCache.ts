@@ -1,7 +1,7 @@
 import type { Node, RenderTarget, WebGPURenderer } from 'three/webgpu';
 import { FullScreenPass, type PassRegion } from './fullScreenPass.ts';
 
-interface Placement {
+interface PassOptions {
   /** Serial number of the upload whose scene the pass reads. */
   readonly owner?: number;
   readonly region?: PassRegion;
@@ -16,7 +16,7 @@ export class PassCache {
     this.renderer = renderer;
   }
 
-  run(name: string, output: () => Node, target: RenderTarget | null, { owner, region }: Placement = {}): void {
+  run(name: string, output: () => Node, target: RenderTarget | null, { owner, region }: PassOptions = {}): void {
     const key = owner === undefined ? name : `${owner}/${name}`;
     const pass = this.passes.get(key) ?? new FullScreenPass(output(), name, region);
     this.passes.set(key, pass);

@@ -19,11 +19,9 @@ import { toHalf } from '../../math/half.ts';
 import { domeAxes } from '../../scene/lights/latLong.ts';
 import type { DomeLight } from '../../scene/types.ts';
 import type { HalfAtlas, HalfTable, HalfTexels } from '../../shaders/tables/halfAtlas.ts';
-import type { Float, Vec3 } from '../../shaders/types.ts';
+import type { Float, Vec2, Vec3 } from '../../shaders/types.ts';
 import { uploadTexture } from '../gpu/textures.ts';
 import { type Panorama, PREFILTER_SIZE, pixelOffset, prefilterDome, SPECULAR_LOBES } from './prefilteredDome.ts';
-
-type Vec2 = Node<'vec2'>;
 
 /** A dome's picture on the GPU, as it is and as matt and rough surfaces have it. */
 export class DomeTexture {

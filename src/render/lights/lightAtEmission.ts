@@ -4,7 +4,7 @@ import { rotateVector } from '../geometry/vertexSamples.ts';
 import type { FrameUniforms } from '../gpu/frameUniforms.ts';
 import { lightEmissionEvent } from './lightEvent.ts';
 import type { LightShape, LightTexels } from './lightTexels.ts';
-import { type RestFrame, restFrame, WORLD_FRAME } from './restFrame.ts';
+import { type RestFrameNodes, restFrame, WORLD_FRAME } from './restFrame.ts';
 
 /** A lamp as a surface sees it. */
 export interface LightAtEmission {
@@ -13,7 +13,7 @@ export interface LightAtEmission {
   /** The same, to where it was when it sent out what meets the surface [m]. */
   readonly offset: Vec3;
   /** Its rest frame at the event; its axes, and what follows, are given there. */
-  readonly frame: RestFrame;
+  readonly frame: RestFrameNodes;
   /** Surface → its middle [m]. */
   readonly center: Vec3;
   /** Absent of what shines alike to all sides. */
@@ -48,7 +48,7 @@ export function lightAtEmission(light: LightTexels, dx: Vec3, time: Float, unifo
     n,
     offset,
     frame,
-    center: center,
+    center,
     ...(shape && { shape: turned ?? shape }),
     ...(alive && {
       aliveFactor: (place?: Vec3) =>
@@ -71,7 +71,7 @@ function aliveFactorAt({ life, exists, middle }: Alive, later: Float | undefined
 }
 
 /** How much later [m of light, world] light left `place` than it left `centre`, to meet a surface at one event. */
-function emissionDelay(center: Vec3, place: Vec3, frame: RestFrame): Float {
+function emissionDelay(center: Vec3, place: Vec3, frame: RestFrameNodes): Float {
   const sentOut = (x: Vec3): Float => frame.boostOut(vec4(x, length(x).negate())).w;
   return sentOut(place).sub(sentOut(center));
 }

@@ -8,7 +8,7 @@ import type { IncidentSpectrum } from '../color/radiance.ts';
 import type { FrameUniforms } from '../gpu/frameUniforms.ts';
 
 /** The rest frame of a surface or a lamp: directions of the world (towards where light comes from) as they are there, and back. */
-export interface RestFrame {
+export interface RestFrameNodes {
   into: (n: Vec3) => Vec3;
   out: (n: Vec3) => Vec3;
   /** The same of four-vectors (x, ct). */
@@ -18,10 +18,10 @@ export interface RestFrame {
   doppler?: (n: Vec3) => Float;
 }
 
-export const WORLD_FRAME: RestFrame = { into: (n) => n, out: (n) => n, boostInto: (X) => X, boostOut: (X) => X };
+export const WORLD_FRAME: RestFrameNodes = { into: (n) => n, out: (n) => n, boostInto: (X) => X, boostOut: (X) => X };
 
 /** Of the velocity (v, 1 − v²); of the world in the views that show no light. Most surfaces rest: then nothing is computed. */
-export function restFrame(velocity: Vec4, uniforms: FrameUniforms): RestFrame {
+export function restFrame(velocity: Vec4, uniforms: FrameUniforms): RestFrameNodes {
   const gamma = inverseSqrt(clamp(velocity.w, 1e-12, 1)).toVar();
   const u = velocity.xyz.mul(gamma).mul(uniforms.boostLight).toVar();
   const moving = dot(u, u).greaterThan(0).toVar();
@@ -42,7 +42,7 @@ export function restFrame(velocity: Vec4, uniforms: FrameUniforms): RestFrame {
 }
 
 /** Of light from `n` (unit, world), from what rests in one frame to what rests in the other. */
-export function incidentSpectrumBetween(n: Vec3, receiver: RestFrame, source: RestFrame): IncidentSpectrum {
+export function incidentSpectrumBetween(n: Vec3, receiver: RestFrameNodes, source: RestFrameNodes): IncidentSpectrum {
   const [there, here] = [source.doppler?.(n), receiver.doppler?.(n)];
   if (!there) return here ? { D: here } : {};
   return { D: (here ? here.div(there) : there.reciprocal()).toVar() };

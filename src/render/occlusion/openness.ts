@@ -82,11 +82,11 @@ export const openness = (buffer: GBuffer, view: OcclusionView): Vec4 =>
     return vec4(open, apparent, 0, 1);
   })();
 
-type GBufferReader = (pixel: Vec2, moving?: boolean) => GBufferPoint;
+type GBufferSampler = (pixel: Vec2, moving?: boolean) => GBufferPoint;
 
 const hasSurface = ({ event }: GBufferPoint): Bool => dot(event.xyz, event.xyz).greaterThan(0);
 
-function reader(buffer: GBuffer, view: OcclusionView): GBufferReader {
+function reader(buffer: GBuffer, view: OcclusionView): GBufferSampler {
   const last = view.size.sub(1);
   return (pixel, moving = view.moving) => {
     const at = ivec2(clamp(pixel, vec2(0), last)).toVar();
@@ -112,7 +112,7 @@ function samplePattern(cell: Vec2): { turn: Float; shift: Float } {
 }
 
 /** The normal of the flat piece that a pixel shows: smoothed or painted ones would have it hide itself. */
-function facetNormal(stand: RestFrameView, pixel: Vec2, V: Vec3, read: GBufferReader): Vec3 {
+function facetNormal(stand: RestFrameView, pixel: Vec2, V: Vec3, read: GBufferSampler): Vec3 {
   const beside = (x: number, y: number) => {
     const other = read(pixel.add(vec2(x, y)));
     const apart = stand.comovingOffset(other.event).toVar();
@@ -140,7 +140,7 @@ interface HorizonMarch {
 function marchSlice(
   view: OcclusionView,
   { restView, slice, projectAlong, apparent, shift }: HorizonMarch,
-  read: GBufferReader,
+  read: GBufferSampler,
 ): void {
   const { uniforms, size, radius } = view;
   const { orientation, halfTangents, jitter } = uniforms;

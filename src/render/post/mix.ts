@@ -3,13 +3,13 @@ import { type MixMode, WIPE_WIDTH } from '../../scene/frameGraph/effects.ts';
 import type { Float, Vec3, Vec4 } from '../../shaders/types.ts';
 import { type EffectContext, type EffectImage, mixExact } from './effectContext.ts';
 
-type Blend = (a: Vec3, b: Vec3) => Vec3;
+type ColorBlend = (a: Vec3, b: Vec3) => Vec3;
 
 const clampedToUnit = (value: Vec3): Vec3 => clamp(value, 0, 1).toVar();
 const excessOverOne = (value: Vec3): Vec3 => max(value.sub(1), vec3(0));
-const over: Blend = (_, b) => b;
+const over: ColorBlend = (_, b) => b;
 
-const BLENDS: Readonly<Record<MixMode, Blend>> = {
+const BLENDS: Readonly<Record<MixMode, ColorBlend>> = {
   normal: over,
   multiply: (a, b) => a.mul(b),
   add: (a, b) => a.add(b),

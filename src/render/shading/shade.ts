@@ -1,19 +1,19 @@
 import { Fn, normalize, reflect } from 'three/tsl';
 import type { Float, Vec3, Vec4 } from '../../shaders/types.ts';
-import { type Brdf, brdfOf } from '../brdf/brdf.ts';
+import { type BrdfNodes, brdfOf } from '../brdf/brdf.ts';
 import { skyReflectance } from '../brdf/skyReflectance.ts';
 import {
   type ColorPipeline,
   RADIANCE_POWER,
   type RadianceAccumulator,
-  type SpectralFilter,
+  type SpectralFilterNodes,
 } from '../color/radiance.ts';
 import type { Surface } from '../gbuffer/surface.ts';
 import type { FrameUniforms } from '../gpu/frameUniforms.ts';
 import type { Environment } from '../lights/environment.ts';
 import { addDistantLight } from '../lights/kinds/distantLight.ts';
 import type { DomeSky } from '../lights/kinds/domeLight.ts';
-import { incidentSpectrumBetween, type RestFrame, restFrame, WORLD_FRAME } from '../lights/restFrame.ts';
+import { incidentSpectrumBetween, type RestFrameNodes, restFrame, WORLD_FRAME } from '../lights/restFrame.ts';
 import type { LightVisibility } from '../shadows/distant/parallelReceiver.ts';
 import { addLocalLight, type LocalLightVisibility } from './localLight.ts';
 
@@ -64,9 +64,9 @@ export const shade = (
 
 /** Sky light, and its mirror image; of both, what neighbours and the surface's own small shape leave. */
 function skyReflection(
-  brdf: Brdf,
+  brdf: BrdfNodes,
   { occlusion, openness }: ShadedSurface,
-  rest: RestFrame,
+  rest: RestFrameNodes,
   sky: DomeSky,
   uniforms: FrameUniforms,
   accumulator: RadianceAccumulator,
@@ -76,7 +76,7 @@ function skyReflection(
   const { N, V } = brdf;
   const soft = (n: Vec3) => sky.irradiance(n, zenith);
   const sharp = (n: Vec3) => sky.specular(n, zenith, brdf.roughness);
-  const reflected = (nPrime: Vec3, radiance: (n: Vec3) => Vec3, share: SpectralFilter): void => {
+  const reflected = (nPrime: Vec3, radiance: (n: Vec3) => Vec3, share: SpectralFilterNodes): void => {
     const n = rest.out(nPrime);
     const spectrum = {
       ...incidentSpectrumBetween(n, rest, WORLD_FRAME),

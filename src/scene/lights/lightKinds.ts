@@ -8,10 +8,10 @@ import { RECT_LIGHT } from './kinds/rectLight.ts';
 import { SPHERE_LIGHT } from './kinds/sphereLight.ts';
 import type { DistantLight, DomeLight, Light, LocalLight, NightSky } from './light.ts';
 
-type KindOf<L extends Light> = L extends LocalLight ? LocalLightKind<L> : LightKind<L>;
+type LightKindOf<L extends Light> = L extends LocalLight ? LocalLightKind<L> : LightKind<L>;
 
 /** The kinds of light, a record each (docs/adr/0024-light-kinds.md). */
-const LIGHTS: { readonly [K in Light['kind']]: KindOf<Extract<Light, { readonly kind: K }>> } = {
+const LIGHTS: { readonly [K in Light['kind']]: LightKindOf<Extract<Light, { readonly kind: K }>> } = {
   distant: DISTANT_LIGHT,
   sphere: SPHERE_LIGHT,
   rect: RECT_LIGHT,

@@ -6,10 +6,10 @@ import { SAMPLED_POINTS_MOTION } from './kinds/sampledPointsMotion.ts';
 import { STATIC_MOTION } from './kinds/staticMotion.ts';
 import { UNIFORM_MOTION } from './kinds/uniformMotion.ts';
 
-type KindOf<M extends Motion> = M extends RigidMotion ? RigidMotionKind<M> : MotionKind<M>;
+type MotionKindOf<M extends Motion> = M extends RigidMotion ? RigidMotionKind<M> : MotionKind<M>;
 
 /** The kinds of motion, a record each (docs/adr/0022-motion-kinds.md). */
-const MOTIONS: { readonly [K in Motion['kind']]: KindOf<Extract<Motion, { readonly kind: K }>> } = {
+const MOTIONS: { readonly [K in Motion['kind']]: MotionKindOf<Extract<Motion, { readonly kind: K }>> } = {
   static: STATIC_MOTION,
   uniform: UNIFORM_MOTION,
   hyperbolic: HYPERBOLIC_MOTION,

@@ -7,7 +7,8 @@ import { isFloat, type ShaderType } from './types.ts';
  * (the root of a negative number) it is not a number.
  */
 
-type Numbers = readonly number[];
+/** The components of a value of shader text. */
+export type Components = readonly number[];
 type ComponentFunction = (...args: number[]) => number;
 
 const clampTo = (x: number, low: number, high: number): number => Math.min(Math.max(x, low), high);
@@ -86,11 +87,11 @@ const FLOAT_COMPONENTS: Readonly<Partial<Record<ShaderOperation, ComponentFuncti
   rem: (a, b) => a - b * Math.trunc(a / b),
 };
 
-const dot = (a: Numbers, b: Numbers): number => a.reduce((sum, x, i) => sum + x * (b[i] ?? 0), 0);
-const length = (a: Numbers): number => Math.hypot(...a);
+const dot = (a: Components, b: Components): number => a.reduce((sum, x, i) => sum + x * (b[i] ?? 0), 0);
+const length = (a: Components): number => Math.hypot(...a);
 
 /** On whole vectors. */
-const VECTORS: Readonly<Partial<Record<ShaderOperation, (a: Numbers, b: Numbers) => Numbers>>> = {
+const VECTORS: Readonly<Partial<Record<ShaderOperation, (a: Components, b: Components) => Components>>> = {
   dot: (a, b) => [dot(a, b)],
   length: (a) => [length(a)],
   distance: (a, b) => [length(a.map((x, i) => x - (b[i] ?? 0)))],
@@ -100,7 +101,11 @@ const VECTORS: Readonly<Partial<Record<ShaderOperation, (a: Numbers, b: Numbers)
 };
 
 /** Evaluates an operation; scalars are broadcast to the number of components. */
-export function applyOperation(f: ShaderOperation, args: readonly Numbers[], types: readonly ShaderType[]): Numbers {
+export function applyOperation(
+  f: ShaderOperation,
+  args: readonly Components[],
+  types: readonly ShaderType[],
+): Components {
   const [a = [], b = [], c = []] = args;
   if (f === 'select') return c[0] ? b : a;
   if (f === 'product') return product(a, b, types[0] as ShaderType, types[1] as ShaderType);
@@ -114,10 +119,10 @@ export function applyOperation(f: ShaderOperation, args: readonly Numbers[], typ
 }
 
 /** Matrix product: each column of b combines a's columns. A vector on the left is a row vector. */
-function product(a: Numbers, b: Numbers, left: ShaderType, right: ShaderType): Numbers {
+function product(a: Components, b: Components, left: ShaderType, right: ShaderType): Components {
   const row = left.columns === 1;
   const [rows, inner, columns] = row ? [1, left.rows, right.columns] : [left.rows, left.columns, right.columns];
-  const at = (m: Numbers, stride: number, i: number, j: number): number => m[j * stride + i] ?? 0;
+  const at = (m: Components, stride: number, i: number, j: number): number => m[j * stride + i] ?? 0;
   return Array.from({ length: rows * columns }, (_, n) => {
     const [i, j] = [n % rows, Math.floor(n / rows)];
     let sum = 0;
@@ -127,7 +132,7 @@ function product(a: Numbers, b: Numbers, left: ShaderType, right: ShaderType): N
 }
 
 /** Converts to the component type. */
-export function convertComponents(numbers: Numbers, to: ShaderType): Numbers {
+export function convertComponents(numbers: Components, to: ShaderType): Components {
   if (to.of === 'bool') return numbers.map((x) => Number(x !== 0));
   return to.of === 'i32' || to.of === 'whole' ? numbers.map((x) => whole(Math.trunc(x))) : numbers;
 }

@@ -1,4 +1,4 @@
-import { applyOperation, convertComponents } from './arithmetic.ts';
+import { applyOperation, type Components, convertComponents } from './arithmetic.ts';
 import type {
   ShaderChannel,
   ShaderExpression,
@@ -15,25 +15,29 @@ export interface PixelContext {
   input(name: ShaderInput): readonly number[];
 }
 
-type Numbers = readonly number[];
-type ControlFlow = 'break' | 'continue' | { readonly value: Numbers } | undefined;
+type ControlFlow = 'break' | 'continue' | { readonly value: Components } | undefined;
 
 /** Evaluates a program at a pixel, in f64. */
-export const runShaderProgram = (program: ShaderProgram, about: PixelContext): Numbers =>
+export const runShaderProgram = (program: ShaderProgram, about: PixelContext): Components =>
   callFunction(program, program.effect, [], about);
 
-function callFunction(program: ShaderProgram, index: number, args: readonly Numbers[], about: PixelContext): Numbers {
+function callFunction(
+  program: ShaderProgram,
+  index: number,
+  args: readonly Components[],
+  about: PixelContext,
+): Components {
   const of = program.functions[index] as ShaderFunction;
   const end = new FunctionCall(program, of, args, about).steps(of.body);
   return typeof end === 'object' ? end.value : [];
 }
 
 class FunctionCall {
-  private readonly locals: Numbers[];
+  private readonly locals: Components[];
   private readonly program: ShaderProgram;
   private readonly about: PixelContext;
 
-  constructor(program: ShaderProgram, of: ShaderFunction, args: readonly Numbers[], about: PixelContext) {
+  constructor(program: ShaderProgram, of: ShaderFunction, args: readonly Components[], about: PixelContext) {
     this.program = program;
     this.about = about;
     this.locals = of.locals.map((_, i) => args[i] ?? []);
@@ -73,12 +77,12 @@ class FunctionCall {
     return undefined;
   }
 
-  private set(local: number, part: number | undefined, value: Numbers): void {
+  private set(local: number, part: number | undefined, value: Components): void {
     const before = this.locals[local] ?? [];
     this.locals[local] = part === undefined ? value : before.map((x, i) => (i === part ? (value[0] ?? 0) : x));
   }
 
-  private value(value: ShaderExpression): Numbers {
+  private value(value: ShaderExpression): Components {
     switch (value.op) {
       case 'constant':
         return value.numbers;

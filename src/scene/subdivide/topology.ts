@@ -66,9 +66,9 @@ export function makeTopology(cage: ControlCage): SubdivisionTopology {
 
 const sharpnessOf = (written = 0): number => (written > 0 ? Math.min(written, INFINITELY_SHARP) : 0);
 
-type Faces = Pick<SubdivisionTopology, 'points' | 'faceStarts' | 'faceOfCorner' | 'corners'>;
+type FaceCorners = Pick<SubdivisionTopology, 'points' | 'faceStarts' | 'faceOfCorner' | 'corners'>;
 
-function joinEdges(faces: Faces) {
+function joinEdges(faces: FaceCorners) {
   const { corners } = faces;
   const table = new EdgeTable(corners.length);
   const cornerEdges = new Uint32Array(corners.length);

@@ -4,7 +4,7 @@ import { radians } from '../../math/angle.ts';
 export type Point2 = readonly [x: number, y: number];
 
 /** A straight line to `to`, or, with `control`, the quadratic curve (1 − t)² P + 2t (1 − t) C + t² Q. */
-export interface PathSegment {
+export interface ContourSegment {
   readonly control?: Point2;
   readonly to: Point2;
 }
@@ -12,7 +12,7 @@ export interface PathSegment {
 /** A closed curve with the filled side to its right, as in TrueType: holes run the other way round. */
 export interface Contour {
   readonly start: Point2;
-  readonly segments: readonly PathSegment[];
+  readonly segments: readonly ContourSegment[];
 }
 
 /** A glyph in font units; capitals are `capHeight` high. */
@@ -57,7 +57,7 @@ interface Piece {
   readonly to: Point2;
 }
 
-function flattenSegment(from: Point2, { control, to }: PathSegment, tolerance: number): Piece[] {
+function flattenSegment(from: Point2, { control, to }: ContourSegment, tolerance: number): Piece[] {
   if (!control) {
     const normal = outward(from, to);
     return [{ end: to, from: normal, to: normal }];

@@ -55,6 +55,9 @@ export type AovName =
   | 'velocity'
   | 'object';
 
+/** AOVs of the surface: all but its light. */
+export type DataAov = Exclude<AovName, 'beauty'>;
+
 export interface AovInfo {
   /** EXR channel names, in the order of the values of a pixel. */
   readonly channels: readonly string[];

@@ -1,11 +1,16 @@
 import { clamp, dot, Fn, max, vec3 } from 'three/tsl';
-import { DAYLIGHT_COLOR, KRYSTEK_FITS, KRYSTEK_RANGE, XYZ_TO_SRGB_ROWS } from '../../spectrum/color/blackbodyColor.ts';
+import {
+  DAYLIGHT_COLOR,
+  KRYSTEK_FITS,
+  KRYSTEK_RANGE,
+  type Quadratic,
+  XYZ_TO_SRGB_ROWS,
+} from '../../spectrum/color/blackbodyColor.ts';
 import { LUMINANCE_WEIGHTS } from '../../spectrum/color/observerColor.ts';
 import type { Float, Vec3 } from '../types.ts';
 
-type Polynomial = readonly [number, number, number];
-const polynomial = ([a, b, c]: Polynomial, t: Float): Float => t.mul(c).add(b).mul(t).add(a);
-const fitted = ([over, under]: readonly [Polynomial, Polynomial], t: Float): Float =>
+const polynomial = ([a, b, c]: Quadratic, t: Float): Float => t.mul(c).add(b).mul(t).add(a);
+const fitted = ([over, under]: readonly [Quadratic, Quadratic], t: Float): Float =>
   polynomial(over, t).div(polynomial(under, t)).toVar();
 
 /** Approximate colour of a surface that glows at T [K]: linear sRGB of luminance 1, with daylight as white (spectrum/color/blackbodyColor.ts). */

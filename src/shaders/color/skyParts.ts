@@ -3,13 +3,13 @@ import { DUSK_SHARES, REDDENED_COLORS, SCATTERED_COLOR } from '../../spectrum/co
 import type { Float, Vec2, Vec3 } from '../types.ts';
 
 /** Decomposition of sky light: luminances of scattered and of mildly to deeply reddened light; `rest`: a filter before daylight. */
-export interface SkyParts {
+export interface SkyPartNodes {
   readonly luminances: readonly Float[];
   readonly rest: Vec3;
 }
 
 /** Twin of `skyParts` in spectrum/color/scatteredLight.ts. docs/physics.md §7.8. */
-export function skyParts(rgb: Vec3): SkyParts {
+export function skyParts(rgb: Vec3): SkyPartNodes {
   const [blue, red, yellow] = (['blue', 'red', 'yellow'] as const).map((name): Vec2 => {
     const [a, b] = DUSK_SHARES[name];
     return max(vec2(dot(rgb, vec3(...a)), dot(rgb, vec3(...b))), 0).toVar();

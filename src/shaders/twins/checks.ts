@@ -5,9 +5,8 @@ import type { Check, Stratum } from './twin.ts';
 const PIXELS_PER_RADIAN = 935;
 
 type Tolerance = Check['tolerance'];
-type Numbers = readonly number[];
 
-const vector = (values: Numbers, at: number): Vec3 => [values[at], values[at + 1], values[at + 2]];
+const vector = (values: readonly number[], at: number): Vec3 => [values[at], values[at + 1], values[at + 2]];
 
 /** One bound for γ ≤ 100, another above. */
 export const upTo100 =
@@ -58,7 +57,7 @@ export const absolute = (name: string, at: number, count: number, tolerance: Tol
 export const within = (
   name: string,
   at: number,
-  scale: (cpu: Numbers, input: Numbers) => number,
+  scale: (cpu: readonly number[], input: readonly number[]) => number,
   tolerance: Tolerance,
 ): Check => ({
   name,

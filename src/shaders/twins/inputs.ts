@@ -1,7 +1,7 @@
+import type { Random } from '../../math/random.ts';
 import { addScaled, cross, dot, length, normalize, scale, type Vec3 } from '../../math/vec3.ts';
 import type { Stratum } from './twin.ts';
 
-type Random = () => number;
 export type Aim = 'anywhere' | 'ahead' | 'behind';
 
 const GAMMAS = [1, 1.0000001, 1.001, 1.05, 2, 7, 22, 100, 1000];

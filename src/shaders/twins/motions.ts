@@ -1,4 +1,5 @@
 import { int } from 'three/tsl';
+import type { Random } from '../../math/random.ts';
 import { add, addScaled, dot, normalize, scale, type Vec3 } from '../../math/vec3.ts';
 import type { PolylineLine, WorldLine } from '../../physics/index.ts';
 import { cubicEmission } from '../emission/cubicEmission.ts';
@@ -24,7 +25,6 @@ export interface MotionStratum extends Stratum {
   readonly size: number;
 }
 
-type Random = () => number;
 type Texel = (index: number | Int) => Vec4;
 
 /** A kind of motion: how a random vertex is generated and passed to the CPU and the GPU. Its texels follow the anchor's. */

@@ -42,9 +42,10 @@ export function blackbodyColor(T: number): Vec3 {
   );
 }
 
-type Polynomial = readonly [number, number, number];
-const polynomial = ([a, b, c]: Polynomial, t: number): number => a + b * t + c * t * t;
-const fitted = ([over, under]: readonly [Polynomial, Polynomial], t: number): number =>
+/** Coefficients of a + bt + ct². */
+export type Quadratic = readonly [number, number, number];
+const polynomial = ([a, b, c]: Quadratic, t: number): number => a + b * t + c * t * t;
+const fitted = ([over, under]: readonly [Quadratic, Quadratic], t: number): number =>
   polynomial(over, t) / polynomial(under, t);
 
 function atUnitLuminance(rgb: Vec3, weights: Vec3): Vec3 {

@@ -2,7 +2,7 @@ import type { FalseColorQuantity, ValueRange } from './falseColor.ts';
 import { SPECTRAL_BANDS } from './spectralBands.ts';
 
 /** Samples of the shown quantity, spread over the picture; NaN where there is no value. */
-type Values = ArrayLike<number>;
+type FalseColorValues = ArrayLike<number>;
 
 /** Fraction of the values that may lie outside the scale at each end. */
 const OUTLIER_FRACTION = 0.01;
@@ -16,7 +16,7 @@ const MAX_DIGITS = 6;
 const WAVELENGTH_RANGE: ValueRange = { from: 3e-8, to: 1e-5 };
 
 /** A scale with round ends that contains the values; that of bands is fixed. */
-export function fitScale(kind: FalseColorQuantity, values: Values): ValueRange {
+export function fitScale(kind: FalseColorQuantity, values: FalseColorValues): ValueRange {
   if (kind === 'band') return WAVELENGTH_RANGE;
   const known = Float64Array.from(values).filter(Number.isFinite).sort();
   const at = (share: number) => known[Math.round(share * (known.length - 1))] ?? (kind === 'emission-time' ? 0 : 1);

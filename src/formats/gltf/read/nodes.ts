@@ -8,11 +8,11 @@ import { type AnimationCurve, makeCurve } from './curves.ts';
 
 type AnimatedProperty = 'translation' | 'rotation' | 'scale' | 'weights';
 
-interface TreeNode {
+interface NodeTreeEntry {
   /** Index in the file. */
   readonly place: number;
   readonly source: GltfNode;
-  readonly parent: TreeNode | undefined;
+  readonly parent: NodeTreeEntry | undefined;
   /** The authored matrix, which may shear, unlike translation, rotation and scale. */
   readonly matrix: Mat4 | undefined;
   readonly curves: Readonly<Partial<Record<AnimatedProperty, AnimationCurve>>>;
@@ -36,7 +36,7 @@ export interface AnimatedTransform {
 
 /** The node tree with one animation: frames at any time [s]. */
 export class NodeTree {
-  private readonly nodes = new Map<GltfNode, TreeNode>();
+  private readonly nodes = new Map<GltfNode, NodeTreeEntry>();
   private readonly names = new UniquePrimPaths();
   constructor(context: GltfContext, animation: Animation | undefined) {
     const all = context.document.getRoot().listNodes();
@@ -44,7 +44,7 @@ export class NodeTree {
       ? readChannels(context, animation)
       : new Map<GltfNode, Partial<Record<AnimatedProperty, AnimationCurve>>>();
     const places = new Map(all.map((node, i) => [node, i]));
-    const build = (source: GltfNode, parent: TreeNode | undefined): void => {
+    const build = (source: GltfNode, parent: NodeTreeEntry | undefined): void => {
       const place = places.get(source) ?? 0;
       const written = context.json.nodes?.[place].matrix;
       const path = this.names.of(parent?.path ?? '', source.getName() || `Node${place}`);
@@ -74,7 +74,7 @@ export class NodeTree {
   /** All curves that affect a node: its own and its ancestors'. */
   curvesAbove(node: GltfNode): AnimationCurve[] {
     const found: AnimationCurve[] = [];
-    for (let n: TreeNode | undefined = this.of(node); n; n = n.parent) {
+    for (let n: NodeTreeEntry | undefined = this.of(node); n; n = n.parent) {
       const { translation, rotation, scale } = n.curves;
       for (const curve of [translation, rotation, scale]) if (curve) found.push(curve);
     }
@@ -98,12 +98,12 @@ export class NodeTree {
   }
 
   transformAt(node: GltfNode, t: number): NodeTransform {
-    const chain: TreeNode[] = [];
-    for (let n: TreeNode | undefined = this.of(node); n; n = n.parent) chain.push(n);
+    const chain: NodeTreeEntry[] = [];
+    for (let n: NodeTreeEntry | undefined = this.of(node); n; n = n.parent) chain.push(n);
     return chain.reduceRight<NodeTransform>((above, n) => composeTransforms(above, localTransformAt(n, t)), WORLD);
   }
 
-  private of(node: GltfNode): TreeNode {
+  private of(node: GltfNode): NodeTreeEntry {
     return this.nodes.get(node)!;
   }
 }
@@ -115,7 +115,7 @@ const composeTransforms = (above: NodeTransform, own: NodeTransform): NodeTransf
   rotation: after(above.rotation, own.rotation),
 });
 
-function localTransformAt({ source, matrix, curves }: TreeNode, t: number): NodeTransform {
+function localTransformAt({ source, matrix, curves }: NodeTreeEntry, t: number): NodeTransform {
   const isMoved = curves.translation ?? curves.rotation ?? curves.scale;
   if (matrix && !isMoved) return { matrix, rotation: decomposeRigid(matrix).pose.orientation };
   const [x, y, z] = curves.translation?.at(t) ?? source.getTranslation();

@@ -59,12 +59,12 @@ export const authoredInOf = ({ authoredIn }: SlowlightAttributes): 'world' | 're
 interface ClosedForm {
   /** The world time at which it has its pose [s]. */
   poseTime(directions: SlowlightAttributes): number;
-  motion(context: StageContext, path: string, pose: Pose, directions: SlowlightAttributes): Motion;
+  motion(context: StageContext, path: string, pose: Pose, directions: SlowlightAttributes): MotionAttributes;
 }
-type Motion = UniformMotion | HyperbolicMotion;
+type MotionAttributes = UniformMotion | HyperbolicMotion;
 
 /** By the values of `slowlight:motion`. */
-const CLOSED_FORMS: { readonly [K in Motion['kind']]: ClosedForm } = {
+const CLOSED_FORMS: { readonly [K in MotionAttributes['kind']]: ClosedForm } = {
   uniform: {
     poseTime: () => 0,
     motion: (context, path, pose, directions) => ({
@@ -82,7 +82,7 @@ const CLOSED_FORMS: { readonly [K in Motion['kind']]: ClosedForm } = {
   },
 };
 
-const isClosedForm = (motion: string | undefined): motion is Motion['kind'] =>
+const isClosedForm = (motion: string | undefined): motion is MotionAttributes['kind'] =>
   motion !== undefined && Object.hasOwn(CLOSED_FORMS, motion);
 
 /** The world time [s] at which a closed-form motion has its pose; undefined where samples say how the object moves. */
@@ -95,7 +95,7 @@ export const closedFormMotion = (
   path: string,
   pose: Pose,
   directions: SlowlightAttributes,
-): Motion | StaticMotion =>
+): MotionAttributes | StaticMotion =>
   isClosedForm(directions.motion)
     ? CLOSED_FORMS[directions.motion].motion(context, path, pose, directions)
     : { kind: 'static', pose };

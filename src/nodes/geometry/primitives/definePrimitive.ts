@@ -1,7 +1,7 @@
 import { NodeRefusal, type NumberParam, type ParamSpec, type ParamValueOf } from '../../../graph/nodeType.ts';
 import { makeObject, makeScene } from '../../../scene/defaults.ts';
 import type { Mesh } from '../../../scene/types.ts';
-import { defineNode } from '../../defineNode.ts';
+import { defineNode, type ParamTable } from '../../defineNode.ts';
 import type { Services } from '../../services.ts';
 
 /** A length of a primitive [m]. */
@@ -39,8 +39,7 @@ export const axisParam = {
   ],
 } as const satisfies ParamSpec;
 
-type Params = Readonly<Record<string, ParamSpec>>;
-type Values<P extends Params> = { readonly [K in keyof P]: ParamValueOf<P[K]> };
+type PrimitiveParams<P extends ParamTable> = { readonly [K in keyof P]: ParamValueOf<P[K]> };
 
 /** Where a mesh is made, with its services. */
 interface MeshContext {
@@ -49,14 +48,14 @@ interface MeshContext {
 }
 
 /** Defines a node that makes one mesh at rest at the origin: `/name` of the scene. */
-export function definePrimitive<const P extends Params>(description: {
+export function definePrimitive<const P extends ParamTable>(description: {
   readonly id: string;
   readonly title: string;
   readonly help: string;
   /** Default prim name. */
   readonly name: string;
   readonly params: P;
-  mesh(params: Values<P>, work: MeshContext): Mesh | Promise<Mesh>;
+  mesh(params: PrimitiveParams<P>, work: MeshContext): Mesh | Promise<Mesh>;
 }) {
   const { id, title, help, name, params, mesh } = description;
   return defineNode({
@@ -69,7 +68,7 @@ export function definePrimitive<const P extends Params>(description: {
     outputs: { geometry: { type: 'geometry' } },
     async evaluate(_inputs, values, work) {
       const path = rootPrimPath(values.name as string, work.node);
-      const object = makeObject({ path, mesh: await mesh(values as unknown as Values<P>, work) });
+      const object = makeObject({ path, mesh: await mesh(values as unknown as PrimitiveParams<P>, work) });
       return { geometry: { scene: makeScene({ name: path.slice(1), objects: [object] }) } };
     },
   });

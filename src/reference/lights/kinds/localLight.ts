@@ -1,11 +1,11 @@
 import { conjugate, type Quat, rotate } from '../../../math/quat.ts';
+import type { Random } from '../../../math/random.ts';
 import { length, negate, normalize, scale, sub, type Vec3 } from '../../../math/vec3.ts';
 import { apparentPosition, inverseApparentPosition } from '../../../physics/optics/apparentPosition.ts';
 import { velocityAt, type WorldLine } from '../../../physics/worldLines/worldLine.ts';
 import { shapingFactor } from '../../../scene/lights/shaping.ts';
 import { originWorldLine, poseAt } from '../../../scene/motion/motion.ts';
 import type { LocalLight } from '../../../scene/types.ts';
-import type { Random } from '../../sampling/directions.ts';
 import type { RestFrame } from '../../spectral/restFrame.ts';
 import { sourceSpectrumOf } from '../../spectral/sourceSpectrum.ts';
 import { type IncidentLight, type LightingContext, type RayOrigin, rayBack, restFrameOf } from '../lightingContext.ts';
@@ -90,7 +90,7 @@ function shaped({ shaping }: LocalLight, orientation: Quat, sample: LightSample 
   return share > 0 ? { ...sample, weight: share * sample.weight } : undefined;
 }
 
-interface LightAtEmission {
+interface EmittingLight {
   /** From the surface to its centre [m, world]. */
   readonly offset: Vec3;
   /** Its frame then, and how its own axes stand there. */
@@ -102,7 +102,7 @@ function lightAtEmission(
   lighting: LightingContext,
   { line, light }: MovingLight<LocalLight>,
   { t, x }: RayOrigin,
-): LightAtEmission | undefined {
+): EmittingLight | undefined {
   const { propagation, scene } = lighting;
   const { hypersurface, u } = propagation;
   const found = hypersurface.intersect(line, { t, position: x }, u, scene.c);

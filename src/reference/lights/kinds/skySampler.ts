@@ -1,9 +1,9 @@
+import type { Random } from '../../../math/random.ts';
 import { dot, type Vec3 } from '../../../math/vec3.ts';
 import { directionFromLatLong, domeAxes, latLongFromDirection } from '../../../scene/lights/latLong.ts';
 import { linearizationTable } from '../../../scene/materials/sampleTexture.ts';
 import type { DomeLight } from '../../../scene/types.ts';
 import { LUMINANCE_WEIGHTS } from '../../../spectrum/color/observerColor.ts';
-import type { Random } from '../../sampling/directions.ts';
 
 /** Where the light of a sky is brighter than its mean: directions are asked there more often than where a surface would look for light by itself. */
 export interface SkySampler {

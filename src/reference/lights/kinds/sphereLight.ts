@@ -1,6 +1,7 @@
+import type { Random } from '../../../math/random.ts';
 import { dot, length, normalize, scale, type Vec3 } from '../../../math/vec3.ts';
 import type { SphereLight } from '../../../scene/types.ts';
-import { coneDirection, type Random } from '../../sampling/directions.ts';
+import { coneDirection } from '../../sampling/directions.ts';
 import { type LightSample, localLightTracer } from './localLight.ts';
 
 export const SPHERE_LIGHT = localLightTracer<SphereLight>((light, center, _, random) =>

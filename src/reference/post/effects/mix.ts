@@ -1,21 +1,21 @@
 import { type MixMode, WIPE_WIDTH } from '../../../scene/frameGraph/effects.ts';
 import type { FloatImage } from './effectInput.ts';
 
-type Blend = (a: number, b: number) => number;
+type ChannelBlend = (a: number, b: number) => number;
 
 const within = (value: number): number => Math.min(Math.max(value, 0), 1);
 const above = (value: number): number => Math.max(value - 1, 0);
 
 /** 1 − (1 − a)(1 − b) of what lies within 0 … 1, plus what is above. */
-const screen: Blend = (a, b) => 1 - (1 - within(a)) * (1 - within(b)) + above(a) + above(b);
+const screen: ChannelBlend = (a, b) => 1 - (1 - within(a)) * (1 - within(b)) + above(a) + above(b);
 
 /** `multiply` where a is dark and `screen` where it is light, of what lies within 0 … 1, plus what of a is above. */
-const overlay: Blend = (a, b) => {
+const overlay: ChannelBlend = (a, b) => {
   const [p, q] = [within(a), within(b)];
   return (p < 0.5 ? 2 * p * q : 1 - 2 * (1 - p) * (1 - q)) + above(a);
 };
 
-const BLENDS: Readonly<Record<MixMode, Blend>> = {
+const BLENDS: Readonly<Record<MixMode, ChannelBlend>> = {
   normal: (_, b) => b,
   multiply: (a, b) => a * b,
   add: (a, b) => a + b,

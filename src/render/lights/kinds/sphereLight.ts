@@ -22,7 +22,7 @@ import type { Float, Vec3 } from '../../../shaders/types.ts';
 import { areaSpecular } from '../../brdf/brdf.ts';
 import type { LightAtEmission } from '../lightAtEmission.ts';
 import { frontOf, shapingFactor } from '../lightShaping.ts';
-import type { RestFrame } from '../restFrame.ts';
+import type { RestFrameNodes } from '../restFrame.ts';
 import type { LightShader } from './lightShader.ts';
 import type { LitSurface } from './litSurface.ts';
 import {
@@ -108,7 +108,11 @@ function capOfSphere(center: Vec3, radius: Float): SphericalCap {
 }
 
 /** The edge of a cap is where C·(n, 1) = 0 for C = (axis, −cos α), of length² sin² α in every frame. */
-function boostedCap({ axis, sine2, cosine }: SphericalCap, source: RestFrame, receiver: RestFrame): SphericalCap {
+function boostedCap(
+  { axis, sine2, cosine }: SphericalCap,
+  source: RestFrameNodes,
+  receiver: RestFrameNodes,
+): SphericalCap {
   const C = receiver.boostInto(source.boostOut(vec4(axis, cosine.negate()))).toVar();
   const across = length(C.xyz).toVar();
   return {

@@ -1,7 +1,7 @@
 import { dot, vec4 } from 'three/tsl';
 import type { Float, Vec3, Vec4 } from '../../../shaders/types.ts';
-import type { SpectralFilter } from '../../color/radiance.ts';
-import type { RestFrame } from '../restFrame.ts';
+import type { SpectralFilterNodes } from '../../color/radiance.ts';
+import type { RestFrameNodes } from '../restFrame.ts';
 
 /**
  * A surface as it is in the rest frame of a light, by four-vectors (x, ct): its own velocity U and its normal N. Light from a direction n of that frame
@@ -14,7 +14,7 @@ export interface SurfaceInLightFrame {
 }
 
 /** `N`: unit, of a surface at rest `here`; `there` the light rests. */
-export function surfaceInLightFrame(N: Vec3, here: RestFrame, there: RestFrame): SurfaceInLightFrame {
+export function surfaceInLightFrame(N: Vec3, here: RestFrameNodes, there: RestFrameNodes): SurfaceInLightFrame {
   if (!here.doppler && !there.doppler) return { N: vec4(N, 0).toVar() };
   const across = (X: Vec4): Vec4 => there.boostInto(here.boostOut(X)).toVar();
   return { N: across(vec4(N, 0)), U: across(vec4(0, 0, 0, 1)) };
@@ -42,7 +42,7 @@ export function meanLight({ U }: SurfaceInLightFrame, amount: Float, toward: Vec
 
 /** What a surface sends on of a light's light that came with D, as of an irradiance. */
 export interface ReflectedLight {
-  readonly share: SpectralFilter;
+  readonly share: SpectralFilterNodes;
   readonly D?: Float;
 }
 

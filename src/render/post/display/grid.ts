@@ -1,9 +1,6 @@
 import { abs, clamp, dot, exp, Fn, fwidth, max, mix, select, smoothstep, vec2, vec3, vec4 } from 'three/tsl';
-import type { Node } from 'three/webgpu';
-import type { Float, Vec3, Vec4 } from '../../../shaders/types.ts';
+import type { Float, Vec2, Vec3, Vec4 } from '../../../shaders/types.ts';
 import type { FrameUniforms } from '../../gpu/frameUniforms.ts';
-
-type Vec2 = Node<'vec2'>;
 
 /**
  * The ground's reference grid, (colour, cover): straight lines in the observer's frame, as a plane at the observer's height below would look

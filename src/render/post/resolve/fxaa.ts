@@ -17,10 +17,8 @@ import {
   vec2,
   vec3,
 } from 'three/tsl';
-import type { Node, Texture } from 'three/webgpu';
-import type { Float, Vec3, Vec4 } from '../../../shaders/types.ts';
-
-type Vec2 = Node<'vec2'>;
+import type { Texture } from 'three/webgpu';
+import type { Float, Vec2, Vec3, Vec4 } from '../../../shaders/types.ts';
 
 const REDUCE = 1 / 8;
 const MIN_REDUCE = 1 / 128;

@@ -40,7 +40,7 @@ export function lightSpaceBox(bodies: readonly Body[], axes: LightAxes): LightSp
     (sum, axis, k) => addScaled(sum, axis, middle(k)),
     [0, 0, 0],
   );
-  return { axes, center: center, halfSide: 1.01 * Math.max(side(0), side(1)), depth: 1.01 * side(2) };
+  return { axes, center, halfSide: 1.01 * Math.max(side(0), side(1)), depth: 1.01 * side(2) };
 }
 
 const boxes = new WeakMap<Float32Array, ReturnType<typeof boundingBox>>();

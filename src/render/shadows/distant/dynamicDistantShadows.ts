@@ -98,7 +98,7 @@ export class DynamicDistantShadows {
       suns.forEach((sun, row) => {
         const layer = layerOf(mover, sun, sight, this.tile(slot, row));
         const center = addScaled(comovingCenter(mover), layer.axes.toLight, -driftBias(mover));
-        table.set(row * most + slot, parallelLayerTexels({ ...layer, center: center }));
+        table.set(row * most + slot, parallelLayerTexels({ ...layer, center }));
         table.set((suns.length + row) * most + slot, parallelLayerTexels({ ...layer, beta: ZERO }));
       });
   }

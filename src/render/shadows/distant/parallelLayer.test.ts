@@ -46,7 +46,7 @@ describe('a layer in coordinates that move with its occluder', () => {
         const texels = parallelLayerTexels({
           axes,
           beta,
-          center: center,
+          center,
           halfSide: 2,
           halfDepth: 2,
           penumbraSlope: 0,

@@ -23,7 +23,7 @@ export interface PatchRequest {
 }
 
 /** A kernel for the leaves of a family, as they lie together. */
-interface Kernel {
+interface FactorKernel {
   readonly node: ComputeNode;
   readonly first: { value: number };
 }
@@ -34,7 +34,7 @@ export class FactorKernels {
   private readonly triangleTable: TriangleTable;
   private readonly buffers: PatchBuffers;
   private readonly metric = new EdgeMetricUniforms();
-  private readonly kernels = new Map<string, Kernel>();
+  private readonly kernels = new Map<string, FactorKernel>();
   private used = 0;
 
   constructor(renderer: WebGPURenderer, corners: TriangleTable, buffers: PatchBuffers) {
@@ -77,14 +77,14 @@ export class FactorKernels {
     for (const { node } of this.kernels.values()) node.dispose();
   }
 
-  private kernel(family: string, sources: MotionSources, projection: SpacetimeProjection): Kernel {
+  private kernel(family: string, sources: MotionSources, projection: SpacetimeProjection): FactorKernel {
     const name = `${family} ${projection.event} ${projection.place}`;
     const known = this.kernels.get(name) ?? this.makeKernel(sources, projection);
     this.kernels.set(name, known);
     return known;
   }
 
-  private makeKernel(sources: MotionSources, projection: SpacetimeProjection): Kernel {
+  private makeKernel(sources: MotionSources, projection: SpacetimeProjection): FactorKernel {
     const { buffers, triangleTable, metric } = this;
     const first = uniform(0, 'uint');
     const node = Fn(() => {

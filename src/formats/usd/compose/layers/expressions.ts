@@ -14,7 +14,7 @@ export const isExpression = (text: string): boolean => text.startsWith('`');
 
 /** The value of an expression (OpenUSD, Variable Expressions). Throws an ExpressionFault that says what is wrong. */
 export const evaluate = (text: string, variables: Variables): ExpressionValue =>
-  new Evaluation(text, variables, [], { steps: MAX_STEPS }).whole();
+  new ExpressionEvaluation(text, variables, [], { steps: MAX_STEPS }).whole();
 
 /** Plain text unchanged, expressions evaluated; '' for no value. Throws an ExpressionFault. */
 export function expandExpression(text: string, variables: Variables): string {
@@ -80,7 +80,7 @@ const ESCAPED: ReadonlyMap<string, string> = new Map([
 ]);
 
 /** Parses to a tree of closures, so that branches not taken may fail. */
-class Evaluation {
+class ExpressionEvaluation {
   private readonly text: string;
   private readonly variables: Variables;
   /** Variables that are being evaluated. */
@@ -186,7 +186,7 @@ class Evaluation {
   private valueOf(name: string, value: ExpressionValue): ExpressionValue {
     if (typeof value !== 'string' || !isExpression(value)) return value;
     if (this.within.includes(name)) this.fail(`the variable ${name} is made of itself`);
-    return new Evaluation(value, this.variables, [...this.within, name], this.budget).whole();
+    return new ExpressionEvaluation(value, this.variables, [...this.within, name], this.budget).whole();
   }
 
   private list(): LazyValue {

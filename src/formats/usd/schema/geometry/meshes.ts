@@ -15,7 +15,7 @@ import { pointBytes, vectorsPerVertex } from './pointSampling.ts';
 import type { DeformedPoints, PrimGeometry, StoredDeformation } from './primGeometry.ts';
 import { levelsOf, subdivideMesh } from './subdivision.ts';
 
-interface Faces {
+interface FaceArrays {
   readonly points: NumberArray;
   readonly counts: NumberArray;
   readonly indices: NumberArray;
@@ -183,7 +183,7 @@ function withDeformation(
   };
 }
 
-function facesOf(context: StageContext, prim: PrimSpec): Faces | undefined {
+function facesOf(context: StageContext, prim: PrimSpec): FaceArrays | undefined {
   const at = (name: string) => numbersAt(prim, name, context.startCode);
   const [points, counts, indices] = [at('points'), at('faceVertexCounts'), at('faceVertexIndices')];
   if (!points || !counts || !indices) {
@@ -205,7 +205,7 @@ function facesOf(context: StageContext, prim: PrimSpec): Faces | undefined {
 function keptFaces(
   context: StageContext,
   prim: PrimSpec,
-  { points, counts, indices }: Faces,
+  { points, counts, indices }: FaceArrays,
   keepsHoles: boolean,
 ): KeptFaces | undefined {
   const holes = new Set(numbersAt(prim, 'holeIndices', undefined));

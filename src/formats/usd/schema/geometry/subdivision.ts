@@ -20,14 +20,14 @@ const SMOOTH_FACES = 300;
 /** Faces of all subdivided meshes of a scene together, unless their cages have more. */
 export const FACE_BUDGET = 500_000;
 
-type Scheme = SubdivisionOptions['scheme'];
-const SCHEMES: readonly string[] = ['catmullClark', 'loop', 'bilinear'] satisfies Scheme[];
+type UsdSubdivisionScheme = SubdivisionOptions['scheme'];
+const SCHEMES: readonly string[] = ['catmullClark', 'loop', 'bilinear'] satisfies UsdSubdivisionScheme[];
 
 /** Undefined for polygonal meshes. Unknown schemes are Catmull–Clark, the default. */
-function schemeOf(prim: PrimSpec): Scheme | undefined {
+function schemeOf(prim: PrimSpec): UsdSubdivisionScheme | undefined {
   const written = textAt(prim, 'subdivisionScheme', undefined) ?? 'catmullClark';
   if (written === 'none') return undefined;
-  return SCHEMES.includes(written) ? (written as Scheme) : 'catmullClark';
+  return SCHEMES.includes(written) ? (written as UsdSubdivisionScheme) : 'catmullClark';
 }
 
 /**
@@ -70,7 +70,7 @@ interface SubdivisionCandidate {
   /** The same of prims with the same opinions. */
   readonly key: string;
   readonly corners: number;
-  readonly scheme: Scheme;
+  readonly scheme: UsdSubdivisionScheme;
 }
 
 function subdividedMeshes(prim: PrimSpec): SubdivisionCandidate[] {
