@@ -221,10 +221,10 @@ describe('validation', () => {
     expect(codes.sort()).toEqual(['graph.edge s', 'graph.param v.value', 'graph.unknown-node odd']);
   });
 
-  it('refuses a circle of any length', () => {
+  it('refuses a cycle of any length', () => {
     const document = build(add('a', 'sum'), add('b', 'sum'), { kind: 'connect', edge: edge('a', 'b', 'a') });
-    expect(edgeError(document, edge('b', 'a', 'a'), registry)).toMatch(/circle/);
-    expect(edgeError(document, edge('a', 'a', 'a'), registry)).toMatch(/circle/);
+    expect(edgeError(document, edge('b', 'a', 'a'), registry)).toMatch(/cycle/);
+    expect(edgeError(document, edge('a', 'a', 'a'), registry)).toMatch(/cycle/);
     expect(edgeError(document, edge('a', 'b', 'b'), registry)).toBeUndefined();
     expect(edgeError(document, edge('a', 'b', 'z'), registry)).toMatch(/no input "z"/);
   });

@@ -121,7 +121,7 @@ export interface Material {
   /** Where a texture tells, `uv` and `ir` are their means. */
   readonly uvTexture?: TextureChannel;
   readonly irTexture?: TextureChannel;
-  /** Share of the light from all round that gets to each point, past what the mesh does not show: of the sky and of other surfaces, not of suns and lamps. */
+  /** Share of the light from all round that gets to each point, past what the mesh does not show: of the sky and of other surfaces, not of distant and local lights. */
   readonly occlusionTexture?: TextureChannel;
   /** [K]: it shines as a blackbody does, and `emissive` tells its luminance at rest alone. */
   readonly emissionTemperature?: number;

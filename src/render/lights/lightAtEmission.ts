@@ -6,9 +6,9 @@ import { lightEmissionEvent } from './lightEvent.ts';
 import type { LightShape, LightTexels } from './lightTexels.ts';
 import { type RestFrameNodes, restFrame, WORLD_FRAME } from './restFrame.ts';
 
-/** A lamp as a surface sees it. */
+/** A light as a surface sees it. */
 export interface LightAtEmission {
-  /** Surface → lamp, unit, world. */
+  /** Surface → light, unit, world. */
   readonly n: Vec3;
   /** The same, to where it was when it sent out what meets the surface [m]. */
   readonly offset: Vec3;
@@ -23,7 +23,7 @@ export interface LightAtEmission {
 }
 
 /**
- * A lamp where and when it sent out what meets a surface event at `dx` [m] from the observer and `time` [m of light] after his: on the event's own past light
+ * A light where and when it sent out what meets a surface event at `dx` [m] from the observer and `time` [m of light] after his: on the event's own past light
  * cone; in the views of one moment, at that moment. Its velocity and axes are taken as constant while its light crosses it.
  */
 export function lightAtEmission(light: LightTexels, dx: Vec3, time: Float, uniforms: FrameUniforms): LightAtEmission {

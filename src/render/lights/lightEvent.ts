@@ -7,7 +7,7 @@ import type { Bool, Float, Int, Vec3, Vec4 } from '../../shaders/types.ts';
 import { pieceAt } from '../geometry/vertexSamples.ts';
 import type { Texels } from '../gpu/floatTable.ts';
 
-/** How a lamp moves, relative to one event of it, its anchor (lightTable.ts). */
+/** How a light moves, relative to one event of it, its anchor (lightTable.ts). */
 export interface LightMotion {
   readonly kind: RigidMotion['kind'];
   /** Absent where it rests. */
@@ -22,9 +22,9 @@ interface Moving {
   readonly w: Float;
 }
 
-/** The event at which a lamp sent out the light that meets a surface. */
+/** The event at which a light sent out the light that meets a surface. */
 export interface LightEmissionEvent {
-  /** Surface → lamp [m]. */
+  /** Surface → light [m]. */
   readonly offset: Vec3;
   /** After the anchor's [m of light]; absent where nobody asks. */
   readonly elapsed?: Float;
@@ -37,8 +37,8 @@ export interface LightEmissionEvent {
 }
 
 /**
- * `d`: surface → the lamp's anchor [m]; `late` [m of light]: so much later than on the surface's past light cone the anchor is; 0: it is on it, or
- * shines at once. The functions that look for a vertex on the observer's light cone look here for the lamp on the surface's.
+ * `d`: surface → the light's anchor [m]; `late` [m of light]: so much later than on the surface's past light cone the anchor is; 0: it is on it, or
+ * shines at once. The functions that look for a vertex on the observer's light cone look here for the light on the surface's.
  */
 export function lightEmissionEvent(
   { kind, moving, samples }: LightMotion,

@@ -2,7 +2,7 @@ import { acos, clamp, cross, dot, max, normalize, pow, smoothstep } from 'three/
 import type { LocalLight } from '../../scene/types.ts';
 import type { Float, Vec3 } from '../../shaders/types.ts';
 
-/** How a lamp's light is shaped, on the GPU; `front`: unit −Z of its frame. */
+/** How the radiance of a local light is shaped, on the GPU; `front`: unit −Z of its frame. */
 export interface ShapingTexels {
   readonly front: Vec3;
   readonly inner: Float;
@@ -13,7 +13,7 @@ export interface ShapingTexels {
 /** Unit −Z of the axes X and Y. */
 export const frontOf = ({ X, Y }: { readonly X: Vec3; readonly Y: Vec3 }): Vec3 => normalize(cross(Y, X)).toVar();
 
-/** Twin of `shaped` of scene/lights/shaping.ts. */
+/** Twin of `shapingFactor` of scene/lights/shaping.ts. */
 export function shapingFactor({ front, inner, outer, focus }: ShapingTexels, out: Vec3): Float {
   const cosine = clamp(dot(front, out), -1, 1).toVar();
   return smoothstep(inner, outer, acos(cosine))

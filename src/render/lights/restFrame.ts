@@ -7,7 +7,7 @@ import type { Float, Vec3, Vec4 } from '../../shaders/types.ts';
 import type { IncidentSpectrum } from '../color/radiance.ts';
 import type { FrameUniforms } from '../gpu/frameUniforms.ts';
 
-/** The rest frame of a surface or a lamp: directions of the world (towards where light comes from) as they are there, and back. */
+/** The rest frame of a surface or a light: directions of the world (towards where light comes from) as they are there, and back. */
 export interface RestFrameNodes {
   into: (n: Vec3) => Vec3;
   out: (n: Vec3) => Vec3;

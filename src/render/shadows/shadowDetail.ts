@@ -6,9 +6,9 @@ export interface ShadowDetail {
   readonly dynamicTile: number;
   /** So many moving bodies throw shadows: those that look largest from where the observer is, in any direction. */
   readonly maxCasters: number;
-  /** Side of a tile of a lamp: of up to four that rest; of more, and of those where something moves [texels]. */
+  /** Side of a tile of a light: of up to four that rest; of more, and of those where something moves [texels]. */
   readonly localTiles: readonly [number, number];
-  /** So many tiles are shared out among lamps for bodies that they go past. */
+  /** So many tiles are shared out among lights for bodies that they go past. */
   readonly maxLocalCasters: number;
   /** Side of a cell of edgeMap.ts of suns: the filter is so wide at most, to either side [texels]. */
   readonly cell: number;

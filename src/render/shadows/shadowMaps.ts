@@ -50,18 +50,18 @@ export class ShadowMaps implements LightVisibility {
     return still && moving ? still.mul(moving) : (still ?? moving);
   }
 
-  ofLocalLight(slot: Int | number | undefined, receiver: ShadowReceiver, lamp: ShadowedLight): Float | undefined {
+  ofLocalLight(slot: Int | number | undefined, receiver: ShadowReceiver, light: ShadowedLight): Float | undefined {
     if (slot === undefined) return undefined;
     const event = { dx: receiver.dx, time: receiver.time, normal: sliceNormal(receiver).toVar() };
-    return this.local.visibility(slot, event, lamp);
+    return this.local.visibility(slot, event, light);
   }
 
   /** Makes the maps that a picture needs; false where samples of a deforming mesh have still to come. */
   update(sight: Observation): boolean {
-    const lamps = this.local.update(sight);
-    if (this.distantLights === 0) return lamps;
+    const isLocalComplete = this.local.update(sight);
+    if (this.distantLights === 0) return isLocalComplete;
     this.staticDistant.update(sight.position);
-    return this.dynamicDistant.update(sight) && lamps;
+    return this.dynamicDistant.update(sight) && isLocalComplete;
   }
 
   /** Whether all samples that the last maps need are on the GPU. */

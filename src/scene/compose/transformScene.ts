@@ -6,7 +6,7 @@ import { motionKind } from '../motion/motions.ts';
 import type { Light, Mesh, Motion, Scene, SceneObject } from '../types.ts';
 
 /**
- * A scene as a whole at another place: what is in it, its lamps, its cameras and the directions of its sky.
+ * A scene as a whole at another place: what is in it, its lights, its cameras and the directions of its sky.
  *
  * Speeds grow with the scale, for every path is as much longer and takes as long. Of hyperbolic motion the proper acceleration does:
  * it never reaches c, so that its path is only nearly the enlarged one where it is fast.

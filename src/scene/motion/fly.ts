@@ -37,7 +37,7 @@ export const tooLargeToFly = (scene: Scene, path: string): readonly string[] =>
     .map((object) => object.path);
 
 /**
- * The scene with a thing and all below it, lamps too, flying: x(t) = x(at) + βc (t − at).
+ * The scene with a thing and all below it, lights too, flying: x(t) = x(at) + βc (t − at).
  *
  * Rigid things keep the pose that they have at that time, and what moved them before is gone. Things that deform go on
  * deforming: every sample is shifted by βc (t − at), so that their own motion adds to it as velocities of the world frame do;
@@ -47,10 +47,10 @@ export const tooLargeToFly = (scene: Scene, path: string): readonly string[] =>
  */
 export function fly(scene: Scene, flight: Flight, c: number): Scene {
   const flying = scene.objects.filter(({ path }) => isAtOrBelow(path, flight.path));
-  const lamps = scene.lights.filter(
+  const flyingLights = scene.lights.filter(
     (light): light is LocalLight => 'motion' in light && isAtOrBelow(light.path, flight.path),
   );
-  const origins = [...flying, ...lamps].flatMap(({ motion }) => poseAt(motion, flight.at, c).position);
+  const origins = [...flying, ...flyingLights].flatMap(({ motion }) => poseAt(motion, flight.at, c).position);
   const box = boundingBox(origins);
   const u = properVelocity(flight.beta);
   const middle = box ? scale(add(box.min, box.max), 0.5) : ZERO;
@@ -66,7 +66,7 @@ export function fly(scene: Scene, flight: Flight, c: number): Scene {
     ...scene,
     objects: scene.objects.map((object) => (flying.includes(object) ? flyObject(object, flight, course) : object)),
     lights: scene.lights.map((light) =>
-      'motion' in light && lamps.includes(light)
+      'motion' in light && flyingLights.includes(light)
         ? { ...light, motion: motionKind(light.motion).fly(light.motion, course) }
         : light,
     ),

@@ -12,7 +12,7 @@ export interface Timing {
 
 /**
  * The scene with its animation run otherwise: x′(t) = x(τ), t = start + offset + (τ − start)/speed. Everything that has a time
- * is carried along: motions, lifetimes, lamps, cameras, the time range.
+ * is carried along: motions, lifetimes, lights, cameras, the time range.
  *
  * Hyperbolic motion cannot be run k times as fast as it is, or it would near k c; its proper acceleration is k² times the
  * file's instead, which is the same motion at low speeds and never reaches c. So a scene that is run k times as fast and seen

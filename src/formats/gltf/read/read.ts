@@ -248,9 +248,9 @@ class SceneBuilder {
       return;
     }
     const motion = this.baker.bakeFrame(this.tree.frame(node));
-    const lamp = { ...pointLight(path, motion, color), ...this.spectrum(light, path) };
+    const local = { ...pointLight(path, motion, color), ...this.spectrum(light, path) };
     const shaping = { inner: light.getInnerConeAngle(), outer: light.getOuterConeAngle(), focus: 0 };
-    this.lights.push(light.getType() === 'spot' ? { ...lamp, shaping } : lamp);
+    this.lights.push(light.getType() === 'spot' ? { ...local, shaping } : local);
   }
 
   /** Spectrum of a light from its extras. */

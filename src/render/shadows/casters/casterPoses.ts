@@ -9,7 +9,7 @@ import type { VertexInput } from '../../geometry/vertexInput.ts';
 import { FloatTable } from '../../gpu/floatTable.ts';
 import type { CasterPlacement } from './casterMesh.ts';
 
-/** Slot of what has none of its own, and is drawn where all that is round a lamp is. */
+/** Slot of what has none of its own, and is drawn where all that is round a light is. */
 export const SURROUNDINGS = -2;
 /** Texels of a body: rows of its turn with its place, and its slot with its velocity [c]. */
 const POSE_TEXELS = 4;
@@ -47,7 +47,7 @@ export class PoseTable {
     this.table.upload();
   }
 
-  /** Slots are layers from `first` on; where `round` is 1, only what is round a lamp is drawn, on that layer. */
+  /** Slots are layers from `first` on; where `round` is 1, only what is round a light is drawn, on that layer. */
   placement(first: Int, round?: Int): CasterPlacement {
     return ({ object, offset }) => {
       const begin = int(object).mul(int(POSE_TEXELS)).toVar();

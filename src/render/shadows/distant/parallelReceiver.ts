@@ -21,11 +21,11 @@ export interface ShadowReceiver {
 export interface LightVisibility {
   /** undefined of a sun without shadows; `sun`: its place in the environment. */
   ofDistantLight(sun: number | undefined, receiver: ShadowReceiver): Float | undefined;
-  /** Of a lamp's. `slot`: its place among those with shadows. */
-  ofLocalLight(slot: Int | number | undefined, receiver: ShadowReceiver, lamp: ShadowedLight): Float | undefined;
+  /** Of a light's. `slot`: its place among those with shadows. */
+  ofLocalLight(slot: Int | number | undefined, receiver: ShadowReceiver, light: ShadowedLight): Float | undefined;
 }
 
-/** A lamp as a surface sees it: surface → lamp when it sent its light out [m], its kind and size. */
+/** A light as a surface sees it: surface → light when it sent its light out [m], its kind and size. */
 export type ShadowedLight = Pick<LightAtEmission, 'offset' | 'shape'> & Pick<LightTexels, 'kind' | 'radius' | 'motion'>;
 
 /** Layers of one kind: what is in their maps, and the numbers of their projections. */

@@ -30,53 +30,53 @@ import {
 } from './perspectiveReceiver.ts';
 import { ATLAS_WIDTH } from './staticLocalShadows.ts';
 
-/** Fewest bodies that have tiles of their own under each lamp, and tiles of a lamp that moves. */
+/** Fewest bodies that have tiles of their own under each light, and tiles of a light that moves. */
 const MIN_TILES = 2;
 const MAX_FACES = 6;
 
 /**
- * Shadows of lamps where something goes. A body that a lamp goes past, whichever of the two it is, has a tile of its own for that lamp, as it looks
- * from the event that lights the body's centre. What rests and is too large or too near for that is on six tiles round a lamp that moves,
- * as they are from where the lamp is seen to be.
+ * Shadows of lights where something goes. A body that a light goes past, whichever of the two it is, has a tile of its own for that light, as it looks
+ * from the event that lights the body's centre. What rests and is too large or too near for that is on six tiles round a light that moves,
+ * as they are from where the light is seen to be.
  */
 export class DynamicLocalShadows {
   private readonly lightCount: number;
   private readonly movingBodies: readonly Body[];
-  /** Bodies that rest where some lamp moves. */
+  /** Bodies that rest where some light moves. */
   private readonly staticBodies: readonly Body[];
-  /** Tiles of bodies for each lamp. */
+  /** Tiles of bodies for each light. */
   private readonly maxCasters: number;
   private readonly atlas: ShadowAtlas;
-  /** Layers of receivers: for each lamp those of its bodies, then for each lamp its own; then in the same order those of occluders, a lamp's for each of its faces. */
+  /** Layers of receivers: for each light those of its bodies, then for each light its own; then in the same order those of occluders, a light's for each of its faces. */
   private readonly table: LayerTable;
   private readonly casters: MovingCasters;
   private readonly tiles: TileGrid;
   private readonly radius: number;
-  /** 1 while what is round a lamp is drawn. */
+  /** 1 while what is round a light is drawn. */
   private readonly drawsSurroundings = uniform(0, 'int');
   private renderedKey = '';
 
-  constructor(occluders: Occluders, lamps: readonly LightEntry[], gpu: Gpu) {
+  constructor(occluders: Occluders, lights: readonly LightEntry[], gpu: Gpu) {
     const { bodies, detail, radius } = occluders;
-    const goes = lamps.some(({ light }) => !isStatic(light.motion));
-    this.lightCount = lamps.length;
+    const goes = lights.some(({ light }) => !isStatic(light.motion));
+    this.lightCount = lights.length;
     this.radius = radius;
-    this.movingBodies = lamps.length > 0 ? bodies.filter((body) => !isAlwaysStatic(body)) : [];
+    this.movingBodies = lights.length > 0 ? bodies.filter((body) => !isAlwaysStatic(body)) : [];
     this.staticBodies = goes ? bodies.filter(isAlwaysStatic) : [];
     const all = this.movingBodies.length + this.staticBodies.length;
-    const share = Math.floor(detail.maxLocalCasters / Math.max(1, lamps.length));
+    const share = Math.floor(detail.maxLocalCasters / Math.max(1, lights.length));
     this.maxCasters = Math.min(Math.max(MIN_TILES, share), detail.maxCasters, all);
     const side = detail.localTiles[1];
     this.tiles = { side, columns: ATLAS_WIDTH / side };
     this.atlas = new ShadowAtlas(gpu, { cell: side / CELLS_PER_TILE, threshold: perspectiveEdgeThreshold(side) });
-    this.table = new LayerTable(lamps.length * (2 * this.maxCasters + 1 + MAX_FACES), CASTER_TEXELS);
+    this.table = new LayerTable(lights.length * (2 * this.maxCasters + 1 + MAX_FACES), CASTER_TEXELS);
     this.casters = new MovingCasters(occluders);
     if (all === 0) return;
     const own = new Set([...this.movingBodies, ...this.staticBodies]);
     this.casters.addTo(this.atlas, own, perspectiveProjection(this.atlas, this.table, side), this.drawsSurroundings);
   }
 
-  /** undefined where nothing goes; `moves`: whether the lamp does. */
+  /** undefined where nothing goes; `moves`: whether the light does. */
   visibility(
     slot: Int | number,
     moves: boolean,
@@ -96,14 +96,14 @@ export class DynamicLocalShadows {
   }
 
   /** Makes the map that a picture needs; false where samples of a deforming mesh have still to come. */
-  update(lamps: readonly LightEntry[], sight: Observation): boolean {
+  update(lights: readonly LightEntry[], sight: Observation): boolean {
     if (this.maxCasters === 0) return true;
     const { table, maxCasters: most, movingBodies } = this;
-    for (let layer = 0; layer < lamps.length * (2 * most + 1 + MAX_FACES); layer++) table.clear(layer);
-    const going = lamps.filter(({ light }) => !isStatic(light.motion));
+    for (let layer = 0; layer < lights.length * (2 * most + 1 + MAX_FACES); layer++) table.clear(layer);
+    const going = lights.filter(({ light }) => !isStatic(light.motion));
     const aside = this.staticBodies.filter((body) => {
       const event = intersect(body.line, sight);
-      return event && going.every((lamp) => !isTooNear(lightSeenFrom(lamp, event, sight).offset, body.radius));
+      return event && going.every((entry) => !isTooNear(lightSeenFrom(entry, event, sight).offset, body.radius));
     });
     const movers = largestCasters([...movingBodies, ...aside], sight).slice(0, most);
     const own = new Set(movers.map(({ body }) => body));
@@ -111,15 +111,15 @@ export class DynamicLocalShadows {
     const shapes = this.casters.update(movers, sight, { bodies: round, from: sight.position });
     if (!this.casters.isComplete) return false;
     const drawings = [
-      ...this.drawBodies(lamps, movers, sight, own),
-      ...this.drawSurroundings(lamps, sight, new Set(round)),
+      ...this.drawBodies(lights, movers, sight, own),
+      ...this.drawSurroundings(lights, sight, new Set(round)),
     ];
     const around = going.length > 0 ? sight.position : '';
-    const key = [shapes, around, table.keyOf(lamps.length * (most + 1), lamps.length * (most + MAX_FACES))].join(' ');
+    const key = [shapes, around, table.keyOf(lights.length * (most + 1), lights.length * (most + MAX_FACES))].join(' ');
     if (key === this.renderedKey || drawings.length === 0) return true;
     this.renderedKey = key;
     const { side, columns } = this.tiles;
-    const tiles = lamps.length * (most + (going.length > 0 ? MAX_FACES : 0));
+    const tiles = lights.length * (most + (going.length > 0 ? MAX_FACES : 0));
     this.atlas.render(ATLAS_WIDTH, Math.ceil(tiles / columns) * side, drawings);
     return true;
   }
@@ -135,7 +135,7 @@ export class DynamicLocalShadows {
   }
 
   private drawBodies(
-    lamps: readonly LightEntry[],
+    lights: readonly LightEntry[],
     movers: readonly ObservedCaster[],
     sight: Observation,
     own: ReadonlySet<Body>,
@@ -145,17 +145,17 @@ export class DynamicLocalShadows {
       this.drawsSurroundings.value = 0;
       this.casters.showOnly(own);
     };
-    return lamps.flatMap((lamp, slot) => {
-      const drawn = movers.filter((mover, k) => this.setBody(lamp, mover, sight, slot * most + k));
-      return drawn.length > 0 ? [{ layer: lamps.length * (most + 1) + slot * most, prepare }] : [];
+    return lights.flatMap((entry, slot) => {
+      const drawn = movers.filter((mover, k) => this.setBody(entry, mover, sight, slot * most + k));
+      return drawn.length > 0 ? [{ layer: lights.length * (most + 1) + slot * most, prepare }] : [];
     });
   }
 
-  /** Whether a body has a tile for a lamp. */
-  private setBody(lamp: LightEntry, mover: ObservedCaster, sight: Observation, tile: number): boolean {
+  /** Whether a body has a tile for a light. */
+  private setBody(entry: LightEntry, mover: ObservedCaster, sight: Observation, tile: number): boolean {
     const { body, beta, offset, ahead } = mover;
-    if (isStatic(lamp.light.motion) && isAlwaysStatic(body)) return false;
-    const from = lightSeenFrom(lamp, { offset, ahead }, sight);
+    if (isStatic(entry.light.motion) && isAlwaysStatic(body)) return false;
+    const from = lightSeenFrom(entry, { offset, ahead }, sight);
     const { side } = this.tiles;
     const radius = body.radius + mover.drift;
     const layer = sphereLayer(addScaled(from.offset, beta, -from.ahead), radius, { side, cell: this.atlas.cell });
@@ -170,7 +170,7 @@ export class DynamicLocalShadows {
   }
 
   private drawSurroundings(
-    lamps: readonly LightEntry[],
+    lights: readonly LightEntry[],
     sight: Observation,
     round: ReadonlySet<Body>,
   ): readonly AtlasDraw[] {
@@ -180,20 +180,20 @@ export class DynamicLocalShadows {
       this.casters.showOnly(round);
     };
     if (round.size === 0) return [];
-    return lamps.flatMap(({ light, line }, slot) => {
+    return lights.flatMap(({ light, line }, slot) => {
       if (isStatic(light.motion)) return [];
       const { offset, ahead } = lightAnchor(line, sight);
       const place = { c: sight.c, radius, side: tiles.side, cell: atlas.cell };
       const layer = lightLayer(light, sight.t + ahead / sight.c, place);
-      const tile = lamps.length * most + MAX_FACES * slot;
-      const [faces, occluders] = [faceCountOf(light), lamps.length * (most + 1) + tile];
-      const at = { receivers: lamps.length * most + slot, occluders, tile };
+      const tile = lights.length * most + MAX_FACES * slot;
+      const [faces, occluders] = [faceCountOf(light), lights.length * (most + 1) + tile];
+      const at = { receivers: lights.length * most + slot, occluders, tile };
       setLightTiles(table, at, layer, { receivers: offset, occluders: offset }, faces, tiles);
       return Array.from({ length: faces }, (_, k) => ({ layer: occluders + k, prepare }));
     });
   }
 }
 
-/** A lamp when it sent out what meets an event, from that event. */
+/** A light when it sent out what meets an event, from that event. */
 const lightSeenFrom = ({ line }: LightEntry, { offset, ahead }: RelativeEvent, sight: Observation): RelativeEvent =>
   lightAnchor(line, { ...sight, t: sight.t + ahead / sight.c, position: add(sight.position, offset) });

@@ -11,7 +11,7 @@ import type { Occluders } from '../occluders.ts';
 import { DynamicLocalShadows } from './dynamicLocalShadows.ts';
 import { StaticLocalShadows } from './staticLocalShadows.ts';
 
-/** Which light of lamps things hold back from each other: a lamp's, from where it was when it sent it out, past where they were when it passed. */
+/** Which light of local lights is occluded: each light's, from where it was when it sent it out, past where they were when it passed. */
 export class LocalShadows {
   private readonly lights: LightTable;
   private readonly sampleCount: number;
@@ -20,20 +20,20 @@ export class LocalShadows {
   /** How much later than where it ends light was sent out, per metre: along x, y, z of the world, and in any direction. */
   private readonly emissionDelay = uniform(new Vector4());
 
-  constructor(occluders: Occluders, lamps: LightTable, gpu: Gpu) {
-    this.lights = lamps;
+  constructor(occluders: Occluders, lights: LightTable, gpu: Gpu) {
+    this.lights = lights;
     this.sampleCount = occluders.detail.taps;
-    this.staticShadows = new StaticLocalShadows(occluders, lamps.shadowCasters, gpu);
-    this.dynamicShadows = new DynamicLocalShadows(occluders, lamps.shadowCasters, gpu);
+    this.staticShadows = new StaticLocalShadows(occluders, lights.shadowCasters, gpu);
+    this.dynamicShadows = new DynamicLocalShadows(occluders, lights.shadowCasters, gpu);
   }
 
-  visibility(slot: Int | number, event: ReceiverEvent, lamp: ShadowedLight): Float | undefined {
+  visibility(slot: Int | number, event: ReceiverEvent, light: ShadowedLight): Float | undefined {
     const { emissionDelay, sampleCount } = this;
-    const moves = !isStatic(lamp.motion);
+    const moves = !isStatic(light.motion);
     const beam = {
-      ...lamp,
-      emissionDelay: dot(emissionDelay.xyz, lamp.offset)
-        .add(emissionDelay.w.mul(length(lamp.offset)))
+      ...light,
+      emissionDelay: dot(emissionDelay.xyz, light.offset)
+        .add(emissionDelay.w.mul(length(light.offset)))
         .toVar(),
     };
     const still = moves ? undefined : this.staticShadows.visibility(slot, event, beam, sampleCount);

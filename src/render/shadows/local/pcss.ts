@@ -2,7 +2,7 @@ import { abs, dot, float, floor, fract, int, length, max, min, screenCoordinate,
 import type { Bool, Float, Int, Vec2 } from '../../../shaders/types.ts';
 import { type AtlasLookup, edgeHeightNear, heightAt, loopTimes, rotateByGoldenAngle } from '../atlas/atlasLookups.ts';
 
-/** A place on a map whose light comes from a point, and what the lamp around that point looks like from there. */
+/** A place on a map whose light comes from a point, and what the light around that point looks like from there. */
 export interface LightFootprint {
   /** [texels] */
   readonly place: Vec2;
@@ -10,7 +10,7 @@ export interface LightFootprint {
   readonly ground: Float;
   readonly slope: Vec2;
   readonly grain: Float;
-  /** Half axes of the lamp as they fall on the map in the height of an occluder: texels for each unit of its height above the ground. */
+  /** Half axes of the light as they fall on the map in the height of an occluder: texels for each unit of its height above the ground. */
   readonly A: Vec2;
   readonly B: Vec2;
   /** Whether it fills the parallelogram of its axes, and not the ellipse. */
@@ -19,14 +19,14 @@ export interface LightFootprint {
 
 /** What rises beside the surface no steeper than so, as the floor at the foot of a wall does, is not above it. */
 const MIN_OCCLUDER_SLOPE = 1.5;
-/** A lamp on the map is taken to have at least this radius [texels], and at most a cell of edgeMap.ts. */
+/** A light on the map is taken to have at least this radius [texels], and at most a cell of edgeMap.ts. */
 const MIN_FILTER_RADIUS = 0.8;
-/** So much of the way to the lamp's edge, at an occluder's height, a lookup may be beside the place for the occluder to count. */
+/** So much of the way to the light's edge, at an occluder's height, a lookup may be beside the place for the occluder to count. */
 const BLOCKER_CONE = 0.8;
 
 /**
- * The share of a lamp that is seen past the occluders on a tile. Where no edge is near, one lookup tells. Else some tell how high the occluders are
- * between the place and the lamp, as wide as that falls on the map in the height of the highest edge; and others, as wide as in the mean height of
+ * The share of a light that is seen past the occluders on a tile. Where no edge is near, one lookup tells. Else some tell how high the occluders are
+ * between the place and the light, as wide as that falls on the map in the height of the highest edge; and others, as wide as in the mean height of
  * those, what share of it they hide (percentage-closer soft shadows, Fernando 2005). They are turned from pixel to pixel, for a penumbra is wider
  * than there are steps.
  */
@@ -48,7 +48,7 @@ export function pcssVisibility(
   const search = lightSamples(filterAxis(A, first, vec2(1, 0), near), filterAxis(B, first, vec2(0, 1), near), start);
   loopTimes(near.select(int(searches), int(1)), (i) => {
     const { height, off, clear } = lookup(map, footprint, search(i, searches));
-    // Beyond the lamp's edge as that occluder has it.
+    // Beyond the light's edge as that occluder has it.
     const cone = max(off.sub(2), 0).mul(BLOCKER_CONE).div(widest).add(ground);
     const blocks = height.greaterThan(max(clear, cone)).select(float(1), float(0));
     blockers.height.addAssign(height.mul(blocks));
@@ -99,7 +99,7 @@ function samplePatternOf(square: boolean): { readonly square: boolean; readonly 
   return { square, at: (square ? vec2(number, other) : vec2(angle.cos(), angle.sin())).toVar() };
 }
 
-/** The i-th of `count` places, evenly over a lamp. On a square they are those of R₂, on a disc turned by the golden angle. */
+/** The i-th of `count` places, evenly over a light. On a square they are those of R₂, on a disc turned by the golden angle. */
 function lightSamples(
   A: Vec2,
   B: Vec2,

@@ -1,20 +1,20 @@
 import { cross, dot, length, normalize, scale, type Vec3 } from '../../../math/vec3.ts';
 import { type LightAxes, lightAxes } from '../distant/parallelLayer.ts';
 
-// The map of a lamp is a central projection from its middle. A height on it is one over the depth along the tile's axis: flat things stay flat, what is
-// nearer to the lamp is higher, and what is endlessly far away has height 0.
+// The map of a light is a central projection from its middle. A height on it is one over the depth along the tile's axis: flat things stay flat, what is
+// nearer to the light is higher, and what is endlessly far away has height 0.
 
 /** So many texels along the sides of a tile are left to what its filter reads: those of a cell of edgeMap.ts, and some more. */
 export const tileMarginOf = (cell: number): number => cell + 2;
 
-/** A lamp's tiles have so many cells of edgeMap.ts along a side; its filter is so wide at most, to either side. */
+/** A light's tiles have so many cells of edgeMap.ts along a side; its filter is so wide at most, to either side. */
 export const CELLS_PER_TILE = 16;
 
 /** One central projection. */
 export interface PerspectiveLayer {
   /** `towards`: the way into the scene. */
   readonly axes: LightAxes;
-  /** The lamp [m], from where all places are measured. */
+  /** The light [m], from where all places are measured. */
   readonly source: Vec3;
   /** Width of something as wide as it is deep [texels]. */
   readonly focal: number;
@@ -32,7 +32,7 @@ export function perspectiveLayerTexels(
 }
 export const PERSPECTIVE_LAYER_TEXELS = 4;
 
-/** The six ways out of a lamp, by its own axes; the first is the way in which it looks. Their axes across are two of the three, as shaders choose them. */
+/** The six ways out of a light, by its own axes; the first is the way in which it looks. Their axes across are two of the three, as shaders choose them. */
 export function cubeFaceAxes({ right: across, up, toLight }: LightAxes): readonly LightAxes[] {
   const back = (v: Vec3) => scale(v, -1);
   return [
@@ -45,13 +45,13 @@ export function cubeFaceAxes({ right: across, up, toLight }: LightAxes): readonl
   ];
 }
 
-/** Unit axes of a lamp that looks along −Z of its own. */
+/** Unit axes of a light that looks along −Z of its own. */
 export const lightFrameAxes = (X: Vec3, Y: Vec3): LightAxes => ({ right: X, up: Y, toLight: normalize(cross(Y, X)) });
 
 /** Focal length of a face of 90°, or of one that holds a ball from so far away; undefined from within it, or too near. */
 export const faceFocal = (side: number, cell: number): number => side / 2 - tileMarginOf(cell);
 
-/** A ball that is nearer to a lamp than so many of its radii, to its centre, fills more of the lamp's sky than one tile holds. */
+/** A ball that is nearer to a light than so many of its radii, to its centre, fills more of the light's sky than one tile holds. */
 const MIN_DISTANCE_RADII = 1.1;
 export const isTooNear = (source: Vec3, radius: number): boolean => !(length(source) > MIN_DISTANCE_RADII * radius);
 

@@ -5,7 +5,7 @@ import type { LayerTable } from '../atlas/layerTable.ts';
 import type { ShadowAtlas } from '../atlas/shadowAtlas.ts';
 import type { LayerProjection } from '../casters/casterMesh.ts';
 
-/** Tiles of a lamp's map, in rows from its first corner on. */
+/** Tiles of a light's map, in rows from its first corner on. */
 export interface TileGrid {
   /** [texels] */
   readonly side: number;
@@ -33,7 +33,7 @@ export const readPerspectiveRows = (table: LayerTable, layer: Int | number): Per
 export const onLayerAxes = ([across, up, towards]: PerspectiveRows, v: Vec3): Vec3 =>
   vec3(dot(across.xyz, v), dot(up.xyz, v), dot(towards.xyz, v));
 
-/** Which of six faces a direction, on a lamp's axes, belongs to (`cubeFaceAxes`), and vectors on the axes of that face. */
+/** Which of six faces a direction, on a light's axes, belongs to (`cubeFaceAxes`), and vectors on the axes of that face. */
 export function cubeFaceOf(direction: Vec3): { readonly face: Int; readonly onFace: (v: Vec3) => Vec3 } {
   const size = abs(direction).toVar();
   const ahead = size.z.greaterThanEqual(max(size.x, size.y)).toVar();

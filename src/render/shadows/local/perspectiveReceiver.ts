@@ -14,13 +14,13 @@ import {
   tileCorner,
 } from './perspectiveProjection.ts';
 
-/** The light of a lamp that comes to an event. */
+/** The light of a light that comes to an event. */
 export interface IncomingLight extends ShadowedLight {
   /** How much later than the event it was sent out [m of light]. */
   readonly emissionDelay: Float;
 }
 
-/** Lamps' tiles, and the numbers of their projections. */
+/** Lights' tiles, and the numbers of their projections. */
 export interface PerspectiveMaps {
   readonly atlas: AtlasLookup;
   readonly table: LayerTable;
@@ -34,7 +34,7 @@ const NORMAL_BIAS = [0.4, 1.1] as const;
 /** Steepest surface across the light that is followed under the filter. */
 const MAX_SLOPE = 8;
 
-/** What passes all that a lamp has round it: six tiles from one on, or one (`faces`). */
+/** What passes all that a light has round it: six tiles from one on, or one (`faces`). */
 export function surroundingsVisibility(
   maps: PerspectiveMaps,
   layer: Int | number,
@@ -63,7 +63,7 @@ export function surroundingsVisibility(
   const texels = tileCorner(tiles, tile)
     .add(on.add(tiles.side / 2))
     .toVar();
-  // A lamp with one tile shines nowhere else; without any it is not told what is in its way.
+  // A light with one tile shines nowhere else; without any it is not told what is in its way.
   const there = float(face).lessThan(faces).and(isOnTile(maps, on)).toVar();
   const footprint = {
     place: there.select(texels, vec2(0)).toVar(),
@@ -78,17 +78,17 @@ export function surroundingsVisibility(
 /** From the surface, which is a plane through the lifted event: height, and what a texel changes it by. */
 function planeOf(ground: Float, n: Vec3, distance: Float, focal: Float) {
   const grain = ground.div(focal).toVar();
-  // The lamp is on the side to which the normal points.
+  // The light is on the side to which the normal points.
   const slope = n.xy.div(min(distance, -1e-6).mul(focal)).toVar();
   return { ground: ground.toVar(), grain, slope: clamp(slope, grain.mul(-MAX_SLOPE), grain.mul(MAX_SLOPE)).toVar() };
 }
 
-function normalBiasOf(normal: Vec3, fromLamp: Vec3): Float {
-  const facing = clamp(dot(normal, normalize(fromLamp)), -1, 1).toVar();
+function normalBiasOf(normal: Vec3, fromLight: Vec3): Float {
+  const facing = clamp(dot(normal, normalize(fromLight)), -1, 1).toVar();
   return sqrt(facing.mul(facing).oneMinus()).mul(NORMAL_BIAS[1]).add(NORMAL_BIAS[0]);
 }
 
-/** Where a vector at the lamp, seen along the way to a place, is across the tile's axis [m]. */
+/** Where a vector at the light, seen along the way to a place, is across the tile's axis [m]. */
 const acrossPath = (v: Vec3, place: Vec3): Vec2 => v.xy.sub(place.xy.mul(v.z.div(place.z)));
 
 /** Texels of a body's tile: those of `perspectiveLayerTexels`, with the tile's middle; its centre and radius, its velocity [c]. */
@@ -96,8 +96,8 @@ export const CASTER_TEXELS = 6;
 
 /**
  * The share that passes some bodies: `count` layers from `first` on, each of one body, in coordinates that move with it, ξ = x − βct. There light goes straight, from
- * where the lamp was when it sent it out, and the tile knows the body as it looked from where it was when it sent out what the body's centre met: the
- * light's way is looked at where it is nearest to the centre. So it is right for what is flat there, whenever it is lit, and for all where the lamp goes with the body.
+ * where the light was when it sent it out, and the tile knows the body as it looked from where it was when it sent out what the body's centre met: the
+ * light's way is looked at where it is nearest to the centre. So it is right for what is flat there, whenever it is lit, and for all where the light goes with the body.
  */
 export function castersVisibility(
   maps: PerspectiveMaps,

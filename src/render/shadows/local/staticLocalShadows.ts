@@ -20,9 +20,9 @@ import { type IncomingLight, surroundingsVisibility } from './perspectiveReceive
 /** Width of a map [texels]. */
 export const ATLAS_WIDTH = 2048;
 
-/** What always is where it is throws these shadows of lamps that rest: exact, and drawn anew only where other lamps throw them. */
+/** What always is where it is throws these shadows of lights that rest: exact, and drawn anew only where other lights throw them. */
 export class StaticLocalShadows {
-  /** By slot, the first of its tiles; undefined of a lamp that moves. */
+  /** By slot, the first of its tiles; undefined of a light that moves. */
   private readonly firstTiles: readonly (number | undefined)[];
   private readonly count: number;
   private readonly atlas: ShadowAtlas;
@@ -34,10 +34,10 @@ export class StaticLocalShadows {
   private readonly radius: number;
   private renderedKey = '';
 
-  constructor({ bodies, drawables, materials, detail, radius }: Occluders, lamps: readonly LightEntry[], gpu: Gpu) {
+  constructor({ bodies, drawables, materials, detail, radius }: Occluders, lights: readonly LightEntry[], gpu: Gpu) {
     const resting = bodies.filter(isAlwaysStatic);
     let count = 0;
-    this.firstTiles = lamps.map(({ light }) => {
+    this.firstTiles = lights.map(({ light }) => {
       if (!isStatic(light.motion) || resting.length === 0) return undefined;
       count += 6;
       return count - 6;
@@ -47,7 +47,7 @@ export class StaticLocalShadows {
     const side = detail.localTiles[count > 24 ? 1 : 0];
     this.tiling = { side, columns: ATLAS_WIDTH / side };
     this.atlas = new ShadowAtlas(gpu, { cell: side / CELLS_PER_TILE, threshold: perspectiveEdgeThreshold(side) });
-    this.table = new LayerTable(lamps.length + count, PERSPECTIVE_LAYER_TEXELS);
+    this.table = new LayerTable(lights.length + count, PERSPECTIVE_LAYER_TEXELS);
     this.origin = resting[0] ? positionAt(resting[0].line, 0, 1) : ZERO;
     this.poses = new PoseTable(bodies.length);
     if (count === 0) return;
@@ -66,21 +66,21 @@ export class StaticLocalShadows {
     return surroundingsVisibility({ atlas, table, tiles: tiling, sampleCount: taps }, slot, event, beam);
   }
 
-  update(lamps: readonly LightEntry[], sight: Observation): void {
+  update(lights: readonly LightEntry[], sight: Observation): void {
     if (this.count === 0) return;
     const { table, tiling, firstTiles, atlas, origin, radius } = this;
     const drawings: AtlasDraw[] = [];
-    lamps.forEach(({ light, line }, slot) => {
+    lights.forEach(({ light, line }, slot) => {
       const tile = firstTiles[slot];
       if (tile === undefined) return;
       const position = positionAt(line, sight.t, sight.c);
       const layer = lightLayer(light, sight.t, { c: sight.c, radius, side: tiling.side, cell: atlas.cell });
       const sources = { receivers: sub(position, sight.position), occluders: sub(position, origin) };
-      const [faces, first] = [faceCountOf(light), lamps.length + tile];
+      const [faces, first] = [faceCountOf(light), lights.length + tile];
       setLightTiles(table, { receivers: slot, occluders: first, tile }, layer, sources, faces, tiling);
       for (let k = 0; k < faces; k++) drawings.push({ layer: first + k });
     });
-    const key = `${drawings.map(({ layer }) => layer)} ${table.keyOf(lamps.length, this.count)}`;
+    const key = `${drawings.map(({ layer }) => layer)} ${table.keyOf(lights.length, this.count)}`;
     if (key === this.renderedKey) return;
     this.renderedKey = key;
     const rows = Math.ceil(this.count / tiling.columns);
