@@ -26,7 +26,7 @@ const WRONG = 1e-3;
 const UNCUT = Number.POSITIVE_INFINITY;
 
 export const tessellation: Bench = {
-  name: 'refine',
+  name: 'tessellation',
   title: 'Edges cut as each picture needs it, cut alike, and uncut',
   about:
     `The examples from their cameras at ${SIZE.width} × ${SIZE.height}, on WebGPU. *Uncut*: the triangles of the scene. *As needed*: what the program does. *Alike*: no edge longer than the greatest length, of halvings of the ` +
