@@ -2,6 +2,7 @@
 import { spawnSync } from 'node:child_process';
 import { existsSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { extname, join } from 'node:path';
+import { differing, resultIn } from './run.mjs';
 
 /** Shown by the first line that differs. */
 const TEXT_FILES = ['.usda', '.gltf', '.obj', '.mtl', '.csv', '.json', '.stdout'];
@@ -11,7 +12,7 @@ export function report(jobs, before, now) {
   const differences = [];
   const totals = new Map();
   for (const job of jobs) {
-    const [a, b] = [before, now].map(({ place }) => JSON.parse(readFileSync(join(place(job), 'result.json'), 'utf8')));
+    const [a, b] = [before, now].map(({ place }) => resultIn(place(job)));
     const data = differing(a.data, b.data);
     // A text whose data differ is reported as such once.
     const texts = differing(a.texts, b.texts).filter((name) => !data.includes(name));
@@ -40,8 +41,6 @@ export function report(jobs, before, now) {
   );
   return changed.length === 0 ? 0 : 1;
 }
-
-const differing = (a, b) => [...new Set([...Object.keys(a), ...Object.keys(b)])].filter((name) => a[name] !== b[name]);
 
 function printTotals(totals) {
   const columns = ['jobs', 'outputs', 'different', 'texts'];

@@ -120,7 +120,7 @@ export const hash = (content) => createHash('sha256').update(content).digest('he
 
 /**
  * Writes result.json: `data`, which must be the same, and `texts`, for people. JSON on standard output is data but for its messages; what else is printed is
- * text.
+ * text. The job's own folder is left out of what is printed.
  */
 function keepResult(folder) {
   const { exits, seconds } = JSON.parse(readFileSync(join(folder, 'exits.json'), 'utf8'));
@@ -129,10 +129,15 @@ function keepResult(folder) {
     const name = relative(folder, path).replaceAll('\\', '/');
     const bytes = readFileSync(path);
     if (name === 'exits.json' || name === 'result.json') continue;
-    if (!/^\d+\.std(out|err)$/.test(name)) result.data[name] = hash(bytes);
-    else if (bytes.length > 0) keepPrinted(result, name, bytes.toString());
+    if (!/^\d+\.std(out|err)$/.test(name)) {
+      result.data[name] = hash(bytes);
+    } else if (bytes.length > 0) {
+      const text = bytes.toString().replaceAll(folder, '.');
+      writeFileSync(path, text);
+      keepPrinted(result, name, text);
+    }
   }
-  writeFileSync(join(folder, 'result.json'), JSON.stringify(result));
+  writeResult(folder, result);
 }
 
 function keepPrinted({ data, texts }, name, text) {
@@ -144,6 +149,13 @@ function keepPrinted({ data, texts }, name, text) {
     // Not JSON after all.
   }
 }
+
+export const resultIn = (folder) => JSON.parse(readFileSync(join(folder, 'result.json'), 'utf8'));
+
+export const writeResult = (folder, result) => writeFileSync(join(folder, 'result.json'), JSON.stringify(result));
+
+export const differing = (a, b) =>
+  [...new Set([...Object.keys(a), ...Object.keys(b)])].filter((name) => a[name] !== b[name]);
 
 function filesUnder(folder) {
   return readdirSync(folder, { withFileTypes: true }).flatMap((entry) => {
