@@ -15,7 +15,7 @@ import type { RenderSettings, ViewPoint } from '../../src/scene/view/view.ts';
 
 /*
  * Is a rasterized pixel right? It claims that an event of an object's surface is seen at the pixel's centre. It is right where that very
- * event is truly seen within `MAX_REACH` pixels of the centre; background likewise. Where it is seen follows from its place alone, by the
+ * event is truly seen within `MAX_DISPLACEMENT` pixels of the centre; background likewise. Where it is seen follows from its place alone, by the
  * formulas of physics/; that the surface is there at that moment, and that nothing hides it, from rays of the reference.
  */
 
@@ -80,7 +80,7 @@ const BACKGROUND: PixelVerdict = { right: true, displacement: 0, ...NO_ERRORS };
 /** Half a step of f32, twice: the CPU rounds, and so does the GPU. */
 const F32 = 2 ** -23;
 
-/** Where the ring search looks [px from the centre]: on circles up to `MAX_REACH`. */
+/** Where the ring search looks [px from the centre]: on circles up to `MAX_DISPLACEMENT`. */
 const RING: readonly (readonly [number, number])[] = [0.2, 0.35, 0.5].flatMap((share, k) =>
   Array.from({ length: 8 + 4 * k }, (_, i) => {
     const angle = (2 * Math.PI * (i + k / 3)) / (8 + 4 * k);
@@ -149,7 +149,7 @@ export class PixelOracle {
 
   /**
    * Whether the claimed point lies in the surface that the ray has met: no farther from its plane, in its rest frame, than the footprint of
-   * `MAX_REACH` pixels. (Along the plane it is as near as the two places in the picture are; lengths across the line of sight are the same in all frames.)
+   * `MAX_DISPLACEMENT` pixels. (Along the plane it is as near as the two places in the picture are; lengths across the line of sight are the same in all frames.)
    */
   private samePoint({ position }: PixelSample, { time, seen }: Truth, hit: Hit): boolean {
     const { view, settings, height } = this.picture;

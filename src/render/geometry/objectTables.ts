@@ -42,7 +42,7 @@ export class ObjectTableWriter {
     this.tables = tables;
   }
 
-  /** Fills the tables; tells which bodies may be in the picture. `backTo`: a world-line search that begins at the observer's own time. */
+  /** Fills the tables; tells which bodies may be in the picture. `backToNow`: a world-line search that begins at the observer's own time. */
   fill(bodies: readonly Body[], sight: Observation, gaze: ViewFrustum, backToNow: boolean): boolean[] {
     const { objects, samples } = this.tables;
     this.used = 0;

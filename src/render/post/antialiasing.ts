@@ -31,7 +31,7 @@ function edges(frame: EffectContext): Vec4 {
     return made;
   };
   const contrasts = new Map<string, { readonly difference: Float; readonly contrast: Float }>();
-  /** Over the left (`ROW_TEXELS`) or upper side of a pixel. */
+  /** Over the left (`ROW`) or upper side of a pixel. */
   const before = (x: number, y: number, [i, j]: EdgeAxis) => {
     const key = `${x} ${y} ${i}`;
     const known = contrasts.get(key);

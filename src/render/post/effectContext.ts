@@ -62,7 +62,7 @@ function mirrored(pixel: Vec2, size: Vec2): Vec2 {
 /** (1 − s) a + s b: exactly either of them at the ends, however much brighter the other is. */
 export const mixExact = (a: Vec4, b: Vec4, share: Float): Vec4 => a.mul(share.oneMinus()).add(b.mul(share));
 
-/** What an effect reads while it works on a pixel: as `IndexStackFrame` of reference/effects/. Used within a shader function. */
+/** What an effect reads while it works on a pixel: as `GBufferReader` of reference/post/effects. Used within a shader function. */
 export class EffectContext {
   readonly image: EffectImage;
   /** Of the target that is written. */

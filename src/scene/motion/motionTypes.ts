@@ -72,6 +72,6 @@ export interface SampledPointsMotion {
    * it as stays slower than light (`bendFactor`). Absent where it goes straight, as all that is left in files does.
    */
   readonly velocities?: readonly Float32Array[];
-  /** World-frame normals per sample, where they were given or could be computed; else from the mesh. To be read with `vertexNormalsAt`. */
+  /** World-frame normals per sample, where they were given or could be computed; else from the mesh. To be read with `normalsAt`. */
   readonly normals?: readonly Float32Array[];
 }

@@ -42,7 +42,7 @@ export const SHADER_INPUTS = {
 } as const;
 export type ShaderInput = keyof typeof SHADER_INPUTS;
 
-/** Builtin functions. All are component-wise except `WHOLES`; all arguments have one shape. */
+/** Builtin functions. All are component-wise except `VECTOR_FUNCTIONS`; all arguments have one shape. */
 export const FLOAT_FUNCTIONS = {
   ...{ sin: 1, cos: 1, tan: 1, asin: 1, acos: 1, atan: 1, sinh: 1, cosh: 1, tanh: 1, exp: 1, exp2: 1, log: 1, log2: 1 },
   ...{ sqrt: 1, inverseSqrt: 1, floor: 1, ceil: 1, round: 1, trunc: 1, fract: 1, radians: 1, degrees: 1, saturate: 1 },

@@ -1,6 +1,6 @@
 import type { ListOp } from '../../layer/layer.ts';
 
-/** Applies a list op: deleted, added, prepended, appended and reordered items, in this order (SdfListOp). `elementKey`: identity of items. */
+/** Applies a list op: deleted, added, prepended, appended and reordered items, in this order (SdfListOp). `keyOf`: identity of items. */
 export function applyListOp<T>(list: readonly T[], op: ListOp<T>, keyOf: (item: T) => string): T[] {
   if (op.explicit) return unique(op.explicit, keyOf);
   const sole = list.length === 0 ? soleList(op) : undefined;
