@@ -12,7 +12,7 @@ const still = ['--size', '160x90', '--time', '1'];
 interface Rendered {
   readonly width: number;
   readonly exposure: readonly [number, number];
-  readonly falseColors?: { readonly kind: string; readonly from: number; readonly to: number };
+  readonly falseColours?: { readonly kind: string; readonly from: number; readonly to: number };
 }
 const render = (name: string, ...flags: string[]): Promise<Rendered> =>
   slowlightJson<Rendered>('render', movers, '-o', out(name), ...flags);
@@ -70,10 +70,10 @@ describe('false colours', () => {
     const flags = [...still, '--beta', '0,0,-0.5', '--false-colour', 'doppler', '--legend'];
     const fast = await render('shift.png', ...flags);
     const exact = await render('truth.png', ...flags, '--pipeline', 'reference');
-    expect(fast.falseColors).toEqual({
+    expect(fast.falseColours).toEqual({
       kind: 'doppler',
-      from: 1 / exact.falseColors!.to,
-      to: exact.falseColors!.to,
+      from: 1 / exact.falseColours!.to,
+      to: exact.falseColours!.to,
     });
     const [a, b] = [pictureOf('shift.png'), pictureOf('truth.png')];
     expect(a.width).toBe(160);
@@ -96,7 +96,7 @@ describe('false colours', () => {
 
   test('of any range', async () => {
     const flags = [...still, '--false-colour', 'emission-time', '--false-range', '-0.5:0', '--pipeline', 'reference'];
-    expect((await render('time.png', ...flags)).falseColors).toEqual({ kind: 'emission-time', from: -0.5, to: 0 });
+    expect((await render('time.png', ...flags)).falseColours).toEqual({ kind: 'emission-time', from: -0.5, to: 0 });
     expect(pictureOf('time.png').height).toBe(90);
   });
 
