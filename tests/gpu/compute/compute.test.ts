@@ -240,7 +240,7 @@ describe('a run that goes wrong', () => {
       pinned: Uint8Array.of(1),
       kinematic: [{ point: 0, positionAt: (t) => [t, 0, 0] }],
     });
-    expect(await refused(order(led, [0, 0, 0], [0, 0, 0], 'leapfrog', 0.01))).toContain('a way of its own');
+    expect(await refused(order(led, [0, 0, 0], [0, 0, 0], 'leapfrog', 0.01))).toContain('prescribed motion');
     const small = new Proxy(gpu.device, {
       get(device, name) {
         if (name === 'limits') return { maxStorageBufferBindingSize: 4096, maxBufferSize: 4096 };
