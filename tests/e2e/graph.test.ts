@@ -141,7 +141,7 @@ it('nodes are added, connected, set, grouped and copied, by mouse and by keys, a
 
   // Nodes show what they made, for eyes and for screen readers; those in sight only.
   await page.keyboard.press('Escape');
-  const picture = page.getByRole('img', { name: 'Picture of what Tone map made' });
+  const picture = page.getByRole('img', { name: 'Picture of the result of Tone map' });
   await picture.waitFor({ timeout: 60_000 });
   const kinds = await picture.evaluate((canvas: HTMLCanvasElement) => {
     const { data } = canvas.getContext('2d')!.getImageData(0, 0, canvas.width, canvas.height);

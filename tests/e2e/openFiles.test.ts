@@ -113,7 +113,7 @@ describe('bringing a scene', () => {
     await visitScenePanel(visit);
     const item = visit.page.locator('[data-missing="./textures/checker.png"]');
     await item.waitFor();
-    expect(await item.textContent()).toMatch(/for .*textured\.usda<\/.*looked for textures\/checker\.png/);
+    expect(await item.textContent()).toMatch(/for .*textured\.usda<\/.*searched textures\/checker\.png/);
     await visit.shot('bring-missing');
     expect(await violations(visit.page)).toEqual([]);
     await visit.viewport.click();
