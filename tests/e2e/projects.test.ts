@@ -209,7 +209,7 @@ describe('what is kept', () => {
     await page.refusals.getByRole('button', { name: 'Close' }).click();
     await expose(page, '2');
     await page.refusals.waitFor();
-    expect(await page.refusals.textContent()).toMatch(/does not keep your work \(storage is refused\)/);
+    expect(await page.refusals.textContent()).toMatch(/cannot store your work \(storage is refused\)/);
     await page.page.getByRole('button', { name: /^Undo: Exposure/ }).click();
     await expect.poll(() => exposure(page).inputValue()).toMatch(/^0/);
     await page.close();
