@@ -52,6 +52,7 @@ export default defineConfig({
           pool: 'forks',
           maxWorkers: 2,
           testTimeout: 180_000,
+          hookTimeout: 60_000,
         },
       },
       {

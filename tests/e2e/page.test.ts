@@ -119,7 +119,7 @@ describe('the page', () => {
 
   it('a worker plans how edges are cut, and the status bar counts what is drawn', async () => {
     const visit = await (await program.open('?backend=webgl&scene=examples/street.usda')).ready();
-    expect(visit.page.workers().filter((worker) => worker.url().includes('plan.worker'))).toHaveLength(1);
+    expect(visit.page.workers().filter((worker) => worker.url().includes('tessellation.worker'))).toHaveLength(1);
     await expect.poll(() => visit.status('triangles')).toMatch(/^[1-9][\d\s]* triangles$/);
     await visit.close();
   });
