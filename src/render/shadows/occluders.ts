@@ -8,16 +8,16 @@ import type { ShadowDetail } from './shadowDetail.ts';
 /** What may be between a light and a surface. */
 export interface Occluders {
   readonly bodies: readonly Body[];
-  /** Of whole batches. */
+  /** Draw calls of whole batches. */
   readonly drawables: readonly DrawCall[];
   readonly materials: readonly Material[];
   readonly points: ObjectTables['points'];
   readonly detail: ShadowDetail;
-  /** Of the scene [m]. */
+  /** Radius of the scene [m]. */
   readonly radius: number;
 }
 
-/** Unit, towards it; and the radius of its disc [rad]. */
+/** Unit vector to the light, and the radius of its disc [rad]. */
 export interface ShadowedDistantLight {
   readonly direction: Vec3;
   readonly radius: number;

@@ -1,22 +1,22 @@
-/** How much work shadows are. */
+/** Sizes and counts that set the quality and cost of shadows. */
 export interface ShadowDetail {
-  /** Side of a tile of what rests, for one sun or for two [texels]. */
+  /** Side of a tile of the static cascades, with one distant light or with two [texels]. */
   readonly staticTiles: readonly [number, number];
   /** Side of a moving body's tile [texels]. */
   readonly dynamicTile: number;
-  /** So many moving bodies throw shadows: those that look largest from where the observer is, in any direction. */
+  /** Number of moving bodies that throw shadows: those with the largest apparent size, in any direction. */
   readonly maxCasters: number;
-  /** Side of a tile of a light: of up to four that rest; of more, and of those where something moves [texels]. */
+  /** Side of a tile of a local light: of up to four lights at rest; otherwise, and where something moves [texels]. */
   readonly localTiles: readonly [number, number];
-  /** So many tiles are shared out among lights for bodies that they go past. */
+  /** Number of tiles for bodies that move relative to a light, divided among the local lights. */
   readonly maxLocalCasters: number;
-  /** Side of a cell of edgeMap.ts of suns: the filter is so wide at most, to either side [texels]. */
+  /** Side of a cell of the edge map of distant lights, and so the largest radius of the filter [texels]. */
   readonly cell: number;
-  /** Lookups of the filter. */
+  /** Number of lookups of the filter. */
   readonly taps: number;
 }
 
-/** Coarse: for a software GPU that is to show a picture as it changes. */
+/** `coarse` is for a software GPU that shows changing pictures. */
 export const SHADOW_DETAILS = {
   fine: {
     staticTiles: [2048, 1024],

@@ -15,13 +15,13 @@ import { StaticDistantShadows } from './distant/staticDistantShadows.ts';
 import { LocalShadows } from './local/localShadows.ts';
 import type { Occluders } from './occluders.ts';
 
-/** So many suns throw shadows: the environment's first. */
+/** Number of distant lights that throw shadows: the first of the environment. */
 const MAX_DISTANT_LIGHTS = 2;
 
 /**
- * Which sunlight things hold back from each other, in retarded time. What rests is on maps that are made anew only where the observer has gone on;
- * every moving body has its own, in coordinates that move with it: there the light's way is straight, and one projection is right for the events
- * of all receivers, whenever they are. Bodies that turn, deform or accelerate are taken as they are at the event of their centre.
+ * All shadows of a scene, in retarded time. Bodies at rest are on maps that are redrawn only when the observer has moved on; each moving body has maps of its
+ * own, in coordinates that move with it: there light travels straight, and one projection is exact for receivers at any time. Bodies that turn are drawn as
+ * they are at the event of their centre.
  */
 export class ShadowMaps implements LightVisibility {
   private readonly distantLights: number;
@@ -31,23 +31,23 @@ export class ShadowMaps implements LightVisibility {
   private readonly local: LocalShadows;
 
   constructor(occluders: Occluders, lights: Pick<Environment, 'distantLights' | 'localLights'>, gpu: Gpu) {
-    const suns = lights.distantLights.lights.slice(0, MAX_DISTANT_LIGHTS).map((light) => ({
+    const distantLights = lights.distantLights.lights.slice(0, MAX_DISTANT_LIGHTS).map((light) => ({
       direction: normalize(scale(light.direction, -1)),
       radius: distantLightRadius(light),
     }));
-    this.distantLights = suns.length;
+    this.distantLights = distantLights.length;
     this.sampleCount = occluders.detail.taps;
-    this.staticDistant = new StaticDistantShadows(occluders, suns, gpu);
-    this.dynamicDistant = new DynamicDistantShadows(occluders, suns, gpu);
+    this.staticDistant = new StaticDistantShadows(occluders, distantLights, gpu);
+    this.dynamicDistant = new DynamicDistantShadows(occluders, distantLights, gpu);
     this.local = new LocalShadows(occluders, lights.localLights, gpu);
   }
 
   ofDistantLight(sun: number | undefined, receiver: ShadowReceiver): Float | undefined {
     if (sun === undefined || sun >= this.distantLights) return undefined;
     const event = { dx: receiver.dx, time: receiver.time, normal: sliceNormal(receiver).toVar() };
-    const still = this.staticDistant.visibility(sun, event, this.sampleCount);
-    const moving = this.dynamicDistant.visibility(sun, event, this.sampleCount);
-    return still && moving ? still.mul(moving) : (still ?? moving);
+    const staticVisibility = this.staticDistant.visibility(sun, event, this.sampleCount);
+    const dynamicVisibility = this.dynamicDistant.visibility(sun, event, this.sampleCount);
+    return staticVisibility && dynamicVisibility ? staticVisibility.mul(dynamicVisibility) : (staticVisibility ?? dynamicVisibility);
   }
 
   ofLocalLight(slot: Int | number | undefined, receiver: ShadowReceiver, light: ShadowedLight): Float | undefined {
@@ -56,12 +56,12 @@ export class ShadowMaps implements LightVisibility {
     return this.local.visibility(slot, event, light);
   }
 
-  /** Makes the maps that a picture needs; false where samples of a deforming mesh have still to come. */
-  update(sight: Observation): boolean {
-    const isLocalComplete = this.local.update(sight);
+  /** Updates the maps for a picture. Returns false if samples of a deforming mesh are not loaded yet. */
+  update(observation: Observation): boolean {
+    const isLocalComplete = this.local.update(observation);
     if (this.distantLights === 0) return isLocalComplete;
-    this.staticDistant.update(sight.position);
-    return this.dynamicDistant.update(sight) && isLocalComplete;
+    this.staticDistant.update(observation.position);
+    return this.dynamicDistant.update(observation) && isLocalComplete;
   }
 
   /** Whether all samples that the last maps need are on the GPU. */

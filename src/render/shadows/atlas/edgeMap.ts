@@ -30,57 +30,58 @@ import type { Float, Int, Vec2, Vec4 } from '../../../shaders/types.ts';
 import { FullScreenPass } from '../../gpu/fullScreenPass.ts';
 import { shadowAtlasTarget } from './shadowAtlasTarget.ts';
 
-/** Where a map's edges lie in its texture, and what makes one. */
+/** Where the edges of an atlas are stored in its texture, and what counts as an edge. */
 export interface EdgeLayout {
-  /** Side of a cell [texels of the map], as far as the filter looks. */
+  /** Side of a cell [texels of the atlas]; the filter's radius is at most this. */
   readonly cell: number;
-  /** A change of slope from texel to texel that may be the edge of a shadow, where so high an occluder is. */
+  /** Least change of slope between neighbouring texels that may be the edge of a shadow, given the height of the highest of them. */
   readonly threshold: (highest: Float) => Float;
-  /** Cells, and the row of the texture at which they begin. */
+  /** Number of cells (columns, rows). */
   readonly size: Vec2;
+  /** The row of the texture at which the cells begin. */
   readonly row: Int;
   /** Texels of the texture → clip space. */
   readonly clipOf: (texels: Vec2) => Vec2;
 }
 
 /**
- * Where the edges of shadows can be: per cell of a map, how high the highest edge is within a cell's width of it, 0 where there is none. A point that
- * is farther from all edges above it than the filter is wide is wholly in light or wholly in shadow. They lie below the map, in the same texture, for
- * shaders have few.
+ * Where the edges of shadows can be: per cell of an atlas, the height of the highest edge within a cell's width of it, 0 where there is none. A point that is
+ * farther from all edges above it than the filter's radius is wholly lit or wholly in shadow. The cells are stored below the heights in the same texture,
+ * because shaders have few texture units.
  */
 export class EdgeMap {
-  private readonly own = shadowAtlasTarget(false);
+  private readonly cellTarget = shadowAtlasTarget(false);
   private readonly cells: FullScreenPass;
-  private readonly strip = new Scene();
+  private readonly edgeScene = new Scene();
   private readonly camera = new PerspectiveCamera();
 
   constructor(heights: Texture, layout: EdgeLayout) {
     this.cells = new FullScreenPass(Fn(() => highestEdge(heights, layout))(), 'edges of cells');
-    this.strip.add(makeEdgeQuad(this.own.texture, layout));
+    this.edgeScene.add(makeEdgeQuad(this.cellTarget.texture, layout));
   }
 
-  /** Of the heights in `target`, which have changed: so many cells. */
+  /** Finds the edges of the heights in `target`, in `columns` × `rows` cells, and writes them below these heights. */
   render(renderer: WebGPURenderer, target: RenderTarget, columns: number, rows: number): void {
-    this.own.setSize(columns, rows);
-    this.cells.render(renderer, this.own);
+    this.cellTarget.setSize(columns, rows);
+    this.cells.render(renderer, this.cellTarget);
     renderer.setRenderTarget(target);
     renderer.autoClear = false;
-    renderer.render(this.strip, this.camera);
+    renderer.render(this.edgeScene, this.camera);
     renderer.autoClear = true;
   }
 
   dispose(): void {
-    for (const { geometry, material } of this.strip.children as Mesh<BufferGeometry, NodeMaterial>[]) {
+    for (const { geometry, material } of this.edgeScene.children as Mesh<BufferGeometry, NodeMaterial>[]) {
       geometry.dispose();
       material.dispose();
     }
     this.cells.dispose();
-    this.own.dispose();
+    this.cellTarget.dispose();
   }
 }
 
-/** Draws the edges near each cell where they belong. */
-function makeEdgeQuad(own: Texture, { size, row, clipOf }: EdgeLayout): Mesh {
+/** A quad that writes, for each cell, the highest edge of it and its eight neighbours into the rows below the heights. */
+function makeEdgeQuad(cellTexture: Texture, { size, row, clipOf }: EdgeLayout): Mesh {
   const material = new NodeMaterial();
   material.name = 'edges near cells';
   const cell = varying(attribute<'vec3'>('position', 'vec3').xy.mul(size), 'v_cell');
@@ -88,7 +89,7 @@ function makeEdgeQuad(own: Texture, { size, row, clipOf }: EdgeLayout): Mesh {
     .xy.mul(size)
     .add(vec4(0, row, 0, 0).xy);
   material.vertexNode = vec4(clipOf(place), 0.5, 1);
-  material.fragmentNode = Fn(() => highestNearby(own, cell))();
+  material.fragmentNode = Fn(() => highestNearby(cellTexture, cell))();
   material.side = DoubleSide;
   material.blending = NoBlending;
   material.depthTest = false;
@@ -101,7 +102,7 @@ function makeEdgeQuad(own: Texture, { size, row, clipOf }: EdgeLayout): Mesh {
   return mesh;
 }
 
-/** Upper ends of the bends within a cell, along its rows and columns. */
+/** Largest height at the bends within a cell, along its rows and columns. */
 function highestEdge(heights: Texture, { cell, threshold }: EdgeLayout): Vec4 {
   const corner = ivec2(floor(screenCoordinate)).mul(int(cell)).toVar();
   const highest = float(0).toVar();
@@ -113,8 +114,8 @@ function highestEdge(heights: Texture, { cell, threshold }: EdgeLayout): Vec4 {
       Loop({ start: int(0), end: int(cell), type: 'int', condition: '<' }, ({ i }) => {
         const after = at(int(i).add(int(1)), int(j));
         const upper = max(before, max(here, after)).toVar();
-        const bent = abs(before.add(after).sub(here.mul(2))).greaterThan(threshold(upper));
-        highest.assign(max(highest, bent.select(upper, float(0))));
+        const isEdge = abs(before.add(after).sub(here.mul(2))).greaterThan(threshold(upper));
+        highest.assign(max(highest, isEdge.select(upper, float(0))));
         before.assign(here);
         here.assign(after);
       });

@@ -5,21 +5,21 @@ import type { Gpu } from '../../gpu/device.ts';
 import { type EdgeLayout, EdgeMap } from './edgeMap.ts';
 import { shadowAtlasTarget } from './shadowAtlasTarget.ts';
 
-/** The scene drawn once, with the layer that its shaders read, or the first of several. */
+/** One draw of the atlas's scene, with the layer that its shaders read, or the first of several. */
 export interface AtlasDraw {
   readonly layer: number;
-  /** Called before. */
+  /** Called before the draw. */
   readonly prepare?: () => void;
 }
 
-/** A texture of tiles on which occluders have left how high they are, and below them where between them edges are. */
+/** A texture of tiles with the heights of occluders, and below them the map of their edges (`EdgeMap`). */
 export class ShadowAtlas {
-  /** Occluders in any of the layers. */
+  /** The occluders of all layers. */
   readonly scene = new Scene();
   readonly cell: number;
-  /** The layer that is drawn, or the first of several. */
+  /** Uniform: the layer that is being drawn, or the first of several. */
   readonly layer: Int;
-  /** Row of the texture at which the cells of edges begin. */
+  /** Row of the texture at which the cells of the edge map begin. */
   readonly edgeRow: Int;
   private readonly at = { layer: uniform(0, 'int'), size: uniform(new Vector2(1, 1)), edges: uniform(0, 'int') };
   private readonly cells = uniform(new Vector2(1, 1));
@@ -28,7 +28,7 @@ export class ShadowAtlas {
   private readonly edgeMap: EdgeMap;
   private readonly camera = new PerspectiveCamera();
 
-  /** `cell`, `threshold`: as of edgeMap.ts. */
+  /** `cell`, `threshold`: see `EdgeLayout`. */
   constructor(gpu: Gpu, { cell, threshold }: Pick<EdgeLayout, 'cell' | 'threshold'>) {
     this.gpu = gpu;
     this.cell = cell;
@@ -44,12 +44,12 @@ export class ShadowAtlas {
     this.edgeMap = new EdgeMap(this.target.texture, layout);
   }
 
-  /** Of the highest occluder of each texel, 0 where none is; of cells from `edgeRow` on, as edgeMap.ts says. */
+  /** Per texel the height of the highest occluder, 0 where there is none; from `edgeRow` on the cells of the edge map. */
   get heights(): Texture {
     return this.target.texture;
   }
 
-  /** Draws all anew. */
+  /** Redraws everything. */
   render(width: number, height: number, drawings: readonly AtlasDraw[]): void {
     const { renderer } = this.gpu;
     const [columns, rows] = [width / this.cell, height / this.cell];
@@ -69,13 +69,13 @@ export class ShadowAtlas {
     this.edgeMap.render(renderer, this.target, columns, rows);
   }
 
-  /** A place on the texture [texels] in clip space; of homogeneous places the last is `w`. */
+  /** Texels of the texture → clip space; for homogeneous coordinates `w` is the last of them. */
   clipOf(texels: Vec2, w: Float = float(1)): Vec2 {
     const at = texels.div(this.at.size).mul(2).sub(w);
     return vec2(at.x, at.y.negate());
   }
 
-  /** Clip-space depth of a height from 0 to 1, or of one from 0 to w times w: the higher is the nearer, as the backend and its depth buffer count. */
+  /** Clip-space depth of a height from 0 to 1, or of a height from 0 to w, times w: higher is nearer, in the convention of the backend and its depth buffer. */
   depthOf(height: Float, w: Float = float(1)): Float {
     const { backend, renderer } = this.gpu;
     if (renderer.reversedDepthBuffer) return height;

@@ -1,6 +1,6 @@
 import { FloatType, NearestFilter, NoColorSpace, RedFormat, RenderTarget } from 'three/webgpu';
 
-/** One number per texel, read as it is. */
+/** A render target with one 32-bit float per texel, read without filtering. */
 export const shadowAtlasTarget = (depthBuffer: boolean): RenderTarget =>
   new RenderTarget(1, 1, {
     type: FloatType,

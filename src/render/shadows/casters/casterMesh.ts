@@ -18,40 +18,40 @@ import type { VertexInput } from '../../geometry/vertexInput.ts';
 import { vUv } from '../../geometry/vertexStage.ts';
 import { sampled } from '../../gpu/textures.ts';
 
-/** Its place on the tile, and the material. */
+/** (height or depth, place on the tile), from `LayerProjection.project`, and the material. */
 const vShadow = varyingProperty('vec4', 'v_shadow');
 
-/** On which layer a vertex is drawn, negative: on none; and where it is [m], from where the layer's places are measured. */
+/** On which layer a vertex is drawn (none if negative), and its place [m] relative to the layer's origin. */
 export type CasterPlacement = (input: VertexInput) => { readonly layer: Int; readonly x: () => Vec3 };
 
-/** How occluders come onto the tiles of a map. */
+/** How occluders are projected onto the tiles of an atlas. */
 export interface LayerProjection {
-  /** Where a point of a layer is drawn, and what is between its corners to be known of it. */
+  /** Clip-space position of a point on a layer, and what is interpolated across the triangle for `heightOf`. */
   project(layer: Int, x: Vec3): { readonly clip: Vec4; readonly spot: Vec3 };
-  /** What is left there, unless it is outside the tile. */
+  /** Height to write, and whether the fragment is outside its tile. */
   heightOf(spot: Vec3): { readonly height: Float; readonly outside: Bool };
 }
 
-/** A batch drawn into shadow maps: whole, not cut, and from both sides, for a sheet throws a shadow from either. */
+/** Draws a batch into shadow maps: all its triangles, not tessellated, and from both sides, because a sheet throws a shadow from either. */
 export function makeCaster(
-  drawable: DrawCall,
-  placing: CasterPlacement,
-  projecting: LayerProjection,
+  drawCall: DrawCall,
+  placement: CasterPlacement,
+  projection: LayerProjection,
   materials: readonly Material[],
 ): Mesh {
   const material = new NodeMaterial();
-  material.name = `shadow ${drawable.batch.kind}`;
-  material.vertexNode = casterVertexNode(drawable, placing, projecting);
-  material.fragmentNode = heightNode(drawable, projecting, isCutOut(drawable.batch, materials));
+  material.name = `shadow ${drawCall.batch.kind}`;
+  material.vertexNode = casterVertexNode(drawCall, placement, projection);
+  material.fragmentNode = heightNode(drawCall, projection, isCutOut(drawCall.batch, materials));
   material.side = DoubleSide;
   material.blending = NoBlending;
-  const mesh = new Mesh(casterGeometry(drawable), material);
+  const mesh = new Mesh(casterGeometry(drawCall), material);
   mesh.frustumCulled = false;
   mesh.matrixAutoUpdate = false;
   return mesh;
 }
 
-/** Shares the vertices; indices and instances that are drawn in the picture change with it. */
+/** Shares the vertex attributes; has its own indices and instances, because those of the picture change from frame to frame. */
 function casterGeometry({ batch, mesh }: DrawCall): BufferGeometry {
   const geometry = batch.instancing ? instancedGeometry(batch.instancing) : new BufferGeometry();
   for (const name of ['position', 'normal', 'uv', 'ids', 'color']) {
@@ -69,13 +69,13 @@ function instancedGeometry({ first, materials }: NonNullable<Batch['instancing']
   return geometry.setAttribute('instance', new InstancedBufferAttribute(numbers, 1));
 }
 
-function casterVertexNode({ vertex }: DrawCall, placing: CasterPlacement, projecting: LayerProjection): Vec4 {
+function casterVertexNode({ vertex }: DrawCall, placement: CasterPlacement, projection: LayerProjection): Vec4 {
   return Fn(() => {
     const input = vertex.vertex();
     const clip = vec4(2, 2, 2, 1).toVar();
-    const { layer, x } = placing(input);
+    const { layer, x } = placement(input);
     If(layer.greaterThanEqual(int(0)), () => {
-      const placed = projecting.project(layer, x());
+      const placed = projection.project(layer, x());
       vShadow.assign(vec4(placed.spot, input.material));
       vUv.assign(input.uv);
       clip.assign(placed.clip);
@@ -84,19 +84,19 @@ function casterVertexNode({ vertex }: DrawCall, placing: CasterPlacement, projec
   })();
 }
 
-/** Only then are its pictures looked at: nothing else in these maps is as dear. */
-function isCutOut({ arrays, instancing: worn }: Batch, materials: readonly Material[]): boolean {
-  const used = new Set(worn?.materials ?? arrays.ids.filter((_, i) => i % 2 === 1));
+/** Base color textures are read only if this is true: nothing else in shadow maps is as expensive. */
+function isCutOut({ arrays, instancing }: Batch, materials: readonly Material[]): boolean {
+  const used = new Set(instancing?.materials ?? arrays.ids.filter((_, i) => i % 2 === 1));
   return [...used].some((material) => materials[material].opacityThreshold > 0);
 }
 
 function heightNode(
   { surface: { materials, textures } }: DrawCall,
-  projecting: LayerProjection,
+  projection: LayerProjection,
   cutOut: boolean,
 ): Vec4 {
   return Fn(() => {
-    const found = projecting.heightOf(vShadow.xyz);
+    const found = projection.heightOf(vShadow.xyz);
     const outside = found.outside.toVar();
     if (cutOut && textures.baseColor) {
       const first = int(round(vShadow.w)).mul(int(MATERIAL_TEXELS)).toVar();

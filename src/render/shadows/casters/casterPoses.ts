@@ -9,12 +9,12 @@ import type { VertexInput } from '../../geometry/vertexInput.ts';
 import { FloatTable } from '../../gpu/floatTable.ts';
 import type { CasterPlacement } from './casterMesh.ts';
 
-/** Slot of what has none of its own, and is drawn where all that is round a light is. */
+/** Slot of bodies without a tile of their own: they are drawn only on the tiles round a light. */
 export const SURROUNDINGS = -2;
-/** Texels of a body: rows of its turn with its place, and its slot with its velocity [c]. */
+/** Texels per body: three rows of its linear map with its place, then its slot with its velocity [c]. */
 const POSE_TEXELS = 4;
 
-/** Where rigid occluders are, from where a layer's places are measured, and the slot that each has; by the number of a body. */
+/** Poses of rigid occluders relative to a layer's origin, and their slots, by the number of the body. */
 export class PoseTable {
   private readonly table = new FloatTable(256);
 
@@ -23,7 +23,7 @@ export class PoseTable {
     this.clear();
   }
 
-  /** None is drawn. */
+  /** Draws no body until it is set again. */
   clear(): void {
     this.table.values.fill(-1);
   }
@@ -33,12 +33,12 @@ export class PoseTable {
     this.table.values.set([...rows, slot, ...beta], 4 * POSE_TEXELS * (id - 1));
   }
 
-  /** Uploads where bodies are that rest, from `origin`. */
-  setStatic(resting: readonly Body[], drawables: readonly DrawCall[], origin: Vec3): void {
-    const worn = new Set(drawables.flatMap(({ batch }) => (batch.instancing ? batch.bodies : [])));
+  /** Uploads the poses of bodies at rest, relative to `origin`. */
+  setStatic(resting: readonly Body[], drawCalls: readonly DrawCall[], origin: Vec3): void {
+    const instanced = new Set(drawCalls.flatMap(({ batch }) => (batch.instancing ? batch.bodies : [])));
     for (const body of resting) {
-      const turn = linearMapOf(body, worn.has(body), 0, 1);
-      if (turn) this.set(body, turn, sub(positionAt(body.line, 0, 1), origin), 0);
+      const linearMap = linearMapOf(body, instanced.has(body), 0, 1);
+      if (linearMap) this.set(body, linearMap, sub(positionAt(body.line, 0, 1), origin), 0);
     }
     this.upload();
   }
@@ -47,8 +47,8 @@ export class PoseTable {
     this.table.upload();
   }
 
-  /** Slots are layers from `first` on; where `round` is 1, only what is round a light is drawn, on that layer. */
-  placement(first: Int, round?: Int): CasterPlacement {
+  /** The layer is `first` plus the slot. Where `drawsSurroundings` is 1, only bodies with the slot `SURROUNDINGS` are drawn, on layer `first`. */
+  placement(first: Int, drawsSurroundings?: Int): CasterPlacement {
     return ({ object, offset }) => {
       const begin = int(object).mul(int(POSE_TEXELS)).toVar();
       const texel = (k: number) => this.table.texel(begin.add(int(k)));
@@ -57,13 +57,13 @@ export class PoseTable {
       const own = slot.lessThan(int(0)).select(int(-1), slot.add(first));
       const shared = slot.equal(int(SURROUNDINGS)).select(first, int(-1));
       return {
-        layer: round ? round.greaterThan(int(0)).select(shared, own) : own,
+        layer: drawsSurroundings ? drawsSurroundings.greaterThan(int(0)).select(shared, own) : own,
         x: () => vec3(dot(texel(0), point), dot(texel(1), point), dot(texel(2), point)),
       };
     };
   }
 
-  /** The velocity of the body that a vertex is of [c]. */
+  /** The velocity of a vertex's body [c]. */
   velocity({ object }: VertexInput): Vector {
     const last = int(object)
       .mul(int(POSE_TEXELS))

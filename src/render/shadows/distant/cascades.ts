@@ -5,24 +5,24 @@ import { applyPose } from '../../../scene/motion/poses.ts';
 import type { Body } from '../../geometry/bodies.ts';
 import type { AtlasTile, LightAxes, ParallelLayer } from './parallelLayer.ts';
 
-/** What a sun's maps of all that rests have to hold: a box along the light's axes, in the world. */
+/** The box along a light's axes, in the world, that holds all bodies at rest; the cascades cover it. */
 export interface LightSpaceBox {
   readonly axes: LightAxes;
   readonly center: Vec3;
-  /** Half of its greater side across the light, and along it [m]. */
+  /** Half of its larger side across the light, and half of its depth along it [m]. */
   readonly halfSide: number;
   readonly depth: number;
 }
 
-/** A map of 2048² has texels of 1.2 cm in it [m]. */
+/** Half side of the smallest cascade [m]: its texels are 1.2 cm in a tile of 2048². */
 const MIN_HALF_SIDE = 12;
-/** Each cascade is so much wider than the one before. */
+/** Ratio of the widths of successive cascades. */
 const CASCADE_RATIO = 6;
 const MAX_CASCADES = 3;
-/** A cascade follows the observer in steps of this part of its half side. */
+/** A cascade follows the observer in steps of this fraction of its half side. */
 const SNAP_STEP = 0.25;
 
-/** undefined where nothing rests. */
+/** Returns undefined if nothing is at rest. */
 export function lightSpaceBox(bodies: readonly Body[], axes: LightAxes): LightSpaceBox | undefined {
   const min = [Number.POSITIVE_INFINITY, Number.POSITIVE_INFINITY, Number.POSITIVE_INFINITY];
   const max = min.map((x) => -x);
@@ -55,7 +55,7 @@ function cornersOf({ object: { mesh, motion } }: Body): readonly Vec3[] {
   return [0, 1, 2, 3, 4, 5, 6, 7].map((k) => applyPose(pose, [ends[k & 1][0], ends[(k >> 1) & 1][1], ends[k >> 2][2]]));
 }
 
-/** Half sides of the cascades, the least first [m]; the last holds the whole box. */
+/** Half sides of the cascades, smallest first [m]; the last holds the whole box. */
 export function cascadeSizes({ halfSide }: LightSpaceBox): readonly number[] {
   const count = Math.max(
     1,
@@ -67,19 +67,19 @@ export function cascadeSizes({ halfSide }: LightSpaceBox): readonly number[] {
   );
 }
 
-/** Cascades round the observer, in steps, but not beyond the box. */
+/** Cascades centred on the observer, rounded to steps, but within the box. */
 export function cascades(
   box: LightSpaceBox,
   observer: Vec3,
-  { tiles, spread }: { readonly tiles: readonly AtlasTile[]; readonly spread: number },
+  { tiles, penumbraSlope }: { readonly tiles: readonly AtlasTile[]; readonly penumbraSlope: number },
 ): readonly ParallelLayer[] {
   const { axes, depth } = box;
-  const off = sub(observer, box.center);
+  const offset = sub(observer, box.center);
   return cascadeSizes(box).map((half, k) => {
-    const reach = Math.max(0, box.halfSide - half);
+    const maxOffset = Math.max(0, box.halfSide - half);
     const step = SNAP_STEP * half;
-    const place = (axis: Vec3) => Math.max(-reach, Math.min(reach, step * Math.round(dot(off, axis) / step)));
+    const place = (axis: Vec3) => Math.max(-maxOffset, Math.min(maxOffset, step * Math.round(dot(offset, axis) / step)));
     const center = addScaled(addScaled(box.center, axes.right, place(axes.right)), axes.up, place(axes.up));
-    return { axes, beta: [0, 0, 0], center, halfSide: half, halfDepth: depth, penumbraSlope: spread, tile: tiles[k] };
+    return { axes, beta: [0, 0, 0], center, halfSide: half, halfDepth: depth, penumbraSlope, tile: tiles[k] };
   });
 }

@@ -31,8 +31,8 @@ import { isAlwaysStatic } from './staticDistantShadows.ts';
 const TILES_PER_ROW = 4;
 
 /**
- * What throws shadows as it goes: each body on its own tiles, in coordinates that move with it, as it is at the event of its centre. What does not
- * change there, as bodies at constant velocity do not, is not drawn anew.
+ * Shadows of moving bodies: each body has tiles of its own, in coordinates that move with it, and is drawn as it is at the event of its centre. Tiles are
+ * redrawn only when that changes; it does not for bodies at constant velocity.
  */
 export class DynamicDistantShadows {
   private readonly atlas: ShadowAtlas;
@@ -40,44 +40,44 @@ export class DynamicDistantShadows {
   private readonly bodies: readonly Body[];
   private readonly maxCasters: number;
   private readonly side: number;
-  /** Of each sun the layers of receivers, then of each those of occluders, which are measured from the body's centre. */
+  /** For each light the layers of receivers; then for each light those of occluders, which are relative to the body's centre. */
   private readonly table: LayerTable;
   private readonly casters: MovingCasters;
   private renderedKey = '';
 
-  constructor(occluders: Occluders, suns: readonly ShadowedDistantLight[], gpu: Gpu) {
+  constructor(occluders: Occluders, lights: readonly ShadowedDistantLight[], gpu: Gpu) {
     const { bodies, detail } = occluders;
-    this.lights = suns;
+    this.lights = lights;
     this.bodies = bodies.filter((body) => !isAlwaysStatic(body));
     this.maxCasters = Math.min(detail.maxCasters, this.bodies.length);
     this.side = detail.dynamicTile;
     this.atlas = new ShadowAtlas(gpu, { cell: detail.cell, threshold: parallelEdgeThreshold });
-    this.table = new LayerTable(2 * suns.length * this.maxCasters, PARALLEL_LAYER_TEXELS);
+    this.table = new LayerTable(2 * lights.length * this.maxCasters, PARALLEL_LAYER_TEXELS);
     this.casters = new MovingCasters(occluders);
     this.casters.addTo(this.atlas, new Set(this.bodies), parallelProjection(this.atlas, this.table, this.side));
   }
 
-  /** undefined where nothing moves. `sun`: its place among the suns. */
-  visibility(sun: number, event: ReceiverEvent, taps: number): Float | undefined {
+  /** Returns undefined if nothing moves. `sun`: the light's index. */
+  visibility(sun: number, event: ReceiverEvent, sampleCount: number): Float | undefined {
     if (this.maxCasters === 0) return undefined;
     const { atlas, table, side } = this;
-    const maps: ParallelMaps = { atlas, table, side, sampleCount: taps };
+    const maps: ParallelMaps = { atlas, table, side, sampleCount };
     return castersVisibility(maps, sun * this.maxCasters, this.maxCasters, event);
   }
 
-  /** Makes the maps that a picture needs; false where samples of a deforming mesh have still to come. */
-  update(sight: Observation): boolean {
-    const movers = largestCasters(this.bodies, sight).slice(0, this.maxCasters);
-    this.setLayers(movers, sight);
-    const shapes = this.casters.update(movers, sight);
+  /** Updates the maps for a picture. Returns false if samples of a deforming mesh are not loaded yet. */
+  update(observation: Observation): boolean {
+    const movers = largestCasters(this.bodies, observation).slice(0, this.maxCasters);
+    this.setLayers(movers, observation);
+    const shapes = this.casters.update(movers, observation);
     if (!this.casters.isComplete) return false;
-    const { lights: suns, maxCasters: most, side } = this;
-    const key = `${shapes} ${this.table.keyOf(suns.length * most, suns.length * most)}`;
+    const { lights, maxCasters, side } = this;
+    const key = `${shapes} ${this.table.keyOf(lights.length * maxCasters, lights.length * maxCasters)}`;
     if (key === this.renderedKey || movers.length === 0) return true;
     this.renderedKey = key;
     this.casters.showOnly(new Set(movers.map(({ body }) => body)));
-    const drawings = suns.map((_, sun) => ({ layer: (suns.length + sun) * most }));
-    this.atlas.render(TILES_PER_ROW * side, suns.length * this.rows * side, drawings);
+    const draws = lights.map((_, sun) => ({ layer: (lights.length + sun) * maxCasters }));
+    this.atlas.render(TILES_PER_ROW * side, lights.length * this.rows * side, draws);
     return true;
   }
 
@@ -91,15 +91,15 @@ export class DynamicDistantShadows {
     this.casters.dispose();
   }
 
-  private setLayers(movers: readonly ObservedCaster[], sight: Observation): void {
-    const { table, lights: suns, maxCasters: most } = this;
-    for (let layer = 0; layer < 2 * suns.length * most; layer++) table.clear(layer);
+  private setLayers(movers: readonly ObservedCaster[], observation: Observation): void {
+    const { table, lights, maxCasters } = this;
+    for (let layer = 0; layer < 2 * lights.length * maxCasters; layer++) table.clear(layer);
     for (const [slot, mover] of movers.entries())
-      suns.forEach((sun, row) => {
-        const layer = layerOf(mover, sun, sight, this.tile(slot, row));
+      lights.forEach((sun, row) => {
+        const layer = layerOf(mover, sun, observation, this.tile(slot, row));
         const center = addScaled(comovingCenter(mover), layer.axes.toLight, -driftBias(mover));
-        table.set(row * most + slot, parallelLayerTexels({ ...layer, center }));
-        table.set((suns.length + row) * most + slot, parallelLayerTexels({ ...layer, beta: ZERO }));
+        table.set(row * maxCasters + slot, parallelLayerTexels({ ...layer, center }));
+        table.set((lights.length + row) * maxCasters + slot, parallelLayerTexels({ ...layer, beta: ZERO }));
       });
   }
 
@@ -120,24 +120,24 @@ export class DynamicDistantShadows {
 function layerOf(
   { body, beta, drift }: ObservedCaster,
   { direction, radius: sunRadius }: ShadowedDistantLight,
-  sight: Observation,
+  observation: Observation,
   tile: AtlasTile,
 ): ParallelLayer {
-  const way = comovingPathToLight(direction, beta, timePerMeter(sight, direction));
-  const spread = penumbraSlopeOf(sunRadius, direction, way);
-  const half = body.radius + drift;
+  const path = comovingPathToLight(direction, beta, timePerMeter(observation, direction));
+  const penumbraSlope = penumbraSlopeOf(sunRadius, direction, path);
+  const halfSide = body.radius + drift;
   return {
-    axes: lightAxes(way),
+    axes: lightAxes(path),
     beta,
     center: ZERO,
-    halfSide: half,
-    halfDepth: 1.01 * half,
-    penumbraSlope: spread,
+    halfSide,
+    halfDepth: 1.01 * halfSide,
+    penumbraSlope,
     tile,
   };
 }
 
-/** How time goes on along a ray to the sun: into the past, or in the one moment that is looked at. */
+/** Change of time per metre along the ray to the light [m of light]: into the past, or within the slice of simultaneity. */
 function timePerMeter({ hypersurface, u }: Observation, direction: Vec3): number {
   const { linear, radial } = HYPERSURFACES[hypersurface].timeGradient(u);
   return dot(linear, direction) + radial;

@@ -7,7 +7,7 @@ const number = fc.double({ min: -0.55, max: 0.55, noNaN: true });
 const vector = fc.tuple(number, number, number);
 const direction = vector.filter((v) => length(v) > 0.05).map((v) => normalize(v));
 
-/** Column, row and height by the rows that shaders read. */
+/** Column, row and height of an event, from the rows that shaders read. */
 function placeOf(texels: readonly number[], dx: Vec3, time: number): Vec3 {
   const [u, v, h] = [0, 1, 2].map(
     (k) => dot([texels[4 * k], texels[4 * k + 1], texels[4 * k + 2]], dx) + texels[4 * k + 3] + texels[12 + k] * time,
@@ -30,7 +30,7 @@ describe('a layer in coordinates that move with its occluder', () => {
           penumbraSlope: 0,
           tile,
         });
-        const [here, there] = [0, 3].map((way) => placeOf(texels, addScaled(start, s, way), time - way));
+        const [here, there] = [0, 3].map((distance) => placeOf(texels, addScaled(start, s, distance), time - distance));
         expect(there[0]).toBeCloseTo(here[0], 6);
         expect(there[1]).toBeCloseTo(here[1], 6);
         expect(there[2]).toBeGreaterThan(here[2]);

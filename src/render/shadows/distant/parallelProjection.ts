@@ -5,10 +5,10 @@ import type { ShadowAtlas } from '../atlas/shadowAtlas.ts';
 import type { LayerProjection } from '../casters/casterMesh.ts';
 import { projectToLayer, readParallelRows, readTileTexel } from './parallelReceiver.ts';
 
-/** A bend of the surface over three texels that may be the edge of a shadow: by one. */
+/** Change of slope over three texels that may be the edge of a shadow [texels]. */
 export const parallelEdgeThreshold = (): Float => float(1);
 
-/** Occluders on layers whose light comes from one direction: their height is towards it [texels]. `side`: of a tile. */
+/** Projects occluders onto layers of a distant light: heights are along the light's direction [texels]. `side`: of a tile. */
 export const parallelProjection = (map: ShadowAtlas, table: LayerTable, side: number): LayerProjection => ({
   project(layer, x) {
     const place = projectToLayer(readParallelRows(table, layer), x, float(0)).toVar();

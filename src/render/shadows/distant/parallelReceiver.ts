@@ -2,7 +2,17 @@ import { abs, clamp, dot, float, floor, If, int, log2, max, normalize, round, sq
 import type { Bool, Float, Int, Vec3, Vec4 } from '../../../shaders/types.ts';
 import type { LightAtEmission } from '../../lights/lightAtEmission.ts';
 import type { LightTexels } from '../../lights/lightTexels.ts';
-import { type AtlasLookup, edgeHeightNear, heightAt, loopTimes, rotateByGoldenAngle } from '../atlas/atlasLookups.ts';
+import {
+  type AtlasLookup,
+  edgeHeightNear,
+  heightAt,
+  loopTimes,
+  MAX_SLOPE,
+  MIN_FILTER_RADIUS,
+  MIN_OCCLUDER_SLOPE,
+  NORMAL_BIAS,
+  rotateByGoldenAngle,
+} from '../atlas/atlasLookups.ts';
 import type { LayerTable } from '../atlas/layerTable.ts';
 import { TILE_MARGIN } from './parallelLayer.ts';
 
@@ -11,50 +21,41 @@ export interface ShadowReceiver {
   /** Observer → event [m], and c(t − t_o) [m of light]. */
   readonly dx: Vec3;
   readonly time: Float;
-  /** Unit, in the rest frame. */
+  /** Unit normal in the rest frame. */
   readonly normal: Vec3;
-  /** (v, 1 − v²); undefined where all things rest. */
+  /** (v, 1 − v²) [c]; undefined if nothing in the scene moves. */
   readonly velocity: Vec4 | undefined;
 }
 
-/** Says which share of a light comes to an event. */
+/** The visibility of lights at an event, from 0 to 1. */
 export interface LightVisibility {
-  /** undefined of a sun without shadows; `sun`: its place in the environment. */
+  /** undefined if the light throws no shadows; `sun`: its index in the environment. */
   ofDistantLight(sun: number | undefined, receiver: ShadowReceiver): Float | undefined;
-  /** Of a light's. `slot`: its place among those with shadows. */
+  /** `slot`: the light's index among those with shadows. */
   ofLocalLight(slot: Int | number | undefined, receiver: ShadowReceiver, light: ShadowedLight): Float | undefined;
 }
 
-/** A light as a surface sees it: surface → light when it sent its light out [m], its kind and size. */
+/** A light as a surface sees it: offset from the surface to the light when it emitted [m], its kind and size. */
 export type ShadowedLight = Pick<LightAtEmission, 'offset' | 'shape'> & Pick<LightTexels, 'kind' | 'radius' | 'motion'>;
 
-/** Layers of one kind: what is in their maps, and the numbers of their projections. */
+/** Layers of one kind: their atlas and their projections. */
 export interface ParallelMaps {
   readonly atlas: AtlasLookup;
   readonly table: LayerTable;
   /** Side of a tile [texels]. */
   readonly side: number;
-  /** Lookups where edges are near. */
+  /** Number of lookups where edges are near. */
   readonly sampleCount: number;
 }
 
-/** As a receiver's layer sees it; its normal is of one moment of the world. */
+/** A receiver as layers use it; its normal is that of a slice of the world's time. */
 export interface ReceiverEvent {
   readonly dx: Vec3;
   readonly time: Float;
   readonly normal: Vec3;
 }
 
-/** How far an event is lifted off its surface [texels]: always, and where light comes along the surface. */
-const NORMAL_BIAS = [0.4, 1.1] as const;
-/** Steepest surface across the light that is followed under the filter. */
-const MAX_SLOPE = 8;
-/** What rises beside the surface no steeper than so, as the floor at the foot of a wall does, is not above it. */
-const MIN_OCCLUDER_SLOPE = 1.5;
-/** The sun's disc on the map is taken to have at least this radius [texels], and at most a cell of edgeMap.ts. */
-const MIN_FILTER_RADIUS = 0.8;
-
-/** Normal of the surface as it is at one moment of the world: n∥ → γ n∥ of that of the rest frame. */
+/** Normal of the surface in a slice of the world's time: that of the rest frame with n∥ → γ n∥ (docs/physics.md §6.3). */
 export function sliceNormal({ normal, velocity }: Pick<ShadowReceiver, 'normal' | 'velocity'>): Vec3 {
   if (!velocity) return normal;
   const gamma = float(1)
@@ -71,7 +72,7 @@ export const readParallelRows = (layers: LayerTable, layer: Int | number): Paral
   return [across, up, height, time];
 };
 
-/** Tile (x, y), spread, and the height of the highest occluders. */
+/** Tile (x, y), penumbra slope, and the height of the highest occluders. */
 export const readTileTexel = (layers: LayerTable, layer: Int | number): Vec4 => layers.texel(layer, 4).toVar();
 
 /** Place and height of an event on a layer (`parallelLayerTexels`). */
@@ -80,7 +81,7 @@ export const projectToLayer = ([across, up, height, time]: ParallelRows, dx: Vec
     time.xyz.mul(at),
   );
 
-/** Whether the filter finds all its texels on the layer's tile. */
+/** Whether all texels that the filter may read are on the layer's tile. */
 function isInside(tile: Vec4, side: number, place: Vec3): Bool {
   const local = place.xy.sub(tile.xy).toVar();
   const [least, most] = [TILE_MARGIN - 1, side - TILE_MARGIN + 1];
@@ -91,21 +92,20 @@ function isInside(tile: Vec4, side: number, place: Vec3): Bool {
     .and(local.y.lessThan(most));
 }
 
-/** Whether it is behind the ball that fills the tile, or in it. */
+/** Whether the place is behind the sphere that fills the tile, or in it. */
 function isBehindCaster(tile: Vec4, side: number, place: Vec3): Bool {
-  const off = place.xy
+  const offset = place.xy
     .sub(tile.xy)
     .sub(side / 2)
     .toVar();
-  return dot(off, off)
+  return dot(offset, offset)
     .lessThan((side / 2 - TILE_MARGIN + 1) ** 2)
     .and(place.z.lessThan(tile.w));
 }
 
 /**
- * The share of the sun's disc that is seen past the occluders of a layer. Where no edge is near, one lookup tells; else those which fall on the part
- * of the map that the disc covers in the height of the edge (percentage-closer soft shadows, Fernando 2005). The surface itself is taken for a
- * plane under all of them.
+ * The fraction of the light's disc that is visible past the occluders of a layer. Where no edge is near, one lookup decides; elsewhere lookups cover the disc
+ * as projected at the height of the edge (percentage-closer soft shadows, Fernando 2005). The receiver is taken as a plane under all of them.
  */
 function layerVisibility(
   { atlas, table, sampleCount }: ParallelMaps,
@@ -114,7 +114,7 @@ function layerVisibility(
 ): Float {
   const rows = readParallelRows(table, layer);
   const [across, up, height, { w: texel }] = rows;
-  const spread = readTileTexel(table, layer).z;
+  const penumbraSlope = readTileTexel(table, layer).z;
   const n = vec3(dot(across.xyz, normal), dot(up.xyz, normal), dot(height.xyz, normal)).mul(texel).toVar();
   const facing = clamp(n.z, 0, 1).toVar();
   const along = sqrt(facing.mul(facing).oneMinus());
@@ -122,27 +122,27 @@ function layerVisibility(
     .add(n.mul(along.mul(NORMAL_BIAS[1]).add(NORMAL_BIAS[0])))
     .toVar();
   const slope = clamp(n.xy.div(max(facing, 1 / MAX_SLOPE)).negate(), -MAX_SLOPE, MAX_SLOPE).toVar();
-  // A texel without an occluder is 0.
+  // Texels without an occluder have height 0.
   const ground = max(place.z, 0).toVar();
   const edge = edgeHeightNear(atlas, place.xy).toVar();
-  const near = edge.greaterThan(ground).toVar();
-  const radius = near.select(clamp(edge.sub(ground).mul(spread), MIN_FILTER_RADIUS, atlas.cell), float(0)).toVar();
+  const nearEdge = edge.greaterThan(ground).toVar();
+  const radius = nearEdge.select(clamp(edge.sub(ground).mul(penumbraSlope), MIN_FILTER_RADIUS, atlas.cell), float(0)).toVar();
   const direction = vec2(1, 0).toVar();
-  const held = float(0).toVar();
-  const count = near.select(int(sampleCount), int(1)).toVar();
+  const occluded = float(0).toVar();
+  const count = nearEdge.select(int(sampleCount), int(1)).toVar();
   loopTimes(count, (i) => {
     const away = sqrt(float(i).add(0.5).div(sampleCount)).mul(radius);
     const at = floor(place.xy.add(direction.mul(away))).toVar();
-    const off = at.add(0.5).sub(place.xy).toVar();
-    const aside = max(abs(off.x), abs(off.y)).mul(MIN_OCCLUDER_SLOPE);
-    const clear = max(max(dot(slope, off), aside).add(place.z), 0);
-    held.addAssign(heightAt(atlas, at).greaterThan(clear).select(float(1), float(0)));
+    const offset = at.add(0.5).sub(place.xy).toVar();
+    const rise = max(abs(offset.x), abs(offset.y)).mul(MIN_OCCLUDER_SLOPE);
+    const minHeight = max(max(dot(slope, offset), rise).add(place.z), 0);
+    occluded.addAssign(heightAt(atlas, at).greaterThan(minHeight).select(float(1), float(0)));
     direction.assign(rotateByGoldenAngle(direction));
   });
-  return held.div(float(count)).oneMinus();
+  return occluded.div(float(count)).oneMinus();
 }
 
-/** The share that passes all that rests: from the finest of `count` layers which holds the event. */
+/** The light visibility past the bodies at rest: from the finest of `count` layers that contains the event. */
 export function cascadeVisibility(maps: ParallelMaps, first: number, count: number, event: ReceiverEvent): Float {
   const { table, side } = maps;
   const chosen = int(-1).toVar();
@@ -154,38 +154,38 @@ export function cascadeVisibility(maps: ParallelMaps, first: number, count: numb
     );
     chosen.assign(inside.select(int(k), chosen));
   }
-  const share = float(1).toVar();
+  const visibility = float(1).toVar();
   If(chosen.greaterThanEqual(0), () => {
-    share.assign(layerVisibility(maps, chosen, event));
+    visibility.assign(layerVisibility(maps, chosen, event));
   });
-  return share;
+  return visibility;
 }
 
 /**
- * The share that passes what moves: `count` layers from `first` on, each of one body. First all are asked whether the event is behind their bodies,
- * one by one, for numbers at places that are known before the shader runs are cheap; lookups are made only in those.
+ * The light visibility past moving bodies: `count` layers from `first` on, one body each. All layers are first tested for whether the event is behind their
+ * bodies, in an unrolled loop, because reading uniforms at constant indices is cheap; lookups are made only in those that pass.
  */
 export function castersVisibility(maps: ParallelMaps, first: number, count: number, event: ReceiverEvent): Float {
   const { table, side } = maps;
-  const [behind, found] = [int(0).toVar(), int(0).toVar()];
+  const [behind, casterCount] = [int(0).toVar(), int(0).toVar()];
   for (let slot = 0; slot < count; slot++) {
     const layer = first + slot;
-    const isBehind = isBehindCaster(
+    const behindCaster = isBehindCaster(
       readTileTexel(table, layer),
       side,
       projectToLayer(readParallelRows(table, layer), event.dx, event.time),
     ).toVar();
-    behind.addAssign(isBehind.select(int(1 << slot), int(0)));
-    found.addAssign(isBehind.select(int(1), int(0)));
+    behind.addAssign(behindCaster.select(int(1 << slot), int(0)));
+    casterCount.addAssign(behindCaster.select(int(1), int(0)));
   }
-  const share = float(1).toVar();
-  loopTimes(found, () => {
+  const visibility = float(1).toVar();
+  loopTimes(casterCount, () => {
     const lowest = behind.bitAnd(behind.negate()).toVar();
     const layer = int(round(log2(max(float(lowest), 1))))
       .add(int(first))
       .toVar();
     behind.subAssign(lowest);
-    share.mulAssign(layerVisibility(maps, layer, event));
+    visibility.mulAssign(layerVisibility(maps, layer, event));
   });
-  return share;
+  return visibility;
 }

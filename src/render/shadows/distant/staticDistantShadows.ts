@@ -19,25 +19,26 @@ import {
 import { parallelEdgeThreshold, parallelProjection } from './parallelProjection.ts';
 import { cascadeVisibility, type ParallelMaps, type ReceiverEvent } from './parallelReceiver.ts';
 
-/** A sun's maps, one in another round the observer. */
+/** A light's cascades: layers of increasing size round the observer. */
 interface LightCascades {
   readonly light: ShadowedDistantLight;
   readonly box: LightSpaceBox;
   readonly count: number;
-  /** Place of the first of its layers. */
+  /** Index of the first of its layers. */
   readonly first: number;
 }
 
+/** Whether a body is at rest at all times and never appears or disappears. */
 export const isAlwaysStatic = ({ object }: Body): boolean =>
   isStatic(object.motion) &&
   object.lifetime.birth === Number.NEGATIVE_INFINITY &&
   object.lifetime.death === Number.POSITIVE_INFINITY;
 
-/** What throws shadows from where it always is: drawn anew only where the observer has gone on. */
+/** Shadows of bodies at rest: redrawn only when the observer has moved on. */
 export class StaticDistantShadows {
   private readonly atlas: ShadowAtlas;
   private readonly lights: readonly (LightCascades | undefined)[];
-  /** Layers of receivers, and after them those of occluders, which are measured from the middle of what rests. */
+  /** The layers of receivers, then those of occluders, which are relative to `origin`. */
   private readonly table: LayerTable;
   private readonly poses: PoseTable;
   private readonly origin: Vec3;
@@ -45,63 +46,63 @@ export class StaticDistantShadows {
   private readonly side: number;
   private renderedKey = '';
 
-  constructor(occluders: Occluders, suns: readonly ShadowedDistantLight[], gpu: Gpu) {
-    const { bodies, drawables, detail } = occluders;
+  constructor(occluders: Occluders, lights: readonly ShadowedDistantLight[], gpu: Gpu) {
+    const { bodies, drawables: drawCalls, detail } = occluders;
     const resting = bodies.filter(isAlwaysStatic);
     let count = 0;
-    this.lights = suns.map((sun) => {
+    this.lights = lights.map((sun) => {
       const box = lightSpaceBox(resting, lightAxes(sun.direction));
       if (!box) return undefined;
-      const made = { light: sun, box, count: cascadeSizes(box).length, first: count };
-      count += made.count;
-      return made;
+      const cascade = { light: sun, box, count: cascadeSizes(box).length, first: count };
+      count += cascade.count;
+      return cascade;
     });
     this.count = count;
-    this.side = detail.staticTiles[Math.max(0, suns.length - 1)];
+    this.side = detail.staticTiles[Math.max(0, lights.length - 1)];
     this.atlas = new ShadowAtlas(gpu, { cell: detail.cell, threshold: parallelEdgeThreshold });
     this.table = new LayerTable(2 * count, PARALLEL_LAYER_TEXELS);
     this.origin = this.lights[0]?.box.center ?? ZERO;
     this.poses = new PoseTable(bodies.length);
-    this.poses.setStatic(resting, drawables, this.origin);
+    this.poses.setStatic(resting, drawCalls, this.origin);
     const { atlas, table, side } = this;
-    const placing = this.poses.placement(atlas.layer);
-    for (const drawable of drawables)
-      if (!drawable.batch.transparent && drawable.batch.bodies.some(isAlwaysStatic))
-        atlas.scene.add(makeCaster(drawable, placing, parallelProjection(atlas, table, side), occluders.materials));
+    const placement = this.poses.placement(atlas.layer);
+    for (const drawCall of drawCalls)
+      if (!drawCall.batch.transparent && drawCall.batch.bodies.some(isAlwaysStatic))
+        atlas.scene.add(makeCaster(drawCall, placement, parallelProjection(atlas, table, side), occluders.materials));
   }
 
-  /** undefined where nothing rests. `sun`: its place among the suns. */
-  visibility(sun: number, event: ReceiverEvent, taps: number): Float | undefined {
-    const found = this.lights[sun];
-    if (!found) return undefined;
+  /** Returns undefined if nothing is at rest. `sun`: the light's index. */
+  visibility(sun: number, event: ReceiverEvent, sampleCount: number): Float | undefined {
+    const cascadesOfLight = this.lights[sun];
+    if (!cascadesOfLight) return undefined;
     const { atlas, table, side } = this;
-    const maps: ParallelMaps = { atlas, table, side, sampleCount: taps };
-    return cascadeVisibility(maps, found.first, found.count, event);
+    const maps: ParallelMaps = { atlas, table, side, sampleCount };
+    return cascadeVisibility(maps, cascadesOfLight.first, cascadesOfLight.count, event);
   }
 
-  /** Makes the maps for an observer at `position`. */
+  /** Updates the maps for an observer at `position`. */
   update(position: Vec3): void {
     const { side, table, origin, count } = this;
-    const order: AtlasDraw[] = [];
-    this.lights.forEach((found, row) => {
-      if (!found) return;
-      const { light, box, first } = found;
+    const draws: AtlasDraw[] = [];
+    this.lights.forEach((lightCascades, row) => {
+      if (!lightCascades) return;
+      const { light, box, first } = lightCascades;
       const tiles = Array.from(
-        { length: found.count },
+        { length: lightCascades.count },
         (_, k): AtlasTile => ({ x: k * side, y: row * side, size: side }),
       );
-      const spread = penumbraSlopeOf(light.radius, light.direction, light.direction);
-      cascades(box, position, { tiles, spread }).forEach((layer, k) => {
+      const penumbraSlope = penumbraSlopeOf(light.radius, light.direction, light.direction);
+      cascades(box, position, { tiles, penumbraSlope }).forEach((layer, k) => {
         table.set(first + k, parallelLayerTexels({ ...layer, center: sub(layer.center, position) }));
         table.set(count + first + k, parallelLayerTexels({ ...layer, center: sub(layer.center, origin) }));
-        order.push({ layer: count + first + k });
+        draws.push({ layer: count + first + k });
       });
     });
     const key = table.keyOf(count, count);
-    if (key === this.renderedKey || order.length === 0) return;
+    if (key === this.renderedKey || draws.length === 0) return;
     this.renderedKey = key;
-    const columns = Math.max(...this.lights.map((found) => found?.count ?? 0));
-    this.atlas.render(columns * side, this.lights.length * side, order);
+    const columns = Math.max(...this.lights.map((lightCascades) => lightCascades?.count ?? 0));
+    this.atlas.render(columns * side, this.lights.length * side, draws);
   }
 
   dispose(): void {

@@ -14,21 +14,21 @@ import {
 } from './perspectiveLayer.ts';
 import type { TileGrid } from './perspectiveProjection.ts';
 
-/** Cones up to so far from their axis are on one tile [rad]. */
+/** Shaped lights whose cone is within this angle of their axis have one tile [rad]. */
 const MAX_SINGLE_TILE_ANGLE = 0.95;
 /** What is nearer to a light than this may be its own bulb, and casts no shadow [radii]. */
 const BULB_RADII = 1.05;
-/** Nor any by what is nearer than this part of the scene. */
+/** Least near distance of a layer, as a fraction of the scene's radius. */
 const MIN_NEAR = 1e-4;
 
-/** Tiles that a light falls on. */
+/** Number of tiles that a light shines on. */
 export function faceCountOf(light: LocalLight): number {
   const { shaping } = light;
   if (shaping && shaping.outer <= MAX_SINGLE_TILE_ANGLE) return 1;
   return lightKind(light).isOneSided ? 5 : 6;
 }
 
-/** The projection of a light's surroundings at a time [s]; c [m/s], `radius` of the scene [m]. */
+/** The projection of a light's surroundings at a time [s]; c [m/s], `radius` of the scene [m]; `side`, `cell` of its tiles [texels]. */
 export function lightLayer(
   light: LocalLight,
   t: number,
@@ -49,26 +49,26 @@ export function lightLayer(
   };
 }
 
-/** Middle of a tile [texels]. */
+/** Centre of a tile [texels]. */
 export const tileCenter = ({ side, columns }: TileGrid, tile: number): readonly [x: number, y: number] => [
   ((tile % columns) + 0.5) * side,
   (Math.floor(tile / columns) + 0.5) * side,
 ];
 
-/** Puts a light's tiles, from `tile` on, at layers of a table: one of receivers, and from another on those of occluders, which are measured from elsewhere. */
+/** Sets the layers of a light's tiles, from `tile` on: one for receivers, and one per face for occluders, which have another origin. */
 export function setLightTiles(
   table: LayerTable,
   at: { readonly receivers: number; readonly occluders: number; readonly tile: number },
   layer: Omit<PerspectiveLayer, 'source'>,
   sources: { readonly receivers: Vec3; readonly occluders: Vec3 },
   faces: number,
-  tiling: TileGrid,
+  tiles: TileGrid,
 ): void {
   table.set(at.receivers, perspectiveLayerTexels({ ...layer, source: sources.receivers }, at.tile, faces));
   cubeFaceAxes(layer.axes)
     .slice(0, faces)
     .forEach((axes, k) => {
       const face = { ...layer, axes, source: sources.occluders };
-      table.set(at.occluders + k, perspectiveLayerTexels(face, ...tileCenter(tiling, at.tile + k)));
+      table.set(at.occluders + k, perspectiveLayerTexels(face, ...tileCenter(tiles, at.tile + k)));
     });
 }

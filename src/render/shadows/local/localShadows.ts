@@ -11,13 +11,16 @@ import type { Occluders } from '../occluders.ts';
 import { DynamicLocalShadows } from './dynamicLocalShadows.ts';
 import { StaticLocalShadows } from './staticLocalShadows.ts';
 
-/** Which light of local lights is occluded: each light's, from where it was when it sent it out, past where they were when it passed. */
+/** Shadows of local lights, in retarded time: from where a light was when it emitted, past where occluders were when its light passed them. */
 export class LocalShadows {
   private readonly lights: LightTable;
   private readonly sampleCount: number;
   private readonly staticShadows: StaticLocalShadows;
   private readonly dynamicShadows: DynamicLocalShadows;
-  /** How much later than where it ends light was sent out, per metre: along x, y, z of the world, and in any direction. */
+  /**
+   * Emission time of light after that of the event it meets [m of light], per metre: a vector for the offset along x, y, z of the world, and a number for its
+   * length.
+   */
   private readonly emissionDelay = uniform(new Vector4());
 
   constructor(occluders: Occluders, lights: LightTable, gpu: Gpu) {
@@ -30,24 +33,24 @@ export class LocalShadows {
   visibility(slot: Int | number, event: ReceiverEvent, light: ShadowedLight): Float | undefined {
     const { emissionDelay, sampleCount } = this;
     const moves = !isStatic(light.motion);
-    const beam = {
+    const incoming = {
       ...light,
       emissionDelay: dot(emissionDelay.xyz, light.offset)
         .add(emissionDelay.w.mul(length(light.offset)))
         .toVar(),
     };
-    const still = moves ? undefined : this.staticShadows.visibility(slot, event, beam, sampleCount);
-    const gone = this.dynamicShadows.visibility(slot, moves, event, beam, sampleCount);
-    return still && gone ? still.mul(gone) : (still ?? gone);
+    const staticVisibility = moves ? undefined : this.staticShadows.visibility(slot, event, incoming, sampleCount);
+    const dynamicVisibility = this.dynamicShadows.visibility(slot, moves, event, incoming, sampleCount);
+    return staticVisibility && dynamicVisibility ? staticVisibility.mul(dynamicVisibility) : (staticVisibility ?? dynamicVisibility);
   }
 
-  /** Makes the maps that a picture needs; false where samples of a deforming mesh have still to come. */
-  update(sight: Observation): boolean {
-    this.lights.selectShadowCasters(sight);
+  /** Updates the maps for a picture. Returns false if samples of a deforming mesh are not loaded yet. */
+  update(observation: Observation): boolean {
+    this.lights.selectShadowCasters(observation);
     const { shadowCasters } = this.lights;
-    this.emissionDelay.value.set(...emissionDelayPerMeter(sight));
-    this.staticShadows.update(shadowCasters, sight);
-    return this.dynamicShadows.update(shadowCasters, sight);
+    this.emissionDelay.value.set(...emissionDelayPerMeter(observation));
+    this.staticShadows.update(shadowCasters, observation);
+    return this.dynamicShadows.update(shadowCasters, observation);
   }
 
   get isComplete(): boolean {

@@ -1,34 +1,40 @@
 import { abs, dot, float, floor, fract, int, length, max, min, screenCoordinate, sqrt, vec2 } from 'three/tsl';
 import type { Bool, Float, Int, Vec2 } from '../../../shaders/types.ts';
-import { type AtlasLookup, edgeHeightNear, heightAt, loopTimes, rotateByGoldenAngle } from '../atlas/atlasLookups.ts';
+import {
+  type AtlasLookup,
+  edgeHeightNear,
+  heightAt,
+  loopTimes,
+  MIN_FILTER_RADIUS,
+  MIN_OCCLUDER_SLOPE,
+  rotateByGoldenAngle,
+} from '../atlas/atlasLookups.ts';
 
-/** A place on a map whose light comes from a point, and what the light around that point looks like from there. */
+/** A place on a light's tile, and what the light looks like from there. */
 export interface LightFootprint {
   /** [texels] */
   readonly place: Vec2;
-  /** One over the depth of what may be in shadow [1/m], how that changes on its plane from texel to texel, and by a rise as high as a texel is wide. */
+  /** One over the depth of the receiver [1/m], its derivative on the receiver's plane per texel, and its change by a rise of one texel's width. */
   readonly ground: Float;
   readonly slope: Vec2;
   readonly grain: Float;
-  /** Half axes of the light as they fall on the map in the height of an occluder: texels for each unit of its height above the ground. */
+  /** Half axes of the light as projected onto the tile through an occluder: texels per unit of the occluder's height above the ground. */
   readonly A: Vec2;
   readonly B: Vec2;
-  /** Whether it fills the parallelogram of its axes, and not the ellipse. */
+  /** Whether the light fills the parallelogram of its axes, or else the ellipse. */
   readonly isParallelogram: boolean;
 }
 
-/** What rises beside the surface no steeper than so, as the floor at the foot of a wall does, is not above it. */
-const MIN_OCCLUDER_SLOPE = 1.5;
-/** A light on the map is taken to have at least this radius [texels], and at most a cell of edgeMap.ts. */
-const MIN_FILTER_RADIUS = 0.8;
-/** So much of the way to the light's edge, at an occluder's height, a lookup may be beside the place for the occluder to count. */
+/**
+ * A blocker counts if its distance from the place is within the cone to the light's edge at the blocker's height; the cone is widened by 1 over this factor.
+ */
 const BLOCKER_CONE = 0.8;
 
 /**
- * The share of a light that is seen past the occluders on a tile. Where no edge is near, one lookup tells. Else some tell how high the occluders are
- * between the place and the light, as wide as that falls on the map in the height of the highest edge; and others, as wide as in the mean height of
- * those, what share of it they hide (percentage-closer soft shadows, Fernando 2005). They are turned from pixel to pixel, for a penumbra is wider
- * than there are steps.
+ * The fraction of a light that is visible past the occluders on a tile. Where no edge is near, one lookup decides. Elsewhere a first set of lookups, as wide
+ * as the light projected at the height of the highest edge, finds the mean height of the blockers; a second set, as wide as the light projected at that
+ * height, finds the fraction that they occlude (percentage-closer soft shadows, Fernando 2005). Lookups are rotated from pixel to pixel, because a penumbra
+ * is wider than there are steps.
  */
 export function pcssVisibility(
   map: AtlasLookup,
@@ -38,60 +44,63 @@ export function pcssVisibility(
 ): Float {
   const { place, ground, A, B, isParallelogram } = footprint;
   const edge = edgeHeightNear(map, place).toVar();
-  const near = edge.greaterThan(ground).toVar();
+  const nearEdge = edge.greaterThan(ground).toVar();
   const widest = max(length(A), length(B)).max(1e-9).toVar();
-  const most = float(map.cell).div(widest).toVar();
-  const first = near.select(min(edge.sub(ground), most), float(0)).toVar();
+  const maxReach = float(map.cell).div(widest).toVar();
+  const searchReach = nearEdge.select(min(edge.sub(ground), maxReach), float(0)).toVar();
   const start = samplePatternOf(isParallelogram);
   const blockers = { height: float(0).toVar(), count: float(0).toVar() };
-  const searches = Math.max(4, sampleCount / 2);
-  const search = lightSamples(filterAxis(A, first, vec2(1, 0), near), filterAxis(B, first, vec2(0, 1), near), start);
-  loopTimes(near.select(int(searches), int(1)), (i) => {
-    const { height, off, clear } = lookup(map, footprint, search(i, searches));
-    // Beyond the light's edge as that occluder has it.
-    const cone = max(off.sub(2), 0).mul(BLOCKER_CONE).div(widest).add(ground);
-    const blocks = height.greaterThan(max(clear, cone)).select(float(1), float(0));
+  const searchCount = Math.max(4, sampleCount / 2);
+  const search = lightSamples(filterAxis(A, searchReach, vec2(1, 0), nearEdge), filterAxis(B, searchReach, vec2(0, 1), nearEdge), start);
+  loopTimes(nearEdge.select(int(searchCount), int(1)), (i) => {
+    const { height, off: offset, clear: minHeight } = lookup(map, footprint, search(i, searchCount));
+    // Not outside the cone to the light's edge at the blocker's height.
+    const cone = max(offset.sub(2), 0).mul(BLOCKER_CONE).div(widest).add(ground);
+    const blocks = height.greaterThan(max(minHeight, cone)).select(float(1), float(0));
     blockers.height.addAssign(height.mul(blocks));
     blockers.count.addAssign(blocks);
   });
   const mean = blockers.height.div(max(blockers.count, 1)).toVar();
-  const reach = min(max(mean.sub(ground), 0), most).toVar();
-  const filter = lightSamples(filterAxis(A, reach, vec2(1, 0), near), filterAxis(B, reach, vec2(0, 1), near), start);
-  const wide = near.and(blockers.count.greaterThan(0)).toVar();
-  const count = wide.select(int(sampleCount), int(1)).toVar();
-  const held = float(0).toVar();
+  const reach = min(max(mean.sub(ground), 0), maxReach).toVar();
+  const filter = lightSamples(filterAxis(A, reach, vec2(1, 0), nearEdge), filterAxis(B, reach, vec2(0, 1), nearEdge), start);
+  const inPenumbra = nearEdge.and(blockers.count.greaterThan(0)).toVar();
+  const count = inPenumbra.select(int(sampleCount), int(1)).toVar();
+  const occluded = float(0).toVar();
   loopTimes(count, (i) => {
-    const { height, clear } = lookup(map, footprint, wide.select(filter(i, sampleCount), vec2(0)));
-    held.addAssign(height.greaterThan(clear).select(float(1), float(0)));
+    const { height, clear: minHeight } = lookup(map, footprint, inPenumbra.select(filter(i, sampleCount), vec2(0)));
+    occluded.addAssign(height.greaterThan(minHeight).select(float(1), float(0)));
   });
-  const open = held.div(float(count)).oneMinus();
-  return enabled ? enabled.select(open, float(1)) : open;
+  const visibility = occluded.div(float(count)).oneMinus();
+  return enabled ? enabled.select(visibility, float(1)) : visibility;
 }
 
-/** The highest occluder beside the place, and how high it has to be to be above the surface. */
-function lookup(map: AtlasLookup, { place, ground, slope, grain }: LightFootprint, aside: Vec2) {
-  const at = floor(place.add(aside)).toVar();
-  const off = at.add(0.5).sub(place).toVar();
-  const rise = max(abs(off.x), abs(off.y)).mul(MIN_OCCLUDER_SLOPE).mul(grain);
-  const clear = max(max(dot(slope, off), rise).add(ground), 0);
-  return { height: heightAt(map, at).toVar(), off: length(off), clear };
+/** The highest occluder at an offset from the place, and the height above which it occludes the receiver. */
+function lookup(map: AtlasLookup, { place, ground, slope, grain }: LightFootprint, offsetTexels: Vec2) {
+  const at = floor(place.add(offsetTexels)).toVar();
+  const offset = at.add(0.5).sub(place).toVar();
+  const rise = max(abs(offset.x), abs(offset.y)).mul(MIN_OCCLUDER_SLOPE).mul(grain);
+  const minHeight = max(max(dot(slope, offset), rise).add(ground), 0);
+  return { height: heightAt(map, at).toVar(), off: length(offset), clear: minHeight };
 }
 
-/** A half axis on the map in some height above the ground, of at least a radius. */
-function filterAxis(of: Vec2, reach: Float, otherwise: Vec2, near: Bool): Vec2 {
+/** A half axis on the tile at a height above the ground, of at least the minimal filter radius. */
+function filterAxis(of: Vec2, reach: Float, otherwise: Vec2, nearEdge: Bool): Vec2 {
   const size = length(of).toVar();
-  const way = size.greaterThan(1e-6).select(of.div(size.max(1e-6)), otherwise);
-  return way.mul(near.select(size.mul(reach).max(MIN_FILTER_RADIUS), float(0))).toVar();
+  const unitAxis = size.greaterThan(1e-6).select(of.div(size.max(1e-6)), otherwise);
+  return unitAxis.mul(nearEdge.select(size.mul(reach).max(MIN_FILTER_RADIUS), float(0))).toVar();
 }
 
 /** Steps of the R₂ sequence (Roberts 2018, "The unreasonable effectiveness of quasirandom sequences"). */
 const R2_LATTICE = [0.7548776662, 0.5698402909] as const;
 
-/** Of each pixel a number from 0 to 1, unlike those of its neighbours (interleaved gradient noise: Jimenez 2014, "Next generation post processing in Call of Duty"). */
+/**
+ * A number from 0 to 1 for each pixel, unlike those of its neighbours (interleaved gradient noise: Jimenez 2014, "Next generation post processing in Call of
+ * Duty").
+ */
 const interleavedGradientNoise = (): Float =>
   fract(fract(dot(floor(screenCoordinate), vec2(0.06711056, 0.00583715))).mul(52.9829189));
 
-/** Where the lookups begin: on a square the first of a lattice of its own, on a disc the first direction. */
+/** Where the pixel's lookups begin: for a square the offset of its lattice, for a disc the first direction. */
 function samplePatternOf(square: boolean): { readonly square: boolean; readonly at: Vec2 } {
   const number = interleavedGradientNoise().toVar();
   const angle = number.mul(2 * Math.PI);
@@ -99,7 +108,7 @@ function samplePatternOf(square: boolean): { readonly square: boolean; readonly 
   return { square, at: (square ? vec2(number, other) : vec2(angle.cos(), angle.sin())).toVar() };
 }
 
-/** The i-th of `count` places, evenly over a light. On a square they are those of R₂, on a disc turned by the golden angle. */
+/** The i-th of `count` places, evenly distributed over a light: on a square by the R₂ sequence, on a disc by the golden angle. */
 function lightSamples(
   A: Vec2,
   B: Vec2,
@@ -107,7 +116,7 @@ function lightSamples(
 ): (i: Int, count: number) => Vec2 {
   const of = (p: Vec2): Vec2 => A.mul(p.x).add(B.mul(p.y));
   if (square) {
-    const step = vec2(0.7548776662, 0.5698402909);
+    const step = vec2(...R2_LATTICE);
     return (i) =>
       of(
         fract(at.add(step.mul(float(i))))

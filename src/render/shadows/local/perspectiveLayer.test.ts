@@ -15,7 +15,7 @@ const number = fc.double({ min: -1, max: 1, noNaN: true });
 const vector = fc.tuple(number, number, number);
 const direction = vector.filter((v) => length(v) > 0.05).map((v) => normalize(v));
 
-/** Column, row and height by the numbers that shaders read. */
+/** Column, row and height of a point, from the numbers that shaders read. */
 function placeOf(texels: readonly number[], x: Vec3): Vec3 {
   const [across, up, towards, source] = [0, 1, 2, 3].map(
     (k): Vec3 => [texels[4 * k], texels[4 * k + 1], texels[4 * k + 2]],
@@ -28,11 +28,11 @@ function placeOf(texels: readonly number[], x: Vec3): Vec3 {
 describe('a layer of a lamp', () => {
   it('has all of a ray on one texel, the nearer the higher', () => {
     fc.assert(
-      fc.property(direction, vector, direction, (s, source, way) => {
-        fc.pre(dot(s, way) > 0.2);
+      fc.property(direction, vector, direction, (s, source, ray) => {
+        fc.pre(dot(s, ray) > 0.2);
         const layer: PerspectiveLayer = { axes: lightAxes(s), source, focal: 100, near: 0.1 };
         const texels = perspectiveLayerTexels(layer, 128, 384);
-        const [near, far] = [1, 4].map((r) => placeOf(texels, addScaled(source, way, r)));
+        const [near, far] = [1, 4].map((r) => placeOf(texels, addScaled(source, ray, r)));
         expect(far[0]).toBeCloseTo(near[0], 6);
         expect(far[1]).toBeCloseTo(near[1], 6);
         expect(near[2]).toBeGreaterThan(far[2]);
@@ -44,10 +44,10 @@ describe('a layer of a lamp', () => {
     const axes = lightFrameAxes([1, 0, 0], [0, 1, 0]);
     expect(axes.toLight).toEqual([0, 0, -1]);
     fc.assert(
-      fc.property(direction, (way) => {
+      fc.property(direction, (ray) => {
         const faces = cubeFaceAxes(axes).filter(({ right: across, up, toLight }) => {
-          const z = dot(toLight, way);
-          return z > Math.abs(dot(across, way)) && z > Math.abs(dot(up, way));
+          const z = dot(toLight, ray);
+          return z > Math.abs(dot(across, ray)) && z > Math.abs(dot(up, ray));
         });
         expect(faces.length).toBe(1);
       }),
@@ -63,7 +63,7 @@ describe('a layer of a lamp', () => {
         const layer = sphereLayer(source, 1, tile)!;
         const across = cross(to, aside);
         fc.pre(length(across) > 0.1);
-        // Where a ray from the lamp touches the ball.
+        // Where a ray from the light touches the sphere.
         const touch = addScaled(scale(to, -1 / distance), normalize(across), Math.sqrt(1 - 1 / distance ** 2));
         const [x, y, height] = placeOf(perspectiveLayerTexels(layer, 0, 0), touch);
         expect(Math.hypot(x, y)).toBeCloseTo(faceFocal(tile.side, tile.cell), 6);

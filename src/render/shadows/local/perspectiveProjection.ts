@@ -5,35 +5,38 @@ import type { LayerTable } from '../atlas/layerTable.ts';
 import type { ShadowAtlas } from '../atlas/shadowAtlas.ts';
 import type { LayerProjection } from '../casters/casterMesh.ts';
 
-/** Tiles of a light's map, in rows from its first corner on. */
+/** The tiles of a light's map, in rows. */
 export interface TileGrid {
   /** [texels] */
   readonly side: number;
   readonly columns: number;
 }
 
-/** First corner of a tile [texels]. */
+/** The corner of a tile with the least coordinates [texels]. */
 export const tileCorner = ({ side, columns }: TileGrid, tile: Int): Vec2 =>
   vec2(tile.mod(int(columns)), tile.div(int(columns))).mul(side);
 
-/** A texel's width is the depth over the focal length, so that a rise by it changes the height by the height over that; of the widest tiles. */
+/**
+ * Least change of slope that may be an edge. A texel's width is the depth over the focal length, so a rise by it changes the height (1/depth) by height/focal
+ * length; here for the shortest focal length.
+ */
 export const perspectiveEdgeThreshold =
   (side: number): EdgeLayout['threshold'] =>
   (highest) =>
     highest.mul(2 / side);
 
-/** The numbers of a projection (`perspectiveLayerTexels`). */
+/** The rows of a projection (`perspectiveLayerTexels`). */
 export type PerspectiveRows = readonly [across: Vec4, up: Vec4, towards: Vec4, source: Vec4];
 export const readPerspectiveRows = (table: LayerTable, layer: Int | number): PerspectiveRows => {
   const [across, up, towards, source] = [0, 1, 2, 3].map((k) => table.texel(layer, k).toVar());
   return [across, up, towards, source];
 };
 
-/** A vector along a projection's axes. */
+/** The components of a vector along a projection's axes. */
 export const onLayerAxes = ([across, up, towards]: PerspectiveRows, v: Vec3): Vec3 =>
   vec3(dot(across.xyz, v), dot(up.xyz, v), dot(towards.xyz, v));
 
-/** Which of six faces a direction, on a light's axes, belongs to (`cubeFaceAxes`), and vectors on the axes of that face. */
+/** The cube face that a direction, on a light's axes, belongs to (`cubeFaceAxes`), and a function that maps vectors to the axes of that face. */
 export function cubeFaceOf(direction: Vec3): { readonly face: Int; readonly onFace: (v: Vec3) => Vec3 } {
   const size = abs(direction).toVar();
   const ahead = size.z.greaterThanEqual(max(size.x, size.y)).toVar();
@@ -52,7 +55,7 @@ export function cubeFaceOf(direction: Vec3): { readonly face: Int; readonly onFa
   };
 }
 
-/** Occluders on layers whose light comes from a point; `table` has the middle of each tile [texels]. */
+/** Projects occluders onto layers of a local light; `table` has the centre of each tile [texels]. */
 export const perspectiveProjection = (map: ShadowAtlas, table: LayerTable, side: number): LayerProjection => ({
   project(layer, x) {
     const rows = readPerspectiveRows(table, layer);

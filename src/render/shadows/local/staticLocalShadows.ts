@@ -17,24 +17,24 @@ import { CELLS_PER_TILE, PERSPECTIVE_LAYER_TEXELS } from './perspectiveLayer.ts'
 import { perspectiveEdgeThreshold, perspectiveProjection, type TileGrid } from './perspectiveProjection.ts';
 import { type IncomingLight, surroundingsVisibility } from './perspectiveReceiver.ts';
 
-/** Width of a map [texels]. */
+/** Width of an atlas [texels]. */
 export const ATLAS_WIDTH = 2048;
 
-/** What always is where it is throws these shadows of lights that rest: exact, and drawn anew only where other lights throw them. */
+/** Shadows that bodies at rest throw in the light of lights at rest: exact, and redrawn only when other lights throw shadows. */
 export class StaticLocalShadows {
-  /** By slot, the first of its tiles; undefined of a light that moves. */
+  /** By slot, the light's first tile; undefined if the light moves. */
   private readonly firstTiles: readonly (number | undefined)[];
   private readonly count: number;
   private readonly atlas: ShadowAtlas;
-  /** A layer of receivers for each slot, then one of occluders for each tile: these are measured from a place in the world. */
+  /** A layer of receivers for each slot, then a layer of occluders for each tile; the latter are relative to `origin`. */
   private readonly table: LayerTable;
   private readonly poses: PoseTable;
   private readonly origin: Vec3;
-  private readonly tiling: TileGrid;
+  private readonly tiles: TileGrid;
   private readonly radius: number;
   private renderedKey = '';
 
-  constructor({ bodies, drawables, materials, detail, radius }: Occluders, lights: readonly LightEntry[], gpu: Gpu) {
+  constructor({ bodies, drawables: drawCalls, materials, detail, radius }: Occluders, lights: readonly LightEntry[], gpu: Gpu) {
     const resting = bodies.filter(isAlwaysStatic);
     let count = 0;
     this.firstTiles = lights.map(({ light }) => {
@@ -45,46 +45,46 @@ export class StaticLocalShadows {
     this.count = count;
     this.radius = radius;
     const side = detail.localTiles[count > 24 ? 1 : 0];
-    this.tiling = { side, columns: ATLAS_WIDTH / side };
+    this.tiles = { side, columns: ATLAS_WIDTH / side };
     this.atlas = new ShadowAtlas(gpu, { cell: side / CELLS_PER_TILE, threshold: perspectiveEdgeThreshold(side) });
     this.table = new LayerTable(lights.length + count, PERSPECTIVE_LAYER_TEXELS);
     this.origin = resting[0] ? positionAt(resting[0].line, 0, 1) : ZERO;
     this.poses = new PoseTable(bodies.length);
     if (count === 0) return;
-    this.poses.setStatic(resting, drawables, this.origin);
-    const projecting = perspectiveProjection(this.atlas, this.table, side);
-    const placing = this.poses.placement(this.atlas.layer);
-    for (const drawable of drawables)
-      if (!drawable.batch.transparent && drawable.batch.bodies.some(isAlwaysStatic))
-        this.atlas.scene.add(makeCaster(drawable, placing, projecting, materials));
+    this.poses.setStatic(resting, drawCalls, this.origin);
+    const projection = perspectiveProjection(this.atlas, this.table, side);
+    const placement = this.poses.placement(this.atlas.layer);
+    for (const drawCall of drawCalls)
+      if (!drawCall.batch.transparent && drawCall.batch.bodies.some(isAlwaysStatic))
+        this.atlas.scene.add(makeCaster(drawCall, placement, projection, materials));
   }
 
-  /** undefined where nothing rests. */
-  visibility(slot: Int | number, event: ReceiverEvent, beam: IncomingLight, taps: number): Float | undefined {
+  /** Returns undefined if nothing is at rest. */
+  visibility(slot: Int | number, event: ReceiverEvent, incoming: IncomingLight, sampleCount: number): Float | undefined {
     if (this.count === 0) return undefined;
-    const { atlas, table, tiling } = this;
-    return surroundingsVisibility({ atlas, table, tiles: tiling, sampleCount: taps }, slot, event, beam);
+    const { atlas, table, tiles } = this;
+    return surroundingsVisibility({ atlas, table, tiles, sampleCount }, slot, event, incoming);
   }
 
-  update(lights: readonly LightEntry[], sight: Observation): void {
+  update(lights: readonly LightEntry[], observation: Observation): void {
     if (this.count === 0) return;
-    const { table, tiling, firstTiles, atlas, origin, radius } = this;
-    const drawings: AtlasDraw[] = [];
+    const { table, tiles, firstTiles, atlas, origin, radius } = this;
+    const draws: AtlasDraw[] = [];
     lights.forEach(({ light, line }, slot) => {
       const tile = firstTiles[slot];
       if (tile === undefined) return;
-      const position = positionAt(line, sight.t, sight.c);
-      const layer = lightLayer(light, sight.t, { c: sight.c, radius, side: tiling.side, cell: atlas.cell });
-      const sources = { receivers: sub(position, sight.position), occluders: sub(position, origin) };
+      const position = positionAt(line, observation.t, observation.c);
+      const layer = lightLayer(light, observation.t, { c: observation.c, radius, side: tiles.side, cell: atlas.cell });
+      const sources = { receivers: sub(position, observation.position), occluders: sub(position, origin) };
       const [faces, first] = [faceCountOf(light), lights.length + tile];
-      setLightTiles(table, { receivers: slot, occluders: first, tile }, layer, sources, faces, tiling);
-      for (let k = 0; k < faces; k++) drawings.push({ layer: first + k });
+      setLightTiles(table, { receivers: slot, occluders: first, tile }, layer, sources, faces, tiles);
+      for (let k = 0; k < faces; k++) draws.push({ layer: first + k });
     });
-    const key = `${drawings.map(({ layer }) => layer)} ${table.keyOf(lights.length, this.count)}`;
+    const key = `${draws.map(({ layer }) => layer)} ${table.keyOf(lights.length, this.count)}`;
     if (key === this.renderedKey) return;
     this.renderedKey = key;
-    const rows = Math.ceil(this.count / tiling.columns);
-    atlas.render(ATLAS_WIDTH, rows * tiling.side, drawings);
+    const rows = Math.ceil(this.count / tiles.columns);
+    atlas.render(ATLAS_WIDTH, rows * tiles.side, draws);
   }
 
   dispose(): void {
