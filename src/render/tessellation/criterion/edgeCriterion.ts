@@ -1,22 +1,22 @@
 import { MIN_EDGE_PIXELS, MIN_KINKED_EDGE_PIXELS, POINT_FLOATS, type ProjectedBody } from './projectedBody.ts';
 import type { ScreenMetric } from './tessellationView.ts';
 
-/** Edges along which the distance, or the place that the edge is graded by, changes by more than this share of the least distance are cut. */
+/** Edges along which the distance, or the place that the edge is graded by, changes by more than this fraction of the least distance are split. */
 export const MAX_GRADE = 0.75;
 /**
- * The same for edges near the plane through the eye across the line of sight, where no point can be projected: no triangle reaches from there into the
- * picture, and nothing is left to the GPU's clipping, whose places SwiftShader has wrong by many pixels, or loses.
+ * The same near the plane through the observer across the line of sight, where nothing can be projected. Triangles that cross it would be clipped by the GPU,
+ * and SwiftShader misplaces clipped vertices by many pixels, or loses them; split finely enough, no triangle reaches from that plane into the picture.
  */
 export const MAX_GRADE_NEAR_CAMERA_PLANE = 0.25;
 /** Cosine of the angle from the line of sight at which that begins. */
 export const CAMERA_PLANE_COSINE = 0.15;
-/** Errors of depth count this much less than those across the line of sight. */
+/** Weight of errors in depth against those across the line of sight. */
 export const DEPTH_WEIGHT = 0.5;
-/** A quarter of an edge that is shown shorter is never cut, however far its ends are apart along the line of sight [px]. */
+/** An edge whose quarters all appear shorter than this is never split, however far apart its ends are along the line of sight [px]. */
 export const MIN_STEP_PIXELS = 0.25;
-/** Ends that do not exist are cut off until what is left of an edge is shown so short [px], */
+/** Edges with ends that do not exist are split until what is left appears shorter than this [px], … */
 const HORIZON_STEP_PIXELS = 0.5;
-/** or such a share of an edge of the mesh: near the horizon images shrink to a point. */
+/** … or is at most this fraction of an edge of the mesh: near the horizon images shrink to a point. */
 const HORIZON_EXTENT = 1 / 256;
 
 export type EdgeDecision = typeof KEEP | typeof TESSELLATE | typeof SPLIT;
@@ -25,13 +25,12 @@ export const TESSELLATE = 1;
 export const SPLIT = 2;
 
 /**
- * Into how many equal pieces an edge must be cut, so that straight pieces are off the curve that is seen by the tolerance. It depends on the points
- * of the edge alone, and not on which end comes first, to the last bit: the triangles on its two sides always agree.
- *
- * F(f) is where the point at share f of the edge is shown. Over a step h the chord is off by F″h²/8, and S = F(f − ¼) − 2F(f) + F(f + ¼) ≈ F″/16, so
- * n² = 2 max|S|/tolerance, |S| in pixels: what is across the line of sight times focal (1 + tan²θ)/|F|, θ the angle from the picture's middle.
- * Where F′ jumps by J, as it does where velocities change suddenly, second differences are not alike: their spread is J/8 at least, but near the ends, and
- * the chord is off by J/4 at most.
+ * The number of equal segments that an edge needs so that straight segments stay within the tolerance of the curve that is seen (docs/physics.md §9.1). It
+ * depends on the points of the edge alone, and to the last bit not on their order, so the triangles on both sides always agree.
+ * F(f) is the observer position of the point at fraction f of the edge. Over a step h the chord is off by F″h²/8, and S = F(f − ¼) − 2F(f) + F(f + ¼) ≈
+ * F″/16, so n² = 2 max|S|/tolerance, with |S| in pixels: the part across the line of sight, times focal (1 + tan²θ)/|F|, θ the angle from the picture's
+ * centre. Where F′ jumps by J, as it does where velocities change suddenly, the second differences differ: their spread is at least J/8 except near the ends,
+ * and the chord is off by at most J/4.
  */
 export class EdgeCriterion {
   private readonly metric: ScreenMetric;
@@ -39,38 +38,38 @@ export class EdgeCriterion {
   private readonly inner = new Float64Array(3 * POINT_FLOATS);
   private readonly distances = new Float64Array(5);
   private readonly magnifications = new Float64Array(5);
-  /** Cosines of their angles from the line of sight. */
+  /** Cosines of the angles of the five points from the line of sight. */
   private readonly viewCosines = new Float64Array(5);
-  /** Of the second differences of the last edge [px]. */
+  /** Spread of the second differences of the last edge [px]. */
   private spread = 0;
 
-  constructor(gauge: ScreenMetric) {
-    this.metric = gauge;
+  constructor(metric: ScreenMetric) {
+    this.metric = metric;
   }
 
-  /** 1 where it need not be cut; Infinity where it must be and it cannot be told how often. a, b: places of its ends in `points`. */
-  segments(shown: ProjectedBody, points: Float64Array, a: number, b: number): number {
-    if (shown.needsNoCut(points, a, b) || this.pixelLength(points, a, b) < MIN_EDGE_PIXELS) return 1;
-    return this.longEdgeSegments(shown, points, a, b);
+  /** Returns 1 if the edge need not be divided; Infinity if it must be, but the number cannot be estimated. a, b: indices of its ends in `points`. */
+  segments(body: ProjectedBody, points: Float64Array, a: number, b: number): number {
+    if (body.needsNoCut(points, a, b) || this.pixelLength(points, a, b) < MIN_EDGE_PIXELS) return 1;
+    return this.longEdgeSegments(body, points, a, b);
   }
 
   /**
-   * What must be done before the levels of leaves are found, which are `most` pieces at most and do not help where an edge has a corner: CUT it;
-   * LEVEL: its level does the rest; WHOLE: it has one piece.
+   * What to do with an edge before its tessellation factor is computed. A factor allows `maxSegments` segments at most, and does not help where an edge has a
+   * kink. SPLIT: halve it; TESSELLATE: its factor suffices; KEEP: one segment suffices.
    */
-  decide(shown: ProjectedBody, points: Float64Array, a: number, b: number, most: number): EdgeDecision {
-    if (shown.needsNoCut(points, a, b)) return KEEP;
+  decide(body: ProjectedBody, points: Float64Array, a: number, b: number, maxSegments: number): EdgeDecision {
+    if (body.needsNoCut(points, a, b)) return KEEP;
     const length = this.pixelLength(points, a, b);
-    if (length < (shown.kinked ? MIN_KINKED_EDGE_PIXELS : MIN_EDGE_PIXELS)) return KEEP;
-    const pieces = this.longEdgeSegments(shown, points, a, b);
-    if (shown.kinked && this.spread > this.metric.tolerance) return SPLIT;
-    if (length < MIN_EDGE_PIXELS || pieces <= 1) return KEEP;
-    return pieces > most ? SPLIT : TESSELLATE;
+    if (length < (body.kinked ? MIN_KINKED_EDGE_PIXELS : MIN_EDGE_PIXELS)) return KEEP;
+    const segments = this.longEdgeSegments(body, points, a, b);
+    if (body.kinked && this.spread > this.metric.tolerance) return SPLIT;
+    if (length < MIN_EDGE_PIXELS || segments <= 1) return KEEP;
+    return segments > maxSegments ? SPLIT : TESSELLATE;
   }
 
-  private longEdgeSegments(shown: ProjectedBody, points: Float64Array, a: number, b: number): number {
+  private longEdgeSegments(body: ProjectedBody, points: Float64Array, a: number, b: number): number {
     this.spread = 0;
-    this.sample(shown, points, a, b);
+    this.sample(body, points, a, b);
     const missing = this.countMissing(points, a, b);
     if (missing === 5) return 1;
     const step = this.longestStep(points, a, b);
@@ -81,23 +80,24 @@ export class EdgeCriterion {
     return Math.max(1, Math.sqrt((2 * this.maxSecondDifference(points, a, b)) / this.metric.tolerance));
   }
 
-  /** As it is shown [px]. By its ends alone, so that the many short edges of fine meshes cost little; NaN where one does not exist. */
+  /** Upper estimate of the edge's length [px] from its ends alone, so that the many short edges of fine meshes cost little; NaN if an end does not exist. */
   private pixelLength(points: Float64Array, a: number, b: number): number {
     this.measure(points, a, 0);
     this.measure(points, b, 4);
     const least = Math.min(this.distances[0], this.distances[4]);
-    const magnified = Math.max(this.magnifications[0], this.magnifications[4]);
-    return (distance(points, a, points, b, 0) * this.metric.view.focal * magnified) / least;
+    const maxMagnification = Math.max(this.magnifications[0], this.magnifications[4]);
+    return (distance(points, a, points, b, 0) * this.metric.view.focal * maxMagnification) / least;
   }
 
-  private sample(shown: ProjectedBody, points: Float64Array, a: number, b: number): void {
+  /** Projects the points at ¼, ½ and ¾ of the edge. */
+  private sample(body: ProjectedBody, points: Float64Array, a: number, b: number): void {
     const { inner } = this;
     for (let i = 0; i < 3; i++) {
       const at = POINT_FLOATS * i;
-      // Weights are dyadic, so this is exact from both ends.
+      // The weights are dyadic, so the result is the same from both ends.
       for (let k = 6; k < POINT_FLOATS; k++)
         inner[at + k] = points[a + k] + (points[b + k] - points[a + k]) * (0.25 * (i + 1));
-      shown.projectPoint(inner, at);
+      body.projectPoint(inner, at);
       this.measure(inner, at, i + 1);
     }
   }
@@ -110,7 +110,7 @@ export class EdgeCriterion {
     return count;
   }
 
-  /** Fills |F|, cos θ and 1 + tan²θ, at most that of the picture's corner, of one of the five points. */
+  /** Computes |F|, cos θ and 1 + tan²θ, at most that of the picture's corner, of one of the five points. */
   private measure(p: Float64Array, i: number, to: number): void {
     const f = this.metric.forward;
     const x = p[i];
@@ -126,21 +126,21 @@ export class EdgeCriterion {
       depth > 0 && square < cornerMagnification * depth * depth ? square / (depth * depth) : cornerMagnification;
   }
 
-  /** Of the quarters that exist, as they are shown [px]; Infinity where none does. */
+  /** Length of the longest of the four quarters that exist [px]; Infinity if none does. */
   private longestStep(points: Float64Array, a: number, b: number): number {
     const { inner, magnifications: magnified } = this;
     const s1 = this.angleBetween(points, a, 0, inner, 0, 1);
     const s2 = this.angleBetween(inner, 0, 1, inner, POINT_FLOATS, 2);
     const s3 = this.angleBetween(inner, POINT_FLOATS, 2, inner, 2 * POINT_FLOATS, 3);
     const s4 = this.angleBetween(inner, 2 * POINT_FLOATS, 3, points, b, 4);
-    const turned = Math.max(s1, s2, s3, s4);
-    if (turned < 0) return Number.POSITIVE_INFINITY;
-    let most = 1;
-    for (let k = 0; k < 5; k++) if (magnified[k] > most) most = magnified[k];
-    return turned * this.metric.view.focal * most;
+    const angle = Math.max(s1, s2, s3, s4);
+    if (angle < 0) return Number.POSITIVE_INFINITY;
+    let maxMagnification = 1;
+    for (let k = 0; k < 5; k++) if (magnified[k] > maxMagnification) maxMagnification = magnified[k];
+    return angle * this.metric.view.focal * maxMagnification;
   }
 
-  /** Between the directions of two points [rad], less than 0 where one does not exist; `from`, `to`: which of the five they are. */
+  /** The angle between the directions of two points [rad], negative if one does not exist; `from`, `to`: their indices among the five. */
   private angleBetween(p: Float64Array, i: number, from: number, q: Float64Array, k: number, to: number): number {
     const near = this.distances[from];
     const far = this.distances[to];
@@ -151,7 +151,7 @@ export class EdgeCriterion {
     return square >= 0 ? Math.sqrt(square) : -1;
   }
 
-  /** Both of where it is shown and of what it is graded by. */
+  /** Whether both the observer position and the place that edges are graded by change little enough along the edge. */
   private isGraded(points: Float64Array, a: number, b: number): boolean {
     const { inner, distances: r } = this;
     const grade = this.isNearCameraPlane() ? MAX_GRADE_NEAR_CAMERA_PLANE : MAX_GRADE;
@@ -169,18 +169,18 @@ export class EdgeCriterion {
     );
   }
 
-  /** The largest second difference [px]; their spread is left in `spread`. */
+  /** The largest second difference [px]; sets `spread`. */
   private maxSecondDifference(points: Float64Array, a: number, b: number): number {
     const { inner } = this;
     const s1 = this.secondDifferenceAt(points, a, 0, inner, POINT_FLOATS, 1);
     const s2 = this.secondDifferenceAt(inner, 0, POINT_FLOATS, inner, 2 * POINT_FLOATS, 2);
     const s3 = this.secondDifferenceAt(points, b, 2 * POINT_FLOATS, inner, POINT_FLOATS, 3);
-    const most = Math.max(s1, s2, s3);
-    this.spread = most - Math.min(s1, s2, s3);
-    return most;
+    const maxDifference = Math.max(s1, s2, s3);
+    this.spread = maxDifference - Math.min(s1, s2, s3);
+    return maxDifference;
   }
 
-  /** Before and after may change places. `middle`: a place in `inner`. */
+  /** `before` and `after` may be exchanged. `middle`: index in `inner`. */
   private secondDifferenceAt(
     before: Float64Array,
     i: number,
@@ -204,7 +204,7 @@ export class EdgeCriterion {
   }
 }
 
-/** Share of the longest edge of the mesh's triangle that an edge is. */
+/** Upper bound of an edge's length as a fraction of the longest edge of its mesh triangle. */
 function extent(points: Float64Array, a: number, b: number): number {
   const d1 = points[a + 6] - points[b + 6];
   const d2 = points[a + 7] - points[b + 7];

@@ -9,26 +9,29 @@ import { EdgeMetricUniforms, patchFactors } from './patchFactors.ts';
 import { cornerWeights } from './shaderPatch.ts';
 import type { TriangleTable } from './triangleTable.ts';
 
-/** The leaves of one batch in one picture. */
+/** The patches of one batch in one view. */
 export interface PatchRequest {
-  /** The batch's place in the buffers. */
+  /** The batch's index in the buffers. */
   readonly slot: number;
-  /** Batches whose bodies move alike, by the same sources, have one name. */
+  /** The same for batches that can share a kernel: their bodies have one kind of motion and one set of sources. */
   readonly kernelKey: string;
   readonly sources: MotionSources;
   readonly plan: TessellationPlan;
-  /** What is added to the triangles and the instances of its leaves. */
+  /** Added to the triangle and instance indices of the patches. */
   readonly firstTriangle: number;
   readonly firstInstance: number;
 }
 
-/** A kernel for the leaves of a family, as they lie together. */
+/** A kernel for the patches of all batches with one key, which are consecutive in the buffers. */
 interface FactorKernel {
   readonly node: ComputeNode;
   readonly first: { value: number };
 }
 
-/** On WebGPU: kernels that find the levels of each leaf's edges, each from the edge alone, and put the leaf into the list of its pattern. */
+/**
+ * WebGPU only: compute kernels that find the tessellation factors of each patch's edges, each from the edge alone, and append the patch to the list of its
+ * pattern.
+ */
 export class FactorKernels {
   private readonly renderer: WebGPURenderer;
   private readonly triangleTable: TriangleTable;
@@ -37,51 +40,51 @@ export class FactorKernels {
   private readonly kernels = new Map<string, FactorKernel>();
   private used = 0;
 
-  constructor(renderer: WebGPURenderer, corners: TriangleTable, buffers: PatchBuffers) {
+  constructor(renderer: WebGPURenderer, table: TriangleTable, buffers: PatchBuffers) {
     this.renderer = renderer;
-    this.triangleTable = corners;
+    this.triangleTable = table;
     this.buffers = buffers;
   }
 
-  /** Whether the last picture had leaves. */
+  /** Whether the last view had patches. */
   get busy(): boolean {
     return this.used > 0;
   }
 
-  /** Fills the lists; tells where the leaves of each request are. */
-  dispatch(look: TessellationView, requests: readonly PatchRequest[]): ReadonlyMap<PatchRequest, PatchRange> {
-    const runs = new Map<PatchRequest, PatchRange>();
+  /** Fills the lists and returns where the patches of each request are. */
+  dispatch(view: TessellationView, requests: readonly PatchRequest[]): ReadonlyMap<PatchRequest, PatchRange> {
+    const ranges = new Map<PatchRequest, PatchRange>();
     this.buffers.begin(requests.reduce((sum, { plan }) => sum + plan.count, 0));
-    const work: ComputeNode[] = [];
+    const kernelNodes: ComputeNode[] = [];
     this.used = 0;
-    for (const [family, members] of byKernel(requests)) {
-      const kernel = this.kernel(family, members[0].sources, look.projection);
+    for (const [kernelKey, group] of byKernel(requests)) {
+      const kernel = this.kernel(kernelKey, group[0].sources, view.projection);
       kernel.first.value = this.used;
-      for (const request of members) {
-        const run = { first: this.used, count: request.plan.count };
-        this.buffers.write(request.slot, run, request.plan.patches, request.firstTriangle, request.firstInstance);
-        runs.set(request, run);
-        this.used += run.count;
+      for (const request of group) {
+        const range = { first: this.used, count: request.plan.count };
+        this.buffers.write(request.slot, range, request.plan.patches, request.firstTriangle, request.firstInstance);
+        ranges.set(request, range);
+        this.used += range.count;
       }
       kernel.node.count = this.used - kernel.first.value;
-      work.push(kernel.node);
+      kernelNodes.push(kernel.node);
     }
     if (requests.length > 0) {
-      this.metric.set(look, requests[0].plan.tolerance);
-      this.renderer.compute(work);
+      this.metric.set(view, requests[0].plan.tolerance);
+      this.renderer.compute(kernelNodes);
     }
-    return runs;
+    return ranges;
   }
 
   dispose(): void {
     for (const { node } of this.kernels.values()) node.dispose();
   }
 
-  private kernel(family: string, sources: MotionSources, projection: SpacetimeProjection): FactorKernel {
-    const name = `${family} ${projection.event} ${projection.place}`;
-    const known = this.kernels.get(name) ?? this.makeKernel(sources, projection);
-    this.kernels.set(name, known);
-    return known;
+  private kernel(kernelKey: string, sources: MotionSources, projection: SpacetimeProjection): FactorKernel {
+    const name = `${kernelKey} ${projection.event} ${projection.place}`;
+    const kernel = this.kernels.get(name) ?? this.makeKernel(sources, projection);
+    this.kernels.set(name, kernel);
+    return kernel;
   }
 
   private makeKernel(sources: MotionSources, projection: SpacetimeProjection): FactorKernel {
@@ -91,22 +94,22 @@ export class FactorKernels {
       const index = instanceIndex.add(first).toVar();
       const { head, tail, instance } = buffers.patch(index);
       const triangle = int(head.x).toVar();
-      const show = (weights: Vec3) =>
+      const project = (weights: Vec3) =>
         vertexObserverPosition(
           sources,
           projection,
           triangleTable.interpolate(triangle, weights, { ...sources, colored: false }, instance),
         );
-      const { levels, pattern } = patchFactors(cornerWeights(head, tail), show, metric);
-      buffers.append(index, int(tail.w).toVar(), levels, pattern);
+      const { levels: factors, pattern } = patchFactors(cornerWeights(head, tail), project, metric);
+      buffers.append(index, int(tail.w).toVar(), factors, pattern);
     })().compute(1);
     return { node, first };
   }
 }
 
 function byKernel(requests: readonly PatchRequest[]): Map<string, PatchRequest[]> {
-  const families = new Map<string, PatchRequest[]>();
+  const byKey = new Map<string, PatchRequest[]>();
   for (const request of requests)
-    families.set(request.kernelKey, [...(families.get(request.kernelKey) ?? []), request]);
-  return families;
+    byKey.set(request.kernelKey, [...(byKey.get(request.kernelKey) ?? []), request]);
+  return byKey;
 }

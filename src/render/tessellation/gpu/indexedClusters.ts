@@ -3,35 +3,35 @@ import type { DrawCall } from '../../gbuffer/drawCall.ts';
 import { DRAWN } from '../criterion/projectedBody.ts';
 
 /**
- * The clusters of a batch that are drawn as they are. The others' triangles shrink to points in the index buffer, in place: from picture to
- * picture few clusters change, and only they are uploaded.
+ * The clusters of a batch that are drawn as they are. The triangles of other clusters are collapsed to points in the index buffer, in place: few clusters
+ * change from frame to frame, and only these are uploaded.
  */
 export class IndexedClusters {
-  private readonly drawable: DrawCall;
+  private readonly drawCall: DrawCall;
   private readonly starts: Uint32Array;
   private readonly drawn: Uint8Array;
   private readonly index: BufferAttribute;
   private ownArray: Uint32Array | undefined;
 
-  /** `starts`: first triangle of each cluster, and the number of triangles. */
-  constructor(drawable: DrawCall, starts: Uint32Array) {
-    const { index } = drawable.mesh.geometry;
+  /** `starts`: first triangle of each cluster, then the number of triangles. */
+  constructor(drawCall: DrawCall, starts: Uint32Array) {
+    const { index } = drawCall.mesh.geometry;
     if (!index) throw new Error('a batch has indices');
-    this.drawable = drawable;
+    this.drawCall = drawCall;
     this.index = index;
     this.starts = starts;
     this.drawn = new Uint8Array(starts.length - 1).fill(1);
   }
 
-  /** Shows the clusters that are DRAWN, and tells how many triangles they have. */
+  /** Shows the clusters that are DRAWN, and returns the number of their triangles. */
   show(clusters: Uint8Array): number {
     let triangles = 0;
     for (let k = 0; k < clusters.length; k++) {
       const drawn = clusters[k] === DRAWN ? 1 : 0;
       if (drawn) triangles += this.starts[k + 1] - this.starts[k];
     }
-    this.drawable.mesh.visible = triangles > 0;
-    // What nobody sees can stay as it was.
+    this.drawCall.mesh.visible = triangles > 0;
+    // A hidden mesh need not be updated.
     if (triangles > 0) this.update(clusters);
     return triangles;
   }
@@ -41,7 +41,7 @@ export class IndexedClusters {
   }
 
   hide(): void {
-    this.drawable.mesh.visible = false;
+    this.drawCall.mesh.visible = false;
   }
 
   private update(clusters: Uint8Array): void {
@@ -55,11 +55,11 @@ export class IndexedClusters {
   }
 
   private set(cluster: number, drawn: boolean): void {
-    const whole = this.drawable.batch.arrays.indices;
+    const allIndices = this.drawCall.batch.arrays.indices;
     const [from, to] = [3 * this.starts[cluster], 3 * this.starts[cluster + 1]];
     const array = this.ownIndices();
-    if (drawn) array.set(whole.subarray(from, to), from);
-    else array.fill(whole[from], from, to);
+    if (drawn) array.set(allIndices.subarray(from, to), from);
+    else array.fill(allIndices[from], from, to);
     this.drawn[cluster] = drawn ? 1 : 0;
   }
 
@@ -68,9 +68,9 @@ export class IndexedClusters {
     this.index.needsUpdate = true;
   }
 
-  /** A copy, for plans and corners are made from the batch's indices. */
+  /** A copy on first use, because plans and the triangle table are made from the batch's own indices. */
   private ownIndices(): Uint32Array {
-    const { indices } = this.drawable.batch.arrays;
+    const { indices } = this.drawCall.batch.arrays;
     this.ownArray ??= indices.slice();
     this.index.array = this.ownArray;
     return this.ownArray;

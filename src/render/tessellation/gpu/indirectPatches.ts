@@ -6,18 +6,18 @@ import type { PatchBuffers, PatchRange } from './patchBuffers.ts';
 import { weightsAt } from './shaderPatch.ts';
 import type { TriangleTable } from './triangleTable.ts';
 
-/** The leaves of one batch, drawn from the lists that a kernel filled (factorKernels.ts): one indirect draw per pattern. */
+/** The patches of one batch, drawn from the lists that a compute kernel has filled (factorKernels.ts): one indirect draw per pattern. */
 export class IndirectPatches {
   readonly drawables: readonly DrawCall[];
   private readonly first = uniform(0, 'uint');
   private readonly count = uniform(0, 'uint');
 
-  /** `patterns`: all, as patternGeometry.ts makes them. */
+  /** `patterns`: geometry of all patterns (patternGeometry.ts). */
   constructor(
     indexed: DrawCall,
     slot: number,
     patterns: BufferGeometry,
-    corners: TriangleTable,
+    triangleTable: TriangleTable,
     buffers: PatchBuffers,
   ) {
     const geometry = new BufferGeometry();
@@ -26,18 +26,18 @@ export class IndirectPatches {
     geometry.setIndirect(buffers.draws, buffers.offsets(slot));
     const { first, count } = this;
     const vertex = (): VertexInput => {
-      const place = attribute<'vec3'>('position', 'vec3');
-      const leaf = buffers.patchOfInstance({ first, count }, int(place.z), instanceIndex);
-      const weights = weightsAt(leaf, place.x, place.y);
-      return corners.interpolate(int(leaf.head.x), weights, cornerSources(indexed), leaf.instance);
+      const coordinate = attribute<'vec3'>('position', 'vec3');
+      const patch = buffers.patchOfInstance({ first, count }, int(coordinate.z), instanceIndex);
+      const weights = weightsAt(patch, coordinate.x, coordinate.y);
+      return triangleTable.interpolate(int(patch.head.x), weights, cornerSources(indexed), patch.instance);
     };
     this.drawables = [makeDrawCall(geometry, { ...indexed, vertex: { ...indexed.vertex, vertex } })];
   }
 
-  show(run: PatchRange): void {
-    this.first.value = run.first;
-    this.count.value = run.count;
-    this.drawables[0].mesh.visible = run.count > 0;
+  show(range: PatchRange): void {
+    this.first.value = range.first;
+    this.count.value = range.count;
+    this.drawables[0].mesh.visible = range.count > 0;
   }
 
   hide(): void {

@@ -16,36 +16,36 @@ import type { TriangleTable } from './triangleTable.ts';
 
 const MIN_CAPACITY = 64;
 
-/** The leaves of one batch with levels found on the CPU: each pattern is drawn once for each leaf. */
+/** The patches of one batch with tessellation factors computed on the CPU: each pattern is drawn as instances, one per patch. */
 export class InstancedPatches {
   readonly drawables: readonly DrawCall[];
   private readonly buffers: PatternInstances[];
 
-  constructor(indexed: DrawCall, corners: TriangleTable) {
+  constructor(indexed: DrawCall, triangleTable: TriangleTable) {
     const vertex = (): VertexInput => {
-      const place = attribute<'vec3'>('position', 'vec3');
+      const coordinate = attribute<'vec3'>('position', 'vec3');
       const head = attribute<'vec4'>('head', 'vec4');
       const tail = attribute<'vec4'>('tail', 'vec4');
-      const weights = weightsAt({ head, tail, factors: int(tail.w).toVar() }, place.x, place.y);
-      return corners.interpolate(int(head.x), weights, cornerSources(indexed), attribute<'float'>('instance', 'float'));
+      const weights = weightsAt({ head, tail, factors: int(tail.w).toVar() }, coordinate.x, coordinate.y);
+      return triangleTable.interpolate(int(head.x), weights, cornerSources(indexed), attribute<'float'>('instance', 'float'));
     };
     const sources = { ...indexed, vertex: { ...indexed.vertex, vertex } };
     this.buffers = PATTERNS.map((_, pattern) => new PatternInstances(pattern));
-    // One shader for all patterns, so one set of materials.
+    // All patterns share one shader, so one set of materials.
     const materials: DrawCall['materials'] = new Map();
     this.drawables = this.buffers.map(({ geometry }) => ({ ...makeDrawCall(geometry, sources), materials }));
     this.hide();
   }
 
-  /** What the batch's triangles and instances begin with is added to the leaves'. Tells how many triangles that makes. */
-  show(levels: PatchesByPattern, firstTriangle: number, firstInstance: number): number {
+  /** `firstTriangle`, `firstInstance`: added to the patches' indices. Returns the number of triangles. */
+  show(patchesByPattern: PatchesByPattern, firstTriangle: number, firstInstance: number): number {
     let triangles = 0;
     this.drawables.forEach(({ mesh }, pattern) => {
-      const leaves = levels[pattern];
-      mesh.visible = leaves.count > 0;
-      if (leaves.count === 0) return;
-      mesh.geometry = this.buffers[pattern].fill(leaves, firstTriangle, firstInstance);
-      triangles += leaves.count * patternTriangleCount(pattern);
+      const patches = patchesByPattern[pattern];
+      mesh.visible = patches.count > 0;
+      if (patches.count === 0) return;
+      mesh.geometry = this.buffers[pattern].fill(patches, firstTriangle, firstInstance);
+      triangles += patches.count * patternTriangleCount(pattern);
     });
     return triangles;
   }
@@ -55,7 +55,7 @@ export class InstancedPatches {
   }
 }
 
-/** A pattern's geometry with room for the leaves that it is drawn for. */
+/** A pattern's geometry with a growing buffer for the patches that it is drawn for. */
 class PatternInstances {
   geometry: InstancedBufferGeometry;
   private readonly pattern: BufferGeometry;
@@ -67,28 +67,28 @@ class PatternInstances {
     this.geometry = instancedGeometry(this.pattern, this.buffer);
   }
 
-  fill({ patches: leaves, count }: PatchArray, firstTriangle: number, firstInstance: number): InstancedBufferGeometry {
+  fill({ patches, count }: PatchArray, firstTriangle: number, firstInstance: number): InstancedBufferGeometry {
     if (count > this.buffer.count) {
       this.geometry.dispose();
       this.buffer = patchBuffer(2 ** Math.ceil(Math.log2(count)));
       this.geometry = instancedGeometry(this.pattern, this.buffer);
     }
     const { array } = this.buffer;
-    array.set(leaves);
-    for (let i = 0; i < leaves.length; i += PATCH_FLOATS) {
+    array.set(patches);
+    for (let i = 0; i < patches.length; i += PATCH_FLOATS) {
       array[i] += firstTriangle;
       array[i + INSTANCE_OFFSET] += firstInstance;
     }
     this.buffer.clearUpdateRanges();
-    this.buffer.addUpdateRange(0, leaves.length);
+    this.buffer.addUpdateRange(0, patches.length);
     this.buffer.needsUpdate = true;
     this.geometry.instanceCount = count;
     return this.geometry;
   }
 }
 
-const patchBuffer = (room: number) =>
-  new InstancedInterleavedBuffer(new Float32Array(PATCH_FLOATS * room), PATCH_FLOATS);
+const patchBuffer = (capacity: number) =>
+  new InstancedInterleavedBuffer(new Float32Array(PATCH_FLOATS * capacity), PATCH_FLOATS);
 
 function instancedGeometry(pattern: BufferGeometry, buffer: InstancedInterleavedBuffer): InstancedBufferGeometry {
   const geometry = new InstancedBufferGeometry();

@@ -7,29 +7,30 @@ import { type IndexRange, patternTriangleCount } from './patternGeometry.ts';
 import type { ShaderPatch } from './shaderPatch.ts';
 
 const PATTERN_COUNT = PATTERNS.length;
-/** Numbers of an indexed indirect draw: indices, instances, first index, base vertex, first instance. */
+/** Words of an indexed indirect draw: index count, instance count, first index, base vertex, first instance. */
 const DRAW_WORDS = 5;
 const INSTANCE_COUNT_OFFSET = 1;
-/** In an entry of a list the leaf's number is above the nine bits of its levels. */
+/** In a list's entry the patch's index is above the nine bits of its tessellation factors. */
 const FACTOR_BITS = 9;
 const MIN_CAPACITY = 1024;
 
 type Uint = Node<'uint'>;
 
-/** Where the leaves of a batch are in a picture; the list of its k-th pattern begins at LISTS · first + k · count. */
+/** Where a batch's patches are in the buffer; the list of its k-th pattern begins at PATTERN_COUNT · first + k · count. */
 export interface PatchRange<T = number> {
   readonly first: T;
   readonly count: T;
 }
 
-const listOffset = (run: PatchRange<Uint>, pattern: Int): Uint =>
-  run.first.mul(uint(PATTERN_COUNT)).add(run.count.mul(uint(pattern))) as Uint;
+const listOffset = (range: PatchRange<Uint>, pattern: Int): Uint =>
+  range.first.mul(uint(PATTERN_COUNT)).add(range.count.mul(uint(pattern))) as Uint;
 
 /**
- * The leaves of a picture on the GPU, of all batches one after another, and for each batch (`slot`) and pattern a list of its leaves, with an indirect draw whose instances are the list's entries. In place of its levels a leaf has its batch's slot.
+ * The patches of a frame on the GPU, batch after batch, and for each batch (`slot`) and pattern a list of its patches, with an indirect draw whose instances
+ * are the list's entries. In place of its tessellation factors a patch stores its batch's slot.
  */
 export class PatchBuffers {
-  /** Of batch after batch, a draw per pattern. */
+  /** For each batch, one draw per pattern. */
   readonly draws: IndirectStorageBufferAttribute;
   private readonly ranges: StorageBufferAttribute;
   private patches = patchBuffer(MIN_CAPACITY);
@@ -40,7 +41,7 @@ export class PatchBuffers {
   private readonly rangesNode;
   private readonly drawCounters;
 
-  /** `patterns`: where each pattern's triangles are in the index buffer that is drawn with. */
+  /** `patterns`: where each pattern's triangles are in the index buffer that the draws use. */
   constructor(batches: number, patterns: readonly IndexRange[]) {
     const draws = new Uint32Array(DRAW_WORDS * PATTERN_COUNT * batches);
     for (let i = 0; i < PATTERN_COUNT * batches; i++) {
@@ -58,24 +59,24 @@ export class PatchBuffers {
     return Array.from({ length: PATTERN_COUNT }, (_, pattern) => 4 * DRAW_WORDS * (PATTERN_COUNT * slot + pattern));
   }
 
-  /** Begins a picture with so many leaves; all lists are empty. */
-  begin(leaves: number): void {
-    if (PATCH_FLOATS * leaves > this.patches.array.length) this.grow(leaves);
-    // The GPU counted its own copy.
+  /** Begins a frame with this number of patches; empties all lists. */
+  begin(patchCount: number): void {
+    if (PATCH_FLOATS * patchCount > this.patches.array.length) this.grow(patchCount);
+    // Resets the instance counts, which the GPU has incremented in its copy.
     this.draws.needsUpdate = true;
   }
 
-  /** Writes a batch's leaves from the `first`-th on; what its triangles and instances begin with is added to theirs. */
+  /** Writes a batch's patches from index `first` on; `firstTriangle` and `firstInstance` are added to their indices. */
   write(
     slot: number,
     { first, count }: PatchRange,
-    leaves: Float32Array,
+    patches: Float32Array,
     firstTriangle: number,
     firstInstance: number,
   ): void {
     const out = this.patches.array;
     const at = PATCH_FLOATS * first;
-    out.set(leaves.subarray(0, PATCH_FLOATS * count), at);
+    out.set(patches.subarray(0, PATCH_FLOATS * count), at);
     for (let i = at; i < at + PATCH_FLOATS * count; i += PATCH_FLOATS) {
       out[i] += firstTriangle;
       out[i + FACTORS_OFFSET] = slot;
@@ -87,7 +88,7 @@ export class PatchBuffers {
     this.ranges.needsUpdate = true;
   }
 
-  /** In a kernel: the leaf's floats. */
+  /** In a kernel: the floats of a patch. */
   patch(index: Uint): Omit<ShaderPatch, 'factors'> {
     const at = index.mul(uint(PATCH_FLOATS)).toVar();
     const float = (k: number) => this.patchesNode.element(at.add(uint(k)));
@@ -96,23 +97,23 @@ export class PatchBuffers {
     return { head, tail, instance: float(8).toVar() };
   }
 
-  /** In a kernel: adds a leaf to its list. `slot`: where its levels would be. */
-  append(index: Uint, slot: Int, levels: Int, pattern: Int): void {
-    const run = this.rangesNode.element(slot).toVar();
+  /** In a kernel: appends a patch to its list. `slot`: what the patch stores in place of its factors. */
+  append(index: Uint, slot: Int, factors: Int, pattern: Int): void {
+    const range = this.rangesNode.element(slot).toVar();
     const draw = slot.mul(int(PATTERN_COUNT)).add(pattern).mul(int(DRAW_WORDS));
     const before = atomicAdd(this.drawCounters.element(draw.add(int(INSTANCE_COUNT_OFFSET))), uint(1));
-    const at = listOffset({ first: run.x, count: run.y }, pattern).add(before);
-    this.listsOutput.element(at).assign(index.shiftLeft(uint(FACTOR_BITS)).bitOr(uint(levels)));
+    const at = listOffset({ first: range.x, count: range.y }, pattern).add(before);
+    this.listsOutput.element(at).assign(index.shiftLeft(uint(FACTOR_BITS)).bitOr(uint(factors)));
   }
 
-  /** In a vertex stage: the leaf of an instance. */
-  patchOfInstance(run: PatchRange<Uint>, pattern: Int, instance: Uint): ShaderPatch {
-    const entry = this.listsNode.element(listOffset(run, pattern).add(instance)).toVar();
-    const levels = int(entry.bitAnd(uint((1 << FACTOR_BITS) - 1))).toVar();
-    return { ...this.patch(entry.shiftRight(uint(FACTOR_BITS)).toVar()), factors: levels };
+  /** In a vertex stage: the patch of an instance. */
+  patchOfInstance(range: PatchRange<Uint>, pattern: Int, instance: Uint): ShaderPatch {
+    const entry = this.listsNode.element(listOffset(range, pattern).add(instance)).toVar();
+    const factors = int(entry.bitAnd(uint((1 << FACTOR_BITS) - 1))).toVar();
+    return { ...this.patch(entry.shiftRight(uint(FACTOR_BITS)).toVar()), factors };
   }
 
-  /** Of the draws, as they were read back. */
+  /** The number of triangles of draws that were read back. */
   static countTriangles(draws: Uint32Array): number {
     let sum = 0;
     for (let i = 0; i < draws.length / DRAW_WORDS; i++)
@@ -124,17 +125,17 @@ export class PatchBuffers {
     for (const buffer of [this.patches, this.lists, this.ranges, this.draws]) buffer.dispose();
   }
 
-  private grow(leaves: number): void {
-    const room = 2 ** Math.ceil(Math.log2(leaves));
+  private grow(patchCount: number): void {
+    const capacity = 2 ** Math.ceil(Math.log2(patchCount));
     this.patches.dispose();
     this.lists.dispose();
-    this.patches = patchBuffer(room);
-    this.lists = listBuffer(room);
+    this.patches = patchBuffer(capacity);
+    this.lists = listBuffer(capacity);
     this.patchesNode.value = this.patches;
     this.listsNode.value = this.lists;
     this.listsOutput.value = this.lists;
   }
 }
 
-const patchBuffer = (room: number) => new StorageBufferAttribute(new Float32Array(PATCH_FLOATS * room), 1);
-const listBuffer = (room: number) => new StorageBufferAttribute(new Uint32Array(PATTERN_COUNT * room), 1);
+const patchBuffer = (capacity: number) => new StorageBufferAttribute(new Float32Array(PATCH_FLOATS * capacity), 1);
+const listBuffer = (capacity: number) => new StorageBufferAttribute(new Uint32Array(PATTERN_COUNT * capacity), 1);

@@ -5,12 +5,12 @@ import { unpackNormal } from '../../geometry/pointSamples/pointStore.ts';
 import { instanceRecord, type PointReader, type VertexInput } from '../../geometry/vertexInput.ts';
 import { FloatTable } from '../../gpu/floatTable.ts';
 
-/** f32 counts no further. */
+/** Indices are stored as f32, which is exact up to this. */
 const MAX_TEXELS = 2 ** 24;
-/** Per triangle: (where its corners' texels begin, in the order of their places), (object id − 1, material, that order, 0). */
+/** Per triangle: (first texels of its corners, in the order of their positions), (object id − 1, material, that order, 0). */
 const TRIANGLE_TEXELS = 2;
 
-/** How the triangles of a batch are read; `instances`: where many wear them. */
+/** How the triangles of a batch are read; `instances`: of batches with instancing. */
 export interface TriangleSources {
   readonly kind: Batch['kind'];
   readonly colored: boolean;
@@ -18,8 +18,8 @@ export interface TriangleSources {
 }
 
 /**
- * The corners of triangles that are drawn in pieces, for shaders that know a triangle and weights. Per corner two texels, or three:
- * (offset, u), (normal, v), (colour, 0); of a deforming mesh the first is (vertex, 0, 0, u).
+ * Vertex data of triangles that are drawn as patches, for shaders that know a triangle and weights. Two texels per vertex, or three: (offset, u), (normal,
+ * v), (colour, 0); of a deforming mesh the first is (vertex, 0, 0, u).
  */
 export class TriangleTable {
   private readonly triangles = new FloatTable(4096);
@@ -28,10 +28,10 @@ export class TriangleTable {
   private triangleCount = 0;
   private vertexTexels = 0;
 
-  /** Place of a batch's first triangle in the table; undefined where it has no more room. */
+  /** Index of a batch's first triangle, added on first use; undefined if there is no room left. */
   firstTriangle(batch: Batch): number | undefined {
-    const known = this.firstTriangles.get(batch);
-    if (known !== undefined) return known;
+    const cached = this.firstTriangles.get(batch);
+    if (cached !== undefined) return cached;
     const triangles = this.triangleCount + batch.arrays.indices.length / 3;
     const texels = this.vertexTexels + texelsPerVertex(batch.arrays) * (batch.arrays.positions.length / 3);
     if (TRIANGLE_TEXELS * triangles > MAX_TEXELS || texels > MAX_TEXELS) return undefined;
@@ -43,8 +43,8 @@ export class TriangleTable {
   }
 
   /**
-   * The point of a triangle with these weights of its corners, of an instance where there are any. It is summed in the order of the corners' places, with one product each and
-   * zeros for corners that have no part in it: so triangles that share an edge, with whatever vertices, get the same bits.
+   * The point of a triangle with these weights of its corners, of an instance if there are any. It is summed in the order of the corners' positions, with one
+   * product each, and zeros for corners with zero weight: so triangles that share an edge get the same bits, whatever their third vertices.
    */
   interpolate(
     triangle: Int,
@@ -55,28 +55,28 @@ export class TriangleTable {
     const at = triangle.mul(int(TRIANGLE_TEXELS)).toVar();
     const head = this.triangles.texel(at).toVar();
     const tail = this.triangles.texel(at.add(int(1))).toVar();
-    const begins = [head.x, head.y, head.z].map((x) => int(x).toVar());
-    const inOrder = inPositionOrder(weights, int(tail.z).toVar()).toVar();
+    const cornerTexels = [head.x, head.y, head.z].map((x) => int(x).toVar());
+    const orderedWeights = inPositionOrder(weights, int(tail.z).toVar()).toVar();
     const blend = (corner: (k: number) => Vec3): Vec3 =>
-      corner(0).mul(inOrder.x).add(corner(1).mul(inOrder.y)).add(corner(2).mul(inOrder.z));
-    const texel = (k: number, part: number): Vec4 => this.vertices.texel(begins[k].add(int(part)));
-    const firsts = begins.map((_, k) => texel(k, 0).toVar());
+      corner(0).mul(orderedWeights.x).add(corner(1).mul(orderedWeights.y)).add(corner(2).mul(orderedWeights.z));
+    const texel = (k: number, part: number): Vec4 => this.vertices.texel(cornerTexels[k].add(int(part)));
+    const firstTexels = cornerTexels.map((_, k) => texel(k, 0).toVar());
     const deforming = kind === 'sampled-points';
     const ids = instances ? instanceRecord(instances, instance) : tail;
     return {
-      offset: deforming ? vec3(0) : blend((k) => firsts[k].xyz).toVar(),
+      offset: deforming ? vec3(0) : blend((k) => firstTexels[k].xyz).toVar(),
       get normal() {
         return blend((k) => texel(k, 1).xyz);
       },
       get uv() {
-        return blend((k) => vec3(firsts[k].w, texel(k, 1).w, 0)).xy;
+        return blend((k) => vec3(firstTexels[k].w, texel(k, 1).w, 0)).xy;
       },
       get color() {
         return colored ? blend((k) => texel(k, 2).xyz) : undefined;
       },
       object: ids.x,
       material: ids.y,
-      sampled: interpolatedPoints(blend, (k) => int(firsts[k].x)),
+      sampled: interpolatedPoints(blend, (k) => int(firstTexels[k].x)),
     };
   }
 
@@ -130,7 +130,7 @@ const interpolatedPoints = (blend: (corner: (k: number) => Vec3) => Vec3, vertex
   normal: (points, first) => blend((k) => unpackNormal(points.texel(first.add(vertex(k))).w)),
 });
 
-/** Which of a triangle's corners comes first, second and third by its place. */
+/** The triangle's corners in the order of their positions. */
 function positionOrder({ indices, positions }: BatchArrays, i: number): number[] {
   const compare = (a: number, b: number): number => {
     const [p, q] = [3 * indices[i + a], 3 * indices[i + b]];
@@ -140,7 +140,7 @@ function positionOrder({ indices, positions }: BatchArrays, i: number): number[]
   return [0, 1, 2].sort(compare);
 }
 
-/** Weights in the order that `positionOrder` gave, two bits each. */
+/** Weights in the order that `positionOrder` returned, two bits each. */
 function inPositionOrder(weights: Vec3, order: Int): Vec3 {
   const pick = (k: number): Float => {
     const corner = order.shiftRight(int(2 * k)).bitAnd(int(3));

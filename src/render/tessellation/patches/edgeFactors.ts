@@ -4,32 +4,32 @@ import type { ScreenMetric } from '../criterion/tessellationView.ts';
 import { MAX_LOG2_FACTOR, PATCH_FLOATS, packFactors } from './patch.ts';
 import { baseFactorOf, patternIndexOf } from './pattern.ts';
 
-/** Finds the levels of leaves' edges, each from the edge alone. */
+/** Computes the tessellation factors of patches' edges, each from the edge alone. */
 export class EdgeFactors {
   private readonly body: ProjectedBody;
   private readonly criterion: EdgeCriterion;
   private readonly points = new Float64Array(3 * POINT_FLOATS);
   private triangle = -1;
-  /** Of the last leaf: those of its edges, packed, and its pattern. */
+  /** Of the last patch: the packed factors of its edges, and its pattern. */
   factors = 0;
   pattern = 0;
 
-  constructor(shown: ProjectedBody, gauge: ScreenMetric) {
-    this.body = shown;
-    this.criterion = new EdgeCriterion(gauge);
+  constructor(body: ProjectedBody, metric: ScreenMetric) {
+    this.body = body;
+    this.criterion = new EdgeCriterion(metric);
   }
 
-  /** Levels of leaf i of a list; `corners`: the batch's indices. */
-  compute(leaves: Float32Array, i: number, corners: Uint32Array): void {
+  /** Computes the factors of patch i of a list; `corners`: the batch's indices. */
+  compute(patches: Float32Array, i: number, indices: Uint32Array): void {
     const at = PATCH_FLOATS * i;
-    const triangle = leaves[at];
+    const triangle = patches[at];
     if (triangle !== this.triangle)
-      this.body.setTriangle(corners[3 * triangle], corners[3 * triangle + 1], corners[3 * triangle + 2]);
+      this.body.setTriangle(indices[3 * triangle], indices[3 * triangle + 1], indices[3 * triangle + 2]);
     this.triangle = triangle;
     const p = this.points;
     for (let k = 0; k < 3; k++) {
-      p[POINT_FLOATS * k + 6] = leaves[at + 1 + 2 * k];
-      p[POINT_FLOATS * k + 7] = leaves[at + 2 + 2 * k];
+      p[POINT_FLOATS * k + 6] = patches[at + 1 + 2 * k];
+      p[POINT_FLOATS * k + 7] = patches[at + 2 + 2 * k];
       this.body.projectPoint(p, POINT_FLOATS * k);
     }
     const l01 = this.factorOf(0, POINT_FLOATS);
@@ -40,9 +40,9 @@ export class EdgeFactors {
   }
 
   private factorOf(a: number, b: number): number {
-    const pieces = this.criterion.segments(this.body, this.points, a, b);
-    let level = 0;
-    while (level < MAX_LOG2_FACTOR && pieces > 1 << level) level++;
-    return level;
+    const segments = this.criterion.segments(this.body, this.points, a, b);
+    let log2Factor = 0;
+    while (log2Factor < MAX_LOG2_FACTOR && segments > 1 << log2Factor) log2Factor++;
+    return log2Factor;
   }
 }

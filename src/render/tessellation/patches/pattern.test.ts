@@ -5,11 +5,11 @@ import { apexOf, baseFactorOf, EDGE_STEPS, PATTERNS, patternIndexOf, snapToEdge,
 type Levels = readonly [number, number, number];
 const all = Array.from({ length: MAX_LOG2_FACTOR + 1 }, (_, level) => level);
 const combinations: Levels[] = all.flatMap((a) => all.flatMap((b) => all.map((c): Levels => [a, b, c])));
-const packed = ([a, b, c]: Levels) => packFactors(a, b, c);
+const packedFactors = ([a, b, c]: Levels) => packFactors(a, b, c);
 
-/** Corners of the leaf's pieces, (weight of corner 1, of corner 2) each. */
-const piecesOf = (levels: Levels): [number, number][][] => {
-  const floats = tessellatePatch(packed(levels));
+/** Corners of the patch's triangles, as (weight of corner 1, of corner 2) each. */
+const trianglesOf = (levels: Levels): [number, number][][] => {
+  const floats = tessellatePatch(packedFactors(levels));
   return Array.from({ length: floats.length / 6 }, (_, t) =>
     [0, 2, 4].map((k): [number, number] => [floats[6 * t + k], floats[6 * t + k + 1]]),
   );
@@ -19,7 +19,7 @@ const area = ([[ax, ay], [bx, by], [cx, cy]]: [number, number][]) => (bx - ax) *
 describe('a leaf that is cut as its edges ask', () => {
   it('is covered once: no piece is turned over, and together they are as large as it is', () => {
     for (const levels of combinations) {
-      const areas = piecesOf(levels).map(area);
+      const areas = trianglesOf(levels).map(area);
       expect(Math.min(...areas), `${levels}`).toBeGreaterThan(0);
       expect(
         areas.reduce((sum, a) => sum + a, 0),
@@ -30,7 +30,7 @@ describe('a leaf that is cut as its edges ask', () => {
 
   it('has on each edge the places of its level and no others', () => {
     for (const levels of combinations) {
-      const points = piecesOf(levels).flat();
+      const points = trianglesOf(levels).flat();
       const edges = [
         points.filter(([, y]) => y === 0).map(([x]) => x),
         points.filter(([x, y]) => x + y === 1).map(([, y]) => y),
@@ -48,7 +48,7 @@ describe('a leaf that is cut as its edges ask', () => {
 
   it('where its edges are alike, no piece is longer than a piece of them', () => {
     for (const level of all)
-      for (const corners of piecesOf([level, level, level]))
+      for (const corners of trianglesOf([level, level, level]))
         corners.forEach(([x, y], k) => {
           const [p, q] = corners[(k + 1) % 3];
           const most = Math.max(Math.abs(x - p), Math.abs(y - q), Math.abs(x + y - p - q));

@@ -1,33 +1,34 @@
 import { MAX_LOG2_FACTOR } from './patch.ts';
 
-/** Places in a pattern count in pieces of the finest one. */
+/** Coordinates in a pattern are counted in steps of the finest one. */
 export const EDGE_STEPS = 1 << MAX_LOG2_FACTOR;
 
 /**
- * How a leaf is divided whose edges have at most n = 2^level pieces. The edge with the fewest is its base; rows run from the apex
- * across from it down to it, the i-th at the share i/n. A place (i, j) has i + j STEPS-ths of the way from the apex to the base, j of them along the edge
- * that ends at the base's second corner.
- *
- * In a lattice the i-th row has i pieces. In a strip, for slivers, it has 2^base at the base and half as many as often as it is half as long.
+ * How a patch is divided whose edges have at most n = 2^level segments. The edge with the fewest is its base; rows run from the apex, across from the base,
+ * to the base, the i-th at the fraction i/n of the way. A place (i, j) is at (i + j)/EDGE_STEPS of the way from the apex to the base, j steps of it along the
+ * edge that ends at the base's second corner.
+ * In a lattice the i-th row has i segments. In a strip, for slivers, a row has 2^base segments at the base, and half as many each time that its length
+ * halves.
  */
 export interface Pattern {
   readonly log2Factor: number;
-  /** (i, j) per vertex. */
+  /** (i, j) of each vertex. */
   readonly coordinates: Float32Array;
   readonly indices: Uint16Array;
 }
 
-/** `base` = level: a lattice. */
+/** `base` = `level` is a lattice. */
 export const patternIndexOf = (level: number, base: number): number => (level * (level + 1)) / 2 + base;
 
 /**
- * How wide a leaf is cut: what lies across a strip is the sum of a piece of its base and one of a long edge, and is off by more than either: up to (√a + √b)² where they are by a and b. So the base
- * has twice the pieces that it needs, and again twice where the two long edges do not go together; what is not much narrower than long is a lattice.
+ * The log₂ of the number of segments at the base. A segment across a strip is the sum of one of its base and one of a long edge, and its error is larger than
+ * either: up to (√a + √b)² for errors a and b. So the base gets twice the segments that it needs, and twice as many again for each step by which the two long
+ * edges' factors differ; patches that are not much narrower than long get a lattice.
  */
 export function baseFactorOf(levels: readonly [number, number, number]): number {
-  const [least, middle, most] = [...levels].sort((a, b) => a - b);
-  const base = least + 1 + most - middle;
-  return base < most && base <= middle ? base : most;
+  const [minFactor, middle, maxFactor] = [...levels].sort((a, b) => a - b);
+  const base = minFactor + 1 + maxFactor - middle;
+  return base < maxFactor && base <= middle ? base : maxFactor;
 }
 
 export const PATTERNS: readonly Pattern[] = Array.from({ length: MAX_LOG2_FACTOR + 1 }, (_, level) =>
@@ -36,25 +37,25 @@ export const PATTERNS: readonly Pattern[] = Array.from({ length: MAX_LOG2_FACTOR
 
 function makePattern(level: number, base: number): Pattern {
   const n = 1 << level;
-  const places: number[] = [];
+  const coordinates: number[] = [];
   const indices: number[] = [];
   let above = { first: 0, segments: 0 };
   for (let row = 0; row <= n; row++) {
-    const here = { first: places.length / 2, segments: segmentsOfRow(row, level, base) };
-    for (let k = 0; k <= here.segments; k++) {
-      const j = here.segments > 0 ? (((EDGE_STEPS / n) * row) / here.segments) * k : 0;
-      places.push((EDGE_STEPS / n) * row - j, j);
+    const current = { first: coordinates.length / 2, segments: segmentsOfRow(row, level, base) };
+    for (let k = 0; k <= current.segments; k++) {
+      const j = current.segments > 0 ? (((EDGE_STEPS / n) * row) / current.segments) * k : 0;
+      coordinates.push((EDGE_STEPS / n) * row - j, j);
     }
-    if (row > 0) triangulateStrip(above, here, indices);
-    above = here;
+    if (row > 0) triangulateStrip(above, current, indices);
+    above = current;
   }
-  return { log2Factor: level, coordinates: Float32Array.from(places), indices: Uint16Array.from(indices) };
+  return { log2Factor: level, coordinates: Float32Array.from(coordinates), indices: Uint16Array.from(indices) };
 }
 
 function segmentsOfRow(row: number, level: number, base: number): number {
   if (base === level || row === 0) return row;
-  const long = 1 << (level - base);
-  return 1 << Math.max(0, Math.ceil(Math.log2(row / long)));
+  const ratio = 1 << (level - base);
+  return 1 << Math.max(0, Math.ceil(Math.log2(row / ratio)));
 }
 
 interface PatternRow {
@@ -62,7 +63,7 @@ interface PatternRow {
   readonly segments: number;
 }
 
-/** Triangles between two rows. */
+/** Triangulates the strip between two rows. */
 function triangulateStrip(above: PatternRow, below: PatternRow, indices: number[]): void {
   let [a, b] = [0, 0];
   while (a < above.segments || b < below.segments) {
@@ -78,17 +79,17 @@ function triangulateStrip(above: PatternRow, below: PatternRow, indices: number[
 }
 
 /**
- * A place at k STEPS-ths along an edge of some level goes to the nearest of the 2^level + 1 that the edge has, so that leaves on both sides of
- * the edge meet it at the same points; in the part of a strip that is one piece wide to the next one, else all triangles at the apex would lie
- * in the edge across from it. Each is taken by some vertex.
+ * Snaps a place at k/EDGE_STEPS along an edge to the nearest of the 2^level + 1 places that the edge has, so that patches on both sides of it meet at the
+ * same points. Where a strip is one segment wide, it is snapped to the next one instead; otherwise all triangles at the apex would lie in the edge across
+ * from it. Each place gets some vertex.
  */
 export function snapToEdge(k: number, level: number, base: number): number {
   const step = EDGE_STEPS >> level;
-  const single = k <= EDGE_STEPS >> base && step <= EDGE_STEPS >> base;
-  return Math.floor((k + (single ? step - 1 : (step - 1) >> 1)) / step) * step;
+  const isStrip = k <= EDGE_STEPS >> base && step <= EDGE_STEPS >> base;
+  return Math.floor((k + (isStrip ? step - 1 : (step - 1) >> 1)) / step) * step;
 }
 
-/** Which corner of a leaf is the apex: across from the edge of the lowest level, the first of several. */
+/** Which corner of a patch is the apex: across from the edge with the lowest factor, the first of several. */
 export function apexOf([l01, l12, l20]: readonly [number, number, number]): number {
   const lowest = Math.min(l01, l12, l20);
   return l01 === lowest ? 2 : l12 === lowest ? 0 : 1;
@@ -97,26 +98,26 @@ export function apexOf([l01, l12, l20]: readonly [number, number, number]): numb
 const tessellations = new Map<number, Float32Array>();
 
 /**
- * The triangles of a leaf with such levels (packLevels): six numbers each, the weights of the leaf's corners 1 and 2 at its three vertices. The same that
- * a shader makes of the pattern (shaderPatch.ts), but for those that shrink to nothing.
+ * The triangles of a patch with these factors (`packFactors`): six numbers each, the weights of the patch's corners 1 and 2 at the three vertices. These are
+ * the triangles that a shader makes of the pattern (shaderPatch.ts), without the degenerate ones.
  */
 export function tessellatePatch(levels: number): Float32Array {
-  const known = tessellations.get(levels) ?? makeTessellation([levels & 7, (levels >> 3) & 7, levels >> 6]);
-  tessellations.set(levels, known);
-  return known;
+  const cached = tessellations.get(levels) ?? makeTessellation([levels & 7, (levels >> 3) & 7, levels >> 6]);
+  tessellations.set(levels, cached);
+  return cached;
 }
 
 function makeTessellation(levels: readonly [number, number, number]): Float32Array {
   const [level, base] = [Math.max(...levels), baseFactorOf(levels)];
-  const { coordinates: places, indices } = PATTERNS[patternIndexOf(level, base)];
+  const { coordinates, indices } = PATTERNS[patternIndexOf(level, base)];
   const apex = apexOf(levels);
-  const turned = [0, 1, 2].map((e) => levels[(apex + e) % 3]);
+  const fromApex = [0, 1, 2].map((e) => levels[(apex + e) % 3]);
   const out: number[] = [];
   for (let t = 0; t < indices.length; t += 3) {
     const corners = [0, 1, 2].map((k) => {
       const v = 2 * indices[t + k];
-      const shares = snapCoordinates(places[v], places[v + 1], turned, { level, base });
-      return [shares[(4 - apex) % 3], shares[(5 - apex) % 3]];
+      const weights = snapCoordinates(coordinates[v], coordinates[v + 1], fromApex, { level, base });
+      return [weights[(4 - apex) % 3], weights[(5 - apex) % 3]];
     });
     const [[ax, ay], [bx, by], [cx, cy]] = corners;
     if ((bx - ax) * (cy - ay) !== (by - ay) * (cx - ax)) out.push(...corners.flat());
@@ -125,8 +126,8 @@ function makeTessellation(levels: readonly [number, number, number]): Float32Arr
 }
 
 /**
- * Weights of the apex and the base's ends; levels of the edges from the apex, of the base, and back to the apex. In a lattice, what is halfway goes to
- * the one before on the way round, so that no piece has all its corners on one edge.
+ * Weights of the apex and the base's ends, given the factors of the edges from the apex, of the base, and back to the apex. In a lattice, places halfway are
+ * snapped backwards, in the sense of rotation, so that no triangle has all its corners on one edge.
  */
 function snapCoordinates(
   i: number,

@@ -3,14 +3,14 @@ import { POINT_FLOATS, type ProjectedBody } from '../criterion/projectedBody.ts'
 import type { ScreenMetric } from '../criterion/tessellationView.ts';
 import { MAX_LOG2_FACTOR, MAX_SUBDIVISIONS, type PatchList } from './patch.ts';
 
-/** Of a leaf's edge. */
+/** Largest number of segments of a patch's edge. */
 const MAX_FACTOR = 1 << MAX_LOG2_FACTOR;
 /** Weights are multiples of this. */
 const WEIGHT_STEP = 2 ** -MAX_SUBDIVISIONS;
 
 /**
- * Cuts the triangles of one body until their edges can have the pieces they need. Only edges are decided on, each from itself alone and at its middle,
- * so the triangles on both its sides, of whatever mesh part, are cut at the same points.
+ * Splits the triangles of one body into patches until tessellation factors can do the rest. Each edge is decided on by itself and split at its middle, so the
+ * triangles on both sides, of any mesh, are split at the same points.
  */
 export class Subdivider {
   private readonly body: ProjectedBody;
@@ -23,16 +23,16 @@ export class Subdivider {
   private triangle = 0;
   private whole = true;
 
-  /** It stops when `out` has more leaves than `most`; `wearer`: of all of them (patch.ts). */
-  constructor(shown: ProjectedBody, gauge: ScreenMetric, out: PatchList, most: number, wearer = 0) {
-    this.body = shown;
-    this.criterion = new EdgeCriterion(gauge);
+  /** Stops when `out` has more than `maxPatches` patches; `instance` is stored in all of them (patch.ts). */
+  constructor(body: ProjectedBody, metric: ScreenMetric, out: PatchList, maxPatches: number, instance = 0) {
+    this.body = body;
+    this.criterion = new EdgeCriterion(metric);
     this.out = out;
-    this.maxPatches = most;
-    this.instance = wearer;
+    this.maxPatches = maxPatches;
+    this.instance = instance;
   }
 
-  /** Adds the leaves of one triangle, given by its place and its vertices. Tells whether it can as well be drawn as it is. */
+  /** Adds the patches of one triangle, given by its index and its vertices. Returns whether the triangle may as well be drawn as it is. */
   subdivide(triangle: number, a: number, b: number, c: number): boolean {
     this.body.setTriangle(a, b, c);
     if (this.body.isBackFacing()) return true;
@@ -43,7 +43,7 @@ export class Subdivider {
     return this.whole;
   }
 
-  /** `settled`: bits of the edges 0–1, 1–2, 2–0 that are known not to be cut. */
+  /** `settled`: bits of the edges 0–1, 1–2, 2–0 that are already known not to be split. */
   private split(a: number, b: number, c: number, settled: number): void {
     if (this.out.count > this.maxPatches || this.body.isOutsideUncut(this.points, a, b, c)) return;
     const ab = (settled & 1) === 0 && this.mustSplit(a, b);
@@ -70,7 +70,7 @@ export class Subdivider {
     this.split(ab, bc, ca, 0);
   }
 
-  /** All edges but b–c; what is left of the corner at a is cut by its shorter diagonal. */
+  /** Splits all edges but b–c; the remaining quadrilateral is split along its shorter diagonal. */
   private splitInThree(a: number, b: number, c: number): void {
     const [ab, ca] = [this.midpoint(a, b), this.midpoint(c, a)];
     this.split(a, ab, ca, 0);
@@ -83,7 +83,7 @@ export class Subdivider {
     }
   }
 
-  /** The edge b–c alone. */
+  /** Splits the edge b–c only. */
   private splitInTwo(a: number, b: number, c: number): void {
     const bc = this.midpoint(b, c);
     this.split(a, b, bc, 1);
@@ -93,9 +93,9 @@ export class Subdivider {
   private mustSplit(a: number, b: number): boolean {
     const p = this.points;
     const divisible = isWeight(0.5 * (p[a + 6] + p[b + 6])) && isWeight(0.5 * (p[a + 7] + p[b + 7]));
-    const verdict = this.criterion.decide(this.body, p, a, b, MAX_FACTOR);
-    if (verdict !== KEEP) this.whole = false;
-    return divisible && verdict === SPLIT;
+    const decision = this.criterion.decide(this.body, p, a, b, MAX_FACTOR);
+    if (decision !== KEEP) this.whole = false;
+    return divisible && decision === SPLIT;
   }
 
   private midpoint(a: number, b: number): number {

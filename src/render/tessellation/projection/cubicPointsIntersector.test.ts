@@ -17,7 +17,7 @@ import { CubicPointsIntersector } from './cubicPointsIntersector.ts';
 
 const C = 10;
 const mesh = grid(3, 3, 2, 2);
-const SURFACES: readonly (readonly [View, HypersurfaceName])[] = [
+const HYPERSURFACES: readonly (readonly [View, HypersurfaceName])[] = [
   ['light-cone', 'past-light-cone'],
   ['simultaneity', 'slice'],
   ['galilean', 'now'],
@@ -34,36 +34,36 @@ const whole = { first: 0, count: 16 };
 
 it('points between the vertices are met where the formulas for single points have them', () => {
   const corner = fc.integer({ min: 0, max: mesh.indices.length / 3 - 1 }).map((k) => 3 * k);
-  const where = fc.record({ t: uniform(-3, 3), turn: direction, far: uniform(0, 6), rapidity: uniform(0, 3) });
+  const observers = fc.record({ t: uniform(-3, 3), turn: direction, far: uniform(0, 6), rapidity: uniform(0, 3) });
   fc.assert(
-    fc.property(corner, uniform(0, 0.5), uniform(0, 0.5), where, uniform(0, 9), (at, v, w, how, seed) => {
-      // Waves of 0.8 m would be faster than light here: they lose of their bend.
+    fc.property(corner, uniform(0, 0.5), uniform(0, 0.5), observers, uniform(0, 9), (at, v, w, observer, seed) => {
+      // Waves of 0.8 m would be faster than light here, so their bend is reduced.
       for (const size of [0.3, 0.8]) {
         const motion = motionOf(seed, size);
         const object = makeObject({ path: '/It', mesh, motion });
         const view = viewFrom({
-          t: how.t,
-          position: scale(how.turn, how.far),
-          u: scale(how.turn, Math.sinh(how.rapidity)),
+          t: observer.t,
+          position: scale(observer.turn, observer.far),
+          u: scale(observer.turn, Math.sinh(observer.rapidity)),
         });
         const u: Vec3 = view.u;
-        for (const [name, surface] of SURFACES) {
-          const mover = new CubicPointsIntersector(motion, whole, {
+        for (const [name, surface] of HYPERSURFACES) {
+          const intersector = new CubicPointsIntersector(motion, whole, {
             t: view.t,
             position: view.position,
             u,
             c: C,
             hypersurface: surface,
           });
-          mover.setTriangle(...([0, 1, 2].map((k) => mesh.indices[at + k]) as unknown as [number, number, number]));
+          intersector.setTriangle(...([0, 1, 2].map((k) => mesh.indices[at + k]) as unknown as [number, number, number]));
           const out = new Float64Array(3);
-          mover.intersect(v, w, out, 0);
+          intersector.intersect(v, w, out, 0);
           const expected = size < 0.5 ? probePoint(object, { corner: at, v, w }, view, C, name) : undefined;
           if (expected)
             expectClose(
               [...out],
               sub(expected.position, view.position),
-              1e-9 * (20 + how.far) * Math.cosh(how.rapidity) ** 2,
+              1e-9 * (20 + observer.far) * Math.cosh(observer.rapidity) ** 2,
             );
           expect([...out].every(Number.isFinite)).toBe(true);
         }
@@ -73,7 +73,7 @@ it('points between the vertices are met where the formulas for single points hav
   );
 });
 
-/** All samples are alike: what moves is between them. */
+/** All samples are equal: everything moves between them. */
 function hopping(): CubicPointsMotion {
   const motion = motionOf(1, 0.4);
   const points = motion.points.map(() => motion.points[0]);
@@ -91,10 +91,10 @@ it.each([
     const body = makeBody(object, 1);
     const [batch] = makeBatches(makeScene({ name: 'it', objects: [object] }), [body]);
     const clusters = new Clusters(batch);
-    const lumps = new DeformingClusterBounds(clusters, batch.arrays.indices, motion).boundsOver({ first: 3, count: 5 });
+    const clusterBounds = new DeformingClusterBounds(clusters, batch.arrays.indices, motion).boundsOver({ first: 3, count: 5 });
     const { line } = body;
     let nearest = Number.POSITIVE_INFINITY;
-    for (const { x, y, z, radius, maxSpeed, maxAcceleration = 0 } of lumps)
+    for (const { x, y, z, radius, maxSpeed, maxAcceleration = 0 } of clusterBounds)
       for (let k = 3; k < 7; k++)
         for (let i = 0; 3 * i < mesh.positions.length; i++)
           for (const w of [0.1, 0.3, 0.5, 0.8]) {
@@ -116,9 +116,9 @@ it.each([
 );
 
 it('curves are smooth but where the motion begins and ends, or loses of its bend', () => {
-  const sight = { t: 0, position: [0, 0, 0] as Vec3, u: [0, 0, 0] as Vec3, hypersurface: 'now' as const };
+  const observation = { t: 0, position: [0, 0, 0] as Vec3, u: [0, 0, 0] as Vec3, hypersurface: 'now' as const };
   const smooth = (window: { first: number; count: number }, c: number) =>
-    new CubicPointsIntersector(motionOf(1, 0.4), window, { ...sight, c }).smooth;
+    new CubicPointsIntersector(motionOf(1, 0.4), window, { ...observation, c }).smooth;
   expect(smooth({ first: 3, count: 5 }, C)).toBe(true);
   expect(smooth({ first: 0, count: 5 }, C)).toBe(false);
   expect(smooth({ first: 3, count: 13 }, C)).toBe(false);

@@ -2,16 +2,16 @@ import { bendFactor, type CubicPointsMotion } from '../../../scene/motion/cubicP
 import type { Observation } from '../../geometry/observation.ts';
 import { SampledPointsIntersector, type SampleWindow } from './sampledIntersector.ts';
 
-/** Newton's steps end when they are smaller than this share of the piece; a bracket that only is halved gets so narrow in as many steps. */
+/** Newton's steps end when they are smaller than this fraction of the piece; bisection alone reaches this width in as many steps. */
 const RELATIVE_STEP = 1e-14;
 const MAX_STEPS = 50;
 
-/** A deforming mesh whose vertices go along cubics, and so all points between them. */
+/** A deforming mesh whose vertices move along cubics, and so do all points between them. */
 export class CubicPointsIntersector extends SampledPointsIntersector {
   private readonly velocities: readonly Float32Array[];
-  /** Of the window's pieces. */
+  /** Bend factors of the window's pieces. */
   private readonly bends: Float64Array;
-  /** The piece that is looked at: a + s V + s(1 − w)² p + s w(w − 1) q, w = s/span, V the chord's velocity. */
+  /** The current piece: a + s V + s(1 − w)² p + s w(w − 1) q, w = s/span, V the chord's velocity (docs/physics.md §4.8). */
   private readonly piece = {
     a: new Float64Array(3),
     V: new Float64Array(3),
@@ -20,23 +20,23 @@ export class CubicPointsIntersector extends SampledPointsIntersector {
   };
   private readonly velocity = new Float64Array(3);
 
-  constructor(motion: CubicPointsMotion, window: SampleWindow, sight: Observation) {
-    super(motion, window, sight);
+  constructor(motion: CubicPointsMotion, window: SampleWindow, observation: Observation) {
+    super(motion, window, observation);
     const { first, count } = window;
     this.velocities = motion.velocities.slice(first, first + count);
-    this.bends = Float64Array.from({ length: count - 1 }, (_, k) => bendFactor(motion, first + k, sight.c));
+    this.bends = Float64Array.from({ length: count - 1 }, (_, k) => bendFactor(motion, first + k, observation.c));
   }
 
-  /** Curves have corners where pieces have lost of their bend, and where the motion begins and ends. */
+  /** Curves have kinks where the bend of pieces is reduced, and where the motion begins and ends. */
   get smooth(): boolean {
-    return !this.includesStart && !this.includesEnd && !this.straightened;
+    return !this.includesStart && !this.includesEnd && !this.isStraightened;
   }
 
-  protected override get straightened(): boolean {
+  protected override get isStraightened(): boolean {
     return this.bends.some((bend) => bend < 1);
   }
 
-  /** The surface is crossed once: Newton's steps in a bracket, from the middle. */
+  /** The hypersurface is crossed once: Newton's steps within a bracket, from the middle. */
   protected override intersectPiece(k: number, out: Float64Array, at: number): void {
     this.setPiece(k);
     const from = this.times[k];
@@ -46,10 +46,10 @@ export class CubicPointsIntersector extends SampledPointsIntersector {
     let s = span / 2;
     for (let i = 0; i < MAX_STEPS; i++) {
       this.evaluate(s, span);
-      const late = this.lateness(from + s);
-      if (late <= 0) lo = s;
+      const lateness = this.lateness(from + s);
+      if (lateness <= 0) lo = s;
       else hi = s;
-      const newton = s - late / this.latenessRate();
+      const newton = s - lateness / this.latenessRate();
       const next = newton >= lo && newton <= hi ? newton : (lo + hi) / 2;
       const step = Math.abs(next - s);
       s = next;
@@ -84,7 +84,7 @@ export class CubicPointsIntersector extends SampledPointsIntersector {
     to[2] = this.z;
   }
 
-  /** Place and velocity so long after the beginning of the piece. */
+  /** Sets position and velocity at the time s after the beginning of the piece. */
   private evaluate(s: number, span: number): void {
     const { a, V, p, q } = this.piece;
     const w = s / span;
@@ -96,7 +96,7 @@ export class CubicPointsIntersector extends SampledPointsIntersector {
     for (let i = 0; i < 3; i++) this.velocity[i] = V[i] + v * (1 - 3 * w) * p[i] + w * (3 * w - 2) * q[i];
   }
 
-  /** How fast `late` rises along the world line. */
+  /** How fast `lateness` rises along the world line. */
   private latenessRate(): number {
     const [vx, vy, vz] = this.velocity;
     return this.surface.latenessRate(this.x, this.y, this.z, vx, vy, vz, this.observation.u, this.gamma);

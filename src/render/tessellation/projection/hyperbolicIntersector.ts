@@ -12,7 +12,7 @@ import {
 import type { ClusterBounds } from '../criterion/projectedBody.ts';
 import type { EventBounds, HypersurfaceIntersector } from './projectedAcceleratedBody.ts';
 
-/** A body in hyperbolic motion: each point has its own world line; behind its horizon it is not seen. */
+/** A body in hyperbolic motion: each point has its own world line, and is not seen behind its horizon (docs/physics.md §4.4). */
 export class HyperbolicIntersector implements HypersurfaceIntersector {
   private readonly body: MovingBody;
   private readonly motion: HyperbolicMotion;
@@ -20,11 +20,11 @@ export class HyperbolicIntersector implements HypersurfaceIntersector {
   private readonly observation: Observation;
   private corners: readonly [number, number, number] = [0, 0, 0];
 
-  constructor(body: MovingBody, motion: HyperbolicMotion, positions: Float32Array, sight: Observation) {
+  constructor(body: MovingBody, motion: HyperbolicMotion, positions: Float32Array, observation: Observation) {
     this.body = body;
     this.motion = motion;
     this.positions = positions;
-    this.observation = sight;
+    this.observation = observation;
   }
 
   setTriangle(a: number, b: number, c: number): void {
@@ -35,14 +35,14 @@ export class HyperbolicIntersector implements HypersurfaceIntersector {
     const [p, [a, b, c]] = [this.positions, this.corners];
     const w0 = 1 - w1 - w2;
     const blend = (k: number) => w0 * p[a + k] + w1 * p[b + k] + w2 * p[c + k];
-    const seen = intersect(this.lineAt([blend(0), blend(1), blend(2)]), this.observation);
-    for (let k = 0; k < 3; k++) out[at + k] = seen ? seen.offset[k] : Number.NaN;
+    const event = intersect(this.lineAt([blend(0), blend(1), blend(2)]), this.observation);
+    for (let k = 0; k < 3; k++) out[at + k] = event ? event.offset[k] : Number.NaN;
   }
 
   boundsOf({ x, y, z, radius }: ClusterBounds): EventBounds {
     const center: Vec3 = [x, y, z];
-    const span = worldTubeSection(this.lineAt(center), radius, this.observation);
-    if (!span)
+    const section = worldTubeSection(this.lineAt(center), radius, this.observation);
+    if (!section)
       return {
         center: [0, 0, 0],
         radius: Number.POSITIVE_INFINITY,
@@ -51,11 +51,11 @@ export class HyperbolicIntersector implements HypersurfaceIntersector {
         maxAcceleration: 0,
         maxVelocityJump: unbounded,
       };
-    // What trails is driven hardest, where the body is Born rigid.
+    // In a Born rigid body the trailing point has the largest acceleration (docs/physics.md §4.5).
     const trailing = this.lineAt(add(center, trailingPoint(this.motion.properAcceleration, radius)));
     return {
-      ...span.sphere,
-      maxSpeed: this.maxSpeed(trailing, span),
+      ...section.sphere,
+      maxSpeed: this.maxSpeed(trailing, section),
       maxShear: 2,
       maxAcceleration: 0,
       maxVelocityJump: unbounded,
@@ -73,11 +73,11 @@ export class HyperbolicIntersector implements HypersurfaceIntersector {
     // Beyond the body's own horizon nothing can be rigid.
     if (dot(a, motion.properAcceleration) < 0 || !Number.isFinite(length(a))) return 1;
     const since = observation.c * (observation.t - line.t0);
-    const turned =
+    const properSpeed =
       (length(a) / (observation.c * observation.c)) * Math.max(Math.abs(from + since), Math.abs(to + since));
-    return turned / Math.hypot(1, turned);
+    return properSpeed / Math.hypot(1, properSpeed);
   }
 }
 
-/** Its velocity changes too smoothly to be bounded by jolts: edges that are not short are looked at. */
+/** The velocity changes too smoothly to be bounded by sudden changes, so edges that are not short are tested by the criterion. */
 const unbounded = (): number => Number.POSITIVE_INFINITY;

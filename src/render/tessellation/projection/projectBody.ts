@@ -12,7 +12,7 @@ import { ProjectedAcceleratedBody } from './projectedAcceleratedBody.ts';
 import { inertialMap, ProjectedInertialBody, rotatedMap } from './projectedInertialBody.ts';
 import { SampledPointsIntersector, SampledPosesIntersector, type SampleWindow } from './sampledIntersector.ts';
 
-/** As much of a batch (batches.ts) as its plans are made from. */
+/** The part of a batch (batches.ts) that its plans are made from. */
 export interface PlannedBatch {
   readonly transparent: boolean;
   readonly doubleSided: boolean;
@@ -21,14 +21,14 @@ export interface PlannedBatch {
   readonly arrays: Pick<BatchArrays, 'positions' | 'indices' | 'ids'>;
 }
 
-/** A body of a batch in one picture. */
+/** A body of a batch in one view. */
 interface Projection {
   readonly body: MovingBody;
   readonly batch: PlannedBatch;
   readonly metric: ScreenMetric;
 }
 
-/** How a body is shown, by the kind of its motion; undefined where nothing of it ever is. */
+/** The projection of bodies with one kind of motion; returns undefined if nothing of the body is ever seen. */
 interface BodyProjection<M extends Motion> {
   project(motion: M, projection: Projection): ProjectedBody | undefined;
 }
@@ -38,8 +38,8 @@ function inertial(pose: Pose, { body, batch, metric }: Projection): ProjectedBod
   const line = asInertial(worldLineOfCenter(body, observation.c));
   if (!line) return undefined;
   const map = inertialMap(line, body.object.authoredIn === 'rest', Math.max(body.radius, 1e-6), metric);
-  const own = batch.instancing ? rotatedMap(map, pose.orientation) : map;
-  return new ProjectedInertialBody(own, batch.arrays.positions, batch.doubleSided, metric);
+  const rotated = batch.instancing ? rotatedMap(map, pose.orientation) : map;
+  return new ProjectedInertialBody(rotated, batch.arrays.positions, batch.doubleSided, metric);
 }
 
 const PROJECTIONS: { readonly [K in Motion['kind']]: BodyProjection<Extract<Motion, { readonly kind: K }>> } = {
@@ -76,19 +76,19 @@ const PROJECTIONS: { readonly [K in Motion['kind']]: BodyProjection<Extract<Moti
   },
 };
 
-/** How a body of a batch is shown in one picture; undefined where nothing of it ever is. */
+/** A body of a batch as one view shows it; undefined if nothing of it is ever seen. */
 export function projectBody(body: MovingBody, batch: PlannedBatch, metric: ScreenMetric): ProjectedBody | undefined {
   const { motion } = body.object;
   const projection: BodyProjection<Motion> = PROJECTIONS[motion.kind];
   return projection.project(motion, { body, batch, metric });
 }
 
-/** The samples that a picture of a sampled body needs. */
-export function sampleWindowOf(body: MovingBody, { view: look }: ScreenMetric): SampleWindow | undefined {
-  const line = worldLineOfCenter(body, look.observation.c);
-  const span = worldTubeSection(line, body.radius, look.observation);
+/** The samples that a view of a sampled body needs. */
+export function sampleWindowOf(body: MovingBody, { view }: ScreenMetric): SampleWindow | undefined {
+  const line = worldLineOfCenter(body, view.observation.c);
+  const section = worldTubeSection(line, body.radius, view.observation);
   const samples = asPolyline(line);
-  if (!samples || !span) return undefined;
-  const [first, count] = sampleWindow(samples, span, look.observation, samples.times.length);
+  if (!samples || !section) return undefined;
+  const [first, count] = sampleWindow(samples, section, view.observation, samples.times.length);
   return { first, count };
 }

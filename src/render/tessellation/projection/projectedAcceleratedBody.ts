@@ -15,31 +15,31 @@ import {
 import type { ScreenMetric } from '../criterion/tessellationView.ts';
 import { ProjectedSphere } from './projectedSphere.ts';
 
-/** Where the points of a body that changes its velocity are, on the surface that a picture is made of. */
+/** Finds where the world lines of the points of an accelerated body meet the hypersurface of a view. */
 export interface HypersurfaceIntersector {
-  /** Chooses a triangle, by its vertices' places in the batch. */
+  /** Selects a triangle by the indices of its vertices in the batch. */
   setTriangle(a: number, b: number, c: number): void;
-  /** Observer → event [m] of the point with these weights of the triangle's second and third corner, to `out[at …]`; NaN where there is none. */
+  /** Writes observer → event [m] of the point with these weights of the triangle's second and third corner to `out[at …]`; NaN if there is none. */
   intersect(w1: number, w2: number, out: Float64Array, at: number): void;
-  /** What holds all events of a lump. */
-  boundsOf(lump: ClusterBounds): EventBounds;
+  /** Bounds of all events of a cluster. */
+  boundsOf(cluster: ClusterBounds): EventBounds;
 }
 
-/** A ball relative to the observer's event, world frame [m], and how what is in it moves, in units of c. */
+/** A sphere relative to the observer's event, world frame [m], and bounds of how its points move, in units of c. */
 export interface EventBounds {
   readonly center: Vec3;
   readonly radius: number;
-  /** The fastest. */
+  /** Largest speed. */
   readonly maxSpeed: number;
-  /** The most by which the velocities of an edge's ends can differ at one time. */
+  /** Largest difference between the velocities of an edge's ends at one time. */
   readonly maxShear: number;
-  /** How fast velocities change between sudden changes, at most [1/m of light]. */
+  /** Largest acceleration apart from sudden changes [1/m of light]. */
   readonly maxAcceleration: number;
-  /** The most by which a velocity can change suddenly within so much time [m of light], all changes added. */
+  /** The largest sum of sudden changes of a velocity within a time [m of light]. */
   readonly maxVelocityJump: (time: number) => number;
 }
 
-/** Bodies whose points have no common frame: their edges are looked at by their events alone. */
+/** Bodies whose points have no common rest frame: their edges are judged by their events alone. */
 export class ProjectedAcceleratedBody implements ProjectedBody {
   readonly kinked: boolean;
   private readonly intersector: HypersurfaceIntersector;
@@ -47,47 +47,48 @@ export class ProjectedAcceleratedBody implements ProjectedBody {
   /** From (|Δx|, Δx) to (|Δx′|, Δx′). */
   private readonly L: Mat4;
   private readonly sphere: ProjectedSphere;
-  /** Shown contracted: Δx′ = Δx − u (u·Δx)/(γ(γ + 1)). */
+  /** Factor of the contraction Δx′ = Δx − u (u·Δx)/(γ(γ + 1)); 0 where positions are not contracted. */
   private readonly contraction: number;
 
-  constructor(mover: HypersurfaceIntersector, kinked: boolean, gauge: ScreenMetric) {
-    const { observation, projection } = gauge.view;
-    this.intersector = mover;
+  constructor(intersector: HypersurfaceIntersector, kinked: boolean, metric: ScreenMetric) {
+    const { observation, projection } = metric.view;
+    this.intersector = intersector;
     this.kinked = kinked;
-    this.metric = gauge;
+    this.metric = metric;
     this.L = PLACEMENTS[projection.place].boost(observation.u);
-    this.sphere = new ProjectedSphere(this.L, gauge);
+    this.sphere = new ProjectedSphere(this.L, metric);
     this.contraction = PLACEMENTS[projection.place].contraction(observation.u);
   }
 
-  classify(lump: ClusterBounds): ClusterState {
-    const reach = this.intersector.boundsOf(lump);
-    const { center, radius, maxSpeed } = reach;
+  classify(cluster: ClusterBounds): ClusterState {
+    const bounds = this.intersector.boundsOf(cluster);
+    const { center, radius, maxSpeed } = bounds;
     if (!(radius < Number.POSITIVE_INFINITY)) return TESSELLATED;
     const { L, metric } = this;
     const u = metric.view.observation.u;
-    const squeezed = this.contraction * (u[0] * center[0] + u[1] * center[1] + u[2] * center[2]);
-    const [x, y, z] = [center[0] - squeezed * u[0], center[1] - squeezed * u[1], center[2] - squeezed * u[2]];
+    const contracted = this.contraction * (u[0] * center[0] + u[1] * center[1] + u[2] * center[2]);
+    const [x, y, z] = [center[0] - contracted * u[0], center[1] - contracted * u[1], center[2] - contracted * u[2]];
     const { sphere } = this;
     sphere.set(x, y, z, radius);
     if (sphere.isOutside()) return CULLED;
     if (!(sphere.minDistance > 0) || !(maxSpeed < 1)) return TESSELLATED;
     sphere.computeAngles();
-    const longest = lump.longestEdge / (1 - maxSpeed);
+    const longest = cluster.longestEdge / (1 - maxSpeed);
     const image = longest * Math.sqrt(2 * L[0] * sphere.maxStretch);
     const scale = (metric.view.focal * sphere.maxMagnification) / (sphere.minStretch * sphere.minDistance);
     if (image * scale < (this.kinked ? MIN_KINKED_EDGE_PIXELS : MIN_EDGE_PIXELS)) return DRAWN;
     const grade = sphere.nearCameraPlane ? MAX_GRADE_NEAR_CAMERA_PLANE : MAX_GRADE;
     const graded = image < grade * sphere.minStretch * sphere.minDistance && longest < MAX_GRADE * sphere.minDistance;
-    return graded && 2 * scale * this.secondDifferenceBound(reach, longest, sphere.minDistance) < metric.tolerance
+    return graded && 2 * scale * this.secondDifferenceBound(bounds, longest, sphere.minDistance) < metric.tolerance
       ? DRAWN
       : TESSELLATED;
   }
 
   /**
-   * Bound of the second difference of Δx′(f) over ¼ of an edge. Events of neighbours are apart by the time in which they move too: |Δx′(f)| and |t′(f)|
-   * are at most ℓ/(1 − v) for an edge ℓ long at one time. Where velocities v(f) are constant, Δx″ = 2v′t′ + v t″ (and a t′² where they change by a), and |t″| ≤ |Δx′|²/|Δx| + |Δx″| on the
-   * light cone; where one changes by J, Δx′ jumps by at most J|t′|/(1 − v). The boost takes Δx to MΔx + |Δx|m with |M| = γ, |m| = γβ.
+   * Bound of the second difference of Δx′(f) over ¼ of an edge (docs/physics.md §9.2). Events of neighbouring points are also apart by the time in which the
+   * points move: |Δx′(f)| and |t′(f)| are at most ℓ/(1 − v) for an edge of length ℓ at one time. Where velocities v(f) are constant, Δx″ = 2v′t′ + v t″ (plus
+   * a t′² for an acceleration a), and |t″| ≤ |Δx′|²/|Δx| + |Δx″| on the light cone; where one changes by J, Δx′ jumps by at most J|t′|/(1 − v). The boost
+   * maps Δx to MΔx + |Δx|m with |M| = γ, |m| = γβ.
    */
   private secondDifferenceBound(
     { maxSpeed, maxShear, maxAcceleration, maxVelocityJump }: EventBounds,
@@ -117,13 +118,13 @@ export class ProjectedAcceleratedBody implements ProjectedBody {
     const y = out[at + 4];
     const z = out[at + 5];
     const r = Math.sqrt(x * x + y * y + z * z);
-    const squeezed = this.contraction * (u[0] * x + u[1] * y + u[2] * z);
-    out[at] = L[4] * r + L[5] * x + L[6] * y + L[7] * z - squeezed * u[0];
-    out[at + 1] = L[8] * r + L[9] * x + L[10] * y + L[11] * z - squeezed * u[1];
-    out[at + 2] = L[12] * r + L[13] * x + L[14] * y + L[15] * z - squeezed * u[2];
+    const contracted = this.contraction * (u[0] * x + u[1] * y + u[2] * z);
+    out[at] = L[4] * r + L[5] * x + L[6] * y + L[7] * z - contracted * u[0];
+    out[at + 1] = L[8] * r + L[9] * x + L[10] * y + L[11] * z - contracted * u[1];
+    out[at + 2] = L[12] * r + L[13] * x + L[14] * y + L[15] * z - contracted * u[2];
   }
 
-  /** Between graded edges the surface stays well within twice its corners' distance from their middle. */
+  /** Between graded edges the surface stays well within twice the corners' distance from their centroid. */
   isOutside(points: Float64Array, a: number, b: number, c: number): boolean {
     const x = (points[a] + points[b] + points[c]) / 3;
     const y = (points[a + 1] + points[b + 1] + points[c + 1]) / 3;

@@ -27,36 +27,36 @@ import type { ScreenMetric } from '../criterion/tessellationView.ts';
 import { ProjectedSphere } from './projectedSphere.ts';
 
 /**
- * Within this many times its length of an edge's middle lies every triangle that has no longer edge (√3/2, rounded up): its farthest
- * corner is that of an equilateral one.
+ * A triangle whose longest edge this is lies within this many times its length from the edge's middle (√3/2, rounded up): the farthest corner is that of an
+ * equilateral triangle.
  */
 const EDGE_REACH = 0.87;
 
 /**
- * How a body at constant velocity is shown: a point at p in its batch is at X = Ap + x₀ in coordinates in which (|X|, X) goes to (|Δx′|, Δx′) by
- * the matrix L. For light, X is the place in the body's rest frame and L the boosts from there to the world and on to the observer.
- * Δx′ = MX + |X|m, |m| = γβ: straight edges stay straight but for |X|, whose second derivative along an edge of length ℓ is at most ℓ²/|X|, so that a
- * chord is off by at most |m|ℓ²/(8|X|). Its image has D|X| of distance and is at most √(2γD) times as long: √(2γD − 1) along the line of sight, 1 across.
+ * How a body at constant velocity is projected (docs/physics.md §9.2): a point p of its batch is at X = Ap + x₀, in coordinates in which the matrix L maps
+ * (|X|, X) to (|Δx′|, Δx′). On the light cone, X is the place in the body's rest frame, and L boosts from there to the world and on to the observer.
+ * Δx′ = MX + |X|m, |m| = γβ: straight edges stay straight but for |X|, whose second derivative along an edge of length ℓ is at most ℓ²/|X|, so a chord is off
+ * by at most |m|ℓ²/(8|X|). Its image is at the distance D|X|, and at most √(2γD) times as long: √(2γD − 1) along the line of sight, 1 across.
  */
 export interface InertialMap {
-  /** 3 × 3, by rows. */
+  /** 3 × 3, row-major. */
   readonly A: readonly number[];
   readonly x0: Vec3;
   readonly L: Mat4;
-  /** How much A can lengthen. */
+  /** Largest factor by which A lengthens a vector. */
   readonly maxStretch: number;
 }
 
 type InertialLine = StaticLine | UniformLine;
 
-/** `line`: of the body's centre; `rigid`: its offsets are those of its rest frame. */
+/** `line`: of the body's centre; `bornRigid`: the body's offsets are those of its rest frame; `size`: a typical length of the body [m]. */
 export function inertialMap(
   line: InertialLine,
   bornRigid: boolean,
   size: number,
-  { view: look }: ScreenMetric,
+  { view }: ScreenMetric,
 ): InertialMap {
-  const { observation, projection } = look;
+  const { observation, projection } = view;
   const v = properVelocity(scale(inertialVelocity(line), 1 / observation.c));
   const toObserver = PLACEMENTS[projection.place].boost(observation.u);
   const now = sub(positionAt(line, observation.t, observation.c), observation.position);
@@ -71,7 +71,7 @@ interface MapInputs {
   readonly v: Vec3;
   /** From (|Δx|, Δx) to (|Δx′|, Δx′). */
   readonly toObserver: Mat4;
-  /** Its place at the observer's world time, from there. */
+  /** The body's place at the observer's world time, relative to the observer. */
   readonly now: Vec3;
   readonly observation: Observation;
 }
@@ -86,9 +86,9 @@ const MAPS: Readonly<Record<HypersurfaceName, (inputs: MapInputs) => InertialMap
   slice(inputs) {
     const { line, size, observation } = inputs;
     const place = (p: Vec3): Vec3 => {
-      const moved = { ...line, position: add(line.position, worldOffset(inputs, p)) };
+      const shifted = { ...line, position: add(line.position, worldOffset(inputs, p)) };
       return simultaneousPosition(
-        simultaneitySlice(moved, observation, observation.u, observation.c).offset,
+        simultaneitySlice(shifted, observation, observation.u, observation.c).offset,
         observation.u,
       );
     };
@@ -102,16 +102,16 @@ const MAPS: Readonly<Record<HypersurfaceName, (inputs: MapInputs) => InertialMap
   },
 };
 
-/** The same of points in axes that are turned. */
+/** The map for points in rotated axes. */
 export const rotatedMap = (map: InertialMap, orientation: Quat): InertialMap => ({
   ...map,
   A: times(map.A, toMatrix(orientation)),
 });
 
-/** From the world's slice to the rest frame: the inverse of the contraction. */
+/** From the world's slice to the rest frame: the inverse of the contraction (docs/physics.md §5.5). */
 const uncontracted = (x: Vec3, u: Vec3): Vec3 => addScaled(x, u, dot(u, x) / (gamma(u) + 1));
 
-/** The matrix of a linear function, by rows. */
+/** The matrix of a linear function, row-major. */
 function matrixOf(f: (p: Vec3) => Vec3): number[] {
   const [a, b, c] = [f([1, 0, 0]), f([0, 1, 0]), f([0, 0, 1])];
   return [a[0], b[0], c[0], a[1], b[1], c[1], a[2], b[2], c[2]];
@@ -123,42 +123,42 @@ export class ProjectedInertialBody implements ProjectedBody {
   private readonly map: InertialMap;
   private readonly positions: Float32Array;
   private readonly doubleSided: boolean;
-  /** The picture's sides on (|X|, X): b|X| + a·X ≥ 0 inside. */
+  /** The picture's sides for (|X|, X): b|X| + a·X ≥ 0 inside. */
   private readonly sides: readonly { readonly a: Vec3; readonly b: number }[];
-  /** γ and u = γβ of the observer against the frame of X. */
+  /** γ and u = γβ of the observer in the frame of X, and |u|. */
   private readonly gamma: number;
   private readonly u: Vec3;
   private readonly w: number;
   private readonly sphere: ProjectedSphere;
   private readonly maxStretch: number;
-  /** X of the chosen triangle's corners. */
+  /** X of the selected triangle's corners. */
   private readonly corners = new Float64Array(9);
 
-  constructor(map: InertialMap, positions: Float32Array, doubleSided: boolean, gauge: ScreenMetric) {
+  constructor(map: InertialMap, positions: Float32Array, doubleSided: boolean, metric: ScreenMetric) {
     const { L } = map;
     this.map = map;
-    this.metric = gauge;
+    this.metric = metric;
     this.positions = positions;
     this.doubleSided = doubleSided;
     this.gamma = L[0];
     this.u = [L[1], L[2], L[3]];
     this.w = length(this.u);
-    this.sphere = new ProjectedSphere(L, gauge);
+    this.sphere = new ProjectedSphere(L, metric);
     this.maxStretch = map.maxStretch;
     const row = (i: number): Vec3 => [L[4 + i], L[8 + i], L[12 + i]];
-    this.sides = gauge.sides.map((s) => ({ a: [dot(s, row(1)), dot(s, row(2)), dot(s, row(3))], b: dot(s, row(0)) }));
+    this.sides = metric.sides.map((s) => ({ a: [dot(s, row(1)), dot(s, row(2)), dot(s, row(3))], b: dot(s, row(0)) }));
   }
 
-  classify(lump: ClusterBounds): ClusterState {
+  classify(cluster: ClusterBounds): ClusterState {
     const { A, x0 } = this.map;
-    const { x, y, z } = lump;
+    const { x, y, z } = cluster;
     const cx = A[0] * x + A[1] * y + A[2] * z + x0[0];
     const cy = A[3] * x + A[4] * y + A[5] * z + x0[1];
     const cz = A[6] * x + A[7] * y + A[8] * z + x0[2];
-    const radius = this.maxStretch * lump.radius;
+    const radius = this.maxStretch * cluster.radius;
     this.sphere.set(cx, cy, cz, radius);
     if (this.sphere.isOutside()) return CULLED;
-    return this.mayBend(cx, cy, cz, radius, this.maxStretch * lump.longestEdge) ? TESSELLATED : DRAWN;
+    return this.mayBend(cx, cy, cz, radius, this.maxStretch * cluster.longestEdge) ? TESSELLATED : DRAWN;
   }
 
   setTriangle(a: number, b: number, c: number): void {
@@ -207,27 +207,27 @@ export class ProjectedInertialBody implements ProjectedBody {
   }
 
   /**
-   * b|X| + a·X over the triangle is greatest at a corner where b ≥ 0, for then it is convex; where b < 0 it is concave and nowhere above its
-   * tangent (a + bn)·X at the middle, n = X/|X| there.
+   * Over the triangle, b|X| + a·X is convex where b ≥ 0, so it is greatest at a corner; where b < 0 it is concave, and nowhere above its tangent (a + bn)·X
+   * at the centroid, n = X/|X| there.
    */
   isOutsideUncut(points: Float64Array, i: number, j: number, k: number): boolean {
     const mx = points[i + 3] + points[j + 3] + points[k + 3];
     const my = points[i + 4] + points[j + 4] + points[k + 4];
     const mz = points[i + 5] + points[j + 5] + points[k + 5];
-    const far = Math.sqrt(mx * mx + my * my + mz * mz);
-    if (far === 0) return false;
+    const distance = Math.sqrt(mx * mx + my * my + mz * mz);
+    if (distance === 0) return false;
     for (const { a, b } of this.sides) {
       const convex = b >= 0;
-      const ax = convex ? a[0] : a[0] + (b * mx) / far;
-      const ay = convex ? a[1] : a[1] + (b * my) / far;
-      const az = convex ? a[2] : a[2] + (b * mz) / far;
+      const ax = convex ? a[0] : a[0] + (b * mx) / distance;
+      const ay = convex ? a[1] : a[1] + (b * my) / distance;
+      const az = convex ? a[2] : a[2] + (b * mz) / distance;
       const bend = convex ? b : 0;
-      const most = Math.max(
+      const maxSide = Math.max(
         side(points, i, ax, ay, az, bend),
         side(points, j, ax, ay, az, bend),
         side(points, k, ax, ay, az, bend),
       );
-      if (most < -1e-9 * far * this.gamma) return true;
+      if (maxSide < -1e-9 * distance * this.gamma) return true;
     }
     return false;
   }
@@ -242,7 +242,7 @@ export class ProjectedInertialBody implements ProjectedBody {
     return !this.mayBend(x, y, z, 0, Math.sqrt(dx * dx + dy * dy + dz * dz));
   }
 
-  /** Whether a chord of at most `longest` in a ball, or what lies between three of them, can be too far from what is seen. */
+  /** Whether a chord no longer than `longest` in a sphere, or a triangle of three of them, may deviate too much from what is seen. */
   private mayBend(x: number, y: number, z: number, radius: number, longest: number): boolean {
     const { w, sphere } = this;
     sphere.set(x, y, z, radius + EDGE_REACH * longest);
@@ -254,8 +254,8 @@ export class ProjectedInertialBody implements ProjectedBody {
     if (sphere.nearCameraPlane && image > MAX_GRADE_NEAR_CAMERA_PLANE * sphere.minStretch * sphere.minDistance)
       return true;
     const across = sphere.maxSine * sphere.maxMagnification;
-    const seen = w * Math.sqrt(across * across + DEPTH_WEIGHT * DEPTH_WEIGHT);
-    return !((seen * longest * longest * scale) / (8 * sphere.minDistance) < this.metric.tolerance);
+    const curvature = w * Math.sqrt(across * across + DEPTH_WEIGHT * DEPTH_WEIGHT);
+    return !((curvature * longest * longest * scale) / (8 * sphere.minDistance) < this.metric.tolerance);
   }
 
   private placeCorner(vertex: number, to: number): void {
@@ -270,7 +270,7 @@ export class ProjectedInertialBody implements ProjectedBody {
   }
 }
 
-/** The most that a symmetric matrix can lengthen a vector, or a little more: by its row sums. */
+/** Upper bound of a matrix's spectral norm: √(largest row sum × largest column sum) of absolute values. */
 function normBound(A: readonly number[]): number {
   const row = (i: number) => Math.abs(A[i]) + Math.abs(A[i + 1]) + Math.abs(A[i + 2]);
   const column = (i: number) => Math.abs(A[i]) + Math.abs(A[i + 3]) + Math.abs(A[i + 6]);

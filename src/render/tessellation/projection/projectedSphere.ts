@@ -3,50 +3,50 @@ import { CAMERA_PLANE_COSINE } from '../criterion/edgeCriterion.ts';
 import type { ScreenMetric } from '../criterion/tessellationView.ts';
 
 /**
- * What can be said of all that is seen in a ball at once. L, the matrix of a boost and perhaps a rotation, takes (|X|, X) to (|Δx′|, Δx′), and so the
- * cone that the ball is seen in, as (cosine, axis), to the cone it is shown in (culling.ts). The numbers grow with the ball.
+ * Bounds for everything that is seen in a sphere. L, the matrix of a boost and perhaps a rotation, maps (|X|, X) to (|Δx′|, Δx′), and so it maps the cone in
+ * which the sphere is seen, as (cosine, axis), to the cone in which it appears (docs/physics.md §3.6). The bounds grow with the sphere.
  */
 export class ProjectedSphere {
   private readonly L: Mat4;
   private readonly metric: ScreenMetric;
   private readonly w: number;
-  /** Distance of the ball from the observer [m]; what follows has a meaning where it is above 0. */
+  /** Distance of the sphere from the observer [m]; the other values are valid only if it is above 0. */
   minDistance = 0;
-  /** Most and least of D = |Δx′|/|X| = γ + u·n. */
+  /** Largest and least D = |Δx′|/|X| = γ + u·n. */
   maxStretch = 1;
   minStretch = 1;
-  /** Most of the sine of the angle between Δx′ and the way the observer moves. */
+  /** Largest sine of the angle between Δx′ and the observer's velocity. */
   maxSine = 1;
-  /** Most of 1 + tan²θ, at most that of the picture's corner. */
+  /** Largest 1 + tan²θ, at most that of the picture's corner. */
   maxMagnification = 1;
-  /** It may be shown near the plane across the line of sight (edgeCriterion.ts). */
+  /** Whether part of the sphere may appear near the plane across the line of sight (edgeCriterion.ts). */
   nearCameraPlane = true;
-  /** The cone it is shown in: unit axis, sine and cosine of half its opening. */
+  /** The cone in which the sphere appears: unit axis, sine and cosine of its half angle. */
   private ax = 0;
   private ay = 0;
   private az = 0;
   private sineRadius = 0;
   private cosineRadius = 1;
 
-  constructor(L: Mat4, gauge: ScreenMetric) {
+  constructor(L: Mat4, metric: ScreenMetric) {
     this.L = L;
-    this.metric = gauge;
+    this.metric = metric;
     this.w = Math.sqrt(L[1] * L[1] + L[2] * L[2] + L[3] * L[3]);
   }
 
-  /** Chooses the ball round X [m]. */
+  /** Sets the sphere, with centre X [m]. */
   set(x: number, y: number, z: number, radius: number): void {
     const { L } = this;
-    const far = Math.sqrt(x * x + y * y + z * z);
-    this.minDistance = far - radius;
+    const distance = Math.sqrt(x * x + y * y + z * z);
+    this.minDistance = distance - radius;
     if (!(this.minDistance > 0)) return;
-    const sine = radius / far;
+    const sine = radius / distance;
     const k = Math.sqrt(1 - sine * sine);
-    const ax = L[4] * k + (L[5] * x + L[6] * y + L[7] * z) / far;
-    const ay = L[8] * k + (L[9] * x + L[10] * y + L[11] * z) / far;
-    const az = L[12] * k + (L[13] * x + L[14] * y + L[15] * z) / far;
-    const along = (L[1] * x + L[2] * y + L[3] * z) / far;
-    // Not unit yet: |axis|² − cosine² is the invariant 1 − k².
+    const ax = L[4] * k + (L[5] * x + L[6] * y + L[7] * z) / distance;
+    const ay = L[8] * k + (L[9] * x + L[10] * y + L[11] * z) / distance;
+    const az = L[12] * k + (L[13] * x + L[14] * y + L[15] * z) / distance;
+    const along = (L[1] * x + L[2] * y + L[3] * z) / distance;
+    // Not normalized yet: |axis|² − cosine² is the invariant 1 − k².
     const size = Math.sqrt(ax * ax + ay * ay + az * az);
     this.ax = ax / size;
     this.ay = ay / size;
@@ -56,7 +56,7 @@ export class ProjectedSphere {
     this.computeStretch(along, sine);
   }
 
-  /** No pixel can show any of it. */
+  /** Whether no pixel can show any of it. */
   isOutside(): boolean {
     if (!(this.minDistance > 0) || this.cosineRadius <= 0) return false;
     for (const s of this.metric.sides)
@@ -64,7 +64,7 @@ export class ProjectedSphere {
     return false;
   }
 
-  /** Fills `sine`, `magnified` and `sideways`. */
+  /** Computes `maxSine`, `maxMagnification` and `nearCameraPlane`. */
   computeAngles(): void {
     const { L, w } = this;
     const [fx, fy, fz] = this.metric.forward;
@@ -89,7 +89,7 @@ export class ProjectedSphere {
   }
 }
 
-/** The cosine of an angle plus a smaller one below π, at most π; of the first the cosine is given, of the second sine and cosine. */
+/** The cosine of the sum of two angles, at most π; given the cosine of the first, and sine and cosine of the second, smaller one. */
 function cosineOfSum(cosine: number, sine: number, k: number): number {
   return cosine <= -k ? -1 : cosine * k - Math.sqrt(Math.max(0, 1 - cosine * cosine)) * sine;
 }

@@ -10,50 +10,53 @@ import type { Observation } from '../../geometry/observation.ts';
 import type { ClusterBounds } from '../criterion/projectedBody.ts';
 import type { EventBounds, HypersurfaceIntersector } from './projectedAcceleratedBody.ts';
 
-/** Samples [first, first + count) of a motion, those that a picture needs. */
+/** Samples [first, first + count) of a motion: those that a view needs. */
 export interface SampleWindow {
   readonly first: number;
   readonly count: number;
 }
 
-/** How fast something changes in each piece between samples, the first being 0, and by how much that changes at each sample [1/m of light]. */
+/** The rate of change in each piece between samples, the first being 0, and the change of the rate at each sample [1/m of light]. */
 interface VelocityChanges {
   readonly rates: Float64Array;
   readonly jumps: Float64Array;
 }
 
-/** Points that go straight from sample to sample, and rest before the first and after the last one. */
+/** Points that move straight between samples, and are at rest before the first and after the last one. */
 abstract class SampledIntersector implements HypersurfaceIntersector {
   protected readonly observation: Observation;
-  /** Of the window's samples after the observer's event [m of light]. */
+  /** Times of the window's samples relative to the observer's event [m of light]. */
   protected readonly times: Float64Array;
-  /** Where `sample` leaves the point [m]: observer → sample, world frame. */
+  /** The place that `evaluateSample` computes [m]: observer → point, world frame. */
   protected x = 0;
   protected y = 0;
   protected z = 0;
   protected readonly surface: Hypersurface;
   protected readonly gamma: number;
-  /** The window has the first and the last sample of the motion, outside which it rests. */
+  /** Whether the window has the first and the last sample of the motion, outside which it is at rest. */
   protected readonly includesStart: boolean;
   protected readonly includesEnd: boolean;
 
-  constructor(times: Float64Array, { first, count }: SampleWindow, sight: Observation) {
-    this.observation = sight;
+  constructor(times: Float64Array, { first, count }: SampleWindow, observation: Observation) {
+    this.observation = observation;
     this.includesStart = first === 0;
     this.includesEnd = first + count === times.length;
-    this.times = times.slice(first, first + count).map((t) => sight.c * (t - sight.t));
-    this.gamma = gamma(sight.u);
-    this.surface = HYPERSURFACES[sight.hypersurface];
+    this.times = times.slice(first, first + count).map((t) => observation.c * (t - observation.t));
+    this.gamma = gamma(observation.u);
+    this.surface = HYPERSURFACES[observation.hypersurface];
   }
 
   abstract setTriangle(a: number, b: number, c: number): void;
   abstract boundsOf(lump: ClusterBounds): EventBounds;
-  /** Chooses a point of the triangle. */
+  /** Selects a point of the triangle. */
   protected abstract setPoint(w1: number, w2: number): void;
-  /** Puts the place of the point at sample k of the window into x, y, z. */
+  /** Sets x, y, z to the place of the point at sample k of the window. */
   protected abstract evaluateSample(k: number): void;
 
-  /** The surface is crossed once, since nothing is as fast as light: bisection finds the piece, a quadratic or linear equation the event in it. */
+  /**
+   * The hypersurface is crossed once, since nothing moves as fast as light: bisection finds the piece, a quadratic or linear equation the event in it
+   * (docs/physics.md §4.7).
+   */
   intersect(w1: number, w2: number, out: Float64Array, at: number): void {
     this.setPoint(w1, w2);
     const { times } = this;
@@ -75,7 +78,7 @@ abstract class SampledIntersector implements HypersurfaceIntersector {
     out[at + 2] = this.z;
   }
 
-  /** The event of the point, which lies between samples k and k + 1. */
+  /** Writes the event of the point, which is between samples k and k + 1. */
   protected intersectPiece(k: number, out: Float64Array, at: number): void {
     const { times } = this;
     this.evaluateSample(k);
@@ -93,7 +96,7 @@ abstract class SampledIntersector implements HypersurfaceIntersector {
     out[at + 2] = az + this.z * s;
   }
 
-  /** Changes of what has `size` numbers per sample. */
+  /** Rates of change, and their jumps, of values with `size` numbers per sample. */
   protected changesOf(values: Float64Array, size: number): VelocityChanges {
     const n = this.times.length;
     const rate = (k: number, i: number): number => {
@@ -107,50 +110,50 @@ abstract class SampledIntersector implements HypersurfaceIntersector {
       return Math.sqrt(sum);
     };
     const rates = new Float64Array(n);
-    const jolts = new Float64Array(n);
+    const jumps = new Float64Array(n);
     for (let k = 0; k < n; k++) {
       if (k > 0) rates[k] = norm((i) => rate(k, i));
-      jolts[k] = norm((i) => rate(k + 1, i) - rate(k, i));
+      jumps[k] = norm((i) => rate(k + 1, i) - rate(k, i));
     }
-    return { rates, jumps: jolts };
+    return { rates, jumps };
   }
 
-  /** How far behind the surface the event (x, t) is; it rises along every world line. */
+  /** How far the event (x, t) is behind the hypersurface; it rises along every world line. */
   protected lateness(t: number): number {
     return this.surface.lateness(this.x, this.y, this.z, t, this.observation.u, this.gamma);
   }
 
-  /** Time [m of light] from A, T before the observer's, to the crossing, with the velocity in x, y, z. */
+  /** Time [m of light] from A, at T before the observer's event, to the crossing, with the velocity in x, y, z. */
   private crossingTime(T: number, ax: number, ay: number, az: number): number {
     const { x, y, z, surface, gamma } = this;
     return surface.crossingTime(T, ax, ay, az, x, y, z, this.observation.u, gamma);
   }
 }
 
-/** A rigid body: per sample its center and how it is turned. */
+/** A rigid body: per sample its centre and its rotation. */
 export class SampledPosesIntersector extends SampledIntersector {
   private readonly positions: Float32Array;
   private readonly centers: Float64Array;
   private readonly rotations: Float64Array;
-  /** Of the rotation matrices, by their Frobenius norm: at most so much moves a point at distance 1. */
+  /** Of the rotation matrices, by their Frobenius norm, which bounds the motion of a point at distance 1. */
   private readonly rotationChanges: VelocityChanges;
   private readonly corners = new Float64Array(9);
   private px = 0;
   private py = 0;
   private pz = 0;
 
-  /** `line`: of the body's center. */
+  /** `line`: of the body's centre. */
   constructor(
     motion: SampledMotion,
     line: PolylineLine,
     window: SampleWindow,
     positions: Float32Array,
-    sight: Observation,
+    observation: Observation,
   ) {
-    super(motion.times, window, sight);
+    super(motion.times, window, observation);
     const { first, count } = window;
     this.positions = positions;
-    this.centers = line.positions.slice(3 * first, 3 * (first + count)).map((x, i) => x - sight.position[i % 3]);
+    this.centers = line.positions.slice(3 * first, 3 * (first + count)).map((x, i) => x - observation.position[i % 3]);
     this.rotations = new Float64Array(9 * count);
     for (let k = 0; k < count; k++)
       this.rotations.set(toMatrix(samplePose(motion.poses, first + k).orientation), 9 * k);
@@ -176,9 +179,9 @@ export class SampledPosesIntersector extends SampledIntersector {
       places[3 * k + 2] = this.z;
     }
     const { rates, jumps } = this.changesOf(places, 3);
-    const speed = rates.reduce((most, v, k) => Math.max(most, v + radius * this.rotationChanges.rates[k]), 0);
-    const shear = longestEdge * this.rotationChanges.rates.reduce((most, rate) => Math.max(most, rate), 0);
-    const sums = jumps.map((jolt, k) => jolt + radius * this.rotationChanges.jumps[k]);
+    const speed = rates.reduce((max, v, k) => Math.max(max, v + radius * this.rotationChanges.rates[k]), 0);
+    const shear = longestEdge * this.rotationChanges.rates.reduce((max, rate) => Math.max(max, rate), 0);
+    const sums = jumps.map((jump, k) => jump + radius * this.rotationChanges.jumps[k]);
     return {
       ...boundingSphereOf(places, radius),
       maxSpeed: speed,
@@ -209,7 +212,7 @@ export class SampledPosesIntersector extends SampledIntersector {
   }
 }
 
-/** A deforming mesh: every vertex has its own samples. A lump is measured from the motion's origin, over the same window. */
+/** A deforming mesh: every vertex has its own samples. Clusters are relative to the motion's origin, and bounded over the same window. */
 export class SampledPointsIntersector extends SampledIntersector {
   private readonly points: readonly Float32Array[];
   private readonly origin: Vec3;
@@ -219,10 +222,10 @@ export class SampledPointsIntersector extends SampledIntersector {
   private w1 = 0;
   private w2 = 0;
 
-  constructor(motion: SampledPointsMotion, window: SampleWindow, sight: Observation) {
-    super(motion.times, window, sight);
+  constructor(motion: SampledPointsMotion, window: SampleWindow, observation: Observation) {
+    super(motion.times, window, observation);
     this.points = Array.from({ length: window.count }, (_, i) => pointsAt(motion, window.first + i));
-    this.origin = sub(motion.origin, sight.position);
+    this.origin = sub(motion.origin, observation.position);
   }
 
   setTriangle(a: number, b: number, c: number): void {
@@ -231,19 +234,19 @@ export class SampledPointsIntersector extends SampledIntersector {
     this.c = 3 * c;
   }
 
-  /** Pieces are not what a lump is told of: nothing is known. */
-  protected get straightened(): boolean {
+  /** Whether the bend of a piece is reduced, so that velocities are not those of the cluster's bounds. */
+  protected get isStraightened(): boolean {
     return false;
   }
 
-  boundsOf({ x, y, z, radius, maxSpeed, velocityJumps: jolts, maxAcceleration = 0 }: ClusterBounds): EventBounds {
-    const fastest = this.straightened ? 1 : maxSpeed / this.observation.c;
-    const sums = jolts?.map((jolt) => jolt / this.observation.c) ?? new Float64Array(this.times.length);
+  boundsOf({ x, y, z, radius, maxSpeed, velocityJumps, maxAcceleration = 0 }: ClusterBounds): EventBounds {
+    const maxBeta = this.isStraightened ? 1 : maxSpeed / this.observation.c;
+    const sums = velocityJumps?.map((jump) => jump / this.observation.c) ?? new Float64Array(this.times.length);
     return {
       center: add(this.origin, [x, y, z]),
       radius,
-      maxSpeed: fastest,
-      maxShear: 2 * fastest,
+      maxSpeed: maxBeta,
+      maxShear: 2 * maxBeta,
       maxAcceleration: maxAcceleration / this.observation.c ** 2,
       maxVelocityJump: (time) => maxWithin(sums, this.times, time),
     };
@@ -264,7 +267,7 @@ export class SampledPointsIntersector extends SampledIntersector {
     this.z = w0 * p[a + 2] + w1 * p[b + 2] + w2 * p[c + 2] + o[2];
   }
 
-  /** What the point has of vectors of the vertices. */
+  /** Interpolates vectors of the vertices at the point. */
   protected interpolate(of: Float32Array, out: Float64Array): void {
     const { a, b, c, w1, w2 } = this;
     const w0 = 1 - w1 - w2;
@@ -275,19 +278,19 @@ export class SampledPointsIntersector extends SampledIntersector {
 function boundingSphereOf(places: Float64Array, radius: number): { center: Vec3; radius: number } {
   const at = (i: number): Vec3 => [places[i], places[i + 1], places[i + 2]];
   const center = scale(add(at(0), at(places.length - 3)), 0.5);
-  let far = 0;
-  for (let i = 0; i < places.length; i += 3) far = Math.max(far, length(sub(at(i), center)));
-  return { center, radius: radius + far };
+  let extent = 0;
+  for (let i = 0; i < places.length; i += 3) extent = Math.max(extent, length(sub(at(i), center)));
+  return { center, radius: radius + extent };
 }
 
-/** The largest sum of what happens within a time. */
-function maxWithin(jolts: Float64Array, times: Float64Array, time: number): number {
-  let [most, sum, first] = [0, 0, 0];
-  for (let k = 0; k < jolts.length; k++) {
-    sum += jolts[k];
-    while (times[k] - times[first] > time) sum -= jolts[first++];
-    most = Math.max(most, sum);
+/** The largest sum of jumps within a time. */
+function maxWithin(jumps: Float64Array, times: Float64Array, time: number): number {
+  let [maxSum, sum, first] = [0, 0, 0];
+  for (let k = 0; k < jumps.length; k++) {
+    sum += jumps[k];
+    while (times[k] - times[first] > time) sum -= jumps[first++];
+    maxSum = Math.max(maxSum, sum);
   }
-  // Sums and differences leave roundings.
-  return most * (1 + 1e-9);
+  // For the rounding of sums and differences.
+  return maxSum * (1 + 1e-9);
 }
