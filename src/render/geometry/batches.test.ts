@@ -25,9 +25,9 @@ it('objects that move alike are drawn together, every triangle once', () => {
 });
 
 it('vertices stand around the middle of their object, turned as it is', () => {
-  const far = { ...box([2, 2, 2]), positions: box([2, 2, 2]).positions.map((x, i) => (i % 3 === 0 ? x + 1e6 : x)) };
+  const shifted = { ...box([2, 2, 2]), positions: box([2, 2, 2]).positions.map((x, i) => (i % 3 === 0 ? x + 1e6 : x)) };
   const pose = { position: [0, 0, 0] as const, orientation: fromAxisAngle([0, 0, 1], Math.PI / 4) };
-  const [{ arrays }] = batchesOf([makeObject({ path: '/far', mesh: far, motion: { kind: 'static', pose } })]);
+  const [{ arrays }] = batchesOf([makeObject({ path: '/far', mesh: shifted, motion: { kind: 'static', pose } })]);
   expect(Math.max(...arrays.positions)).toBeCloseTo(Math.SQRT2, 6);
 });
 

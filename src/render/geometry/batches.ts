@@ -7,29 +7,29 @@ import type { Material, Motion, Scene, Texture, TextureChannel } from '../../sce
 import { textureKey } from '../gpu/textures.ts';
 import { type Body, sharesMesh } from './bodies.ts';
 
-/** Objects with more triangles than this are drawn alone, so that culling them saves their work. */
+/** Objects with more triangles than this get batches of their own, so that culling them saves their work. */
 const MAX_MERGED_TRIANGLES = 20_000;
 
-/** A mesh that so many objects wear is not copied for each of them, if it has so many triangles: GPUs are slow with instances of less. */
+/** A mesh is drawn with instancing if at least this many objects share it, and it has at least this many triangles: GPUs are slow with instances of fewer. */
 const MIN_INSTANCES = 8;
 const MIN_INSTANCED_TRIANGLES = 100;
 
-/** Bodies that wear one mesh. */
+/** Bodies that share one mesh. */
 export interface BatchInstancing {
-  /** Place of the first of them in the table of instances. */
+  /** Index of the first of them in the instance table. */
   readonly first: number;
-  /** The material of each. */
+  /** The material of each body. */
   readonly materials: readonly number[];
 }
 
-/** What is drawn in one call: parts of objects that move in the same way and look through the same textures. */
+/** What one draw call draws: parts of objects with the same kind of motion and the same textures. */
 export interface Batch {
   readonly kind: Motion['kind'];
   readonly transparent: boolean;
   readonly doubleSided: boolean;
   readonly textures: BatchTextures;
   readonly bodies: readonly Body[];
-  /** Set where the arrays are a mesh in its own axes, and each body wears it; else they hold a copy for each. */
+  /** Set if the arrays are one mesh in its own axes, shared by all bodies; otherwise they hold a copy for each. */
   readonly instancing?: BatchInstancing;
   readonly arrays: BatchArrays;
 }
@@ -37,20 +37,20 @@ export interface Batch {
 const CHANNEL_SLOTS = ['roughnessTexture', 'metallicTexture', 'occlusionTexture', 'uvTexture', 'irTexture'] as const;
 const TEXTURE_SLOTS = ['baseColorTexture', 'emissiveTexture', 'normalTexture', ...CHANNEL_SLOTS] as const;
 
-/** Through which pictures it is looked at. */
+/** The textures of a batch's materials. */
 export type BatchTextures = Pick<Material, (typeof TEXTURE_SLOTS)[number]>;
 
 const texturesOf = (m: Material): BatchTextures =>
   Object.fromEntries(TEXTURE_SLOTS.flatMap((name) => (m[name] ? [[name, m[name]]] : [])));
 
 export interface BatchArrays {
-  /** Relative to the body's centre, turned to the world's axes where the motion has one orientation and the mesh is not worn by many [m]. */
+  /** Relative to the body's centre [m]; rotated to the world's axes if the motion has one orientation and the batch has no instancing. */
   readonly positions: Float32Array;
   readonly normals: Float32Array;
-  /** v down, as images have their rows. */
+  /** v downwards, as the rows of images. */
   readonly uvs: Float32Array;
   readonly colors?: Float32Array;
-  /** Object id − 1 and material, per vertex; without meaning where many wear the mesh. */
+  /** Object id − 1 and material, per vertex; unused with instancing. */
   readonly ids: Float32Array;
   readonly indices: Uint32Array;
 }
@@ -66,7 +66,7 @@ export function makeBatches(scene: Scene, bodies: readonly Body[]): Batch[] {
   const transparent = scene.materials.map(isTransparent);
   const nameOf = (texture: Texture | undefined): string => (texture ? `(${textureKey(texture)})` : '');
   const channel = (from: TextureChannel | undefined): string => `${nameOf(from?.texture)}/${from?.channel}`;
-  const pictures = scene.materials.map((m) =>
+  const textureKeys = scene.materials.map((m) =>
     [
       nameOf(m.baseColorTexture),
       nameOf(m.emissiveTexture),
@@ -74,33 +74,33 @@ export function makeBatches(scene: Scene, bodies: readonly Body[]): Batch[] {
       ...CHANNEL_SLOTS.map((name) => channel(m[name])),
     ].join(' '),
   );
-  const runs = new Map<string, BatchPart[]>();
-  const wardrobe = new SharedMeshes(bodies);
+  const partsByKey = new Map<string, BatchPart[]>();
+  const sharedMeshes = new SharedMeshes(bodies);
   for (const body of bodies) {
     const { mesh, motion } = body.object;
     const deforming = deforms(motion);
     const alone = deforming || mesh.indices.length > 3 * MAX_MERGED_TRIANGLES;
-    const worn = wardrobe.sharedKey(body);
+    const sharedKey = sharedMeshes.sharedKey(body);
     for (const { material, start, count } of mesh.groups) {
       const shape = `${motion.kind} ${mesh.doubleSided} ${mesh.colors !== undefined} ${alone || transparent[material] ? body.id : 0}`;
-      const look = `${transparent[material]} ${pictures[material]} ${deforming ? material : 0}`;
-      const isWorn = worn !== undefined && !transparent[material];
-      const key = isWorn ? `worn ${worn} ${start} ${count} ${motion.kind} ${look}` : `${shape} ${look}`;
-      const run = runs.get(key) ?? [];
-      runs.set(key, run);
-      if (count > 0) run.push({ body, material, start, count });
+      const materialKey = `${transparent[material]} ${textureKeys[material]} ${deforming ? material : 0}`;
+      const isShared = sharedKey !== undefined && !transparent[material];
+      const key = isShared ? `instanced ${sharedKey} ${start} ${count} ${motion.kind} ${materialKey}` : `${shape} ${materialKey}`;
+      const parts = partsByKey.get(key) ?? [];
+      partsByKey.set(key, parts);
+      if (count > 0) parts.push({ body, material, start, count });
     }
   }
   let instances = 0;
-  return [...runs].flatMap(([key, run]) => {
-    if (run.length === 0) return [];
-    const batch = makeBatch(scene, run, transparent[run[0].material], key.startsWith('worn') ? instances : undefined);
+  return [...partsByKey].flatMap(([key, parts]) => {
+    if (parts.length === 0) return [];
+    const batch = makeBatch(scene, parts, transparent[parts[0].material], key.startsWith('instanced') ? instances : undefined);
     instances += batch.instancing?.materials.length ?? 0;
     return [batch];
   });
 }
 
-/** Tells which objects wear a mesh that many wear: the same arrays, for materials may be each one's own. */
+/** Finds meshes that many objects share. They are compared by their arrays, because materials may differ. */
 class SharedMeshes {
   private readonly arrayIds = new Map<object, number>();
   private readonly users = new Map<string, number>();
@@ -126,13 +126,13 @@ class SharedMeshes {
   }
 
   private number(array: object): number {
-    const known = this.arrayIds.get(array) ?? this.arrayIds.size;
-    this.arrayIds.set(array, known);
-    return known;
+    const id = this.arrayIds.get(array) ?? this.arrayIds.size;
+    this.arrayIds.set(array, id);
+    return id;
   }
 }
 
-/** `firstInstance`: where all parts are one mesh that is worn. */
+/** `firstInstance`: set if all parts share one mesh with instancing. */
 function makeBatch(scene: Scene, parts: readonly BatchPart[], transparent: boolean, firstInstance?: number): Batch {
   const { object } = parts[0].body;
   return {
@@ -150,7 +150,7 @@ function makeBatch(scene: Scene, parts: readonly BatchPart[], transparent: boole
   };
 }
 
-/** A deforming mesh keeps its vertices in their order, for that is how its samples are found; it has a batch per material. */
+/** A deforming mesh keeps its vertices in their order, because samples are found by it; it has a batch per material. */
 function wholeMesh(parts: readonly BatchPart[]): BatchArrays {
   const { body } = parts[0];
   const { mesh } = body.object;
@@ -174,8 +174,8 @@ function wholeMesh(parts: readonly BatchPart[]): BatchArrays {
   };
 }
 
-/** `turned`: to the world's axes, where a part has one orientation. */
-function mergeParts(parts: readonly BatchPart[], turned: boolean): BatchArrays {
+/** `rotated`: to the world's axes, if a part has one orientation. */
+function mergeParts(parts: readonly BatchPart[], rotated: boolean): BatchArrays {
   const used = parts.map(usedVertices);
   const vertices = used.reduce((n, u) => n + u.vertices.length, 0);
   const colored = parts[0].body.object.mesh.colors !== undefined;
@@ -190,7 +190,7 @@ function mergeParts(parts: readonly BatchPart[], turned: boolean): BatchArrays {
   let vertex = 0;
   let index = 0;
   parts.forEach((part, k) => {
-    copyVertices(part, used[k].vertices, out, vertex, turned);
+    copyVertices(part, used[k].vertices, out, vertex, rotated);
     for (const i of used[k].indices) out.indices[index++] = vertex + i;
     vertex += used[k].vertices.length;
   });
@@ -199,17 +199,17 @@ function mergeParts(parts: readonly BatchPart[], turned: boolean): BatchArrays {
 
 function usedVertices({ body, start, count }: BatchPart): { vertices: Uint32Array; indices: Uint32Array } {
   const { mesh } = body.object;
-  const place = new Int32Array(mesh.positions.length / 3).fill(-1);
-  const vertices = new Uint32Array(place.length);
+  const newIndex = new Int32Array(mesh.positions.length / 3).fill(-1);
+  const vertices = new Uint32Array(newIndex.length);
   const indices = new Uint32Array(count);
   let n = 0;
   for (let i = 0; i < count; i++) {
     const v = mesh.indices[start + i];
-    if (place[v] < 0) {
+    if (newIndex[v] < 0) {
       vertices[n] = v;
-      place[v] = n++;
+      newIndex[v] = n++;
     }
-    indices[i] = place[v];
+    indices[i] = newIndex[v];
   }
   return { vertices: vertices.subarray(0, n), indices };
 }
@@ -219,16 +219,16 @@ function copyVertices(
   from: Uint32Array,
   out: BatchArrays,
   first: number,
-  turned: boolean,
+  rotated: boolean,
 ): void {
   const { mesh, motion } = body.object;
-  const orientation = turned ? motionKind(motion).fixedOrientation(motion) : undefined;
-  const turn = (v: Vec3): Vec3 => (orientation ? rotate(orientation, v) : v);
+  const orientation = rotated ? motionKind(motion).fixedOrientation(motion) : undefined;
+  const rotateToWorld = (v: Vec3): Vec3 => (orientation ? rotate(orientation, v) : v);
   const read = (a: Float32Array, v: number): Vec3 => [a[3 * v], a[3 * v + 1], a[3 * v + 2]];
   from.forEach((v, k) => {
     const to = first + k;
-    out.positions.set(turn(sub(read(mesh.positions, v), body.center)), 3 * to);
-    out.normals.set(turn(read(mesh.normals, v)), 3 * to);
+    out.positions.set(rotateToWorld(sub(read(mesh.positions, v), body.center)), 3 * to);
+    out.normals.set(rotateToWorld(read(mesh.normals, v)), 3 * to);
     out.uvs[2 * to] = mesh.uvs[2 * v];
     out.uvs[2 * to + 1] = 1 - mesh.uvs[2 * v + 1];
     if (mesh.colors) out.colors?.set(read(mesh.colors, v), 3 * to);

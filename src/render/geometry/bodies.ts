@@ -17,44 +17,44 @@ import type {
   SceneObject,
 } from '../../scene/types.ts';
 
-/** What a frame needs to know of an object, whatever its motion: at every world time all its points are within `radius` of `line`. */
+/** An object as frames need it, whatever its motion: at every world time all its points are within `radius` of `line`. */
 export interface Body extends MovingBody {
   readonly object: SceneObject;
 }
 
-/** As much of it as tells where it is; its motion alone, for meshes are large. */
+/** The part of a body that determines where it is. Of its object only the motion, because meshes are large. */
 export interface MovingBody {
-  /** Place in Scene.objects plus one. */
+  /** Index in Scene.objects plus one. */
   readonly id: number;
   readonly object: Pick<SceneObject, 'motion' | 'authoredIn'>;
   /** Centre of the bounding sphere in the object's own frame [m]; vertices are uploaded relative to it. */
   readonly center: Vec3;
-  /** [m] */
+  /** Radius of the bounding sphere [m]. */
   readonly radius: number;
-  /** World line of the centre, of an object that is authored in the world frame; else see `worldLineOfCenter`. */
+  /** World line of the centre, for objects authored in the world frame; otherwise see `worldLineOfCenter`. */
   readonly line: WorldLine;
 }
 
-/** From a vertex as it is uploaded to the world, from the body's centre [m]: the places of the unit vectors. */
+/** Linear map from offsets of uploaded vertices to the world, about the body's centre [m]: the images of the unit vectors. */
 export type LinearMap = readonly [Vec3, Vec3, Vec3];
 
-/** How a body moves, by the kind of its motion (docs/adr/0022-motion-kinds.md). Here without shaders, which workers do not load. */
+/** How a body moves, by the kind of its motion (docs/adr/0022-motion-kinds.md). Without shaders, which workers do not load. */
 interface BodyMotion<M extends Motion> {
-  /** One mesh can be uploaded for many bodies. */
+  /** Whether one mesh can be uploaded for many bodies. */
   readonly sharesMesh: boolean;
-  /** It deforms or is accelerated as Born-rigid bodies are: not one turn and place are those of all of it. */
+  /** Whether events are solved per vertex, because the body deforms or is in Born rigid acceleration: no single rotation and place holds for all of it. */
   readonly isSolvedPerVertex: boolean;
-  /** At every world time all points of the object are within the radius of the line. */
+  /** A line and a radius such that at every world time all points of the object are within the radius of the line. */
   boundingLine(object: ObjectWith<M>): Pick<Body, 'center' | 'radius' | 'line'>;
   worldLineOfCenter(body: MovingBody, motion: M, c: number, shift: Vec3): WorldLine;
-  /** As `linearMapOf`. */
+  /** See `linearMapOf`. */
   linearMap(body: MovingBody, motion: M, instanced: boolean, t: number, c: number): LinearMap | undefined;
 }
 
-const mapOf = (turned: (axis: Vec3) => Vec3): LinearMap => [turned([1, 0, 0]), turned([0, 1, 0]), turned([0, 0, 1])];
+const mapOf = (rotated: (axis: Vec3) => Vec3): LinearMap => [rotated([1, 0, 0]), rotated([0, 1, 0]), rotated([0, 0, 1])];
 
-/** Of what has one orientation: meshes of single bodies are uploaded turned. */
-const turnedBy =
+/** For motions with one orientation; meshes of single bodies are uploaded already rotated. */
+const rotatedBy =
   ({ orientation }: Pose, instanced: boolean) =>
   (axis: Vec3): Vec3 =>
     instanced ? rotate(orientation, axis) : axis;
@@ -72,7 +72,7 @@ const BODY_MOTIONS: { readonly [K in Motion['kind']]: BodyMotion<Extract<Motion,
     isSolvedPerVertex: false,
     boundingLine: rigid(({ pose }, center) => ({ kind: 'static', position: applyPose(pose, center) })),
     worldLineOfCenter: ({ line }) => line,
-    linearMap: (_body, { pose }, instanced) => mapOf(turnedBy(pose, instanced)),
+    linearMap: (_body, { pose }, instanced) => mapOf(rotatedBy(pose, instanced)),
   },
   uniform: {
     sharesMesh: true,
@@ -89,10 +89,10 @@ const BODY_MOTIONS: { readonly [K in Motion['kind']]: BodyMotion<Extract<Motion,
       return { kind: 'uniform', position: add(pose.position, offset), velocity };
     },
     linearMap: ({ object }, { pose, velocity }, instanced, _t, c) => {
-      const turned = turnedBy(pose, instanced);
-      if (object.authoredIn === 'world') return mapOf(turned);
+      const rotated = rotatedBy(pose, instanced);
+      if (object.authoredIn === 'world') return mapOf(rotated);
       const u = properVelocity(scale(velocity, 1 / c));
-      return mapOf((axis) => contraction(turned(axis), u));
+      return mapOf((axis) => contraction(rotated(axis), u));
     },
   },
   hyperbolic: {
@@ -115,7 +115,7 @@ const BODY_MOTIONS: { readonly [K in Motion['kind']]: BodyMotion<Extract<Motion,
     linearMap: (_body, { times, poses }, _instanced, t) => {
       const { before, after, s } = pieceAt(times, t);
       const [a, b] = [before, after].map((k) => samplePose(poses, k).orientation);
-      // As each vertex goes: straight from sample to sample.
+      // As each vertex moves: straight from sample to sample.
       return mapOf((axis) => lerp(rotate(a, axis), rotate(b, axis), s));
     },
   },
@@ -135,13 +135,13 @@ export const sharesMesh = (motion: Motion): boolean => bodyMotion(motion).shares
 export const isSolvedPerVertex = (motion: Pick<Motion, 'kind'>): boolean => bodyMotion(motion).isSolvedPerVertex;
 
 /**
- * World line [m, s] of the bounding sphere's centre, or of the point `shift` [m] from it. c [m/s]: an object authored in its rest
- * frame is contracted about its origin, and where it accelerates every point has its own acceleration a/(1 + a·ξ/c²) (Born rigid).
+ * World line [m, s] of the bounding sphere's centre, or of the point `shift` [m] from it. c [m/s]. An object authored in its rest frame is contracted about
+ * its origin; if it accelerates, every point ξ has its own acceleration a/(1 + a·ξ/c²) (Born rigidity, docs/physics.md §4.5).
  */
 export const worldLineOfCenter = (body: MovingBody, c: number, shift: Vec3 = ZERO): WorldLine =>
   bodyMotion(body.object.motion).worldLineOfCenter(body, body.object.motion, c, shift);
 
-/** The same in hyperbolic motion. */
+/** `worldLineOfCenter` for hyperbolic motion. */
 export function hyperbolicLineOfCenter(
   { object, center }: MovingBody,
   { pose, properAcceleration, t0 }: HyperbolicMotion,
@@ -150,13 +150,13 @@ export function hyperbolicLineOfCenter(
 ): HyperbolicLine {
   const position = add(applyPose(pose, center), shift);
   if (object.authoredIn === 'world') return { kind: 'hyperbolic', position, properAcceleration, t0 };
-  const ahead = dot(sub(position, pose.position), properAcceleration) / (c * c);
-  return { kind: 'hyperbolic', position, properAcceleration: scale(properAcceleration, 1 / (1 + ahead)), t0 };
+  const offsetOverLength = dot(sub(position, pose.position), properAcceleration) / (c * c);
+  return { kind: 'hyperbolic', position, properAcceleration: scale(properAcceleration, 1 / (1 + offsetOverLength)), t0 };
 }
 
 /**
- * How a rigid body is turned and contracted at one moment of the world, a time t [s] of its own; c [m/s]. `instanced`: its mesh is uploaded in its
- * own axes. undefined where it has not one turn for all of it: it deforms, or accelerates as a Born-rigid body does.
+ * Rotation and contraction of a rigid body in the world's slice at the time t [s]; c [m/s]. `instanced`: its mesh is uploaded in its own axes. Returns
+ * undefined if no single map holds for all of it, because it deforms or is in Born rigid acceleration.
  */
 export const linearMapOf = (body: MovingBody, instanced: boolean, t: number, c: number): LinearMap | undefined =>
   bodyMotion(body.object.motion).linearMap(body, body.object.motion, instanced, t, c);
@@ -173,7 +173,7 @@ function sampledLine({ times, poses }: SampledMotion, point: Vec3): WorldLine {
   return { kind: 'polyline', times, positions };
 }
 
-/** The centre follows the box of each sample, so that a deforming object that travels has a tight sphere, also round cubics. */
+/** The centre follows the box of each sample, so that a deforming object that travels has a tight sphere; it also contains cubics between samples. */
 function deformingLine({ motion }: ObjectWith<SampledPointsMotion>): Pick<Body, 'center' | 'radius' | 'line'> {
   const positions = new Float64Array(motion.times.length * 3);
   let radius = 0;
@@ -188,13 +188,13 @@ function deformingLine({ motion }: ObjectWith<SampledPointsMotion>): Pick<Body, 
   return { center: ZERO, radius, line: { kind: 'polyline', times: motion.times, positions } };
 }
 
-/** How far the inner control points of a piece are from those of the centre's own straight way [m]: what is between is not farther. */
+/** Largest distance of a piece's inner control points from those of the centre's straight path [m]: points between them are not farther. */
 function maxControlDeviation(motion: CubicPointsMotion, centers: Float64Array, k: number): number {
   const { origin } = motion;
   let square = 0;
   innerControlPoints(motion, k).forEach((points, j) => {
-    const share = (j + 1) / 3;
-    const at = (axis: number) => centers[3 * k + axis] * (1 - share) + centers[3 * k + 3 + axis] * share - origin[axis];
+    const fraction = (j + 1) / 3;
+    const at = (axis: number) => centers[3 * k + axis] * (1 - fraction) + centers[3 * k + 3 + axis] * fraction - origin[axis];
     const [x, y, z] = [at(0), at(1), at(2)];
     for (let i = 0; i < points.length; i += 3)
       square = Math.max(square, (points[i] - x) ** 2 + (points[i + 1] - y) ** 2 + (points[i + 2] - z) ** 2);

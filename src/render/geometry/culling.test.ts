@@ -8,19 +8,19 @@ import { aberrateCone, coneAround, coneMayIntersectFrustum, frustumSides } from 
 const unit = fc
   .tuple(fc.double({ min: -1, max: 1, noNaN: true }), fc.double({ min: 0, max: 2 * Math.PI, noNaN: true }))
   .map(([z, a]): Vec3 => [Math.sqrt(1 - z * z) * Math.cos(a), Math.sqrt(1 - z * z) * Math.sin(a), z]);
-const share = fc.double({ min: 0, max: 1, noNaN: true });
+const fraction = fc.double({ min: 0, max: 1, noNaN: true });
 const speed = fc.double({ min: 0, max: 50, noNaN: true });
 
 it('what lies in a cone of directions lies in the aberrated cone', () => {
   fc.assert(
-    fc.property(unit, unit, unit, share, share, speed, (axis, inside, way, size, within, fast) => {
-      const ball = { center: scale(axis, 10), radius: 9.9 * size };
-      const cone = coneAround(ball)!;
-      const u = scale(way, fast);
-      const n = normalize(add(ball.center, scale(inside, ball.radius * within)));
-      const moved = aberrateCone(cone, u);
-      expect(length(moved.axis)).toBeCloseTo(1, 9);
-      expect(dot(moved.axis, aberrate(n, u))).toBeGreaterThanOrEqual(moved.cosine - 1e-6);
+    fc.property(unit, unit, unit, fraction, fraction, speed, (axis, inside, velocityDirection, size, within, speedOfObserver) => {
+      const sphere = { center: scale(axis, 10), radius: 9.9 * size };
+      const cone = coneAround(sphere)!;
+      const u = scale(velocityDirection, speedOfObserver);
+      const n = normalize(add(sphere.center, scale(inside, sphere.radius * within)));
+      const aberrated = aberrateCone(cone, u);
+      expect(length(aberrated.axis)).toBeCloseTo(1, 9);
+      expect(dot(aberrated.axis, aberrate(n, u))).toBeGreaterThanOrEqual(aberrated.cosine - 1e-6);
     }),
   );
 });
@@ -28,10 +28,10 @@ it('what lies in a cone of directions lies in the aberrated cone', () => {
 it('the rim of a cone stays the rim: a circle on the sky stays one', () => {
   const cone = coneAround({ center: [0, 0, -10], radius: 6 })!;
   const u: Vec3 = [0.7, -0.3, 1.1];
-  const moved = aberrateCone(cone, u);
+  const aberrated = aberrateCone(cone, u);
   for (let a = 0; a < 6; a++) {
     const rim: Vec3 = [0.6 * Math.cos(a), 0.6 * Math.sin(a), -0.8];
-    expect(dot(moved.axis, aberrate(rim, u))).toBeCloseTo(moved.cosine, 12);
+    expect(dot(aberrated.axis, aberrate(rim, u))).toBeCloseTo(aberrated.cosine, 12);
   }
 });
 
@@ -44,10 +44,10 @@ it('a cone is kept wherever one of its directions is inside the picture', () => 
   const sides = frustumSides(IDENTITY, 1, 0.5);
   const inPicture = ([x, y, z]: Vec3) => z < 0 && Math.abs(x) <= -z && Math.abs(y) <= -z / 2;
   fc.assert(
-    fc.property(unit, unit, share, share, (axis, inside, size, within) => {
-      const ball = { center: scale(axis, 10), radius: 9.9 * size };
-      const n = add(ball.center, scale(inside, ball.radius * within));
-      if (inPicture(n)) expect(coneMayIntersectFrustum(coneAround(ball)!, sides)).toBe(true);
+    fc.property(unit, unit, fraction, fraction, (axis, inside, size, within) => {
+      const sphere = { center: scale(axis, 10), radius: 9.9 * size };
+      const n = add(sphere.center, scale(inside, sphere.radius * within));
+      if (inPicture(n)) expect(coneMayIntersectFrustum(coneAround(sphere)!, sides)).toBe(true);
     }),
     { numRuns: 500 },
   );

@@ -17,37 +17,38 @@ import {
 } from './observation.ts';
 import type { PointStore } from './pointSamples/pointStore.ts';
 
-/** Longest table that a vertex searches. */
+/** Longest window of samples that a vertex searches. */
 const MAX_SAMPLES = 4096;
 
+/** The tables that shaders read objects' motions from, written by `ObjectTableWriter`; `points`: samples of deforming meshes, by object id. */
 export interface ObjectTables {
   readonly objects: FloatTable;
   readonly samples: FloatTable;
   readonly points: ReadonlyMap<number, PointStore>;
 }
 
-/** An object at the event of its centre, and what of its table is to be filled. */
+/** An object at the event of its centre, whose rows are to be written. */
 export interface ObjectRow {
   readonly body: Body;
   readonly line: WorldLine;
   readonly span: WorldTubeSection;
   readonly anchor: RelativeEvent;
   readonly observation: Observation;
-  /** Of its first number in the object table. */
+  /** Index of the object's first float in the object table. */
   readonly at: number;
 }
 
-/** What was written: samples in all, and whether all that are needed are on the GPU. */
+/** What `write` returns: the number of sample texels used so far, and whether all needed samples are on the GPU. */
 interface Written {
   readonly used: number;
   readonly complete: boolean;
 }
 
-/** What the tables of objects and samples (ObjectTableWriter) hold of a kind of motion. */
+/** How one kind of motion is written to the object and sample tables. */
 interface ObjectRows<M extends Motion> {
-  /** The point of the ball around the centre, from the centre, that comes out first from behind a horizon. */
+  /** The point of the bounding sphere, relative to the centre, that comes out first from behind a horizon. */
   trailingPoint(motion: M, radius: number): Vec3 | undefined;
-  /** `used`: samples that are in their table already. */
+  /** `used`: texels of the sample table that are in use already. */
   write(motion: M, row: ObjectRow, tables: ObjectTables, used: number): Written;
 }
 
@@ -56,8 +57,8 @@ const noTrailingPoint = (): undefined => undefined;
 const isRestAuthored = ({ object }: Body): number => (object.authoredIn === 'rest' ? 1 : 0);
 
 /** The samples that are needed, [first, first + count), and their times after the anchor [m of light]. */
-function windowOf(line: PolylineLine, { span, observation, anchor }: ObjectRow, max: number) {
-  const [first, count] = sampleWindow(line, span, observation, max);
+function windowOf(line: PolylineLine, { span: section, observation, anchor }: ObjectRow, max: number) {
+  const [first, count] = sampleWindow(line, section, observation, max);
   const after = (k: number) => observation.c * (line.times[k] - observation.t) - anchor.ahead;
   return { first, count, after };
 }
@@ -78,11 +79,11 @@ const OBJECT_ROWS: { readonly [K in Motion['kind']]: ObjectRows<Extract<Motion, 
   },
   hyperbolic: {
     trailingPoint: ({ properAcceleration }, radius) => trailingPoint(properAcceleration, radius),
-    write: (motion, { body, span, anchor, observation, at }, { objects }, used) => {
+    write: (motion, { body, span: section, anchor, observation, at }, { objects }, used) => {
       const { c } = observation;
-      const shift = span.anchor ? 0 : -body.radius;
+      const shift = section.anchor ? 0 : -body.radius;
       const line = hyperbolicLineOfCenter(body, motion, c);
-      const reference = span.anchor
+      const reference = section.anchor
         ? line
         : hyperbolicLineOfCenter(body, motion, c, trailingPoint(line.properAcceleration, body.radius));
       const a = reference.properAcceleration;
@@ -121,16 +122,16 @@ const OBJECT_ROWS: { readonly [K in Motion['kind']]: ObjectRows<Extract<Motion, 
       const complete = store.ensureResident(first, count);
       samples.reserve(used + count);
       objects.values.set([...relativeTo(motion.origin, observation, anchor), store.stride], at + 4);
-      const bend = isCubic(motion)
+      const bendOf = isCubic(motion)
         ? (k: number) => (k + 1 < line.times.length ? bendFactor(motion, k, observation.c) : 0)
         : () => 0;
       objects.values[at + 14] = 1 / observation.c;
       let next = used;
-      for (let k = first; k < first + count; k++) samples.values.set([store.slot(k), bend(k), 0, after(k)], 4 * next++);
+      for (let k = first; k < first + count; k++) samples.values.set([store.slot(k), bendOf(k), 0, after(k)], 4 * next++);
       return { used: next, complete };
     },
   },
 };
 
-/** What the tables hold of a motion's kind. */
+/** The rows of a motion's kind. */
 export const objectRows = (motion: Motion): ObjectRows<Motion> => OBJECT_ROWS[motion.kind];

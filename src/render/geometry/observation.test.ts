@@ -6,8 +6,8 @@ import type { PolylineLine, WorldLine } from '../../physics/worldLines/worldLine
 import { intersect, type Observation, sampleWindow, worldTubeSection } from './observation.ts';
 
 const C = 2;
-const number = (most: number) => fc.double({ min: -most, max: most, noNaN: true });
-const vector = (most: number) => fc.tuple(number(most), number(most), number(most));
+const number = (max: number) => fc.double({ min: -max, max, noNaN: true });
+const vector = (max: number) => fc.tuple(number(max), number(max), number(max));
 /** Shorter than 1. */
 const short = vector(0.57);
 
@@ -29,31 +29,31 @@ const line: fc.Arbitrary<WorldLine> = fc.oneof(
     .map(([position, properAcceleration, t0]): WorldLine => ({ kind: 'hyperbolic', position, properAcceleration, t0 })),
   polyline,
 );
-const surface = fc.constantFrom<HypersurfaceName>('past-light-cone', 'slice', 'now');
-const sight = fc
-  .tuple(number(9), vector(9), vector(3), surface)
-  .map(([t, position, u, on]): Observation => ({ t, position, u, c: C, hypersurface: on }));
+const hypersurfaceName = fc.constantFrom<HypersurfaceName>('past-light-cone', 'slice', 'now');
+const observation = fc
+  .tuple(number(9), vector(9), vector(3), hypersurfaceName)
+  .map(([t, position, u, hypersurface]): Observation => ({ t, position, u, c: C, hypersurface }));
 
-/** The same line a little beside. */
-function shifted(of: WorldLine, by: Vec3): WorldLine {
-  if (of.kind === 'circular') return of;
-  if (of.kind !== 'polyline' && of.kind !== 'cubic') return { ...of, position: add(of.position, by) };
-  return { ...of, positions: of.positions.map((x, i) => x + by[i % 3]) };
+/** The same line, shifted. */
+function shifted(worldLine: WorldLine, by: Vec3): WorldLine {
+  if (worldLine.kind === 'circular') return worldLine;
+  if (worldLine.kind !== 'polyline' && worldLine.kind !== 'cubic') return { ...worldLine, position: add(worldLine.position, by) };
+  return { ...worldLine, positions: worldLine.positions.map((x, i) => x + by[i % 3]) };
 }
 
 describe('the span of a body', () => {
   it('holds the event of every line that stays within its radius', () => {
     fc.assert(
-      fc.property(line, short, sight, number(3), (center, way, where, size) => {
+      fc.property(line, short, observation, number(3), (center, shift, observed, size) => {
         const radius = Math.abs(size);
-        const event = intersect(shifted(center, scale(way, radius)), where);
-        const span = worldTubeSection(center, radius, where);
+        const event = intersect(shifted(center, scale(shift, radius)), observed);
+        const section = worldTubeSection(center, radius, observed);
         if (!event) return;
-        expect(span).toBeDefined();
+        expect(section).toBeDefined();
         const slack = 1e-6 * (1 + Math.abs(event.ahead));
-        expect(event.ahead).toBeGreaterThanOrEqual(span!.from - slack);
-        expect(event.ahead).toBeLessThanOrEqual(span!.to + slack);
-        expect(distance(event.offset, span!.sphere.center)).toBeLessThanOrEqual(span!.sphere.radius + slack);
+        expect(event.ahead).toBeGreaterThanOrEqual(section!.from - slack);
+        expect(event.ahead).toBeLessThanOrEqual(section!.to + slack);
+        expect(distance(event.offset, section!.sphere.center)).toBeLessThanOrEqual(section!.sphere.radius + slack);
       }),
       { numRuns: 1000 },
     );
@@ -61,15 +61,15 @@ describe('the span of a body', () => {
 
   it('names the samples on both sides of it', () => {
     fc.assert(
-      fc.property(polyline, sight, (center, where) => {
-        const span = worldTubeSection(center, 0.5, where)!;
-        const [first, count] = sampleWindow(center, span, where, 4096);
-        const ahead = (k: number) => C * (center.times[k] - where.t);
+      fc.property(polyline, observation, (center, observed) => {
+        const section = worldTubeSection(center, 0.5, observed)!;
+        const [first, count] = sampleWindow(center, section, observed, 4096);
+        const ahead = (k: number) => C * (center.times[k] - observed.t);
         const last = first + count - 1;
         expect(count).toBeGreaterThanOrEqual(2);
         expect(last).toBeLessThan(center.times.length);
-        if (first > 0) expect(ahead(first)).toBeLessThanOrEqual(span.from);
-        if (last < center.times.length - 1) expect(ahead(last)).toBeGreaterThanOrEqual(span.to);
+        if (first > 0) expect(ahead(first)).toBeLessThanOrEqual(section.from);
+        if (last < center.times.length - 1) expect(ahead(last)).toBeGreaterThanOrEqual(section.to);
       }),
     );
   });

@@ -4,9 +4,9 @@ import type { Float, Int, Vec3, Vec4 } from '../../shaders/types.ts';
 import type { FloatTable } from '../gpu/floatTable.ts';
 import { unpackNormal } from './pointSamples/pointStore.ts';
 
-/** A vertex before it is moved: of a mesh (`indexedVertex`), or a point inside one of its triangles (refine/gpuCorners.ts). */
+/** A vertex before its motion is applied: of a mesh (`indexedVertex`), or a point in one of its triangles (tessellation/gpu/triangleTable.ts). */
 export interface VertexInput {
-  /** From the body's centre [m]; without meaning where the mesh deforms. */
+  /** From the body's centre [m]; unused if the mesh deforms. */
   readonly offset: Vec3;
   readonly normal: Vec3;
   readonly uv: Node<'vec2'>;
@@ -15,7 +15,7 @@ export interface VertexInput {
   /** Object id − 1. */
   readonly object: Float;
   readonly material: Float;
-  /** Where the mesh deforms: the vertex in the sample that begins at a texel of its table. */
+  /** For deforming meshes: reads the vertex from the sample that begins at a texel of its table. */
   readonly sampled: PointReader;
 }
 
@@ -25,10 +25,10 @@ export interface PointReader {
   normal(points: FloatTable, first: Int): Vec3;
 }
 
-/** Per instance of a mesh that many wear, in a table: (object id − 1, material, 0, 0). */
+/** The instance table's texel for an instance: (object id − 1, material, 0, 0). */
 export const instanceRecord = (instances: FloatTable, instance: Float): Vec4 => instances.texel(int(instance)).toVar();
 
-/** The vertex that the index buffer names; `instances`: where many wear the mesh. */
+/** The vertex that the index buffer names; `instances`: set for batches with instancing. */
 export function indexedVertex(colored: boolean, instances?: FloatTable): VertexInput {
   const ids = instances
     ? instanceRecord(instances, attribute<'float'>('instance', 'float')).xy

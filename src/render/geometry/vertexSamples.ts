@@ -7,13 +7,13 @@ import type { FloatTable } from '../gpu/floatTable.ts';
 import type { PointStore } from './pointSamples/pointStore.ts';
 import type { PointReader } from './vertexInput.ts';
 
-/** One vertex's samples, as frame.ts and pointStore.ts wrote them. */
+/** One vertex's samples, as objectTables.ts and pointStore.ts wrote them. */
 export interface VertexSamples {
   readonly at: SampleTable;
   readonly count: Int;
   /** World-frame normal at a sample. */
   readonly normal: (index: Int) => Vec3;
-  /** Where the vertex moves along cubics. */
+  /** Velocities at the ends of a piece, if the vertex moves along cubics. */
   readonly velocities?: EndVelocities;
   /** Time of a sample after the anchor [m of light]. */
   readonly time: (index: Int) => Float;
@@ -22,14 +22,14 @@ export interface VertexSamples {
 /** A rigid body: two texels per sample, (place of the centre, time) and the orientation. */
 export function poseSamples(table: FloatTable, first: Int, count: Int, offset: Vec3, normal: Vec3): VertexSamples {
   const texel = (index: Int): Int => first.add(index.mul(int(2)));
-  const turned = (index: Int, x: Vec3): Vec3 => rotateVector(table.texel(texel(index).add(int(1))).toVar(), x);
+  const rotated = (index: Int, x: Vec3): Vec3 => rotateVector(table.texel(texel(index).add(int(1))).toVar(), x);
   return {
     count,
     at: (index) => {
       const pose = table.texel(texel(index)).toVar();
-      return vec4(pose.xyz.add(turned(index, offset)), pose.w);
+      return vec4(pose.xyz.add(rotated(index, offset)), pose.w);
     },
-    normal: (index) => turned(index, normal),
+    normal: (index) => rotated(index, normal),
     time: (index) => table.texel(texel(index)).w,
   };
 }
@@ -42,27 +42,27 @@ export function pointSamples(
   { first, count, perC }: { readonly first: Int; readonly count: Int; readonly perC: Float },
   motion: Vec4,
 ): VertexSamples {
-  const stamp = (index: Int): Vec4 => table.texel(first.add(index)).toVar();
+  const sampleTexel = (index: Int): Vec4 => table.texel(first.add(index)).toVar();
   const row = (sample: Float): Int => int(sample).mul(int(motion.w)).toVar();
   const at: SampleTable = (index) => {
-    const { x: sample, w: time } = stamp(index);
+    const { x: sample, w: time } = sampleTexel(index);
     return vec4(vertex.place(points, row(sample)).add(motion.xyz), time);
   };
   return {
     count,
     at,
-    ...(velocities && { velocities: endVelocities(at, velocities, stamp, row, vertex, perC) }),
-    normal: (index) => vertex.normal(points, row(stamp(index).x)),
-    time: (index) => stamp(index).w,
+    ...(velocities && { velocities: endVelocities(at, velocities, sampleTexel, row, vertex, perC) }),
+    normal: (index) => vertex.normal(points, row(sampleTexel(index).x)),
+    time: (index) => sampleTexel(index).w,
   };
 }
 
-/** Those of the file, or nearer to the chord's by what the piece loses of its bend. */
+/** The velocities of the file, drawn towards the chord's by the bend factor of the piece (docs/physics.md §4.8). */
 const endVelocities =
   (
     at: SampleTable,
     table: FloatTable,
-    stamp: (index: Int) => Vec4,
+    sampleTexel: (index: Int) => Vec4,
     row: (sample: Float) => Int,
     vertex: PointReader,
     perC: Float,
@@ -70,12 +70,12 @@ const endVelocities =
   (index) => {
     const next = index.add(int(1)).toVar();
     const chord = pieceVelocity(at(index).toVar(), at(next).toVar()).xyz.toVar();
-    const bend = stamp(index).y.toVar();
-    const towards = (i: Int): Vec3 => mix(chord, vertex.place(table, row(stamp(i).x)).mul(perC), bend).toVar();
-    return { begin: towards(index), end: towards(next) };
+    const bend = sampleTexel(index).y.toVar();
+    const bentVelocity = (i: Int): Vec3 => mix(chord, vertex.place(table, row(sampleTexel(i).x)).mul(perC), bend).toVar();
+    return { begin: bentVelocity(index), end: bentVelocity(next) };
   };
 
-/** The piece that the time `s` is in, and how far along it. */
+/** The piece that contains the time `s`, and the fraction of it that has passed. */
 export function pieceAt(samples: Pick<VertexSamples, 'count' | 'time'>, s: Float): { index: Int; fraction: Float } {
   const index = bisect(samples.count, (i) => samples.time(i).lessThanEqual(s));
   const begin = samples.time(index).toVar();

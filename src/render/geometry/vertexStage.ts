@@ -44,28 +44,28 @@ import type { PointStore } from './pointSamples/pointStore.ts';
 import type { VertexInput } from './vertexInput.ts';
 import { pieceAt, pointSamples, poseSamples, type VertexSamples } from './vertexSamples.ts';
 
-/** How a vertex finds its event, and where the picture puts it; a pipeline is compiled for each pair that is used. */
+/** How a vertex finds its event, and where it is drawn; a shader is compiled for each pair that is used. */
 export interface SpacetimeProjection {
   readonly event: 'emission' | 'newton' | 'slice' | 'now';
   readonly place: PlacementName;
 }
 
-/** Which solver finds the events of a surface: for that of light there are two. */
+/** The solver of events on a hypersurface; the past light cone has two. */
 export const vertexSolverOf = (surface: HypersurfaceName, solver: Solver): SpacetimeProjection['event'] =>
   surface === 'past-light-cone' ? (solver === 'newton' ? 'newton' : 'emission') : surface;
 
-/** What tells how the bodies of a batch move. */
+/** Where shaders read the motions of a batch's bodies. */
 export interface MotionSources {
   readonly kind: Motion['kind'];
   readonly objects: FloatTable;
   readonly samples: FloatTable;
   readonly points?: PointStore;
-  /** Set where many wear one mesh, which then is in its own axes. */
+  /** Set for batches with instancing, whose mesh is in its own axes. */
   readonly instances?: FloatTable;
   readonly uniforms: FrameUniforms;
 }
 
-/** As much of them as tells when a vertex is met. */
+/** The part of the sources that determines a vertex's event. */
 export interface EventSources extends Omit<MotionSources, 'uniforms'> {
   readonly uniforms: Pick<FrameUniforms, 'u' | 'gamma' | 'iterations' | 'damping'>;
 }
@@ -77,25 +77,25 @@ export interface VertexSources extends MotionSources {
 
 /** Observer → event [m] and c(t − t_o) [m of light]. */
 export const vEvent = varyingProperty('vec4', 'v_event');
-/** Where it is drawn: from the observer, on the world axes that the boost carries [m]. */
+/** Observer position: where the event is drawn, relative to the observer, on the world axes carried by the boost [m]. */
 export const vObserverPosition = varyingProperty('vec3', 'v_shown');
 /** (v, 1 − v²) of the surface in the world, in units of c. */
 export const vMotion = varyingProperty('vec4', 'v_motion');
 /** Normal in the surface's rest frame, and 1 where the vertex exists. */
 export const vNormal = varyingProperty('vec4', 'v_normal');
-/** Light-metres since birth and until death, object id, material. */
+/** Time since birth and until death [m of light], object id, material. */
 export const vLife = varyingProperty('vec4', 'v_life');
 export const vUv = varyingProperty('vec2', 'v_uv');
-/** Linear RGB of the vertex, where the mesh has any. */
+/** Linear RGB of the vertex, if the mesh has colours. */
 export const vColor = varyingProperty('vec3', 'v_color');
 
 interface SolvedVertex extends VertexEvent {
-  /** In the rest frame, world axes; any length. */
+  /** In the rest frame, on the world's axes; of any length. */
   readonly normal: Vec3;
   readonly exists: Bool;
 }
 
-/** The texels of an object (frame.ts) and one of its vertices. */
+/** The texels of an object (objectTables.ts) and one of its vertices. */
 interface SolverInputs {
   readonly sources: EventSources;
   readonly anchor: Vec4;
@@ -109,26 +109,26 @@ const objectTexel =
   (k: number): Vec4 =>
     objects.texel(int(object).mul(int(OBJECT_TEXELS)).add(int(k))).toVar();
 
-/** Clip-space position of a vertex; fills the varyings above. */
+/** Clip-space position of a vertex; assigns the varyings above. */
 export function vertexStage(sources: VertexSources, projection: SpacetimeProjection): Vec4 {
   return Fn(() => {
     const input = sources.vertex();
     const texel = objectTexel(sources, input.object);
     const anchor = texel(0);
-    // All vertices of what cannot be seen fall on one point outside the picture.
+    // The vertices of an object that cannot be seen all fall on one point outside the picture.
     const clip = vec4(2, 2, 2, 1).toVar();
     If(anchor.w.greaterThanEqual(0), () => {
       const vertex = solveVertex(
-        { sources, anchor, motion: texel(1), extra: texel(3), vertex: turnedVertex(sources, input, texel) },
+        { sources, anchor, motion: texel(1), extra: texel(3), vertex: rotatedVertex(sources, input, texel) },
         projection,
       );
-      const when = texel(2);
+      const lifetime = texel(2);
       const dx = vertex.dx.toVar();
       const s = vertex.s.toVar();
-      vEvent.assign(vec4(dx, s.sub(when.z)));
+      vEvent.assign(vec4(dx, s.sub(lifetime.z)));
       vMotion.assign(vertex.velocity);
       vNormal.assign(vec4(vertex.normal, select(vertex.exists, float(1), float(0))));
-      vLife.assign(vec4(s.sub(when.x), when.y.sub(s), when.w, input.material));
+      vLife.assign(vec4(s.sub(lifetime.x), lifetime.y.sub(s), lifetime.w, input.material));
       vUv.assign(input.uv);
       if (input.color) vColor.assign(input.color);
       const shown = select(vertex.exists, observerPosition(dx, projection.place, sources.uniforms), anchor.xyz).toVar();
@@ -139,7 +139,7 @@ export function vertexStage(sources: VertexSources, projection: SpacetimeProject
   })();
 }
 
-/** Where a vertex is shown, from the observer [m], and whether there is such a place. */
+/** The observer position of a vertex [m], and whether it exists. */
 export function vertexObserverPosition(
   sources: MotionSources,
   projection: SpacetimeProjection,
@@ -149,7 +149,7 @@ export function vertexObserverPosition(
   return { shown: observerPosition(dx, projection.place, sources.uniforms), exists };
 }
 
-/** The event of a vertex: from the observer [m], and its time after that of its object's anchor [m of light]. */
+/** The event of a vertex: relative to the observer [m], and its time after that of its object's anchor [m of light]. */
 export function vertexEvent(
   sources: EventSources,
   { event }: Pick<SpacetimeProjection, 'event'>,
@@ -157,12 +157,12 @@ export function vertexEvent(
 ): Pick<SolvedVertex, 'dx' | 's' | 'exists'> {
   const texel = objectTexel(sources, vertex.object);
   const anchor = texel(0);
-  const own = turnedVertex(sources, vertex, texel);
-  return solveVertex({ sources, anchor, motion: texel(1), extra: texel(3), vertex: own }, { event });
+  const rotatedInput = rotatedVertex(sources, vertex, texel);
+  return solveVertex({ sources, anchor, motion: texel(1), extra: texel(3), vertex: rotatedInput }, { event });
 }
 
-/** A vertex of a mesh that many wear, turned as its body is; samples are turned one by one. */
-function turnedVertex({ kind, instances }: EventSources, vertex: VertexInput, texel: (k: number) => Vec4): VertexInput {
+/** A vertex of a mesh with instancing, rotated as its body is; samples are rotated one by one. */
+function rotatedVertex({ kind, instances }: EventSources, vertex: VertexInput, texel: (k: number) => Vec4): VertexInput {
   if (!instances || !VERTEX_MOTIONS[kind].turnsInstances) return vertex;
   const orientation = texel(4);
   return {
@@ -174,7 +174,7 @@ function turnedVertex({ kind, instances }: EventSources, vertex: VertexInput, te
   };
 }
 
-/** By a unit quaternion. */
+/** Rotates v by a unit quaternion. */
 function rotated(q: Vec4, v: Vec3): Vec3 {
   const t = cross(q.xyz, v).mul(2).toVar();
   return v.add(t.mul(q.w)).add(cross(q.xyz, t)).toVar();
@@ -187,18 +187,18 @@ const PLACES: Readonly<Record<PlacementName, (dx: Vec3, u: Vec3, gamma: Float) =
   plain: (dx) => dx,
 };
 
-/** Where an event at Δx is drawn, from the observer, on the world axes that the boost carries [m]. */
+/** Where an event at Δx is drawn, relative to the observer, on the world axes carried by the boost [m]. */
 export function observerPosition(
   dx: Vec3,
-  how: SpacetimeProjection['place'],
+  placement: SpacetimeProjection['place'],
   { u, gamma }: Pick<FrameUniforms, 'u' | 'gamma'>,
 ): Vec3 {
-  return PLACES[how](dx, u, gamma);
+  return PLACES[placement](dx, u, gamma);
 }
 
 /** How a vertex finds its event, by the kind of its body's motion. */
 interface VertexMotion {
-  /** Bodies that share a mesh, which then is in its own axes, have one orientation each. */
+  /** Whether bodies that share a mesh, which then is in its own axes, have one orientation each. */
   readonly turnsInstances: boolean;
   readonly solve: (inputs: SolverInputs, event: SpacetimeProjection['event']) => SolvedVertex;
 }
@@ -216,8 +216,8 @@ const solveVertex = (inputs: SolverInputs, { event }: Pick<SpacetimeProjection, 
 
 function staticVertex(inputs: SolverInputs, event: SpacetimeProjection['event']): SolvedVertex {
   const { anchor, vertex } = inputs;
-  const found = linear(inputs, vec4(0, 0, 0, 1), vertex.offset, event, () => staticEmission(anchor, vertex.offset));
-  return { ...found, normal: vertex.normal, exists: bool(true) };
+  const solved = linear(inputs, vec4(0, 0, 0, 1), vertex.offset, event, () => staticEmission(anchor, vertex.offset));
+  return { ...solved, normal: vertex.normal, exists: bool(true) };
 }
 
 /** `emission`: the event on the light cone. */
@@ -235,27 +235,27 @@ function linear(
 function uniformVertex(inputs: SolverInputs, event: SpacetimeProjection['event']): SolvedVertex {
   const { anchor, motion, extra } = inputs;
   const { offset, normal } = inputs.vertex;
-  const rigid = extra.x.greaterThan(0.5);
-  const contracted = select(rigid, contractAlongMotion(offset, motion), offset).toVar();
-  const restNormal = select(rigid, normal, contractAlongMotion(normal, motion));
-  const found = linear(inputs, motion, contracted, event, () => uniformEmission(anchor, motion, contracted));
-  return { ...found, normal: restNormal, exists: bool(true) };
+  const bornRigid = extra.x.greaterThan(0.5);
+  const contracted = select(bornRigid, contractAlongMotion(offset, motion), offset).toVar();
+  const restNormal = select(bornRigid, normal, contractAlongMotion(normal, motion));
+  const solved = linear(inputs, motion, contracted, event, () => uniformEmission(anchor, motion, contracted));
+  return { ...solved, normal: restNormal, exists: bool(true) };
 }
 
 function hyperbolicVertex(inputs: SolverInputs, event: SpacetimeProjection['event']): SolvedVertex {
   const { anchor, motion, extra, sources } = inputs;
   const { normal } = inputs.vertex;
   const offset = inputs.vertex.offset.sub(motion.xyz.mul(extra.z)).toVar();
-  const born = [motion, extra.x, extra.y, offset] as const;
-  const found =
+  const hyperbola = [motion, extra.x, extra.y, offset] as const;
+  const solved =
     event === 'newton'
-      ? { ...newton(anchor, hyperbolicPlace(...born), sources.uniforms), exists: bool(true) }
+      ? { ...newton(anchor, hyperbolicPlace(...hyperbola), sources.uniforms), exists: bool(true) }
       : event === 'emission'
-        ? hyperbolicEmission(anchor, ...born)
-        : hyperbolicSlice(anchor, ...born, ...sliceOf(event, sources.uniforms));
-  const velocity = found.velocity.toVar();
+        ? hyperbolicEmission(anchor, ...hyperbola)
+        : hyperbolicSlice(anchor, ...hyperbola, ...sliceOf(event, sources.uniforms));
+  const velocity = solved.velocity.toVar();
   return {
-    ...found,
+    ...solved,
     velocity,
     normal: select(extra.y.greaterThan(0.5), normal, contractAlongMotion(normal, velocity)),
   };
@@ -264,11 +264,11 @@ function hyperbolicVertex(inputs: SolverInputs, event: SpacetimeProjection['even
 function sampledVertex(inputs: SolverInputs, event: SpacetimeProjection['event']): SolvedVertex {
   const { anchor, sources } = inputs;
   const samples = samplesOf(inputs);
-  const found = sampled(anchor, samples, event, sources.uniforms);
-  const [s, velocity] = [found.s.toVar(), found.velocity.toVar()];
+  const solved = sampled(anchor, samples, event, sources.uniforms);
+  const [s, velocity] = [solved.s.toVar(), solved.velocity.toVar()];
   const { index, fraction } = pieceAt(samples, s);
   const normal = mix(samples.normal(index), samples.normal(index.add(int(1))), fraction).toVar();
-  return { dx: found.dx, s, velocity, normal: contractAlongMotion(normal, velocity), exists: bool(true) };
+  return { dx: solved.dx, s, velocity, normal: contractAlongMotion(normal, velocity), exists: bool(true) };
 }
 
 function samplesOf({ sources, motion, extra, vertex }: SolverInputs): VertexSamples {
@@ -299,18 +299,18 @@ function sampled(
 const newton = (anchor: Vec4, line: WorldLineAt, { iterations, damping }: EventSources['uniforms']): VertexEvent =>
   newtonEmission(anchor, line, iterations, damping);
 
-/** γβ and γ of the frame whose moment is asked for; those left out: of the world. */
+/** γβ and γ of the frame whose slice is used; missing entries mean the world's. */
 const MOMENTS: { readonly [Event in SpacetimeProjection['event']]?: (u: Vec3, gamma: Float) => [Vec3, Float] } = {
   slice: (u, gamma) => [u, gamma],
 };
 
-/** The moment of the observer's own frame, or that of the world. */
+/** The slice of the observer's own frame, or that of the world. */
 const sliceOf = (event: SpacetimeProjection['event'], { u, gamma }: EventSources['uniforms']): [Vec3, Float] =>
   MOMENTS[event]?.(u, gamma) ?? [vec3(0), float(1)];
 
 /**
- * x∥ → x∥/γ for the velocity (v, 1 − v²): an offset of the rest frame to the world's slice, and a normal of the world's slice to the rest frame
- * (the surface is a plane of events, whose normal has no time part in the rest frame).
+ * x∥ → x∥/γ for the velocity (v, 1 − v²): maps an offset of the rest frame to the world's slice, and a normal in the world's slice to the rest frame (the
+ * surface is a plane of events, whose normal has no time part in the rest frame; docs/physics.md §6.3).
  */
 function contractAlongMotion(x: Vec3, velocity: Vec4): Vec3 {
   const gamma = inverseSqrt(clamp(velocity.w, 1e-20, 1)).toVar();

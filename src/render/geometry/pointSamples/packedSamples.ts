@@ -4,22 +4,22 @@ import { makeNormals } from '../../../scene/streaming/streamedPoints.ts';
 import type { SampledPointsMotion } from '../../../scene/types.ts';
 import { packNormal } from '../../gpu/packNormal.ts';
 
-/** Texels in a row of a table of samples. */
+/** Texels in a row of a sample table. */
 export const ROW_TEXELS = 4096;
 
-/** Where the samples of a deforming mesh come from, as texels: four floats per vertex, place and packed normal, in whole rows. */
+/** A source of a deforming mesh's samples as texels: four floats per vertex, place and packed normal, in whole rows. */
 export interface PackedSamples {
-  /** Sample k, to be taken once; undefined while it is on its way. */
+  /** Returns sample k and forgets it; undefined while it is loading. */
   take(k: number): Float32Array<ArrayBuffer> | undefined;
-  /** Samples outside [first, end) are not wanted any more. */
+  /** Cancels requests for samples outside [first, end). */
   setWindow(first: number, end: number): void;
-  /** Whether samples come by themselves once they were asked for, so that it helps to ask early. */
+  /** Whether samples load in the background once requested, so that prefetching helps. */
   readonly isAsync: boolean;
 }
 
 export const rowsOf = (vertices: number): number => Math.max(1, Math.ceil(vertices / ROW_TEXELS));
 
-/** Samples that this thread makes itself. */
+/** Samples that are packed on this thread. */
 export class LocalSamples implements PackedSamples {
   readonly isAsync = false;
   private readonly motion: SampledPointsMotion;
@@ -40,7 +40,7 @@ export class LocalSamples implements PackedSamples {
   setWindow(): void {}
 }
 
-/** Sample k of a motion as texels, from `at` [floats] on. */
+/** Writes sample k of a motion as texels, from float `at` on. */
 export function packSample(
   motion: Pick<SampledPointsMotion, 'points' | 'normals'>,
   k: number,
@@ -49,7 +49,7 @@ export function packSample(
   at = 0,
 ): void {
   const points = pointsAt(motion, k);
-  // Nobody else wants these, so they are not kept.
+  // These are used only here, so they are not cached.
   const normals = isStreamed(motion.points) ? makeNormals(motion.points, k) : (motion.normals?.[k] ?? meshNormals);
   for (let i = 0, to = at; i < points.length; i += 3, to += 4) {
     out[to] = points[i];
@@ -59,7 +59,7 @@ export function packSample(
   }
 }
 
-/** The velocities at sample k as texels (velocity [m/s], 0), from `at` [floats] on; `out` is given back. */
+/** Writes the velocities at sample k as texels (velocity [m/s], 0), from float `at` on; returns `out`. */
 export function packVelocities<T extends Float32Array>(
   { velocities }: CubicPointsMotion,
   k: number,

@@ -10,29 +10,29 @@ import { NORMAL_STEPS } from '../../gpu/packNormal.ts';
 import { LocalSamples, type PackedSamples, packSample, packVelocities, ROW_TEXELS, rowsOf } from './packedSamples.ts';
 import { SampleRing } from './sampleRing.ts';
 
-/** Texels that one object's samples may take: 256 MiB. */
+/** Default limit of texels of one object's samples: 256 MiB. */
 const DEFAULT_MAX_TEXELS = 2 ** 24;
 
-/** How the samples of a deforming mesh come to the GPU. */
+/** How the samples of a deforming mesh are uploaded. */
 export interface PointStoreOptions {
-  /** Texels that one object's samples may take. */
+  /** Limit of texels of one object's samples. */
   readonly maxTexels?: number | undefined;
-  /** Where samples come from that are left in a file; made here where absent. */
+  /** Source of samples that are left in a file; by default samples are packed on this thread. */
   readonly samples?: PackedSamples | undefined;
 }
 
 /**
- * The samples of a deforming mesh on the GPU: a texel per vertex and sample, its place relative to the motion's origin [m] and its
- * normal, octahedral in 2 × 12 bits of the fourth float. All samples where they are in memory and fit, one after the other; else a ring
- * (sampleRing.ts) of those around the span that is looked at, each in rows of its own, of which only new ones are brought.
+ * The samples of a deforming mesh on the GPU: a texel per vertex and sample, its place relative to the motion's origin [m] and its normal, octahedral in 2 ×
+ * 12 bits of the fourth float. All samples in a row if they are in memory and fit; otherwise a ring buffer (sampleRing.ts) of those around the current
+ * window, each in rows of its own, of which only new ones are uploaded.
  */
 export class PointStore {
   readonly table = new FloatTable(ROW_TEXELS);
-  /** Of cubic motion, by the same places: (velocity [m/s], 0). */
+  /** Of cubic motion, at the same texels: (velocity [m/s], 0). */
   readonly velocities: FloatTable | undefined;
   /** Texels from one sample to the next. */
   readonly stride: number;
-  /** How many samples fit. */
+  /** Number of samples that fit. */
   readonly capacity: number;
   private readonly renderer: WebGPURenderer;
   private readonly samples: PackedSamples;
@@ -52,8 +52,8 @@ export class PointStore {
     this.samples = samples ?? new LocalSamples(motion, meshNormals);
     this.cubic = isCubic(motion) ? motion : undefined;
     this.velocities = this.cubic && new FloatTable(ROW_TEXELS);
-    const room = this.velocities ? maxTexels / 2 : maxTexels;
-    if (!isStreamed(motion.points) && length * vertices <= room) {
+    const capacity = this.velocities ? maxTexels / 2 : maxTexels;
+    if (!isStreamed(motion.points) && length * vertices <= capacity) {
       this.stride = vertices;
       this.capacity = length;
       this.fill(motion, meshNormals);
@@ -61,25 +61,25 @@ export class PointStore {
     }
     const rows = rowsOf(vertices);
     this.stride = ROW_TEXELS * rows;
-    this.capacity = Math.max(2, Math.min(length, Math.floor(room / this.stride)));
+    this.capacity = Math.max(2, Math.min(length, Math.floor(capacity / this.stride)));
     this.ring = new SampleRing(this.capacity, length);
     for (const table of this.tables()) table.allocateOnGpu(this.capacity * rows);
   }
 
-  /** Where sample k is in the table, once it is held: `stride` times this. */
+  /** Sample k, once it is resident, begins at texel `stride` times this. */
   slot(k: number): number {
     return this.ring ? k % this.capacity : k;
   }
 
-  /** Brings samples [first, first + count) to the GPU; whether all of them are there. */
+  /** Uploads samples [first, first + count); returns whether all of them are resident. */
   ensureResident(first: number, count: number): boolean {
     const { ring, samples } = this;
     if (!ring) return true;
-    const { missing, prefetch: ahead } = ring.request(first, count);
+    const { missing, prefetch } = ring.request(first, count);
     samples.setWindow(ring.first, ring.end);
-    const there = missing.filter((k) => this.upload(ring, k)).length === missing.length;
-    if (samples.isAsync) for (const k of ahead) this.upload(ring, k);
-    return there;
+    const resident = missing.filter((k) => this.upload(ring, k)).length === missing.length;
+    if (samples.isAsync) for (const k of prefetch) this.upload(ring, k);
+    return resident;
   }
 
   private upload(ring: SampleRing, k: number): boolean {
@@ -87,7 +87,7 @@ export class PointStore {
     if (!rows) return false;
     const row = (this.slot(k) * this.stride) / ROW_TEXELS;
     this.table.writeRows(this.renderer, row, rows, this.copy);
-    // The rows have been copied: they may hold something else now.
+    // The rows have been copied, so their array can be reused.
     if (this.cubic) this.velocities?.writeRows(this.renderer, row, packVelocities(this.cubic, k, rows), this.copy);
     ring.markResident(k);
     return true;

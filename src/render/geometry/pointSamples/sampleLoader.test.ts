@@ -17,7 +17,7 @@ const memory: SampledPointsMotion = {
 };
 const file = leftInFile(memory);
 
-/** A worker that works when `work` is called; what is posted is copied, as to a real one. */
+/** A worker that works when `work` is called; messages are copied, as to a real one. */
 function lazyWorker() {
   const requests: SampleRequest[] = [];
   let serve: ((event: MessageEvent<SampleRequest>) => void) | undefined;
@@ -41,31 +41,31 @@ function lazyWorker() {
   return { worker: worker as unknown as Worker, work };
 }
 
-function courier(motion = file) {
+function startLoader(motion = file) {
   const { worker, work } = lazyWorker();
-  const told: (Error | 'samples')[] = [];
-  const made = new SampleLoader(worker, {
-    onSamples: () => told.push('samples'),
-    onError: (error) => told.push(error),
+  const notifications: (Error | 'samples')[] = [];
+  const loader = new SampleLoader(worker, {
+    onSamples: () => notifications.push('samples'),
+    onError: (error) => notifications.push(error),
   });
   if (!isStreamed(motion.points)) throw new Error('in memory');
-  const samples = made.samplesOf(motion.points);
+  const samples = loader.samplesOf(motion.points);
   work();
   samples.setWindow(0, 50);
-  return { samples, work, told };
+  return { samples, work, told: notifications };
 }
 
 describe('samples from a worker', () => {
   it('come as this thread would have made them, once', () => {
-    const { samples, work, told } = courier();
+    const { samples, work, told: notifications } = startLoader();
     expect(samples.take(7)).toBeUndefined();
-    expect([work(), told]).toEqual([1, ['samples']]);
+    expect([work(), notifications]).toEqual([1, ['samples']]);
     expect(samples.take(7)).toEqual(new LocalSamples(memory, mesh.normals).take(7));
     expect(samples.take(7)).toBeUndefined();
   });
 
   it('are asked for once, and a few at a time', () => {
-    const { samples, work } = courier();
+    const { samples, work } = startLoader();
     for (let i = 0; i < 3; i++) for (let k = 0; k < 10; k++) samples.take(k);
     expect(work()).toBe(4);
     for (let k = 4; k < 10; k++) samples.take(k);
@@ -73,7 +73,7 @@ describe('samples from a worker', () => {
   });
 
   it('are let go where they are wanted no more', () => {
-    const { samples, work } = courier();
+    const { samples, work } = startLoader();
     samples.take(3);
     samples.setWindow(30, 40);
     work();
@@ -88,10 +88,10 @@ describe('samples from a worker', () => {
       ...rest,
       points: { ...points, before: { ...points.before, file: gone } },
     }));
-    const { samples, work, told } = courier({ ...file, points: { ...file.points, samples: lost } });
+    const { samples, work, told: notifications } = startLoader({ ...file, points: { ...file.points, samples: lost } });
     for (const k of [1, 2, 3]) samples.take(k);
     work();
-    const errors = told.filter((one) => one !== 'samples');
+    const errors = notifications.filter((notification) => notification !== 'samples');
     expect(errors).toHaveLength(1);
     expect(errors[0].message).toContain('cache.usdc');
     samples.take(9);

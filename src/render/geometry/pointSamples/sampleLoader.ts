@@ -3,13 +3,13 @@ import { InputError } from '../../../scene/types.ts';
 import type { PackedSamples } from './packedSamples.ts';
 import type { SampleReply, SampleRequest } from './sampleServer.ts';
 
-/** So many samples of one motion are on their way at a time: what is asked for and then not wanted any more costs little. */
+/** Samples of one motion that are requested at a time; few, so that little is wasted if they are not needed any more. */
 const MAX_IN_FLIGHT = 4;
 
 export interface SampleLoaderCallbacks {
-  /** A sample has come, or room for asking for another one: pictures that wait for samples are to be tried again. */
+  /** A sample has arrived, or another one can be requested: frames that wait for samples should be drawn again. */
   readonly onSamples?: (() => void) | undefined;
-  /** Samples cannot be read any more; told once. */
+  /** Samples cannot be read any more; called once. */
   readonly onError?: ((error: Error) => void) | undefined;
 }
 
@@ -20,19 +20,19 @@ export class SampleLoader {
   private readonly motions: WorkerSamples[] = [];
   private failed = false;
 
-  constructor(worker: Worker, news: SampleLoaderCallbacks) {
+  constructor(worker: Worker, callbacks: SampleLoaderCallbacks) {
     this.worker = worker;
-    this.callbacks = news;
+    this.callbacks = callbacks;
     worker.onmessage = ({ data }: MessageEvent<SampleReply>) => this.receive(data);
     worker.onerror = (event) => this.fail(new Error(event.message || 'the worker that reads samples does not start'));
   }
 
   samplesOf(points: StreamedPoints): PackedSamples {
     const motion = this.motions.length;
-    const ask = (k: number): void => {
+    const request = (k: number): void => {
       if (!this.failed) this.post({ kind: 'sample', motion, k });
     };
-    const samples = new WorkerSamples(ask);
+    const samples = new WorkerSamples(request);
     this.motions.push(samples);
     this.post({ kind: 'motion', motion, points });
     return samples;
@@ -66,8 +66,8 @@ class WorkerSamples implements PackedSamples {
   private first = 0;
   private end = 0;
 
-  constructor(ask: (k: number) => void) {
-    this.request = ask;
+  constructor(request: (k: number) => void) {
+    this.request = request;
   }
 
   take(k: number): Float32Array<ArrayBuffer> | undefined {

@@ -24,8 +24,8 @@ describe('the ring of samples', () => {
         const ring = new SampleRing(capacity, 100);
         const places = new Map<number, number>();
         for (const [first, count] of plays) {
-          const { missing, prefetch: ahead } = ring.request(first, count);
-          for (const k of [...missing, ...ahead]) {
+          const { missing, prefetch: next } = ring.request(first, count);
+          for (const k of [...missing, ...next]) {
             places.set(k % capacity, k);
             ring.markResident(k);
           }

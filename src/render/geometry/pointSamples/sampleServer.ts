@@ -2,12 +2,12 @@ import type { StreamedPoints } from '../../../scene/streaming/storedPoints.ts';
 import { type Diagnostic, InputError } from '../../../scene/types.ts';
 import { packSample, ROW_TEXELS, rowsOf } from './packedSamples.ts';
 
-/** What a worker that reads samples is told: each motion once, then one sample after another. */
+/** Messages to a worker that reads samples: each motion once, then requests for samples. */
 export type SampleRequest =
   | { readonly kind: 'motion'; readonly motion: number; readonly points: StreamedPoints }
   | { readonly kind: 'sample'; readonly motion: number; readonly k: number };
 
-/** What it answers for each sample: its texels (packedSamples.ts), or why there will be none. */
+/** The answer for each sample: its texels (packedSamples.ts), or why it cannot be read. */
 export interface SampleReply {
   readonly motion: number;
   readonly k: number;
@@ -15,13 +15,13 @@ export interface SampleReply {
   readonly failed?: { readonly message: string; readonly diagnostic?: Diagnostic };
 }
 
-/** The worker's side of a port, as far as it is needed here. */
+/** The worker's side of a port, as far as it is used here. */
 interface Port {
   addEventListener(type: 'message', listener: (event: MessageEvent<SampleRequest>) => void): void;
   postMessage(message: SampleReply, options: { transfer: ArrayBuffer[] }): void;
 }
 
-/** Makes a worker read samples off the main thread, for `SampleLoader`. It must have been told how to read files. */
+/** Makes a worker read samples off the main thread, for `SampleLoader`. Its way to read files must have been set up before. */
 export function serveSamples(port: Port): void {
   const motions = new Map<number, StreamedPoints>();
   port.addEventListener('message', ({ data }) => {
@@ -47,7 +47,7 @@ function rowsFor(points: StreamedPoints, k: number): Float32Array<ArrayBuffer> {
   return rows;
 }
 
-/** What is streamed always has normals of its own. */
+/** Streamed points always have normals of their own. */
 const NO_NORMALS = new Float32Array(0);
 
 const reasonOf = (error: unknown): NonNullable<SampleReply['failed']> => ({
