@@ -3,12 +3,12 @@ import type { Float, Vec3, Vec4 } from '../../shaders/types.ts';
 import type { SpectralFilterNodes } from '../color/radiance.ts';
 import type { SpecularParameters } from '../gbuffer/surfacePacking.ts';
 
-// Lambert and GGX with Schlick's Fresnel, all in the surface's rest frame; N, V, L unit, away from the surface.
+// Lambert and GGX with Schlick's Fresnel, all in the surface's rest frame; N, V, L are unit vectors away from the surface (docs/physics.md §6.7).
 
-/** How a surface reflects towards V. */
+/** A surface's BRDF for the direction V to the observer. */
 export interface BrdfNodes {
   readonly diffuse: SpectralFilterNodes;
-  /** Mirrored share at normal and at grazing incidence. */
+  /** Specular reflectance at normal and at grazing incidence. */
   readonly F0: SpectralFilterNodes;
   readonly F90: Float;
   readonly roughness: Float;
@@ -30,7 +30,7 @@ export function brdfOf(
   return {
     diffuse: albedo.mul(metallic.oneMinus()).toVar(),
     F0: mix(vec4(F0), albedo, metallic).toVar(),
-    // What refracts like its surroundings has no surface to mirror, not even at grazing incidence.
+    // A surface with the refractive index of its surroundings reflects nothing, not even at grazing incidence.
     F90: select(F0.greaterThan(0), float(1), metallic).toVar(),
     roughness: clamp(roughness, 0.05, 1).toVar(),
     N,
@@ -39,7 +39,7 @@ export function brdfOf(
   };
 }
 
-/** BRDF · cos of light from L. */
+/** BRDF · cos for light from L. */
 export function evaluateBrdf(brdf: BrdfNodes, L: Vec3): SpectralFilterNodes {
   const NL = clamp(dot(brdf.N, L), 0, 1).toVar();
   return brdf.diffuse
@@ -48,7 +48,7 @@ export function evaluateBrdf(brdf: BrdfNodes, L: Vec3): SpectralFilterNodes {
     .mul(NL);
 }
 
-/** What is mirrored of light from a lamp with a size, which widens a = roughness² both ways: what the peak gains in breadth it loses in height. */
+/** The specular term for a light with a size, which widens a = roughness² in both directions; the peak is lowered as it is broadened. */
 export function areaSpecular(brdf: BrdfNodes, L: Vec3, breadth: Float, length: Float): SpectralFilterNodes {
   const NL = clamp(dot(brdf.N, L), 0, 1).toVar();
   const a = brdf.roughness.mul(brdf.roughness).toVar();
@@ -68,13 +68,13 @@ function ggx({ F0, F90, roughness, N, V, NV }: BrdfNodes, L: Vec3, NL: Float): V
   const visibility = max(smith(NL, NV).add(smith(NV, NL)), 1e-4)
     .reciprocal()
     .mul(0.5);
-  const away = clamp(dot(V, H), 0, 1).oneMinus().toVar();
-  const away2 = away.mul(away).toVar();
-  const F = mix(F0, vec4(F90), away2.mul(away2).mul(away));
+  const oneMinusVH = clamp(dot(V, H), 0, 1).oneMinus().toVar();
+  const oneMinusVH2 = oneMinusVH.mul(oneMinusVH).toVar();
+  const F = mix(F0, vec4(F90), oneMinusVH2.mul(oneMinusVH2).mul(oneMinusVH));
   return F.mul(min(distribution.mul(visibility), 1e4));
 }
 
-/** What is mirrored of light from all round: the split-sum fit of Karis (2014, "Physically based shading on mobile"). */
+/** The specular albedo under uniform light: the split-sum fit of Karis (2014, "Physically based shading on mobile"). */
 export function environmentBrdf({ F0, F90, roughness, NV }: BrdfNodes): SpectralFilterNodes {
   const r = roughness.mul(-1).add(1).toVar();
   const a = min(r.mul(r), exp2(NV.mul(-9.28)))
@@ -83,7 +83,7 @@ export function environmentBrdf({ F0, F90, roughness, NV }: BrdfNodes): Spectral
     .toVar();
   const scaleF = a.mul(-1.04).add(roughness.mul(-0.572).add(1.04));
   const bias = a.mul(1.04).add(roughness.mul(0.022).sub(0.04));
-  // A rough surface mirrors a wide part of the sky, of which its neighbours hide much; nothing else here knows of neighbours.
-  const open = roughness.mul(roughness).mul(-0.75).add(1);
-  return max(F0.mul(scaleF).add(bias.mul(F90)).mul(open), 0);
+  // A rough surface reflects a wide part of the sky, much of which its surroundings occlude; nothing else here knows of them.
+  const unoccluded = roughness.mul(roughness).mul(-0.75).add(1);
+  return max(F0.mul(scaleF).add(bias.mul(F90)).mul(unoccluded), 0);
 }

@@ -3,24 +3,24 @@ import type { Float } from '../../shaders/types.ts';
 import type { SpectralFilterNodes } from '../color/radiance.ts';
 import { type BrdfNodes, environmentBrdf } from './brdf.ts';
 
-/** What a surface makes of the sky's light. */
+/** The factors of the sky's light that a surface reflects. */
 export interface SkyReflectance {
   readonly diffuse: SpectralFilterNodes;
   readonly specular: SpectralFilterNodes;
 }
 
-/** `openness`: share of the sky, weighted by the cosine, that nothing hides; absent: all of it. */
-export function skyReflectance(look: BrdfNodes, openness?: Float): SkyReflectance {
-  const { diffuse } = look;
-  const mirrored = environmentBrdf(look);
+/** `openness`: unoccluded fraction of the sky, weighted by the cosine; all of it if absent. */
+export function skyReflectance(brdf: BrdfNodes, openness?: Float): SkyReflectance {
+  const { diffuse } = brdf;
+  const mirrored = environmentBrdf(brdf);
   return openness
-    ? { diffuse: diffuse.mul(openness), specular: mirrored.mul(specularOpenness(look, openness)) }
+    ? { diffuse: diffuse.mul(openness), specular: mirrored.mul(specularOpenness(brdf, openness)) }
     : { diffuse, specular: mirrored };
 }
 
 /**
- * How much of what a surface mirrors is open sky: nearly all on a smooth one that is seen at a flat angle, as much as of all the sky on a rough one.
- * Source: Lagarde, de Rousiers 2014, "Moving Frostbite to physically based rendering", course notes, listing 26; α = roughness².
+ * Unoccluded fraction of the specular lobe: nearly all of it on a smooth surface at grazing angles, `openness` on a rough one. Source: Lagarde, de Rousiers
+ * 2014, "Moving Frostbite to physically based rendering", course notes, listing 26; α = roughness².
  */
 const specularOpenness = ({ roughness, NV }: BrdfNodes, openness: Float): Float =>
   clamp(

@@ -15,16 +15,16 @@ import { type SpectralTables, spectralPipeline } from './spectralPipeline.ts';
 import { restPipeline, tintPipeline, unshiftedPipeline } from './srgbPipelines.ts';
 
 /**
- * How passes are compiled to turn colours: by spectra, `physical` where all of the shift reaches colours and brightness, which needs no powers, and `resting` where
- * nothing is shifted and all light is daylight; or by a tint, `plain` where nothing is shifted.
+ * How colours are computed in compiled passes. By spectra: `spectral`; `physical` if the whole shift applies to colours and brightness, which needs no
+ * powers; `resting` if nothing is shifted and all light is daylight. By a tint: `approximate`; `plain` if nothing is shifted.
  */
 export type ColorVariant = 'spectral' | 'physical' | 'resting' | 'approximate' | 'plain';
 
-/** What the settings ask for. Where no shift is shown its code is left out, for on a software GPU it costs all the same. */
+/** The variant for these settings. Code for shifts is left out where none is shown, because a software GPU pays for it even then. */
 export function colorVariantOf({ view, colors, dopplerMix, beaming }: RenderSettings, scene: Scene): ColorVariant {
-  const shifted = VIEWS[view].luminous && (dopplerMix > 0 || beaming > 0);
-  if (colors === 'approximate') return shifted ? 'approximate' : 'plain';
-  if (shifted) return dopplerMix === 1 && beaming === 1 ? 'physical' : 'spectral';
+  const isShifted = VIEWS[view].luminous && (dopplerMix > 0 || beaming > 0);
+  if (colors === 'approximate') return isShifted ? 'approximate' : 'plain';
+  if (isShifted) return dopplerMix === 1 && beaming === 1 ? 'physical' : 'spectral';
   const daylight =
     domeSpectrumKind(sceneDome(scene)) === 'daylight' &&
     directLights(scene).every((light) => spectrumKindOf(light) === 'daylight') &&
@@ -34,26 +34,26 @@ export function colorVariantOf({ view, colors, dopplerMix, beaming }: RenderSett
 
 const isGlowing = ({ emissionTemperature }: Scene['materials'][number]): boolean => emissionTemperature !== undefined;
 
-/** Of coloured lights, of this scene and of earlier ones. */
+/** Tables of coloured lights, of this scene and of earlier ones, that are kept. */
 const MAX_CACHED_TABLES = 60;
 
-/** What spectral colours are looked up in, made when it is first asked for. Scenes share it, but each has its own copy on the GPU. */
+/** The tables of spectral colours, computed on first use. Scenes share them, but each uploads its own copy. */
 export class ColorPipelines {
   private readonly blackbodies = new Map<3 | 4, { readonly table: DopplerTable; readonly daylight: DaylightColumns }>();
   private readonly colored = new Map<string, DopplerTable>();
 
   /** `atlas`: the scene's. */
-  pipeline(palette: ColorVariant, scene: Scene, atlas: HalfAtlas): ColorPipeline {
+  pipeline(variant: ColorVariant, scene: Scene, atlas: HalfAtlas): ColorPipeline {
     const { materials } = scene;
     const glowing = materials.some(isGlowing);
-    if (palette === 'approximate') return tintPipeline(glowing);
-    if (palette === 'plain' || palette === 'resting')
-      return palette === 'plain' ? unshiftedPipeline(glowing) : restPipeline(hasDomeLight(scene));
+    if (variant === 'approximate') return tintPipeline(glowing);
+    if (variant === 'plain' || variant === 'resting')
+      return variant === 'plain' ? unshiftedPipeline(glowing) : restPipeline(hasDomeLight(scene));
     const layers = materials.some(({ uv, ir }) => uv !== undefined || ir !== undefined) ? 4 : 3;
     return spectralPipeline(this.tables(scene, layers, atlas), {
       glowing,
       reddenedSky: hasDomeLight(scene),
-      fullShift: palette === 'physical',
+      fullShift: variant === 'physical',
     });
   }
 
@@ -70,8 +70,8 @@ export class ColorPipelines {
   }
 
   private blackbodiesOf(layers: 3 | 4) {
-    const known = this.blackbodies.get(layers);
-    if (known) return known;
+    const cached = this.blackbodies.get(layers);
+    if (cached) return cached;
     const table = thermalTable(layers);
     const made = { table, daylight: new DaylightColumns(table) };
     this.blackbodies.set(layers, made);

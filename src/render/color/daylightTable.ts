@@ -25,44 +25,44 @@ import { rowOf } from '../../spectrum/doppler/thermalTable.ts';
 import { WHITE_FILTER } from '../../spectrum/reflectance/spectralFilter.ts';
 import { DAYLIGHT } from '../../spectrum/sources/lightSpectrum.ts';
 
-/** What is seen of daylight through each band of a filter that is shifted with it, and Y(T D)/(Y(T) D⁴) of it. */
+/** Colours of daylight through each band of a filter that is shifted with it, and its Y(T D)/(Y(T) D⁴). */
 export interface DaylightColors {
   readonly colors: Omit<BandColors, 'H'>;
   readonly gain: gpu.Float;
 }
 
-/** What skies are made of besides white daylight, and what each shows at rest, of luminance 1. */
+/** The lights that skies are composed of besides white daylight, and the colour of each at rest, with luminance 1. */
 export const SKY_LIGHTS = [
   { spectrum: SCATTERED, color: SCATTERED_COLOR },
   ...REDDENED.map((spectrum, i) => ({ spectrum, color: REDDENED_COLORS[i] })),
 ] as const;
 
-/** What the bands of a resting surface show of one of `SKY_LIGHTS`: red, green and blue. */
+/** The colours of one of `SKY_LIGHTS` through the red, green and blue band of a surface at rest. */
 export const skyBandsAtRest = (light: number): readonly Vec3[] =>
   sampledSpectrumAtRest(SKY_LIGHTS[light].spectrum, 1, bandTransmission(1, 3));
 
-/** What is seen of two filters' overlaps (spectrum/doppler/filterPairs.ts). */
+/** The colours of two filters' overlaps (spectrum/doppler/filterPairs.ts). */
 export type Overlaps = readonly [rg: gpu.Vec3, gb: gpu.Vec3, br: gpu.Vec3];
 
-/** Odd, so that D = 1 is one. From one to the next D changes by 5e-4 at D = 1. */
+/** Odd, so that D = 1 is one of them. Near D = 1 a step changes D by 5e-4. */
 const STEPS = 8193;
-/** How a layer of so many texels lies in the atlas. */
+/** A layer is stored in the atlas in rows of this many texels. */
 const WIDTH = 256;
 const ROWS = Math.ceil(STEPS / WIDTH);
 
-/** What a table holds at each of the steps of D: of each layer four numbers. */
+/** The texels of a table at one step of D: four numbers per layer. */
 type Layers = readonly (readonly number[])[];
 
 /**
- * The line T = 6504 K · D of a table of blackbodies, and of other lights that are shifted so, over D/(1 + D): so finely that texels are fetched and not filtered, which
- * costs a software GPU half. What nearly all pixels ask for. Scenes share what was integrated for one of them.
+ * The line T = 6504 K · D of a table of blackbodies, and of other lights that are shifted in this way, over D/(1 + D): so fine that texels are fetched
+ * without filtering, which halves the cost on a software GPU. Nearly all pixels read this. Scenes share what was integrated for one of them.
  */
 export class DaylightColumns {
   readonly layers: 3 | 4;
   private readonly blackbodies: DopplerTable;
   private readonly made = new Map<string, Uint16Array>();
   private readonly skies = new Map<number, (D: number) => Layers>();
-  /** At `shifts`. */
+  /** Transmissions of the bands at `shifts`. */
   private bands: readonly Parameters<typeof filteredBlackbodyAtRest>[2][] | undefined;
 
   constructor(blackbodies: DopplerTable) {
@@ -70,7 +70,7 @@ export class DaylightColumns {
     this.layers = blackbodies.layers;
   }
 
-  /** Layer after layer, H beside the first one. */
+  /** Layer after layer; H in the fourth channel of the first. */
   daylight(): Uint16Array {
     const { blackbodies } = this;
     return this.cached('daylight', () => (D) => {
@@ -85,8 +85,8 @@ export class DaylightColumns {
 
   skyOverDaylight(light: number): Uint16Array {
     return this.cached(`sent ${light}`, () => {
-      const seenAt = this.skyOverShifts(light);
-      return (D) => [overWhite(seenAt(D)[0], this.white(D))];
+      const skyAt = this.skyOverShifts(light);
+      return (D) => [overWhite(skyAt(D)[0], this.white(D))];
     });
   }
 
@@ -100,7 +100,7 @@ export class DaylightColumns {
     );
   }
 
-  /** Of one of the lights of skies through each band: layer after layer. */
+  /** One of the lights of skies through each band, layer after layer. */
   skyBands(light: number): Uint16Array {
     return this.cached(`bands ${light}`, () => {
       const bands = this.bandsAtShifts();
@@ -112,7 +112,7 @@ export class DaylightColumns {
     return this.cached('overlaps', () => overShifts((D) => bandOverlaps(DAYLIGHT.temperature * D, D, this.layers)));
   }
 
-  /** Of a coloured light: layer after layer, H beside the first one. */
+  /** A coloured light, layer after layer; H in the fourth channel of the first. */
   colored(light: FilteredBlackbody): Uint16Array {
     return this.cached(`colored ${JSON.stringify(light)}`, () => {
       const bands = this.bandsAtShifts();
@@ -120,7 +120,7 @@ export class DaylightColumns {
     });
   }
 
-  /** Skies are both seen and sent: what is integrated for one is there for the other. */
+  /** Skies are both seen directly and reflected; the integrals are cached for both. */
   private skyOverShifts(light: number): (D: number) => Layers {
     const sky = this.skies.get(light) ?? overShifts((D) => [skyColor(light, D)]);
     this.skies.set(light, sky);
@@ -132,17 +132,17 @@ export class DaylightColumns {
     return this.bands;
   }
 
-  /** What is integrated takes long: only where it is not known. */
-  private cached(name: string, integrated: () => (D: number) => Layers): Uint16Array {
-    const known = this.made.get(name) ?? columns(integrated());
-    this.made.set(name, known);
-    return known;
+  /** Integrates only on first use, because integration takes long. */
+  private cached(name: string, integrate: () => (D: number) => Layers): Uint16Array {
+    const columnsData = this.made.get(name) ?? columns(integrate());
+    this.made.set(name, columnsData);
+    return columnsData;
   }
 }
 
-/** Channels in which daylight is gone (blue of embers) tell nothing. */
-const overWhite = (seen: readonly number[], white: Vec3): readonly number[] =>
-  seen.map((value, k) => (value * white[k]) / (white[k] ** 2 + 1e-4));
+/** Where a channel of daylight vanishes (blue of embers), the quotient tends to 0. */
+const overWhite = (skyTexel: readonly number[], white: Vec3): readonly number[] =>
+  skyTexel.map((value, k) => (value * white[k]) / (white[k] ** 2 + 1e-4));
 
 const skyColor = (light: number, D: number): Vec3 =>
   observedColor(WHITE_FILTER, WHITE_FILTER, SKY_LIGHTS[light].spectrum, 1, D);
@@ -181,7 +181,7 @@ export class DaylightTable {
     };
   }
 
-  /** Of a coloured light of a number, seen shifted by D with the surface that it met. */
+  /** A coloured light, by its number, whose light is seen shifted by D together with the surface that reflects it. */
   colored(number: number, light: FilteredBlackbody, D: gpu.Float): BandColors {
     const layer = this.read(`at rest ${number}`, () => this.columns.colored(light), D);
     const red = layer(0);
@@ -189,24 +189,24 @@ export class DaylightTable {
     return this.columns.layers === 4 ? { ...colors, beyond: layer(3).xyz } : colors;
   }
 
-  /** Linear sRGB, D⁴ left out, of one of the lights of skies (`SKY_LIGHTS`), of luminance 1 at rest. */
+  /** Linear sRGB, without D⁴, of one of the lights of skies (`SKY_LIGHTS`), with luminance 1 at rest. */
   skyColors(light: number, D: gpu.Float): gpu.Vec3 {
     return this.read(`sky ${light}`, () => this.columns.skyColors(light), D)(0).xyz;
   }
 
-  /** The same through each band of a filter that is shifted with it. */
+  /** `skyColors` through each band of a filter that is shifted with the light. */
   skyBands(light: number, D: gpu.Float): DaylightColors['colors'] {
     const layer = this.read(`bands ${light}`, () => this.columns.skyBands(light), D);
     const colors = { red: layer(0).xyz, green: layer(1).xyz, blue: layer(2).xyz };
     return this.columns.layers === 4 ? { ...colors, beyond: layer(3).xyz } : colors;
   }
 
-  /** The same over white daylight of luminance 1 that is shifted alike: what light is multiplied with that came shifted. */
+  /** `skyColors` over white daylight of luminance 1 with the same shift: the factor for light that arrives shifted. */
   skyOverDaylight(light: number, D: gpu.Float): gpu.Vec3 {
     return this.read(`sent ${light}`, () => this.columns.skyOverDaylight(light), D)(0).xyz;
   }
 
-  /** What Σ (a_i − a_j)(k_i − k_j) over the pairs of bands rg, gb and br is multiplied with. */
+  /** The colours that Σ (a_i − a_j)(k_i − k_j) over the pairs of bands rg, gb and br is multiplied with. */
   overlaps(D: gpu.Float): Overlaps {
     const layer = this.read('overlaps', () => this.columns.overlaps(), D);
     return [layer(0).xyz, layer(1).xyz, layer(2).xyz];
@@ -223,7 +223,10 @@ export class DaylightTable {
   }
 }
 
-/** Of how many shifts colours are integrated; between them they go straight, within 2e-3. Odd, so that D = 1 is one. */
+/**
+ * Number of shifts at which colours are integrated; between them they are interpolated linearly, with an error within 2e-3. Odd, so that D = 1 is one of
+ * them.
+ */
 const NODES = 513;
 
 /** All but the first, D = 0, and the last, ∞. */
@@ -232,11 +235,11 @@ const shifts = (): readonly number[] =>
 
 function overShifts(layersAt: (D: number, i: number) => Layers): (D: number) => Layers {
   const nodes = shifts().map(layersAt);
-  const dark = nodes[0].map((texel) => texel.map(() => 0));
+  const black = nodes[0].map((texel) => texel.map(() => 0));
   return (D) => {
-    const place = (NODES - 1) * toUnitRatio(D);
-    const i = Math.min(Math.floor(place), NODES - 2);
-    const [a, b] = [nodes[i - 1] ?? dark, nodes[i] ?? dark];
-    return a.map((texel, k) => texel.map((value, channel) => value + (b[k][channel] - value) * (place - i)));
+    const position = (NODES - 1) * toUnitRatio(D);
+    const i = Math.min(Math.floor(position), NODES - 2);
+    const [a, b] = [nodes[i - 1] ?? black, nodes[i] ?? black];
+    return a.map((texel, k) => texel.map((value, channel) => value + (b[k][channel] - value) * (position - i)));
   };
 }

@@ -10,19 +10,22 @@ import { logLuminance } from '../../spectrum/sources/planck.ts';
 import type { LineTable } from './lineTable.ts';
 import type { SpectralSource } from './radiance.ts';
 
-/** What tells shaders apart by which light is turned: all blackbodies of 6504 K together, others one by one. */
+/** Kinds of spectra that shaders have different code for. Lights of a kind other than daylight are evaluated one by one. */
 export type SpectrumKind = 'daylight' | 'thermal' | 'lines';
 
 export const spectrumKindOf = ({ spectrum = DAYLIGHT }: { readonly spectrum?: LightSpectrum }): SpectrumKind =>
   spectrum.kind !== 'thermal' ? 'lines' : spectrum.temperature === DAYLIGHT.temperature ? 'daylight' : 'thermal';
 
-/** Of a dome: where it names no spectrum its colour tells what air made of daylight, and that is apart; where it names daylight, that is a light like others. */
+/**
+ * The kind of a dome: without a spectrum, its colour says how air scattered daylight, which is handled separately; with the spectrum of daylight, it is a
+ * thermal light like others.
+ */
 export function domeSpectrumKind(dome: DomeLight): SpectrumKind {
   const kind = spectrumKindOf(dome);
   return dome.spectrum && kind === 'daylight' ? 'thermal' : kind;
 }
 
-/** What light is multiplied with before its spectrum, for each way to show colours; of approximate ones what is seen of it at rest. */
+/** The factor of a light's spectrum, for each colour mode; in approximate mode its colour at rest. */
 export type LightColors = Readonly<Record<ColorMode, Vec3>>;
 
 export const lightColorsOf = ({ color, spectrum = DAYLIGHT }: SpectrumLight): LightColors => ({
@@ -30,42 +33,43 @@ export const lightColorsOf = ({ color, spectrum = DAYLIGHT }: SpectrumLight): Li
   spectral: spectrum === DAYLIGHT ? color : lightFilter(color, spectrum).rgb,
 });
 
-/** Light whose filter is nearer to grey than this counts as neutral. */
+/** A light whose filter is nearer to grey than this is neutral. */
 const NEUTRAL = 1e-3;
-/** More lights than this share tables. */
+/** Scenes with more coloured lights use the most similar table. */
 const MAX_COLORED_LIGHTS = 20;
 
-/** Blackbodies that shine through filters with a colour, each once, however bright it is. */
+/** Blackbodies behind coloured filters, each once, whatever their brightness. */
 export function coloredLights(scene: Scene): readonly FilteredBlackbody[] {
-  const known = new Map<string, FilteredBlackbody>();
+  const byKey = new Map<string, FilteredBlackbody>();
   for (const light of directLights(scene)) {
     const found = coloredLight(light);
-    if (found) known.set([found.temperature, ...found.filter.map((k) => k.toFixed(3))].join(' '), found);
+    if (found) byKey.set([found.temperature, ...found.filter.map((k) => k.toFixed(3))].join(' '), found);
   }
-  return [...known.values()].slice(0, MAX_COLORED_LIGHTS);
+  return [...byKey.values()].slice(0, MAX_COLORED_LIGHTS);
 }
 
-/** `filter`: its greatest coefficient is 1. undefined of neutral light, and of lines. */
+/** `filter` is scaled to a largest coefficient of 1. Returns undefined for neutral lights and for lines. */
 function coloredLight(light: SpectrumLight): FilteredBlackbody | undefined {
   const { spectrum = DAYLIGHT } = light;
   const filter = lightColorsOf(light).spectral;
-  const most = Math.max(...filter);
-  if (spectrum.kind !== 'thermal' || most - Math.min(...filter) <= NEUTRAL * most) return undefined;
-  return { temperature: spectrum.temperature, filter: scale(filter, 1 / most) };
+  const max = Math.max(...filter);
+  if (spectrum.kind !== 'thermal' || max - Math.min(...filter) <= NEUTRAL * max) return undefined;
+  return { temperature: spectrum.temperature, filter: scale(filter, 1 / max) };
 }
 
-/** Which of these is a light's, or most like it; undefined of neutral light. */
-export function coloredLightIndex(light: SpectrumLight, known: readonly FilteredBlackbody[]): number | undefined {
-  const own = coloredLight(light);
-  if (!own) return undefined;
-  const unlike = known.map(
-    ({ temperature, filter }) => Math.abs(Math.log(temperature / own.temperature)) + distance(filter, own.filter),
+/** The index of a light's table among these, or of the most similar; undefined if the light is neutral. */
+export function coloredLightIndex(light: SpectrumLight, lights: readonly FilteredBlackbody[]): number | undefined {
+  const filtered = coloredLight(light);
+  if (!filtered) return undefined;
+  const differences = lights.map(
+    ({ temperature, filter }) => Math.abs(Math.log(temperature / filtered.temperature)) + distance(filter, filtered.filter),
   );
-  return unlike.indexOf(Math.min(...unlike));
+  return differences.indexOf(Math.min(...differences));
 }
 
 /**
- * What tells shaders of its spectrum: the temperature [K] and the luminance of such a blackbody over that of daylight's, or where its lines are.
+ * A light's spectrum as shaders read it: the temperature [K] and the luminance of such a blackbody over that of daylight's, or where its lines are in the
+ * table.
  */
 export function spectrumParametersOf(
   { spectrum = DAYLIGHT }: SpectrumLight,
@@ -76,7 +80,7 @@ export function spectrumParametersOf(
   return [T, Math.exp(logLuminance(T) - logLuminance(DAYLIGHT.temperature))];
 }
 
-/** The same on the GPU. */
+/** `spectrumParametersOf` on the GPU. */
 export function spectralSourceOf(
   kind: SpectrumKind,
   [a, b]: readonly [gpu.Float, gpu.Float],

@@ -10,23 +10,23 @@ import {
 import type { FloatTable } from '../gpu/floatTable.ts';
 import type { LineSource } from './radiance.ts';
 
-/** More lines of one light than this are gathered to so many. */
+/** Lights with more lines are reduced to this number. */
 const MAX_LINES = 32;
 
-/** Lines of all lights that shine in lines, one texel each: (wavelength [nm], radiance, 0, 0). Other spectra are taken for close lines. */
+/** The lines of all line lights, one texel each: (wavelength [nm], radiance, 0, 0). Sampled spectra are approximated by close lines. */
 export class LineTable {
   private readonly table: FloatTable;
   private readonly places = new Map<LightSpectrum, readonly [first: number, count: number]>();
 
-  /** `table`: where they lie. */
+  /** `table`: where the texels are stored. */
   constructor(table: FloatTable) {
     this.table = table;
   }
 
-  /** Where a spectrum's lines are. */
+  /** Where a spectrum's lines are, added on first use. */
   add(spectrum: LightSpectrum): readonly [first: number, count: number] {
-    const known = this.places.get(spectrum);
-    if (known) return known;
+    const cached = this.places.get(spectrum);
+    if (cached) return cached;
     const lines = mergeLines(spectrum);
     const part = this.table.part(lines.length);
     lines.forEach(({ wavelength, weight }, i) => {
@@ -48,7 +48,7 @@ export class LineTable {
   }
 }
 
-/** At most MOST_LINES, each in the middle of the light that it stands for. */
+/** At most MAX_LINES lines, each at the centroid of the lines that it replaces. */
 function mergeLines(spectrum: LightSpectrum): readonly SpectralLine[] {
   if (spectrum.kind === 'thermal') return [];
   const lines = spectrum.kind === 'lines' ? linesOf(spectrum) : samplesOf(spectrum);

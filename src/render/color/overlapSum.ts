@@ -5,14 +5,17 @@ import { DAYLIGHT } from '../../spectrum/sources/lightSpectrum.ts';
 import type { Overlaps } from './daylightTable.ts';
 import type { SpectralFilterNodes } from './radiance.ts';
 
-/** What coloured lights and coloured surfaces make together beyond the products of their bands: Σ (a_i − a_j)(k_i − k_j) C_ij of rg, gb and br (filterPairs.ts). */
+/**
+ * The correction for coloured lights on coloured surfaces, which is not the product of their bands: Σ (a_i − a_j)(k_i − k_j) C_ij over rg, gb and br
+ * (filterPairs.ts; docs/physics.md §7.6).
+ */
 export interface OverlapSum {
-  /** Whether any light was added. */
+  /** Whether any light has been added. */
   readonly any: boolean;
-  add(light: Vec3, share: SpectralFilterNodes): void;
-  /** Linear sRGB, to be taken away; in daylight at rest. */
+  add(light: Vec3, reflectance: SpectralFilterNodes): void;
+  /** Linear sRGB to be subtracted, in daylight at rest. */
   atRest(): Vec3;
-  /** The same through the colours of a shift, which are only asked for where there is something of them. */
+  /** The same for a shift, whose colours are only evaluated where the sum is not negligible. */
   shifted(colors: () => Overlaps): Vec3;
 }
 
@@ -24,23 +27,23 @@ export function overlapSum(): OverlapSum {
     get any() {
       return any;
     },
-    add: (light, share) => {
+    add: (light, reflectance) => {
       any = true;
-      sum.addAssign(share.xyz.sub(share.yzx).mul(light.sub(light.yzx)));
+      sum.addAssign(reflectance.xyz.sub(reflectance.yzx).mul(light.sub(light.yzx)));
     },
     atRest: () => {
       const [rg, gb, br] = bandOverlaps(DAYLIGHT.temperature, 1, 3);
       return through([vec3(...rg), vec3(...gb), vec3(...br)]);
     },
     shifted: (colors) => {
-      const seen = vec3(0).toVar();
+      const shifted = vec3(0).toVar();
       If(dot(abs(sum), vec3(1)).greaterThan(MIN_OVERLAP), () => {
-        seen.assign(through(colors()));
+        shifted.assign(through(colors()));
       });
-      return seen;
+      return shifted;
     },
   };
 }
 
-/** Less of them is not seen, and most surfaces are nearly grey. */
+/** Sums below this are invisible; most surfaces are nearly grey. */
 const MIN_OVERLAP = 1e-5;

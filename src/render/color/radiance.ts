@@ -4,28 +4,31 @@ import type { Emission } from '../gbuffer/surfacePacking.ts';
 import type { FrameUniforms } from '../gpu/frameUniforms.ts';
 
 /**
- * A filter of light in one pixel: the coefficients r, g, b of spectrum/reflectance/spectralFilter.ts, and its ultraviolet where D < 1 brings that into sight, else its
- * infrared; 0 where no surface of the scene tells of its own.
+ * A spectral filter in one pixel: the coefficients r, g, b of spectrum/reflectance/spectralFilter.ts, and its transmission in the ultraviolet if D < 1 shifts
+ * that into the visible, otherwise in the infrared; 0 if no surface of the scene specifies its own.
  */
 export type SpectralFilterNodes = Vec4;
 
-/** How light comes from its source to a surface. */
+/** How light gets from its source to a surface. */
 export interface IncidentSpectrum {
-  /** ν at the surface/ν at the source; absent where it is 1. */
+  /** ν at the surface/ν at the source; absent if it is 1. */
   readonly D?: Float;
-  /** Absent of daylight. */
+  /** Absent for daylight. */
   readonly source?: SpectralSource;
-  /** Where a blackbody shines through a filter with a colour: the number of its table (spectrum/doppler/filterPairs.ts), or a picture, of which each direction has its own. */
+  /**
+   * For a blackbody behind a coloured filter the number of its table (spectrum/doppler/filterPairs.ts); `picture` for an image, whose colour differs with the
+   * direction.
+   */
   readonly colored?: number | 'picture';
 }
 
-/** What light is made of, where that is not daylight. */
+/** The spectrum of light that is not daylight. */
 export type SpectralSource = ThermalSource | LineSource | typeof SKY_SOURCE;
 
-/** Daylight of which air scatters the blue part (spectrum/color/scatteredLight.ts). */
+/** Daylight of which air has scattered the blue part (spectrum/color/scatteredLight.ts). */
 export const SKY_SOURCE = { scatters: true } as const;
 
-/** Light of single wavelengths [m, source's frame], each with its radiance; of luminance 1 in all. */
+/** Light of single wavelengths [m, source's frame], each with its radiance; their total luminance is 1. */
 export interface LineSource {
   each(visit: (wavelength: Float, radiance: Float) => void): void;
 }
@@ -36,33 +39,36 @@ export interface ThermalSource {
   readonly luminance: Float;
 }
 
-/** Radiance grows as D⁴. Per solid angle of the source's own frame it is L′ dΩ′ = D² L dΩ: so an irradiance E′ = D² E of light from one direction. */
+/**
+ * Powers of D. Radiance grows as D⁴. Per solid angle of the source's own frame it is L′ dΩ′ = D² L dΩ, so the irradiance of light from one direction is E′ =
+ * D² E (docs/physics.md §6.1).
+ */
 export const RADIANCE_POWER = 4;
 export const IRRADIANCE_POWER = 2;
 export type BeamingPower = typeof RADIANCE_POWER | typeof IRRADIANCE_POWER;
 
-/** Adds up what comes to the observer of one pixel, from a surface or a sky that is seen with one D. */
+/** Sums the light that reaches the observer in one pixel, from a surface or a sky that is seen with one D. */
 export interface RadianceAccumulator {
-  /** A colour as a filter; `invisible`: what a surface tells of its ultraviolet and infrared. */
+  /** A colour as a filter; `invisible`: the surface's reflectance in the ultraviolet and infrared. */
   filter(rgb: Vec3, invisible?: Vec2): SpectralFilterNodes;
-  /** Light that a surface sends on: `light` is the filter of its source, which came brighter by D^power, `share` what the surface makes of it. */
-  addReflected(light: Vec3, share: SpectralFilterNodes, passage: IncidentSpectrum, power: BeamingPower): void;
-  /** Light that is sent out here. */
+  /** Adds reflected light: `light` is the filter of its source, whose brightness is multiplied by D^power; `reflectance` is that of the surface. */
+  addReflected(light: Vec3, reflectance: SpectralFilterNodes, incident: IncidentSpectrum, power: BeamingPower): void;
+  /** Adds light that is emitted here. */
   addEmitted(light: Vec3, source?: SpectralSource): void;
-  /** Light of a blackbody that is sent out here. */
+  /** Adds a blackbody's light that is emitted here. */
   addGlow(emission: Pick<Emission, 'luminance' | 'log2Temperature'>): void;
-  /** Light of a blackbody of T [K], sent out here; `radiance`: of one of 6504 K. However cold it is, D can bring it into sight. */
+  /** Adds the light of a blackbody of T [K] emitted here; `radiance`: that of one of 6504 K. However cold it is, D can shift it into the visible. */
   addBlackbody(T: number, radiance: Float): void;
-  /** Linear sRGB of all that was sent. */
+  /** Linear sRGB of everything that was added. */
   total(): Vec3;
 }
 
-/** A Gathering for pixels that are seen with D. */
+/** Makes the accumulator of a pixel that is seen with D. */
 export type ColorPipeline = (D: Float, uniforms: FrameUniforms) => RadianceAccumulator;
 
-/** Shifts below this change no pixel, and most surfaces rest: colours are left as they are there. */
+/** Shifts below this change no pixel, and most surfaces are at rest: colours are left as they are at rest. */
 export const MIN_SHIFT = 1e-5;
 
-/** D^(power · beaming): the share of the beaming that the settings ask for. */
+/** D^(power · beaming), with the fraction of beaming in the settings. */
 export const beamingFactor = (D: Float, power: number, { beaming }: FrameUniforms): Float =>
   exp2(log2(max(D, 1e-20)).mul(beaming.mul(power)));

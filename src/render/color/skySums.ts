@@ -6,7 +6,7 @@ import { SCATTERED_COLOR, SCATTERED_PROJECTION } from '../../spectrum/color/scat
 import { type DaylightTable, SKY_LIGHTS, skyBandsAtRest } from './daylightTable.ts';
 import type { SpectralFilterNodes } from './radiance.ts';
 
-/** What came of the lights of skies: as surfaces send it, and as the sky itself is seen. */
+/** Sums of the lights that skies are composed of: as surfaces reflect them, and as the sky itself is seen. */
 export interface SkySums {
   addReflected(share: SpectralFilterNodes, luminances: readonly Float[]): void;
   addEmitted(luminances: readonly Float[]): void;
@@ -14,27 +14,27 @@ export interface SkySums {
   shifted(D: Float): Vec3;
 }
 
-/** What the light of a sky is made of; `dusky`: it may be red, and not only blue. */
-export function decomposeSky(light: Vec3, dusky: boolean): SkyPartNodes {
-  if (dusky) return skyParts(light);
-  const share = max(dot(light, vec3(...SCATTERED_PROJECTION)), 0).toVar();
-  return { luminances: [share], rest: light.sub(vec3(...SCATTERED_COLOR).mul(share)).toVar() };
+/** Decomposes the light of a sky; `reddenedSky`: it may be red, and not only blue. */
+export function decomposeSky(light: Vec3, reddenedSky: boolean): SkyPartNodes {
+  if (reddenedSky) return skyParts(light);
+  const luminance = max(dot(light, vec3(...SCATTERED_PROJECTION)), 0).toVar();
+  return { luminances: [luminance], rest: light.sub(vec3(...SCATTERED_COLOR).mul(luminance)).toVar() };
 }
 
-/** `ofDay`: where anything is shifted. */
-export function skySums(dusky: boolean, ofDay?: DaylightTable): SkySums {
-  const sums = Array.from({ length: dusky ? SKY_LIGHTS.length : 1 }, () => ({
+/** `daylight`: present if anything is shifted. */
+export function skySums(reddenedSky: boolean, daylight?: DaylightTable): SkySums {
+  const sums = Array.from({ length: reddenedSky ? SKY_LIGHTS.length : 1 }, () => ({
     sent: vec4(0).toVar(),
     own: float(0).toVar(),
   }));
-  // Most pixels have one of the two.
-  let [sends, emits] = [false, false];
+  // Most pixels need only one of the two sums.
+  let [reflects, emits] = [false, false];
   const all = (parts: readonly Vec3[]): Vec3 => parts.reduce((sum, part) => sum.add(part));
   return {
-    addReflected: (share, luminances) => {
-      sends = true;
+    addReflected: (reflectance, luminances) => {
+      reflects = true;
       sums.forEach(({ sent }, i) => {
-        sent.addAssign(share.mul(luminances[i]));
+        sent.addAssign(reflectance.mul(luminances[i]));
       });
     },
     addEmitted: (luminances) => {
@@ -54,8 +54,8 @@ export function skySums(dusky: boolean, ofDay?: DaylightTable): SkySums {
       all([
         vec3(0),
         ...sums.flatMap(({ sent, own }, i) => [
-          ...(ofDay && sends ? [filteredColor(ofDay.skyBands(i, D), sent)] : []),
-          ...(ofDay && emits ? [ofDay.skyColors(i, D).mul(own)] : []),
+          ...(daylight && reflects ? [filteredColor(daylight.skyBands(i, D), sent)] : []),
+          ...(daylight && emits ? [daylight.skyColors(i, D).mul(own)] : []),
         ]),
       ]),
   };

@@ -28,64 +28,64 @@ import {
 } from './radiance.ts';
 import { decomposeSky, skySums } from './skySums.ts';
 
-/** Shifts that colours follow: beyond the first all is dark, beyond the second they change no more. */
+/** Range of shifts that colours follow: below it everything is dark, above it colours no longer change. */
 const SHIFT_RANGE = [1e-3, 1e6] as const;
 
 export interface SpectralTables {
   readonly blackbodies: SpectrumTable;
   /** The same for light that was daylight at rest, where light and filter are shifted together. */
   readonly daylight: DaylightTable;
-  /** Those that have a colour; and of each of them. */
+  /** The coloured lights; and the table of each of them. */
   readonly lights: readonly FilteredBlackbody[];
   readonly colored: (light: number) => SpectrumTable;
   readonly observer: () => HalfTable;
 }
 
-/** What a scene has. */
+/** What a scene contains. */
 export interface SpectralOptions {
-  /** Things that shine by their temperature. */
+  /** Surfaces that glow by their temperature. */
   readonly glowing: boolean;
   /** A sky that may be red, and not only blue. */
   readonly reddenedSky: boolean;
-  /** All of the shift reaches colours and brightness. */
+  /** The whole shift applies to colours and brightness. */
   readonly fullShift: boolean;
 }
 
 interface FrequencyShift {
-  /** D, by the share of it that colours follow. */
+  /** D, as far as colours follow it (`dopplerMix`). */
   readonly mixed: Float;
-  /** D^power, by the share that brightness follows. */
+  /** D^power, as far as brightness follows it (`beaming`). */
   brightness(power: BeamingPower): Float;
 }
 
 /**
- * Colours by spectra, from the table of blackbodies. Daylight that met a resting surface is summed in bands, and turned into what is seen of it once; of coloured
- * lights the overlaps of the bands are summed, too, for two filters are no filter. Light that came shifted is turned by itself: it is a blackbody of T·D_in·D_out, seen through
- * the surface's filter shifted by D_out; coloured lights have tables of their own. Light of lines is turned line by line.
- * The light of a sky is summed for each of the lights that it is made of; where it came shifted, it is taken channel by channel of what is seen, relative to bare daylight
- * (docs/adr/0010-spectra.md).
- * The table has four layers where some surface tells of its ultraviolet or infrared.
+ * Colours by spectra, from the table of blackbodies (docs/adr/0010-spectra.md). Daylight that is reflected by a resting surface is summed in bands, and
+ * converted to colours once; for coloured lights the overlaps of the bands are summed too, because two filters in a row are no filter of the three bands.
+ * Light that arrives shifted is converted by itself: it is a blackbody of T·D_in·D_out, seen through the surface's filter shifted by D_out; coloured lights
+ * have tables of their own. Line spectra are converted line by line. The light of a sky is summed for each of the lights that it is composed of; if it
+ * arrives shifted, it is converted channel by channel, relative to white daylight. The table has four layers if some surface specifies its ultraviolet or
+ * infrared.
  */
 export const spectralPipeline =
   (
-    { blackbodies, daylight: ofDay, lights, colored: coloredTables, observer }: SpectralTables,
-    { glowing, reddenedSky, fullShift: all }: SpectralOptions,
+    { blackbodies, daylight: daylightTable, lights, colored: coloredTables, observer }: SpectralTables,
+    { glowing, reddenedSky, fullShift: wholeShift }: SpectralOptions,
   ): ColorPipeline =>
   (D, uniforms) => {
-    const own = blackbodies.layers === 4;
+    const hasInvisible = blackbodies.layers === 4;
     const shiftOf = (D: Float): FrequencyShift => {
-      if (all) return fullFrequencyShift(D);
+      if (wholeShift) return fullFrequencyShift(D);
       const log = log2(max(D, 1e-20)).toVar();
       const mixed = clamp(exp2(log.mul(uniforms.dopplerMix)), ...SHIFT_RANGE).toVar();
       return { mixed, brightness: (power) => exp2(log.mul(uniforms.beaming.mul(power))) };
     };
     const out = shiftOf(D);
     const daylight = vec4(0).toVar();
-    const sky = skySums(reddenedSky, ofDay);
+    const sky = skySums(reddenedSky, daylightTable);
     const sum = vec3(0).toVar();
     const overlapping = overlapSum();
     const ofColor = (rgb: Vec3, shift: Float): SpectralFilterNodes =>
-      own
+      hasInvisible
         ? vec4(rgb, dot(rgb, select(shift.lessThan(1), vec3(...BASIS_ENDS.uv), vec3(...BASIS_ENDS.ir))))
         : vec4(rgb, 0);
 
@@ -97,100 +97,100 @@ export const spectralPipeline =
 
     const parts = (light: Vec3): SkyPartNodes => decomposeSky(light, reddenedSky);
 
-    /** Of a blackbody behind a filter with a colour of its own, that came shifted. */
+    /** Light of a blackbody behind a coloured filter that arrives shifted. */
     const filteredTwice = (
       light: number,
       k: Vec3,
-      share: SpectralFilterNodes,
+      reflectance: SpectralFilterNodes,
       shift: Float,
-      from?: ThermalSource,
+      thermalSource?: ThermalSource,
     ): Vec3 => {
       const whole = clamp(out.mixed.mul(shift), ...SHIFT_RANGE).toVar();
-      const T = whole.mul(from?.temperature ?? DAYLIGHT.temperature).toVar();
+      const T = whole.mul(thermalSource?.temperature ?? DAYLIGHT.temperature).toVar();
       const [seen, H] = [vec3(0).toVar(), float(0).toVar()];
-      const add = (colors: BandColors, level: Float): void => {
-        seen.assign(filteredColor(colors, share).mul(level));
+      const add = (colors: BandColors, strength: Float): void => {
+        seen.assign(filteredColor(colors, reflectance).mul(strength));
         H.assign(colors.H);
       };
       If(whole.greaterThan(1 / SHIFT_LIMIT).and(whole.lessThan(SHIFT_LIMIT)), () => {
         add(coloredColors(coloredTables(light), whole, out.mixed), max(k.x, max(k.y, k.z)));
       }).Else(() => {
-        // Beyond, all that is seen of its own filter is one of its ends.
+        // Outside this range only one end of the light's own filter is visible.
         const end = select(whole.lessThan(1), dot(k, vec3(...BASIS_ENDS.uv)), dot(k, vec3(...BASIS_ENDS.ir)));
         add(thermalColors(blackbodies, T, out.mixed), end);
       });
-      return seen.mul(gain(H, T, from?.luminance ?? float(1), whole));
+      return seen.mul(gain(H, T, thermalSource?.luminance ?? float(1), whole));
     };
 
-    /** The same of light that met a resting surface. */
+    /** The same for light that reaches a surface unshifted. */
     const filteredAtRest = (
       light: number,
       k: Vec3,
-      share: SpectralFilterNodes,
+      reflectance: SpectralFilterNodes,
       { temperature, luminance }: ThermalSource,
     ): Vec3 => {
-      const colors = ofDay.colored(light, lights[light], out.mixed);
-      const level = gain(colors.H, temperature.mul(out.mixed), luminance, out.mixed);
-      return filteredColor(colors, share).mul(level.mul(max(k.x, max(k.y, k.z))));
+      const colors = daylightTable.colored(light, lights[light], out.mixed);
+      const strength = gain(colors.H, temperature.mul(out.mixed), luminance, out.mixed);
+      return filteredColor(colors, reflectance).mul(strength.mul(max(k.x, max(k.y, k.z))));
     };
 
-    /** Of neutral light that came shifted. */
-    const neutral = (level: Float, share: SpectralFilterNodes, shift: Float, from: ThermalSource | undefined): Vec3 => {
+    /** Neutral light that arrives shifted. */
+    const neutral = (strength: Float, reflectance: SpectralFilterNodes, shift: Float, thermalSource: ThermalSource | undefined): Vec3 => {
       const whole = clamp(out.mixed.mul(shift), ...SHIFT_RANGE).toVar();
-      const T = whole.mul(from?.temperature ?? DAYLIGHT.temperature).toVar();
+      const T = whole.mul(thermalSource?.temperature ?? DAYLIGHT.temperature).toVar();
       const colors = thermalColors(blackbodies, T, out.mixed);
-      return filteredColor(colors, share).mul(gain(colors.H, T, from?.luminance ?? float(1), whole).mul(level));
+      return filteredColor(colors, reflectance).mul(gain(colors.H, T, thermalSource?.luminance ?? float(1), whole).mul(strength));
     };
 
-    /** Of light of any colour that came shifted; `luminances`: and of the other lights of a sky. */
+    /** Light of any colour that arrives shifted; `luminances`: those of the other lights of a sky. */
     const pictured = (
       light: Vec3,
-      share: SpectralFilterNodes,
+      reflectance: SpectralFilterNodes,
       shift: Float,
-      from?: ThermalSource,
+      thermalSource?: ThermalSource,
       luminances: readonly Float[] = [],
     ): Vec3 => {
       const whole = clamp(out.mixed.mul(shift), ...SHIFT_RANGE).toVar();
-      const T = whole.mul(from?.temperature ?? DAYLIGHT.temperature).toVar();
+      const T = whole.mul(thermalSource?.temperature ?? DAYLIGHT.temperature).toVar();
       const surface = thermalColors(blackbodies, T, out.mixed);
       const bare = filteredColor(surface, vec4(1)).toVar();
-      const source = from
-        ? { colors: thermalColors(blackbodies, T, whole), gain: gain(surface.H, T, from.luminance, whole) }
-        : ofDay.at(whole);
+      const source = thermalSource
+        ? { colors: thermalColors(blackbodies, T, whole), gain: gain(surface.H, T, thermalSource.luminance, whole) }
+        : daylightTable.at(whole);
       const through = filteredColor(source.colors, ofColor(light, whole));
-      // No channel lets through more than the brightest band.
-      const most = max(light.x, max(light.y, light.z));
-      const passed = clamp(through.mul(bare).div(bare.mul(bare).add(1e-9)), 0, most);
+      // No channel transmits more than the brightest band.
+      const maxBand = max(light.x, max(light.y, light.z));
+      const passed = clamp(through.mul(bare).div(bare.mul(bare).add(1e-9)), 0, maxBand);
       const arrived = luminances.reduce<Vec3>(
-        (all, luminance, light) => all.add(ofDay.skyOverDaylight(light, whole).mul(luminance)),
+        (wholeShift, luminance, light) => wholeShift.add(daylightTable.skyOverDaylight(light, whole).mul(luminance)),
         passed.mul(source.gain),
       );
-      return filteredColor(surface, share).mul(arrived);
+      return filteredColor(surface, reflectance).mul(arrived);
     };
 
-    /** Of light that came to a filter shifted by `D`. */
+    /** Lines that reach a filter shifted by `shift`. */
     const lines = ({ each }: LineSource, filter: SpectralFilterNodes, shift: Float | undefined): Vec3 => {
       const sum = vec3(0).toVar();
       each((wavelength, radiance) => {
         const surface = (shift ? wavelength.div(shift) : wavelength).toVar();
-        sum.addAssign(lineColor(observer(), surface, surface.div(out.mixed), filter, own).mul(radiance));
+        sum.addAssign(lineColor(observer(), surface, surface.div(out.mixed), filter, hasInvisible).mul(radiance));
       });
       return sum;
     };
 
     return {
       filter: (rgb, invisible) =>
-        own && invisible ? vec4(rgb, select(D.lessThan(1), invisible.x, invisible.y)) : ofColor(rgb, D),
-      addReflected: (light, share, { D, source, colored }, power) => {
+        hasInvisible && invisible ? vec4(rgb, select(D.lessThan(1), invisible.x, invisible.y)) : ofColor(rgb, D),
+      addReflected: (light, reflectance, { D, source, colored }, power) => {
         const shift = D && shiftOf(D);
         if (source && 'each' in source) {
-          const seen = lines(source, share.mul(vec4(light, light.y)), shift?.mixed);
+          const seen = lines(source, reflectance.mul(vec4(light, light.y)), shift?.mixed);
           sum.addAssign(shift ? seen.mul(shift.brightness(power)) : seen);
           return;
         }
         const thermal = source && 'temperature' in source ? source : undefined;
         const ofSky = source && 'scatters' in source ? parts(light) : undefined;
-        const [k, f] = [(ofSky?.rest ?? light).toVar(), share.toVar()];
+        const [k, f] = [(ofSky?.rest ?? light).toVar(), reflectance.toVar()];
         const send = () => {
           daylight.addAssign(f.mul(ofColor(k, out.mixed)));
           if (ofSky) sky.addReflected(f, ofSky.luminances);
@@ -238,9 +238,9 @@ export const spectralPipeline =
         const color = daylight.xyz.add(sky.atRest()).toVar();
         if (overlapping.any) color.subAssign(overlapping.atRest());
         If(abs(D.sub(1)).greaterThan(MIN_SHIFT), () => {
-          const { colors, gain } = ofDay.at(out.mixed);
+          const { colors, gain } = daylightTable.at(out.mixed);
           const banded = filteredColor(colors, daylight).toVar();
-          if (overlapping.any) banded.subAssign(overlapping.shifted(() => ofDay.overlaps(out.mixed)));
+          if (overlapping.any) banded.subAssign(overlapping.shifted(() => daylightTable.overlaps(out.mixed)));
           color.assign(banded.mul(gain).add(sky.shifted(out.mixed)));
         });
         return color.add(sum).mul(out.brightness(RADIANCE_POWER));
@@ -256,7 +256,7 @@ function fullFrequencyShift(D: Float): FrequencyShift {
   };
 }
 
-/** Y(T)/D⁴ of a blackbody that is seen at T, over its luminance at rest: what a shift by D leaves of brightness besides beaming. */
+/** Y(T)/D⁴ of a blackbody that is seen at T, over its luminance at rest: the factor of brightness that a shift by D leaves besides beaming. */
 const gain = (H: Float, T: Float, atRest: Float, D: Float): Float => {
   const square = D.mul(D).toVar();
   return luminanceOf(H, T).div(square.mul(square).mul(atRest));

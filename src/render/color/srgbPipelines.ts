@@ -8,18 +8,18 @@ import { overlapSum } from './overlapSum.ts';
 import { beamingFactor, type ColorPipeline, MIN_SHIFT, RADIANCE_POWER } from './radiance.ts';
 import { decomposeSky, skySums } from './skySums.ts';
 
-/** Light that meets a shift by D, with its D^power of brightness. */
+/** Shifts light by D, with D^power of brightness. */
 type Shifted = (rgb: Vec3, D: Float, power: number, uniforms: FrameUniforms) => Vec3;
 
-/** Light is linear sRGB everywhere, and filters are multiplied channel by channel. `glowing`: something shines by its temperature. */
+/** Light is linear sRGB throughout, and filters multiply channel by channel. `glowing`: some surface glows by its temperature. */
 const srgbPipeline =
-  (shifted: Shifted, glowing: boolean): ColorPipeline =>
+  (applyShift: Shifted, glowing: boolean): ColorPipeline =>
   (D, uniforms) => {
     const sum = vec3(0).toVar();
     return {
       filter: (rgb) => vec4(rgb, 0),
-      addReflected: (light, share, { D: shift }, power) => {
-        sum.addAssign(share.xyz.mul(shift ? shifted(light, shift, power, uniforms) : light));
+      addReflected: (light, reflectance, { D: shift }, power) => {
+        sum.addAssign(reflectance.xyz.mul(shift ? applyShift(light, shift, power, uniforms) : light));
       },
       addEmitted: (light) => {
         sum.addAssign(light);
@@ -27,15 +27,15 @@ const srgbPipeline =
       addGlow: ({ luminance, log2Temperature }) => {
         if (glowing) sum.addAssign(glowColor(exp2(log2Temperature).mul(DAYLIGHT.temperature)).mul(luminance));
       },
-      // Of what is invisible at rest it knows nothing.
+      // Sources that are invisible at rest are not modelled.
       addBlackbody: () => {},
-      total: () => shifted(sum, D, RADIANCE_POWER, uniforms),
+      total: () => applyShift(sum, D, RADIANCE_POWER, uniforms),
     };
   };
 
 /**
- * Spectra where no light is shifted and all is daylight, or a sky's: bands, what those of coloured lights and surfaces overlap, and what those of surfaces show of the lights of a
- * sky; `dusky`: it may be red.
+ * Spectra if no light is shifted and all is daylight or a sky's: bands, the overlaps of coloured lights and surfaces, and the colours of a sky's lights
+ * through the bands of surfaces; `reddenedSky`: the sky may be red.
  */
 export const restPipeline =
   (reddenedSky: boolean): ColorPipeline =>
@@ -45,11 +45,11 @@ export const restPipeline =
     const sky = skySums(reddenedSky);
     return {
       ...bands,
-      addReflected: (light, share, passage, power) => {
-        const ofSky = passage.source && 'scatters' in passage.source ? decomposeSky(light, reddenedSky) : undefined;
-        bands.addReflected(ofSky?.rest ?? light, share, passage, power);
-        if (ofSky) sky.addReflected(share, ofSky.luminances);
-        if (typeof passage.colored === 'number') overlapping.add(light, share);
+      addReflected: (light, reflectance, incident, power) => {
+        const ofSky = incident.source && 'scatters' in incident.source ? decomposeSky(light, reddenedSky) : undefined;
+        bands.addReflected(ofSky?.rest ?? light, reflectance, incident, power);
+        if (ofSky) sky.addReflected(reflectance, ofSky.luminances);
+        if (typeof incident.colored === 'number') overlapping.add(light, reflectance);
       },
       total: () =>
         bands
@@ -59,10 +59,10 @@ export const restPipeline =
     };
   };
 
-/** No light is shifted. */
+/** For variants without any shift. */
 export const unshiftedPipeline = (glowing: boolean): ColorPipeline => srgbPipeline((rgb) => rgb, glowing);
 
-/** The approximate colours: a shift is a tint (spectrum/doppler/dopplerTint.ts). Colour and brightness follow D by the settings' shares. */
+/** Approximate colours: a shift is a tint (spectrum/doppler/dopplerTint.ts). Colour and brightness follow D by the fractions in the settings. */
 export const tintPipeline = (glowing: boolean): ColorPipeline =>
   srgbPipeline((rgb, D, power, uniforms) => {
     const light = rgb.toVar();

@@ -3,7 +3,7 @@ import type { Batch } from '../geometry/batches.ts';
 import type { VertexSources } from '../geometry/vertexStage.ts';
 import type { SurfaceSources } from './surface.ts';
 
-/** One draw call with what its shaders read, and its materials, made when they are first asked for. */
+/** One draw call with the sources that its shaders read, and its materials, created on first use. */
 export interface DrawCall {
   readonly batch: Batch;
   readonly mesh: Mesh<BufferGeometry, NodeMaterial>;
@@ -17,7 +17,7 @@ export function makeDrawCall(
   { batch, vertex, surface }: Pick<DrawCall, 'batch' | 'vertex' | 'surface'>,
 ): DrawCall {
   const mesh = new Mesh(geometry, new NodeMaterial());
-  // three knows only where vertices were uploaded, not where they are seen.
+  // Three.js knows only the positions that vertices were uploaded with, not where they are drawn.
   mesh.frustumCulled = false;
   mesh.matrixAutoUpdate = false;
   return { batch, mesh, vertex, surface, materials: new Map() };
@@ -28,7 +28,7 @@ export function disposeDrawCall({ mesh, materials }: DrawCall): void {
   for (const material of materials.values()) material.dispose();
 }
 
-/** How the corners of its triangles are read. */
+/** How shaders read the corners of its triangles. */
 export const cornerSources = ({ vertex: { kind, instances }, surface: { colored } }: DrawCall) => ({
   kind,
   instances,

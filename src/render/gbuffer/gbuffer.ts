@@ -14,19 +14,19 @@ import { GBUFFER_TARGETS, type TargetName } from './surface.ts';
 const FLOATS: ReadonlySet<TargetName> = new Set(['object', 'event', 'motion']);
 
 /**
- * The G-buffer: one pass that writes all targets, or two that draw the scene twice, where the device allows fewer bytes per sample
- * (WebGPU promises 32) or fewer attachments.
+ * The G-buffer: one pass that writes all targets, or two that draw the scene twice if the device allows fewer bytes per sample (WebGPU guarantees 32) or
+ * fewer attachments.
  */
 export class GBuffer {
   readonly passes: readonly { readonly names: readonly TargetName[]; readonly target: RenderTarget }[];
-  /** Of the opaque scene, for passes that draw only where something is, or nothing. */
+  /** Depth of the opaque scene, for passes that draw only where there is a surface, or none. */
   readonly depth = new DepthTexture(1, 1, FloatType);
 
   constructor(bytesPerSample: number, attachments: number) {
     const names = Object.keys(GBUFFER_TARGETS) as TargetName[];
-    const whole =
+    const fitsOnePass =
       names.reduce((sum, name) => sum + GBUFFER_TARGETS[name], 0) <= bytesPerSample && names.length <= attachments;
-    const groups = whole
+    const groups = fitsOnePass
       ? [names]
       : [names.filter((n) => GBUFFER_TARGETS[n] <= 8), names.filter((n) => GBUFFER_TARGETS[n] > 8)];
     this.passes = groups.map((group) => ({ names: group, target: makeTarget(group, this.depth) }));
@@ -62,7 +62,10 @@ function makeTarget(names: readonly TargetName[], depth: DepthTexture): RenderTa
   return target;
 }
 
-/** A target of numbers, not of colours to be looked at: read texel by texel. `depth` is that of another target, or its own. */
+/**
+ * A render target of data, not colours, read texel by texel without filtering. `depth`: depth texture to share with another target; without it there is no
+ * depth buffer.
+ */
 export function dataTarget(count: number, type: TextureDataType, depth?: DepthTexture): RenderTarget {
   const target = new RenderTarget(1, 1, {
     count,

@@ -3,25 +3,24 @@ import type { DataTexture } from 'three/webgpu';
 import type { Vec2, Vec3, Vec4 } from '../../shaders/types.ts';
 import { sampled } from '../gpu/textures.ts';
 
-/** What a picture of normals is laid on. */
+/** The surface that a normal map is applied to. */
 export interface NormalMapSurface {
-  /** Unit, in the rest frame, on the mesh's front side. */
+  /** Unit normal in the rest frame, on the mesh's front side. */
   readonly normal: Vec3;
   /** Observer → event [m] and c(t − t_o). */
   readonly event: Vec4;
   /** (v, 1 − v²) */
   readonly velocity: Vec4;
-  /** v down. */
+  /** v downwards. */
   readonly uv: Vec2;
 }
 
-/** Below this length² a vector has no direction. */
+/** Below this squared length a vector has no direction. */
 const MIN_LENGTH2 = 1e-30;
 
 /**
- * The normal that a picture makes of a surface's, in the rest frame (scene/types.ts, NormalTexture). The frame of the uvs is found from how
- * events and uvs change from this fragment to the next: what is between two events of a surface, boosted to its rest frame, lies in it
- * whatever their times are.
+ * The normal from a normal map, in the rest frame (scene/types.ts, NormalTexture). The tangent frame is found from the screen derivatives of events and uvs:
+ * the separation of two events of a surface, boosted to its rest frame, lies in the surface whatever their times are (docs/physics.md §6.3).
  */
 export function mappedNormal(
   map: DataTexture,
@@ -38,20 +37,20 @@ export function mappedNormal(
   const B = cross(N, T).toVar();
   const texel = sampled(map, uv).xyz.mul(2).sub(1).toVar();
   const slope = texel.xy.mul(strength).toVar();
-  const bent = T.mul(slope.x)
+  const mapped = T.mul(slope.x)
     .add(B.mul(slope.y.mul(sign(dot(B, alongV)))))
     .add(N.mul(texel.z))
     .toVar();
   return select(
-    dot(across, across).greaterThan(MIN_LENGTH2).and(dot(bent, bent).greaterThan(MIN_LENGTH2)),
-    normalize(bent),
+    dot(across, across).greaterThan(MIN_LENGTH2).and(dot(mapped, mapped).greaterThan(MIN_LENGTH2)),
+    normalize(mapped),
     N,
   );
 }
 
-/** The spatial part, in the frame that moves with `velocity`, of what is between two events of the world. */
-function restOffset(step: Vec4, velocity: Vec4): Vec3 {
+/** The spatial part, in the frame that moves with `velocity`, of the separation of two events in the world. */
+function restOffset(separation: Vec4, velocity: Vec4): Vec3 {
   const gamma = inverseSqrt(velocity.w.clamp(1e-20, 1)).toVar();
   const u = vec3(velocity.xyz).mul(gamma).toVar();
-  return step.xyz.add(u.mul(dot(u, step.xyz).div(gamma.add(1)).sub(step.w)));
+  return separation.xyz.add(u.mul(dot(u, separation.xyz).div(gamma.add(1)).sub(separation.w)));
 }

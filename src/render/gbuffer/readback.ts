@@ -7,6 +7,7 @@ import type { PickedSurface } from '../settings.ts';
 import type { GBuffer } from './gbuffer.ts';
 import type { TargetName } from './surface.ts';
 
+/** A part of a target [px]. */
 export interface Region {
   readonly x: number;
   /** From the top. */
@@ -43,71 +44,71 @@ async function readRaw(gpu: Gpu, target: RenderTarget, index: number, region: Re
 function flipRows(pixels: Raw, rows: number): void {
   const row = pixels.length / rows;
   for (let top = 0, bottom = rows - 1; top < bottom; top++, bottom--) {
-    const kept = pixels.slice(top * row, (top + 1) * row);
+    const topRow = pixels.slice(top * row, (top + 1) * row);
     pixels.copyWithin(top * row, bottom * row, (bottom + 1) * row);
-    pixels.set(kept, bottom * row);
+    pixels.set(topRow, bottom * row);
   }
 }
 
-/** Where data are: in the G-buffer, and the share of the sky that each point sees beside it. */
+/** The targets that AOVs are read from: the G-buffer, and the openness computed from it. */
 export interface DataTargets {
   readonly buffer: GBuffer;
   openness(): RenderTarget;
 }
 
-/** Which target an AOV is in, and its values from the four floats of a pixel; times and places become the world's in f64, then f32. */
+/** The target of each AOV, and its values from the four floats of a pixel; times and places are converted to the world's in f64, then to f32. */
 const AOV_SOURCES: Record<
   DataAov,
-  { target: TargetName | 'openness'; values: (texel: Float32Array, sight: Observation) => readonly number[] }
+  { target: TargetName | 'openness'; values: (texel: Float32Array, observation: Observation) => readonly number[] }
 > = {
   albedo: { target: 'base', values: ([r, g, b]) => [r, g, b] },
   depth: { target: 'object', values: ([, distance]) => [distance] },
-  emission_time: { target: 'event', values: ([, , , w], sight) => [sight.t + w / sight.c] },
+  emission_time: { target: 'event', values: ([, , , w], observation) => [observation.t + w / observation.c] },
   position: { target: 'event', values: ([x, y, z], { position: p }) => [p[0] + x, p[1] + y, p[2] + z] },
   doppler: { target: 'motion', values: ([, , , w]) => [w] },
-  occlusion: { target: 'openness', values: ([share]) => [share] },
+  occlusion: { target: 'openness', values: ([openness]) => [openness] },
   velocity: { target: 'motion', values: ([x, y, z]) => [x, y, z] },
   normal: { target: 'normal', values: unpackGBufferNormal },
   object: { target: 'object', values: ([x]) => [x] },
 };
 
-/** A data AOV of a region; 0 where nothing is. */
+/** A data AOV of a region; 0 where there is no surface. */
 export async function readData(
   gpu: Gpu,
   targets: DataTargets,
   name: DataAov,
-  sight: Observation,
+  observation: Observation,
   region: Region,
 ): Promise<Float32Array> {
   const { target, values } = AOV_SOURCES[name];
-  const read = (which: TargetName | 'openness') => {
-    if (which === 'openness') return readFloats(gpu, targets.openness(), 0, region);
-    const { target: at, index } = targets.buffer.find(which);
-    return readFloats(gpu, at, index, region);
+  const read = (from: TargetName | 'openness') => {
+    if (from === 'openness') return readFloats(gpu, targets.openness(), 0, region);
+    const { target: renderTarget, index } = targets.buffer.find(from);
+    return readFloats(gpu, renderTarget, index, region);
   };
   const [ids, texels] = await Promise.all([read('object'), read(target)]);
   const pixels = region.width * region.height;
   const [idSize, size] = [ids.length / pixels, texels.length / pixels];
-  const channels = values(new Float32Array(4), sight).length;
+  const channels = values(new Float32Array(4), observation).length;
   const out = new Float32Array(pixels * channels);
   for (let i = 0; i < pixels; i++) {
     if (ids[i * idSize] < 0.5) continue;
-    out.set(values(texels.subarray(i * size, (i + 1) * size), sight), i * channels);
+    out.set(values(texels.subarray(i * size, (i + 1) * size), observation), i * channels);
   }
   return out;
 }
 
-/** What surface is seen in one pixel; undefined: none. */
+/** The surface in one pixel; undefined if there is none. */
 export async function readSurfaceAt(
   gpu: Gpu,
   targets: DataTargets,
-  sight: Observation,
+  observation: Observation,
   pathOf: (objectId: number) => string,
   x: number,
   y: number,
 ): Promise<PickedSurface | undefined> {
   const region = { x, y, width: 1, height: 1 };
-  const read = (name: DataAov) => readData(gpu, targets, name, sight, region);
+  const read = (name: DataAov) => readData(gpu, targets, name, observation, region);
   const names = ['object', 'emission_time', 'position', 'velocity', 'doppler', 'depth'] as const;
   const [object, time, position, velocity, doppler, depth] = await Promise.all(names.map(read));
   const objectId = object[0];

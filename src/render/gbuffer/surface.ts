@@ -38,11 +38,12 @@ import {
 } from './surfacePacking.ts';
 
 /**
- * Texels per material in the material table: (base colour, opacity), (emission, opacity threshold), (scale and bias of roughness, of metallic),
- * (F₀, reflectance below 360 nm and beyond 830 nm, temperature of its emission [K]), (strength of its normals along u and v, scale and bias of its occlusion), (scale and bias of both reflectances of invisible light).
+ * Texels per material in the material table: (base colour, opacity), (emission, opacity threshold), (scale and bias of roughness, of metallic), (F₀,
+ * reflectance below 360 nm and beyond 830 nm, temperature of its emission [K]), (strength of its normal map along u and v, scale and bias of its occlusion),
+ * (scale and bias of both invisible reflectances).
  */
 export const MATERIAL_TEXELS = 6;
-/** Where the reflectance of invisible light is that of the visible colour's ends. */
+/** Marks an invisible reflectance that is extrapolated from the visible colour. */
 const UNSPECIFIED = -1;
 
 export function materialTexels(m: Material): readonly number[] {
@@ -57,13 +58,13 @@ export function materialTexels(m: Material): readonly number[] {
   ].map((x) => Math.max(-MAX_TEXEL, Math.min(MAX_TEXEL, x)));
 }
 
-/** Scale and bias of a texel; of a number, what makes it of any texel. */
+/** Scale and bias for a texel of the texture; without a texture, those that give `value`. */
 const linear = (value: number, from: TextureChannel | undefined): readonly number[] =>
   from ? [from.scale, from.bias] : [0, value];
 
-/** Refractive index where none is told. */
+/** Refractive index by default. */
 const DEFAULT_IOR = 1.5;
-/** f32 holds it, and its products. */
+/** f32 can hold it and its products. */
 const MAX_TEXEL = 1e18;
 
 export interface SurfaceSources {
@@ -73,7 +74,7 @@ export interface SurfaceSources {
   readonly colored: boolean;
 }
 
-/** Pictures of a material on the GPU. */
+/** Textures of a material on the GPU. */
 export interface SurfaceTextures {
   readonly baseColor?: DataTexture;
   readonly emissive?: DataTexture;
@@ -92,7 +93,7 @@ export interface ChannelTexture {
 /** (v, 1 − v²) */
 const ZERO_VELOCITY = vec4(0, 0, 0, 1);
 
-/** What is known of the surface at a fragment. */
+/** The shaded surface at a fragment. */
 export interface Surface extends SpecularParameters {
   /** Linear sRGB and opacity. */
   readonly color: Vec4;
@@ -100,9 +101,9 @@ export interface Surface extends SpecularParameters {
   readonly invisible: Vec2;
   readonly emission: Emission;
   readonly roughness: Float;
-  /** Share of the sky's light that gets to it, 0 … 1. */
+  /** Fraction of the sky's light that reaches it, 0 … 1. */
   readonly occlusion: Float;
-  /** Unit, rest frame, towards the observer's side. */
+  /** Unit normal in the rest frame, on the observer's side. */
   readonly normal: Vec3;
   readonly dx: Vec3;
   /** c(t − t_o) [m of light] */
@@ -113,11 +114,11 @@ export interface Surface extends SpecularParameters {
   /** Apparent distance |Δx′| [m]. */
   readonly distance: Float;
 }
-/** Reads the surface inside a fragment's Fn, after discarding what is not there: outside the lifetime, cut out, or never seen. */
+/** Reads the surface inside a fragment's Fn, after discarding fragments that do not exist: outside the lifetime, cut out, or never seen. */
 export function readSurface(sources: SurfaceSources): Surface {
   const { textures } = sources;
   const material = int(round(vLife.w)).mul(int(MATERIAL_TEXELS)).toVar();
-  const [base, glow, numbers, more, relief, unseen] = [0, 1, 2, 3, 4, 5].map((k) =>
+  const [base, glow, roughnessMetallicTexel, reflectancesTexel, normalOcclusion, invisibleChannels] = [0, 1, 2, 3, 4, 5].map((k) =>
     sources.materials.texel(material.add(int(k))),
   );
   const color = base.toVar();
@@ -125,33 +126,33 @@ export function readSurface(sources: SurfaceSources): Surface {
   if (sources.colored) color.mulAssign(vec4(vColor, 1));
   const emissive = glow.xyz.toVar();
   if (textures.emissive) emissive.mulAssign(sampled(textures.emissive, vUv).rgb);
-  const finish = numbers.toVar();
-  const mirror = more.toVar();
+  const roughnessMetallic = roughnessMetallicTexel.toVar();
+  const reflectances = reflectancesTexel.toVar();
 
   const { u, gamma, boostLight, onLightCone } = sources.uniforms;
   const velocity = vMotion.toVar();
-  // Between the vertices the events are interpolated, and beside the light cone: each is that of the point which is painted here.
+  // Interpolated events lie beside the light cone; this is the event of the point that the pixel shows (docs/physics.md §4.10).
   const event = select(onLightCone.greaterThan(0.5), ontoLightCone(vEvent, velocity), vEvent).toVar();
   const smooth = normalize(vNormal.xyz).toVar();
-  const ground = { normal: smooth, event, velocity, uv: vUv };
-  // Before anything is discarded: it compares this fragment with its neighbours.
-  const normal = textures.normal ? mappedNormal(textures.normal, relief.xy, ground).toVar() : smooth;
-  const later = event.w.sub(vEvent.w).toVar();
-  const alive = vLife.x.add(later).greaterThanEqual(0).and(vLife.y.sub(later).greaterThanEqual(0));
+  const mapSurface = { normal: smooth, event, velocity, uv: vUv };
+  // Before any discard, because it needs derivatives between neighbouring fragments.
+  const normal = textures.normal ? mappedNormal(textures.normal, normalOcclusion.xy, mapSurface).toVar() : smooth;
+  const delay = event.w.sub(vEvent.w).toVar();
+  const alive = vLife.x.add(delay).greaterThanEqual(0).and(vLife.y.sub(delay).greaterThanEqual(0));
   Discard(alive.not().or(vNormal.w.lessThan(0.9999)).or(color.w.lessThan(glow.w)));
   const dx = event.xyz.toVar();
   const D = mix(1, dopplerFactor(dx, u, gamma, velocity), boostLight);
   return {
     color,
     invisible: vec2(
-      textures.uv ? channel(textures.uv, unseen.xy) : reflectanceOrEnds(mirror.y, BASIS_ENDS.uv, color.rgb),
-      textures.ir ? channel(textures.ir, unseen.zw) : reflectanceOrEnds(mirror.z, BASIS_ENDS.ir, color.rgb),
+      textures.uv ? channel(textures.uv, invisibleChannels.xy) : reflectanceOrEnds(reflectances.y, BASIS_ENDS.uv, color.rgb),
+      textures.ir ? channel(textures.ir, invisibleChannels.zw) : reflectanceOrEnds(reflectances.z, BASIS_ENDS.ir, color.rgb),
     ),
-    emission: emissionOf(emissive, mirror.w),
-    roughness: channel(textures.roughness, finish.xy),
-    occlusion: channel(textures.occlusion, relief.zw),
-    metallic: channel(textures.metallic, finish.zw),
-    F0: mirror.x,
+    emission: emissionOf(emissive, reflectances.w),
+    roughness: channel(textures.roughness, roughnessMetallic.xy),
+    occlusion: channel(textures.occlusion, normalOcclusion.zw),
+    metallic: channel(textures.metallic, roughnessMetallic.zw),
+    F0: reflectances.x,
     normal: normal.mul(faceDirection),
     dx,
     time: event.w,
@@ -162,9 +163,9 @@ export function readSurface(sources: SurfaceSources): Surface {
   };
 }
 
-/** A reflectance as it is told, or what the colour ends at. */
-const reflectanceOrEnds = (share: Float, ends: readonly [number, number, number], rgb: Vec3): Float =>
-  select(share.lessThan(0), dot(rgb, vec3(...ends)), share);
+/** A specified reflectance, or the extrapolation of the visible colour. */
+const reflectanceOrEnds = (reflectance: Float, ends: readonly [number, number, number], rgb: Vec3): Float =>
+  select(reflectance.lessThan(0), dot(rgb, vec3(...ends)), reflectance);
 
 function channel(from: ChannelTexture | undefined, linear: Vec2): Float {
   if (!from) return linear.y;
@@ -173,14 +174,14 @@ function channel(from: ChannelTexture | undefined, linear: Vec2): Float {
   return clamp(value.mul(linear.x).add(linear.y), 0, 1);
 }
 
-/** |Δx′| = (γ + u·n)|Δx| of the event itself; where directions are not boosted, places between the vertices are those of the events, or linear. */
+/** |Δx′| = (γ + u·n)|Δx| of the event itself; where directions are not boosted, its own distance, or that of the interpolated position. */
 function distanceOf(dx: Vec3, { u, gamma, boosted, onLightCone }: SurfaceSources['uniforms']): Float {
   const r = length(dx).toVar();
-  const still = select(onLightCone.greaterThan(0.5), r, length(vObserverPosition));
-  return select(boosted.greaterThan(0.5), r.mul(dopplerFactor(dx, u, gamma, ZERO_VELOCITY)), still);
+  const unboosted = select(onLightCone.greaterThan(0.5), r, length(vObserverPosition));
+  return select(boosted.greaterThan(0.5), r.mul(dopplerFactor(dx, u, gamma, ZERO_VELOCITY)), unboosted);
 }
 
-/** The G-buffer's targets, in the order of their attachments; bytes per sample as WebGPU counts them. */
+/** The G-buffer's targets, in the order of their attachments, with bytes per sample as WebGPU counts them. */
 export const GBUFFER_TARGETS = {
   base: 8,
   emissive: 8,
@@ -191,15 +192,15 @@ export const GBUFFER_TARGETS = {
 } as const;
 export type TargetName = keyof typeof GBUFFER_TARGETS;
 
-/** Writes the named targets of a fragment. The first output reads the surface and leaves the others in properties. */
+/** Writes the named targets of a fragment. The first output reads the surface and keeps the others' values in properties. */
 export function surfaceOutputs(sources: SurfaceSources, names: readonly TargetName[]): MRTNode {
-  const kept = names.map((name) => property('vec4', `g_${name}`));
+  const properties = names.map((name) => property('vec4', `g_${name}`));
   const first = Fn(() => {
     const values = targetValues(readSurface(sources));
-    for (const [i, name] of names.entries()) kept[i].assign(values[name]);
-    return kept[0];
+    for (const [i, name] of names.entries()) properties[i].assign(values[name]);
+    return properties[0];
   })();
-  return mrt(Object.fromEntries(names.map((name, i) => [name, i === 0 ? first : kept[i]])));
+  return mrt(Object.fromEntries(names.map((name, i) => [name, i === 0 ? first : properties[i]])));
 }
 
 const targetValues = (surface: Surface): Record<TargetName, Vec4> => ({

@@ -6,23 +6,23 @@ import { decodeOctahedral, encodeOctahedral } from '../gpu/octahedral.ts';
 import { CODE_OFFSET, GBUFFER_NORMAL_STEPS, NORMAL_LOW_STEPS, REFLECTANCE_STEPS } from '../gpu/packNormal.ts';
 
 /*
- * What the G-buffer holds of a surface, in halves: of 64 bytes that a sample may have none is left.
+ * What the G-buffer stores of a surface, in halves; all of the 64 bytes that a sample may have are used.
  *   base      base colour, roughness and occlusion
- *   emissive  what it emits, and its finish: how metallic it is and what it mirrors
+ *   emissive  emission, metalness and F₀
  *   normal    the normal (to 1.3e-4 rad), reflectance below 360 nm and beyond 830 nm
  */
 
-/** What a surface emits: linear sRGB of daylight's spectrum, or the light of a blackbody. */
+/** What a surface emits: linear sRGB of daylight's spectrum, or a blackbody's light. */
 export interface Emission {
-  /** 0 where it is thermal. */
+  /** 0 if it is thermal. */
   readonly rgb: Vec3;
-  /** 0 where it is not. */
+  /** 0 if it is not thermal. */
   readonly luminance: Float;
   /** log₂ of the temperature over that of daylight. */
   readonly log2Temperature: Float;
 }
 
-/** Emission of this colour, or of a blackbody of its luminance where `temperature` [K] is not 0. */
+/** Emission of this colour, or of a blackbody of its luminance if `temperature` [K] is not 0. */
 export function emissionOf(rgb: Vec3, temperature: Float): Emission {
   const thermal = temperature.greaterThan(0);
   return {
@@ -32,10 +32,10 @@ export function emissionOf(rgb: Vec3, temperature: Float): Emission {
   };
 }
 
-/** Nearly the largest half. */
+/** Slightly below the largest half. */
 const MAX_EMISSION = 65_000;
 
-/** Blue below 0 tells that it is thermal. */
+/** A negative blue marks thermal emission. */
 export const packEmission = ({ rgb, luminance, log2Temperature }: Emission): Vec3 =>
   select(
     luminance.greaterThan(0),
@@ -52,16 +52,16 @@ export function unpackEmission(code: Vec3): Emission {
   };
 }
 
-/** How metallic a surface is, 0 … 1, and what it mirrors of light that meets it straight where it is no metal. */
+/** Metalness, 0 … 1, and reflectance at normal incidence of the non-metallic part. */
 export interface SpecularParameters {
   readonly metallic: Float;
   readonly F0: Float;
 }
 
-/** Steps of √F₀, the fraction (n − 1)/(n + 1) of a refractive index n: 1.5 is the 16th. The last one, 0.54, is of n = 6.6. */
+/** Steps of √F₀ = (n − 1)/(n + 1) for a refractive index n: 1.5 is the 16th. The last one, 59/80, is n = 6.6 (F₀ = 0.54). */
 const F0_STEPS = 80;
 
-/** Metallic to 1/1020, √F₀ to 1/160. */
+/** Metalness to 1/1020, √F₀ to 1/160. */
 export const packSpecular = ({ metallic, F0 }: SpecularParameters): Float =>
   packTwo(metallic, round(sqrt(max(F0, 0)).mul(F0_STEPS)));
 
@@ -80,15 +80,18 @@ export function unpackRoughnessAndOcclusion(code: Float): { readonly roughness: 
   return { roughness: fine, occlusion: step.div(MAX_STEPS) };
 }
 
-/** Two numbers in the bits of one half, ±2^e (1 + m): 60 steps, half of them exponents −14 … 15 and half with its sign, too; the mantissa, but for its ends, is the other one, 0 … 1. */
+/**
+ * Two numbers in the bits of one half, ±2^e (1 + m): one in 60 steps, given by the exponents −14 … 15 and the sign; the other one, 0 … 1, in the mantissa,
+ * except its ends.
+ */
 const MAX_STEPS = 59;
 const EXPONENTS = 30;
 const MIN_EXPONENT = -14;
 const MANTISSA = 1024;
 const MARGIN = 2;
 
-function packTwo(fine: Float, wanted: Float): Float {
-  const step = min(wanted, MAX_STEPS).toVar();
+function packTwo(fine: Float, requestedStep: Float): Float {
+  const step = min(requestedStep, MAX_STEPS).toVar();
   const negative = step.greaterThanEqual(EXPONENTS);
   const exponent = select(negative, step.sub(EXPONENTS), step).add(MIN_EXPONENT);
   const mantissa = clamp(fine, 0, 1)
@@ -112,8 +115,8 @@ function unpackTwo(code: Float): { readonly fine: Float; readonly step: Float } 
 }
 
 /**
- * The normal, and `invisible`: reflectance below 360 nm and beyond 830 nm. Four whole numbers of 12 bits, which halves hold exactly: the upper
- * bits of the normal's two, and 9 bits of a reflectance with the lower 3 of one of them (`unpackGBufferNormal` in packNormal.ts reads them, too).
+ * The normal, and `invisible`: reflectance below 360 nm and beyond 830 nm. Four integers of 12 bits, which halves hold exactly: the upper bits of the
+ * normal's two coordinates, and 9 bits of each reflectance with the lower 3 of a coordinate (also read by `unpackGBufferNormal` in packNormal.ts).
  */
 export function packNormals(normal: Vec3, invisible: Vec2): Vec4 {
   const fine = round(encodeOctahedral(normal).mul(0.5).add(0.5).clamp(0, 1).mul(GBUFFER_NORMAL_STEPS)).toVar();

@@ -2,9 +2,9 @@ import { describe, expect, it } from 'vitest';
 import type { Texture, TextureChannel } from '../../scene/types.ts';
 import { ChannelPacker } from './channelPacking.ts';
 
-/** Each channel of each texel is another number. */
-const picture = (seed: number, given: Partial<Texture> = {}): Texture => {
-  const { width = 4, height = 2 } = given;
+/** A texture in which neighbouring channels and texels have different numbers. */
+const makeTexture = (seed: number, overrides: Partial<Texture> = {}): Texture => {
+  const { width = 4, height = 2 } = overrides;
   const data = Uint8Array.from({ length: 4 * width * height }, (_, i) => (37 * i + seed) % 256);
   return {
     name: `${seed}`,
@@ -15,10 +15,10 @@ const picture = (seed: number, given: Partial<Texture> = {}): Texture => {
     filter: 'linear',
     wrapS: 'repeat',
     wrapT: 'clamp',
-    ...given,
+    ...overrides,
   };
 };
-const of = (texture: Texture, channel: TextureChannel['channel']): TextureChannel => ({
+const channelOf = (texture: Texture, channel: TextureChannel['channel']): TextureChannel => ({
   texture,
   channel,
   scale: 2,
@@ -29,51 +29,51 @@ const texelsOf = ({ texture: { data }, channel }: TextureChannel): number[] =>
 
 describe('channels of several pictures', () => {
   it('come together, texel by texel, four in each', () => {
-    const all = {
-      a: of(picture(1), 0),
-      b: of(picture(2), 3),
-      c: of(picture(3), 1),
-      d: of(picture(4), 1),
-      e: of(picture(5), 2),
+    const channels = {
+      a: channelOf(makeTexture(1), 0),
+      b: channelOf(makeTexture(2), 3),
+      c: channelOf(makeTexture(3), 1),
+      d: channelOf(makeTexture(4), 1),
+      e: channelOf(makeTexture(5), 2),
     };
-    const made = new ChannelPacker().pack(all);
-    expect(new Set(Object.values(made).map(({ texture }) => texture)).size).toBe(2);
-    for (const name of Object.keys(all) as (keyof typeof all)[]) {
-      expect(texelsOf(made[name]!)).toEqual(texelsOf(all[name]));
-      expect(made[name]).toMatchObject({ scale: 2, bias: 0.1 });
+    const packed = new ChannelPacker().pack(channels);
+    expect(new Set(Object.values(packed).map(({ texture }) => texture)).size).toBe(2);
+    for (const name of Object.keys(channels) as (keyof typeof channels)[]) {
+      expect(texelsOf(packed[name]!)).toEqual(texelsOf(channels[name]));
+      expect(packed[name]).toMatchObject({ scale: 2, bias: 0.1 });
     }
   });
 
   it('are put together once for all materials', () => {
-    const pictures = new ChannelPacker();
-    const [a, b] = [picture(1), picture(2)];
-    const [first, second] = [0, 1].map(() => pictures.pack({ a: of(a, 0), b: of(b, 0) }));
+    const packer = new ChannelPacker();
+    const [a, b] = [makeTexture(1), makeTexture(2)];
+    const [first, second] = [0, 1].map(() => packer.pack({ a: channelOf(a, 0), b: channelOf(b, 0) }));
     expect(first.a!.texture).toBe(second.b!.texture);
   });
 
   it('stay where they are in one picture already', () => {
-    const one = picture(1);
-    expect(new ChannelPacker().pack({ a: of(one, 0), b: of(one, 1) }).a!.texture).toBe(one);
+    const source = makeTexture(1);
+    expect(new ChannelPacker().pack({ a: channelOf(source, 0), b: channelOf(source, 1) }).a!.texture).toBe(source);
   });
 
   it.each([{ wrapS: 'mirror' }, { colorSpace: 'srgb' }, { filter: 'nearest' }] as const)(
     'stay apart where one is read otherwise: %o',
-    (given) => {
-      const [plain, other] = [picture(1), picture(2, given)];
-      const made = new ChannelPacker().pack({ a: of(plain, 0), b: of(other, 0) });
-      expect([made.a!.texture, made.b!.texture]).toEqual([plain, other]);
+    (overrides) => {
+      const [plain, other] = [makeTexture(1), makeTexture(2, overrides)];
+      const packed = new ChannelPacker().pack({ a: channelOf(plain, 0), b: channelOf(other, 0) });
+      expect([packed.a!.texture, packed.b!.texture]).toEqual([plain, other]);
     },
   );
 
   it('become as large as the largest, and a ramp stays one', () => {
-    const ramp = picture(0, {
+    const ramp = makeTexture(0, {
       width: 4,
       height: 1,
       data: Uint8Array.from([40, 80, 120, 160].flatMap((x) => [x, 0, 0, 0])),
     });
-    const made = new ChannelPacker().pack({ a: of(ramp, 0), b: of(picture(1, { width: 8, height: 2 }), 0) });
-    // Texels of half the size are a quarter beside the middles of the old ones; the first is between the last and itself, for the picture repeats.
+    const packed = new ChannelPacker().pack({ a: channelOf(ramp, 0), b: channelOf(makeTexture(1, { width: 8, height: 2 }), 0) });
+    // Texels of half the size lie a quarter beside the centres of the old ones; the first is between the last and itself, because the texture repeats.
     const row = [70, 50, 70, 90, 110, 130, 150, 130];
-    expect(texelsOf(made.a!)).toEqual([...row, ...row]);
+    expect(texelsOf(packed.a!)).toEqual([...row, ...row]);
   });
 });

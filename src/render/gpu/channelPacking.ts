@@ -1,23 +1,23 @@
 import type { Texture, TextureChannel, TextureWrap } from '../../scene/types.ts';
 import { textureKey } from './textures.ts';
 
-/** Of a picture's texel. */
+/** Channels of a texel. */
 const TEXEL_CHANNELS = 4;
 
 /**
- * Puts the channels that a material takes from several pictures into few pictures: with what a light needs a shader would have more textures than every device has. Pictures of
- * different sizes become as large as the largest. Left as they are: what another wraps or filters otherwise, and what is not linear.
+ * Packs the channels that a material reads from several textures into few textures: together with those of lights, a shader would need more textures than
+ * every device has. Textures of different sizes are enlarged to the largest. Textures that differ in wrapping or filtering, or are not linear, stay separate.
  */
 export class ChannelPacker {
-  private readonly made = new Map<string, Texture>();
+  private readonly cache = new Map<string, Texture>();
 
-  pack<Name extends string>(of: Partial<Record<Name, TextureChannel>>): Partial<Record<Name, TextureChannel>> {
+  pack<Name extends string>(channels: Partial<Record<Name, TextureChannel>>): Partial<Record<Name, TextureChannel>> {
     const groups = new Map<string, [Name, TextureChannel][]>();
-    for (const [name, from] of Object.entries(of) as [Name, TextureChannel][]) {
-      const alike = packingKey(from.texture);
-      groups.set(alike, [...(groups.get(alike) ?? []), [name, from]]);
+    for (const [name, from] of Object.entries(channels) as [Name, TextureChannel][]) {
+      const key = packingKey(from.texture);
+      groups.set(key, [...(groups.get(key) ?? []), [name, from]]);
     }
-    return Object.fromEntries([...groups.values()].flatMap((group) => this.packGroup(group))) as typeof of;
+    return Object.fromEntries([...groups.values()].flatMap((group) => this.packGroup(group))) as typeof channels;
   }
 
   private packGroup<Name>(group: readonly (readonly [Name, TextureChannel])[]): (readonly [Name, TextureChannel])[] {
@@ -25,20 +25,20 @@ export class ChannelPacker {
     if (pictures.size === 1) return [...group];
     return group.map(([name, from], i) => {
       const first = i - (i % TEXEL_CHANNELS);
-      const texture = this.cachedTexture(group.slice(first, first + TEXEL_CHANNELS).map(([, each]) => each));
+      const texture = this.cachedTexture(group.slice(first, first + TEXEL_CHANNELS).map(([, channel]) => channel));
       return [name, { ...from, texture, channel: (i % TEXEL_CHANNELS) as TextureChannel['channel'] }];
     });
   }
 
   private cachedTexture(parts: readonly TextureChannel[]): Texture {
     const key = parts.map(({ texture, channel }) => `${textureKey(texture)} ${channel}`).join();
-    const texture = this.made.get(key) ?? packTexture(parts);
-    this.made.set(key, texture);
+    const texture = this.cache.get(key) ?? packTexture(parts);
+    this.cache.set(key, texture);
     return texture;
   }
 }
 
-/** The same for pictures of which channels can be put together. Texels that are to be seen, and borders, keep their size. */
+/** Equal for textures whose channels can be packed together. Textures whose texels or borders must keep their size only match the same size. */
 function packingKey(texture: Texture): string {
   const { colorSpace, filter, wrapS, wrapT, width, height } = texture;
   if (colorSpace !== 'linear') return textureKey(texture);
@@ -52,13 +52,13 @@ function packTexture(parts: readonly TextureChannel[]): Texture {
   const height = Math.max(...parts.map((part) => part.texture.height));
   const data = new Uint8Array(TEXEL_CHANNELS * width * height);
   parts.forEach((part, k) => {
-    const at = resized(part, width, height);
-    for (let y = 0, i = k; y < height; y++) for (let x = 0; x < width; x++, i += TEXEL_CHANNELS) data[i] = at(x, y);
+    const texelAt = resized(part, width, height);
+    for (let y = 0, i = k; y < height; y++) for (let x = 0; x < width; x++, i += TEXEL_CHANNELS) data[i] = texelAt(x, y);
   });
   return { ...texture, name: parts.map((part) => part.texture.name).join(' + '), width, height, data };
 }
 
-/** The texels of a channel of a picture that is made larger, linear between those it has. */
+/** The texels of a texture's channel, enlarged by linear interpolation. */
 function resized(
   { texture, channel }: TextureChannel,
   width: number,
@@ -76,7 +76,7 @@ function resized(
   };
 }
 
-/** A place that is at most one beyond the ends. */
+/** Wraps an index that is at most one beyond the ends. */
 function wrapped(i: number, size: number, wrap: TextureWrap): number {
   if (wrap === 'repeat') return (i + size) % size;
   return Math.min(Math.max(i, 0), size - 1);

@@ -1,12 +1,12 @@
 import { length, log2 } from 'three/tsl';
 import type { Float, Vec3 } from '../../shaders/types.ts';
 
-/** Clip planes [m]. Reversed 32-bit float depth tells apart, from one to the other, what differs by 1e-6 of its distance. */
+/** Clip planes [m]. Reversed 32-bit float depth resolves 1e-6 of the distance from one to the other. */
 export const NEAR = 1e-3;
 export const FAR = 1e9;
 
 /**
- * Depth where the buffer cannot be reversed (WebGL2 without EXT_clip_control): log(r/NEAR)/log(FAR/NEAR) of the distance r = |shown| [m], which tells apart
- * 2e-6 of it. Written per fragment, which costs the GPU its early test: the fallback only.
+ * Depth if the buffer cannot be reversed (WebGL2 without EXT_clip_control): log(r/NEAR)/log(FAR/NEAR) of the distance r = |shown| [m], which resolves 2e-6 of
+ * it. Written per fragment, which disables the GPU's early depth test: a fallback only.
  */
 export const logarithmicDepth = (shown: Vec3): Float => log2(length(shown).div(NEAR)).div(Math.log2(FAR / NEAR));

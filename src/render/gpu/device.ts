@@ -2,13 +2,13 @@ import { LinearSRGBColorSpace, NoToneMapping, WebGPURenderer } from 'three/webgp
 import type { Backend, RendererOptions } from '../settings.ts';
 import { RAISED_LIMITS } from './deviceLimits.ts';
 
-/** three's renderer, and what of its device decides how the passes are laid out. */
+/** Three's renderer, and the device limits that decide how passes are laid out. */
 export interface Gpu {
   readonly renderer: WebGPURenderer;
   readonly backend: Backend;
   readonly maxBytesPerSample: number;
   readonly maxAttachments: number;
-  /** Width and height that textures can have [px]. */
+  /** Largest width and height of textures [px]. */
   readonly maxTextureSize: number;
   /** Whether 32-bit float targets can be blended into. */
   readonly floatBlending: boolean;
@@ -17,9 +17,9 @@ export interface Gpu {
 type Adapter = Awaited<ReturnType<GPU['requestAdapter']>>;
 
 export async function openGpu(options: RendererOptions): Promise<Gpu> {
-  const wanted = options.backend ?? 'auto';
-  const adapter = options.device || wanted === 'webgl' ? null : await findAdapter();
-  if (wanted === 'webgpu' && !options.device && !adapter) throw new Error('WebGPU: this machine has no adapter for it');
+  const requestedBackend = options.backend ?? 'auto';
+  const adapter = options.device || requestedBackend === 'webgl' ? null : await findAdapter();
+  if (requestedBackend === 'webgpu' && !options.device && !adapter) throw new Error('WebGPU: this machine has no adapter for it');
   const webgl = !options.device && !adapter;
   const renderer = new WebGPURenderer({
     canvas: options.canvas ?? offscreenCanvas(),
@@ -36,7 +36,7 @@ export async function openGpu(options: RendererOptions): Promise<Gpu> {
   });
   watchLoss(renderer, options.onLost);
   await renderer.init();
-  // The last pass encodes for the screen itself.
+  // The last pass encodes for the display itself.
   renderer.outputColorSpace = LinearSRGBColorSpace;
   renderer.toneMapping = NoToneMapping;
   renderer.setClearColor(0, 0);
@@ -47,7 +47,7 @@ export async function openGpu(options: RendererOptions): Promise<Gpu> {
 async function findAdapter(): Promise<Adapter> {
   if (typeof navigator === 'undefined' || !navigator.gpu) return null;
   const adapter = await navigator.gpu.requestAdapter({ powerPreference: 'high-performance' });
-  // three draws nothing right on the reduced "compatibility" level; WebGL2 does.
+  // Three.js draws nothing right on a reduced "compatibility" adapter; WebGL2 works there.
   return adapter?.features.has('core-features-and-limits') === false ? null : adapter;
 }
 
@@ -75,15 +75,15 @@ function capabilities(renderer: WebGPURenderer): Omit<Gpu, 'renderer'> {
 
 function watchLoss(renderer: WebGPURenderer, onLost: RendererOptions['onLost']): void {
   const stopDrawing = renderer.onDeviceLost;
-  let told = false;
+  let notified = false;
   renderer.onDeviceLost = (info) => {
     stopDrawing.call(renderer, info);
-    if (!told) onLost?.(info.message);
-    told = true;
+    if (!notified) onLost?.(info.message);
+    notified = true;
   };
 }
 
-/** Where there is no canvas nothing is shown; three still asks one for its size. */
+/** Stands in for the canvas if there is none; three.js still asks it for its size. */
 function offscreenCanvas(): HTMLCanvasElement {
   const stub = {
     width: 1,

@@ -1,4 +1,4 @@
-/** Limits of a device that are raised to what its adapter has: bytes per sample for the G-buffer, and sizes of buffers and textures for large scenes. */
+/** Device limits that are raised to the adapter's: bytes per sample for the G-buffer, and sizes of buffers and textures for large scenes. */
 export const RAISED_LIMITS = [
   'maxColorAttachmentBytesPerSample',
   'maxTextureDimension2D',

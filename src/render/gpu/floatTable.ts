@@ -15,22 +15,22 @@ export interface Texels {
   texel(index: Node<'int'>): Node<'vec4'>;
 }
 
-/** Texels of a table that belong together. */
+/** A range of a table's texels. */
 export interface TablePart extends Texels {
-  /** Place in the table. */
+  /** Index of its first texel in the table. */
   readonly first: number;
-  /** Writes from a texel of the part on; then call the table's `upload`. */
+  /** Writes from a texel of the part on; call the table's `upload` afterwards. */
   set(values: readonly number[], texel: number): void;
 }
 
-/** Texels of four floats in a texture of fixed width: read with `textureLoad`, which is the same on WebGPU and WebGL2. */
+/** Texels of four floats in a texture of fixed width, read with `textureLoad`, which behaves the same on WebGPU and WebGL2. */
 export class FloatTable implements Texels {
   private readonly widthBits: number;
   private readonly node: TextureNode<'vec4'>;
   private array: Float32Array<ArrayBuffer>;
   private texture: DataTexture;
-  /** Texels of parts. */
-  private taken = 0;
+  /** Texels that parts occupy. */
+  private used = 0;
 
   /** `width`: a power of two. */
   constructor(width: number) {
@@ -48,7 +48,7 @@ export class FloatTable implements Texels {
     return this.array.byteLength;
   }
 
-  /** Makes room for so many texels; what was written before is kept. */
+  /** Grows the table to at least this number of texels; keeps its contents. */
   reserve(texels: number): void {
     const rows = Math.max(1, Math.ceil(texels / (1 << this.widthBits)));
     if (rows <= this.texture.image.height) return;
@@ -58,11 +58,11 @@ export class FloatTable implements Texels {
     this.replaceTexture(makeTexture(grown, 1 << this.widthBits));
   }
 
-  /** So many texels more, for one thing: a shader has no more than 16 textures, so that not each thing can have its own. */
+  /** Allocates this number of texels for one purpose: a shader has at most 16 textures, so not everything can have a table of its own. */
   part(texels: number): TablePart {
-    const first = this.taken;
-    this.taken += texels;
-    this.reserve(this.taken);
+    const first = this.used;
+    this.used += texels;
+    this.reserve(this.used);
     return {
       first,
       texel: (index) => this.texel(index.add(int(first))),
@@ -72,7 +72,7 @@ export class FloatTable implements Texels {
     };
   }
 
-  /** Takes an array as it is, `4 · width` floats per row. */
+  /** Uses an array without copying it, `4 · width` floats per row. */
   adopt(array: Float32Array<ArrayBuffer>): void {
     this.array = array;
     this.replaceTexture(makeTexture(array, 1 << this.widthBits));
@@ -82,24 +82,24 @@ export class FloatTable implements Texels {
     this.texture.needsUpdate = true;
   }
 
-  /** From now on the table is so many rows on the GPU alone, nothing in them yet, to be filled with `writeRows`. */
+  /** Makes the table this number of rows that exist only on the GPU, with undefined contents, to be filled with `writeRows`. */
   allocateOnGpu(rows: number): void {
-    const made = makeTexture(null, 1 << this.widthBits, rows);
-    // Room is made for it, and nothing is copied there.
-    made.source.dataReady = false;
+    const replacement = makeTexture(null, 1 << this.widthBits, rows);
+    // Allocates the texture without copying anything into it.
+    replacement.source.dataReady = false;
     this.array = new Float32Array(0);
-    this.replaceTexture(made);
+    this.replaceTexture(replacement);
   }
 
-  /** Copies whole rows, as `values` has them, to the GPU, from row `first` on. `by` may be used again for as many rows. */
-  writeRows(renderer: WebGPURenderer, first: number, rows: Float32Array<ArrayBuffer>, by = new RowUploader()): void {
-    renderer.copyTextureToTexture(by.texture(rows, 1 << this.widthBits), this.texture, null, new Vector3(0, first, 0));
+  /** Copies whole rows to the GPU, from row `first` on. `uploader` can be reused for the same number of rows. */
+  writeRows(renderer: WebGPURenderer, first: number, rows: Float32Array<ArrayBuffer>, uploader = new RowUploader()): void {
+    renderer.copyTextureToTexture(uploader.texture(rows, 1 << this.widthBits), this.texture, null, new Vector3(0, first, 0));
   }
 
   texel(index: Node<'int'>): Node<'vec4'> {
     const mask = int((1 << this.widthBits) - 1);
     const texel = this.node.load(ivec2(index.bitAnd(mask), index.shiftRight(int(this.widthBits))));
-    // Else three multiplies the whole numbers by the texture's matrix at every fetch.
+    // Otherwise three.js multiplies the integer coordinates by the texture's matrix at every fetch.
     texel.updateMatrix = false;
     return texel;
   }
@@ -108,14 +108,14 @@ export class FloatTable implements Texels {
     this.texture.dispose();
   }
 
-  private replaceTexture(made: DataTexture): void {
+  private replaceTexture(replacement: DataTexture): void {
     this.texture.dispose();
-    this.texture = made;
-    this.node.value = made;
+    this.texture = replacement;
+    this.node.value = replacement;
   }
 }
 
-/** The texture by which rows come to a table; made once for rows of one number. */
+/** The texture through which rows are copied to a table; created once for a fixed number of rows. */
 export class RowUploader {
   private made: DataTexture | undefined;
 

@@ -2,12 +2,12 @@ import type { Node, RenderTarget, WebGPURenderer } from 'three/webgpu';
 import { FullScreenPass, type PassRegion } from './fullScreenPass.ts';
 
 interface PassOptions {
-  /** Serial number of the upload whose scene the pass reads. */
+  /** Serial number of the scene upload that the pass reads. */
   readonly owner?: number;
   readonly region?: PassRegion;
 }
 
-/** Picture-filling passes by name: each is made when it is first asked for, and kept. */
+/** Full-screen passes by name, created on first use and cached. */
 export class PassCache {
   private readonly renderer: WebGPURenderer;
   private readonly passes = new Map<string, FullScreenPass>();
@@ -23,7 +23,7 @@ export class PassCache {
     pass.render(this.renderer, target, region === 'surfaces');
   }
 
-  /** Lets go of the passes that read a scene. */
+  /** Disposes of the passes that read a scene. */
   releaseOwner(owner: number): void {
     for (const [key, pass] of this.passes) {
       if (!key.startsWith(`${owner}/`)) continue;

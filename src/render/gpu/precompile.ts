@@ -9,20 +9,20 @@ import type {
   WebGPURenderer,
 } from 'three/webgpu';
 
-/** A call of three's `render`: what it would have drawn with which materials, and where to. */
+/** A recorded call of three's `render`: what it would have drawn, with which materials, and where to. */
 interface RenderCall {
   readonly scene: Object3D;
   readonly camera: Camera;
   readonly target: RenderTarget | null;
   readonly mrt: MRTNode | null;
   readonly materials: readonly { readonly mesh: Mesh; readonly material: Material | Material[] }[];
-  /** Three gives its quads this only while they are drawn. */
+  /** Three.js sets a quad's vertex node only while the quad is drawn. */
   readonly quad: { readonly material: NodeMaterial; readonly vertexNode: NodeMaterial['vertexNode'] } | undefined;
 }
 
 /**
- * Goes through all that draws a picture without drawing it, and then compiles its shaders, one pass after another, between the frames that are
- * drawn meanwhile. Rejects where the device is lost.
+ * Records everything that draws a picture without drawing it, and then compiles its shaders asynchronously, one pass after another, while frames are drawn in
+ * between. Rejects if the device is lost.
  */
 export async function precompile(renderer: WebGPURenderer, draw: () => void): Promise<void> {
   for (const call of recordCalls(renderer, draw)) await compile(renderer, call);
@@ -41,33 +41,33 @@ function recordCalls(renderer: WebGPURenderer, draw: () => void): RenderCall[] {
 }
 
 function recordCall(renderer: WebGPURenderer, scene: Object3D, camera: Camera): RenderCall {
-  const dressed: { mesh: Mesh; material: Material | Material[] }[] = [];
+  const materials: { mesh: Mesh; material: Material | Material[] }[] = [];
   scene.traverse((object) => {
-    if (isMesh(object)) dressed.push({ mesh: object, material: object.material });
+    if (isMesh(object)) materials.push({ mesh: object, material: object.material });
   });
-  const own = isMesh(scene) ? (scene.material as NodeMaterial) : undefined;
-  const quad = own && { material: own, vertexNode: own.vertexNode };
-  return { scene, camera, target: renderer.getRenderTarget(), mrt: renderer.getMRT(), materials: dressed, quad };
+  const quadMaterial = isMesh(scene) ? (scene.material as NodeMaterial) : undefined;
+  const quad = quadMaterial && { material: quadMaterial, vertexNode: quadMaterial.vertexNode };
+  return { scene, camera, target: renderer.getRenderTarget(), mrt: renderer.getMRT(), materials, quad };
 }
 
 const isMesh = (object: Object3D): object is Mesh => 'isMesh' in object;
 
-/** What three needs of the call it takes at once; then frames may be drawn with other materials, into other targets. */
+/** Three.js reads all it needs of the call synchronously; afterwards frames may be drawn with other materials and into other targets. */
 async function compile(
   renderer: WebGPURenderer,
   { scene, camera, target, mrt, materials, quad }: RenderCall,
 ): Promise<void> {
-  const before = materials.map(({ mesh }) => ({ mesh, material: mesh.material }));
+  const previous = materials.map(({ mesh }) => ({ mesh, material: mesh.material }));
   for (const { mesh, material } of materials) mesh.material = material;
   if (quad) quad.material.vertexNode = quad.vertexNode;
   renderer.setRenderTarget(target);
   renderer.setMRT(mrt);
-  // `compileAsync` takes the canvas's depth buffer, or that there is none, for that of every target (three 0.187).
+  // For every target, `compileAsync` assumes the canvas's setting for the depth buffer (three 0.187).
   const { depth } = renderer;
   renderer.depth = target?.depthBuffer ?? depth;
   const compiled = renderer.compileAsync(scene, camera);
   renderer.depth = depth;
-  for (const { mesh, material } of before) mesh.material = material;
+  for (const { mesh, material } of previous) mesh.material = material;
   try {
     await compiled;
   } finally {

@@ -4,7 +4,7 @@ import type { Float } from '../../shaders/types.ts';
 
 export type Bitmask = Node<'uint'>;
 
-/** How many of 32 bits are set. WebGL2 has no word for it. Source: Warren 2012, "Hacker's Delight", fig. 5-2. */
+/** Number of bits that are set. WebGL2 has no built-in function for it. Source: Warren 2012, "Hacker's Delight", fig. 5-2. */
 export function countBits(bits: Bitmask): Float {
   const pairs = bits.sub(bits.shiftRight(uint(1)).bitAnd(uint(0x55555555))).toVar();
   const fours = pairs

@@ -4,7 +4,7 @@ import type { Bool, Float, Int, Vec2, Vec3, Vec4 } from '../../shaders/types.ts'
 import type { Effect } from './effect.ts';
 import type { EffectContext } from './effectContext.ts';
 
-/** `antialiasing` of reference/effects/. */
+/** `antialiasing` of src/reference/post/effects/. */
 export const antialiasing: Effect = [
   { name: 'edges', downscale: 1, color: edges },
   { name: 'covered', downscale: 1, color: coverage },
@@ -20,7 +20,7 @@ type EdgeAxis = typeof ROW | typeof COLUMN;
 const largest = ({ x, y, z }: Vec3): Float => max(x, max(y, z));
 const fourth = (value: Float): Float => value.mul(value).mul(value).mul(value);
 
-/** (whether the left side is an edge, whether the upper one is, whether the pixel differs from all four around it) */
+/** (whether the left side is an edge, whether the upper one is, whether the pixel differs from all four neighbours) */
 function edges(frame: EffectContext): Vec4 {
   const threshold = frame.args[0];
   const known = new Map<string, Vec3>();
@@ -31,7 +31,7 @@ function edges(frame: EffectContext): Vec4 {
     return made;
   };
   const contrasts = new Map<string, { readonly difference: Float; readonly contrast: Float }>();
-  /** Over the left (`ROW`) or upper side of a pixel. */
+  /** Difference and contrast across the left (`ROW`) or upper side of a pixel. */
   const before = (x: number, y: number, [i, j]: EdgeAxis) => {
     const key = `${x} ${y} ${i}`;
     const known = contrasts.get(key);
@@ -46,36 +46,36 @@ function edges(frame: EffectContext): Vec4 {
   const isEdge = (across: EdgeAxis, along: EdgeAxis): Bool => {
     const [[i, j], [k, l]] = [across, along];
     const own = before(0, 0, across);
-    const others = [before(i, j, across), before(-i, -j, across)];
-    for (const n of [0, -1]) others.push(before(n * i, n * j, along), before(n * i + k, n * j + l, along));
-    const most = others.map(({ difference }) => difference).reduce((a, b) => max(a, b));
-    return own.contrast.greaterThan(threshold).and(own.difference.mul(2).greaterThanEqual(most));
+    const neighbouring = [before(i, j, across), before(-i, -j, across)];
+    for (const n of [0, -1]) neighbouring.push(before(n * i, n * j, along), before(n * i + k, n * j + l, along));
+    const maxDifference = neighbouring.map(({ difference }) => difference).reduce((a, b) => max(a, b));
+    return own.contrast.greaterThan(threshold).and(own.difference.mul(2).greaterThanEqual(maxDifference));
   };
   const left = isEdge(ROW, COLUMN);
   const top = isEdge(COLUMN, ROW);
-  const around = [before(0, 0, ROW), before(1, 0, ROW), before(0, 0, COLUMN), before(0, 1, COLUMN)];
-  const least = around.map(({ contrast }) => contrast).reduce((a, b) => min(a, b));
-  const single = least.greaterThan(threshold);
-  return vec4(select(left, 1, 0), select(top, 1, 0), select(single, 1, 0), 1);
+  const neighbours = [before(0, 0, ROW), before(1, 0, ROW), before(0, 0, COLUMN), before(0, 1, COLUMN)];
+  const minContrast = neighbours.map(({ contrast }) => contrast).reduce((a, b) => min(a, b));
+  const isSingle = minContrast.greaterThan(threshold);
+  return vec4(select(left, 1, 0), select(top, 1, 0), select(isSingle, 1, 0), 1);
 }
 
-/** How much this pixel covers of the one to the left, and that of it; the same of the one above. */
+/** How much this pixel covers of the one to the left, and is covered by it; the same for the one above. */
 function coverage(frame: EffectContext): Vec4 {
-  const here = frame.stepImage('edges').at(frame.pixel).toVar();
+  const pixelEdges = frame.stepImage('edges').at(frame.pixel).toVar();
   const areas = vec4(0).toVar();
-  If(here.x.greaterThan(0.5), () => {
+  If(pixelEdges.x.greaterThan(0.5), () => {
     areas.xy.assign(coverageAlong(frame, COLUMN));
   });
-  If(here.y.greaterThan(0.5), () => {
+  If(pixelEdges.y.greaterThan(0.5), () => {
     areas.zw.assign(coverageAlong(frame, ROW));
   });
   return areas;
 }
 
-/** Over the side that lies along a row or a column. */
-function coverageAlong(frame: EffectContext, way: EdgeAxis): Vec2 {
-  const start = edgeEnd(frame, way, -1);
-  const end = edgeEnd(frame, way, 1);
+/** Coverage over the side that lies along a row or a column. */
+function coverageAlong(frame: EffectContext, axis: EdgeAxis): Vec2 {
+  const start = edgeEnd(frame, axis, -1);
+  const end = edgeEnd(frame, axis, 1);
   const length = start.x.add(end.x).add(1).toVar();
   const height = (near: Vec3, far: Vec3): Float => select(near.z.greaterThan(0.5), far.y.negate(), near.y);
   const areas = vec2(
@@ -94,22 +94,22 @@ function halfCoverage(k: Float, d: Float): Float {
 }
 
 /** (length, height, whether it is forked) */
-function edgeEnd(frame: EffectContext, way: EdgeAxis, sign: 1 | -1): Vec3 {
-  const found = frame.stepImage('edges');
-  const [along, across] = way === ROW ? [vec2(1, 0), vec2(0, 1)] : [vec2(0, 1), vec2(1, 0)];
-  const own = (texel: Vec4): Float => (way === ROW ? texel.y : texel.x);
-  const turned = (texel: Vec4): Float => (way === ROW ? texel.x : texel.y);
+function edgeEnd(frame: EffectContext, axis: EdgeAxis, sign: 1 | -1): Vec3 {
+  const edgesFound = frame.stepImage('edges');
+  const [along, across] = axis === ROW ? [vec2(1, 0), vec2(0, 1)] : [vec2(0, 1), vec2(1, 0)];
+  const own = (texel: Vec4): Float => (axis === ROW ? texel.y : texel.x);
+  const perpendicular = (texel: Vec4): Float => (axis === ROW ? texel.x : texel.y);
   const search = frame.args[1];
   const end = vec3(search, 0, 0).toVar();
   Loop({ start: int(1), end: int(search), type: 'int', condition: '<=' }, ({ i: n }: { i: Int }) => {
     const beyond = frame.pixel.add(along.mul(n.toFloat().mul(sign))).toVar();
     const turn = sign > 0 ? beyond : beyond.add(along);
-    const after = found.at(turn).toVar();
-    const inwards = turned(after);
-    const outwards = turned(found.at(turn.sub(across))).toVar();
-    const next = sign > 0 ? after : found.at(beyond);
-    const off = beyond.sub(beyond.clamp(vec2(0), found.size.sub(1)));
-    const outside = off.x.add(off.y).notEqual(0);
+    const after = edgesFound.at(turn).toVar();
+    const inwards = perpendicular(after);
+    const outwards = perpendicular(edgesFound.at(turn.sub(across))).toVar();
+    const next = sign > 0 ? after : edgesFound.at(beyond);
+    const beyondEdge = beyond.sub(beyond.clamp(vec2(0), edgesFound.size.sub(1)));
+    const outside = beyondEdge.x.add(beyondEdge.y).notEqual(0);
     If(outside, () => {
       end.assign(vec3(n.toFloat().sub(1), 0, 0));
       Break();
@@ -124,20 +124,20 @@ function edgeEnd(frame: EffectContext, way: EdgeAxis, sign: 1 | -1): Vec3 {
 
 function blend(frame: EffectContext): Vec4 {
   const { image, pixel } = frame;
-  const [edged, cover] = [frame.stepImage('edges'), frame.stepImage('covered')];
+  const [edgesImage, coverageImage] = [frame.stepImage('edges'), frame.stepImage('covered')];
   const here = image.at(pixel).toVar();
-  const single = edged.at(pixel).z.toVar();
-  const own = cover.at(pixel).toVar();
+  const isSingle = edgesImage.at(pixel).z.toVar();
+  const own = coverageImage.at(pixel).toVar();
   const inside = min(image.size.sub(1).sub(pixel), 1).toVar();
   const side = (i: number, j: number, area: Float) => {
     const beside = pixel.add(vec2(i, j)).toVar();
-    const spread = max(single, edged.at(beside).z).mul(frame.args[2]).toVar();
+    const spread = max(isSingle, edgesImage.at(beside).z).mul(frame.args[2]).toVar();
     return { color: image.at(beside).rgb, spread: spread.div(8), area: area.mul(spread.oneMinus()).toVar() };
   };
   const left = side(-1, 0, own.y);
-  const right = side(1, 0, cover.at(pixel.add(vec2(1, 0))).x.mul(inside.x));
+  const right = side(1, 0, coverageImage.at(pixel.add(vec2(1, 0))).x.mul(inside.x));
   const top = side(0, -1, own.w);
-  const bottom = side(0, 1, cover.at(pixel.add(vec2(0, 1))).z.mul(inside.y));
+  const bottom = side(0, 1, coverageImage.at(pixel.add(vec2(0, 1))).z.mul(inside.y));
   const across = fourth(left.area.add(right.area).toVar()).toVar();
   const down = fourth(top.area.add(bottom.area).toVar()).toVar();
   const sum = here.rgb.toVar();
@@ -145,8 +145,8 @@ function blend(frame: EffectContext): Vec4 {
     [[left, right], across],
     [[top, bottom], down],
   ] as const) {
-    const share = select(strength.greaterThan(0), strength.div(across.add(down)), 0).toVar();
-    for (const { color, spread, area } of sides) sum.addAssign(color.sub(here.rgb).mul(area.mul(share).add(spread)));
+    const weight = select(strength.greaterThan(0), strength.div(across.add(down)), 0).toVar();
+    for (const { color, spread, area } of sides) sum.addAssign(color.sub(here.rgb).mul(area.mul(weight).add(spread)));
   }
   return vec4(sum, here.w);
 }

@@ -4,13 +4,13 @@ import type { Float, Vec2, Vec4 } from '../../shaders/types.ts';
 import type { Effect, EffectStep } from './effect.ts';
 import type { EffectContext, EffectImage } from './effectContext.ts';
 
-/** Of a texel, those that take from it on the way up. */
+/** Offsets of the texels that read a texel when upsampling. */
 const UPSAMPLE_OFFSETS = [-1, 0, 1, 2];
 const levels = Array.from({ length: BLOOM_LEVELS }, (_, k) => k + 1);
 const levelImage = (frame: EffectContext, k: number): EffectImage =>
   k === 0 ? frame.image : frame.stepImage(`half ${k}`);
 
-/** `bloom` of reference/effects/. */
+/** `bloom` of src/reference/post/effects/. */
 export const bloom: Effect = [
   ...levels.map(
     (k): EffectStep => ({
@@ -28,27 +28,27 @@ export const bloom: Effect = [
   { name: 'result', downscale: 1, color: (frame) => blend(frame, 0, frame.args[0]) },
 ];
 
-/** Level k, with a share of what is wider. */
-function blend(frame: EffectContext, k: number, share: Float): Vec4 {
+/** Level k, mixed with a fraction of the wider levels. */
+function blend(frame: EffectContext, k: number, fraction: Float): Vec4 {
   const wide = k + 1 === BLOOM_LEVELS ? levelImage(frame, BLOOM_LEVELS) : frame.stepImage(`wide ${k + 1}`);
-  return mix(levelImage(frame, k).at(frame.pixel), upsample(frame, wide), share);
+  return mix(levelImage(frame, k).at(frame.pixel), upsample(frame, wide), fraction);
 }
 
-/** (colour, μ/4ᵏ), from the 4 × 4 texels that take from this one on the way up. `measured`: they have a μ, and not 1. */
+/** (colour, μ/4ᵏ), from the 4 × 4 texels that read this one when upsampling. `measured`: they have a μ other than 1. */
 function downsample(frame: EffectContext, from: EffectImage, measured: boolean): Vec4 {
   const sum = vec4(0).toVar();
   for (const j of UPSAMPLE_OFFSETS)
     for (const i of UPSAMPLE_OFFSETS) {
       const fine = frame.pixel.mul(2).add(vec2(i, j)).toVar();
       const texel = from.at(fine).toVar();
-      const share = upsampleWeights(fine, frame.pixel, from.size).toVar();
-      const weight = measured ? share.x.mul(share.y).mul(texel.w) : share.x.mul(share.y);
+      const weights = upsampleWeights(fine, frame.pixel, from.size).toVar();
+      const weight = measured ? weights.x.mul(weights.y).mul(texel.w) : weights.x.mul(weights.y);
       sum.addAssign(vec4(texel.rgb, 1).mul(weight));
     }
   return vec4(sum.rgb.div(sum.w), sum.w.div(4));
 }
 
-/** How much of the texel `coarse` the texel `fine` takes on the way up, along each side: ¾ of the one over it, ¼ of the next that there is. */
+/** Weight of the texel `coarse` in the texel `fine` when upsampling, along each axis: ¾ of the one above it, ¼ of the next one within the image. */
 function upsampleWeights(fine: Vec2, coarse: Vec2, size: Vec2): Vec2 {
   const own = floor(fine.div(2)).toVar();
   const aside = own.add(fine.sub(own.mul(2)).mul(2).sub(1));

@@ -11,7 +11,7 @@ const SIDES = [
   [0, -1],
 ] as const;
 
-/** `edge` of reference/effects/. */
+/** `edge` of src/reference/post/effects/. */
 export const edge = singleStep((frame) => {
   const [light, depth, normal, under] = frame.args;
   const here = frame.image.at(frame.pixel).toVar();
@@ -37,22 +37,22 @@ function lightEdge(frame: EffectContext): Float {
 
 function depthEdge(frame: EffectContext): Float {
   const inverse = (i: number, j: number): Float => {
-    const found = frame.depth(beside(frame, i, j)).toVar();
-    return select(found.x.greaterThan(0.5), found.y.reciprocal(), 0).toVar();
+    const surface = frame.depth(beside(frame, i, j)).toVar();
+    return select(surface.x.greaterThan(0.5), surface.y.reciprocal(), 0).toVar();
   };
   const here = inverse(0, 0);
   const bend = (i: number, j: number): Float => here.mul(2).sub(inverse(i, j)).sub(inverse(-i, -j));
-  const most = max(bend(1, 0), max(bend(0, 1), 0));
-  return select(here.greaterThan(0), most.div(here), 0);
+  const maxBend = max(bend(1, 0), max(bend(0, 1), 0));
+  return select(here.greaterThan(0), maxBend.div(here), 0);
 }
 
 function normalEdge(frame: EffectContext): Float {
   const normal = frame.normal(frame.pixel).toVar();
-  const turned = float(0).toVar();
+  const angles = float(0).toVar();
   for (const [i, j] of SIDES) {
     const pixel = beside(frame, i, j).toVar();
     const change = dot(normal, frame.normal(pixel)).oneMinus().div(8);
-    turned.addAssign(select(frame.hasSurface(pixel), change, 0));
+    angles.addAssign(select(frame.hasSurface(pixel), change, 0));
   }
-  return select(frame.hasSurface(frame.pixel), turned, 0);
+  return select(frame.hasSurface(frame.pixel), angles, 0);
 }

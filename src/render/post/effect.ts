@@ -1,16 +1,16 @@
 import type { Vec4 } from '../../shaders/types.ts';
 import type { EffectContext } from './effectContext.ts';
 
-/** A pass on the way to the result. */
+/** One pass of an effect. */
 export interface EffectStep {
-  /** By which later steps read it. */
+  /** Name by which later steps read its image. */
   readonly name: string;
-  /** It makes a picture that is so many times smaller, rounded up. */
+  /** Its image is this many times smaller than the picture, rounded up. */
   readonly downscale: number;
   readonly color: (frame: EffectContext) => Vec4;
 }
 
-/** An effect as the GPU does it: the last step gives the result, as large as the picture. */
+/** An effect's passes on the GPU; the last step makes the result, at full size. */
 export type Effect = readonly [...EffectStep[], EffectStep];
 
 export const singleStep = (color: EffectStep['color']): Effect => [{ name: 'result', downscale: 1, color }];

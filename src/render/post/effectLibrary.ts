@@ -11,7 +11,7 @@ import { sharpen } from './sharpen.ts';
 import { skyBackground } from './skyBackground.ts';
 import { vignette } from './vignette.ts';
 
-/** Every effect as the GPU does it; what they are called and take is in scene/frameGraph/effects.ts. */
+/** The GPU implementation of every effect; names and arguments are in scene/frameGraph/effects.ts. */
 export const effectLibrary: Readonly<Record<EffectId, Effect>> = {
   'gaussian-blur': gaussianBlur,
   'bilateral-filter': bilateralFilter,

@@ -11,40 +11,40 @@ import { effectLibrary } from './effectLibrary.ts';
 import { mixImages } from './mix.ts';
 import { compileShaderText } from './shaderText.ts';
 
-/** What passes over a picture read. */
+/** What the passes of an effect read. */
 export interface PassInputs {
   readonly image: Texture;
   readonly buffer?: GBufferTextures;
-  /** Its first channel tells how much of the effect is to be seen, 0 … 1. */
+  /** Its first channel is the weight of the effect, 0 … 1. */
   readonly mask?: Texture;
   readonly uniforms: FrameUniforms;
-  /** Of the targets on the way. */
+  /** Type of the intermediate targets. */
   readonly type: TextureDataType;
 }
 
 interface CompiledStep {
   readonly downscale: number;
   readonly pass: FullScreenPass;
-  /** Undefined: into the target that is asked for. */
+  /** undefined: the target that is passed to `render`. */
   readonly target: RenderTarget | undefined;
 }
 
-/** The passes of one effect, compiled once; its numbers may change with every picture. */
+/** The passes of one effect, compiled once; its arguments may change with every picture. */
 export class EffectPasses {
   private readonly passes: readonly CompiledStep[];
   private readonly args = uniform(new Vector4());
   private readonly time = uniform(0);
-  /** Undefined: its numbers have no ranges. */
+  /** undefined for effects whose arguments have no ranges. */
   private readonly id: EffectId | undefined;
 
-  /** An effect of the library, or one that somebody wrote. */
+  /** An effect of the library, or a user's shader program. */
   static forEffect(effect: EffectId | ShaderProgram, inputs: PassInputs): EffectPasses {
     return typeof effect === 'string'
       ? new EffectPasses(effect, effectLibrary[effect], inputs, effect)
       : new EffectPasses('written', compileShaderText(effect), inputs);
   }
 
-  /** Two pictures into one; its only number is alpha. `image` is below. */
+  /** Blends two pictures; the only argument is alpha. `image` is below, `over` above. */
   static forMix(mode: MixMode, over: Texture, inputs: PassInputs): EffectPasses {
     const { mask } = inputs;
     const color: EffectStep['color'] = (frame) =>
@@ -55,15 +55,15 @@ export class EffectPasses {
   private constructor(name: string, effect: Effect, inputs: PassInputs, id?: EffectId) {
     const { mask, type } = inputs;
     this.id = id;
-    const made = new Map<string, Texture>();
+    const stepImages = new Map<string, Texture>();
     this.passes = effect.map((step, i) => {
       const last = i === effect.length - 1;
-      const before = new Map(made);
+      const previousImages = new Map(stepImages);
       const sources = { ...inputs, args: this.args, time: this.time };
       const color = last && mask ? masked(step, mask) : step.color;
-      const output = Fn(() => color(new EffectContext(sources, before)))();
+      const output = Fn(() => color(new EffectContext(sources, previousImages)))();
       const target = last ? undefined : dataTarget(1, type);
-      if (target) made.set(step.name, target.texture);
+      if (target) stepImages.set(step.name, target.texture);
       return { downscale: step.downscale, pass: new FullScreenPass(output, `${name} ${step.name}`), target };
     });
   }
@@ -73,7 +73,7 @@ export class EffectPasses {
       target?.setSize(Math.ceil(width / downscale), Math.ceil(height / downscale));
   }
 
-  /** Into `target`, which must not be what the effect reads. `time`: world time of the observer [s]. */
+  /** Renders into `target`, which must not be read by the effect. `time`: world time of the observer [s]. */
   render(renderer: WebGPURenderer, target: RenderTarget, args: readonly number[], time = 0): void {
     const [x = 0, y = 0, z = 0, w = 0] = this.id ? clampEffectArguments(this.id, args) : args;
     this.args.value.set(x, y, z, w);
@@ -93,6 +93,6 @@ export class EffectPasses {
 const masked =
   ({ color }: EffectStep, mask: Texture): EffectStep['color'] =>
   (frame) => {
-    const share = new EffectImage(mask).at(frame.pixel).x.clamp(0, 1).toVar();
-    return mixExact(frame.image.at(frame.pixel), color(frame), share);
+    const weight = new EffectImage(mask).at(frame.pixel).x.clamp(0, 1).toVar();
+    return mixExact(frame.image.at(frame.pixel), color(frame), weight);
   };

@@ -25,12 +25,12 @@ const BLENDS: Readonly<Record<MixMode, ColorBlend>> = {
   wipe: over,
 };
 
-/** `mixed` of reference/effects/: the frame's image below, `b` over it. */
+/** `mixed` of src/reference/post/effects/: the frame's image is below, `b` over it. */
 export function mixImages(frame: EffectContext, mode: MixMode, alpha: Float, b: EffectImage, mask?: EffectImage): Vec4 {
   const below = frame.image.at(frame.pixel).toVar();
   const blend = BLENDS[mode](below.rgb, b.at(frame.pixel).rgb.toVar());
-  const through = mask ? clamp(mask.at(frame.pixel).x, 0, 1) : float(1);
-  return mixExact(below, vec4(blend, below.w), mixWeight(frame, mode, alpha).mul(through).toVar());
+  const maskWeight = mask ? clamp(mask.at(frame.pixel).x, 0, 1) : float(1);
+  return mixExact(below, vec4(blend, below.w), mixWeight(frame, mode, alpha).mul(maskWeight).toVar());
 }
 
 function mixWeight(frame: EffectContext, mode: MixMode, alpha: Float): Float {

@@ -66,16 +66,16 @@ import type { Bool, Float, Int, Vec2, Vec4 } from '../../shaders/types.ts';
 import { type Effect, singleStep } from './effect.ts';
 import type { EffectContext } from './effectContext.ts';
 
-/*
- * A program that somebody wrote as nodes of three, for both backends. three's types cannot follow a type that is data: here every node is a `Float` to
- * TypeScript, and what it is to the GPU the program tells, whose types are checked (scene/shaderText/typeCheck.ts).
+/**
+ * Compiles a user's shader program to nodes of three.js, for both backends. Three's types cannot follow a type that is data: here every node is a `Float` to
+ * TypeScript, and its type on the GPU is that of the program, which is checked before (scene/shaderText/typeCheck.ts).
  */
 
 const untyped = (node: unknown): Float => node as Float;
 const asBool = (node: Float): Bool => node as unknown as Bool;
 const asOffset = (node: Float): Vec2 => vec2(node as unknown as Vec2);
 
-/** `written` of reference/effects/. */
+/** `written` of src/reference/post/effects/. */
 export const compileShaderText = (program: ShaderProgram): Effect =>
   singleStep(
     (frame) =>
@@ -94,7 +94,7 @@ const VECTORS = {
   bool: { 1: bool },
 } as const;
 
-/** A value of a type, of its parts one after the other. */
+/** A value of a type, from its components in order. */
 function build({ of, rows, columns }: ShaderType, parts: readonly Float[]): Float {
   const tables: Readonly<Record<string, Readonly<Record<number, unknown>>>> = { ...VECTORS, matrix: MATRICES };
   const make = tables[columns > 1 ? 'matrix' : of]?.[columns > 1 ? columns : rows] as
@@ -106,12 +106,12 @@ function build({ of, rows, columns }: ShaderType, parts: readonly Float[]): Floa
 
 function constant(type: ShaderType, numbers: readonly number[]): Float {
   const { of, rows, columns } = type;
-  const one = (x: number): Float =>
+  const scalarConstant = (x: number): Float =>
     untyped(of === 'bool' ? bool(x !== 0) : of === 'i32' || of === 'whole' ? int(x) : float(x));
-  if (componentCount(type) === 1) return one(numbers[0] ?? 0);
-  if (columns === 1) return build({ ...type, of: isFloat(type) ? 'f32' : 'i32' }, numbers.map(one));
-  // Of numbers three would make a matrix row by row.
-  const column = (k: number) => build(vector(rows), numbers.slice(k * rows, (k + 1) * rows).map(one));
+  if (componentCount(type) === 1) return scalarConstant(numbers[0] ?? 0);
+  if (columns === 1) return build({ ...type, of: isFloat(type) ? 'f32' : 'i32' }, numbers.map(scalarConstant));
+  // From numbers three.js would build a matrix row by row.
+  const column = (k: number) => build(vector(rows), numbers.slice(k * rows, (k + 1) * rows).map(scalarConstant));
   return build(
     type,
     Array.from({ length: columns }, (_, k) => column(k)),
@@ -150,13 +150,13 @@ const OPERATIONS: Readonly<Record<ShaderOperation, Make>> = {
   ge: (a, b) => a.greaterThanEqual(b),
 };
 
-/** Whether a function may be left on the way through a step. */
+/** Whether a statement may return from its function. */
 const mayReturn = (of: ShaderStatement): boolean =>
   of.op === 'return' ||
   (of.op === 'if' && [...of.yes, ...of.no].some(mayReturn)) ||
   (of.op === 'for' && of.body.some(mayReturn));
 
-/** One function, written out where it is called. GPUs leave loops, and skip what follows a branch, by what a variable tells. */
+/** Compiles one function, inlined at each call. Shaders leave loops, and skip what follows a branch, by testing the variable `done`. */
 class FunctionCompiler {
   private readonly program: ShaderProgram;
   private readonly definition: ShaderFunction;
@@ -273,34 +273,34 @@ class FunctionCompiler {
 
   private applied({ f, args }: ShaderExpression & { readonly op: 'apply' }): Float {
     const values = args.map((arg) => this.value(arg));
-    const whole = args[0] && !isFloat(args[0].type);
-    return untyped((f === 'rem' && whole ? intRemainder : OPERATIONS[f])(...values));
+    const isInteger = args[0] && !isFloat(args[0].type);
+    return untyped((f === 'rem' && isInteger ? intRemainder : OPERATIONS[f])(...values));
   }
 }
 
 const swizzle = (of: Float, parts: readonly number[]): Float =>
   untyped(Reflect.get(of, parts.map((part) => 'xyzw'[part]).join('')));
 
-/** Of a channel at a pixel; where nothing is, all are 0. */
+/** The value of a channel at a pixel; 0 where there is no surface. */
 function readChannel(frame: EffectContext, channel: ShaderChannel, pixel: Vec2): Float {
   if (channel === 'image') return untyped(frame.image.at(pixel));
   if (channel === 'object') return frame.object(pixel);
-  const { x: there, y: depth } = frame.depth(pixel).toVar();
+  const { x: exists, y: depth } = frame.depth(pixel).toVar();
   switch (channel) {
     case 'there':
-      return there;
+      return exists;
     case 'depth':
-      return depth.mul(there);
+      return depth.mul(exists);
     case 'normal':
-      return untyped(frame.normal(pixel).mul(there));
+      return untyped(frame.normal(pixel).mul(exists));
     case 'event':
-      return untyped(frame.event(pixel).mul(there));
+      return untyped(frame.event(pixel).mul(exists));
     case 'emissionTime':
-      return frame.emissionTime(pixel).mul(there);
+      return frame.emissionTime(pixel).mul(exists);
     case 'velocity':
-      return untyped(frame.motion(pixel).xyz.mul(there));
+      return untyped(frame.motion(pixel).xyz.mul(exists));
     case 'doppler':
-      return frame.motion(pixel).w.mul(there);
+      return frame.motion(pixel).w.mul(exists);
   }
 }
 

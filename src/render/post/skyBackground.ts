@@ -4,7 +4,7 @@ import { SKY_SHAPE } from '../../scene/lights/skyGradient.ts';
 import type { Float, Vec3 } from '../../shaders/types.ts';
 import { singleStep } from './effect.ts';
 
-/** `skyBackground` of reference/effects/. */
+/** `skyBackground` of src/reference/post/effects/. */
 export const skyBackground = singleStep((frame) => {
   const [brightness, curve, fade, opacity] = frame.args;
   const here = frame.image.at(frame.pixel).toVar();

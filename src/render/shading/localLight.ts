@@ -6,10 +6,10 @@ import { type LightAtEmission, lightAtEmission } from '../lights/lightAtEmission
 import { lightShader } from '../lights/lightShaders.ts';
 import type { LightTexels } from '../lights/lightTexels.ts';
 
-/** The share of a local light that gets to a surface past what is in its way; undefined: all of it. */
+/** The visibility of a local light at a surface; undefined: fully visible. */
 export type LocalLightVisibility = (light: LightTexels, emitter: LightAtEmission) => Float | undefined;
 
-/** Adds what a surface reflects of a local light. */
+/** Adds the light of a local light that a surface reflects. */
 export function addLocalLight(
   receiver: LitSurface,
   light: LightTexels,
@@ -18,19 +18,19 @@ export function addLocalLight(
 ): void {
   const { dx, time, uniforms } = receiver;
   const emitter = lightAtEmission(light, dx, time, uniforms);
-  const visible = visibility?.(light, emitter)?.toVar();
+  const visibilityHere = visibility?.(light, emitter)?.toVar();
   const { source, colored } = light;
   const addOne = ({ share, D }: ReflectedLight): void =>
     accumulator.addReflected(
       light.color,
-      visible ? share.mul(visible) : share,
+      visibilityHere ? share.mul(visibilityHere) : share,
       { ...(D && { D }), ...(source && { source }), ...(colored !== undefined && { colored }) },
       IRRADIANCE_POWER,
     );
-  const add: AddReflected = (matt, glossy) => {
-    if (glossy && !matt.D && !glossy.D) return addOne({ share: matt.share.add(glossy.share) });
-    addOne(matt);
-    if (glossy) addOne(glossy);
+  const add: AddReflected = (diffuse, specular) => {
+    if (specular && !diffuse.D && !specular.D) return addOne({ share: diffuse.share.add(specular.share) });
+    addOne(diffuse);
+    if (specular) addOne(specular);
   };
   lightShader(light.kind).addReflected(receiver, light, emitter, add);
 }

@@ -21,33 +21,33 @@ import type { LightVisibility } from '../shadows/distant/parallelReceiver.ts';
 import { type ShadedSurface, shade } from './shade.ts';
 import { backgroundRadiance } from './sky.ts';
 
-/** Largest finite half float: what may be kept where the light target has no more. */
+/** Nearly the largest finite half float, at which light in the light target is clamped. */
 export const MAX_LIGHT = 65_000;
 
-/** `reversed`: whether the depth buffer is. */
+/** `reversed`: whether the depth buffer is reversed. */
 export function geometryMaterial(
-  drawable: DrawCall,
+  drawCall: DrawCall,
   projection: SpacetimeProjection,
   names: readonly TargetName[],
   reversed: boolean,
 ): NodeMaterial {
   const material = new NodeMaterial();
-  material.name = `${drawable.batch.kind} ${projection.event} ${projection.place}`;
-  material.vertexNode = vertexStage(drawable.vertex, projection);
-  material.fragmentNode = surfaceOutputs(drawable.surface, names);
+  material.name = `${drawCall.batch.kind} ${projection.event} ${projection.place}`;
+  material.vertexNode = vertexStage(drawCall.vertex, projection);
+  material.fragmentNode = surfaceOutputs(drawCall.surface, names);
   if (!reversed) material.depthNode = logarithmicDepth(vObserverPosition);
-  material.side = materialSide(drawable.batch);
+  material.side = materialSide(drawCall.batch);
   material.blending = NoBlending;
   return material;
 }
 
 const clampToHalf = (light: Vec3): Vec4 => vec4(min(light, MAX_LIGHT), 1);
 
-/** The sky, for pixels in which nothing is. */
+/** The sky, for pixels without a surface. */
 export const skyPass = (environment: Environment, uniforms: FrameUniforms, pipeline: ColorPipeline): Vec4 =>
   Fn(() => clampToHalf(backgroundRadiance(environment, uniforms, pipeline, pixelDirection(uniforms))))();
 
-/** The G-buffer shaded, for pixels in which something is. `moving`: not all of it rests; `openness`: of each to the sky, where that is to count. */
+/** Deferred shading, for pixels with a surface. `moving`: whether anything in the scene moves; `openness`: the ambient occlusion target, if it is used. */
 export const lightingPass = (
   buffer: GBuffer,
   environment: Environment,
@@ -79,27 +79,27 @@ function readGBuffer(buffer: GBuffer, moving: boolean, openness: Texture | undef
   };
 }
 
-/** Shaded and blended over what is behind it, hidden where something opaque is nearer. */
+/** Forward shading of transparent surfaces, blended over what is behind them and hidden behind nearer opaque surfaces. */
 export function forwardMaterial(
-  drawable: DrawCall,
+  drawCall: DrawCall,
   projection: SpacetimeProjection,
   buffer: GBuffer,
   environment: Environment,
   pipeline: ColorPipeline,
   shadows?: LightVisibility,
 ): NodeMaterial {
-  const { uniforms } = drawable.surface;
+  const { uniforms } = drawCall.surface;
   const material = new NodeMaterial();
-  material.name = `transparent ${drawable.batch.kind}`;
-  material.vertexNode = vertexStage(drawable.vertex, projection);
+  material.name = `transparent ${drawCall.batch.kind}`;
+  material.vertexNode = vertexStage(drawCall.vertex, projection);
   material.fragmentNode = Fn(() => {
-    const surface = readSurface(drawable.surface);
-    const velocity = isStatic(drawable.batch) ? undefined : surface.velocity;
+    const surface = readSurface(drawCall.surface);
+    const velocity = isStatic(drawCall.batch) ? undefined : surface.velocity;
     Discard(surface.distance.greaterThan(depthHere(buffer)));
     const light = shade({ ...surface, velocity }, environment, uniforms, pipeline, shadows);
     return vec4(min(light, MAX_LIGHT), surface.color.w);
   })();
-  material.side = materialSide(drawable.batch);
+  material.side = materialSide(drawCall.batch);
   material.transparent = true;
   material.blending = NormalBlending;
   material.depthTest = false;
@@ -107,8 +107,8 @@ export function forwardMaterial(
   return material;
 }
 
-/** Apparent distance of the opaque surface under this fragment [m], or very far. */
+/** Apparent distance of the opaque surface under this fragment [m], or a very large number. */
 export function depthHere(buffer: GBuffer): Float {
-  const found = texelHere(buffer.texture('object')).toVar();
-  return select(found.x.greaterThan(0.5), found.y, float(1e30));
+  const object = texelHere(buffer.texture('object')).toVar();
+  return select(object.x.greaterThan(0.5), object.y, float(1e30));
 }

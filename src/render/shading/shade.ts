@@ -18,19 +18,19 @@ import type { LightVisibility } from '../shadows/distant/parallelReceiver.ts';
 import { addLocalLight, type LocalLightVisibility } from './localLight.ts';
 
 /**
- * What shading reads of a surface: `normal` unit in its rest frame, `dx` observer → event [m], `velocity` (v, 1 − v²), or undefined
- * where all things rest, which costs a third.
+ * The inputs of shading: `normal` is a unit vector in the rest frame, `dx` observer → event [m], `velocity` (v, 1 − v²), or undefined if nothing in the scene
+ * moves, which saves a third of the cost.
  */
 export type ShadedSurface = Omit<Surface, 'velocity' | 'object' | 'distance'> & {
   readonly velocity: Vec4 | undefined;
-  /** Share of the sky that nothing hides, weighted by the cosine (occlusion/); absent: all of it. */
+  /** Unoccluded fraction of the sky, weighted by the cosine (occlusion/); all of it if absent. */
   readonly openness?: Float;
 };
 
 /**
- * Radiance that reaches the observer. Everything meets in the rest frame of the emission event: the normal is given there, the directions
- * to light and eye are aberrated into it, and the light arrives with E′ = D_in² E (docs/physics.md §6.2).
- * Lambert and GGX with Schlick's Fresnel; sky light is taken as if all of it came along the normal and the mirrored ray, less what neighbours hide.
+ * Radiance that reaches the observer. Shading is in the rest frame of the surface at the emission event: the normal is given there, the directions to lights
+ * and observer are aberrated into it, and light arrives with E′ = D_in² E (docs/physics.md §6.2). Lambert and GGX with Schlick's Fresnel; sky light is
+ * evaluated along the normal and the mirrored ray alone, times the unoccluded fraction.
  */
 export const shade = (
   surface: ShadedSurface,
@@ -47,13 +47,13 @@ export const shade = (
     const albedo = accumulator.filter(surface.color.rgb, surface.invisible).toVar();
     const brdf = brdfOf(albedo, surface, N, V);
     const { dx, time } = surface;
-    const here = { dx, time, normal: N, velocity: surface.velocity };
+    const receiver = { dx, time, normal: N, velocity: surface.velocity };
     environment.distantLights.forEach((light, index) => {
-      addDistantLight({ brdf, rest }, light, accumulator, () => shadows?.ofDistantLight(index, here));
+      addDistantLight({ brdf, rest }, light, accumulator, () => shadows?.ofDistantLight(index, receiver));
     });
     environment.localLights.forEach((light, slot) => {
-      const visibility: LocalLightVisibility = (of, emitter) =>
-        shadows?.ofLocalLight(slot, here, { ...of, ...emitter });
+      const visibility: LocalLightVisibility = (texels, emitter) =>
+        shadows?.ofLocalLight(slot, receiver, { ...texels, ...emitter });
       addLocalLight({ brdf, dx, time, rest, uniforms }, light, accumulator, visibility);
     });
     skyReflection(brdf, surface, rest, environment.sky, uniforms, accumulator);
@@ -62,7 +62,7 @@ export const shade = (
     return accumulator.total();
   })();
 
-/** Sky light, and its mirror image; of both, what neighbours and the surface's own small shape leave. */
+/** Diffuse and specular reflection of the sky, times ambient occlusion and the material's own occlusion. */
 function skyReflection(
   brdf: BrdfNodes,
   { occlusion, openness }: ShadedSurface,
@@ -74,17 +74,17 @@ function skyReflection(
   const { diffuse, specular } = skyReflectance(brdf, openness);
   const { zenith } = uniforms;
   const { N, V } = brdf;
-  const soft = (n: Vec3) => sky.irradiance(n, zenith);
-  const sharp = (n: Vec3) => sky.specular(n, zenith, brdf.roughness);
-  const reflected = (nPrime: Vec3, radiance: (n: Vec3) => Vec3, share: SpectralFilterNodes): void => {
+  const diffuseRadiance = (n: Vec3) => sky.irradiance(n, zenith);
+  const specularRadiance = (n: Vec3) => sky.specular(n, zenith, brdf.roughness);
+  const addReflection = (nPrime: Vec3, radiance: (n: Vec3) => Vec3, reflectance: SpectralFilterNodes): void => {
     const n = rest.out(nPrime);
     const spectrum = {
       ...incidentSpectrumBetween(n, rest, WORLD_FRAME),
       source: sky.source,
       colored: 'picture',
     } as const;
-    accumulator.addReflected(radiance(n), share.mul(occlusion), spectrum, RADIANCE_POWER);
+    accumulator.addReflected(radiance(n), reflectance.mul(occlusion), spectrum, RADIANCE_POWER);
   };
-  reflected(N, soft, diffuse);
-  reflected(normalize(reflect(V.negate(), N)).toVar(), sharp, specular);
+  addReflection(N, diffuseRadiance, diffuse);
+  addReflection(normalize(reflect(V.negate(), N)).toVar(), specularRadiance, specular);
 }

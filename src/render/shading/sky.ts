@@ -8,7 +8,7 @@ import type { Environment } from '../lights/environment.ts';
 import { addDisc } from '../lights/kinds/distantLight.ts';
 import { addCosmicBackground } from '../lights/kinds/nightSky.ts';
 
-/** What is behind everything, in the direction `nPrime` of the observer's frame (unit, on the world axes that the boost carries). */
+/** Radiance of the background in the direction `nPrime` of the observer's frame (unit vector, on the world axes carried by the boost). */
 export const backgroundRadiance = (
   { sky, distantLights, nightSky }: Environment,
   uniforms: FrameUniforms,

@@ -26,17 +26,17 @@ import { gridOver } from './grid.ts';
 
 const STEPS = 256;
 
-/** The colours of one scale on the GPU: what a pixel's number is looked up in. */
+/** The colours of one scale on the GPU, looked up by a pixel's value. */
 export class FalseColorTable {
   private readonly table = new FloatTable(STEPS);
   private readonly start = uniform(0);
   private readonly perStep = uniform(1);
-  private made = '';
+  private usedKey = '';
 
   use({ kind, ...scale }: FalseColorScale): void {
-    const wanted = JSON.stringify([kind, scale]);
-    if (wanted === this.made) return;
-    this.made = wanted;
+    const key = JSON.stringify([kind, scale]);
+    if (key === this.usedKey) return;
+    this.usedKey = key;
     const [start, end] = [toScaleUnits(kind, scale.from), toScaleUnits(kind, scale.to)];
     this.start.value = start;
     this.perStep.value = (STEPS - 1) / (end - start);
@@ -45,11 +45,11 @@ export class FalseColorTable {
     this.table.upload();
   }
 
-  /** Of a number in the scale's steps. */
+  /** The colour of a value in the scale's units. */
   color(value: Float): Vec3 {
-    const at = clamp(value.sub(this.start).mul(this.perStep), 0, STEPS - 1).toVar();
-    const low = min(floor(at), STEPS - 2).toVar();
-    return mix(this.table.texel(int(low)).xyz, this.table.texel(int(low.add(1))).xyz, at.sub(low));
+    const position = clamp(value.sub(this.start).mul(this.perStep), 0, STEPS - 1).toVar();
+    const low = min(floor(position), STEPS - 2).toVar();
+    return mix(this.table.texel(int(low)).xyz, this.table.texel(int(low.add(1))).xyz, position.sub(low));
   }
 
   dispose(): void {
@@ -57,7 +57,7 @@ export class FalseColorTable {
   }
 }
 
-/** The picture's numbers as colours, sRGB: each of what is at the pixel's centre, with nothing smoothed between. */
+/** The picture's values as sRGB colours: each of what is at the pixel's centre, without smoothing between pixels. */
 export const falseColored = (
   kind: FalseColorQuantity,
   light: Texture,
@@ -67,10 +67,10 @@ export const falseColored = (
   { tone, grid }: Pick<RenderSettings, 'tone' | 'grid'>,
 ): Vec4 =>
   Fn(() => {
-    const there = texelHere(buffer.texture('object')).x.greaterThan(0.5).toVar();
-    const value = VALUES[kind]({ light, buffer, uniforms, there });
+    const hasSurface = texelHere(buffer.texture('object')).x.greaterThan(0.5).toVar();
+    const value = VALUES[kind]({ light, buffer, uniforms, hasSurface });
     const color = table.color(isLogarithmic(kind) ? log2(max(value, 1e-38)) : value).toVar();
-    if (kind === 'emission-time') color.assign(select(there, color, vec3(...NO_VALUE_COLOR).div(255)));
+    if (kind === 'emission-time') color.assign(select(hasSurface, color, vec3(...NO_VALUE_COLOR).div(255)));
     if (kind === 'band') {
       const shown = toneMaps[tone](texelHere(light).rgb, uniforms.exposure);
       const gray = encodeSrgb(vec3(relativeLuminance(shown))).x;
@@ -85,8 +85,8 @@ interface FalseColorInputs {
   readonly light: Texture;
   readonly buffer: GBuffer;
   readonly uniforms: FrameUniforms;
-  /** Whether a surface is at the pixel. */
-  readonly there: ReturnType<Float['greaterThan']>;
+  /** Whether there is a surface at the pixel. */
+  readonly hasSurface: ReturnType<Float['greaterThan']>;
 }
 
 const VALUES: Readonly<Record<FalseColorQuantity, (sources: FalseColorInputs) => Float>> = {
@@ -96,9 +96,9 @@ const VALUES: Readonly<Record<FalseColorQuantity, (sources: FalseColorInputs) =>
   band: (sources) => dopplerHere(sources).mul(REFERENCE_WAVELENGTH),
 };
 
-/** D of the surface; of the sky, which rests in the world, where there is none. */
-function dopplerHere({ buffer, uniforms, there }: FalseColorInputs): Float {
-  return select(there, texelHere(buffer.texture('motion')).w, skyDoppler(uniforms));
+/** D of the surface; without one D of the sky, which is at rest in the world. */
+function dopplerHere({ buffer, uniforms, hasSurface }: FalseColorInputs): Float {
+  return select(hasSurface, texelHere(buffer.texture('motion')).w, skyDoppler(uniforms));
 }
 
 export function skyDoppler(uniforms: FrameUniforms): Float {

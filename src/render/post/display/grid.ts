@@ -3,8 +3,8 @@ import type { Float, Vec2, Vec3, Vec4 } from '../../../shaders/types.ts';
 import type { FrameUniforms } from '../../gpu/frameUniforms.ts';
 
 /**
- * The ground's reference grid, (colour, cover): straight lines in the observer's frame, as a plane at the observer's height below would look
- * without any relativity. `nPrime`: the pixel's direction; `depth`: apparent distance of what is seen there [m], nearer things hide the grid.
+ * The ground's reference grid, (colour, coverage): straight lines in the observer's frame, as a plane below the observer would look without relativity.
+ * `nPrime`: the pixel's direction; `depth`: apparent distance of the surface there [m]; nearer surfaces hide the grid.
  */
 export const gridOver = (
   nPrime: Vec3,
@@ -30,11 +30,11 @@ export const gridOver = (
     return vec4(color, select(visible, cover, 0));
   })();
 
-/** Cover of lines at whole numbers, `width` pixels wide; where lines come closer than pixels they fade into their mean. */
+/** Coverage of lines at integers, `width` pixels wide; where lines are closer than pixels they fade to their mean. */
 function lines(place: Vec2, footprint: Vec2, width: number): Float {
-  const away = abs(place.add(0.5).fract().sub(0.5)).div(footprint);
-  const cover = smoothstep(width / 2 - 0.5, width / 2 + 0.5, away).oneMinus();
-  const dense = clamp(footprint.mul(2).sub(0.4), 0, 1).oneMinus();
-  const each = cover.mul(dense);
-  return max(each.x, each.y);
+  const pixelDistance = abs(place.add(0.5).fract().sub(0.5)).div(footprint);
+  const cover = smoothstep(width / 2 - 0.5, width / 2 + 0.5, pixelDistance).oneMinus();
+  const density = clamp(footprint.mul(2).sub(0.4), 0, 1).oneMinus();
+  const coverage = cover.mul(density);
+  return max(coverage.x, coverage.y);
 }

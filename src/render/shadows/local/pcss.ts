@@ -1,5 +1,6 @@
 import { abs, dot, float, floor, fract, int, length, max, min, screenCoordinate, sqrt, vec2 } from 'three/tsl';
 import type { Bool, Float, Int, Vec2 } from '../../../shaders/types.ts';
+import { interleavedGradientNoise } from '../../gpu/gradientNoise.ts';
 import {
   type AtlasLookup,
   edgeHeightNear,
@@ -92,13 +93,6 @@ function filterAxis(of: Vec2, reach: Float, otherwise: Vec2, nearEdge: Bool): Ve
 
 /** Steps of the R₂ sequence (Roberts 2018, "The unreasonable effectiveness of quasirandom sequences"). */
 const R2_LATTICE = [0.7548776662, 0.5698402909] as const;
-
-/**
- * A number from 0 to 1 for each pixel, unlike those of its neighbours (interleaved gradient noise: Jimenez 2014, "Next generation post processing in Call of
- * Duty").
- */
-const interleavedGradientNoise = (): Float =>
-  fract(fract(dot(floor(screenCoordinate), vec2(0.06711056, 0.00583715))).mul(52.9829189));
 
 /** Where the pixel's lookups begin: for a square the offset of its lattice, for a disc the first direction. */
 function samplePatternOf(square: boolean): { readonly square: boolean; readonly at: Vec2 } {
