@@ -29,16 +29,16 @@ import { Tessellator } from './tessellation/tessellator.ts';
 
 let uploads = 0;
 
-/** A scene on the GPU. */
+/** A scene on the GPU for one G-buffer: geometry, tables, lights and shadow maps. */
 export class SceneUpload {
-  /** Tells uploads apart. */
+  /** Serial number, unique among uploads. */
   readonly serial = uploads++;
   readonly scene: Scene;
-  /** Speed of light it was made for; only what is authored in the rest frame and sampled depends on it. */
+  /** The speed of light that the upload was made for; only objects that are authored in the rest frame and sampled depend on it. */
   readonly speedOfLight: number;
   readonly dependsOnSpeedOfLight: boolean;
   readonly bodies: readonly Body[];
-  /** First one for every batch, then those of their pieces, as they are made. */
+  /** First one for every batch, then those of their patches, as they are created. */
   readonly drawCalls: DrawCall[] = [];
   readonly tessellator: Tessellator;
   readonly environment: Environment;
@@ -51,11 +51,11 @@ export class SceneUpload {
   readonly radius: number;
   private readonly objects = new FloatTable(256);
   private readonly samples = new FloatTable(1024);
-  /** What fragments read of materials and lights. */
+  /** Texels of materials and lights, which fragment shaders read. */
   private readonly table = new FloatTable(256);
   readonly atlas = new HalfAtlas();
   private readonly materials: TablePart;
-  /** Of meshes that many wear (vertexInput.ts). */
+  /** The instance table (vertexInput.ts). */
   private readonly instances = new FloatTable(256);
   private readonly points = new Map<number, PointStore>();
   private readonly channelPacker = new ChannelPacker();
@@ -70,8 +70,8 @@ export class SceneUpload {
     this.radius = sceneRadius(this.bodies);
     this.materials = this.table.part(scene.materials.length * MATERIAL_TEXELS);
     this.environment = new Environment(scene, this.table, this.atlas);
-    const night = sceneNightSky(scene);
-    this.stars = night && new StarPoints(night, uniforms, gpu.renderer.reversedDepthBuffer);
+    const nightSky = sceneNightSky(scene);
+    this.stars = nightSky && new StarPoints(nightSky, uniforms, gpu.renderer.reversedDepthBuffer);
     this.objectWriter = new ObjectTableWriter({ objects: this.objects, samples: this.samples, points: this.points });
     for (const { id, object } of this.bodies) {
       const samples = pointSamples(object.motion);
@@ -81,13 +81,13 @@ export class SceneUpload {
     const batches = makeBatches({ ...scene, objects: this.bodies.map((b) => b.object) }, this.bodies);
     this.fillInstances(batches);
     for (const batch of batches) this.add(this.drawBatch(batch, uniforms));
-    // Before the refiner: these draw the batches whole.
+    // Before the tessellator changes the draw calls' geometry: shadow maps draw whole batches.
     const { bodies, drawCalls, points } = this;
     const detail = SHADOW_DETAILS[options.shadowDetail ?? 'fine'];
     const { radius } = this;
     const occluders = { bodies, drawables: [...drawCalls], materials: scene.materials, points, detail, radius };
     this.shadows = new ShadowMaps(occluders, this.environment, gpu);
-    this.tessellator = new Tessellator(gpu, [...this.drawCalls], (drawable) => this.add(drawable), options);
+    this.tessellator = new Tessellator(gpu, [...this.drawCalls], (drawCall) => this.add(drawCall), options);
   }
 
   dispose(): void {
@@ -117,9 +117,9 @@ export class SceneUpload {
     return new PointStore(motion, meshNormals, gpu.renderer, { maxTexels: texels, samples });
   }
 
-  /** Puts lights where they are for an observer, who sees their colours in one of two ways. */
-  updateLights(sight: Observation, colors: ColorMode): void {
-    this.environment.update(sight, colors);
+  /** Updates the lights for an observation, with their colours for a colour mode. */
+  updateLights(observation: Observation, colors: ColorMode): void {
+    this.environment.update(observation, colors);
     this.table.upload();
   }
 
@@ -131,19 +131,19 @@ export class SceneUpload {
   }
 
   private fillInstances(batches: readonly Batch[]): void {
-    for (const { bodies, instancing: worn } of batches) {
-      if (!worn) continue;
-      this.instances.reserve(worn.first + bodies.length);
+    for (const { bodies, instancing } of batches) {
+      if (!instancing) continue;
+      this.instances.reserve(instancing.first + bodies.length);
       bodies.forEach(({ id }, i) => {
-        this.instances.values.set([id - 1, worn.materials[i], 0, 0], 4 * (worn.first + i));
+        this.instances.values.set([id - 1, instancing.materials[i], 0, 0], 4 * (instancing.first + i));
       });
     }
     this.instances.upload();
   }
 
-  private add(drawable: DrawCall): void {
-    this.drawCalls.push(drawable);
-    (drawable.batch.transparent ? this.transparent : this.opaque).add(drawable.mesh);
+  private add(drawCall: DrawCall): void {
+    this.drawCalls.push(drawCall);
+    (drawCall.batch.transparent ? this.transparent : this.opaque).add(drawCall.mesh);
   }
 
   private drawBatch(batch: Batch, uniforms: FrameUniforms): DrawCall {
@@ -170,14 +170,14 @@ export class SceneUpload {
     });
   }
 
-  private surfaceTextures(of: BatchTextures): SurfaceTextures {
-    const { baseColorTexture, emissiveTexture, normalTexture } = of;
+  private surfaceTextures(batchTextures: BatchTextures): SurfaceTextures {
+    const { baseColorTexture, emissiveTexture, normalTexture } = batchTextures;
     const channels = this.channelPacker.pack({
-      ...(of.roughnessTexture && { roughness: of.roughnessTexture }),
-      ...(of.metallicTexture && { metallic: of.metallicTexture }),
-      ...(of.occlusionTexture && { occlusion: of.occlusionTexture }),
-      ...(of.uvTexture && { uv: of.uvTexture }),
-      ...(of.irTexture && { ir: of.irTexture }),
+      ...(batchTextures.roughnessTexture && { roughness: batchTextures.roughnessTexture }),
+      ...(batchTextures.metallicTexture && { metallic: batchTextures.metallicTexture }),
+      ...(batchTextures.occlusionTexture && { occlusion: batchTextures.occlusionTexture }),
+      ...(batchTextures.uvTexture && { uv: batchTextures.uvTexture }),
+      ...(batchTextures.irTexture && { ir: batchTextures.irTexture }),
     });
     return {
       ...(baseColorTexture && { baseColor: this.texture(baseColorTexture) }),
@@ -194,9 +194,9 @@ export class SceneUpload {
 
   private texture(image: Texture): DataTexture {
     const key = textureKey(image);
-    const made = this.textures.get(key) ?? uploadTexture(image);
-    this.textures.set(key, made);
-    return made;
+    const uploaded = this.textures.get(key) ?? uploadTexture(image);
+    this.textures.set(key, uploaded);
+    return uploaded;
   }
 }
 
