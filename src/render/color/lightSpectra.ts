@@ -62,7 +62,8 @@ export function coloredLightIndex(light: SpectrumLight, lights: readonly Filtere
   const filtered = coloredLight(light);
   if (!filtered) return undefined;
   const differences = lights.map(
-    ({ temperature, filter }) => Math.abs(Math.log(temperature / filtered.temperature)) + distance(filter, filtered.filter),
+    ({ temperature, filter }) =>
+      Math.abs(Math.log(temperature / filtered.temperature)) + distance(filter, filtered.filter),
   );
   return differences.indexOf(Math.min(...differences));
 }

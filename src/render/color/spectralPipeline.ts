@@ -135,11 +135,18 @@ export const spectralPipeline =
     };
 
     /** Neutral light that arrives shifted. */
-    const neutral = (strength: Float, reflectance: SpectralFilterNodes, shift: Float, thermalSource: ThermalSource | undefined): Vec3 => {
+    const neutral = (
+      strength: Float,
+      reflectance: SpectralFilterNodes,
+      shift: Float,
+      thermalSource: ThermalSource | undefined,
+    ): Vec3 => {
       const whole = clamp(out.mixed.mul(shift), ...SHIFT_RANGE).toVar();
       const T = whole.mul(thermalSource?.temperature ?? DAYLIGHT.temperature).toVar();
       const colors = thermalColors(blackbodies, T, out.mixed);
-      return filteredColor(colors, reflectance).mul(gain(colors.H, T, thermalSource?.luminance ?? float(1), whole).mul(strength));
+      return filteredColor(colors, reflectance).mul(
+        gain(colors.H, T, thermalSource?.luminance ?? float(1), whole).mul(strength),
+      );
     };
 
     /** Light of any colour that arrives shifted; `luminances`: those of the other lights of a sky. */

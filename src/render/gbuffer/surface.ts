@@ -118,9 +118,9 @@ export interface Surface extends SpecularParameters {
 export function readSurface(sources: SurfaceSources): Surface {
   const { textures } = sources;
   const material = int(round(vLife.w)).mul(int(MATERIAL_TEXELS)).toVar();
-  const [base, glow, roughnessMetallicTexel, reflectancesTexel, normalOcclusion, invisibleChannels] = [0, 1, 2, 3, 4, 5].map((k) =>
-    sources.materials.texel(material.add(int(k))),
-  );
+  const [base, glow, roughnessMetallicTexel, reflectancesTexel, normalOcclusion, invisibleChannels] = [
+    0, 1, 2, 3, 4, 5,
+  ].map((k) => sources.materials.texel(material.add(int(k))));
   const color = base.toVar();
   if (textures.baseColor) color.mulAssign(sampled(textures.baseColor, vUv));
   if (sources.colored) color.mulAssign(vec4(vColor, 1));
@@ -145,8 +145,12 @@ export function readSurface(sources: SurfaceSources): Surface {
   return {
     color,
     invisible: vec2(
-      textures.uv ? channel(textures.uv, invisibleChannels.xy) : reflectanceOrEnds(reflectances.y, BASIS_ENDS.uv, color.rgb),
-      textures.ir ? channel(textures.ir, invisibleChannels.zw) : reflectanceOrEnds(reflectances.z, BASIS_ENDS.ir, color.rgb),
+      textures.uv
+        ? channel(textures.uv, invisibleChannels.xy)
+        : reflectanceOrEnds(reflectances.y, BASIS_ENDS.uv, color.rgb),
+      textures.ir
+        ? channel(textures.ir, invisibleChannels.zw)
+        : reflectanceOrEnds(reflectances.z, BASIS_ENDS.ir, color.rgb),
     ),
     emission: emissionOf(emissive, reflectances.w),
     roughness: channel(textures.roughness, roughnessMetallic.xy),

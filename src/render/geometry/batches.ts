@@ -85,7 +85,9 @@ export function makeBatches(scene: Scene, bodies: readonly Body[]): Batch[] {
       const shape = `${motion.kind} ${mesh.doubleSided} ${mesh.colors !== undefined} ${alone || transparent[material] ? body.id : 0}`;
       const materialKey = `${transparent[material]} ${textureKeys[material]} ${deforming ? material : 0}`;
       const isShared = sharedKey !== undefined && !transparent[material];
-      const key = isShared ? `instanced ${sharedKey} ${start} ${count} ${motion.kind} ${materialKey}` : `${shape} ${materialKey}`;
+      const key = isShared
+        ? `instanced ${sharedKey} ${start} ${count} ${motion.kind} ${materialKey}`
+        : `${shape} ${materialKey}`;
       const parts = partsByKey.get(key) ?? [];
       partsByKey.set(key, parts);
       if (count > 0) parts.push({ body, material, start, count });
@@ -94,7 +96,12 @@ export function makeBatches(scene: Scene, bodies: readonly Body[]): Batch[] {
   let instances = 0;
   return [...partsByKey].flatMap(([key, parts]) => {
     if (parts.length === 0) return [];
-    const batch = makeBatch(scene, parts, transparent[parts[0].material], key.startsWith('instanced') ? instances : undefined);
+    const batch = makeBatch(
+      scene,
+      parts,
+      transparent[parts[0].material],
+      key.startsWith('instanced') ? instances : undefined,
+    );
     instances += batch.instancing?.materials.length ?? 0;
     return [batch];
   });

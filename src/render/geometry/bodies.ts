@@ -51,7 +51,11 @@ interface BodyMotion<M extends Motion> {
   linearMap(body: MovingBody, motion: M, instanced: boolean, t: number, c: number): LinearMap | undefined;
 }
 
-const mapOf = (rotated: (axis: Vec3) => Vec3): LinearMap => [rotated([1, 0, 0]), rotated([0, 1, 0]), rotated([0, 0, 1])];
+const mapOf = (rotated: (axis: Vec3) => Vec3): LinearMap => [
+  rotated([1, 0, 0]),
+  rotated([0, 1, 0]),
+  rotated([0, 0, 1]),
+];
 
 /** For motions with one orientation; meshes of single bodies are uploaded already rotated. */
 const rotatedBy =
@@ -151,7 +155,12 @@ export function hyperbolicLineOfCenter(
   const position = add(applyPose(pose, center), shift);
   if (object.authoredIn === 'world') return { kind: 'hyperbolic', position, properAcceleration, t0 };
   const offsetOverLength = dot(sub(position, pose.position), properAcceleration) / (c * c);
-  return { kind: 'hyperbolic', position, properAcceleration: scale(properAcceleration, 1 / (1 + offsetOverLength)), t0 };
+  return {
+    kind: 'hyperbolic',
+    position,
+    properAcceleration: scale(properAcceleration, 1 / (1 + offsetOverLength)),
+    t0,
+  };
 }
 
 /**
@@ -194,7 +203,8 @@ function maxControlDeviation(motion: CubicPointsMotion, centers: Float64Array, k
   let square = 0;
   innerControlPoints(motion, k).forEach((points, j) => {
     const fraction = (j + 1) / 3;
-    const at = (axis: number) => centers[3 * k + axis] * (1 - fraction) + centers[3 * k + 3 + axis] * fraction - origin[axis];
+    const at = (axis: number) =>
+      centers[3 * k + axis] * (1 - fraction) + centers[3 * k + 3 + axis] * fraction - origin[axis];
     const [x, y, z] = [at(0), at(1), at(2)];
     for (let i = 0; i < points.length; i += 3)
       square = Math.max(square, (points[i] - x) ** 2 + (points[i + 1] - y) ** 2 + (points[i + 2] - z) ** 2);

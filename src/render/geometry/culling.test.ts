@@ -13,15 +13,23 @@ const speed = fc.double({ min: 0, max: 50, noNaN: true });
 
 it('what lies in a cone of directions lies in the aberrated cone', () => {
   fc.assert(
-    fc.property(unit, unit, unit, fraction, fraction, speed, (axis, inside, velocityDirection, size, within, speedOfObserver) => {
-      const sphere = { center: scale(axis, 10), radius: 9.9 * size };
-      const cone = coneAround(sphere)!;
-      const u = scale(velocityDirection, speedOfObserver);
-      const n = normalize(add(sphere.center, scale(inside, sphere.radius * within)));
-      const aberrated = aberrateCone(cone, u);
-      expect(length(aberrated.axis)).toBeCloseTo(1, 9);
-      expect(dot(aberrated.axis, aberrate(n, u))).toBeGreaterThanOrEqual(aberrated.cosine - 1e-6);
-    }),
+    fc.property(
+      unit,
+      unit,
+      unit,
+      fraction,
+      fraction,
+      speed,
+      (axis, inside, velocityDirection, size, within, speedOfObserver) => {
+        const sphere = { center: scale(axis, 10), radius: 9.9 * size };
+        const cone = coneAround(sphere)!;
+        const u = scale(velocityDirection, speedOfObserver);
+        const n = normalize(add(sphere.center, scale(inside, sphere.radius * within)));
+        const aberrated = aberrateCone(cone, u);
+        expect(length(aberrated.axis)).toBeCloseTo(1, 9);
+        expect(dot(aberrated.axis, aberrate(n, u))).toBeGreaterThanOrEqual(aberrated.cosine - 1e-6);
+      },
+    ),
   );
 });
 

@@ -127,7 +127,8 @@ const OBJECT_ROWS: { readonly [K in Motion['kind']]: ObjectRows<Extract<Motion, 
         : () => 0;
       objects.values[at + 14] = 1 / observation.c;
       let next = used;
-      for (let k = first; k < first + count; k++) samples.values.set([store.slot(k), bendOf(k), 0, after(k)], 4 * next++);
+      for (let k = first; k < first + count; k++)
+        samples.values.set([store.slot(k), bendOf(k), 0, after(k)], 4 * next++);
       return { used: next, complete };
     },
   },

@@ -37,7 +37,8 @@ const observation = fc
 /** The same line, shifted. */
 function shifted(worldLine: WorldLine, by: Vec3): WorldLine {
   if (worldLine.kind === 'circular') return worldLine;
-  if (worldLine.kind !== 'polyline' && worldLine.kind !== 'cubic') return { ...worldLine, position: add(worldLine.position, by) };
+  if (worldLine.kind !== 'polyline' && worldLine.kind !== 'cubic')
+    return { ...worldLine, position: add(worldLine.position, by) };
   return { ...worldLine, positions: worldLine.positions.map((x, i) => x + by[i % 3]) };
 }
 

@@ -71,7 +71,8 @@ const endVelocities =
     const next = index.add(int(1)).toVar();
     const chord = pieceVelocity(at(index).toVar(), at(next).toVar()).xyz.toVar();
     const bend = sampleTexel(index).y.toVar();
-    const bentVelocity = (i: Int): Vec3 => mix(chord, vertex.place(table, row(sampleTexel(i).x)).mul(perC), bend).toVar();
+    const bentVelocity = (i: Int): Vec3 =>
+      mix(chord, vertex.place(table, row(sampleTexel(i).x)).mul(perC), bend).toVar();
     return { begin: bentVelocity(index), end: bentVelocity(next) };
   };
 

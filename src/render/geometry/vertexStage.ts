@@ -162,7 +162,11 @@ export function vertexEvent(
 }
 
 /** A vertex of a mesh with instancing, rotated as its body is; samples are rotated one by one. */
-function rotatedVertex({ kind, instances }: EventSources, vertex: VertexInput, texel: (k: number) => Vec4): VertexInput {
+function rotatedVertex(
+  { kind, instances }: EventSources,
+  vertex: VertexInput,
+  texel: (k: number) => Vec4,
+): VertexInput {
   if (!instances || !VERTEX_MOTIONS[kind].turnsInstances) return vertex;
   const orientation = texel(4);
   return {

@@ -71,7 +71,10 @@ describe('channels of several pictures', () => {
       height: 1,
       data: Uint8Array.from([40, 80, 120, 160].flatMap((x) => [x, 0, 0, 0])),
     });
-    const packed = new ChannelPacker().pack({ a: channelOf(ramp, 0), b: channelOf(makeTexture(1, { width: 8, height: 2 }), 0) });
+    const packed = new ChannelPacker().pack({
+      a: channelOf(ramp, 0),
+      b: channelOf(makeTexture(1, { width: 8, height: 2 }), 0),
+    });
     // Texels of half the size lie a quarter beside the centres of the old ones; the first is between the last and itself, because the texture repeats.
     const row = [70, 50, 70, 90, 110, 130, 150, 130];
     expect(texelsOf(packed.a!)).toEqual([...row, ...row]);

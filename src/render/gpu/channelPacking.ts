@@ -53,7 +53,8 @@ function packTexture(parts: readonly TextureChannel[]): Texture {
   const data = new Uint8Array(TEXEL_CHANNELS * width * height);
   parts.forEach((part, k) => {
     const texelAt = resized(part, width, height);
-    for (let y = 0, i = k; y < height; y++) for (let x = 0; x < width; x++, i += TEXEL_CHANNELS) data[i] = texelAt(x, y);
+    for (let y = 0, i = k; y < height; y++)
+      for (let x = 0; x < width; x++, i += TEXEL_CHANNELS) data[i] = texelAt(x, y);
   });
   return { ...texture, name: parts.map((part) => part.texture.name).join(' + '), width, height, data };
 }

@@ -19,7 +19,8 @@ type Adapter = Awaited<ReturnType<GPU['requestAdapter']>>;
 export async function openGpu(options: RendererOptions): Promise<Gpu> {
   const requestedBackend = options.backend ?? 'auto';
   const adapter = options.device || requestedBackend === 'webgl' ? null : await findAdapter();
-  if (requestedBackend === 'webgpu' && !options.device && !adapter) throw new Error('WebGPU: this machine has no adapter for it');
+  if (requestedBackend === 'webgpu' && !options.device && !adapter)
+    throw new Error('WebGPU: this machine has no adapter for it');
   const webgl = !options.device && !adapter;
   const renderer = new WebGPURenderer({
     canvas: options.canvas ?? offscreenCanvas(),

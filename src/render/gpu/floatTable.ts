@@ -92,8 +92,18 @@ export class FloatTable implements Texels {
   }
 
   /** Copies whole rows to the GPU, from row `first` on. `uploader` can be reused for the same number of rows. */
-  writeRows(renderer: WebGPURenderer, first: number, rows: Float32Array<ArrayBuffer>, uploader = new RowUploader()): void {
-    renderer.copyTextureToTexture(uploader.texture(rows, 1 << this.widthBits), this.texture, null, new Vector3(0, first, 0));
+  writeRows(
+    renderer: WebGPURenderer,
+    first: number,
+    rows: Float32Array<ArrayBuffer>,
+    uploader = new RowUploader(),
+  ): void {
+    renderer.copyTextureToTexture(
+      uploader.texture(rows, 1 << this.widthBits),
+      this.texture,
+      null,
+      new Vector3(0, first, 0),
+    );
   }
 
   texel(index: Node<'int'>): Node<'vec4'> {

@@ -85,7 +85,12 @@ const boosted = (x: Vec3, ago: Float, { u, gamma }: RestFrameBoost): Vec3 =>
   x.add(u.mul(dot(u, x).div(gamma.add(1)).add(ago)));
 
 /** The observer position of a place in the world at a distance (shaders/kinematics/apparentPosition.ts, simultaneousPosition.ts). */
-function projected(x: Vec3, distance: Float, placement: SpacetimeProjection['place'], { u, gamma }: FrameUniforms): Vec3 {
+function projected(
+  x: Vec3,
+  distance: Float,
+  placement: SpacetimeProjection['place'],
+  { u, gamma }: FrameUniforms,
+): Vec3 {
   if (placement === 'plain') return x;
   if (placement === 'apparent') return boosted(x, distance, { u, gamma });
   return x.sub(u.mul(dot(u, x).div(gamma.mul(gamma.add(1)))));

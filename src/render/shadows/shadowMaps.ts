@@ -47,7 +47,9 @@ export class ShadowMaps implements LightVisibility {
     const event = { dx: receiver.dx, time: receiver.time, normal: sliceNormal(receiver).toVar() };
     const staticVisibility = this.staticDistant.visibility(sun, event, this.sampleCount);
     const dynamicVisibility = this.dynamicDistant.visibility(sun, event, this.sampleCount);
-    return staticVisibility && dynamicVisibility ? staticVisibility.mul(dynamicVisibility) : (staticVisibility ?? dynamicVisibility);
+    return staticVisibility && dynamicVisibility
+      ? staticVisibility.mul(dynamicVisibility)
+      : (staticVisibility ?? dynamicVisibility);
   }
 
   ofLocalLight(slot: Int | number | undefined, receiver: ShadowReceiver, light: ShadowedLight): Float | undefined {

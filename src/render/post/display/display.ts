@@ -1,15 +1,4 @@
-import {
-  Fn,
-  float,
-  max,
-  mix,
-  mrt,
-  pow,
-  select,
-  step,
-  vec3,
-  vec4,
-} from 'three/tsl';
+import { Fn, float, max, mix, mrt, pow, select, step, vec3, vec4 } from 'three/tsl';
 import type { Node, Texture, TextureNode } from 'three/webgpu';
 import type { RenderSettings } from '../../../scene/view/view.ts';
 import { toneMaps } from '../../../shaders/color/toneMap.ts';
@@ -56,7 +45,9 @@ export function accumulatedSample(
   settings: DisplaySettings,
 ): Node {
   const sum = (current: Vec3, previousTexture: TextureNode): Vec4 =>
-    select(uniforms.firstSample.greaterThan(0.5), vec4(0), texelHere(previousTexture)).add(vec4(current, 1).mul(uniforms.weight));
+    select(uniforms.firstSample.greaterThan(0.5), vec4(0), texelHere(previousTexture)).add(
+      vec4(current, 1).mul(uniforms.weight),
+    );
   const light = texelHere(hdr).rgb;
   return mrt({
     picture: Fn(() => sum(toneMapped(light, buffer, uniforms, settings), previous.picture))(),
@@ -74,7 +65,12 @@ export const sampleMean = (picture: TextureNode): Vec4 =>
   })();
 
 /** A sample as temporalAntialiasing.ts reads it: the tone-mapped colour, and 1/|Δx′| of the surface [1/m], or 0. */
-export const temporalSample = (hdr: Texture, buffer: GBuffer, uniforms: FrameUniforms, settings: DisplaySettings): Vec4 =>
+export const temporalSample = (
+  hdr: Texture,
+  buffer: GBuffer,
+  uniforms: FrameUniforms,
+  settings: DisplaySettings,
+): Vec4 =>
   Fn(() => {
     const inverseDistance = max(depthHere(buffer), 1e-4).reciprocal();
     return vec4(toYCoCg(toneMapped(texelHere(hdr).rgb, buffer, uniforms, settings)), inverseDistance);

@@ -129,7 +129,12 @@ export class MovingCasters {
     for (const body of surroundings?.bodies ?? []) {
       const linearMap = linearMapOf(body, this.instanced.has(body), observation.t, observation.c);
       if (linearMap && surroundings)
-        this.poses.set(body, linearMap, sub(positionAt(body.line, observation.t, observation.c), surroundings.from), SURROUNDINGS);
+        this.poses.set(
+          body,
+          linearMap,
+          sub(positionAt(body.line, observation.t, observation.c), surroundings.from),
+          SURROUNDINGS,
+        );
     }
     this.poses.upload();
     this.frame.fill(deforming, observation, NO_CULLING, false);
@@ -150,11 +155,20 @@ export function largestCasters(bodies: readonly Body[], observation: Observation
       const line = worldLineOfCenter(body, observation.c);
       const event = intersect(line, observation);
       const { birth, death } = body.object.lifetime;
-      if (!event || !(observation.c * (birth - observation.t) <= event.ahead && event.ahead <= observation.c * (death - observation.t)))
+      if (
+        !event ||
+        !(
+          observation.c * (birth - observation.t) <= event.ahead &&
+          event.ahead <= observation.c * (death - observation.t)
+        )
+      )
         return [];
       const size = body.radius / Math.max(length(event.offset) - body.radius, 1e-3 * body.radius);
       if (!(size > MIN_APPARENT_SIZE)) return [];
-      const beta = scale(velocityAt(line, observation.t + event.ahead / observation.c, observation.c), 1 / observation.c);
+      const beta = scale(
+        velocityAt(line, observation.t + event.ahead / observation.c, observation.c),
+        1 / observation.c,
+      );
       return [{ body, ...event, beta, drift: driftOf(line, event.ahead, beta, body.radius, observation), size }];
     })
     .sort((a, b) => b.size - a.size || a.body.id - b.body.id);

@@ -78,7 +78,8 @@ export function cascades(
   return cascadeSizes(box).map((half, k) => {
     const maxOffset = Math.max(0, box.halfSide - half);
     const step = SNAP_STEP * half;
-    const place = (axis: Vec3) => Math.max(-maxOffset, Math.min(maxOffset, step * Math.round(dot(offset, axis) / step)));
+    const place = (axis: Vec3) =>
+      Math.max(-maxOffset, Math.min(maxOffset, step * Math.round(dot(offset, axis) / step)));
     const center = addScaled(addScaled(box.center, axes.right, place(axes.right)), axes.up, place(axes.up));
     return { axes, beta: [0, 0, 0], center, halfSide: half, halfDepth: depth, penumbraSlope, tile: tiles[k] };
   });

@@ -126,7 +126,9 @@ function layerVisibility(
   const ground = max(place.z, 0).toVar();
   const edge = edgeHeightNear(atlas, place.xy).toVar();
   const nearEdge = edge.greaterThan(ground).toVar();
-  const radius = nearEdge.select(clamp(edge.sub(ground).mul(penumbraSlope), MIN_FILTER_RADIUS, atlas.cell), float(0)).toVar();
+  const radius = nearEdge
+    .select(clamp(edge.sub(ground).mul(penumbraSlope), MIN_FILTER_RADIUS, atlas.cell), float(0))
+    .toVar();
   const direction = vec2(1, 0).toVar();
   const occluded = float(0).toVar();
   const count = nearEdge.select(int(sampleCount), int(1)).toVar();

@@ -76,7 +76,12 @@ export class DynamicLocalShadows {
     this.casters = new MovingCasters(occluders);
     if (all === 0) return;
     const casterBodies = new Set([...this.movingBodies, ...this.staticBodies]);
-    this.casters.addTo(this.atlas, casterBodies, perspectiveProjection(this.atlas, this.table, side), this.drawsSurroundings);
+    this.casters.addTo(
+      this.atlas,
+      casterBodies,
+      perspectiveProjection(this.atlas, this.table, side),
+      this.drawsSurroundings,
+    );
   }
 
   /** Returns undefined if nothing moves; `moves`: whether the light does. */
@@ -106,7 +111,9 @@ export class DynamicLocalShadows {
     const movingLights = lights.filter(({ light }) => !isStatic(light.motion));
     const separable = this.staticBodies.filter((body) => {
       const event = intersect(body.line, observation);
-      return event && movingLights.every((entry) => !isTooNear(lightSeenFrom(entry, event, observation).offset, body.radius));
+      return (
+        event && movingLights.every((entry) => !isTooNear(lightSeenFrom(entry, event, observation).offset, body.radius))
+      );
     });
     const movers = largestCasters([...movingBodies, ...separable], observation).slice(0, maxCasters);
     const ownBodies = new Set(movers.map(({ body }) => body));
@@ -118,7 +125,11 @@ export class DynamicLocalShadows {
       ...this.drawSurroundings(lights, observation, new Set(surroundingBodies)),
     ];
     const origin = movingLights.length > 0 ? observation.position : '';
-    const key = [shapes, origin, table.keyOf(lights.length * (maxCasters + 1), lights.length * (maxCasters + MAX_FACES))].join(' ');
+    const key = [
+      shapes,
+      origin,
+      table.keyOf(lights.length * (maxCasters + 1), lights.length * (maxCasters + MAX_FACES)),
+    ].join(' ');
     if (key === this.renderedKey || draws.length === 0) return true;
     this.renderedKey = key;
     const { side, columns } = this.tiles;
@@ -161,7 +172,10 @@ export class DynamicLocalShadows {
     const lightEvent = lightSeenFrom(entry, { offset, ahead }, observation);
     const { side } = this.tiles;
     const radius = body.radius + mover.drift;
-    const layer = sphereLayer(addScaled(lightEvent.offset, beta, -lightEvent.ahead), radius, { side, cell: this.atlas.cell });
+    const layer = sphereLayer(addScaled(lightEvent.offset, beta, -lightEvent.ahead), radius, {
+      side,
+      cell: this.atlas.cell,
+    });
     if (!layer) return false;
     const center = addScaled(comovingCenter(mover), normalize(layer.source), -driftBias(mover));
     const [x, y] = tileCenter(this.tiles, tile);
@@ -198,5 +212,13 @@ export class DynamicLocalShadows {
 }
 
 /** A light at its emission event that meets an event, relative to the latter. */
-const lightSeenFrom = ({ line }: LightEntry, { offset, ahead }: RelativeEvent, observation: Observation): RelativeEvent =>
-  lightAnchor(line, { ...observation, t: observation.t + ahead / observation.c, position: add(observation.position, offset) });
+const lightSeenFrom = (
+  { line }: LightEntry,
+  { offset, ahead }: RelativeEvent,
+  observation: Observation,
+): RelativeEvent =>
+  lightAnchor(line, {
+    ...observation,
+    t: observation.t + ahead / observation.c,
+    position: add(observation.position, offset),
+  });

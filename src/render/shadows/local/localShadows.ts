@@ -41,7 +41,9 @@ export class LocalShadows {
     };
     const staticVisibility = moves ? undefined : this.staticShadows.visibility(slot, event, incoming, sampleCount);
     const dynamicVisibility = this.dynamicShadows.visibility(slot, moves, event, incoming, sampleCount);
-    return staticVisibility && dynamicVisibility ? staticVisibility.mul(dynamicVisibility) : (staticVisibility ?? dynamicVisibility);
+    return staticVisibility && dynamicVisibility
+      ? staticVisibility.mul(dynamicVisibility)
+      : (staticVisibility ?? dynamicVisibility);
   }
 
   /** Updates the maps for a picture. Returns false if samples of a deforming mesh are not loaded yet. */

@@ -52,7 +52,11 @@ export function pcssVisibility(
   const start = samplePatternOf(isParallelogram);
   const blockers = { height: float(0).toVar(), count: float(0).toVar() };
   const searchCount = Math.max(4, sampleCount / 2);
-  const search = lightSamples(filterAxis(A, searchReach, vec2(1, 0), nearEdge), filterAxis(B, searchReach, vec2(0, 1), nearEdge), start);
+  const search = lightSamples(
+    filterAxis(A, searchReach, vec2(1, 0), nearEdge),
+    filterAxis(B, searchReach, vec2(0, 1), nearEdge),
+    start,
+  );
   loopTimes(nearEdge.select(int(searchCount), int(1)), (i) => {
     const { height, off: offset, clear: minHeight } = lookup(map, footprint, search(i, searchCount));
     // Not outside the cone to the light's edge at the blocker's height.
@@ -63,7 +67,11 @@ export function pcssVisibility(
   });
   const mean = blockers.height.div(max(blockers.count, 1)).toVar();
   const reach = min(max(mean.sub(ground), 0), maxReach).toVar();
-  const filter = lightSamples(filterAxis(A, reach, vec2(1, 0), nearEdge), filterAxis(B, reach, vec2(0, 1), nearEdge), start);
+  const filter = lightSamples(
+    filterAxis(A, reach, vec2(1, 0), nearEdge),
+    filterAxis(B, reach, vec2(0, 1), nearEdge),
+    start,
+  );
   const inPenumbra = nearEdge.and(blockers.count.greaterThan(0)).toVar();
   const count = inPenumbra.select(int(sampleCount), int(1)).toVar();
   const occluded = float(0).toVar();

@@ -34,7 +34,11 @@ export class StaticLocalShadows {
   private readonly radius: number;
   private renderedKey = '';
 
-  constructor({ bodies, drawables: drawCalls, materials, detail, radius }: Occluders, lights: readonly LightEntry[], gpu: Gpu) {
+  constructor(
+    { bodies, drawables: drawCalls, materials, detail, radius }: Occluders,
+    lights: readonly LightEntry[],
+    gpu: Gpu,
+  ) {
     const resting = bodies.filter(isAlwaysStatic);
     let count = 0;
     this.firstTiles = lights.map(({ light }) => {
@@ -60,7 +64,12 @@ export class StaticLocalShadows {
   }
 
   /** Returns undefined if nothing is at rest. */
-  visibility(slot: Int | number, event: ReceiverEvent, incoming: IncomingLight, sampleCount: number): Float | undefined {
+  visibility(
+    slot: Int | number,
+    event: ReceiverEvent,
+    incoming: IncomingLight,
+    sampleCount: number,
+  ): Float | undefined {
     if (this.count === 0) return undefined;
     const { atlas, table, tiles } = this;
     return surroundingsVisibility({ atlas, table, tiles, sampleCount }, slot, event, incoming);

@@ -109,7 +109,6 @@ export class FactorKernels {
 
 function byKernel(requests: readonly PatchRequest[]): Map<string, PatchRequest[]> {
   const byKey = new Map<string, PatchRequest[]>();
-  for (const request of requests)
-    byKey.set(request.kernelKey, [...(byKey.get(request.kernelKey) ?? []), request]);
+  for (const request of requests) byKey.set(request.kernelKey, [...(byKey.get(request.kernelKey) ?? []), request]);
   return byKey;
 }

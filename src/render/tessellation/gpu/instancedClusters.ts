@@ -73,7 +73,8 @@ export class InstancedClusters {
 
   private showInstances(wholeBodies: readonly number[]): void {
     const { array } = this.instances;
-    const changed = wholeBodies.length !== this.geometry.instanceCount || wholeBodies.some((instance, i) => array[i] !== instance);
+    const changed =
+      wholeBodies.length !== this.geometry.instanceCount || wholeBodies.some((instance, i) => array[i] !== instance);
     this.drawCall.mesh.visible = wholeBodies.length > 0;
     if (wholeBodies.length === 0 || !changed) return;
     array.set(wholeBodies);
@@ -132,7 +133,10 @@ class SingleBody {
   /** Shows the clusters that are DRAWN. */
   show(states: Uint8Array): void {
     this.drawCall.mesh.visible = true;
-    if (states.length === this.shown.length && states.every((state, k) => (state === DRAWN) === (this.shown[k] === DRAWN)))
+    if (
+      states.length === this.shown.length &&
+      states.every((state, k) => (state === DRAWN) === (this.shown[k] === DRAWN))
+    )
       return;
     this.shown = states.slice();
     let used = 0;

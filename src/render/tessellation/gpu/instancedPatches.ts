@@ -27,7 +27,12 @@ export class InstancedPatches {
       const head = attribute<'vec4'>('head', 'vec4');
       const tail = attribute<'vec4'>('tail', 'vec4');
       const weights = weightsAt({ head, tail, factors: int(tail.w).toVar() }, coordinate.x, coordinate.y);
-      return triangleTable.interpolate(int(head.x), weights, cornerSources(indexed), attribute<'float'>('instance', 'float'));
+      return triangleTable.interpolate(
+        int(head.x),
+        weights,
+        cornerSources(indexed),
+        attribute<'float'>('instance', 'float'),
+      );
     };
     const sources = { ...indexed, vertex: { ...indexed.vertex, vertex } };
     this.buffers = PATTERNS.map((_, pattern) => new PatternInstances(pattern));

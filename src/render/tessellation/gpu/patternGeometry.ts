@@ -11,7 +11,10 @@ export interface IndexRange {
 export const patternTriangleCount = (pattern: number): number => PATTERNS[pattern].indices.length / 3;
 
 /** One geometry with several patterns in a row: position = (i, j, pattern). */
-export function patternGeometry(patterns: readonly number[]): { geometry: BufferGeometry; runs: readonly IndexRange[] } {
+export function patternGeometry(patterns: readonly number[]): {
+  geometry: BufferGeometry;
+  runs: readonly IndexRange[];
+} {
   const positions: number[] = [];
   const indices: number[] = [];
   const runs = patterns.map((pattern) => {

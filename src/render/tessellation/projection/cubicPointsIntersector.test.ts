@@ -55,7 +55,9 @@ it('points between the vertices are met where the formulas for single points hav
             c: C,
             hypersurface: surface,
           });
-          intersector.setTriangle(...([0, 1, 2].map((k) => mesh.indices[at + k]) as unknown as [number, number, number]));
+          intersector.setTriangle(
+            ...([0, 1, 2].map((k) => mesh.indices[at + k]) as unknown as [number, number, number]),
+          );
           const out = new Float64Array(3);
           intersector.intersect(v, w, out, 0);
           const expected = size < 0.5 ? probePoint(object, { corner: at, v, w }, view, C, name) : undefined;
@@ -91,7 +93,10 @@ it.each([
     const body = makeBody(object, 1);
     const [batch] = makeBatches(makeScene({ name: 'it', objects: [object] }), [body]);
     const clusters = new Clusters(batch);
-    const clusterBounds = new DeformingClusterBounds(clusters, batch.arrays.indices, motion).boundsOver({ first: 3, count: 5 });
+    const clusterBounds = new DeformingClusterBounds(clusters, batch.arrays.indices, motion).boundsOver({
+      first: 3,
+      count: 5,
+    });
     const { line } = body;
     let nearest = Number.POSITIVE_INFINITY;
     for (const { x, y, z, radius, maxSpeed, maxAcceleration = 0 } of clusterBounds)

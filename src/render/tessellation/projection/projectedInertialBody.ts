@@ -50,12 +50,7 @@ export interface InertialMap {
 type InertialLine = StaticLine | UniformLine;
 
 /** `line`: of the body's centre; `bornRigid`: the body's offsets are those of its rest frame; `size`: a typical length of the body [m]. */
-export function inertialMap(
-  line: InertialLine,
-  bornRigid: boolean,
-  size: number,
-  { view }: ScreenMetric,
-): InertialMap {
+export function inertialMap(line: InertialLine, bornRigid: boolean, size: number, { view }: ScreenMetric): InertialMap {
   const { observation, projection } = view;
   const v = properVelocity(scale(inertialVelocity(line), 1 / observation.c));
   const toObserver = PLACEMENTS[projection.place].boost(observation.u);
