@@ -10,13 +10,13 @@ import { DEFAULT_LIGHT } from './lights/lightOptions.ts';
 import { surfaceAt } from './materials/surface.ts';
 import { openness } from './transport/openness.ts';
 
-/** What a picture's data say of a hit: as many numbers as `AOVS` has channels. */
+/** Returns a hit's values of one AOV: as many as `AOVS` lists channels. */
 export type AovReader = (hit: Hit, ray: SpacetimeRay) => readonly number[];
 
-/** The same numbers for the same picture. */
+/** Makes the data of a picture reproducible. */
 const ZERO_RANDOM = (): number => 0;
 
-/** Reads of a camera ray's hit, for an observer with proper velocity u. Without light there is no shift: D = 1. */
+/** The reader of an AOV, for hits of camera rays of an observer with proper velocity u. In views without light D = 1. */
 export function aovReader(name: DataAov, scene: TracedScene, u: Vec3, settings: RenderSettings): AovReader {
   switch (name) {
     case 'albedo':
@@ -42,7 +42,7 @@ export function aovReader(name: DataAov, scene: TracedScene, u: Vec3, settings: 
   }
 }
 
-/** D = ν_observed/ν_emitted of what a ray meets, for an observer with proper velocity u where the ray begins. */
+/** D = ν_observed/ν_emitted of a ray's hit, for an observer with proper velocity u at the ray's origin. */
 export function dopplerOfHit({ velocity }: Hit, { dx }: SpacetimeRay, u: Vec3): number {
   return dopplerFactor(dx, u, properVelocity(velocity));
 }

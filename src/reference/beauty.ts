@@ -11,38 +11,38 @@ import { starField } from './starField.ts';
 import type { ImageTile, TileRequest } from './tileRequest.ts';
 import { radiance } from './transport/path.ts';
 
-/** Where the means of a tile's samples go, 3 values per pixel; what is absent is not wanted. */
+/** Receive the means of a tile's samples, 3 values per pixel; absent where a layer is not requested. */
 export interface BeautyBuffers {
   readonly beauty?: Float32Array;
   readonly picture?: Float32Array;
 }
 
 /**
- * The light of a tile, and what a screen shows of it: means over n × n samples per pixel; a single one is at the pixel's centre, where
- * the data are taken. A sample is tone mapped before it is averaged, as the rasterizer does, so that edges of very bright things are
- * smooth too. The sequence is the pixel's own, so that every division into tiles gives the same bits.
+ * Renders the `beauty` and `picture` layers of a tile: means over n × n samples per pixel; a single sample is at the pixel's centre, where
+ * the data are taken. For `picture` samples are tone mapped before they are averaged, as the rasterizer does, which antialiases edges of very
+ * bright surfaces too. Each pixel has a random sequence of its own, so the bits do not depend on the division into tiles.
  */
 export function fillBeauty(scene: TracedScene, request: TileRequest, tile: ImageTile, means: BeautyBuffers): void {
   const { x0, y0, x1, y1 } = tile;
   const { view, settings, width, height, samples: n, seed, light } = request;
-  const show = displayTransform(scene, request);
+  const toDisplay = displayTransform(scene, request);
   const stars = starField(scene, request, tile);
-  const eyes = sensorsOf(settings, n * n);
+  const createSensor = sensorsOf(settings, n * n);
   for (let y = y0; y < y1; y++)
     for (let x = x0; x < x1; x++) {
-      const numbers = pixelSequence(seed, x, y);
+      const sampleSequence = pixelSequence(seed, x, y);
       const sums = [0, 0, 0, 0, 0, 0];
       for (let i = 0; i < n * n; i++) {
-        const random = numbers(i);
+        const random = sampleSequence(i);
         const [right, down] = n === 1 ? [0.5, 0.5] : [random(), random()];
         const [px, py] = [x + right, y + down];
         const ray = cameraRay(view, settings, px, py, width, height);
-        const gathered = radiance(scene, ray, view, settings, light, random, eyes(random));
+        const gathered = radiance(scene, ray, view, settings, light, random, createSensor(random));
         const arrived = stars ? add(gathered, stars(ray, px, py)) : gathered;
-        const shown = show(arrived, ray, px, py);
+        const displayed = toDisplay(arrived, ray, px, py);
         for (let k = 0; k < 3; k++) {
           sums[k] += arrived[k] / (n * n);
-          sums[3 + k] += shown[k] / (n * n);
+          sums[3 + k] += displayed[k] / (n * n);
         }
       }
       const pixel = 3 * ((y - y0) * (x1 - x0) + (x - x0));
@@ -51,7 +51,7 @@ export function fillBeauty(scene: TracedScene, request: TileRequest, tile: Image
     }
 }
 
-/** What a screen shows of the light that arrives along the ray of a point of the picture: tone mapped, with the grid over it. */
+/** Maps the light along a picture point's ray to display values: tone mapped, with the grid drawn over it. */
 function displayTransform(
   scene: TracedScene,
   request: TileRequest,

@@ -18,23 +18,23 @@ interface StarSprite {
   readonly light: Vec3;
 }
 
-/** Linear sRGB radiance of the stars and what is behind them at a point of the picture [px from its top left], as much as gets there along its ray. */
+/** Linear sRGB radiance of the stars and the cosmic background at a point of the picture [px from its top left], attenuated along its ray. */
 export type StarField = (ray: SpacetimeRay, x: number, y: number) => Vec3;
 
-/** The stars of a tile; undefined where a scene has none. A star is a point: it is spread over a few pixels as the rasterizer spreads it. */
+/** The stars of a tile; undefined if the scene has no night sky. Stars are points, spread over a few pixels as in the rasterizer. */
 export function starField(scene: TracedScene, request: TileRequest, tile: ImageTile): StarField | undefined {
   const sky = sceneNightSky(scene.scene);
   if (!sky) return undefined;
   const stars = starsNear(sky, request, tile);
   const { view, settings } = request;
-  const behind = (ray: SpacetimeRay): Vec3 => {
-    // Of what is invisible at rest approximate colours know nothing.
+  const background = (ray: SpacetimeRay): Vec3 => {
+    // Approximate colours have no light that is invisible at rest.
     if (settings.colors === 'approximate') return ZERO;
     const D = VIEWS[settings.view].luminous ? observerDoppler(ray.dx, view.u) : 1;
     return scale(cosmicBackground(D, settings), sky.gain);
   };
   return (ray, x, y) => {
-    let sum = behind(ray);
+    let sum = background(ray);
     for (const star of stars) {
       const [dx, dy] = [x - star.x, y - star.y];
       if (Math.abs(dx) < star.half && Math.abs(dy) < star.half)
@@ -44,7 +44,7 @@ export function starField(scene: TracedScene, request: TileRequest, tile: ImageT
   };
 }
 
-/** Less than this no picture shows. */
+/** No picture shows less radiance than this. */
 const MIN_RADIANCE = 1e-12;
 
 function starsNear(
@@ -52,28 +52,28 @@ function starsNear(
   { view, settings, width, height }: TileRequest,
   tile: ImageTile,
 ): readonly StarSprite[] {
-  const room = 3 * sky.stars.temperatures.length;
-  const [places, lights] = [new Float32Array(room), new Float32Array(room)];
-  const count = projectStars(sky, view, settings, width, height, { positions: places, radiances: lights });
+  const capacity = 3 * sky.stars.temperatures.length;
+  const [positions, radiances] = [new Float32Array(capacity), new Float32Array(capacity)];
+  const count = projectStars(sky, view, settings, width, height, { positions, radiances });
   const near: StarSprite[] = [];
   for (let k = 0; k < 3 * count; k += 3) {
-    const [x, y, half] = [((places[k] + 1) / 2) * width, ((1 - places[k + 1]) / 2) * height, places[k + 2]];
+    const [x, y, half] = [((positions[k] + 1) / 2) * width, ((1 - positions[k + 1]) / 2) * height, positions[k + 2]];
     if (x + half > tile.x0 && x - half < tile.x1 && y + half > tile.y0 && y - half < tile.y1)
-      near.push({ x, y, half, light: [lights[k], lights[k + 1], lights[k + 2]] });
+      near.push({ x, y, half, light: [radiances[k], radiances[k + 1], radiances[k + 2]] });
   }
   return near;
 }
 
-/** What of the light from behind everything gets past the sides that are shown. */
+/** The fraction of background light that passes all visible sides. */
 function transmittanceToCamera(scene: TracedScene, ray: SpacetimeRay): number {
-  let share = 1;
+  let transmitted = 1;
   const hidden = nearestHit(scene, ray, {
     visibleSides: true,
     accepts: (hit) => {
-      const held = coverage(scene, hit);
-      share *= 1 - held;
-      return held >= 1;
+      const opacity = coverage(scene, hit);
+      transmitted *= 1 - opacity;
+      return opacity >= 1;
     },
   });
-  return hidden ? 0 : share;
+  return hidden ? 0 : transmitted;
 }

@@ -60,7 +60,7 @@ const request: TileRequest = {
 };
 const whole = renderTile(scene, request, { x0: 0, y0: 0, x1: width, y1: height });
 
-it('a picture has the same bits however it is cut into tiles', () => {
+it('a picture has the same bits however it is divided into tiles', () => {
   const again = createTracedScene(makeScene({ name: 'test', objects, materials }), 1);
   const cuts: ImageTile[] = [
     { x0: 10, y0: 0, x1: width, y1: 7 },
@@ -80,13 +80,13 @@ it('a picture has the same bits however it is cut into tiles', () => {
   }
 });
 
-it('another seed is another picture, of the same things', () => {
+it('the seed changes the noise, not the data', () => {
   const other = renderTile(scene, { ...request, seed: 12 }, { x0: 0, y0: 0, x1: width, y1: height });
   expect(other.beauty).not.toEqual(whole.beauty);
   expect(other.depth).toEqual(whole.depth);
 });
 
-it('the data of a pixel are of one event of one thing', () => {
+it('the data of a pixel belong to one event of one object', () => {
   const { depth, object, position, emission_time: time, normal, doppler } = whole;
   if (!depth || !object || !position || !time || !normal || !doppler) return expect.fail('not all layers');
   const seen = new Set<number>();
@@ -100,17 +100,17 @@ it('the data of a pixel are of one event of one thing', () => {
     expect(length(at)).toBeCloseTo(-time[i], 5);
     const apparent = apparentPosition(at, request.view.u);
     expect(length(apparent)).toBeCloseTo(depth[i], 5);
-    // Its direction is that of the pixel.
+    // Its direction is that of the pixel's ray.
     const [x, y] = [((i % width) + 0.5) / width, (Math.floor(i / width) + 0.5) / height];
     const ray = normalize([(2 * x - 1) * (width / height), 1 - 2 * y, -1]);
     expect(dot(ray, normalize(apparent))).toBeCloseTo(1, 6);
     expect(Math.hypot(normal[3 * i], normal[3 * i + 1], normal[3 * i + 2])).toBeCloseTo(1, 6);
   }
-  // Neither the pane, which is blended, nor what is cut out.
+  // Neither the alpha-blended pane nor what is cut out.
   expect([...seen].sort()).toEqual([0, 1, 2, 3]);
 });
 
-it('there is no Doppler effect where there is no light', () => {
+it('D = 1 in views without light', () => {
   const settings = settingsFor('simultaneity');
   const { doppler, object } = renderTile(
     scene,

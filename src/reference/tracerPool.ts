@@ -2,15 +2,15 @@ import { channelsOf } from './tile.ts';
 import type { ImageTile, OutputLayer, TileData, TileRequest } from './tileRequest.ts';
 import type { TracerMessage, TracerReply } from './tracerServer.ts';
 
-/** A thread that serves (serve.ts), seen from outside; what carries the messages is given. */
+/** A thread that runs `serveTracer`, as seen by the pool. */
 export interface TracerThread {
-  send(order: TracerMessage): void;
-  /** What it answers, and what ends it; called once. */
+  send(message: TracerMessage): void;
+  /** Sets the callbacks for replies and for the error that ends the thread; called once. */
   listen(hear: (reply: TracerReply) => void, fail: (error: Error) => void): void;
   terminate(): Promise<unknown> | undefined;
 }
 
-/** A picture that is being drawn: what is left to do, and whom to tell. */
+/** A picture being rendered: the remaining tiles, and callbacks. */
 interface PictureJob {
   readonly tiles: ImageTile[];
   left: number;
@@ -20,8 +20,8 @@ interface PictureJob {
 }
 
 /**
- * Threads that draw the tiles of one scene's pictures. Each takes the next tile when it has finished one, and a tile's bits do not depend on
- * who draws it. Whatever goes wrong in a thread ends the picture, and with it all threads.
+ * Threads that render the tiles of one scene's pictures. Each takes the next tile when it has finished one; a tile's bits do not depend on the
+ * thread. Any error in a thread rejects the picture and terminates all threads.
  */
 export class TracerPool {
   private readonly threads: readonly TracerThread[];
@@ -29,7 +29,7 @@ export class TracerPool {
   private job: PictureJob | undefined;
   private failure: Error | undefined;
 
-  /** `explain`: what went wrong in a thread, in words for people. */
+  /** `explain` turns a thread's error into one with a message for users. */
   constructor(
     threads: readonly TracerThread[],
     scene: Extract<TracerMessage, { readonly kind: 'scene' }>,
@@ -46,7 +46,7 @@ export class TracerPool {
     }
   }
 
-  /** Draws a picture; `take` gets its tiles in the order in which they are finished. */
+  /** Renders a picture; `take` receives its tiles in the order in which they are finished. */
   render(
     request: TileRequest,
     tiles: readonly ImageTile[],
@@ -62,7 +62,7 @@ export class TracerPool {
     });
   }
 
-  /** Ends all threads at once, and the picture with an error. */
+  /** Terminates all threads at once, and rejects the current picture. */
   stop(error: Error): void {
     if (this.failure) return;
     this.failure = error;
@@ -94,10 +94,10 @@ export class TracerPool {
   }
 }
 
-/** Small enough that the threads end together, large enough that telling of them costs nothing [px]. */
+/** Small enough that threads finish at about the same time, large enough that messages cost nothing [px]. */
 const TILE_SIZE = 16;
 
-/** A picture in tiles, row by row. */
+/** The tiles of a picture, row by row. */
 export function tilesOf({ width, height }: Pick<TileRequest, 'width' | 'height'>): ImageTile[] {
   const tiles: ImageTile[] = [];
   for (let y0 = 0; y0 < height; y0 += TILE_SIZE) {
@@ -108,11 +108,11 @@ export function tilesOf({ width, height }: Pick<TileRequest, 'width' | 'height'>
   return tiles;
 }
 
-/** A whole picture, in the layers that are asked for. `onPart` hears which part is done, 0 … 1. */
+/** Renders a whole picture, in the requested layers. `onProgress` receives the finished fraction, 0 … 1. */
 export async function renderWithPool(
   pool: TracerPool,
   request: TileRequest,
-  onPart: (part: number) => void = () => {},
+  onProgress: (fraction: number) => void = () => {},
 ): Promise<Map<OutputLayer, Float32Array<ArrayBuffer>>> {
   const { width, height, layers } = request;
   const images = new Map(layers.map((layer) => [layer, new Float32Array(width * height * channelsOf(layer))]));
@@ -121,12 +121,12 @@ export async function renderWithPool(
   await pool.render(request, tiles, (tile, data) => {
     for (const [layer, image] of images) copyTile(image, width, tile, data[layer]);
     done++;
-    onPart(done / tiles.length);
+    onProgress(done / tiles.length);
   });
   return images;
 }
 
-/** Puts the rows of a tile where they belong. */
+/** Copies the rows of a tile into the picture. */
 function copyTile(
   image: Float32Array,
   width: number,

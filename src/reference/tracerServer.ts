@@ -3,45 +3,45 @@ import { fromPreparedScene, type PreparedScene, type TracedScene } from './inter
 import { renderTile } from './tile.ts';
 import type { ImageTile, TileData, TileRequest } from './tileRequest.ts';
 
-/** What a thread that draws tiles is told, in this order: a scene, then for each picture what it is to be, then its tiles. */
+/** Messages to a tracer thread, in this order: a scene, then for each picture its request and its tiles. */
 export type TracerMessage =
   | { readonly kind: 'scene'; readonly ground: PreparedScene; readonly shapes: number }
   | { readonly kind: 'picture'; readonly request: TileRequest }
   | { readonly kind: 'tile'; readonly tile: ImageTile };
 
-/** What it answers: each tile once, or why there will be none. */
+/** Replies of a tracer thread: each tile once, or the error. */
 export type TracerReply =
   | { readonly kind: 'tile'; readonly tile: ImageTile; readonly data: TileData }
   | { readonly kind: 'failed'; readonly message: string };
 
-/** The thread's end of a line to whoever gives it work. */
+/** The thread's end of the message channel. */
 export interface TracerPort {
-  listen(hear: (order: TracerMessage) => void): void;
-  /** `transfer`: memory that is handed over instead of copied. */
+  listen(hear: (message: TracerMessage) => void): void;
+  /** `transfer`: memory that is transferred instead of copied. */
   post(reply: TracerReply, transfer: readonly ArrayBufferLike[]): void;
 }
 
-/** Draws what the port orders, as long as the thread lives. */
+/** Handles the port's messages for the lifetime of the thread. */
 export function serveTracer(port: TracerPort): void {
   let scene: TracedScene | undefined;
   let request: TileRequest | undefined;
-  const obey = (order: TracerMessage): void => {
-    if (order.kind === 'scene') {
-      setSampleCacheSize(order.shapes / 4);
-      scene = fromPreparedScene(order.ground, order.shapes);
-    } else if (order.kind === 'picture') request = order.request;
+  const handle = (message: TracerMessage): void => {
+    if (message.kind === 'scene') {
+      setSampleCacheSize(message.shapes / 4);
+      scene = fromPreparedScene(message.ground, message.shapes);
+    } else if (message.kind === 'picture') request = message.request;
     else if (!scene || !request) throw new Error('a tile was ordered before its scene and its picture');
     else {
-      const data = renderTile(scene, request, order.tile);
+      const data = renderTile(scene, request, message.tile);
       port.post(
-        { kind: 'tile', tile: order.tile, data },
+        { kind: 'tile', tile: message.tile, data },
         Object.values(data).map((values) => values.buffer),
       );
     }
   };
-  port.listen((order) => {
+  port.listen((message) => {
     try {
-      obey(order);
+      handle(message);
     } catch (error) {
       port.post({ kind: 'failed', message: (error instanceof Error && error.stack) || String(error) }, []);
     }

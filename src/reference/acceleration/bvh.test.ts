@@ -7,12 +7,12 @@ import { BvhTraversal } from './bvhTraversal.ts';
 const box = fc
   .tuple(uniform(-9, 9), uniform(-9, 9), uniform(-9, 9), uniform(0, 2), uniform(0, 2), fc.constantFrom(0, 1))
   .map(([x, y, z, a, b, c]) => [x, y, z, x + a, y + b, z + c]);
-/** Some are in one place, where no plane can divide them. */
+/** Includes copies of one box, which no plane can separate. */
 const boxes = fc
   .tuple(fc.array(box, { maxLength: 60 }), fc.integer({ min: 0, max: 30 }))
   .map(([list, copies]) => [...list, ...Array.from({ length: copies }, () => [1, 2, 3, 2, 3, 4])]);
 
-it('every item is in one leaf, inside all boxes above it', () =>
+it('every item is in exactly one leaf, inside the boxes of all its ancestors', () =>
   fc.assert(
     fc.property(boxes, (list) => {
       const { bounds, link, count, order } = buildBvh(Float64Array.from(list.flat()));
@@ -33,7 +33,7 @@ it('every item is in one leaf, inside all boxes above it', () =>
     }),
   ));
 
-it('a line is shown every item whose box it meets, also along the faces', () =>
+it('traversal visits every item whose box the line meets, also along faces', () =>
   fc.assert(
     fc.property(
       boxes,
@@ -42,11 +42,11 @@ it('a line is shown every item whose box it meets, also along the faces', () =>
       (list, o, d) => {
         fc.pre(d.some((x) => x !== 0));
         const tree = buildBvh(Float64Array.from(list.flat()));
-        const walk = new BvhTraversal();
-        walk.start(tree, [...o, ...d], 0);
-        const shown = new Set<number>();
-        for (let leaf = walk.next(50); leaf >= 0; leaf = walk.next(50))
-          for (let i = 0; i < tree.count[leaf]; i++) shown.add(tree.order[tree.link[leaf] + i]);
+        const traversal = new BvhTraversal();
+        traversal.start(tree, [...o, ...d], 0);
+        const visited = new Set<number>();
+        for (let leaf = traversal.next(50); leaf >= 0; leaf = traversal.next(50))
+          for (let i = 0; i < tree.count[leaf]; i++) visited.add(tree.order[tree.link[leaf] + i]);
         list.forEach((b, i) => {
           let [near, far] = [0, 50];
           for (let axis = 0; axis < 3; axis++) {
@@ -55,7 +55,7 @@ it('a line is shown every item whose box it meets, also along the faces', () =>
               if (o[axis] < b[axis] || o[axis] > b[3 + axis]) far = -1;
             } else [near, far] = [Math.max(near, Math.min(p, q)), Math.min(far, Math.max(p, q))];
           }
-          if (near <= far) expect(shown.has(i)).toBe(true);
+          if (near <= far) expect(visited.has(i)).toBe(true);
         });
       },
     ),

@@ -1,23 +1,23 @@
-/** A binary tree of boxes, its nodes depth first: the left child of node i is node i + 1. */
+/** A bounding volume hierarchy: a binary tree of boxes, its nodes in depth-first order: the left child of node i is node i + 1. */
 export interface Bvh {
-  /** 6 per node: least x y z, greatest x y z [m]. */
+  /** 6 per node: min x y z, max x y z [m]. */
   readonly bounds: Float64Array;
-  /** Of an inner node: its right child; of a leaf: the place of its first item in `order`. */
+  /** Inner node: index of its right child. Leaf: index of its first item in `order`. */
   readonly link: Int32Array;
-  /** Items of a leaf; 0 in inner nodes. */
+  /** Number of items of a leaf; 0 for inner nodes. */
   readonly count: Uint8Array;
-  /** The items' numbers, leaf by leaf. */
+  /** Item indices, grouped by leaf. */
   readonly order: Uint32Array;
 }
 
-/** Costs 1 to enter a node and 1 to try an item, so small leaves pay. */
+/** Entering a node and testing an item cost 1 each, so small leaves pay off. */
 const MAX_LEAF_ITEMS = 4;
 const BINS = 16;
 
 /**
- * Divides items with the given boxes (6 numbers each, as `Bvh.bounds`) where the expected cost of a random ray is least: each side's
- * surface times its items, over planes between `BINS` equal slices of the longest side of the centres' box. Source: Wald 2007, "On fast
- * construction of SAH-based bounding volume hierarchies".
+ * Builds a BVH over items with the given boxes (6 numbers each, as in `Bvh.bounds`) by the surface area heuristic: candidate planes divide the
+ * longest side of the centres' bounding box into `BINS` equal slices; the cost of a split is area times item count, summed over both sides.
+ * Source: Wald 2007, "On fast construction of SAH-based bounding volume hierarchies".
  */
 export function buildBvh(boxes: Float64Array): Bvh {
   const items = boxes.length / 6;
@@ -38,10 +38,10 @@ class Builder {
   constructor(boxes: Float64Array, items: number) {
     this.boxes = boxes;
     this.order = Uint32Array.from({ length: items }, (_, i) => i);
-    const most = Math.max(1, 2 * items - 1);
-    this.bounds = new Float64Array(6 * most);
-    this.link = new Int32Array(most);
-    this.count = new Uint8Array(most);
+    const maxNodes = Math.max(1, 2 * items - 1);
+    this.bounds = new Float64Array(6 * maxNodes);
+    this.link = new Int32Array(maxNodes);
+    this.count = new Uint8Array(maxNodes);
     if (items > 0) this.divide(0, items);
   }
 
@@ -74,20 +74,20 @@ class Builder {
     for (let i = from; i < to; i++) growBox(this.bounds, 6 * node, this.boxes, 6 * this.order[i]);
   }
 
-  /** Sorts the items into two sides and gives the first of the second; `from` where one leaf is better. */
+  /** Partitions the items and returns the index of the second side's first item; `from` if a leaf is cheaper. */
   private split(from: number, to: number): number {
     const items = to - from;
     const { axis, least, size } = this.spread(from, to);
-    // Items with one centre cannot be told apart: halve them by number, as often as it takes.
+    // No plane separates items with the same centre: halve the list instead.
     if (!(size > 0)) return items <= MAX_LEAF_ITEMS ? from : (from + to) >>> 1;
     const binOf = (item: number) => Math.min(BINS - 1, Math.floor((BINS * (this.center(item, axis) - least)) / size));
     const { plane, cost } = this.bestPlane(from, to, binOf);
-    const whole = area(this.bounds, 6 * (this.nodes - 1)) * items;
-    if (items <= MAX_LEAF_ITEMS && cost + area(this.bounds, 6 * (this.nodes - 1)) >= whole) return from;
+    const leafCost = area(this.bounds, 6 * (this.nodes - 1)) * items;
+    if (items <= MAX_LEAF_ITEMS && cost + area(this.bounds, 6 * (this.nodes - 1)) >= leafCost) return from;
     return this.partition(from, to, (item) => binOf(item) < plane);
   }
 
-  /** The longest side of the box of the items' centres. */
+  /** The axis along which the items' centres spread farthest, with their minimum and extent. */
   private spread(from: number, to: number): { axis: number; least: number; size: number } {
     const best = { axis: 0, least: 0, size: 0 };
     for (let axis = 0; axis < 3; axis++) {
@@ -106,7 +106,7 @@ class Builder {
     return (this.boxes[6 * item + axis] + this.boxes[6 * item + 3 + axis]) / 2;
   }
 
-  /** Before which bin to cut. The first and the last bin are never empty, so neither side is. */
+  /** The bin before which to split, and its cost. The first and last bins are never empty, so neither side is. */
   private bestPlane(from: number, to: number, binOf: (item: number) => number): { plane: number; cost: number } {
     const { binBox, binCount, right } = this;
     binCount.fill(0);
@@ -127,7 +127,7 @@ class Builder {
     return best;
   }
 
-  /** Surface times items of all bins from one end up to each one. */
+  /** Visits the bins from one end, each with area times item count of all bins up to it. */
   private sweep(side: Float64Array, from: number, step: number, visit: (bin: number, cost: number) => void): void {
     emptyBox(side, 0);
     let items = 0;
@@ -152,13 +152,13 @@ class Builder {
   }
 }
 
-/** A box that holds nothing and grows to anything. */
+/** Sets the box at k to the empty box, min +∞ and max −∞. */
 export function emptyBox(boxes: Float64Array, k: number): void {
   boxes.fill(Number.POSITIVE_INFINITY, k, k + 3);
   boxes.fill(Number.NEGATIVE_INFINITY, k + 3, k + 6);
 }
 
-/** Enlarges the box at k by the one at j of another list. */
+/** Enlarges the box at k to contain the one at j of another list. */
 export function growBox(boxes: Float64Array, k: number, others: ArrayLike<number>, j: number): void {
   for (let i = 0; i < 3; i++) {
     if (others[j + i] < boxes[k + i]) boxes[k + i] = others[j + i];

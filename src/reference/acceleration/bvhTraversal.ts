@@ -1,15 +1,13 @@
 import type { Vec3 } from '../../math/vec3.ts';
 import type { Bvh } from './bvh.ts';
 
-/** Rounding of the three factors of a slab's crossing. Source: Ize 2013, "Robust BVH ray traversal". */
+/** Covers rounding errors of the slab test, a product of three rounded factors. Source: Ize 2013, "Robust BVH ray traversal". */
 const SLACK = 1 + 8 * Number.EPSILON;
 
-/** Deep enough: a tree of 2³² items that halves would have 32 levels, and lopsided ones are cut by number. */
+/** A balanced tree of 2³² items has 32 levels; items with equal centres are halved too. */
 const MAX_DEPTH = 128;
 
-/**
- * Goes along a straight line o + s d through a tree of boxes and gives the leaves that it meets, near ones first.
- */
+/** Traverses a tree of boxes along a straight line o + s d and returns the leaves that it meets, near ones first. */
 export class BvhTraversal {
   private bounds: Float64Array = new Float64Array(0);
   private link: Int32Array = new Int32Array(0);
@@ -18,7 +16,7 @@ export class BvhTraversal {
   private readonly entered = new Float64Array(MAX_DEPTH);
   private top = 0;
   private begin = 0;
-  // For each axis: 1/d, which of a box's planes is met first, and where the line begins as that plane (n) and the other one (f) see it.
+  // Per axis: 1/d, the index of the box plane that is met first, and the line's origin for that plane (n) and the opposite one (f).
   private ix = 0;
   private iy = 0;
   private iz = 0;
@@ -32,7 +30,7 @@ export class BvhTraversal {
   private fy = 0;
   private fz = 0;
 
-  /** From s = `begin` on; `line`: o x y z, d x y z, in the frame of the boxes [m]. */
+  /** Starts at s = `begin`; `line`: o x y z, d x y z, in the frame of the boxes [m]. */
   start(tree: Bvh, line: ArrayLike<number>, begin: number): void {
     this.bounds = tree.bounds;
     this.link = tree.link;
@@ -52,9 +50,9 @@ export class BvhTraversal {
     this.top = tree.link.length > 0 ? 1 : 0;
   }
 
-  /** After `start`: the line stands for a curve that is up to `bulge` [m] beside it on that side, and both are known to `noise` [m]. */
+  /** Called after `start`, for a curve that deviates from the line by up to (x, y, z) [m], to that side only; coordinates are accurate to `noise` [m]. */
   thicken([x, y, z]: Vec3, noise: number): void {
-    // A box is met by some of the thick line where the line itself meets the box made larger to the other side.
+    // The thick line meets a box where the line itself meets the box enlarged on the opposite side.
     const [lowX, highX] = [Math.max(0, x) + noise, Math.min(0, x) - noise];
     const [lowY, highY] = [Math.max(0, y) + noise, Math.min(0, y) - noise];
     const [lowZ, highZ] = [Math.max(0, z) + noise, Math.min(0, z) - noise];
@@ -66,7 +64,7 @@ export class BvhTraversal {
     this.fz += this.nearZ === 2 ? highZ : lowZ;
   }
 
-  /** The next leaf that is met before s = `end`; −1 where there is none left. */
+  /** The next leaf that is met before s = `end`; −1 if none is left. */
   next(end: number): number {
     const { link, count, stack, entered } = this;
     while (this.top > 0) {
@@ -92,7 +90,7 @@ export class BvhTraversal {
     this.entered[this.top++] = s;
   }
 
-  /** The s at which the line enters a node's box; ∞ where it misses it. Written so that NaN (0/0: along a face) counts as inside. */
+  /** The s at which the line enters a node's box; ∞ if it misses. Written so that NaN (0/0: along a face) counts as inside. */
   private enter(node: number, end: number): number {
     const b = this.bounds;
     const k = 6 * node;

@@ -3,11 +3,11 @@ import type { Bvh } from './bvh.ts';
 const MAX_DEPTH = 128;
 
 /**
- * Goes along a straight line o + s d through a tree of boxes whose faces move evenly: at s they are (1 − f) `before` + f `after` with
- * f = f₀ + f₁ s. Gives the leaves that it meets, near ones first, each with the part of the line that is inside.
+ * Traverses a tree of boxes whose faces move uniformly along a straight line o + s d: at s they are (1 − f) `before` + f `after` with
+ * f = f₀ + f₁ s. Returns the leaves that the line meets, near ones first, each with the part of the line inside it.
  */
 export class MovingBvhTraversal {
-  /** Of the leaf that was given last: where the line enters and leaves it. */
+  /** s at which the line enters and leaves the leaf returned last. */
   near = 0;
   far = 0;
   private link: Int32Array = new Int32Array(0);
@@ -25,7 +25,7 @@ export class MovingBvhTraversal {
   private f0 = 0;
   private f1 = 0;
 
-  /** The line and how the boxes move along it; set before `start`. */
+  /** Sets the line and the boxes' motion along it; called before `start`. */
   line(ox: number, oy: number, oz: number, dx: number, dy: number, dz: number, f0: number, f1: number): void {
     const { o, d } = this;
     o[0] = ox;
@@ -38,7 +38,7 @@ export class MovingBvhTraversal {
     this.f1 = f1;
   }
 
-  /** From s = 0 to `length`; the boxes are taken larger by `noise` [m]. */
+  /** Starts from s = 0 to `length`; the boxes are enlarged by `noise` [m]. */
   start({ link, count }: Bvh, before: Float64Array, after: Float64Array, length: number, noise: number): void {
     this.link = link;
     this.count = count;
@@ -50,7 +50,7 @@ export class MovingBvhTraversal {
     if (link.length > 0 && this.intersects(0, length)) this.push(0, this.near, this.far);
   }
 
-  /** The next leaf that is met before s = `end`; −1 where there is none left. */
+  /** The next leaf that is met before s = `end`; −1 if none is left. */
   next(end: number): number {
     while (this.top > 0) {
       const node = this.stack[--this.top];
@@ -65,7 +65,7 @@ export class MovingBvhTraversal {
     return -1;
   }
 
-  /** The nearer one last, so that it comes first. */
+  /** Pushes the nearer child last, so that it is popped first. */
   private pushChildren(first: number, second: number, end: number): void {
     const one = this.intersects(first, end);
     const { near, far } = this;
@@ -86,7 +86,7 @@ export class MovingBvhTraversal {
     this.left[this.top++] = far;
   }
 
-  /** Whether the line is ever inside the node's box, and where. */
+  /** Whether the line is ever inside the node's box; if so, sets `near` and `far`. */
   private intersects(node: number, end: number): boolean {
     const { before, after, o, d, f0, f1, noise } = this;
     let near = 0;
@@ -97,7 +97,7 @@ export class MovingBvhTraversal {
       const hi = before[k + 3];
       const loMoves = after[k] - lo;
       const hiMoves = after[k + 3] - hi;
-      // How far inside each face, and how fast that changes.
+      // Distance inside each face, and its rate of change with s.
       const a = o[axis] - lo - loMoves * f0 + noise;
       const aRate = d[axis] - loMoves * f1;
       const b = hi + hiMoves * f0 - o[axis] + noise;

@@ -2,47 +2,47 @@ import { addScaled, normalize, type Vec3 } from '../../math/vec3.ts';
 import type { Lifetime } from '../../scene/types.ts';
 import type { Hit, RayFilter, SpacetimeRay } from './ray.ts';
 
-/** Where a ray crosses a triangle, in as few numbers as tell it. */
+/** The intersection of a ray with a triangle in minimal form; `ObjectIntersector.hitAt` computes the rest. */
 export interface Crossing {
   readonly s: number;
-  /** Place of the triangle's first corner in `mesh.indices`. */
+  /** Index of the triangle's first corner in `mesh.indices`. */
   readonly corner: number;
-  /** Weights of the second and third corner. */
+  /** Barycentric weights of the second and third corners. */
   readonly v: number;
   readonly w: number;
   readonly front: boolean;
-  /** Which stretch of the object's motion it is in, where that has more than one. */
+  /** Index of the piece of the object's motion, where that has more than one. */
   readonly piece: number;
 }
 
-/** A box that stands still in the coordinates x − v t: least x y z, greatest x y z [m]. */
+/** A box at rest in the coordinates x − v t: min x y z, max x y z [m]. */
 export interface MovingBox {
   readonly box: readonly number[];
   /** v [m/s] */
   readonly velocity: Vec3;
 }
 
-/** Finds where rays meet one object. */
+/** Intersects rays with one object. */
 export interface ObjectIntersector {
-  /** Place in `Scene.objects`. */
+  /** Index in `Scene.objects`. */
   readonly index: number;
-  /** Holds all events of the object; undefined where no such box does, and where it has no triangles. */
+  /** Contains all events of the object; undefined if no such box does, or if the object has no triangles. */
   readonly bounds: MovingBox | undefined;
-  /** Back sides can be seen. */
+  /** Whether back sides are visible. */
   readonly doubleSided: boolean;
-  /** Offers the crossings between `search.begin` and `search.end` to the search; those behind the nearest that was taken may be left out. */
+  /** Offers the crossings between `search.begin` and `search.end` to the search; those beyond the nearest taken so far may be omitted. */
   intersect(ray: SpacetimeRay, search: RayQuery): void;
   hitAt(ray: SpacetimeRay, crossing: Crossing): Hit;
 }
 
-/** What one ray is looking for, and the nearest that it has found. */
+/** The search for a ray's nearest hit. */
 export class RayQuery implements Crossing {
   readonly ray: SpacetimeRay;
-  /** s from which crossings count. */
+  /** Crossings before this s are ignored. */
   readonly begin: number;
-  /** s beyond which nothing counts; the nearest crossing's, once there is one. */
+  /** Crossings beyond this s are ignored; it moves to the nearest crossing found. */
   end: number;
-  /** The nearest crossing, where there is one. */
+  /** The nearest crossing; valid once one has been taken. */
   s = 0;
   corner = 0;
   v = 0;
@@ -59,7 +59,7 @@ export class RayQuery implements Crossing {
     this.filter = filter;
   }
 
-  /** Takes a crossing where it is nearer than all before and the ray does not pass through; says whether it was taken. */
+  /** Takes a crossing if it is the nearest so far and the filter accepts it; returns whether it was taken. */
   offer(
     tracer: ObjectIntersector,
     s: number,
@@ -70,8 +70,8 @@ export class RayQuery implements Crossing {
     piece: number,
   ): boolean {
     if (!(s >= this.begin && s <= this.end) || (s === this.end && this.intersector)) return false;
-    const { visibleSides: shown, accepts, alwaysAccept } = this.filter;
-    if (shown && !front && !tracer.doubleSided) return false;
+    const { visibleSides, accepts, alwaysAccept } = this.filter;
+    if (visibleSides && !front && !tracer.doubleSided) return false;
     const ask = accepts && !alwaysAccept?.[tracer.index];
     if (ask && !accepts(tracer.hitAt(this.ray, { s, corner, v, w, front, piece }))) return false;
     this.end = s;
@@ -90,7 +90,7 @@ export class RayQuery implements Crossing {
   }
 }
 
-/** A hit where the world line of the surface's point has velocity β [c] and the triangle, in its rest frame, the normal N of any length. */
+/** The hit of a crossing where the surface has the velocity β [c] and the triangle the rest-frame normal N of any length. */
 export function createHit(
   { t, x, dt, dx }: SpacetimeRay,
   object: number,
@@ -116,7 +116,7 @@ export function createHit(
 export const isUnlimited = ({ birth, death }: Lifetime): boolean =>
   birth === Number.NEGATIVE_INFINITY && death === Number.POSITIVE_INFINITY;
 
-/** The part of [begin, end] in which the ray's time is within [from, to] (world times [s]); empty where its first number is greater. */
+/** The part of [begin, end] in which the ray's time is within [from, to] (world times [s]); empty if its first number is the greater one. */
 export function clipToTimes(
   { t, dt }: SpacetimeRay,
   from: number,

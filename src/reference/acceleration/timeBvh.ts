@@ -2,26 +2,26 @@ import { emptyBox, growBox } from './bvh.ts';
 
 const MARGIN = 1e-9;
 
-/** Boxes over stretches of time: each is round an object in all pieces of its stretch, and has two halves. */
+/** A binary tree of boxes over time: a node's box contains an object during all pieces of its time interval, its children's during half of them. */
 export class TimeBvh {
-  /** Pieces between two samples. */
+  /** Number of pieces, each between two samples. */
   readonly pieces: number;
-  /** 6 per node; node 1 is the whole, the halves of node n are 2n and 2n + 1. */
+  /** 6 per node; node 1 is the root, the children of node n are 2n and 2n + 1. */
   private readonly boxes: Float64Array;
 
-  /** `outlines`: the object's boxes at the samples, 6 numbers each, between which its points run straight. */
+  /** `outlines`: the object's boxes at the samples, 6 numbers each; in between its points move straight. */
   constructor(outlines: Float64Array) {
     this.pieces = outlines.length / 6 - 1;
     this.boxes = new Float64Array(6 * 2 ** (2 + Math.ceil(Math.log2(this.pieces))));
     this.fill(1, 0, this.pieces - 1, enlarged(outlines));
   }
 
-  /** The place of a node's box in `boxes`: least x y z, greatest x y z. */
+  /** The root's box: min x y z, max x y z. */
   get whole(): Float64Array {
     return this.boxes.subarray(6, 12);
   }
 
-  /** Whether a line (o x y z, d x y z) is in a node's box anywhere from s = near to far. */
+  /** Whether a line (o x y z, d x y z) is in a node's box anywhere between s = near and s = far. */
   intersects(node: number, line: Float64Array, near: number, far: number): boolean {
     const { boxes } = this;
     let from = near;
@@ -57,7 +57,7 @@ export class TimeBvh {
   }
 }
 
-/** By a part of the greatest coordinate that is beyond all rounding. */
+/** Enlarges the boxes by more than the rounding errors of the greatest coordinate. */
 function enlarged(outlines: Float64Array): Float64Array {
   const reach = outlines.reduce((most, x) => Math.max(most, Math.abs(x)), 0);
   return outlines.map((x, i) => x + (i % 6 < 3 ? -MARGIN : MARGIN) * reach);

@@ -4,10 +4,10 @@ import { BvhTraversal } from './bvhTraversal.ts';
 import type { SpacetimeRay } from './ray.ts';
 import type { ObjectIntersector, RayQuery } from './rayQuery.ts';
 
-/** Boxes are taken larger by this part of their size and place: objects and their boxes come to their coordinates by different ways. */
+/** Boxes are enlarged by this fraction of their greatest coordinate, since objects and their boxes are computed by different routes. */
 const MARGIN = 1e-9;
 
-/** Objects with one velocity, in a tree of boxes in the coordinates x − v t, where they all stand still. */
+/** Objects of one velocity, in a BVH in the coordinates x − v t, where they are at rest. */
 interface VelocityGroup {
   /** [m/s] */
   readonly velocity: Vec3;
@@ -15,47 +15,47 @@ interface VelocityGroup {
   readonly tracers: readonly ObjectIntersector[];
 }
 
-/** All objects: those that stay in a box which does not move or moves evenly are found by their boxes, the others are always asked. */
+/** All objects: those that stay in a box at rest or in uniform motion are found by their boxes, the others are always tested. */
 export class TopLevelBvh {
   private readonly groups: readonly VelocityGroup[];
   private readonly others: readonly ObjectIntersector[];
   private readonly c: number;
-  private readonly walk = new BvhTraversal();
-  /** The ray in a flock's coordinates. */
+  private readonly traversal = new BvhTraversal();
+  /** The ray in a group's coordinates. */
   private readonly line = new Float64Array(6);
 
   constructor(tracers: readonly ObjectIntersector[], c: number) {
     this.c = c;
     this.others = tracers.filter(({ bounds }) => !bounds);
-    const flocks = new Map<string, ObjectIntersector[]>();
+    const membersByVelocity = new Map<string, ObjectIntersector[]>();
     for (const tracer of tracers) {
       if (!tracer.bounds) continue;
       const key = tracer.bounds.velocity.join(' ');
-      flocks.set(key, [...(flocks.get(key) ?? []), tracer]);
+      membersByVelocity.set(key, [...(membersByVelocity.get(key) ?? []), tracer]);
     }
-    this.groups = [...flocks.values()].map(buildVelocityGroup);
+    this.groups = [...membersByVelocity.values()].map(buildVelocityGroup);
   }
 
   intersect(ray: SpacetimeRay, search: RayQuery): void {
-    for (const flock of this.groups) this.traceGroup(flock, ray, search);
+    for (const group of this.groups) this.traceGroup(group, ray, search);
     for (const tracer of this.others) tracer.intersect(ray, search);
   }
 
   private traceGroup({ velocity, tree, tracers }: VelocityGroup, ray: SpacetimeRay, search: RayQuery): void {
-    const { walk, line, c } = this;
+    const { traversal, line, c } = this;
     for (let i = 0; i < 3; i++) {
       line[i] = ray.x[i] - velocity[i] * ray.t;
       line[3 + i] = ray.dx[i] - (velocity[i] * ray.dt) / c;
     }
-    walk.start(tree, line, search.begin);
-    for (let leaf = walk.next(search.end); leaf >= 0; leaf = walk.next(search.end)) {
+    traversal.start(tree, line, search.begin);
+    for (let leaf = traversal.next(search.end); leaf >= 0; leaf = traversal.next(search.end)) {
       const from = tree.link[leaf];
       for (let i = from; i < from + tree.count[leaf]; i++) tracers[i].intersect(ray, search);
     }
   }
 }
 
-/** Its tracers are in the order of the tree's leaves. */
+/** The group's tracers are in the order of the tree's leaves. */
 function buildVelocityGroup(members: readonly ObjectIntersector[]): VelocityGroup {
   const boxes = new Float64Array(6 * members.length);
   members.forEach(({ bounds }, i) => {

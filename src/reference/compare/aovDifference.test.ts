@@ -33,30 +33,30 @@ test('data are compared where both show the same object, light everywhere', () =
   expect(aovDifference(a, b).otherObject).toBe(1);
 });
 
-test('what is relative, is so to the length of the vector', () => {
+test('relative errors are relative to the length of the vector', () => {
   expect(channel('depth')?.relative?.max).toBeCloseTo(2 / 22, 12);
   expect(channel('position.x')?.relative?.max).toBeCloseTo(0.5 / Math.hypot(3.5, 4), 12);
   expect(channel('position.y')?.relative?.max).toBe(0);
 });
 
-test('channels that one lacks are named', () => {
+test('channels missing in one picture are listed', () => {
   expect(aovDifference(a, b)).toMatchObject({ onlyA: ['doppler'], onlyB: ['velocity'] });
   expect(channel('doppler')).toBeUndefined();
 });
 
-test('without objects every pixel counts, and nothing is said of them', () => {
+test('without object channels every pixel is compared, and `otherObject` is undefined', () => {
   const found = aovDifference(of({ depth: [0, 1, 2, 3] }), of({ depth: [0, 1, 2, 4] }));
   expect(found.otherObject).toBeUndefined();
   expect(found.channels[0]).toMatchObject({ pixels: 4, absolute: { max: 1 } });
 });
 
-test('the same infinity twice is no difference, one alone is left out and told', () => {
+test('equal non-finite values do not differ; one alone is excluded and counted in `notFinite`', () => {
   const [p, q] = [of({ depth: [Infinity, NaN, 1, 2] }), of({ depth: [Infinity, NaN, NaN, 2.5] })];
   expect([...channelErrors(p, q, 'depth')]).toEqual([0, 0, Infinity, 0.5]);
   expect(aovDifference(p, q).channels[0]).toMatchObject({ notFinite: 1, absolute: { max: 0.5 } });
 });
 
-test('is nothing of a picture and itself', () => {
+test('a picture does not differ from itself', () => {
   const same = aovDifference(a, a);
   expect(same.otherObject).toBe(0);
   for (const { absolute, relative } of same.channels) expect([absolute?.max, relative?.max]).toEqual([0, 0]);

@@ -3,26 +3,26 @@ import { type ErrorSummary, summarize } from './statistics.ts';
 
 export interface AovDifference {
   readonly channels: readonly ChannelDifference[];
-  /** Channels that only one of the two has. */
+  /** Channels that only one of the pictures has. */
   readonly onlyA: readonly string[];
   readonly onlyB: readonly string[];
-  /** Pixels that show another object; undefined where a picture has no `object` channel. */
+  /** Number of pixels that show different objects; undefined if a picture has no `object` channel. */
   readonly otherObject: number | undefined;
 }
 
 export interface ChannelDifference {
   readonly name: string;
-  /** Pixels that were compared: of light (R, G, B) all; of data those where both show the same object. */
+  /** Number of pixels compared: for light (R, G, B) all, for data those where both pictures show the same object. */
   readonly pixels: number;
-  /** Of those, the ones where a value is not finite and the other is not the same: they are left out of the figures. */
+  /** Number of those pixels whose values differ and are not both finite: excluded from the errors below. */
   readonly notFinite: number;
-  /** |A − B|, in the channel's unit; undefined where nothing was compared. */
+  /** |A − B|, in the channel's unit; undefined if no pixel was compared. */
   readonly absolute: ErrorSummary | undefined;
-  /** |A − B| over the larger of the two values' lengths: of `position.x` the vector of all `position` channels. 0/0 counts as 0. */
+  /** |A − B| divided by the larger of |A| and |B|, the lengths of the layer's vectors: for `position.x`, of all `position` channels. 0/0 counts as 0. */
   readonly relative: ErrorSummary | undefined;
 }
 
-/** Channel against channel, of pictures of the same size. Symmetric but for the names. */
+/** Compares the common channels of two pictures of the same size. Symmetric, except for `onlyA` and `onlyB`. */
 export function aovDifference(a: ChannelPicture, b: ChannelPicture): AovDifference {
   const common = [...a.channels.keys()].filter((name) => b.channels.has(name));
   const same = sameObject(a, b);
@@ -34,7 +34,7 @@ export function aovDifference(a: ChannelPicture, b: ChannelPicture): AovDifferen
   };
 }
 
-/** |A − B| of one channel for each pixel; 0 where both are the same, infinite where only one is finite. */
+/** |A − B| of one channel per pixel; 0 where both are the same value, NaN and ±∞ included, otherwise infinite where the difference is NaN. */
 export function channelErrors(a: ChannelPicture, b: ChannelPicture, name: string): Float32Array {
   const [valuesA, valuesB] = [a.channels.get(name) ?? [], b.channels.get(name) ?? []];
   return Float32Array.from({ length: a.width * a.height }, (_, i) => errorOf(valuesA[i], valuesB[i]));
@@ -48,7 +48,7 @@ function errorOf(a: number, b: number): number {
 
 const [NOTHING, SAME, OTHER] = [0, 1, 2];
 
-/** What both pixels show: nothing, the same object, or not the same. */
+/** Per pixel: both show nothing, the same object, or different things; undefined without `object` channels. */
 function sameObject(a: ChannelPicture, b: ChannelPicture): Uint8Array | undefined {
   const [ofA, ofB] = [a.channels.get('object'), b.channels.get('object')];
   const kind = (i: number) => (ofA?.[i] !== ofB?.[i] ? OTHER : ofA?.[i] === 0 ? NOTHING : SAME);
@@ -65,7 +65,7 @@ function pixelsWhere(values: ArrayLike<number>, holds: (value: number) => boolea
 
 const LIGHT = ['R', 'G', 'B'];
 
-/** Channels that are the parts of one vector: those of one layer, and R, G, B. */
+/** Groups the channels that are components of one vector: those of one layer, and R, G, B. */
 function layers(names: readonly string[]): string[][] {
   const found = new Map<string, string[]>();
   for (const name of names) {
@@ -82,7 +82,7 @@ function layerDifference(
   same: Uint8Array | undefined,
 ): ChannelDifference[] {
   const lengths = largerLengths(a, b, names);
-  // Data only make sense where both pictures show a point of the same object.
+  // Data are comparable only where both pictures show the same object.
   const everywhere = !same || LIGHT.includes(names[0]);
   const compared = everywhere ? [...lengths.keys()] : pixelsWhere(same, (is) => is === SAME);
   return names.map((name) => {
@@ -98,7 +98,7 @@ function layerDifference(
   });
 }
 
-/** Of each pixel, the larger of |A| and |B|, vectors of these channels. */
+/** Per pixel, the larger of |A| and |B|, the lengths of the vectors of these channels. */
 function largerLengths(a: ChannelPicture, b: ChannelPicture, names: readonly string[]): Float64Array {
   const [ofA, ofB] = [lengths(a, names), lengths(b, names)];
   return ofA.map((length, i) => Math.max(length, ofB[i]));

@@ -1,14 +1,14 @@
-/** A picture of any channels, as an EXR has them: one value per pixel, rows from the top, by name (`depth`, `position.x`). */
+/** A picture with named channels (`depth`, `position.x`), as in an EXR file: one value per pixel, rows from the top. */
 export interface ChannelPicture {
   readonly width: number;
   readonly height: number;
   readonly channels: ReadonlyMap<string, ArrayLike<number>>;
 }
 
-/** `position` of `position.x`; empty for `R`. */
+/** `position` for `position.x`; empty for `R`. */
 export const layerOf = (channel: string): string => channel.slice(0, Math.max(channel.lastIndexOf('.'), 0));
 
-/** The channels of world positions and of objects, which tell which point of what a pixel shows. */
+/** The channels that identify the point shown by each pixel: its object and world position. */
 export interface VisiblePoints {
   readonly object: ArrayLike<number>;
   readonly position: readonly [ArrayLike<number>, ArrayLike<number>, ArrayLike<number>];
@@ -16,7 +16,7 @@ export interface VisiblePoints {
 
 export const VISIBLE_POINT_CHANNELS = ['object', 'position.x', 'position.y', 'position.z'] as const;
 
-/** Undefined where one of `VISIBLE_POINT_CHANNELS` is missing. */
+/** Undefined if one of `VISIBLE_POINT_CHANNELS` is missing. */
 export function visiblePointsOf({ channels }: ChannelPicture): VisiblePoints | undefined {
   const [object, x, y, z] = VISIBLE_POINT_CHANNELS.map((name) => channels.get(name));
   return object && x && y && z ? { object, position: [x, y, z] } : undefined;

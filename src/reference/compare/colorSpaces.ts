@@ -7,10 +7,10 @@ const GREEN = [0.3, 0.6] as const;
 const BLUE = [0.15, 0.06] as const;
 const WHITE = [0.3127, 0.329] as const;
 
-/** X, Y, Z of a chromaticity, with Y = 1. */
+/** X, Y, Z of a chromaticity at Y = 1. */
 const atUnitLuminance = ([x, y]: readonly [number, number]): Vec3 => [x / y, 1, (1 - x - y) / y];
 
-/** Linear sRGB → X, Y, Z over those of white: the matrix that gives the primaries their chromaticities and takes (1, 1, 1) to (1, 1, 1). */
+/** Linear sRGB → X, Y, Z divided by those of white: the primaries have their chromaticities and (1, 1, 1) maps to (1, 1, 1). docs/physics.md §7.12. */
 const TO_XYZ = whiteIsOne(atUnitLuminance(RED), atUnitLuminance(GREEN), atUnitLuminance(BLUE), atUnitLuminance(WHITE));
 const FROM_XYZ = inverse(TO_XYZ);
 
@@ -33,7 +33,7 @@ export const fromXyz = (xyz: Vec3): Vec3 => transform(FROM_XYZ, xyz);
 /** Y/Y_white of linear sRGB. */
 export const luminance = (r: number, g: number, b: number): number => TO_XYZ[3] * r + TO_XYZ[4] * g + TO_XYZ[5] * b;
 
-/** CIE 1976 L*, a*, b* of X, Y, Z over those of white. Source: CIE 15:2004, 8.2.1. */
+/** CIE 1976 L*, a*, b* of X, Y, Z divided by those of white. Source: CIE 15:2004, 8.2.1. */
 export function lab([x, y, z]: Vec3): Vec3 {
   const [fx, fy, fz] = [lightness(x), lightness(y), lightness(z)];
   return [116 * fy - 16, 500 * (fx - fy), 200 * (fy - fz)];

@@ -1,7 +1,7 @@
-/** Weights of the pixels −r … r about one, 2r + 1 of them. */
+/** 2r + 1 weights, for the offsets −r … r. */
 export type ConvolutionKernel = Float64Array;
 
-/** Σₖ kernel[k] · plane(x + k − r, y): beyond its border a picture goes on as it is there. */
+/** Σₖ kernel[k] · plane(x + k − r, y), with the border pixels repeated outside. */
 export function alongRows(plane: Float32Array, width: number, height: number, kernel: ConvolutionKernel): Float32Array {
   const radius = kernel.length >> 1;
   const out = new Float32Array(plane.length);
@@ -18,7 +18,7 @@ export function alongRows(plane: Float32Array, width: number, height: number, ke
   return out;
 }
 
-/** The same down the columns. */
+/** The same along columns. */
 export function alongColumns(
   plane: Float32Array,
   width: number,
@@ -40,7 +40,7 @@ export function alongColumns(
   return out;
 }
 
-/** f at −r … r, scaled so that its positive weights add up to 1, and its negative ones to −1 where there are any. */
+/** f at −r … r, scaled so that the positive weights sum to 1 and the negative ones, if any, to −1. */
 export function kernelOf(radius: number, f: (x: number) => number): ConvolutionKernel {
   const values = Float64Array.from({ length: 2 * radius + 1 }, (_, i) => f(i - radius));
   const total = (sign: number) => values.reduce((sum, value) => sum + Math.max(sign * value, 0), 0);

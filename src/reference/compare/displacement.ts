@@ -2,30 +2,30 @@ import { cross, dot, length, lerp, sub, type Vec3 } from '../../math/vec3.ts';
 import type { VisiblePoints } from './channels.ts';
 
 /**
- * How far, in pixels, a point that A shows lies from where B shows it. At the pixel p, A shows the world point X_A(p) of some object.
- * Near p, B shows of it X_B(q) at pixels q, and to first order X_B(q + δ) = X_B(q) + J δ with J = (∂X_B/∂x, ∂X_B/∂y). So B has A's
- * point at q + δ with
+ * How far, in pixels, B shows a point from where A shows it. At the pixel p, A shows the world point X_A(p) of some object.
+ * Near p, B shows that object's points X_B(q) at pixels q, and to first order X_B(q + δ) = X_B(q) + J δ with J = (∂X_B/∂x, ∂X_B/∂y).
+ * So B shows A's point at q + δ with
  *
  *     J δ = X_A(p) − X_B(q),   displacement = |q + δ − p|,
  *
  * solved by least squares (two unknowns, three equations). At outlines q = p need not show the object, and at creases J mixes two
- * faces; so q runs over p and its eight neighbours, and that one is believed which is nearest to A's point, by δ and by the remainder
- * |J δ − (X_A − X_B)|/|J|_min [pixels].
+ * faces; so q runs over p and its eight neighbours, and the best is the q nearest to A's point by δ and the residual
+ * |J δ − (X_A − X_B)|/|J|_min [pixels], both in quadrature. docs/physics.md §12.3.
  */
 export interface Displacement {
-  /** [pixels] for each pixel; `LOST` or `UNKNOWN_COLOR` where there is none. */
+  /** Per pixel [px]; `LOST` or `UNKNOWN` where it has no value. */
   readonly pixels: Float32Array;
-  /** Pixels whose displacement was found. */
+  /** Number of pixels with a displacement. */
   readonly measured: number;
-  /** Pixels of A whose object, or background, B has not within a pixel. */
+  /** Number of pixels of A whose object, or background, B does not show within one pixel. */
   readonly lost: number;
 }
 
 export const LOST = Number.POSITIVE_INFINITY;
-/** Nothing is there, or the object is too narrow in B for derivatives. */
+/** Both show the background, or the object is too narrow in B for derivatives. */
 export const UNKNOWN = Number.NaN;
 
-/** `a` is judged, `b` is the truth. */
+/** `a`: the picture under test, `b`: the true one. */
 export function displacement(a: VisiblePoints, b: VisiblePoints, width: number, height: number): Displacement {
   const gradients = gradientsOf(b, width, height);
   const pixels = new Float32Array(width * height);
@@ -68,13 +68,13 @@ function displacementAt(
   return found ? value : LOST;
 }
 
-/** J: how far the world point goes [m] from a pixel to the next, to the right and down. */
+/** J: change of the world point [m] from a pixel to the next, to the right and down. */
 interface Gradient {
   readonly right: Vec3;
   readonly down: Vec3;
 }
 
-/** Six numbers per pixel; not a number where B shows nothing, or nothing more of the object beside it. */
+/** Six numbers per pixel; NaN where B shows nothing, or shows the object in no neighbouring pixel along that axis. */
 function gradientsOf(b: VisiblePoints, width: number, height: number): Float64Array {
   const gradients = new Float64Array(6 * width * height);
   for (let i = 0; i < width * height; i++) {
@@ -90,7 +90,7 @@ const gradientAt = (g: Float64Array, pixel: number): Gradient => {
   return { right: [g[i], g[i + 1], g[i + 2]], down: [g[i + 3], g[i + 4], g[i + 5]] };
 };
 
-/** Sides of which one is longer by more than this are not of one smooth surface. */
+/** One-sided differences whose lengths differ by more than this factor are not of one smooth surface. */
 const SMOOTH = 2;
 const NONE: Vec3 = [Number.NaN, Number.NaN, Number.NaN];
 
@@ -110,17 +110,17 @@ function derivative(b: VisiblePoints, i: number, before: number, after: number):
   return lerp(back, forth, 0.5);
 }
 
-/** δ of J δ = r by least squares, and what remains of r, in the pixels of the shorter column of J. */
+/** δ of J δ = r by least squares, and the length of the residual in units of the shorter column of J. */
 function solve(
   { right, down }: Gradient,
   r: Vec3,
 ): { readonly dx: number; readonly dy: number; readonly remainder: number } | undefined {
-  // Cramer's rule on the normal equations, with (right × down)² for their determinant.
+  // Cramer's rule on the normal equations, whose determinant is (right × down)².
   const normal = cross(right, down);
   const determinant = dot(normal, normal);
   if (!(determinant > 0)) return undefined;
   const dx = dot(cross(r, down), normal) / determinant;
   const dy = dot(cross(right, r), normal) / determinant;
-  const off = Math.abs(dot(r, normal)) / Math.sqrt(determinant);
-  return { dx, dy, remainder: off / Math.min(length(right), length(down)) };
+  const distance = Math.abs(dot(r, normal)) / Math.sqrt(determinant);
+  return { dx, dy, remainder: distance / Math.min(length(right), length(down)) };
 }

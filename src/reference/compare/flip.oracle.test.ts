@@ -5,12 +5,12 @@ import { join } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { afterAll, describe, expect, it } from 'vitest';
 import { random } from '../../math/random.ts';
-import kept from './fixtures/flip.json' with { type: 'json' };
+import stored from './fixtures/flip.json' with { type: 'json' };
 import { picture } from './fixtures/pairs.ts';
 import { flip } from './flip.ts';
 import { hdrFlip } from './hdrFlip.ts';
 
-/** ꟻLIP as its authors' own program has it (PyPI flip-evaluator). */
+/** ꟻLIP against the authors' own program (PyPI flip-evaluator). */
 
 const folder = mkdtempSync(join(tmpdir(), 'slowlight-flip-'));
 afterAll(() => rmSync(folder, { recursive: true, force: true }));
@@ -27,16 +27,17 @@ function evaluator<T>(...args: string[]): T {
   return JSON.parse(stdout) as T;
 }
 
-/** f32 sums in another order on another machine. */
-const closeTo = (found: unknown, wanted: unknown): void => {
-  if (typeof wanted === 'number') return void expect(Math.abs(Number(found) - wanted)).toBeLessThan(1e-4);
-  for (const [key, value] of Object.entries(wanted as object)) closeTo((found as Record<string, unknown>)[key], value);
+/** The tolerance covers f32 sums in another order on another machine. */
+const closeTo = (found: unknown, expected: unknown): void => {
+  if (typeof expected === 'number') return void expect(Math.abs(Number(found) - expected)).toBeLessThan(1e-4);
+  for (const [key, value] of Object.entries(expected as object))
+    closeTo((found as Record<string, unknown>)[key], value);
 };
 
 describe.skipIf(!available)('flip-evaluator', () => {
-  it('finds what is kept in flip.json', () => closeTo(evaluator(), kept));
+  it('reproduces flip.json', () => closeTo(evaluator(), stored));
 
-  it('agrees on pictures that are drawn by lot', () => {
+  it('agrees on random pictures', () => {
     const next = random(2020);
     const noise = (most: number) => picture(() => most * next(), 61, 47);
     const pairs = [

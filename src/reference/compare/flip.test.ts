@@ -7,7 +7,7 @@ import { exposuresFor, hdrFlip } from './hdrFlip.ts';
 import type { RgbImage } from './rgbImage.ts';
 import { summarize } from './statistics.ts';
 
-/** The authors' program reckons in f32, and raises to powers below 1 what is nearly 0. */
+/** The authors' program computes in f32 and raises values near 0 to powers below 1. */
 const TOLERANCE = 2e-4;
 
 describe("against the authors' own program", () => {
@@ -18,11 +18,11 @@ describe("against the authors' own program", () => {
       expect(Math.abs(map[y * WIDTH + x] - value), `${x},${y}`).toBeLessThan(TOLERANCE);
   });
 
-  it.each(['bright', 'night'] as const)('%s, of any brightness', (name) => {
+  it.each(['bright', 'night'] as const)('%s, high dynamic range', (name) => {
     const { map, exposures } = hdrFlip(...pair(name));
     const { start, stop, count } = expected[name].exposures;
     expect(exposures.count).toBe(count);
-    // It rounds the weights of luminance to four digits.
+    // It rounds the luminance weights to four digits.
     expect(exposures.start).toBeCloseTo(start, 3);
     expect(exposures.stop).toBeCloseTo(stop, 3);
     expect(Math.abs((summarize(map)?.mean ?? 1) - expected[name].mean)).toBeLessThan(TOLERANCE);
@@ -31,14 +31,14 @@ describe("against the authors' own program", () => {
   });
 });
 
-describe('what must hold of every pair', () => {
+describe('for every pair of pictures', () => {
   const size = { width: 9, height: 7 };
   const anyPicture = (most: number): fc.Arbitrary<RgbImage> =>
     fc
       .array(fc.float({ min: 0, max: most, noNaN: true }), { minLength: 189, maxLength: 189 })
       .map((values) => ({ ...size, rgb: Float32Array.from(values) }));
 
-  it('is 0 of a picture and itself, between 0 and 1, and the same both ways', () => {
+  it('is 0 between a picture and itself, within 0 … 1, and symmetric', () => {
     fc.assert(
       fc.property(anyPicture(1), anyPicture(1), (a, b) => {
         expect(flip(a, a).every((error) => error === 0)).toBe(true);
@@ -50,11 +50,11 @@ describe('what must hold of every pair', () => {
     );
   });
 
-  it('is 0 of any light and itself, and does not depend on the unit of light', () => {
+  it('HDR: is 0 between a picture and itself, and independent of the unit of light', () => {
     fc.assert(
       fc.property(anyPicture(100), anyPicture(100), fc.constantFrom(0.25, 4), (a, b, unit) => {
         const scaled = (p: RgbImage): RgbImage => ({ ...p, rgb: p.rgb.map((value) => unit * value) });
-        // A black reference has no exposure of its own.
+        // The exposures of a black reference come from the lower bound of luminance.
         fc.pre(exposuresFor(b).stop < 15);
         expect(hdrFlip(b, b).map.every((error) => error === 0)).toBe(true);
         const [before, after] = [hdrFlip(a, b).map, hdrFlip(scaled(a), scaled(b)).map];
@@ -64,7 +64,7 @@ describe('what must hold of every pair', () => {
     );
   });
 
-  it('is nearly 1 between the green and the blue of a screen', () => {
+  it('is nearly 1 between pure green and pure blue', () => {
     const [green, blue] = [1, 2].map((channel) => picture((_x, _y, k) => Number(k === channel), WIDTH, HEIGHT));
     expect(flip(green, blue)[0]).toBeCloseTo(1, 4);
   });

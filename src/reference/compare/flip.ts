@@ -5,16 +5,16 @@ import { alongColumns, alongRows, type ConvolutionKernel, kernelOf } from './con
 import type { RgbImage } from './rgbImage.ts';
 
 /**
- * ꟻLIP, the difference that a person sees who looks at two pictures in turn: 0 none … 1 as large as can be, for each pixel.
- * ΔE = ΔE_c^(1 − ΔE_f): a difference of colour, after the filter that the eye is, raised by a difference of edges and points.
+ * ꟻLIP, the perceived difference of two pictures that are shown alternately: per pixel, 0 none … 1 the largest possible.
+ * ΔE = ΔE_c^(1 − ΔE_f): the colour difference after contrast sensitivity filters, increased by the difference of edges and points.
  * Source: Andersson, Nilsson, Akenine-Möller, Oskarsson, Åström & Fairchild, "ꟻLIP: A Difference Evaluator for Alternating
  * Images", Proc. ACM CGIT 3 (2020) 15; equations and constants of its section 4.
  */
 
-/** Of a screen 0.7 m wide with 3840 pixels, seen from 0.7 m (section 4.1). */
+/** For a screen 0.7 m wide with 3840 pixels, viewed from 0.7 m (section 4.1). */
 export const PIXELS_PER_DEGREE = radians(0.7 * (3840 / 0.7));
 
-/** Both pictures: linear sRGB as it leaves the screen, 0 … 1. Symmetric in them. */
+/** Both pictures: linear sRGB as displayed, 0 … 1. Symmetric. */
 export function flip(a: RgbImage, b: RgbImage, pixelsPerDegree = PIXELS_PER_DEGREE): Float32Array {
   const color = colorDifference(a, b, pixelsPerDegree);
   const feature = featureDifference(luminances(a), luminances(b), a.width, a.height, pixelsPerDegree);
@@ -28,7 +28,7 @@ interface Gaussian {
   readonly a: number;
   readonly b: number;
 }
-/** What the eye does to light and dark, to red–green and to blue–yellow: table 1. */
+/** Contrast sensitivity of the achromatic, red–green and blue–yellow channels: table 1. */
 const LIGHT_DARK: readonly Gaussian[] = [{ a: 1, b: 0.0047 }];
 const RED_GREEN: readonly Gaussian[] = [{ a: 1, b: 0.0053 }];
 const BLUE_YELLOW: readonly Gaussian[] = [
@@ -37,21 +37,21 @@ const BLUE_YELLOW: readonly Gaussian[] = [
 ];
 const WIDEST = 0.04;
 
-/** The exponent that spreads small differences, and where (as a fraction of the largest) which part of 0 … 1 ends. */
+/** Exponent that expands small differences; differences below `KNEE` times the largest are mapped to 0 … `KNEE_VALUE`. */
 const COLOR_EXPONENT = 0.7;
 const KNEE = 0.4;
 const KNEE_VALUE = 0.95;
-/** The largest difference on a screen: between its green and its blue. */
+/** The largest difference in the gamut: between green and blue. */
 const LARGEST = difference(perceived([0, 1, 0]), perceived([0, 0, 1])) ** COLOR_EXPONENT;
 
 function colorDifference(a: RgbImage, b: RgbImage, pixelsPerDegree: number): Float32Array {
-  const [seenA, seenB] = [filteredOpponents(a, pixelsPerDegree), filteredOpponents(b, pixelsPerDegree)];
+  const [filteredA, filteredB] = [filteredOpponents(a, pixelsPerDegree), filteredOpponents(b, pixelsPerDegree)];
   return Float32Array.from({ length: a.width * a.height }, (_, i) =>
-    redistribute(difference(perceivedAt(seenA, i), perceivedAt(seenB, i)) ** COLOR_EXPONENT),
+    redistribute(difference(perceivedAt(filteredA, i), perceivedAt(filteredB, i)) ** COLOR_EXPONENT),
   );
 }
 
-/** Y, X − Y and Y − Z over those of white: the axes of YCxCz but for constants, which filters that add up to 1 leave alone. */
+/** Y, X − Y and Y − Z, with X, Y, Z divided by those of white: YCxCz up to constants, which filters of sum 1 preserve. */
 type Opponents = readonly [Float32Array, Float32Array, Float32Array];
 
 function filteredOpponents(picture: RgbImage, pixelsPerDegree: number): Opponents {
@@ -74,7 +74,7 @@ function opponents({ rgb }: RgbImage): Opponents {
   return planes;
 }
 
-/** The filter of `parts` in two dimensions, as a sum of separable ones; over three standard deviations of the widest of all. */
+/** Filters in two dimensions by a sum of separable Gaussians; radius: three standard deviations of the widest of all. */
 function sumOfGaussians(
   plane: Float32Array,
   width: number,
@@ -108,18 +108,18 @@ function perceivedAt([light, redGreen, blueYellow]: Opponents, i: number): Vec3 
 
 const clamp = (x: number): number => Math.min(Math.max(x, 0), 1);
 
-/** L*a*b* with Hunt's effect: what is darker is less colourful (4.1.2). */
+/** L*a*b* with the Hunt effect: darker colours are less colourful (4.1.2). */
 function perceived(rgb: Vec3): Vec3 {
   const [L, a, b] = lab(toXyz(rgb));
   return [L, 0.01 * L * a, 0.01 * L * b];
 }
 
-/** HyAB: |ΔL| + √(Δa² + Δb²), which holds for large differences too (4.1.3). */
+/** HyAB: |ΔL| + √(Δa² + Δb²), which is valid for large differences too (4.1.3). */
 function difference(p: Vec3, q: Vec3): number {
   return Math.abs(p[0] - q[0]) + Math.hypot(p[1] - q[1], p[2] - q[2]);
 }
 
-/** 0 … the largest → 0 … 1, in two straight parts, so that the rare large ones do not take all the room (4.1.4). */
+/** Maps 0 … largest to 0 … 1, piecewise linear, so that rare large differences take little of the range (4.1.4). */
 function redistribute(value: number): number {
   const knee = KNEE * LARGEST;
   return value < knee
@@ -129,7 +129,7 @@ function redistribute(value: number): number {
 
 // ── Edges and points (4.2) ─────────────────────────────────────────────────────────────────────────────────────────
 
-/** Of an edge that is just seen as one [degrees]. */
+/** Width of a just visible edge [degrees]. */
 const FEATURE_WIDTH = 0.082;
 const FEATURE_EXPONENT = 0.5;
 
@@ -140,7 +140,7 @@ function luminances({ rgb }: RgbImage): Float32Array {
   );
 }
 
-/** ((1/√2) · max(difference of edges, difference of points))^½ */
+/** ((1/√2) · max(edge difference, point difference))^½ */
 function featureDifference(
   a: Float32Array,
   b: Float32Array,
@@ -156,7 +156,7 @@ function featureDifference(
   });
 }
 
-/** Lengths of the first derivatives (x, y) of the picture smoothed by a Gaussian, and of its second ones. */
+/** Lengths of the vectors of first derivatives (edges) and of second derivatives (points) in x and y of the Gaussian-smoothed picture. */
 function features(plane: Float32Array, width: number, height: number, pixelsPerDegree: number) {
   const deviation = 0.5 * FEATURE_WIDTH * pixelsPerDegree;
   const radius = Math.ceil(3 * deviation);

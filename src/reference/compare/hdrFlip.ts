@@ -3,7 +3,7 @@ import { flip, PIXELS_PER_DEGREE } from './flip.ts';
 import type { RgbImage } from './rgbImage.ts';
 
 /**
- * ꟻLIP of pictures that no screen can show at once: the largest over a row of exposures. Source: Andersson, Nilsson, Shirley &
+ * ꟻLIP of high dynamic range pictures: per pixel, the largest over a series of exposures. Source: Andersson, Nilsson, Shirley &
  * Akenine-Möller, "Visualizing Errors in Rendered High Dynamic Range Images", Eurographics 2021 short papers.
  */
 export interface HdrFlip {
@@ -11,14 +11,14 @@ export interface HdrFlip {
   readonly exposures: Exposures;
 }
 
-/** [EV], `count` of them from `start` to `stop` at equal distances. */
+/** `count` equidistant exposures from `start` to `stop` [EV]. */
 export interface Exposures {
   readonly start: number;
   readonly stop: number;
   readonly count: number;
 }
 
-/** Both pictures: linear light, sRGB primaries, of any brightness. `exposures` come from the reference alone: not symmetric. */
+/** Both pictures: linear light, sRGB primaries, unbounded. Not symmetric: the default exposures depend on the reference only. */
 export function hdrFlip(
   test: RgbImage,
   reference: RgbImage,
@@ -35,12 +35,12 @@ export function hdrFlip(
   return { map, exposures };
 }
 
-/** The brightness that is shown as 0.85 of white marks where a picture is exposed enough (section 3). */
+/** Tone-mapped value at which a luminance counts as well exposed (section 3). */
 const BRIGHT = 0.85;
-/** Smallest luminance that counts, so that a black picture has exposures too. */
+/** Lower bound of luminance, so that black pictures have finite exposures. */
 const DARKEST = 2 ** -23;
 
-/** From the exposure at which the brightest pixel is just not blown out to the one at which half of all are. */
+/** From the exposure at which the brightest pixel is tone mapped to `BRIGHT` to the one at which the median pixel is. */
 export function exposuresFor(reference: RgbImage): Exposures {
   const luminances = Float32Array.from({ length: reference.rgb.length / 3 }, (_, i) => {
     const [r, g, b] = reference.rgb.subarray(3 * i, 3 * i + 3);
@@ -52,7 +52,7 @@ export function exposuresFor(reference: RgbImage): Exposures {
   return { start, stop, count: Math.max(2, Math.ceil(stop - start)) };
 }
 
-/** The film curve of ACES as (k₀x² + k₁x)/(k₂x² + k₃x + k₄). Source: Narkowicz 2016, with its input times 0.6, as the paper has it. */
+/** The ACES curve (k₀x² + k₁x)/(k₂x² + k₃x + k₄). Source: Narkowicz 2016, with the input scaled by 0.6 as in the paper. */
 const CURVE = [2.51 * 0.6 ** 2, 0.03 * 0.6, 2.43 * 0.6 ** 2, 0.59 * 0.6, 0.14] as const;
 
 function filmic(x: number): number {

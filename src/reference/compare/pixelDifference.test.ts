@@ -10,7 +10,7 @@ const anyPicture = fc
   .map((values): RgbImage => ({ ...size, rgb: Float32Array.from(values) }));
 const gray = (value: number): RgbImage => ({ ...size, rgb: new Float32Array(60).fill(value) });
 
-test('one value in sixty that is wrong by a half', () => {
+test('one value of sixty differs by ½', () => {
   const b = gray(0.25);
   b.rgb[31] = 0.75;
   const found = pixelDifference(gray(0.25), b, 1);
@@ -23,7 +23,7 @@ test('one value in sixty that is wrong by a half', () => {
   expect(shareAbove(found.map, 0.5)).toBe(0);
 });
 
-test('is nothing of a picture and itself, and the same both ways', () => {
+test('is 0 between a picture and itself, and symmetric', () => {
   fc.assert(
     fc.property(anyPicture, anyPicture, (a, b) => {
       expect(pixelDifference(a, a, 1)).toMatchObject({ mean: 0, max: 0, rmse: 0, psnr: Number.POSITIVE_INFINITY });
@@ -35,7 +35,7 @@ test('is nothing of a picture and itself, and the same both ways', () => {
   );
 });
 
-test('of a hundred and one errors, ninety-nine in a hundred are at most the hundredth', () => {
+test('the 99th percentile of 101 errors is the hundredth', () => {
   const errors = Float32Array.from({ length: 101 }, (_, i) => (i * 37) % 101);
   expect(summarize(errors)).toEqual({ mean: 50, max: 100, p99: 99 });
   expect(summarize([])).toBeUndefined();

@@ -1,18 +1,18 @@
 import type { RgbImage } from './rgbImage.ts';
 
 export interface PixelDifference {
-  /** Of each pixel, the largest of its three channels' |A − B|. */
+  /** Per pixel, the largest |A − B| of the three channels. */
   readonly map: Float32Array;
-  /** Over all channels of all pixels. */
+  /** Mean |A − B| over all channels of all pixels. */
   readonly mean: number;
   readonly max: number;
   /** √mean(A − B)² */
   readonly rmse: number;
-  /** Peak signal to noise, 20 log₁₀(peak/RMSE) [dB]; infinite where nothing differs. */
+  /** Peak signal-to-noise ratio, 20 log₁₀(peak/RMSE) [dB]; infinite if nothing differs. */
   readonly psnr: number;
 }
 
-/** Plain differences in the pictures' own units. `peak` is their largest possible value: 1 for what a screen shows. Symmetric. */
+/** Absolute differences in the pictures' own units. `peak` is the largest possible value: 1 for display values. Symmetric. */
 export function pixelDifference(a: RgbImage, b: RgbImage, peak: number): PixelDifference {
   const map = new Float32Array(a.width * a.height);
   let [sum, squares, max] = [0, 0, 0];

@@ -1,4 +1,4 @@
-/** A picture to compare: R, G, B of each pixel one after another, rows from the top. What the numbers mean, each metric says. */
+/** A picture to compare: interleaved R, G, B, rows from the top. Each metric defines the meaning of the values. */
 export interface RgbImage {
   readonly width: number;
   readonly height: number;

@@ -1,11 +1,12 @@
-/** What a set of errors comes to; `undefined` where there is none. */
+/** Summary statistics of a set of errors. */
 export interface ErrorSummary {
   readonly mean: number;
   readonly max: number;
-  /** 99 of 100 are at most this. */
+  /** The 99th percentile. */
   readonly p99: number;
 }
 
+/** Returns undefined for an empty set. */
 export function summarize(errors: ArrayLike<number>): ErrorSummary | undefined {
   if (errors.length === 0) return undefined;
   const sorted = Float64Array.from(errors).sort();
@@ -14,7 +15,7 @@ export function summarize(errors: ArrayLike<number>): ErrorSummary | undefined {
   return { mean: sum / errors.length, max: sorted[sorted.length - 1], p99 };
 }
 
-/** The part of all, 0 … 1, that is larger than `threshold`. */
+/** Fraction of the errors, 0 … 1, above `threshold`; 0 for an empty set. */
 export function shareAbove(errors: ArrayLike<number>, threshold: number): number {
   let above = 0;
   for (let i = 0; i < errors.length; i++) if (errors[i] > threshold) above++;

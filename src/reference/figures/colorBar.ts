@@ -4,7 +4,7 @@ import { createCanvas, drawText, fillRect, type PixelCanvas, textHeight, textWid
 export const BACKGROUND: Rgb8 = [24, 24, 27];
 export const FOREGROUND: Rgb8 = [228, 228, 231];
 
-/** Between two labels [dots]: more than between two letters. */
+/** Least gap between two labels [dots]; wider than between two letters. */
 const LABEL_GAP = 6;
 
 export interface TickLabel {
@@ -12,16 +12,16 @@ export interface TickLabel {
   readonly text: string;
 }
 
-/** What is drawn under a picture to tell what its colours mean. */
+/** A legend drawn under a picture. */
 export interface ColorBar {
   readonly title: string;
-  /** At a part 0 … 1 of its length. */
+  /** The colour at a fraction 0 … 1 of the bar's length. */
   readonly color: (part: number) => Rgb8;
-  /** Rows of numbers or words under it, each in the middle of its place; what has no room beside those before it is left out. */
+  /** Rows of labels under the bar, each centred at its `part` of the length; labels that would overlap earlier ones are omitted. */
   readonly rows: readonly (readonly TickLabel[])[];
 }
 
-/** The title, the colours, and what they mean under them; `size`: pixels of each dot of a letter. Its height is even, as films ask for. */
+/** Draws title, colours and labels; `size`: pixels per dot of a letter. The height is even, as video codecs require. */
 export function drawColorBar(width: number, size: number, { title, color, rows }: ColorBar): PixelCanvas {
   const [margin, thick, line] = [4 * size, 6 * size, textHeight(size)];
   const bar = createCanvas(width, colorBarHeight(size, rows.length), BACKGROUND);
@@ -42,10 +42,11 @@ function placeLabels(
 ): { readonly x: number; readonly text: string }[] {
   const taken: { x: number; end: number; text: string }[] = [];
   for (const { part, text } of labels) {
-    const wide = textWidth(text, size);
-    const x = Math.round(Math.min(Math.max(part * length - wide / 2, 0), length - wide));
-    if (taken.some((other) => x < other.end + LABEL_GAP * size && x + wide > other.x - LABEL_GAP * size)) continue;
-    taken.push({ x, end: x + wide, text });
+    const labelWidth = textWidth(text, size);
+    const x = Math.round(Math.min(Math.max(part * length - labelWidth / 2, 0), length - labelWidth));
+    if (taken.some((other) => x < other.end + LABEL_GAP * size && x + labelWidth > other.x - LABEL_GAP * size))
+      continue;
+    taken.push({ x, end: x + labelWidth, text });
   }
   return taken;
 }
@@ -54,5 +55,5 @@ const rowHeight = (size: number): number => textHeight(size) + 2 * size;
 
 export const colorBarHeight = (size: number, rows: number): number =>
   2 * Math.ceil((18 * size + textHeight(size) + rows * rowHeight(size)) / 2);
-/** Letters that can be read in a picture of this width. */
+/** Pixels per dot of a letter, legible in a picture of this width. */
 export const textScale = (width: number): number => (width >= 480 ? 2 : 1);

@@ -5,17 +5,17 @@ import { glyph } from './glyphs.ts';
 import { createCanvas, drawText, textWidth } from './pixelCanvas.ts';
 
 test('magma is that of matplotlib', () => {
-  // Its 0th, 64th, 128th, 192nd and 255th colour.
-  const known = ['#000004', '#51127c', '#b73779', '#fc8961', '#fcfdbf'];
+  // Colours 0, 64, 128, 192 and 255 of matplotlib's table.
+  const expected = ['#000004', '#51127c', '#b73779', '#fc8961', '#fcfdbf'];
   [0, 64, 128, 192, 255].forEach((i, n) => {
-    const wanted = [1, 3, 5].map((at) => Number.parseInt(known[n].slice(at, at + 2), 16));
-    magma(i / 255).forEach((value, k) => void expect(Math.abs(value - wanted[k])).toBeLessThanOrEqual(1));
+    const expectedRgb = [1, 3, 5].map((at) => Number.parseInt(expected[n].slice(at, at + 2), 16));
+    magma(i / 255).forEach((value, k) => void expect(Math.abs(value - expectedRgb[k])).toBeLessThanOrEqual(1));
   });
   expect(magma(-1)).toEqual(magma(0));
   expect(magma(Number.POSITIVE_INFINITY)).toEqual(magma(1));
 });
 
-test('no error is black, the largest and all above are bright, the unknown is grey', () => {
+test('no error is black, `max` and all above are brightest, NaN is grey', () => {
   const { pixels } = errorMap([0, 2, Number.POSITIVE_INFINITY, Number.NaN], 2, 2, 2);
   const at = (i: number) => [...pixels.subarray(4 * i, 4 * i + 4)];
   expect(at(0)).toEqual([0, 0, 4, 255]);
@@ -25,7 +25,7 @@ test('no error is black, the largest and all above are bright, the unknown is gr
   expect(Math.max(r, g, b) - Math.min(r, g, b)).toBeLessThan(10);
 });
 
-test('letters are drawn dot by dot', () => {
+test('draws the dots of a letter', () => {
   const on = createCanvas(5, 7, [0, 0, 0]);
   drawText(on, 'a', 0, 0, 1, [255, 255, 255]);
   const rows = Array.from({ length: 7 }, (_, y) =>
@@ -40,7 +40,7 @@ test('every letter has its own shape', () => {
   for (const letter of letters) expect(glyph(letter)).toHaveLength(7);
 });
 
-test('a sheet has room for its pictures side by side and for its legend', () => {
+test('a sheet fits its pictures side by side and its legend', () => {
   for (const [width, columns] of [
     [4, 1],
     [4, 3],

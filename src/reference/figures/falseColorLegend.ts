@@ -23,11 +23,11 @@ const BAND_NAMES: Readonly<Record<SpectralBandName, string>> = {
   'thermal-infrared': 'THERMAL IR',
 };
 
-/** How high a picture of this width is with its legend, beyond its own height [px]. */
+/** Height that the legend adds to a picture of this width [px]. */
 export const falseColorLegendHeight = (width: number, kind: FalseColorQuantity): number =>
   colorBarHeight(textScale(width), kind === 'band' ? 2 : 1);
 
-/** A picture over the legend of its colours. */
+/** A picture with its legend below. */
 export function withFalseColorLegend(picture: PixelCanvas, colors: FalseColorScale): PixelCanvas {
   const { width, height } = picture;
   const { kind, ...scale } = colors;
@@ -36,13 +36,13 @@ export function withFalseColorLegend(picture: PixelCanvas, colors: FalseColorSca
     color: (part) => colorAt(kind, part, scale),
     rows: labelRows(colors),
   };
-  const whole = createCanvas(width, height + falseColorLegendHeight(width, kind), BACKGROUND);
-  paste(whole, picture, 0, 0);
-  paste(whole, drawColorBar(width, textScale(width), legend), 0, height);
-  return whole;
+  const canvas = createCanvas(width, height + falseColorLegendHeight(width, kind), BACKGROUND);
+  paste(canvas, picture, 0, 0);
+  paste(canvas, drawColorBar(width, textScale(width), legend), 0, height);
+  return canvas;
 }
 
-/** Numbers, both ends first, for what has no room is left out from the end of the list on; of bands also their names. */
+/** Values, both ends first, because labels that do not fit beside earlier ones are omitted; for bands also a row of names. */
 function labelRows({ kind, ...scale }: FalseColorScale): ColorBar['rows'] {
   const at = (value: number, text: string) => ({ part: positionOnScale(kind, value, scale), text });
   const ticks = ticksOf(kind, scale);
@@ -53,7 +53,7 @@ function labelRows({ kind, ...scale }: FalseColorScale): ColorBar['rows'] {
     const [start, end] = [Math.max(from, scale.from), Math.min(SPECTRAL_BANDS[i + 1]?.from ?? scale.to, scale.to)];
     return at(Math.sqrt(start * end), BAND_NAMES[name]);
   });
-  // The visible is the one to find the others by.
+  // The visible band comes first, so that its label is never omitted.
   const visible = SPECTRAL_BANDS.findIndex(({ name }) => name === 'visible');
   return [ticks.map((value) => at(value, plain(value * 1e9))), [names[visible]!, ...names]];
 }

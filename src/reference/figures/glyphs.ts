@@ -1,7 +1,7 @@
 export const GLYPH_WIDTH = 5;
 export const GLYPH_HEIGHT = 7;
 
-/** Letters of 5 × 7 dots: for each row from the top a digit to the base 32, whose bits are the dots. */
+/** Letters of 5 × 7 dots: one base-32 digit per row, from the top, whose bits are the dots. */
 const GLYPHS: Readonly<Record<string, string>> = {
   A: 'ehhvhhh',
   B: 'uhhuhhu',
@@ -53,7 +53,7 @@ const GLYPHS: Readonly<Record<string, string>> = {
   '>': '8421248',
 };
 
-/** The rows of a letter, top down, each a number of `GLYPH_WIDTH` bits. Small letters are written as capitals, unknown ones as blanks. */
+/** The rows of a letter from the top, each a number of `GLYPH_WIDTH` bits. Lower case is drawn as upper case, unknown letters as blanks. */
 export function glyph(letter: string): readonly number[] {
   return [...(GLYPHS[letter.toUpperCase()] ?? GLYPHS[' '])].map((row) => Number.parseInt(row, 32));
 }

@@ -1,7 +1,7 @@
 import type { Rgb8 } from '../../spectrum/falseColor/colorMaps.ts';
 import { GLYPH_HEIGHT, GLYPH_WIDTH, glyph } from './glyphs.ts';
 
-/** Pixels to draw on: RGBA, 8 bits each, sRGB, rows from the top. */
+/** A drawing surface: RGBA, 8 bits each, sRGB, rows from the top. */
 export interface PixelCanvas {
   readonly width: number;
   readonly height: number;
@@ -9,9 +9,9 @@ export interface PixelCanvas {
 }
 
 export function createCanvas(width: number, height: number, color: Rgb8): PixelCanvas {
-  const made = { width, height, pixels: new Uint8Array(4 * width * height) };
-  fillRect(made, 0, 0, width, height, color);
-  return made;
+  const canvas = { width, height, pixels: new Uint8Array(4 * width * height) };
+  fillRect(canvas, 0, 0, width, height, color);
+  return canvas;
 }
 
 export function fillRect(
@@ -35,7 +35,7 @@ export function paste(on: PixelCanvas, source: PixelCanvas, x0: number, y0: numb
   }
 }
 
-/** Writes `text` with its top left corner at x0, y0, each dot of a letter `size` pixels large. */
+/** Draws `text` with its top left corner at x0, y0, with `size` pixels per dot of a letter. */
 export function drawText(on: PixelCanvas, text: string, x0: number, y0: number, size: number, color: Rgb8): void {
   [...text].forEach((letter, n) => {
     glyph(letter).forEach((row, y) => {

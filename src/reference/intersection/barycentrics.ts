@@ -1,19 +1,20 @@
-/** Beyond this share of the longest edge nothing counts as rounding. */
+/** Upper bound of the rounding tolerance, as a fraction of the longest edge. */
 const MAX_SLACK = 1e-6;
-/** sin² of the angle between two edges that are one line. */
+/** A triangle is degenerate where sin² of the angle between two edges is not above this. */
 const MIN_SIN_SQUARED = 1e-28;
 
-/** Where a point in the plane of a triangle lies between its corners. */
+/** Tests whether a point in the plane of a triangle is inside it, and computes its barycentric weights. */
 export class BarycentricTest {
-  /** The three corners, seen from the point [m]. */
+  /** The three corners, relative to the point [m]. */
   readonly q = new Float64Array(9);
-  /** Weights of the second and third corner; 0 … 1. */
+  /** Weights of the second and third corners; 0 … 1. */
   v = 0;
   w = 0;
 
   /**
-   * Whether the point is inside. The plane was met at a speed `across` it while all went by at `speed`, and places are known to `noise` [m]:
-   * a point that is only so far outside, slantwise more, counts as inside, so that no ray slips between two triangles that share an edge.
+   * Whether the point is inside. Points outside by no more than the rounding error count as inside, so that no ray slips between two triangles
+   * that share an edge. The error is `noise`, that of positions [m], and more at grazing incidence: `speed` is that of the ray relative to the
+   * triangle, `across` its component across the plane.
    */
   contains(noise: number, speed: number, across: number): boolean {
     const q = this.q;
@@ -43,7 +44,7 @@ export class BarycentricTest {
     return true;
   }
 
-  /** N·(q_i × q_j): twice the area between the point and an edge, times |N|. */
+  /** N·(q_i × q_j): twice the signed area of the triangle of the point and an edge, times |N|. */
   private edgeFunction(i: number, j: number, nx: number, ny: number, nz: number): number {
     const q = this.q;
     return (

@@ -20,7 +20,7 @@ const seenToward = (scene: TracedScene, n: Vec3, view = viewFrom()): Hit | undef
   nearestHit(scene, rayToward(view, LIGHT, normalize(n)));
 
 const gammaOf = (beta: number): number => 1 / Math.sqrt(1 - beta * beta);
-/** A body at rest in its own frame, at `position` when t = 0, that flies along x. */
+/** A body authored in its rest frame, at `position` at t = 0, that moves along x. */
 const flying = (mesh: Mesh, position: Vec3, beta: number): SceneObject =>
   makeObject({
     path: '/Flying',
@@ -28,23 +28,23 @@ const flying = (mesh: Mesh, position: Vec3, beta: number): SceneObject =>
     authoredIn: 'rest',
     motion: { kind: 'uniform', pose: { position, orientation: IDENTITY }, velocity: [beta, 0, 0] },
   });
-/** Where a point is seen that flies along x at y = 0 and z, and is at x₀ when t = 0: x = x₀ − β√(x² + z²). */
+/** Where a point is seen that moves along x at y = 0 and z and is at x₀ at t = 0: x = x₀ − β√(x² + z²). */
 function apparentX(x0: number, z: number, beta: number): number {
   const g = gammaOf(beta);
   return g * g * (x0 - beta * Math.hypot(x0, z / g));
 }
 
-describe('a sphere that flies past', () => {
-  // Its outline in its own frame is a circle of directions; half angles from the way of flight change by tan(θ′/2) = k tan(θ/2), and circles stay circles.
+describe('a passing sphere', () => {
+  // In its rest frame its outline is a circle of directions; aberration changes angles from the velocity by tan(θ′/2) = k tan(θ/2), and circles stay circles.
   const [segments, rings] = [96, 48];
   const inner = Math.cos(Math.PI / segments) ** 2 - 1e-6;
   for (const beta of [0, 0.5, 0.9, 0.99])
-    it(`has a circle for its outline: β = ${beta}`, () => {
+    it(`has a circular outline: β = ${beta}`, () => {
       const [center, g]: [Vec3, number] = [[-2, 0, -5], gammaOf(beta)];
       const scene = tracedScene([flying(sphere(1, { segments, rings }), center, beta)]);
       const resting: Vec3 = [g * center[0], 0, center[2]];
       const middle = Math.atan2(-resting[2], resting[0]);
-      // In its own frame the observer flies along −x, so things crowd towards −x for him.
+      // In its rest frame the observer moves along −x, and aberration shifts directions towards −x for the observer.
       const seen = (theta: number) => 2 * Math.atan(Math.sqrt((1 + beta) / (1 - beta)) * Math.tan(theta / 2));
       const circle = (radius: number) => {
         const open = Math.asin(radius / length(resting));
@@ -66,8 +66,8 @@ describe('a sphere that flies past', () => {
     });
 });
 
-describe('a rod and a cube that fly past', () => {
-  it('the rod begins and ends where the light of its ends arrives from', () => {
+describe('a passing rod and cube', () => {
+  it('the rod ends where the light of its ends arrives from', () => {
     for (const beta of [-0.95, -0.5, 0.3, 0.9]) {
       const [rest, z, g] = [2, -0.5, gammaOf(beta)];
       const rod = flying(plane(rest, 1e-3, 'Z'), [0.7, 0, z], beta);
@@ -78,15 +78,15 @@ describe('a rod and a cube that fly past', () => {
       expect(at(ends[1] - 1e-9), `${beta}`).toBeDefined();
       expect(at(ends[0] - 1e-9), `${beta}`).toBeUndefined();
       expect(at(ends[1] + 1e-9), `${beta}`).toBeUndefined();
-      // Half way between the ends of the picture is not the middle of the rod.
+      // Halfway between the ends as seen is not the middle of the rod.
       const middle = at((ends[0] + ends[1]) / 2);
       expectClose(middle?.time ?? 0, -Math.hypot((ends[0] + ends[1]) / 2, z), 1e-12);
     }
   });
 
-  it('the distant cube looks turned by arcsin β: rear of β L and side of L/γ (Terrell 1959)', () => {
+  it('the distant cube looks rotated by arcsin β: rear of β L and side of L/γ (Terrell 1959)', () => {
     const [beta, far] = [0.8, 1e4];
-    // Its light was sent when it was straight ahead.
+    // Its light was emitted when it was straight ahead.
     const scene = tracedScene([flying(box([1, 1, 1]), [beta * far, 0, -far], beta)]);
     const rear: number[] = [];
     const side: number[] = [];
@@ -102,7 +102,7 @@ describe('a rod and a cube that fly past', () => {
     expect(Math.max(...rear)).toBeLessThan(Math.min(...side));
   });
 
-  it('the cube in god’s eye view is contracted by γ', () => {
+  it('the cube in the simultaneity view is contracted by γ', () => {
     const view = viewFrom({ u: [0.75, 0, 0] });
     const ahead = rayToward(view, settingsFor('simultaneity'), [1, 0, 0]);
     const scene = tracedScene([makeObject({ path: '/Cube', mesh: box([2, 2, 2]), motion: at([9, 0.1, 0.1]) })]);
@@ -115,16 +115,16 @@ describe('a rod and a cube that fly past', () => {
 
 const at = (position: Vec3): Motion => ({ kind: 'static', pose: { position, orientation: IDENTITY } });
 
-describe('a wheel that turns', () => {
+describe('a rotating wheel', () => {
   const [omega, height] = [0.8, 1.3];
-  /** About z, from before all that is seen to now; sampled so that chords stray less than `tolerance` from arcs of the radius 1. */
+  /** Rotation about z, from before everything seen until now; sampled so that chords are within `tolerance` of arcs of radius 1. */
   const turning = (tolerance: number): SampledMotion => {
     const times = Array.from({ length: 9 }, (_, i) => -4 + i / 2);
     const poses = times.flatMap((t) => [0, 0, -height, ...fromAxisAngle([0, 0, 1], omega * t)]);
     return { kind: 'sampled', ...resampleRotation(times, poses, 1, tolerance) };
   };
 
-  it('shows spokes as spirals to who looks along its axis: each radius as it was √(r² + h²) ago', () => {
+  it('shows spokes as spirals along its axis: each radius as it was √(r² + h²) ago', () => {
     const tolerance = 1e-6;
     const disc = makeObject({ path: '/Disc', mesh: plane(1.4, 1.4, 'Z'), motion: turning(tolerance) });
     const scene = tracedScene([disc]);
@@ -141,9 +141,9 @@ describe('a wheel that turns', () => {
   });
 });
 
-describe('what is faster than light', () => {
-  it('a spot that sweeps over a wall at 3 c is seen going both ways from where its speed towards us is c', () => {
-    // Plates at x that exist while the spot is there, t = x/3: it is seen at x when t = x/3 + √(x² + z²).
+describe('a spot faster than light', () => {
+  it('sweeping over a wall at 3 c it is seen to split where its speed towards the observer is c', () => {
+    // Plates at x that exist while the spot is there, t = x/3: the spot is seen at x at t = x/3 + √(x² + z²).
     const [speed, z, width] = [3, -4, 0.25];
     const plates = Array.from({ length: 80 }, (_, i) => {
       const x = (i - 40) * width;
@@ -162,7 +162,7 @@ describe('what is faster than light', () => {
       });
       expect(litAt(t), `t = ${t}`).toEqual(expected);
     }
-    // √(x² + z²) + x/3 is least where dx of the two cancel: before, nothing is seen; after, two spots part.
+    // √(x² + z²) + x/3 has its minimum where both derivatives cancel: before that time nothing is seen, after it two spots separate.
     expect(litAt(3.7)).toEqual([]);
     const two = litAt(6);
     expect(Math.min(...two)).toBeLessThan(-1.5);
@@ -170,7 +170,7 @@ describe('what is faster than light', () => {
   });
 });
 
-describe('motions that are the same', () => {
+describe('equivalent motions look the same', () => {
   const mesh = box([1, 0.6, 2]);
   const pose = { position: [0.3, -0.2, -6] as Vec3, orientation: fromAxisAngle([1, 2, 0], 0.8) };
   const around = ([x, y, z]: Vec3): Vec3[] =>
@@ -185,7 +185,7 @@ describe('motions that are the same', () => {
     const middle = probePoint(one.objects[0], { corner: 0, v: 0.5, w: 0.5 }, viewFrom(), 1, 'light-cone');
     for (const n of around(normalize(middle?.apparent ?? [0, 0, 0]))) {
       const [p, q] = [seenToward(one, n), seenToward(other, n)];
-      // On the outline a tolerance may decide.
+      // On the outline a hit can depend on rounding.
       if (!p || !q) {
         if (tolerance < 1e-9) expect(q).toEqual(p);
         continue;
@@ -199,7 +199,7 @@ describe('motions that are the same', () => {
     expect(met).toBeGreaterThan(30);
   };
 
-  it('a sampled one that goes evenly, and a uniform one', () => {
+  it('uniform samples and a uniform motion', () => {
     const velocity: Vec3 = [0.7, 0.1, -0.3];
     const times = Float64Array.of(-60, -11, -5.5, -5.1, 3);
     const poses = [...times].flatMap((t) => [...addScaled(pose.position, velocity, t), ...pose.orientation]);
@@ -207,7 +207,7 @@ describe('motions that are the same', () => {
     compare({ kind: 'uniform', pose, velocity }, sampled, 1e-14);
   });
 
-  it('a hyperbolic one and its samples', () => {
+  it('a hyperbolic motion and its samples', () => {
     const a: Vec3 = [0.15, 0.1, -0.05];
     const t0 = -4;
     const times = Float64Array.from({ length: 800 }, (_, i) => -16 + i / 50);
@@ -217,7 +217,7 @@ describe('motions that are the same', () => {
     compare({ kind: 'hyperbolic', pose, properAcceleration: a, t0 }, sampled, 1e-3);
   });
 
-  it('one that rests, however it is said', () => {
+  it('all kinds at rest', () => {
     const times = Float64Array.of(-7, -6, -5);
     const poses = Float64Array.from([0, 1, 2].flatMap(() => [...pose.position, ...pose.orientation]));
     compare({ kind: 'static', pose }, { kind: 'sampled', times, poses }, 1e-14);
@@ -226,8 +226,8 @@ describe('motions that are the same', () => {
   });
 });
 
-describe('another frame', () => {
-  // Everything as measured from a frame that moves with w; bodies keep their own shapes. Axes that two boosts carry are turned by Wigner's rotation.
+describe('a scene described in another frame', () => {
+  // Everything as measured in a frame that moves with w; bodies keep their rest shapes. Axes carried by two boosts are turned by the Wigner rotation.
   const w: Vec3 = [0.4, -1.1, 0.9];
   const bodies = [
     { u: [0, 0, 0] as Vec3, position: [0, 0.5, -7] as Vec3, turn: fromAxisAngle([1, 1, 0], 0.7) },
@@ -247,7 +247,7 @@ describe('another frame', () => {
     });
   const turned = (u: Vec3, by: ReturnType<typeof fromAxisAngle>) =>
     multiply(wignerRotation(w, relativeVelocity(u, w)), by);
-  /** At t′ = 0, of what is at x when t = 0 and goes with u: it was on its way for −γ_w (w·x) … */
+  /** Position at t′ = 0 of a body that is at x at t = 0 and moves with u. */
   const moved = ({ u, position, turn }: (typeof bodies)[number]): (typeof bodies)[number] => {
     const seen = relativeVelocity(u, w);
     const g = Math.hypot(1, ...w);
@@ -256,7 +256,7 @@ describe('another frame', () => {
     return { u: seen, position: addScaled(place, seen, -time / Math.hypot(1, ...seen)), turn: turned(u, turn) };
   };
 
-  it('gives the same picture', () => {
+  it('looks the same', () => {
     const here = viewFrom({ u: [0.5, 0.2, -0.3], fovY: 1.4 });
     const there = { ...here, u: relativeVelocity(here.u, w), orientation: turned(here.u, here.orientation) };
     const [one, other] = [tracedScene(bodies.map(made)), tracedScene(bodies.map(moved).map(made))];

@@ -17,7 +17,7 @@ import { nearestHit } from './tracedScene.ts';
 const C = 10;
 const mesh = grid(4, 4, 3, 3);
 
-/** Waves that run over a sheet across the line of sight, at up to 0.7 c. */
+/** Waves on a sheet across the line of sight, at up to 0.7 c. */
 function waves(): CubicPointsMotion {
   const times = Float64Array.from({ length: 24 }, (_, k) => -3 + k / 7);
   const points = Array.from(times, (t) =>
@@ -30,7 +30,7 @@ const object = makeObject({ path: '/Sheet', mesh, motion });
 
 describe('chords of a cubic', () => {
   const shapes = new CubicChords(motion, C);
-  it('are off it by less than a millionth of the size, and end on it', () => {
+  it('deviate from it by less than a millionth of the size, and end on it', () => {
     const { radius } = boundingSphere(motion.points[12]);
     let [worst, beside, bulge] = [0, 0, 0];
     const [from, to] = [new Float64Array(3), new Float64Array(3)];
@@ -58,7 +58,7 @@ describe('chords of a cubic', () => {
     expect(worst).toBeLessThan(1.001e-6 * radius);
     expect(worst).toBeGreaterThan(1e-7 * radius);
   });
-  it('lie in their boxes, between the ends too', () => {
+  it('lie in their boxes, also between the ends', () => {
     const boxes = new Float64Array(6 * shapes.times.length);
     shapes.times.forEach((_, j) => {
       shapes.outline(j, boxes);
@@ -75,7 +75,7 @@ describe('chords of a cubic', () => {
   });
 });
 
-it('a point of the material is met where, when and as fast as the formulas for single points have it', () => {
+it('the hit of a surface point has the position, time and velocity of the formulas for single points', () => {
   const scene = tracedScene([object], C);
   const views = fc.constantFrom<View>('light-cone', 'simultaneity', 'galilean');
   const corner = fc.integer({ min: 0, max: mesh.indices.length / 3 - 1 }).map((k) => 3 * k);
@@ -86,7 +86,7 @@ it('a point of the material is met where, when and as fast as the formulas for s
       if (!probe) return;
       const ray = rayToward(observer, settingsFor(view, C), normalize(probe.apparent));
       const hit = nearestHit(scene, ray);
-      // Something else may be in front of it.
+      // Another part may be in front of it.
       if (!hit || hit.corner !== at) return;
       expectClose(hit.position, probe.position, 5e-5);
       expectClose(hit.time, probe.time, 2e-5);

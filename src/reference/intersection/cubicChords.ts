@@ -5,27 +5,27 @@ import { boundingSphere } from '../../scene/bounds/bounds.ts';
 import { bendFactor, type CubicPointsMotion, pointPiece } from '../../scene/motion/cubicPoints.ts';
 import { emptyBox } from '../acceleration/bvh.ts';
 
-/** How far chords may be from the cubic, as a share of the object's size: its radius in the middle of the motion. */
+/** Greatest distance of chords from the cubic, as a fraction of the object's size: its radius at the middle sample. */
 const CHORD_TOLERANCE = 1e-6;
-/** Chords of one piece at most. */
+/** Upper bound of the number of chords per piece. */
 const MAX_CHORDS = 1024;
-/** A block has so many chords: trees of boxes are made for its ends only. */
+/** Upper bound of the number of chords per block; BVHs are refitted at the ends of blocks only. */
 const CHORDS_PER_BLOCK = 12;
 
 /**
- * Cubic motion as chords that a ray can be met with: so many in each piece that no point is off its path by more than a millionth of the object's
- * size. Some chords together are a block: whole shapes are made for the ends of blocks, when they are asked for, and of what a ray comes near in
- * a block single triangles at the ends of chords. Places and velocities of single points are those of the cubic itself.
+ * Cubic motion as chords, for intersection with rays: each piece has so many that no point is off its path by more than a millionth of the
+ * object's size. Consecutive chords form a block: the whole shape is evaluated at the ends of blocks only, lazily, and in between only the
+ * triangles near a ray, at the ends of chords. Positions and velocities of single points (`point`) are those of the cubic itself.
  */
 export class CubicChords {
   /** Ends of the blocks [s]. */
   readonly times: Float64Array;
   private readonly motion: CubicPointsMotion;
-  /** How much of its bend each piece keeps (`bendFactor`). */
+  /** `bendFactor` of each piece. */
   private readonly bends: Float64Array;
-  /** Of each block, and after them of the last sample, the piece of the motion, and the place in it as a share. */
+  /** Piece of the motion in which each block begins, and the fraction of the piece before it; one more entry for the last sample. */
   private readonly pieces: Int32Array;
-  private readonly shares: Float64Array;
+  private readonly fractions: Float64Array;
   private readonly chords: Int32Array;
   private readonly chordErrors: Float64Array;
 
@@ -34,53 +34,53 @@ export class CubicChords {
     const { times, points } = motion;
     this.bends = Float64Array.from({ length: times.length - 1 }, (_, k) => bendFactor(motion, k, c));
     const tolerance = CHORD_TOLERANCE * boundingSphere(points[points.length >> 1]).radius;
-    const blocks: { piece: number; share: number; chords: number; bulge: number }[] = [];
+    const blocks: { piece: number; fraction: number; chords: number; bulge: number }[] = [];
     for (let piece = 0; piece + 1 < times.length; piece++) {
-      const off = chordErrorOf(motion, piece, this.bends[piece]);
-      const wanted = Math.min(MAX_CHORDS, Math.max(1, Math.ceil(Math.sqrt(off / tolerance))));
-      const count = Math.ceil(wanted / CHORDS_PER_BLOCK);
-      const chords = Math.ceil(wanted / count);
-      for (let j = 0; j < count; j++) blocks.push({ piece, share: j / count, chords, bulge: off / count ** 2 });
+      const error = chordErrorOf(motion, piece, this.bends[piece]);
+      const chordsNeeded = Math.min(MAX_CHORDS, Math.max(1, Math.ceil(Math.sqrt(error / tolerance))));
+      const count = Math.ceil(chordsNeeded / CHORDS_PER_BLOCK);
+      const chords = Math.ceil(chordsNeeded / count);
+      for (let j = 0; j < count; j++) blocks.push({ piece, fraction: j / count, chords, bulge: error / count ** 2 });
     }
     this.pieces = Int32Array.from([...blocks.map(({ piece }) => piece), times.length - 1]);
-    this.shares = Float64Array.from([...blocks.map(({ share }) => share), 0]);
+    this.fractions = Float64Array.from([...blocks.map(({ fraction }) => fraction), 0]);
     this.chords = Int32Array.from(blocks, (block) => block.chords);
     this.chordErrors = Float64Array.from(blocks, (block) => block.bulge);
-    this.times = Float64Array.from(this.shares, (share, j) => this.timeAt(this.pieces[j], share));
+    this.times = Float64Array.from(this.fractions, (fraction, j) => this.timeAt(this.pieces[j], fraction));
   }
 
-  private timeAt(piece: number, share: number): number {
+  private timeAt(piece: number, fraction: number): number {
     const { times } = this.motion;
-    return share === 0 ? times[piece] : times[piece] + share * (times[piece + 1] - times[piece]);
+    return fraction === 0 ? times[piece] : times[piece] + fraction * (times[piece + 1] - times[piece]);
   }
 
-  /** How many chords block j has. */
+  /** Number of chords of block j. */
   chordsIn(j: number): number {
     return this.chords[j];
   }
 
-  /** How far points of block j are at most from where the chord of the whole block has them [m]. */
+  /** Upper bound of the distance of points of block j from the chord over the whole block [m]. */
   chordErrorIn(j: number): number {
     return this.chordErrors[j];
   }
 
-  /** All points at the beginning of block j, from the motion's origin. */
+  /** All points at the beginning of block j, relative to the motion's origin. */
   at(j: number): Float32Array | Float64Array {
     const piece = this.pieces[j];
-    if (this.shares[j] === 0) return this.motion.points[piece];
+    if (this.fractions[j] === 0) return this.motion.points[piece];
     const out = new Float64Array(this.motion.points[piece].length);
-    for (let i = 0; i < out.length; i += 3) this.place(i / 3, piece, this.shares[j], out, i);
+    for (let i = 0; i < out.length; i += 3) this.place(i / 3, piece, this.fractions[j], out, i);
     return out;
   }
 
-  /** Point i after so many chords of block j, from the motion's origin, to `out[to …]`. */
+  /** Writes point i at the beginning of chord number `chord` of block j to `out[to …]`, relative to the motion's origin. */
   chordEnd(i: number, j: number, chord: number, out: Float64Array, to: number): void {
-    const next = j + 1 < this.chords.length && this.pieces[j + 1] === this.pieces[j] ? this.shares[j + 1] : 1;
-    const share = this.shares[j] + (chord / this.chords[j]) * (next - this.shares[j]);
-    this.place(i, this.pieces[j], chord === this.chords[j] ? next : share, out, to);
+    const next = j + 1 < this.chords.length && this.pieces[j + 1] === this.pieces[j] ? this.fractions[j + 1] : 1;
+    const fraction = this.fractions[j] + (chord / this.chords[j]) * (next - this.fractions[j]);
+    this.place(i, this.pieces[j], chord === this.chords[j] ? next : fraction, out, to);
   }
 
-  /** As hermite(): the chord, and what differs from it. At an end the sample itself. */
+  /** The cubic in Hermite form, as the chord plus the deviation from it (docs/physics.md §4.8); exactly the sample at both ends. */
   private place(i: number, piece: number, w: number, out: Float64Array, to: number): void {
     const { times, points, velocities } = this.motion;
     const [a, b, va, vb] = [points[piece], points[piece + 1], velocities[piece], velocities[piece + 1]];
@@ -95,12 +95,12 @@ export class CubicChords {
     }
   }
 
-  /** A box that holds all points near the beginning of block j: in the pieces that it belongs to, by their control points. */
+  /** Writes a box that contains the control points of each piece that the beginning of block j belongs to. */
   outline(j: number, boxes: Float64Array): void {
     emptyBox(boxes, 6 * j);
     const k = this.pieces[j];
     if (k < this.motion.times.length - 1) this.grow(k, boxes, 6 * j);
-    if (k > 0 && this.shares[j] === 0) this.grow(k - 1, boxes, 6 * j);
+    if (k > 0 && this.fractions[j] === 0) this.grow(k - 1, boxes, 6 * j);
   }
 
   private grow(k: number, boxes: Float64Array, at: number): void {
@@ -116,7 +116,7 @@ export class CubicChords {
     }
   }
 
-  /** Point i at world time t between the samples, from the motion's origin, and its velocity [m/s]. */
+  /** Point i at world time t between the samples, relative to the motion's origin, and its velocity [m/s]. */
   point(i: number, t: number): { readonly x: Vec3; readonly v: Vec3 } {
     const { motion } = this;
     const last = motion.times.length - 2;
@@ -126,8 +126,8 @@ export class CubicChords {
 }
 
 /**
- * How far the chord of a whole piece is off at most [m]: the second derivative runs straight from 2(w₁ − w₀)/h to 2(w₂ − w₁)/h, and a chord over s is
- * off by s²/8 of its greatest.
+ * Upper bound of the error of one chord over a whole piece [m]: the second derivative is linear between 2(w₁ − w₀)/h and 2(w₂ − w₁)/h, and a chord over
+ * s is off by at most s²/8 of its greatest value. docs/physics.md §9.3.
  */
 function chordErrorOf({ times, points, velocities }: CubicPointsMotion, k: number, bend: number): number {
   const span = times[k + 1] - times[k];

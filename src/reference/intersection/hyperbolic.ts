@@ -16,20 +16,20 @@ import {
 import { type TriangleBvh, triangleNormal } from '../acceleration/triangleBvh.ts';
 import { BarycentricTest } from './barycentrics.ts';
 
-const walk = new BvhTraversal();
+const traversal = new BvhTraversal();
 const corners = new BarycentricTest();
 
-/** A chord may stray so far from the ray's curve, in parts of the object's size. */
+/** Greatest distance of a chord from the ray's curve, as a fraction of the object's size. */
 const MAX_CHORD_ERROR = 0.05;
-/** Where γ is about this and more nothing is looked for, nor so many times farther than all lengths of the scene. */
+/** Rays are searched up to this many times the lengths involved, c²/a among them; γ is about this there. */
 const MAX_GAMMA = 1e8;
-/** Roundings on the way to a place on the curve, in units of the last place; and what they may come to, in parts of the object's size. */
+/** Rounding error of a point on the curve in units of the last place, and its upper bound as a fraction of the object's size. */
 const ROUNDINGS = 32;
 const MAX_NOISE = 1e-6;
 
 type HyperbolicObject = SceneObject & { readonly motion: HyperbolicMotion };
 
-/** A ray as the object has it: o + s d − A D(s) in the object's own frame, with X + s X′ along A and τ + s τ′ in time [m, m of light]. */
+/** A ray in the object's own frame: the curve o + s d − A D(s), with the coordinate X + s X′ along A and the time τ + s τ′ [m]. */
 interface ObjectRayCurve {
   readonly o: Vec3;
   readonly d: Vec3;
@@ -40,10 +40,10 @@ interface ObjectRayCurve {
 }
 
 /**
- * An object in hyperbolic motion, with k = a/c² and the unit vector A along the acceleration a. Authored in the world frame it is displaced by
- * D = kτ²/(1 + S) along A, S = √(1 + (kτ)²). Born rigid it stands still in Rindler's coordinate √((1 + kX)² − (kτ)²)/k, which is
- * D = kτ²/(1 + kX + S) behind X, S = √((1 + kX)² − (kτ)²). Either way D is a convex function on the ray, so that the ray is a plane curve
- * that bends one way, and beyond the horizon |kτ| = 1 + kX there is nothing. Source: Rindler, Relativity, §3.8.
+ * Intersects rays with an object in hyperbolic motion; k = a/c², and A is the unit vector along the acceleration a. An object authored in the world
+ * frame is displaced along A by D = kτ²/(1 + S), S = √(1 + (kτ)²). A Born-rigid one is at rest in Rindler's coordinate √((1 + kX)² − (kτ)²)/k,
+ * which is D = kτ²/(1 + kX + S) behind X, S = √((1 + kX)² − (kτ)²); it is nowhere beyond the horizon |kτ| = 1 + kX. In both cases D is a convex
+ * function of s, so in the object's frame the ray is a plane curve that bends one way. Source: Rindler, Relativity, §3.8; docs/physics.md §10.3.
  */
 export class HyperbolicRayIntersector implements ObjectIntersector {
   readonly bounds = undefined;
@@ -55,7 +55,7 @@ export class HyperbolicRayIntersector implements ObjectIntersector {
   /** [1/m] */
   private readonly k: number;
   private readonly rigid: boolean;
-  /** A in the world's axes, and in the object's. */
+  /** A on the world's axes, and on the object's. */
   private readonly along: Vec3;
   private readonly A: Vec3;
   /** [m] */
@@ -108,13 +108,13 @@ export class HyperbolicRayIntersector implements ObjectIntersector {
     };
   }
 
-  /** An end for rays without one. */
+  /** Upper bound of s. */
   private farthest({ o, d, tau, dTau }: ObjectRayCurve): number {
     const reach = length(o) + Math.abs(tau) + this.size + (this.k > 0 ? 1 / this.k : 0);
     return (MAX_GAMMA * reach) / Math.max(length(d), Math.abs(dTau));
   }
 
-  /** The part of [begin, end] where 1 + kX ± kτ > 0. */
+  /** The part of [begin, end] within the horizons of a Born-rigid object, 1 + kX ± kτ > 0. */
   private horizons({ X, dX, tau, dTau }: ObjectRayCurve, begin: number, end: number): readonly [number, number] {
     let [from, to] = [begin, end];
     if (!this.rigid) return [from, to];
@@ -147,7 +147,7 @@ export class HyperbolicRayIntersector implements ObjectIntersector {
     return this.rigid ? dX - ((1 + place) * dX - time * dTau) / root : (time * dTau) / root;
   }
 
-  /** Halves the curve until its chords are straight enough, near parts first, and leaves out what passes by the object. */
+  /** Halves the curve until chords approximate it, near parts first, and skips parts that miss the object's boxes. */
   private divide(curve: ObjectRayCurve, from: number, to: number, search: RayQuery): void {
     if (from > search.end) return;
     const [a, b] = [this.lag(curve, from), this.lag(curve, to)];
@@ -160,13 +160,13 @@ export class HyperbolicRayIntersector implements ObjectIntersector {
     }
     if (bulge < Number.POSITIVE_INFINITY) {
       this.startTraversal(curve, from, to, a, b, bulge);
-      if (walk.next(to - from) < 0) return;
+      if (traversal.next(to - from) < 0) return;
     }
     this.divide(curve, from, middle, search);
     this.divide(curve, middle, to, search);
   }
 
-  /** The chord as a line of bvhTraversal.ts: what it stands for is up to `bulge` farther along A. */
+  /** Starts a traversal along the chord for the curve, which deviates from it by up to `bulge` along A. */
   private startTraversal(
     { o, d }: ObjectRayCurve,
     from: number,
@@ -178,10 +178,10 @@ export class HyperbolicRayIntersector implements ObjectIntersector {
     const { A } = this;
     const begin = addScaled(addScaled(o, d, from), A, -a);
     const rate = to > from ? (b - a) / (to - from) : 0;
-    const way = addScaled(d, A, -rate);
+    const direction = addScaled(d, A, -rate);
     const noise = this.noise(o, d, to, b);
-    walk.start(this.shape.bvh, [...begin, ...way], 0);
-    walk.thicken(scale(A, bulge), noise);
+    traversal.start(this.shape.bvh, [...begin, ...direction], 0);
+    traversal.thicken(scale(A, bulge), noise);
   }
 
   private noise(o: Vec3, d: Vec3, s: number, lag: number): number {
@@ -199,13 +199,13 @@ export class HyperbolicRayIntersector implements ObjectIntersector {
   ): void {
     this.startTraversal(curve, from, to, a, b, bulge);
     const { bvh, first } = this.shape;
-    for (let leaf = walk.next(search.end - from); leaf >= 0; leaf = walk.next(search.end - from)) {
+    for (let leaf = traversal.next(search.end - from); leaf >= 0; leaf = traversal.next(search.end - from)) {
       const start = bvh.link[leaf];
       for (let i = start; i < start + bvh.count[leaf]; i++) this.intersectTriangle(curve, from, to, first[i], search);
     }
   }
 
-  /** g(s) = N·(p − y(s)) bends one way: between its ends and its extremum it runs one way, so signs tell of roots. */
+  /** g(s) = N·(p − y(s)) is convex or concave, hence monotonic between its ends and its extremum: sign changes bracket the roots. */
   private intersectTriangle(curve: ObjectRayCurve, from: number, to: number, corner: number, search: RayQuery): void {
     const { mesh } = this.object;
     const N = normalize(triangleNormal(mesh, corner));
@@ -218,9 +218,9 @@ export class HyperbolicRayIntersector implements ObjectIntersector {
     const noise = this.noise(curve.o, curve.d, to, this.lag(curve, to));
     const turns = slope(from) < 0 !== slope(to) < 0;
     const extremum = turns ? brent(slope, from, to) : to;
-    const stretches = turns ? [from, extremum, to] : [from, to];
-    for (let i = 0; i + 1 < stretches.length; i++) {
-      const s = rootBetween(g, stretches[i], stretches[i + 1], noise);
+    const intervals = turns ? [from, extremum, to] : [from, to];
+    for (let i = 0; i + 1 < intervals.length; i++) {
+      const s = rootBetween(g, intervals[i], intervals[i + 1], noise);
       if (s !== undefined && this.tryAt(curve, s, slope(s), corner, noise, search)) return;
     }
   }
@@ -243,8 +243,8 @@ export class HyperbolicRayIntersector implements ObjectIntersector {
 }
 
 /**
- * How far at most a convex function is below its chord, from its values and slopes at the ends of a stretch: as far as the point where the two
- * tangents meet.
+ * Upper bound of the distance of a convex function below its chord, from its values and slopes at both ends: the distance of the point where the
+ * two tangents meet.
  */
 function convexBulge(a: number, b: number, rateA: number, rateB: number, span: number): number {
   if (span === 0) return 0;

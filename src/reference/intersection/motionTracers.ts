@@ -16,29 +16,29 @@ import { RigidIntersector } from './rigid.ts';
 import { SampledRayIntersector } from './sampled.ts';
 import { SampledShapes, type ShapeCache } from './sampledShapes.ts';
 
-/** What an intersector is made from besides its object. */
+/** What an intersector is created from, besides its object. */
 export interface TracerInputs {
-  /** Place of the object in the scene. */
+  /** Index in `Scene.objects`. */
   readonly index: number;
   /** [m/s] */
   readonly c: number;
-  /** The tree of a mesh that keeps its shape. */
+  /** The BVH of a mesh of constant shape. */
   readonly tree: () => TriangleBvh;
   readonly store: ShapeCache;
 }
 
-/** What the reference renderer knows of a kind of motion (docs/adr/0022-motion-kinds.md). */
+/** The reference renderer's functions for one kind of motion (docs/adr/0022-motion-kinds.md). */
 interface MotionTracer<M extends Motion> {
-  /** One tree of its mesh is good for all times and objects. */
+  /** Whether one BVH of the mesh serves all times and all objects that share it. */
   readonly keepsShape: boolean;
   createIntersector(object: ObjectWith<M>, inputs: TracerInputs): ObjectIntersector;
-  /** Whether shape and normals are those of the world's slice, in which it moves. */
+  /** Whether shape and normals are those on a slice of world time, where the object moves, and not those at rest. */
   isAuthoredMoving(object: ObjectWith<M>): boolean;
-  /** Vertex → place on the world's slice t (or, of what is authored at rest, in its rest frame), from an origin that they share. */
+  /** Vertex → position on the slice of world time t (in the rest frame for objects authored at rest), relative to a common origin. */
   vertexPlaces(object: ObjectWith<M>, t: number, c: number): (vertex: number) => Vec3;
-  /** Vertex → normal as the object has it at world time t, on the world's axes, not unit. */
+  /** Vertex → normal at world time t on the world's axes, not normalized. */
   vertexNormals(object: ObjectWith<M>, t: number): (vertex: number) => Vec3;
-  /** Where an object is at time 0, or at its first sample; that round which it deforms is as large as it ever is. */
+  /** Bounding sphere at `motion.pose`, or at the first sample; of a deforming object with its greatest radius over all samples. */
   startSphere(object: ObjectWith<M>): BoundingSphere;
 }
 
@@ -49,7 +49,7 @@ const sphereAt = (pose: Pose, { mesh }: SceneObject): BoundingSphere => {
 
 type WithPose = SceneObject & { readonly motion: { readonly pose: Pose } };
 
-/** Of a kind that has one orientation. */
+/** Common to kinds with constant orientation. */
 const POSED = {
   keepsShape: true,
   vertexPlaces:
@@ -65,7 +65,7 @@ const POSED = {
 
 const isAuthoredInWorld = ({ authoredIn }: SceneObject): boolean => authoredIn === 'world';
 
-/** Vectors of the mesh turned as at t: straight between samples, as vertices go. */
+/** Vectors of the mesh with the orientation at t, interpolated linearly between samples, as vertices are. */
 function turned({ times, poses }: SampledMotion, vectors: Float32Array, t: number): (vertex: number) => Vec3 {
   const { before, after, s } = pieceAt(times, t);
   const [a, b] = [samplePose(poses, before).orientation, samplePose(poses, after).orientation];
@@ -118,5 +118,5 @@ const MOTION_TRACERS: { readonly [K in Motion['kind']]: MotionTracer<Extract<Mot
   },
 };
 
-/** What the reference renderer knows of a motion's kind. */
+/** The reference renderer's functions for a motion. */
 export const motionTracer = (motion: Motion): MotionTracer<Motion> => MOTION_TRACERS[motion.kind];

@@ -18,7 +18,7 @@ export class PointShapes implements ShapeSource {
   readonly cubic: CubicChords | undefined;
   private readonly motion: SampledPointsMotion;
 
-  /** c [m/s]: how much a cubic bends can depend on it. */
+  /** c [m/s] limits the bend of cubics. */
   constructor({ mesh, motion }: ObjectWith<SampledPointsMotion>, c: number) {
     this.motion = motion;
     this.cubic = isCubic(motion) ? new CubicChords(motion, c) : undefined;
@@ -43,5 +43,5 @@ export class PointShapes implements ShapeSource {
   }
 }
 
-/** The tree's structure is good for all samples where it fits one in the middle. */
+/** The BVH is built for the middle sample and refitted to the others. */
 const middlePoints = (motion: SampledPointsMotion): Float32Array => pointsAt(motion, motion.times.length >> 1);

@@ -26,7 +26,7 @@ export class PoseShapes implements ShapeSource {
     this.topology = meshBvh(mesh);
   }
 
-  /** |R| takes half the sides of a box to half the sides of the box round it. */
+  /** The half extents of the rotated box's bounding box are |R| times those of the box. */
   outline(k: number, boxes: Float64Array): void {
     const box = boundingBox(this.mesh.positions);
     if (!box) {

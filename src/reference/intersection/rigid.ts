@@ -18,13 +18,13 @@ import {
 } from '../acceleration/rayQuery.ts';
 import { type TriangleBvh, triangleNormal } from '../acceleration/triangleBvh.ts';
 
-const walk = new BvhTraversal();
-/** The ray that is under way, in the coordinates of the object that it is tried on: o x y z, d x y z. */
+const traversal = new BvhTraversal();
+/** The current ray in the coordinates of the current object: o x y z, d x y z. */
 const line = new Float64Array(6);
 
 /**
- * An object at rest or at constant speed. In the coordinates y = M (x − x₀ − v t) its triangles stand still, and a straight line of
- * events is a straight line: M turns back the object's orientation and, where the object is authored in its rest frame, undoes the contraction.
+ * Intersects rays with an object at rest or in uniform motion. In the coordinates y = M (x − x₀ − v t) its triangles are at rest, and a straight
+ * line of events is a straight line: M inverts the object's orientation and, if the object is authored in its rest frame, the contraction.
  */
 export class RigidIntersector implements ObjectIntersector {
   readonly index: number;
@@ -33,11 +33,11 @@ export class RigidIntersector implements ObjectIntersector {
   private readonly shape: TriangleBvh;
   private readonly c: number;
   private readonly pose: Pose;
-  /** [m/s]; the same in units of c; and γβ. */
+  /** Velocity [m/s], β [c] and γβ. */
   private readonly velocity: Vec3;
   private readonly beta: Vec3;
   private readonly u: Vec3;
-  /** M, row by row. */
+  /** M, row-major. */
   private readonly toObject: Float64Array;
   private readonly hasLifetime: boolean;
 
@@ -57,8 +57,10 @@ export class RigidIntersector implements ObjectIntersector {
     this.velocity = velocity;
     this.beta = scale(this.velocity, 1 / c);
     this.u = properVelocity(this.beta);
-    const turn = toMatrix(conjugate(pose.orientation));
-    this.toObject = Float64Array.from(object.authoredIn === 'rest' ? multiply(turn, lengthening(this.u)) : turn);
+    const toOwnAxes = toMatrix(conjugate(pose.orientation));
+    this.toObject = Float64Array.from(
+      object.authoredIn === 'rest' ? multiply(toOwnAxes, lengthening(this.u)) : toOwnAxes,
+    );
     this.hasLifetime = !isUnlimited(object.lifetime);
   }
 
@@ -69,8 +71,8 @@ export class RigidIntersector implements ObjectIntersector {
     emptyBox(box, 0);
     for (let corner = 0; corner < 8; corner++) {
       const own: Vec3 = [bounds[corner & 1 ? 3 : 0], bounds[corner & 2 ? 4 : 1], bounds[corner & 4 ? 5 : 2]];
-      const turned = rotate(this.pose.orientation, own);
-      const offset = this.object.authoredIn === 'rest' ? contraction(turned, this.u) : turned;
+      const rotated = rotate(this.pose.orientation, own);
+      const offset = this.object.authoredIn === 'rest' ? contraction(rotated, this.u) : rotated;
       const at = add(this.pose.position, offset);
       growBox(box, 0, [...at, ...at], 0);
     }
@@ -85,7 +87,7 @@ export class RigidIntersector implements ObjectIntersector {
       if (begin > end) return;
     }
     this.toObjectCoordinates(ray);
-    walk.start(this.shape.bvh, line, begin);
+    traversal.start(this.shape.bvh, line, begin);
     this.intersectLeaves(begin, end, search);
   }
 
@@ -96,7 +98,7 @@ export class RigidIntersector implements ObjectIntersector {
     return createHit(ray, this.index, crossing, this.c, this.beta, N);
   }
 
-  /** The ray in the object's coordinates, in `line`. */
+  /** Writes the ray in the object's coordinates to `line`. */
   private toObjectCoordinates({ t, x, dt, dx }: SpacetimeRay): void {
     const { toObject: m, velocity: v, beta } = this;
     const p = this.pose.position;
@@ -109,8 +111,8 @@ export class RigidIntersector implements ObjectIntersector {
   }
 
   /**
-   * Tries the triangles of all leaves on the way. Each corner is sheared so that the ray runs along an axis, alike for all triangles
-   * that share it; an edge's sign then is the same for both of its sides, so no ray slips through.
+   * Intersects the triangles of all leaves along the ray. Corners are sheared so that the ray runs along an axis, identically for all triangles
+   * that share a corner; so both triangles at an edge agree on the side on which the ray passes it, and no ray slips through.
    * Source: Woop, Benthin, Wald 2013, "Watertight ray/triangle intersection", JCGT 2(1).
    */
   private intersectLeaves(begin: number, end: number, search: RayQuery): void {
@@ -125,7 +127,7 @@ export class RigidIntersector implements ObjectIntersector {
     const sx = line[3 + x] * sz;
     const sy = line[3 + y] * sz;
     let limit = end;
-    for (let leaf = walk.next(limit); leaf >= 0; leaf = walk.next(limit)) {
+    for (let leaf = traversal.next(limit); leaf >= 0; leaf = traversal.next(limit)) {
       const from = bvh.link[leaf];
       for (let i = from; i < from + bvh.count[leaf]; i++) {
         const k = 9 * i;
@@ -158,7 +160,7 @@ function longestAxis(line: Float64Array): number {
   return a >= b && a >= c ? 0 : b >= c ? 1 : 2;
 }
 
-/** The inverse of `contraction`, x + (u·x) u/(γ + 1), row by row. */
+/** The inverse of `contraction`, x + (u·x) u/(γ + 1), row-major. */
 function lengthening(u: Vec3): readonly number[] {
   const k = 1 / (gamma(u) + 1);
   return [0, 1, 2].flatMap((i) => [0, 1, 2].map((j) => (i === j ? 1 : 0) + k * u[i] * u[j]));

@@ -18,20 +18,20 @@ import type { CubicChords } from './cubicChords.ts';
 import type { SampledShapes } from './sampledShapes.ts';
 import { SpacetimeTriangle } from './spacetimeTriangle.ts';
 
-const walk = new MovingBvhTraversal();
+const traversal = new MovingBvhTraversal();
 const triangle = new SpacetimeTriangle();
-/** The corners of a triangle at the ends of a chord, from the motion's origin. */
+/** The corners of a triangle at both ends of a chord, relative to the motion's origin. */
 const chordBegin = new Float64Array(9);
 const chordFinish = new Float64Array(9);
-/** The ray that is under way, from the origin of the object that it is tried on: o x y z, d x y z. */
+/** The current ray relative to the origin of the current object: o x y z, d x y z. */
 const line = new Float64Array(6);
 
-/** Roundings on the way from places and times to corners seen from the ray, in units of the last place. */
+/** Rounding error of corners relative to the ray, in units of the last place. */
 const ROUNDINGS = 32;
 
 /**
- * An object whose vertices run straight between samples, or along chords of a cubic (`CubicChords`). Piece k lies between samples k and k + 1; it rests in piece −1, before its first sample,
- * and in the last one, after its last sample.
+ * Intersects rays with an object whose vertices move straight between samples, or along chords of a cubic (`CubicChords`). Piece k lies between
+ * samples k and k + 1; the object is at rest in piece −1, before its first sample, and in the last one, after its last sample.
  */
 export class SampledRayIntersector implements ObjectIntersector {
   readonly index: number;
@@ -39,8 +39,8 @@ export class SampledRayIntersector implements ObjectIntersector {
   private readonly object: SceneObject;
   private readonly c: number;
   private readonly samples: SampledShapes;
-  private readonly stretches: TimeBvh;
-  /** The greatest coordinate of all [m]. */
+  private readonly timeBvh: TimeBvh;
+  /** The greatest absolute coordinate [m]. */
   private readonly reach: number;
 
   constructor(index: number, object: SceneObject, c: number, samples: SampledShapes) {
@@ -49,14 +49,14 @@ export class SampledRayIntersector implements ObjectIntersector {
     this.object = object;
     this.c = c;
     this.samples = samples;
-    this.stretches = new TimeBvh(this.samples.outlines());
-    this.reach = Math.max(...this.stretches.whole.map(Math.abs));
+    this.timeBvh = new TimeBvh(this.samples.outlines());
+    this.reach = Math.max(...this.timeBvh.whole.map(Math.abs));
   }
 
   get bounds(): MovingBox | undefined {
     const { origin, topology: shape } = this.samples;
     if (shape.first.length === 0) return undefined;
-    return { box: Array.from(this.stretches.whole, (x, i) => x + origin[i % 3]), velocity: ZERO };
+    return { box: Array.from(this.timeBvh.whole, (x, i) => x + origin[i % 3]), velocity: ZERO };
   }
 
   intersect(ray: SpacetimeRay, search: RayQuery): void {
@@ -64,7 +64,7 @@ export class SampledRayIntersector implements ObjectIntersector {
     const [begin, end] = clipToTimes(ray, birth, death, this.c, search.begin, search.end);
     if (begin > end) return;
     const { times } = this.samples;
-    const { pieces } = this.stretches;
+    const { pieces } = this.timeBvh;
     if (ray.dt === 0) {
       this.tracePiece(ray, samplesUntil(times, ray.t) - 1, begin, end, search);
       return;
@@ -79,7 +79,7 @@ export class SampledRayIntersector implements ObjectIntersector {
     this.tracePiece(ray, late, begin, end, search);
   }
 
-  /** Into the pieces from first to last, those that the ray passes first in time first. */
+  /** Intersects the pieces from first to last, in the order in which the ray passes them. */
   private descend(
     ray: SpacetimeRay,
     node: number,
@@ -95,7 +95,7 @@ export class SampledRayIntersector implements ObjectIntersector {
     const other = (times[last + 1] - ray.t) * perSecond;
     const near = Math.max(begin, Math.min(one, other));
     const far = Math.min(end, search.end, Math.max(one, other));
-    if (near > far || !this.stretches.intersects(node, line, near, far)) return;
+    if (near > far || !this.timeBvh.intersects(node, line, near, far)) return;
     if (first === last) {
       this.tracePiece(ray, first, near, far, search);
       return;
@@ -117,13 +117,13 @@ export class SampledRayIntersector implements ObjectIntersector {
     const [before, after] = [this.samples.at(Math.max(0, k)), this.samples.at(Math.min(last, k + 1))];
     const span = before === after ? Number.POSITIVE_INFINITY : to - from;
     const rate = ray.dt / (this.c * span);
-    const share = before === after ? 0 : (ray.t - from) / span + near * rate;
+    const fraction = before === after ? 0 : (ray.t - from) / span + near * rate;
     const o = sub(addScaled(ray.x, ray.dx, near), origin);
-    walk.line(o[0], o[1], o[2], ray.dx[0], ray.dx[1], ray.dx[2], share, rate);
+    traversal.line(o[0], o[1], o[2], ray.dx[0], ray.dx[1], ray.dx[2], fraction, rate);
     const cubic = before === after ? undefined : this.samples.cubic;
-    walk.start(shape.bvh, before.boxes, after.boxes, far - near, this.noise(o) + (cubic?.chordErrorIn(k) ?? 0));
-    if (cubic) this.intersectCubicLeaves(cubic, o, ray.dx, share, rate, near, k, search);
-    else this.intersectLeaves(before.points, after.points, o, ray.dx, share, rate, near, k, search);
+    traversal.start(shape.bvh, before.boxes, after.boxes, far - near, this.noise(o) + (cubic?.chordErrorIn(k) ?? 0));
+    if (cubic) this.intersectCubicLeaves(cubic, o, ray.dx, fraction, rate, near, k, search);
+    else this.intersectLeaves(before.points, after.points, o, ray.dx, fraction, rate, near, k, search);
   }
 
   private intersectLeaves(
@@ -131,7 +131,7 @@ export class SampledRayIntersector implements ObjectIntersector {
     after: ArrayLike<number>,
     o: Vec3,
     d: Vec3,
-    share: number,
+    fraction: number,
     rate: number,
     begin: number,
     piece: number,
@@ -141,15 +141,15 @@ export class SampledRayIntersector implements ObjectIntersector {
     const { indices } = this.object.mesh;
     const { a, b } = triangle;
     const noise = this.noise(o);
-    for (let leaf = walk.next(search.end - begin); leaf >= 0; leaf = walk.next(search.end - begin)) {
-      const { near, far } = walk;
+    for (let leaf = traversal.next(search.end - begin); leaf >= 0; leaf = traversal.next(search.end - begin)) {
+      const { near, far } = traversal;
       const from = bvh.link[leaf];
       for (let i = from; i < from + bvh.count[leaf]; i++) {
         for (let corner = 0; corner < 3; corner++)
           for (let axis = 0; axis < 3; axis++) {
             const at = 3 * indices[first[i] + corner] + axis;
             const moved = after[at] - before[at];
-            a[3 * corner + axis] = before[at] - o[axis] + (moved * (share + rate * near) - d[axis] * near);
+            a[3 * corner + axis] = before[at] - o[axis] + (moved * (fraction + rate * near) - d[axis] * near);
             b[3 * corner + axis] = moved * rate - d[axis];
           }
         this.offerCrossings(search, begin + near, far - near, noise, first[i], piece);
@@ -157,12 +157,12 @@ export class SampledRayIntersector implements ObjectIntersector {
     }
   }
 
-  /** As `visit`, chord by chord of those that the ray passes while it is in the leaf. */
+  /** As `intersectLeaves`, for each chord that the ray passes while it is inside a leaf. */
   private intersectCubicLeaves(
     cubic: CubicChords,
     o: Vec3,
     d: Vec3,
-    share: number,
+    fraction: number,
     rate: number,
     begin: number,
     piece: number,
@@ -171,10 +171,10 @@ export class SampledRayIntersector implements ObjectIntersector {
     const { bvh, first } = this.samples.topology;
     const { indices } = this.object.mesh;
     const chords = cubic.chordsIn(piece);
-    const chordAt = (s: number) => Math.min(chords - 1, Math.max(0, Math.floor((share + rate * s) * chords)));
+    const chordAt = (s: number) => Math.min(chords - 1, Math.max(0, Math.floor((fraction + rate * s) * chords)));
     const noise = this.noise(o);
-    for (let leaf = walk.next(search.end - begin); leaf >= 0; leaf = walk.next(search.end - begin)) {
-      const { near, far } = walk;
+    for (let leaf = traversal.next(search.end - begin); leaf >= 0; leaf = traversal.next(search.end - begin)) {
+      const { near, far } = traversal;
       const [early, late] = rate < 0 ? [chordAt(far), chordAt(near)] : [chordAt(near), chordAt(far)];
       const from = bvh.link[leaf];
       for (let i = from; i < from + bvh.count[leaf]; i++)
@@ -183,19 +183,22 @@ export class SampledRayIntersector implements ObjectIntersector {
             cubic.chordEnd(indices[first[i] + corner], piece, chord, chordBegin, 3 * corner);
             cubic.chordEnd(indices[first[i] + corner], piece, chord + 1, chordFinish, 3 * corner);
           }
-          // Where the ray is in the chord, from where on and how long.
-          const along = share * chords - chord;
-          const per = rate * chords;
-          const ends = per === 0 ? [near, far] : [-along / per, (1 - along) / per].sort((a, b) => a - b);
+          // At s the ray is at the fraction `chordFraction` + `chordRate` s of the chord.
+          const chordFraction = fraction * chords - chord;
+          const chordRate = rate * chords;
+          const ends =
+            chordRate === 0
+              ? [near, far]
+              : [-chordFraction / chordRate, (1 - chordFraction) / chordRate].sort((a, b) => a - b);
           const [enters, leaves] = [Math.max(near, ends[0]), Math.min(far, ends[1])];
           if (enters > leaves) continue;
-          this.setTriangleFromChord(o, d, along, per, enters);
+          this.setTriangleFromChord(o, d, chordFraction, chordRate, enters);
           this.offerCrossings(search, begin + enters, leaves - enters, noise, first[i], piece);
         }
     }
   }
 
-  /** Where the ray meets the triangle within `length` after s = `from`: the first that the search takes. */
+  /** Offers the crossings of the ray with the triangle between s = `from` and `from` + `length`, until the search takes one. */
   private offerCrossings(
     search: RayQuery,
     from: number,
@@ -211,13 +214,13 @@ export class SampledRayIntersector implements ObjectIntersector {
     }
   }
 
-  /** The triangle's corners as the ray has them, from s = `enters` on. */
-  private setTriangleFromChord(o: Vec3, d: Vec3, share: number, rate: number, enters: number): void {
+  /** Sets the triangle's corners relative to the ray, with σ = 0 at s = `enters`. */
+  private setTriangleFromChord(o: Vec3, d: Vec3, fraction: number, rate: number, enters: number): void {
     const { a, b } = triangle;
     for (let k = 0; k < 9; k++) {
       const axis = k % 3;
       const moved = chordFinish[k] - chordBegin[k];
-      a[k] = chordBegin[k] - o[axis] + (moved * (share + rate * enters) - d[axis] * enters);
+      a[k] = chordBegin[k] - o[axis] + (moved * (fraction + rate * enters) - d[axis] * enters);
       b[k] = moved * rate - d[axis];
     }
   }
@@ -233,7 +236,7 @@ export class SampledRayIntersector implements ObjectIntersector {
     return createHit(ray, this.index, crossing, this.c, velocity, contraction(plane, properVelocity(velocity)));
   }
 
-  /** How well places round o are known [m]. */
+  /** Accuracy of positions relative to o [m]. */
   private noise(o: Vec3): number {
     return ROUNDINGS * Number.EPSILON * (Math.abs(o[0]) + Math.abs(o[1]) + Math.abs(o[2]) + this.reach);
   }

@@ -6,17 +6,17 @@ import type { CubicChords } from './cubicChords.ts';
 
 /** An object at one of its samples. */
 export interface SampledShape {
-  /** 3 per vertex, world axes, from the object's `origin` [m]. */
+  /** 3 per vertex, world axes, relative to the object's `origin` [m]. */
   readonly points: Float32Array | Float64Array;
-  /** The points are not the scene's: they are forgotten with the shape. */
+  /** Whether the points are not the scene's, so that their memory counts as the shape's. */
   readonly ownsPoints: boolean;
-  /** 6 per node of the tree, as `Bvh.bounds`. */
+  /** 6 per node, as in `Bvh.bounds`. */
   readonly boxes: Float64Array;
-  /** When it was last asked for. */
+  /** Value of the cache's clock at the last use. */
   used: number;
 }
 
-/** Shapes that are kept: the longest unused are forgotten, and made again when a ray needs them. */
+/** Least recently used cache of shapes; evicted shapes are evaluated again when a ray needs them. */
 export class ShapeCache {
   private readonly budget: number;
   private readonly entries: {
@@ -36,7 +36,7 @@ export class ShapeCache {
     shape.used = ++this.clock;
   }
 
-  /** Keeps sample k of an object; each of the last two asked for stays, whatever its size. */
+  /** Adds sample k of an object; the two most recently used shapes stay whatever their size. */
   keep(shapes: (SampledShape | undefined)[], k: number, shape: SampledShape): void {
     const bytes = shape.boxes.byteLength + (shape.ownsPoints ? shape.points.byteLength : 0);
     shapes[k] = shape;
@@ -46,7 +46,7 @@ export class ShapeCache {
     if (this.bytes > this.budget) this.evict();
   }
 
-  /** Down to half, so that this is seldom needed. */
+  /** Evicts down to half the budget, so that this is rarely needed. */
   private evict(): void {
     const age = ({ shapes, k }: (typeof this.entries)[number]) => shapes[k]?.used ?? 0;
     this.entries.sort((a, b) => age(b) - age(a));
@@ -59,24 +59,24 @@ export class ShapeCache {
   }
 }
 
-/** What the shapes of a kind of sampled motion are made from. */
+/** Evaluates shapes of one kind of sampled motion. */
 export interface ShapeSource {
   readonly times: Float64Array;
   /** [m] */
   readonly origin: Vec3;
-  /** The tree's structure is one for all samples. */
+  /** One BVH topology for all samples. */
   readonly topology: TriangleBvh;
-  /** The points are not the scene's. */
+  /** Whether the points are not the scene's (`SampledShape.ownsPoints`). */
   readonly ownsPoints: boolean;
-  /** Where points go along cubics: its blocks are the pieces. */
+  /** Defined if points move along cubics; then its blocks are the pieces. */
   readonly cubic: CubicChords | undefined;
-  /** Writes the box of the whole object at sample k, from `origin` [m]; those of rigid objects are not tight. */
+  /** Writes the box of the whole object at sample k, relative to `origin` [m]; those of rigid objects are not tight. */
   outline(k: number, boxes: Float64Array): void;
-  /** 3 per vertex, world axes, from `origin` [m]. */
+  /** 3 per vertex, world axes, relative to `origin` [m]. */
   pointsAt(k: number): Float32Array | Float64Array;
 }
 
-/** The shapes of a sampled object, made when they are asked for. */
+/** The shapes of a sampled object, evaluated lazily. */
 export class SampledShapes {
   readonly times: Float64Array;
   readonly origin: Vec3;
@@ -99,25 +99,25 @@ export class SampledShapes {
   }
 
   at(k: number): SampledShape {
-    const known = this.shapes[k];
-    if (known) {
-      this.store.touch(known);
-      return known;
+    const cached = this.shapes[k];
+    if (cached) {
+      this.store.touch(cached);
+      return cached;
     }
     const points = this.source.pointsAt(k);
-    const made = { points, ownsPoints: this.source.ownsPoints, boxes: this.refit(points), used: 0 };
-    this.store.keep(this.shapes, k, made);
-    return made;
+    const shape = { points, ownsPoints: this.source.ownsPoints, boxes: this.refit(points), used: 0 };
+    this.store.keep(this.shapes, k, shape);
+    return shape;
   }
 
-  /** The boxes of the whole object at all samples, 6 numbers each, from `origin` [m]; those of rigid objects are not tight. */
+  /** The boxes of the whole object at all samples, 6 numbers each, relative to `origin` [m]; those of rigid objects are not tight. */
   outlines(): Float64Array {
     const boxes = new Float64Array(6 * this.times.length);
     for (let k = 0; k < this.times.length; k++) this.source.outline(k, boxes);
     return boxes;
   }
 
-  /** Children come after their parents, so one pass from the end finds all boxes. */
+  /** Children are stored after their parents, so one pass from the end computes all boxes. */
   private refit(points: ArrayLike<number>): Float64Array {
     const { bvh, first } = this.topology;
     const boxes = new Float64Array(bvh.bounds.length);
@@ -134,7 +134,7 @@ export class SampledShapes {
     return boxes;
   }
 
-  /** Corner i of the triangles at world time t, which lies in piece k (as `SampledRayIntersector` counts them), and its velocity [m/s]. */
+  /** Vertex i at world time t in piece k (numbered as in `SampledRayIntersector`), and its velocity [m/s]. */
   vertex(i: number, k: number, t: number): { readonly place: Vec3; readonly velocity: Vec3 } {
     const last = this.times.length - 1;
     const [before, after] = [Math.max(0, k), Math.min(last, k + 1)];
@@ -146,8 +146,8 @@ export class SampledShapes {
       return { place: add(this.origin, x), velocity: v };
     }
     const span = this.times[after] - this.times[before];
-    const share = (t - this.times[before]) / span;
-    const along = (j: number) => this.origin[j] + a[j] + moved[j] * share;
+    const fraction = (t - this.times[before]) / span;
+    const along = (j: number) => this.origin[j] + a[j] + moved[j] * fraction;
     return { place: [along(0), along(1), along(2)], velocity: [moved[0] / span, moved[1] / span, moved[2] / span] };
   }
 }

@@ -14,8 +14,8 @@ function set(corners: readonly Vec3[], rates: readonly Vec3[]): SpacetimeTriangl
   return triangle;
 }
 
-describe('a triangle whose corners run straight', () => {
-  it('is met where a point of it comes to the ray', () =>
+describe('a triangle whose corners move straight', () => {
+  it('is hit where one of its points meets the ray', () =>
     fc.assert(
       fc.property(three, three, uniform(0, 3), uniform(0.01, 0.98), uniform(0.01, 0.99), (ends, rates, at, v, part) => {
         const w = (1 - v) * part;
@@ -24,21 +24,21 @@ describe('a triangle whose corners run straight', () => {
         const start = there.map((p, i) => sub(p, scale(rates[i], at)));
         const N = cross(sub(there[1], there[0]), sub(there[2], there[0]));
         const passes = add(add(scale(rates[0], 1 - v - w), scale(rates[1], v)), scale(rates[2], w));
-        // Neither a line instead of a triangle, nor met edge on.
+        // Neither degenerate nor hit edge on.
         fc.pre(dot(N, N) > 1e-4 && Math.abs(dot(N, passes)) > 1e-2);
         const triangle = set(start, rates);
         const n = triangle.intersect(3, 1e-13);
         const k = Array.from({ length: n }, (_, i) => Math.abs(triangle.sigma[i] - at) < 1e-8).indexOf(true);
         if (k < 0) return expect.fail(`${n} crossings, none at ${at}`);
         expectClose([triangle.v[k], triangle.w[k]], [v, w], 1e-6);
-        // f rises where the plane goes away along its normal: the ray comes from the front.
+        // f rises where the plane recedes along its normal: the ray comes from the front.
         expect(triangle.front[k]).toBe(dot(N, passes) > 0);
         expect([...triangle.sigma.subarray(0, n)]).toEqual([...triangle.sigma.subarray(0, n)].sort((p, q) => p - q));
       }),
       { numRuns: 500 },
     ));
 
-  it('is met as often as it sweeps by', () => {
+  it('is hit each time it sweeps over the ray', () => {
     const rates: Vec3[] = [
       [-8, -1, -7],
       [-4, 5, 1],
@@ -63,7 +63,7 @@ describe('a triangle whose corners run straight', () => {
     for (let i = 0; i < n; i++) expectClose(f(triangle.sigma[i]), 0, 1e-11);
   });
 
-  it('is met where it arrives with the end of the stretch', () => {
+  it('is hit where it arrives at the end of the interval', () => {
     const triangle = set(
       [
         [-1, -1, 1],
@@ -81,7 +81,7 @@ describe('a triangle whose corners run straight', () => {
     expect(triangle.intersect(1 - 1e-9, 1e-13), 'and not before').toBe(0);
   });
 
-  it('is not met where it has no area, nor beside it', () => {
+  it('is not hit where it has no area, nor beside it', () => {
     const line = set([ZERO, [1, 0, 0], [2, 0, 0]], [ZERO, ZERO, ZERO]);
     expect(line.intersect(1, 1e-13)).toBe(0);
     const beside = set(

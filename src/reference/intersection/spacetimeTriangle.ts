@@ -1,18 +1,18 @@
 import { BarycentricTest } from './barycentrics.ts';
 
-/** Two crossings nearer than this share of the stretch are one. */
+/** Two crossings closer than this fraction of `length` count as one. */
 const MIN_SEPARATION = 1e-9;
 
 /**
- * A triangle whose corners run straight while the ray does: seen from the ray they are at q_i(σ) = a_i + b_i σ. The ray is in its plane where
- * f(σ) = q₀·(q₁ − q₀) × (q₂ − q₀), a cubic, is zero, and it passes to the back of the triangle where f rises.
+ * Intersects a ray with a triangle whose corners move straight: relative to the ray they are at q_i(σ) = a_i + b_i σ. The ray is in the
+ * triangle's plane where the cubic f(σ) = q₀·(q₁ − q₀) × (q₂ − q₀) is zero, and enters from the front where f rises. docs/physics.md §10.2.
  */
 export class SpacetimeTriangle {
   /** [m], 3 per corner. */
   readonly a = new Float64Array(9);
   /** [m per unit of σ] */
   readonly b = new Float64Array(9);
-  /** What `meet` has found, by rising σ. */
+  /** The crossings found by `intersect`, by increasing σ. */
   readonly sigma = new Float64Array(4);
   readonly v = new Float64Array(4);
   readonly w = new Float64Array(4);
@@ -28,14 +28,14 @@ export class SpacetimeTriangle {
   private area = 0;
   private readonly barycentrics = new BarycentricTest();
 
-  /** How many crossings there are with 0 ≤ σ ≤ length; places are known to `noise` [m]. */
+  /** Returns the number of crossings with 0 ≤ σ ≤ length; `noise`: accuracy of positions [m]. */
   intersect(length: number, noise: number): number {
     this.found = 0;
     this.last = Number.NEGATIVE_INFINITY;
     this.expand(length);
     const { c0, c1, c2, c3 } = this;
     const close = noise * this.area;
-    // The cubic stays between its Bernstein coefficients.
+    // The cubic is bounded by its Bernstein coefficients.
     const i = c0 + c1 / 3;
     const j = i + (c1 + c2) / 3;
     const end = c0 + c1 + c2 + c3;
@@ -45,7 +45,7 @@ export class SpacetimeTriangle {
     return this.found;
   }
 
-  /** The coefficients, from N = N₀ + N₁σ + N₂σ². */
+  /** Computes the coefficients of f, from N = N₀ + N₁σ + N₂σ². */
   private expand(length: number): void {
     const { a, b } = this;
     const ex = a[3] - a[0];
@@ -80,7 +80,7 @@ export class SpacetimeTriangle {
     this.area = size(kx, ky, kz) + size(lx, ly, lz) + size(mx, my, mz);
   }
 
-  /** From one extremum to the next f runs one way: there is a root where its sign changes, and where it comes `close` to zero at an end. */
+  /** Between extrema f is monotonic: it has a root where its sign changes; an end at which |f| ≤ `close` counts as one. */
   private search(length: number, noise: number, close: number): void {
     const { c1, c2, c3 } = this;
     let [first, second] = [1, 1];
@@ -112,7 +112,7 @@ export class SpacetimeTriangle {
     return this.c1 + x * (2 * this.c2 + 3 * x * this.c3);
   }
 
-  /** Newton's steps, halving where one would leave the bracket; f runs one way from a = f(lo) to b = f(hi), of opposite signs. */
+  /** Newton's method, bisecting where a step would leave the bracket; f is monotonic from a = f(lo) to b = f(hi), of opposite signs. */
   private root(lo: number, hi: number, a: number, b: number): number {
     const rising = a < b;
     let x = lo + ((hi - lo) * a) / (a - b);
@@ -129,7 +129,7 @@ export class SpacetimeTriangle {
     return x;
   }
 
-  /** Keeps the crossing at x if it is inside the triangle and not the one before again. */
+  /** Stores the crossing at x if it is inside the triangle and distinct from the last one. */
   private tryAt(x: number, length: number, noise: number): void {
     if (x - this.last < MIN_SEPARATION || this.found === 4) return;
     const { a, b, barycentrics: corners } = this;

@@ -40,7 +40,7 @@ const closed: fc.Arbitrary<Motion> = fc.oneof(
   }),
 );
 
-/** A body of the size of a metre that wanders and turns, slowly enough for every point of it to stay below c. */
+/** A body of about a metre that moves and turns, slowly enough for each of its points to stay below c. */
 const wandering: fc.Arbitrary<Motion> = fc
   .tuple(place, rotation, fc.array(fc.tuple(direction, uniform(0, 4), direction), { minLength: 1, maxLength: 8 }))
   .map(([start, turn, steps]) => {
@@ -56,7 +56,7 @@ const wandering: fc.Arbitrary<Motion> = fc
     return { kind: 'sampled', times: Float64Array.from(times), poses: Float64Array.from(poses) };
   });
 
-/** Every vertex goes its own way. */
+/** Every vertex has a world line of its own. */
 const deforming = (mesh: Mesh): fc.Arbitrary<Motion> =>
   fc.tuple(place, fc.integer(), fc.integer({ min: 2, max: 6 })).map(([origin, seed, count]) => {
     const shift = (k: number, i: number) => 0.3 * Math.sin(seed + 7.3 * k + 1.7 * i);
@@ -67,7 +67,7 @@ const deforming = (mesh: Mesh): fc.Arbitrary<Motion> =>
 const ball = sphere(1, { segments: 10, rings: 6 });
 const block = box([1, 2, 0.5]);
 
-/** Behind no horizon within the body: its size times the acceleration stays below c². */
+/** No horizon is within the body: its size times the acceleration stays below c². */
 const object: fc.Arbitrary<SceneObject> = fc.constantFrom(ball, block).chain((mesh) =>
   fc
     .record({
@@ -84,14 +84,14 @@ const observer = fc
   .record({ t: uniform(-2, 5), position: place, u: properVelocityUpTo(50) })
   .map((given) => viewFrom(given));
 
-/** A point of the material of an object, by its triangle and weights well inside it. */
+/** A surface point of an object: a triangle, and weights well inside it. */
 const somewhere = (of: SceneObject) =>
   fc
     .tuple(fc.integer({ min: 0, max: of.mesh.indices.length / 3 - 1 }), uniform(0.05, 0.9), uniform(0.05, 0.9))
     .map(([triangle, v, w]) => ({ corner: 3 * triangle, v: v * (1 - w), w }));
 
-describe('a ray and the surfaces in its way', () => {
-  it('a point of the material is met where and when it is seen', () =>
+describe('ray intersection', () => {
+  it('hits a surface point where and when it is seen', () =>
     fc.assert(
       fc.property(
         object.chain((o) => fc.tuple(fc.constant(o), somewhere(o))),
@@ -118,7 +118,7 @@ describe('a ray and the surfaces in its way', () => {
       { numRuns: 400 },
     ));
 
-  it('whatever is met is seen there', () =>
+  it('every hit is seen there', () =>
     fc.assert(
       fc.property(
         fc.array(object, { minLength: 1, maxLength: 4 }),
@@ -138,7 +138,7 @@ describe('a ray and the surfaces in its way', () => {
       { numRuns: 300 },
     ));
 
-  it('a scene is met where the nearest of its objects is', () =>
+  it('the hit of a scene is that of its nearest object', () =>
     fc.assert(
       fc.property(
         fc.array(object, { minLength: 2, maxLength: 9 }),
@@ -156,7 +156,7 @@ describe('a ray and the surfaces in its way', () => {
       { numRuns: 80 },
     ));
 
-  it('the same is met with next to no memory for samples', () =>
+  it('does not depend on the shape cache', () =>
     fc.assert(
       fc.property(
         fc.array(object, { minLength: 3, maxLength: 5 }),
@@ -174,7 +174,7 @@ describe('a ray and the surfaces in its way', () => {
       { numRuns: 60 },
     ));
 
-  it('a body is met where the nearest of its triangles is', () =>
+  it('the hit of an object is that of its nearest triangle', () =>
     fc.assert(
       fc.property(object, observer, views, uniform(-1, 1), uniform(-1, 1), (o, view, how, x, y) => {
         const center = probePoint(o, { corner: 0, v: 0.3, w: 0.3 }, view, C, how);
@@ -194,7 +194,7 @@ describe('a ray and the surfaces in its way', () => {
     ));
 });
 
-describe('what a ray passes through', () => {
+describe('lifetimes and filters', () => {
   const wall = (z: number, lifetime = { birth: Number.NEGATIVE_INFINITY, death: Number.POSITIVE_INFINITY }) =>
     makeObject({
       path: `/Wall${z}`,
@@ -204,17 +204,17 @@ describe('what a ray passes through', () => {
     });
   const ray = rayToward(viewFrom(), settingsFor('light-cone'), [0, 0, -1]);
 
-  it('only what exists when the light leaves it is met', () => {
+  it('only surfaces that exist at the emission event are hit', () => {
     const at = (birth: number, death: number) =>
       nearestHit(tracedScene([wall(-5, { birth, death }), wall(-9)]), ray)?.s;
     expect(at(-5, 0)).toBe(4.5);
-    // Between the two the front side has gone but the back side is there still.
+    // Between the two the front side is gone but the back side still exists.
     expect(at(-6, -5)).toBe(5.5);
     expect(at(-4, 0)).toBe(8.5);
     expect(at(-9, -6)).toBe(8.5);
   });
 
-  it('counts from its begin to its end, if it is accepted', () => {
+  it('hits count between `begin` and `end`, if accepted', () => {
     const scene = tracedScene([wall(-5), wall(-9)]);
     expect(nearestHit(scene, ray, { begin: 4.6 })).toMatchObject({ s: 5.5, front: false, object: 0 });
     expect(nearestHit(scene, ray, { begin: 6, end: 8 })).toBeUndefined();
@@ -227,7 +227,7 @@ describe('what a ray passes through', () => {
 describe('camera rays', () => {
   const view = fc.record({ u: anyProperVelocity, n: direction });
 
-  it('hold the events that are seen in their direction, s in the observer’s metres, at any γ', () =>
+  it('contain the events seen in their direction, s being the distance in the observer’s frame, at any γ', () =>
     fc.assert(
       fc.property(view, uniform(0, 100), ({ u, n }, s) => {
         const ray = rayToward(viewFrom({ u }), settingsFor('light-cone'), n);
@@ -243,14 +243,14 @@ describe('camera rays', () => {
       }),
     ));
 
-  it('go through the pixels of a picture', () => {
+  it('pass through the pixels of a picture', () => {
     const center = cameraRay(viewFrom(), settingsFor('galilean'), 160, 90, 320, 180);
     expectClose(center.dx, [0, 0, -1], 1e-15);
     const corner = cameraRay(viewFrom(), settingsFor('galilean'), 0, 0, 320, 180);
     expectClose(corner.dx, normalize([-16 / 9, 1, -1]), 1e-15);
   });
 
-  it('leave out what is switched off', () => {
+  it('follow the settings of view, light delay and aberration', () => {
     const fast = viewFrom({ u: [0, 3, 0] });
     const settings = settingsFor('light-cone');
     expect(rayToward(fast, { ...settings, lightDelay: false }, [0, 0, 1]).dt).toBe(0);

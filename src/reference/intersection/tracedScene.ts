@@ -8,26 +8,26 @@ import { meshBvh, type TriangleBvh } from '../acceleration/triangleBvh.ts';
 import { motionTracer } from './motionTracers.ts';
 import { ShapeCache } from './sampledShapes.ts';
 
-/** A scene that rays can be sent through. */
+/** A scene with the acceleration structures for tracing rays. */
 export interface TracedScene {
   readonly scene: Scene;
   /** [m/s] */
   readonly c: number;
-  /** As `scene.objects`, in the same order; sampled ones that are authored at rest are brought into the world frame. */
+  /** `scene.objects` in the same order; sampled ones authored at rest are converted to the world frame. */
   readonly objects: readonly SceneObject[];
-  /** Materials that are blended with what is behind them. */
+  /** Alpha-blended materials. */
   readonly transparentMaterials: ReadonlySet<Material>;
-  /** Objects that are opaque all over, by their place in `objects`. */
+  /** Per index in `objects`: whether the object is opaque everywhere. */
   readonly opaqueObjects: readonly boolean[];
   readonly topLevel: TopLevelBvh;
 }
 
-/** What is dear to make of a scene, and the same for every thread that traces it. Plain data. */
+/** The expensive part of a traced scene, as plain data that threads can share. */
 export interface PreparedScene {
   readonly scene: Scene;
   readonly c: number;
   readonly objects: readonly SceneObject[];
-  /** Of the meshes that keep their shape. */
+  /** The BVHs of meshes of constant shape. */
   readonly trees: ReadonlyMap<Mesh, TriangleBvh>;
 }
 
@@ -39,13 +39,13 @@ export function prepareScene(scene: Scene, c: number): PreparedScene {
   return { scene, c, objects, trees };
 }
 
-/** Memory for the shapes of sampled objects at their samples [bytes], besides what the last ray's two need. */
+/** Budget of `ShapeCache` [bytes]. */
 const SHAPE_CACHE_BYTES = 256 * 2 ** 20;
 
-/** Makes a scene ready for rays at the speed of light c [m/s]. */
+/** Builds the acceleration structures of a scene for the speed of light c [m/s]. */
 export const createTracedScene = (scene: Scene, c: number): TracedScene => fromPreparedScene(prepareScene(scene, c));
 
-/** Ready for rays, on what may be shared. What belongs to samples of a motion is made when a ray needs it, and kept in `shapes` bytes. */
+/** A traced scene on shared prepared data. Shapes at samples of motions are evaluated lazily and cached in `shapes` bytes. */
 export function fromPreparedScene(
   { scene, c, objects, trees }: PreparedScene,
   shapes = SHAPE_CACHE_BYTES,
@@ -84,8 +84,8 @@ function createIntersector(
 }
 
 /**
- * The first event on the ray, from `begin` to `end`, at which it meets a surface within its lifetime, from either side. `accepts` is asked
- * about each that is nearer than all taken before, in no order of its own, and must not trace rays itself.
+ * The first event on the ray, between `begin` and `end`, at which it meets a surface within its lifetime, from either side. `accepts` is called
+ * for each candidate nearer than all accepted before, in no particular order, and must not trace rays itself.
  */
 export function nearestHit({ topLevel }: TracedScene, ray: SpacetimeRay, filter: RayFilter = {}): Hit | undefined {
   const search = new RayQuery(ray, filter);

@@ -10,7 +10,7 @@ import type { View } from '../../scene/views/views.ts';
 import { rayToward } from '../camera/cameraRay.ts';
 import { nearestHit } from './tracedScene.ts';
 
-// Who is inside a closed surface sees it in every direction, also exactly where triangles meet.
+// From inside, a closed surface is seen in every direction, also exactly where triangles meet.
 
 const mesh = sphere(2, { segments: 9, rings: 6 });
 const pose = { position: [0.2, -0.3, 0.1] as Vec3, orientation: fromAxisAngle([1, 2, 3], 0.7) };
@@ -31,7 +31,7 @@ const motions: Record<string, Motion> = {
   breathing: { kind: 'sampled-points', times, origin: pose.position, points: breathing },
 };
 
-/** Weights of a corner, of the middle of an edge, and of any place on an edge, in all three turns. */
+/** Weights of a corner, of the middle of an edge, and of any point on an edge, in all three cyclic orders. */
 const seams = (chance: number): (readonly [v: number, w: number])[] => [
   [0, 0],
   [1, 0],

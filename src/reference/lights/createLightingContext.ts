@@ -12,19 +12,19 @@ import { skyOf } from './sky.ts';
 
 type SceneLights = Pick<LightingContext, 'sky' | 'directLights'>;
 
-/** A scene's lights are the same for all rays. */
-const known = new WeakMap<TracedScene, SceneLights>();
+/** Per scene, since its lights are the same for all rays. */
+const sceneLightsCache = new WeakMap<TracedScene, SceneLights>();
 
 function sceneLights(traced: TracedScene): SceneLights {
-  const found = known.get(traced);
-  if (found) return found;
+  const cached = sceneLightsCache.get(traced);
+  if (cached) return cached;
   const { scene } = traced;
   const lights = directLights(scene);
   const direct = [...lights.filter(isDistantLight), ...lights.filter(isLocalLight)];
   const sources = direct.map((light) => tracedLight(light, scene));
-  const made = { sky: skyOf(scene, sources), directLights: sources };
-  known.set(traced, made);
-  return made;
+  const lightsOfScene = { sky: skyOf(scene, sources), directLights: sources };
+  sceneLightsCache.set(traced, lightsOfScene);
+  return lightsOfScene;
 }
 
 /** `u`: the observer's γβ. */

@@ -1,18 +1,18 @@
-/** What of the light between things a picture takes into account. Plain data, so that a worker can be told. */
+/** Options of light transport. Plain data, so that workers can receive them. */
 export interface LightOptions {
-  /** 0: suns and lamps light surfaces; 1: so do the sky and what glows; 2: so do surfaces lit by these; and so on. */
+  /** 0: distant and local lights light surfaces; 1: also the sky and emissive surfaces; 2: also surfaces lit by these; and so on. */
   readonly bounces: number;
-  /** Surfaces mirror what is around them, smooth ones sharply; else they mirror only the sky and what glows, once. */
+  /** Surfaces reflect their surroundings, smooth ones sharply; otherwise only the sky and emissive surfaces, once. */
   readonly mirrors: boolean;
-  /** Closed transparent bodies refract; else what is behind them is blended in. */
+  /** Closed transparent bodies refract; otherwise they are alpha-blended. */
   readonly glass: boolean;
 }
 
 export const DEFAULT_LIGHT: LightOptions = { bounces: 2, mirrors: true, glass: false };
 
-/** Light may be scattered so often on its way at most. */
+/** Upper bound of `bounces`. */
 export const MAX_BOUNCES = 64;
-/** Seeds are below. */
+/** Seeds are less than this. */
 export const SEED_COUNT = 2 ** 32;
-/** A pixel has n × n samples, n at most. */
+/** Upper bound of n, for n × n samples per pixel. */
 export const MAX_SAMPLES = 16;

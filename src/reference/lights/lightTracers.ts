@@ -9,7 +9,7 @@ import { RECT_LIGHT } from './kinds/rectLight.ts';
 import { SPHERE_LIGHT } from './kinds/sphereLight.ts';
 import type { TracedLight } from './lightingContext.ts';
 
-/** How the reference renderer finds each kind of light. */
+/** The reference renderer's light sampling, by kind. */
 const LIGHTS: { readonly [K in Light['kind']]: LightTracer<Extract<Light, { readonly kind: K }>> } = {
   distant: DISTANT_LIGHT,
   sphere: SPHERE_LIGHT,

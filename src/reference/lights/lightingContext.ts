@@ -13,77 +13,77 @@ import type { SpectralContext } from '../spectral/spectralContext.ts';
 import type { SkySampler } from './kinds/skySampler.ts';
 import type { LightOptions } from './lightOptions.ts';
 
-/** Light that arrives at a surface from one direction, or its sample from a small cone. */
+/** Light that arrives at a surface from one direction; of a distant light with a radius, the ray is sampled within its cone. */
 export interface IncidentLight {
-  /** Surface → where it was sent out [m, world]; of distant lights only the direction. */
+  /** From the surface to the emission event [m, world]; of distant lights only a direction. */
   readonly dx: Vec3;
-  /** The same for the ray that tells whether it arrives. */
+  /** The same for the shadow ray. */
   readonly rayDirection: Vec3;
-  /** Part of dx that is free of the light itself. */
+  /** End of the shadow ray, as a multiple of `rayDirection`; it excludes the light itself. */
   readonly end: number;
-  /** What sends it out, at rest in that frame: `weight` times its light is the irradiance there of a surface that faces it. */
+  /** The source, at rest in `sourceFrame`: `weight` times its light is the irradiance in that frame of a surface that faces it. */
   readonly sourceSpectrum: SourceSpectrum;
   readonly sourceFrame: RestFrame;
   readonly weight: number;
 }
 
-/** A light as rays find it: each kind has those ways in which it is found (kinds/). */
+/** A light as rays find it; which of these members it has depends on its kind (kinds/). */
 export interface TracedLight {
-  /** Light of it that arrives at an event, sampled; undefined: none does. Absent of what surfaces find only by their own directions. */
+  /** Samples its light that arrives at an event; returns undefined if none does. Absent for lights that only BRDF samples of surfaces find. */
   sample?(lighting: LightingContext, at: RayOrigin): IncidentLight | undefined;
-  /** Radiance from world directions n (unit) where nothing is in the way. */
+  /** Radiance from the unit world direction n, unoccluded. */
   radiance?(n: Vec3, context: SpectralContext): SampledRadiance;
-  /** Where its radiance is great. */
+  /** Importance sampler of its bright directions. */
   readonly sampler?: SkySampler;
-  /** What the camera alone sees of it in the sky, as a factor of its light from the unit direction n: as a light it has no size. */
+  /** Its disc in the sky, seen by the camera only, as a factor of its light from the unit direction n. */
   readonly disc?: { readonly sourceSpectrum: SourceSpectrum; factor(n: Vec3): number };
 }
 
-/** What is behind everything, for an observer at rest in the world. */
+/** The background, for an observer at rest in the world. */
 export interface Sky {
   radiance(n: Vec3, context: SpectralContext): SampledRadiance;
-  /** The discs of distant lights and their glow. */
+  /** The discs of distant lights and the glow around them. */
   sunDiscs(n: Vec3, context: SpectralContext): SampledRadiance;
   readonly sampler?: SkySampler;
 }
 
-/** Everything that one sample of a picture asks for while it follows its light back. */
+/** Everything needed to trace one sample of a picture. */
 export interface LightingContext {
   readonly scene: TracedScene;
   readonly settings: RenderSettings;
   readonly options: LightOptions;
   readonly random: Random;
   readonly sky: Sky;
-  /** Those that surfaces sample. */
+  /** The lights that surfaces sample. */
   readonly directLights: readonly TracedLight[];
-  /** Which events light each other. */
+  /** Determines which events light each other. */
   readonly propagation: LightPropagation;
 }
 
-/** Light that takes its time; or, where the picture is of one moment (a slice of u's own time; the world's for u = 0), none. */
+/** Light travels on the past light cone, or, in views of one moment, within a slice of constant time in the frame of u (of the world for u = 0). */
 export interface LightPropagation {
   readonly hypersurface: Hypersurface;
   /** The observer's γβ. */
   readonly u: Vec3;
 }
 
-/** The rest frame of a velocity [c]; in the views that show no light everything is as at rest. */
+/** The rest frame of a velocity [c]; in views without light everything counts as at rest. */
 export const restFrameOf = ({ settings }: LightingContext, velocity: Vec3): RestFrame =>
   restFrame(VIEWS[settings.view].luminous ? properVelocity(velocity) : ZERO);
 
-/** An event, and how much of a ray that leaves it does not count [m]: what rounding may put between it and its own surface. */
+/** The event at which a ray begins, and the length at its beginning in which hits are ignored [m], because rounding can put them on the ray's own surface. */
 export interface RayOrigin {
   readonly t: number;
   readonly x: Vec3;
   readonly clearance: number;
 }
 
-/** The ray from an event to where light from the direction dx [m, world] came from. */
+/** The ray back along the light that arrives at an event from the direction dx [m, world]. */
 export function rayBack({ propagation }: LightingContext, { t, x }: RayOrigin, dx: Vec3): SpacetimeRay {
   return { t, x, dt: propagation.hypersurface.timeAt(dx, propagation.u), dx };
 }
 
-/** The same inside a body of refractive index n that moves with u, for a unit direction of its rest frame: light goes at c/n there. */
+/** The same inside a body of refractive index n, for a unit direction in its rest frame, where light moves at c/n. */
 export function rayBackInside(
   lighting: LightingContext,
   { t, x, clearance }: RayOrigin,

@@ -4,7 +4,7 @@ import { NO_LIGHT, plus } from '../spectral/sampledRadiance.ts';
 import type { Sky, TracedLight } from './lightingContext.ts';
 import { tracedLight } from './lightTracers.ts';
 
-/** The scene's dome, or a clear day's, and what is seen in it of `lights`. */
+/** The scene's dome, or that of a clear day, with the discs of `lights`. */
 export function skyOf(scene: Scene, lights: readonly TracedLight[]): Sky {
   const dome = tracedLight(sceneDome(scene), scene);
   const discs = lights.flatMap(({ disc }) => disc ?? []);

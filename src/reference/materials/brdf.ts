@@ -7,14 +7,14 @@ import type { SurfacePoint } from './surface.ts';
 
 // Lambert and GGX with Schlick's Fresnel, all in the surface's rest frame; N, V, L unit, away from the surface.
 
-/** How a surface reflects towards V. */
+/** The BRDF of a surface towards V. */
 export interface Brdf {
   /** Albedo of the Lambert part. */
   readonly diffuse: SpectralFilter;
-  /** Mirrored share at normal and at grazing incidence. */
+  /** Fresnel reflectance at normal and at grazing incidence. */
   readonly F0: SpectralFilter;
   readonly F90: number;
-  /** As direct light meets it: a point of light on a perfect mirror would have no size. */
+  /** For direct light; bounded from below, since the highlight of a point light on a perfect mirror has no size. */
   readonly roughness: number;
   readonly N: Vec3;
   readonly V: Vec3;
@@ -22,12 +22,12 @@ export interface Brdf {
 }
 
 export function brdfOf({ filter, metallic, roughness, ior, normal: N }: SurfacePoint, V: Vec3): Brdf {
-  const bare = ((ior - 1) / (ior + 1)) ** 2;
-  const F0 = mixFilters(neutralFilter(bare), 1 - metallic, filter, metallic);
+  const dielectricF0 = ((ior - 1) / (ior + 1)) ** 2;
+  const F0 = mixFilters(neutralFilter(dielectricF0), 1 - metallic, filter, metallic);
   return {
     diffuse: scaleFilter(filter, 1 - metallic),
     F0,
-    // What refracts like its surroundings has no surface to mirror, not even at grazing incidence.
+    // At equal refractive indices nothing is reflected, not even at grazing incidence.
     F90: ior === 1 ? metallic : 1,
     roughness: Math.min(Math.max(roughness, 0.05), 1),
     N,
@@ -36,22 +36,22 @@ export function brdfOf({ filter, metallic, roughness, ior, normal: N }: SurfaceP
   };
 }
 
-/** BRDF · cos of light from L; undefined where L is below the horizon. */
-export function evaluateBrdf(look: Brdf, L: Vec3): SpectralFilter | undefined {
-  const NL = Math.min(dot(look.N, L), 1);
+/** BRDF · cos for light from L; undefined if L is below the horizon. */
+export function evaluateBrdf(brdf: Brdf, L: Vec3): SpectralFilter | undefined {
+  const NL = Math.min(dot(brdf.N, L), 1);
   if (NL <= 0) return undefined;
-  const { share, F } = ggx(look, L, NL);
-  return mixFilters(look.diffuse, NL / Math.PI, F, NL * share);
+  const { share, F } = ggx(brdf, L, NL);
+  return mixFilters(brdf.diffuse, NL / Math.PI, F, NL * share);
 }
 
 /** Cook–Torrance with GGX and the height-correlated Smith term (Heitz 2014, eq. 99). */
-function ggx(look: Brdf, L: Vec3, NL: number): { readonly share: number; readonly F: SpectralFilter } {
-  const { N, V, NV, roughness } = look;
+function ggx(brdf: Brdf, L: Vec3, NL: number): { readonly share: number; readonly F: SpectralFilter } {
+  const { N, V, NV, roughness } = brdf;
   const H = normalize(add(L, V));
   const a2 = roughness ** 4;
   const distribution = ggxDistribution(Math.min(dot(N, H), 1), a2);
   const visibility = 0.5 / Math.max(NL * smithTerm(NV, a2) + NV * smithTerm(NL, a2), 1e-4);
-  return { share: Math.min(distribution * visibility, 1e4), F: fresnel(look, dot(V, H)) };
+  return { share: Math.min(distribution * visibility, 1e4), F: fresnel(brdf, dot(V, H)) };
 }
 
 /** √(a² + (1 − a²) x²) */
@@ -63,16 +63,16 @@ function fresnel({ F0, F90 }: Brdf, VH: number): SpectralFilter {
   return mixFilters(F0, 1 - grazing, neutralFilter(F90), grazing);
 }
 
-/** Below this a surface mirrors as if it were perfectly smooth. */
+/** Surfaces of lower roughness reflect as perfectly smooth ones. */
 const MIN_ROUGHNESS = 0.05;
 
-/** A part of the reflectance, and how its light is looked for. */
+/** A part of the BRDF with its importance sampling. */
 export interface Lobe {
-  /** A direction towards light; the more light of there goes towards V, the more likely. */
+  /** A random direction to light, with a density roughly proportional to BRDF · cos. */
   sample(random: Random): Vec3;
-  /** How densely such directions lie about L [1/sr]; absent where there is only one. */
+  /** Probability density of `sample` at L [1/sr]; absent if there is only one direction. */
   readonly pdf?: (L: Vec3) => number;
-  /** Of light from L, BRDF · cos over the density. */
+  /** BRDF · cos divided by the density, for light from L. */
   weight(L: Vec3): SpectralFilter;
 }
 
@@ -82,21 +82,21 @@ export const diffuseLobe = ({ N, diffuse }: Brdf): Lobe => ({
   weight: () => diffuse,
 });
 
-/** GGX. Directions are chosen by the facets that are seen from V, so that the share is F · G₂/G₁ and never great. */
-export function specularLobe(look: Brdf, roughness: number): Lobe {
-  const { N, V, NV } = look;
+/** GGX. Samples the microfacet normals visible from V, so that the weight is F · G₂/G₁, at most F. */
+export function specularLobe(brdf: Brdf, roughness: number): Lobe {
+  const { N, V, NV } = brdf;
   const toward = (H: Vec3): Vec3 => reflect(scale(V, -1), H);
-  if (roughness < MIN_ROUGHNESS) return { sample: () => toward(N), weight: () => fresnel(look, NV) };
+  if (roughness < MIN_ROUGHNESS) return { sample: () => toward(N), weight: () => fresnel(brdf, NV) };
   const a2 = roughness ** 4;
   const hidden = NV + smithTerm(NV, a2);
   const share = (L: Vec3): SpectralFilter => {
     const NL = dot(N, L);
     if (NL <= 0) return neutralFilter(0);
     const [v, l] = [NL * smithTerm(NV, a2), NV * smithTerm(NL, a2)];
-    return scaleFilter(fresnel(look, dot(V, normalize(add(L, V)))), (NL * hidden) / (v + l));
+    return scaleFilter(fresnel(brdf, dot(V, normalize(add(L, V)))), (NL * hidden) / (v + l));
   };
   const direction = (random: Random): Vec3 => toward(sampleVisibleNormal(N, V, roughness * roughness, random));
-  // Who looks from below the normal's horizon sees other facets than the formula has.
+  // From below the shading normal's horizon, where N·V is clamped, the density of visible normals is not that of the formula.
   if (dot(N, V) < NV) return { sample: direction, weight: share };
   return {
     sample: direction,
@@ -105,7 +105,7 @@ export function specularLobe(look: Brdf, roughness: number): Lobe {
   };
 }
 
-/** Trowbridge and Reitz's distribution of facets, by the cosine to the normal. */
+/** The Trowbridge–Reitz (GGX) distribution of microfacet normals, by the cosine to N. */
 function ggxDistribution(cosine: number, a2: number): number {
   const spread = cosine * cosine * (a2 - 1) + 1;
   return cosine > 0 ? a2 / (spread * spread * Math.PI) : 0;

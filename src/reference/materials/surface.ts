@@ -12,23 +12,23 @@ import { motionTracer } from '../intersection/motionTracers.ts';
 import type { TracedScene } from '../intersection/tracedScene.ts';
 import { materialOf } from './material.ts';
 
-/** What a surface is where a ray meets it. Colours are linear sRGB. */
+/** The material and shading normal at a hit. Colours are linear sRGB. */
 export interface SurfacePoint {
   readonly albedo: Vec3;
-  /** The same, with what it reflects of invisible light. */
+  /** The same with the reflectance of invisible light. */
   readonly filter: SpectralFilter;
   readonly opacity: number;
   /** Radiance. */
   readonly emissive: Vec3;
-  /** [K], where it shines as a blackbody; `emissive` tells its luminance then. */
+  /** [K], if it emits as a blackbody; then `emissive` gives the luminance. */
   readonly temperature?: number;
   readonly roughness: number;
   readonly metallic: number;
-  /** Share of the light of the sky and of other surfaces that gets to it. */
+  /** Fraction of the light of the sky and of other surfaces that reaches it. */
   readonly occlusion: number;
-  /** Refractive index; 1.5 where the scene does not tell. */
+  /** Refractive index; default 1.5. */
   readonly ior: number;
-  /** Interpolated unit normal in the rest frame, on the world axes that the pure boost carries there; towards the side that is looked at. */
+  /** Interpolated unit normal in the rest frame, on the world axes carried there by the pure boost; on the side of the ray. */
   readonly normal: Vec3;
   readonly uv: readonly [u: number, v: number];
 }
@@ -39,13 +39,13 @@ export function surfaceAt(scene: TracedScene, hit: Hit): SurfacePoint {
   const corners = verticesOf(scene, hit);
   const uv = uvAt(mesh.uvs, corners);
   const base = baseColor(material, uv);
-  const painted = mesh.colors ? interpolate(corners, (i) => pointAt(mesh.colors!, i)) : undefined;
+  const vertexColor = mesh.colors ? interpolate(corners, (i) => pointAt(mesh.colors!, i)) : undefined;
   const [r, g, b, opacity] = base;
-  const albedo: Vec3 = painted ? [r * painted[0], g * painted[1], b * painted[2]] : [r, g, b];
+  const albedo: Vec3 = vertexColor ? [r * vertexColor[0], g * vertexColor[1], b * vertexColor[2]] : [r, g, b];
   const { ior = 1.5, emissionTemperature: temperature } = material;
   return {
     albedo,
-    filter: filterAt(material, albedo, painted !== undefined, uv),
+    filter: filterAt(material, albedo, vertexColor !== undefined, uv),
     opacity,
     emissive: emission(material, uv),
     ...(temperature !== undefined && { temperature }),
@@ -58,10 +58,10 @@ export function surfaceAt(scene: TracedScene, hit: Hit): SurfacePoint {
   };
 }
 
-/** A measured reflectance, where nothing is painted over it. */
-function filterAt(material: Material, albedo: Vec3, painted: boolean, uv: Uv): SpectralFilter {
+/** The measured reflectance, unless textures or vertex colours override it. */
+function filterAt(material: Material, albedo: Vec3, hasVertexColor: boolean, uv: Uv): SpectralFilter {
   const { reflectance, baseColorTexture, uvTexture, irTexture } = material;
-  const bare = !painted && !baseColorTexture && !uvTexture && !irTexture;
+  const bare = !hasVertexColor && !baseColorTexture && !uvTexture && !irTexture;
   if (reflectance && bare) return filterOfReflectance(reflectance);
   return filterFromRgb(
     albedo,
@@ -77,23 +77,23 @@ function numberAt(value: number, from: TextureChannel | undefined, uv: Uv): numb
   return Math.min(1, Math.max(0, from.scale * sampleTexture(from.texture, ...uv)[from.channel] + from.bias));
 }
 
-/** Reflectance of invisible light, where the material or a picture tells. */
+/** Reflectance of invisible light; undefined if neither material nor texture gives it. */
 const invisibleReflectance = (
   value: number | undefined,
   from: TextureChannel | undefined,
   uv: Uv,
 ): number | undefined => (from ? numberAt(0, from, uv) : value);
 
-/** Opacity alone: all that a ray which only passes by needs to know. */
+/** The opacity of `surfaceAt` alone, which is all that shadow rays need. */
 export function opacityAt(scene: TracedScene, hit: Hit): number {
   const material = materialOf(scene, hit);
   if (!material.baseColorTexture) return material.opacity;
   return baseColor(material, uvAt(scene.objects[hit.object].mesh.uvs, verticesOf(scene, hit)))[3];
 }
 
-/** The corners of a triangle that is hit. */
+/** The corners of the hit triangle. */
 export interface TriangleVertices {
-  /** Vertices of the mesh. */
+  /** Vertex indices of the mesh. */
   readonly indices: readonly [number, number, number];
   readonly weights: Vec3;
 }
@@ -130,9 +130,9 @@ function emission({ emissive, emissiveTexture }: Material, uv: readonly [number,
 }
 
 /**
- * The surface is a plane of events, whose normal has no time part in the rest frame: one of the world's slice loses the factor γ
- * along the motion. Where interpolated normals cancel, the triangle's own. Which side is which the triangle tells, for there are
- * files whose normals point to the other one, and light that starts on the wrong side of a wall comes through it.
+ * The rest-frame normal: a normal given on a slice of world time loses the factor γ along the motion (docs/physics.md §6.3). Where interpolated
+ * normals cancel, the triangle's own is used. The triangle also determines the side, because some files have normals that point to the other
+ * side, and rays that start on the wrong side of a wall would leak through it.
  */
 function normalAt(
   scene: TracedScene,
@@ -149,29 +149,29 @@ function normalAt(
   const smooth = normalize(rest, hit.normal);
   const side = facingNormal(hit);
   if (!map) return faceForward(side, smooth);
-  const bent = mappedNormal(map, uv, smooth, tangentFrame(scene, hit, corners));
-  return dot(side, smooth) < 0 ? negate(bent) : bent;
+  const mapped = mappedNormal(map, uv, smooth, tangentFrame(scene, hit, corners));
+  return dot(side, smooth) < 0 ? negate(mapped) : mapped;
 }
 
-/** Along rising u and v, in the rest frame; of any length, 0 where the uvs tell no direction. */
+/** Directions of increasing u and v in the rest frame, of any length; 0 if the uvs are degenerate. */
 type TangentFrame = readonly [u: Vec3, v: Vec3];
 
-/** What is between two points of a surface at one world time is longer in its rest frame, by γ along the motion. */
+/** The separation of two surface points at one world time is longer by γ along the motion in the rest frame. */
 function tangentFrame({ objects, c }: TracedScene, hit: Hit, { indices }: TriangleVertices): TangentFrame {
   const object = objects[hit.object];
   const { uvs } = object.mesh;
   const place = motionTracer(object.motion).vertexPlaces(object, hit.time, c);
   const [a, b, d] = indices.map(place);
   const u = properVelocity(hit.velocity);
-  const written = motionTracer(object.motion).isAuthoredMoving(object);
-  const edge = (to: Vec3): Vec3 => (written ? spatial(boost(fourVector(0, sub(to, a)), u)) : sub(to, a));
+  const isAuthoredMoving = motionTracer(object.motion).isAuthoredMoving(object);
+  const edge = (to: Vec3): Vec3 => (isAuthoredMoving ? spatial(boost(fourVector(0, sub(to, a)), u)) : sub(to, a));
   const [p, q] = [edge(b), edge(d)];
   const [pu, pv, qu, qv] = [1, 2].flatMap((k) => [0, 1].map((n) => uvs[2 * indices[k] + n] - uvs[2 * indices[0] + n]));
   const side = Math.sign(pu * qv - pv * qu);
   return [scale(addScaled(scale(p, qv), q, -pv), side), scale(addScaled(scale(q, pu), p, -qu), side)];
 }
 
-/** The unit normal that a picture makes of N (scene/types.ts, NormalTexture). */
+/** The unit normal N perturbed by a normal map (`NormalTexture` in scene/types.ts). */
 function mappedNormal({ texture, strength }: NormalTexture, uv: Uv, N: Vec3, [alongU, alongV]: TangentFrame): Vec3 {
   const T = normalize(addScaled(alongU, N, -dot(N, alongU)), ZERO);
   const B = cross(N, T);
@@ -180,8 +180,8 @@ function mappedNormal({ texture, strength }: NormalTexture, uv: Uv, N: Vec3, [al
   return dot(T, T) > 0 ? normalize(addScaled(addScaled(scale(N, 2 * b - 1), T, x), B, y), N) : N;
 }
 
-/** The triangle's own normal on the side that is looked at. */
+/** The triangle's normal on the side of the ray. */
 export const facingNormal = ({ front, normal }: Hit): Vec3 => (front ? normal : negate(normal));
 
-/** n or −n, whichever is on the side. */
+/** n or −n, whichever is on the side of the normal `side`. */
 export const faceForward = (side: Vec3, n: Vec3): Vec3 => (dot(side, n) < 0 ? negate(n) : n);

@@ -1,8 +1,8 @@
 import { encodeSrgb } from '../../spectrum/display/srgb.ts';
 
 /**
- * Linear light to display, 0 … 1, 3 values per pixel, to RGBA8 in sRGB as the rasterizer has it: half a step of ordered noise, so
- * that skies have no bands. Source of the noise: Jimenez 2014, interleaved gradient noise.
+ * Encodes linear display values, 0 … 1, 3 per pixel, as RGBA8 in sRGB like the rasterizer, dithered by ± ½ step of interleaved gradient noise
+ * against banding. Source: Jimenez 2014.
  */
 export function encodeDisplay(linear: Float32Array, width: number, height: number): Uint8Array<ArrayBuffer> {
   const pixels = new Uint8Array(4 * width * height);

@@ -17,7 +17,7 @@ const noise = (x: number, y: number, k: number): number =>
 const side = fc.integer({ min: 1, max: 40 });
 
 describe('a still in a picture', () => {
-  it('of its own size is itself', () => {
+  it('of the same size is itself', () => {
     fc.assert(
       fc.property(side, side, (width, height) => {
         const made = still(width, height, noise);
@@ -26,7 +26,7 @@ describe('a still in a picture', () => {
     );
   });
 
-  it('is as high as the picture and in its middle, black beside it', () => {
+  it('fills the height of the picture, centred, with black beside it', () => {
     fc.assert(
       fc.property(side, side, side, side, (w, h, width, height) => {
         const shown = stillImage(
@@ -34,7 +34,7 @@ describe('a still in a picture', () => {
           width,
           height,
         );
-        // Half the still's width in pixels of the picture, and how far off the middle a pixel's centre is.
+        // Half the still's width in pixels of the picture, and the distance of a pixel's centre from the middle.
         const half = (w * height) / h / 2;
         for (let x = 0; x < width; x++) {
           const off = Math.abs(x + 0.5 - width / 2);
@@ -45,7 +45,7 @@ describe('a still in a picture', () => {
     );
   });
 
-  it('keeps what goes up evenly where it lies, whether it is enlarged or not', () => {
+  it('preserves a linear gradient, enlarged or reduced', () => {
     fc.assert(
       fc.property(fc.integer({ min: 8, max: 40 }), fc.integer({ min: 8, max: 40 }), (h, height) => {
         const made = still(h, h, (x, y, k) => [x, y, x + y][k]! / h);
@@ -60,7 +60,7 @@ describe('a still in a picture', () => {
     );
   });
 
-  it('loses no light when it is made smaller, and leaves no pixel out', () => {
+  it('conserves light when reduced, and uses every pixel', () => {
     const share = (x: number, y: number): number => {
       const made = still(100, 64, (i, j) => (i === x && j === y ? 1 : 0));
       return (16 * stillImage(made, 25, 16).values.reduce((all, value) => all + value, 0)) / 3;
@@ -75,7 +75,7 @@ describe('a still in a picture', () => {
   });
 });
 
-it('stills are told apart by what they show', () => {
+it('keys differ if sizes or pixels differ', () => {
   const keys = [
     still(4, 2, noise),
     still(2, 4, noise),

@@ -1,7 +1,7 @@
 import { fitStill, type StillPixels } from '../../scene/frameGraph/still.ts';
 import { FloatImage } from './effects/effectInput.ts';
 
-/** A still in a picture of another size, or of its own; see `StillFit`. */
+/** A still resampled to the size of the picture; see `StillFit`. */
 export function stillImage(still: StillPixels, width: number, height: number): FloatImage {
   const { scale, reach, offset } = fitStill(still, width, height);
   return FloatImage.of(width, height, 3, (px, py) => {
@@ -19,9 +19,9 @@ export function stillImage(still: StillPixels, width: number, height: number): F
   });
 }
 
-/** The pixels 0 … n − 1 round a place, with their weights: 1 there, 0 at a distance of `reach`. */
-function tent(place: number, reach: number, n: number): [pixel: number, weight: number][] {
-  const first = Math.max(Math.ceil(place - reach), 0);
-  const last = Math.min(Math.floor(place + reach), n - 1);
-  return Array.from({ length: last - first + 1 }, (_, i) => [first + i, 1 - Math.abs(first + i - place) / reach]);
+/** The pixels of 0 … n − 1 within `reach` of a position, with tent weights: 1 at the position, 0 at the distance `reach`. */
+function tent(position: number, reach: number, n: number): [pixel: number, weight: number][] {
+  const first = Math.max(Math.ceil(position - reach), 0);
+  const last = Math.min(Math.floor(position + reach), n - 1);
+  return Array.from({ length: last - first + 1 }, (_, i) => [first + i, 1 - Math.abs(first + i - position) / reach]);
 }

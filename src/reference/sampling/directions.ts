@@ -1,7 +1,7 @@
 import type { Random } from '../../math/random.ts';
 import { add, addScaled, dot, normalize, scale, type Vec3 } from '../../math/vec3.ts';
 
-/** Whether the first of two cases, which has a chance, has come; and numbers for it, the one that decided among them. */
+/** Chooses the first of two branches with probability `chance`. `rest` reuses the random number of the choice, rescaled, as its first number. */
 export function chooseBranch(chance: number, random: Random): { readonly isFirst: boolean; readonly rest: Random } {
   const p = random();
   const isFirst = p < chance;
@@ -22,10 +22,10 @@ export const reflect = (d: Vec3, n: Vec3): Vec3 => {
   return [d[0] - twice * n[0], d[1] - twice * n[1], d[2] - twice * n[2]];
 };
 
-/** The direction on the side of n: mirrored at its plane where it points below. */
+/** d on the side of n: reflected at the plane of n if it points below. */
 export const toHemisphere = (n: Vec3, d: Vec3): Vec3 => (dot(d, n) < 0 ? reflect(d, n) : d);
 
-/** Two unit vectors that make a right-handed frame with the unit n. Source: Duff et al. 2017, "Building an orthonormal basis, revisited", JCGT 6(1). */
+/** Two unit vectors that form a right-handed orthonormal basis with the unit n. Source: Duff et al. 2017, "Building an orthonormal basis, revisited", JCGT 6(1). */
 export function orthonormalBasis([x, y, z]: Vec3): readonly [Vec3, Vec3] {
   const sign = z < 0 ? -1 : 1;
   const a = -1 / (sign + z);
@@ -36,13 +36,13 @@ export function orthonormalBasis([x, y, z]: Vec3): readonly [Vec3, Vec3] {
   ];
 }
 
-/** (x, y, z) of the frame in which n is the third axis. */
+/** The vector with components (x, y, z) in the orthonormal basis whose third axis is n. */
 export function fromLocalBasis(n: Vec3, x: number, y: number, z: number): Vec3 {
   const [s, t] = orthonormalBasis(n);
   return add(addScaled(scale(s, x), t, y), scale(n, z));
 }
 
-/** A direction of the half space about the unit n, with density cos/π. */
+/** A direction of the hemisphere about the unit n, with density cos/π. */
 export function cosineDirection(n: Vec3, random: Random): Vec3 {
   const r2 = random();
   const phi = 2 * Math.PI * random();
@@ -50,7 +50,7 @@ export function cosineDirection(n: Vec3, random: Random): Vec3 {
   return normalize(fromLocalBasis(n, r * Math.cos(phi), r * Math.sin(phi), Math.sqrt(1 - r2)));
 }
 
-/** A direction within the cone about the unit n, evenly; `open` = 1 − cos of the cone's half angle. */
+/** A uniform direction within the cone about the unit n; `open` = 1 − cos of the cone's half angle. */
 export function coneDirection(n: Vec3, open: number, random: Random): Vec3 {
   const down = open * random();
   const phi = 2 * Math.PI * random();

@@ -1,7 +1,7 @@
 import { describe, expect, it } from 'vitest';
 import { pixelSequence } from './pixelSequence.ts';
 
-/** The points that pair `k` makes in samples 0 … n − 1. */
+/** The points of pair `k` in samples 0 … n − 1. */
 function points(of: ReturnType<typeof pixelSequence>, k: number, n: number): (readonly [number, number])[] {
   return Array.from({ length: n }, (_, i) => {
     const random = of(i);
@@ -11,7 +11,7 @@ function points(of: ReturnType<typeof pixelSequence>, k: number, n: number): (re
 }
 
 describe('the sequence of a pixel', () => {
-  it.each([0, 1, 2, 9])('has one point in each box of a sixteenth, whatever its shape (pair %i)', (k) => {
+  it.each([0, 1, 2, 9])('has one point in each elementary box of area 1/16 (pair %i)', (k) => {
     const found = points(pixelSequence(7, 3, 5), k, 16);
     for (const columns of [1, 2, 4, 8, 16]) {
       const rows = 16 / columns;
@@ -20,14 +20,14 @@ describe('the sequence of a pixel', () => {
     }
   });
 
-  it('is the same for the same seed and pixel, and another for others', () => {
+  it('depends on seed and pixel, and on nothing else', () => {
     const first = (seed: number, x: number, y: number) => pixelSequence(seed, x, y)(0)();
     const all = [first(1, 2, 3), first(2, 2, 3), first(1, 3, 3), first(1, 2, 4), first(1, 3, 2)];
     expect(new Set(all).size).toBe(all.length);
     expect(first(1, 2, 3)).toBe(all[0]);
   });
 
-  it('is even over pixels: means of squares and of products of any two numbers', () => {
+  it('is uniform and uncorrelated over pixels: means of squares and products', () => {
     const n = 4000;
     const sums = [0, 0, 0];
     for (let p = 0; p < n; p++) {
@@ -37,7 +37,7 @@ describe('the sequence of a pixel', () => {
       sums[1] += a * b;
       sums[2] += b * c;
     }
-    // The means' own deviations are 0.3, 0.22 and 0.22 by √n.
+    // The standard deviations of the means are 0.3, 0.22 and 0.22 divided by √n.
     for (const [k, mean] of [1 / 3, 1 / 4, 1 / 4].entries()) expect(Math.abs(sums[k] / n - mean)).toBeLessThan(0.02);
   });
 });

@@ -1,9 +1,9 @@
 import type { Random } from '../../math/random.ts';
 
 /**
- * Random numbers for the samples of a pixel that know of each other: number 2k and 2k + 1 of the samples 0, 1, 2 … make an Owen-scrambled
- * Sobol' sequence in the plane, so that any 2ᵐ samples from a multiple of 2ᵐ on have one in every box of the area 2⁻ᵐ whose sides are
- * powers of two; the pairs are shuffled against each other. Errors fall faster than 1/√N; no number has a pattern of its own.
+ * Low-discrepancy random numbers for the samples of a pixel: the numbers 2k and 2k + 1 of the samples 0, 1, 2 … form an Owen-scrambled
+ * Sobol' sequence in the plane, so that any 2ᵐ samples from a multiple of 2ᵐ on have one point in every box of area 2⁻ᵐ whose sides are
+ * powers of two; the pairs are shuffled independently of each other. Errors fall faster than 1/√N.
  * Source: Burley 2020, "Practical hash-based Owen scrambling", JCGT 9(4).
  */
 export function pixelSequence(seed: number, x: number, y: number): (sample: number) => Random {
@@ -20,17 +20,17 @@ export function pixelSequence(seed: number, x: number, y: number): (sample: numb
   };
 }
 
-/** The second dimension of Sobol's sequence, whose first is the digits reversed: its direction numbers are Pascal's triangle modulo 2. */
+/** The second dimension of Sobol's sequence, whose direction numbers are Pascal's triangle modulo 2; the first is the bit reversal. */
 function sobol(index: number): number {
   let [rest, direction, sum] = [index, 1 << 31, 0];
   for (; rest !== 0; rest >>>= 1, direction ^= direction >>> 1) if (rest & 1) sum ^= direction;
   return sum >>> 0;
 }
 
-/** Swaps the halves of the unit interval, of each half, of each quarter …, by chance. */
+/** Owen scrambling: randomly swaps the halves of the unit interval, of each half, of each quarter … */
 const scramble = (x: number, seed: number): number => reverse(mixUpwards(reverse(x), seed));
 
-/** Each bit is changed by those below it alone. Source: Laine & Karras 2011, "Stratified sampling for stochastic transparency". */
+/** A hash in which each bit affects only itself and higher bits. Source: Laine & Karras 2011, "Stratified sampling for stochastic transparency". */
 function mixUpwards(x: number, seed: number): number {
   let v = (x + seed) | 0;
   v ^= Math.imul(v, 0x6c50b47c);
@@ -47,7 +47,7 @@ function reverse(x: number): number {
   return ((v >>> 16) | (v << 16)) >>> 0;
 }
 
-/** Two numbers into one, all bits of which depend on all of theirs. Source: the end of MurmurHash3 (Appleby). */
+/** Hashes two numbers into one whose bits all depend on all of theirs. Source: the finalizer of MurmurHash3 (Appleby). */
 function hash(a: number, b: number): number {
   let v = Math.imul(a ^ Math.imul(b | 0, 0x9e3779b1), 0x85ebca6b) + 0x7f4a7c15;
   v = Math.imul(v ^ (v >>> 16), 0x85ebca6b);

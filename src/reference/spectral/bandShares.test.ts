@@ -11,7 +11,7 @@ import { type SampledSpectrum, spectralRadiance } from '../../spectrum/sources/l
 const STEP = 1e-9;
 const [FIRST, COUNT] = [50e-9, 6000];
 
-/** Equal energy at all wavelengths of one band, and none beside it. */
+/** A spectrum with equal energy at all wavelengths of one band, and none outside. */
 const within = (from: number, to: number): SampledSpectrum => ({
   kind: 'sampled',
   first: FIRST,
@@ -21,7 +21,7 @@ const within = (from: number, to: number): SampledSpectrum => ({
 
 const spectra = SPECTRAL_BANDS.map(({ from }, i) => within(from, SPECTRAL_BANDS[i + 1]?.from ?? 1));
 
-/** What an observer at β sees, straight ahead, of a white wall that a sun of one band lights: luminance per radiance at one wavelength. */
+/** Luminance, per radiance at one wavelength, that an observer at β sees straight ahead of a white wall lit by a sun of one band. */
 function seen(spectrum: SampledSpectrum, beta: Vec3): number {
   const sun: DistantLight = { kind: 'distant', path: '/sun', direction: [0, -1, 0], color: [1, 1, 1], spectrum };
   const wall = { mesh: plane(900, 900), material: lambert(1) };
@@ -33,8 +33,8 @@ function seen(spectrum: SampledSpectrum, beta: Vec3): number {
   return relativeLuminance(...light) / spectralRadiance(spectrum, FIRST + (lit1 + 1) * STEP);
 }
 
-describe('what part of the spectrum is seen', () => {
-  it.each([-0.8, -0.5, -0.2, 0, 0.2, 0.35, 0.5, 0.8, 0.95])('as the spectral reference has it, at %s c', (speed) => {
+describe('the fraction of each band that is seen', () => {
+  it.each([-0.8, -0.5, -0.2, 0, 0.2, 0.35, 0.5, 0.8, 0.95])('agrees with the spectral reference at %s c', (speed) => {
     const parts = spectra.map((spectrum) => seen(spectrum, [0, -speed, 0]));
     const whole = parts.reduce((a, b) => a + b);
     const D = Math.sqrt((1 + speed) / (1 - speed));

@@ -5,19 +5,19 @@ import type { SpectralFilter } from '../../spectrum/reflectance/spectralFilter.t
 import { NO_LIGHT, type SampledRadiance } from './sampledRadiance.ts';
 import type { Sensor, SpectralContext } from './spectralContext.ts';
 
-/** The approximate mode: light is linear sRGB everywhere, filters are multiplied channel by channel, and a shift is a tint (dopplerTint.ts). */
+/** The approximate mode: light is linear sRGB everywhere, filters multiply each channel, and Doppler shifts are tints (dopplerTint.ts). docs/physics.md §7.10. */
 export function rgbSensor({ dopplerMix, beaming }: Pick<RenderSettings, 'dopplerMix' | 'beaming'>): Sensor {
-  const sight: SpectralContext = {
+  const context: SpectralContext = {
     emitted: ({ color }) => lightOf(color),
     filtered: (light: SampledRadiance, { rgb: [r, g, b] }: SpectralFilter) => {
       const [x, y, z] = colorOf(light);
       return lightOf([r * x, g * y, b * z]);
     },
-    shifted: () => sight,
+    shifted: () => context,
     received: (light, D, power) =>
       D === 1 ? light : lightOf(scale(dopplerTint(colorOf(light), D, dopplerMix), D ** (power * beaming))),
   };
-  return { context: sight, color: colorOf };
+  return { context, color: colorOf };
 }
 
 const lightOf = (values: Vec3): SampledRadiance => ({ values, lines: NO_LIGHT.lines });

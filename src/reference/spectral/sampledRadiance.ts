@@ -1,6 +1,6 @@
 /**
- * Light as its receiver asks for it: values at the wavelengths of his sight, or linear sRGB; and lines, light of single wavelengths, which
- * are as they are wherever he asks. Radiance, or irradiance. Nothing at all is no values and no lines.
+ * Radiance or irradiance, sampled for a receiver: values at the wavelengths of its `SpectralContext`, or linear sRGB; and spectral lines, light of
+ * single wavelengths, which do not depend on the sampled ones. No light has neither values nor lines.
  */
 export interface SampledRadiance {
   readonly values: readonly number[];
@@ -37,7 +37,7 @@ export const eachLine = (
 const timesLines = (lines: readonly RadianceLine[], s: number): readonly RadianceLine[] =>
   eachLine(lines, ({ wavelength, value }) => ({ wavelength, value: s * value }));
 
-// Copies keep their numbers unboxed, and are quicker than arrays that grow.
+// slice() keeps numbers unboxed and is faster than growing arrays.
 
 export function timesValues(values: readonly number[], s: number): readonly number[] {
   const result = values.slice();
@@ -45,7 +45,7 @@ export function timesValues(values: readonly number[], s: number): readonly numb
   return result;
 }
 
-/** a + s b; light of lines alone has no values. */
+/** a + s b; light of lines only has no values. */
 function sumOf(a: readonly number[], b: readonly number[], s: number): readonly number[] {
   if (a.length === 0) return timesValues(b, s);
   const result = a.slice();

@@ -4,19 +4,19 @@ import { rgbSensor } from './rgbSensor.ts';
 import type { Sensor } from './spectralContext.ts';
 import { spectralSensor } from './spectralSensor.ts';
 
-/** Wavelengths of a pixel, shared out among its samples; and the fewest that go along one path. */
-const [OF_PIXEL, OF_PATH] = [64, 16];
+/** Wavelengths per pixel, divided among its samples, and the minimum per path. */
+const [WAVELENGTHS_PER_PIXEL, MIN_WAVELENGTHS_PER_PATH] = [64, 16];
 
-/** The observer's eye for each of the samples of a pixel, by the sample's numbers. */
-export function sensorsOf(settings: RenderSettings, samples = OF_PIXEL): (random: Random) => Sensor {
+/** Returns the factory of the sensor for each sample of a pixel, given the sample's random numbers. */
+export function sensorsOf(settings: RenderSettings, samples = WAVELENGTHS_PER_PIXEL): (random: Random) => Sensor {
   if (settings.colors === 'approximate') {
-    const eye = rgbSensor(settings);
-    return () => eye;
+    const sensor = rgbSensor(settings);
+    return () => sensor;
   }
-  const count = 2 ** Math.ceil(Math.log2(Math.max(OF_PIXEL / samples, OF_PATH)));
+  const count = 2 ** Math.ceil(Math.log2(Math.max(WAVELENGTHS_PER_PIXEL / samples, MIN_WAVELENGTHS_PER_PATH)));
   return (random) => {
     const shift = random();
-    // Numbers come in pairs that know of each other: the pairs of directions stay together.
+    // Random numbers are stratified in pairs: skip one, so that the pairs used for directions stay aligned.
     random();
     return spectralSensor(settings, count, shift);
   };

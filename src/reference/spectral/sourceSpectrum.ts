@@ -7,21 +7,21 @@ import { filterFromRgb, type SpectralFilter } from '../../spectrum/reflectance/s
 import { DAYLIGHT, type LightSpectrum, type ThermalSpectrum } from '../../spectrum/sources/lightSpectrum.ts';
 import type { SurfacePoint } from '../materials/surface.ts';
 
-/** What shines: a spectrum of luminance 1 behind a filter; and the linear sRGB that the approximate colours take it for. */
+/** The light of a source: a spectrum of luminance 1 behind a filter, and its linear sRGB for approximate colours. */
 export interface SourceSpectrum {
   readonly spectrum: LightSpectrum;
   readonly filter: SpectralFilter;
   readonly color: Vec3;
 }
 
-/** A light's, by its spectrum and colour. */
+/** The source spectrum of a light, from its colour and spectrum. */
 export const sourceSpectrumOf = (color: Vec3, spectrum: LightSpectrum = DAYLIGHT): SourceSpectrum => ({
   spectrum,
   filter: spectrum === DAYLIGHT ? filterFromRgb(color) : lightFilter(color, spectrum),
   color,
 });
 
-/** What a surface shines with by itself: its colour in daylight, or a blackbody of its luminance. */
+/** The emission of a surface: its emissive colour as daylight, or a blackbody of that luminance. */
 export function emittedSpectrum({ emissive: color, temperature }: SurfacePoint): SourceSpectrum {
   if (temperature === undefined) return sourceSpectrumOf(color);
   const luminance = dot(LUMINANCE_WEIGHTS, color);
@@ -32,13 +32,13 @@ export function emittedSpectrum({ emissive: color, temperature }: SurfacePoint):
   };
 }
 
-/** One for each temperature [K] of a material, for what is found out about spectra is kept with them. */
+/** One object per temperature [K], because tables of spectra are cached by object. */
 const blackbodies = new Map<number, ThermalSpectrum>();
 
 function blackbody(temperature: number): ThermalSpectrum {
-  const known = blackbodies.get(temperature);
-  if (known) return known;
-  const made = { kind: 'thermal', temperature } as const;
-  blackbodies.set(temperature, made);
-  return made;
+  const cached = blackbodies.get(temperature);
+  if (cached) return cached;
+  const spectrum = { kind: 'thermal', temperature } as const;
+  blackbodies.set(temperature, spectrum);
+  return spectrum;
 }

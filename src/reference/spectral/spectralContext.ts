@@ -4,43 +4,43 @@ import { dopplerBetween, type RestFrame } from './restFrame.ts';
 import type { SampledRadiance } from './sampledRadiance.ts';
 import type { SourceSpectrum } from './sourceSpectrum.ts';
 
-/** How light is asked for in one frame: at wavelengths of that frame (spectral.ts), or as linear sRGB (tinted.ts). */
+/** Samples light in one frame: at wavelengths of that frame (spectralSensor.ts), or as linear sRGB (rgbSensor.ts). */
 export interface SpectralContext {
-  emitted(shine: SourceSpectrum): SampledRadiance;
-  /** What a surface or a pane leaves of light. */
+  emitted(source: SourceSpectrum): SampledRadiance;
+  /** Light after reflection or transmission by a filter. */
   filtered(light: SampledRadiance, filter: SpectralFilter): SampledRadiance;
-  /** The sight of a frame whose light arrives in this one with ν = D ν_there. */
+  /** The context of a frame whose light arrives in this one with ν = D ν_there. */
   shifted(D: number): SpectralContext;
-  /** Light of `through(D)` as it arrives here. Its brightness, over all wavelengths, is D^power times as great. */
+  /** Light sampled in `shifted(D)` as it arrives here: integrated over all wavelengths it is multiplied by D^power. */
   received(light: SampledRadiance, D: number, power: number): SampledRadiance;
 }
 
-/** Whoever sees the picture. */
+/** The sensor of the picture's observer. */
 export interface Sensor {
   readonly context: SpectralContext;
-  /** Linear sRGB of what he sees. */
+  /** Linear sRGB of received light. */
   color(light: SampledRadiance): Vec3;
 }
 
-/** Who receives light, and how. */
+/** The rest frame of a receiver of light, and its spectral sampling. */
 export interface LightReceiver {
   readonly frame: RestFrame;
   readonly context: SpectralContext;
 }
 
-/** Radiance L′ = D⁴ L; and, per solid angle of the emitter's own frame, L′ dΩ′ = D² L dΩ: so an irradiance E′ = D² E of light from one direction. */
+/** Radiance L′ = D⁴ L; per solid angle of the emitter's own frame L′ dΩ′ = D² L dΩ, so an irradiance E′ = D² E of light from one direction. docs/physics.md §6.1. */
 export const RADIANCE_POWER = 4;
 export const IRRADIANCE_POWER = 2;
 
-/** The light that something at rest in `frame` sends out, as it arrives from n (unit, world). */
+/** Light emitted at rest in `source`, as it arrives at the receiver from n (unit, world). */
 export function receivedLight(
-  { frame, context: sight }: LightReceiver,
+  { frame, context }: LightReceiver,
   n: Vec3,
   source: RestFrame,
   power: typeof RADIANCE_POWER | typeof IRRADIANCE_POWER,
   sent: (there: LightReceiver) => SampledRadiance,
 ): SampledRadiance {
   const D = dopplerBetween(n, frame, source);
-  const there = { frame: source, context: sight.shifted(D) };
-  return sight.received(sent(there), D, power);
+  const there = { frame: source, context: context.shifted(D) };
+  return context.received(sent(there), D, power);
 }

@@ -20,29 +20,29 @@ import { spectralSensor } from './spectralSensor.ts';
 
 const settings = SPECTRAL;
 
-/** Close in all of its colour: relative to its largest part; what cannot be seen is black. */
+/** Compares colours relative to the largest component; invisible light is black. */
 function expectColor(seen: Vec3, expected: Vec3, tolerance: number): void {
   expect(length(sub(seen, expected))).toBeLessThanOrEqual(tolerance * Math.max(...expected.map(Math.abs)));
 }
 
-/** D⁵ B(Dλ, T) = B(λ, DT): what daylight of radiance 1 looks like, shifted by D. */
+/** The colour of daylight of radiance 1, shifted by D: D⁵ B(Dλ, T) = B(λ, DT). */
 const shiftedDaylight = (D: number): Vec3 =>
   scale(
     colorOfSpectrum({ kind: 'thermal', temperature: 6504 * D }),
     Math.exp(logLuminance(6504 * D) - logLuminance(6504)),
   );
 
-/** D of light from n′ in an observer's own frame, of a world at rest: 1/[γ(1 − β·n′)]. */
+/** D of light from n′, in the observer's frame, from a world at rest: 1/[γ(1 − β·n′)]. */
 const dopplerOf = (u: Vec3, n: Vec3): number => 1 / (Math.sqrt(1 + dot(u, u)) - dot(u, n));
 
 const shine = (emissive: Vec3): Material => lambert(0, { emissive });
 const color = fc.tuple(uniform(0, 1), uniform(0, 1), uniform(0.05, 1));
 
-describe('a closed box that glows in daylight’s white', () => {
+describe('a closed box that emits white daylight', () => {
   const scene = lit([{ mesh: twoSided(box([4, 3, 5])), material: shine([1, 1, 1]) }]);
   const inside = { position: [0.3, -0.7, 1.1] } as const;
 
-  it('is a blackbody of D · 6504 K to one who moves', () => {
+  it('is a blackbody of D · 6504 K for a moving observer', () => {
     fc.assert(
       fc.property(direction, properVelocityUpTo(3), (n, u) => {
         const seen = look(scene, { ...inside, u }, n, DIRECT, 16, { settings });
@@ -52,7 +52,7 @@ describe('a closed box that glows in daylight’s white', () => {
     );
   });
 
-  it('shares of the effect: wavelengths by D^m, brightness by D^(4b)', () => {
+  it('with partial effects: wavelengths by D^m, brightness by D^(4b)', () => {
     const shares = fc.tuple(uniform(0, 1), uniform(0, 1));
     fc.assert(
       fc.property(direction, properVelocityUpTo(3), shares, (n, u, [dopplerMix, beaming]) => {
@@ -66,7 +66,7 @@ describe('a closed box that glows in daylight’s white', () => {
   });
 });
 
-describe('an eye', () => {
+describe('a sensor', () => {
   it.each([16, 64])('sums, over all combs of %d wavelengths, to the integral', (count) => {
     const combs = Array.from({ length: 4096 / count }, (_, k) =>
       spectralSensor(settings, count, ((k + 0.5) * count) / 4096),
@@ -89,7 +89,7 @@ describe('an eye', () => {
 });
 
 describe('at rest in white light', () => {
-  it('a surface has its linear sRGB, whatever the way: a ∘ 1', () => {
+  it('a surface has its linear sRGB colour', () => {
     fc.assert(
       fc.property(color, fc.integer({ min: 0, max: 1e6 }), (albedo, seed) => {
         const scene = lit([{ mesh: plane(9, 9), material: { ...lambert(0), baseColor: albedo } }], [dome([1, 1, 1])]);
@@ -103,7 +103,7 @@ describe('at rest in white light', () => {
     );
   });
 
-  it('noise of colour is small from one sample on: of pure red, green and blue', () => {
+  it('colour noise is small even with one sample: for pure red, green and blue', () => {
     const spread = (albedo: Vec3, samples: number): number => {
       const scene = lit([{ mesh: plane(9, 9), material: shine(albedo) }]);
       const errors = Array.from({ length: 50 }, (_, seed) =>
@@ -125,8 +125,8 @@ describe('at rest in white light', () => {
   });
 });
 
-/** A floor that flies along x in its own plane, seen by one at rest: of a wave, ν cos θ is kept, so cos θ′ = cos θ/D_in. */
-describe('a floor that flies past under a resting sun', () => {
+/** A floor that moves along x in its own plane, seen by an observer at rest: ν cos θ of a wave is invariant, so cos θ′ = cos θ/D_in. */
+describe('a moving floor under a sun at rest', () => {
   const toward: Vec3 = normalize([-0.3, 0.5, -1]);
   function seenFloor(
     v: number,
@@ -150,7 +150,7 @@ describe('a floor that flies past under a resting sun', () => {
   const sunward = fc.tuple(uniform(-1, 1), uniform(-1, 1), uniform(0.2, 1)).map((s) => normalize(s));
   const speed = uniform(-0.8, 0.8);
 
-  it('has the colour that its reflectance, shifted once, and the light, shifted twice, give it', () => {
+  it('has the colour of its reflectance, shifted once, times the light, shifted twice', () => {
     fc.assert(
       fc.property(speed, sunward, color, color, (v, s, albedo, light) => {
         const { Din, Dout, brightness } = factors(v, s);
@@ -163,8 +163,8 @@ describe('a floor that flies past under a resting sun', () => {
     );
   });
 
-  it('of a measured reflectance has the colour of the sum over every nanometre', () => {
-    // A leaf's red edge, which no bands have.
+  it('with a measured reflectance has the colour of the sum over every nanometre', () => {
+    // The red edge of a leaf, which the band coefficients cannot represent.
     const values = Array.from({ length: 101 }, (_, i) => 0.04 + 0.44 / (1 + Math.exp((715 - (300 + 10 * i)) / 12)));
     const reflectance = { first: 300e-9, step: 10e-9, values };
     for (const v of [-0.5, -0.2, 0, 0.3]) {
@@ -179,7 +179,7 @@ describe('a floor that flies past under a resting sun', () => {
     }
   });
 
-  it('by shares: each of the two shifts by its own', () => {
+  it('with partial effects: applied to each of the two shifts', () => {
     const [v, s, dopplerMix, beaming] = [0.6, normalize([0.5, 0.2, 1]), 0.4, 0.7];
     const { Din, Dout } = factors(v, s);
     const exact = observedColor(
@@ -227,7 +227,7 @@ describe('a floor that flies past under a resting sun', () => {
     );
   });
 
-  it.each([2000, 12000])('a lamp of %d K stays a blackbody', (temperature) => {
+  it.each([2000, 12000])('a light of %d K stays a blackbody', (temperature) => {
     const spectrum = { kind: 'thermal', temperature } as const;
     fc.assert(
       fc.property(speed, sunward, (v, s) => {
@@ -255,19 +255,19 @@ describe('mirrors', () => {
   });
 
   it.each([0.3, -0.2])(
-    'to and fro between a glowing mirror and one that moves with %d c, light is shifted by [(1 − v)/(1 + v)]ⁿ, and I_ν/ν³ stays',
+    'light reflected n times between an emissive mirror and one moving at %d c is shifted by [(1 − v)/(1 + v)]ⁿ, and I_ν/ν³ is invariant',
     (v) => {
       const glowing = mirror({ emissive: [1, 1, 1] });
       const scene = lit([wall(5, -Math.PI / 2, [v, 0, 0], mirror()), wall(-3, Math.PI / 2, [0, 0, 0], glowing)]);
       const seen = look(scene, { position: [0, 0, 0] }, [1, 0, 0], { ...DIRECT, mirrors: true }, 16, { settings });
       const once = (1 - v) / (1 + v);
-      // Eight mirrors deep: four of them glow.
+      // Eight reflections deep: four of them at the emissive mirror.
       const expected = [1, 2, 3, 4].map((n) => shiftedDaylight(once ** n));
       expectColor(seen, [0, 1, 2].map((k) => expected.reduce((sum, rgb) => sum + rgb[k], 0)) as unknown as Vec3, 3e-3);
     },
   );
 
-  it('one that flies in its own plane gives back the colours exactly: D = 1 there and back', () => {
+  it('one that moves in its own plane preserves colours exactly: D = 1 for both ways together', () => {
     const things = (v: number) =>
       lit([wall(5, -Math.PI / 2, [0, v, 0], mirror()), wall(-3, Math.PI / 2, [0, 0, 0], shine([0.2, 0.5, 0.9]))]);
     const seen = (v: number) =>

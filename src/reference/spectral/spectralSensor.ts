@@ -8,17 +8,17 @@ import type { SourceSpectrum } from './sourceSpectrum.ts';
 import type { Sensor, SpectralContext } from './spectralContext.ts';
 import { Wavelengths } from './wavelengths.ts';
 
-/** The shares of log D that reach wavelengths and brightness; physical where both are 1. */
+/** Factors of log D for wavelengths and for brightness; physical if both are 1. */
 type DopplerSettings = Pick<RenderSettings, 'dopplerMix' | 'beaming'>;
 
 /**
- * An eye that asks for light at `count` wavelengths, a power of 2, spread over what it sees and closest where it sees best. `shift` in 0 … 1 moves
- * each within its step; the mean over all shifts is the integral over the wavelength.
+ * A sensor that samples light at `count` wavelengths, a power of 2, over the visible range, densest where vision is most sensitive. `shift` in 0 … 1
+ * moves each wavelength within its stratum; the mean over all shifts is the integral over the wavelength. docs/physics.md §7.11.
  */
-export function spectralSensor(shares: DopplerSettings, count: number, shift: number): Sensor {
+export function spectralSensor(settings: DopplerSettings, count: number, shift: number): Sensor {
   const { wavelengths, red, green, blue } = wavelengthSet(count, shift);
   return {
-    context: new WavelengthContext(wavelengths, shares),
+    context: new WavelengthContext(wavelengths, settings),
     color({ values, lines }) {
       let [r, g, b] = [0, 0, 0];
       for (let i = 0; i < values.length; i++) {
@@ -27,10 +27,10 @@ export function spectralSensor(shares: DopplerSettings, count: number, shift: nu
         b += blue[i] * values[i];
       }
       for (const { wavelength, value } of lines) {
-        const seen = toLinearSrgb(colorMatching(wavelength));
-        r += seen[0] * value;
-        g += seen[1] * value;
-        b += seen[2] * value;
+        const response = toLinearSrgb(colorMatching(wavelength));
+        r += response[0] * value;
+        g += response[1] * value;
+        b += response[2] * value;
       }
       return [r, g, b];
     },
@@ -38,17 +38,17 @@ export function spectralSensor(shares: DopplerSettings, count: number, shift: nu
 }
 
 /**
- * Light at wavelengths of one frame. What arrives with the shift D was emitted at D λ and has D⁵ of its radiance per wavelength
- * (L_λ′(λ) = D⁵ L_λ(Dλ), docs/physics.md §6.1). The shares m of colours and b of beaming make this D^m λ, and D^m D^(4b): D⁵ for m = b = 1, and
- * of whatever is seen D^(4b) over all wavelengths. Lines come as they are, for the eye to see: none is ever hit by chance.
+ * Light at wavelengths of one frame. Light that arrives with the shift D was emitted at D λ, and its radiance per wavelength is multiplied by D⁵
+ * (L_λ′(λ) = D⁵ L_λ(Dλ), docs/physics.md §6.1). The settings m (`dopplerMix`) and b (`beaming`) change this to D^m λ and D^m D^(4b): D⁵ for
+ * m = b = 1, and D^(4b) of the integrated radiance. Lines are passed on separately, because no sampled wavelength would ever hit one.
  */
 class WavelengthContext implements SpectralContext {
   private readonly wavelengths: Wavelengths;
   private readonly doppler: DopplerSettings;
 
-  constructor(wavelengths: Wavelengths, shares: DopplerSettings) {
+  constructor(wavelengths: Wavelengths, settings: DopplerSettings) {
     this.wavelengths = wavelengths;
-    this.doppler = shares;
+    this.doppler = settings;
   }
 
   emitted({ spectrum, filter }: SourceSpectrum): SampledRadiance {
@@ -89,7 +89,7 @@ class WavelengthContext implements SpectralContext {
 const blocksAll = ({ rgb: [r, g, b], uv, ir, residual: rest }: SpectralFilter): boolean =>
   r === 0 && g === 0 && b === 0 && uv === 0 && ir === 0 && !rest?.share;
 
-/** Wavelengths that the eye asks at, and what it sees of radiance 1 at each, by their step: linear sRGB [m]. */
+/** The sampled wavelengths, and the sensor's response to radiance 1 at each times the wavelength step: linear sRGB [m]. */
 interface WavelengthSet {
   readonly wavelengths: Wavelengths;
   readonly red: readonly number[];
@@ -97,34 +97,34 @@ interface WavelengthSet {
   readonly blue: readonly number[];
 }
 
-/** All combs together have so many wavelengths; to sum over them all is as good as to integrate. */
+/** Number of wavelengths in all combs together; the sum over all of them is as good as the integral. */
 const WAVELENGTH_STRATA = 4096;
 const wavelengthSets = new Map<number, WavelengthSet>();
 
-/** One of the FINEST/count combs of `count` wavelengths each. They are kept, for at rest everything is seen through them. */
+/** One of the WAVELENGTH_STRATA/count combs of `count` wavelengths each; cached, since all light at rest is sampled with them. */
 function wavelengthSet(count: number, shift: number): WavelengthSet {
   const first = Math.floor((shift * WAVELENGTH_STRATA) / count);
   const key = first * WAVELENGTH_STRATA + count;
-  const known = wavelengthSets.get(key);
-  if (known) return known;
-  const teeth = Array.from({ length: count }, (_, i) =>
+  const cached = wavelengthSets.get(key);
+  if (cached) return cached;
+  const samples = Array.from({ length: count }, (_, i) =>
     sampleWavelength((first + 0.5) / WAVELENGTH_STRATA + i / count),
   );
-  const seen = teeth.map(({ wavelength, density }) => {
+  const response = samples.map(({ wavelength, density }) => {
     const step = 1 / (count * density);
     return toLinearSrgb(colorMatching(wavelength)).map((value) => value * step);
   });
-  const [red, green, blue] = [0, 1, 2].map((k) => seen.map((rgb) => rgb[k]));
-  const made = { wavelengths: new Wavelengths(teeth.map(({ wavelength }) => wavelength)), red, green, blue };
-  wavelengthSets.set(key, made);
-  return made;
+  const [red, green, blue] = [0, 1, 2].map((k) => response.map((rgb) => rgb[k]));
+  const set = { wavelengths: new Wavelengths(samples.map(({ wavelength }) => wavelength)), red, green, blue };
+  wavelengthSets.set(key, set);
+  return set;
 }
 
-/** Density sech²((λ − middle)/width) between the ends of the visible. Source: Radziszewski et al. 2009, "An improved technique for full spectral rendering", J. WSCG 17. */
+/** Density sech²((λ − middle)/width) over the visible range. Source: Radziszewski et al. 2009, "An improved technique for full spectral rendering", J. WSCG 17. */
 const SAMPLING_DENSITY = { middle: 538e-9, width: 1 / 0.0072e9 } as const;
 const [LOWEST, HIGHEST] = VISIBLE.map((end) => Math.tanh((end - SAMPLING_DENSITY.middle) / SAMPLING_DENSITY.width));
 
-/** The wavelength [m] below which is the part u of the density, and the density there [1/m]. */
+/** The wavelength [m] at the quantile u of the density, and the density there [1/m]. */
 function sampleWavelength(u: number): { readonly wavelength: number; readonly density: number } {
   const t = LOWEST + (HIGHEST - LOWEST) * u;
   return {

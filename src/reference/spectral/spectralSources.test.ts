@@ -11,7 +11,7 @@ import { filterFromRgb, WHITE_FILTER } from '../../spectrum/reflectance/spectral
 import { LIGHT_PRESETS } from '../../spectrum/sources/lightPresets.ts';
 import { DAYLIGHT, type LightSpectrum } from '../../spectrum/sources/lightSpectrum.ts';
 
-/** Straight down to a floor or up to the sky, with γβ = w towards what is seen: D = e^rapidity. */
+/** The colour seen straight down (the floor) or up (the sky), moving towards it with γβ = w: D = e^rapidity. */
 function seen(things: readonly Material[], lights: readonly Light[], w: number, toward: 1 | -1, bounces = 0): Vec3 {
   const scene = lit(
     things.map((material) => ({ mesh: plane(1e4, 1e4), material })),
@@ -28,7 +28,7 @@ function expectColor(found: Vec3, expected: Vec3, tolerance: number): void {
 const speed = uniform(-2, 2);
 const color = fc.tuple(uniform(0.05, 1), uniform(0.05, 1), uniform(0.05, 1));
 
-describe('what is invisible at rest', () => {
+describe('light that is invisible at rest', () => {
   const leaf = (given: Partial<Material>) =>
     makeMaterial({ name: 'leaf', baseColor: [0.05, 0.2, 0.03], ior: 1, ...given });
   const sky = dome([1, 1, 1]);
@@ -37,7 +37,7 @@ describe('what is invisible at rest', () => {
     expect(seen([leaf({ uv: 0.7, ir: 0.9 })], [sky], 0, -1, 1)).toEqual(seen([leaf({})], [sky], 0, -1, 1));
   });
 
-  it('the infrared is all that is seen from D = 830/360 on, and the ultraviolet up to D = 360/830', () => {
+  it('only infrared is seen from D = 830/360 on, and only ultraviolet up to D = 360/830', () => {
     for (const [w, share] of [
       [1.5, 0.9],
       [-1.5, 0.7],
@@ -48,7 +48,7 @@ describe('what is invisible at rest', () => {
     }
   });
 
-  it('and between them a part of each: N ∫ cmf ρ(Dλ) D⁵ S(Dλ) dλ', () => {
+  it('in between a part of each is seen: N ∫ cmf ρ(Dλ) D⁵ S(Dλ) dλ', () => {
     fc.assert(
       fc.property(speed, color, uniform(0, 1), uniform(0, 1), (w, rgb, uv, ir) => {
         const D = shiftOf(w);
@@ -62,8 +62,8 @@ describe('what is invisible at rest', () => {
   });
 });
 
-describe('what glows', () => {
-  it('by temperature has the luminance of its colour, and is a blackbody when it moves', () => {
+describe('emissive surfaces', () => {
+  it('with a temperature have the luminance of their colour, and are blackbodies in motion', () => {
     fc.assert(
       fc.property(speed, uniform(1500, 9000), color, (w, temperature, emissive) => {
         const D = shiftOf(w);
@@ -75,7 +75,7 @@ describe('what glows', () => {
     );
   });
 
-  it('by colour is daylight behind a filter', () => {
+  it('with a colour emit daylight behind a filter', () => {
     fc.assert(
       fc.property(speed, color, (w, emissive) => {
         const D = shiftOf(w);
@@ -102,7 +102,7 @@ describe('the sky', () => {
     }
   });
 
-  it('shows its suns in their own light', () => {
+  it('shows the discs of distant lights in their own spectra', () => {
     const spectrum: LightSpectrum = { kind: 'lines', lines: [{ wavelength: 546.1e-9, weight: 1 }] };
     const sun = { kind: 'distant', path: '/sun', direction: [0, 0, -1], color: [2, 2, 2], spectrum } as const;
     const D = shiftOf(0.1);
@@ -111,12 +111,12 @@ describe('the sky', () => {
   });
 });
 
-describe('lamps', () => {
-  it('of every kind of light on a coloured floor, which flies away from them', () => {
+describe('lights', () => {
+  it('of several spectra light a coloured floor that moves away from them', () => {
     const albedo = filterFromRgb([0.8, 0.4, 0.1]);
     for (const name of ['sodium', 'mercury', 'tungsten', 'led']) {
       const spectrum = LIGHT_PRESETS.get(name)?.spectrum as LightSpectrum;
-      // Where the lamp is in the floor's frame only its brightness tells: the colour is that of the two shifts.
+      // The light's position in the floor's frame affects only its brightness; the colour follows from the two shifts.
       const v = 0.25;
       const scene = lit(
         [

@@ -2,10 +2,10 @@ import { NANOMETRE, VISIBLE } from '../../spectrum/observer/standardObserver.ts'
 import { basisAt, residualAt, type SpectralFilter } from '../../spectrum/reflectance/spectralFilter.ts';
 import { DAYLIGHT, type LightSpectrum, spectralRadiance } from '../../spectrum/sources/lightSpectrum.ts';
 
-/** Rising wavelengths of one frame [m], and what spectra and filters are at them. */
+/** Increasing wavelengths of one frame [m], with spectra and filters evaluated at them. */
 export class Wavelengths {
   readonly values: readonly number[];
-  /** S(λ) of what nearly everything shines with. */
+  /** Cached S(λ) of daylight, the spectrum of most sources. */
   private daylight: readonly number[] | undefined;
   private responses: BasisSamples | undefined;
 
@@ -13,14 +13,14 @@ export class Wavelengths {
     this.values = values;
   }
 
-  /** All s times as long. */
+  /** All wavelengths multiplied by s. */
   scaled(s: number): Wavelengths {
     const values = this.values.slice();
     for (let i = 0; i < values.length; i++) values[i] *= s;
     return new Wavelengths(values);
   }
 
-  /** S(λ) [1/m]; lines are between all wavelengths that one may choose. */
+  /** S(λ) [1/m]; empty for line spectra, since no sampled wavelength hits a line. */
   radiance(spectrum: LightSpectrum): readonly number[] {
     if (spectrum.kind === 'lines') return [];
     if (spectrum !== DAYLIGHT) return radiances(this.values, spectrum);
@@ -28,7 +28,7 @@ export class Wavelengths {
     return this.daylight;
   }
 
-  /** What a filter leaves of values at these wavelengths. */
+  /** Applies a filter to values at these wavelengths. */
   filtered(values: readonly number[], { rgb: [r, g, b], uv, ir, residual: rest }: SpectralFilter): readonly number[] {
     if (values.length === 0) return values;
     this.responses ??= basisSamplesAt(this.values);
@@ -51,7 +51,7 @@ function radiances(
   return result;
 }
 
-/** How the coefficients of a filter act at rising wavelengths: before `begin` `uv` does, from `end` on `ir`, and between them the basis functions. */
+/** A filter's coefficients at increasing wavelengths: `uv` applies before index `begin`, `ir` from `end` on, the basis functions in between. */
 interface BasisSamples {
   readonly begin: number;
   readonly end: number;
@@ -60,7 +60,7 @@ interface BasisSamples {
   readonly blue: readonly number[];
 }
 
-/** The basis functions, which are straight between whole nanometres, at those from end to end of the visible: to be found without a search. */
+/** The basis functions, which are linear between whole nanometres, tabulated over the visible range for lookup without a search. */
 const TABLE = Array.from({ length: 471 }, (_, i) => basisAt(VISIBLE[0] + i * NANOMETRE));
 const [RED, GREEN, BLUE] = [0, 1, 2].map((k) => Float64Array.from(TABLE, (basis) => basis[k]));
 
@@ -71,9 +71,9 @@ function basisSamplesAt(wavelengths: readonly number[]): BasisSamples {
     if (wavelengths[i] < VISIBLE[0]) begin = i + 1;
     if (wavelengths[i] > VISIBLE[1]) break;
     end = i + 1;
-    const place = Math.max((wavelengths[i] - VISIBLE[0]) / NANOMETRE, 0);
-    const k = Math.min(Math.floor(place), RED.length - 2);
-    const t = place - k;
+    const position = Math.max((wavelengths[i] - VISIBLE[0]) / NANOMETRE, 0);
+    const k = Math.min(Math.floor(position), RED.length - 2);
+    const t = position - k;
     red[i] = RED[k] + (RED[k + 1] - RED[k]) * t;
     green[i] = GREEN[k] + (GREEN[k + 1] - GREEN[k]) * t;
     blue[i] = BLUE[k] + (BLUE[k + 1] - BLUE[k]) * t;

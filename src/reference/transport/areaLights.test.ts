@@ -8,18 +8,18 @@ import { plane } from '../../scene/mesh/primitives.ts';
 import type { AreaLight, LightShaping } from '../../scene/types.ts';
 
 const floor = { mesh: plane(200, 200), material: lambert(1) } as const;
-/** E/L at a place of a white floor under the lamp, c = 1 m/s: what is seen there is E/π. */
+/** E/L at a point of a white floor under the light, c = 1 m/s: the radiance seen there is E/π. */
 function received(lamp: AreaLight, [x, y]: readonly [number, number] = [0, 0], samples = 1024, t = 0): number {
   return Math.PI * look(lit([floor], [lamp]), { position: [x, y, 1], t }, [0, 0, -1], DIRECT, samples)[0];
 }
 
-/** πF of a parallel rectangle a × b at the height h, one of its corners above the place. Source: Howell, Catalog of radiation heat transfer, B-3. */
+/** πF of a parallel rectangle a × b at the height h with a corner above the point. Source: Howell, Catalog of radiation heat transfer, B-3. */
 function cornerFactor(a: number, b: number, h: number): number {
   const half = (A: number, B: number) => (A / Math.hypot(1, A)) * Math.atan(B / Math.hypot(1, A));
   return Math.sign(a * b) * 0.5 * (half(Math.abs(a / h), Math.abs(b / h)) + half(Math.abs(b / h), Math.abs(a / h)));
 }
 
-describe('irradiance of lamps that have a size', () => {
+describe('irradiance of area lights', () => {
   it('of a rectangle is π times its form factor, near and far', () => {
     fc.assert(
       fc.property(uniform(0.2, 4), uniform(0.2, 4), uniform(0.3, 9), uniform(-3, 3), (width, height, h, x) => {
@@ -52,7 +52,7 @@ describe('irradiance of lamps that have a size', () => {
     expect(received(thin) / expected).toBeCloseTo(1, 3);
   });
 
-  it('comes from the front of a face alone, and from no cap', () => {
+  it('comes from the front side only, and not from caps', () => {
     const turned = (axis: Vec3, angle: number): { motion: AreaLight['motion'] } => ({
       motion: { kind: 'static', pose: { position: [0, 0, 2], orientation: fromAxisAngle(axis, angle) } },
     });
@@ -62,7 +62,7 @@ describe('irradiance of lamps that have a size', () => {
     expect(received(area('cylinder', [0, 0, 2], { radius: 1, length: 1, ...turned([0, 1, 0], Math.PI / 2) }))).toBe(0);
   });
 
-  it('throws a soft shadow: half of its light where half of it is hidden', () => {
+  it('has a penumbra: half the light where half of it is hidden', () => {
     const sheet = { mesh: twoSided(plane(50, 50)), material: lambert(0) };
     const motion = { kind: 'static', pose: { position: [25, 0, 2], orientation: IDENTITY } } as const;
     const lamp = area('rect', [0, 0, 4], { width: 1, height: 1 });
@@ -83,13 +83,13 @@ describe('irradiance of lamps that have a size', () => {
   });
 });
 
-describe('a lamp with a size that moves', () => {
+describe('a moving area light', () => {
   const turn: Quat = fromAxisAngle([0, 0, 1], 0.4);
 
-  it('shines from where it was, small ones with D⁴ LA cos/r²', () => {
+  it('lights from where it was; small ones with D⁴ LA cos/r²', () => {
     fc.assert(
       fc.property(uniform(-0.9, 0.9), uniform(-3, 3), uniform(1, 3), (v, x, h) => {
-        // It sends out at t = −1, at (x, 0, h), what lights the origin r later and is seen a second after that.
+        // Light emitted at t = −1 at (x, 0, h) reaches the origin r later and is seen a second after that.
         const r = Math.hypot(x, h);
         const pose = { position: [x + v, 0, h] as const, orientation: turn };
         const lamp = area('rect', [0, 0, 0], {
@@ -98,7 +98,7 @@ describe('a lamp with a size that moves', () => {
           motion: { kind: 'uniform', pose, velocity: [v, 0, 0] },
         });
         const D = Math.sqrt(1 - v * v) / (1 + (v * x) / r);
-        // Its normal is across its velocity: h is the same for both, the distance is r/D in the lamp's own frame.
+        // Its normal is perpendicular to its velocity: h is the same in both frames, the distance is r/D in the light's own frame.
         const cosine = h / (r / D);
         const expected = (D ** 2 * 2e-8 * cosine * (h / r)) / (r / D) ** 2;
         expect(received(lamp, [0, 0], 1, r) / expected).toBeCloseTo(1, 3);
@@ -107,7 +107,7 @@ describe('a lamp with a size that moves', () => {
     );
   });
 
-  it('turns as it goes: a face that has turned away is dark', () => {
+  it('rotates as it moves: a face turned away is dark', () => {
     const [facing, away] = [IDENTITY, fromAxisAngle([1, 0, 0], Math.PI)];
     const lamp = area('disk', [0, 0, 0], {
       radius: 0.5,

@@ -8,12 +8,12 @@ import { plane } from '../../scene/mesh/primitives.ts';
 
 const floor = { mesh: plane(200, 200), material: lambert(1) } as const;
 const origin = { position: [0, 0, 0], orientation: IDENTITY } as const;
-/** What is reflected at the origin, seen from a metre above at t, c = 1 m/s: light from there is a second old. */
+/** Radiance reflected at `at`, seen from a metre above at t, c = 1 m/s: light from there is a second old. */
 const above = (scene: ReturnType<typeof lit>, t: number, at: Vec3 = [0, 0, 0], samples = 1): number =>
   look(scene, { position: [at[0], at[1], at[2] + 1], t }, [0, 0, -1], DIRECT, samples)[0];
 
-describe('a lamp at rest', () => {
-  it('of no size lights with I cos/d²', () => {
+describe('a light at rest', () => {
+  it('without size lights with I cos/d²', () => {
     fc.assert(
       fc.property(uniform(-3, 3), uniform(0.5, 4), uniform(0.1, 9), (x, z, intensity) => {
         const light = lamp([x, 0, z], { color: [intensity, intensity, intensity] });
@@ -35,8 +35,8 @@ describe('a lamp at rest', () => {
     expect(above(lit([floor], [light]), 0, [0, 0, 0], 1024) / (2 * (radius / d) ** 2 * (z / d))).toBeCloseTo(1, 3);
   });
 
-  it('throws a soft shadow: half of its light where half of it is hidden', () => {
-    // A half plane whose edge is above the origin, between it and the middle of the ball.
+  it('has a penumbra: half the light where half of it is hidden', () => {
+    // A half plane whose edge is above the origin, between it and the centre of the sphere light.
     const sheet = { mesh: twoSided(plane(50, 50)), material: lambert(0) };
     const half = { ...sheet, motion: { kind: 'static', pose: { ...origin, position: [25, 0, 2] } } } as const;
     const light = lamp([0, 0, 4], { radius: 1, color: [2, 2, 2] });
@@ -48,8 +48,8 @@ describe('a lamp at rest', () => {
   });
 });
 
-describe('light takes its time', () => {
-  it('a lamp that is lit at t = 0 is seen on the floor after both ways', () => {
+describe('retardation', () => {
+  it('a light switched on at t = 0 is seen on the floor after both light travel times', () => {
     const light = lamp([3, 0, 4], { lifetime: { birth: 0, death: 2 } });
     const scene = lit([floor], [light]);
     for (const [t, shines] of [
@@ -61,10 +61,10 @@ describe('light takes its time', () => {
       expect(above(scene, t) > 0, `${t}`).toBe(shines);
   });
 
-  it('a moving lamp shines from where it was, with D⁴ I/r²', () => {
+  it('a moving light lights from where it was, with D⁴ I/r²', () => {
     fc.assert(
       fc.property(uniform(-0.95, 0.95), uniform(-3, 3), uniform(0.5, 3), (v, x, h) => {
-        // It sends out at t = −1, at (x, 0, h), what lights the origin r later and is seen a second after that.
+        // Light emitted at t = −1 at (x, 0, h) reaches the origin r later and is seen a second after that.
         const r = Math.hypot(x, h);
         const pose = { ...origin, position: [x + v, 0, h] as const };
         const light = lamp([0, 0, 0], { motion: { kind: 'uniform', pose, velocity: [v, 0, 0] } });
@@ -75,14 +75,14 @@ describe('light takes its time', () => {
     );
   });
 
-  it('a moving ball shines as its middle does from far away', () => {
+  it('a moving sphere light far away equals a point light at its centre', () => {
     const motion = { kind: 'uniform', pose: { ...origin, position: [6, 0, 30] }, velocity: [0.6, 0, 0] } as const;
     const ball = lamp([0, 0, 0], { motion, radius: 0.1, color: [1 / (Math.PI * 0.01), 0, 0] });
     const point = lamp([0, 0, 0], { motion, color: [1, 0, 0] });
     expect(above(lit([floor], [ball]), 20, [0, 0, 0], 256) / above(lit([floor], [point]), 20)).toBeCloseTo(1, 3);
   });
 
-  it('an accelerated and a sampled lamp are found on the past light cone too', () => {
+  it('accelerated and sampled lights are found on the past light cone too', () => {
     const a = 0.5;
     // x = (√(1 + a²t²) − 1)/a; at t = 1.5 it is at 1/a (1.25 − 1) = 0.5 with v = 0.6.
     const hyperbolic = {
@@ -106,7 +106,7 @@ describe('light takes its time', () => {
   });
 });
 
-it.each([-0.7, -0.2, 0.4, 0.9])('of a sun the part is seen that an edge leaves: %d of its radius to the side', (d) => {
+it.each([-0.7, -0.2, 0.4, 0.9])('an edge hides a part of a sun: %d of its radius to the side', (d) => {
   const [height, radius] = [5, 0.2];
   const sheet = { mesh: twoSided(plane(50, 50)), material: lambert(0) };
   const pose = { ...origin, position: [25, 0, height] } as const;
@@ -131,9 +131,9 @@ describe('a shadow travels at c', () => {
   const scene = lit([floor, sheet], [point]);
 
   it.each([-4, -1, 0, 2, 5])(
-    'its edge comes to x = %d when light that just missed the edge has gone on to the floor',
+    'its edge reaches x = %d when the light that just missed the edge reaches the floor',
     (x) => {
-      // The light to (x, 0, 0) passes the height h at x(1 − h/H), where the edge is at `blocked`; the rest of its way is h/H of the whole.
+      // The light to (x, 0, 0) passes the height h at x(1 − h/H), where the edge is at `blocked`; the remaining distance is h/H of the whole.
       const blocked = (x * (1 - h / H) - x0) / v;
       const darkens = blocked + (h / H) * Math.hypot(x, H);
       expect(above(scene, darkens + 1 - 1e-6, [x, 0, 0])).toBeGreaterThan(0);
@@ -141,7 +141,7 @@ describe('a shadow travels at c', () => {
     },
   );
 
-  it('in the view of one moment it is under the edge', () => {
+  it('in the simultaneity view it is below the edge', () => {
     const settings = { ...GREY, view: 'galilean' as const };
     const at = (t: number) => look(scene, { position: [2, 0, 1], t }, [0, 0, -1], DIRECT, 1, { settings })[0];
     const blocked = (2 * (1 - h / H) - x0) / v;

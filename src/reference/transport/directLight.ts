@@ -7,7 +7,7 @@ import { IRRADIANCE_POWER, type LightReceiver, receivedLight } from '../spectral
 import type { SurfaceOrigin } from './rayOrigin.ts';
 import { transmittance } from './transmittance.ts';
 
-/** What a surface, at rest `here`, reflects of the lights that it samples: radiance, in its rest frame. */
+/** Radiance that a surface at rest in `here` reflects of the sampled lights, in its rest frame. */
 export function directLight(
   lighting: LightingContext,
   at: SurfaceOrigin,
@@ -34,10 +34,10 @@ function reflectedLight(
   const filter = evaluateBrdf(brdf, here.frame.fromWorld(n));
   if (!filter || maxOfFilter(filter) === 0) return NO_LIGHT;
   const beam = { ray: rayBack(lighting, at, rayDirection), begin: at.clearance / length(rayDirection), from: at.hit };
-  const share = transmittance(lighting.scene, beam, end);
-  if (share === 0) return NO_LIGHT;
+  const visibility = transmittance(lighting.scene, beam, end);
+  if (visibility === 0) return NO_LIGHT;
   const irradiance = receivedLight(here, n, sourceFrame, IRRADIANCE_POWER, ({ context }) =>
     context.emitted(sourceSpectrum),
   );
-  return here.context.filtered(irradiance, scaleFilter(filter, share * weight));
+  return here.context.filtered(irradiance, scaleFilter(filter, visibility * weight));
 }

@@ -23,18 +23,18 @@ describe('a surface between two media', () => {
         expect(length(t)).toBeCloseTo(1, 12);
         expect(n * length(cross(t, N))).toBeCloseTo(length(cross(d, N)), 12);
         expect(dot(cross(t, N), cross(d, N))).toBeGreaterThanOrEqual(-1e-12);
-        // And back.
+        // The reverse path.
         const back = refracted(t, N, n)!;
         expect(length(addScaled(back, d, -1))).toBeLessThan(1e-9);
       }),
     );
   });
 
-  it('mirrors ((n − 1)/(n + 1))² straight on, nothing p-polarised at Brewster’s angle, all beyond the critical one', () => {
+  it('reflects ((n − 1)/(n + 1))² at normal incidence, nothing p-polarised at Brewster’s angle, and all beyond the critical angle', () => {
     expect(dielectricFresnel(1, 1.5)).toBeCloseTo(0.04, 12);
     expect(dielectricFresnel(1, 1 / 1.5)).toBeCloseTo(0.04, 12);
     expect(dielectricFresnel(0, 1.5)).toBe(1);
-    // tan θ_B = n: half of ((n² − 1)/(n² + 1))² is left.
+    // tan θ_B = n: half of ((n² − 1)/(n² + 1))² remains.
     const n = 1.7;
     expect(dielectricFresnel(Math.cos(Math.atan(n)), n)).toBeCloseTo(((n * n - 1) / (n * n + 1)) ** 2 / 2, 12);
     const critical = Math.sqrt(1 - 1 / 1.5 ** 2);
@@ -53,7 +53,7 @@ describe('a block of glass', () => {
       motion: { kind: 'static', pose: { position: [0, 0, -depth / 2], orientation: IDENTITY } },
     },
     {
-      // A ramp of red over v just under the block, from y = −8 to 8; its green is even.
+      // Red increases with v just below the block, from y = −8 to 8; green is constant.
       mesh: plane(16, 16),
       material: lambert(0, {
         emissive: [1, 1, 1],
@@ -64,7 +64,7 @@ describe('a block of glass', () => {
   ]);
   const toward = (angle: number): Vec3 => [0, Math.sin(angle), -Math.cos(angle)];
   const eye = { position: [0, 0, 1] } as const;
-  /** Where the bottom is seen, from a height of 1 at an angle to the vertical [m along y]: by most of the light, which goes straight through. */
+  /** Where the bottom is seen from a height of 1 at an angle to the vertical [m along y]: from most of the light, which is transmitted directly. */
   function bottom(angle: number): number {
     const places = Array.from({ length: 15 }, (_, seed) => {
       const [red, green] = look(scene, eye, toward(angle), options, 1, { seed });
@@ -73,7 +73,7 @@ describe('a block of glass', () => {
     return places.filter(Number.isFinite).sort((a, b) => a - b)[6];
   }
 
-  it('lifts its bottom: d tan θ′ with sin θ = n sin θ′, near the vertical to d/n', () => {
+  it('raises the apparent bottom: d tan θ′ with sin θ = n sin θ′, near the vertical to the depth d/n', () => {
     for (const angle of [0, 0.1, 0.5, 1.2]) {
       const inside = Math.asin(Math.sin(angle) / n);
       expect(bottom(angle)).toBeCloseTo(Math.tan(angle) + depth * Math.tan(inside), 4);
@@ -82,16 +82,16 @@ describe('a block of glass', () => {
     expect(apparent / (depth / n)).toBeCloseTo(1, 2);
   });
 
-  it('takes from the light what its two sides mirror', () => {
-    // Straight on: R at the top at once; of the rest 1/(1 + R) leaves by the bottom, the first time or after going to and fro.
+  it('attenuates light by the reflection of both sides', () => {
+    // At normal incidence R is reflected at the top; of the rest 1/(1 + R) leaves through the bottom, directly or after internal reflections.
     const R = 0.04;
     const [, light] = look(scene, eye, toward(0), options, 1024);
     expect(Math.abs(light - (1 - R) / (1 + R))).toBeLessThan(0.003);
   });
 });
 
-describe('glass under an even sky', () => {
-  it('vanishes, whatever its shape: what it does not refract it mirrors', () => {
+describe('glass under a uniform sky', () => {
+  it('is invisible, whatever its shape: light is either refracted or reflected', () => {
     const scene = lit([{ mesh: sphere(1, { segments: 24 }), material: clear(1.5) }], [dome([0.5, 0.5, 0.5])]);
     fc.assert(
       fc.property(uniform(-0.6, 0.6), uniform(-0.6, 0.6), (x, y) => {
@@ -110,11 +110,11 @@ describe('glass under an even sky', () => {
 });
 
 describe('moving glass', () => {
-  it('drags light along: (c/n + v)/(1 + v/nc), Fresnel’s v(1 − 1/n²) for slow glass', () => {
+  it('drags light: (c/n + v)/(1 + v/nc), Fresnel’s v(1 − 1/n²) for slow glass', () => {
     const lighting = createLightingContext(lit([]), GREY, options, [0, 0, 0], () => 0);
     const speed = (v: number, n: number) => {
       const frame = restFrame([v / Math.sqrt(1 - v * v), 0, 0]);
-      // Back along −x: the light itself goes towards +x, with the glass.
+      // The ray goes back along −x: the light itself moves towards +x, with the glass.
       const { dt, dx } = rayBackInside(lighting, { t: 0, x: [0, 0, 0], clearance: 0 }, [-1, 0, 0], frame, n);
       return dx[0] / dt;
     };
@@ -126,9 +126,9 @@ describe('moving glass', () => {
     expect((speed(1e-6, 1.5) - 1 / 1.5) / 1e-6).toBeCloseTo(1 - 1 / 1.5 ** 2, 5);
   });
 
-  it.each([0.6, 0, -0.2])('lets what is behind it be seen so much later (v = %d c)', (v) => {
+  it.each([0.6, 0, -0.2])('delays what is seen through it (v = %d c)', (v) => {
     const [n, far, thick] = [1.5, 10, 2];
-    // Light of a sheet that is there from t = 0 on goes from x = far to 0; the block is at 4 + vt to 4 + thick + vt.
+    // Light of a sheet that exists from t = 0 on travels from x = far to 0; the block extends from 4 + vt to 4 + thick + vt.
     const block = {
       mesh: box([thick, 50, 50]),
       material: clear(n),

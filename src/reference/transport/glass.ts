@@ -11,30 +11,30 @@ import { NO_LIGHT, plus, type SampledRadiance, times } from '../spectral/sampled
 import { type SurfaceOrigin, transmissionOrigin } from './rayOrigin.ts';
 import { coverage, isOtherTriangle, type RaySegment } from './transmittance.ts';
 
-/** Sides of one body that light is followed to, from its inside. */
+/** Upper bound of successive reflections inside a body. */
 const MAX_INTERNAL_REFLECTIONS = 16;
 
-/** A transparent body that is not a thin sheet, which would have no inside. */
+/** Whether the hit is on a transparent body; double-sided sheets, which have no inside, are not. */
 export function isGlass({ scene, options }: LightingContext, hit: Hit): boolean {
   if (!options.glass || scene.objects[hit.object].mesh.doubleSided) return false;
   const { opacity, opacityThreshold } = materialOf(scene, hit);
   return opacity < 1 && opacityThreshold === 0;
 }
 
-/** The body that is looked into, and how what is around it is seen. */
+/** The transparent body at a hit, and functions that trace light around it. */
 export interface GlassBody {
-  /** It is at rest here, as long as the light is in it. */
+  /** Its rest frame, constant while light is inside. */
   readonly frame: RestFrame;
   readonly point: SurfacePoint;
-  /** Both the mirrored and the refracted ray are followed; else one of them by chance. */
+  /** Follow both the reflected and the refracted ray; otherwise one of them, chosen at random. */
   readonly branches: boolean;
-  /** Radiance from a direction of the rest frame, outside. */
+  /** Radiance from a direction of the rest frame, outside the body. */
   outside(from: SurfaceOrigin, direction: Vec3): SampledRadiance;
-  /** Radiance along a beam, where it does not come from the body itself. */
+  /** Radiance along a segment inside the body that does not end at the body's own inner side. */
   along(beam: RaySegment): SampledRadiance;
 }
 
-/** What a body shows towards V by mirroring and refraction, in its rest frame. */
+/** Radiance of the body towards V by reflection and refraction, in its rest frame. */
 export function glassRadiance(
   lighting: LightingContext,
   hit: Hit,
@@ -48,17 +48,17 @@ export function glassRadiance(
   const F = dielectricFresnel(dot(V, H), ior);
   const mirror = (): SampledRadiance => glass.outside(at, reflect(d, H));
   const refract = (): SampledRadiance => {
-    const passage = transmissionOrigin(lighting.scene, hit);
+    const inside = transmissionOrigin(lighting.scene, hit);
     const inward = refracted(d, H, 1 / ior);
     return inward
-      ? times(insideRadiance(lighting, passage, toHemisphere(passage.geometricNormal, inward), glass), 1 - opacity)
+      ? times(insideRadiance(lighting, inside, toHemisphere(inside.geometricNormal, inward), glass), 1 - opacity)
       : NO_LIGHT;
   };
   if (glass.branches) return plus(times(mirror(), F), refract(), 1 - F);
   return lighting.random() < F ? mirror() : refract();
 }
 
-/** Light from a direction inside the body: what it meets there, or through its sides. */
+/** Radiance from a direction inside the body: of what is hit there, or through the body's sides. */
 function insideRadiance(
   lighting: LightingContext,
   from: SurfaceOrigin,
@@ -92,7 +92,7 @@ function insideRadiance(
 
 /**
  * The direction behind a surface with the normal N (on the side that d comes from): t = ηd + (η cos − √(1 − η²(1 − cos²))) N,
- * cos = −d·N, η = n₁/n₂ of the sides. undefined where all is mirrored. Source: Snell's law as a vector.
+ * cos = −d·N, η = n₁/n₂ of the sides. Returns undefined at total internal reflection. Source: Snell's law as a vector.
  */
 export function refracted(d: Vec3, N: Vec3, eta: number): Vec3 | undefined {
   const cos = -dot(d, N);
@@ -101,7 +101,7 @@ export function refracted(d: Vec3, N: Vec3, eta: number): Vec3 | undefined {
   return addScaled(scale(d, eta), N, eta * cos - Math.sqrt(rest));
 }
 
-/** The mirrored share of unpolarised light at incidence `cos`, into a body n times as dense. Source: Born & Wolf §1.5. */
+/** Fresnel reflectance of unpolarised light at the incidence cosine `cos`, into a medium of the relative refractive index n. Source: Born & Wolf §1.5. */
 export function dielectricFresnel(cos: number, n: number): number {
   const c = Math.min(Math.max(cos, 0), 1);
   const rest = n * n - 1 + c * c;

@@ -12,8 +12,8 @@ import type { Material, Mesh, UniformMotion } from '../../scene/types.ts';
 import type { LightSpectrum } from '../../spectrum/sources/lightSpectrum.ts';
 
 /**
- * What is at `position` at the time 0 of the frame that moves with u, and has there the proper velocity w (0: it rests), as the world has it;
- * c = 1 m/s. Its own axes are reached by two boosts, the world's by one: between them is Wigner's rotation.
+ * Converts a body to the world frame: in the frame that moves with u it is at `position` at time 0 and has the proper velocity w (0: at rest);
+ * c = 1 m/s. Its own axes are reached by two boosts, in the world by one: they differ by the Wigner rotation.
  */
 function carried(position: Vec3, orientation: Quat, u: Vec3, w = ZERO): UniformMotion {
   const [t, ...x] = inverseBoost([0, ...position], u);
@@ -42,7 +42,7 @@ const MERCURY: LightSpectrum = {
   lines: [435.8, 546.1, 577].map((nm) => ({ wavelength: nm * 1e-9, weight: 1 })),
 };
 
-/** All things and a lamp, at rest in the frame of u; and there a mirror and two lamps without size that fly past. */
+/** Objects and a light at rest in the frame of u, and a mirror and two point lights that move in it. */
 const stage = (u: Vec3) =>
   lit(
     [
@@ -66,8 +66,8 @@ const stage = (u: Vec3) =>
     ],
   );
 
-describe('light does not care for the frame it is described in', () => {
-  it('a scene with all its lights and its observer looks the same at any common velocity', () => {
+describe('light transport is independent of the frame of description', () => {
+  it('a scene with its lights and observer looks the same at any common velocity', () => {
     const options = { bounces: 2, mirrors: true, glass: true };
     const rest = stage(ZERO);
     const [t, position] = [0.7, [0.3, -0.2, 2.5] as const];
@@ -80,12 +80,12 @@ describe('light does not care for the frame it is described in', () => {
       return distance(flying, at) / Math.max(length(at), 1e-3);
     });
     errors.sort((a, b) => a - b);
-    // Round mirrors and glass take small differences far apart in a few reflections: some ways end at another thing.
+    // Curved mirrors and glass amplify small differences within a few reflections: some paths end at another object.
     expect(errors[75]).toBeLessThan(1e-9);
     expect(errors[142]).toBeLessThan(1e-4);
   });
 
-  it('but not for its own motion: one that flies past the same things sees other light', () => {
+  it('but an observer moving relative to the objects sees other light', () => {
     const still = look(stage(ZERO), { position: [0, 0, 2] }, [0, 0, -1]);
     expect(look(stage(scale([1, 0, 0], 0.5)), { position: [0, 0, 2] }, [0, 0, -1])).not.toEqual(still);
   });

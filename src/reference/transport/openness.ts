@@ -6,12 +6,11 @@ import { pixelSequence } from '../sampling/pixelSequence.ts';
 import { reflectionOrigin } from './rayOrigin.ts';
 import { transmittance } from './transmittance.ts';
 
-/** Directions that are asked for. */
 const OPENNESS_RAYS = 64;
 
 /**
- * ∫ V cos θ dω/π over the hemisphere of the rest frame: the share of the sky that a surface sees, weighted by the cosine, V = 1 where light from afar comes
- * through. By as many rays as leave an error of a few percent.
+ * ∫ V cos θ dω/π over the hemisphere in the rest frame: the cosine-weighted fraction of the sky that is unoccluded, V = 1 where light from infinity is
+ * transmitted. 64 rays leave an error of a few percent. docs/physics.md §9.5.
  */
 export function openness(lighting: LightingContext, hit: Hit): number {
   const { scene } = lighting;
@@ -19,10 +18,10 @@ export function openness(lighting: LightingContext, hit: Hit): number {
   const frame = restFrameOf(lighting, hit.velocity);
   const { normal } = surfaceAt(scene, hit);
   const bits = new Int32Array(Float32Array.from(hit.position).buffer);
-  const numbers = pixelSequence(bits[0] ^ bits[2], bits[1], bits[2]);
+  const sequence = pixelSequence(bits[0] ^ bits[2], bits[1], bits[2]);
   let open = 0;
   for (let i = 0; i < OPENNESS_RAYS; i++) {
-    const L = cosineDirection(normal, numbers(i));
+    const L = cosineDirection(normal, sequence(i));
     const ray = rayBack(lighting, at, frame.toWorld(toHemisphere(at.geometricNormal, L)));
     open += transmittance(scene, { ray, begin: at.clearance, from: hit }, Number.POSITIVE_INFINITY);
   }

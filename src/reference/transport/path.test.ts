@@ -8,17 +8,17 @@ import { dot, length, normalize, scale, type Vec3 } from '../../math/vec3.ts';
 import { box, grid, plane, sphere } from '../../scene/mesh/primitives.ts';
 import { dopplerTint } from '../../spectrum/doppler/dopplerTint.ts';
 
-/** D of light from n′ in an observer's own frame, of a world at rest: 1/[γ(1 − β·n′)]. */
+/** D of light from n′, in the observer's frame, from a world at rest: 1/[γ(1 − β·n′)]. */
 const dopplerOf = (u: Vec3, n: Vec3): number => 1 / (Math.sqrt(1 + dot(u, u)) - dot(u, n));
 
-describe('a closed box that glows evenly', () => {
+describe('a closed, uniformly emissive box', () => {
   const glowing = (albedo: number) => {
     const material = lambert(albedo, { emissive: [0.25, 0.5, 0.75] });
     return lit([{ mesh: twoSided(box([4, 3, 5])), material }]);
   };
   const inside = { position: [0.3, -0.7, 1.1] } as const;
 
-  it('is even for an observer at rest: E (1 + ρ + … + ρⁿ)', () => {
+  it('is uniform for an observer at rest: E (1 + ρ + … + ρⁿ)', () => {
     fc.assert(
       fc.property(direction, uniform(0, 1), fc.integer({ min: 0, max: 5 }), (n, albedo, bounces) => {
         const [r, g, b] = look(glowing(albedo), inside, n, { ...DIRECT, bounces });
@@ -31,7 +31,7 @@ describe('a closed box that glows evenly', () => {
     );
   });
 
-  it('is D⁴ as bright for a moving one, in the colours of the shift', () => {
+  it('is D⁴ times as bright for a moving one, in Doppler-shifted colours', () => {
     const scene = glowing(0);
     fc.assert(
       fc.property(direction, properVelocityUpTo(20), (n, u) => {
@@ -59,14 +59,14 @@ describe('a closed box that glows evenly', () => {
   });
 });
 
-describe('what reflects everything under an even sky vanishes into it', () => {
+describe('the white furnace test: a lossless reflector is invisible under a uniform sky', () => {
   const options = { bounces: 1, mirrors: true, glass: false };
   const sky = dome([0.5, 0.75, 0.25]);
 
   it.each([
     ['a white ball', lambert(1)],
     ['a mirror ball', mirror()],
-  ])('%s, also with few corners and for who flies past', (_, material) => {
+  ])('%s, also with few vertices and for a moving observer', (_, material) => {
     const scene = lit([{ mesh: sphere(1, { segments: 10 }), material }], [sky]);
     fc.assert(
       fc.property(uniform(-0.9, 0.9), uniform(-0.9, 0.9), fc.constantFrom(0, 3), (x, y, speed) => {
@@ -80,7 +80,7 @@ describe('what reflects everything under an even sky vanishes into it', () => {
     );
   });
 
-  it('a rough metal keeps what its facets do not hide from each other', () => {
+  it('a rough metal loses only the light that its microfacets shadow', () => {
     const scene = lit([{ mesh: sphere(1), material: mirror({ roughness: 0.4 }) }], [sky]);
     const [r] = look(scene, { position: [0, 0, 5] }, [0, 0, -1], options, 256);
     expect(r / sky.color[0]).toBeGreaterThan(0.95);
@@ -89,7 +89,7 @@ describe('what reflects everything under an even sky vanishes into it', () => {
 });
 
 describe('a sheet above a floor', () => {
-  /** A black sheet of 2a × 2a at height h hides from the floor below its middle F = (4/π) (a/√(a²+h²)) atan(a/√(a²+h²)) of the sky (Siegel & Howell, C-11, four corners). */
+  /** A black sheet of 2a × 2a at height h hides F = (4/π) (a/√(a²+h²)) atan(a/√(a²+h²)) of the sky from the floor below its centre (Siegel & Howell, C-11, four corners). */
   const [a, h] = [1.5, 0.8];
   const slope = a / Math.hypot(a, h);
   const hidden = (4 / Math.PI) * slope * Math.atan(slope);
@@ -107,13 +107,13 @@ describe('a sheet above a floor', () => {
   const eye = { position: [0, 0, 0.4] } as const;
   const options = { bounces: 1, mirrors: false, glass: false };
 
-  it('leaves the light of the sky that goes past it', () => {
+  it('leaves the sky light that passes it', () => {
     const [r] = look(scene, eye, [0, 0, -1], options, 4096);
-    // Plain random numbers would be off by 0.003.
+    // Independent random numbers would be off by 0.003.
     expect(Math.abs(r - 0.5 * (1 - hidden))).toBeLessThan(0.0015);
   });
 
-  it('is noisier by 1/√N with plain random numbers, and less with the pixel’s sequence; the same seed gives the same bits', () => {
+  it('the error falls as 1/√N with independent random numbers, faster with the pixel’s sequence; the same seed gives the same bits', () => {
     const spread = (samples: number) => {
       const errors = Array.from({ length: 60 }, (_, seed) => {
         const numbers = random(seed + 1);
@@ -136,7 +136,7 @@ describe('a sheet above a floor', () => {
 });
 
 describe('a closed box', () => {
-  it('is dark inside, round or not, and also where its normals point to the wrong side', () => {
+  it('is dark inside, curved or not, also where its normals point to the wrong side', () => {
     const options = { bounces: 2, mirrors: true, glass: false };
     for (const shape of [box([2, 2, 2]), sphere(1, { segments: 12 })])
       for (const sign of [1, -1]) {
@@ -149,7 +149,7 @@ describe('a closed box', () => {
   });
 });
 
-describe('what is transparent or cut out', () => {
+describe('transparent and cut-out surfaces', () => {
   const floor = { mesh: plane(9, 9), material: lambert(1) } as const;
   const sheet = (material: Parameters<typeof lit>[0][number]['material']) => ({
     mesh: twoSided(grid(9, 9, 2, 2)),
@@ -159,7 +159,7 @@ describe('what is transparent or cut out', () => {
   const light = lamp([0, 0, 3], { color: [Math.PI, Math.PI, Math.PI] });
   const down = (scene: ReturnType<typeof lit>, z: number) => look(scene, { position: [0.2, 0.1, z] }, [0, 0, -1])[0];
 
-  it('lets light through, and is blended over what is behind it', () => {
+  it('transmit light, and are blended over what is behind', () => {
     const clear = lambert(0, { opacity: 0.25, emissive: [1, 1, 1] });
     const scene = lit([floor, sheet(clear)], [light]);
     const bare = down(lit([floor], [light]), 0.5);
@@ -167,7 +167,7 @@ describe('what is transparent or cut out', () => {
     expect(down(scene, 2)).toBeCloseTo(0.25 + 0.75 * 0.75 * bare, 12);
   });
 
-  it('is not there below the threshold, and solid above it', () => {
+  it('are absent below the opacity threshold, and opaque above it', () => {
     const bare = down(lit([floor], [light]), 0.5);
     const cut = (opacity: number) => lit([floor, sheet(lambert(0, { opacity, opacityThreshold: 0.5 }))], [light]);
     expect(down(cut(0.4), 0.5)).toBeCloseTo(bare, 12);

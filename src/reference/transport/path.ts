@@ -23,31 +23,31 @@ import { type GlassBody, glassRadiance, isGlass } from './glass.ts';
 import { reflectionOrigin, type SurfaceOrigin } from './rayOrigin.ts';
 import { coverage, isOtherTriangle, type RaySegment } from './transmittance.ts';
 
-/** Mirrors in mirrors, and sides of glass, are followed so deep. */
+/** Upper bound of successive specular reflections and refractions. */
 const MAX_SPECULAR_DEPTH = 8;
-/** Transparent layers, one behind the other. */
+/** Upper bound of alpha-blended layers along a ray. */
 const MAX_TRANSPARENT_LAYERS = 64;
-/** So many directions are asked for the diffuse light of what is seen directly: there most of a picture's noise is. */
+/** Diffuse rays at surfaces seen directly, where most of a picture's noise comes from. */
 const CAMERA_DIFFUSE_RAYS = 2;
-/** What mirrors a share s of the light is followed with the probability 4s. */
+/** A specular ray of weight w is traced with the probability 4w. */
 const SPECULAR_PROBABILITY_FACTOR = 4;
-/** What less than this part of is left of is not followed further. */
+/** Rays end where their transmittance falls below this. */
 const MIN_TRANSMITTANCE = 1e-4;
 
-/** Who looks along a ray, and how far what is met there is followed. */
+/** The receiver of light at the beginning of a ray, and how far the path is continued. */
 export interface PathState extends LightReceiver {
-  /** Whether it is a picture that forms: of front sides, by what they reflect. Else light is gathered: from both sides, and what is left of `bounces` counts. */
+  /** Camera paths see front sides and all that these reflect. Other paths gather light from both sides, reflected as far as `bounces` allows. */
   readonly isCameraPath: boolean;
-  /** The sky has its suns in it. */
+  /** Whether the sky includes the discs of distant lights. */
   readonly includesSunDiscs: boolean;
   readonly bounces: number;
   readonly specularDepth: number;
 }
 
 /**
- * The light that arrives along a ray, from s = 0 on: linear sRGB radiance for a receiver with proper velocity u (world frame, units of c). Between two rest
- * frames there is one Doppler factor, so light that is scattered on its way is shifted at each step (docs/physics.md §6.2). In the
- * views that show no light, D = 1. One sample of an integral: the mean of many is the picture. `random` in 0 … 1.
+ * One sample of the light that arrives along a ray, from s = 0 on: linear sRGB radiance for a receiver with proper velocity u (world frame, units of c).
+ * Scattered light is shifted by the Doppler factor between two rest frames at each step (docs/physics.md §6.2); in views without light D = 1.
+ * The mean over many samples is the picture. `random` in 0 … 1.
  */
 export function radiance(
   scene: TracedScene,
@@ -61,7 +61,7 @@ export function radiance(
   const lighting = createLightingContext(scene, settings, options, receiver.u, random);
   const view = VIEWS[settings.view];
   const frame = restFrame(view.luminous ? receiver.u : ZERO);
-  // A slice has the sky of the observer's own directions.
+  // In a slice, rays meet the sky in the observer's own directions.
   const toward = PLACEMENTS[view.placement(settings)].skyDirection(ray.dx, receiver.u);
   const path = {
     frame,
@@ -74,49 +74,49 @@ export function radiance(
   return color(incidentLight(lighting, { ray, begin: 0, toward: normalize(toward) }, path));
 }
 
-/** A beam, and the direction in which the sky is behind it. */
+/** A ray segment, and the direction of the sky behind it. */
 interface ScatteredRay extends RaySegment {
   readonly toward: Vec3;
 }
 
-/** Through all that is transparent, to the first solid surface or the sky. */
-function incidentLight(lighting: LightingContext, gaze: ScatteredRay, path: PathState): SampledRadiance {
+/** Light along a ray, through all transparent layers to the first opaque surface or the sky. */
+function incidentLight(lighting: LightingContext, start: ScatteredRay, path: PathState): SampledRadiance {
   const { scene } = lighting;
-  let beam: RaySegment = gaze;
+  let beam: RaySegment = start;
   let sum = NO_LIGHT;
-  let share = 1;
+  let throughput = 1;
   for (let layer = 0; layer < MAX_TRANSPARENT_LAYERS; layer++) {
     const hit = nextHit(lighting, beam, path);
-    if (!hit) return plus(sum, skyLight(lighting, gaze.toward, path), share);
+    if (!hit) return plus(sum, skyLight(lighting, start.toward, path), throughput);
     const glass = path.isCameraPath && isGlass(lighting, hit);
-    const held = glass ? 1 : coverage(scene, hit);
-    sum = plus(sum, surfaceLight(lighting, gaze, hit, path, glass), share * held);
-    share *= 1 - held;
-    if (share < MIN_TRANSMITTANCE) break;
+    const opacity = glass ? 1 : coverage(scene, hit);
+    sum = plus(sum, surfaceLight(lighting, start, hit, path, glass), throughput * opacity);
+    throughput *= 1 - opacity;
+    if (throughput < MIN_TRANSMITTANCE) break;
     beam = { ray: beam.ray, begin: hit.s, from: hit };
   }
   return sum;
 }
 
-function nextHit(lighting: LightingContext, beam: RaySegment, { isCameraPath: eye }: PathState): Hit | undefined {
+function nextHit(lighting: LightingContext, beam: RaySegment, { isCameraPath }: PathState): Hit | undefined {
   const { scene } = lighting;
   return nearestHit(scene, beam.ray, {
     begin: beam.begin,
     accepts: (hit) =>
       isOtherTriangle(beam, hit) &&
-      (!eye || hit.front || scene.objects[hit.object].mesh.doubleSided) &&
-      (coverage(scene, hit) > 0 || (eye && isGlass(lighting, hit))),
+      (!isCameraPath || hit.front || scene.objects[hit.object].mesh.doubleSided) &&
+      (coverage(scene, hit) > 0 || (isCameraPath && isGlass(lighting, hit))),
   });
 }
 
 function skyLight({ sky }: LightingContext, n: Vec3, path: PathState): SampledRadiance {
-  return receivedLight(path, n, WORLD_FRAME, RADIANCE_POWER, ({ context: sight }) => {
-    const light = sky.radiance(n, sight);
-    return path.includesSunDiscs ? plus(light, sky.sunDiscs(n, sight)) : light;
+  return receivedLight(path, n, WORLD_FRAME, RADIANCE_POWER, ({ context }) => {
+    const light = sky.radiance(n, context);
+    return path.includesSunDiscs ? plus(light, sky.sunDiscs(n, context)) : light;
   });
 }
 
-/** What the surface sends towards the receiver, as it arrives there. */
+/** Light that the surface sends to the receiver, as it arrives there. */
 function surfaceLight(
   lighting: LightingContext,
   { ray }: ScatteredRay,
@@ -132,7 +132,7 @@ function surfaceLight(
   return receivedLight(path, n, frame, RADIANCE_POWER, (here) => sent(lighting, hit, point, V, { ...path, ...here }));
 }
 
-/** Radiance of a surface towards V, in its rest frame: what it emits, and what it reflects where that is looked at. */
+/** Radiance of a surface towards V, in its rest frame: emitted, and reflected if the path continues. */
 function solidLight(
   lighting: LightingContext,
   hit: Hit,
@@ -142,64 +142,65 @@ function solidLight(
 ): SampledRadiance {
   const emitted = here.context.emitted(emittedSpectrum(point));
   if (!here.isCameraPath && here.bounces === 0) return emitted;
-  const look = brdfOf(point, V);
+  const brdf = brdfOf(point, V);
   const at = reflectionOrigin(lighting.scene, hit);
-  const direct = plus(emitted, directLight(lighting, at, look, here));
-  return plus(direct, indirectLight(lighting, at, look, point.roughness, here), point.occlusion);
+  const direct = plus(emitted, directLight(lighting, at, brdf, here));
+  return plus(direct, indirectLight(lighting, at, brdf, point.roughness, here), point.occlusion);
 }
 
 /**
- * Light of the sky and of other surfaces. Of what is seen directly both parts of the reflectance are followed, the faint mirroring
- * of a plastic now and then and all the more, where the sky is not bright; further on one of the parts, by chance, stands for both.
+ * Light of the sky and of other surfaces. For surfaces seen directly both lobes of the BRDF are traced, weak specular ones by Russian roulette unless
+ * their direction was sampled from the sky; after that one lobe is chosen at random.
  */
 function indirectLight(
   lighting: LightingContext,
   at: SurfaceOrigin,
-  look: Brdf,
+  brdf: Brdf,
   roughness: number,
   here: PathState,
 ): SampledRadiance {
   const { options, random } = lighting;
-  const eye = here.isCameraPath && options.mirrors && here.specularDepth > 0;
+  const continuesCameraPath = here.isCameraPath && options.mirrors && here.specularDepth > 0;
   const scatters = here.bounces > 0;
-  const lead = sampleDirection(lighting, specularLobe(look, roughness), here);
-  const d = scatters ? maxOfFilter(look.diffuse) : 0;
-  const m = eye || scatters ? maxOfFilter(lead.lobeWeight) : 0;
-  const diffuse = (): SampledRadiance => diffuseLight(lighting, at, look, here);
-  const mirror = (): SampledRadiance => weightedLight(lighting, at, lead, specularPath(here, eye), here);
+  const specular = sampleDirection(lighting, specularLobe(brdf, roughness), here);
+  const d = scatters ? maxOfFilter(brdf.diffuse) : 0;
+  const m = continuesCameraPath || scatters ? maxOfFilter(specular.lobeWeight) : 0;
+  const diffuse = (): SampledRadiance => diffuseLight(lighting, at, brdf, here);
+  const mirror = (): SampledRadiance =>
+    weightedLight(lighting, at, specular, specularPath(here, continuesCameraPath), here);
   if (here.isCameraPath && here.specularDepth === MAX_SPECULAR_DEPTH) {
     let sum = NO_LIGHT;
     if (d > 0) for (let k = 0; k < CAMERA_DIFFUSE_RAYS; k++) sum = plus(sum, diffuse(), 1 / CAMERA_DIFFUSE_RAYS);
-    const chance = lead.fromSky && m > 0 ? 1 : Math.min(1, SPECULAR_PROBABILITY_FACTOR * m);
+    const chance = specular.fromSky && m > 0 ? 1 : Math.min(1, SPECULAR_PROBABILITY_FACTOR * m);
     return random() < chance ? plus(sum, mirror(), 1 / chance) : sum;
   }
   if (d + m === 0) return NO_LIGHT;
   return random() * (d + m) < d ? times(diffuse(), (d + m) / d) : times(mirror(), (d + m) / m);
 }
 
-const specularPath = (here: PathState, eye: boolean): PathState =>
-  eye
+const specularPath = (here: PathState, continuesCameraPath: boolean): PathState =>
+  continuesCameraPath
     ? { ...here, includesSunDiscs: false, specularDepth: here.specularDepth - 1 }
     : { ...here, includesSunDiscs: false, isCameraPath: false, bounces: here.bounces - 1 };
 
-function diffuseLight(lighting: LightingContext, at: SurfaceOrigin, look: Brdf, here: PathState): SampledRadiance {
+function diffuseLight(lighting: LightingContext, at: SurfaceOrigin, brdf: Brdf, here: PathState): SampledRadiance {
   const onward = { ...here, isCameraPath: false, includesSunDiscs: false, bounces: here.bounces - 1 };
-  return weightedLight(lighting, at, sampleDirection(lighting, diffuseLobe(look), here), onward, here);
+  return weightedLight(lighting, at, sampleDirection(lighting, diffuseLobe(brdf), here), onward, here);
 }
 
-/** A direction of the rest frame from which light is looked for. */
+/** A sampled direction in the rest frame. */
 interface DirectionSample {
   readonly L: Vec3;
-  /** What the surface sends of light from there towards V, over the density with which it looks there; and that density over the one with which it is looked for. */
+  /** BRDF · cos divided by the lobe's density, and the lobe's density divided by the combined density of lobe and sky. */
   readonly lobeWeight: SpectralFilter;
   readonly misWeight: number;
-  /** It was chosen because the sky is bright there. */
+  /** Sampled from the sky instead of the lobe. */
   readonly fromSky: boolean;
 }
 
 /**
- * Where the surface itself looks, or now and then where the sky is bright, as if both were one density (Veach 1997, §9.2.4): so no weight is more than 2.
- * dΩ′ = dΩ/D² of the sky's directions.
+ * Samples the lobe or, with the sampler's probability, the sky, and weights by the combined density (one-sample MIS with the balance heuristic,
+ * Veach 1997, §9.2.4), so no weight exceeds 2. The sky's density is transformed by dΩ′ = dΩ/D².
  */
 function sampleDirection(
   { sky: { sampler }, random }: LightingContext,
@@ -220,25 +221,25 @@ function sampleDirection(
   return { L, lobeWeight: lobe.weight(L), misWeight: own / all, fromSky: isBright };
 }
 
-/** What is sent on `here` of the light along a lead. */
+/** Light from a sampled direction, reflected at `here`. */
 function weightedLight(
   lighting: LightingContext,
   at: SurfaceOrigin,
-  { L, lobeWeight: share, misWeight }: DirectionSample,
+  { L, lobeWeight, misWeight }: DirectionSample,
   path: PathState,
   here: PathState,
 ): SampledRadiance {
   if (misWeight === 0) return NO_LIGHT;
-  return here.context.filtered(lightFromDirection(lighting, at, L, path), scaleFilter(share, misWeight));
+  return here.context.filtered(lightFromDirection(lighting, at, L, path), scaleFilter(lobeWeight, misWeight));
 }
 
-/** Radiance from the direction L of the rest frame, as it arrives there. Directions below the triangle count as their mirror images above it. */
+/** Radiance from the direction L in the rest frame, as received there. Directions below the triangle are reflected to above it. */
 function lightFromDirection(lighting: LightingContext, at: SurfaceOrigin, L: Vec3, path: PathState): SampledRadiance {
   const n = path.frame.toWorld(toHemisphere(at.geometricNormal, L));
   return incidentLight(lighting, { ray: rayBack(lighting, at, n), begin: at.clearance, from: at.hit, toward: n }, path);
 }
 
-/** The body's own colour as much as it is opaque, the lamps' highlights, and what comes through and from its sides. */
+/** Glass: diffuse and emitted light weighted by opacity, highlights of lights, and reflected and refracted light. */
 function glassLight(
   lighting: LightingContext,
   hit: Hit,
@@ -248,10 +249,10 @@ function glassLight(
 ): SampledRadiance {
   const { opacity } = point;
   const solid = brdfOf({ ...point, metallic: 0 }, V);
-  const look = { ...solid, diffuse: scaleFilter(solid.diffuse, opacity) };
+  const brdf = { ...solid, diffuse: scaleFilter(solid.diffuse, opacity) };
   const at = reflectionOrigin(lighting.scene, hit);
-  const own = plus(directLight(lighting, at, look, here), here.context.emitted(emittedSpectrum(point)), opacity);
-  const diffuse = opacity > 0 && here.bounces > 0 ? diffuseLight(lighting, at, look, here) : NO_LIGHT;
+  const own = plus(directLight(lighting, at, brdf, here), here.context.emitted(emittedSpectrum(point)), opacity);
+  const diffuse = opacity > 0 && here.bounces > 0 ? diffuseLight(lighting, at, brdf, here) : NO_LIGHT;
   const onward = { ...here, includesSunDiscs: true, specularDepth: here.specularDepth - 1 };
   const glass: GlassBody = {
     frame: here.frame,

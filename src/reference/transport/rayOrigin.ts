@@ -8,17 +8,17 @@ import type { TracedScene } from '../intersection/tracedScene.ts';
 import type { RayOrigin } from '../lights/lightingContext.ts';
 import { faceForward, facingNormal, verticesOf } from '../materials/surface.ts';
 
-/** Where rays leave a surface on the side from which it is looked at. */
+/** Origin of rays that leave a surface. */
 export interface SurfaceOrigin extends RayOrigin {
-  /** The triangle that they leave, and do not meet again. */
+  /** The triangle that they leave, which they do not hit again. */
   readonly hit: Hit;
-  /** The triangle's own normal on that side, in the rest frame. */
+  /** The triangle's normal on the side of the rays, in the rest frame. */
   readonly geometricNormal: Vec3;
 }
 
 /**
- * Triangles that stand for a round body shade it where their neighbours stick out of them. Rays therefore begin on the curved surface that
- * the corners' normals tell of: each corner's tangent plane, weighted as the corner is. On flat faces this is the hit itself.
+ * Triangles that approximate a curved body would be shadowed by neighbours that stick out (the shadow terminator). Rays therefore begin on the curved
+ * surface implied by the vertex normals: the projections onto the corners' tangent planes, weighted barycentrically. On flat faces this is the hit.
  * Source: Hanika 2021, "Hacking the shadow terminator", Ray Tracing Gems II, ch. 4.
  */
 export function reflectionOrigin(scene: TracedScene, hit: Hit): SurfaceOrigin {
@@ -45,7 +45,7 @@ export function reflectionOrigin(scene: TracedScene, hit: Hit): SurfaceOrigin {
   };
 }
 
-/** The hit itself, for rays that go on behind the surface. */
+/** The hit itself, for rays that continue behind the surface. */
 export const transmissionOrigin = (scene: TracedScene, hit: Hit): SurfaceOrigin => ({
   t: hit.time,
   x: hit.position,
@@ -54,7 +54,7 @@ export const transmissionOrigin = (scene: TracedScene, hit: Hit): SurfaceOrigin 
   geometricNormal: negate(facingNormal(hit)),
 });
 
-/** Well above the rounding of f64 of places, and of times times the surface's speed [m]. */
+/** Well above the f64 rounding of positions, and of times multiplied by the surface's speed [m]. */
 function clearanceAt({ objects, c }: TracedScene, { object, corner, position, time, velocity }: Hit): number {
   const { positions, indices } = objects[object].mesh;
   const [a, b] = [pointAt(positions, indices[corner]), pointAt(positions, indices[corner + 1])];

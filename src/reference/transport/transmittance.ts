@@ -3,7 +3,7 @@ import { nearestHit, type TracedScene } from '../intersection/tracedScene.ts';
 import { materialOf } from '../materials/material.ts';
 import { opacityAt } from '../materials/surface.ts';
 
-/** How much of the light a surface holds back: nothing where it is cut out, and what a cut leaves is solid. */
+/** The opacity at a hit; with an opacity threshold 0 below it, otherwise 1. */
 export function coverage(scene: TracedScene, hit: Hit): number {
   const { opacity, opacityThreshold, baseColorTexture } = materialOf(scene, hit);
   if (!baseColorTexture && opacityThreshold === 0) return opacity;
@@ -12,7 +12,7 @@ export function coverage(scene: TracedScene, hit: Hit): number {
   return found < opacityThreshold ? 0 : 1;
 }
 
-/** A ray, where on it things begin to count, and the triangle that it leaves. */
+/** A ray, the s from which hits count, and the triangle that it leaves. */
 export interface RaySegment {
   readonly ray: SpacetimeRay;
   readonly begin: number;
@@ -22,18 +22,18 @@ export interface RaySegment {
 export const isOtherTriangle = ({ from }: RaySegment, { object, corner }: Hit): boolean =>
   !from || object !== from.object || corner !== from.corner;
 
-/** The share of light that gets from s = `end` to the ray's beginning, past all surfaces, each where it was; what is transparent lets through 1 − opacity. */
+/** The fraction of light transmitted from s = `end` to the ray's beginning, past all surfaces, each where the light passed it; transparent ones transmit 1 − opacity. */
 export function transmittance(scene: TracedScene, beam: RaySegment, end: number): number {
-  let share = 1;
+  let transmitted = 1;
   const blocked = nearestHit(scene, beam.ray, {
     begin: beam.begin,
     end,
     accepts: (hit) => {
       if (!isOtherTriangle(beam, hit)) return false;
-      const held = coverage(scene, hit);
-      share *= 1 - held;
-      return held >= 1;
+      const opacity = coverage(scene, hit);
+      transmitted *= 1 - opacity;
+      return opacity >= 1;
     },
   });
-  return blocked ? 0 : share;
+  return blocked ? 0 : transmitted;
 }

@@ -2,7 +2,7 @@ import { dot, length, sub, type Vec3 } from '../../../math/vec3.ts';
 import type { CylinderLight } from '../../../scene/types.ts';
 import { inOwnFrame, localLightTracer } from './localLight.ts';
 
-/** A point of the visible part of the side; of a line, 2r dφ cos becomes 1. */
+/** Samples the visible part of the lateral surface uniformly; for radius 0, ∫ r cos dφ is replaced by 1. docs/physics.md §6.9. */
 export const CYLINDER_LIGHT = localLightTracer<CylinderLight>(
   inOwnFrame((at, light, random) => {
     const away = Math.hypot(at[1], at[2]);

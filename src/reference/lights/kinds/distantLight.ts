@@ -7,7 +7,7 @@ import { WORLD_FRAME } from '../../spectral/restFrame.ts';
 import { sourceSpectrumOf } from '../../spectral/sourceSpectrum.ts';
 import type { LightTracer } from './lightTracer.ts';
 
-/** Infinitely far away and always there: E′ = D² E. It shines as from its middle; what hides it hides points of its disc. */
+/** Infinitely far away, always on: E′ = D² E. Its light comes from the centre of its disc; shadow rays go to random points of the disc. */
 export const DISTANT_LIGHT: LightTracer<DistantLight> = {
   trace(light) {
     const { direction } = light;

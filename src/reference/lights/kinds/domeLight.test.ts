@@ -18,7 +18,7 @@ import { skySampler } from './skySampler.ts';
 const [W, H] = [64, 32];
 const options = { bounces: 1, mirrors: false, glass: false };
 
-/** A dome whose grey radiance is a function of the texel. */
+/** A dome with a grey radiance per texel. */
 const domeOf = (radiance: (column: number, row: number) => number, given: Partial<DomeLight> = {}): DomeLight => ({
   kind: 'dome',
   path: '/dome',
@@ -38,13 +38,13 @@ const domeOf = (radiance: (column: number, row: number) => number, given: Partia
   ...given,
 });
 
-/** A sun of one texel, in the column and row of `DAY_SUN_COLOR`, under a dim sky. */
+/** A sun of one texel, at column and row, in a dim sky. */
 const [COLUMN, ROW] = [41, 7];
 const [SUN, DIM] = [40_000, 0.25];
 const sunny = (given: Partial<DomeLight> = {}): DomeLight =>
   domeOf((x, y) => (x === COLUMN && y === ROW ? SUN : DIM), given);
 
-/** The same as a function of the direction in the dome's axes: texels are linear between their middles. */
+/** Its radiance from the direction n on the dome's axes: bilinear between texel centres. */
 function sunAt(n: Vec3): number {
   const [u, v] = latLongFromDirection(n);
   const across = Math.max(1 - Math.abs(u * W - COLUMN - 0.5), 0);
@@ -52,7 +52,7 @@ function sunAt(n: Vec3): number {
   return DIM + (SUN - DIM) * across * down;
 }
 
-/** ∫ f(n) dΩ in the dome's axes, over the texels about the sun, finely, and over the rest. */
+/** ∫ f(n) dΩ on the dome's axes, with finer steps near the sun. */
 function integral(f: (n: Vec3) => number): number {
   let sum = 0;
   const part = (left: number, right: number, top: number, bottom: number, steps: number): void => {
@@ -70,15 +70,15 @@ function integral(f: (n: Vec3) => number): number {
   return sum;
 }
 
-describe('bright parts of a dome', () => {
+describe('the sampler of a dome', () => {
   const turned = sunny({ orientation: fromAxisAngle(normalize([1, 2, 3]), 1.3) });
 
-  it('have a density of integral 1, by which directions are chosen', () => {
+  it('has a density of integral 1 and samples directions by it', () => {
     const bright = skySampler(turned)!;
     const [x, y, z] = domeAxes(turned);
     const inWorld = (n: Vec3): Vec3 => addScaled(addScaled(addScaled([0, 0, 0], x, n[0]), y, n[1]), z, n[2]);
     expect(integral((n) => bright.pdf(inWorld(n)))).toBeCloseTo(1, 3);
-    // Of all that are chosen the share on one side of a plane is the density's.
+    // The fraction of samples on one side of a plane is the integral of the density there.
     const numbers = random(5);
     const side = (n: Vec3): number => (dot(n, normalize([0.4, -0.3, 0.2])) > 0.2 ? 1 : 0);
     const soft = skySampler(domeOf((column, row) => 2 + Math.sin(column / 5) * Math.cos(row / 9)))!;
@@ -87,7 +87,7 @@ describe('bright parts of a dome', () => {
     expect(Math.abs(counted - integral((n) => soft.pdf(n) * side(n)))).toBeLessThan(0.01);
   });
 
-  it('are none of an even sky, and half of the directions at most', () => {
+  it('is undefined for a uniform sky, and has a probability of at most ½', () => {
     expect(skySampler(domeOf(() => 3))).toBeUndefined();
     expect(skySampler(turned)!.probability).toBe(0.5);
     expect(skySampler(domeOf((_, row) => (row < H / 2 ? 1.1 : 1)))!.probability).toBeLessThan(0.03);
@@ -101,8 +101,8 @@ const floor = (material: Material) =>
     motion: { kind: 'static', pose: { position: [0, 0, 0], orientation: fromAxisAngle([1, 0, 0], -Math.PI / 2) } },
   }) as const;
 
-describe('a small sun in a picture', () => {
-  it('lights a matt floor with its irradiance over π, with few samples', () => {
+describe('a small sun in a dome texture', () => {
+  it('lights a matt floor with its irradiance/π, with little noise', () => {
     const scene = lit([floor(lambert(1))], [sunny()]);
     const expected = integral((n) => sunAt(n) * Math.max(n[1], 0)) / Math.PI;
     const seen = (seed: number, samples: number): number =>
@@ -117,14 +117,14 @@ describe('a small sun in a picture', () => {
     ['a rough metal', mirror({ roughness: 0.5 }), 0],
     ['a glossy metal', mirror({ roughness: 0.15 }), 0],
     ['rough plastic', makeMaterial({ name: 'plastic', baseColor: [0.5, 0.5, 0.5], roughness: 0.6 }), 0],
-    ['what is matt and moves', lambert(0.8), 0.6],
-    ['a rough metal that moves', mirror({ roughness: 0.4 }), -0.5],
+    ['a moving matt surface', lambert(0.8), 0.6],
+    ['a moving rough metal', mirror({ roughness: 0.4 }), -0.5],
   ] as const)('lights %s as the integral over all directions does', (_, material, speed) => {
     const turn = fromAxisAngle(normalize([0.2, 1, 0.4]), 0.7);
     const dome = sunny({ orientation: turn });
     const motion = { kind: 'uniform', pose: floor(material).motion.pose, velocity: [speed, 0, 0] } as const;
     const scene = lit([{ ...floor(material), motion }], [dome]);
-    // Seen from where the sun is mirrored nearly to.
+    // Seen from near the mirror direction of the sun.
     const sun = rotate(turn, directionFromLatLong((COLUMN + 0.5) / W, 1 - (ROW + 0.5) / H));
     const toward = normalize([sun[0] + 0.1, -sun[1], sun[2] - 0.1]);
     const u = properVelocity([speed, 0, 0]);
@@ -143,8 +143,8 @@ describe('a small sun in a picture', () => {
     const sent = integral((local) => {
       const n = rotate(turn, local);
       // L′ dΩ′ = D⁴ L dΩ/D².
-      const share = evaluateBrdf(seenFrom, aberrate(n, u));
-      return share ? share.rgb[0] * observerDoppler(n, u) ** 2 * sunAt(local) : 0;
+      const reflected = evaluateBrdf(seenFrom, aberrate(n, u));
+      return reflected ? reflected.rgb[0] * observerDoppler(n, u) ** 2 * sunAt(local) : 0;
     });
     const D = 1 / observerDoppler(toward, u);
     const position: Vec3 = [-toward[0], -toward[1], -toward[2]];

@@ -34,7 +34,7 @@ export const DOME_LIGHT: LightTracer<DomeLight> = {
   },
 };
 
-/** Daylight of which air scatters the blue part: the rest is a filter that is nearly grey. */
+/** Daylight plus its blue part scattered by air, so that the filter of the remainder is nearly grey. */
 function scattering(color: Vec3, context: SpectralContext): SampledRadiance {
   const share = scatteredShare(color);
   if (share === 0) return context.emitted(sourceSpectrumOf(color));
@@ -44,14 +44,14 @@ function scattering(color: Vec3, context: SpectralContext): SampledRadiance {
   );
 }
 
-/** The same, and what comes through much air, as at dusk. */
+/** The same, plus daylight reddened by much air, as at dusk. */
 function reddening(color: Vec3, context: SpectralContext): SampledRadiance {
   const { scattered, reddened, rest } = skyParts(color);
   let sum = context.emitted(sourceSpectrumOf(rest));
   if (scattered > 0) sum = plus(sum, context.emitted(scatteredSource(scattered)));
   reddened.forEach((share, i) => {
-    const shine = { spectrum: REDDENED[i], filter: neutralFilter(share), color: scale(REDDENED_COLORS[i], share) };
-    if (share > 0) sum = plus(sum, context.emitted(shine));
+    const source = { spectrum: REDDENED[i], filter: neutralFilter(share), color: scale(REDDENED_COLORS[i], share) };
+    if (share > 0) sum = plus(sum, context.emitted(source));
   });
   return sum;
 }

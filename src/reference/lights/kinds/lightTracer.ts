@@ -1,8 +1,8 @@
 import type { Light, Scene } from '../../../scene/types.ts';
 import type { TracedLight } from '../lightingContext.ts';
 
-/** What the reference renderer knows of a kind of light (docs/adr/0024-light-kinds.md). */
+/** The reference renderer's functions for one kind of light (docs/adr/0024-light-kinds.md). */
 export interface LightTracer<L extends Light> {
-  /** Made once per scene: all that does not depend on the ray is computed here. */
+  /** Called once per scene; computes everything that does not depend on the ray. */
   trace(light: L, scene: Scene): TracedLight;
 }

@@ -11,15 +11,15 @@ import { sourceSpectrumOf } from '../../spectral/sourceSpectrum.ts';
 import { type IncidentLight, type LightingContext, type RayOrigin, rayBack, restFrameOf } from '../lightingContext.ts';
 import type { LightTracer } from './lightTracer.ts';
 
-/** A point of a light, chosen at random, as seen from a surface; all in the light's rest frame, on the world's axes. */
+/** A random point of a light relative to a surface, in the light's rest frame, on the world's axes. */
 export interface LightSample {
   /** From the surface to the point [m]. */
   readonly toward: Vec3;
-  /** Factor of the light's colour; its mean is the solid angle in which the light is seen, or of a point 1/d². */
+  /** Factor of the light's colour; its mean is the light's solid angle, or 1/d² for a point. */
   readonly weight: number;
 }
 
-/** `center`: from the surface to the light's middle [m]; `orientation`: of its axes. undefined: nothing of it shines there. */
+/** `center`: from the surface to the light's centre [m]; `orientation`: of its axes. Returns undefined if the sample sends no light to the surface. */
 export type SampleShape<L extends LocalLight> = (
   light: L,
   center: Vec3,
@@ -27,7 +27,7 @@ export type SampleShape<L extends LocalLight> = (
   random: Random,
 ) => LightSample | undefined;
 
-/** The same in the light's own frame. `at`: the surface, on the light's axes [m]. */
+/** A `SampleShape` from one on the light's own axes. `at`: the surface relative to the light's centre [m]. */
 export const inOwnFrame =
   <L extends LocalLight>(sample: (at: Vec3, light: L, random: Random) => LightSample | undefined): SampleShape<L> =>
   (light, center, orientation, random) => {
@@ -36,13 +36,13 @@ export const inOwnFrame =
     return local && { ...local, toward: rotate(orientation, local.toward) };
   };
 
-/** A point that was chosen evenly from a face of the light's XY plane: dΩ = cos θ dA/d². */
+/** The sample of a point chosen uniformly on a face in the light's XY plane: dΩ = cos θ dA/d². */
 export function areaSample(at: Vec3, spot: Vec3, area: number): LightSample {
   const toward = sub(spot, at);
   return { toward, weight: (area * -at[2]) / length(toward) ** 3 };
 }
 
-/** The tracer of a kind of local light, from how points of its shape are chosen. */
+/** The tracer of a kind of local light, given the sampling of its shape. */
 export const localLightTracer = <L extends LocalLight>(sampleShape: SampleShape<L>): LightTracer<L> => ({
   trace(light) {
     const moving = {
@@ -56,14 +56,14 @@ export const localLightTracer = <L extends LocalLight>(sampleShape: SampleShape<
 
 interface MovingLight<L extends LocalLight> extends Pick<IncidentLight, 'sourceSpectrum'> {
   readonly light: L;
-  /** Of its centre. */
+  /** World line of its centre. */
   readonly line: WorldLine;
 }
 
 /**
- * A light where it was when it sent out what arrives. In its own frame it rests at a distance d′ and is seen within a solid angle Ω′ (of a
- * sphere 2π(1 − √(1 − (radius/d′)²))); so E = D² L Ω′ = D⁴ L Ω, and of a point E = D² I/d′² = D⁴ I/r² where surface and world are one.
- * Its velocity and its axes are taken as constant while its light crosses it. undefined: none of its light is here yet, or any more.
+ * Samples a light where it was when it emitted what arrives. In its own frame it is at rest at a distance d′ and covers the solid angle Ω′ (of a
+ * sphere 2π(1 − √(1 − (radius/d′)²))); so E = D² L Ω′ = D⁴ L Ω, and for a point E = D² I/d′² = D⁴ I/r² on a surface at rest in the world
+ * (docs/physics.md §6.4). Velocity and axes are taken as constant while light crosses it. Returns undefined if none of its light arrives at this time.
  */
 function sampleMovingLight<L extends LocalLight>(
   lighting: LightingContext,
@@ -86,14 +86,14 @@ function sampleMovingLight<L extends LocalLight>(
 function shaped({ shaping }: LocalLight, orientation: Quat, sample: LightSample | undefined): LightSample | undefined {
   if (!sample || !shaping) return sample;
   const front = rotate(orientation, [0, 0, -1]);
-  const share = shapingFactor(shaping, front, negate(normalize(sample.toward)));
-  return share > 0 ? { ...sample, weight: share * sample.weight } : undefined;
+  const factor = shapingFactor(shaping, front, negate(normalize(sample.toward)));
+  return factor > 0 ? { ...sample, weight: factor * sample.weight } : undefined;
 }
 
 interface EmittingLight {
-  /** From the surface to its centre [m, world]. */
+  /** From the surface to the light's centre [m, world]. */
   readonly offset: Vec3;
-  /** Its frame then, and how its own axes stand there. */
+  /** The light's rest frame and orientation at emission. */
   readonly frame: RestFrame;
   readonly orientation: Quat;
 }

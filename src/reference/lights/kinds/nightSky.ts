@@ -1,5 +1,5 @@
 import type { NightSky } from '../../../scene/types.ts';
 import type { LightTracer } from './lightTracer.ts';
 
-/** Stars light nothing, and are seen as points of the picture (starField.ts). */
+/** Stars do not light surfaces; they are drawn as points of the picture (starField.ts). */
 export const NIGHT_SKY: LightTracer<NightSky> = { trace: () => ({}) };

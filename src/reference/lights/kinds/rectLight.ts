@@ -9,7 +9,7 @@ export const RECT_LIGHT = localLightTracer<RectLight>(
     const across = [-width / 2 - at[0], width / 2 - at[0]] as const;
     const up = [-height / 2 - at[1], height / 2 - at[1]] as const;
     const { x, y, solidAngle } = sphericalRect(across, up, at[2], p, q);
-    // Smaller ones are differences of angles that rounding eats.
+    // Smaller solid angles, differences of angles, are lost to rounding.
     if (solidAngle > 1e-6) return { toward: [x, y, -at[2]], weight: solidAngle };
     return areaSample(at, [(p - 0.5) * width, (q - 0.5) * height, 0], width * height);
   }),

@@ -5,25 +5,25 @@ import { linearizationTable } from '../../../scene/materials/sampleTexture.ts';
 import type { DomeLight } from '../../../scene/types.ts';
 import { LUMINANCE_WEIGHTS } from '../../../spectrum/color/observerColor.ts';
 
-/** Where the light of a sky is brighter than its mean: directions are asked there more often than where a surface would look for light by itself. */
+/** Importance sampler of the directions in which a sky is brighter than its mean. */
 export interface SkySampler {
-  /** Of all directions that are asked, so many are chosen here, 0 … ½. */
+  /** Fraction of all sampled directions to take from this sampler, 0 … ½; the BRDF chooses the rest. */
   readonly probability: number;
-  /** One of them: unit, world. */
+  /** A random direction: unit, world. */
   sample(random: Random): Vec3;
-  /** How densely they lie about the unit direction n of the world [1/sr]. */
+  /** Probability density of `sample` at the unit world direction n [1/sr]. */
   pdf(n: Vec3): number;
 }
 
-/** So many columns at most: of larger pictures, means over blocks are its texels. */
+/** Upper bound of the number of columns; larger pictures are averaged over blocks. */
 const MAX_COLUMNS = 2048;
-/** What a surface finds by itself stays at least so much of what is asked. */
+/** Upper bound of `probability`, so that at least half of the directions come from the BRDF. */
 const MAX_PROBABILITY = 0.5;
 
 /**
- * The bright parts of a dome's picture; undefined where it has none. A texel's share is max(luminance − mean, 0) times its solid angle, for what is below the mean a
- * surface finds by itself (Karlík et al. 2019, "MIS compensation", ACM TOG 38(6)). A row, and a texel of it, are found in sums that rise, and a place
- * about the texel by a tent: the density is linear between texels, as what is seen of them is.
+ * The sampler of a dome's texture; undefined if it has no bright parts. A texel's weight is max(luminance − mean, 0) times its solid angle, because
+ * BRDF samples find the rest (Karlík et al. 2019, "MIS compensation", ACM TOG 38(6)). A row, then a texel of it, are found by inverting cumulative
+ * sums, then a point around the texel by a tent distribution: the density is linear between texels, like the interpolated texture.
  */
 export function skySampler(dome: DomeLight): SkySampler | undefined {
   const texels = texelsOf(dome);
@@ -32,7 +32,7 @@ export function skySampler(dome: DomeLight): SkySampler | undefined {
   const [x, y, z] = domeAxes(dome);
   const rows = rowCdfs(excess, width, height);
   const marginal = cdfOf(rows.sums);
-  const chanceOf = (column: number, row: number): number => {
+  const texelProbability = (column: number, row: number): number => {
     const j = Math.min(Math.max(row, 0), height - 1);
     const at = j * (width + 1) + ((column + width) % width);
     return (marginal[j + 1] - marginal[j]) * (rows.rising[at + 1] - rows.rising[at]);
@@ -42,7 +42,7 @@ export function skySampler(dome: DomeLight): SkySampler | undefined {
     sample: (random) => {
       const [row, down] = invertCdf(marginal, 0, height, random());
       const [column, right] = invertCdf(rows.rising, row * (width + 1), width, random());
-      // Beyond a pole the picture is its last row still.
+      // Beyond a pole the texture repeats its last row.
       const v = Math.abs((row + 0.5 + tentOffset(down)) / height);
       const [a, b, c] = directionFromLatLong((column + 0.5 + tentOffset(right)) / width, 1 - Math.min(v, 2 - v));
       return [a * x[0] + b * y[0] + c * z[0], a * x[1] + b * y[1] + c * z[1], a * x[2] + b * y[2] + c * z[2]];
@@ -53,22 +53,23 @@ export function skySampler(dome: DomeLight): SkySampler | undefined {
       const [i, j] = [u * width - 0.5, (1 - v) * height - 0.5];
       const [left, top] = [Math.floor(i), Math.floor(j)];
       const [s, t] = [i - left, j - top];
-      const across = (row: number): number => (1 - s) * chanceOf(left, row) + s * chanceOf(left + 1, row);
-      const chance = (1 - t) * across(top) + t * across(top + 1);
-      return (chance * width * height) / (2 * Math.PI ** 2 * Math.sqrt(Math.max(1 - up * up, 1e-12)));
+      const across = (row: number): number =>
+        (1 - s) * texelProbability(left, row) + s * texelProbability(left + 1, row);
+      const probability = (1 - t) * across(top) + t * across(top + 1);
+      return (probability * width * height) / (2 * Math.PI ** 2 * Math.sqrt(Math.max(1 - up * up, 1e-12)));
     },
   };
 }
 
-/** A number of −1 … 1 with the density 1 − |x|, rising with p. */
+/** Inverts the cumulative distribution of the density 1 − |x| on −1 … 1. */
 const tentOffset = (p: number): number => (p < 0.5 ? Math.sqrt(2 * p) - 1 : 1 - Math.sqrt(2 - 2 * p));
 
 interface TexelExcess {
   readonly width: number;
   readonly height: number;
-  /** Power of each above the mean. */
+  /** Power above the mean, per texel. */
   readonly excess: Float32Array;
-  /** All of it, over all of the power. */
+  /** Sum of `excess` divided by the total power. */
   readonly share: number;
 }
 
@@ -82,12 +83,12 @@ function texelsOf(dome: DomeLight): TexelExcess | undefined {
   );
   let total = 0;
   for (let i = 0; i < values.length; i++) total += values[i] * sizes[Math.floor(i / width)];
-  // All rows together are 2 high, each `width` wide.
+  // `sizes` sum to 2, and each row has `width` texels.
   const mean = total / (2 * width);
   const excess = values.map((value, i) => Math.max(value - mean, 0) * sizes[Math.floor(i / width)]);
   const above = excess.reduce((sum, part) => sum + part, 0);
   const share = above / total;
-  // What rounding makes of an even sky is no bright part.
+  // Rounding errors of a uniform sky do not count as bright parts.
   return share > 1e-3 ? { width, height, excess, share } : undefined;
 }
 
@@ -112,7 +113,7 @@ function luminances({ texture, color }: DomeLight): LuminanceMap | undefined {
   return { width, height, values };
 }
 
-/** Of each row the sums up to each column, from 0 to 1; and of all rows the sums. */
+/** The cumulative distribution of each row, 0 … 1, and the sum of each row. */
 function rowCdfs(values: Float32Array, width: number, height: number) {
   const all = new Float32Array((width + 1) * height);
   const sums = Float32Array.from({ length: height }, (_, row) => {
@@ -123,19 +124,19 @@ function rowCdfs(values: Float32Array, width: number, height: number) {
   return { rising: all, sums };
 }
 
-/** From 0 to 1, one more than there are values; all 0 where they are. */
+/** The cumulative distribution, 0 … 1, with one more entry than there are values; all 0 if they are. */
 function cdfOf(values: Float32Array): Float32Array {
   const out = new Float32Array(values.length + 1);
   let sum = 0;
-  const whole = values.reduce((total, value) => total + value, 0) || 1;
+  const sumOfAll = values.reduce((total, value) => total + value, 0) || 1;
   values.forEach((value, i) => {
     sum += value;
-    out[i + 1] = sum / whole;
+    out[i + 1] = sum / sumOfAll;
   });
   return out;
 }
 
-/** The step of rising sums, from `start` on, in which p lies, and where in it, 0 … 1. */
+/** The interval of a cumulative distribution, beginning at `start`, that contains p, and the position of p in it, 0 … 1. */
 function invertCdf(
   sums: Float32Array,
   start: number,

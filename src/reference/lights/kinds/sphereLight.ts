@@ -13,7 +13,7 @@ const pointSample = (center: Vec3): LightSample => ({
   weight: 1 / Math.max(dot(center, center), 1e-12),
 });
 
-/** A direction of the cone in which the sphere is seen; all directions from its inside. */
+/** A uniform direction within the cone of the sphere; from inside, of all directions. */
 function sphereSample(center: Vec3, { radius }: SphereLight, random: Random): LightSample {
   const d = length(center);
   const sin2 = Math.min((radius / d) ** 2, 1);

@@ -1,6 +1,6 @@
 import { cross, dot, normalize, type Vec3 } from '../../../math/vec3.ts';
 
-/** A point of a rectangle, chosen evenly over the solid angle [sr] in which it is seen. */
+/** A point of a rectangle, uniform in its solid angle [sr]. */
 export interface SphericalSample {
   readonly x: number;
   readonly y: number;
@@ -8,7 +8,7 @@ export interface SphericalSample {
 }
 
 /**
- * Of the rectangle x0 … x1, y0 … y1 at the height z0 < 0, seen from the origin, by two random numbers in 0 … 1.
+ * Samples the rectangle x0 … x1, y0 … y1 at the height z0 < 0, seen from the origin, by two random numbers p, q in 0 … 1.
  * Source: Ureña, Fajardo, King 2013, "An area-preserving parametrization for spherical rectangles", EGSR.
  */
 export function sphericalRect(
@@ -40,4 +40,4 @@ export function sphericalRect(
   return { x, y, solidAngle };
 }
 
-const clamped = (x: number, most: number): number => Math.min(Math.max(x, -most), most);
+const clamped = (x: number, limit: number): number => Math.min(Math.max(x, -limit), limit);

@@ -17,14 +17,14 @@ const smoothed = (image: FloatImage, args: readonly number[] = []): FloatImage =
 const sum = ({ values }: FloatImage): number => values.reduce((a, b) => a + b, 0);
 
 type Point = readonly [number, number];
-/** Positive on the one side of a line. */
+/** Positive on one side of a line. */
 type Line = (x: number, y: number) => number;
 const lineAt = (degrees: number, x0: number, y0: number): Line => {
   const [c, s] = [Math.cos((degrees * Math.PI) / 180), Math.sin((degrees * Math.PI) / 180)];
   return (x, y) => (y - y0) * c - (x - x0) * s;
 };
 
-/** How much of a pixel lies on the positive side: the area of the square, clipped by the line. */
+/** Area of a pixel on the positive side: the square, clipped by the line. */
 function coverage(line: Line, x: number, y: number): number {
   const square: readonly Point[] = [
     [x, y],
@@ -48,12 +48,12 @@ function coverage(line: Line, x: number, y: number): number {
 }
 
 const SIZE = 64;
-/** What a picture of one sample per pixel shows of a line's sides. */
+/** A picture of a line's sides with one sample per pixel. */
 const gray = (of: (x: number, y: number) => number, [dark, light]: Point = [0, 1]): FloatImage =>
   FloatImage.of(SIZE, SIZE, 3, (x, y) => [0, 0, 0].map(() => dark + (light - dark) * of(x, y)));
 const hard = (line: Line, levels?: Point) => gray((x, y) => Number(line(x + 0.5, y + 0.5) > 0), levels);
 
-/** Away from the picture's sides, where nobody knows how an edge goes on. */
+/** Away from the picture's borders, where the continuation of an edge is unknown. */
 function error(image: FloatImage, line: Line): number {
   let squares = 0;
   for (let y = 20; y < SIZE - 20; y++)
@@ -67,7 +67,7 @@ const AROUND = [
   [0, 1],
   [0, -1],
 ] as const;
-/** A line through about the middle, at any angle and place. */
+/** A line at any angle, near the middle. */
 const someLine = fc
   .tuple(fc.integer({ min: 0, max: 359 }), fc.double({ min: -1, max: 1, noNaN: true }))
   .map(([degrees, off]) => lineAt(degrees, SIZE / 2 + off, SIZE / 2 - off / 3));
@@ -83,8 +83,8 @@ function expectClose(a: FloatImage, b: FloatImage): void {
   expect(Math.max(...off)).toBeLessThan(1e-12);
 }
 
-describe('of slanted edges', () => {
-  it('antialiasing leaves a third of the error, and of those near rows and columns much less', () => {
+describe('on slanted edges', () => {
+  it('antialiasing leaves a third of the error, and much less on edges nearly along rows or columns', () => {
     const left = (degrees: number, off: number): number => {
       const line = lineAt(degrees, 31.7 + off, 32.2 - off);
       return error(smoothed(hard(line)), line) / error(hard(line), line);
@@ -95,13 +95,13 @@ describe('of slanted edges', () => {
     for (const degrees of [8, 83, 94]) expect(left(degrees, 0)).toBeLessThan(0.3);
   });
 
-  it('long steps want a longer search', () => {
+  it('long steps need a longer search', () => {
     const line = lineAt(2.5, 32, 32);
     const missed = (search: number) => error(smoothed(hard(line), [0.1, search]), line);
     expect(missed(32)).toBeLessThan(0.3 * missed(4));
   });
 
-  it('covers as much whatever the light', () => {
+  it('covers the same area at any brightness', () => {
     fc.assert(
       fc.property(
         someLine,
@@ -116,7 +116,7 @@ describe('of slanted edges', () => {
     );
   });
 
-  it('keeps the light within a hundredth, also of what is round', () => {
+  it('conserves light within one percent, also of round shapes', () => {
     fc.assert(
       fc.property(someLine, (line) => {
         expect(Math.abs(sum(smoothed(hard(line))) / sum(hard(line)) - 1)).toBeLessThan(0.01);
@@ -127,7 +127,7 @@ describe('of slanted edges', () => {
     expect(Math.abs(sum(smoothed(disc)) / sum(disc) - 1)).toBeLessThan(0.01);
   });
 
-  it('sees edges between colours that are as bright', () => {
+  it('detects edges between colours of equal luminance', () => {
     const hues = (line: Line) =>
       hard(line).map((x, y) => (line(x + 0.5, y + 0.5) > 0 ? [0.7152, 0, 0] : [0, 0.2126, 0]));
     const line = lineAt(20, 32, 32);
@@ -139,7 +139,7 @@ describe('of slanted edges', () => {
   });
 });
 
-describe('antialiasing changes nothing, to the bit,', () => {
+describe('antialiasing changes no bit', () => {
   it('of pictures without edges', () => {
     fc.assert(
       fc.property(noise(10, 12), (image) => {
@@ -162,7 +162,7 @@ describe('antialiasing changes nothing, to the bit,', () => {
 });
 
 describe('antialiasing', () => {
-  it('is alike to all sides', () => {
+  it('is symmetric', () => {
     fc.assert(
       fc.property(noise(0, 9), fc.double({ min: 0, max: 1, noNaN: true }), (image, single) => {
         const args = [0.1, 5, single];
@@ -176,7 +176,7 @@ describe('antialiasing', () => {
     expectClose(smoothed(transposed(hard(line))), transposed(smoothed(hard(line))));
   });
 
-  it('makes no light that is not around', () => {
+  it('stays within the range of the neighbourhood', () => {
     fc.assert(
       fc.property(noise(0, 100), (image) => {
         const after = smoothed(image, [0.05, 8, 0.7]);
@@ -191,7 +191,7 @@ describe('antialiasing', () => {
     );
   });
 
-  it('spreads single pixels without loss: an eighth over each side', () => {
+  it('spreads single pixels without loss: ⅛ over each side', () => {
     const speck = gray((x, y) => Number(x === 30 && y === 31));
     const spread = smoothed(speck, [0.1, 16, 1]);
     expect(spread.at(30, 31)[0]).toBe(0.5);
@@ -201,7 +201,7 @@ describe('antialiasing', () => {
     expect(smoothed(board, [0.1, 16, 1]).at(20, 21)).toEqual([0.5, 0.5, 0.5]);
   });
 
-  it('changes what is smooth already, on the whole, by less than half of what hard edges are off', () => {
+  it('changes smooth edges on average by less than half the error of hard ones', () => {
     const angles = [5, 10, 30, 45, 70, 130, 175];
     const parts = angles.map((degrees) => {
       const line = lineAt(degrees, 32.2, 31.9);

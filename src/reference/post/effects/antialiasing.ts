@@ -1,17 +1,17 @@
 import { MIN_CONTRAST_BASE } from '../../../scene/frameGraph/effects.ts';
 import { FloatImage, type GBufferReader } from './effectInput.ts';
 
-/** The way along a boundary; the number of `edges` that holds it, and its turns the other. */
+/** Direction along a boundary of pixel sides, and the channel of `edges` that holds its sides; the other channel holds the perpendicular ones. */
 interface EdgeDirection {
   readonly i: number;
   readonly j: number;
   readonly own: 0 | 1;
 }
-/** The upper sides of pixels lie along rows, the left ones along columns. */
+/** Top sides of pixels lie along rows, left sides along columns. */
 const TOP: EdgeDirection = { i: 1, j: 0, own: 1 };
 const LEFT: EdgeDirection = { i: 0, j: 1, own: 0 };
 
-/** Where a boundary goes from a pixel: how many pixels on, and there into what is before it (½), into the pixel's own side (−½), both ways, or neither (0). */
+/** End of a boundary: its distance [px], and where a perpendicular edge goes there: outwards, to the pixels before the boundary (½), inwards (−½), both (`forked`, 0) or nowhere (0). */
 interface EdgeEnd {
   readonly length: number;
   readonly height: number;
@@ -19,11 +19,12 @@ interface EdgeEnd {
 }
 
 /**
- * Morphological antialiasing. Stairs of hard edges are taken for what sampling left of a straight line: it runs from the middle of one step to the middle of the next,
- * and what it cuts off a pixel, its neighbour's colour covers. A side of a pixel is an edge where its contrast is more than the threshold, and what it differs by no
- * less than half of that of any other side of its two pixels: soft slopes beside hard edges are none. A pixel that differs from all four around it is none of a line; it gives and takes ⅛ over each side.
- * All of it in linear light. arg1: threshold; arg2: how far along an edge its ends are looked for [px]; arg3: how much of single pixels is spread.
- * Sources: Reshetov, Morphological Antialiasing, HPG 2009; the contrast's adaptation and forked ends: Jimenez et al., SMAA, Eurographics 2012.
+ * Morphological antialiasing. Stairs of hard edges are taken as samples of a straight line from the middle of one step to the middle of the next;
+ * the part of a pixel that the line cuts off gets the neighbour's colour. A pixel side is an edge where its contrast exceeds the threshold and its
+ * difference is at least half that of every other side of its two pixels, so that soft gradients beside hard edges do not count. A pixel that
+ * differs from all four neighbours belongs to no line; it exchanges ⅛ of its colour over each side. Colours are mixed in linear light.
+ * arg1: threshold; arg2: search distance for the ends of an edge [px]; arg3: strength for single pixels.
+ * Sources: Reshetov, Morphological Antialiasing, HPG 2009; contrast adaptation and forked ends: Jimenez et al., SMAA, Eurographics 2012.
  */
 export function antialiasing(
   { image }: GBufferReader,
@@ -39,26 +40,26 @@ export function antialiasing(
     });
     const [left, right, top, bottom] = sides.map(({ area }) => area) as [number, number, number, number];
     const [across, down] = [(left + right) ** 4, (top + bottom) ** 4];
-    // A step belongs to the longer of the lines that meet in it.
-    const share = [across, across, down, down].map((each) => (each > 0 ? each / (across + down) : 0));
+    // Where two lines meet in a step, the weight of the longer one dominates.
+    const weights = [across, across, down, down].map((each) => (each > 0 ? each / (across + down) : 0));
     return image
       .at(x, y)
       .map((value, c) =>
         sides.reduce(
-          (sum, { texel, spread, area }, k) => sum + (share[k]! * area + spread) * (texel[c]! - value),
+          (sum, { texel, spread, area }, k) => sum + (weights[k]! * area + spread) * (texel[c]! - value),
           value,
         ),
       );
   });
 }
 
-/** The largest difference of two colours' channels; and that over the largest channel. */
+/** The largest difference of two colours' channels, and its ratio to the largest channel. */
 function contrast(a: readonly number[], b: readonly number[]): readonly [number, number] {
   const difference = Math.max(...a.map((value, c) => Math.abs(value - b[c]!)));
   return [difference, difference / Math.max(...a, ...b, MIN_CONTRAST_BASE)];
 }
 
-/** Over the left side of each pixel, and of those after the last, and over the upper one: (both differences, both contrasts). */
+/** Across the left and the top side of each pixel, with one more column and row: (both differences, both contrasts), of square roots of light. */
 function contrastsOf(image: FloatImage): FloatImage {
   const roots = image.map((x, y) => image.at(x, y).map((value) => Math.sqrt(Math.max(value, 0))));
   return FloatImage.of(image.width + 1, image.height + 1, 4, (x, y) => {
@@ -67,13 +68,13 @@ function contrastsOf(image: FloatImage): FloatImage {
   });
 }
 
-/** (whether the left side is an edge, whether the upper one is, whether the pixel differs from all four around it) */
+/** (whether the left side is an edge, whether the top one is, whether the pixel differs from all four neighbours) */
 function edgesAt(contrasts: FloatImage, x: number, y: number, threshold: number): readonly number[] {
   const here = contrasts.at(x, y);
   const isEdge = ({ i, j, own }: EdgeDirection): boolean => {
     const over = (dx: number, dy: number, side: 0 | 1): number => contrasts.at(x + dx, y + dy)[side]!;
     const turn = own === 1 ? 0 : 1;
-    // The two that are parallel to it, and those that meet its ends on both sides.
+    // The two parallel sides, and the four perpendicular ones that meet its ends.
     const parallel = [over(j, i, own), over(-j, -i, own)];
     const meeting = [over(0, 0, turn), over(i, j, turn), over(-j, -i, turn), over(i - j, j - i, turn)];
     return here[own + 2]! > threshold && 2 * here[own]! >= Math.max(...parallel, ...meeting);
@@ -82,7 +83,7 @@ function edgesAt(contrasts: FloatImage, x: number, y: number, threshold: number)
   return [isEdge(LEFT), isEdge(TOP), around > threshold].map(Number);
 }
 
-/** How much this pixel covers of the one before a side of its, and that of it. */
+/** Area of the pixel before this one that this pixel's colour covers across their common side, and vice versa. */
 function coveredAt(
   edges: FloatImage,
   x: number,
@@ -101,7 +102,7 @@ function coveredAt(
   return [above(1), above(-1)];
 }
 
-/** ∫ (1 − 2s/d) ds over what lies before the middle d/2 of a run, of its pixel k … k+1: that of a line from height 1 at its end to 0 at its middle. */
+/** ∫ (1 − 2s/d) ds over the pixel k … k+1 of a run of length d, up to its middle d/2: the area under a line from height 1 at the end to 0 in the middle. */
 function partOf(k: number, d: number): number {
   const [from, to] = [Math.min(k, d / 2), Math.min(k + 1, d / 2)];
   return (to - from) * (1 - (from + to) / d);
@@ -112,16 +113,16 @@ function edgeEnd(
   x: number,
   y: number,
   { i, j, own }: EdgeDirection,
-  way: 1 | -1,
+  sign: 1 | -1,
   search: number,
 ): EdgeEnd {
   for (let n = 1; n <= search; n++) {
-    const beyond = n * way;
+    const beyond = n * sign;
     const [px, py] = [x + beyond * i, y + beyond * j];
     const outside = px < 0 || py < 0 || px >= edges.width || py >= edges.height;
     if (outside) return { length: n - 1, height: 0, forked: false };
-    // Of the two pixels at the turn, the later one holds the side between them.
-    const turn = way > 0 ? n : 1 - n;
+    // The side between two pixels is stored with the later one.
+    const turn = sign > 0 ? n : 1 - n;
     const [tx, ty] = [x + turn * i, y + turn * j];
     const inwards = edges.at(tx, ty)[1 - own]!;
     const outwards = edges.at(tx - j, ty - i)[1 - own]!;
@@ -131,7 +132,7 @@ function edgeEnd(
   return { length: search, height: 0, forked: false };
 }
 
-/** What each neighbour covers of a pixel: left, right, above, below. */
+/** Area of a pixel that each neighbour's colour covers: left, right, above, below. */
 function sidesOf(covered: FloatImage, x: number, y: number) {
   const inside = (i: number, j: number): number => Number(x + i < covered.width && y + j < covered.height);
   return [

@@ -30,7 +30,7 @@ const EFFECT_FUNCTIONS: Readonly<Record<EffectId, EffectFunction>> = {
   antialiasing,
 };
 
-/** The data that a picture is to be taken with, by what an effect reads. */
+/** The AOVs to render for each channel that an effect reads. */
 export const AOVS_OF_EFFECT_CHANNEL: Readonly<Record<EffectChannel, readonly AovName[]>> = {
   depth: ['object', 'depth'],
   normal: ['object', 'normal'],
@@ -38,7 +38,7 @@ export const AOVS_OF_EFFECT_CHANNEL: Readonly<Record<EffectChannel, readonly Aov
   direction: [],
 };
 
-/** The same, by what a text looks at. */
+/** The same for channels that an effect text reads. */
 export const AOVS_OF_SHADER_CHANNEL: Readonly<Record<ShaderChannel, readonly AovName[]>> = {
   image: [],
   there: ['object'],
@@ -51,17 +51,17 @@ export const AOVS_OF_SHADER_CHANNEL: Readonly<Record<ShaderChannel, readonly Aov
   object: ['object'],
 };
 
-/** A picture after an effect, in f64; where the mask (its first channel) is 0 it stays as it was. */
+/** Applies an effect in f64; unchanged where the mask (its first channel) is 0. */
 export function applyEffect(
   of: EffectId | ShaderProgram,
   args: readonly number[],
-  taken: EffectInput,
+  source: EffectInput,
   mask?: FloatImage,
 ): FloatImage {
-  const frame = new GBufferReader(taken);
+  const frame = new GBufferReader(source);
   const after =
     typeof of === 'string'
       ? EFFECT_FUNCTIONS[of](frame, clampEffectArguments(of, args))
-      : applyShaderText(of, frame, args, taken.view.t);
-  return mask ? mixImages('normal', 1, taken.image, after, mask) : after;
+      : applyShaderText(of, frame, args, source.view.t);
+  return mask ? mixImages('normal', 1, source.image, after, mask) : after;
 }

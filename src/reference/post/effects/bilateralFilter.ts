@@ -4,15 +4,16 @@ import { FloatImage, type GBufferReader } from './effectInput.ts';
 import { gaussianWeights } from './gaussianBlur.ts';
 
 /**
- * A Gaussian across and then down, that does not mix what lies apart: each neighbour's weight is multiplied by exp(−½ (Δd/(ρ d))²) exp(−(1 − n·n₀)/α²), d the
- * apparent distances, n the normals; that of sky beside surfaces is 0. Made for noise of occlusion. arg1: σ [px]; arg2: ρ, 0 does not look at distances;
- * arg3: α [°], 0 does not look at normals. With both 0 it is the Gaussian. Source: Tomasi & Manduchi 1998; separated as by Pham & van Vliet 2005.
+ * A Gaussian along rows, then along columns, that does not blur across edges: each neighbour's weight is multiplied by
+ * exp(−½ (Δd/(ρ d))²) exp(−(1 − n·n₀)/α²) with the apparent distances d and the normals n; between sky and surfaces it is 0. Intended for noise of
+ * ambient occlusion. arg1: σ [px]; arg2: ρ, 0 ignores distances; arg3: α [°], 0 ignores normals. With both 0 it is the Gaussian.
+ * Source: Tomasi & Manduchi 1998; separated as by Pham & van Vliet 2005.
  */
 export function bilateralFilter(
   frame: GBufferReader,
   [sigma = 0, depthRange = 0, normalRange = 0]: readonly number[],
 ): FloatImage {
-  const alike = likeness(frame, depthRange, radians(normalRange));
+  const edgeWeight = createEdgeWeight(frame, depthRange, radians(normalRange));
   const weights = gaussianWeights(sigma, 1);
   const reach = weights.length >> 1;
   const along = (from: FloatImage, dx: number, dy: number): FloatImage =>
@@ -20,7 +21,7 @@ export function bilateralFilter(
       const sum = [0, 0, 0];
       let total = 0;
       for (let k = -reach; k <= reach; k++) {
-        const weight = weights[k + reach]! * alike(x, y, x + k * dx, y + k * dy);
+        const weight = weights[k + reach]! * edgeWeight(x, y, x + k * dx, y + k * dy);
         from.at(x + k * dx, y + k * dy).forEach((value, c) => {
           sum[c]! += weight * value;
         });
@@ -31,8 +32,8 @@ export function bilateralFilter(
   return along(along(frame.image, 1, 0), 0, 1);
 }
 
-/** How alike two pixels are, 0 … 1. */
-function likeness(frame: GBufferReader, depthRange: number, normalRange: number) {
+/** Returns the edge-stopping weight of two pixels, 0 … 1. */
+function createEdgeWeight(frame: GBufferReader, depthRange: number, normalRange: number) {
   const { width, height } = frame.image;
   if (depthRange <= 0 && normalRange <= 0) return () => 1;
   const there = FloatImage.of(width, height, 1, (x, y) => [frame.isCovered(x, y) ? 1 : 0]);

@@ -2,28 +2,29 @@ import { BLOOM_LEVELS } from '../../../scene/frameGraph/effects.ts';
 import { FloatImage, type GBufferReader } from './effectInput.ts';
 
 /**
- * Light that a lens or an eye scatters: (1 − s) I + s G I, G a glare of many widths with ∫ G = 1, so that light goes astray but none is made; no threshold, for
- * scattering knows none. G: the picture halved six times by the B-spline [1 3 3 1]/8, and brought back up by the same (its transpose), at each level
- * (1 − q) of its own and q of what is wider. Up is a mean of texels (U, rows of 1); down is its transpose, with the measure μ of how many pixels a texel stands
- * for: μ′ = Uᵀ μ, I′ = Uᵀ μ I/μ′. So G is symmetric, and keeps both an even picture and the sum of any, whatever the sizes. arg1: s; arg2: q.
+ * Light scattered in a lens or an eye: (1 − s) I + s G I with a glare G of many widths and ∫ G = 1, so that light is conserved; no threshold, since
+ * scattering has none. G: the picture is downsampled six times by the B-spline [1 3 3 1]/8 and upsampled by its transpose, at each level blending
+ * (1 − q) of its own with q of the wider levels. Upsampling U is a mean of texels (rows sum to 1); downsampling is its transpose, weighted by the
+ * number μ of pixels that a texel stands for: μ′ = Uᵀ μ, I′ = Uᵀ μ I/μ′. So G is symmetric, and preserves constant pictures and the sum of all
+ * pixels, at any size. arg1: s; arg2: q. docs/physics.md §8.4.
  */
 export function bloom({ image }: GBufferReader, [scattered = 0, spread = 0]: readonly number[]): FloatImage {
   const levels = [image.map((x, y) => [...image.at(x, y), 1], 4)];
-  for (let k = 0; k < BLOOM_LEVELS; k++) levels.push(halved(levels[k]!));
+  for (let k = 0; k < BLOOM_LEVELS; k++) levels.push(downsample(levels[k]!));
   let wide = levels[BLOOM_LEVELS]!;
   for (let k = BLOOM_LEVELS - 1; k > 0; k--) wide = blend(levels[k]!, wide, spread);
   return blend(image, wide, scattered);
 }
 
-const blend = (near: FloatImage, wide: FloatImage, share: number): FloatImage =>
+const blend = (near: FloatImage, wide: FloatImage, wideWeight: number): FloatImage =>
   near.map((x, y) => {
-    const up = doubled(wide, x, y);
-    const [r = 0, g = 0, b = 0] = near.at(x, y).map((value, c) => value + share * (up[c]! - value));
+    const up = upsampled(wide, x, y);
+    const [r = 0, g = 0, b = 0] = near.at(x, y).map((value, c) => value + wideWeight * (up[c]! - value));
     return [r, g, b];
   });
 
-/** (colour, μ/4ᵏ), from the 4 × 4 texels that take from this one on the way up. */
-function halved(from: FloatImage): FloatImage {
+/** The next level, (colour, μ/4ᵏ), from the 4 × 4 texels that a texel contributes to in upsampling. */
+function downsample(from: FloatImage): FloatImage {
   const [width, height] = [Math.ceil(from.width / 2), Math.ceil(from.height / 2)];
   const make = (x: number, y: number): readonly number[] => {
     const sum = [0, 0, 0];
@@ -42,7 +43,7 @@ function halved(from: FloatImage): FloatImage {
   return FloatImage.of(width, height, 4, make);
 }
 
-/** How much of the texel `coarse` the texel `fine` takes on the way up, along one side of `n` fine ones: ¾ of the one over it, ¼ of the next that there is. */
+/** Weight of the texel `coarse` in the upsampled texel `fine`, along one axis of `n` fine texels: ¾ for the one that contains it, ¼ for the nearest other one. */
 function upsampleWeight(fine: number, coarse: number, n: number): number {
   if (fine < 0 || fine >= n) return 0;
   const own = Math.floor(fine / 2);
@@ -50,8 +51,8 @@ function upsampleWeight(fine: number, coarse: number, n: number): number {
   return (own === coarse ? 0.75 : 0) + (next === coarse ? 0.25 : 0);
 }
 
-/** The pixel (x, y) of a picture of twice the size. */
-function doubled(from: FloatImage, x: number, y: number): readonly number[] {
+/** The pixel (x, y) of the picture upsampled to twice the size. */
+function upsampled(from: FloatImage, x: number, y: number): readonly number[] {
   const [i, j] = [x >> 1, y >> 1];
   const [ni, nj] = [x % 2 ? i + 1 : i - 1, y % 2 ? j + 1 : j - 1];
   const [own, beside, below, corner] = [from.at(i, j), from.at(ni, j), from.at(i, nj), from.at(ni, nj)];

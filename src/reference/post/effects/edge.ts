@@ -10,9 +10,9 @@ const SIDES = [
 ] as const;
 
 /**
- * Lines where light changes (Sobel's gradient of the luminance, over its mean), where something ends before what is behind it (how far 1/d bends outwards, over 1/d:
- * across a plane it is straight), and where normals turn. arg1 … arg3: how much each counts; arg4: 0 gives the lines alone, white on black, 1 draws
- * them in black on the picture.
+ * Lines where luminance changes (its Sobel gradient divided by its mean), at depth discontinuities, on the near side (the second difference of 1/d,
+ * which is linear across a plane, divided by 1/d), and where normals change. arg1 … arg3: the strength of each; arg4: 0 outputs white lines on black,
+ * 1 draws black lines on the picture.
  */
 export function edge(
   frame: GBufferReader,

@@ -48,14 +48,14 @@ const expectEqual = (a: FloatImage, b: FloatImage, digits = 9): void =>
   });
 
 describe('effects', () => {
-  it('take four numbers at most, whose defaults are in their ranges', () => {
+  it('take at most four numbers, whose defaults are in their ranges', () => {
     for (const id of EFFECT_IDS) {
       expect(EFFECTS[id].args.length).toBeLessThanOrEqual(4);
       for (const { default: value, min, max } of EFFECTS[id].args) expect(value >= min && value <= max, id).toBe(true);
     }
   });
 
-  it('read no other data than they say', () => {
+  it('read only the channels that they declare', () => {
     for (const id of EFFECT_IDS) {
       const taken = wall(flat(6, 5, 1), () => 3);
       const names = new Set<AovName>(EFFECTS[id].reads.flatMap((channel) => AOVS_OF_EFFECT_CHANNEL[channel]));
@@ -65,13 +65,13 @@ describe('effects', () => {
     }
   });
 
-  it('hold their numbers to their ranges', () => {
+  it('clamp their numbers to their ranges', () => {
     const image = single(30, 30, 15, 15);
     expect(effect('gaussian-blur', [1e9, 0], image).values).toEqual(effect('gaussian-blur', [20, 0], image).values);
     expect(effect('bloom', [-1], image).values).toEqual(image.values);
   });
 
-  it('that somebody wrote are given what they look at', () => {
+  it('written as text receive the channels that they read', () => {
     const taken = wall(flat(6, 5, 1), (x) => (x < 3 ? 4 : 0));
     const program = readShaderText(`
 fn effect(p: Pixel) -> vec4f {
@@ -85,7 +85,7 @@ fn effect(p: Pixel) -> vec4f {
     expect(after.at(2, 2)).toEqual([0, 0, 3.5]);
   });
 
-  it('leave a picture as it is where a mask is 0, and are whole where it is 1', () => {
+  it('do nothing where the mask is 0, and apply fully where it is 1', () => {
     const image = single(8, 6, 3, 3);
     const mask = image.map((x) => [x < 4 ? 0 : 1, 0, 0]);
     const masked = applyEffect(
@@ -99,15 +99,15 @@ fn effect(p: Pixel) -> vec4f {
   });
 });
 
-describe('beyond its edges a picture', () => {
-  it('is its mirror image', () => {
+describe('beyond its borders a picture', () => {
+  it('is mirrored', () => {
     expect([-3, -2, -1, 0, 1, 2, 3, 4, 5].map((i) => mirrorIndex(i, 3))).toEqual([2, 1, 0, 0, 1, 2, 2, 1, 0]);
     expect([-1, 0, 1, 2].map((i) => mirrorIndex(i, 1))).toEqual([0, 0, 0, 0]);
   });
 });
 
 describe('the Gaussian', () => {
-  it('keeps the sum, along rows and columns', () => {
+  it('preserves the sum, along rows and columns', () => {
     fc.assert(
       fc.property(pixels(16, 13), fc.constantFrom(0, 90, 180), fc.double({ min: 0, max: 4 }), (image, angle, sigma) => {
         expect(sum(effect('gaussian-blur', [sigma, angle], image)) / (sum(image) || 1)).toBeCloseTo(
@@ -119,7 +119,7 @@ describe('the Gaussian', () => {
     );
   });
 
-  it('across and then down is the one of two dimensions', () => {
+  it('along rows and then columns is the two-dimensional Gaussian', () => {
     const twice = effect('gaussian-blur', [2, 90], effect('gaussian-blur', [2, 0], single(31, 31, 15, 15)));
     const bell = (x: number) => Math.exp((-x * x) / 8);
     const norm = Array.from({ length: 13 }, (_, i) => bell(i - 6)).reduce((a, b) => a + b);
@@ -133,7 +133,7 @@ describe('the Gaussian', () => {
     expect(twice.at(22, 15)).toEqual([0, 0, 0]);
   });
 
-  it('has its width in every direction', () => {
+  it('has the same width in every direction', () => {
     for (const degrees of [0, 20, 45, 70, 90, 135]) {
       const blurred = effect('gaussian-blur', [3, degrees], single(41, 41, 20, 20));
       const [c, s] = [Math.cos((degrees * Math.PI) / 180), Math.sin((degrees * Math.PI) / 180)];
@@ -154,7 +154,7 @@ describe('the Gaussian', () => {
 
 describe('the bilateral filter', () => {
   const step = (x: number) => (x < 8 ? 2 : 9);
-  it('without ranges is the Gaussian', () => {
+  it('is the Gaussian without ranges', () => {
     fc.assert(
       fc.property(pixels(12, 9), (image) => {
         const gaussian = effect('gaussian-blur', [1.5, 90], effect('gaussian-blur', [1.5, 0], image));
@@ -170,7 +170,7 @@ describe('the bilateral filter', () => {
     for (let x = 0; x < 16; x++) expect(Math.abs(filtered.at(x, 4)[0]! - (x < 8 ? 1 : 5))).toBeLessThan(0.02);
   });
 
-  it('does not mix the sky with what is before it', () => {
+  it('does not mix sky and surfaces', () => {
     const image = FloatImage.of(16, 9, 3, (x) => (x < 8 ? [1, 1, 1] : [7, 7, 7]));
     expectEqual(
       effect('bilateral-filter', [2, 1, 0], image, (x) => (x < 8 ? 2 : 0)),
@@ -180,7 +180,7 @@ describe('the bilateral filter', () => {
 });
 
 describe('bloom', () => {
-  it('makes no light and loses none', () => {
+  it('conserves light', () => {
     fc.assert(
       fc.property(
         pixels(37, 22),
@@ -194,7 +194,7 @@ describe('bloom', () => {
     );
   });
 
-  it('whatever the size, and wherever the light is', () => {
+  it('at any size, wherever the light is', () => {
     const [width, height] = [83, 51];
     const image = flat(width, height, 2);
     expectEqual(effect('bloom', [0.5, 0.7], image), image);
@@ -207,7 +207,7 @@ describe('bloom', () => {
       expect(sum(effect('bloom', [1, 0.7], single(width, height, x, y)))).toBeCloseTo(3, 9);
   });
 
-  it('is brightest at a light and dimmer away from it, alike to all sides', () => {
+  it('is brightest at a light and falls off, symmetrically', () => {
     const glare = effect('bloom', [1, 0.7], single(128, 128, 63, 63));
     const along = [0, 4, 8, 16, 32, 60].map((r) => glare.at(63 + r, 63)[0]!);
     along.slice(1).forEach((value, i) => {
@@ -219,7 +219,7 @@ describe('bloom', () => {
 });
 
 describe('sharpening', () => {
-  it('changes nothing that is flat, and without overshoot makes no value that was not between its neighbours', () => {
+  it('does not change uniform areas, and without overshoot stays within the range of the neighbours', () => {
     expectEqual(effect('sharpen', [4, 1], flat(7, 7, 3)), flat(7, 7, 3));
     fc.assert(
       fc.property(pixels(7, 6), (image) => {
@@ -242,30 +242,30 @@ describe('sharpening', () => {
 });
 
 describe('fog', () => {
-  it('lets through e^(−r/ℓ) of the light, r in the world’s frame', () => {
+  it('transmits e^(−r/ℓ) of the light, r in the world frame', () => {
     const view = { ...VIEW, u: properVelocity([0, 0, -0.8]) };
     const taken = wall(flat(3, 3, 10), () => 20, view);
-    // The apparent distance, in the observer's frame, is another one: it is not asked.
+    // The apparent distance, in the observer's frame, differs and is not used.
     const shifted = { ...taken, aovs: new Map(taken.aovs).set('depth', new Float64Array(9).fill(6.67)) };
     const [value] = applyEffect('fog', [10, 0, 0, 0], shifted).at(1, 1);
     expect(value).toBeCloseTo(10 * Math.exp(-2), 12);
   });
 
-  it('is all there is of what is far away, and of the sky as much as is told', () => {
+  it('hides distant surfaces, and the sky by the given opacity', () => {
     expect(effect('fog', [0.1, 2, 0, 0], flat(3, 3, 10), () => 1e3).at(1, 1)).toEqual([2, 2, 2]);
     expect(effect('fog', [10, 2, 0, 0.25], flat(3, 3, 10), () => 0).at(1, 1)).toEqual([8, 8, 8]);
   });
 });
 
 describe('the sky background', () => {
-  it('is only where nothing is', () => {
+  it('is drawn only where no surface is', () => {
     const sky = effect('sky-background', [1, 0.45, 0, 1], flat(9, 9, 0), (x) => (x < 4 ? 5 : 0));
     expect(sky.at(3, 4)).toEqual([0, 0, 0]);
     expect(relativeLuminance(...(sky.at(4, 4) as [number, number, number]))).toBeGreaterThan(0.2);
     expect(sky.at(8, 0)[2]! / sky.at(8, 0)[0]!).toBeGreaterThan(sky.at(8, 4)[2]! / sky.at(8, 4)[0]!);
   });
 
-  it('takes things into it with their distance', () => {
+  it('fades surfaces into it with distance', () => {
     const faded = effect('sky-background', [0, 0.45, 10, 1], flat(3, 3, 1), () => 20);
     expect(faded.at(1, 1)[0]).toBeCloseTo(Math.exp(-2), 12);
   });
@@ -284,17 +284,17 @@ describe('the vignette', () => {
 });
 
 describe('edges', () => {
-  it('are where something ends, on its own side, and not along a plane', () => {
+  it('are at depth discontinuities, on the near side, and not on planes', () => {
     const lines = effect('edge', [0, 5, 0, 0], flat(12, 5, 1), (x) => (x < 6 ? 2 : 9));
     expect(Array.from({ length: 12 }, (_, x) => lines.at(x, 2)[0]! > 0.5)).toEqual(
       Array.from({ length: 12 }, (_, x) => x === 5),
     );
-    // 1/z of a plane is linear across a picture.
+    // 1/z of a plane is linear in pixels.
     const plane = effect('edge', [0, 5, 0, 0], flat(12, 5, 1), (x) => 1 / (0.1 + 0.02 * x));
     for (let x = 1; x < 11; x++) expect(plane.at(x, 2)[0]).toBeCloseTo(0, 9);
   });
 
-  it('of light do not depend on how bright it is', () => {
+  it('of light do not depend on its brightness', () => {
     const image = (scale: number) => FloatImage.of(8, 4, 3, (x) => [0, 0, 0].map(() => (x < 4 ? 1 : 2) * scale));
     const [dim, bright] = [1e2, 1e4].map((scale) => effect('edge', [1, 0, 0, 0], image(scale)).at(4, 2)[0]!);
     expect(dim).toBeGreaterThan(0.1);
@@ -305,7 +305,7 @@ describe('edges', () => {
 describe('depth of field', () => {
   const SIZE = 49;
   const focal = SIZE / (2 * Math.tan(0.5));
-  /** A speck of 3 × 3 pixels before a wall, both at a depth along the axis. */
+  /** A spot of 3 × 3 pixels in front of a wall, each at a depth along the axis. */
   const speck = (z: number, wallAt: number, args: readonly number[]) => {
     const middle = (SIZE - 1) / 2;
     const speckAt = (x: number, y: number) => Math.max(Math.abs(x - middle), Math.abs(y - middle)) <= 1;
@@ -319,7 +319,7 @@ describe('depth of field', () => {
     return effect('depth-of-field', args, image, (x, y) => (speckAt(x, y) ? z : wallAt * along(x, y)));
   };
 
-  it('leaves what is in focus as it is', () => {
+  it('does not change surfaces in focus', () => {
     const image = FloatImage.of(9, 9, 3, (x, y) => [x, y, 1]);
     expectEqual(
       effect('depth-of-field', [5, 0, 16], image, () => 3),
@@ -330,7 +330,7 @@ describe('depth of field', () => {
     expect(sharp.at(27, 24)[0]).toBeCloseTo(0, 6);
   });
 
-  it('makes a disc of a speck, of the radius ½ A |1/f − 1/z| F', () => {
+  it('spreads a spot to a disc of radius ½ A |1/f − 1/z| F', () => {
     const [z, f, aperture] = [2, 20, 0.8];
     const rho = (aperture / 2) * (1 / z - 1 / f) * focal;
     const disc = speck(z, 20, [f, 1000 * aperture, 24]);
@@ -351,7 +351,7 @@ describe('depth of field', () => {
     expect(lit(rho + 3, 24)).toBe(0);
   });
 
-  it('does not spread a blurred background over what is sharp before it', () => {
+  it('does not spread a blurred background over a sharp foreground', () => {
     const image = FloatImage.of(33, 33, 3, (x) => (x < 16 ? [1, 0, 0] : [0, 9, 0]));
     const blurred = effect('depth-of-field', [2, 800, 12], image, (x) => (x < 16 ? 2 : 50));
     expect(blurred.at(14, 16)[1]).toBeLessThan(0.3);
@@ -361,7 +361,7 @@ describe('depth of field', () => {
 
 describe('mixing', () => {
   const same: readonly MixMode[] = ['normal', 'multiply', 'add', 'screen', 'overlay', 'difference'];
-  it('at alpha 0 is the picture below; normal at alpha 1 is the one above', () => {
+  it('gives the lower picture at alpha 0; mode normal gives the upper one at alpha 1', () => {
     fc.assert(
       fc.property(pixels(4, 3), pixels(4, 3), fc.constantFrom(...same), (a, b, mode) => {
         expect(mixImages(mode, 0, a, b).values).toEqual(a.values);
@@ -371,7 +371,7 @@ describe('mixing', () => {
     );
   });
 
-  it('within 0 … 1 has the modes of every drawing program', () => {
+  it('has the usual blend modes within 0 … 1', () => {
     const unit = fc.double({ min: 0, max: 1, noNaN: true });
     fc.assert(
       fc.property(unit, unit, (p, q) => {
@@ -385,7 +385,7 @@ describe('mixing', () => {
     );
   });
 
-  it('of bright light never darkens it by a screen, nor by an overlay', () => {
+  it('never darkens light above 1 by screen or overlay', () => {
     fc.assert(
       fc.property(BRIGHT, BRIGHT, (p, q) => {
         const of = (mode: MixMode, a: number, b: number) => mixImages(mode, 1, flat(1, 1, a), flat(1, 1, b)).values[0]!;
@@ -396,7 +396,7 @@ describe('mixing', () => {
     );
   });
 
-  it('splits to the pixel, and wipes from one picture to the other', () => {
+  it('splits at a pixel, and wipes from one picture to the other', () => {
     const [a, b] = [flat(10, 2, 0), flat(10, 2, 1)];
     expect(Array.from({ length: 10 }, (_, x) => mixImages('split', 0.3, a, b).at(x, 0)[0])).toEqual([
       0, 0, 0, 1, 1, 1, 1, 1, 1, 1,
@@ -408,7 +408,7 @@ describe('mixing', () => {
     expect(half.at(50, 0)[0]).toBeCloseTo(0.45, 9);
   });
 
-  it('goes through a mask', () => {
+  it('applies a mask', () => {
     const [a, b] = [flat(4, 1, 1), flat(4, 1, 3)];
     const mask = new FloatImage(4, 1, 3, [-1, 0, 0, 0, 0, 0, 0.5, 0, 0, 2, 0, 0]);
     for (const mode of MIX_MODES.filter((m) => m === 'add' || m === 'normal'))

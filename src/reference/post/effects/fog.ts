@@ -3,9 +3,9 @@ import { FOG } from '../../../scene/frameGraph/effects.ts';
 import type { FloatImage, GBufferReader } from './effectInput.ts';
 
 /**
- * Fog that rests in the world and fills it: I e^(−r/ℓ) + F (1 − e^(−r/ℓ)). r = |Δx| = c (t_o − t_e) is the retarded distance in the fog's rest frame, the world's:
- * what the light has travelled through it; the observer's own motion does not change it, and the apparent distance |Δx′| plays no part. F is not shifted by
- * the observer's motion. arg1: mean free path ℓ [m]; arg2: brightness of F; arg3: 0 grey, 1 blue as haze; arg4: how much of the sky it covers.
+ * Homogeneous fog at rest in the world: I e^(−r/ℓ) + F (1 − e^(−r/ℓ)). r = |Δx| = c (t_o − t_e) is the distance that the light has travelled in the
+ * fog's rest frame, the world; unlike the apparent distance |Δx′| it does not depend on the observer's motion. F is not Doppler shifted.
+ * arg1: mean free path ℓ [m]; arg2: brightness of F; arg3: 0 grey, 1 blue haze; arg4: opacity in front of the sky.
  */
 export function fog(
   frame: GBufferReader,
@@ -13,7 +13,7 @@ export function fog(
 ): FloatImage {
   const light = scale(lerp(FOG.gray, FOG.haze, haze), brightness);
   return frame.image.map((x, y) => {
-    const covered = frame.isCovered(x, y) ? 1 - Math.exp(-length(frame.eventOffset(x, y)) / path) : overSky;
-    return lerp(frame.image.at(x, y) as unknown as Vec3, light, covered);
+    const opacity = frame.isCovered(x, y) ? 1 - Math.exp(-length(frame.eventOffset(x, y)) / path) : overSky;
+    return lerp(frame.image.at(x, y) as unknown as Vec3, light, opacity);
   });
 }

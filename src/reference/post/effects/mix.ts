@@ -6,10 +6,10 @@ type ChannelBlend = (a: number, b: number) => number;
 const within = (value: number): number => Math.min(Math.max(value, 0), 1);
 const above = (value: number): number => Math.max(value - 1, 0);
 
-/** 1 − (1 − a)(1 − b) of what lies within 0 … 1, plus what is above. */
+/** 1 − (1 − a)(1 − b) of the parts within 0 … 1, plus the parts above 1. */
 const screen: ChannelBlend = (a, b) => 1 - (1 - within(a)) * (1 - within(b)) + above(a) + above(b);
 
-/** `multiply` where a is dark and `screen` where it is light, of what lies within 0 … 1, plus what of a is above. */
+/** `multiply` where a < ½, otherwise `screen`, of the parts within 0 … 1, plus the part of a above 1. */
 const overlay: ChannelBlend = (a, b) => {
   const [p, q] = [within(a), within(b)];
   return (p < 0.5 ? 2 * p * q : 1 - 2 * (1 - p) * (1 - q)) + above(a);
@@ -26,17 +26,17 @@ const BLENDS: Readonly<Record<MixMode, ChannelBlend>> = {
   wipe: (_, b) => b,
 };
 
-/** (1 − m s) a + m s B(a, b), with s the share of the mode at a place `across` the picture, 0 … 1; m: the mask. Sizes are `a`'s. */
+/** (1 − m s) a + m s B(a, b), with the mask m and the mode's weight s at the fraction `across` of the width. The size is that of `a`. */
 export function mixImages(mode: MixMode, alpha: number, a: FloatImage, b: FloatImage, mask?: FloatImage): FloatImage {
   return a.map((x, y) => {
-    const share = shareAt(mode, alpha, (x + 0.5) / a.width) * within(mask?.at(x, y)[0] ?? 1);
+    const weight = weightAt(mode, alpha, (x + 0.5) / a.width) * within(mask?.at(x, y)[0] ?? 1);
     const over = b.at(x, y);
-    return a.at(x, y).map((value, c) => (1 - share) * value + share * BLENDS[mode](value, over[c]!));
+    return a.at(x, y).map((value, c) => (1 - weight) * value + weight * BLENDS[mode](value, over[c]!));
   });
 }
 
-/** `split`: a to the left of alpha, b to the right. `wipe`: b comes in from the left, behind a soft border. Otherwise alpha. */
-function shareAt(mode: MixMode, alpha: number, across: number): number {
+/** `split`: a to the left of alpha, b to the right. `wipe`: b enters from the left, behind a soft border. Otherwise alpha. */
+function weightAt(mode: MixMode, alpha: number, across: number): number {
   if (mode === 'split') return across < alpha ? 0 : 1;
   if (mode === 'wipe') return within((alpha * (1 + WIPE_WIDTH) - across) / WIPE_WIDTH);
   return alpha;

@@ -7,7 +7,7 @@ import {
 import { runShaderProgram } from '../../../scene/shaderText/run.ts';
 import type { FloatImage, GBufferReader } from './effectInput.ts';
 
-/** A picture after an effect that somebody wrote (scene/shaderText/). `time`: world time of the observer [s]. */
+/** Applies a user-written effect (scene/shaderText/). `time`: world time of the observer [s]. */
 export const applyShaderText = (
   program: ShaderProgram,
   frame: GBufferReader,
@@ -15,14 +15,14 @@ export const applyShaderText = (
   time: number,
 ): FloatImage =>
   frame.image.map((x, y) => {
-    const about = {
+    const pixelInputs = {
       look: (channel: ShaderChannel, dx: number, dy: number) => readChannel(frame, channel, x + dx, y + dy),
       input: (name: ShaderInput) => inputOf(frame, name, x, y, args, time),
     };
-    return runShaderProgram(program, about).slice(0, 3);
+    return runShaderProgram(program, pixelInputs).slice(0, 3);
   });
 
-/** Of a channel at a pixel; where nothing is, all are 0. */
+/** A channel's values at a pixel; 0 where no surface is. */
 function readChannel(frame: GBufferReader, channel: ShaderChannel, x: number, y: number): readonly number[] {
   if (channel === 'image') return [...frame.image.at(x, y), 1];
   if (!frame.isCovered(x, y)) return Array.from({ length: SHADER_CHANNELS[channel] }, () => 0);

@@ -3,8 +3,8 @@ import type { FloatImage, GBufferReader } from './effectInput.ts';
 const BINOMIAL = [1, 2, 1];
 
 /**
- * I + k (I − B), B the picture under a 3 × 3 binomial, kept between the least and the most of the nine pixels, or as far outside of them as told, and never below 0:
- * without overshoot no halo appears. arg1: k; arg2: overshoot, as a share of their range.
+ * I + k (I − B) with B the picture filtered by a 3 × 3 binomial, clamped to the range of the nine pixels enlarged by the overshoot, and never below 0:
+ * without overshoot there are no halos. arg1: k; arg2: overshoot, as a fraction of the range.
  */
 export function sharpen({ image }: GBufferReader, [strength = 0, overshoot = 0]: readonly number[]): FloatImage {
   return image.map((x, y) => {
@@ -15,10 +15,10 @@ export function sharpen({ image }: GBufferReader, [strength = 0, overshoot = 0]:
     return here.map((value, c) => {
       const blurred = around.reduce((sum, { weight, texel }) => sum + weight * texel[c]!, 0);
       const values = around.map(({ texel }) => texel[c]!);
-      const [least, most] = [Math.min(...values), Math.max(...values)];
-      const slack = overshoot * (most - least);
+      const [min, max] = [Math.min(...values), Math.max(...values)];
+      const slack = overshoot * (max - min);
       const sharp = value + strength * (value - blurred);
-      return Math.min(Math.max(sharp, least - slack, 0), most + slack);
+      return Math.min(Math.max(sharp, min - slack, 0), max + slack);
     });
   });
 }

@@ -4,9 +4,10 @@ import { SKY_SHAPE } from '../../../scene/lights/skyGradient.ts';
 import type { FloatImage, GBufferReader } from './effectInput.ts';
 
 /**
- * A clear day's sky where nothing is, at rest in the world: aberration bends it as it bends a sky, but it is a backdrop, and has no Doppler shift. Things fade
- * into it with 1 − exp(−r/L), r = |Δx| what their light has travelled in the world's frame. arg1: brightness; arg2: power of n·zenith by which the colour
- * goes from the horizon's to the zenith's; arg3: L [m], 0 does not fade; arg4: opacity. After `relativity_background.fs` of the sources.
+ * A clear day's sky where no surface is, at rest in the world: aberration applies to it as to a sky, but as a backdrop it has no Doppler shift.
+ * Surfaces fade into it by 1 − exp(−r/L), r = |Δx| the distance that their light has travelled in the world frame. arg1: brightness; arg2: exponent of
+ * n·zenith for the blend from the colour of the horizon to that of the zenith; arg3: L [m], 0: no fading; arg4: opacity.
+ * After `relativity_background.fs` of the sources.
  */
 export function skyBackground(
   frame: GBufferReader,
@@ -20,7 +21,7 @@ export function skyBackground(
   });
 }
 
-/** The clear day's sky (`SKY_SHAPE`), with a curve of its own. */
+/** The clear day's sky (`SKY_SHAPE`) with its own exponent `curve`. */
 function backdrop(height: number, curve: number): Vec3 {
   const { dim, haze, seam } = SKY_SHAPE;
   const { horizon, ground } = DAY_SKY.gradient;
