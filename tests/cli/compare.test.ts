@@ -33,7 +33,7 @@ const channel = (name: string, value: Value, type: ExrChannel['type'] = 'float')
 const exr = (name: string, channels: readonly ExrChannel[]): string =>
   save(name, writeExr({ width, height, channels }));
 
-/** A wall behind which nothing is, seen `shift` pixels too far to the right. */
+/** A wall that fills the picture, shifted by `shift` pixels to the right. */
 const wall = (shift: number): ExrChannel[] => [
   channel('object', () => 1, 'uint'),
   channel('position.x', (x) => 0.1 * (x - shift)),
@@ -49,7 +49,7 @@ const b = png('b.png', 12);
 const near = exr('near.exr', [...light(1), ...wall(2), channel('doppler', () => 1)]);
 const far = exr('far.exr', [...light(1.1), ...wall(0), channel('depth', () => 5)]);
 
-test('a picture and itself do not differ, by any metric', async () => {
+test('a picture does not differ from itself by any metric', async () => {
   for (const metric of ['flip', 'pixels']) {
     const found = await slowlightJson('compare', a, a, '--metric', metric);
     expect(found).toMatchObject({ metric, width, height, mean: 0, max: 0, share: 0 });
@@ -58,7 +58,7 @@ test('a picture and itself do not differ, by any metric', async () => {
   expect(found).toMatchObject({ otherObject: 0, displacement: { max: 0, share: 0, lost: 0 } });
 });
 
-test('tells a person how two pictures differ, and draws where', async () => {
+test('prints how two pictures differ, and draws an error map', async () => {
   const map = place('error.png');
   const { code, out } = await slowlight('compare', a, b, '-o', map);
   expect(code).toBe(0);
@@ -68,11 +68,11 @@ test('tells a person how two pictures differ, and draws where', async () => {
   const drawn = decodeImage(readFileSync(map), map);
   expect(drawn.height).toBeGreaterThan(height);
   const brightness = (x: number) => drawn.data[4 * (15 * drawn.width + x)];
-  // The columns that changed, and far from them.
+  // The changed columns, and columns far from them.
   expect(brightness(10)).toBeGreaterThan(brightness(30) + 50);
 });
 
-test('draws both pictures beside their error', async () => {
+test('draws both pictures beside the error map', async () => {
   for (const [first, second] of [
     [a, b],
     [near, far],
@@ -90,7 +90,7 @@ test('counts the pixels that differ', async () => {
   expect(found).toMatchObject({ share: 0.1, threshold: 0.02, max: expect.closeTo(127 / 255, 5) });
 });
 
-test('ends with 5 where more pixels differ than are allowed', async () => {
+test('exits with 5 if more pixels differ than allowed', async () => {
   const allowing = (share: string) => slowlight('compare', a, b, '--metric', 'pixels', '--fail-above', share);
   expect((await allowing('0.1')).code).toBe(0);
   const { code, out, err } = await allowing('0.05');
@@ -99,7 +99,7 @@ test('ends with 5 where more pixels differ than are allowed', async () => {
   expect(err).toContain('10 % of the pixels are different, and --fail-above allows 5 %');
 });
 
-test('compares channels, and tells how far what is seen is displaced', async () => {
+test('compares channels, and reports displacements', async () => {
   const found = await slowlightJson<{ channels: { name: string; absolute: { max: number } }[] }>(
     ...['compare', near, far, '--metric', 'aov', '-o', place('moved.png')],
   );
@@ -133,7 +133,7 @@ test('data without light are compared and drawn', async () => {
   expect(why).toContain('has no channel R');
 });
 
-test('light of any brightness is compared at the exposures that it needs', async () => {
+test('high dynamic range pictures are compared at suitable exposures', async () => {
   const found = await slowlightJson<{ mean: number }>('compare', near, far);
   expect(found).toMatchObject({ metric: 'flip', exposures: { count: 2 } });
   expect(found.mean).toBeGreaterThan(0.01);
@@ -167,7 +167,7 @@ test.each([
   ['a triptych without a file', () => [a, b, '--triptych'], 2, ['-o']],
   ['a channel of no metric', () => [near, far, '--channel', 'R'], 2, ['--metric aov']],
   ['an unknown metric', () => [a, b, '--metric', 'ssim'], 2, ['flip']],
-])('%s is refused with a word on what to do', async (_, args, code, words) => {
+])('%s is rejected with a remedy', async (_, args, code, words) => {
   const result = await slowlight('compare', ...args());
   expect(result.code, result.err).toBe(code);
   for (const word of words) expect(result.err).toContain(word);

@@ -17,7 +17,7 @@ interface Inspection {
   readonly cameras: { path: string }[];
 }
 
-test('USD becomes glTF, OBJ and USD again', async () => {
+test('USD is converted to glTF, OBJ and USD', async () => {
   const before = await slowlightJson<Inspection>('inspect', scene('movers.usda'));
   for (const name of ['a.glb', 'a.gltf', 'b.usda', 'b.usdz']) {
     const { files } = await slowlightJson<Conversion>('convert', scene('movers.usda'), out(name));
@@ -35,7 +35,7 @@ test('USD becomes glTF, OBJ and USD again', async () => {
   expect(readFileSync(out('c.obj'), 'utf8').match(/^f /gm)).toHaveLength(36);
 });
 
-test('glTF becomes USD', async () => {
+test('glTF is converted to USD', async () => {
   await slowlight('convert', scene('movers.usda'), out('d.glb'));
   const before = await slowlightJson<Inspection>('inspect', out('d.glb'));
   await slowlight('convert', out('d.glb'), out('d.usda'));
@@ -43,7 +43,7 @@ test('glTF becomes USD', async () => {
   expect(after.objects).toEqual(before.objects);
 });
 
-test.runIf(hasUsdCore())('a binary USD is what the text is', async () => {
+test.runIf(hasUsdCore())('binary USD equals the text', async () => {
   expect((await slowlight('convert', scene('movers.usda'), out('e.usdc'))).code).toBe(0);
   expect(readFileSync(out('e.usdc')).subarray(0, 8).toString()).toBe('PXR-USDC');
   await slowlight('convert', scene('movers.usda'), out('e.usda'));
@@ -54,7 +54,7 @@ test.runIf(hasUsdCore())('a binary USD is what the text is', async () => {
   expect(binary.objects).toEqual(text.objects);
 });
 
-test('without usd-core a binary USD is refused, and how to get it is told', async () => {
+test('without usd-core binary USD is rejected, with how to install it', async () => {
   const env = { ...process.env, SLOWLIGHT_PYTHON: join(folder, 'no-python') };
   const { code, err } = await programResult(startIn(env, 'convert', scene('movers.usda'), out('f.usdc')));
   expect(code).toBe(4);
@@ -62,7 +62,7 @@ test('without usd-core a binary USD is refused, and how to get it is told', asyn
   expect(existsSync(out('f.usdc'))).toBe(false);
 });
 
-test('what cannot be written is refused, and nothing of others is written over', async () => {
+test('unwritable output is rejected, and other files are not overwritten', async () => {
   const unknown = await slowlight('convert', scene('movers.usda'), out('a.fbx'));
   expect(unknown.code).toBe(2);
   expect(unknown.err).toContain('.glb, .obj, .usdc, not as .fbx');
@@ -81,7 +81,7 @@ test('what cannot be written is refused, and nothing of others is written over',
   expect(existsSync(join(own, 'h.obj'))).toBe(false);
 });
 
-test('what is chosen is written, and what the author suggests for viewing goes with it', async () => {
+test('chosen variants are written, with the author’s viewing suggestions', async () => {
   writeFileSync(
     out('car.usda'),
     `#usda 1.0
@@ -101,7 +101,7 @@ def "Car" ( variants = { string body = "box" }; prepend variantSets = "body" ) {
   expect(fastest.speed).toBeCloseTo(3, 5);
 });
 
-/** A triangle that rests in one animation and in the other goes 3 m in 1 s. */
+/** A triangle at rest in one animation; in the other it moves 3 m in 1 s. */
 function twoAnimations(): string {
   const numbers = Float32Array.of(0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 3, 0, 0);
   const values = (from: number, count: number, type: string) => ({

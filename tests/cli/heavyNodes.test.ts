@@ -1,11 +1,11 @@
 import { expect, it } from 'vitest';
 import type { heavyNodes } from '../../src/cli/project/heavyNodes.ts';
 
-/** As built, for a thread starts from a file of its own. */
+/** The built library, because a thread starts from a file of its own. */
 const built = async (): Promise<{ heavyNodes: typeof heavyNodes }> =>
   import(new URL('../../dist/lib/cli/project/heavyNodes.js', import.meta.url).href);
 
-it('a node is evaluated in a thread of Node’s', async () => {
+it('a node is evaluated in a worker thread of Node.js', async () => {
   const run = (await built()).heavyNodes();
   const order = (operation: string, a: number) => ({
     type: 'math',

@@ -13,7 +13,7 @@ interface Inspection {
   readonly objects: { path: string; motion: string; samples: number; triangles: number }[];
 }
 
-test('tells counts, times and the fastest point', async () => {
+test('reports counts, times and the fastest point', async () => {
   const found = await slowlightJson<Inspection>('inspect', scene('movers.usda'));
   expect(found.counts).toMatchObject({ objects: 3, triangles: 36, lights: 1, cameras: 2 });
   expect([found.startTime, found.endTime]).toEqual([0, 2]);
@@ -21,7 +21,7 @@ test('tells counts, times and the fastest point', async () => {
   expect(found.objects.map(({ motion }) => motion)).toEqual(['static', 'uniform', 'sampled']);
 });
 
-test('draws the tree for a person', async () => {
+test('prints the tree as text', async () => {
   const { code, out } = await slowlight('inspect', scene('movers.usda'));
   expect(code).toBe(0);
   expect(out).toContain('└─ World');
@@ -29,7 +29,7 @@ test('draws the tree for a person', async () => {
   expect(out).toContain('0.600000 c');
 });
 
-test('a point faster than light is an error that names prim, speed and what to do', async () => {
+test('a point faster than light is an error with prim, speed and a remedy', async () => {
   const { code, out, err } = await slowlight('inspect', scene('too-fast.usda'));
   expect(code).toBe(3);
   expect(out).toMatch(/error: .*\/World\/Leaving.*c/);
@@ -37,7 +37,7 @@ test('a point faster than light is an error that names prim, speed and what to d
   expect((await slowlight('inspect', scene('too-fast.usda'), '--c', '20')).code).toBe(0);
 });
 
-test('what samples leave open is told, and cubics are taken where they are asked for', async () => {
+test('undersampled motion is reported, and cubic interpolation is used on request', async () => {
   const file = join(folder, 'cloth.usda');
   const points = [0, 6, 12, 18]
     .map((code) => `${code}: [(0, 0, ${(code / 12) ** 2}), (1, 0, 0), (0, 1, 0)]`)
@@ -77,12 +77,12 @@ def Cube "Wheel" {
         ...['--c', '20', '--position', '0,0,5'],
       )
     ).vertices[0]!.velocity[2]! * 20;
-  // x = (2t)² at 0.3 s: 8t, and the chord from 0.25 to 0.5 s.
+  // Velocity of x = (2t)² at 0.3 s: 8t with cubics, that of the chord from 0.25 to 0.5 s without.
   expect(await at('cubic')).toBeCloseTo(2.4, 5);
   expect(await at('linear')).toBeCloseTo(3, 5);
 });
 
-test('what cannot be read is refused by name', async () => {
+test('unreadable files are rejected by name', async () => {
   const empty = join(folder, 'empty.usda');
   writeFileSync(empty, '');
   const cut = join(folder, 'cut.usda');
@@ -97,7 +97,7 @@ test('what cannot be read is refused by name', async () => {
   }
 });
 
-test('a subdivision surface has the levels that are asked for', async () => {
+test('a subdivision surface has the requested levels', async () => {
   const path = join(folder, 'sheet.usda');
   writeFileSync(
     path,

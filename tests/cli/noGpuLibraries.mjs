@@ -1,4 +1,4 @@
-// For NODE_OPTIONS=--import: a Node in which the libraries that draw on GPUs and drive browsers cannot be loaded.
+// For NODE_OPTIONS=--import: a Node process in which the GPU and browser libraries cannot be loaded.
 import { register } from 'node:module';
 
 const hooks = `export const resolve = (name, context, next) => {

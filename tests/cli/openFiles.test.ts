@@ -31,7 +31,7 @@ interface Inspection {
   readonly diagnostics: readonly { readonly code: string }[];
 }
 
-test('a zip is opened, and any scene in it by its name', async () => {
+test('a zip opens its first scene, or any other by name', async () => {
   const zip = zipSync({ 'a/car.usda': text(CAR), 'a/b/other.usda': text(CAR.replaceAll('"Car"', '"Bus"')) });
   writeFileSync(at('set.zip'), zip);
   expect((await slowlightJson<Inspection>('inspect', at('set.zip'))).objects[0].path).toBe('/Car/Body');
@@ -44,7 +44,7 @@ test('a zip is opened, and any scene in it by its name', async () => {
   expect([missing.code, missing.err]).toEqual([3, expect.stringMatching(/no such file; there is .*car\.usda/)]);
 });
 
-test('a zip with nothing to see, one that is none and one that is not there are refused', async () => {
+test('a zip without a scene, a file that is no zip and a missing one are rejected', async () => {
   writeFileSync(at('empty.zip'), zipSync({ 'a.txt': text('x'), 'b.txt': text('y') }));
   writeFileSync(at('bad.zip'), 'PK, but no zip');
   mkdirSync(at('folder.zip'));
@@ -59,14 +59,14 @@ test('a zip with nothing to see, one that is none and one that is not there are 
   }
 });
 
-test('a file that is not there is told, and a folder that is not', async () => {
+test('a missing file and a missing folder are reported', async () => {
   for (const path of ['none.usda', 'none/car.usda']) {
     const { code, err } = await slowlight('inspect', at(path));
     expect([code, err]).toEqual([3, expect.stringMatching(/(none|car)\.usda: no such file/)]);
   }
 });
 
-test('variants are listed and chosen', async () => {
+test('variants are listed, and can be chosen', async () => {
   writeFileSync(at('car.usda'), CAR);
   const usual = await slowlightJson<Inspection>('inspect', at('car.usda'));
   expect(usual.variants).toEqual([{ set: '/Car{paint}', options: ['grey', 'pink'], chosen: 'grey' }]);
@@ -79,7 +79,7 @@ test('variants are listed and chosen', async () => {
   expect((await slowlight('convert', at('car.usda'), at('pink.obj'), '--variant', '/Car{paint}=pink')).code).toBe(0);
 });
 
-test('animations are listed and chosen by name or place', async () => {
+test('animations are listed, and can be chosen by name or number', async () => {
   const kit = new GltfBuilder();
   const node = kit.meshNode('A', kit.triangle([0, 0, 0, 1, 0, 0, 0, 1, 0]));
   kit.scene.addChild(node);
@@ -123,7 +123,7 @@ interface Changed extends Inspection {
   readonly fastest: { readonly path: string; readonly speed: number };
 }
 
-test('an animation is run otherwise, and what it makes too fast is told', async () => {
+test('an animation can be retimed, and resulting speeds above c are reported', async () => {
   writeFileSync(at('mover.usda'), MOVER);
   const changed = await slowlightJson<Changed>(
     'inspect',
@@ -139,7 +139,7 @@ test('an animation is run otherwise, and what it makes too fast is told', async 
   expect([tooFast.code, tooFast.out]).toEqual([3, expect.stringContaining('1.20 c')]);
 });
 
-test('things are made to fly, at a share of c that can be chosen', async () => {
+test('objects can be given a flight at a chosen fraction of c', async () => {
   const flying = ['--fly', '/Box=0,0.8,0@1', '--fly', '/Mover=0.5,0,0'];
   const scene = await slowlightJson<Changed>('inspect', at('mover.usda'), ...flying, '--c', '100');
   expect(scene.fastest).toMatchObject({ path: '/Box', speed: 80 });
@@ -160,7 +160,7 @@ test('things are made to fly, at a share of c that can be chosen', async () => {
   expect((await slowlight('inspect', at('mover.usda'), '--fly', '/Box')).code).toBe(2);
 });
 
-test('WebGL draws what was chosen and changed, out of a zip', async () => {
+test('WebGL draws a changed scene out of a zip', async () => {
   writeFileSync(at('mover.zip'), zipSync({ 'mover.usda': text(MOVER) }));
   const flags = ['--size', '96x64', '--fly', '/Box=0,0,-0.9@0', '--backend'];
   const pixels = async (backend: string) => {

@@ -19,7 +19,7 @@ interface PixelProbe {
 }
 const movers = scene('movers.usda');
 
-test('the light of a receding cube left when c times its age was its distance, and is redder', async () => {
+test('light of a receding cube was emitted where distance = c · age, and is redshifted', async () => {
   const { vertices, speedOfLight } = await slowlightJson<Probe>(
     'probe',
     movers,
@@ -32,16 +32,16 @@ test('the light of a receding cube left when c times its age was its distance, a
   expect(vertices).toHaveLength(24);
   for (const { time, position, apparent, doppler } of vertices) {
     const distance = Math.hypot(...position);
-    // On the observer's past light cone, and on the vertex's own world line: z(t) + 6 t is one of its two rest values.
+    // On the observer's past light cone, and on the vertex's world line: z(t) + 6 t has one of its two initial values.
     expect(distance).toBeCloseTo(10 * (2 - time), 10);
     expect(Math.abs(position[2] + 6 * time + 20)).toBeCloseTo(1, 10);
-    // An observer at rest sees it where it was, D = 1/[γ(1 + β·n)] with β along −z.
+    // An observer at rest sees it where it was at emission, D = 1/[γ(1 + β·n)] with β along −z.
     position.forEach((x, k) => void expect(apparent[k]).toBeCloseTo(x, 10));
     expect(doppler).toBeCloseTo(0.8 / (1 - (0.6 * position[2]) / distance), 10);
   }
 });
 
-test('a moving observer sees a cube at rest aberrated: the boosted light cone, by the textbook', async () => {
+test('a moving observer sees a cube at rest aberrated, as the boosted light cone has it', async () => {
   const flags = ['--position', '0,0,0', '--beta', '0,0,-0.8', '--time', '1'];
   const { vertices, observer } = await slowlightJson<Probe>('probe', movers, '--prim', '/World/Still', ...flags);
   expect(observer.gamma).toBeCloseTo(1 / 0.6, 12);
@@ -55,7 +55,7 @@ test('a moving observer sees a cube at rest aberrated: the boosted light cone, b
   }
 });
 
-test('the camera that moves is the observer', async () => {
+test('a moving camera is the observer', async () => {
   const { observer } = await slowlightJson<Probe>(
     'probe',
     movers,
@@ -88,13 +88,13 @@ test('the middle pixel sees the near side of the cube ahead', async () => {
   expect(nothing.seen).toBeNull();
 });
 
-test('without --json it is a table, one line per vertex', async () => {
+test('without --json the output is a table, one line per vertex', async () => {
   const { code, out } = await slowlight('probe', movers, '--prim', '/World/Still', '--view', 'simultaneity');
   expect(code).toBe(0);
   expect(out.trim().split('\n')).toHaveLength(25);
 });
 
-test('an object that is not there is answered with those that are', async () => {
+test('for a missing object the existing ones are listed', async () => {
   const { code, err } = await slowlight('probe', movers, '--prim', '/World/Cube');
   expect(code).toBe(2);
   expect(err).toContain('/World/Leaving');

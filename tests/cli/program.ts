@@ -11,20 +11,20 @@ const scenes = fileURLToPath(new URL('scenes/', import.meta.url));
 export const scene = (name: string): string => join(scenes, name);
 
 export interface ProgramResult {
-  /** Exit code; null where a signal ended it. */
+  /** Exit code; null if it was ended by a signal. */
   readonly code: number | null;
   readonly out: string;
   readonly err: string;
 }
 
-/** Starts the built program, as a person would. */
+/** Starts the built program as a user would. */
 export const start = (...args: string[]): ChildProcess => startIn(process.env, ...args);
 
-/** Starts it with other environment variables. */
+/** Starts it with additional environment variables. */
 export const startIn = (env: NodeJS.ProcessEnv, ...args: string[]): ChildProcess =>
   spawn(process.execPath, [bin, ...args], { stdio: ['ignore', 'pipe', 'pipe'], env });
 
-/** How a program that was started ends, with all it said. */
+/** Resolves with the exit code and all output of a started program. */
 export function programResult(child: ChildProcess): Promise<ProgramResult> {
   let out = '';
   let err = '';
@@ -45,14 +45,14 @@ export async function slowlightJson<T>(...args: string[]): Promise<T> {
   return JSON.parse(out) as T;
 }
 
-/** A folder for one test file's output, removed at its end. */
+/** A temporary folder for a test file's output, removed after its tests. */
 export function outputFolder(): string {
   const folder = mkdtempSync(join(tmpdir(), 'slowlight-cli-'));
   afterAll(() => rmSync(folder, { recursive: true, force: true }));
   return folder;
 }
 
-/** Runs any other program and returns what it printed. */
+/** Runs any other program and returns its output. */
 export async function ask(command: string, ...args: string[]): Promise<string> {
   const { code, out, err } = await programResult(spawn(command, args, { stdio: ['ignore', 'pipe', 'pipe'] }));
   if (code !== 0) throw new Error(`${command} ${args.join(' ')} ended with ${code}: ${err}`);

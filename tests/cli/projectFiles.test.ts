@@ -15,7 +15,7 @@ writeFileSync(project, serializeDocument(boxes));
 const into = join(folder, 'made');
 mkdirSync(into);
 
-test('the files that a project asks for are written where one says', async () => {
+test('the files requested by a project are written to the given folder', async () => {
   const { code, out, err } = await slowlight('render', project, '--folder', into, '--set', 'box.width=3', '--json');
   expect(code, err).toBe(0);
   expect(JSON.parse(out)).toEqual({ files: ['geometry.usda', 'other.usdz'].map((name) => join(into, name)) });

@@ -15,7 +15,7 @@ function into(name: string): string {
   return made;
 }
 
-test('a picture and a film are those of `render -o`', async () => {
+test('a project’s picture and film equal those of `render -o`', async () => {
   const here = into('both');
   const { files } = await slowlightJson<{ files: string[] }>('render', project, '--folder', here);
   expect(files).toEqual([join(here, 'film.mp4'), join(here, 'picture.png')]);
@@ -33,7 +33,7 @@ test('a picture and a film are those of `render -o`', async () => {
   expect(hashes[0]).toBe(hashes[1]);
 });
 
-test('frames and light are written one by one, and what is said on the command line comes first', async () => {
+test('frames and EXR files are written one by one, and flags override parameters', async () => {
   const here = into('frames');
   const sets = ['still.name=light.exr', 'film.name=f_###.png', 'film.to=0.5'].flatMap((text) => ['--set', text]);
   const { files } = await slowlightJson<{ files: string[] }>(
@@ -57,7 +57,7 @@ test('frames and light are written one by one, and what is said on the command l
   expect(about).toContain('worldTime\0' + '0.25 s');
 });
 
-test('Ctrl-C leaves nothing half written', async () => {
+test('Ctrl-C leaves no partial files', async () => {
   const here = into('stopped');
   const child = start('render', project, '--folder', here, '--pipeline', 'reference', '--set', 'film.to=200');
   const ends = programResult(child);

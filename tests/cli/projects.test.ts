@@ -13,7 +13,7 @@ const folder = outputFolder();
 const at = (name: string): string => join(folder, name);
 const example = (name: string): string => new URL(`../../examples/${name}.slowlight.json`, import.meta.url).pathname;
 
-/** A project that shows one file as it is. */
+/** A project that shows one file unchanged. */
 function projectOf(file: string, name: string): string {
   const path = at(name);
   const node = { kind: 'set-param', node: 'toneMap', param: 'metering', value: 'resting-eye' } as const;
@@ -24,7 +24,7 @@ function projectOf(file: string, name: string): string {
 const sized = ['--size', '64x36', '--pipeline', 'reference', '--beta', '0,0,-0.5'];
 const picture = [...sized, '--samples', '1'];
 
-test('a project gives the picture of its scene with the same flags, and a parameter that is set the one with that flag', async () => {
+test('a project renders as its scene with the same flags, and a set parameter acts as its flag', async () => {
   const project = projectOf(scene('movers.usda'), 'movers.slowlight.json');
   const runs = [
     [project],
@@ -43,7 +43,7 @@ test('a project gives the picture of its scene with the same flags, and a parame
   expect(made[0]!.equals(made[2]!)).toBe(false);
 });
 
-test('the observer of a project has the velocity that it says', async () => {
+test('the observer of a project has the given velocity', async () => {
   const document = parseDocument(readFileSync(projectOf(scene('movers.usda'), 'observed.slowlight.json'), 'utf8'));
   const start = { node: 'start', output: 'observer' } as const;
   const observed = applyCommand(document, {
@@ -59,7 +59,7 @@ test('the observer of a project has the velocity that it says', async () => {
   expect(JSON.parse(out).observer).toMatchObject({ beta: [0, expect.closeTo(0.6, 12), 0] });
 });
 
-test('an archive gives the picture of the project in it, with the files in it', async () => {
+test('an archive renders the project in it, with its files', async () => {
   const document = parseDocument(readFileSync(projectOf('movers.usda', 'packed.slowlight.json'), 'utf8'));
   const named = applyCommand(document, { kind: 'set-param', node: 'read', param: 'source', value: 'movers.usda' });
   const files = new Map([['movers.usda', new Uint8Array(readFileSync(scene('movers.usda')))]]);
@@ -73,27 +73,24 @@ test('an archive gives the picture of the project in it, with the files in it', 
   expect((await slowlight('graph', 'check', at('packed.zip'))).code).toBe(0);
 });
 
-/** What takes long at its full size. */
+/** Examples that are slow at full size. */
 const small: Readonly<Record<string, readonly string[]>> = {
   truth: ['--set', 'truth.width=32', '--set', 'truth.height=18'],
 };
 
-test.each(Object.entries(projects))(
-  'the example %s is what its sketch says, is sound, and makes a picture',
-  async (name, make) => {
-    expect(readFileSync(example(name), 'utf8')).toBe(serializeDocument(make()));
-    expect((await slowlight('graph', 'check', example(name))).code).toBe(0);
-    const { code, err } = await slowlight(
-      'render',
-      example(name),
-      ...[...picture, ...(small[name] ?? [])],
-      ...['-o', at(`${name}.png`)],
-    );
-    expect(code, err).toBe(0);
-  },
-);
+test.each(Object.entries(projects))('the example %s equals its sketch, is valid, and renders', async (name, make) => {
+  expect(readFileSync(example(name), 'utf8')).toBe(serializeDocument(make()));
+  expect((await slowlight('graph', 'check', example(name))).code).toBe(0);
+  const { code, err } = await slowlight(
+    'render',
+    example(name),
+    ...[...picture, ...(small[name] ?? [])],
+    ...['-o', at(`${name}.png`)],
+  );
+  expect(code, err).toBe(0);
+});
 
-test('what cannot be is refused by name and place', async () => {
+test('invalid projects are rejected with name and place', async () => {
   const project = projectOf(scene('movers.usda'), 'set.slowlight.json');
   const refused = async (...args: string[]) => {
     const { code, err } = await slowlight('render', ...args, '-o', at('no.png'));
@@ -118,7 +115,7 @@ test('what cannot be is refused by name and place', async () => {
   );
 });
 
-test('check tells faults, upgrade keeps what a project means, and docs tell of every node', async () => {
+test('check lists faults, upgrade preserves a project’s meaning, and docs cover every node', async () => {
   const damaged = JSON.parse(readFileSync(example('workshop'), 'utf8'));
   damaged.nodes.orbit.params.radius = -1;
   writeFileSync(at('bad.slowlight.json'), JSON.stringify(damaged));

@@ -32,10 +32,10 @@ const data: readonly AovName[] = ['depth', 'emission_time', 'doppler', 'position
 type Seen = Readonly<Record<'distance' | 'time' | 'doppler' | 'object', number>> &
   Readonly<Record<'position' | 'velocity', readonly number[]>>;
 
-/** A machine without a GPU and without a browser: nothing is on the PATH, and the only Vulkan driver named is not there. */
+/** A machine without GPU and browser: the PATH is empty, and the only Vulkan driver named does not exist. */
 const { CHROMIUM: _, ...rest } = process.env;
 const noGpu = { ...rest, PATH: folder, VK_ICD_FILENAMES: out('no-driver.json') };
-/** A machine on which the libraries that draw on GPUs do not even load. */
+/** A machine on which the GPU libraries do not even load. */
 const noLibraries = {
   ...noGpu,
   NODE_OPTIONS: `--import ${new URL('./noGpuLibraries.mjs', import.meta.url).href}`,
@@ -44,7 +44,7 @@ const noLibraries = {
 const without = (env: NodeJS.ProcessEnv, ...args: string[]): Promise<ProgramResult> =>
   programResult(startIn(env, ...args));
 
-test('a picture without any GPU, library for one or browser: the red cube ahead, sky above', async () => {
+test('renders without GPU, GPU libraries and browser: the red cube ahead, sky above', async () => {
   const file = out('still.png');
   const flags = [...size, '--time', '1', '--pipeline', 'reference', '--samples', '2', '--threads', '2', '--json'];
   const { code, err, out: json } = await without(noLibraries, 'render', movers, '-o', file, ...flags);
@@ -68,39 +68,36 @@ function valuesAt(image: ExrImage, name: AovName, x: number, y: number): number[
   });
 }
 
-test.each(['light-cone', 'simultaneity', 'galilean'])(
-  'data channels are what probe says of a pixel: %s',
-  async (view) => {
-    const file = out(`${view}.exr`);
-    const how = [...size, ...flight, '--view', view];
-    const { code, err } = await slowlight('render', movers, '-o', file, ...how, ...reference, '--aov', data.join());
-    expect(code, err).toBe(0);
-    const image = readExr(new Uint8Array(readFileSync(file)), file);
-    const ids = Array.from(image.channels.find(({ name }) => name === 'object')?.data ?? []);
-    const places = [1, 2, 3].map((id) => ids.indexOf(id)).filter((i) => i >= 0);
-    // The cube ahead is seen in every view; one that moves, in the views of light.
-    expect(places.length).toBeGreaterThanOrEqual(view === 'light-cone' ? 2 : 1);
-    for (const place of places) {
-      const [x, y] = [place % 96, Math.floor(place / 96)];
-      const { seen } = await slowlightJson<{ seen: Seen }>('probe', movers, '--pixel', `${x},${y}`, ...how);
-      const said: Record<string, readonly number[]> = {
-        depth: [seen.distance],
-        emission_time: [seen.time],
-        doppler: [seen.doppler],
-        position: seen.position,
-        velocity: seen.velocity,
-        object: [seen.object],
-      };
-      for (const name of data) {
-        const found = valuesAt(image, name, x, y);
-        // Both are f64 until the file's f32.
-        said[name].forEach((value, k) => void expect(found[k], `${name} at ${x},${y}`).toBeCloseTo(value, 5));
-      }
+test.each(['light-cone', 'simultaneity', 'galilean'])('data channels equal the probe of a pixel: %s', async (view) => {
+  const file = out(`${view}.exr`);
+  const how = [...size, ...flight, '--view', view];
+  const { code, err } = await slowlight('render', movers, '-o', file, ...how, ...reference, '--aov', data.join());
+  expect(code, err).toBe(0);
+  const image = readExr(new Uint8Array(readFileSync(file)), file);
+  const ids = Array.from(image.channels.find(({ name }) => name === 'object')?.data ?? []);
+  const places = [1, 2, 3].map((id) => ids.indexOf(id)).filter((i) => i >= 0);
+  // The cube ahead is visible in every view; the moving one only in views with light.
+  expect(places.length).toBeGreaterThanOrEqual(view === 'light-cone' ? 2 : 1);
+  for (const place of places) {
+    const [x, y] = [place % 96, Math.floor(place / 96)];
+    const { seen } = await slowlightJson<{ seen: Seen }>('probe', movers, '--pixel', `${x},${y}`, ...how);
+    const said: Record<string, readonly number[]> = {
+      depth: [seen.distance],
+      emission_time: [seen.time],
+      doppler: [seen.doppler],
+      position: seen.position,
+      velocity: seen.velocity,
+      object: [seen.object],
+    };
+    for (const name of data) {
+      const found = valuesAt(image, name, x, y);
+      // Both are computed in f64; the file holds f32.
+      said[name].forEach((value, k) => void expect(found[k], `${name} at ${x},${y}`).toBeCloseTo(value, 5));
     }
-  },
-);
+  }
+});
 
-test('the same bits from any number of threads, other ones from another seed', async () => {
+test('the bits depend on the seed, not on the number of threads', async () => {
   const aovs = ['--aov', ['beauty', 'albedo', 'normal', ...data].join()];
   const draw = async (name: string, ...flags: string[]): Promise<Buffer> => {
     const file = out(`${name}.exr`);
@@ -118,7 +115,7 @@ test('the same bits from any number of threads, other ones from another seed', a
   expect(one.equals(again)).toBe(false);
 });
 
-test('without a GPU the reference renderer takes over, and says so; not where a GPU was asked for', async () => {
+test('without a GPU the reference renderer is the fallback, with a message; but not if a GPU was requested', async () => {
   const render = (name: string, ...flags: string[]): Promise<ProgramResult> =>
     without(noGpu, 'render', movers, '-o', out(name), '--size', '32x18', '--json', ...flags);
   const { code, err, out: json } = await render('fallback.png');
@@ -140,7 +137,7 @@ test('without a GPU the reference renderer takes over, and says so; not where a 
   }
 });
 
-test('a film of the reference renderer has every frame', async () => {
+test('a film of the reference renderer has all frames', async () => {
   const file = out('film.mp4');
   const flags = ['--size', '32x18', ...reference, '--frames', '0:3', '--fps', '8'];
   const { code, err } = await slowlight('render', movers, '-o', file, ...flags);
@@ -149,7 +146,7 @@ test('a film of the reference renderer has every frame', async () => {
   expect((await ask('ffprobe', '-v', 'error', ...entries, file)).trim()).toBe('32,4');
 });
 
-test('Ctrl-C in the midst of the pictures ends them, without a word and without half a file', async () => {
+test('Ctrl-C stops rendering without a message and without partial files', async () => {
   const frames = ['--frames', '0:9999', '--fps', '100000'];
   const child = start('render', movers, '-o', out('frame.#.png'), '--size', '64x36', ...reference, ...frames);
   const ended = programResult(child);
@@ -161,7 +158,7 @@ test('Ctrl-C in the midst of the pictures ends them, without a word and without 
   expect(left.length).toBeLessThan(9999);
 });
 
-test('a thread that runs out of memory ends the picture with a word on what to do', async () => {
+test('a thread that runs out of memory fails the picture with a remedy', async () => {
   const built = (path: string): string => fileURLToPath(new URL(`../../dist/lib/${path}`, import.meta.url));
   const { nodeThreads } = (await import(
     built('cli/pipelines/nodeThreads.js')

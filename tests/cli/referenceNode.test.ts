@@ -19,7 +19,7 @@ function project(name: string, nodes: Readonly<Record<string, NodeSketch>>): str
   return at(name);
 }
 
-/** What the scene's camera sees, up to the G-buffer. */
+/** The graph from the scene's camera to the G-buffer. */
 const seenFrom = (scene: NodeSketch): Record<string, NodeSketch> => ({
   scene,
   console: { type: 'relativity-console', set: { speedOfLight: 10 }, from: { scene: 'scene.scene' } },
@@ -34,14 +34,14 @@ const still = (set: NodeSketch['set']): NodeSketch => ({
 const shaded: NodeSketch = { type: 'deferred-lighting', set: { occlusion: false }, from: { gbuffer: 'seen.gbuffer' } };
 const showing = (image: string): NodeSketch => ({ type: 'output', from: { image: `${image}.image` } });
 
-/** A file with an observer who is fast. */
+/** A file with a fast observer. */
 const movers = {
   read: { type: 'read', set: { source: relative(folder, scene('movers.usda')) } },
   fast: { type: 'observer', set: { beta: [0.1, 0, -0.5] } },
   ...seenFrom({ type: 'scene', from: { geometry: ['read.geometry'], observer: 'fast.observer' } }),
 } as const satisfies Record<string, NodeSketch>;
 
-/** Matte things under a sun, in the dark. */
+/** Matt objects under a sun and a black sky. */
 const yard = {
   ground: { type: 'grid', set: { name: 'Ground', width: 40, length: 40 } },
   box: { type: 'box', set: { name: 'Box' } },
@@ -56,7 +56,7 @@ const yard = {
   }),
 } as const satisfies Record<string, NodeSketch>;
 
-/** The light of a picture, channel by channel. */
+/** The channels R, G, B of a picture. */
 async function beauty(path: string, ...flags: string[]): Promise<ExrImage['channels']> {
   const file = `${path}.exr`;
   const { code, err } = await slowlight('render', path, '-o', file, ...flags);
@@ -64,7 +64,7 @@ async function beauty(path: string, ...flags: string[]): Promise<ExrImage['chann
   return readExr(new Uint8Array(readFileSync(file)), file).channels;
 }
 
-test('the still is the picture of the reference renderer, pixel by pixel', async () => {
+test('the still equals the picture of the reference renderer, pixel by pixel', async () => {
   const size = { width: 48, height: 27 };
   const reference = ['--size', '48x27', '--pipeline', 'reference', '--samples'];
   const light = { samples: 2, seed: 7, bounces: 1, mirrors: false, time: 1 };
@@ -75,13 +75,13 @@ test('the still is the picture of the reference renderer, pixel by pixel', async
     truth: still({ ...size, ...light }),
     output: showing('truth'),
   });
-  // The node's picture is of its own time and of its own noise, whatever else is asked for.
+  // The node's picture has its own time and its own noise, whatever the flags.
   const [expected, found] = await Promise.all([beauty(plain, ...reference, ...flags), beauty(node, ...reference, '1')]);
   expect(new Set(expected[0]?.data).size).toBeGreaterThan(300);
   expect(found).toEqual(expected);
 });
 
-test('where only a sun shines on matte things, the rasterizer’s picture is the same', async () => {
+test('the rasterizer’s picture is the same for matt objects lit only by a sun', async () => {
   const set = { width: 96, height: 54, samples: 4, bounces: 0 };
   const both = { ...yard, truth: still(set), shaded };
   const difference: NodeSketch = {
@@ -98,13 +98,13 @@ test('where only a sun shines on matte things, the rasterizer’s picture is the
   const green = (channels: ExrImage['channels']) => Float64Array.from(channels[1]!.data).sort();
   const mean = (channels: ExrImage['channels']) => green(channels).reduce((sum, value) => sum + value, 0) / (96 * 54);
   expect(mean(lit)).toBeGreaterThan(0.1);
-  // Edges, and the noise of wavelengths.
+  // Edges and spectral noise differ.
   expect(mean(off) / mean(lit)).toBeLessThan(0.02);
   const most = green(off)[Math.floor(0.97 * 96 * 54)]!;
   expect(most / mean(lit)).toBeLessThan(0.05);
 });
 
-test('what would take hours is refused at the node, with what to do', async () => {
+test('a render that would take hours is rejected at the node, with a remedy', async () => {
   const path = project('large.slowlight.json', { ...yard, truth: still({}), output: showing('truth') });
   const refused = async (...sets: string[]) => {
     const { code, err } = await slowlight('render', path, '-o', at('no.png'), ...sets.flatMap((set) => ['--set', set]));
@@ -119,19 +119,19 @@ test('what would take hours is refused at the node, with what to do', async () =
   expect(existsSync(at('no.png'))).toBe(false);
 });
 
-test('Ctrl-C ends it in the midst', async () => {
+test('Ctrl-C interrupts it', async () => {
   const set = { width: 1280, height: 720, samples: 8 };
   const path = project('long.slowlight.json', { ...yard, truth: still(set), output: showing('truth') });
   const child = start('render', path, '-o', at('long.png'));
   const ended = programResult(child);
-  // Until it has begun, also on a busy machine; there are minutes of it.
+  // Wait until it has begun, also on a busy machine; it runs for minutes.
   await new Promise((done) => setTimeout(done, 7000));
   expect(child.exitCode).toBeNull();
   child.kill('SIGINT');
   expect(await ended).toMatchObject({ code: 130, err: '' });
 }, 60_000);
 
-test('it tells how far it is, and is cancelled by whoever asked for it', async () => {
+test('it reports progress, and can be cancelled by its caller', async () => {
   const built = new URL('../../dist/lib/cli/pipelines/renderStill.js', import.meta.url).href;
   const { renderStill } = (await import(built)) as typeof import('../../src/cli/pipelines/renderStill.ts');
   const view = { t: 0, position: [0, 0, 0], u: [0, 0, 0], orientation: [0, 0, 0, 1], fovY: 1 } as const;

@@ -24,7 +24,7 @@ interface Probed {
   };
 }
 
-/** What ffprobe finds in a picture or film. */
+/** Properties of a picture or film by ffprobe. */
 async function probed(file: string): Promise<Record<string, string>> {
   const entries = 'stream=codec_name,width,height,pix_fmt,nb_frames,r_frame_rate,color_space';
   const text = await ask('ffprobe', '-v', 'error', '-show_entries', entries, '-of', 'json', file);
@@ -44,7 +44,7 @@ const channel = (image: ExrImage, name: string): Float32Array | Uint32Array => {
   return found.data;
 };
 
-test('a PNG that another program reads, with the red cube in its middle and sky above', async () => {
+test('writes a PNG readable by another program, with the red cube in its middle and sky above', async () => {
   const file = out('still.png');
   const { files, objects } = await slowlightJson<Rendered>('render', movers, '-o', file, ...size, '--time', '1');
   expect(files).toEqual([file]);
@@ -58,7 +58,7 @@ test('a PNG that another program reads, with the red cube in its middle and sky 
   expect(at(80, 2)[2]).toBeGreaterThan(at(80, 2)[0]);
 });
 
-test('an EXR holds data channels that agree with the f64 library, and the names of the objects', async () => {
+test('an EXR file has data channels that agree with the f64 library, and the names of the objects', async () => {
   const file = out('data.exr');
   const pose = ['--beta', '0,0,-0.5', '--time', '1'];
   const aovs = ['beauty', 'depth', 'emission_time', 'doppler', 'object'];
@@ -86,7 +86,7 @@ test('an EXR holds data channels that agree with the f64 library, and the names 
   expect(JSON.parse(image.attributes?.objects ?? '{}')).toMatchObject({ 1: '/World/Still', 3: '/World/Rising' });
 });
 
-test('a film with every frame, and nothing beside it', async () => {
+test('writes a film with all frames, and no other file', async () => {
   const file = out('film.mp4');
   const { code, err } = await slowlight('render', movers, '-o', file, ...size, '--frames', '0:5', '--fps', '12');
   expect(code, err).toBe(0);
@@ -101,7 +101,7 @@ test('a film with every frame, and nothing beside it', async () => {
   expect(readdirSync(folder).filter((name) => name.includes('partial'))).toEqual([]);
 });
 
-test('numbered frames are of different times', async () => {
+test('numbered frames have different times', async () => {
   const frames = ['--frames', '4:6', '--fps', '2'];
   const { files } = await slowlightJson<Rendered>('render', movers, '-o', out('f.##.png'), ...size, ...frames);
   expect(files.map((file) => file.slice(-6))).toEqual(['04.png', '05.png', '06.png']);
@@ -109,7 +109,7 @@ test('numbered frames are of different times', async () => {
   expect(Buffer.compare(first, second)).not.toBe(0);
 });
 
-test('without ffmpeg the film is refused with the line that installs it', async () => {
+test('without ffmpeg a film is rejected with the command that installs it', async () => {
   const env = { ...process.env, PATH: folder };
   const { code, err } = await programResult(
     startIn(env, 'render', movers, '-o', out('none.mp4'), ...size, '--frames', '0:2'),
@@ -119,7 +119,7 @@ test('without ffmpeg the film is refused with the line that installs it', async 
   expect(existsSync(out('none.mp4'))).toBe(false);
 });
 
-test('Ctrl-C leaves no half-written file and no encoder', async () => {
+test('Ctrl-C leaves no partial file and no encoder process', async () => {
   const file = out('long.mp4');
   const child = start('render', movers, '-o', file, ...size, '--frames', '0:100000');
   const ended = programResult(child);
@@ -132,8 +132,8 @@ test('Ctrl-C leaves no half-written file and no encoder', async () => {
 });
 
 /**
- * Two rasterizers, one shader source: SwiftShader here and llvmpipe there differ by a rounding in shading, and along
- * edges by a pixel's coverage.
+ * The same shaders on two rasterizers: SwiftShader and llvmpipe differ by rounding in shading, and by a pixel's
+ * coverage along edges.
  */
 test('WebGPU and WebGL2 make the same picture', async () => {
   const flags = ['--time', '1', '--beta', '0.3,0,-0.6', '--size', '320x180'];

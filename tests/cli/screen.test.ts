@@ -27,7 +27,7 @@ function brightness(name: string): number {
 }
 
 describe('exposure and tone', () => {
-  test('by hand nothing is metered; metered, a fast observer has a picture of a middle brightness', async () => {
+  test('manual exposure is not metered; metering gives a fast observer a picture of medium brightness', async () => {
     const fast = [...still, '--beta', '0,0,-0.9'];
     const manual = await render('manual.png', ...fast, '--metering', 'manual', '--exposure', '-1');
     const automatic = await render('automatic.png', ...fast);
@@ -38,18 +38,18 @@ describe('exposure and tone', () => {
     expect(brightness('automatic.png')).toBeLessThan(brightness('manual.png'));
     expect(brightness('automatic.png')).toBeGreaterThan(60);
     expect(brightness('automatic.png')).toBeLessThan(200);
-    // What is told can be given back by hand, and is the same picture.
+    // The reported exposure, set manually, gives the same picture.
     await render('again.png', ...fast, '--metering', 'manual', '--exposure', String(automatic.exposure[0]));
     expect(readFileSync(out('again.png'))).toEqual(readFileSync(out('automatic.png')));
   });
 
-  test('both pipelines have one exposure, to a twentieth of a stop', async () => {
+  test('both pipelines have the same exposure, to a twentieth of a stop', async () => {
     const raster = await render('raster.png', ...still);
     const reference = await render('reference.png', ...still, '--pipeline', 'reference', '--samples', '1');
     expect(Math.abs(raster.exposure[0] - reference.exposure[0])).toBeLessThan(0.05);
   });
 
-  test('in a film the exposure goes its way as an eye does, and does not jump', async () => {
+  test('in a film the exposure adapts smoothly, like an eye', async () => {
     const film = ['--size', '64x36', '--frames', '0:1', '--fps', '100', '--beta', '0,0,-0.9', '--hold'];
     const { exposure } = await render('film.##.png', ...film);
     const alone = await render('alone.png', '--size', '64x36', '--time', '0.01', '--beta', '0,0,-0.9');
@@ -58,7 +58,7 @@ describe('exposure and tone', () => {
     );
   });
 
-  test('another tone curve is another picture of the same light', async () => {
+  test('the tone curve changes the picture', async () => {
     const [neutral, agx] = [await render('neutral.png', ...still), await render('agx.png', ...still, '--tone', 'agx')];
     expect(agx.exposure).toEqual(neutral.exposure);
     expect(readFileSync(out('agx.png'))).not.toEqual(readFileSync(out('neutral.png')));
@@ -66,7 +66,7 @@ describe('exposure and tone', () => {
 });
 
 describe('false colours', () => {
-  test('are the same of both pipelines, over a legend that tells their scale', async () => {
+  test('are the same in both pipelines, with a legend of their scale', async () => {
     const flags = [...still, '--beta', '0,0,-0.5', '--false-colour', 'doppler', '--legend'];
     const fast = await render('shift.png', ...flags);
     const exact = await render('truth.png', ...flags, '--pipeline', 'reference');
@@ -83,7 +83,7 @@ describe('false colours', () => {
     expect(off / a.data.length).toBeLessThan(0.01);
   });
 
-  test('are told in the file beside who looked', async () => {
+  test('are recorded in the file with the observer', async () => {
     const flags = [...still, '--beta', '0,0,-0.5', '--false-colour', 'doppler', '--false-range', '0.5:2'];
     await render('told.png', ...flags, '--pipeline', 'reference');
     const { text } = pictureOf('told.png');
@@ -94,7 +94,7 @@ describe('false colours', () => {
     expect(Object.values(rest).join(' '), 'no paths').not.toContain('/');
   });
 
-  test('of any range', async () => {
+  test('have any given range', async () => {
     const flags = [...still, '--false-colour', 'emission-time', '--false-range', '-0.5:0', '--pipeline', 'reference'];
     expect((await render('time.png', ...flags)).falseColours).toEqual({ kind: 'emission-time', from: -0.5, to: 0 });
     expect(pictureOf('time.png').height).toBe(90);
@@ -107,13 +107,13 @@ describe('false colours', () => {
     [['--false-colour', 'taste'], /doppler, emission-time, radiance, band/],
     [['--tone', 'sepia'], /neutral, agx, linear/],
     [['--metering', 'spot'], /automatic, resting-eye, manual/],
-  ])('%j is refused, with what would do', async (flags, message) => {
+  ])('%j is rejected, with valid alternatives', async (flags, message) => {
     const { code, err } = await slowlight('render', movers, '-o', out('no.png'), ...flags);
     expect(code).toBe(2);
     expect(err).toMatch(message);
   });
 
-  test('an .exr holds the numbers themselves', async () => {
+  test('an .exr file holds the values themselves', async () => {
     const { code, err } = await slowlight('render', movers, '-o', out('no.exr'), '--false-colour', 'doppler');
     expect(code).toBe(2);
     expect(err).toMatch(/--aov/);

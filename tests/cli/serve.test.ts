@@ -8,7 +8,7 @@ interface Answer {
   readonly body: string;
 }
 
-/** As a careless or hostile client would ask: `fetch` would tidy the path first. */
+/** A raw request, as a careless or hostile client would send it; `fetch` would normalize the path first. */
 function get(url: string, path: string, headers: Record<string, string> = {}): Promise<Answer> {
   return new Promise((resolve, reject) => {
     const { hostname, port } = new URL(url);
@@ -22,7 +22,7 @@ function get(url: string, path: string, headers: Record<string, string> = {}): P
   });
 }
 
-test('serves the page, its scenes and nothing else, to this machine only', async () => {
+test('serves only the page and its scenes, and only to this machine', async () => {
   const child = start('serve', '--port', '0', '--json');
   const ended = programResult(child);
   const url = await new Promise<string>((resolve) =>

@@ -18,7 +18,7 @@ const cloth = build(
 );
 writeFileSync(project, serializeDocument(cloth));
 
-test('a simulation is written as USD, which usd-core reads, and as a table of its energies', async () => {
+test('a simulation is written as USD readable by usd-core, and as a table of energies', async () => {
   const made = await slowlightJson<{ files: string[]; frames: number; energyChange: number; fastest: number }>(
     ...['simulate', project, '-o', at('cloth.usda'), '--csv', at('energy.csv')],
   );
@@ -49,7 +49,7 @@ print(json.dumps([codes, min(world.Transform(p)[1] for p in points.Get(codes[-1]
   expect(fast).toBeCloseTo(Number(rows.at(-1)!.split(',').at(-1)), 4);
 });
 
-test('a GPU takes the steps of a simulation, and of what a project’s picture needs', async () => {
+test('a GPU computes a simulation, also one that a project’s picture needs', async () => {
   const figures = async (...more: string[]) =>
     slowlightJson<{ onGpu: boolean; fastest: number; until: number }>(
       ...['simulate', project, '--csv', at('gpu.csv'), '--set', 'run.duration=0.25', ...more],
@@ -65,7 +65,7 @@ test('a GPU takes the steps of a simulation, and of what a project’s picture n
   expect(statSync(at('seen.png')).size).toBeGreaterThan(1000);
 });
 
-test('what was stopped goes on from its checkpoint, to the same last digit', async () => {
+test('a stopped run resumes from its checkpoint, to the same bits', async () => {
   const args = ['simulate', project, '--set', 'run.duration=2', '--set', 'run.method=discrete-gradient', '--csv'];
   await slowlight(...args, at('whole.csv'));
   const child = start(...args, at('part.csv'), '--checkpoint', at('cloth.run'));
@@ -76,7 +76,7 @@ test('what was stopped goes on from its checkpoint, to the same last digit', asy
   const { code, err } = await ended;
   expect(code, err).toBe(130);
   expect(err).toMatch(/stopped after \d+ of 49 frames; --resume goes on from/);
-  // A frame of which only a part was written is computed again.
+  // A partially written frame is computed again.
   truncateSync(at('cloth.run'), statSync(at('cloth.run')).size - 7);
   const rest = await slowlight(...args, at('part.csv'), '--checkpoint', at('cloth.run'), '--resume');
   expect(rest.code, rest.err).toBe(0);
@@ -87,7 +87,7 @@ test('what was stopped goes on from its checkpoint, to the same last digit', asy
   expect(why).toMatch(/another simulation/);
 });
 
-test('what adapts its steps goes on to the same last digit too, for longer than it was to last', async () => {
+test('a run with adaptive steps resumes to the same bits too, and can be extended', async () => {
   const args = ['simulate', project, '--set', 'run.tolerance=0.01', '--csv'];
   const short = await slowlight(...args, at('long.csv'), '--checkpoint', at('adaptive.run'));
   expect(short.code, short.err).toBe(0);
@@ -100,7 +100,7 @@ test('what adapts its steps goes on to the same last digit too, for longer than 
   expect(rows.trim().split('\n')).toHaveLength(26);
 });
 
-test('a run that ends before its time is written as far as it is good, and ends the program with a code of its own', async () => {
+test('a run that stops early is written up to its last valid frame, with its own exit code', async () => {
   const steps = [
     '--set',
     'run.method=semi-implicit-euler',

@@ -18,7 +18,7 @@ test('help and version', async () => {
   expect((await slowlight('--version')).out.trim()).toBe(version);
 });
 
-test('who closes the pipe early is no fault of the program', () => {
+test('a pipe closed early is not an error', () => {
   const program = fileURLToPath(new URL('../../bin/slowlight.js', import.meta.url));
   const { stderr } = spawnSync('sh', ['-c', `'${process.execPath}' '${program}' render --help | true`], {
     encoding: 'utf8',
@@ -37,43 +37,48 @@ test.each([
   ['a film without frames', ['render', movers, '-o', out('a.mp4')], 2, '--frames'],
   ['a film of odd size', ['render', movers, '-o', out('a.mp4'), '--frames', '0:2', '--size', '31x20'], 2, 'even'],
   [
-    'frames without a place for their number',
+    'frames without a placeholder for their number',
     ['render', movers, '-o', out('a.png'), '--frames', '0:2'],
     2,
     'a.####.png',
   ],
   ['two kinds of time', ['render', movers, '-o', out('a.mp4'), '--frames', '0:2', '--time', '1'], 2, '--time'],
   [
-    'a GPU for who needs none',
+    'a GPU backend for the reference renderer',
     ['render', movers, '-o', out('a.png'), '--pipeline', 'reference', '--backend', 'webgl'],
     2,
     '--backend webgl',
   ],
   [
-    'an inexact solver for who is exact',
+    'an inexact solver for the reference renderer',
     ['render', movers, '-o', out('a.png'), '--pipeline', 'reference', '--solver', 'newton'],
     2,
     '--solver newton',
   ],
   [
-    'threads for who has none',
+    'threads for the raster pipeline',
     ['render', movers, '-o', out('a.png'), '--pipeline', 'raster', '--threads', '2'],
     2,
     '--threads',
   ],
-  ['mirrors for who draws none', ['render', movers, '-o', out('a.png'), '--no-mirrors'], 2, 'add --pipeline reference'],
+  [
+    'mirrors for the raster pipeline',
+    ['render', movers, '-o', out('a.png'), '--no-mirrors'],
+    2,
+    'add --pipeline reference',
+  ],
   ['no threads at all', ['render', movers, '-o', out('a.png'), '--threads', '0'], 2, '1 to 1024'],
-  ['a camera that is not there', ['render', movers, '-o', out('a.png'), '--camera', '/No'], 2, '/World/Eye'],
-  ['a folder that is not there', ['render', movers, '-o', join(folder, 'none', 'a.png')], 3, 'no folder'],
+  ['a missing camera', ['render', movers, '-o', out('a.png'), '--camera', '/No'], 2, '/World/Eye'],
+  ['a missing folder', ['render', movers, '-o', join(folder, 'none', 'a.png')], 3, 'no folder'],
   ['a scene faster than light', ['render', scene('too-fast.usda'), '-o', out('a.png')], 3, '/World/Leaving'],
   ['neither prim nor pixel', ['probe', movers], 2, '--prim'],
-])('%s is refused with a word on what to do', async (_, args, code, word) => {
+])('%s is rejected with a remedy', async (_, args, code, word) => {
   const result = await slowlight(...args);
   expect(result.code, result.err).toBe(code);
   expect(result.err).toContain(word);
 });
 
-test('a folder as output is refused', async () => {
+test('a folder as output is rejected', async () => {
   mkdirSync(out('folder.png'));
   const { code, err } = await slowlight('render', movers, '-o', out('folder.png'));
   expect(code).toBe(3);

@@ -6,9 +6,9 @@ import { describe, expect, it } from 'vitest';
 
 const ROOT = fileURLToPath(new URL('../..', import.meta.url));
 const MAX_FILES = 22;
-/** Folders of data: as many files as there are cases. */
+/** Folders of data, whose number of files is not limited. */
 const DATA = /\/(?:fixtures|testdata|fonts)(?:\/|$)/;
-/** A type of 64-bit numbers and the type of its values on the GPU, which stand in for each other: `Vec3` of math and of TSL. */
+/** Names of both a 64-bit type and its counterpart on the GPU: `Vec3` of math and of TSL. */
 const TWINS = ['Vec3'];
 
 const entries = readdirSync(join(ROOT, 'src'), { recursive: true, withFileTypes: true }).map((entry) => ({
@@ -21,7 +21,7 @@ const sources = entries.filter(
   ({ path }) => /\.tsx?$/.test(path) && !/\.test\.|\.d\.ts$/.test(path) && !DATA.test(path),
 );
 
-/** Names of the types that a file declares, exported or not. */
+/** Names of the types declared in a file, exported or not. */
 function typesIn(path: string): string[] {
   const { program } = parseSync(path, readFileSync(join(ROOT, path), 'utf8'));
   return program.body.flatMap((statement) => {
@@ -34,18 +34,18 @@ function typesIn(path: string): string[] {
   });
 }
 
-describe('the house', () => {
+describe('the code base', () => {
   const declarations = new Map<string, string[]>();
   for (const { path } of sources)
     for (const name of typesIn(path)) declarations.set(name, [...(declarations.get(name) ?? []), path]);
 
-  it('declares a type once: a name has one meaning', () => {
+  it('declares each type name once', () => {
     expect(declarations.size).toBeGreaterThan(1000);
     const twice = [...declarations].filter(([name, files]) => files.length > 1 && !TWINS.includes(name));
     expect(twice).toEqual([]);
   });
 
-  it('has rooms of a size that one can look over, each with a sentence about it', () => {
+  it('has folders of limited size, each with a README', () => {
     const folders = entries.filter(({ isFolder, path }) => isFolder && !DATA.test(path));
     expect(folders.length).toBeGreaterThan(100);
     const filesOf = (folder: string) => entries.filter((entry) => !entry.isFolder && entry.folder === folder);
@@ -54,7 +54,7 @@ describe('the house', () => {
     expect({ crowded, unnamed }).toEqual({ crowded: [], unnamed: [] });
   });
 
-  it('has each term of its glossary once, declared where that says', () => {
+  it('has each term of its glossary once, declared at the stated place', () => {
     const rows = readFileSync(join(ROOT, 'docs/glossary.md'), 'utf8')
       .split('\n')
       .filter((line) => /^\| (?!term |-)/.test(line) && !line.startsWith('|---'))

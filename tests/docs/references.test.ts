@@ -18,13 +18,13 @@ const pages = [...filesIn('docs', /\.md$/), 'README.md', 'CONTRIBUTING.md'].filt
   existsSync(join(ROOT, path)),
 );
 
-/** Numbers of the sections of a page: of `## 3. Light` and `### 3.2 Aberration` 3 and 3.2. */
+/** Section numbers of a page: 3 and 3.2 for `## 3. Light` and `### 3.2 Aberration`. */
 const sectionsOf = (page: string): Set<string> =>
   new Set(Array.from(read(page).matchAll(/^#{2,} (\d+(?:\.\d+)*)\.? /gm), ([, number]) => number!));
 
 const adrs = new Set(readdirSync(join(ROOT, 'docs/adr')).map((name) => Number.parseInt(name, 10)));
 
-/** Each match of a pattern in the given files for which `holds` is false, with the file that it is in. */
+/** Each match of a pattern in the given files for which `holds` is false, with its file. */
 function broken(files: readonly string[], pattern: RegExp, holds: (match: RegExpMatchArray, file: string) => boolean) {
   return files.flatMap((file) =>
     Array.from(read(file).matchAll(pattern))
@@ -40,7 +40,7 @@ it('a cited section of a page exists', () => {
     known.set(page, found);
     return found;
   };
-  // Several may follow one page: `docs/physics.md §3.2, §3.3`.
+  // Several sections may follow one page: `docs/physics.md §3.2, §3.3`.
   const citation = /(docs\/[\w./-]+\.md)((?:,? (?:and )?§\d+(?:\.\d+)*)+)/g;
   const holds = ([, page, list]: RegExpMatchArray): boolean =>
     Array.from(list!.matchAll(/\d+(?:\.\d+)*/g)).every(([number]) => sections(page!).has(number));
@@ -50,7 +50,7 @@ it('a cited section of a page exists', () => {
 
 it('sections that docs/physics.md itself refers to exist', () => {
   const sections = sectionsOf('docs/physics.md');
-  // Those of books stand behind a name or a year, as `Jackson §11.4` or `Einstein 1905, §8`.
+  // Sections of books follow a name or a year, as in `Jackson §11.4` or `Einstein 1905, §8`.
   const own = /(?<!(?:Jackson|Rindler|MTW|R&L|HLW|HNW|Wolf) |\d{4}, |ed\., )§(\d+(?:\.\d+)*)/g;
   expect(Array.from(read('docs/physics.md').matchAll(own)).length).toBeGreaterThan(30);
   expect(broken(['docs/physics.md'], own, ([, number]) => sections.has(number!))).toEqual([]);
@@ -76,7 +76,7 @@ it('a folder of the program that a page names exists', () => {
   expect(broken(pages, path, ([, folder]) => existsSync(join(ROOT, folder!)))).toEqual([]);
 });
 
-it('a file that a page names without its folder exists somewhere', () => {
+it('a file that a page names without its folder exists in some folder', () => {
   const names = new Set(codeFiles.map((file) => basename(file)));
   const name = /`([\w.-]+\.(?:ts|tsx|mjs|py))`/g;
   expect(broken(pages, name, ([, file]) => names.has(file!))).toEqual([]);

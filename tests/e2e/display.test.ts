@@ -17,7 +17,7 @@ const choose = (visit: MonitoredPage, group: string, option: string) =>
 const legendOf = (visit: MonitoredPage) => visit.page.getByRole('figure');
 const reading = async (visit: MonitoredPage) => (await visit.page.locator('[data-reading]').textContent()) ?? '';
 
-/** The colour in the middle of the picture is that of the value that is told, on the scale that is told; both have three digits. */
+/** Expects the colour in the middle of the picture to be that of the displayed value on the displayed scale; both have three digits. */
 function expectColor(shown: readonly number[], told: string, range: string): void {
   const [D, to] = [/D = ([\d.]+)/.exec(told), /to D = ([\d.]+)/.exec(range)].map((match) => Number(match?.[1]));
   falseColor({ kind: 'doppler', from: 1 / to!, to: to! }, D!).forEach((value, k) => {
@@ -36,14 +36,14 @@ async function seriousViolations(visit: MonitoredPage): Promise<string[]> {
 const brightness = (pixels: Uint8Array): number => pixels.reduce((sum, value) => sum + value, 0) / pixels.length;
 
 describe('exposure and tone', () => {
-  it('the metering follows the light, keeps the resting eye’s exposure, or leaves it alone', async () => {
+  it('metering follows the light, keeps the exposure of an observer at rest, or is off', async () => {
     const visit = await (await (await program.open('?backend=webgl&scene=examples/lattice.usda')).ready()).finest();
     const automatic = await visit.pixels();
     await choose(visit, 'Metering', 'Manual');
     const dimmed = async () => Math.abs(brightness(await visit.pixels()) - brightness(automatic));
     await expect.poll(dimmed, { timeout: 30_000 }).toBeGreaterThan(3);
     await choose(visit, 'Metering', 'Automatic');
-    // Every pixel has all its samples again.
+    // Wait until every pixel has all its samples again.
     const other = async () => difference(await visit.pixels(), automatic);
     await expect.poll(other, { timeout: 90_000 }).toBeLessThan(0.5);
     await choose(visit, 'Tone curve', 'AgX');
@@ -53,7 +53,7 @@ describe('exposure and tone', () => {
 });
 
 describe('false colours', () => {
-  it('have a legend that everybody can read, in dark colours and in light ones', async () => {
+  it('have an accessible legend, in dark and light colours', async () => {
     const visit = await (await program.open(MOVING, { viewport: { width: 1280, height: 720 } })).ready();
     for (const [option, title] of [
       ['Doppler', 'Doppler factor D'],
@@ -80,7 +80,7 @@ describe('false colours', () => {
     await visit.close();
   });
 
-  it('are reached, and read, by keys alone', async () => {
+  it('can be set and read by keyboard only', async () => {
     const visit = await (await program.open(MOVING)).ready();
     await visit.viewport.focus();
     await visit.page.keyboard.press('x');
@@ -93,7 +93,7 @@ describe('false colours', () => {
     await visit.shot('false-crosshair');
     const before = await reading(visit);
     expectColor(await visit.middle(), before, (await visit.page.locator('.sl-legend-bar').getAttribute('aria-label'))!);
-    // To the side there is something else.
+    // Another value is to the side.
     await visit.page.keyboard.press('ArrowRight', { delay: 800 });
     await expect.poll(() => reading(visit)).not.toBe(before);
     await visit.close();
@@ -111,7 +111,7 @@ describe('false colours', () => {
   });
 });
 
-it('what nature does not have is marked where it is set, and in the status bar', async () => {
+it('unphysical settings are marked at their controls and in the status bar', async () => {
   const visit = await (await program.open(MOVING, { viewport: { width: 1280, height: 720 } })).ready();
   const note = visit.page.locator('[data-status="unphysical"]');
   expect(await note.count()).toBe(0);

@@ -16,7 +16,7 @@ async function withKeys(held: MonitoredPage, keys: readonly string[], until: () 
 }
 
 describe('flight', () => {
-  it('W accelerates smoothly, Shift goes further, and letting go brakes to rest', async () => {
+  it('W accelerates smoothly, Shift further, and releasing brakes to rest', async () => {
     const visit = await (await program.open(STREET)).ready();
     const before = await (await visit.finest()).pixels();
     await visit.viewport.click();
@@ -31,7 +31,7 @@ describe('flight', () => {
     await visit.close();
   });
 
-  it('Tab cycles the locks in the picture; Escape leaves it, and Tab is the browser’s again', async () => {
+  it('Tab cycles the locks while the picture has focus; after Escape Tab moves the focus again', async () => {
     const visit = await (await program.open(STREET)).ready();
     const lock = visit.page.locator('[data-lock]');
     await visit.viewport.focus();
@@ -46,7 +46,7 @@ describe('flight', () => {
     await visit.close();
   });
 
-  it('look: a velocity that bends the picture without moving; R goes back to the start', async () => {
+  it('lock look: velocity distorts the picture without motion; R returns to the start', async () => {
     const visit = await (await program.open(STREET)).ready();
     const before = await (await visit.finest()).pixels();
     await visit.viewport.click();
@@ -62,7 +62,7 @@ describe('flight', () => {
     await visit.close();
   });
 
-  it('a flight key takes off from anywhere but a field, where it is a letter', async () => {
+  it('flight keys work everywhere except in text fields', async () => {
     const visit = await (await program.open(STREET)).ready();
     await visit.page.getByRole('textbox', { name: 'Speed of light' }).focus();
     await visit.page.keyboard.press('w');
@@ -72,7 +72,7 @@ describe('flight', () => {
     await visit.close();
   });
 
-  it('dragging turns the head', async () => {
+  it('dragging turns the camera', async () => {
     const visit = await (await program.open(STREET)).ready();
     const before = await (await visit.finest()).pixels();
     await visit.viewport.hover({ position: { x: 300, y: 150 } });
@@ -97,7 +97,7 @@ describe('flight', () => {
     await visit.close();
   });
 
-  it('plays from the start, unless less motion is wished for', async () => {
+  it('plays from the start, unless reduced motion is preferred', async () => {
     const moving = await (await program.open(STREET, { reducedMotion: 'no-preference' })).ready();
     await moving.page.getByRole('button', { name: 'Pause' }).waitFor();
     await moving.close();

@@ -23,7 +23,7 @@ async function seriousViolations(page: Page): Promise<string[]> {
     .map(({ id, nodes }) => `${id}: ${nodes.map(({ html }) => html.slice(0, 120)).join(' | ')}`);
 }
 
-/** As the system's clipboard gives it. */
+/** Dispatches a paste event, as the system clipboard does. */
 const paste = (page: Page, words: string) =>
   page.evaluate((text) => {
     const clipboardData = new DataTransfer();
@@ -62,12 +62,12 @@ async function opened(options: Parameters<Program['open']>[1]): Promise<Monitore
   return visit;
 }
 
-it('nodes are added, connected, set, grouped and copied, by mouse and by keys, and every step is undone', async () => {
+it('nodes are added, connected, set, grouped and copied, by mouse and keyboard, and every step can be undone', async () => {
   const visit = await opened({ viewport: { width: 1280, height: 800 } });
   const { page } = visit;
   const before = await edges(page).count();
 
-  // By keys alone: a box, fed into the scene by the inspector.
+  // By keyboard only: a box, connected to the scene in the inspector.
   await page.locator('.sl-flow').focus();
   await page.keyboard.press('Shift+A');
   await page.keyboard.type('box');
@@ -92,7 +92,7 @@ it('nodes are added, connected, set, grouped and copied, by mouse and by keys, a
   await width.press('Escape');
   expect(await width.inputValue()).toBe('1 m');
 
-  // By mouse: from its socket to the free one of the scene; what does not fit is not offered.
+  // By mouse: from its socket to the scene's free one; incompatible sockets are not offered.
   const wire = await middle(page, 'box', 'out geometry');
   await page.mouse.move(...wire);
   await page.mouse.down();
@@ -105,7 +105,7 @@ it('nodes are added, connected, set, grouped and copied, by mouse and by keys, a
   await expect.poll(() => node(page, 'scene').textContent()).toContain('Objects: 47');
   await visit.shot('graph-connected');
 
-  // An edge dropped on the canvas offers what fits, and nothing else.
+  // An edge dropped on the canvas offers compatible nodes only.
   await drag(page, await middle(page, 'box', 'out geometry'), [wire[0] + 30, wire[1] + 60]);
   const found = page.getByRole('option');
   await expect.poll(() => found.filter({ hasText: 'Transform' }).count()).toBe(1);
@@ -114,13 +114,13 @@ it('nodes are added, connected, set, grouped and copied, by mouse and by keys, a
   await page.keyboard.press('Enter');
   await expect.poll(() => edges(page).count()).toBe(before + 2);
 
-  // A drag is one step.
+  // A drag is one undo step.
   await drag(page, await middle(page, 'transform'), [wire[0] + 60, wire[1] + 90]);
   await page.keyboard.press('Control+z');
   await page.keyboard.press('Control+z');
   await expect.poll(() => edges(page).count()).toBe(before + 1);
 
-  // A value that a node drives says so in the simple panel, too.
+  // The simple panel marks values driven by a node, too.
   await page.locator('.sl-flow').focus();
   await page.keyboard.press('Space');
   await page.keyboard.type('number');
@@ -139,7 +139,7 @@ it('nodes are added, connected, set, grouped and copied, by mouse and by keys, a
   await page.getByText('from Number').waitFor();
   await page.getByText('Node', { exact: true }).click();
 
-  // Nodes show what they made, for eyes and for screen readers; those in sight only.
+  // Visible nodes show previews, also to screen readers.
   await page.keyboard.press('Escape');
   const picture = page.getByRole('img', { name: 'Picture of the result of Tone map' });
   await picture.waitFor({ timeout: 60_000 });
@@ -154,7 +154,7 @@ it('nodes are added, connected, set, grouped and copied, by mouse and by keys, a
   await expect.poll(() => page.locator('.sl-node-picture').count()).toBe(0);
   await page.getByRole('button', { name: 'Pictures on nodes', pressed: false }).click();
 
-  // Groups: what was connected stays so, inside there is a way back.
+  // Groups: connections are preserved, and inside there is a way back.
   await node(page, 'box').locator('.sl-node-head').click();
   await page.keyboard.press('Control+g');
   await node(page, 'group').waitFor();
@@ -166,7 +166,7 @@ it('nodes are added, connected, set, grouped and copied, by mouse and by keys, a
   await node(page, 'box').waitFor();
   await expect.poll(() => visit.status('c')).toContain('12');
 
-  // Muted, framed and copied.
+  // Mute, frame and copy.
   await node(page, 'box').locator('.sl-node-head').click();
   await page.keyboard.press('m');
   await expect.poll(() => node(page, 'box').locator('[data-muted]').count()).toBe(1);
@@ -193,7 +193,7 @@ it('nodes are added, connected, set, grouped and copied, by mouse and by keys, a
   await visit.shot('graph-all');
   expect(await seriousViolations(page)).toEqual([]);
 
-  // Everything is undone.
+  // Undo everything.
   await page.locator('.sl-flow').focus();
   for (let steps = 0; steps < 40 && !(await undone(page).isDisabled()); steps++) await page.keyboard.press('Control+z');
   await expect.poll(() => edges(page).count()).toBe(before);

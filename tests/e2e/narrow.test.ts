@@ -14,7 +14,7 @@ const WORDS = {
   'zh-CN': { beaming: '聚束', mix: '多普勒混合', c: '光速', scene: '场景' },
 } as const;
 
-/** What of the bars and of what lies over the picture is outside of the window, or of what holds it. Names that are cut are told by dots. */
+/** Parts of bars and overlays outside of the window or of their container. Names cut with an ellipsis do not count. */
 const outside = (visit: MonitoredPage): Promise<string[]> =>
   visit.page.evaluate(() => {
     const bars = '.sl-header, .sl-timeline, .sl-status, .sl-legend, .sl-caption, .sl-hint';
@@ -65,17 +65,17 @@ describe('a narrow page', () => {
       'zh-CN',
       [
         [390, 844],
-        // 200 % of 1280 × 720.
+        // 1280 × 720 at 200 %.
         [640, 360],
       ],
     ],
-  ] as const)('cuts nothing, whatever there is to say: %s', async (locale, sizes) => {
+  ] as const)('clips nothing, however long the texts: %s', async (locale, sizes) => {
     const colorScheme = locale === 'en-GB' ? 'dark' : 'light';
     const [width, height] = sizes[0];
     const visit = await (await program.open(SMALL, { viewport: { width, height }, locale, colorScheme })).ready();
     const words = WORDS[locale];
     await expectFit(visit, sizes);
-    // The longest figures that there are, and everything unphysical.
+    // The longest numbers possible, and every unphysical setting.
     await type(visit, words.c, '299792458');
     await type(visit, words.beaming, '0.5');
     await type(visit, words.mix, '0.5');
@@ -99,7 +99,7 @@ describe('a narrow page', () => {
   });
 });
 
-/** Nothing is cut in windows of any of these sizes; it ends with the first. */
+/** Expects nothing to be clipped at any of these window sizes; the window ends at the first. */
 async function expectFit(
   visit: MonitoredPage,
   sizes: readonly (readonly [number, number])[],
@@ -114,7 +114,7 @@ async function expectFit(
   }
 }
 
-it('every control of the page is reached by Tab, and shows that it has the focus', async () => {
+it('every control of the page is reachable by Tab, with visible focus', async () => {
   const visit = await (await program.open(SMALL, { viewport: { width: 1280, height: 720 } })).ready();
   const reached: string[] = [];
   const faint: string[] = [];

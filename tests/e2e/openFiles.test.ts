@@ -31,7 +31,7 @@ const violations = async (page: Page) => {
   return found.violations.filter(({ impact }) => impact === 'serious' || impact === 'critical');
 };
 
-/** A square that fills the view, in one of two colours, and beside it a thing of a group. */
+/** A square that fills the view in one of two colours, and beside it an object of a group. */
 const VARIANTS = `#usda 1.0
 ( customLayerData = { dictionary slowlight = { double speedOfLight = 30 } }
   metersPerUnit = 1
@@ -67,15 +67,15 @@ def Xform "World"
 }
 `;
 
-/** Drops it, and waits until the panel tells of it and no longer of the scene before. */
+/** Drops a scene, and waits until the panel shows it instead of the previous one. */
 async function openCar(visit: MonitoredPage): Promise<void> {
   await drop(visit, [{ name: 'car.usda', content: Buffer.from(VARIANTS) }]);
   await visitScenePanel(visit);
   await visit.page.getByRole('combobox', { name: 'paint' }).waitFor();
 }
 
-describe('bringing a scene', () => {
-  it('a zip opens with its texture; the others in it can be chosen', async () => {
+describe('opening files', () => {
+  it('a zip opens with its texture; other scenes in it can be chosen', async () => {
     const visit = await (await program.open(SMALL)).ready();
     const packed = zipSync({
       'set/textured.usda': new Uint8Array(TEXTURED.content),
@@ -95,7 +95,7 @@ describe('bringing a scene', () => {
     await visit.close();
   });
 
-  it('a zip that leads out of itself is refused, and the scene stays', async () => {
+  it('a zip with references outside of itself is rejected, and the scene stays', async () => {
     const visit = await (await program.open(SMALL)).ready();
     await drop(visit, [{ name: 'bad.zip', content: Buffer.from(zipSync({ '../x.usda': text('#usda 1.0') })) }]);
     await visit.refusals.waitFor();
@@ -104,7 +104,7 @@ describe('bringing a scene', () => {
     await visit.close();
   });
 
-  it('missing files are listed with what asked for them, and can be given; the observer stays', async () => {
+  it('missing files are listed with their referrers, and can be supplied; the observer stays', async () => {
     const visit = await (await program.open(SMALL)).ready();
     await drop(visit, [TEXTURED]);
     await visit.page.getByText('The square wears the picture').waitFor();
@@ -131,7 +131,7 @@ describe('bringing a scene', () => {
     await visit.close();
   });
 
-  it('a file without objects says so, until another is open', async () => {
+  it('a file without objects is reported, until another is opened', async () => {
     const visit = await (await program.open(SMALL)).ready();
     await drop(visit, [{ name: 'empty.usda', content: Buffer.from('#usda 1.0\n') }]);
     const warning = visit.page.getByText(/^There are no objects in empty\.usda/);
@@ -141,7 +141,7 @@ describe('bringing a scene', () => {
     await visit.close();
   });
 
-  it('missing files of a scene on the server can be given too', async () => {
+  it('missing files of a scene on the server can be supplied too', async () => {
     const visit = await program.open(SMALL, {}, async (page) => {
       await page.route('**/examples/asked.usda', (route) => route.fulfill({ body: TEXTURED.content }));
       await page.route('**/examples/textures/checker.png', (route) => route.fulfill({ status: 404 }));
@@ -155,7 +155,7 @@ describe('bringing a scene', () => {
     await visit.close();
   });
 
-  it('a variant is chosen, kept in the document and taken back; the view stays where it is', async () => {
+  it('a variant can be chosen, is stored in the document and undone; the view stays', async () => {
     const visit = await (await program.open(SMALL)).ready();
     await openCar(visit);
     await expect.poll(() => visit.triangles()).toBe(4);
@@ -165,12 +165,12 @@ describe('bringing a scene', () => {
     await expect.poll(async () => pinkShare(await visit.pixels())).toBeGreaterThan(0.02);
     await visit.shot('bring-variants');
     await visit.page.getByRole('button', { name: /^Undo: choose a variant/ }).click();
-    await visit.page.mouse.move(0, 0); // The button's own tip lies over the picture.
+    await visit.page.mouse.move(0, 0); // The button's tooltip covers the picture.
     await expect.poll(async () => difference(await visit.pixels(), gray)).toBeLessThan(0.5);
     await visit.close();
   });
 
-  it('reading tells its stage and what part is done, and can be stopped at once', async () => {
+  it('reading reports its stage and progress, and can be stopped at once', async () => {
     let slow = true;
     const visit = await (
       await program.open(SMALL, {}, async (page) => {
@@ -199,12 +199,12 @@ describe('bringing a scene', () => {
 describe('motion', () => {
   const motion = (visit: MonitoredPage) => visit.page.getByRole('region', { name: 'Motion' });
 
-  /** By the keyboard alone. */
+  /** By keyboard only. */
   async function findThing(visit: MonitoredPage, words: string): Promise<void> {
     const search = motion(visit).getByRole('combobox', { name: 'Make something fly' });
     await search.fill(words);
     await visit.page.getByRole('option').first().waitFor();
-    // The list opens with nothing chosen in it, a moment after it is there.
+    // The list appears without a selection a moment after the input.
     await expect
       .poll(async () => {
         await search.press('ArrowDown');
@@ -214,7 +214,7 @@ describe('motion', () => {
     await search.press('Enter');
   }
 
-  it('an animation runs faster, and is refused where it would outrun light', async () => {
+  it('an animation can run faster, and is rejected where it would exceed c', async () => {
     const visit = await (await program.open(SMALL)).ready();
     await openCar(visit);
     const speed = motion(visit).getByRole('textbox', { name: 'Animation speed' });
@@ -232,7 +232,7 @@ describe('motion', () => {
     await visit.close();
   });
 
-  it('a thing is searched for by the keyboard and flies at 0.8 c; direction and end can be chosen', async () => {
+  it('an object is found by keyboard and given a flight at 0.8 c; direction and end can be chosen', async () => {
     const visit = await (await program.open(SMALL)).ready();
     await openCar(visit);
     await findThing(visit, 'Body');
@@ -253,7 +253,7 @@ describe('motion', () => {
     await visit.close();
   });
 
-  it('the panel fits its width, in light colours and in dark ones', async () => {
+  it('the panel fits its width, in light and dark colours', async () => {
     const visit = await (await program.open(SMALL)).ready();
     await openCar(visit);
     await findThing(visit, 'Wall');

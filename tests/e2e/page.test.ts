@@ -16,7 +16,7 @@ afterAll(() => program.stop());
 
 const modules = fileURLToPath(new URL('../../node_modules', import.meta.url));
 const assets = fileURLToPath(new URL('../../dist/app/assets', import.meta.url));
-/** All that the built page has in files of a kind. */
+/** The content of all files of the built page with an extension. */
 const built = (ending: string): string =>
   readdirSync(assets)
     .filter((file) => file.endsWith(ending))
@@ -33,7 +33,7 @@ async function seriousViolations(page: Page): Promise<string[]> {
 }
 
 describe('the page', () => {
-  it('has no serious violation of accessibility, in dark colours and in light ones', async () => {
+  it('has no serious accessibility violation, in dark and light colours', async () => {
     const visit = await (await program.open(SMALL, { viewport: { width: 1280, height: 720 } })).ready();
     for (const colorScheme of ['dark', 'light'] as const) {
       await visit.page.emulateMedia({ colorScheme });
@@ -43,7 +43,7 @@ describe('the page', () => {
       await visit.page.getByRole('button', { name: 'Scenes' }).click();
       await visit.page.getByRole('dialog').waitFor();
       await visit.page.locator('[data-example]').first().waitFor();
-      await visit.page.waitForTimeout(400); // The dialogue fades in, and half faded its contrast is poor.
+      await visit.page.waitForTimeout(400); // Until the dialogue has faded in its contrast is poor.
       await visit.shot(`gallery-${colorScheme}`);
       expect(await seriousViolations(visit.page)).toEqual([]);
       await visit.page.keyboard.press('Escape');
@@ -59,7 +59,7 @@ describe('the page', () => {
     await visit.close();
   });
 
-  it('fits large and small windows, also when they change', async () => {
+  it('fits large and small windows, also when resized', async () => {
     const visit = await (await program.open(SMALL, { viewport: { width: 1920, height: 1080 } })).ready();
     for (const [width, height] of [
       [1920, 1080],
@@ -80,7 +80,7 @@ describe('the page', () => {
     await visit.close();
   });
 
-  it('speaks Chinese, and remembers it', async () => {
+  it('can be switched to Chinese, which is remembered', async () => {
     const visit = await (await program.open(SMALL)).ready();
     await visit.page.getByRole('button', { name: '切换到中文' }).click();
     await visit.page.getByText('光速').first().waitFor();
@@ -96,7 +96,7 @@ describe('the page', () => {
     await visit.close();
   });
 
-  it('undo and redo follow every edit, and a slider’s drag is one of them', async () => {
+  it('undo and redo cover every edit; a slider drag is one edit', async () => {
     const visit = await (await program.open(SMALL)).ready();
     const undo = visit.page.getByRole('button', { name: /^Undo/ });
     const redo = visit.page.getByRole('button', { name: /^Redo/ });
@@ -117,14 +117,14 @@ describe('the page', () => {
     await visit.close();
   });
 
-  it('a worker plans how edges are cut, and the status bar counts what is drawn', async () => {
+  it('a worker plans the tessellation, and the status bar counts what is drawn', async () => {
     const visit = await (await program.open('?backend=webgl&scene=examples/street.usda')).ready();
     expect(visit.page.workers().filter((worker) => worker.url().includes('tessellation.worker'))).toHaveLength(1);
     await expect.poll(() => visit.status('triangles')).toMatch(/^[1-9][\d\s]* triangles$/);
     await visit.close();
   });
 
-  it('the views differ, and switching back gives the same picture', async () => {
+  it('views differ, and switching back restores the picture', async () => {
     const visit = await (await (await program.open('?backend=webgl&scene=examples/dice.usda')).ready()).finest();
     const seen = await visit.pixels();
     await visit.page.getByText('Simultaneity', { exact: true }).click();
@@ -135,7 +135,7 @@ describe('the page', () => {
     await visit.close();
   });
 
-  it('recovers from the loss of its WebGL context, where it was', async () => {
+  it('recovers its state after the loss of the WebGL context', async () => {
     const visit = await (await (await program.open(SMALL)).ready()).finest();
     const before = await visit.pixels();
     await visit.page.locator('canvas').evaluate((canvas: HTMLCanvasElement) => {
@@ -148,8 +148,8 @@ describe('the page', () => {
     await visit.close();
   });
 
-  it('draws with WebGPU where there is one, and recovers from the loss of its device', async () => {
-    // A WebGPU that is drawn in software takes long for large pictures.
+  it('draws with WebGPU where available, and recovers from the loss of its device', async () => {
+    // Software WebGPU is slow for large pictures.
     const options = { viewport: { width: 800, height: 480 } };
     const visit = await (await program.open('?backend=webgpu&scene=examples/sphere.usda', options)).ready();
     expect(await visit.status('backend')).toBe('WebGPU');
@@ -163,7 +163,7 @@ describe('the page', () => {
     await visit.close();
   });
 
-  it('says what to do where nothing can be drawn', async () => {
+  it('says what to do where no GPU API is available', async () => {
     const visit = await program.open('', {}, async (page) => {
       await page.addInitScript(() => {
         HTMLCanvasElement.prototype.getContext = () => null;
@@ -177,7 +177,7 @@ describe('the page', () => {
     await visit.close();
   });
 
-  it('has the styles of all controls in it, and of no others', () => {
+  it('contains the styles of all its controls, and no others', () => {
     const scripts = built('.js');
     const styles = built('.css');
     const names = (css: string): readonly string[] => [...new Set(css.match(/\bm_[0-9a-f]+\b/g))];
@@ -187,7 +187,7 @@ describe('the page', () => {
     expect(names(styles).toSorted()).toEqual(used.toSorted());
   });
 
-  it('weighs at most 1 MB, compressed, before its first picture', async () => {
+  it('loads at most 1 MB, compressed, before its first picture', async () => {
     const asked = new Set<string>();
     const visit = await program.open(SMALL, {}, async (page) => {
       page.on('request', (request) => {
@@ -195,7 +195,7 @@ describe('the page', () => {
       });
     });
     await visit.ready();
-    // Weighed from the server, for the browser drops what it has read, and may still be asking for more.
+    // Sizes come from the server, because the browser drops bodies it has read and may still be loading.
     const weights = await Promise.all(
       [...asked].map(async (url) => {
         const body = new Uint8Array(await (await fetch(url)).arrayBuffer());
@@ -206,7 +206,7 @@ describe('the page', () => {
     expect(bytes).toBeGreaterThan(200_000);
     console.log(`${bytes} bytes`);
     expect(bytes).toBeLessThan(1_000_000);
-    // The other language, and letters of alphabets that are not shown.
+    // Neither the other language nor font subsets of unused alphabets.
     expect([...asked].filter((url) => /chinese|greek-wght|latin-wght/.test(url))).toEqual([]);
     await visit.close();
   });

@@ -13,7 +13,7 @@ beforeAll(async () => {
 afterAll(() => program.stop());
 
 const effect = (color: string) => `fn effect(p: Pixel) -> vec4f {\n  return vec4f(${color}, 1);\n}`;
-/** Nearly as many steps for each pixel as a text may have. */
+/** Nearly the maximum number of steps per pixel of an effect text. */
 const SLOW = `fn effect(p: Pixel) -> vec4f {
   var x = p.color.rgb;
   for (var i = 0; i < 64; i++) {
@@ -30,18 +30,18 @@ async function write(visit: MonitoredPage, text: string): Promise<void> {
 
 async function undo({ page }: MonitoredPage): Promise<void> {
   await page.getByRole('button', { name: /^Undo: Shader text/ }).click();
-  // What the button tells would lie over the picture.
+  // The button's tooltip would cover the picture.
   await page.mouse.move(0, 0);
 }
 
-/** The picture as the project has it, without the checkers' magenta. */
+/** The final picture, once it has no magenta of the checkerboard. */
 async function gray(visit: MonitoredPage): Promise<Uint8Array> {
   await visit.ready();
   await expect.poll(async () => pinkShare(await visit.pixels())).toBeLessThan(0.005);
   return (await visit.finest()).pixels();
 }
 
-/** What is lit, through an effect that somebody wrote, beside an ordinary picture of the same. */
+/** The lit scene through a user-written effect, beside an ordinary picture of it. */
 function project() {
   const commands: Command[] = [
     { kind: 'set-param', node: 'toneMap', param: 'metering', value: 'manual' },
@@ -65,7 +65,7 @@ function project() {
   return applyCommand(newProject(ASKED), { kind: 'batch', commands }).document;
 }
 
-it('a picture that is put together of nodes is drawn, a text that cannot be is refused with its line, and the last good picture stays', async () => {
+it('a picture composed of nodes is drawn; an invalid effect text is rejected with its line, and the last valid picture stays', async () => {
   const page = await program.open(`?backend=webgl#${encodeShareLink(project())}`, {}, serveAsked);
   const before = await gray(page);
   await write(page, effect('p.color.ggg * nothing'));
@@ -79,12 +79,12 @@ it('a picture that is put together of nodes is drawn, a text that cannot be is r
   await write(page, effect('p.color.ggg'));
   await alpha.fill('1');
   await alpha.press('Enter');
-  // The ordinary picture alone.
+  // The ordinary picture only.
   await expect.poll(async () => pinkShare(await page.pixels())).toBeGreaterThan(0.03);
   await page.close();
 });
 
-it('a text that is as slow as one may be slows the picture, not the page', async () => {
+it('an effect text of maximum cost slows the picture, not the page', async () => {
   const page = await program.open(`?backend=webgl#${encodeShareLink(project())}`, {}, serveAsked);
   const before = await gray(page);
   await write(page, SLOW);
@@ -97,26 +97,23 @@ it('a text that is as slow as one may be slows the picture, not the page', async
 it.each([
   ['webgl', 'loses its context'],
   ['webgpu', 'loses its device'],
-])(
-  'on %s a picture with a text of somebody’s own is there again when it %s, and so is all that was done',
-  async (backend) => {
-    const options = { viewport: { width: 640, height: 480 } };
-    const page = await program.open(`?backend=${backend}#${encodeShareLink(project())}`, options, serveAsked);
-    const first = await gray(page);
-    await write(page, effect('1 - p.color.ggg'));
-    await expect.poll(async () => difference(await page.pixels(), first)).toBeGreaterThan(5);
-    const before = await (await page.finest()).pixels();
-    if (backend === 'webgpu') await program.crashGraphics();
-    else
-      await page.page.locator('canvas').evaluate((canvas: HTMLCanvasElement) => {
-        canvas.getContext('webgl2')?.getExtension('WEBGL_lose_context')?.loseContext();
-      });
-    await page.page.getByText('was lost and has been restarted').waitFor();
-    await expect.poll(async () => difference(await page.pixels(), before)).toBeLessThan(0.5);
-    expect(await textOf(page).inputValue()).toContain('1 - p.color');
-    await undo(page);
-    await expect.poll(async () => difference(await page.pixels(), first)).toBeLessThan(0.5);
-    page.expectComplaint(/Device Lost/);
-    await page.close();
-  },
-);
+])('on %s a picture with a user-written effect is restored, with all edits, when it %s', async (backend) => {
+  const options = { viewport: { width: 640, height: 480 } };
+  const page = await program.open(`?backend=${backend}#${encodeShareLink(project())}`, options, serveAsked);
+  const first = await gray(page);
+  await write(page, effect('1 - p.color.ggg'));
+  await expect.poll(async () => difference(await page.pixels(), first)).toBeGreaterThan(5);
+  const before = await (await page.finest()).pixels();
+  if (backend === 'webgpu') await program.crashGraphics();
+  else
+    await page.page.locator('canvas').evaluate((canvas: HTMLCanvasElement) => {
+      canvas.getContext('webgl2')?.getExtension('WEBGL_lose_context')?.loseContext();
+    });
+  await page.page.getByText('was lost and has been restarted').waitFor();
+  await expect.poll(async () => difference(await page.pixels(), before)).toBeLessThan(0.5);
+  expect(await textOf(page).inputValue()).toContain('1 - p.color');
+  await undo(page);
+  await expect.poll(async () => difference(await page.pixels(), first)).toBeLessThan(0.5);
+  page.expectComplaint(/Device Lost/);
+  await page.close();
+});

@@ -11,10 +11,10 @@ import { SOFTWARE_GPU_FLAGS } from '../../src/cli/gpu/gpuDrivers.ts';
 
 const bin = fileURLToPath(new URL('../../bin/slowlight.js', import.meta.url));
 
-/** Where the pictures of a run are left to be looked at. */
+/** Folder of screenshots of a run, for inspection. */
 export const shots = process.env.E2E_SHOTS ?? mkdtempSync(join(tmpdir(), 'slowlight-e2e-'));
 
-/** The built program, served as `npm start` does, and a browser to use it with. */
+/** The built program, served as by `npm start`, and a browser. */
 export class Program {
   readonly url: string;
   private readonly server: ChildProcess;
@@ -40,7 +40,7 @@ export class Program {
     this.browser = browser;
   }
 
-  /** A page of its own, with nothing kept from others. `address`: what follows the program's own. */
+  /** Opens a page in a new browser context, without stored data. `address`: appended to the program's URL. */
   async open(
     address = '',
     options: BrowserContextOptions = {},
@@ -60,14 +60,14 @@ export class Program {
     return guarded;
   }
 
-  /** Another tab beside a page, which has what is kept of the others. */
+  /** Opens another tab in the context of a page, which shares its stored data. */
   async beside({ page }: MonitoredPage, address: string): Promise<MonitoredPage> {
     const guarded = new MonitoredPage(await page.context().newPage(), this.url);
     await guarded.page.goto(`${this.url}/${address}`);
     return guarded;
   }
 
-  /** As a driver does that fails: every page's device and context is lost. */
+  /** Crashes the GPU process: every page loses its device or context. */
   async crashGraphics(): Promise<void> {
     const session = await this.browser.newBrowserCDPSession();
     await session.send('Browser.crashGpuProcess').catch(() => {});
@@ -79,7 +79,7 @@ export class Program {
   }
 }
 
-/** A page that is watched: what it complains of, and whom it talks to. */
+/** A page whose errors and requests to other origins are recorded. */
 export class MonitoredPage {
   readonly page: Page;
   readonly complaints: string[] = [];
@@ -96,27 +96,27 @@ export class MonitoredPage {
     });
   }
 
-  /** The whole visit: nothing was complained of, and nobody else was asked. */
+  /** Closes the page, and expects no errors and no requests to other origins. */
   async close(): Promise<void> {
     expect(this.complaints).toEqual([]);
     await this.page.context().close();
   }
 
-  /** Takes back what the page had to complain of. */
+  /** Expects a complaint that matches `about`, and removes all that match. */
   expectComplaint(about: RegExp): void {
     const rest = this.complaints.filter((complaint) => !about.test(complaint));
     expect(rest.length, `a complaint about ${about}`).toBeLessThan(this.complaints.length);
     this.complaints.splice(0, this.complaints.length, ...rest);
   }
 
-  /** The scene is open, drawn and at rest. */
+  /** Waits until the scene is open and drawn. */
   async ready(): Promise<this> {
     await this.page.locator('[data-status="backend"]', { hasText: 'Web' }).waitFor();
     await expect.poll(() => this.triangles()).toBeGreaterThan(0);
     return this;
   }
 
-  /** The picture rests: what was asked for last is drawn, with all its samples and in its own light. */
+  /** Waits until the picture is final: the last request is drawn with all samples and metered exposure. */
   async finest(): Promise<this> {
     await this.page.evaluate(() => new Promise((drawn) => requestAnimationFrame(() => requestAnimationFrame(drawn))));
     await this.page.locator('canvas[data-finest]').waitFor({ timeout: 60_000 });
@@ -127,7 +127,7 @@ export class MonitoredPage {
     return (await this.page.locator(`[data-status="${id}"]`).textContent()) ?? '';
   }
 
-  /** In units of c. */
+  /** The displayed speed [c]. */
   async speed(): Promise<number> {
     return Number(/([\d.]+) c$/.exec(await this.status('speed'))?.[1]);
   }
@@ -140,7 +140,7 @@ export class MonitoredPage {
     return this.page.getByRole('application');
   }
 
-  /** Notices of what could not be done. */
+  /** Notices of errors. */
   get refusals() {
     return this.page.locator('.sl-notices').getByRole('alert');
   }
@@ -149,12 +149,12 @@ export class MonitoredPage {
     await this.page.screenshot({ path: join(shots, `${name}.png`) });
   }
 
-  /** The pixels of the picture, as they are shown, without what lies over it. */
+  /** The displayed pixels of the picture, without overlays. */
   async pixels(): Promise<Uint8Array> {
     return Uint8Array.from((await this.picture()).data);
   }
 
-  /** Red, green and blue of the pixel in its middle. */
+  /** Red, green and blue of the middle pixel. */
   async middle(): Promise<readonly number[]> {
     const { data, width, height, channels } = await this.picture();
     const at = channels * (Math.floor(height / 2) * width + Math.floor(width / 2));
@@ -168,7 +168,7 @@ export class MonitoredPage {
   }
 }
 
-/** How many different colours there are: a blank picture has one. */
+/** Number of different colours; 1 for a blank picture. */
 export const colorCount = (pixels: Uint8Array): number => {
   const seen = new Set<number>();
   for (let i = 0; i + 2 < pixels.length; i += 3) seen.add((pixels[i]! << 16) | (pixels[i + 1]! << 8) | pixels[i + 2]!);

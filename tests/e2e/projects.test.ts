@@ -20,11 +20,11 @@ afterAll(() => program.stop());
 const SQUARE = sceneBytes('textured.usda');
 const CHECKER = sceneBytes('textures/checker.png');
 
-/** The exposure is set by hand, so that the same project is the same picture from the first frame on. */
+/** With manual exposure, so that the same project gives the same picture from the first frame on. */
 const manual: Command = { kind: 'set-param', node: 'toneMap', param: 'metering', value: 'manual' };
 const still = (source: string) => applyCommand(newProject(source), manual).document;
 
-/** A page on the smallest scene there is, which is at an address of the server. */
+/** Opens a page on the minimal scene at a URL of the server. */
 async function visit(address = '', prepare?: (page: Page) => Promise<void>): Promise<MonitoredPage> {
   return program.open(`?backend=webgl&scene=${ASKED}${address}`, {}, async (page) => {
     await prepare?.(page);
@@ -63,7 +63,7 @@ describe('a project', () => {
   const files = { 'set/square.usda': new Uint8Array(SQUARE), 'set/textures/checker.png': new Uint8Array(CHECKER) };
   const yard = { name: 'yard.zip', content: Buffer.from(zipSync({ 'project.slowlight.json': project, ...files })) };
 
-  it('opens from a zip, is there again after the page is loaded anew, and is saved and opened again', async () => {
+  it('opens from a zip, is restored when the page is reloaded, and can be saved and opened again', async () => {
     const page = await (await visit()).ready();
     await drop(page, [yard]);
     await pink(page);
@@ -77,7 +77,7 @@ describe('a project', () => {
     await page.page.keyboard.press('Escape');
     await page.page.mouse.move(0, 0);
     const before = await (await page.finest()).pixels();
-    // At once: what was just done is kept as the page goes.
+    // Immediately: the last edit is saved while the page is unloaded.
     await expose(page, '2');
     await expose(page, '1.5');
     await page.page.reload();
@@ -103,7 +103,7 @@ describe('a project', () => {
       'set/textures/checker.png',
     ]);
 
-    // Another address is another beginning.
+    // Another URL starts anew.
     await page.page.goto(`${program.url}/?scene=${ASKED}&backend=webgl`);
     await page.ready();
     await drop(page, [all]);
@@ -114,7 +114,7 @@ describe('a project', () => {
     await page.close();
   });
 
-  it('that is damaged is refused with its place, and the picture stays', async () => {
+  it('that is damaged is rejected with file and place, and the picture stays', async () => {
     const page = await (await visit()).ready();
     await pink(page);
     const broken = JSON.parse(new TextDecoder().decode(project));
@@ -125,7 +125,7 @@ describe('a project', () => {
     expect(await page.page.getByRole('button', { name: /^Undo/ }).isDisabled()).toBe(true);
     await page.refusals.getByRole('button', { name: 'Close' }).click();
 
-    // Alone it lacks its scene: that is told, and can be given.
+    // Without its scene: that is reported, and can be supplied.
     await drop(page, [{ name: 'alone.slowlight.json', content: Buffer.from(project) }]);
     await page.refusals.waitFor();
     expect(await page.refusals.textContent()).toMatch(/square\.usda.*last valid scene/);
@@ -141,7 +141,7 @@ describe('a project', () => {
 });
 
 describe('a link', () => {
-  it('carries the project, and shows the same picture', async () => {
+  it('contains the project, and shows the same picture', async () => {
     const page = await (await visit()).ready();
     await page.page.getByRole('radiogroup', { name: 'Metering' }).getByText('Manual').click();
     await expose(page, '-1');
@@ -159,7 +159,7 @@ describe('a link', () => {
     const other = await (await visit(`#${fragment}`)).ready();
     await looksLike(other, shown);
     expect(await exposure(other).inputValue()).toMatch(/^-1/);
-    // Followed within the page, it is a step that can be undone.
+    // Followed within the page, it is an undoable step.
     await other.page.evaluate(
       (next) => {
         location.hash = next;
@@ -174,8 +174,8 @@ describe('a link', () => {
   });
 });
 
-describe('what is kept', () => {
-  it('of a tab that was closed is offered in the next, not while it is open', async () => {
+describe('stored sessions', () => {
+  it('the session of a closed tab is offered in the next one, not while it is open', async () => {
     const page = await (await visit()).ready();
     await expose(page, '3');
     await page.page.waitForTimeout(600);
@@ -193,7 +193,7 @@ describe('what is kept', () => {
     await third.close();
   });
 
-  it('where the browser keeps nothing it is told, and the page goes on; as with a link that was cut off', async () => {
+  it('the page reports missing browser storage, or a truncated link, and works on', async () => {
     const damaged = `#${encodeShareLink(still(ASKED)).slice(0, -20)}`;
     const page = await visit(damaged, async (tab) => {
       await tab.addInitScript(() => {

@@ -17,7 +17,7 @@ const set = (node: string, param: string, value: number | string): Command => ({
   param,
   value,
 });
-/** The still alone, at a size that takes a second. */
+/** The still only, at a size that takes a second. */
 const commands = [
   set('truth', 'width', 96),
   set('truth', 'height', 54),
@@ -27,14 +27,14 @@ const commands = [
 ];
 const project = serializeDocument(applyCommand(truth(), { kind: 'batch', commands }).document);
 
-/** The picture is wider than the still, and black beside it. */
+/** Whether the picture is wider than the still, and black beside it. */
 function blackShare(pixels: Uint8Array): number {
   let black = 0;
   for (let i = 0; i + 2 < pixels.length; i += 3) if (pixels[i]! + pixels[i + 1]! + pixels[i + 2]! === 0) black++;
   return (3 * black) / pixels.length;
 }
 
-it('a reference render tells on its node how far it is, is shown, stays while another is made, and is cancelled', async () => {
+it('a reference render reports progress on its node, is displayed, stays while the next one is rendered, and can be cancelled', async () => {
   const options = { viewport: { width: 1100, height: 760 } };
   const visit = await (await program.open('?backend=webgl&scene=examples/sphere.usda', options)).ready();
   const { page } = visit;
@@ -55,7 +55,7 @@ it('a reference render tells on its node how far it is, is shown, stays while an
 
   await page.locator('.react-flow__node[data-id="truth"] .sl-node-head').click();
   await sample('16');
-  // From afar it is a bar alone.
+  // Zoomed out, progress is only a bar.
   await work.waitFor({ state: 'attached' });
   await expect.poll(() => work.textContent()).toMatch(/^[1-9]\d?\u202f%$/);
   expect(tracers()).toHaveLength(1);
@@ -66,7 +66,7 @@ it('a reference render tells on its node how far it is, is shown, stays while an
   await expect.poll(tracers).toEqual([]);
   expect(difference(await visit.pixels(), before)).toBeLessThan(0.5);
 
-  // Another picture: of other noise.
+  // Another picture: its noise differs.
   await sample('2');
   await expect.poll(async () => difference(await visit.pixels(), before)).toBeGreaterThan(0.5);
   await visit.close();

@@ -18,10 +18,10 @@ afterAll(() => program.stop());
 
 const [WIDTH, HEIGHT] = [192, 108];
 
-/** Of both sides: a parameter, and its value as the command line has it. */
+/** A parameter for page and command line, and its value as the command line writes it. */
 type Set = readonly [node: string, param: string, value: ParamValue, text: string];
 
-/** The page takes itself to have a GPU, for where it has none it draws coarser shadows and one sample. */
+/** Makes the page assume a GPU, since without one it draws coarser shadows and one sample. */
 const asOnGpu = (page: Page): Promise<unknown> =>
   page.addInitScript(() => {
     const of = WebGL2RenderingContext.prototype;
@@ -46,11 +46,11 @@ async function shown(name: string, backend: string, sets: readonly Set[]): Promi
   return visit.ready();
 }
 
-/** Shares of the channels that differ, and by more than one step of 8 bits. */
+/** Fractions of the channels that differ, and that differ by more than one 8-bit step. */
 function differing(a: Uint8Array, b: Uint8Array): readonly [some: number, more: number] {
   const steps = a.map((value, i) => Math.abs(value - b[i]!));
-  const share = (least: number) => steps.filter((step) => step >= least).length / steps.length;
-  return a.length === b.length ? [share(1), share(2)] : [1, 1];
+  const fraction = (least: number) => steps.filter((step) => step >= least).length / steps.length;
+  return a.length === b.length ? [fraction(1), fraction(2)] : [1, 1];
 }
 
 function rgbOf(file: string): Uint8Array {
@@ -74,13 +74,13 @@ it.each([
   expect(code, err).toBe(0);
   const wanted = rgbOf(file);
   const visit = await shown(name, backend, sets);
-  // The light is measured, edges are cut and samples are added until it rests.
+  // Wait until metering, tessellation and accumulation are complete.
   await expect.poll(async () => differing(await visit.pixels(), wanted)).toEqual([0, 0]);
   expect(colorCount(wanted)).toBeGreaterThan(50);
   await visit.close();
 });
 
-it('the page that the command line drives tells how large its device draws, before it is asked to', async () => {
+it('the headless page reports its device’s maximum size before rendering', async () => {
   const visit = await program.open('headless.html', {}, async (page) => {
     await page.addInitScript(() => {
       const of = WebGL2RenderingContext.prototype;

@@ -11,7 +11,7 @@ beforeAll(async () => {
 });
 afterAll(() => program.stop());
 
-/** A ball that flies by at 0.5 c. */
+/** A ball passing at 0.5 c. */
 const MOVING = '?backend=webgl&scene=examples/sphere.usda';
 const WIDTH = 1000;
 
@@ -29,7 +29,7 @@ const at = ({ data, width, channels }: DecodedPng, x: number, y: number): Rgb =>
   return [data[i]!, data[i + 1]!, data[i + 2]!];
 };
 
-/** Pixels that differ, inside and outside of a box. */
+/** Number of differing pixels inside and outside of a box. */
 function differing(a: DecodedPng, b: DecodedPng, { x, y, width, height }: Box): { inside: number; outside: number } {
   const count = { inside: 0, outside: 0 };
   for (let row = 0; row < a.height; row++)
@@ -42,7 +42,7 @@ function differing(a: DecodedPng, b: DecodedPng, { x, y, width, height }: Box): 
 }
 type Box = { x: number; y: number; width: number; height: number };
 
-it('a saved picture has the legend that is shown, where it is shown, and tells what it is of', async () => {
+it('a saved picture has the displayed legend, at its place, and metadata', async () => {
   const visit = await (await program.open(MOVING, { viewport: { width: WIDTH, height: 600 } })).ready();
   const plain = await save(visit, 'saved-light');
   expect(plain.text).toMatchObject({
@@ -83,7 +83,7 @@ it('a saved picture has the legend that is shown, where it is shown, and tells w
   await visit.close();
 });
 
-it('the value at the crosshair is saved with it, also in Chinese and of twice as many pixels; hidden stays hidden', async () => {
+it('the value at the crosshair is saved with it, also in Chinese and at double resolution; a hidden legend stays hidden', async () => {
   const options = { viewport: { width: WIDTH, height: 600 }, deviceScaleFactor: 2, locale: 'zh-CN' };
   const visit = await (await program.open(MOVING, options)).ready();
   await visit.viewport.focus();

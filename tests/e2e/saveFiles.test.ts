@@ -45,7 +45,7 @@ async function downloaded(
   return { name: file.suggestedFilename(), content: readFileSync(await file.path()) };
 }
 
-/** When each frame of a film is to be seen [s], as ffprobe reads it. */
+/** Presentation time of each frame of a film [s], by ffprobe. */
 function frameTimes(path: string): number[] {
   const asked = ['-v', 'error', '-show_entries', 'frame=pts_time', '-of', 'csv=p=0', path];
   return execFileSync('ffprobe', asked)
@@ -55,7 +55,7 @@ function frameTimes(path: string): number[] {
     .map((line) => Number.parseFloat(line));
 }
 
-it('a picture is that of the command line, a film has all its frames', async () => {
+it('a saved picture equals that of the command line, and a film has all its frames', async () => {
   const visit = await opened();
   const still = await downloaded(visit, 'still');
   expect(still.name).toBe('picture.png');
@@ -74,14 +74,14 @@ it('a picture is that of the command line, a film has all its frames', async () 
   const probed = execFileSync('ffprobe', ['-v', 'error', '-count_frames', '-show_entries', told, '-of', 'csv', path]);
   expect(probed.toString().trim()).toBe('stream,64,48,bt709,8/1,5');
   expect(frameTimes(path)).toEqual([0, 0.125, 0.25, 0.375, 0.5]);
-  // A jump to its time finds the third.
+  // Seeking to its time finds the third frame.
   const jump = ['-v', 'error', '-ss', '0.25', '-i', path, '-frames:v', '1', '-f', 'rawvideo', '-pix_fmt', 'rgba', '-'];
   const raw = execFileSync('ffmpeg', jump);
   expect(difference(Uint8Array.from(raw), Uint8Array.from(picture.data))).toBeLessThan(6);
   await visit.close();
 });
 
-it('a film is VP9 where there is nothing else', async () => {
+it('a film is VP9 where no other codec is available', async () => {
   const visit = await opened();
   await visit.page.evaluate(() => {
     const real = VideoEncoder.isConfigSupported.bind(VideoEncoder);
@@ -97,7 +97,7 @@ it('a film is VP9 where there is nothing else', async () => {
   await visit.close();
 });
 
-it('frames come as a zip, scenes as they are; what no browser writes is told with a remedy; by keys too', async () => {
+it('frames are saved as a zip, scenes as files; what browsers cannot write is reported with a remedy; also by keyboard', async () => {
   const visit = await opened(
     ...[
       set('film', 'name', 'f_##.png'),
@@ -122,7 +122,7 @@ it('frames come as a zip, scenes as they are; what no browser writes is told wit
   const button = page.getByRole('region', { name: 'Write USD' }).getByRole('button', { name: 'Download the file' });
   await button.waitFor();
   const download = page.waitForEvent('download');
-  // At once: an inspector that has just been opened takes the focus.
+  // Immediately, because an inspector that has just been opened takes the focus.
   await button.press('Enter');
   const scene = await download;
   await page.getByText('box.usdz, which cannot represent everything: /Box: its uniform motion is sampled').waitFor();
@@ -131,7 +131,7 @@ it('frames come as a zip, scenes as they are; what no browser writes is told wit
   await visit.close();
 });
 
-it('a long film tells how far it is, and can be ended', async () => {
+it('a long film reports progress, and can be cancelled', async () => {
   const visit = await opened(set('film', 'to', 60));
   const { page } = visit;
   await node(page, 'film').getByRole('button', { name: 'Download the file' }).click();
@@ -146,7 +146,7 @@ it('a long film tells how far it is, and can be ended', async () => {
   await visit.close();
 });
 
-it('where the browser encodes no films, or the device is too small, it says what to do', async () => {
+it('reports a remedy where the browser cannot encode films, or the device is too small', async () => {
   const visit = await opened();
   const { page } = visit;
   await page.evaluate(() => Reflect.deleteProperty(window, 'VideoEncoder'));

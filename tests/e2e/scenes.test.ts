@@ -19,21 +19,21 @@ const path = (name: string) => fileURLToPath(new URL(`scenes/${name}`, import.me
 const SMALL = '?backend=webgl&scene=examples/sphere.usda';
 
 describe('scenes', () => {
-  it('every scene of the gallery opens, shows something, and says what to look for', async () => {
+  it('every scene of the gallery opens, draws something, and shows what to look for', async () => {
     const visit = await (await program.open('?backend=webgl')).ready();
     await visit.page.addStyleTag({ content: '.sl-picture { inline-size: 360px; block-size: 240px; }' });
     const examples = (await (await fetch(`${program.url}/examples/index.json`)).json()) as Example[];
     expect(examples.map(({ name }) => name)).toContain('street');
     for (const { name, source, lookFor } of examples) {
       expect(lookFor.length, `${name} says what to look for`).toBeGreaterThan(20);
-      // Of the projects, whose pictures the command line's tests make, one does.
+      // One project is enough, because the command line's tests render them all.
       if (source.endsWith('.slowlight.json') && name !== 'workshop') continue;
       await visit.page.getByRole('button', { name: 'Scenes' }).click();
       await visit.page.locator(`[data-example="${name}"]`).click();
       await expect
         .poll(() => visit.page.locator('[data-opened]').getAttribute('data-opened'), { timeout: 60_000 })
         .toContain(`/${name}.`);
-      // Until then the picture is that of the scene before.
+      // Until then the picture is that of the previous scene.
       await visit.page.getByText('Preparing the picture').waitFor({ state: 'hidden' });
       await expect.poll(() => visit.triangles()).toBeGreaterThan(0);
       await expect.poll(async () => colorCount(await visit.pixels())).toBeGreaterThan(50);
@@ -42,7 +42,7 @@ describe('scenes', () => {
     await visit.close();
   }, 300_000);
 
-  it('a dropped scene opens with its texture, and undo goes back to the one before', async () => {
+  it('a dropped scene opens with its texture, and undo returns to the previous one', async () => {
     const visit = await (await (await program.open(SMALL)).ready()).finest();
     const before = await visit.pixels();
     await drop(visit, [
@@ -57,7 +57,7 @@ describe('scenes', () => {
     await visit.close();
   });
 
-  it('a chosen file opens; what is missing is told', async () => {
+  it('a chosen file opens; missing files are reported', async () => {
     const visit = await (await program.open(SMALL)).ready();
     await visit.page.locator('input[type=file]').first().setInputFiles(path('textured.usda'));
     await visit.page.getByText('The square wears the picture').waitFor();
@@ -69,7 +69,7 @@ describe('scenes', () => {
   it.each([
     ['Draco', (kit: GltfBuilder) => dracoGlb(kit.doc, 'edgebreaker')],
     ['meshopt', (kit: GltfBuilder) => meshoptGlb(kit.doc, 'quantize')],
-  ])('glTF compressed with %s opens under the page’s own policy', async (_, write) => {
+  ])('glTF compressed with %s opens under the page’s content security policy', async (_, write) => {
     const kit = new GltfBuilder();
     const pink = kit.doc.createMaterial().setBaseColorFactor([1, 0, 1, 1]).setDoubleSided(true);
     pink.setExtension('KHR_materials_unlit', kit.doc.createExtension(KHRMaterialsUnlit).createUnlit());
@@ -77,7 +77,7 @@ describe('scenes', () => {
     kit.scene.addChild(kit.meshNode('Square', square.setIndices(kit.ints('SCALAR', [0, 1, 2, 2, 1, 3]))));
     const buffer = Buffer.from(await write(kit));
     const visit = await (await program.open(SMALL)).ready();
-    // Globes that fly are a little pink themselves.
+    // Moving globes are a little pink themselves.
     expect(pinkShare(await visit.pixels())).toBeLessThan(0.01);
     const file = { name: 'square.glb', mimeType: 'model/gltf-binary', buffer };
     await visit.page.locator('input[type=file]').first().setInputFiles(file);
@@ -96,7 +96,7 @@ describe('scenes', () => {
     await visit.close();
   });
 
-  it('a file that cannot be read is refused with its place, and the scene stays', async () => {
+  it('an unreadable file is rejected with file and place, and the scene stays', async () => {
     const visit = await (await (await program.open(SMALL)).ready()).finest();
     const before = await visit.pixels();
     await visit.page
@@ -119,7 +119,7 @@ describe('scenes', () => {
     await visit.close();
   });
 
-  it('a speed of light below the scene’s own speeds is refused with a remedy that works', async () => {
+  it('a speed of light below the scene’s speeds is rejected with a remedy that works', async () => {
     const visit = await (await program.open('?backend=webgl&scene=examples/dice.usda')).ready();
     const field = visit.page.getByRole('textbox', { name: 'Speed of light' });
     await field.fill('0.2');
@@ -131,7 +131,7 @@ describe('scenes', () => {
     await visit.close();
   });
 
-  it('the picture is saved as a PNG of the size that is shown', async () => {
+  it('the picture is saved as a PNG of the displayed size', async () => {
     const visit = await (await program.open(SMALL)).ready();
     const size = await visit.page.locator('canvas').evaluate((canvas) => [canvas.clientWidth, canvas.clientHeight]);
     const download = visit.page.waitForEvent('download');

@@ -17,20 +17,20 @@ const hanging = (params: Readonly<Record<string, ParamValue>>): string => {
   const set = Object.entries(params).map(
     ([param, value]): Command => ({ kind: 'set-param', node: 'swing', param, value }),
   );
-  // A project that is dropped reads from beside the page, not from beside itself.
+  // A dropped project resolves files relative to the page, not to itself.
   const source = { kind: 'set-param', node: 'place', param: 'source', value: 'examples/sets/terrace.usda' } as const;
   return serializeDocument(applyCommand(hangingCloth(), { kind: 'batch', commands: [source, ...set] }).document);
 };
-/** So long, in such short steps, that no test sees its end. */
+/** Long enough, with short enough steps, that no test reaches its end. */
 const endless = hanging({ step: 4e-5, duration: 300 });
 
-/** What the panel tells of the run: until when it is computed [s]. */
+/** The panel's state of the run: the time computed so far [s]. */
 async function computed({ page }: MonitoredPage): Promise<number> {
   const text = (await page.locator('.sl-energy tbody').textContent()) ?? '';
   return Number(/(?:until|stopped at) ([\d.]+) s/.exec(text)?.[1]);
 }
 
-it('a simulation is seen while it is computed, with its energy; it is stopped, kept, and goes on from there', async () => {
+it('a simulation is displayed with its energy while it is computed; it can be stopped, is kept, and resumes from there', async () => {
   const options = { viewport: { width: 1100, height: 760 } };
   const visit = await (await program.open('?backend=webgl&scene=examples/sphere.usda', options)).ready();
   const { page } = visit;
@@ -40,7 +40,7 @@ it('a simulation is seen while it is computed, with its energy; it is stopped, k
   await expect.poll(() => computed(visit)).toBeGreaterThan(0.1);
   await page.getByText('Simulating').waitFor();
 
-  // The cloth where it is when a part of its way is computed, and not only where it was let go.
+  // The cloth is shown at computed times, not only at its initial position.
   await expect.poll(async () => difference(await visit.pixels(), before)).toBeGreaterThan(5);
   const plot = page.getByRole('slider', { name: 'Change of energy over time' });
   await plot.press('Home');
@@ -53,7 +53,7 @@ it('a simulation is seen while it is computed, with its energy; it is stopped, k
   await expect.poll(async () => difference(await visit.pixels(), level)).toBeGreaterThan(0.5);
   await visit.shot('simulation-runs');
 
-  // The air takes energy, and gives none.
+  // Air drag only removes energy.
   const cells = page.locator('.sl-energy tbody td');
   expect(await cells.nth(0).textContent()).toMatch(/^−[\d.]+$/);
   expect(Number(await cells.nth(1).textContent())).toBeGreaterThan(0);
@@ -61,7 +61,7 @@ it('a simulation is seen while it is computed, with its energy; it is stopped, k
   expect(await plot.getAttribute('aria-valuetext')).toMatch(/^[\d.]+ s: Leapfrog −[\d.]+ J$/);
   expect((await new AxeBuilder({ page }).include('.sl-energy').include('.sl-plot').analyze()).violations).toEqual([]);
 
-  // By keys: who stops it can let it go on.
+  // By keyboard: the stop button becomes the resume button.
   await page.getByRole('button', { name: 'Stop' }).press('Enter');
   await page.getByText('Stopped: interim results are shown.').waitFor();
   await page.getByText('Simulating').waitFor({ state: 'detached' });
@@ -70,7 +70,7 @@ it('a simulation is seen while it is computed, with its energy; it is stopped, k
   const kept = await computed(visit);
   expect(kept).toBeGreaterThanOrEqual(shown);
   await visit.shot('simulation-stopped');
-  // Another edit does not begin it again.
+  // An unrelated edit does not restart it.
   await page.getByRole('tab', { name: 'Controls' }).click();
   await page.getByRole('textbox', { name: 'Exposure' }).fill('1');
   await page.getByRole('textbox', { name: 'Exposure' }).press('Enter');
@@ -86,7 +86,7 @@ it('a simulation is seen while it is computed, with its energy; it is stopped, k
   await visit.close();
 });
 
-it('the GPU takes the steps, in a worker of the page, where it is told to', async () => {
+it('the GPU computes the steps in a worker of the page, if so set', async () => {
   const visit = await (await program.open('?scene=examples/sphere.usda')).ready();
   const { page } = visit;
   const content = Buffer.from(hanging({ onGpu: true, duration: 0.5 }));

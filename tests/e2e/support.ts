@@ -6,7 +6,7 @@ import type { MonitoredPage } from './program.ts';
 export const sceneBytes = (name: string): Buffer =>
   readFileSync(fileURLToPath(new URL(`scenes/${name}`, import.meta.url)));
 
-/** The smallest scene there is, a square with a picture, at an address of the server. */
+/** A minimal scene, a textured square, at a URL of the server. */
 export const ASKED = 'examples/asked.usda';
 export async function serveAsked(page: Page): Promise<void> {
   await page.route(`**/${ASKED}`, (route) => route.fulfill({ body: sceneBytes('textured.usda') }));
@@ -27,7 +27,7 @@ export async function drop(visit: MonitoredPage, given: readonly { name: string;
   }, files);
 }
 
-/** Of the checkers' magenta. */
+/** Fraction of pixels of the checkerboard's magenta. */
 export const pinkShare = (pixels: Uint8Array): number => {
   let pink = 0;
   for (let i = 0; i + 2 < pixels.length; i += 3) {

@@ -42,7 +42,7 @@ const open = (text: string, picture: Uint8Array): Promise<Scene> =>
 
 const [W, H] = [16, 8];
 
-/** What UsdLux says of a pixel (schema.usda, DomeLight and DomeLight_1), and where usd-core's matrices put that in the world. */
+/** The direction of a pixel by UsdLux (schema.usda, DomeLight and DomeLight_1), transformed to the world by usd-core's matrices. */
 const SCRIPT = `
 import json, math, sys
 from pxr import Gf, Usd, UsdGeom, UsdLux
@@ -92,7 +92,7 @@ def Xform "World"
 }
 `;
 
-/** Stages whose domes are turned, enlarged and mirrored, and the pixel of each that is not black. */
+/** Stages with rotated, scaled and mirrored domes, and the one pixel of each that is not black. */
 const numbers = random(7);
 const cases = STAGES.flatMap(([up, type, more], i) =>
   ['(1, 1, 1)', '(2, 2, 2)', '(-1, 1, 1)', '(1, -1, 1)'].map((scales, k) => ({
@@ -109,14 +109,14 @@ const cases = STAGES.flatMap(([up, type, more], i) =>
   })),
 );
 
-/** The world's directions of those pixels. */
+/** The world directions of those pixels. */
 function saidByUsd(): readonly Vec3[] {
   for (const { path, text } of cases) writeFileSync(path, text);
   const asked = cases.map(({ path, pixel }) => [path, ...pixel]);
   return JSON.parse(python('-c', SCRIPT, `${W}`, `${H}`, JSON.stringify(asked)));
 }
 
-describe.runIf(available)('a pixel of a dome is where UsdLux and the matrices of usd-core put it', () => {
+describe.runIf(available)('a dome’s pixel is in the direction given by UsdLux and the matrices of usd-core', () => {
   const said = available ? saidByUsd() : [];
 
   it.each(cases.map((one, i) => [one.title, one, i] as const))('%s', async (_, { pixel, text }, i) => {
@@ -126,7 +126,7 @@ describe.runIf(available)('a pixel of a dome is where UsdLux and the matrices of
     );
     const seen = skyIn(scene, said[i]);
     for (const [k, value] of [4, 2, 1].entries()) expect(seen[k]).toBeCloseTo(value, 4);
-    // The same after writing and reading back.
+    // Also after writing and reading back.
     const written = { 'b.usda': bytes(writeUsda(scene)), ...Object.fromEntries(writeTextures(scene)) };
     const again = await readUsd(memorySource(written), 'b.usda');
     expect(skyIn(again, said[i])).toEqual(seen.map((x) => expect.closeTo(x, 9)));
@@ -135,7 +135,7 @@ describe.runIf(available)('a pixel of a dome is where UsdLux and the matrices of
 
 const SIZE = 96;
 const code = (n: Vec3): Vec3 => [(n[0] + 1) / 2, (n[1] + 1) / 2, (n[2] + 1) / 2];
-/** From the middle of a square picture, in halves of its side, x to the right and y up. */
+/** Position relative to the centre of a square image, in half sides, x to the right and y up. */
 const offset = (column: number, row: number): readonly [number, number] => [
   (2 * (column + 0.5)) / SIZE - 1,
   1 - (2 * (row + 0.5)) / SIZE,
@@ -158,7 +158,7 @@ describe.each(['mirroredBall', 'angular'] as const)('%s', (format) => {
   const picture = exr(SIZE, SIZE, (column, row) => code(BALLS[format](...offset(column, row))));
   const text = `#usda 1.0\ndef DomeLight "Sky"\n{\n    asset inputs:texture:file = @sky.exr@\n    token inputs:texture:format = "${format}"\n}\n`;
 
-  it('shows every direction where the ball mirrors it', async () => {
+  it('shows every direction where the image projection has it', async () => {
     const scene = await open(text, picture);
     const numbers = random(3);
     for (let i = 0; i < 200; i++) {

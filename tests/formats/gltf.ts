@@ -8,7 +8,7 @@ import { glb, json, packed, triangles } from './gltfExamples.ts';
 import { materialGroups } from './gltfMaterials.ts';
 import { C } from './usdKit.ts';
 
-/** A file whose compressed bytes are all 0. */
+/** A file whose compressed data are zeros. */
 async function damaged(): Promise<Files> {
   const glb = (await packed('KHR_draco_mesh_compression', (doc) => dracoGlb(doc, 'edgebreaker'))())[
     'a.glb'

@@ -6,7 +6,7 @@ const facet = (normal = '0 0 1', corners = ['0 0 0', '1 0 0', '0 1 0']): string 
   `facet normal ${normal}\nouter loop\n${corners.map((p) => `vertex ${p}\n`).join('')}endloop\nendfacet\n`;
 const stl = (body: string, end = 'endsolid\n'): Files => ({ 'a.stl': `solid Part\n${body}${end}` });
 
-/** One facet; `rest` after it. */
+/** One facet, followed by `rest`. */
 function binary(header = '', rest = 0, x = 1): Files {
   const bytes = new Uint8Array(84 + 50 + rest);
   bytes.set(new TextEncoder().encode(header));

@@ -6,7 +6,7 @@ import { corner, crateFixture, MOVED, ORDER, paths, usd } from './usdKit.ts';
 import { materialGroups } from './usdMaterials.ts';
 import { shapeGroups } from './usdShapes.ts';
 
-/** The first bytes of a crate of a version. */
+/** The header of a crate file of a version. */
 const crate = (minor: number): Uint8Array =>
   Uint8Array.from({ length: 96 }, (_, i) => ('PXR-USDC'.charCodeAt(i) || 0) + (i === 9 ? minor : 0));
 

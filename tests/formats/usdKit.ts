@@ -22,11 +22,11 @@ export const FACE = `int[] faceVertexCounts = [4]; int[] faceVertexIndices = [0,
 
 export const paths = (scene: Scene): string[] => scene.objects.map(({ path }) => path);
 
-/** Where a vertex of an object is at a time [s]. */
+/** Position of an object's vertex at a time [s]. */
 export const corner = (scene: Scene, path: string, vertex: number, t: number): Vec3 =>
   vertexPosition(find(scene, path), vertex, t, C);
 
-/** A Material at `/NAME` of one shader, `/NAME/S`; `more`: other prims in it. */
+/** A Material at `/NAME` with the shader `/NAME/S`; `more`: further prims in it. */
 export const material = (
   name: string,
   inputs: string,
@@ -42,10 +42,10 @@ export const material = (
 
 export const RED = material('Red', 'color3f inputs:diffuseColor = (1, 0, 0)');
 
-/** To (3, 0, 0) within a second. */
+/** A motion to (3, 0, 0) within a second. */
 export const MOVED = 'double3 xformOp:translate.timeSamples = { 0: (0, 0, 0), 24: (3, 0, 0) }';
 export const ORDER = 'uniform token[] xformOpOrder = ["xformOp:translate"]';
 
-/** A file beside those of the crate reader's tests. */
+/** A fixture of the crate reader's tests. */
 export const crateFixture = (name: string): Uint8Array =>
   new Uint8Array(readFileSync(new URL(`../../src/formats/usd/crate/fixtures/${name}`, import.meta.url)));

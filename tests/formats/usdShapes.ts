@@ -6,7 +6,7 @@ import { volume } from '../support/meshes.ts';
 import { approximated, type ClaimGroup, leftOut, read } from './claim.ts';
 import { C, corner, crateFixture, def, FACE, MOVED, ORDER, paths, RED, usd } from './usdKit.ts';
 
-/** The square, its first corner higher and lower again. */
+/** The square whose first corner moves up and down. */
 const waving = (more: string): string => {
   const at = (z: number): string => `[(0, 0, ${z}), (1, 0, 0), (1, 1, 0), (0, 1, 0)]`;
   const samples = `points.timeSamples = { 0: ${at(0)}, 12: ${at(1)}, 24: ${at(0)} }`;

@@ -5,7 +5,7 @@ import { MEMORY_LIMIT, ReaderThread } from './readerThread.ts';
 const reader = new ReaderThread();
 afterAll(() => reader.end());
 
-describe('a small file that asks for much gets little', () => {
+describe('a decompression bomb is rejected or limited', () => {
   it.each(bombs)('$entry: $name', async (bomb) => {
     await reader.setSeed(bomb);
     const before = process.memoryUsage().rss;

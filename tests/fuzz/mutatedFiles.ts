@@ -7,7 +7,7 @@ import type { Seed } from './seeds.ts';
 export function fuzzSeeds(seeds: readonly Seed[]): void {
   const reader = new ReaderThread();
   afterAll(() => reader.end());
-  describe('a damaged file is read or refused, with its place, in bounded time and memory', () => {
+  describe('a damaged file is read, or rejected with file and place, in bounded time and memory', () => {
     it.each(seeds)('$name', async (seed) => {
       await reader.setSeed(seed);
       expect(await reader.read(seed.files[seed.entry])).not.toHaveProperty('refusal');

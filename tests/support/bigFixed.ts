@@ -1,9 +1,9 @@
-// Fixed-point numbers with 1024 bits after the point: an independent route to expected values, in which nothing cancels.
+// Fixed-point numbers with 1024 fractional bits: an independent route to expected values, without cancellation.
 
 export type Big = bigint;
 const BITS = 1024n;
 
-/** Exactly the value of a finite double (down to 2^-1024). */
+/** The exact value of a finite double (down to 2^-1024). */
 export function big(x: number): Big {
   if (!Number.isFinite(x)) throw new RangeError(`${x} is no finite number`);
   let exponent = 0;

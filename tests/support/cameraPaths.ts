@@ -7,31 +7,31 @@ import type { Mesh, Scene, SceneObject } from '../../src/scene/types.ts';
 import { lookAtOrientation } from '../../src/scene/view/camera.ts';
 import { DEFAULT_SETTINGS, type RenderSettings, type ViewPoint } from '../../src/scene/view/view.ts';
 
-/** A short, always equal flight, to see how still and how right pictures are while they move. */
+/** A short, deterministic camera path, to measure flicker and error of pictures in motion. */
 export interface CameraPath {
   readonly name: string;
   readonly scene: Scene;
   readonly settings: RenderSettings;
-  /** The observer in the picture of this number. */
+  /** The observer of picture `index`. */
   readonly view: (index: number) => ViewPoint;
 }
 
-/** Between two pictures [s]. */
+/** Interval between pictures [s]. */
 export const FRAME_TIME = 1 / 30;
 
 const LIGHT = makeMaterial({ name: 'light', baseColor: [0.8, 0.78, 0.7] });
 const DARK = makeMaterial({ name: 'dark', baseColor: [0.05, 0.06, 0.08] });
-const wearing = (mesh: Mesh, material: number): Mesh => ({
+const withMaterial = (mesh: Mesh, material: number): Mesh => ({
   ...mesh,
   groups: mesh.groups.map((group) => ({ ...group, material })),
 });
 const standing = (path: string, mesh: Mesh, at: Vec3): SceneObject => makeObject({ path, mesh, motion: restingAt(at) });
 
-/** Slats on a floor into the distance, and thin posts: in the end all of it is finer than pixels. */
+/** Slats on a floor and thin posts, into the distance, where they become thinner than pixels. */
 function slats(): SceneObject[] {
-  const floor = standing('/floor', wearing(plane(40, 80, 'Y'), 0), [0, 0, -40]);
-  const slat = wearing(box([12, 0.02, 0.25]), 1);
-  const post = wearing(box([0.06, 2, 0.06]), 1);
+  const floor = standing('/floor', withMaterial(plane(40, 80, 'Y'), 0), [0, 0, -40]);
+  const slat = withMaterial(box([12, 0.02, 0.25]), 1);
+  const post = withMaterial(box([0.06, 2, 0.06]), 1);
   return [
     floor,
     ...Array.from({ length: 100 }, (_, i) => standing(`/slat${i}`, slat, [0, 0.01, -2 - 0.5 * i])),
@@ -48,7 +48,7 @@ const eye = (u: Vec3, position: Vec3): ViewPoint => ({
 });
 const SETTINGS: RenderSettings = { ...DEFAULT_SETTINGS, speedOfLight: 10 };
 
-/** The head turns slowly, by a third of a pixel in a picture of 100 rows. */
+/** A slowly turning camera, by a third of a pixel per picture of 100 rows. */
 export function turning(beta: number): CameraPath {
   const view = eye(properVelocity([0, 0, -beta]), [0, 1.6, 0]);
   const at = (index: number): ViewPoint => ({
@@ -59,9 +59,9 @@ export function turning(beta: number): CameraPath {
   return { name: `floor, turning, ${beta} c`, scene, settings: SETTINGS, view: at };
 }
 
-/** Balls pass at 0.6 c before what rests. */
+/** Balls passing at 0.6 c in front of objects at rest. */
 export function passing(): CameraPath {
-  const ball = wearing(sphere(0.5), 0);
+  const ball = withMaterial(sphere(0.5), 0);
   const v: Vec3 = [6, 0, 0];
   const balls = [-2.4, 0, 2.4].map((x, i) =>
     makeObject({
@@ -71,7 +71,7 @@ export function passing(): CameraPath {
     }),
   );
   const wall = Array.from({ length: 40 }, (_, i) =>
-    standing(`/lath${i}`, wearing(box([0.12, 6, 0.1]), 1), [-8 + 0.4 * i, 1, -9]),
+    standing(`/lath${i}`, withMaterial(box([0.12, 6, 0.1]), 1), [-8 + 0.4 * i, 1, -9]),
   );
   const view = eye(ZERO, [0, 1.6, 0]);
   const at = (index: number): ViewPoint => ({ ...view, t: FRAME_TIME * index });
@@ -83,13 +83,13 @@ export function passing(): CameraPath {
   return { name: 'balls passing, 0.6 c', scene, settings: SETTINGS, view: at };
 }
 
-/** How a film is wrong, against the truth of the same pictures. In steps of 8 bits. */
+/** Errors of a sequence against the true pictures, in 8-bit steps. */
 export interface TemporalError {
   /** Mean |picture − truth| over channels, pixels and pictures. */
   readonly error: number;
-  /** Mean |change between two pictures − that of the truth|. */
+  /** Mean |change between successive pictures − that of the truth|. */
   readonly flicker: number;
-  /** |picture − truth| that one in a thousand channels is above. */
+  /** The 99.9th percentile of |picture − truth|. */
   readonly worst: number;
 }
 
@@ -99,11 +99,11 @@ export function temporalError(film: readonly Uint8Array[], truth: readonly Uint8
   film.forEach((picture, k) => {
     for (let i = 0; i < picture.length; i++) {
       if (i % 4 === 3) continue;
-      const off = picture[i]! - truth[k]![i]!;
-      errors.push(Math.abs(off));
-      error += Math.abs(off);
+      const signedError = picture[i]! - truth[k]![i]!;
+      errors.push(Math.abs(signedError));
+      error += Math.abs(signedError);
       if (k === 0) continue;
-      flicker += Math.abs(off - (film[k - 1]![i]! - truth[k - 1]![i]!));
+      flicker += Math.abs(signedError - (film[k - 1]![i]! - truth[k - 1]![i]!));
       changes++;
     }
   });

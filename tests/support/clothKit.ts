@@ -2,7 +2,7 @@ import type { FaceTopology } from '../../src/dynamics/meshSprings.ts';
 import { type EarlyStop, integrate, type RunOptions, type SimulationFrame } from '../../src/dynamics/run.ts';
 import type { Vec3 } from '../../src/math/vec3.ts';
 
-/** n × n points of a level square of a metre, by quads. `at`: of its first corner [m]. */
+/** n × n points of a horizontal square metre with quad faces. `at`: position of its first corner [m]. */
 export function sheet(n: number, at: Vec3 = [0, 0, 0]): { readonly x: Float64Array; readonly faces: FaceTopology } {
   const x = new Float64Array(3 * n * n);
   const corners: number[] = [];
@@ -15,15 +15,15 @@ export function sheet(n: number, at: Vec3 = [0, 0, 0]): { readonly x: Float64Arr
   return { x, faces: { counts: new Uint8Array((n - 1) ** 2).fill(4), corners } };
 }
 
-/** All that a run gives. */
+/** All frames of a run, and its early stop. */
 export interface RecordedRun {
   readonly frames: readonly SimulationFrame[];
   readonly stop: EarlyStop | undefined;
 }
 
-export function recordRun(order: RunOptions): RecordedRun {
+export function recordRun(options: RunOptions): RecordedRun {
   const frames: SimulationFrame[] = [];
-  const running = integrate(order);
+  const running = integrate(options);
   for (let next = running.next(); ; next = running.next()) {
     if (next.done) return { frames, stop: next.value };
     frames.push(next.value);

@@ -5,7 +5,7 @@ import { nodeLibrary } from '../../src/nodes/library.ts';
 import { flyCommand, newProject } from '../../src/nodes/project/projectCommands.ts';
 import { add, connect, edited, set } from './graphKit.ts';
 
-/** A house that flies by as γ = 1.25 says, at night with more exposure: every utility node has its part in the picture. */
+/** A house that passes at γ = 1.25, with exposure chosen by nodes: every utility node affects the picture. */
 export function utilityProject(): GraphDocument {
   const flying = applyCommand(newProject('a.usda'), flyCommand(newProject('a.usda'), '/House', 0)).document;
   const nodes: readonly Command[] = [

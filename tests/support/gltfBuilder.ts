@@ -5,7 +5,7 @@ import { readGltf } from '../../src/formats/gltf/index.ts';
 import type { ReadOptions } from '../../src/formats/readOptions.ts';
 import type { Scene, SceneObject } from '../../src/scene/types.ts';
 
-/** A document under construction: one buffer, short ways to fill it. */
+/** A document under construction, with one buffer and shorthands to fill it. */
 export class GltfBuilder {
   readonly doc = new Document();
   readonly scene = this.doc.createScene('Stage');
@@ -53,7 +53,7 @@ export class GltfBuilder {
   }
 }
 
-/** The object at a path, or an error that names those there are. */
+/** The object at a path; otherwise throws an error that lists the existing paths. */
 export const find = (scene: Scene, path: string): SceneObject => {
   const object = scene.objects.find((o) => o.path === path);
   if (!object) throw new Error(`no ${path} among ${scene.objects.map((o) => o.path).join(', ')}`);

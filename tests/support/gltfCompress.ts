@@ -3,12 +3,12 @@ import { ALL_EXTENSIONS, EXTMeshoptCompression, KHRDracoMeshCompression } from '
 import createDracoEncoder from 'draco3dgltf/draco_encoder_gltf_nodejs.js';
 import { MeshoptEncoder } from 'meshoptimizer';
 
-/** Writers of compressed files; they change the document, so that each document is written once. */
+/** Writers of compressed files; they modify the document, so write each document only once. */
 
 const io = (dependencies: Record<string, unknown>): WebIO =>
   new WebIO().registerExtensions(ALL_EXTENSIONS).registerDependencies(dependencies);
 
-/** Edgebreaker or sequential; `bits` of a position. */
+/** `bits`: quantization of positions. */
 export function dracoGlb(doc: Document, method: 'edgebreaker' | 'sequential', bits = 16): Promise<Uint8Array> {
   doc
     .createExtension(KHRDracoMeshCompression)
@@ -20,7 +20,7 @@ export function dracoGlb(doc: Document, method: 'edgebreaker' | 'sequential', bi
   return io({ 'draco3d.encoder': createDracoEncoder({ ENVIRONMENT: 'SHELL' }) }).writeBinary(doc);
 }
 
-/** `quantize`: as the numbers are, without loss; `filter`: rounded by the extension's filters. */
+/** `quantize`: lossless for numbers as they are; `filter`: rounded by the extension's filters. */
 export async function meshoptGlb(doc: Document, method: 'quantize' | 'filter'): Promise<Uint8Array> {
   await MeshoptEncoder.ready;
   doc

@@ -18,7 +18,7 @@ const passes: NodeType['evaluate'] = () => {
   throw new Error('flattening takes these out');
 };
 
-/** A library of numbers, with every kind of socket that the engine knows. */
+/** A node library on numbers with every kind of socket. */
 export const toys = {
   value: {
     ...base,
@@ -89,7 +89,7 @@ export const edited = (document: GraphDocument, ...commands: readonly Command[])
   applyCommand(document, { kind: 'batch', commands }).document;
 export const build = (...commands: readonly Command[]): GraphDocument => edited(emptyDocument(), ...commands);
 
-/** What a random edit is made of: which, and where. */
+/** The random numbers from which an edit is made: its kind and operands. */
 interface Seed {
   readonly op: number;
   readonly a: number;
@@ -100,7 +100,7 @@ interface Seed {
 const TYPES = ['value', 'sum', 'weigh', 'pick', 'words', 'length', 'reroute', 'value', 'sum'];
 const INPUTS = ['a', 'b', 'bias', 'items.1', 'items.2', 'vector', 'in', 'value', 'second'];
 
-/** A command that fits the document, whatever that holds; undefined where there is none of its kind. */
+/** A command that is valid for the document; undefined if there is none of its kind. */
 export function commandFrom(document: GraphDocument, { op, a, b, c }: Seed): Command | undefined {
   const levels = [undefined, ...Object.keys(document.groups)];
   const group = levels[c % levels.length];
@@ -159,7 +159,7 @@ export const seeds = (count: number): fc.Arbitrary<Seed[]> =>
     maxLength: count,
   });
 
-/** The command of a seed, and the document that it gives; undefined where it does not fit. */
+/** The command of a seed and the resulting document; undefined if it cannot be applied. */
 export function tried(document: GraphDocument, seed: Seed): { command: Command; document: GraphDocument } | undefined {
   try {
     const command = commandFrom(document, seed);
@@ -170,7 +170,7 @@ export function tried(document: GraphDocument, seed: Seed): { command: Command; 
   }
 }
 
-/** Documents as people make them: by commands, with edges that fit. */
+/** Documents as users make them: by commands, with valid edges. */
 export const documents = (count: number): fc.Arbitrary<GraphDocument> =>
   seeds(count).map((list) =>
     list.reduce((document, seed) => tried(document, seed)?.document ?? document, emptyDocument()),

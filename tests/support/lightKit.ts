@@ -10,16 +10,16 @@ import { FOREVER, makeMaterial, makeObject, makeScene, restingAt } from '../../s
 import type { AreaLight, DomeLight, Light, Material, Mesh, SceneObject, SphereLight } from '../../src/scene/types.ts';
 import { DEFAULT_SETTINGS, type RenderSettings } from '../../src/scene/view/view.ts';
 
-/** Light walks at 1 m/s, and has a spectrum. */
+/** Spectral colours, c = 1 m/s. */
 export const SPECTRAL: RenderSettings = { ...DEFAULT_SETTINGS, speedOfLight: 1 };
-/** Light is three numbers, for ways and brightness to be told to the last digit; and colours do not turn: what is left of a shift by D is D⁴. */
+/** Approximate colours without noise and without colour shift: a Doppler shift by D only multiplies by D⁴. c = 1 m/s. */
 export const GREY: RenderSettings = { ...SPECTRAL, colors: 'approximate', dopplerMix: 0 };
 export const DIRECT: LightOptions = { bounces: 0, mirrors: false, glass: false };
 
-/** A dome of one colour all round; dark where none is given. */
+/** A uniform dome; dark by default. */
 export const dome = (color: Vec3 = ZERO): DomeLight => ({ kind: 'dome', path: '/dome', color });
 
-/** A picture of one column, from the top down. */
+/** A texture of one column, from the top. */
 export const picture = (rows: readonly (readonly [number, number, number])[]) =>
   ({
     name: 'column',
@@ -32,7 +32,7 @@ export const picture = (rows: readonly (readonly [number, number, number])[]) =>
     wrapT: 'clamp',
   }) as const;
 
-/** A perfect scatterer: it refracts like its surroundings, so nothing is mirrored. */
+/** Purely diffuse: with ior 1 there is no specular reflection. */
 export const lambert = (albedo: number, given: Partial<Material> = {}): Material =>
   makeMaterial({ name: 'lambert', baseColor: [albedo, albedo, albedo], ior: 1, ...given });
 
@@ -49,7 +49,7 @@ export const lamp = (position: Vec3, given: Partial<SphereLight> = {}): SphereLi
   ...given,
 });
 
-/** At rest, of radiance 1; it shines towards −Z. */
+/** An area light at rest, of radiance 1, facing −Z. */
 export const area = <Kind extends AreaLight['kind']>(
   kind: Kind,
   position: Vec3,
@@ -67,7 +67,7 @@ export const area = <Kind extends AreaLight['kind']>(
 
 export const twoSided = (mesh: Mesh): Mesh => ({ ...mesh, doubleSided: true });
 
-/** Each object with a material of its own, under the given lights and no others. */
+/** A scene with the given objects and materials, under the given lights only. */
 export function lit(
   things: readonly (Partial<SceneObject> & { readonly mesh: Mesh; readonly material: Material })[],
   lights: readonly Light[] = [],
@@ -92,7 +92,7 @@ export interface Eye {
   readonly u?: Vec3;
 }
 
-/** What an observer sees in a direction of his own frame: the mean of so many samples. */
+/** What an observer sees in a direction in the observer's frame: the mean of `samples` samples. */
 export function look(
   scene: TracedScene,
   { position, t = 0, u = ZERO }: Eye,
@@ -102,12 +102,12 @@ export function look(
   { settings = GREY, seed = 1 }: { readonly settings?: RenderSettings; readonly seed?: number } = {},
 ): Vec3 {
   const ray = rayToward({ t, position, u, orientation: IDENTITY, fovY: 1 }, settings, direction);
-  const numbers = pixelSequence(seed, 0, 0);
-  const eyes = sensorsOf(settings, samples);
+  const sequence = pixelSequence(seed, 0, 0);
+  const createSensor = sensorsOf(settings, samples);
   let sum = ZERO;
   for (let i = 0; i < samples; i++) {
-    const random = numbers(i);
-    sum = add(sum, radiance(scene, ray, { u }, settings, options, random, eyes(random)));
+    const random = sequence(i);
+    sum = add(sum, radiance(scene, ray, { u }, settings, options, random, createSensor(random)));
   }
   return scale(sum, 1 / samples);
 }

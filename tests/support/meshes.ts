@@ -12,10 +12,10 @@ export const triangles = (mesh: Mesh): [Vec3, Vec3, Vec3][] =>
 export const sum = (xs: readonly number[]): number => xs.reduce((a, b) => a + b, 0);
 export const area = (mesh: Mesh): number =>
   sum(triangles(mesh).map(([a, b, c]) => length(cross(sub(b, a), sub(c, a))) / 2));
-/** By the divergence theorem; the outside must be the counter-clockwise side. */
+/** Enclosed volume by the divergence theorem; front sides must be counter-clockwise. */
 export const volume = (mesh: Mesh): number => sum(triangles(mesh).map(([a, b, c]) => dot(a, cross(b, c)) / 6));
 
-/** Directed edges between places (vertices welded by position) and how often each occurs. */
+/** Directed edges between positions (vertices welded by position), with their number of occurrences. */
 function edges(mesh: Mesh): { vertices: number; directed: Map<string, number> } {
   const places = new Map<string, number>();
   const place = (p: Vec3) => {

@@ -1,10 +1,10 @@
 import { execFileSync } from 'node:child_process';
 
-/** Runs Python, quietly, and returns what it prints. */
+/** Runs Python and returns its standard output; standard error is discarded. */
 export const python = (...args: string[]): string =>
   execFileSync('python3', args, { encoding: 'utf8', maxBuffer: 2 ** 29, stdio: ['ignore', 'pipe', 'ignore'] });
 
-/** Whether Python has a judge's module; says so where it has not. */
+/** Whether Python has the module of an oracle; warns if not. */
 function has(module: string, packageName: string): boolean {
   try {
     python('-c', `import ${module}`);
@@ -17,7 +17,7 @@ function has(module: string, packageName: string): boolean {
   }
 }
 
-/** Whether Pixar's own USD is there to be asked. */
+/** Whether Pixar's USD is installed. */
 export const hasUsdCore = (): boolean => has('pxr.Usd', 'usd-core');
-/** Whether colour-science is there to be asked. */
+/** Whether colour-science is installed. */
 export const hasColorScience = (): boolean => has('colour', 'colour-science');

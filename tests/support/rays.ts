@@ -12,7 +12,7 @@ import type { View } from '../../src/scene/views/views.ts';
 export const tracedScene = (objects: readonly SceneObject[], c = 1): TracedScene =>
   createTracedScene(makeScene({ name: 'test', objects }), c);
 
-/** At the origin at t = 0, at rest, looking along −Z; what is given replaces it. */
+/** At the origin at t = 0, at rest, looking along −Z, overridden by `given`. */
 export const viewFrom = (given: Partial<ViewPoint> = {}): ViewPoint => ({
   t: 0,
   position: ZERO,
@@ -24,7 +24,7 @@ export const viewFrom = (given: Partial<ViewPoint> = {}): ViewPoint => ({
 
 export const settingsFor = (view: View, c = 1): RenderSettings => ({ ...DEFAULT_SETTINGS, view, speedOfLight: c });
 
-/** What an observer has of the point with weights (1 − v − w, v, w) of a triangle, by the formulas for single points. */
+/** Observes the point with weights (1 − v − w, v, w) of a triangle by the formulas for single points. */
 export function probePoint(
   object: SceneObject,
   { corner, v, w }: Pick<Hit, 'corner' | 'v' | 'w'>,
@@ -34,7 +34,7 @@ export function probePoint(
 ): VertexProbe | undefined {
   const { mesh } = object;
   const [i, j, k] = mesh.indices.subarray(corner, corner + 3);
-  // Positions are f32 in a mesh; a typed array's place may be taken by one that is not rounded.
+  // Mesh positions are f32; f64 here avoids rounding the blended point.
   const blend = (p: ArrayLike<number>): Float32Array =>
     Float64Array.from(
       [0, 1, 2],
@@ -58,7 +58,7 @@ function blended(motion: Motion, blend: (points: Float32Array) => Float32Array):
   } satisfies SampledPointsMotion;
 }
 
-/** Corner k of the triangle that begins at `corner`. */
+/** Vertex k of the triangle whose first corner is `corner`. */
 export function cornerAt({ mesh }: SceneObject, corner: number, k: number): Vec3 {
   const i = 3 * mesh.indices[corner + k];
   return [mesh.positions[i], mesh.positions[i + 1], mesh.positions[i + 2]];

@@ -2,10 +2,10 @@ import type { RasterRenderer } from '../../src/render/api.ts';
 import type { Sampling } from '../../src/render/settings.ts';
 import type { CameraPath } from './cameraPaths.ts';
 
-/** Pictures before those that count: what follows others has had some. */
+/** Pictures rendered before those that are returned, so that the temporal history is filled. */
 export const WARM_UP_FRAMES = 12;
 
-/** The pictures of a flight from number WARM on. `pump`: what a machine without a screen needs before each. */
+/** The pictures of a camera path from number `WARM_UP_FRAMES` on. `pump`: called before each, for machines without a display. */
 export async function renderSequence(
   renderer: RasterRenderer,
   { scene, settings, view }: CameraPath,

@@ -31,7 +31,7 @@ const TYPES = {
 
 const vector = (node: string, param: string, value: Vec3): Command => ({ kind: 'set-param', node, param, value });
 
-/** A box that passes at c/2, saved as a picture of 64 × 48 pixels at 0.5 s, and as a film of five frames. */
+/** A box passing at c/2, saved as a picture of 64 × 48 pixels at 0.5 s and as a film of five frames. */
 export const savingProject = (): GraphDocument =>
   build(
     ...Object.entries(TYPES).map(([node, type], i) => add(node, type, [260 * (i % 5), 220 * Math.floor(i / 5)])),

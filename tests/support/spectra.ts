@@ -7,7 +7,7 @@ import type { ThermalSpectrum } from '../../src/spectrum/sources/lightSpectrum.t
 /** [r, g, b, uv, ir] */
 type Five = readonly [number, number, number, number, number];
 
-/** What colour-science says (src/spectrum/fixtures/oracle.py). */
+/** Values of colour-science (src/spectrum/fixtures/oracle.py). */
 interface Judged {
   /** At 360, 370 … 830 nm. */
   readonly matching: readonly Vec3[];
@@ -33,7 +33,7 @@ interface JudgedColor {
   readonly T: number;
   readonly Din: number;
   readonly Dout: number;
-  /** Relative to the luminance of a blackbody of T·D; with the filter k, and without. */
+  /** Relative to the luminance of a blackbody of T·D, with the filter k (`rgb`) and without (`neutral`). */
   readonly rgb: Vec3;
   readonly neutral: Vec3;
 }
@@ -45,14 +45,14 @@ export const fromFive = ([r, g, b, uv, ir]: Five): SpectralFilter => ({ rgb: [r,
 
 export const thermal = (temperature: number): ThermalSpectrum => ({ kind: 'thermal', temperature });
 
-const share = fc.double({ min: 0, max: 1, noNaN: true });
+const fraction = fc.double({ min: 0, max: 1, noNaN: true });
 /** Any reflectance. */
 export const anyBands: fc.Arbitrary<SpectralFilter> = fc.record({
-  rgb: fc.tuple(share, share, share),
-  uv: share,
-  ir: share,
+  rgb: fc.tuple(fraction, fraction, fraction),
+  uv: fraction,
+  ir: fraction,
 });
-/** e^U between two numbers. */
+/** Log-uniform between two numbers. */
 export const logarithmic = (min: number, max: number): fc.Arbitrary<number> =>
   fc.double({ min: Math.log(min), max: Math.log(max), noNaN: true }).map(Math.exp);
 /** A Doppler factor between 1/8 and 8. */

@@ -6,7 +6,7 @@ import type { StoredFile, StoredNumbers } from '../../src/scene/streaming/stored
 import type { PointRecipe } from '../../src/scene/streaming/storedPoints.ts';
 import type { SampledPointsMotion } from '../../src/scene/types.ts';
 
-/** The same motion with its samples and their normals left in a "file": the bytes in memory, or what a host calls them. */
+/** The same motion with samples and normals streamed from a "file": bytes in memory, or the host's handle for them. */
 export function leftInFile(
   motion: SampledPointsMotion,
   handleOf: (bytes: Uint8Array<ArrayBuffer>) => unknown = (bytes) => bytes,
@@ -21,8 +21,8 @@ export function leftInFile(
   const recipe = recipeOf(motion, vertices, memory);
   const elsewhere = { name: 'cache.bin', handle: handleOf(memory.handle) };
   const { normals, ...rest } = motion;
-  const facts = computePointStatistics(recipe);
-  return { ...rest, points: { ...recipeOf(motion, vertices, elsewhere), statistics: facts } };
+  const statistics = computePointStatistics(recipe);
+  return { ...rest, points: { ...recipeOf(motion, vertices, elsewhere), statistics } };
 }
 
 function recipeOf(motion: SampledPointsMotion, vertices: number, file: StoredFile): PointRecipe {

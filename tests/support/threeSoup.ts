@@ -1,16 +1,16 @@
 import { type BufferGeometry, type Object3D, Mesh as ThreeMesh } from 'three';
 import type { Scene } from '../../src/scene/types.ts';
 
-/** Triangles as text, one corner after another, beginning with the least corner: equal where two meshes are, in whatever order. */
+/** Triangles as sorted text, each beginning with its smallest corner, so that equal meshes compare equal in any order. */
 type Soup = string[];
 
 const digits = (x: number | undefined): string => (Math.abs(x ?? 0) < 5e-7 ? 0 : (x ?? 0)).toFixed(5);
-const turned = (corners: string[]): string => {
+const canonical = (corners: string[]): string => {
   const least = corners.indexOf([...corners].sort()[0]);
   return [...corners.slice(least), ...corners.slice(0, least)].join(' | ');
 };
 
-/** Positions and uvs (and normals where asked for) of all that three.js read. */
+/** Positions and uvs (and normals on request) of all meshes read by three.js. */
 export function threeSoup(root: Object3D, withNormals = false): Soup {
   const out: Soup = [];
   root.traverse((thing) => {
@@ -23,12 +23,12 @@ export function threeSoup(root: Object3D, withNormals = false): Soup {
       const parts = [p.getX(v), p.getY(v), p.getZ(v), uv?.getX(v), uv?.getY(v)];
       return [...parts, ...(withNormals ? [n.getX(v), n.getY(v), n.getZ(v)] : [])].map(digits).join(',');
     };
-    for (let i = 0; i + 2 < count; i += 3) out.push(turned([corner(i), corner(i + 1), corner(i + 2)]));
+    for (let i = 0; i + 2 < count; i += 3) out.push(canonical([corner(i), corner(i + 1), corner(i + 2)]));
   });
   return out.sort();
 }
 
-/** The same of a scene whose objects rest at the origin. */
+/** The same for a scene whose objects are at rest at the origin. */
 export function sceneSoup({ objects }: Scene, withNormals = false): Soup {
   const out: Soup = [];
   for (const { mesh } of objects) {
@@ -38,7 +38,7 @@ export function sceneSoup({ objects }: Scene, withNormals = false): Soup {
       return parts.map(digits).join(',');
     };
     for (let i = 0; i < mesh.indices.length; i += 3) {
-      out.push(turned([corner(mesh.indices[i]), corner(mesh.indices[i + 1]), corner(mesh.indices[i + 2])]));
+      out.push(canonical([corner(mesh.indices[i]), corner(mesh.indices[i + 1]), corner(mesh.indices[i + 2])]));
     }
   }
   return out.sort();
