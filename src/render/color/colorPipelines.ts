@@ -73,9 +73,9 @@ export class ColorPipelines {
     const cached = this.blackbodies.get(layers);
     if (cached) return cached;
     const table = thermalTable(layers);
-    const made = { table, daylight: new DaylightColumns(table) };
-    this.blackbodies.set(layers, made);
-    return made;
+    const tables = { table, daylight: new DaylightColumns(table) };
+    this.blackbodies.set(layers, tables);
+    return tables;
   }
 
   private coloredOf(light: FilteredBlackbody, layers: 3 | 4): DopplerTable {

@@ -60,7 +60,7 @@ type Layers = readonly (readonly number[])[];
 export class DaylightColumns {
   readonly layers: 3 | 4;
   private readonly blackbodies: DopplerTable;
-  private readonly made = new Map<string, Uint16Array>();
+  private readonly cache = new Map<string, Uint16Array>();
   private readonly skies = new Map<number, (D: number) => Layers>();
   /** Transmissions of the bands at `shifts`. */
   private bands: readonly Parameters<typeof filteredBlackbodyAtRest>[2][] | undefined;
@@ -134,8 +134,8 @@ export class DaylightColumns {
 
   /** Integrates only on first use, because integration takes long. */
   private cached(name: string, integrate: () => (D: number) => Layers): Uint16Array {
-    const columnsData = this.made.get(name) ?? columns(integrate());
-    this.made.set(name, columnsData);
+    const columnsData = this.cache.get(name) ?? columns(integrate());
+    this.cache.set(name, columnsData);
     return columnsData;
   }
 }

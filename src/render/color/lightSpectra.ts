@@ -42,8 +42,12 @@ const MAX_COLORED_LIGHTS = 20;
 export function coloredLights(scene: Scene): readonly FilteredBlackbody[] {
   const byKey = new Map<string, FilteredBlackbody>();
   for (const light of directLights(scene)) {
-    const found = coloredLight(light);
-    if (found) byKey.set([found.temperature, ...found.filter.map((k) => k.toFixed(3))].join(' '), found);
+    const coloredBlackbody = coloredLight(light);
+    if (coloredBlackbody)
+      byKey.set(
+        [coloredBlackbody.temperature, ...coloredBlackbody.filter.map((k) => k.toFixed(3))].join(' '),
+        coloredBlackbody,
+      );
   }
   return [...byKey.values()].slice(0, MAX_COLORED_LIGHTS);
 }

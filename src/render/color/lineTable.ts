@@ -54,10 +54,16 @@ function mergeLines(spectrum: LightSpectrum): readonly SpectralLine[] {
   const lines = spectrum.kind === 'lines' ? linesOf(spectrum) : samplesOf(spectrum);
   if (lines.length <= MAX_LINES) return lines;
   const rising = [...lines].sort((a, b) => a.wavelength - b.wavelength);
-  const [least, most] = [rising[0].wavelength, rising[rising.length - 1].wavelength];
+  const [minWavelength, maxWavelength] = [rising[0].wavelength, rising[rising.length - 1].wavelength];
   const sums = Array.from({ length: MAX_LINES }, () => ({ weight: 0, moment: 0 }));
   for (const { wavelength, weight } of rising) {
-    const sum = sums[Math.min(MAX_LINES - 1, Math.floor((MAX_LINES * (wavelength - least)) / (most - least)))];
+    const sum =
+      sums[
+        Math.min(
+          MAX_LINES - 1,
+          Math.floor((MAX_LINES * (wavelength - minWavelength)) / (maxWavelength - minWavelength)),
+        )
+      ];
     sum.weight += weight;
     sum.moment += weight * wavelength;
   }

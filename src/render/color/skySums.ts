@@ -33,29 +33,29 @@ export function skySums(reddenedSky: boolean, daylight?: DaylightTable): SkySums
   return {
     addReflected: (reflectance, luminances) => {
       reflects = true;
-      sums.forEach(({ sent }, i) => {
-        sent.addAssign(reflectance.mul(luminances[i]));
+      sums.forEach(({ sent: reflected }, i) => {
+        reflected.addAssign(reflectance.mul(luminances[i]));
       });
     },
     addEmitted: (luminances) => {
       emits = true;
-      sums.forEach(({ own }, i) => {
-        own.addAssign(luminances[i]);
+      sums.forEach(({ own: emitted }, i) => {
+        emitted.addAssign(luminances[i]);
       });
     },
     atRest: () =>
       all(
-        sums.map(({ sent, own }, i) => {
+        sums.map(({ sent: reflected, own: emitted }, i) => {
           const [red, green, blue] = skyBandsAtRest(i).map((band) => vec3(...band));
-          return filteredColor({ red, green, blue }, sent).add(vec3(...SKY_LIGHTS[i].color).mul(own));
+          return filteredColor({ red, green, blue }, reflected).add(vec3(...SKY_LIGHTS[i].color).mul(emitted));
         }),
       ),
     shifted: (D) =>
       all([
         vec3(0),
-        ...sums.flatMap(({ sent, own }, i) => [
-          ...(daylight && reflects ? [filteredColor(daylight.skyBands(i, D), sent)] : []),
-          ...(daylight && emits ? [daylight.skyColors(i, D).mul(own)] : []),
+        ...sums.flatMap(({ sent: reflected, own: emitted }, i) => [
+          ...(daylight && reflects ? [filteredColor(daylight.skyBands(i, D), reflected)] : []),
+          ...(daylight && emits ? [daylight.skyColors(i, D).mul(emitted)] : []),
         ]),
       ]),
   };

@@ -121,14 +121,14 @@ function unpackTwo(code: Float): { readonly fine: Float; readonly step: Float } 
 export function packNormals(normal: Vec3, invisible: Vec2): Vec4 {
   const fine = round(encodeOctahedral(normal).mul(0.5).add(0.5).clamp(0, 1).mul(GBUFFER_NORMAL_STEPS)).toVar();
   const coarse = floor(fine.div(NORMAL_LOW_STEPS)).toVar();
-  const levels = round(clamp(invisible, 0, 1).mul(REFLECTANCE_STEPS));
-  return vec4(coarse, levels.sub(coarse).mul(NORMAL_LOW_STEPS).add(fine)).sub(CODE_OFFSET);
+  const reflectanceSteps = round(clamp(invisible, 0, 1).mul(REFLECTANCE_STEPS));
+  return vec4(coarse, reflectanceSteps.sub(coarse).mul(NORMAL_LOW_STEPS).add(fine)).sub(CODE_OFFSET);
 }
 
 export function unpackNormals(code: Vec4): { readonly normal: Vec3; readonly invisible: Vec2 } {
   const whole = code.add(CODE_OFFSET).toVar();
-  const levels = floor(whole.zw.div(NORMAL_LOW_STEPS)).toVar();
-  const fine = whole.xy.sub(levels).mul(NORMAL_LOW_STEPS).add(whole.zw);
+  const reflectanceSteps = floor(whole.zw.div(NORMAL_LOW_STEPS)).toVar();
+  const fine = whole.xy.sub(reflectanceSteps).mul(NORMAL_LOW_STEPS).add(whole.zw);
   return {
     normal: decodeOctahedral(
       fine
@@ -136,6 +136,6 @@ export function unpackNormals(code: Vec4): { readonly normal: Vec3; readonly inv
         .sub(1)
         .toVar(),
     ),
-    invisible: levels.div(REFLECTANCE_STEPS),
+    invisible: reflectanceSteps.div(REFLECTANCE_STEPS),
   };
 }

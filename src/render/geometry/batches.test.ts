@@ -14,7 +14,7 @@ const batchesOf = (objects: SceneObject[], materials: Material[] = []) => {
   );
 };
 
-it('objects that move alike are drawn together, every triangle once', () => {
+it('objects with one kind of motion share a batch, which has every triangle once', () => {
   const objects = Array.from({ length: 40 }, (_, i) =>
     makeObject({ path: `/${i}`, mesh: box([1, 1, 1]), motion: restingAt([i, 0, 0]) }),
   );
@@ -24,14 +24,14 @@ it('objects that move alike are drawn together, every triangle once', () => {
   expect(new Set(batches[0].arrays.ids.filter((_, i) => i % 2 === 0)).size).toBe(40);
 });
 
-it('vertices stand around the middle of their object, turned as it is', () => {
+it('vertices are relative to the centre of their object, and rotated with it', () => {
   const shifted = { ...box([2, 2, 2]), positions: box([2, 2, 2]).positions.map((x, i) => (i % 3 === 0 ? x + 1e6 : x)) };
   const pose = { position: [0, 0, 0] as const, orientation: fromAxisAngle([0, 0, 1], Math.PI / 4) };
   const [{ arrays }] = batchesOf([makeObject({ path: '/far', mesh: shifted, motion: { kind: 'static', pose } })]);
   expect(Math.max(...arrays.positions)).toBeCloseTo(Math.SQRT2, 6);
 });
 
-it('what deforms, what is large and what is see-through is drawn alone', () => {
+it('deforming, large and transparent objects get batches of their own', () => {
   const glass = makeMaterial({ name: 'glass', opacity: 0.5 });
   const mesh = sphere(1);
   const pane = { ...mesh, groups: mesh.groups.map((g) => ({ ...g, material: 1 })) };
@@ -54,7 +54,7 @@ it('what deforms, what is large and what is see-through is drawn alone', () => {
   expect(batches.map((b) => b.transparent)).toEqual([true, true, false, false, false]);
 });
 
-it('a mesh that many wear is held once, with the object and the material of each', () => {
+it('a mesh shared by many objects is stored once, with the object and the material of each', () => {
   const mesh = sphere(1);
   const meshes = [0, 1].map((material) => ({ ...mesh, groups: mesh.groups.map((g) => ({ ...g, material })) }));
   const orientation = fromAxisAngle([0, 0, 1], 1);

@@ -43,7 +43,7 @@ it('the rim of a cone stays the rim: a circle on the sky stays one', () => {
   }
 });
 
-it('no observer outside a ball has no cone, and one inside sees all round', () => {
+it('there is no cone for an observer inside the sphere, who sees it in all directions', () => {
   expect(coneAround({ center: [0, 0, 1], radius: 2 })).toBeUndefined();
   expect(coneAround({ center: [0, 0, 1], radius: Number.POSITIVE_INFINITY })).toBeUndefined();
 });

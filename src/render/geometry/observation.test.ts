@@ -42,8 +42,8 @@ function shifted(worldLine: WorldLine, by: Vec3): WorldLine {
   return { ...worldLine, positions: worldLine.positions.map((x, i) => x + by[i % 3]) };
 }
 
-describe('the span of a body', () => {
-  it('holds the event of every line that stays within its radius', () => {
+describe('the section of a world tube', () => {
+  it('contains the event of every line that stays within its radius', () => {
     fc.assert(
       fc.property(line, short, observation, number(3), (center, shift, observed, size) => {
         const radius = Math.abs(size);
@@ -60,7 +60,7 @@ describe('the span of a body', () => {
     );
   });
 
-  it('names the samples on both sides of it', () => {
+  it('is enclosed by the samples of its window', () => {
     fc.assert(
       fc.property(polyline, observation, (center, observed) => {
         const section = worldTubeSection(center, 0.5, observed)!;

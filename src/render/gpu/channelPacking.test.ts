@@ -27,8 +27,8 @@ const channelOf = (texture: Texture, channel: TextureChannel['channel']): Textur
 const texelsOf = ({ texture: { data }, channel }: TextureChannel): number[] =>
   Array.from(data).filter((_, i) => i % 4 === channel);
 
-describe('channels of several pictures', () => {
-  it('come together, texel by texel, four in each', () => {
+describe('channels of several textures', () => {
+  it('are packed texel by texel, four into one texture', () => {
     const channels = {
       a: channelOf(makeTexture(1), 0),
       b: channelOf(makeTexture(2), 3),
@@ -44,20 +44,20 @@ describe('channels of several pictures', () => {
     }
   });
 
-  it('are put together once for all materials', () => {
+  it('are packed once for all materials', () => {
     const packer = new ChannelPacker();
     const [a, b] = [makeTexture(1), makeTexture(2)];
     const [first, second] = [0, 1].map(() => packer.pack({ a: channelOf(a, 0), b: channelOf(b, 0) }));
     expect(first.a!.texture).toBe(second.b!.texture);
   });
 
-  it('stay where they are in one picture already', () => {
+  it('stay as they are if they are in one texture', () => {
     const source = makeTexture(1);
     expect(new ChannelPacker().pack({ a: channelOf(source, 0), b: channelOf(source, 1) }).a!.texture).toBe(source);
   });
 
   it.each([{ wrapS: 'mirror' }, { colorSpace: 'srgb' }, { filter: 'nearest' }] as const)(
-    'stay apart where one is read otherwise: %o',
+    'stay separate if one is sampled differently: %o',
     (overrides) => {
       const [plain, other] = [makeTexture(1), makeTexture(2, overrides)];
       const packed = new ChannelPacker().pack({ a: channelOf(plain, 0), b: channelOf(other, 0) });
@@ -65,7 +65,7 @@ describe('channels of several pictures', () => {
     },
   );
 
-  it('become as large as the largest, and a ramp stays one', () => {
+  it('are enlarged to the largest size, and a ramp stays a ramp', () => {
     const ramp = makeTexture(0, {
       width: 4,
       height: 1,

@@ -127,27 +127,27 @@ export class FloatTable implements Texels {
 
 /** The texture through which rows are copied to a table; created once for a fixed number of rows. */
 export class RowUploader {
-  private made: DataTexture | undefined;
+  private stagingTexture: DataTexture | undefined;
 
   texture(rows: Float32Array<ArrayBuffer>, width: number): DataTexture {
-    this.made ??= makeTexture(rows, width);
-    this.made.image.data = rows;
-    this.made.needsUpdate = true;
-    return this.made;
+    this.stagingTexture ??= makeTexture(rows, width);
+    this.stagingTexture.image.data = rows;
+    this.stagingTexture.needsUpdate = true;
+    return this.stagingTexture;
   }
 
   dispose(): void {
-    this.made?.dispose();
+    this.stagingTexture?.dispose();
   }
 }
 
 function makeTexture(array: Float32Array<ArrayBuffer> | null, width: number, rows?: number): DataTexture {
-  const made = new DataTexture(array, width, rows ?? array!.length / (4 * width), RGBAFormat, FloatType);
-  made.minFilter = NearestFilter;
-  made.magFilter = NearestFilter;
-  made.generateMipmaps = false;
-  made.needsUpdate = true;
-  return made;
+  const dataTexture = new DataTexture(array, width, rows ?? array!.length / (4 * width), RGBAFormat, FloatType);
+  dataTexture.minFilter = NearestFilter;
+  dataTexture.magFilter = NearestFilter;
+  dataTexture.generateMipmaps = false;
+  dataTexture.needsUpdate = true;
+  return dataTexture;
 }
 
 const nextPowerOfTwo = (n: number): number => 2 ** Math.ceil(Math.log2(n));

@@ -23,38 +23,38 @@ const fourth = (value: Float): Float => value.mul(value).mul(value).mul(value);
 /** (whether the left side is an edge, whether the upper one is, whether the pixel differs from all four neighbours) */
 function edges(frame: EffectContext): Vec4 {
   const threshold = frame.args[0];
-  const known = new Map<string, Vec3>();
+  const cached = new Map<string, Vec3>();
   const root = (x: number, y: number): Vec3 => {
     const key = `${x} ${y}`;
-    const made = known.get(key) ?? sqrt(max(frame.image.at(frame.pixel.add(vec2(x, y))).rgb, 0)).toVar();
-    known.set(key, made);
-    return made;
+    const squareRoot = cached.get(key) ?? sqrt(max(frame.image.at(frame.pixel.add(vec2(x, y))).rgb, 0)).toVar();
+    cached.set(key, squareRoot);
+    return squareRoot;
   };
   const contrasts = new Map<string, { readonly difference: Float; readonly contrast: Float }>();
   /** Difference and contrast across the left (`ROW`) or upper side of a pixel. */
   const before = (x: number, y: number, [i, j]: EdgeAxis) => {
     const key = `${x} ${y} ${i}`;
-    const known = contrasts.get(key);
-    if (known) return known;
+    const cached = contrasts.get(key);
+    if (cached) return cached;
     const [a, b] = [root(x, y), root(x - i, y - j)];
     const difference = largest(abs(a.sub(b)).toVar()).toVar();
     const contrast = difference.div(max(largest(max(a, b).toVar()), MIN_CONTRAST_BASE));
-    const made = { difference, contrast };
-    contrasts.set(key, made);
-    return made;
+    const result = { difference, contrast };
+    contrasts.set(key, result);
+    return result;
   };
   const isEdge = (across: EdgeAxis, along: EdgeAxis): Bool => {
     const [[i, j], [k, l]] = [across, along];
     const own = before(0, 0, across);
-    const neighbouring = [before(i, j, across), before(-i, -j, across)];
-    for (const n of [0, -1]) neighbouring.push(before(n * i, n * j, along), before(n * i + k, n * j + l, along));
-    const maxDifference = neighbouring.map(({ difference }) => difference).reduce((a, b) => max(a, b));
+    const neighborSides = [before(i, j, across), before(-i, -j, across)];
+    for (const n of [0, -1]) neighborSides.push(before(n * i, n * j, along), before(n * i + k, n * j + l, along));
+    const maxDifference = neighborSides.map(({ difference }) => difference).reduce((a, b) => max(a, b));
     return own.contrast.greaterThan(threshold).and(own.difference.mul(2).greaterThanEqual(maxDifference));
   };
   const left = isEdge(ROW, COLUMN);
   const top = isEdge(COLUMN, ROW);
-  const neighbours = [before(0, 0, ROW), before(1, 0, ROW), before(0, 0, COLUMN), before(0, 1, COLUMN)];
-  const minContrast = neighbours.map(({ contrast }) => contrast).reduce((a, b) => min(a, b));
+  const ownSides = [before(0, 0, ROW), before(1, 0, ROW), before(0, 0, COLUMN), before(0, 1, COLUMN)];
+  const minContrast = ownSides.map(({ contrast }) => contrast).reduce((a, b) => min(a, b));
   const isSingle = minContrast.greaterThan(threshold);
   return vec4(select(left, 1, 0), select(top, 1, 0), select(isSingle, 1, 0), 1);
 }

@@ -20,10 +20,10 @@ export function addLocalLight(
   const emitter = lightAtEmission(light, dx, time, uniforms);
   const visibilityHere = visibility?.(light, emitter)?.toVar();
   const { source, colored } = light;
-  const addOne = ({ share, D }: ReflectedLight): void =>
+  const addOne = ({ share: reflectance, D }: ReflectedLight): void =>
     accumulator.addReflected(
       light.color,
-      visibilityHere ? share.mul(visibilityHere) : share,
+      visibilityHere ? reflectance.mul(visibilityHere) : reflectance,
       { ...(D && { D }), ...(source && { source }), ...(colored !== undefined && { colored }) },
       IRRADIANCE_POWER,
     );

@@ -42,11 +42,11 @@ export class ShadowMaps implements LightVisibility {
     this.local = new LocalShadows(occluders, lights.localLights, gpu);
   }
 
-  ofDistantLight(sun: number | undefined, receiver: ShadowReceiver): Float | undefined {
-    if (sun === undefined || sun >= this.distantLights) return undefined;
+  ofDistantLight(index: number | undefined, receiver: ShadowReceiver): Float | undefined {
+    if (index === undefined || index >= this.distantLights) return undefined;
     const event = { dx: receiver.dx, time: receiver.time, normal: sliceNormal(receiver).toVar() };
-    const staticVisibility = this.staticDistant.visibility(sun, event, this.sampleCount);
-    const dynamicVisibility = this.dynamicDistant.visibility(sun, event, this.sampleCount);
+    const staticVisibility = this.staticDistant.visibility(index, event, this.sampleCount);
+    const dynamicVisibility = this.dynamicDistant.visibility(index, event, this.sampleCount);
     return staticVisibility && dynamicVisibility
       ? staticVisibility.mul(dynamicVisibility)
       : (staticVisibility ?? dynamicVisibility);

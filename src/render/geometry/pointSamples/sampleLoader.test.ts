@@ -56,7 +56,7 @@ function startLoader(motion = file) {
 }
 
 describe('samples from a worker', () => {
-  it('come as this thread would have made them, once', () => {
+  it('equal those packed on this thread, and are delivered once', () => {
     const { samples, work, told: notifications } = startLoader();
     expect(samples.take(7)).toBeUndefined();
     expect([work(), notifications]).toEqual([1, ['samples']]);
@@ -64,7 +64,7 @@ describe('samples from a worker', () => {
     expect(samples.take(7)).toBeUndefined();
   });
 
-  it('are asked for once, and a few at a time', () => {
+  it('are requested once, and a few at a time', () => {
     const { samples, work } = startLoader();
     for (let i = 0; i < 3; i++) for (let k = 0; k < 10; k++) samples.take(k);
     expect(work()).toBe(4);
@@ -72,7 +72,7 @@ describe('samples from a worker', () => {
     expect(work()).toBe(4);
   });
 
-  it('are let go where they are wanted no more', () => {
+  it('are dropped if they are outside the window', () => {
     const { samples, work } = startLoader();
     samples.take(3);
     samples.setWindow(30, 40);
@@ -81,7 +81,7 @@ describe('samples from a worker', () => {
     expect(samples.take(3)).toBeUndefined();
   });
 
-  it('that cannot be read are told of once, by file and place', () => {
+  it('that cannot be read are reported once, with file and place', () => {
     if (!isStreamed(file.points)) throw new Error('in memory');
     const gone = { name: 'cache.usdc', handle: { path: '/gone' } };
     const lost = file.points.samples.map(({ points, ...rest }) => ({

@@ -3,7 +3,7 @@ import { describe, expect, it } from 'vitest';
 import { SampleRing } from './sampleRing.ts';
 
 describe('the ring of samples', () => {
-  it('wants each sample of a window once, and what comes next the way it goes', () => {
+  it('requests each sample of a window once, and the next ones in the direction of play', () => {
     const ring = new SampleRing(10, 100);
     expect(ring.request(20, 4)).toEqual({ missing: [20, 21, 22, 23], prefetch: [24, 25, 26, 27, 28, 29] });
     for (let k = 20; k < 26; k++) ring.markResident(k);
@@ -11,13 +11,13 @@ describe('the ring of samples', () => {
     expect(ring.request(19, 4)).toEqual({ missing: [19], prefetch: [18, 17, 16, 15, 14, 13] });
   });
 
-  it('ends where the motion ends', () => {
+  it('prefetches only samples of the motion', () => {
     const ring = new SampleRing(10, 24);
     expect(ring.request(20, 4).prefetch).toEqual([]);
     expect(ring.request(1, 2).prefetch).toEqual([0]);
   });
 
-  it('after any play the last window is in its places, and nothing in it was pushed out by what was asked ahead', () => {
+  it('after any sequence of windows the last one is resident, and prefetched samples replaced none of it', () => {
     const windows = fc.array(fc.tuple(fc.nat(90), fc.integer({ min: 2, max: 10 })), { minLength: 1, maxLength: 40 });
     fc.assert(
       fc.property(fc.integer({ min: 10, max: 30 }), windows, (capacity, plays) => {

@@ -21,7 +21,7 @@ interface Port {
   postMessage(message: SampleReply, options: { transfer: ArrayBuffer[] }): void;
 }
 
-/** Makes a worker read samples off the main thread, for `SampleLoader`. Its way to read files must have been set up before. */
+/** Makes a worker read samples off the main thread, for `SampleLoader`. Access to files must have been set up before. */
 export function serveSamples(port: Port): void {
   const motions = new Map<number, StreamedPoints>();
   port.addEventListener('message', ({ data }) => {

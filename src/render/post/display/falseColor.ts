@@ -72,8 +72,8 @@ export const falseColored = (
     const color = table.color(isLogarithmic(kind) ? log2(max(value, 1e-38)) : value).toVar();
     if (kind === 'emission-time') color.assign(select(hasSurface, color, vec3(...NO_VALUE_COLOR).div(255)));
     if (kind === 'band') {
-      const shown = toneMaps[tone](texelHere(light).rgb, uniforms.exposure);
-      const gray = encodeSrgb(vec3(relativeLuminance(shown))).x;
+      const toneMapped = toneMaps[tone](texelHere(light).rgb, uniforms.exposure);
+      const gray = encodeSrgb(vec3(relativeLuminance(toneMapped))).x;
       color.mulAssign(mix(float(MIN_SHADE), float(1), gray));
     }
     if (!grid) return vec4(color, 1);

@@ -84,7 +84,7 @@ function casterVertexNode({ vertex }: DrawCall, placement: CasterPlacement, proj
   })();
 }
 
-/** Base color textures are read only if this is true: nothing else in shadow maps is as expensive. */
+/** Base colour textures are read only if this is true: nothing else in shadow maps is as expensive. */
 function isCutOut({ arrays, instancing }: Batch, materials: readonly Material[]): boolean {
   const used = new Set(instancing?.materials ?? arrays.ids.filter((_, i) => i % 2 === 1));
   return [...used].some((material) => materials[material].opacityThreshold > 0);
@@ -96,14 +96,14 @@ function heightNode(
   cutOut: boolean,
 ): Vec4 {
   return Fn(() => {
-    const found = projection.heightOf(vShadow.xyz);
-    const outside = found.outside.toVar();
+    const fragment = projection.heightOf(vShadow.xyz);
+    const outside = fragment.outside.toVar();
     if (cutOut && textures.baseColor) {
       const first = int(round(vShadow.w)).mul(int(MATERIAL_TEXELS)).toVar();
       const [opacity, threshold] = [0, 1].map((k) => materials.texel(first.add(int(k))).w);
       outside.assign(outside.or(opacity.mul(sampled(textures.baseColor, vUv).w).lessThan(threshold)));
     }
     Discard(outside);
-    return vec4(found.height, 0, 0, 1);
+    return vec4(fragment.height, 0, 0, 1);
   })();
 }

@@ -57,12 +57,12 @@ export class DynamicDistantShadows {
     this.casters.addTo(this.atlas, new Set(this.bodies), parallelProjection(this.atlas, this.table, this.side));
   }
 
-  /** Returns undefined if nothing moves. `sun`: the light's index. */
-  visibility(sun: number, event: ReceiverEvent, sampleCount: number): Float | undefined {
+  /** Returns undefined if nothing moves. `index`: of the light. */
+  visibility(index: number, event: ReceiverEvent, sampleCount: number): Float | undefined {
     if (this.maxCasters === 0) return undefined;
     const { atlas, table, side } = this;
     const maps: ParallelMaps = { atlas, table, side, sampleCount };
-    return castersVisibility(maps, sun * this.maxCasters, this.maxCasters, event);
+    return castersVisibility(maps, index * this.maxCasters, this.maxCasters, event);
   }
 
   /** Updates the maps for a picture. Returns false if samples of a deforming mesh are not loaded yet. */
@@ -76,7 +76,7 @@ export class DynamicDistantShadows {
     if (key === this.renderedKey || movers.length === 0) return true;
     this.renderedKey = key;
     this.casters.showOnly(new Set(movers.map(({ body }) => body)));
-    const draws = lights.map((_, sun) => ({ layer: (lights.length + sun) * maxCasters }));
+    const draws = lights.map((_, index) => ({ layer: (lights.length + index) * maxCasters }));
     this.atlas.render(TILES_PER_ROW * side, lights.length * this.rows * side, draws);
     return true;
   }
@@ -95,8 +95,8 @@ export class DynamicDistantShadows {
     const { table, lights, maxCasters } = this;
     for (let layer = 0; layer < 2 * lights.length * maxCasters; layer++) table.clear(layer);
     for (const [slot, mover] of movers.entries())
-      lights.forEach((sun, row) => {
-        const layer = layerOf(mover, sun, observation, this.tile(slot, row));
+      lights.forEach((light, row) => {
+        const layer = layerOf(mover, light, observation, this.tile(slot, row));
         const center = addScaled(comovingCenter(mover), layer.axes.toLight, -driftBias(mover));
         table.set(row * maxCasters + slot, parallelLayerTexels({ ...layer, center }));
         table.set((lights.length + row) * maxCasters + slot, parallelLayerTexels({ ...layer, beta: ZERO }));
@@ -107,11 +107,11 @@ export class DynamicDistantShadows {
     return Math.ceil(this.maxCasters / TILES_PER_ROW);
   }
 
-  private tile(slot: number, sun: number): AtlasTile {
+  private tile(slot: number, index: number): AtlasTile {
     const { side, rows } = this;
     return {
       x: (slot % TILES_PER_ROW) * side,
-      y: (sun * rows + Math.floor(slot / TILES_PER_ROW)) * side,
+      y: (index * rows + Math.floor(slot / TILES_PER_ROW)) * side,
       size: side,
     };
   }

@@ -15,8 +15,8 @@ function placeOf(texels: readonly number[], dx: Vec3, time: number): Vec3 {
   return [u, v, h];
 }
 
-describe('a layer in coordinates that move with its occluder', () => {
-  it('has all events of a ray to the sun on one texel, the nearer to the sun the higher', () => {
+describe('a layer in coordinates that move with its caster', () => {
+  it('maps all events of a ray to the light to one texel, higher if nearer to the light', () => {
     fc.assert(
       fc.property(direction, vector, vector, number, number, (s, beta, start, time, center) => {
         const axes = lightAxes(comovingPathToLight(s, beta, -1));
@@ -38,7 +38,7 @@ describe('a layer in coordinates that move with its occluder', () => {
     );
   });
 
-  it('has what moves with the occluder always in one place, and its centre in the middle of the tile', () => {
+  it('maps what moves with the caster to one place at all times, and its centre to the centre of the tile', () => {
     fc.assert(
       fc.property(direction, vector, vector, number, (s, beta, center, time) => {
         const axes = lightAxes(comovingPathToLight(s, beta, -1));

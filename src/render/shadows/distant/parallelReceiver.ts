@@ -29,8 +29,8 @@ export interface ShadowReceiver {
 
 /** The visibility of lights at an event, from 0 to 1. */
 export interface LightVisibility {
-  /** undefined if the light throws no shadows; `sun`: its index in the environment. */
-  ofDistantLight(sun: number | undefined, receiver: ShadowReceiver): Float | undefined;
+  /** undefined if the light throws no shadows; `index`: the light's in the environment. */
+  ofDistantLight(index: number | undefined, receiver: ShadowReceiver): Float | undefined;
   /** `slot`: the light's index among those with shadows. */
   ofLocalLight(slot: Int | number | undefined, receiver: ShadowReceiver, light: ShadowedLight): Float | undefined;
 }

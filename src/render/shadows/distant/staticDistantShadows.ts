@@ -50,10 +50,10 @@ export class StaticDistantShadows {
     const { bodies, drawables: drawCalls, detail } = occluders;
     const resting = bodies.filter(isAlwaysStatic);
     let count = 0;
-    this.lights = lights.map((sun) => {
-      const box = lightSpaceBox(resting, lightAxes(sun.direction));
+    this.lights = lights.map((distantLight) => {
+      const box = lightSpaceBox(resting, lightAxes(distantLight.direction));
       if (!box) return undefined;
-      const cascade = { light: sun, box, count: cascadeSizes(box).length, first: count };
+      const cascade = { light: distantLight, box, count: cascadeSizes(box).length, first: count };
       count += cascade.count;
       return cascade;
     });
@@ -71,9 +71,9 @@ export class StaticDistantShadows {
         atlas.scene.add(makeCaster(drawCall, placement, parallelProjection(atlas, table, side), occluders.materials));
   }
 
-  /** Returns undefined if nothing is at rest. `sun`: the light's index. */
-  visibility(sun: number, event: ReceiverEvent, sampleCount: number): Float | undefined {
-    const cascadesOfLight = this.lights[sun];
+  /** Returns undefined if nothing is at rest. `index`: of the light. */
+  visibility(index: number, event: ReceiverEvent, sampleCount: number): Float | undefined {
+    const cascadesOfLight = this.lights[index];
     if (!cascadesOfLight) return undefined;
     const { atlas, table, side } = this;
     const maps: ParallelMaps = { atlas, table, side, sampleCount };

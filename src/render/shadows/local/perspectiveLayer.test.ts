@@ -25,8 +25,8 @@ function placeOf(texels: readonly number[], x: Vec3): Vec3 {
   return [texels[3] + (texels[11] * dot(across, d)) / z, texels[7] + (texels[11] * dot(up, d)) / z, 1 / z];
 }
 
-describe('a layer of a lamp', () => {
-  it('has all of a ray on one texel, the nearer the higher', () => {
+describe('a layer of a local light', () => {
+  it('maps all of a ray to one texel, higher if nearer', () => {
     fc.assert(
       fc.property(direction, vector, direction, (s, source, ray) => {
         fc.pre(dot(s, ray) > 0.2);
@@ -40,7 +40,7 @@ describe('a layer of a lamp', () => {
     );
   });
 
-  it('has one of six faces for each direction, and a lamp looks along −Z into the first', () => {
+  it('has one of six faces for each direction, and a light looks along −Z into the first', () => {
     const axes = lightFrameAxes([1, 0, 0], [0, 1, 0]);
     expect(axes.toLight).toEqual([0, 0, -1]);
     fc.assert(
@@ -54,7 +54,7 @@ describe('a layer of a lamp', () => {
     );
   });
 
-  it('holds all of a ball within its margin, and none of one that the lamp is in', () => {
+  it('holds all of a sphere within its margin, and none of one that contains the light', () => {
     const tile = { side: 256, cell: 16 };
     expect(sphereLayer([0, 0.9, 0], 1, tile)).toBeUndefined();
     fc.assert(

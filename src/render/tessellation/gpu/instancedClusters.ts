@@ -109,7 +109,7 @@ class SingleBody {
   private readonly starts: Uint32Array;
   private readonly index: BufferAttribute;
   private readonly instance: InstancedBufferAttribute;
-  private shown = new Uint8Array();
+  private lastStates = new Uint8Array();
 
   constructor(drawCall: DrawCall, starts: Uint32Array, add: (drawCall: DrawCall) => void) {
     this.whole = drawCall.batch.arrays.indices;
@@ -134,11 +134,11 @@ class SingleBody {
   show(states: Uint8Array): void {
     this.drawCall.mesh.visible = true;
     if (
-      states.length === this.shown.length &&
-      states.every((state, k) => (state === DRAWN) === (this.shown[k] === DRAWN))
+      states.length === this.lastStates.length &&
+      states.every((state, k) => (state === DRAWN) === (this.lastStates[k] === DRAWN))
     )
       return;
-    this.shown = states.slice();
+    this.lastStates = states.slice();
     let used = 0;
     for (let k = 0; k < states.length; k++) {
       if (states[k] !== DRAWN) continue;

@@ -44,7 +44,7 @@ export class TriangleTable {
 
   /**
    * The point of a triangle with these weights of its corners, of an instance if there are any. It is summed in the order of the corners' positions, with one
-   * product each, and zeros for corners with zero weight: so triangles that share an edge get the same bits, whatever their third vertices.
+   * product each, and zeros for corners with zero weight: so triangles that share an edge get the same bits, even with their own copies of its vertices.
    */
   interpolate(
     triangle: Int,

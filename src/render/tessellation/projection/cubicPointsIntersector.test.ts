@@ -32,7 +32,7 @@ const motionOf = (seed: number, size: number): CubicPointsMotion => {
 };
 const whole = { first: 0, count: 16 };
 
-it('points between the vertices are met where the formulas for single points have them', () => {
+it('points between vertices are found where the formulas for single points place them', () => {
   const corner = fc.integer({ min: 0, max: mesh.indices.length / 3 - 1 }).map((k) => 3 * k);
   const observers = fc.record({ t: uniform(-3, 3), turn: direction, far: uniform(0, 6), rapidity: uniform(0, 3) });
   fc.assert(
@@ -87,7 +87,7 @@ it.each([
   ['waves', motionOf(1, 0.4)],
   ['hops', hopping()],
 ])(
-  'a lump of %s holds its triangles at all times, and is as fast and as hard driven as any of their points',
+  'a cluster of %s bounds its triangles at all times, and the speeds and accelerations of their points',
   (_, motion) => {
     const object = makeObject({ path: '/It', mesh, motion });
     const body = makeBody(object, 1);
@@ -104,7 +104,7 @@ it.each([
         for (let i = 0; 3 * i < mesh.positions.length; i++)
           for (const w of [0.1, 0.3, 0.5, 0.8]) {
             const piece = pointPiece(motion, k, i);
-            const [here, after] = [w, w + 1e-5].map((share) => cubicAt(piece, share * piece.span));
+            const [here, after] = [w, w + 1e-5].map((fraction) => cubicAt(piece, fraction * piece.span));
             expect(distance(here.x, [x, y, z])).toBeLessThanOrEqual(radius * (1 + 1e-6));
             expect(length(here.v)).toBeLessThanOrEqual(maxSpeed);
             expect(distance(here.v, after.v) / (1e-5 * piece.span)).toBeLessThanOrEqual(maxAcceleration * (1 + 1e-4));
@@ -120,7 +120,7 @@ it.each([
   },
 );
 
-it('curves are smooth but where the motion begins and ends, or loses of its bend', () => {
+it('curves are smooth except where the motion begins and ends, or its bend is reduced', () => {
   const observation = { t: 0, position: [0, 0, 0] as Vec3, u: [0, 0, 0] as Vec3, hypersurface: 'now' as const };
   const smooth = (window: { first: number; count: number }, c: number) =>
     new CubicPointsIntersector(motionOf(1, 0.4), window, { ...observation, c }).smooth;
