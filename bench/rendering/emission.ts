@@ -1,5 +1,5 @@
+import type { PolylineLine } from '../../src/physics/worldLines/kinds/polylineLine.ts';
 import { emissionTime, newtonEmissionTime } from '../../src/physics/worldLines/lightCone.ts';
-import type { PolylineLine } from '../../src/physics/worldLines/worldLine.ts';
 import type { Bench, Table } from '../support/bench.ts';
 import { interleaved } from '../support/bench.ts';
 import { openRenderer } from '../support/gpu.ts';

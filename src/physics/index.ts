@@ -60,6 +60,13 @@ export {
   staticEmission,
   uniformEmission,
 } from './worldLines/emission.ts';
+export { type CircularLine, circleAt } from './worldLines/kinds/circularLine.ts';
+export { type CubicLine, cubicPiece } from './worldLines/kinds/cubicLine.ts';
+export type { HyperbolicLine } from './worldLines/kinds/hyperbolicLine.ts';
+export type { PolylineLine } from './worldLines/kinds/polylineLine.ts';
+export type { StaticLine } from './worldLines/kinds/staticLine.ts';
+export type { UniformLine } from './worldLines/kinds/uniformLine.ts';
+export type { ObserverEvent } from './worldLines/kinds/worldLineKind.ts';
 export {
   type EmissionEvent,
   emissionEvent,
@@ -68,34 +75,16 @@ export {
   emissionTimes,
   type NewtonOptions,
   newtonEmissionTime,
-  type ObserverEvent,
   pastLightCone,
 } from './worldLines/lightCone.ts';
+export { restsOutsideSamples, samplePosition, samplesUntil } from './worldLines/samples.ts';
 export {
-  circularSlice,
   contraction,
-  hyperbolicSlice,
-  type SimultaneousEvent,
   simultaneitySlice,
   simultaneousPosition,
   simultaneousPositions,
   simultaneousTime,
   simultaneousTimes,
-  uniformSlice,
 } from './worldLines/simultaneity.ts';
-export {
-  type CircularLine,
-  type CubicLine,
-  circleAt,
-  cubicPiece,
-  type HyperbolicLine,
-  type PolylineLine,
-  positionAt,
-  restsOutsideSamples,
-  type StaticLine,
-  samplePosition,
-  samplesUntil,
-  type UniformLine,
-  velocityAt,
-  type WorldLine,
-} from './worldLines/worldLine.ts';
+export { circularSlice, hyperbolicSlice, type SimultaneousEvent, uniformSlice } from './worldLines/slice.ts';
+export { positionAt, velocityAt, type WorldLine } from './worldLines/worldLine.ts';

@@ -1,5 +1,5 @@
 import type { RunRecord } from '../../dynamics/runRecord.ts';
-import { samplesUntil } from '../../physics/worldLines/worldLine.ts';
+import { samplesUntil } from '../../physics/worldLines/samples.ts';
 import type { SimulationRun } from '../state/simulationRuns.ts';
 
 /** Quantities that can be plotted over time. */

@@ -21,8 +21,9 @@ import {
   withBend,
 } from './cubicPiece.ts';
 import { polylineEmission } from './emission.ts';
+import type { CubicLine } from './kinds/cubicLine.ts';
 import { emissionEvent } from './lightCone.ts';
-import { type CubicLine, positionAt, velocityAt } from './worldLine.ts';
+import { positionAt, velocityAt } from './worldLine.ts';
 
 const slow = properVelocityUpTo(5).map(velocity);
 /** A piece given by its control velocities [c], all below 1. */

@@ -1,7 +1,9 @@
 import { dot, length, type Vec3, ZERO } from '../../math/vec3.ts';
 import { gamma, velocity } from '../lorentz/boost.ts';
-import { type ObserverEvent, pastLightCone } from './lightCone.ts';
-import { type SimultaneousEvent, simultaneitySlice } from './simultaneity.ts';
+import type { ObserverEvent } from './kinds/worldLineKind.ts';
+import { pastLightCone } from './lightCone.ts';
+import { simultaneitySlice } from './simultaneity.ts';
+import type { SimultaneousEvent } from './slice.ts';
 import type { WorldLine } from './worldLine.ts';
 
 /** The gradient of c(t − t_o) over the world's space, outwards: a constant vector, and a part along the direction away from the observer. */

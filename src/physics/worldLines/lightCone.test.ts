@@ -24,23 +24,13 @@ import {
 } from '../../math/vec3.ts';
 import { gamma, velocity } from '../lorentz/boost.ts';
 import { apparentPosition } from '../optics/apparentPosition.ts';
-import {
-  emissionEvent,
-  emissionOffsets,
-  emissionTime,
-  emissionTimes,
-  newtonEmissionTime,
-  type ObserverEvent,
-} from './lightCone.ts';
+import type { CubicLine } from './kinds/cubicLine.ts';
+import type { PolylineLine } from './kinds/polylineLine.ts';
+import type { UniformLine } from './kinds/uniformLine.ts';
+import type { ObserverEvent } from './kinds/worldLineKind.ts';
+import { emissionEvent, emissionOffsets, emissionTime, emissionTimes, newtonEmissionTime } from './lightCone.ts';
 import { contraction } from './simultaneity.ts';
-import {
-  type CubicLine,
-  type PolylineLine,
-  positionAt,
-  type UniformLine,
-  velocityAt,
-  type WorldLine,
-} from './worldLine.ts';
+import { positionAt, velocityAt, type WorldLine } from './worldLine.ts';
 
 const speedOfLight = magnitude(0, 8.5);
 /** Up to ±10⁴ s. */

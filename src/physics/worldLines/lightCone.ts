@@ -1,33 +1,7 @@
-import { add, dot, length, scale, sub, type Vec3 } from '../../math/vec3.ts';
-import { oneMinusBetaSquared } from '../lorentz/boost.ts';
-import { cubicEmission } from './cubicPiece.ts';
-import {
-  circularEmission,
-  hyperbolicEmission,
-  polylineEmission,
-  presentEmission,
-  type RetardedEvent,
-  staticEmission,
-} from './emission.ts';
-import {
-  type CubicLine,
-  circleAt,
-  firstAfter,
-  type PolylineLine,
-  positionAt,
-  relativePiece,
-  samplePosition,
-  velocityAt,
-  type WorldLine,
-} from './worldLine.ts';
-
-/** The observer's event, in the world frame. */
-export interface ObserverEvent {
-  /** World time [s]. */
-  readonly t: number;
-  /** [m] */
-  readonly position: Vec3;
-}
+import { add, dot, length, sub, type Vec3 } from '../../math/vec3.ts';
+import type { RetardedEvent } from './emission.ts';
+import type { ObserverEvent } from './kinds/worldLineKind.ts';
+import { positionAt, velocityAt, type WorldLine, worldLineKind } from './worldLine.ts';
 
 /** The event of a world line whose light reaches the observer's event. */
 export interface EmissionEvent {
@@ -47,37 +21,8 @@ export interface EmissionEvent {
  * The emission event in relative form, in metres and metres of light travel, or undefined if no light of the world line reaches the
  * observer's event (hyperbolic motion behind its horizon). Always the retarded root. docs/physics.md §3.1.
  */
-export function pastLightCone(w: WorldLine, observer: ObserverEvent, c: number): RetardedEvent | undefined {
-  const { t, position } = observer;
-  switch (w.kind) {
-    case 'static':
-      return staticEmission(sub(w.position, position));
-    case 'uniform': {
-      const v = scale(w.velocity, 1 / c);
-      return presentEmission(sub(positionAt(w, t, c), position), v, oneMinusBetaSquared(v));
-    }
-    case 'hyperbolic':
-      return hyperbolicEmission(sub(w.position, position), c * (t - w.t0), scale(w.properAcceleration, 1 / (c * c)));
-    case 'circular': {
-      const { center, arm } = circleAt(w, t);
-      return circularEmission(sub(center, position), w.axis, arm, w.angularVelocity / c);
-    }
-    case 'polyline':
-    case 'cubic':
-      return sampledEmission(w, observer, c);
-  }
-}
-
-/** f(t) = |x(t) − x_o| − c(t_o − t) increases while the speed is below c, so bisection on its sign at the samples finds the piece (docs/physics.md §4.7). */
-function sampledEmission(w: PolylineLine | CubicLine, { t, position }: ObserverEvent, c: number): RetardedEvent {
-  const offset = (i: number) => sub(samplePosition(w, i), position);
-  const time = (i: number) => c * (w.times[i] - t);
-  const after = firstAfter(w.times.length, (i) => length(offset(i)) + time(i) <= 0);
-  if (after === 0) return staticEmission(offset(0));
-  if (after === w.times.length) return staticEmission(offset(after - 1));
-  if (w.kind === 'cubic') return cubicEmission(relativePiece(w, after - 1, position, c), time(after - 1));
-  return polylineEmission(offset(after - 1), time(after - 1), offset(after), time(after));
-}
+export const pastLightCone = (w: WorldLine, observer: ObserverEvent, c: number): RetardedEvent | undefined =>
+  worldLineKind(w).pastLightCone(w, observer, c);
 
 /**
  * World time t_e [s] of the event of `w` that the observer sees: |x(t_e) − x_o| = c(t_o − t_e), the retarded root.

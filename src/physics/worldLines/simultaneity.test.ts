@@ -14,16 +14,14 @@ import { addScaled, cross, dot, length, normalize, scale, sub, type Vec3 } from 
 import { boost, gamma, properVelocity, velocity } from '../lorentz/boost.ts';
 import { fourVector, spatial } from '../lorentz/fourVector.ts';
 import {
-  circularSlice,
   contraction,
-  hyperbolicSlice,
   simultaneitySlice,
   simultaneousPosition,
   simultaneousPositions,
   simultaneousTime,
   simultaneousTimes,
-  uniformSlice,
 } from './simultaneity.ts';
+import { circularSlice, hyperbolicSlice, uniformSlice } from './slice.ts';
 import { positionAt, type WorldLine } from './worldLine.ts';
 
 describe('the slice', () => {

@@ -2,12 +2,16 @@ import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
 import { direction, expectClose, magnitude, offset, uniform } from '../../../tests/support/physicsArbitraries.ts';
 import { cross, dot, length, normalize, scale, sub } from '../../math/vec3.ts';
+import { circleAt } from './kinds/circularLine.ts';
+import type { CubicLine } from './kinds/cubicLine.ts';
+import type { PolylineLine } from './kinds/polylineLine.ts';
+import { restsOutsideSamples, samplesUntil } from './samples.ts';
 import {
-  circleAt,
-  type PolylineLine,
+  asInertial,
+  asPolyline,
+  hullPoints,
   positionAt,
-  restsOutsideSamples,
-  samplesUntil,
+  referencePosition,
   velocityAt,
   type WorldLine,
 } from './worldLine.ts';
@@ -83,6 +87,49 @@ describe('world lines', () => {
         }
       }),
     ));
+});
+
+const bent: CubicLine = {
+  kind: 'cubic',
+  times: zigzag.times,
+  positions: zigzag.positions,
+  velocities: Float64Array.of(0, 2, 0, 6, -1, 3, 6, -1, 3, 0, 9, 1),
+};
+const everyKind: readonly WorldLine[] = [
+  { kind: 'static', position: [1, 2, 3] },
+  { kind: 'uniform', position: [1, 2, 3], velocity: [4, 0, -1] },
+  { kind: 'hyperbolic', position: [1, 2, 3], properAcceleration: [1, -2, 3], t0: 2 },
+  { kind: 'circular', center: [1, 2, 3], axis: normalize([1, 2, -1]), arm: [2, 1, 1], angularVelocity: 1.3 },
+  zigzag,
+  bent,
+];
+
+describe('a world line of any kind', () => {
+  it('stays between two times in the convex hull of their places and the hull points', () =>
+    fc.assert(
+      fc.property(fc.constantFrom(...everyKind), time, magnitude(-3, 1), uniform(0, 1), direction, (w, t, s, k, n) => {
+        const [from, to] = [t / 10, t / 10 + s];
+        const hull = [positionAt(w, from, 10), positionAt(w, to, 10), ...hullPoints(w, from, to, 10)];
+        const along = dot(positionAt(w, from + k * s, 10), n);
+        expect(along).toBeLessThanOrEqual(Math.max(...hull.map((x) => dot(x, n))) + 1e-9);
+      }),
+      { numRuns: 3000 },
+    ));
+  it('is inertial or a polyline only where these are the same places', () => {
+    for (const w of everyKind) {
+      const [inertial, samples] = [asInertial(w), asPolyline(w)];
+      if (inertial) expect(positionAt({ kind: 'uniform', ...inertial }, 3, 10)).toEqual(positionAt(w, 3, 10));
+      if (samples) expect(positionAt({ ...samples, kind: 'polyline' }, 3, 10)).toEqual(positionAt(w, 3, 10));
+    }
+    expect(everyKind.map((w) => asInertial(w) !== undefined)).toEqual([true, true, false, false, false, false]);
+    expect(everyKind.map((w) => asPolyline(w) !== undefined)).toEqual([false, false, false, false, true, false]);
+  });
+  it('has a place of reference', () => {
+    const referenceTimes = [0, 0, 2, 0, 1, 1];
+    everyKind.forEach((w, i) => {
+      expectClose(referencePosition(w), positionAt(w, referenceTimes[i], 10), 1e-15);
+    });
+  });
 });
 
 describe('polyline', () => {

@@ -1,6 +1,6 @@
 import type { Vec3 } from '../../math/vec3.ts';
 import { cubicAt, withBend } from '../../physics/worldLines/cubicPiece.ts';
-import { samplesUntil } from '../../physics/worldLines/worldLine.ts';
+import { samplesUntil } from '../../physics/worldLines/samples.ts';
 import { boundingSphere } from '../../scene/bounds/bounds.ts';
 import { bendFactor, type CubicPointsMotion, pointPiece } from '../../scene/motion/cubicPoints.ts';
 import { emptyBox } from '../acceleration/bvh.ts';

@@ -1,7 +1,7 @@
 import { addScaled, cross, scale, sub, type Vec3, ZERO } from '../../math/vec3.ts';
 import { properVelocity } from '../../physics/lorentz/boost.ts';
+import { samplesUntil } from '../../physics/worldLines/samples.ts';
 import { contraction } from '../../physics/worldLines/simultaneity.ts';
-import { samplesUntil } from '../../physics/worldLines/worldLine.ts';
 import type { SceneObject } from '../../scene/types.ts';
 import { MovingBvhTraversal } from '../acceleration/movingBvhTraversal.ts';
 import type { Hit, SpacetimeRay } from '../acceleration/ray.ts';

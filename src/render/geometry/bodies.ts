@@ -1,8 +1,9 @@
 import { rotate } from '../../math/quat.ts';
 import { add, dot, lerp, scale, sub, type Vec3, ZERO } from '../../math/vec3.ts';
 import { properVelocity } from '../../physics/lorentz/boost.ts';
+import type { HyperbolicLine } from '../../physics/worldLines/kinds/hyperbolicLine.ts';
 import { contraction } from '../../physics/worldLines/simultaneity.ts';
-import type { HyperbolicLine, WorldLine } from '../../physics/worldLines/worldLine.ts';
+import type { WorldLine } from '../../physics/worldLines/worldLine.ts';
 import { meshBoundingSphere, sampleBoundingSphere } from '../../scene/bounds/bounds.ts';
 import { type CubicPointsMotion, innerControlPoints, isCubic } from '../../scene/motion/cubicPoints.ts';
 import type { ObjectWith } from '../../scene/motion/kinds/motionKind.ts';

@@ -1,6 +1,7 @@
 import { length, normalize, scale, type Vec3 } from '../../math/vec3.ts';
 import { oneMinusBetaSquared } from '../../physics/lorentz/boost.ts';
-import { asPolyline, type PolylineLine, samplePosition, type WorldLine } from '../../physics/worldLines/worldLine.ts';
+import { type SampledLine, samplePosition } from '../../physics/worldLines/samples.ts';
+import { asPolyline, type WorldLine } from '../../physics/worldLines/worldLine.ts';
 import { bendFactor, isCubic } from '../../scene/motion/cubicPoints.ts';
 import { samplePose } from '../../scene/motion/poses.ts';
 import type { Motion } from '../../scene/types.ts';
@@ -57,7 +58,7 @@ const noTrailingPoint = (): undefined => undefined;
 const isRestAuthored = ({ object }: Body): number => (object.authoredIn === 'rest' ? 1 : 0);
 
 /** The samples that are needed, [first, first + count), and their times after the anchor [m of light]. */
-function windowOf(line: PolylineLine, { span: section, observation, anchor }: ObjectRow, max: number) {
+function windowOf(line: SampledLine, { span: section, observation, anchor }: ObjectRow, max: number) {
   const [first, count] = sampleWindow(line, section, observation, max);
   const after = (k: number) => observation.c * (line.times[k] - observation.t) - anchor.ahead;
   return { first, count, after };

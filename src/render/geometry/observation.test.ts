@@ -2,7 +2,8 @@ import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
 import { add, distance, scale, type Vec3 } from '../../math/vec3.ts';
 import type { HypersurfaceName } from '../../physics/worldLines/hypersurface.ts';
-import type { PolylineLine, WorldLine } from '../../physics/worldLines/worldLine.ts';
+import type { PolylineLine } from '../../physics/worldLines/kinds/polylineLine.ts';
+import type { WorldLine } from '../../physics/worldLines/worldLine.ts';
 import { intersect, type Observation, sampleWindow, worldTubeSection } from './observation.ts';
 
 const C = 2;

@@ -1,5 +1,4 @@
-import { type Vec3, ZERO } from '../../math/vec3.ts';
-import { asPolyline, samplePosition } from '../../physics/worldLines/worldLine.ts';
+import { referencePosition } from '../../physics/worldLines/worldLine.ts';
 import { halfDiagonal } from '../../scene/bounds/bounds.ts';
 import { restToWorld, sampleTimes } from '../../scene/motion/motion.ts';
 import type { Scene, SceneObject } from '../../scene/types.ts';
@@ -13,12 +12,6 @@ export const worldObjects = (scene: Scene, c: number): readonly SceneObject[] =>
 export const isSampledAtRest = ({ motion, authoredIn }: SceneObject): boolean =>
   authoredIn === 'rest' && sampleTimes(motion) !== undefined;
 
-/** Half the diagonal of the bounding box of all objects at time 0, or at their first sample [m]. */
+/** Half the diagonal of the bounding box of all objects at their reference times (`referencePosition`) [m]. */
 export const sceneRadius = (bodies: readonly Body[]): number =>
-  halfDiagonal(bodies.map(({ line, radius }) => ({ center: startOf(line), radius })));
-
-function startOf(line: Body['line']): Vec3 {
-  const samples = asPolyline(line);
-  if (samples) return samplePosition(samples, 0);
-  return 'position' in line ? line.position : ZERO;
-}
+  halfDiagonal(bodies.map(({ line, radius }) => ({ center: referencePosition(line), radius })));

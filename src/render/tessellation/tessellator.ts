@@ -1,3 +1,4 @@
+import { deforms } from '../../scene/motion/motion.ts';
 import type { DrawCall } from '../gbuffer/drawCall.ts';
 import type { Batch } from '../geometry/batches.ts';
 import type { Gpu } from '../gpu/device.ts';
@@ -184,4 +185,4 @@ function hidePart({ clusters, patches: pieces }: TessellatedBatch): void {
 
 /** Of the batches whose levels one kernel finds: it reads the samples of a deforming body from a table of its own. */
 const kernelKeyOf = ({ batch: { kind, bodies, instancing: worn } }: DrawCall): string =>
-  kind === 'sampled-points' ? `${kind} ${bodies[0].id}` : worn ? `${kind} worn` : kind;
+  deforms({ kind }) ? `${kind} ${bodies[0].id}` : worn ? `${kind} worn` : kind;

@@ -1,4 +1,5 @@
-import { emissionTime, type ObserverEvent } from '../../physics/worldLines/lightCone.ts';
+import type { ObserverEvent } from '../../physics/worldLines/kinds/worldLineKind.ts';
+import { emissionTime } from '../../physics/worldLines/lightCone.ts';
 import type { WorldLine } from '../../physics/worldLines/worldLine.ts';
 import { motionKind } from '../motion/motions.ts';
 import type { Scene, SceneObject } from '../types.ts';

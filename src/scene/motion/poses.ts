@@ -1,6 +1,6 @@
 import { type Quat, rotate } from '../../math/quat.ts';
 import { add, type Vec3 } from '../../math/vec3.ts';
-import { samplesUntil } from '../../physics/worldLines/worldLine.ts';
+import { samplesUntil } from '../../physics/worldLines/samples.ts';
 import type { Pose } from '../types.ts';
 
 /** Sample i of rigid poses. */

@@ -2,7 +2,7 @@ import type { Vec3 } from '../../math/vec3.ts';
 import type { FourVector } from '../../physics/lorentz/fourVector.ts';
 import type { PlacementName } from '../../physics/optics/placement.ts';
 import type { HypersurfaceName } from '../../physics/worldLines/hypersurface.ts';
-import type { ObserverEvent } from '../../physics/worldLines/lightCone.ts';
+import type { ObserverEvent } from '../../physics/worldLines/kinds/worldLineKind.ts';
 import type { WorldLine } from '../../physics/worldLines/worldLine.ts';
 import type { Words } from '../settings/setting.ts';
 

@@ -1,4 +1,5 @@
 import { int, select, vec3 } from 'three/tsl';
+import { deforms } from '../../../scene/motion/motion.ts';
 import type { Float, Int, Vec3, Vec4 } from '../../../shaders/types.ts';
 import type { Batch, BatchArrays } from '../../geometry/batches.ts';
 import { unpackNormal } from '../../geometry/pointSamples/pointStore.ts';
@@ -61,7 +62,7 @@ export class TriangleTable {
       corner(0).mul(orderedWeights.x).add(corner(1).mul(orderedWeights.y)).add(corner(2).mul(orderedWeights.z));
     const texel = (k: number, part: number): Vec4 => this.vertices.texel(cornerTexels[k].add(int(part)));
     const firstTexels = cornerTexels.map((_, k) => texel(k, 0).toVar());
-    const deforming = kind === 'sampled-points';
+    const deforming = deforms({ kind });
     const ids = instances ? instanceRecord(instances, instance) : tail;
     return {
       offset: deforming ? vec3(0) : blend((k) => firstTexels[k].xyz).toVar(),
@@ -114,7 +115,7 @@ export class TriangleTable {
         out[at + 4 + k] = normals[3 * v + k];
         if (colors) out[at + 8 + k] = colors[3 * v + k];
       }
-      if (kind === 'sampled-points') out.set([v, 0, 0], at);
+      if (deforms({ kind })) out.set([v, 0, 0], at);
       out[at + 3] = uvs[2 * v];
       out[at + 7] = uvs[2 * v + 1];
     }

@@ -1,5 +1,5 @@
 import { add, dot, length, type Vec3 } from '../../../math/vec3.ts';
-import type { HyperbolicLine } from '../../../physics/worldLines/worldLine.ts';
+import type { HyperbolicLine } from '../../../physics/worldLines/kinds/hyperbolicLine.ts';
 import type { HyperbolicMotion } from '../../../scene/types.ts';
 import { hyperbolicLineOfCenter, type MovingBody } from '../../geometry/bodies.ts';
 import {

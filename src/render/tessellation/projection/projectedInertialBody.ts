@@ -5,13 +5,8 @@ import { add, addScaled, dot, length, scale, sub, type Vec3, ZERO } from '../../
 import { boostMatrix, gamma, properVelocity } from '../../../physics/lorentz/boost.ts';
 import { PLACEMENTS } from '../../../physics/optics/placement.ts';
 import type { HypersurfaceName } from '../../../physics/worldLines/hypersurface.ts';
+import type { InertialLine } from '../../../physics/worldLines/kinds/worldLineKind.ts';
 import { contraction, simultaneitySlice, simultaneousPosition } from '../../../physics/worldLines/simultaneity.ts';
-import {
-  inertialVelocity,
-  positionAt,
-  type StaticLine,
-  type UniformLine,
-} from '../../../physics/worldLines/worldLine.ts';
 import type { Observation } from '../../geometry/observation.ts';
 import { DEPTH_WEIGHT, MAX_GRADE_NEAR_CAMERA_PLANE } from '../criterion/edgeCriterion.ts';
 import {
@@ -47,14 +42,12 @@ export interface InertialMap {
   readonly maxStretch: number;
 }
 
-type InertialLine = StaticLine | UniformLine;
-
 /** `line`: of the body's centre; `bornRigid`: the body's offsets are those of its rest frame; `size`: a typical length of the body [m]. */
 export function inertialMap(line: InertialLine, bornRigid: boolean, size: number, { view }: ScreenMetric): InertialMap {
   const { observation, projection } = view;
-  const v = properVelocity(scale(inertialVelocity(line), 1 / observation.c));
+  const v = properVelocity(scale(line.velocity, 1 / observation.c));
   const toObserver = PLACEMENTS[projection.place].boost(observation.u);
-  const now = sub(positionAt(line, observation.t, observation.c), observation.position);
+  const now = sub(addScaled(line.position, line.velocity, observation.t), observation.position);
   return MAPS[observation.hypersurface]({ line, bornRigid, size, v, toObserver, now, observation });
 }
 
@@ -81,7 +74,8 @@ const MAPS: Readonly<Record<HypersurfaceName, (inputs: MapInputs) => InertialMap
   slice(inputs) {
     const { line, size, observation } = inputs;
     const place = (p: Vec3): Vec3 => {
-      const shifted = { ...line, position: add(line.position, worldOffset(inputs, p)) };
+      const position = add(line.position, worldOffset(inputs, p));
+      const shifted = { kind: 'uniform', position, velocity: line.velocity } as const;
       return simultaneousPosition(
         simultaneitySlice(shifted, observation, observation.u, observation.c).offset,
         observation.u,

@@ -2,7 +2,7 @@ import { toMatrix } from '../../../math/quat.ts';
 import { add, length, scale, sub, type Vec3 } from '../../../math/vec3.ts';
 import { gamma } from '../../../physics/lorentz/boost.ts';
 import { HYPERSURFACES, type Hypersurface } from '../../../physics/worldLines/hypersurface.ts';
-import type { PolylineLine } from '../../../physics/worldLines/worldLine.ts';
+import type { SampledLine } from '../../../physics/worldLines/samples.ts';
 import { samplePose } from '../../../scene/motion/poses.ts';
 import { pointsAt } from '../../../scene/streaming/samplePoints.ts';
 import type { SampledMotion, SampledPointsMotion } from '../../../scene/types.ts';
@@ -145,7 +145,7 @@ export class SampledPosesIntersector extends SampledIntersector {
   /** `line`: of the body's centre. */
   constructor(
     motion: SampledMotion,
-    line: PolylineLine,
+    line: SampledLine,
     window: SampleWindow,
     positions: Float32Array,
     observation: Observation,

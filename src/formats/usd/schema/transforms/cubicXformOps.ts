@@ -2,7 +2,7 @@ import { type AngularState, hermite, hermiteRotation, logarithm, slopeRule } fro
 import * as mat4 from '../../../../math/mat4.ts';
 import { conjugate, multiply, normalizeQuat, type Quat, toMatrix } from '../../../../math/quat.ts';
 import { lerp, scale, type Vec3 } from '../../../../math/vec3.ts';
-import { samplesUntil } from '../../../../physics/worldLines/worldLine.ts';
+import { samplesUntil } from '../../../../physics/worldLines/samples.ts';
 import { numberOf, numbersOf, type TimeCode } from '../../layer/attributes.ts';
 import type { AttributeSpec, TimeSamples } from '../../layer/layer.ts';
 
