@@ -14,15 +14,20 @@ import {
   spectrumParametersOf,
 } from '../color/lightSpectra.ts';
 import type { LineTable } from '../color/lineTable.ts';
+import type { RadianceAccumulator } from '../color/radiance.ts';
+import type { Observation } from '../geometry/observation.ts';
 import type { FloatTable, TablePart } from '../gpu/floatTable.ts';
-import type { DistantLightTexels } from './kinds/distantLight.ts';
+import type { FrameUniforms } from '../gpu/frameUniforms.ts';
+import { addDisc, addDistantLight, type DistantLightTexels } from './kinds/distantLight.ts';
+import type { LitSurface } from './kinds/litSurface.ts';
+import type { LightSet } from './lightSet.ts';
 
 interface DistantLightEntry extends DistantLight {
   readonly spectrumParameters: readonly [number, number];
   readonly colors: LightColors;
 }
 
-/** Distant lights that one piece of code stands for. */
+/** Distant lights that share shader code. */
 interface DistantLightGroup {
   readonly spectrumKind: SpectrumKind;
   readonly colored: number | undefined;
@@ -31,16 +36,16 @@ interface DistantLightGroup {
 
 /** Texels per distant light: (direction, x), (colour, y), with (x, y) of `spectrumParametersOf`. */
 const DISTANT_LIGHT_TEXELS = 2;
-/** So many are written out one by one: a software GPU runs the body of a loop once more than needed. */
+/** Up to this number the loop is unrolled: a software GPU runs the body of a loop once more than needed. */
 const MAX_UNROLLED = 4;
 
 /** All distant lights of a scene. */
-export class DistantLightTable {
+export class DistantLightTable implements LightSet {
   private readonly groups: readonly DistantLightGroup[];
   private readonly table: TablePart;
   private readonly lines: LineTable;
 
-  /** `table`: where they lie; it is to be uploaded after `update`. */
+  /** `table` holds their values; upload it after `update`. */
   constructor(
     lights: readonly DistantLight[],
     colored: readonly FilteredBlackbody[],
@@ -52,13 +57,25 @@ export class DistantLightTable {
     this.table = table.part(DISTANT_LIGHT_TEXELS * lights.length);
   }
 
-  /** In the order in which `forEach` counts them. */
+  /** By their indices in the table. */
   get lights(): readonly DistantLight[] {
     return this.groups.flatMap(({ lights }) => lights);
   }
 
+  addReflected(surface: LitSurface, accumulator: RadianceAccumulator): void {
+    this.forEach((light, index) => {
+      addDistantLight(surface, light, index, accumulator);
+    });
+  }
+
+  addBackground(n: gpu.Vec3, _uniforms: FrameUniforms, accumulator: RadianceAccumulator): void {
+    this.forEach((light) => {
+      addDisc(light, n, accumulator);
+    });
+  }
+
   /** `index`: its place in `lights`, where that is known before the shader runs. */
-  forEach(visit: (light: DistantLightTexels, index?: number) => void): void {
+  private forEach(visit: (light: DistantLightTexels, index?: number) => void): void {
     let start = 0;
     for (const group of this.groups) {
       const [begin, end] = [start, start + group.lights.length];
@@ -83,8 +100,7 @@ export class DistantLightTable {
     };
   }
 
-  /** Once per picture. */
-  update(colors: ColorMode): void {
+  update(_observation: Observation, colors: ColorMode): void {
     const entries = this.groups.flatMap((group) => group.lights);
     entries.forEach((light, i) => {
       const [x, y] = light.spectrumParameters;

@@ -23,7 +23,7 @@ import type { Float, Vec2, Vec3 } from '../../shaders/types.ts';
 import { uploadTexture } from '../gpu/textures.ts';
 import { type Panorama, PREFILTER_SIZE, pixelOffset, prefilterDome, SPECULAR_LOBES } from './prefilteredDome.ts';
 
-/** A dome's picture on the GPU, as it is and as matt and rough surfaces have it. */
+/** A dome's texture on the GPU, with its prefiltered maps for diffuse and glossy surfaces. */
 export class DomeTexture {
   private readonly image: DataTexture;
   private readonly maps: HalfTable;
@@ -31,7 +31,7 @@ export class DomeTexture {
   private readonly tint: Node<'vec3'>;
   private readonly axes: readonly Node<'vec3'>[];
 
-  /** `tint`: what its colours are multiplied with. */
+  /** `tint`: factor of its colours. */
   constructor(picture: NonNullable<DomeLight['texture']>, dome: DomeLight, tint: Vec3, atlas: HalfAtlas) {
     this.image = uploadTexture({ ...picture, wrapS: 'repeat', wrapT: 'clamp' });
     const maps = prefilterDome(picture);
@@ -46,16 +46,16 @@ export class DomeTexture {
     return this.sampleImage(this.place(n), float(0));
   }
 
-  /** Irradiance/π on a surface whose normal is n. */
+  /** Irradiance/π on a surface with the normal n. */
   irradiance(n: Vec3): Vec3 {
     return this.sampleMap(this.place(n), float(this.layers - 1)).mul(this.tint);
   }
 
-  /** What a surface of a roughness mirrors from about n. */
+  /** Prefiltered radiance around n for a surface of the given roughness. */
   specular(n: Vec3, roughness: Float): Vec3 {
     const place = this.place(n).toVar();
     const first = SPECULAR_LOBES[0].roughness;
-    // A texel of the picture is as wide as the lobe: 2a, a = roughness².
+    // Mip level at which a texel is as wide as the lobe: 2a, a = roughness².
     const texels = roughness.mul(roughness).mul(this.image.image.width / Math.PI);
     const nearly = this.sampleImage(place, log2(max(texels, 1)));
     const step = clamp(roughness.div(first).sub(1), 0, SPECULAR_LOBES.length - 1).toVar();
@@ -69,7 +69,7 @@ export class DomeTexture {
     this.image.dispose();
   }
 
-  /** Where a direction of the world is (latLong.ts), u to the right and v down. */
+  /** Texture coordinates of a world direction (latLong.ts), u to the right and v down. */
   private place(n: Vec3): Vec2 {
     const [x, y, z] = this.axes;
     const right = float(0.5).sub(atan(dot(n, x), dot(n, z)).div(2 * Math.PI));
@@ -77,12 +77,12 @@ export class DomeTexture {
     return vec2(right, down);
   }
 
-  /** At a level that is told: the seam at ±180° has no derivative. */
+  /** At an explicit mip level, since u has no derivative at the seam at ±180°. */
   private sampleImage(place: Vec2, level: Float): Vec3 {
     return texture(this.image, place).level(level).rgb.mul(this.tint);
   }
 
-  /** From a layer of the maps, each with a rim that is that of its other side. */
+  /** From a layer of the prefiltered maps, which have wrapped borders. */
   private sampleMap(place: Vec2, layer: Float): Vec3 {
     const x = place.x.mul(PREFILTER_SIZE.width).add(BORDER);
     const y = place.y.mul(PREFILTER_SIZE.height).add(BORDER);
@@ -90,10 +90,10 @@ export class DomeTexture {
   }
 }
 
-/** Of a map, so that it goes on beyond its edges [px]. */
+/** Width of the wrapped border of a map [px]. */
 const BORDER = 1;
 
-/** Panoramas one under the other, with their rims. */
+/** Panoramas one below the other, with their borders. */
 function stacked(maps: readonly Panorama[]): HalfTexels {
   const [width, height] = [PREFILTER_SIZE.width + 2 * BORDER, PREFILTER_SIZE.height + 2 * BORDER];
   const data = new Uint16Array(4 * width * height * maps.length).fill(toHalf(1));
@@ -108,5 +108,5 @@ function stacked(maps: readonly Panorama[]): HalfTexels {
   return { data, width };
 }
 
-/** The largest half. */
+/** The largest finite half-precision number. */
 const MAX_HALF = 65504;

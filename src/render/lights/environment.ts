@@ -1,40 +1,61 @@
 import { isDistantLight, isLocalLight } from '../../scene/lights/lightKinds.ts';
 import { directLights, sceneDome, sceneNightSky } from '../../scene/lights/sceneLights.ts';
 import type { ColorMode } from '../../scene/settings/settings.ts';
-import type { NightSky, Scene } from '../../scene/types.ts';
+import type { Scene } from '../../scene/types.ts';
 import type { HalfAtlas } from '../../shaders/tables/halfAtlas.ts';
+import type { Vec3 } from '../../shaders/types.ts';
 import { coloredLights } from '../color/lightSpectra.ts';
 import { LineTable } from '../color/lineTable.ts';
+import type { RadianceAccumulator } from '../color/radiance.ts';
 import type { Observation } from '../geometry/observation.ts';
 import type { FloatTable } from '../gpu/floatTable.ts';
+import type { FrameUniforms } from '../gpu/frameUniforms.ts';
 import { DistantLightTable } from './distantLightTable.ts';
 import { DomeSky } from './kinds/domeLight.ts';
+import type { LitSurface } from './kinds/litSurface.ts';
+import { CosmicBackground } from './kinds/nightSky.ts';
+import type { LightReach, LightSet } from './lightSet.ts';
 import { LightTable } from './lightTable.ts';
 
-/** Where a scene's light comes from. */
+/** All light sources of a scene. */
 export class Environment {
   readonly distantLights: DistantLightTable;
   readonly localLights: LightTable;
   /** The scene's dome, or a clear day's. */
-  readonly sky: DomeSky;
-  readonly nightSky: NightSky | undefined;
+  private readonly sky: DomeSky;
+  /** In the order in which what surfaces reflect of them is added. */
+  private readonly sets: { readonly [R in LightReach]: LightSet };
 
-  /** `table` and `atlas`: what the scene's shaders read; the first is to be uploaded after `update`. */
+  /** `table` and `atlas` are read by the scene's shaders; upload `table` after `update`. */
   constructor(scene: Scene, table: FloatTable, atlas: HalfAtlas) {
     const lines = new LineTable(table);
     const direct = directLights(scene);
     const colored = coloredLights(scene);
-    this.nightSky = sceneNightSky(scene);
     this.distantLights = new DistantLightTable(direct.filter(isDistantLight), colored, lines, table);
     this.localLights = new LightTable(direct.filter(isLocalLight), colored, lines, table);
     this.sky = new DomeSky(sceneDome(scene), lines, atlas);
+    this.sets = {
+      distant: this.distantLights,
+      local: this.localLights,
+      sky: this.sky,
+      stars: new CosmicBackground(sceneNightSky(scene)),
+    };
   }
 
   /** Once per picture; places are relative to the observer's event. */
   update(observation: Observation, colors: ColorMode): void {
-    this.distantLights.update(colors);
-    this.localLights.update(observation, colors);
-    this.sky.update(colors);
+    for (const lights of Object.values(this.sets)) lights.update(observation, colors);
+  }
+
+  /** Adds what a surface reflects of all lights. */
+  addReflected(surface: LitSurface, accumulator: RadianceAccumulator): void {
+    for (const lights of Object.values(this.sets)) lights.addReflected(surface, accumulator);
+  }
+
+  /** Adds what is seen behind everything in the world direction `n` (unit): the sky, then the other lights. */
+  addBackground(n: Vec3, uniforms: FrameUniforms, accumulator: RadianceAccumulator): void {
+    const { sky, ...others } = this.sets;
+    for (const lights of [sky, ...Object.values(others)]) lights.addBackground(n, uniforms, accumulator);
   }
 
   dispose(): void {

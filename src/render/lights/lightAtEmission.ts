@@ -2,35 +2,35 @@ import { length, normalize, select, vec4 } from 'three/tsl';
 import type { Bool, Float, Vec3 } from '../../shaders/types.ts';
 import { rotateVector } from '../geometry/vertexSamples.ts';
 import type { FrameUniforms } from '../gpu/frameUniforms.ts';
-import { lightEmissionEvent } from './lightEvent.ts';
+import { lightEmissionEvent } from './lightMotions.ts';
 import type { LightShape, LightTexels } from './lightTexels.ts';
 import { type RestFrameNodes, restFrame, WORLD_FRAME } from './restFrame.ts';
 
-/** A light as a surface sees it. */
+/** A local light at the event where it emits what reaches a surface event. */
 export interface LightAtEmission {
   /** Surface → light, unit, world. */
   readonly n: Vec3;
-  /** The same, to where it was when it sent out what meets the surface [m]. */
+  /** Surface → emission event of its centre [m], world. */
   readonly offset: Vec3;
-  /** Its rest frame at the event; its axes, and what follows, are given there. */
+  /** Its rest frame at that event; the members below are given there. */
   readonly frame: RestFrameNodes;
-  /** Surface → its middle [m]. */
+  /** Surface → its centre [m]. */
   readonly center: Vec3;
-  /** Absent of what shines alike to all sides. */
+  /** Absent of lights that shine equally in all directions. */
   readonly shape?: LightShape;
-  /** 1 where it shone when what meets the surface left it: its middle, or a place of it [m from the surface, its frame]. */
+  /** 1 where the light existed when it emitted what reaches the surface from its centre, or from `place` [m from the surface], else 0; absent if always 1. */
   readonly aliveFactor?: (place?: Vec3) => Float;
 }
 
 /**
- * A light where and when it sent out what meets a surface event at `dx` [m] from the observer and `time` [m of light] after his: on the event's own past light
- * cone; in the views of one moment, at that moment. Its velocity and axes are taken as constant while its light crosses it.
+ * A light at the event where it emits what reaches the surface event at `dx` [m] from the observer and `time` [m of light] after the observer's: on the past
+ * light cone of the surface event, or in the views of one moment at that moment. Its velocity and axes are taken as constant while light crosses it.
  */
 export function lightAtEmission(light: LightTexels, dx: Vec3, time: Float, uniforms: FrameUniforms): LightAtEmission {
   const d = light.place.sub(dx).toVar();
-  const late =
+  const lag =
     light.life && select(uniforms.lightTravels.greaterThan(0.5), light.life.z.sub(time).add(length(d)), 0).toVar();
-  const { offset, elapsed, velocity, orientation, exists } = lightEmissionEvent(light.motion, d, late);
+  const { offset, elapsed, velocity, orientation, exists } = lightEmissionEvent(light.motion, d, lag);
   const n = normalize(offset).toVar();
   const frame = velocity ? restFrame(velocity, uniforms) : WORLD_FRAME;
   const distance = length(offset);
@@ -43,7 +43,7 @@ export function lightAtEmission(light: LightTexels, dx: Vec3, time: Float, unifo
   const { shape, life } = light;
   const turned = orientation &&
     shape && { ...shape, X: rotateVector(orientation, shape.X).toVar(), Y: rotateVector(orientation, shape.Y).toVar() };
-  const alive = life && elapsed && { life, exists, middle: life.z.add(elapsed).toVar() };
+  const alive = life && elapsed && { life, exists, time: life.z.add(elapsed).toVar() };
   return {
     n,
     offset,
@@ -60,18 +60,18 @@ export function lightAtEmission(light: LightTexels, dx: Vec3, time: Float, unifo
 interface Alive {
   readonly life: Vec3;
   readonly exists: Bool | undefined;
-  /** When the light of its middle was sent out. */
-  readonly middle: Float;
+  /** Emission time of its centre after the observer's time [m of light]. */
+  readonly time: Float;
 }
 
-function aliveFactorAt({ life, exists, middle }: Alive, later: Float | undefined): Float {
-  const when = (later ? middle.add(later) : middle).toVar();
-  const alive = when.greaterThanEqual(life.x).and(when.lessThanEqual(life.y));
+function aliveFactorAt({ life, exists, time }: Alive, delay: Float | undefined): Float {
+  const emitted = (delay ? time.add(delay) : time).toVar();
+  const alive = emitted.greaterThanEqual(life.x).and(emitted.lessThanEqual(life.y));
   return select(exists ? alive.and(exists) : alive, 1, 0);
 }
 
-/** How much later [m of light, world] light left `place` than it left `centre`, to meet a surface at one event. */
+/** World time [m of light] by which light from `place` is emitted later than light from `center` that reaches the surface at the same event. */
 function emissionDelay(center: Vec3, place: Vec3, frame: RestFrameNodes): Float {
-  const sentOut = (x: Vec3): Float => frame.boostOut(vec4(x, length(x).negate())).w;
-  return sentOut(place).sub(sentOut(center));
+  const emissionTime = (x: Vec3): Float => frame.boostOut(vec4(x, length(x).negate())).w;
+  return emissionTime(place).sub(emissionTime(center));
 }

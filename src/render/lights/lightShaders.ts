@@ -10,7 +10,7 @@ import type { LocalLightShape } from './lightTexels.ts';
 
 type LightOf<K> = K extends 'point' ? SphereLight : Extract<LocalLight, { readonly kind: K }>;
 
-/** How the rasterizer draws each shape of local light. */
+/** How the rasterizer shades each shape of local light; the other kinds are in environment.ts. */
 const LIGHTS: { readonly [K in LocalLightShape]: LightShader<LightOf<K>> } = {
   point: POINT_LIGHT,
   sphere: SPHERE_LIGHT,
@@ -19,7 +19,7 @@ const LIGHTS: { readonly [K in LocalLightShape]: LightShader<LightOf<K>> } = {
   cylinder: CYLINDER_LIGHT,
 };
 
-/** What shaders take a light for. */
+/** The shape that shaders use for a light. */
 export const lightShapeOf = (light: LocalLight): LocalLightShape =>
   lightKind(light).isPoint(light) ? 'point' : light.kind;
 

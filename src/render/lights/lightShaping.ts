@@ -2,7 +2,7 @@ import { acos, clamp, cross, dot, max, normalize, pow, smoothstep } from 'three/
 import type { LocalLight } from '../../scene/types.ts';
 import type { Float, Vec3 } from '../../shaders/types.ts';
 
-/** How the radiance of a local light is shaped, on the GPU; `front`: unit −Z of its frame. */
+/** `LightShaping` on the GPU; `front`: unit −Z of the light's frame. */
 export interface ShapingTexels {
   readonly front: Vec3;
   readonly inner: Float;
@@ -21,10 +21,10 @@ export function shapingFactor({ front, inner, outer, focus }: ShapingTexels, out
     .mul(pow(max(cosine, 1e-6), focus));
 }
 
-/** A smoothstep needs room, and what is not shaped shines to all sides. */
+/** `smoothstep` needs two different edges [rad]. */
 const MIN_CONE_BLEND = 1e-4;
 
-/** The inner and the outer angle [rad] and the focus, as they are uploaded. */
+/** Inner and outer angle [rad] and focus as they are uploaded; without shaping angles beyond π, which every direction is within. */
 export function shapingValues({ shaping }: LocalLight): readonly [inner: number, outer: number, focus: number] {
   if (!shaping) return [4, 5, 0];
   return [Math.min(shaping.inner, shaping.outer - MIN_CONE_BLEND), shaping.outer, shaping.focus];

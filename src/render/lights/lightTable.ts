@@ -1,17 +1,10 @@
 import { int, Loop } from 'three/tsl';
 import { rotate } from '../../math/quat.ts';
-import { dot, length, normalize, scale, sub, type Vec3 } from '../../math/vec3.ts';
-import { oneMinusBetaSquared } from '../../physics/lorentz/boost.ts';
-import {
-  type PolylineLine,
-  positionAt,
-  samplesUntil,
-  velocityAt,
-  type WorldLine,
-} from '../../physics/worldLines/worldLine.ts';
+import { dot, scale, sub, type Vec3 } from '../../math/vec3.ts';
+import { positionAt, type WorldLine } from '../../physics/worldLines/worldLine.ts';
 import { projectedArea } from '../../scene/lights/lightKinds.ts';
-import { isStatic, originWorldLine, poseAt } from '../../scene/motion/motion.ts';
-import { samplePose } from '../../scene/motion/poses.ts';
+import { isStatic, originWorldLine } from '../../scene/motion/motion.ts';
+import { motionKind } from '../../scene/motion/motions.ts';
 import type { ColorMode } from '../../scene/settings/settings.ts';
 import type { LocalLight } from '../../scene/types.ts';
 import type * as gpu from '../../shaders/types.ts';
@@ -26,22 +19,28 @@ import {
   spectrumParametersOf,
 } from '../color/lightSpectra.ts';
 import type { LineTable } from '../color/lineTable.ts';
-import { intersect, type Observation, type RelativeEvent, rapidityFactor } from '../geometry/observation.ts';
+import type { RadianceAccumulator } from '../color/radiance.ts';
+import { intersect, type Observation, type RelativeEvent } from '../geometry/observation.ts';
 import type { FloatTable, TablePart } from '../gpu/floatTable.ts';
+import type { LitSurface } from './kinds/litSurface.ts';
+import { lightMotionKind } from './lightMotions.ts';
+import type { LightSet } from './lightSet.ts';
 import { lightShader, lightShapeOf } from './lightShaders.ts';
 import { shapingValues } from './lightShaping.ts';
 import type { LightTexels, LocalLightShape } from './lightTexels.ts';
+import { addLocalLight } from './localLight.ts';
+import type { WrittenMotion } from './motions/lightMotionKind.ts';
 
-/** Local lights that one piece of code stands for. */
+/** Local lights that share shader code: of the same shape, motion, spectrum and texels. */
 interface LightGroup {
   readonly kind: LocalLightShape;
   readonly motion: LocalLight['motion']['kind'];
   readonly spectrumKind: SpectrumKind;
   readonly colored: number | undefined;
   readonly texels: readonly LightTexelName[];
-  /** Texel of the first. */
+  /** First texel of the first light. */
   readonly first: number;
-  /** The first of them cast shadows. */
+  /** The first `shadowCasterCount` of them cast shadows. */
   readonly lights: LightEntry[];
   readonly shadowCasterCount: number;
 }
@@ -55,25 +54,18 @@ export interface LightEntry {
   readonly colors: LightColors;
 }
 
-/** So many local lights of a scene cast shadows. */
+/** How many local lights of a scene cast shadows at most. */
 const MAX_SHADOW_CASTERS = 8;
-/** Longest table that is searched. */
-const MAX_SAMPLES = 4096;
-/** (place, time) relative to the anchor, orientation. */
-const SAMPLE_TEXELS = 2;
 
-const keptSamples = (line: WorldLine): number =>
-  line.kind === 'polyline' ? Math.min(line.times.length, MAX_SAMPLES) : 0;
-
-/** All local lights of a scene. Those of a kind that move alike lie together: each group has code of its own, and no more of it than it needs. */
-export class LightTable {
+/** All local lights of a scene, in groups that share shader code, which is no longer than the group needs. */
+export class LightTable implements LightSet {
   private readonly groups: readonly LightGroup[];
   private readonly lights: TablePart;
   private readonly samples: TablePart;
 
   private readonly lines: LineTable;
 
-  /** `table`: where they lie; it is to be uploaded after `update`. */
+  /** `table` holds their values; upload it after `update`. */
   constructor(
     lights: readonly LocalLight[],
     colored: readonly FilteredBlackbody[],
@@ -93,7 +85,7 @@ export class LightTable {
       alike.set(key, [...(alike.get(key) ?? []), light]);
     }
     let first = 0;
-    const shares = shareEvenly(
+    const shadowCasterCounts = divideEvenly(
       [...alike.values()].map(({ length: count }) => count),
       MAX_SHADOW_CASTERS,
     );
@@ -107,18 +99,28 @@ export class LightTable {
         texels,
         first,
         lights: members.map((light) => makeLightEntry(light, lines)),
-        shadowCasterCount: shares[k],
+        shadowCasterCount: shadowCasterCounts[k],
       };
       first += texels.length * members.length;
       return group;
     });
     this.lights = table.part(first);
-    const moved = this.groups.flatMap(({ lights }) => lights.map(({ line }) => line));
-    this.samples = table.part(moved.reduce((sum, line) => sum + SAMPLE_TEXELS * keptSamples(line), 0));
+    this.samples = table.part(
+      lights.reduce((sum, { motion }) => sum + lightMotionKind(motion).sampleTexels(motion), 0),
+    );
   }
 
-  /** `slot`: its place among those that cast shadows. */
-  forEach(visit: (light: LightTexels, slot?: gpu.Int | number) => void): void {
+  addReflected(surface: LitSurface, accumulator: RadianceAccumulator): void {
+    this.forEach((light, slot) => {
+      addLocalLight(surface, light, slot, accumulator);
+    });
+  }
+
+  /** They are not seen themselves. */
+  addBackground(): void {}
+
+  /** `slot`: index among the shadow casters. */
+  private forEach(visit: (light: LightTexels, slot?: gpu.Int | number) => void): void {
     let slots = 0;
     for (const group of this.groups) {
       const [first, { shadowCasterCount }] = [slots, group];
@@ -130,16 +132,16 @@ export class LightTable {
     }
   }
 
-  /** Those that cast shadows, by their slots. */
+  /** The lights that cast shadows, by slot. */
   get shadowCasters(): readonly LightEntry[] {
     return this.groups.flatMap(({ lights, shadowCasterCount }) => lights.slice(0, shadowCasterCount));
   }
 
-  /** Where not all of a group cast shadows, those do that are brightest from where the observer is. */
-  selectShadowCasters(sight: Observation): void {
+  /** Where not all of a group cast shadows, the brightest at the observer do. */
+  selectShadowCasters(observation: Observation): void {
     for (const { lights, shadowCasterCount } of this.groups) {
       if (shadowCasterCount === lights.length) continue;
-      const illuminances = new Map(lights.map((entry) => [entry, illuminance(entry, sight)]));
+      const illuminances = new Map(lights.map((entry) => [entry, illuminance(entry, observation)]));
       lights.sort((a, b) => illuminances.get(b)! - illuminances.get(a)!);
     }
   }
@@ -151,60 +153,39 @@ export class LightTable {
       return k < 0 ? undefined : this.lights.texel(at.add(int(k))).toVar();
     };
     const [place, color] = [texel('place')!, texel('color')!];
-    const [X, Y, life, path, source] = (['X', 'Y', 'life', 'motion', 'source'] as const).map(texel);
-    const made = source && spectralSourceOf(spectrumKind, [source.x, source.y], this.lines);
+    const [X, Y, life, path, parameters] = (['X', 'Y', 'life', 'motion', 'source'] as const).map(texel);
+    const source = parameters && spectralSourceOf(spectrumKind, [parameters.x, parameters.y], this.lines);
+    const { samples } = this;
     return {
       kind,
-      motion: { kind: motion, samples: this.samples, ...(path && life && { moving: { motion: path, w: life.w } }) },
+      motion: { kind: motion, ...(path && life && { moving: { motion: path, w: life.w, samples } }) },
       place: place.xyz,
       radius: place.w,
       color: color.xyz,
       ...(X && Y && { shape: { X: X.xyz, Y: Y.xyz, inner: X.w, outer: Y.w, focus: color.w } }),
       ...(life && { life: life.xyz }),
-      ...(made && { source: made }),
+      ...(source && { source }),
       ...(colored !== undefined && { colored }),
     };
   }
 
-  /** Once per picture. */
-  update(sight: Observation, colors: ColorMode): void {
+  update(observation: Observation, colors: ColorMode): void {
     let used = 0;
     for (const { texels, first, lights } of this.groups)
       lights.forEach((entry, i) => {
-        const values = texelValues(entry, sight, colors);
-        const motion =
-          entry.line.kind === 'polyline'
-            ? this.writeSamples(entry, entry.line, values.anchor, sight, used)
-            : values.motion;
-        used += entry.line.kind === 'polyline' ? SAMPLE_TEXELS * motion[1] : 0;
+        const { motion } = entry.light;
+        const anchor = lightAnchor(entry.line, observation);
+        const written = lightMotionKind(motion).write(motion, anchor, observation, this.samples, used);
+        used += written.used;
+        const values = texelValues(entry, anchor, written, observation, colors);
         texels.forEach((name, k) => {
-          this.lights.set(name === 'motion' ? motion : values[name], first + i * texels.length + k);
+          this.lights.set(values[name], first + i * texels.length + k);
         });
       });
   }
-
-  /** Those up to the anchor and one more, for no surface that is seen is lit by later ones; two texels each: (place, time) relative to the anchor, orientation. */
-  private writeSamples(
-    { light: { motion } }: LightEntry,
-    { times }: PolylineLine,
-    anchor: RelativeEvent,
-    sight: Observation,
-    used: number,
-  ): readonly number[] {
-    if (motion.kind !== 'sampled') return [0, 0, 0, 0];
-    const end = Math.max(2, Math.min(times.length, samplesUntil(times, sight.t + anchor.ahead / sight.c) + 1));
-    const begin = Math.max(0, end - MAX_SAMPLES);
-    for (let k = begin; k < end; k++) {
-      const { position, orientation } = samplePose(motion.poses, k);
-      const time = sight.c * (times[k] - sight.t) - anchor.ahead;
-      const place = sub(sub(position, sight.position), anchor.offset);
-      this.samples.set([...place, time, ...orientation], used + SAMPLE_TEXELS * (k - begin));
-    }
-    return [used, end - begin, 0, 0];
-  }
 }
 
-/** Those from `begin` to `end`: one by one, where that is cheaper, with the number that is known then. */
+/** Visits `begin` … `end` − 1: unrolled where that is cheaper, and then with the index as a constant `k`. */
 function forEachUnrolled(
   kind: LocalLightShape,
   begin: number,
@@ -215,22 +196,22 @@ function forEachUnrolled(
   else Loop({ start: int(begin), end: int(end), type: 'int', condition: '<' }, ({ i }) => visit(int(i)));
 }
 
-/** At most `most` in all, as evenly as there are some to give it to. */
-function shareEvenly(counts: readonly number[], most: number): readonly number[] {
-  const shares = counts.map(() => 0);
-  const given = () => shares.reduce((a, b) => a + b, 0);
-  for (let before = -1; before < given() && given() < most; ) {
-    before = given();
+/** Divides at most `max` among counts, as evenly as they allow. */
+function divideEvenly(counts: readonly number[], max: number): readonly number[] {
+  const parts = counts.map(() => 0);
+  const total = () => parts.reduce((a, b) => a + b, 0);
+  for (let before = -1; before < total() && total() < max; ) {
+    before = total();
     counts.forEach((count, k) => {
-      if (shares[k] < count && given() < most) shares[k]++;
+      if (parts[k] < count && total() < max) parts[k]++;
     });
   }
-  return shares;
+  return parts;
 }
 
-/** At the observer, but for what is in its way. */
-function illuminance({ light, line }: LightEntry, sight: Observation): number {
-  const { offset } = lightAnchor(line, sight);
+/** Illuminance at the observer, unoccluded, up to a factor. */
+function illuminance({ light, line }: LightEntry, observation: Observation): number {
+  const { offset } = lightAnchor(line, observation);
   return (Math.max(...light.color) * projectedArea(light)) / Math.max(dot(offset, offset), 1e-6);
 }
 
@@ -255,22 +236,20 @@ const makeLightEntry = (light: LocalLight, lines: LineTable): LightEntry => ({
 });
 
 function texelValues(
-  { light, line, spectrumParameters, colors }: LightEntry,
-  sight: Observation,
-  how: ColorMode,
-): Readonly<Record<LightTexelName, readonly number[]>> & { readonly anchor: RelativeEvent } {
-  const anchor = lightAnchor(line, sight);
-  const time = sight.t + anchor.ahead / sight.c;
+  { light, spectrumParameters, colors }: LightEntry,
+  anchor: RelativeEvent,
+  { motion, w }: WrittenMotion,
+  observation: Observation,
+  mode: ColorMode,
+): Readonly<Record<LightTexelName, readonly number[]>> {
   const [inner, outer, focus] = shapingValues(light);
   const { x, y, radius, gain } = lightShader(lightShapeOf(light)).extents(light);
-  const turns = light.motion.kind === 'sampled';
-  const axis = (v: Vec3): Vec3 => (turns ? v : rotate(poseAt(light.motion, time, sight.c).orientation, v));
-  const after = (t: number) => Math.max(-1e30, Math.min(1e30, sight.c * (t - sight.t)));
-  const [motion, w] = motionTexel(line, anchor, sight);
+  const orientation = motionKind(light.motion).fixedOrientation(light.motion);
+  const axis = (v: Vec3): Vec3 => (orientation ? rotate(orientation, v) : v);
+  const after = (t: number) => Math.max(-1e30, Math.min(1e30, observation.c * (t - observation.t)));
   return {
-    anchor,
     place: [...anchor.offset, radius],
-    color: [...scale(colors[how], gain), focus],
+    color: [...scale(colors[mode], gain), focus],
     X: [...axis([x, 0, 0]), inner],
     Y: [...axis([0, y, 0]), outer],
     life: [after(light.lifetime.birth), after(light.lifetime.death), anchor.ahead, w],
@@ -279,27 +258,11 @@ function texelValues(
   };
 }
 
-/** A light as it is seen from an event. */
-export const lightAnchor = (line: WorldLine, sight: Observation): RelativeEvent =>
-  intersect(line, sight) ?? eventAtObserverTime(line, sight);
+/** Where a light's world line meets the hypersurface; of one behind the observer's horizon, which may still light what he sees, its place at his time. */
+export const lightAnchor = (line: WorldLine, observation: Observation): RelativeEvent =>
+  intersect(line, observation) ?? eventAtObserverTime(line, observation);
 
-/** What is behind the observer's horizon may still light what he sees. */
 const eventAtObserverTime = (line: WorldLine, { t, position, c }: Observation): RelativeEvent => ({
   offset: sub(positionAt(line, t, c), position),
   ahead: 0,
 });
-
-function motionTexel(
-  line: WorldLine,
-  anchor: RelativeEvent,
-  sight: Observation,
-): readonly [motion: readonly number[], w: number] {
-  if (line.kind === 'uniform') {
-    const v = scale(velocityAt(line, sight.t, sight.c), 1 / sight.c);
-    return [[...v, oneMinusBetaSquared(v)], 1];
-  }
-  if (line.kind !== 'hyperbolic') return [[0, 0, 0, 1], 1];
-  const a = line.properAcceleration;
-  const w = rapidityFactor(a, line.t0, anchor.ahead, sight);
-  return [[...normalize(a, [1, 0, 0]), length(a) / (sight.c * sight.c)], w];
-}

@@ -1,32 +1,32 @@
 import type { LocalLight } from '../../scene/types.ts';
 import type * as gpu from '../../shaders/types.ts';
 import type { SpectralSource } from '../color/radiance.ts';
-import type { LightMotion } from './lightEvent.ts';
+import type { LightMotion } from './lightMotions.ts';
 
-/** What shaders tell apart: a sphere without a size is a point. */
+/** The shapes that shaders distinguish: a sphere of radius 0 is a point. */
 export type LocalLightShape = LocalLight['kind'] | 'point';
 
-/** A local light on the GPU, relative to one event of it, its anchor: where the observer sees it, if he does. */
+/** A local light on the GPU, relative to its anchor: the event on its world line that the observer sees (`lightAnchor`). */
 export interface LightTexels {
   readonly kind: LocalLightShape;
   readonly motion: LightMotion;
   /** Observer → anchor [m]. */
   readonly place: gpu.Vec3;
   readonly radius: gpu.Float;
-  /** The filter of its radiance; of a point that of its intensity. */
+  /** The filter of its radiance, or of a point's intensity. */
   readonly color: gpu.Vec3;
-  /** Absent of a light that shines alike to all sides. */
+  /** Absent of a light that shines equally in all directions. */
   readonly shape?: LightShape;
-  /** Birth, death and the anchor's time after the observer's [m of light]; absent where it rests and always shines. */
+  /** Times of birth, death and anchor after the observer's [m of light]; absent of lights that rest and always shine. */
   readonly life?: gpu.Vec3;
-  /** Absent of daylight. */
+  /** Absent for daylight. */
   readonly source?: SpectralSource;
   /** As of `IncidentSpectrum`. */
   readonly colored?: number;
 }
 
 export interface LightShape {
-  /** Half axes, of a sphere of length 1; of a cylinder X is one, and Y of length 1. Where the light turns, in its own axes. */
+  /** Half axes [m]; those of a sphere, and Y of a cylinder, have length 1. World axes, or its own if its motion has no fixed orientation. */
   readonly X: gpu.Vec3;
   readonly Y: gpu.Vec3;
   readonly inner: gpu.Float;

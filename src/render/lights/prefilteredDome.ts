@@ -1,7 +1,7 @@
 import { linearizationTable } from '../../scene/materials/sampleTexture.ts';
 import type { DomeLight } from '../../scene/types.ts';
 
-/** Linear sRGB of all directions: rows from the zenith down, columns once around. 3 numbers a pixel. */
+/** Linear sRGB of all directions: rows from the zenith down, columns around the zenith; 3 numbers per pixel. */
 export interface Panorama {
   readonly width: number;
   readonly height: number;
@@ -11,7 +11,7 @@ export interface Panorama {
 /** Size of the panoramas that are convolved. */
 export const PREFILTER_SIZE = { width: 128, height: 64 } as const;
 
-/** What is mirrored of a dome at these roughnesses is worked out beforehand, at so many columns: the rougher, the fewer. */
+/** Roughnesses for which the dome is prefiltered, with the columns of the map that is convolved. */
 export const SPECULAR_LOBES = [
   { roughness: 0.25, columns: 128 },
   { roughness: 0.5, columns: 64 },
@@ -19,24 +19,24 @@ export const SPECULAR_LOBES = [
   { roughness: 1, columns: 32 },
 ] as const;
 
-/** What rough mirrors show of a dome, one panorama for each of `SPECULAR_LOBES`, and at last the irradiance/π on a matt surface by its normal. */
+/** A dome's prefiltered radiance, one panorama for each of `SPECULAR_LOBES`, and as the last one irradiance/π by normal. */
 export function prefilterDome(picture: NonNullable<DomeLight['texture']>): readonly Panorama[] {
   const whole = downsample(picture, PREFILTER_SIZE.width, PREFILTER_SIZE.height);
   const lobes = SPECULAR_LOBES.map(({ roughness, columns }) => convolve(halveTo(whole, columns), ggxLobe(roughness)));
   return [...lobes, convolve(halveTo(whole, 32), (cosine) => Math.max(cosine, 0))].map((map) => upsample(map));
 }
 
-/** GGX about the mirrored direction, as a surface that is looked at straight has it, times the cosine (Karis 2013, "Real shading in Unreal Engine 4"). */
+/** GGX about the mirrored direction for N = V = R, times the cosine (Karis 2013, "Real shading in Unreal Engine 4"). */
 const ggxLobe = (roughness: number) => {
   const a2 = roughness ** 4;
   return (cosine: number): number => {
-    // Of the half vector, whose angle is half as large.
+    // cos² of the half vector's angle, half that of the direction.
     const h2 = (1 + cosine) / 2;
     return Math.max(cosine, 0) * (a2 / (h2 * (a2 - 1) + 1)) ** 2;
   };
 };
 
-/** Means over blocks of the picture; one that is smaller repeats its pixels. */
+/** Means over blocks of the texture; the pixels of a smaller texture repeat. */
 function downsample(picture: NonNullable<DomeLight['texture']>, width: number, height: number): Panorama {
   const { data } = picture;
   const linear = linearizationTable(picture);
@@ -59,13 +59,13 @@ function downsample(picture: NonNullable<DomeLight['texture']>, width: number, h
   return { width, height, rgb };
 }
 
-/** Which of `from` pixels the i-th of `to` covers; at least one. */
+/** The range of `from` pixels that the i-th of `to` pixels covers; at least one. */
 function blockOf(i: number, to: number, from: number): readonly [number, number] {
   const first = Math.floor((i * from) / to);
   return [first, Math.max(first + 1, Math.floor(((i + 1) * from) / to))];
 }
 
-/** With so many columns, half as often as it takes; rows of the sphere count by their width. */
+/** Halves the map until it has at most `columns` columns; rows are weighted by their circumference on the sphere. */
 function halveTo(map: Panorama, columns: number): Panorama {
   if (map.width <= columns) return map;
   const [width, height] = [map.width / 2, map.height / 2];
@@ -83,10 +83,10 @@ function halveTo(map: Panorama, columns: number): Panorama {
   return halveTo({ width, height, rgb }, columns);
 }
 
-/** Below this share of its greatest value a lobe is not followed. */
+/** Fraction of its maximum below which a lobe is cut off. */
 const MIN_LOBE_WEIGHT = 1e-3;
 
-/** The mean around each direction, weighted by what `lobe` makes of the cosine between them; all directions have the weights of one row. */
+/** The mean around each direction, weighted by `lobe` of the cosine of the angle between the two; the weights are the same for all pixels of a row. */
 function convolve({ width, height, rgb }: Panorama, lobe: (cosine: number) => number): Panorama {
   const out = new Float32Array(rgb.length);
   const angle = (row: number): number => (Math.PI * (row + 0.5)) / height;
@@ -111,7 +111,7 @@ function convolve({ width, height, rgb }: Panorama, lobe: (cosine: number) => nu
   return { width, height, rgb: out };
 }
 
-/** Adds row v of a panorama to row y of another, `weights` by how many columns are between; from `far` columns on they are 0. */
+/** Adds row v of a panorama to row y of another; `weights` by distance in columns, 0 from `far` columns on. */
 function addRow(
   out: Float32Array,
   rgb: Float32Array,
@@ -123,11 +123,11 @@ function addRow(
 ): void {
   if (far === 0) return;
   const row = rgb.subarray(3 * v * width, 3 * (v + 1) * width);
-  // Twice around, so that no column's neighbours are beyond its ends.
+  // Two copies, so that neighbours beyond the seam are contiguous.
   const ring = new Float32Array(6 * width);
   ring.set(row);
   ring.set(row, 3 * width);
-  // Of the column on the other side there is but one.
+  // The opposite column counts once.
   const first = far > width / 2 ? 1 - width / 2 : 1 - far;
   const last = Math.min(far - 1, width / 2);
   for (let x = 0; x < width; x++) {
@@ -146,14 +146,14 @@ function addRow(
   }
 }
 
-/** Where a pixel's numbers begin: columns go on around, and rows beyond a pole on its other side. */
+/** Index of a pixel's first number: columns wrap, and rows beyond a pole continue on its other side. */
 export function pixelOffset({ width, height }: Panorama, row: number, column: number): number {
   const beyond = row < 0 || row >= height;
   const y = row < 0 ? -1 - row : row >= height ? 2 * height - 1 - row : row;
   return 3 * (y * width + ((column + (beyond ? width / 2 : 0) + width) % width));
 }
 
-/** At the size of `PREFILTER_SIZE`, linear between. */
+/** Bilinear, to `PREFILTER_SIZE`. */
 function upsample(map: Panorama): Panorama {
   const { width, height } = PREFILTER_SIZE;
   if (map.width === width) return map;

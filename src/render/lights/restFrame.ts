@@ -7,20 +7,21 @@ import type { Float, Vec3, Vec4 } from '../../shaders/types.ts';
 import type { IncidentSpectrum } from '../color/radiance.ts';
 import type { FrameUniforms } from '../gpu/frameUniforms.ts';
 
-/** The rest frame of a surface or a light: directions of the world (towards where light comes from) as they are there, and back. */
+/** Transformations between the world and the rest frame of a surface or a light. */
 export interface RestFrameNodes {
+  /** Directions towards a source, world → rest frame and back. */
   into: (n: Vec3) => Vec3;
   out: (n: Vec3) => Vec3;
-  /** The same of four-vectors (x, ct). */
+  /** The same for four-vectors (x, ct). */
   boostInto: (X: Vec4) => Vec4;
   boostOut: (X: Vec4) => Vec4;
-  /** ν there/ν in the world of light from `n`; absent of what rests in the world. */
+  /** ν in the rest frame over ν in the world, for light from `n`; absent at rest. */
   doppler?: (n: Vec3) => Float;
 }
 
 export const WORLD_FRAME: RestFrameNodes = { into: (n) => n, out: (n) => n, boostInto: (X) => X, boostOut: (X) => X };
 
-/** Of the velocity (v, 1 − v²); of the world in the views that show no light. Most surfaces rest: then nothing is computed. */
+/** For the velocity (v, 1 − v²); in views where light is not shifted that of the world. At rest, as most surfaces are, the boosts are skipped. */
 export function restFrame(velocity: Vec4, uniforms: FrameUniforms): RestFrameNodes {
   const gamma = inverseSqrt(clamp(velocity.w, 1e-12, 1)).toVar();
   const u = velocity.xyz.mul(gamma).mul(uniforms.boostLight).toVar();
@@ -41,7 +42,7 @@ export function restFrame(velocity: Vec4, uniforms: FrameUniforms): RestFrameNod
   };
 }
 
-/** Of light from `n` (unit, world), from what rests in one frame to what rests in the other. */
+/** D of light from the world direction `n` (unit) that is emitted at rest in `source` and received at rest in `receiver`. */
 export function incidentSpectrumBetween(n: Vec3, receiver: RestFrameNodes, source: RestFrameNodes): IncidentSpectrum {
   const [there, here] = [source.doppler?.(n), receiver.doppler?.(n)];
   if (!there) return here ? { D: here } : {};

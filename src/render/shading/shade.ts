@@ -1,21 +1,13 @@
-import { Fn, normalize, reflect } from 'three/tsl';
+import { Fn, normalize } from 'three/tsl';
 import type { Float, Vec3, Vec4 } from '../../shaders/types.ts';
-import { type BrdfNodes, brdfOf } from '../brdf/brdf.ts';
-import { skyReflectance } from '../brdf/skyReflectance.ts';
-import {
-  type ColorPipeline,
-  RADIANCE_POWER,
-  type RadianceAccumulator,
-  type SpectralFilterNodes,
-} from '../color/radiance.ts';
+import { brdfOf } from '../brdf/brdf.ts';
+import type { ColorPipeline } from '../color/radiance.ts';
 import type { Surface } from '../gbuffer/surface.ts';
 import type { FrameUniforms } from '../gpu/frameUniforms.ts';
 import type { Environment } from '../lights/environment.ts';
-import { addDistantLight } from '../lights/kinds/distantLight.ts';
-import type { DomeSky } from '../lights/kinds/domeLight.ts';
-import { incidentSpectrumBetween, type RestFrameNodes, restFrame, WORLD_FRAME } from '../lights/restFrame.ts';
+import type { SurfaceVisibility } from '../lights/kinds/litSurface.ts';
+import { restFrame, WORLD_FRAME } from '../lights/restFrame.ts';
 import type { LightVisibility } from '../shadows/distant/parallelReceiver.ts';
-import { addLocalLight, type LocalLightVisibility } from './localLight.ts';
 
 /**
  * The inputs of shading: `normal` is a unit vector in the rest frame, `dx` observer → event [m], `velocity` (v, 1 − v²), or undefined if nothing in the scene
@@ -46,45 +38,15 @@ export const shade = (
     const accumulator = pipeline(surface.D, uniforms);
     const albedo = accumulator.filter(surface.color.rgb, surface.invisible).toVar();
     const brdf = brdfOf(albedo, surface, N, V);
-    const { dx, time } = surface;
+    const { dx, time, occlusion, openness } = surface;
     const receiver = { dx, time, normal: N, velocity: surface.velocity };
-    environment.distantLights.forEach((light, index) => {
-      addDistantLight({ brdf, rest }, light, accumulator, () => shadows?.ofDistantLight(index, receiver));
-    });
-    environment.localLights.forEach((light, slot) => {
-      const visibility: LocalLightVisibility = (texels, emitter) =>
-        shadows?.ofLocalLight(slot, receiver, { ...texels, ...emitter });
-      addLocalLight({ brdf, dx, time, rest, uniforms }, light, accumulator, visibility);
-    });
-    skyReflection(brdf, surface, rest, environment.sky, uniforms, accumulator);
+    const visibility: SurfaceVisibility | undefined = shadows && {
+      ofDistantLight: (index) => shadows.ofDistantLight(index, receiver),
+      ofLocalLight: (slot, light, emitter) => shadows.ofLocalLight(slot, receiver, { ...light, ...emitter }),
+    };
+    const lit = { brdf, dx, time, rest, occlusion, uniforms };
+    environment.addReflected({ ...lit, ...(openness && { openness }), ...(visibility && { visibility }) }, accumulator);
     accumulator.addEmitted(surface.emission.rgb);
     accumulator.addGlow(surface.emission);
     return accumulator.total();
   })();
-
-/** Diffuse and specular reflection of the sky, times ambient occlusion and the material's own occlusion. */
-function skyReflection(
-  brdf: BrdfNodes,
-  { occlusion, openness }: ShadedSurface,
-  rest: RestFrameNodes,
-  sky: DomeSky,
-  uniforms: FrameUniforms,
-  accumulator: RadianceAccumulator,
-): void {
-  const { diffuse, specular } = skyReflectance(brdf, openness);
-  const { zenith } = uniforms;
-  const { N, V } = brdf;
-  const diffuseRadiance = (n: Vec3) => sky.irradiance(n, zenith);
-  const specularRadiance = (n: Vec3) => sky.specular(n, zenith, brdf.roughness);
-  const addReflection = (nPrime: Vec3, radiance: (n: Vec3) => Vec3, reflectance: SpectralFilterNodes): void => {
-    const n = rest.out(nPrime);
-    const spectrum = {
-      ...incidentSpectrumBetween(n, rest, WORLD_FRAME),
-      source: sky.source,
-      colored: 'picture',
-    } as const;
-    accumulator.addReflected(radiance(n), reflectance.mul(occlusion), spectrum, RADIANCE_POWER);
-  };
-  addReflection(N, diffuseRadiance, diffuse);
-  addReflection(normalize(reflect(V.negate(), N)).toVar(), specularRadiance, specular);
-}

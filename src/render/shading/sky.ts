@@ -5,27 +5,21 @@ import type { Float, Vec3 } from '../../shaders/types.ts';
 import type { ColorPipeline } from '../color/radiance.ts';
 import type { FrameUniforms } from '../gpu/frameUniforms.ts';
 import type { Environment } from '../lights/environment.ts';
-import { addDisc } from '../lights/kinds/distantLight.ts';
-import { addCosmicBackground } from '../lights/kinds/nightSky.ts';
 
 /** Radiance of the background in the direction `nPrime` of the observer's frame (unit vector, on the world axes carried by the boost). */
 export const backgroundRadiance = (
-  { sky, distantLights, nightSky }: Environment,
+  environment: Environment,
   uniforms: FrameUniforms,
   pipeline: ColorPipeline,
   nPrime: Vec3,
 ): Vec3 =>
   Fn(() => {
-    const { u, gamma, boosted, zenith } = uniforms;
+    const { u, gamma, boosted } = uniforms;
     const n = mix(nPrime, unaberrate(nPrime, u, gamma), boosted)
       .normalize()
       .toVar();
     const D: Float = observerDoppler(n, u, gamma).toVar();
     const accumulator = pipeline(D, uniforms);
-    accumulator.addEmitted(sky.radiance(n, zenith), sky.source);
-    distantLights.forEach((light) => {
-      addDisc(light, n, accumulator);
-    });
-    if (nightSky) addCosmicBackground(nightSky, accumulator);
+    environment.addBackground(n, uniforms, accumulator);
     return accumulator.total();
   })();

@@ -8,33 +8,33 @@ import { type LightOutline, outlineFlux } from './lightOutline.ts';
 import type { LitSurface } from './litSurface.ts';
 import { type AddReflected, dopplerFrom, meanLight, surfaceInLightFrame } from './surfaceInLightFrame.ts';
 
-/** A light with a size, in its own frame: half axes and radius [m], surface → its middle [m], and the unit direction to which it shines. */
+/** An area light in its rest frame: half axes and radius [m], surface → its centre [m], and the unit direction in which it shines. */
 export interface PlacedArea extends Pick<LightShape, 'X' | 'Y'> {
   readonly radius: Float;
   readonly center: Vec3;
   readonly front: Vec3;
 }
 
-/** What an area light of some shape looks like from a surface. `toCenter`: unit, surface → its middle. */
+/** Geometry of an area light as seen from a surface. `toCenter`: unit, surface → its centre. */
 export interface AreaGeometry {
-  /** Whether the surface is where it shines. */
+  /** Whether the surface is on the side to which it shines. */
   isLit(light: PlacedArea): Bool;
-  /** What it covers of the sky. */
+  /** Its outline, relative to the surface. */
   outline(light: PlacedArea): LightOutline;
-  /** How far away [m] it is in a direction within its outline. */
+  /** Its distance [m] in a direction within its outline. */
   distanceAlong(n: Vec3, light: PlacedArea): Float;
-  /** The point of it that is nearest to a unit ray from the surface, relative to the surface. */
+  /** Its point nearest to a unit ray from the surface, relative to the surface [m]. */
   nearestPoint(ray: Vec3, light: PlacedArea): Vec3;
-  /** Area of its image [m²]. */
+  /** Projected area [m²]. */
   projectedArea(light: PlacedArea, toCenter: Vec3): Float;
-  /** Length over breadth of its image. */
+  /** Aspect ratio of its projection. */
   aspectRatio(light: PlacedArea, toCenter: Vec3): Float;
 }
 
 /**
- * What a surface reflects of the light of an area light, unoccluded, all in the light's own frame, where its outline is one of straight edges.
- * The matt part is exact in its irradiance, over which D varies: that is a moment of second order of the outline. Its colour is that of the mean D, its
- * shape that of the mean direction. The glossy part has all light come from the point of the light that is nearest to the mirrored ray, with the D of that
+ * What a surface reflects of an area light, unoccluded, computed in the light's rest frame, where its outline has straight edges.
+ * The irradiance of the diffuse part is exact though D varies over the light: it is a second moment of the outline. Its colour is that of the mean D, its
+ * shaping that of the mean direction. The specular part takes all light as coming from the point of the light nearest to the mirrored ray, with the D of that
  * point, on a surface that is rougher by the light's size.
  * Source: Karis 2013, "Real shading in Unreal Engine 4", SIGGRAPH course notes, "Area lights".
  */
@@ -50,31 +50,33 @@ export function addAreaLight(
   const toCenter = normalize(center).toVar();
   const front = frontOf(shape);
   const light = { radius, X: shape.X, Y: shape.Y, center, front };
-  const met = surfaceInLightFrame(N, rest, frame);
-  const shares = (to: Vec3): Float => shapingFactor({ ...shape, front }, to.negate());
+  const surface = surfaceInLightFrame(N, rest, frame);
+  const shaping = (to: Vec3): Float => shapingFactor({ ...shape, front }, to.negate());
   If(geometry.isLit(light), () => {
     const { amount, toward } = outlineFlux(
       projectOutline(geometry.outline(light)),
-      met.N,
+      surface.N,
       toCenter,
-      met.U !== undefined,
+      surface.U !== undefined,
     );
-    const { D, irradiance } = meanLight(met, amount, toward);
+    const { D, irradiance } = meanLight(surface, amount, toward);
     const mean = toward.div(length(toward).max(1e-12)).toVar();
     const alive = aliveFactor?.(mean.mul(geometry.distanceAlong(mean, light)));
-    const matt = brdf.diffuse.mul(irradiance.mul(shares(mean)).div(Math.PI));
+    const diffuse = brdf.diffuse.mul(irradiance.mul(shaping(mean)).div(Math.PI));
     const ray = frame.into(rest.out(normalize(reflect(V.negate(), N)))).toVar();
     const nearest = normalize(geometry.nearestPoint(ray, light)).toVar();
     const facing = formFactor(geometry.projectedArea(light, toCenter).toVar(), center).toVar();
-    // A mirror shows the light's own radiance: so the widening across times that along is Ω/4π.
+    // The product of the widenings across and along is Ω/4π, so that a mirror shows the light's own radiance.
     const widening = sqrt(facing.div(4 * Math.PI)).toVar();
     const stretch = sqrt(geometry.aspectRatio(light, toCenter)).toVar();
     const L = rest.into(frame.out(nearest)).toVar();
-    const glossy = areaSpecular(brdf, L, widening.div(stretch), widening.mul(stretch)).mul(facing.mul(shares(nearest)));
-    const shift = dopplerFrom(met, nearest);
+    const specular = areaSpecular(brdf, L, widening.div(stretch), widening.mul(stretch)).mul(
+      facing.mul(shaping(nearest)),
+    );
+    const shift = dopplerFrom(surface, nearest);
     addReflected(
-      { share: alive ? matt.mul(alive) : matt, ...(D && { D }) },
-      { share: alive ? glossy.mul(alive) : glossy, ...(shift && { D: shift }) },
+      { share: alive ? diffuse.mul(alive) : diffuse, ...(D && { D }) },
+      { share: alive ? specular.mul(alive) : specular, ...(shift && { D: shift }) },
     );
   });
 }
@@ -84,6 +86,6 @@ const projectOutline = ({ count, corner }: LightOutline): LightOutline => ({
   corner: (k) => normalize(corner(k)),
 });
 
-/** Irradiance of a surface that faces it, over its radiance: as of a disk with its area that is seen from its axis, πA/(A + πd²). */
+/** Irradiance of a facing surface over the light's radiance, as from the axis of a disk of the same area: πA/(A + πd²). */
 const formFactor = (area: Float, center: Vec3): Float =>
   area.mul(Math.PI).div(area.add(dot(center, center).mul(Math.PI)).max(1e-12));

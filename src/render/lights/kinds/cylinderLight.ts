@@ -5,13 +5,13 @@ import { type AreaGeometry, addAreaLight, type PlacedArea } from './areaLight.ts
 import type { LightOutline } from './lightOutline.ts';
 import type { LightShader } from './lightShader.ts';
 
-/** A line is drawn as a tube of this part of its length. */
+/** Radius over length of the tube that stands for a line (radius 0). */
 const LINE_RADIUS_RATIO = 5e-4;
 
 const GEOMETRY: AreaGeometry = {
   isLit: ({ center }) => dot(center, center).greaterThan(0),
   outline: tubeOutline,
-  // Of its middle.
+  // That of its centre.
   distanceAlong: (_, { center }) => length(center),
   nearestPoint,
   projectedArea({ X, radius }, toCenter) {
@@ -46,12 +46,12 @@ export const CYLINDER_LIGHT: LightShader<CylinderLight> = {
   isParallelogram: true,
 };
 
-/** Each end of a tube has so many corners. */
+/** Corners at each end of a tube's outline. */
 const END_CORNERS = 7;
 
 /**
- * The side of a tube with the half axis X, as it is seen: between the two lines where it turns away, with half a circle at each end.
- * From its inside nothing.
+ * Outline of the side of a tube with the half axis X: its two silhouette lines, joined by half a circle at each end.
+ * Empty from its inside.
  */
 function tubeOutline({ center, X, radius }: PlacedArea): LightOutline {
   const axis = normalize(X).toVar();
@@ -80,6 +80,6 @@ function nearestPoint(ray: Vec3, { X, radius, center }: PlacedArea): Vec3 {
   const spread = dot(X, X).sub(slope.mul(slope)).max(1e-9);
   const s = clamp(slope.mul(dot(ray, center)).sub(dot(center, X)).div(spread), -1, 1);
   const axis = center.add(X.mul(s)).toVar();
-  const off = ray.mul(dot(ray, axis).max(0)).sub(axis).toVar();
-  return axis.add(off.mul(min(radius.div(length(off).max(1e-9)), 1)));
+  const offset = ray.mul(dot(ray, axis).max(0)).sub(axis).toVar();
+  return axis.add(offset.mul(min(radius.div(length(offset).max(1e-9)), 1)));
 }

@@ -12,25 +12,25 @@ export interface DistantLightTexels {
   readonly direction: gpu.Vec3;
   /** The filter of its irradiance. */
   readonly color: gpu.Vec3;
-  /** Absent of daylight. */
+  /** Absent for daylight. */
   readonly source?: SpectralSource;
   /** As of `IncidentSpectrum`. */
   readonly colored?: number;
 }
 
-/** Adds what a surface reflects of it: E′ = D² E. `visibility`: the share that gets there; undefined: all of it. */
+/** Adds what a surface reflects of it: E′ = D² E. `index`: its place in the table, where that is known before the shader runs. */
 export function addDistantLight(
-  { brdf, rest }: Pick<LitSurface, 'brdf' | 'rest'>,
+  { brdf, rest, visibility }: LitSurface,
   { direction, color, source, colored }: DistantLightTexels,
+  index: number | undefined,
   accumulator: RadianceAccumulator,
-  visibility: () => gpu.Float | undefined,
 ): void {
   const spectrum = {
     ...incidentSpectrumBetween(direction, rest, WORLD_FRAME),
     ...(source && { source }),
     ...(colored !== undefined && { colored }),
   };
-  const visible = visibility();
+  const visible = visibility?.ofDistantLight(index);
   accumulator.addReflected(
     visible ? color.mul(visible) : color,
     evaluateBrdf(brdf, rest.into(direction)),
@@ -39,7 +39,7 @@ export function addDistantLight(
   );
 }
 
-/** Adds its disc and its glow, seen in the world direction `n`. */
+/** Adds its disc and its glow, as seen in the world direction `n`. */
 export function addDisc(
   { direction, color, source }: DistantLightTexels,
   n: gpu.Vec3,

@@ -1,4 +1,4 @@
-import { clamp, dot, float, mix, pow, smoothstep, uniform } from 'three/tsl';
+import { clamp, dot, float, mix, normalize, pow, reflect, smoothstep, uniform } from 'three/tsl';
 import { Color } from 'three/webgpu';
 import type { Vec3 } from '../../../math/vec3.ts';
 import { SKY_SHAPE, skyIrradiance } from '../../../scene/lights/skyGradient.ts';
@@ -6,13 +6,25 @@ import type { ColorMode } from '../../../scene/settings/settings.ts';
 import type { DomeLight } from '../../../scene/types.ts';
 import type { HalfAtlas } from '../../../shaders/tables/halfAtlas.ts';
 import type * as gpu from '../../../shaders/types.ts';
+import { skyReflectance } from '../../brdf/skyReflectance.ts';
 import { domeSpectrumKind, lightColorsOf, spectralSourceOf, spectrumParametersOf } from '../../color/lightSpectra.ts';
 import type { LineTable } from '../../color/lineTable.ts';
-import { SKY_SOURCE, type SpectralSource } from '../../color/radiance.ts';
+import {
+  RADIANCE_POWER,
+  type RadianceAccumulator,
+  SKY_SOURCE,
+  type SpectralFilterNodes,
+  type SpectralSource,
+} from '../../color/radiance.ts';
+import type { Observation } from '../../geometry/observation.ts';
+import type { FrameUniforms } from '../../gpu/frameUniforms.ts';
 import { DomeTexture } from '../domeTexture.ts';
+import type { LightSet } from '../lightSet.ts';
+import { incidentSpectrumBetween, WORLD_FRAME } from '../restFrame.ts';
+import type { LitSurface } from './litSurface.ts';
 
-/** A dome light on the GPU: of one colour, a gradient from the horizon to the zenith, or a picture. */
-export class DomeSky {
+/** A dome light on the GPU: of one colour, a gradient from the horizon to the zenith, or a texture. */
+export class DomeSky implements LightSet {
   private readonly uniforms = {
     zenithColor: uniform(new Color()),
     horizonColor: uniform(new Color()),
@@ -22,8 +34,7 @@ export class DomeSky {
     skyRise: uniform(new Color()),
     skyBend: uniform(new Color()),
   };
-  /** The spectrum of its light. */
-  readonly source: SpectralSource;
+  private readonly source: SpectralSource;
   private readonly dome: DomeLight;
   private readonly texture: DomeTexture | undefined;
   private colorMode: ColorMode | undefined;
@@ -35,8 +46,36 @@ export class DomeSky {
     if (dome.texture) this.texture = new DomeTexture(dome.texture, dome, this.uniforms.zenithColor.rgb, atlas);
   }
 
+  /** Diffuse and specular reflection, times ambient occlusion and the material's own occlusion. */
+  addReflected({ brdf, rest, occlusion, openness, uniforms }: LitSurface, accumulator: RadianceAccumulator): void {
+    const { diffuse, specular } = skyReflectance(brdf, openness);
+    const { zenith } = uniforms;
+    const { N, V } = brdf;
+    const diffuseRadiance = (n: gpu.Vec3) => this.irradiance(n, zenith);
+    const specularRadiance = (n: gpu.Vec3) => this.specular(n, zenith, brdf.roughness);
+    const addReflection = (
+      nPrime: gpu.Vec3,
+      radiance: (n: gpu.Vec3) => gpu.Vec3,
+      reflectance: SpectralFilterNodes,
+    ): void => {
+      const n = rest.out(nPrime);
+      const spectrum = {
+        ...incidentSpectrumBetween(n, rest, WORLD_FRAME),
+        source: this.source,
+        colored: 'picture',
+      } as const;
+      accumulator.addReflected(radiance(n), reflectance.mul(occlusion), spectrum, RADIANCE_POWER);
+    };
+    addReflection(N, diffuseRadiance, diffuse);
+    addReflection(normalize(reflect(V.negate(), N)).toVar(), specularRadiance, specular);
+  }
+
+  addBackground(n: gpu.Vec3, { zenith }: FrameUniforms, accumulator: RadianceAccumulator): void {
+    accumulator.addEmitted(this.radiance(n, zenith), this.source);
+  }
+
   /** Radiance from the world direction `n` (skyGradient.ts). */
-  radiance(n: gpu.Vec3, zenith: gpu.Vec3): gpu.Vec3 {
+  private radiance(n: gpu.Vec3, zenith: gpu.Vec3): gpu.Vec3 {
     if (this.texture) return this.texture.radiance(n);
     const { zenithColor, horizonColor, groundColor } = this.uniforms;
     if (!this.dome.gradient) return zenithColor.rgb;
@@ -47,8 +86,8 @@ export class DomeSky {
     return mix(below, above, smoothstep(-seam, seam, height));
   }
 
-  /** Irradiance/π of all of it on a surface whose normal is `n`. */
-  irradiance(n: gpu.Vec3, zenith: gpu.Vec3): gpu.Vec3 {
+  /** Irradiance/π on a surface with the normal `n`. */
+  private irradiance(n: gpu.Vec3, zenith: gpu.Vec3): gpu.Vec3 {
     if (this.texture) return this.texture.irradiance(n);
     const { zenithColor, skyLevel, skyRise, skyBend } = this.uniforms;
     if (!this.dome.gradient) return zenithColor.rgb;
@@ -56,13 +95,13 @@ export class DomeSky {
     return skyBend.rgb.mul(height).add(skyRise).mul(height).add(skyLevel);
   }
 
-  /** What a surface of a roughness mirrors of it from about `n`. */
-  specular(n: gpu.Vec3, zenith: gpu.Vec3, roughness: gpu.Float): gpu.Vec3 {
+  /** Prefiltered radiance around `n` for a surface of the given roughness. */
+  private specular(n: gpu.Vec3, zenith: gpu.Vec3, roughness: gpu.Float): gpu.Vec3 {
     if (this.texture) return this.texture.specular(n, roughness);
     return mix(this.radiance(n, zenith), this.irradiance(n, zenith), roughness.sqrt());
   }
 
-  update(mode: ColorMode): void {
+  update(_observation: Observation, mode: ColorMode): void {
     if (mode === this.colorMode) return;
     this.colorMode = mode;
     const inMode = (color: Vec3): Vec3 => lightColorsOf({ ...this.dome, color })[mode];

@@ -19,13 +19,13 @@ import {
 } from 'three/tsl';
 import type { Float, Int, Vec3, Vec4 } from '../../../shaders/types.ts';
 
-/** What a light covers of the sky above a place: `count` corners, one after the other, relative to that place. */
+/** The outline of a light: `count` corners in order, relative to the surface. */
 export interface LightOutline {
   readonly count: number;
   corner(k: Int): Vec3;
 }
 
-/** A regular polygon round a face's middle: its corners, the angle of the first, and how far out they are, in half axes. */
+/** A regular polygon around a face's centre: number of corners, angle of the first, and their distance in half axes. */
 export interface FacePolygon {
   readonly count: number;
   readonly first: number;
@@ -44,24 +44,24 @@ export function faceOutline({ count, first, reach }: FacePolygon, center: Vec3, 
   };
 }
 
-/** How much light of radiance 1 comes through an outline to a surface, and from where on average. */
+/** Light of radiance 1 that a surface receives from within an outline. */
 export interface OutlineFlux {
-  /** ∫ N·(n, 1) dΩ: of a surface at rest its irradiance. */
+  /** ∫ N·(n, 1) dΩ: the irradiance of a surface at rest. */
   readonly amount: Float;
   /** ∫ n N·(n, 1) dΩ; without `weighted` ∫ n dΩ. */
   readonly toward: Vec3;
 }
 
 /**
- * Of all directions n within an outline of unit directions, cut off where N·(n, 1) < 0. `apex`: unit, about in its middle.
- * With Γ = a × b of an edge of length θ: ∫ n dΩ = ½ Σ θ Γ/sin θ; ∫ n nᵀ dΩ = ⅓ [Ω + Σ (a + b) Γᵀ/(1 + a·b)]; and Ω by triangles with the apex.
+ * Integrals over the directions n within an outline of unit vectors, clipped where N·(n, 1) < 0. `apex`: unit, about at its centre.
+ * With Γ = a × b of an edge of length θ: ∫ n dΩ = ½ Σ θ Γ/sin θ; ∫ n nᵀ dΩ = ⅓ [Ω + Σ (a + b) Γᵀ/(1 + a·b)]; Ω from triangles with the apex.
  * Source: Lambert 1760, Photometria; Arvo 1995, "Applications of irradiance tensors to the simulation of non-Lambertian phenomena", SIGGRAPH, eq. 7;
  * Van Oosterom and Strackee 1983, "The solid angle of a plane triangle", IEEE Trans. Biomed. Eng. 30.
  */
 export function outlineFlux({ count, corner }: LightOutline, N: Vec4, apex: Vec3, weighted: boolean): OutlineFlux {
   const [vector, second, angle] = [vec3(0).toVar(), vec3(0).toVar(), vec2(1, 0).toVar()];
   const along = (a: Vec3, b: Vec3): void => {
-    // Not a × b: of small outlines rounding would leave nothing.
+    // a × (b − a) rather than a × b, which loses its digits for small outlines.
     const turn = cross(a, b.sub(a)).toVar();
     const cosine = dot(a, b).toVar();
     const sine = length(turn).toVar();
@@ -76,12 +76,12 @@ export function outlineFlux({ count, corner }: LightOutline, N: Vec4, apex: Vec3
   const solidAngle = weighted ? atan(angle.y, angle.x).mul(2).toVar() : float(0);
   const amount = dot(N.xyz, vector).add(N.w.mul(solidAngle)).toVar();
   const toward = weighted ? vector.mul(N.w).add(N.xyz.mul(solidAngle).add(second).div(3)) : vector;
-  // Corners may go round either way.
-  const way = sign(amount).toVar();
-  return { amount: amount.mul(way).toVar(), toward: toward.mul(way).toVar() };
+  // The corners may be in either order.
+  const orientation = sign(amount).toVar();
+  return { amount: amount.mul(orientation).toVar(), toward: toward.mul(orientation).toVar() };
 }
 
-/** The edges of what of an outline is above the horizon, N·(n, 1) ≥ 0, with that which the horizon makes. */
+/** The edges of an outline clipped to N·(n, 1) ≥ 0, with the edge along the horizon. */
 function forEachVisibleEdge({ count, corner }: LightOutline, N: Vec4, visit: (a: Vec3, b: Vec3) => void): void {
   const [rises, sets] = [vec3(0).toVar(), vec3(0).toVar()];
   const height = (n: Vec3): Float => dot(N.xyz, n).add(N.w);

@@ -5,24 +5,24 @@ import type { LightTexels } from '../lightTexels.ts';
 import type { LitSurface } from './litSurface.ts';
 import type { AddReflected } from './surfaceInLightFrame.ts';
 
-/** What the rasterizer knows of a shape of local light (docs/adr/0024-light-kinds.md): its row in the table, its integral, its silhouette. */
+/** How the rasterizer shades a shape of local light (docs/adr/0024-light-kinds.md): its extents in the table, its BRDF integral, its silhouette. */
 export interface LightShader<L extends LocalLight> {
-  /** So many are written out one by one: a software GPU runs the body of a loop once more than needed. */
+  /** Up to this number the loop is unrolled: a software GPU runs the body of a loop once more than needed. */
   readonly maxUnrolled: number;
-  /** Whether shading asks for its axes even where its light is not shaped. */
+  /** Whether its axes are uploaded even without shaping. */
   readonly needsAxes: boolean;
   extents(light: L): LightExtents;
-  /** Occluders nearer than this to its middle may be its own bulb, and cast no shadow [m]. */
+  /** Occluders nearer than this to its centre may be its own bulb, and cast no shadow [m]. */
   bulbRadius(light: L): number;
-  /** Adds what a surface reflects of its light, unoccluded. */
+  /** Passes what a surface reflects of its light, unoccluded, to `add`. */
   addReflected(receiver: LitSurface, light: LightTexels, emitter: LightAtEmission, add: AddReflected): void;
-  /** Half axes of its silhouette, in the world [m]: how wide the penumbra of its shadows is. */
+  /** Half axes of its silhouette, world axes [m]; they determine the width of penumbrae. */
   silhouette(light: LightSilhouette): readonly [Vec3, Vec3];
-  /** Whether it fills the parallelogram of those, or else the ellipse. */
+  /** Whether the silhouette is the parallelogram of these half axes, else their ellipse. */
   readonly isParallelogram: boolean;
 }
 
-/** Half sizes along X and Y and the radius [m], and the factor that makes of the colour a radiance, or of a point an intensity. */
+/** Half sizes along X and Y, radius [m], and the factor from the light's colour to its radiance, or a point's intensity. */
 export interface LightExtents {
   readonly x: number;
   readonly y: number;

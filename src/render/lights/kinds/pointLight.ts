@@ -9,7 +9,7 @@ import type { LightShader } from './lightShader.ts';
 import type { LitSurface } from './litSurface.ts';
 import type { ReflectedLight } from './surfaceInLightFrame.ts';
 
-/** A sphere without a size. */
+/** A sphere of radius 0. */
 export const POINT_LIGHT: LightShader<SphereLight> = {
   maxUnrolled: 4,
   needsAxes: false,
@@ -20,7 +20,7 @@ export const POINT_LIGHT: LightShader<SphereLight> = {
   isParallelogram: false,
 };
 
-/** E = D² I/d² with d in the light's frame. */
+/** E = D² I/d², d in the light's rest frame. */
 function pointLight(
   { brdf, rest }: LitSurface,
   { n, frame, center, shape, aliveFactor }: LightAtEmission,

@@ -47,7 +47,7 @@ export const SPHERE_LIGHT: LightShader<SphereLight> = {
   extents: ({ radius }) => ({ x: 1, y: 1, radius, gain: 1 }),
   bulbRadius: ({ radius }) => radius,
   addReflected: (receiver, { radius }, emitter, add) => sphereLight(receiver, radius, emitter, add),
-  /** Across the way to it, along and across the least of that way's parts. */
+  /** Perpendicular to the direction to it. */
   silhouette({ radius, offset }) {
     const to = normalize(offset).toVar();
     const aside = abs(to.x)
@@ -60,10 +60,10 @@ export const SPHERE_LIGHT: LightShader<SphereLight> = {
 };
 
 /**
- * What a surface reflects of the light of a sphere, unoccluded. In every frame it looks round (Penrose 1959, "The apparent shape of a relativistically moving
- * sphere", Proc. Camb. Phil. Soc. 55). The matt part is exact; where the horizon cuts the sphere, its D⁴ is that of all of it, on a surface that is turned
- * towards it until nothing is cut. The glossy part has all light come from the direction within the sphere's outline that is nearest to the mirrored ray, with the D
- * of that direction, on a surface that is rougher by the sphere's size (Karis 2013, see areaLight.ts).
+ * What a surface reflects of the light of a sphere, unoccluded. Its outline is a circle in every frame (Penrose 1959, "The apparent shape of a relativistically
+ * moving sphere", Proc. Camb. Phil. Soc. 55). The diffuse part is exact, except that where the horizon cuts the sphere, D⁴ is that of the whole sphere on a
+ * surface tilted towards it until nothing is cut off. The specular part takes all light as coming from the direction within the outline that is nearest to the
+ * mirrored ray, with the D of that direction, on a surface that is rougher by the sphere's size (Karis 2013, see areaLight.ts).
  */
 function sphereLight(
   { brdf, rest }: LitSurface,
@@ -76,29 +76,29 @@ function sphereLight(
   const own = capOfSphere(center, radius);
   const seen = frame.doppler || rest.doppler ? boostedCap(own, frame, rest) : own;
   const height = dot(N, seen.axis).toVar();
-  // Who is inside has it all round.
-  const matt = select(own.sine2.lessThan(MAX_SINE2), capIrradiance(seen, height), Math.PI).toVar();
-  If(matt.greaterThan(0), () => {
+  // Inside the sphere it fills the hemisphere.
+  const irradiance = select(own.sine2.lessThan(MAX_SINE2), capIrradiance(seen, height), Math.PI).toVar();
+  If(irradiance.greaterThan(0), () => {
     const open = shape && shapingFactor({ ...shape, front: frontOf(shape) }, own.axis.negate());
     const share = (
       open && aliveFactor ? open.mul(aliveFactor(center)) : (open ?? aliveFactor?.(center) ?? float(1))
     ).toVar();
     const raised = N.add(seen.axis.mul(max(sqrt(seen.sine2).sub(height), 0))).toVar();
-    const { D, irradiance } = capLight(own, surfaceInLightFrame(raised, rest, frame));
+    const { D, irradiance: wholeIrradiance } = capLight(own, surfaceInLightFrame(raised, rest, frame));
     const whole = seen.sine2.mul(dot(raised, seen.axis)).mul(Math.PI);
     const toward = nearestInCap(seen, normalize(reflect(V.negate(), N)).toVar()).toVar();
     const widening = sqrt(seen.sine2).div(2).toVar();
-    const glossy = areaSpecular(brdf, toward, widening, widening).mul(seen.sine2.mul(share).mul(Math.PI));
+    const specular = areaSpecular(brdf, toward, widening, widening).mul(seen.sine2.mul(share).mul(Math.PI));
     const shift = dopplerFrom(surfaceInLightFrame(N, rest, frame), frame.into(rest.out(toward)));
     addReflected(
-      { share: brdf.diffuse.mul(matt.mul(irradiance).mul(share).div(whole.mul(Math.PI))), ...(D && { D }) },
-      // The solid angle is the surface's, and D² that of the light's own.
-      shift ? { share: glossy.mul(shift.mul(shift)), D: shift } : { share: glossy },
+      { share: brdf.diffuse.mul(irradiance.mul(wholeIrradiance).mul(share).div(whole.mul(Math.PI))), ...(D && { D }) },
+      // The solid angle is that of the surface's frame, D² times which is that of the light's.
+      shift ? { share: specular.mul(shift.mul(shift)), D: shift } : { share: specular },
     );
   });
 }
 
-/** Of what is touched. */
+/** Upper limit of sin² α, reached where the surface touches the sphere. */
 const MAX_SINE2 = 0.9999;
 
 function capOfSphere(center: Vec3, radius: Float): SphericalCap {
@@ -107,7 +107,7 @@ function capOfSphere(center: Vec3, radius: Float): SphericalCap {
   return { axis: center.mul(inverseSqrt(d2)).toVar(), sine2, cosine: sqrt(sine2.oneMinus()).toVar() };
 }
 
-/** The edge of a cap is where C·(n, 1) = 0 for C = (axis, −cos α), of length² sin² α in every frame. */
+/** The edge of a cap is where C·(n, 1) = 0 for the four-vector C = (axis, −cos α), whose square sin² α is invariant. */
 function boostedCap(
   { axis, sine2, cosine }: SphericalCap,
   source: RestFrameNodes,
@@ -140,9 +140,9 @@ function capIrradiance({ sine2, cosine }: SphericalCap, height: Float): Float {
   return select(height.mul(height).greaterThan(sine2), whole, max(cut, 0));
 }
 
-/** All of a cap's light, whatever is below the horizon: ∫ dΩ = 2π(1 − cos α), ∫ n dΩ = π sin² α · axis, ∫ (n·axis)² dΩ = ⅔π(1 − cos³ α). */
-function capLight({ axis, sine2, cosine }: SphericalCap, met: SurfaceInLightFrame): MeanLight {
-  const { N } = met;
+/** The light of the whole cap, ignoring the horizon: ∫ dΩ = 2π(1 − cos α), ∫ n dΩ = π sin² α · axis, ∫ (n·axis)² dΩ = ⅔π(1 − cos³ α). */
+function capLight({ axis, sine2, cosine }: SphericalCap, surface: SurfaceInLightFrame): MeanLight {
+  const { N } = surface;
   const solidAngle = sine2
     .div(cosine.add(1))
     .mul(2 * Math.PI)
@@ -154,7 +154,7 @@ function capLight({ axis, sine2, cosine }: SphericalCap, met: SurfaceInLightFram
     .mul(N.w)
     .add(N.xyz.mul(across))
     .add(axis.mul(along.sub(across).mul(dot(axis, N.xyz))));
-  return meanLight(met, solidAngle.mul(N.w).add(dot(first, N.xyz)).toVar(), toward);
+  return meanLight(surface, solidAngle.mul(N.w).add(dot(first, N.xyz)).toVar(), toward);
 }
 
 /** The direction within a cap that is nearest to a unit `ray`. */
