@@ -23,8 +23,8 @@ const dome = (radiance: (y: number, x: number) => number): RadianceTexture => ({
 const at = ({ width, rgb }: Panorama, y: number, x: number): number => rgb[3 * (y * width + x)];
 const angle = (y: number): number => (Math.PI * (y + 0.5)) / PREFILTER_SIZE.height;
 
-describe('what matt and rough surfaces have of a dome', () => {
-  it('is the dome itself where that is the same all round, whatever its size', () => {
+describe('a prefiltered dome', () => {
+  it('is the dome itself if that is uniform, whatever its size', () => {
     for (const { rgb } of prefilterDome(dome(() => 3))) for (const x of rgb) expect(x).toBeCloseTo(3, 4);
     const one = {
       ...dome(() => 0),
@@ -37,20 +37,20 @@ describe('what matt and rough surfaces have of a dome', () => {
       expect([...rgb.subarray(0, 3)]).toEqual([1, 0, 0].map((x) => expect.closeTo(x, 5)));
   });
 
-  it('of an even sky over dark ground is (1 + cos θ)/2 on a matt surface', () => {
-    const matt = prefilterDome(dome((y) => (y < H / 2 ? 1 : 0))).at(-1)!;
+  it('has the irradiance π (1 + cos θ)/2 for a uniform sky over dark ground', () => {
+    const diffuse = prefilterDome(dome((y) => (y < H / 2 ? 1 : 0))).at(-1)!;
     for (let y = 0; y < PREFILTER_SIZE.height; y += 5)
-      expect(Math.abs(at(matt, y, 17) - (1 + Math.cos(angle(y))) / 2)).toBeLessThan(0.01);
+      expect(Math.abs(at(diffuse, y, 17) - (1 + Math.cos(angle(y))) / 2)).toBeLessThan(0.01);
   });
 
-  it('is one value at a pole, whatever the column: what is halfway to the other side', () => {
-    const matt = prefilterDome(dome((y, x) => (y === 30 && x === 60 ? 1000 : 0))).at(-1)!;
+  it('has one value at a pole, whatever the column', () => {
+    const diffuse = prefilterDome(dome((y, x) => (y === 30 && x === 60 ? 1000 : 0))).at(-1)!;
     const pole = (column: number): number =>
-      (matt.rgb[pixelOffset(matt, -1, column)] + matt.rgb[pixelOffset(matt, 0, column)]) / 2;
+      (diffuse.rgb[pixelOffset(diffuse, -1, column)] + diffuse.rgb[pixelOffset(diffuse, 0, column)]) / 2;
     for (let column = 0; column < PREFILTER_SIZE.width; column += 9) expect(pole(column) / pole(0)).toBeCloseTo(1, 2);
   });
 
-  it('of one bright point is the lobe of the roughness, GGX about half of the angle', () => {
+  it('is the GGX lobe of the roughness, by half of the angle, for one bright point', () => {
     const maps = prefilterDome(dome((y, x) => (y === 64 && x === 128 ? 1000 : 0)));
     const lobe = (roughness: number, theta: number): number => {
       const spread = Math.cos(theta / 2) ** 2 * (roughness ** 4 - 1) + 1;

@@ -25,11 +25,11 @@ function pointLight(
   { brdf, rest }: LitSurface,
   { n, frame, center, shape, aliveFactor }: LightAtEmission,
 ): ReflectedLight {
-  const open = shape && shapingFactor({ ...shape, front: frontOf(shape) }, normalize(center).negate());
+  const shaping = shape && shapingFactor({ ...shape, front: frontOf(shape) }, normalize(center).negate());
   const falloff = dot(center, center).max(1e-12).reciprocal();
-  const share = [open, aliveFactor?.(center)].reduce<Float>(
+  const factor = [shaping, aliveFactor?.(center)].reduce<Float>(
     (product, factor) => (factor ? product.mul(factor) : product),
     falloff,
   );
-  return { share: evaluateBrdf(brdf, rest.into(n)).mul(share), ...incidentSpectrumBetween(n, rest, frame) };
+  return { share: evaluateBrdf(brdf, rest.into(n)).mul(factor), ...incidentSpectrumBetween(n, rest, frame) };
 }

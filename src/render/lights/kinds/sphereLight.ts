@@ -79,20 +79,20 @@ function sphereLight(
   // Inside the sphere it fills the hemisphere.
   const irradiance = select(own.sine2.lessThan(MAX_SINE2), capIrradiance(seen, height), Math.PI).toVar();
   If(irradiance.greaterThan(0), () => {
-    const open = shape && shapingFactor({ ...shape, front: frontOf(shape) }, own.axis.negate());
-    const share = (
-      open && aliveFactor ? open.mul(aliveFactor(center)) : (open ?? aliveFactor?.(center) ?? float(1))
+    const shaping = shape && shapingFactor({ ...shape, front: frontOf(shape) }, own.axis.negate());
+    const factor = (
+      shaping && aliveFactor ? shaping.mul(aliveFactor(center)) : (shaping ?? aliveFactor?.(center) ?? float(1))
     ).toVar();
-    const raised = N.add(seen.axis.mul(max(sqrt(seen.sine2).sub(height), 0))).toVar();
-    const { D, irradiance: wholeIrradiance } = capLight(own, surfaceInLightFrame(raised, rest, frame));
-    const whole = seen.sine2.mul(dot(raised, seen.axis)).mul(Math.PI);
+    const tilted = N.add(seen.axis.mul(max(sqrt(seen.sine2).sub(height), 0))).toVar();
+    const { D, irradiance: wholeIrradiance } = capLight(own, surfaceInLightFrame(tilted, rest, frame));
+    const whole = seen.sine2.mul(dot(tilted, seen.axis)).mul(Math.PI);
     const toward = nearestInCap(seen, normalize(reflect(V.negate(), N)).toVar()).toVar();
     const widening = sqrt(seen.sine2).div(2).toVar();
-    const specular = areaSpecular(brdf, toward, widening, widening).mul(seen.sine2.mul(share).mul(Math.PI));
+    const specular = areaSpecular(brdf, toward, widening, widening).mul(seen.sine2.mul(factor).mul(Math.PI));
     const shift = dopplerFrom(surfaceInLightFrame(N, rest, frame), frame.into(rest.out(toward)));
     addReflected(
-      { share: brdf.diffuse.mul(irradiance.mul(wholeIrradiance).mul(share).div(whole.mul(Math.PI))), ...(D && { D }) },
-      // The solid angle is that of the surface's frame, D² times which is that of the light's.
+      { share: brdf.diffuse.mul(irradiance.mul(wholeIrradiance).mul(factor).div(whole.mul(Math.PI))), ...(D && { D }) },
+      // The solid angle is that in the surface's frame; times D² it is that in the light's.
       shift ? { share: specular.mul(shift.mul(shift)), D: shift } : { share: specular },
     );
   });
