@@ -1,4 +1,4 @@
-// `npm run docs`: makes docs/guide/formats.md anew from what the readers say and do.
+// `npm run docs`: regenerates docs/guide/formats.md, nodes.md and the tables of flags in command-line.md from the code.
 import { join } from 'node:path';
 import { checkNode, ensureModules, root, run, SetupError } from './setup.mjs';
 
@@ -12,6 +12,7 @@ try {
     '--project',
     'unit',
     'tests/formats/coverage.test.ts',
+    'tests/docs/generatedPages.test.ts',
   ]);
 } catch (error) {
   if (!(error instanceof SetupError)) throw error;

@@ -27,7 +27,7 @@ const FEW_SCENES = ['dice', 'street', 'wheel'];
 /** Drawn by WebGL2 and the reference renderer too: what they add to the scenes are frame graphs, and one simulation. */
 const FEW_PROJECTS = ['comparison', 'layers', 'lesson', 'gods-eye', 'truth', 'workshop', 'hanging-cloth'];
 const FORMATS = ['usda', 'usdz', 'gltf', 'glb', 'obj'];
-export const SCENE_FILE = /\.(usda|usdc|usdz|gltf|glb|obj|ply|stl)$/;
+export const SCENE_FILE = /\.(usd|usda|usdc|usdz|gltf|glb|obj|ply|stl)$/;
 /** A moving object of each scene; where nothing moves, any. */
 const PROBED = {
   dice: '/World/Ivory0',

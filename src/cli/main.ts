@@ -11,18 +11,12 @@ import { probeCommand } from './probe/probeCommand.ts';
 import { renderCommand } from './render/renderCommand.ts';
 import { serveCommand } from './serve/serveCommand.ts';
 import { simulateCommand } from './simulate/simulateCommand.ts';
-import { CliError, EXIT } from './terminal/exitCodes.ts';
+import { CliError, EXIT, EXIT_MEANINGS } from './terminal/exitCodes.ts';
 
-const exitCodes = `
-Exit codes:
-  0    done
-  1    a fault of the program's own
-  2    a flag or an argument that makes no sense
-  3    a file that is missing, damaged, describes what cannot be, or cannot be written
-  4    no GPU, browser, encoder or port to do it with
-  5    compare --fail-above: the pictures differ by more than that
-  6    simulate: it ended before its time; what there is of it is written
-  130  stopped with Ctrl-C; no half-written file is left`;
+const exitCodes = [
+  '\nExit codes:',
+  ...Object.entries(EXIT_MEANINGS).map(([code, meaning]) => `  ${code.padEnd(5)}${meaning}`),
+].join('\n');
 
 /** Runs the command line; returns the exit code. */
 export async function main(args: readonly string[]): Promise<number> {
@@ -34,7 +28,8 @@ export async function main(args: readonly string[]): Promise<number> {
   }
 }
 
-function program(): Command {
+/** All commands with their flags; their code is loaded when they run. */
+export function program(): Command {
   const program = new Command('slowlight')
     .description('Shows what a fast observer sees, and what is really there.')
     .version(version())

@@ -1,6 +1,7 @@
 import { InputError, type Scene } from '../scene/types.ts';
 import { formatBytes, inputError, messageOf } from './diagnostics/inputError.ts';
 import { extensionOf, type FileSource, normalizePath } from './files/fileSource.ts';
+import { dotted } from './formatLists.ts';
 import { sanitizeScene } from './read/sanitize.ts';
 import type { ReadOptions } from './readOptions.ts';
 import { formatOf, sceneFormats } from './registry.ts';
@@ -39,7 +40,7 @@ function unknownFormat(path: string): InputError {
     const use = 'render, simulate and graph check take it, and the page opens it at ?project=…';
     return inputError('file.unknown-format', path, `this is a project, not a scene; ${use}`);
   }
-  const known = sceneFormats.map((f) => `${f.name} (${f.extensions.map((e) => `.${e}`).join(', ')})`).join(', ');
+  const known = sceneFormats.map((f) => `${f.name} (${dotted(f.extensions)})`).join(', ');
   const extension = extensionOf(path);
   const message = extension
     ? `.${extension} is not a scene format that can be opened; ${known} can`

@@ -7,6 +7,8 @@ export interface SceneFormat {
   readonly id: string;
   /** Display name. */
   readonly name: string;
+  /** In lists of formats: `USD`. */
+  readonly shortName: string;
   /** Lower case, without the dot. */
   readonly extensions: readonly string[];
   read(source: FileSource, entry: string, options: ReadOptions): Promise<Scene>;
@@ -17,30 +19,35 @@ export const sceneFormats: readonly SceneFormat[] = [
   {
     id: 'usd',
     name: 'OpenUSD',
+    shortName: 'USD',
     extensions: ['usd', 'usda', 'usdc', 'usdz'],
     read: async (source, entry, options) => (await import('./usd/index.ts')).readUsd(source, entry, options),
   },
   {
     id: 'gltf',
     name: 'glTF',
+    shortName: 'glTF',
     extensions: ['gltf', 'glb'],
     read: async (source, entry, options) => (await import('./gltf/index.ts')).readGltf(source, entry, options),
   },
   {
     id: 'obj',
     name: 'Wavefront OBJ',
+    shortName: 'OBJ',
     extensions: ['obj'],
     read: async (source, entry) => (await import('./obj/index.ts')).readObj(source, entry),
   },
   {
     id: 'ply',
     name: 'PLY',
+    shortName: 'PLY',
     extensions: ['ply'],
     read: async (source, entry) => (await import('./ply/index.ts')).readPly(source, entry),
   },
   {
     id: 'stl',
     name: 'STL',
+    shortName: 'STL',
     extensions: ['stl'],
     read: async (source, entry) => (await import('./stl/index.ts')).readStl(source, entry),
   },

@@ -3,6 +3,7 @@ import type { Diagnostic, Scene } from '../scene/types.ts';
 import { DiagnosticLog } from './diagnostics/diagnosticLog.ts';
 import { inputError } from './diagnostics/inputError.ts';
 import { extensionOf } from './files/fileSource.ts';
+import { dotted } from './formatLists.ts';
 import type { ExportedScene } from './write/exportMotion.ts';
 
 /** Writers by extension, loaded lazily. */
@@ -42,10 +43,6 @@ export const writtenExtensions: readonly string[] = Object.keys(writers);
 export async function saveScene(scene: Scene, name: string): Promise<ExportedScene> {
   const extension = extensionOf(name);
   if (writtenExtensions.includes(extension)) return writers[extension](scene, name);
-  const known = writtenExtensions.map((e) => `.${e}`).join(', ');
-  throw inputError(
-    'file.unknown-format',
-    name,
-    `.${extension} is not a scene format that can be written; ${known} can`,
-  );
+  const message = `.${extension} is not a scene format that can be written; ${dotted(writtenExtensions)} can`;
+  throw inputError('file.unknown-format', name, message);
 }

@@ -1,29 +1,28 @@
 import { basename, dirname, resolve } from 'node:path';
 import { Command } from 'commander';
 import { extensionOf } from '../../formats/files/fileSource.ts';
-import { saveScene, writtenExtensions } from '../../formats/save.ts';
-import { checkPython, exportScene, USDC, writeExportedFiles } from '../files/exportScene.ts';
+import { dotted } from '../../formats/formatLists.ts';
+import { saveScene } from '../../formats/save.ts';
+import { checkPython, exportScene, SCENE_EXTENSIONS, USDC, writeExportedFiles } from '../files/exportScene.ts';
 import { checkWritable } from '../files/outputFile.ts';
 import { addSceneFlags, openSceneWithFlags, SCENE_ARGUMENT, type SceneFlags } from '../flags/sceneFlags.ts';
 import { reportDiagnostics } from '../terminal/diagnostics.ts';
 import { usageError } from '../terminal/exitCodes.ts';
-
-const EXTENSIONS = [...writtenExtensions, USDC];
 
 export const convertCommand = (): Command =>
   addSceneFlags(
     new Command('convert')
       .description('Writes a scene as another kind of file, and tells what that cannot hold.')
       .argument('<in>', SCENE_ARGUMENT)
-      .argument('<out>', `file to write: ${EXTENSIONS.map((e) => `.${e}`).join(', ')}`),
+      .argument('<out>', `file to write: ${dotted(SCENE_EXTENSIONS)}`),
   )
     .option('--json', 'print what was written, and what was lost, as JSON')
     .action(convert);
 
 async function convert(from: string, to: string, flags: SceneFlags & { json?: boolean }): Promise<void> {
   const extension = extensionOf(to);
-  if (!EXTENSIONS.includes(extension))
-    throw usageError(`${to}: a scene is written as ${EXTENSIONS.map((e) => `.${e}`).join(', ')}, not as .${extension}`);
+  if (!SCENE_EXTENSIONS.includes(extension))
+    throw usageError(`${to}: a scene is written as ${dotted(SCENE_EXTENSIONS)}, not as .${extension}`);
   checkWritable(to);
   if (resolve(from) === resolve(to)) throw usageError(`${to} would be written over itself; name another file`);
   if (extension === USDC) checkPython();

@@ -3,12 +3,16 @@ import { existsSync, mkdirSync, mkdtempSync, readFileSync, rmSync, writeFileSync
 import { tmpdir } from 'node:os';
 import { dirname, join } from 'node:path';
 import { extensionOf } from '../../formats/files/fileSource.ts';
+import { writtenExtensions } from '../../formats/save.ts';
 import type { ExportedScene } from '../../formats/write/exportMotion.ts';
 import { inputProblem, unavailable } from '../terminal/exitCodes.ts';
 import { writeFileAtomically } from './outputFile.ts';
 
 /** Written by Pixar's own USD, from the text layer. */
 export const USDC = 'usdc';
+
+/** Extensions of the scene files that the command line writes. */
+export const SCENE_EXTENSIONS: readonly string[] = [...writtenExtensions, USDC];
 
 /** Has a scene written as any kind of file: `save` gives those that the program writes by itself. */
 export async function exportScene(

@@ -1,4 +1,5 @@
 import { type Command, InvalidArgumentError, Option } from 'commander';
+import { ANY_FORMAT_FILE } from '../../formats/formatLists.ts';
 import type { Interpolation, ReadOptions } from '../../formats/readOptions.ts';
 import { type Flight, isAtOrBelow, tooLargeToFly } from '../../scene/motion/fly.ts';
 import { changeMotion, type MotionChange } from '../../scene/motion/motionChange.ts';
@@ -27,8 +28,7 @@ const interpolations: readonly Interpolation[] = ['linear', 'cubic'];
 
 type FlyFlag = Omit<Flight, 'authoredIn'>;
 
-export const SCENE_ARGUMENT =
-  'USD, glTF, .obj, .ply or .stl file; or a .zip that holds one, set.zip[scene.usda] where it holds several';
+export const SCENE_ARGUMENT = `${ANY_FORMAT_FILE} file; or a .zip that holds one, set.zip[scene.usda] where it holds several`;
 
 export const addSceneFlags = (command: Command): Command =>
   command

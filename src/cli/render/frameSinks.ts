@@ -1,11 +1,12 @@
 import { extname } from 'node:path';
+import { alternatives } from '../../formats/formatLists.ts';
 import { encodeExrPicture, encodePngPicture, frameName } from '../../nodes/pictures/encode.ts';
 import type { PictureFrame } from '../../nodes/pictures/sequence.ts';
 import type { Scene } from '../../scene/types.ts';
 import { checkWritable, writeFileAtomically } from '../files/outputFile.ts';
 import { usageError } from '../terminal/exitCodes.ts';
 import type { RenderFlags } from './renderFlags.ts';
-import { VideoWriter } from './videoWriter.ts';
+import { VIDEO_EXTENSION, VideoWriter } from './videoWriter.ts';
 
 /** Where finished frames go. */
 export interface FrameSink {
@@ -17,18 +18,27 @@ export interface FrameSink {
   discard(): void;
 }
 
+type OpenSink = (flags: RenderFlags, scene: Scene, frames: number) => FrameSink | Promise<FrameSink>;
+
+/** By the extension of the output. */
+const SINKS: ReadonlyMap<string, OpenSink> = new Map<string, OpenSink>([
+  [
+    '.png',
+    ({ output, size }, _, frames) =>
+      fileSink(output, frames, (frame) => encodePngPicture(size, frame.rendered, frame)),
+  ],
+  [
+    '.exr',
+    ({ output, size }, scene, frames) =>
+      fileSink(output, frames, (frame) => encodeExrPicture(size, frame.rendered, frame, scene)),
+  ],
+  [`.${VIDEO_EXTENSION}`, (flags, scene) => videoSink(flags, flags.fps ?? scene.timeCodesPerSecond)],
+]);
+
 export async function openFrameSink(flags: RenderFlags, scene: Scene, frames: number): Promise<FrameSink> {
-  const { output, size } = flags;
-  switch (extname(output).toLowerCase()) {
-    case '.png':
-      return fileSink(output, frames, (frame) => encodePngPicture(size, frame.rendered, frame));
-    case '.exr':
-      return fileSink(output, frames, (frame) => encodeExrPicture(size, frame.rendered, frame, scene));
-    case '.mp4':
-      return videoSink(flags, flags.fps ?? scene.timeCodesPerSecond);
-    default:
-      throw usageError(`--output ${output}: its name must end in .png, .exr or .mp4`);
-  }
+  const open = SINKS.get(extname(flags.output).toLowerCase());
+  if (open) return open(flags, scene, frames);
+  throw usageError(`--output ${flags.output}: its name must end in ${alternatives([...SINKS.keys()])}`);
 }
 
 /** One file per frame; `####` in the name is the frame's number. */

@@ -2,7 +2,7 @@ import { basename, dirname, extname, resolve } from 'node:path';
 import { setImmediate } from 'node:timers/promises';
 import { stepSchedule } from '../../dynamics/run.ts';
 import { type RunRecord, runRecordCsv, summarizeRun } from '../../dynamics/runRecord.ts';
-import { writtenExtensions } from '../../formats/save.ts';
+import { dotted } from '../../formats/formatLists.ts';
 import { flatten } from '../../graph/analysis/flatten.ts';
 import { DocumentError, type GraphDocument } from '../../graph/document/document.ts';
 import type { HeavyRequest, RunHeavy } from '../../graph/evaluation/evaluator.ts';
@@ -11,7 +11,7 @@ import { simulationSettings } from '../../nodes/dynamics/simulate.ts';
 import { Simulation, type SimulationOutputs } from '../../nodes/dynamics/simulation.ts';
 import { nodeLibrary } from '../../nodes/library.ts';
 import { exportSceneFile } from '../../nodes/project/exportSceneFile.ts';
-import { checkPython, exportScene, USDC, writeExportedFiles } from '../files/exportScene.ts';
+import { checkPython, exportScene, SCENE_EXTENSIONS, USDC, writeExportedFiles } from '../files/exportScene.ts';
 import {
   checkWritable,
   handleSignals,
@@ -60,9 +60,8 @@ function checkFlags({ output, csv, checkpoint, resume }: SimulateFlags): void {
   for (const file of [output, csv, checkpoint]) if (file !== undefined) checkWritable(file);
   if (output === undefined) return;
   const extension = extname(output).slice(1).toLowerCase();
-  const known = [...writtenExtensions, USDC];
-  if (!known.includes(extension))
-    throw usageError(`${output}: a scene is written as ${known.map((each) => `.${each}`).join(', ')}`);
+  if (!SCENE_EXTENSIONS.includes(extension))
+    throw usageError(`${output}: a scene is written as ${dotted(SCENE_EXTENSIONS)}`);
   if (extension === USDC) checkPython();
 }
 

@@ -1,21 +1,26 @@
-/** How the program ends; documented in `slowlight --help`. */
+/** Exit codes of the program. */
 export const EXIT = {
   ok: 0,
-  /** A fault of ours. */
   internal: 1,
-  /** A flag or an argument that makes no sense. */
   usage: 2,
-  /** A file that is missing, damaged or describes what cannot be. */
   input: 3,
-  /** No GPU, browser or encoder to do it with. */
   unavailable: 4,
-  /** `compare --fail-above`: the pictures differ by more than that. */
   different: 5,
-  /** `simulate`: it ended before its time; what there is of it is written. */
   ended: 6,
-  /** Ctrl-C. */
   cancelled: 130,
 } as const;
+
+/** For `--help` and docs/guide/command-line.md. */
+export const EXIT_MEANINGS: Readonly<Record<(typeof EXIT)[keyof typeof EXIT], string>> = {
+  [EXIT.ok]: 'done',
+  [EXIT.internal]: "a fault of the program's own",
+  [EXIT.usage]: 'a flag or an argument that makes no sense',
+  [EXIT.input]: 'a file that is missing, damaged, describes what cannot be, or cannot be written',
+  [EXIT.unavailable]: 'no GPU, browser, encoder or port to do it with',
+  [EXIT.different]: 'compare --fail-above: the pictures differ by more than that',
+  [EXIT.ended]: 'simulate: it ended before its time; what there is of it is written',
+  [EXIT.cancelled]: 'stopped with Ctrl-C; no half-written file is left',
+};
 
 /** An error that a person can act on; `main` prints its message alone, without a stack. */
 export class CliError extends Error {

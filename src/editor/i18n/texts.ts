@@ -1,3 +1,4 @@
+import { ANY_FORMAT, FORMAT_NAMES } from '../../formats/formatLists.ts';
 import { effectTexts } from '../../nodes/docs/effectTexts.ts';
 import { nodeTexts } from '../../nodes/docs/nodeTexts.ts';
 import { maxSizeTexts } from '../../pipelines/maxSize.ts';
@@ -18,8 +19,8 @@ export const uiTexts = {
   'header.openFile': ['Open file…', '打开文件…'],
   'header.openFolder': ['Open folder…', '打开文件夹…'],
   'header.openHint': [
-    'Projects; USD, glTF, OBJ, PLY, STL; a folder or a zip where it has textures',
-    '项目；USD、glTF、OBJ、PLY、STL；带贴图时请选文件夹或 zip',
+    `Projects; ${FORMAT_NAMES[0]}; a folder or a zip where it has textures`,
+    `项目；${FORMAT_NAMES[1]}；带贴图时请选文件夹或 zip`,
   ],
   'header.undo': ['Undo', '撤销'],
   'header.undoWhat': ['Undo: {{what}}', '撤销：{{what}}'],
@@ -277,8 +278,8 @@ export const uiTexts = {
   ],
   'notice.copyCommand': ['Copy the command', '复制命令'],
   'notice.noScene': [
-    'None of these files is a scene. Drop a USD, glTF, OBJ, PLY or STL file, or a folder or zip that contains one.',
-    '这些文件中没有场景。请拖入 USD、glTF、OBJ、PLY 或 STL 文件，或含有它们的文件夹或 zip。',
+    `None of these files is a scene. Drop a ${ANY_FORMAT[0]} file, or a folder or zip that contains one.`,
+    `这些文件中没有场景。请拖入 ${ANY_FORMAT[1]} 文件，或含有它们的文件夹或 zip。`,
   ],
   'notice.unreadable': [
     'The browser could not read the dropped files: {{why}}. Check that they still exist and can be read, or use Project › Open file.',

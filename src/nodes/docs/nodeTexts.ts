@@ -1,3 +1,4 @@
+import { ANY_FORMAT } from '../../formats/formatLists.ts';
 import { SPEED_OF_LIGHT } from '../../physics/constants.ts';
 import { settingTexts } from '../common/settingTexts.ts';
 
@@ -11,7 +12,7 @@ const REAL_LIGHT = String(SPEED_OF_LIGHT).replace(/\B(?=(\d{3})+$)/g, ' ');
 export const nodeTexts = {
   ...settingTexts,
   'node.read': ['Read', '读取'],
-  'node.read.help': ['Reads a scene file: USD, glTF, OBJ, PLY or STL.', '读取场景文件：USD、glTF、OBJ、PLY 或 STL。'],
+  'node.read.help': [`Reads a scene file: ${ANY_FORMAT[0]}.`, `读取场景文件：${ANY_FORMAT[1]}。`],
   'node.read.source': ['File', '文件'],
   'node.read.variants': ['Variants', '变体'],
   'node.read.interpolation': ['Between samples', '样本之间'],
