@@ -28,7 +28,7 @@ export async function main(args: readonly string[]): Promise<number> {
   }
 }
 
-/** All commands with their flags; their code is loaded when they run. */
+/** All commands with their flags; their actions are imported lazily. */
 export function program(): Command {
   const program = new Command('slowlight')
     .description('Shows what a fast observer sees, and what is really there.')
@@ -58,10 +58,10 @@ function version(): string {
   return (JSON.parse(readFileSync(file, 'utf8')) as { version: string }).version;
 }
 
-/** Every error ends here, once: what a person can act on in one line, a fault of ours with its stack. */
+/** Prints an error and returns the exit code: one line for errors that the user can act on, the stack for bugs. */
 function report(error: unknown): number {
   const stopped = requestedExitCode();
-  // Whatever broke then, broke because of that.
+  // After a signal any error is a consequence of it.
   if (stopped !== undefined) return stopped;
   if (error instanceof CommanderError) return error.exitCode === 0 ? EXIT.ok : EXIT.usage;
   if (error instanceof CliError) return complain(error.message, error.exitCode);

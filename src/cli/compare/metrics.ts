@@ -17,7 +17,6 @@ import {
   type PictureFile,
 } from './pictureFiles.ts';
 
-/** What a comparison found. */
 export type Findings = FlipFindings | PixelFindings | AovFindings;
 
 export interface FlipFindings extends ErrorFigures {
@@ -28,31 +27,31 @@ export interface FlipFindings extends ErrorFigures {
 export interface PixelFindings extends ErrorFigures {
   readonly metric: 'pixels';
   readonly rmse: number;
-  /** [dB]; infinite where nothing differs, in JSON null. */
+  /** [dB]; infinite if the pictures are equal, which is null in JSON. */
   readonly psnr: number;
 }
 export interface AovFindings extends AovDifference {
   readonly metric: 'aov';
   readonly displacement: (ErrorFigures & { readonly measured: number; readonly lost: number }) | undefined;
-  /** Of the one that was asked for. */
+  /** Errors of the channel that `--channel` names. */
   readonly channel: (ErrorFigures & { readonly name: string }) | undefined;
 }
 export interface ErrorFigures extends Partial<ErrorSummary> {
   readonly threshold: number;
-  /** Part of the pixels, 0 … 1, with an error above the threshold. */
+  /** Fraction of the pixels, 0 … 1, with an error above the threshold. */
   readonly share: number;
 }
 
 export interface ErrorMap {
   readonly title: string;
   readonly errors: Float32Array;
-  /** Shown in the brightest colour. */
+  /** Error of the brightest colour. */
   readonly max: number;
 }
 
 export interface Comparison {
   readonly findings: Findings;
-  /** The part of the pixels that is different, and what the map shows; undefined where channels for it are missing. */
+  /** Fraction of the pixels that are different; undefined, as the map, if the channels for it are missing. */
   readonly share: number | undefined;
   readonly map: ErrorMap | undefined;
 }
@@ -122,7 +121,7 @@ function comparePixels(a: RgbImage, b: RgbImage, peak: number, flags: CompareFla
   };
 }
 
-/** The brightest value of both. */
+/** The largest value of both pictures. */
 const peakValue = (a: RgbImage, b: RgbImage): number =>
   Math.max(...[a, b].map(({ rgb }) => rgb.reduce((x, y) => Math.max(x, y), 0)));
 

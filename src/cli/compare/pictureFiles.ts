@@ -10,7 +10,7 @@ import { decodeSrgb } from '../../spectrum/display/srgb.ts';
 import { toneMap } from '../../spectrum/display/toneMap.ts';
 import { inputProblem } from '../terminal/exitCodes.ts';
 
-/** A picture from a file: what a screen shows (PNG, JPEG), or channels of linear numbers (EXR). */
+/** A picture from a file: display-referred sRGB (PNG, JPEG) or linear channels (EXR). */
 export type PictureFile = EncodedImageFile | ExrFile;
 
 export interface EncodedImageFile {
@@ -26,7 +26,7 @@ export interface ExrFile extends ChannelPicture {
   readonly path: string;
 }
 
-/** Both, and that they can be compared at all. */
+/** Opens two pictures; throws unless they have the same size and kind. */
 export async function openPair(pathA: string, pathB: string): Promise<readonly [PictureFile, PictureFile]> {
   const [a, b] = [await openPicture(pathA), await openPicture(pathB)];
   if (a.width !== b.width || a.height !== b.height) {
@@ -65,7 +65,7 @@ async function readBytes(path: string): Promise<Uint8Array> {
   }
 }
 
-/** sRGB values 0 … 1 as they are in the file; what is transparent lies over black. */
+/** sRGB-encoded values 0 … 1, composited over black. */
 export function encodedRgb({ width, height, pixels }: EncodedImageFile): RgbImage {
   const rgb = new Float32Array(3 * width * height);
   for (let i = 0; i < rgb.length; i++) {
@@ -75,13 +75,13 @@ export function encodedRgb({ width, height, pixels }: EncodedImageFile): RgbImag
   return { width, height, rgb };
 }
 
-/** The light that a screen sends for it, linear, 0 … 1. */
+/** Linear display light 0 … 1. */
 export function displayedLinearRgb(file: EncodedImageFile): RgbImage {
   const { width, height, rgb } = encodedRgb(file);
   return { width, height, rgb: rgb.map(decodeSrgb) };
 }
 
-/** R, G and B, which must be there and be numbers. */
+/** The channels R, G and B; throws if one is missing or not finite. */
 export function linearRgb(file: ExrFile): RgbImage {
   const { path, width, height, channels } = file;
   const planes = ['R', 'G', 'B'].map((name) => {
@@ -99,7 +99,7 @@ export function linearRgb(file: ExrFile): RgbImage {
   return { width, height, rgb };
 }
 
-/** As it looks, to be shown beside its error. */
+/** The picture as displayed, for the triptych; `exposure` [EV] applies to EXR. */
 export function displayCanvas(file: PictureFile, exposure: number): PixelCanvas {
   const { width, height } = file;
   if (file.kind === 'screen') return { width, height, pixels: file.pixels };

@@ -9,7 +9,7 @@ interface ComparisonHeader {
   readonly height: number;
 }
 
-/** The figures for a person. */
+/** The findings as lines of text. */
 export function compareLines({ a, b, width, height }: ComparisonHeader, findings: Findings): string[] {
   const head = `${titles[findings.metric]}: ${a} against ${b}, ${width} × ${height} pixels`;
   if (findings.metric === 'aov') return [head, ...aovLines(findings, width * height)];
@@ -77,7 +77,7 @@ const number = (value: number | undefined): string =>
 /** 0.0123 → `1.23 %` */
 export const percent = (share: number): string => `${Number((100 * share).toPrecision(3))} %`;
 
-/** Rows with their cells under one another. */
+/** Pads the cells of rows into columns. */
 function columns(rows: readonly (readonly string[])[], indent: number): string[] {
   const width = (k: number) => Math.max(...rows.map((row) => row[k]?.length ?? 0));
   return rows.map((row) => (' '.repeat(indent) + row.map((cell, k) => cell.padEnd(width(k))).join('  ')).trimEnd());

@@ -3,18 +3,18 @@ import { inputError } from '../../formats/diagnostics/inputError.ts';
 import { RangedFile } from '../../formats/files/rangedFile.ts';
 import type { StoredFile } from '../../scene/streaming/storedNumbers.ts';
 
-/** A file on disk as it was when it was opened; plain data, for threads. */
+/** A file on disk with its state when it was opened; plain data that can be sent to threads. */
 interface DiskFile {
   readonly path: string;
   readonly size: number;
   readonly modified: number;
 }
 
-/** So many files are kept open in a thread. */
+/** Open file descriptors per thread; the least recently used is closed. */
 const MAX_OPEN_FILES = 32;
 const descriptors = new Map<string, number>();
 
-/** A file of which parts can be read; undefined where there is none. `name`: for messages. */
+/** A file whose byte ranges can be read; undefined if it does not exist. `name`: for messages. */
 export function openDiskFile(path: string, name: string): RangedFile | undefined {
   const stats = statSync(path, { throwIfNoEntry: false });
   if (!stats?.isFile()) return undefined;
@@ -22,7 +22,7 @@ export function openDiskFile(path: string, name: string): RangedFile | undefined
   return new RangedFile({ name, handle }, stats.size);
 }
 
-/** Reads a part of a file that `openDiskFile` opened, in any thread: `setFileReader` of scene/streaming/storedNumbers.ts takes it. */
+/** Reads bytes `at` to `at + length` of a file that `openDiskFile` opened, in any thread; for `setFileReader` of scene/streaming/storedNumbers.ts. Throws if the file has changed. */
 export function readDiskFile({ name, handle }: StoredFile, at: number, length: number): Uint8Array<ArrayBuffer> {
   const file = handle as DiskFile;
   const bytes = new Uint8Array(length);

@@ -8,13 +8,13 @@ import type { ExportedScene } from '../../formats/write/exportMotion.ts';
 import { inputProblem, unavailable } from '../terminal/exitCodes.ts';
 import { writeFileAtomically } from './outputFile.ts';
 
-/** Written by Pixar's own USD, from the text layer. */
+/** Binary USD, which the Python package usd-core writes from the text layer. */
 export const USDC = 'usdc';
 
 /** Extensions of the scene files that the command line writes. */
 export const SCENE_EXTENSIONS: readonly string[] = [...writtenExtensions, USDC];
 
-/** Has a scene written as any kind of file: `save` gives those that the program writes by itself. */
+/** Exports a scene in the format of `name`; `save` writes the formats other than USDC. */
 export async function exportScene(
   name: string,
   save: (name: string) => Promise<ExportedScene>,
@@ -22,7 +22,7 @@ export async function exportScene(
   return extensionOf(name) === USDC ? convertToUsdc(name, await save('scene.usda')) : save(name);
 }
 
-/** The main file last, so that it is there only when all it needs is. */
+/** Writes the files and returns their paths, the main file first. It is written last, so that it never exists without the files that it refers to. */
 export function writeExportedFiles(folder: string, { files }: ExportedScene): string[] {
   const [main, ...others] = files;
   for (const [name, bytes] of others) refuseOverwrite(join(folder, name), bytes);
@@ -34,7 +34,7 @@ export function writeExportedFiles(folder: string, { files }: ExportedScene): st
   return [main, ...others].map(([name]) => join(folder, name));
 }
 
-/** Only the file that was named may be written over: a texture of the same name may belong to another scene. */
+/** Only the named file may be overwritten: a texture of the same name may belong to another scene. */
 function refuseOverwrite(path: string, bytes: Uint8Array): void {
   if (existsSync(path) && !readFileSync(path).equals(bytes))
     throw inputProblem(`${path} is there already and is another file; write into a folder of its own`);
@@ -54,7 +54,7 @@ export function checkPython(): void {
 
 const USDA_TO_USDC = 'import sys; from pxr import Sdf; Sdf.Layer.FindOrOpen(sys.argv[1]).Export(sys.argv[2])';
 
-/** The text layer as Pixar's USD packs it; textures stay beside it. */
+/** Converts the text layer with usd-core; textures stay beside it. */
 function convertToUsdc(name: string, { files, diagnostics }: ExportedScene): ExportedScene {
   const [[, text], ...others] = files;
   const folder = mkdtempSync(join(tmpdir(), 'slowlight-usdc-'));

@@ -2,13 +2,10 @@ import { existsSync, renameSync, rmSync, statSync, writeFileSync } from 'node:fs
 import { basename, dirname, join, resolve } from 'node:path';
 import { CliError, EXIT, inputProblem } from '../terminal/exitCodes.ts';
 
-/**
- * A file that appears under its name only when it is whole: it is written beside and then renamed. Ctrl-C and failures
- * remove what was begun.
- */
+/** A file that is written under a temporary name in the same folder and renamed when complete. Ctrl-C and errors remove the temporary file. */
 export class OutputFile {
   readonly path: string;
-  /** Write here, then `commit`. */
+  /** Path to write to before `commit`. */
   readonly temporary: string;
 
   constructor(path: string) {
@@ -34,7 +31,6 @@ export class OutputFile {
   }
 }
 
-/** Writes one whole file. */
 export function writeFileAtomically(path: string, bytes: Uint8Array): void {
   const file = new OutputFile(path);
   try {
@@ -45,7 +41,7 @@ export function writeFileAtomically(path: string, bytes: Uint8Array): void {
   }
 }
 
-/** Said before the work begins, not after hours of it. */
+/** Throws if the file cannot be written; called before long work begins. */
 export function checkWritable(path: string): void {
   const folder = dirname(resolve(path));
   if (!existsSync(folder)) throw inputProblem(`${path}: there is no folder ${folder} to write into; make it first`);
@@ -53,10 +49,10 @@ export function checkWritable(path: string): void {
 }
 
 const openOutputs = new Set<OutputFile>();
-/** Programs that were started for the output, as ffmpeg. */
+/** Child processes that are killed on a signal, such as ffmpeg. */
 const childProcesses = new Set<{ kill(signal: NodeJS.Signals): unknown }>();
 
-/** Stops `helper` too when this program is stopped; returns how to forget it. */
+/** Kills `helper` when this program is stopped; returns a function that unregisters it. */
 export function killWhenStopped(helper: { kill(signal: NodeJS.Signals): unknown }): () => void {
   handleSignals();
   childProcesses.add(helper);
@@ -64,18 +60,17 @@ export function killWhenStopped(helper: { kill(signal: NodeJS.Signals): unknown 
 }
 
 let handlersInstalled = false;
-/** The exit code that a signal asked for. */
 let requestedCode: number | undefined;
 
-/** With which code to end, where a signal has asked for that. */
+/** The exit code that a signal has requested; undefined if none has. */
 export const requestedExitCode = (): number | undefined => requestedCode;
 
-/** Call between the steps of long work: ends it where a signal has asked for that. */
+/** Throws if a signal has requested the end; call between the steps of long work. */
 export function throwIfStopped(): void {
   if (requestedCode !== undefined) throw new CliError(requestedCode, 'stopped');
 }
 
-/** From here on signals are heard: work that has begun no file asks `requestedExitCode` whether it is to end. */
+/** Installs the signal handlers. Work without an open OutputFile must poll `requestedExitCode` afterwards. */
 export function handleSignals(): void {
   if (handlersInstalled) return;
   handlersInstalled = true;
@@ -83,10 +78,7 @@ export function handleSignals(): void {
   process.on('SIGTERM', () => stop(143));
 }
 
-/**
- * Removes what was begun at once; the GPU is let finish its frame, since a process that ends in the midst of it can
- * crash. Whoever asks twice does not wait for that.
- */
+/** Removes unfinished files at once. The process continues until its GPU frame is finished, because exiting in the middle can crash; a second signal exits immediately. */
 function stop(exitCode: number): void {
   if (requestedCode !== undefined) process.exit(exitCode);
   requestedCode = exitCode;

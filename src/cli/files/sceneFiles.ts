@@ -11,7 +11,7 @@ import { setFileReader } from '../../scene/streaming/storedNumbers.ts';
 import { InputError, type Scene } from '../../scene/types.ts';
 import { openDiskFile, readDiskFile } from './diskFiles.ts';
 
-/** The files of a folder on disk; `..` and absolute paths lead where they say, since the person who runs this may read them. */
+/** The files of a folder on disk. `..` and absolute paths are allowed: the user may read those files anyway. */
 export function folderSource(folder: string): FileSource {
   setFileReader(readDiskFile);
   const onDisk = (path: string): string => (isAbsolute(path) ? path : join(folder, path));
@@ -40,7 +40,7 @@ export function folderSource(folder: string): FileSource {
 const isAbsent = (error: unknown): boolean =>
   ['ENOENT', 'ENOTDIR'].includes((error as NodeJS.ErrnoException).code ?? '');
 
-/** Where a scene is: its file, among those that it may refer to. */
+/** A scene's file and the source of the files that it may refer to. */
 export interface SceneLocation {
   readonly source: FileSource;
   /** Absolute; paths of `source` are relative to it. */
@@ -48,7 +48,7 @@ export interface SceneLocation {
   readonly entry: string;
 }
 
-/** `scene.usda`; `set.zip`, whose best scene is taken; `set.zip[scene.usda]`. */
+/** Locates `scene.usda`, `set.zip[scene.usda]` or the first scene of `set.zip` by `entryOf`. */
 export async function locateScene(path: string): Promise<SceneLocation> {
   const zip = splitArchive(path);
   const file = resolve(zip?.archive ?? path);
@@ -67,7 +67,7 @@ export async function openSceneFile(path: string, options: ReadOptions = {}): Pr
   return openScene(source, entry, options);
 }
 
-/** A file on disk, opened for each part: archives are read in few of them. */
+/** A file on disk that is opened for each read; archives need few. */
 async function partedFile(path: string): Promise<RandomAccessFile> {
   try {
     const stat = await withFile(path, (file) => file.stat());

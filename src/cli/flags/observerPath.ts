@@ -8,10 +8,7 @@ import type { ViewPoint } from '../../scene/view/view.ts';
 import { usageError } from '../terminal/exitCodes.ts';
 import type { ObserverFlags } from './viewFlags.ts';
 
-/**
- * The observer that the flags ask for, who starts at world time `start` [s]. Where the camera moves, its own velocity comes before the one
- * that the scene suggests.
- */
+/** The observer that the flags describe, from world time `start` [s]. A moving camera's own velocity takes precedence over the scene's hint. */
 export function observerPath(scene: Scene, flags: ObserverFlags, c: number, start: number, hold = false): ObserverPath {
   const camera = chooseCamera(scene, flags.camera);
   const { position, lookAt, fov } = flags;
@@ -39,7 +36,7 @@ function chooseCamera(scene: Scene, path: string | undefined): SceneCamera {
   throw usageError(`--camera ${path}: the scene has no such camera; it has ${known}`);
 }
 
-/** The direction is the observer's own, as it stands: the camera's axes are the world's, carried by the pure boost. */
+/** target − position, used unchanged in the observer's frame, whose axes are the world's carried by the pure boost. */
 function lookOrientation(flags: ObserverFlags, target: Vec3, from: Vec3, up: Vec3): ViewPoint['orientation'] {
   const forward = addScaled(target, flags.position ?? from, -1);
   if (length(forward) === 0)

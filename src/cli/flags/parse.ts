@@ -6,7 +6,7 @@ import { MAX_SAMPLES } from '../../reference/lights/lightOptions.ts';
 import type { NumberRange } from '../../scene/settings/setting.ts';
 import { AOVS, type AovName } from '../../scene/view/view.ts';
 
-/** Readers of flag values. Each throws an InvalidArgumentError, which names what was expected. */
+/** Parsers of flag values. Each throws an InvalidArgumentError that says what was expected. */
 
 export function parseNumber(text: string): number {
   const value = Number(text);
@@ -14,7 +14,7 @@ export function parseNumber(text: string): number {
   return value;
 }
 
-/** A number with a condition, told in the message where it fails. */
+/** Parser of a number with a condition; `expected` describes it in the error. */
 const numberWhere =
   (condition: (value: number) => boolean, expected: string) =>
   (text: string): number => {
@@ -23,7 +23,7 @@ const numberWhere =
     return value;
   };
 
-/** Reads the numbers of a range. */
+/** Parser of a number within a range. */
 export function parseWithin(range: NumberRange): (text: string) => number {
   const { min = Number.NEGATIVE_INFINITY, above = Number.NEGATIVE_INFINITY, max = Number.POSITIVE_INFINITY } = range;
   const whole = range.integer === true;
@@ -63,7 +63,7 @@ export function parseBeta(text: string): Vec3 {
   return beta;
 }
 
-/** Adds `SET=OPTION` to those before it; only the set may not hold a `=`. */
+/** Adds `SET=OPTION` to the previous choices; the set must not contain `=`. */
 export function addVariant(text: string, before: ReadonlyMap<string, string> = new Map()): ReadonlyMap<string, string> {
   const choice = parseVariantChoice(text);
   if (!choice) throw new InvalidArgumentError('Expected SET=OPTION, as inspect lists them: /World/Car{paint}=red.');
@@ -80,11 +80,11 @@ export function parseSize(text: string): PictureSize {
   return { width, height };
 }
 
-/** `--size`, 1280x720 where it is not given. */
+/** `--size`; default 1280x720. */
 export const sizeOption = (meaning: string): Option =>
   new Option('--size <WxH>', meaning).argParser(parseSize).default({ width: 1280, height: 720 }, '1280x720');
 
-/** `A:B`, two different numbers. */
+/** `FROM:TO`, two numbers, the smaller first. */
 export function parseRange(text: string): { readonly from: number; readonly to: number } {
   const parts = text.split(':');
   const [from, to] = parts.map(Number) as [number, number];
@@ -99,7 +99,7 @@ export interface FrameRange {
   readonly last: number;
 }
 
-/** `A:B`, both included. */
+/** `FIRST:LAST`, inclusive. */
 export function parseFrames(text: string): FrameRange {
   const match = /^(-?\d+):(-?\d+)$/.exec(text.trim());
   const first = Number(match?.[1]);

@@ -16,11 +16,11 @@ import type { SettingFlags } from './viewFlags.ts';
 export interface PipelineFlags {
   /** Id of a pipeline, or `auto`. */
   readonly pipeline: string;
-  /** What it draws with on a GPU. */
+  /** GPU backend. */
   readonly backend: Backend | 'auto';
 }
 
-/** All flags, for those that the records of pipelines name. */
+/** All flags by name: those of pipelines are only known from their records. */
 type FlagValues = Readonly<Record<string, unknown>>;
 
 const BACKENDS: Record<Backend, string> = { webgpu: 'webgpu draws here', webgl: 'webgl in a headless Chromium' };
@@ -41,13 +41,13 @@ export function addPipelineFlags(command: Command): Command {
   return command;
 }
 
-/** Each with the pipelines that have it; of several descriptions the first holds. */
+/** Options of all pipelines with the ids of their owners; the first owner's description is used. */
 function optionsOfAll(): Map<string, { readonly option: PipelineOption; readonly owners: string[] }> {
   const all = new Map<string, { readonly option: PipelineOption; readonly owners: string[] }>();
   for (const { id, options } of PIPELINES)
     for (const [name, option] of Object.entries(options)) {
-      const known = all.get(name);
-      if (known) known.owners.push(id);
+      const existing = all.get(name);
+      if (existing) existing.owners.push(id);
       else all.set(name, { option, owners: [id] });
     }
   return all;
@@ -61,11 +61,11 @@ function addOptionFlag(command: Command, name: string, option: PipelineOption, o
   else command.option(`--${name}`, help, false);
 }
 
-/** What somebody tells a pipeline. */
+/** The values of a pipeline's options. */
 export const optionsOf = ({ options }: Pipeline, flags: PipelineFlags): OptionValues =>
   Object.fromEntries(Object.keys(options).map((name) => [name, (flags as unknown as OptionValues)[name]]));
 
-/** Says so where flags do not go together, before any work is done. */
+/** Throws if flags exclude each other, before any work is done. */
 export function checkPipeline(
   flags: PipelineFlags & Pick<SettingFlags, 'solver'> & { readonly aov?: readonly AovName[] },
 ): void {
@@ -83,7 +83,7 @@ export function checkPipeline(
   if (odd) throw usageError(`--aov ${odd}: --pipeline ${pipeline.id} gives ${pipeline.aovs.join(', ') || 'none'}`);
 }
 
-/** A backend or a value of a setting that a pipeline does not have. */
+/** A backend or setting value that a pipeline does not support; undefined if none. */
 export function foreignSetting(flags: PipelineFlags, { backends, fixedSettings }: Pipeline): string | undefined {
   const { backend } = flags;
   if (backend !== 'auto' && !backends.includes(backend)) return `--backend ${backend}`;
@@ -92,7 +92,10 @@ export function foreignSetting(flags: PipelineFlags, { backends, fixedSettings }
   return odd && `--${odd[0]} ${given[odd[0]]}`;
 }
 
-/** An option of another pipeline. With `auto` it may come to that, but nothing that changes the picture may depend on the machine. */
+/**
+ * A given option that only other pipelines have; undefined if none. With `auto` an option of a fallback is accepted unless it changes the picture, which must not
+ * depend on the machine.
+ */
 function unusedOption(flags: PipelineFlags): { readonly flag: string; readonly owner: Pipeline } | undefined {
   const drawing = flags.pipeline === 'auto' ? first : pipelineNamed(flags.pipeline);
   const given = flags as unknown as FlagValues;

@@ -10,7 +10,7 @@ import { inputProblem, usageError } from '../terminal/exitCodes.ts';
 import { addVariant, parseBeta, parseLevels, parseNumber, parsePositive } from './parse.ts';
 import { speedOfLight } from './viewFlags.ts';
 
-/** What of a file is opened, and how its things are to move. */
+/** Which parts of a file are opened, and changes of its motions. */
 export interface SceneFlags {
   readonly variant?: ReadonlyMap<string, string>;
   readonly animation?: string;
@@ -20,7 +20,7 @@ export interface SceneFlags {
   readonly startOffset?: number;
   readonly fly?: readonly FlyFlag[];
   readonly flyShape?: SceneObject['authoredIn'];
-  /** Where the command has it [m/s]. */
+  /** Only for commands with `--c` [m/s]. */
   readonly c?: number;
 }
 
@@ -88,7 +88,7 @@ export const motionChange = ({
   flights: fly.map((flight) => ({ ...flight, authoredIn: flyShape })),
 });
 
-/** The scene of a file, as the flags would have it, with what can be drawn of it. */
+/** Opens a scene file with the flags' motions, without objects that cannot be drawn. */
 export async function openSceneWithFlags(path: string, flags: SceneFlags): Promise<Scene> {
   const { scene } = renderableScene(await openSceneFile(path, readOptions(flags)));
   for (const flight of flags.fly ?? []) checkFlyFlag(scene, flight.path);

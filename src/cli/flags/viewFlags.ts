@@ -15,7 +15,6 @@ import type { Scene } from '../../scene/types.ts';
 import type { RenderSettings } from '../../scene/view/view.ts';
 import { parseBeta, parseFov, parseNumber, parsePositive, parseVec3, parseWithin } from './parse.ts';
 
-/** Where the observer is, how fast, and where it looks. */
 export interface ObserverFlags {
   readonly camera?: string;
   readonly beta?: Vec3;
@@ -48,11 +47,10 @@ export const speedOfLightOption = (): Option =>
     `speed of light (default: what the scene's author suggests, else ${SPEED_OF_LIGHT})`,
   ).argParser(parsePositive);
 
-/** [m/s]: what the user says, else the scene's author, else nature. */
+/** [m/s]: by the flag, else the scene's hint, else 299 792 458. */
 export const speedOfLight = (scene: Scene, flag: number | undefined): number =>
   flag ?? scene.hints.speedOfLight ?? SPEED_OF_LIGHT;
 
-/** How the picture is made. */
 export type SettingFlags = ValuesOf<SettingName>;
 
 export function addSettingFlags(command: Command): Command {
@@ -60,7 +58,7 @@ export function addSettingFlags(command: Command): Command {
   return command;
 }
 
-/** `lightDelay`, which is on: `--no-light-delay`; `dopplerMix`: `--doppler-mix <0…1>`. */
+/** `lightDelay`, default true: `--no-light-delay`; `dopplerMix`: `--doppler-mix <0…1>`. */
 export function settingOption(name: SettingName): Option {
   const setting = settingNamed(name);
   const { value, help } = setting.flag;
@@ -73,7 +71,7 @@ export function settingOption(name: SettingName): Option {
   return setting.default === undefined ? option : option.default(setting.default);
 }
 
-/** The settings before metering, as the page has them. */
+/** The renderer's settings before metering. */
 export const renderSettings = (flags: SettingFlags, speedOfLight: number): RenderSettings => ({
   ...(pickSettings(RENDERER_SETTINGS, flags) as RendererSettings),
   speedOfLight,

@@ -2,17 +2,15 @@ import { RAISED_LIMITS } from '../../render/gpu/deviceLimits.ts';
 import { unavailable } from '../terminal/exitCodes.ts';
 import { findSwiftShader, hasVulkanDriver } from './gpuDrivers.ts';
 
-/** Dawn, the GPU API of Chromium, in Node. */
+/** Dawn, Chromium's WebGPU implementation, for Node. */
 type Dawn = typeof import('webgpu');
 
-/** An open GPU, to draw with or to compute. `release` it at the end; until then nothing of it is collected, for that would abort the process. */
+/** An open WebGPU device. Its Dawn objects are retained until `release`, because collecting one of them aborts the process. */
 export interface HeadlessDevice {
   readonly device: GPUDevice;
-  /** What the adapter calls itself. */
   readonly adapterName: string;
-  /** A software adapter. */
   readonly software: boolean;
-  /** Throws the first error that the GPU has reported since the device was opened: Dawn itself only logs it. */
+  /** Throws the first error that the device has reported since it was opened; Dawn itself only logs errors. */
   assertHealthy(): void;
   release(): void;
 }
@@ -27,7 +25,7 @@ const optionalFeatures: readonly GPUFeatureName[] = [
   'depth32float-stencil8',
   'indirect-first-instance',
 ];
-/** Opens a GPU without a window: the one that is there, else SwiftShader out of Chromium. */
+/** Opens a GPU without a window, or SwiftShader from a Chromium installation if there is none. */
 export async function openDevice(): Promise<HeadlessDevice> {
   const dawn = await loadDawn();
   Object.assign(globalThis, dawn.globals);
@@ -52,7 +50,7 @@ export async function openDevice(): Promise<HeadlessDevice> {
   };
 }
 
-/** Loaded here and not at the top: on a machine that it does not support, all that needs no GPU still works. */
+/** Imported lazily, so that everything else works on machines that the library does not support. */
 async function loadDawn(): Promise<Dawn> {
   try {
     return await import('webgpu');

@@ -10,13 +10,13 @@ const manifestFolders = [
   join(homedir(), '.local/share/vulkan/icd.d'),
 ];
 
-/** Whether the Vulkan loader would find a driver by itself. Asking it when it would not prints warnings of its own. */
+/** Whether the Vulkan loader will find a driver; without one it prints warnings. */
 export function hasVulkanDriver(): boolean {
   if (process.platform !== 'linux' || process.env.VK_ICD_FILENAMES || process.env.VK_DRIVER_FILES) return true;
   return manifestFolders.some((folder) => existsSync(folder) && readdirSync(folder).some((f) => f.endsWith('.json')));
 }
 
-/** Chromium, or a browser built from it: `CHROMIUM`, else the first one on the PATH. */
+/** Path of Chromium or a browser based on it: `CHROMIUM`, else the first one on the PATH. */
 export function findChromium(): string | undefined {
   if (process.env.CHROMIUM) return process.env.CHROMIUM;
   const folders = (process.env.PATH ?? '').split(delimiter);
@@ -24,7 +24,7 @@ export function findChromium(): string | undefined {
   return names.flatMap((name) => folders.map((folder) => join(folder, name))).find((path) => existsSync(path));
 }
 
-/** Chromium carries SwiftShader, a Vulkan driver in software: the file that describes it, where there is one. */
+/** Path of the ICD file of Chromium's SwiftShader, a software Vulkan driver; undefined if not installed. */
 export function findSwiftShader(): string | undefined {
   const name = 'vk_swiftshader_icd.json';
   const chromium = findChromium();
@@ -38,7 +38,7 @@ function askDpkg(name: string): string | undefined {
   return stdout?.split('\n').find((line) => line.endsWith(name));
 }
 
-/** Chromium's flags for tests and benchmarks: WebGPU on SwiftShader and WebGL2 on Mesa's llvmpipe, where there is no GPU. */
+/** Chromium's flags for tests and benchmarks: without a GPU, WebGPU on SwiftShader and WebGL2 on Mesa's llvmpipe. */
 export const SOFTWARE_GPU_FLAGS: readonly string[] = [
   '--no-sandbox',
   '--enable-unsafe-webgpu',

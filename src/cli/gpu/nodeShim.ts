@@ -1,8 +1,8 @@
 /**
- * What three's renderer expects of a browser, for Node. Import before `three/webgpu`.
+ * The browser globals that three's renderer needs, for Node. Import before `three/webgpu`.
  *
- * three advances its frame counter in requestAnimationFrame, and a pass renders once per frame: without the pump every
- * frame would repeat the first.
+ * three advances its frame counter in requestAnimationFrame, and a pass renders once per frame: without `pumpFrame`
+ * every frame would repeat the first.
  */
 let pending: FrameRequestCallback | undefined;
 
@@ -17,7 +17,7 @@ Object.assign(globalThis, {
   },
 });
 
-/** Lets three begin a new frame. Call once before each. */
+/** Begins a new frame of three; call before each. */
 export function pumpFrame(): void {
   const callback = pending;
   pending = undefined;

@@ -1,6 +1,6 @@
 import { Command } from 'commander';
 
-/** `slowlight graph check|docs|upgrade`: projects, and the nodes that they are made of. */
+/** `slowlight graph check|upgrade|docs` */
 export function graphCommand(): Command {
   const command = new Command('graph').description(
     'Checks projects, brings them to the current version, and tells what nodes there are.',
@@ -10,7 +10,6 @@ export function graphCommand(): Command {
     .description('Tells what is wrong with a project, node by node; files are not opened.')
     .argument('<project>', '.slowlight.json')
     .option('--json', 'print the faults as JSON')
-    // Loaded when they are needed, as all of the others.
     .action(async (path: string, flags: { json?: boolean }) => (await import('./graphAction.ts')).check(path, flags));
   command
     .command('upgrade')

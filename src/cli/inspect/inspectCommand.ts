@@ -74,13 +74,13 @@ function summarizeObject({ path, mesh, motion, lifetime, authoredIn }: SceneObje
     samples: sampleTimes(motion)?.length ?? 0,
     ...(points && { interpolation: points.velocities ? 'cubic' : 'linear' }),
     authoredIn,
-    // JSON has no infinity: a bound that is not there is left out.
+    // Infinite bounds are omitted: JSON has no infinity.
     birth: Number.isFinite(lifetime.birth) ? lifetime.birth : undefined,
     death: Number.isFinite(lifetime.death) ? lifetime.death : undefined,
   };
 }
 
-/** The fastest point of the whole scene; undefined where nothing moves. */
+/** The fastest point of the scene; undefined if nothing moves. */
 function fastestPoint(scene: Scene, c: number) {
   let best:
     | { path: string; vertex: number; speed: number; fractionOfC: number; from?: number; to?: number }
@@ -88,7 +88,7 @@ function fastestPoint(scene: Scene, c: number) {
   for (const object of scene.objects) {
     const { speed, vertex, from, to } = fastestVertex(object, c, [scene.startTime, scene.endTime], best?.speed);
     if (!(speed > (best?.speed ?? 0))) continue;
-    // Uniform motion is always as fast: no times then, and JSON has no infinity either.
+    // Uniform motion has its speed at all times: no interval, and JSON has no infinity.
     const when = Number.isFinite(from) ? { from, to } : {};
     best = { path: object.path, vertex, speed, fractionOfC: speed / c, ...when };
   }
@@ -114,7 +114,7 @@ function describe(s: Summary): string {
   return parts.join('\n');
 }
 
-/** Under a nanometre it is the rounding of the arithmetic. */
+/** Below 1 nm the error is rounding. */
 const describePathError = (error: number): string => (error < 1e-9 ? 'exact' : `right to ${error.toPrecision(2)} m`);
 const variantLine = ({ set, options, chosen }: VariantSet): string =>
   `  ${set}: ${options.map((option) => (option === chosen ? `[${option}]` : option)).join(', ')}`;

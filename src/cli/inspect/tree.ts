@@ -3,7 +3,7 @@ interface PathTreeNode {
   readonly children: Map<string, PathTreeNode>;
 }
 
-/** Paths like `/World/Cube` as an indented tree, each with its note. */
+/** Formats paths like `/World/Cube` as an indented tree with notes. */
 export function treeLines(entries: readonly { path: string; note: string }[]): string[] {
   const root: PathTreeNode = { children: new Map() };
   for (const { path, note } of entries) {

@@ -12,15 +12,15 @@ import { findChromium } from '../gpu/gpuDrivers.ts';
 import { serveApp } from '../serve/staticServer.ts';
 import { unavailable } from '../terminal/exitCodes.ts';
 
-/** The page's window, as seen by the functions below that run in it. */
+/** The page's window, for functions that are evaluated in it. */
 type HeadlessWindow = { readonly slowlight: HeadlessPage };
 
-/** Has a pipeline draw frames on WebGL2, in a Chromium without a window. The scenes are read here, and sent. */
+/** Opens a pipeline on WebGL2 in a headless Chromium. Scenes are read in this process and transferred. */
 export async function openInChromium(
   { id }: Pick<Pipeline, 'id'>,
   { scenes, size: { width, height } }: Pick<UncheckedRequest, 'scenes' | 'size'>,
 ): Promise<PipelineSession> {
-  // Names that nobody else on this machine can guess: below the second, whatever samples were left in can be read.
+  // Unguessable for other users of this machine: the second serves the files in which samples were left.
   const [sent, files] = [`/${randomUUID()}`, `/${randomUUID()}/`];
   const server = await serveApp(0, async (url) => {
     if (url === sent) return encodeTransfer(scenes);
@@ -57,7 +57,7 @@ export async function openInChromium(
   }
 }
 
-/** `from/length/{handle of the file, as JSON}` */
+/** `address` is `offset/length/{file handle as JSON}`. */
 function partOfFile(address: string): Uint8Array | undefined {
   const [, at, length, handle] = /^(\d+)\/(\d+)\/(.*)$/s.exec(address) ?? [];
   if (handle === undefined) return undefined;
@@ -85,7 +85,7 @@ async function launch(): Promise<Browser> {
   });
 }
 
-/** Of Playwright's long report: what went wrong, and what the browser itself said of it. */
+/** The first line of Playwright's report and up to two error lines of the browser. */
 function launchErrors(report: string): string {
   const [first, ...rest] = report.split('\n');
   const said = rest.flatMap((line) => /\[err\] (.*)/.exec(line)?.[1] ?? []);
@@ -110,7 +110,7 @@ async function openPage(browser: Browser, url: string): Promise<Page> {
 
 async function renderPicture(page: Page, request: PictureRequest): Promise<RenderedPicture> {
   const { pixels, aovs } = await page.evaluate(
-    (wanted) => (window as unknown as HeadlessWindow).slowlight.render(wanted),
+    (argument) => (window as unknown as HeadlessWindow).slowlight.render(argument),
     request,
   );
   const data = Object.entries(aovs).map(([name, text]) => [name as AovName, floats(text)] as const);
@@ -119,11 +119,11 @@ async function renderPicture(page: Page, request: PictureRequest): Promise<Rende
 
 async function measureLight(page: Page, view: ViewPoint, settings: RenderSettings): Promise<LightMeterReadings> {
   const { luminance, doppler, time } = await page.evaluate(
-    (wanted) => (window as unknown as HeadlessWindow).slowlight.measure(wanted),
+    (argument) => (window as unknown as HeadlessWindow).slowlight.measure(argument),
     { view, settings },
   );
   return { luminance: floats(luminance), doppler: floats(doppler), time: floats(time) };
 }
 
-/** A copy, because a Buffer may start at any byte of its memory. */
+/** Copied, because a Buffer may be unaligned in its memory. */
 const floats = (base64: string): Float32Array => new Float32Array(new Uint8Array(Buffer.from(base64, 'base64')).buffer);

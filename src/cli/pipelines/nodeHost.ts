@@ -1,10 +1,10 @@
 import type { GpuAccess, PipelineHost } from '../../pipelines/host.ts';
 import { nodeThreads } from './nodeThreads.ts';
 
-/** Pipelines draw in this process: on Dawn, and in threads of Node's. */
+/** Runs pipelines in this process, on Dawn and in worker threads. */
 export const nodeHost: PipelineHost = { openGpu: openDawn, threads: nodeThreads() };
 
-/** Loaded when it is needed: it brings a large library, and some machines cannot load it. */
+/** Imported lazily: the library is large, and some machines cannot load it. */
 async function openDawn(): Promise<GpuAccess> {
   const [{ openDevice }, { pumpFrame }] = await Promise.all([import('../gpu/device.ts'), import('../gpu/nodeShim.ts')]);
   const { device, adapterName, assertHealthy, release } = await openDevice();

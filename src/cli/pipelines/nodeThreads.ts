@@ -4,10 +4,10 @@ import type { ThreadHost, WorkerThread } from '../../pipelines/host.ts';
 import { unavailable } from '../terminal/exitCodes.ts';
 import { toSharedMemory } from './sharedMemory.ts';
 
-/** Memory for caches: of all threads, and of one [bytes]. */
+/** Cache memory of all threads together, and the maximum of one thread [bytes]. */
 const [CACHES, MAX_CACHE] = [4 * 2 ** 30, 256 * 2 ** 20];
 
-/** Threads of Node's, which share what a scene is made of. `limits`: of each thread; Node's own where absent. */
+/** Worker threads of Node that share the scene's arrays. `limits` per thread; Node's defaults if absent. */
 export const nodeThreads = (limits?: ResourceLimits): ThreadHost => ({
   count: () => availableParallelism(),
   cacheBytes: (threads) => Math.min(MAX_CACHE, CACHES / threads),

@@ -10,10 +10,7 @@ import type { RenderFlags } from '../render/renderFlags.ts';
 import { CliError, EXIT, unavailable } from '../terminal/exitCodes.ts';
 import { nodeHost } from './nodeHost.ts';
 
-/**
- * A pipeline that was named, or the first that works here: on each backend in turn, then those that stand in for it, unless somebody asked for
- * what only the first has.
- */
+/** Opens the named pipeline, or with `auto` the first on each of its backends in turn, then its fallbacks, unless a flag needs the first one. Throws if none works. */
 export async function openFlaggedSession(
   scenes: PictureScenes,
   flags: RenderFlags,
@@ -33,7 +30,7 @@ export async function openFlaggedSession(
   throw unavailable(`${missing.join('\n')}\nWithout a GPU: --pipeline ${others.join(' or ')}.`);
 }
 
-/** On the first backend that works, or without one where the pipeline needs none. Undefined, and said in `missing`: none works. */
+/** Opens a pipeline on its first working backend, if it needs one; returns undefined, with the reasons in `missing`, if none works. */
 async function openOnBackend(
   pipeline: Pipeline,
   scenes: PictureScenes,
@@ -59,17 +56,17 @@ async function openOnBackend(
   return undefined;
 }
 
-/** What another backend may have. */
+/** Whether another backend may succeed. */
 const isUnavailable = (error: unknown): error is Error =>
   error instanceof PictureTooLargeError || (error instanceof CliError && error.exitCode === EXIT.unavailable);
 
 const OPENERS: Record<Backend, (pipeline: Pipeline, request: UncheckedRequest) => Promise<PipelineSession>> = {
   webgpu: (pipeline, request) => openSession(pipeline, request, nodeHost),
-  // Loaded when it is needed: it brings a large library.
+  // Imported lazily: it needs a large library.
   webgl: async (pipeline, request) => (await import('./inChromium.ts')).openInChromium(pipeline, request),
 };
 
-/** Ends at once when the program is stopped, where it can. */
+/** Stops the session, if it can be stopped, when the program is. */
 function stoppable(session: PipelineSession): PipelineSession {
   if (!session.stop) return session;
   const forget = killWhenStopped({ kill: () => session.stop?.(new CliError(EXIT.cancelled, 'stopped')) });

@@ -5,13 +5,13 @@ import { killWhenStopped, throwIfStopped } from '../files/outputFile.ts';
 import { CliError, EXIT } from '../terminal/exitCodes.ts';
 import { nodeHost } from './nodeHost.ts';
 
-/** Draws the stills that nodes of a project ask for, with all processors. */
+/** Draws the stills that nodes of a project request, one after the other. */
 export const renderStill = queueStills(async (still, { signal, progress }) => {
   const session = await openSession(pipelineNamed(still.pipeline), stillRequest(still), nodeHost);
   const forget = killWhenStopped({ kill: () => session.stop?.(new CliError(EXIT.cancelled, 'stopped')) });
   signal?.addEventListener('abort', () => session.stop?.(new CancelledError()));
   try {
-    // While it was being opened nobody heard that.
+    // Signals during opening had no listener.
     throwIfStopped();
     if (signal?.aborted) throw new CancelledError();
     return await lightOf(session, still, progress);

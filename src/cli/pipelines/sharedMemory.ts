@@ -1,6 +1,6 @@
 /**
- * A copy of plain data whose typed arrays lie in shared memory: threads that it is sent to get the same bytes, not a copy each.
- * Arrays that occur several times are copied once.
+ * Copies plain data with its typed arrays in shared memory, so that threads that it is sent to share the bytes. An array
+ * that occurs several times is copied once.
  */
 export function toSharedMemory<T>(data: T): T {
   const copies = new Map<object, object>();

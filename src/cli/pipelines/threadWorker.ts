@@ -3,7 +3,7 @@ import { pipelineNamed } from '../../pipelines/registry.ts';
 import { setFileReader } from '../../scene/streaming/storedNumbers.ts';
 import { readDiskFile } from '../files/diskFiles.ts';
 
-/** A thread of a pipeline; nodeThreads.ts starts it with the pipeline's id. */
+/** Entry of a pipeline's worker thread; nodeThreads.ts starts it with the pipeline's id. */
 if (!parentPort) throw new Error('threadWorker is a worker thread of nodeThreads');
 const port = parentPort;
 setFileReader(readDiskFile);

@@ -11,16 +11,16 @@ import type { VertexProbe } from '../../scene/view/probe.ts';
 import { DEFAULT_SETTINGS, type ViewPoint } from '../../scene/view/view.ts';
 import { VIEWS, type View } from '../../scene/views/views.ts';
 
-/** What an observer sees at a pixel: a point of a surface, at the event where the light left it. */
+/** The surface point and emission event that an observer sees at a pixel. */
 export interface PixelProbe extends Omit<VertexProbe, 'vertex' | 'visible'> {
   readonly prim: string;
-  /** Place in the scene plus one, as in the `object` channel. */
+  /** Index in the scene plus one, as in the `object` channel. */
   readonly object: number;
 }
 
 /**
- * The nearest opaque surface on the ray through a pixel (0, 0: the centre of the first one), as the data channels of a picture have it:
- * the ray goes into the past, and meets each triangle where that was then.
+ * The nearest opaque surface on the ray through a pixel (0, 0: the centre of the first one), as in the data channels of a picture:
+ * the ray runs along the past light cone and intersects each triangle where it was at that time.
  */
 export function probePixel(
   scene: Scene,

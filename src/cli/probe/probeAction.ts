@@ -46,7 +46,7 @@ function findObject(scene: Scene, path: string): SceneObject {
   throw usageError(`--prim ${path}: the scene has no such object; it has ${known || 'none'}`);
 }
 
-/** Plain `key value` lines, or JSON. */
+/** Prints `key value` lines or JSON. */
 function print(flags: ProbeFlags, result: object): void {
   const lines = (value: object, indent: string): string[] =>
     Object.entries(value).flatMap(([key, entry]) =>

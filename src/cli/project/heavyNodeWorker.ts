@@ -5,7 +5,7 @@ import { workerServices } from '../../nodes/services.ts';
 import { setFileReader } from '../../scene/streaming/storedNumbers.ts';
 import { readDiskFile } from '../files/diskFiles.ts';
 
-/** A thread that evaluates heavy nodes; heavyNodes.ts starts it and gives it work. */
+/** Entry of a worker thread that evaluates heavy nodes; heavyNodes.ts starts it. */
 if (!parentPort) throw new Error('heavyNodeWorker is a worker thread of heavyNodes');
 const port = parentPort;
 setFileReader(readDiskFile);

@@ -5,10 +5,13 @@ import { nodeLibrary } from '../../nodes/library.ts';
 import { workerServices } from '../../nodes/services.ts';
 import { openDevice } from '../gpu/device.ts';
 
-/** Has heavy nodes evaluated in threads of Node's, which do not keep the program from ending; but here, where they need a GPU: to end a thread that has one ends the program. */
+/**
+ * Evaluates heavy nodes in worker threads, which do not keep the process alive; nodes that need a GPU in this thread, because terminating a thread with an open GPU
+ * ends the process.
+ */
 export const heavyNodes = (): RunHeavy => {
   const threads = runInThreads();
-  return (order, work) => (order.onGpu ? runHere(order, work) : threads(order, work));
+  return (request, work) => (request.onGpu ? runHere(request, work) : threads(request, work));
 };
 
 const runHere: RunHeavy = async ({ type, node, inputs, params, resume }, { signal, progress }) =>
@@ -22,9 +25,9 @@ const runInThreads = (): RunHeavy =>
   heavyWorkerPool(() => {
     const worker = new Worker(new URL('./heavyNodeWorker.js', import.meta.url));
     return {
-      send: (order) => {
+      send: (request) => {
         worker.ref();
-        worker.postMessage(order);
+        worker.postMessage(request);
       },
       listen: (hear, fail) => {
         worker.on('message', (reply) => {

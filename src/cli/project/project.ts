@@ -29,7 +29,7 @@ import { heavyNodes } from './heavyNodes.ts';
 
 const isArchive = (path: string): boolean => path.toLowerCase().endsWith('.zip');
 
-/** Whether a file is a project, which is a node graph: by its name, or an archive that holds one. */
+/** Whether a file is a project, by its name, or an archive that contains one. */
 export async function isProject(path: string): Promise<boolean> {
   if (!isArchive(path)) return path.toLowerCase().endsWith('.slowlight.json');
   const { source, entry } = await locateScene(pathInArchive(path, PROJECT_FILE_NAME));
@@ -38,7 +38,7 @@ export async function isProject(path: string): Promise<boolean> {
 
 const pathInArchive = (archive: string, file: string): string => `${archive}[${file}]`;
 
-/** Reads a project of any version, of an archive the one in it, and checks nothing but that it is one. */
+/** Reads a project of any version, from a file or an archive; its nodes are not validated. */
 export async function readProject(path: string): Promise<GraphDocument> {
   const bytes = isArchive(path)
     ? await readPacked(path)
@@ -50,7 +50,7 @@ export async function readProject(path: string): Promise<GraphDocument> {
   }
 }
 
-/** A file on disk or in an archive; undefined where there is none. */
+/** A file on disk or in an archive; undefined if it does not exist. */
 async function readBytes(path: string): Promise<Uint8Array | undefined> {
   const { source, entry } = await locateScene(path);
   return source.read(entry);
@@ -66,7 +66,7 @@ async function readPacked(path: string): Promise<Uint8Array> {
   return bytes;
 }
 
-/** Sets parameters as `--set node.param=value` has them. */
+/** Sets parameters by `node.param=value`. */
 export function withParams(document: GraphDocument, sets: readonly string[]): GraphDocument {
   const commands = sets.map((text): Command => {
     const [, node, param, value] = /^([^.=]+)\.([^=]+)=(.*)$/s.exec(text) ?? [];
@@ -111,20 +111,19 @@ function parseParam(spec: ParamSpec, text: string): ParamValue {
   }
 }
 
-/** Undefined where one of them is none; nothing is not 0. */
+/** Comma-separated numbers; undefined if one is empty or not a number. */
 function numbersIn(text: string): number[] | undefined {
   const parts = text.split(',');
   return parts.some((part) => part.trim() === '' || Number.isNaN(Number(part))) ? undefined : parts.map(Number);
 }
 
-/** What is wrong with a project as it stands; files are not opened. */
+/** Problems of a project, without opening its files. */
 export const projectProblems = (document: GraphDocument): readonly NodeProblem[] =>
   validateDocument(document, nodeLibrary);
 
-/** One line for a person: place, what, and what to do. */
 export const formatProblem = ({ place, message }: NodeProblem): string => `${place}: ${message}`;
 
-/** What nodes of a project give. */
+/** Evaluates nodes of a project. */
 export const evaluateNodes = (
   path: string,
   document: GraphDocument,
@@ -134,7 +133,7 @@ export const evaluateNodes = (
 ): Promise<Evaluation> =>
   new Evaluator(nodeLibrary, { heavy }).evaluate(document, nodes, servicesAt(path), { progress });
 
-/** The picture that a project describes. Files are looked for beside it. */
+/** The picture that a project describes; its files are relative to it. */
 async function evaluateProject(
   path: string,
   document: GraphDocument,
@@ -158,7 +157,7 @@ function outputNodeOf(path: string, document: GraphDocument): string {
 export const problemsIn = ({ results }: Evaluation): readonly NodeProblem[] =>
   [...results.values()].flatMap((result) => (result.status === 'failed' ? [result.problem] : []));
 
-/** Reads files here, from where the project is: beside it, or in its archive. */
+/** Services that read files relative to the project or from its archive. */
 function servicesAt(project: string): Services {
   const at = (source: string): string => {
     if (isArchive(project)) return pathInArchive(project, source);
@@ -183,7 +182,7 @@ function servicesAt(project: string): Services {
   };
 }
 
-/** A project's picture in the words of the command line; what the user says there comes before it. */
+/** A project's picture as a render job. */
 export async function openProjectJob<Flags extends RenderFlags>(
   path: string,
   flags: Flags,
@@ -195,10 +194,7 @@ export async function openProjectJob<Flags extends RenderFlags>(
   return renderJobOf(await evaluateProject(path, document, progress), flags, given, flags.frames !== undefined);
 }
 
-/**
- * A picture of a project, drawn as it says; what the user says on the command line comes before it. As in the page, an observer who does not ride the
- * camera begins at rest in it; in a film he goes with it.
- */
+/** A picture as a render job; explicitly given flags take precedence. As in the page, an observer who does not ride the scene's moving camera is at rest in it; in a film the camera is followed. */
 export function renderJobOf<Flags extends RenderFlags>(
   picture: PictureSpec,
   flags: Flags,
@@ -215,17 +211,16 @@ export function renderJobOf<Flags extends RenderFlags>(
   };
 }
 
-/** What is drawn, and how. */
 export interface RenderJob<Flags> {
   readonly scene: Scene;
-  /** What the frame graph's other G-buffers are of. */
+  /** Scenes of the frame graph's other G-buffers. */
   readonly others: readonly Scene[];
-  /** What a project makes of the light; undefined: nothing. */
+  /** Undefined for scene files. */
   readonly frameGraph?: FrameGraph;
   readonly flags: Flags;
 }
 
-/** What a scene file is opened with is written in a project's own nodes. */
+/** Flags for opening scene files; in projects these are parameters of nodes. */
 const SCENE_FLAGS = [
   'variant',
   'animation',

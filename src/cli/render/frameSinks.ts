@@ -8,13 +8,12 @@ import { usageError } from '../terminal/exitCodes.ts';
 import type { RenderFlags } from './renderFlags.ts';
 import { VIDEO_EXTENSION, VideoWriter } from './videoWriter.ts';
 
-/** Where finished frames go. */
 export interface FrameSink {
-  /** What has been written. */
+  /** Paths of the files written so far. */
   readonly files: readonly string[];
   add(frame: PictureFrame): Promise<void>;
   finish(): Promise<void>;
-  /** Removes what is not finished; after `finish` nothing is. */
+  /** Removes unfinished files; does nothing after `finish`. */
   discard(): void;
 }
 

@@ -24,15 +24,14 @@ import type { ProjectFilesFlags, RenderFlags } from './renderFlags.ts';
 import { renderFrames } from './renderFrames.ts';
 import { checkEncoder, VIDEO_EXTENSION } from './videoWriter.ts';
 
-/** Where files are written, of which project, and what somebody wants of them. */
 interface WriteTarget {
   readonly folder: string;
   readonly flags: ProjectFilesFlags;
-  /** Flags that somebody wrote. */
+  /** Names of the explicitly given flags. */
   readonly given: ReadonlySet<string>;
 }
 
-/** How each kind of file is written; gives the paths, the one that was asked for first. */
+/** Writers by kind of file; each returns the paths, the requested file first. */
 const WRITERS: {
   readonly [K in RequestedFile['kind']]: (
     file: Extract<RequestedFile, { kind: K }>,
@@ -48,7 +47,7 @@ const WRITERS: {
   video: (file, place) => writeRendered(file, place, { fps: file.fps, hold: file.hold }),
 };
 
-/** As `render -o` does it. */
+/** Renders to a file as `render -o` does. */
 async function writeRendered(
   file: ImageOutput | VideoOutput,
   { folder, flags, given }: WriteTarget,
@@ -61,7 +60,7 @@ async function writeRendered(
   return (await renderFrames(sampled, frameTimes(file), new Progress(`${name}: `))).files;
 }
 
-/** Writes every file that the nodes of a project ask for. Nothing is begun where one of them cannot be. */
+/** Writes every file that the nodes of a project request; writes none if one of them cannot be written. */
 export async function writeProjectFiles(
   path: string,
   flags: ProjectFilesFlags,
@@ -71,7 +70,7 @@ export async function writeProjectFiles(
     throw usageError('name the file to write with -o; only projects say by themselves what they write');
   checkFlags(flags, given);
   const { folder = '.', set = [], json } = flags;
-  const files = await wantedFiles(path, withParams(await readProject(path), set));
+  const files = await collectFiles(path, withParams(await readProject(path), set));
   checkFiles(files, folder);
   const paths: string[] = [];
   for (const file of files) {
@@ -84,7 +83,7 @@ export async function writeProjectFiles(
 const write = (file: RequestedFile, place: WriteTarget): Promise<readonly string[]> =>
   (WRITERS[file.kind] as (file: RequestedFile, place: WriteTarget) => Promise<readonly string[]>)(file, place);
 
-/** Flags of which each node that writes has its own. */
+/** Flags that are parameters of each node that writes a file. */
 const NODE_FLAGS = ['time', 'frames', 'fps', 'hold', 'size', 'samples', 'aov'];
 
 function checkFlags(flags: ProjectFilesFlags, given: ReadonlySet<string>): void {
@@ -95,8 +94,8 @@ function checkFlags(flags: ProjectFilesFlags, given: ReadonlySet<string>): void 
     throw usageError(`--${odd} is for -o; without it each node that writes says so itself: use --set node.param=value`);
 }
 
-/** What the nodes ask for; refused where one of them cannot. */
-async function wantedFiles(path: string, document: GraphDocument): Promise<readonly RequestedFile[]> {
+/** The files that the nodes request; throws if a node has failed. */
+async function collectFiles(path: string, document: GraphDocument): Promise<readonly RequestedFile[]> {
   const writers = flatWriters(path, document);
   if (writers.size === 0)
     throw usageError(`${path}: none of its nodes writes a file; add one that does, or name a picture with -o`);

@@ -23,7 +23,7 @@ export async function render(path: string, written: RenderFlags, given: Readonly
   report(what, await renderFrames(what, frames, progress));
 }
 
-/** A scene file as the flags would have it, or what a project makes, with what it says of the picture. */
+/** Opens a scene file or a project as a render job. */
 async function openJob(
   path: string,
   flags: RenderFlags,

@@ -81,7 +81,7 @@ export function renderCommand(): Command {
       )
       .option('--json', 'print what was made as JSON')
       .addHelpText('after', examples)
-      // Loaded when it is needed: the renderer is large.
+      // Imported lazily: the renderer is large.
       .action(async (scene: string, { output, ...flags }: Optional<RenderFlags, 'output'> & ProjectFilesFlags) => {
         const given = explicitFlags(command);
         if (output === undefined) return (await import('./projectFiles.ts')).writeProjectFiles(scene, flags, given);
@@ -91,6 +91,6 @@ export function renderCommand(): Command {
   );
 }
 
-/** The flags that somebody wrote, by name. */
+/** Names of the explicitly given flags. */
 const explicitFlags = (command: Command): ReadonlySet<string> =>
   new Set(Object.keys(command.opts()).filter((name) => command.getOptionValueSource(name) === 'cli'));

@@ -14,7 +14,7 @@ export interface RenderFlags extends SceneFlags, ObserverFlags, SettingFlags, Pi
   readonly aov?: readonly AovName[];
   readonly samples?: number;
   readonly json?: boolean;
-  /** Of a project: `node.param=value`. */
+  /** For projects: `node.param=value`. */
   readonly set?: readonly string[];
 }
 

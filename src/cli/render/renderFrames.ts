@@ -20,7 +20,6 @@ import type { Progress } from '../terminal/progress.ts';
 import { type FrameSink, openFrameSink } from './frameSinks.ts';
 import type { RenderFlags } from './renderFlags.ts';
 
-/** What has been made, for a report. */
 export interface RenderReport {
   readonly files: readonly string[];
   readonly frames: readonly FrameTime[];
@@ -29,12 +28,12 @@ export interface RenderReport {
   readonly samples: number;
   /** [m/s] */
   readonly speedOfLight: number;
-  /** Of each frame [EV]. */
+  /** Per frame [EV]. */
   readonly exposures: readonly number[];
   readonly falseColours?: FalseColorScale;
 }
 
-/** Draws frames of a scene, of a file or of a project, and writes them as the flags say: files that are not finished do not stay. */
+/** Renders frames and writes them to the output; unfinished files are removed on errors. */
 export async function renderFrames(
   { scene, others, frameGraph, flags }: RenderJob<RenderFlags>,
   frames: readonly FrameTime[],
@@ -48,14 +47,14 @@ export async function renderFrames(
   const { size, metering, falseColour, falseRange, legend } = flags;
   const observer = observerPath(scene, flags, c, frames[0]!.t, flags.hold);
   const settings = { ...renderSettings(flags, c), ...(frameGraph && { frameGraph }) };
-  const wanted = { settings, metering, size, aovs, observer, frames, falseColour, falseRange, legend };
+  const request = { settings, metering, size, aovs, observer, frames, falseColour, falseRange, legend };
   const sink = await openFrameSink({ ...flags, size: outputSize(flags) }, scene, frames.length);
   try {
     progress.show('getting ready to draw …');
     const session = await openFlaggedSession([scene, ...others], flags, (text) => progress.note(text));
     const { info } = session;
     const samples = flags.samples ?? (flags.antialiasing ? pipelineNamed(info.pipeline).samples.default : 1);
-    const made = await renderIntoSink(session, { ...wanted, samples }, sink, progress).finally(() => session.close());
+    const made = await renderIntoSink(session, { ...request, samples }, sink, progress).finally(() => session.close());
     throwIfStopped();
     progress.show('finishing …');
     await sink.finish();
@@ -86,7 +85,7 @@ async function renderIntoSink(
   return { exposures, ...(falseColors && { falseColours: falseColors }) };
 }
 
-/** Data channels need a format that can hold them; without a wish an EXR holds the picture in linear light. */
+/** The AOVs to write: those of `--aov`, by default beauty in EXR and none in other formats. Throws if the format cannot hold them. */
 export function chooseAovs({ output, aov }: RenderFlags): readonly AovName[] {
   if (extname(output).toLowerCase() === '.exr') return aov ?? ['beauty'];
   if (aov) throw usageError(`--aov needs a file that can hold data channels: write an .exr, not ${output}`);

@@ -5,18 +5,17 @@ import type { PictureSize } from '../../pipelines/pictureRenderer.ts';
 import { killWhenStopped, OutputFile } from '../files/outputFile.ts';
 import { inputProblem, unavailable } from '../terminal/exitCodes.ts';
 
-/** The extension of films. */
 export const VIDEO_EXTENSION = 'mp4';
 
 const missingEncoder = () =>
   unavailable('mp4 needs the program ffmpeg, which is not on the PATH. On Debian or Ubuntu: apt-get install -y ffmpeg');
 
-/** Before any work is done for a film. */
+/** Throws if ffmpeg is missing; called before rendering. */
 export function checkEncoder(): void {
   if (spawnSync('ffmpeg', ['-version'], { stdio: 'ignore' }).error) throw missingEncoder();
 }
 
-/** An H.264 film in an mp4 file, encoded by ffmpeg while the frames come. */
+/** Encodes frames as an H.264 film in an mp4 file with a running ffmpeg. */
 export class VideoWriter {
   private readonly file: OutputFile;
   private readonly encoder: ChildProcessByStdio<Writable, null, Readable>;
@@ -33,7 +32,7 @@ export class VideoWriter {
     this.encoder.stderr.on('data', (chunk: Buffer) => {
       this.complaint = (this.complaint + chunk.toString()).slice(-2000);
     });
-    // A write after ffmpeg's end is reported by its exit status, with its own words.
+    // Writes after ffmpeg has ended: its exit status and messages are reported instead.
     this.encoder.stdin.on('error', () => {});
     this.ended = once(this.encoder, 'close').then(([code]) => code as number | null);
     this.ended.catch(() => {});

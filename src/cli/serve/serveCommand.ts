@@ -23,7 +23,7 @@ async function serve(flags: { port?: number; json?: boolean }): Promise<void> {
   await server.close();
 }
 
-/** A second start beside a running one should work as the first did. */
+/** Uses any free port if the default one is taken, so that a second instance starts too. */
 async function start(port: number | undefined): Promise<RunningServer> {
   if (port !== undefined) return serveApp(port);
   try {

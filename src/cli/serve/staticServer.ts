@@ -6,10 +6,9 @@ import { fileURLToPath } from 'node:url';
 import { CliError, EXIT, unavailable } from '../terminal/exitCodes.ts';
 
 const packageRoot = fileURLToPath(new URL('../../../../', import.meta.url));
-/** The built page. */
 export const appFolder = join(packageRoot, 'dist', 'app');
 
-/** The page may run its own scripts and nothing else. */
+/** Only the page's own scripts may run. */
 const contentPolicy =
   "default-src 'self'; script-src 'self'; style-src 'self' 'unsafe-inline'; img-src 'self' blob: data:; worker-src 'self' blob:; object-src 'none'; base-uri 'none'; frame-ancestors 'none'";
 
@@ -33,7 +32,7 @@ const mimeTypes: Readonly<Record<string, string>> = {
   '.glb': 'model/gltf-binary',
 };
 
-/** Answers a request that is not for a file of the page; undefined where it has no answer either. */
+/** Serves paths that are not files of the page; undefined for 404. */
 export type ExtraFiles = (path: string) => Promise<Uint8Array | undefined>;
 
 export interface RunningServer {
@@ -41,7 +40,7 @@ export interface RunningServer {
   close(): Promise<void>;
 }
 
-/** Serves the built page on this machine only. `port` 0 takes any that is free. */
+/** Serves the built page on 127.0.0.1. Port 0: any free port. */
 export async function serveApp(port: number, extra?: ExtraFiles): Promise<RunningServer> {
   if (!isFile(join(appFolder, 'index.html'))) {
     throw unavailable(
@@ -78,7 +77,7 @@ function listen(server: Server, port: number): Promise<void> {
 
 async function answer(request: IncomingMessage, response: ServerResponse, extra?: ExtraFiles): Promise<void> {
   if (request.method !== 'GET' && request.method !== 'HEAD') return refuse(response, 405);
-  // A page elsewhere could have its name resolve to 127.0.0.1 and then read from here as its own origin.
+  // Against DNS rebinding: another site's name may resolve to 127.0.0.1 and then read this server as its own origin.
   if (!isLoopbackName(request.headers.host)) return refuse(response, 403);
   const path = decodePath(request.url ?? '/');
   if (path === undefined) return refuse(response, 400);
@@ -113,7 +112,7 @@ function headers(path: string): Record<string, string> {
     'Content-Security-Policy': contentPolicy,
     'X-Content-Type-Options': 'nosniff',
     'Referrer-Policy': 'no-referrer',
-    // The bundler names what may be kept by its content.
+    // Names of assets contain a hash of their content.
     'Cache-Control': path.includes('/assets/') ? 'public, max-age=31536000, immutable' : 'no-cache',
   };
 }

@@ -5,17 +5,16 @@ import type { SimulationFrame } from '../../dynamics/run.ts';
 import type { State } from '../../dynamics/system.ts';
 import { inputProblem } from '../terminal/exitCodes.ts';
 
-/** The first line of a checkpoint. After it comes, frame after frame, what a frame is: t, steps, x …, p …, as 64-bit numbers. */
+/** First line of a checkpoint, as JSON. Frames follow as f64: t, steps, x (3 per point), p (3 per point). */
 interface CheckpointHeader {
   readonly slowlight: 'checkpoint';
   readonly version: 1;
-  /** What tells this simulation from others. */
+  /** Content hash of the simulation's inputs. */
   readonly content: string;
   readonly points: number;
   readonly littleEndian: boolean;
 }
 
-/** A frame that is known. */
 export interface CheckpointFrame {
   readonly state: State;
   readonly steps: number;
@@ -25,7 +24,7 @@ const LITTLE_ENDIAN = endianness() === 'LE';
 
 const sha256Hex = (bytes: string | Uint8Array): string => createHash('sha256').update(bytes).digest('hex');
 
-/** The same of plain data that is the same. */
+/** SHA-256 of plain data; equal data has equal hashes. */
 export const contentHash = (what: unknown): string =>
   sha256Hex(
     JSON.stringify(what, (_, value) =>
@@ -33,11 +32,11 @@ export const contentHash = (what: unknown): string =>
     ),
   );
 
-/** A file to which every frame is added as soon as it is known: whatever ends the program, what was computed is there. */
+/** Appends every frame to a file as soon as it is computed, so that no frame is lost however the program ends. */
 export class Checkpoint {
   private readonly file: number;
 
-  /** `after`: the length of what is in the file and stays [bytes]; without: it begins anew. */
+  /** `after`: length of the existing content to keep [bytes]; if absent the file is started anew. */
   constructor(path: string, content: string, points: number, after?: number) {
     this.file = openForWriting(path, after === undefined ? 'w' : 'r+');
     if (after === undefined) {
@@ -79,7 +78,7 @@ function openForWriting(path: string, how: 'w' | 'r+'): number {
   }
 }
 
-/** The frames of a checkpoint, and where the last whole one ends [bytes]: the program may have ended in the midst of one. */
+/** The complete frames of a checkpoint and the byte offset of their end; the last frame may be incomplete. */
 export function readCheckpoint(
   path: string,
   content: string,

@@ -28,7 +28,7 @@ import { Progress } from '../terminal/progress.ts';
 import { Checkpoint, contentHash, readCheckpoint } from './checkpoint.ts';
 import type { SimulateFlags } from './simulateFlags.ts';
 
-/** Others are let work, and signals heard, so often [ms]. */
+/** Interval at which the event loop runs, for signals and other threads [ms]. */
 const YIELD_INTERVAL = 50;
 
 export async function simulate(path: string, flags: SimulateFlags): Promise<void> {
@@ -65,15 +65,15 @@ function checkFlags({ output, csv, checkpoint, resume }: SimulateFlags): void {
   if (extension === USDC) checkPython();
 }
 
-/** The one that is to run; in a group `outer/inner`. */
-function chooseSimulateNode(path: string, document: GraphDocument, wanted: string | undefined): string {
+/** Id of the Simulate node to run; `outer/inner` in a group. */
+function chooseSimulateNode(path: string, document: GraphDocument, requested: string | undefined): string {
   const all = [...nodesIn(path, document)].filter(({ type }) => type === 'simulate').map(({ id }) => id);
-  if (wanted !== undefined && !all.includes(wanted))
-    throw usageError(`--node ${wanted}: there is no such Simulate node; there is ${all.join(', ') || 'none'}`);
+  if (requested !== undefined && !all.includes(requested))
+    throw usageError(`--node ${requested}: there is no such Simulate node; there is ${all.join(', ') || 'none'}`);
   if (all.length === 0) throw usageError(`${path}: it has no Simulate node; add one`);
-  if (all.length > 1 && wanted === undefined)
+  if (all.length > 1 && requested === undefined)
     throw usageError(`${path} has several Simulate nodes; name one with --node: ${all.join(', ')}`);
-  return wanted ?? all[0];
+  return requested ?? all[0];
 }
 
 function nodesIn(path: string, document: GraphDocument) {
@@ -85,7 +85,7 @@ function nodesIn(path: string, document: GraphDocument) {
   }
 }
 
-/** What the node gives. It runs here, so that its frames can be kept; all before it as ever. */
+/** Evaluates the Simulate node in this thread, so that its frames can be checkpointed; nodes before it as usual. */
 async function runSimulation(
   path: string,
   document: GraphDocument,
@@ -94,8 +94,8 @@ async function runSimulation(
 ): Promise<SimulationOutputs> {
   const threads = heavyNodes();
   const progress = new Progress(`${node}: `);
-  const heavy: RunHeavy = (order, work) =>
-    order.node === node ? runWithCheckpoint(order, flags, progress) : threads(order, work);
+  const heavy: RunHeavy = (request, work) =>
+    request.node === node ? runWithCheckpoint(request, flags, progress) : threads(request, work);
   const evaluation = await evaluateNodes(path, document, [node], progress.node, heavy);
   progress.clear();
   throwIfStopped();
@@ -112,28 +112,28 @@ async function runWithCheckpoint(
 ): Promise<Readonly<Record<string, unknown>>> {
   const matter = inputs.matter as readonly Matter[];
   const simulation = new Simulation(matter, simulationSettings(params), node);
-  const kept = openCheckpoint(simulation, matter, params, flags);
-  let breath = performance.now();
+  const saved = openCheckpoint(simulation, matter, params, flags);
+  let lastYield = performance.now();
   try {
     for await (const frame of simulation.run(openDevice)) {
-      kept?.add(frame);
+      saved?.add(frame);
       progress.frames(simulation.recordedFrames, simulation.frames);
-      if (performance.now() - breath < YIELD_INTERVAL) continue;
+      if (performance.now() - lastYield < YIELD_INTERVAL) continue;
       await setImmediate();
-      breath = performance.now();
+      lastYield = performance.now();
       if (requestedExitCode() !== undefined) break;
     }
   } finally {
-    kept?.close();
+    saved?.close();
   }
   if (requestedExitCode() !== undefined) {
-    const how = kept ? `; --resume goes on from ${flags.checkpoint}` : '; nothing is written';
+    const how = saved ? `; --resume goes on from ${flags.checkpoint}` : '; nothing is written';
     progress.note(`stopped after ${simulation.recordedFrames} of ${simulation.frames} frames${how}`);
   }
   return { ...simulation.outputs() };
 }
 
-/** The file that frames go to; those that are in it are entered. */
+/** Opens the checkpoint, if any; with `--resume` its frames are added to the simulation. */
 function openCheckpoint(
   simulation: Simulation,
   matter: readonly Matter[],
@@ -141,14 +141,14 @@ function openCheckpoint(
   { checkpoint: path, resume }: SimulateFlags,
 ): Checkpoint | undefined {
   if (path === undefined) return undefined;
-  const { runOptions: order, frames } = simulation;
-  const points = order.system.masses.length;
+  const { runOptions, frames } = simulation;
+  const points = runOptions.system.masses.length;
   const { duration: _, rate: __, ...settings } = simulationSettings(params);
-  const content = contentHash({ matter, settings, every: order.every, steps: stepSchedule(order) });
+  const content = contentHash({ matter, settings, every: runOptions.every, steps: stepSchedule(runOptions) });
   if (!resume) return new Checkpoint(path, content, points);
-  const known = readCheckpoint(path, content, points);
-  for (const { state, steps } of known.frames.slice(0, frames)) simulation.addFrame(state, steps);
-  return new Checkpoint(path, content, points, known.end);
+  const existing = readCheckpoint(path, content, points);
+  for (const { state, steps } of existing.frames.slice(0, frames)) simulation.addFrame(state, steps);
+  return new Checkpoint(path, content, points, existing.end);
 }
 
 function report(books: RunRecord, files: readonly string[], { json }: SimulateFlags): void {
@@ -164,7 +164,7 @@ function report(books: RunRecord, files: readonly string[], { json }: SimulateFl
     frames: times.length,
     until,
     fastest,
-    /** The most that the energy was from the first, of the greatest kinetic energy. */
+    /** Largest deviation of the energy from its first value, over the largest kinetic energy. */
     energyChange: drift,
     ...(stop && { stop }),
   };

@@ -24,7 +24,6 @@ export const simulateCommand = (): Command =>
     )
     .option('--json', 'print what came out as JSON')
     .addHelpText('after', examples)
-    // Loaded when it is needed.
     .action(async (project: string, flags: SimulateFlags) =>
       (await import('./simulateAction.ts')).simulate(project, flags),
     );

@@ -3,7 +3,7 @@ import { CliError, EXIT } from './exitCodes.ts';
 
 const line = ({ severity, place, message }: Diagnostic): string => `${severity}: ${place}: ${message}`;
 
-/** Warnings go to standard error; errors end the program, all of them told at once. */
+/** Prints warnings to standard error; throws one error with all errors. */
 export function reportDiagnostics(diagnostics: readonly Diagnostic[]): void {
   for (const diagnostic of diagnostics) {
     if (diagnostic.severity === 'warning') console.error(line(diagnostic));

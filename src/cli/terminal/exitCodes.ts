@@ -22,7 +22,7 @@ export const EXIT_MEANINGS: Readonly<Record<(typeof EXIT)[keyof typeof EXIT], st
   [EXIT.cancelled]: 'stopped with Ctrl-C; no half-written file is left',
 };
 
-/** An error that a person can act on; `main` prints its message alone, without a stack. */
+/** An error that the user can act on; `main` prints its message without a stack. */
 export class CliError extends Error {
   readonly exitCode: number;
   constructor(exitCode: number, message: string) {

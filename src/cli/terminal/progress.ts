@@ -1,8 +1,8 @@
-/** One line on a terminal that is written over; silent where standard error is not a terminal. */
+/** A progress line that is overwritten; nothing is printed if standard error is not a terminal. */
 export class Progress {
   private shown = false;
   private readonly began = performance.now();
-  /** What it is that is being made, before all that is said of frames. */
+  /** Prefix of frame counts. */
   private readonly what: string;
 
   constructor(what = '') {
@@ -15,7 +15,7 @@ export class Progress {
     this.shown = true;
   }
 
-  /** `done` of `total` frames, with the time that is left if it goes on so; parts of a frame count. */
+  /** Shows `done` of `total` frames with the estimated remaining time; `done` may have a fraction. */
   frames(done: number, total: number): void {
     const elapsed = (performance.now() - this.began) / 1000;
     const left = done > 0 ? `, ${duration((elapsed / done) * (total - done))} left` : '';
@@ -23,11 +23,11 @@ export class Progress {
     this.show(`${this.what}frame ${Math.floor(done)}/${total}${part}${left}`);
   }
 
-  /** What a node of a project is at. */
+  /** Progress of a node, `part` 0 … 1 if known. */
   readonly node = (id: string, part: number | undefined): void =>
     this.show(part === undefined ? `${id} …` : `${id}: ${Math.round(100 * part)} %`);
 
-  /** A line that stays. */
+  /** Prints a permanent line. */
   note(text: string): void {
     this.clear();
     console.error(text);
