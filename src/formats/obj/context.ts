@@ -4,7 +4,6 @@ import { inputError } from '../diagnostics/inputError.ts';
 import type { FileSource } from '../files/fileSource.ts';
 import { parseFiniteNumber } from '../files/textLines.ts';
 
-/** What every part of the reader needs to know. */
 export interface ObjContext {
   readonly source: FileSource;
   /** Path of the .obj. */
@@ -12,15 +11,15 @@ export interface ObjContext {
   readonly notes: DiagnosticLog;
 }
 
-/** Refuses a file: `message` tells the value on that line and what to do. */
+/** An InputError at a line; `message` names the value and a remedy. */
 export const lineError = (file: string, line: number, code: DiagnosticCode, message: string): Error =>
   inputError(code, `${file}: line ${line}`, message);
 
-/** A number of a line; throws where it is none. */
+/** Parses a number; throws an InputError at the line if it is not one. */
 export const numberOf = (file: string, line: number, word: string | undefined): number =>
   parseFiniteNumber(word, (message) => lineError(file, line, 'obj.number', message));
 
-/** The words after a line's keyword, and all of them as they stand. */
+/** The words after a line's keyword, and the unsplit rest of the line. */
 export interface ObjStatement {
   readonly line: number;
   readonly keyword: string;

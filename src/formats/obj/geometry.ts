@@ -8,46 +8,46 @@ import {
 import { MAX_CORNERS } from '../read/meshScene.ts';
 import { lineError, numberOf, type ObjStatement } from './context.ts';
 
-/** Most objects and groups, and most materials, of one file. */
+/** Maximum number of objects and groups, and of materials, per file. */
 export const MAX_PARTS = 2 ** 16;
-/** The smoothing group of faces that are flat. */
+/** Smoothing group of flat faces. */
 export const FLAT = 0;
 
-/** Faces that are shown as one object. */
+/** The faces of one scene object. */
 export interface ObjPart {
   readonly name: string;
   /** Corners per face. */
   readonly counts: GrowableIntegers;
-  /** Three for each corner: its point, uv and normal, from 0; −1 where it has none. */
+  /** Per corner the indices of its point, uv and normal, from 0; −1 if absent. */
   readonly corners: GrowableIntegers;
   /** Smoothing group of each face; 0: flat. */
   readonly smoothing: GrowableIntegers;
-  /** Place in `ObjGeometry.materials` for each face. */
+  /** Index in `ObjGeometry.materials` per face. */
   readonly materials: GrowableIntegers;
 }
 
-/** The kinds of number triples in a file. */
+/** Vertex attributes that corners refer to. */
 type ObjAttribute = 'point' | 'uv' | 'normal';
 
-/** What a corner names, in words. */
+/** An index in words, for messages. */
 const NAMED: Readonly<Record<ObjAttribute, (index: number | string) => string>> = {
   point: (index) => `point ${index}`,
   uv: (index) => `uv ${index}`,
   normal: (index) => `normal ${index}`,
 };
 
-/** The place of the next slash; the end where there is none. */
+/** Position of the next slash, or the length. */
 function slashOf(word: string, from: number): number {
   const at = word.indexOf('/', from);
   return at < 0 ? word.length : at;
 }
 
-/** All that an .obj says of its shapes, line by line. */
+/** Collects the geometry statements of an .obj. */
 export class ObjGeometry {
   readonly file: string;
   /** 3 per point. */
   readonly points: GrowableFloats = growableFloats();
-  /** As written, 3 per point, up to the last point that has a colour. */
+  /** As authored, 3 per point, up to the last point that has a colour. */
   readonly colors: GrowableFloats = growableFloats();
   /** 2 per uv. */
   readonly uvs: GrowableFloats = growableFloats();
@@ -70,7 +70,7 @@ export class ObjGeometry {
     this.file = file;
   }
 
-  /** Names in the order in which faces ask for them; empty for those that ask for none. */
+  /** Material names in order of first use by a face; the empty string for faces without `usemtl`. */
   get materials(): readonly string[] {
     return [...this.materialIndices.keys()];
   }
@@ -84,14 +84,14 @@ export class ObjGeometry {
     const at = (k: number): number => numberOf(this.file, line, words[k]);
     this.points.push(at(0), at(1), at(2));
     if (words.length < 6) return;
-    // What came before without a colour is white.
+    // Earlier points without a colour are white.
     while (this.colors.length < this.points.length - 3) this.colors.push(1, 1, 1);
     const color = [at(words.length - 3), at(words.length - 2), at(words.length - 1)];
     this.colors.push(color[0], color[1], color[2]);
     this.brightest = Math.max(this.brightest, ...color);
   }
 
-  /** A colour of a point in linear light. Most programs write 0 … 1 in sRGB; what goes beyond is taken as 0 … 255. */
+  /** Converts a point colour to linear light. Most programs write sRGB 0 … 1; if any value exceeds 1, all are 0 … 255. */
   linear(value: number): number {
     return decodeSrgb(Math.max(0, this.brightest > 1 ? value / 255 : value));
   }
@@ -135,13 +135,13 @@ export class ObjGeometry {
     const part = this.partFor(line);
     part.counts.push(words.length);
     part.smoothing.push(this.smoothing);
-    part.materials.push(this.materialPlace(line));
+    part.materials.push(this.materialIndex(line));
     for (const word of words) this.addCorner(part, line, word);
   }
 
-  private materialPlace(line: number): number {
-    const known = this.materialIndices.get(this.material);
-    if (known !== undefined) return known;
+  private materialIndex(line: number): number {
+    const existing = this.materialIndices.get(this.material);
+    if (existing !== undefined) return existing;
     if (this.materialIndices.size >= MAX_PARTS)
       throw lineError(this.file, line, 'obj.too-many', `there are more than ${MAX_PARTS} materials`);
     this.materialIndices.set(this.material, this.materialIndices.size);
@@ -149,37 +149,37 @@ export class ObjGeometry {
   }
 
   private addCorner(part: ObjPart, line: number, word: string): void {
-    // A list of the three for each corner would take twice as long.
+    // Not `split`, which takes twice as long.
     const first = slashOf(word, 0);
     const second = slashOf(word, first + 1);
     const point = word.slice(0, first);
     const uv = word.slice(first + 1, second);
     const normal = word.slice(second + 1);
     part.corners.push(
-      this.place('point', line, word, point, this.points.length / 3),
-      uv ? this.place('uv', line, word, uv, this.uvs.length / 2) : -1,
-      normal ? this.place('normal', line, word, normal, this.normals.length / 3) : -1,
+      this.indexOf('point', line, word, point, this.points.length / 3),
+      uv ? this.indexOf('uv', line, word, uv, this.uvs.length / 2) : -1,
+      normal ? this.indexOf('normal', line, word, normal, this.normals.length / 3) : -1,
     );
   }
 
-  /** An index counts from 1, or back from the last one so far. */
-  private place(list: ObjAttribute, line: number, word: string, text: string, count: number): number {
-    const index = Number(text);
-    const place = index < 0 ? count + index : index - 1;
-    if (!Number.isInteger(index) || index === 0 || place < 0 || place >= 2 ** 31) {
+  /** Index from 0 of an OBJ index, which counts from 1 or, if negative, backwards from the last element so far. */
+  private indexOf(list: ObjAttribute, line: number, word: string, text: string, count: number): number {
+    const written = Number(text);
+    const index = written < 0 ? count + written : written - 1;
+    if (!Number.isInteger(written) || written === 0 || index < 0 || index >= 2 ** 31) {
       const message = `the corner ${word} names ${NAMED[list](text || '(none)')}; indices count from 1, or back from −1, and there are ${count} so far`;
       throw lineError(this.file, line, 'obj.index', message);
     }
-    // What is named may stand further down in the file.
+    // Elements may be defined after the face; `checkIndices` verifies the highest.
     const highest = this.highest[list];
-    if (place > highest.index) {
-      highest.index = place;
+    if (index > highest.index) {
+      highest.index = index;
       highest.line = line;
     }
-    return place;
+    return index;
   }
 
-  /** Throws where a face named a point, uv or normal that never came. */
+  /** Throws if a face refers to a point, uv or normal that the file does not define. */
   checkIndices(): void {
     const counts = { point: this.points.length / 3, uv: this.uvs.length / 2, normal: this.normals.length / 3 };
     for (const list of ['point', 'uv', 'normal'] as const) {
@@ -193,8 +193,8 @@ export class ObjGeometry {
   private partFor(line: number): ObjPart {
     if (this.part) return this.part;
     const name = [this.object, this.group].filter((part) => part !== '').join('_');
-    const known = this.partsByKey.get(name);
-    if (!known && this.partsByKey.size >= MAX_PARTS) {
+    const existing = this.partsByKey.get(name);
+    if (!existing && this.partsByKey.size >= MAX_PARTS) {
       throw lineError(
         this.file,
         line,
@@ -202,7 +202,7 @@ export class ObjGeometry {
         `there are more than ${MAX_PARTS} objects and groups; join some`,
       );
     }
-    this.part = known ?? {
+    this.part = existing ?? {
       name,
       counts: growableIntegers(),
       corners: growableIntegers(),

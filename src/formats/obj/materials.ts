@@ -7,7 +7,7 @@ import type { UvPlacement } from './meshes.ts';
 import { statements } from './statements.ts';
 import { ObjTextureLoader, parseTextureReference, type TextureReference } from './textures.ts';
 
-/** A material as an .mtl writes it. */
+/** A material as authored in an .mtl. */
 interface MtlMaterial {
   readonly file: string;
   readonly name: string;
@@ -15,23 +15,23 @@ interface MtlMaterial {
   readonly pictures: ReadonlyMap<string, TextureReference>;
 }
 
-/** A material with how its pictures are placed. */
+/** A material with the placement of its textures. */
 export interface ReadMaterial {
   readonly material: Material;
   readonly uvs?: UvPlacement;
 }
 
-/** Most names of .mtl files that are looked for. */
+/** Maximum number of .mtl names in a file. */
 export const MAX_FILES = 1000;
-/** Most materials of one file. */
+/** Maximum number of materials per .mtl. */
 export const MAX_MATERIALS = 2 ** 16;
 const COLORS = ['Kd', 'Ks', 'Ke'];
 const SCALARS = ['Ns', 'Ni', 'd', 'Tr', 'Pr', 'Pm'];
 const SHOWN_PICTURES = ['map_Kd', 'map_Ke', 'map_d', 'map_Pr', 'map_Pm', 'norm'];
-/** Said once each where they are met, for they change what is seen. */
+/** Unsupported statements that affect the appearance; each is reported once. */
 const LEFT_OUT = /^(map_|bump$|disp$|decal$|refl$|Tf$|Pc$|Pcr$|Ps$|aniso$|anisor$)/i;
 
-/** The materials of .mtl files by name; what is missing is named with where it was looked for. */
+/** The materials of .mtl files by name; reports missing files with the paths that were tried. */
 export class ObjMaterialLibrary {
   private readonly context: ObjContext;
   private readonly pictures: ObjTextureLoader;
@@ -43,7 +43,7 @@ export class ObjMaterialLibrary {
     this.pictures = new ObjTextureLoader(context);
   }
 
-  /** `mtllib a.mtl b.mtl`: a name may hold spaces, which the format leaves open. */
+  /** `mtllib a.mtl b.mtl`. The format does not say whether names may contain spaces: the whole line is tried first. */
   async load({ line, words, rest }: ObjStatement): Promise<void> {
     this.named += words.length;
     if (this.named > MAX_FILES) {
@@ -71,7 +71,7 @@ export class ObjMaterialLibrary {
     return true;
   }
 
-  /** The material of a name; a light grey one, with a warning, where no file has it. */
+  /** The material of a name; light grey, with a warning, if no file defines it. */
   async read(name: string): Promise<ReadMaterial> {
     const written = this.written.get(name);
     if (written) return convert(written, this.pictures);
@@ -88,7 +88,7 @@ export class ObjMaterialLibrary {
   }
 }
 
-/** Materials in the order of the file. Throws an InputError that names the line where a number is none. */
+/** Parses an .mtl. Throws an InputError with the line of an invalid number. */
 function readMtl(bytes: Uint8Array, file: string, { notes }: ObjContext): MtlMaterial[] {
   const out: MtlMaterial[] = [];
   let numbers = new Map<string, readonly number[]>();
@@ -114,7 +114,7 @@ function readMtl(bytes: Uint8Array, file: string, { notes }: ObjContext): MtlMat
   return out;
 }
 
-/** One number stands for all three. */
+/** A colour; one number stands for all three. */
 function colorOf(file: string, { line, words }: ObjStatement): readonly number[] {
   const r = numberOf(file, line, words[0]);
   return words.length < 3 ? [r, r, r] : [r, numberOf(file, line, words[1]), numberOf(file, line, words[2])];
@@ -143,13 +143,13 @@ async function convert({ name, numbers, pictures }: MtlMaterial, loader: ObjText
     ...channelOf('metallic', await numbered('map_Pm'), numbers, 'Pm'),
     ...(normals && { normalTexture: { texture: normals, strength: [1, 1] } }),
     opacity: clamped(scalar(numbers, 'd') ?? 1 - (scalar(numbers, 'Tr') ?? 0)),
-    // Many programs write 1 or 0 where they mean nothing.
+    // Many programs write 1 or 0 for an unset value.
     ...(ior !== undefined && ior > 1 && { ior }),
   });
   return uvs ? { material, uvs } : { material };
 }
 
-/** A number, or the red of its picture times the number that stands beside it. */
+/** A number, or the red channel of its texture times the number. */
 function channelOf(
   what: 'roughness' | 'metallic',
   texture: Texture | undefined,
@@ -166,18 +166,18 @@ const scalar = (numbers: ReadonlyMap<string, readonly number[]>, name: string): 
 const clamped = (x: number): number => Math.min(1, Math.max(0, x));
 
 /**
- * Pr as it is. Else from the exponent n = Ns of Blinn and Phong by the width of its lobe, roughness⁴ = 2 / (n + 2)
- * (Walter et al. 2007, eq. for Blinn–Phong's α_b, with α = roughness²); matt where Ks says that nothing is reflected.
+ * Roughness: Pr if given, else from the Blinn–Phong exponent n = Ns by the width of its lobe, roughness⁴ = 2 / (n + 2)
+ * (Walter et al. 2007, eq. for Blinn–Phong's α_b, with α = roughness²); 1 if Ks is black.
  */
 function roughnessOf(numbers: ReadonlyMap<string, readonly number[]>): number {
-  const given = scalar(numbers, 'Pr');
-  if (given !== undefined) return clamped(given);
+  const authored = scalar(numbers, 'Pr');
+  if (authored !== undefined) return clamped(authored);
   if (numbers.get('Ks')?.every((x) => x === 0)) return 1;
   const exponent = scalar(numbers, 'Ns');
   return exponent === undefined ? 0.6 : clamped((2 / (Math.max(0, exponent) + 2)) ** 0.25);
 }
 
-/** The colour's picture, with the opacity's in its alpha. */
+/** The colour texture with the opacity texture as its alpha. */
 async function baseTexture(
   pictures: ReadonlyMap<string, TextureReference>,
   loader: ObjTextureLoader,

@@ -4,20 +4,19 @@ import type { Polygons } from '../../scene/mesh/polygons.ts';
 import type { Mesh } from '../../scene/types.ts';
 import { FLAT, type ObjGeometry, type ObjPart } from './geometry.ts';
 
-/** How the uvs of a material are placed: (u, v) · scale + offset (options -s and -o of its picture). */
+/** Texture transform (u, v) · scale + offset (options -s and -o of the map). */
 export interface UvPlacement {
   readonly scale: readonly [number, number];
   readonly offset: readonly [number, number];
 }
 
-/** What a face's material is to its mesh. */
 export interface FaceMaterial {
-  /** In `Scene.materials`. */
+  /** Index in `Scene.materials`. */
   readonly place: number;
   readonly uvs?: UvPlacement;
 }
 
-/** The triangles of a part; `worn`: by place among the file's materials. */
+/** The mesh of a part; `faceMaterials` by index in `ObjGeometry.materials`. */
 export function meshOf(geometry: ObjGeometry, part: ObjPart, faceMaterials: readonly FaceMaterial[]): Mesh {
   const corners = part.corners.values();
   const own = ownPoints(geometry, corners);
@@ -29,13 +28,13 @@ export function meshOf(geometry: ObjGeometry, part: ObjPart, faceMaterials: read
     ...(uvs && { uvs: { per: 'corner', values: uvs } }),
     ...(own.colors && { colors: { per: 'point', values: own.colors } }),
     faceMaterials: part.materials.values().map((material) => faceMaterials[material].place),
-    // The format does not say which side is the outside, and its files do not agree.
+    // The format does not specify the winding order, and files differ.
     doubleSided: true,
   };
   return makeMesh(polygons).mesh;
 }
 
-/** The points that a part uses, in order of their first use: a file has one list for all its parts. */
+/** The points that a part uses, in order of first use; a file has one list for all its parts. */
 function ownPoints(geometry: ObjGeometry, corners: Int32Array) {
   const [points, colors] = [geometry.points.values(), geometry.colors.values()];
   const places = new Map<number, number>();
@@ -59,7 +58,7 @@ function cornerUvs(
   { uvs }: ObjGeometry,
   part: ObjPart,
   corners: Int32Array,
-  worn: readonly FaceMaterial[],
+  faceMaterials: readonly FaceMaterial[],
 ): Float32Array | undefined {
   if (uvs.length === 0) return undefined;
   const [from, materials] = [uvs.values(), part.materials.values()];
@@ -67,7 +66,7 @@ function cornerUvs(
   forEachCorner(part, (face, c) => {
     const uv = corners[3 * c + 1];
     if (uv < 0) return;
-    const placed = worn[materials[face]].uvs;
+    const placed = faceMaterials[materials[face]].uvs;
     for (let k = 0; k < 2; k++) {
       const value = from[2 * uv + k];
       out[2 * c + k] = placed ? value * placed.scale[k] + placed.offset[k] : value;
@@ -78,7 +77,7 @@ function cornerUvs(
 
 type ObjFaces = Pick<Polygons, 'points' | 'faceCounts' | 'faceIndices'>;
 
-/** As written; where a corner has none, by its face's smoothing group. */
+/** Normals as authored; missing ones computed from the smoothing groups. */
 function allNormals({ normals }: ObjGeometry, part: ObjPart, corners: Int32Array, faces: ObjFaces): Float32Array {
   const from = normals.values();
   const out = new Float32Array(corners.length);
@@ -99,8 +98,8 @@ function allNormals({ normals }: ObjGeometry, part: ObjPart, corners: Int32Array
 }
 
 /**
- * A face is smooth with the faces of its group, wherever they meet; faces of group 0 are flat. To that end a point counts
- * as one for each group, and as one for each flat corner, and all of them are smooth.
+ * Normals that are smooth within each smoothing group; faces of group 0 are flat. Each point is duplicated per group, and
+ * per corner in group 0; then all duplicates are shaded smooth.
  */
 function smoothNormals(part: ObjPart, faces: ObjFaces): Float32Array {
   const smoothing = part.smoothing.values();

@@ -9,12 +9,12 @@ import { ObjMaterialLibrary } from './materials.ts';
 import { type FaceMaterial, meshOf } from './meshes.ts';
 import { statements } from './statements.ts';
 
-/** Most kinds of statements that are passed over: the format itself has fewer. */
+/** Maximum number of unknown keywords; the format itself has fewer. */
 const MAX_UNREAD = 100;
 
 /**
- * Reads Wavefront OBJ with its materials (.mtl) and pictures as resting meshes, one for each object and group. Throws an
- * InputError that names file, line and value where it cannot; what it leaves out is in the scene's diagnostics.
+ * Reads Wavefront OBJ with its materials (.mtl) and textures as static meshes, one per object and group. Throws an
+ * InputError with file, line and value; omissions are in the scene's diagnostics.
  */
 export async function readObj(source: FileSource, entry: string): Promise<Scene> {
   const bytes = await source.read(entry);
@@ -32,12 +32,12 @@ export async function readObj(source: FileSource, entry: string): Promise<Scene>
   }
   geometry.checkIndices();
   noteUnread(context, unread);
-  const { materials, worn } = await readMaterials(geometry, library);
-  const meshes = geometry.parts.map((part) => ({ name: part.name, mesh: meshOf(geometry, part, worn) }));
+  const { materials, faceMaterials } = await readMaterials(geometry, library);
+  const meshes = geometry.parts.map((part) => ({ name: part.name, mesh: meshOf(geometry, part, faceMaterials) }));
   return meshScene(entry, meshes, materials, context.notes);
 }
 
-/** Whether the statement is one that is read. */
+/** Handles a statement; false if it is not supported. */
 function apply(geometry: ObjGeometry, statement: ObjStatement): boolean {
   const { keyword, rest, words } = statement;
   if (keyword === 'v') geometry.addPoint(statement);
@@ -59,7 +59,7 @@ const UNREAD: ReadonlyMap<string, string> = new Map([
   ['curv2', 'curves are'],
   ['surf', 'curved surfaces are'],
 ]);
-/** Words that only accompany others, or change nothing of a shape. */
+/** Keywords that are ignored silently: they accompany unsupported statements or do not affect the geometry. */
 const SILENT =
   /^(cstype|deg|bmat|step|parm|trim|hole|scrv|sp|end|con|mg|vp|bevel|c_interp|d_interp|lod|shadow_obj|trace_obj|ctech|stech|usemap|maplib)$/;
 
@@ -80,13 +80,13 @@ function noteUnread({ notes }: ObjContext, unread: ReadonlyMap<string, ObjStatem
 async function readMaterials(
   geometry: ObjGeometry,
   library: ObjMaterialLibrary,
-): Promise<{ materials: Material[]; worn: FaceMaterial[] }> {
+): Promise<{ materials: Material[]; faceMaterials: FaceMaterial[] }> {
   const materials: Material[] = [];
-  const worn: FaceMaterial[] = [];
+  const faceMaterials: FaceMaterial[] = [];
   for (const name of geometry.materials) {
     const { material, uvs } = await library.read(name);
-    worn.push(uvs ? { place: worn.length, uvs } : { place: worn.length });
+    faceMaterials.push(uvs ? { place: faceMaterials.length, uvs } : { place: faceMaterials.length });
     materials.push(material);
   }
-  return { materials, worn };
+  return { materials, faceMaterials };
 }

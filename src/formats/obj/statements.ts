@@ -1,7 +1,7 @@
 import { textLines } from '../files/textLines.ts';
 import type { ObjStatement } from './context.ts';
 
-/** The statements of an .obj or .mtl: comments and empty lines left out, lines that end in a backslash joined with the next. */
+/** The statements of an .obj or .mtl, without comments and empty lines; a line that ends in a backslash continues on the next. */
 export function* statements(bytes: Uint8Array, file: string): Generator<ObjStatement> {
   let held = '';
   let first = 0;

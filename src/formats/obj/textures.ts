@@ -6,9 +6,9 @@ import type { ObjContext, ObjStatement } from './context.ts';
 import { numberOf } from './context.ts';
 import type { UvPlacement } from './meshes.ts';
 
-/** A picture as a material names it. */
+/** A texture reference of a material. */
 export interface TextureReference {
-  /** The .mtl that names it. */
+  /** Path of the .mtl. */
   readonly file: string;
   readonly line: number;
   readonly material: string;
@@ -17,7 +17,7 @@ export interface TextureReference {
   readonly uvs?: UvPlacement;
 }
 
-/** Options of a picture with as many words as each may have; all but -s, -o and -clamp are passed over. */
+/** Options of texture maps with their maximum number of arguments; only -s, -o and -clamp are used. */
 const OPTIONS: ReadonlyMap<string, number> = new Map([
   ['-s', 3],
   ['-o', 3],
@@ -34,14 +34,14 @@ const OPTIONS: ReadonlyMap<string, number> = new Map([
   ['-type', 1],
 ]);
 
-/** `map_Kd -s 2 2 1 -clamp on bark brown.png` */
+/** Parses `map_Kd -s 2 2 1 -clamp on bark brown.png`. */
 export function parseTextureReference(file: string, material: string, { line, words }: ObjStatement): TextureReference {
   const options = new Map<string, readonly string[]>();
   let at = 0;
   while (at < words.length && OPTIONS.has(words[at])) {
     const [option, first] = [words[at], at + 1];
     at = first;
-    // One to three numbers, or one word; the last word is always the name.
+    // One to three numbers, or one word; the last word is always part of the name.
     while (at < words.length - 1 && at - first < OPTIONS.get(option)! && (at === first || isNumber(words[at]))) at++;
     options.set(option, words.slice(first, at));
   }
@@ -60,14 +60,14 @@ function placementOf(
 ): UvPlacement | undefined {
   if (!options.has('-s') && !options.has('-o')) return undefined;
   const pair = (option: string, otherwise: number): [number, number] => {
-    const given = options.get(option) ?? [];
-    const number = (k: number): number => (given[k] === undefined ? otherwise : numberOf(file, line, given[k]));
+    const args = options.get(option) ?? [];
+    const number = (k: number): number => (args[k] === undefined ? otherwise : numberOf(file, line, args[k]));
     return [number(0), number(1)];
   };
   return { scale: pair('-s', 1), offset: pair('-o', 0) };
 }
 
-/** Reads pictures, each once. */
+/** Reads and caches textures. */
 export class ObjTextureLoader {
   private readonly context: ObjContext;
   private readonly images = new Map<string, Promise<DecodedImage | undefined>>();
@@ -75,7 +75,7 @@ export class ObjTextureLoader {
     this.context = context;
   }
 
-  /** undefined, with a warning, where there is none. */
+  /** Undefined, with a warning, if the file is missing. */
   image(ref: TextureReference): Promise<DecodedImage | undefined> {
     const key = `${ref.file}\n${ref.name}`;
     const image = this.images.get(key) ?? this.load(ref);
@@ -102,7 +102,7 @@ export class ObjTextureLoader {
 
   private async load({ file, line, material, name }: TextureReference): Promise<DecodedImage | undefined> {
     const what = `${file}: line ${line}`;
-    // Files that went from one machine to another often name pictures by where they were there.
+    // Files copied from another machine often contain its absolute paths.
     const places = [...new Set([resolvePath(file, name), resolvePath(file, name.replace(/^.*[\\/]/, ''))])];
     for (const path of places) {
       const bytes = await this.context.source.read(path);

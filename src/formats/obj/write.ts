@@ -8,14 +8,14 @@ import { encodePng } from '../image/encodePng.ts';
 import { type ExportedScene, exportObjects, exportPoses, vectorYUp } from '../write/exportMotion.ts';
 
 /**
- * A scene as Wavefront OBJ with its MTL and textures, in metres with Y up. OBJ holds shapes alone: what moves is written
- * where it is at its first sample, and what is lost is said.
+ * Writes a scene as Wavefront OBJ with its MTL and textures, in metres with Y up. OBJ holds only geometry: moving objects
+ * are written at their first sample; losses are reported as diagnostics.
  */
 export function writeObj(scene: Scene, name: string): ExportedScene {
   const losses = new DiagnosticLog(name);
   const base = name.replace(/\.[^.]*$/, '');
   const library = new MtlWriter(scene.materials, base);
-  // Counts from 1, through all objects.
+  // Indices count from 1, across all objects.
   let first = 1;
   const parts = [['# Y up, metres', `mtllib ${base}.mtl`]];
   for (const { path, mesh, motion } of exportObjects(scene, losses)) {
@@ -62,10 +62,10 @@ function faceLines({ indices, groups }: Mesh, first: number, library: MtlWriter)
   });
 }
 
-/** Nine digits tell every f32 apart. */
+/** Nine significant digits represent every f32 exactly. */
 const numbers = (values: readonly number[]): string => values.map((x) => Number(x.toPrecision(9))).join(' ');
 
-/** Materials with names of their own, and the pictures that they name. */
+/** Writes materials with unique names, and collects their textures. */
 class MtlWriter {
   private readonly materials: readonly Material[];
   private readonly base: string;
@@ -78,11 +78,11 @@ class MtlWriter {
     this.base = base;
     const used = new Set<string>();
     this.names = materials.map(({ name }) => {
-      const wanted = name.replace(/^\//, '').replace(/\s/g, '_') || 'material';
-      let free = wanted;
-      for (let n = 1; used.has(free); n++) free = `${wanted}_${n}`;
-      used.add(free);
-      return free;
+      const requested = name.replace(/^\//, '').replace(/\s/g, '_') || 'material';
+      let unique = requested;
+      for (let n = 1; used.has(unique); n++) unique = `${requested}_${n}`;
+      used.add(unique);
+      return unique;
     });
   }
 
@@ -107,7 +107,7 @@ class MtlWriter {
     ]);
   }
 
-  /** A picture of numbers is read from its red: what comes from elsewhere is written apart. */
+  /** OBJ reads scalar maps from their red channel; other channels are copied to one. */
   private channel(keyword: string, from: TextureChannel | undefined): string[] {
     if (!from) return [];
     const values = this.reds.get(from) ?? redTexture(from);
@@ -115,14 +115,14 @@ class MtlWriter {
     return [`${keyword} ${this.file(values)}`];
   }
 
-  /** The PNGs by their names, once `lines` has named them. */
+  /** The PNG files by name; call after `lines`. */
   pictures(): [string, Uint8Array][] {
     return [...this.files.values()].map(([name, t]) => [name, encodePng(t.width, t.height, t.data)]);
   }
 
   private file(texture: Texture): string {
-    const known = this.files.get(texture.data);
-    const name = known?.[0] ?? `${this.base}_${this.files.size}.png`;
+    const existing = this.files.get(texture.data);
+    const name = existing?.[0] ?? `${this.base}_${this.files.size}.png`;
     this.files.set(texture.data, [name, texture]);
     return name;
   }

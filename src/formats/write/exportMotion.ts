@@ -19,24 +19,22 @@ import type {
 } from '../../scene/types.ts';
 import type { DiagnosticLog } from '../diagnostics/diagnosticLog.ts';
 
-/** Motions that files of other programs can hold. */
+/** Motions that file formats without relativity can express. */
 export type ExportMotion = StaticMotion | SampledMotion | SampledPointsMotion;
 
-/** Greatest distance of a sampled closed-form path from the true one, as a fraction of the object's size. */
+/** Maximum distance of a sampled path from the closed form, as a fraction of the object's size. */
 const CHORD_TOLERANCE = 1e-4;
-/** [m/s], where the scene's author suggests none. */
 
-/** A scene that was written. */
 export interface ExportedScene {
-  /** By their paths beside the main file, which is first. */
+  /** Contents by path relative to the main file, which is first. */
   readonly files: ReadonlyMap<string, Uint8Array>;
-  /** What the file cannot hold. */
+  /** Losses of the export. */
   readonly diagnostics: readonly Diagnostic[];
 }
 
 /**
- * Objects as a file without relativity holds them: shapes of the world frame, motions sampled over the scene's time range.
- * What that loses is said.
+ * Objects for formats without relativity: geometry in the world frame, motions sampled over the scene's time range. Losses
+ * are reported in `losses`.
  */
 export function exportObjects(
   scene: Scene,
@@ -69,7 +67,7 @@ function exportObject(object: SceneObject, scene: Scene, c: number, losses: Diag
   return contracted(own, times, samplePose(poses, 0).position, c);
 }
 
-/** Kinds that they cannot hold, by name: these are sampled. */
+/** Kinds of motion that are sampled, in words. */
 const SAMPLED_TEXTS: { readonly [K in Exclude<Motion, ExportMotion>['kind']]: string } = {
   uniform: 'its uniform motion',
   hyperbolic: 'its hyperbolic motion',
@@ -80,7 +78,7 @@ const isExportable = (motion: Motion): motion is ExportMotion => !Object.hasOwn(
 const sampledFrom = ({ kind }: Exclude<Motion, ExportMotion>, range: readonly number[]): string =>
   `${SAMPLED_TEXTS[kind]} is sampled from ${range[0]} to ${range[1]} s; before and after it rests`;
 
-/** A body in its own rest frame, as the points that it has in the world at some times. */
+/** A mesh authored in its rest frame, as world-frame points at the given times. */
 function contracted(object: SceneObject, times: Float64Array, origin: Vec3, c: number) {
   const points = Array.from(times, (t) =>
     Float32Array.from(vertexPositions(object, t, c), (x, i) => x - origin[i % 3]),
@@ -91,7 +89,7 @@ function contracted(object: SceneObject, times: Float64Array, origin: Vec3, c: n
   return { mesh, motion: { kind: 'sampled-points', times, origin, points, normals } as const };
 }
 
-/** The motion of a light or a camera. */
+/** The motion of a light or camera, sampled if the format cannot express it. */
 export function exportRigidMotion(
   motion: RigidMotion,
   scene: Scene,
@@ -107,19 +105,19 @@ export function exportRigidMotion(
 
 const TO_Y_UP: Quat = fromAxisAngle([1, 0, 0], -Math.PI / 2);
 
-/** A direction or place of a scene, in axes with Y up: exact, only places and signs change. */
+/** A vector of the scene in Y-up axes; exact, since components are only permuted and negated. */
 export const vectorYUp = (scene: Scene, [x, y, z]: Vec3): Vec3 => (scene.upAxis === 'Y' ? [x, y, z] : [x, z, -y]);
-/** An orientation of a scene in axes with Y up; the object's own axes stay. */
+/** An orientation of the scene in Y-up axes; the object's local axes stay. */
 export const orientationYUp = (scene: Scene, q: Quat): Quat => (scene.upAxis === 'Y' ? q : multiply(TO_Y_UP, q));
 
-/** Poses at times; one, without a time, where nothing moves. */
+/** Poses at the samples' times; one if static. */
 export function exportPoses(motion: ExportMotion): readonly Pose[] {
   const samples = poseSamples(motion);
   if (!samples) return [poseAt(motion, 0, SPEED_OF_LIGHT)];
   return Array.from(samples.times, (_, i) => samplePose(samples.poses, i));
 }
 
-/** The scene as files without relativity hold it, in its own kinds of motion; `notes`: what that loses. */
+/** The scene with all motions expressible without relativity; losses are added to `notes`. */
 export function exportSampledScene(scene: Scene, notes: DiagnosticLog): Scene {
   return {
     ...scene,
