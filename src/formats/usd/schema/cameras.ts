@@ -6,10 +6,10 @@ import type { StageContext } from './context.ts';
 import { rigidMotionOf } from './placement/resampling.ts';
 import type { StageTransform } from './transforms/stageTransform.ts';
 
-/** Fallbacks of UsdGeomCamera, in tenths of a stage unit. */
+/** Fallback values of UsdGeomCamera, in tenths of a stage unit. */
 const FALLBACK = { focalLength: 50, verticalAperture: 15.2908 };
 
-/** fov = 2 atan(verticalAperture / 2 focalLength); a camera's scale does not matter. */
+/** fov = 2 atan(verticalAperture / 2 focalLength); a camera's scale is ignored. */
 export function cameraOf(context: StageContext, prim: PrimSpec, frame: StageTransform): SceneCamera {
   const lens = (name: keyof typeof FALLBACK): number => {
     if (sampleTimes(attributeOf(prim, name)).length > 0)

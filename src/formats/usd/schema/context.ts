@@ -10,9 +10,9 @@ import type { SampleBudget } from './sampleBudget.ts';
 export interface StageContext {
   /** The composed stage. */
   readonly layer: Layer;
-  /** Where textures come from. */
+  /** Source of textures. */
   readonly files: AssetFiles;
-  /** Metres in one unit of the file. */
+  /** Metres per stage unit. */
   readonly unit: number;
   readonly codesPerSecond: number;
   /** Time code at which static values are read. */
@@ -44,7 +44,7 @@ export interface StageContext {
 export const isTrue = (context: StageContext, prim: PrimSpec, name: string): boolean =>
   boolAt(prim, name, context.startCode) === true;
 
-/** The layer's up axis; USD's own fallback is Y. */
+/** The layer's up axis; USD's fallback is Y. */
 export const upAxisOf = (context: Pick<StageContext, 'layer'>): 'Y' | 'Z' =>
   metadataText(context.layer.metadata, 'upAxis') === 'Z' ? 'Z' : 'Y';
 

@@ -5,7 +5,7 @@ import type { AttributeSpec, NumberArray, PrimSpec } from '../layer/layer.ts';
 import { metadataText } from '../layer/query.ts';
 import type { StageContext } from './context.ts';
 
-/** How many values each interpolation needs. */
+/** Number of values per interpolation. */
 export interface MeshElementCounts {
   readonly points: number;
   readonly corners: number;
@@ -22,14 +22,14 @@ const ELEMENTS: ReadonlyMap<string, PolygonValues['per']> = new Map([
 
 export interface Primvar {
   readonly interpolation: PolygonValues['per'];
-  /** `varying`: linear between points also where the points are not. */
+  /** `varying`: interpolated linearly even on subdivision surfaces. */
   readonly isLinear: boolean;
   readonly values: NumberArray;
   readonly indices?: NumberArray;
   readonly attribute: AttributeSpec;
 }
 
-/** A primvar or `normals` with its indices; undefined where it has no value. */
+/** A primvar or `normals` with its indices; undefined if it has no value. */
 export function primvarOf(prim: PrimSpec, name: string, time: TimeCode, fallback = 'constant'): Primvar | undefined {
   const attribute = attributeOf(prim, name);
   const values = numbersOf(valueAt(attribute, time));
@@ -41,7 +41,7 @@ export function primvarOf(prim: PrimSpec, name: string, time: TimeCode, fallback
   return { interpolation, isLinear, values, attribute, ...(indices ? { indices } : {}) };
 }
 
-/** The primvar as values on a mesh; undefined, with a warning, where its counts do not fit. */
+/** The primvar as values on a mesh; undefined, with a warning, if its count does not fit. */
 export function valuesOnMesh(
   context: StageContext,
   prim: PrimSpec,
@@ -53,14 +53,14 @@ export function valuesOnMesh(
   const { interpolation: per, values, indices } = primvar;
   const needed = { point: topology.points, corner: topology.corners, face: topology.faces, constant: 1 }[per];
   const held = values.length / size;
-  const given = indices ? indices.length : held;
+  const count = indices ? indices.length : held;
   const outside = indices?.some((i) => !(i >= 0 && i < held)) ?? false;
-  if (given >= needed && !outside) {
+  if (count >= needed && !outside) {
     return { per, values, ...(indices ? { indices } : {}), ...(primvar.isLinear ? { linear: true } : {}) };
   }
   const message = outside
     ? `${name} has an index outside its ${held} values; it is left out`
-    : `${name} has ${given} values where ${needed} are needed; it is left out`;
+    : `${name} has ${count} values where ${needed} are needed; it is left out`;
   report(context, 'warning', 'usd.primvar', prim.path, message);
   return undefined;
 }

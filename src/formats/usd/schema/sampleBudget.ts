@@ -1,13 +1,13 @@
 import type { Layer, PrimSpec } from '../layer/layer.ts';
 
-/** Times at which things are placed: so many for any scene, and more the more samples its layers write. */
+/** Placement times allowed in every scene, and additionally per sample that its layers contain. */
 const FREE_SAMPLES = 2 ** 18;
 const SAMPLES_PER_AUTHORED = 2;
 
-/** What takes more ops than this counts for more. */
+/** Number of ops beyond which a placement counts more. */
 const COMMON_COST = 32;
 
-/** Times that are looked at closely in any scene. */
+/** Times that are probed closely in every scene. */
 const FREE_PROBES = 2 ** 15;
 
 /** Prim types without a transform. */
@@ -22,9 +22,9 @@ const UNPLACED_TYPES: ReadonlySet<string> = new Set([
 ]);
 
 /**
- * At how many times the things of a scene can be placed, all together: what is under one prim with many samples is moved
- * by each of them, so that a small file can ask for any number. They are given as they are asked for while there is plenty; of the rest
- * each thing that may still come has its share, a power of two, so that things which move together have the same times.
+ * Limits the number of placement times of all objects of a scene together: each sample of a parent moves everything below
+ * it, so that a small file can request any number. Requests are granted until little is left; then each object that may
+ * still come gets an equal part, a power of two, so that objects which move together have the same times.
  */
 export class SampleBudget {
   private readonly layer: Layer;
@@ -38,28 +38,28 @@ export class SampleBudget {
     this.layer = layer;
   }
 
-  /** Whether what happens between so many times can be looked at closely. */
+  /** Whether the intervals between so many times may be probed closely. */
   canProbeClosely(times: number): boolean {
     this.probes -= times;
     if (this.probes <= 0) this.count();
     return this.probes > 0;
   }
 
-  /** How many of `wanted` times one thing gets whose place takes `cost` ops each time; at least two. */
-  take(wanted: number, cost = 1): number {
+  /** How many of `requested` times an object gets whose placement takes `cost` ops per time; at least two. */
+  take(requested: number, cost = 1): number {
     const each = Math.max(1, cost / COMMON_COST);
-    return Math.max(2, Math.min(wanted, Math.floor(this.taken(wanted * each) / each)));
+    return Math.max(2, Math.min(requested, Math.floor(this.taken(requested * each) / each)));
   }
 
-  private taken(wanted: number): number {
-    if (!this.isShared && wanted > this.left / 4) {
+  private taken(requested: number): number {
+    if (!this.isShared && requested > this.left / 4) {
       this.count();
       this.isShared = true;
     }
     this.placedPrims--;
-    const given = this.isShared ? Math.min(wanted, this.share()) : wanted;
-    this.left -= given;
-    return given;
+    const granted = this.isShared ? Math.min(requested, this.share()) : requested;
+    this.left -= granted;
+    return granted;
   }
 
   private add(samples: number): void {

@@ -13,7 +13,7 @@ import { numberAt, textAt, vec3At } from '../layer/attributes.ts';
 import type { Layer, PrimSpec } from '../layer/layer.ts';
 import type { StageContext } from './context.ts';
 
-/** What our own attributes (docs/guide/usd.md) say about a prim; descendants have it too, unless they say otherwise. */
+/** Values of the `slowlight:` attributes of a prim (docs/guide/usd.md), inherited unless overridden. */
 export interface SlowlightAttributes {
   readonly motion?: string;
   readonly velocity?: readonly [number, number, number];
@@ -38,8 +38,8 @@ export function slowlightAttributesOf(prim: PrimSpec, inherited: SlowlightAttrib
     death: number('death'),
     authoredIn: text('authoredIn'),
   };
-  const said = Object.entries(own).filter(([, value]) => value !== undefined);
-  return said.length === 0 ? inherited : { ...inherited, ...Object.fromEntries(said) };
+  const authored = Object.entries(own).filter(([, value]) => value !== undefined);
+  return authored.length === 0 ? inherited : { ...inherited, ...Object.fromEntries(authored) };
 }
 
 function someKey(map: ReadonlyMap<string, unknown>, ask: (key: string) => boolean): boolean {
@@ -55,15 +55,15 @@ export const lifetimeOf = ({ birth, death }: SlowlightAttributes): Lifetime => (
 export const authoredInOf = ({ authoredIn }: SlowlightAttributes): 'world' | 'rest' =>
   authoredIn === 'rest' ? 'rest' : 'world';
 
-/** A closed-form motion as our attributes have it. */
+/** A closed-form motion of the `slowlight:` attributes. */
 interface ClosedForm {
-  /** The world time at which it has its pose [s]. */
+  /** World time of its pose [s]. */
   poseTime(directions: SlowlightAttributes): number;
   motion(context: StageContext, path: string, pose: Pose, directions: SlowlightAttributes): MotionAttributes;
 }
 type MotionAttributes = UniformMotion | HyperbolicMotion;
 
-/** By the values of `slowlight:motion`. */
+/** By the value of `slowlight:motion`. */
 const CLOSED_FORMS: { readonly [K in MotionAttributes['kind']]: ClosedForm } = {
   uniform: {
     poseTime: () => 0,
@@ -85,11 +85,11 @@ const CLOSED_FORMS: { readonly [K in MotionAttributes['kind']]: ClosedForm } = {
 const isClosedForm = (motion: string | undefined): motion is MotionAttributes['kind'] =>
   motion !== undefined && Object.hasOwn(CLOSED_FORMS, motion);
 
-/** The world time [s] at which a closed-form motion has its pose; undefined where samples say how the object moves. */
+/** World time [s] of a closed-form motion's pose; undefined if the motion is sampled. */
 export const poseTimeOf = (directions: SlowlightAttributes): number | undefined =>
   isClosedForm(directions.motion) ? CLOSED_FORMS[directions.motion].poseTime(directions) : undefined;
 
-/** The motion that the attributes ask for, from the pose at their pose time; at rest where they ask for none. */
+/** The motion of the attributes, with the pose at their pose time; static if they have none. */
 export const closedFormMotion = (
   context: StageContext,
   path: string,
@@ -113,7 +113,7 @@ function requiredVector(
   return [0, 0, 0] as const;
 }
 
-/** Refuses values that mean nothing here, once per prim. */
+/** Reports invalid values; called once per prim. */
 export function checkSlowlightAttributes(context: StageContext, path: string, directions: SlowlightAttributes): void {
   const { motion, authoredIn } = directions;
   if (motion !== undefined && !isClosedForm(motion))

@@ -9,19 +9,19 @@ import { textOf } from '../layer/attributes.ts';
 import type { PrimSpec, Value } from '../layer/layer.ts';
 import type { StageContext } from './context.ts';
 
-/** Of one reading of a stage each file once, so that what is found out about a table is found out once. */
+/** Reads and caches the spectrum files of a stage, so that a problem is reported once. */
 class TableCache<Table> {
-  private readonly known = new WeakMap<StageContext['files'], Map<string, Table>>();
+  private readonly tables = new WeakMap<StageContext['files'], Map<string, Table>>();
   private readonly read: (bytes: Uint8Array, name: string) => Table;
   private readonly fallbackMessage: string;
 
-  /** `instead`: what is said of a table that is not there, or is none. */
+  /** `instead`: text for a missing or invalid table. */
   constructor(read: (bytes: Uint8Array, name: string) => Table, instead: string) {
     this.read = read;
     this.fallbackMessage = instead;
   }
 
-  /** The table (spectrumCsv.ts) that an asset value names; undefined, with a diagnostic, where it is not there or none. */
+  /** The table (spectrumCsv.ts) of an asset value; undefined, with a diagnostic, if missing or invalid. */
   async load(context: StageContext, prim: PrimSpec, value: Value): Promise<Table | undefined> {
     const asset = textOf(value) ?? '';
     const anchor = (value.type === 'asset' && value.anchor) || context.layer.name;
@@ -35,11 +35,11 @@ class TableCache<Table> {
       report(context, 'warning', code, prim.path, message, { missing });
       return undefined;
     }
-    const known = this.known.get(context.files) ?? new Map<string, Table>();
-    this.known.set(context.files, known);
+    const tables = this.tables.get(context.files) ?? new Map<string, Table>();
+    this.tables.set(context.files, tables);
     try {
-      const table = known.get(found.id) ?? this.read(found.bytes, found.id);
-      known.set(found.id, table);
+      const table = tables.get(found.id) ?? this.read(found.bytes, found.id);
+      tables.set(found.id, table);
       return table;
     } catch (thrown) {
       if (!(thrown instanceof InputError)) throw thrown;
@@ -55,7 +55,7 @@ const reflectances = new TableCache<MeasuredReflectance>(
   'its surface has the colour of its inputs',
 );
 
-/** Of a light. */
+/** The emission spectrum of a light. */
 export async function spectrumOfFile(
   context: StageContext,
   prim: PrimSpec,
@@ -65,7 +65,7 @@ export async function spectrumOfFile(
   return spectrum ? { spectrum } : {};
 }
 
-/** Of a material, with its bands. */
+/** The spectral reflectance of a material, with its bands. */
 export async function reflectanceOfFile(
   context: StageContext,
   prim: PrimSpec,

@@ -54,12 +54,12 @@ interface Inherited {
   readonly maybeSkinned: boolean;
   /** Inherited `purpose`. */
   readonly purpose: string;
-  /** Receives what is found: the scene, or a prototype. */
+  /** Receives the gprims: the scene, or a prototype. */
   readonly sink: GprimSink;
 }
 
 interface GprimSink {
-  /** Of the scene itself, whose lights and cameras count. */
+  /** Only the scene receives lights and cameras. */
   readonly isScene: boolean;
   gprim(part: UnplacedGprim): void;
   instancer(site: PlacedInstancer): Promise<void>;
@@ -92,7 +92,7 @@ class StageReader {
   private readonly textures: TextureLoader;
   private readonly geometryLights: ReadonlyMap<string, PrimSpec>;
   private readonly geometryCache = new PrimGeometryCache();
-  /** Paths of what instancers show: what only holds it need not be defined. */
+  /** Paths of prototypes and their ancestors, which need not be defined. */
   private readonly prototypes: ReadonlySet<string>;
   private readonly skeletons: Skeletons;
 
@@ -120,7 +120,7 @@ class StageReader {
     await this.read(prim, this.inherit(prim, inherited));
   }
 
-  /** A prim that is there, and all below it. */
+  /** Reads a defined prim and its subtree. */
   private async read(prim: PrimSpec, own: Inherited): Promise<void> {
     const drawn = isRendered(own.purpose);
     if (drawn) await this.readHere(prim, own);
@@ -132,7 +132,7 @@ class StageReader {
     for (const child of prim.children.values()) await this.visit(child, own);
   }
 
-  /** A prototype, whether it is defined or not; materials are bound to it where it stands. */
+  /** Reads a prototype, defined or not; its materials are bound by its place in the stage. */
   private async subtree(prim: PrimSpec): Promise<Prototype> {
     const parts: UnplacedGprim[] = [];
     const instancers: PlacedInstancer[] = [];
@@ -252,7 +252,7 @@ class StageReader {
     sink.gprim({ ...part, ...(light && { light }) });
   }
 
-  /** A frame of the stage, from that of a prim in it, where the prim stands in a prototype. */
+  /** The stage transform `target` carried along to where `frame` places the prim: frame × (the prim's own stage transform)⁻¹ × target. */
   private transformInPrototype(prim: PrimSpec, frame: StageTransform, target: StageTransform): StageTransform {
     const own = localToStageTransform(this.context.layer, prim.path);
     const back = { ...own, matrixAt: (time: TimeCode) => invert(own.matrixAt(time)) ?? IDENTITY };

@@ -2,7 +2,7 @@ import { report } from '../diagnostics.ts';
 import type { PrimSpec } from '../layer/layer.ts';
 import type { StageContext } from './context.ts';
 
-/** Prim types that hold something to see and are not read yet, and what becomes of them. */
+/** Unsupported visible prim types, with the text of their diagnostic. */
 const leftOutMessage = (type: string): string => `${type} is not read; it is left out`;
 const exportAsMeshMessage = (type: string): string => `${type} is not read; it is left out (export it as a mesh)`;
 const exportSurfaceMessage = (type: string): string =>
@@ -19,10 +19,10 @@ const UNREAD_TYPES: ReadonlyMap<string, (type: string) => string> = new Map([
   ['Capsule_1', exportAsMeshMessage],
 ]);
 
-/** What is said of a prim of a type that is not read; undefined of others. */
+/** The diagnostic for a prim of an unsupported type; undefined for others. */
 export const unreadType = (type: string): string | undefined => UNREAD_TYPES.get(type)?.(type);
 
-/** Says what of a prim's values is not evaluated. */
+/** Reports values of a prim that are not evaluated. */
 export function reportUnreadValues(context: StageContext, prim: PrimSpec): void {
   for (const property of prim.properties.values()) {
     if (property.kind !== 'attribute' || property.spline === undefined) continue;

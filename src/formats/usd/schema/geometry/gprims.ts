@@ -10,7 +10,7 @@ import type { PrimGeometry } from './primGeometry.ts';
 
 type GprimBuilder = (size: (name: string, fallback: number) => number, axis: Axis) => Mesh;
 
-/** The shapes of UsdGeom that are given by numbers, with its fallback sizes. */
+/** The parametric shapes of UsdGeom with their fallback sizes. */
 const BUILDERS: ReadonlyMap<string, GprimBuilder> = new Map<string, GprimBuilder>([
   ['Cube', (size) => cube(size('size', 2))],
   ['Sphere', (size) => sphere(size('radius', 1))],
@@ -36,7 +36,7 @@ export function gprimGeometry(context: StageContext, prim: PrimSpec, surface: Pr
   return { mesh: withMaterial(withSides(prim, mesh), surface.base.index) };
 }
 
-/** A plane has two sides unless it says otherwise; the closed shapes have one unless they say so. */
+/** By `doubleSided`; fallback true for planes and false for closed shapes. */
 function withSides(prim: PrimSpec, mesh: Mesh): Mesh {
   const value = valueAt(attributeOf(prim, 'doubleSided'), undefined);
   return value?.type === 'bool' ? { ...mesh, doubleSided: value.data } : mesh;

@@ -21,25 +21,25 @@ interface FaceArrays {
   readonly indices: NumberArray;
 }
 
-/** The faces that can be drawn, and the places of them and their corners among all: values are found by these. */
+/** The drawable faces, with the original indices of faces and corners, by which primvars are looked up. */
 interface KeptFaces {
   readonly counts: number[];
   readonly points: number[];
   readonly faces: number[];
   readonly corners: number[];
-  /** Of these faces: they are not drawn. */
+  /** Holes among these faces; they are not drawn. */
   readonly holes: Set<number>;
 }
 
-/** Faces that meet at less than this angle are shaded smooth where a subdivision surface is drawn as its polygons. */
+/** Angle between faces below which shading is smooth if a subdivision surface is drawn as polygons. */
 const SMOOTH_ANGLE = Math.PI / 3;
 
-/** Of the points of a bent mesh so many are followed between samples. */
+/** Number of points of a skinned mesh whose paths between samples are probed. */
 const PROBE_POINTS = 64;
-/** Following so many points takes as long as one transform. */
+/** Number of skinned points that cost as much as one transform. */
 const POINTS_PER_TRANSFORM = 8;
 
-/** A Mesh prim as triangles, bent by its skeleton; undefined, with a diagnostic, where it has none. */
+/** A Mesh prim as triangles with its deformation; undefined, with a diagnostic, if it has no valid faces. */
 export function meshGeometry(
   context: StageContext,
   skeletons: Skeletons,
@@ -49,8 +49,8 @@ export function meshGeometry(
   const faces = facesOf(context, prim);
   if (!faces) return undefined;
   const topology = { points: faces.points.length / 3, corners: faces.indices.length, faces: faces.counts.length };
-  const wanted = levelsOf(context, prim);
-  const levels = wanted > 0 && staysInFile(context, prim, topology.points) ? 0 : wanted;
+  const requested = levelsOf(context, prim);
+  const levels = requested > 0 && staysInFile(context, prim, topology.points) ? 0 : requested;
   const kept = keptFaces(context, prim, faces, levels > 0);
   const uvs = surface.uvs(prim, topology);
   const colors = surface.colors(prim, topology);
@@ -72,7 +72,7 @@ export function meshGeometry(
   return withDeformation(context, prim, moved, plainMesh(context, prim, polygons, topology, kept, skin), skin);
 }
 
-/** Whether the samples of the points are too many for memory, and can stay where they are: said, for what is subdivided has to be computed. */
+/** Whether the samples of the points exceed memory and can stay in the file; reported, because such a mesh cannot be subdivided. */
 function staysInFile(context: StageContext, prim: PrimSpec, points: number): boolean {
   const attribute = attributeOf(prim, 'points');
   const bytes = pointBytes(sampleTimes(attribute).length, points, vectorsPerVertex(context));
@@ -82,11 +82,11 @@ function staysInFile(context: StageContext, prim: PrimSpec, points: number): boo
   return true;
 }
 
-/** A mesh, and its vertices for points of the prim at another time. */
+/** A mesh and the functions that map the prim's points at another time to its vertices. */
 interface PolygonMesh {
   readonly mesh: Mesh;
   pointsFor(points: ArrayLike<number>, time: number): DeformedPoints;
-  /** What is known of its vertices, and of their normals where they are sampled, if that can stay in its file. */
+  /** Present if vertices, and sampled normals, can be read directly from the file. */
   readonly stored?: Omit<StoredDeformation, 'points'>;
 }
 
@@ -98,16 +98,17 @@ function plainMesh(
   kept: KeptFaces | undefined,
   skin: Skin | undefined,
 ): PolygonMesh {
-  const given = normalsOf(context, prim, topology);
+  const authored = normalsOf(context, prim, topology);
   const smoothAngle = textAt(prim, 'subdivisionScheme', undefined) === 'none' ? 0 : SMOOTH_ANGLE;
   const { mesh, pointOfVertex } = makeMesh({
     ...polygons,
-    ...(given ? { normals: valuesOnKept(given.values, kept) } : { smoothAngle }),
+    ...(authored ? { normals: valuesOnKept(authored.values, kept) } : { smoothAngle }),
   });
-  const sampled = given && areSampledNormals(given.primvar, topology.points) ? given.primvar.attribute.name : undefined;
+  const sampled =
+    authored && areSampledNormals(authored.primvar, topology.points) ? authored.primvar.attribute.name : undefined;
   const normals = sampled === undefined ? undefined : storedSamples(attributeOf(prim, sampled));
   const normalsAt = (time: number): Float32Array | undefined => {
-    if (skin) return given && skin.normalsAt(time, mesh.normals, pointOfVertex);
+    if (skin) return authored && skin.normalsAt(time, mesh.normals, pointOfVertex);
     return sampled === undefined ? undefined : gatherPoints(numbersAt(prim, sampled, time)!, pointOfVertex);
   };
   return {
@@ -120,7 +121,7 @@ function plainMesh(
   };
 }
 
-/** Normals of the points themselves, as many at every time. */
+/** Whether normals are sampled per point, with the same count at every time. */
 function areSampledNormals({ interpolation, indices, attribute }: Primvar, points: number): boolean {
   if (interpolation !== 'point' || indices || sampleTimes(attribute).length === 0) return false;
   return attribute.timeSamples!.values.every((value) => countOf(value) === 3 * points);
@@ -145,7 +146,7 @@ function subdividedMesh(
   };
 }
 
-/** The mesh with what bends it: its skin, else samples of its points. */
+/** The mesh with its deformation: by its skin, else by samples of its points. */
 function withDeformation(
   context: StageContext,
   prim: PrimSpec,
@@ -162,7 +163,7 @@ function withDeformation(
     const count = numbersAt(prim, 'points', context.startCode)!.length;
     if (!context.cubic || !velocitiesOf(context, prim, times, count))
       return { mesh, deformation: { times, at, ...stored } };
-    // What places are made of, velocities are made of too.
+    // Vertices are linear in the points, so velocities are mapped the same way.
     const velocitiesAt = (time: number) => drawn.pointsFor(numbersAt(prim, 'velocities', time)!, time).positions;
     return { mesh, deformation: { times, at, velocitiesAt, ...stored } };
   }
@@ -199,8 +200,8 @@ function facesOf(context: StageContext, prim: PrimSpec): FaceArrays | undefined 
 }
 
 /**
- * Undefined where every face can be drawn. Faces that cannot be are left out with a warning, and so are holes, unless they
- * are to shape a surface around them.
+ * Undefined if every face can be drawn. Invalid faces are omitted with a warning; holes too, unless they shape a
+ * subdivision surface.
  */
 function keptFaces(
   context: StageContext,
@@ -234,7 +235,7 @@ function keptFaces(
   return kept;
 }
 
-/** Whether a corner has the point of the one before it: an edge of no length, which no surface can be made of. */
+/** Whether a corner repeats the point of the previous one: an edge of zero length. */
 function repeatsPoint(indices: NumberArray, first: number, count: number): boolean {
   for (let c = 0; c < count; c++) if (indices[first + c] === indices[first + ((c + 1) % count)]) return true;
   return false;
@@ -245,7 +246,7 @@ function pointsExist(indices: NumberArray, first: number, count: number, points:
   return true;
 }
 
-/** `once`: corners that repeat the point before them are left out, and so is a face of which fewer than three are left. */
+/** `once`: corners that repeat the previous point are omitted, and faces with fewer than three remaining corners. */
 function keepFace(
   kept: KeptFaces,
   indices: NumberArray,
@@ -280,7 +281,7 @@ interface MeshNormals {
   readonly values: PolygonValues;
 }
 
-/** `primvars:normals` before `normals`. */
+/** `primvars:normals` takes precedence over `normals`. */
 function normalsOf(context: StageContext, prim: PrimSpec, topology: MeshElementCounts): MeshNormals | undefined {
   for (const name of ['primvars:normals', 'normals']) {
     const primvar = primvarOf(prim, name, context.startCode, 'vertex');
@@ -290,7 +291,7 @@ function normalsOf(context: StageContext, prim: PrimSpec, topology: MeshElementC
   return undefined;
 }
 
-/** Codes at which the points have samples; none, with a diagnostic, where their number changes. */
+/** Time codes of the points' samples; none, with a diagnostic, if their number changes. */
 function pointTimes(context: StageContext, prim: PrimSpec): Float64Array {
   const points = attributeOf(prim, 'points');
   const times = sampleTimes(points);
@@ -301,12 +302,12 @@ function pointTimes(context: StageContext, prim: PrimSpec): Float64Array {
   return new Float64Array(0);
 }
 
-/** Whether the file gives a velocity for each point at each of the points' samples. */
+/** Whether the file has a velocity for each point at each of the points' samples. */
 function velocitiesOf(context: StageContext, prim: PrimSpec, times: Float64Array, count: number): boolean {
   const samples = attributeOf(prim, 'velocities')?.timeSamples;
   if (!samples) return false;
-  const given = samples.times.length === times.length && samples.times.every((t, k) => t === times[k]);
-  if (given && samples.values.every((value) => countOf(value) === count)) return true;
+  const areAligned = samples.times.length === times.length && samples.times.every((t, k) => t === times[k]);
+  if (areAligned && samples.values.every((value) => countOf(value) === count)) return true;
   const message = `its velocities are not given for each of ${count / 3} points at each of ${times.length} samples; they are taken from the points`;
   report(context, 'info', 'usd.velocities', prim.path, message);
   return false;

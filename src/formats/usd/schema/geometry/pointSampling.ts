@@ -3,7 +3,7 @@ import type { Vec3 } from '../../../../math/vec3.ts';
 import { boundingBox } from '../../../../scene/bounds/bounds.ts';
 import { subsampleEvenly } from '../../../read/subsample.ts';
 
-/** Where points of 3 numbers each are, carried by a matrix. */
+/** Points, 3 numbers each, transformed by a matrix. */
 export const transformedPoints = (points: ArrayLike<number>, m: Mat4): Float64Array =>
   transformPointsInto(new Float64Array(points.length), points, m);
 
@@ -25,7 +25,7 @@ export function boxCorners(points: ArrayLike<number>): Vec3[] {
   return Array.from({ length: 8 }, (_, i): Vec3 => [side(i, 0), side(i, 1), side(i, 2)]);
 }
 
-/** Memory of a deforming mesh: so many vectors of three f32 for each vertex at each time. */
+/** Memory of a deforming mesh with `vectors` vectors of three f32 per vertex and time [bytes]. */
 export const pointBytes = (times: number, vertices: number, vectors: number): number => times * vertices * 12 * vectors;
 
 /** As many times as fit in `bytes`, evenly spaced, including the first and last. */
@@ -33,5 +33,5 @@ export function affordableTimes(times: Float64Array, perTime: number, bytes: num
   return subsampleEvenly(times, Math.max(2, Math.floor(bytes / perTime)));
 }
 
-/** Of each vertex at each time: a place, a normal, and along cubics a velocity. */
+/** Vectors per vertex and time: position, normal, and a velocity for cubic interpolation. */
 export const vectorsPerVertex = ({ cubic }: { readonly cubic: boolean }): number => (cubic ? 3 : 2);

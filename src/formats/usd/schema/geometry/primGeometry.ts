@@ -2,24 +2,24 @@ import type { StoredSample } from '../../../../scene/streaming/storedNumbers.ts'
 import type { Mesh, SampledMotion, SampledPointsMotion, StaticMotion } from '../../../../scene/types.ts';
 import type { StageTransform } from '../transforms/stageTransform.ts';
 
-/** A mesh in its prim's own axes and stage units, and how its points change with time in there. */
+/** A mesh in its prim's axes and stage units, with its deformation there. */
 export interface PrimGeometry {
-  /** At the stage's start. */
+  /** At the stage's start time. */
   readonly mesh: Mesh;
   readonly deformation?: Deformation;
-  /** Where it is, if not where its prim is: a skeleton carries it. */
+  /** Transform that replaces the prim's own if a skeleton moves the mesh. */
   readonly transform?: StageTransform;
 }
 
 export interface Deformation {
   readonly times: Float64Array;
-  /** New arrays each time. */
+  /** Returns new arrays. */
   at(time: number): DeformedPoints;
-  /** As the file gives them [units per second], 3 per vertex, in a new array; absent where it does not, or not at all times. */
+  /** Authored velocities [units per second], 3 per vertex, in a new array; absent unless authored at all times. */
   velocitiesAt?(time: number): Float32Array;
-  /** Where all of it is stored, if it was left in its file. */
+  /** Present if the samples stay in the file. */
   readonly stored?: StoredDeformation;
-  /** Where its points do not move along chords between the times: some of them, 3 numbers each, that stand for all. */
+  /** Present if points do not move along chords between the times: some representative points, 3 numbers each. */
   readonly probe?: { readonly cost: number; pointsAt(time: number): ArrayLike<number> };
 }
 
@@ -32,7 +32,7 @@ export interface StoredDeformation {
 export interface DeformedPoints {
   /** 3 per vertex of the mesh. */
   readonly positions: Float32Array;
-  /** Absent where normals have to be computed. */
+  /** Absent if normals have to be computed. */
   readonly normals?: Float32Array;
 }
 

@@ -3,15 +3,15 @@ import type { PrimSpec } from '../../layer/layer.ts';
 import type { PrimMaterials } from '../materials/materialBinding.ts';
 import type { PrimGeometry } from './primGeometry.ts';
 
-/** Shapes by what they are made of: prims with the same opinions and the same materials, as instances are, have one. */
+/** Caches geometry by its inputs: prims with the same opinions and materials, such as instances, share it. */
 export class PrimGeometryCache {
-  private readonly known = new Map<string, PrimGeometry | undefined>();
+  private readonly geometries = new Map<string, PrimGeometry | undefined>();
 
   getOrCreate(prim: PrimSpec, surface: PrimMaterials, make: () => PrimGeometry | undefined): PrimGeometry | undefined {
     const key = keyOf(prim, surface);
     if (key === undefined) return make();
-    if (!this.known.has(key)) this.known.set(key, make());
-    return this.known.get(key);
+    if (!this.geometries.has(key)) this.geometries.set(key, make());
+    return this.geometries.get(key);
   }
 }
 
@@ -23,13 +23,13 @@ function keyOf({ content, children }: PrimSpec, { materials }: PrimMaterials): s
 
 const WITH_OTHER_MATERIAL = new WeakMap<Mesh, Map<string, Mesh>>();
 
-/** The mesh with one of its materials exchanged; the same one for the same. */
+/** The mesh with one of its materials replaced; cached. */
 export function withMaterialReplaced(mesh: Mesh, from: number, to: number): Mesh {
-  const known = WITH_OTHER_MATERIAL.get(mesh) ?? new Map<string, Mesh>();
-  WITH_OTHER_MATERIAL.set(mesh, known);
+  const variants = WITH_OTHER_MATERIAL.get(mesh) ?? new Map<string, Mesh>();
+  WITH_OTHER_MATERIAL.set(mesh, variants);
   const key = `${from} ${to}`;
   const groups = mesh.groups.map((g) => (g.material === from ? { ...g, material: to } : g));
-  const made = known.get(key) ?? { ...mesh, groups };
-  known.set(key, made);
+  const made = variants.get(key) ?? { ...mesh, groups };
+  variants.set(key, made);
   return made;
 }

@@ -14,10 +14,10 @@ import type { Layer, PrimSpec } from '../../layer/layer.ts';
 import { isActive } from '../../layer/query.ts';
 import type { StageContext, SubdivisionLevels } from '../context.ts';
 
-/** Where no levels are asked for: so many, and up to so many more until a mesh has so many faces that it looks round. */
-const [LEAST_LEVELS, MOST_LEVELS] = [2, 4];
+/** Default levels: the first number, and up to the second until a mesh has enough faces to look round. */
+const [MIN_LEVELS, MAX_LEVELS] = [2, 4];
 const SMOOTH_FACES = 300;
-/** Faces of all subdivided meshes of a scene together, unless their cages have more. */
+/** Maximum number of faces of all subdivided meshes of a scene together, unless their cages have more. */
 export const FACE_BUDGET = 500_000;
 
 type UsdSubdivisionScheme = SubdivisionOptions['scheme'];
@@ -31,20 +31,20 @@ function schemeOf(prim: PrimSpec): UsdSubdivisionScheme | undefined {
 }
 
 /**
- * All `wanted` levels for each mesh, or as many as make it round; where they are more faces than a scene may have, the
- * largest meshes have fewer. By path; those that each would have without the others, too.
+ * Levels by path: `requested` for each mesh, or by default as many as make it look round. If the scene would exceed its face
+ * budget, the largest meshes get fewer; `wanted` are the levels without the budget.
  */
-export function subdivisionLevels(layer: Layer, wanted?: number): SubdivisionLevels {
+export function subdivisionLevels(layer: Layer, requested?: number): SubdivisionLevels {
   const all = [...layer.rootPrims.values()].flatMap((prim) => subdividedMeshes(prim));
   // Instances share a mesh, counted once.
   const meshes = [...new Map(all.map((mesh) => [mesh.key, mesh])).values()];
-  const levels = new Map(meshes.map((mesh) => [mesh.key, wanted ?? automaticLevels(mesh)]));
+  const levels = new Map(meshes.map((mesh) => [mesh.key, requested ?? automaticLevels(mesh)]));
   const faces = (mesh: SubdivisionCandidate): number => facesOf(mesh, levels.get(mesh.key)!);
   let total = meshes.reduce((sum, mesh) => sum + faces(mesh), 0);
   while (total > FACE_BUDGET && meshes.some(({ key }) => levels.get(key)! > 0)) {
     // One level less means a quarter of the faces: reduce the largest meshes first.
-    const order = meshes.filter(({ key }) => levels.get(key)! > 0).sort((a, b) => faces(b) - faces(a));
-    for (const mesh of order) {
+    const largestFirst = meshes.filter(({ key }) => levels.get(key)! > 0).sort((a, b) => faces(b) - faces(a));
+    for (const mesh of largestFirst) {
       if (total <= FACE_BUDGET) break;
       total -= faces(mesh);
       levels.set(mesh.key, levels.get(mesh.key)! - 1);
@@ -52,7 +52,7 @@ export function subdivisionLevels(layer: Layer, wanted?: number): SubdivisionLev
     }
   }
   return new Map(
-    all.map((mesh) => [mesh.path, { levels: levels.get(mesh.key)!, wanted: wanted ?? automaticLevels(mesh) }]),
+    all.map((mesh) => [mesh.path, { levels: levels.get(mesh.key)!, wanted: requested ?? automaticLevels(mesh) }]),
   );
 }
 
@@ -60,14 +60,14 @@ const facesOf = ({ corners, scheme }: SubdivisionCandidate, levels: number): num
   levels === 0 ? 0 : facesAfter(corners, scheme, levels);
 
 function automaticLevels(mesh: SubdivisionCandidate): number {
-  let levels = LEAST_LEVELS;
-  while (levels < MOST_LEVELS && facesOf(mesh, levels) < SMOOTH_FACES) levels++;
+  let levels = MIN_LEVELS;
+  while (levels < MAX_LEVELS && facesOf(mesh, levels) < SMOOTH_FACES) levels++;
   return levels;
 }
 
 interface SubdivisionCandidate {
   readonly path: string;
-  /** The same of prims with the same opinions. */
+  /** Equal for prims with the same opinions. */
   readonly key: string;
   readonly corners: number;
   readonly scheme: UsdSubdivisionScheme;
@@ -81,7 +81,7 @@ function subdividedMeshes(prim: PrimSpec): SubdivisionCandidate[] {
   return scheme ? [{ path: prim.path, key: prim.content ?? prim.path, corners, scheme }, ...below] : below;
 }
 
-/** How often a mesh is subdivided; 0: it is drawn as its polygons. */
+/** Subdivision levels of a mesh; 0: drawn as polygons. */
 export function levelsOf(context: StageContext, prim: PrimSpec): number {
   const scheme = schemeOf(prim);
   if (!scheme) return 0;
@@ -114,7 +114,7 @@ const reportSubdivision = (
   message: string,
 ): void => report(context, severity, 'usd.subdivision', prim.path, message);
 
-/** @param cage polygons without those that cannot be; `isHole` by their place in it */
+/** @param cage the valid polygons; `isHole` by their index */
 export function subdivideMesh(
   context: StageContext,
   prim: PrimSpec,
@@ -172,7 +172,7 @@ function tokenChoice<T extends string>(
   return found ?? fallback;
 }
 
-/** Sharpness by the ends of an edge. Each crease is a run of points, with one sharpness or one for each of its edges. */
+/** Sharpness by an edge's end points. Each crease is a chain of points with one sharpness, or one per edge. */
 function creasesOf(
   context: StageContext,
   prim: PrimSpec,

@@ -4,9 +4,9 @@ import type { AttributeSpec, NumberArray } from '../../layer/layer.ts';
 
 const NONE = new Float64Array(0);
 
-/** An array attribute with one element per instance, read element by element: arrays are long, and instances many. */
+/** An array attribute with one element per instance, evaluated per element to avoid copies of long arrays. */
 export class ArrayTrack {
-  /** Time codes of its samples, also of a single one; empty where it has none. */
+  /** Time codes of its samples, also of a single one; empty if there are none. */
   readonly times: Float64Array;
   private readonly values: readonly (NumberArray | undefined)[];
   private readonly width: number;
@@ -18,13 +18,13 @@ export class ArrayTrack {
     this.values = samples && samples.times.length > 0 ? samples.values.map(numbersOf) : [numbersOf(attribute?.value)];
   }
 
-  /** How many elements there are at the last sample before a time, or the first; undefined without a value. */
+  /** Number of elements of the last sample before a time, or of the first; undefined without a value. */
   countAt(time: number): number | undefined {
     const held = this.values[this.lower(time)];
     return held && held.length / this.width;
   }
 
-  /** The samples round a time; the same twice where there is only one, or none beyond. */
+  /** The samples around a time; the same twice if there is only one, or none beyond. */
   around(time: number): readonly [from: number, to: number] {
     const k = this.lower(time);
     const isBefore = time < this.times[k];
@@ -36,13 +36,13 @@ export class ArrayTrack {
     return this.element(this.values[this.lower(time)], i);
   }
 
-  /** Element i between two samples of as many elements, else at the one before. */
+  /** Element i interpolated linearly, or held if the two samples have different lengths. */
   blended(i: number, time: number): readonly number[] {
     const [a, b, s] = this.neighbours(i, time);
     return b ? a.map((x, k) => x + s * (b[k] - x)) : a;
   }
 
-  /** The same of quaternions, unit, along the shorter arc. */
+  /** Quaternion i interpolated along the shorter arc; unit. */
   slerped(i: number, time: number): Quat {
     const [a, b, s] = this.neighbours(i, time);
     return b ? slerp(unit(a), unit(b), s) : unit(a);
@@ -64,7 +64,7 @@ export class ArrayTrack {
     return Array.from({ length: this.width }, (_, k) => values?.[this.width * i + k] ?? 0);
   }
 
-  /** The last sample at or before a time; 0 before all. */
+  /** Index of the last sample at or before a time; 0 before the first. */
   private lower(time: number): number {
     let low = 0;
     let high = this.times.length;
@@ -77,7 +77,7 @@ export class ArrayTrack {
   }
 }
 
-/** Normalizes: half-precision quaternions are unit to 10⁻³ only, and no shear is meant; zero is the identity. */
+/** Normalizes a quaternion: half-precision ones are unit only to 10⁻³. Zero becomes the identity. */
 function unit([x, y, z, w]: readonly number[]): Quat {
   return Math.hypot(x, y, z, w) > 0 ? normalizeQuat([x, y, z, w]) : IDENTITY;
 }

@@ -5,12 +5,12 @@ import type { StageContext } from '../context.ts';
 import { primvarOf } from '../primvars.ts';
 import type { PointInstance, PointInstances } from './pointInstances.ts';
 
-/** The displayColor that an instancer gives an instance; undefined where it gives none. */
+/** The displayColor of an instance by its instancer; undefined if it has none. */
 export type InstanceColor = (instance: PointInstance) => Vec3 | undefined;
 
 const DISPLAY_COLOR = 'primvars:displayColor';
 
-/** At the stage's start, or where an instance comes later, its first: `constant` is one for all, all else one for each. */
+/** The values at the stage's start, by each instance's first array index: `constant` is one for all, every other interpolation one per instance. */
 export function instanceColors(context: StageContext, prim: PrimSpec, { instances }: PointInstances): InstanceColor {
   const primvar = primvarOf(prim, DISPLAY_COLOR, context.startCode);
   if (!primvar) return () => undefined;

@@ -3,10 +3,10 @@ import type { StageTransform } from '../transforms/stageTransform.ts';
 import { corrected, type InstanceTransform, matrixOf } from './instanceTransforms.ts';
 import type { InstanceIndexRun, PointInstance, PointInstances } from './pointInstances.ts';
 
-/** A step of a placing's way costs about as much as so many ops. */
+/** Cost of one evaluation relative to a transform op. */
 const COST = 4;
 
-/** Times at which instances are followed beyond their samples, where velocities carry them on. */
+/** Time codes to which instances with velocities are extrapolated beyond their samples. */
 export interface ExtrapolationRange {
   readonly start: number;
   readonly end: number;
@@ -40,10 +40,10 @@ function timesOf(
 ) {
   const [{ count }] = indexRuns;
   const [first, last] = [times[0] ?? start, times[times.length - 1] ?? start];
-  const carriedFrom = transforms.isExtrapolated(count, first) ? Math.min(start, first) : first;
-  const carriedTo = transforms.isExtrapolated(indexRuns[indexRuns.length - 1].count, last) ? Math.max(end, last) : last;
-  if (carriedFrom === first && carriedTo === last && birth === -Infinity && death === Infinity) return times;
-  const all = new Set([carriedFrom, ...times, carriedTo, birth, death].filter(Number.isFinite));
+  const extrapolatedFrom = transforms.isExtrapolated(count, first) ? Math.min(start, first) : first;
+  const extrapolatedTo = transforms.isExtrapolated(indexRuns[indexRuns.length - 1].count, last) ? Math.max(end, last) : last;
+  if (extrapolatedFrom === first && extrapolatedTo === last && birth === -Infinity && death === Infinity) return times;
+  const all = new Set([extrapolatedFrom, ...times, extrapolatedTo, birth, death].filter(Number.isFinite));
   return Float64Array.from(all)
     .sort()
     .filter((t) => t >= birth && t <= death);
@@ -57,18 +57,18 @@ function transformAt(
   const k = lastBefore(times, time, death);
   const base = k < 0 ? time : times[k];
   const { index, count } = stepAt(indexRuns, base);
-  const carried = transforms.isExtrapolated(count, base);
+  const isExtrapolated = transforms.isExtrapolated(count, base);
   const at = (t: number): InstanceTransform => transforms.at(index, count, t, base);
-  // What is left of it at its death is in arrays that may be of others.
-  if (time >= death && !carried && transforms.sizeMismatches(count, time).length > 0) return at(base);
+  // At its death the arrays may already have another size.
+  if (time >= death && !isExtrapolated && transforms.sizeMismatches(count, time).length > 0) return at(base);
   const next = times[k + 1];
   if (k < 0 || next === undefined || next >= death || time === base) return at(time);
   const then = stepAt(indexRuns, next);
-  if (then.index === index && !carried) return at(time);
+  if (then.index === index && !isExtrapolated) return at(time);
   return corrected(at(time), at(next), transforms.at(then.index, then.count, next), (time - base) / (next - base));
 }
 
-/** The last of the times that is not after `time`, and before the death. */
+/** Index of the last of the times that is ≤ `time` and < `death`; −1 if none. */
 function lastBefore(times: Float64Array, time: number, death: number): number {
   return lastIndexWhere(times.length, (k) => times[k] <= time && times[k] < death);
 }
@@ -81,7 +81,7 @@ const stepAt = (steps: readonly InstanceIndexRun[], time: number): InstanceIndex
     )
   ];
 
-/** The last of some numbers from 0 of which something holds, that holds of all before it; −1 of none. */
+/** The largest index below `count` for which `holds`, which must hold for all smaller ones; −1 if none. Binary search. */
 function lastIndexWhere(count: number, holds: (k: number) => boolean): number {
   let [low, high] = [-1, count];
   while (high - low > 1) {

@@ -7,7 +7,7 @@ import type { PrimSpec } from '../../layer/layer.ts';
 import { unionOfTimes } from '../transforms/xformOps.ts';
 import { ArrayTrack } from './arrayTrack.ts';
 
-/** Where an instance is in its instancer: it is scaled, then turned, then moved. */
+/** An instance's transform relative to its instancer: scale, then rotation, then translation. */
 export interface InstanceTransform {
   readonly position: Vec3;
   readonly orientation: Quat;
@@ -23,12 +23,12 @@ export function matrixOf({ position, orientation, scale }: InstanceTransform): m
 }
 
 /**
- * The arrays of a PointInstancer as places. Where velocities or angular velocities have the samples of what they
- * change, places are those of the last sample, carried on; else they are interpolated. As
+ * The arrays of a PointInstancer as transforms. If velocities or angular velocities have the same samples as the values
+ * that they change, the last sample is extrapolated; otherwise samples are interpolated. As
  * UsdGeomPointInstancer::ComputeInstanceTransformsAtTime, but with unit quaternions.
  */
 export class InstanceTransforms {
-  /** Codes at which any of it has a sample, where any changes. */
+  /** Time codes of the samples of all arrays that change. */
   readonly times: Float64Array;
   private readonly positions: ArrayTrack;
   private readonly orientations: ArrayTrack;
@@ -53,7 +53,7 @@ export class InstanceTransforms {
     this.times = unionOfTimes(placed.filter((times) => times.length > 1));
   }
 
-  /** Arrays at a time that do not have `count` elements, and how many they have; the positions must. */
+  /** Arrays that do not have `count` elements at a time, with their counts; only positions must exist. */
   sizeMismatches(count: number, time: number): [name: string, count: number][] {
     const { positions, orientations, scales } = this;
     const named = Object.entries({ positions, orientations, scales });
@@ -63,19 +63,19 @@ export class InstanceTransforms {
     });
   }
 
-  /** No rotation or scale changes, linear between samples. */
+  /** Rotation and scale are constant, and positions linear between samples. */
   get isStraight(): boolean {
     const { orientations, scales, angularVelocities, accelerations } = this;
     const turns = orientations.times.length > 1 || scales.times.length > 1;
     return !turns && angularVelocities.times.length === 0 && accelerations.times.length === 0;
   }
 
-  /** Whether places are carried on from samples by velocities at a time, of `count` instances. */
+  /** Whether samples are extrapolated by velocities at a time, for `count` instances. */
   isExtrapolated(count: number, time: number): boolean {
     return this.moves(count, time) || this.rotates(count, time);
   }
 
-  /** The velocity that all of an instance has for ever, in the instancer's axes [units/s]; undefined where it has none. */
+  /** The velocity of an instance in the instancer's axes [units/s] if it is constant at all times; undefined otherwise. */
   constantVelocity(i: number, count: number): Vec3 | undefined {
     const { positions, orientations, scales } = this;
     const [only] = positions.times;
@@ -84,7 +84,7 @@ export class InstanceTransforms {
     return this.accelerates(count, only) ? undefined : vec3(this.velocities.held(i, only));
   }
 
-  /** Of instance i of `count` at `time`, by the samples that hold at `base`. */
+  /** The transform of instance i of `count` at `time`, by the samples held at `base`. */
   at(i: number, count: number, time: number, base = time): InstanceTransform {
     const { positions, orientations, scales } = this;
     const turnable = orientations.countAt(base) === count;
@@ -111,7 +111,7 @@ export class InstanceTransforms {
     return addScaled(moved, vec3(this.accelerations.held(i, base)), (dt * dt) / 2);
   }
 
-  /** Angular velocities are in degrees per second, about axes of the instancer. */
+  /** Angular velocities are in degrees per second, about the instancer's axes. */
   private extrapolatedOrientation(i: number, count: number, time: number, base: number): Quat {
     const orientation = this.orientations.heldQuaternion(i, base);
     if (!this.rotates(count, base)) return orientation;
@@ -134,7 +134,7 @@ export class InstanceTransforms {
   }
 }
 
-/** Both have the same samples round a time, and `count` elements there. */
+/** Whether both have the same samples around a time, with `count` elements. */
 function areAligned(values: ArrayTrack, rates: ArrayTrack, count: number, time: number): boolean {
   if (values.times.length === 0 || rates.times.length === 0) return false;
   if (values.countAt(time) !== count || rates.countAt(time) !== count) return false;
@@ -145,7 +145,7 @@ function areAligned(values: ArrayTrack, rates: ArrayTrack, count: number, time: 
 const ONE: Vec3 = [1, 1, 1];
 const vec3 = ([x, y, z]: readonly number[]): Vec3 => [x, y, z];
 
-/** Brings a place to where `wrong` should be `right`, by the share s of the difference. */
+/** Corrects a transform by the fraction s of the difference from `wrong` to `right`. */
 export function corrected(
   placing: InstanceTransform,
   wrong: InstanceTransform,

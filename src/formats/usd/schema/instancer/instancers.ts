@@ -13,27 +13,27 @@ import { type ExtrapolationRange, instanceTransform } from './instancePaths.ts';
 import { type PointInstance, type PointInstances, pointInstancesOf } from './pointInstances.ts';
 import type { PlacedInstancer, Prototype, UnplacedGprim } from './prototype.ts';
 
-/** Context of an instance. */
+/** What an instance inherits from its instancers. */
 export interface InstanceContext {
   readonly transform: StageTransform;
   readonly slowlight: SlowlightAttributes;
   readonly lifetime: Lifetime;
   readonly color: Vec3 | undefined;
-  /** [units/s] in the stage's axes: it goes on so for ever. */
+  /** Constant velocity in the stage's axes [units/s]; undefined if the transform describes the motion. */
   readonly velocity: Vec3 | undefined;
 }
 
 /** Services of the stage reader for instancers. */
 export interface InstancerHost {
-  /** What is at a prim and below it, in the axes round the prim. */
+  /** Reads the subtree of a prim, relative to its parent. */
   prototype(prim: PrimSpec): Promise<Prototype>;
   /** Adds an object to the scene. */
   addInstance(part: UnplacedGprim, path: string, setting: InstanceContext): void;
-  /** Objects that the scene has room for. */
+  /** Number of objects that can still be added. */
   remainingObjects(): number;
 }
 
-/** The point instancers of a stage: every instance of a prototype becomes objects of its own, which share their meshes. */
+/** Expands the point instancers of a stage: every instance becomes objects that share the prototype's meshes. */
 export class Instancers {
   private readonly context: StageContext;
   private readonly reader: InstancerHost;
@@ -50,7 +50,7 @@ export class Instancers {
     this.range = { start: context.startCode, end };
   }
 
-  /** Adds all that an instancer of the stage itself shows. */
+  /** Adds all instances of an instancer that is not within a prototype. */
   async expand(site: PlacedInstancer): Promise<void> {
     const size = await this.sizeOf(site.prim, new Set());
     const room = this.reader.remainingObjects();
@@ -69,10 +69,10 @@ export class Instancers {
     await this.draw(site, site.prim.path, { ...around, slowlight: site.slowlight }, new Set());
   }
 
-  /** Objects that an instancer comes to, with those of instancers in its prototypes. */
+  /** Number of objects of an instancer, nested instancers included. */
   private async sizeOf(prim: PrimSpec, within: Set<PrimSpec>): Promise<number> {
-    const known = this.sizes.get(prim);
-    if (known !== undefined) return known;
+    const cached = this.sizes.get(prim);
+    if (cached !== undefined) return cached;
     if (within.has(prim)) {
       const message = 'it is in one of its own prototypes, which would go on for ever; it is left out there';
       report(this.context, 'warning', 'usd.instancer', prim.path, message);
@@ -94,7 +94,7 @@ export class Instancers {
     return size;
   }
 
-  /** `path`: of the instancer as its objects are called; `around`: what holds it, but for the site's own frame; `within`: the instancers that it is in. */
+  /** `path`: prefix of the objects' paths; `around`: inherited context without the site's own transform; `within`: the enclosing instancers. */
   private async draw(
     site: PlacedInstancer,
     path: string,
@@ -155,27 +155,27 @@ export class Instancers {
     return { ...around, transform: frame, lifetime: { birth, death }, velocity: drift };
   }
 
-  /** For constant velocity: its transform at world time 0. */
+  /** An instance with a constant velocity has its transform of time code 0. */
   private instanceTransform(population: PointInstances, instance: PointInstance, drifts: boolean): StageTransform {
     return instanceTransform(population, instance, drifts ? { start: 0, end: 0 } : this.range);
   }
 
   private pointInstances(prim: PrimSpec): PointInstances {
-    const known = this.populations.get(prim) ?? pointInstancesOf(this.context, prim);
-    this.populations.set(prim, known);
-    return known;
+    const instances = this.populations.get(prim) ?? pointInstancesOf(this.context, prim);
+    this.populations.set(prim, instances);
+    return instances;
   }
 
   private colorOf(prim: PrimSpec, population: PointInstances): InstanceColor {
-    const known = this.colors.get(prim) ?? instanceColors(this.context, prim, population);
-    this.colors.set(prim, known);
-    return known;
+    const color = this.colors.get(prim) ?? instanceColors(this.context, prim, population);
+    this.colors.set(prim, color);
+    return color;
   }
 
   private prototype(prim: PrimSpec, path: string): Promise<Prototype | undefined> {
-    const known = this.subtrees.get(path) ?? this.readPrototype(prim, path);
-    this.subtrees.set(path, known);
-    return known;
+    const subtree = this.subtrees.get(path) ?? this.readPrototype(prim, path);
+    this.subtrees.set(path, subtree);
+    return subtree;
   }
 
   private async readPrototype(prim: PrimSpec, path: string): Promise<Prototype | undefined> {
@@ -187,7 +187,7 @@ export class Instancers {
   }
 }
 
-/** Adds the paths of the prototypes of all instancers below some prims, and of what holds those. */
+/** Adds the prototype paths of all instancers below the given prims, with their ancestors. */
 export function collectPrototypePaths(prims: ReadonlyMap<string, PrimSpec>, to: Set<string>): Set<string> {
   for (const prim of prims.values()) {
     const own = prim.typeName === 'PointInstancer' ? targetsOf(prim, 'prototypes') : [];

@@ -6,19 +6,19 @@ import type { StageContext } from '../context.ts';
 import { unionOfTimes } from '../transforms/xformOps.ts';
 import { InstanceTransforms } from './instanceTransforms.ts';
 
-/** Array index of an instance from a time on. */
+/** Array index of an instance from a time code on. */
 export interface InstanceIndexRun {
   readonly from: number;
   readonly index: number;
-  /** Elements of the arrays then. */
+  /** Length of the arrays. */
   readonly count: number;
 }
 
 /** One instance over a contiguous interval, with one prototype. */
 export interface PointInstance {
-  /** Its id, else its place in the arrays; with what tells it from an earlier one of this name. */
+  /** Its id, else its array index; with a suffix if an earlier instance has the same. */
   readonly label: string;
-  /** Place among the prototypes. */
+  /** Index in `prototypes`. */
   readonly prototype: number;
   /** Time codes. */
   readonly birth: number;
@@ -26,17 +26,17 @@ export interface PointInstance {
   readonly indexRuns: readonly InstanceIndexRun[];
 }
 
-/** What a PointInstancer says. */
+/** The instances of a PointInstancer over time. */
 export interface PointInstances {
   readonly instances: readonly PointInstance[];
   /** Paths. */
   readonly prototypes: readonly string[];
   readonly transforms: InstanceTransforms;
-  /** Codes at which anything of it changes. */
+  /** Time codes at which anything changes. */
   readonly times: Float64Array;
 }
 
-/** What there is from one time to the next. */
+/** An interval of constant topology. */
 interface TopologyInterval {
   readonly from: number;
   readonly to: number;
@@ -45,7 +45,7 @@ interface TopologyInterval {
   readonly hidden: ReadonlySet<string>;
 }
 
-/** Places in arrays, at all times together: a small file can say so many times that there are many. */
+/** Maximum number of array elements over all times: a small file can hold many times. */
 const MAX_INSTANCE_SAMPLES = 2 ** 22;
 
 export function pointInstancesOf(context: StageContext, prim: PrimSpec): PointInstances {
@@ -53,15 +53,15 @@ export function pointInstancesOf(context: StageContext, prim: PrimSpec): PointIn
   const prototypes = targetsOf(prim, 'prototypes');
   const topology = unionOfTimes(TOPOLOGY.map((name) => sampleTimes(attributeOf(prim, name))));
   const times = unionOfTimes([topology, transforms.times]);
-  const epochs = topologyIntervals(context, prim, topology);
-  const census = new InstanceTracker(prototypes.length);
-  for (const epoch of epochs) if (fits(context, prim, transforms, epoch, times)) census.add(epoch);
-  const { outside } = census;
+  const intervals = topologyIntervals(context, prim, topology);
+  const tracker = new InstanceTracker(prototypes.length);
+  for (const interval of intervals) if (fits(context, prim, transforms, interval, times)) tracker.add(interval);
+  const { outside } = tracker;
   if (outside) {
     const message = `protoIndices[${outside.index}] is ${outside.value}, but there are ${prototypes.length} prototypes; ${outside.count} such instances are left out`;
     report(context, 'warning', 'usd.instancer', prim.path, message);
   }
-  return { instances: census.finish(), prototypes, transforms, times };
+  return { instances: tracker.finish(), prototypes, transforms, times };
 }
 
 const TOPOLOGY = ['protoIndices', 'ids', 'invisibleIds'];
@@ -69,16 +69,16 @@ const TOPOLOGY = ['protoIndices', 'ids', 'invisibleIds'];
 function topologyIntervals(context: StageContext, prim: PrimSpec, topology: Float64Array): TopologyInterval[] {
   const starts = topology.length > 0 ? [...topology] : [context.startCode];
   let steps = 0;
-  const epochs: TopologyInterval[] = [];
+  const intervals: TopologyInterval[] = [];
   for (const [k, start] of starts.entries()) {
     const prototypes = numbersAt(prim, 'protoIndices', start) ?? [];
     steps += prototypes.length;
     if (k > 0 && steps > MAX_INSTANCE_SAMPLES) {
       const message = `it has more than ${MAX_INSTANCE_SAMPLES} instances at all its times together; from t = ${start} on it is held`;
       report(context, 'warning', 'usd.instancer', prim.path, message);
-      return [...epochs.slice(0, -1), { ...epochs[k - 1], to: Infinity }];
+      return [...intervals.slice(0, -1), { ...intervals[k - 1], to: Infinity }];
     }
-    epochs.push({
+    intervals.push({
       from: k === 0 ? -Infinity : start,
       to: starts[k + 1] ?? Infinity,
       prototypes,
@@ -86,10 +86,10 @@ function topologyIntervals(context: StageContext, prim: PrimSpec, topology: Floa
       hidden: new Set([...inactiveIds(prim), ...idsAt(prim, 'invisibleIds', start)]),
     });
   }
-  return epochs;
+  return intervals;
 }
 
-/** The ids, where they tell the instances apart. */
+/** The ids, if they are unique and complete. */
 function labelsAt(context: StageContext, prim: PrimSpec, time: number, count: number): string[] | undefined {
   const ids = idsAt(prim, 'ids', time);
   if (ids.length === 0) return undefined;
@@ -110,7 +110,7 @@ function inactiveIds(prim: PrimSpec): string[] {
   return value?.type === 'integers' ? (value.op.explicit ?? []).map(String) : [];
 }
 
-/** Whether an epoch's arrays are as long as they must be, wherever they change; says so of one that is not. */
+/** Whether the positions have the right length throughout an interval; reports all arrays that do not. */
 function fits(
   context: StageContext,
   prim: PrimSpec,
@@ -140,13 +140,13 @@ interface OpenInstance {
   end: number;
 }
 
-/** Follows instances from epoch to epoch, by their labels. */
+/** Tracks instances across intervals by their labels. */
 class InstanceTracker {
   private readonly prototypes: number;
   private readonly done: PointInstance[] = [];
   private readonly open = new Map<string, OpenInstance>();
   private readonly named = new Map<string, number>();
-  /** Instances of prototypes that are not there: the first, and how many. */
+  /** Instances with invalid prototype indices: the first, and their number. */
   outside: { readonly index: number; readonly value: number; count: number } | undefined;
 
   constructor(prototypes: number) {

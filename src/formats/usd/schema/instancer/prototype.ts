@@ -4,28 +4,27 @@ import type { MeshLight } from '../lights/meshLights.ts';
 import type { SlowlightAttributes } from '../slowlightAttributes.ts';
 import type { StageTransform } from '../transforms/stageTransform.ts';
 
-/** A gprim without placement. */
+/** A gprim before its placement in the scene. */
 export interface UnplacedGprim {
   readonly path: string;
   readonly geometry: PrimGeometry;
   readonly transform: StageTransform;
   readonly slowlight: SlowlightAttributes;
-  /** The material, by its place in the scene's, that an instance's own displayColor changes. */
+  /** Index in `Scene.materials` of the material that an instance's displayColor replaces. */
   readonly displayColorMaterial: number | undefined;
-  /** Absent where it does not shine. */
+  /** Absent if it is not a light. */
   readonly light?: MeshLight;
 }
 
-/** An instancer, and where it is. */
 export interface PlacedInstancer {
   readonly prim: PrimSpec;
   readonly transform: StageTransform;
   readonly slowlight: SlowlightAttributes;
 }
 
-/** What is at a prim and below it. */
+/** The content of a prim's subtree. */
 export interface Prototype {
-  /** Of the prim that the paths of what is in it begin with: the parent of its root. */
+  /** Path of the parent of its root, which the paths of its content begin with. */
   readonly parentPath: string;
   readonly gprims: readonly UnplacedGprim[];
   readonly instancers: readonly PlacedInstancer[];

@@ -17,7 +17,7 @@ import { emissionOfColor } from './lightInputs.ts';
 
 type DomeImage = NonNullable<DomeLight['texture']>;
 
-/** The picture of a dome, by latitude and longitude, and how it stands in the world. */
+/** A dome's environment map in latitude–longitude form, with its orientation in the world. */
 export async function domeTexture(
   context: StageContext,
   textures: TextureLoader,
@@ -40,7 +40,7 @@ export async function domeTexture(
   };
 }
 
-/** Our own attributes: the colours of the horizon and of the ground, as bright as the light's own; without the one as the zenith, without the other as the horizon. */
+/** The attributes `slowlight:sky:horizon` and `:ground`, relative to the light's brightness; the horizon defaults to the zenith's colour, the ground to the horizon's. */
 export function skyGradient(context: StageContext, prim: PrimSpec, zenith: Vec3): Pick<DomeLight, 'gradient'> {
   const [horizon, ground] = SKY_ATTRIBUTES.map((name) => {
     const color = vec3At(prim, name, context.startCode);
@@ -53,23 +53,23 @@ export function skyGradient(context: StageContext, prim: PrimSpec, zenith: Vec3)
 /** x → −x */
 const MIRROR_X: mat3.Mat3 = [-1, 0, 0, 0, 1, 0, 0, 0, 1];
 
-/** Where on a picture, u to the right and v up, a direction of the dome's own axes is. */
+/** Maps a direction in the dome's axes to the map, u to the right and v up. */
 type TextureMapping = (direction: Vec3) => readonly [u: number, v: number];
 
-/** On a picture of a ball: its middle is towards +Z, `radius` (0 … 1) tells how far from there what is at an angle of π · `turn` from +Z is. */
+/** A ball-shaped map with +Z at its centre; `radius` (0 … 1) of the angle π · `turn` from +Z. */
 const ballMapping =
   (radius: (turn: number) => number): TextureMapping =>
   ([x, y, z]) => {
-    const level = Math.hypot(x, y);
-    if (level === 0) return [z < 0 ? 1 : 0.5, 0.5];
-    const r = radius(Math.atan2(level, z) / Math.PI) / level;
+    const sine = Math.hypot(x, y);
+    if (sine === 0) return [z < 0 ? 1 : 0.5, 0.5];
+    const r = radius(Math.atan2(sine, z) / Math.PI) / sine;
     return [(1 + r * x) / 2, (1 + r * y) / 2];
   };
 
 /**
- * `mirroredBall`: a mirror ball as a camera sees it from far away that looks along −Z: at a distance r from its middle, in radii, the normal is sin⁻¹ r
- * from +Z and what is mirrored twice as far. `angular` is the same but for r, which rises with the angle itself; so Debevec's light probes
- * are (https://www.pauldebevec.com/Probes, (u, v) = (x, y) cos⁻¹(z)/(π √(x² + y²))).
+ * `mirroredBall`: a mirror ball photographed from infinity along −Z: at a distance of r radii from its centre the normal is at the angle sin⁻¹ r
+ * from +Z, and the reflected direction at twice that. `angular`: r is proportional to the angle, as in Debevec's light probes
+ * (https://www.pauldebevec.com/Probes, (u, v) = (x, y) cos⁻¹(z)/(π √(x² + y²))).
  */
 const MAPPINGS: ReadonlyMap<string, TextureMapping> = new Map([
   ['latlong', latLongFromDirection],
@@ -77,7 +77,7 @@ const MAPPINGS: ReadonlyMap<string, TextureMapping> = new Map([
   ['angular', ballMapping((turn) => turn)],
 ]);
 
-/** `automatic` is `latlong`: no picture that is read tells another. */
+/** `automatic` is `latlong`: no supported file type specifies another layout. */
 function formatOf(context: StageContext, prim: PrimSpec): string {
   const written = textAt(prim, 'inputs:texture:format', context.startCode) ?? 'automatic';
   const format = written === 'automatic' ? 'latlong' : written;
@@ -95,7 +95,7 @@ function reportFormatGuess(context: StageContext, prim: PrimSpec, { width, heigh
   report(context, 'info', 'usd.light-input', prim.path, message);
 }
 
-/** A DomeLight has its pole along its own +Y, a DomeLight_1 where its poleAxis says, by itself along the stage's. */
+/** The pole of a DomeLight is its +Y axis; of a DomeLight_1 its poleAxis, by default the stage's up axis. */
 function poleOf(context: StageContext, prim: PrimSpec): Quat {
   if (prim.typeName === 'DomeLight') return IDENTITY;
   const written = textAt(prim, 'poleAxis', undefined) ?? 'scene';
@@ -105,7 +105,7 @@ function poleOf(context: StageContext, prim: PrimSpec): Quat {
 
 const MAX_PANORAMA_ROWS = 4096;
 
-/** A picture as one by latitude and longitude. Of a ball's with so many pixels that its middle, where they are finest, stays as sharp. */
+/** Resamples a map to latitude–longitude form; ball-shaped ones at the resolution of their centre, where they are finest. */
 function resampledPanorama(picture: DomeImage, place: TextureMapping, isMirror: boolean): RadianceTexture {
   const isBall = place !== latLongFromDirection;
   const height = isBall ? Math.min(Math.max(picture.width, picture.height), MAX_PANORAMA_ROWS) : picture.height;

@@ -14,14 +14,14 @@ import type { PrimSpec } from '../../layer/layer.ts';
 import { isTrue, type StageContext } from '../context.ts';
 import { spectrumOfFile } from '../spectrumFiles.ts';
 
-/** An input of a light: `inputs:name`, or `name` as files before USD 21 wrote it. */
+/** An input of a light: `inputs:name`, or `name` in files before USD 21. */
 export const lightNumber = (context: StageContext, prim: PrimSpec, name: string): number | undefined =>
   numberAt(prim, `inputs:${name}`, context.startCode) ?? numberAt(prim, name, context.startCode);
 
 export const lightFlag = (context: StageContext, prim: PrimSpec, name: string): boolean =>
   isTrue(context, prim, `inputs:${name}`) || isTrue(context, prim, name);
 
-/** color · (colour of its temperature) · intensity · 2^exposure · diffuse; `intensity`: where none is written. */
+/** color · (colour of its temperature) · intensity · 2^exposure · diffuse; `intensity` is the fallback. */
 export function emissionOf(context: StageContext, prim: PrimSpec, intensity = 1): Vec3 {
   const { startCode } = context;
   const color = vec3At(prim, 'inputs:color', startCode) ?? vec3At(prim, 'color', startCode) ?? [1, 1, 1];
@@ -33,7 +33,7 @@ export function emissionOf(context: StageContext, prim: PrimSpec, intensity = 1)
   return emissionOfColor(context, prim, color, intensity);
 }
 
-/** As bright as the light is, where it has this colour. */
+/** The light's brightness with another colour. */
 export function emissionOfColor(context: StageContext, prim: PrimSpec, color: Vec3, intensity = 1): Vec3 {
   const temperature = temperatureOf(context, prim);
   const warm = temperature === undefined ? [1, 1, 1] : blackbodyColor(temperature);
@@ -43,13 +43,13 @@ export function emissionOfColor(context: StageContext, prim: PrimSpec, color: Ve
   return scale([color[0] * warm[0], color[1] * warm[1], color[2] * warm[2]], gain * diffuse);
 }
 
-/** Colour temperature [K], where it is asked for. */
+/** Colour temperature [K]; undefined unless enabled. */
 const temperatureOf = (context: StageContext, prim: PrimSpec): number | undefined =>
   lightFlag(context, prim, 'enableColorTemperature')
     ? (lightNumber(context, prim, 'colorTemperature') ?? 6500)
     : undefined;
 
-/** What the light is made of, where our own attribute, a name or a file, or its colour temperature tells. */
+/** The light's spectrum by `slowlight:spectrum` (a name or a file) or its colour temperature; undefined if neither is authored. */
 export async function spectrumOf(context: StageContext, prim: PrimSpec): Promise<Pick<DistantLight, 'spectrum'>> {
   const value = valueAt(attributeOf(prim, SPECTRUM_ATTRIBUTE), undefined);
   if (value?.type === 'asset') return spectrumOfFile(context, prim, value);
@@ -63,19 +63,19 @@ export async function spectrumOf(context: StageContext, prim: PrimSpec): Promise
 }
 
 /**
- * UsdLuxShapingAPI: nothing beyond the cone's angle [degrees, from the axis], softened over the part `softness` of it; focus is a power
- * of the cosine. undefined where it changes nothing: a face shines into half of all directions anyway.
+ * UsdLuxShapingAPI: no light beyond the cone's angle [degrees, from the axis], with a smooth edge over the fraction `softness` of it; focus is
+ * an exponent of the cosine. Undefined if it has no effect: a face emits into a hemisphere anyway.
  */
 export function shapingOf(context: StageContext, prim: PrimSpec, face: boolean): LightShaping | undefined {
-  const given = (name: string): number | undefined => lightNumber(context, prim, `shaping:${name}`);
-  const [angle, softness, focus] = [given('cone:angle'), given('cone:softness'), given('focus')];
+  const shaping = (name: string): number | undefined => lightNumber(context, prim, `shaping:${name}`);
+  const [angle, softness, focus] = [shaping('cone:angle'), shaping('cone:softness'), shaping('focus')];
   reportUnsupportedShaping(context, prim);
   if (angle === undefined && softness === undefined && focus === undefined) return undefined;
   const outer = radians(Math.min(Math.max(angle ?? 90, 0), 180));
   const inner = outer * (1 - Math.min(Math.max(softness ?? 0, 0), 1));
   const wide = outer >= Math.PI / (face ? 2 : 1);
   if (wide && inner === outer && !focus) return undefined;
-  // A cone of 180° is all directions: its edge is where no light goes.
+  // A cone of 180° includes all directions: its edge has no effect.
   const limits = wide && inner === outer ? { inner: 4, outer: 5 } : { inner, outer };
   return { ...limits, focus: Math.max(focus ?? 0, 0) };
 }

@@ -12,7 +12,7 @@ import { NIGHT_SKY } from './kinds/nightSky.ts';
 import { RECT_LIGHT } from './kinds/rectLight.ts';
 import { SPHERE_LIGHT } from './kinds/sphereLight.ts';
 
-/** Where types are shared, what is told by an attribute comes first. */
+/** Schemas that are recognized by an attribute precede others of their type. */
 const LIGHTS: { readonly [K in Light['kind']]: LightSchema<Extract<Light, { readonly kind: K }>> } = {
   sphere: SPHERE_LIGHT,
   rect: RECT_LIGHT,
@@ -28,7 +28,7 @@ const UNREAD_LIGHTS = new Set(['PortalLight', 'PluginLight']);
 export const isLight = (typeName: string): boolean => SCHEMAS.some(({ typeNames }) => typeNames.includes(typeName));
 export const isUnreadLight = (typeName: string): boolean => UNREAD_LIGHTS.has(typeName);
 
-/** A light with the brightness and, but for where a local light is, the pose that it has at the stage's start; its prim's type is that of one (`isLight`). */
+/** Reads a light prim (`isLight`), with its brightness at the stage's start; only local lights move. */
 export function lightOf(of: LightPrim): Promise<Light> {
   const schema = SCHEMAS.find(
     ({ typeNames, isAsked }) => typeNames.includes(of.prim.typeName) && (isAsked?.(of.prim) ?? true),

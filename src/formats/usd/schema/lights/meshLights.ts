@@ -11,7 +11,7 @@ import { emissionOf, lightFlag } from './lightInputs.ts';
 
 const SYNC_MODES: readonly MaterialSyncMode[] = ['materialGlowTintsLight', 'independent', 'noMaterialResponse'];
 
-/** The prims that light what a GeometryLight's relationship `geometry` leads to, by the path of that. */
+/** GeometryLight prims by the path of the geometry that they target. */
 export function geometryLights(prims: Iterable<PrimSpec>, found = new Map<string, PrimSpec>()): Map<string, PrimSpec> {
   for (const prim of prims) {
     if (prim.typeName === 'GeometryLight') for (const target of targetsOf(prim, 'geometry')) found.set(target, prim);
@@ -20,13 +20,13 @@ export function geometryLights(prims: Iterable<PrimSpec>, found = new Map<string
   return found;
 }
 
-/** A mesh that is a light: its prim, and the one that says how it shines. */
+/** A mesh light: its geometry's prim and the prim with the light inputs. */
 export interface MeshLight {
   readonly mesh: PrimSpec;
   readonly light: PrimSpec;
 }
 
-/** What says how a mesh shines: itself, with UsdLuxMeshLightAPI, or a GeometryLight; undefined where nothing does. */
+/** The prim with a mesh's light inputs: itself, with UsdLuxMeshLightAPI, or a GeometryLight; undefined if it is not a light. */
 export function meshLightOf(mesh: PrimSpec, ofGeometry: ReadonlyMap<string, PrimSpec>): MeshLight | undefined {
   const schemas = mesh.metadata.get('apiSchemas');
   const op = schemas?.type === 'texts' ? schemas.op : {};
@@ -35,7 +35,7 @@ export function meshLightOf(mesh: PrimSpec, ofGeometry: ReadonlyMap<string, Prim
   return light && { mesh, light };
 }
 
-/** The mesh [m] of a light, with materials that shine. */
+/** The mesh [m] of a light, with emissive materials. */
 export function withEmission(
   context: StageContext,
   table: MaterialTable,

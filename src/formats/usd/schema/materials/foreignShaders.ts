@@ -37,7 +37,7 @@ const INPUT_NAMES = {
 /** The supported part of another renderer's material. */
 export interface ForeignMaterial {
   readonly color?: Vec3;
-  /** An asset: a picture of colours, looked up by the mesh's usual uvs. */
+  /** Asset of a colour texture, looked up by the mesh's default uvs. */
   readonly texture?: Value;
   readonly roughness?: number;
   readonly metallic?: number;
@@ -46,7 +46,7 @@ export interface ForeignMaterial {
   readonly ior?: number;
 }
 
-/** The shaders that a Material's surface outputs lead to: the universal one first, then those of render contexts (`outputs:mtlx:surface`). */
+/** The shaders of a Material's surface outputs: the universal one first, then those of render contexts (`outputs:mtlx:surface`). */
 export function surfaceShaders({ layer, startCode }: StageContext, material: PrimSpec): PrimSpec[] {
   const names = [...material.properties.keys()].filter((name) => /^outputs:([^:]+:)*surface$/.test(name));
   names.sort((a, b) => a.split(':').length - b.split(':').length);
@@ -56,13 +56,13 @@ export function surfaceShaders({ layer, startCode }: StageContext, material: Pri
   });
 }
 
-/** What a shader is called: its id, or its name in its source. */
+/** A shader's id, or its name in its source asset. */
 export function shaderName(shader: PrimSpec): string {
   const inSource = ['info:mdl:sourceAsset:subIdentifier', 'info:sourceAsset:subIdentifier'];
   return shaderId(shader) || inSource.map((name) => textAt(shader, name, undefined)).find(Boolean) || 'without an id';
 }
 
-/** Its base colour, its finish and its glow, as far as they are constants or one picture; undefined where there is nothing of the kind. */
+/** Base colour, metalness, roughness and emission, as far as they are constants or one texture; undefined if there are none. */
 export function foreignMaterial(context: StageContext, shader: PrimSpec): ForeignMaterial | undefined {
   const input = (names: readonly string[]): ResolvedInput => {
     for (const name of names) {
@@ -100,22 +100,22 @@ const assetOf = (value: Value | undefined): Value | undefined =>
 /** Maximum depth and number of network nodes visited. */
 const MAX_UPSTREAM_NODES = 64;
 
-/** What is found first, breadth first, in the inputs of a shader and of all that drive it. */
+/** Breadth-first search through the inputs of a shader and its upstream nodes; returns the first match. */
 function findUpstream<T>(
   context: StageContext,
   shader: PrimSpec,
   find: (name: string, value: Value) => T | undefined,
 ): T | undefined {
   const queue = [shader];
-  const seen = new Set(queue);
+  const visited = new Set(queue);
   for (const at of queue)
     for (const name of at.properties.keys()) {
       if (!name.startsWith('inputs:')) continue;
       const input = resolveInput(context.layer, at, name, context.startCode);
       const found = input.value && find(name, input.value);
       if (found !== undefined) return found;
-      if (!input.shader || seen.has(input.shader) || queue.length >= MAX_UPSTREAM_NODES) continue;
-      seen.add(input.shader);
+      if (!input.shader || visited.has(input.shader) || queue.length >= MAX_UPSTREAM_NODES) continue;
+      visited.add(input.shader);
       queue.push(input.shader);
     }
   return undefined;

@@ -11,11 +11,11 @@ import { mapCorners, transformUvs } from './uvs.ts';
 
 /** Materials of a prim's faces, and the primvars they read. */
 export interface PrimMaterials {
-  /** Of faces without a subset. */
+  /** Material index of faces without a subset. */
   readonly base: BoundMaterial;
-  /** All materials of it. */
+  /** All its materials. */
   readonly materials: readonly number[];
-  /** The material, by its place, that shows the displayColor of what holds the prim: it has none of its own. */
+  /** Index of the material that shows the displayColor of an enclosing instancer, if the prim has none of its own. */
   readonly displayColorMaterial: number | undefined;
   faceMaterials(faces: number): Uint32Array;
   uvs(prim: PrimSpec, topology: MeshElementCounts): PolygonValues | undefined;
@@ -66,7 +66,7 @@ export async function primMaterialsOf(
   };
 }
 
-/** The colours that the materials read, white on faces whose material reads none. */
+/** The colours that the materials read; white on faces whose material reads none. */
 function colorsOf(
   context: StageContext,
   prim: PrimSpec,
@@ -98,7 +98,7 @@ const WHITE: Vec3 = [1, 1, 1];
 
 const DISPLAY_COLOR = 'primvars:displayColor';
 
-/** One colour for all; white where they vary and come by vertex. */
+/** The constant displayColor; white if it varies, because colours are then per vertex. */
 function displayColor(context: StageContext, prim: PrimSpec): DisplayColor {
   const colors = numbersAt(prim, DISPLAY_COLOR, context.startCode);
   const opacity = numbersAt(prim, 'primvars:displayOpacity', context.startCode)?.[0] ?? 1;
@@ -141,7 +141,7 @@ function faceMaterials(base: BoundMaterial, subsets: readonly FaceSubset[], face
   return out;
 }
 
-/** The primvar that the materials read; else the one that most programs write. */
+/** The uv primvar that the materials read, else `st`, else any other. */
 function uvsOf(
   context: StageContext,
   prim: PrimSpec,
@@ -149,13 +149,13 @@ function uvsOf(
   used: readonly BoundMaterial[],
   materials: Uint32Array,
 ): PolygonValues | undefined {
-  const wanted = new Set(used.flatMap((m) => m.uv?.name ?? []));
-  const name = [...wanted, 'st', ...uvPrimvars(prim)].find((n) => attributeOf(prim, `primvars:${n}`));
-  if (wanted.size > 1)
-    report(context, 'warning', 'usd.uv', prim.path, `its materials use uvs ${[...wanted].join(', ')}; ${name} is used`);
+  const requested = new Set(used.flatMap((m) => m.uv?.name ?? []));
+  const name = [...requested, 'st', ...uvPrimvars(prim)].find((n) => attributeOf(prim, `primvars:${n}`));
+  if (requested.size > 1)
+    report(context, 'warning', 'usd.uv', prim.path, `its materials use uvs ${[...requested].join(', ')}; ${name} is used`);
   if (name === undefined) {
-    if (wanted.size > 0) {
-      const message = `its material reads uvs '${[...wanted].join("', '")}', which it does not have`;
+    if (requested.size > 0) {
+      const message = `its material reads uvs '${[...requested].join("', '")}', which it does not have`;
       report(context, 'warning', 'usd.uv', prim.path, message);
     }
     return undefined;

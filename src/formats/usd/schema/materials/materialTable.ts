@@ -19,7 +19,7 @@ export interface BoundMaterial {
   /** Index in `Scene.materials`. */
   readonly index: number;
   readonly uv?: UvSource;
-  /** Where its diffuse colour comes from, if it is the mesh's. */
+  /** Source of its diffuse colour, if it is a primvar of the mesh. */
   readonly colors?: ColorPrimvar;
 }
 
@@ -28,23 +28,23 @@ export type MaterialSyncMode = 'materialGlowTintsLight' | 'independent' | 'noMat
 
 /** `primvars:displayColor` of a mesh. */
 export interface DisplayColor {
-  /** White where it varies. */
+  /** White if it varies. */
   readonly color: Vec3;
   readonly opacity: number;
   readonly varies: boolean;
 }
 
-/** The material with the mesh's own colours, where they vary. */
+/** The material that reads the mesh's varying colours. */
 export const withDisplayColor = (material: BoundMaterial, { varies }: DisplayColor): BoundMaterial =>
   varies ? { ...material, colors: { name: 'displayColor', fallback: WHITE } } : material;
 
 /** Unsupported inputs of UsdPreviewSurface. */
 const UNSUPPORTED_INPUTS = ['displacement', 'clearcoat'];
 
-/** UsdPreviewSurface itself, and as a node of MaterialX; both have the same inputs. */
+/** UsdPreviewSurface and its MaterialX node; both have the same inputs. */
 const PREVIEW_SURFACE_IDS = new Set(['UsdPreviewSurface', 'ND_UsdPreviewSurface_surfaceshader']);
 
-/** Names all that a material is made of, so that those of instances are one; undefined where it is not known. */
+/** A key of a material's content, so that instances share materials; undefined if it is not known. */
 function networkKey({ content, children, properties }: PrimSpec, root: string): string | undefined {
   const parts = [content];
   for (const property of properties.values())
@@ -55,14 +55,14 @@ function networkKey({ content, children, properties }: PrimSpec, root: string): 
   return parts.includes(undefined) ? undefined : `(${parts.join(' ')})`;
 }
 
-/** The material of meshes without one that have these colours. */
+/** The material of unbound meshes with the given colours. */
 interface DisplayColorMaterial {
   readonly color: Vec3;
   readonly opacity: number;
   readonly bound: Promise<BoundMaterial>;
 }
 
-/** The scene's materials, each read once. */
+/** Reads and caches the scene's materials. */
 export class MaterialTable {
   readonly materials: Material[] = [];
   private readonly context: StageContext;
@@ -79,7 +79,7 @@ export class MaterialTable {
     this.inputs = new TextureReader(context, textures);
   }
 
-  /** The material of a mesh without one: its displayColor, grey where there is none. */
+  /** The material of an unbound mesh: its displayColor, or grey. */
   displayColorMaterial(color: Vec3, opacity: number): Promise<BoundMaterial> {
     const last = this.lastDisplayColor;
     if (last?.opacity === opacity && color.every((x, i) => x === last.color[i])) return last.bound;
@@ -90,7 +90,7 @@ export class MaterialTable {
     return bound;
   }
 
-  /** The Material prim at a path; a plain one of the colour `fallback` where it cannot be read. */
+  /** The material of the Material prim at a path; a plain one of the colour `fallback` if it cannot be read. */
   bound(path: string, user: string, fallback: DisplayColor): Promise<BoundMaterial> {
     const prim = primAt(this.context.layer, path);
     return this.memoized((prim && networkKey(prim, path)) ?? path, async () => {
@@ -107,8 +107,8 @@ export class MaterialTable {
   /** Index of material `index` as an emitter of the given radiance, tinted by its own emission if requested and nonzero. */
   emissive(index: number, radiance: Vec3, mode: MaterialSyncMode): number {
     const key = `${index} ${mode} ${radiance.join(' ')}`;
-    const known = this.emissiveIndices.get(key);
-    if (known !== undefined) return known;
+    const cached = this.emissiveIndices.get(key);
+    if (cached !== undefined) return cached;
     const { emissiveTexture, emissionTemperature, reflectance, ...material } = this.materials[index];
     const name = `${material.name}_light`;
     const [r, g, b] = material.emissive;
@@ -128,8 +128,8 @@ export class MaterialTable {
   /** A material of the scene with another base colour. */
   withBaseColor(index: number, color: Vec3): number {
     const key = `${index} ${color.join(' ')}`;
-    const known = this.baseColorIndices.get(key);
-    if (known !== undefined) return known;
+    const cached = this.baseColorIndices.get(key);
+    if (cached !== undefined) return cached;
     const { reflectance: _, ...material } = this.materials[index];
     const name = `${material.name} ${color.join(' ')}`;
     const made = this.materials.push({ ...material, name, baseColor: color }) - 1;
@@ -181,7 +181,7 @@ export class MaterialTable {
     return this.added(material, { ...(uv && { uv }), ...(diffuse.primvar && { colors: diffuse.primvar }) });
   }
 
-  /** What our own attributes of the Material say of light that eyes do not see. */
+  /** Ultraviolet and infrared reflectance and emission of the Material's `slowlight:` attributes. */
   private spectral(prim: PrimSpec): Partial<Material> {
     const value = (name: string): unknown => {
       const attribute = attributeOf(prim, name);
@@ -192,7 +192,7 @@ export class MaterialTable {
     return parseSpectralHints(value, (message) => report(this.context, 'warning', 'usd.slowlight', prim.path, message));
   }
 
-  /** A measured reflectance, where no picture or colours of vertices paint the surface. */
+  /** A measured reflectance; undefined if a texture or vertex colours determine the colour. */
   private async measured(prim: PrimSpec, { texture, primvar }: ColorInputValue): Promise<Partial<Material>> {
     const value = valueAt(attributeOf(prim, REFLECTANCE_ATTRIBUTE), this.context.startCode);
     if (value === undefined) return {};
@@ -207,7 +207,7 @@ export class MaterialTable {
     return {};
   }
 
-  /** Reflectances of invisible light that textures tell, with their means, and the uvs of those. */
+  /** Textured ultraviolet and infrared reflectances, with their means and uvs. */
   private async invisibleLight(
     prim: PrimSpec,
   ): Promise<Partial<Material> & { readonly uvs: readonly ScalarInputValue['uv'][] }> {
@@ -216,17 +216,17 @@ export class MaterialTable {
       INVISIBLE_BANDS.map(async ({ of, texture, name }) => {
         const input = resolveInput(layer, prim, name, startCode);
         const scalar = input.shader ? await this.inputs.scalar(input, 0) : undefined;
-        return { scalar, told: scalar?.texture ? { [of]: scalar.value, [texture]: scalar.texture } : {} };
+        return { scalar, values: scalar?.texture ? { [of]: scalar.value, [texture]: scalar.texture } : {} };
       }),
     );
-    return { ...Object.assign({}, ...found.map(({ told }) => told)), uvs: found.map(({ scalar }) => scalar?.uv) };
+    return { ...Object.assign({}, ...found.map(({ values }) => values)), uvs: found.map(({ scalar }) => scalar?.uv) };
   }
 
   private added(material: Material, wants: Omit<BoundMaterial, 'index'>): BoundMaterial {
     return { index: this.materials.push(material) - 1, ...wants };
   }
 
-  /** Base colour, metallic and ior; those of a specular workflow from its two colours. */
+  /** Base colour, metallic and ior; converted if the specular workflow is used. */
   private async finish(
     input: (name: string) => ResolvedInput,
     { color, texture }: ColorInputValue,
@@ -248,7 +248,7 @@ export class MaterialTable {
     );
   }
 
-  /** One mesh has one set of uvs: those of the first texture. */
+  /** The uvs of the first texture: a mesh has only one set. */
   private commonUv(path: string, uvs: readonly (UvSource | undefined)[]): UvSource | undefined {
     const [first, ...more] = uvs.filter((uv) => uv !== undefined);
     const other = more.find((uv) => !isSameUv(uv, first));
@@ -275,7 +275,7 @@ export class MaterialTable {
       report(this.context, 'warning', 'usd.animated-material', path, 'it changes with time; it is held at the start');
   }
 
-  /** A material of another renderer, as far as its colours, its finish and one picture go. */
+  /** A material of another renderer by its colours, metalness, roughness and one texture. */
   private async foreign(path: string, shader: PrimSpec, fallback: DisplayColor): Promise<BoundMaterial> {
     const surface = foreignMaterial(this.context, shader);
     const { texture: picture, color, ...finish } = surface ?? {};
@@ -298,7 +298,7 @@ export class MaterialTable {
   }
 }
 
-/** Defaults of UsdPreviewSurface; the grey is that of meshes without material. */
+/** Defaults of UsdPreviewSurface; grey for unbound meshes. */
 const DEFAULTS: Omit<Material, 'name'> = {
   baseColor: [0.18, 0.18, 0.18],
   emissive: [0, 0, 0],

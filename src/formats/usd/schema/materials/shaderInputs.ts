@@ -2,7 +2,7 @@ import { attributeOf, sampleTimes, type TimeCode, textOf, valueAt } from '../../
 import type { Layer, PrimSpec, Value } from '../../layer/layer.ts';
 import { propertyAt, targetsOf } from '../../layer/query.ts';
 
-/** What an input of a shader is: a value, or an output of another shader. */
+/** The value of a shader input, or the shader output that it is connected to. */
 export interface ResolvedInput {
   readonly value?: Value;
   readonly shader?: PrimSpec;
@@ -13,7 +13,7 @@ export interface ResolvedInput {
 /** Maximum length of a connection chain. */
 const MAX_HOPS = 32;
 
-/** Follows connections from a property of a shader, a node graph or a material to what drives it. */
+/** Follows connections from a property of a shader, node graph or material to its source. */
 export function resolveInput(layer: Layer, prim: PrimSpec, property: string, time: TimeCode): ResolvedInput {
   let [at, name] = [prim, property];
   for (let hop = 0; hop < MAX_HOPS; hop++) {

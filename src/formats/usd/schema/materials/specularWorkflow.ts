@@ -7,8 +7,8 @@ const DIELECTRIC_F0 = 0.04;
 const MAX_DIELECTRIC_F0 = 0.25;
 
 /**
- * The metal–glass material that is nearest to a diffuse and a mirrored colour: what mirrors more than any dielectric is the more of a metal the
- * darker its diffuse colour is, the rest refracts as its mirrored share says, F₀ = ((n − 1)/(n + 1))².
+ * Converts the specular workflow to metalness: reflectances above those of dielectrics are the more metallic the
+ * darker the diffuse colour is; others determine the index of refraction by F₀ = ((n − 1)/(n + 1))².
  */
 export function metallicFromSpecular(
   diffuse: Vec3,

@@ -13,14 +13,14 @@ import type { StageContext } from '../context.ts';
 import { resolveInput } from './shaderInputs.ts';
 import { atlasOf, readTiles } from './udim.ts';
 
-/** A picture, or the tiles of a set as one. */
+/** A texture, or the tiles of a UDIM set as one. */
 export interface LoadedImage extends DecodedImage {
-  /** Colour data rather than linear numbers, by its content. */
+  /** sRGB colour data rather than linear numbers, by its content. */
   readonly looksLikeColor: boolean;
   readonly tiles?: readonly [columns: number, rows: number];
 }
 
-/** Reads pictures, each once. */
+/** Reads and caches textures. */
 export class TextureLoader {
   private readonly context: StageContext;
   private readonly images = new Map<string, Promise<LoadedImage | undefined>>();
@@ -29,7 +29,7 @@ export class TextureLoader {
     this.context = context;
   }
 
-  /** The picture of a UsdUVTexture; undefined, with a diagnostic, where there is none. */
+  /** The texture of a UsdUVTexture; undefined, with a diagnostic, if missing or invalid. */
   async image(shader: PrimSpec): Promise<LoadedImage | undefined> {
     const input = resolveInput(this.context.layer, shader, 'inputs:file', this.context.startCode);
     if (!textOf(input.value)) {
@@ -39,7 +39,7 @@ export class TextureLoader {
     return this.file(input.value, shader.path);
   }
 
-  /** The picture that an asset value leads to. */
+  /** The texture of an asset value. */
   file(value: Value | undefined, user: string): Promise<LoadedImage | undefined> {
     const asked = this.requestFor(value, user);
     const key = asked.paths.join('\n');
@@ -51,7 +51,7 @@ export class TextureLoader {
     return image;
   }
 
-  /** The picture of a dome: of radiance, or as other pictures are. */
+  /** The environment map of a dome: HDR or an ordinary texture. */
   async domeTexture(value: Value | undefined, prim: PrimSpec): Promise<DomeLight['texture']> {
     const asked = this.requestFor(value, prim.path);
     const radiance = await this.nullIfUnreadable(asked, async () => {
@@ -87,7 +87,7 @@ export class TextureLoader {
     return undefined;
   }
 
-  /** What `read` gives; null, with a diagnostic, where it throws. */
+  /** The result of `read`; null, with a diagnostic, if it throws. */
   private async nullIfUnreadable<T>({ user }: TextureRequest, read: () => Promise<T>): Promise<T | null> {
     try {
       return await read();
@@ -99,7 +99,7 @@ export class TextureLoader {
   }
 }
 
-/** An asset, what names it, and where it may be. */
+/** An asset with its referrer and candidate paths. */
 interface TextureRequest {
   readonly asset: string;
   readonly anchor: string;
@@ -110,7 +110,7 @@ interface TextureRequest {
 /** Panoramas wrap around horizontally. */
 const PANORAMA_WRAP = { wrapS: 'repeat', wrapT: 'clamp' } as const;
 
-/** How a UsdUVTexture reads its picture. `alpha: false`: opacity does not come from it, so that it is opaque. */
+/** How a UsdUVTexture is read. `alpha: false`: opacity comes from elsewhere, so its own alpha is ignored. */
 export function textureOf(context: StageContext, shader: PrimSpec, image: LoadedImage, alpha: boolean): Texture {
   const text = (name: string): string | undefined =>
     textOf(resolveInput(context.layer, shader, `inputs:${name}`, context.startCode).value);
@@ -126,19 +126,19 @@ export function textureOf(context: StageContext, shader: PrimSpec, image: Loaded
   };
 }
 
-/** `auto` looks at the picture. */
+/** `auto` depends on the image. */
 export function colorSpaceOf(context: StageContext, shader: PrimSpec, picture: LoadedImage): Texture['colorSpace'] {
   const written = textOf(resolveInput(context.layer, shader, 'inputs:sourceColorSpace', context.startCode).value);
   if (written === 'raw' || written === 'sRGB') return written === 'raw' ? 'linear' : 'srgb';
   return picture.looksLikeColor ? 'srgb' : 'linear';
 }
 
-/** `useMetadata` repeats, as pictures without metadata do in most viewers. */
+/** `useMetadata` repeats, as images without metadata do in most viewers. */
 function wrapOf(mode: string | undefined): TextureWrap {
   return mode === 'clamp' || mode === 'black' || mode === 'mirror' ? mode : 'repeat';
 }
 
-/** The picture without transparency; itself where it has none, so that materials share it. */
+/** The texture without alpha; the same object if it is opaque, so that materials share it. */
 function opaque(rgba: Uint8Array): Uint8Array {
   let i = 3;
   while (i < rgba.length && rgba[i] === 255) i += 4;

@@ -4,7 +4,7 @@ import { decodeSrgb, encodeSrgb } from '../../../../spectrum/display/srgb.ts';
 import type { DecodedImage } from '../../../image/decodeImage.ts';
 import { clampNormalStrength } from '../../../read/limits.ts';
 
-/** How an input reads a picture: value = texel · scale + bias, each in four channels; `channels`: which one each colour takes. */
+/** How an input reads a texture: value = texel · scale + bias per channel; `channels`: source channel of each colour component. */
 export interface TexelReading {
   readonly scale: readonly number[];
   readonly bias: readonly number[];
@@ -12,13 +12,13 @@ export interface TexelReading {
   readonly colorSpace: 'srgb' | 'linear';
 }
 
-/** A picture whose texels times `gain` are what is read. */
+/** A texture whose texels are to be multiplied by `gain`. */
 export interface AdjustedImage {
   readonly image: DecodedImage;
   readonly gain: Vec3;
 }
 
-/** The colours that an input reads; the picture itself where it can be had by a factor. Alpha stays. */
+/** The colours that an input reads; the original texture if a factor is enough. Alpha is kept. */
 export function adjustedColor(image: DecodedImage, reading: TexelReading): AdjustedImage {
   const { scale, bias, channels, colorSpace } = reading;
   const plain = channels.every((from, k) => from === k && bias[k] === 0 && scale[k] >= 0);
@@ -34,7 +34,7 @@ export function adjustedColor(image: DecodedImage, reading: TexelReading): Adjus
   return { image: { ...image, data }, gain: [gain[0], gain[1], gain[2]] };
 }
 
-/** Opacity from one channel, as the picture's alpha; `gain` is at most 1, as opacities are. */
+/** One channel as the texture's alpha; `gain` is at most 1, as opacities are. */
 export function adjustedAlpha(
   image: DecodedImage,
   channel: number,
@@ -49,7 +49,7 @@ export function adjustedAlpha(
   return { image: { ...image, data }, channel: 3, gain: 1 };
 }
 
-/** Mean of what is read from a channel. */
+/** Mean of the values read from a channel. */
 export function adjustedMean(image: DecodedImage, channel: number, reading: TexelReading): number {
   const table = valuesOf(channel, reading);
   let sum = 0;
@@ -58,8 +58,8 @@ export function adjustedMean(image: DecodedImage, channel: number, reading: Texe
 }
 
 /**
- * Normals that an input reads, as `NormalTexture` has them: the picture itself where scale and bias are those of such pictures, as
- * nearly everywhere; else one that is made anew.
+ * Normals that an input reads, in the encoding of `NormalTexture`: the original texture if scale and bias are the usual ones,
+ * otherwise a converted one.
  */
 export function adjustedNormals(
   image: DecodedImage,
@@ -83,7 +83,7 @@ export function adjustedNormals(
 const valuesOf = (channel: number, reading: TexelReading): number[] =>
   readValues(channel, reading).map((value) => Math.max(0, value));
 
-/** Byte → value; alpha is linear always. */
+/** Byte → value; alpha is always linear. */
 const readValues = (channel: number, { scale, bias, colorSpace }: TexelReading): number[] =>
   Array.from({ length: 256 }, (_, byte) => {
     const texel = colorSpace === 'srgb' && channel < 3 ? decodeSrgb(byte / 255) : byte / 255;

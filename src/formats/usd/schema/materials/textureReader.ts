@@ -37,7 +37,7 @@ export interface OpacityInputValue {
   readonly uv?: UvSource | undefined;
 }
 
-/** A number, with the texture whose mean it is. */
+/** A number, with the texture that it is the mean of. */
 export interface ScalarInputValue {
   readonly value: number;
   readonly texture?: TextureChannel;
@@ -48,7 +48,7 @@ export interface ScalarInputValue {
 export class TextureReader {
   private readonly context: StageContext;
   private readonly textures: TextureLoader;
-  /** Of numbers, by their shaders: channels of one picture are one texture. */
+  /** Scalar textures by shader, so that channels of one image share a texture. */
   private readonly scalarTextures = new Map<PrimSpec, Texture>();
 
   constructor(context: StageContext, textures: TextureLoader) {
@@ -93,7 +93,7 @@ export class TextureReader {
     return { color: gain, texture, uv: this.uvOf(shader, picture) };
   }
 
-  /** A plain colour cut out by a texture: white pixels that carry the alpha. */
+  /** White pixels with the alpha of an opacity texture, for a constant colour. */
   private alphaOnly(color: Vec3, { shader, picture, image, channel }: AlphaSource): ColorInputValue {
     const white = withAlphaFrom(undefined, image, channel);
     const texture = textureOf(this.context, shader, { ...picture, ...white }, true);
@@ -109,7 +109,7 @@ export class TextureReader {
     return { value: adjusted.gain, alphaOf, uv: this.uvOf(shader, picture) };
   }
 
-  /** A number from 0 to 1, by texels where a texture drives it. */
+  /** A number from 0 to 1, with a texture if it is connected to one. */
   async scalar(input: ResolvedInput, fallback: number): Promise<ScalarInputValue> {
     const found = await this.scalarImage(input);
     if (found === undefined || typeof found === 'number') return { value: found ?? fallback };
@@ -124,7 +124,7 @@ export class TextureReader {
     };
   }
 
-  /** Normals by texels; undefined where no texture drives the input, for one normal all over says nothing. */
+  /** The normal map; undefined if no texture is connected, since a constant normal has no effect. */
   async normals(
     input: ResolvedInput,
   ): Promise<{ readonly texture: NormalTexture; readonly uv?: UvSource | undefined } | undefined> {
@@ -144,7 +144,7 @@ export class TextureReader {
     return { texture: { texture, strength }, uv: this.uvOf(shader, picture) };
   }
 
-  /** The picture that drives a number, or the number; undefined where nothing does. */
+  /** The texture connected to a scalar input, or its value; undefined if neither exists. */
   private async scalarImage(
     input: ResolvedInput,
   ): Promise<{ shader: PrimSpec; picture: LoadedImage; channel: TextureChannel['channel'] } | number | undefined> {

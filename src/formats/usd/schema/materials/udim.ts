@@ -1,14 +1,14 @@
 import { type DecodedImage, decodeImage } from '../../../image/decodeImage.ts';
 
-/** A picture made of tiles, `columns` × `rows` of them, the first at the lower left; u and v count tiles. */
+/** A texture of `columns` × `rows` tiles, the first at the lower left; u and v are in tiles. */
 export interface UdimAtlas extends DecodedImage {
   readonly tiles: readonly [columns: number, rows: number];
 }
 
-/** Tiles are numbered 1001 + column + 10 row. */
+/** Tile numbers are 1001 + column + 10 row. */
 const COLUMNS = 10;
 const MAX_ROWS = 10;
-/** Most pixels along a side of all tiles together. */
+/** Maximum side of the combined texture [px]. */
 export const MAX_UDIM_ATLAS_SIDE = 8192;
 
 interface UdimTile {
@@ -18,7 +18,7 @@ interface UdimTile {
   readonly bytes: Uint8Array;
 }
 
-/** The tiles that are there; rows are looked for up to the first that has none. */
+/** The existing tiles; the search stops at the first empty row. */
 export async function readTiles(
   read: (tile: string) => Promise<{ id: string; bytes: Uint8Array } | undefined>,
 ): Promise<UdimTile[]> {
@@ -34,7 +34,7 @@ export async function readTiles(
   return tiles;
 }
 
-/** All tiles in one picture, each as large as the largest needs or as fits, a power of two; where there is none it is black. */
+/** Combines all tiles into one texture, with a tile size that is a power of two and fits; missing tiles are black. */
 export function atlasOf(tiles: readonly UdimTile[]): UdimAtlas {
   const columns = 1 + Math.max(...tiles.map(({ column }) => column));
   const rows = 1 + Math.max(...tiles.map(({ row }) => row));
@@ -63,7 +63,7 @@ function drawTile(atlas: UdimAtlas, image: DecodedImage, { column, row }: UdimTi
   blit(image, atlas, column * width, (rows - 1 - row) * height, width, height);
 }
 
-/** Draws a picture into a part of another, by its nearest pixels. */
+/** Copies an image into a rectangle of another by nearest-neighbour sampling. */
 function blit(from: DecodedImage, to: DecodedImage, left: number, top: number, width: number, height: number): void {
   const [source, target] = [new Uint32Array(from.data.slice().buffer), new Uint32Array(to.data.buffer)];
   for (let y = 0; y < height; y++) {

@@ -6,7 +6,7 @@ import type { PrimSpec } from '../../layer/layer.ts';
 import type { StageContext } from '../context.ts';
 import { isAnimated, resolveInput, shaderId } from './shaderInputs.ts';
 
-/** Which primvar a texture is looked up by, and what is done to it before. */
+/** The primvar that a texture is looked up by, with its transform. */
 export interface UvSource {
   readonly name: string;
   readonly transform?: UvTransform;
@@ -18,13 +18,13 @@ export interface UvTransform {
   /** [degrees] */
   readonly rotation: number;
   readonly translation: readonly [number, number];
-  /** Of a set of tiles, whose picture is so many tiles wide and high; u and v are divided by these at last. */
+  /** Size of a UDIM set in tiles, by which u and v are finally divided. */
   readonly tiles?: readonly [number, number];
 }
 
 const IDENTITY: UvTransform = { scale: [1, 1], rotation: 0, translation: [0, 0] };
 
-/** Where a picture of tiles is looked up. */
+/** The lookup of a UDIM texture. */
 export const withTiles = (uv: UvSource, tiles: readonly [number, number]): UvSource => ({
   ...uv,
   transform: { ...(uv.transform ?? IDENTITY), tiles },
@@ -67,7 +67,7 @@ function uvTransformOf(context: StageContext, shader: PrimSpec): UvTransform {
   return { scale: pair('scale', 1), rotation, translation: pair('translation', 0) };
 }
 
-/** The uvs with each face's own transform applied, one per corner. */
+/** The uvs with the transform of each face's material, one per corner. */
 export function transformUvs(
   values: PolygonValues,
   points: ArrayLike<number>,
@@ -77,7 +77,7 @@ export function transformUvs(
   return mapCorners(values, 2, points, counts, (face, [u, v]) => transformedUv(transformOfFace(face), u, v));
 }
 
-/** What `map` makes of each corner's value, of `size` numbers. */
+/** Applies `map` to each corner's value of `size` numbers. */
 export function mapCorners(
   values: PolygonValues,
   size: number,

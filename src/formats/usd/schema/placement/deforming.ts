@@ -50,7 +50,7 @@ export function placeDeforming(
   return sampledPoints(context, path, moving, world, resampledTimes(context, path, both, corners));
 }
 
-/** The same with points that go along cubics between their samples. */
+/** The same geometry with cubic interpolation of its points. */
 function withCubicPoints(shape: PrimGeometry): PrimGeometry {
   const { deformation } = shape;
   if (!deformation) return shape;
@@ -67,7 +67,7 @@ function withCubicPoints(shape: PrimGeometry): PrimGeometry {
   return { ...shape, deformation: { ...deformation, at } };
 }
 
-/** Times at which what bends on curved ways is followed; with a wider tolerance where its points would not be held. */
+/** Times at which a skinned mesh is sampled; the tolerance is widened until its points fit into memory. */
 function resampledSkinTimes(
   context: StageContext,
   path: string,
@@ -94,20 +94,20 @@ function diagonal(points: ArrayLike<number>): number {
   return distance(corners[0], corners[corners.length - 1]);
 }
 
-/** The times that the scene still has memory for. */
-function budgetedTimes(context: StageContext, path: string, wanted: Float64Array, vertices: number): Float64Array {
+/** The times that fit into the scene's remaining memory. */
+function budgetedTimes(context: StageContext, path: string, requested: Float64Array, vertices: number): Float64Array {
   const { pointBudget } = context;
   const perTime = pointBytes(1, vertices, vectorsPerVertex(context));
-  const times = affordableTimes(wanted, perTime, pointBudget.bytes);
+  const times = affordableTimes(requested, perTime, pointBudget.bytes);
   pointBudget.bytes = Math.max(0, pointBudget.bytes - times.length * perTime);
-  if (times.length < wanted.length) {
-    const message = `its ${vertices} vertices at ${wanted.length} times take more memory than there is for a scene's points; ${times.length} of the times are used`;
+  if (times.length < requested.length) {
+    const message = `its ${vertices} vertices at ${requested.length} times take more memory than there is for a scene's points; ${times.length} of the times are used`;
     report(context, 'warning', 'usd.sample-budget', path, message);
   }
   return times;
 }
 
-/** Whether samples are too many for memory. Those that are not take of it. */
+/** Whether samples exceed the remaining memory; if not, they are subtracted from it. */
 function staysInFile(context: StageContext, times: number, vertices: number): boolean {
   const { sampleMemory } = context;
   const left = sampleMemory.bytes - pointBytes(times, vertices, vectorsPerVertex(context));
@@ -115,7 +115,7 @@ function staysInFile(context: StageContext, times: number, vertices: number): bo
   return left < 0;
 }
 
-/** Every vertex at every time, to be read when it is needed; as `sampledPoints` makes it. */
+/** As `sampledPoints`, but the points are read from the file when they are needed. */
 function streamedPoints(
   context: StageContext,
   path: string,
@@ -140,30 +140,29 @@ function streamedPoints(
     const message = 'its samples are too many for memory and stay in their file; between them its points go straight';
     report(context, 'info', 'usd.between-samples', path, message);
   }
-  const facts = computePointStatistics(recipe, context.progress);
+  const statistics = computePointStatistics(recipe, context.progress);
   const first = { positions: makePoints(recipe, 0), normals: makeNormals(recipe, 0) };
   return {
     mesh: { ...mesh, ...first, indices: facingIndices(mesh.indices, world.matrixAt(codes[0])) },
-    motion: { kind: 'sampled-points', times, origin, points: { ...recipe, statistics: facts } },
+    motion: { kind: 'sampled-points', times, origin, points: { ...recipe, statistics } },
   };
 }
 
-/** The same shape in one frame at the same times is the same. */
 const SAMPLED_POINTS = new Memo<SampledPlacement>();
 
-/** Every vertex at every time. */
+/** A mesh with every vertex sampled at every time, in metres. */
 export function sampledPoints(
   context: StageContext,
   path: string,
   shape: PrimGeometry,
   world: StageTransform,
-  wanted: Float64Array,
+  requested: Float64Array,
 ): PlacedMesh {
   const { mesh, deformation } = shape;
   const stored = deformation?.stored;
-  if (stored && staysInFile(context, wanted.length, mesh.positions.length / 3))
-    return streamedPoints(context, path, mesh, stored, world, wanted);
-  const times = budgetedTimes(context, path, wanted, mesh.positions.length / 3);
+  if (stored && staysInFile(context, requested.length, mesh.positions.length / 3))
+    return streamedPoints(context, path, mesh, stored, world, requested);
+  const times = budgetedTimes(context, path, requested, mesh.positions.length / 3);
   const sampled = SAMPLED_POINTS.getOrCreate(shape, [world, times], () => sampledAt(context, shape, world, times));
   if (sampled.gap) reportGap(context, path, times.length, sampled.gap);
   return sampled.placed;
@@ -171,14 +170,14 @@ export function sampledPoints(
 
 interface SampledPlacement {
   readonly placed: PlacedMesh;
-  /** Of what deforms along chords between its samples. */
+  /** Absent for skinned meshes, which are resampled to a tolerance. */
   readonly gap?: ChordGap;
 }
 
 interface ChordGap {
-  /** How far cubics through its samples are from chords [m]. */
+  /** Maximum distance between cubics through the samples and their chords [m]. */
   readonly max: number;
-  /** How far they may be unsaid [m]. */
+  /** Distance up to which nothing is reported [m]. */
   readonly tolerance: number;
 }
 
@@ -198,7 +197,7 @@ function sampledAt(
   });
   const seconds = times.map((t) => t / context.codesPerSecond);
   const points = placed.map((p) => p.positions);
-  const given = context.cubic && world.times.length === 0 ? deformation?.velocitiesAt : undefined;
+  const authored = context.cubic && world.times.length === 0 ? deformation?.velocitiesAt : undefined;
   const turn = mat4.fromParts(mat4.linearPart(world.matrixAt(times[0])), [0, 0, 0]);
   const motion: SampledPointsMotion = {
     kind: 'sampled-points',
@@ -206,8 +205,8 @@ function sampledAt(
     origin,
     points,
     ...(context.cubic && {
-      velocities: given
-        ? Array.from(times, (time) => transformPointsInPlace(given(time), turn))
+      velocities: authored
+        ? Array.from(times, (time) => transformPointsInPlace(authored(time), turn))
         : parabolaVelocities(seconds, points),
     }),
     normals: placed.map((p) => p.normals),
@@ -228,7 +227,7 @@ const copiedPoints = ({ positions, normals }: Mesh): DeformedPoints => ({
   normals: normals.slice(),
 });
 
-/** Says how much its samples leave open of how a mesh deforms: by how far cubics through them are from chords. */
+/** Reports how much a deformation depends on the interpolation between its samples. */
 function reportGap(context: StageContext, path: string, times: number, { max: most, tolerance }: ChordGap): void {
   if (most <= tolerance) return;
   const gap = most.toPrecision(2);
@@ -238,7 +237,7 @@ function reportGap(context: StageContext, path: string, times: number, { max: mo
   report(context, 'info', 'usd.between-samples', path, message);
 }
 
-/** Triangles that show the same side where M mirrors. */
+/** Triangles with flipped winding if M mirrors, so that they face the same side. */
 const facingIndices = (indices: Uint32Array, m: mat4.Mat4): Uint32Array =>
   determinant(mat4.linearPart(m)) < 0 ? flippedWinding(indices) : indices;
 
@@ -251,15 +250,15 @@ function flippedWinding(indices: Uint32Array): Uint32Array {
   return out;
 }
 
-/** The mesh as it is bent at some time. */
+/** The mesh with deformed points. */
 export function deformedMesh(mesh: Mesh, { positions, normals }: DeformedPoints): Mesh {
   return { ...mesh, positions, normals: normals ?? deformedNormals(positions, mesh.indices, smoothingGroups(mesh)) };
 }
 
-/** An origin is chosen by so many samples at most. */
+/** Maximum number of samples from which the origin is chosen. */
 const ORIGIN_SAMPLES = 32;
 
-/** The prim's own origin where it is near (so that its points stay as written), else the middle of the points. */
+/** The prim's own origin if it is near the points (so that they keep their authored values), else their centre. */
 function originOf(positionsOf: (k: number) => Float32Array, times: Float64Array, world: StageTransform): Vec3 {
   const step = Math.ceil(times.length / ORIGIN_SAMPLES);
   const corners = Array.from(times.keys()).flatMap((k) => {

@@ -20,22 +20,22 @@ interface StaticPlacement extends PlacedMesh {
   readonly motion: StaticMotion;
 }
 
-/** Stretches that differ by less than this part are one: what an exporter's f32 rounding leaves. */
+/** Relative difference below which stretches are equal: an exporter's f32 rounding. */
 const STRETCH_TOLERANCE = 1e-5;
 
-/** A stretch that stays, and how what is stretched by it moves. */
+/** A constant stretch and the rigid motion of the stretched mesh. */
 interface RigidPath {
   readonly stretch: readonly number[];
   readonly motion: PlacedMesh['motion'];
 }
 
-/** What is in one frame at the same times moves alike. */
+/** By frame and times. */
 const RIGID_PATHS = new Memo<RigidPath | undefined>();
 const STRAIGHT_PATHS = new Memo<RigidPath>();
 
 /**
- * The motion of a mesh. What does not change with time is static, its scale and shear in the mesh. What moves without
- * changing shape gets sampled poses; all else sampled points.
+ * Places a mesh in the scene. Without time samples it is static, with its scale and shear applied to the mesh; if it moves
+ * without changing its shape it gets sampled poses; otherwise sampled points.
  */
 export function placeGeometry(
   context: StageContext,
@@ -48,8 +48,8 @@ export function placeGeometry(
   if (world.times.length === 0) return staticPlacement(shape.mesh, world.matrixAt(context.startCode));
   if (world.isStraight) return alongPath(shape.mesh, straightPath(context, path, world));
   const times = resampledTimes(context, path, world, boundingBoxCorners(shape.mesh));
-  const course = RIGID_PATHS.getOrCreate(world, [times], () => rigidPath(context, times, world));
-  return course ? alongPath(shape.mesh, course) : sampledPoints(context, path, shape, world, times);
+  const rigid = RIGID_PATHS.getOrCreate(world, [times], () => rigidPath(context, times, world));
+  return rigid ? alongPath(shape.mesh, rigid) : sampledPoints(context, path, shape, world, times);
 }
 
 const alongPath = (mesh: Mesh, { stretch, motion }: RigidPath): PlacedMesh => ({
@@ -57,15 +57,15 @@ const alongPath = (mesh: Mesh, { stretch, motion }: RigidPath): PlacedMesh => ({
   motion,
 });
 
-/** Undefined where the stretch is not the same at all of the times. */
+/** Undefined unless the stretch is the same at all times. */
 function rigidPath(context: StageContext, times: Float64Array, { matrixAt }: StageTransform): RigidPath | undefined {
   const { stretch } = mat4.decomposeRigid(matrixAt(times[0]));
   const unstretch = invert(stretch);
   const most = STRETCH_TOLERANCE * Math.max(...stretch.map(Math.abs));
   const motion = sampledPoses(context, times, (time) => {
     const m = matrixAt(time);
-    const known = unstretch && mat4.poseFromStretched(m, unstretch);
-    const own = known ? { pose: known, stretch } : mat4.decomposeRigid(m);
+    const pose = unstretch && mat4.poseFromStretched(m, unstretch);
+    const own = pose ? { pose, stretch } : mat4.decomposeRigid(m);
     return own.stretch.every((x, i) => Math.abs(x - stretch[i]) <= most) ? own.pose : undefined;
   });
   return motion && { stretch, motion };
@@ -84,7 +84,7 @@ function straightPath(context: StageContext, path: string, frame: StageTransform
   });
 }
 
-/** The same without motion, at one time. */
+/** Places a mesh as a static one, in its state at one time code. */
 export function placeAtTime(
   context: StageContext,
   shape: PrimGeometry,
@@ -96,7 +96,7 @@ export function placeAtTime(
   return staticPlacement(mesh, transformInMeters(frame, context.unit).matrixAt(time));
 }
 
-/** A shape in a frame that besides is carried along for ever by a velocity of the stage [units/s]; `frame`: where it is at time 0. */
+/** Places a mesh that additionally moves with a constant velocity in the stage's axes [units/s]; at time 0 it is at `frame`. */
 export function placeWithVelocity(
   context: StageContext,
   path: string,
@@ -121,16 +121,15 @@ function staticPlacement(mesh: Mesh, matrix: mat4.Mat4): StaticPlacement {
   return { mesh: stretched(mesh, stretch), motion: { kind: 'static', pose } };
 }
 
-/** The stretched forms of a mesh, and the last of them: most meshes have one, and need no keys. */
+/** Stretched copies of a mesh by key. The last one is compared first, because most meshes have only one. */
 interface StretchedMeshes {
   last: { readonly stretch: readonly number[]; readonly mesh: Mesh };
   readonly byKey: Map<string, Mesh>;
 }
 
-/** Instances of one size share theirs. */
 const STRETCHED = new WeakMap<Mesh, StretchedMeshes>();
 
-/** Parts of the greatest in which stretches are told apart: products of f64 matrices differ by less. */
+/** Resolution of the keys relative to the largest element: products of f64 matrices differ by less. */
 const STRETCH_RESOLUTION = 1e-9;
 
 function stretched(mesh: Mesh, stretch: readonly number[]): Mesh {

@@ -10,31 +10,31 @@ import type { DeformedPoints } from '../geometry/primGeometry.ts';
 import { Memo } from '../transforms/memo.ts';
 import { type StageTransform, transformInMeters } from '../transforms/stageTransform.ts';
 
-/** Turns between samples of what has no size are followed to this angle [rad], paths to as many metres. */
+/** Tolerance for cameras and lights, which have no size: rotations in rad, paths in metres. */
 const POSE_TOLERANCE = 1e-4;
 
-/** Tips of the axes: they turn by at most the tolerance against the chord. */
+/** Unit vectors of the axes, whose paths are compared with their chords. */
 const AXES = [1, 0, 0, 0, 1, 0, 0, 0, 1];
 
-/** A polar decomposition takes as long as so many ops. */
+/** Cost of a polar decomposition relative to a transform op. */
 const POLAR_COST = 4;
 
 /**
- * Where a path between samples is compared with its chord: at irregular fractions, so that whole turns between two
- * samples (which look like rest at the half) are found.
+ * Fractions at which a path between samples is compared with its chord: irregular, so that full rotations between two
+ * samples, which look like rest at the middle, are detected.
  */
 const PROBE_FRACTIONS = [0.118, 0.283, 0.5, 0.691, 0.877];
 
-/** Where there are more samples than can be looked at so closely. */
+/** Used if there are too many samples for all fractions. */
 const MIDPOINT = [0.5];
 
-/** One interval is halved at most this often. */
+/** Maximum number of bisections of an interval. */
 const MAX_HALVINGS = 14;
 
-/** Of each shape in its prim's axes. */
+/** Bounding box corners by mesh, in the prim's axes. */
 const CORNERS = new WeakMap<DeformedPoints, Float64Array>();
 
-/** 3 numbers for each corner of the box around it. */
+/** The 8 corners of the bounding box, 3 numbers each. */
 export function boundingBoxCorners(mesh: DeformedPoints): Float64Array {
   const corners = CORNERS.get(mesh) ?? Float64Array.from(boxCorners(mesh.positions).flat());
   CORNERS.set(mesh, corners);
@@ -53,27 +53,27 @@ export function resampledTimes(
   return resampledPoints(context, path, world, corners, context.chordTolerance * size);
 }
 
-/** The size of what grows is looked for at so many of its samples. */
+/** Number of samples at which the size of a growing object is measured. */
 const SIZE_SAMPLES = 32;
 
-/** The greatest of what is measured at some samples, the first and the last among them. */
+/** Maximum of `measure` over a subset of the samples that includes the first and last. */
 export function maxOverSamples(samples: Float64Array, measure: (time: number) => number): number {
   let most = 0;
   for (const time of subsampleEvenly(samples, SIZE_SAMPLES)) most = Math.max(most, measure(time));
   return most;
 }
 
-/** Distance of the farthest of some points, 3 numbers each, from the origin. */
+/** Maximum distance of points, 3 numbers each, from the origin. */
 function maxDistance(points: ArrayLike<number>): number {
   let most = 0;
   for (let i = 0; i < points.length; i += 3) most = Math.max(most, Math.hypot(points[i], points[i + 1], points[i + 2]));
   return most;
 }
 
-/** What is in one frame and has the same corners goes along one path. */
+/** By frame and corners. */
 const PATHS = new Memo<AdaptivePath>();
 
-/** Times at which `corners` are followed along the frame's path, as closely as the scene's budget allows. */
+/** Times at which `corners` moved by the frame are sampled, to the tolerance or as the scene's budget allows. */
 function resampledPoints(
   context: StageContext,
   path: string,
@@ -82,15 +82,15 @@ function resampledPoints(
   tolerance: number,
 ): Float64Array {
   const samples = budgetedSamples(context, path, frame.times, frame.cost);
-  const closeness = toleranceOf(context, samples, tolerance);
-  const there = new Float64Array(corners.length);
-  const shape = (time: number): Float64Array => transformPointsInto(there, corners, frame.matrixAt(time));
-  const make = (): AdaptivePath => new AdaptivePath(samples, shape, closeness);
-  const refined = PATHS.getOrCreate(frame, [corners, samples, closeness.fractions, tolerance], make);
+  const criterion = toleranceOf(context, samples, tolerance);
+  const moved = new Float64Array(corners.length);
+  const shape = (time: number): Float64Array => transformPointsInto(moved, corners, frame.matrixAt(time));
+  const make = (): AdaptivePath => new AdaptivePath(samples, shape, criterion);
+  const refined = PATHS.getOrCreate(frame, [corners, samples, criterion.fractions, tolerance], make);
   return resampledPath(context, path, refined, frame.cost, tolerance);
 }
 
-/** The samples that the scene still has time for. */
+/** The samples that fit into the scene's remaining work. */
 export function budgetedSamples(
   context: StageContext,
   path: string,
@@ -108,11 +108,11 @@ export function budgetedSamples(
 const THINNED_SAMPLES = new Memo<Float64Array>();
 
 export function toleranceOf(context: StageContext, samples: Float64Array, tolerance: number): ChordCriterion {
-  const looks = context.sampleBudget.canProbeClosely(samples.length) ? PROBE_FRACTIONS : MIDPOINT;
-  return { tolerance, fractions: looks, maxHalvings: MAX_HALVINGS };
+  const fractions = context.sampleBudget.canProbeClosely(samples.length) ? PROBE_FRACTIONS : MIDPOINT;
+  return { tolerance, fractions, maxHalvings: MAX_HALVINGS };
 }
 
-/** Times along a path; `cost`: of where its points are at one time. */
+/** Sample times of a path; `cost`: of one evaluation. Reports a path that exceeds the tolerance. */
 export function resampledPath(
   context: StageContext,
   path: string,
@@ -129,8 +129,8 @@ export function resampledPath(
 }
 
 /**
- * The pose at each of some times [codes] as one motion, static where they are all the same; undefined where one of them has
- * none. The signs of neighbouring quaternions agree.
+ * The poses at some time codes as a motion, static if all are equal; undefined if `poseAt` is undefined at one of them. Signs
+ * of neighbouring quaternions agree.
  */
 export function sampledPoses<P extends mat4.RigidPose | undefined>(
   context: Pick<StageContext, 'codesPerSecond'>,
@@ -162,7 +162,7 @@ function setPose(poses: Float64Array, i: number, { position, orientation }: mat4
 const RIGID_TRANSFORMS = new Memo<StageTransform>();
 const RIGID_MOTIONS = new Memo<StaticMotion | SampledMotion>();
 
-/** How a prim's own axes move: of a camera or a light, which have no size. Their scale does not matter. */
+/** Motion of a camera's or light's axes; their scale is ignored. */
 export function rigidMotionOf(
   context: StageContext,
   path: string,

@@ -7,22 +7,22 @@ import type { StageContext } from '../context.ts';
 import { unionOfTimes } from '../transforms/xformOps.ts';
 import { nearestTarget } from './inheritedProperties.ts';
 
-/** A SkelAnimation as one skeleton sees it. */
+/** A SkelAnimation mapped to the joints of a skeleton. */
 export interface JointAnimation {
-  /** Codes at which a joint has a sample. */
+  /** Time codes of the joints' samples. */
   readonly times: Float64Array;
-  /** Every joint of the skeleton is moved. */
+  /** Every joint of the skeleton is animated. */
   readonly isWhole: boolean;
-  /** Joint to parent joint, the first three rows, 12 numbers each; of joints that are not moved as at rest. */
+  /** Joint-to-parent matrices, three rows of four each; the rest pose for joints that are not animated. */
   localsAt(time: number, rest: Float64Array | undefined): Float64Array;
 }
 
-/** Numbers for each joint. */
+/** Numbers per joint. */
 const JOINT_ATTRIBUTES = { translations: 3, rotations: 4, scales: 3 } as const;
 type JointAttribute = keyof typeof JOINT_ATTRIBUTES;
 const JOINT_ATTRIBUTE_NAMES = Object.keys(JOINT_ATTRIBUTES) as JointAttribute[];
 
-/** The SkelAnimation that a skeleton is bound to. */
+/** The SkelAnimation that a skeleton is bound to; undefined if there is none. */
 export function animationPrim(context: StageContext, skeleton: PrimSpec): PrimSpec | undefined {
   const path = nearestTarget(context.layer, skeleton.path, 'skel:animationSource');
   const prim = path === undefined ? undefined : primAt(context.layer, path);
@@ -60,7 +60,7 @@ export function jointAnimationOf(
   };
 }
 
-/** What keeps the joints from being moved: every sample has to have a value for each. */
+/** Why the joints cannot be animated, e.g. a sample without a value for each; undefined if they can. */
 function problemOf(context: StageContext, prim: PrimSpec, joints: number): string | undefined {
   for (const name of JOINT_ATTRIBUTE_NAMES) {
     const attribute = attributeOf(prim, name);
@@ -86,7 +86,7 @@ function locals(prim: PrimSpec, time: number, sources: Int32Array, rest: Float64
   return out;
 }
 
-/** First scaled, then turned, then moved. */
+/** Scale, then rotation, then translation. */
 function jointMatrixInto(
   out: Float64Array,
   at: number,

@@ -7,40 +7,40 @@ import type { StageContext } from '../context.ts';
 import { nearestAncestor, nearestTarget } from './inheritedProperties.ts';
 import { columnMatrices, readSkeleton, type Skeleton } from './skeleton.ts';
 
-/** Joints that one point can follow; more are no skin but a fault. */
+/** Maximum number of influences per point; more is an error in the file. */
 export const MAX_INFLUENCES = 4096;
 
-/** How a mesh hangs on its skeleton. */
+/** How a mesh is bound to its skeleton. */
 export interface SkelBinding {
   readonly skeleton: Skeleton;
-  /** Absent where no joint moves the mesh, but its blend shapes may. */
+  /** Absent if no joint influences the mesh; blend shapes may. */
   readonly joints?: JointBinding;
 }
 
 interface JointBinding {
-  /** Places in the skeleton's joints. */
+  /** Joint indices are those of the skeleton. */
   readonly influences: SkinInfluences;
-  /** One set of joints for all points. */
+  /** All points have the same influences. */
   readonly isRigid: boolean;
-  /** Three rows of four: from the mesh's axes to where it was bound. */
+  /** Mesh space to bind space, three rows of four. */
   readonly geomBind: Float64Array;
   readonly method: 'classicLinear' | 'dualQuaternion';
 }
 
-/** Whether a skeleton may bend the meshes at a prim and below it, given whether one may those around it. */
+/** Whether meshes at or below a prim may be skinned; `around`: of its parent. */
 export const maybeSkinned = (prim: PrimSpec, around: boolean): boolean =>
   prim.properties.has(SKELETON) ? targetsOf(prim, SKELETON).length > 0 : around;
 
-/** The skeletons of one stage, each read once. */
+/** Reads and caches the skeletons of a stage. */
 export class Skeletons {
   private readonly context: StageContext;
-  private readonly known = new Map<string, Skeleton | undefined>();
+  private readonly skeletons = new Map<string, Skeleton | undefined>();
 
   constructor(context: StageContext) {
     this.context = context;
   }
 
-  /** Undefined where the mesh has none, or, with a diagnostic, where it cannot follow it. */
+  /** Undefined if the mesh is not bound, or, with a diagnostic, if its binding is invalid. */
   bindingOf(mesh: PrimSpec, points: number): SkelBinding | undefined {
     const { layer } = this.context;
     if (!nearestAncestor(layer, mesh.path, (prim) => prim.typeName === 'SkelRoot')) return undefined;
@@ -62,8 +62,8 @@ export class Skeletons {
       report(this.context, 'warning', 'usd.skin', mesh.path, message);
       return undefined;
     }
-    if (!this.known.has(path)) this.known.set(path, readSkeleton(this.context, prim));
-    return this.known.get(path);
+    if (!this.skeletons.has(path)) this.skeletons.set(path, readSkeleton(this.context, prim));
+    return this.skeletons.get(path);
   }
 }
 
@@ -76,7 +76,7 @@ function nearestAttribute({ layer }: StageContext, mesh: PrimSpec, name: string)
   return prim && attributeOf(prim, name);
 }
 
-/** Or what is wrong, with the attribute's name. */
+/** The binding, or an error text that begins with the attribute's name. */
 function jointsOf(context: StageContext, mesh: PrimSpec, skeleton: Skeleton, points: number): JointBinding | string {
   const geomBind = geomBindOf(context, mesh);
   const places = jointPlaces(context, mesh, skeleton);
@@ -107,7 +107,7 @@ function jointsOf(context: StageContext, mesh: PrimSpec, skeleton: Skeleton, poi
   return { influences, isRigid, geomBind, method: skinningMethodOf(context, mesh) };
 }
 
-/** The skeleton's place of each joint that the mesh counts: by `skel:joints`, else as the skeleton does. */
+/** Index in the skeleton of each of the mesh's joints: by `skel:joints`, else in the skeleton's order. */
 function jointPlaces(context: StageContext, mesh: PrimSpec, skeleton: Skeleton): number[] | string {
   const owner = nearestAncestor(context.layer, mesh.path, (prim) => attributeOf(prim, 'skel:joints') !== undefined);
   const own = owner && tokensAt(owner, 'skel:joints', undefined);

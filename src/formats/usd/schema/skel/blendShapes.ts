@@ -4,33 +4,33 @@ import type { AttributeSpec, NumberArray, PrimSpec } from '../../layer/layer.ts'
 import { primAt, targetsOf } from '../../layer/query.ts';
 import type { StageContext } from '../context.ts';
 
-/** The blend shapes of a mesh with their weights in time. */
+/** The blend shapes of a mesh with their animated weights. */
 export interface BlendShapes {
   readonly times: Float64Array;
   readonly cost: number;
-  /** Every shape says how it bends normals. */
+  /** Every shape has normal offsets. */
   readonly haveNormals: boolean;
-  /** Adds the offsets of points, or of normals, at a time: `values` has 3 numbers for each of `points`, or for every point. */
+  /** Adds the offsets of points or normals at a time to `values`, 3 numbers for each of `points`, or for all points. */
   addTo(values: Float64Array, of: 'points' | 'normals', time: number, points?: ArrayLike<number>): void;
 }
 
-/** Offsets at one weight: the shape itself at 1, others between. */
+/** Offsets at one weight: the shape itself at 1, or an inbetween. */
 interface SubShape {
   readonly weight: number;
   readonly points: NumberArray;
   readonly normals: NumberArray | undefined;
 }
 interface BlendShape {
-  /** Place of its weight in the animation. */
+  /** Index of its weight in the animation. */
   readonly source: number;
-  /** The row of each point's offset; −1 where it has none. Absent: point i has offset i. */
+  /** Index of each point's offset, −1 if none. Absent: point i has offset i. */
   readonly rows?: Int32Array;
-  /** By rising weight, with nothing at 0. */
+  /** By increasing weight; null at 0. */
   readonly subShapes: readonly (SubShape | null)[];
   readonly weights: readonly number[];
 }
 
-/** Undefined where no weights move the mesh. */
+/** Undefined if no weights affect the mesh. */
 export function blendShapesOf(
   context: StageContext,
   mesh: PrimSpec,
@@ -136,7 +136,7 @@ function rowsOf(indices: NumberArray, points: number): Int32Array {
   return rows;
 }
 
-/** Between the two shapes whose weights are around `weight`; beyond the outermost along the last two. */
+/** Interpolates linearly between the sub-shapes around `weight`; extrapolates from the outermost two. */
 function addShape(
   values: Float64Array,
   of: 'points' | 'normals',
@@ -149,16 +149,16 @@ function addShape(
   if (upper < 0) upper = weights.length - 1;
   if (upper === 0) upper = 1;
   const part = (weight - weights[upper - 1]) / (weights[upper] - weights[upper - 1]);
-  for (const [sub, share] of [
+  for (const [sub, fraction] of [
     [subShapes[upper - 1], 1 - part],
     [subShapes[upper], part],
   ] as const) {
     const offsets = sub?.[of];
-    if (!offsets || share === 0) continue;
+    if (!offsets || fraction === 0) continue;
     for (let i = 0; i < values.length / 3; i++) {
       const point = which ? which[i] : i;
       const row = rows ? rows[point] : point;
-      if (row >= 0) for (let k = 0; k < 3; k++) values[3 * i + k] += share * offsets[3 * row + k];
+      if (row >= 0) for (let k = 0; k < 3; k++) values[3 * i + k] += fraction * offsets[3 * row + k];
     }
   }
 }

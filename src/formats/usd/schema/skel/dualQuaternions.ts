@@ -4,18 +4,18 @@ import { multiply, type Quat, rotate, toMatrix } from '../../../../math/quat.ts'
 import type { Vec3 } from '../../../../math/vec3.ts';
 import { blendMatrices, type SkinInfluences } from '../../../read/skinning.ts';
 
-/** Joints as a stretch, then a rotation and a translation in one dual quaternion. */
+/** Joint transforms as a stretch followed by a dual quaternion (rotation and translation). */
 export interface JointDualQuaternions {
-  /** Real part, then dual part: 8 numbers each. */
+  /** Real and dual part, 8 numbers per joint. */
   readonly duals: Float64Array;
-  /** 9 numbers each, of points and of normals; absent where none stretches. */
+  /** 9 numbers per joint, for points and for normals; absent if no joint stretches. */
   readonly stretches?: { readonly points: Float64Array; readonly normals: Float64Array };
 }
 
-/** Parts of less than this are rounding. */
+/** Deviations from the identity below this are rounding. */
 const STRETCH_EPSILON = 1e-6;
 
-/** @param matrices three rows of four for each joint */
+/** @param matrices three rows of four per joint */
 export function jointDualQuaternions(matrices: Float64Array): JointDualQuaternions {
   const joints = matrices.length / 12;
   const duals = new Float64Array(8 * joints);
@@ -39,7 +39,7 @@ export function jointDualQuaternions(matrices: Float64Array): JointDualQuaternio
   return { duals, ...(isStretched ? { stretches } : {}) };
 }
 
-/** Kavan et al. (2007): the blend of the joints' dual quaternions, each on the side of the heaviest, made unit. */
+/** Dual quaternion skinning (Kavan et al. 2007): the normalized blend, each with the sign of the joint of largest weight. */
 export class DualQuaternionBlend {
   private readonly joints: JointDualQuaternions;
   private readonly influences: SkinInfluences;
@@ -53,7 +53,7 @@ export class DualQuaternionBlend {
     this.influences = influences;
   }
 
-  /** Makes ready to carry what follows a point's joints. */
+  /** Sets the blend of a point's influences. */
   at(point: number): void {
     const { duals } = this.joints;
     if (this.stretches) blendMatrices(this.stretch, this.stretches, 9, this.influences, point);
@@ -82,7 +82,7 @@ export class DualQuaternionBlend {
     return [turned[0] + 2 * t[0], turned[1] + 2 * t[1], turned[2] + 2 * t[2]];
   }
 
-  /** Not made unit. */
+  /** Not normalized. */
   normal(n: Vec3): Vec3 {
     const d = this.dual;
     return rotate([d[0], d[1], d[2], d[3]], this.stretches ? apply(this.stretch, n) : n);
@@ -95,7 +95,7 @@ const apply = (m: Float64Array, [x, y, z]: Vec3): Vec3 => [
   m[6] * x + m[7] * y + m[8] * z,
 ];
 
-/** Normals of what is flattened altogether stay as they are. */
+/** The identity if the matrix is singular. */
 export function inverseTranspose(m: Mat3): Mat3 {
   const inverse = cofactors(m).map((x) => x / determinant(m));
   return inverse.every(Number.isFinite) ? inverse : IDENTITY;

@@ -6,23 +6,22 @@ import type { StageContext } from '../context.ts';
 import { localToStageTransform, type StageTransform } from '../transforms/stageTransform.ts';
 import { animationPrim, type JointAnimation, jointAnimationOf } from './animation.ts';
 
-/** Joints in joints. */
+/** Maximum depth of the joint hierarchy. */
 const MAX_DEPTH = 512;
-/** Numbers of poses that are kept, since all meshes of a skeleton ask for the same times. */
+/** Maximum number of cached matrix elements: all meshes of a skeleton request the same times. */
 const MAX_CACHED = 2 ** 20;
 
-/** A Skeleton prim with its animation: how each joint has carried what is bound to it. */
+/** A Skeleton prim with its animation. */
 export class Skeleton {
   readonly path: string;
   readonly joints: readonly string[];
-  /** Where the skeleton's own axes are, in which skinned points come to lie. */
+  /** Transform of skeleton space, in which skinned points are. */
   readonly transform: StageTransform;
-  /** What moves its joints. */
   readonly animation: JointAnimation | undefined;
-  /** The SkelAnimation itself, which may have weights of blend shapes only. */
+  /** The SkelAnimation prim; it may have only blend shape weights. */
   readonly source: PrimSpec | undefined;
   private readonly parents: Int32Array;
-  /** Parents before children. */
+  /** Joint indices, parents before children. */
   private readonly order: readonly number[];
   private readonly rest: Float64Array | undefined;
   private readonly inverseBind: Float64Array;
@@ -44,10 +43,10 @@ export class Skeleton {
     this.inverseBind = binds.inverseBind;
   }
 
-  /** Joint × inverse bind, the first three rows, 12 numbers for each joint: from where points are bound to skeleton space. */
+  /** Joint × inverse bind, three rows of four per joint: bind space to skeleton space. */
   matricesAt(time: number): Float64Array {
-    const known = this.poseCache.get(time);
-    if (known) return known;
+    const cached = this.poseCache.get(time);
+    if (cached) return cached;
     const made = this.computed(time);
     if ((this.poseCache.size + 1) * made.length > MAX_CACHED) this.poseCache.clear();
     this.poseCache.set(time, made);
@@ -77,7 +76,7 @@ interface BindPose {
   readonly inverseBind: Float64Array;
 }
 
-/** The skeleton of a prim; undefined, with a diagnostic, where it cannot be followed. */
+/** Reads a Skeleton prim; undefined, with a diagnostic, if it is invalid. */
 export function readSkeleton(context: StageContext, prim: PrimSpec): Skeleton | undefined {
   const fail = (message: string): undefined => {
     report(context, 'warning', 'usd.skeleton', prim.path, `${message}; its meshes stay as they are written`);
@@ -127,7 +126,7 @@ function treeOf(joints: readonly string[]): JointTree | string {
   return { parents, order };
 }
 
-/** From matrices that act on rows to the first three rows of those that act on columns. */
+/** Transposes 4 × 4 matrices for row vectors; returns their first three rows for column vectors. */
 export function columnMatrices(written: NumberArray): Float64Array {
   const out = new Float64Array((written.length / 16) * 12);
   for (let m = 0; m < written.length / 16; m++)
@@ -135,7 +134,7 @@ export function columnMatrices(written: NumberArray): Float64Array {
   return out;
 }
 
-/** Or the place of the first that has none. */
+/** Inverse matrices, or the index of the first singular one. */
 function inverses(written: NumberArray): Float64Array | number {
   const out = new Float64Array((written.length / 16) * 12);
   for (let m = 0; m < written.length / 16; m++) {
@@ -146,7 +145,7 @@ function inverses(written: NumberArray): Float64Array | number {
   return out;
 }
 
-/** out[i] = a[j] b[k], of matrices of three rows. */
+/** out[i] = a[j] b[k], matrices of three rows of four. */
 function multiplyInto(out: Float64Array, i: number, a: Float64Array, j: number, b: Float64Array, k: number): void {
   for (let r = 12 * j, o = 12 * i; r < 12 * j + 12; r += 4, o += 4) {
     const [x, y, z, w] = [a[r], a[r + 1], a[r + 2], a[r + 3]];

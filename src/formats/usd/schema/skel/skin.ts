@@ -9,23 +9,23 @@ import type { SkelBinding, Skeletons } from './binding.ts';
 import { type BlendShapes, blendShapesOf } from './blendShapes.ts';
 import { DualQuaternionBlend, inverseTranspose, jointDualQuaternions } from './dualQuaternions.ts';
 
-/** How a skeleton and blend shapes bend a mesh. */
+/** Deformation of a mesh by a skeleton and blend shapes. */
 export interface Skin {
-  /** Codes at which a joint, a weight or the points have a sample. */
+  /** Time codes of samples of joints, weights or points. */
   readonly times: Float64Array;
-  /** Where its points come to lie; absent: in the mesh's own axes. */
+  /** Transform of the space of its points; absent: the mesh's own. */
   readonly transform?: StageTransform;
-  /** All points are carried alike, by `frame` alone. */
+  /** All points move alike, by `transform` alone. */
   readonly isRigid: boolean;
-  /** Evaluations of a transform that a pose takes. */
+  /** Cost of a pose in transform evaluations. */
   readonly cost: number;
-  /** 3 numbers for each of the points named, or for all. */
+  /** 3 numbers for each of the requested points, or for all. */
   pointsAt(time: number, which?: ArrayLike<number>): Float64Array;
-  /** Of the points of the mesh's vertices, as bent from `rest` (3 per vertex); undefined where they have to be computed. */
+  /** Vertex normals deformed from `rest` (3 per vertex); undefined if they have to be computed from the points. */
   normalsAt(time: number, rest: Float32Array, pointOfVertex: ArrayLike<number>): Float32Array | undefined;
 }
 
-/** Undefined where nothing bends the mesh. */
+/** Undefined if nothing deforms the mesh. */
 export function skinOf(
   context: StageContext,
   skeletons: Skeletons,
@@ -78,7 +78,7 @@ function rigidSkin(bend: SkinDeformer, { skeleton, joints }: SkelBinding): Skin 
 class SkinDeformer {
   readonly context: StageContext;
   readonly mesh: PrimSpec;
-  /** The points have samples themselves. */
+  /** The points have time samples. */
   private readonly moves: boolean;
   private readonly binding: SkelBinding;
   private readonly shapes: BlendShapes | undefined;
@@ -97,7 +97,7 @@ class SkinDeformer {
     this.shapes = shapes;
   }
 
-  /** For each joint: skeleton space ← mesh, three rows of four. */
+  /** Mesh space to skeleton space per joint, three rows of four. */
   boundAt(time: number): Float64Array {
     const { skeleton, joints } = this.binding;
     const matrices = skeleton.matricesAt(time);
@@ -179,7 +179,7 @@ function skinPoints(
   }
 }
 
-/** As UsdSkel does: the joints' inverse transposes are blended, not the blend inverted. */
+/** As UsdSkel: blends the joints' inverse transposes instead of inverting the blend. */
 function skinNormals(
   normals: Float64Array,
   matrices: Float64Array,
@@ -194,7 +194,7 @@ function skinNormals(
   }
 }
 
-/** 9 numbers for each matrix of three rows of four. */
+/** Inverse transposes, 9 numbers each, of matrices of three rows of four. */
 function inverseTransposes(matrices: Float64Array): Float64Array {
   const out = new Float64Array((matrices.length / 12) * 9);
   for (let j = 0; j < matrices.length / 12; j++) {

@@ -6,15 +6,15 @@ import { samplesUntil } from '../../../../physics/worldLines/samples.ts';
 import { numberOf, numbersOf, type TimeCode } from '../../layer/attributes.ts';
 import type { AttributeSpec, TimeSamples } from '../../layer/layer.ts';
 
-/** What is interpolated: numbers one by one, and perhaps an orientation. */
+/** Values that are interpolated: numbers individually, and optionally an orientation. */
 interface OpSample {
   readonly numbers: readonly number[];
   readonly orientation?: Quat;
 }
 
 /**
- * The numbers of a transform op between its samples, along a cubic: vectors, angles and scales number by number, quaternions along a curve of
- * rotations, matrices by their parts (place, rotation, stretch). undefined where that is not between samples of one kind: there USD's own rule holds.
+ * The value of a transform op by cubic interpolation of its samples: vectors, angles and scales per number, quaternions along a curve of
+ * rotations, matrices by translation, rotation and stretch. Undefined outside the samples or between samples of different kinds: USD's own rule applies.
  */
 export function cubicOpValues(
   kind: string,
@@ -53,7 +53,7 @@ interface OpSlope {
   readonly rate?: Vec3;
 }
 
-/** At sample k, an end of the piece after sample i: by its neighbours where they are of its kind, else that of the piece's own chord. */
+/** Slope at sample k, an end of the interval after sample i: from the neighbouring samples if they are compatible, else from the interval's chord. */
 function slopeAt(times: Float64Array, k: number, i: number, at: (k: number) => OpSample | undefined): OpSlope {
   const { middle, share } = slopeRule(times, k);
   const three = [at(middle - 1), at(middle), at(middle + 1)];
@@ -73,7 +73,7 @@ function chord(a: OpSample, b: OpSample, span: number): OpSlope {
   return { numbers, rate: scale(logarithm(multiply(conjugate(a.orientation), b.orientation)), 1 / span) };
 }
 
-/** Samples of matrices are taken apart once. */
+/** Decomposed matrix samples. */
 const DECOMPOSED = new WeakMap<TimeSamples, (OpSample | undefined)[]>();
 
 function sampleOf(kind: string, samples: TimeSamples, k: number): OpSample | undefined {
@@ -97,7 +97,7 @@ function decomposedSample(kind: string, { values }: TimeSamples, k: number): OpS
   return { numbers: [...pose.position, ...stretch], orientation: pose.orientation };
 }
 
-/** As USD writes them. */
+/** The numbers in the layout of the op's USD value. */
 function authoredNumbers(kind: string, numbers: readonly number[], orientation: Quat | undefined): readonly number[] {
   if (!orientation) return numbers;
   if (kind === 'orient') return orientation;

@@ -1,11 +1,11 @@
 import type { Mat4 } from '../../../../math/mat4.ts';
 
-/** A memory has room for so many matrices, or less where fewer are wanted: 1 MB. */
+/** Maximum number of slots, 1 MB. */
 const MAX_MATRICES = 2 ** 13;
-/** Slots for each time that is expected: few times fall into the same. */
+/** Slots per expected time, so that collisions are rare. */
 const SLOTS_PER_TIME = 8;
 
-/** Matrices at the times that were last asked for. Each has one slot, by its bits; what falls into it next takes its place. */
+/** Direct-mapped cache of matrices by time: each time has one slot, by a hash of its bits. */
 export class MatrixCache {
   private readonly mask: number;
   private readonly times: Float64Array;
@@ -13,7 +13,7 @@ export class MatrixCache {
   private readonly bits = new Float64Array(1);
   private readonly words = new Uint32Array(this.bits.buffer);
 
-  /** `times`: about so many different ones will be asked for. */
+  /** `times`: expected number of different times. */
   constructor(times: number) {
     const slots = Math.min(MAX_MATRICES, 2 ** Math.ceil(Math.log2(SLOTS_PER_TIME * Math.max(1, times))));
     this.mask = slots - 1;
@@ -21,7 +21,7 @@ export class MatrixCache {
     this.matrices = new Float64Array(16 * slots);
   }
 
-  /** What was made for this time, else what `make` makes. */
+  /** The cached matrix of a time, or that of `make`. */
   getOrCompute(time: number, make: (time: number) => Mat4): Mat4 {
     const slot = this.slotOf(time);
     const { matrices: m } = this;
@@ -36,7 +36,7 @@ export class MatrixCache {
     return made;
   }
 
-  /** Multiplied by the golden ratio, as Knuth 1973, The Art of Computer Programming 3, §6.4. */
+  /** Fibonacci hashing (Knuth 1973, The Art of Computer Programming 3, §6.4). */
   private slotOf(time: number): number {
     this.bits[0] = time;
     const hash = Math.imul(this.words[0] ^ Math.imul(this.words[1], 0x9e3779b1), 0x9e3779b1);

@@ -1,11 +1,11 @@
 /** Memoizes by object keys; entries live as long as the first key. */
 export class Memo<V> {
-  private readonly known = new WeakMap<object, MemoNode<V>>();
+  private readonly roots = new WeakMap<object, MemoNode<V>>();
 
-  getOrCreate(owner: object, things: readonly unknown[], make: () => V): V {
-    let branch = this.known.get(owner) ?? new MemoNode<V>();
-    this.known.set(owner, branch);
-    for (const thing of things) branch = branch.child(thing);
+  getOrCreate(owner: object, keys: readonly unknown[], make: () => V): V {
+    let branch = this.roots.get(owner) ?? new MemoNode<V>();
+    this.roots.set(owner, branch);
+    for (const key of keys) branch = branch.child(key);
     branch.entry ??= { value: make() };
     return branch.entry.value;
   }
@@ -15,9 +15,9 @@ class MemoNode<V> {
   entry: { readonly value: V } | undefined;
   private readonly next = new Map<unknown, MemoNode<V>>();
 
-  child(thing: unknown): MemoNode<V> {
-    const branch = this.next.get(thing) ?? new MemoNode<V>();
-    this.next.set(thing, branch);
+  child(key: unknown): MemoNode<V> {
+    const branch = this.next.get(key) ?? new MemoNode<V>();
+    this.next.set(key, branch);
     return branch;
   }
 }

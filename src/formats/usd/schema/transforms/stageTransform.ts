@@ -17,13 +17,13 @@ import {
 
 /** Local-to-stage transform of a prim over time. */
 export interface StageTransform {
-  /** Codes at which the ops have samples; empty where nothing moves. */
+  /** Time codes of the ops' samples; empty if static. */
   readonly times: Float64Array;
-  /** How many ops and products of matrices `matrixAt` takes. */
+  /** Cost of `matrixAt` in ops and matrix products. */
   readonly cost: number;
-  /** No rotation; linear between samples. */
+  /** Only the translation changes, linearly between samples. */
   readonly isStraight?: boolean;
-  /** Its times are bounded where they come from, and take none of the scene's. */
+  /** The number of times is already bounded and does not count towards the scene's budget. */
   readonly isBudgeted?: boolean;
   /** x_stage = M x_local, in stage units. */
   matrixAt(time: TimeCode): mat4.Mat4;
@@ -34,7 +34,7 @@ export const ROOT_TRANSFORM: StageTransform = { times: new Float64Array(0), cost
 /** Cost of a cubic relative to an op. */
 const CUBIC_COST = 3;
 
-/** `isShareLink`: several frames are within it, and ask for its matrices mostly at the same times. */
+/** `isShared`: several frames are nested in it and mostly evaluate it at the same times. */
 export function childTransform(parent: StageTransform, ops: readonly XformOp[], isShared = false): StageTransform {
   if (ops.length === 0) return parent;
   const own = opTimes(ops);
@@ -54,7 +54,7 @@ export function childTransform(parent: StageTransform, ops: readonly XformOp[], 
   return { times, cost, isStraight, matrixAt: isShared ? withMatrixCache(matrixAt, times.length) : matrixAt };
 }
 
-/** Matrices are made once: what is carried along is looked at where its carrier is, mostly at the same times. */
+/** Caches matrices, because nested frames mostly evaluate their parent at the same times. */
 function withMatrixCache(matrixAt: StageTransform['matrixAt'], times: number): StageTransform['matrixAt'] {
   let memory: MatrixCache | undefined;
   return (time) => {
@@ -64,7 +64,7 @@ function withMatrixCache(matrixAt: StageTransform['matrixAt'], times: number): S
   };
 }
 
-/** Where the axes of `inner`, which is within `outer`, are. */
+/** The transform of `inner` within `outer`: outer × inner. */
 export function nestedTransform(outer: StageTransform, inner: StageTransform): StageTransform {
   const times = unionOfTimes([outer.times, inner.times]);
   if (times.length > 0) {
@@ -79,7 +79,7 @@ export function nestedTransform(outer: StageTransform, inner: StageTransform): S
   return { times, cost: 1, matrixAt: () => fixed };
 }
 
-/** Of the prim at a path. */
+/** The transform of the prim at a path. */
 export function localToStageTransform(layer: Layer, path: string): StageTransform {
   if (path === '') return ROOT_TRANSFORM;
   const prim = primAt(layer, path);
@@ -92,11 +92,11 @@ export function localToStageTransform(layer: Layer, path: string): StageTransfor
 
 const IN_METERS = new Memo<StageTransform>();
 
-/** The frame in metres; the same one for one that moves. */
+/** The frame in metres; cached for moving frames. */
 export function transformInMeters(frame: StageTransform, unit: number): StageTransform {
   if (unit === 1) return frame;
   const matrixAt = (time: TimeCode): mat4.Mat4 => mat4.scaledUniformly(frame.matrixAt(time), unit);
   const made = (): StageTransform => ({ ...frame, matrixAt });
-  // Static frames are not cached: the root's lives for ever.
+  // Static frames are not cached: the root's would never be released.
   return frame.times.length > 0 ? IN_METERS.getOrCreate(frame, [unit], made) : made();
 }

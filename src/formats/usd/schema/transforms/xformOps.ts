@@ -21,28 +21,28 @@ export interface XformOp {
   readonly kind: string;
   readonly inverted: boolean;
   readonly attribute: AttributeSpec;
-  /** Along cubics between samples; else as USD has it, straight. */
+  /** Cubic interpolation between samples instead of USD's linear one. */
   readonly cubic: boolean;
 }
 
 export interface LocalTransform {
   readonly ops: readonly XformOp[];
-  /** The parent's transform does not apply. */
+  /** `!resetXformStack!`: the parent's transform does not apply. */
   readonly resetsStack: boolean;
-  /** Names in `xformOpOrder` that cannot be followed. */
+  /** Unsupported or missing names in `xformOpOrder`. */
   readonly unknown: readonly string[];
-  /** How many names there are, where they are more than are read. */
+  /** Number of names if they exceed the maximum. */
   readonly tooMany?: number;
 }
 
-/** Transforms of one prim beyond this are left out: a file of one prim could ask for millions at every time. */
+/** Maximum number of ops of a prim: a file with one prim could request millions at every time. */
 export const MAX_OPS = 4096;
 
 const RESET = '!resetXformStack!';
 const INVERT = '!invert!';
 const PREFIX = 'xformOp:';
 
-/** The ops of a prim in the order written: the first is the outermost. Ops before the last reset do not count. */
+/** The ops of a prim in authored order, the outermost first, from the last `!resetXformStack!`. */
 export function transformOf(prim: PrimSpec, cubic = false): LocalTransform {
   const order = tokensAt(prim, 'xformOpOrder', undefined) ?? [];
   const reset = order.lastIndexOf(RESET);
@@ -67,7 +67,7 @@ function opOf(prim: PrimSpec, written: string, cubic: boolean): XformOp | undefi
 
 const KINDS = /^(translate[XYZ]?|scale[XYZ]?|rotate([XYZ]|XYZ|XZY|YXZ|YZX|ZXY|ZYX)|orient|transform)$/;
 
-/** x_parent = M x_local at a time; an op without a value there is the identity. */
+/** M in x_parent = M x_local at a time; ops without a value are the identity. */
 export function localMatrix(ops: readonly XformOp[], time: TimeCode): mat4.Mat4 {
   let m: mat4.Mat4 | undefined;
   for (const op of ops) m = multiplied(m, opMatrix(op, opNumbers(op, time)));
@@ -77,10 +77,10 @@ export function localMatrix(ops: readonly XformOp[], time: TimeCode): mat4.Mat4 
 const multiplied = (m: mat4.Mat4 | undefined, step: mat4.Mat4 | undefined): mat4.Mat4 | undefined =>
   m && step ? mat4.multiply(m, step) : (m ?? step);
 
-/** A step that is the same at all times, or one that is not. */
+/** A constant matrix or an animated op. */
 type TransformStep = mat4.Mat4 | XformOp;
 
-/** The steps of what changes with time, those that stay the same between others made one. */
+/** The ops with runs of constant ones multiplied into one matrix. */
 export function collapsedSteps(ops: readonly XformOp[]): readonly TransformStep[] {
   const steps: TransformStep[] = [];
   for (const op of ops) {
@@ -94,19 +94,19 @@ export function collapsedSteps(ops: readonly XformOp[]): readonly TransformStep[
 
 const isMatrix = (step: TransformStep | undefined): step is mat4.Mat4 => Array.isArray(step);
 
-/** What `localMatrix` is of the ops that the steps were made of, at a time code. */
+/** `localMatrix` of the ops that the steps were made from, at a time code. */
 export function stepProduct(steps: readonly TransformStep[], time: TimeCode): mat4.Mat4 {
   let m: mat4.Mat4 | undefined;
   for (const step of steps) m = multiplied(m, isMatrix(step) ? step : opMatrix(step, opNumbers(step, time)));
   return m ?? mat4.IDENTITY;
 }
 
-/** Codes at which any of the ops has a sample, rising. */
+/** Sorted time codes of the ops' samples. */
 export function opTimes(ops: readonly XformOp[]): Float64Array {
   return unionOfTimes(ops.map((op) => sampleTimes(op.attribute)));
 }
 
-/** Whether an op does not change, or moves straight from each of its samples to the next. */
+/** Whether an op is constant or a linearly interpolated translation. */
 export function isStraightOp({ kind, attribute, cubic }: XformOp): boolean {
   const samples = attribute.timeSamples;
   if (!samples || samples.times.length < 2) return true;
@@ -116,7 +116,7 @@ export function isStraightOp({ kind, attribute, cubic }: XformOp): boolean {
   return !cubic && kind.startsWith('translate') && isNumber && isLinear;
 }
 
-/** Of lists of rising times all, each once. */
+/** The union of sorted lists of times. */
 export const unionOfTimes = (lists: readonly Float64Array[]): Float64Array => lists.reduce(mergedTimes, NO_TIMES);
 
 const NO_TIMES = new Float64Array(0);
@@ -171,8 +171,8 @@ function onAxis(rest: number, axis: number, value: number): Vec3 {
 }
 
 /**
- * As GfRotation::SetQuat: the axis from the imaginary part, the angle from the real one, also of what is not unit. Of
- * what is, the arc cosine would lose half the digits of a small angle.
+ * As GfRotation::SetQuat: the axis from the imaginary part, the angle from the real one, also if not unit. For unit
+ * quaternions the arc cosine would lose half the digits of a small angle.
  */
 function fromQuat(v: ArrayLike<number>): mat4.Mat4 {
   const q: Quat = [v[0], v[1], v[2], v[3]];
@@ -187,7 +187,7 @@ function fromAxisAndAngle([x, y, z, w]: Quat): Quat {
   return fromAxisAngle([x, y, z], 2 * Math.acos(Math.max(-1, Math.min(1, w))));
 }
 
-/** About one axis [degrees]. */
+/** Rotation about one axis [degrees]. */
 function rotation(axis: number, degrees: number): mat4.Mat4 {
   const angle = radians(degrees);
   const [c, s] = [Math.cos(angle), Math.sin(angle)];
@@ -196,7 +196,7 @@ function rotation(axis: number, degrees: number): mat4.Mat4 {
   return [c, -s, 0, 0, s, c, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1];
 }
 
-/** `XYZ`: first about X, then Y, then Z. The angles are x y z, in any order of application. */
+/** `XYZ`: first about X, then Y, then Z. The angles are x, y, z for any order. */
 function eulerMatrix(order: string, degrees: ArrayLike<number>): mat4.Mat4 {
   const about = (i: number): mat4.Mat4 => {
     const axis = 'XYZ'.indexOf(order[i]);

@@ -8,7 +8,7 @@ export const CYLINDER_LIGHT = localLightSchema<CylinderLight>('CylinderLight', {
     radius: size('radius', 0.5) * Math.sqrt(sy * sz),
     length: size('length', 1) * sx,
   }),
-  /** One that may be taken for a line is; it stays as strong from afar. */
+  /** With `treatAsLine` or without a radius it is a line, with the same irradiance at a distance. */
   radiance(shape, { isNormalized, over, isFlagged }) {
     const { radius, length } = shape;
     if (radius > 0 && !isFlagged('treatAsLine')) return { shape, gain: over(2 * Math.PI * radius * length) };

@@ -18,14 +18,14 @@ export const DISTANT_LIGHT: LightSchema<DistantLight> = {
   },
 };
 
-/** Diameter of a distant light's disc, which a file has in degrees, where it is written. */
+/** Angular diameter [rad] of a distant light, authored in degrees; undefined if absent. */
 function angleOf(context: StageContext, prim: PrimSpec): Pick<DistantLight, 'angle'> {
   const angle = lightNumber(context, prim, 'angle');
   return angle === undefined ? {} : { angle: radians(Math.min(Math.max(angle, 0), 180)) };
 }
 
 /**
- * Where no intensity is written. UsdLux gives a distant light 50000 over its disc of 0.53°, which is an irradiance of
- * 50000 π sin²(0.265°). What is written is taken for the irradiance, whatever the angle.
+ * Default irradiance. UsdLux's fallback intensity of a distant light is 50000 over a disc of 0.53°, an irradiance of
+ * 50000 π sin²(0.265°). Authored intensities are taken as the irradiance, independent of the angle.
  */
 const DISTANT_INTENSITY = 50000 * Math.PI * Math.sin(radians(0.265)) ** 2;

@@ -4,7 +4,7 @@ import type { TextureLoader } from '../../materials/textureLoader.ts';
 import type { SlowlightAttributes } from '../../slowlightAttributes.ts';
 import type { StageTransform } from '../../transforms/stageTransform.ts';
 
-/** A prim that is a light, and what its reader needs. */
+/** A light prim with the context for its reader. */
 export interface LightPrim {
   readonly context: StageContext;
   readonly textures: TextureLoader;
@@ -13,12 +13,12 @@ export interface LightPrim {
   readonly slowlight: SlowlightAttributes;
 }
 
-/** How prims of a schema of UsdLux become lights of a kind (docs/adr/0024-light-kinds.md). */
+/** Reader of a UsdLux schema (docs/adr/0024-light-kinds.md). */
 export interface LightSchema<L> {
   readonly typeNames: readonly string[];
-  /** Told by an attribute from other lights of its type. */
+  /** Recognized by an attribute, for types that several kinds share. */
   isAsked?(prim: PrimSpec): boolean;
-  /** Whether its motion is kept: it is held at the stage's start otherwise. */
+  /** Whether its motion is read; otherwise it is fixed at the stage's start. */
   readonly moves: boolean;
   read(prim: LightPrim): Promise<L>;
 }

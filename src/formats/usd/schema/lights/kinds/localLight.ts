@@ -12,31 +12,30 @@ import { type StageTransform, transformInMeters } from '../../transforms/stageTr
 import { emissionOf, lightFlag, lightNumber, shapingOf, spectrumOf } from '../lightInputs.ts';
 import type { LightSchema } from './lightSchema.ts';
 
-/** Kind and sizes of a light. */
 type ShapePart<L extends LocalLight> = Pick<L, Exclude<keyof L, keyof LocalLightBase>>;
 
-/** What the readers of local lights differ in. */
+/** What differs between kinds of local lights. */
 interface ShapeSchema<L extends LocalLight> {
   readonly isOneSided: boolean;
-  /** Whether its schema has a picture, which shines with its mean colour. */
+  /** Whether its schema has a texture, whose mean colour is used. */
   readonly isTextured?: boolean;
-  /** Kind and sizes [m], stretched along X, Y, Z as the prim's transform at the start says; a stretch that a shape cannot have by its mean. */
+  /** Kind and sizes [m], scaled along X, Y, Z by the prim's transform at the start; by the mean scale where the shape cannot be non-uniform. */
   shape(size: (name: string, fallback: number) => number, stretch: Vec3): ShapePart<L>;
-  /** The shape as it is drawn, and the factor that makes of the written brightness its colour. */
+  /** The shape to draw, and the factor from authored brightness to `color`. */
   radiance(shape: ShapePart<L>, of: RadianceInputs): { readonly shape: ShapePart<L>; readonly gain: number };
 }
 
 interface RadianceInputs {
-  /** [m] */
+  /** Metres per stage unit. */
   readonly unit: number;
-  /** A normalized light divides its brightness by its surface in stage units. */
+  /** A normalized light divides its brightness by its surface area in stage units. */
   readonly isNormalized: boolean;
-  /** 1, or of a normalized light one over an area [m²] in stage units. */
+  /** 1, or for normalized lights the reciprocal of an area [m²] in stage units. */
   over(area: number): number;
   isFlagged(name: string): boolean;
 }
 
-/** Lights that are somewhere, with the brightness and the size that they have at the stage's start. */
+/** Reads local lights, with their brightness and size at the stage's start. */
 export const localLightSchema = <L extends LocalLight>(
   typeName: string,
   kind: ShapeSchema<L>,
@@ -118,7 +117,7 @@ function localLightMotion(
   return closedFormMotion(context, prim.path, mat4.decomposeRigid(world).pose, slowlight);
 }
 
-/** The transform without stretch and mirroring: X along the lamp's own, Z across its face on the side that its own is. */
+/** The pose of a transform with scale or mirroring: X along the light's own X axis, Z normal to its face on the side of its own Z axis. */
 function orthonormalized(m: mat4.Mat4): mat4.Mat4 {
   const [x, y, z] = AXES.map((axis) => mat4.transformVector(m, axis));
   const X = normalize(x, [1, 0, 0]);

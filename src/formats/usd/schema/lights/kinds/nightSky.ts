@@ -8,13 +8,13 @@ import { emissionOf } from '../lightInputs.ts';
 import { DOME_LIGHT } from './domeLight.ts';
 import type { LightSchema } from './lightSchema.ts';
 
-/** A dome that our own attribute says to be the bright stars, as its frame turns them; their colours are their own. */
+/** A dome with `slowlight:sky = "stars"`: the bright stars, rotated by its frame, with their own colours. */
 export const NIGHT_SKY: LightSchema<NightSky> = {
   typeNames: DOME_LIGHT.typeNames,
   isAsked: (prim) => textAt(prim, 'slowlight:sky', undefined) === 'stars',
   moves: false,
   async read({ context, prim, frame }) {
-    // Loaded with the first scene that has stars: the page is light without them.
+    // The catalogue is imported lazily to keep the page small.
     const { brightStars } = await import('../../../../../scene/stars/brightStars.ts');
     const { orientation } = mat4.decomposeRigid(frame.matrixAt(context.startCode)).pose;
     return {
