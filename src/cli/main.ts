@@ -18,6 +18,18 @@ const exitCodes = [
   ...Object.entries(EXIT_MEANINGS).map(([code, meaning]) => `  ${code.padEnd(5)}${meaning}`),
 ].join('\n');
 
+/** All commands with their flags, in the order of `--help`; their actions are imported lazily. */
+export const commands = (): readonly Command[] => [
+  renderCommand(),
+  probeCommand(),
+  inspectCommand(),
+  compareCommand(),
+  convertCommand(),
+  simulateCommand(),
+  graphCommand(),
+  serveCommand(),
+];
+
 /** Runs the command line; returns the exit code. */
 export async function main(args: readonly string[]): Promise<number> {
   try {
@@ -28,23 +40,12 @@ export async function main(args: readonly string[]): Promise<number> {
   }
 }
 
-/** All commands with their flags; their actions are imported lazily. */
-export function program(): Command {
+function program(): Command {
   const program = new Command('slowlight')
     .description('Shows what a fast observer sees, and what is really there.')
     .version(version())
     .addHelpText('after', exitCodes);
-  for (const add of [
-    renderCommand,
-    probeCommand,
-    inspectCommand,
-    compareCommand,
-    convertCommand,
-    simulateCommand,
-    graphCommand,
-    serveCommand,
-  ])
-    program.addCommand(add());
+  for (const command of commands()) program.addCommand(command);
   for (const command of [program, ...program.commands]) {
     command
       .exitOverride()

@@ -2,7 +2,7 @@ import { Command, type Option } from 'commander';
 import { addPipelineFlags } from '../../src/cli/flags/pipelineFlags.ts';
 import { addSceneFlags } from '../../src/cli/flags/sceneFlags.ts';
 import { addObserverFlags, addSettingFlags } from '../../src/cli/flags/viewFlags.ts';
-import { program } from '../../src/cli/main.ts';
+import { commands } from '../../src/cli/main.ts';
 import { EXIT_MEANINGS } from '../../src/cli/terminal/exitCodes.ts';
 
 /** Flags that several commands share, by the section of the page that has their table. */
@@ -13,7 +13,7 @@ const GROUPS = {
   'Where it runs': addPipelineFlags,
 };
 
-const COMMANDS = program().commands.flatMap((command) => (command.commands.length > 0 ? command.commands : [command]));
+const COMMANDS = commands().flatMap((command) => (command.commands.length > 0 ? command.commands : [command]));
 
 /** Every flag of every command, `--no-` included. */
 export const FLAGS: ReadonlySet<string> = new Set([
@@ -26,7 +26,10 @@ const optionsOf = (add: (command: Command) => Command): readonly Option[] => add
 
 /** docs/guide/command-line.md with its generated parts, those between `<!-- made: NAME -->` and `<!-- end -->`, made anew. */
 export const withTables = (page: string): string =>
-  page.replace(/(<!-- made: (.*) -->\n).*?(<!-- end -->)/gs, (_, begin, name, end) => `${begin}${made(name)}\n${end}`);
+  page.replace(
+    /(<!-- made: ([^>]*) -->\n)[\s\S]*?(<!-- end -->)/g,
+    (_, begin, name, end) => `${begin}${made(name)}\n${end}`,
+  );
 
 function made(name: string): string {
   if (name === 'commands') return COMMANDS.map(commandSection).join('\n\n');
@@ -40,7 +43,7 @@ function commandSection(command: Command): string {
   const shared = groups.flatMap(([, add]) => optionsOf(add).map(({ flags }) => flags));
   const own = command.options.filter(({ flags }) => !shared.includes(flags));
   const links = groups.map(([title]) => `[${title}](#${anchor(title)})`).join(', ');
-  const names = command.parent?.parent ? [command.parent.name(), command.name()] : [command.name()];
+  const names = command.parent ? [command.parent.name(), command.name()] : [command.name()];
   const args = command.registeredArguments.map((each) => (each.required ? `<${each.name()}>` : `[${each.name()}]`));
   return [
     `### ${names.join(' ')}`,
@@ -50,13 +53,16 @@ function commandSection(command: Command): string {
   ].join('\n\n');
 }
 
-const anchor = (title: string): string => title.toLowerCase().replace(/[^\p{L}\s]/gu, '').replaceAll(' ', '-');
+const anchor = (title: string): string =>
+  title
+    .toLowerCase()
+    .replace(/[^\p{L}\s]/gu, '')
+    .replaceAll(' ', '-');
 
-const flagTable = (options: readonly Option[]): string =>
-  table(['flag', 'means', 'default'], options.map(flagRow));
+const flagTable = (options: readonly Option[]): string => table(['flag', 'means', 'default'], options.map(flagRow));
 
 function flagRow({ flags, description, argChoices, defaultValue, defaultValueDescription }: Option): string[] {
-  const choices = argChoices ? `: ${argChoices.map((each) => `\`${each}\``).join(', ')}` : '';
+  const choices = argChoices ? ` (${argChoices.map((each) => `\`${each}\``).join(', ')})` : '';
   const fallback = defaultValueDescription ?? (defaultValue === false ? undefined : defaultValue);
   return [`\`${flags}\``, `${description}${choices}`, fallback === undefined ? '' : `\`${fallback}\``];
 }

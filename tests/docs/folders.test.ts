@@ -9,7 +9,9 @@ interface ImportRule {
   readonly linter: {
     readonly rules: {
       readonly style: {
-        readonly noRestrictedImports: { readonly options: { readonly patterns: readonly { readonly group: string[] }[] } };
+        readonly noRestrictedImports: {
+          readonly options: { readonly patterns: readonly { readonly group: string[] }[] };
+        };
       };
     };
   };

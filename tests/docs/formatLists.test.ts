@@ -9,7 +9,12 @@ import { writtenExtensions } from '../../src/formats/save.ts';
 const ROOT = new URL('../../', import.meta.url);
 const read = (path: string): string => readFileSync(fileURLToPath(new URL(path, ROOT)), 'utf8');
 const guide = readdirSync(new URL('docs/guide/', ROOT)).filter((file) => file.endsWith('.md'));
-const pages = ['README.md', 'docs/adr/0001-folders.md', 'docs/conventions.md', ...guide.map((file) => `docs/guide/${file}`)];
+const pages = [
+  'README.md',
+  'docs/adr/0001-folders.md',
+  'docs/conventions.md',
+  ...guide.map((file) => `docs/guide/${file}`),
+];
 
 const names = sceneFormats.map(({ shortName }) => shortName);
 /** Those without structure: one extension, one page of the guide. */

@@ -23,8 +23,7 @@ type OpenSink = (flags: RenderFlags, scene: Scene, frames: number) => FrameSink 
 const SINKS: ReadonlyMap<string, OpenSink> = new Map<string, OpenSink>([
   [
     '.png',
-    ({ output, size }, _, frames) =>
-      fileSink(output, frames, (frame) => encodePngPicture(size, frame.rendered, frame)),
+    ({ output, size }, _, frames) => fileSink(output, frames, (frame) => encodePngPicture(size, frame.rendered, frame)),
   ],
   [
     '.exr',

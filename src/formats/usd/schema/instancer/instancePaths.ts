@@ -41,7 +41,9 @@ function timesOf(
   const [{ count }] = indexRuns;
   const [first, last] = [times[0] ?? start, times[times.length - 1] ?? start];
   const extrapolatedFrom = transforms.isExtrapolated(count, first) ? Math.min(start, first) : first;
-  const extrapolatedTo = transforms.isExtrapolated(indexRuns[indexRuns.length - 1].count, last) ? Math.max(end, last) : last;
+  const extrapolatedTo = transforms.isExtrapolated(indexRuns[indexRuns.length - 1].count, last)
+    ? Math.max(end, last)
+    : last;
   if (extrapolatedFrom === first && extrapolatedTo === last && birth === -Infinity && death === Infinity) return times;
   const all = new Set([extrapolatedFrom, ...times, extrapolatedTo, birth, death].filter(Number.isFinite));
   return Float64Array.from(all)

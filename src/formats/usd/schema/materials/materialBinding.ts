@@ -152,7 +152,13 @@ function uvsOf(
   const requested = new Set(used.flatMap((m) => m.uv?.name ?? []));
   const name = [...requested, 'st', ...uvPrimvars(prim)].find((n) => attributeOf(prim, `primvars:${n}`));
   if (requested.size > 1)
-    report(context, 'warning', 'usd.uv', prim.path, `its materials use uvs ${[...requested].join(', ')}; ${name} is used`);
+    report(
+      context,
+      'warning',
+      'usd.uv',
+      prim.path,
+      `its materials use uvs ${[...requested].join(', ')}; ${name} is used`,
+    );
   if (name === undefined) {
     if (requested.size > 0) {
       const message = `its material reads uvs '${[...requested].join("', '")}', which it does not have`;
