@@ -1,9 +1,6 @@
 import type { Words } from '../scene/settings/setting.ts';
 import { sceneFormats } from './registry.ts';
 
-/** `.usda, .usdz` */
-export const dotted = (extensions: readonly string[]): string => extensions.map((each) => `.${each}`).join(', ');
-
 /** `a, b or c`; at least one. */
 export const alternatives = (words: readonly string[], separator = ', ', last = ' or '): string =>
   [words.slice(0, -1).join(separator), words.at(-1)].filter(Boolean).join(last);

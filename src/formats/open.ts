@@ -1,7 +1,6 @@
 import { InputError, type Scene } from '../scene/types.ts';
 import { formatBytes, inputError, messageOf } from './diagnostics/inputError.ts';
-import { extensionOf, type FileSource, normalizePath } from './files/fileSource.ts';
-import { dotted } from './formatLists.ts';
+import { dotted, extensionOf, type FileSource, normalizePath } from './files/fileSource.ts';
 import { sanitizeScene } from './read/sanitize.ts';
 import type { ReadOptions } from './readOptions.ts';
 import { formatOf, sceneFormats } from './registry.ts';

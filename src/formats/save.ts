@@ -2,8 +2,7 @@ import { pointSamples } from '../scene/motion/motion.ts';
 import type { Diagnostic, Scene } from '../scene/types.ts';
 import { DiagnosticLog } from './diagnostics/diagnosticLog.ts';
 import { inputError } from './diagnostics/inputError.ts';
-import { extensionOf } from './files/fileSource.ts';
-import { dotted } from './formatLists.ts';
+import { dotted, extensionOf } from './files/fileSource.ts';
 import type { ExportedScene } from './write/exportMotion.ts';
 
 /** Writers by extension, loaded lazily. */

@@ -1,7 +1,6 @@
 import { basename, dirname, resolve } from 'node:path';
 import { Command } from 'commander';
-import { extensionOf } from '../../formats/files/fileSource.ts';
-import { dotted } from '../../formats/formatLists.ts';
+import { dotted, extensionOf } from '../../formats/files/fileSource.ts';
 import { saveScene } from '../../formats/save.ts';
 import { checkPython, exportScene, SCENE_EXTENSIONS, USDC, writeExportedFiles } from '../files/exportScene.ts';
 import { checkWritable } from '../files/outputFile.ts';

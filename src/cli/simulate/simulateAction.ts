@@ -2,7 +2,7 @@ import { basename, dirname, extname, resolve } from 'node:path';
 import { setImmediate } from 'node:timers/promises';
 import { stepSchedule } from '../../dynamics/run.ts';
 import { type RunRecord, runRecordCsv, summarizeRun } from '../../dynamics/runRecord.ts';
-import { dotted } from '../../formats/formatLists.ts';
+import { dotted } from '../../formats/files/fileSource.ts';
 import { flatten } from '../../graph/analysis/flatten.ts';
 import { DocumentError, type GraphDocument } from '../../graph/document/document.ts';
 import type { HeavyRequest, RunHeavy } from '../../graph/evaluation/evaluator.ts';

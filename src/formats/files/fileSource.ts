@@ -50,5 +50,8 @@ export function extensionOf(path: string): string {
   return dot > 0 ? name.slice(dot + 1).toLowerCase() : '';
 }
 
+/** `usda`, `usdz` → `.usda, .usdz`. */
+export const dotted = (extensions: readonly string[]): string => extensions.map((each) => `.${each}`).join(', ');
+
 /** `a/b/Scene.v2.glb` → `Scene.v2`. */
 export const stemOf = (path: string): string => path.replace(/^.*\//, '').replace(/(?<=.)\.[^.]*$/, '');

@@ -1,5 +1,4 @@
-import { extensionOf } from '../../formats/files/fileSource.ts';
-import { dotted } from '../../formats/formatLists.ts';
+import { dotted, extensionOf } from '../../formats/files/fileSource.ts';
 import type { Scene } from '../../scene/types.ts';
 import { nodeRefusal } from '../common/params.ts';
 import type { PictureSpec } from '../socketValues.ts';
