@@ -60,7 +60,7 @@ function byLinks(links: ForceRows, x: Float64Array, point: number): number[] {
   return sum;
 }
 
-it('rows of links tell the same force as all that has a potential', () => {
+it('rows of links give the same force as the potentials', () => {
   const links = forceRowsOf(system);
   expect(links.longRowCount).toBe(1);
   expect(links.pointOfRow.at(-1)).toBe(9);
@@ -83,7 +83,7 @@ it('rows of links tell the same force as all that has a potential', () => {
   );
 });
 
-it('pairs that are near are rows of places, from both ends', () => {
+it('near pairs are rows of indices, from both ends', () => {
   const placeOf = Uint32Array.of(2, 0, 1);
   const rows = neighborRows(placeOf, Uint32Array.of(0, 1, 0, 2));
   expect([...rows.subarray(0, 4)]).toEqual([0, 1, 2, 4]);

@@ -29,7 +29,7 @@ function passed(row: readonly SplittingStage[], from: readonly [x: number, p: nu
 describe.each(SPLITTINGS)('the passes of %s', (id) => {
   const { coefficients: fractions } = METHODS.get(id)!;
 
-  it('are its steps, with the air before and after each', () => {
+  it('equal its steps, with drag before and after each', () => {
     const [k, c] = [3, 2];
     const spring = { ends: Uint32Array.of(0, 1), stiffness: Float64Array.of(k), lengths: Float64Array.of(0) };
     fc.assert(
@@ -53,7 +53,7 @@ describe.each(SPLITTINGS)('the passes of %s', (id) => {
     );
   });
 
-  it('know how far things went on since the pass before', () => {
+  it('have the time drifted since the previous pass', () => {
     const row = rowOf(fractions!, 0.1, 0, 3);
     row.slice(1).forEach(({ before }, i) => {
       const { drift, after } = row[i];

@@ -34,7 +34,7 @@ const coming = (speed: number, forces: System['forces']): System =>
     forces,
   });
 
-describe.each(OURS)('what is led, by %s,', (id) => {
+describe.each(OURS)('a kinematic body, by %s,', (id) => {
   const [u, c] = [5, 10];
   const solid: readonly (readonly [string, System['forces']])[] = [
     ['a ball', [sphereContacts([{ point: 1, radius: 0.3 }], [0])]],
@@ -42,7 +42,7 @@ describe.each(OURS)('what is led, by %s,', (id) => {
     ['a box', [barrier(box([-1, 0, 0], [0.4, 1, 1]), [0], 10_000, 0.1, [1])]],
   ];
 
-  it.each(solid)('%s throws a point at rest to 2β/(1 + β²), and keeps H − u·p', (_, forces) => {
+  it.each(solid)('%s accelerates a point at rest to 2β/(1 + β²), and conserves H − u·p', (_, forces) => {
     const { frames, last } = ranBy(id, coming(u, forces), [0, 0, 0, -1, 0, 0], { step: 1e-4 });
     // For a potential V(x − ut), H − u·p is conserved: with p = 0 before, p = 2γ²mu after.
     expect(last.quantities.fastest / ((2 * u) / (1 + (u / c) ** 2))).toBeCloseTo(1, 5);
@@ -81,7 +81,7 @@ const sweeping = (omega: number, forces: System['forces'], arm: Vec3): System =>
   });
 };
 
-describe.each(OURS)('what turns, by %s,', (id) => {
+describe.each(OURS)('a rotating kinematic body, by %s,', (id) => {
   const [omega, c] = [5, 10];
   const first = fromAxisAngle([0, 0, 1], -0.3);
   const [middle, front] = [rotate(first, [0.8, 0, 0]), rotate(first, [0, 1, 0])];
@@ -127,7 +127,7 @@ const towed = (place: (t: number) => Vec3): System =>
   });
 const OMEGA = Math.sqrt(40);
 
-describe.each([...METHODS.keys()].filter((id) => !/-[1-3]$/.test(id)))('a point that is towed, by %s,', (id) => {
+describe.each([...METHODS.keys()].filter((id) => !/-[1-3]$/.test(id)))('a towed point, by %s,', (id) => {
   const error = (step: number): number => {
     const [u, a] = [0.7, 3];
     const system = towed((t) => [u * t, 0.5 * a * t * t, 0]);
@@ -137,14 +137,14 @@ describe.each([...METHODS.keys()].filter((id) => !/-[1-3]$/.test(id)))('a point 
     return Math.hypot(...right.map((value, k) => x[k] - value));
   };
 
-  it('swings about where it is towed to, and the smaller the step the nearer', () => {
+  it('oscillates about the moving anchor, and converges with the step', () => {
     const order = Math.min(2, METHODS.get(id)!.order);
     expect(error(1e-3)).toBeLessThan(order === 1 ? 0.01 : 1e-5);
     expect(error(2e-3) / error(1e-3)).toBeGreaterThan(0.9 * 2 ** order);
   });
 });
 
-it('a run that leads goes on from any frame as if it had never stopped', () => {
+it('a run with kinematic points resumes from any frame to the same bits', () => {
   const system = towed((t) => [Math.sin(3 * t), 0.1 * t, 0]);
   const more = { step: 1e-3, duration: 3, every: 1 / 7 };
   const whole = ranBy('discrete-gradient', system, [0, 0, 0, 0, 0, 0], more);
@@ -156,7 +156,7 @@ it('a run that leads goes on from any frame as if it had never stopped', () => {
   });
 });
 
-it('what is led faster than light ends the run, and is named', () => {
+it('a kinematic point faster than light ends the run, and is reported', () => {
   const { frames, stop } = ranBy('leapfrog', coming(11, []), [0, 0, 0, -1, 0, 0], {});
   expect(frames).toHaveLength(1);
   expect(stop).toMatchObject({ reason: 'light', point: 1, message: expect.stringContaining('moved at 11.00 m/s') });

@@ -34,7 +34,7 @@ function hanging(n: number, c: number, drag = 0): Pick<RunOptions, 'system' | 's
 const method = (id: string) => METHODS.get(id)!;
 
 describe('springs of a mesh', () => {
-  it('are along edges, across faces, and to the next neighbour: each once, as long as at rest', () => {
+  it('are along edges, across faces, and to the second neighbour: each once, with the initial length as rest length', () => {
     const n = 5;
     const { x, faces } = sheet(n);
     const of = (structural: number, shear: number, bending: number) =>
@@ -48,7 +48,7 @@ describe('springs of a mesh', () => {
     expect(of(0, 0, 1).every((length) => Math.abs(length - 2 * side) < 1e-12)).toBe(true);
   });
 
-  it('bend over the edges between triangles, and refuse faces of points that are not there', () => {
+  it('resist bending over edges between triangles, and reject faces with missing points', () => {
     const x = Float64Array.of(0, 0, 0, 1, 0, 0, 0, 1, 0, 1, 1, 0);
     const two = { counts: [3, 3], corners: [0, 1, 2, 1, 3, 2] };
     const { ends } = meshSprings(x, two, { structural: 0, shear: 1, bending: 1 });
@@ -59,8 +59,8 @@ describe('springs of a mesh', () => {
   });
 });
 
-describe('points that are near', () => {
-  it('are those of all pairs that are within reach, wherever they have gone since they were sought', () => {
+describe('near pairs', () => {
+  it('are all pairs within reach, wherever the points have moved since the last search', () => {
     const n = 60;
     const next = random(5);
     const bodies = Int32Array.from({ length: n }, (_, i) => (i % 4) - 1);
@@ -95,7 +95,7 @@ describe('points that are near', () => {
   });
 });
 
-describe('what touches', () => {
+describe('contact', () => {
   /** Points of four bodies in soft contact. */
   const crowd = (seed: number): Pick<RunOptions, 'system' | 'start'> => {
     const n = 80;
@@ -112,7 +112,7 @@ describe('what touches', () => {
   };
 
   it.each(['leapfrog', 'discrete-gradient'])(
-    'pushes to the same last digit where a run is taken up again, though what is near is sought from another place: %s',
+    'gives the same bits in a resumed run, although near pairs are searched from another state: %s',
     (id) => {
       const order = { method: method(id), step: 2e-3, every: 0.07 };
       for (let seed = 1; seed <= 4; seed++) {
@@ -134,7 +134,7 @@ describe('what touches', () => {
   );
 });
 
-describe('two leaves of one thing that are thrown at each other', () => {
+describe('two sheets of one object thrown at each other', () => {
   const side = 5;
   const count = 2 * side * side;
   const leaf = (i: number): number => (i < count / 2 ? -1 : 1);
@@ -166,7 +166,7 @@ describe('two leaves of one thing that are thrown at each other', () => {
     return Math.max(...left) < Math.min(...right);
   };
 
-  it('come apart again, with the energy and the momentum that they had', () => {
+  it('separate again with the same energy and momentum', () => {
     const frames = flight([net, touch]);
     const [first, last] = [frames[0].quantities, frames.at(-1)!.quantities];
     expect(frames).toHaveLength(21);
@@ -183,7 +183,7 @@ describe('two leaves of one thing that are thrown at each other', () => {
 });
 
 describe('the fastest oscillation', () => {
-  it('is never faster than the bound: leapfrog below it is stable, and the chain nears it', () => {
+  it('is bounded: leapfrog is stable below the bound, and a chain approaches it', () => {
     fc.assert(
       fc.property(between(0.1, 10), between(1, 1000), (m, k) => {
         const n = 30;
@@ -207,8 +207,8 @@ describe('the fastest oscillation', () => {
   });
 });
 
-describe('the fastest oscillation of what is unlike', () => {
-  it('is bounded by the lightest: two masses on a spring swing with √(k/μ)', () => {
+describe('the fastest oscillation of unequal masses', () => {
+  it('is bounded by the lightest: two masses on a spring oscillate with √(k/μ)', () => {
     fc.assert(
       fc.property(between(0.01, 100), between(0.01, 100), between(1, 1000), (m, n, k) => {
         const one = { ends: Uint32Array.of(0, 1), stiffness: Float64Array.of(k), lengths: Float64Array.of(1) };
@@ -228,7 +228,7 @@ describe('the fastest oscillation of what is unlike', () => {
 });
 
 describe('a run', () => {
-  it('gives frames at their times, with equal steps between them, and loses no energy', () => {
+  it('yields frames at their times, with equal steps in between, and conserves energy', () => {
     const { frames, stop } = recordRun({
       ...hanging(6, 10),
       method: method('discrete-gradient'),
@@ -248,26 +248,23 @@ describe('a run', () => {
     ['leapfrog', 1],
     ['discrete-gradient', 1],
     ['discrete-gradient', 20],
-  ])(
-    'is the same each time, and when it is taken up again from a frame: %s, in steps %i times as long',
-    (id, times) => {
-      const step = times * stepSchedule({ ...hanging(5, 5), method: method(id), every: 0.05, duration: 1 }).h;
-      const order = { ...hanging(5, 5), method: method(id), every: 0.05, step };
-      const { frames } = recordRun({ ...order, duration: 0.4 });
-      const again = recordRun({ ...order, start: frames[4].state, duration: 0.2 });
-      expect(again.frames.at(-1)!.state.x).toEqual(frames.at(-1)!.state.x);
-      expect(again.frames.at(-1)!.state.p).toEqual(frames.at(-1)!.state.p);
-    },
-  );
+  ])('is deterministic, also when resumed from a frame: %s, with steps %i times as long', (id, times) => {
+    const step = times * stepSchedule({ ...hanging(5, 5), method: method(id), every: 0.05, duration: 1 }).h;
+    const order = { ...hanging(5, 5), method: method(id), every: 0.05, step };
+    const { frames } = recordRun({ ...order, duration: 0.4 });
+    const again = recordRun({ ...order, start: frames[4].state, duration: 0.2 });
+    expect(again.frames.at(-1)!.state.x).toEqual(frames.at(-1)!.state.x);
+    expect(again.frames.at(-1)!.state.p).toEqual(frames.at(-1)!.state.p);
+  });
 
-  it('loses to the air what it should: p falls as exp(−drag t)', () => {
+  it('loses momentum to air drag: p falls as exp(−drag t)', () => {
     const system = makeSystem({ masses: Float64Array.of(2), c: 3, drag: 0.7 });
     const start = { t: 0, x: new Float64Array(3), p: Float64Array.of(5, 0, 0) };
     const { frames } = recordRun({ system, start, method: method('leapfrog'), duration: 2, every: 1 });
     expect(frames[2].state.p[0]).toBeCloseTo(5 * Math.exp(-1.4), 12);
   });
 
-  it('stops with its last good state where steps are above the stability bound, and names the bound', () => {
+  it('stops with its last valid state if steps exceed the stability bound, and reports the bound', () => {
     const order = { ...hanging(8, 10), method: method('leapfrog'), duration: 5, every: 0.02, step: 0.01 };
     expect(stepSchedule(order).stable).toBe(false);
     const { frames, stop } = recordRun(order);
@@ -278,7 +275,7 @@ describe('a run', () => {
     expect(frames.length).toBeLessThan(250);
   });
 
-  it('stops where a method of the sources passes c, and says what did', () => {
+  it('stops where a published method exceeds c, and reports the point', () => {
     const tight = springForce({
       ends: Uint32Array.of(0, 1),
       stiffness: Float64Array.of(100),
@@ -294,7 +291,7 @@ describe('a run', () => {
     expect(frames).toHaveLength(1);
   });
 
-  it('takes a tenth of the longest stable step where nobody says how long', () => {
+  it('defaults to a tenth of the longest stable step', () => {
     const order = { ...hanging(8, 10), method: method('leapfrog'), duration: 0.02, every: 0.01 };
     const { h, stable } = stepSchedule(order);
     expect(h * maxAngularFrequency(order.system)).toBeLessThanOrEqual(0.2);
@@ -311,7 +308,7 @@ describe('a run', () => {
   });
 });
 
-describe('what is solid', () => {
+describe('obstacles', () => {
   /** 1 kg thrown at a fixed sphere of radius 0.5 m with contact radius 0.55 m. */
   const thrown = (speed: number, stiffness: number, step: number): RunOptions => {
     const masses = Float64Array.of(1, 1);
@@ -323,7 +320,7 @@ describe('what is solid', () => {
     return { system, start, method: method('leapfrog'), duration: 1, every: 0.1, step };
   };
 
-  it('throws back what is slow, or what it is hard for', () => {
+  it('reflect slow points, and fast ones if stiff enough', () => {
     const { frames, stop } = recordRun(thrown(5, 10_000, 1e-3));
     expect(stop).toBeUndefined();
     expect(frames.at(-1)!.state.p[3]).toBeLessThan(0);
@@ -343,7 +340,7 @@ describe('what is solid', () => {
     expect(frames.at(-1)!.state.x[3]).toBeLessThan(0);
   });
 
-  it('is a box too, but not what passes beside it', () => {
+  it('can be boxes, and do not affect points that pass beside them', () => {
     const system = makeSystem({
       masses: Float64Array.of(1, 1),
       c: 100,
@@ -390,30 +387,27 @@ describe('the energy of a cloth', () => {
     return frames.map(({ quantities }) => (quantities.total - frames[0].quantities.total) / kinetic);
   };
 
-  it('is kept by the discrete gradient to 10⁻¹¹ over 10⁴ steps', () => {
+  it('is conserved by the discrete gradient to 10⁻¹¹ over 10⁴ steps', () => {
     expect(Math.max(...followed('discrete-gradient', 3, 1e-3, 10_000).map(Math.abs))).toBeLessThan(1e-11);
   });
 
   it.each([
     ['leapfrog', 3e-3],
     ['yoshida-4', 3e-5],
-  ])(
-    'swings by %s, by less than %s of the kinetic energy, and has no trend once all swings have their share',
-    (id, most) => {
-      const off = followed(id, 3, 5e-4, 200_000);
-      expect(Math.max(...off.map(Math.abs))).toBeLessThan(most);
-      const { slope, error } = trend(off.slice(off.length / 2), 20);
-      expect(Math.abs(slope)).toBeLessThan(3 * error);
-    },
-  );
+  ])('oscillates by %s, by less than %s of the kinetic energy, without a trend after equipartition', (id, most) => {
+    const off = followed(id, 3, 5e-4, 200_000);
+    expect(Math.max(...off.map(Math.abs))).toBeLessThan(most);
+    const { slope, error } = trend(off.slice(off.length / 2), 20);
+    expect(Math.abs(slope)).toBeLessThan(3 * error);
+  });
 
-  it('has a trend by what is not symplectic: it fades where steps are linearly implicit', () => {
+  it('has a trend with methods that are not symplectic: it decays with linearly implicit steps', () => {
     const { slope, error } = trend(followed('linearly-implicit-0', 3, 5e-4, 10_000), 20);
     expect(slope).toBeLessThan(-3 * error);
   });
 });
 
-describe('steps that adapt', () => {
+describe('adaptive steps', () => {
   /** Fly-by of two attracting charges; `aside`: impact parameter [m]. */
   const flyBy = (c: number, strength: number, aside: number): Pick<RunOptions, 'system' | 'start'> => {
     const forces = [coulomb(Float64Array.of(1, -1), strength)];
@@ -424,7 +418,7 @@ describe('steps that adapt', () => {
   /** Angle of the final velocity. */
   const turned = ({ state }: SimulationFrame): number => Math.atan2(state.p[1], state.p[0]);
 
-  it('turn a fly-by as Rutherford says, where as many equal steps fail', () => {
+  it('deflect a fly-by by Rutherford’s formula, where as many equal steps fail', () => {
     const order = { ...flyBy(Number.POSITIVE_INFINITY, 1, 0.05), method: method('yoshida-4'), duration: 8, every: 8 };
     const { frames, stop } = recordRun({ ...order, tolerance: 1e-5 });
     expect(stop).toBeUndefined();
@@ -464,7 +458,7 @@ describe('steps that adapt', () => {
     }
   });
 
-  it('stay below the stability bound, and go on from any frame as if they had never stopped', () => {
+  it('stay below the stability bound, and resume from any frame to the same bits', () => {
     const order = { ...hanging(6, 10), method: method('leapfrog'), duration: 0.3, every: 0.05, tolerance: 10 };
     const omega = maxAngularFrequency(order.system);
     expect(stepSchedule(order).h * omega).toBeLessThan(2);
@@ -476,7 +470,7 @@ describe('steps that adapt', () => {
     expect(again.frames.at(-1)!.state.x).toEqual(frames.at(-1)!.state.x);
   });
 
-  it('say where no step is short enough', () => {
+  it('report where no step is short enough', () => {
     const { stop } = recordRun({
       ...flyBy(1, 0.3, 0.3),
       method: method('leapfrog'),

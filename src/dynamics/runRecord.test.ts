@@ -29,8 +29,8 @@ function kept(order: RunOptions): RunRecord {
   }
 }
 
-describe('the books of a run', () => {
-  it('tell of each frame what mechanics says of it', () => {
+describe('the record of a run', () => {
+  it('has the conserved quantities of each frame', () => {
     const record = kept(thrown());
     expect([record.method, record.speedOfLight, record.step, record.pace]).toEqual([
       'discrete-gradient',
@@ -51,7 +51,7 @@ describe('the books of a run', () => {
     expect(record.stop).toBeUndefined();
   });
 
-  it('end where the run does, and say why', () => {
+  it('ends with the run, and records why', () => {
     const { stop, times } = kept({
       ...thrown(),
       method: METHODS.get('semi-implicit-euler-0')!,
@@ -63,7 +63,7 @@ describe('the books of a run', () => {
     expect(times.length).toBeLessThan(100);
   });
 
-  it('come to a drift, and tell when energy came from nowhere: above the lowest so far by half of what moves has', () => {
+  it('reports drift, and an energy gain of more than half the kinetic energy above the lowest total so far', () => {
     const record = kept(thrown());
     const of = (total: number[], kinetic: number[], fastest = [0, 1, 2, 3, 3]) =>
       summarizeRun({
@@ -84,7 +84,7 @@ describe('the books of a run', () => {
     expect(of([1e9, 1e9 + 1e-5, 1e9, 1e9, 1e9], [0, 1e-8, 1e-8, 1e-8, 0])).not.toHaveProperty('grown');
   });
 
-  it('are a table with units, which reads back to the same numbers', () => {
+  it('is a table with units that reads back to the same numbers', () => {
     const record = kept(thrown());
     const [head, ...rows] = runRecordCsv(record).trimEnd().split('\n');
     expect(head.split(',').slice(0, 3)).toEqual(['time [s]', 'steps', 'kinetic energy [J]']);

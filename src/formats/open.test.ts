@@ -7,7 +7,7 @@ const text = (value: string): Uint8Array => new TextEncoder().encode(value);
 const empty = text('{"asset":{"version":"2.0"}}');
 
 describe('openScene', () => {
-  it('chooses the reader by the extension, however it is written', async () => {
+  it('chooses the reader by the extension, case-insensitively', async () => {
     const scene = await openScene(memorySource({ 'a/Empty.GLTF': empty }), './a/b/../Empty.GLTF');
     expect([scene.name, scene.objects.length, scene.upAxis]).toEqual(['Empty', 0, 'Y']);
   });
@@ -25,12 +25,12 @@ describe('openScene', () => {
     expect(error.message).toMatch(message);
   });
 
-  it('says what to do where nobody knows what files there are', async () => {
+  it('has a remedy where files cannot be listed', async () => {
     const nowhere = openScene({ read: async () => undefined }, 'b.gltf');
     await expect(nowhere).rejects.toThrow(/^b\.gltf: no such file; check its name, and where it is$/);
   });
 
-  it('bounds what a scene may read, all files together', async () => {
+  it('limits the total size of a scene’s files', async () => {
     const json = { asset: { version: '2.0' }, buffers: [{ byteLength: 900, uri: 'b.bin' }] };
     const files = memorySource({ 'a.gltf': text(JSON.stringify(json)), 'b.bin': new Uint8Array(900) });
     await expect(openScene(files, 'a.gltf', { maxBytes: 900 })).rejects.toThrow(

@@ -63,7 +63,7 @@ describe('expressions', () => {
     expect('at' in result && Math.abs(result.at - at)).toBeLessThanOrEqual(1);
   });
 
-  it('are what JavaScript makes of the same arithmetic', () => {
+  it('agree with JavaScript’s arithmetic', () => {
     const arithmetic = fc.letrec<{ sum: string }>((tie) => ({
       sum: fc.oneof(
         { maxDepth: 4 },
@@ -81,7 +81,7 @@ describe('expressions', () => {
     );
   });
 
-  it('of any text there is a value or a problem', () => {
+  it('of any text give a value or a problem', () => {
     const letters = fc.constantFrom(...'0123456789.+-*/^(),% cmskhe°π×\u00a0$"'.split(''));
     fc.assert(
       fc.property(fc.string({ unit: letters, maxLength: 220 }), (text) => {

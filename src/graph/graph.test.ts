@@ -70,12 +70,12 @@ const set = (node: string, number?: number): Command => ({
 });
 
 describe('the document', () => {
-  it('comes back from its text', () => {
+  it('round-trips through text', () => {
     const document = example();
     expect(parseDocument(serializeDocument(document))).toEqual(document);
   });
 
-  it('has one text, in whatever order it was made', () => {
+  it('has a canonical text, independent of the order of edits', () => {
     const one = build(add('b', 'value'), add('a', 'value'));
     const other = build(add('a', 'value'), add('b', 'value'));
     expect(serializeDocument(one)).toBe(serializeDocument(other));
@@ -96,7 +96,7 @@ describe('the document', () => {
     expect(() => parseDocument(input)).toThrow(message);
   });
 
-  it('a project of version 1 keeps its exposure: metered where it adapted, manual where it did not', () => {
+  it('a project of version 1 keeps its exposure, metered or manual', () => {
     const old = (params: object) => ({
       ...emptyDocument(),
       version: 1,
@@ -112,7 +112,7 @@ describe('the document', () => {
     expect(() => readDocument({ ...emptyDocument(), version: 1, nodes: 'none' })).toThrow('nodes');
   });
 
-  it('a project of version 3 is lit and coloured as it was, by nodes of its own, also in groups', () => {
+  it('a project of version 3 keeps its lighting and colours, by explicit nodes, also in groups', () => {
     const edge = (from: string, output: string, to: string, input: string) => [
       `${to}.${input}`,
       { from: { node: from, output }, to: { node: to, input } },
@@ -175,7 +175,7 @@ describe('the document', () => {
 });
 
 describe('commands', () => {
-  it('one drag is one step', () => {
+  it('one drag is one undo step', () => {
     let history = newHistory(example());
     for (let i = 0; i < 20; i++) history = executeCommand(history, set('x', i), 'value', 'drag');
     expect(history.past).toHaveLength(1);
@@ -184,19 +184,19 @@ describe('commands', () => {
     expect(undo(undo(history)).document).toEqual(example());
   });
 
-  it('an edit that changes nothing is no step', () => {
+  it('an edit without effect is no undo step', () => {
     const history = executeCommand(newHistory(example()), set('x'), 'value');
     expect(history.past).toHaveLength(0);
   });
 
-  it('a refused command leaves the document alone', () => {
+  it('a rejected command does not change the document', () => {
     const document = example();
     expect(() => applyCommand(document, set('nobody', 1))).toThrow(/no node "nobody"/);
     expect(() => applyCommand(document, add('x', 'sum'))).toThrow(/already a node/);
     expect(document).toEqual(example());
   });
 
-  it('removing a node removes its edges, and undo brings them back', () => {
+  it('removing a node removes its edges, and undo restores them', () => {
     const history = executeCommand(newHistory(example()), { kind: 'remove-nodes', nodes: ['x'] }, 'remove');
     expect(Object.keys(history.document.edges)).toEqual(['s.b']);
     expect(undo(history).document).toEqual(example());
@@ -204,11 +204,11 @@ describe('commands', () => {
 });
 
 describe('validation', () => {
-  it('a whole document has no problems', () => {
+  it('a valid document has no problems', () => {
     expect(validateDocument(example(), registry)).toEqual([]);
   });
 
-  it('names what is wrong', () => {
+  it('reports problems', () => {
     const document = build(
       add('s', 'sum'),
       add('t', 'text'),
@@ -221,7 +221,7 @@ describe('validation', () => {
     expect(codes.sort()).toEqual(['graph.edge s', 'graph.param v.value', 'graph.unknown-node odd']);
   });
 
-  it('refuses a cycle of any length', () => {
+  it('rejects cycles of any length', () => {
     const document = build(add('a', 'sum'), add('b', 'sum'), { kind: 'connect', edge: edge('a', 'b', 'a') });
     expect(edgeError(document, edge('b', 'a', 'a'), registry)).toMatch(/cycle/);
     expect(edgeError(document, edge('a', 'a', 'a'), registry)).toMatch(/cycle/);
@@ -246,7 +246,7 @@ describe('validation', () => {
     expect(valueError(choice, 'b')).toMatch(/none of the choices/);
   });
 
-  it('a parameter is as set, else suggested, else the default', () => {
+  it('a parameter is the set value, else the suggested, else the default one', () => {
     const suggested = { ...value, params: { value: { ...value.params.value!, suggestion: 'c' } } } as NodeType;
     expect(resolveParams(value, {})).toEqual({ value: 1 });
     expect(resolveParams(suggested, {})).toEqual({ value: undefined });
@@ -261,7 +261,7 @@ describe('evaluation', () => {
     return { result, ran: [...runs].sort() };
   };
 
-  it('runs only what the target needs, and after an edit only what depends on it', async () => {
+  it('evaluates only what the target needs, and after an edit only what depends on it', async () => {
     const evaluator = new Evaluator(registry);
     const document = applyCommand(applyCommand(example(), add('idle', 'value')).document, set('y', 2)).document;
     expect(await evaluate(evaluator, document)).toEqual({
@@ -287,7 +287,7 @@ describe('evaluation', () => {
     });
   });
 
-  it('a circle and a missing input are problems, not hangs', async () => {
+  it('a cycle and a missing input are problems, not hangs', async () => {
     const circle = build(add('a', 'sum'), { kind: 'connect', edge: edge('a', 'a', 'a') });
     expect((await evaluate(new Evaluator(registry), circle, 'a')).result).toMatchObject({
       problem: { code: 'graph.cycle' },
@@ -320,7 +320,7 @@ describe('evaluation', () => {
     expect(started).toBe(1);
   });
 
-  it('forgets the least recently used result first', async () => {
+  it('evicts the least recently used result first', async () => {
     const evaluator = new Evaluator(registry, { capacity: 1 });
     const at = (number: number) => evaluate(evaluator, build(add('x', 'value'), set('x', number)), 'x');
     for (const number of [1, 2, 1, 3]) await at(number);
@@ -328,7 +328,7 @@ describe('evaluation', () => {
     expect((await at(2)).ran).toEqual(['x']);
   });
 
-  it('equal numbers lead to the same work, whatever made them', async () => {
+  it('equal inputs share results, whatever produced them', async () => {
     const evaluator = new Evaluator(registry);
     const sums = (a: number, b: number) => {
       const inner = { ...example(), edges: { 's.a': edge('x', 's', 'a'), 's.b': edge('y', 's', 'b') } };
@@ -344,7 +344,7 @@ describe('evaluation', () => {
     });
   });
 
-  it('what the latest evaluation needed is kept, however much it is', async () => {
+  it('results of the latest evaluation stay cached, whatever their size', async () => {
     const evaluator = new Evaluator(registry, { capacity: 1 });
     const count = 200;
     const chain = build(
@@ -359,7 +359,7 @@ describe('evaluation', () => {
     expect((await evaluate(evaluator, chain, `n${count}`)).ran).toEqual([]);
   });
 
-  it('where nodes stand is no reason to evaluate anything; another target is, and so are other services', async () => {
+  it('node positions do not affect evaluation; targets and services do', async () => {
     const evaluator = new Evaluator(registry);
     const services = {};
     const before = await evaluator.evaluate(example(), 's', services);
@@ -372,14 +372,14 @@ describe('evaluation', () => {
     expect(await evaluator.evaluate(moved, 'x', {})).not.toBe(await evaluator.evaluate(moved, 'x', services));
   });
 
-  it('a refusal stands at each node that has it', async () => {
+  it('a refusal is reported at each node that has it', async () => {
     const evaluator = new Evaluator(registry);
     const both = applyCommand(applyCommand(example(), set('x', 13)).document, set('y', 13)).document;
     const { results } = await evaluator.evaluate(both, ['x', 'y'], {});
     for (const node of ['x', 'y']) expect(results.get(node)).toMatchObject({ problem: { place: node } });
   });
 
-  it('work that two evaluations wait for goes on until both are cancelled, and both hear how far it is', async () => {
+  it('shared work continues until both evaluations are cancelled, and reports progress to both', async () => {
     const begun: {
       signal?: AbortSignalLike;
       progress: ProgressCallback;
@@ -420,7 +420,7 @@ describe('evaluation', () => {
     expect(begun).toHaveLength(2);
   });
 
-  it('what went wrong by chance is tried again', async () => {
+  it('unexpected errors are not cached', async () => {
     let tries = 0;
     const flaky: NodeType = {
       ...value,

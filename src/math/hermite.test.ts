@@ -13,7 +13,7 @@ function slope(times: readonly number[], values: readonly number[], k: number): 
 }
 
 describe('slopes at samples', () => {
-  it('are those of a parabola through them, at the ends too, however they are spaced', () =>
+  it('are those of a parabola through three samples, at the ends too, at any spacing', () =>
     fc.assert(
       fc.property(
         fc.array(uniform(0.3, 2), { minLength: 2, maxLength: 6 }),
@@ -38,8 +38,8 @@ describe('slopes at samples', () => {
         },
       ),
     ));
-  it('are those of the chord between two samples', () => expect(slope([0, 2], [1, 5], 1)).toBe(2));
-  it('do not swing where a value jumps: they are those of the longer side', () => {
+  it('of two samples are that of their chord', () => expect(slope([0, 2], [1, 5], 1)).toBe(2));
+  it('do not overshoot at a jump: they are those of the longer side', () => {
     const [times, values] = [
       [0, 1, 1.001, 2],
       [0, 1, 9, 10],
@@ -49,11 +49,11 @@ describe('slopes at samples', () => {
   });
 });
 
-describe('turns', () => {
+describe('interpolated rotations', () => {
   const turned = (axis: Vec3, angle: number): Quat => fromAxisAngle(axis, angle);
   const apart = (a: Quat, b: Quat) => Math.hypot(...logarithm(multiply(conjugate(a), b)));
 
-  it('at an even rate are slerp', () =>
+  it('at a constant rate are slerp', () =>
     fc.assert(
       fc.property(direction, uniform(-3, 3), direction, uniform(-2.5, 2.5), uniform(0, 1), (n, phi, axis, angle, w) => {
         const a = turned(n, phi);
@@ -63,7 +63,7 @@ describe('turns', () => {
         expectClose(apart(between, slerp(a, b, w)), 0, 1e-7);
       }),
     ));
-  it('begin and end with their orientations and rates', () =>
+  it('begin and end with the given orientations and rates', () =>
     fc.assert(
       fc.property(direction, uniform(-2, 2), direction, uniform(-1, 1), direction, (n, phi, m, r, k) => {
         const a = { orientation: turned(n, phi), rate: scale(m, r) };

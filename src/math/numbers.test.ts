@@ -30,7 +30,7 @@ describe('root finders', () => {
       1e-15 * Math.max(1, Math.abs(root)),
     );
   });
-  it('find the root of any rising cubic, Brent in far fewer steps', () => {
+  it('find the root of any increasing cubic, Brent in far fewer steps', () => {
     let [worst, worstNewton] = [0, 0];
     fc.assert(
       fc.property(uniform(-9, 9), uniform(0.01, 9), (root, slope) => {
@@ -61,20 +61,20 @@ describe('root finders', () => {
       1e-3,
     );
   });
-  it('take the nearer end where there is no change of sign', () => {
+  it('return the end with the smaller |f| if there is no sign change', () => {
     expect(brent((x) => x + 1e-17, 0, 1)).toBe(0);
     expect(brent((x) => x - 2, 0, 1)).toBe(1);
   });
 });
 
 describe('random numbers', () => {
-  it('are the same for the same seed, and others for another', () => {
+  it('depend on the seed only', () => {
     const draw = (seed: number) => Array.from({ length: 5 }, random(seed));
     expect(draw(1)).toEqual(draw(1));
     expect(draw(1)).not.toEqual(draw(2));
     expect(draw(0)).not.toEqual(draw(2 ** 31));
   });
-  it('fill [0, 1) evenly, one after another without relation', () => {
+  it('are uniform in [0, 1), and successive ones uncorrelated', () => {
     const next = random(12345);
     const [n, boxes] = [64000, new Array<number>(64).fill(0)];
     for (let i = 0; i < n; i++) {

@@ -17,7 +17,7 @@ const sameRotation = (a: quat.Quat, b: quat.Quat, tolerance: number) =>
   expectClose(quat.toMatrix(a), quat.toMatrix(b), tolerance);
 
 describe('quaternions', () => {
-  it('turn by Rodrigues’ formula', () =>
+  it('rotate by Rodrigues’ formula', () =>
     fc.assert(
       fc.property(direction, uniform(-9, 9), offset, (k, angle, v) => {
         const [c, s] = [Math.cos(angle), Math.sin(angle)];
@@ -26,7 +26,7 @@ describe('quaternions', () => {
         expectClose(quat.rotate(quat.fromAxisAngle(k, angle), v), expected, 1e-14 * length(v));
       }),
     ));
-  it('compose right to left, and are undone by the conjugate', () =>
+  it('compose right to left, and are inverted by the conjugate', () =>
     fc.assert(
       fc.property(rotation, rotation, offset, (a, b, v) => {
         const tolerance = 1e-14 * length(v);
@@ -34,7 +34,7 @@ describe('quaternions', () => {
         expectClose(quat.rotate(quat.conjugate(a), quat.rotate(a, v)), v, tolerance);
       }),
     ));
-  it('become matrices and come back, at half turns too', () =>
+  it('convert to matrices and back, at half turns too', () =>
     fc.assert(
       fc.property(rotation, direction, offset, (q, axis, v) => {
         expectClose(mat3.transform(quat.toMatrix(q), v), quat.rotate(q, v), 1e-14 * length(v));
@@ -43,7 +43,7 @@ describe('quaternions', () => {
         sameRotation(quat.fromMatrix(quat.toMatrix(half)), half, 1e-14);
       }),
     ));
-  it('are the identity where they are nothing', () => {
+  it('are the identity when of length 0', () => {
     expect(quat.normalizeQuat([0, 0, 0, 0])).toEqual(quat.IDENTITY);
     expect(quat.fromMatrix(mat3.IDENTITY)).toEqual(quat.IDENTITY);
     expectClose(quat.fromAxisAngle([0, 0, 7], 0), quat.IDENTITY, 0);
@@ -61,14 +61,14 @@ describe('quaternions', () => {
 });
 
 describe('3×3 matrices', () => {
-  it('multiply as maps do', () =>
+  it('multiply like compositions of maps', () =>
     fc.assert(
       fc.property(nine, nine, offset, (a, b, v) => {
         const both = mat3.transform(mat3.multiply(a, b), v);
         expectClose(both, mat3.transform(a, mat3.transform(b, v)), 1e-13 * length(v) * 100);
       }),
     ));
-  it('are undone by the inverse; singular ones have none', () =>
+  it('are inverted by the inverse; singular ones have none', () =>
     fc.assert(
       fc.property(nine, (m) => {
         const inverse = mat3.invert(m);
@@ -76,13 +76,13 @@ describe('3×3 matrices', () => {
         expectClose(mat3.multiply(m, inverse ?? []), mat3.IDENTITY, 1e-10);
       }),
     ));
-  it('have no inverse where they flatten space', () => {
+  it('have no inverse when of lower rank', () => {
     expect(mat3.invert([1, 2, 3, 2, 4, 6, 0, 1, 5])).toBeUndefined();
     expect(mat3.invert(new Array<number>(9).fill(0))).toBeUndefined();
     expect(mat4.invert([1, 2, 3, 4, 2, 4, 6, 8, 0, 1, 0, 0, 0, 0, 0, 1])).toBeUndefined();
     expect(mat4.invert(new Array<number>(16).fill(Number.NaN))).toBeUndefined();
   });
-  it('carry normals by their cofactors: (M a) × (M b) = cof(M)(a × b)', () =>
+  it('transform normals by their cofactors: (M a) × (M b) = cof(M)(a × b)', () =>
     fc.assert(
       fc.property(nine, direction, direction, (m, a, b) => {
         const expected = cross(mat3.transform(m, a), mat3.transform(m, b));
@@ -92,7 +92,7 @@ describe('3×3 matrices', () => {
 });
 
 describe('4×4 matrices', () => {
-  it('of poses compose and invert as rigid motions do', () =>
+  it('of poses compose and invert like rigid motions', () =>
     fc.assert(
       fc.property(pose, pose, offset, (p, q, v) => {
         const [P, Q] = [mat4.fromPose(p), mat4.fromPose(q)];
@@ -106,7 +106,7 @@ describe('4×4 matrices', () => {
         expect(mat4.isRigid(P)).toBe(true);
       }),
     ));
-  it('invert whatever can be inverted', () =>
+  it('invert every regular matrix', () =>
     fc.assert(
       fc.property(fc.array(element, { minLength: 16, maxLength: 16 }), fc.integer({ min: 0, max: 3 }), (raw, shift) => {
         // Dominated by a shifted diagonal: regular, and in need of pivoting.
@@ -115,15 +115,15 @@ describe('4×4 matrices', () => {
         expectClose(mat4.transpose(mat4.transpose(m)), m, 0);
       }),
     ));
-  it('are not rigid with a scale or a mirror', () => {
+  it('are not rigid with a scale or a reflection', () => {
     expect(mat4.isRigid(mat4.fromParts([2, 0, 0, 0, 1, 0, 0, 0, 1], [1, 2, 3]))).toBe(false);
     expect(mat4.isRigid(mat4.fromParts([-1, 0, 0, 0, 1, 0, 0, 0, 1], [1, 2, 3]))).toBe(false);
     expect(mat4.isRigid(mat4.fromParts([1 + 1e-6, 0, 0, 0, 1, 0, 0, 0, 1], [0, 0, 0]), 1e-5)).toBe(true);
   });
 });
 
-describe('rigid part and stretch', () => {
-  it('give back the matrix, with a proper rotation and a symmetric stretch, also singular and mirrored', () =>
+describe('polar decomposition into rotation and stretch', () => {
+  it('reproduces the matrix by a proper rotation and a symmetric stretch, also singular and reflected', () =>
     fc.assert(
       fc.property(nine, offset, fc.constantFrom(1, 0), (m, t, lastColumn) => {
         const linear = m.map((x, i) => (i % 3 === 2 ? x * lastColumn : x));
@@ -135,7 +135,7 @@ describe('rigid part and stretch', () => {
         expectClose(Math.hypot(...p.orientation), 1, 1e-14);
       }),
     ));
-  it('find the rotation that was put in', () =>
+  it('finds the rotation of a composed matrix', () =>
     fc.assert(
       fc.property(pose, rotation, fc.tuple(element, element, element), (p, q, logs) => {
         // A positive stretch along rotated axes.
@@ -148,7 +148,7 @@ describe('rigid part and stretch', () => {
         expectClose(found.stretch, S, 1e-10);
       }),
     ));
-  it('are found without iteration where the stretch is known, and only there', () =>
+  it('needs no iteration where the stretch is known, and only there', () =>
     fc.assert(
       fc.property(pose, element, fc.tuple(element, element, element), (p, log, logs) => {
         const S = [Math.exp(logs[0] / 3), 0, 0, 0, Math.exp(logs[1] / 3), 0, 0, 0, Math.exp(logs[2] / 3)];
@@ -160,7 +160,7 @@ describe('rigid part and stretch', () => {
         sameRotation(mat4.decomposeRigid(mat4.fromParts(even, p.position)).pose.orientation, p.orientation, 1e-11);
       }),
     ));
-  it('of a mirror, of a flat and of an empty matrix turn nothing that need not turn', () => {
+  it('of a reflection, of a matrix of lower rank and of the zero matrix rotates as little as possible', () => {
     const parts = (x: number, y: number, z: number) =>
       mat4.decomposeRigid(mat4.fromParts([x, 0, 0, 0, y, 0, 0, 0, z], [0, 0, 0] as Vec3));
     for (const s of [
@@ -172,7 +172,7 @@ describe('rigid part and stretch', () => {
       expect(parts(s[0], s[1], s[2]).pose.orientation, s.join(' ')).toEqual(quat.IDENTITY);
     expectClose(parts(-1, 2, 3).stretch, [-1, 0, 0, 0, 2, 0, 0, 0, 3], 1e-15);
   });
-  it('of what is not turned are the unit quaternion and the matrix itself, to the last bit', () => {
+  it('of an unrotated matrix is the unit quaternion and the matrix itself, to the last bit', () => {
     const size = element.map(Math.exp);
     fc.assert(
       fc.property(size, size, size, offset, (x, y, z, t) => {
@@ -189,14 +189,14 @@ describe('rigid part and stretch', () => {
   });
 });
 
-describe('the shortest turn', () => {
+describe('the shortest rotation', () => {
   const turned = (from: Vec3, to: Vec3) => {
     const q = quat.shortestRotation(from, to);
     expectClose(quat.rotate(q, from), to, 1e-9);
     return quat.rotationAngle(q);
   };
 
-  it('carries one direction to another by the angle between them', () =>
+  it('takes one direction to another by the angle between them', () =>
     fc.assert(
       fc.property(direction, direction, (a, b) => {
         expectClose([Math.cos(turned(a, b))], [dot(a, b)], 1e-9);

@@ -49,7 +49,7 @@ async function evaluate(loaded: LoadedScene, ...commands: Command[]) {
 }
 
 describe('the library', () => {
-  it.each(Object.values(nodeLibrary))('$id describes itself fully', (type) => {
+  it.each(Object.values(nodeLibrary))('$id is fully described', (type) => {
     expect(type.id).toMatch(/^[a-z-]+$/);
     for (const spec of Object.values(type.params)) {
       expect(valueError(spec, spec.default)).toBeUndefined();
@@ -57,7 +57,7 @@ describe('the library', () => {
     }
   });
 
-  it('every node is exercised by an example project, a flight, or the example of the utilities', () => {
+  it('every node is used by an example project, a flight, or the utility example', () => {
     const examples = readdirSync(folder).filter((name) => name.endsWith('.slowlight.json'));
     const projects = examples.map((name) => parseDocument(readFileSync(new URL(name, folder), 'utf8')));
     const levels = [utilityProject(), ...projects].flatMap((project) => [project, ...Object.values(project.groups)]);
@@ -93,7 +93,7 @@ describe('motion', () => {
   const flying = (path: string, ...more: Command[]) =>
     evaluate(loaded, flyCommand(newProject('a.usda'), path, 0), ...more);
 
-  it('an animation that is run faster than light is refused, with a remedy that works', async () => {
+  it('an animation retimed above c is rejected, with a remedy that works', async () => {
     const fast = await evaluate(loaded, set('retime', 'speed', 2), set('console', 'speedOfLight', 40));
     const result = fast.evaluation.results.get('console');
     expect(result).toMatchObject({
@@ -104,7 +104,7 @@ describe('motion', () => {
     expect(later.picture?.scene.endTime).toBe(3.5);
   });
 
-  it('a flight has its share of c, whatever c is', async () => {
+  it('a flight keeps its fraction of c at any c', async () => {
     for (const c of [40, 100]) {
       const { picture } = await flying('/House', set('console', 'speedOfLight', c));
       const house = picture?.scene.objects[1];
@@ -113,25 +113,25 @@ describe('motion', () => {
     }
   });
 
-  it('of what flies the own motion no longer counts', async () => {
+  it('a flight replaces the object’s own motion', async () => {
     const first = { ...loaded, fastest: { path: '/Car', time: 0, speed: 50 } };
     const stop = [flyCommand(newProject('a.usda'), '/Car', 0), set('fly1', 'speed', 0)];
     const { picture } = await evaluate(first, ...stop, set('console', 'speedOfLight', 60));
     expect(picture?.fastest).toMatchObject({ path: '/Cloth', speed: expect.closeTo(28 * Math.sqrt(3), 3) });
   });
 
-  it('what deforms too fast for its flight is refused', async () => {
+  it('a flight of an object that deforms too fast is rejected', async () => {
     const { evaluation } = await flying('/Cloth', set('console', 'speedOfLight', 60));
     expect(evaluation.results.get('fly1')).toMatchObject({ problem: { code: 'motion.superluminal', place: '/Cloth' } });
   });
 
-  it('a thing that is not there and a direction to nowhere are refused', async () => {
+  it('a missing object and a zero direction are rejected', async () => {
     expect((await flying('/Gone')).evaluation.results.get('fly1')).toMatchObject({ problem: { code: 'fly.missing' } });
     const nowhere = await flying('/House', set('fly1', 'direction', [0, 0, 0]));
     expect(nowhere.evaluation.results.get('fly1')).toMatchObject({ problem: { code: 'fly.direction' } });
   });
 
-  it('flights follow one another, and each can be ended', () => {
+  it('flights are chained, and each can be removed', () => {
     const empty = newProject('a.usda');
     const one = applyCommand(empty, flyCommand(empty, '/a', 0)).document;
     const two = applyCommand(one, flyCommand(one, '/b', 2)).document;
@@ -145,7 +145,7 @@ describe('motion', () => {
     expect(flyNodesIn(applyCommand(two, openFileCommand(two, 'b.usda')!).document)).toEqual([]);
   });
 
-  it('variants are asked of the reader, and are part of the document', async () => {
+  it('variants are passed to the reader, and are part of the document', async () => {
     let asked: ReadonlyMap<string, string> | undefined;
     const services: Services = {
       ...workerServices,
@@ -182,7 +182,7 @@ describe('a material', () => {
     return (await new Evaluator(nodeLibrary).evaluate(document, 'paint', services)).target;
   };
 
-  it('takes its reflectance from a table, and its colour from that', async () => {
+  it('takes its reflectance from a table, and its colour from the reflectance', async () => {
     const asked: string[] = [];
     const made = await painted(async (source) => {
       asked.push(source);
@@ -197,7 +197,7 @@ describe('a material', () => {
     });
   });
 
-  it('names the table that is not there, or is none', async () => {
+  it('reports a table that is missing or invalid', async () => {
     const missing = new InputError({ severity: 'error', code: 'file.missing', place: 'leaf.csv', message: 'no' });
     expect(await painted(() => Promise.reject(missing))).toMatchObject({
       status: 'failed',
@@ -210,13 +210,13 @@ describe('a material', () => {
 });
 
 describe('the project', () => {
-  it('is a whole document that comes back from its file', () => {
+  it('is a valid document that round-trips through a file', () => {
     const project = newProject('a.usda');
     expect(validateDocument(project, nodeLibrary)).toEqual([]);
     expect(parseDocument(serializeDocument(project))).toEqual(project);
   });
 
-  it('takes the speed of light from the person, else the file, else what fits', async () => {
+  it('takes the speed of light from the user, else from the file, else from the scene’s speeds', async () => {
     const hinted = { scene: { ...scene, hints: { speedOfLight: 12 } } };
     const fast = { scene, fastest: { path: '/a', time: 1, speed: 400 } };
     expect((await evaluate(hinted)).picture?.speedOfLight).toBe(12);
@@ -225,7 +225,7 @@ describe('the project', () => {
     expect((await evaluate(fast)).picture?.speedOfLight).toBe(501);
   });
 
-  it('refuses what is faster than light at its place, with a remedy that works', async () => {
+  it('rejects motion faster than light at its node, with a remedy that works', async () => {
     const loaded = { scene, fastest: { path: '/World/Cube', time: 2, speed: 13.1 } };
     const { evaluation, picture } = await evaluate(loaded, set('console', 'speedOfLight', 10));
     expect(picture).toBeUndefined();
@@ -243,7 +243,7 @@ describe('the project', () => {
     expect(repaired.picture?.speedOfLight).toBe(13.2);
   });
 
-  it('refuses a body that would reach behind its own horizon', async () => {
+  it('rejects a body that extends behind its own horizon', async () => {
     const mesh = box([200, 1, 1]);
     const motion = { ...restingAt([0, 0, 0]), kind: 'hyperbolic', properAcceleration: [9, 0, 0], t0: 0 } as const;
     const rocket = makeObject({ path: '/rocket', mesh, motion, authoredIn: 'rest' });
@@ -254,17 +254,17 @@ describe('the project', () => {
     expect(evaluation.results.get('console')).toMatchObject({ problem: { code: 'motion.horizon' } });
   });
 
-  it('brings a camera where the file has none', async () => {
+  it('provides a camera if the file has none', async () => {
     const { picture } = await evaluate({ scene: { ...scene, cameras: [] } });
     expect(picture?.scene.cameras.map(({ path }) => path)).toEqual(['/FramingCamera']);
   });
 
-  it('refuses a camera that is not there', async () => {
+  it('rejects a missing camera', async () => {
     const { evaluation } = await evaluate({ scene }, set('camera', 'camera', '/gone'));
     expect(evaluation.results.get('camera')).toMatchObject({ problem: { message: expect.stringContaining('/cam') } });
   });
 
-  it('keeps a reader’s diagnostic as it is, and blocks what follows', async () => {
+  it('passes on a reader’s diagnostic unchanged, and blocks downstream nodes', async () => {
     const services: Services = {
       ...workerServices,
       readScene: async () => {
@@ -276,7 +276,7 @@ describe('the project', () => {
     expect(evaluation.target.status).toBe('blocked');
   });
 
-  it('opening another file gives way to its own suggestions', () => {
+  it('opening another file resets to that file’s suggestions', () => {
     const before = applyCommand(newProject('a.usda'), set('console', 'speedOfLight', 5)).document;
     const { document } = applyCommand(before, openFileCommand(before, 'b.usda')!);
     expect(

@@ -3,7 +3,7 @@ import { optionsByEffect, withDefaults } from './options.ts';
 import { AUTOMATIC_PIPELINES, interactivePipeline, PIPELINES, pipelineNamed } from './registry.ts';
 
 describe('the list of pipelines', () => {
-  it('has each once, and each can draw', () => {
+  it('has unique names, and each pipeline can draw', () => {
     expect(new Set(PIPELINES.map(({ id }) => id)).size).toBe(PIPELINES.length);
     for (const { id, open, openInteractive } of PIPELINES) {
       expect(open ?? openInteractive, id).toBeDefined();
@@ -12,13 +12,13 @@ describe('the list of pipelines', () => {
     expect(() => pipelineNamed('none')).toThrow('none');
   });
 
-  it('has one for the page, which needs a GPU, and another that stands in where there is none', () => {
+  it('has one for the page, which needs a GPU, and a fallback without one', () => {
     expect(interactivePipeline().backends).not.toEqual([]);
     expect(AUTOMATIC_PIPELINES[0]).toBe(PIPELINES[0]);
     expect(AUTOMATIC_PIPELINES.some(({ backends }) => backends.length === 0)).toBe(true);
   });
 
-  it('has a default within the range of each option that has one, and code for the threads of those that use them', () => {
+  it('has defaults within the options’ ranges, and thread code for pipelines that use threads', () => {
     for (const { id, options, usesThreads, serveThread } of PIPELINES) {
       for (const [name, option] of Object.entries(options)) {
         if (option.kind !== 'integer' || option.default === undefined) continue;
@@ -37,7 +37,7 @@ describe('options', () => {
     mirrors: { kind: 'boolean', default: true, help: '', changesPicture: true },
   } as const;
 
-  it('have their defaults where nothing is given, also where it is given as undefined', () => {
+  it('have their defaults if absent or undefined', () => {
     expect(withDefaults(options, { bounces: undefined })).toEqual({ threads: undefined, bounces: 2, mirrors: true });
     expect(withDefaults(options, { threads: 3, mirrors: false })).toEqual({ threads: 3, bounces: 2, mirrors: false });
   });

@@ -6,13 +6,13 @@ import { hasColorScience, python } from '../../tests/support/pythonOracles.ts';
 const fixture = (name: string): string => fileURLToPath(new URL(`./fixtures/${name}`, import.meta.url));
 
 describe.skipIf(!hasColorScience())('colour-science', () => {
-  it('still says what is committed', () => {
+  it('reproduces the committed values', () => {
     const committed = JSON.parse(readFileSync(fixture('oracle.expected.json'), 'utf8'));
     const fresh = JSON.parse(python(fixture('oracle.py')));
     expect(differences(fresh, committed)).toEqual([]);
   });
 
-  it('has the tables that we compute with', () => {
+  it('has the same tables as the sources', () => {
     const script = fileURLToPath(new URL('../../scripts/spectrumTables.py', import.meta.url));
     const numbers = JSON.parse(python(script, '--json'));
     const ours = new Map(

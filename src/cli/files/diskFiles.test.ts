@@ -27,14 +27,14 @@ function refusal(read: () => unknown): string {
 }
 
 describe('a file on disk', () => {
-  it('is read in parts, by whoever has its handle', () => {
+  it('is read in parts through its handle', () => {
     const { opened } = file('a');
     expect(opened.size).toBe(100);
     expect([...readDiskFile(structuredClone(opened.file), 40, 3)]).toEqual([40, 41, 42]);
     expect([...readDiskFile(opened.file, 99, 1)]).toEqual([99]);
   });
 
-  it('that is none is not opened', () => {
+  it('that is not a regular file is not opened', () => {
     expect(openDiskFile(join(folder, 'none'), 'none')).toBeUndefined();
     expect(openDiskFile(folder, 'folder')).toBeUndefined();
   });
@@ -43,7 +43,7 @@ describe('a file on disk', () => {
     ['longer', (path: string) => appendFileSync(path, 'x')],
     ['cut off', (path: string) => truncateSync(path, 50)],
     ['newer', (path: string) => utimesSync(path, 1, 1)],
-  ])('that has become %s is refused, whether it was read before or not', (name, change) => {
+  ])('that has become %s is rejected, whether it was read before or not', (name, change) => {
     for (const before of [true, false]) {
       const { path, opened } = file(`${name} ${before}`);
       if (before) readDiskFile(opened.file, 0, 1);
@@ -52,13 +52,13 @@ describe('a file on disk', () => {
     }
   });
 
-  it('that is gone is refused', () => {
+  it('that was deleted is reported', () => {
     const { path, opened } = file('gone');
     rmSync(path);
     expect(refusal(() => readDiskFile(opened.file, 0, 1))).toContain('ENOENT');
   });
 
-  it('is found among more than are kept open', () => {
+  it('is reopened if more files are used than are kept open', () => {
     const many = Array.from({ length: 40 }, (_, i) => file(`many ${i}`).opened);
     for (const round of [1, 2]) for (const { file: one } of many) expect(readDiskFile(one, round, 1)[0]).toBe(round);
   });

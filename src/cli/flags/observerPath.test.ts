@@ -22,27 +22,27 @@ const close = (a: Vec3, b: Vec3) => {
 };
 
 describe('the observer', () => {
-  test('rides the moving camera with its velocity', () => {
+  test('follows the moving camera with its velocity', () => {
     const at = observerPath(scene, {}, c, 0)(1);
     close(at.position, [6, 0, 0]);
     close(velocity(at.u), [0.6, 0, 0]);
     expect(at.fovY).toBe(1);
   });
 
-  test('keeps the path and takes the velocity that is given', () => {
+  test('keeps the path and takes a given velocity', () => {
     const at = observerPath(scene, { beta: [0, 0, -0.8] }, c, 0)(1);
     close(at.position, [6, 0, 0]);
     close(velocity(at.u), [0, 0, -0.8]);
   });
 
-  test('coasts from a place that is given, unless it holds', () => {
+  test('coasts from a given position, unless held', () => {
     const flags = { beta: [0, 0.5, 0] as Vec3, position: [1, 1, 1] as Vec3 };
     close(observerPath(scene, flags, c, 3)(3).position, [1, 1, 1]);
     close(observerPath(scene, flags, c, 3)(5).position, [1, 11, 1]);
     close(observerPath(scene, flags, c, 3, true)(5).position, [1, 1, 1]);
   });
 
-  test('stands still at a place that is given without a velocity', () => {
+  test('is at rest at a given position without a velocity', () => {
     const at = observerPath(scene, { position: [1, 1, 1] }, c, 0)(1);
     close(at.position, [1, 1, 1]);
     close(at.u, [0, 0, 0]);
@@ -54,7 +54,7 @@ describe('the observer', () => {
     expect(at.fovY).toBeCloseTo(Math.PI / 2, 15);
   });
 
-  test('names the cameras there are', () => {
+  test('lists the existing cameras', () => {
     expect(() => observerPath(scene, { camera: '/Nothing' }, c, 0)).toThrow('/Flying');
   });
 });

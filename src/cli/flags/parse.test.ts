@@ -3,7 +3,7 @@ import { describe, expect, test } from 'vitest';
 import { parseAovs, parseBeta, parseFrames, parsePixel, parsePort, parseSize, parseVec3 } from './parse.ts';
 
 describe('flag values', () => {
-  test('are read as they are written', () => {
+  test('are parsed', () => {
     expect(parseSize('640x360')).toEqual({ width: 640, height: 360 });
     expect(parseVec3('1,-2.5, 3e2')).toEqual([1, -2.5, 300]);
     expect(parseBeta('0,0,-0.999999')).toEqual([0, 0, -0.999999]);
@@ -22,7 +22,7 @@ describe('flag values', () => {
     ['an unknown AOV', parseAovs, 'depth,colour'],
     ['a port that is none', parsePort, '70000'],
   ];
-  test.each(wrong)('%s is refused', (_, parse, text) => {
+  test.each(wrong)('%s is rejected', (_, parse, text) => {
     expect(() => parse(text)).toThrow(InvalidArgumentError);
   });
 });

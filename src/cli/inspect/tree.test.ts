@@ -1,7 +1,7 @@
 import { expect, test } from 'vitest';
 import { treeLines } from './tree.ts';
 
-test('paths become a tree that keeps their order', () => {
+test('paths form a tree that preserves their order', () => {
   const entries = [
     { path: '/World/House/Door', note: 'a' },
     { path: '/World/Tree', note: 'b' },

@@ -1,7 +1,7 @@
 import { expect, test } from 'vitest';
 import { toSharedMemory } from './sharedMemory.ts';
 
-test('plain data with its arrays in shared memory, each of them once', () => {
+test('moves the arrays of plain data to shared memory, each once', () => {
   const positions = new Float32Array([1, 2, 3, 4]).subarray(1);
   const data = { name: 'a', lifetime: { birth: -Infinity }, meshes: [{ positions }, { positions }], none: undefined };
   const copy = toSharedMemory(data);

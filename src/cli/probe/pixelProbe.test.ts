@@ -19,8 +19,8 @@ const view = (beta: Vec3): ViewPoint => ({
   fovY: 1,
 });
 
-describe('what is seen at a pixel', () => {
-  test('of a floor at rest is where the ray, taken back into the world, meets it', () => {
+describe('the probe of a pixel', () => {
+  test('on a floor at rest is where the ray, transformed to the world, meets it', () => {
     const floor = makeObject({ path: '/Floor', mesh: plane(400, 400, 'Y') });
     const scene = makeScene({ name: 'floor', objects: [floor] });
     // The middle of the picture is the corner between four pixels.
@@ -33,7 +33,7 @@ describe('what is seen at a pixel', () => {
     expect(seen?.time).toBeCloseTo(3 - distance / 10, 10);
     expect(seen?.doppler).toBeCloseTo(dopplerAtPixel(nPrime, properVelocity([0.3, 0.2, -0.6])), 10);
     expect(seen).toMatchObject({ prim: '/Floor', object: 1 });
-    // The picture's middle is straight ahead, whatever it took to get there.
+    // The picture's middle is straight ahead in any case.
     for (const k of [0, 1, 2]) expect(seen?.apparent[k]).toBeCloseTo(nPrime[k] * (seen?.distance ?? 0), 10);
   });
 
@@ -49,7 +49,7 @@ describe('what is seen at a pixel', () => {
     for (const k of [0, 1, 2]) expect(seen.apparent[k]).toBeCloseTo(direction[k] * seen.distance, 10);
   });
 
-  test('is the nearest thing, and nothing where there is none', () => {
+  test('is of the nearest object, and undefined without one', () => {
     const ball = (path: string, along: number) =>
       makeObject({
         path,

@@ -64,7 +64,7 @@ const apart = (x: Float64Array): boolean =>
     ),
   );
 
-/** Inside the box there are points with two equally short ways out. */
+/** Inside the box some points have two equally short exits. */
 const oneWayOut = (x: Float64Array): boolean =>
   [0, 1, 2, 3].every((i) => {
     const over = [Math.abs(x[3 * i] - 0.1) - 0.9, Math.abs(x[3 * i + 1]) - 0.6, Math.abs(x[3 * i + 2]) - 1].sort(
@@ -80,7 +80,7 @@ function productOf(stiffness: Stiffness, u: Float64Array): Float64Array {
 }
 
 describe.each(FORCES)('%s', (name, force) => {
-  it('push against the slope of their potential', () => {
+  it('are minus the gradient of their potential', () => {
     fc.assert(
       fc.property(places(), places(), (x, u) => {
         fc.pre(apart(x) && (name !== 'a box' || oneWayOut(x)));
@@ -91,7 +91,7 @@ describe.each(FORCES)('%s', (name, force) => {
     );
   });
 
-  it('do in the mean exactly the work that their potential loses', () => {
+  it('as discrete gradients do exactly the work that their potential loses', () => {
     fc.assert(
       fc.property(places(), places(), (x0, x1) => {
         fc.pre(apart(x0) && apart(x1));
@@ -104,7 +104,7 @@ describe.each(FORCES)('%s', (name, force) => {
     );
   });
 
-  it('are in the mean what they are, where nothing moves', () => {
+  it('as discrete gradients equal the gradient without displacement', () => {
     fc.assert(
       fc.property(places(), (x) => {
         fc.pre(apart(x));
@@ -120,7 +120,7 @@ describe.each(FORCES)('%s', (name, force) => {
 
 // The curvature at a box's edges is neglected by its stiffness.
 describe.each(FORCES.filter(([name]) => !/box/.test(name)))('%s', (_, force) => {
-  it('have a stiffness that is the slope of the force, with blocks that are its own', () => {
+  it('have a stiffness equal to the derivative of the force, with its own diagonal blocks', () => {
     fc.assert(
       fc.property(places(), places(), (x, u) => {
         fc.pre(apart(x));
@@ -145,12 +145,12 @@ describe.each(FORCES.filter(([name]) => !/box/.test(name)))('%s', (_, force) => 
   });
 });
 
-describe('a barrier that is carried', () => {
+describe('a carried obstacle', () => {
   const axis = fc.tuple(between(-1, 1), between(-1, 1), between(0.1, 1));
   const spot = fc.tuple(between(-1, 1), between(-1, 1), between(-1, 1));
   const K = 80;
 
-  it('pushes as one that stands as it lies now', () => {
+  it('pushes like a fixed one at its current pose', () => {
     fc.assert(
       fc.property(places(), axis, between(-3, 3), spot, spot, (x, about, angle, from, to) => {
         const turn = fromAxisAngle(normalize(about), angle);
@@ -166,7 +166,7 @@ describe('a barrier that is carried', () => {
         const pushed = new Float64Array(all.length);
         carried.add(all, pushed);
         expect(pushed.slice(12).every((f) => f === 0)).toBe(true);
-        // From the middle of an edge two ways out are equally short.
+        // From the middle of an edge two exits are equally short.
         fc.pre([0, 1, 2, 3].every((i) => leadsOut(x, i, to, multiply(turn, TURNED))));
         const wanted = forceOf(stands, x);
         wanted.forEach((f, j) => {
@@ -183,7 +183,7 @@ describe('a barrier that is carried', () => {
   });
 });
 
-/** Whether one way out of a box is the shortest, by more than rounding error. */
+/** Whether one exit of a box is the shortest, by more than rounding error. */
 function leadsOut(x: Float64Array, i: number, middle: Vec3, orientation: Quat): boolean {
   const d = rotate(conjugate(orientation), sub([x[3 * i], x[3 * i + 1], x[3 * i + 2]], middle));
   const over = [Math.abs(d[0]) - 0.9, Math.abs(d[1]) - 0.6, Math.abs(d[2]) - 1].sort((a, b) => b - a);

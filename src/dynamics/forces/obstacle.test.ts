@@ -15,7 +15,7 @@ const OBSTACLES = [
 ] as const;
 
 describe.each(OBSTACLES)('%s', (_, { distanceAndNormal: outside, distance }) => {
-  it('tells the same distance with the way out and without, and nobody comes nearer by more than he goes', () => {
+  it('has the same distance with and without the normal, and is 1-Lipschitz', () => {
     fc.assert(
       fc.property(place, place, (a, b) => {
         expect(distance(...a)).toBeCloseTo(outside(a)[0], 12);
@@ -24,7 +24,7 @@ describe.each(OBSTACLES)('%s', (_, { distanceAndNormal: outside, distance }) => 
     );
   });
 
-  it('has its surface as far out as it says', () => {
+  it('has its surface at the stated distance', () => {
     fc.assert(
       fc.property(place, (a) => {
         const [far, out] = outside(a);
@@ -35,7 +35,7 @@ describe.each(OBSTACLES)('%s', (_, { distanceAndNormal: outside, distance }) => 
   });
 });
 
-it('a box is turned about its middle, with half of its sizes to each side', () => {
+it('a box is rotated about its centre, with half its size to each side', () => {
   const { distance } = box(MIDDLE, SIZE, TURN);
   for (const [k, way] of (
     [

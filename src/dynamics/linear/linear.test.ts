@@ -41,7 +41,7 @@ const column = (A: StepMatrix, j: number): Float64Array => {
 };
 
 describe('the matrix of a step', () => {
-  it('is symmetric among what moves, whatever the velocities', () => {
+  it('is symmetric over moving points, at any velocities', () => {
     fc.assert(
       fc.property(fc.integer(), (seed) => {
         const columns = Array.from({ length: 3 * N }, (_, j) => column(matrix(seed, 'exact'), j));
@@ -56,7 +56,7 @@ describe('the matrix of a step', () => {
 });
 
 describe('conjugate gradients', () => {
-  it('solve what they are given, and leave alone what is pinned', () => {
+  it('solve the system, and do not move pinned points', () => {
     fc.assert(
       fc.property(fc.integer(), fc.constantFrom('safe', 'isotropic'), (seed, form) => {
         const A = matrix(seed, form);
@@ -75,7 +75,7 @@ describe('conjugate gradients', () => {
     );
   });
 
-  it('say where a matrix is not positive definite, as of springs that are pressed together', () => {
+  it('report a matrix that is not positive definite, as for compressed springs', () => {
     const A = matrix(3, 'exact', 0.1);
     const b = new Float64Array(3 * N).fill(1);
     b.fill(0, 3, 6);
@@ -84,8 +84,8 @@ describe('conjugate gradients', () => {
   });
 });
 
-describe('Anderson’s mixing', () => {
-  it('finds the end of a row in three rounds where all goes one way, also where the row itself runs away', () => {
+describe('Anderson mixing', () => {
+  it('finds the fixed point of a one-dimensional linear iteration in three rounds, also of a divergent one', () => {
     const x = Float64Array.of(1, 2, 3);
     const mixing = new AndersonAcceleration(3);
     const end = [5, -1, 2];
@@ -99,7 +99,7 @@ describe('Anderson’s mixing', () => {
     });
   });
 
-  it('comes nearer in each round than the row itself, whose errors shrink at different rates', () => {
+  it('converges faster than the plain iteration, whose errors decay at different rates', () => {
     // x → Bx converges to 0.
     const B = [-0.25, -0.1, 0, -0.2];
     const mixing = new AndersonAcceleration(4);

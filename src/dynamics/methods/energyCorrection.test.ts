@@ -24,12 +24,12 @@ const some = fc.array(between(-0.5, 0.5), { minLength: 6, maxLength: 6 });
 /** Velocity changes that increase the kinetic energy. */
 const faster = fc.tuple(some, some).filter(([v, dv]) => kinetic(at(v, dv, 1)) > kinetic(v) + 1e-3);
 
-describe('the share of a step’s change of the velocities', () => {
-  it('is all without a correction', () => {
+describe('the fraction of a step’s velocity change', () => {
+  it('is 1 without a correction', () => {
     expect(shareOf(0, [1, 0, 0, 0, 0, 0], [0.5, 0, 0, 0, 0, 0], 1e-6)).toBe(1);
   });
 
-  it('by the tangent gives the energy as its slope says, and turns back where that falls', () => {
+  it('by the tangent extrapolates the energy linearly, and reverses where its slope is negative', () => {
     fc.assert(
       fc.property(faster, between(-0.9, 0.9), ([v, dv], part) => {
         const s = 1e-5;
@@ -42,7 +42,7 @@ describe('the share of a step’s change of the velocities', () => {
     );
   });
 
-  it('by the secant gives a part of what all would gain; nothing of it where potential energy asks for less motion', () => {
+  it('by the secant gives a part of the full gain, and 0 where the potential energy requires less motion', () => {
     fc.assert(
       fc.property(faster, between(0.01, 0.99), ([v, dv], part) => {
         const gain = kinetic(at(v, dv, 1)) - kinetic(v);
@@ -53,7 +53,7 @@ describe('the share of a step’s change of the velocities', () => {
     );
   });
 
-  it('is all where it makes things slower, by the secant and by the root', () => {
+  it('is 1 where it decelerates, by the secant and by the root', () => {
     fc.assert(
       fc.property(some, between(0.05, 0.9), between(-1, 1), (v, part, wanted) => {
         const slower = v.map((value) => -part * value);
@@ -62,7 +62,7 @@ describe('the share of a step’s change of the velocities', () => {
     );
   });
 
-  it('by the root gives just the energy that is wanted, where that lies between tangent and secant', () => {
+  it('by the root gives exactly the required energy, if that lies between tangent and secant', () => {
     let found = 0;
     fc.assert(
       fc.property(faster, between(0.01, 0.99), ([v, dv], part) => {

@@ -70,7 +70,7 @@ function period(c: number, k: number, A: number): number {
  * A spring of length 1 that is rotated slightly, with h²k/m = 1: there is no force across it, and a step of implicit
  * Euler keeps v. Linear systems with isotropic stiffness correct only half of the error, so each iteration halves it.
  */
-describe('rounds of the documents’ implicit methods', () => {
+describe('iterations of the published implicit methods', () => {
   it.each([
     ['linearly-implicit-0', 0],
     ['local-global-0', 2 ** -10],
@@ -101,7 +101,7 @@ describe.each(OURS)('%s', (id) => {
     expect(Math.abs(end.x[4])).toBe(0);
   });
 
-  it('keeps a circle: γmv²/r = k r', () => {
+  it('keeps a circular orbit: γmv²/r = k r', () => {
     const [c, r, beta] = [2, 1.5, 0.8];
     const gamma = 1 / Math.sqrt(1 - beta * beta);
     const k = (gamma * (beta * c) ** 2) / (r * r);
@@ -116,7 +116,7 @@ describe.each(OURS)('%s', (id) => {
     expect(Math.abs(L1 / L0 - 1)).toBeLessThan(1e-12);
   });
 
-  it('goes round in a magnetic field at ω = qB/γm, at the speed that it has', () => {
+  it('orbits in a magnetic field at ω = qB/γm, at constant speed', () => {
     const [c, q, B, beta] = [1, 2, 0.7, 0.9];
     const system = makeSystem({
       masses: Float64Array.of(1.5),
@@ -135,7 +135,7 @@ describe.each(OURS)('%s', (id) => {
     expect(Math.hypot(...end.p) / Math.hypot(...start.p)).toBeCloseTo(1, 11);
   });
 
-  it('keeps momentum and angular momentum of what is free, and comes back when it is run backwards', () => {
+  it('conserves momentum and angular momentum of free systems, and is time-reversible', () => {
     const velocity = fc.tuple(between(-1, 1), between(-1, 1), between(-1, 1)).map(([x, y, z]): Vec3 => {
       const size = Math.max(1, Math.hypot(x, y, z) * 1.25);
       return [x / size, y / size, z / size];
@@ -159,7 +159,7 @@ describe.each(OURS)('%s', (id) => {
 });
 
 describe.each(OURS)('%s', (id) => {
-  it('keeps all below c, however hard what pushes and however long its steps', () => {
+  it('stays below c, for any force and step', () => {
     const size = (low: number, high: number) => between(low, high).map((power) => 10 ** power);
     fc.assert(
       fc.property(size(-3, 5), size(-3, 2), size(-2, 4), size(-1, 8), (push, h, stiff, c) => {
@@ -207,7 +207,7 @@ const NEARLY = new Map([
 ]);
 const nearly = (id: string): number => NEARLY.get(method(id).order) ?? 1e-9;
 
-describe.each(ALL)('%s, of the sources or ours,', (id) => {
+describe.each(ALL)('%s, published or ours,', (id) => {
   it('follows the hyperbola of a constant force: x = (√(1 + (Ft/mc)²) − 1) mc²/F', () => {
     const [c, F, time] = [3, 20, 2];
     const system = makeSystem({
@@ -244,7 +244,7 @@ describe.each(ALL)('%s, of the sources or ours,', (id) => {
     expect(Math.abs(end.p[3] / momentumOf(c, masses, energy) + 1)).toBeLessThan(nearly(id));
   });
 
-  it('is of the order that it says', () => {
+  it('has the stated order', () => {
     const { order } = method(id);
     const system = free();
     const start = moving(system, TETRAHEDRON, SPIN);
@@ -255,7 +255,7 @@ describe.each(ALL)('%s, of the sources or ours,', (id) => {
     expect(Math.log2(errors[0] / errors[1])).toBeLessThan(order + (order > 4 ? 2.5 : 0.5));
   });
 
-  it('comes, as steps grow short, to what all others come to, whatever acts', () => {
+  it('converges to the common limit of all methods, for all forces', () => {
     const system = all(1.5);
     const start = moving(system, TETRAHEDRON, SPIN);
     const time = 0.4;
@@ -268,7 +268,7 @@ describe.each(ALL)('%s, of the sources or ours,', (id) => {
     expect(distance(limit, exact.x)).toBeLessThan(Math.max(1e-12, distance(coarse.x, exact.x) / 20));
   });
 
-  it('is Newton’s mechanics where c is without a bound', () => {
+  it('approaches Newtonian mechanics for c → ∞', () => {
     const system = { ...free(), c: Number.POSITIVE_INFINITY };
     const start = moving(system, TETRAHEDRON, SPIN);
     const end = follow(system, start, method(id), 0.5, 2000);
@@ -374,7 +374,7 @@ function newton(x: Float64Array, v: Float64Array, time: number, steps: number): 
 }
 
 describe('the energy', () => {
-  it('is kept exactly by the discrete gradient, also where steps are as long as swings', () => {
+  it('is conserved exactly by the discrete gradient, also with steps as long as oscillations', () => {
     const system = free();
     for (const h of [0.01, 0.1, 0.5]) {
       const state = moving(system, TETRAHEDRON, SPIN);
@@ -387,7 +387,7 @@ describe('the energy', () => {
     }
   });
 
-  it('swings without a trend by the splittings', () => {
+  it('oscillates without a trend with splittings', () => {
     const system = free();
     const state = moving(system, TETRAHEDRON, SPIN);
     const before = conservedQuantities(system, state);
@@ -403,7 +403,7 @@ describe('the energy', () => {
     expect(worst[1]).toBeLessThan(1.2 * worst[0]);
   });
 
-  it('is kept where things bounce off each other', () => {
+  it('is conserved in collisions', () => {
     const law = new PenaltyPotential(10_000, () => 1.1);
     const system = makeSystem({
       masses: Float64Array.of(1, 2),
@@ -419,7 +419,7 @@ describe('the energy', () => {
     expect(later.momentum[0]).toBeCloseTo(before.momentum[0], 9);
   });
 
-  it('of two charges that fall towards each other stays, and they stay below c', () => {
+  it('of two attracting charges is conserved, and they stay below c', () => {
     const system = makeSystem({ masses: Float64Array.of(1, 1), c: 1, forces: [coulomb(Float64Array.of(1, -1), 0.2)] });
     const start = moving(system, [-1, 0, 0, 1, 0, 0], [0, 0.2, 0, 0, -0.2, 0]);
     const before = conservedQuantities(system, start);
@@ -435,8 +435,8 @@ describe('the energy', () => {
   });
 });
 
-describe('the methods of the sources', () => {
-  it.each(TANGENT)('are led astray by the tangent, and by shorter steps no less, as the documents say: %s', (id) => {
+describe('the published methods', () => {
+  it.each(TANGENT)('fail with the tangent correction, also with shorter steps, as documented: %s', (id) => {
     const system = free();
     const start = moving(system, TETRAHEDRON, SPIN);
     const exact = follow(system, start, method('yoshida-8'), 0.2, 400);
@@ -445,7 +445,7 @@ describe('the methods of the sources', () => {
     expect(short / long).toBeCloseTo(1, 2);
   });
 
-  it('say when something reached the speed of light, or when a matrix gave out', () => {
+  it('report when a point reached c, or when a matrix was singular', () => {
     const system = oscillator(1, 1000);
     const start = moving(system, [0, 0, 0, 1, 0, 0], [0, 0, 0, 0, 0.5, 0]);
     expect(() => follow(system, start, method('semi-implicit-euler-0'), 1, 50)).toThrow(/not below c = 1 m\/s/);

@@ -29,8 +29,8 @@ const done = (outputs: Record<string, unknown>, interim?: true): NodeResult => (
   ...(interim && { interim }),
 });
 
-describe('the books of an evaluation', () => {
-  it('are told of once, by the node that made them, also where they are passed on', () => {
+describe('the run records of an evaluation', () => {
+  it('are listed once, by the node that produced them, also if passed on', () => {
     const results = new Map<string, NodeResult>([
       ['box', done({ geometry: {} })],
       ['run', done({ geometry: {}, books: record }, true)],
@@ -47,13 +47,13 @@ describe('the books of an evaluation', () => {
     expect(computedUntil(new Map())).toBe(Number.POSITIVE_INFINITY);
   });
 
-  it('are missing of what leads to nothing that was asked for', () => {
+  it('do not include nodes that the evaluation does not need', () => {
     const document = build(add('run', 'simulate'), add('other', 'simulate'), add('box', 'box'));
     expect(unevaluatedSimulations(document, new Map([['run', done({ books: record })]]))).toEqual(['other']);
     expect(unevaluatedSimulations(document, new Map(['run', 'other'].map((node) => [node, done({})])))).toEqual([]);
   });
 
-  it('give what is plotted', () => {
+  it('yield the plotted series', () => {
     expect([...valuesOf(record, 'change', 'J')]).toEqual([0, -1, -1.5]);
     expect([...valuesOf(record, 'potential', 'J')]).toEqual([4, 0, 1.5]);
     expect([...valuesOf(record, 'momentum', 'kg m/s')]).toEqual([0, 5, 13]);
@@ -61,20 +61,20 @@ describe('the books of an evaluation', () => {
     expect([...valuesOf(record, 'fastest', 'c')]).toEqual([0, 0.8, 0.5]);
   });
 
-  it('tell speeds in m/s as soon as one of them knows no speed of light', () => {
+  it('have speeds in m/s if one of them has no speed of light', () => {
     const run = (speedOfLight: number) => ({ node: 'run', interim: false, record: { ...record, speedOfLight } });
     expect(unitOf('fastest', [run(10), run(1)])).toBe('c');
     expect(unitOf('fastest', [run(10), run(Number.POSITIVE_INFINITY)])).toBe('m/s');
     expect([...valuesOf(record, 'fastest', 'm/s')]).toEqual([0, 8, 5]);
   });
 
-  it('come to a drift in parts of the motion there was, a top speed and an end', () => {
+  it('are summarized by drift relative to the kinetic energy, maximum speed and end', () => {
     expect(summarizeRun(record)).toEqual({ drift: 0.5, fastest: 8, until: 1 });
     expect(summarizeRun({ ...record, kinetic: Float64Array.of(0, 0, 0) }).drift).toBeUndefined();
   });
 });
 
-it('runs are called by title or method, and where these are the same by what tells them apart', () => {
+it('runs are named by title or method, or by what distinguishes them if these are equal', () => {
   const run = (node: string, method: string, speedOfLight = 10) => ({
     node,
     interim: false,
@@ -97,20 +97,20 @@ it('runs are called by title or method, and where these are the same by what tel
   expect(names(run('a', 'leapfrog'), run('b', 'leapfrog'))).toEqual(['leapfrog (a)', 'leapfrog (b)']);
 });
 
-it('what is read at a time is of the frame before', () => {
+it('values at a time are those of the previous frame', () => {
   expect([-1, 0, 0.49, 0.5, 7].map((t) => frameIndexAt(record.times, t))).toEqual([-1, 0, 0, 1, 2]);
 });
 
-it('a logarithmic axis has sizes, and nothing for what has none', () => {
+it('a logarithmic axis shows absolute values, and gaps for zeros', () => {
   expect(onLogarithmicAxis(Float64Array.of(-1e-12, 0, 2, Number.NaN))).toEqual([1e-12, null, 2, null]);
 });
 
-it('numbers at an axis are short', () => {
+it('axis labels are short', () => {
   const numbers = [0.1 + 0.2, -2500, 1e-10, 3e6, 0, null];
   expect(numbers.map(tick)).toEqual(['0.3', '−2500', '1e−10', '3e6', '0', '']);
 });
 
-it('each of six lines has its own colour and its own dashes', () => {
+it('each of six lines has its own colour and dash pattern', () => {
   for (const scheme of ['light', 'dark'] as const) {
     const styles = Array.from({ length: 6 }, (_, i) => lineStyle(i, scheme));
     expect(new Set(styles.map(({ color }) => color)).size).toBe(6);

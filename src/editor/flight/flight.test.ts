@@ -31,7 +31,7 @@ function fly(state: ObserverState, controls: FlightControls, seconds: number, by
 const rising = (values: number[]) => values.every((value, i) => i === 0 || value >= values[i - 1]! - 1e-12);
 
 describe('flight', () => {
-  it('walks at the smaller of half the greatest speed and 8 m/s', () => {
+  it('moves at the smaller of half the maximum speed and 8 m/s', () => {
     expect(walkingSpeed(rules)).toBeCloseTo(8 / 30, 12);
     expect(walkingSpeed({ c: 10, maxSpeed: 0.9 })).toBeCloseTo(0.45, 12);
     const { now, speeds } = fly(rest, forward, 1);
@@ -41,7 +41,7 @@ describe('flight', () => {
     expect(now.position[2]).toBeLessThan(-4);
   });
 
-  it('reaches the greatest speed with Shift in 2 s of its own time, smoothly, and never passes it', () => {
+  it('reaches the maximum speed with Shift in 2 s of proper time, smoothly, and never exceeds it', () => {
     const { now, speeds } = fly(rest, sprint, 2.1);
     expect(speeds[100]).toBeLessThan(0.9);
     expect(speeds.at(-1)).toBeCloseTo(0.9, 12);
@@ -53,13 +53,13 @@ describe('flight', () => {
     expect(now.t).toBeGreaterThan(2.1);
   });
 
-  it('brakes to rest without a key, and keeps its velocity on cruise', () => {
+  it('brakes to rest without keys, and keeps its velocity in cruise mode', () => {
     const { now } = fly(rest, sprint, 3);
     expect(length(fly(now, NO_CONTROLS, 3).now.u)).toBe(0);
     expect(fly(now, NO_CONTROLS, 3, { ...rules, cruise: true }).now.u).toEqual(now.u);
   });
 
-  it('look: has a velocity without moving, and its own clock runs slow', () => {
+  it('lock look: has a velocity without moving, and its clock runs slow', () => {
     const { now } = fly(rest, sprint, 4, { ...rules, lock: 'look' });
     expect(now.position).toEqual([0, 0, 0]);
     expect(length(velocity(now.u))).toBeCloseTo(0.9, 9);
@@ -67,7 +67,7 @@ describe('flight', () => {
     expect(now.properTime).toBeLessThan(3.5);
   });
 
-  it('fly: moves as fast as its speed says, in the world’s time', () => {
+  it('lock fly: moves at its speed in world time', () => {
     const fast = fly(rest, sprint, 3, { ...rules, lock: 'fly' }).now;
     const later = fly(fast, sprint, 1, { ...rules, lock: 'fly' }).now;
     expect(length(sub(later.position, fast.position))).toBeCloseTo(0.9 * 30, 6);
@@ -75,7 +75,7 @@ describe('flight', () => {
     expect(later.orientation).toEqual(IDENTITY);
   });
 
-  it('moves through a frozen instant where time stands still', () => {
+  it('moves through a frozen instant while time is paused', () => {
     const { now } = fly(rest, sprint, 2, { ...rules, playing: false });
     expect(now.t).toBe(0);
     expect(now.properTime).toBe(0);
@@ -88,7 +88,7 @@ describe('flight', () => {
     expect(length(sub(coarse.position, fine.position))).toBeLessThan(1e-9);
   });
 
-  it('stays finite and subluminal whatever is asked', () => {
+  it('stays finite and subluminal for any controls', () => {
     const axis = fc.double({ min: -1, max: 1, noNaN: true });
     const controls = fc.record({ thrust: fc.tuple(axis, axis, axis), fullSpeed: fc.boolean() });
     fc.assert(
@@ -108,7 +108,7 @@ describe('flight', () => {
 });
 
 describe('looking around', () => {
-  it('turns left about the up axis, and never over the top', () => {
+  it('turns about the up axis, and never beyond the zenith', () => {
     const left = rotate(turnView(IDENTITY, Math.PI / 2, 0, [0, 1, 0]), [0, 0, -1]);
     expect(length(sub(left, [-1, 0, 0] as Vec3))).toBeLessThan(1e-12);
     const high = rotate(turnView(IDENTITY, 0, 10, [0, 1, 0]), [0, 0, -1]);
@@ -118,7 +118,7 @@ describe('looking around', () => {
 });
 
 describe('the timeline', () => {
-  it('starts again, or stays at its end', () => {
+  it('loops, or stops at its end', () => {
     expect(wrapTime(5.5, 1, 5, true)).toBeCloseTo(1.5, 12);
     expect(wrapTime(5.5, 1, 5, false)).toBe(5);
     expect(wrapTime(5.5, 0, 0, true)).toBe(5.5);

@@ -50,11 +50,11 @@ beforeEach(async () => {
 });
 afterEach(() => vi.unstubAllGlobals());
 
-it('begins in the first camera at the time that the scene asks for', () => {
+it('starts in the first camera at the scene’s opening time', () => {
   expect(observerController.observer).toMatchObject({ t: 2, position: [1, 0, 0], u: [0, 0, 0] });
 });
 
-it('stays where it is through an edit, and goes to another camera that is chosen', async () => {
+it('keeps its position through edits, and moves to another chosen camera', async () => {
   observerController.seek(3);
   editor.set('toneMap', 'exposure', 1, 'exposure');
   await follow();
@@ -64,7 +64,7 @@ it('stays where it is through an edit, and goes to another camera that is chosen
   expect(observerController.observer).toMatchObject({ t: 3, position: [5, 0, 0] });
 });
 
-it('waits at the end of a motion that is still computed, and goes on when there is more; at the last end it begins again', async () => {
+it('waits at the end of an unfinished simulation, and continues when there is more; at the final end it loops', async () => {
   editor.update({ loop: false });
   await follow(6);
   observerController.seek(5.9);
@@ -81,7 +81,7 @@ it('waits at the end of a motion that is still computed, and goes on when there 
   expect(observerController.observer.t).toBeCloseTo(0.25, 12);
 });
 
-it('rides a camera with its velocity and its slow clock, until a key takes over', async () => {
+it('follows a camera with its velocity and its dilated time, until a key takes over', async () => {
   editor.set('camera', 'camera', '/ride', 'camera');
   editor.set('camera', 'ride', true, 'ride');
   await follow();
@@ -95,7 +95,7 @@ it('rides a camera with its velocity and its slow clock, until a key takes over'
   expect(editor.store.getState().picture?.ride).toBe(false);
 });
 
-it('time starts again at the end, or stops there where it is not to loop', () => {
+it('time loops at the end, or stops there', () => {
   observerController.seek(9.9);
   observerController.advance(0.25);
   expect(observerController.observer.t).toBeCloseTo(0.15, 9);

@@ -17,12 +17,12 @@ function lettersOf(ranges: string): string {
 const [inFont = ''] = /(?<=FORMULAS = ").*(?=")/.exec(text('../../../scripts/pageFonts.py')) ?? [];
 const inSheet = lettersOf(/inter-greek\.woff2[^}]*unicode-range:([^;]*)/.exec(text('fonts.css'))?.[1] ?? '');
 
-it('the sheet offers the Greek letters that the font was cut to, and no others', () => {
+it('the stylesheet declares exactly the Greek letters of the font subset', () => {
   expect(greek(inSheet)).toEqual(greek(inFont));
   expect(inFont).toContain('γ');
 });
 
-it('the page’s own words need no other Greek letters', () => {
+it('the page’s texts need no other Greek letters', () => {
   const used = greek(Object.values(uiTexts).flat().join(''));
   expect(used).toContain('γ');
   expect(used.filter((letter) => !inFont.includes(letter))).toEqual([]);

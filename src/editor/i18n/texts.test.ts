@@ -10,15 +10,15 @@ import { uiTexts } from './texts.ts';
 const examples = new URL('../../../examples/', import.meta.url);
 const placeholders = (text: string) => [...text.matchAll(/\{\{(\w+)\}\}/g)].map(([, name]) => name).sort();
 
-describe('the catalogue of messages', () => {
-  it('has every text in both languages, with the same values to fill in', () => {
+describe('the UI texts', () => {
+  it('are complete in both languages, with the same placeholders', () => {
     const odd = Object.entries(uiTexts).filter(
       ([, [en, zh]]) => !en.trim() || !zh.trim() || placeholders(en).join() !== placeholders(zh).join(),
     );
     expect(odd).toEqual([]);
   });
 
-  it('has no text that nobody shows', () => {
+  it('are all used', () => {
     const sources = Object.values(
       import.meta.glob<string>(
         ['../../**/*.{ts,tsx}', '!**/{texts,graphTexts,projectTexts,nodeTexts,effectTexts}.ts'],
@@ -32,14 +32,14 @@ describe('the catalogue of messages', () => {
     // Matches keys composed from templates: `lock.${lock}.help`.
     const composed =
       /^(lock|loading|header)\.(free|look|fly|fetch|parse|trace|simulate|dark|light)|^legend\.(doppler|emission-time|radiance|band)$|^(band|preset|light|math|vectorMath|relation|category|type|graph\.course)\.|^energy\.(change|total|kinetic|potential|fastest|momentum|angularMomentum)$/;
-    // Those of settings are there because the list of settings has them.
+    // Texts of settings come from the list of settings.
     const unused = Object.keys(uiTexts).filter(
       (key) => !sources.includes(`'${key}'`) && !composed.test(key) && !Object.hasOwn(settingTexts, key),
     );
     expect(unused).toEqual([]);
   });
 
-  it('has every text that the effects name', () => {
+  it('include all texts of effects', () => {
     const keys = Object.values(EFFECTS).flatMap(({ title, help, args }) => [
       title,
       help,
@@ -48,7 +48,7 @@ describe('the catalogue of messages', () => {
     expect(keys.filter((key) => !Object.hasOwn(uiTexts, key))).toEqual([]);
   });
 
-  it('has every text that the node library names', () => {
+  it('include all texts of the node library', () => {
     const keys = Object.values(nodeLibrary).flatMap((type) => [
       type.title,
       type.help,
@@ -70,7 +70,7 @@ describe('the examples in Chinese', () => {
   const lookFor = (layer: string) => /string lookFor = "((?:[^"\\]|\\.)*)"/.exec(layer)?.[1] ?? '';
 
   it.each(readdirSync(examples).filter((file) => file.endsWith('.slowlight.json')))(
-    '%s says the same figures as its file does',
+    'the translation of %s has the same numbers as its file',
     (file) => {
       const { lookFor: own = '' } = JSON.parse(readFileSync(new URL(file, examples), 'utf8'));
       expect(numbers(exampleTexts[file.replace('.slowlight.json', '')]?.lookFor ?? '')).toEqual(numbers(own));
@@ -78,7 +78,7 @@ describe('the examples in Chinese', () => {
   );
 
   it.each(readdirSync(examples).filter((file) => file.endsWith('.usda')))(
-    '%s says the same figures as its file does',
+    'the translation of %s has the same numbers as its file',
     (file) => {
       const words = exampleTexts[file.replace('.usda', '')];
       const head = readFileSync(new URL(file, examples)).subarray(0, 4096).toString('utf8');
@@ -87,8 +87,8 @@ describe('the examples in Chinese', () => {
   );
 });
 
-describe('the language of the page', () => {
-  it('is the first that the browser asks for and the catalogue has', () => {
+describe('the page’s language', () => {
+  it('is the first requested by the browser that is available', () => {
     expect(preferredLanguage(['fr-FR', 'zh-CN', 'en'])).toBe('zh');
     expect(preferredLanguage(['fr'])).toBe('en');
     expect(preferredLanguage([])).toBe('en');

@@ -3,7 +3,7 @@ import { localSource, splitAddress, urlSource } from './fileSources.ts';
 
 const text = async (bytes: Promise<Uint8Array | undefined>) => new TextDecoder().decode(await bytes);
 
-describe('files that a person chose', () => {
+describe('user files', () => {
   const files = new Map([
     ['set/scene.usda', new Blob(['scene'])],
     ['set/textures/wood.png', new Blob(['wood'])],
@@ -12,28 +12,28 @@ describe('files that a person chose', () => {
   ]);
   const source = localSource(files, () => {});
 
-  it('are found by path, and by name where a folder was flattened', async () => {
+  it('are found by path, or by name if folders were flattened', async () => {
     expect(await text(source.read('./set/scene.usda'))).toBe('scene');
     expect(await text(source.read('set/../set/textures/wood.png'))).toBe('wood');
     expect(await text(source.read('elsewhere/wood.png'))).toBe('wood');
     expect(await source.list?.()).toHaveLength(4);
   });
 
-  it('can be opened, to read parts of them', async () => {
+  it('can be opened for partial reads', async () => {
     const opened = await source.open?.('elsewhere/wood.png');
     expect(opened?.size).toBe(4);
     expect(opened?.file.handle).toBe(files.get('set/textures/wood.png'));
     expect(await source.open?.('gone.png')).toBeUndefined();
   });
 
-  it('are not guessed where two have the name', async () => {
+  it('are not found by an ambiguous name', async () => {
     expect(await source.read('same.png')).toBeUndefined();
     expect(await source.read('gone.png')).toBeUndefined();
   });
 });
 
 describe('files on the server', () => {
-  it('have an address of a folder and a name', () => {
+  it('have a folder URL and a name', () => {
     const address = new URL('http://host/a/b%20c/my%20scene.usda?x=1');
     expect(splitAddress(address)).toEqual({ base: 'http://host/a/b%20c/', entry: 'my scene.usda' });
   });

@@ -8,7 +8,7 @@ const blob = (words: string) => new Blob([words]);
 const text = async (bytes: Promise<Uint8Array>) => new TextDecoder().decode(await bytes);
 
 describe('the files of a session', () => {
-  it('are sets, of which any scene can be opened', () => {
+  it('form sets, in which any scene can be opened', () => {
     const local = new LocalFiles();
     const source = local.add(
       new Map([
@@ -24,7 +24,7 @@ describe('the files of a session', () => {
     expect(local.get('examples/street.usda')).toBeUndefined();
   });
 
-  it('take others, and the scene is still the same; the set before them stays for undo', () => {
+  it('can be extended without changing the scene; the previous set stays for undo', () => {
     const local = new LocalFiles();
     const first = local.add(new Map([['a/x.usda', blob('x')]]), 'a/x.usda');
     const second = local.addToSet(
@@ -44,7 +44,7 @@ describe('the files of a session', () => {
     expect(local.paths(second)).toHaveLength(3);
   });
 
-  it('unpack archives where they are read, with the share of a file that has come', async () => {
+  it('unpack archives when they are read, with progress', async () => {
     const zip = new Blob([zipSync({ 's/a.txt': new TextEncoder().encode('packed') })]);
     const files = await expandArchives(
       new Map([
@@ -62,7 +62,7 @@ describe('the files of a session', () => {
   });
 });
 
-describe('what files that are dropped are for', () => {
+describe('the purpose of dropped files', () => {
   const missing = missingPaths([
     {
       severity: 'warning',

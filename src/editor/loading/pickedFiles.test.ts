@@ -7,7 +7,7 @@ it('keeps the folders of a chosen folder', () => {
   expect([...pickedFiles([file, new File(['y'], 'b.png')]).keys()]).toEqual(['set/a.usda', 'b.png']);
 });
 
-it('walks dropped folders, portion by portion', async () => {
+it('reads dropped folders batch by batch', async () => {
   const fileEntry = (path: string) => ({
     isFile: true,
     isDirectory: false,

@@ -49,7 +49,7 @@ function show(set: number | undefined) {
   return { onChange, field: screen.getByRole('textbox', { name: 'Speed of light' }) };
 }
 
-it('takes what is typed when it is complete, within the range', () => {
+it('accepts input when it is committed, within the range', () => {
   const { onChange, field } = show(undefined);
   fireEvent.change(field, { target: { value: '500' } });
   expect(onChange).not.toHaveBeenCalled();
@@ -57,7 +57,7 @@ it('takes what is typed when it is complete, within the range', () => {
   expect(onChange).toHaveBeenCalledWith(100);
 });
 
-it('forgets what is typed on Escape, and takes nothing that is no number', () => {
+it('discards input on Escape, and rejects input that is no number', () => {
   const { onChange, field } = show(undefined);
   fireEvent.change(field, { target: { value: '50' } });
   fireEvent.keyDown(field, { key: 'Escape' });
@@ -67,7 +67,7 @@ it('forgets what is typed on Escape, and takes nothing that is no number', () =>
   expect(onChange).not.toHaveBeenCalled();
 });
 
-it('takes what is typed as an expression with units, and tells what it does not understand', () => {
+it('evaluates input as an expression with units, and reports errors', () => {
   const { onChange, field } = show(undefined);
   fireEvent.change(field, { target: { value: '2*36 km/h' } });
   fireEvent.keyDown(field, { key: 'Enter' });
@@ -80,7 +80,7 @@ it('takes what is typed as an expression with units, and tells what it does not 
   expect(onChange).toHaveBeenCalledTimes(1);
 });
 
-it('goes back to the default where one was set', () => {
+it('resets to the default', () => {
   const { onChange } = show(50);
   fireEvent.click(screen.getByRole('button', { name: 'Back to the default' }));
   expect(onChange).toHaveBeenCalledWith(undefined);
@@ -89,7 +89,7 @@ it('goes back to the default where one was set', () => {
   expect(screen.queryByRole('button', { name: 'Back to the default' })).toBeNull();
 });
 
-it('its slider has a name and says its value with the unit', () => {
+it('its slider has an accessible name and value with unit', () => {
   show(undefined);
   expect(screen.getByRole('slider', { name: 'Speed of light' }).getAttribute('aria-valuetext')).toBe('30 m/s');
 });

@@ -2,7 +2,7 @@ import { expect, it } from 'vitest';
 import { newProject } from '../../nodes/project/projectCommands.ts';
 import { displayTitle, userTitle } from './nodeTitle.ts';
 
-it('a node is called as the person says, else after its kind; what is no node is called nothing', () => {
+it('a node’s title is the user’s, else that of its type; other ids have none', () => {
   const project = newProject('a.usda');
   expect(userTitle(project, 'falseColour')).toBeUndefined();
   expect(displayTitle(project, 'falseColour')).toBe('node.falseColor');

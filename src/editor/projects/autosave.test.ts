@@ -51,7 +51,7 @@ const exposureKept = () => {
   return (document as ReturnType<typeof projectOfScene>['document']).nodes.toneMap?.params.exposure;
 };
 
-it('nothing is kept of who only looks; of a drag the last of its edits, at the latest after two seconds', async () => {
+it('nothing is stored without edits; of a drag the last edit, at the latest after two seconds', async () => {
   dispatchEvent(new Event('pagehide'));
   expect(sessions.save).not.toHaveBeenCalled();
   for (let i = 1; i <= 30; i++) {
@@ -70,13 +70,13 @@ it('nothing is kept of who only looks; of a drag the last of its edits, at the l
   });
 });
 
-it('an edit is kept at once where the page goes', () => {
+it('an edit is stored immediately when the page is left', () => {
   expose(1);
   dispatchEvent(new Event('pagehide'));
   expect(exposureKept()).toBe(1);
 });
 
-it('files are kept once, and too large ones told; all else is kept', async () => {
+it('files are stored once; too large ones are reported, and everything else is stored', async () => {
   editor.open(localFiles.add(new Map([['s.usda', new Blob(['x'])]]), 's.usda'));
   await vi.advanceTimersByTimeAsync(400);
   expose(1);
@@ -91,7 +91,7 @@ it('files are kept once, and too large ones told; all else is kept', async () =>
   expect(reported).toEqual([{ kind: 'files', size: '1.00 GiB' }]);
 });
 
-it('a full store is told once, and again when it was well in between', async () => {
+it('full storage is reported once, and again after a success', async () => {
   sessions.save.mockRejectedValue(new Error('no room is left'));
   for (const exposure of [1, 2]) {
     expose(exposure);
@@ -105,7 +105,7 @@ it('a full store is told once, and again when it was well in between', async () 
   expect(reported).toHaveLength(2);
 });
 
-it('what was not saved is put aside where another project takes its place, with its files; the latest three', async () => {
+it('unsaved projects are set aside with their files when another one is opened; the latest three are kept', async () => {
   editor.open(localFiles.add(new Map([['s.usda', new Blob(['x'])]]), 's.usda'));
   editor.openProject(projectOfScene('b.usda'));
   await vi.advanceTimersByTimeAsync(400);

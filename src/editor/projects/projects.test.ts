@@ -27,14 +27,14 @@ describe('the names of files', () => {
     expect(exportedName(source, origin)).toBe(name),
   );
 
-  it('a project is found among files, the least deep first, and not where it is hidden', () => {
+  it('a project is found among files, the least nested first, ignoring hidden files', () => {
     expect(findProject(['a/b.slowlight.json', 'z.SLOWLIGHT.json', '.x.slowlight.json', 'scene.usda'])).toBe(
       'z.SLOWLIGHT.json',
     );
     expect(findProject(['__MACOSX/a.slowlight.json', 'a.json'])).toBeUndefined();
   });
 
-  it('a project is called as the person says, else after its file, its archive or its scene', () => {
+  it('a project’s name is the user’s, else that of its file, its archive or its scene', () => {
     const state = (origin: string, title?: string) => ({
       history: { document: { ...newProject(), title }, origin, past: [], future: [] },
       pictureSource: { origin, source: 'local:1/a/street.v2.usda', reads: {} },
@@ -69,7 +69,7 @@ describe('a project among files', () => {
     expect(origin).toBe(`local:1/${findProject(paths)}`);
   });
 
-  it('finds what was given before, and what is packed with it', async () => {
+  it('finds files given before, and those packed with it', async () => {
     const local = new LocalFiles();
     local.add(new Map([['set/scene.usda', blob('x')]]), 'set/scene.usda');
     const alone = await projectFromFiles(
@@ -85,7 +85,7 @@ describe('a project among files', () => {
     expect(sourceOf(packed.document)).toBe('local:1/yard.zip/scene.usda');
   });
 
-  it('that is none is refused with file, place and what to do', async () => {
+  it('that is invalid is rejected with file, place and remedy', async () => {
     const open = (words: string) =>
       projectFromFiles(new Map([['my.slowlight.json', blob(words)]]), 'my.slowlight.json', new LocalFiles()).then(
         () => undefined,
@@ -101,13 +101,13 @@ describe('a project among files', () => {
   });
 });
 
-describe('what was kept', () => {
+describe('a stored session', () => {
   const kept = (document: unknown, origin = ''): SessionRecord => ({
     ...{ id: 'a', address: '/', name: 'x', document, origin, unsaved: true, at: 0, passed: false },
   });
   const files = new Map([['2.3', new Map([['s.usda', blob('s')]])]]);
 
-  it('comes back under its own names, and keys are not given again', () => {
+  it('is restored under its own names, and its keys are not reused', () => {
     const local = new LocalFiles();
     const { document, unsaved } = restoreSession(kept(newProject('local:2.3/s.usda')), files, local);
     expect([sourceOf(document), unsaved]).toEqual(['local:2.3/s.usda', true]);
@@ -115,7 +115,7 @@ describe('what was kept', () => {
     expect(local.add(new Map(), 'b.usda')).toBe('local:4/b.usda');
   });
 
-  it('comes into another session under other names where these are taken', () => {
+  it('is restored into another session under other names if they are taken', () => {
     const local = new LocalFiles();
     restoreSession(kept(newProject()), files, local);
     const { document, origin } = restoreSession(
@@ -126,14 +126,14 @@ describe('what was kept', () => {
     expect([sourceOf(document), origin]).toEqual(['local:4@examples/s.usda', 'local:4/p.slowlight.json']);
   });
 
-  it('whose files were not kept does not get those of others', () => {
+  it('whose files were not stored does not get files of others', () => {
     const local = new LocalFiles();
     const { document } = restoreSession(kept(newProject('local:7/big.usda')), new Map(), local);
     expect(sourceOf(document)).toBe('local:7/big.usda');
     expect(local.add(new Map(), 'b.usda')).toBe('local:8/b.usda');
   });
 
-  it('is read as strictly as a file', () => {
+  it('is validated as strictly as a file', () => {
     const { document } = applyCommand(newProject(), setParamCommand(newProject(), 'read', 'source', 'a'));
     expect(() => restoreSession(kept({ ...document, nodes: 3 }), new Map(), new LocalFiles())).toThrow(/nodes/);
   });

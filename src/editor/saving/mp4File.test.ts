@@ -42,8 +42,8 @@ function times(file: Uint8Array): number[] {
   return found;
 }
 
-describe('a film’s file', () => {
-  it('leads to every frame, its length and its key frames, and tells so before the first', async () => {
+describe('an MP4 file', () => {
+  it('indexes every frame, its duration and the key frames, before the media data', async () => {
     const data = fc.uint8Array({ minLength: 1, maxLength: 40 });
     const frames = fc
       .array(fc.record({ data, key: fc.boolean() }), { minLength: 1, maxLength: 20 })
@@ -70,7 +70,7 @@ describe('a film’s file', () => {
     );
   });
 
-  it.each([24, 23.976, 30_000 / 1001, 0.1, 120])('shows each frame at its time, at %d a second', async (fps) => {
+  it.each([24, 23.976, 30_000 / 1001, 0.1, 120])('presents each frame at its time, at %d frames per second', async (fps) => {
     const all = Array.from({ length: 200 }, (_, index) => ({
       data: Uint8Array.of(index),
       key: index % 48 === 0,
@@ -81,7 +81,7 @@ describe('a film’s file', () => {
     for (const [i, time] of found.entries()) expect(time * fps).toBeCloseTo(i, 4);
   });
 
-  it('tells when frames are seen that are decoded in another order', async () => {
+  it('has presentation times for frames decoded in another order', async () => {
     const all = [0, 2, 1].map((index) => ({ data: Uint8Array.of(index), key: index === 0, index }));
     const file = await fileOf(24, all);
     const scale = viewOf(inside(file, ...TRACK, 'mdhd')!).getUint32(12);

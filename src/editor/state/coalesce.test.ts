@@ -2,7 +2,7 @@ import { expect, it, vi } from 'vitest';
 import { CancelledError } from '../../graph/evaluation/evaluator.ts';
 import { coalesce } from './coalesce.ts';
 
-it('looks at one thing at a time, and then at the latest alone; what has ended is no error', async () => {
+it('processes one value at a time, then only the latest; being stopped is no error', async () => {
   const looks: { readonly end: (error?: Error) => void }[] = [];
   let atOnce = 0;
   let most = 0;

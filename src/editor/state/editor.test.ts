@@ -38,7 +38,7 @@ async function open(...sources: string[]) {
   return { editor, state: () => editor.store.getState() };
 }
 
-it('the last good scene stays while another is refused, and undo takes the refusal away', async () => {
+it('the last valid scene stays when another is rejected, and undo removes the error', async () => {
   const { editor, state } = await open('a.usda', 'bad.usda');
   expect(state()).toMatchObject({
     pictureSource: { source: 'a.usda' },
@@ -50,7 +50,7 @@ it('the last good scene stays while another is refused, and undo takes the refus
   expect(state().notices).toEqual([]);
 });
 
-it('reading can be cancelled: the scene before it stays, and the document is its own again', async () => {
+it('reading can be cancelled: the previous scene and document are restored', async () => {
   const { editor, state } = await open('a.usda', 'slow.usda');
   expect(state().loading).toEqual({ node: 'read', source: 'slow.usda', part: 0.5, stage: 'parse' });
   editor.cancelLoading();
@@ -59,7 +59,7 @@ it('reading can be cancelled: the scene before it stays, and the document is its
   expect(sourceOf(state().history.document)).toBe('a.usda');
 });
 
-it('reading again with another variant can be cancelled: the choice is taken back', async () => {
+it('reading with another variant can be cancelled: the choice is undone', async () => {
   let stopped = 0;
   const slowRed: Services = {
     ...workerServices,
@@ -87,7 +87,7 @@ it('reading again with another variant can be cancelled: the choice is taken bac
   expect(editor.store.getState()).toMatchObject({ loading: undefined, pictureSource: { source: 'a.usda' } });
 });
 
-it('an edit while a scene is read does not begin the reading anew; another file ends it', async () => {
+it('an edit while a scene is read does not restart reading; another file cancels it', async () => {
   const { editor, state } = await open('a.usda', 'slow.usda');
   editor.set('toneMap', 'exposure', 1, 'exposure');
   await settled();
@@ -98,7 +98,7 @@ it('an edit while a scene is read does not begin the reading anew; another file 
   expect(state().picture?.scene.name).toBe('b.usda');
 });
 
-it('a reference render goes on while other things are edited; with numbers of its own changed it begins anew', async () => {
+it('a reference render continues through unrelated edits; changes of its own inputs restart it', async () => {
   const traced: { readonly seed: unknown; stopped: boolean; readonly done: () => void }[] = [];
   const tracing: Services = {
     ...services,
@@ -154,7 +154,7 @@ it('a reference render goes on while other things are edited; with numbers of it
   expect(state().picture?.frameGraph).toBeDefined();
 });
 
-it('a node in a group is set where its definition is, and what does not fit is told', async () => {
+it('a node in a group is edited in the group’s definition, and invalid values are reported', async () => {
   const { editor, state } = await open('a.usda');
   const grouping = groupCommand(state().history.document, { nodes: ['toneMap'] }, 'Picture', nodeLibrary);
   editor.edit(grouping.command, 'group');
@@ -169,7 +169,7 @@ it('a node in a group is set where its definition is, and what does not fit is t
 describe('projects', () => {
   const other = { document: newProject('b.usda'), origin: 'other.slowlight.json', unsaved: false };
 
-  it('one is opened in place of another as a step that can be undone, and done again', async () => {
+  it('opening one in place of another can be undone and redone', async () => {
     const { editor, state } = await open('a.usda');
     editor.openProject(other);
     await settled();
@@ -182,7 +182,7 @@ describe('projects', () => {
     expect(state().pictureSource.origin).toBe('other.slowlight.json');
   });
 
-  it('one that cannot be shown leaves the last picture, and tells why', async () => {
+  it('one that cannot be shown keeps the last picture, and the reason is reported', async () => {
     const { editor, state } = await open('a.usda');
     const output: Command = { kind: 'remove-nodes', nodes: ['output'] };
     editor.openProject({ ...other, document: applyCommand(other.document, output).document });
@@ -198,7 +198,7 @@ describe('projects', () => {
     });
   });
 
-  it('reading one can be cancelled: the one before it is back, whatever was changed meanwhile', async () => {
+  it('reading one can be cancelled: the previous one is restored, whatever was changed meanwhile', async () => {
     const { editor, state } = await open('a.usda');
     editor.openProject({ ...other, document: newProject('slow.usda') });
     editor.set('toneMap', 'exposure', 1, 'exposure');
@@ -209,7 +209,7 @@ describe('projects', () => {
     expect(sourceOf(state().history.document)).toBe('a.usda');
   });
 
-  it('a scene that is opened where no node reads files comes in a project of its own', async () => {
+  it('a scene opened in a project without a file node gets a new project', async () => {
     const { editor, state } = await open('a.usda');
     editor.edit({ kind: 'remove-nodes', nodes: ['read'] }, 'remove');
     editor.open('b.usda');
@@ -219,7 +219,7 @@ describe('projects', () => {
     expect(state().history.document.nodes.read).toBeUndefined();
   });
 
-  it('what no file holds is marked, until it is saved or undone; to look at a scene is no work', async () => {
+  it('unsaved changes are marked until saved or undone; viewing a scene is no change', async () => {
     const { editor, state } = await open('a.usda', 'b.usda');
     expect(isUnsaved(state())).toBe(false);
     editor.set('toneMap', 'exposure', 1, 'exposure', 'drag');

@@ -66,7 +66,7 @@ beforeEach(() => {
   led.length = 0;
 });
 
-it('the picture shows the motion so far, while it goes on to be loaded', async () => {
+it('the picture shows the motion computed so far', async () => {
   const { state, end } = await open();
   led[0]!.progress(0.25);
   expect(state()).toMatchObject({ loading: { node: 'work', part: 0.25, stage: 'simulate' } });
@@ -86,7 +86,7 @@ it('the picture shows the motion so far, while it goes on to be loaded', async (
   expect(led).toHaveLength(1);
 });
 
-it('stopped work stays as it is through edits, and goes on from there when it is asked to', async () => {
+it('stopped work keeps its state through edits, and resumes from there on request', async () => {
   const { editor, state, end } = await open();
   led[0]!.give('abc');
   await settled();
@@ -112,7 +112,7 @@ it('stopped work stays as it is through edits, and goes on from there when it is
   expect(end()).toBe(6);
 });
 
-it('other work begins, whatever was stopped; back at that, it is as it was', async () => {
+it('other work starts although some is stopped; the stopped state is kept', async () => {
   const { editor, state, end } = await open();
   led[0]!.give('abc');
   await settled();
@@ -133,7 +133,7 @@ it('other work begins, whatever was stopped; back at that, it is as it was', asy
   expect(end()).toBe(3);
 });
 
-it('work that has given nothing yet is just cancelled', async () => {
+it('work without an interim result is cancelled', async () => {
   const { editor, state } = await open();
   editor.cancelLoading();
   await settled();
@@ -142,7 +142,7 @@ it('work that has given nothing yet is just cancelled', async () => {
   expect(state().picture).toBeUndefined();
 });
 
-it('where other work has just begun, to cancel ends that, and does not begin it again', async () => {
+it('cancelling stops newly started work, and does not restart it', async () => {
   const { editor, state } = await open();
   led[0]!.give('abc');
   await settled();
@@ -155,7 +155,7 @@ it('where other work has just begun, to cancel ends that, and does not begin it 
   expect(state().loading).toBeUndefined();
 });
 
-it('that a run ended before its time is said, once', async () => {
+it('a run that stopped early is reported once', async () => {
   const { editor, state } = await open();
   const books = { kinetic: Float64Array.of(0), stop: { t: 1.5, message: 'too fast' } };
   led[0]!.end('abc', { books });

@@ -22,8 +22,8 @@ const drawn = (luminance: number, more: Partial<MeteredPicture> = {}): MeteredPi
 });
 const wanted = (luminance: number): number => meteredExposure([luminance]);
 
-describe('the eye', () => {
-  it('takes the first light as it is, and goes to the next bit by bit', async () => {
+describe('auto exposure', () => {
+  it('adopts the first reading at once, and adapts gradually to the next', async () => {
     const autoExposure = new AutoExposure(false);
     autoExposure.observe(drawn(1));
     await autoExposure.advance(0, 0);
@@ -42,7 +42,7 @@ describe('the eye', () => {
     expect(way.at(-1)).toBeCloseTo(wanted(16), 12);
   });
 
-  it('goes at once where less motion is wished for, and after a blink', async () => {
+  it('changes at once with reduced motion, and after a reset', async () => {
     for (const autoExposure of [new AutoExposure(true), new AutoExposure(false)]) {
       autoExposure.observe(drawn(1));
       await autoExposure.advance(0, 0);
@@ -54,7 +54,7 @@ describe('the eye', () => {
     }
   });
 
-  it('after a blink takes nothing from what was measured of before', async () => {
+  it('after a reset ignores readings of earlier pictures', async () => {
     const autoExposure = new AutoExposure(false);
     let measured = (_: LightMeterReadings): void => {};
     autoExposure.observe(drawn(1, { measureLight: () => new Promise((done) => (measured = done)) }));
@@ -70,7 +70,7 @@ describe('the eye', () => {
     expect(autoExposure.exposure(picture)).toBeCloseTo(wanted(4), 12);
   });
 
-  it('rests when all that was drawn is measured, and it is where that leads', async () => {
+  it('is settled when the last picture is measured and the exposure has reached its target', async () => {
     const autoExposure = new AutoExposure(false);
     expect(autoExposure.isSettled).toBe(true);
     autoExposure.observe(drawn(1));
@@ -90,7 +90,7 @@ describe('the eye', () => {
     expect(autoExposure.isSettled).toBe(true);
   });
 
-  it('measures one picture at a time and none twice; another exposure is no other picture', async () => {
+  it('measures one picture at a time and none twice; a change of exposure is no new picture', async () => {
     const autoExposure = new AutoExposure(true);
     let count = 0;
     const readings = async () => {
@@ -111,7 +111,7 @@ describe('the eye', () => {
     expect(autoExposure.advance(0, 300)).toBeUndefined();
   });
 
-  it('finds the scale of false colours, also where the exposure is set by hand', async () => {
+  it('finds the scale of false colours, also with manual exposure', async () => {
     const autoExposure = new AutoExposure(true);
     const shown = { metering: 'manual', falseColor: 'doppler' } as PictureSpec;
     const readings = async (): Promise<LightMeterReadings> => ({ ...light(1), doppler: Float32Array.of(0.6, 1.2) });
@@ -122,7 +122,7 @@ describe('the eye', () => {
     expect(autoExposure.exposure(shown)).toBe(0);
   });
 
-  it('leaves a manual exposure alone, and survives a device that is lost', async () => {
+  it('does not change a manual exposure, and survives a lost device', async () => {
     const autoExposure = new AutoExposure(true);
     const manual = { ...picture, metering: 'manual' } as const;
     autoExposure.observe(drawn(8, { picture: manual }));

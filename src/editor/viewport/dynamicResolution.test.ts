@@ -11,14 +11,14 @@ function run(resolution: DynamicResolution, from: number, frames: number, interv
   return now;
 }
 
-it('is full while frames are quick', () => {
+it('has full resolution while frames are fast', () => {
   const resolution = new DynamicResolution();
   run(resolution, 0, 100, 16);
   expect(resolution.scale).toBe(1);
   expect(resolution.fullQuality).toBe(true);
 });
 
-it('goes down step by step while frames are slow, is full at rest, and remembers', () => {
+it('decreases stepwise while frames are slow, is full at rest, and is remembered', () => {
   const resolution = new DynamicResolution();
   let now = run(resolution, 0, 30, 200);
   expect(resolution.scale).toBe(0.5);
@@ -34,7 +34,7 @@ it('goes down step by step while frames are slow, is full at rest, and remembers
   expect(resolution.isStill).toBe(false);
 });
 
-it('comes back where there is room, and settles between', () => {
+it('increases again if there is time, and settles in between', () => {
   const resolution = new DynamicResolution();
   const now = run(resolution, 0, 30, 200);
   run(resolution, now, 40, 16);

@@ -26,14 +26,14 @@ describe('a spectrum from CSV', () => {
     });
   });
 
-  test('that was written is the same again', () => {
+  test('round-trips', () => {
     const led = LIGHT_PRESETS.get('led')!.spectrum as SampledSpectrum;
     const { first, step, values } = readSpectrumCsv(writeSpectrumCsv(led), 'led.csv');
     expect([first, step]).toEqual([expect.closeTo(led.first, 15), expect.closeTo(led.step, 15)]);
     expect(values).toEqual(led.values);
   });
 
-  test('of a lamp of ours is that lamp', () => {
+  test('of a light preset is that preset', () => {
     const { first, step, values } = LIGHT_PRESETS.get('led')!.spectrum as SampledSpectrum;
     const text = values.map((value, i) => `${(first + i * step) * 1e9},${value}`).join('\n');
     colorOfSpectrum(read(text)).forEach((value, k) => {
@@ -41,7 +41,7 @@ describe('a spectrum from CSV', () => {
     });
   });
 
-  test('of uneven steps keeps its light, and has no more samples than it may', () => {
+  test('with uneven steps conserves its light, with a limited number of samples', () => {
     const gap = fc.double({ min: 0.01, max: 300, noNaN: true });
     const value = fc.double({ min: 0, max: 1e3, noNaN: true });
     fc.assert(
@@ -54,7 +54,7 @@ describe('a spectrum from CSV', () => {
         expect(first * 1e9).toBeCloseTo(rows[0][0], 6);
         expect((first + step * (values.length - 1)) * 1e9).toBeCloseTo(rows[rows.length - 1][0], 6);
         const area = rows.slice(1).reduce((sum, [x, y], i) => sum + ((x - rows[i][0]) * (y + rows[i][1])) / 2, 0);
-        // The first and last sample have half a step's weight.
+        // The first and last samples have half a step's weight.
         const ours =
           values.reduce((sum, y, i) => sum + (i === 0 || i === values.length - 1 ? y / 2 : y), 0) * step * 1e9;
         expect(ours / area).toBeCloseTo(1, 6);
@@ -87,7 +87,7 @@ describe('a spectrum from CSV', () => {
     expect((error as InputError).diagnostic.message).toContain(message);
   });
 
-  test('of any bytes is read or refused, never more', () => {
+  test('of any bytes is read or rejected', () => {
     fc.assert(
       fc.property(
         fc.oneof(

@@ -1,8 +1,8 @@
 import { describe, expect, it } from 'vitest';
 import { DiagnosticLog } from './diagnosticLog.ts';
 
-describe('notes', () => {
-  it('say each thing once, with its place', () => {
+describe('diagnostics', () => {
+  it('are recorded once, with their place', () => {
     const notes = new DiagnosticLog('a.obj');
     for (let i = 0; i < 3; i++) notes.add('warning', 'obj.missing-material', 'line 2', 'no such file');
     notes.add('info', 'file.units', '', 'metres');
@@ -12,7 +12,7 @@ describe('notes', () => {
     ]);
   });
 
-  it('of one kind are a hundred at most, and one that says so', () => {
+  it('of one code are limited to a hundred, and one that says so', () => {
     const notes = new DiagnosticLog('a.obj');
     for (let i = 0; i < 1000; i++) notes.add('warning', 'obj.missing-material', `line ${i}`, 'no such file');
     notes.add('info', 'file.units', '', 'metres');

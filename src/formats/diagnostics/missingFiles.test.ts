@@ -35,7 +35,7 @@ def Mesh "A" ( prepend apiSchemas = ["MaterialBindingAPI"] ) {
   ]);
 });
 
-it('glTF: a picture, with the materials that show it', async () => {
+it('glTF: an image, with the materials that use it', async () => {
   const gltf = {
     asset: { version: '2.0' },
     images: [{ uri: 'tex/oak%20wood.png' }],
@@ -52,7 +52,7 @@ it('glTF: a picture, with the materials that show it', async () => {
   ]);
 });
 
-it('OBJ: materials and pictures', async () => {
+it('OBJ: materials and textures', async () => {
   const obj = 'mtllib a.mtl\nmtllib b.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl Wood\nf 1 2 3\n';
   expect(await missingIn('set/a.obj', obj, { 'set/a.mtl': 'newmtl Wood\nmap_Kd tex/wood.png\n' })).toEqual([
     { code: 'file.missing-materials', place: 'set/a.obj: line 2', name: 'b.mtl', lookedFor: ['set/b.mtl'] },

@@ -7,14 +7,14 @@ const next = random(20261121);
 const whole = Uint8Array.from({ length: 300_000 }, () => 256 * next());
 const ranged = new RangedFile({ name: 'a', handle: whole }, whole.length);
 
-describe('a file that is read in parts', () => {
-  it('has parts, and parts of parts', () => {
+describe('a ranged file', () => {
+  it('has slices, and slices of slices', () => {
     expect([...ranged.part(1000, 500).part(7, 20).read(2, 3)]).toEqual([...whole.subarray(1009, 1012)]);
     expect(contentBytes(ranged.part(10, 40))).toEqual(whole.slice(10, 50));
     expect(contentHead(ranged.part(0, 3), 8)).toEqual(whole.slice(0, 3));
   });
 
-  it('is the same through a window, wherever that goes', () => {
+  it('is the same through a sliding window', () => {
     const [window, memory] = [new FileWindow(ranged), new FileWindow(whole)];
     const range = fc.tuple(fc.nat(whole.length - 1), fc.nat(140_000));
     fc.assert(

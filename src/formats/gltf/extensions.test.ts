@@ -41,7 +41,7 @@ describe('KHR_materials_variants', () => {
     expect(scene.diagnostics).toEqual([]);
   });
 
-  it('refuses what is not there, and says what is', async () => {
+  it('rejects missing variants, and lists the existing ones', async () => {
     const variants = new Map([['material', 'moon']]);
     await expect(shoe().read({ variants })).rejects.toThrow('a.glb: no variant moon of its materials; there are beach');
     const plain = new GltfBuilder();
@@ -50,7 +50,7 @@ describe('KHR_materials_variants', () => {
     expect((await plain.read({ variants: new Map([['/Car{paint}', 'red']]) })).variants).toBeUndefined();
   });
 
-  it('refuses references to variants that are not there', async () => {
+  it('rejects references to missing variants', async () => {
     const json = {
       asset: { version: '2.0' },
       extensionsUsed: ['KHR_materials_variants'],
@@ -108,7 +108,7 @@ describe('EXT_mesh_gpu_instancing', () => {
     return kit;
   }
 
-  it.each([true, false])('copies the mesh to where three.js has it (at rest: %s)', async (isStill) => {
+  it.each([true, false])('places instances as in three.js (at rest: %s)', async (isStill) => {
     const glb = await trees(random(5), isStill).glb();
     const scene = await readGltf(memorySource({ 'a.glb': glb }), 'a.glb', { chordTolerance: 1e-5 });
     const gltf = await new GLTFLoader().parseAsync(glb.slice().buffer, '');
@@ -136,7 +136,7 @@ describe('EXT_mesh_gpu_instancing', () => {
     expect(worst).toBeLessThan(1e-4);
   });
 
-  it('copies of one size share their mesh', async () => {
+  it('instances of equal scale share their mesh', async () => {
     const kit = new GltfBuilder();
     const places = kit.values('VEC3', [0, 0, 0, 5, 0, 0, 9, 0, 0]);
     const sizes = kit.values('VEC3', [1, 1, 1, 2, 2, 2, 2, 2, 2]);
@@ -153,7 +153,7 @@ describe('EXT_mesh_gpu_instancing', () => {
     expect(diagnostics.map((d) => d.message)).toEqual(['_ID of its instances are left out']);
   });
 
-  it('refuses attributes of different lengths', async () => {
+  it('rejects attributes of different lengths', async () => {
     const kit = new GltfBuilder();
     const batch = kit.doc.createExtension(EXTMeshGPUInstancing).createInstancedMesh();
     batch.setAttribute('TRANSLATION', kit.values('VEC3', [0, 0, 0, 5, 0, 0]));
@@ -163,7 +163,7 @@ describe('EXT_mesh_gpu_instancing', () => {
   });
 });
 
-describe('what a scene cannot carry is said', () => {
+describe('unsupported content is reported', () => {
   it('of lights and cameras', async () => {
     const kit = new GltfBuilder();
     const spot = kit.doc.createExtension(KHRLightsPunctual).createLight('Spot').setType('spot').setRange(12);

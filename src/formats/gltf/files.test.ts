@@ -7,7 +7,7 @@ import type { Scene } from '../../scene/types.ts';
 import type { FileSource } from '../files/fileSource.ts';
 import { openScene } from '../open.ts';
 
-/** Third-party files, beside the repository and only on some machines. */
+/** Third-party files next to the repository, only on some machines. */
 const root = fileURLToPath(new URL('../../../../shared/data/gltf/packages/', import.meta.url));
 if (!existsSync(root)) console.warn('skipped: real glTF files; ../shared/data/gltf is not there');
 
@@ -19,7 +19,7 @@ const open = (path: string): Promise<Scene> => {
 };
 
 describe.skipIf(!existsSync(root))('real glTF files', () => {
-  it('a textured box: parts in three files, a matrix that turns Z up to Y up', async () => {
+  it('a textured box: three files, a matrix that rotates Z up to Y up', async () => {
     const { objects, materials, diagnostics } = await open('core/test/in/BoxTextured_glTF/BoxTextured.gltf');
     expect(objects.map((o) => [o.path, o.mesh.indices.length / 3])).toEqual([['/Node0/Node1', 12]]);
     expect(boundingBox(objects[0].mesh.positions)).toEqual({ min: [-0.5, -0.5, -0.5], max: [0.5, 0.5, 0.5] });
@@ -27,7 +27,7 @@ describe.skipIf(!existsSync(root))('real glTF files', () => {
     expect(diagnostics).toEqual([]);
   });
 
-  it('a small character in a GLB, with its picture inside', async () => {
+  it('a small character in a GLB, with an embedded texture', async () => {
     const { objects, materials } = await open('cli/test/in/chr_knight.glb');
     expect(objects.length).toBe(1);
     expect(materials[0].baseColorTexture?.data.length).toBeGreaterThan(0);
@@ -39,11 +39,11 @@ describe.skipIf(!existsSync(root))('real glTF files', () => {
     for (const { mesh } of objects) expect(mesh.positions.every(Number.isFinite)).toBe(true);
   });
 
-  it('a sphere that Draco compressed', async () => {
+  it('a sphere compressed by Draco', async () => {
     const { objects, diagnostics } = await open('functions/test/in/DenseSphere.glb');
     const { mesh } = objects[0];
     expect([mesh.indices.length / 3, diagnostics]).toEqual([30720, []]);
-    // What the accessor's own bounds say: the file holds 16-bit integers that its node scales.
+    // The accessor's bounds: the file has 16-bit integers that its node scales.
     const { min, max } = boundingBox(mesh.positions)!;
     const [x, y, z] = max.map((most, k) => most - min[k]);
     expect([x / y, z / y]).toEqual([expect.closeTo(32555 / 32767, 5), expect.closeTo(32575 / 32767, 5)]);

@@ -41,7 +41,7 @@ async function sample(): Promise<Uint8Array> {
   return new WebIO().writeBinary(doc);
 }
 
-/** The error, or undefined where the file can still be read. */
+/** The error, or undefined if the file can still be read. */
 async function attempt(bytes: Uint8Array): Promise<unknown> {
   try {
     await readGltf(memorySource({ 'a.glb': bytes }), 'a.glb');
@@ -57,7 +57,7 @@ const jsonOf = (glb: Uint8Array): Json =>
   JSON.parse(new TextDecoder().decode(glb.subarray(20, 20 + new DataView(glb.buffer).getUint32(12, true))));
 
 describe('a damaged glTF', () => {
-  it('cut off anywhere is an InputError', async () => {
+  it('truncated anywhere is an InputError', async () => {
     const glb = await sample();
     expect(await attempt(glb)).toBeUndefined();
     for (let n = 0; n < glb.length; n += 5) expect(await attempt(glb.subarray(0, n))).toBeInstanceOf(InputError);
@@ -65,7 +65,7 @@ describe('a damaged glTF', () => {
     expect(error.message).toMatch(/^a\.glb: .* the file is cut off; copy or export it again$/);
   });
 
-  it('with nonsense for any number of its JSON is read, or an InputError', async () => {
+  it('with an invalid value for any number of its JSON is read, or an InputError', async () => {
     const glb = await sample();
     const text = JSON.stringify(jsonOf(glb));
     const binary = glb.subarray(20 + new DataView(glb.buffer).getUint32(12, true) + 8);
@@ -80,7 +80,7 @@ describe('a damaged glTF', () => {
     }
   });
 
-  it('says what is wrong', async () => {
+  it('has an error message', async () => {
     const attemptJson = async (json: object): Promise<string> => {
       const files = memorySource({ 'a.gltf': encode(json) });
       return readGltf(files, 'a.gltf').then(

@@ -9,7 +9,7 @@ import { vertexPosition } from '../../scene/motion/motion.ts';
 import { memorySource } from '../files/fileSource.ts';
 import { readGltf } from './index.ts';
 
-/** Random animated documents, played by three.js and by us: every vertex is at the same place at many times. */
+/** Random animated documents in three.js and here: every vertex has the same position at many times. */
 
 type Path = 'translation' | 'rotation' | 'scale' | 'weights';
 type Kind = 'LINEAR' | 'CUBICSPLINE';
@@ -109,7 +109,7 @@ function randomDocument(next: () => number): Document {
   return doc;
 }
 
-describe('glTF as three.js plays it', () => {
+describe('glTF agrees with three.js', () => {
   it.each([1, 2, 3, 4])('random document %i', async (seed) => {
     const glb = await new WebIO().writeBinary(randomDocument(random(seed)));
     const scene = await readGltf(memorySource({ 'a.glb': glb }), 'a.glb', { chordTolerance: 5e-5 });

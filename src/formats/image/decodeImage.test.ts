@@ -16,7 +16,7 @@ function chunk(type: string, data: Uint8Array): Buffer {
 
 type Extra = Readonly<Record<string, readonly number[]>>;
 
-/** A PNG put together by hand (PNG specification, third edition), rows unfiltered. */
+/** A manually assembled PNG (PNG specification, third edition) with unfiltered rows. */
 function png(
   width: number,
   height: number,
@@ -98,12 +98,12 @@ describe('PNG', () => {
     expect(pixels(png(3, 3, 2, 0, passes.flat().map(pack), {}, 1))).toEqual(expected.map((v) => gray((v & 3) * 85)));
   });
 
-  it('takes no more memory than its size needs, whatever is in it', () => {
+  it('needs no more memory than its size, for any content', () => {
     const bomb = png(2, 2, 8, 0, [new Array(3e5).fill(0)]);
     expect(pixels(bomb)).toEqual(new Array(4).fill(gray(0)));
   });
 
-  it('reads back what encodePng writes', () => {
+  it('reads pictures of encodePng', () => {
     const rgba = Uint8Array.from({ length: 13 * 7 * 4 }, (_, i) => (i * 73) & 255);
     expect(decodeImage(encodePng(13, 7, rgba), 'a.png')).toEqual({ width: 13, height: 7, data: rgba });
     expect(() => encodePng(2, 2, rgba)).toThrow('2 × 2 has 16 bytes');
@@ -130,7 +130,7 @@ describe('JPEG', () => {
   });
 });
 
-describe('a picture that cannot be read', () => {
+describe('an unreadable picture', () => {
   const rgba = Uint8Array.from({ length: 400 }, (_, i) => (i * 91) & 255);
   const samples = {
     'a.png': encodePng(10, 10, rgba),
@@ -156,7 +156,7 @@ describe('a picture that cannot be read', () => {
     },
   );
 
-  it('says so, and what to do', () => {
+  it('is rejected with a remedy', () => {
     const say = (bytes: Uint8Array): string => {
       try {
         decodeImage(bytes, 'wood');

@@ -25,7 +25,7 @@ function sample(width = 7, height = 37): ExrImage {
 }
 
 describe('EXR', () => {
-  it('reads back every value, name and text it wrote', () => {
+  it('round-trips every value, name and text', () => {
     const image = sample();
     const read = readExr(writeExr(image), 'a.exr');
     expect([read.width, read.height]).toEqual([image.width, image.height]);
@@ -35,7 +35,7 @@ describe('EXR', () => {
     for (const channel of image.channels) expect(read.channels.find((c) => c.name === channel.name)).toEqual(channel);
   });
 
-  it('reads back any bits, also those that deflate cannot shorten', () => {
+  it('round-trips any bits, also incompressible ones', () => {
     const size = fc.integer({ min: 1, max: 40 });
     const property = fc.property(size, size, fc.infiniteStream(fc.float()), (width, height, values) => {
       const data = Float32Array.from({ length: width * height }, () => values.next().value);
@@ -45,7 +45,7 @@ describe('EXR', () => {
     fc.assert(property, { numRuns: 30 });
   });
 
-  it('refuses pictures that cannot be', () => {
+  it('rejects invalid pictures', () => {
     const data = new Float32Array(4);
     const channel = { name: 'R', type: 'float' as const, data };
     expect(() => writeExr({ width: 3, height: 2, channels: [channel] })).toThrow('4 values for 3 × 2');
@@ -55,7 +55,7 @@ describe('EXR', () => {
     );
   });
 
-  it('answers every cut and every flipped byte with a picture or an InputError', () => {
+  it('reads or rejects with an InputError any truncated or changed file', () => {
     const bytes = writeExr(sample());
     const attempt = (broken: Uint8Array): unknown => {
       try {
@@ -91,7 +91,7 @@ describe('EXR', () => {
     }
   });
 
-  it('names what it cannot read', () => {
+  it('reports unsupported features', () => {
     const bytes = writeExr(sample());
     expect(() => readExr(bytes.with(5, 2), 'a.exr')).toThrow(/a\.exr: tiled EXR is not read; save it as/);
     expect(() => readExr(new TextEncoder().encode('hello, world'), 'a.exr')).toThrow('not an OpenEXR picture');
@@ -99,7 +99,7 @@ describe('EXR', () => {
 });
 
 describe('half', () => {
-  it('holds every half exactly', () => {
+  it('represents every half exactly', () => {
     for (let bits = 0; bits < 65536; bits++) {
       const value = fromHalf(bits);
       if (Number.isNaN(value)) expect(fromHalf(toHalf(value))).toBeNaN();

@@ -2,7 +2,7 @@ import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
 import { i420 } from './i420.ts';
 
-/** Of 2 × 2 pixels of one colour: Y′, C_B, C_R. */
+/** Y′, C_B, C_R of 2 × 2 pixels of one colour. */
 function plain(r: number, g: number, b: number): readonly number[] {
   const out = i420(2, 2, Uint8Array.from([r, g, b, 255, r, g, b, 255, r, g, b, 255, r, g, b, 255]));
   expect(out).toHaveLength(6);
@@ -10,7 +10,7 @@ function plain(r: number, g: number, b: number): readonly number[] {
   return [out[0]!, out[4]!, out[5]!];
 }
 
-describe('pictures of films', () => {
+describe('I420 frames', () => {
   // 100 % colour bars in 8 bits of BT.709, as in every table of them.
   it.each([
     ['black', [0, 0, 0], [16, 128, 128]],
@@ -24,7 +24,7 @@ describe('pictures of films', () => {
     expect(plain(r, g, b)).toEqual(expected);
   });
 
-  it('come back as they were, but for rounding', () => {
+  it('round-trip up to rounding', () => {
     const level = fc.integer({ min: 0, max: 255 });
     fc.assert(
       fc.property(level, level, level, (r, g, b) => {
@@ -37,7 +37,7 @@ describe('pictures of films', () => {
     );
   });
 
-  it('have the mean colour of each four pixels, and the light of each', () => {
+  it('have the mean chroma of four pixels, and the luma of each', () => {
     const rgba = new Uint8Array(4 * 4 * 2).fill(255);
     rgba.set([0, 0, 0], 0);
     const out = i420(4, 2, rgba);

@@ -7,7 +7,7 @@ import { decodeImage } from './decodeImage.ts';
 import { encodePng } from './encodePng.ts';
 import { type ExrChannel, writeExr } from './exr.ts';
 
-/** Our pictures as programs that we did not write read them: OpenEXR (PyPI) and ffmpeg. */
+/** Our pictures, read by independent programs: OpenEXR (PyPI) and ffmpeg. */
 
 const folder = mkdtempSync(join(tmpdir(), 'slowlight-exr-'));
 afterAll(() => rmSync(folder, { recursive: true, force: true }));

@@ -9,7 +9,7 @@ const picture = encodePng(
   Uint8Array.from({ length: 24 }, (_, i) => 10 * i),
 );
 
-it('adds texts that another reader finds, and leaves the pixels alone', () => {
+it('adds texts readable by another program, and does not change pixels', () => {
   const read = decode(withPngText(picture, { worldTime: '6.5 s', falseColors: 'doppler from 0.5 to 2' }), {
     checkCrc: true,
   });
@@ -17,7 +17,7 @@ it('adds texts that another reader finds, and leaves the pixels alone', () => {
   expect(read.data).toEqual(decode(picture).data);
 });
 
-it('refuses what such a text cannot hold', () => {
+it('rejects texts that cannot be encoded', () => {
   expect(() => withPngText(picture, { title: '光' })).toThrow('“光”');
   expect(() => withPngText(picture, { '': 'x' })).toThrow('1 … 79');
   expect(() => withPngText(picture, { ['k'.repeat(80)]: 'x' })).toThrow('1 … 79');

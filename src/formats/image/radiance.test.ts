@@ -18,7 +18,7 @@ describe('a Radiance picture', () => {
   const RED = [128, 64, 0, 129];
   const DARK = [0, 0, 0, 0];
 
-  it('is read flat, from the top or from the bottom', () => {
+  it('is read uncompressed, from the top or from the bottom', () => {
     const flat = read(header('-Y 2 +X 1'), RED, DARK);
     expect(flat).toMatchObject({ width: 1, height: 2 });
     expect(pixel(flat, 0)).toEqual(about(1, 0.5, 0));
@@ -26,19 +26,19 @@ describe('a Radiance picture', () => {
     expect(pixel(read(header('+Y 2 +X 1'), RED, DARK), 1)).toEqual(about(1, 0.5, 0));
   });
 
-  it('is read where its lines are packed by components, in runs and literals', () => {
+  it('is read with run-length encoded components', () => {
     const packed = [2, 2, 0, 8, 128 + 8, 128, 4, 64, 32, 16, 8, 128 + 4, 0, 128 + 8, 0, 128 + 8, 129];
     const image = read(header('-Y 1 +X 8'), packed);
     expect(pixel(image, 7)).toEqual(about(1, 0, 0));
     expect(pixel(image, 1)).toEqual(about(1, 0.25, 0));
   });
 
-  it('is read with runs of the old kind', () => {
+  it('is read with old run-length encoding', () => {
     const image = read(header('-Y 1 +X 301'), RED, [1, 1, 1, 44], [1, 1, 1, 1]);
     expect(pixel(image, 300)).toEqual(about(1, 0.5, 0));
   });
 
-  it('is divided by its exposures, and held within what halves hold', () => {
+  it('is divided by its exposures, and clamped to the range of halves', () => {
     const image = read(header('-Y 1 +X 2', ['EXPOSURE=2', 'EXPOSURE= 0.25']), RED, [255, 0, 0, 255]);
     expect(pixel(image, 0)[0]).toBeCloseTo(2, 1);
     expect(pixel(image, 1)[0]).toBe(65504);
@@ -59,7 +59,7 @@ describe('a Radiance picture', () => {
     expect(() => read(bytes)).toThrow(refusal);
   });
 
-  it('damaged anywhere is a picture or refused, never anything else', () => {
+  it('with any damage is read or rejected', () => {
     const whole = [...header('-Y 2 +X 8'), ...Array(2).fill([2, 2, 0, 8, 136, 9, 136, 8, 136, 7, 136, 129]).flat()];
     fc.assert(
       fc.property(fc.nat(whole.length - 1), fc.nat(255), fc.nat(whole.length), (place, byte, length) => {
@@ -83,22 +83,22 @@ describe('an OpenEXR picture of radiance', () => {
       channels: [...names].map((name) => ({ name, type: 'float' as const, data: Float32Array.from(values) })),
     });
 
-  it('has the largest halves at most, and nothing negative or unknown', () => {
+  it('is clamped to 0 … the largest half, without NaN', () => {
     const image = decodeRadiance(exr('RGB', 0.5, -1, Number.NaN, 1e9, Number.POSITIVE_INFINITY), 'a.exr')!;
     expect([0, 1, 2, 3, 4].map((i) => pixel(image, i)[1])).toEqual([0.5, 0, 0, 65504, 65504]);
   });
 
-  it('may be of one channel', () => {
+  it('may have a single channel', () => {
     expect(pixel(decodeRadiance(exr('Y', 7), 'a.exr')!, 0)).toEqual([7, 7, 7]);
     expect(() => decodeRadiance(exr('Z', 7), 'a.exr')).toThrow(/it has Z/);
   });
 
-  it('comes back as it was written', () => {
+  it('round-trips', () => {
     const image = decodeRadiance(exr('RGB', 0.25, 1000, 65504), 'a.exr')!;
     expect(decodeRadiance(encodeRadiance(image), 'b.exr')).toEqual(image);
   });
 
-  it('is not taken for what it is not', () => {
+  it('is not confused with other formats', () => {
     expect(decodeRadiance(Uint8Array.of(1, 2, 3), 'a')).toBeUndefined();
   });
 });

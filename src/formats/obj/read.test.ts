@@ -19,7 +19,7 @@ const refusal = (obj: string, files: Record<string, Uint8Array> = {}): Promise<s
   );
 const UNITS = 'neither unit nor up axis is written in it; one unit is taken as 1 m, Y as up';
 
-/** A folded sheet with uvs and normals, in triangles and quads, with indices from either end. */
+/** A folded sheet of triangles and quads with uvs and normals, with positive and negative indices. */
 function sheet(next: () => number): string {
   const n = 6;
   const lines = ['# a sheet', 'o Sheet'];
@@ -45,7 +45,7 @@ function sheet(next: () => number): string {
 }
 
 describe('OBJ shapes', () => {
-  it('are those of three.js: triangles, quads, uvs, indices from either end', async () => {
+  it('agree with three.js: triangles, quads, uvs, positive and negative indices', async () => {
     const obj = sheet(random(1));
     const scene = await read(obj);
     expect(sceneSoup(scene)).toEqual(threeSoup(new OBJLoader().parse(obj)));
@@ -54,13 +54,13 @@ describe('OBJ shapes', () => {
     expect([scene.name, scene.upAxis, scene.metersPerUnit]).toEqual(['a', 'Y', 1]);
   });
 
-  it('normals are as written, made unit', async () => {
+  it('normals are read and normalized', async () => {
     const { objects } = await read('v 0 0 0\nv 1 0 0\nv 0 1 0\nvn 0 0 5\nvn 0 3 4\nf 1//1 2//2 3//1');
     expect([...objects[0].mesh.normals]).toEqual([0, 0, 1, 0, Math.fround(0.6), Math.fround(0.8), 0, 0, 1]);
   });
 
-  it('concave polygons are cut inside', async () => {
-    // An L: area 3, whichever way it is cut.
+  it('concave polygons are triangulated inside', async () => {
+    // An L: area 3, however it is triangulated.
     const { mesh } = (await read('v 0 0 0\nv 2 0 0\nv 2 1 0\nv 1 1 0\nv 1 2 0\nv 0 2 0\nf 1 2 3 4 5 6')).objects[0];
     const areas = Array.from({ length: mesh.indices.length / 3 }, (_, t) => {
       const [a, b, c] = [0, 1, 2].map((k) => pointAt(mesh.positions, mesh.indices[3 * t + k]));
@@ -70,7 +70,7 @@ describe('OBJ shapes', () => {
     expect(areas.reduce((sum, area) => sum + area, 0)).toBeCloseTo(3, 12);
   });
 
-  it('without normals a face is flat, or smooth with its smoothing group alone', async () => {
+  it('without normals a face is flat, or smooth within its smoothing group', async () => {
     // Two squares that meet at a right angle along x = 0.
     const roof = 'v 0 0 0\nv 0 1 0\nv 1 0 0\nv 1 1 0\nv 0 0 1\nv 0 1 1\n';
     const faces = (a: string, b: string): string => `${roof}s ${a}\nf 1 3 4 2\ns ${b}\nf 1 2 6 5\n`;
@@ -82,12 +82,12 @@ describe('OBJ shapes', () => {
     const isSmooth = (n: readonly number[]) => distance([n[0], n[1], n[2]], [half, 0, half]) < 1e-6;
     expect((await normals(faces('off', 'off'))).filter(isSmooth).length).toBe(0);
     expect((await normals(faces('1', '2'))).filter(isSmooth).length).toBe(0);
-    // The two points of the edge, once each.
+    // The two points of the edge, each once.
     expect((await normals(faces('7', '7'))).filter(isSmooth).length).toBe(2);
     expect((await normals(faces('7', '7'))).length).toBe(6);
   });
 
-  it('objects and groups become objects, wherever their faces stand', async () => {
+  it('objects and groups become objects, wherever their faces are', async () => {
     const triangle = 'f 1 2 3\n';
     const obj = `v 0 0 0\nv 1 0 0\nv 0 1 0\n${triangle}o Car\n${triangle}g wheel left\n${triangle}o Tree\n${triangle}o Car\n${triangle}`;
     const { objects } = await read(obj);
@@ -99,19 +99,19 @@ describe('OBJ shapes', () => {
     ]);
   });
 
-  it('colours of points are sRGB, to 1 or to 255; points without are white', async () => {
+  it('vertex colours are sRGB, 0 … 1 or 0 … 255; the default is white', async () => {
     const colors = async (obj: string) => [...(await read(obj)).objects[0].mesh.colors!];
     const half = Math.fround(((0.5 + 0.055) / 1.055) ** 2.4);
     expect(await colors('v 0 0 0\nv 1 0 0 0.5 0 1\nv 0 1 0 1 1 0\nf 1 2 3')).toEqual([1, 1, 1, half, 0, 1, 1, 1, 0]);
     expect(await colors('v 0 0 0 255 0 0\nv 1 0 0 0 0 255\nv 0 1 0\nf 1 2 3')).toEqual([1, 0, 0, 0, 0, 1, 1, 1, 1]);
   });
 
-  it('lines go on after a backslash, and end in any way', async () => {
+  it('lines continue after a backslash, and have any line ends', async () => {
     const { objects } = await read('v 0 0 0\r\nv 1 0 \\\r\n0\rv 0 1 0 # here\n\nf 1 \\\n 2 3');
     expect(objects[0].mesh.indices.length).toBe(3);
   });
 
-  it('names what is left out', async () => {
+  it('reports skipped statements', async () => {
     const { diagnostics, objects } = await read('v 0 0 0\np 1\nl 1 1\nl 1 1\nfrobnicate 3\n');
     expect(objects).toEqual([]);
     expect(diagnostics.map((d) => [d.severity, d.place, d.message])).toEqual([
@@ -129,7 +129,7 @@ describe('OBJ materials', () => {
   const face = 'f 1/1 2/2 3/3\n';
   const png = encodePng(1, 1, Uint8Array.of(255, 0, 0, 255));
 
-  it('are read with their pictures', async () => {
+  it('are read with their textures', async () => {
     const mtl = `newmtl Red paint
 Kd 0.5 0.25 0
 Ks 1 1 1
@@ -159,7 +159,7 @@ Ke 3 2 1
       [6, 0],
       [3, 1],
     ]);
-    // (1, 0) · (2, 3) + (0.5, 0.25) in the first, (1, 0) as it is in the second.
+    // (1, 0) · (2, 3) + (0.5, 0.25) in the first, (1, 0) unchanged in the second.
     const uvOf = (corner: number) => [...mesh.uvs.subarray(2 * mesh.indices[corner], 2 * mesh.indices[corner] + 2)];
     expect([uvOf(1), uvOf(7)]).toEqual([
       [2.5, 0.25],
@@ -168,7 +168,7 @@ Ke 3 2 1
     expect(diagnostics.map((d) => d.message)).toEqual(['map_Bump of it is left out', UNITS]);
   });
 
-  it('opacity may have a picture of its own', async () => {
+  it('opacity may have its own texture', async () => {
     const mask = encodePng(2, 1, Uint8Array.of(0, 0, 0, 255, 255, 255, 255, 255));
     const mtl = 'newmtl Leaf\nmap_Kd red.png\nmap_d mask.png\nnewmtl Veil\nKs 0 0 0\nmap_d mask.png\n';
     const files = {
@@ -182,7 +182,7 @@ Ke 3 2 1
     expect(materials[1].roughness).toBe(1);
   });
 
-  it('that are missing are told with where they were looked for', async () => {
+  it('that are missing are reported with the searched location', async () => {
     const files = {
       'set/b.mtl': text('newmtl A\nmap_Kd D:\\x\\no.png\nmap_Ke bad.png\nmap_d -clamp 7'),
       'set/bad.png': text('GIF89a'),
@@ -230,7 +230,7 @@ describe('a damaged OBJ', () => {
     expect(await refusal(obj)).toContain(message);
   });
 
-  it('and its materials: file, line and value', async () => {
+  it('and its materials are rejected with file, line and value', async () => {
     const files = { 'set/m.mtl': text('newmtl A\nKd 1 2 x') };
     expect(await refusal('mtllib m.mtl\n', files)).toBe('set/m.mtl: line 2: x is not a number');
   });
@@ -244,7 +244,7 @@ describe('a damaged OBJ', () => {
       (error) => error,
     );
 
-  it('cut off anywhere is read or an InputError', async () => {
+  it('truncated anywhere is read or an InputError', async () => {
     const obj = text(whole);
     expect(await attempt(obj, mtl)).toBeUndefined();
     for (let k = 0; k < 20; k++) {

@@ -52,7 +52,7 @@ const text = (bytes: Uint8Array | undefined): string => new TextDecoder().decode
 describe('a scene written as OBJ', () => {
   const { files, diagnostics } = writeObj(scene, 'a.obj');
 
-  it('has every corner where it is in the world, with Y up, as three.js reads it', () => {
+  it('has every corner at its world position, with Y up, read by three.js', () => {
     const meshes = new OBJLoader().parse(text(files.get('a.obj'))).children as ThreeMesh[];
     expect(meshes.map((m) => m.name)).toEqual(['World/A', 'World/B']);
     for (const [i, object] of scene.objects.entries()) {
@@ -63,13 +63,13 @@ describe('a scene written as OBJ', () => {
         const p = new Vector3().fromBufferAttribute(position, corner);
         expect(distance([p.x, p.y, p.z], [x, z, -y])).toBeLessThan(1e-5);
       }
-      // Of the first triangle: its edges are at right angles to its normal.
+      // The edges of the first triangle are perpendicular to its normal.
       const [a, b] = [0, 1].map((k) => new Vector3().fromBufferAttribute(position, k));
       expect(b.sub(a).dot(new Vector3().fromBufferAttribute(normal, 0))).toBeCloseTo(0, 5);
     }
   });
 
-  it('has its materials and pictures, each with a name of its own', () => {
+  it('has its materials and textures, with unique names', () => {
     const library = new MTLLoader().parse(text(files.get('a.mtl')), '');
     expect(text(files.get('a.obj'))).toContain('mtllib a.mtl\n');
     expect(text(files.get('a.obj')).match(/usemtl .*/g)).toEqual([
@@ -82,7 +82,7 @@ describe('a scene written as OBJ', () => {
     expect(decodeImage(files.get('a_0.png')!, 'a_0.png').data).toEqual(data);
   });
 
-  it('has pictures of roughness and metalness in their reds, and of normals', () => {
+  it('has roughness and metalness textures in the red channel, and normal maps', () => {
     const map = { ...texture, colorSpace: 'linear' } as const;
     const written = writeObj(
       makeScene({
@@ -103,7 +103,7 @@ describe('a scene written as OBJ', () => {
     expect([...reds]).toEqual([...data.filter((_, i) => i % 4 === 1)].map((g) => Math.round(g / 2 + 63.75)));
   });
 
-  it('holds a mesh of more lines than a call has arguments', () => {
+  it('writes meshes with more lines than a call may have arguments', () => {
     const mesh = sphere(1, { segments: 400 });
     const { files: large } = writeObj(
       makeScene({ name: 'large', objects: [makeObject({ path: '/A', mesh })] }),
@@ -113,7 +113,7 @@ describe('a scene written as OBJ', () => {
     expect(text(large.get('a.obj')).match(/^f /gm)).toHaveLength(mesh.indices.length / 3);
   });
 
-  it('says what is lost', () => {
+  it('reports lost content', () => {
     expect(diagnostics.map((d) => `${d.code} ${d.place}: ${d.message}`)).toEqual([
       'convert.motion a.obj: /World/B: OBJ has no motion: it is written where it is at 1 s',
       'convert.left-out a.obj: /Sky: OBJ has no lights and no cameras; it is left out',

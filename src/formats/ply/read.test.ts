@@ -19,7 +19,7 @@ const refusal = (bytes: Uint8Array): Promise<string> =>
     (error: Error) => error.message,
   );
 
-/** Values of rows, each with its type. */
+/** Rows of values with their types. */
 type Typed = readonly (readonly [type: string, value: number])[];
 
 /** A PLY of any format from one description. */
@@ -41,7 +41,7 @@ function ply(format: Format, header: readonly string[], rows: readonly Typed[]):
   return new Uint8Array([...head, ...new Uint8Array(body.buffer, 0, at)]);
 }
 
-/** A bumpy sheet with normals, uvs and colours of its points, of triangles and quads, and an element that nobody knows. */
+/** A bumpy sheet of triangles and quads with normals, uvs and colours per point, and an unknown element. */
 function sheet(format: Format): Uint8Array {
   const next = random(4);
   const n = 5;
@@ -83,13 +83,13 @@ function sheet(format: Format): Uint8Array {
 }
 
 describe.each(FORMATS)('PLY, %s', (format) => {
-  it('is as three.js reads it', async () => {
+  it('agrees with three.js', async () => {
     const bytes = sheet(format);
     const scene = await read(bytes);
     const three = new PLYLoader().parse(bytes.slice().buffer);
     expect(sceneSoup(scene, true)).toEqual(threeSoup(new ThreeMesh(three), true));
     expect(scene.diagnostics.map((d) => d.code)).toEqual(['file.units']);
-    // Vertex 0 is in the first face, whichever way that is cut.
+    // Vertex 0 is in the first face, however that is triangulated.
     const { mesh } = scene.objects[0];
     const zero = [...mesh.indices].find((v) => mesh.positions[3 * v] === 0 && mesh.positions[3 * v + 1] === 0)!;
     // three.js keeps colours in bytes.
@@ -125,7 +125,7 @@ describe.each(FORMATS)('PLY, %s', (format) => {
     );
   });
 
-  it('strips are cut into triangles of one side', async () => {
+  it('strips are split into triangles of consistent winding', async () => {
     const rows: Typed[] = [
       [0, 0],
       [1, 0],
@@ -141,16 +141,16 @@ describe.each(FORMATS)('PLY, %s', (format) => {
     expect([...mesh.normals].filter((_, i) => i % 3 === 2)).toEqual([1, 1, 1, 1, 1]);
   });
 
-  it('cut off is refused', async () => {
+  it('is rejected if truncated', async () => {
     const bytes = sheet(format);
-    // Of a text all but the last digit may be missing without a trace.
+    // In text a missing part of the last number cannot be detected.
     for (let k = 0; k < 20; k++) {
       await expect(read(bytes.subarray(0, Math.floor((bytes.length * k) / 20)))).rejects.toBeInstanceOf(InputError);
     }
     expect(await refusal(bytes.subarray(0, bytes.length - 20))).toMatch(/cut off/);
   });
 
-  it('refuses counts that the file cannot hold before it makes room for them', async () => {
+  it('rejects counts that exceed the file before allocating memory', async () => {
     const text = new TextDecoder('latin1').decode(sheet(format));
     const bytes = (value: string): Uint8Array => Uint8Array.from(value, (c) => c.charCodeAt(0));
     expect(await refusal(bytes(text.replace('vertex 36', 'vertex 999999999999')))).toMatch(
@@ -190,7 +190,7 @@ describe('PLY', () => {
     expect(await refusal(encode(text))).toContain(message);
   });
 
-  it('values are refused with their line', async () => {
+  it('invalid values are rejected with their line', async () => {
     expect(await refusal(mesh('3 0 1 2'))).toBe('read');
     expect(await refusal(mesh('3 0 1 3'))).toBe(
       'a.ply: line 13: face 0 names vertex 3; there are 3, counted from 0; the file is damaged, export it again',
@@ -206,7 +206,7 @@ describe('PLY', () => {
     ]);
   });
 
-  it('points alone are said not to be shown', async () => {
+  it('a file of points only is reported as not displayed', async () => {
     const cloud = encode(`${head('element vertex 1', ...xyz)}1 2 3\n`);
     expect((await read(cloud)).diagnostics[0].message).toBe('its 1 points have no faces; points are not shown');
   });

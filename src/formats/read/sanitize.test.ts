@@ -12,13 +12,13 @@ const at = (numbers: Float32Array, index: number, value: number): Float32Array =
 const sceneOf = (...objects: Parameters<typeof makeObject>[0][]): Scene =>
   makeScene({ name: 'a.usda', objects: objects.map((object) => makeObject(object)) });
 
-describe('a scene as read', () => {
-  it('that is sound stays the same one', () => {
+describe('sanitizing a scene', () => {
+  it('returns a valid scene unchanged', () => {
     const scene = sceneOf({ path: '/A', mesh });
     expect(sanitizeScene(scene)).toBe(scene);
   });
 
-  it('loses the triangles of points that are nowhere, and those only', () => {
+  it('removes only the triangles of non-finite points', () => {
     const plane = grid(2, 2, 2, 2);
     const broken = { ...plane, positions: at(plane.positions, 0, Number.POSITIVE_INFINITY) };
     const { objects, diagnostics } = sanitizeScene(sceneOf({ path: '/A', mesh: broken }, { path: '/B', mesh }));
@@ -31,7 +31,7 @@ describe('a scene as read', () => {
     expect(diagnostics[0].message).toContain(`the place of 1 of ${plane.positions.length / 3} points`);
   });
 
-  it('loses points that are nowhere at one sample', () => {
+  it('removes points that are non-finite at one sample', () => {
     const points = [mesh.positions, at(mesh.positions, 4, NaN32)];
     const motion: SampledPointsMotion = {
       kind: 'sampled-points',
@@ -45,20 +45,20 @@ describe('a scene as read', () => {
     for (const k of motion.times.keys()) expect(pointsAt(sound, k).every(Number.isFinite)).toBe(true);
   });
 
-  it('gets normals of its own where the written ones are none', () => {
+  it('replaces invalid normals', () => {
     const { objects } = sanitizeScene(sceneOf({ path: '/A', mesh: damaged({ normals: at(mesh.normals, 1, NaN32) }) }));
     // A box's corner vertex has the normal of its face, and no other triangle.
     for (let i = 0; i < mesh.normals.length; i++) expect(objects[0].mesh.normals[i]).toBeCloseTo(mesh.normals[i], 6);
   });
 
-  it('keeps one mesh for those that share it', () => {
+  it('preserves sharing of meshes', () => {
     const broken = damaged({ uvs: at(mesh.uvs, 0, NaN32) });
     const { objects } = sanitizeScene(sceneOf({ path: '/A', mesh: broken }, { path: '/B', mesh: broken }));
     expect(objects[0].mesh).toBe(objects[1].mesh);
     expect(objects[0].mesh.uvs[0]).toBe(0);
   });
 
-  it('loses what is nowhere, and light and materials that are no numbers', () => {
+  it('removes objects, lights and materials with non-finite values', () => {
     const nowhere = { ...restingAt([0, 0, 0]), kind: 'uniform', velocity: [NaN32, 0, 0] } as const;
     const lamp = {
       kind: 'disk',

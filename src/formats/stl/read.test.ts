@@ -17,7 +17,7 @@ const refusal = (bytes: Uint8Array): Promise<string> =>
     (error: Error) => error.message,
   );
 
-/** Corners of the triangles, and a normal for each. */
+/** Corners of the triangles, with a normal each. */
 const facetsOf = ({ positions, normals, indices }: Mesh) =>
   Array.from({ length: indices.length / 3 }, (_, t) => {
     const [a, b, c] = indices.subarray(3 * t, 3 * t + 3);
@@ -51,7 +51,7 @@ describe.each([
   ['binary', binaryStl(BOX)],
   ['binary that begins as a text does', binaryStl(BOX, 'solid as a rock')],
 ])('STL, %s', (_, bytes) => {
-  it('is a closed box of the right size, as three.js reads it', async () => {
+  it('is a closed box of the right size, as in three.js', async () => {
     const scene = await read(bytes);
     const [{ mesh }] = scene.objects;
     expect(openEdges(mesh)).toBe(0);
@@ -61,7 +61,7 @@ describe.each([
     expect(scene.diagnostics.map((d) => d.code)).toEqual(['file.units']);
   });
 
-  it('cut off is refused', async () => {
+  it('is rejected if truncated', async () => {
     for (let k = 0; k < 20; k++) {
       await expect(read(bytes.subarray(0, Math.floor((bytes.length * k) / 20)))).rejects.toBeInstanceOf(InputError);
     }
@@ -69,12 +69,12 @@ describe.each([
 });
 
 describe('STL', () => {
-  it('solids of a text become objects; words may be in any case', async () => {
+  it('solids of a text file become objects; keywords are case-insensitive', async () => {
     const two = `${textStl(BOX, 'Left part')}${textStl(BOX, '').toUpperCase()}`;
     expect((await read(encode(two))).objects.map((o) => o.path)).toEqual(['/Left_part', '/a']);
   });
 
-  it('says what it leaves out, and what does not fit together', async () => {
+  it('reports skipped and inconsistent content', async () => {
     const colored = binaryStl(BOX, 'COLOR=rgba');
     const longer = new Uint8Array([...colored, 1, 2, 3]);
     const turned = encode(
@@ -95,7 +95,7 @@ describe('STL', () => {
     ]);
   });
 
-  it('refuses with place and value', async () => {
+  it('errors have place and value', async () => {
     const nan = binaryStl(BOX);
     new DataView(nan.buffer).setFloat32(84 + 50 + 12 + 4, Number.NaN, true);
     expect(await refusal(nan)).toBe(

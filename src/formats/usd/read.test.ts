@@ -12,8 +12,8 @@ const readText = (body: string, header = 'metersPerUnit = 0.5'): Promise<Scene> 
 };
 const said = (scene: Scene): string[] => scene.diagnostics.map((d) => `${d.code} ${d.place}: ${d.message}`);
 
-describe('our own attributes', () => {
-  it('give an object and all under it a closed-form motion, in stage units', async () => {
+describe('slowlight attributes', () => {
+  it('give an object and its descendants a closed-form motion, in stage units', async () => {
     const { objects } = await readText(`
 def Xform "Train" {
   custom token slowlight:motion = "uniform"
@@ -47,7 +47,7 @@ def Xform "Train" {
     ]);
   });
 
-  it('without a velocity, with unknown words, or against time samples, are complained about', async () => {
+  it('without a velocity, with unknown tokens, or in conflict with time samples, are reported', async () => {
     const scene = await readText(`
 def Cube "A" { token slowlight:motion = "uniform" }
 def Cube "B" { token slowlight:motion = "sideways"; token slowlight:authoredIn = "moon" }
@@ -69,7 +69,7 @@ def Cube "C" {
     });
   });
 
-  it('in the layer are hints', async () => {
+  it('of the layer are hints', async () => {
     const { hints } = await readText(
       '',
       'customLayerData = { dictionary slowlight = { double speedOfLight = 10; string title = "T"; string lookFor = "L"; double3 beta = (0, 0, 0.5); double openAt = 2 } }',
@@ -78,8 +78,8 @@ def Cube "C" {
   });
 });
 
-describe('what is not read is named, never dropped in silence', () => {
-  it('arcs that lead nowhere, by prim', async () => {
+describe('unsupported content is reported, never silently dropped', () => {
+  it('arcs without a target, by prim', async () => {
     const scene = await readText(
       `
 def Xform "Car" (
@@ -106,7 +106,7 @@ class "_class" {}
     expect(scene.variants).toEqual([{ set: '/Car{color}', options: ['blue', 'red'], chosen: '' }]);
   });
 
-  it('prims of kinds that are not read', async () => {
+  it('prims of unsupported types', async () => {
     const scene = await readText(`
 def SkelRoot "Man" { def Cube "Bone" {} }
 def BasisCurves "Hair" {}
@@ -162,7 +162,7 @@ describe('the stage', () => {
     expect(Math.max(...scene.objects[0].mesh.positions)).toBeCloseTo(0.01, 9);
   });
 
-  it('takes its times from the samples where none are written', async () => {
+  it('takes its time range from the samples if none is authored', async () => {
     const scene = await readText(`def Cube "A" {
       double3 xformOp:translate.timeSamples = { 12: (0, 0, 0), 48: (2, 0, 0) }
       uniform token[] xformOpOrder = ["xformOp:translate"]
@@ -170,7 +170,7 @@ describe('the stage', () => {
     expect([scene.startTime, scene.endTime]).toEqual([0.5, 2]);
   });
 
-  it('refuses units that are none', async () => {
+  it('rejects invalid units', async () => {
     await expect(readText('', 'metersPerUnit = 0')).rejects.toThrow('metersPerUnit = 0 is not a positive number');
     await expect(readText('', 'timeCodesPerSecond = -1')).rejects.toThrow(InputError);
     await expect(readUsd(memorySource({}), 'b.usda')).rejects.toThrow('b.usda: no such file');
@@ -229,11 +229,11 @@ def ${kind} "${name}" {
   const samplesOf = ({ objects, cameras }: Scene): number[] =>
     [...objects, ...cameras].map(({ motion }) => ('times' in motion ? motion.times.length : 0));
 
-  it('takes no more samples than a scene may have, however many things there are', async () => {
+  it('is limited to the maximum number of samples of a scene, for any number of objects', async () => {
     const wild = Array.from({ length: 40 }, (_, i) => turning(i % 2 ? 'Camera' : 'Cube', `A${i}`, 1e7 + i)).join('');
     const scene = await readText(wild);
     const counts = samplesOf(scene);
-    // Ten evaluations for each sample, of the 2¹⁸ that there are.
+    // Ten evaluations per sample, out of the 2¹⁸ allowed.
     expect(counts.reduce((sum, n) => sum + n)).toBeLessThan(2 ** 18 / 10);
     expect(counts.every((n) => n >= 2)).toBe(true);
     expect(scene.diagnostics.filter((d) => d.code === 'usd.resampling')).toHaveLength(40);
@@ -242,7 +242,7 @@ def ${kind} "${name}" {
     );
   });
 
-  it('leaves enough for what is not wild', async () => {
+  it('leaves enough samples for ordinary motion', async () => {
     const scene = await readText(turning('Cube', 'Wild', 1e8) + turning('Cube', 'Wheel', 360));
     // A chord over the angle a leaves a circle of radius r by r(1 − cos a/2); the number of pieces is a power of two.
     const pieces = 2 ** Math.ceil(Math.log2(Math.PI / Math.acos(1 - 1e-4)));

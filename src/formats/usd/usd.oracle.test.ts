@@ -92,12 +92,12 @@ const scene: Scene = {
 };
 
 describe.skipIf(!available)('usd-core', () => {
-  it.each(['grammar', 'xforms', 'meshes', 'written'])('still says of %s.usda what is committed', (name) => {
+  it.each(['grammar', 'xforms', 'meshes', 'written'])('reproduces the committed values of %s.usda', (name) => {
     const committed = JSON.parse(readFileSync(fixture(`${name}.expected.json`), 'utf8'));
     expect(oracle(fixture(`${name}.usda`))).toEqual(committed);
   });
 
-  it('reads the points and poses that are written, exactly', () => {
+  it('reads written points and poses exactly', () => {
     const text = writeUsda(scene);
     const { stage, layer } = oracle(save('written.usda', text));
     expect(layerJson(parseLayer(new TextEncoder().encode(text), 'written.usda'))).toEqual(layer);
@@ -117,7 +117,7 @@ describe.skipIf(!available)('usd-core', () => {
     expect(JSON.stringify(spec('/Looks/A.slowlight:reflectance'))).toContain('spectra/reflectance.csv');
   });
 
-  it('opens the package that is written', () => {
+  it('opens a written package', () => {
     const path = save('written.usdz', writeUsdz(scene));
     const script = `
 from pxr import Usd, UsdUtils
@@ -126,7 +126,7 @@ print(len(list(stage.Traverse())), stage.GetDefaultPrim().GetPath())`;
     expect(python('-c', script).trim()).toBe('9 /World');
   });
 
-  it('has the vertices where this reader has them, at times of its own choice', async () => {
+  it('agrees with this reader on vertices, at random times', async () => {
     const text = writeUsda(scene);
     const back = await readUsd(memorySource({ 'a.usda': new TextEncoder().encode(text) }), 'a.usda');
     const { stage } = oracle(save('again.usda', text));
@@ -134,13 +134,13 @@ print(len(list(stage.Traverse())), stage.GetDefaultPrim().GetPath())`;
       const prim = stage!.prims[path];
       stage!.times.forEach((code, k) => {
         const m = prim.matrices[k].map(Number);
-        // -0 is a text in JSON.
+        // −0 is encoded as a string in JSON.
         const points = prim.points![k].map(Number);
         for (let i = 0; i < points.length / 3; i += 17) {
           const p = points.slice(3 * i, 3 * i + 3);
           const expected = [0, 1, 2].map((d) => p[0] * m[d] + p[1] * m[4 + d] + p[2] * m[8 + d] + m[12 + d]);
           const actual = vertexPosition({ path, motion, ...rest }, i, code / 30, 3e8);
-          // f32 of points near 10⁵ m, and the chord tolerance of a turning ball.
+          // f32 rounding of points near 10⁵ m, and the chord tolerance of a rotating ball.
           expect(Math.hypot(...actual.map((x, d) => x - expected[d])), `${path} ${code}`).toBeLessThan(1e-3);
         }
       });

@@ -14,7 +14,7 @@ const FILES = {
 };
 const opened = (bytes: Uint8Array, around = {}) => zipSource(memoryFile(bytes), 'set.zip', memorySource(around));
 
-/** A copy with a number of two or four bytes set at a place. */
+/** A copy with a number of two or four bytes set at an offset. */
 function with2(bytes: Uint8Array, at: number, value: number): Uint8Array {
   const copy = bytes.slice();
   new DataView(copy.buffer).setUint16(at, value, true);
@@ -39,7 +39,7 @@ const refusal = (bytes: Uint8Array) =>
     .catch((error: { diagnostic?: { code: string } }) => error.diagnostic?.code);
 
 describe('a zip', () => {
-  it.each([0, 6] as const)('is a folder of its own name (level %d)', async (level) => {
+  it.each([0, 6] as const)('is read as a folder of files (level %d)', async (level) => {
     const source = await opened(zipSync(FILES, { level }), { 'beside.png': text('beside') });
     expect(await source.list()).toEqual(['set.zip/set/scene.usda', 'set.zip/set/tex/wood.png']);
     expect(entryOf(await source.list())).toBe('set.zip/set/scene.usda');
@@ -49,7 +49,7 @@ describe('a zip', () => {
     expect(await source.read('set.zip/none.png')).toBeUndefined();
   });
 
-  it('gives back whatever was packed', () =>
+  it('round-trips any files', () =>
     fc.assert(
       fc.asyncProperty(fc.uint8Array({ maxLength: 5000 }), fc.integer({ min: 0, max: 9 }), async (bytes, level) => {
         const source = await opened(zipSync({ a: bytes }, { level: level as 0 | 9 }));
@@ -58,14 +58,14 @@ describe('a zip', () => {
       { numRuns: 30 },
     ));
 
-  it('is named in USD’s way', () => {
+  it('has entry paths in USD’s notation', () => {
     expect(splitArchive('a/set.zip')).toEqual({ archive: 'a/set.zip' });
     expect(splitArchive('a/set.ZIP[b/c.usda]')).toEqual({ archive: 'a/set.ZIP', inner: 'b/c.usda' });
     expect(splitArchive('a/set.usdz')).toBeUndefined();
   });
 });
 
-describe('what no zip may be', () => {
+describe('an invalid zip', () => {
   const good = zipSync({ 'a.usda': text('x'.repeat(5000)), 'b.usda': text('y'.repeat(5000)) });
   const first = central(good);
   const second = central(good, 1);
@@ -89,7 +89,7 @@ describe('what no zip may be', () => {
     expect(await refusal(bytes)).toBe(code);
   });
 
-  it('a bomb of zeros is refused before it is unpacked', async () => {
+  it('a bomb of zeros is rejected before unpacking', async () => {
     const zeros = zipSync({ a: new Uint8Array(2 ** 24) }, { level: 9 });
     const from = zeros.subarray(0, central(zeros));
     const entry = zeros.slice(central(zeros), zeros.length - 22);
@@ -109,7 +109,7 @@ describe('what no zip may be', () => {
     expect(await refusal(bomb)).toBe('zip.bomb');
   });
 
-  it('cut or flipped anywhere it is refused or right, and never anything else', async () => {
+  it('truncated or changed anywhere is rejected or read correctly', async () => {
     const whole = zipSync(FILES, { level: 6 });
     await fc.assert(
       fc.asyncProperty(fc.nat(whole.length - 1), fc.nat(255), fc.boolean(), async (at, value, cut) => {
@@ -121,7 +121,7 @@ describe('what no zip may be', () => {
     );
   });
 
-  it('only its directory is read until a file is asked for', async () => {
+  it('only its directory is read until a file is requested', async () => {
     const bytes = zipSync({ a: new Uint8Array(1_000_000) }, { level: 0 });
     let read = 0;
     const part = async (from: number, to: number) => {

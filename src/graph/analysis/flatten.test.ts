@@ -37,7 +37,7 @@ describe('a parameter', () => {
     expect(codes(driven)).toEqual([]);
   });
 
-  it('switches on by what is not 0', async () => {
+  it('of type boolean is true for nonzero numbers', async () => {
     const document = build(
       add('x', 'value'),
       add('p', 'pick'),
@@ -52,7 +52,7 @@ describe('a parameter', () => {
     expect([await picked(0), await picked(-2)]).toEqual([0, 1]);
   });
 
-  it('refuses what is out of its range, and what is of another kind, at its node', async () => {
+  it('rejects values out of range or of another type, at its node', async () => {
     const far = edited(
       driven,
       set('x', 'value', 1e9),
@@ -69,7 +69,7 @@ describe('a parameter', () => {
     );
   });
 
-  it('that is set to what it cannot be has its default as remedy', async () => {
+  it('with an invalid value has its default as remedy', async () => {
     const document = build(add('x', 'value'), set('x', 'value', 'five'));
     expect(await evaluate(document, 'x')).toMatchObject({
       problem: { code: 'graph.param', place: 'x.value', remedy: { node: 'x', param: 'value', value: 1 } },
@@ -77,8 +77,8 @@ describe('a parameter', () => {
   });
 });
 
-describe('an input of many', () => {
-  it('takes its edges in the order of their numbers, whatever is missing between', async () => {
+describe('a multi-input', () => {
+  it('takes its edges in the order of their numbers, with gaps', async () => {
     const document = build(
       add('w', 'weigh'),
       ...[10, 2, 1].flatMap((n) => [
@@ -92,7 +92,7 @@ describe('an input of many', () => {
     expect(codes(document)).toEqual([]);
   });
 
-  it('needs the number, and others must not have one', () => {
+  it('requires a number; other inputs must not have one', () => {
     const document = build(add('w', 'weigh'), add('v', 'value'), add('s', 'sum'));
     expect(edgeError(document, edge('v.number', 'w.items'), toys)).toMatch(/no input "items"/);
     expect(edgeError(document, edge('v.number', 's.a.1'), toys)).toMatch(/no input "a.1"/);
@@ -113,7 +113,7 @@ describe('a generic socket', () => {
   const typeOf = (document: GraphDocument, node: string, side: 'inputs' | 'outputs', socket: string) =>
     inferTypes(levelOf(document)!, toys).typeOf(node, side, socket);
 
-  it('is of what is connected, over any number of others', () => {
+  it('has the type of the connected socket, through any number of generic ones', () => {
     expect(typeOf(two, 'q', 'outputs', 'out')).toBe('any');
     const told = edited(two, connect('v.number', 'p.b'));
     expect([typeOf(told, 'q', 'outputs', 'out'), typeOf(told, 'p', 'inputs', 'a')]).toEqual(['number', 'number']);
@@ -122,7 +122,7 @@ describe('a generic socket', () => {
     expect(edgeError(wanted, edge('v.number', 'p.a'), toys)).toBeUndefined();
   });
 
-  it('refuses a second type, and names both ends', () => {
+  it('rejects a second type, and reports both ends', () => {
     const told = edited(two, connect('v.number', 'p.b'));
     expect(edgeError(told, edge('t.text', 'q.b'), toys)).toBe('text (t.text) does not fit number (v.number)');
     const wanted = edited(two, add('s', 'sum'), connect('q.out', 's.a'));
@@ -130,7 +130,7 @@ describe('a generic socket', () => {
     expect(codes(edited(wanted, connect('t.text', 'p.b')))).toEqual(['graph.edge s']);
   });
 
-  it('is of what all that flows in can become, in whatever order it is connected', () => {
+  it('has the common type of all its inputs, in any order of connection', () => {
     const base = edited(two, add('k', 'paint'), add('l', 'length'), add('s', 'sum'));
     for (const links of [
       ['v.number>p.a', 'k.color>q.b'],
@@ -149,7 +149,7 @@ describe('a generic socket', () => {
       expect(codes(edited(base, ...sinks.map((sink) => connect('q.out', sink))))).toEqual([]);
   });
 
-  it('takes only the branch that it needs', async () => {
+  it('evaluates only the needed branch', async () => {
     const document = build(
       add('p', 'pick'),
       add('v', 'value'),
@@ -164,7 +164,7 @@ describe('a generic socket', () => {
     expect(await evaluate(edited(document, set('p', 'second', true)), 'p')).toEqual({ status: 'blocked', by: 'bad' });
   });
 
-  it('a number is taken for a vector where one is wanted, through a switch too', async () => {
+  it('a number is converted to a vector where required, also through a switch', async () => {
     const document = build(
       add('v', 'value'),
       set('v', 'value', 2),
@@ -198,7 +198,7 @@ describe('muting', () => {
     expect(sourcesOf(edited(chain, mute('s')), 'out')).toEqual({ a: ['x.number'] });
   });
 
-  it('that leaves nothing to pass on is told where it is missed', async () => {
+  it('with nothing to pass on is reported where the value is missing', async () => {
     const muted = edited(chain, mute('s', 'x'), add('l', 'weigh'), connect('x.number', 'l.items.1'));
     expect(await number(muted)).toBe(0);
     expect(sourcesOf(muted, 'out').a).toEqual(['x is muted and has no number to pass on; unmute it']);
@@ -219,7 +219,7 @@ describe('a group', () => {
     return edited(document, groupCommand(document, { nodes: ['s'] }, 'g', toys).command);
   };
 
-  it('is there once for each node that uses it', async () => {
+  it('is instantiated once per node that uses it', async () => {
     const document = edited(
       grouped(),
       { kind: 'add-node', node: 'again', type: 'group', at: [0, 0], params: { group: 'group' } },
@@ -231,7 +231,7 @@ describe('a group', () => {
     expect(codes(document)).toEqual([]);
   });
 
-  it('shows what flows through its first output, and errors at the nodes in it', async () => {
+  it('displays the value of its first output, and errors at its inner nodes', async () => {
     expect(await evaluate(grouped(), 'group')).toEqual({ status: 'done', outputs: { number: 1 } });
     const wrong = edited(grouped(), { kind: 'inside', group: 'group', command: set('s', 'bias', 'x') });
     const { target, results } = await new Evaluator(toys).evaluate(wrong, 'out', {});
@@ -239,7 +239,7 @@ describe('a group', () => {
     expect(results.get('group/s')).toMatchObject({ problem: { place: 'group/s.bias', remedy: { node: 'group/s' } } });
   });
 
-  it('that lacks its definition, its exit or an edge to it says so', async () => {
+  it('without definition, output or an edge to it is reported', async () => {
     const lost = edited(grouped(), { kind: 'set-group', group: 'group' });
     expect(codes(lost)).toContain('graph.group group');
     expect(sourcesOf(lost, 'out')).toEqual({ a: ['there is no group "group"'] });
@@ -252,7 +252,7 @@ describe('a group', () => {
     ]);
   });
 
-  it('of generic sockets takes its types from inside and outside', () => {
+  it('with generic sockets takes its types from inside and outside', () => {
     const document = build(add('r', 'reroute'), add('v', 'value'), add('out', 'sum'), add('t', 'words'));
     const group = edited(document, groupCommand(document, { nodes: ['r'] }, 'g', toys).command);
     const through = edited(
@@ -279,7 +279,7 @@ describe('a group', () => {
     expect(edgeError(fixed, edge('t.text', 'group.in'), toys)).toBe('text (t.text) does not fit number (group.in)');
   });
 
-  it('never holds itself, nor opens out to more than a project may hold', () => {
+  it('must not contain itself, nor expand to more nodes than a project may have', () => {
     const use = (group: string) => ({ type: 'group', params: { group } });
     const doubling = (depth: number): GraphDocument => {
       const document = structuredClone(build(add('top', 'group'), set('top', 'group', 'g0')));
@@ -302,8 +302,8 @@ describe('a group', () => {
   });
 });
 
-describe('circles', () => {
-  it('of nodes, bends and muted nodes are told, and end', async () => {
+describe('cycles', () => {
+  it('of nodes, reroutes and muted nodes are reported', async () => {
     const ring = build(
       add('a', 'sum'),
       add('b', 'sum'),

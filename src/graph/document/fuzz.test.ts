@@ -64,7 +64,7 @@ function damaged(text: string, { path, by }: Damage): string {
   return JSON.stringify(data);
 }
 
-/** Uses a document in all ways; one that could be read must not fail. */
+/** Exercises a document; one that could be read must not fail. */
 async function use(document: GraphDocument): Promise<void> {
   expect(parseDocument(serializeDocument(document))).toEqual(document);
   const problems = validateDocument(document, toys);
@@ -77,7 +77,7 @@ async function use(document: GraphDocument): Promise<void> {
 }
 
 describe('a project', () => {
-  it('that is damaged is refused with the place, or can be used', () =>
+  it('that is damaged is rejected with a location, or can be used', () =>
     fc.assert(
       fc.asyncProperty(
         documents(25),
@@ -96,7 +96,7 @@ describe('a project', () => {
       { numRuns: 300 },
     ));
 
-  it('of any bytes is refused', () => {
+  it('of random bytes is rejected', () => {
     fc.assert(
       fc.property(fc.oneof(fc.string(), fc.json()), (text) => readOrRefuse(() => parseDocument(text)) === undefined),
     );
@@ -119,7 +119,7 @@ describe('a project', () => {
     expect(() => parseDocument(text)).toThrow(DocumentError);
   });
 
-  it('has names that every table inherits', async () => {
+  it('may use names of inherited properties', async () => {
     const document = build(
       add('constructor', 'value'),
       add('toString', 'sum'),
@@ -144,7 +144,7 @@ function many() {
 }
 
 describe('copied nodes', () => {
-  it('that are damaged are refused with the place, or can be pasted', () => {
+  it('that are damaged are rejected with a location, or can be pasted', () => {
     fc.assert(
       fc.property(documents(25), fc.array(damage, { minLength: 1, maxLength: 3 }), (document, list) => {
         const copied = serializeFragment(copyFragment(document, { nodes: Object.keys(document.nodes) }));
@@ -157,7 +157,7 @@ describe('copied nodes', () => {
 });
 
 describe('a link', () => {
-  it('carries any project', () => {
+  it('round-trips any project', () => {
     fc.assert(
       fc.property(documents(40), (document) => {
         const fragment = encodeShareLink(document);
@@ -169,7 +169,7 @@ describe('a link', () => {
     );
   });
 
-  it('that is damaged is refused', () => {
+  it('that is damaged is rejected', () => {
     const letters = fc.constantFrom(...'AZaz09-_=+/ %');
     const change = fc.record({ at: fc.nat(2000), cut: fc.nat(40), put: fc.string({ unit: letters, maxLength: 6 }) });
     fc.assert(
@@ -185,12 +185,12 @@ describe('a link', () => {
       expect(readOrRefuse(() => decodeShareLink(text))).toBeUndefined();
   });
 
-  it('that is a bomb is not unpacked', () => {
+  it('that is a decompression bomb is not unpacked', () => {
     const bomb = deflateSync(new Uint8Array(2 ** 24), { level: 9 });
     expect(() => decodeShareLink(`project=${Buffer.from(bomb).toString('base64url')}`)).toThrow(/unpacks to more than/);
   });
 
-  it('of a project that is too large is not made', () => {
+  it('is not created for a project that is too large', () => {
     const document = build(
       ...Array.from({ length: 3000 }, (_, i) =>
         add(`n${i}x${(i * 7919) % 104729}`, 'value', [(i * 104729) % 9973, (i * 7919) % 9967]),

@@ -50,7 +50,7 @@ const resultOf = async (document: GraphDocument, node = 'out') => {
 };
 
 describe('commands', () => {
-  it('of all kinds, in groups too, are undone and done again exactly, and what they give can be read', () => {
+  it('of all kinds, in groups too, can be undone and redone exactly, and yield readable documents', () => {
     fc.assert(
       fc.property(seeds(40), (list) => {
         let history = newHistory(emptyDocument());
@@ -77,7 +77,7 @@ describe('commands', () => {
     );
   });
 
-  it('a long drag of many nodes is no long step', () => {
+  it('a long drag of many nodes is stored compactly', () => {
     let history = newHistory(chain());
     for (let i = 0; i < 500; i++)
       history = executeCommand(history, { kind: 'move-nodes', to: { x: [i, 1], y: [i, 2] } }, 'move', 'drag');
@@ -88,7 +88,7 @@ describe('commands', () => {
     expect(undo(history).document).toEqual(chain());
   });
 
-  it('refuse what would leave a document that cannot be read', () => {
+  it('are rejected if the document would be unreadable', () => {
     const grouped = applyCommand(chain(), groupCommand(chain(), { nodes: ['s'] }, 'g', toys).command).document;
     const itself = {
       kind: 'inside',
@@ -106,7 +106,7 @@ describe('commands', () => {
     expect(() => applyCommand(grouped, { kind: 'rename', node: 'constructor', title: 'x' })).toThrow(/no node/);
   });
 
-  it('leave alone what they were given, also where one command changes what another brought', () => {
+  it('do not modify their input, also if one command changes the result of another', () => {
     const value = { title: 'g', ...emptyGraph(), inputs: [], outputs: [] };
     const command: Command = {
       kind: 'batch',
@@ -120,14 +120,14 @@ describe('commands', () => {
     expect(value.nodes).toEqual({});
   });
 
-  it('connecting what is connected so is no edit', () => {
+  it('repeating an existing connection is no edit', () => {
     const document = chain();
     expect(applyCommand(document, connect('x.number', 's.a')).document).toBe(document);
   });
 });
 
 describe('a group', () => {
-  it('computes what its nodes did, with one socket for each source', async () => {
+  it('computes the same as its nodes, with one socket per source', async () => {
     const before = chain();
     const { command, node, group } = groupCommand(before, { nodes: ['s', 'w'] }, 'Sum', toys);
     const after = applyCommand(before, command).document;
@@ -148,7 +148,7 @@ describe('a group', () => {
     expect([back.nodes, back.edges, back.groups]).toEqual([before.nodes, before.edges, {}]);
   });
 
-  it('of any part of any document changes nothing that is computed, and opens again', () => {
+  it('of any part of any document does not change results, and can be ungrouped', () => {
     let grouped = 0;
     fc.assert(
       fc.property(documents(40), fc.array(fc.nat(99), { minLength: 1, maxLength: 6 }), (document, picks) => {
@@ -173,7 +173,7 @@ describe('a group', () => {
     expect(grouped).toBeGreaterThan(100);
   });
 
-  it('is refused where it would feed itself', () => {
+  it('is rejected if it would create a cycle', () => {
     expect(() => groupCommand(chain(), { nodes: ['s', 'out'] }, 'g', toys)).toThrow(/feed itself over w/);
     expect(() => groupCommand(chain(), { nodes: [] }, 'g', toys)).toThrow(/choose/);
     expect(() => ungroupCommand(chain(), 'x')).toThrow(/no group/);
@@ -181,7 +181,7 @@ describe('a group', () => {
 });
 
 describe('copies', () => {
-  it('of anything are the same again, beside it', () => {
+  it('of any selection are equal to it, and placed beside it', () => {
     fc.assert(
       fc.property(documents(40), fc.array(fc.nat(99), { minLength: 1, maxLength: 8 }), (document, picks) => {
         const ids = Object.keys(document.nodes);
@@ -208,7 +208,7 @@ describe('copies', () => {
     );
   });
 
-  it('bring their groups along, once', () => {
+  it('include their groups, once', () => {
     const grouping = groupCommand(chain(), { nodes: ['s', 'w'] }, 'Sum', toys);
     const document = applyCommand(chain(), grouping.command).document;
     const selection = { nodes: [grouping.node] };
@@ -223,7 +223,7 @@ describe('copies', () => {
     expect(both.nodes.group2!.params).toEqual({ group: 'group2' });
   });
 
-  it('come to where they are put', () => {
+  it('are placed at the given position', () => {
     const { command, nodes } = pasteFragment(
       chain(),
       copyFragment(chain(), { nodes: ['x', 'y'] }),
@@ -267,7 +267,7 @@ describe('arranging', () => {
     expect(layout(alignCommand(placed, { nodes }, to, sizeOf))).toEqual(wanted);
   });
 
-  it('spaces them evenly', () => {
+  it('distributes them evenly', () => {
     expect(layout(distributeCommand(placed, { nodes }, 1, sizeOf))).toEqual({
       x: [10, 0],
       s: [400, 150],

@@ -60,7 +60,7 @@ const document = (count: number) =>
   );
 
 describe('a heavy node', () => {
-  it('gives in a thread what it gives here, with its progress', async () => {
+  it('gives the same result and progress in a thread as here', async () => {
     const reports: unknown[] = [];
     const evaluator = new Evaluator<unknown>(library, { heavy: threads() });
     const there = await evaluator.evaluate(document(4), 's', 'from outside', {
@@ -75,7 +75,7 @@ describe('a heavy node', () => {
     expect(here.target).toEqual(there.target);
   });
 
-  it('keeps its refusal as it is, and the thread goes on to the next', async () => {
+  it('returns its refusal unchanged, and the thread continues with the next node', async () => {
     const evaluator = new Evaluator<unknown>(library, { heavy: threads() });
     const problem = async (count: number) => (await evaluator.evaluate(document(count), 's', undefined)).target;
     expect(await problem(13)).toMatchObject({ problem: { code: 'test.unlucky', place: 's', message: 'no 13' } });
@@ -86,7 +86,7 @@ describe('a heavy node', () => {
     expect([started, ended]).toEqual([1, 0]);
   });
 
-  it('is cancelled by ending its thread; the next order has another', async () => {
+  it('is cancelled by terminating its thread; the next request gets a new one', async () => {
     const evaluator = new Evaluator<unknown>(library, { heavy: threads() });
     const abort = new AbortController();
     const never = evaluator.evaluate(document(15), 's', undefined, {

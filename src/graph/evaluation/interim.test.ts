@@ -56,8 +56,8 @@ beforeEach(() => {
   twices = 0;
 });
 
-describe('work that takes long', () => {
-  it('is seen while it is under way, with all that follows from it, and nothing of that is kept', async () => {
+describe('long-running work', () => {
+  it('has interim results with everything downstream, and those are not cached', async () => {
     const evaluator = new Evaluator<unknown>(library);
     const main = begin(evaluator, doubled, 'd');
     const early = soFar(evaluator, doubled, 'd');
@@ -79,13 +79,13 @@ describe('work that takes long', () => {
     expect(await soFar(evaluator, three, 'd')).toEqual({ status: 'done', outputs: { number: 6, run: 3 } });
   });
 
-  it('that nobody looks at is not asked for interims', () => {
+  it('without observers is not asked for interim results', () => {
     const evaluator = new Evaluator<unknown>(library);
     evaluator.evaluate(document, 't', 0);
     expect(led[0]!.interim).toBeUndefined();
   });
 
-  it('does not go on for those who only look at it', async () => {
+  it('does not continue for observers only', async () => {
     const evaluator = new Evaluator<unknown>(library);
     const main = begin(evaluator, document, 't');
     const looking = soFar(evaluator, document, 't');
@@ -94,7 +94,7 @@ describe('work that takes long', () => {
     expect(led).toHaveLength(1);
   });
 
-  it('without interims is waited for by those who look', async () => {
+  it('without interim results is awaited by observers', async () => {
     const evaluator = new Evaluator<unknown>(library);
     begin(evaluator, doubled, 'd');
     const looking = soFar(evaluator, doubled, 'd');
@@ -103,7 +103,7 @@ describe('work that takes long', () => {
     expect((await looking).status === 'done' && 'interim' in (await looking)).toBe(false);
   });
 
-  it('when cancelled, stays as far as it came; later it goes on from there', async () => {
+  it('when cancelled keeps its interim result, and later resumes from there', async () => {
     const evaluator = new Evaluator<unknown>(library);
     const first = begin(evaluator, doubled, 'd');
     led[0]!.interim!(3);
@@ -130,12 +130,12 @@ describe('work that takes long', () => {
     expect(led[2]!.resume).toEqual({ number: 3, own: 'state of 3' });
     led[2]!.end(9);
     expect((await third.ended).target).toMatchObject({ outputs: { number: 18 } });
-    // Other parameters are other work, which starts from nothing.
+    // With other parameters the work starts anew.
     begin(evaluator, edited(doubled, set('t', 'bias', 1)), 'd');
     expect(led[3]!.resume).toBeUndefined();
   });
 
-  it('what was there of the last four that were cancelled is kept', async () => {
+  it('keeps the interim results of the last four cancelled runs', async () => {
     const evaluator = new Evaluator<unknown>(library);
     const at = (bias: number) => begin(evaluator, edited(document, set('t', 'bias', bias)), 't');
     for (const bias of [1, 2, 3, 4, 5]) {
@@ -169,7 +169,7 @@ describe('in a thread', () => {
       };
     });
 
-  it('it gives interims, and goes on from the last one', async () => {
+  it('it yields interim results, and resumes from the last one', async () => {
     const evaluator = new Evaluator<unknown>({ ...library, tally: { ...tally, heavy: true } }, { heavy: threads() });
     const first = begin(evaluator, doubled, 'd');
     await vi.waitFor(() => expect(led).toHaveLength(1));
@@ -186,7 +186,7 @@ describe('in a thread', () => {
   });
 });
 
-it('interims are made the first at once, and then at distances that grow with what they cost', () => {
+it('the first interim result is made at once, later ones at intervals that grow with their cost', () => {
   let now = 1000;
   const clock = vi.spyOn(performance, 'now').mockImplementation(() => now);
   const times: number[] = [];

@@ -1,7 +1,7 @@
 import { expect, it } from 'vitest';
 import { transferables } from './transferables.ts';
 
-it('finds every buffer once, however deep', () => {
+it('finds every buffer once, at any depth', () => {
   const shared = new Float32Array(4);
   const other = new Float64Array(2);
   const value = { a: shared, b: [{ c: shared.subarray(1) }, other], d: null, e: 'text', loop: {} };
@@ -9,7 +9,7 @@ it('finds every buffer once, however deep', () => {
   expect(transferables(value)).toEqual([shared.buffer, other.buffer]);
 });
 
-it('what objects share is sent once and shared on the other side', () => {
+it('shared objects are sent once, and stay shared', () => {
   const mesh = { positions: new Float32Array(6), indices: new Uint32Array(3) };
   const scene = { objects: Array.from({ length: 1000 }, (_, i) => ({ path: `/${i}`, mesh })) };
   const buffers = transferables(scene);

@@ -66,7 +66,7 @@ function middleAt(object: SceneObject, t: number, c: number): Vec3 {
 }
 const largest = (values: Iterable<number>): number => Math.max(...Array.from(values, Math.abs));
 
-describe('what nothing but a constant force acts on', () => {
+describe('a body under a constant force', () => {
   const [c, g] = [5, 20];
   const fallen = (t: number): number => ((c * c) / g) * (Math.sqrt(1 + ((g * t) / c) ** 2) - 1);
   const falling = simulated(
@@ -75,7 +75,7 @@ describe('what nothing but a constant force acts on', () => {
     ...running(['Stone', 'weight'], { speedOfLight: c, duration: 2, rate: 12, method: 'yoshida-8' }),
   );
 
-  it('goes along a hyperbola, at its frames and between them', async () => {
+  it('moves along a hyperbola, at its frames and between them', async () => {
     const stone = thing((await falling).scene, '/Stone');
     for (const t of [0, 1 / 12, 0.5, 1, 2]) expect(placeOf(stone, t, c)[1]).toBeCloseTo(100 - fallen(t), 5);
     for (const t of [0.06, 0.31, 0.77, 1.93])
@@ -95,7 +95,7 @@ describe('what nothing but a constant force acts on', () => {
     expect(length(sub(seen.apparent, sub(place, eye.position)))).toBeLessThan(2e-3);
   });
 
-  it('in Newton’s mechanics goes along a parabola, at any speed', async () => {
+  it('moves along a parabola in Newtonian mechanics, at any speed', async () => {
     const { scene, books: record } = await simulated(
       ...ball('Stone', 0.1, [0, 100, 0], {}),
       ...node('weight', 'field', { gravity: [0, -g, 0] }),
@@ -108,7 +108,7 @@ describe('what nothing but a constant force acts on', () => {
 });
 
 describe('a free net', () => {
-  it('turns and swings, and its middle goes straight on', async () => {
+  it('rotates and oscillates, and its centre moves uniformly', async () => {
     const { scene, books: record } = await simulated(
       ...sheet('Sheet', 4, [0, 0, 0], {
         structural: 50,
@@ -129,7 +129,7 @@ describe('a free net', () => {
     expect(largest(record.total.map((E) => E / record.total[0]! - 1))).toBeLessThan(1e-10);
   });
 
-  it('keeps momentum and angular momentum near c, and no scene of it is faster than light', async () => {
+  it('conserves momentum and angular momentum near c, and no scene is faster than light', async () => {
     const { scene, books: record } = await simulated(
       ...sheet('Sheet', 4, [0, 0, 0], {
         structural: 300,
@@ -164,7 +164,7 @@ describe('a free net', () => {
     expect(pairs(after!)).toEqual(pairs(before!));
   });
 
-  it('that is filled comes back to its shape', async () => {
+  it('with filling regains its shape', async () => {
     const height = async (filling: number): Promise<number> => {
       const { scene } = await simulated(
         ...matter('Ball', ['sphere', { radius: 0.5, segments: 8, rings: 4 }], [0, 0.6, 0], 'mass-spring', {
@@ -184,8 +184,8 @@ describe('a free net', () => {
   });
 });
 
-describe('what is held', () => {
-  it('swings in 2π√(L/g) by a rod, where it swings little', async () => {
+describe('a body that is held', () => {
+  it('swings with the period 2π√(L/g) on a rod, at small amplitudes', async () => {
     const [L, g] = [2, 9.8];
     const tilt = 0.02;
     const { scene } = await simulated(
@@ -208,7 +208,7 @@ describe('what is held', () => {
     expect(length(sub(far[0]!, far[1]!))).toBeCloseTo(L, 3);
   });
 
-  it('stays, by corners, by its top, by a box or by numbers', async () => {
+  it('stays where held: by corners, top, box or indices', async () => {
     const held = async (params: Params): Promise<string[]> => {
       const { scene } = await simulated(
         ...sheet('Sheet', 2, [0, 0, 0], params),
@@ -230,8 +230,8 @@ describe('what is held', () => {
   });
 });
 
-describe('what meets', () => {
-  it('keeps momentum: cloth and a free ball', async () => {
+describe('collisions', () => {
+  it('conserve momentum: cloth and a free ball', async () => {
     const { scene, books: record } = await simulated(
       ...sheet('Sheet', 6, [0, 0, 0], { structural: 200, shear: 50, bending: 5, mass: 0.5 }),
       ...ball('Ball', 0.3, [0.05, 1, 0], { mass: 0.4, velocity: [0, -5, 0], stiffness: 2000 }),
@@ -242,7 +242,7 @@ describe('what meets', () => {
     expect(middleAt(thing(scene, '/Sheet'), 0.5, 10)[1]).toBeLessThan(-0.5);
   });
 
-  it('of equal masses in a row hands all of its velocity on, near c too', async () => {
+  it('of equal masses in a row pass on the whole velocity, near c too', async () => {
     const c = 10;
     const count = 4;
     const { scene, books: record } = await simulated(
@@ -268,7 +268,7 @@ describe('what meets', () => {
     expect(record.momentum.at(-3)).toBeCloseTo(record.momentum[0]!, 9);
   });
 
-  it('of two charges head-on turns where all energy is potential', async () => {
+  it('of two charges head-on reverse where all energy is potential', async () => {
     const [c, v, q] = [10, 6, 1e-4];
     const k = 8.987551786e9;
     const charges = ['Left', 'Right'].flatMap((id, i) =>
@@ -293,7 +293,7 @@ describe('what meets', () => {
     expect(found / nearest).toBeCloseTo(1, 3);
   });
 
-  it('stays out of planes, turned boxes and fixed balls, and of other nets', async () => {
+  it('keep nets out of planes, rotated boxes, fixed balls and other nets', async () => {
     const dropped = async (kind: readonly [string, Params], params: Params): Promise<Vec3[]> => {
       const { scene } = await simulated(
         ...sheet('Sheet', 6, [0, 1, 0], { structural: 200, shear: 50, bending: 5 }),
@@ -360,7 +360,7 @@ describe('a run', () => {
     expect(rest.outputs.books).toEqual(first.books);
   });
 
-  it('that fails keeps what was good, and says when and why', async () => {
+  it('that fails keeps its valid frames, and reports when and why', async () => {
     const { scene, books: record } = await simulated(
       ...hanging({ method: 'semi-implicit-euler', step: 0.02, speedOfLight: 1 }),
     );
@@ -371,7 +371,7 @@ describe('a run', () => {
     expect(validate(scene, 1).filter(({ severity }) => severity === 'error')).toEqual([]);
   });
 
-  it('that fails tells which thing it happened to', async () => {
+  it('that fails reports the object', async () => {
     const parts = [
       ...sheet('Sheet', 2, [0, 0, 0], { pins: 'corners' }),
       ...ball('Hard', 0.3, [0, -2, 0], { mass: 1e3, stiffness: 10, velocity: [0, 8, 0] }),
@@ -391,7 +391,7 @@ describe('a run', () => {
     expect(bad.stop?.message).toMatch(/^\/Ball goes at [\d.]+ m\/s, not below c = 1 m\/s; take a smaller step$/);
   });
 
-  it('tells where energy comes from nowhere, though steps are below the stability bound', async () => {
+  it('reports numerical energy gain, even with steps below the stability bound', async () => {
     const noted = async (params: Params) => {
       const { scene } = await simulated(...hanging({ speedOfLight: 1, duration: 3, step: 0.0015, ...params }));
       return scene.diagnostics.filter(({ code }) => code.startsWith('simulate.'));
@@ -405,7 +405,7 @@ describe('a run', () => {
     expect(await noted({ method: 'leapfrog', tolerance: 1e-300 })).toMatchObject([{ place: 'run.tolerance' }]);
   });
 
-  it('refuses what is too much, too fast or not there, with what to do', async () => {
+  it('rejects what is too large, too fast or missing, with a remedy', async () => {
     expect(await refusalOf(...hanging({ rate: 1e6 }))).toMatchObject({ code: 'simulate.frames', place: 'run.rate' });
     expect(await refusalOf(...hanging({ duration: 1e5, rate: 0.1 }))).toMatchObject({ code: 'simulate.steps' });
     // Unit tests have no GPU; tests/gpu/compute/compute.test.ts checks its results.
@@ -442,7 +442,7 @@ describe('a run', () => {
   });
 });
 
-describe('what moves already', () => {
+describe('bodies with prescribed motion', () => {
   const [c, u] = [10, 6];
   const thrown = (2 * u) / (1 + (u / c) ** 2);
   /** An object that moves along x, connected to the node that gives it a kind of matter. */
@@ -482,7 +482,7 @@ describe('what moves already', () => {
     expect(validate(scene, c).filter(({ severity }) => severity === 'error')).toEqual([]);
   });
 
-  it('leads the points of a cloth that are held, and the others begin as fast', async () => {
+  it('move the held points of a cloth, whose other points start with the same velocity', async () => {
     const { scene, books: record } = await simulated(
       ...going(
         'Sheet',
@@ -507,7 +507,7 @@ describe('what moves already', () => {
     expect(record.hasKinematic).toBe(true);
   });
 
-  it('ends the run where it goes faster than light, and is named', async () => {
+  it('end the run where they exceed c, and are reported', async () => {
     const fast = ['motion-uniform', { velocity: [11, 0, 0] }] as const;
     const { books: record } = await simulated(
       ...going('Mover', ['box', {}], fast, 'collider', { shape: 'box' }),
@@ -528,7 +528,7 @@ describe('what moves already', () => {
     });
   };
 
-  it('turns as it turns: a paddle throws what rests, where it meets it, to 2β/(1 + β²) c', async () => {
+  it('may rotate: a paddle accelerates a body at rest to 2β/(1 + β²) c, β at the point of contact', async () => {
     const omega = Math.PI / 2 / 0.5;
     const target = ball('Target', 0.1, [1.5, 0, -0.8], { stiffness: 1e6 });
     const { scene, books: record } = await simulated(
@@ -545,7 +545,7 @@ describe('what moves already', () => {
     expect(thing(scene, '/Paddle').motion.kind).toBe('sampled');
   });
 
-  it('is named where it turns so fast that its end outruns light', async () => {
+  it('are reported if they rotate so fast that their ends exceed c', async () => {
     const { books: record } = await simulated(
       ...paddle(0.2),
       ...ball('Target', 0.1, [1.5, 0, -0.8], {}),
@@ -557,7 +557,7 @@ describe('what moves already', () => {
     });
   });
 
-  it('is refused where it would be free', async () => {
+  it('are rejected as free bodies', async () => {
     const free = going('Mover', ['sphere', {}], uniform, 'collider', { shape: 'ball', free: true });
     expect(await resultOf(build(...free, ...running(['Mover'], {})))).toMatchObject({ status: 'blocked', by: 'Mover' });
   });
@@ -576,7 +576,7 @@ describe('a cache', () => {
     return target;
   };
 
-  it('passes on what comes in, and reads what was written of it instead, as it moved, without running it', async () => {
+  it('passes its input on, or reads the written file instead, with the same motion, without running the simulation', async () => {
     const before = await keptOf(workerServices);
     if (before.status !== 'done') throw new Error('nothing comes through');
     const { scene } = before.outputs.geometry as LoadedScene;
@@ -590,7 +590,7 @@ describe('a cache', () => {
         return { scene: await openScene({ read }, source, { interpolation: 'cubic' }) };
       },
     };
-    // The input can no longer be made: that object does not exist.
+    // The input can no longer be evaluated: that object does not exist.
     const after = await keptOf(services, ...sets('kept', { file: 'a.usda' }), ...sets('Sheet', { which: '/Gone' }));
     if (after.status !== 'done') throw new Error(JSON.stringify(after));
     expect(asked).toEqual(['a.usda', 'cubic']);
@@ -601,7 +601,7 @@ describe('a cache', () => {
     }
   });
 
-  it('says which file is not there', async () => {
+  it('reports a missing file', async () => {
     const missing = {
       code: 'file.missing',
       place: 'a.usda',

@@ -53,7 +53,7 @@ const blur = (id: string, from: string, arg1 = 3): Command[] => [
 ];
 
 describe('a picture of one G-buffer', () => {
-  it('is shaded, exposed and tone mapped without a plan', async () => {
+  it('is shaded, exposed and tone mapped without a frame graph', async () => {
     const picture = await pictured(
       ...toned('light'),
       set('tone', 'exposure', 2),
@@ -64,14 +64,14 @@ describe('a picture of one G-buffer', () => {
     expect(renderSettings(picture, 0.5)).toMatchObject({ exposure: 2.5, tone: 'neutral', occlusionRadius: 0 });
   });
 
-  it('is shown as it is where nothing tone maps it', async () => {
+  it('is shown unchanged without a tone mapping node', async () => {
     const picture = await pictured(shown('light'));
     expect(picture).toMatchObject({ tone: 'linear', exposure: 0, metering: 'manual', falseColor: 'none' });
   });
 });
 
-describe('a plan', () => {
-  it('has each step once, however many nodes lead to it', async () => {
+describe('a frame graph', () => {
+  it('has each pass once, however many nodes lead to it', async () => {
     const { frameGraph } = await pictured(
       ...blur('a', 'light.image'),
       ...blur('b', 'light.image'),
@@ -90,7 +90,7 @@ describe('a plan', () => {
     expect(frameGraph?.passes.at(-1)).toMatchObject({ kind: 'mix' });
   });
 
-  it('of one image, doubled and doubled again, stays as long as its nodes are many', async () => {
+  it('of an image that is doubled repeatedly has only as many passes as nodes', async () => {
     const doubled = Array.from({ length: 40 }, (_, i): Command[] => {
       const from = i === 0 ? 'light' : `m${i - 1}`;
       return [
@@ -103,7 +103,7 @@ describe('a plan', () => {
     expect((await pictured(...doubled.flat(), shown('m39'))).frameGraph?.passes.length).toBe(41);
   });
 
-  it('of more steps than there is room for is refused at the output', async () => {
+  it('with too many passes is rejected at the output', async () => {
     const chain = Array.from({ length: 70 }, (_, i) =>
       blur(`b${i}`, i === 0 ? 'light.image' : `b${i - 1}.image`, i % 20),
     );
@@ -123,7 +123,7 @@ describe('a plan', () => {
     shown(`m${seeds.length - 1}`),
   ];
 
-  it('has a still once, by what it shows, and is of one shape whatever that is; there is room for four', async () => {
+  it('has each still once, by content, which does not change its shape; the limit is four', async () => {
     const [one, other] = [
       (await pictured(...stills(1, 2, 1))).frameGraph!,
       (await pictured(...stills(3, 2, 3))).frameGraph!,
@@ -139,7 +139,7 @@ describe('a plan', () => {
     expect(target).toMatchObject({ problem: { place: 'output', message: expect.stringContaining('4 stills') } });
   });
 
-  it('takes a mask for an image and an image for a mask', async () => {
+  it('converts masks to images and images to masks', async () => {
     const { frameGraph } = await pictured(
       add('ao', 'ambient-occlusion'),
       connect('seen.gbuffer', 'ao.gbuffer'),
@@ -154,7 +154,7 @@ describe('a plan', () => {
     });
   });
 
-  it('is of what relativity shows, whichever lies above; an ordinary G-buffer is another', async () => {
+  it('has the G-buffer of the relativity node, in either order; an ordinary G-buffer is another', async () => {
     const compared = ([below, above]: readonly [string, string]) =>
       pictured(
         add('plain', 'rasterize'),
@@ -180,7 +180,7 @@ describe('a plan', () => {
     }
   });
 
-  it('with a tone curve within is metered there', async () => {
+  it('with an inner tone mapping pass is metered there', async () => {
     const picture = await pictured(
       ...toned('light'),
       set('tone', 'exposure', 1),
@@ -201,7 +201,7 @@ describe('a plan', () => {
     });
   });
 
-  it('is of one shape whatever its numbers, and of another with another effect', async () => {
+  it('has a shape that depends on its effects, not on their numbers', async () => {
     const of = async (arg1: number, effect = 'gaussian-blur') =>
       frameGraphStructure(
         (await pictured(...blur('a', 'light.image', arg1), set('a', 'effect', effect), shown('a'))).frameGraph!,
@@ -211,7 +211,7 @@ describe('a plan', () => {
   });
 });
 
-it('a text that is no effect is refused at its node, with line and column', async () => {
+it('an invalid effect text is rejected at its node, with line and column', async () => {
   const { results } = await evaluated(
     ...blur('own', 'light.image'),
     set('own', 'effect', 'written'),

@@ -9,7 +9,7 @@ import { workerServices } from '../services.ts';
 
 const file = new URL('../../../examples/gods-eye.slowlight.json', import.meta.url);
 
-it('the preset shows one instant from above, in which the passing train is as much shorter as its speed asks for', async () => {
+it('the preset shows one instant from above, in which the passing train is contracted by its γ', async () => {
   const document = parseDocument(readFileSync(file, 'utf8'));
   const evaluation = await new Evaluator(nodeLibrary).evaluate(document, 'output', {
     ...workerServices,

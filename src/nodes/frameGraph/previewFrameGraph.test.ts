@@ -34,13 +34,13 @@ const mixed = (below: ImageSpec, above: ImageSpec): ImageSpec => ({
   gbuffer: below.gbuffer,
 });
 
-/** The picture in which the page shows a preview of an image. */
+/** The picture in which the page draws image previews. */
 function besideOf(image: ImageSpec) {
   const { frameGraph, scenes } = buildPicture(image);
   return { settings: { ...DEFAULT_SETTINGS, ...(frameGraph && { frameGraph }) }, scenes };
 }
 
-it('all images are steps of one plan, each once; curves are among them, and blurs shrink with the picture', () => {
+it('all images are passes of one frame graph, each once, tone mapping included; blurs scale with the picture', () => {
   const [lit, smooth] = [light(seen), blurred(light(seen))];
   const end = toneMapped(smooth);
   const made = new Map<string, ImageSpec | GBufferSpec>([
@@ -62,7 +62,7 @@ it('all images are steps of one plan, each once; curves are among them, and blur
   });
 });
 
-it('G-buffers are those of the picture, in its order; what takes another one has no place', () => {
+it('G-buffers are those of the picture, in its order; images of other ones have no preview', () => {
   const picture = mixed(light(seen), light(there));
   const stranger = light(gbuffer({ scene: makeScene({ name: 'b' }) }));
   const made = new Map<string, ImageSpec | GBufferSpec>([
@@ -78,7 +78,7 @@ it('G-buffers are those of the picture, in its order; what takes another one has
   expect(previewFrameGraph(made, besideOf(light(seen)), 1).places.size).toBe(0);
 });
 
-it('what a plan has no room for has no place', () => {
+it('images beyond the limits of a frame graph have no preview', () => {
   const long = new Map<string, ImageSpec>();
   let image = light(seen);
   for (let i = 0; i < MAX_PASSES + 5; i++) {

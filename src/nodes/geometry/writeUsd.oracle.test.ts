@@ -59,7 +59,7 @@ async function asked(motion: 'sampled' | 'exact'): Promise<{ readonly file: Scen
 }
 
 describe.skipIf(!hasUsdCore())('Pixar’s usd-core and the node that writes USD', () => {
-  it('has the points of a flying letter where they are in the world: shortened, and on their way', async () => {
+  it('writes the points of a moving letter in the world frame: contracted, and along their motion', async () => {
     const { path } = await asked('sampled');
     const word = (await new Evaluator(nodeLibrary).evaluate(flying, 'word', services)).target;
     if (word.status !== 'done') throw new Error('no letter');
@@ -75,7 +75,7 @@ describe.skipIf(!hasUsdCore())('Pixar’s usd-core and the node that writes USD'
     }
   });
 
-  it('has the points of the shape itself, to the last bit, where motions are to be exact', async () => {
+  it('writes the points of the shape itself, to the last bit, with exact motions', async () => {
     const { file, path } = await asked('exact');
     const [points] = pointsAt(path, '/Text', [24]);
     const { mesh, motion } = file.scene.objects[0]!;

@@ -26,8 +26,8 @@ const fast: readonly Command[] = [
   connect('start.observer', 'scene.observer'),
 ];
 
-describe('what is drawn for a file', () => {
-  it('is of its size, time and samples, by the settings of its picture', async () => {
+describe('pictures for a file', () => {
+  it('have its size, time and samples, and the settings of its picture', async () => {
     const still = await sequence('still', set('console', 'lightDelay', false), set('camera', 'fieldOfView', 90));
     expect(still).toMatchObject({ size: { width: 64, height: 48 }, samples: 2, aovs: [], frames: [{ t: 0.5 }] });
     expect(still.settings).toMatchObject({ speedOfLight: 10, lightDelay: false });
@@ -35,12 +35,12 @@ describe('what is drawn for a file', () => {
     expect(still.observer(0.5).fovY).toBeCloseTo(Math.PI / 2, 12);
   });
 
-  it('has one sample where nothing is smoothed, and light where light is asked for', async () => {
+  it('have one sample without antialiasing, and light if requested', async () => {
     expect(await sequence('still', set('rasterize', 'antialiasing', false))).toMatchObject({ samples: 1 });
     expect(await sequence('still', set('still', 'name', 'a.exr'))).toMatchObject({ aovs: ['beauty'] });
   });
 
-  it('is seen by an observer who coasts from the first frame on, unless he holds', async () => {
+  it('are seen by an observer who coasts from the first frame on, unless held', async () => {
     const isFilm = await sequence('film', ...fast);
     expect(isFilm.frames.map(({ t }) => t)).toEqual([0.25, 0.375, 0.5, 0.625, 0.75]);
     expect(isFilm.observer(0.25).position).toEqual([0, 1, 6]);

@@ -20,7 +20,7 @@ const look = (beta: number, fovY = 1): ViewPoint => ({
 });
 
 describe('the metered exposure', () => {
-  it('brings any even light to the same brightness', () => {
+  it('maps uniform light of any level to the same brightness', () => {
     fc.assert(
       fc.property(fc.double({ min: -30, max: 50, noNaN: true }), (stops) => {
         const exposure = meteredExposure(Float64Array.of(2 ** stops));
@@ -29,7 +29,7 @@ describe('the metered exposure', () => {
     );
   });
 
-  it('follows without steps: a hundredth of a stop of light is a hundredth of exposure', () => {
+  it('is continuous: a hundredth of a stop of light is a hundredth of a stop of exposure', () => {
     const scene = Float64Array.from({ length: places }, (_, i) => 0.01 + Math.abs(Math.sin(i)) ** 3);
     for (let i = 0; i < 40; i++) {
       const [now, next] = [i, i + 1].map((k) => meteredExposure(scene.map((value) => value * 2 ** (k / 100))));
@@ -37,7 +37,7 @@ describe('the metered exposure', () => {
     }
   });
 
-  it('does not follow a lamp, black space, or what is no number', () => {
+  it('ignores small lights, black space and non-finite values', () => {
     const scene = filled(0.5);
     const before = meteredExposure(scene);
     scene.fill(1e6, 0, Math.floor(0.004 * places));
@@ -49,7 +49,7 @@ describe('the metered exposure', () => {
   });
 });
 
-it('what is small and bright before the dark is not blown out', () => {
+it('small bright objects before a dark background are not overexposed', () => {
   const space = filled(0.004);
   space.fill(0.6, 0, 0.03 * places);
   const exposure = meteredExposure(space);
@@ -58,7 +58,7 @@ it('what is small and bright before the dark is not blown out', () => {
 });
 
 describe('the resting eye', () => {
-  it('has the exposure of one at rest, whatever the velocity does: the Doppler factor straight ahead is e^rapidity', () => {
+  it('has the exposure of an observer at rest, at any velocity: the Doppler factor straight ahead is e^rapidity', () => {
     const narrow = 1e-4;
     const rest = exposureForMetering('automatic', { luminance: filled(0.3) }, look(0, narrow), DEFAULT_SETTINGS, 1.5);
     for (const beta of [-0.5, 0.3, 0.8]) {
@@ -73,7 +73,7 @@ describe('the resting eye', () => {
     }
   });
 
-  it('knows what a shift makes of daylight to a fifth of a stop, from half to five times its wavelengths', () => {
+  it('predicts shifted daylight within a fifth of a stop, from half to five times the wavelengths', () => {
     const T = DAYLIGHT.temperature;
     for (const beta of [-0.6, -0.3, 0.3, 0.6, 0.9]) {
       const D = Math.exp(Math.atanh(beta));
@@ -85,7 +85,7 @@ describe('the resting eye', () => {
     }
   });
 
-  it('at rest, and where no light is looked at, it is the automatic one', () => {
+  it('is the automatic exposure at rest, and in views without light', () => {
     const luminance = Float32Array.from({ length: places }, (_, i) => (i % 17) / 10);
     const both = (view: ViewPoint, settings = DEFAULT_SETTINGS) =>
       (['resting-eye', 'automatic'] as const).map((how) =>
@@ -98,11 +98,11 @@ describe('the resting eye', () => {
   });
 });
 
-it('manual is the person alone', () => {
+it('manual exposure is only the user’s', () => {
   expect(exposureForMetering('manual', { luminance: filled(9) }, look(0.9), DEFAULT_SETTINGS, 1)).toBe(0);
 });
 
-it('an eye’s way does not depend on how often it is looked at', () => {
+it('adaptation does not depend on the frame rate', () => {
   const whole = adaptExposure(4, -2, 0.6);
   const steps = Array.from({ length: 60 }).reduce<number>((ev) => adaptExposure(ev, -2, 0.01), 4);
   expect(steps).toBeCloseTo(whole, 9);

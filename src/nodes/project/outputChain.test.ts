@@ -15,8 +15,8 @@ import {
 const standard = newProject('a.usda');
 const types = (document: typeof standard) => nodesFeedingOutput(document).map(({ type }) => type);
 
-describe('what feeds the output', () => {
-  it('comes with the nearest first, without what feeds nothing', () => {
+describe('the chain that leads to the output', () => {
+  it('has the nearest node first, without unconnected ones', () => {
     const more = edited(standard, add('lonely', 'read', [0, 0]));
     expect(types(more)).toEqual([
       'output',
@@ -33,7 +33,7 @@ describe('what feeds the output', () => {
     expect(readNodeParams(more)).toEqual({ read: { source: 'a.usda' } });
   });
 
-  it('is found whatever it is called, in groups, and not where it is muted', () => {
+  it('is found under any names, in groups, and not through muted nodes', () => {
     const { command } = groupCommand(standard, { nodes: ['read', 'retime'] }, 'File', nodeLibrary);
     const grouped = edited(standard, command);
     expect(nearestToOutput(grouped, 'read')?.id).toBe('group/read');
@@ -47,12 +47,12 @@ describe('what feeds the output', () => {
     expect(types(quiet)).toContain('read');
   });
 
-  it('is nothing where there is no output', () => {
+  it('is empty without an output', () => {
     const without = edited(standard, { kind: 'remove-nodes', nodes: ['output'] });
     expect([outputNodeId(without), nodesFeedingOutput(without)]).toEqual([undefined, []]);
   });
 
-  it('of two that read, the nearer is the one that another scene is opened in', () => {
+  it('another scene is opened in the nearer of two file nodes', () => {
     const two = edited(
       standard,
       add('far', 'read', [0, 0]),
@@ -69,11 +69,11 @@ describe('what feeds the output', () => {
   });
 });
 
-describe('edits of a project by what its nodes are', () => {
+describe('project edits by node type', () => {
   const { command } = groupCommand(standard, { nodes: ['console', 'camera'] }, 'Look', nodeLibrary);
   const grouped = edited(standard, command);
 
-  it('another scene takes away what was set for the last one, in groups too, and its words', () => {
+  it('opening another scene removes settings and texts of the last one, also in groups', () => {
     const before = edited(grouped, setParamCommand(grouped, 'group/console', 'speedOfLight', 5), {
       kind: 'describe',
       what: 'lookFor',
@@ -86,7 +86,7 @@ describe('edits of a project by what its nodes are', () => {
     expect(openFileCommand(edited(standard, { kind: 'remove-nodes', nodes: ['read'] }), 'b.usda')).toBeUndefined();
   });
 
-  it('things fly where the camera is, and land again', () => {
+  it('flights can be added at the camera’s node, and removed', () => {
     const one = edited(grouped, flyCommand(grouped, '/a', 0));
     const two = edited(one, flyCommand(one, '/b', 2));
     expect(flyNodesIn(two)).toEqual(['group/fly1', 'group/fly2']);

@@ -32,7 +32,7 @@ describe('the name of a file', () => {
     expect(accepted(name)).toMatchObject({ code: 'file.name', place: 'it.name', remedy: { node: 'it', value } });
   });
 
-  it('leads into no folder, whatever it is, and its remedy is always one', () => {
+  it('never leads into a folder, and its remedy is always valid', () => {
     fc.assert(
       fc.property(fc.string({ unit: fc.constantFrom('.', '/', '\\', ':', ' ', 'a', '\0', '.usda') }), (name) => {
         const found = accepted(name);
@@ -43,8 +43,8 @@ describe('the name of a file', () => {
   });
 });
 
-describe('what a project writes', () => {
-  it('is asked for by nodes in groups too, not by muted ones', async () => {
+describe('requested files', () => {
+  it('include those of nodes in groups, but not of muted nodes', async () => {
     const two = build(
       ...[add('box', 'box'), add('a', 'write-usd'), add('b', 'write-usd'), add('c', 'write-usd')],
       ...[connect('box.geometry', 'a.geometry'), connect('a.geometry', 'b.geometry')],

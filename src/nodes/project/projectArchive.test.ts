@@ -17,7 +17,7 @@ const files = new Map([
   ['set/wood.png', bytes('wood')],
 ]);
 
-it('a project comes back from its archive, with its files and what they are known by', async () => {
+it('a project round-trips through its archive, with its files and their hashes', async () => {
   const packed = await packProjectArchive(document, files);
   const opened = await openProjectArchive(packed, 'street.zip');
   expect(opened.files).toEqual(files);
@@ -32,13 +32,13 @@ it('a project comes back from its archive, with its files and what they are know
 });
 const HASH = '1c18c54d5a3f29abd62c564320532ef3d4112ea03856ba53088f5828f25cf109';
 
-it('a file that a node reads has to be there', async () => {
+it('files that nodes read must exist', async () => {
   await expect(packProjectArchive(document, new Map())).rejects.toMatchObject({
     diagnostic: { code: 'file.missing', place: 'set/street.usda' },
   });
 });
 
-it('files are found and renamed wherever nodes read them', () => {
+it('file references of all nodes are found and renamed', () => {
   const two = edited(document, add('other', 'read'), set('other', 'source', 'b.glb'), add('none', 'read'), {
     kind: 'set-file',
     file: 'b.glb',
@@ -51,7 +51,7 @@ it('files are found and renamed wherever nodes read them', () => {
   expect(renameFiles(renamed, nodeLibrary, (file) => file.replace('local:1/', ''))).toEqual(two);
 });
 
-it('an archive that is damaged, or holds no project, is refused', async () => {
+it('an archive that is damaged or without a project is rejected', async () => {
   const packed = await packProjectArchive(document, files);
   await expect(openProjectArchive(bytes('no zip'), 'a.zip')).rejects.toThrow(InputError);
   await expect(openProjectArchive(packZip(files), 'a.zip')).rejects.toMatchObject({

@@ -29,7 +29,7 @@ const refusalOf = async (node: string, ...commands: readonly Command[]): Promise
   (await evaluated(...commands)).evaluation.results.get(node)!;
 
 describe('the nodes that save pictures', () => {
-  it('ask for what the screen shows, and pass it on', async () => {
+  it('request the displayed picture, and pass it on', async () => {
     const { evaluation, files } = await evaluated();
     const picture = evaluatedPicture(evaluation)!;
     expect(picture.speedOfLight).toBe(10);
@@ -39,7 +39,7 @@ describe('the nodes that save pictures', () => {
     expect(files.get('film')).toEqual({ kind: 'video', name: 'film.mp4', picture, ...size, samples: 1, ...span });
   });
 
-  it('take time from the scene, unless they have their own', async () => {
+  it('default to the scene’s time', async () => {
     const unset = ['from', 'to', 'fps'].map((param) => set('film', param));
     const clock = [
       { kind: 'add-node', node: 'clock', type: 'time', at: [0, 0] },
@@ -69,7 +69,7 @@ describe('the nodes that save pictures', () => {
     expect(await refusalOf(node, bad, set(node, remedy.param, remedy.value))).toMatchObject({ status: 'done' });
   });
 
-  it('false colours are no light', async () => {
+  it('false colours cannot be saved as light', async () => {
     const light = set('still', 'name', 'a.exr');
     expect(await refusalOf('still', light)).toMatchObject({ status: 'done' });
     const falsely = [
@@ -88,14 +88,14 @@ describe('the frames of a film', () => {
   const frames = (from: number, to: number, fps: number): readonly FrameTime[] =>
     frameTimes({ kind: 'video', from, to, fps } as VideoOutput);
 
-  it('are numbered as those of the command line: frame n at n/fps', () => {
+  it('are numbered as by the command line: frame n at n/fps', () => {
     expect(frames(0, 0.1, 24)).toEqual([0, 1, 2].map((number) => ({ number, t: number / 24 })));
     expect(frames(2, 2, 24)).toEqual([{ number: 48, t: 2 }]);
     expect(frames(0.1, 0.3, 10)).toEqual([1, 2, 3].map((number) => ({ number, t: number / 10 })));
     expect(frames(-0.1, 0, 10).map(({ number }) => number)).toEqual([-1, 0]);
   });
 
-  it('begin at the beginning, do not go beyond the end, and miss none before it', () => {
+  it('start at the first time, and include every frame up to the last time', () => {
     const numbers = {
       from: fc.double({ min: -100, max: 100, noNaN: true }),
       length: fc.double({ min: 0, max: 20, noNaN: true }),

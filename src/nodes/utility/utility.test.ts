@@ -56,7 +56,7 @@ describe('math', () => {
     expect(await math(operation, a, b, c)).toBeCloseTo(wanted, 12);
   });
 
-  it('goes from β to γ as boosts do, to the last digits near the speed of light', () => {
+  it('converts β to γ accurately near c', () => {
     fc.assert(
       fc.property(fc.double({ min: 1e-6, max: 1e3, noNaN: true }), (u) => {
         const [gamma, [beta]] = [gammaOf([u, 0, 0]), velocity([u, 0, 0])];
@@ -76,7 +76,7 @@ describe('math', () => {
     expect(await math(operation, a, b)).toMatchObject({ problem: { code: 'math.undefined', place: 'it' } });
   });
 
-  it('shows as many values as an operation takes', () => {
+  it('shows as many inputs as an operation has', () => {
     expect((['sine', 'add', 'mix'] as const).map(arity)).toEqual([1, 2, 3]);
   });
 });
@@ -95,7 +95,7 @@ describe('vector math', () => {
     expect(found).toEqual({ vector: vector.map((x) => expect.closeTo(x, 12)), number: expect.closeTo(number, 12) });
   });
 
-  it('is refused beyond all numbers', async () => {
+  it('rejects overflow', async () => {
     const found = await outputs('vector-math', { operation: 'scale', a: [1e308, 0, 0], factor: 10 });
     expect(found).toMatchObject({ problem: { code: 'math.undefined', place: 'it' } });
   });

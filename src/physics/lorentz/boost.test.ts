@@ -43,8 +43,7 @@ describe('boost', () => {
     expectClose(boost([5, 3, 0, 0], [0.75, 0, 0]), [4, 0, 0, 0], 1e-15);
     expectClose(boost([0, 4, 7, -2], [0.75, 0, 0]), [-3, 5, 7, -2], 1e-14);
   });
-  it('leaves every event where it is at rest', () =>
-    fc.assert(fc.property(event, (X) => expectClose(boost(X, [0, 0, 0]), X, 0))));
+  it('is the identity for u = 0', () => fc.assert(fc.property(event, (X) => expectClose(boost(X, [0, 0, 0]), X, 0))));
   it('preserves the interval', () =>
     fc.assert(
       fc.property(anyProperVelocity, event, event, (u, A, B) => {
@@ -52,7 +51,7 @@ describe('boost', () => {
         expectClose(interval(boost(A, u), boost(B, u)), interval(A, B), 16 * tolerance);
       }),
     ));
-  it('is undone by the inverse', () =>
+  it('is inverted by the inverse boost', () =>
     fc.assert(
       fc.property(anyProperVelocity, event, (u, X) => {
         expectClose(inverseBoost(boost(X, u), u), X, 1e-14 * gamma(u) ** 2 * size(X));
@@ -66,7 +65,7 @@ describe('boost', () => {
         expectClose(twice, once, 1e-14 * Math.exp(Math.abs(a) + Math.abs(b)) * size(X));
       }),
     ));
-  it('is the same as its matrix', () =>
+  it('equals its matrix', () =>
     fc.assert(
       fc.property(anyProperVelocity, event, (u, X) => {
         expectClose(applyLorentz(boostMatrix(u), X), boost(X, u), 1e-14 * gamma(u) * size(X));
@@ -79,7 +78,7 @@ describe('boost', () => {
         expectClose(multiply(boostMatrix(u), boostMatrix(negate(u))), one, 1e-14 * gamma(u) ** 2);
       }),
     ));
-  it('brings the traveller of u to rest', () =>
+  it('takes an object with proper velocity u to rest', () =>
     fc.assert(
       fc.property(anyProperVelocity, (u) => {
         const U = boost(fourVector(gamma(u), u), u);
@@ -91,12 +90,12 @@ describe('boost', () => {
 
 describe('Poincaré transforms', () => {
   const transform = fc.tuple(event, properVelocityUpTo(20)).map(([origin, u]) => frameAt(origin, u));
-  it('puts its origin at the event and its axes at rest with the traveller', () => {
+  it('takes the event to the origin, and the observer to rest', () => {
     const frame = frameAt([7, 1, 2, 3], [0.75, 0, 0]);
     expectClose(applyPoincare(frame, [7, 1, 2, 3]), [0, 0, 0, 0], 1e-14);
     expectClose(applyPoincare(frame, [12, 4, 2, 3]), [4, 0, 0, 0], 1e-13);
   });
-  it('composes as functions do, and is undone by its inverse', () =>
+  it('composes like functions, and is inverted by its inverse', () =>
     fc.assert(
       fc.property(transform, transform, event, (p, q, X) => {
         const steps = applyPoincare(p, applyPoincare(q, X));
@@ -108,7 +107,7 @@ describe('Poincaré transforms', () => {
 });
 
 describe('interval', () => {
-  it('is nothing along light, to the last digit, however far', () => {
+  it('is 0 along light rays, to the last digit, at any distance', () => {
     const x: Vec3 = [3e12, 4e12, 0];
     expect(interval([0, 0, 0, 0], fourVector(length(x), x))).toBe(0);
   });

@@ -47,7 +47,7 @@ describe('constant proper acceleration', () => {
         expectClose(end.orientation, IDENTITY, 1e-15);
       }),
     ));
-  it('goes round the galaxy: 1 g for a year of his own reaches 0.77 c', () => {
+  it('of 1 g for a year of proper time reaches 0.77 c', () => {
     const year = 365.25 * 86400;
     const end = accelerate(atRest, [0, 0, 9.80665], year, 299792458);
     // Misner, Thorne & Wheeler §6.2: 1.19 years of world time, 0.56 light years of distance.
@@ -55,7 +55,7 @@ describe('constant proper acceleration', () => {
     expect(end.t / year).toBeCloseTo(1.187, 2);
     expect(end.position[2] / (299792458 * year)).toBeCloseTo(0.563, 2);
   });
-  it('is the boost of the hyperbola in the frame where he began', () =>
+  it('is the boosted hyperbola of the initial rest frame', () =>
     fc.assert(
       fc.property(properVelocityUpTo(50), direction, magnitude(-3, 1), magnitude(-3, 1), (u, n, a, tau) => {
         const eta = (a * tau) / c;
@@ -67,7 +67,7 @@ describe('constant proper acceleration', () => {
         expectClose([c * end.t, ...end.position], X, tolerance);
       }),
     ));
-  it('keeps the elapsed interval: (cΔt)² − Δx² = (2c²/a · sinh(aτ/2c))²', () =>
+  it('gives the interval (cΔt)² − Δx² = (2c²/a · sinh(aτ/2c))²', () =>
     fc.assert(
       fc.property(properVelocityUpTo(1000), direction, magnitude(-3, 1), magnitude(-3, 0), (u, n, a, tau) => {
         const end = accelerate(moving(u), scale(n, a), tau, c);
@@ -76,7 +76,7 @@ describe('constant proper acceleration', () => {
         expectClose(Math.sqrt(-minkowskiDot(X, X)) / straight, 1, 1e-14 * ((c * end.t) / straight) ** 2);
       }),
     ));
-  it('in many steps along one line is one step', () =>
+  it('in many steps along a line equals one step', () =>
     fc.assert(
       fc.property(
         direction,
@@ -95,7 +95,7 @@ describe('constant proper acceleration', () => {
         },
       ),
     ));
-  it('in any direction in many steps is one step, when the thrust is carried with the gyroscopes', () =>
+  it('in any direction in many steps equals one step, if the thrust is fixed relative to gyroscopes', () =>
     fc.assert(
       fc.property(properVelocityUpTo(8), direction, uniform(0, 2), orientation, (u, n, gained, q) => {
         const start = { ...moving(u), orientation: q };
@@ -106,7 +106,7 @@ describe('constant proper acceleration', () => {
         expectClose(rotationAngleBetween(often.orientation, once.orientation), 0, 1e-11);
       }),
     ));
-  it('is undone by a step back in time', () =>
+  it('is inverted by a step of negative proper time', () =>
     fc.assert(
       fc.property(properVelocityUpTo(20), direction, uniform(0, 2), orientation, (u, n, gained, q) => {
         const start = { ...moving(u), orientation: q };
@@ -116,7 +116,7 @@ describe('constant proper acceleration', () => {
         expect(back.properTime).toBe(0);
       }),
     ));
-  it('is free flight for none, and stays put for no time', () =>
+  it('without acceleration is uniform motion, and without time the identity', () =>
     fc.assert(
       fc.property(properVelocityUpTo(1000), orientation, (u, q) => {
         const start = { ...moving(u), orientation: q };
@@ -127,13 +127,13 @@ describe('constant proper acceleration', () => {
         expectClose(still.orientation, q, 1e-15);
       }),
     ));
-  it('is aτ/c and aτ²/2 for the least pushes', () => {
+  it('is aτ/c and aτ²/2 for small accelerations', () => {
     const end = accelerate(atRest, [1e-12, 0, 0], 1e-9, c);
     expectClose(end.u[0] / 1e-22, 1, 1e-14);
     expectClose(end.position[0] / 5e-31, 1, 1e-14);
     expectClose(end.t / 1e-9, 1, 1e-15);
   });
-  it('can be braked from γ = 1000', () => {
+  it('brakes from γ = 1000 to rest', () => {
     const zeta = Math.acosh(1000);
     const end = accelerate(moving([0, 0, Math.sinh(zeta)]), [0, 0, -zeta * c], 1, c);
     expectClose(end.u, [0, 0, 0], 1e-12);
@@ -153,8 +153,8 @@ function rotationAngleBetween(a: Quat, b: Quat): number {
   return Math.max(...e.map((x) => length(cross(rotate(a, x), rotate(b, x)))));
 }
 
-describe('the carried axes', () => {
-  it('turn back by the Wigner rotation: a gyroscope keeps its axes in B(u₂)B(u₁)', () =>
+describe('the camera’s axes', () => {
+  it('rotate back by the Wigner rotation: a gyroscope keeps its axes under B(u₂)B(u₁)', () =>
     fc.assert(
       fc.property(
         properVelocityUpTo(30),
@@ -173,7 +173,7 @@ describe('the carried axes', () => {
         },
       ),
     ));
-  it('precess with Thomas: dθ = −γ²/(γ + 1) a × β … dτ for a small push across', () =>
+  it('show Thomas precession: dθ = −γ²/(γ + 1) a × β … dτ for a small perpendicular push', () =>
     fc.assert(
       fc.property(uniform(0.1, 0.99), direction, uniform(0, 6), (beta, m, phi) => {
         const n = perpendicular(m, phi);
@@ -187,7 +187,7 @@ describe('the carried axes', () => {
         expectClose(axis, normalize(cross(n, u)), 1e-5);
       }),
     ));
-  it('come back turned from a circle of pushes, by the area in velocity space', () => {
+  it('are rotated after a closed circle of pushes, by the area in velocity space', () => {
     // Twelve thousand small pushes rotate u once at constant γ: the Thomas angle is 2π(γ − 1).
     const u0 = properVelocity([0.6, 0, 0]);
     const steps = 12000;
@@ -210,7 +210,7 @@ describe('the carried axes', () => {
 });
 
 describe('the clocks', () => {
-  it('of the world runs γ times the observer’s', () => {
+  it('of the world runs γ times as fast as the observer’s', () => {
     const end = coast(moving([0.75, 0, 0]), 4, c);
     expect([end.t, end.properTime, end.position[0]]).toEqual([5, 4, 30]);
   });

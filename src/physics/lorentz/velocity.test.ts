@@ -14,12 +14,12 @@ import { boostMatrix, gamma, properVelocity, rapidity, velocity } from './boost.
 import { addVelocities, fourAcceleration, relativeVelocity, wignerRotation } from './velocity.ts';
 
 describe('velocity addition', () => {
-  it('makes 0.8 c of ±0.5 c head-on', () => {
+  it('gives 0.8 c for ±0.5 c head-on', () => {
     const [right, left] = [properVelocity([0.5, 0, 0]), properVelocity([-0.5, 0, 0])];
     expectClose(velocity(relativeVelocity(right, left)), [0.8, 0, 0], 1e-15);
     expectClose(velocity(relativeVelocity(left, right)), [-0.8, 0, 0], 1e-15);
   });
-  it('follows the component formula across', () => {
+  it('agrees with the component formula for perpendicular velocities', () => {
     // Taylor & Wheeler: w∥ = v, w⊥ = w′⊥/γ for a transverse w′.
     const sum = velocity(addVelocities(properVelocity([0.6, 0, 0]), properVelocity([0, 0.5, 0])));
     expectClose(sum, [0.6, 0.4, 0], 1e-15);
@@ -31,7 +31,7 @@ describe('velocity addition', () => {
         expectClose(rapidity(sum), a + b, 1e-14 * (1 + a + b));
       }),
     ));
-  it('is at rest beside itself, at any speed', () =>
+  it('of a velocity relative to itself is 0, at any speed', () =>
     fc.assert(
       fc.property(anyProperVelocity, (u) => {
         expectClose(relativeVelocity(u, u), [0, 0, 0], 1e-15 * length(u) ** 2);
@@ -54,7 +54,7 @@ describe('velocity addition', () => {
 
 describe('Wigner rotation', () => {
   const lorentz = (r: readonly number[]) => [1, 0, 0, 0, 0, ...r.slice(0, 3), 0, ...r.slice(3, 6), 0, ...r.slice(6, 9)];
-  it('is what two boosts leave beside one: B(u₂)B(u₁) = R·B(u₁ ⊕ u₂)', () =>
+  it('is the difference of two boosts from one: B(u₂)B(u₁) = R·B(u₁ ⊕ u₂)', () =>
     fc.assert(
       fc.property(properVelocityUpTo(50), properVelocityUpTo(50), (u1, u2) => {
         const two = multiply(boostMatrix(u2), boostMatrix(u1));
@@ -74,7 +74,7 @@ describe('Wigner rotation', () => {
         expectClose(rotationAngle(wignerRotation(u1, u2)), 2 * Math.atan(sin / (cos + coths)), 1e-10);
       }),
     ));
-  it('turns by the angle of perpendicular boosts, tan θ = −γ₁γ₂β₁β₂/(γ₁ + γ₂)', () => {
+  it('of perpendicular boosts has the angle tan θ = −γ₁γ₂β₁β₂/(γ₁ + γ₂)', () => {
     const [u1, u2]: Vec3[] = [properVelocity([0.6, 0, 0]), properVelocity([0, 0.8, 0])];
     const [g1, g2] = [5 / 4, 5 / 3];
     const expected = Math.atan((g1 * g2 * 0.6 * 0.8) / (g1 + g2));
@@ -84,7 +84,7 @@ describe('Wigner rotation', () => {
       1e-15,
     );
   });
-  it('is none along one line, and none where two boosts cancel', () =>
+  it('vanishes for parallel boosts, and where two boosts cancel', () =>
     fc.assert(
       fc.property(anyProperVelocity, uniform(-2, 2), (u, s) => {
         expectClose(wignerRotation(u, scale(u, s)), [0, 0, 0, 1], 1e-12);
@@ -102,7 +102,7 @@ describe('four-acceleration', () => {
         expectClose(-A0 * g + dot([A[0], A[1], A[2]], u), 0, 1e-14 * g ** 5);
       }),
     ));
-  it('is γ³a along and γ²a across in proper magnitude', () => {
+  it('has the proper magnitude γ³a parallel and γ²a perpendicular to the velocity', () => {
     const u = properVelocity([0.6, 0, 0]);
     const proper = (a: Vec3) => {
       const [A0, x, y, z] = fourAcceleration(u, a);

@@ -27,7 +27,7 @@ function apparentWithManyDigits(dx: Vec3, u: Vec3): number[] {
 }
 
 describe('apparent position', () => {
-  it('is the formula to the last digits, forward, sideways and backward, up to γ = 1000', () =>
+  it('agrees with the exact formula to the last digits, ahead, aside and behind, up to γ = 1000', () =>
     fc.assert(
       fc.property(velocityAndOffset, ([u, dx]) => {
         const expected = apparentWithManyDigits(dx, u);
@@ -50,18 +50,18 @@ describe('apparent position', () => {
         expectClose(apparentPosition(dx, u), expected, 1e-14 * gamma(u) * length(dx));
       }),
     ));
-  it('comes back', () =>
+  it('is inverted by its inverse', () =>
     fc.assert(
       fc.property(velocityAndOffset, ([u, dx]) => {
         expectClose(inverseApparentPosition(apparentPosition(dx, u), u), dx, 1e-14 * gamma(u) ** 2 * length(dx));
       }),
     ));
-  it('keeps the observer where he is, and everything where it is for one at rest', () => {
+  it('maps the observer to the origin, and is the identity for an observer at rest', () => {
     expect(apparentPosition([0, 0, 0], [600, 800, 0])).toEqual([0, 0, 0]);
     expect(apparentPosition([1, 2, 3], [0, 0, 0])).toEqual([1, 2, 3]);
     expect(apparentPosition([0, 0, 0], [0, 0, 0])).toEqual([0, 0, 0]);
   });
-  it('does whole arrays, also in place', () =>
+  it('maps whole arrays, also in place', () =>
     fc.assert(
       fc.property(anyProperVelocity, fc.array(offset, { maxLength: 5 }), (u, points) => {
         const flat = Float64Array.from(points.flat());
@@ -81,7 +81,7 @@ describe('aberration', () => {
         expectClose(length(n), 1, 1e-15);
       }),
     ));
-  it('puts the half sphere ahead into the angle arccos β', () =>
+  it('maps the hemisphere ahead to the cone of half angle arccos β', () =>
     fc.assert(
       fc.property(anyProperVelocity, uniform(0, 6), (u, phi) => {
         fc.pre(length(u) > 0);
@@ -89,7 +89,7 @@ describe('aberration', () => {
         expectClose(dot(aberrate(across, u), u), (length(u) * length(u)) / gamma(u), 1e-13 * length(u));
       }),
     ));
-  it('round trip', () =>
+  it('is inverted by its inverse', () =>
     fc.assert(
       fc.property(velocityAndOffset, ([u, dx]) => {
         const n = normalize(dx);
@@ -101,7 +101,7 @@ describe('aberration', () => {
         expectClose(there * back, 1, 1e-14 * gamma(u) ** 2);
       }),
     ));
-  it('lets nothing be seen from nowhere', () => expect(aberrate([0, 0, 0], [1, 2, 3])).toEqual([0, 0, 0]));
+  it('maps the zero vector to itself', () => expect(aberrate([0, 0, 0], [1, 2, 3])).toEqual([0, 0, 0]));
 });
 
 describe("a sphere's outline", () => {

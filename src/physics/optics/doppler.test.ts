@@ -38,7 +38,7 @@ import {
 const speed = uniform(0, 0.9999995);
 
 describe('Doppler factor', () => {
-  it('head-on is √((1 + β)/(1 − β)), whoever moves', () =>
+  it('head-on is √((1 + β)/(1 − β)), whether source or observer moves', () =>
     fc.assert(
       fc.property(speed, direction, (beta, n) => {
         const expected = Math.sqrt((1 + beta) / (1 - beta));
@@ -50,7 +50,7 @@ describe('Doppler factor', () => {
         expectClose(emitterDoppler(n, scale(n, beta)) * expected, 1, tolerance);
       }),
     ));
-  it('across is γ for a moving observer, 1/γ for a moving emitter', () =>
+  it('at right angles is γ for a moving observer, 1/γ for a moving emitter', () =>
     fc.assert(
       fc.property(anyProperVelocity, uniform(0, 6), (u, phi) => {
         fc.pre(length(u) > 0);
@@ -59,7 +59,7 @@ describe('Doppler factor', () => {
         expectClose(dopplerFactor(n, [0, 0, 0], u) * gamma(u), 1, 1e-13);
       }),
     ));
-  it('at most γ(1 + β), at least its reciprocal', () =>
+  it('is at most γ(1 + β), and at least its reciprocal', () =>
     fc.assert(
       fc.property(velocityAndOffset, ([u, dx]) => {
         const most = gamma(u) + length(u);
@@ -90,7 +90,7 @@ describe('Doppler factor', () => {
         expectClose(emitterDoppler(n, beta, toNumber(oneMinus)) / expected, 1, 3e-15 * gamma(u));
       }),
     ));
-  it('depends on the relative motion only: an observer moving with the emitter sees its own colour', () =>
+  it('depends on the relative motion only: an observer moving with the emitter sees its rest colour', () =>
     fc.assert(
       fc.property(properVelocityUpTo(100), properVelocityUpTo(100), direction, (uo, ue, n) => {
         expectClose(dopplerFactor(n, uo, uo), 1, 0);
@@ -107,18 +107,18 @@ describe('Doppler factor', () => {
         expectClose(observerDoppler(n, u), energy, 1e-14 * gamma(u));
       }),
     ));
-  it('per pixel of a static world is that of the direction it came from', () =>
+  it('per pixel of a static world is that of the light’s direction', () =>
     fc.assert(
       fc.property(velocityAndOffset, ([u, dx]) => {
         expectClose(dopplerAtPixel(aberrate(normalize(dx), u), u) / observerDoppler(dx, u), 1, 1e-14 * gamma(u) ** 2);
       }),
     ));
-  it('is 1 at rest and has a value where there is no direction', () => {
+  it('is 1 at rest, and finite for the zero vector', () => {
     expect(observerDoppler([1, 2, 3], [0, 0, 0])).toBe(1);
     expect(emitterDoppler([0, 0, 1], [0, 0, 0])).toBe(1);
     expect(observerDoppler([0, 0, 0], [0.75, 0, 0])).toBe(1.25);
   });
-  it('does whole arrays', () =>
+  it('maps whole arrays', () =>
     fc.assert(
       fc.property(anyProperVelocity, fc.array(fc.tuple(offset, anyProperVelocity), { maxLength: 5 }), (u, rows) => {
         const dx = Float64Array.from(rows.flatMap(([x]) => x));
@@ -150,7 +150,7 @@ describe('radiance', () => {
   const factor = uniform(-1, 1).map((e) => 10 ** e);
   const wavelength = uniform(2e-7, 2e-6);
 
-  it('of a blackbody is that of one at D T, by frequency and by wavelength', () =>
+  it('of a blackbody is that of a blackbody at D T, by frequency and by wavelength', () =>
     fc.assert(
       fc.property(factor, wavelength, (D, lambda) => {
         const nu = c / lambda;
@@ -161,7 +161,7 @@ describe('radiance', () => {
         expectClose(bolometricRadiance(1, D) / (hot / 5800) ** 4, 1, 1e-13);
       }),
     ));
-  it('keeps L_ν/ν³ and the colour that is shifted there and back', () =>
+  it('preserves L_ν/ν³, and shifting forth and back restores the colour', () =>
     fc.assert(
       fc.property(factor, wavelength, (D, lambda) => {
         const nu = c / lambda;
@@ -172,7 +172,7 @@ describe('radiance', () => {
         expectClose((observedWavelength(lambda, D) * seen) / c, 1, 1e-15);
       }),
     ));
-  it('gathers the sky: the solid angle shrinks as the directions crowd', () =>
+  it('solid angles shrink as aberration concentrates directions', () =>
     fc.assert(
       fc.property(properVelocityUpTo(10), direction, (u, n) => {
         const step = 1e-5;

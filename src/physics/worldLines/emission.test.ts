@@ -44,7 +44,7 @@ function delayWithManyDigits(d: Vec3, v: Vec3): number {
 }
 
 describe('uniform emission', () => {
-  it('is the retarded root to the last digits, chasing, fleeing and passing, up to γ = 1000', () =>
+  it('is the retarded root to the last digits, approaching, receding and passing, up to γ = 1000', () =>
     fc.assert(
       fc.property(velocityAndOffset, ([u, d]) => {
         const v = velocity(u);
@@ -55,7 +55,7 @@ describe('uniform emission', () => {
       }),
       { numRuns: 300 },
     ));
-  it('agrees with itself anchored at another point of the body', () =>
+  it('does not depend on the anchor point of the body', () =>
     fc.assert(
       fc.property(anyProperVelocity, offset, direction, magnitude(-3, 3), (u, d, n, reach) => {
         const v = velocity(u);
@@ -69,7 +69,7 @@ describe('uniform emission', () => {
         expectClose(uniformEmission(center.offset, v, a, o).offset, expected.offset, tolerance);
       }),
     ));
-  it('keeps its digits for a point of a large body that is close by', () => {
+  it('is accurate for a near point of a large body', () => {
     // The centre is 1 km away, the point a micrometre from it; both pass at walking pace and at 0.9 c.
     for (const beta of [1e-8, 0.9]) {
       const [v, d]: Vec3[] = [
@@ -89,7 +89,7 @@ describe('uniform emission', () => {
 });
 
 describe('polyline piece', () => {
-  it('that holds the root gives the same as an endless uniform mover', () =>
+  it('that contains the root gives the same as unlimited uniform motion', () =>
     fc.assert(
       fc.property(velocityAndOffset, magnitude(-3, 3), magnitude(-3, 3), ([u, d], before, after) => {
         const v = velocity(u);
@@ -104,7 +104,7 @@ describe('polyline piece', () => {
       }),
       { numRuns: 300 },
     ));
-  it('is met at its ends', () => {
+  it('is found at its ends', () => {
     expect(polylineEmission([3, 4, 0], -5, [3, 4, 1], -3).offset).toEqual([3, 4, 0]);
     expectClose(polylineEmission([3, 4, 0.5], -7, [3, 4, 0], -5).offset, [3, 4, 0], 1e-14);
     // The observer is at the sample.
@@ -132,7 +132,7 @@ describe('hyperbolic emission', () => {
   const acceleration = fc.tuple(direction, magnitude(-9, 2)).map(([n, k]) => scale(n, k));
   const since = fc.tuple(fc.constantFrom(-1, 0, 1), magnitude(-4, 4)).map(([s, t]) => s * t);
 
-  it('is the retarded root of the quadratic with 300 digits, and nothing behind the horizon', () => {
+  it('is the retarded root of the quadratic with 300 digits, and undefined behind the horizon', () => {
     let visible = 0;
     fc.assert(
       fc.property(offset, since, acceleration, (d, T, a) => {
@@ -158,7 +158,7 @@ describe('hyperbolic emission', () => {
     );
     expect(visible).toBeGreaterThan(100);
   });
-  it('is where a direct search along the rapidity finds it', () =>
+  it('agrees with a direct search along the rapidity', () =>
     fc.assert(
       fc.property(direction, magnitude(-1, 1), direction, magnitude(-1, 1), uniform(-3, 3), (n, r, m, k, T) => {
         const [d, a] = [scale(n, r), scale(m, k)];
@@ -177,7 +177,7 @@ describe('hyperbolic emission', () => {
         );
       }),
     ));
-  it('goes over into rest, to the last digit', () => {
+  it('approaches that of a point at rest for a → 0, to the last digit', () => {
     const d: Vec3 = [1, 2, 2];
     expect(hyperbolicEmission(d, 50, [0, 0, 0])).toEqual({ offset: d, delay: 3 });
     expectClose(hyperbolicEmission(d, 50, [1e-30, 0, 0])?.delay ?? 0, 3, 1e-14);
@@ -189,7 +189,7 @@ describe('hyperbolic emission', () => {
     const there = hyperbolicEmission([1 - Math.cosh(eta), 0, 0], Math.sinh(eta), [1, 0, 0]);
     expectClose(there?.delay ?? Number.NaN, 0, 1e-14);
   });
-  it('falls behind the horizon exactly at X + T = 0', () => {
+  it('is behind the horizon from exactly X + T = 0 on', () => {
     // a = 1: the centre is 1 behind the turning point; an observer at rest there sees nothing until it turns.
     const turning: Vec3 = [1, 0, 0];
     expect(hyperbolicEmission(turning, 0, [1, 0, 0])).toBeUndefined();
@@ -210,7 +210,7 @@ describe('circular emission', () => {
         expect(seen.delay).toBeGreaterThanOrEqual(0);
       }),
     ));
-  it('seen from the axis turns back by ω r', () => {
+  it('seen from the axis lags by the angle ω r', () => {
     const seen = circularEmission([0, 0, 4], [0, 0, 1], [3, 0, 0], 0.25);
     expectClose(seen.delay, 5, 1e-14);
     expectClose(seen.offset, [3 * Math.cos(1.25), -3 * Math.sin(1.25), 4], 1e-14);

@@ -8,7 +8,7 @@ import type { Motion } from '../types.ts';
 import { boundingBox } from './bounds.ts';
 import { objectBounds } from './sceneBounds.ts';
 
-it('the box of an object is that of its vertices, whichever way it is turned and moves', () => {
+it('the box of an object is that of its vertices, at any orientation and motion', () => {
   const mesh = sphere(1, { segments: 20 });
   const lump = { ...mesh, positions: mesh.positions.map((x, i) => x * (1 + 0.3 * Math.sin(i))) };
   const angle = fc.double({ min: -3, max: 3, noNaN: true });

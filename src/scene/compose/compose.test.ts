@@ -47,7 +47,7 @@ const placement = fc.record({
 
 describe('a placed scene', () => {
   it.each(MOTIONS.map((motion, i) => [i, motion.kind, motion] as const))(
-    'has every vertex where the placement takes it, at all times (%i: %s)',
+    'has every vertex transformed by the placement, at all times (%i: %s)',
     (_i, _kind, motion) => {
       const object = makeObject({ path: '/It', mesh, motion });
       fc.assert(
@@ -60,7 +60,7 @@ describe('a placed scene', () => {
     },
   );
 
-  it('a lamp lights a placed wall as it lit the wall before', () => {
+  it('a light lights a placed wall as it lit the wall before', () => {
     const lamp = (radius: number): LocalLight => ({
       kind: 'sphere',
       path: '/L',
@@ -76,7 +76,7 @@ describe('a placed scene', () => {
         scale: 4,
       });
       const [light] = lights as [LocalLight & { radius: number }];
-      // E = I/d² of a point, π L (r/d)² of a ball.
+      // E = I/d² for a point, π L (r/d)² for a sphere.
       const E = (l: { radius: number; color: Vec3 }, d: number) =>
         (l.radius === 0 ? l.color[1] : Math.PI * l.color[1] * l.radius ** 2) / d ** 2;
       expect(E(light, 8)).toBeCloseTo(E(lamp(radius) as never, 2), 12);
@@ -97,7 +97,7 @@ describe('merged scenes', () => {
     objects: [makeObject({ path: '/Ball/Skin', mesh }), makeObject({ path: '/Ball2', mesh })],
   });
 
-  it('keep every material on what wore it, and every path once', () => {
+  it('keep the materials of every mesh, and have unique paths', () => {
     const merged = mergeScenes([one, other, one]);
     const worn = merged.objects.map((o) => [o.path, merged.materials[o.mesh.groups[0]!.material]!.name]);
     expect(worn).toEqual([
@@ -109,7 +109,7 @@ describe('merged scenes', () => {
     expect([merged.startTime, merged.endTime]).toEqual([2, 5]);
   });
 
-  it('what is dressed or born is what was chosen', () => {
+  it('materials and lifetimes are set on the chosen objects only', () => {
     const merged = mergeScenes([one, other]);
     const green = makeMaterial({ name: 'green' });
     const dressed = assignMaterial(merged, '/Ball2', green);
@@ -123,7 +123,7 @@ describe('merged scenes', () => {
   });
 });
 
-describe('moved things', () => {
+describe('moved objects', () => {
   const object = makeObject({
     path: '/It',
     mesh,
@@ -132,7 +132,7 @@ describe('moved things', () => {
   const scene = makeScene({ name: 'it', objects: [object] });
   const at = (o: SceneObject, v: number, t: number) => vertexPosition(o, v, t, C);
 
-  it('keep their places in a frame that circles: the radius, the speed and the time of a turn are those asked for', () => {
+  it('keep their positions in a circling frame of the given radius, speed and period', () => {
     const circle = {
       kind: 'circle',
       center: [1, 0, 0],
@@ -153,13 +153,13 @@ describe('moved things', () => {
       expect(speed).toBeCloseTo(4 * circle.rate, 1);
       for (const v of [0, 7, 20]) {
         expectClose([...at(carried!, v, t)], at(carried!, v, t + period), 4e-3);
-        // A body that faces its way keeps its distance to the centre.
+        // A body oriented along its path keeps its distance to the centre.
         expect(distance(at(carried!, v, t), circle.center)).toBeCloseTo(distance(at(carried!, v, 1), circle.center), 2);
       }
     }
   });
 
-  it('spin about their axis: what is on it rests, all else goes round at ω r', () => {
+  it('spin about their axis: points on it are at rest, others move at ω r', () => {
     const frame = motionFromPath({ kind: 'spin', center: [2, 0, 1], axis: [0, 1, 0], rate: -2, from: 0, to: 5 }, 4);
     const [spun] = applyRigidMotion(scene, '', frame, 'world').objects;
     const p = (v: number, t: number) => sub(at(spun!, v, t), [2, 0, 1]);
@@ -171,7 +171,7 @@ describe('moved things', () => {
     }
   });
 
-  it('on a path they pass all its places at one speed', () => {
+  it('follow a path through all its points at constant speed', () => {
     const places: Vec3[] = [
       [0, 0, 0],
       [4, 0, 0],
@@ -186,7 +186,7 @@ describe('moved things', () => {
     expectClose([...poseAt(frame, 99, C).position], [0, 3, 5], 1e-9);
   });
 
-  it('with keys they are where the keys say, and what moves already is named', () => {
+  it('with keyframes are at the keyed positions, and objects that already move are reported', () => {
     const keys = [
       { time: 0, position: [0, 0, 0] as Vec3, orientation: turn },
       { time: 2, position: [4, 0, 0] as Vec3, orientation: turn },
@@ -209,7 +209,7 @@ describe('finer meshes', () => {
   };
   const deforming = makeObject({ path: '/It', mesh, motion: MOTIONS[3]! });
 
-  it('that keep their shape have its area, four times the triangles a level, and deform as it does', () => {
+  it('of constant shape have the same area, four times the triangles per level, and deform alike', () => {
     const finer = midpointSubdivide(deforming, 2);
     expect(finer.mesh.indices.length).toBe(16 * mesh.indices.length);
     expect(finer.mesh.groups.reduce((n, { count }) => n + count, 0)).toBe(finer.mesh.indices.length);
@@ -219,7 +219,7 @@ describe('finer meshes', () => {
         expectClose([...vertexPosition(finer, v, t, C)], vertexPosition(deforming, v, t, C), 1e-12);
   });
 
-  it('that are smooth are between the ball inside and the mesh, and at each sample what the shape at that sample becomes', () => {
+  it('that are smooth lie between the inscribed sphere and the mesh, and at each sample equal the refined shape of that sample', () => {
     const cage = sphere(1, { segments: 8, rings: 4 });
     const { mesh: round } = loopSubdivide(makeObject({ path: '/S', mesh: cage }), 2);
     const radii = Array.from({ length: round.positions.length / 3 }, (_, v) => length(pointAt(round.positions, v)));
@@ -236,7 +236,7 @@ describe('finer meshes', () => {
 describe('copies', () => {
   const scene = makeScene({ name: 'it', objects: [makeObject({ path: '/It', mesh, motion: MOTIONS[1]! })] });
 
-  it('in rows are a step apart round the origin, share the mesh, and have names of their own', () => {
+  it('in rows are spaced around the origin, share the mesh, and have unique names', () => {
     const rows = arrangeCopies(scene, gridPoses([2, 1, 3], [2, 9, 4]));
     expect(rows.objects).toHaveLength(6);
     expect(new Set(rows.objects.map(({ mesh: worn }) => worn)).size).toBe(1);
@@ -246,7 +246,7 @@ describe('copies', () => {
     expectClose([...places.reduce(add)], [0, 0, 0], 1e-12);
   });
 
-  it('of copies have names of their own too, below the same thing', () => {
+  it('of copies have unique names too, below the same parent', () => {
     const paths = [2, 3, 2]
       .reduce((all, count) => arrangeCopies(all, gridPoses([count, 1, 1], [1, 1, 1])), scene)
       .objects.map(({ path }) => path);
@@ -259,7 +259,7 @@ describe('copies', () => {
     ]);
   });
 
-  it('on a circle are as far from its axis as asked, evenly, each carried with the turn', () => {
+  it('on a circle have the given radius and equal spacing, each rotated with its angle', () => {
     const spots = ringPoses(5, 3, [0, 0, 1]);
     for (const [k, { position, orientation }] of spots.entries()) {
       expect(Math.hypot(position[0], position[1])).toBeCloseTo(3, 12);

@@ -13,35 +13,35 @@ const facesOf = (mesh: Mesh, within = 0) => {
 };
 
 describe('welding', () => {
-  it('makes one point of vertices that normals and uvs split', () => {
+  it('joins vertices that were split by normals and uvs', () => {
     expect(facesOf(box([1, 2, 3])).points).toHaveLength(8);
     const round = sphere(1, { segments: 12, rings: 6 });
     expect(facesOf(round).points).toHaveLength(2 + 12 * 5);
     expect(round.positions.length / 3).toBeGreaterThan(2 + 12 * 5);
   });
 
-  it('joins what is apart by rounding alone, and nothing that is farther', () => {
+  it('joins points that differ by rounding only, and none farther apart', () => {
     const positions = Float32Array.of(0, 0, 0, 1e-7, -1e-7, 0, 0.1, 0, 0, 0.1, 1e-7, 1e-7, 0.1003, 0, 0);
     expect([...weld(positions, 1e-6).pointOfVertex]).toEqual([0, 0, 1, 1, 2]);
     expect([...weld(positions).pointOfVertex]).toEqual([0, 1, 2, 3, 4]);
-    // Bars and nodes of a lattice are made one by one: 8 corners of each node are all the points there are.
+    // Bars and nodes of a lattice are created separately; the 8 corners of each node are all its points.
     expect(facesOf(lattice([2, 1, 1], 1, 0.1), 1e-6).points).toHaveLength(8 * 3 * 2 * 2);
   });
 });
 
 describe('faces', () => {
-  it('of a grid are its cells again, each with its corners in order', () => {
+  it('of a triangulated grid are its cells, each with its corners in order', () => {
     const { points, counts, corners } = facesOf(grid(2, 3, 4, 6));
     expect(counts).toEqual(new Array(24).fill(4));
     for (let f = 0; f < 24; f++) {
       const [a, b, c, d] = corners.slice(4 * f, 4 * f + 4).map((i) => points[i]);
-      // Twice the area, by the diagonals, is that of two cells of half a metre: so none crosses itself.
+      // Twice the area, by the diagonals, is that of two cells of half a metre: so no face intersects itself.
       const [p, q] = [c.map((x, k) => x - a[k]), d.map((x, k) => x - b[k])];
       expect(Math.abs(p[0] * q[1] - p[1] * q[0])).toBeCloseTo(2 * 0.5 * 0.5, 6);
     }
   });
 
-  it('stay triangles where they bend, and where no side is the longest', () => {
+  it('stay triangles where the surface bends, and where no side is the longest', () => {
     const bent = [0, 0, 0, 1, 0, 0, 1, 1, 0.1, 0, 1, 0];
     expect(recoverQuads(bent, [0, 1, 2, 0, 2, 3]).counts).toEqual([3, 3]);
     const h = Math.sqrt(3) / 2;

@@ -19,14 +19,14 @@ function integral(sky: SkyColors, N: Vec3): number {
   return (4 * sum) / (rows * columns);
 }
 
-describe('what a sky with a horizon sends on a matt surface', () => {
-  it.each([1, 0.7, 0.3, 0, -0.4, -0.8, -1])('is its integral, of a normal at the height %d', (c) => {
+describe('irradiance of a sky with a horizon', () => {
+  it.each([1, 0.7, 0.3, 0, -0.4, -0.8, -1])('is its integral, for a normal at the height %d', (c) => {
     const { level, rise, bend } = skyIrradiance(day);
     const N = normalize([Math.sqrt(1 - c * c), c, 0]);
     expect(Math.abs(level[1] + rise[1] * c + bend[1] * c * c - integral(day, N))).toBeLessThan(0.012);
   });
 
-  it('is the sky itself where that is even but for the haze', () => {
+  it('equals the sky where that is uniform except for the haze', () => {
     const even = skyIrradiance({ zenith: [1, 1, 1], horizon: [1, 1, 1], ground: [1, 1, 1] });
     expect(even.level[0] + even.rise[0] + even.bend[0]).toBeCloseTo(1, 2);
   });

@@ -17,14 +17,14 @@ const pair = (given: Partial<Texture> = {}): Texture => ({
 const red = (texture: Texture, u: number): number => sampleTexture(texture, u, 0.5)[0];
 
 describe('a texture', () => {
-  it('wraps as it says', () => {
+  it('follows its wrap modes', () => {
     const at = [-0.75, -0.25, 0.25, 0.75, 1.25, 1.75];
     expect(at.map((u) => red(pair(), u))).toEqual([0, 1, 0, 1, 0, 1]);
     expect(at.map((u) => red(pair({ wrapS: 'mirror' }), u))).toEqual([1, 0, 0, 1, 1, 0]);
     expect(at.map((u) => red(pair({ wrapS: 'clamp' }), u))).toEqual([0, 0, 0, 1, 1, 1]);
   });
 
-  it('may end in black, which is nothing, over a texel as any two texels do', () => {
+  it('with wrap mode black fades to transparent black over one texel', () => {
     const bright = { data: Uint8Array.of(255, 0, 0, 255, 255, 0, 0, 255), wrapS: 'black' } as const;
     expect(sampleTexture(pair(bright), 1.01, 0.5)).toEqual([0, 0, 0, 0]);
     expect([-0.25, 0, 0.125, 0.25, 1].map((u) => red(pair({ ...bright, filter: 'linear' }), u))).toEqual([
@@ -36,7 +36,7 @@ describe('a texture', () => {
     const srgb = pair({ filter: 'linear', colorSpace: 'srgb' });
     expect(red(srgb, 0.25)).toBe(0);
     expect(red(srgb, 0.5)).toBeCloseTo(0.5, 15);
-    // The repeated row: half way round the seam.
+    // The repeated row: halfway across the seam.
     expect(red(srgb, 1)).toBeCloseTo(0.5, 15);
     // Mid grey, byte 188, is 0.5029 of linear light.
     const gray = pair({ colorSpace: 'srgb', data: Uint8Array.of(188, 188, 188, 255, 188, 188, 188, 255) });

@@ -14,7 +14,7 @@ const image = (alpha: number): Texture => ({
   wrapT: 'repeat',
 });
 
-it('a material is see-through by its opacity or its picture, but not where it is cut out', () => {
+it('a material is transparent by its opacity or texture, but not if it is cut out', () => {
   const plain = makeMaterial({ name: 'm' });
   expect(isTransparent(plain)).toBe(false);
   expect(isTransparent({ ...plain, opacity: 0.9 })).toBe(true);

@@ -54,7 +54,7 @@ describe('primitives', () => {
     expect(volume(mesh)).toBeLessThan(v);
   });
 
-  it('sphere and torus normals are those of the round body', () => {
+  it('sphere and torus normals are those of the smooth surface', () => {
     const ball = sphere(2);
     for (let v = 0; v < ball.positions.length / 3; v++) {
       const p = pointAt(ball.positions, v);
@@ -81,7 +81,7 @@ describe('primitives', () => {
     expect(volume(tip)).toBeGreaterThan(0);
   });
 
-  it('grid: cells cover the rectangle, uv is the place in it', () => {
+  it('grid: cells cover the rectangle, and uv is the position in it', () => {
     const mesh = grid(6, 4, 3, 5, 'Y');
     expect(mesh.indices.length / 3).toBe(30);
     expect(area(mesh)).toBeCloseTo(24, 6);
@@ -100,7 +100,7 @@ const shoelace = (outline: readonly (readonly [number, number])[]): number =>
     }),
   );
 
-/** Star-shaped round the origin, so simple; mostly concave. */
+/** A star-shaped outline around the origin, hence simple; mostly concave. */
 const starOutline = fc
   .array(fc.double({ min: 0.2, max: 3, noNaN: true }), { minLength: 3, maxLength: 24 })
   .map((radii) =>
@@ -111,7 +111,7 @@ const starOutline = fc
   );
 
 describe('makeMesh', () => {
-  it('triangulates any simple outline: whole area, winding kept, every corner used', () => {
+  it('triangulates any simple outline: same area and winding, every corner used', () => {
     fc.assert(
       fc.property(starOutline, (outline) => {
         const mesh = polygon(outline);
@@ -123,7 +123,7 @@ describe('makeMesh', () => {
     );
   });
 
-  it('keeps corners on straight stretches, on every side, with no flat triangle', () => {
+  it('keeps corners on straight sides, without degenerate triangles', () => {
     const straight: [number, number][] = [
       [0, 0],
       [1, 0],
@@ -203,7 +203,7 @@ describe('makeMesh', () => {
     expect([...moved]).toEqual([...colored.mesh.positions].map((x) => 2 * x));
   });
 
-  it('leaves out and counts faces that cannot be', () => {
+  it('skips and counts invalid faces', () => {
     const points = [0, 0, 0, 1, 0, 0, 0, 1, 0];
     const built = makeMesh({ points, faceCounts: [2, 3, 3, 3], faceIndices: [0, 1, 0, 1, 2, 0, 1, 9, 0, 1, -1] });
     expect(built.skippedFaces).toBe(3);
@@ -231,7 +231,7 @@ describe('makeMesh', () => {
 });
 
 describe('deformedNormals', () => {
-  it('a sheared ball’s normals follow, and its uv seam does not show', () => {
+  it('a sheared sphere’s normals are sheared, without a seam along its uv seam', () => {
     const ball = sphere(1, { segments: 96 });
     const sheared = Float32Array.from(ball.positions, (x, i) => (i % 3 === 0 ? x + 0.5 * ball.positions[i + 1] : x));
     const normals = deformedNormals(sheared, ball.indices, smoothingGroups(ball));
@@ -245,7 +245,7 @@ describe('deformedNormals', () => {
 });
 
 describe('smoothingGroups', () => {
-  it('joins vertices that share place and normal, whatever their order and the sign of a zero', () => {
+  it('joins vertices of equal position and normal, whatever their order and the sign of zeros', () => {
     const mesh = box([1, 1, 1]);
     const [p, q] = [
       [0, 1, 2],
@@ -259,7 +259,7 @@ describe('smoothingGroups', () => {
 });
 
 describe('smoothingGroups of many vertices', () => {
-  it('are those of a table by their numbers', () => {
+  it('equal those of a lookup table', () => {
     const numbers = fc.array(fc.constantFrom(0, -0, 1, -1, 0.5, Number.NaN), { minLength: 600, maxLength: 1800 });
     fc.assert(
       fc.property(numbers, numbers, (p, n) => {
@@ -280,7 +280,7 @@ describe('smoothingGroups of many vertices', () => {
 
 describe('transformMesh and mergeMeshes', () => {
   const orientation = fromAxisAngle([1, 2, 3], 1);
-  it('carries area and normals, turns a mirrored mesh right side out', () => {
+  it('transforms area and normals, and flips the winding of mirrored meshes', () => {
     const moved = transformMesh(box([1, 2, 3]), fromParts(toMatrix(orientation), [10, 20, 30]));
     expect(area(moved)).toBeCloseTo(22, 4);
     const mirrored = transformMesh(cylinder(1, 2), [-1, 0, 0, 0, 0, 2, 0, 0, 0, 0, 3, 0, 0, 0, 0, 1]);
@@ -293,7 +293,7 @@ describe('transformMesh and mergeMeshes', () => {
     expect(distance(tilted, rotate(orientation, [0, 0, 1]))).toBeLessThan(1e-6);
   });
 
-  it('keeps groups, and joins neighbours of one material', () => {
+  it('keeps groups, and joins adjacent ones of the same material', () => {
     const parts = [
       withMaterial(box([1, 1, 1]), 2),
       withMaterial(sphere(1, { segments: 8 }), 2),
@@ -316,7 +316,7 @@ describe('a point with very many faces', () => {
     faceCounts: rim.map(() => 3),
     faceIndices: rim.flatMap((_, i) => [0, 1 + i, 1 + ((i + 1) % sides)]),
   };
-  it('is cut flat and smooth alike', () => {
+  it('is triangulated, with flat and with smooth normals', () => {
     expect(makeMesh(polygons).mesh.indices.length).toBe(3 * sides);
     const { mesh, pointOfVertex } = makeMesh({ ...polygons, smoothAngle: Math.PI / 6 });
     expect(mesh.indices.length).toBe(3 * sides);

@@ -19,7 +19,7 @@ const turning =
   (t: number): number[] => [RADIUS * Math.cos(2 * Math.PI * turns * t), RADIUS * Math.sin(2 * Math.PI * turns * t), 0];
 
 describe('times between samples', () => {
-  it('are added until chords of a circle leave it by no more than the tolerance', () => {
+  it('are added until chords are within the tolerance of a circle', () => {
     const { times, error, needed } = refineTimes([0, 1], turning(1), HOW);
     expect(error).toBeLessThanOrEqual(1e-3);
     // A chord over the angle a leaves a circle of radius r by r(1 − cos a/2); the number of pieces is a power of two.
@@ -28,31 +28,31 @@ describe('times between samples', () => {
     expect(needed).toBe(pieces + 1);
   });
 
-  it('are found where whole turns look like rest at both ends and in the middle', () => {
+  it('are added where whole turns look like rest at both ends and in the middle', () => {
     for (const turns of [1, 2, 3, 4, 5, 10, 16]) {
       const { times } = refineTimes([0, 1], turning(turns), { ...HOW, tolerance: 1e-2 });
       expect(times.length, `${turns}`).toBeGreaterThan(20 * turns);
     }
   });
 
-  it('are not added to a straight way, nor on a ramp', () => {
+  it('are not added to straight uniform motion, nor on a ramp', () => {
     const sliding = (t: number): number[] => [t, 2 * t, 0];
     expect(refineTimes([0, 1, 3], sliding, { ...HOW, tolerance: 1e-9 }).times).toEqual(Float64Array.of(0, 1, 3));
     expect(refineTimes([0, 1], turning(1), { ...HOW, ramps: new Set([1]) }).times).toEqual(Float64Array.of(0, 1));
   });
 
-  it('say what is left where a jump cannot be followed', () => {
+  it('report the remaining error where a jump cannot be followed', () => {
     const { times, error } = refineTimes([0, 1], (t) => [t < 0.4 ? 0 : 5, 0, 0], HOW);
     expect(error).toBeGreaterThan(1);
     expect(times.length).toBeLessThan(50);
   });
 
-  it('are not sought where a path is not finite', () => {
+  it('are not added where a path is not finite', () => {
     expect(refineTimes([0, 1], (t) => [t === 0 ? 0 : Number.NaN, 0, 0], HOW).times).toHaveLength(2);
     expect(refineTimes([0, 1], (t) => [t > 0.2 ? 1e200 : 0, 0, 0], HOW).times).toHaveLength(2);
   });
 
-  it('end at the most that may be added, spread over all of the motion', () => {
+  it('end at their limit, spread over the whole motion', () => {
     const { times, error, needed: wanted } = refineTimes([0, 1], turning(1), { ...HOW, most: 15 });
     expect(times).toEqual(Float64Array.from({ length: 17 }, (_, i) => i / 16));
     // Sixteen chords of a circle: r(1 − cos π/16), seen at the middle of each.
@@ -64,7 +64,7 @@ describe('times between samples', () => {
   });
 });
 
-describe('a path that is asked for many times', () => {
+describe('a path evaluated at many times', () => {
   const times = fc
     .uniqueArray(fc.integer({ min: 0, max: 40 }), { minLength: 2, maxLength: 8 })
     .map((list) => list.sort((a, b) => a - b));
@@ -73,7 +73,7 @@ describe('a path that is asked for many times', () => {
     (speed: number, jump: number): Shape =>
     (t) => [Math.cos(speed * t * t), t < jump ? 0 : Math.sin(speed * t), t / 7];
 
-  it('says the same as one that is asked once', () => {
+  it('gives the same as single evaluations', () => {
     fc.assert(
       fc.property(
         times,
@@ -90,7 +90,7 @@ describe('a path that is asked for many times', () => {
     );
   });
 
-  it('is looked at once', () => {
+  it('is evaluated once', () => {
     let looks = 0;
     const counted: Shape = (t) => {
       looks++;
@@ -109,13 +109,13 @@ describe('a budget', () => {
   const added = (budget: SamplingBudget, cost: number): number =>
     budget.sample(new AdaptivePath(Float64Array.of(0, 1), turning(1000.7), HOW), cost).times.length - 2;
 
-  it('gives each motion half of what is left, by what it costs', () => {
-    // Ten looks at each added time.
+  it('gives each motion half of the remainder, by cost', () => {
+    // Ten evaluations per added time.
     const budget = new SamplingBudget(16_000);
     expect([1, 1, 2, 1].map((cost) => added(budget, cost))).toEqual([800, 400, 100, 100]);
   });
 
-  it('leaves alone what needs little', () => {
+  it('does not limit motions that need little', () => {
     const free = refineTimes([0, 1], turning(1), HOW).times;
     expect(new SamplingBudget(1e6).sample(new AdaptivePath(Float64Array.of(0, 1), turning(1), HOW), 1).times).toEqual(
       free,

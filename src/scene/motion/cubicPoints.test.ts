@@ -19,10 +19,10 @@ import { fastestVertex, vertexPositions, vertexWorldLine } from './motion.ts';
 
 const C = 10;
 
-/** Points in f64 (a typed array's place may be taken by one that is not rounded). */
+/** Points in f64, to avoid rounding. */
 const exact = (points: readonly number[]): Float32Array => Float64Array.from(points) as unknown as Float32Array;
 
-/** A sheet whose corners go as `path` says, known at `n` samples in a second. */
+/** A sheet whose corners move along `path`, with `n` samples in a second. */
 function sheet(n: number, path: (t: number, i: number) => Vec3, cubic = true): SceneObject {
   const mesh: Mesh = plane(1, 1, 'Z');
   const times = Float64Array.from({ length: n + 1 }, (_, k) => k / n);
@@ -37,7 +37,7 @@ function sheet(n: number, path: (t: number, i: number) => Vec3, cubic = true): S
 
 const circle = (t: number, i: number): Vec3 => [Math.cos(2 * Math.PI * t + i), Math.sin(2 * Math.PI * t + i), 0];
 
-/** The farthest that vertex 1 is from its circle between the samples, away from the ends. */
+/** Greatest distance of vertex 1 from its circle between the samples, away from the ends. */
 function error(object: SceneObject): number {
   const line = vertexWorldLine(object, 1, C);
   const ts = Array.from({ length: 997 }, (_, k) => 0.3 + (0.4 * k) / 997);
@@ -46,7 +46,7 @@ function error(object: SceneObject): number {
 }
 
 describe('a circle from n samples', () => {
-  it('is met better by cubics: their error falls as n⁻³ at least, that of chords as n⁻²', () => {
+  it('is approximated better by cubics: their error falls at least as n⁻³, that of chords as n⁻²', () => {
     const cubic = [12, 24, 48].map((n) => error(sheet(n, circle)));
     const chords = [12, 24, 48].map((n) => error(sheet(n, circle, false)));
     for (const k of [0, 1]) {
@@ -56,7 +56,7 @@ describe('a circle from n samples', () => {
     }
     expect(chords[2] / cubic[2]).toBeGreaterThan(30);
   });
-  it('with its true velocities by the fourth power', () => {
+  it('with its true velocities as n⁻⁴', () => {
     const errors = [12, 24, 48].map((n) => {
       const object = sheet(n, circle);
       if (object.motion.kind !== 'sampled-points') return Number.NaN;
@@ -68,7 +68,7 @@ describe('a circle from n samples', () => {
     expect(errors[0] / errors[1]).toBeGreaterThan(15);
     expect(errors[1] / errors[2]).toBeGreaterThan(15);
   });
-  it('has a velocity that does not jump at samples, as that of chords does', () => {
+  it('has a continuous velocity at samples, unlike chords', () => {
     const jump = (object: SceneObject): number => {
       const line = vertexWorldLine(object, 1, C);
       const at = (t: number) => emissionEvent(line, { t, position: [9, 2, 3] }, C)?.velocity ?? [0, 0, 0];
@@ -81,7 +81,7 @@ describe('a circle from n samples', () => {
   });
 });
 
-it('all vertices at a time are those of the world lines', () => {
+it('the vertices at a time are those of the world lines', () => {
   const object = sheet(7, circle);
   for (const t of [-1, 0, 0.33, 0.5, 1, 2]) {
     const lines = [0, 1, 2, 3].flatMap((i) => [...positionAt(vertexWorldLine(object, i, C), t, C)]);
@@ -92,7 +92,7 @@ it('all vertices at a time are those of the world lines', () => {
 describe('speed', () => {
   const motionOf = (object: SceneObject): CubicPointsMotion => object.motion as CubicPointsMotion;
 
-  it('of the fastest point is the greatest of all times', () => {
+  it('of the fastest point is the maximum over all times', () => {
     const object = sheet(6, (t, i) => [Math.sin(5 * t + i), Math.cos(7 * t), t * t * i]);
     const found = fastestVertex(object, C);
     const line = vertexWorldLine(object, found.vertex, C);
@@ -102,11 +102,11 @@ describe('speed', () => {
     expect(maxControlSpeed(motionOf(object), k)).toBeGreaterThanOrEqual(found.speed);
   });
 
-  /** Rest, a dash at 0.9 c, rest: the parabolas through its samples would overshoot c. */
+  /** Rest, a burst at 0.9 c, rest: the parabolas through its samples would exceed c. */
   const dash = sheet(4, (t, i) => [t <= 0.25 ? 0 : t >= 0.75 ? 4.5 : 9 * (t - 0.25), i, 0]);
   const still = sheet(4, (t, i) => [t, i, 0]);
 
-  it('never reaches that of light: a piece loses of its bend, and this is told', () => {
+  it('never reaches c: the bend of a piece is reduced, and this is reported', () => {
     expect(straightenedPieces(motionOf(dash), 30)).toEqual([]);
     const faster = {
       ...motionOf(dash),
@@ -131,7 +131,7 @@ describe('speed', () => {
     expect(validate(scene, 2 * C)).toEqual([]);
   });
 
-  it('keeps all bend at one speed of light and less at another, in any order', () => {
+  it('keeps the full bend at one c and less at another, in any order', () => {
     const motion = motionOf(dash);
     const slow = [0, 1, 2, 3].map((k) => bendFactor(motion, k, 9.2));
     expect([0, 1, 2, 3].map((k) => bendFactor(motion, k, 30))).toEqual([1, 1, 1, 1]);
@@ -139,7 +139,7 @@ describe('speed', () => {
     expect(Math.min(...slow)).toBeLessThan(1);
   });
 
-  it('is an error where the chord itself is too fast', () => {
+  it('is an error if the chord itself is too fast', () => {
     const scene = makeScene({ name: 'dash', objects: [dash], materials: [makeMaterial({ name: 'm' })] });
     expect(validate(scene, 8).map(({ code }) => code)).toEqual(['motion.superluminal']);
   });
@@ -150,12 +150,12 @@ describe('the gap between cubics and chords', () => {
   const times = Float64Array.of(0, 0.5, 1.5, 3.5, 5);
   const fallen = (points: number) =>
     Array.from(times, (t) => Float32Array.from({ length: 3 * points }, (_, i) => (i % 3 === 1 ? 7 - t * t : 1e5)));
-  it('is h²/4 of what falls, in the longest piece, however many points there are', () => {
+  it('is h²/4 for falling points, in the longest piece, for any number of points', () => {
     expect(estimateChordError(times, fallen(4))).toBeCloseTo(1, 6);
-    // More than are looked at.
+    // More than are examined.
     expect(estimateChordError(times, fallen(300_000))).toBeCloseTo(1, 6);
   });
-  it('is that of their velocities', () => {
+  it('is h/8 times the change of velocity over a piece', () => {
     const points = Array.from(times, (t) => Float32Array.from({ length: 30 }, (_, i) => Math.sin(i + (1 + i / 9) * t)));
     const velocities = parabolaVelocities(times, points);
     const gaps = velocities.slice(1).flatMap((after, k) =>
@@ -166,13 +166,13 @@ describe('the gap between cubics and chords', () => {
     );
     expect(estimateChordError(times, points)).toBeCloseTo(Math.max(...gaps), 5);
   });
-  it('is that of the points that are somewhere', () => {
+  it('ignores points with non-finite coordinates', () => {
     const points = fallen(4);
     points[1].fill(Number.POSITIVE_INFINITY, 6, 9);
     points[3][10] = Number.NaN;
     expect(estimateChordError(times, points)).toBeCloseTo(1, 6);
   });
-  it('is none of what rests, or has two samples', () => {
+  it('is 0 at rest, and for two samples', () => {
     const [first, , , , last] = fallen(4);
     expect(estimateChordError(times, Array(5).fill(last))).toBe(0);
     expect(estimateChordError(Float64Array.of(0, 5), [first, last])).toBe(0);

@@ -47,7 +47,7 @@ const origin = ({ objects }: Scene, path: string, t: number): Vec3 =>
   poseAt(objects.find((object) => object.path === path)!.motion, t, C).position;
 
 describe('fly', () => {
-  it('a thing and all below it pass their places at the time, at βc; nothing else moves', () => {
+  it('an object and its descendants pass their positions at the given time, at βc; nothing else moves', () => {
     const flown = fly(scene, flight('/car'), C);
     for (const path of ['/car/body', '/car/wheel'])
       for (const t of [-5, 1, 3])
@@ -56,13 +56,13 @@ describe('fly', () => {
     for (const light of flown.lights) expect(light).toMatchObject({ motion: { kind: 'uniform', velocity: [8, 0, 0] } });
   });
 
-  it('what moved goes on from its pose at the time', () => {
+  it('a moving object continues from its pose at that time', () => {
     const flown = fly(scene, flight('/moving', { at: 0.5 }), C);
     expect(origin(flown, '/moving', 0.5)).toEqual([1, 0, 0]);
     expect(origin(flown, '/moving', 1.5)).toEqual([9, 0, 0]);
   });
 
-  it('parts that are the shape at rest are contracted together: 6 m between them become 6/γ', () => {
+  it('parts given as the rest shape are contracted together: a distance of 6 m becomes 6/γ', () => {
     const flown = fly(scene, flight('/car', { authoredIn: 'rest' }), C);
     const gap = sub(origin(flown, '/car/wheel', 1), origin(flown, '/car/body', 1));
     expect(gap[0]).toBeCloseTo(6 * 0.6, 12);
@@ -70,7 +70,7 @@ describe('fly', () => {
     expect(Math.max(...corner) - Math.min(...corner)).toBeCloseTo(2 * 0.6, 6);
   });
 
-  it('what is left in its file flies as what is in memory', () => {
+  it('streamed samples move like those in memory', () => {
     const normals = points.map(() => mesh.normals);
     const still = { ...deforming, normals } as SampledPointsMotion;
     const carried = [still, leftInFile(still)].map((motion) => {
@@ -83,12 +83,12 @@ describe('fly', () => {
         expect(length(sub(left, known))).toBeLessThan(1e-5);
       }
     const [known, left] = carried.map((object) => fastestVertex(object, C));
-    // The longest way is known of each piece, not where it leads.
+    // Of each piece only the greatest displacement is known, not its direction.
     expect(left.speed).toBeGreaterThanOrEqual(known.speed - 1e-6);
     expect(left.speed).toBeLessThan(known.speed + 0.5 * 3 ** 0.5);
   });
 
-  it('what deforms goes on deforming while it flies, before and after its samples too', () => {
+  it('a deforming object keeps deforming in flight, also before and after its samples', () => {
     const flown = fly(scene, flight('/soft'), C).objects[4];
     for (const t of [-3, 0, 0.5, 1, 2, 10])
       for (let i = 0; i < count; i++) {
@@ -100,7 +100,7 @@ describe('fly', () => {
     expect(fastestVertex(flown, C).speed).toBeGreaterThan(8.2);
   });
 
-  it('what deforms along cubics does so while it flies', () => {
+  it('so does an object that deforms along cubics', () => {
     const outwards = (by: number) => mesh.positions.map((x) => by * x);
     const soft = { ...scene.objects[4], motion: { ...deforming, velocities: [outwards(0.1), outwards(0.6)] } };
     const flown = fly({ ...scene, objects: [soft] }, flight('/soft'), C).objects[0];
@@ -112,12 +112,12 @@ describe('fly', () => {
       }
   });
 
-  it('at no speed at all it stops where it is at the time', () => {
+  it('at speed 0 it stops where it is at that time', () => {
     const flown = fly(scene, flight('/moving', { beta: [0, 0, 0] }), C);
     expect(flown.objects[3].motion).toEqual({ kind: 'static', pose: { position: [2, 0, 0], orientation: IDENTITY } });
   });
 
-  it('names what has too many samples to be carried', () => {
+  it('reports objects with too many samples', () => {
     const many = { ...deforming, times: new Float64Array(1e6) } as Motion;
     const large = { ...scene, objects: [{ ...scene.objects[4], motion: many }] };
     expect(tooLargeToFly(scene, '/soft')).toEqual([]);

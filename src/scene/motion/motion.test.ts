@@ -43,7 +43,7 @@ describe('world lines of vertices', () => {
     );
   });
 
-  it('a Born-rigid body keeps its length in the frame of each of its moments', () => {
+  it('a Born-rigid body keeps its length in each momentary rest frame', () => {
     const motion: Motion = {
       kind: 'hyperbolic',
       pose: { position: [4, 0, 0], orientation: IDENTITY },
@@ -51,7 +51,7 @@ describe('world lines of vertices', () => {
       t0: 1,
     };
     const object = cube(motion, { authoredIn: 'rest' });
-    // Along x = X cosh η, ct = X sinh η every point has its own X, counted from the horizon, and one η is one moment of the body.
+    // On x = X cosh η, ct = X sinh η each point has its own X, measured from the horizon, and equal η are simultaneous for the body.
     const horizon = 4 - (c * c) / 20;
     for (const eta of [-1.5, 0.3, 2]) {
       for (const i of vertices(object)) {
@@ -65,7 +65,7 @@ describe('world lines of vertices', () => {
     expect(distance(a, b)).toBeCloseTo(2, 9);
   });
 
-  it('between samples a vertex goes straight, before and after it rests', () => {
+  it('a vertex moves straight between samples, and is at rest before and after', () => {
     const turn = (t: number): Pose => ({ position: [t, 0, 0], orientation: fromAxisAngle([0, 0, 1], t) });
     const object = cube(sampled([1, 2], turn));
     for (const i of vertices(object)) {
@@ -82,7 +82,7 @@ describe('world lines of vertices', () => {
     expect(poseAt(object.motion, 1.5, c).orientation[2]).toBeCloseTo(Math.sin(0.75), 12);
   });
 
-  it('a rest-authored sampled mover is contracted, alike as world line and as points', () => {
+  it('a rest-authored sampled object is contracted, equally as world line and as points', () => {
     const object = cube(
       sampled([0, 1, 2], (t) => ({ position: [6 * t, 0, 0], orientation: IDENTITY })),
       { authoredIn: 'rest' },
@@ -99,7 +99,7 @@ describe('world lines of vertices', () => {
 });
 
 describe('vertexPositions', () => {
-  it('is vertexPosition of every vertex, for every kind of motion, before, between and after the samples', () => {
+  it('equals vertexPosition of every vertex, for every kind of motion, before, between and after the samples', () => {
     const pose: Pose = { position: [1, 2, 3], orientation: fromAxisAngle([1, 1, 0], 0.7) };
     const flat = box([2, 2, 2]).positions;
     const moving = (t: number): Pose => ({ position: [3 * t, t * t, 0], orientation: fromAxisAngle([0, 1, 1], t) });
@@ -148,7 +148,7 @@ describe('resampling', () => {
     );
   });
 
-  it.each([0.5, 1, 4, 12])('follows %d whole turns in one interval, which the ends alone do not show', (turns) => {
+  it.each([0.5, 1, 4, 12])('follows %d whole turns within one interval', (turns) => {
     const at = (t: number) => turning(2 * Math.PI * turns * t);
     const radius = 3;
     const { times, poses } = sampleMotion(at, [0, 1], radius, 0.01);
@@ -166,7 +166,7 @@ describe('resampling', () => {
     }
   });
 
-  it('leaves a straight way alone', () => {
+  it('adds no samples to straight motion', () => {
     expect([
       ...sampleMotion((t) => ({ position: [t, 2 * t, 0], orientation: IDENTITY }), [0, 3], 5, 1e-6).times,
     ]).toEqual([0, 3]);
@@ -174,7 +174,7 @@ describe('resampling', () => {
 });
 
 describe('fastest', () => {
-  it('of a rolling wheel: the chord at the rim’s top, not the axle', () => {
+  it('of a rolling wheel is that of the chord at the top of the rim, not of the axle', () => {
     const [radius, step] = [1, 0.1];
     const object = makeObject({
       path: '/Wheel',
@@ -189,7 +189,7 @@ describe('fastest', () => {
     expect(object.mesh.positions[3 * found.vertex + 1]).toBeGreaterThan(0.97);
   });
 
-  it('agrees with looking at every vertex of every piece', () => {
+  it('agrees with a search over every vertex of every piece', () => {
     fc.assert(
       fc.property(
         fc.array(
@@ -223,7 +223,7 @@ describe('fastest', () => {
     );
   });
 
-  it('of the other motions by closed form', () => {
+  it('of other motions agrees with closed forms', () => {
     expect(fastestVertex(cube(restingAt([0, 0, 0])), c).speed).toBe(0);
     const pose: Pose = { position: [0, 0, 0], orientation: IDENTITY };
     expect(fastestVertex(cube({ kind: 'uniform', pose, velocity: [3, 4, 0] }), c).speed).toBe(5);
@@ -248,7 +248,7 @@ describe('fastest', () => {
 });
 
 describe('bounds', () => {
-  it('a box and a sphere hold their points; numbers that are not finite are left out', () => {
+  it('a box and a sphere contain their points; non-finite numbers are skipped', () => {
     const { center, radius } = boundingSphere(box([2, 4, 4]).positions);
     expect(center).toEqual([0, 0, 0]);
     expect(radius).toBeCloseTo(3, 9);
@@ -256,7 +256,7 @@ describe('bounds', () => {
     expect(boundingBox([])).toBeUndefined();
   });
 
-  it('a scene’s box is that of what exists at the time', () => {
+  it('a scene’s box is that of the objects that exist at the time', () => {
     const pose: Pose = { position: [5, 0, 0], orientation: IDENTITY };
     const objects = [
       cube({ kind: 'uniform', pose, velocity: [1, 0, 0] }),
@@ -266,7 +266,7 @@ describe('bounds', () => {
     expect(sceneBounds(makeScene({ name: 's', objects }), 3.5, c)?.max[1]).toBe(51);
   });
 
-  it('the emission window holds every vertex’s emission time, and is met where one is in line', () => {
+  it('the emission window contains every vertex’s emission time, and is tight for vertices on the line of sight', () => {
     fc.assert(
       fc.property(speed, fc.double({ min: 0, max: 6.28, noNaN: true }), (beta, angle) => {
         const object = cube({
@@ -295,7 +295,7 @@ describe('bounds', () => {
 });
 
 describe('cameras', () => {
-  it('looks along the given way with up up, also straight up and down', () => {
+  it('looks along the given direction with up upwards, also straight up and down', () => {
     const unit = fc
       .tuple(
         fc.double({ min: -1, max: 1, noNaN: true }),
@@ -320,7 +320,7 @@ describe('cameras', () => {
       );
   });
 
-  it('rides with the velocity of its path, up to and with the last sample', () => {
+  it('has the velocity of its path, up to and including the last sample', () => {
     const camera: SceneCamera = {
       path: '/C',
       fovY: 1,
@@ -332,7 +332,7 @@ describe('cameras', () => {
     expect(observerFromCamera(camera, 1.5, c)).toMatchObject({ position: [0, 0, 4], fovY: 1 });
   });
 
-  it('the framing camera has all of the scene in its cone', () => {
+  it('the framing camera has the whole scene in its view', () => {
     const objects = [cube(restingAt([30, 2, -4])), cube(restingAt([-10, 0, 9]))];
     const camera = framingCamera(makeScene({ name: 's', objects, upAxis: 'Z' }));
     const { position, orientation } = observerFromCamera(camera, 0, c);

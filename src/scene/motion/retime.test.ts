@@ -57,7 +57,7 @@ describe('retime', () => {
     );
   });
 
-  it('an acceleration is the same motion at low speeds: ½ a s² in half the time of twice the speed', () => {
+  it('hyperbolic motion at low speed is the same motion in half the time at twice the speed', () => {
     const motion: Motion = { kind: 'hyperbolic', pose, properAcceleration: [2, 0, 0], t0: 0 };
     const slow = retime(
       { ...scene, startTime: 0, objects: [makeObject({ path: '/a', mesh, motion })] },
@@ -66,7 +66,7 @@ describe('retime', () => {
     expect(poseAt(slow.objects[0].motion, 0.5, 1e9).position[0] - 1).toBeCloseTo(0.5 * 2 * 1 ** 2, 9);
   });
 
-  it('carries the time range, lifetimes, lamps, cameras and the opening along', () => {
+  it('retimes the time range, lifetimes, lights, cameras and the opening time too', () => {
     const lifetime = { birth: 2, death: Number.POSITIVE_INFINITY };
     const motion = { kind: 'sampled', times, poses } as const;
     const whole = {
@@ -90,7 +90,7 @@ describe('retime', () => {
     expect(retime(whole, { offset: 0, speed: 1 })).toBe(whole);
   });
 
-  it('speeds scale, and what becomes faster than light is found', () => {
+  it('scales speeds, and superluminal results are found', () => {
     const before = fastestVertex(objects[5], C).speed;
     const next = retime(scene, { offset: 0, speed: 3 });
     expect(fastestVertex(next.objects[5], C).speed / before).toBeCloseTo(3, 9);

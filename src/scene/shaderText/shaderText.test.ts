@@ -28,13 +28,13 @@ function refusal(text: string): { line: number; column: number; message: string 
 }
 
 describe('a shader text', () => {
-  it('gives a colour for a pixel', () => {
+  it('computes a colour per pixel', () => {
     expect(result('return vec4f(1, 0.5, 0, 1);')).toEqual([1, 0.5, 0, 1]);
     expect(result('return image(vec2i(2, -1)) * arg1;')).toEqual([6, -3, 57, 3]);
     expect(result('return vec4f(p.uv, p.position);')).toEqual([0.25, 0.75, 5, 7]);
   });
 
-  it('counts as WGSL does', () => {
+  it('has the arithmetic of WGSL', () => {
     expect(number('1.5 + 2 * 3')).toBe(7.5);
     expect(number('f32(7 / 2)')).toBe(3);
     expect(number('f32(-7 % 3)')).toBe(-1);
@@ -48,7 +48,7 @@ describe('a shader text', () => {
     expect(number('min(arg1, 5) + 10 * max(-arg1, -5) + 100 * abs(-arg1)')).toBe(273);
   });
 
-  it('has vectors, their parts and matrices', () => {
+  it('has vectors, swizzles and matrices', () => {
     expect(result('let v = vec4f(vec2f(1, 2), 3, 4); return v.wzyx;')).toEqual([4, 3, 2, 1]);
     expect(
       result(
@@ -70,7 +70,7 @@ describe('a shader text', () => {
     expect(result('return mix(vec4f(0), vec4f(4), 0.25) + clamp(vec4f(9), vec4f(0), vec4f(1));')).toEqual([2, 2, 2, 2]);
   });
 
-  it('branches, loops, leaves loops and returns early', () => {
+  it('has branches, loops, break, continue and early return', () => {
     expect(
       number(
         'sumTo(10)',
@@ -95,7 +95,7 @@ describe('a shader text', () => {
     expect(result('var a = 1.0; { let a = 5.0; } return vec4f(a);')).toEqual([1, 1, 1, 1]);
   });
 
-  it('knows constants, and functions in any order', () => {
+  it('has constants, and functions in any order', () => {
     expect(
       number(
         'twice(K)',
@@ -111,13 +111,13 @@ describe('a shader text', () => {
     );
   });
 
-  it('may be written in any way', () => {
+  it('ignores formatting', () => {
     const text = '/* a /* nested */ comment */ fn effect ( p : Pixel , )->vec4 < f32 >{// end\nreturn(vec4<f32>(1));;}';
     expect(runShaderProgram(readShaderText(text), ABOUT)).toEqual([1, 1, 1, 1]);
   });
 });
 
-describe('a text is refused, with the place and what to do:', () => {
+describe('a text is rejected, with location and remedy:', () => {
   const body = (text: string): string => `fn effect(p: Pixel) -> vec4f {\n  ${text}\n  return vec4f(1);\n}`;
   it.each([
     ['fn main() -> f32 { return 1.0; }', 1, 1, /there is no function effect: write `fn effect\(p: Pixel\) -> vec4f/],
@@ -189,7 +189,7 @@ describe('a text is refused, with the place and what to do:', () => {
     expect([found.line, found.column]).toEqual([line, column]);
   });
 
-  it('where it is too long, too deep or takes too long', () => {
+  it('if it is too long, too deeply nested or too slow', () => {
     expect(refusal(' '.repeat(SHADER_TEXT_LIMITS.length + 1)).message).toMatch(/shorten it/);
     expect(refusal(body(`let x = ${'('.repeat(5000)}1${')'.repeat(5000)};`)).message).toMatch(/brackets deep/);
     expect(refusal(body(`let x = ${'-'.repeat(5000)}1;`)).message).toMatch(/expected|brackets deep/);
@@ -221,7 +221,7 @@ describe('a text is refused, with the place and what to do:', () => {
     ).toMatch(/go round 10000 times/);
   });
 
-  it('and whatever is written, a place is told or it runs', () => {
+  it('and any text either runs or is rejected with a location', () => {
     const words = [
       'fn',
       'effect',

@@ -1,7 +1,7 @@
 import { expect, test } from 'vitest';
 import { pointSpread, spreadRadius } from './pointSpread.ts';
 
-test('all of a star’s light is in the picture, wherever in a pixel it is', () => {
+test('a star’s light is conserved, wherever in a pixel it is', () => {
   for (const [x, y] of [
     [0, 0],
     [0.5, 0.5],
@@ -13,7 +13,7 @@ test('all of a star’s light is in the picture, wherever in a pixel it is', () 
   }
 });
 
-test('beyond its radius it is darker than an eight-bit picture can tell, unless it is a sun', () => {
+test('beyond its radius it is below the resolution of 8 bits, except for very bright stars', () => {
   for (const radiance of [0.01, 1, 30]) {
     const r = spreadRadius(radiance);
     expect(radiance * pointSpread(r)).toBeLessThan(1 / (255 * 12.92));

@@ -30,7 +30,7 @@ function seen(toward: Vec3, view: Partial<ViewPoint> = {}, settings: Partial<Ren
 const PIXEL = ((2 * Math.tan(0.5)) / HEIGHT) ** 2;
 
 describe('a star in a picture', () => {
-  test('straight ahead is in the middle, and what is right and up is there', () => {
+  test('is in the middle if straight ahead, and right or up accordingly', () => {
     expect(seen([0, 0, -1])).toMatchObject({ x: 0, y: 0 });
     expect(seen([0.1, 0.2, -1])).toMatchObject({ x: expect.closeTo(0.1 / (Math.tan(0.5) * (4 / 3)), 5) });
     expect(seen([0.1, 0.2, -1])?.y).toBeCloseTo(0.2 / Math.tan(0.5), 5);
@@ -39,12 +39,12 @@ describe('a star in a picture', () => {
     expect(seen(rotate(turned, [0, 0, -1]), { orientation: turned })?.x).toBeCloseTo(0, 6);
   });
 
-  test('gives a pixel its illuminance over the pixel’s solid angle', () => {
+  test('has the radiance illuminance divided by the pixel’s solid angle', () => {
     expect(seen([0, 0, -1])!.luminance * PIXEL).toBeCloseTo(1, 1);
   });
 
   // tan(θ′/2) = tan(θ/2)/[γ(1 + β)] (Penrose 1959).
-  test('crowds ahead as Penrose says', () => {
+  test('is aberrated by Penrose’s formula', () => {
     fc.assert(
       fc.property(
         fc.double({ min: 0.01, max: 1.5, noNaN: true }),
@@ -60,7 +60,7 @@ describe('a star in a picture', () => {
   });
 
   // A blackbody of T·D in a solid angle that is D² times smaller.
-  test('its light grows with the fourth power of D in all, and by D⁻² for it is crowded', () => {
+  test('its light is multiplied by D⁴, of radiance, and D⁻², of solid angle', () => {
     const u = 1.2;
     const D = Math.sqrt(1 + u * u) + u;
     const moving = (settings: Partial<RenderSettings>) => seen([0, 0, -1], { u: [0, 0, -u] }, settings)!.luminance;
@@ -72,7 +72,7 @@ describe('a star in a picture', () => {
     );
   });
 
-  test('at the edge of a picture pixels are smaller pieces of the sky', () => {
+  test('at the edge of a picture pixels have smaller solid angles', () => {
     const edge: Vec3 = scale([Math.tan(0.5), 0, -1], 1);
     const cosine = Math.cos(0.5);
     expect(seen(edge)!.luminance * cosine ** 3).toBeCloseTo(seen([0, 0, -1])!.luminance, -1);

@@ -11,7 +11,7 @@ const shift = fc.double({ min: 1 / 8, max: 8, noNaN: true });
 const luminance = ([r, g, b]: readonly number[]): number => 0.2126 * r + 0.7152 * g + 0.0722 * b;
 
 describe('starlight', () => {
-  test('is what integration over all wavelengths gives, times D⁴', () => {
+  test('equals the integral over all wavelengths, times D⁴', () => {
     fc.assert(
       fc.property(temperature, shift, (T, D) => {
         const exact = observedColor(WHITE_FILTER, WHITE_FILTER, { kind: 'thermal', temperature: T }, 1, D);
@@ -24,7 +24,7 @@ describe('starlight', () => {
     );
   });
 
-  test('is the star’s own at rest, and wherever its motion is not to be seen', () => {
+  test('is the star’s own at rest, and where Doppler effects are off', () => {
     for (const T of [3000, 5800, 20_000]) {
       expect(luminance(starlight(T, 1, FULL))).toBeCloseTo(1, 1);
       starlight(T, 7, { ...FULL, dopplerMix: 0, beaming: 0 }).forEach((value, k) => {
@@ -33,7 +33,7 @@ describe('starlight', () => {
     }
   });
 
-  test('approximate colours have the star’s own colour at rest, and the tint’s after a shift', () => {
+  test('in approximate colours is the star’s own at rest, and tinted after a shift', () => {
     for (const T of [3000, 5800, 9000]) {
       const [exact, tinted] = [starlight(T, 1, FULL), starlight(T, 1, TINTED)];
       // Both are of luminance 1; spectra's white has the CIE's own curve, the tint's a fit.
@@ -48,7 +48,7 @@ describe('starlight', () => {
     expect(luminance(starlight(3000, 2, TINTED))).toBeLessThan(0.5 * luminance(starlight(3000, 2, FULL)));
   });
 
-  test('stars ahead turn blue and bright, and behind they go out', () => {
+  test('stars ahead become blue and bright, and those behind fade out', () => {
     const [red, , blue] = starlight(4000, 3, FULL);
     expect(blue).toBeGreaterThan(red);
     expect(luminance(starlight(4000, 3, FULL))).toBeGreaterThan(81);

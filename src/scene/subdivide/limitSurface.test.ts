@@ -139,7 +139,7 @@ describe('a regular grid', () => {
     }
   });
 
-  it('without its boundary corners has a round curve for a boundary', () => {
+  it('without sharp boundary corners has a smooth boundary curve', () => {
     const positions = surfaceOf(hills, 2, { sharpCorners: false }).at(hills.points.flat()).positions;
     const [p, a, b] = [hills.points[0], hills.points[1], hills.points[N]];
     expectNear(
@@ -151,14 +151,14 @@ describe('a regular grid', () => {
 });
 
 describe('limit masks', () => {
-  it('carry the corner of a cube to (3 p + Σ edges 4/8 + Σ diagonals 1/8) / 8', () => {
+  it('move the corner of a cube to (3 p + Σ edges 4/8 + Σ diagonals 1/8) / 8', () => {
     const { positions } = surfaceOf(cube, 2).at(cube.points.flat());
     // Halstead et al. (1993): n/(n+5), 4/(n(n+5)), 1/(n(n+5)) for n = 3; by symmetry on the diagonal.
     const expected = 3 / 8 + (4 / 24) * (1 + 1 - 1) + (1 / 24) * (1 - 1 - 1);
     expect(at(positions, 7).map(Math.abs)).toEqual(Array(3).fill(Math.fround(expected)));
   });
 
-  it('keep a sharp loop as the cubic B-spline curve of its points', () => {
+  it('make a sharp loop the cubic B-spline curve of its points', () => {
     const loop = [
       [4, 5],
       [5, 7],
@@ -255,10 +255,10 @@ describe('sharpness', () => {
     );
   });
 
-  it('parts the normals, and lets them run together where it ends', () => {
+  it('splits the normals, and joins them where it ends', () => {
     const surface = surfaceOf(cube, 2, { creaseSharpness: sharpBetween([[0, 1]], 10) });
     const smooth = surfaceOf(cube, 2);
-    // A crease of one edge of four pieces: its three inner points have two sides, its ends one.
+    // A crease along one edge of four pieces: its three inner points have two normals, its ends one.
     expect(surface.slots).toBe(smooth.slots + 3);
   });
 });
@@ -267,7 +267,7 @@ describe('every surface', () => {
   const shapes = fc.constantFrom(cube, pyramid, octahedron, hills);
   const number = fc.double({ min: -3, max: 3, noNaN: true });
 
-  it('goes with an affine map of its points', () => {
+  it('is affinely invariant', () => {
     fc.assert(
       fc.property(shapes, fc.array(number, { minLength: 12, maxLength: 12 }), (shape, m) => {
         const map = (p: readonly number[]): number[] =>
@@ -283,7 +283,7 @@ describe('every surface', () => {
     );
   });
 
-  it('lies in the hull of its points', () => {
+  it('lies in the convex hull of its points', () => {
     fc.assert(
       fc.property(shapes, fc.tuple(number, number, number), (shape, d) => {
         const along = (p: readonly number[]): number => p[0] * d[0] + p[1] * d[1] + p[2] * d[2];
@@ -312,7 +312,7 @@ describe('every surface', () => {
     }
   });
 
-  it('of a closed mesh is closed: every edge has two sides that agree', () => {
+  it('of a closed mesh is closed: every edge has two faces of consistent orientation', () => {
     for (const [shape, scheme] of [
       [pyramid, 'catmullClark'],
       [octahedron, 'loop'],
@@ -327,7 +327,7 @@ describe('every surface', () => {
     }
   });
 
-  it('knows the face that each of its faces lies in', () => {
+  it('maps each of its faces to the original face', () => {
     expect([...parentFaces(refineTopology(cageOf(pyramid), 'catmullClark', 1), [5, 3, 3, 3, 3, 3])]).toEqual(
       [5, 3, 3, 3, 3, 3].flatMap((n, f) => Array(n).fill(f)),
     );
@@ -343,8 +343,8 @@ describe('every surface', () => {
   });
 });
 
-describe('what does not hang together', () => {
-  it('three faces at an edge, faces turned against each other, fans that touch in a point: sharp, finite, in place', () => {
+describe('non-manifold meshes', () => {
+  it('three faces at an edge, inconsistent orientations, fans that touch in a point: sharp, finite, in place', () => {
     const shape: Shape = {
       points: [...cube.points, [3, 3, 3], [4, 3, 3], [3, 4, 5]],
       faces: [...cube.faces, [0, 1, 8], [7, 9, 10], [7, 9, 8]],
@@ -357,7 +357,7 @@ describe('what does not hang together', () => {
     expect(place).toEqual([1, 1, 1]);
   });
 
-  it('has normals where its points coincide', () => {
+  it('have normals where points coincide', () => {
     const flat: Shape = { points: hills.points.map(([x, y]) => [Math.max(1, x), y, 0]), faces: hills.faces };
     const { normals } = surfaceOf(flat, 2).at(flat.points.flat());
     for (let s = 0; s < normals.length / 3; s++)

@@ -25,7 +25,7 @@ function subdivided(cage: Polygons, rest: Partial<SubdivisionOptions> = {}) {
   const topology = makeTopology({ ...cage, points: cage.points.length / 3, sharpCorners: true });
   return subdividePolygons(cage, topology, { ...how, ...rest });
 }
-/** Value and place of each corner. */
+/** Value and position of each corner. */
 function corners(polygons: Polygons, of: 'uvs' | 'colors', width: number): { at: number[]; value: number[] }[] {
   const { per, values, indices } = polygons[of]!;
   return Array.from(polygons.faceIndices as Uint32Array, (slot, c) => {
@@ -47,7 +47,7 @@ const perPoint = (cage: Polygons, of: (x: number, y: number) => number[], linear
 });
 
 describe('values on a subdivided mesh', () => {
-  it('of points go as the points do, or linearly', () => {
+  it('of points are subdivided like the points, or linearly', () => {
     const cage = sheet(4);
     const square = (x: number, y: number): number[] => [x * x, y, 0];
     for (const linear of [false, true]) {
@@ -74,7 +74,7 @@ describe('values on a subdivided mesh', () => {
     expect(corners(polygons, 'colors', 3)[16 * 3].value).toEqual([1, 0, 0]);
   });
 
-  it('hidden faces shape their neighbours and are left out, with what is on them', () => {
+  it('hidden faces shape their neighbours, and are skipped with their values', () => {
     const cage = { ...sheet(4), uvs: perPoint(sheet(4), (x, y) => [x, y]) };
     const whole = subdivided(cage);
     const some = subdivided(cage, { hidden: (f) => f === 5 });
@@ -110,7 +110,7 @@ describe('values on corners', () => {
     return found!.value[0];
   };
 
-  it('are torn at a seam, and smooth inside the pieces', () => {
+  it('are discontinuous at a seam, and smooth within the pieces', () => {
     const { polygons } = subdivided(seam());
     const onSeam = corners(polygons, 'uvs', 2).filter(({ at }) => at[0] === 2);
     expect(new Set(onSeam.map(({ value }) => value[1] >= 5)).size).toBe(2);
@@ -135,7 +135,7 @@ describe('values on corners', () => {
     expect(uAt(rule, x, y, false)).toBeCloseTo(expected, 5);
   });
 
-  it('pin where three pieces meet, a seam that ends, and the far side of a corner, by rule', () => {
+  it('are pinned, depending on the rule, where three pieces meet, where a seam ends, and at corners', () => {
     // Four squares around a point, each value given by the pieces of its faces.
     const at = (pieces: readonly number[], rule: FaceVaryingRule): number => {
       const cage = sheet(2);
@@ -166,7 +166,7 @@ describe('values on corners', () => {
 });
 
 describe('boundaryFaces', () => {
-  it('are those with an open point, unless their boundary is written as sharp', () => {
+  it('are those with a boundary point, unless their boundary is marked as sharp', () => {
     const cage = sheet(4);
     const topology = makeTopology({ ...cage, points: 25, sharpCorners: false });
     expect([...boundaryFaces(topology, () => 0)].filter((x) => x === 0).length).toBe(4);

@@ -9,7 +9,7 @@ import { extrudeContours, extrusionTriangles } from './extrude.ts';
 import { type TextStyle, textMesh } from './textMesh.ts';
 import { triangulateCap } from './triangulateCap.ts';
 
-// Of 捷 earcut drops a corner that lies on a line only but for rounding.
+// In 捷 earcut drops a corner that is on a line only up to rounding.
 const LETTERS = 'Slowight BE8%@&ßΩЖ光速捷翱';
 const letters = await readGlyphs(LETTERS, readFont);
 const letter = (name: string): Glyph => letters.get(name)!;
@@ -17,7 +17,7 @@ const how = (name: string, tolerance = 1e-3) =>
   ({ scale: 1 / letter(name).capHeight, depth: 0.25, tolerance, tile: 1 }) as const;
 const solidOf = (name: string, tolerance?: number) => extrudeContours(letter(name).contours, how(name, tolerance));
 
-/** What the curves themselves enclose: between a parabola and its chord lie two thirds of its triangle (Archimedes). */
+/** Area enclosed by the exact curves: between a parabola and its chord are two thirds of its triangle (Archimedes). */
 function enclosed({ contours, capHeight }: Glyph): number {
   let twice = 0;
   for (const { start, segments } of contours) {
@@ -57,7 +57,7 @@ describe('a solid letter', () => {
     expect(eulerCharacteristic(solidOf(name))).toBe(euler);
   });
 
-  it('has flat caps, and sides whose normals are square to them and point outwards', () => {
+  it('has flat caps, and sides with perpendicular outward normals', () => {
     const mesh = solidOf('B');
     triangles(mesh).forEach(([a, b, c], t) => {
       const face = normalize(cross(sub(b, a), sub(c, a)));
@@ -70,7 +70,7 @@ describe('a solid letter', () => {
     });
   });
 
-  it('is smooth round curves, and has creases at corners', () => {
+  it('is smooth along curves, and has creases at corners', () => {
     const directions = (name: string): number => {
       const { positions, normals } = solidOf(name);
       const places = new Map<string, Set<string>>();
@@ -86,14 +86,14 @@ describe('a solid letter', () => {
     expect(directions('l')).toBe(2);
   });
 
-  it('is of as many triangles as were told beforehand', () => {
+  it('has as many triangles as predicted', () => {
     for (const name of named)
       expect(solidOf(name).indices.length / 3).toBe(extrusionTriangles(letter(name).contours, how(name)));
   });
 });
 
 describe('a cap', () => {
-  it('has no corner inside another’s side, where many lie on one line', () => {
+  it('has no T-junctions where many corners are on one line', () => {
     // A comb, and a hole in line with its teeth: 13 corners lie on y = 0.
     const comb: Point2[] = [
       [0, 2],
@@ -134,14 +134,14 @@ describe('a text', () => {
     return [Math.min(...all), Math.max(...all)];
   };
 
-  it('stands on the ground, capitals as high as asked, its lines one above the other', () => {
+  it('stands on the ground with the given height of capitals, one line above the other', () => {
     expect(range(text(['B']), 1)).toEqual([0, expect.closeTo(2, 5)]);
     expect(range(text(['B']), 2)).toEqual([-0.25, 0.25]);
     expect(range(text(['E', 'BB', 'B']), 1)).toEqual([0, expect.closeTo(2 * 3 + 2, 5)]);
     expect(volume(text(['BE', 'B']))).toBeCloseTo(2 * volume(text(['B'])) + volume(text(['E'])), 4);
   });
 
-  it('begins, has its middle or ends at x = 0, with what is added between letters', () => {
+  it('is aligned left, centre or right at x = 0, with additional letter spacing', () => {
     const width = (2 * letter('B').advance) / letter('B').capHeight;
     const [first] = range(text(['B']), 0);
     expect(range(text(['BB'], { align: 'right' }), 0)[0]).toBeCloseTo(first - 2 * width, 5);

@@ -13,7 +13,7 @@ const numbers = fc.oneof(
   fc.uint8ClampedArray(),
 );
 const part = fc.oneof(fc.double(), fc.string(), fc.boolean(), fc.constant(null), fc.constant(undefined), numbers);
-/** Arrays with numbers in them, which stand for places in the table, are values like all others. */
+/** Arrays of numbers, which also encode table indices, are values like all others. */
 const nested = fc.letrec<{ tree: unknown }>((tie) => ({
   tree: fc.oneof(
     { maxDepth: 4 },
@@ -23,7 +23,7 @@ const nested = fc.letrec<{ tree: unknown }>((tie) => ({
   ),
 })).tree;
 
-it('gives back what was put in, to the last bit', () => {
+it('round-trips values to the last bit', () => {
   fc.assert(
     fc.property(fc.array(nested), (value) => {
       expect(sent(value)).toStrictEqual(structuredClone(value));
@@ -31,7 +31,7 @@ it('gives back what was put in, to the last bit', () => {
   );
 });
 
-it('what is there twice is sent once, and is one thing again', () => {
+it('shared objects are sent once, and stay shared', () => {
   const mesh = { positions: new Float32Array(3000), colors: undefined };
   const scene = { objects: Array.from({ length: 1000 }, (_, i) => ({ path: `/${i}`, mesh })) };
   const bytes = encodeTransfer(scene);
@@ -41,7 +41,7 @@ it('what is there twice is sent once, and is one thing again', () => {
   expect(objects[999]!.path).toBe('/999');
 });
 
-it('of a part of a buffer that part is sent, of a Buffer of Node its bytes, and a ring stays one', () => {
+it('a view of a buffer is sent as its part, a Node Buffer as its bytes, and cycles are preserved', () => {
   const ring: { data: Uint8Array; bytes: Uint8Array; self?: object } = {
     data: new Uint8Array([1, 2, 3, 4, 5]).subarray(1, 4),
     bytes: Buffer.from('words'),
@@ -54,7 +54,7 @@ it('of a part of a buffer that part is sent, of a Buffer of Node its bytes, and 
 });
 
 it.each([() => 1, new Map(), 1n, new Date(0), new DataView(new ArrayBuffer(1))])(
-  'what a table has no word for is refused, not lost: %s',
+  'unsupported values are rejected, not dropped: %s',
   (odd) => {
     expect(() => encodeTransfer({ odd })).toThrow(/cannot be sent/);
   },

@@ -6,7 +6,7 @@ import { renderableScene } from './renderableScene.ts';
 const mesh = box([1, 1, 1]);
 const object = (path: string, change: object = {}) => makeObject({ path, mesh, ...change });
 
-it('leaves out what no picture can be made of, and tells it', () => {
+it('skips objects that cannot be rendered, and reports them', () => {
   const beyond = { ...mesh, indices: Uint32Array.of(0, 1, 99) };
   const backwards = {
     motion: { ...restingAt([0, 0, 0]), kind: 'sampled', times: Float64Array.of(1, 0), poses: new Float64Array(14) },
@@ -25,7 +25,7 @@ it('leaves out what no picture can be made of, and tells it', () => {
   expect(diagnostics).toEqual([]);
 });
 
-it('keeps the first of two objects of one path', () => {
+it('keeps the first of two objects with the same path', () => {
   const [first, second] = [object('/a'), object('/a', { mesh: box([2, 2, 2]) })];
   const { scene } = renderableScene(makeScene({ name: 'b', objects: [first, second, object('/b')] }));
   expect(scene.objects.map((one) => [one.path, one.mesh === mesh])).toEqual([
@@ -34,7 +34,7 @@ it('keeps the first of two objects of one path', () => {
   ]);
 });
 
-it('what is only too fast, or only remarkable, stays; a sound scene is the same', () => {
+it('objects that are too fast or have warnings stay; a valid scene is returned unchanged', () => {
   const velocity = [4e8, 0, 0] as const;
   const fast = object('/fast', { motion: { ...restingAt([0, 0, 0]), kind: 'uniform', velocity } });
   const flat = object('/flat', { mesh: { ...mesh, indices: Uint32Array.of(0, 0, 0, ...mesh.indices) } });

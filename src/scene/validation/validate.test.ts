@@ -19,7 +19,7 @@ const told = (given: Partial<SceneObject>, c = 10): string[] =>
 const meshWith = (given: Partial<Mesh>): Partial<SceneObject> => ({ mesh: { ...box([2, 2, 2]), ...given } });
 
 describe('validate', () => {
-  it('finds nothing in a sound scene', () => {
+  it('finds nothing in a valid scene', () => {
     expect(told({})).toEqual([]);
     expect(
       told({
@@ -31,7 +31,7 @@ describe('validate', () => {
     ).toEqual([]);
   });
 
-  it('names the prim, the time, the speed and the least c that would do', () => {
+  it('reports prim, time, speed and the least valid c', () => {
     expect(
       told({
         motion: poses([
@@ -46,7 +46,7 @@ describe('validate', () => {
     ]);
   });
 
-  it('counts the vertex that is farthest out, not the origin', () => {
+  it('uses the speed of the outermost vertex, not of the origin', () => {
     // Corners at √2 from the axis: chord 2√2 sin(θ/2) in 0.2 s.
     const motion = poses([
       [0, 0, 0],
@@ -58,7 +58,7 @@ describe('validate', () => {
     expect(told({ motion }, speed * 0.999)[0]).toMatch(/^motion.superluminal .* 1\.001 c/);
   });
 
-  it('the least c that is told does do', () => {
+  it('the reported least c is valid', () => {
     for (const reach of [3, 11.7, 250, 123456]) {
       const motion = poses([
         [0, 0],
@@ -70,7 +70,7 @@ describe('validate', () => {
     }
   });
 
-  it('judges deforming, uniform and rest-authored movers, and cameras', () => {
+  it('checks deforming, uniform and rest-authored motion, and cameras', () => {
     const flat = box([2, 2, 2]).positions;
     const points: Motion = {
       kind: 'sampled-points',
@@ -107,7 +107,7 @@ describe('validate', () => {
     ]);
   });
 
-  it('a lamp needs sizes and a colour that are numbers', () => {
+  it('a light needs finite sizes and colours', () => {
     const lamp = { path: '/Lamp', motion: restingAt([0, 0, 0]), lifetime: FOREVER, color: [1, 1, 1] } as const;
     const lights = [
       { ...lamp, kind: 'rect', width: 1, height: Number.NaN },
@@ -203,7 +203,7 @@ describe('validate', () => {
     expect(found[0]).toContain(words);
   });
 
-  it('two objects of one path', () => {
+  it('two objects with the same path', () => {
     expect(validate(scene(object(), object()), 10).map(({ code }) => code)).toEqual(['scene.duplicate-path']);
   });
 });

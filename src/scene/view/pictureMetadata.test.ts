@@ -12,8 +12,8 @@ const view: ViewPoint = {
 };
 const settings = { ...DEFAULT_SETTINGS, speedOfLight: 30, exposure: -1.25 };
 
-describe('what a picture tells of itself', () => {
-  it('is who looked and how its light is shown', () => {
+describe('metadata of a picture', () => {
+  it('are the observer and the display settings', () => {
     const { observerBeta, observerSpeed, fieldOfView, ...rest } = pictureMetadata(view, settings);
     expect(observerBeta!.split(' ').map(Number)[2]).toBeCloseTo(-0.6, 12);
     expect(Number.parseFloat(observerSpeed!)).toBeCloseTo(0.6, 12);
@@ -30,7 +30,7 @@ describe('what a picture tells of itself', () => {
     });
   });
 
-  it('names what is not physical', () => {
+  it('list unphysical settings', () => {
     const about = pictureMetadata(view, {
       ...settings,
       lightDelay: false,
@@ -41,7 +41,7 @@ describe('what a picture tells of itself', () => {
     expect(about).toMatchObject({ lightDelay: 'off', aberration: 'off', dopplerMix: '0.5', beaming: '0' });
   });
 
-  it('has the scale of false colours, and no exposure where they show none', () => {
+  it('have the scale of false colours, and no exposure where those do not depend on it', () => {
     const about = pictureMetadata(view, { ...settings, falseColors: { kind: 'emission-time', from: -5, to: 0 } });
     expect(about.falseColors).toBe('emission-time from -5 s to 0 s');
     expect(about.exposure).toBeUndefined();

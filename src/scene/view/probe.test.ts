@@ -25,8 +25,8 @@ const passing = (position: Vec3, velocity: Vec3): Motion => ({
 });
 const atRest = { t: 0, position: ZERO, u: ZERO };
 
-describe('probe, against closed forms worked by hand', () => {
-  it('a receding point at 0.6 c: 16 m away now, seen at 10 m when it was there, D = 1/2', () => {
+describe('probe, against closed forms', () => {
+  it('a point receding at 0.6 c, 16 m away now, is seen at 10 m, D = 1/2', () => {
     const p = probeVertex(point(passing([16, 0, 0], [6, 0, 0])), 0, atRest, c)!;
     expect(p.time).toBeCloseTo(-1, 12);
     expect(distance(p.position, [10, 0, 0])).toBeLessThan(1e-12);
@@ -34,20 +34,20 @@ describe('probe, against closed forms worked by hand', () => {
     expect(p.distance).toBeCloseTo(10, 12);
   });
 
-  it('an approaching one at 0.6 c: 4 m away now, seen at 10 m, D = 2', () => {
+  it('a point approaching at 0.6 c, 4 m away now, is seen at 10 m, D = 2', () => {
     const p = probeVertex(point(passing([4, 0, 0], [-6, 0, 0])), 0, atRest, c)!;
     expect(p.time).toBeCloseTo(-1, 12);
     expect(p.doppler).toBeCloseTo(2, 12);
   });
 
-  it('seen square across, a mover is red by 1/γ', () => {
+  it('seen at right angles, a moving point is redshifted by 1/γ', () => {
     // Emitted at x = 0, y = 8, 0.8 s ago; now at x = 4.8.
     const p = probeVertex(point(passing([4.8, 8, 0], [6, 0, 0])), 0, atRest, c)!;
     expect(distance(p.position, [0, 8, 0])).toBeLessThan(1e-12);
     expect(p.doppler).toBeCloseTo(0.8, 12);
   });
 
-  it('a moving observer in a world at rest: ahead at 2 × 5 m, abeam thrown forward to tan θ = 1/u', () => {
+  it('a moving observer in a world at rest: 5 m ahead appears at 10 m, points abeam at tan θ = 1/u', () => {
     const observer = { ...atRest, u: properVelocity([0, 0, -0.6]) };
     const ahead = probeVertex(point(restingAt([0, 0, -5])), 0, observer, c)!;
     expect(distance(ahead.apparent, [0, 0, -10])).toBeLessThan(1e-12);
@@ -58,7 +58,7 @@ describe('probe, against closed forms worked by hand', () => {
     expect(abeam.distance).toBeCloseTo(1.25 * 3, 12);
   });
 
-  it('in the slice of simultaneity a stick at rest in the world is 1/γ long for one who flies along it', () => {
+  it('in the simultaneity view a rod at rest in the world is contracted by γ for an observer moving along it', () => {
     const observer = { ...atRest, u: properVelocity([0.8, 0, 0]) };
     const [tail, head] = [-2, 3].map((x) => probeVertex(point(restingAt([x, 0, 0])), 0, observer, c, 'simultaneity')!);
     expect(head.apparent[0] - tail.apparent[0]).toBeCloseTo(5 * 0.6, 12);
@@ -66,7 +66,7 @@ describe('probe, against closed forms worked by hand', () => {
     expect(head.doppler).toBe(1);
   });
 
-  it('galilean: where it is now, whatever moves', () => {
+  it('in the galilean view every point is where it is now', () => {
     const p = probeVertex(
       point(passing([1, 2, 3], [6, 0, 0])),
       0,
@@ -77,14 +77,14 @@ describe('probe, against closed forms worked by hand', () => {
     expect(p).toMatchObject({ time: 2, apparent: [13, 0, 0], doppler: 1 });
   });
 
-  it('lifetimes are tested at the event that is shown', () => {
+  it('lifetimes are tested at the displayed event', () => {
     const object = point(restingAt([20, 0, 0]), { lifetime: { birth: 0, death: 1 } });
     const seen = (t: number) => probeVertex(object, 0, { ...atRest, t }, c)!.visible;
     expect([1.9, 2.1, 2.9, 3.1].map(seen)).toEqual([false, true, true, false]);
     expect(probeVertex(object, 0, { ...atRest, t: 0.5 }, c, 'galilean')!.visible).toBe(true);
   });
 
-  it('behind its horizon there is nothing to see', () => {
+  it('points behind the horizon are not visible', () => {
     const motion: Motion = {
       kind: 'hyperbolic',
       pose: { position: [10, 0, 0], orientation: IDENTITY },

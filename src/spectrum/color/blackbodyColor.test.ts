@@ -12,13 +12,13 @@ const USD: readonly (readonly [T: number, r: number, g: number, b: number])[] = 
   [10000, 0.8718, 0.9947, 1.43],
 ];
 
-test.each(USD)('a blackbody of %d K has the colour that USD gives it, to half a percent', (T, ...rgb) => {
+test.each(USD)('a blackbody of %d K has USD’s colour within half a percent', (T, ...rgb) => {
   blackbodyColor(T).forEach((value, k) => {
     expect(Math.abs(value - rgb[k]) / Math.max(...rgb)).toBeLessThan(0.0055);
   });
 });
 
-test('it is red, then white, then blue, always as bright, and no hotter than 10,000 K', () => {
+test('it is red, then white, then blue, of constant luminance, clamped at 10,000 K', () => {
   for (const T of [0, 1000, 2000, 6504, 1e5]) {
     const [r, g, b] = blackbodyColor(T);
     expect(0.2126 * r + 0.7152 * g + 0.0722 * b).toBeCloseTo(1, 12);
@@ -29,7 +29,7 @@ test('it is red, then white, then blue, always as bright, and no hotter than 10,
   blackbodyColor(6504).forEach((x) => void expect(Math.abs(x - 1)).toBeLessThan(0.05));
 });
 
-test('beside its own daylight it is the colour of Planck’s law', () => {
+test('relative to its own daylight it has the colour of Planck’s law', () => {
   const day = blackbodyColor(6504);
   for (const temperature of [1900, 2500, 4000, 6504, 10_000]) {
     const white = colorOfSpectrum({ kind: 'thermal', temperature });
@@ -39,7 +39,7 @@ test('beside its own daylight it is the colour of Planck’s law', () => {
   }
 });
 
-test('the glow of approximate colours is the same with daylight white, as bright as any', () => {
+test('emission in approximate colours is the same relative to white daylight, of equal luminance', () => {
   for (const temperature of [700, 1900, 4000, 6504, 10_000]) {
     expect(dot(LUMINANCE_WEIGHTS, glowColor(temperature))).toBeCloseTo(1, 12);
   }

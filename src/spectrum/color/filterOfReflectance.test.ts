@@ -49,7 +49,7 @@ function integrated(reflectance: MeasuredReflectance, Din: number, Dout: number)
 const whiteSeen = (Din: number, Dout: number) => observedColor(WHITE_FILTER, WHITE_FILTER, DAYLIGHT, Din, Dout);
 
 describe('a measured reflectance', () => {
-  it.each([LEAF, RED, DIDYMIUM])('is seen as its integral over every nanometre, at any shift', (reflectance) => {
+  it.each([LEAF, RED, DIDYMIUM])('has the colour of its integral over every nanometre, at any shift', (reflectance) => {
     fc.assert(
       fc.property(logarithmic(1 / 4, 4), logarithmic(1 / 4, 4), (Din, Dout) => {
         const seen = observedColor(filterOfReflectance(reflectance), WHITE_FILTER, DAYLIGHT, Din, Dout);
@@ -61,7 +61,7 @@ describe('a measured reflectance', () => {
     );
   });
 
-  it('that bands make has these bands', () => {
+  it('composed of bands has these bands', () => {
     const bands = filterFromRgb([0.7, 0.3, 0.1], 0.2, 0.6);
     const table: MeasuredReflectance = {
       first: 300e-9,
@@ -74,7 +74,7 @@ describe('a measured reflectance', () => {
     });
   });
 
-  it('goes on as it ends', () => {
+  it('is extrapolated by its end values', () => {
     expect([1e-9, 299e-9, 1400e-9, 1e-3].map((wavelength) => measuredReflectanceAt(LEAF, wavelength))).toEqual(
       [0, 0, 220, 220].map((i) => LEAF.values[i]),
     );
@@ -85,7 +85,7 @@ describe('a measured reflectance', () => {
     ['paint', RED, 52, 0.5],
     ['didymium', DIDYMIUM, 16, 0.15],
   ] as const)(
-    'is shown by its bands alone exactly at rest, and within bounds from D = 1/2 to 2: of a %s',
+    'is represented by its bands exactly at rest, and within bounds from D = 1/2 to 2: %s',
     (_, reflectance, color, luminance) => {
       const XYZ = invert(XYZ_TO_RENDER_SRGB)!;
       const { rgb, uv, ir } = filterOfReflectance(reflectance);

@@ -15,14 +15,14 @@ const share = fc.double({ min: 0.3, max: 1, noNaN: true });
 const pale = fc.tuple(share, share, share);
 
 describe('the filter of a light', () => {
-  test('in daylight is its colour', () => {
+  test('in daylight is the colour', () => {
     fc.assert(
       fc.property(pale, (color) => close(lightFilter(color, DAYLIGHT).rgb, color, 9)),
       { numRuns: 20 },
     );
   });
 
-  test('before any blackbody shows its colour on a white surface at rest', () => {
+  test('with any blackbody shows the colour on a white surface at rest', () => {
     fc.assert(
       fc.property(pale, logarithmic(2500, 40_000), (tint, T) => {
         const white = colorOfSpectrum(thermal(T));
@@ -33,14 +33,14 @@ describe('the filter of a light', () => {
     );
   });
 
-  test('of a bare blackbody is none, also where it has no blue', () => {
+  test('of a blackbody’s own colour is neutral, also without blue', () => {
     for (const T of [500, 1000, 1900, 6504, 1e5])
       close(lightFilter(colorOfSpectrum(thermal(T)), thermal(T)).rgb, [1, 1, 1], 9);
     // USD clips the negative blue of 1500 K; the filter may only add a little blue for that.
     expect(Math.max(...lightFilter(blackbodyColor(1500), thermal(1500)).rgb)).toBeLessThan(3);
   });
 
-  test('of lines and lamps is their brightness alone', () => {
+  test('of lines and measured lamps is only their brightness', () => {
     const lines = { kind: 'lines', lines: [{ wavelength: 589e-9, weight: 1 }] } as const;
     const k = lightFilter([0.9, 0.2, 0.4], lines);
     const luminance = dot(LUMINANCE_WEIGHTS, [0.9, 0.2, 0.4]);

@@ -24,7 +24,7 @@ const rgb = fc.tuple(share, share, share);
 const gain = (T: number, D: number) => Math.exp(logLuminance(T * D) - logLuminance(T)) / D ** 4;
 
 describe('N', () => {
-  test('is that of colour-science’s tables, and its luminance that of white', () => {
+  test('agrees with tables of colour-science, and has the luminance of white', () => {
     judged.normaliser.flat().forEach((expected, i) => void expect(XYZ_TO_RENDER_SRGB[i]).toBeCloseTo(expected, 6));
     expect(LUMINANCE_WEIGHTS[0] + LUMINANCE_WEIGHTS[1] + LUMINANCE_WEIGHTS[2]).toBeCloseTo(1, 12);
     const xyz: Vec3 = [0.3, 0.5, 0.2];
@@ -32,8 +32,8 @@ describe('N', () => {
   });
 });
 
-describe('what is seen', () => {
-  test.each(judged.seen.map((one, i) => ({ i, ...one })))('is what numpy integrates, $i', (one) => {
+describe('the observed colour', () => {
+  test.each(judged.seen.map((one, i) => ({ i, ...one })))('agrees with numpy’s integral, $i', (one) => {
     const { a, k, T, Din, Dout, rgb: expected, neutral } = one;
     const brightness = gain(T, Din * Dout);
     const relative = (filter: SpectralFilter) =>
@@ -42,7 +42,7 @@ describe('what is seen', () => {
     close(relative(WHITE_FILTER), neutral, 6);
   });
 
-  test('of any colour in daylight at rest is that colour, whatever its ultraviolet and infrared', () => {
+  test('of a surface colour in daylight at rest is that colour, whatever its uv and ir', () => {
     fc.assert(
       fc.property(anyBands, (a) => {
         close(observedColor(a, WHITE_FILTER, DAYLIGHT, 1, 1), a.rgb);
@@ -65,7 +65,7 @@ describe('what is seen', () => {
     );
   });
 
-  test('grows as what the surface reflects, and adds up', () => {
+  test('is linear in the reflectance', () => {
     fc.assert(
       fc.property(anyBands, anyBands, anyShift, anyShift, (a, b, Din, Dout) => {
         const sum: SpectralFilter = {
@@ -95,7 +95,7 @@ describe('what is seen', () => {
     );
   });
 
-  test('beyond the visible is the ultraviolet alone, or the infrared', () => {
+  test('at extreme shifts depends on the ultraviolet or the infrared only', () => {
     fc.assert(
       fc.property(rgb, (color) => {
         const beyond = (Dout: number) =>
@@ -107,7 +107,7 @@ describe('what is seen', () => {
     );
   });
 
-  test('of light of equal energy is white of D⁵/D⁴ times the luminance', () => {
+  test('of equal-energy light is white with D⁵/D⁴ times the luminance', () => {
     const flat: SampledSpectrum = { kind: 'sampled', first: 10e-9, step: 10e-6, values: [1, 1] };
     const white = toLinearSrgb(tristimulus(() => 1 / tristimulus(() => 1)[1]));
     for (const D of [0.5, 1, 3])
@@ -117,7 +117,7 @@ describe('what is seen', () => {
       );
   });
 
-  test('hardly depends on a lamp’s step', () => {
+  test('hardly depends on the sampling step of a measured spectrum', () => {
     const values = [0, 1, 4, 9, 2, 7, 0];
     const coarse: SampledSpectrum = { kind: 'sampled', first: 420e-9, step: 20e-9, values };
     const at = (i: number) =>
@@ -153,7 +153,7 @@ describe('lines', () => {
     for (const Din of [0.9, 1, 1.3]) expect(of(WHITE_FILTER, red, Din)).toBeCloseTo(of(WHITE_FILTER, red, 1), 9);
   });
 
-  test('are as a narrow lamp of the same place', () => {
+  test('look like a narrow band at the same wavelength', () => {
     const lamp: SampledSpectrum = { kind: 'sampled', first: 588e-9, step: 1e-9, values: [0, 1, 0] };
     for (const D of [0.85, 1.2])
       close(

@@ -11,7 +11,7 @@ import { colorOfSpectrum, LUMINANCE_WEIGHTS, observedColor } from './observerCol
 const light = (name: string) => LIGHT_PRESETS.get(name)!.spectrum;
 const nanometres = (name: string) => (light(name) as LineSpectrum).lines.map((line) => line.wavelength * 1e9);
 
-describe('lights by name', () => {
+describe('light presets', () => {
   test.each([...LIGHT_PRESETS.keys()])('%s has the luminance 1 and a colour', (name) => {
     const white = colorOfSpectrum(light(name));
     expect(dot(LUMINANCE_WEIGHTS, white)).toBeCloseTo(1, 6);
@@ -30,7 +30,7 @@ describe('lights by name', () => {
     expect(spectrum.values).toEqual(judged.lamps[cie].values);
   });
 
-  test('hydrogen’s lines are where Rydberg’s formula has them', () => {
+  test('hydrogen’s lines agree with Rydberg’s formula', () => {
     const series: readonly (readonly [lower: number, upper: number])[] = [
       [1, 2],
       [2, 6],
@@ -51,7 +51,7 @@ describe('lights by name', () => {
     });
   });
 
-  test('the Lyman α line of hydrogen comes into sight from behind at a fifth, and Paschen α ahead at three', () => {
+  test('Lyman α becomes visible at D = 1/5, and Paschen α at D = 3', () => {
     const brightness = (D: number) =>
       dot(LUMINANCE_WEIGHTS, observedColor(WHITE_FILTER, WHITE_FILTER, light('hydrogen'), 1, D));
     expect(brightness(121.567 / 555)).toBeGreaterThan(5 * brightness(1));
@@ -66,11 +66,11 @@ describe('lights by name', () => {
   });
 });
 
-describe('materials by name', () => {
+describe('material presets', () => {
   const seen = (name: string, D: number): Vec3 =>
     observedColor(MATERIAL_PRESETS.get(name)!.filter, WHITE_FILTER, DAYLIGHT, 1 / D, D);
 
-  test.each([...MATERIAL_PRESETS])('%s reflects no more than all', (_, { filter, about }) => {
+  test.each([...MATERIAL_PRESETS])('%s reflects at most all light', (_, { filter, about }) => {
     for (const value of [...filter.rgb, filter.uv, filter.ir]) {
       expect(value).toBeGreaterThan(0);
       expect(value).toBeLessThanOrEqual(1);
@@ -84,7 +84,7 @@ describe('materials by name', () => {
     expect(dot(LUMINANCE_WEIGHTS, infrared)).toBeGreaterThan(3 * dot(LUMINANCE_WEIGHTS, rest));
   });
 
-  test('gold is no longer gold: a mirror in the infrared, dull in the ultraviolet', () => {
+  test('gold loses its colour: a mirror in the infrared, dull in the ultraviolet', () => {
     seen('gold', 2.3).forEach((value) => void expect(value).toBeCloseTo(0.98, 2));
     seen('gold', 0.44).forEach((value) => void expect(value).toBeCloseTo(0.37, 2));
   });

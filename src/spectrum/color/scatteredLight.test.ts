@@ -10,7 +10,7 @@ import { REDDENED, SCATTERED, SCATTERED_COLOR, type SkyParts, scatteredShare, sk
 
 describe('scattered light', () => {
   // Planck's law times λ⁻⁴, summed independently.
-  test('has the colour of λ⁻⁴ times a blackbody, seen at any shift', () => {
+  test('has the colour of λ⁻⁴ times a blackbody, at any shift', () => {
     const radiance = (l: number) => (l * 1e6) ** -9 / Math.expm1(1.438776877e-2 / (l * 6504));
     const seen = (D: number): Vec3 => {
       const xyz = [0, 0, 0];
@@ -28,7 +28,7 @@ describe('scattered light', () => {
       });
   });
 
-  test('stays blue: a sky that is fled from is as blue, and one ahead is bluer than its haze', () => {
+  test('stays blue: behind the observer as well, and ahead it is bluer than its haze', () => {
     for (const D of [0.7, 1, 1.5]) {
       const [r, g, b] = observedColor(WHITE_FILTER, WHITE_FILTER, SCATTERED, 1, D);
       expect(b).toBeGreaterThan(g);
@@ -36,7 +36,7 @@ describe('scattered light', () => {
     }
   });
 
-  test('is nearly all of the zenith of a clear day, and little of its horizon', () => {
+  test('makes up most of the zenith of a clear day, and little of its horizon', () => {
     for (const [color, least, most] of [
       [DAY_SKY.color, 0.9, 1],
       [DAY_SKY.gradient.horizon, 0.1, 0.3],
@@ -54,7 +54,7 @@ describe('scattered light', () => {
   });
 });
 
-describe('the light of dusk', () => {
+describe('light at dusk', () => {
   const DUSK: readonly Vec3[] = [
     [0.8, 0.35, 0.1],
     [1, 0.62, 0.35],
@@ -71,7 +71,7 @@ describe('the light of dusk', () => {
     return lightsOf(parts).reduce(own, observedColor(WHITE_FILTER, filterFromRgb(parts.rest), DAYLIGHT, 1, D));
   };
 
-  test('is at rest the colour that the sky has, whatever that is', () => {
+  test('has the sky’s colour at rest, whatever that is', () => {
     const share = fc.double({ min: 0, max: 2, noNaN: true });
     fc.assert(
       fc.property(fc.tuple(share, share, share), (color) => {
@@ -85,14 +85,14 @@ describe('the light of dusk', () => {
     );
   });
 
-  test('leaves of evening skies nothing but grey to a filter', () => {
+  test('leaves only a grey filter for evening skies', () => {
     for (const color of DUSK) {
       const { rest } = skyParts(color);
       expect(Math.max(...rest) - Math.min(...rest)).toBeLessThan(0.04 * Math.max(...color));
     }
   });
 
-  test('is never green at speed, as a filter’s bands are', () => {
+  test('never turns green at high speed, unlike filter bands', () => {
     const greenness = ([r, g, b]: Vec3) => (g - Math.max(r, b)) / Math.max(r, g, b);
     const shifts = Array.from({ length: 61 }, (_, i) => 0.5 * 4 ** (i / 60));
     const most = (seen: (D: number) => Vec3) => Math.max(...shifts.map((D) => greenness(seen(D))));

@@ -30,8 +30,8 @@ const seen = (color: Vec3, D: number): Vec3 => {
 };
 const brightness = (T: number): number => Math.exp(logLuminance(T));
 
-describe('light of which only the colour is known', () => {
-  it('of a blackbody’s colour is one, and looks as one of T·D', () => {
+describe('the spectrum of a light given by its colour', () => {
+  it('is a blackbody for a blackbody’s colour, and looks like one of T·D', () => {
     for (const T of [1700, 2400, 3200, 5000, 10_000, 20_000]) {
       const color = scale(colorOfSpectrum(thermal(T)), 7);
       expect(spectrumOfColor(color).temperature / T).toBeCloseTo(1, 3);
@@ -44,24 +44,24 @@ describe('light of which only the colour is known', () => {
     }
   });
 
-  it('of what files take for 3200 K looks as 1600 K at D = 1/2', () => {
+  it('for the colour that files use for 3200 K looks like 1600 K at D = 1/2', () => {
     // USD's colours have D65 as white; the filter makes up the difference.
     expect(apart(seen(blackbodyColor(3200), 0.5), colorOfSpectrum(thermal(1600)))).toBeLessThan(2);
   });
 
-  it('has the temperature that colour-science computes of', () => {
+  it('has the temperature computed by colour-science', () => {
     const within = judged.blackbodies.filter(([T]) => T >= 1600 && T <= 24_000);
     expect(within.length).toBeGreaterThan(2);
     for (const [T, [x, y]] of within) {
       const color = toLinearSrgb([x / y, 1, (1 - x - y) / y]);
-      // Daylight itself is 6504 K, in a neighbourhood of one in a hundred.
+      // Colours within one percent of daylight are 6504 K.
       expect(Math.abs(Math.log(spectrumOfColor(color).temperature / T))).toBeLessThan(
         Math.abs(T - 6504) < 140 ? 0.02 : 2e-3,
       );
     }
   });
 
-  it('that is white is daylight; red, green, blue and magenta are what filters leave of it', () => {
+  it('is daylight for white, and filtered daylight for red, green, blue and magenta', () => {
     const all: Vec3[] = [
       [1, 1, 1],
       [3, 3, 3],
@@ -75,7 +75,7 @@ describe('light of which only the colour is known', () => {
     for (const color of all) expect(spectrumOfColor(color)).toBe(DAYLIGHT);
   });
 
-  it('at rest has its colour, of any', () => {
+  it('has the given colour at rest', () => {
     const share = fc.double({ min: 0.1, max: 1, noNaN: true });
     fc.assert(
       fc.property(fc.tuple(share, share, share), (color) => {
@@ -85,7 +85,7 @@ describe('light of which only the colour is known', () => {
     );
   });
 
-  it('changes no more than its colour does', () => {
+  it('is continuous in the colour', () => {
     const share = fc.double({ min: 0, max: 1, noNaN: true });
     const step = 1e-4;
     fc.assert(
@@ -99,7 +99,7 @@ describe('light of which only the colour is known', () => {
     );
   });
 
-  it('of a temperature has no other temperature for being brighter', () => {
+  it('has a temperature independent of brightness', () => {
     fc.assert(
       fc.property(logarithmic(1100, 24_000), logarithmic(1e-3, 1e3), (T, level) => {
         const color = colorOfSpectrum(thermal(T));

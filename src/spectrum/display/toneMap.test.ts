@@ -9,7 +9,7 @@ import { TONE_MAPPINGS, toneMap } from './toneMap.ts';
 const radiance = fc.double({ min: 0, max: 1e8, noNaN: true });
 
 describe.each(TONE_MAPPINGS)('%s', (tone) => {
-  test('gives what can be displayed, for any radiance and exposure, also outside the gamut', () => {
+  test('gives displayable values for any radiance and exposure, also outside the gamut', () => {
     const any = fc.double({ min: -1e8, max: 1e8, noNaN: true });
     fc.assert(
       fc.property(fc.tuple(any, any, any), fc.double({ min: -20, max: 20, noNaN: true }), (color, exposure) =>
@@ -18,7 +18,7 @@ describe.each(TONE_MAPPINGS)('%s', (tone) => {
     );
   });
 
-  test('keeps the order of grey levels, and what is far too bright is white', () => {
+  test('is monotonic in grey levels, and white in the limit', () => {
     // The polynomial of AgX dips by 4e-5 of the signal at its dark end.
     const slack = tone === 'agx' ? 1e-4 : 1e-12;
     fc.assert(
@@ -31,14 +31,14 @@ describe.each(TONE_MAPPINGS)('%s', (tone) => {
     expect(Math.min(...toneMap([1e5, 1e5, 1e5], 0, tone))).toBeGreaterThan(0.97);
   });
 
-  test('one EV doubles', () => {
+  test('one EV doubles the light', () => {
     const [brighter, doubled] = [toneMap([0.2, 0.1, 0.05], 1, tone), toneMap([0.4, 0.2, 0.1], 0, tone)];
     for (const [k, value] of brighter.entries()) expect(value).toBeCloseTo(doubled[k]!, 14);
   });
 });
 
 describe('neutral', () => {
-  test('changes nothing up to the shoulder, and has no step there', () => {
+  test('is the identity up to the shoulder, and continuous there', () => {
     expect(toneMap([0.8, 0.3, 1e-4], 0, 'neutral')).toEqual([0.8, 0.3, 1e-4]);
     const above = toneMap([0.8 + 1e-9, 0.3, 1e-4], 0, 'neutral');
     [0.8, 0.3, 1e-4].forEach((value, i) => {
@@ -46,16 +46,16 @@ describe('neutral', () => {
     });
   });
 
-  test('what is far too bright fades to white', () => {
+  test('very bright colours fade to white', () => {
     expect(Math.min(...toneMap([1e5, 1e3, 1e3], 0, 'neutral'))).toBeGreaterThan(0.99);
   });
 
-  test('there are no negative colours: they count as 0', () => {
+  test('negative components are clamped to 0', () => {
     expect(toneMap([-1, 0.3, 0.2], 0, 'neutral')).toEqual([0, 0.3, 0.2]);
   });
 });
 
-test('linear is light itself, cut off', () => {
+test('linear is clipped light', () => {
   expect(toneMap([0.4, 2, -1], 1, 'linear')).toEqual([0.8, 1, 0]);
 });
 
@@ -75,7 +75,7 @@ describe('agx', () => {
     return py + Math.sign(x - px) * scale * (way / (1 + way ** power) ** (1 / power));
   }
 
-  test('the polynomial is the curve of its author within a hundredth', () => {
+  test('the polynomial agrees with its author’s curve within 0.01', () => {
     const off = Array.from({ length: 101 }, (_, i) => Math.abs(sigmoid(i / 100) - fullCurve(i / 100)));
     expect(Math.max(...off)).toBeLessThan(0.01);
   });
@@ -86,19 +86,19 @@ describe('agx', () => {
     expect(Math.max(Math.abs(r - g), Math.abs(r - b))).toBeLessThan(2e-3);
   });
 
-  test('a pure colour that gets brighter and brighter goes to white', () => {
+  test('pure colours of increasing brightness tend to white', () => {
     const shares = [0, 3, 6, 10].map((ev) => toneMap([1, 0.02, 0.02], ev, 'agx')).map(([r, g]) => g / r);
     for (let i = 1; i < shares.length; i++) expect(shares[i]).toBeGreaterThan(shares[i - 1]!);
     expect(shares.at(-1)).toBeGreaterThan(0.8);
   });
 
-  test('light outside the gamut has a colour still, that clipping takes away', () => {
+  test('light outside the gamut keeps a gradation that clipping would lose', () => {
     // Monochromatic light of 500 nm has a large negative red: small changes of it are visible.
     const cyan = (red: number): Vec3 => toneMap([red, 0.4, 0.2], 0, 'agx');
     expect(cyan(-0.15)).not.toEqual(cyan(-0.1));
   });
 
-  test('the primaries hold all of sRGB: its colours are inside them', () => {
+  test('the gamut of the primaries contains sRGB', () => {
     const back = invert(AGX.inset)!;
     for (const color of [
       [1, 0, 0],

@@ -31,7 +31,7 @@ describe('dopplerTint', () => {
       expect(dopplerTint([1, 1, 1], D, 1)[1] * D ** 4).toBeCloseTo(planck(D * 6504) / planck(6504), 9);
   });
 
-  test('a pure red shifts into green, then out of sight of the red primary', () => {
+  test('pure red shifts into green, then out of the red primary', () => {
     const [r, g] = dopplerTint([1, 0, 0], 611 / 549, 1);
     expect(g).toBeGreaterThan(0.8);
     expect(r).toBeGreaterThan(0.5);

@@ -35,7 +35,7 @@ function errors(pairs: readonly (readonly [found: Vec3, expected: Vec3, white: V
 }
 
 describe('coloured light on coloured surfaces', () => {
-  test('that rest is seen as integration says: bands, and what they overlap', () => {
+  test('at rest agrees with integration: bands and their overlaps', () => {
     const random = seeded(1);
     const pairs = Array.from({ length: 200 }, () => {
       const [a, k] = [anyColor(random), anyColor(random)];
@@ -91,7 +91,7 @@ describe('coloured light on coloured surfaces', () => {
     expect(color.p95).toBeLessThan(0.6);
   });
 
-  test('that tells of its invisible is seen as integration says', () => {
+  test('with ultraviolet and infrared coefficients agrees with integration', () => {
     const random = seeded(3);
     const k: Vec3 = [1, 0.5, 0.1];
     const table = filteredBlackbodyTable({ temperature: 6504, filter: k }, 4);

@@ -21,7 +21,7 @@ const fromTable = (table: typeof full, a: SpectralFilter, T: number, Dout: numbe
 const exact = (a: SpectralFilter, T: number, Dout: number) =>
   observedColor(a, WHITE_FILTER, thermal(T), 1 / Dout, Dout);
 
-test('ΔE₀₀ is what colour-science says it is', () => {
+test('ΔE₀₀ agrees with colour-science', () => {
   for (const [a, b, expected] of judged.differences) expect(deltaE2000(a, b)).toBeCloseTo(expected, 5);
 });
 
@@ -43,7 +43,7 @@ describe('the table of blackbodies', () => {
     );
   });
 
-  test('is so at the corners of all reflectances, where a band is all or nothing', () => {
+  test('is so at extreme reflectances, where each band is 0 or 1', () => {
     const corner = fc.constantFrom(0, 1);
     const corners = fc.record({ rgb: fc.tuple(corner, corner, corner), uv: corner, ir: corner });
     fc.assert(
@@ -56,7 +56,7 @@ describe('the table of blackbodies', () => {
     );
   });
 
-  test('of three layers says the same of filters that only have a colour', () => {
+  test('with three layers gives the same for filters without uv and ir', () => {
     fc.assert(
       fc.property(anyBands, logarithmic(500, 1e6), anyShift, ({ rgb }, T, Dout) => {
         const a = filterFromRgb(rgb);
@@ -66,7 +66,7 @@ describe('the table of blackbodies', () => {
     );
   });
 
-  test('says what colour-science’s tables say', () => {
+  test('agrees with tables of colour-science', () => {
     for (const { a, T, Din, Dout, neutral } of judged.seen) {
       const [r, g, b, uv, ir] = a;
       const seen = seenAt(T, Din, Dout);
@@ -115,7 +115,7 @@ describe.each([
 ])('the luminance of a blackbody from H of the %s', (_, shape) => {
   const luminance = (T: number) => blackbodyLuminance(shape(T), T);
 
-  test('is that of integration, to 0.2 %', () => {
+  test('agrees with integration to 0.2 %', () => {
     fc.assert(
       fc.property(logarithmic(1000, 2.5e6), (T) => {
         const expected = Math.exp(logLuminance(T) - logLuminance(6504));
@@ -124,7 +124,7 @@ describe.each([
     );
   });
 
-  test('vanishes where it is cold, and grows as T where it is hot', () => {
+  test('vanishes at low T, and grows as T at high T', () => {
     expect(luminance(100)).toBeLessThan(1e-60);
     expect(luminance(1e9) / luminance(1e7)).toBeCloseTo(100, 0);
   });

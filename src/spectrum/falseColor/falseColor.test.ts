@@ -18,8 +18,8 @@ import { fitScale, tickDigits, ticksOf } from './falseColorScale.ts';
 const largest = (a: Rgb8, b: readonly number[]): number => Math.max(...a.map((value, k) => Math.abs(value - b[k]!)));
 
 describe('the colour maps', () => {
-  it('viridis is that of matplotlib', () => {
-    // Its 0th, 64th, 128th, 192nd and 255th colour.
+  it('viridis agrees with matplotlib', () => {
+    // Colours 0, 64, 128, 192 and 255 of matplotlib's table.
     const known = ['440154', '3b528b', '21918c', '5ec962', 'fde725'];
     [0, 64, 128, 192, 255].forEach((i, n) => {
       const wanted = [0, 2, 4].map((at) => Number.parseInt(known[n]!.slice(at, at + 2), 16));
@@ -27,7 +27,7 @@ describe('the colour maps', () => {
     });
   });
 
-  it('cool to warm is what its author’s formula gives', () => {
+  it('cool to warm agrees with its author’s formula', () => {
     for (let i = 0; i <= 64; i++) expect(largest(coolWarm(i / 64), moreland(i / 64))).toBeLessThanOrEqual(4);
   });
 });
@@ -76,7 +76,7 @@ function rgbOfMsh([m, s, h]: Vec3): number[] {
 const shift = fc.double({ min: 1e-3, max: 1e3, noNaN: true });
 
 describe('a scale', () => {
-  it.each(FALSE_COLOR_QUANTITIES)('of %s leads there and back', (kind) => {
+  it.each(FALSE_COLOR_QUANTITIES)('of %s is inverted by its inverse', (kind) => {
     const scale: ValueRange = { from: 0.1, to: 20 };
     fc.assert(
       fc.property(fc.double({ min: 0, max: 1, noNaN: true }), (part) => {
@@ -85,7 +85,7 @@ describe('a scale', () => {
     );
   });
 
-  it.each(FALSE_COLOR_QUANTITIES)('of %s has round numbers, and colours that change all the way', (kind) => {
+  it.each(FALSE_COLOR_QUANTITIES)('of %s has round ticks, and colours that change throughout', (kind) => {
     const scale = fitScale(kind, kind === 'emission-time' ? [-7.3, -0.2, Number.NaN] : [0.4, 1, 1.3]);
     const ticks = ticksOf(kind, scale);
     expect(ticks.length).toBeGreaterThan(2);
@@ -97,7 +97,7 @@ describe('a scale', () => {
     expect(new Set(colorRamp(kind, scale, 33).map(String)).size).toBeGreaterThan(5);
   });
 
-  it('has numbers of which no two read alike, and no longer ones than that needs', () => {
+  it('has tick labels that are distinct, with no more digits than needed', () => {
     const read = (most: number): string[] => {
       const ticks = ticksOf('doppler', fitScale('doppler', [1, most]));
       return ticks.map((tick) => String(Number(tick.toPrecision(tickDigits(ticks)))));
@@ -107,7 +107,7 @@ describe('a scale', () => {
     expect(read(3)).toEqual(['0.33', '0.58', '1', '1.7', '3']);
   });
 
-  it('of D is centred at 1: grey there, blue where light is blue-shifted', () => {
+  it('of D is centred at 1: grey there, blue for blueshifts', () => {
     fc.assert(
       fc.property(fc.array(shift, { minLength: 1 }), (shifts) => {
         const scale = fitScale('doppler', shifts);
@@ -123,7 +123,7 @@ describe('a scale', () => {
     expect(falseColor(colors, Number.NaN)).toEqual(NO_VALUE_COLOR);
   });
 
-  it('of time has now at its end, unless all is long ago', () => {
+  it('of time ends now, unless all emission times are long ago', () => {
     expect(fitScale('emission-time', [-7.3, -0.2])).toEqual({ from: -8, to: 0 });
     expect(fitScale('emission-time', [-51, -49])).toEqual({ from: -51, to: -49 });
     expect(fitScale('emission-time', [])).toMatchObject({ to: 0 });
@@ -138,7 +138,7 @@ describe('a scale', () => {
     );
   });
 
-  it('of light goes from a power of ten to another, six decades at most', () => {
+  it('of light spans powers of ten, at most six decades', () => {
     expect(fitScale('radiance', [0.03, 0.2, 7])).toEqual({ from: 0.01, to: 10 });
     const wide = fitScale('radiance', [0, 1e-12, 1]);
     expect(wide.to / wide.from).toBeCloseTo(1e6, 3);

@@ -7,8 +7,8 @@ import { bandColor, bandOf, bandShares, REFERENCE_WAVELENGTH, SPECTRAL_BANDS } f
 
 const shift = fc.double({ min: -8, max: 8, noNaN: true }).map(Math.exp);
 
-describe('the shares of the bands', () => {
-  it('are parts of a whole, of neighbours alone', () => {
+describe('the fractions of the bands', () => {
+  it('sum to 1, over adjacent bands only', () => {
     fc.assert(
       fc.property(shift, (D) => {
         const shares = bandShares(D);
@@ -20,7 +20,7 @@ describe('the shares of the bands', () => {
     );
   });
 
-  it('are the eye’s brightness of what comes from there', () => {
+  it('are the luminance of light emitted in each band', () => {
     // By sums over tenths of nanometres of the standard observer's curve at the observed wavelength.
     for (const D of [0.3, 0.62, 1, 1.42, 2.1, 5.4]) {
       const sums = SPECTRAL_BANDS.map(() => 0);
@@ -35,15 +35,15 @@ describe('the shares of the bands', () => {
   });
 });
 
-describe('the colours of the bands', () => {
-  it('are their own at rest and after far shifts', () => {
+describe('band colours', () => {
+  it('are pure at rest and after large shifts', () => {
     const colorOf = (name: string) => SPECTRAL_BANDS.find((band) => band.name === name)!.color;
     expect(bandColor(1)).toEqual(colorOf('visible'));
     expect(bandColor(10)).toEqual(colorOf('thermal-infrared'));
     expect(bandColor(0.1)).toEqual(colorOf('far-ultraviolet'));
   });
 
-  it('in a legend change where the numbers under them say', () => {
+  it('in a legend change at the ticks', () => {
     const scale = fitScale('band', []);
     const row = colorRamp('band', scale, 400);
     const near = (i: number) => {
@@ -62,7 +62,7 @@ describe('the colours of the bands', () => {
     expect(compared).toBeGreaterThan(150);
   });
 
-  it('are named', () => {
+  it('have names', () => {
     expect([300e-9, REFERENCE_WAVELENGTH, 1e-6, 1e-5, 1e-8].map(bandOf)).toEqual([
       'near-ultraviolet',
       'visible',

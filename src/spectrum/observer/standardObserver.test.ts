@@ -2,13 +2,13 @@ import { expect, test } from 'vitest';
 import { judged } from '../../../tests/support/spectra.ts';
 import { colorMatching, NANOMETRE, tristimulus, VISIBLE, WAVELENGTHS } from './standardObserver.ts';
 
-test('the standard observer is that of colour-science', () => {
+test('the standard observer agrees with colour-science', () => {
   judged.matching.forEach((expected, i) => {
     colorMatching((360 + 10 * i) * NANOMETRE).forEach((value, k) => void expect(value).toBeCloseTo(expected[k], 8));
   });
 });
 
-test('between whole nanometres it is linear, and nothing is seen outside', () => {
+test('it is linear between whole nanometres, and 0 outside the visible', () => {
   const [a, b] = [colorMatching(600e-9), colorMatching(601e-9)];
   colorMatching(600.25e-9).forEach((value, k) => void expect(value).toBeCloseTo(0.75 * a[k] + 0.25 * b[k], 9));
   for (const wavelength of [0, 359.9e-9, 830.1e-9, 1, Number.NaN, Number.POSITIVE_INFINITY])

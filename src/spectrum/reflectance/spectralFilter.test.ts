@@ -6,7 +6,7 @@ import { BASIS_ENDS, basisAt, filterFromRgb, reflectanceAt, WHITE_FILTER } from 
 const anyWavelength = logarithmic(10e-9, 100e-6);
 
 describe('the basis of Mallett and Yuksel', () => {
-  test('is that of colour-science to the 1e-5 to which its sum is 1', () => {
+  test('agrees with colour-science within 1e-5, the accuracy of its sum', () => {
     judged.basis.forEach((expected, i) => {
       basisAt((380 + 20 * i) * 1e-9).forEach(
         (value, k) => void expect(Math.abs(value - expected[k])).toBeLessThan(1e-5),
@@ -26,7 +26,7 @@ describe('the basis of Mallett and Yuksel', () => {
 });
 
 describe('a filter', () => {
-  test('lets no more through than all, and never less than nothing', () => {
+  test('is within 0 … 1', () => {
     fc.assert(
       fc.property(anyBands, anyWavelength, (bands, wavelength) => {
         const value = reflectanceAt(bands, wavelength);
@@ -37,7 +37,7 @@ describe('a filter', () => {
     for (const wavelength of [1e-9, 450e-9, 1e-3]) expect(reflectanceAt(WHITE_FILTER, wavelength)).toBeCloseTo(1, 12);
   });
 
-  test('is at ultraviolet and infrared what it says, and else goes on as its colour ends', () => {
+  test('has its `uv` and `ir` outside the visible, which default to the colour’s ends', () => {
     const own = filterFromRgb([0.1, 0.5, 0.2], 0.9, 0.7);
     expect([300e-9, 359e-9].map((wavelength) => reflectanceAt(own, wavelength))).toEqual([0.9, 0.9]);
     expect([831e-9, 10e-6].map((wavelength) => reflectanceAt(own, wavelength))).toEqual([0.7, 0.7]);
@@ -47,7 +47,7 @@ describe('a filter', () => {
     for (const end of [BASIS_ENDS.uv, BASIS_ENDS.ir]) expect(end[0] + end[1] + end[2]).toBeCloseTo(1, 12);
   });
 
-  test('goes over within a step that has a width', () => {
+  test('changes over a step of finite width', () => {
     const ultraviolet = filterFromRgb([0, 0, 0], 1, 0);
     expect(reflectanceAt(ultraviolet, 359.5e-9, 1e-9)).toBeCloseTo(0.5, 6);
     expect(reflectanceAt(ultraviolet, 359.75e-9, 1e-9)).toBeCloseTo(0.25, 6);

@@ -18,19 +18,19 @@ describe('S', () => {
     );
   });
 
-  test('of an invisible light has the power that has the luminance 1 at 555 nm', () => {
+  test('of an invisible light has the power of luminance 1 at 555 nm', () => {
     expect(meanRadiance(invisible, 1.01e-6, 40e-9) * 40e-9).toBeCloseTo(1, 9);
     const lines: LineSpectrum = { kind: 'lines', lines: [{ wavelength: 121.567e-9, weight: 7 }] };
     expect(linesOf(lines)).toEqual([{ wavelength: 121.567e-9, weight: 1 }]);
   });
 
-  test('is linear between samples and nothing outside of them', () => {
+  test('is linear between samples, and 0 outside of them', () => {
     const at = (nanometres: number) => spectralRadiance(spiky, nanometres * 1e-9);
     expect(at(412) / at(410)).toBeCloseTo(0.6, 9);
     expect([at(399), at(446)]).toEqual([0, 0]);
   });
 
-  test('summed in steps of any width gives all of its light', () => {
+  test('summed in steps of any width conserves the light', () => {
     fc.assert(
       fc.property(logarithmic(0.1e-9, 50e-9), logarithmic(1e-9, 50e-9), (width, offset) => {
         const steps = Math.ceil(200e-9 / width);
@@ -45,7 +45,7 @@ describe('S', () => {
     );
   });
 
-  test('of darkness is dark, and of 1 K finite', () => {
+  test('of zero samples is dark, and of a blackbody at 1 K finite', () => {
     const dark: SampledSpectrum = { ...spiky, values: [0, 0] };
     expect(spectralRadiance(dark, 402e-9)).toBe(0);
     for (const T of [1, 10, 1e12])

@@ -14,7 +14,7 @@ const shown = ({ at, size }: CanvasRect, { x, y, zoom }: ViewportTransform): Can
 const apart = (a: CanvasRect, b: CanvasRect): boolean =>
   [0, 1].some((axis) => a.at[axis]! + a.size[axis]! <= b.at[axis]! || b.at[axis]! + b.size[axis]! <= a.at[axis]!);
 
-it('a graph is as large as it can be where nothing lies over it', () => {
+it('a graph fills the canvas if there are no overlays', () => {
   const view = fitTransform([{ at: [100, -50], size: [2000, 400] }], SIZE, [])!;
   expect(view.zoom).toBeCloseTo((970 - 32) / 2000, 12);
   expect(shown({ at: [100, -50], size: [2000, 400] }, view).at[0]).toBeCloseTo(16, 9);
@@ -22,7 +22,7 @@ it('a graph is as large as it can be where nothing lies over it', () => {
   expect(fitTransform([], SIZE, [])).toBeUndefined();
 });
 
-it('a chain’s end is beside or below the tools, not under them', () => {
+it('the ends of a chain are beside or below the tools, not covered by them', () => {
   const zoomOf = (length: number): number => {
     const chain = Array.from({ length }, (_, i): CanvasRect => ({ at: [260 * i, 0], size: [200, 230] }));
     const blocks = Array.from({ length: 8 }, (_, i): CanvasRect => ({ at: [0, 300 * (i + 1)], size: [200, 100] }));
@@ -35,7 +35,7 @@ it('a chain’s end is beside or below the tools, not under them', () => {
   expect(zoomOf(34)).toBeCloseTo((312 - 40 - 32) / 2500, 12);
 });
 
-it('nothing is under what lies over the canvas, and all is within, wherever there is room for that', () => {
+it('no node is covered by overlays, and all are visible, if there is room', () => {
   const box = fc.record({
     at: fc.tuple(fc.integer({ min: -5000, max: 5000 }), fc.integer({ min: -3000, max: 3000 })),
     size: fc.tuple(fc.integer({ min: 20, max: 300 }), fc.integer({ min: 20, max: 400 })),
@@ -55,7 +55,7 @@ it('nothing is under what lies over the canvas, and all is within, wherever ther
   );
 });
 
-it('what lies over the canvas does not make a graph half as small', () => {
+it('overlays do not shrink a graph by half', () => {
   const boxes: CanvasRect[] = [{ at: [0, 0], size: [1000, 1000] }];
   const wide: CanvasRect = { at: [0, 60], size: [970, 190] };
   expect(fitTransform(boxes, SIZE, [wide])).toEqual(fitTransform(boxes, SIZE, []));

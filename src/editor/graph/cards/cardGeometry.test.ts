@@ -16,7 +16,7 @@ const card = (id: string, picture?: CardModel['picture']): CardModel => ({
   ...(picture && { picture }),
 });
 
-it('a picture is left out where it would cover another node, and nowhere else', () => {
+it('a preview is omitted only where it would cover another node', () => {
   const [above, below, beside] = [card('above', 'metered'), card('below', 'plain'), card('beside')];
   const cards = new Map([above, below, beside].map((each) => [each.id, each]));
   const room = cardSize(above)[1];
@@ -26,7 +26,7 @@ it('a picture is left out where it would cover another node, and nowhere else', 
   expect([...pendingEnd.values()]).toEqual([...cards.values()]);
 });
 
-it('a free place is below all that is in the way', () => {
+it('a free position is below all obstacles', () => {
   const boxes = [
     { at: [0, 0] as const, size: [200, 100] as const },
     { at: [50, 130] as const, size: [200, 100] as const },

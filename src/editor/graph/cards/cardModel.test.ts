@@ -62,8 +62,8 @@ async function facesOf(held: GraphDocument): Promise<ReadonlyMap<string, CardMod
 
 const inputs = (card: CardModel) => card.rows.flatMap(({ input }) => input?.name ?? []);
 
-describe('what a node shows', () => {
-  it('its own inputs with a free one more of those that take many, and of parameters what is set or driven', async () => {
+describe('the card of a node', () => {
+  it('has its inputs, multi-inputs with one more free socket, and the parameters that are set or driven', async () => {
     const cards = await facesOf(document);
     expect(inputs(cards.get('scene')!)).toEqual(['geometry.1', 'geometry.2', 'lights.1', 'observer', 'time']);
     expect(inputs(cards.get('box')!)).toEqual(['name', 'width', 'height', 'depth']);
@@ -74,7 +74,7 @@ describe('what a node shows', () => {
     expect(inputs(cards.get('lost')!)).toEqual(['anything']);
   });
 
-  it('what it made', async () => {
+  it('has its results', async () => {
     const cards = await facesOf(document);
     expect(cards.get('box')!.preview).toEqual({
       kind: 'words',
@@ -88,13 +88,13 @@ describe('what a node shows', () => {
     expect(cards.get('number')!.hasPreview).toBe(false);
   });
 
-  it('in a group, what is wrong stands at the group too', () => {
+  it('of a group has the problems of its inner nodes', () => {
     const problem = { severity: 'error', code: 'x', place: 'a/b/c', message: 'no' } as const;
     const found = problemsByNode(new Map([['a/b/c', { status: 'failed', problem }]]));
     expect([...found.keys()].sort()).toEqual(['a', 'a/b', 'a/b/c']);
   });
 
-  it('every socket lies on its border, within its height, apart from the others', async () => {
+  it('has every socket on its border, within its height, separate from the others', async () => {
     for (const card of (await facesOf(document)).values()) {
       const [width, height] = cardSize(card);
       const places = socketPositions(card);
@@ -108,7 +108,7 @@ describe('what a node shows', () => {
   });
 });
 
-it('what is not changed by an edit stays the same object, so that it is not drawn again', async () => {
+it('unchanged cards keep their identity, so that they are not rendered again', async () => {
   const [nodes, edges] = [new ElementCache<FlowNode>(), new ElementCache<WireEdge>()];
   const shown = async (held: GraphDocument) => {
     const level = levelOf(held)!;

@@ -38,7 +38,7 @@ const boxes = edited(newProject(''), {
 const outcome = async (document: GraphDocument, id: string) =>
   nodeResultOf(await evaluated(document), document, id, document.nodes[id]);
 
-it('of a group is what its first output gives, also where that comes out of a group in it', async () => {
+it('of a group is that of its first output, also through a nested group', async () => {
   const once = grouped(boxes, ['box', 'moved']);
   const twice = grouped(once, ['group']);
   for (const document of [once, twice]) {
@@ -50,13 +50,13 @@ it('of a group is what its first output gives, also where that comes out of a gr
   }
 });
 
-it('of a group of images is its last', async () => {
+it('of a group of images is its last image', async () => {
   const document = grouped(boxes, ['lighting', 'toneMap']);
   const found = (await outcome(document, 'group')) as { outputs: Record<string, unknown> };
   expect(Object.values(found.outputs)[0]).toMatchObject({ step: { kind: 'tone' } });
 });
 
-it('of a group of what failed is that it waits, and of a muted one nothing', async () => {
+it('of a group with a failed node is blocked, and of a muted one undefined', async () => {
   const broken = edited(boxes, { kind: 'set-param', node: 'box', param: 'width', value: -1 });
   const document = grouped(broken, ['box']);
   expect(await outcome(document, 'group')).toMatchObject({ status: 'blocked' });

@@ -3,8 +3,8 @@ import { describe, expect, it } from 'vitest';
 import type { CanvasRect } from './cardGeometry.ts';
 import { canvasPixelSize, LINE_HEIGHT, layoutTitle, titleOverhangs } from './zoomedOutTitle.ts';
 
-describe('a pixel of the window', () => {
-  it('is never taken for smaller than it is, and hardly for larger', () => {
+describe('the size of a screen pixel', () => {
+  it('is never underestimated, and hardly overestimated', () => {
     fc.assert(
       fc.property(fc.double({ min: 0.03, max: 0.599, noNaN: true }), (zoom) => {
         const pixel = canvasPixelSize(zoom)!;
@@ -15,13 +15,13 @@ describe('a pixel of the window', () => {
     expect(canvasPixelSize(0.6)).toBeUndefined();
   });
 
-  it('stays the same while a zoom changes a little', () => {
+  it('is constant over small changes of zoom', () => {
     const pixels = Array.from({ length: 1000 }, (_, i) => canvasPixelSize(0.15 + (0.15 * i) / 1000));
     expect(new Set(pixels).size).toBeLessThanOrEqual(4);
   });
 });
 
-describe('how far titles reach', () => {
+describe('the space for titles', () => {
   const ROW: CanvasRect[] = [
     { at: [0, 0], size: [200, 90] },
     { at: [260, 0], size: [200, 90] },
@@ -32,11 +32,11 @@ describe('how far titles reach', () => {
     ...titleOverhangs(new Map(boxes.map((box, i) => [`${i}`, box]))),
   ];
 
-  it('is half way to what is beside and below, and not far into the empty', () => {
+  it('reaches halfway to neighbours beside and below, and is bounded in empty space', () => {
     expect(Object.fromEntries(reachesOf(ROW))).toEqual({ 0: [30, 30], 1: [30, 30], 2: [100, 30], 3: [100, 60] });
   });
 
-  it('no two meet that do not lie over each other', () => {
+  it('does not overlap that of other nodes, unless the nodes overlap', () => {
     const box = fc.record({
       at: fc.tuple(fc.integer({ min: -1500, max: 1500 }), fc.integer({ min: -900, max: 900 })),
       size: fc.tuple(fc.constant(200), fc.integer({ min: 20, max: 400 })),
@@ -58,10 +58,10 @@ describe('how far titles reach', () => {
   });
 });
 
-describe('a title seen from afar', () => {
+describe('a zoomed-out title', () => {
   const CARD = [200, 96] as const;
 
-  it('is as large as is needed where there is room, and smaller where there is less', () => {
+  it('has its preferred size if there is room, and is smaller otherwise', () => {
     expect(layoutTitle('Box', CARD, [30, 30], 2)).toEqual({ text: 'Box', size: 26, lines: 1, reach: [0, 0] });
     expect(layoutTitle('Relativity console', CARD, [30, 30], 2)).toMatchObject({ size: 26, lines: 2, reach: [0, 0] });
     const small = layoutTitle('Relativity console', CARD, [30, 30], 4)!;
@@ -69,23 +69,23 @@ describe('a title seen from afar', () => {
     expect(small.size).toBeLessThan(13 * 4);
   });
 
-  it('goes beyond its node before it is cut off', () => {
+  it('extends beyond its node before it is truncated', () => {
     expect(layoutTitle('Transform', CARD, [30, 30], 5)).toMatchObject({ text: 'Transform', lines: 1, reach: [30, 30] });
     const cut = layoutTitle('A title of very many words that nobody can read from there', CARD, [30, 30], 5)!;
     expect(cut.size).toBe(7.5 * 5);
     expect(cut.lines * LINE_HEIGHT * cut.size).toBeLessThanOrEqual(96 + 60);
   });
 
-  it('has its words broken evenly where they are longer than a line', () => {
+  it('wraps its words evenly over lines', () => {
     expect(layoutTitle('Transform', CARD, [30, 30], 8)).toMatchObject({ text: 'Trans\u00adform', lines: 2 });
     expect(layoutTitle('Transform', CARD, [30, 0], 8)).toMatchObject({ text: 'Transform', lines: 1 });
   });
 
-  it('is left out where nothing of it could be read', () => {
+  it('is omitted where it would be illegible', () => {
     expect(layoutTitle('Transform', CARD, [0, 0], 16)).toBeUndefined();
   });
 
-  it('is broken between any letters where it is Chinese, and between words where not', () => {
+  it('wraps between any characters in Chinese, and between words otherwise', () => {
     expect(layoutTitle('相对论控制台', [100, 200], [0, 0], 3)).toMatchObject({ size: 39, lines: 3, reach: [0, 0] });
     expect(layoutTitle('Relativity', [100, 200], [0, 0], 2.4)!.size).toBeLessThan(24);
   });

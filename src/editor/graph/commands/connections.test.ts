@@ -33,8 +33,8 @@ const project = added(
 const level = levelOf(project)!;
 const run = (command: Command, document = project): GraphDocument => applyCommand(document, command).document;
 
-describe('what a loose end fits', () => {
-  it('is what the engine does not refuse, of every socket of every node', () => {
+describe('compatible ends of a pending connection', () => {
+  it('are the sockets of all nodes that the engine accepts', () => {
     const ends: PendingConnection[] = Object.entries(project.nodes).flatMap(([node, { type }]) => [
       ...Object.keys(nodeLibrary[type]!.outputs).map(
         (socket): PendingConnection => ({ node, side: 'outputs', socket }),
@@ -58,14 +58,14 @@ describe('what a loose end fits', () => {
     expect(ends.length).toBeGreaterThan(30);
   });
 
-  it('names the free one of an input that takes many, and parameters', () => {
+  it('include the free socket of multi-inputs, and parameters', () => {
     const offers = socketOptions(level, { node: 'box', side: 'outputs', socket: 'geometry' }, 'scene');
     expect(offers.map(({ socket }) => socket)).toEqual(['geometry.2']);
     const numbers = socketOptions(level, { node: 'math', side: 'outputs', socket: 'number' }, 'box');
     expect(numbers.map(({ socket }) => socket)).toEqual(['width', 'height', 'depth']);
   });
 
-  it('offers new nodes that take it, and connects them', () => {
+  it('include new nodes that accept it, which are connected', () => {
     const pendingEnd: PendingConnection = { node: 'box', side: 'outputs', socket: 'geometry' };
     const types = addableNodes(level, pendingEnd).map(({ id }) => id);
     expect(types).toEqual(expect.arrayContaining(['transform', 'merge', 'scene', 'reroute']));
@@ -83,7 +83,7 @@ const single = (inputs: object): string[] =>
   Object.entries(inputs).flatMap(([name, socket]) => ('many' in socket ? [] : [name]));
 
 describe('edits on the canvas', () => {
-  it('a bend leaves what flows as it was', () => {
+  it('a reroute does not change the data flow', () => {
     const edge = project.edges['console.scene']!;
     const { command, node } = rerouteCommand(level, edge, [100, 50]);
     const document = run(command);
@@ -92,7 +92,7 @@ describe('edits on the canvas', () => {
     expect(validateDocument(document, nodeLibrary).filter(({ place }) => place.startsWith('console'))).toEqual([]);
   });
 
-  it('a node lies in one frame, and an empty frame goes', () => {
+  it('a node is in at most one frame, and empty frames are removed', () => {
     const first = run(frameCommand(level, ['box', 'math'], 'A').command);
     const second = run(frameCommand(levelOf(first)!, ['box'], 'B').command, first);
     expect(second.frames).toEqual({ frame: { title: 'A', nodes: ['math'] }, frame2: { title: 'B', nodes: ['box'] } });
@@ -100,14 +100,14 @@ describe('edits on the canvas', () => {
     expect(Object.values(third.frames)).toEqual([{ title: 'C', nodes: ['box', 'math'] }]);
   });
 
-  it('what is removed takes its edges along', () => {
+  it('removing nodes removes their edges', () => {
     const none = { nodes: ['console'], notes: [], frames: [], edges: ['output.image'] };
     expect(Object.keys(run(removeCommand(level, none)).edges)).toEqual(
       Object.keys(project.edges).filter((key) => !['console.scene', 'camera.relativity', 'output.image'].includes(key)),
     );
   });
 
-  it('a group gets a socket by an edge to its place for new ones, and loses it everywhere', () => {
+  it('a group gets a socket by an edge to its add-socket handle, and loses it everywhere', () => {
     const { command, group } = groupCommand(project, { nodes: ['math'] }, '', nodeLibrary);
     const grouped = run(command);
     const inner = levelOf(grouped, group)!;
@@ -137,7 +137,7 @@ describe('edits on the canvas', () => {
     expect(cut.edges['group.a']).toBeUndefined();
   });
 
-  it('no group is offered within itself', () => {
+  it('a group is not offered within itself', () => {
     const { command, group } = groupCommand(project, { nodes: ['math'] }, '', nodeLibrary);
     const grouped = run(command);
     const ids = (inside?: string) => addableNodes(levelOf(grouped, inside)!).map(({ id }) => id);

@@ -24,7 +24,7 @@ const graphs = fc
   });
 
 describe('the layered layout', () => {
-  it('places every node, none over another, whatever is connected', () => {
+  it('places every node without overlaps, for any edges', () => {
     fc.assert(
       fc.property(graphs, ({ nodes, edges }) => {
         const at = layeredLayout(nodes, edges, sizeOf);
@@ -40,7 +40,7 @@ describe('the layered layout', () => {
     );
   });
 
-  it('lets data flow from left to right where there are no circles', () => {
+  it('orders nodes from left to right along edges, without cycles', () => {
     fc.assert(
       fc.property(graphs, ({ nodes, edges }) => {
         const number = (id: string) => Number(id.slice(1));
@@ -51,12 +51,12 @@ describe('the layered layout', () => {
     );
   });
 
-  it('does not cross two chains that need not cross', () => {
+  it('does not cross independent chains', () => {
     const at = layeredLayout(['b1', 'a1', 'a2', 'b2'], [edge('a1', 'a2'), edge('b1', 'b2')], sizeOf);
     expect(Math.sign(at.a1![1] - at.b1![1])).toBe(Math.sign(at.a2![1] - at.b2![1]));
   });
 
-  it('leaves room for the widest of a column, and for tall ones', () => {
+  it('leaves room for the widest node of a column, and for tall nodes', () => {
     const at = layeredLayout(
       ['wide', 'tall', 'x', 'y'],
       [edge('wide', 'x'), edge('tall', 'x'), edge('tall', 'y')],
@@ -67,7 +67,7 @@ describe('the layered layout', () => {
   });
 });
 
-it('what has no place is laid out below what has', () => {
+it('nodes without position are laid out below the others', () => {
   const graph = {
     ...emptyGraph(),
     nodes: { a: { type: 'box', params: {} }, b: { type: 'box', params: {} }, c: { type: 'box', params: {} } },
@@ -80,7 +80,7 @@ it('what has no place is laid out below what has', () => {
   expect(at.c![0]).toBeGreaterThan(at.b![0]);
 });
 
-it('a new node slides down until it covers none', () => {
+it('a new node is moved down until it overlaps none', () => {
   const boxes = [0, 90, 180].map((y) => ({ at: [0, y] as const, size: [200, 80] as const }));
   expect(freePosition([50, 10], [200, 80], boxes)).toEqual([50, 284]);
   expect(freePosition([250, 10], [200, 80], boxes)).toEqual([250, 10]);

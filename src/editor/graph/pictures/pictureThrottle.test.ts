@@ -4,7 +4,7 @@ import { PictureThrottle } from './pictureThrottle.ts';
 const resting = { view: {}, isStill: true, software: false };
 const image = {};
 
-it('draws once the canvas, the nodes and the picture rest, and not again until something changes', () => {
+it('draws once canvas, nodes and picture have stopped changing, and not again until something changes', () => {
   const throttle = new PictureThrottle();
   const seen = new Map([['tone', image]]);
   expect(throttle.shouldRender(seen, 'here', resting, 0)).toBe(false);
@@ -20,7 +20,7 @@ it('draws once the canvas, the nodes and the picture rest, and not again until s
   expect(throttle.shouldRender(new Map(), 'there', drawnAnew, 10_200)).toBe(false);
 });
 
-it('keeps up with a picture that moves once a second, and where the processor draws not at all', () => {
+it('draws once a second while the picture keeps changing, but only once with software rendering', () => {
   for (const software of [false, true]) {
     const throttle = new PictureThrottle();
     const seen = new Map([['tone', image]]);

@@ -11,7 +11,7 @@ const items: QuickPickItem[] = [
 ];
 const found = (query: string): string[] => rankItems(items, query).map(({ id }) => id);
 
-it('what begins with the query comes first, then what has it in its name, then in its words', () => {
+it('names that begin with the query rank first, then names that contain it, then descriptions', () => {
   expect(found('')).toEqual(['transform', 'torus', 'motion', 'ring']);
   expect(found('to')[0]).toBe('torus');
   expect(found('ring')).toEqual(['ring', 'torus']);
@@ -21,7 +21,7 @@ it('what begins with the query comes first, then what has it in its name, then i
   expect(found('zzz')).toEqual([]);
 });
 
-it('a node is found by what it offers to choose, in every language', () => {
+it('a node is found by its options, in every language', () => {
   const nodes = ['post-process', 'tone-map', 'group'].map((id) => ({
     id,
     label: id,
@@ -46,7 +46,7 @@ const press = (
   ...modifiers,
 });
 
-it('keys are told apart by what is held with them', () => {
+it('key bindings are distinguished by modifiers', () => {
   expect(matchesKeyBinding(press('g', { ctrlKey: true }), 'Mod+G')).toBe(true);
   expect(matchesKeyBinding(press('g', { metaKey: true }), 'Mod+G')).toBe(true);
   expect(matchesKeyBinding(press('g', { ctrlKey: true, altKey: true }), 'Mod+G')).toBe(false);

@@ -13,37 +13,37 @@ const translate = messageTranslator({
   '{}{} is muted': '{1}{2} 已静音',
 });
 
-describe('a sentence in another language', () => {
-  it('has its values where that language has them', () => {
+describe('a translated message', () => {
+  it('has its values in the order of the translation', () => {
     expect(translate('vertex 3 of /Cloth')).toBe('/Cloth 的顶点 3');
     expect(translate('vertex 10 of 3 of 7')).toBe('7 的 3 的顶点 10');
   });
 
-  it('has what it holds in it said anew', () => {
+  it('translates nested messages', () => {
     expect(translate('it ended at 0.5 s: vertex 3 of /Cloth has no place any more')).toBe(
       '于 0.5 s 结束：/Cloth 的顶点 3 已没有位置',
     );
     expect(translate('run: at rest')).toBe('run：静止');
   });
 
-  it('leaves a name as it is', () => {
+  it('does not translate names', () => {
     expect(translate('node')).toBe('node');
     expect(translate('there is no node')).toBe('没有节点');
   });
 
-  it('stays as it is where nobody knows it', () => {
+  it('is unchanged without a matching pattern', () => {
     for (const sentence of ['', 'nobody said this', 'a: b', 'vertex', 'it ended at', '已保存 a: b'])
       expect(translate(sentence)).toBe(sentence);
   });
 
-  it('is the one with the most words of its own, and whole', () => {
+  it('uses the pattern with the most literal text, matching completely', () => {
     expect(translate('vertex 1 of 2')).toBe('2 的顶点 1');
     expect(translate('at rest of all')).toBe('all 的 静止');
     expect(translate('a/b is muted')).toBe('a/b 已静音');
     expect(translate('{1} has no place any more')).toBe('{1} 已没有位置');
   });
 
-  it('is the one of which most is known, with what it holds', () => {
+  it('uses the pattern whose nested values are translated most', () => {
     const also = messageTranslator({
       '{}: {}': '{1}：{2}',
       '{} or {}': '{1} 或 {2}',
@@ -58,7 +58,7 @@ describe('a sentence in another language', () => {
     expect(also('1 or 2 is too large')).toBe('1 或 2 太大');
   });
 
-  it('is found at once, also in a text that somebody made to be long', () => {
+  it('is found quickly, also for adversarially long texts', () => {
     const hard = messageTranslator({
       ...Object.fromEntries(Array.from('abcdefghij', (x) => [`{}${x}{}: {}`, x])),
       '{}: {}': '{1}：{2}',

@@ -90,8 +90,8 @@ function catalogueOf(file: string): keyof typeof catalogues {
   return of === 'formats' ? 'files' : of === 'scene/shaderText' ? 'shaderText' : of === 'formats/usd' ? 'usd' : 'gltf';
 }
 
-describe('what the program says, in Chinese', () => {
-  it.each(Object.keys(catalogues))('has every sentence of the source: %s', (name) => {
+describe('the Chinese message catalogues', () => {
+  it.each(Object.keys(catalogues))('have every message of the sources: %s', (name) => {
     const missing = texts.filter(
       ([file, text]) =>
         catalogueOf(file) === name &&
@@ -102,17 +102,17 @@ describe('what the program says, in Chinese', () => {
     expect([...new Set(missing.map((each) => each.join(': ')))]).toEqual([]);
   });
 
-  it.each(Object.entries(catalogues))('has none that the source does not have: %s', (_, catalogue) => {
+  it.each(Object.entries(catalogues))('have no message that is not in the sources: %s', (_, catalogue) => {
     const known = new Set(texts.map(([, text]) => text));
     expect(Object.keys(catalogue).filter((key) => !known.has(key))).toEqual([]);
   });
 
-  it('is said in one place', () => {
+  it('have no message twice', () => {
     const keys = Object.values(catalogues).flatMap((catalogue) => Object.keys(catalogue));
     expect(keys.filter((key, i) => keys.indexOf(key) !== i)).toEqual([]);
   });
 
-  it('is Chinese, and has each value once', () => {
+  it('are Chinese, with each value once', () => {
     const odd = Object.entries(translations).filter(([key, other]) => {
       const values = [...other.matchAll(/\{(\d)\}/g)].map(([, nth]) => nth).sort();
       const all = Array.from({ length: holes(key) }, (_, i) => `${i + 1}`);
@@ -122,7 +122,7 @@ describe('what the program says, in Chinese', () => {
   });
 });
 
-describe('what the program says indeed', () => {
+describe('actual messages are translated', () => {
   const say = messageTranslator(translations);
   const said = (work: () => unknown): string => {
     try {

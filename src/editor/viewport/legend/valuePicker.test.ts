@@ -28,7 +28,7 @@ beforeEach(() => {
   setLegendColors(undefined);
 });
 
-describe('the reader', () => {
+describe('the value picker', () => {
   it.each([
     ['doppler', 2],
     ['emission-time', -2],
@@ -42,7 +42,7 @@ describe('the reader', () => {
     expect(reading()).toEqual({ value: expect.closeTo(value, 9), path: '/a' });
   });
 
-  it('the sky has a shift of its own, and no time', async () => {
+  it('reads a shift for the sky, but no time', async () => {
     setPointer([0.5, 0.5]);
     for (const [kind, value] of [
       ['doppler', expect.closeTo(2, 6)],
@@ -54,7 +54,7 @@ describe('the reader', () => {
     }
   });
 
-  it('asks once for one place of one picture, at the crosshair where there is one, and for nothing where nobody points', async () => {
+  it('requests a value once per position and picture, at the crosshair if there is one, and none without a pointer', async () => {
     setLegendColors({ kind: 'doppler', from: 0.5, to: 2 });
     const reader = new ValuePicker();
     const picture = shown('doppler');
@@ -74,7 +74,7 @@ describe('the reader', () => {
     expect(reading()).toBeUndefined();
   });
 
-  it('what was read of other colours is forgotten', async () => {
+  it('discards values of another quantity', async () => {
     setLegendColors({ kind: 'doppler', from: 0.5, to: 2 });
     setPointer([0.5, 0.5]);
     const late = new ValuePicker().update(shown('doppler'), 0);

@@ -4,12 +4,12 @@ import { beforeAll, describe, expect, it } from 'vitest';
 import { random } from '../../../math/random.ts';
 import { checkMeshopt, decodeMeshopt } from './meshopt.ts';
 
-/** The authors' own encoder and decoder (WebAssembly) are what ours is held against. */
+/** Compared with the authors' own encoder and decoder (WebAssembly). */
 beforeAll(() => Promise.all([MeshoptEncoder.ready, MeshoptDecoder.ready]));
 
 const sameBytes = (a: Uint8Array, b: Uint8Array): boolean => Buffer.compare(a, b) === 0;
 
-/** Bytes of elements whose neighbours are alike in some of their bytes, as those of meshes are. */
+/** Elements whose neighbours share some bytes, as in meshes. */
 const elements = fc
   .record({
     stride: fc.integer({ min: 1, max: 64 }).map((n) => 4 * n),
@@ -28,7 +28,7 @@ const elements = fc
   });
 
 describe('the codecs of meshopt', () => {
-  it.each([0, 1])('unpack attributes of version %i, level 0 to 3', (version) => {
+  it.each([0, 1])('decode attributes of version %i, level 0 to 3', (version) => {
     fc.assert(
       fc.property(elements, fc.integer({ min: 0, max: 3 }), ({ bytes, stride, count }, level) => {
         const packed = MeshoptEncoder.encodeVertexBufferLevel(bytes, count, stride, level, version);
@@ -38,14 +38,14 @@ describe('the codecs of meshopt', () => {
     );
   });
 
-  it('unpack neighbouring floats, which version 1 packs by exclusive-or', () => {
+  it('decode neighbouring floats, which version 1 encodes by exclusive or', () => {
     const floats = Float32Array.from({ length: 3 * 5000 }, (_, i) => Math.sin(i / 500) * (1 + (i % 3)));
     const bytes = new Uint8Array(floats.buffer);
     const packed = MeshoptEncoder.encodeVertexBufferLevel(bytes, 5000, 12, 3, 1);
     expect(decodeMeshopt(packed, { count: 5000, byteStride: 12, mode: 'ATTRIBUTES' })).toEqual(bytes);
   });
 
-  it('unpack triangles and index sequences as the authors do', () => {
+  it('decode triangles and index sequences like the authors’ decoder', () => {
     const grids = fc.record({ n: fc.integer({ min: 1, max: 30 }), seed: fc.integer(), stride: fc.constantFrom(2, 4) });
     fc.assert(
       fc.property(grids, ({ n, seed, stride }) => {
@@ -97,7 +97,7 @@ describe('the codecs of meshopt', () => {
     const expected = new Uint8Array(count * stride);
     MeshoptDecoder.decodeGltfBuffer(expected, count, stride, packed, 'ATTRIBUTES', filter);
     const got = decodeMeshopt(packed, { count, byteStride: stride, mode: 'ATTRIBUTES', filter });
-    // The authors compute in single precision, so that a value that lies between two may be either.
+    // The authors compute in single precision, so a value between two steps may be rounded to either.
     const [numbers, wanted] = [got, expected].map(({ buffer }) => Array.from(new Numbers(buffer)));
     const worst = numbers.reduce((most, x, i) => Math.max(most, Math.abs(x - wanted[i])), 0);
     expect(worst).toBeLessThanOrEqual(filter === 'EXPONENTIAL' ? 0 : 1);
@@ -105,7 +105,7 @@ describe('the codecs of meshopt', () => {
     expect(differing).toBeLessThan(numbers.length / 100);
   });
 
-  it('name what they cannot unpack', () => {
+  it('report undecodable data', () => {
     const part = { count: 4, byteStride: 4, mode: 'ATTRIBUTES' };
     const packed = MeshoptEncoder.encodeGltfBuffer(new Uint8Array(16), 4, 4, 'ATTRIBUTES');
     expect(() => decodeMeshopt(packed.subarray(1), part)).toThrow('begins with byte');
@@ -119,7 +119,7 @@ describe('the codecs of meshopt', () => {
     expect(() => checkMeshopt({ ...part, mode: 'TRIANGLES' }, 99)).toThrow('4 corners of triangles');
   });
 
-  it('of any damaged data give something or an Error', () => {
+  it('return or throw an Error for any damaged data', () => {
     const next = random(11);
     for (const mode of ['ATTRIBUTES', 'TRIANGLES', 'INDICES']) {
       const bytes = new Uint8Array(Uint32Array.from(shuffledGrid(6, next)).buffer);
@@ -138,7 +138,7 @@ describe('the codecs of meshopt', () => {
   });
 });
 
-/** Triangles of a grid of n² squares, some of them out of order. */
+/** Triangles of a grid of n² squares, partly shuffled. */
 function shuffledGrid(n: number, next: () => number): number[] {
   const triangles: number[][] = [];
   for (let y = 0; y < n; y++) {

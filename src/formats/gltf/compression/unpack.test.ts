@@ -30,7 +30,7 @@ function ball(segments = 16): GltfBuilder {
 const readGlb = (glb: Uint8Array): Promise<Scene> => readGltf(memorySource({ 'a.glb': glb }), 'a.glb');
 const plain = (doc: Document): Promise<Uint8Array> => new WebIO().writeBinary(doc);
 
-/** Corners of triangles, in an order that does not depend on where the file begins. */
+/** Corners of triangles in a canonical order. */
 const corners = (mesh: Mesh): { p: Vec3; n: Vec3; uv: number[] }[][] => {
   const corner = (v: number) => ({
     p: pointAt(mesh.positions, v),
@@ -42,7 +42,7 @@ const corners = (mesh: Mesh): { p: Vec3; n: Vec3; uv: number[] }[][] => {
   );
 };
 
-/** The greatest distance of a corner from the nearest turn of the like triangle. */
+/** Greatest distance of corners from the best cyclic order of the corresponding triangle. */
 function worstOff(got: Mesh, wanted: Mesh): { position: number; normal: number; uv: number } {
   const all = corners(wanted);
   const worst = { position: 0, normal: 0, uv: 0 };
@@ -62,7 +62,7 @@ function worstOff(got: Mesh, wanted: Mesh): { position: number; normal: number; 
   return worst;
 }
 
-/** Triangles turned so that each begins with its lowest vertex. */
+/** Triangles rotated so that each begins with its lowest vertex index. */
 const lowestFirst = ({ indices }: Mesh): number[][] =>
   Array.from({ length: indices.length / 3 }, (_, t) => {
     const [a, b, c] = indices.subarray(3 * t, 3 * t + 3);
@@ -71,14 +71,14 @@ const lowestFirst = ({ indices }: Mesh): number[][] =>
   });
 
 describe('compressed glTF', () => {
-  it.each(['edgebreaker', 'sequential'] as const)('Draco, %s: the mesh to its quantisation', async (method) => {
+  it.each(['edgebreaker', 'sequential'] as const)('Draco, %s: the mesh up to quantisation', async (method) => {
     const wanted = (await readGlb(await plain(ball().doc))).objects[0];
     const glb = await dracoGlb(ball().doc, method);
     const scene = await readGlb(glb);
     const [got] = scene.objects;
     expect(got.mesh.indices.length).toBe(wanted.mesh.indices.length);
     const worst = worstOff(got.mesh, wanted.mesh);
-    // 16 bits over 2 m: half a step along each of three axes; normals and uvs by 14 bits.
+    // 16 bits over 2 m: half a step along each axis; normals and uvs have 14 bits.
     expect(worst.position).toBeLessThan((Math.sqrt(3) * 2) / 2 ** 16);
     expect(worst.normal).toBeLessThan(4 / 2 ** 14);
     expect(worst.uv).toBeLessThan(1 / 2 ** 14);
@@ -86,7 +86,7 @@ describe('compressed glTF', () => {
     expect(scene.diagnostics).toEqual([]);
   });
 
-  it('Draco: two primitives may share their data, an attribute more or less may stay plain', async () => {
+  it('Draco: primitives may share data, and some attributes may be uncompressed', async () => {
     const kit = new GltfBuilder();
     const colors = kit.doc
       .createAccessor()
@@ -99,7 +99,7 @@ describe('compressed glTF', () => {
     expect([...object.mesh.colors!]).toEqual([1, 0, 0, 0, 1, 0, 0, 0, 1, 1, 0, 0, 0, 1, 0, 0, 0, 1]);
   });
 
-  it('Draco: a regular grid, which packs better than anything else, is within the bounds', async () => {
+  it('Draco: a regular grid, the best compressible mesh, is within the limits', async () => {
     const kit = new GltfBuilder();
     const n = 150;
     const at = (i: number, j: number): number => i * (n + 1) + j;
@@ -119,7 +119,7 @@ describe('compressed glTF', () => {
     expect([mesh.indices.length / 3, glb.length < 20_000]).toEqual([2 * n * n, true]);
   });
 
-  it('meshopt without filters: bit for bit, though triangles may begin with another corner', async () => {
+  it('meshopt without filters: bit-exact, except for the first corner of triangles', async () => {
     const [wanted] = (await readGlb(await plain(ball().doc))).objects;
     const scene = await readGlb(await meshoptGlb(ball().doc, 'quantize'));
     const [got] = scene.objects;
@@ -131,7 +131,7 @@ describe('compressed glTF', () => {
     expect(scene.diagnostics).toEqual([]);
   });
 
-  it('meshopt with filters: as three.js unpacks it', async () => {
+  it('meshopt with filters: agrees with three.js', async () => {
     const glb = await meshoptGlb(ball().doc, 'filter');
     await MeshoptDecoder.ready;
     const loader = new GLTFLoader().setMeshoptDecoder(MeshoptDecoder);
@@ -149,7 +149,7 @@ describe('compressed glTF', () => {
     }
   });
 
-  it('reads fallback buffers that are not there', async () => {
+  it('reads meshopt fallback buffers without data', async () => {
     const glb = await meshoptGlb(ball().doc, 'quantize');
     const { json, binary } = partsOf(glb);
     for (const buffer of json.buffers) buffer.uri = buffer.extensions ? 'not-there.bin' : 'a.bin';
@@ -157,7 +157,7 @@ describe('compressed glTF', () => {
     expect((await readGltf(files, 'a.gltf')).objects[0]).toEqual((await readGlb(glb)).objects[0]);
   });
 
-  it('says what is wrong with compressed data', async () => {
+  it('reports errors of compressed data', async () => {
     const message = async (json: object, binary: Uint8Array): Promise<string> =>
       readGltf(memorySource({ 'a.gltf': encode(json), 'a.bin': binary }), 'a.gltf').then(
         () => 'read',

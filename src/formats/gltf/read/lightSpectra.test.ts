@@ -16,7 +16,7 @@ const gltf = (names: readonly unknown[]): string =>
     nodes: names.map((_, light) => ({ extensions: { KHR_lights_punctual: { light } } })),
   });
 
-it('lights of a glTF are made of the tables that they name, of one where it is one file', async () => {
+it('lights of a glTF use the spectrum tables that they reference, shared if from one file', async () => {
   const files = {
     'a/scene.gltf': gltf(['lamps/warm.csv', 'lamps/warm.csv', 'cold.csv', 'none.csv', 7]),
     'a/lamps/warm.csv': '400, 1\n500, 2\n600, 4\n',

@@ -30,7 +30,7 @@ function worstError(object: SceneObject, truth: (vertex: number, t: number) => V
 }
 
 describe('glTF motion', () => {
-  it('a turning node becomes rigid samples within the chord tolerance', async () => {
+  it('a rotating node becomes rigid samples within the chord tolerance', async () => {
     const kit = new GltfBuilder();
     const node = kit.meshNode('Blade', kit.triangle([1, 0, 0, 3, 0, 0, 3, 1, 0])).setTranslation([5, 0, 0]);
     kit.scene.addChild(node);
@@ -55,7 +55,7 @@ describe('glTF motion', () => {
     expect(coarse.motion.kind === 'sampled' && coarse.motion.times.length).toBeLessThan(20);
   });
 
-  it('a moon round a planet round nothing: rotations along a hierarchy', async () => {
+  it('rotations along a hierarchy: a moon orbiting a planet', async () => {
     const kit = new GltfBuilder();
     const moon = kit.meshNode('Moon', kit.triangle()).setTranslation([2, 0, 0]);
     const planet = kit.doc.createNode('Planet').setTranslation([10, 0, 0]).addChild(moon);
@@ -86,7 +86,7 @@ describe('glTF motion', () => {
     const kit = new GltfBuilder();
     const node = kit.meshNode('Ball', kit.triangle());
     kit.scene.addChild(node);
-    // x = t³ − t on 0 … 2, whose Hermite form between two keys is itself: slopes 3t² − 1.
+    // x = t³ − t on 0 … 2 is its own Hermite form between two keys: slopes 3t² − 1.
     const key = (t: number): number[] => [3 * t * t - 1, 0, 0, t ** 3 - t, 0, 0, 3 * t * t - 1, 0, 0];
     kit.animate(node, 'translation', [0, 2], [...key(0), ...key(2)], 'CUBICSPLINE');
     const ball = find(await kit.read(), '/Ball');
@@ -99,7 +99,7 @@ describe('glTF motion', () => {
     expect(worstError(ball, truth, 0, 2)).toBeLessThan(1e-4);
   });
 
-  it('growing becomes sampled points', async () => {
+  it('animated scale becomes sampled points', async () => {
     const kit = new GltfBuilder();
     const node = kit.meshNode(
       'Balloon',
@@ -142,7 +142,7 @@ describe('glTF motion', () => {
     expect(worstError(face, truth, 0, 3)).toBeLessThan(1e-6);
   });
 
-  it('morph weights that do not change leave a turning mesh rigid', async () => {
+  it('constant morph weights leave a rotating mesh rigid', async () => {
     const kit = new GltfBuilder();
     const up = kit.doc
       .createPrimitiveTarget()
@@ -155,7 +155,7 @@ describe('glTF motion', () => {
     expect([...head.mesh.positions]).toEqual([0, 0, 2, 1, 0, 2, 0, 1, 2]);
   });
 
-  it('a two-joint arm bends as worked out by hand', async () => {
+  it('a two-joint arm bends by the closed form', async () => {
     const kit = new GltfBuilder();
     // An arm along x: the root joint at 0, the elbow at x = 2. Vertices: shoulder, one half on each joint, hand.
     const arm = kit
@@ -182,7 +182,7 @@ describe('glTF motion', () => {
     expect(normals?.every((n) => Math.abs(n[2] + 1) < 1e-6)).toBe(true);
   });
 
-  it('holds fewer samples where memory is short, and says so', async () => {
+  it('has fewer samples if memory is limited, which is reported', async () => {
     const kit = new GltfBuilder();
     const node = kit.meshNode('Jelly', kit.triangle());
     kit.scene.addChild(node);
@@ -202,7 +202,7 @@ describe('glTF motion', () => {
       const times = motion.kind === 'sampled-points' ? [...motion.times] : [];
       return [times, notes.list().map((d) => d.code)];
     };
-    // 3 vertices with normals take 72 bytes a sample.
+    // 3 vertices with normals take 72 bytes per sample.
     const [all, none] = await bake(1e6);
     expect([all.length > 40, none]).toEqual([true, []]);
     const [some, coarse] = await bake(72 * 20);
@@ -210,7 +210,7 @@ describe('glTF motion', () => {
     expect(await bake(72 * 3)).toEqual([[0, 2, 3], ['gltf.coarse']]);
   });
 
-  it('a step is a short ramp, and said', async () => {
+  it('a step becomes a short ramp, which is reported', async () => {
     const kit = new GltfBuilder();
     const node = kit.meshNode('Lamp', kit.triangle());
     kit.scene.addChild(node);
@@ -223,7 +223,7 @@ describe('glTF motion', () => {
     expect(scene.diagnostics).toMatchObject([{ code: 'gltf.jump', place: 'a.glb: /Lamp' }]);
   });
 
-  it('a mirrored child of a turning parent stays rigid and right side out', async () => {
+  it('a reflected child of a rotating parent stays rigid and faces outwards', async () => {
     const kit = new GltfBuilder();
     const child = kit.meshNode('Glove', kit.triangle()).setScale([-2, 2, 2]);
     const hand = kit.doc.createNode('Hand').addChild(child);
@@ -236,7 +236,7 @@ describe('glTF motion', () => {
     expect(glove.mesh.normals[2]).toBe(1);
   });
 
-  it('shows the animation that is asked for, and names them all', async () => {
+  it('uses the requested animation, and lists all', async () => {
     const kit = new GltfBuilder();
     const node = kit.meshNode('Cube', kit.triangle());
     kit.scene.addChild(node);
@@ -251,10 +251,10 @@ describe('glTF motion', () => {
   });
 });
 
-it('what moves too wildly between keys shares a bound on samples, and is named', async () => {
+it('objects that move too fast between keys share a limit of samples, and are reported', async () => {
   const kit = new GltfBuilder();
   const wild = Array.from({ length: 20 }, (_, i) => kit.meshNode(`Wild${i}`, kit.triangle()));
-  // A spline whose tangents take it to and fro by 10⁶ m.
+  // A spline whose tangents move it back and forth by 10⁶ m.
   const keys = Array.from({ length: 60 }, (_, i) => i);
   for (const node of wild) {
     kit.scene.addChild(node);
@@ -263,7 +263,7 @@ it('what moves too wildly between keys shares a bound on samples, and is named',
   }
   const scene = await kit.read();
   const counts = scene.objects.map(({ motion }) => ('times' in motion ? motion.times.length : 0));
-  // Six looks at two curves' cost for each added sample, of the 2¹⁷ that there are.
+  // Six evaluations of two curves per added sample, out of the 2¹⁷ allowed.
   expect(counts.reduce((sum, n) => sum + n)).toBeLessThan(20 * 60 + 2 ** 17 / 12);
   const said = scene.diagnostics.filter((d) => d.code === 'gltf.resampling');
   expect(said).toHaveLength(20);

@@ -19,7 +19,7 @@ import { readGltf } from '../index.ts';
 const C = 1e9;
 
 describe('glTF meshes', () => {
-  it('strips and fans become triangles, lines are named', async () => {
+  it('strips and fans become triangles, lines are reported', async () => {
     const kit = new GltfBuilder();
     const square = [0, 0, 0, 1, 0, 0, 0, 1, 0, 1, 1, 0];
     const normals = kit.values('VEC3', [0, 0, 1, 0, 0, 1, 0, 0, 1, 0, 0, 1]);
@@ -44,7 +44,7 @@ describe('glTF meshes', () => {
     expect([...mesh.uvs]).toEqual(new Array(12).fill(0));
   });
 
-  it('joins primitives, keeps their materials, reads colours, turns v up and applies texture transforms', async () => {
+  it('joins primitives, keeps their materials, reads colours, flips v and applies texture transforms', async () => {
     const kit = new GltfBuilder();
     const png = encodePng(1, 2, Uint8Array.from([255, 0, 0, 9, 0, 0, 255, 9]));
     const image = kit.doc.createTexture('Paint').setImage(png).setMimeType('image/png');
@@ -98,7 +98,7 @@ describe('glTF meshes', () => {
     expect(scene.diagnostics.map((d) => d.code)).toEqual(['gltf.vertex-alpha', 'gltf.mixed-sides']);
   });
 
-  it('an unlit material sends out its colour', async () => {
+  it('an unlit material emits its colour', async () => {
     const kit = new GltfBuilder();
     const unlit = kit.doc.createExtension(KHRMaterialsUnlit).createUnlit();
     const sign = kit.doc
@@ -110,7 +110,7 @@ describe('glTF meshes', () => {
     expect(material).toMatchObject({ baseColor: [0, 0, 0], emissive: [0.2, 0.4, 0.6], metallic: 0 });
   });
 
-  it('gives every object a path of its own that USD takes', async () => {
+  it('gives every object a unique path that is valid in USD', async () => {
     const kit = new GltfBuilder();
     const parent = kit.meshNode('Körper 1.2', kit.triangle());
     parent.addChild(kit.meshNode('Mesh', kit.triangle())).addChild(kit.meshNode('Mesh', kit.triangle()));
@@ -171,7 +171,7 @@ describe('glTF lights', () => {
     expect(objects.map((o) => o.path)).toEqual(['/Lamp/Mesh']);
   });
 
-  it('lamps move with their nodes', async () => {
+  it('lights move with their nodes', async () => {
     const kit = new GltfBuilder();
     const bulb = kit.doc.createExtension(KHRLightsPunctual).createLight('Bulb').setType('point');
     const node = kit.doc.createNode('Bulb').setExtension('KHR_lights_punctual', bulb);
@@ -183,7 +183,7 @@ describe('glTF lights', () => {
 });
 
 describe('glTF extensions', () => {
-  it('hides what is not visible, names what is left out', async () => {
+  it('skips invisible nodes, and reports unsupported extensions', async () => {
     const hidden = { KHR_node_visibility: { visible: false } };
     const json = {
       asset: { version: '2.0' },

@@ -25,7 +25,7 @@ const vector = fc.tuple(number, number, number);
 const turn = fc
   .tuple(vector, fc.double({ min: -2, max: 2, noNaN: true }))
   .map(([axis, angle]) => fromAxisAngle(Math.hypot(...axis) > 1e-3 ? axis : [0, 0, 1], angle));
-/** Multiples of 2⁻⁶ s, which f32 holds, and all different. */
+/** Distinct multiples of 2⁻⁶ s, which are exact in f32. */
 const times = fc.uniqueArray(fc.integer({ min: -64, max: 640 }), { minLength: 2, maxLength: 6 }).map((list) =>
   Float64Array.from(
     list.sort((a, b) => a - b),
@@ -61,7 +61,7 @@ const scenes = fc
         name: 'any',
         upAxis,
         endTime: 10,
-        // Some inside others: a transform of glTF moves what is below it.
+        // Some nested: a glTF transform moves its descendants.
         objects: motions.map((motion, i) =>
           makeObject({ path: i % 2 ? `/World/A${i - 1}/B` : `/World/A${i}`, mesh: meshOf(motion), motion }),
         ),
@@ -75,13 +75,13 @@ const written = async (scene: Scene, name = 'a.glb') => {
   const { files, diagnostics } = await writeGltf(scene, name);
   return { source: memorySource(Object.fromEntries(files)), files, diagnostics };
 };
-/** Times of all samples, and by how much glTF has them later. */
+/** Times of all samples, and the shift of their times in glTF. */
 function samplesOf(object: SceneObject): number[] {
   return 'times' in object.motion ? [...object.motion.times] : [0];
 }
 const shiftOf = (scene: Scene): number => -Math.min(0, ...scene.objects.flatMap(samplesOf));
 
-/** Greatest distance of a vertex, at any sample, from where it was. */
+/** Greatest displacement of a vertex over all samples. */
 function worst(scene: Scene, at: (object: number, vertex: number, t: number) => Vec3): number {
   let most = 0;
   for (const [i, object] of scene.objects.entries())
@@ -90,11 +90,11 @@ function worst(scene: Scene, at: (object: number, vertex: number, t: number) => 
         most = Math.max(most, distance(up(scene, vertexPosition(object, v, t, C)), at(i, v, t + shiftOf(scene))));
   return most;
 }
-/** Places are to 90 m, sums of numbers of up to that: a few roundings of f32. */
+/** Positions are up to 90 m, with a few roundings of f32. */
 const F32 = 90 * 2 ** -22;
 
 describe('a scene written as glTF', () => {
-  it('is read back with every vertex where it was, to f32', async () => {
+  it('is read back with every vertex in place, to f32', async () => {
     await fc.assert(
       fc.asyncProperty(scenes, async (scene) => {
         const { source } = await written(scene);
@@ -109,7 +109,7 @@ describe('a scene written as glTF', () => {
     );
   });
 
-  it('from USD is the same', async () => {
+  it('is the same for a scene from USD', async () => {
     await fc.assert(
       fc.asyncProperty(scenes, async (scene) => {
         const text = new TextEncoder().encode(writeUsda({ ...scene, metersPerUnit: 0.01 }));
@@ -125,7 +125,7 @@ describe('a scene written as glTF', () => {
     );
   });
 
-  it('is played by three.js alike', async () => {
+  it('agrees with three.js', async () => {
     await fc.assert(
       fc.asyncProperty(scenes, async (scene) => {
         const { files } = await written(scene);
@@ -136,13 +136,13 @@ describe('a scene written as glTF', () => {
         gltf.scene.traverse((o) => {
           if ('isMesh' in o) meshes.push(o as ThreeMesh);
         });
-        // A vertex is told by its place among all: three.js renames what has the name of another.
+        // Vertices are matched by position: three.js renames objects with duplicate names.
         const end = Math.max(...scene.objects.flatMap(samplesOf)) + shiftOf(scene);
         let most = 0;
         for (const object of scene.objects)
           for (const t of samplesOf(object)) {
             const later = t + shiftOf(scene);
-            // At its very end an action begins anew.
+            // At exactly its end an action restarts.
             if (later >= end) continue;
             mixer.setTime(later);
             gltf.scene.updateMatrixWorld(true);
@@ -160,7 +160,7 @@ describe('a scene written as glTF', () => {
     );
   });
 
-  it('keeps materials, textures, colours, cameras, lights, as one file or several', async () => {
+  it('preserves materials, textures, colours, cameras and lights, as one file or several', async () => {
     const texture = {
       name: 'maps/dot.png',
       width: 1,
@@ -219,7 +219,7 @@ describe('a scene written as glTF', () => {
     }
   });
 
-  it('keeps what is told by texels, and of invisible light', async () => {
+  it('preserves scalar textures, and reflectance of invisible light', async () => {
     const map: Texture = {
       name: 'finish.png',
       width: 2,
@@ -265,7 +265,7 @@ describe('a scene written as glTF', () => {
       ir: expect.closeTo(0.5 * (120 / 255) + 0.125, 6),
       irTexture: { texture: { data: map.data, colorSpace: 'linear' }, channel: 2, scale: 0.5, bias: 0.125 },
     });
-    // Of another channel, with a bias: made anew, beside a number that holds everywhere.
+    // Another channel, with a bias: converted, next to a constant.
     const { metallicTexture: _, ...rough } = material;
     const baked = await reread({
       ...rough,
@@ -280,7 +280,7 @@ describe('a scene written as glTF', () => {
     expect(baked).toMatchObject({ metallic: 0.25, metallicTexture: { channel: 2, scale: 0.25 } });
   });
 
-  it('lamps with a size become points that shine as brightly from afar', async () => {
+  it('area lights become point lights of equal intensity from afar', async () => {
     const lamp = { motion: restingAt([1, 2, 3]), lifetime: FOREVER, color: [2, 2, 2] } as const;
     const shaping = { inner: 0.2, outer: 0.6, focus: 0 };
     const lights = [
@@ -299,7 +299,7 @@ describe('a scene written as glTF', () => {
     expect(back).toMatchObject([{ shaping: { inner: 0 } }, {}, { shaping: { inner: 0.2, outer: 0.6 } }]);
   });
 
-  it('what the author suggests for viewing comes back, along the axes and in the times of the file', async () => {
+  it('the author’s viewing suggestions round-trip, on the axes and in the times of the file', async () => {
     const hints = {
       speedOfLight: 10,
       title: 'Street',
@@ -325,7 +325,7 @@ describe('a scene written as glTF', () => {
     expect((await readGltf(same.source, 'a.gltf')).hints).toEqual(hints);
   });
 
-  it('suggestions that are not of their kind are passed over', async () => {
+  it('invalid suggestions are ignored', async () => {
     const text = (slowlight: unknown) =>
       new TextEncoder().encode(JSON.stringify({ asset: { version: '2.0' }, scenes: [{ extras: { slowlight } }] }));
     const read = async (slowlight: unknown) =>
@@ -341,7 +341,7 @@ describe('a scene written as glTF', () => {
       expect((await readGltf((await written(makeScene({ name: 'nothing' }), name)).source, name)).objects).toEqual([]);
   });
 
-  it('says what is lost', async () => {
+  it('reports lost content', async () => {
     const many = Array.from({ length: 200 }, () => cube.positions);
     const scene = makeScene({
       name: 'lossy',

@@ -21,23 +21,23 @@ describe('packages', () => {
     return bytes;
   };
 
-  it('open', async () => {
+  it('can be opened', async () => {
     const scene = await readUsd(memorySource({ 'a.usdz': packUsdz(new Map([['a.usda', layer]])) }), 'a.usdz');
     expect(scene.objects.map((o) => o.path)).toEqual(['/A']);
   });
 
-  it('are refused when encrypted, compressed or leading out', async () => {
+  it('are rejected if encrypted, compressed or with paths outside', async () => {
     expect(await refusal(patched(8, 1))).toContain('a.usda in it is encrypted');
     expect(await refusal(patched(10, 8))).toContain('compressed (method 8), which usdz does not allow');
     for (const path of ['../a.usda', '/a.usda', 'b/../../a.usda', 'C:\\a.usda', '..\\a.usda'])
       expect(await refusal(packUsdz(new Map([[path, layer]])))).toContain('leads out of it');
   });
 
-  it('without a layer say so', async () => {
+  it('without a layer are rejected', async () => {
     expect(await refusal(packUsdz(new Map([['a.png', layer]])))).toContain('holds no USD layer');
   });
 
-  it('may hold a crate, and name it where it is damaged', async () => {
+  it('may contain a crate, which is named if damaged', async () => {
     const crate = new Uint8Array(readFileSync(new URL('../crate/fixtures/meshes.usdc', import.meta.url)));
     const read = async (name: string, bytes: Uint8Array) => readUsd(memorySource({ [name]: bytes }), name);
     const packed = await read('a.usdz', packUsdz(new Map([['a.usdc', crate]])));

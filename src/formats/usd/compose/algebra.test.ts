@@ -13,7 +13,7 @@ const map = fc
   .map(([source, target, t, rooted]) => (rooted ? withRoot(arcMap(source, target, t)) : arcMap(source, target, t)));
 
 describe('maps of namespace', () => {
-  it('lead back where they come from', () => {
+  it('map back to where they come from', () => {
     fc.assert(
       fc.property(map, map, path, (outer, inner, p) => {
         const both = composeMaps(outer, inner);
@@ -23,7 +23,7 @@ describe('maps of namespace', () => {
     );
   });
 
-  it('compose as one after the other', () => {
+  it('compose like functions', () => {
     fc.assert(
       fc.property(map, map, path, (outer, inner, p) => {
         const middle = mapToTarget(inner, p);
@@ -33,7 +33,7 @@ describe('maps of namespace', () => {
     );
   });
 
-  it('are undone by their inverses', () => {
+  it('are inverted by their inverses', () => {
     fc.assert(
       fc.property(map, path, (m, p) => {
         expect(mapToTarget(inverseMap(m), p)).toBe(mapToSource(m, p));
@@ -41,7 +41,7 @@ describe('maps of namespace', () => {
     );
   });
 
-  it('take descendants and properties along, but not names that only begin alike', () => {
+  it('map descendants and properties, but not names with a common prefix', () => {
     const m = arcMap('/Ref', '/World/Car', { offset: 0, scale: 1 });
     expect(mapToTarget(m, '/Ref/Wheel.size')).toBe('/World/Car/Wheel.size');
     expect(mapToTarget(m, '/Ref.size')).toBe('/World/Car.size');
@@ -50,7 +50,7 @@ describe('maps of namespace', () => {
   });
 });
 
-it('offsets of time compose as one after the other, and are undone', () => {
+it('time offsets compose like functions, and have inverses', () => {
   fc.assert(
     fc.property(time, time, fc.integer({ min: -99, max: 99 }), (outer, inner, t) => {
       expect(mapTime(composeOffsets(outer, inner), t)).toBeCloseTo(mapTime(outer, mapTime(inner, t)), 9);
@@ -63,7 +63,7 @@ describe('list edits', () => {
   const same = (item: string): string => item;
   const items = fc.uniqueArray(fc.constantFrom('a', 'b', 'c', 'd', 'e'));
 
-  it('never make an item come twice, and keep what they do not name in order', () => {
+  it('never duplicate an item, and keep the order of others', () => {
     fc.assert(
       fc.property(items, items, items, items, (list, prepended, appended, deleted) => {
         const out = applyListOp(list, { prepended, appended, deleted }, same);
@@ -74,12 +74,12 @@ describe('list edits', () => {
     );
   });
 
-  it('of layers compose from the weakest; what is written whole hides the weaker', () => {
+  it('of layers compose from the weakest; explicit lists hide weaker ones', () => {
     const ops: ListOp<string>[] = [{ appended: ['z'] }, { explicit: ['a', 'b'] }, { prepended: ['hidden'] }];
     expect(composeList(ops, same)).toEqual(['a', 'b', 'z']);
   });
 
-  it('reorder what is there and take along what follows', () => {
+  it('reorder existing items together with those that follow them', () => {
     expect(inOrder(['x', 'a', 'y', 'b', 'z'], ['b', 'a', 'none'], same)).toEqual(['x', 'b', 'z', 'a', 'y']);
   });
 });

@@ -32,7 +32,7 @@ function save(path: string, text: string): void {
 
 describe.skipIf(!available)('usd-core', () => {
   /** `REFRESH=1 npx vitest run --project oracle src/formats/usd/compose`, then `npx biome format --write .` */
-  it('still composes of the stages in stages.txt what is committed', () => {
+  it('reproduces the committed compositions of stages.txt', () => {
     const stages = fixtureStages(readFileSync(fixture('stages.txt'), 'utf8'));
     for (const [name, files] of stages) for (const [file, text] of files) save(`stages/${name}/${file}`, text);
     const roots = [...stages.keys()].map((name) => `${name}/root.usda`);
@@ -43,7 +43,7 @@ describe.skipIf(!available)('usd-core', () => {
     expect(byStage).toEqual(JSON.parse(readFileSync(committed, 'utf8')));
   });
 
-  it('still makes of expressions what is committed', () => {
+  it('reproduces the committed values of expressions', () => {
     expect(JSON.parse(python(fixture('expressionsOracle.py')))).toEqual([]);
   });
 });
@@ -51,7 +51,7 @@ describe.skipIf(!available)('usd-core', () => {
 const data = fileURLToPath(new URL('../../../../../shared/data/usd', import.meta.url));
 
 describe.skipIf(!available || !existsSync(data))('usd-core', () => {
-  it('still composes of real files what is committed', () => {
+  it('reproduces the committed compositions of real files', () => {
     const paths = readdirSync(data, { recursive: true, encoding: 'utf8' }).filter((path) => /\.usda?$/.test(path));
     const fresh: Record<string, StageOracle> = JSON.parse(python(script, data, ...paths.sort()));
     const sums = Object.entries(fresh).map(([path, { prims, variants }]) => {
@@ -65,7 +65,7 @@ describe.skipIf(!available || !existsSync(data))('usd-core', () => {
 });
 
 const COUNT = 25;
-/** With the seeds whose weakest opinions come in another order, or once more, than in usd-core. */
+/** With the seeds whose weakest opinions differ from usd-core’s in order or number. */
 const KINDS: [string, Ingredients, except: number[]][] = [
   ['references', { arcs: ['references'] }, []],
   ['references and payloads', { arcs: ['references', 'payload'] }, []],
@@ -74,12 +74,12 @@ const KINDS: [string, Ingredients, except: number[]][] = [
   ['references and relocates', { arcs: ['references'], relocates: true }, [3, 15]],
 ];
 
-describe.skipIf(!available)('random stages are what usd-core composes', () => {
+describe.skipIf(!available)('random stages are composed as by usd-core', () => {
   it.each(KINDS)('of %s', async (name, ingredients, except) => {
     await compare(name, COUNT, (seed) => randomStage(seed, ingredients), except);
   });
 
-  /** Of two seeds the last digit of a time on falling `times`, where a block begins, is another one. */
+  /** For two seeds the last digit of a time on decreasing `times`, where a block begins, differs. */
   it('with value clips', () => compare('clips', 80, randomClips, [37, 38]));
 
   async function compare(

@@ -17,10 +17,10 @@ interface Expected {
 const fixture = (name: string): string => readFileSync(new URL(`./fixtures/${name}`, import.meta.url), 'utf8');
 const expected: Record<string, Expected> = JSON.parse(fixture('stages.expected.json'));
 
-describe.each([...fixtureStages(fixture('stages.txt'))])('the stage %s is what usd-core composes', (name, files) => {
+describe.each([...fixtureStages(fixture('stages.txt'))])('the stage %s is composed as by usd-core', (name, files) => {
   const { prims, variantSets, variants } = expected[name];
 
-  it('as it is written', async () => {
+  it('as authored', async () => {
     const { stage, assets } = await composedFiles(files, 'root.usda');
     expect(await stageJson(stage, assets)).toEqual(prims);
     expect(variantSetsJson(stage)).toEqual(variantSets);
@@ -34,7 +34,7 @@ describe.each([...fixtureStages(fixture('stages.txt'))])('the stage %s is what u
   });
 });
 
-/** `/Prim{set=variant}`; nothing where nothing is chosen. */
+/** `/Prim{set=variant}`; empty without a choice. */
 function choices(key: string): VariantSelection[] {
   const [, path, set, variant] = /^(.*)\{(.*)=(.*)\}$/.exec(key) ?? [];
   return path === undefined ? [] : [{ path, set, variant }];
@@ -51,7 +51,7 @@ const folderSource = (folder: string): FileSource => ({
   },
 });
 
-describe.skipIf(!present)('real files are what usd-core composes, with every variant', () => {
+describe.skipIf(!present)('real files are composed as by usd-core, with every variant', () => {
   const sums: Record<string, Record<string, number>> = JSON.parse(fixture('shared.expected.json'));
 
   it.each(Object.entries(sums))('%s', async (file, byChoice) => {

@@ -10,7 +10,7 @@ const stage = (files: Record<string, string>) =>
 const codes = async (files: Record<string, string>): Promise<string[]> =>
   (await stage(files)).said.map((line) => line.split(' ')[0]);
 
-describe('what leads nowhere or in circles is named, and the rest is shown', () => {
+describe('missing targets and cycles are reported, and the rest is loaded', () => {
   it('cycles of every arc', async () => {
     expect(await codes({ 'root.usda': '( subLayers = [@./root.usda@] )\ndef "A" {}' })).toEqual(['usd.cycle']);
     for (const arc of ['references', 'payload', 'inherits', 'specializes'])
@@ -27,7 +27,7 @@ describe('what leads nowhere or in circles is named, and the rest is shown', () 
     expect(await codes(through)).toEqual(['usd.cycle']);
   });
 
-  it('layers that are missing or damaged, targets that are not there', async () => {
+  it('missing or damaged layers, missing targets', async () => {
     const said = await codes({
       'root.usda': `
 def "A" ( references = [@none.usda@, @bad.usda@, @empty.usda@, @empty.usda@</X>, </Y>, </Z>] ) {}
@@ -47,7 +47,7 @@ def "B" ( references = @empty.usda@</X> (offset = inf; scale = 0) ) {}`,
     ]);
   });
 
-  it('names of variants that no path can hold', async () => {
+  it('variant names that no path can contain', async () => {
     const { stage: composed } = await stage({
       'root.usda': `def "A" ( variants = { string v = "a/b"; string __proto__ = "x" }
 prepend variantSets = ["v", "a}b", "__proto__"] ) {
@@ -62,8 +62,8 @@ variantSet "__proto__" = { "x" { int m = 1
   });
 });
 
-describe('small files that ask for much', () => {
-  /** Each level has ten of the one before. */
+describe('decompression bombs', () => {
+  /** Each level references the previous one ten times. */
   const bomb = (levels: number): string =>
     Array.from({ length: levels }, (_, i) => {
       const children = Array.from({ length: 10 }, (_, k) => `def "C${k}" ( references = </L${i + 1}> ) {}`);
@@ -73,7 +73,7 @@ describe('small files that ask for much', () => {
   const numbered = (count: number, line: (i: number) => string, between = '\n'): string =>
     Array.from({ length: count }, (_, i) => line(i)).join(between);
 
-  it('get as many prims as there is room for, and the place where the rest is left out is named', async () => {
+  it('are limited in prims, and the place where the rest is omitted is reported', async () => {
     const { said } = await stage({ 'root.usda': `${bomb(9)}\ndef "L9" {}` });
     expect(said.map((line) => line.split(':')[0])).toEqual([
       expect.stringMatching(/^usd.too-many-prims root.usda<\/L0\/C0/),
@@ -106,7 +106,7 @@ def "S" {\n${numbered(2000, (i) => `def "B${i}" ( inherits = </K> ) {}`)}\n}`,
   };
 
   it.each(Object.entries(bombs))(
-    'get as much as there is work for: %s',
+    'are limited in work: %s',
     async (_, text) => {
       const said = await codes({ 'root.usda': text });
       expect(said.filter((code) => code === 'usd.too-many-prims')).toHaveLength(1);
@@ -114,7 +114,7 @@ def "S" {\n${numbered(2000, (i) => `def "B${i}" ( inherits = </K> ) {}`)}\n}`,
     60_000,
   );
 
-  it('are no match for a large file that says all itself', async () => {
+  it('differ from a large file with explicit content, which is read completely', async () => {
     const { stage: whole, said } = await stage({
       'root.usda': `def "W" {\n${numbered(249_999, (i) => `def "P${i}" {}`)}\n}`,
     });
@@ -122,7 +122,7 @@ def "S" {\n${numbered(2000, (i) => `def "B${i}" ( inherits = </K> ) {}`)}\n}`,
     expect(whole.layer.rootPrims.get('W')?.children.size).toBe(249_999);
   }, 60_000);
 
-  it('are no match for a street of which every house is written', async () => {
+  it('differ from a large file of authored references, which is read completely', async () => {
     const house = numbered(40, (i) => `def "Window${i}" ( references = </Window> ) { double size = ${i + 1} }`);
     const street = numbered(
       1000,
@@ -137,14 +137,14 @@ def "S" {\n${numbered(2000, (i) => `def "B${i}" ( inherits = </K> ) {}`)}\n}`,
     expect(houses).toHaveLength(1000);
   }, 60_000);
 
-  it('say where the work ended, and nothing of a prim that it did not reach', async () => {
+  it('report where the work ended, and nothing about prims not reached', async () => {
     const { stage: cut, said } = await stage({ 'root.usda': bombs['variant sets that nothing selects'] });
     expect(said).toEqual([expect.stringMatching(/^usd.too-many-prims root.usda<\/A>/)]);
     expect(cut.layer.rootPrims.size).toBe(0);
   }, 60_000);
 
-  it('get as many arcs as there is room for', async () => {
-    /** Every prim refers to all that come after it. */
+  it('are limited in arcs', async () => {
+    /** Every prim references all later ones. */
     const web = (count: number): string =>
       Array.from({ length: count }, (_, i) => {
         const arcs = Array.from({ length: count - i - 1 }, (_, k) => `</L${i + k + 1}>`);
@@ -155,7 +155,7 @@ def "S" {\n${numbered(2000, (i) => `def "B${i}" ( inherits = </K> ) {}`)}\n}`,
     expect(said.map((line) => line.slice(0, 20))).toContain('usd.too-many-arcs ro');
   }, 60_000);
 
-  it('get as deep as there is room for', async () => {
+  it('are limited in depth', async () => {
     const chain = Array.from({ length: 150 }, (_, i) => `def "P${i}" ( references = </P${i + 1}/C> ) { def "C" {} }`);
     const { said } = await stage({ 'root.usda': chain.join('\n') });
     expect(said.some((line) => line.startsWith('usd.too-deep'))).toBe(true);
@@ -166,7 +166,7 @@ def "S" {\n${numbered(2000, (i) => `def "B${i}" ( inherits = </K> ) {}`)}\n}`,
 describe('packages', () => {
   const text = (body: string): Uint8Array => new TextEncoder().encode(`#usda 1.0\n${body}`);
 
-  it('are stages, and files to refer to, also into them', async () => {
+  it('are stages, and can be referenced, also by path into them', async () => {
     const inner = packUsdz(
       new Map([
         [
@@ -189,7 +189,7 @@ def "B" ( references = @./box.usdz[parts/knob.usda]@</Knob> ) {}`);
     ]);
   });
 
-  it('that are damaged are one layer that cannot be read', async () => {
+  it('that are damaged count as one unreadable layer', async () => {
     const source = memorySource({
       'root.usda': text('def Cube "A" ( references = @bad.usdz@ ) {}'),
       'bad.usdz': Uint8Array.of(0x50, 0x4b, 3, 4, 0, 0),
@@ -200,7 +200,7 @@ def "B" ( references = @./box.usdz[parts/knob.usda]@</Knob> ) {}`);
   });
 });
 
-describe('what the user chooses', () => {
+describe('the user’s variant choice', () => {
   const body = `def "A" ( prepend variantSets = "shape"
 variants = { string shape = "cube" } ) {
 variantSet "shape" = { "cube" { def Cube "X" {}
@@ -214,14 +214,14 @@ variantSet "shape" = { "cube" { def Cube "X" {}
   const paths = async (options: Parameters<typeof readUsd>[2]) =>
     (await readUsd(source, 'a.usda', options)).objects.map((o) => o.path);
 
-  it('comes before what the file selects, and that before fallbacks', async () => {
+  it('overrides the file’s selection, which overrides fallbacks', async () => {
     expect(await paths({})).toEqual(['/A/X']);
     expect(await paths({ variants: new Map([['/A{shape}', 'ball']]) })).toEqual(['/A/Y']);
     expect(await paths({ variants: new Map([['/A{shape}', '']]) })).toEqual([]);
     expect(await paths({ variantFallbacks: new Map([['shape', ['none', 'ball']]]) })).toEqual(['/A/X', '/B/Y']);
   });
 
-  it('is said to be nothing where it is nothing', async () => {
+  it('is reported if it does not exist', async () => {
     const variants = new Map([
       ['/A{shape}', 'cone'],
       ['/None{x}', 'y'],

@@ -4,8 +4,8 @@ import { composedFiles } from './fixtures/composedFiles.ts';
 
 const usda = (text: string): string => `#usda 1.0\n${text}`;
 
-describe('times of what arcs lead to', () => {
-  it('are mapped by every arc on the way, the innermost first', async () => {
+describe('times across arcs', () => {
+  it('are mapped by every arc, the innermost first', async () => {
     const files = new Map([
       [
         'root.usda',

@@ -29,7 +29,7 @@ function asListed(entry: Json, as: Json): Json {
   return { ...rest, metadata: Object.fromEntries(keys.map((key) => [key, metadata[key]])) };
 }
 
-/** Every layer there is, and the names of its copies. */
+/** Every fixture layer, and the names of its copies. */
 function layers(): { source: string; crate: string; text: string }[] {
   const under = (root: string): string[] =>
     existsSync(root) ? readdirSync(root, { recursive: true, encoding: 'utf8' }).map((file) => join(root, file)) : [];
@@ -38,7 +38,7 @@ function layers(): { source: string; crate: string; text: string }[] {
 }
 
 describe.skipIf(!hasUsdCore())('usd-core', () => {
-  it('still says of the fixtures, text and crate, what is committed', () => {
+  it('reproduces the committed values of the fixtures, text and crate', () => {
     const paths = OWN.flatMap((name) => [join(here, `${name}.usda`), join(here, `${name}.usdc`)]);
     const now = JSON.parse(crates('layers', ...paths));
     for (const path of paths) {
@@ -47,7 +47,7 @@ describe.skipIf(!hasUsdCore())('usd-core', () => {
     }
   });
 
-  it('writes, of every layer there is, a crate that both readers and it itself read alike', () => {
+  it('writes every fixture layer as a crate that both readers and it read alike', () => {
     if (!existsSync(data)) console.warn(`${data} is not there: real files are skipped`);
     const all = layers();
     crates('convert', ...all.flatMap(({ source, crate, text }) => [source, crate, source, text]));
@@ -63,7 +63,7 @@ describe.skipIf(!hasUsdCore())('usd-core', () => {
     }
   });
 
-  it('writes numbers of any bits, which come back', () => {
+  it('writes numbers of any bit pattern, which round-trip', () => {
     crates('bits', folder);
     const { properties } = crateAt(join(folder, 'bits.usdc')).rootPrims.get('A')!;
     for (const name of ['half', 'float', 'double']) {
@@ -71,7 +71,7 @@ describe.skipIf(!hasUsdCore())('usd-core', () => {
       const bits = bytesOf(join(folder, `${name}.bin`)).buffer;
       const numbers = name === 'double' ? new Float64Array(bits) : new Float32Array(bits);
       expect(value.data.length).toBe(numbers.length);
-      // Of halves, nan is nan, whatever is in it; of floats and doubles the very bits are the same.
+      // For halves all NaNs are equal; for floats and doubles the exact bits are the same.
       if (name === 'half') expect(value.data).toEqual(numbers);
       else expect(Buffer.from(value.data.buffer).equals(Buffer.from(bits)), name).toBe(true);
     }

@@ -13,7 +13,7 @@ const OTHERS = ['grammar', 'xforms', 'meshes', 'written'];
 const text = (name: string): string => (OWN.includes(name) ? `${name}.usda` : `../../fixtures/${name}.usda`);
 
 describe.each([...OWN, ...OTHERS])('the layer %s, text and crate,', (name) => {
-  it('is the same to both readers, to the last bit and type', () => {
+  it('is read alike by both readers, to the last bit and type', () => {
     expect(readCrate(bytesOf(`${name}.usdc`), 'a')).toEqual(parseLayer(bytesOf(text(name)), 'a'));
   });
 });
@@ -46,7 +46,7 @@ describe.each([
 });
 
 describe('a crate', () => {
-  it('keeps metadata of unknown keys as it was written', () => {
+  it('keeps metadata of unknown keys as authored', () => {
     const prim = readCrate(bytesOf('structure.usdc'), 'a').rootPrims.get('A')!.children.get('C')!;
     const item = (data: string) => ({ type: 'unregistered', data });
     expect(prim.metadata.get('unknownList')).toEqual(item('[1, "two", (3, 4)]'));
@@ -56,7 +56,7 @@ describe('a crate', () => {
     });
   });
 
-  it('has samples of equal arrays as one array', () => {
+  it('shares one array for samples of equal arrays', () => {
     const { properties } = readCrate(bytesOf('arrays.usdc'), 'a').rootPrims.get('A')!;
     const shared = properties.get('shared') as AttributeSpec;
     const arrays = new Set(shared.timeSamples!.values.map((value) => 'data' in value && value.data));

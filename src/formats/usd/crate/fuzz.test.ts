@@ -4,7 +4,7 @@ import { random } from '../../../math/random.ts';
 import { InputError } from '../../../scene/types.ts';
 import { outcome } from './fixtures/outcome.ts';
 
-// Thousands of readings take seconds, on a busy machine many.
+// Thousands of reads take seconds, on a busy machine many.
 vi.setConfig({ testTimeout: 60_000 });
 
 const fixture = (name: string): Uint8Array =>
@@ -13,13 +13,13 @@ const fixture = (name: string): Uint8Array =>
 describe.each(['values', 'arrays', 'arrays-0.4', 'structure', 'splines', 'written'])('%s.usdc, damaged,', (name) => {
   const whole = fixture(name);
 
-  it('is refused when cut off anywhere', () => {
+  it('is rejected when truncated anywhere', () => {
     for (let k = 0; k < 20; k++)
       expect(outcome(whole.subarray(0, Math.floor((whole.length * k) / 20)))).toBeInstanceOf(InputError);
     expect(outcome(whole.subarray(0, whole.length - 1))).toBeInstanceOf(InputError);
   });
 
-  it('is read or refused with any byte changed', () => {
+  it('is read or rejected with any byte changed', () => {
     const next = random(20261121);
     const damaged = whole.slice();
     for (let k = 0; k < 2000; k++) {
@@ -32,7 +32,7 @@ describe.each(['values', 'arrays', 'arrays-0.4', 'structure', 'splines', 'writte
 });
 
 describe.each(['splines', 'written'])('%s.usdc', (name) => {
-  it('is read or refused with a huge count anywhere', () => {
+  it('is read or rejected with a huge count anywhere', () => {
     const whole = fixture(name);
     const damaged = whole.slice();
     const view = new DataView(damaged.buffer);

@@ -88,7 +88,7 @@ describe('a crate written here', () => {
     expect(value).toEqual({ type: 'int[]', data: Int32Array.from({ length: 1000 }, (_, i) => 3 * (i + 1)) });
   });
 
-  it('may expand a thousandfold, but not without bound', () => {
+  it('may expand a thousandfold, but not indefinitely', () => {
     const data = crate(even(4e6), [['default', INTS]]);
     expect(data.length).toBeLessThan(16_000);
     expect((attribute(data).value as { data: Int32Array }).data.at(-1)).toBe(12e6);
@@ -107,9 +107,9 @@ describe('a crate written here', () => {
     expect(new Set(timeSamples!.values).size).toBe(1);
   });
 
-  it('may not hold more arrays in each other than would fit apart', () => {
+  it('must not overlap arrays beyond the size of the file', () => {
     const [count, length] = [2000, 2 ** 18];
-    // A length at every eighth byte, from where an array of so many bytes begins.
+    // A length at every eighth byte, at which an array of that many bytes begins.
     const lengths = bytes(...Array.from({ length: count }, () => u64(length)));
     const zeros = new Uint8Array(length);
     const times = bytes(u64(count), new Uint8Array(Float64Array.from({ length: count }, (_, i) => i).buffer));
@@ -121,15 +121,15 @@ describe('a crate written here', () => {
     expect(refusal(data)).toContain('an array of 262144 numbers would take 256 KiB where');
   });
 
-  it('may not have dictionaries that hold themselves', () => {
+  it('must not have dictionaries that contain themselves', () => {
     const self = bytes(u64(1), u32(0), u64(8), u64(rep(31, DATA_START)));
     expect(refusal(crate(self, [], [['customData', rep(31, DATA_START)]]))).toBe(
       'a.usdc</A> customData (byte 108): values are nested more than 64 deep',
     );
   });
 
-  it.each([31, 52, 53])('may not have dictionaries of twice as many on every level, by type %i', (type) => {
-    // Of 64 bytes each: two entries that lead to the next dictionary, then a value that is this.
+  it.each([31, 52, 53])('must not have dictionaries that double at every level, by type %i', (type) => {
+    // 64 bytes each: two entries that refer to the next dictionary, then a value that is this one.
     const start = (i: number): number => DATA_START + 64 * i;
     const level = (i: number): Uint8Array => {
       const following = rep(31, start(i + 1));
@@ -142,12 +142,12 @@ describe('a crate written here', () => {
     );
   });
 
-  it('with one field twice is refused', () => {
+  it('with a duplicate field is rejected', () => {
     const field = ['default', rep(3, 1, 'i')] as const;
     expect(refusal(crate(u64(0), [field, field]))).toBe('a.usdc</A.x> default: it has this field twice');
   });
 
-  it('with a place past the end of a table of numbers is refused', () => {
+  it('with an index past the end of a table is rejected', () => {
     const places = Array.from({ length: 20 }, (_, i) => (i === 7 ? 2 : 1));
     const data = bytes(u64(20), ['t'.charCodeAt(0)], u32(2, 0, 0x3f800000), integers(places));
     expect(refusal(crate(data, [['default', rep(8, DATA_START, 'ac')]]))).toContain(
@@ -155,7 +155,7 @@ describe('a crate written here', () => {
     );
   });
 
-  it('with more samples than times is refused', () => {
+  it('with more samples than times is rejected', () => {
     const times = bytes(u64(1), new Uint8Array(8));
     const samples = bytes(times, u64(8, rep(48, DATA_START), 8, 2, rep(3, 0, 'i'), rep(3, 0, 'i')));
     expect(refusal(crate(samples, [['timeSamples', rep(46, DATA_START + times.length)]]))).toContain(
@@ -163,7 +163,7 @@ describe('a crate written here', () => {
     );
   });
 
-  it('with samples out of order is refused', () => {
+  it('with unsorted samples is rejected', () => {
     const times = bytes(u64(2), new Uint8Array(Float64Array.of(2, 1).buffer));
     const samples = bytes(times, u64(8, rep(48, DATA_START), 8, 2, rep(3, 0, 'i'), rep(3, 0, 'i')));
     expect(refusal(crate(samples, [['timeSamples', rep(46, DATA_START + times.length)]]))).toContain(
@@ -182,7 +182,7 @@ describe('a crate written here', () => {
     expect(refusal(crate(u64(0), [], [], rest))).toContain(message);
   });
 
-  it('with an array edit is refused', () => {
+  it('with an array edit is rejected', () => {
     expect(refusal(crate(u64(0), [['default', rep(3, DATA_START, 'e')]], [], { version: 14 }))).toContain(
       'a.usdc</A.x> default: an array edit (crate 0.14) is not read; flatten it',
     );
@@ -203,7 +203,7 @@ describe('a crate written here', () => {
   });
 });
 
-describe('paths that lie', () => {
+describe('invalid paths', () => {
   const paths = (...rows: CrateParts['paths']): string => refusal(crate(u64(0), [], [], { paths: rows }));
   const A = token('A');
 
@@ -260,7 +260,7 @@ describe('paths that lie', () => {
     expect(paths(...rows)).toMatch(/^a\.usdc \(PATHS, byte \d+\): paths are nested more than 256 deep$/);
   });
 
-  it('say more than they have', () => {
+  it('declare more than they have', () => {
     const section = bytes(u64(2 ** 40, 1), integers([0]), integers([0]), integers([-2]));
     expect(refusal(crate(u64(0), [], [], { sections: { PATHS: section } }))).toContain(
       '1099511627776 paths would take 8.00 TiB',
@@ -268,7 +268,7 @@ describe('paths that lie', () => {
   });
 });
 
-describe('specs that lie', () => {
+describe('invalid specs', () => {
   const specs = (...rows: CrateParts['specs']): string => refusal(crate(u64(0), [], [], { specs: rows }));
 
   it.each<[string, CrateParts['specs'], string]>([
@@ -301,14 +301,14 @@ describe('specs that lie', () => {
     expect(refusal(crate(u64(0), [], [], { tokens }))).toContain(`'${name}' is not a prim name`);
   });
 
-  it('are of a prim that is called as what objects have', () => {
+  it('may belong to a prim with the name of an inherited property', () => {
     const tokens = TOKENS.map((known) => (known === 'A' ? '__proto__' : known));
     const layer = outcome(crate(u64(0), [], [], { tokens })) as Layer;
     expect([...layer.rootPrims.keys()]).toEqual(['__proto__']);
   });
 });
 
-describe('tokens that lie', () => {
+describe('invalid tokens', () => {
   const tokens = (section: Uint8Array): string => refusal(crate(u64(0), [], [], { sections: { TOKENS: section } }));
 
   it('are not UTF-8, too few, too many or too long', () => {
@@ -319,7 +319,7 @@ describe('tokens that lie', () => {
     expect(tokens(bytes(u64(1e8, 1e8), sized(repeated(0, 1e8))))).toContain('100000000 tokens would take');
   });
 
-  it('are referred to and not there', () => {
+  it('are referenced but missing', () => {
     expect(refusal(crate(u64(0), [], [], { strings: [99] }))).toMatch(
       /STRINGS, byte \d+\): string 0 is token 99 of 11/,
     );
@@ -336,7 +336,7 @@ describe('tokens that lie', () => {
     );
   });
 
-  it('are compressed wrongly', () => {
+  it('have invalid compression', () => {
     const lz4 = (...data: number[]): string => tokens(bytes(u64(1, 100), sized(Uint8Array.from(data))));
     expect(lz4()).toContain('it says 100 bytes of tokens, which 0 compressed bytes cannot hold');
     expect(lz4(0, 0xf0, 255)).toContain('compressed data ends in the middle of a length');

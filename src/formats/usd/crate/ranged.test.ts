@@ -7,7 +7,7 @@ import { readCrate } from './readCrate.ts';
 
 const ranged = (handle: Uint8Array): RangedFile => new RangedFile({ name: 'a.usdc', handle }, handle.length);
 
-/** The layer, or why there is none. */
+/** The layer, or the error. */
 function outcome(content: FileContent): unknown {
   try {
     return readCrate(content, 'a.usdc');
@@ -20,11 +20,11 @@ function outcome(content: FileContent): unknown {
 describe.each(['values', 'arrays', 'arrays-0.4', 'structure', 'splines', 'written', 'meshes'])('%s.usdc', (name) => {
   const whole = new Uint8Array(readFileSync(new URL(`./fixtures/${name}.usdc`, import.meta.url)));
 
-  it('is the same layer when it is read in parts', () => {
+  it('is the same layer when read in parts', () => {
     expect(readCrate(ranged(whole), 'a.usdc')).toEqual(readCrate(whole, 'a.usdc'));
   });
 
-  it('is read or refused alike with any byte changed, or cut off', () => {
+  it('is read or rejected alike with any byte changed, or truncated', () => {
     const next = random(20261121);
     const damaged = whole.slice();
     for (let k = 0; k < 60; k++) {

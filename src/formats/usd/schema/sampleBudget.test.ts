@@ -12,31 +12,31 @@ uniform token[] xformOpOrder = ["xformOp:translate"]
 ${Array.from({ length: things }, (_, i) => `def Cube "C${i}" {}`).join('\n')}
 }`);
 
-describe('the times at which things are placed', () => {
+describe('the sample times of transforms', () => {
   const given = (samples: number, things: number, written = samples): number[] => {
     const budget = new SampleBudget(parseLayer(layerOf(written, things), 'a.usda'));
     return Array.from({ length: things }, () => budget.take(samples));
   };
 
-  it('are all there in a scene of the common kind', () => {
+  it('are complete in ordinary scenes', () => {
     expect(given(250, 1000)).toEqual(new Array(1000).fill(250));
   });
 
-  it('are all there where they are written out', () => {
+  it('are complete if every object has its own', () => {
     const layer = parseLayer(layerOf(2, 1), 'a.usda');
     const op = layer.rootPrims.get('W')?.properties.get('xformOp:translate');
     if (op?.kind === 'attribute') op.timeSamples = { times: new Float64Array(900_000), values: [] };
     expect(new SampleBudget(layer).take(900_000)).toBe(900_000);
   });
 
-  it('are shared where a few samples move very many things', () => {
+  it('are limited where a few samples move very many objects', () => {
     const all = given(50_000, 1000);
     expect(all.reduce((sum, n) => sum + n, 0)).toBeLessThanOrEqual(2 ** 18 + 4 * 50_000);
     expect(Math.min(...all)).toBeGreaterThanOrEqual(128);
     expect(new Set(all).size).toBeLessThan(5);
   });
 
-  it('that are left out are said', async () => {
+  it('that are omitted are reported', async () => {
     const scene = await readUsd(memorySource({ 'a.usda': layerOf(9000, 40) }), 'a.usda');
     const used = scene.objects.map(({ motion }) => ('times' in motion ? motion.times.length : 0));
     const [first] = scene.diagnostics.filter((d) => d.code === 'usd.sample-budget');

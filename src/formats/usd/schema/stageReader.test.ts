@@ -8,7 +8,7 @@ import { memorySource } from '../../files/fileSource.ts';
 import { encodePng } from '../../image/encodePng.ts';
 import { readUsd } from '../read.ts';
 
-/** c [m/s]: large enough that nothing here is near it. */
+/** c [m/s], far above every speed here. */
 const C = 3e8;
 
 interface Expected {
@@ -29,7 +29,7 @@ const CHECKER = encodePng(2, 1, Uint8Array.of(255, 255, 255, 255, 0, 0, 0, 64));
 const read = (name: string): Promise<Scene> =>
   readUsd(memorySource({ [`${name}.usda`]: file(`${name}.usda`), 'checker.png': CHECKER }), `${name}.usda`);
 
-/** x′ = x M of a row-major matrix of row vectors, as USD has them. */
+/** x′ = x M for row vectors and a row-major matrix, as in USD. */
 const rowTransform = (m: readonly number[], p: Vec3): Vec3 =>
   [0, 1, 2].map((k) => p[0] * m[k] + p[1] * m[4 + k] + p[2] * m[8 + k] + m[12 + k]) as unknown as Vec3;
 
@@ -44,7 +44,7 @@ const cubeCorners = (size: number): Vec3[] =>
 
 const SIZES: Record<string, number> = { '/World/Still': 1, '/World/Spinning/Arm': 0.5 };
 
-describe('transforms are where usd-core has them at every time', async () => {
+describe('transforms agree with usd-core at every time', async () => {
   const scene = await read('xforms');
   const stage = expectedStage('xforms');
   const cubes = Object.entries(stage.prims).filter(([, prim]) => prim.type === 'Cube');
@@ -53,7 +53,7 @@ describe('transforms are where usd-core has them at every time', async () => {
     expect(scene.objects.map((o) => o.path).sort()).toEqual(cubes.map(([path]) => path));
   });
 
-  it('says where a blocked sample makes an object jump', () => {
+  it('reports where a blocked sample makes an object jump', () => {
     expect(scene.diagnostics.map((d) => [d.code, d.place])).toEqual([
       ['usd.resampling', 'xforms.usda</World/Tumbling>'],
     ]);
@@ -73,7 +73,7 @@ describe('transforms are where usd-core has them at every time', async () => {
     });
   });
 
-  it('chooses the motion that fits', () => {
+  it('chooses the motion kind', () => {
     const kind = (name: string) => scene.objects.find((o) => o.path === `/World/${name}`)!.motion.kind;
     expect(kind('Still')).toBe('static');
     expect(kind('Sheared')).toBe('static');
@@ -85,7 +85,7 @@ describe('transforms are where usd-core has them at every time', async () => {
     expect(kind('Breathing')).toBe('sampled-points');
   });
 
-  it('keeps a mirrored cube facing outwards', () => {
+  it('keeps a reflected cube facing outwards', () => {
     const { mesh } = scene.objects.find((o) => o.path === '/World/Sheared')!;
     for (let i = 0; i < mesh.indices.length; i += 3) {
       const [a, b, c] = [0, 1, 2].map((k) =>
@@ -137,7 +137,7 @@ describe('meshes', async () => {
   const stage = expectedStage('meshes');
   const object = (name: string): SceneObject => scene.objects.find((o) => o.path === `/World/${name}`)!;
 
-  it.each(['Quads', 'LeftHanded', 'Holes', 'Waving', 'Bound'])('%s has its points where usd-core has them', (name) => {
+  it.each(['Quads', 'LeftHanded', 'Holes', 'Waving', 'Bound'])('the points of %s agree with usd-core', (name) => {
     const prim = stage.prims[`/World/${name}`];
     stage.times.forEach((code, i) => {
       const flat = prim.points![i];
@@ -149,13 +149,13 @@ describe('meshes', async () => {
     });
   });
 
-  it('holds points near a far origin to f32 of their size, not of their distance', () => {
+  it('stores points near a distant origin with f32 accuracy of their size, not of their distance', () => {
     const { motion } = object('Waving');
     if (motion.kind !== 'sampled-points') throw new Error(motion.kind);
     for (let k = 0; k < motion.times.length; k++)
       expect(Math.max(...pointsAt(motion, k).map(Math.abs))).toBeLessThan(20);
     expect(Array.from(motion.times)).toEqual([0, 1, 1.5, 2]);
-    // At 24, halfway, the mean of the two normals, turned by 90° about z and made unit.
+    // At 24, halfway, the mean of both normals, rotated by 90° about z and normalized.
     const l = Math.hypot(0.3, 0.9);
     expect(Array.from(motion.normals![1].subarray(0, 3))).toEqual(
       [-0.3 / l, 0, 0.9 / l].map((x) => expect.closeTo(x, 6)),
@@ -177,7 +177,7 @@ describe('meshes', async () => {
     expect(rows).toContain('2 0.5 1 0 0 0 1');
   });
 
-  it('turns left-handed faces, and keeps the normals that were written', () => {
+  it('flips left-handed faces, and keeps authored normals', () => {
     const { mesh } = object('LeftHanded');
     expect(mesh.doubleSided).toBe(true);
     expect(Array.from(mesh.normals.subarray(0, 3))).toEqual([0, 0, -1]);
@@ -186,13 +186,13 @@ describe('meshes', async () => {
     expect(scene.materials[mesh.groups[0].material]).toMatchObject({ baseColor: [0.25, 0.5, 0.75], opacity: 0.5 });
   });
 
-  it('leaves holes out and keeps the uvs of the faces after them', () => {
+  it('skips holes, and keeps the uvs of later faces', () => {
     const { mesh } = object('Holes');
     expect(mesh.indices.length).toBe(6);
     expect(Array.from(mesh.uvs.filter((_, i) => i % 2 === 0)).sort()).toEqual([0, 1, 2, 6, 7, 8]);
   });
 
-  it('binds materials by subset, inherits them, and lets a strong binding win', () => {
+  it('binds materials by subset, inherits them, and respects stronger bindings', () => {
     const names = (name: string) => object(name).mesh.groups.map((g) => [g.count, scene.materials[g.material].name]);
     expect(names('Bound')).toEqual([
       [6, '/Looks/Red'],
@@ -227,7 +227,7 @@ describe('meshes', async () => {
     expect(Array.from(material('/Looks/Textured').baseColorTexture!.data)).toEqual([255, 255, 255, 255, 0, 0, 0, 64]);
   });
 
-  it('moves uvs by UsdTransform2d, only on the faces of its material', () => {
+  it('transforms uvs by UsdTransform2d, only on the faces of its material', () => {
     const { mesh } = object('Bound');
     const uvsOf = (group: number) =>
       Array.from(mesh.indices.subarray(mesh.groups[group].start, mesh.groups[group].start + 3), (v) =>
@@ -246,7 +246,7 @@ describe('meshes', async () => {
     ]);
   });
 
-  it('reads shapes given by numbers, at their sizes along their axes', () => {
+  it('reads parametric shapes, with their sizes and axes', () => {
     const extent = (name: string) => {
       const { positions } = object(name).mesh;
       return [0, 1, 2].map((k) => Math.max(...positions.filter((_, i) => i % 3 === k)));
@@ -258,7 +258,7 @@ describe('meshes', async () => {
     expect(extent('Floor')).toEqual([5, 0, 2]);
   });
 
-  it('leaves out what is a proxy, invisible or inactive', () => {
+  it('skips proxy, invisible and inactive prims', () => {
     for (const name of ['Proxy', 'Hidden/Child', 'Inactive']) expect(object(name)).toBeUndefined();
   });
 
@@ -278,17 +278,17 @@ describe('meshes', async () => {
     expect(light('dome')).toMatchObject({ color: [0.1, 0.2, 0.5].map((x) => expect.closeTo(x, 6)) });
   });
 
-  it('has nothing to complain about, and tells what samples leave open', () => {
+  it('reports nothing but undersampled motion', () => {
     expect(scene.diagnostics.map((d) => [d.severity, d.code, d.place])).toEqual([
       ['info', 'usd.between-samples', 'meshes.usda</World/Waving>'],
     ]);
   });
 });
 
-describe('transforms that a small file asks for', () => {
+describe('numerous transforms in a small file', () => {
   const text = (body: string) => memorySource({ 'a.usda': new TextEncoder().encode(`#usda 1.0\n${body}`) });
 
-  it('are the first few thousand of a prim, and the rest is told', async () => {
+  it('are limited to the first few thousand of a prim, and the rest is reported', async () => {
     const order = Array.from({ length: 5000 }, (_, i) => `"xformOp:translate${i % 2 ? ':b' : ''}"`);
     const scene = await readUsd(
       text(`( metersPerUnit = 1 )
@@ -325,7 +325,7 @@ def Xform "A" {
     );
     const { motion } = scene.objects[0];
     const times = 'times' in motion ? [...motion.times] : [];
-    // What is blocked jumps, and is followed closer and closer.
+    // Blocked samples jump, and are resampled at ever shorter intervals.
     if (samples.includes('None')) expect(times.length).toBeGreaterThan(10);
     else expect(times).toEqual(codes);
     const x = (t: number) => Math.max(...vertices(scene.objects[0], t).map((p) => p[0]));

@@ -16,10 +16,10 @@ const fixture = (name: string): string => fileURLToPath(new URL(`../fixtures/${n
 const folder = mkdtempSync(join(tmpdir(), 'slowlight-grammar-'));
 afterAll(() => rmSync(folder, { recursive: true }));
 
-/** How many texts are broken. */
+/** Number of broken texts. */
 const COUNT = 1500;
 
-/** The layers that usd-core makes of texts; null where it refuses. */
+/** The layers that usd-core reads from texts; null if rejected. */
 function judged(texts: readonly string[]): Json[] {
   const path = join(folder, 'texts.json');
   writeFileSync(path, JSON.stringify(texts));
@@ -35,7 +35,7 @@ function ours(text: string): Layer | undefined {
   }
 }
 
-/** Whether it has values of types, or metadata of keys, that no schema knows: of those only the text is kept. */
+/** Whether it has values of unknown types or metadata of unknown keys, of which only the text is kept. */
 const isUnknown = (layer: Layer): boolean =>
   /"unregistereds?"|"autoPlay"|"playbackMode"/.test(
     JSON.stringify(layer, (_, value) =>
@@ -43,7 +43,7 @@ const isUnknown = (layer: Layer): boolean =>
     ),
   );
 
-/** What it says itself of a text that it reads otherwise than usd-core; undefined where both agree. */
+/** The difference from usd-core for a text; undefined if both agree. */
 function difference(text: string, expected: Json): string | undefined {
   const layer = ours(text);
   if (layer && isUnknown(layer)) return undefined;
@@ -54,14 +54,14 @@ function difference(text: string, expected: Json): string | undefined {
 describe.skipIf(!hasUsdCore())('broken texts', () => {
   const whole = smallTexts(readFileSync(fixture('grammar.usda'), 'utf8'));
 
-  it('are as many as the grammar has statements, and whole ones are read alike', () => {
+  it('cover every statement of the grammar, and valid ones are read alike', () => {
     expect(whole.length).toBeGreaterThan(250);
     const expected = judged(whole);
     expect(expected.filter((layer) => layer === null)).toEqual([]);
     expect(whole.flatMap((text, i) => difference(text, expected[i]) ?? [])).toEqual([]);
   });
 
-  it('are refused where usd-core refuses them, and else read alike', () => {
+  it('are rejected if usd-core rejects them, and otherwise read alike', () => {
     const texts = Array.from({ length: COUNT }, (_, i) => brokenText(whole[i % whole.length], i));
     const expected = judged(texts);
     expect(expected.filter((layer) => layer !== null).length).toBeGreaterThan(COUNT / 100);

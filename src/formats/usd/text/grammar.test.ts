@@ -23,7 +23,7 @@ function errorOf(text: string): string {
 const errorIn = (body: string): string => errorOf(`#usda 1.0\n${body}`);
 
 describe('numbers', () => {
-  it('go into arrays of their own kind', () => {
+  it('are stored in typed arrays of their type', () => {
     expect(valueIn('point3f[] p = [(1, 2, 3), (4, 5, 6)]')).toEqual({
       type: 'float3[]',
       data: Float32Array.of(1, 2, 3, 4, 5, 6),
@@ -32,7 +32,7 @@ describe('numbers', () => {
     expect(valueIn('int64 p = -9007199254740993')).toEqual({ type: 'int64', data: -9007199254740993n });
   });
 
-  it('are rounded as the platform rounds them, with few digits or many', () => {
+  it('are rounded correctly, with few or many digits', () => {
     for (const text of [
       '0.1',
       '1e23',
@@ -56,7 +56,7 @@ describe('numbers', () => {
     expect(valueIn('quatf q = (1, 2, 3, 4)')).toEqual({ type: 'quatf', data: Float32Array.of(2, 3, 4, 1) });
   });
 
-  it('count right with comments among them', () => {
+  it('are counted correctly with comments in between', () => {
     expect(valueIn('int[] x = [1, # ], 2\n 2, // ]\n 3 /* ],,,, */, 4]')).toEqual({
       type: 'int[]',
       data: Int32Array.of(1, 2, 3, 4),
@@ -88,7 +88,7 @@ describe('numbers', () => {
   });
 });
 
-describe('absence and its kinds are kept apart', () => {
+describe('kinds of absence are distinguished', () => {
   it('no value, a blocked value, a blocked sample', () => {
     expect(attribute('float x').value).toBeUndefined();
     expect(valueIn('float x = None')).toEqual({ type: 'blocked' });
@@ -99,7 +99,7 @@ describe('absence and its kinds are kept apart', () => {
   });
 });
 
-describe('errors name file, line and column, what was found and what was expected', () => {
+describe('errors have file, line and column, what was found and what was expected', () => {
   it.each([
     ['', "a.usda:1:1: the file does not begin with '#usda 1.0', so it is not USD text"],
     ['#usda 2.0\n', 'a.usda: is USD text of version 2.0; only 1.x is read'],
@@ -130,7 +130,7 @@ describe('errors name file, line and column, what was found and what was expecte
     expect(errorOf(text)).toContain(message);
   });
 
-  it('refuses what is not UTF-8', () => {
+  it('rejects invalid UTF-8', () => {
     const bytes = new TextEncoder().encode('#usda 1.0\ndef "A"\n{\n  string s = "é"\n}\n');
     bytes[bytes.indexOf(0xc3)] = 0xff;
     expect(() => parseLayer(bytes, 'a.usda')).toThrow('this text is not UTF-8');
@@ -156,12 +156,12 @@ describe('nesting is bounded', () => {
 });
 
 describe('statements', () => {
-  it('end at a new line, a semicolon or a bracket', () => {
+  it('end at a newline, a semicolon or a bracket', () => {
     const { properties } = parse('def "A" { float x = 1; float y; rel z; int w = 2 }').rootPrims.get('A')!;
     expect([...properties.keys()]).toEqual(['x', 'y', 'z', 'w']);
   });
 
-  it('that delete or prepend nothing say nothing, and an empty list says that it is empty', () => {
+  it('that delete or prepend nothing have no effect, and an explicit empty list is empty', () => {
     const op = (statement: string) => {
       const entry = parse(`def "A" (\n${statement} = []\n)\n{\n}`).rootPrims.get('A')!.metadata.get('references');
       return entry?.type === 'arcs' ? entry.op : undefined;
@@ -174,7 +174,7 @@ describe('statements', () => {
     expect(valueIn('odd x = [("]", 2), @a@]')).toEqual({ type: 'unregistered', data: '[("]", 2), @a@]' });
   });
 
-  it('may name what objects have by nature', () => {
+  it('may use names of inherited properties', () => {
     const { metadata } = parse('(\n customLayerData = {\n int __proto__ = 1\n int constructor = 2\n }\n)');
     const data = metadata.get('customLayerData') as Extract<Value, { type: 'dictionary' }>;
     expect([...data.data.keys()]).toEqual(['__proto__', 'constructor']);

@@ -13,7 +13,7 @@ function spline(text: string, type = 'double'): Spline | undefined {
 const none = { width: 0, slope: 0, algorithm: 'none' };
 
 describe('a spline', () => {
-  it('holds what is written', () => {
+  it('has the authored values', () => {
     const text = `
       pre: sloped(0.25), post: loop oscillate,
       loop: (0, 4, 2, 1, 0.5),
@@ -47,20 +47,20 @@ describe('a spline', () => {
     });
   });
 
-  it('is held, where nothing else is said', () => {
+  it('has held extrapolation by default', () => {
     const held = { kind: 'held' };
     expect(spline('')).toEqual({ curve: 'bezier', before: held, after: held, knots: [] });
     expect(spline('1: 2')!.knots[0].interpolation).toBe('held');
   });
 
-  it('has values of its attribute’s type, times and widths of their own', () => {
+  it('has values of its attribute’s type, and times and widths as doubles', () => {
     const { knots } = spline('0.1: 0.1; pre (0.1, 0.1)', 'float')!;
     const f = Math.fround(0.1);
     expect(knots[0]).toMatchObject({ time: 0.1, value: f, pre: { width: 0.1, slope: f } });
     expect(spline('0: 0.1', 'half')!.knots[0].value).toBe(0.0999755859375);
   });
 
-  it('of Hermite curves has no widths', () => {
+  it('of Hermite curves has no tangent widths', () => {
     expect(spline('hermite, 1: 2; pre (1, 2); post curve (3)')!.knots[0]).toMatchObject({
       pre: { width: 0, slope: 2 },
       post: { width: 0, slope: 3 },

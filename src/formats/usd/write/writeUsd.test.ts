@@ -45,7 +45,7 @@ const wave = (k: number): Float32Array => plain.positions.map((x, i) => Math.fro
 const poses = Float64Array.from([0, 0, 0, 0, 0, 0, 1, 0.1, 0.2, 0.3, 0, 0.6, 0, 0.8, 1e6, 0, 0, 0, 1, 0, 0]);
 const points = [wave(0), wave(1), wave(2)];
 
-/** One of everything that a scene can hold. */
+/** A scene with everything a scene can contain. */
 const scene: Scene = {
   name: 'scene.usda',
   upAxis: 'Z',
@@ -193,10 +193,10 @@ const leafy: Scene = {
 
 const reread = (s: Scene): Promise<Scene> => readUsd(memorySource({ 'scene.usdz': writeUsdz(s) }), 'scene.usdz');
 
-describe('what is written reads back the same', async () => {
+describe('a written scene is read back unchanged', async () => {
   const back = await reread(withColors);
 
-  it('without a complaint', () => {
+  it('without diagnostics', () => {
     expect(back.diagnostics.filter(({ code }) => code !== 'usd.between-samples')).toEqual([]);
   });
 
@@ -231,7 +231,7 @@ describe('what is written reads back the same', async () => {
     });
   });
 
-  it('sampled poses, with more samples where it turns', () => {
+  it('sampled poses, with more samples where they rotate', () => {
     const { motion } = back.objects.find((o) => o.path === '/World/Sampled')!;
     if (motion.kind !== 'sampled') throw new Error(motion.kind);
     [0, 0.75, 2].forEach((t, i) => {
@@ -253,14 +253,14 @@ describe('what is written reads back the same', async () => {
     });
   });
 
-  it('a texture that cuts out', async () => {
+  it('a cut-out texture', async () => {
     expect((await reread(leafy)).materials[0]).toMatchObject({
       ...scene.materials[3],
       baseColorTexture: { data: scene.materials[3].baseColorTexture!.data },
     });
   });
 
-  it('what is told by texels, and of invisible light', async () => {
+  it('scalar textures, and reflectance of invisible light', async () => {
     const map = { ...texture('finish.png', 255, 13), colorSpace: 'linear' } as const;
     const material: Material = {
       ...scene.materials[2],
@@ -337,11 +337,11 @@ describe('what is written reads back the same', async () => {
 });
 
 describe('the written files', () => {
-  it('are the same for the same scene', () => {
+  it('are deterministic', () => {
     expect(writeUsdz(scene)).toEqual(writeUsdz(scene));
   });
 
-  it('name pictures of the same name apart', () => {
+  it('have distinct names for textures of the same name', () => {
     expect([...writeTextures(scene).keys()]).toEqual([
       'textures/wood.png',
       'textures/wood_1.png',
@@ -350,18 +350,18 @@ describe('the written files', () => {
     ]);
   });
 
-  it('begin on 64 bytes within a usdz', () => {
+  it('are aligned to 64 bytes within a usdz', () => {
     const bytes = writeUsdz(scene);
     for (const file of openPackage(bytes, 'x').files.values())
       expect((contentBytes(file).byteOffset - bytes.byteOffset) % 64).toBe(0);
   });
 
-  it('give two objects of one name two names', () => {
+  it('have distinct names for objects of the same name', () => {
     const twice: Scene = { ...scene, objects: [object('/A b', {}), object('/A b', {})] };
     expect(writeUsda(twice).match(/def Mesh "\w+"/g)).toEqual(['def Mesh "A_b"', 'def Mesh "A_b_1"']);
   });
 
-  it('scale lengths to the units that the scene came in', async () => {
+  it('have lengths in the scene’s original units', async () => {
     const inches: Scene = { ...scene, metersPerUnit: 0.0254 };
     const { mesh: after } = (
       await readUsd(memorySource({ 'a.usda': new TextEncoder().encode(writeUsda(inches)) }), 'a.usda')
@@ -371,7 +371,7 @@ describe('the written files', () => {
 });
 
 describe('text of numbers and names', () => {
-  it('is short and gives the same f32', () => {
+  it('is short and round-trips f32', () => {
     const bits = new Uint32Array(1);
     const value = new Float32Array(bits.buffer);
     for (let i = 1; i < 4000; i++) {
@@ -387,7 +387,7 @@ describe('text of numbers and names', () => {
   });
 });
 
-it('writes text that a person can read', async () => {
+it('writes readable text', async () => {
   const { objects } = scene;
   const small: Scene = {
     ...scene,

@@ -49,7 +49,7 @@ it.each<[text: string, problem: { code: string; place?: string; message?: RegExp
   expect(await made({ text })).toMatchObject(wanted);
 });
 
-it('refuses too many triangles before it makes them', async () => {
+it('rejects too many triangles before creating them', async () => {
   const result = await made({ text: '@'.repeat(9000), tolerance: 1e-5 });
   expect(result).toMatchObject({ problem: { code: 'letters.large', place: 'it' } });
 });

@@ -17,7 +17,7 @@ async function composed(clips: string, files: Record<string, string> = {}) {
 }
 
 describe('value clips', () => {
-  it('jump where two entries of times are at one time', async () => {
+  it('jump where two entries of `times` have the same time', async () => {
     const { at, times } = await composed(
       'asset[] assetPaths = [@a.usda@]\ndouble2[] active = [(0, 0)]\ndouble2[] times = [(0, 0), (9, 9), (9, 0), (18, 9)]',
     );
@@ -26,7 +26,7 @@ describe('value clips', () => {
     expect([...times]).toEqual([0, 5, 8.999999995559108, 9, 14, 18]);
   });
 
-  it('that are missing are named, with the place where they were looked for, and have no values', async () => {
+  it('that are missing are reported with the searched location, and have no values', async () => {
     const { at, said } = await composed(
       'asset[] assetPaths = [@a.usda@, @b.usda@]\ndouble2[] active = [(0, 0), (6, 1)]',
     );
@@ -71,7 +71,7 @@ describe('value clips', () => {
     ]);
   });
 
-  it('give no more samples than a stage may have', async () => {
+  it('have no more samples than a stage may have', async () => {
     const times = Array.from({ length: 5000 }, (_, i) => `(${i}, ${(i % 2) * 1000})`).join(', ');
     const samples = Array.from({ length: 1000 }, (_, i) => `${i}: ${i}`).join(', ');
     const { said } = await composed(

@@ -12,7 +12,7 @@ const VARIABLES = new Map<string, ExpressionValue>([
   ['Z', null],
 ]);
 
-/** What Sdf.VariableExpression of usd-core makes of expressions, and those it refuses. */
+/** Values of expressions by usd-core’s Sdf.VariableExpression, and the expressions it rejects. */
 const { values, refused }: { values: [string, ExpressionValue][]; refused: string[] } = JSON.parse(
   readFileSync(new URL('../fixtures/expressions.json', import.meta.url), 'utf8'),
 );
@@ -20,15 +20,15 @@ const { values, refused }: { values: [string, ExpressionValue][]; refused: strin
 describe('expressions', () => {
   it.each(values)('%s', (text, value) => expect(evaluate(text, VARIABLES)).toEqual(value));
 
-  it.each(refused)('%s is refused', (text) => expect(() => evaluate(text, VARIABLES)).toThrow(/./));
+  it.each(refused)('%s is rejected', (text) => expect(() => evaluate(text, VARIABLES)).toThrow(/./));
 
-  it('are text, or nothing', () => {
+  it('are strings, or undefined', () => {
     expect(expandExpression('a.usda', VARIABLES)).toBe('a.usda');
     expect(expandExpression('`if(False, "a")`', VARIABLES)).toBe('');
     expect(() => expandExpression('`[1]`', VARIABLES)).toThrow('it makes a list, not text');
   });
 
-  it('of variables that are made of each other end', () => {
+  it('of mutually dependent variables terminate', () => {
     const circle = new Map([
       ['A', `\`"\${B}"\``],
       ['B', `\`"\${A}"\``],

@@ -4,10 +4,10 @@ import { bytes, sized, stored, u32, u64 } from '../fixtures/writeCrate.ts';
 import { CrateSource, Cursor } from './crateSource.ts';
 import { readInt32s, readInt64s } from './integerCompression.ts';
 
-/** Bits of the three lengths of a difference. */
+/** Bits of the three sizes of a difference. */
 const LENGTHS = { 32: [8, 16, 32], 64: [16, 32, 64] } as const;
 
-/** The same coding by another route: big integers, and any difference as the common one. */
+/** An independent encoder: with big integers, and any choice of the common difference. */
 function encode(values: readonly bigint[], width: 32 | 64, common: bigint): Uint8Array {
   const lengths = LENGTHS[width];
   const wrap = (x: bigint): bigint => BigInt.asIntN(width, x);
@@ -25,13 +25,13 @@ function encode(values: readonly bigint[], width: 32 | 64, common: bigint): Uint
 
 const cursorOf = (data: Uint8Array): Cursor => new Cursor(new CrateSource(data, 'a', 2 ** 20), 0);
 
-/** Near each other, or anywhere. */
+/** Integers near each other, or arbitrary. */
 const list = (width: 32 | 64) => {
   const whole = fc.bigInt({ min: -(2n ** BigInt(width - 1)), max: 2n ** BigInt(width - 1) - 1n });
   return fc.array(fc.oneof(whole, fc.bigInt({ min: -200n, max: 200n })), { minLength: 1, maxLength: 60 });
 };
 
-describe('integers come back from any differences', () => {
+describe('integers round-trip', () => {
   it('of 32 bits', () => {
     fc.assert(
       fc.property(list(32), fc.bigInt({ min: -200n, max: 200n }), (values, common) => {
@@ -50,7 +50,7 @@ describe('integers come back from any differences', () => {
     );
   });
 
-  it('or are refused where too few bytes came', () => {
+  it('or are rejected if bytes are missing', () => {
     const data = encode([1n, 2n, 300n, 70000n], 32, 5n);
     expect(() => readInt32s(cursorOf(data), 5, 'x')).toThrow('of 5 x the compressed data holds');
     expect(() => readInt32s(cursorOf(data), 40, 'x')).toThrow('of 40 x the compressed data holds');

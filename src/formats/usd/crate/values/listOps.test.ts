@@ -7,7 +7,7 @@ import { NON_ARRAY_TYPES } from './crateTypes.ts';
 const TOKENS = ['', 'primChildren', 'A', 'note', 'a.usd', 'x'];
 const token = (text: string): number => TOKENS.indexOf(text);
 
-/** What the metadata `note` of a prim is, that lies in the file as `data`. */
+/** The value of a prim’s metadata `note` that is stored as `data`. */
 function noteOf(type: number, data: Uint8Array, { flags = '', version = 8 } = {}): MetadataValue | undefined {
   const children = bytes(u64(1), u32(token('A')));
   const crate = writeCrate({
@@ -45,7 +45,7 @@ describe('list ops', () => {
     });
   });
 
-  it('that are explicit may be empty, and are then not absent', () => {
+  it('that are explicit may be empty, which is not absence', () => {
     expect(noteOf(NON_ARRAY_TYPES.tokenListOp, bytes([1]))).toEqual({ type: 'texts', op: { explicit: [] } });
     expect(noteOf(NON_ARRAY_TYPES.tokenListOp, bytes([0]))).toEqual({ type: 'texts', op: {} });
     expect(noteOf(NON_ARRAY_TYPES.tokenListOp, u64(0), { flags: 'i' })).toEqual({ type: 'texts', op: {} });
@@ -67,7 +67,7 @@ describe('list ops', () => {
     expect(noteOf(NON_ARRAY_TYPES.pathListOp, data)).toEqual({ type: 'paths', op: { explicit: ['/A'] } });
   });
 
-  it('of payloads have offsets since 0.8', () => {
+  it('of payloads have time offsets since version 0.8', () => {
     const target = bytes([3], u64(1), u32(1, 1));
     const arc = { asset: 'a.usd', path: '/A' };
     const arcs = (offset: number, scale: number) => ({ type: 'arcs', op: { explicit: [{ ...arc, offset, scale }] } });
@@ -76,8 +76,8 @@ describe('list ops', () => {
   });
 });
 
-describe('older and rarer kinds', () => {
-  it('are a payload that is no list, and one that is none', () => {
+describe('older and rare types', () => {
+  it('are a single payload, and an empty one', () => {
     const data = bytes(u32(1, 1), f64(0, 1));
     const arc = { asset: 'a.usd', path: '/A', offset: 0, scale: 1 };
     expect(noteOf(NON_ARRAY_TYPES.payload, data)).toEqual({ type: 'arcs', op: { explicit: [arc] } });
@@ -96,7 +96,7 @@ describe('older and rarer kinds', () => {
     expect(noteOf(NON_ARRAY_TYPES.tokenVector, u64(0), { flags: 'i' })).toEqual({ type: 'token[]', data: [] });
   });
 
-  it('are a value in a value, as deep as is wanted but not deeper', () => {
+  it('are nested values, up to a maximum depth', () => {
     const nested = bytes(u64(8, rep(3, 7, 'i')));
     expect(noteOf(NON_ARRAY_TYPES.value, nested)).toEqual({ type: 'int', data: 7 });
     expect(() => noteOf(NON_ARRAY_TYPES.value, u64(8, rep(NON_ARRAY_TYPES.value, DATA_START)))).toThrow(
@@ -108,7 +108,7 @@ describe('older and rarer kinds', () => {
     });
   });
 
-  it('refuse what no field can be', () => {
+  it('are rejected if no field can have them', () => {
     expect(() => noteOf(NON_ARRAY_TYPES.offsetVector, bytes(u64(0)))).toThrow('its metadata note is of kind offsets');
     expect(() => noteOf(NON_ARRAY_TYPES.permission, u32(9))).toThrow('its permission is 9');
   });

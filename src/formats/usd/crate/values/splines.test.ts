@@ -19,12 +19,12 @@ const header = (version: number, modes: number): number[] => [version | 0x10, mo
 const knot = (flags: number, time: number): Uint8Array => bytes([flags], f64(time, 7, 0.5, 0.25, 1, 2));
 
 describe('a spline in a crate', () => {
-  it('loops after its end, where usd-core 25.11 itself reads two of the three bits', () => {
+  it('loops after its end, where usd-core 25.11 reads only two of the three bits', () => {
     const kinds = [4, 5, 6].map((mode) => read(bytes(header(1, 1 | (mode << 3)), u32(0))).after.kind);
     expect(kinds).toEqual(['repeat', 'reset', 'oscillate']);
   });
 
-  it('has the algorithms of its tangents since version 2', () => {
+  it('has tangent algorithms since version 2', () => {
     const algorithms = (version: number, ...rest: number[]) => {
       const { pre, post } = read(bytes(header(version, 9), u32(1), knot(6, 1), rest)).knots[0];
       return [pre.algorithm, post.algorithm];

@@ -24,12 +24,12 @@ const triangles = ({ indices }: Mesh): number => indices.length / 3;
 const reach = ({ positions }: Mesh): number => positions.reduce((most, x) => Math.max(most, Math.abs(x)), 0);
 
 describe('a mesh without a scheme', () => {
-  it('is a Catmull–Clark surface, of two levels welded and with smooth normals', async () => {
+  it('is a Catmull–Clark surface of two levels, welded, with smooth normals', async () => {
     const scene = await read(cube());
     const { mesh } = scene.objects[0];
     expect(triangles(mesh)).toBe(6 * 16 * 2);
     expect(mesh.positions.length / 3).toBe(98);
-    // The middle of a face, by the limit mask of a regular point one level on: (16 q + 4 Σ e + Σ f) / 36.
+    // The centre of a face, by the limit mask of a regular point one level finer: (16 q + 4 Σ e + Σ f) / 36.
     const edges = 0.75;
     const corner = (3 / 8) * 1 + (4 / 24) * 1 + (1 / 24) * -1;
     expect(corner).toBeCloseTo(0.5, 12);
@@ -37,7 +37,7 @@ describe('a mesh without a scheme', () => {
     expect(said(scene)).toEqual([]);
   });
 
-  it('has as many levels as are asked for; with none it is its polygons, which is told', async () => {
+  it('has the requested levels; with 0 it is its polygons, which is reported', async () => {
     for (const [levels, faces] of [
       [1, 24],
       [3, 384],
@@ -51,12 +51,12 @@ describe('a mesh without a scheme', () => {
     ]);
   });
 
-  it('is refined until it looks round where no levels are asked for', async () => {
+  it('is refined until it looks smooth by default', async () => {
     const [box] = (await readAsIs(cube())).objects;
     expect(triangles(box.mesh)).toBe(2 * 384);
   });
 
-  it('goes with its points in time, and its normals with it', async () => {
+  it('follows its animated points, and its normals too', async () => {
     const double = POINTS.replaceAll(/1/g, '2');
     const scene = await read(
       cube(`point3f[] points.timeSamples = { 0: ${POINTS}, 24: ${double} }`).replace(
@@ -76,7 +76,7 @@ describe('a mesh without a scheme', () => {
   });
 });
 
-describe('what shapes the surface', () => {
+describe('features of the surface', () => {
   it('creases, with one sharpness each or one for each edge', async () => {
     const loop = 'int[] creaseIndices = [2, 3, 5, 4, 2]; int[] creaseLengths = [5]';
     const top = (mesh: Mesh): number =>
@@ -89,7 +89,7 @@ describe('what shapes the surface', () => {
     expect(sharp.objects[0].mesh.positions.length / 3).toBe(98 + 16);
   });
 
-  it('corners and holes; a hole shapes what is around it', async () => {
+  it('corners and holes; a hole still shapes its neighbourhood', async () => {
     const scene = await read(
       cube('int[] cornerIndices = [3]; float[] cornerSharpnesses = [10]; int[] holeIndices = [5]'),
     );
@@ -132,7 +132,7 @@ describe('what shapes the surface', () => {
     expect(await area('uniform token interpolateBoundary = "none"')).toBe(0);
   });
 
-  it('Loop takes triangles, and says where it has none', async () => {
+  it('Loop requires triangles, and others are reported', async () => {
     const loop = 'uniform token subdivisionScheme = "loop"';
     const scene = await read(cube(loop));
     expect(triangles(scene.objects[0].mesh)).toBe(12);
@@ -144,7 +144,7 @@ describe('what shapes the surface', () => {
     expect(triangles((await read(tetrahedron)).objects[0].mesh)).toBe(4 * 16);
   });
 
-  it('uvs are torn where they are torn, subsets keep their faces', async () => {
+  it('uv seams stay seams, and subsets keep their faces', async () => {
     const scene = await read(`${cube(`
   texCoord2f[] primvars:st = [(0, 0), (1, 0), (1, 1), (0, 1)] ( interpolation = "faceVarying" )
   int[] primvars:st:indices = [0, 1, 2, 3, 0, 1, 2, 3, 0, 1, 2, 3, 0, 1, 2, 3, 0, 1, 2, 3, 0, 1, 2, 3]
@@ -161,7 +161,7 @@ def Material "Red" { token outputs:surface.connect = </Red/S.outputs:surface>
 });
 
 describe('a face budget', () => {
-  it('is shared: the largest meshes have fewer levels, which is told', async () => {
+  it('is shared: the largest meshes have fewer levels, which is reported', async () => {
     const n = 200;
     const points = Array.from({ length: (n + 1) ** 2 }, (_, p) => `(${p % (n + 1)}, ${Math.floor(p / (n + 1))}, 0)`);
     const indices = Array.from({ length: n * n }, (_, f) => {
@@ -178,7 +178,7 @@ describe('a face budget', () => {
 });
 
 describe('faults', () => {
-  it('of creases, corners and words are told, and the surface is there', async () => {
+  it('of creases, corners and tokens are reported, and the surface is still built', async () => {
     const scene = await read(
       cube(`int[] creaseIndices = [0, 99]; int[] creaseLengths = [2]; float[] creaseSharpnesses = [1]
   int[] cornerIndices = [1, 2]; float[] cornerSharpnesses = [nan]
@@ -192,7 +192,7 @@ describe('faults', () => {
     expect(triangles(scene.objects[0].mesh)).toBe(192);
   });
 
-  it('a corner written twice makes no edge of no length', async () => {
+  it('a repeated corner does not make an edge of length 0', async () => {
     const text = `def Mesh "M" { int[] faceVertexCounts = [4, 3]; int[] faceVertexIndices = [0, 1, 2, 2, 0, 2, 0]
       point3f[] points = [(0, 0, 0), (1, 0, 0), (0, 1, 0)] }`;
     const { mesh } = (await read(text, 1)).objects[0];

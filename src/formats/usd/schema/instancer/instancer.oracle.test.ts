@@ -19,7 +19,7 @@ afterAll(() => rmSync(folder, { recursive: true }));
 
 describe.skipIf(!hasUsdCore())('usd-core', () => {
   /** `REFRESH=1 npx vitest run --project oracle src/formats/usd/instancer`, then `npx biome format --write .` */
-  it('still has the instances of instancers.usda where they are committed', () => {
+  it('reproduces the committed instances of instancers.usda', () => {
     const path = fixture('instancers.usda');
     const fresh = placesOf(path)[path];
     const committed = fixture('instancers.expected.json');
@@ -27,7 +27,7 @@ describe.skipIf(!hasUsdCore())('usd-core', () => {
     expect(fresh).toEqual(JSON.parse(readFileSync(committed, 'utf8')));
   });
 
-  it('has the instances of random instancers where this reader has them', async () => {
+  it('agrees with this reader on random instancers', async () => {
     const texts = Array.from({ length: 40 }, (_, seed) => randomInstancer(seed));
     const paths = texts.map((text, seed) => {
       const path = join(folder, `${seed}.usda`);

@@ -44,7 +44,7 @@ const said = (scene: Scene): string[] => scene.diagnostics.map((d) => `${d.code}
 const list = (count: number, item: string): string => `[${new Array(count).fill(item).join(', ')}]`;
 
 describe('instances', () => {
-  it('of one size share one mesh, whatever makes them', async () => {
+  it('of equal scale share one mesh, whether of instancers or of scene instances', async () => {
     const { objects } = await stage(`
 ${HIDDEN} ${TRIANGLE} } }
 def PointInstancer "I" {
@@ -67,7 +67,7 @@ def Xform "C" ( references = </Tree> ) { over "Crown" { over "Leaf" { int[] face
     expect(mesh('/A/Crown/Leaf')).not.toBe(mesh('/C/Crown/Leaf'));
   });
 
-  it('have colours of their own, where the prototype has none', async () => {
+  it('have their own colours if the prototype has none', async () => {
     const { objects, materials } = await stage(`
 def PointInstancer "I" {
   int[] protoIndices = [0, 1, 0]
@@ -86,7 +86,7 @@ def PointInstancer "I" {
     expect(objects[1].mesh.positions).toBe(objects[3].mesh.positions);
   });
 
-  it('fly as slowlight:motion of their instancer says, or their velocities for ever', async () => {
+  it('move by slowlight:motion of their instancer, or by their velocities for all times', async () => {
     const { objects } = await stage(`
 def PointInstancer "I" {
   token slowlight:motion = "uniform"
@@ -109,7 +109,7 @@ def PointInstancer "J" {
 });
 
 describe('faults of instancers', () => {
-  it('are named with place and value', async () => {
+  it('are reported with place and value', async () => {
     const scene = await stage(`
 def PointInstancer "Far" { int[] protoIndices = [0, 7, -1]\n point3f[] positions = ${list(3, '(0, 0, 0)')}\n rel prototypes = </Kite> }
 def PointInstancer "Short" { int[] protoIndices = [0, 0]\n point3f[] positions = [(0, 0, 0)]\n rel prototypes = </Kite> }
@@ -127,7 +127,7 @@ def PointInstancer "Same" { int[] protoIndices = [0, 0]\n int64[] ids = [4, 4]\n
     ]);
   });
 
-  it('such as 10⁹ instances, or an instancer in itself, are told at once', async () => {
+  it('such as 10⁹ instances, or an instancer inside itself, are reported quickly', async () => {
     const nested = (name: string, prototype: string): string =>
       `def PointInstancer "${name}" { int[] protoIndices = ${list(1000, '0')}\n point3f[] positions = ${list(1000, '(0, 0, 0)')}\n rel prototypes = <${prototype}> }`;
     const scene = await stage(`

@@ -16,7 +16,7 @@ const available = hasUsdCore();
 const folder = mkdtempSync(join(tmpdir(), 'slowlight-lamps-'));
 afterAll(() => rmSync(folder, { recursive: true }));
 
-/** What usd-core finds in a file: of each light its sizes, its cone and, in metres, where the ends of its axes are. */
+/** Lights of a file by usd-core: sizes, cone and, in metres, the ends of the axes. */
 const SCRIPT = `
 import json, sys
 from pxr import Gf, Usd, UsdGeom, UsdLux
@@ -78,7 +78,7 @@ def Xform "World"
 }
 `;
 
-/** Of a lamp as it was read, the same; only the size of it across its Y may have another sign. */
+/** The same of a light as read here; only the sign of its size along Y may differ. */
 function ofLamp(lamp: LocalLight) {
   if (lamp.motion.kind !== 'static') throw new Error(lamp.motion.kind);
   const { pose } = lamp.motion;
@@ -90,7 +90,7 @@ function ofLamp(lamp: LocalLight) {
 }
 const near = (v: readonly number[]) => v.map((c) => expect.closeTo(c, 5));
 
-it.runIf(available)('lamps stand where usd-core puts them, and do so in what is written', async () => {
+it.runIf(available)('lights are where usd-core has them, also when written', async () => {
   const scene = await readUsd(memorySource({ 'a.usda': new TextEncoder().encode(STAGE) }), 'a.usda');
   expect(scene.lights).toHaveLength(3);
   for (const [name, text] of [

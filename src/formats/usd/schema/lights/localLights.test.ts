@@ -22,14 +22,14 @@ const near = (v: readonly number[]) => v.map((x) => expect.closeTo(x, 6));
 const axisOf = (light: LocalLight, axis: Vec3): Vec3 =>
   light.motion.kind === 'static' ? rotate(light.motion.pose.orientation, axis) : axis;
 
-describe('lights with a size', () => {
-  it('have the sizes of USD where none are written, in metres', async () => {
+describe('area lights', () => {
+  it('have USD’s default sizes, in metres', async () => {
     expect(await lamp('RectLight')).toMatchObject({ kind: 'rect', width: 0.01, height: 0.01, color: [1, 1, 1] });
     expect(await lamp('DiskLight')).toMatchObject({ kind: 'disk', radius: 0.005 });
     expect(await lamp('CylinderLight')).toMatchObject({ kind: 'cylinder', radius: 0.005, length: 0.01 });
   });
 
-  it('are scaled and turned as their transforms are', async () => {
+  it('are scaled and rotated by their transforms', async () => {
     const light = await lamp(
       'RectLight',
       'float inputs:width = 30',
@@ -46,7 +46,7 @@ describe('lights with a size', () => {
     expect(axisOf(light, [1, 0, 0])).toEqual(near([1, 0, 0]));
   });
 
-  it('shine to the other side where they are mirrored', async () => {
+  it('emit to the other side if reflected', async () => {
     const order = 'uniform token[] xformOpOrder = ["xformOp:scale"]';
     for (const [scale, front] of [
       ['(1, 1, -1)', [0, 0, 1]],
@@ -57,7 +57,7 @@ describe('lights with a size', () => {
       );
   });
 
-  it('move, and are said by slowlight:motion too', async () => {
+  it('move by transforms, and by slowlight:motion', async () => {
     const order = 'uniform token[] xformOpOrder = ["xformOp:translate"]';
     const moving = await lamp(
       'RectLight',
@@ -73,12 +73,12 @@ describe('lights with a size', () => {
     expect(flying.motion).toMatchObject({ kind: 'uniform', velocity: [0, 0.5, 0] });
   });
 
-  it('as strong where they are normalized, whatever their size', async () => {
+  it('have the same intensity at any size if normalized', async () => {
     const intensity = async (type: string, ...sizes: string[]): Promise<number> => {
       const light = await lamp(type, 'bool inputs:normalize = 1', 'float inputs:intensity = 5', ...sizes);
       return light.color[1] * projectedArea(light);
     };
-    // In metres: E = I (0.01 m)²/d²; a face shows all of its surface, a ball a quarter, a tube the πth part.
+    // In metres: E = I (0.01 m)²/d²; the projected area is that of a face, ¼ of a sphere’s, 1/π of a cylinder’s.
     for (const k of [1, 7]) {
       const radius = `float inputs:radius = ${k}`;
       expect(await intensity('RectLight', `float inputs:width = ${k}`)).toBeCloseTo(5e-4, 9);
@@ -91,7 +91,7 @@ describe('lights with a size', () => {
     expect(await intensity('RectLight', 'float inputs:width = 0')).toBe(0);
   });
 
-  it('as points and lines are as strong as they were', async () => {
+  it('treated as points and lines keep their intensity', async () => {
     for (const [type, hint] of [
       ['SphereLight', 'treatAsPoint'],
       ['CylinderLight', 'treatAsLine'],
@@ -104,7 +104,7 @@ describe('lights with a size', () => {
 });
 
 describe('inputs of lights', () => {
-  it('colour, temperature, exposure and the multiplier come together', async () => {
+  it('colour, temperature, exposure and intensity are multiplied', async () => {
     const light = await lamp(
       'RectLight',
       'color3f inputs:color = (1, 0.5, 0.25)',
@@ -124,7 +124,7 @@ describe('inputs of lights', () => {
     expect(light).toMatchObject({ radius: 0.04, color: [2, 0, 0] });
   });
 
-  it('shape a cone, softly from the inside; a face has no light behind it to cut off', async () => {
+  it('shape a cone, softly on the inside; a face has no light behind it anyway', async () => {
     const cone = ['float inputs:shaping:cone:angle = 40', 'float inputs:shaping:cone:softness = 0.25'];
     for (const type of ['SphereLight', 'RectLight']) {
       const { shaping } = await lamp(type, ...cone, 'float inputs:shaping:focus = 2');
@@ -137,7 +137,7 @@ describe('inputs of lights', () => {
     expect((await lamp('SphereLight', 'float inputs:shaping:cone:angle = 180')).shaping).toBeUndefined();
   });
 
-  it('tell how wide a sun is, in degrees', async () => {
+  it('give the angular diameter of a sun, in degrees', async () => {
     const [written, unwritten] = (
       await read('def DistantLight "A" { float inputs:angle = 1.5 }\ndef DistantLight "B" {}')
     ).lights;
@@ -145,7 +145,7 @@ describe('inputs of lights', () => {
     expect(unwritten).not.toHaveProperty('angle');
   });
 
-  it('that are left out are named', async () => {
+  it('that are not supported are reported', async () => {
     const { diagnostics } = await read(
       'def RectLight "L"\n{\nasset inputs:shaping:ies:file = @a.ies@\nasset inputs:texture:file = @no.png@\nfloat inputs:specular = 0\n}\n',
     );
@@ -168,7 +168,7 @@ describe('meshes that are lights', () => {
     return scene.materials[scene.objects[0].mesh.groups[0].material];
   };
 
-  it('shine with what LightAPI says, over their area where normalized', async () => {
+  it('emit as given by LightAPI, divided by their area if normalized', async () => {
     expect(await glow(`def Mesh "L" ${api}`, 'float inputs:intensity = 6')).toMatchObject({
       emissive: [6, 6, 6],
       baseColor: [0.5, 0.5, 0.5],
@@ -188,13 +188,13 @@ describe('meshes that are lights', () => {
     });
   });
 
-  it('are found by a GeometryLight', async () => {
+  it('can be targets of a GeometryLight', async () => {
     expect(await glow('def Mesh "Plain"')).toMatchObject({ emissive: [9, 9, 9], baseColor: [0, 0, 0] });
     expect((await glow('def Mesh "Other"')).emissive).toEqual([0, 0, 0]);
   });
 });
 
-it('what is written is read again', async () => {
+it('written lights are read back', async () => {
   const scene = await read(`
 def RectLight "A" (prepend apiSchemas = ["ShapingAPI"])
 {

@@ -6,7 +6,7 @@ import { encodePng } from '../../../image/encodePng.ts';
 import { readUsd } from '../../read.ts';
 
 type Rgba = readonly [number, number, number, number];
-/** A picture of one row. */
+/** A texture of one row. */
 const row = (...pixels: readonly Rgba[]): Uint8Array => encodePng(pixels.length, 1, Uint8Array.from(pixels.flat()));
 const PICTURES = { 'a.png': row([0, 64, 255, 128], [255, 64, 0, 255]) };
 
@@ -45,7 +45,7 @@ const texture = (...lines: string[]): string =>
   `def Shader "T" { uniform token info:id = "UsdUVTexture"\nasset inputs:file = @a.png@\n${lines.join('\n')}\nfloat3 outputs:rgb\nfloat outputs:r\nfloat outputs:a }\n`;
 const DIFFUSE = 'color3f inputs:diffuseColor.connect = </M/T.outputs:rgb>';
 
-/** What a texel stands for: linear, times the material's colour. */
+/** The value of a texel: linear, times the material's colour. */
 function texels({ baseColor, baseColorTexture }: Material): number[][] {
   const { data, colorSpace } = baseColorTexture!;
   const linear = (x: number) => (colorSpace === 'srgb' ? decodeSrgb(x / 255) : x / 255);
@@ -69,12 +69,12 @@ describe('textures', () => {
     expect(texels(material)[0]).toEqual(about([0.1, decodeSrgb(64 / 255) + 0.1, 1.1]));
   });
 
-  it('give one of their channels', async () => {
+  it('can be read by a single channel', async () => {
     const { material } = await read(surface('color3f inputs:diffuseColor.connect = </M/T.outputs:r>') + texture());
     expect(texels(material)).toEqual([about([0, 0, 0]), about([1, 1, 1])]);
   });
 
-  it('that look like numbers are no colours', async () => {
+  it('of one grey channel default to linear', async () => {
     // 1 × 1, grey, 8 bits (PNG, color type 0).
     const gray = Uint8Array.from(
       atob('iVBORw0KGgoAAAANSUhEUgAAAAEAAAABCAAAAAA6fptVAAAACklEQVQI12NoAAAAggCB3UNq9AAAAABJRU5ErkJggg=='),
@@ -86,7 +86,7 @@ describe('textures', () => {
     expect(await space('token inputs:sourceColorSpace = "sRGB"')).toBe('srgb');
   });
 
-  it('drive numbers by texels, of which the mean is known', async () => {
+  it('drive scalar inputs, with the mean as the constant value', async () => {
     const shaders =
       surface('float inputs:roughness.connect = </M/T.outputs:r>', 'float inputs:metallic.connect = </M/T.outputs:a>') +
       texture('float4 inputs:scale = (0.5, 1, 1, 2)', 'float4 inputs:bias = (0.25, 0, 0, -0.5)');
@@ -98,7 +98,7 @@ describe('textures', () => {
     expect(said).toEqual([]);
   });
 
-  it('bend normals: the picture as it is where scale and bias are the usual, else made anew', async () => {
+  it('are normal maps: used unchanged with the usual scale and bias, otherwise converted', async () => {
     const normal = 'normal3f inputs:normal.connect = </M/T.outputs:rgb>';
     const raw = 'token inputs:sourceColorSpace = "raw"';
     const usual = await read(
@@ -116,7 +116,7 @@ describe('textures', () => {
     ]);
   });
 
-  it('our own attributes tell of invisible light; what is no number of its range is named', async () => {
+  it('slowlight attributes set the reflectance of invisible light; invalid values are reported', async () => {
     const own = (...lines: string[]) => read(`${lines.map((line) => `custom ${line}`).join('\n')}\n${surface()}`);
     const { material } = await own('double slowlight:albedo:uv = 0.25', 'float slowlight:emission:temperature = 2000');
     expect(material).toMatchObject({ uv: 0.25, emissionTemperature: 2000 });
@@ -133,7 +133,7 @@ describe('textures', () => {
     ]);
   });
 
-  it('cut out by any of their channels', async () => {
+  it('can be cut-outs by any channel', async () => {
     const shaders = surface(
       DIFFUSE,
       'float inputs:opacity.connect = </M/T.outputs:r>',
@@ -146,7 +146,7 @@ describe('textures', () => {
     expect(material).toMatchObject({ opacity: 1, opacityThreshold: 0.5 });
   });
 
-  it('that are missing leave their fallback', async () => {
+  it('that are missing are replaced by their fallback', async () => {
     const lines = ['float4 inputs:fallback = (0.2, 0.4, 0.6, 0.8)', 'asset inputs:file = @none.png@'];
     const shaders = surface(
       DIFFUSE,
@@ -158,7 +158,7 @@ describe('textures', () => {
     expect(material.baseColor).toEqual(about([0.2, 0.4, 0.6]));
   });
 
-  it('wrap as they say', async () => {
+  it('follow their wrap modes', async () => {
     for (const [written, wrap] of [
       ['black', 'black'],
       ['clamp', 'clamp'],
@@ -170,7 +170,7 @@ describe('textures', () => {
     }
   });
 
-  it('that change with time, or are turned in two ways, are said', async () => {
+  it('that change with time, or have two transforms, are reported', async () => {
     const turned = (name: string, angle: string) =>
       `def Shader "${name}" { uniform token info:id = "UsdTransform2d"\nfloat2 inputs:in.connect = </M/R.outputs:result>\nfloat inputs:rotation${angle}\nfloat2 outputs:result }\n`;
     const reader =
@@ -199,7 +199,7 @@ describe('tiles', () => {
   };
   const shaders = surface(DIFFUSE) + texture().replace('@a.png@', '@t.<UDIM>.png@');
 
-  it('are put together, and their uvs with them', async () => {
+  it('are combined, and their uvs adapted', async () => {
     const { material, object, said } = await read(shaders, '}', files);
     expect(said).toEqual([]);
     const { width, height, data, wrapS } = material.baseColorTexture!;
@@ -215,7 +215,7 @@ describe('tiles', () => {
     expect(Math.max(...object.mesh.uvs)).toBe(0.5);
   });
 
-  it('that are not there are missed once', async () => {
+  it('that are missing are reported once', async () => {
     const { said } = await read(shaders, '}', {});
     expect(said).toEqual([expect.stringMatching(/^file.missing-texture: .*t.<UDIM>.png/)]);
   });
@@ -258,7 +258,7 @@ describe('a specular workflow', () => {
       `color3f inputs:specularColor = ${specular}`,
     );
 
-  it('is metal where much is mirrored, glass where little is', async () => {
+  it('becomes metal for high specular reflectance, and a dielectric for low', async () => {
     const gold = await read(shaders('(0, 0, 0)', '(1, 0.8, 0.3)'));
     expect(gold.material).toMatchObject({ metallic: 1, baseColor: about([1, 0.8, 0.3]) });
     expect(gold.said).toEqual(['usd.material-input: its specular workflow is drawn as metal and glass']);
@@ -274,7 +274,7 @@ describe('materials of other renderers', () => {
   const other = (id: string, ...lines: string[]) =>
     `def Shader "S" { uniform token info:id = "${id}"\n${lines.join('\n')}\ntoken outputs:surface }\n`;
 
-  it('give their base colour, finish and glow, and say so once', async () => {
+  it('yield base colour, roughness and emission, and are reported once', async () => {
     const { material, said } = await read(
       other(
         'ND_standard_surface_surfaceshader',
@@ -297,7 +297,7 @@ describe('materials of other renderers', () => {
     ]);
   });
 
-  it('give the picture behind their base colour', async () => {
+  it('yield the texture of their base colour', async () => {
     const { material, said } = await read(
       `${other('ND_open_pbr_surface_surfaceshader', 'color3f inputs:base_color.connect = </M/X.outputs:out>')}
       def Shader "X" { uniform token info:id = "ND_multiply_color3"\ncolor3f inputs:in1.connect = </M/I.outputs:out>\ncolor3f outputs:out }
@@ -307,7 +307,7 @@ describe('materials of other renderers', () => {
     expect(said).toEqual([expect.stringMatching(/its picture and finish are drawn$/)]);
   });
 
-  it('are passed over for a UsdPreviewSurface of another context', async () => {
+  it('are ignored if another context has a UsdPreviewSurface', async () => {
     const { material, said } = await read(
       `${other('PxrSurface')}token outputs:glslfx:surface.connect = </M/P.outputs:surface>\n${surface('color3f inputs:diffuseColor = (0, 1, 0)').replace('"S"', '"P"')}`,
     );
@@ -315,7 +315,7 @@ describe('materials of other renderers', () => {
     expect(said).toEqual([]);
   });
 
-  it('with nothing of the kind leave the displayColor', async () => {
+  it('without any of these leave the displayColor', async () => {
     const mesh = 'color3f[] primvars:displayColor = [(0.1, 0.2, 0.3)] }';
     const { material, said } = await read(other('Weird'), mesh);
     expect(material.baseColor).toEqual(about([0.1, 0.2, 0.3]));
@@ -323,7 +323,7 @@ describe('materials of other renderers', () => {
   });
 });
 
-it('what is not drawn is named, and what changes', async () => {
+it('unsupported and animated inputs are reported', async () => {
   const { said } = await read(
     surface(
       'float inputs:clearcoat = 1',

@@ -9,7 +9,7 @@ import type { ReadOptions } from '../../../readOptions.ts';
 import { saveScene } from '../../../save.ts';
 import { readUsd } from '../../read.ts';
 
-/** c [m/s]: nothing here is near it. */
+/** c [m/s], far above every speed here. */
 const C = 3e8;
 
 const read = (body: string, options: ReadOptions = { interpolation: 'cubic' }): Promise<Scene> => {
@@ -32,7 +32,7 @@ const tolerance = 2e-4 * Math.sqrt(3);
 
 describe('transforms between samples', () => {
   const parabola = (code: number) => 3 * (code / 10) ** 2 - code / 10;
-  it('go along the parabola that they are on', async () => {
+  it('follow a parabola through the samples', async () => {
     const body = moving('translate', 'double3', (code) => tuple(parabola(code), 0, 1));
     const [cubic, linear] = [await read(body), await read(body, {})];
     for (const code of [0, 2, 7, 11.5, 16, 20]) {
@@ -41,7 +41,7 @@ describe('transforms between samples', () => {
     }
     expect(at(linear, 0.7).position[0] - parabola(7)).toBeGreaterThan(0.2);
   });
-  it('turn about one axis by angles of a parabola', async () => {
+  it('rotate about one axis by angles on a parabola', async () => {
     const scene = await read(moving('rotateZ', 'float', (code) => String(100 * parabola(code))));
     const angle = (100 * parabola(7) * Math.PI) / 180;
     expectClose(rotate(at(scene, 0.7).orientation, [1, 0, 0]), [Math.cos(angle), Math.sin(angle), 0], 1e-3);
@@ -50,7 +50,7 @@ describe('transforms between samples', () => {
   /** Half-angle about Z by the square of time. */
   const angle = (code: number) => 0.4 * (code / 10) ** 2;
   const turned = (code: number): Vec3 => [Math.cos(angle(code)), Math.sin(angle(code)), 0];
-  it('turn as quaternions do along a curve of rotations', async () => {
+  it('interpolate quaternions along a curve of rotations', async () => {
     const body = moving('orient', 'quatd', (code) => tuple(Math.cos(angle(code) / 2), 0, 0, Math.sin(angle(code) / 2)));
     const [cubic, linear] = [await read(body), await read(body, {})];
     for (const code of [2, 7, 11.5, 16]) {
@@ -58,7 +58,7 @@ describe('transforms between samples', () => {
     }
     expect(distance(rotate(at(linear, 0.7).orientation, [1, 0, 0]), turned(7))).toBeGreaterThan(0.02);
   });
-  it('are taken apart where they are matrices', async () => {
+  it('decompose matrices', async () => {
     const matrix = (code: number): string => {
       const [x, y] = turned(code).map((v) => 2 * v);
       return `(${tuple(x, y, 0, 0)}, ${tuple(-y, x, 0, 0)}, ${tuple(0, 0, 2, 0)}, ${tuple(parabola(code), 0, 0, 1)})`;
@@ -68,14 +68,14 @@ describe('transforms between samples', () => {
     expectClose(at(scene, 0.7).position, [parabola(7), 0, 0], 3 * tolerance);
     expectClose(rotate(at(scene, 0.7).orientation, [1, 0, 0]), turned(7), 1e-3);
   });
-  it('keep a jump where it is', async () => {
+  it('preserve jumps', async () => {
     const value = (code: number) => tuple(code < 10 ? 0 : 5, 0, 0);
     const body = moving('translate', 'double3', value).replace('4: (0, 0, 0),', '4: (0, 0, 0), 9.99: (0, 0, 0),');
     const scene = await read(body);
     for (const t of [0.2, 0.7, 0.99]) expectClose(at(scene, t).position, [0, 0, 0], tolerance);
     for (const t of [1, 1.2, 1.7]) expectClose(at(scene, t).position, [5, 0, 0], tolerance);
   });
-  it('fall back to USD’s own rule beside what is blocked', async () => {
+  it('fall back to USD’s own rule next to blocked samples', async () => {
     const body = moving('translate', 'double3', (code) => (code === 10 ? 'None' : tuple(code, 0, 0)));
     const scene = await read(body);
     expectClose(at(scene, 0.2).position, [2, 0, 0], tolerance);
@@ -83,7 +83,7 @@ describe('transforms between samples', () => {
   });
 });
 
-/** A triangle whose corners go with t², and by t a little. */
+/** A triangle whose corners move with t², and slightly with t. */
 const cloth = (more = '', codes = CODES): string => `
 def Mesh "It" {
   int[] faceVertexCounts = [3]
@@ -95,12 +95,12 @@ def Mesh "It" {
 const corner = (scene: Scene, seconds: number): Vec3 => vertexPosition(only(scene), 0, seconds, C);
 
 describe('points between samples', () => {
-  it('go along the parabola that they are on, to f32', async () => {
+  it('follow a parabola through the samples, to f32', async () => {
     const scene = await read(cloth());
     for (const t of [0, 0.2, 0.7, 1.15, 1.6, 2]) expectClose(corner(scene, t), [0, 0, t * t], 1e-6);
     expectClose(corner(await read(cloth(), {}), 0.2), [0, 0, 0.08], 1e-6);
   });
-  it('take the velocities of the file, in units a second', async () => {
+  it('use the velocities of the file, in units per second', async () => {
     const velocities = (given: readonly number[]) =>
       `vector3f[] velocities.timeSamples = ${samples(given, () => '[(0, 0, 3), (0, 0, 0), (0, 0, 1)]')}`;
     const scene = await read(cloth(velocities([0, 10]), [0, 10]));
@@ -111,13 +111,13 @@ describe('points between samples', () => {
     expect(other.diagnostics.map(({ code }) => code)).toContain('usd.velocities');
     expectClose(corner(other, 0.7), [0, 0, 0.49], 1e-6);
   });
-  it('of a mesh that moves besides are carried', async () => {
+  it('of a moving mesh are transformed with it', async () => {
     const move = `double3 xformOp:translate.timeSamples = ${samples(CODES, (code) => tuple((code / 10) ** 2, 0, 0))}
   uniform token[] xformOpOrder = ["xformOp:translate"]`;
     const scene = await read(cloth(move));
     for (const t of [0.2, 0.7, 1.6]) expectClose(corner(scene, t), [t * t, 0, t * t], 2e-4);
   });
-  it('are said to be left open, by prim and metres', async () => {
+  it('are reported as undersampled, by prim and metres', async () => {
     for (const interpolation of ['linear', 'cubic'] as const) {
       const { diagnostics } = await read(cloth(), { interpolation });
       const [note] = diagnostics.filter(({ code }) => code === 'usd.between-samples');

@@ -23,17 +23,17 @@ const deforming = ({ motion }: SceneObject): SampledPointsMotion => {
 const inMemory = await opened(memorySource({ [entry]: cache }));
 const streamed = await opened(memorySource({ [entry]: cache }), 0);
 
-/** What its samples leave open is said of what is in memory only. */
+/** Undersampling is only reported for samples in memory. */
 const said = ({ diagnostics }: Scene) => diagnostics.filter(({ code }) => code !== 'usd.between-samples');
 
-describe('a cache that is left in its file', () => {
-  it('is so where it takes more than there is memory for', () => {
+describe('a streamed point cache', () => {
+  it('is streamed if it exceeds the memory budget', () => {
     expect(inMemory.objects.map((object) => isStreamed(deforming(object).points))).toEqual(Array(5).fill(false));
     expect(streamed.objects.map((object) => isStreamed(deforming(object).points))).toEqual(Array(5).fill(true));
     expect(said(streamed)).toEqual(said(inMemory));
   });
 
-  it('is drawn as its polygons, and says so', async () => {
+  it('is drawn as its polygons, which is reported', async () => {
     const { objects, diagnostics } = await openScene(memorySource({ [entry]: cache }), entry, { sampleMemory: 0 });
     expect(isStreamed(deforming(objects[0]).points)).toBe(true);
     expect(diagnostics.filter(({ code }) => code === 'usd.subdivision')).toHaveLength(5);
@@ -58,7 +58,7 @@ describe('a cache that is left in its file', () => {
         }
       });
 
-      it('is known as well: bounds, speed, world lines', () => {
+      it('has the same bounds, speeds and world lines', () => {
         for (const k of own.times.keys()) {
           expect(sampleBoundingBox(other, k)).toEqual(sampleBoundingBox(own, k));
           expect(sampleBoundingSphere(other, k)).toEqual(sampleBoundingSphere(own, k));
@@ -71,19 +71,19 @@ describe('a cache that is left in its file', () => {
     },
   );
 
-  it('has superluminal motion found', () => {
+  it('is checked for superluminal motion', () => {
     expect(validate(streamed, 1)).toEqual(validate(inMemory, 1));
     expect(validate(streamed, 1).map(({ code }) => code)).toContain('motion.superluminal');
   });
 
-  it('streams out of a package, too', async () => {
+  it('streams from a package, too', async () => {
     const zip = packUsdz(new Map([['inside.usdc', cache]]));
     const { objects } = await opened(memorySource({ 'a.usdz': zip }), 0, 'a.usdz');
     expect(isStreamed(deforming(objects[0]).points)).toBe(true);
     expect(pointsAt(deforming(objects[0]), 3)).toEqual(pointsAt(deforming(inMemory.objects[0]), 3));
   });
 
-  it('tells how far it is', async () => {
+  it('reports progress', async () => {
     const parts: number[] = [];
     await openScene(memorySource({ [entry]: cache }), entry, {
       subdivision: 0,
@@ -99,7 +99,7 @@ describe('damage', () => {
     read: async () => bytes,
     open: async (path) => new RangedFile({ name: path, handle: bytes }, bytes.length),
   });
-  /** Where a sample of the first mesh lies, after its length. */
+  /** Offset of a sample of the first mesh, after its length. */
   const sampleAt = (k: number): number => {
     const { points } = deforming(streamed.objects[0]);
     if (!isStreamed(points)) throw new Error('in memory');
@@ -111,7 +111,7 @@ describe('damage', () => {
     throw new Error(`not refused: ${thrown}`);
   };
 
-  it('an array longer than the file is refused, and not read', async () => {
+  it('an array longer than the file is rejected without reading', async () => {
     const damaged = cache.slice();
     new DataView(damaged.buffer).setBigUint64(sampleAt(0) - 8, 2n ** 30n, true);
     expect((await refused(damaged)).message).toMatch(
@@ -119,12 +119,12 @@ describe('damage', () => {
     );
   });
 
-  it('a file that is cut off is refused', async () => {
+  it('a truncated file is rejected', async () => {
     for (const part of [0.1, 0.5, 0.9, 0.999])
       expect((await refused(cache.subarray(0, cache.length * part))).diagnostic.severity).toBe('error');
   });
 
-  it('points that are nowhere at one sample are left out, as of what is in memory', async () => {
+  it('points that are non-finite at one sample are skipped, as in memory', async () => {
     const damaged = cache.slice();
     new DataView(damaged.buffer).setFloat32(sampleAt(5) + 40, Number.NaN, true);
     const [left, known] = [await opened(ranged(damaged), 0), await opened(ranged(damaged))];

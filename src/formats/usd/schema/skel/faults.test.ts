@@ -54,7 +54,7 @@ const arm = ({
 }`;
 
 describe('an elbow that turns by 90° between two samples', () => {
-  it('keeps the forearm as long as it is', async () => {
+  it('preserves the length of the forearm', async () => {
     const [object] = (await read(arm())).objects;
     for (const t of [0, 0.2, 0.37, 0.5, 0.81, 1]) {
       const [x, y] = vertexPosition(object, 4, t, 3e8);
@@ -76,7 +76,7 @@ describe('an elbow that turns by 90° between two samples', () => {
     expect(hand('/Other/Body/M')).toEqual([2, 0, 0]);
   });
 
-  it('turns what is bound to it rigidly as a whole, in poses', async () => {
+  it('rotates rigidly bound meshes as a whole, as poses', async () => {
     const mesh = `int[] primvars:skel:jointIndices = [1] ( elementSize = 1 )
       float[] primvars:skel:jointWeights = [1] ( elementSize = 1 )`;
     const [object] = (await read(arm({ mesh }))).objects;
@@ -85,7 +85,7 @@ describe('an elbow that turns by 90° between two samples', () => {
     expect([x, y]).toEqual([expect.closeTo(1, 6), expect.closeTo(-1, 6)]);
   });
 
-  it('takes no notice of where the mesh itself is, which its skeleton carries', async () => {
+  it('ignores the mesh’s own transform, since its skeleton moves it', async () => {
     const moved = arm().replace(
       'def Xform "Body" {',
       `def Xform "Body" { matrix4d xformOp:transform = ${AT_1}
@@ -105,7 +105,7 @@ describe('an elbow that turns by 90° between two samples', () => {
 });
 
 describe('a skeleton in a prototype of instances', () => {
-  it('stands where each instance stands', async () => {
+  it('is placed with each instance', async () => {
     const scene = await read(`def PointInstancer "Crowd" {
   rel prototypes = </Crowd/Rig>
   int[] protoIndices = [0, 0]
@@ -120,7 +120,7 @@ describe('a skeleton in a prototype of instances', () => {
     ]);
   });
 
-  it('bends meshes with the same contents each by its own skeleton', async () => {
+  it('deforms equal meshes each by their own skeleton', async () => {
     const other = arm()
       .replaceAll('"Rig"', '"Other"')
       .replaceAll('</Rig', '</Other')
@@ -132,7 +132,7 @@ describe('a skeleton in a prototype of instances', () => {
 });
 
 describe('without an animation', () => {
-  it('a skeleton rests, and its mesh with it', async () => {
+  it('a skeleton is at rest, with its mesh', async () => {
     const rest = `[${ONE}, ((1, 0, 0, 0), (0, 1, 0, 0), (0, 0, 1, 0), (1, 3, 0, 1))]`;
     const [object] = (await read(arm({ rest, rig: 'rel skel:skeleton = </Rig/S>' }))).objects;
     expect(object.motion.kind).toBe('static');
@@ -147,7 +147,7 @@ describe('blend shapes', () => {
   const weights = `uniform token[] blendShapes = ["smile"]
     float[] blendShapeWeights.timeSamples = { 0: [0], 24: [1] }`;
 
-  it('bend a mesh that no joint moves, where it is', async () => {
+  it('deform a mesh without joints, in place', async () => {
     const [object] = (await read(arm({ mesh: '', animation: weights, inner: shape }))).objects;
     expect(vertexPosition(object, 4, 0.5, 3e8)).toEqual([2, 0, 1]);
     expect(vertexPosition(object, 5, 0.5, 3e8)).toEqual([1.5, 0.5, 0]);
@@ -172,7 +172,7 @@ describe('blend shapes', () => {
   });
 });
 
-describe('what cannot be followed is told, and the mesh stays as it is written', () => {
+describe('invalid bindings are reported, and the mesh stays as authored', () => {
   const indices = (values: string, more = 'elementSize = 1; interpolation = "vertex"'): string =>
     INFLUENCES.replace(/\[0, 0, 1, 1, 1, 1\] \([^)]*\)/, `${values} ( ${more} )`);
   const skin = 'usd.skin a.usda</Rig/Body/M>: ';

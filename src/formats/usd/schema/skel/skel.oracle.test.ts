@@ -14,17 +14,17 @@ const man = fileURLToPath(
 );
 
 describe.skipIf(!hasUsdCore())('usd-core', () => {
-  it('still bakes what is committed', () => {
+  it('reproduces the committed values', () => {
     const committed: BakedStage[] = JSON.parse(readFileSync(fixture('expected.json'), 'utf8'));
     expect(oracle('seed', ...committed.map(({ seed }) => `${seed}`))).toEqual(committed);
   });
 
-  it('bakes other random skeletons to where they are here', async () => {
+  it('agrees on other random skeletons', async () => {
     const stages: BakedStage[] = oracle('seed', ...Array.from({ length: 30 }, (_, i) => `${101 + i}`));
     for (const stage of stages) await expectBaked(stage);
   });
 
-  it.skipIf(!existsSync(man))('has the points of CesiumMan where they are here, also between samples', async () => {
+  it.skipIf(!existsSync(man))('agrees on the points of CesiumMan, also between samples', async () => {
     const source = memorySource({ 'man.usdz': new Uint8Array(readFileSync(man)) });
     const { objects } = await readUsd(source, 'man.usdz', { chordTolerance: 1e-5 });
     const times = [0, 0.02, 0.5, 1.03, 1.9];
@@ -32,7 +32,7 @@ describe.skipIf(!hasUsdCore())('usd-core', () => {
     const baked: BakedStage['meshes'] = oracle('file', man, ...codes);
     for (const [path, samples] of Object.entries(baked)) {
       const object = objects.find((o) => o.path === path)!;
-      // Vertices are points here, each met for the first time in the order of the corners.
+      // Vertices are points here, numbered by first occurrence in the order of the corners.
       const order = [...new Set(object.mesh.indices)];
       expect(order.length).toBe(samples[0].points.length / 3);
       for (const [i, { points }] of samples.entries()) {
@@ -47,7 +47,7 @@ describe.skipIf(!hasUsdCore())('usd-core', () => {
   });
 });
 
-/** Time codes in a second of that file. */
+/** Time codes per second of that file. */
 const CODES = 24;
 const placesOf = (points: readonly number[]): number[][] =>
   Array.from({ length: points.length / 3 }, (_, i) => points.slice(3 * i, 3 * i + 3));

@@ -8,7 +8,7 @@ const expected: BakedStage[] = JSON.parse(
 );
 
 describe('random skeletons', () => {
-  it.each(expected)('have their points and normals where usd-core bakes them (seed $seed)', async (stage) => {
+  it.each(expected)('agree with points and normals baked by usd-core (seed $seed)', async (stage) => {
     await expectBaked(stage);
   });
 });

@@ -2,10 +2,10 @@ import fc from 'fast-check';
 import { expect, it } from 'vitest';
 import { MatrixCache } from './matrixCache.ts';
 
-/** Another for each time. */
+/** A different matrix for each time. */
 const matrixOf = (time: number): number[] => Array.from({ length: 16 }, (_, i) => time + i);
 
-it('has the matrix of the very time, however few it has room for', () => {
+it('returns the matrix of the exact time, at any capacity', () => {
   const times = fc.array(fc.oneof(fc.double({ noNaN: true }), fc.integer({ min: -50, max: 50 })), { maxLength: 200 });
   fc.assert(
     fc.property(times, fc.integer({ min: 0, max: 40 }), (asked, expected) => {
@@ -15,7 +15,7 @@ it('has the matrix of the very time, however few it has room for', () => {
   );
 });
 
-it('makes a matrix once where there is room', () => {
+it('computes a matrix once if there is room', () => {
   const memory = new MatrixCache(100);
   const times = Array.from({ length: 100 }, (_, i) => i / 24);
   let made = 0;
@@ -24,6 +24,6 @@ it('makes a matrix once where there is room', () => {
     return matrixOf(time);
   };
   for (let again = 0; again < 10; again++) for (const time of times) memory.getOrCompute(time, make);
-  // A few fall into the same place.
+  // A few collide in the same slot.
   expect(made).toBeLessThan(250);
 });

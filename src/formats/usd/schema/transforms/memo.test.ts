@@ -6,8 +6,8 @@ import type { ReadOptions } from '../../../readOptions.ts';
 import { readUsd } from '../../read.ts';
 import { Memo } from './memo.ts';
 
-describe('what is made once', () => {
-  it('is made for the same things only', () => {
+describe('a memoized value', () => {
+  it('is reused for the same keys only', () => {
     const once = new Memo<object>();
     const [a, b] = [{}, {}];
     const made = (...things: readonly unknown[]): object => once.getOrCreate(a, things, () => ({}));
@@ -16,7 +16,7 @@ describe('what is made once', () => {
       expect(other).not.toBe(made(b, 1));
   });
 
-  it('may be nothing', () => {
+  it('may be undefined', () => {
     const make = vi.fn(() => undefined);
     const once = new Memo<undefined>();
     const owner = {};
@@ -25,7 +25,7 @@ describe('what is made once', () => {
   });
 });
 
-/** The reader with an `Memo` that makes everything anew. */
+/** The reader with a `Memo` that never reuses a value. */
 async function forgetful(): Promise<typeof readUsd> {
   vi.resetModules();
   vi.doMock('./memo.ts', () => ({
@@ -83,7 +83,7 @@ const read = (reader: typeof readUsd, text: string, options: ReadOptions = {}): 
 
 const cubes = (count: number): string => Array.from({ length: count }, (_, i) => `def Cube "C${i}" {\n}\n`).join('');
 
-/** All that a scene is, every bit of its arrays. */
+/** A scene with every bit of its arrays, as text. */
 const written = (scene: Scene): string =>
   JSON.stringify(scene, (_, value) =>
     ArrayBuffer.isView(value)
@@ -91,7 +91,7 @@ const written = (scene: Scene): string =>
       : value,
   );
 
-describe('things that move together', () => {
+describe('objects with a common motion', () => {
   it(
     'are placed as if each moved alone',
     () =>
@@ -106,14 +106,14 @@ describe('things that move together', () => {
     120_000,
   );
 
-  it('are so where there is not room for all of their times', async () => {
+  it('keep it if their samples are limited', async () => {
     const wild = `#usda 1.0\ndef Xform "A" {\n${op('double', 'rotateY', ['0', '1e7', '3e6'])}${cubes(12)}}\n`;
     const shared = await read(readUsd, wild);
     expect(shared.diagnostics.map(({ code }) => code)).toContain('usd.resampling');
     expect(written(shared) === written(await read(unshared, wild))).toBe(true);
   });
 
-  it('have one motion', async () => {
+  it('share one motion object', async () => {
     for (const outer of [op('double', 'rotateX', ['0', '90']), op('double3', 'scale', ['(1, 1, 1)', '(2, 1, 1)'])]) {
       const { objects } = await read(readUsd, `#usda 1.0\ndef Xform "A" {\n${outer}${cubes(20)}}\n`);
       expect(objects).toHaveLength(20);
