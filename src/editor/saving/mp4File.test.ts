@@ -70,16 +70,19 @@ describe('an MP4 file', () => {
     );
   });
 
-  it.each([24, 23.976, 30_000 / 1001, 0.1, 120])('presents each frame at its time, at %d frames per second', async (fps) => {
-    const all = Array.from({ length: 200 }, (_, index) => ({
-      data: Uint8Array.of(index),
-      key: index % 48 === 0,
-      index,
-    }));
-    const found = times(await fileOf(fps, all));
-    expect(found).toHaveLength(200);
-    for (const [i, time] of found.entries()) expect(time * fps).toBeCloseTo(i, 4);
-  });
+  it.each([24, 23.976, 30_000 / 1001, 0.1, 120])(
+    'presents each frame at its time, at %d frames per second',
+    async (fps) => {
+      const all = Array.from({ length: 200 }, (_, index) => ({
+        data: Uint8Array.of(index),
+        key: index % 48 === 0,
+        index,
+      }));
+      const found = times(await fileOf(fps, all));
+      expect(found).toHaveLength(200);
+      for (const [i, time] of found.entries()) expect(time * fps).toBeCloseTo(i, 4);
+    },
+  );
 
   it('has presentation times for frames decoded in another order', async () => {
     const all = [0, 2, 1].map((index) => ({ data: Uint8Array.of(index), key: index === 0, index }));
