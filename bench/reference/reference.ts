@@ -11,6 +11,7 @@ import type { TileRequest } from '../../src/reference/tileRequest.ts';
 import { tilesOf } from '../../src/reference/tracerPool.ts';
 import type { ColorMode } from '../../src/scene/settings/settings.ts';
 import type { Scene, SceneObject } from '../../src/scene/types.ts';
+import { perspective } from '../../src/scene/view/lens.ts';
 import type { RenderSettings } from '../../src/scene/view/view.ts';
 import { type Bench, interleaved, type Table, timed } from '../support/bench.ts';
 import { SETTINGS } from '../support/gpu.ts';
@@ -24,7 +25,7 @@ const ROUNDS = 3;
 /** Of the picture whose rays are sent, one through each pixel. */
 const SIZE = { width: 240, height: 135 };
 /** The balls fill the picture: a ray that meets nothing says little. */
-const LOOK = { ...VIEW, fovY: 0.35 };
+const LOOK = { ...VIEW, lens: perspective(0.35) };
 /** Relative difference of two distances that is only f32's. */
 const F32 = 1e-4;
 

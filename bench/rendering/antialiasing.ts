@@ -74,7 +74,7 @@ async function cost(): Promise<number[]> {
   await renderer.setScene(sphereScene(100_000, 'static'));
   const draw = (sampling: Sampling) => async () => {
     pumpFrame();
-    renderer.render(VIEW, SETTINGS, sampling);
+    renderer.render([VIEW], SETTINGS, sampling);
     await renderer.readPixels();
   };
   const [edges, temporal] = await interleaved([draw(1), draw('temporal')], ROUNDS);

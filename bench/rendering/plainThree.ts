@@ -27,7 +27,7 @@ export async function openPlainThree(scene: Scene, width: number, height: number
     world.add(shape);
     return geometry;
   });
-  const camera = new THREE.PerspectiveCamera((VIEW.fovY * 180) / Math.PI, width / height, 0.1, 1000);
+  const camera = new THREE.PerspectiveCamera((VIEW.lens.fovY * 180) / Math.PI, width / height, 0.1, 1000);
   const target = new THREE.RenderTarget(width, height);
   const frame = async (): Promise<void> => {
     pumpFrame();

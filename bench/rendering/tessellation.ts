@@ -105,7 +105,7 @@ async function openTable({ view, settings }: TestView, scene: Scene, tolerance?:
     renderer,
     draw: async () => {
       pumpFrame();
-      renderer.render(view, settings);
+      renderer.render([view], settings);
       await renderer.pick(0, 0);
     },
     judged: async (judge) => {

@@ -4,6 +4,7 @@ import { worldObjects } from '../../src/render/geometry/worldObjects.ts';
 import type { TessellationView } from '../../src/render/tessellation/criterion/tessellationView.ts';
 import { LocalPlanner } from '../../src/render/tessellation/plan/planner.ts';
 import type { Scene } from '../../src/scene/types.ts';
+import { frustumOf, pixelsPerTangent } from '../../src/scene/view/lens.ts';
 import type { TestView } from '../../tests/visual/frames.ts';
 import type { Size } from '../../tests/visual/pixels.ts';
 import { interleaved } from '../support/bench.ts';
@@ -22,24 +23,23 @@ export async function tessellationTimes(
   const look = tessellationViewOf(view, c, size);
   const works = [false, true].map((needsFactors) => {
     const planner = new LocalPlanner(batches.map((batch) => ({ batch, needsFactors })));
-    return () => void planner.plan({ view: look, visible: batches.map(() => true) });
+    return () => void planner.plan({ viewIndex: 0, view: look, visible: batches.map(() => true) });
   });
   return interleaved(works, ROUNDS);
 }
 
 function tessellationViewOf(
-  { t, position, u, orientation, fovY }: TestView['view'],
+  { t, position, u, orientation, lens }: TestView['view'],
   c: number,
   { width, height }: Size,
 ): TessellationView {
-  const tanY = Math.tan(fovY / 2);
+  const frustum = frustumOf(lens, width, height);
   return {
     observation: { t, position, u, c, hypersurface: 'past-light-cone' },
     projection: { event: 'emission', place: 'apparent' },
     orientation,
-    tanX: (tanY * width) / height,
-    tanY,
-    focal: height / (2 * tanY),
+    frustum,
+    focal: pixelsPerTangent(frustum, width, height),
     tolerance: 0.25,
     maxPatches: Number.POSITIVE_INFINITY,
   };

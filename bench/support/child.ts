@@ -5,6 +5,7 @@ import { pumpFrame } from '../../src/cli/gpu/nodeShim.ts';
 import { memorySource } from '../../src/formats/files/fileSource.ts';
 import { sceneFormats } from '../../src/formats/registry.ts';
 import { properVelocity } from '../../src/physics/lorentz/boost.ts';
+import { perspective } from '../../src/scene/view/lens.ts';
 import type { LoadTask } from '../formats/formats.ts';
 import type { CachePlayback, CacheTask } from '../simulation/cache.ts';
 import { type ClothTask, fallingBy } from '../simulation/dynamics.ts';
@@ -87,7 +88,10 @@ async function playCache({ file, inMemory }: CacheTask): Promise<void> {
     timed(async () => {
       pumpFrame();
       const t = (100 + k) / scene.timeCodesPerSecond;
-      renderer.render({ t, position: [0, 0, 6], u: [0, 0, 0], orientation: [0, 0, 0, 1], fovY: 0.9 }, SETTINGS);
+      renderer.render(
+        [{ t, position: [0, 0, 6], u: [0, 0, 0], orientation: [0, 0, 0, 1], lens: perspective(0.9) }],
+        SETTINGS,
+      );
       await renderer.readPixels();
     });
   const first = await picture(0);

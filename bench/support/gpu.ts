@@ -22,7 +22,7 @@ export async function openRenderer(width: number, height: number, options: Rende
   renderer.setSize(width, height);
   const frame = async (change: Partial<RenderSettings> = {}, view: Partial<ViewPoint> = {}): Promise<void> => {
     pumpFrame();
-    renderer.render({ ...VIEW, ...view }, { ...SETTINGS, ...change });
+    renderer.render([{ ...VIEW, ...view }], { ...SETTINGS, ...change });
     await renderer.readPixels();
   };
   return { renderer, frame };

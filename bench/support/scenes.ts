@@ -5,6 +5,7 @@ import { sphere } from '../../src/scene/mesh/primitives.ts';
 import { parabolaVelocities } from '../../src/scene/motion/cubicPoints.ts';
 import type { Mesh, Motion, Scene } from '../../src/scene/types.ts';
 import { lookAtOrientation } from '../../src/scene/view/camera.ts';
+import { perspective } from '../../src/scene/view/lens.ts';
 
 export type MotionKind = 'static' | 'rigid' | 'deforming' | 'cubic';
 
@@ -70,5 +71,5 @@ export const VIEW = {
   position: [0, 0, 0] as Vec3,
   u: [0, 0, -Math.tan(Math.PI / 6)] as Vec3,
   orientation: lookAtOrientation([0, 0, -1], [0, 1, 0]),
-  fovY: Math.PI / 2,
+  lens: perspective(Math.PI / 2),
 };

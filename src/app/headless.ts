@@ -45,9 +45,9 @@ window.slowlight = {
     return { pixels: request.pixels ? await base64(pixels) : '', aovs: read };
   },
 
-  async measure({ view, settings }) {
+  async measure({ views, settings }) {
     if (!renderer) throw new Error('open a scene first');
-    const { luminance, doppler, time } = await pictures(renderer).measureLight(view, settings);
+    const { luminance, doppler, time } = await pictures(renderer).measureLight(views, settings);
     return { luminance: await base64(luminance), doppler: await base64(doppler), time: await base64(time) };
   },
 };

@@ -1,12 +1,13 @@
 import { CancelledError } from '../graph/evaluation/evaluator.ts';
 import type { AbortSignalLike, ProgressCallback } from '../graph/nodeType.ts';
 import type { OptionValues } from '../pipelines/options.ts';
-import type { PictureRenderer, PictureRequest, PictureSize } from '../pipelines/pictureRenderer.ts';
+import type { PictureRenderer, PictureRequest } from '../pipelines/pictureRenderer.ts';
 import type { UncheckedRequest } from '../pipelines/pipeline.ts';
 import type { Scene } from '../scene/types.ts';
+import type { PictureSize } from '../scene/view/pictureViews.ts';
 
 /** Request for a picture that is rendered once; its speed of light is that of the settings. Plain data. */
-export interface StillOrder extends PictureSize, Pick<PictureRequest, 'view' | 'settings' | 'samples'> {
+export interface StillOrder extends PictureSize, Pick<PictureRequest, 'views' | 'settings' | 'samples'> {
   /** Id of the pipeline that draws it. */
   readonly pipeline: string;
   readonly scene: Scene;
@@ -47,10 +48,10 @@ export const stillRequest = ({ scene, width, height, settings, options }: StillO
 /** Radiance of the still, by a renderer that was opened for it. */
 export async function lightOf(
   renderer: PictureRenderer,
-  { view, settings, samples }: StillOrder,
+  { views, settings, samples }: StillOrder,
   onPart: (part: number) => void,
 ): Promise<Float32Array<ArrayBuffer>> {
-  const { aovs } = await renderer.render({ view, settings, samples, pixels: false, aovs: ['beauty'] }, onPart);
+  const { aovs } = await renderer.render({ views, settings, samples, pixels: false, aovs: ['beauty'] }, onPart);
   // Renderers return no shared memory.
   return aovs.get('beauty') as Float32Array<ArrayBuffer>;
 }

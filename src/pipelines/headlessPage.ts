@@ -8,7 +8,7 @@ import type { PictureRequest } from './pictureRenderer.ts';
  *
  * `await page.goto('…/headless.html')`, `await page.evaluate(() => window.slowlight.start('raster'))`, then
  * `await page.evaluate((r) => window.slowlight.open(r), { scenes: '/scenes', files: '/parts/', width: 640, height: 360 })`
- * once, and `await page.evaluate((r) => window.slowlight.render(r), { view, settings, samples: 1, pixels: true, aovs: ['depth'] })` per picture.
+ * once, and `await page.evaluate((r) => window.slowlight.render(r), { views, settings, samples: 1, pixels: true, aovs: ['depth'] })` per picture.
  * Errors reject the call with the renderer's message.
  */
 export interface HeadlessPage {
@@ -17,7 +17,7 @@ export interface HeadlessPage {
   open(request: OpenRequest): Promise<void>;
   render(request: PictureRequest): Promise<RenderReply>;
   /** Light meter readings as base64 of little-endian f32. */
-  measure(request: Pick<PictureRequest, 'view' | 'settings'>): Promise<Record<keyof LightMeterReadings, string>>;
+  measure(request: Pick<PictureRequest, 'views' | 'settings'>): Promise<Record<keyof LightMeterReadings, string>>;
 }
 
 export interface OpenRequest {

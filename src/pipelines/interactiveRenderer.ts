@@ -1,7 +1,7 @@
 import type { RasterRenderer } from '../render/api.ts';
 import type { Preview, PreviewRequest } from '../render/previews.ts';
 import type { FrameGraph } from '../scene/frameGraph/frameGraph.ts';
-import type { PictureSize } from './pictureRenderer.ts';
+import type { PictureSize } from '../scene/view/pictureViews.ts';
 
 /** What a pipeline may draw without: the page then keeps a resting picture as it is, compiles while drawing, and has nothing to point at. */
 type OptionalAbility = 'accumulate' | 'precompile' | 'pick';

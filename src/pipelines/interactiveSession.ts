@@ -1,4 +1,5 @@
-import type { AovName, RenderSettings, ViewPoint } from '../scene/view/view.ts';
+import type { PictureViews } from '../scene/view/pictureViews.ts';
+import type { AovName, RenderSettings } from '../scene/view/view.ts';
 import type { GpuAccess } from './host.ts';
 import type { InteractiveRenderer } from './interactiveRenderer.ts';
 import { assertPictureSize } from './maxSize.ts';
@@ -37,16 +38,16 @@ type FramePacing = Pick<GpuAccess, 'nextFrame' | 'isShared' | 'guard' | 'assertH
 /** Pictures of the scene that a renderer has, of its size. */
 export function picturesOf(renderer: InteractiveRenderer, pacing: FramePacing): Required<PictureRenderer> {
   return {
-    render: async ({ view, settings, samples, pixels: wanted, aovs }: PictureRequest): Promise<RenderedPicture> => {
-      await drawFrame(renderer, pacing, view, settings, samples);
+    render: async ({ views, settings, samples, pixels: wanted, aovs }: PictureRequest): Promise<RenderedPicture> => {
+      await drawFrame(renderer, pacing, views, settings, samples);
       const pixels = wanted ? await pacing.guard(renderer.readPixels()) : new Uint8Array();
       const data = new Map<AovName, Float32Array>();
       for (const name of aovs) data.set(name, await pacing.guard(renderer.readAov(name)));
       pacing.assertHealthy();
       return { pixels, aovs: data };
     },
-    measureLight: async (view, settings) => {
-      await drawFrame(renderer, pacing, view, settings, 1);
+    measureLight: async (views, settings) => {
+      await drawFrame(renderer, pacing, views, settings, 1);
       const readings = await pacing.guard(renderer.measureLight());
       pacing.assertHealthy();
       return readings;
@@ -57,16 +58,16 @@ export function picturesOf(renderer: InteractiveRenderer, pacing: FramePacing): 
 async function drawFrame(
   renderer: InteractiveRenderer,
   { nextFrame, isShared, guard }: FramePacing,
-  view: ViewPoint,
+  views: PictureViews,
   settings: RenderSettings,
   samples: number,
 ): Promise<void> {
   await nextFrame();
-  const compiling = () => (isShared ? renderer.precompile?.(view, settings, samples) : undefined);
+  const compiling = () => (isShared ? renderer.precompile?.(views, settings, samples) : undefined);
   for (let busy = compiling(); busy; busy = compiling()) await guard(busy);
-  renderer.render(view, settings, samples);
+  renderer.render(views, settings, samples);
   while (renderer.info.waiting) {
     await guard(nextFrame());
-    renderer.render(view, settings, samples);
+    renderer.render(views, settings, samples);
   }
 }

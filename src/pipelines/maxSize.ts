@@ -1,4 +1,4 @@
-import type { PictureSize } from './pictureRenderer.ts';
+import type { PictureSize } from '../scene/view/pictureViews.ts';
 
 /** Part of the page's catalogue; the command line uses the English text. */
 export const maxSizeTexts = {

@@ -1,14 +1,9 @@
 import type { LightMeterReadings } from '../scene/view/metering.ts';
-import type { AovName, RenderSettings, ViewPoint } from '../scene/view/view.ts';
-
-/** Size of a picture [px]. */
-export interface PictureSize {
-  readonly width: number;
-  readonly height: number;
-}
+import type { PictureViews } from '../scene/view/pictureViews.ts';
+import type { AovName, RenderSettings } from '../scene/view/view.ts';
 
 export interface PictureRequest {
-  readonly view: ViewPoint;
+  readonly views: PictureViews;
   readonly settings: RenderSettings;
   /** n × n samples per pixel. */
   readonly samples: number;
@@ -34,5 +29,5 @@ export interface PictureRenderer {
    * For renderers that measure luminance themselves, as the page does, and draw `settings.falseColors`; for others it
    * is computed from their data.
    */
-  measureLight?(view: ViewPoint, settings: RenderSettings): Promise<LightMeterReadings>;
+  measureLight?(views: PictureViews, settings: RenderSettings): Promise<LightMeterReadings>;
 }

@@ -1,10 +1,11 @@
 import type { Backend, RendererOptions } from '../render/settings.ts';
 import type { Scene } from '../scene/types.ts';
+import type { PictureSize } from '../scene/view/pictureViews.ts';
 import type { AovName, RenderSettings } from '../scene/view/view.ts';
 import type { PipelineHost, ThreadPort } from './host.ts';
 import type { InteractiveRenderer } from './interactiveRenderer.ts';
 import type { OptionValues, OptionValuesOf, PipelineOptions } from './options.ts';
-import type { PictureRenderer, PictureSize } from './pictureRenderer.ts';
+import type { PictureRenderer } from './pictureRenderer.ts';
 
 /** A picture's scene, and those of its frame graph's other G-buffers. */
 export type PictureScenes = readonly [Scene, ...Scene[]];
@@ -50,9 +51,7 @@ export interface Pipeline<Options extends PipelineOptions = PipelineOptions> {
   readonly aovs: readonly AovName[];
   /** n × n per pixel where nobody says; `note`: what it does with them. */
   readonly samples: { readonly default: number; readonly note?: string };
-  /** Pictures come to more samples while they rest (`accumulate`). */
-  readonly isProgressive: boolean;
-  /** Views of one moment that it draws into a picture, as a stereo pair's two. */
+  /** How many views it draws into one picture, as the two of a stereo pair; Infinity: as many as one likes. */
   readonly maxViews: number;
   /** The node that puts a still picture by it into an image. Absent: there is none. */
   readonly still?: StillLimits;

@@ -1,3 +1,4 @@
+import { MAX_VIEWS } from '../render/settings.ts';
 import { AOVS, type AovName } from '../scene/view/view.ts';
 import { definePipeline } from './pipeline.ts';
 
@@ -12,8 +13,7 @@ export const rasterPipeline = definePipeline({
   options: {},
   aovs: Object.keys(AOVS) as AovName[],
   samples: { default: 1, note: 'whose edges FXAA then smooths' },
-  isProgressive: true,
-  maxViews: 1,
+  maxViews: MAX_VIEWS,
   // Loaded when it is opened: three is large, and looks around it while it is loaded.
   openInteractive: async (options) => (await import('./raster.gpu.ts')).openRasterRenderer(options),
 });

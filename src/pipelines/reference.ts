@@ -15,8 +15,7 @@ export const referencePipeline = definePipeline({
   options: REFERENCE_OPTIONS,
   aovs: Object.keys(AOVS) as AovName[],
   samples: { default: 4 },
-  isProgressive: false,
-  maxViews: 1,
+  maxViews: Number.POSITIVE_INFINITY,
   still: {
     node: 'reference-render',
     title: 'node.referenceRender',

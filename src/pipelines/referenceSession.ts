@@ -7,11 +7,13 @@ import { renderWithPool, TracerPool, tilesOf } from '../reference/tracerPool.ts'
 import type { TracerMessage, TracerReply } from '../reference/tracerServer.ts';
 import { upVector } from '../scene/lights/sceneLights.ts';
 import type { Scene } from '../scene/types.ts';
+import type { PictureSize } from '../scene/view/pictureViews.ts';
 import type { AovName, RenderSettings, ViewPoint } from '../scene/view/view.ts';
 import { toneMap } from '../spectrum/display/toneMap.ts';
 import type { PipelineHost, ThreadHost } from './host.ts';
+import { renderOneViewAtATime } from './oneViewAtATime.ts';
 import type { OptionValuesOf } from './options.ts';
-import type { PictureSize, RenderedPicture } from './pictureRenderer.ts';
+import type { RenderedPicture } from './pictureRenderer.ts';
 import { type PictureScenes, PipelineRefusal, type PipelineSession, type SessionRequest } from './pipeline.ts';
 import { REFERENCE, type REFERENCE_OPTIONS } from './referenceOptions.ts';
 
@@ -30,18 +32,20 @@ export function openReferenceSession(
   pools.of(0, speedOfLight);
   return {
     info: { pipeline: REFERENCE.id, threads, seed },
-    render: ({ view, settings, samples, pixels, aovs }, onPart) => {
-      const request = { view, ...size, samples, seed, light };
-      const draw = (
-        scene: number,
-        own: RenderSettings,
-        layers: readonly OutputLayer[],
-        told?: (part: number) => void,
-      ) => renderWithPool(pools.of(scene, own.speedOfLight), { ...request, settings: own, layers }, told);
-      return settings.frameGraph
-        ? renderFrameGraph(settings, { view, ...size, scenes, pixels, aovs, draw }, onPart)
-        : renderLayers(settings, { ...size, pixels, aovs, draw }, onPart);
-    },
+    render: (picture, onProgress) =>
+      renderOneViewAtATime(
+        picture,
+        size,
+        ({ view, width, height, settings, samples, pixels, aovs }, onPart) => {
+          const request = { view, width, height, samples, seed, light };
+          const draw: TraceLayers = (scene, own, layers, onLayers) =>
+            renderWithPool(pools.of(scene, own.speedOfLight), { ...request, settings: own, layers }, onLayers);
+          return settings.frameGraph
+            ? renderFrameGraph(settings, { view, width, height, scenes, pixels, aovs, draw }, onPart)
+            : renderLayers(settings, { width, height, pixels, aovs, draw }, onPart);
+        },
+        onProgress,
+      ),
     stop: (error) => pools.stop(error),
     close: () => pools.close(),
   };

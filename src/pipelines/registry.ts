@@ -1,7 +1,7 @@
 import type { PipelineHost } from './host.ts';
 import { openOnGpu } from './interactiveSession.ts';
 import { withDefaults } from './options.ts';
-import type { Pipeline, PipelineSession, UncheckedRequest } from './pipeline.ts';
+import { type Pipeline, PipelineRefusal, type PipelineSession, type UncheckedRequest } from './pipeline.ts';
 import { rasterPipeline } from './raster.ts';
 import { referencePipeline } from './reference.ts';
 
@@ -35,7 +35,28 @@ export async function openSession(
   { options, ...request }: UncheckedRequest,
   host: PipelineHost,
 ): Promise<PipelineSession> {
+  return withViewLimit(pipeline, await openUnlimited(pipeline, { options, ...request }, host));
+}
+
+async function openUnlimited(
+  pipeline: Pipeline,
+  { options, ...request }: UncheckedRequest,
+  host: PipelineHost,
+): Promise<PipelineSession> {
   if (pipeline.open) return pipeline.open({ ...request, options: withDefaults(pipeline.options, options) }, host);
   if (!isInteractive(pipeline)) throw new Error(`pipeline ${pipeline.id} draws neither pictures nor frames`);
   return openOnGpu(pipeline, request, await host.openGpu());
+}
+
+/** Refuses pictures of more views than the pipeline draws. */
+function withViewLimit({ name, maxViews }: Pipeline, session: PipelineSession): PipelineSession {
+  return {
+    ...session,
+    render: async (request, onPart) => {
+      const { length: count } = request.views;
+      if (count > maxViews)
+        throw new PipelineRefusal(`${count} views are more than the ${name} draws into one picture: up to ${maxViews}`);
+      return session.render(request, onPart);
+    },
+  };
 }

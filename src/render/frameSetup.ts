@@ -3,6 +3,8 @@ import { degrees } from '../math/angle.ts';
 import { toMatrix } from '../math/quat.ts';
 import { gamma } from '../physics/lorentz/boost.ts';
 import { HYPERSURFACES } from '../physics/worldLines/hypersurface.ts';
+import { type Frustum, frustumOf, pixelsPerTangent } from '../scene/view/lens.ts';
+import type { PictureSize } from '../scene/view/pictureViews.ts';
 import type { RenderSettings, ViewPoint } from '../scene/view/view.ts';
 import { VIEWS } from '../scene/views/views.ts';
 import type { GBufferView } from './deferredPass.ts';
@@ -17,24 +19,30 @@ import type { SceneUpload } from './sceneUpload.ts';
 /** All that a G-buffer is made of: it can be drawn again. */
 export interface RenderView extends GBufferView {
   readonly viewPoint: ViewPoint;
+  /** Place of the view in its picture's views. */
+  readonly viewIndex: number;
   readonly observation: Observation;
 }
 
-export function renderViewOf(upload: SceneUpload, viewPoint: ViewPoint, settings: RenderSettings): RenderView {
+/** The G-buffers of one view of a picture, the settings' own first. */
+export type ViewBuffers = readonly [RenderView, ...RenderView[]];
+
+export function renderViewOf(
+  upload: SceneUpload,
+  viewPoint: ViewPoint,
+  viewIndex: number,
+  settings: RenderSettings,
+): RenderView {
   const projection = spacetimeProjectionOf(settings);
-  return { upload, viewPoint, settings, projection, observation: observationOf(viewPoint, settings) };
+  return { upload, viewPoint, viewIndex, settings, projection, observation: observationOf(viewPoint, settings) };
 }
 
-/** Of a picture [px]. */
-export interface PixelSize {
-  readonly width: number;
-  readonly height: number;
-}
-
-/** Puts scenes in their places for a picture, and tells all passes of the eye. */
+/** Prepares uploaded scenes for one view at a time, and sets the uniforms and the camera that all passes read. */
 export class FrameSetup {
   readonly uniforms: FrameUniforms = makeFrameUniforms();
   readonly camera = new PerspectiveCamera();
+  /** What object tables, tessellation, lights and shadow maps are of. */
+  private prepared: ViewBuffers | undefined;
 
   constructor() {
     this.camera.near = NEAR;
@@ -42,37 +50,54 @@ export class FrameSetup {
   }
 
   /**
-   * Puts everything in its place; tells which bodies may be seen, or undefined where samples of them are still to come. `ready` is told before the
-   * edges are cut.
+   * Prepares the scenes of a view's G-buffers; the uniforms are those of the first afterwards. Returns which bodies of that may be visible, or undefined
+   * if samples of a motion are still being read. `ready` is called, for each G-buffer, when they are there and before edges are tessellated.
    */
-  prepareFrame(motif: RenderView, size: PixelSize, ready = () => {}): readonly boolean[] | undefined {
-    const { upload, viewPoint, settings, observation, projection } = motif;
-    this.setView(motif, size);
-    const seen = upload.objectWriter.fill(
+  prepare(buffers: ViewBuffers, size: PictureSize, ready = () => {}): readonly boolean[] | undefined {
+    this.prepared = undefined;
+    let visible: readonly boolean[] | undefined;
+    for (const buffer of [...buffers].reverse()) {
+      visible = this.prepareBuffer(buffer, size, ready);
+      if (!visible) return undefined;
+    }
+    this.prepared = buffers;
+    return visible;
+  }
+
+  isPrepared(buffers: ViewBuffers): boolean {
+    return this.prepared === buffers;
+  }
+
+  /** After uploads were released. */
+  invalidate(): void {
+    this.prepared = undefined;
+  }
+
+  private prepareBuffer(view: RenderView, size: PictureSize, ready: () => void): readonly boolean[] | undefined {
+    const { upload, viewPoint, settings, observation, projection } = view;
+    this.setView(view, size);
+    const visible = upload.objectWriter.fill(
       upload.bodies,
       observation,
-      this.frustum(viewPoint, projection),
+      { sides: frustumSides(viewPoint.orientation, frustumIn(size, viewPoint)), place: projection.place },
       projection.event === 'newton',
     );
     if (!upload.objectWriter.isComplete) return undefined;
     if (settings.shadows && !upload.shadows.update(observation)) return undefined;
     ready();
-    this.tessellate(motif, seen, size);
+    this.tessellate(view, visible, size);
     upload.updateLights(observation, settings.colors);
     upload.stars?.update(viewPoint, settings, size.width, size.height);
-    return seen;
+    return visible;
   }
 
-  /** Everything that is the same for all samples of a picture. */
-  setView(
-    { viewPoint: view, observation, settings, projection, upload }: RenderView,
-    { width, height }: PixelSize,
-  ): void {
+  /** Sets everything that is the same for all samples of a view. */
+  setView({ viewPoint: view, observation, settings, projection, upload }: RenderView, size: PictureSize): void {
     const { uniforms, camera } = this;
-    const tanY = Math.tan(view.fovY / 2);
+    const { tanX, tanY, aspect, center } = frustumIn(size, view);
     const luminous = VIEWS[settings.view].luminous ? 1 : 0;
-    const aspect = width / height;
-    uniforms.halfTangents.value.set(tanY * aspect, tanY);
+    uniforms.halfTangents.value.set(tanX, tanY);
+    uniforms.frustumCenter.value.set(...center);
     uniforms.u.value.set(...observation.u);
     uniforms.gamma.value = gamma(observation.u);
     uniforms.iterations.value = settings.iterations;
@@ -87,39 +112,44 @@ export class FrameSetup {
     uniforms.secondsPerMetre.value = 1 / observation.c;
     uniforms.orientation.value.fromArray([...toMatrix(view.orientation)]).transpose();
     setGroundUniforms(uniforms, view, upload);
-    camera.fov = degrees(view.fovY);
+    camera.fov = degrees(view.lens.fovY);
     camera.aspect = aspect;
     camera.quaternion.copy(new Quaternion(...view.orientation));
     camera.matrixWorld.copy(new Matrix4().makeRotationFromQuaternion(camera.quaternion));
     camera.updateMatrixWorld();
   }
 
-  /** Moves the picture so that samples are at this place of their pixels. */
-  jitter([dx, dy]: SamplePosition, { width, height }: PixelSize): void {
-    this.camera.setViewOffset(width, height, dx, dy, width, height);
+  /** Shifts the picture of the view that is set so that samples are at this place of their pixels. */
+  jitter([dx, dy]: SamplePosition, { width, height }: PictureSize): void {
+    const { halfTangents, frustumCenter } = this.uniforms;
+    const { x, y } = frustumCenter.value.clone().divide(halfTangents.value);
+    const { aspect } = this.camera;
+    this.camera.setViewOffset(width, height, dx + (x * width) / 2, dy - (y * height) / 2, width, height);
+    // `setViewOffset` takes it from the pixels.
+    this.camera.aspect = aspect;
     this.camera.updateProjectionMatrix();
     this.uniforms.jitter.value.set((2 * dx) / width, (-2 * dy) / height);
   }
 
-  private frustum({ orientation }: ViewPoint, { place }: SpacetimeProjection) {
-    const { x, y } = this.uniforms.halfTangents.value;
-    return { sides: frustumSides(orientation, x, y), place };
-  }
-
-  /** Cuts the batches in which something may be seen, as this picture needs it, and sorts the transparent ones from far to near. */
+  /** Tessellates the batches in which something may be visible, and sorts the transparent ones from far to near. */
   private tessellate(
-    { upload, viewPoint: { orientation }, observation, projection }: RenderView,
-    seen: readonly boolean[],
-    { height }: PixelSize,
+    { upload, viewPoint, viewIndex, observation, projection }: RenderView,
+    visible: readonly boolean[],
+    size: PictureSize,
   ): void {
-    const { drawCalls, objectWriter: frame, tessellator } = upload;
-    const { x: tanX, y: tanY } = this.uniforms.halfTangents.value;
-    const view = { observation, projection, orientation, tanX, tanY, focal: height / (2 * tanY) };
-    tessellator.update(view, ({ bodies }) => bodies.some(({ id }) => seen[id - 1]));
+    const { drawCalls, objectWriter, tessellator } = upload;
+    const frustum = frustumIn(size, viewPoint);
+    const focal = pixelsPerTangent(frustum, size.width, size.height);
+    const view = { observation, projection, orientation: viewPoint.orientation, frustum, focal };
+    tessellator.update(view, viewIndex, ({ bodies }) => bodies.some(({ id }) => visible[id - 1]));
     for (const { batch, mesh } of drawCalls)
-      if (batch.transparent) mesh.renderOrder = -Math.min(...batch.bodies.map(({ id }) => frame.distance(id)));
+      if (batch.transparent) mesh.renderOrder = -Math.min(...batch.bodies.map(({ id }) => objectWriter.distance(id)));
   }
 }
+
+/** The frustum of a view point's picture of this size. */
+export const frustumIn = ({ width, height }: PictureSize, { lens }: ViewPoint): Frustum =>
+  frustumOf(lens, width, height);
 
 export function spacetimeProjectionOf(settings: RenderSettings): SpacetimeProjection {
   const view = VIEWS[settings.view];

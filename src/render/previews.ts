@@ -1,12 +1,12 @@
 import { Fn, select, uniform, vec4 } from 'three/tsl';
 import { type RenderTarget, type Texture, UnsignedByteType } from 'three/webgpu';
 import { type FrameGraph, frameGraphStructure } from '../scene/frameGraph/frameGraph.ts';
+import type { PictureSize } from '../scene/view/pictureViews.ts';
 import { bufferSettings } from '../scene/view/view.ts';
 import { toneMaps } from '../shaders/color/toneMap.ts';
 import type { Vec4 } from '../shaders/types.ts';
 import type { BoundRenderView } from './frameGraph/frameGraphRunner.ts';
 import { FrameRenderer } from './frameRenderer.ts';
-import type { PixelSize } from './frameSetup.ts';
 import { dataTarget } from './gbuffer/gbuffer.ts';
 import { readBytes } from './gbuffer/readback.ts';
 import type { Gpu } from './gpu/device.ts';
@@ -53,7 +53,7 @@ export class PreviewRenderer {
   async make(
     plan: FrameGraph,
     of: readonly PreviewRequest[],
-    size: PixelSize,
+    size: PictureSize,
   ): Promise<readonly Preview[] | undefined> {
     await this.renderer.withLastView((set) => this.precompiled(plan, of, this.targetsFor(set, size), set));
     const reading = this.renderer.withLastView((set) => {
@@ -70,11 +70,11 @@ export class PreviewRenderer {
     this.targets?.dispose();
   }
 
-  private targetsFor({ gpu, frameSetup, views }: RenderContext, size: PixelSize): PreviewTargets {
+  private targetsFor({ gpu, frameSetup, buffers }: RenderContext, size: PictureSize): PreviewTargets {
     this.targets ??= new PreviewTargets(gpu, frameSetup.uniforms);
     this.targets.prepare(
       size,
-      views.map(({ upload }) => upload),
+      buffers.map(({ upload }) => upload),
     );
     return this.targets;
   }
@@ -85,7 +85,7 @@ export class PreviewRenderer {
     desk: PreviewTargets,
     set: RenderContext,
   ): Promise<void> | undefined {
-    const shaders = [frameGraphStructure(plan), ...set.views.map(({ upload }) => upload.serial)].join(' ');
+    const shaders = [frameGraphStructure(plan), ...set.buffers.map(({ upload }) => upload.serial)].join(' ');
     if (shaders === this.compiledKey) return undefined;
     this.compiledKey = shaders;
     desk.setFrameGraph(plan);
@@ -117,7 +117,7 @@ class PreviewTargets {
   }
 
   /** Lets go of the passes of scenes that are gone. */
-  prepare({ width, height }: PixelSize, uploads: readonly SceneUpload[]): void {
+  prepare({ width, height }: PictureSize, uploads: readonly SceneUpload[]): void {
     for (const upload of this.uploads) if (!uploads.includes(upload)) this.frameRenderer.releaseScene(upload);
     this.uploads = uploads;
     if (width === this.size.width && height === this.size.height) return;
@@ -138,17 +138,17 @@ class PreviewTargets {
   draw(
     plan: FrameGraph,
     of: readonly PreviewRequest[],
-    { frameSetup, views }: RenderContext,
+    { frameSetup, buffers }: RenderContext,
     finished: OnPreview,
   ): void {
-    const [first] = views;
+    const [first] = buffers;
     const { size } = this;
     const settings = { ...first.settings, frameGraph: plan };
     const sittingOf = (motif: typeof first, i: number): BoundRenderView => ({
       view: { ...motif, settings: bufferSettings(settings, i) },
       bind: () => frameSetup.setView(motif, size),
     });
-    const [sitting, ...others] = views.map(sittingOf);
+    const [sitting, ...others] = buffers.map(sittingOf);
     frameSetup.setView(first, size);
     frameSetup.jitter(PIXEL_CENTER, size);
     this.frameRenderer.draw([sitting, ...others], frameSetup.camera, first.viewPoint.t, (step, image) => {

@@ -90,6 +90,11 @@ export class SceneUpload {
     this.tessellator = new Tessellator(gpu, [...this.drawCalls], (drawCall) => this.add(drawCall), options);
   }
 
+  /** Whether samples of its motions are left in files. */
+  get isStreamed(): boolean {
+    return this.sampleLoader !== undefined;
+  }
+
   dispose(): void {
     this.drawCalls.forEach(disposeDrawCall);
     this.tessellator.dispose();

@@ -4,8 +4,8 @@ import { DEFAULT_SETTINGS, type RenderSettings } from '../scene/view/view.ts';
 import type { SceneUpload } from './sceneUpload.ts';
 
 /**
- * The scenes of a picture on the GPU, one for each of its G-buffers: where things are, how they are cut, which samples of them are read and where shadows fall
- * is of one eye and one way of seeing, also where two G-buffers are of the same scene.
+ * The scenes of a picture on the GPU, one upload for each G-buffer, also where two are of the same scene: object tables, tessellation, loaded samples and
+ * shadow maps are those of one observation and one set of settings at a time. The views of a picture use them one after another.
  */
 export class SceneUploads {
   private readonly make: (scene: Scene, speedOfLight: number) => SceneUpload;
@@ -26,6 +26,11 @@ export class SceneUploads {
 
   get isComplete(): boolean {
     return this.uploads.every(({ objectWriter: frame, shadows }) => frame.isComplete && shadows.isComplete);
+  }
+
+  /** Whether samples of motions are read from files while pictures are drawn. */
+  get isStreamed(): boolean {
+    return this.uploads.some((upload) => upload.isStreamed);
   }
 
   setScenes(scenes: readonly [Scene, ...Scene[]]): void {

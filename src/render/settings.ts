@@ -30,6 +30,9 @@ export interface PickedSurface {
  */
 export type Sampling = number | 'temporal';
 
+/** Views that one picture can have: what puts them together reads one texture of each, and WebGL2 and WebGPU grant 16. */
+export const MAX_VIEWS = 16;
+
 export type Backend = 'webgpu' | 'webgl';
 
 export interface RendererOptions {

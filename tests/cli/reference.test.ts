@@ -8,6 +8,7 @@ import { readExr } from '../../src/formats/image/readExr.ts';
 import { DEFAULT_LIGHT } from '../../src/reference/lights/lightOptions.ts';
 import type { TileRequest } from '../../src/reference/tileRequest.ts';
 import { makeScene } from '../../src/scene/defaults.ts';
+import { perspective } from '../../src/scene/view/lens.ts';
 import { AOVS, type AovName, DEFAULT_SETTINGS, type ViewPoint } from '../../src/scene/view/view.ts';
 import {
   ask,
@@ -168,7 +169,7 @@ test('a thread that runs out of memory fails the picture with a remedy', async (
   )) as typeof import('../../src/pipelines/referenceSession.ts');
   const limits = { maxOldGenerationSizeMb: 4, maxYoungGenerationSizeMb: 1 };
   const pool = openTracerPool(makeScene({ name: 'empty' }), 10, 2, nodeThreads(limits));
-  const view: ViewPoint = { t: 0, position: [0, 0, 0], u: [0, 0, 0], orientation: [0, 0, 0, 1], fovY: 1 };
+  const view: ViewPoint = { t: 0, position: [0, 0, 0], u: [0, 0, 0], orientation: [0, 0, 0, 1], lens: perspective(1) };
   const request: TileRequest = {
     view,
     settings: DEFAULT_SETTINGS,

@@ -8,6 +8,7 @@ import { serializeDocument } from '../../src/graph/document/serialize.ts';
 import { CancelledError } from '../../src/graph/evaluation/evaluator.ts';
 import { DEFAULT_LIGHT } from '../../src/reference/lights/lightOptions.ts';
 import { makeScene } from '../../src/scene/defaults.ts';
+import { perspective } from '../../src/scene/view/lens.ts';
 import { DEFAULT_SETTINGS } from '../../src/scene/view/view.ts';
 import { outputFolder, programResult, scene, slowlight, start } from './program.ts';
 
@@ -134,11 +135,12 @@ test('Ctrl-C interrupts it', async () => {
 test('it reports progress, and can be cancelled by its caller', async () => {
   const built = new URL('../../dist/lib/cli/pipelines/renderStill.js', import.meta.url).href;
   const { renderStill } = (await import(built)) as typeof import('../../src/cli/pipelines/renderStill.ts');
-  const view = { t: 0, position: [0, 0, 0], u: [0, 0, 0], orientation: [0, 0, 0, 1], fovY: 1 } as const;
+  const view = { t: 0, position: [0, 0, 0], u: [0, 0, 0], orientation: [0, 0, 0, 1], lens: perspective(1) } as const;
   const scene = makeScene({ name: 'empty' });
   const options = { seed: 0, ...DEFAULT_LIGHT };
   const size = { width: 40, height: 20 };
-  const picture = { pipeline: 'reference', scene, view, settings: DEFAULT_SETTINGS, ...size, samples: 1, options };
+  const views = [view] as const;
+  const picture = { pipeline: 'reference', scene, views, settings: DEFAULT_SETTINGS, ...size, samples: 1, options };
   const parts: (number | undefined)[] = [];
   const pixels = await renderStill(picture, { progress: (part) => parts.push(part) });
   expect(pixels.length).toBe(3 * 40 * 20);

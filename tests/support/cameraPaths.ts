@@ -5,6 +5,7 @@ import { makeMaterial, makeObject, makeScene, restingAt } from '../../src/scene/
 import { box, plane, sphere } from '../../src/scene/mesh/primitives.ts';
 import type { Mesh, Scene, SceneObject } from '../../src/scene/types.ts';
 import { lookAtOrientation } from '../../src/scene/view/camera.ts';
+import { perspective } from '../../src/scene/view/lens.ts';
 import { DEFAULT_SETTINGS, type RenderSettings, type ViewPoint } from '../../src/scene/view/view.ts';
 
 /** A short, deterministic camera path, to measure flicker and error of pictures in motion. */
@@ -44,7 +45,7 @@ const eye = (u: Vec3, position: Vec3): ViewPoint => ({
   position,
   u,
   orientation: lookAtOrientation([0, -0.15, -1], [0, 1, 0]),
-  fovY: 1,
+  lens: perspective(1),
 });
 const SETTINGS: RenderSettings = { ...DEFAULT_SETTINGS, speedOfLight: 10 };
 

@@ -8,6 +8,7 @@ import { sensorsOf } from '../../src/reference/spectral/sensors.ts';
 import { radiance } from '../../src/reference/transport/path.ts';
 import { FOREVER, makeMaterial, makeObject, makeScene, restingAt } from '../../src/scene/defaults.ts';
 import type { AreaLight, DomeLight, Light, Material, Mesh, SceneObject, SphereLight } from '../../src/scene/types.ts';
+import { perspective } from '../../src/scene/view/lens.ts';
 import { DEFAULT_SETTINGS, type RenderSettings } from '../../src/scene/view/view.ts';
 
 /** Spectral colours, c = 1 m/s. */
@@ -101,7 +102,7 @@ export function look(
   samples = 1,
   { settings = GREY, seed = 1 }: { readonly settings?: RenderSettings; readonly seed?: number } = {},
 ): Vec3 {
-  const ray = rayToward({ t, position, u, orientation: IDENTITY, fovY: 1 }, settings, direction);
+  const ray = rayToward({ t, position, u, orientation: IDENTITY, lens: perspective(1) }, settings, direction);
   const sequence = pixelSequence(seed, 0, 0);
   const createSensor = sensorsOf(settings, samples);
   let sum = ZERO;

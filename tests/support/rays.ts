@@ -5,6 +5,7 @@ import { createTracedScene, type TracedScene } from '../../src/reference/interse
 import { makeScene } from '../../src/scene/defaults.ts';
 import { pointsAt } from '../../src/scene/streaming/samplePoints.ts';
 import type { Motion, SampledPointsMotion, SceneObject } from '../../src/scene/types.ts';
+import { perspective } from '../../src/scene/view/lens.ts';
 import { probeVertex, type VertexProbe } from '../../src/scene/view/probe.ts';
 import { DEFAULT_SETTINGS, type RenderSettings, type ViewPoint } from '../../src/scene/view/view.ts';
 import type { View } from '../../src/scene/views/views.ts';
@@ -18,7 +19,7 @@ export const viewFrom = (given: Partial<ViewPoint> = {}): ViewPoint => ({
   position: ZERO,
   u: ZERO,
   orientation: IDENTITY,
-  fovY: Math.PI / 2,
+  lens: perspective(Math.PI / 2),
   ...given,
 });
 

@@ -17,7 +17,7 @@ export async function renderSequence(
   const film: Uint8Array[] = [];
   for (let i = sampling === 'temporal' ? 0 : WARM_UP_FRAMES; i < WARM_UP_FRAMES + count; i++) {
     pump();
-    renderer.render(view(i), settings, sampling);
+    renderer.render([view(i)], settings, sampling);
     if (i >= WARM_UP_FRAMES) film.push(new Uint8Array(await renderer.readPixels()));
   }
   return film;

@@ -5,6 +5,7 @@ import { apparentPosition } from '../../src/physics/optics/apparentPosition.ts';
 import { simultaneousPosition } from '../../src/physics/worldLines/simultaneity.ts';
 import type { Scene } from '../../src/scene/types.ts';
 import { framingCamera, lookAtOrientation, observerFromCamera } from '../../src/scene/view/camera.ts';
+import { perspective } from '../../src/scene/view/lens.ts';
 import { DEFAULT_SETTINGS, type RenderSettings, type ViewPoint } from '../../src/scene/view/view.ts';
 import type { View } from '../../src/scene/views/views.ts';
 import { type ExampleName, speedOfLight } from '../examples/open.ts';
@@ -33,10 +34,13 @@ export interface TestView {
 export function exampleFrame(name: ExampleName, scene: Scene, view: View, beta: number): TestView {
   const c = speedOfLight(scene);
   const t = scene.hints.openAt ?? scene.startTime;
-  const { position, orientation, fovY } = observerFromCamera(scene.cameras[0] ?? framingCamera(scene), t, c);
+  const { position, orientation, lens } = observerFromCamera(scene.cameras[0] ?? framingCamera(scene), t, c);
   const course = rotate(orientation, normalize(COURSES[name] ?? [0, 0, -1]));
   const u = properVelocity(scale(course, beta));
-  return { view: { t, position, u, orientation, fovY }, settings: { ...DATA_SETTINGS, view, speedOfLight: c } };
+  return {
+    view: { t, position, u, orientation, lens },
+    settings: { ...DATA_SETTINGS, view, speedOfLight: c },
+  };
 }
 
 /** The subject in the middle of the picture, which shows `extent` metres at its apparent distance: lengths across the line of sight are seen as they are. */
@@ -52,7 +56,7 @@ export function extraFrame(
   const fovY = Math.min(1.9, 2 * Math.atan(extent / 2 / length(shown)));
   const orientation = lookAtOrientation(shown, [0, 1, 0]);
   return {
-    view: { t, position: eye, u, orientation, fovY },
+    view: { t, position: eye, u, orientation, lens: perspective(fovY) },
     settings: { ...DATA_SETTINGS, view, speedOfLight: speedOfLight(scene) },
   };
 }

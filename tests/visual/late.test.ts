@@ -5,6 +5,7 @@ import { apparentPosition } from '../../src/physics/optics/apparentPosition.ts';
 import { simultaneousPosition } from '../../src/physics/worldLines/simultaneity.ts';
 import type { Scene } from '../../src/scene/types.ts';
 import { lookAtOrientation } from '../../src/scene/view/camera.ts';
+import { perspective } from '../../src/scene/view/lens.ts';
 import { probeVertices } from '../../src/scene/view/probe.ts';
 import type { RenderSettings } from '../../src/scene/view/view.ts';
 import type { TestView } from './frames.ts';
@@ -46,7 +47,13 @@ function frameOf(scene: Scene, change: Partial<RenderSettings>, beta: number): T
   const middle = scale(places.reduce(add, ZERO), 1 / places.length);
   const fovY = Math.min(1.5, 3 * Math.max(...places.map((x) => angle(x, middle))));
   return {
-    view: { t: T, position: OBSERVER_POSITION, u, orientation: lookAtOrientation(middle, [0, 1, 0]), fovY },
+    view: {
+      t: T,
+      position: OBSERVER_POSITION,
+      u,
+      orientation: lookAtOrientation(middle, [0, 1, 0]),
+      lens: perspective(fovY),
+    },
     settings,
   };
 }

@@ -11,6 +11,7 @@ import { visibleHit } from '../../src/reference/camera/visibleHit.ts';
 import type { TracedScene } from '../../src/reference/intersection/tracedScene.ts';
 import { surfaceAt } from '../../src/reference/materials/surface.ts';
 import type { Motion } from '../../src/scene/types.ts';
+import { frustumOf, pixelsPerTangent } from '../../src/scene/view/lens.ts';
 import type { RenderSettings, ViewPoint } from '../../src/scene/view/view.ts';
 
 /*
@@ -152,10 +153,10 @@ export class PixelOracle {
    * `MAX_DISPLACEMENT` pixels. (Along the plane it is as near as the two places in the picture are; lengths across the line of sight are the same in all frames.)
    */
   private samePoint({ position }: PixelSample, { time, seen }: Truth, hit: Hit): boolean {
-    const { view, settings, height } = this.picture;
+    const { view, settings, width, height } = this.picture;
     const between = fourVector(settings.speedOfLight * (time - hit.time), sub(position, hit.position));
     const offPlane = dot(hit.normal, spatial(boost(between, properVelocity(hit.velocity))));
-    const pixel = (2 * Math.tan(view.fovY / 2)) / height;
+    const pixel = 1 / pixelsPerTangent(frustumOf(view.lens, width, height), width, height);
     return Math.abs(offPlane) <= MAX_DISPLACEMENT * pixel * -seen[2];
   }
 
@@ -185,8 +186,9 @@ export class PixelOracle {
 
   private project([x, y, z]: Vec3): { x: number; y: number } {
     const { view, width, height } = this.picture;
-    const focal = height / (2 * Math.tan(view.fovY / 2));
-    return { x: width / 2 + (focal * x) / -z, y: height / 2 - (focal * y) / -z };
+    const { tanX, tanY, center } = frustumOf(view.lens, width, height);
+    const [right, up] = [(x / -z - center[0]) / tanX, (y / -z - center[1]) / tanY];
+    return { x: (width / 2) * (1 + right), y: (height / 2) * (1 - up) };
   }
 
   private center(pixel: number): Hit | undefined {

@@ -24,7 +24,7 @@ const FLOATS = 13;
 export async function readSamplePixels(renderer: RasterRenderer, order: PixelRequest): Promise<Float32Array> {
   const { view, settings, width, height } = order;
   if (renderer.width !== width || renderer.height !== height) renderer.setSize(width, height);
-  renderer.render(view, settings);
+  renderer.render([view], settings);
   const aovs: Float32Array[] = [];
   for (const name of NAMES) aovs.push(await renderer.readAov(name));
   const pixels = order.pixels ?? allPixels(order);

@@ -26,7 +26,7 @@ describe('the observer', () => {
     const at = observerPath(scene, {}, c, 0)(1);
     close(at.position, [6, 0, 0]);
     close(velocity(at.u), [0.6, 0, 0]);
-    expect(at.fovY).toBe(1);
+    expect(at.lens.fovY).toBe(1);
   });
 
   test('keeps the path and takes a given velocity', () => {
@@ -51,7 +51,7 @@ describe('the observer', () => {
   test('looks along target − position', () => {
     const at = observerPath(scene, { position: [0, 0, 5], lookAt: [0, 0, -5], fov: 90 }, c, 0)(0);
     close([at.orientation[0], at.orientation[1], at.orientation[2]], [0, 0, 0]);
-    expect(at.fovY).toBeCloseTo(Math.PI / 2, 15);
+    expect(at.lens.fovY).toBeCloseTo(Math.PI / 2, 15);
   });
 
   test('lists the existing cameras', () => {

@@ -1,9 +1,9 @@
 import { InvalidArgumentError, Option } from 'commander';
 import { parseVariantChoice } from '../../formats/variantChoice.ts';
 import { length, type Vec3 } from '../../math/vec3.ts';
-import type { PictureSize } from '../../pipelines/pictureRenderer.ts';
 import { MAX_SAMPLES } from '../../reference/lights/lightOptions.ts';
 import type { NumberRange } from '../../scene/settings/setting.ts';
+import type { PictureSize } from '../../scene/view/pictureViews.ts';
 import { AOVS, type AovName } from '../../scene/view/view.ts';
 
 /** Parsers of flag values. Each throws an InvalidArgumentError that says what was expected. */

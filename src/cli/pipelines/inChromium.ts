@@ -6,7 +6,8 @@ import type { PictureRequest, RenderedPicture } from '../../pipelines/pictureRen
 import type { Pipeline, PipelineSession, UncheckedRequest } from '../../pipelines/pipeline.ts';
 import { encodeTransfer } from '../../scene/transfer/transferCodec.ts';
 import type { LightMeterReadings } from '../../scene/view/metering.ts';
-import type { AovName, RenderSettings, ViewPoint } from '../../scene/view/view.ts';
+import type { PictureViews } from '../../scene/view/pictureViews.ts';
+import type { AovName, RenderSettings } from '../../scene/view/view.ts';
 import { readDiskFile } from '../files/diskFiles.ts';
 import { findChromium } from '../gpu/gpuDrivers.ts';
 import { serveApp } from '../serve/staticServer.ts';
@@ -48,7 +49,7 @@ export async function openInChromium(
     return {
       info: { pipeline: id, backend: 'webgl', adapter: adapterName },
       render: (request) => renderPicture(page, request),
-      measureLight: (view, settings) => measureLight(page, view, settings),
+      measureLight: (views, settings) => measureLight(page, views, settings),
       close,
     };
   } catch (error) {
@@ -117,10 +118,10 @@ async function renderPicture(page: Page, request: PictureRequest): Promise<Rende
   return { pixels: new Uint8Array(Buffer.from(pixels, 'base64')), aovs: new Map(data) };
 }
 
-async function measureLight(page: Page, view: ViewPoint, settings: RenderSettings): Promise<LightMeterReadings> {
+async function measureLight(page: Page, views: PictureViews, settings: RenderSettings): Promise<LightMeterReadings> {
   const { luminance, doppler, time } = await page.evaluate(
     (argument) => (window as unknown as HeadlessWindow).slowlight.measure(argument),
-    { view, settings },
+    { views, settings },
   );
   return { luminance: floats(luminance), doppler: floats(doppler), time: floats(time) };
 }

@@ -6,6 +6,7 @@ import { dopplerAtPixel } from '../../physics/optics/doppler.ts';
 import { makeObject, makeScene } from '../../scene/defaults.ts';
 import { plane, sphere } from '../../scene/mesh/primitives.ts';
 import { lookAtOrientation } from '../../scene/view/camera.ts';
+import { perspective } from '../../scene/view/lens.ts';
 import type { ViewPoint } from '../../scene/view/view.ts';
 import { probePixel } from './pixelProbe.ts';
 
@@ -16,7 +17,7 @@ const view = (beta: Vec3): ViewPoint => ({
   position: [0, 2, 0],
   u: properVelocity(beta),
   orientation: lookAtOrientation(down, [0, 1, 0]),
-  fovY: 1,
+  lens: perspective(1),
 });
 
 describe('the probe of a pixel', () => {

@@ -1,4 +1,4 @@
-import type { PictureSize } from '../../pipelines/pictureRenderer.ts';
+import type { PictureSize } from '../../scene/view/pictureViews.ts';
 import type { View } from '../../scene/views/views.ts';
 import type { SceneFlags } from '../flags/sceneFlags.ts';
 import type { ObserverFlags } from '../flags/viewFlags.ts';

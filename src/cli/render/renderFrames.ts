@@ -6,6 +6,7 @@ import type { PictureRenderer } from '../../pipelines/pictureRenderer.ts';
 import type { PipelineSession } from '../../pipelines/pipeline.ts';
 import { pipelineNamed } from '../../pipelines/registry.ts';
 import { validate } from '../../scene/validation/validate.ts';
+import type { PictureViews } from '../../scene/view/pictureViews.ts';
 import type { AovName, ViewPoint } from '../../scene/view/view.ts';
 import type { FalseColorScale } from '../../spectrum/falseColor/falseColor.ts';
 import { throwIfStopped } from '../files/outputFile.ts';
@@ -47,7 +48,8 @@ export async function renderFrames(
   const { size, metering, falseColour, falseRange, legend } = flags;
   const observer = observerPath(scene, flags, c, frames[0]!.t, flags.hold);
   const settings = { ...renderSettings(flags, c), ...(frameGraph && { frameGraph }) };
-  const request = { settings, metering, size, aovs, observer, frames, falseColour, falseRange, legend };
+  const views = (t: number): PictureViews => [observer(t)];
+  const request = { settings, metering, size, aovs, views, frames, falseColour, falseRange, legend };
   const sink = await openFrameSink({ ...flags, size: outputSize(flags) }, scene, frames.length);
   try {
     progress.show('getting ready to draw …');

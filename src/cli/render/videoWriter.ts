@@ -1,7 +1,7 @@
 import { type ChildProcessByStdio, spawn, spawnSync } from 'node:child_process';
 import { once } from 'node:events';
 import type { Readable, Writable } from 'node:stream';
-import type { PictureSize } from '../../pipelines/pictureRenderer.ts';
+import type { PictureSize } from '../../scene/view/pictureViews.ts';
 import { killWhenStopped, OutputFile } from '../files/outputFile.ts';
 import { inputProblem, unavailable } from '../terminal/exitCodes.ts';
 

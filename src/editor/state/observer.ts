@@ -5,6 +5,7 @@ import { properVelocity } from '../../physics/lorentz/boost.ts';
 import type { ObserverState } from '../../physics/lorentz/observer.ts';
 import type { Scene, SceneCamera } from '../../scene/types.ts';
 import { observerFromCamera } from '../../scene/view/camera.ts';
+import { perspective } from '../../scene/view/lens.ts';
 import type { ViewPoint } from '../../scene/view/view.ts';
 import type { Lock } from '../flight/flight.ts';
 
@@ -26,7 +27,7 @@ export function observerOnCamera(camera: SceneCamera, state: ObserverState, c: n
 
 /** View point for the renderer. With the `fly` lock it is at rest. */
 export function viewPointOf(state: ObserverState, picture: PictureSpec, lock: Lock): ViewPoint {
-  const fovY = picture.fovY ?? pictureCamera(picture).fovY;
+  const lens = perspective(picture.fovY ?? pictureCamera(picture).fovY);
   const { t, position, orientation } = state;
-  return { t, position, orientation, u: lock === 'fly' ? ZERO : state.u, fovY };
+  return { t, position, orientation, u: lock === 'fly' ? ZERO : state.u, lens };
 }

@@ -1,12 +1,13 @@
 import { describe, expect, it } from 'vitest';
 import { meteredExposure } from '../../nodes/pictures/metering.ts';
 import type { PictureSpec } from '../../nodes/socketValues.ts';
+import { perspective } from '../../scene/view/lens.ts';
 import { type LightMeterReadings, METER_CELLS } from '../../scene/view/metering.ts';
 import { DEFAULT_SETTINGS } from '../../scene/view/view.ts';
 import { AutoExposure, type MeteredPicture } from './autoExposure.ts';
 
 const picture = { metering: 'automatic', falseColor: 'none' } as PictureSpec;
-const viewPoint = { t: 0, position: [0, 0, 0], u: [0, 0, 0], orientation: [0, 0, 0, 1], fovY: 1 } as const;
+const viewPoint = { t: 0, position: [0, 0, 0], u: [0, 0, 0], orientation: [0, 0, 0, 1], lens: perspective(1) } as const;
 const light = (luminance: number): LightMeterReadings => ({
   luminance: new Float32Array(METER_CELLS * METER_CELLS).fill(luminance),
   doppler: new Float32Array(),
@@ -14,9 +15,9 @@ const light = (luminance: number): LightMeterReadings => ({
 });
 const drawn = (luminance: number, more: Partial<MeteredPicture> = {}): MeteredPicture => ({
   picture,
-  viewPoint: { ...viewPoint, t: luminance },
+  views: [{ ...viewPoint, t: luminance }],
   settings: DEFAULT_SETTINGS,
-  aspect: 1.5,
+  size: { width: 3, height: 2 },
   measureLight: async () => light(luminance),
   ...more,
 });

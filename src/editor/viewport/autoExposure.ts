@@ -2,7 +2,8 @@ import { adaptExposure, exposureForMetering, measuredFalseColorScale } from '../
 import type { PictureSpec } from '../../nodes/socketValues.ts';
 import { contentKey } from '../../scene/frameGraph/frameGraph.ts';
 import type { LightMeterReadings } from '../../scene/view/metering.ts';
-import type { RenderSettings, ViewPoint } from '../../scene/view/view.ts';
+import type { PictureSize, PictureViews } from '../../scene/view/pictureViews.ts';
+import type { RenderSettings } from '../../scene/view/view.ts';
 import type { FalseColorQuantity, ValueRange } from '../../spectrum/falseColor/falseColor.ts';
 
 /** Minimum interval of measurements [ms] and in pictures: each waits for the GPU, and may render the picture again. */
@@ -14,10 +15,9 @@ const SETTLED_DIFFERENCE = 0.004;
 /** A rendered picture that can be measured. */
 export interface MeteredPicture {
   readonly picture: PictureSpec;
-  readonly viewPoint: ViewPoint;
+  readonly views: PictureViews;
   readonly settings: RenderSettings;
-  /** Aspect ratio, width over height. */
-  readonly aspect: number;
+  readonly size: PictureSize;
   readonly measureLight: () => Promise<LightMeterReadings>;
 }
 
@@ -82,7 +82,8 @@ export class AutoExposure {
     if (metering === 'manual' && falseColor === 'none' && !frameGraph) return;
     // Luminance does not depend on display settings, except through frame graphs.
     const { exposure: _, tone: __, falseColors: ___, frameGraph: ____, ...lit } = drawn.settings;
-    const what = contentKey([metering, falseColor === 'none', drawn.viewPoint, lit, frameGraph, drawn.aspect]);
+    const { width, height } = drawn.size;
+    const what = contentKey([metering, falseColor === 'none', drawn.views, lit, frameGraph, width / height]);
     if (what === this.measuredContent) return;
     this.measuredContent = what;
     this.unmeasured = drawn;
@@ -105,7 +106,7 @@ export class AutoExposure {
   }
 
   private async measure(drawn: MeteredPicture): Promise<void> {
-    const { picture, viewPoint, settings, aspect, measureLight: readings } = drawn;
+    const { picture, views, settings, size, measureLight: readings } = drawn;
     const generation = this.generation;
     this.isMeasuring = true;
     this.unmeasured = undefined;
@@ -113,7 +114,7 @@ export class AutoExposure {
       const measured = await readings();
       if (generation !== this.generation) return;
       this.readings = measured;
-      this.target = exposureForMetering(picture.metering, this.readings, viewPoint, settings, aspect);
+      this.target = exposureForMetering(picture.metering, this.readings, views, settings, size);
       this.value ??= this.target;
     } finally {
       this.isMeasuring = false;

@@ -260,7 +260,7 @@ export class ViewportRenderer {
   }
 
   private isPrepared({ viewPoint, settings, sampling }: DisplayedFrame): boolean {
-    const preparing = this.renderer.precompile?.(viewPoint, settings, sampling);
+    const preparing = this.renderer.precompile?.([viewPoint], settings, sampling);
     this.compiling = preparing !== undefined;
     // If the device was lost, the next generation compiles.
     preparing?.catch(() => {});
@@ -303,7 +303,7 @@ export class ViewportRenderer {
     this.stale = false;
     this.canvas.removeAttribute('data-finest');
     const { settings, sampling } = drawing;
-    this.renderer.render(viewPoint, settings, sampling);
+    this.renderer.render([viewPoint], settings, sampling);
     if (this.renderer.info.waiting) return false;
     if (this.uploadStart !== undefined) {
       const now = performance.now();
@@ -312,12 +312,11 @@ export class ViewportRenderer {
       this.uploadStart = undefined;
     }
     setLegendColors(settings.falseColors);
-    const aspect = clientWidth / Math.max(1, clientHeight);
     this.autoExposure.observe({
       picture,
-      viewPoint,
+      views: [viewPoint],
       settings,
-      aspect,
+      size: { width: clientWidth, height: Math.max(1, clientHeight) },
       measureLight: () => this.renderer.measureLight(),
     });
     return changes;

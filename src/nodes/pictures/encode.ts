@@ -1,14 +1,16 @@
 import { encodePng } from '../../formats/image/encodePng.ts';
 import { type ExrChannel, writeExr } from '../../formats/image/exr.ts';
 import { withPngText } from '../../formats/image/pngText.ts';
-import type { AovValues, PictureSize, RenderedPicture } from '../../pipelines/pictureRenderer.ts';
+import type { AovValues, RenderedPicture } from '../../pipelines/pictureRenderer.ts';
 import type { Scene } from '../../scene/types.ts';
 import { observerMetadata, pictureMetadata } from '../../scene/view/pictureMetadata.ts';
-import { AOVS, type AovName, type RenderSettings, type ViewPoint } from '../../scene/view/view.ts';
+import type { PictureSize, PictureViews } from '../../scene/view/pictureViews.ts';
+import { AOVS, type AovName, type RenderSettings } from '../../scene/view/view.ts';
 
 /** Metadata of a picture. */
 export interface PictureInfo {
-  readonly view: ViewPoint;
+  /** The header describes the first. */
+  readonly views: PictureViews;
   /** With the exposure and false colours of the picture. */
   readonly settings: RenderSettings;
 }
@@ -21,16 +23,18 @@ export const frameName = (pattern: string, frame: number): string =>
 export const encodePngPicture = (
   size: PictureSize,
   { pixels }: RenderedPicture,
-  { view, settings }: PictureInfo,
-): Uint8Array<ArrayBuffer> => withPngText(encodePng(size.width, size.height, pixels), pictureMetadata(view, settings));
+  { views, settings }: PictureInfo,
+): Uint8Array<ArrayBuffer> =>
+  withPngText(encodePng(size.width, size.height, pixels), pictureMetadata(views[0], settings));
 
 /** Encodes AOVs with their metadata. */
 export const encodeExrPicture = (
   size: PictureSize,
   { aovs }: RenderedPicture,
-  { view, settings }: PictureInfo,
+  { views, settings }: PictureInfo,
   scene: Scene,
-): Uint8Array => encodeExr(size, aovs, scene, { scene: scene.name, ...observerMetadata(view, settings.speedOfLight) });
+): Uint8Array =>
+  encodeExr(size, aovs, scene, { scene: scene.name, ...observerMetadata(views[0], settings.speedOfLight) });
 
 /** The header names each object, so that the `object` channel can be interpreted elsewhere. */
 function encodeExr(

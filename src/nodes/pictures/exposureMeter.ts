@@ -1,5 +1,6 @@
-import type { PictureRequest, PictureSize } from '../../pipelines/pictureRenderer.ts';
+import type { PictureRequest } from '../../pipelines/pictureRenderer.ts';
 import type { MeteringMode } from '../../scene/settings/settings.ts';
+import type { PictureSize } from '../../scene/view/pictureViews.ts';
 import { adaptExposure, exposureForMetering } from './metering.ts';
 import type { PictureMeter } from './pictureMeter.ts';
 
@@ -17,13 +18,14 @@ export class ExposureMeter {
   }
 
   /** Metered exposure of a picture [EV]. */
-  async read({ view, settings }: PictureRequest): Promise<number> {
+  async read({ views, settings }: PictureRequest): Promise<number> {
     const { metering, size, last } = this;
     if (metering === 'manual') return 0;
-    const readings = await this.gauges.read(view, settings, 'radiance');
-    const target = exposureForMetering(metering, readings, view, settings, size.width / size.height);
-    const exposure = last ? adaptExposure(last.exposure, target, Math.abs(view.t - last.t)) : target;
-    this.last = { t: view.t, exposure };
+    const readings = await this.gauges.read(views, settings, 'radiance');
+    const target = exposureForMetering(metering, readings, views, settings, size);
+    const [{ t }] = views;
+    const exposure = last ? adaptExposure(last.exposure, target, Math.abs(t - last.t)) : target;
+    this.last = { t, exposure };
     return exposure;
   }
 }

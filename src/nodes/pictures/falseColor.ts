@@ -1,6 +1,7 @@
-import type { PictureRenderer, PictureRequest, PictureSize, RenderedPicture } from '../../pipelines/pictureRenderer.ts';
+import type { PictureRenderer, PictureRequest, RenderedPicture } from '../../pipelines/pictureRenderer.ts';
 import { falseColorLegendHeight, withFalseColorLegend } from '../../reference/figures/falseColorLegend.ts';
 import { AOVS_OF_FALSE_COLOR, falseColorPicture, falseColorValues } from '../../reference/post/falseColor.ts';
+import type { PictureSize } from '../../scene/view/pictureViews.ts';
 import type { FalseColorQuantity, FalseColorScale, ValueRange } from '../../spectrum/falseColor/falseColor.ts';
 import { measuredFalseColorScale } from './metering.ts';
 import type { PictureMeter } from './pictureMeter.ts';
@@ -41,8 +42,8 @@ export class FalseColorRenderer {
 
   async render(request: PictureRequest, onPart: (part: number) => void): Promise<RenderedPicture> {
     const { kind, wanted } = this;
-    const { view, settings } = request;
-    this.scale ??= measuredFalseColorScale(kind, await this.gauges.read(view, settings, kind));
+    const { views, settings } = request;
+    this.scale ??= measuredFalseColorScale(kind, await this.gauges.read(views, settings, kind));
     const colors = { kind, ...this.scale };
     const pixels = await this.renderColors(colors, request, onPart);
     const picture = { ...wanted.size, pixels };
@@ -55,13 +56,13 @@ export class FalseColorRenderer {
     onPart: (part: number) => void,
   ): Promise<Uint8Array> {
     const { kind, renderer: painter, wanted } = this;
-    const { view, settings } = request;
+    const { views, settings } = request;
     if (painter.measureLight) {
       const painted = await painter.render({ ...request, settings: { ...settings, falseColors: colors } }, onPart);
       return painted.pixels;
     }
     const { aovs } = await painter.render({ ...request, pixels: false, aovs: AOVS_OF_FALSE_COLOR[kind] }, onPart);
-    const taken = { aovs, view, settings, ...wanted.size };
+    const taken = { aovs, views, settings, ...wanted.size };
     return falseColorPicture(colors, falseColorValues(kind, taken), taken).pixels;
   }
 }

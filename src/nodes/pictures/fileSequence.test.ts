@@ -31,8 +31,8 @@ describe('pictures for a file', () => {
     const still = await sequence('still', set('console', 'lightDelay', false), set('camera', 'fieldOfView', 90));
     expect(still).toMatchObject({ size: { width: 64, height: 48 }, samples: 2, aovs: [], frames: [{ t: 0.5 }] });
     expect(still.settings).toMatchObject({ speedOfLight: 10, lightDelay: false });
-    expect(still.observer(0.5)).toMatchObject({ t: 0.5, position: [0, 1, 6], u: [0, 0, 0] });
-    expect(still.observer(0.5).fovY).toBeCloseTo(Math.PI / 2, 12);
+    expect(still.views(0.5)[0]).toMatchObject({ t: 0.5, position: [0, 1, 6], u: [0, 0, 0] });
+    expect(still.views(0.5)[0].lens.fovY).toBeCloseTo(Math.PI / 2, 12);
   });
 
   it('have one sample without antialiasing, and light if requested', async () => {
@@ -43,10 +43,10 @@ describe('pictures for a file', () => {
   it('are seen by an observer who coasts from the first frame on, unless held', async () => {
     const isFilm = await sequence('film', ...fast);
     expect(isFilm.frames.map(({ t }) => t)).toEqual([0.25, 0.375, 0.5, 0.625, 0.75]);
-    expect(isFilm.observer(0.25).position).toEqual([0, 1, 6]);
-    expect(isFilm.observer(0.75).position[2]).toBeCloseTo(3, 12);
+    expect(isFilm.views(0.25)[0].position).toEqual([0, 1, 6]);
+    expect(isFilm.views(0.75)[0].position[2]).toBeCloseTo(3, 12);
     const held = await sequence('film', ...fast, set('film', 'hold', true));
-    expect(held.observer(0.75).position).toEqual([0, 1, 6]);
-    expect(velocity(held.observer(0.75).u)[2]).toBeCloseTo(-0.6, 12);
+    expect(held.views(0.75)[0].position).toEqual([0, 1, 6]);
+    expect(velocity(held.views(0.75)[0].u)[2]).toBeCloseTo(-0.6, 12);
   });
 });

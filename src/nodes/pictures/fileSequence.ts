@@ -16,6 +16,7 @@ export function pictureSequence(file: ImageOutput | VideoOutput): PictureSequenc
     ...(beta && { beta }),
     ...(fovY !== undefined && { fovY }),
   };
+  const observer = observerPathFrom(standpoint, speedOfLight, frames[0]!.t);
   return {
     settings: renderSettings(picture, 0),
     metering,
@@ -23,7 +24,7 @@ export function pictureSequence(file: ImageOutput | VideoOutput): PictureSequenc
     samples: picture.antialiasing ? samples : 1,
     aovs: extensionOf(name) === 'exr' ? ['beauty'] : [],
     ...(falseColor !== 'none' && { falseColour: falseColor }),
-    observer: observerPathFrom(standpoint, speedOfLight, frames[0]!.t),
+    views: (t) => [observer(t)],
     frames,
   };
 }

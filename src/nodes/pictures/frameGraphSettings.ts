@@ -29,11 +29,11 @@ export class FrameGraphSettings {
     };
   }
 
-  private async measured({ view, settings }: PictureRequest): Promise<Map<FalseColorQuantity, ValueRange>> {
+  private async measured({ views, settings }: PictureRequest): Promise<Map<FalseColorQuantity, ValueRange>> {
     const scales = new Map<FalseColorQuantity, ValueRange>();
     const kinds = this.plan.passes.flatMap((step) => (step.kind === 'false-colour' ? [step.of] : []));
     for (const kind of new Set(kinds))
-      scales.set(kind, measuredFalseColorScale(kind, await this.gauges.read(view, settings, kind)));
+      scales.set(kind, measuredFalseColorScale(kind, await this.gauges.read(views, settings, kind)));
     return scales;
   }
 }

@@ -3,12 +3,14 @@ import { describe, expect, it } from 'vitest';
 import { IDENTITY } from '../../math/quat.ts';
 import { properVelocity } from '../../physics/lorentz/boost.ts';
 import type { MeteringMode } from '../../scene/settings/settings.ts';
+import { perspective } from '../../scene/view/lens.ts';
 import { METER_CELLS } from '../../scene/view/metering.ts';
 import { DEFAULT_SETTINGS, type ViewPoint } from '../../scene/view/view.ts';
 import { DAYLIGHT } from '../../spectrum/sources/lightSpectrum.ts';
 import { logLuminance } from '../../spectrum/sources/planck.ts';
 import { adaptExposure, exposureForMetering, meteredExposure } from './metering.ts';
 
+const SIZE = { width: 3, height: 2 };
 const places = METER_CELLS * METER_CELLS;
 const filled = (luminance: number) => new Float32Array(places).fill(luminance);
 const look = (beta: number, fovY = 1): ViewPoint => ({
@@ -16,7 +18,7 @@ const look = (beta: number, fovY = 1): ViewPoint => ({
   position: [0, 0, 0],
   u: properVelocity([0, 0, -beta]),
   orientation: IDENTITY,
-  fovY,
+  lens: perspective(fovY),
 });
 
 describe('the metered exposure', () => {
@@ -60,13 +62,19 @@ it('small bright objects before a dark background are not overexposed', () => {
 describe('the resting eye', () => {
   it('has the exposure of an observer at rest, at any velocity: the Doppler factor straight ahead is e^rapidity', () => {
     const narrow = 1e-4;
-    const rest = exposureForMetering('automatic', { luminance: filled(0.3) }, look(0, narrow), DEFAULT_SETTINGS, 1.5);
+    const rest = exposureForMetering(
+      'automatic',
+      { luminance: filled(0.3) },
+      [look(0, narrow)],
+      DEFAULT_SETTINGS,
+      SIZE,
+    );
     for (const beta of [-0.5, 0.3, 0.8]) {
       const settings = { ...DEFAULT_SETTINGS, dopplerMix: 0 };
       const beamed = 0.3 * Math.exp(4 * Math.atanh(beta));
       const seen = { luminance: filled(beamed) };
-      expect(exposureForMetering('resting-eye', seen, look(beta, narrow), settings, 1.5)).toBeCloseTo(rest, 4);
-      expect(exposureForMetering('automatic', seen, look(beta, narrow), settings, 1.5)).toBeCloseTo(
+      expect(exposureForMetering('resting-eye', seen, [look(beta, narrow)], settings, SIZE)).toBeCloseTo(rest, 4);
+      expect(exposureForMetering('automatic', seen, [look(beta, narrow)], settings, SIZE)).toBeCloseTo(
         rest - (4 * Math.atanh(beta)) / Math.LN2,
         4,
       );
@@ -79,7 +87,7 @@ describe('the resting eye', () => {
       const D = Math.exp(Math.atanh(beta));
       const seen = 0.3 * Math.exp(logLuminance(T * D) - logLuminance(T));
       const exposure = (how: MeteringMode, luminance: number, view: ViewPoint) =>
-        exposureForMetering(how, { luminance: filled(luminance) }, view, DEFAULT_SETTINGS, 1.5);
+        exposureForMetering(how, { luminance: filled(luminance) }, [view], DEFAULT_SETTINGS, SIZE);
       const rest = exposure('automatic', 0.3, look(0, 1e-4));
       expect(Math.abs(exposure('resting-eye', seen, look(beta, 1e-4)) - rest)).toBeLessThan(0.2);
     }
@@ -89,7 +97,7 @@ describe('the resting eye', () => {
     const luminance = Float32Array.from({ length: places }, (_, i) => (i % 17) / 10);
     const both = (view: ViewPoint, settings = DEFAULT_SETTINGS) =>
       (['resting-eye', 'automatic'] as const).map((how) =>
-        exposureForMetering(how, { luminance }, view, settings, 1.5),
+        exposureForMetering(how, { luminance }, [view], settings, SIZE),
       );
     for (const [eye, automatic] of [both(look(0)), both(look(0.9), { ...DEFAULT_SETTINGS, view: 'simultaneity' })])
       expect(eye).toBeCloseTo(automatic!, 6);
@@ -99,7 +107,7 @@ describe('the resting eye', () => {
 });
 
 it('manual exposure is only the user’s', () => {
-  expect(exposureForMetering('manual', { luminance: filled(9) }, look(0.9), DEFAULT_SETTINGS, 1)).toBe(0);
+  expect(exposureForMetering('manual', { luminance: filled(9) }, [look(0.9)], DEFAULT_SETTINGS, SIZE)).toBe(0);
 });
 
 it('adaptation does not depend on the frame rate', () => {

@@ -1,7 +1,8 @@
 import { skyDoppler } from '../../reference/post/falseColor.ts';
 import type { MeteringMode } from '../../scene/settings/settings.ts';
 import { type LightMeterReadings, METER_CELLS, relativeLuminance } from '../../scene/view/metering.ts';
-import type { RenderSettings, ViewPoint } from '../../scene/view/view.ts';
+import { type PictureSize, type PictureViews, scaleViewports } from '../../scene/view/pictureViews.ts';
+import type { RenderSettings } from '../../scene/view/view.ts';
 import { VIEWS } from '../../scene/views/views.ts';
 import { dopplerTint } from '../../spectrum/doppler/dopplerTint.ts';
 import type { FalseColorQuantity, ValueRange } from '../../spectrum/falseColor/falseColor.ts';
@@ -41,18 +42,18 @@ function trimmedMean(sorted: Float64Array, [from, to]: readonly [number, number]
 }
 
 /**
- * Metered exposure [EV], to which the user's compensation is added. The readings precede exposure and tone curve, so
- * they are valid for any of these. `aspect`: width over height.
+ * Metered exposure [EV] of a picture, to which the user's compensation is added. The readings precede exposure and tone
+ * curve, so they are valid for any of these.
  */
 export function exposureForMetering(
   metering: MeteringMode,
   { luminance }: Pick<LightMeterReadings, 'luminance'>,
-  view: ViewPoint,
+  views: PictureViews,
   settings: RenderSettings,
-  aspect: number,
+  size: PictureSize,
 ): number {
   if (metering === 'manual') return 0;
-  return meteredExposure(metering === 'automatic' ? luminance : restFrameLuminance(luminance, view, settings, aspect));
+  return meteredExposure(metering === 'automatic' ? luminance : restFrameLuminance(luminance, views, settings, size));
 }
 
 /**
@@ -62,14 +63,17 @@ export function exposureForMetering(
  */
 function restFrameLuminance(
   luminance: Float32Array,
-  view: ViewPoint,
+  views: PictureViews,
   settings: RenderSettings,
-  aspect: number,
+  { width, height }: PictureSize,
 ): Float32Array {
   if (!VIEWS[settings.view].luminous) return luminance;
+  const aspect = width / height;
+  const picture = { width: aspect * METER_CELLS, height: METER_CELLS };
+  const scaled = scaleViewports(views, METER_CELLS / height);
   return luminance.map((value, i) => {
     const [x, y] = [aspect * ((i % METER_CELLS) + 0.5), Math.floor(i / METER_CELLS) + 0.5];
-    const D = skyDoppler(view, settings, x, y, aspect * METER_CELLS, METER_CELLS);
+    const D = skyDoppler(scaled, picture, settings, x, y);
     const white = relativeLuminance(...dopplerTint([1, 1, 1], D, settings.dopplerMix));
     return value / (white * D ** (4 * settings.beaming));
   });

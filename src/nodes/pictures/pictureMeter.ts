@@ -1,8 +1,9 @@
-import type { PictureRenderer, PictureSize } from '../../pipelines/pictureRenderer.ts';
+import type { PictureRenderer } from '../../pipelines/pictureRenderer.ts';
 import { AOVS_OF_FALSE_COLOR, falseColorValues } from '../../reference/post/falseColor.ts';
 import { includesToneMapping } from '../../scene/frameGraph/frameGraph.ts';
 import { type LightMeterReadings, METER_CELLS, meterPixel } from '../../scene/view/metering.ts';
-import type { RenderSettings, ViewPoint } from '../../scene/view/view.ts';
+import type { PictureSize, PictureViews } from '../../scene/view/pictureViews.ts';
+import type { RenderSettings } from '../../scene/view/view.ts';
 import type { FalseColorQuantity } from '../../spectrum/falseColor/falseColor.ts';
 
 /** Measures pictures at the same sample positions as the page, so that exposures and scales agree. */
@@ -16,16 +17,16 @@ export class PictureMeter {
   }
 
   /** Values of a false-colour quantity; `radiance`: the luminance that metering uses. */
-  async read(view: ViewPoint, settings: RenderSettings, kind: FalseColorQuantity): Promise<LightMeterReadings> {
+  async read(views: PictureViews, settings: RenderSettings, kind: FalseColorQuantity): Promise<LightMeterReadings> {
     const { renderer: painter, size } = this;
-    if (painter.measureLight) return painter.measureLight(view, settings);
+    if (painter.measureLight) return painter.measureLight(views, settings);
     const { frameGraph, ...plain } = settings;
     const lit = kind !== 'radiance' || includesToneMapping(frameGraph) ? plain : settings;
-    const request = { view, settings: lit, samples: 1, pixels: false, aovs: AOVS_OF_FALSE_COLOR[kind] };
+    const request = { views, settings: lit, samples: 1, pixels: false, aovs: AOVS_OF_FALSE_COLOR[kind] };
     const { aovs } = await painter.render(request);
     const at = (of: FalseColorQuantity) =>
       AOVS_OF_FALSE_COLOR[of].every((name) => aovs.has(name))
-        ? sampleMeterCells(falseColorValues(of, { aovs, view, settings: lit, ...size }), size)
+        ? sampleMeterCells(falseColorValues(of, { aovs, views, settings: lit, ...size }), size)
         : new Float32Array();
     return { luminance: at('radiance'), doppler: at('doppler'), time: at('emission-time') };
   }

@@ -1,6 +1,6 @@
 import type { PictureRenderer, PictureRequest, RenderedPicture } from '../../pipelines/pictureRenderer.ts';
 import type { MeteringMode } from '../../scene/settings/settings.ts';
-import type { ObserverPath } from '../../scene/view/observerPath.ts';
+import type { PictureViews } from '../../scene/view/pictureViews.ts';
 import type { AovName, RenderSettings } from '../../scene/view/view.ts';
 import type { FrameTime } from '../project/outputFiles.ts';
 import type { PictureInfo } from './encode.ts';
@@ -18,7 +18,8 @@ export interface PictureSequence extends FalseColorOptions {
   readonly samples: number;
   /** AOVs to write instead of the display picture; empty: the display picture. */
   readonly aovs: readonly AovName[];
-  readonly observer: ObserverPath;
+  /** At world time t [s]. */
+  readonly views: (t: number) => PictureViews;
   readonly frames: readonly FrameTime[];
 }
 
@@ -40,22 +41,22 @@ export async function* renderPictureSequence(
   sequence: PictureSequence,
   onPart: (done: number) => void,
 ): AsyncGenerator<PictureFrame, void> {
-  const { settings: plain, size, samples, aovs, observer, falseColour } = sequence;
+  const { settings: plain, size, samples, aovs, falseColour } = sequence;
   const gauges = new PictureMeter(renderer, size);
   const meter = new ExposureMeter(gauges, sequence.metering, size);
   const composer = plain.frameGraph && new FrameGraphSettings(gauges, plain.frameGraph);
   const falsely = falseColour && new FalseColorRenderer(renderer, gauges, falseColour, sequence);
   for (const [i, { number, t }] of sequence.frames.entries()) {
     onPart(i);
-    const view = observer(t);
-    const request: PictureRequest = { view, settings: plain, samples, pixels: aovs.length === 0, aovs };
+    const views = sequence.views(t);
+    const request: PictureRequest = { views, settings: plain, samples, pixels: aovs.length === 0, aovs };
     // AOVs are not exposed.
     const metered = request.pixels && showsLight(sequence) ? await meter.read(request) : 0;
     const exposure = plain.exposure + metered;
     const settings = composer ? await composer.read(request, metered) : { ...plain, exposure };
     const painted = await (falsely ?? renderer).render({ ...request, settings }, (part) => onPart(i + part));
     const shown = falsely?.colors ? { ...settings, falseColors: falsely.colors } : settings;
-    yield { ...(number !== undefined && { number }), view, settings: shown, exposure, rendered: painted };
+    yield { ...(number !== undefined && { number }), views, settings: shown, exposure, rendered: painted };
   }
 }
 

@@ -1,12 +1,13 @@
 import { type BooleanParam, NodeRefusal, type NumberParam } from '../../graph/nodeType.ts';
 import { properVelocity } from '../../physics/lorentz/boost.ts';
 import { optionsByEffect } from '../../pipelines/options.ts';
-import type { PictureSize } from '../../pipelines/pictureRenderer.ts';
 import type { Pipeline, StillLimits } from '../../pipelines/pipeline.ts';
 import { PIPELINES } from '../../pipelines/registry.ts';
 import { makeStillPixels } from '../../scene/frameGraph/still.ts';
 import { BUFFER_SETTINGS } from '../../scene/settings/settings.ts';
 import { framingCamera, observerFromCamera } from '../../scene/view/camera.ts';
+import { perspective } from '../../scene/view/lens.ts';
+import type { PictureSize, PictureViews } from '../../scene/view/pictureViews.ts';
 import { DEFAULT_SETTINGS, type RenderSettings, type ViewPoint } from '../../scene/view/view.ts';
 import { defineNode } from '../defineNode.ts';
 import type { GBufferSpec } from '../socketValues.ts';
@@ -68,8 +69,16 @@ const stillNode = (pipeline: Pipeline, still: StillLimits) =>
       const size = { width, height };
       assertSize(pipeline.id, still, size, samples, node);
       const { scene } = gbuffer;
-      const view = initialViewPoint(gbuffer, time ?? scene.hints.openAt ?? scene.startTime);
-      const order = { pipeline: pipeline.id, scene, view, settings: lightSettings(gbuffer), ...size, samples, options };
+      const views: PictureViews = [initialViewPoint(gbuffer, time ?? scene.hints.openAt ?? scene.startTime)];
+      const order = {
+        pipeline: pipeline.id,
+        scene,
+        views,
+        settings: lightSettings(gbuffer),
+        ...size,
+        samples,
+        options,
+      };
       const pixels = makeStillPixels(width, height, await services.renderStill(order, work));
       return { image: { step: { kind: 'still', still: pixels }, gbuffer } };
     },
@@ -116,7 +125,7 @@ function initialViewPoint({ scene, camera, fovY, speedOfLight }: GBufferSpec, t:
     t,
     ...observerFromCamera(found, t, speedOfLight),
     ...(beta && { u: properVelocity(beta) }),
-    ...(fovY !== undefined && { fovY }),
+    ...(fovY !== undefined && { lens: perspective(fovY) }),
   };
 }
 

@@ -1,5 +1,6 @@
 import { rotate } from '../../math/quat.ts';
 import { normalize, type Vec3 } from '../../math/vec3.ts';
+import { frustumOf } from '../../scene/view/lens.ts';
 import type { RenderSettings, ViewPoint } from '../../scene/view/view.ts';
 import { VIEWS } from '../../scene/views/views.ts';
 import type { SpacetimeRay } from '../acceleration/ray.ts';
@@ -21,15 +22,15 @@ export function cameraRay(
 
 /** n′ of a point of the picture: unit, observer's frame, on the world's axes carried by the pure boost. */
 export function directionAt(
-  { orientation, fovY }: ViewPoint,
+  { orientation, lens }: ViewPoint,
   x: number,
   y: number,
   width: number,
   height: number,
 ): Vec3 {
-  const tan = Math.tan(fovY / 2);
-  const right = ((2 * x) / width - 1) * tan * (width / height);
-  const up = (1 - (2 * y) / height) * tan;
+  const { tanY, aspect, center } = frustumOf(lens, width, height);
+  const right = ((2 * x) / width - 1) * tanY * aspect + center[0];
+  const up = (1 - (2 * y) / height) * tanY + center[1];
   return normalize(rotate(orientation, [right, up, -1]));
 }
 

@@ -2,6 +2,7 @@ import { expect, test } from 'vitest';
 import { makeObject, makeScene } from '../../scene/defaults.ts';
 import { plane } from '../../scene/mesh/primitives.ts';
 import { lookAtOrientation } from '../../scene/view/camera.ts';
+import { perspective } from '../../scene/view/lens.ts';
 import type { ViewPoint } from '../../scene/view/view.ts';
 import { createTracedScene } from '../intersection/tracedScene.ts';
 import { groundGrid } from './groundGrid.ts';
@@ -16,7 +17,7 @@ const view: ViewPoint = {
   position: [0.5, 5, 0.5],
   u: [0, 0, 0],
   orientation: lookAtOrientation([0, -1, 0], [0, 0, -1]),
-  fovY: Math.PI / 2,
+  lens: perspective(Math.PI / 2),
 };
 const grid = groundGrid(floor, view, 100, 100);
 const covered = (x: number, y: number, depth = Number.POSITIVE_INFINITY): number => grid(x, y, depth).cover;

@@ -8,6 +8,7 @@ import { makeObject } from '../../scene/defaults.ts';
 import { box, plane, sphere } from '../../scene/mesh/primitives.ts';
 import { resampleRotation } from '../../scene/motion/resample.ts';
 import type { Mesh, Motion, SampledMotion, SceneObject } from '../../scene/types.ts';
+import { perspective } from '../../scene/view/lens.ts';
 import type { Hit } from '../acceleration/ray.ts';
 import { dopplerOfHit } from '../aov.ts';
 import { cameraRay, rayToward } from '../camera/cameraRay.ts';
@@ -257,7 +258,7 @@ describe('a scene described in another frame', () => {
   };
 
   it('looks the same', () => {
-    const here = viewFrom({ u: [0.5, 0.2, -0.3], fovY: 1.4 });
+    const here = viewFrom({ u: [0.5, 0.2, -0.3], lens: perspective(1.4) });
     const there = { ...here, u: relativeVelocity(here.u, w), orientation: turned(here.u, here.orientation) };
     const [one, other] = [tracedScene(bodies.map(made)), tracedScene(bodies.map(moved).map(made))];
     const met = [0, 0, 0];

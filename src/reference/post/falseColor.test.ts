@@ -2,6 +2,7 @@ import { describe, expect, it } from 'vitest';
 import { IDENTITY } from '../../math/quat.ts';
 import { ZERO } from '../../math/vec3.ts';
 import { properVelocity } from '../../physics/lorentz/boost.ts';
+import { perspective } from '../../scene/view/lens.ts';
 import { type AovName, DEFAULT_SETTINGS } from '../../scene/view/view.ts';
 import { FALSE_COLOR_QUANTITIES } from '../../spectrum/falseColor/falseColor.ts';
 import { fitScale } from '../../spectrum/falseColor/falseColorScale.ts';
@@ -17,7 +18,7 @@ const taken: FalseColorInput = {
     ['emission_time', Float32Array.of(7, 0)],
     ['beauty', Float32Array.of(0.5, 0.5, 0.5, 2, 0, 0)],
   ]),
-  view: { t: 10, position: ZERO, u: properVelocity([0, 0, -0.6]), orientation: IDENTITY, fovY: 1e-6 },
+  views: [{ t: 10, position: ZERO, u: properVelocity([0, 0, -0.6]), orientation: IDENTITY, lens: perspective(1e-6) }],
   settings: DEFAULT_SETTINGS,
   width: 2,
   height: 1,

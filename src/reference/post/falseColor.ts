@@ -1,7 +1,8 @@
 import { ZERO } from '../../math/vec3.ts';
 import { dopplerFactor } from '../../physics/optics/doppler.ts';
 import { relativeLuminance } from '../../scene/view/metering.ts';
-import type { AovName, RenderSettings, ViewPoint } from '../../scene/view/view.ts';
+import { type PictureSize, type PictureViews, viewPixelAt } from '../../scene/view/pictureViews.ts';
+import type { AovName, RenderSettings } from '../../scene/view/view.ts';
 import { VIEWS } from '../../scene/views/views.ts';
 import { encodeSrgb } from '../../spectrum/display/srgb.ts';
 import { toneMap } from '../../spectrum/display/toneMap.ts';
@@ -26,7 +27,7 @@ export const AOVS_OF_FALSE_COLOR: Readonly<Record<FalseColorQuantity, readonly A
 /** A picture's AOVs, and what it is a picture of. */
 export interface FalseColorInput {
   readonly aovs: ReadonlyMap<AovName, Float32Array>;
-  readonly view: ViewPoint;
+  readonly views: PictureViews;
   readonly settings: RenderSettings;
   readonly width: number;
   readonly height: number;
@@ -34,7 +35,7 @@ export interface FalseColorInput {
 
 /** What each pixel's colour is to stand for; not a number where there is nothing. The sky has a D and a band: it rests in the world. */
 export function falseColorValues(kind: FalseColorQuantity, taken: FalseColorInput): Float32Array {
-  const { view, width, height } = taken;
+  const { width, height } = taken;
   const aov = (name: AovName) => taken.aovs.get(name)!;
   const pixels = width * height;
   switch (kind) {
@@ -44,27 +45,36 @@ export function falseColorValues(kind: FalseColorQuantity, taken: FalseColorInpu
       return falseColorValues('doppler', taken).map(emittedWavelength);
     case 'emission-time':
       return Float32Array.from({ length: pixels }, (_, i) =>
-        aov('object')[i] ? aov('emission_time')[i]! - view.t : Number.NaN,
+        aov('object')[i] ? aov('emission_time')[i]! - timeAt(taken, i) : Number.NaN,
       );
     case 'radiance':
       return Float32Array.from({ length: pixels }, (_, i) => relativeLuminance(...rgbOf(aov('beauty'), i)));
   }
 }
 
-const skyAt = ({ view, settings, width, height }: FalseColorInput, i: number): number =>
-  skyDoppler(view, settings, (i % width) + 0.5, Math.floor(i / width) + 0.5, width, height);
+const skyAt = ({ views, settings, width, height }: FalseColorInput, i: number): number =>
+  skyDoppler(views, { width, height }, settings, (i % width) + 0.5, Math.floor(i / width) + 0.5);
 
-/** D of what rests in the world, at the point (x, y) of a picture as `cameraRay` has it; 1 in the views that show no light. */
+/** World time of the observer of a pixel [s]; not a number outside of all views. */
+const timeAt = ({ views, width, height }: FalseColorInput, i: number): number =>
+  viewPixelAt(views, { width, height }, i % width, Math.floor(i / width))?.view.t ?? Number.NaN;
+
+/**
+ * D of what rests in the world, at the point (x, y) of a picture [px], from the top left; 1 in the views that show no light, not a number outside of
+ * all views.
+ */
 export function skyDoppler(
-  view: ViewPoint,
+  views: PictureViews,
+  size: PictureSize,
   settings: RenderSettings,
   x: number,
   y: number,
-  width: number,
-  height: number,
 ): number {
   if (!VIEWS[settings.view].luminous) return 1;
-  return dopplerFactor(cameraRay(view, settings, x, y, width, height).dx, view.u, ZERO);
+  const found = viewPixelAt(views, size, x, y);
+  if (!found) return Number.NaN;
+  const { view, width, height } = found;
+  return dopplerFactor(cameraRay(view, settings, found.x, found.y, width, height).dx, view.u, ZERO);
 }
 
 /** The picture: RGBA, sRGB, opaque. */

@@ -118,7 +118,7 @@ function falseColorStep(
   const beauty = Float32Array.from(images[under]!.values);
   const aovs = new Map(taken.buffers[buffer]!.aovs).set('beauty', beauty);
   const settings = { ...bufferSettings(taken.settings, buffer), tone: 'linear', exposure: 0 } as const;
-  const source = { aovs, view, settings, width, height };
+  const source = { aovs, views: [view], settings, width, height } as const;
   const { pixels } = falseColorPicture({ kind: of, ...scale }, falseColorValues(of, source), source);
   return FloatImage.of(width, height, 3, (x, y) => {
     const i = 4 * (y * width + x);

@@ -1,4 +1,5 @@
 import { DataUtils, type RenderTarget } from 'three/webgpu';
+import type { PixelRect } from '../../scene/view/pictureViews.ts';
 import type { DataAov } from '../../scene/view/view.ts';
 import type { Observation } from '../geometry/observation.ts';
 import type { Gpu } from '../gpu/device.ts';
@@ -7,17 +8,13 @@ import type { PickedSurface } from '../settings.ts';
 import type { GBuffer } from './gbuffer.ts';
 import type { TargetName } from './surface.ts';
 
-/** A part of a target [px]. */
-export interface Region {
-  readonly x: number;
-  /** From the top. */
-  readonly y: number;
-  readonly width: number;
-  readonly height: number;
-}
-
 /** Four floats (or one) per pixel of a float target, rows from the top. */
-export async function readFloats(gpu: Gpu, target: RenderTarget, index: number, region: Region): Promise<Float32Array> {
+export async function readFloats(
+  gpu: Gpu,
+  target: RenderTarget,
+  index: number,
+  region: PixelRect,
+): Promise<Float32Array> {
   const raw = await readRaw(gpu, target, index, region);
   if (raw instanceof Float32Array) return raw;
   const out = new Float32Array(raw.length);
@@ -25,14 +22,14 @@ export async function readFloats(gpu: Gpu, target: RenderTarget, index: number, 
   return out;
 }
 
-export async function readBytes(gpu: Gpu, target: RenderTarget, region: Region): Promise<Uint8Array> {
+export async function readBytes(gpu: Gpu, target: RenderTarget, region: PixelRect): Promise<Uint8Array> {
   const raw = await readRaw(gpu, target, 0, region);
   return new Uint8Array(raw.buffer, raw.byteOffset, raw.byteLength);
 }
 
 type Raw = Float32Array | Uint16Array | Uint8Array;
 
-async function readRaw(gpu: Gpu, target: RenderTarget, index: number, region: Region): Promise<Raw> {
+async function readRaw(gpu: Gpu, target: RenderTarget, index: number, region: PixelRect): Promise<Raw> {
   const { x, width, height } = region;
   const fromBottom = gpu.backend === 'webgl';
   const y = fromBottom ? target.height - region.y - height : region.y;
@@ -78,7 +75,7 @@ export async function readData(
   targets: DataTargets,
   name: DataAov,
   observation: Observation,
-  region: Region,
+  region: PixelRect,
 ): Promise<Float32Array> {
   const { target, values } = AOV_SOURCES[name];
   const read = (from: TargetName | 'openness') => {

@@ -49,7 +49,7 @@ it('there is no cone for an observer inside the sphere, who sees it in all direc
 });
 
 it('a cone is kept wherever one of its directions is inside the picture', () => {
-  const sides = frustumSides(IDENTITY, 1, 0.5);
+  const sides = frustumSides(IDENTITY, { tanX: 1, tanY: 0.5, aspect: 2, center: [0, 0] });
   const inPicture = ([x, y, z]: Vec3) => z < 0 && Math.abs(x) <= -z && Math.abs(y) <= -z / 2;
   fc.assert(
     fc.property(unit, unit, fraction, fraction, (axis, inside, size, within) => {

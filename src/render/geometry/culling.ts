@@ -1,7 +1,8 @@
-import { rotate } from '../../math/quat.ts';
+import { type Quat, rotate } from '../../math/quat.ts';
 import { addScaled, dot, length, normalize, scale, type Vec3 } from '../../math/vec3.ts';
 import { gamma } from '../../physics/lorentz/boost.ts';
 import type { BoundingSphere } from '../../scene/bounds/bounds.ts';
+import type { Frustum } from '../../scene/view/lens.ts';
 
 /** Directions n with n·axis ≥ cosine, |axis| = 1. Covers more than half the sky where cosine < 0. */
 export interface Cone {
@@ -31,16 +32,12 @@ export function aberrateCone({ axis, cosine }: Cone, u: Vec3): Cone {
 }
 
 /** Inward unit normals of the four side planes of the picture, in the frame the camera's axes are carried in. */
-export function frustumSides(
-  orientation: readonly [number, number, number, number],
-  tanX: number,
-  tanY: number,
-): Vec3[] {
+export function frustumSides(orientation: Quat, { tanX, tanY, center: [x, y] }: Frustum): Vec3[] {
   const sides: Vec3[] = [
-    [1, 0, -tanX],
-    [-1, 0, -tanX],
-    [0, 1, -tanY],
-    [0, -1, -tanY],
+    [1, 0, x - tanX],
+    [-1, 0, -x - tanX],
+    [0, 1, y - tanY],
+    [0, -1, -y - tanY],
   ];
   return sides.map((s) => rotate(orientation, normalize(s)));
 }

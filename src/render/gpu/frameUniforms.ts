@@ -23,8 +23,10 @@ export function makeFrameUniforms() {
     exposure: uniform(0),
     /** 1/c */
     secondsPerMetre: uniform(0),
-    /** tan of half the field of view, across and up; and this sample's shift in the picture, in half-pictures. */
+    /** Half the width and height of the picture at distance 1, and where its centre is there (`Frustum` of scene/view/lens.ts). */
     halfTangents: uniform(new Vector2(1, 1)),
+    frustumCenter: uniform(new Vector2()),
+    /** This sample's shift in the picture, in half-pictures. */
     jitter: uniform(new Vector2()),
     /** Camera axes → world axes carried by the boost. */
     orientation: uniform(new Matrix3()),

@@ -57,7 +57,7 @@ export class FullScreenPass {
 export const texelHere = (of: Texture | TextureNode): Vec4 => textureLoad(of, ivec2(screenCoordinate));
 
 /** Unit direction of this pixel in the observer's frame, on the world axes that the boost carries. */
-export function pixelDirection({ halfTangents, jitter, orientation }: FrameUniforms): Vec3 {
+export function pixelDirection({ halfTangents, frustumCenter, jitter, orientation }: FrameUniforms): Vec3 {
   const ndc = attribute<'vec3'>('position', 'vec3').xy.add(jitter);
-  return normalize(orientation.mul(vec3(ndc.mul(halfTangents), -1)));
+  return normalize(orientation.mul(vec3(ndc.mul(halfTangents).add(frustumCenter), -1)));
 }

@@ -143,7 +143,8 @@ function marchSlice(
   read: GBufferSampler,
 ): void {
   const { uniforms, size, radius } = view;
-  const { orientation, halfTangents, jitter } = uniforms;
+  const { orientation, halfTangents, frustumCenter, jitter } = uniforms;
+  const center = frustumCenter.div(halfTangents).add(jitter).toVar();
   const height = apparent.mul(halfTangents.y).mul(2).toVar();
   const reach = min(radius, height.mul(MAX_REACH)).toVar();
   const least = height
@@ -155,7 +156,7 @@ function marchSlice(
       const t = shift.add(k).div(STEPS_PER_SIDE).toVar();
       const rho = max(reach.mul(t.mul(t)), least.mul(k + 1)).mul(side);
       const camera = projectAlong(rho).mul(orientation).toVar();
-      const ndc = camera.xy.div(halfTangents.mul(camera.z.negate())).sub(jitter).toVar();
+      const ndc = camera.xy.div(halfTangents.mul(camera.z.negate())).sub(center).toVar();
       const inside = camera.z.lessThan(0).and(max(abs(ndc.x), abs(ndc.y)).lessThan(1));
       const other = read(floor(vec2(ndc.x.add(1), ndc.y.oneMinus()).mul(0.5).mul(size)));
       const front = restView.retardedOffset(other).toVar();

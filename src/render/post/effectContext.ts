@@ -124,7 +124,8 @@ export class EffectContext {
   /** tan of the angles off the axis, to the right and up, of a pixel of the picture. */
   tangents(pixel: Vec2): Vec2 {
     const across = pixel.add(0.5).div(this.image.size).mul(2).sub(1);
-    return vec2(across.x, across.y.negate()).mul(this.uniforms.halfTangents);
+    const { halfTangents, frustumCenter } = this.uniforms;
+    return vec2(across.x, across.y.negate()).mul(halfTangents).add(frustumCenter);
   }
 
   /** World time of the event after the observer's [s]. */

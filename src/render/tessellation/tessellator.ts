@@ -84,14 +84,23 @@ export class Tessellator {
     return this.achieved;
   }
 
-  /** Shows what is drawn of the batches that may be in the picture, cut for it. */
-  update(look: Omit<TessellationView, 'tolerance' | 'maxPatches'>, seen: (batch: Batch) => boolean): void {
+  /** Shows what is drawn of the batches that may be visible in a view, tessellated for it; `viewIndex`: its place in the picture's views. */
+  update(
+    view: Omit<TessellationView, 'tolerance' | 'maxPatches'>,
+    viewIndex: number,
+    seen: (batch: Batch) => boolean,
+  ): void {
     if (this.tolerance === Number.POSITIVE_INFINITY) {
       this.showUncut(seen);
       return;
     }
-    const wanted: TessellationView = { ...look, tolerance: this.tolerance, maxPatches: MAX_PATCHES[this.gpu.backend] };
-    const plans = this.planner.plan({ view: wanted, visible: this.parts.map(({ indexed }) => seen(indexed.batch)) });
+    const requested: TessellationView = {
+      ...view,
+      tolerance: this.tolerance,
+      maxPatches: MAX_PATCHES[this.gpu.backend],
+    };
+    const visible = this.parts.map(({ indexed }) => seen(indexed.batch));
+    const plans = this.planner.plan({ viewIndex, view: requested, visible });
     const requests: IndirectRequest[] = [];
     this.cpuTriangles = 0;
     this.achieved = plans.reduce((most, plan) => Math.max(most, plan?.tolerance ?? 0), this.tolerance);
@@ -100,7 +109,7 @@ export class Tessellator {
       if (plan) this.showPart(part, plan, requests);
       else hidePart(part);
     });
-    const runs = this.kernels.dispatch(wanted, requests);
+    const runs = this.kernels.dispatch(requested, requests);
     for (const request of requests) request.patches.show(runs.get(request) ?? { first: 0, count: 0 });
     if (requests.length === 0) this.gpuTriangles = 0;
   }

@@ -2,6 +2,7 @@ import fc from 'fast-check';
 import { describe, expect, test } from 'vitest';
 import { fromAxisAngle, IDENTITY, type Quat, rotate } from '../../math/quat.ts';
 import { normalize, scale, type Vec3 } from '../../math/vec3.ts';
+import { perspective } from '../view/lens.ts';
 import { DEFAULT_SETTINGS, type RenderSettings, type ViewPoint } from '../view/view.ts';
 import { projectStars } from './projectStars.ts';
 
@@ -18,7 +19,7 @@ function seen(toward: Vec3, view: Partial<ViewPoint> = {}, settings: Partial<Ren
   };
   const [places, lights] = [new Float32Array(3), new Float32Array(3)];
   const sky = { kind: 'stars', path: '', stars, orientation: IDENTITY, gain: 1 } as const;
-  const at = { t: 0, position: [0, 0, 0], u: [0, 0, 0], orientation: IDENTITY, fovY: 1, ...view } as const;
+  const at = { t: 0, position: [0, 0, 0], u: [0, 0, 0], orientation: IDENTITY, lens: perspective(1), ...view } as const;
   const count = projectStars(sky, at, { ...DEFAULT_SETTINGS, ...settings }, WIDTH, HEIGHT, {
     positions: places,
     radiances: lights,
@@ -50,7 +51,7 @@ describe('a star in a picture', () => {
         fc.double({ min: 0.01, max: 1.5, noNaN: true }),
         fc.double({ min: 0.3, max: 5, noNaN: true }),
         (theta, u) => {
-          const place = seen([Math.sin(theta), 0, -Math.cos(theta)], { u: [0, 0, -u], fovY: 2 });
+          const place = seen([Math.sin(theta), 0, -Math.cos(theta)], { u: [0, 0, -u], lens: perspective(2) });
           const half = Math.tan(theta / 2) / (Math.sqrt(1 + u * u) + u);
           const expected = Math.tan(2 * Math.atan(half)) / (Math.tan(1) * (WIDTH / HEIGHT));
           if (expected < 1) expect(place?.x).toBeCloseTo(expected, 5);

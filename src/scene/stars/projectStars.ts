@@ -3,6 +3,7 @@ import { scale, ZERO } from '../../math/vec3.ts';
 import { aberrate } from '../../physics/optics/aberration.ts';
 import { observerDoppler } from '../../physics/optics/doppler.ts';
 import type { NightSky } from '../types.ts';
+import { frustumOf } from '../view/lens.ts';
 import type { RenderSettings, ViewPoint } from '../view/view.ts';
 import { VIEWS } from '../views/views.ts';
 import { MAX_SPREAD_RADIUS, spreadRadius } from './pointSpread.ts';
@@ -28,8 +29,7 @@ export function projectStars(
   const shown = VIEWS[settings.view];
   const boosted = shown.placement(settings) === 'apparent';
   const u = shown.luminous ? view.u : ZERO;
-  const tanY = Math.tan(view.fovY / 2);
-  const tanX = (tanY * width) / height;
+  const { tanX, tanY, center } = frustumOf(view.lens, width, height);
   const pixel = (4 * tanX * tanY) / (width * height);
   const toCamera = conjugate(view.orientation);
   let count = 0;
@@ -37,7 +37,7 @@ export function projectStars(
     const n = rotate(orientation, [stars.directions[3 * i], stars.directions[3 * i + 1], stars.directions[3 * i + 2]]);
     const [x, y, z] = rotate(toCamera, boosted ? aberrate(n, u) : n);
     if (z >= 0) continue;
-    const place = [x / (-z * tanX), y / (-z * tanY)];
+    const place = [x / (-z * tanX) - center[0] / tanX, y / (-z * tanY) - center[1] / tanY];
     const outside = (pixels: number) =>
       Math.abs(place[0]) > 1 + (2 * pixels) / width || Math.abs(place[1]) > 1 + (2 * pixels) / height;
     // Most stars are outside, and the radiance is expensive.

@@ -7,6 +7,7 @@ import { sceneBounds } from '../bounds/sceneBounds.ts';
 import { restingAt } from '../defaults.ts';
 import { originWorldLine, poseAt, sampleTimes } from '../motion/motion.ts';
 import type { Scene, SceneCamera } from '../types.ts';
+import { type Lens, perspective } from './lens.ts';
 
 /** An observer at one moment of a camera's path. */
 export interface CameraState {
@@ -16,8 +17,8 @@ export interface CameraState {
   readonly u: Vec3;
   /** Camera axes in the world's axes carried by the pure boost with u. */
   readonly orientation: Quat;
-  /** Vertical, in the observer's frame [rad]. */
-  readonly fovY: number;
+  /** In the observer's frame. */
+  readonly lens: Lens;
 }
 
 /**
@@ -30,7 +31,7 @@ export function observerFromCamera({ motion, fovY }: SceneCamera, t: number, c: 
   const times = sampleTimes(motion);
   const inside = times && times[times.length - 1] === t ? times[times.length - 2] : t;
   const v = velocityAt(line, inside, c);
-  return { ...pose, u: properVelocity(scale(v, 1 / c)), fovY };
+  return { ...pose, u: properVelocity(scale(v, 1 / c)), lens: perspective(fovY) };
 }
 
 /** The axes of a camera (−Z forward, +Y up) that looks along `forward` with `up` as far up as can be. Any lengths but 0. */

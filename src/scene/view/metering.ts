@@ -1,3 +1,5 @@
+import type { PictureSize, PixelRect } from './pictureViews.ts';
+
 /** A picture is measured at so many places across, and as many down: the middles of equal cells. */
 export const METER_CELLS = 64;
 
@@ -16,3 +18,27 @@ export const meterPixel = (i: number, size: number): number => Math.floor(((i + 
 
 /** Of linear sRGB: Y of white is 1. */
 export const relativeLuminance = (r: number, g: number, b: number): number => 0.2126 * r + 0.7152 * g + 0.0722 * b;
+
+/** Readings of a picture from those of its views, each by the nearest place; not a number where no view is. */
+export function mergeReadings(
+  parts: readonly { readonly rect: PixelRect; readonly readings: LightMeterReadings }[],
+  size: PictureSize,
+): LightMeterReadings {
+  const [only] = parts;
+  const { width, height } = size;
+  const isWhole = ({ x, y, ...rect }: PixelRect) =>
+    x === 0 && y === 0 && rect.width === width && rect.height === height;
+  if (parts.length === 1 && isWhole(only.rect)) return only.readings;
+  const cellOf = (pixel: number, side: number): number => Math.floor(((pixel + 0.5) / side) * METER_CELLS);
+  const merged = (channel: keyof LightMeterReadings): Float32Array =>
+    Float32Array.from({ length: METER_CELLS * METER_CELLS }, (_, i) => {
+      const [px, py] = [meterPixel(i % METER_CELLS, width), meterPixel(Math.floor(i / METER_CELLS), height)];
+      const found = parts.find(
+        ({ rect: { x, y, ...rect } }) => px >= x && py >= y && px < x + rect.width && py < y + rect.height,
+      );
+      if (!found) return Number.NaN;
+      const { rect, readings } = found;
+      return readings[channel][cellOf(py - rect.y, rect.height) * METER_CELLS + cellOf(px - rect.x, rect.width)];
+    });
+  return { luminance: merged('luminance'), doppler: merged('doppler'), time: merged('time') };
+}

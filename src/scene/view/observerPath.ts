@@ -4,6 +4,7 @@ import { properVelocity } from '../../physics/lorentz/boost.ts';
 import { isStatic } from '../motion/motion.ts';
 import type { SceneCamera } from '../types.ts';
 import { observerFromCamera } from './camera.ts';
+import { perspective } from './lens.ts';
 import type { ViewPoint } from './view.ts';
 
 /** The observer at world time t [s]. */
@@ -39,7 +40,7 @@ export function observerPathFrom(setup: ObserverSetup, c: number, start: number)
       position: addScaled(position ?? carried.position, beta ?? ZERO, drift),
       u: beta ? properVelocity(beta) : moves ? carried.u : ZERO,
       orientation: orientation ?? carried.orientation,
-      fovY: fovY ?? carried.fovY,
+      lens: fovY === undefined ? carried.lens : perspective(fovY),
     };
   };
 }

@@ -1,5 +1,6 @@
 import { describe, expect, it } from 'vitest';
 import { properVelocity } from '../../physics/lorentz/boost.ts';
+import { perspective } from './lens.ts';
 import { pictureMetadata } from './pictureMetadata.ts';
 import { DEFAULT_SETTINGS, type ViewPoint } from './view.ts';
 
@@ -8,7 +9,7 @@ const view: ViewPoint = {
   position: [1, 2, -3],
   u: properVelocity([0, 0, -0.6]),
   orientation: [0, 0, 0, 1],
-  fovY: Math.PI / 3,
+  lens: perspective(Math.PI / 3),
 };
 const settings = { ...DEFAULT_SETTINGS, speedOfLight: 30, exposure: -1.25 };
 

@@ -26,7 +26,7 @@ export function pictureMetadata(view: ViewPoint, settings: RenderSettings): Reco
   return {
     Software: 'Slowlight',
     ...observerMetadata(view, settings.speedOfLight),
-    fieldOfView: `${degrees(view.fovY)} degrees`,
+    fieldOfView: `${degrees(view.lens.fovY)} degrees`,
     ...settingsMetadata(settings, showsLight),
     ...(falseColors && { falseColors: falseColorRange(falseColors) }),
   };

@@ -4,6 +4,7 @@ import { SPEED_OF_LIGHT } from '../../physics/constants.ts';
 import type { FalseColorScale } from '../../spectrum/falseColor/falseColor.ts';
 import type { FrameGraph } from '../frameGraph/frameGraph.ts';
 import { RENDERER_SETTINGS, type RendererSettings, settingNamed } from '../settings/settings.ts';
+import type { Lens } from './lens.ts';
 
 /** How a picture is made. Every field is plain data, so that a document, a flag or a socket can hold it. */
 export interface RenderSettings extends RendererSettings {
@@ -39,8 +40,8 @@ export interface ViewPoint {
   readonly u: Vec3;
   /** Camera axes (−Z forward, +Y up) against the world axes carried by the pure boost. */
   readonly orientation: Quat;
-  /** Vertical field of view in the observer frame [rad]. */
-  readonly fovY: number;
+  /** In the observer's frame. */
+  readonly lens: Lens;
 }
 
 export type AovName =

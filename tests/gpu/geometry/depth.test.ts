@@ -5,6 +5,7 @@ import { cross, dot, length, normalize, scale, type Vec3, ZERO } from '../../../
 import { properVelocity } from '../../../src/physics/lorentz/boost.ts';
 import { unaberrate } from '../../../src/physics/optics/aberration.ts';
 import { apparentPosition } from '../../../src/physics/optics/apparentPosition.ts';
+import { perspective } from '../../../src/scene/view/lens.ts';
 import { DEFAULT_SETTINGS, type ViewPoint } from '../../../src/scene/view/view.ts';
 import { type ModulePage, openModulePage } from '../support/modulePage.ts';
 import { type HeadlessPictures, openPictures } from '../support/openPictures.ts';
@@ -25,7 +26,7 @@ const ahead = (beta: number): ViewPoint => ({
   position: ZERO,
   u: properVelocity([0, 0, -beta]),
   orientation: IDENTITY,
-  fovY: FOV,
+  lens: perspective(FOV),
 });
 const direction = (x: number, y: number): Vec3 =>
   normalize([(x + 0.5 - SIZE / 2) * PIXEL, (SIZE / 2 - y - 0.5) * PIXEL, -1]);

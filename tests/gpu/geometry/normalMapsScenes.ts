@@ -5,6 +5,7 @@ import type { RasterRenderer } from '../../../src/render/api.ts';
 import { makeMaterial, makeObject, makeScene } from '../../../src/scene/defaults.ts';
 import { grid, plane, sphere } from '../../../src/scene/mesh/primitives.ts';
 import type { Mesh, Motion, Scene, SceneObject, Texture } from '../../../src/scene/types.ts';
+import { perspective } from '../../../src/scene/view/lens.ts';
 import { DEFAULT_SETTINGS, type RenderSettings, type ViewPoint } from '../../../src/scene/view/view.ts';
 
 export const SIZE = 96;
@@ -49,7 +50,7 @@ function normalScene(
     objects: [makeObject({ path: '/Thing', ...object })],
     materials: [makeMaterial({ name: 'waves', normalTexture: { texture: WAVES, strength: [1, -0.8] } })],
   });
-  const view = { t: 0, position: ZERO, u: given.u ?? ZERO, orientation: IDENTITY, fovY: 1 };
+  const view = { t: 0, position: ZERO, u: given.u ?? ZERO, orientation: IDENTITY, lens: perspective(1) };
   const settings = { ...DEFAULT_SETTINGS, speedOfLight: C, ...given.settings };
   return { name, scene, view, settings, tolerance: given.tolerance ?? 2e-3 };
 }
@@ -119,6 +120,6 @@ export async function renderNormals(
 ): Promise<number[]> {
   await renderer.setScene(scene);
   if (renderer.width !== SIZE || renderer.height !== SIZE) renderer.setSize(SIZE, SIZE);
-  renderer.render(view, settings);
+  renderer.render([view], settings);
   return Array.from(await renderer.readAov('normal'));
 }

@@ -6,6 +6,7 @@ import { makeObject, makeScene } from '../../../src/scene/defaults.ts';
 import { deformedNormals, smoothingGroups } from '../../../src/scene/mesh/normals.ts';
 import { sphere } from '../../../src/scene/mesh/primitives.ts';
 import type { SampledPointsMotion, Scene } from '../../../src/scene/types.ts';
+import { perspective } from '../../../src/scene/view/lens.ts';
 import { DEFAULT_SETTINGS, type ViewPoint } from '../../../src/scene/view/view.ts';
 import { leftInFile } from '../../support/streamed.ts';
 
@@ -47,7 +48,7 @@ export const viewOf = ({ t, beta }: (typeof STREAMING_VIEWS)[number]): ViewPoint
   position: [0, 0, 0],
   u: properVelocity(beta),
   orientation: IDENTITY,
-  fovY: 0.9,
+  lens: perspective(0.9),
 });
 
 const SETTINGS = { ...DEFAULT_SETTINGS, speedOfLight: 1 };
@@ -58,10 +59,10 @@ export async function renderStreamingViews(renderer: SceneRenderer, form: Sample
   await renderer.setScene(sceneIn(form));
   const seen: number[][] = [];
   for (const look of STREAMING_VIEWS) {
-    renderer.render(viewOf(look), SETTINGS);
+    renderer.render([viewOf(look)], SETTINGS);
     while (renderer.info.waiting) {
       await new Promise((done) => setTimeout(done, 2));
-      renderer.render(viewOf(look), SETTINGS);
+      renderer.render([viewOf(look)], SETTINGS);
     }
     const parts = [
       await renderer.readAov('position'),

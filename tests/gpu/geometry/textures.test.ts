@@ -7,6 +7,7 @@ import { makeMaterial, makeObject, makeScene, restingAt } from '../../../src/sce
 import { sampleTexture } from '../../../src/scene/materials/sampleTexture.ts';
 import { plane } from '../../../src/scene/mesh/primitives.ts';
 import type { Texture, TextureWrap } from '../../../src/scene/types.ts';
+import { perspective } from '../../../src/scene/view/lens.ts';
 import { GREY } from '../../support/lightKit.ts';
 import { type HeadlessPictures, openPictures } from '../support/openPictures.ts';
 
@@ -39,8 +40,8 @@ async function drawn(texture: Texture): Promise<Float32Array> {
   });
   await headless.renderer.setScene(scene);
   pumpFrame();
-  const view = { t: 0, position: ZERO, u: ZERO, orientation: IDENTITY, fovY: Math.PI / 2 };
-  headless.renderer.render(view, GREY, 1);
+  const view = { t: 0, position: ZERO, u: ZERO, orientation: IDENTITY, lens: perspective(Math.PI / 2) };
+  headless.renderer.render([view], GREY, 1);
   return headless.renderer.readAov('albedo');
 }
 

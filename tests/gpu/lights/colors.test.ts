@@ -8,6 +8,7 @@ import { makeMaterial } from '../../../src/scene/defaults.ts';
 import { DAY_SKY } from '../../../src/scene/lights/sceneLights.ts';
 import { plane } from '../../../src/scene/mesh/primitives.ts';
 import type { DistantLight, Light, Material, Motion, SceneObject } from '../../../src/scene/types.ts';
+import { perspective } from '../../../src/scene/view/lens.ts';
 import { DEFAULT_SETTINGS, type RenderSettings, type ViewPoint } from '../../../src/scene/view/view.ts';
 import { colorOfSpectrum, observedColor } from '../../../src/spectrum/color/observerColor.ts';
 import { skyParts } from '../../../src/spectrum/color/scatteredLight.ts';
@@ -27,7 +28,7 @@ afterAll(() => headless?.close());
 
 const SETTINGS: RenderSettings = { ...DEFAULT_SETTINGS, speedOfLight: 1 };
 /** Straight down to six tiles of different colours, which glow a little. */
-const VIEW: ViewPoint = { t: 0, position: [0, 0, 3], u: ZERO, orientation: IDENTITY, fovY: 1.2 };
+const VIEW: ViewPoint = { t: 0, position: [0, 0, 3], u: ZERO, orientation: IDENTITY, lens: perspective(1.2) };
 const COLORS: readonly Vec3[] = [
   [0.9, 0.9, 0.9],
   [0.8, 0.1, 0.05],
@@ -199,7 +200,7 @@ describe('the rasterizer shows the colours of the spectral reference', () => {
   ])('of matt tiles in the light of a %s sky, as the integrals have it', async (_, color, beta) => {
     await headless.renderer.setScene(lit(tiles(undefined, { ior: 1, roughness: 1 }), [dome(color)]).scene);
     pumpFrame();
-    headless.renderer.render({ ...VIEW, u: properVelocity(beta) }, { ...SETTINGS, occlusionRadius: 0 }, 1);
+    headless.renderer.render([{ ...VIEW, u: properVelocity(beta) }], { ...SETTINGS, occlusionRadius: 0 }, 1);
     const drawn = await headless.renderer.readAov('beauty');
     const dopplers = await headless.renderer.readAov('doppler');
     const { scattered, reddened, rest } = skyParts(color);

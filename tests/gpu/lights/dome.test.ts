@@ -11,6 +11,7 @@ import { radiance } from '../../../src/reference/transport/path.ts';
 import { directionFromLatLong } from '../../../src/scene/lights/latLong.ts';
 import { sphere } from '../../../src/scene/mesh/primitives.ts';
 import type { DomeLight, Material, Motion } from '../../../src/scene/types.ts';
+import { perspective } from '../../../src/scene/view/lens.ts';
 import type { RenderSettings, ViewPoint } from '../../../src/scene/view/view.ts';
 import { dome, GREY, lambert, lit, mirror } from '../../support/lightKit.ts';
 import { type HeadlessPictures, openPictures } from '../support/openPictures.ts';
@@ -23,7 +24,7 @@ beforeAll(async () => {
 afterAll(() => headless?.close());
 
 const SETTINGS: RenderSettings = { ...GREY, grid: false };
-const VIEW: ViewPoint = { t: 0, position: [0, 0, 3], u: ZERO, orientation: IDENTITY, fovY: 0.9 };
+const VIEW: ViewPoint = { t: 0, position: [0, 0, 3], u: ZERO, orientation: IDENTITY, lens: perspective(0.9) };
 
 const [W, H] = [256, 128];
 const BRIGHT = normalize([0.8, 0.6, 0.5]);
@@ -59,7 +60,7 @@ async function difference(material: Material, motion?: Motion, view = VIEW, sky 
   const { scene } = lit([{ mesh: sphere(1, { segments: 96 }), material, ...(motion && { motion }) }], [sky]);
   await headless.renderer.setScene(scene);
   pumpFrame();
-  headless.renderer.render(view, SETTINGS, 1);
+  headless.renderer.render([view], SETTINGS, 1);
   const drawn = await headless.renderer.readAov('beauty');
   const traced = lit([{ mesh: sphere(1, { segments: 96 }), material, ...(motion && { motion }) }], [sky]);
   const far: number[] = [];
@@ -101,7 +102,7 @@ async function standsOut(material: Material, u: Vec3): Promise<number> {
   const sky: Vec3 = [0.5, 0.75, 0.25];
   await headless.renderer.setScene(lit([{ mesh: sphere(1, { segments: 24 }), material }], [dome(sky)]).scene);
   pumpFrame();
-  headless.renderer.render({ ...VIEW, u }, { ...SETTINGS, beaming: 0, occlusionRadius: 0 }, 1);
+  headless.renderer.render([{ ...VIEW, u }], { ...SETTINGS, beaming: 0, occlusionRadius: 0 }, 1);
   const drawn = await headless.renderer.readAov('beauty');
   return drawn.reduce((most, value, i) => Math.max(most, Math.abs(value / sky[i % 3] - 1)), 0);
 }
@@ -127,8 +128,8 @@ it('a matt ball under a sky with a horizon is lit as the reference has it', asyn
 it('the sky is the picture as it is turned', async () => {
   await headless.renderer.setScene(lit([], [DOME]).scene);
   pumpFrame();
-  const wide = { ...VIEW, fovY: 2 };
-  headless.renderer.render(wide, SETTINGS, 1);
+  const wide = { ...VIEW, lens: perspective(2) };
+  headless.renderer.render([wide], SETTINGS, 1);
   const drawn = await headless.renderer.readAov('beauty');
   for (const [x, y] of [
     [3, 4],

@@ -10,6 +10,7 @@ import { radiance } from '../../../src/reference/transport/path.ts';
 import { makeMaterial } from '../../../src/scene/defaults.ts';
 import { plane } from '../../../src/scene/mesh/primitives.ts';
 import type { Light, Material, TextureChannel } from '../../../src/scene/types.ts';
+import { perspective } from '../../../src/scene/view/lens.ts';
 import { DEFAULT_SETTINGS, type RenderSettings, type ViewPoint } from '../../../src/scene/view/view.ts';
 import { blackbodyColor } from '../../../src/spectrum/color/blackbodyColor.ts';
 import { dopplerTint } from '../../../src/spectrum/doppler/dopplerTint.ts';
@@ -43,10 +44,10 @@ async function colors(
     position: [0, 0, 5],
     u: properVelocity([0, 0, -beta]),
     orientation: IDENTITY,
-    fovY: 0.1,
+    lens: perspective(0.1),
   };
   pumpFrame();
-  headless.renderer.render(view, settings, 1);
+  headless.renderer.render([view], settings, 1);
   const drawn = await headless.renderer.readAov('beauty');
   const at = 3 * (4 * SIZE + 4);
   const ray = cameraRay(view, settings, 4.5, 4.5, SIZE, SIZE);

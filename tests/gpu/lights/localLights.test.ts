@@ -7,6 +7,7 @@ import { properVelocity } from '../../../src/physics/lorentz/boost.ts';
 import { FOREVER, restingAt } from '../../../src/scene/defaults.ts';
 import { plane } from '../../../src/scene/mesh/primitives.ts';
 import type { AreaLight, LocalLight, Material, Motion, RigidMotion } from '../../../src/scene/types.ts';
+import { perspective } from '../../../src/scene/view/lens.ts';
 import type { RenderSettings, ViewPoint } from '../../../src/scene/view/view.ts';
 import { area, GREY, lambert, lamp, lit } from '../../support/lightKit.ts';
 import { compareWithReference, type Difference } from '../support/agreement.ts';
@@ -20,7 +21,7 @@ beforeAll(async () => {
 afterAll(() => headless?.close());
 
 /** From 3 m above the floor, straight down; a resting scene in the view of one moment is lit at once. */
-const VIEW: ViewPoint = { t: 0, position: [0, 0, 3], u: ZERO, orientation: IDENTITY, fovY: 1.4 };
+const VIEW: ViewPoint = { t: 0, position: [0, 0, 3], u: ZERO, orientation: IDENTITY, lens: perspective(1.4) };
 const SETTINGS: RenderSettings = { ...GREY, grid: false };
 
 /** The rasterizer knows no refractive index: all that is no metal mirrors as glass does. */
@@ -107,7 +108,7 @@ describe('the rasterizer lights as the reference does', () => {
     const scene = lit([{ mesh: plane(60, 60), material: lambert(0.8) }], [light]);
     await headless.renderer.setScene(scene.scene);
     pumpFrame();
-    headless.renderer.render(VIEW, SETTINGS, 1);
+    headless.renderer.render([VIEW], SETTINGS, 1);
     expect(Math.max(...(await headless.renderer.readAov('beauty')))).toBe(0);
   });
 });

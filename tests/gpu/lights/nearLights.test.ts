@@ -3,6 +3,7 @@ import { fromAxisAngle, IDENTITY } from '../../../src/math/quat.ts';
 import { ZERO } from '../../../src/math/vec3.ts';
 import { plane } from '../../../src/scene/mesh/primitives.ts';
 import type { LocalLight, Material, UniformMotion } from '../../../src/scene/types.ts';
+import { perspective } from '../../../src/scene/view/lens.ts';
 import type { RenderSettings, ViewPoint } from '../../../src/scene/view/view.ts';
 import { area, GREY, lambert, lamp, lit, SPECTRAL } from '../../support/lightKit.ts';
 import { compareWithReference, type Difference } from '../support/agreement.ts';
@@ -14,7 +15,7 @@ beforeAll(async () => {
 });
 afterAll(() => headless?.close());
 
-const VIEW: ViewPoint = { t: 0, position: [0, 0, 3], u: ZERO, orientation: IDENTITY, fovY: 1.4 };
+const VIEW: ViewPoint = { t: 0, position: [0, 0, 3], u: ZERO, orientation: IDENTITY, lens: perspective(1.4) };
 const MATT = { ...lambert(0.8), ior: 1.5, roughness: 1 };
 const GLOSSY = { ...MATT, roughness: 0.3 };
 

@@ -12,6 +12,7 @@ import { sphere } from '../../../src/scene/mesh/primitives.ts';
 import { brightStars } from '../../../src/scene/stars/brightStars.ts';
 import { EQUATORIAL } from '../../../src/scene/stars/equatorial.ts';
 import type { Scene } from '../../../src/scene/types.ts';
+import { perspective } from '../../../src/scene/view/lens.ts';
 import { DEFAULT_SETTINGS, type ViewPoint } from '../../../src/scene/view/view.ts';
 import { type HeadlessPictures, openPictures } from '../support/openPictures.ts';
 
@@ -52,11 +53,11 @@ describe('the stars', () => {
       position: [0, 0, 0],
       u: [-u, 0, 0],
       orientation: fromAxisAngle([0, 1, 0], fovY < 0.1 ? Math.PI / 2 : 1.44),
-      fovY,
+      lens: perspective(fovY),
     };
     await headless.renderer.setScene(scene);
     pumpFrame();
-    headless.renderer.render(view, DEFAULT_SETTINGS, 1);
+    headless.renderer.render([view], DEFAULT_SETTINGS, 1);
     const drawn = await headless.renderer.readAov('beauty');
     const request = { view, settings: DEFAULT_SETTINGS, width: WIDTH, height: HEIGHT, layers: ['beauty'] } as const;
     const tile = { x0: 0, y0: 0, x1: WIDTH, y1: HEIGHT };

@@ -54,7 +54,7 @@ async function numbersOf(renderer: RasterRenderer): Promise<number[]> {
 async function unsmooth(renderer: RasterRenderer, flight: CameraPath, pump: () => void): Promise<number> {
   const settings = { ...flight.settings, antialiasing: false, tone: 'linear' as const };
   pump();
-  renderer.render(flight.view(0), settings, 'temporal');
+  renderer.render([flight.view(0)], settings, 'temporal');
   const shown = await renderer.readPixels();
   const centers = encodeDisplay(await renderer.readAov('beauty'), SIZE.width, SIZE.height);
   return centers.reduce((most, value, i) => Math.max(most, Math.abs(value - shown[i]!)), 0);

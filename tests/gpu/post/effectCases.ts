@@ -12,6 +12,7 @@ import { makeObject, makeScene, restingAt } from '../../../src/scene/defaults.ts
 import type { EffectId, MixMode } from '../../../src/scene/frameGraph/effects.ts';
 import { plane, sphere } from '../../../src/scene/mesh/primitives.ts';
 import { readShaderText } from '../../../src/scene/shaderText/shaderText.ts';
+import { perspective } from '../../../src/scene/view/lens.ts';
 import { type AovName, DEFAULT_SETTINGS, type ViewPoint } from '../../../src/scene/view/view.ts';
 
 /** What both twins are asked for. */
@@ -28,7 +29,7 @@ const VIEW: ViewPoint = {
   position: [0.5, 1, 2],
   u: properVelocity([0.1, 0, -0.6]),
   orientation: IDENTITY,
-  fovY: 1,
+  lens: perspective(1),
 };
 const SETTINGS = { ...DEFAULT_SETTINGS, speedOfLight: 1 };
 const ZENITH = [0, 1, 0] as const;

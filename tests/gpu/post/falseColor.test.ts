@@ -14,6 +14,7 @@ import {
 import { renderTile } from '../../../src/reference/tile.ts';
 import { makeObject, makeScene, restingAt } from '../../../src/scene/defaults.ts';
 import { plane, sphere } from '../../../src/scene/mesh/primitives.ts';
+import { perspective } from '../../../src/scene/view/lens.ts';
 import { METER_CELLS, meterPixel, relativeLuminance } from '../../../src/scene/view/metering.ts';
 import { type AovName, DEFAULT_SETTINGS, type RenderSettings, type ViewPoint } from '../../../src/scene/view/view.ts';
 import type { View } from '../../../src/scene/views/views.ts';
@@ -46,7 +47,7 @@ const VIEW: ViewPoint = {
   position: [0, 0, 0],
   u: properVelocity([0, 0, -0.4]),
   orientation: IDENTITY,
-  fovY: 1,
+  lens: perspective(1),
 };
 
 let headless: HeadlessPictures;
@@ -58,21 +59,21 @@ afterAll(() => headless?.close());
 
 function render(settings: RenderSettings, samples = 1): void {
   pumpFrame();
-  headless.renderer.render(VIEW, settings, samples);
+  headless.renderer.render([VIEW], settings, samples);
 }
 
 async function rasterized(names: readonly AovName[], settings: RenderSettings, samples = 1): Promise<FalseColorInput> {
   render(settings, samples);
   const aovs = new Map<AovName, Float32Array>();
   for (const name of names) aovs.set(name, await headless.renderer.readAov(name));
-  return { aovs, view: VIEW, settings, ...SIZE };
+  return { aovs, views: [VIEW], settings, ...SIZE };
 }
 
 function traced(kind: FalseColorQuantity, settings: RenderSettings): FalseColorInput {
   const layers = AOVS_OF_FALSE_COLOR[kind];
   const request = { view: VIEW, settings, ...SIZE, layers, samples: 1, seed: 0, light: DEFAULT_LIGHT };
   const data = renderTile(createTracedScene(SCENE, 1), request, { x0: 0, y0: 0, x1: SIZE.width, y1: SIZE.height });
-  return { aovs: new Map(layers.map((name) => [name, data[name]!])), view: VIEW, settings, ...SIZE };
+  return { aovs: new Map(layers.map((name) => [name, data[name]!])), views: [VIEW], settings, ...SIZE };
 }
 
 /** Share of the pixels with a channel that is off by more than `slack` of 255. */
@@ -121,7 +122,7 @@ describe('the gauge', () => {
   it.each([1, 2])('measures what the data channels hold at its places, with %s × as many samples', async (samples) => {
     const { aovs } = await rasterized(['beauty', 'object', 'doppler', 'emission_time'], SETTINGS, samples);
     const gauge = await headless.renderer.measureLight();
-    const taken = { aovs, view: VIEW, settings: SETTINGS, ...SIZE };
+    const taken = { aovs, views: [VIEW], settings: SETTINGS, ...SIZE } as const;
     const [doppler, time] = [falseColorValues('doppler', taken), falseColorValues('emission-time', taken)];
     const beauty = aovs.get('beauty')!;
     for (let i = 0; i < METER_CELLS * METER_CELLS; i++) {

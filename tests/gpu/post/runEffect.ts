@@ -16,6 +16,7 @@ import type { GBufferTextures } from '../../../src/render/post/effectContext.ts'
 import { EffectPasses } from '../../../src/render/post/effectPasses.ts';
 import { EFFECTS } from '../../../src/scene/frameGraph/effects.ts';
 import { readShaderText } from '../../../src/scene/shaderText/shaderText.ts';
+import { frustumOf } from '../../../src/scene/view/lens.ts';
 import type { AovName } from '../../../src/scene/view/view.ts';
 import { type EffectCase, maskOf, overOf, pictureOf } from './effectCases.ts';
 
@@ -56,11 +57,12 @@ function passesOf(of: EffectCase, picture: EffectInput): EffectPasses {
 /** What the renderer sets for a picture. */
 export function uniformsOf({ view, image, zenith, settings }: EffectInput) {
   const uniforms = makeFrameUniforms();
-  const up = Math.tan(view.fovY / 2);
+  const { tanX, tanY, center } = frustumOf(view.lens, image.width, image.height);
   uniforms.u.value.set(...view.u);
   uniforms.secondsPerMetre.value = 1 / settings.speedOfLight;
   uniforms.gamma.value = gamma(view.u);
-  uniforms.halfTangents.value.set((up * image.width) / image.height, up);
+  uniforms.halfTangents.value.set(tanX, tanY);
+  uniforms.frustumCenter.value.set(...center);
   uniforms.orientation.value.fromArray([...toMatrix(view.orientation)]).transpose();
   uniforms.zenith.value.set(...zenith);
   return uniforms;

@@ -77,12 +77,12 @@ describe('a plan is carried out as the reference does', () => {
     await renderer.setScene(SCENES[0], SCENES.slice(1));
     const drawn = async (settings: typeof SETTINGS): Promise<Uint8Array> => {
       pumpFrame();
-      renderer.render(VIEW, settings);
+      renderer.render([VIEW], settings);
       return renderer.readPixels();
     };
     const [bare, first] = [await drawn(plain), await drawn(SETTINGS)];
     const steps = FRAME_GRAPH.passes.map((step) => (step.kind === 'mix' ? { ...step, alpha: 0.25 } : step));
-    expect(renderer.precompile(VIEW, { ...SETTINGS, frameGraph: { ...FRAME_GRAPH, passes: steps } })).toBeUndefined();
+    expect(renderer.precompile([VIEW], { ...SETTINGS, frameGraph: { ...FRAME_GRAPH, passes: steps } })).toBeUndefined();
     expect(await drawn({ ...SETTINGS, frameGraph: { ...FRAME_GRAPH, passes: steps } })).not.toEqual(first);
     expect(await drawn(SETTINGS)).toEqual(first);
     expect(await drawn(plain)).toEqual(bare);
@@ -95,7 +95,7 @@ describe('a plan is carried out as the reference does', () => {
     const { frameGraph: _, ...plain } = SHADOWS;
     const light = async (settings: typeof SHADOWS): Promise<Float32Array> => {
       pumpFrame();
-      renderer.render(VIEW, settings);
+      renderer.render([VIEW], settings);
       return renderer.readAov('beauty');
     };
     const [lit, bright] = [

@@ -7,6 +7,7 @@ import type { FrameGraph, FrameGraphBuffer, FrameGraphPass } from '../../../src/
 import { makeStillPixels, type StillPixels } from '../../../src/scene/frameGraph/still.ts';
 import { box, plane, sphere } from '../../../src/scene/mesh/primitives.ts';
 import type { DistantLight } from '../../../src/scene/types.ts';
+import { perspective } from '../../../src/scene/view/lens.ts';
 import {
   type AovName,
   bufferSettings,
@@ -22,7 +23,7 @@ export const VIEW: ViewPoint = {
   position: [0, 0.5, 2],
   u: properVelocity([0.1, 0, -0.5]),
   orientation: IDENTITY,
-  fovY: 1,
+  lens: perspective(1),
 };
 
 const SUN: DistantLight = {
@@ -129,7 +130,7 @@ export async function renderStillImages(renderer: RasterRenderer): Promise<numbe
   await renderer.setScene(SCENES[0]);
   const lights: number[][] = [];
   for (const [width, height] of STILLS) {
-    renderer.render(VIEW, showing(still(width, height)));
+    renderer.render([VIEW], showing(still(width, height)));
     lights.push([...(await renderer.readAov('beauty'))]);
   }
   return lights;
@@ -147,7 +148,7 @@ export async function renderFrameGraph(
     await renderer.setScene(SCENES[FRAME_GRAPH.extraBuffers[i - 1]?.scene ?? 0]!);
     const read = async (name: AovName): Promise<readonly number[]> => {
       // Light and what hides the sky from places are of different settings.
-      renderer.render(VIEW, name === 'occlusion' ? { ...settings, occlusionRadius: REACH } : settings);
+      renderer.render([VIEW], name === 'occlusion' ? { ...settings, occlusionRadius: REACH } : settings);
       return [...(await renderer.readAov(name))];
     };
     const data: Data = {};
@@ -155,6 +156,6 @@ export async function renderFrameGraph(
     buffers.push(data);
   }
   await renderer.setScene(SCENES[0], SCENES.slice(1));
-  renderer.render(VIEW, SETTINGS);
+  renderer.render([VIEW], SETTINGS);
   return { light: [...(await renderer.readAov('beauty'))], buffers };
 }

@@ -7,6 +7,7 @@ import type { Sampling } from '../../../src/render/settings.ts';
 import { makeMaterial, makeObject, makeScene, restingAt } from '../../../src/scene/defaults.ts';
 import { withMaterial } from '../../../src/scene/mesh/meshOps.ts';
 import { sphere } from '../../../src/scene/mesh/primitives.ts';
+import { perspective } from '../../../src/scene/view/lens.ts';
 import { DEFAULT_SETTINGS, type RenderSettings, type ViewPoint } from '../../../src/scene/view/view.ts';
 import { type HeadlessPictures, openPictures } from '../support/openPictures.ts';
 
@@ -22,7 +23,7 @@ const VIEW: ViewPoint = {
   position: [0, 0, 6],
   u: properVelocity([0, 0, -0.5]),
   orientation: IDENTITY,
-  fovY: 1,
+  lens: perspective(1),
 };
 /** A resting ball, one that flies, and one of glass. */
 const SCENE = makeScene({
@@ -41,13 +42,13 @@ const SCENE = makeScene({
 
 function picture(settings: RenderSettings): Promise<Uint8Array> {
   pumpFrame();
-  headless.renderer.render(VIEW, settings);
+  headless.renderer.render([VIEW], settings);
   return headless.renderer.readPixels();
 }
 
 /** Asks until it can be drawn at once, as the page does at every frame. */
 async function prepared(settings: RenderSettings, sampling: Sampling = 1): Promise<void> {
-  const ask = () => headless.renderer.precompile(VIEW, settings, sampling);
+  const ask = () => headless.renderer.precompile([VIEW], settings, sampling);
   for (let asked = ask(); asked; asked = ask()) await asked;
 }
 
@@ -66,7 +67,7 @@ it('compiles all that a picture needs, before it is drawn and while others are',
   const first = await picture(SETTINGS);
   for (const [name, change] of OTHERS) {
     const settings = { ...SETTINGS, ...change };
-    const coming = renderer.precompile(VIEW, settings);
+    const coming = renderer.precompile([VIEW], settings);
     expect(coming, name).toBeDefined();
     // What is drawn meanwhile is drawn as ever.
     expect(await picture(SETTINGS), name).toEqual(first);
@@ -74,11 +75,11 @@ it('compiles all that a picture needs, before it is drawn and while others are',
     expect(await picture(SETTINGS), name).toEqual(first);
     pumpFrame();
     const compiled = vi.spyOn(gpu.device, 'createRenderPipeline');
-    renderer.render(VIEW, settings);
+    renderer.render([VIEW], settings);
     expect(compiled, name).not.toHaveBeenCalled();
     compiled.mockRestore();
     expect(await renderer.readPixels(), name).not.toEqual(first);
-    expect(renderer.precompile(VIEW, settings), name).toBeUndefined();
+    expect(renderer.precompile([VIEW], settings), name).toBeUndefined();
   }
 });
 
@@ -94,7 +95,7 @@ it('compiles what pictures that move and pictures at rest take, and leaves the l
     await prepared(settings, sampling);
     const finer = (meanwhile: () => void): Promise<Uint8Array> => {
       pumpFrame();
-      renderer.render(VIEW, settings, sampling);
+      renderer.render([VIEW], settings, sampling);
       for (let i = 0; i < 4; i++) renderer.accumulate(4);
       meanwhile();
       for (let i = 0; i < 4; i++) renderer.accumulate(4);
@@ -108,7 +109,7 @@ it('compiles what pictures that move and pictures at rest take, and leaves the l
     let coming: Promise<void> | undefined;
     expect(
       await finer(() => {
-        coming = renderer.precompile({ ...VIEW, fovY: 0.5 }, other, sampling);
+        coming = renderer.precompile([{ ...VIEW, lens: perspective(0.5) }], other, sampling);
       }),
       name,
     ).toEqual(undisturbed);

@@ -28,17 +28,17 @@ it('a preview is what a picture of its size would be, and the picture that is sh
   const film = async (between: () => Promise<unknown>): Promise<readonly Uint8Array[]> => {
     const frames: Uint8Array[] = [];
     // A still picture first: it has nothing to do with those before.
-    renderer.render(VIEW, settings);
+    renderer.render([VIEW], settings);
     for (let i = 0; i < 3; i++) {
       pumpFrame();
-      renderer.render({ ...VIEW, t: VIEW.t + i / 30 }, settings, 'temporal');
+      renderer.render([{ ...VIEW, t: VIEW.t + i / 30 }], settings, 'temporal');
       await between();
       frames.push(await renderer.readPixels());
     }
     return frames;
   };
   const still = async <Made>(shown: RenderSettings, between: () => Promise<Made>) => {
-    renderer.render(VIEW, shown);
+    renderer.render([VIEW], shown);
     const made = await between();
     let samples = 1;
     while (renderer.accumulate(2)) samples++;
@@ -62,7 +62,7 @@ it('a preview is what a picture of its size would be, and the picture that is sh
 
   // The places of a film's samples come again after 16 pictures.
   const before = await film(nothing);
-  for (let i = 3; i < 16; i++) renderer.render(VIEW, settings, 'temporal');
+  for (let i = 3; i < 16; i++) renderer.render([VIEW], settings, 'temporal');
   expect(await film(make)).toEqual(before);
   const [undisturbed, disturbed] = [await still(settings, nothing), await still(settings, make)];
   expect({ ...disturbed, made: 0 }).toEqual({ ...undisturbed, made: 0 });
@@ -73,10 +73,10 @@ it('a preview is what a picture of its size would be, and the picture that is sh
 
   const [image, lit, surfaces] = disturbed.made!;
   renderer.setSize(half.width, half.height);
-  renderer.render(VIEW, { ...settings, antialiasing: false });
+  renderer.render([VIEW], { ...settings, antialiasing: false });
   const truth = await renderer.readAov('beauty');
   const albedo = await renderer.readAov('albedo');
-  renderer.render(VIEW, { ...bare, antialiasing: false });
+  renderer.render([VIEW], { ...bare, antialiasing: false });
   const { luminance } = await renderer.measureLight();
   renderer.setSize(SIZE.width, SIZE.height);
   /** How many channels are more than two steps beside the truth: few, for edges are cut for the larger picture. */

@@ -10,6 +10,7 @@ import { makeMaterial, makeObject, makeScene, restingAt } from '../../../src/sce
 import { box, sphere } from '../../../src/scene/mesh/primitives.ts';
 import type { Mesh, Scene } from '../../../src/scene/types.ts';
 import { lookAtOrientation } from '../../../src/scene/view/camera.ts';
+import { perspective } from '../../../src/scene/view/lens.ts';
 import { DEFAULT_SETTINGS, type RenderSettings, type ViewPoint } from '../../../src/scene/view/view.ts';
 import { type HeadlessPictures, openPictures } from '../support/openPictures.ts';
 
@@ -27,7 +28,7 @@ const look = (beta: Vec3, more: Partial<ViewPoint> = {}): ViewPoint => ({
   position: ZERO,
   u: properVelocity(beta),
   orientation: IDENTITY,
-  fovY: 1,
+  lens: perspective(1),
   ...more,
 });
 const withMaterial = (mesh: Mesh, material: number): Mesh => ({
@@ -43,7 +44,7 @@ const ballAt = (position: Vec3, radius = 1): Scene =>
 async function render(scene: Scene, view: ViewPoint, settings = SETTINGS, samples = 1): Promise<void> {
   await headless.renderer.setScene(scene);
   pumpFrame();
-  headless.renderer.render(view, settings, samples);
+  headless.renderer.render([view], settings, samples);
 }
 
 describe('what is known without any renderer', () => {
@@ -52,7 +53,7 @@ describe('what is known without any renderer', () => {
     for (const beta of [0.5, 0.95]) {
       const u = properVelocity([0.2 * beta, 0, -0.9 * beta]);
       const orientation = lookAtOrientation(apparentPosition(at, u), [0, 1, 0]);
-      await render(ballAt(at), { ...look(ZERO), u, orientation, fovY: 0.9 * (1 - 0.8 * beta) });
+      await render(ballAt(at), { ...look(ZERO), u, orientation, lens: perspective(0.9 * (1 - 0.8 * beta)) });
       const ids = await headless.renderer.readAov('object');
       const { radii } = outline(ids);
       expect(radii.length).toBeGreaterThan(60);
@@ -181,7 +182,7 @@ describe('the renderer', () => {
       renderer.setSize(size, size);
       await render(ballAt([0, 0, -5]), look(ZERO));
       const first = await renderer.readAov('beauty');
-      renderer.render(look(ZERO), SETTINGS);
+      renderer.render([look(ZERO)], SETTINGS);
       expect(await renderer.readAov('beauty')).toEqual(first);
     }
   });
@@ -205,7 +206,7 @@ describe('the renderer', () => {
     });
     const scene = makeScene({ name: 'rest', objects: [moving] });
     const width = async (speedOfLight: number) => {
-      headless.renderer.render(look(ZERO), { ...SETTINGS, view: 'galilean', speedOfLight });
+      headless.renderer.render([look(ZERO)], { ...SETTINGS, view: 'galilean', speedOfLight });
       const ids = await headless.renderer.readAov('object');
       return ids.slice((SIZE / 2) * SIZE, (SIZE / 2 + 1) * SIZE).filter((id) => id > 0).length;
     };
@@ -234,7 +235,7 @@ describe('a device that promises no more than WebGPU does', () => {
     const modest = await SceneRenderer.create({ device });
     modest.setSize(SIZE, SIZE);
     await modest.setScene(scene);
-    modest.render(view, SETTINGS);
+    modest.render([view], SETTINGS);
     const values = await Promise.all(names.map((name) => modest.readAov(name)));
     expect(values).toEqual(usual);
     expect(errors).toEqual([]);

@@ -5,6 +5,7 @@ import { withMaterial } from '../../../src/scene/mesh/meshOps.ts';
 import { box, plane } from '../../../src/scene/mesh/primitives.ts';
 import type { Light, Material, Scene, Texture, TextureChannel } from '../../../src/scene/types.ts';
 import { lookAtOrientation } from '../../../src/scene/view/camera.ts';
+import { perspective } from '../../../src/scene/view/lens.ts';
 import { DEFAULT_SETTINGS, type RenderSettings, type ViewPoint } from '../../../src/scene/view/view.ts';
 
 export const SIZE = 96;
@@ -104,13 +105,13 @@ export const FULL_VIEW: ViewPoint = {
   position,
   u: [0, 0, -0.3],
   orientation: lookAtOrientation(sub([0, 0.4, 0], position), [0, 1, 0]),
-  fovY: 1,
+  lens: perspective(1),
 };
 
 /** Its light, linear. */
 export async function fullPicture(renderer: RasterRenderer): Promise<number[]> {
   await renderer.setScene(FULL_SCENE);
   renderer.setSize(SIZE, SIZE);
-  renderer.render(FULL_VIEW, FULL_SETTINGS);
+  renderer.render([FULL_VIEW], FULL_SETTINGS);
   return Array.from(await renderer.readAov('beauty'));
 }

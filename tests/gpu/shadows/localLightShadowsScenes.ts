@@ -8,6 +8,7 @@ import { restingAt } from '../../../src/scene/defaults.ts';
 import { box, plane, sphere } from '../../../src/scene/mesh/primitives.ts';
 import type { LocalLight, Motion, RigidMotion, UniformMotion } from '../../../src/scene/types.ts';
 import { lookAtOrientation } from '../../../src/scene/view/camera.ts';
+import { perspective } from '../../../src/scene/view/lens.ts';
 import type { RenderSettings, ViewPoint } from '../../../src/scene/view/view.ts';
 import { area, GREY, lambert, lamp, lit } from '../../support/lightKit.ts';
 
@@ -47,7 +48,7 @@ function lampScene(
   const u = properVelocity(beta);
   const shown = apparentPosition(sub(AT, EYE), u);
   const orientation = lookAtOrientation(shown, [0, 1, 0]);
-  const view = { t: 0, position: EYE, u, orientation, fovY: 0.9 };
+  const view = { t: 0, position: EYE, u, orientation, lens: perspective(0.9) };
   const scene = lit([FLOOR, ...things.map((thing) => ({ ...thing, material: MATT }))], lights);
   return { name, scene, view, settings: { ...GREY, grid: false, ...change } };
 }
@@ -123,7 +124,7 @@ export async function renderLight(
   shadows = true,
 ): Promise<number[]> {
   await renderer.setScene(scene.scene);
-  renderer.render(view, { ...settings, shadows });
+  renderer.render([view], { ...settings, shadows });
   const light = await renderer.readAov('beauty');
   return Array.from({ length: light.length / 3 }, (_, i) => light[3 * i + 1]);
 }

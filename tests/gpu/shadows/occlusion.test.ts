@@ -13,6 +13,7 @@ import { restingAt } from '../../../src/scene/defaults.ts';
 import { box, plane, sphere } from '../../../src/scene/mesh/primitives.ts';
 import type { Mesh } from '../../../src/scene/types.ts';
 import { lookAtOrientation, observerFromCamera } from '../../../src/scene/view/camera.ts';
+import { perspective } from '../../../src/scene/view/lens.ts';
 import type { RenderSettings, ViewPoint } from '../../../src/scene/view/view.ts';
 import { dome, GREY, lambert, lit } from '../../support/lightKit.ts';
 import { direction, uniform } from '../../support/physicsArbitraries.ts';
@@ -73,7 +74,7 @@ describe('where nothing hides the sky all of it is seen', () => {
     const view = looking([0, 1, 4], [0, 0, 0]);
     await headless.renderer.setScene(lit([{ mesh, material: lambert(0.5) }]).scene);
     pumpFrame();
-    headless.renderer.render(view, { ...GREY, ...settings }, 1);
+    headless.renderer.render([view], { ...GREY, ...settings }, 1);
     const [open, object] = await Promise.all([
       headless.renderer.readAov('occlusion'),
       headless.renderer.readAov('object'),
@@ -108,7 +109,7 @@ const looking = (position: Vec3, target: Vec3): ViewPoint => ({
   position,
   u: ZERO,
   orientation: lookAtOrientation(sub(target, position), [0, 1, 0]),
-  fovY: 0.9,
+  lens: perspective(0.9),
 });
 
 interface Lit {
@@ -168,7 +169,7 @@ const SMALL = { width: 96, height: 60 };
 async function drawn({ scene, view }: Lit, settings: RenderSettings): Promise<Float32Array> {
   await headless.renderer.setScene({ ...scene.scene });
   pumpFrame();
-  headless.renderer.render(view, settings, 1);
+  headless.renderer.render([view], settings, 1);
   return headless.renderer.readAov('beauty');
 }
 

@@ -7,6 +7,7 @@ import { IDENTITY_POSE } from '../../../src/scene/defaults.ts';
 import { box, plane } from '../../../src/scene/mesh/primitives.ts';
 import type { Mesh, Motion, Scene, SceneObject } from '../../../src/scene/types.ts';
 import { lookAtOrientation } from '../../../src/scene/view/camera.ts';
+import { perspective } from '../../../src/scene/view/lens.ts';
 import type { RenderSettings, ViewPoint } from '../../../src/scene/view/view.ts';
 import { GREY, lambert, lit } from '../../support/lightKit.ts';
 
@@ -61,7 +62,7 @@ export function cornerPicture({ body, observer }: CornerMotion): CornerPicture {
     position: [0, 0, 0],
     u,
     orientation: lookAtOrientation(apparentPosition(seen, u), [0, 1, 0]),
-    fovY: 2 * Math.atan(Math.min(0.55 / D, 2)),
+    lens: perspective(2 * Math.atan(Math.min(0.55 / D, 2))),
   };
   return { scene, view, settings: { ...GREY, occlusionRadius: 1000 }, body, start };
 }
@@ -69,7 +70,7 @@ export function cornerPicture({ body, observer }: CornerMotion): CornerPicture {
 /** Of the floor before the wall: how far each pixel's point is from it, where it rests, and the share of the sky that it is said to see. */
 export async function floorOf(renderer: RasterRenderer, picture: CornerPicture): Promise<[number, number][]> {
   await renderer.setScene(picture.scene);
-  renderer.render(picture.view, picture.settings, 1);
+  renderer.render([picture.view], picture.settings, 1);
   const [place, time, open, object] = await Promise.all(
     (['position', 'emission_time', 'occlusion', 'object'] as const).map((name) => renderer.readAov(name)),
   );

@@ -9,6 +9,7 @@ import { withMaterial } from '../../../src/scene/mesh/meshOps.ts';
 import { box, plane, sphere } from '../../../src/scene/mesh/primitives.ts';
 import type { DistantLight, Motion, Scene, SceneObject, Texture } from '../../../src/scene/types.ts';
 import { lookAtOrientation } from '../../../src/scene/view/camera.ts';
+import { perspective } from '../../../src/scene/view/lens.ts';
 import { DEFAULT_SETTINGS, type RenderSettings, type ViewPoint } from '../../../src/scene/view/view.ts';
 
 export const SIZE = 128;
@@ -76,7 +77,12 @@ function shadowScene(
   const place = change.view === 'simultaneity' ? simultaneousPosition : apparentPosition;
   const shown = place(sub([0.8, 0.3, -0.5], position), u);
   const fovY = 2 * Math.atan(2.2 / length(shown));
-  return { name, scene, settings, view: { t: 0, position, u, orientation: lookAtOrientation(shown, [0, 1, 0]), fovY } };
+  return {
+    name,
+    scene,
+    settings,
+    view: { t: 0, position, u, orientation: lookAtOrientation(shown, [0, 1, 0]), lens: perspective(fovY) },
+  };
 }
 
 const resting = { mesh: BOX, motion: { kind: 'static', pose: { position: [0, 1.2, 0], orientation: TURN } } } as const;
@@ -136,7 +142,7 @@ export function penumbraScene(radius: number, height: number): ShadowScene {
   const made = shadowScene('a penumbra', [sheet], { lights: [sun] });
   const position: Vec3 = [0, 0.8, 0.6];
   const orientation = lookAtOrientation(sub(ZERO, position), [0, 1, 0]);
-  return { ...made, view: { ...made.view, position, orientation, fovY: 0.6 } };
+  return { ...made, view: { ...made.view, position, orientation, lens: perspective(0.6) } };
 }
 
 /** Share of the sunlight that is left of each pixel; −1 where without shadows there is none. */
@@ -146,9 +152,9 @@ export async function renderSunShares(
 ): Promise<number[]> {
   await renderer.setScene(scene);
   if (renderer.width !== SIZE || renderer.height !== SIZE) renderer.setSize(SIZE, SIZE);
-  renderer.render(view, { ...settings, shadows: false });
+  renderer.render([view], { ...settings, shadows: false });
   const open = await renderer.readAov('beauty');
-  renderer.render(view, settings);
+  renderer.render([view], settings);
   const light = await renderer.readAov('beauty');
   return Array.from({ length: SIZE * SIZE }, (_, i) =>
     open[3 * i + 1] > 1e-4 ? light[3 * i + 1] / open[3 * i + 1] : -1,

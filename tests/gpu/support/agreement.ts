@@ -28,7 +28,7 @@ export async function compareWithReference(
 ): Promise<Difference> {
   await renderer.setScene({ ...scene.scene });
   pumpFrame();
-  renderer.render(view, settings, 1);
+  renderer.render([view], settings, 1);
   const drawn = await renderer.readAov('beauty');
   const { width, height } = renderer;
   const far: number[] = [];

@@ -7,7 +7,7 @@ const NAMES = ['object', 'position', 'emission_time', 'doppler', 'velocity', 'de
 export type Data = Record<(typeof NAMES)[number], ArrayLike<number>>;
 
 export async function readData(renderer: SceneRenderer, view: ViewPoint, settings: RenderSettings): Promise<Data> {
-  renderer.render(view, settings);
+  renderer.render([view], settings);
   const [object, position, emission_time, doppler, velocity, depth] = await Promise.all(
     NAMES.map((name) => renderer.readAov(name)),
   );

@@ -3,6 +3,7 @@ import { IDENTITY } from '../../../math/quat.ts';
 import { ZERO } from '../../../math/vec3.ts';
 import { properVelocity } from '../../../physics/lorentz/boost.ts';
 import type { PickResult } from '../../../render/settings.ts';
+import { perspective } from '../../../scene/view/lens.ts';
 import { DEFAULT_SETTINGS } from '../../../scene/view/view.ts';
 import type { FalseColorQuantity } from '../../../spectrum/falseColor/falseColor.ts';
 import { legendStore, setLegendColors, setPointer, toggleCrosshair } from './legendState.ts';
@@ -11,7 +12,7 @@ import { type PickablePicture, ValuePicker } from './valuePicker.ts';
 const surface = { objectId: 1, path: '/a', emissionTime: 3, position: ZERO, velocity: ZERO, doppler: 2, depth: 1 };
 const asked: (readonly [number, number])[] = [];
 const shown = (kind: FalseColorQuantity, found: PickResult = { light: [1, 1, 1], surface }): PickablePicture => ({
-  viewPoint: { t: 5, position: ZERO, u: properVelocity([0, 0, -0.6]), orientation: IDENTITY, fovY: 1e-6 },
+  viewPoint: { t: 5, position: ZERO, u: properVelocity([0, 0, -0.6]), orientation: IDENTITY, lens: perspective(1e-6) },
   settings: { ...DEFAULT_SETTINGS, falseColors: { kind, from: 0.5, to: 2 } },
   width: 100,
   height: 50,

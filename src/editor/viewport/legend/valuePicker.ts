@@ -65,7 +65,7 @@ function pickedValueOf(
   const { viewPoint, settings, width, height } = shown;
   const { surface, light } = found;
   const path = surface?.path;
-  const D = surface?.doppler ?? skyDoppler(viewPoint, settings, column + 0.5, row + 0.5, width, height);
+  const D = surface?.doppler ?? skyDoppler([viewPoint], { width, height }, settings, column + 0.5, row + 0.5);
   switch (kind) {
     case 'doppler':
       return { value: D, path };

@@ -1,11 +1,12 @@
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
 import { IDENTITY } from '../../../math/quat.ts';
+import { perspective } from '../../../scene/view/lens.ts';
 import { DEFAULT_SETTINGS, type ViewPoint } from '../../../scene/view/view.ts';
 import { applyEffect } from './applyEffect.ts';
 import { FloatImage } from './effectInput.ts';
 
-const VIEW: ViewPoint = { t: 0, position: [0, 0, 0], u: [0, 0, 0], orientation: IDENTITY, fovY: 1 };
+const VIEW: ViewPoint = { t: 0, position: [0, 0, 0], u: [0, 0, 0], orientation: IDENTITY, lens: perspective(1) };
 const smoothed = (image: FloatImage, args: readonly number[] = []): FloatImage =>
   applyEffect('antialiasing', args, {
     image,

@@ -15,8 +15,7 @@ const CELL_REACH = Math.ceil(EFFECTS['depth-of-field'].args[2].max / DEPTH_OF_FI
  * spread over it any wider than it is blurred itself. arg1: f [m]; arg2: A [mm]; arg3: the largest ρ [px].
  */
 export function depthOfField(frame: GBufferReader, [focus = 1, aperture = 0, most = 0]: readonly number[]): FloatImage {
-  const [, up] = frame.halfTangents;
-  const scale = ((aperture / 1000) * (frame.image.height / (2 * up))) / 2;
+  const scale = ((aperture / 1000) * (frame.image.height / (2 * frame.frustum.tanY))) / 2;
   const lens = frame.image.map((x, y) => {
     const rho = scale * (1 / focus - inverseDepth(frame, x, y));
     return [...frame.image.at(x, y), Math.min(Math.max(rho, -most), most)];

@@ -1,4 +1,5 @@
 import { normalize, sub, type Vec3 } from '../../../math/vec3.ts';
+import { type Frustum, frustumOf } from '../../../scene/view/lens.ts';
 import type { AovName, RenderSettings, ViewPoint } from '../../../scene/view/view.ts';
 import { cameraRay } from '../../camera/cameraRay.ts';
 
@@ -61,8 +62,7 @@ export interface EffectInput {
 /** A picture's G-buffer, by pixels inside of it or beyond its edges. */
 export class GBufferReader {
   readonly image: FloatImage;
-  /** tan of half the field of view, across and up. */
-  readonly halfTangents: readonly [number, number];
+  readonly frustum: Frustum;
   readonly zenith: Vec3;
   private readonly input: EffectInput;
 
@@ -70,8 +70,7 @@ export class GBufferReader {
     this.input = taken;
     this.image = taken.image;
     this.zenith = taken.zenith;
-    const up = Math.tan(taken.view.fovY / 2);
-    this.halfTangents = [(up * this.image.width) / this.image.height, up];
+    this.frustum = frustumOf(taken.view.lens, this.image.width, this.image.height);
   }
 
   isCovered(x: number, y: number): boolean {
@@ -100,10 +99,11 @@ export class GBufferReader {
 
   /** tan of the angles off the axis, to the right and up. */
   tangents(x: number, y: number): readonly [number, number] {
-    const { image, halfTangents } = this;
+    const { image, frustum } = this;
+    const { tanX, tanY, center } = frustum;
     const right = ((x + 0.5) / image.width) * 2 - 1;
     const up = 1 - ((y + 0.5) / image.height) * 2;
-    return [right * halfTangents[0], up * halfTangents[1]];
+    return [right * tanX + center[0], up * tanY + center[1]];
   }
 
   /** World time of the event after the observer's [s]. */

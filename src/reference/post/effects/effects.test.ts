@@ -4,13 +4,14 @@ import { IDENTITY } from '../../../math/quat.ts';
 import { properVelocity } from '../../../physics/lorentz/boost.ts';
 import { EFFECT_IDS, EFFECTS, type EffectId, MIX_MODES, type MixMode } from '../../../scene/frameGraph/effects.ts';
 import { readShaderText } from '../../../scene/shaderText/shaderText.ts';
+import { perspective } from '../../../scene/view/lens.ts';
 import { relativeLuminance } from '../../../scene/view/metering.ts';
 import { type AovName, DEFAULT_SETTINGS, type ViewPoint } from '../../../scene/view/view.ts';
 import { AOVS_OF_EFFECT_CHANNEL, AOVS_OF_SHADER_CHANNEL, applyEffect } from './applyEffect.ts';
 import { type EffectInput, FloatImage, mirrorIndex } from './effectInput.ts';
 import { mixImages } from './mix.ts';
 
-const VIEW: ViewPoint = { t: 0, position: [1, 2, 3], u: [0, 0, 0], orientation: IDENTITY, fovY: 1 };
+const VIEW: ViewPoint = { t: 0, position: [1, 2, 3], u: [0, 0, 0], orientation: IDENTITY, lens: perspective(1) };
 const BRIGHT = fc.double({ min: 0, max: 1e4, noNaN: true });
 
 const pixels = (width: number, height: number) =>

@@ -1,4 +1,5 @@
 import { radians } from '../../../math/angle.ts';
+import { farthestCorner } from '../../../scene/view/lens.ts';
 import type { FloatImage, GBufferReader } from './effectInput.ts';
 
 /**
@@ -6,7 +7,7 @@ import type { FloatImage, GBufferReader } from './effectInput.ts';
  * camera's own.
  */
 export function vignette(frame: GBufferReader, [strength = 0, power = 4, corner = 0]: readonly number[]): FloatImage {
-  const [across, up] = frame.halfTangents;
+  const [across, up] = farthestCorner(frame.frustum);
   const stretch = corner > 0 ? Math.tan(radians(corner)) ** 2 / (across * across + up * up) : 1;
   return frame.image.map((x, y) => {
     const [tx, ty] = frame.tangents(x, y);

@@ -40,8 +40,8 @@ export interface AntialiasingInputs {
   readonly runPass: RunPass;
 }
 
-/** How a picture comes of samples: of one as it is, with smooth edges (FXAA), as the mean of many, or with the pictures before it. */
-export type AntialiasingMode = 'plain' | 'edges' | 'mean' | 'followed';
+/** How a picture is made of samples: one as it is, one with FXAA, the mean of many, or one blended with the history (temporal antialiasing). */
+export type AntialiasingMode = 'none' | 'fxaa' | 'mean' | 'temporal';
 
 /** From samples of light to a picture without steps. */
 export class Antialiasing {
@@ -63,7 +63,7 @@ export class Antialiasing {
   private readonly former = texture(this.temporalSamples[0].texture);
   private readonly history = texture(this.histories[0].texture);
   private readonly latest = texture(this.histories[0].texture);
-  private mode: AntialiasingMode = 'plain';
+  private mode: AntialiasingMode = 'none';
 
   constructor(from: AntialiasingInputs) {
     this.inputs = from;
@@ -82,7 +82,7 @@ export class Antialiasing {
   /** A picture of one sample. */
   resolveSingle(look: AntialiasingSettings): void {
     this.drawSingle(look);
-    this.mode = look.antialiasing ? 'edges' : 'plain';
+    this.mode = look.antialiasing ? 'fxaa' : 'none';
     this.previousView.reset();
   }
 
@@ -104,7 +104,7 @@ export class Antialiasing {
     this.previousView.update(seen);
     this.turn = 1 - this.turn;
     this.blend(look, seen.projection);
-    this.mode = 'followed';
+    this.mode = 'temporal';
   }
 
   present(target: RenderTarget | null): void {
@@ -118,8 +118,8 @@ export class Antialiasing {
     projection: SpacetimeProjection,
     target: RenderTarget | null,
   ): void {
-    if (way === 'plain' || way === 'edges') this.drawSingle(look);
-    if (way === 'followed') this.blend(look, projection);
+    if (way === 'none' || way === 'fxaa') this.drawSingle(look);
+    if (way === 'temporal') this.blend(look, projection);
     if (look.antialiasing || way === 'mean') this.accumulate(look);
     for (const each of look.antialiasing ? [way, 'mean' as const] : [way]) this.show(each, target);
   }
@@ -184,10 +184,10 @@ export class Antialiasing {
     mean.value = this.sums[this.sum].textures[0];
     latest.value = this.histories[this.turn].texture;
     const passes: Record<AntialiasingMode, () => Vec4> = {
-      plain: () => unfiltered(single.texture),
-      edges: () => antialiased(single.texture),
+      none: () => unfiltered(single.texture),
+      fxaa: () => antialiased(single.texture),
       mean: () => sampleMean(mean),
-      followed: () => temporalResult(latest),
+      temporal: () => temporalResult(latest),
     };
     run(`show ${way}`, passes[way], target);
   }

@@ -3,6 +3,7 @@ import { Matrix3, Vector2, Vector3, Vector4 } from 'three/webgpu';
 import { toMatrix } from '../../../math/quat.ts';
 import { sub } from '../../../math/vec3.ts';
 import { gamma } from '../../../physics/lorentz/boost.ts';
+import type { Frustum } from '../../../scene/view/lens.ts';
 import type { ViewPoint } from '../../../scene/view/view.ts';
 import type { Observation } from '../../geometry/observation.ts';
 import type { SpacetimeProjection } from '../../geometry/vertexStage.ts';
@@ -12,8 +13,7 @@ export interface ViewState {
   readonly observation: Observation;
   readonly viewPoint: ViewPoint;
   readonly projection: SpacetimeProjection;
-  /** Width over height. */
-  readonly aspect: number;
+  readonly frustum: Frustum;
 }
 
 /** The eye of the picture before, as the passes read it (temporalAntialiasing.ts), besides the picture's own uniforms. */
@@ -23,6 +23,7 @@ export class PreviousView {
   /** World axes carried by its boost → camera axes. */
   readonly toCamera = uniform(new Matrix3());
   readonly halfTangents = uniform(new Vector2(1, 1));
+  readonly frustumCenter = uniform(new Vector2());
   /** From its event to that of this picture: (Δx [m], cΔt [m of light]), made in f64. */
   readonly displacement = uniform(new Vector4());
   /** 0: this picture follows none. */
@@ -41,12 +42,12 @@ export class PreviousView {
     this.last = look;
   }
 
-  private store({ observation, viewPoint: view, aspect }: ViewState, now: Observation): void {
-    const tanY = Math.tan(view.fovY / 2);
+  private store({ observation, viewPoint, frustum }: ViewState, now: Observation): void {
     this.u.value.set(...observation.u);
     this.gamma.value = gamma(observation.u);
-    this.toCamera.value.fromArray([...toMatrix(view.orientation)]);
-    this.halfTangents.value.set(tanY * aspect, tanY);
+    this.toCamera.value.fromArray([...toMatrix(viewPoint.orientation)]);
+    this.halfTangents.value.set(frustum.tanX, frustum.tanY);
+    this.frustumCenter.value.set(...frustum.center);
     this.displacement.value.set(...sub(now.position, observation.position), now.c * (now.t - observation.t));
   }
 

@@ -213,19 +213,23 @@ function reproject(
     observerPosition(now.xyz, projection.place, uniforms),
     observerPosition(then.xyz, projection.place, before).toVar(),
   ];
-  const here = projected(transpose(uniforms.orientation).mul(p), uniforms.halfTangents);
+  const here = projected(transpose(uniforms.orientation).mul(p), uniforms);
   const D = dopplerFactor(now.xyz, uniforms.u, uniforms.gamma, velocity).toVar();
   const formerD = dopplerFactor(then.xyz, before.u, before.gamma, velocity).toVar();
   return {
-    shift: projected(before.toCamera.mul(q), before.halfTangents).sub(here),
+    shift: projected(before.toCamera.mul(q), before).sub(here),
     nearness: select(there, max(length(q), 1e-4).reciprocal(), 0).toVar(),
     brightnessRatio: pow(min(D.div(formerD), formerD.div(D)), uniforms.boostLight.mul(DOPPLER_POWER)),
   };
 }
 
-function projected(inCamera: Vec3, halfTangents: Vec2): Vec2 {
+/** Where a point is in the picture: −1 … 1. */
+function projected(
+  inCamera: Vec3,
+  { halfTangents, frustumCenter }: Pick<FrameUniforms, 'halfTangents' | 'frustumCenter'>,
+): Vec2 {
   const p = inCamera.toVar();
-  return p.xy.div(max(p.z.negate(), 1e-20)).div(halfTangents);
+  return p.xy.div(max(p.z.negate(), 1e-20)).div(halfTangents).sub(frustumCenter.div(halfTangents));
 }
 
 /** The event at which a point, which passes `event` with `velocity`, is on the surface that the picture before was made of. */

@@ -1,5 +1,6 @@
 import { type Quat, rotate } from '../../../math/quat.ts';
 import type { Vec3 } from '../../../math/vec3.ts';
+import { type Frustum, farthestCorner } from '../../../scene/view/lens.ts';
 import { frustumSides } from '../../geometry/culling.ts';
 import type { Observation } from '../../geometry/observation.ts';
 import type { SpacetimeProjection } from '../../geometry/vertexStage.ts';
@@ -10,10 +11,8 @@ export interface TessellationView {
   readonly projection: SpacetimeProjection;
   /** Camera axes (−Z forward, +Y up) against the world axes carried by the pure boost. */
   readonly orientation: Quat;
-  /** Tangents of half the angles of view. */
-  readonly tanX: number;
-  readonly tanY: number;
-  /** Pixels per unit tangent: height / (2 tanY). */
+  readonly frustum: Frustum;
+  /** Pixels per unit tangent. */
   readonly focal: number;
   /** How far a straight edge may be from the curve that is seen [px]. */
   readonly tolerance: number;
@@ -34,8 +33,14 @@ export interface ScreenMetric {
 }
 
 export function screenMetricOf(look: TessellationView, tolerance: number): ScreenMetric {
-  const { orientation, tanX, tanY } = look;
+  const { orientation, frustum } = look;
   const forward = rotate(orientation, [0, 0, -1]);
-  const sides = [...frustumSides(orientation, tanX, tanY), forward];
-  return { view: look, sides, forward, tolerance, cornerMagnification: 1 + tanX * tanX + tanY * tanY };
+  const sides = [...frustumSides(orientation, frustum), forward];
+  return { view: look, sides, forward, tolerance, cornerMagnification: cornerMagnification(frustum) };
+}
+
+/** 1 + tan² of the angle between the forward axis and the corner farthest from it. */
+export function cornerMagnification(frustum: Frustum): number {
+  const [across, up] = farthestCorner(frustum);
+  return 1 + across * across + up * up;
 }

@@ -4,7 +4,7 @@ import { rotate } from '../../../math/quat.ts';
 import type { Bool, Float, Int, Vec3 } from '../../../shaders/types.ts';
 import { DEPTH_WEIGHT, MIN_STEP_PIXELS } from '../criterion/edgeCriterion.ts';
 import { MIN_EDGE_PIXELS } from '../criterion/projectedBody.ts';
-import type { TessellationView } from '../criterion/tessellationView.ts';
+import { cornerMagnification, type TessellationView } from '../criterion/tessellationView.ts';
 import { MAX_LOG2_FACTOR } from '../patches/patch.ts';
 import { baseFactor, maxInt } from './shaderPatch.ts';
 
@@ -22,11 +22,11 @@ export class EdgeMetricUniforms {
   /** 1 + tan² of the picture's corner. */
   readonly cornerMagnification = uniform(1);
 
-  set({ focal, orientation, tanX, tanY }: TessellationView, tolerance: number): void {
+  set({ focal, orientation, frustum }: TessellationView, tolerance: number): void {
     this.focal.value = focal;
     this.tolerance.value = tolerance;
     this.forward.value.set(...rotate(orientation, [0, 0, -1]));
-    this.cornerMagnification.value = 1 + tanX * tanX + tanY * tanY;
+    this.cornerMagnification.value = cornerMagnification(frustum);
   }
 }
 

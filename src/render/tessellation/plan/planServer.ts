@@ -4,7 +4,7 @@ import { type BatchPlan, type FramePlans, LocalPlanner, type PlannedPart, type P
 /** What a worker that plans is told: a scene, once, then one look after another, each when the one before has been answered. */
 export type PlannerMessage =
   | { readonly kind: 'scene'; readonly parts: readonly PlannedPart[] }
-  | { readonly kind: 'plan'; readonly order: PlanRequest };
+  | { readonly kind: 'plan'; readonly request: PlanRequest };
 /** undefined where samples that are left in files could not be read: whoever draws them says so. */
 export type PlannerReply = FramePlans | undefined;
 
@@ -19,13 +19,13 @@ export function servePlans(port: WorkerPort): void {
   let planner: LocalPlanner | undefined;
   port.addEventListener('message', ({ data }) => {
     if (data.kind === 'scene') planner = new LocalPlanner(data.parts);
-    else if (planner) answer(port, planner, data.order);
+    else if (planner) answer(port, planner, data.request);
   });
 }
 
-function answer(port: WorkerPort, planner: LocalPlanner, order: PlanRequest): void {
+function answer(port: WorkerPort, planner: LocalPlanner, request: PlanRequest): void {
   try {
-    send(port, planner.plan(order));
+    send(port, planner.plan(request));
   } catch (error) {
     if (!(error instanceof InputError)) throw error;
     port.postMessage(undefined, { transfer: [] });

@@ -10,6 +10,8 @@ export interface PlannedPart {
 }
 
 export interface PlanRequest {
+  /** Place of the view in its picture's views. */
+  readonly viewIndex: number;
   readonly view: TessellationView;
   /** Whether anything of each batch may be in the picture. */
   readonly visible: readonly boolean[];
@@ -26,7 +28,7 @@ export type FramePlans = readonly (BatchPlan | undefined)[];
 /** Plans how the batches of a scene are drawn in one picture after another. */
 export interface Planner {
   /** What it returns is valid until the next call. */
-  plan(order: PlanRequest): FramePlans;
+  plan(request: PlanRequest): FramePlans;
   /** First triangle of each cluster of a batch, and after the last one the number of triangles. */
   starts(batch: number): Uint32Array;
   dispose(): void;

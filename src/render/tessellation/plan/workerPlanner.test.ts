@@ -15,8 +15,7 @@ const LOOK: TessellationView = {
   observation: { t: 0, position: [0, 1.5, 0], u: properVelocity([0, 0, -0.9]), c: 1, hypersurface: 'past-light-cone' },
   projection: { event: 'emission', place: 'apparent' },
   orientation: IDENTITY,
-  tanX: 1,
-  tanY: 0.6,
+  frustum: { tanX: 1, tanY: 0.6, aspect: 1 / 0.6, center: [0, 0] },
   focal: 300,
   tolerance: 0.25,
   maxPatches: 2 ** 16,
@@ -86,17 +85,17 @@ const leavesIn = (plans: FramePlans): Set<string> =>
 describe('plans from afar', () => {
   it('before the first answer it plans itself', () => {
     const { planner, local, seen } = open();
-    const own = content(planner.plan({ view: LOOK, visible: seen }));
-    expect(own).toEqual(content(local.plan({ view: LOOK, visible: seen })));
+    const own = content(planner.plan({ viewIndex: 0, view: LOOK, visible: seen }));
+    expect(own).toEqual(content(local.plan({ viewIndex: 0, view: LOOK, visible: seen })));
     expect(own[0]?.leaves.length).toBeGreaterThan(100);
   });
 
   it('an answer is of the same look, a margin wider: all leaves of the own plan are in it', () => {
     const { planner, work, local, seen } = open();
-    planner.plan({ view: LOOK, visible: seen });
+    planner.plan({ viewIndex: 0, view: LOOK, visible: seen });
     work();
-    const far = leavesIn(planner.plan({ view: LOOK, visible: seen }));
-    const own = leavesIn(local.plan({ view: LOOK, visible: seen }));
+    const far = leavesIn(planner.plan({ viewIndex: 0, view: LOOK, visible: seen }));
+    const own = leavesIn(local.plan({ viewIndex: 0, view: LOOK, visible: seen }));
     expect(far.size).toBeGreaterThan(own.size);
     const missing = [...own].filter((leaf) => !far.has(leaf));
     // At its rim a wider picture asks for finer pieces.
@@ -105,59 +104,61 @@ describe('plans from afar', () => {
 
   it('what turns a little is drawn with the last answer, and told when a better one has come; then it is left in peace', () => {
     const { planner, work, seen, betterCalls } = open();
-    planner.plan({ view: LOOK, visible: seen });
+    planner.plan({ viewIndex: 0, view: LOOK, visible: seen });
     work();
-    const before = planner.plan({ view: LOOK, visible: seen });
-    expect(planner.plan({ view: turned(0.05), visible: seen })).toEqual(before);
+    const before = planner.plan({ viewIndex: 0, view: LOOK, visible: seen });
+    expect(planner.plan({ viewIndex: 0, view: turned(0.05), visible: seen })).toEqual(before);
     expect(betterCalls()).toBe(0);
-    while (work() > 0) planner.plan({ view: turned(0.05), visible: seen });
+    while (work() > 0) planner.plan({ viewIndex: 0, view: turned(0.05), visible: seen });
     const told = betterCalls();
     expect(told).toBeGreaterThan(0);
-    expect(content(planner.plan({ view: turned(0.05), visible: seen }))).not.toEqual(content(before));
+    expect(content(planner.plan({ viewIndex: 0, view: turned(0.05), visible: seen }))).not.toEqual(content(before));
     expect(work()).toBe(0);
     expect(betterCalls()).toBe(told);
   });
 
   it('what rests has, in the end, the very plan that it would have made itself', () => {
     const { planner, work, local, seen } = open();
-    planner.plan({ view: LOOK, visible: seen });
+    planner.plan({ viewIndex: 0, view: LOOK, visible: seen });
     work();
-    const wide = content(planner.plan({ view: LOOK, visible: seen }));
+    const wide = content(planner.plan({ viewIndex: 0, view: LOOK, visible: seen }));
     work();
-    const own = content(planner.plan({ view: LOOK, visible: seen }));
-    expect(own).toEqual(content(local.plan({ view: LOOK, visible: seen })));
+    const own = content(planner.plan({ viewIndex: 0, view: LOOK, visible: seen }));
+    expect(own).toEqual(content(local.plan({ viewIndex: 0, view: LOOK, visible: seen })));
     expect(own).not.toEqual(wide);
     // What turns then still has the wide one.
-    expect(content(planner.plan({ view: turned(0.05), visible: seen }))).toEqual(wide);
+    expect(content(planner.plan({ viewIndex: 0, view: turned(0.05), visible: seen }))).toEqual(wide);
   });
 
   it.each([
     ['turns away', turned(1)],
     ['is faster', { ...LOOK, observation: { ...LOOK.observation, u: properVelocity([0, 0, -0.99]) } }],
-    ['zooms', { ...LOOK, focal: 600, tanX: 0.5, tanY: 0.3 }],
+    ['zooms', { ...LOOK, focal: 600, frustum: { ...LOOK.frustum, tanX: 0.5, tanY: 0.3 } }],
     ['sees otherwise', { ...LOOK, projection: { event: 'emission', place: 'plain' } as const }],
   ])('what %s at once is planned at once', (_, look) => {
     const { planner, work, local, seen } = open();
-    planner.plan({ view: LOOK, visible: seen });
+    planner.plan({ viewIndex: 0, view: LOOK, visible: seen });
     work();
-    expect(content(planner.plan({ view: look, visible: seen }))).toEqual(
-      content(local.plan({ view: look, visible: seen })),
+    expect(content(planner.plan({ viewIndex: 0, view: look, visible: seen }))).toEqual(
+      content(local.plan({ viewIndex: 0, view: look, visible: seen })),
     );
   });
 
   it('a batch that is not seen has no plan, and has one as soon as it comes into the picture', () => {
     const { planner, work, seen } = open();
-    planner.plan({ view: LOOK, visible: seen.map(() => false) });
+    planner.plan({ viewIndex: 0, view: LOOK, visible: seen.map(() => false) });
     work();
-    expect(planner.plan({ view: LOOK, visible: seen.map(() => false) })).toEqual(seen.map(() => undefined));
-    expect(planner.plan({ view: LOOK, visible: seen })[0]?.count).toBeGreaterThan(0);
+    expect(planner.plan({ viewIndex: 0, view: LOOK, visible: seen.map(() => false) })).toEqual(
+      seen.map(() => undefined),
+    );
+    expect(planner.plan({ viewIndex: 0, view: LOOK, visible: seen })[0]?.count).toBeGreaterThan(0);
   });
 
   it('levels come with the leaves where they are wanted', () => {
     const { planner, work, seen } = open(true);
-    planner.plan({ view: LOOK, visible: seen });
+    planner.plan({ viewIndex: 0, view: LOOK, visible: seen });
     work();
-    const [plan] = planner.plan({ view: LOOK, visible: seen });
+    const [plan] = planner.plan({ viewIndex: 0, view: LOOK, visible: seen });
     expect(plan?.patchesByPattern?.reduce((sum, { count }) => sum + count, 0)).toBe(plan?.count);
   });
 

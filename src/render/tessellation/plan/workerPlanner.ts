@@ -2,6 +2,7 @@ import { distance } from '../../../math/vec3.ts';
 import { gamma } from '../../../physics/lorentz/boost.ts';
 import { pointSamples } from '../../../scene/motion/motion.ts';
 import { isStreamed } from '../../../scene/streaming/samplePoints.ts';
+import type { Frustum } from '../../../scene/view/lens.ts';
 import type { MovingBody } from '../../geometry/bodies.ts';
 import { DRAWN } from '../criterion/projectedBody.ts';
 import type { TessellationView } from '../criterion/tessellationView.ts';
@@ -17,19 +18,37 @@ import type { PlannerMessage, PlannerReply } from './planServer.ts';
 
 /** What a worker plans is wider than the picture on all sides by this angle, for the picture turns while it is at work [rad]. */
 const MARGIN = 0.2;
-/** A plan for a look that is turned by more [rad] is not used, */
+/** A plan is not used for a view that is turned or shifted against its own by more [rad], */
 const MAX_TURN = 0.12;
-/** nor for one that moves otherwise by a rapidity of more: directions turn by as much. */
+/** nor for one whose velocity differs by a rapidity of more: directions turn by as much, */
 const MAX_RAPIDITY_CHANGE = 0.05;
-/** nor for one that is nearer or wider by more than this share. */
+/** nor for one that is zoomed by more than this fraction. */
 const MAX_ZOOM_CHANGE = 0.1;
 /** Scenes with more are not copied to a worker [bytes]. */
 const MAX_SCENE_BYTES = 2 ** 28;
 
+/** A request and whether its plan is for this view and no other. */
+interface PlanTask {
+  readonly request: PlanRequest;
+  readonly exact: boolean;
+}
+
+/** The plans of one of a picture's views. */
+interface ViewPlans {
+  /** For nearby views. */
+  wide?: { readonly view: TessellationView; readonly plans: FramePlans };
+  /** For one view and no other. */
+  exact?: { readonly request: PlanRequest; readonly plans: FramePlans };
+  /** Whether a plan that fits better than the last one returned is being made. */
+  awaitsBetter: boolean;
+  /** What the worker makes next, if it was busy with another view. */
+  queued?: PlanTask;
+}
+
 /**
- * Has plans made by a worker (planServer.ts) and hands out the last one that came, which is a picture or two old: every vertex is still where it is
- * seen now, only how finely edges are cut is of a moment ago. Plans itself where there is none for nearly the same look. A picture that rests gets a plan
- * of its own in the end, so that it is to the last bit what those see who plan while they draw.
+ * Has plans made by a worker (planServer.ts) and returns the latest one, which is a picture or two old: every vertex is still drawn where it is
+ * seen now, only the tessellation factors are those of a moment ago. Plans on its own thread while there is no plan for a nearby view. A picture at rest
+ * gets an exact plan in the end, so that it equals, to the bit, what is drawn with plans made while drawing.
  */
 export class WorkerPlanner implements Planner {
   private readonly worker: Worker;
@@ -37,15 +56,9 @@ export class WorkerPlanner implements Planner {
   /** Batches whose samples are not in this thread. */
   private readonly streamed: readonly boolean[];
   private readonly onBetterPlan: () => void;
-  private sent: PlanRequest | undefined;
-  private sentExact = false;
-  private busy = false;
-  /** For looks nearby. */
-  private widePlan: { readonly look: TessellationView; readonly plans: FramePlans } | undefined;
-  /** For one picture and no other. */
-  private exactPlan: { readonly order: PlanRequest; readonly plans: FramePlans } | undefined;
-  /** A better plan than that of the last picture is on its way. */
-  private waiting = false;
+  private readonly views: ViewPlans[] = [];
+  /** What the worker is busy with. */
+  private sent: PlanTask | undefined;
 
   /** `better` is called when a plan has come that fits the last picture better than the one it was drawn with. */
   constructor(parts: readonly PlannedPart[], worker: Worker, better: () => void) {
@@ -57,15 +70,19 @@ export class WorkerPlanner implements Planner {
     this.post({ kind: 'scene', parts: withoutMeshes(parts) });
   }
 
-  plan(order: PlanRequest): FramePlans {
-    const { widePlan, exactPlan } = this;
-    this.waiting = false;
-    if (exactPlan && isEqual(exactPlan.order, order)) return exactPlan.plans;
-    const rests = widePlan !== undefined && isEqual(widePlan.look, order.view);
-    this.request(rests ? order : { view: order.view, visible: order.visible.map(() => true) }, rests);
-    const fits = widePlan !== undefined && isNearlyEqual(widePlan.look, order.view);
-    this.waiting = fits || this.streamed.includes(true);
-    return fits ? widePlan.plans.map((plan, i) => (order.visible[i] ? plan : undefined)) : this.planLocally(order);
+  plan(request: PlanRequest): FramePlans {
+    const { view, visible, viewIndex } = request;
+    const state = this.plansOf(viewIndex);
+    const { wide, exact } = state;
+    state.awaitsBetter = false;
+    if (exact && isEqual(exact.request, request)) return exact.plans;
+    const rests = wide !== undefined && isEqual(wide.view, view);
+    // The wide plan is of all batches: others may have come into the picture when it is there.
+    const task = rests ? request : { viewIndex, view, visible: visible.map(() => true) };
+    this.enqueue({ request: task, exact: rests }, state);
+    const fits = wide !== undefined && isNearlyEqual(wide.view, view);
+    state.awaitsBetter = fits || this.streamed.includes(true);
+    return fits ? wide.plans.map((plan, i) => (visible[i] ? plan : undefined)) : this.planLocally(request);
   }
 
   starts(batch: number): Uint32Array {
@@ -76,11 +93,16 @@ export class WorkerPlanner implements Planner {
     this.worker.terminate();
   }
 
-  /** What is streamed is drawn with its edges as they are, until the worker has cut them. */
-  private planLocally(order: PlanRequest): FramePlans {
+  private plansOf(viewIndex: number): ViewPlans {
+    this.views[viewIndex] ??= { awaitsBetter: false };
+    return this.views[viewIndex];
+  }
+
+  /** Streamed batches are drawn with their edges as they are until the worker has planned them. */
+  private planLocally(request: PlanRequest): FramePlans {
     const { streamed } = this;
-    const plans = this.local.plan({ ...order, visible: order.visible.map((seen, i) => seen && !streamed[i]) });
-    return plans.map((plan, i) => (order.visible[i] && streamed[i] ? this.uncut(i, order.view) : plan));
+    const plans = this.local.plan({ ...request, visible: request.visible.map((seen, i) => seen && !streamed[i]) });
+    return plans.map((plan, i) => (request.visible[i] && streamed[i] ? this.uncut(i, request.view) : plan));
   }
 
   private uncut(batch: number, { tolerance }: TessellationView): BatchPlan {
@@ -88,21 +110,30 @@ export class WorkerPlanner implements Planner {
     return { allDrawn: true, clusterStates: clusters, patches: new Float32Array(0), count: 0, tolerance };
   }
 
-  /** The wide plan is of all batches: others may have come into the picture when it is there. */
-  private request(order: PlanRequest, exactly: boolean): void {
-    if (this.busy) return;
-    this.busy = true;
-    this.sent = order;
-    this.sentExact = exactly;
-    this.post({ kind: 'plan', order: exactly ? order : { ...order, view: widened(order.view) } });
+  /** While the worker is busy with a view, that view's newer requests are dropped: it asks again with its next picture. */
+  private enqueue(task: PlanTask, state: ViewPlans): void {
+    if (!this.sent) this.send(task, state);
+    else if (this.sent.request.viewIndex !== task.request.viewIndex) state.queued = task;
+  }
+
+  private send(task: PlanTask, state: ViewPlans): void {
+    const { request, exact } = task;
+    this.sent = task;
+    delete state.queued;
+    this.post({ kind: 'plan', request: exact ? request : { ...request, view: widened(request.view) } });
   }
 
   private receive(plans: PlannerReply): void {
-    this.busy = false;
-    if (!plans || !this.sent) return;
-    if (this.sentExact) this.exactPlan = { order: this.sent, plans };
-    else this.widePlan = { look: this.sent.view, plans };
-    if (this.waiting) this.onBetterPlan();
+    const { sent } = this;
+    this.sent = undefined;
+    if (!sent) return;
+    const { request, exact } = sent;
+    const state = this.plansOf(request.viewIndex);
+    if (plans && exact) state.exact = { request, plans };
+    else if (plans) state.wide = { view: request.view, plans };
+    const next = this.views.find((other) => other?.queued);
+    if (next?.queued) this.send(next.queued, next);
+    if (plans && state.awaitsBetter) this.onBetterPlan();
   }
 
   private post(request: PlannerMessage): void {
@@ -155,11 +186,20 @@ const withoutMesh = ({ id, object: { motion, authoredIn }, center, radius, line 
   line,
 });
 
-const widened = (look: TessellationView): TessellationView => ({
-  ...look,
-  tanX: wider(look.tanX),
-  tanY: wider(look.tanY),
-});
+const widened = (view: TessellationView): TessellationView => ({ ...view, frustum: widenedFrustum(view.frustum) });
+
+function widenedFrustum({ tanX, tanY, center: [x, y] }: Frustum): Frustum {
+  const [right, left] = [wider(x + tanX), wider(tanX - x)];
+  const [top, bottom] = [wider(y + tanY), wider(tanY - y)];
+  const [halfWidth, halfHeight] = [(right + left) / 2, (top + bottom) / 2];
+  return {
+    tanX: halfWidth,
+    tanY: halfHeight,
+    aspect: halfWidth / halfHeight,
+    center: [(right - left) / 2, (top - bottom) / 2],
+  };
+}
+
 const wider = (tan: number): number => Math.tan(Math.min(1.5, Math.atan(tan) + MARGIN));
 
 /** Plain data of numbers and short arrays: compared by its text. */
@@ -170,8 +210,10 @@ function isNearlyEqual(from: TessellationView, to: TessellationView): boolean {
     isEqual(exactPart(from), exactPart(to)) &&
     angleBetween(from, to) < MAX_TURN &&
     distance(from.observation.u, to.observation.u) < MAX_RAPIDITY_CHANGE * gamma(to.observation.u) &&
-    Math.abs(from.tanX / to.tanX - 1) < MAX_ZOOM_CHANGE &&
-    Math.abs(from.focal / to.focal - 1) < MAX_ZOOM_CHANGE
+    Math.abs(from.frustum.tanX / to.frustum.tanX - 1) < MAX_ZOOM_CHANGE &&
+    Math.abs(from.focal / to.focal - 1) < MAX_ZOOM_CHANGE &&
+    Math.abs(from.frustum.center[0] - to.frustum.center[0]) < MAX_TURN &&
+    Math.abs(from.frustum.center[1] - to.frustum.center[1]) < MAX_TURN
   );
 }
 

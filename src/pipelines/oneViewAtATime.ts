@@ -1,0 +1,46 @@
+import { assertViewports, composeViews, type PictureSize, viewportOf } from '../scene/view/pictureViews.ts';
+import { AOVS, type ViewPoint } from '../scene/view/view.ts';
+import type { PictureRequest, RenderedPicture } from './pictureRenderer.ts';
+
+/** A request for one view, in a picture of its viewport's size. */
+export interface SingleViewRequest extends Omit<PictureRequest, 'views'>, PictureSize {
+  readonly view: ViewPoint;
+}
+
+type RenderView = (request: SingleViewRequest, onPart?: (part: number) => void) => Promise<RenderedPicture>;
+
+/** Renders the views of a picture one after another, for pipelines to which they are pictures of their own. Throws a RangeError as `assertViewports`. */
+export async function renderOneViewAtATime(
+  { views, ...request }: PictureRequest,
+  size: PictureSize,
+  renderView: RenderView,
+  onPart: (part: number) => void = () => {},
+): Promise<RenderedPicture> {
+  assertViewports(views, size);
+  const [first] = views;
+  if (views.length === 1 && first.viewport === undefined)
+    return renderView({ ...request, ...size, view: first }, onPart);
+  const rects = views.map((view) => viewportOf(view, size));
+  const area = rects.reduce((sum, { width, height }) => sum + width * height, 0);
+  const pictures: RenderedPicture[] = [];
+  let done = 0;
+  for (const [i, view] of views.entries()) {
+    const { width, height } = rects[i]!;
+    const weight = (width * height) / area;
+    pictures.push(await renderView({ ...request, width, height, view }, (part) => onPart(done + weight * part)));
+    done += weight;
+  }
+  const { width, height } = size;
+  const black = new Uint8Array(4 * width * height).map((_, i) => (i % 4 === 3 ? 255 : 0));
+  const pixels = pictures.map((picture, i) => ({ rect: rects[i]!, values: picture.pixels }));
+  return {
+    pixels: request.pixels ? composeViews(pixels, size, 4, black) : new Uint8Array(),
+    aovs: new Map(
+      request.aovs.map((name) => {
+        const { length: channels } = AOVS[name].channels;
+        const parts = pictures.map(({ aovs }, i) => ({ rect: rects[i]!, values: aovs.get(name)! }));
+        return [name, composeViews(parts, size, channels, new Float32Array(channels * width * height))];
+      }),
+    ),
+  };
+}

@@ -1,0 +1,239 @@
+import type { RenderTarget } from 'three/webgpu';
+import type { LightMeterReadings } from '../scene/view/metering.ts';
+import type { PixelRect } from '../scene/view/pictureViews.ts';
+import type { AovName, RenderSettings } from '../scene/view/view.ts';
+import { FrameRenderer } from './frameRenderer.ts';
+import { type FrameSetup, frustumIn, type RenderView, type ViewBuffers } from './frameSetup.ts';
+import { readBytes, readData, readFloats, readSurfaceAt } from './gbuffer/readback.ts';
+import type { Observation } from './geometry/observation.ts';
+import type { Gpu } from './gpu/device.ts';
+import type { AntialiasingMode } from './post/resolve/antialiasing.ts';
+import { gridPositions, haltonPosition, PIXEL_CENTER, type SamplePosition } from './post/resolve/pixelSamples.ts';
+import type { SceneUpload } from './sceneUpload.ts';
+import type { PickResult, Sampling } from './settings.ts';
+
+/** From this sample count on the mean of the samples looks better than FXAA. */
+const MIN_MEAN_SAMPLES = 8;
+
+/** Draws one view of a picture: its targets, of the size of its viewport, its samples and its history. */
+export class ViewRenderer {
+  private readonly gpu: Gpu;
+  private readonly frameSetup: FrameSetup;
+  private readonly frameRenderer: FrameRenderer;
+  private rect: PixelRect = { x: 0, y: 0, width: 1, height: 1 };
+  /** What the last picture was drawn of; undefined if it cannot be drawn again. */
+  private lastBuffers: ViewBuffers | undefined;
+  private lastObservation: Observation | undefined;
+  private samplePosition: SamplePosition = PIXEL_CENTER;
+  /** Samples that `accumulate` has added to the last picture. */
+  private addedSamples = 0;
+  private frameCount = 0;
+
+  constructor(gpu: Gpu, frameSetup: FrameSetup) {
+    this.gpu = gpu;
+    this.frameSetup = frameSetup;
+    this.frameRenderer = new FrameRenderer(gpu, frameSetup.uniforms);
+  }
+
+  get viewport(): PixelRect {
+    return this.rect;
+  }
+
+  get buffers(): ViewBuffers | undefined {
+    return this.lastBuffers;
+  }
+
+  get hasPicture(): boolean {
+    return this.lastObservation !== undefined;
+  }
+
+  setViewport(rect: PixelRect): void {
+    const { width, height } = this.rect;
+    this.rect = rect;
+    if (rect.width !== width || rect.height !== height) this.frameRenderer.setSize(rect.width, rect.height);
+  }
+
+  /** As `FrameSetup.prepare`, for a picture in `rect`. */
+  prepare(buffers: ViewBuffers, rect: PixelRect, ready?: () => void): readonly boolean[] | undefined {
+    const { frameSetup, frameRenderer } = this;
+    const { settings } = buffers[0];
+    this.setDisplay(buffers);
+    const visible = frameSetup.prepare(buffers, rect, ready);
+    if (visible && settings.frameGraph) frameRenderer.runnerFor(settings.frameGraph).updateStills(settings.frameGraph);
+    return visible;
+  }
+
+  /** Draws the buffers that are prepared. */
+  draw(buffers: ViewBuffers, mode: AntialiasingMode, sampling: Sampling): void {
+    this.lastBuffers = buffers;
+    this.addedSamples = 0;
+    if (mode === 'temporal') this.drawTemporal(buffers);
+    else this.drawSamples(buffers, mode === 'mean' ? Number(sampling) : 1);
+    this.lastObservation = buffers[0].observation;
+  }
+
+  /** Builds all shaders of a picture and of its refinement, in the order in which it would be drawn. */
+  traversePasses(buffers: ViewBuffers, mode: AntialiasingMode, target: 'canvas' | 'screen'): void {
+    this.drawBuffers(buffers, PIXEL_CENTER);
+    this.frameRenderer.runDisplayPasses(mode, buffers[0].projection, target);
+  }
+
+  /** Adds a sample, if there is one left; `more`: there will be another. See `RasterRenderer.accumulate`. */
+  accumulate(n: number): { readonly added: boolean; readonly more: boolean } {
+    const { frameRenderer, addedSamples } = this;
+    const count = n * n;
+    if (
+      addedSamples === count ||
+      frameRenderer.samples > 1 ||
+      !this.lastBuffers ||
+      !canAccumulate(this.lastBuffers[0].settings)
+    )
+      return { added: false, more: false };
+    const buffers = this.restore();
+    if (!buffers) return { added: false, more: true };
+    this.drawSample(buffers, gridPositions(n)[addedSamples]);
+    this.addedSamples = addedSamples + 1;
+    const isShown = this.addedSamples >= Math.min(MIN_MEAN_SAMPLES, count);
+    frameRenderer.antialiasing.addSample(addedSamples, count, frameRenderer.displayState, isShown);
+    return { added: true, more: this.addedSamples < count };
+  }
+
+  /** The displayed picture on the canvas, of which this is the only view. */
+  presentOnCanvas(): void {
+    this.frameRenderer.present('canvas');
+  }
+
+  /** The displayed picture in a target of its own. */
+  present(): RenderTarget {
+    this.bind();
+    return this.frameRenderer.present('screen');
+  }
+
+  readPixels(): Promise<Uint8Array> {
+    return readBytes(this.gpu, this.present(), this.wholeRegion());
+  }
+
+  async readAov(name: AovName): Promise<Float32Array> {
+    this.drawPixelCenters();
+    this.bind();
+    if (name !== 'beauty')
+      return readData(this.gpu, this.frameRenderer, name, this.requireObservation(), this.wholeRegion());
+    const { target, index } = this.frameRenderer.beauty();
+    return withoutAlpha(await readFloats(this.gpu, target, index, this.wholeRegion()));
+  }
+
+  /** `upload`: of the first G-buffer; x and y from the viewport's top left. */
+  async pick(upload: SceneUpload, x: number, y: number): Promise<PickResult> {
+    this.drawPixelCenters();
+    const pathOf = (id: number) => upload.bodies[id - 1].object.path;
+    const { target, index } = this.frameRenderer.beauty();
+    const [light, surface] = await Promise.all([
+      readFloats(this.gpu, target, index, { x, y, width: 1, height: 1 }),
+      readSurfaceAt(this.gpu, this.frameRenderer, this.requireObservation(), pathOf, x, y),
+    ]);
+    return { light: [light[0], light[1], light[2]], ...(surface && { surface }) };
+  }
+
+  measureLight(): Promise<LightMeterReadings> {
+    this.drawPixelCenters();
+    this.bind();
+    return this.frameRenderer.measureLight(this.requireObservation().c);
+  }
+
+  /** Prepares the last picture again if another view was prepared since; undefined if it cannot be drawn again. */
+  restore(): ViewBuffers | undefined {
+    const { lastBuffers, frameSetup } = this;
+    if (!lastBuffers) return undefined;
+    return frameSetup.isPrepared(lastBuffers) || this.prepare(lastBuffers, this.rect) ? lastBuffers : undefined;
+  }
+
+  /** Sets the uniforms and the camera to those of the last sample, and how it is displayed. */
+  bind(): void {
+    const { frameSetup, lastBuffers } = this;
+    if (!lastBuffers) return;
+    this.setDisplay(lastBuffers);
+    frameSetup.setView(lastBuffers[0], this.rect);
+    frameSetup.jitter(this.samplePosition, this.rect);
+  }
+
+  /** Releases the passes that read a scene; the last picture cannot be drawn again until `keep`. */
+  releaseScene(upload: SceneUpload): void {
+    this.lastBuffers = undefined;
+    this.frameRenderer.releaseScene(upload);
+  }
+
+  /** These buffers' uploads are still there. */
+  keep(buffers: ViewBuffers): void {
+    this.lastBuffers = buffers;
+  }
+
+  dispose(): void {
+    this.frameRenderer.dispose();
+  }
+
+  private setDisplay([{ settings, upload }]: ViewBuffers): void {
+    this.frameRenderer.displayState = { ...settings, hasStars: upload.stars !== undefined };
+  }
+
+  /** n × n samples per pixel. */
+  private drawSamples(buffers: ViewBuffers, n: number): void {
+    const { frameRenderer } = this;
+    frameRenderer.samples = n * n;
+    for (const [i, position] of gridPositions(n).entries()) {
+      this.drawSample(buffers, position);
+      if (n > 1) frameRenderer.antialiasing.addSample(i, n * n, frameRenderer.displayState, true);
+    }
+    if (frameRenderer.displayState.falseColors) this.drawPixelCenters();
+    else if (n === 1) frameRenderer.antialiasing.resolveSingle(frameRenderer.displayState);
+  }
+
+  /** One sample, blended with the history. */
+  private drawTemporal(buffers: ViewBuffers): void {
+    const { frameRenderer } = this;
+    const [{ observation, viewPoint, projection }] = buffers;
+    frameRenderer.samples = 1;
+    this.drawSample(buffers, haltonPosition(this.frameCount++));
+    const frustum = frustumIn(this.rect, viewPoint);
+    const state = { observation, viewPoint, projection, frustum };
+    frameRenderer.antialiasing.resolveTemporal(frameRenderer.displayState, state);
+  }
+
+  private drawSample(buffers: ViewBuffers, position: SamplePosition): void {
+    this.drawBuffers(buffers, position);
+    this.samplePosition = position;
+  }
+
+  /** Draws what is prepared with its samples at one place of their pixels. */
+  private drawBuffers([first, ...others]: ViewBuffers, position: SamplePosition): void {
+    const { frameSetup, rect } = this;
+    frameSetup.jitter(position, rect);
+    const bound = (view: RenderView) => ({ view, bind: () => frameSetup.setView(view, rect) });
+    this.frameRenderer.draw([bound(first), ...others.map(bound)], frameSetup.camera, first.viewPoint.t);
+  }
+
+  /** Numbers are of the pixels' centres, never a mean. */
+  private drawPixelCenters(): void {
+    const [x, y] = this.samplePosition;
+    const buffers = x === 0 && y === 0 ? undefined : this.restore();
+    if (buffers) this.drawSample(buffers, PIXEL_CENTER);
+  }
+
+  private requireObservation(): Observation {
+    if (!this.lastObservation) throw new Error('nothing has been rendered yet');
+    return this.lastObservation;
+  }
+
+  private wholeRegion(): PixelRect {
+    const { width, height } = this.rect;
+    return { x: 0, y: 0, width, height };
+  }
+}
+
+/** Whether pictures gain samples while they rest: false colours, which stand for numbers, never do. */
+export const canAccumulate = ({ antialiasing, falseColors }: RenderSettings): boolean => antialiasing && !falseColors;
+
+function withoutAlpha(rgba: Float32Array): Float32Array {
+  const out = new Float32Array((rgba.length / 4) * 3);
+  for (let i = 0; i < rgba.length / 4; i++) for (let k = 0; k < 3; k++) out[3 * i + k] = rgba[4 * i + k];
+  return out;
+}

@@ -1,0 +1,68 @@
+/** A flat picture: straight lines of the observer's apparent space stay straight. */
+export interface PerspectiveLens {
+  readonly kind: 'perspective';
+  /** Vertical field of view in the observer's frame: 2 atan of half the picture's height at distance 1 [rad]. */
+  readonly fovY: number;
+  /** Width over height at distance 1; absent: that of the picture, whose pixels are then square. */
+  readonly aspect?: number;
+  /**
+   * The picture's centre: tangents of its angles from the forward axis, to the right and up. Absent: on the axis.
+   * Other than 0 the frustum is off-axis, as that of an eye in a headset, of a projection wall, or of a shifted lens.
+   */
+  readonly center?: readonly [number, number];
+}
+
+/** How the directions seen by a camera map to its picture, as plain data. */
+export type Lens = PerspectiveLens;
+
+export const perspective = (fovY: number): PerspectiveLens => ({ kind: 'perspective', fovY });
+
+/** The sides of a picture as tangents of their angles from the forward axis; left and bottom are negative where the axis is inside. */
+export interface FrustumSides {
+  readonly left: number;
+  readonly right: number;
+  readonly bottom: number;
+  readonly top: number;
+}
+
+/** The lens whose picture has these sides. Throws a RangeError unless left < right and bottom < top. */
+export function offAxisLens({ left, right, bottom, top }: FrustumSides): PerspectiveLens {
+  const [width, height] = [right - left, top - bottom];
+  if (!(width > 0 && height > 0 && Number.isFinite(width) && Number.isFinite(height)))
+    throw new RangeError(
+      `sides of a frustum: left ${left} < right ${right} and bottom ${bottom} < top ${top} expected`,
+    );
+  return {
+    kind: 'perspective',
+    fovY: 2 * Math.atan(height / 2),
+    aspect: width / height,
+    center: [(left + right) / 2, (bottom + top) / 2],
+  };
+}
+
+/** A picture's rectangle at distance 1 before the camera, whose axes are right and up. */
+export interface Frustum {
+  /** Half the rectangle's width and height. */
+  readonly tanX: number;
+  readonly tanY: number;
+  /** tanX / tanY. */
+  readonly aspect: number;
+  readonly center: readonly [number, number];
+}
+
+/** The frustum of a picture of `width` × `height` pixels. */
+export function frustumOf({ fovY, aspect, center = [0, 0] }: Lens, width: number, height: number): Frustum {
+  const tanY = Math.tan(fovY / 2);
+  const ratio = aspect ?? width / height;
+  return { tanX: tanY * ratio, tanY, aspect: ratio, center };
+}
+
+/** Tangents, across and up, of the corner farthest from the forward axis; ≥ 0. */
+export const farthestCorner = ({ tanX, tanY, center: [x, y] }: Frustum): readonly [number, number] => [
+  tanX + Math.abs(x),
+  tanY + Math.abs(y),
+];
+
+/** Pixels per unit tangent; the larger of both where pixels are not square. */
+export const pixelsPerTangent = ({ tanY, aspect }: Frustum, width: number, height: number): number =>
+  (height / (2 * tanY)) * Math.max(1, width / height / aspect);
