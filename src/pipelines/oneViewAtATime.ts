@@ -7,13 +7,13 @@ export interface SingleViewRequest extends Omit<PictureRequest, 'views'>, Pictur
   readonly view: ViewPoint;
 }
 
-type RenderView = (request: SingleViewRequest, onPart?: (part: number) => void) => Promise<RenderedPicture>;
+type RenderSingleView = (request: SingleViewRequest, onPart?: (part: number) => void) => Promise<RenderedPicture>;
 
 /** Renders the views of a picture one after another, for pipelines to which they are pictures of their own. Throws a RangeError as `assertViewports`. */
 export async function renderOneViewAtATime(
   { views, ...request }: PictureRequest,
   size: PictureSize,
-  renderView: RenderView,
+  renderView: RenderSingleView,
   onPart: (part: number) => void = () => {},
 ): Promise<RenderedPicture> {
   assertViewports(views, size);

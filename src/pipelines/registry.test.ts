@@ -1,6 +1,13 @@
 import { describe, expect, it } from 'vitest';
+import { IDENTITY } from '../math/quat.ts';
+import { ZERO } from '../math/vec3.ts';
+import { makeScene } from '../scene/defaults.ts';
+import { perspective } from '../scene/view/lens.ts';
+import { DEFAULT_SETTINGS } from '../scene/view/view.ts';
+import type { PipelineHost } from './host.ts';
 import { optionsByEffect, withDefaults } from './options.ts';
-import { AUTOMATIC_PIPELINES, interactivePipeline, PIPELINES, pipelineNamed } from './registry.ts';
+import type { Pipeline, PipelineSession } from './pipeline.ts';
+import { AUTOMATIC_PIPELINES, interactivePipeline, openSession, PIPELINES, pipelineNamed } from './registry.ts';
 
 describe('the list of pipelines', () => {
   it('has unique names, and each pipeline can draw', () => {
@@ -28,6 +35,26 @@ describe('the list of pipelines', () => {
       expect(serveThread !== undefined, id).toBe(usesThreads);
     }
   });
+});
+
+it('a picture of more views than the pipeline draws is refused', async () => {
+  const session: PipelineSession = {
+    info: { pipeline: 'few' },
+    render: async () => ({ pixels: new Uint8Array(), aovs: new Map() }),
+    close: async () => {},
+  };
+  const few: Pipeline = { ...pipelineNamed('reference'), name: 'small one', maxViews: 2, open: async () => session };
+  const request = {
+    scenes: [makeScene({ name: '' })],
+    size: { width: 1, height: 1 },
+    speedOfLight: 1,
+    options: {},
+  } as const;
+  const { render } = await openSession(few, request, {} as PipelineHost);
+  const view = { t: 0, position: ZERO, u: ZERO, orientation: IDENTITY, lens: perspective(1) };
+  const picture = { settings: DEFAULT_SETTINGS, samples: 1, pixels: true, aovs: [] };
+  await expect(render({ ...picture, views: [view, view] })).resolves.toBeDefined();
+  await expect(render({ ...picture, views: [view, view, view] })).rejects.toThrow(/^3 views .* small one .* up to 2$/);
 });
 
 describe('options', () => {

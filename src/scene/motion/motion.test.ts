@@ -329,7 +329,7 @@ describe('cameras', () => {
     expect(length(observerFromCamera(camera, 0.5, c).u)).toBe(0);
     for (const t of [1, 1.5, 2]) expect(observerFromCamera(camera, t, c).u[2]).toBeCloseTo(0.8 / 0.6, 12);
     expect(length(observerFromCamera(camera, 2.1, c).u)).toBe(0);
-    expect(observerFromCamera(camera, 1.5, c)).toMatchObject({ position: [0, 0, 4], fovY: 1 });
+    expect(observerFromCamera(camera, 1.5, c)).toMatchObject({ position: [0, 0, 4], lens: { fovY: 1 } });
   });
 
   it('the framing camera has the whole scene in its view', () => {

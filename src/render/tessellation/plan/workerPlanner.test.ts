@@ -162,6 +162,23 @@ describe('plans from afar', () => {
     expect(plan?.patchesByPattern?.reduce((sum, { count }) => sum + count, 0)).toBe(plan?.count);
   });
 
+  it('two views of a picture have plans of their own, and the worker serves them in turn', () => {
+    const { planner, work, local, seen } = open();
+    const views = [LOOK, turned(1)];
+    const drawBoth = () => views.map((view, viewIndex) => content(planner.plan({ viewIndex, view, visible: seen })));
+    const own = views.map((view) => content(local.plan({ viewIndex: 0, view, visible: seen })));
+    expect(drawBoth()).toEqual(own);
+    // At first the wide plans of both, at rest their exact plans: four plans in all.
+    let plans = 0;
+    for (let served = work(); served > 0; served = work()) {
+      plans += served;
+      drawBoth();
+    }
+    // One message is the scene.
+    expect(plans - 1).toBe(4);
+    expect(drawBoth()).toEqual(own);
+  });
+
   it('ends its worker', () => {
     const { planner, worker } = open();
     planner.dispose();
