@@ -21,7 +21,7 @@ import { dynamics } from './simulation/dynamics.ts';
 import { type Bench, markdown } from './support/bench.ts';
 import { gpu, releaseGpu } from './support/gpu.ts';
 
-/** Every benchmark, in the order of the page. */
+/** All benchmarks, in the order of the page. */
 const benches: readonly Bench[] = [
   frame,
   antialiasing,
@@ -73,7 +73,7 @@ async function machine(): Promise<string> {
   return `Measured on ${cpus().length} × ${cpu.model.trim()}, ${memory}, Node ${process.versions.node}, ${process.platform}; GPU: ${kind}${adapterName}. Medians; compare the ratios, not the times, with another machine.`;
 }
 
-/** Between its markers the page is made by this program; the rest is written by people. */
+/** Replaces the text between the page's markers; the rest is written by hand. */
 function publish(text: string): void {
   const page = existsSync(file) ? readFileSync(file, 'utf8') : `# Performance\n\n${BEGIN}\n${END}\n`;
   const from = page.indexOf(BEGIN);

@@ -1,22 +1,22 @@
-// `npm run dynamics`: runs the source documents' hanging cloth by all methods and writes docs/dynamics.md anew, with its plots. Takes some minutes on all cores;
-// `npm run dynamics -- 0.1` follows a tenth of the time, to see that it works, and writes nothing.
+// `npm run dynamics`: runs the source documents' hanging cloth by all methods and regenerates docs/dynamics.md with its plots. Takes some minutes on all cores;
+// `npm run dynamics -- 0.1` simulates a tenth of the time, as a test, and writes nothing.
 import { writeFileSync } from 'node:fs';
 import { availableParallelism } from 'node:os';
 import { join } from 'node:path';
 import { Worker } from 'node:worker_threads';
 import { checkNode, ensureBuilt, ensureModules, root, SetupError } from './setup.mjs';
 
-/** Points along a side, springs [N/m], weight [m/s²]: those of the sources. */
+/** Points along a side; stiffness [N/m] and gravity [m/s²] as in the source documents. */
 const SIDE = 10;
 const CLOTH = { stiffness: 1000, gravity: [0, -9.8, 0] };
 /** Time [s], speeds of light [m/s], steps [s]. */
 const TIME = 2;
 const SPEEDS = [1, 10, 100, Number.POSITIVE_INFINITY];
 const STEPS = [1e-3, 5e-4, 1e-4];
-/** The energy is looked at so often [s]. */
+/** Interval between energy samples [s]. */
 const EVERY = 0.01;
-/** The runs that the documents name, c [m/s] and h [s], what they tell of them, and how long and of how many points along a side these are run here: they do not say. */
-const TOLD = [
+/** The documents' runs: method, c [m/s], h [s] and their description. Duration [s] and points along a side are not documented; those used here follow. */
+const DOCUMENTED = [
   ['semi-implicit-euler-0', 10, 1e-3, 'wrong midway, then gone'],
   ['semi-implicit-euler-0', 100, 1e-4, 'decent for a time, with jitter'],
   ['semi-implicit-euler-1', 10, 1e-4, 'explodes, however short the steps'],
@@ -30,25 +30,25 @@ const TOLD = [
   ['linearly-implicit-2', 1, 1e-3, 'works well'],
   ['linearly-implicit-0', Number.POSITIVE_INFINITY, 1e-3, 'somewhat smaller motion'],
 ];
-const TOLD_TIME = 5;
-const TOLD_SIDES = [10, 20];
-/** What the documents' programs leave of all velocities in every step, and the methods that they ran with it. */
+const DOCUMENTED_TIME = 5;
+const DOCUMENTED_SIDES = [10, 20];
+/** Factor that the documents' programs apply to all velocities in every step, and the methods that they used it with. */
 const DAMPING = 0.995;
 const DAMPED = /^(semi-implicit-euler|linearly-implicit)-/;
-/** Over the kinetic energy: less is rounding. */
-const LEAST_GAIN = 1e-6;
-/** Time in which each method's cost is measured when all else is done, in so many parts, and so often [s]: before any of them ends early. */
+/** Energy gains below this fraction of the kinetic energy are rounding. */
+const MIN_GAIN = 1e-6;
+/** Timing of each method, after all other runs: simulated time [s], short enough that none ends early; number of parts; repetitions. */
 const [TIMED, TIMED_PARTS, TIMED_OFTEN] = [0.6, 30, 3];
-/** c of what is followed for long [m/s], and for so many steps. */
+/** Long runs: c [m/s] and number of steps. */
 const LONG = 10;
 const LONG_STEPS = 100_000;
-/** Whose energy is to be the same to 10⁻⁹: the cloth, let go at rest. */
+/** The method that conserves energy to 10⁻⁹, with its step [s]; the cloth starts at rest. */
 const EXACT = 'discrete-gradient';
 const EXACT_STEP = 1e-3;
-/** Whose energy is to swing without a trend: a smaller cloth, shaken so that all its swings have their share, once it has settled for so many times as long. */
+/** Methods whose energy error oscillates without a trend: step [s], side of a smaller cloth, initial velocities [m/s] that excite all modes, and settling time relative to the measured time. */
 const SWINGING = ['leapfrog', 'yoshida-4', 'yoshida-6', 'yoshida-8', 'implicit-midpoint'];
 const [SWINGING_STEP, SWINGING_SIDE, SHAKEN, SETTLING] = [5e-4, 5, 3, 4];
-/** Parts that a long run is cut into: their means are what its trend is fitted to. */
+/** Number of parts of a long run; the trend is fitted to their means. */
 const PARTS = 25;
 
 const WHY = {
@@ -69,19 +69,22 @@ Each cell tells how far the energy went from what it was at the start, over the 
 The numbers behind the methods of the sources are their corrections of the energy: 0 none, 1 by the tangent, 2 by the secant, 3 by the root between them. The last column is the time that a step of ${STEPS.at(-1) * 1000} ms took to compute when all else was done: the median of ${TIMED_PARTS} parts of ${TIMED} s of motion, each the quickest of ${TIMED_OFTEN} times.
 `;
 
-/** What takes longest first, so that all cores end at about the same time. */
-async function orders(ids, share) {
+/** All runs, the longest first, so that all cores finish at about the same time; `fraction` of the full durations. */
+async function allRuns(ids, fraction) {
   const short = ids.flatMap((id) =>
-    SPEEDS.flatMap((c) => STEPS.map((h) => ({ id, c, h, side: SIDE, every: EVERY, duration: TIME * share }))),
+    SPEEDS.flatMap((c) => STEPS.map((h) => ({ id, c, h, side: SIDE, every: EVERY, duration: TIME * fraction }))),
   );
   const damped = short
     .filter(({ id, c }) => DAMPED.test(id) && Number.isFinite(c))
-    .map((order) => ({ ...order, drag: -Math.log(DAMPING) / order.h, kind: 'damped' }));
-  const told = TOLD.flatMap(([id, c, h]) =>
-    TOLD_SIDES.map((side) => ({ id, c, h, side, every: EVERY, duration: TOLD_TIME * share, kind: 'told' })),
+    .map((options) => ({ ...options, drag: -Math.log(DAMPING) / options.h, kind: 'damped' }));
+  const documented = DOCUMENTED.flatMap(([id, c, h]) =>
+    DOCUMENTED_SIDES.map((side) => ({
+      ...{ id, c, h, side },
+      ...{ every: EVERY, duration: DOCUMENTED_TIME * fraction, kind: 'documented' },
+    })),
   );
   const lasting = (id, h, times) => {
-    const measured = LONG_STEPS * h * share;
+    const measured = LONG_STEPS * h * fraction;
     return { id, c: LONG, h, duration: times * measured, every: measured / 1000 };
   };
   const long = [
@@ -96,10 +99,10 @@ async function orders(ids, share) {
     })),
   ];
   const weight = ({ id, duration, h }) => (duration / h) * (id.startsWith('local') ? 20 : id.startsWith('lin') ? 4 : 1);
-  return [...long, ...short, ...damped, ...told].sort((a, b) => weight(b) - weight(a));
+  return [...long, ...short, ...damped, ...documented].sort((a, b) => weight(b) - weight(a));
 }
 
-/** One after the other, all of them several times: what steps cost where nothing else runs. */
+/** Timing runs, to be executed one after the other when nothing else runs; each several times. */
 const timings = (ids) =>
   Array.from({ length: TIMED_OFTEN }, () => ids).flatMap((round) =>
     round.flatMap((id) =>
@@ -110,14 +113,14 @@ const timings = (ids) =>
     ),
   );
 
-/** What a step cost [ms]. */
+/** Time per step [ms]: the median over the parts, of the fastest repetition of each. */
 function costOf(results, id, c) {
   const [first, ...others] = results.filter((each) => each.kind === 'timed' && each.id === id && each.c === c);
   const quickest = first.costs.map((cost, k) => Math.min(cost, ...others.map(({ costs }) => costs[k])));
   return quickest.sort((a, b) => a - b)[Math.floor(quickest.length / 2)];
 }
 
-/** Gives each of so many threads the next order when it is done with one. */
+/** Runs a queue in worker threads. */
 async function studied(queue, threads) {
   const all = queue.length;
   const results = [];
@@ -125,13 +128,13 @@ async function studied(queue, threads) {
   const thread = () =>
     new Promise((resolve, reject) => {
       const worker = new Worker(new URL('./dynamicsCase.mjs', import.meta.url), { workerData: CLOTH });
-      let order;
+      let current;
       worker.on('error', reject);
       worker.on('message', (result) => {
-        if (result) results.push({ ...result, side: order.side, kind: order.kind, about: order.about });
+        if (result) results.push({ ...result, side: current.side, kind: current.kind, about: current.about });
         process.stderr.write(`\r${results.length} of ${all} runs `);
-        order = next.next().value;
-        if (order) worker.postMessage(order);
+        current = next.next().value;
+        if (current) worker.postMessage(current);
         else worker.terminate().then(resolve, reject);
       });
     });
@@ -143,7 +146,7 @@ async function studied(queue, threads) {
 const find = (results, id, c, h, kind) =>
   results.find((each) => each.kind === kind && each.id === id && each.c === c && each.h === h);
 
-/** The largest kinetic energy of the cloth, which errors are measured by: by the method that keeps the energy, at its shortest step [J]. */
+/** Scale of the errors: the largest kinetic energy of the cloth, by the energy-conserving method with the shortest step [J]. */
 const scaleOf = (results, c) => find(results, EXACT, c, STEPS.at(-1)).kinetic;
 
 const kindOf = (id) => (/-[0-3]$/.test(id) && !id.startsWith('yoshida') ? 'sources' : 'ours');
@@ -158,15 +161,15 @@ function power(value) {
   return `${digits} · 10${[...String(Number(exponent))].map((sign) => '⁻⁰¹²³⁴⁵⁶⁷⁸⁹'['-0123456789'.indexOf(sign)]).join('')}`;
 }
 
-/** What became of a run's energy: in a word, and when it was lost. */
+/** The outcome of a run's energy in a word, and its largest error. */
 function fate({ energies, every, stop }, scale) {
-  const off = errors(energies, scale);
-  const most = Math.max(...off.map(Math.abs));
-  const out = off.findIndex((value) => Math.abs(value) > 1);
+  const deviation = errors(energies, scale);
+  const most = Math.max(...deviation.map(Math.abs));
+  const out = deviation.findIndex((value) => Math.abs(value) > 1);
   if (out >= 0) return { word: 'explodes', most, t: out * every };
   if (stop) return { word: WHY[stop.reason] ?? stop.reason, most, t: stop.t };
-  if (off.at(-1) < -0.05) return { word: 'fades', most };
-  return { word: off.at(-1) > 0.05 ? 'grows' : '', most };
+  if (deviation.at(-1) < -0.05) return { word: 'fades', most };
+  return { word: deviation.at(-1) > 0.05 ? 'grows' : '', most };
 }
 
 function verdict(result, scale) {
@@ -191,10 +194,12 @@ function written(results) {
     const plotted = `![Energy over time, ${lightOf(c)}](${pictureOf(c)})`;
     return [`## ${lightOf(c)}`, '', head, `|${'---|'.repeat(STEPS.length + 2)}`, ...rows, '', plotted, ''].join('\n');
   });
-  return [ABOUT, summary(results), ...tables, toldTable(results), dampedRuns(results), longTable(results)].join('\n');
+  return [ABOUT, summary(results), ...tables, documentedTable(results), dampedRuns(results), longTable(results)].join(
+    '\n',
+  );
 }
 
-/** How many of the runs of each kind came to what. */
+/** Number of runs by outcome, for each kind of method. */
 function summary(results) {
   const line = (kind, who) => {
     const fates = results
@@ -209,10 +214,10 @@ function summary(results) {
   return ['## In short', '', line('sources', 'The methods of the sources'), line('ours', 'Ours'), ''].join('\n');
 }
 
-/** Of a long run, over the kinetic energy: how far the energy was off at most, and the slope of a line through the means of parts of its last tenth of a million steps, with its standard error [1/s]. */
+/** Of a long run, relative to the kinetic energy: the largest energy error, and the slope of a line through the means of parts of the last 100,000 steps, with its standard error [1/s]. */
 function trend({ energies, every, kinetic }) {
-  const off = errors(energies, kinetic);
-  const last = off.slice(-1000);
+  const deviation = errors(energies, kinetic);
+  const last = deviation.slice(-1000);
   const size = Math.floor(last.length / PARTS);
   const means = Array.from({ length: PARTS }, (_, k) => mean(last.slice(k * size, (k + 1) * size)));
   const times = means.map((_, k) => (k + 0.5) * size * every);
@@ -220,7 +225,7 @@ function trend({ energies, every, kinetic }) {
   const spread = times.reduce((sum, t) => sum + (t - t0) ** 2, 0);
   const slope = times.reduce((sum, t, k) => sum + (t - t0) * (means[k] - m0), 0) / spread;
   const left = means.reduce((sum, value, k) => sum + (value - m0 - slope * (times[k] - t0)) ** 2, 0);
-  return { most: Math.max(...off.map(Math.abs)), slope, error: Math.sqrt(left / (PARTS - 2) / spread) };
+  return { most: Math.max(...deviation.map(Math.abs)), slope, error: Math.sqrt(left / (PARTS - 2) / spread) };
 }
 
 const errors = (energies, scale) => energies.map((energy) => (energy - energies[0]) / scale);
@@ -250,11 +255,11 @@ function longTable(results) {
   ].join('\n');
 }
 
-/** The documents' words of their runs, and what the same come to here. */
-function toldTable(results) {
-  const rows = TOLD.map(([id, c, h, words]) => {
-    const cells = TOLD_SIDES.map((side) => {
-      const ran = (each) => each.kind === 'told' && each.id === id && each.c === c && each.h === h;
+/** The documents' descriptions of their runs, and the results here. */
+function documentedTable(results) {
+  const rows = DOCUMENTED.map(([id, c, h, words]) => {
+    const cells = DOCUMENTED_SIDES.map((side) => {
+      const ran = (each) => each.kind === 'documented' && each.id === id && each.c === c && each.h === h;
       return verdict(
         results.find((each) => ran(each) && each.side === side),
         scaleOf(results, c),
@@ -265,17 +270,17 @@ function toldTable(results) {
   return [
     '## The runs that the documents name',
     '',
-    `They tell neither how many points their cloth has nor for how long they look. Here it is let go for ${TOLD_TIME} s, without damping; one of 20 × 20 points swings twice as fast, so that h = 1 ms is beyond what explicit methods can take.`,
+    `They tell neither how many points their cloth has nor for how long they look. Here it is let go for ${DOCUMENTED_TIME} s, without damping; one of 20 × 20 points swings twice as fast, so that h = 1 ms is beyond what explicit methods can take.`,
     'Semi-implicit steps come to what they tell, where the cloth is fine enough, or the time long. Two things do not come about here: steps of 0.1 ms do not explode by the tangent, though it keeps the energy no better than none; and implicit steps, of their equation as it stands, fade at c = 10 m/s whatever the correction but the tangent, and explode at 1 m/s with the secant too.',
     '',
-    `| method | c [m/s] | h | the documents | ${TOLD_SIDES.map((side) => `${side} × ${side}`).join(' | ')} |`,
-    `|${'---|'.repeat(TOLD_SIDES.length + 4)}`,
+    `| method | c [m/s] | h | the documents | ${DOCUMENTED_SIDES.map((side) => `${side} × ${side}`).join(' | ')} |`,
+    `|${'---|'.repeat(DOCUMENTED_SIDES.length + 4)}`,
     ...rows,
     '',
   ].join('\n');
 }
 
-/** By how much the energy rose above its lowest until each time, over the kinetic energy: where air only takes, that comes from nowhere. */
+/** Rise of the energy above its running minimum, over the kinetic energy: with damping alone it can only fall. */
 function rises({ energies }, scale) {
   let lowest = Number.POSITIVE_INFINITY;
   return energies.map((energy) => {
@@ -284,10 +289,10 @@ function rises({ energies }, scale) {
   });
 }
 
-/** What became of the runs with the documents' damping: those that gained energy. */
+/** Runs with the documents' damping that gained energy. */
 function dampedRuns(results) {
   const damped = results.filter(({ kind }) => kind === 'damped');
-  const told = damped.flatMap((result) => {
+  const gains = damped.flatMap((result) => {
     const { id, c, h, every, stop } = result;
     const rise = rises(result, scaleOf(results, c));
     const out = rise.findIndex((value) => value > 1);
@@ -295,15 +300,15 @@ function dampedRuns(results) {
     const where = `- ${id}, c = ${c} m/s, h = ${h * 1000} ms:`;
     if (out >= 0) return `${where} **explodes** at ${(out * every).toFixed(2)} s`;
     if (stop) return `${where} **${WHY[stop.reason]}** at ${stop.t.toFixed(2)} s`;
-    return most > LEAST_GAIN ? `${where} gains ${sizeOf(most)}` : [];
+    return most > MIN_GAIN ? `${where} gains ${sizeOf(most)}` : [];
   });
   const drags = STEPS.map((h) => `${(-Math.log(DAMPING) / h).toPrecision(2)}/s (h = ${h * 1000} ms)`).join(', ');
   return [
     '## With the documents’ damping',
     '',
     `Their programs take a two-hundredth of all velocities away in every step (\`damping\` ${DAMPING}). What is lost in a second then depends on the step: as dp/dt = −drag · p it is a drag of ${drags}.`,
-    `So much hides what a method does. Energy can only fall then; of ${damped.length} runs by the documents’ methods at c = ${SPEEDS.filter(Number.isFinite).join(', ')} m/s with these steps, ${told.length} gained more than ${power(LEAST_GAIN)} of the kinetic energy within ${TIME} s${told.length > 0 ? ':' : '.'}`,
-    ...(told.length > 0 ? ['', ...told] : []),
+    `So much hides what a method does. Energy can only fall then; of ${damped.length} runs by the documents’ methods at c = ${SPEEDS.filter(Number.isFinite).join(', ')} m/s with these steps, ${gains.length} gained more than ${power(MIN_GAIN)} of the kinetic energy within ${TIME} s${gains.length > 0 ? ':' : '.'}`,
+    ...(gains.length > 0 ? ['', ...gains] : []),
     '',
   ].join('\n');
 }
@@ -321,10 +326,10 @@ function claim(result) {
 }
 
 const [WIDTH, HEIGHT, LEFT, TOP, LEGEND, FOOT] = [820, 330, 64, 34, 210, 46];
-/** Okabe and Ito's, which the colour-blind tell apart. */
+/** Okabe and Ito's palette, which is safe for colour-blind readers. */
 const COLORS = ['#d55e00', '#e69f00', '#cc79a7', '#56b4e9', '#009e73', '#000000'];
 
-/** The energy over time of a method of each kind, at the longest step. */
+/** Plot of the energy over time of one method of each kind, at the longest step. */
 function plot(results, c) {
   const h = STEPS[0];
   const scale = scaleOf(results, c);
@@ -340,49 +345,51 @@ function plot(results, c) {
     const { t, word } = fate(result, scale);
     const shown = t === undefined ? result.energies : result.energies.slice(0, Math.ceil(t / result.every) + 1);
     const end = t === undefined ? undefined : `${word}, ${t.toFixed(2)} s`;
-    return { name: id, off: errors(shown, scale), every: result.every, end };
+    return { name: id, deviation: errors(shown, scale), every: result.every, end };
   });
   return drawn(curves, `Energy error ΔE over the largest kinetic energy: ${lightOf(c)}, h = ${h * 1000} ms`, TIME);
 }
 
-/** Of the splitting that errs most, as all came to settle, and after. */
+/** Plot of the splitting method with the largest error, during and after settling. */
 function longPlot(results) {
   const curves = longOnes(results)
     .filter(({ id }) => id === SWINGING[0])
     .map(({ id, side, about, energies, kinetic, every }) => {
       const name = `${id}, ${about}`;
-      return { name, off: errors(energies, kinetic), every, end: `${side} × ${side} points` };
+      return { name, deviation: errors(energies, kinetic), every, end: `${side} × ${side} points` };
     });
-  const time = Math.max(...curves.map(({ off, every }) => (off.length - 1) * every));
+  const time = Math.max(...curves.map(({ deviation, every }) => (deviation.length - 1) * every));
   return drawn(curves, `Energy error ΔE over the largest kinetic energy, for long: c = ${LONG} m/s`, time);
 }
 
-/** A round number of the size of what is shown, for a mark on the axis. */
+/** A round number near the range, for an axis tick. */
 function roundMark(most) {
   const size = 10 ** Math.floor(Math.log10(most));
   return size * ([5, 2, 1].find((each) => each * size <= most) ?? 1);
 }
 
-/** Curves over time; what is beyond the largest possible error, 1.2, goes along the border. */
+/** Curves over time, clamped to ±1.2. */
 function drawn(curves, title, time) {
-  const most = Math.min(1.2, 1.15 * Math.max(...curves.flatMap(({ off }) => off.map(Math.abs))));
+  const most = Math.min(1.2, 1.15 * Math.max(...curves.flatMap(({ deviation }) => deviation.map(Math.abs))));
   const mark = roundMark(most);
   const x = (t) => LEFT + (t / time) * (WIDTH - LEFT - LEGEND);
-  const y = (off) => TOP + ((most - Math.max(-most, Math.min(most, off))) / (2 * most)) * (HEIGHT - TOP - FOOT);
+  const y = (deviation) =>
+    TOP + ((most - Math.max(-most, Math.min(most, deviation))) / (2 * most)) * (HEIGHT - TOP - FOOT);
   const text = (at, down, words, more = '') => `<text x="${at}" y="${down}" ${more}>${words}</text>`;
-  const name = (off) => (off === 0 || mark >= 1e-2 ? String(Number(off.toPrecision(3))).replace('-', '−') : power(off));
+  const name = (deviation) =>
+    deviation === 0 || mark >= 1e-2 ? String(Number(deviation.toPrecision(3))).replace('-', '−') : power(deviation);
   const rules = [-mark, -mark / 2, 0, mark / 2, mark].map(
-    (off) =>
-      `<line x1="${x(0)}" x2="${x(time)}" y1="${y(off)}" y2="${y(off)}" stroke="#ccc"/>${text(x(0) - 8, y(off) + 4, name(off), 'text-anchor="end"')}`,
+    (deviation) =>
+      `<line x1="${x(0)}" x2="${x(time)}" y1="${y(deviation)}" y2="${y(deviation)}" stroke="#ccc"/>${text(x(0) - 8, y(deviation) + 4, name(deviation), 'text-anchor="end"')}`,
   );
-  const times = [0, 0.25, 0.5, 0.75, 1].map((share) =>
-    text(x(share * time), HEIGHT - FOOT + 18, Number((share * time).toPrecision(3)), 'text-anchor="middle"'),
+  const times = [0, 0.25, 0.5, 0.75, 1].map((fraction) =>
+    text(x(fraction * time), HEIGHT - FOOT + 18, Number((fraction * time).toPrecision(3)), 'text-anchor="middle"'),
   );
   const lines = curves.map((curve, i) => {
     const style = `stroke="${COLORS[i]}" stroke-width="2"${i % 2 ? ' stroke-dasharray="7 5"' : ''}`;
-    const points = curve.off.map((value, k) => `${x(k * curve.every).toFixed(1)},${y(value).toFixed(1)}`);
+    const points = curve.deviation.map((value, k) => `${x(k * curve.every).toFixed(1)},${y(value).toFixed(1)}`);
     const [across, up] = points.at(-1).split(',');
-    const stop = curve.every * (curve.off.length - 1) < 0.99 * time;
+    const stop = curve.every * (curve.deviation.length - 1) < 0.99 * time;
     const down = TOP + 12 + 34 * i;
     const at = WIDTH - LEGEND + 16;
     return [
@@ -402,15 +409,15 @@ try {
   checkNode();
   ensureModules();
   ensureBuilt('lib');
-  const share = Number(process.argv[2] ?? 1);
+  const fraction = Number(process.argv[2] ?? 1);
   const { METHODS } = await import('../dist/lib/dynamics/index.js');
   const ids = [...METHODS.keys()];
   const results = [
-    ...(await studied(await orders(ids, share), availableParallelism())),
+    ...(await studied(await allRuns(ids, fraction), availableParallelism())),
     ...(await studied(timings(ids), 1)),
   ];
   const page = written(results);
-  if (share === 1) {
+  if (fraction === 1) {
     writeFileSync(join(root, 'docs/dynamics.md'), page);
     for (const c of SPEEDS) writeFileSync(join(root, 'docs', pictureOf(c)), plot(results, c));
     writeFileSync(join(root, 'docs/pictures/energy-long.svg'), longPlot(results));

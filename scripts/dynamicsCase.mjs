@@ -1,4 +1,4 @@
-// A thread of `npm run dynamics`: lets the source documents' cloth hang by one method after another, and tells what became of its energy.
+// A worker thread of `npm run dynamics`: simulates the source documents' cloth and returns its energy over time.
 import { parentPort, workerData } from 'node:worker_threads';
 
 const { stiffness, gravity } = workerData;
@@ -7,11 +7,11 @@ const { integrate, makeSystem, meshSprings, METHODS, momenta, springForce, state
 );
 const { random } = await import('../dist/lib/math/index.js');
 
-parentPort.on('message', (order) => parentPort.postMessage(followed(order)));
+parentPort.on('message', (options) => parentPort.postMessage(simulated(options)));
 parentPort.postMessage(undefined);
 
-/** Energies [J] at their times, the largest kinetic energy [J], why it stopped, and what a step cost in each frame [ms]. */
-function followed({ id, c, h, every, duration, side, shaken, drag }) {
+/** Energies [J] per sample, the largest kinetic energy [J], the reason for an early stop, and the time per step in each frame [ms]. */
+function simulated({ id, c, h, every, duration, side, shaken, drag }) {
   const energies = [];
   const costs = [];
   const running = integrate({ ...cloth(side, c, shaken, drag), method: METHODS.get(id), duration, every, step: h });
@@ -21,13 +21,13 @@ function followed({ id, c, h, every, duration, side, shaken, drag }) {
     const now = performance.now();
     if (done) return { id, c, h, every, energies, kinetic, stop: value, steps, costs };
     if (value.steps > steps) costs.push((now - began) / (value.steps - steps));
-    energies.push(value.ledger.total);
-    kinetic = Math.max(kinetic, value.ledger.kinetic);
+    energies.push(value.quantities.total);
+    kinetic = Math.max(kinetic, value.quantities.kinetic);
     [steps, began] = [value.steps, performance.now()];
   }
 }
 
-/** A square cloth of a metre and a kilogram, level, held at two corners; each point is thrown by up to `shaken` along each axis [m/s]; what air takes: `drag` [1/s]. */
+/** A level square cloth of 1 m and 1 kg, pinned at two corners; `shaken`: maximum initial velocity per axis [m/s]; `drag` [1/s]. */
 function cloth(side, c, shaken = 0, drag = 0) {
   const points = side * side;
   const x = new Float64Array(3 * points);

@@ -1,4 +1,4 @@
-// `npm run examples`: makes every scene in examples/ anew. `npm run examples -- street dice` makes some.
+// `npm run examples`: regenerates every scene in examples/. `npm run examples -- street dice` only some.
 import { join } from 'node:path';
 import { checkNode, ensureModules, root, run, SetupError } from './setup.mjs';
 

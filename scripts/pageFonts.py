@@ -1,8 +1,8 @@
-"""Writes src/editor/fonts/*.woff2: the page's typeface, Inter, cut to what the page shows before anything is opened.
+"""Writes src/editor/fonts/*.woff2: the page's typeface, Inter, subset to what the page displays before a file is opened.
 
 Run with a Python that has fonttools and brotli (PyPI): python3 scripts/pageFonts.py
-The weights stay variable, but only from regular to bold: that leaves out the masters of the thin and the black.
-Of Greek only the letters of formulas are kept; whatever else is shown comes from the whole files of the package.
+The weights stay variable, but only from regular to bold, which omits the masters of thin and black.
+Of Greek only the letters of formulas are kept; other characters come from the package's full files.
 """
 
 from io import BytesIO
@@ -23,11 +23,11 @@ FORMULAS = "αβγδεθλμνπρστφωΓΔΛΣΩ"
 
 def cut(subset, letters=None):
     font = instantiateVariableFont(TTFont(PACKAGE / "files" / f"inter-{subset}-wght-normal.woff2"), {"wght": WEIGHTS})
-    # What was instantiated lazily refers to glyphs of before: it is read anew.
+    # Lazily loaded tables still refer to the original glyphs: reload the font.
     font.flavor = None
-    whole = BytesIO()
-    font.save(whole)
-    font = TTFont(BytesIO(whole.getvalue()))
+    buffer = BytesIO()
+    font.save(buffer)
+    font = TTFont(BytesIO(buffer.getvalue()))
     options = Options()
     options.layout_features = ["*"]
     options.name_IDs = ["*"]
@@ -35,7 +35,7 @@ def cut(subset, letters=None):
     subsetter = Subsetter(options)
     subsetter.populate(unicodes=[ord(letter) for letter in letters] if letters else list(font.getBestCmap()))
     subsetter.subset(font)
-    # A file that is made twice is the same.
+    # Reproducible output.
     font["head"].modified = font["head"].created
     font.recalcTimestamp = False
     font.flavor = "woff2"

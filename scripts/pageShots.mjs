@@ -1,10 +1,10 @@
-// Pictures of the page itself, for the docs: `npm run pictures -- graph`.
+// Screenshots of the page for the docs: `npm run pictures -- graph`.
 import { spawn } from 'node:child_process';
 import { once } from 'node:events';
 import { join } from 'node:path';
 import { root } from './setup.mjs';
 
-/** The graph with a box added to the scene, and the console in the inspector. */
+/** The graph with a box added to the scene, and the console node in the inspector. */
 export async function shootGraph() {
   const [{ chromium }, { findChromium, SOFTWARE_GPU_FLAGS }] = await Promise.all([
     import('playwright-core'),

@@ -1,6 +1,6 @@
-// `npm run pictures`: renders the pictures that README and docs show, and the gallery's thumbnails, with the program's own
-// command line. `npm run pictures -- street` makes those of some scenes. The comparisons of docs/guide/comparing.md are made with
-// `npm run pictures -- compare` (or the name of one, `compare-moved`) only, since the reference renderer takes its time.
+// `npm run pictures`: renders the pictures of README and docs and the gallery's thumbnails with the command line.
+// `npm run pictures -- street` renders those of some scenes. The comparisons of docs/guide/comparing.md are only made by
+// `npm run pictures -- compare` (or the name of one, `compare-moved`), since the reference renderer is slow.
 import { existsSync, mkdirSync } from 'node:fs';
 import { join } from 'node:path';
 import { shootGraph } from './pageShots.mjs';
@@ -58,7 +58,7 @@ const pictures = [
   ['dice', 'dice-seen', []],
   ['dice', 'dice-there', ['--view', 'simultaneity']],
 ];
-/** Scene, name of the picture, format that is compared, flags of both, flags of the rasterizer and of `compare`. */
+/** Scene, name of the picture, compared format, flags of both, flags of the rasterizer and of `compare`. */
 const there = ['--aov', 'position,object'];
 const comparisons = [
   ['wheel', 'compare-flip', 'png', ['--size', '240x135', '--samples', '6'], [], ['--triptych']],
@@ -77,8 +77,8 @@ try {
   checkNode();
   ensureModules();
   ensureBuilt('lib', 'app');
-  const wanted = process.argv.slice(2);
-  const chosen = (scene) => wanted.length === 0 || wanted.includes(scene);
+  const names = process.argv.slice(2);
+  const chosen = (scene) => names.length === 0 || names.includes(scene);
   mkdirSync(join(root, 'docs/pictures'), { recursive: true });
   mkdirSync(join(root, 'examples/thumbnails'), { recursive: true });
   for (const [scene, flags] of Object.entries(thumbnails))
@@ -87,7 +87,7 @@ try {
     if (chosen(scene)) render(scene, `docs/pictures/${name}.png`, ['--size', '960x540', ...flags]);
   if (chosen('graph')) await shootGraph();
   for (const comparison of comparisons)
-    if (wanted.includes('compare') || wanted.includes(comparison[1])) compare(...comparison);
+    if (names.includes('compare') || names.includes(comparison[1])) compare(...comparison);
 } catch (error) {
   if (!(error instanceof SetupError)) throw error;
   console.error(`\nnpm run pictures: ${error.message}`);
@@ -101,7 +101,7 @@ function render(scene, out, flags) {
   slowlight('render', file, '-o', out, '--samples', '3', ...flags);
 }
 
-/** The rasterizer's picture against that of the reference renderer. */
+/** Compares the rasterizer's picture with that of the reference renderer. */
 function compare(scene, name, format, both, fast, how) {
   mkdirSync(join(root, '.cache/compare'), { recursive: true });
   const [a, b] = ['raster', 'reference'].map((pipeline) => {

@@ -6,10 +6,10 @@
 //     npm run sameOutputs -- 5993356 --only dice,street --kinds render,reference,probe,convert
 //     npm run sameOutputs -- main --thorough
 //
-// `--thorough` draws every scene in every view, at rest and moving, by each pipeline, and every project by each: three times as long.
+// `--thorough` renders every scene in every view, at rest and moving, with each pipeline, and every project with each: three times as long.
 // Outputs of the commit are cached in the temporary folder of the system, so that later runs run the working tree only; `--fresh` ignores the cache.
-// On software GPUs (SwiftShader, llvmpipe) pictures are the same in every run, but for what is told at ATTEMPTS; of a hardware GPU this is not known: compare a
-// commit with itself first.
+// On software GPUs (SwiftShader, llvmpipe) pictures are reproducible except as described at ATTEMPTS; for hardware GPUs this is unknown: compare a commit with
+// itself first.
 import { execFileSync, spawnSync } from 'node:child_process';
 import { existsSync, lstatSync, mkdtempSync, readFileSync, rmSync, symlinkSync } from 'node:fs';
 import { dirname, join } from 'node:path';
@@ -29,25 +29,25 @@ import {
 } from './sameOutputs/run.mjs';
 import { checkNode, ensureBuilt, ensureModules, ensureSystem, root, run, SetupError, say } from './setup.mjs';
 
-/** Part of each cached job's key: raise it where the outputs are kept otherwise. */
+/** Part of each cached job's key; increase it when the format of the cache changes. */
 const CACHE_VERSION = 2;
 /**
- * The tessellator gives triangles their places by atomic counters, so that their order, and with it who wins a tie of depths, is another in every run: a few pixels
- * of few pictures. A picture that differs is drawn again up to so many times, unless there are too many of them; the same once is the same.
+ * The tessellator appends triangles with atomic counters, so that their order, and with it the winner of equal depths, varies between runs: a few pixels
+ * of few pictures. A picture that differs is rendered again up to ATTEMPTS times, unless more than MAX_AGAIN differ; one match is enough.
  */
 const ATTEMPTS = 6;
 const MAX_AGAIN = 12;
 
 try {
-  const { ref, ...wanted } = parseArguments(process.argv.slice(2));
+  const { ref, ...options } = parseArguments(process.argv.slice(2));
   checkNode();
   ensureModules();
   if (ensureSystem('which the pictures need').length > 0)
     throw new SetupError('system packages are missing, see above.');
   const commit = git('rev-parse', '--verify', '--quiet', `${ref}^{commit}`).trim();
   const before = { name: `${ref} (${commit.slice(0, 7)})`, folder: join(home, commit) };
-  const jobs = chosenJobs(inputsOf(commit, before.folder), wanted);
-  await runBefore(commit, before, jobs, wanted.fresh);
+  const jobs = chosenJobs(inputsOf(commit, before.folder), options);
+  await runBefore(commit, before, jobs, options.fresh);
   const now = await runNow(jobs);
   await runAgain(jobs, before, now);
   process.exitCode = report(jobs, before, now);
@@ -86,7 +86,7 @@ function git(...args) {
   return done.stdout;
 }
 
-/** The commit's examples, and the scene files of its tests with what lies beside them: both programs read these. */
+/** The commit's examples, and the scene files of its tests with their folders; inputs of both programs. */
 function inputsOf(commit, folder) {
   const all = git('ls-tree', '-r', '--name-only', '-z', commit).split('\0').filter(Boolean);
   const folders = new Set(all.filter((path) => SCENE_FILE.test(path)).map((path) => dirname(path)));
@@ -120,7 +120,7 @@ function chosenJobs({ folder, paths }, { only, kinds, thorough }) {
   return chosen.map((each) => ({ ...each, key: hash(JSON.stringify([CACHE_VERSION, environment, each.steps])) }));
 }
 
-/** What else outputs depend on: the software GPUs come with Chromium and the system. */
+/** Other dependencies of the outputs: the software GPUs come with Chromium and the system. */
 function environmentKey() {
   const version = (program, flag) => spawnSync(program, [flag], { encoding: 'utf8' }).stdout ?? '';
   const { CHROMIUM = 'chromium', VK_ICD_FILENAMES, VK_DRIVER_FILES } = process.env;
@@ -129,7 +129,7 @@ function environmentKey() {
 
 // ── Running ────────────────────────────────────────────────────────────────────────────────────────────────────────
 
-/** Runs what is not cached yet with a build of the commit in a temporary worktree. */
+/** Runs the jobs that are not cached with a build of the commit in a temporary worktree. */
 async function runBefore(commit, before, jobs, fresh) {
   const place = (job) => join(before.folder, job.key);
   before.place = place;
@@ -153,7 +153,7 @@ function buildOf(commit) {
     spawnSync('git', ['worktree', 'remove', '--force', tree], { cwd: root });
   });
   const lock = 'package-lock.json';
-  // Else the build below installs the commit's own.
+  // Otherwise the build below installs the commit's own.
   if (readFileSync(join(root, lock)).equals(readFileSync(join(tree, lock))))
     symlinkSync(join(root, 'node_modules'), join(tree, 'node_modules'), 'junction');
   run(process.execPath, [join(tree, 'scripts/build.mjs')], { cwd: tree });

@@ -1,5 +1,5 @@
-// What `npm start`, `npm test` and `npm run bench` need before they can begin. Node's own modules only: this runs before
-// `npm ci` has. Every step first looks whether it is needed, so that a second run costs little.
+// Prerequisites of `npm start`, `npm test` and `npm run bench`. Uses only Node's built-in modules, because it runs before
+// `npm ci`. Every step checks first whether it is needed, so that repeated runs are fast.
 import { spawnSync } from 'node:child_process';
 import { createHash } from 'node:crypto';
 import { existsSync, mkdirSync, readdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
@@ -12,7 +12,7 @@ export const say = (text) => console.log(`\x1b[2m·\x1b[0m ${text}`);
 
 export class SetupError extends Error {}
 
-/** Runs a program in the project folder with its output shown; throws where it fails. */
+/** Runs a program in the project folder with its output displayed; throws if it fails. */
 export function run(command, args, options = {}) {
   const done = spawnSync(command, args, { cwd: root, stdio: 'inherit', ...options });
   if (done.error) throw new SetupError(`${command} could not be started: ${done.error.message}`);
@@ -20,7 +20,7 @@ export function run(command, args, options = {}) {
     throw new SetupError(`\`${command} ${args.join(' ')}\` failed (exit ${done.status ?? done.signal}).`);
 }
 
-/** Runs a program quietly; its output, or undefined where it is absent or fails. */
+/** Runs a program silently; returns its output, or undefined if it is missing or fails. */
 function ask(command, args) {
   const done = spawnSync(command, args, { cwd: root, encoding: 'utf8' });
   return done.error || done.status !== 0 ? undefined : done.stdout;
@@ -43,13 +43,13 @@ export function checkNode() {
   );
 }
 
-/** npm keeps in node_modules what it has installed there: compare that with what package-lock.json wants. */
+/** Compares npm's record of installed packages in node_modules with package-lock.json. */
 function modulesAreCurrent() {
   const installedFile = at('node_modules', '.package-lock.json');
   if (!existsSync(installedFile)) return false;
-  const wanted = JSON.parse(readFileSync(at('package-lock.json'), 'utf8')).packages;
+  const locked = JSON.parse(readFileSync(at('package-lock.json'), 'utf8')).packages;
   const installed = JSON.parse(readFileSync(installedFile, 'utf8')).packages;
-  return Object.entries(wanted).every(
+  return Object.entries(locked).every(
     ([path, { version, optional }]) => path === '' || optional || installed[path]?.version === version,
   );
 }
@@ -57,13 +57,13 @@ function modulesAreCurrent() {
 export function ensureModules() {
   if (modulesAreCurrent()) return;
   say('Installing packages (npm ci) …');
-  // npm on Windows is a .cmd file, which only a shell can start.
+  // On Windows npm is a .cmd file, which only a shell can start.
   run('npm', ['ci', '--include=dev', '--no-audit', '--no-fund'], { shell: process.platform === 'win32' });
 }
 
 // ── System packages ────────────────────────────────────────────────────────────────────────────────────────────────
 
-/** A Debian package, and another sign that what it gives is there already. */
+/** Debian packages, each with another test for what it provides. */
 const systemPackages = {
   chromium: () => process.env.CHROMIUM ?? onPath('chromium'),
   ffmpeg: () => onPath('ffmpeg'),
@@ -71,7 +71,7 @@ const systemPackages = {
   'libegl-mesa0': () => sharedLibrary('libEGL_mesa.so.0'),
   'libgl1-mesa-dri': () => undefined,
 };
-/** For the tests against Pixar's own USD; they are optional, the rest is not. */
+/** Optional: for the tests against OpenUSD's own library. */
 const oraclePackages = {
   python3: () => onPath('python3'),
   'python3-venv': () => ask('python3', ['-c', 'import ensurepip']),
@@ -86,8 +86,8 @@ function sharedLibrary(name) {
 const isDebian = () => onPath('apt-get') !== undefined && onPath('dpkg') !== undefined;
 const isInstalled = (name) => (ask('dpkg', ['-s', name]) ?? '').includes('Status: install ok installed');
 
-function missingPackages(wanted) {
-  return Object.entries(wanted)
+function missingPackages(required) {
+  return Object.entries(required)
     .filter(([name, isThere]) => !isThere() && !isInstalled(name))
     .map(([name]) => name);
 }
@@ -103,13 +103,13 @@ function aptInstall(names) {
   run('apt-get', ['install', '-y', '-qq', '--no-install-recommends', ...names], { env });
 }
 
-/** Installs what is missing where this may; else says which line a person should run. Returns what is missing still. */
-function ensurePackages(wanted, purpose) {
+/** Installs missing packages if permitted; otherwise prints the command to run. Returns the packages still missing. */
+function ensurePackages(required, purpose) {
   if (process.platform !== 'linux') return otherSystem();
   if (!isDebian()) return otherSystem();
   const mayInstall = process.getuid?.() === 0;
-  if (mayInstall && missingPackages(wanted).length > 0) aptInstall(missingPackages(wanted));
-  const missing = missingPackages(wanted);
+  if (mayInstall && missingPackages(required).length > 0) aptInstall(missingPackages(required));
+  const missing = missingPackages(required);
   if (missing.length > 0) {
     const line = installLine(missing);
     say(`Missing system packages, ${purpose}. Run once:\n\n    ${mayInstall ? line : `sudo sh -c '${line}'`}\n`);
@@ -145,7 +145,7 @@ function* filesUnder(path) {
   }
 }
 
-/** Changes when any input's name or content does; not with time stamps, which a fresh checkout sets anew. */
+/** Hash of the inputs' names and contents; time stamps are not included, since a fresh checkout changes them. */
 function fingerprint(inputs) {
   const hash = createHash('sha256');
   for (const input of [...inputs, 'package-lock.json', 'scripts/setup.mjs']) {
@@ -161,7 +161,7 @@ function fingerprint(inputs) {
 
 const readStamps = () => (existsSync(stampFile) ? JSON.parse(readFileSync(stampFile, 'utf8')) : {});
 
-/** Builds what has changed since it was last built. */
+/** Builds the parts whose inputs have changed. */
 export function ensureBuilt(...names) {
   for (const name of names) {
     const { inputs, clean } = products[name];
@@ -184,11 +184,11 @@ function build(name) {
 
 const judges = ['usd-core==26.11', 'OpenEXR==3.4.4', 'numpy==2.3.5', 'flip-evaluator==1.7', 'colour-science==0.4.7'];
 
-/** The folder of the Python that has the judges, or undefined with the reason said. Kept in .cache/, never in the system. */
+/** Folder of the Python with the oracle packages, in .cache/, never in the system; undefined, with a message, if it cannot be made. */
 export function ensureOracle() {
   const folder = at('.cache', 'venv', process.platform === 'win32' ? 'Scripts' : 'bin');
   const python = join(folder, 'python3');
-  // Which versions are there: the judges of an earlier state of the project may judge otherwise.
+  // Installed versions: those of an earlier state of the project may give other results.
   const list = at('.cache', 'venv', 'judges.txt');
   const hasJudges = () =>
     existsSync(list) &&

@@ -1,4 +1,4 @@
-"""Writes src/spectrum/tables/*.ts: the published tables of colour that Slowlight computes with.
+"""Writes src/spectrum/tables/*.ts: published colorimetric tables.
 
 Run with the Python of the oracle tests: .cache/venv/bin/python3 scripts/spectrumTables.py && npm run format
 With --json it prints the tables instead, by name, for src/spectrum/color.oracle.test.ts to compare.

@@ -1,4 +1,4 @@
-// `npm run stars`: makes src/scene/stars/catalogue.ts anew from the stars of the npm package d3-celestial (BSD-3-Clause), which has them from XHIP.
+// `npm run stars`: regenerates src/scene/stars/catalogue.ts from the npm package d3-celestial (BSD-3-Clause), whose source is XHIP.
 import { execFileSync } from 'node:child_process';
 import { mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';

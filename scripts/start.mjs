@@ -14,7 +14,7 @@ try {
 const { main } = await import('../dist/lib/cli/main.js');
 process.exitCode = await main(['serve', ...process.argv.slice(2)]);
 
-/** The page itself needs no system package, so it starts without them; `slowlight render` and `npm test` want them. */
+/** The page needs no system packages and starts without them; `slowlight render` and `npm test` need them. */
 function tryEnsureSystem() {
   try {
     ensureSystem('for rendering on the command line and for the tests');

@@ -1,5 +1,5 @@
-// `npm test`: all the set-up, then every check and test, the quick ones first; stops at the first stage that fails.
-// `npm test -- unit cli` runs some stages only.
+// `npm test`: set-up, then every check and test, the fast ones first; stops at the first failing stage.
+// `npm test -- unit cli` runs only some stages.
 import { spawnSync } from 'node:child_process';
 import { delimiter, join } from 'node:path';
 import { checkNode, ensureBuilt, ensureModules, ensureOracle, ensureSystem, root, SetupError } from './setup.mjs';
@@ -7,7 +7,7 @@ import { checkNode, ensureBuilt, ensureModules, ensureOracle, ensureSystem, root
 const tool = (path, ...args) => ({ path: join(root, 'node_modules', path), args });
 const vitest = (project) => [tool('vitest/vitest.mjs', 'run', '--project', project)];
 
-/** In running order. `needs`: `system` and `build` a stage cannot do without; without `python` it skips a part, and says so. */
+/** In order of execution. `needs`: `system` and `build` are required; without `python` a stage skips a part, with a message. */
 const stages = {
   check: {
     steps: [

@@ -12,7 +12,7 @@ const MILLION = 1_000_000;
 const INSTANCES = 1000;
 const INSTANCED = 10_000;
 
-/** Writes what needs no usd-core: a sphere of a million triangles as million.usda, .glb and so on, and instances.glb. */
+/** Writes the files that need no usd-core: a sphere of a million triangles as million.usda, .glb etc., and instances.glb. */
 export async function writeFiles(folder: string): Promise<void> {
   const scene = sphereScene(MILLION);
   for (const kind of ['usda', 'glb', 'obj']) {
@@ -95,7 +95,7 @@ function textPly(mesh: Mesh): string {
 function stl({ positions, indices }: Mesh): Uint8Array {
   const bytes = Buffer.alloc(84 + (50 * indices.length) / 3);
   bytes.writeUInt32LE(indices.length / 3, 80);
-  // The normals stay zero, which means: those of the corners' order.
+  // Normals stay zero: readers compute them from the winding order.
   for (let i = 0; i < indices.length; i++) {
     const at = 84 + 50 * Math.floor(i / 3) + 12 + 12 * (i % 3);
     for (let k = 0; k < 3; k++) bytes.writeFloatLE(positions[3 * indices[i] + k], at + 4 * k);

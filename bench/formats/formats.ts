@@ -8,24 +8,24 @@ import { inChild } from '../support/inChild.ts';
 import { writeFiles } from './formatFiles.ts';
 
 const root = fileURLToPath(new URL('../../../../', import.meta.url));
-const script = join(root, 'bench', 'formats.py');
+const script = join(root, 'bench', 'formats', 'formats.py');
 const ROUNDS = 3;
 
-/** What child.ts is told: whether samples are to be in memory, however many there are. */
+/** Argument of child.ts: whether all samples are read into memory. */
 export interface LoadTask {
   readonly file: string;
   readonly inMemory: boolean;
 }
 
-/** What a reader takes for a file, or why it does not read it. */
+/** A reader's time and memory for a file, or why it fails. */
 type LoadMeasurement = { readonly seconds: number; readonly bytes: number } | { readonly refusal: string };
 
 interface Case {
   readonly what: string;
   readonly file: string;
-  /** Samples that take much memory would otherwise be left in the file. */
+  /** Reads all samples into memory; otherwise large ones stay in the file. */
   readonly inMemory?: boolean;
-  /** Why a reader is not asked: what it does would not be the same work. */
+  /** Why a reader is excluded: it would not do the same work. */
   readonly not?: { readonly usdCore?: string; readonly three?: string };
 }
 
@@ -96,7 +96,7 @@ function table(folder: string, hasUsdCore: boolean): Table {
 
 type Reader = () => LoadMeasurement;
 
-/** The three in their order; undefined where there is none for the file. */
+/** Results of the three readers in column order; undefined if a reader does not support the file. */
 function readers({ file, inMemory, not }: Case, path: string, hasUsdCore: boolean): readonly (Reader | undefined)[] {
   const refused =
     (refusal: string): Reader =>
@@ -112,7 +112,7 @@ function readers({ file, inMemory, not }: Case, path: string, hasUsdCore: boolea
   ];
 }
 
-/** Medians over some rounds in which the readers take turns. */
+/** Medians over rounds in which the readers alternate. */
 function rounds(asked: readonly (Reader | undefined)[]): readonly (LoadMeasurement | undefined)[] {
   const all = Array.from({ length: ROUNDS }, () => asked.map((read) => read?.()));
   return asked.map((_, i) => {
@@ -126,7 +126,7 @@ function rounds(asked: readonly (Reader | undefined)[]): readonly (LoadMeasureme
 const cells = (taken: LoadMeasurement | undefined): readonly string[] =>
   taken && 'seconds' in taken ? [figure(taken.seconds), figure(taken.bytes / 2 ** 20)] : ['–', '–'];
 
-/** What the script prints; undefined where it cannot run. */
+/** Output of the Python script; undefined if it cannot run. */
 function python(...args: string[]): string | undefined {
   const own = join(root, '.cache', 'venv', 'bin', 'python3');
   const done = spawnSync(existsSync(own) ? own : 'python3', [script, ...args], { encoding: 'utf8' });

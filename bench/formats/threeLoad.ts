@@ -9,7 +9,7 @@ import { extensionOf } from '../../src/formats/files/fileSource.ts';
 type Loader = (bytes: ArrayBuffer) => unknown;
 
 const usd: Loader = (bytes) => new USDLoader().parse(bytes);
-/** What three.js reads a file's bytes with, by its extension. */
+/** three.js loaders by extension. */
 const loaders: Readonly<Record<string, Loader>> = {
   usda: usd,
   usdc: usd,

@@ -21,7 +21,7 @@ export const graph: Bench = {
   run: async () => [await evaluation(), await edits()],
 };
 
-/** Two numbers, and nodes that each add the two before them, modulo 1000. */
+/** Two numbers, and nodes that each add the previous two, modulo 1000. */
 function arithmetic(size: number): GraphDocument {
   const nodes = Array.from({ length: size - 2 }, (_, i): Command[] => [
     add(`n${i}`, 'math', [240 * i, 0]),
@@ -36,7 +36,7 @@ async function evaluation(): Promise<Table> {
   const rows: (string | number)[][] = [];
   for (const size of SIZES) {
     const target = `n${size - 3}`;
-    // Each kind of work has results of its own, as the page has that does only it.
+    // Each kind of work has its own evaluator and cache, as a page that does only this.
     const evaluators = [0, 1, 2].map(() => new Evaluator(nodeLibrary));
     const evaluate = async (document: GraphDocument, which: number): Promise<void> => {
       const evaluator = evaluators[which]!;

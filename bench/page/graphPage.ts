@@ -11,7 +11,7 @@ import { gridProject } from './gridProject.ts';
 const bin = fileURLToPath(new URL('../../../../bin/slowlight.js', import.meta.url));
 const SIZES = [30, 100, 300];
 const ROUNDS = 1;
-/** Of the mouse, there and back again. */
+/** Number of mouse moves, forth and back. */
 const STEPS = 20;
 const PASTED = 2000;
 const VIEWPORT = { width: 1440, height: 900 };
@@ -52,11 +52,11 @@ async function canvas(browser: Browser, url: string): Promise<Table> {
   return { columns: ['nodes', ...columns.map((column) => `${column} [ms]`)], rows };
 }
 
-/** Figures in the order of the table. */
+/** Results in the order of the table's columns. */
 async function visit(browser: Browser, url: string, size: number): Promise<number[]> {
   const tab = await opened(browser, url, size);
   const shown = await timeOf(tab, 'graph', () => tab.getByRole('button', { name: 'Show the node graph' }).click());
-  // The pictures of the nodes come after that, once everything rests.
+  // Node previews are drawn later, once everything is idle.
   await tab.waitForTimeout(4000);
   const flow = (await tab.locator('.sl-flow').boundingBox())!;
   const [x, y] = [flow.x + flow.width / 2, flow.y + 30];
@@ -96,9 +96,9 @@ async function opened(browser: Browser, url: string, size: number): Promise<Page
   return tab;
 }
 
-/** What is measured within the page. */
+/** Measurements within the page. */
 interface Watched {
-  /** Settles in the frame after the canvas, or the view of it, stopped changing; from when that began [ms]; NaN where nothing did. */
+  /** Resolves in the frame after the canvas or its viewport stopped changing, with the time since the first change [ms]; NaN if nothing changed. */
   settled(): Promise<number>;
   began: number;
   intervals: number[];
@@ -108,7 +108,7 @@ declare global {
   var watched: Watched;
 }
 
-/** Runs in the page. */
+/** Evaluated in the page. */
 function listening(): void {
   const QUIET = 400;
   const PATIENCE = 60_000;
@@ -116,17 +116,17 @@ function listening(): void {
   const note = (): void => {
     changed = performance.now();
   };
-  // The frame that shows it comes after this one's work.
+  // It is displayed in the frame after this one.
   const isOfGraph = (node: Node): boolean =>
     node instanceof Element && node.matches('.sl-graph, .react-flow__node, .react-flow__edge, .react-flow__edge *');
   const isOfView = (node: Node): boolean => node instanceof Element && node.matches('.react-flow__viewport');
-  const seen = new MutationObserver((records) => {
+  const observer = new MutationObserver((records) => {
     const ofGraph = records.some(({ type, target, addedNodes, removedNodes }) =>
       type === 'attributes' ? isOfView(target) : [...addedNodes, ...removedNodes].some(isOfGraph),
     );
     if (ofGraph) requestAnimationFrame(() => requestAnimationFrame(note));
   });
-  seen.observe(document.body, { childList: true, subtree: true, attributeFilter: ['style'] });
+  observer.observe(document.body, { childList: true, subtree: true, attributeFilter: ['style'] });
   let before = performance.now();
   const tick = (now: number): void => {
     watched.intervals.push(now - before);
@@ -134,7 +134,7 @@ function listening(): void {
     requestAnimationFrame(tick);
   };
   requestAnimationFrame(tick);
-  // Every picture is brought to the canvas by passes that fill it.
+  // Every picture reaches the canvas by full-screen passes.
   const draw = WebGL2RenderingContext.prototype.drawArrays;
   WebGL2RenderingContext.prototype.drawArrays = function (...args) {
     watched.drawn++;
@@ -155,7 +155,7 @@ function listening(): void {
   };
 }
 
-/** From a press or a click to the frame after which nothing more is added or taken away [ms]. */
+/** From a key press or click to the frame after the last change of the page [ms]. */
 async function timeOf(tab: Page, event: string, act: () => Promise<void>): Promise<number> {
   await tab.evaluate(() => {
     const begin = (): void => {
@@ -170,7 +170,7 @@ async function timeOf(tab: Page, event: string, act: () => Promise<void>): Promi
   return time;
 }
 
-/** Median and 95 % of the times between frames while something goes on [ms]. */
+/** Median and 95th percentile of frame times during an interaction [ms]. */
 async function frames(tab: Page, act: () => Promise<void>): Promise<readonly [median: number, late: number]> {
   await tab.evaluate(() => {
     watched.intervals = [];

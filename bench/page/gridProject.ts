@@ -2,14 +2,14 @@ import type { GraphDocument } from '../../src/graph/document/document.ts';
 import type { Command } from '../../src/graph/edits/commands.ts';
 import { add, build, connect, set } from '../../tests/support/graphKit.ts';
 
-/** Boxes in a block of the graph, each with a node that moves it; all of a block become one. */
+/** Boxes per block of the graph, each with a node that moves it; a block is merged into one output. */
 const BLOCK = 8;
-/** Of nodes beside each other, of those below each other, and of the blocks themselves [px]. */
+/** Horizontal and vertical spacing of nodes, and of blocks [px]. */
 const [COLUMN, ROW, WIDE, HIGH] = [260, 150, 900, 1300];
-/** Blocks below each other. */
+/** Blocks per column. */
 const STACK = 2;
 
-/** A project of so many nodes that makes a picture: blocks of boxes, a sun, and what every picture has. */
+/** A project with the given number of nodes that makes a picture: blocks of boxes, a sun and the usual render nodes. */
 export function gridProject(size: number): GraphDocument {
   const chain = ['scene', 'relativity-console', 'scene-camera', 'relativity-rasterize', 'deferred-lighting'] as const;
   const tail = ['post-process', 'tone-map', 'output'] as const;
@@ -17,7 +17,7 @@ export function gridProject(size: number): GraphDocument {
   const merges: string[] = [];
   for (let left = size - chain.length - tail.length - 2; left > 0; ) {
     const boxes = Math.min(BLOCK, (left - 1) >> 1);
-    // What is left over are notes' worth of numbers.
+    // The remainder are number nodes.
     if (boxes < 1) {
       blocks.push(add(`spare${left--}`, 'number', [0, -ROW]));
       continue;

@@ -5,10 +5,10 @@ import { poseAt } from '../../src/scene/motion/motion.ts';
 import { applyPose } from '../../src/scene/motion/poses.ts';
 import type { Scene } from '../../src/scene/types.ts';
 
-/** Distance to the nearest surface [m] along a unit direction; undefined where there is none. */
+/** Distance to the nearest surface [m] along a unit direction; undefined if there is none. */
 export type StaticCaster = (from: Vec3, direction: Vec3) => number | undefined;
 
-/** All objects of a scene at rest as one mesh, in the hierarchy of three-mesh-bvh, built by the same heuristic as ours. */
+/** All objects of a static scene as one mesh in a three-mesh-bvh, built by the same heuristic as ours. */
 export function plainBvh(scene: Scene, c: number): StaticCaster {
   const bvh = new MeshBVH(merged(scene, c), { strategy: SAH });
   const ray = new Ray(new Vector3(), new Vector3());

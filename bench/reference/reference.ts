@@ -22,11 +22,11 @@ const TRIANGLES = 140_000;
 const FEW_TRIANGLES = 20_000;
 const SAMPLES = [16, 64, 256, 1024, 4096];
 const ROUNDS = 3;
-/** Of the picture whose rays are sent, one through each pixel. */
+/** Size of the picture, with one ray per pixel. */
 const SIZE = { width: 240, height: 135 };
-/** The balls fill the picture: a ray that meets nothing says little. */
+/** The spheres fill the picture, because rays that miss everything are cheap. */
 const LOOK = { ...VIEW, lens: perspective(0.35) };
-/** Relative difference of two distances that is only f32's. */
+/** Relative difference of distances that is due to f32. */
 const F32 = 1e-4;
 
 export const reference: Bench = {
@@ -48,7 +48,7 @@ const rays = (): SpacetimeRay[] => {
   );
 };
 
-/** Sends all rays. */
+/** Traces all rays. */
 function sender(scene: Scene): () => void {
   const traced = createTracedScene(scene, C);
   const all = rays();
@@ -78,7 +78,7 @@ async function againstStatic(): Promise<Table> {
   };
 }
 
-/** A comparison means something only where both find the same. */
+/** Throws unless both find the same surfaces. */
 function agree(scene: Scene, lines: readonly (readonly [Vec3, Vec3])[], cast: ReturnType<typeof plainBvh>): void {
   const traced = createTracedScene(scene, C);
   const different = rays().filter((ray, i) => {
@@ -87,7 +87,7 @@ function agree(scene: Scene, lines: readonly (readonly [Vec3, Vec3])[], cast: Re
     if (ours === undefined || theirs === undefined) return ours !== theirs;
     return Math.abs(ours - theirs) > F32 * theirs;
   }).length;
-  // Along outlines f32 and f64 may decide differently.
+  // At silhouettes f32 and f64 may differ.
   if (different > lines.length / 1000)
     throw new Error(`${different} of ${lines.length} rays hit other things than in three-mesh-bvh`);
 }
@@ -98,12 +98,12 @@ function hitShare(scene: Scene): number {
   return all.filter((ray) => nearestHit(traced, ray)).length / all.length;
 }
 
-/** The same objects, each at a constant velocity of its own, up to c/2. */
+/** The same objects with different constant velocities up to c/2. */
 function coasting(scene: Scene): Scene {
   const moving = (object: SceneObject, i: number): SceneObject => {
     if (object.motion.kind !== 'static') throw new Error(`${object.path} does not rest`);
     const velocity: Vec3 = [(C / 16) * i, 0, 0];
-    // There at the observer's moment, so that it is about where it would be at rest.
+    // At its original place at the observer's time.
     const { position, orientation } = object.motion.pose;
     const pose = { position: [position[0] - velocity[0] * VIEW.t, position[1], position[2]] as const, orientation };
     return { ...object, motion: { kind: 'uniform', pose, velocity } };
@@ -138,7 +138,7 @@ const request = (settings: RenderSettings): TileRequest => ({
   light: DEFAULT_LIGHT,
 });
 
-/** What it costs to follow wavelengths instead of three colours: more where rays are cheap, and where every surface has a frame of its own. */
+/** Cost of spectral transport relative to three colours: higher if rays are cheap, and if every surface has its own frame. */
 async function overColors(): Promise<Table> {
   const rows: (string | number)[][] = [];
   for (const kind of ['static', 'rigid'] as const) {
@@ -155,7 +155,7 @@ async function overColors(): Promise<Table> {
 async function timeOfPicture(scene: Scene, threads: number): Promise<number> {
   const pool = openTracerPool(scene, C, threads, nodeThreads());
   const draw = (): Promise<void> => pool.render(request(SETTINGS), tilesOf(SIZE), () => {});
-  // The first picture compiles, and makes what the motion's samples need.
+  // The first picture warms up the JIT and builds the structures of sampled motions.
   await draw();
   const ms = await timed(draw);
   await pool.close();

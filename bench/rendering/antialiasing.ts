@@ -42,7 +42,7 @@ export const antialiasing: Bench = {
   },
 };
 
-/** Coasting from where the command line looks at the example. */
+/** Coasting from the command line's default view of the example. */
 async function street(beta: number): Promise<CameraPath> {
   const scene = await openSceneFile(fileURLToPath(new URL('../../../../examples/street.usda', import.meta.url)));
   const { view, settings } = exampleFrame('street', scene, 'light-cone', beta);

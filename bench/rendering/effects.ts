@@ -46,7 +46,7 @@ function noise(): Float32Array<ArrayBuffer> {
   return Float32Array.from({ length: 4 * SIZE.width * SIZE.height }, () => 4 * next());
 }
 
-/** Of three's passes, in turn over two targets. */
+/** three's passes, ping-ponging between two targets. */
 async function chainOf(steps: readonly (readonly [EffectId | ShaderProgram, readonly number[]])[]): Promise<Chain> {
   const { device } = await gpu();
   const { DataTexture, FloatType, HalfFloatType, RGBAFormat } = await import('three/webgpu');
@@ -158,7 +158,7 @@ async function byHand(): Promise<Chain> {
   device.queue.writeTexture({ texture: picture }, noise(), { bytesPerRow: 16 * width }, [width, height]);
   const names = ['across', 'down', 'vignette', 'added'];
   const targets = names.map(() => texture('rgba16float'));
-  // FRAGMENT; a picture in floats is read unfiltered.
+  // FRAGMENT; float textures are read unfiltered.
   const entry = (binding: number): GPUBindGroupLayoutEntry => ({
     binding,
     visibility: 2,

@@ -6,13 +6,13 @@ import { openRenderer } from '../support/gpu.ts';
 import { C, sphereScene } from '../support/scenes.ts';
 
 const COUNTS = [16, 64, 256, 1024, 4096];
-/** What "equal error" means: the emission time is known to this fraction of the light's travel time. */
+/** Accuracy for "equal error": error of the emission time over the light's travel time. */
 const TOLERANCE = 1e-9;
 const LINES = 200;
 const ITERATIONS = [1, 2, 4, 8, 16, 32, 64];
-/** Over which time the sampled motion goes on [s]. */
+/** Duration of the sampled motion [s]. */
 const SPAN = 10;
-/** A difference smaller than this fraction of the frame says nothing. */
+/** Differences below this fraction of the frame time are noise. */
 const NOISE = 0.1;
 const OBSERVER = { t: 6, position: [0, 0, 0] as const };
 
@@ -71,7 +71,7 @@ async function onCpu(): Promise<Table> {
   };
 }
 
-/** On a polyline the iteration can jump between two pieces for ever; then more steps do not help. */
+/** On a polyline the iteration can oscillate between two segments; more steps do not help then. */
 function newtonNeeds(lines: readonly PolylineLine[]): { iterations: number; failing: number } {
   let failing = 1;
   for (const iterations of ITERATIONS) {

@@ -57,7 +57,7 @@ const COLOR_REMARK =
   'Colour and beaming: *off* is the same picture, Doppler mix and beaming 0, for which their code is left out of the shaders; *approximate* the tint. ' +
   'Things at rest need one look-up of the table for a pixel, moving ones one more for each direction that light comes from, and one for its colour.';
 
-/** What colours cost. */
+/** Cost of Doppler colours. */
 async function colorRow(triangles: number, kind: MotionKind): Promise<(string | number)[]> {
   console.error(`  colours, ${triangles.toLocaleString('en')} triangles, ${kind}`);
   const { renderer, frame } = await openRenderer(SIZE.width, SIZE.height);
@@ -73,7 +73,7 @@ const SHADOW_COLUMNS = ['triangles', 'motion', 'detail', 'off [ms]', 'on [ms]', 
 const SHADOW_REMARK =
   'Shadows of one sun; *coarse* is what the page has on a software GPU, *fine* all else. From picture to picture 0.02 s pass, so that what moves is drawn into its shadow map for each; the map of what rests is drawn once.';
 
-/** What shadows cost. */
+/** Cost of shadows. */
 async function shadowRow(
   triangles: number,
   kind: MotionKind,
@@ -86,7 +86,7 @@ async function shadowRow(
   return [drawn, kind, shadowDetail, off, on, on / off];
 }
 
-/** How many triangles there are, and how long pictures take without shadows and with them [ms]; time goes on. Lets go of the renderer. */
+/** Number of triangles, and times of pictures without and with shadows [ms], with advancing scene time. Disposes of the renderer. */
 async function withoutAndWith({ renderer, frame }: Awaited<ReturnType<typeof openRenderer>>) {
   let t = VIEW.t;
   const works = [false, true].map((shadows) => () => {
@@ -103,7 +103,7 @@ const LAMP_COLUMNS = ['triangles', 'motion', 'lamps', 'off [ms]', 'on [ms]', 'on
 const LAMP_REMARK =
   'Shadows of resting lamps of 0.2 m, fine, with time going on as above: where things rest each lamp has six tiles, which are drawn once; where they move each has tiles of the bodies that it shines on, drawn for every picture.';
 
-/** What shadows of lamps cost. */
+/** Cost of shadows of local lights. */
 async function lampRow(triangles: number, kind: MotionKind, count: number): Promise<(string | number)[]> {
   console.error(`  shadows of ${count} lamps, ${triangles.toLocaleString('en')} triangles, ${kind}`);
   const opened = await openRenderer(SIZE.width, SIZE.height);
@@ -129,7 +129,7 @@ const OCCLUSION_REMARK =
   'Ambient occlusion: *off* is the same picture with a radius of 0, for which none of it runs. Where things move, each neighbour is followed to the event at which the ' +
   "point's light passed it. The page leaves it out while a slow machine flies at its lowest resolution.";
 
-/** What it costs that things hide the sky from each other. */
+/** Cost of ambient occlusion. */
 async function occlusionRow(triangles: number, kind: MotionKind): Promise<(string | number)[]> {
   console.error(`  occlusion, ${triangles.toLocaleString('en')} triangles, ${kind}`);
   const { renderer, frame } = await openRenderer(SIZE.width, SIZE.height);

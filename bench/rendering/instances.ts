@@ -9,7 +9,7 @@ import { inChild } from '../support/inChild.ts';
 const COUNT = 1000;
 const TRIANGLES = 10_000;
 
-/** What child.ts tells of a file. */
+/** Result of child.ts for a file. */
 interface InstancesMeasurement {
   readonly load: number;
   readonly loaded: number;

@@ -4,7 +4,7 @@ import type { Scene } from '../../src/scene/types.ts';
 import { gpu } from '../support/gpu.ts';
 import { C, VIEW } from '../support/scenes.ts';
 
-/** The same meshes at rest, as three draws them by itself. */
+/** The same meshes at rest, drawn by three alone. */
 export async function openPlainThree(scene: Scene, width: number, height: number) {
   const { device } = await gpu();
   const THREE = await import('three/webgpu');

@@ -18,9 +18,9 @@ const SIZE = { width: 1280, height: 720 };
 const PIXELS = somePixels(SIZE, 4000, 20_261_121);
 const BETAS = [0.9, 0.99];
 const ROUNDS = 5;
-/** What cutting alike may come to. */
-const MOST_TRIANGLES = 2_000_000;
-/** The goal of cutting: so many pixels may be wrong. */
+/** Maximum number of triangles of uniform subdivision. */
+const MAX_TRIANGLES = 2_000_000;
+/** Fraction of pixels that may be wrong, the goal of subdivision. */
 const WRONG = 1e-3;
 /** A tolerance [px]. */
 const UNCUT = Number.POSITIVE_INFINITY;
@@ -30,7 +30,7 @@ export const tessellation: Bench = {
   title: 'Edges cut as each picture needs it, cut alike, and uncut',
   about:
     `The examples from their cameras at ${SIZE.width} × ${SIZE.height}, on WebGPU. *Uncut*: the triangles of the scene. *As needed*: what the program does. *Alike*: no edge longer than the greatest length, of halvings of the ` +
-    `scene's longest one, with which the picture is as right as the program's, or has at most ${100 * WRONG} % wrong pixels and none more than ${MAX_DISPLACEMENT} px beside its place; at most ${MOST_TRIANGLES.toLocaleString('en')} triangles. ` +
+    `scene's longest one, with which the picture is as right as the program's, or has at most ${100 * WRONG} % wrong pixels and none more than ${MAX_DISPLACEMENT} px beside its place; at most ${MAX_TRIANGLES.toLocaleString('en')} triangles. ` +
     `Wrong, and the most that what a pixel shows is beside its place: ${PIXELS.length.toLocaleString('en')} pixels against rays of the reference, as in tests/visual. A frame ends when the GPU has answered; all three take turns. ` +
     "*Plan*: a processor's part of it, in f64, which in the page is a worker's; *with levels*: and what the GPU has left to do on WebGPU, but not on WebGL2.",
   async run() {
@@ -73,7 +73,7 @@ async function rowsOf(name: ExampleName, scene: Scene, beta: number): Promise<{ 
   const alike = await openTable(frame, scene, UNCUT);
   const [before, after] = [await uncut.judged(judge), await needed.judged(judge)];
   const { longest, tally, enough } = await layAlike(alike, scene, judge, after, before);
-  // Cutting has left much behind, which would be swept up in the middle of a frame.
+  // Collects the garbage of subdivision now instead of during a measured frame.
   globalThis.gc?.();
   const ms = await interleaved([uncut.draw, needed.draw, alike.draw], ROUNDS);
   const tables = [uncut, needed, alike];
@@ -118,7 +118,7 @@ async function openTable({ view, settings }: TestView, scene: Scene, tolerance?:
   };
 }
 
-/** Cuts all edges alike until the picture is as right as `goal`, or there is no room. Far from it, errors shrink with the square of lengths. */
+/** Subdivides uniformly until the picture is as correct as `goal`, or the maximum is reached. Far from the goal, errors decrease with the square of edge lengths. */
 async function layAlike(
   { renderer, judged }: Table,
   scene: Scene,
@@ -130,7 +130,7 @@ async function layAlike(
   let best = { longest: whole, tally: uncut, enough: isAsRight(uncut, goal) };
   while (!best.enough) {
     const longest = best.longest / (best.tally.displacement.worst > 32 * MAX_DISPLACEMENT ? 4 : 2);
-    const finer = subdivideUniformly(scene, longest, MOST_TRIANGLES);
+    const finer = subdivideUniformly(scene, longest, MAX_TRIANGLES);
     if (!finer) break;
     await renderer.setScene(finer);
     const tally = await judged(judge);

@@ -11,7 +11,7 @@ import { interleaved } from '../support/bench.ts';
 
 const ROUNDS = 9;
 
-/** What a processor does to cut one picture of light: clusters and coarse cuts, and with the levels of all leaves, as for WebGL2 [ms]. No budget. */
+/** CPU time to plan the tessellation of one light-cone picture: clusters and patches, and with the factors of all patches, as for WebGL2 [ms]. Without a budget. */
 export async function tessellationTimes(
   scene: Scene,
   { view, settings }: TestView,
@@ -20,10 +20,10 @@ export async function tessellationTimes(
   const { speedOfLight: c } = settings;
   const bodies = worldObjects(scene, c).map((object, i) => makeBody(object, i + 1));
   const batches = makeBatches({ ...scene, objects: bodies.map((body) => body.object) }, bodies);
-  const look = tessellationViewOf(view, c, size);
+  const tessellationView = tessellationViewOf(view, c, size);
   const works = [false, true].map((needsFactors) => {
     const planner = new LocalPlanner(batches.map((batch) => ({ batch, needsFactors })));
-    return () => void planner.plan({ viewIndex: 0, view: look, visible: batches.map(() => true) });
+    return () => void planner.plan({ viewIndex: 0, view: tessellationView, visible: batches.map(() => true) });
   });
   return interleaved(works, ROUNDS);
 }

@@ -2,8 +2,8 @@ import { isStreamed } from '../../src/scene/streaming/samplePoints.ts';
 import type { Mesh, Motion, Scene, SceneObject } from '../../src/scene/types.ts';
 
 /**
- * The scene with every edge cut in halves until none is longer than `longest` [m], as one would do it when a scene is loaded; undefined where that
- * makes more than `most` triangles. Only an edge's own length decides, so no cracks open.
+ * The scene with every edge bisected until none is longer than `longest` [m], as a loader could do; undefined if that exceeds
+ * `most` triangles. Only an edge's own length decides, so there are no cracks.
  */
 export function subdivideUniformly(scene: Scene, longest: number, most: number): Scene | undefined {
   const objects: SceneObject[] = [];
@@ -28,14 +28,14 @@ export function longestEdge({ objects }: Scene): number {
   return Math.sqrt(square);
 }
 
-/** Each triangle is halved across its longest edge, and so are its halves; every edge is cut in its middle, whichever triangle asks first. */
+/** Bisects each triangle at the midpoint of its longest edge, recursively; midpoints are shared between triangles. */
 class UniformSubdivision {
   readonly indices: number[] = [];
   private readonly original: Mesh;
   private readonly positions: number[];
   private readonly square: number;
   private readonly room: number;
-  /** The two vertices in whose middle each new one is. */
+  /** The two parents of each new vertex. */
   private readonly parents: number[] = [];
   private readonly middles = new Map<number, number>();
   private readonly groups: Mesh['groups'];
@@ -53,7 +53,7 @@ class UniformSubdivision {
     });
   }
 
-  /** All has found room. */
+  /** False if the maximum number of triangles was exceeded. */
   get done(): boolean {
     return this.indices.length <= this.room;
   }
@@ -95,8 +95,8 @@ class UniformSubdivision {
 
   private middle(a: number, b: number): number {
     const key = Math.min(a, b) * 2 ** 26 + Math.max(a, b);
-    const known = this.middles.get(key);
-    if (known !== undefined) return known;
+    const existing = this.middles.get(key);
+    if (existing !== undefined) return existing;
     const p = this.positions;
     const made = p.length / 3;
     for (let k = 0; k < 3; k++) p.push((p[3 * a + k] + p[3 * b + k]) / 2);
@@ -105,7 +105,7 @@ class UniformSubdivision {
     return made;
   }
 
-  /** What each vertex has, `size` numbers of it, with that of the new ones: half of each parent's. */
+  /** A vertex attribute of `size` numbers, extended to the new vertices by the mean of their parents. */
   private extended(array: Float32Array, size: number): Float32Array {
     const { parents } = this;
     const out = new Float32Array(array.length + (size * parents.length) / 2);

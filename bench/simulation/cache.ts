@@ -8,12 +8,12 @@ import { inChild } from '../support/inChild.ts';
 
 const root = fileURLToPath(new URL('../../../../', import.meta.url));
 const script = join(root, 'src', 'formats', 'usd', 'fixtures', 'caches.py');
-/** Points along one side of the cloth: 99,856 in all. */
+/** Points along one side of the cloth; 99,856 in total. */
 const SIDE = 316;
-/** 300 MB, which memory holds as well, and 2.1 GB. */
+/** Frames of 300 MB, which also fit into memory, and of 2.1 GB. */
 const [SHORT, LONG] = [250, 1750];
 
-/** What child.ts is told: where the samples are to be, and how many pictures are made. */
+/** Arguments of child.ts: where the samples are kept, and the number of pictures. */
 export interface CacheTask {
   readonly file: string;
   readonly inMemory: boolean;
@@ -68,7 +68,7 @@ function row(file: string, frames: number, inMemory: boolean): (string | number)
   ];
 }
 
-/** Whether the file could be written. */
+/** Writes the file; false if that fails. */
 function write(file: string, frames: number): boolean {
   const own = join(root, '.cache', 'venv', 'bin', 'python3');
   const python = existsSync(own) ? own : 'python3';

@@ -7,16 +7,16 @@ import { type Bench, interleaved, type Table } from '../support/bench.ts';
 import { gpu } from '../support/gpu.ts';
 import { cloth, massFor, STEP } from './dynamics.ts';
 
-/** Points along a side, and hω of a step of 1/240 s: as in dynamics.ts. */
+/** Points along a side, and hω of a step of 1/240 s, as in dynamics.ts. */
 const SIDES = [32, 100, 316];
 const STIFF = [6, 64];
-/** Points times steps that a software adapter is given at most. */
-const MOST_SOFTWARE = 700_000;
+/** Maximum of points × steps for a software adapter. */
+const MAX_SOFTWARE = 700_000;
 const ROUNDS = 3;
 const LEAPFROG = METHODS.get('leapfrog')!;
-/** The cloth whose energy is followed: points along a side, of so much each [kg]. */
+/** The cloth whose energy is compared: points along a side, and the mass of each [kg]. */
 const [SIDE, MASS] = [10, 0.01];
-/** By what, in steps of [s], and how many. With the longer ones what 32 bits lose is seen beside what the method errs by. */
+/** Methods with step [s] and number of steps. With the longer steps the rounding of 32 bits shows beside the method's error. */
 const FOLLOWED = [
   ['leapfrog', 2.5e-4, 100_000],
   ['yoshida-6', 5e-4, 1_000],
@@ -39,7 +39,7 @@ async function times(): Promise<Table> {
   const rows: (string | number)[][] = [];
   for (const side of SIDES)
     for (const stiff of STIFF) {
-      if (software && side * side * stiff > MOST_SOFTWARE) continue;
+      if (software && side * side * stiff > MAX_SOFTWARE) continue;
       const { system, start } = cloth(side, massFor(side, stiff));
       const machine = await GpuIntegrator.create(device, system, LEAPFROG.coefficients!, STEP / stiff);
       const stepper = LEAPFROG.begin(system);
@@ -76,18 +76,18 @@ async function times(): Promise<Table> {
   };
 }
 
-/** How far the energy goes from what it was, over the largest kinetic energy. */
+/** Largest deviation of the energy from its initial value, over the largest kinetic energy. */
 async function energies(): Promise<Table> {
   const { device } = await gpu();
   const { system, start } = cloth(SIDE, MASS);
   const rows: string[][] = [];
   for (const [id, step, steps] of FOLLOWED) {
     const duration = steps * step;
-    const order: RunOptions = { system, start, method: METHODS.get(id)!, duration, every: duration / FRAMES, step };
-    const truth = [...integrate(order)].map(({ quantities }) => quantities);
+    const options: RunOptions = { system, start, method: METHODS.get(id)!, duration, every: duration / FRAMES, step };
+    const truth = [...integrate(options)].map(({ quantities }) => quantities);
     const kinetic = Math.max(...truth.map((each) => each.kinetic));
     const found: number[] = [];
-    for await (const { quantities } of runOnGpu(device, order)) found.push(quantities.total);
+    for await (const { quantities } of runOnGpu(device, options)) found.push(quantities.total);
     const most = (energies: readonly number[]): string =>
       (Math.max(...energies.map((energy) => Math.abs(energy - truth[0].total))) / kinetic).toExponential(1);
     rows.push([

@@ -17,19 +17,19 @@ const SIDES = [32, 100, 316];
 const STIFF = [0.4, 6, 64];
 /** [s] */
 export const STEP = 1 / 240;
-/** Explicit methods take steps of hω = 1, half of what is stable. */
+/** Explicit methods take steps of hω = 1, half of the stability limit. */
 const EXPLICIT = 1;
 const ROUNDS = 3;
-/** Points times steps of 1/240 s in a round. */
+/** Points × steps of 1/240 s per round. */
 const WORK = 50_000;
-/** What has more is left out: it would take minutes, and say the same. */
-const MOST_WORK = 1_000_000;
+/** Larger cases are skipped: they would take minutes, with the same result. */
+const MAX_WORK = 1_000_000;
 /** [m/s], [m/s²], [N/m] */
 const [C, GRAVITY, K]: readonly [number, Vec3, number] = [10, [0, -9.8, 0], 1000];
 const PLAIN = 'as in the sources';
 const COMPARED = [PLAIN, 'leapfrog', 'yoshida-4', 'discrete-gradient'];
 
-/** What a process of its own measures. */
+/** Result of the child process. */
 export interface ClothTask {
   readonly side: number;
   readonly method: string;
@@ -50,19 +50,19 @@ export const dynamics: Bench = {
 
 async function times(): Promise<Table> {
   const rows: (string | number)[][] = [];
-  let off = 0;
+  let energyError = 0;
   for (const side of SIDES)
     for (const stiff of STIFF) {
       const mass = massFor(side, stiff);
       const parts = Math.ceil(stiff / EXPLICIT);
-      if (side * side * parts > MOST_WORK) continue;
+      if (side * side * parts > MAX_WORK) continue;
       const frames = Math.max(1, Math.round(WORK / side ** 2));
       const cloths = COMPARED.map((method) => fallingBy(method, side, mass, bounded(method) ? parts : 1));
       const works = cloths.map(({ fall }) => () => {
         for (let i = 0; i < frames; i++) fall();
       });
       const ms = (await interleaved(works, ROUNDS, cpuTimed)).map((each) => each / frames);
-      off = Math.max(off, cloths[COMPARED.indexOf('discrete-gradient')].off());
+      energyError = Math.max(energyError, cloths[COMPARED.indexOf('discrete-gradient')].energyError());
       rows.push([
         (side * side).toLocaleString('en'),
         stiff,
@@ -82,7 +82,7 @@ async function times(): Promise<Table> {
       ...COMPARED.slice(1).map((method) => `${method}: × real time`),
     ],
     rows,
-    remark: `Times are of 1/240 s of motion, with the steps that this takes; above 1 × it is faster than real time. The discrete gradient’s energy was off by ${off.toExponential(0)} of the kinetic energy at most.`,
+    remark: `Times are of 1/240 s of motion, with the steps that this takes; above 1 × it is faster than real time. The discrete gradient’s energy was off by ${energyError.toExponential(0)} of the kinetic energy at most.`,
   };
 }
 
@@ -105,17 +105,17 @@ function memory(): Table {
 
 const bounded = (method: string): boolean => METHODS.get(method)?.conditionallyStable ?? true;
 
-/** Mass of a point [kg] by which a step has this hω. */
+/** Mass of a point [kg] for which a step has this hω. */
 export function massFor(side: number, stiff: number): number {
   const omega = maxAngularFrequency(cloth(side, 1).system);
   return ((omega * STEP) / stiff) ** 2;
 }
 
 interface Falling {
-  /** Lets the cloth fall by a step, in its parts. */
+  /** Advances the cloth by a step of 1/240 s, in substeps. */
   fall(): void;
-  /** How far the energy is off, over the kinetic energy. */
-  off(): number;
+  /** Energy error over the kinetic energy. */
+  energyError(): number;
 }
 
 export function fallingBy(id: string, side: number, mass: number, parts: number): Falling {
@@ -126,7 +126,7 @@ export function fallingBy(id: string, side: number, mass: number, parts: number)
       fall() {
         for (let i = 0; i < parts; i++) plain.step(STEP / parts);
       },
-      off: () => Number.NaN,
+      energyError: () => Number.NaN,
     };
   }
   const state = copyState(start);
@@ -136,14 +136,14 @@ export function fallingBy(id: string, side: number, mass: number, parts: number)
     fall() {
       for (let i = 0; i < parts; i++) stepper.step(state, STEP / parts);
     },
-    off() {
+    energyError() {
       const { total, kinetic } = conservedQuantities(system, state);
       return Math.abs(total - before) / kinetic;
     },
   };
 }
 
-/** A square cloth of a metre that hangs at two corners, with springs of 1000 N/m, where light goes at 10 m/s. */
+/** A square cloth of 1 m that hangs at two corners, with springs of 1000 N/m and c = 10 m/s. */
 export function cloth(
   side: number,
   mass: number,

@@ -16,8 +16,8 @@ interface Spring {
 }
 
 /**
- * A cloth as the source documents write it, as plainly: points and springs are objects, the state is velocities, a force becomes acceleration by the matrix (I − ββᵀ)/γm of each
- * point, and steps are semi-implicit Euler's. What ours is measured against.
+ * The baseline: a cloth written as in the source documents. Points and springs are objects, the state is velocities, forces become accelerations by the
+ * matrix (I − ββᵀ)/γm per point, and steps are semi-implicit Euler.
  */
 export class PlainCloth {
   private readonly c: number;

@@ -1,9 +1,9 @@
-/** A measurement that describes itself: the page docs/performance.md is made of these. */
+/** A measurement with its description; docs/performance.md is generated from these. */
 export interface Bench {
-  /** As in `npm run bench -- NAME`. */
+  /** Its name in `npm run bench -- NAME`. */
   readonly name: string;
   readonly title: string;
-  /** What is measured and how; what it is compared with, and why that is fair. */
+  /** What is measured and how, what it is compared with, and why the comparison is fair. */
   readonly about: string;
   run(): Promise<readonly Table[]>;
 }
@@ -11,7 +11,7 @@ export interface Bench {
 export interface Table {
   readonly columns: readonly string[];
   readonly rows: readonly (readonly (string | number)[])[];
-  /** What the figures show, in a sentence. */
+  /** What the results show, in a sentence. */
   readonly remark?: string;
 }
 
@@ -21,7 +21,7 @@ export function median(values: readonly number[]): number {
   return sorted.length % 2 ? sorted[half] : (sorted[half - 1] + sorted[half]) / 2;
 }
 
-/** Three digits, without an exponent where that can be read. */
+/** Three significant digits, without an exponent unless very small or large. */
 export function figure(value: number): string {
   if (!Number.isFinite(value)) return '–';
   if (value !== 0 && (Math.abs(value) < 1e-3 || Math.abs(value) >= 1e6)) return value.toExponential(1);
@@ -35,7 +35,7 @@ export async function timed(work: () => void | Promise<void>): Promise<number> {
   return performance.now() - began;
 }
 
-/** What `work` and the collector take of processors, whatever else they do [ms]. */
+/** CPU time of `work`, garbage collection included [ms]. */
 export async function cpuTimed(work: () => void | Promise<void>): Promise<number> {
   const before = process.cpuUsage();
   await work();
@@ -43,7 +43,7 @@ export async function cpuTimed(work: () => void | Promise<void>): Promise<number
   return (user + system) / 1000;
 }
 
-/** Medians of several kinds of work that take turns, so that what else the machine does meets them alike [ms]. */
+/** Median times of several kinds of work that alternate, so that other load affects them equally [ms]. */
 export async function interleaved(
   works: readonly (() => void | Promise<void>)[],
   rounds: number,
@@ -53,7 +53,7 @@ export async function interleaved(
   for (let round = 0; round <= rounds; round++) {
     for (const [i, work] of works.entries()) {
       const ms = await clock(work);
-      // The first round compiles.
+      // The first round is a warm-up.
       if (round > 0) times[i].push(ms);
     }
   }

@@ -16,10 +16,10 @@ import { sphereScene } from './scenes.ts';
 const AT_REST = { u: properVelocity([0, 0, 0]) };
 const AT_SPEED = { u: properVelocity([0, 0, -0.9]) };
 
-/** Of a long cache. */
+/** Pictures of a long cache. */
 const PICTURES = 24;
 
-/** What a benchmark measures in a process of its own, so that memory is its alone. Prints one line of JSON. */
+/** Tasks that are measured in a child process, for its memory. Prints one line of JSON. */
 const [task, argument] = process.argv.slice(2);
 if (task === 'load') await load(JSON.parse(argument) as LoadTask);
 else if (task === 'three') await three(argument);
@@ -29,7 +29,7 @@ else if (task === 'memory') await memory(Number(argument));
 else if (task === 'dynamics') await clothMemory(JSON.parse(argument) as ClothTask);
 else throw new Error(`no task ${task}`);
 
-/** Subdivision surfaces are refined once. */
+/** Subdivision surfaces get one level. */
 async function load({ file, inMemory }: LoadTask): Promise<void> {
   const empty = memorySource({});
   await Promise.allSettled(sceneFormats.map(({ read }) => read(empty, 'none', {})));
@@ -39,11 +39,11 @@ async function load({ file, inMemory }: LoadTask): Promise<void> {
 async function three(path: string): Promise<void> {
   const { threeLoader } = await import('../formats/threeLoad.ts');
   const read = threeLoader(path);
-  // So large a file has a buffer of its own.
+  // A large file has its own ArrayBuffer.
   await tell(() => read(readFileSync(path).buffer as ArrayBuffer));
 }
 
-/** What reading takes: time and memory, or why it fails. */
+/** Time and memory of reading, or why it fails. */
 async function tell(read: () => unknown): Promise<void> {
   const before = await resident();
   const began = performance.now();
@@ -56,7 +56,7 @@ async function tell(read: () => unknown): Promise<void> {
   }
 }
 
-/** Reads a file and draws it: at rest, and at 0.9 c. */
+/** Reads a file and draws it at rest and at 0.9 c. */
 async function instances(path: string): Promise<void> {
   const { renderer, frame } = await openRenderer(640, 360);
   const before = await resident();
@@ -76,7 +76,7 @@ async function instances(path: string): Promise<void> {
   await releaseGpu();
 }
 
-/** The whole cloth from above, at one of its samples after another. */
+/** The whole cloth from above, at successive samples. */
 async function playCache({ file, inMemory }: CacheTask): Promise<void> {
   const began = performance.now();
   const scene = await openSceneFile(file, { subdivision: 0, ...(inMemory && { sampleMemory: 2 ** 40 }) });
@@ -103,14 +103,14 @@ async function playCache({ file, inMemory }: CacheTask): Promise<void> {
   await releaseGpu();
 }
 
-/** Of this program alone: the operating system's own count (`maxRSS`) begins with what the parent had when it forked. */
+/** Peak memory of this process: the operating system's `maxRSS` includes that of the parent at the fork. */
 function peakMemory(): number {
   const status = existsSync('/proc/self/status') ? readFileSync('/proc/self/status', 'utf8') : '';
   const kibibytes = /VmHWM:\s+(\d+)/.exec(status)?.[1] ?? process.resourceUsage().maxRSS;
   return Number(kibibytes) * 1024;
 }
 
-/** Resident bytes that a deforming scene takes when it is drawn, its own arrays not counted. */
+/** Resident bytes of rendering a deforming scene, without its own arrays. */
 async function memory(samples: number): Promise<void> {
   const scene = sphereScene(100_000, 'deforming', samples);
   const { renderer, frame } = await openRenderer(64, 36);
@@ -124,7 +124,7 @@ async function memory(samples: number): Promise<void> {
   await releaseGpu();
 }
 
-/** Resident bytes of a cloth, its springs and a method's room for work. */
+/** Resident bytes of a cloth, its springs and a method's work arrays. */
 async function clothMemory({ side, method }: ClothTask): Promise<void> {
   const before = await resident();
   const { fall } = fallingBy(method, side, 1, 1);

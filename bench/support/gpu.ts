@@ -6,7 +6,7 @@ import { C, VIEW } from './scenes.ts';
 
 export const SETTINGS: RenderSettings = { ...DEFAULT_SETTINGS, speedOfLight: C };
 
-/** The GPU of this run; one for all benchmarks. */
+/** The GPU device, shared by all benchmarks. */
 let opened: Promise<HeadlessDevice> | undefined;
 export const gpu = (): Promise<HeadlessDevice> => {
   opened ??= openDevice();
@@ -14,7 +14,7 @@ export const gpu = (): Promise<HeadlessDevice> => {
 };
 export const releaseGpu = async (): Promise<void> => (await opened)?.release();
 
-/** A renderer without a window. Loaded here, after the shim that three needs. */
+/** A renderer without a window; imported lazily, after the shim that three needs. */
 export async function openRenderer(width: number, height: number, options: RendererOptions = {}) {
   const { device } = await gpu();
   const { SceneRenderer } = await import('../../src/render/renderer.ts');

@@ -3,7 +3,7 @@ import { fileURLToPath } from 'node:url';
 
 const child = fileURLToPath(new URL('./child.js', import.meta.url));
 
-/** Runs a task of child.ts in a process of its own and returns what it measured. */
+/** Runs a task of child.ts in a child process and returns its result. */
 export function inChild<T>(task: string, argument: string): T {
   const done = spawnSync(process.execPath, ['--expose-gc', child, task, argument], { encoding: 'utf8' });
   if (done.status !== 0)

@@ -9,14 +9,14 @@ import { perspective } from '../../src/scene/view/lens.ts';
 
 export type MotionKind = 'static' | 'rigid' | 'deforming' | 'cubic';
 
-/** Speed of light of all benchmarks [m/s]; the spheres and ripples go up to half of it. */
+/** Speed of light of all benchmarks [m/s]; spheres and ripples move at up to half of it. */
 export const C = 10;
 export const SAMPLES = 250;
 /** Length of the sampled motion [s]. */
 const SPAN = 10;
 const BALLS = 8;
 
-/** Eight spheres with together about so many triangles, seen from the origin along −Z. */
+/** Eight spheres with about the given number of triangles in total, for a view from the origin along −Z. */
 export function sphereScene(triangles: number, kind: MotionKind, samples = SAMPLES): Scene {
   const mesh = sphereMesh(triangles / BALLS);
   const objects = Array.from({ length: BALLS }, (_, i) => {
@@ -40,13 +40,13 @@ function motionOf(kind: MotionKind, mesh: Mesh, place: Vec3, samples: number): M
   const inTurn = (of: readonly Float32Array[]) => Array.from(times, (_, k) => of[k % of.length]);
   const points = inTurn(shapes);
   if (kind === 'deforming') return { kind: 'sampled-points', times, origin: place, points };
-  // Of the second time round, which has neighbours on both sides, where there is one.
+  // Of the second revolution, if there is one, which has neighbours on both sides.
   const turn = shapes.length;
   const velocities = parabolaVelocities(times.subarray(0, 3 * turn), points.slice(0, 3 * turn)).slice(turn, 2 * turn);
   return { kind: 'sampled-points', times, origin: place, points, velocities: inTurn(velocities) };
 }
 
-/** Round a circle of 0.8 m at c/2, turning as it goes. */
+/** Around a circle of 0.8 m at c/2, rotating along. */
 function circlingPoses(times: Float64Array, center: Vec3): Float64Array {
   const poses = new Float64Array(7 * times.length);
   times.forEach((t, k) => {
@@ -57,7 +57,7 @@ function circlingPoses(times: Float64Array, center: Vec3): Float64Array {
   return poses;
 }
 
-/** Ten shapes that follow each other in turn: each costs as much to draw as one of its own, and they fit in memory. */
+/** Ten shapes that repeat: each sample costs as much as a distinct one, but memory suffices. */
 function rippledShapes({ positions }: Mesh, count: number): Float32Array[] {
   return Array.from({ length: count }, (_, k) => {
     const swell = 1 + 0.02 * Math.sin((2 * Math.PI * k) / count);
@@ -65,7 +65,7 @@ function rippledShapes({ positions }: Mesh, count: number): Float32Array[] {
   });
 }
 
-/** The observer of all frame benchmarks: half-way through the motion, at 0.5 c into the picture. */
+/** The observer of all frame benchmarks: half-way through the motion, moving forward at 0.5 c. */
 export const VIEW = {
   t: SPAN / 2 + 1,
   position: [0, 0, 0] as Vec3,

@@ -1,10 +1,10 @@
-// A process of `npm run sameOutputs`: runs jobs of bin/slowlight.js one after another. Loading the program once for many
-// pictures takes half the time of starting it anew for each.
+// A process of `npm run sameOutputs`: runs jobs of bin/slowlight.js one after another, which takes half the time of one
+// process per picture.
 import { appendFileSync, mkdirSync, readFileSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { pathToFileURL } from 'node:url';
 
-/** The program bin/slowlight.js, and a JSON file that lists the jobs: each a folder to run in, and its commands. */
+/** Path of bin/slowlight.js, and a JSON file with the jobs: a working folder and commands each. */
 const [, , program, list] = process.argv;
 const address = pathToFileURL(program).href;
 let runs = 0;
@@ -19,12 +19,12 @@ for (const { folder, steps } of JSON.parse(readFileSync(list, 'utf8'))) {
     capture(process.stderr, join(folder, `${i}.stderr`));
     exits.push(await runProgram(args));
   }
-  // Written last: a folder without it belongs to a job that ended the process.
+  // Written last: a folder without it belongs to a job that terminated the process.
   writeFileSync(join(folder, 'exits.json'), JSON.stringify({ exits, seconds: (performance.now() - began) / 1000 }));
 }
 process.exitCode = 0;
 
-/** Appends what is printed to a file at once, so that it is kept where the process ends early. */
+/** Appends output to a file immediately, so that it survives if the process ends early. */
 function capture(stream, file) {
   writeFileSync(file, '');
   stream.write = (chunk, encoding, done = encoding) => {
@@ -34,7 +34,7 @@ function capture(stream, file) {
   };
 }
 
-/** The query makes Node evaluate the file again; the modules that it imports stay loaded. */
+/** The query makes Node evaluate the file again; the modules that it imports stay cached. */
 async function runProgram(args) {
   process.argv = [process.execPath, program, ...args];
   process.exitCode = undefined;

@@ -1,9 +1,9 @@
-// What `npm run sameOutputs` runs: every kind of output of every example, small enough for a software GPU.
+// Jobs of `npm run sameOutputs`: every kind of output of every example, small enough for a software GPU.
 import { readFileSync } from 'node:fs';
 import { basename, join } from 'node:path';
 
 const RASTER_SIZE = ['--size', '96x54'];
-/** One thread: two processes run at once, and the bits are the same for any number of threads. */
+/** One thread, because two processes run at once; the bits do not depend on the number of threads. */
 const REFERENCE = ['--pipeline', 'reference', '--size', '48x27', '--samples', '2', '--threads', '1'];
 const PIPELINES = {
   webgpu: ['--pipeline', 'raster', '--backend', 'webgpu', ...RASTER_SIZE],
@@ -19,16 +19,16 @@ export const KIND_GROUPS = { render: ['webgpu', 'webgl'] };
 
 const AOVS = ['--aov', 'beauty,albedo,depth,emission_time,doppler,position,normal,velocity,object'];
 const REST = ['--beta', '0,0,0'];
-/** 0.6 c, obliquely. */
+/** 0.6 c, oblique. */
 const MOVING = ['--beta', '0.36,0,-0.48'];
 const MOTIONS = { 'at rest': REST, '0.6 c': MOVING };
-/** Drawn in more ways than the other scenes: what moves uniformly, along samples, and point by point. */
+/** Scenes that are rendered with more settings: uniform, sampled and deforming motions. */
 const FEW_SCENES = ['dice', 'street', 'wheel'];
-/** Drawn by WebGL2 and the reference renderer too: what they add to the scenes are frame graphs, and one simulation. */
+/** Projects that are also rendered with WebGL2 and the reference renderer: those with frame graphs, and one simulation. */
 const FEW_PROJECTS = ['comparison', 'layers', 'lesson', 'gods-eye', 'truth', 'workshop', 'hanging-cloth'];
 const FORMATS = ['usda', 'usdz', 'gltf', 'glb', 'obj'];
 export const SCENE_FILE = /\.(usd|usda|usdc|usdz|gltf|glb|obj|ply|stl)$/;
-/** A moving object of each scene; where nothing moves, any. */
+/** A moving object of each scene, if there is one. */
 const PROBED = {
   dice: '/World/Ivory0',
   gallery: '/World/Vault',
@@ -45,7 +45,7 @@ const PROBED = {
   wheel: '/World/Rolling',
 };
 
-/** Flags of `render` for a still of one scene, several to a picture: `only` names the pipelines that have them, `without` what they take the place of. */
+/** Flags of `render` for a still, several per picture; `only`: the pipelines that support them, `without`: flags that they replace. */
 const SETTINGS = [
   { name: 'no light delay', flags: ['--no-light-delay', '--tone', 'agx', '--exposure', '-0.5'] },
   {
@@ -82,10 +82,10 @@ const SETTINGS = [
   { name: 'bounces', flags: ['--bounces', '0', '--no-mirrors', '--seed', '7'], only: ['reference'] },
   { name: 'glass', flags: ['--glass', '--bounces', '3'], only: ['reference'] },
 ];
-/** Of `SETTINGS`, those that WebGL2 draws too: each takes a browser of its own. */
+/** Those of `SETTINGS` that are also rendered with WebGL2; each starts a browser. */
 const WEBGL_SETTINGS = ['newton', 'samples', 'doppler'];
 
-/** How a scene file is read: flags of `convert`. */
+/** Reading options as flags of `convert`. */
 const READINGS = [
   ['street', 'retimed', ['--speed-factor', '0.5', '--start-offset', '1.5']],
   ['street', 'cubic', ['--interpolation', 'cubic']],
@@ -113,8 +113,8 @@ const COMMANDS = ['', 'render', 'probe', 'inspect', 'compare', 'convert', 'simul
 const GRAPH_COMMANDS = ['check', 'upgrade', 'docs'];
 
 /**
- * All jobs of the files of a commit, `paths` relative to `folder`. A job runs the command lines `steps` in a folder of its own. Jobs with the same `batch` may share
- * a process; `weight` is about how long one takes [s]; those that are `thorough` are run on demand.
+ * All jobs for the files of a commit, `paths` relative to `folder`. A job runs the command lines `steps` in its own folder. Jobs with the same `batch` may share a
+ * process; `weight`: approximate duration [s]; `thorough` jobs run on demand.
  */
 export function jobsFor(folder, paths) {
   const files = paths.filter((path) => SCENE_FILE.test(path) || path.endsWith('.slowlight.json'));
@@ -124,9 +124,9 @@ export function jobsFor(folder, paths) {
       .map((path) => ({ name: basename(path, ending), file: join(folder, path) }));
   const scenes = examples('.usda');
   const projects = examples('.slowlight.json');
-  const known = new Set([...scenes, ...projects].map(({ file }) => file));
+  const gallery = new Set([...scenes, ...projects].map(({ file }) => file));
   const others = files
-    .filter((path) => SCENE_FILE.test(path) && !known.has(join(folder, path)))
+    .filter((path) => SCENE_FILE.test(path) && !gallery.has(join(folder, path)))
     .map((path) => ({ name: basename(path), file: join(folder, path), place: path }));
   return [
     ...scenes.flatMap(sceneJobs),
@@ -213,7 +213,7 @@ function probeJobs(name, file) {
   ];
 }
 
-/** Every format, and all but the first read again. */
+/** Converts to every format, and reads all but the first back. */
 function convertJobs(name, file) {
   const [first, ...others] = FORMATS;
   const write = (format) => ['convert', file, `${name}.${format}`, '--json'];
@@ -225,7 +225,7 @@ function convertJobs(name, file) {
   ];
 }
 
-/** A file that is none of the gallery's scenes: sets of the projects, and what tests read. */
+/** A scene file outside the gallery: sets of the projects, and inputs of tests. */
 function fileJobs({ name, file, place }) {
   const batch = 'other files';
   const light = [
@@ -284,7 +284,7 @@ function compareJobs(scenes) {
 function projectJobs({ name, file }) {
   const nodes = Object.entries(JSON.parse(readFileSync(file, 'utf8')).nodes);
   const ofType = (...types) => nodes.filter(([, { type }]) => types.includes(type)).map(([id]) => id);
-  // A still of the reference renderer inside of a project; smaller, to be quick.
+  // A reference still within a project; smaller, for speed.
   const stills = ofType('reference-render').flatMap((id) =>
     ['width=48', 'height=27', 'samples=1'].flatMap((set) => ['--set', `${id}.${set}`]),
   );
@@ -316,7 +316,7 @@ const simulateJobs = (name, file, nodes) =>
     ]),
   );
 
-/** Files that the nodes of a project ask for: pictures smaller, films shorter. */
+/** Files that a project's nodes request, with smaller pictures and shorter films. */
 function savedJobs(name, file, { stills, films, scenes }) {
   if (stills.length + films.length + scenes.length === 0) return [];
   const small = (id) => [`${id}.width=96`, `${id}.height=54`, `${id}.samples=1`];
@@ -326,7 +326,7 @@ function savedJobs(name, file, { stills, films, scenes }) {
   return [job('webgpu', name, 'files of its nodes', [['render', file, ...backend, ...sets, '--json']])];
 }
 
-/** Every method on a short motion, on the GPU, and from a checkpoint. */
+/** Every integration method for a short time, on the GPU, and resumed from a checkpoint. */
 function methodJobs(projects) {
   const cloth = projects.find(({ name }) => name === 'hanging-cloth');
   if (!cloth) return [];
@@ -352,7 +352,7 @@ function methodJobs(projects) {
   ];
 }
 
-/** Refusals: exit codes are compared, sentences are reported. */
+/** Usage errors: exit codes are compared, messages reported. */
 function usageJobs(scenes, others) {
   const street = scenes.find(({ name }) => name === 'street')?.file ?? 'none.usda';
   const tooFast = others.find(({ name }) => name === 'too-fast.usda')?.file ?? 'none.usda';
@@ -374,7 +374,7 @@ function usageJobs(scenes, others) {
   return [job('usage', 'program', 'refusals', lines)];
 }
 
-/** One process each: help of a command within a command ends it. */
+/** One process each: the help of a subcommand ends the process. */
 function helpJobs() {
   const lines = [
     ...COMMANDS.map((command) => [command, '--help'].filter(Boolean)),

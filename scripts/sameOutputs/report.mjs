@@ -1,20 +1,20 @@
-// What `npm run sameOutputs` tells of two sides' outputs.
+// Report of `npm run sameOutputs` on the outputs of both sides.
 import { spawnSync } from 'node:child_process';
 import { existsSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { extname, join } from 'node:path';
 import { differing, resultIn } from './run.mjs';
 
-/** Shown by the first line that differs. */
+/** Files whose first differing line is printed. */
 const TEXT_FILES = ['.usda', '.gltf', '.obj', '.mtl', '.csv', '.json', '.stdout'];
 
-/** Prints how the sides differ; returns the exit code. What is the same is removed. */
+/** Prints how the sides differ; returns the exit code. Equal outputs are deleted. */
 export function report(jobs, before, now) {
   const differences = [];
   const totals = new Map();
   for (const job of jobs) {
     const [a, b] = [before, now].map(({ place }) => resultIn(place(job)));
     const data = differing(a.data, b.data);
-    // A text whose data differ is reported as such once.
+    // Text is reported only if the data are equal.
     const texts = differing(a.texts, b.texts).filter((name) => !data.includes(name));
     differences.push(...data.map((name) => ({ job, name, isData: true })));
     differences.push(...texts.map((name) => ({ job, name, isData: false })));
@@ -80,7 +80,7 @@ function firstByte(x, y) {
   return x.length === y.length ? `from byte ${at} of ${x.length}` : `${x.length} bytes became ${y.length}`;
 }
 
-/** Texts go into one file as `git diff` shows them. */
+/** Collects text differences in one file, by `git diff`. */
 function printTexts(differences, before, now) {
   const texts = differences.filter(({ isData }) => !isData);
   const shown = texts.map(({ job, name }) => {

@@ -1,4 +1,4 @@
-// Runs the jobs of `npm run sameOutputs`, a few to a process, and keeps digests of what they wrote.
+// Runs the jobs of `npm run sameOutputs`, several per process, and stores digests of their outputs.
 import { spawn } from 'node:child_process';
 import { createHash } from 'node:crypto';
 import {
@@ -18,11 +18,11 @@ import { say } from '../setup.mjs';
 
 const PROCESSES = 2;
 const BATCH = fileURLToPath(new URL('batch.mjs', import.meta.url));
-/** A process is given jobs up to this weight. */
+/** Maximum total weight of the jobs of a process. */
 const HEAVIEST_BATCH = 16;
-/** Where outputs and temporary worktrees are. */
+/** Folder of outputs and temporary worktrees. */
 export const home = join(tmpdir(), 'slowlight-same-outputs');
-/** Called when the process ends, however it does. */
+/** Called when the process ends in any way. */
 export const cleanups = [];
 
 for (const signal of ['SIGINT', 'SIGTERM']) process.on(signal, () => process.exit(130));
@@ -50,7 +50,7 @@ export async function runJobs(name, tree, jobs, place, done) {
   await Promise.all(Array.from({ length: PROCESSES }, work));
 }
 
-/** Jobs of one process each; heavy batches are split, so that both processes have work until the end. */
+/** Splits batches into the jobs of one process each, so that both processes are busy until the end. */
 function batchesOf(jobs) {
   const open = new Map();
   const full = [];
@@ -67,7 +67,7 @@ function batchesOf(jobs) {
 
 const weightOf = (batch) => batch.reduce((sum, { weight }) => sum + weight, 0);
 
-/** A job that ends the process leaves no exits.json: its exit code is that of the process, and the next process goes on with the job after it. */
+/** A job that terminates the process leaves no exits.json: it gets the process's exit code, and a new process continues with the next job. */
 async function runBatch(tree, batch, place) {
   const list = join(temporaryFolder('list-'), 'jobs.json');
   for (let left = batch; left.length > 0; ) {
@@ -81,7 +81,7 @@ async function runBatch(tree, batch, place) {
   }
 }
 
-/** The exit code or the signal. What a driver prints is left out; what the program prints, the process keeps itself. */
+/** Resolves to the exit code or signal. Output of drivers is dropped; the process records the program's output itself. */
 function runProcess(args) {
   const child = spawn(process.execPath, args, { stdio: 'ignore' });
   const stop = () => child.kill();
@@ -106,7 +106,7 @@ export function makeFolder(folder) {
   return folder;
 }
 
-/** Another run may have been quicker: what it made is the same. */
+/** Another run may have created it meanwhile, with the same content. */
 export function moveTo(place, folder) {
   try {
     renameSync(folder, place);
@@ -119,8 +119,8 @@ export function moveTo(place, folder) {
 export const hash = (content) => createHash('sha256').update(content).digest('hex').slice(0, 32);
 
 /**
- * Writes result.json: `data`, which must be the same, and `texts`, for people. JSON on standard output is data but for its messages; what else is printed is
- * text. The job's own folder is left out of what is printed.
+ * Writes result.json: `data`, which must be equal, and `texts`, which are reported. JSON on standard output is data except for its messages; other output is
+ * text. The job's own folder is removed from the output.
  */
 function keepResult(folder) {
   const { exits, seconds } = JSON.parse(readFileSync(join(folder, 'exits.json'), 'utf8'));
@@ -146,7 +146,7 @@ function keepPrinted({ data, texts }, name, text) {
   try {
     data[name] = hash(JSON.stringify(JSON.parse(text, (key, value) => (key === 'message' ? undefined : value))));
   } catch {
-    // Not JSON after all.
+    // Not JSON.
   }
 }
 

@@ -11,7 +11,7 @@ export interface StillOrder extends PictureSize, Pick<PictureRequest, 'views' | 
   /** Id of the pipeline that draws it. */
   readonly pipeline: string;
   readonly scene: Scene;
-  /** Of that pipeline. */
+  /** Options of that pipeline. */
   readonly options: OptionValues;
 }
 

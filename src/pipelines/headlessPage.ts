@@ -28,7 +28,7 @@ export interface OpenRequest {
   readonly scenes: string;
   /** Address of file ranges, for samples that were left in files: `from/length/{handle as JSON}`. */
   readonly files: string;
-  /** Of the pictures [px]. */
+  /** Size of the pictures [px]. */
   readonly width: number;
   readonly height: number;
 }

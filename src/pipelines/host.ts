@@ -1,55 +1,55 @@
 import type { RendererOptions } from '../render/settings.ts';
 import type { Scene } from '../scene/types.ts';
 
-/** What pipelines need from where they run: the page, one of its workers, or Node. */
+/** Services of a pipeline's environment: the page, one of its workers, or Node. */
 export interface PipelineHost {
-  /** A GPU to draw pictures with, beside whatever else is drawn. Throws where there is none. */
+  /** Opens a GPU for pictures; it may be shared with other renderers. Throws if there is none. */
   openGpu(): Promise<GpuAccess>;
   readonly threads: ThreadHost;
 }
 
-/** A GPU for as long as pictures are drawn with it. */
+/** A GPU, until `release`. */
 export interface GpuAccess {
   /** Its name, for reports. */
   readonly adapterName: string;
   /** Device or canvas, workers and callbacks. */
   readonly options: RendererOptions;
-  /** Begins a new frame: three's passes are made once in each. */
+  /** Begins a new frame; three renders its passes once per frame. */
   nextFrame(): Promise<unknown>;
-  /** Compiles shaders between the viewport's frames. */
+  /** Whether the viewport uses the same GPU; shaders are then compiled between its frames. */
   readonly isShared: boolean;
-  /** Rejects as soon as the device fails, whatever becomes of the work. */
+  /** Returns the work's promise, rejected as soon as the device fails. */
   guard<T>(work: Promise<T>): Promise<T>;
-  /** Throws what the GPU has reported since it was opened. */
+  /** Throws the first error that the GPU has reported since it was opened. */
   assertHealthy(): void;
   release(): void;
 }
 
-/** Threads to draw with on the processor. */
+/** Worker threads of the environment. */
 export interface ThreadHost {
-  /** How many to start for a scene where nobody says. */
+  /** Default number of threads for a scene. */
   count(scene: Scene): number;
-  /** Memory that each of so many may fill with what can be computed again [bytes]. */
+  /** Cache memory per thread [bytes]. */
   cacheBytes(threads: number): number;
-  /** Data that all threads get without a copy for each, where that can be. */
+  /** The data in shared memory, if the environment supports it. */
   share<T>(data: T): T;
   /** Starts a thread that runs `serveThread` of the pipeline with this id. */
   start<Message, Reply>(pipeline: string): WorkerThread<Message, Reply>;
-  /** What went wrong in a thread, in words for people. */
+  /** A thread's error with a message for users. */
   explain(error: Error, pipelineName: string): Error;
 }
 
-/** A thread, seen from outside. */
+/** A worker thread, from the main thread. */
 export interface WorkerThread<Message, Reply> {
   send(message: Message): void;
-  /** What it answers, and what ends it; called once. */
-  listen(hear: (reply: Reply) => void, fail: (error: Error) => void): void;
+  /** Sets the listeners for replies and errors; called once. */
+  listen(onReply: (reply: Reply) => void, onError: (error: Error) => void): void;
   terminate(): Promise<unknown> | undefined;
 }
 
-/** The thread's own end of the line. */
+/** The thread's side of the connection. */
 export interface ThreadPort {
-  listen<Message>(hear: (message: Message) => void): void;
-  /** `transfer`: memory that is handed over instead of copied. */
+  listen<Message>(onMessage: (message: Message) => void): void;
+  /** `transfer`: buffers that are transferred instead of copied. */
   post(reply: unknown, transfer: readonly ArrayBufferLike[]): void;
 }

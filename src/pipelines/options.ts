@@ -1,13 +1,13 @@
 /**
- * What a pipeline can be told beside a picture's settings. Flags of the command line, parameters of nodes and checks are made of these
- * descriptions.
+ * A pipeline's option, in addition to a picture's settings. Flags of the command line, parameters of nodes and checks derive
+ * from these descriptions.
  */
 interface OptionBase {
-  /** In the command line's help, after whose option it is. */
+  /** Help of the flag, which follows the owning pipelines. */
   readonly help: string;
-  /** It changes what pictures show, not only their noise or how long they take. */
+  /** Whether it changes the picture itself, not only noise or render time. */
   readonly changesPicture: boolean;
-  /** Absent: no node has it as a parameter. Keys of the catalogue of messages. */
+  /** Text keys of the node parameter; absent: no parameter. */
   readonly param?: { readonly title: string; readonly help: string };
 }
 export interface IntegerOption extends OptionBase {
@@ -22,7 +22,7 @@ export interface BooleanOption extends OptionBase {
   readonly default: boolean;
 }
 export type PipelineOption = IntegerOption | BooleanOption;
-/** By name: `threads` is `--threads N`; a boolean that is on by default, as `mirrors`, is `--no-mirrors`. */
+/** By name: `threads` is `--threads <n>`; a boolean with default true, such as `mirrors`, is `--no-mirrors`. */
 export type PipelineOptions = Readonly<Record<string, PipelineOption>>;
 
 type OptionValueOf<Option> = Option extends { readonly kind: 'boolean' }
@@ -33,18 +33,18 @@ type OptionValueOf<Option> = Option extends { readonly kind: 'boolean' }
 export type OptionValuesOf<Options extends PipelineOptions> = {
   readonly [K in keyof Options]: OptionValueOf<Options[K]>;
 };
-/** As somebody gives them: what is absent or undefined has its default. */
+/** Values as given; absent or undefined ones have their defaults. */
 export type OptionValues = Readonly<Record<string, number | boolean | undefined>>;
 
 export const withDefaults = <Options extends PipelineOptions>(
   options: Options,
-  given: OptionValues,
+  values: OptionValues,
 ): OptionValuesOf<Options> =>
   Object.fromEntries(
-    Object.entries(options).map(([name, option]) => [name, given[name] ?? option.default]),
+    Object.entries(options).map(([name, option]) => [name, values[name] ?? option.default]),
   ) as OptionValuesOf<Options>;
 
-/** Those that change the picture first. */
+/** All options, those that change the picture first. */
 export function optionsByEffect(options: PipelineOptions): readonly (readonly [string, PipelineOption])[] {
   const all = Object.entries(options);
   return [

@@ -2,7 +2,7 @@ import { MAX_VIEWS } from '../render/settings.ts';
 import { AOVS, type AovName } from '../scene/view/view.ts';
 import { definePipeline } from './pipeline.ts';
 
-/** Triangles on a GPU, where the light cone meets them. */
+/** Rasterizes triangles on the past light cone on a GPU. */
 export const rasterPipeline = definePipeline({
   id: 'raster',
   name: 'rasterizer',
@@ -14,6 +14,6 @@ export const rasterPipeline = definePipeline({
   aovs: Object.keys(AOVS) as AovName[],
   samples: { default: 1, note: 'whose edges FXAA then smooths' },
   maxViews: MAX_VIEWS,
-  // Loaded when it is opened: three is large, and looks around it while it is loaded.
+  // Imported lazily: three is large, and inspects its environment when it is imported.
   openInteractive: async (options) => (await import('./raster.gpu.ts')).openRasterRenderer(options),
 });

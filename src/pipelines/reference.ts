@@ -3,7 +3,7 @@ import { AOVS, type AovName } from '../scene/view/view.ts';
 import { definePipeline } from './pipeline.ts';
 import { REFERENCE, REFERENCE_OPTIONS } from './referenceOptions.ts';
 
-/** Rays through spacetime in f64 on the processor. Its code is loaded when it is opened. */
+/** Traces rays through spacetime in f64 on the processor; its code is imported lazily. */
 export const referencePipeline = definePipeline({
   ...REFERENCE,
   summary: 'traces light in 64-bit arithmetic on the processor, and needs no GPU',

@@ -3,7 +3,7 @@ import type { PipelineOptions } from './options.ts';
 
 export const REFERENCE = { id: 'reference', name: 'reference renderer' } as const;
 
-/** What the reference renderer can be told. */
+/** Options of the reference renderer. */
 export const REFERENCE_OPTIONS = {
   threads: {
     kind: 'integer',

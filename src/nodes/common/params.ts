@@ -32,7 +32,7 @@ export const nodeRefusal = (code: string, place: string, message: string, remedy
 
 /** Throws a NodeRefusal if the scene has nothing at a path, instead of changing nothing silently. */
 export function assertPathExists(scene: Scene, path: string, node: string): void {
-  const paths = [...scene.objects, ...scene.lights].map((thing) => thing.path);
+  const paths = [...scene.objects, ...scene.lights].map((each) => each.path);
   if (path === '' || paths.some((each) => matchesPath(each, path))) return;
   const few = paths.slice(0, 8).join(', ') + (paths.length > 8 ? ', …' : '');
   const message = `there is nothing at "${path}"; there is ${few || 'nothing at all'}`;

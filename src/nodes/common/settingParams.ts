@@ -25,7 +25,7 @@ export const settingParams = <Id extends string>(node: Id): { readonly [Name in 
 export const settingParam = <Name extends SettingName>(name: Name): ParamOf<Name> =>
   paramSpec(name) as unknown as ParamOf<Name>;
 
-/** Of a number that no node has yet. */
+/** Range of a number setting without a control. */
 const UNBOUNDED = { min: -1e9, max: 1e9, step: 0.001 } as const;
 
 function paramSpec(name: SettingName): ParamSpec {

@@ -11,11 +11,11 @@ type SettingKey = `param.${SettingName}` | `param.${SettingName}.help` | ChoiceK
 
 export const settingKey = (name: SettingName): string => `param.${name}`;
 
-/** Of a choice's value: `metering.restingEye`. */
+/** Text key of a choice's value: `metering.restingEye`. */
 export const choiceKey = (name: SettingName, value: string): string =>
   `${name}.${value.replace(/-(.)/g, (_, letter: string) => letter.toUpperCase())}`;
 
-/** What the controls of settings are called, and what they do. */
+/** Titles and help texts of the settings. */
 export const settingTexts = Object.fromEntries(SETTING_NAMES.flatMap(textsOf)) as Readonly<Record<SettingKey, Words>>;
 
 function textsOf(name: SettingName): (readonly [string, Words])[] {

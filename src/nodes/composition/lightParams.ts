@@ -38,7 +38,7 @@ export const emissionParam: ChoiceParam = {
  * Path and spectrum of a light; daylight has no spectrum, since its colour determines one
  * (spectrum/color/spectrumOfColor.ts).
  */
-export function lightBase(name: string, node: string, preset: string, given?: LightSpectrum) {
-  const spectrum = given ?? (preset === emissionParam.default ? undefined : LIGHT_PRESETS.get(preset)?.spectrum);
+export function lightBase(name: string, node: string, preset: string, connected?: LightSpectrum) {
+  const spectrum = connected ?? (preset === emissionParam.default ? undefined : LIGHT_PRESETS.get(preset)?.spectrum);
   return { path: rootPrimPath(name, node), ...(spectrum && { spectrum }) };
 }

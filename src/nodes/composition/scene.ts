@@ -29,8 +29,8 @@ export const sceneNode = defineNode({
     const merged = mergeScenes([...geometry.map((part) => part.scene), ...lights.map(lightScene)]);
     const timed = withTimeRange(merged, time);
     const hinted = observer ? { ...timed, hints: { ...timed.hints, beta: observer } } : timed;
-    const seen = hinted.cameras.length > 0 ? hinted : { ...hinted, cameras: [framingCamera(hinted)] };
-    return { scene: plain ? { ...only!, scene: seen } : toLoadedScene(seen) };
+    const viewed = hinted.cameras.length > 0 ? hinted : { ...hinted, cameras: [framingCamera(hinted)] };
+    return { scene: plain ? { ...only!, scene: viewed } : toLoadedScene(viewed) };
   },
 });
 

@@ -104,13 +104,13 @@ function sphereContactForces({ bodies, spheres: balls, pinned }: PointCollection
     const message = `${balls.length} balls and ${points.length} points make too many pairs; take fewer balls, or coarser meshes`;
     throw nodeRefusal('collider.many', balls[0].of.node, message);
   }
-  const hard = new Map<number, { readonly ends: number[]; readonly reach: number[] }>();
+  const byStiffness = new Map<number, { readonly ends: number[]; readonly reach: number[] }>();
   const meet = (K: number, a: number, b: number, reach: number): void => {
     if (pinned[a] && pinned[b]) return;
-    const known = hard.get(K) ?? { ends: [], reach: [] };
-    hard.set(K, known);
-    known.ends.push(a, b);
-    known.reach.push(reach);
+    const contacts = byStiffness.get(K) ?? { ends: [], reach: [] };
+    byStiffness.set(K, contacts);
+    contacts.ends.push(a, b);
+    contacts.reach.push(reach);
   };
   balls.forEach(({ point, radius, of }, i) => {
     for (const other of balls.slice(i + 1)) {
@@ -119,7 +119,7 @@ function sphereContactForces({ bodies, spheres: balls, pinned }: PointCollection
     }
     for (const other of points) meet(of.stiffness, point, other, of.scale * radius);
   });
-  return [...hard].map(
+  return [...byStiffness].map(
     ([K, { ends, reach }]) => new PairForce(Uint32Array.from(ends), new PenaltyPotential(K, (pair) => reach[pair])),
   );
 }

@@ -49,7 +49,7 @@ export class MotionRecorder {
   private readonly tracks: readonly MotionTrack[];
   private last: State;
   private readonly bodyGroups: readonly BodyGroup[];
-  private readonly performers: readonly BodyRecorder[];
+  private readonly bodyRecorders: readonly BodyRecorder[];
   private readonly books: RunRecorder;
   private readonly v: Float64Array;
 
@@ -59,11 +59,11 @@ export class MotionRecorder {
     this.bodyGroups = bodyGroups;
     this.v = new Float64Array(options.start.x.length);
     this.books = new RunRecorder(options);
-    this.performers = bodyGroups.flatMap(({ bodies }) => bodies.map((body) => bodyRecorder(body, options.start.x)));
+    this.bodyRecorders = bodyGroups.flatMap(({ bodies }) => bodies.map((body) => bodyRecorder(body, options.start.x)));
     this.rows = before?.rows.slice() ?? [];
     this.last = before?.last ?? options.start;
     this.tracks =
-      before?.tracks.map(copyTrack) ?? this.performers.map(() => ({ points: [], velocities: [], normals: [] }));
+      before?.tracks.map(copyTrack) ?? this.bodyRecorders.map(() => ({ points: [], velocities: [], normals: [] }));
     this.rows.forEach((row, k) => void this.books.addFrame({ ...row, state: { ...this.last, t: this.timeOf(k) } }));
   }
 
@@ -99,7 +99,7 @@ export class MotionRecorder {
     velocities(this.options.system, state.p, this.v);
     this.rows.push(row);
     this.last = state;
-    this.performers.forEach((recorder, i) => void recorder.addSample(this.tracks[i], state.x, this.v));
+    this.bodyRecorders.forEach((recorder, i) => void recorder.addSample(this.tracks[i], state.x, this.v));
   }
 
   record = (stop?: EarlyStop): RunRecord => this.books.record(stop);
@@ -110,17 +110,17 @@ export class MotionRecorder {
     const parts = this.bodyGroups.map(({ scene, bodies }): Scene => {
       const objects = bodies.map((): SceneObject => {
         const at = i++;
-        return this.performers[at].toObject(this.tracks[at], this.times(), this.options.system.c);
+        return this.bodyRecorders[at].toObject(this.tracks[at], this.times(), this.options.system.c);
       });
       return { ...scene, objects };
     });
-    const whole = mergeScenes(parts);
+    const merged = mergeScenes(parts);
     return {
-      ...whole,
+      ...merged,
       startTime: this.timeOf(0),
       endTime: this.timeOf(Math.max(1, this.length - 1)),
       timeCodesPerSecond: this.rate,
-      diagnostics: [...whole.diagnostics, ...notes],
+      diagnostics: [...merged.diagnostics, ...notes],
     };
   }
 

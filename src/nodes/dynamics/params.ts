@@ -52,9 +52,9 @@ export function splitByPath(
   may: 'rest' | 'rigid',
 ): { readonly chosen: Scene; readonly rest: LoadedScene } {
   assertPathExists(scene, which, node);
-  const own = (wanted: boolean): Scene['objects'] =>
-    scene.objects.filter(({ path }) => matchesPath(path, which) === wanted);
-  const objects = own(true);
+  const objectsThat = (match: boolean): Scene['objects'] =>
+    scene.objects.filter(({ path }) => matchesPath(path, which) === match);
+  const objects = objectsThat(true);
   if (objects.length === 0) throw nodeRefusal('matter.none', node, 'there is no object with a surface; connect one');
   for (const { path, motion } of objects) {
     if (isStatic(motion) || (may === 'rigid' && !deforms(motion))) continue;
@@ -64,6 +64,6 @@ export function splitByPath(
   }
   return {
     chosen: { ...scene, objects, lights: [], cameras: [] },
-    rest: toLoadedScene({ ...scene, objects: own(false), diagnostics: [] }),
+    rest: toLoadedScene({ ...scene, objects: objectsThat(false), diagnostics: [] }),
   };
 }

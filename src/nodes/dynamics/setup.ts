@@ -89,16 +89,16 @@ class SystemBuilder implements PointCollection {
       const pins = pinnedPoints(points, pointOfVertex, part, up, object.path);
       held += pins.size;
       const first = this.masses.length;
-      const share = 1 / (count + Number(filled));
+      const fraction = 1 / (count + Number(filled));
       const body = this.bodyCount++;
       for (let i = 0; i < count; i++) {
         const at = pointAt(points, i);
         const v = add(add(pointAt(velocities, i), part.velocity), cross(part.spin, sub(at, middle)));
-        const point = this.point(at, v, part, share, pins.has(i), body);
+        const point = this.point(at, v, part, fraction, pins.has(i), body);
         if (pins.has(i) && isMoving(object)) this.leadAlong(point, lineOf(i));
       }
       this.springsFrom(first, net);
-      if (filled) this.fill(first, points, middle, part, share);
+      if (filled) this.fill(first, points, middle, part, fraction);
       return { kind: 'net', object, pointOfVertex: pointOfVertex.map((point) => first + point) };
     });
     if (part.pins.kind === 'box' && held === 0)
@@ -111,9 +111,9 @@ class SystemBuilder implements PointCollection {
   }
 
   /** Adds a center point with springs to all others. */
-  private fill(first: number, points: Float64Array, middle: Vec3, part: MassSpringMatter, share: number): void {
+  private fill(first: number, points: Float64Array, middle: Vec3, part: MassSpringMatter, fraction: number): void {
     const count = points.length / 3;
-    const center = this.point(middle, part.velocity, part, share, false, -1);
+    const center = this.point(middle, part.velocity, part, fraction, false, -1);
     const ends = Uint32Array.from({ length: 2 * count }, (_, k) => (k % 2 === 0 ? center : first + (k >> 1)));
     const lengths = Float64Array.from(
       { length: count },
@@ -195,7 +195,7 @@ class SystemBuilder implements PointCollection {
     at: Vec3,
     v: Vec3,
     start: InitialConditions & { readonly node: string },
-    share: number,
+    fraction: number,
     pin: boolean,
     body: number,
   ): number {
@@ -206,10 +206,10 @@ class SystemBuilder implements PointCollection {
     }
     this.x.push(...at);
     this.v.push(...v);
-    this.charges.push(start.charge * share);
+    this.charges.push(start.charge * fraction);
     this.pinned.push(Number(pin));
     this.bodies.push(body);
-    return this.masses.push(start.mass * share) - 1;
+    return this.masses.push(start.mass * fraction) - 1;
   }
 
   finish(fields: readonly FieldMatter[], contact: ProximityContact): Pick<SimulationSetup, 'system' | 'start'> {

@@ -113,13 +113,13 @@ export const simulateNode = defineNode({
       node,
       resume?.reel as RecordedMotion | undefined,
     );
-    let breath = performance.now();
+    let lastYield = performance.now();
     for await (const _ of simulation.run(services.openGpu)) {
       progress(simulation.recordedFrames / simulation.frames, 'simulate');
       interim?.(() => ({ ...simulation.outputs() }));
-      if (signal && performance.now() - breath >= YIELD_INTERVAL) {
+      if (signal && performance.now() - lastYield >= YIELD_INTERVAL) {
         await new Promise((resolve) => setTimeout(resolve));
-        breath = performance.now();
+        lastYield = performance.now();
       }
       if (signal?.aborted) throw new CancelledError();
     }

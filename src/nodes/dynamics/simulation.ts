@@ -103,14 +103,14 @@ export class Simulation {
     const { runOptions: options, recorder } = this;
     const { length } = recorder;
     const { state: start, steps } = recorder.latest;
-    const known = Math.max(1, length) - 1;
-    const since = { t: options.start.t, frames: known };
-    const left = (this.frames - 1 - known) * options.every;
+    const done = Math.max(1, length) - 1;
+    const since = { t: options.start.t, frames: done };
+    const left = (this.frames - 1 - done) * options.every;
     const rest: RunOptions = {
       ...options,
       since,
       duration: left,
-      start: { ...start, t: since.t + known * options.every },
+      start: { ...start, t: since.t + done * options.every },
     };
     const running = device ? runOnGpu(device, rest) : integrate(rest);
     try {
@@ -140,10 +140,10 @@ export class Simulation {
   outputs(): SimulationOutputs {
     const { recorder, settings } = this;
     const record: RunRecord = { ...recorder.record(this.stop), ...(settings.onGpu && { onGpu: true }) };
-    const whole = recorder.scene(this.notes(record));
-    const hints = { ...whole.hints, speedOfLight: settings.speedOfLight };
+    const scene = recorder.scene(this.notes(record));
+    const hints = { ...scene.hints, speedOfLight: settings.speedOfLight };
     return {
-      geometry: toLoadedScene({ ...whole, hints }),
+      geometry: toLoadedScene({ ...scene, hints }),
       books: record,
       ...(recorder.length < this.frames && { reel: recorder.recordedMotion() }),
     };

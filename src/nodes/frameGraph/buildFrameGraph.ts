@@ -63,8 +63,8 @@ export class UniqueList<T> {
   }
 
   indexOf(item: T, key: unknown): number {
-    const known = this.places.get(key);
-    if (known !== undefined) return known;
+    const existing = this.places.get(key);
+    if (existing !== undefined) return existing;
     if (this.items.length === this.most)
       throw new FrameGraphError(`a picture is put together of ${this.most} ${this.what} at most; leave some out`);
     this.places.set(key, this.items.length);

@@ -36,11 +36,11 @@ export function previewFrameGraph(
 ) {
   const steps = new UniqueList<FrameGraphPass>(MAX_PASSES, 'steps');
   const others = settings.frameGraph?.extraBuffers ?? [];
-  const known = [0, ...others].map((_, i) =>
+  const buffers = [0, ...others].map((_, i) =>
     JSON.stringify(frameGraphBuffer(bufferSettings(settings, i), others[i - 1]?.scene ?? 0)),
   );
   const bufferPlace = (gbuffer: GBufferSpec): number => {
-    const place = known.indexOf(JSON.stringify(frameGraphBuffer(gbuffer, scenes.indexOf(gbuffer.scene))));
+    const place = buffers.indexOf(JSON.stringify(frameGraphBuffer(gbuffer, scenes.indexOf(gbuffer.scene))));
     if (place < 0) throw new FrameGraphError('the picture has no such G-buffer');
     return place;
   };
@@ -85,6 +85,6 @@ function isSceneLinear({ step }: ImageSpec): boolean {
 /** Scales arguments that are lengths in pixels; those of custom effects have no known meaning. */
 function scaleArguments(step: FrameGraphPass, scale: number): FrameGraphPass {
   if (step.kind !== 'effect' || typeof step.effect !== 'string') return step;
-  const known: EffectInfo['args'] = EFFECTS[step.effect].args;
-  return { ...step, args: step.args.map((arg, i) => (known[i]?.unit === 'px' ? arg * scale : arg)) };
+  const infos: EffectInfo['args'] = EFFECTS[step.effect].args;
+  return { ...step, args: step.args.map((arg, i) => (infos[i]?.unit === 'px' ? arg * scale : arg)) };
 }

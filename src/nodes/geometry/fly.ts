@@ -88,12 +88,12 @@ function assertCanFly(scene: Scene, path: string, direction: readonly [number, n
  * now fly.
  */
 function fastestAfter({ fastest: before, scene, speedOfLight: c }: RelativisticScene, flown: Scene, path: string) {
-  const known = before && !isAtOrBelow(before.path, path) ? before : undefined;
+  const unchanged = before && !isAtOrBelow(before.path, path) ? before : undefined;
   const changed = new Set(scene.objects);
-  let best: FastestScenePoint | undefined = known;
+  let best: FastestScenePoint | undefined = unchanged;
   for (const object of flown.objects) {
-    const isLookedAt = isAtOrBelow(object.path, path) || (before && !known && changed.has(object));
-    if (!isLookedAt) continue;
+    const isCandidate = isAtOrBelow(object.path, path) || (before && !unchanged && changed.has(object));
+    if (!isCandidate) continue;
     const { speed, from } = fastestVertex(object, c, [flown.startTime, flown.endTime], best?.speed);
     if (speed > (best?.speed ?? 0))
       best = { path: object.path, speed, time: Number.isFinite(from) ? from : flown.startTime };

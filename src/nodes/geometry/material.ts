@@ -99,10 +99,10 @@ function materialOf(
   name: string,
   { preset, color, roughness, metallic, opacity, glow, temperature }: MaterialParams,
 ): Material {
-  const known = MATERIAL_PRESETS.get(preset);
+  const substance = MATERIAL_PRESETS.get(preset);
   const shine = glow > 0 ? { emissive: [glow, glow, glow] as const, emissionTemperature: temperature } : {};
-  if (!known) return makeMaterial({ name, baseColor: color, roughness, metallic, opacity, ...shine });
-  const { rgb, uv, ir } = known.filter;
-  const surface = { baseColor: rgb, uv, ir, roughness: known.roughness, metallic: known.metallic ? 1 : 0 };
+  if (!substance) return makeMaterial({ name, baseColor: color, roughness, metallic, opacity, ...shine });
+  const { rgb, uv, ir } = substance.filter;
+  const surface = { baseColor: rgb, uv, ir, roughness: substance.roughness, metallic: substance.metallic ? 1 : 0 };
   return makeMaterial({ name, ...surface, opacity, ...shine });
 }

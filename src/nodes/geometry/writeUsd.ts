@@ -2,8 +2,6 @@ import { SPEED_OF_LIGHT } from '../../physics/constants.ts';
 import { defineNode } from '../defineNode.ts';
 import { checkedFileName } from '../project/outputFiles.ts';
 
-/** [m/s] */
-
 /** Requests that geometry is written as USD; passes it through. */
 export const writeUsdNode = defineNode({
   id: 'write-usd',

@@ -22,17 +22,17 @@ export const outputSize = ({ size, falseColour, legend }: FalseColorOptions): Pi
 /** Maps data to false colours for renderers that do not. All frames of a film share the scale of the first. */
 export class FalseColorRenderer {
   private readonly renderer: PictureRenderer;
-  private readonly gauges: PictureMeter;
+  private readonly meter: PictureMeter;
   private readonly kind: FalseColorQuantity;
-  private readonly wanted: FalseColorOptions;
+  private readonly options: FalseColorOptions;
   private scale: ValueRange | undefined;
 
-  constructor(renderer: PictureRenderer, gauges: PictureMeter, kind: FalseColorQuantity, wanted: FalseColorOptions) {
+  constructor(renderer: PictureRenderer, meter: PictureMeter, kind: FalseColorQuantity, options: FalseColorOptions) {
     this.renderer = renderer;
-    this.gauges = gauges;
+    this.meter = meter;
     this.kind = kind;
-    this.wanted = wanted;
-    this.scale = wanted.falseRange;
+    this.options = options;
+    this.scale = options.falseRange;
   }
 
   /** Colour scale of the pictures; undefined before the first. */
@@ -41,13 +41,13 @@ export class FalseColorRenderer {
   }
 
   async render(request: PictureRequest, onPart: (part: number) => void): Promise<RenderedPicture> {
-    const { kind, wanted } = this;
+    const { kind, options } = this;
     const { views, settings } = request;
-    this.scale ??= measuredFalseColorScale(kind, await this.gauges.read(views, settings, kind));
+    this.scale ??= measuredFalseColorScale(kind, await this.meter.read(views, settings, kind));
     const colors = { kind, ...this.scale };
     const pixels = await this.renderColors(colors, request, onPart);
-    const picture = { ...wanted.size, pixels };
-    return { pixels: (wanted.legend ? withFalseColorLegend(picture, colors) : picture).pixels, aovs: new Map() };
+    const picture = { ...options.size, pixels };
+    return { pixels: (options.legend ? withFalseColorLegend(picture, colors) : picture).pixels, aovs: new Map() };
   }
 
   private async renderColors(
@@ -55,14 +55,14 @@ export class FalseColorRenderer {
     request: PictureRequest,
     onPart: (part: number) => void,
   ): Promise<Uint8Array> {
-    const { kind, renderer: painter, wanted } = this;
+    const { kind, renderer, options } = this;
     const { views, settings } = request;
-    if (painter.measureLight) {
-      const painted = await painter.render({ ...request, settings: { ...settings, falseColors: colors } }, onPart);
-      return painted.pixels;
+    if (renderer.measureLight) {
+      const drawn = await renderer.render({ ...request, settings: { ...settings, falseColors: colors } }, onPart);
+      return drawn.pixels;
     }
-    const { aovs } = await painter.render({ ...request, pixels: false, aovs: AOVS_OF_FALSE_COLOR[kind] }, onPart);
-    const taken = { aovs, views, settings, ...wanted.size };
-    return falseColorPicture(colors, falseColorValues(kind, taken), taken).pixels;
+    const { aovs } = await renderer.render({ ...request, pixels: false, aovs: AOVS_OF_FALSE_COLOR[kind] }, onPart);
+    const input = { aovs, views, settings, ...options.size };
+    return falseColorPicture(colors, falseColorValues(kind, input), input).pixels;
   }
 }

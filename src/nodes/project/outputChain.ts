@@ -14,8 +14,8 @@ const chainCache = new WeakMap<GraphDocument['nodes'], OutputChain>();
 
 function analyzedDocument(document: GraphDocument): OutputChain {
   const { nodes, edges, groups } = document;
-  const known = chainCache.get(nodes);
-  if (known?.edges === edges && known.groups === groups) return known;
+  const cached = chainCache.get(nodes);
+  if (cached?.edges === edges && cached.groups === groups) return cached;
   const flat = tryFlatten(document);
   const fresh = { edges, groups, flat, chain: upstreamNodes(flat, outputNodeId(document)) };
   chainCache.set(nodes, fresh);
@@ -28,7 +28,7 @@ function analyzedDocument(document: GraphDocument): OutputChain {
  */
 export const nodesFeedingOutput = (document: GraphDocument): readonly FlatNode[] => analyzedDocument(document).chain;
 
-/** What the first output of a group, or of another structural node, stands for, by its evaluation id. */
+/** The output that the first output of a group or of another structural node stands for, by its evaluation id. */
 export const firstOutputOf = (document: GraphDocument, id: string): FlatAlias | undefined =>
   analyzedDocument(document).flat?.aliases.get(id);
 

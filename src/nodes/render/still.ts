@@ -17,7 +17,7 @@ const integerParam = (title: string, preset: number, min: number, max: number) =
 const stillPixelParam = (title: string, preset: number) =>
   ({ ...integerParam(title, preset, 1, 8192), unit: 'px', slider: false }) as const;
 
-/** Parameters for what a pipeline can be told. */
+/** Parameters for a pipeline's options. */
 function optionParams({ options }: Pipeline): Readonly<Record<string, NumberParam | BooleanParam>> {
   const specs = optionsByEffect(options).flatMap(([name, option]) => {
     const { param } = option;
@@ -70,7 +70,7 @@ const stillNode = (pipeline: Pipeline, still: StillLimits) =>
       assertSize(pipeline.id, still, size, samples, node);
       const { scene } = gbuffer;
       const views: PictureViews = [initialViewPoint(gbuffer, time ?? scene.hints.openAt ?? scene.startTime)];
-      const order = {
+      const request = {
         pipeline: pipeline.id,
         scene,
         views,
@@ -79,7 +79,7 @@ const stillNode = (pipeline: Pipeline, still: StillLimits) =>
         samples,
         options,
       };
-      const pixels = makeStillPixels(width, height, await services.renderStill(order, work));
+      const pixels = makeStillPixels(width, height, await services.renderStill(request, work));
       return { image: { step: { kind: 'still', still: pixels }, gbuffer } };
     },
   });
