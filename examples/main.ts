@@ -34,7 +34,7 @@ function unknown(name: string): never {
   throw new Error(`no scene ${name}; there are ${chosen([]).join(', ')}`);
 }
 
-/** `under`: a folder of examples/, with its own textures. */
+/** `under`: a subfolder of examples/ with its own textures. */
 function write({ name, make, texturesOf = name }: ExampleScene, under = ''): void {
   const scene = named(make(), texturesOf);
   const faults = validate(scene, scene.hints.speedOfLight ?? SPEED_OF_LIGHT).filter((d) => d.severity === 'error');
@@ -58,7 +58,7 @@ function writeProject(name: string, document: GraphDocument): void {
   console.log(`${name}.slowlight.json  ${Object.keys(document.nodes).length} nodes`);
 }
 
-/** The scenes share a folder of textures, so each one's carry its name. */
+/** The scenes share a folder of textures, so the names of textures begin with that of the scene. */
 function named(scene: Scene, prefix: string): Scene {
   const rename = (texture: Texture): Texture => ({ ...texture, name: `${prefix}_${texture.name}` });
   const materials = scene.materials.map((material) =>

@@ -22,10 +22,10 @@ import type { LightSpectrum } from '../../src/spectrum/sources/lightSpectrum.ts'
 import { linear } from './paint.ts';
 import { roundForText } from './tidy.ts';
 
-/** Where a part goes: turned about the vertical axis [rad], then moved [m]. */
+/** Placement of a part: rotation about the vertical axis [rad], then translation [m]. */
 export const place = (position: Vec3, turn = 0): Mat4 => fromParts(toMatrix(fromAxisAngle([0, 1, 0], turn)), position);
 
-/** A part in several materials: meshes that already know theirs. */
+/** A part in several materials: meshes with their material indices. */
 export type Part = readonly Mesh[];
 
 export const placePart = (part: Part, m: Mat4): Part => part.map((mesh) => transformMesh(mesh, m));
@@ -37,9 +37,9 @@ export interface MaterialLook {
   readonly emissive?: string;
   readonly texture?: Texture;
   readonly opacity?: number;
-  /** Name of a surface of src/spectrum/reflectance/materialPresets.ts that it is like where eyes do not see: in ultraviolet and infrared. */
+  /** Preset of src/spectrum/reflectance/materialPresets.ts whose ultraviolet and infrared reflectance it has. */
   readonly like?: string;
-  /** [K]: it shines as a blackbody, and `emissive` tells how brightly. */
+  /** Temperature of its blackbody emission [K]; `emissive` is the brightness. */
   readonly emissionTemperature?: number;
 }
 
@@ -59,7 +59,7 @@ export class SceneBuilder {
   private readonly materials: Material[] = [];
   private readonly objects: SceneObject[] = [];
 
-  /** A material by colour; the number is what meshes refer to. With a texture the colour tints it (white leaves it). */
+  /** Adds a material and returns its index. With a texture the colour is a tint. */
   material(name: string, color: string, look: MaterialLook = {}): number {
     const { roughness = 0.8, metallic = 0, emissive, texture, opacity = 1, like, emissionTemperature } = look;
     const { uv, ir } = like ? presetNamed(like).filter : {};
@@ -79,7 +79,7 @@ export class SceneBuilder {
     return this.materials.length - 1;
   }
 
-  /** A surface of src/spectrum/reflectance/materialPresets.ts as it is there. */
+  /** Adds a preset of src/spectrum/reflectance/materialPresets.ts. */
   preset(name: string): number {
     const { filter, metallic, roughness } = presetNamed(name);
     const finish = { roughness, metallic: metallic ? 1 : 0, opacity: 1, opacityThreshold: 0 };
@@ -88,7 +88,7 @@ export class SceneBuilder {
     return this.materials.length - 1;
   }
 
-  /** One object of all the parts; groups of one material are drawn together. */
+  /** Adds one object with all the parts; groups of one material are merged. */
   object(
     path: string,
     parts: Part,
@@ -133,7 +133,7 @@ export class SceneBuilder {
 
 export const paint = (mesh: Mesh, material: number): Mesh => withMaterial(mesh, material);
 
-/** A sky that is one colour above, another at the horizon, and closed by a ground. */
+/** A sky with a zenith, horizon and ground colour. */
 export const sky = (zenith: string, horizon: string, ground: string): DomeLight => ({
   kind: 'dome',
   path: '/World/Sky',
@@ -158,7 +158,7 @@ export const daylight = (from: Vec3, color = '#fff1d8', intensity = 3.2): Light[
   sky('#9fc0ea', '#dfe9ee', '#8f8d86'),
 ];
 
-/** Light of a spectrum, as bright as white daylight of this value is. */
+/** Colour of light with a spectrum, as bright as white daylight of this value. */
 export const spectralLight = (
   spectrum: LightSpectrum,
   luminance: number,

@@ -1,9 +1,9 @@
 import type { Scene } from '../../src/scene/types.ts';
 
-/** One scene of the gallery: a file name, and how it is made. */
+/** A scene of the gallery: its file name and the function that builds it. */
 export interface ExampleScene {
   readonly name: string;
-  /** The scene whose pictures it shares, where it has none of its own. */
+  /** The scene whose textures it shares, if it has none of its own. */
   readonly texturesOf?: string;
   make(): Scene;
 }

@@ -26,7 +26,7 @@ export function sampled(
   );
 }
 
-/** The same at moments of one's own [s], rising. */
+/** Samples at the given times [s], increasing. */
 export function sampledAt(
   moments: readonly number[],
   at: (t: number) => { position: Vec3; orientation: Quat },
@@ -36,7 +36,7 @@ export function sampledAt(
   let before: Quat | undefined;
   for (let k = 0; k < times.length; k++) {
     const { position, orientation } = at(times[k]);
-    // Of the two quaternions of a rotation the one nearer to the last, so that nothing spins between samples.
+    // Of q and −q the one nearer to the previous, so that interpolation takes the short way.
     const q =
       before && multiply([-before[0], -before[1], -before[2], before[3]], orientation)[3] < 0
         ? orientation.map((x) => -x)
@@ -47,7 +47,7 @@ export function sampledAt(
   return { kind: 'sampled', times, poses };
 }
 
-/** 0 → 1 with rest at both ends and a steady middle: the integral of a trapezium whose ramps are smooth. `ramp`: their share, 0 … 0.5. */
+/** 0 → 1, at rest at both ends and at constant speed in the middle: the integral of a trapezoid with smooth ramps. `ramp`: their fraction, 0 … 0.5. */
 export function smoothRamp(s: number, ramp = 0.3): number {
   const x = Math.max(0, Math.min(1, s));
   const rise = (y: number) => (y * y * y - (y * y * y * y) / 2) * ramp;
@@ -57,10 +57,10 @@ export function smoothRamp(s: number, ramp = 0.3): number {
   return (x - ramp / 2) / total;
 }
 
-/** Of a shuttle's way, what it takes to reach its speed. */
+/** Fraction of a shuttle's path in which it accelerates. */
 export const TURN_SHARE = 0.12;
 
-/** 0 → 1 → 0 … in turn, each way in a time of 1 at one speed but for a short turn at the ends, at rest where s is whole. */
+/** 0 → 1 → 0 … with period 2, at constant speed except near the ends, at rest at integer s. */
 export function shuttle(s: number, ramp = TURN_SHARE): number {
   const way = s - 2 * Math.floor(s / 2);
   return way <= 1 ? smoothRamp(way, ramp) : 1 - smoothRamp(way - 1, ramp);

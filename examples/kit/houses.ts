@@ -29,7 +29,7 @@ const GLASS = '#33424f';
 
 export const wallHeight = (floors: number): number => GROUND + (floors - 1) * FLOOR;
 
-/** The painted front of a house, ready as a texture; windows have reveals, sills, bars and a sky that glints in the panes. */
+/** The texture of a house front; windows have reveals, sills, bars and reflections of the sky. */
 function facade({ width, floors, bays, scheme }: House, seed: number): Canvas {
   const height = wallHeight(floors);
   const [w, h] = [Math.round(width * SCALE), Math.round(height * SCALE)];
@@ -54,12 +54,12 @@ function facade({ width, floors, bays, scheme }: House, seed: number): Canvas {
   return canvas;
 }
 
-/** Of windows [m]. */
+/** Size of windows [m]. */
 const SILL = 0.95;
 const windowWidth = (bay: number): number => Math.min(1.1, bay * 0.5);
 const windowHeight = (floor: number): number => (floor === 0 ? 1.75 : 1.6);
 
-/** Panes of the windows behind which somebody is at home, just before the front; bars of the window stay between them. */
+/** Lit window panes, just in front of the facade; the window's bars stay between them. */
 function litPanes({ width, floors, bays }: House, seed: number): Mesh[] {
   const next = random(seed + 7);
   const bay = width / bays;
@@ -154,12 +154,12 @@ export interface HouseMaterials {
   readonly roof: number;
   readonly stone: number;
   readonly chimney: number;
-  /** Of the panes behind which there is light; where absent, all are dark. */
+  /** Material of lit panes; absent: none is lit. */
   readonly glow?: number;
 }
 
 /**
- * A town house with its front at z = 0 facing +Z, its middle at x = 0: painted front, plain sides, cornice, gabled tile roof with
+ * A town house with its front at z = 0 facing +Z, centred at x = 0: textured front, plain sides, cornice, gabled tile roof with
  * eaves, chimney and a door step.
  */
 export function house(

@@ -9,7 +9,7 @@ export const rgb = (hex: string): [number, number, number] => [
   Number.parseInt(hex.slice(5, 7), 16),
 ];
 
-/** `#rrggbb` → linear sRGB, as materials want it (IEC 61966-2-1). */
+/** `#rrggbb` → linear sRGB, as in materials (IEC 61966-2-1). */
 export const linear = (hex: string): Vec3 => {
   const [r, g, b] = rgb(hex).map((byte) => {
     const v = byte / 255;
@@ -24,7 +24,7 @@ export function tone(hex: string, k: number): string {
   return `#${mixed.map((v) => Math.max(0, Math.min(255, v)).toString(16).padStart(2, '0')).join('')}`;
 }
 
-/** A small picture painted by a script, for textures; x to the right, y down, in pixels. */
+/** A procedural texture; x to the right, y down, in pixels. */
 export class Canvas {
   readonly width: number;
   readonly height: number;
@@ -45,7 +45,7 @@ export class Canvas {
     return this;
   }
 
-  /** Every pixel from its place in the picture, u to the right and v up, both 0 … 1. */
+  /** Sets every pixel as a function of u (right) and v (up), 0 … 1. */
   shade(color: (u: number, v: number) => string): this {
     for (let y = 0; y < this.height; y++)
       for (let x = 0; x < this.width; x++) {
@@ -55,7 +55,7 @@ export class Canvas {
     return this;
   }
 
-  /** Grain, so that a plain wall is not a flat colour: brightness varies by up to `amount` (0 … 1), in patches of `size` pixels. */
+  /** Adds noise: brightness varies by up to `amount` (0 … 1), in patches of `size` pixels. */
   grain(amount: number, size = 1, seed = 1): this {
     const next = random(seed);
     const columns = Math.ceil(this.width / size);
@@ -88,7 +88,7 @@ export class Canvas {
   }
 }
 
-/** Two by two fields; the sharp edges are the filter's business. */
+/** A checkerboard of 2 × 2 squares. */
 export function checker(light: string, dark: string, name: string, fields = 2, cell = 32): Texture {
   const canvas = new Canvas(fields * cell, fields * cell, light);
   for (let j = 0; j < fields; j++)

@@ -5,13 +5,13 @@ import { transformMesh } from '../../src/scene/mesh/meshOps.ts';
 import { box, revolve, type SurfaceBand } from '../../src/scene/mesh/primitives.ts';
 import type { Mesh } from '../../src/scene/types.ts';
 
-/** A flat quadrilateral, corners against the clock seen from its front; uv runs 0 … su, 0 … sv from the first corner. */
+/** A flat quadrilateral, corners counterclockwise seen from the front; uv from 0 at the first corner to su, sv. */
 export function quad(a: Vec3, b: Vec3, c: Vec3, d: Vec3, su = 1, sv = 1): Mesh {
   const uvs = { per: 'corner' as const, values: [0, 0, su, 0, su, sv, 0, sv] };
   return makeMesh({ points: [...a, ...b, ...c, ...d], faceCounts: [4], faceIndices: [0, 1, 2, 3], uvs }).mesh;
 }
 
-/** A flat polygon, corners against the clock seen from its front; uv in metres along its first edge and across it. */
+/** A flat polygon, corners counterclockwise seen from the front; uv in metres along and across its first edge. */
 export function polygon(corners: readonly Vec3[], perMetre = 1): Mesh {
   const u = normalize(sub(corners[1], corners[0]));
   const n = normalize(cross(u, sub(corners[2], corners[0])));
@@ -23,7 +23,7 @@ export function polygon(corners: readonly Vec3[], perMetre = 1): Mesh {
     .mesh;
 }
 
-/** A box whose faces carry uv in metres times `perMetre`, standing on y = 0 at the origin's middle. */
+/** A box that stands on y = 0, centred at the origin; uv in metres times `perMetre`. */
 export function block(width: number, height: number, depth: number, perMetre = 1, base: Vec3 = [0, 0, 0]): Mesh {
   const [x, z] = [width / 2, depth / 2];
   const at = (px: number, py: number, pz: number): Vec3 => [base[0] + px, base[1] + py, base[2] + pz];
@@ -38,7 +38,7 @@ export function block(width: number, height: number, depth: number, perMetre = 1
   return join(faces.map((corners) => polygon(corners, perMetre)));
 }
 
-/** Meshes in one material as one. */
+/** Merges meshes of one material. */
 export function join(parts: readonly Mesh[]): Mesh {
   const points: number[] = [];
   const normals: number[] = [];
@@ -60,7 +60,7 @@ export function join(parts: readonly Mesh[]): Mesh {
   }).mesh;
 }
 
-/** A box with rounded edges, as dice and cut stone have: middle at the origin, edge radius `r`, each face with uv 0 … 1. */
+/** A box with rounded edges of radius `r`, centred at the origin; uv 0 … 1 per face. */
 export function roundedBox(size: Vec3, r: number, steps = 3): Mesh {
   const faces: Mesh[] = [];
   for (let axis = 0; axis < 3; axis++) for (const side of [-1, 1]) faces.push(roundedFace(size, r, steps, axis, side));
@@ -69,7 +69,7 @@ export function roundedBox(size: Vec3, r: number, steps = 3): Mesh {
 
 function roundedFace(size: Vec3, r: number, steps: number, axis: number, side: number): Mesh {
   const [a, b] = side > 0 ? [(axis + 1) % 3, (axis + 2) % 3] : [(axis + 2) % 3, (axis + 1) % 3];
-  // A ball of radius r rolled round a smaller box: grid lines crowd in the edges by equal angles.
+  // The Minkowski sum of a smaller box and a sphere of radius r; grid lines are at equal angles in the edges.
   const lines = (k: number) => {
     const inner = size[k] / 2 - r;
     const bend = Array.from({ length: steps + 1 }, (_, i) => Math.tan((Math.PI / 4) * (i / steps)) * r);
@@ -105,7 +105,7 @@ function roundedFace(size: Vec3, r: number, steps: number, axis: number, side: n
   }).mesh;
 }
 
-/** A turned body from its outline, radius and height from the bottom up; corners are sharp, `smooth` names steps that are not. */
+/** A solid of revolution from its outline, radius and height from the bottom up; its corners are sharp except the segments in `smooth`. */
 export function turned(outline: readonly (readonly [number, number])[], segments = 24): Mesh {
   const total = outline[outline.length - 1][1] - outline[0][1];
   const bands = outline.slice(1).map((to, i): SurfaceBand => {
@@ -118,7 +118,7 @@ export function turned(outline: readonly (readonly [number, number])[], segments
   return revolve(bands, segments, 'Y');
 }
 
-/** A Tuscan column: plinth, torus, a shaft that narrows in a soft curve (entasis), echinus and abacus. `radius` is the shaft's at its foot. */
+/** A Tuscan column: plinth, torus, shaft with entasis, echinus and abacus. `radius`: of the shaft at its foot. */
 export function column(height: number, radius: number): Mesh {
   const r = radius;
   const roll = (from: number, to: number, middle: number, bulge: number): [number, number][] =>
@@ -147,7 +147,7 @@ export function column(height: number, radius: number): Mesh {
   return join([plinth, turned(outline), abacus]);
 }
 
-/** A bar of square section between two points [m]. */
+/** A bar of square cross-section between two points [m]. */
 export function bar(from: Vec3, to: Vec3, thickness: number): Mesh {
   const along = sub(to, from);
   const z = normalize(along);
@@ -158,7 +158,7 @@ export function bar(from: Vec3, to: Vec3, thickness: number): Mesh {
   return transformMesh(box([thickness, thickness, Math.hypot(...along)]), m);
 }
 
-/** A circle in the plane y = 0, seen from above; uv 0 … 1 over the square about it. */
+/** A disc in the plane y = 0, facing up; uv 0 … 1 over its bounding square. */
 export function disc(radius: number, segments: number): Mesh {
   const round = Array.from({ length: segments }, (_, i): Vec3 => {
     const a = (-2 * Math.PI * i) / segments;
@@ -174,7 +174,7 @@ export const moved = (mesh: Mesh, by: Vec3): Mesh => transformMesh(mesh, fromPar
 export const sized = (mesh: Mesh, k: Vec3): Mesh =>
   transformMesh(mesh, fromParts([k[0], 0, 0, 0, k[1], 0, 0, 0, k[2]], scale(k, 0)));
 
-/** A closed mesh seen from within: of a globe, the far half of its inside. */
+/** A closed mesh with its faces turned inwards. */
 export const insideOut = (mesh: Mesh): Mesh => ({
   ...mesh,
   normals: mesh.normals.map((x) => -x),

@@ -1,20 +1,20 @@
 import type { Mesh } from '../../src/scene/types.ts';
 import { block, quad } from './parts.ts';
 
-/** Its middle is at x = 0; `back` and `front` are along z [m]. */
+/** Centred at x = 0; `back` and `front` are along z [m]. */
 export interface Room {
   readonly half: number;
   readonly back: number;
   readonly front: number;
 }
 
-/** Its floor at a height [m]; uv runs 0 … 1 over so many metres. */
+/** Its floor at a height [m]; uv 0 … 1 over the given number of metres. */
 export function floorOf({ half, back, front }: Room, y: number, pattern: number): Mesh {
   const [u, v] = [(2 * half) / pattern, (front - back) / pattern];
   return quad([-half, y, front], [half, y, front], [half, y, back], [-half, y, back], u, v);
 }
 
-/** Walls on all four sides from one height to another, so much within its edge [m]: below the floor where they stand on it, for no light to come through. */
+/** Walls on all four sides from one height to another, inset from the edge [m]; starting below the floor, so that no light leaks. */
 export function wallsOf({ half, back, front }: Room, bottom: number, top: number, within = 0, thick = 0.2): Mesh[] {
   const [width, length, out] = [2 * (half + thick), front - back, thick / 2 - within];
   return [

@@ -5,7 +5,7 @@ import { type House, house, type Scheme } from './houses.ts';
 import { bricks, Canvas, roofTiles, tone } from './paint.ts';
 import { block, column, join, moved, quad, turned } from './parts.ts';
 
-/** Half the width of the road, and of the space between the houses [m]. */
+/** Half the width of the road, and half the distance between the houses [m]. */
 const ROAD = 5;
 const FRONT = 9;
 const LENGTH = 120;
@@ -19,12 +19,12 @@ const schemes: readonly Scheme[] = [
   { wall: '#b98f9b', trim: '#efe3df', door: '#39424e' },
 ];
 
-/** What differs from one time of day to another. */
+/** What differs between times of day. */
 export interface StreetLighting {
-  /** Materials of the road, which lies in uv fields of 10 m, and of the glass of the street lamps. */
+  /** Materials of the road, whose uv unit is 10 m, and of the glass of the street lamps. */
   readonly road: number;
   readonly lamp: number;
-  /** Material of lit windows; absent where none is lit. */
+  /** Material of lit windows; absent: none is lit. */
   readonly glow?: number;
 }
 

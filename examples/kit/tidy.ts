@@ -5,7 +5,7 @@ const rounded = (values: Float32Array, digits: number): Float32Array => {
   return values.map((x) => Math.round(x * k) / k + 0);
 };
 
-/** Places to a tenth of a millimetre and normals to a thousandth, so that a scene's text stays short. */
+/** Rounds positions to 0.1 mm and normals to 0.001, so that the text of a scene is short. */
 export const roundForText = (mesh: Mesh): Mesh => ({
   ...mesh,
   positions: rounded(mesh.positions, 4),

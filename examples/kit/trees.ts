@@ -3,7 +3,7 @@ import { sphere } from '../../src/scene/mesh/primitives.ts';
 import { type Part, paint } from './builder.ts';
 import { join, moved, sized, turned } from './parts.ts';
 
-/** A poplar or cypress: a trunk and one tall, slightly uneven flame of leaves. */
+/** A poplar or cypress: a trunk and a tall, slightly irregular crown. */
 export function poplar(height: number, bark: number, leaf: number, seed = 1): Part {
   const next = random(seed);
   const outline = [
@@ -27,7 +27,7 @@ export function poplar(height: number, bark: number, leaf: number, seed = 1): Pa
   return [paint(trunk, bark), paint(turned(outline, 11), leaf)];
 }
 
-/** A broad tree: a trunk and a crown of a few balls. */
+/** A broad tree: a trunk and a crown of several spheres. */
 export function broadTree(height: number, bark: number, leaf: number, seed = 1): Part {
   const next = random(seed);
   const trunk = turned(

@@ -1,7 +1,7 @@
 import { emptyDocument, type GraphDocument, type ParamValue } from '../../src/graph/document/document.ts';
 import { applyCommand, type Command } from '../../src/graph/edits/commands.ts';
 
-/** A node with what differs from its defaults, and what feeds it: `input: 'node.output'`, a list for an input of many. */
+/** A node with its non-default parameters and its inputs: `input: 'node.output'`, or a list for a multi-input. */
 export interface NodeSketch {
   readonly type: string;
   readonly set?: Readonly<Record<string, ParamValue>>;
@@ -11,10 +11,10 @@ export interface NodeSketch {
 type About = Required<Pick<GraphDocument, 'title' | 'lookFor'>>;
 
 const COLUMN = 260;
-/** Nodes that show pictures have room for them. */
+/** Nodes with previews are taller. */
 const ROW = 210;
 
-/** A project from a sketch, with its title and what to look for; each node stands a column right of all that feed it. */
+/** A project from a sketch, with title and viewing hint; each node is one column to the right of its inputs. */
 export function build(about: About, nodes: Readonly<Record<string, NodeSketch>>): GraphDocument {
   const columns = new Map<string, number>();
   const rows = new Map<number, number>();

@@ -9,12 +9,12 @@ const ABOUT = {
 
 /** [m/s] */
 export const C = 10;
-/** Each [C], and how fast each is when they are farthest apart [m/s]. */
+/** Charge of each [C], and their speed at the largest distance [m/s]. */
 export const CHARGE = 9.37e-5;
 export const SPEED = 2.6;
-/** From the middle, then [m]. */
+/** Distance of each from the centre at that time [m]. */
 export const AWAY = 1.6;
-/** Over the table [m]. */
+/** Height above the table [m]. */
 export const HEIGHT = 0.22;
 
 const charge = (name: string, color: readonly [number, number, number], side: 1 | -1): NodeSketches => ({
@@ -32,7 +32,7 @@ const charge = (name: string, color: readonly [number, number, number], side: 1 
   },
 });
 
-/** Two opposite charges round each other. */
+/** Two opposite charges that orbit each other. */
 export const charges = () =>
   build(ABOUT, {
     ...charge('Positive', [0.8, 0.04, 0.02], 1),

@@ -7,7 +7,7 @@ const ABOUT = {
     'At the left what you see at 0.4 c, at the right what an ordinary renderer draws of the same moment. Move the border (Alpha): lamp posts jump, the farther ahead the more, and lose their blue; the moving box is where it was, then where it is. Set the mode to normal, and both shine through.',
 };
 
-/** What is seen, beside what an ordinary renderer would draw. */
+/** The observed picture beside that of an ordinary renderer. */
 export const comparison = () =>
   build(ABOUT, {
     ...drive,

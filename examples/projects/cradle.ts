@@ -9,10 +9,10 @@ const ABOUT = {
 
 const LENGTH = 3;
 const RADIUS = 0.2;
-/** Between neighbours: they touch one after the other. */
+/** Gap between neighbours, so that they touch one after the other. */
 const GAP = 0.02;
 const PIVOT = 3.5;
-/** How far the first one is out. */
+/** Deflection of the first ball. */
 const ANGLE = (57 * Math.PI) / 180;
 const PITCH = 2 * RADIUS + GAP;
 const COUNT = 5;
@@ -52,7 +52,7 @@ const balls: NodeSketches = {
   },
 };
 
-/** Balls on rods in a row, of which the first is raised and let go. */
+/** A row of balls on rods, of which the first is raised and released. */
 export const cradle = () =>
   build(ABOUT, {
     ...balls,

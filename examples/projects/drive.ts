@@ -1,6 +1,6 @@
 import type { NodeSketch } from './buildProject.ts';
 
-/** A street of the examples, as it is seen by who drives along it. */
+/** A street of the examples, seen by an observer who moves along it. */
 export const drive: Readonly<Record<string, NodeSketch>> = {
   read: { type: 'read', set: { source: 'street.usda' } },
   start: { type: 'observer', set: { beta: [0, 0, -0.4] } },

@@ -7,7 +7,7 @@ const ABOUT = {
     'A cloth falls on a ball that stands fast, with light at 10 m/s. Its middle is stopped, its corners fall on and swing under the ball. Ball and floor push back what gets into them, the harder the deeper it is, so that a fast blow goes in a little. The air takes energy, nothing else does: open the energy panel to see where it goes.',
 };
 
-/** A cloth that falls on a fixed ball over a floor. */
+/** A cloth that falls on a fixed sphere above a floor. */
 export const fallingCloth = () =>
   build(ABOUT, {
     sheet: { type: 'grid', set: { name: 'Cloth', width: 2.4, length: 2.4, columns: 28, rows: 28 } },
@@ -33,7 +33,7 @@ export const fallingCloth = () =>
     weight: { type: 'field', set: { drag: 3 } },
     fall: {
       type: 'simulate',
-      // Its folds keep apart by about a cell.
+      // Contact distance of about a cell between folds.
       set: { duration: 4, rate: 120, method: 'leapfrog', step: 0.0006, reach: 0.08, stiffness: 400 },
       from: { matter: ['cloth.matter', 'ball.matter', 'ground.matter', 'weight.matter'] },
     },

@@ -10,13 +10,13 @@ const ABOUT = {
 const C = 10;
 const LENGTH = 4.5;
 const GAP = 0.7;
-/** How far behind the observer's place the tracks are [m]. */
+/** Distance of the tracks behind the observer's position [m]. */
 const NEAR = 8;
 const FAR = 12;
-/** At 0.8 c: √(1 − 0.8²). */
+/** Length contraction at 0.8 c: √(1 − 0.8²). */
 const CONTRACTED = 0.6;
 
-/** Wagons in a row along x at a distance from the observer. Each contracts by itself when it moves; `part`: how far from one another they are then, of that at rest. */
+/** A row of wagons along x at a distance from the observer. Moving wagons contract individually; `part`: their spacing relative to that at rest. */
 const train = (
   name: string,
   color: readonly [number, number, number],
@@ -33,7 +33,7 @@ const train = (
   [name]: { type: 'transform', set: { position: [0, 1.8, z] }, from: { geometry: `${name}Paint.geometry` } },
 });
 
-/** So many light-seconds around the observer: a disc that is darker than the one within, the ring at its edge, and its number, which lies on the ground. */
+/** A circle of a number of light-seconds around the observer: a disc darker than the inner one, a ring at its edge, and its number on the ground. */
 const SECONDS = [1, 2, 3] as const;
 const ZONES = [
   [0.07, 0.19, 0.33],
@@ -66,7 +66,7 @@ const around = (seconds: (typeof SECONDS)[number]): Readonly<Record<string, Node
 });
 const rings: Readonly<Record<string, NodeSketch>> = Object.assign({}, ...SECONDS.map(around));
 
-/** Two tracks along x, of two rails on sleepers each. */
+/** Two tracks along x, with two rails on sleepers each. */
 const tracks: Readonly<Record<string, NodeSketch>> = {
   rail: { type: 'box', set: { name: 'Rail', width: 120, height: 0.3, depth: 0.16 } },
   rails: {

@@ -13,7 +13,7 @@ const C = 10;
 const SIDE = 2;
 const CELLS = 24;
 
-/** The numbers of the vertices at both ends of the far edge. */
+/** Vertex indices of both ends of the far edge. */
 function farCorners(): string {
   const { positions } = grid(SIDE, SIDE, CELLS, CELLS, 'Y');
   const at = (x: number): number =>
@@ -23,7 +23,7 @@ function farCorners(): string {
   return `${at(-SIDE / 2)}, ${at(SIDE / 2)}`;
 }
 
-/** A level cloth that is let go, held at the two corners of its far edge. */
+/** A cloth that is released level, pinned at the two corners of its far edge. */
 export const hangingCloth = () =>
   build(ABOUT, {
     sheet: { type: 'grid', set: { name: 'Cloth', width: SIDE, length: SIDE, columns: CELLS, rows: CELLS } },

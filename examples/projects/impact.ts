@@ -10,7 +10,7 @@ const ABOUT = {
 /** [m/s] */
 const C = 10;
 
-/** A net in the shape of a ball meets a rigid ball. */
+/** A collision of an elastic sphere with a rigid one. */
 export const impact = () =>
   build(ABOUT, {
     soft: { type: 'sphere', set: { name: 'Elastic', radius: 0.5, segments: 32, rings: 16 } },

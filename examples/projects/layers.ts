@@ -7,7 +7,7 @@ const ABOUT = {
     "The picture is put together of its layers, as the program's forerunners did it: light without ambient occlusion, times what each place sees of the sky, smoothed but not across edges; then a lens that is in focus a few metres ahead, and the glare of what is bright. Mute a node, and see what it adds.",
 };
 
-/** The sources' full graph: light without ambient occlusion, times ambient occlusion without its noise, with what a lens adds. */
+/** The full graph of the source documents: light without ambient occlusion, times blurred ambient occlusion, with lens effects. */
 export const layers = () =>
   build(ABOUT, {
     ...drive,

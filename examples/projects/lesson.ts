@@ -7,7 +7,7 @@ const ABOUT = {
     'The same street twice: at the right as it is seen at 0.4 c, at the left coloured by the part of the spectrum that it left in. What is seen straight ahead left as infrared light; the farther to the side, the less it is shifted, and what flees before you keeps its colour. Choose another number in False colour: the Doppler factor, or how long ago the light left.',
 };
 
-/** At the right the street as it is seen, at the left over the same picture which part of the emitted spectrum arrives as what is seen. */
+/** Right: the observed street. Left: the part of the emitted spectrum that arrives as visible light, over the same picture. */
 export const lesson = () =>
   build(ABOUT, {
     ...drive,

@@ -6,7 +6,7 @@ const ABOUT = {
     'Words of solid letters, where light goes at 10 m/s. The white ones rest; the yellow ones fly by at 0.8 c, and show you their ends and colours that they do not have.',
 };
 
-/** A word at rest, and one that passes above it at 0.8 c, seen turned and shifted. c = 10 m/s. */
+/** A word at rest, and one that passes above it at 0.8 c and appears rotated and shifted. c = 10 m/s. */
 export const letters = () =>
   build(ABOUT, {
     ground: { type: 'grid', set: { name: 'Ground', width: 80, length: 60, columns: 40, rows: 30 } },

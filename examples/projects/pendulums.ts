@@ -12,13 +12,13 @@ const COLORS = [
   [0.06, 0.42, 0.16],
   [0.08, 0.3, 0.75],
 ] as const;
-/** Of rods [m]. */
+/** Length of the rods [m]. */
 const LENGTH = 1;
 const HEIGHT = 1.5;
-/** From one to the next. */
+/** Distance between pendulums [m]. */
 const PITCH = 1.25;
 
-/** A pendulum that is let go level, at its own speed of light, with its name under it. */
+/** A pendulum that is released level, with its own speed of light and a label below. */
 function pendulum(c: number, i: number): NodeSketches {
   const z = PITCH * (i - 1);
   return {
@@ -51,7 +51,7 @@ function pendulum(c: number, i: number): NodeSketches {
 
 const SPEEDS = [1, 10, 100];
 
-/** Pendulums in worlds of several speeds of light. */
+/** Pendulums at several speeds of light. */
 export const pendulums = () => {
   const picture = simulationScene([...SPEEDS.flatMap((c) => [`swing${c}.geometry`, `label${c}.geometry`])], {
     set: 'classroom',

@@ -5,7 +5,7 @@ import { newProject } from '../../src/nodes/project/projectCommands.ts';
 const changed = (document: GraphDocument, ...commands: readonly Command[]): GraphDocument =>
   applyCommand(document, { kind: 'batch', commands }).document;
 
-/** The lattice as a renderer draws it that knows of no relativity: light takes no time, has no colour of its own speed, and comes from where things are. */
+/** The lattice as a non-relativistic renderer draws it: no light delay, no Doppler shift, no aberration. */
 export const plain = (): GraphDocument => ({
   ...changed(
     newProject('lattice.usda'),
@@ -18,7 +18,7 @@ export const plain = (): GraphDocument => ({
     'The lattice as any other program draws it: fly through it, and nothing bends. Then put back one thing at a time, and see what each does: View to Seen bends the bars, Doppler mix to 1 colours them, Beaming to 1 makes it bright ahead and dark behind.',
 });
 
-/** The whole of it: the street at nine tenths of the speed of light from the first picture on. */
+/** All effects: the street at 0.9 c from the first picture on. */
 export const rush = (): GraphDocument => ({
   ...changed(
     newProject('street.usda'),

@@ -3,20 +3,20 @@ import type { NodeSketch } from './buildProject.ts';
 export type NodeSketches = Readonly<Record<string, NodeSketch>>;
 type Vec3 = readonly [number, number, number];
 
-/** Paints what a node gives. */
+/** A material for the output of a node. */
 export const withMaterial = (of: string, color: Vec3, more: NonNullable<NodeSketch['set']> = {}): NodeSketch => ({
   type: 'material',
   set: { color, ...more },
   from: { geometry: of },
 });
 
-/** Where simulations are looked at, and when. */
+/** Surroundings, camera and time range of a simulation. */
 interface SimulationView {
-  /** The place about them, with its light: a file of examples/sets. */
+  /** The surroundings with their light: a file of examples/sets. */
   readonly set: string;
-  /** What of it things fall on, and how hard it is; its matter is `ground.matter`. */
+  /** The prim that objects fall on, and its stiffness; its matter is `ground.matter`. */
   readonly floor?: { readonly which: string; readonly stiffness: number; readonly margin: number };
-  /** What shines but is not in the set. */
+  /** Lights in addition to those of the set. */
   readonly lights?: readonly string[];
   readonly eye: Vec3;
   readonly target: Vec3;
@@ -26,7 +26,7 @@ interface SimulationView {
   readonly openAt: number;
 }
 
-/** What all simulations stand in and are lit by, the eye, and what leads to the picture. `things`: outputs that are in the scene. */
+/** The nodes that all simulations share: surroundings, light, camera and the render chain. `things`: outputs that are part of the scene. */
 export const simulationScene = (
   things: readonly string[],
   { set, floor, lights = [], eye, target, fieldOfView = 40, to, openAt }: SimulationView,

@@ -6,7 +6,7 @@ const ABOUT = {
     'A room at 0.1 c, drawn twice. Left: a still by the exact renderer, which follows light from thing to thing, so that walls colour what is white, and the brass ball has the colours of the room. Right: the renderer that draws while you fly. Edges run on from one to the other. Set the mode of the mix to difference: what is left is that light, and noise, of which more samples leave less. Turn or fly, and the still stays what it is.',
 };
 
-/** A wall of the room: `at` is its middle. */
+/** A wall of the room: `at` is its centre. */
 const wall = (name: string, [width, height, depth]: readonly [number, number, number], at: readonly number[]) => ({
   [name]: { type: 'box', set: { name, width, height, depth } },
   [`${name}At`]: { type: 'transform', set: { position: at }, from: { geometry: `${name}.geometry` } },

@@ -6,7 +6,7 @@ const ABOUT = {
     'Made of nodes alone, in a world where light goes at 12 m/s. A frame passes at 7 m/s, a ball goes round at 8 m/s, a ring spins, a dart is thrust from rest, a crate follows a winding path, a tile tumbles from place to place. Each is seen where it was when its light left, and bluer as it comes, redder as it goes.',
 };
 
-/** Everything that moves in its own way, in one yard: made of nodes alone, without a file. c = 12 m/s. */
+/** Every kind of motion in one yard, made of nodes alone, without a file. c = 12 m/s. */
 export const workshop = () =>
   build(ABOUT, {
     ground: { type: 'grid', set: { name: 'Ground', width: 60, length: 60, columns: 30, rows: 30 } },

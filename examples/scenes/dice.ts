@@ -13,7 +13,7 @@ import { block, join, moved, quad, roundedBox } from '../kit/parts.ts';
 
 /** Speed of light that the scene suggests [m/s]. */
 const C = 5;
-/** Both rows pass the middle of the table at this time [s]. */
+/** Time at which both rows pass the centre of the table [s]. */
 const MEETING = 8;
 const HALF_TABLE = 34;
 
@@ -29,7 +29,7 @@ function make(): Scene {
     return [paint(roundedBox([1, 1, 1], 0.1, 2), body), paint(pips(), pip)];
   };
   const red = die('red', '#a02f2c', light);
-  // They glow a little, and so do their pips: hardly any of the room's light reaches the rear of what flees it.
+  // They and their pips glow slightly: hardly any light of the room reaches the rear of receding dice.
   const ivory = die('ivory', '#f0e7d2', wine, '#665c48');
   const blue = die('blue', '#2f5f78', light);
 
@@ -56,17 +56,17 @@ function make(): Scene {
   return builder.finish('dice', hints, [from, to], [flight], daylight([0.25, 0.85, 0.6]));
 }
 
-/** Passes x at MEETING in the lane at z, along x. */
+/** Motion along x in the lane at z that passes x at MEETING. */
 const passing = (x: number, z: number, velocity: number): Motion => ({
   kind: 'uniform',
   pose: { position: [x - velocity * MEETING, 0.5, z], orientation: IDENTITY },
   velocity: [velocity, 0, 0],
 });
 
-/** One of the four ways to lie on a side, for dice that someone threw. */
+/** One of the four orientations on a side, for dice that look thrown. */
 const quarter = (next: () => number): Quat => fromAxisAngle([0, 0, 1], (Math.PI / 2) * Math.floor(4 * next()));
 
-/** Places of the pips on a face, in units of the way from the middle to the corner pips. */
+/** Positions of the pips on a face, in units of the distance from the centre to the corner pips. */
 const CORNERS: readonly (readonly [number, number])[] = [
   [-1, -1],
   [1, 1],
@@ -80,7 +80,7 @@ const faceOf = (value: number): (readonly [number, number])[] => [
   ...CORNERS.slice(0, value - (value % 2)),
 ];
 
-/** Opposite faces add to seven; one, two and three go against the clock round their corner: +x, +y, +z. */
+/** Opposite faces add to seven; one, two and three are counterclockwise around their corner: +x, +y, +z. */
 const FACES: readonly { readonly value: number; readonly turn: Quat }[] = [
   { value: 1, turn: fromAxisAngle([0, 1, 0], Math.PI / 2) },
   { value: 6, turn: fromAxisAngle([0, 1, 0], -Math.PI / 2) },
@@ -90,7 +90,7 @@ const FACES: readonly { readonly value: number; readonly turn: Quat }[] = [
   { value: 4, turn: fromAxisAngle([0, 1, 0], Math.PI) },
 ];
 
-/** The 21 pips of a die of edge 1: inlaid buttons, a hair proud of the faces. */
+/** The 21 pips of a die of edge 1, slightly above the faces. */
 function pips(): Mesh {
   const button = revolve(
     [slope([0.092, 0], [0.07, 0.008], 0.35, 0.25), slope([0.07, 0.008], [0, 0.011], 0.25, 0)],
@@ -107,7 +107,7 @@ function pips(): Mesh {
   );
 }
 
-/** A band whose normals lean outward by the given parts. */
+/** A band whose normals lean outward by the given fractions. */
 const slope = (from: [number, number], to: [number, number], lean: number, leanTo: number): SurfaceBand => ({
   from,
   to,

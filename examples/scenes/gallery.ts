@@ -13,7 +13,7 @@ import { block, join, moved, quad, roundedBox, turned } from '../kit/parts.ts';
 /** Half width, height of the walls, half length [m]; a barrel vault above. */
 const [W, H, L] = [4.5, 4.6, 30];
 const BAY = 6;
-/** Steps of the vault, of 28, that are left open along its crown: all light comes in there. */
+/** Number of the vault's 28 steps that are open along its crown, through which all light enters. */
 const SKYLIGHT = 6;
 
 export const scene: ExampleScene = { name: 'gallery', make };
@@ -47,7 +47,7 @@ function make(): Scene {
   return builder.finish('gallery', hints, [from, to], [flight], lights);
 }
 
-/** The inside of a half barrel from z0 to z1: radius r about the axis at height h, without the `open` steps round its crown. */
+/** The inside of a barrel vault from z0 to z1: radius r about the axis at height h, without the `open` steps at its crown. */
 function vault(r: number, h: number, z0: number, z1: number, steps: number, thick = 0, open = 0): Mesh {
   const points: number[] = [];
   const normals: number[] = [];
@@ -155,7 +155,7 @@ function coffers(): Texture {
     .texture('coffers');
 }
 
-/** One picture in each bay on both walls, each of its own kind. */
+/** A different picture in each bay on both walls. */
 function pictures(builder: SceneBuilder): void {
   const frame = builder.material('frame', '#b58a3f', { roughness: 0.4, metallic: 0.7, like: 'gold' });
   const mat = builder.material('mat', '#efe8da', { roughness: 0.9 });
@@ -174,7 +174,7 @@ function pictures(builder: SceneBuilder): void {
     }
 }
 
-/** A picture w × h in its mat and frame, back at z = 0, middle at the origin. */
+/** A picture w × h with mat and frame, back at z = 0, centred at the origin. */
 function framed(w: number, h: number, frame: number, mat: number, art: number): Part {
   const [x, y, b] = [w / 2, h / 2, 0.16];
   const bars = [
@@ -254,7 +254,7 @@ function stripes(name: string, seed: number): Texture {
     .texture(name);
 }
 
-/** Plinths down the middle line of the room, off the way. */
+/** Plinths along the room, beside the camera's path. */
 function sculptures(builder: SceneBuilder): void {
   const stone = builder.material('plinth', '#cfc7b8', { roughness: 0.7 });
   const bronze = builder.material('bronze', '#8c5a32', { roughness: 0.3, metallic: 0.9, like: 'copper' });

@@ -9,7 +9,7 @@ import { block, column, moved, quad, roundedBox, turned } from '../kit/parts.ts'
 
 /** Half width, height and half length of the hall [m]. */
 const [W, H, L] = [7, 9, 32];
-/** Half width of the opening along the ceiling, through which all light comes in [m]. */
+/** Half width of the opening along the ceiling, through which all light enters [m]. */
 const SKYLIGHT = 3;
 
 export const scene: ExampleScene = { name: 'hall', make };
@@ -43,7 +43,7 @@ function make(): Scene {
   return builder.finish('hall', hints, [from, to], [flight], lights);
 }
 
-/** Fields of 2 m with a thin joint, so that the pattern reads as tiles and not as a test card. */
+/** Tiles of 2 m with a thin joint. */
 function tiles(light: string, dark: string, joint: string, name: string): Texture {
   const canvas = new Canvas(128, 128, joint);
   for (const [i, j] of [

@@ -13,7 +13,7 @@ import { scene as street } from './street.ts';
 import { scene as sunset } from './sunset.ts';
 import { scene as wheel } from './wheel.ts';
 
-/** All scenes, in the order in which the gallery shows them. */
+/** All scenes, in the order of the gallery. */
 export const scenes: readonly ExampleScene[] = [
   street,
   dice,

@@ -14,9 +14,9 @@ const BETA = 0.6;
 /** Proper lengths of the ladder and of the barn between its doors [m]: 16 · 0.8 = 12.8 < 14 < 16. */
 const LADDER = 16;
 const BARN = 14;
-/** When the ladder's middle is at the barn's, and both doors are shut [s]. */
+/** Time at which the ladder's centre is at the barn's, with both doors shut [s]. */
 const MEETING = 10;
-/** How long before and after it the doors move [s], and how long they stay shut. */
+/** Duration of the doors' motion before and after it, and how long they stay shut [s]. */
 const MOVING = 0.27;
 const SHUT = 0.04;
 const [DOOR_WIDTH, DOOR_HEIGHT, HALF_DEPTH] = [1.4, 2.5, 2.6];
@@ -59,7 +59,7 @@ function make(): Scene {
   return builder.finish('ladder', hints, [from, to], [beside, rider(from, to)], daylight([-0.45, 0.7, 0.65]));
 }
 
-/** Flies beside the ladder's middle with its velocity. */
+/** A camera beside the ladder's centre with its velocity. */
 function rider(from: number, to: number): SceneCamera {
   const eye = (t: number): Vec3 => [BETA * C * (t - MEETING), 3.1, 12.5];
   const orientation = lookFrom([0, 3.1, 12.5], [0, 1.95, 0]);
@@ -67,7 +67,7 @@ function rider(from: number, to: number): SceneCamera {
   return { path: '/World/Rider', motion, fovY: (50 * Math.PI) / 180 };
 }
 
-/** In its own frame, along x and on edge: two rails and a rung every 40 cm. */
+/** The ladder in its rest frame, along x and on edge: two rails and a rung every 40 cm. */
 function rungsAndRails(): Mesh {
   const half = LADDER / 2;
   const rails = [-1, 1].map((side) => block(LADDER - 0.8, 0.11, 0.09, 1, [0, 0.36 * side - 0.055, 0]));
@@ -77,7 +77,7 @@ function rungsAndRails(): Mesh {
   return join([...rails, ...rungs]);
 }
 
-/** Its painted ends, to see where it begins and ends. */
+/** Its painted ends. */
 const tips = (): Mesh =>
   join(
     [-1, 1].flatMap((end) =>
@@ -85,7 +85,7 @@ const tips = (): Mesh =>
     ),
   );
 
-/** Two leaves at either end slide together and apart; the same motion at the same barn time. */
+/** Two door leaves at either end slide together and apart, simultaneously in the barn's frame. */
 function doors(builder: SceneBuilder): void {
   const leafWood = builder.material('doors', '#ffffff', {
     texture: planks('#ece2c8', 'door_planks', 4),
@@ -113,7 +113,7 @@ function sliding(end: number, side: number): SampledMotion {
   };
 }
 
-/** A timber frame under a shingle roof, boarded behind and open in front, so that one sees in. */
+/** A timber frame under a shingle roof, boarded at the back and open in front. */
 function barn(builder: SceneBuilder): void {
   const timber = builder.material('timber', '#ffffff', { texture: planks('#7a5a3c', 'timber', 2), roughness: 0.9 });
   const boards = builder.material('boards', '#ffffff', { texture: planks('#a9563d', 'boards', 8), roughness: 0.95 });
@@ -128,7 +128,7 @@ function barn(builder: SceneBuilder): void {
   for (const end of [-1, 1]) gable(builder, end, boards, trim);
   builder.object('/World/Barn/Frame', [paint(join(frame()), timber)]);
   const [eave, over] = [HALF_DEPTH + 0.45, BARN / 2 + 0.4];
-  // Shingled behind only; the front has its rafters and battens, so that one sees in.
+  // Shingles at the back only; the front has rafters and battens, so that the inside is visible.
   const low = WALL - (0.45 * (RIDGE - WALL)) / HALF_DEPTH;
   const rear = polygon(
     [
@@ -192,7 +192,7 @@ function frame(): Mesh[] {
     for (const side of [-1, 1]) {
       const z = side * (HALF_DEPTH - 0.1);
       parts.push(bar([x, WALL - 0.12, side * HALF_DEPTH], [x, RIDGE - 0.14, 0], 0.13));
-      // In front only the corner posts: the plate spans the rest, so that nothing hides the ladder.
+      // Only corner posts in front, so that nothing hides the ladder.
       if (side > 0 && k > 0 && k < bays) continue;
       parts.push(block(0.2, WALL, 0.2, 0.5, [x, 0, z]));
       parts.push(bar([x, WALL - 0.75, z], [x, WALL - 0.06, z - side * 0.75], 0.11));
@@ -218,7 +218,7 @@ function hay(builder: SceneBuilder): void {
   builder.object('/World/Barn/Hay', [paint(join(bales), straw)]);
 }
 
-/** Grass, the track the ladder takes with a stone for every metre, and a fence. */
+/** Grass, the ladder's track with a stone every metre, and a fence. */
 function meadow(builder: SceneBuilder): void {
   const grass = builder.material('grass', '#ffffff', {
     texture: new Canvas(128, 128, '#86994f').grain(0.1, 2, 4).texture('grass'),

@@ -10,25 +10,25 @@ import { block, insideOut, turned } from '../kit/parts.ts';
 
 const C = 10;
 const [FROM, TO] = [0, 24];
-/** Of a way from end to end, and how long it takes [m], [s]: 0.32 c in the middle of it. */
+/** Length [m] and duration [s] of a path from end to end; 0.32 c in the middle. */
 const [WAY, PERIOD] = [12, 4.26];
 /** Half the width of the wall, and the height of a lane [m]. */
 const [HALF, LANE] = [14, 2.2];
 const TOP = 3 * LANE;
-/** How far before the wall the lamps are [m]. */
+/** Distance of the lamps from the wall [m]. */
 const OUT = 0.75;
 
-/** Of a globe [m]. */
+/** Radius of a globe [m]. */
 const RADIUS = 0.24;
 
-/** From above down; `start` is where in its shuttle a lamp begins, `luminance` how bright it is. */
+/** From top to bottom; `start`: initial phase of the shuttle, `luminance`: brightness. */
 const LAMPS = [
   { name: 'Sodium', preset: 'sodium', start: 0.25, luminance: 2.4 },
   { name: 'Mercury', preset: 'mercury', start: 1.25, luminance: 2.4 },
   { name: 'Hydrogen', preset: 'hydrogen', start: 0.25, luminance: 1 },
 ] as const;
 
-/** Pairs that daylight tells apart and one line does not, for it shows them dark or bright only. */
+/** Pairs of colours that differ in daylight but only in brightness in light of a single line. */
 const PATCHES = ['#c9463a', '#e0b83c', '#4f9a54', '#3f6fb5', '#8f4f9e', '#f2f0ea'];
 
 export const scene: ExampleScene = { name: 'lamps', make };
@@ -56,7 +56,7 @@ function make(): Scene {
   return builder.finish('lamps', hints, [FROM, TO], [flight], lights);
 }
 
-/** A grey wall with boards of colours on it, and rails before it. */
+/** A grey wall with coloured boards, and rails in front of it. */
 function wall(builder: SceneBuilder): void {
   const gray = builder.material('grey', '#c4c4c4', { roughness: 1 });
   const rail = builder.material('rail', '#5a5f66', { roughness: 0.35, metallic: 0.8 });
@@ -73,7 +73,7 @@ function wall(builder: SceneBuilder): void {
 
 type Lamp = (typeof LAMPS)[number];
 
-/** A globe of smoked glass that is lit from within, on a foot that slides; and its light. */
+/** A lit globe of smoked glass on a sliding foot, with its light. */
 function carriage(builder: SceneBuilder, { name, preset, start, luminance }: Lamp, y: number): Light {
   const glass = builder.material(`glass${name}`, '#4a4a4a', { roughness: 1 });
   const brass = builder.material(`foot${name}`, '#777b80', { roughness: 0.5, metallic: 0.5 });
@@ -95,7 +95,7 @@ function carriage(builder: SceneBuilder, { name, preset, start, luminance }: Lam
   return { kind: 'sphere', path: `/World/${name}Light`, motion, lifetime, radius: 0, ...shining };
 }
 
-/** Dense where a lamp turns round, for its light tells every step of its speed; few where it goes straight on. */
+/** Sample times: dense where a lamp turns around, since its colour shows every step of its speed; sparse at constant speed. */
 function moments(start: number): number[] {
   const dense = Array.from({ length: 31 * 240 }, (_, i) => FROM - 6 + i / 240);
   const toTurn = (t: number): number => Math.abs(start + t / PERIOD - Math.round(start + t / PERIOD));

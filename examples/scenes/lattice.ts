@@ -13,7 +13,7 @@ const STEP = 4;
 const COUNT: Vec3 = [5, 5, 11];
 const FIRST: Vec3 = [-8, -8, 0];
 const last = (axis: number): number => (COUNT[axis] - 1) * STEP;
-/** Place of joint (i, j, k); k goes away from where the flight begins. */
+/** Position of joint (i, j, k); k increases away from the start of the flight. */
 const joint = (i: number, j: number, k: number): Vec3 => [FIRST[0] + i * STEP, FIRST[1] + j * STEP, -k * STEP];
 
 export const scene: ExampleScene = { name: 'lattice', make };
@@ -40,7 +40,7 @@ function make(): Scene {
       'Bars along your way stay straight; the red and cream ones across it bend into hyperbolas, and the joints stay round. At 0.9 c even bars that are already behind you come into view in front.',
     openAt: 3.7,
   };
-  // Late dusk: what comes head-on at 0.9 c is four times bluer and hundreds of times brighter, so it begins dark.
+  // Late dusk: at 0.9 c light from ahead has 4.4 times the frequency and is hundreds of times brighter.
   const [r, g, b] = linear('#ffe2bd');
   const lights: Light[] = [
     {
@@ -55,7 +55,7 @@ function make(): Scene {
   return builder.finish('lattice', hints, [from, to], [flight], lights);
 }
 
-/** Each as long as the lattice, in its own colour per direction. */
+/** Bars as long as the lattice, with a colour per direction. */
 function bars(builder: SceneBuilder): void {
   const looks: readonly (readonly [name: string, color: string])[] = [
     ['Across', '#b4503a'],
@@ -78,7 +78,7 @@ function bars(builder: SceneBuilder): void {
   });
 }
 
-/** A bar of eight-sided section along an axis, closed by its ends. */
+/** A closed bar of octagonal cross-section along an axis. */
 function chamfered(size: Vec3, axis: number): Mesh {
   const [u, v] = [(axis + 1) % 3, (axis + 2) % 3];
   const [r, s] = [size[u] / 2, size[u] * 0.2];
@@ -114,7 +114,7 @@ function joints(builder: SceneBuilder): void {
   builder.object('/World/Joints', [paint(join(all), brass)]);
 }
 
-/** A ball of few points: a cube of 2 × 2 fields a side, blown up. */
+/** A sphere of few points: an inflated cube with 2 × 2 faces per side. */
 function globule(radius: number): Mesh {
   const cube = box([2, 2, 2]);
   const points: number[] = [];
@@ -129,7 +129,7 @@ function globule(radius: number): Mesh {
     const first = points.length / 3;
     for (let j = 0; j < 3; j++)
       for (let i = 0; i < 3; i++) {
-        // Equal angles, so that the fields are of like size.
+        // Equal angles, so that the faces have similar sizes.
         const [s, t] = [i, j].map((x) => (Math.tan((Math.PI / 4) * (x - 1)) + 1) / 2);
         points.push(
           ...normalize([0, 1, 2].map((k) => a[k] + (b[k] - a[k]) * s + (d[k] - a[k]) * t) as unknown as Vec3),

@@ -10,21 +10,21 @@ import { bar, block, moved } from '../kit/parts.ts';
 
 const C = 2;
 const [FROM, TO] = [0, 34];
-/** Of a way from end to end, and how long it takes [m], [s]: 0.34 c in the middle of it. */
+/** Length [m] and duration [s] of a path from end to end; 0.34 c in the middle. */
 const [WAY, PERIOD] = [4.4, 7.353];
-/** Where a chart is nearest [m]. */
+/** Nearest position of a chart [m]. */
 const NEAR = 0.1;
 
-/** The 24 colours of the usual chart of photographers, in sRGB, row by row (McCamy, Marcus and Davidson 1976; sRGB as rounded by X-Rite). */
+/** The 24 colours of the ColorChecker chart in sRGB, row by row (McCamy, Marcus and Davidson 1976; sRGB as rounded by X-Rite). */
 const CHART = [
   ['#735244', '#c29682', '#627a9d', '#576c43', '#8580b1', '#67bdaa'],
   ['#d67e2c', '#505ba6', '#c15a63', '#5e3c6c', '#9dbc40', '#e0a32e'],
   ['#383d96', '#469449', '#af363c', '#e7c71f', '#bb5695', '#0885a1'],
   ['#f3f3f2', '#c8c8c8', '#a0a0a0', '#7a7a79', '#555555', '#343434'],
 ];
-/** How far beside the middle the others go [m]. */
+/** Distance of the outer charts from the middle one [m]. */
 const SIDE = 2.55;
-/** Side of a field, and between two of them [m]. */
+/** Side of a field, and gap between fields [m]. */
 const [FIELD, GAP] = [0.3, 0.05];
 const COLUMNS = CHART[0].length;
 
@@ -64,7 +64,7 @@ function make(): Scene {
   );
 }
 
-/** Fields on a black board, and below it balls of six substances. */
+/** Fields on a black board, with spheres of six substances below. */
 function chart(builder: SceneBuilder): Part {
   const [width, height] = [COLUMNS, CHART.length].map((n) => n * (FIELD + GAP) + GAP);
   const board = builder.material('board', '#17181a', { roughness: 0.6 });
@@ -98,14 +98,14 @@ function studio(builder: SceneBuilder): void {
     builder.object(`/World/Rail${k}`, [paint(block(0.16, 0.03, WAY + 2.4, 1, [x, 0, from + WAY / 2 + 1.2]), rail)]);
 }
 
-/** The way of a chart towards the viewer and back; `start` is where in its shuttle it begins. */
+/** Motion of a chart towards the observer and back; `start`: initial phase of the shuttle. */
 const coming = (x: number, start: number): RigidMotion =>
   sampled(FROM - 16, TO + 1, 48, (t) => ({
     position: [x, 0, NEAR - WAY * (1 - shuttle(start + t / PERIOD))],
     orientation: IDENTITY,
   }));
 
-/** Each chart has its own, which goes with it: what is seen of a chart then is shifted once. */
+/** Each chart has its own lamp that moves along, so that its light is shifted only once. */
 function lamp(name: string, motion: RigidMotion): Light {
   const lifetime = { birth: -Infinity, death: Infinity };
   const daylight = spectralLight({ kind: 'thermal', temperature: 5800 }, 11);
@@ -121,7 +121,7 @@ function lamp(name: string, motion: RigidMotion): Light {
 }
 
 const CONE = { inner: 0.42, outer: 0.75, focus: 0 };
-/** Of a lamp against its chart [m]; it looks down at it. */
+/** Position of a lamp relative to its chart [m]; it points down at it. */
 const ARM: Vec3 = [0, 2.3, 2.1];
 const DOWN = lookFrom(ARM, [0, 1.05, 0]);
 

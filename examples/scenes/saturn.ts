@@ -81,11 +81,11 @@ function ring(inner: number, outer: number): Mesh {
     toNormal: [0, 1],
     v: [0, 1],
   });
-  // From outside in, so that the lit face is the upper one; drawn from both sides.
+  // From the outside inwards, so that the lit face is the upper one; double-sided.
   return { ...revolve([flat(outer, middle), flat(middle, inner)], 160, 'Y'), doubleSided: true };
 }
 
-/** Belts, zones and a few ovals: enough to see it turn. */
+/** Belts, zones and a few ovals, so that its rotation is visible. */
 function clouds() {
   const belts = [
     '#c9b48c',

@@ -11,13 +11,13 @@ import { poplar } from '../kit/trees.ts';
 
 const C = 10;
 const RADIUS = 1.5;
-/** The flying balls pass their rings, at x = 0, at this time [s]. */
+/** Time at which the moving spheres pass their rings at x = 0 [s]. */
 const MEETING = 6;
 const HEIGHT = 2.9;
 
 export const scene: ExampleScene = { name: 'sphere', make };
 
-/** Lane (z), speed in units of c along x, and the colours of the ball. */
+/** Lane (z), speed along x in units of c, and the colours of the sphere. */
 const flyers: readonly (readonly [name: string, z: number, beta: number, dark: string, light: string])[] = [
   ['Half', 0, 0.5, '#2e6a74', '#eadfc6'],
   ['Fast', -6, 0.8, '#b4482f', '#f2e6cf'],
@@ -62,7 +62,7 @@ function make(): Scene {
   return builder.finish('sphere', hints, [from, to], [flight], daylight([-0.55, 0.8, 0.45]));
 }
 
-/** A ball with meridians and parallels; the northern and southern quarters differ, so that one sees where it is looked at. */
+/** A sphere with meridians and parallels; its northern and southern parts differ, so that its apparent orientation is visible. */
 function globe(builder: SceneBuilder, name: string, dark: string, light: string, radius = RADIUS): Part {
   const texture = new Canvas(384, 192, light)
     .shade((u, v) => {
@@ -77,7 +77,7 @@ function globe(builder: SceneBuilder, name: string, dark: string, light: string,
   return [paint(sphere(radius, { segments: 40, rings: 20, axis: 'Y' }), material)];
 }
 
-/** A standing ring through which the ball just goes, on a stepped foot. */
+/** An upright ring on a stepped foot, just large enough for the sphere. */
 function gate(builder: SceneBuilder, name: string, z: number, ring: number, stone: number): void {
   const hoop = moved(torus(RADIUS + 0.3, 0.12, { segments: 40, rings: 8, axis: 'X' }), [0, HEIGHT, 0]);
   const foot = HEIGHT - RADIUS - 0.42;
@@ -97,7 +97,7 @@ function gate(builder: SceneBuilder, name: string, z: number, ring: number, ston
   builder.object(`/World/Gate${name}`, placePart([paint(hoop, ring), paint(base, stone)], place([0, 0, z])));
 }
 
-/** Balls at rest on plinths along both sides, to fly past. */
+/** Spheres at rest on plinths along both sides. */
 function garden(builder: SceneBuilder, stone: number): void {
   const looks: readonly (readonly [string, string])[] = [
     ['#8a3f3a', '#eadfc6'],
@@ -120,7 +120,7 @@ function garden(builder: SceneBuilder, stone: number): void {
   });
 }
 
-/** A paved terrace, three lanes let into it, steps and a colonnade behind. */
+/** A paved terrace with three lanes, steps, and a colonnade at the back. */
 function terrace(builder: SceneBuilder): void {
   const paving = builder.material('paving', '#ffffff', {
     texture: checker('#d3cab8', '#b3a692', 'paving', 2, 32),

@@ -47,7 +47,7 @@ function make(): Scene {
   return builder.finish('starfield', hints, [from, to], [flight], lights);
 }
 
-/** A lane of hoops with lamps on them, so that there is something near to judge the distant by. */
+/** A lane of hoops with lamps, as a nearby reference for the distant stars. */
 function gates(builder: SceneBuilder): void {
   const metal = builder.material('metal', '#8b929c', { roughness: 0.35, metallic: 0.6 });
   const colors = ['#ffd9a0', '#a8d4ff'].map((color, i) =>

@@ -37,7 +37,7 @@ function make(): Scene {
   return builder.finish('street', hints, [from, to], [flight], daylight([0.55, 0.75, 0.42]));
 }
 
-/** Three cubes under way, and a ball that turns on a plinth. */
+/** Three moving cubes, and a sphere that rotates on a plinth. */
 function movers(builder: SceneBuilder): void {
   const stone = builder.material('plinth', '#d8d2c4', { roughness: 0.7 });
   const colors: readonly [string, string][] = [

@@ -5,7 +5,7 @@ import type { ExampleScene } from '../kit/example.ts';
 import { camera, smoothRamp } from '../kit/flight.ts';
 import { street } from '../kit/street.ts';
 
-/** Of the low sun, and of gaslight [K]. */
+/** Colour temperatures of the low sun and of gaslight [K]. */
 const [SUN, GAS] = [2400, 2200];
 
 export const scene: ExampleScene = { name: 'sunset', texturesOf: 'street', make };

@@ -13,11 +13,11 @@ import { block, join, moved, quad, turned } from '../kit/parts.ts';
 import { poplar } from '../kit/trees.ts';
 
 const C = 10;
-/** Of the axle, and of the rim about it [m/s]. */
+/** Speeds of the axle, and of the rim relative to it [m/s]. */
 const SPEED = 6;
 const RADIUS = 2;
 const WIDTH = 0.26;
-/** The axle passes the camera at this time [s]. */
+/** Time at which the axle passes the camera [s]. */
 const MIDDLE = 2.9;
 const END = 5.8;
 const SPOKES = 10;
@@ -34,7 +34,7 @@ function make(): Scene {
   const mesh = mergeMeshes([...wheel].sort((a, b) => a.groups[0].material - b.groups[0].material));
   builder.object('/World/Rolling', wheel, rolling(mesh));
   stand(builder, wheel, iron);
-  // The gaze goes along with the wheel as it is seen, 0.9 s late.
+  // The camera follows the observed wheel, which is 0.9 s late.
   const gaze = (t: number) => 4 * Math.tanh((t - MIDDLE - 0.9) / 1.4);
   const flight = camera({
     from: 0,
@@ -54,8 +54,8 @@ function make(): Scene {
 }
 
 /**
- * Rolling without slipping: in the axle's frame the wheel is round and turns evenly, its rim as fast as the road runs under
- * it. A point at (ρ, φ₀) there is at x′ = ρ cos(φ₀ − ωt′); in the road's frame x = γ(x′ + vt′) at t = γ(t′ + vx′/c²), and
+ * Rolling without slipping: in the axle's frame the wheel is round and rotates uniformly, its rim as fast as the road moves
+ * below it. A point at (ρ, φ₀) there is at x′ = ρ cos(φ₀ − ωt′); in the road's frame x = γ(x′ + vt′) at t = γ(t′ + vx′/c²), and
  * at one t each point has its own t′ (docs/model.md). Sampled 15 times a second.
  */
 function rolling(mesh: Mesh): SampledPointsMotion {
@@ -75,10 +75,10 @@ function rolledTo(t: number, [x0, y0, z]: ArrayLike<number> & Iterable<number>):
   const [rho, phi] = [Math.hypot(x0, y0), Math.atan2(y0, x0)];
   const angle = (own: number) => phi - (SPEED / RADIUS) * own;
   let own = t / gamma;
-  // Each round brings t′ nearer by vρω/c² < 0.37; the last digit is reached long before.
+  // Each iteration reduces the error of t′ by vρω/c² < 0.37; it converges to the last digit earlier.
   for (let i = 0; i < 60; i++) own = t / gamma - (beta / C) * rho * Math.cos(angle(own));
   const places = [gamma * (rho * Math.cos(angle(own)) + SPEED * own), rho * Math.sin(angle(own)), z];
-  // A millimetre is enough, and short in the file.
+  // Rounded to 1 mm, which keeps the file short.
   const [x, y] = places.map((value) => Math.round(value * 1e3) / 1e3);
   return [x, y, z];
 }
@@ -104,7 +104,7 @@ function felloe(): Mesh {
 
 const tyre = (): Mesh => revolve([flat([RADIUS, -WIDTH / 2], [RADIUS, WIDTH / 2], [1, 0])], 44, 'Z');
 
-/** Turned spokes: thickest near the hub, in steps, so that they can bend. */
+/** Spokes, thickest near the hub, subdivided so that they can bend. */
 function spokes(): Mesh {
   const steps = [0.26, 0.45, 0.85, 1.3, RADIUS - 0.22];
   const radii = [0.085, 0.085, 0.068, 0.052, 0.055];

@@ -9,10 +9,10 @@ export const set: ExampleScene = { name: 'classroom', make };
 
 const ROOM: Room = { half: 6, back: -3.4, front: 7 };
 const TOP = 4.4;
-/** A stand for a rail along z: half as long as it, and how high it holds it [m]. */
+/** A stand for a rail along z: half of its length, and the rail's height [m]. */
 const [REACH, HIGH] = [1.75, 1.52];
 
-/** A classroom with a board, a floor in fields of half a metre, and a stand for pendulums. */
+/** A classroom with a board, a floor in squares of 0.5 m, and a stand for pendulums. */
 function make(): Scene {
   const builder = new SceneBuilder();
   const linoleum = builder.material('linoleum', '#ffffff', { texture: tiles(), roughness: 0.5 });
@@ -55,14 +55,14 @@ function make(): Scene {
   return builder.finish('classroom', {}, [0, 0], [], light);
 }
 
-/** A square metre in fields of half a metre. */
+/** 1 m² in squares of 0.5 m. */
 function tiles() {
   const canvas = new Canvas(128, 128, '#cfc6b0');
   canvas.rect(0, 0, 64, 64, '#b7ad95').rect(64, 64, 128, 128, '#b7ad95');
   return canvas.grain(0.04, 2).texture('tiles');
 }
 
-/** A pendulum in chalk: where it hangs, its rod let go level and hanging, and the arc between. */
+/** A chalk drawing of a pendulum: its pivot, its rod level and hanging, and the arc between. */
 function chalked() {
   const [width, height, pivot, length] = [512, 160, [256, 34], 100] as const;
   const canvas = new Canvas(width, height, '#1f3a31').grain(0.07, 8, 3);

@@ -9,10 +9,10 @@ export const set: ExampleScene = { name: 'gym', make };
 
 const HALL: Room = { half: 9, back: -5, front: 9 };
 const TOP = 6;
-/** Half the side of the mat, and how thick it is [m]. */
+/** Half the side and the thickness of the mat [m]. */
 const [MAT, THICK] = [3, 0.15];
 
-/** A gymnasium. The top of its mat, in squares of a metre, is at y = 0. */
+/** A gymnasium. The top of its mat, in squares of 1 m, is at y = 0. */
 function make(): Scene {
   const builder = new SceneBuilder();
   const mat = builder.material('mat', '#ffffff', { texture: checker('#3f7fb8', '#2f6596', 'mat'), roughness: 0.9 });

@@ -7,5 +7,5 @@ import { set as planetarium } from './planetarium.ts';
 import { set as studio } from './studio.ts';
 import { set as terrace } from './terrace.ts';
 
-/** Places where simulations are shown, with their light: they are in no gallery, projects read them. */
+/** Surroundings of the simulation examples, with light; they are read by projects and not part of the gallery. */
 export const sets: readonly ExampleScene[] = [terrace, studio, laboratory, gym, classroom, library, planetarium];

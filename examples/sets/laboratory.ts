@@ -10,7 +10,7 @@ export const set: ExampleScene = { name: 'laboratory', make };
 const ROOM: Room = { half: 14, back: -1.5, front: 9 };
 const TOP = 5;
 
-/** Where fast things are photographed: dark walls with lines every 0.1 m, and a rule of fields of 0.1 m under their way. */
+/** A high-speed photography laboratory: dark walls with lines every 0.1 m, and a ruler of 0.1 m fields below the path. */
 function make(): Scene {
   const builder = new SceneBuilder();
   const tiles = builder.material('tiles', '#ffffff', {
@@ -39,7 +39,7 @@ function make(): Scene {
   return builder.finish('laboratory', {}, [0, 0], [], light);
 }
 
-/** A square metre: thin lines every 0.1 m, a thick one round it. */
+/** 1 m²: thin lines every 0.1 m, a thick border. */
 function graph() {
   const [size, dark] = [320, '#22303c'];
   const canvas = new Canvas(size, size, dark);

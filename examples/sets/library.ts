@@ -9,12 +9,12 @@ import { floorOf, type Room, wallsOf } from '../kit/room.ts';
 export const set: ExampleScene = { name: 'library', make };
 
 const ROOM: Room = { half: 10, back: -3.6, front: 9 };
-/** From shelf to shelf, and how many there are [m]. */
+/** Distance between shelves [m], and their number. */
 const [SHELF, SHELVES] = [0.85, 6];
-/** The frame that the cradle hangs in: half its length and depth, and its height [m]. */
+/** Frame of the cradle: half its length and depth, and its height [m]. */
 const [LONG, DEEP, HIGH] = [1.45, 0.6, 3.54];
 
-/** A library, and in it the frame of a large cradle. */
+/** A library with the frame of a large Newton's cradle. */
 function make(): Scene {
   const builder = new SceneBuilder();
   const oak = builder.material('oak', '#ffffff', { texture: boards(), roughness: 0.45 });
@@ -70,7 +70,7 @@ function make(): Scene {
   return builder.finish('library', {}, [0, 0], [], light);
 }
 
-/** Two metres of dark boards. */
+/** 2 m of dark boards. */
 function boards() {
   const canvas = new Canvas(256, 256, '#4a2d18');
   for (let row = 0; row < 10; row++) {
@@ -81,7 +81,7 @@ function boards() {
   return canvas.grain(0.04, 2).texture('boards');
 }
 
-/** Four metres of backs of books. */
+/** 4 m of book spines. */
 function books() {
   const canvas = new Canvas(512, 96, '#17100b');
   const next = random(3);

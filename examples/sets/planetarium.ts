@@ -9,12 +9,12 @@ import { AWAY, C, CHARGE, SPEED } from '../projects/charges.ts';
 export const set: ExampleScene = { name: 'planetarium', make };
 
 const RADIUS = 2.3;
-/** The way turns by this from one time out to the next, so that it closes after eight times out and this often round. */
+/** Advance of the apsides per radial period [rad], so that the orbit closes after eight periods, and the number of revolutions until then. */
 const [RAY, ROUNDS] = [Math.PI / 4, 9];
-/** Of the chart [pixels]. */
+/** Size of the chart [px]. */
 const [SIZE, FIELD] = [1024, '#16264a'];
 
-/** A round table under the stars, and on it the way that theory has for two charges. */
+/** A round table under the stars, with the theoretical orbit of two charges. */
 function make(): Scene {
   const builder = new SceneBuilder();
   const paper = builder.material('chart', '#ffffff', { texture: chart(), roughness: 0.6 });
@@ -38,8 +38,8 @@ function make(): Scene {
 }
 
 /**
- * Where two opposite charges of one mass go (Sommerfeld 1916, for a force centre that moves as well): of their distance r = 1/u,
- * u″ + κ²u = kW/(4c²L²) by the angle, κ² = 1 − k²/(4c²L²), W = E + 2mc². Here m = 1 kg, and they begin farthest apart.
+ * The orbit of two opposite charges of equal mass (Sommerfeld 1916, for a moving force centre): with their distance r = 1/u,
+ * u″ + κ²u = kW/(4c²L²) by the angle, κ² = 1 − k²/(4c²L²), W = E + 2mc². Here m = 1 kg, and they start at the largest distance.
  */
 export function orbit(): (angle: number) => { readonly away: number; readonly slope: number } {
   const k = COULOMB_CONSTANT * CHARGE ** 2;
@@ -55,7 +55,7 @@ export function orbit(): (angle: number) => { readonly away: number; readonly sl
   };
 }
 
-/** Seen from above, as wide as the table: the rosette until it closes, rays, and the circle that it touches. */
+/** Top view, as wide as the table: the rosette until it closes, rays, and the circle that it touches. */
 function chart(): Texture {
   const way = orbit();
   const near = (off: number, width: number): number => Math.max(0, 1 - Math.abs(off) / width);
@@ -73,7 +73,7 @@ function chart(): Texture {
   return canvas.texture('chart');
 }
 
-/** Between two colours, 0 … 1. */
+/** Interpolates two colours, 0 … 1. */
 function mixed(from: string, to: string, share: number): string {
   const [a, b] = [rgb(from), rgb(to)];
   const bytes = a.map((x, i) => Math.round(x + (b[i]! - x) * share));

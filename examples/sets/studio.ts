@@ -9,10 +9,10 @@ import { floorOf, type Room, wallsOf } from '../kit/room.ts';
 export const set: ExampleScene = { name: 'studio', make };
 
 const ROOM: Room = { half: 12, back: -2.4, front: 10 };
-/** Radius of the bend, and how high the wall goes [m]. */
+/** Radius of the bend, and height of the wall [m]. */
 const [BEND, TOP] = [2, 8];
 
-/** A photographer's studio: the floor bends up into the wall, in fields of half a metre. On its foot a ball lies 0.3 m high. */
+/** A photo studio whose floor bends up into the wall, in squares of 0.5 m. On its foot a ball lies 0.3 m high. */
 function make(): Scene {
   const builder = new SceneBuilder();
   const paper = builder.material('paper', '#ffffff', { texture: squared('#4f7f80', '#7fa9a6'), roughness: 0.95 });
@@ -41,13 +41,13 @@ function make(): Scene {
   return builder.finish('studio', {}, [0, 0], [], light);
 }
 
-/** A field with a line round it. */
+/** A square with a border. */
 function squared(field: string, line: string) {
   const canvas = new Canvas(64, 64, line);
   return canvas.rect(1, 1, 63, 63, field).texture('paper');
 }
 
-/** What follows the floor: a quarter of a tube, then the wall; uv as on the floor. */
+/** The continuation of the floor: a quarter cylinder, then the wall; uv continues from the floor. */
 function sweep({ half, back, front }: Room): Mesh {
   const steps = 16;
   const outline = [

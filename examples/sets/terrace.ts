@@ -10,7 +10,7 @@ export const set: ExampleScene = { name: 'terrace', make };
 
 const ROOF: Room = { half: 5, back: -4, front: 6 };
 
-/** A roof terrace of tiles of half a metre, over the sea: here washing dries. */
+/** A roof terrace by the sea with tiles of 0.5 m, for the hanging cloth. */
 function make(): Scene {
   const builder = new SceneBuilder();
   const tiles = builder.material('tiles', '#ffffff', { texture: terracotta(), roughness: 0.85 });
@@ -45,7 +45,7 @@ function make(): Scene {
   return builder.finish('terrace', {}, [0, 0], [], light);
 }
 
-/** Two by two tiles, no two quite alike. */
+/** 2 × 2 tiles, all slightly different. */
 function terracotta() {
   const canvas = new Canvas(128, 128, '#8c7464');
   const shades = [0.94, 1.05, 1, 0.88];
