@@ -10,14 +10,14 @@ import { NAMES, openExample, speedOfLight } from './open.ts';
 
 // Reading a scene takes seconds on a busy machine.
 describe.each(NAMES)('examples/%s.usda', { timeout: 60_000 }, (name) => {
-  it('opens without a complaint, and nothing in it outruns its light', async () => {
+  it('opens without diagnostics, and nothing is faster than light', async () => {
     const scene = await openExample(name);
-    // Of a mesh that deforms it is always said what its samples leave open.
+    // For deforming meshes undersampling is always reported.
     expect(scene.diagnostics.filter(({ code }) => code !== 'usd.between-samples')).toEqual([]);
     expect(validate(scene, speedOfLight(scene))).toEqual([]);
   });
 
-  it('says what it is and what to look for, and opens within its time', async () => {
+  it('has a title and a text on what to look for, and its opening time is within its time range', async () => {
     const { hints, startTime, endTime, cameras, lights } = await openExample(name);
     expect(hints.title).toMatch(/^[A-Z]/);
     expect(hints.lookFor?.length).toBeGreaterThan(60);
@@ -27,7 +27,7 @@ describe.each(NAMES)('examples/%s.usda', { timeout: 60_000 }, (name) => {
     expect(lights.length).toBeGreaterThan(0);
   });
 
-  it('has a camera that goes smoothly: no start or stop at a speed that one would notice', async () => {
+  it('has a smooth camera: no start or stop at a noticeable speed', async () => {
     const scene = await openExample(name);
     const c = speedOfLight(scene);
     const [camera] = scene.cameras;
@@ -41,7 +41,7 @@ describe.each(NAMES)('examples/%s.usda', { timeout: 60_000 }, (name) => {
     expect(length(betas[0])).toBeLessThan(0.1);
   });
 
-  it('is what its script makes', async () => {
+  it('equals the output of its script', async () => {
     const [file, made] = [await openExample(name), scenes.find((scene) => scene.name === name)!.make()];
     const outline = ({ objects }: Scene) =>
       objects.map(({ path, mesh, motion }) => `${path} ${motion.kind} ${mesh.indices.length}`).sort();
@@ -50,7 +50,7 @@ describe.each(NAMES)('examples/%s.usda', { timeout: 60_000 }, (name) => {
     expect(file.cameras.map(({ path }) => path).sort()).toEqual(made.cameras.map(({ path }) => path).sort());
   });
 
-  it('is small enough to load at once', async () => {
+  it('is small enough to load quickly', async () => {
     const { size } = await stat(new URL(`../../examples/${name}.usda`, import.meta.url));
     expect(size).toBeLessThan(4e6);
   });

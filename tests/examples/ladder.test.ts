@@ -28,7 +28,7 @@ const doorAt = (end: 'Entry' | 'Exit'): number => {
 };
 
 describe('ladder', () => {
-  it('in the barn’s frame is inside with both doors shut', () => {
+  it('is inside with both doors shut in the barn’s frame', () => {
     const [tail, nose] = span(worldPositions(ladder, MEETING, c), 0);
     expect(nose - tail).toBeCloseTo(12.8, 3);
     expect(tail).toBeGreaterThan(doorAt('Entry'));
@@ -36,9 +36,9 @@ describe('ladder', () => {
     for (const end of ['Entry', 'Exit'] as const) expect(Math.abs(gap(end, MEETING))).toBeLessThan(1e-6);
   });
 
-  it('never touches a leaf: doors stand wide open while it is in the doorway', () => {
+  it('never touches a door: doors are wide open while it is in the doorway', () => {
     const half = span(worldPositions(ladder, MEETING, c), 2)[1];
-    // Before and after these the leaves rest, wide open.
+    // Before and after these times the doors are at rest, wide open.
     for (let t = MEETING - 0.5; t <= MEETING + 0.5; t += 0.01) {
       const [tail, nose] = span(worldPositions(ladder, t, c), 0);
       for (const end of ['Entry', 'Exit'] as const) {
@@ -48,7 +48,7 @@ describe('ladder', () => {
     }
   });
 
-  /** At one moment of the ladder’s frame: world times of the doors’ and the ladder’s events, and lengths. */
+  /** At one moment of the ladder’s frame: world times of events at the doors and the ladder, and lengths. */
   const slice = (t: number) => {
     const position: Vec3 = [0.6 * c * (t - MEETING), 0, 0];
     const observer = { t, position, u: properVelocity([0.6, 0, 0]) };
@@ -62,14 +62,14 @@ describe('ladder', () => {
     return { along, shut };
   };
 
-  it('in its own frame is longer than the barn, which is 14 · 0.8 m', () => {
+  it('is longer than the barn in its own frame, where the barn has 14 · 0.8 m', () => {
     const { along } = slice(MEETING);
     const [tail, nose] = along('/World/Ladder');
     expect(nose - tail).toBeCloseTo(16, 3);
     expect(along('/World/Doors/ExitLeft')[1] - along('/World/Doors/EntryLeft')[0]).toBeCloseTo(14 * 0.8, 1);
   });
 
-  it('in its own frame the doors never are shut together', () => {
+  it('never has both doors shut in its own frame', () => {
     let [entry, exit] = [0, 0];
     for (let t = MEETING - 3.5; t <= MEETING + 3.5; t += 0.01) {
       const { shut } = slice(t);
@@ -82,7 +82,7 @@ describe('ladder', () => {
     expect(exit).toBeGreaterThan(0);
   });
 
-  it('has a camera that rides along', () => {
+  it('has a co-moving camera', () => {
     const rider = scene.cameras.find(({ path }) => path === '/World/Rider')!;
     expect(velocity(observerFromCamera(rider, 10, c).u)[0]).toBeCloseTo(0.6, 9);
   });

@@ -17,7 +17,7 @@ const lamp = (name: string): SphereLight => {
 };
 const sodium = lamp('Sodium');
 
-/** Samples of a lamp's way: times [s], places and velocities in units of c between them. */
+/** Samples of a lamp's motion: times [s], positions, and velocities [c] in between. */
 function way({ motion }: SphereLight): { t: number; place: Vec3; beta: Vec3 }[] {
   if (motion.kind !== 'sampled') throw new Error('a lamp shuttles');
   const place = (k: number): Vec3 => [motion.poses[7 * k], motion.poses[7 * k + 1], motion.poses[7 * k + 2]];
@@ -29,7 +29,7 @@ function way({ motion }: SphereLight): { t: number; place: Vec3; beta: Vec3 }[] 
 }
 
 describe('lamps', () => {
-  it('has sodium, mercury and hydrogen, line by line as in the file of lamps', () => {
+  it('has sodium, mercury and hydrogen, with the lines of the light presets', () => {
     const lines = ['Sodium', 'Mercury', 'Hydrogen'].map((name) => lamp(name).spectrum);
     expect(lines.map((s) => (s?.kind === 'lines' ? s.lines.length : 0))).toEqual([2, 9, 9]);
   });
@@ -42,8 +42,8 @@ describe('lamps', () => {
     expect(ends.length).toBeGreaterThan(10);
   });
 
-  // λ′ = λ/D, D = √(1−β²)/(1−β cos α) for light that leaves at α to the velocity; the eye's answer from the CIE's table alone.
-  it('paints the wall from blue through green and yellow to red, and then with nothing', () => {
+  // λ′ = λ/D, D = √(1−β²)/(1−β cos α) for light emitted at α to the velocity; visibility from the CIE table only.
+  it('lights the wall in blue, green, yellow and red, and then invisibly', () => {
     const fast = way(sodium).find(({ beta }) => beta[0] > 0.319)!;
     const beta = length(fast.beta);
     const seenAt = (ahead: number): { nm: number; color: Vec3 } => {

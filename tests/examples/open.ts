@@ -36,7 +36,7 @@ export const files: FileSource = {
 
 const opened = new Map<ExampleName, Promise<Scene>>();
 
-/** The scene as it is in the repository; read once. */
+/** The scene of the repository; cached. */
 export function openExample(name: ExampleName): Promise<Scene> {
   const scene = opened.get(name) ?? openScene(files, `${name}.usda`);
   opened.set(name, scene);
@@ -48,7 +48,7 @@ export const speedOfLight = (scene: Scene): number => {
   return scene.hints.speedOfLight;
 };
 
-/** The object at a path, or the one that lies in it. */
+/** The object at a path, or the one below it. */
 export function objectAt(scene: Scene, path: string): SceneObject {
   const found = scene.objects.find((object) => object.path === path || object.path.startsWith(`${path}/`));
   if (!found) throw new Error(`${scene.name} has no ${path}; it has ${scene.objects.map((o) => o.path).join(', ')}`);
@@ -57,7 +57,7 @@ export function objectAt(scene: Scene, path: string): SceneObject {
 
 export const vertexCount = (object: SceneObject): number => object.mesh.positions.length / 3;
 
-/** Where all vertices are in the world at t. */
+/** World positions of all vertices at t. */
 export function worldPositions(object: SceneObject, t: number, c: number): Vec3[] {
   const all = vertexPositions(object, t, c);
   return Array.from({ length: vertexCount(object) }, (_, i) => pointAt(all, i));
@@ -69,29 +69,29 @@ export const mean = (points: readonly Vec3[]): Vec3 =>
     1 / points.length,
   );
 
-/** How far p is from the line through a and b. */
+/** Distance of p from the line through a and b. */
 export function distanceFromLine(p: Vec3, a: Vec3, b: Vec3): number {
   const [u, v] = [sub(b, a), sub(p, a)];
   const along = (u[0] * v[0] + u[1] * v[1] + u[2] * v[2]) / (u[0] ** 2 + u[1] ** 2 + u[2] ** 2);
   return Math.hypot(...sub(v, scale(u, along)));
 }
 
-/** The scene's own camera at each of its samples. */
+/** The scene's camera at each of its samples. */
 export function ridden(scene: Scene): ProbeObserver[] {
   const [camera] = scene.cameras;
   const times = camera.motion.kind === 'sampled' ? [...camera.motion.times] : [scene.startTime];
   return times.map((t) => ({ t, ...observerFromCamera(camera, t, speedOfLight(scene)) }));
 }
 
-/** The scene's own camera at the moment when it goes fastest. */
+/** The scene's camera at its fastest moment. */
 export const topOfFlight = (scene: Scene): ProbeObserver =>
   ridden(scene).reduce((best, other) => (Math.hypot(...other.u) > Math.hypot(...best.u) ? other : best));
 
-/** Where the world's point p, at rest, appears to the observer [m]. */
+/** Apparent position of the world point p, at rest [m]. */
 export const seenAt = (p: Vec3, observer: ProbeObserver): Vec3 =>
   apparentPosition(sub(p, observer.position), observer.u);
 
-/** How much three directions fail to lie in one plane through the eye: 0 where the line through the points looks straight. */
+/** Triple product of three directions from the observer: 0 if the line through the points looks straight. */
 export function curvature(a: Vec3, b: Vec3, d: Vec3): number {
   const [na, nb, nd] = [normalize(a), normalize(b), normalize(d)];
   return Math.abs(dot(na, cross(nb, nd)));

@@ -14,7 +14,7 @@ const lampOf = (name: string): SphereLight => lamps.find(({ path }) => path.incl
 const material = (name: string): Material => scene.materials.find((m) => m.name.endsWith(name))!;
 const bands = ({ baseColor, uv, ir }: Material) => filterFromRgb(baseColor, uv, ir);
 
-/** Where a chart is, and how it moves, when what is seen at openAt leaves it: 0 = t − t_e − |x(t_e) − eye|/c, by bisection. */
+/** Position and motion of a chart at the emission of light seen at openAt: 0 = t − t_e − |x(t_e) − x_o|/c, by bisection. */
 function seen(name: string): { beta: number; D: number } {
   const { motion } = objectAt(scene, `/World/${name}`);
   if (motion.kind === 'sampled-points') throw new Error('charts are rigid');
@@ -29,7 +29,7 @@ function seen(name: string): { beta: number; D: number } {
   const [a, b] = [place(motion, early - 0.02), place(motion, early + 0.02)];
   const v = sub(b, a).map((x) => x / (0.04 * c)) as unknown as Vec3;
   const beta = dot(v, normalize(sub(eye, a)));
-  // Towards the eye nearly: D = √(1−v²)/(1−v·n).
+  // Nearly towards the observer: D = √(1−v²)/(1−v·n).
   return { beta, D: Math.sqrt(1 - dot(v, v)) / (1 - beta) };
 }
 
@@ -44,14 +44,14 @@ function place(motion: RigidMotion, t: number): Vec3 {
 
 const [left, still, right] = ['Left', 'Still', 'Right'].map(seen);
 
-/** A surface in the light of a chart's own lamp, at rest with it. */
+/** A surface lit by a chart's own lamp, at rest relative to it. */
 const light = lampOf('Left').spectrum!;
 const color = (name: string, D: number): Vec3 => observedColor(bands(material(name)), WHITE_FILTER, light, 1, D);
 const red = ([r, g, b]: Vec3): boolean => r > 1.5 * g && r > 1.5 * b;
 const blue = ([r, g, b]: Vec3): boolean => b > 1.5 * r && b > 1.2 * g;
 
 describe('prism', () => {
-  it('has one chart coming at 0.34 c, one at rest, one going when it opens', () => {
+  it('opens with one chart approaching at 0.34 c, one at rest, and one receding', () => {
     for (const name of ['Left', 'Right'])
       expect(fastestVertex(objectAt(scene, `/World/${name}`), c).speed / c).toBeCloseTo(0.34, 2);
     expect(left.beta).toBeGreaterThan(0.29);
@@ -59,7 +59,7 @@ describe('prism', () => {
     expect(right.beta).toBeLessThan(-0.29);
   });
 
-  it('carries a lamp of the same light with each chart', () => {
+  it('has a lamp of the same light moving with each chart', () => {
     for (const name of ['Left', 'Still', 'Right']) {
       const chart = objectAt(scene, `/World/${name}`).motion;
       if (chart.kind === 'sampled-points') throw new Error('charts are rigid');
@@ -69,14 +69,14 @@ describe('prism', () => {
     }
   });
 
-  it('turns red and orange fields that come blue', () => {
+  it('shows red and orange fields blue when approaching', () => {
     for (const field of ['field22', 'field10']) {
       expect(red(color(field, 1)), field).toBe(true);
       expect(blue(color(field, left.D)), field).toBe(true);
     }
   });
 
-  it('turns the blue field that goes red, and the red one a dark teal', () => {
+  it('shows the blue field red and the red one dark teal when receding', () => {
     expect(blue(color('field20', 1))).toBe(true);
     expect(red(color('field20', right.D))).toBe(true);
     const [r, g, b] = color('field22', right.D);
@@ -84,14 +84,14 @@ describe('prism', () => {
     expect(Math.max(g, b)).toBeLessThan(0.3 * color('field22', 1)[0]);
   });
 
-  // The D⁴ of beaming, times what the shift takes or gives in the visible.
-  it('is brighter coming and darker going', () => {
+  // D⁴ of beaming, times the change of the visible part by the shift.
+  it('is brighter approaching and darker receding', () => {
     const white = (D: number) => D ** 4 * dot(LUMINANCE_WEIGHTS, color('field30', D));
     expect(white(left.D) / white(1)).toBeGreaterThan(2);
     expect(white(right.D) / white(1)).toBeLessThan(0.5);
   });
 
-  it('turns the green leaf that comes red by its infrared alone', () => {
+  it('shows the green leaf red when approaching, by its infrared reflectance', () => {
     const leaf = material('leaf');
     const [r, g] = color('leaf', 1);
     expect(g).toBeGreaterThan(r);

@@ -14,12 +14,12 @@ import type { SampledPointsMotion, Scene, SceneObject } from '../../src/scene/ty
 import { validate } from '../../src/scene/validation/validate.ts';
 import { files } from './open.ts';
 
-/** [m/s] */
+/** Speed of light [m/s] */
 const C = 10;
 
 const readScene = async (source: string): Promise<LoadedScene> => ({ scene: await openScene(files, source) });
 
-/** What the simulations of an example give, by their nodes: without a warning. */
+/** Results of an example's simulations, by node; expects no warnings. */
 async function run(name: string): Promise<(node: string) => { readonly scene: Scene; readonly books: RunRecord }> {
   const document = projects[name]!();
   const nodes = Object.entries(document.nodes).flatMap(([id, { type }]) => (type === 'simulate' ? [id] : []));
@@ -43,12 +43,12 @@ const framesOf = (scene: Scene, path: string) => {
   const { points, origin, times } = thing(scene, path).motion as SampledPointsMotion;
   return (points as Float32Array[]).map((at, k) => ({ t: times[k]!, at, origin }));
 };
-/** The most that a quantity with a value for each frame rises from one to the next, of all that it changes. */
+/** The greatest increase of a quantity between frames, relative to its range. */
 const rises = (values: Float64Array): number =>
   most(values.slice(1).map((value, k) => value - values[k]!)) / (most(values) - least(values));
 
 describe('hanging cloth', () => {
-  it('hangs at two corners, comes near c and never to it, and only loses energy', async () => {
+  it('hangs from two corners, approaches c without reaching it, and only loses energy', async () => {
     const { scene, books } = (await run('hanging-cloth'))('swing');
     const [start, end] = [0, 6].map((t) => vertexPositions(thing(scene, '/Cloth'), t, C));
     const held = Array.from({ length: 625 }, (_, v) => v).filter((v) =>
@@ -81,7 +81,7 @@ describe('cloth on a ball', () => {
 });
 
 describe('elastic ball against rigid ball', () => {
-  it('keeps momentum and energy; the rigid one leaves more slowly than the other came', async () => {
+  it('conserves momentum and energy; the rigid ball leaves more slowly than the other came', async () => {
     const { scene, books } = (await run('impact'))('meeting');
     for (let i = 0; i < books.momentum.length; i++) expect(books.momentum[i]).toBeCloseTo(books.momentum[i % 3]!, 9);
     const swing = (most(books.total) - least(books.total)) / most(books.kinetic);
@@ -92,7 +92,7 @@ describe('elastic ball against rigid ball', () => {
 });
 
 describe('bouncing lattice', () => {
-  it('is stopped below before it is stopped above, and springs back', async () => {
+  it('is stopped at the bottom before the top, and bounces back', async () => {
     const { scene, books } = (await run('bouncing'))('fall');
     const frames = framesOf(scene, '/Lattice');
     const heights = frames.map(({ at, origin }) => least(at.filter((_, i) => i % 3 === 1)) + origin[1]);
@@ -103,7 +103,7 @@ describe('bouncing lattice', () => {
     });
     const speed = (of: readonly number[], k: number): number => (of[k + 1]! - of[k]!) * 120;
     const stopped = heights.findIndex((_, k) => speed(heights, k) >= 0);
-    // Then what is above still falls faster than 0.05 s before; it is held back later than 0.04 s after.
+    // Then the top still falls faster than 0.05 s before; it is decelerated more than 0.04 s later.
     expect(speed(tops, stopped)).toBeLessThan(1.02 * speed(tops, stopped - 6));
     expect(speed(tops, stopped + 5)).toBeLessThan(0.97 * speed(tops, stopped));
     expect(speed(tops, stopped + 10)).toBeGreaterThan(0.9 * speed(tops, stopped));
@@ -117,7 +117,7 @@ describe('bouncing lattice', () => {
 });
 
 describe('pendulums', () => {
-  /** Of a mass on a rod of 1 m that is let go level: by energy γ = 1 + g h/c², T = 4 ∫ dθ/v; θ = π/2 − w² takes the root at the start away. */
+  /** Period of a mass on a rod of 1 m released horizontally: by energy γ = 1 + g h/c², T = 4 ∫ dθ/v; θ = π/2 − w² removes the singularity at the start. */
   function period(c: number): number {
     const [g, n] = [9.8, 20_000];
     const top = Math.sqrt(Math.PI / 2);
@@ -130,7 +130,7 @@ describe('pendulums', () => {
     return (4 * sum * top) / n;
   }
 
-  it('swing in the time that energy gives them, at c = 1, 10 and 100', async () => {
+  it('swing with the period given by energy, at c = 1, 10 and 100', async () => {
     const of = await run('pendulums');
     for (const c of [1, 10, 100]) {
       const { scene, books } = of(`swing${c}`);
@@ -144,7 +144,7 @@ describe('pendulums', () => {
 });
 
 describe("Newton's cradle", () => {
-  it('hands nearly all of the momentum and energy of the first ball to the last', async () => {
+  it('transfers nearly all momentum and energy of the first ball to the last', async () => {
     const { scene } = (await run('cradle'))('swing');
     const paths = ['/First', '/Ball', '/Ball/copy2', '/Ball/copy3', '/Ball/copy4'];
     const speed = (path: string, t: number): number =>
@@ -160,7 +160,7 @@ describe("Newton's cradle", () => {
 });
 
 describe('two charges', () => {
-  it('turn back at the distances that energy and angular momentum leave them, and draw a rosette', async () => {
+  it('have turning points given by energy and angular momentum, and follow a rosette', async () => {
     const { scene, books } = (await run('charges'))('dance');
     const way = Array.from({ length: 721 }, (_, i) => {
       const t = i / 60;
@@ -171,7 +171,7 @@ describe('two charges', () => {
     const gamma = 1 / Math.sqrt(1 - (v / C) ** 2);
     const L = 2 * 1.6 * gamma * v;
     const E = 2 * (gamma - 1) * C * C - k / 3.2;
-    // At a turning point p = L/r: 2(√(p²c² + c⁴) − c²) − k/r = E. Bisected between the middle and near.
+    // At a turning point p = L/r: 2(√(p²c² + c⁴) − c²) − k/r = E. By bisection.
     const over = (r: number): number => 2 * (Math.sqrt((L * C) ** 2 / r ** 2 + C ** 4) - C * C) - k / r - E;
     let [a, b] = [0.01, 1.5];
     for (let i = 0; i < 100; i++) {
@@ -179,7 +179,7 @@ describe('two charges', () => {
       if (over(middle) > 0) a = middle;
       else b = middle;
     }
-    // Farthest apart: between frames by a parabola through three.
+    // Maximum distance: interpolated between frames by a parabola through three.
     const turned = way.flatMap(({ r, angle }, i) => {
       const [before, after] = [way[i - 1], way[i + 1]];
       if (!before || !after || r < before.r || r < after.r) return [];
@@ -187,7 +187,7 @@ describe('two charges', () => {
       const step = ((after.angle - before.angle + 3 * Math.PI) % (2 * Math.PI)) - Math.PI;
       return [angle + (part * step) / 2];
     });
-    // An orbit of momentum p about a force centre of half the strength, for both move: Sommerfeld 1916.
+    // An orbit of momentum p about a force centre of half the strength, since both move: Sommerfeld 1916.
     const turn = 2 * Math.PI * (1 / Math.sqrt(1 - (k / (2 * L * C)) ** 2) - 1);
     expect((turn * 180) / Math.PI).toBeCloseTo(45, 0);
     turned.forEach((angle, i) => {
@@ -195,7 +195,7 @@ describe('two charges', () => {
       expect(off - 2 * Math.PI * Math.round(off / (2 * Math.PI))).toBeCloseTo(0, 1);
     });
     expect(turned.length).toBeGreaterThan(3);
-    // Below them the same way is painted on the table, which turns with it however often they have gone round.
+    // The same path is drawn on the table below, over all revolutions.
     const painted = orbit();
     let round = 0;
     way.forEach(({ r, angle }, i) => {

@@ -16,14 +16,14 @@ const c = speedOfLight(scene);
 const direction = (object: SceneObject, observer: ProbeObserver): Vec3[] =>
   probeVertices(object, observer, c).map((p) => normalize(p!.apparent));
 
-/** The points where the observer's light rays graze the ball: a circle of it, in its rest frame. */
+/** The points where the observer's light rays graze the sphere: a circle in its rest frame. */
 function outline(object: SceneObject, observer: ProbeObserver): SceneObject {
   const { motion, mesh } = object;
   if (motion.kind !== 'uniform' && motion.kind !== 'static') throw new Error(`${object.path} should fly straight`);
   const { radius } = boundingSphere(mesh.positions);
   const u = motion.kind === 'uniform' ? properVelocity(scale(motion.velocity, 1 / c)) : ([0, 0, 0] as Vec3);
   const d = sub(observer.position, positionAt(originWorldLine(motion), observer.t, c));
-  // World-simultaneous offset → rest frame: lengths along the way grow by γ.
+  // World-simultaneous offset → rest frame: lengths along the motion grow by γ.
   const p = addScaled(d, u, dot(u, d) / (gamma(u) + 1));
   const [axis, cosine] = [normalize(p), radius / length(p)];
   const e1 = normalize(cross(axis, [0.3, 1, 0.2]));
@@ -48,23 +48,20 @@ describe('sphere', () => {
   const balls = ['Half', 'Fast', 'Fastest', 'BallLeft1', 'BallRight0'].map((name) => objectAt(scene, `/World/${name}`));
   const observers = [camera(5, [0, 0, 0]), camera(7.6, [0, 0, 0]), camera(7.6, properVelocity([0.5, 0, -0.8]))];
 
-  it.each(balls.map((ball) => [ball.path, ball] as const))(
-    '%s: its outline is a circle, whatever the speeds',
-    (_, ball) => {
-      for (const observer of observers) {
-        const rim = direction(outline(ball, observer), observer);
-        // A circle on the sky lies in a plane: n·a = cos θ for one axis a.
-        const axis = normalize(cross(sub(rim[16], rim[0]), sub(rim[32], rim[0])));
-        const cosine = dot(axis, rim[0]);
-        for (const n of rim) expect(Math.abs(dot(axis, n) - cosine)).toBeLessThan(1e-6);
-        const towards = Math.sign(cosine);
-        for (const n of direction(ball, observer))
-          expect(towards * dot(axis, n)).toBeGreaterThan(Math.abs(cosine) - 1e-4);
-      }
-    },
-  );
+  it.each(balls.map((ball) => [ball.path, ball] as const))('%s: its outline is a circle, at any speed', (_, ball) => {
+    for (const observer of observers) {
+      const rim = direction(outline(ball, observer), observer);
+      // The directions of a circle on the sky satisfy n·a = cos θ for an axis a.
+      const axis = normalize(cross(sub(rim[16], rim[0]), sub(rim[32], rim[0])));
+      const cosine = dot(axis, rim[0]);
+      for (const n of rim) expect(Math.abs(dot(axis, n) - cosine)).toBeLessThan(1e-6);
+      const towards = Math.sign(cosine);
+      for (const n of direction(ball, observer))
+        expect(towards * dot(axis, n)).toBeGreaterThan(Math.abs(cosine) - 1e-4);
+    }
+  });
 
-  it('but is flattened by 1/γ where it is', () => {
+  it('but it is contracted by 1/γ in the world', () => {
     const extent = (name: string) => {
       const xs = worldPositions(objectAt(scene, `/World/${name}`), 6, c).map(([x]) => x);
       return Math.max(...xs) - Math.min(...xs);
@@ -74,7 +71,7 @@ describe('sphere', () => {
     expect(extent('Fastest')).toBeCloseTo(3 * Math.sqrt(1 - 0.95 ** 2), 1);
   });
 
-  it('one sees round the back: meridians of the far side of the fastest ball', () => {
+  it('parts of the far side are visible: meridians of the fastest sphere', () => {
     const ball = objectAt(scene, '/World/Fastest');
     const observer = camera(7.6, [0, 0, 0]);
     const rim = outline(ball, observer);

@@ -13,16 +13,16 @@ const sky = sceneNightSky(scene)!;
 const [camera] = scene.cameras;
 const c = speedOfLight(scene);
 
-/** With a field of view of 172° nearly all that is ahead is in it. */
+/** A field of view of 172° contains nearly the whole forward hemisphere. */
 const [WIDTH, HEIGHT] = [1000, 1000];
 
 interface Seen {
-  /** Unit, camera axes. */
+  /** Unit vector on the camera's axes. */
   readonly n: Vec3;
   readonly light: Vec3;
 }
 
-/** The stars in front of the camera at a time of the flight, with the velocity it has there or another. */
+/** The stars in front of the camera at a time of the flight, at its own velocity or another. */
 function seen(t: number, u: Vec3 = observerFromCamera(camera, t, c).u): Seen[] {
   const view: ViewPoint = { t, ...observerFromCamera(camera, t, c), u, lens: perspective(3) };
   const room = 3 * sky.stars.temperatures.length;
@@ -39,18 +39,18 @@ const fastest = topOfFlight(scene);
 const beta = length(velocity(fastest.u));
 const angle = (a: Seen, b: Seen): number => Math.acos(Math.min(dot(a.n, b.n), 1));
 
-/** So many stars, the brightest first, within an angle [rad] of the middle. */
+/** The `count` brightest stars within an angle [rad] of the middle. */
 function brightest(stars: readonly Seen[], count: number, within: number): Seen[] {
   return stars.filter(({ n }) => -n[2] > Math.cos(within)).slice(0, count);
 }
 
 describe('starfield', () => {
-  it('flies at 0.9 c', () => {
+  it('moves at 0.9 c', () => {
     expect(beta).toBeGreaterThan(0.88);
     expect(beta).toBeLessThan(0.96);
   });
 
-  // cos θ′ = β is where stars are seen that stand abeam of one at rest.
+  // Stars abeam for an observer at rest are seen at cos θ′ = β.
   it('has half of the sky within arccos β of straight ahead, and 26° at 0.9 c', () => {
     const ahead = seen(fastest.t, [0, 0, 0]).length;
     const within = seen(fastest.t).filter(({ n }) => -n[2] >= beta).length;
@@ -70,8 +70,8 @@ describe('starfield', () => {
     expect(angle(a1, b1)).toBeLessThan(angle(a, b) / 4);
   });
 
-  it('turns reddish Betelgeuse blue', () => {
-    // Among the brightest seven of Orion it is the only one that is red at rest.
+  it('shows reddish Betelgeuse blue', () => {
+    // Of Orion's seven brightest stars it is the only one that is red at rest.
     const still = brightest(seen(0, [0, 0, 0]), 7, 0.2);
     const red = still.findIndex(({ light }) => light[0] > 1.5 * light[2]);
     const moving = brightest(seen(fastest.t), 7, 0.2 / Math.sqrt((1 + beta) / (1 - beta)));

@@ -11,7 +11,7 @@ import { openExample, topOfFlight } from './open.ts';
 
 const scene = await openExample('sunset');
 const beta = length(velocity(topOfFlight(scene).u));
-/** Straight ahead. */
+/** The Doppler factor straight ahead. */
 const D = Math.sqrt((1 + beta) / (1 - beta));
 
 const material = (name: string): Material => scene.materials.find((m) => m.name.endsWith(name))!;
@@ -24,12 +24,12 @@ const brightness = (m: Material, d: number): number => dot(LUMINANCE_WEIGHTS, co
 const [leaf, asphalt] = ['leaf', 'asphalt'].map(material);
 
 describe('sunset street', () => {
-  it('is flown down at 0.8 c, where only infrared is seen straight ahead', () => {
+  it('is traversed at 0.8 c, where only infrared is seen straight ahead', () => {
     expect(beta).toBeCloseTo(0.82, 1);
     expect(D).toBeGreaterThan(VISIBLE[1] / VISIBLE[0]);
   });
 
-  it('has leaves and asphalt as they are measured, read back from the file', () => {
+  it('has measured reflectances of leaves and asphalt, read back from the file', () => {
     for (const [m, name] of [
       [leaf, 'leaf'],
       [asphalt, 'asphalt'],
@@ -39,13 +39,13 @@ describe('sunset street', () => {
     }
   });
 
-  it('shows leaves brighter than asphalt by the factor of their infrared', () => {
+  it('shows leaves brighter than asphalt by the ratio of their infrared reflectances', () => {
     const [a, b] = [color(leaf, D), color(asphalt, D)];
     for (const k of [0, 1, 2]) expect(a[k] / b[k]).toBeCloseTo(0.48 / 0.17, 6);
     expect(brightness(leaf, 1) / brightness(asphalt, 1)).toBeLessThan(2);
   });
 
-  it('has trees that are darker than every wall at rest and about as bright as they ahead', () => {
+  it('has trees darker than every wall at rest, and about as bright as the walls ahead', () => {
     const walls = scene.materials.filter(({ name }) => name.endsWith('_side'));
     const mean = (d: number) => walls.reduce((sum, wall) => sum + brightness(wall, d), 0) / walls.length;
     expect(walls.length).toBeGreaterThan(10);
@@ -54,8 +54,8 @@ describe('sunset street', () => {
     expect(brightness(asphalt, D) / mean(D)).toBeLessThan(0.5);
   });
 
-  // A blackbody of T seen with D is one of T·D.
-  it('has yellow windows and a red sun that turn white, and a sky that turns blue', () => {
+  // A blackbody of T seen with D looks like one of T·D.
+  it('shows yellow windows and a red sun white, and the sky blue', () => {
     const window = material('window');
     expect(window.emissionTemperature).toBe(2200);
     expect(2200 * Math.round(D)).toBe(6600);

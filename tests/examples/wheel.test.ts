@@ -17,7 +17,7 @@ const MIDDLE = 2.9;
 const rim = (points: readonly Vec3[], own: readonly Vec3[]): Vec3[] =>
   points.filter((_, i) => Math.hypot(own[i][0], own[i][1]) > RADIUS - 0.02);
 
-/** The wheel as one who rides on the axle has it, at his now: every vertex relative to the axle. */
+/** The wheel on a slice of simultaneity of an observer on the axle: every vertex relative to the axle. */
 function inTheAxlesFrame(t: number): Vec3[] {
   const axle: Vec3 = [BETA * c * (t - MIDDLE), RADIUS, 0];
   return probeVertices(wheel, { t, position: axle, u: properVelocity([BETA, 0, 0]) }, c, 'simultaneity').map(
@@ -27,10 +27,10 @@ function inTheAxlesFrame(t: number): Vec3[] {
 
 const own = inTheAxlesFrame(MIDDLE);
 
-/** At MIDDLE the first spoke lies along x in the axle's frame, and the others at equal angles. */
+/** At MIDDLE the first spoke is along x in the axle's frame, and the others at equal angles. */
 const STEP = (2 * Math.PI) / SPOKES;
 
-/** For each spoke the middles of its sections from the hub to the rim, of `points`. */
+/** For each spoke the centres of its cross sections from hub to rim, of `points`. */
 function spokes(points: readonly Vec3[]): Vec3[][] {
   const sections = [0.26, 0.45, 0.85, 1.3, 1.78];
   return Array.from({ length: SPOKES }, (_, s) =>
@@ -50,7 +50,7 @@ const bend = (spoke: readonly Vec3[]): number =>
   Math.max(...spoke.map((p) => distanceFromLine(p, spoke[0], spoke[spoke.length - 1])));
 
 describe('wheel', () => {
-  it('rolls at 0.6 c: its axle goes so fast, its top 0.88 c, its foot rests', () => {
+  it('rolls at 0.6 c: the speed of its axle; its top moves at 0.88 c, its bottom is at rest', () => {
     const at = (t: number) => worldPositions(wheel, t, c);
     const hub = (t: number) => mean(at(t).filter((_, i) => Math.hypot(own[i][0], own[i][1]) < 0.2))[0];
     expect((hub(4) - hub(2)) / 2).toBeCloseTo(BETA * c, 1);
@@ -65,13 +65,13 @@ describe('wheel', () => {
     for (const { speed } of lowest) expect(speed).toBeLessThan(0.2);
   });
 
-  it('is round with straight spokes for one on its axle', () => {
+  it('is round with straight spokes in the frame of its axle', () => {
     for (const t of [2.5, 2.9, 3.3])
       for (const [x, y] of rim(inTheAxlesFrame(t), own)) expect(Math.abs(Math.hypot(x, y) - RADIUS)).toBeLessThan(0.03);
     for (const spoke of spokes(own)) expect(bend(spoke)).toBeLessThan(0.02);
   });
 
-  it('in the frame of the road is an ellipse with bent spokes', () => {
+  it('is an ellipse with bent spokes in the frame of the road', () => {
     const now = worldPositions(wheel, MIDDLE, c);
     const edge = rim(now, own);
     const extent = (k: number) => Math.max(...edge.map((p) => p[k])) - Math.min(...edge.map((p) => p[k]));
@@ -79,11 +79,11 @@ describe('wheel', () => {
     expect(extent(1)).toBeCloseTo(2 * RADIUS, 1);
     const bends = spokes(now).map(bend);
     expect(Math.max(...bends)).toBeGreaterThan(0.1);
-    // The spoke along the way runs through one x at each place: it only shifts, and stays the straightest.
+    // The spoke along the motion is only shifted, and stays the straightest.
     expect(Math.min(...bends)).toBeLessThan(0.05);
   });
 
-  it('the one on the stand keeps its shape: a turning axle at rest changes no length across', () => {
+  it('the one on the stand keeps its shape: rotation about an axle at rest changes no radial length', () => {
     const turning = objectAt(scene, '/World/Turning');
     const sizes = [1, 2].map((t) => {
       const points = worldPositions(turning, t, c);

@@ -1,22 +1,22 @@
 import type { PixelOracle, PixelVerdict } from './pixelOracle.ts';
 import { pixelSampleAt } from './pixels.ts';
 
-/** What is compared at right pixels. D and the velocity are apart for what changes its velocity. */
+/** Values compared at right pixels. D and velocity are separate for surfaces of varying velocity. */
 export const MEASURES = ['time', 'depth', 'doppler', 'velocity', 'changing doppler', 'changing velocity'] as const;
 export type Measure = (typeof MEASURES)[number];
 
-/** What 99 % of the pixels stay below, and all. */
+/** Upper bounds for 99 % of the pixels, and for all. */
 export interface Spread {
   readonly most: number;
   readonly worst: number;
 }
 
-/** By how much a base colour may lie outside those around: mipmaps and anisotropic filters differ between GPUs. */
+/** Tolerance of base colours beyond their neighbourhood: mipmaps and anisotropic filters differ between GPUs. */
 const ALBEDO_SLACK = 0.08;
-/** Every so many pixels the base colour is asked for, which costs 49 rays. */
+/** Interval of pixels whose base colour is checked, which costs 49 rays each. */
 const ALBEDO_STEP = 61;
 
-/** What came out for one picture, or for several together. */
+/** Results for one or several pictures. */
 export class ErrorTally {
   private readonly displacements: number[] = [];
   private readonly errors = new Map<Measure, number[]>(MEASURES.map((name) => [name, []]));
@@ -26,7 +26,7 @@ export class ErrorTally {
 
   add(pixel: number, verdict: PixelVerdict): void {
     this.judged++;
-    // Where the event is behind the camera, the distance says nothing.
+    // Behind the camera the displacement is meaningless.
     if (Number.isFinite(verdict.displacement)) this.displacements.push(verdict.displacement);
     if (!verdict.right) {
       this.wrongPixels.push(pixel);
@@ -45,15 +45,15 @@ export class ErrorTally {
     if (!fits) this.albedos.unfit++;
   }
 
-  /** Share of the judged pixels. */
+  /** Fraction of the judged pixels. */
   get wrong(): number {
     return this.wrongPixels.length / Math.max(1, this.judged);
   }
-  /** The first of them, to look at: their places in the picture's rows. */
+  /** Indices of the first wrong pixels, for inspection. */
   get wrongPlaces(): readonly number[] {
     return this.wrongPixels.slice(0, 8);
   }
-  /** From the pixels' centres to where what they show is truly seen [px]. */
+  /** Displacements: from pixel centres to the true positions [px]. */
   get displacement(): Spread {
     return spread(this.displacements);
   }
@@ -77,7 +77,7 @@ export class ErrorTally {
   }
 }
 
-/** Judges the given pixels of a picture; `values`: theirs, as `readSamplePixels` has them. */
+/** Judges the given pixels of a picture; `values`: from `readSamplePixels`. */
 export function tallyErrors(judge: PixelOracle, values: Float32Array, pixels: readonly number[]): ErrorTally {
   const tally = new ErrorTally();
   pixels.forEach((pixel, k) => {

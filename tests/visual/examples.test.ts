@@ -13,17 +13,17 @@ import {
   withRasterizers,
 } from './visual.ts';
 
-/** Every pixel of small frames; half a pixel here is eight times as wide as at full size, and the renderer cuts as coarsely. */
+/** All pixels of small frames; half a pixel is eight times as wide as at full size, and the tessellation as coarse. */
 const SIZE = { width: 160, height: 90 };
-/** The renderer's goal is told for this size. */
+/** The size for which the renderer's goal is stated. */
 const FULL_SIZE = { width: 1280, height: 720 };
-/** Enough to tell a share of a thousandth; all of them would take minutes. */
+/** Enough to measure a fraction of a thousandth; all pixels would take minutes. */
 const SAMPLE = somePixels(FULL_SIZE, 4000, 20_260_727);
 const CASES = [
   ...(['light-cone', 'simultaneity'] as const).flatMap((view) => BETAS.map((beta) => [view, beta] as const)),
   ['galilean', 0] as const,
 ];
-/** The doors of the barn start at once with 0.86 c: no speed in between is theirs, and all of them are between the vertices. */
+/** The barn's doors start instantly at 0.86 c: interpolation between vertices yields all speeds in between, which are wrong. */
 const JUMPING: readonly string[] = ['ladder'];
 const JUMPS: readonly Measure[] = ['changing doppler', 'changing velocity'];
 
@@ -45,7 +45,7 @@ describe.each(NAMES)('%s against the reference', (name) => {
     expectWithinTolerance(tallies, JUMPING.includes(name) ? JUMPS : []);
   });
 
-  it('galilean: the same picture at any speed', async () => {
+  it('galilean view: the same picture at any speed', async () => {
     for (const painter of painters) {
       const [atRest, ...fast] = BETAS.map((beta) => ({ ...exampleFrame(name, scene, 'galilean', beta), ...SIZE }));
       const expected = await painter.take(atRest);
@@ -60,6 +60,6 @@ describe.each(NAMES)('%s against the reference', (name) => {
   });
 });
 
-/** `toEqual` takes seconds over so many. */
+/** `toEqual` takes seconds for so many values. */
 const isSame = (a: Float32Array, b: Float32Array): boolean =>
   a.length === b.length && a.every((value, i) => Object.is(value, b[i]));

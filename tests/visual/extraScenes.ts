@@ -6,23 +6,23 @@ import { parabolaVelocities } from '../../src/scene/motion/cubicPoints.ts';
 import { isStreamed } from '../../src/scene/streaming/samplePoints.ts';
 import type { Mesh, Motion, Scene, SceneObject, Texture } from '../../src/scene/types.ts';
 
-/** A scene made to find one kind of mistake, and how it is looked at. */
+/** A scene designed to reveal one kind of error, and its view. */
 export interface ExtraScene {
   readonly scene: Scene;
-  /** Of the observer's event: world time [s], place [m]. */
+  /** The observer's event: world time [s], position [m]. */
   readonly t: number;
   readonly eye: Vec3;
-  /** What is in the middle of the picture however fast the observer goes: a place in the world, and how much around it is in view, from the top to the bottom [m]. */
+  /** The world point in the middle of the picture at any speed, and the height of the visible region around it [m]. */
   readonly subject: Vec3;
   readonly extent: number;
-  /** Unit: the way the observer goes. */
+  /** Unit vector of the observer's velocity. */
   readonly towards: Vec3;
 }
 
 const C = 10;
 const AHEAD: Vec3 = [0, 0, -1];
 
-/** 8 × 8 squares of two colours, so that a shifted texture shows. */
+/** 8 × 8 squares of two colours, to reveal shifted textures. */
 const CHECKER: Texture = {
   name: 'checker',
   width: 64,
@@ -47,7 +47,7 @@ const scene = (name: string, objects: readonly SceneObject[]): Scene =>
 const at = (path: string, mesh: Mesh, position: Vec3): SceneObject =>
   makeObject({ path, mesh, motion: restingAt(position) });
 
-/** As few triangles as can be: 12 and 2. */
+/** The minimum of triangles: 12 and 2. */
 const cube: ExtraScene = {
   scene: scene('cube on a floor', [
     at('/Floor', plane(60, 60, 'Y'), [0, 0, 0]),
@@ -60,7 +60,7 @@ const cube: ExtraScene = {
   towards: normalize([1, 0, -0.5]),
 };
 
-/** Bars that pass the observer on all sides, walls behind him, a lid close over his head: fast, he sees all of it in front. */
+/** Bars on all sides of the observer, walls behind, a lid close above: at high speed all of it is seen ahead. */
 const behind: ExtraScene = {
   scene: scene('from behind into view', [
     at('/Left', box([0.2, 0.2, 80]), [-0.7, -0.3, 0]),
@@ -73,12 +73,12 @@ const behind: ExtraScene = {
   t: 0,
   eye: [0, 0, 0],
   subject: [0, 0, -10],
-  // So much at 14 times the distance, at 0.99 c: a wide view, in which things behind the observer are seen.
+  // At 14 times the distance, at 0.99 c: a wide view, in which objects behind the observer are visible.
   extent: 190,
   towards: AHEAD,
 };
 
-/** Two slanted walls that nearly touch, about a pixel's width apart; the one in front covers half of the one behind. Seen through a long lens, so that depth alone decides. */
+/** Two slanted walls about a pixel's width apart; the front one covers half of the other. Viewed with a long lens, so that only depth decides. */
 const touching = (name: string, distance: number, gap: number): ExtraScene => ({
   scene: scene(name, [
     slanted('/Behind', [80 * gap, 80 * gap, 0.1 * gap], [-20 * gap, 0, -distance - gap]),
@@ -99,8 +99,8 @@ function slanted(path: string, size: Vec3, position: Vec3): SceneObject {
 }
 
 /**
- * Two long bars that slow down, turn and accelerate away along +X. Authored in the world, each point has a horizon of its own: the observer sees
- * the rear of that bar, its front not yet, and between them the bar comes from infinitely far. The other is Born rigid: one horizon for all of it.
+ * Two long bars that decelerate, reverse and accelerate along +X. Of the one authored in the world each point has its own horizon: the observer sees
+ * its rear, its front not yet, and in between the bar extends to infinity. The other is Born rigid, with one horizon for all points.
  */
 const horizon: ExtraScene = {
   scene: scene('horizon', [
@@ -125,7 +125,7 @@ function bar(path: string, authoredIn: SceneObject['authoredIn'], position: Vec3
   return makeObject({ path, mesh: box([5, 0.8, 0.8]), motion, authoredIn });
 }
 
-/** A wheel of six triangulated spokes that turns with a rim at 0.8 c while its axle goes at 0.15 c. */
+/** A wheel of six triangulated spokes whose rim rotates at 0.8 c while its axle moves at 0.15 c. */
 const wheel: ExtraScene = {
   scene: scene('turning wheel', [
     ...[0, 1, 2].map((k) => turning(`/Spoke${k}`, box([0.25, 3.6, 0.2]), (k * Math.PI) / 3)),
@@ -150,9 +150,9 @@ function turning(path: string, mesh: Mesh, phase: number): SceneObject {
   return makeObject({ path, mesh, motion: { kind: 'sampled', times, poses } });
 }
 
-/** A cloth of few large triangles in a running wave, faster than 0.5 c in places. */
+/** A cloth of few large triangles in a travelling wave, partly faster than 0.5 c. */
 const cloth = clothOf('cloth', waving(80));
-/** The same from so few samples that chords would be pixels away, with cubics between them: no velocity jumps. */
+/** The same with so few samples that chords would be pixels off, interpolated by cubics: velocities are continuous. */
 const cubicCloth = clothOf('cloth along cubics', cubically(waving(22)));
 
 function clothOf(name: string, object: SceneObject): ExtraScene {
@@ -188,8 +188,8 @@ function cubically(object: SceneObject): SceneObject {
 }
 
 /**
- * Many that wear one mesh, drawn as instances: at rest, at 0.9 c as authored in the world and in their rest frames, and turning as they go; near
- * enough that of some only a part is cut. Each has its own orientation, and one of two materials.
+ * Instances of one mesh: at rest, at 0.9 c as authored in the world and in their rest frames, and rotating in motion; near enough that some are only
+ * partly tessellated. Each has its own orientation, and one of two materials.
  */
 const crowd: ExtraScene = {
   scene: makeScene({

@@ -11,12 +11,12 @@ import type { View } from '../../src/scene/views/views.ts';
 import { type ExampleName, speedOfLight } from '../examples/open.ts';
 import type { ExtraScene } from './extraScenes.ts';
 
-/** Data are compared: what only lights them would take time. */
+/** Only data are compared, so lighting is off. */
 export const DATA_SETTINGS: RenderSettings = { ...DEFAULT_SETTINGS, shadows: false, occlusionRadius: 0 };
 
 export const BETAS = [0, 0.5, 0.9, 0.99] as const;
 
-/** Which way the observer goes, in the camera's axes: into the picture, or where a scene has its things beside the way, aslant. */
+/** The observer's direction of motion on the camera's axes: forward, or obliquely for scenes with objects beside the path. */
 const COURSES: Partial<Record<ExampleName, Vec3>> = {
   dice: [0.8, 0, -0.6],
   sphere: [-0.6, 0, -0.8],
@@ -30,7 +30,7 @@ export interface TestView {
   readonly settings: RenderSettings;
 }
 
-/** An example from the place and at the time at which the command line looks at it, at a speed β. */
+/** A view of an example at the command line's default position and time, at a speed β. */
 export function exampleFrame(name: ExampleName, scene: Scene, view: View, beta: number): TestView {
   const c = speedOfLight(scene);
   const t = scene.hints.openAt ?? scene.startTime;
@@ -43,7 +43,7 @@ export function exampleFrame(name: ExampleName, scene: Scene, view: View, beta: 
   };
 }
 
-/** The subject in the middle of the picture, which shows `extent` metres at its apparent distance: lengths across the line of sight are seen as they are. */
+/** A view centred on the subject that shows `extent` metres at its apparent distance; lengths perpendicular to the line of sight are not contracted. */
 export function extraFrame(
   { scene, t, eye, subject, extent, towards }: ExtraScene,
   view: View,

@@ -23,11 +23,11 @@ import {
 } from './visual.ts';
 
 const SIZE = { width: 160, height: 90 };
-/** Every fifth pixel of every fifth row. */
+/** Pixels compared: every fifth of every fifth row. */
 const PIXELS = allPixels(SIZE).filter((i) => (i % SIZE.width) % 5 === 2 && Math.floor(i / SIZE.width) % 5 === 2);
 
 const FORWARD = normalize([0.3, 0.1, -0.6]);
-/** Where edges are seen straight, or too small to bend, f32 is all that can be wrong [px]; else the pieces of a curve are, as everywhere. */
+/** Bounds [px]: where edges are straight, or too short to bend, only f32 errors remain; otherwise also those of the tessellation. */
 const [STRAIGHT, CURVED] = [0.1, MAX_DISPLACEMENT];
 const LOOKS: readonly (readonly [string, Partial<RenderSettings>, beta: number, limit: number])[] = [
   ['light-cone', {}, 0, STRAIGHT],
@@ -39,7 +39,7 @@ const LOOKS: readonly (readonly [string, Partial<RenderSettings>, beta: number, 
   ['galilean', { view: 'galilean' }, 0.6, STRAIGHT],
 ];
 
-/** Looks where the first object's middle is in this view; it fills most of the picture, however small or large the speed makes it. */
+/** A view centred on the first object, which fills most of the picture at any speed. */
 function frameOf(scene: Scene, change: Partial<RenderSettings>, beta: number): TestView {
   const settings = { ...DATA_SETTINGS, ...change, speedOfLight: C };
   const u = properVelocity(scale(FORWARD, beta));
@@ -58,7 +58,7 @@ function frameOf(scene: Scene, change: Partial<RenderSettings>, beta: number): T
   };
 }
 
-/** Where the vertices of the first object are shown, from the observer [m]. */
+/** Displayed positions of the first object's vertices, relative to the observer [m]. */
 function placesOf({ objects }: Scene, u: Vec3, { view, lightDelay, aberration }: RenderSettings): Vec3[] {
   const events = view === 'light-cone' && !lightDelay ? 'galilean' : view;
   const probes = probeVertices(objects[0], { t: T, position: OBSERVER_POSITION, u }, C, events).filter(

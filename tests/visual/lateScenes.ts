@@ -4,16 +4,16 @@ import { makeObject, makeScene, restingAt } from '../../src/scene/defaults.ts';
 import { box, sphere } from '../../src/scene/mesh/primitives.ts';
 import type { Mesh, Motion, Scene } from '../../src/scene/types.ts';
 
-/** Slow light and a late time, so that world times and places are large numbers: f32 must never meet them. */
+/** Slow light and a late time, so that world times and positions are large: they must never be stored in f32. */
 export const C = 10;
 export const T = 1e4;
 export const OBSERVER_POSITION: Vec3 = [200, 12, -70];
-/** Where things are when they are seen, about. */
+/** Approximate position of objects when seen. */
 const SUBJECT_POSITION: Vec3 = [OBSERVER_POSITION[0] + 0.4, OBSERVER_POSITION[1] + 0.2, OBSERVER_POSITION[2] - 9];
 
 const pose = (position: Vec3) => ({ position, orientation: fromAxisAngle([1, 2, 3], 0.7) });
 const off = (a: Vec3, x: number, y: number, z: number): Vec3 => [a[0] + x, a[1] + y, a[2] + z];
-/** Position at t = 0 of what is `at` at the time t. */
+/** Position at t = 0 of an object that is at `at` at the time t. */
 const back = (at: Vec3, v: Vec3, t: number): Vec3 => [at[0] - v[0] * t, at[1] - v[1] * t, at[2] - v[2] * t];
 
 function uniform(velocity: Vec3): Motion {
@@ -23,7 +23,7 @@ function hyperbolic(properAcceleration: Vec3): Motion {
   return { kind: 'hyperbolic', pose: pose(SUBJECT_POSITION), properAcceleration, t0: T - 2 };
 }
 
-/** A curve through `SUBJECT_POSITION` with a turn about a slanted axis: 250 samples, the last 4 s after the observer's time. */
+/** A curve through `SUBJECT_POSITION` with a rotation about a slanted axis: 250 samples, the last 4 s after the observer's time. */
 function sampled(): Motion {
   const count = 250;
   const times = Float64Array.from({ length: count }, (_, k) => T - 8 + (12 * k) / (count - 1));
@@ -62,7 +62,7 @@ const backdrop = makeObject({
 const scene = (name: string, ...objects: Scene['objects'][number][]): Scene =>
   makeScene({ name: `late: ${name}`, objects: [...objects, backdrop], hints: { speedOfLight: C } });
 
-/** One for each kind of motion; the object that matters is the first. */
+/** One per kind of motion; the tested object is the first. */
 export const LATE_SCENES: readonly Scene[] = [
   scene('static', makeObject({ path: '/ball', mesh: ball, motion: { kind: 'static', pose: pose(SUBJECT_POSITION) } })),
   scene('uniform', makeObject({ path: '/ball', mesh: ball, motion: uniform([7, 1, 3]) })),

@@ -8,13 +8,13 @@ import { type PixelRequest, readSamplePixels } from './pixels.ts';
 declare global {
   interface Window {
     visual: {
-      /** An example by its file, or one of the scenes made for these tests by its name. */
+      /** Opens an example by its file, or one of the test scenes by its name. */
       open(name: string): Promise<void>;
       /** `readSamplePixels` as base64. */
       take(order: PixelRequest): Promise<string>;
       info(): Promise<RendererInfo>;
     };
-    /** A file of examples/, as base64; it comes from the test. */
+    /** Returns a file of examples/ as base64; provided by the test. */
     readExample(path: string): Promise<string>;
   }
 }

@@ -15,15 +15,15 @@ import { frustumOf, pixelsPerTangent } from '../../src/scene/view/lens.ts';
 import type { RenderSettings, ViewPoint } from '../../src/scene/view/view.ts';
 
 /*
- * Is a rasterized pixel right? It claims that an event of an object's surface is seen at the pixel's centre. It is right where that very
- * event is truly seen within `MAX_DISPLACEMENT` pixels of the centre; background likewise. Where it is seen follows from its place alone, by the
- * formulas of physics/; that the surface is there at that moment, and that nothing hides it, from rays of the reference.
+ * Judges rasterized pixels. A pixel claims that an event of an object's surface is seen at its centre; it is right if that event is truly seen
+ * within `MAX_DISPLACEMENT` pixels of the centre, and background likewise. Where it is seen follows from its position by the formulas of physics/;
+ * that the surface is there at that time, and unoccluded, follows from rays of the reference.
  */
 
-/** How far from the pixel's centre what it shows may truly be [px]: the goal of the whole renderer. */
+/** Greatest allowed distance of the true position from the pixel's centre [px]: the renderer's goal. */
 export const MAX_DISPLACEMENT = 0.5;
 
-/** One rasterized picture and what it is a picture of. */
+/** A rasterized picture with its scene and view. */
 export interface RasterizedPicture {
   readonly scene: TracedScene;
   readonly view: ViewPoint;
@@ -32,43 +32,43 @@ export interface RasterizedPicture {
   readonly height: number;
 }
 
-/** What a pixel says: its data AOVs. */
+/** The claim of a pixel: its data AOVs. */
 export interface PixelSample {
-  /** Place in `Scene.objects` plus one; 0: background. */
+  /** Index in `Scene.objects` plus one; 0: background. */
   readonly object: number;
   readonly position: Vec3;
   readonly time: number;
   /** Apparent distance [m]. */
   readonly depth: number;
   readonly doppler: number;
-  /** World frame, units of c. */
+  /** World frame [c]. */
   readonly velocity: Vec3;
   readonly albedo: Vec3;
 }
 
 export interface PixelVerdict {
   readonly right: boolean;
-  /** From the pixel's centre to where the claimed event is truly seen [px]; 0 for background, infinite where it is behind the camera. */
+  /** From the pixel's centre to where the claimed event is truly seen [px]; 0 for background, infinite behind the camera. */
   readonly displacement: number;
-  /** Errors of a right pixel's data. Time: over the light's own way, c|Δt|/|Δx|; depth and D: relative; velocity: in units of c. */
+  /** Errors of a right pixel's data. Time: relative to the light path, c|Δt|/|Δx|; depth and D: relative; velocity [c]. */
   readonly time: number;
   readonly depth: number;
   readonly doppler: number;
   readonly velocity: number;
-  /** The surface's velocity changes: the rasterizer has it at its vertices, each for its own light, and takes what is between them. */
+  /** Whether the surface's velocity varies: the rasterizer evaluates it at the emission event of each vertex, and interpolates. */
   readonly changing: boolean;
 }
 
-/** The claimed event as an event of the picture: its time is what its place asks for. */
+/** The claimed event as an event of the picture, with the time that its position implies. */
 interface Truth {
   /** Observer → event, world frame [m]. */
   readonly dx: Vec3;
   /** [s] */
   readonly time: number;
-  /** In the picture, from its top left [px]. */
+  /** Position in the picture, from its top left [px]. */
   readonly x: number;
   readonly y: number;
-  /** Where it is seen, in the camera's axes [m]. */
+  /** Apparent position on the camera's axes [m]. */
   readonly seen: Vec3;
 }
 
@@ -78,10 +78,10 @@ const NO_ERRORS = { time: 0, depth: 0, doppler: 0, velocity: 0, changing: false 
 const WRONG: PixelVerdict = { right: false, displacement: Number.POSITIVE_INFINITY, ...NO_ERRORS };
 const BACKGROUND: PixelVerdict = { right: true, displacement: 0, ...NO_ERRORS };
 
-/** Half a step of f32, twice: the CPU rounds, and so does the GPU. */
+/** Half a step of f32, twice: both CPU and GPU round. */
 const F32 = 2 ** -23;
 
-/** Where the ring search looks [px from the centre]: on circles up to `MAX_DISPLACEMENT`. */
+/** Offsets of the ring search from the centre [px], on circles up to `MAX_DISPLACEMENT`. */
 const RING: readonly (readonly [number, number])[] = [0.2, 0.35, 0.5].flatMap((share, k) =>
   Array.from({ length: 8 + 4 * k }, (_, i) => {
     const angle = (2 * Math.PI * (i + k / 3)) / (8 + 4 * k);
@@ -89,7 +89,7 @@ const RING: readonly (readonly [number, number])[] = [0.2, 0.35, 0.5].flatMap((s
   }),
 );
 
-/** Judges the pixels of pictures of one thing by several rasterizers; a ray that two of them need is traced once. */
+/** Judges pixels of one picture by several rasterizers; rays are cached between them. */
 export class PixelOracle {
   private readonly picture: RasterizedPicture;
   private readonly centers = new Map<number, Hit | undefined>();
@@ -98,7 +98,7 @@ export class PixelOracle {
     this.picture = picture;
   }
 
-  /** `pixel`: its place in the picture's rows. */
+  /** `pixel`: index, row by row. */
   judge(pixel: number, claim: PixelSample): PixelVerdict {
     const center = this.center(pixel);
     if (claim.object === 0) return this.judgeBackground(pixel, center);
@@ -112,8 +112,8 @@ export class PixelOracle {
   }
 
   /**
-   * Whether a base colour lies between the darkest and the brightest of the surface within a pixel around, give or take `slack`: the GPU reads
-   * textures through a filter that is about so wide. undefined where the pixel's neighbourhood is not of one object.
+   * Whether a base colour is between the darkest and the brightest of the surface within a pixel, give or take `slack`: about the width of the
+   * GPU's texture filter. Returns undefined if the pixel's neighbourhood is not of one object.
    */
   albedoFits(pixel: number, { object, albedo }: PixelSample, slack: number): boolean | undefined {
     const [x, y] = this.placeOf(pixel);
@@ -137,7 +137,7 @@ export class PixelOracle {
     return RING.some(([dx, dy]) => !this.trace(x + dx, y + dy)) ? BACKGROUND : WRONG;
   }
 
-  /** A ray within reach that meets the claimed point: at the centre, where it is truly seen, else on a ring round the centre. */
+  /** A ray within reach that hits the claimed point: at its true position, at the centre, or on a ring around the centre. */
   private meeting(claim: PixelSample, truth: Truth, pixel: number, own: Hit | undefined): Hit | undefined {
     if (own && this.samePoint(claim, truth, own)) return own;
     const [x, y] = this.placeOf(pixel);
@@ -149,8 +149,8 @@ export class PixelOracle {
   }
 
   /**
-   * Whether the claimed point lies in the surface that the ray has met: no farther from its plane, in its rest frame, than the footprint of
-   * `MAX_DISPLACEMENT` pixels. (Along the plane it is as near as the two places in the picture are; lengths across the line of sight are the same in all frames.)
+   * Whether the claimed point is on the hit surface: no farther from its plane, in its rest frame, than the footprint of `MAX_DISPLACEMENT` pixels.
+   * (Along the plane it is as near as the two positions in the picture; lengths perpendicular to the line of sight are the same in all frames.)
    */
   private samePoint({ position }: PixelSample, { time, seen }: Truth, hit: Hit): boolean {
     const { view, settings, width, height } = this.picture;
@@ -163,7 +163,7 @@ export class PixelOracle {
   private compare(claim: PixelSample, { dx, time, seen }: Truth, hit: Hit, displacement: number): PixelVerdict {
     const { scene, view, settings } = this.picture;
     const D = settings.view === 'light-cone' ? dopplerFactor(dx, view.u, properVelocity(hit.velocity)) : 1;
-    // The AOV is f32, of a world time that may be large.
+    // The AOV is f32, and world times can be large.
     const late = Math.max(0, Math.abs(claim.time - time) - F32 * Math.abs(time));
     return {
       right: true,
@@ -207,13 +207,13 @@ export class PixelOracle {
   }
 }
 
-/** c(t − t_o) of an event at Δx on the light cone or slice that is looked at [m of light]. */
+/** c(t − t_o) of an event at Δx on the view's light cone or slice [m]. */
 function delayOf(dx: Vec3, u: Vec3, { view, lightDelay }: RenderSettings): number {
   if (view === 'simultaneity') return dot(velocity(u), dx);
   return view === 'light-cone' && lightDelay ? -length(dx) : 0;
 }
 
-/** From the observer, on the world axes that the boost carries [m]. */
+/** Position relative to the observer, on the world axes carried by the boost [m]. */
 function shownAt(dx: Vec3, u: Vec3, { view, aberration }: RenderSettings): Vec3 {
   if (view === 'simultaneity') return simultaneousPosition(dx, u);
   return view === 'light-cone' && aberration ? apparentPosition(dx, u) : dx;

@@ -8,19 +8,19 @@ export interface Size {
   readonly height: number;
 }
 
-/** A picture to make, and the pixels of it that are wanted. Plain data: it travels to a page. */
+/** A picture to render, and the requested pixels. Plain data, to be sent to a page. */
 export interface PixelRequest extends Size {
   readonly view: ViewPoint;
   readonly settings: RenderSettings;
-  /** Places in the picture's rows; absent: all. */
+  /** Pixel indices, row by row; default: all. */
   readonly pixels?: readonly number[];
 }
 
-/** What is read of every pixel, one after the other, in this order. */
+/** The values read per pixel, in this order. */
 const NAMES = ['object', 'position', 'emission_time', 'depth', 'doppler', 'velocity', 'albedo'] as const;
 const FLOATS = 13;
 
-/** Makes the picture; `FLOATS` numbers for each wanted pixel. */
+/** Renders the picture; returns `FLOATS` numbers per requested pixel. */
 export async function readSamplePixels(renderer: RasterRenderer, order: PixelRequest): Promise<Float32Array> {
   const { view, settings, width, height } = order;
   if (renderer.width !== width || renderer.height !== height) renderer.setSize(width, height);
@@ -42,7 +42,7 @@ export async function readSamplePixels(renderer: RasterRenderer, order: PixelReq
 export const allPixels = ({ width, height }: Size): readonly number[] =>
   Array.from({ length: width * height }, (_, i) => i);
 
-/** Different pixels of a picture, drawn evenly. */
+/** Distinct pixels of a picture, chosen uniformly. */
 export function somePixels({ width, height }: Size, count: number, seed: number): readonly number[] {
   const next = random(seed);
   const chosen = new Set<number>();
@@ -50,7 +50,7 @@ export function somePixels({ width, height }: Size, count: number, seed: number)
   return [...chosen];
 }
 
-/** What the pixel at place `k` of `readSamplePixels` says. */
+/** The values of pixel `k` of `readSamplePixels`. */
 export function pixelSampleAt(values: Float32Array, k: number): PixelSample {
   const [object, x, y, z, time, depth, doppler, vx, vy, vz, r, g, b] = values.subarray(FLOATS * k, FLOATS * (k + 1));
   return { object, position: [x, y, z], time, depth, doppler, velocity: [vx, vy, vz], albedo: [r, g, b] };

@@ -36,7 +36,7 @@ const examples = new URL('../../examples/', import.meta.url);
 const fileOf = async (path: string): Promise<string> =>
   (await readFile(fileURLToPath(new URL(path, examples)))).toString('base64');
 
-/** The same on WebGL2, in a page of Chromium, which reads the examples itself. */
+/** The same on WebGL2, in a page of Chromium that reads the examples itself. */
 export async function openWebGl(): Promise<TestRasterizer> {
   const chromium = await openModulePage(fileURLToPath(new URL('./page.ts', import.meta.url)));
   const { page } = chromium;

@@ -9,24 +9,24 @@ import { allPixels, type Size } from './pixels.ts';
 import { openWebGl, openWebGpu, type TestRasterizer } from './rasterizers.ts';
 
 /*
- * What the pictures must reach. Goal of the renderer (issue 3): within half a pixel of the reference, but for a thousandth of the pixels; those
- * are where things meet at so flat an angle that f32 decides, or where something narrower than a pixel shows between its neighbours' centres.
+ * Acceptance limits. The renderer's goal (issue 3): within half a pixel of the reference, except for a thousandth of the pixels, where surfaces
+ * meet at so flat an angle that f32 decides, or where features narrower than a pixel fall between pixel centres.
  */
 const WRONG = 1e-3;
 /**
- * Of 99 % of the right pixels, and of all. Time, distance, D and velocity are worked out per pixel from an event that is interpolated between vertices,
- * in f32; SwiftShader, the GPU of these tests on WebGPU, interpolates on a grid of 1/16 pixel, which shows where a surface is seen nearly edge on.
+ * For 99 % of the right pixels, and for all. Time, distance, D and velocity are computed per pixel in f32 from an event interpolated between
+ * vertices; SwiftShader, the GPU of these tests on WebGPU, interpolates on a grid of 1/16 pixel, which matters for surfaces seen nearly edge on.
  */
 const LIMITS: Record<Measure, Spread> = {
   time: { most: 1e-5, worst: 1e-3 },
   depth: { most: 1e-5, worst: 1e-3 },
   doppler: { most: 1e-5, worst: 1e-3 },
   velocity: { most: 1e-5, worst: 1e-3 },
-  // From sample to sample a velocity jumps; between vertices whose light left before and after the jump the rasterizer has all that is between.
+  // Velocities jump at samples; between vertices with emission before and after a jump the rasterizer interpolates.
   'changing doppler': { most: 0.1, worst: 0.25 },
   'changing velocity': { most: 0.12, worst: 0.25 },
 };
-/** Share of the base colours that may not be between those around: mipmaps and anisotropic filters differ between GPUs. */
+/** Fraction of base colours allowed outside their neighbourhood: mipmaps and anisotropic filters differ between GPUs. */
 const ALBEDO_UNFIT = 0.02;
 
 /** Opens both backends for the tests of a file, and closes them. */
@@ -41,7 +41,7 @@ export function withRasterizers(): readonly TestRasterizer[] {
   return painters;
 }
 
-/** A scene as the reference has it, and on every painter. */
+/** A scene in the reference, and in every rasterizer. */
 export interface ComparedScene {
   readonly traced: TracedScene;
   readonly painters: readonly TestRasterizer[];
@@ -52,7 +52,7 @@ export async function openComparedScene(scene: Scene, painters: readonly TestRas
   return { traced: createTracedScene(scene, speedOfLight(scene)), painters };
 }
 
-/** Pictures of one frame by every painter, judged at the given pixels, or at all. */
+/** Renders one frame with every rasterizer, and judges the given pixels, or all. */
 export async function judgeFrame(
   { traced, painters }: ComparedScene,
   { view, settings }: TestView,
@@ -64,7 +64,7 @@ export async function judgeFrame(
   return new Map(painters.map(({ name }, i) => [name, tallyErrors(judge, pictures[i], pixels)]));
 }
 
-/** Fails with a line for everything that is not as near as it must be; `without`: what says nothing here. */
+/** Fails with a line per exceeded limit; `without`: values that are not meaningful here. */
 export function expectWithinTolerance(
   tallies: ReadonlyMap<string, ErrorTally>,
   without: readonly Measure[] = [],
@@ -90,7 +90,7 @@ function complaintsOf(tally: ErrorTally, without: readonly Measure[]): string[] 
 }
 
 /**
- * What became of a scene's pictures, printed when it is done: for each backend a line with the worst of them. SHOW_ERRORS=1 prints a line for every picture.
+ * Results of a scene's pictures, printed at the end: per backend a line with the worst values. SHOW_ERRORS=1 prints a line per picture.
  */
 export class Report {
   private readonly entries: {

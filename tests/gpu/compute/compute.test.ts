@@ -36,14 +36,14 @@ async function onGpu(order: RunOptions): Promise<RecordedRun> {
   }
 }
 
-/** With springs between them. `at`: of its first corner. */
+/** A sheet with springs. `at`: position of its first corner. */
 function cloth(side: number, at: Vec3, k: number): { readonly x: Float64Array; readonly net: Springs } {
   const { x, faces } = sheet(side, at);
   return { x, net: meshSprings(x, faces, { structural: k, shear: k, bending: k }) };
 }
 
 const GRAVITY: Vec3 = [0, -9.8, 0];
-/** Between frames [s], and how many there are. */
+/** Interval between frames [s], and their number. */
 const [EVERY, FRAMES] = [0.02, 6];
 const order = (
   system: System,
@@ -61,7 +61,7 @@ const order = (
 });
 const still = (x: ArrayLike<number>): number[] => new Array(x.length).fill(0);
 
-/** Ten by ten points of 10 g that hang at two corners. */
+/** Ten by ten points of 10 g, hanging from two corners. */
 function hanging(method: string, step = 2e-4): RunOptions {
   const { x, net } = cloth(10, [0, 0, 0], 1000);
   const masses = new Float64Array(100).fill(0.01);
@@ -71,7 +71,7 @@ function hanging(method: string, step = 2e-4): RunOptions {
   return order(system, x, still(x), method, step);
 }
 
-/** A cloth, a ball that is thrown onto it and one that is held below it; the balls' rows are long. */
+/** A cloth, a ball thrown onto it and a fixed one below it; the rows of the balls are long. */
 function ballsAndCloth(): RunOptions {
   const { x, net } = cloth(10, [0, 0, 0], 500);
   const masses = Float64Array.of(...new Array(100).fill(0.01), 1, 1);
@@ -88,7 +88,7 @@ function ballsAndCloth(): RunOptions {
   return order(makeSystem({ masses, pinned, c: 20, forces }), places, v, 'leapfrog', 2e-4);
 }
 
-/** A cloth that falls into air between a turned box and a slanted plane. */
+/** A cloth falling through air between a rotated box and a slanted plane. */
 function clothOnObstacles(): RunOptions {
   const { x, net } = cloth(10, [0, 0.03, 0], 500);
   const masses = new Float64Array(100).fill(0.01);
@@ -104,7 +104,7 @@ function clothOnObstacles(): RunOptions {
   return order(makeSystem({ masses, c: 15, drag: 0.5, forces }), x, still(x), 'leapfrog', 2e-4);
 }
 
-/** Two sheets that fly through each other's reach; `speed`: of each. */
+/** Two sheets that pass within contact distance; `speed`: of each. */
 function sheetsThatTouch(speed: number): RunOptions {
   const [a, b] = [cloth(8, [0, 0, 0], 200), cloth(8, [0.05, 0.1, 0.03], 200)];
   const ends = [...a.net.ends, ...a.net.ends.map((end) => end + 64)];
@@ -121,7 +121,7 @@ function sheetsThatTouch(speed: number): RunOptions {
   return order(makeSystem({ masses, c: 30, forces }), x, v, 'leapfrog', 1e-4);
 }
 
-/** A swarm of charges in a magnetic field [T] and an electric one. */
+/** Charges in a magnetic field [T] and an electric one. */
 function swarm(magneticField: Vec3): RunOptions {
   const next = random(7);
   const x = Array.from({ length: 240 }, () => next() - 0.5);
@@ -145,7 +145,7 @@ const CASES: readonly (readonly [string, () => RunOptions])[] = [
 ];
 
 describe.each(CASES)('%s', (_, of) => {
-  it('moves as in 64 bits, and its energy is off by no more than four millionths of the kinetic energy', async () => {
+  it('moves as in 64 bits, with an energy error of at most four millionths of the kinetic energy', async () => {
     const [found, truth] = [await onGpu(of()), recordRun(of())];
     expect(found.stop).toBeUndefined();
     expect(found.frames).toHaveLength(FRAMES + 1);
@@ -157,13 +157,13 @@ describe.each(CASES)('%s', (_, of) => {
       expect(off, `frame ${k}`).toBeLessThan(5e-6);
       expect(Math.abs(quantities.total - books.total) / scale, `frame ${k}`).toBeLessThan(4e-6);
     });
-    // Something happened to all of it.
+    // Every part has moved.
     const [first, last] = [truth.frames[0].state.x, truth.frames.at(-1)!.state.x];
     expect(Math.max(...last.map((value, j) => Math.abs(value - first[j])))).toBeGreaterThan(0.02);
   });
 });
 
-it('a constant force makes a hyperbola, up to γ = 50', async () => {
+it('a constant force gives hyperbolic motion, up to γ = 50', async () => {
   const masses = Float64Array.of(2, 2);
   const [force, c] = [30, 1];
   const system = makeSystem({ masses, c, forces: [uniformField(Float64Array.of(1, 1), [force, 0, 0])] });
@@ -181,7 +181,7 @@ it('a constant force makes a hyperbola, up to γ = 50', async () => {
   expect(frames.at(-1)!.quantities.kinetic / (2 * masses[0] * c * c)).toBeGreaterThan(48);
 });
 
-it('the same comes again to the bit, also where a run goes on from a frame', async () => {
+it('is deterministic to the bit, also when resumed from a frame', async () => {
   const whole = await onGpu(sheetsThatTouch(3));
   expect((await onGpu(sheetsThatTouch(3))).frames).toEqual(whole.frames);
   const from = whole.frames[2];
@@ -192,7 +192,7 @@ it('the same comes again to the bit, also where a run goes on from a frame', asy
   });
 });
 
-describe('a run that goes wrong', () => {
+describe('a failing run', () => {
   const shot = (forces: System['forces'], more: Partial<System> = {}): RunOptions => {
     const masses = Float64Array.of(1, 1);
     const system = makeSystem({ masses, c: 100, forces, ...more });
@@ -211,11 +211,11 @@ describe('a run that goes wrong', () => {
     expect(frames.length).toBeLessThan(FRAMES);
   });
 
-  it('ends where steps are too long', async () => {
+  it('ends if steps are too long', async () => {
     expect((await onGpu(hanging('leapfrog', 0.01))).stop?.reason).toMatch(/unstable|infinite/);
   });
 
-  it('ends where the GPU is lost, with what was computed', async () => {
+  it('ends if the GPU is lost, with the frames computed so far', async () => {
     const mine = await openDevice();
     const running = runOnGpu(mine.device, hanging('leapfrog'));
     await running.next();
@@ -225,7 +225,7 @@ describe('a run that goes wrong', () => {
     mine.release();
   });
 
-  it('refuses what a GPU does not compute, and what it has no room for', async () => {
+  it('rejects what a GPU cannot compute, and systems that are too large', async () => {
     const refused = async (of: RunOptions, device = gpu.device) => {
       await expect(runOnGpu(device, of).next()).rejects.toThrow(SystemError);
       return runOnGpu(device, of)

@@ -15,12 +15,12 @@ import { BEHIND, DEPTH_SCENES, DISTANCES, FLOOR, HEIGHT } from './depthScenes.ts
 const SIZE = 96;
 const SETTINGS = { ...DEFAULT_SETTINGS, speedOfLight: 1 };
 const FOV = 1;
-/** [rad] in the middle. */
+/** Angle of a pixel in the middle of the picture [rad]. */
 const PIXEL = (2 * Math.tan(FOV / 2)) / SIZE;
 
 type Paint = (name: string, view: ViewPoint) => Promise<Data>;
 
-/** At the origin, along −Z, at the speed β forward. */
+/** At the origin, looking along −Z, moving forward at β. */
 const ahead = (beta: number): ViewPoint => ({
   t: 0,
   position: ZERO,
@@ -31,11 +31,11 @@ const ahead = (beta: number): ViewPoint => ({
 const direction = (x: number, y: number): Vec3 =>
   normalize([(x + 0.5 - SIZE / 2) * PIXEL, (SIZE / 2 - y - 0.5) * PIXEL, -1]);
 const vector = (of: ArrayLike<number>, i: number): Vec3 => [of[3 * i], of[3 * i + 1], of[3 * i + 2]];
-/** Between two directions [rad]. */
+/** Angle between two directions [rad]. */
 const angle = (a: Vec3, b: Vec3): number => Math.atan2(length(cross(a, b)), dot(a, b));
 const middle = (SIZE / 2) * SIZE + SIZE / 2;
 
-/** Where a ray of the observer's meets the floor, and how far inside its outline that is, against its distance. */
+/** Where the observer's ray meets the floor, and the distance from its outline relative to the distance of the point. */
 function onFloor(nPrime: Vec3, u: Vec3): { readonly place: Vec3; readonly inside: number } | undefined {
   const n = unaberrate(nPrime, u);
   if (n[1] >= 0) return undefined;
@@ -48,25 +48,25 @@ function onFloor(nPrime: Vec3, u: Vec3): { readonly place: Vec3; readonly inside
 }
 
 function checks(paint: Paint): void {
-  it('2 mm in front of the eye a speck is drawn, 2 mm behind it is not', async () => {
+  it('a speck is drawn 2 mm in front of the observer, but not 2 mm behind', async () => {
     expect((await paint('speck in front', ahead(0))).object[middle]).toBe(1);
     expect(Math.max(...Array.from((await paint('speck behind', ahead(0))).object))).toBe(0);
   });
 
-  it('the speck hides a wall 10⁹ times as far away, which is seen around it', async () => {
+  it('the speck hides a wall 10⁹ times as far away, which is visible around it', async () => {
     const { object, depth } = await paint('speck before a wall', ahead(0));
     expect([object[middle], object[0]]).toEqual([1, 2]);
     expect(depth[middle]).toBeCloseTo(2e-3, 5);
-    // The wall's corners are hundreds of pixels outside the picture, and SwiftShader has them to 1/16 pixel.
+    // The wall's corners are hundreds of pixels outside the picture, where SwiftShader rounds to 1/16 pixel.
     expect((-depth[0] * direction(0, 0)[2]) / 1e6).toBeCloseTo(1, 3);
   });
 
-  it.each(DISTANCES)('the nearer of two sheets is seen in every pixel, at %d m', async (distance) => {
+  it.each(DISTANCES)('the nearer of two sheets is visible in every pixel, at %d m', async (distance) => {
     const { object } = await paint(`sheets at ${distance} m`, ahead(0));
     expect(Array.from(object).filter((id) => id !== 1).length).toBe(0);
   });
 
-  it.each([0, 0.5, 0.9, 0.99])('a triangle through the plane of the camera is whole, at %d c', async (beta) => {
+  it.each([0, 0.5, 0.9, 0.99])('a triangle through the camera plane is complete, at %d c', async (beta) => {
     const view = ahead(beta);
     const { object, position } = await paint('floor', view);
     const wrong: string[] = [];
@@ -75,7 +75,7 @@ function checks(paint: Paint): void {
       for (let x = 0; x < SIZE; x++) {
         const i = y * SIZE + x;
         const should = onFloor(direction(x, y), view.u);
-        // At its outline a pixel may be either.
+        // On its outline a pixel may show either.
         if (should && Math.abs(should.inside) < 0.02 * (1 + Math.abs(view.u[2]))) continue;
         const id = should && should.inside > 0 ? 1 : 0;
         if (object[i] !== id) wrong.push(`${x} ${y}: object ${object[i]}`);
@@ -88,7 +88,7 @@ function checks(paint: Paint): void {
     expect(compared).toBeGreaterThan(SIZE * SIZE * 0.1);
   });
 
-  it('at 0.99 c what is behind comes into view, where aberration says', async () => {
+  it('at 0.99 c objects behind come into view, at their aberrated directions', async () => {
     expect(Math.max(...Array.from((await paint('behind', ahead(0))).object))).toBe(0);
     const { object, depth } = await paint('behind', ahead(0.99));
     const ball = Array.from(object).flatMap((id, i) => (id === 1 ? [i] : []));

@@ -30,7 +30,7 @@ window.renderDepth = async (name, view, settings, size, clipControl) => {
   return Object.fromEntries(plain) as Data;
 };
 
-/** Without it as on a device that has no EXT_clip_control. */
+/** Hides EXT_clip_control, as on devices without it. */
 async function open(clipControl: boolean): Promise<SceneRenderer> {
   const contexts = WebGL2RenderingContext.prototype;
   const { getExtension, getSupportedExtensions } = contexts;

@@ -5,7 +5,7 @@ import { makeMesh } from '../../../src/scene/mesh/makeMesh.ts';
 import { box, plane, sphere } from '../../../src/scene/mesh/primitives.ts';
 import type { Scene } from '../../../src/scene/types.ts';
 
-/** How much farther the farther of two sheets is; and the distances at which they are looked at [m]. */
+/** Relative distance of the two sheets, and the viewing distances [m]. */
 const GAP = 3e-5;
 export const DISTANCES = [0.01, 1, 100, 1e4, 1e6] as const;
 
@@ -16,7 +16,7 @@ const speck = (name: string, distance: number): Scene =>
     objects: [makeObject({ path: '/speck', mesh: box([5e-4, 5e-4, 5e-4]), motion: restingAt([0, 0, -distance]) })],
   });
 
-/** Two parallel sheets that fill the picture, slanted; the nearer one is first, so that a draw in doubt shows the other. */
+/** Two parallel slanted sheets that fill the picture; the nearer one is drawn first, so that equal depths show the other. */
 function sheets(distance: number): Scene {
   const orientation = fromAxisAngle([1, 0, 0], 0.5);
   const sheet = (path: string, away: number) =>
@@ -31,11 +31,11 @@ function sheets(distance: number): Scene {
   });
 }
 
-/** The observer's height over the floor [m]. */
+/** The observer's height above the floor [m]. */
 export const HEIGHT = 1.5;
 /**
- * Corners of the floor [m, along X and Z]: one triangle, of which two corners are in front of the camera and one is behind. Not far away:
- * SwiftShader rounds them to 1/16 pixel, and what is a tenth of a pixel under the horizon would turn the whole plane by it.
+ * Corners of the floor [m, along X and Z]: one triangle with two corners in front of the camera and one behind. Not far away, because
+ * SwiftShader rounds them to 1/16 pixel, which would tilt a plane whose corners are a tenth of a pixel below the horizon.
  */
 export const FLOOR = [
   [-40, -15],
@@ -49,7 +49,7 @@ const floor = makeMesh({
   faceIndices: [0, 1, 2],
 }).mesh;
 
-/** Behind an observer at the origin who looks along −Z, 120° off. */
+/** Behind an observer at the origin looking along −Z, at 120° from the view direction. */
 export const BEHIND: Vec3 = [10 * Math.sin((2 * Math.PI) / 3), 0, 5];
 
 export const DEPTH_SCENES: readonly Scene[] = [

@@ -11,7 +11,7 @@ import { type ModulePage, openModulePage } from '../support/modulePage.ts';
 import { type HeadlessPictures, openPictures } from '../support/openPictures.ts';
 import { NORMAL_SCENES, type NormalScene, renderNormals, SIZE } from './normalMapsScenes.ts';
 
-/** Angles between normals of the rasterizer and of the reference [rad], where both see something, the least first. */
+/** Sorted angles between normals of the rasterizer and of the reference [rad], where both hit a surface. */
 function angles({ scene, view, settings }: NormalScene, normals: ArrayLike<number>): number[] {
   const traced = createTracedScene(scene, settings.speedOfLight);
   const found: number[] = [];
@@ -27,7 +27,7 @@ function angles({ scene, view, settings }: NormalScene, normals: ArrayLike<numbe
   return found.sort((a, b) => a - b);
 }
 
-/** Of 98 %: for there are seams, and places so far away or slanted that mipmaps show. */
+/** For 98 % of the pixels, because of seams, and distant or slanted surfaces where mipmaps matter. */
 const MOST = 0.025;
 
 function expectSame(scene: NormalScene, normals: ArrayLike<number>): void {
@@ -39,7 +39,7 @@ function expectSame(scene: NormalScene, normals: ArrayLike<number>): void {
   expect(most).toBeLessThan(MOST);
 }
 
-describe('normals by texels, as the reference has them, on WebGPU', () => {
+describe('normal maps agree with the reference, on WebGPU', () => {
   let headless: HeadlessPictures;
   beforeAll(async () => {
     headless = await openPictures(SIZE, SIZE);

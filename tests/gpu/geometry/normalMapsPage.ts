@@ -3,7 +3,7 @@ import { NORMAL_SCENES, renderNormals } from './normalMapsScenes.ts';
 
 declare global {
   interface Window {
-    /** The normals of one of the scenes on WebGL2. */
+    /** Renders the normals of one of the scenes on WebGL2. */
     takeNormals: (name: string) => Promise<number[]>;
   }
 }

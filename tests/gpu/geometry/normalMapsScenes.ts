@@ -11,17 +11,17 @@ import { DEFAULT_SETTINGS, type RenderSettings, type ViewPoint } from '../../../
 export const SIZE = 96;
 const C = 10;
 
-/** Something that wears a picture of normals, looked at down −Z. */
+/** An object with a normal map, viewed along −Z. */
 export interface NormalScene {
   readonly name: string;
   readonly scene: Scene;
   readonly view: ViewPoint;
   readonly settings: RenderSettings;
-  /** Half of all normals are nearer to the reference's than this [rad]. */
+  /** Bound on the median angle to the reference's normals [rad]. */
   readonly tolerance: number;
 }
 
-/** Waves, not the same along u and v, as steep as 35°; 64 texels a wave, which are wider than pixels, so that filters have nothing to blur. */
+/** Waves, different along u and v, up to 35° steep; with 64 texels per wave, wider than pixels, so that filtering does not blur. */
 const WAVES: Texture = {
   name: 'waves',
   width: 64,
@@ -56,7 +56,7 @@ function normalScene(
 }
 
 const TILT: Quat = fromAxisAngle([1, 1, 0.2], 0.7);
-/** Seen 6 m ahead: light took as long as it needs from there. */
+/** Seen 6 m ahead, after the light travel time. */
 const uniform = (velocity: Vec3): Motion => ({
   kind: 'uniform',
   pose: { position: addScaled([0, 0, -6], velocity, 6 / C), orientation: TILT },
@@ -64,12 +64,12 @@ const uniform = (velocity: Vec3): Motion => ({
 });
 const wide = plane(40, 40);
 const wall: Mesh = { ...wide, uvs: wide.uvs.map((x) => 4 * x) };
-/** Few, for what is seen from far away and slantwise, where mipmaps would show; aslant of the ways in which things go. */
+/** Few waves, for distant and slanted surfaces, where mipmaps would matter; oblique to the motions. */
 const fewWaves: Mesh = {
   ...wide,
   uvs: wide.uvs.map((x, i) => 0.5 * (i % 2 === 0 ? x + wide.uvs[i + 1] : x - wide.uvs[i - 1])),
 };
-/** u falls where it rose. */
+/** With u reversed. */
 const mirrored: Mesh = { ...wall, uvs: wall.uvs.map((x, i) => (i % 2 === 0 ? -x : x)) };
 
 const turning: Motion = {
@@ -113,7 +113,7 @@ export const NORMAL_SCENES: readonly NormalScene[] = [
   normalScene('a cloth', waving()),
 ];
 
-/** The normals of a picture, 3 numbers a pixel. */
+/** The normals of a picture, 3 numbers per pixel. */
 export async function renderNormals(
   renderer: RasterRenderer,
   { scene, view, settings }: NormalScene,

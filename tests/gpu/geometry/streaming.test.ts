@@ -4,14 +4,14 @@ import { type ModulePage, openModulePage } from '../support/modulePage.ts';
 import { openPictures } from '../support/openPictures.ts';
 import { FEW_TEXELS, renderStreamingViews, type SampleStorage, SIZE, STREAMING_VIEWS } from './streamingScenes.ts';
 
-/** Every float of every picture of a long deforming mesh is the same, wherever its samples are. */
+/** Every float of every picture of a long deforming mesh is the same, wherever its samples are stored. */
 function checks(paint: (form: SampleStorage) => Promise<number[][]>): void {
   let whole: number[][];
   beforeAll(async () => {
     whole = await paint('whole');
   }, 120_000);
 
-  it('there is something to see, and it changes', () => {
+  it('the object is visible and changes', () => {
     expect(whole).toHaveLength(STREAMING_VIEWS.length);
     expect(new Set(whole.map((picture) => picture.join())).size).toBe(STREAMING_VIEWS.length);
   });
@@ -51,8 +51,8 @@ describe('samples that stream: WebGL2 (Chromium)', () => {
     return seen;
   });
 
-  it('read by a worker: pictures wait for their samples', async () => {
-    // Plans are another worker's: edges stay as they are in both.
+  it('with samples read by a worker pictures wait for them', async () => {
+    // Tessellation is planned by another worker, so it is fixed in both.
     const paint = (form: SampleStorage) => chromium.page.evaluate((name) => window.paintStreamed(name, Infinity), form);
     expectSame(await paint('worker'), await paint('whole'));
     chromium.assertHealthy();

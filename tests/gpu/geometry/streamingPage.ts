@@ -4,7 +4,7 @@ import { FEW_TEXELS, renderStreamingViews, type SampleStorage } from './streamin
 
 declare global {
   interface Window {
-    /** `tolerance` [px]: of the edges that are drawn. */
+    /** `tolerance` [px]: of the tessellation. */
     paintStreamed: (form: SampleStorage, tolerance?: number) => Promise<number[][]>;
   }
 }

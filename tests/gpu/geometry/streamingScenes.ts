@@ -11,13 +11,13 @@ import { DEFAULT_SETTINGS, type ViewPoint } from '../../../src/scene/view/view.t
 import { leftInFile } from '../../support/streamed.ts';
 
 export const SIZE = 72;
-/** Texels for samples: room for 40 of the 150, and a picture needs up to 33. */
+/** Texels for samples: for 40 of the 150; a picture needs up to 33. */
 export const FEW_TEXELS = 40 * 4096;
 
-/** In which form the samples are: all on the GPU, few of them, few of them that are left in a file, those read by a worker. */
+/** Where the samples are: all on the GPU, a few of them, a few streamed from a file, streamed by a worker. */
 export type SampleStorage = 'whole' | 'ring' | 'file' | 'worker';
 
-/** Forward, backward, and jumps over more than the ring holds, at rest and at 0.9 c by turns. */
+/** Forward, backward, and jumps larger than the ring, alternately at rest and at 0.9 c. */
 export const STREAMING_VIEWS = [2, 2.1, 2.4, 9, 9.1, 8.7, 8.3, 14.9, 0, 3].map((t, i) => ({
   t: t + 5,
   beta: (i % 2 ? [0.3, 0, -0.85] : [0, 0, 0]) as Vec3,
@@ -53,7 +53,7 @@ export const viewOf = ({ t, beta }: (typeof STREAMING_VIEWS)[number]): ViewPoint
 
 const SETTINGS = { ...DEFAULT_SETTINGS, speedOfLight: 1 };
 
-/** Position, emission time and picture of each look, one after the other. */
+/** Position, emission time and picture of each view, concatenated. */
 export async function renderStreamingViews(renderer: SceneRenderer, form: SampleStorage): Promise<number[][]> {
   renderer.setSize(SIZE, SIZE);
   await renderer.setScene(sceneIn(form));

@@ -29,7 +29,7 @@ const checks = (wrapS: TextureWrap, wrapT: TextureWrap): Texture => ({
   wrapT,
 });
 
-/** The plane fills the picture, its uvs from −1 to 2. */
+/** A plane that fills the picture, with uvs from −1 to 2. */
 async function drawn(texture: Texture): Promise<Float32Array> {
   const mesh = plane(2, 2);
   const wide = { ...mesh, uvs: mesh.uvs.map((x) => 3 * x - 1) };

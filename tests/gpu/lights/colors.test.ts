@@ -27,7 +27,7 @@ beforeAll(async () => {
 afterAll(() => headless?.close());
 
 const SETTINGS: RenderSettings = { ...DEFAULT_SETTINGS, speedOfLight: 1 };
-/** Straight down to six tiles of different colours, which glow a little. */
+/** Straight down on six tiles of different colours, slightly emissive. */
 const VIEW: ViewPoint = { t: 0, position: [0, 0, 3], u: ZERO, orientation: IDENTITY, lens: perspective(1.2) };
 const COLORS: readonly Vec3[] = [
   [0.9, 0.9, 0.9],
@@ -74,7 +74,7 @@ const sun = (color: Vec3, spectrum?: LightSpectrum): DistantLight => ({
 });
 
 interface Case {
-  /** Of the observer and of the tiles [c]. */
+  /** Velocities of the observer and of the tiles [c]. */
   readonly beta?: Vec3;
   readonly velocity?: Vec3;
   readonly material?: Partial<Material>;
@@ -101,19 +101,19 @@ describe('the rasterizer shows the colours of the spectral reference', () => {
     expect(most).toBeLessThan(0.015);
   });
 
-  it.each([3000, 12_000])('by a lamp of %f K, at 0.3 c', async (temperature) => {
+  it.each([3000, 12_000])('by a light of %f K, at 0.3 c', async (temperature) => {
     const spectrum = { kind: 'thermal', temperature } as const;
     const light = lamp([0.5, 0.3, 1.5], { color: scale(colorOfSpectrum(spectrum), 5), spectrum });
     const { mean, max: most } = await compared([light], { beta: [0, 0, 0.3] });
     expect(mean).toBeLessThan(0.003);
     expect(most).toBeLessThan(0.015);
-    // Behind a filter that makes it white again.
+    // With a filter that makes it white.
     const white = await compared([{ ...light, color: [5, 5, 5] }], { beta: [0, 0, 0.3] });
     expect(white.mean).toBeLessThan(0.004);
     expect(white.max).toBeLessThan(0.02);
   });
 
-  it.each(['sodium', 'mercury', 'led'])('by a lamp of %s that flies past tiles that fly', async (name) => {
+  it.each(['sodium', 'mercury', 'led'])('by a moving light of %s on moving tiles', async (name) => {
     const spectrum = LIGHT_PRESETS.get(name)!.spectrum;
     const pose = { position: [-0.4, 0.3, 1.5], orientation: IDENTITY } as const;
     const motion = { kind: 'uniform', pose, velocity: [0.3, 0, 0] } as const;
@@ -127,7 +127,7 @@ describe('the rasterizer shows the colours of the spectral reference', () => {
     expect(most).toBeLessThan(0.1);
   });
 
-  it('of tiles that fly, in white daylight exactly', async () => {
+  it('on moving tiles, exactly in white daylight', async () => {
     const { mean, max: most } = await compared([sun([3, 3, 3])], { velocity: [0.3, 0.2, 0.2], beta: [0.1, 0, 0] });
     expect(mean).toBeLessThan(0.003);
     expect(most).toBeLessThan(0.015);
@@ -147,7 +147,7 @@ describe('the rasterizer shows the colours of the spectral reference', () => {
     expect(most).toBeLessThan(0.02);
   });
 
-  it('of what tells of its own ultraviolet and infrared', async () => {
+  it('of materials with ultraviolet and infrared coefficients', async () => {
     for (const z of [-0.4, 0.4]) {
       const { mean, max: most } = await compared([sun([3, 3, 3])], {
         beta: [0, 0, z],
@@ -158,7 +158,7 @@ describe('the rasterizer shows the colours of the spectral reference', () => {
     }
   });
 
-  it('of what glows by its temperature', async () => {
+  it('of emissive materials with a temperature', async () => {
     const material = { emissive: [1, 1, 1] as const, emissionTemperature: 2500 };
     const { mean, max: most } = await compared([sun([1, 1, 1])], { beta: [0, 0, -0.3], material });
     expect(mean).toBeLessThan(0.006);
@@ -174,7 +174,7 @@ describe('the rasterizer shows the colours of the spectral reference', () => {
     expect(most).toBeLessThan(0.02);
   });
 
-  it('of a blue sky whose light is said to be daylight, which no air scattered', async () => {
+  it('of a blue sky with the explicit spectrum daylight, without scattering', async () => {
     const view = { ...VIEW, u: properVelocity([0.2, 0, 0.3]) };
     const blue = { ...dome([0.2, 0.4, 1]), spectrum: DAYLIGHT };
     const { mean, max: most } = await compareWithReference(headless, lit([], [blue]), view, SETTINGS, 16);
@@ -204,7 +204,7 @@ describe('the rasterizer shows the colours of the spectral reference', () => {
     const drawn = await headless.renderer.readAov('beauty');
     const dopplers = await headless.renderer.readAov('doppler');
     const { scattered, reddened, rest } = skyParts(color);
-    // Of the tiles above and below the middle.
+    // The tiles above and below the middle.
     for (const [row, albedo] of [
       [SIZE / 2 - 5, COLORS[4]],
       [SIZE / 2 + 4, COLORS[1]],
@@ -222,7 +222,7 @@ describe('the rasterizer shows the colours of the spectral reference', () => {
     }
   });
 
-  it('with shares of the shift', async () => {
+  it('with partial Doppler shifts', async () => {
     const { mean, max: most } = await compared([sun([3, 3, 3])], {
       beta: [0, 0, -0.5],
       velocity: [0, 0.4, 0],
@@ -232,7 +232,7 @@ describe('the rasterizer shows the colours of the spectral reference', () => {
     expect(most).toBeLessThan(0.02);
   });
 
-  it('and the tint of the reference where colours are approximate', async () => {
+  it('and the reference’s tint in approximate colours', async () => {
     const { mean, max: most } = await compared([sun([3, 2, 1])], {
       beta: [0, 0, -0.3],
       velocity: [0, 0.4, 0],

@@ -29,10 +29,10 @@ const VIEW: ViewPoint = { t: 0, position: [0, 0, 3], u: ZERO, orientation: IDENT
 const [W, H] = [256, 128];
 const BRIGHT = normalize([0.8, 0.6, 0.5]);
 
-/** The dome's axes are not the world's. */
+/** The dome is rotated against the world. */
 const TURN = fromAxisAngle(normalize([0.3, 1, -0.4]), 2.1);
 
-/** Dim above, dimmer below, and something 40 times as bright, ten degrees wide, to the upper right. */
+/** Dim above, dimmer below, and a spot 40 times as bright, ten degrees wide, to the upper right. */
 const DOME: DomeLight = {
   kind: 'dome',
   path: '/dome',
@@ -55,7 +55,7 @@ const DOME: DomeLight = {
   },
 };
 
-/** How far the rasterizer's ball is from the reference's, over its brightest pixel: in the mean. */
+/** Mean difference of the rasterizer's ball from the reference's, relative to its brightest pixel. */
 async function difference(material: Material, motion?: Motion, view = VIEW, sky = DOME): Promise<number> {
   const { scene } = lit([{ mesh: sphere(1, { segments: 96 }), material, ...(motion && { motion }) }], [sky]);
   await headless.renderer.setScene(scene);
@@ -87,8 +87,8 @@ it.each([
   expect(await difference(material)).toBeLessThan(bound);
 });
 
-/** All of a dome's light on a matt surface is taken to come along its normal, and to be shifted as there. */
-it('a ball that flies meets its light aberrated and shifted, nearly', async () => {
+/** The rasterizer treats a dome's light on a matt surface as coming along its normal, with the shift there. */
+it('on a moving ball light is aberrated and shifted, approximately', async () => {
   const motion: Motion = {
     kind: 'uniform',
     pose: { position: [1.2, 0, 0], orientation: IDENTITY },
@@ -97,7 +97,7 @@ it('a ball that flies meets its light aberrated and shifted, nearly', async () =
   expect(await difference(lambert(0.8), motion)).toBeLessThan(0.22);
 });
 
-/** The pixels of a ball that are farthest from the sky behind them, over that. */
+/** The greatest differences of a ball's pixels from the sky behind, relative to the sky. */
 async function standsOut(material: Material, u: Vec3): Promise<number> {
   const sky: Vec3 = [0.5, 0.75, 0.25];
   await headless.renderer.setScene(lit([{ mesh: sphere(1, { segments: 24 }), material }], [dome(sky)]).scene);
@@ -109,7 +109,7 @@ async function standsOut(material: Material, u: Vec3): Promise<number> {
 
 it.each([
   ['matt', lambert(1), 2e-3],
-  // What a mirror has of a sky in all is a fitted curve (brdf.ts).
+  // The total reflectance of a mirror under a sky is a fitted curve (brdf.ts).
   ['a mirror', mirror(), 0.035],
 ] as const)('what reflects everything under a plain dome vanishes into it: %s', async (_, material, bound) => {
   expect(await standsOut(material, ZERO)).toBeLessThan(bound);
@@ -121,11 +121,11 @@ const EVENING: DomeLight = {
   gradient: { horizon: [1.2, 0.7, 0.4], ground: [0.2, 0.15, 0.1] },
 };
 
-it('a matt ball under a sky with a horizon is lit as the reference has it', async () => {
+it('a matt ball under a sky with a horizon is lit as in the reference', async () => {
   expect(await difference(lambert(0.8), undefined, VIEW, EVENING)).toBeLessThan(0.01);
 });
 
-it('the sky is the picture as it is turned', async () => {
+it('the sky shows the dome’s texture, rotated', async () => {
   await headless.renderer.setScene(lit([], [DOME]).scene);
   pumpFrame();
   const wide = { ...VIEW, lens: perspective(2) };
@@ -143,6 +143,6 @@ it('the sky is the picture as it is turned', async () => {
   }
 });
 
-it('one who flies sees the ball alike', async () => {
+it('a moving observer sees the ball as in the reference', async () => {
   expect(await difference(lambert(0.8), undefined, { ...VIEW, u: properVelocity([0, 0, -0.5]) })).toBeLessThan(0.03);
 });

@@ -18,7 +18,7 @@ import { DIRECT, dome, lamp, lit, picture } from '../../support/lightKit.ts';
 import { type HeadlessPictures, openPictures } from '../support/openPictures.ts';
 
 const SIZE = 9;
-/** Of the reference, for directions of light, and wavelengths. */
+/** The reference's samples, for directions and wavelengths. */
 const SAMPLES = 2000;
 let headless: HeadlessPictures;
 beforeAll(async () => {
@@ -28,7 +28,7 @@ afterAll(() => headless?.close());
 
 const SETTINGS: RenderSettings = { ...DEFAULT_SETTINGS, speedOfLight: 1 };
 
-/** The middle pixel of a picture of a wall under an even dome, by the rasterizer and by the reference. */
+/** The middle pixel of a wall under a uniform dome, by the rasterizer and by the reference. */
 async function colors(
   material: Partial<Material>,
   sky: Vec3,
@@ -62,7 +62,7 @@ async function colors(
   return [[drawn[at], drawn[at + 1], drawn[at + 2]], expected];
 }
 
-it.each([-0.6, 0, 0.6])('what glows at 1,800 K is seen as a blackbody of another temperature at %s c', async (beta) => {
+it.each([-0.6, 0, 0.6])('an emitter of 1,800 K looks like a blackbody of another temperature at %s c', async (beta) => {
   const [drawn, expected] = await colors(
     { baseColor: ZERO, emissive: [2, 2, 2], emissionTemperature: 1800 },
     ZERO,
@@ -74,14 +74,14 @@ it.each([-0.6, 0, 0.6])('what glows at 1,800 K is seen as a blackbody of another
   if (beta === 0) expect(drawn[2]).toBeLessThan(0.2 * drawn[0]);
 });
 
-it.each([-0.2, 0, 0.6])('with approximate colours it has the colour of 1,800 K, tinted, at %s c', async (beta) => {
+it.each([-0.2, 0, 0.6])('in approximate colours it has the colour of 1,800 K, tinted, at %s c', async (beta) => {
   const glow = { baseColor: ZERO, emissive: [2, 2, 2], emissionTemperature: 1800 } as const;
   const [drawn, expected] = await colors(glow, ZERO, beta, { ...SETTINGS, colors: 'approximate' });
   const most = Math.max(...expected);
   for (const k of [0, 1, 2]) expect(Math.abs(drawn[k] - expected[k]) / most).toBeLessThan(0.01);
   const ofT = scale(blackbodyColor(1800), 2);
   const D = Math.sqrt((1 + beta) / (1 - beta));
-  // The wall is met head on, so the shift is that of the observer alone.
+  // The wall is seen head-on, so the shift is only the observer's.
   dopplerTint(ofT, D, 1).forEach((value, k) => {
     expect(Math.abs(value * D ** 4 - drawn[k]) / most).toBeLessThan(0.06);
   });
@@ -102,7 +102,7 @@ it.each([
   expect(most).toBeGreaterThan(1.5 * Math.max(...dim));
 });
 
-/** A channel that is 0.6 all over. */
+/** A texture channel that is constantly 0.6. */
 const told: TextureChannel = { texture: picture([[0, 153, 0]]), channel: 1, scale: 1, bias: 0 };
 
 it.each([
@@ -119,7 +119,7 @@ it.each([
   }
 });
 
-it('occlusion dims the light of the sky in both renderers, and not that of a lamp', async () => {
+it('occlusion maps dim sky light in both renderers, but not local lights', async () => {
   const wall = { baseColor: [0.8, 0.8, 0.8] } as const;
   const shelter = { occlusionTexture: { ...told, scale: 0.5, bias: 0.1 } };
   const [open, sheltered] = [await colors(wall, [1, 1, 1], 0), await colors({ ...wall, ...shelter }, [1, 1, 1], 0)];

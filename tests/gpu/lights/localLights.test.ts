@@ -20,11 +20,11 @@ beforeAll(async () => {
 });
 afterAll(() => headless?.close());
 
-/** From 3 m above the floor, straight down; a resting scene in the view of one moment is lit at once. */
+/** From 3 m above the floor, straight down; in the simultaneity view a scene at rest is lit at once. */
 const VIEW: ViewPoint = { t: 0, position: [0, 0, 3], u: ZERO, orientation: IDENTITY, lens: perspective(1.4) };
 const SETTINGS: RenderSettings = { ...GREY, grid: false };
 
-/** The rasterizer knows no refractive index: all that is no metal mirrors as glass does. */
+/** The rasterizer ignores refractive indices: all dielectrics reflect like ior 1.5. */
 const MATT = { ...lambert(0.8), ior: 1.5, roughness: 1 };
 
 interface Case {
@@ -35,7 +35,7 @@ interface Case {
   readonly samples?: number;
 }
 
-/** How far the rasterizer's light on a floor is from the reference's. */
+/** Difference of the rasterizer's light on a floor from the reference's. */
 const onFloor = (
   light: LocalLight,
   { material = MATT, motion, view = VIEW, settings = SETTINGS, samples = 256 }: Case = {},
@@ -65,11 +65,11 @@ const LAMPS: readonly (readonly [string, LocalLight])[] = [
   ['a line', area('cylinder', [0, 0, 0], { radius: 0, length: 2, ...tilted(0, 0.9, 0.1) })],
 ];
 
-describe('the rasterizer lights as the reference does', () => {
-  it.each(LAMPS)('what is matt, with %s', async (_, light) => {
+describe('the rasterizer’s lighting agrees with the reference', () => {
+  it.each(LAMPS)('on matt surfaces, with %s', async (_, light) => {
     const { mean, max: most } = await onFloor(light);
     expect(mean).toBeLessThan(0.004);
-    // The arcs at a tube's ends are polygons.
+    // The arcs at a cylinder's ends are polygons.
     expect(most).toBeLessThan(light.kind === 'cylinder' ? 0.04 : 0.015);
   });
 
@@ -83,13 +83,13 @@ describe('the rasterizer lights as the reference does', () => {
     }
   });
 
-  it.each(LAMPS)('what is glossy, roughly, with %s', async (_, light) => {
+  it.each(LAMPS)('on glossy surfaces, approximately, with %s', async (_, light) => {
     const { mean, max: most } = await onFloor(light, { material: { ...MATT, roughness: 0.4 } });
     expect(mean).toBeLessThan(0.02);
     expect(most).toBeLessThan(0.15);
   });
 
-  it('what flies past, seen by one who flies', async () => {
+  it('on a passing surface, for a moving observer', async () => {
     const light = area('rect', [0, 0, 1], { width: 0.3, height: 0.3 });
     const pose = { position: [2.1, 0, 0], orientation: IDENTITY } as const;
     const motion = { kind: 'uniform', pose, velocity: [0.7, 0, 0] } as const;
@@ -99,7 +99,7 @@ describe('the rasterizer lights as the reference does', () => {
     expect(most).toBeLessThan(0.05);
   });
 
-  it('a lamp is dark before its birth', async () => {
+  it('for a light that is dark before its birth', async () => {
     const light = {
       ...area('disk', [0, 0, 1], { radius: 0.5 }),
       lifetime: { ...FOREVER, birth: 1 },
@@ -113,7 +113,7 @@ describe('the rasterizer lights as the reference does', () => {
   });
 });
 
-/** Its own light, its light's way to the floor, and the floor's to the eye all take their time: the light walks. */
+/** Slow light, so that the travel times from light to floor and from floor to observer matter. */
 const LATER: ViewPoint = { ...VIEW, t: 4 };
 
 const pose = { position: [-1.5, 0.2, 0.8], orientation: fromAxisAngle([0, 1, 0], 0.4) } as const;
@@ -123,7 +123,7 @@ const COURSES: readonly (readonly [string, RigidMotion])[] = [
   ['that turns as it goes', turning()],
 ];
 
-/** Along a bow at up to 0.8 c, turning. */
+/** Along an arc at up to 0.8 c, rotating. */
 function turning(): RigidMotion {
   const times = Float64Array.from({ length: 60 }, (_, k) => -4 + 0.15 * k);
   const poses = Array.from(times, (t) => [
@@ -133,14 +133,14 @@ function turning(): RigidMotion {
   return { kind: 'sampled', times, poses: Float64Array.from(poses.flat()) };
 }
 
-describe('a lamp is where it was when it sent out what meets a surface, as in the reference', () => {
+describe('a light is at its emission event for each surface point, as in the reference', () => {
   it.each(COURSES)('a point %s', async (_, motion) => {
     const { mean, max: most } = await onFloor(lamp([0, 0, 0], { motion }), { view: LATER, samples: 1 });
     expect(mean).toBeLessThan(0.002);
     expect(most).toBeLessThan(0.03);
   });
 
-  it.each(COURSES)('a rectangle with a cone %s, past a floor and an observer that fly', async (_, motion) => {
+  it.each(COURSES)('a rectangle with a cone %s, past a moving floor and observer', async (_, motion) => {
     const light = area('rect', [0, 0, 0], {
       width: 0.4,
       height: 0.3,
@@ -158,7 +158,7 @@ describe('a lamp is where it was when it sent out what meets a surface, as in th
     expect(most).toBeLessThan(0.05);
   });
 
-  it('of a lamp that flies with what it shines on nothing is shifted between the two', async () => {
+  it('between a light and a surface that move together there is no shift', async () => {
     const velocity = [0.6, 0, 0] as const;
     const motion = { kind: 'uniform', pose: { position: [-2.4, 0, 1], orientation: IDENTITY }, velocity } as const;
     const floor = { ...motion, pose: { position: [0, 0, 0], orientation: IDENTITY } } as const;
@@ -167,7 +167,7 @@ describe('a lamp is where it was when it sent out what meets a surface, as in th
     expect(most).toBeLessThan(0.03);
   });
 
-  it('in pictures of one moment', async () => {
+  it('in the simultaneity view', async () => {
     const light = lamp([0, 0, 0], { motion: COURSES[0][1] });
     const view = { ...VIEW, t: 2, u: properVelocity([0.3, 0.2, 0]) };
     for (const given of [{ lightDelay: false }, { view: 'simultaneity' }, { view: 'galilean' }] as const) {
@@ -177,7 +177,7 @@ describe('a lamp is where it was when it sent out what meets a surface, as in th
     }
   });
 
-  it('its birth and its death spread over the floor at the speed of light', async () => {
+  it('birth and death spread over the floor at the speed of light', async () => {
     const light = lamp([0.3, 0, 0.5], { lifetime: { birth: -1.2, death: -0.4 } });
     const { mean } = await onFloor(light, { view: { ...VIEW, t: 2.6 }, samples: 1 });
     expect(mean).toBeLessThan(0.01);

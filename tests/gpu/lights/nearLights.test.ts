@@ -22,7 +22,7 @@ const GLOSSY = { ...MATT, roughness: 0.3 };
 /** About 1 m across. */
 const LAMPS = ['rect', 'disk', 'cylinder', 'sphere'] as const;
 
-/** Past the floor at `height` [lamp sizes = m], over its middle when the light that is seen left. */
+/** Past the floor at `height` [light sizes = m], above its centre when the visible light was emitted. */
 function passing(kind: (typeof LAMPS)[number], height: number, beta: number): LocalLight {
   const motion: UniformMotion = {
     kind: 'uniform',
@@ -49,29 +49,29 @@ const compared = (
     samples,
   );
 
-describe('a lamp that passes near by lights as in the reference, though its D varies over it', () => {
+describe('a light passing close by agrees with the reference, although D varies over it', () => {
   const cases = LAMPS.flatMap((kind) => ([0.5, 0.9] as const).map((beta) => [kind, beta] as const));
 
-  it.each(cases)('what is matt: a %s at %f c, its brightness', async (kind, beta) => {
+  it.each(cases)('on matt surfaces: a %s at %f c, brightness', async (kind, beta) => {
     const { mean, max: most } = await compared(passing(kind, 1, beta), MATT, GREY, 128);
     expect(mean).toBeLessThan(0.002);
-    // Of the D of its middle it is 0.3 to 0.8.
+    // Relative to the D of its centre it is 0.3 to 0.8.
     expect(most).toBeLessThan(0.02);
   });
 
-  it.each(LAMPS)('what is matt: a %s, its colour', async (kind) => {
+  it.each(LAMPS)('on matt surfaces: a %s, colour', async (kind) => {
     const { mean, max: most } = await compared(passing(kind, 1, 0.6), MATT, SPECTRAL, 128);
     expect(mean).toBeLessThan(0.002);
     expect(most).toBeLessThan(0.05);
   });
 
-  it.each(LAMPS)('what is glossy, roughly: a %s', async (kind) => {
+  it.each(LAMPS)('on glossy surfaces, approximately: a %s', async (kind) => {
     const { mean, max: most } = await compared(passing(kind, 1, 0.6), GLOSSY, GREY, 128);
     expect(mean).toBeLessThan(0.002);
     expect(most).toBeLessThan(0.04);
   });
 
-  it('a ball that the horizon cuts, at rest and moving', async () => {
+  it('a sphere light cut by the horizon, at rest and moving', async () => {
     // It passes the floor's edge.
     const board = lit([{ mesh: plane(2, 3), material: MATT }], [lamp([1.6, 0, 0.2], { radius: 0.5 })]);
     const flying = lit([{ mesh: plane(2, 3), material: MATT }], [passingAside(0.6)]);

@@ -23,7 +23,7 @@ beforeAll(async () => {
 });
 afterAll(() => headless?.close());
 
-/** Orion behind a dark ball, and half of one that lets light through. */
+/** Orion behind a dark ball, and behind a half-transparent one. */
 const scene: Scene = makeScene({
   name: 'stars',
   objects: [
@@ -45,7 +45,7 @@ describe('the stars', () => {
   it.each([
     { u: 0, fovY: 0.9 },
     { u: 2.06, fovY: 0.9 },
-    // Fast enough to see the cosmic background.
+    // Fast enough for a visible cosmic background.
     { u: 700, fovY: 0.02 },
   ])('are in the rasterizer’s picture as in the reference’s, at γβ = $u', async ({ u, fovY }) => {
     const view: ViewPoint = {
@@ -66,13 +66,13 @@ describe('the stars', () => {
       { ...request, samples: 1, seed: 1, light: DEFAULT_LIGHT },
       tile,
     );
-    // The rasterizer keeps no more in a half float.
+    // The range of the rasterizer's half floats.
     const expected = traced.beauty!.map((value) => Math.min(value, MAX_LIGHT));
     const most = Math.max(...expected);
     const off = expected.map((value, i) => Math.abs(value - drawn[i]) / most);
     const wrong = off.filter((value) => value > 1e-3).length / expected.length;
     expect(expected.filter((value) => value > 0.01 * most).length).toBeGreaterThan(100);
-    // Where a star is at the edge of the ball, triangles decide.
+    // For stars at the edge of the ball the triangulation matters.
     expect(wrong).toBeLessThan(1e-3);
   });
 });

@@ -7,29 +7,29 @@ import { openModulePage } from '../support/modulePage.ts';
 import { openPictures } from '../support/openPictures.ts';
 import { type Figures, figuresOf, SIZE } from './antialiasingFigures.ts';
 
-/** What holds of every flight, and on each backend. */
+/** Checks for every camera path and backend. */
 function checks(figures: () => Figures): void {
-  it('a picture at rest comes to that of 8 × 8 samples, byte by byte, and then is done', () => {
+  it('a still picture converges to that of 8 × 8 samples, to the byte, and is then complete', () => {
     expect(figures().unlike).toBe(0);
     expect(figures().refined).toBe(64);
   });
 
-  it('numbers stay those of the pixels’ centres', () => {
+  it('data stay those of the pixel centres', () => {
     expect(figures().shifted).toBe(0);
   });
 
-  it('without antialiasing there is what the centres show', () => {
+  it('without antialiasing the picture shows the pixel centres', () => {
     expect(figures().unsmooth).toBeLessThanOrEqual(1);
   });
 
-  it('a moving picture is nearer to the truth than with smoothed edges, at its worst too', () => {
+  it('a moving picture is closer to the truth than with edge smoothing, also at its worst', () => {
     const { edges, temporal } = figures();
     expect(temporal.error).toBeLessThan(0.7 * edges.error);
     expect(temporal.worst).toBeLessThan(edges.worst);
   });
 }
 
-describe('antialiasing: WebGPU (Dawn), a turning head over what is finer than pixels', () => {
+describe('antialiasing: WebGPU (Dawn), a turning camera over details finer than pixels', () => {
   let figures: Figures;
   beforeAll(async () => {
     const headless = await openPictures(SIZE.width, SIZE.height);

@@ -6,16 +6,16 @@ import { renderSequence } from '../../support/renderSequence.ts';
 export const SIZE = { width: 96, height: 54 };
 const PICTURES = 3;
 
-/** Of one flight on one backend. */
+/** Measurements of one camera path on one backend. */
 export interface Figures {
   readonly edges: TemporalError;
   readonly temporal: TemporalError;
-  /** Bytes in which a picture that was refined to its end differs from one of 8 × 8 samples; and how many samples that took. */
+  /** Number of bytes in which a completely accumulated picture differs from one of 8 × 8 samples, and the number of samples used. */
   readonly unlike: number;
   readonly refined: number;
-  /** Numbers in which data and light differ from those of a picture of single samples, half refined and after the temporal film. */
+  /** Number of values in which data and light differ from those of a single-sample picture, half accumulated and after the temporal sequence. */
   readonly shifted: number;
-  /** Steps of 8 bits by which a picture without antialiasing is off the light at the pixels' centres. */
+  /** Greatest difference, in 8-bit steps, of a picture without antialiasing from the light at the pixel centres. */
   readonly unsmooth: number;
 }
 

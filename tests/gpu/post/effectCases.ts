@@ -15,7 +15,7 @@ import { readShaderText } from '../../../src/scene/shaderText/shaderText.ts';
 import { perspective } from '../../../src/scene/view/lens.ts';
 import { type AovName, DEFAULT_SETTINGS, type ViewPoint } from '../../../src/scene/view/view.ts';
 
-/** What both twins are asked for. */
+/** The input of both twins. */
 export interface EffectCase {
   readonly name: string;
   readonly of: EffectId | { readonly mode: MixMode } | { readonly text: string };
@@ -36,7 +36,7 @@ const ZENITH = [0, 1, 0] as const;
 
 const DATA = ['object', 'depth', 'normal', 'position', 'emission_time', 'velocity', 'doppler'] as const;
 
-/** Light over six decades, and surfaces that have nothing to do with each other, with holes. */
+/** Light over six decades, and unrelated random surfaces with holes. */
 function noise(): EffectInput {
   const [width, height] = [61, 47];
   const next = random(7);
@@ -56,7 +56,7 @@ function noise(): EffectInput {
   return { image, aovs, view: VIEW, settings: SETTINGS, zenith: ZENITH };
 }
 
-/** A floor, a resting ball and one that flies by, as the reference renderer sees them from a flying observer. */
+/** A floor, a ball at rest and a passing one, rendered by the reference for a moving observer. */
 function scene(): EffectInput {
   const [width, height] = [96, 72];
   const objects = [
@@ -87,7 +87,7 @@ function scene(): EffectInput {
   };
 }
 
-/** Hard slanted edges between few colours, dark and bright, up to the picture's sides, and single pixels. */
+/** Hard slanted edges between a few dark and bright colours, up to the borders, and single pixels. */
 function shapes(): EffectInput {
   const [width, height] = [90, 70];
   const colors = [
@@ -113,10 +113,10 @@ export function pictureOf({ picture }: EffectCase): EffectInput {
   return known;
 }
 
-/** From nothing at the left to all at the right, and beyond. */
+/** A ramp from 0 at the left to 1 and beyond at the right. */
 export const maskOf = ({ image }: EffectInput): FloatImage => image.map((x) => [(1.4 * x) / image.width - 0.2, 0, 0]);
 
-/** What is laid over a picture: its mirror image, dimmer. */
+/** The upper picture of a mix: the mirrored picture, dimmed. */
 export const overOf = ({ image }: EffectInput): FloatImage =>
   image.map((x, y) => image.at(image.width - 1 - x, y).map((value) => 0.3 * value));
 
@@ -137,7 +137,7 @@ const both = (of: EffectCase['of'], args: readonly number[]): EffectCase[] =>
     picture,
   }));
 
-/** Texts that somebody might write, and such as try every construct. */
+/** Realistic effect texts, and texts that cover every construct. */
 const TEXTS: Readonly<Record<string, string>> = {
   'a blur in two dimensions': `
 const R = 3;

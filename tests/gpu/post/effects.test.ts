@@ -10,18 +10,18 @@ import { type ModulePage, openModulePage } from '../support/modulePage.ts';
 import { EFFECT_CASES, type EffectCase, expected } from './effectCases.ts';
 import { runEffect } from './runEffect.ts';
 
-/** Of a value, or of the least that is told apart from black. */
+/** Tolerance relative to a value, or to the least value distinguishable from black. */
 const TOLERANCE = 2e-3;
 const BLACK = 1e-3;
 const NEARLY = 0.3;
-/** Of a lens: each of the places that are looked through may fall on either of two pixels, which may be of very different light. */
+/** For depth of field: each sample can fall on either of two pixels, of very different light. */
 const LENS_TOLERANCE = 0.1;
 const LENS_SHARE = 0.01;
 
 function expectSame(of: EffectCase, values: ArrayLike<number>): void {
   const truth = expected(of).values;
   expect(values.length).toBe(truth.length);
-  // Texts are free to take large numbers from each other.
+  // Texts may subtract large numbers.
   const size = (i: number): number =>
     typeof of.of === 'object' && 'text' in of.of
       ? Math.hypot(...truth.subarray(i - (i % 3), i - (i % 3) + 3)) + NEARLY
@@ -33,12 +33,12 @@ function expectSame(of: EffectCase, values: ArrayLike<number>): void {
   expect(wrong).toBeLessThanOrEqual(lens ? LENS_SHARE : 0);
 }
 
-test('every effect and every mode is among the cases', () => {
+test('the cases cover every effect and every mode', () => {
   const tried = new Set(EFFECT_CASES.map(({ of }) => (typeof of === 'string' ? of : 'mode' in of ? of.mode : 'text')));
   expect([...EFFECT_IDS, ...MIX_MODES].filter((name) => !tried.has(name))).toEqual([]);
 });
 
-describe('effects are those of the reference, on WebGPU (Dawn)', () => {
+describe('effects agree with the reference, on WebGPU (Dawn)', () => {
   let headless: HeadlessDevice;
   let gpu: Gpu;
   beforeAll(async () => {

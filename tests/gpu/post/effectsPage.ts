@@ -4,7 +4,7 @@ import { runEffect } from './runEffect.ts';
 
 declare global {
   interface Window {
-    /** One of the cases on WebGL2. */
+    /** Runs one of the cases on WebGL2. */
     drawEffect: (name: string) => Promise<number[]>;
   }
 }

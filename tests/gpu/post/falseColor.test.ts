@@ -24,7 +24,7 @@ import { type HeadlessPictures, openPictures } from '../support/openPictures.ts'
 
 const SIZE = { width: 96, height: 72 };
 const SETTINGS: RenderSettings = { ...DEFAULT_SETTINGS, speedOfLight: 1, exposure: 0.5 };
-/** A resting ball and a floor, and a ball that flies to the right, before the sky; the observer flies ahead. */
+/** A ball at rest, a floor and a ball moving to the right, in front of the sky; the observer moves ahead. */
 const SCENE = makeScene({
   name: 'balls',
   objects: [
@@ -76,7 +76,7 @@ function traced(kind: FalseColorQuantity, settings: RenderSettings): FalseColorI
   return { aovs: new Map(layers.map((name) => [name, data[name]!])), views: [VIEW], settings, ...SIZE };
 }
 
-/** Share of the pixels with a channel that is off by more than `slack` of 255. */
+/** Fraction of pixels with a channel error of more than `slack` of 255. */
 async function shareOff(kind: FalseColorQuantity, taken: FalseColorInput, slack: number, samples = 1): Promise<number> {
   const values = falseColorValues(kind, taken);
   const colors = { kind, ...fitScale(kind, values) };
@@ -90,25 +90,22 @@ async function shareOff(kind: FalseColorQuantity, taken: FalseColorInput, slack:
 }
 
 describe('false colours on the GPU', () => {
-  it.each(['doppler', 'emission-time'] as const)('%s: those of the reference renderer’s numbers', async (kind) => {
+  it.each(['doppler', 'emission-time'] as const)('%s: colours of the reference renderer’s values', async (kind) => {
     for (const view of ['light-cone', 'simultaneity', 'galilean'] satisfies View[]) {
       const settings = { ...SETTINGS, view };
-      // Where things meet a ray may go either way.
+      // At edges rounding decides which object a ray hits.
       expect(await shareOff(kind, traced(kind, settings), 2)).toBeLessThan(0.01);
     }
   });
 
-  it.each(FALSE_COLOR_QUANTITIES)(
-    '%s: those of the numbers that the data channels hold, to a step of 8 bits',
-    async (kind) => {
-      for (const samples of [1, 2])
-        expect(
-          await shareOff(kind, await rasterized(AOVS_OF_FALSE_COLOR[kind], SETTINGS, samples), 1, samples),
-        ).toBeLessThan(0.001);
-    },
-  );
+  it.each(FALSE_COLOR_QUANTITIES)('%s: colours of the data channels’ values, to one 8-bit step', async (kind) => {
+    for (const samples of [1, 2])
+      expect(
+        await shareOff(kind, await rasterized(AOVS_OF_FALSE_COLOR[kind], SETTINGS, samples), 1, samples),
+      ).toBeLessThan(0.001);
+  });
 
-  it('the picture without them is the same before and after', async () => {
+  it('the picture without false colours is the same before and after', async () => {
     render(SETTINGS);
     const before = await headless.renderer.readPixels();
     render({ ...SETTINGS, falseColors: { kind: 'radiance', from: 0.1, to: 10 } });
@@ -118,10 +115,10 @@ describe('false colours on the GPU', () => {
   });
 });
 
-describe('the gauge', () => {
-  it.each([1, 2])('measures what the data channels hold at its places, with %s × as many samples', async (samples) => {
+describe('the light meter', () => {
+  it.each([1, 2])('reads the values of the data channels at its positions, with n = %s of n × n samples', async (samples) => {
     const { aovs } = await rasterized(['beauty', 'object', 'doppler', 'emission_time'], SETTINGS, samples);
-    const gauge = await headless.renderer.measureLight();
+    const readings = await headless.renderer.measureLight();
     const taken = { aovs, views: [VIEW], settings: SETTINGS, ...SIZE } as const;
     const [doppler, time] = [falseColorValues('doppler', taken), falseColorValues('emission-time', taken)];
     const beauty = aovs.get('beauty')!;
@@ -129,12 +126,12 @@ describe('the gauge', () => {
       const pixel =
         meterPixel(Math.floor(i / METER_CELLS), SIZE.height) * SIZE.width + meterPixel(i % METER_CELLS, SIZE.width);
       const [r, g, b] = beauty.subarray(3 * pixel, 3 * pixel + 3);
-      expect(gauge.luminance[i]! / relativeLuminance(r!, g!, b!)).toBeCloseTo(1, 3);
-      if (aovs.get('object')![pixel]) expect(gauge.doppler[i]).toBeCloseTo(doppler[pixel]!, 4);
-      // The sky's is that of the cell's middle, at most a pixel beside.
-      else expect(Math.abs(gauge.doppler[i]! / doppler[pixel]! - 1)).toBeLessThan(0.02);
-      if (Number.isNaN(time[pixel]!)) expect(gauge.time[i]).toBeNaN();
-      else expect(gauge.time[i]).toBeCloseTo(time[pixel]!, 3);
+      expect(readings.luminance[i]! / relativeLuminance(r!, g!, b!)).toBeCloseTo(1, 3);
+      if (aovs.get('object')![pixel]) expect(readings.doppler[i]).toBeCloseTo(doppler[pixel]!, 4);
+      // The sky's reading is at the cell's centre, at most a pixel away.
+      else expect(Math.abs(readings.doppler[i]! / doppler[pixel]! - 1)).toBeLessThan(0.02);
+      if (Number.isNaN(time[pixel]!)) expect(readings.time[i]).toBeNaN();
+      else expect(readings.time[i]).toBeCloseTo(time[pixel]!, 3);
     }
   });
 });

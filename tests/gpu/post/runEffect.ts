@@ -20,7 +20,7 @@ import { frustumOf } from '../../../src/scene/view/lens.ts';
 import type { AovName } from '../../../src/scene/view/view.ts';
 import { type EffectCase, maskOf, overOf, pictureOf } from './effectCases.ts';
 
-/** A case on this GPU: three numbers per pixel. */
+/** The result of a case on this GPU: three numbers per pixel. */
 export async function runEffect(gpu: Gpu, of: EffectCase): Promise<Float32Array> {
   const picture = pictureOf(of);
   const { width, height } = picture.image;
@@ -35,7 +35,7 @@ export async function runEffect(gpu: Gpu, of: EffectCase): Promise<Float32Array>
   return values.filter((_, i) => i % 4 < 3);
 }
 
-/** How much of the G-buffer is read. */
+/** The part of the G-buffer that is read. */
 function readsOf({ of }: EffectCase): number {
   if (typeof of === 'string') return EFFECTS[of].reads.length;
   return 'text' in of ? readShaderText(of.text).reads.size : 0;
@@ -54,7 +54,7 @@ function passesOf(of: EffectCase, picture: EffectInput): EffectPasses {
   return EffectPasses.forMix(of.of.mode, textureOf(overOf(picture)), inputs);
 }
 
-/** What the renderer sets for a picture. */
+/** The uniforms that the renderer sets per picture. */
 export function uniformsOf({ view, image, zenith, settings }: EffectInput) {
   const uniforms = makeFrameUniforms();
   const { tanX, tanY, center } = frustumOf(view.lens, image.width, image.height);
@@ -71,7 +71,7 @@ export function uniformsOf({ view, image, zenith, settings }: EffectInput) {
 export const textureOf = ({ width, height, values, channels }: FloatImage): DataTexture =>
   dataTexture(width, height, (i) => [...values.subarray(channels * i, channels * (i + 1)), 1]);
 
-/** The G-buffer of a picture whose data are known. */
+/** A G-buffer filled with the data of a picture. */
 export function bufferOf({ aovs, view, settings, image: { width, height } }: EffectInput): GBufferTextures {
   const at = (name: AovName, i: number, k: number): number => {
     const values = aovs.get(name) ?? [];
@@ -94,7 +94,7 @@ export function bufferOf({ aovs, view, settings, image: { width, height } }: Eff
   };
 }
 
-/** As `packNormals` writes it, with no reflectance beside it. */
+/** As written by `packNormals`, without reflectance. */
 function packed(x: number, y: number, z: number): readonly number[] {
   const fine = encodeOctahedral(x, y, z).map((place) => Math.round((place * 0.5 + 0.5) * GBUFFER_NORMAL_STEPS));
   const coarse = fine.map((step) => Math.floor(step / NORMAL_LOW_STEPS));

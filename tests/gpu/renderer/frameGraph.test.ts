@@ -22,10 +22,10 @@ import {
   VIEW,
 } from './frameGraphScenes.ts';
 
-/** Of a value and the least that is told apart, through eight images of half floats; and of false colours, which the reference has in 8 bits. */
+/** Tolerance relative to a value, after eight half-float images; and for false colours, which the reference has in 8 bits. */
 const [TOLERANCE, LEAST] = [0.01, 0.5];
 
-/** What the reference makes of the same G-buffers. */
+/** The reference's result for the same G-buffers. */
 function expectAsReference({ light, buffers }: RenderedFrameGraph): void {
   const taken = buffers.map((data) => ({
     aovs: new Map(Object.entries(data).map(([name, values]) => [name as AovName, Float32Array.from(values)])),
@@ -39,7 +39,7 @@ function expectAsReference({ light, buffers }: RenderedFrameGraph): void {
   expect(new Set(truth).size).toBeGreaterThan(1000);
 }
 
-/** One of the picture's size comes back as half floats have it, to the bit; others as the reference fits them. */
+/** A still of the picture's size is reproduced to the bit in half floats; others as fitted by the reference. */
 function expectStills(lights: readonly (readonly number[])[]): void {
   STILLS.forEach(([width, height], i) => {
     const made = still(width, height);
@@ -54,7 +54,7 @@ function expectStills(lights: readonly (readonly number[])[]): void {
   });
 }
 
-describe('a plan is carried out as the reference does', () => {
+describe('a frame graph is executed as by the reference', () => {
   let headless: HeadlessPictures;
   beforeAll(async () => {
     headless = await openPictures(SIZE.width, SIZE.height);
@@ -66,12 +66,12 @@ describe('a plan is carried out as the reference does', () => {
     expectAsReference(await renderFrameGraph(headless.renderer, aovsOfFrameGraph(FRAME_GRAPH)));
   });
 
-  it('stills lie in the picture as the reference has them, each anew, on WebGPU (Dawn)', async () => {
+  it('stills are placed in the picture as by the reference, each updated, on WebGPU (Dawn)', async () => {
     pumpFrame();
     expectStills(await renderStillImages(headless.renderer));
   });
 
-  it('numbers change without new shaders, and the picture comes back with them', async () => {
+  it('arguments change without new shaders, and changing them back restores the picture', async () => {
     const { renderer } = headless;
     const { frameGraph, ...plain } = SETTINGS;
     await renderer.setScene(SCENES[0], SCENES.slice(1));
@@ -90,7 +90,7 @@ describe('a plan is carried out as the reference does', () => {
     expect(frameGraph).toBe(FRAME_GRAPH);
   });
 
-  it('one G-buffer has lights with shadows and without', async () => {
+  it('one G-buffer can be lit with and without shadows', async () => {
     const { renderer } = headless;
     const { frameGraph: _, ...plain } = SHADOWS;
     const light = async (settings: typeof SHADOWS): Promise<Float32Array> => {
@@ -110,7 +110,7 @@ describe('a plan is carried out as the reference does', () => {
   });
 });
 
-it('a plan is carried out on WebGL2 too', async () => {
+it('a frame graph is executed on WebGL2 too', async () => {
   const chromium = await openModulePage(fileURLToPath(new URL('./frameGraphPage.ts', import.meta.url)));
   try {
     const drawn = await chromium.page.evaluate((needed) => window.drawPlan(needed), aovsOfFrameGraph(FRAME_GRAPH));

@@ -4,7 +4,7 @@ import { type RenderedFrameGraph, renderFrameGraph, renderStillImages } from './
 
 declare global {
   interface Window {
-    /** The plan of frameGraphScenes.ts on WebGL2, and what it is made of. */
+    /** The frame graph of frameGraphScenes.ts on WebGL2, and its inputs. */
     drawPlan: (needed: readonly (readonly AovName[])[]) => Promise<RenderedFrameGraph>;
     /** Stills on WebGL2. */
     drawStills: () => Promise<number[][]>;

@@ -48,7 +48,7 @@ const ball = makeScene({
 });
 export const SCENES = [yard, ball] as const;
 
-/** Shaders for shadows and for what hides the sky take long to compile, and are no matter of plans. */
+/** Without shadows and occlusion, whose shaders compile slowly and do not matter for frame graphs. */
 const base: RenderSettings = { ...DEFAULT_SETTINGS, speedOfLight: 1, shadows: false, occlusionRadius: 0 };
 const { tone: _, grid: __, exposure: ___, shadows: ____, occlusionRadius: _____, ...optics } = base;
 const ORDINARY: FrameGraphBuffer = { ...optics, view: 'galilean', dopplerMix: 0, beaming: 0, scene: 0 };
@@ -60,14 +60,14 @@ fn effect(p: Pixel) -> vec4f {
   return vec4f(p.color.rgb * arg1 + vec3f(near, abs(normal(vec2i(1, 0)).y), doppler(vec2i(0)) * arg2), 1);
 }`;
 
-/** Of every pixel another colour; dark and bright, and no half float's. */
+/** A different colour per pixel, dark and bright, none exactly a half float. */
 export const still = (width: number, height: number): StillPixels =>
   makeStillPixels(
     width,
     height,
     Float32Array.from({ length: 3 * width * height }, (_, i) => (((i * 2654435761) % 1009) / 1009) ** 3 * 40),
   );
-/** Smaller, larger and narrower than the picture, as high as it and of another shape. */
+/** Smaller, larger and narrower than the picture, of equal height, and of another aspect ratio. */
 export const STILLS = [
   [SIZE.width, SIZE.height],
   [31, 17],
@@ -75,14 +75,14 @@ export const STILLS = [
   [21, SIZE.height],
   [300, SIZE.height],
 ] as const;
-/** A still, shown as it is. */
+/** A still, displayed unchanged. */
 export const showing = (shown: StillPixels): RenderSettings => ({
   ...base,
   frameGraph: { extraBuffers: [], passes: [{ kind: 'still', still: shown }] },
 });
 
 const REACH = 3;
-/** Every kind of step: three G-buffers of two scenes, images that several steps read, effects of both kinds, a still, and masks. */
+/** Every kind of pass: three G-buffers of two scenes, images read by several passes, effects of both kinds, a still, and masks. */
 const EVERYTHING: readonly FrameGraphPass[] = [
   { kind: 'light', buffer: 0, shadows: false, occlusion: false },
   { kind: 'occlusion', buffer: 0, radius: REACH },
@@ -103,7 +103,7 @@ const EVERYTHING: readonly FrameGraphPass[] = [
 export const FRAME_GRAPH: FrameGraph = { extraBuffers: [ORDINARY, OTHER], passes: EVERYTHING };
 export const SETTINGS: RenderSettings = { ...base, frameGraph: FRAME_GRAPH };
 
-/** What throws no shadow, and where: of two lights of one G-buffer. */
+/** Shadow settings of two lighting passes of one G-buffer. */
 export const SHADOWS: RenderSettings = {
   ...base,
   shadows: true,
@@ -120,11 +120,11 @@ export const SHADOWS: RenderSettings = {
 export type Data = Partial<Record<AovName, readonly number[]>>;
 export interface RenderedFrameGraph {
   readonly light: readonly number[];
-  /** Of each G-buffer by itself. */
+  /** Of each G-buffer separately. */
   readonly buffers: readonly Data[];
 }
 
-/** The light of stills that are shown one after another. */
+/** The light of stills displayed one after another. */
 export async function renderStillImages(renderer: RasterRenderer): Promise<number[][]> {
   renderer.setSize(SIZE.width, SIZE.height);
   await renderer.setScene(SCENES[0]);
@@ -136,7 +136,7 @@ export async function renderStillImages(renderer: RasterRenderer): Promise<numbe
   return lights;
 }
 
-/** The plan's light, and what it is made of. */
+/** The light of the frame graph, and its inputs. */
 export async function renderFrameGraph(
   renderer: RasterRenderer,
   needed: readonly (readonly AovName[])[],
@@ -147,7 +147,7 @@ export async function renderFrameGraph(
     const { frameGraph: _, ...settings } = bufferSettings(SETTINGS, i);
     await renderer.setScene(SCENES[FRAME_GRAPH.extraBuffers[i - 1]?.scene ?? 0]!);
     const read = async (name: AovName): Promise<readonly number[]> => {
-      // Light and what hides the sky from places are of different settings.
+      // Light and occlusion have different settings.
       renderer.render([VIEW], name === 'occlusion' ? { ...settings, occlusionRadius: REACH } : settings);
       return [...(await renderer.readAov(name))];
     };

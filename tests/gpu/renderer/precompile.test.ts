@@ -25,7 +25,7 @@ const VIEW: ViewPoint = {
   orientation: IDENTITY,
   lens: perspective(1),
 };
-/** A resting ball, one that flies, and one of glass. */
+/** A ball at rest, a moving one, and a transparent one. */
 const SCENE = makeScene({
   name: 'balls',
   objects: [
@@ -46,7 +46,7 @@ function picture(settings: RenderSettings): Promise<Uint8Array> {
   return headless.renderer.readPixels();
 }
 
-/** Asks until it can be drawn at once, as the page does at every frame. */
+/** Polls until the picture can be drawn without compiling, as the page does per frame. */
 async function prepared(settings: RenderSettings, sampling: Sampling = 1): Promise<void> {
   const ask = () => headless.renderer.precompile([VIEW], settings, sampling);
   for (let asked = ask(); asked; asked = ask()) await asked;
@@ -60,7 +60,7 @@ const OTHERS: readonly (readonly [string, Partial<RenderSettings>])[] = [
   ['another solver', { solver: 'newton', iterations: 1, damping: 0.5 }],
 ];
 
-it('compiles all that a picture needs, before it is drawn and while others are', async () => {
+it('compiles all shaders of a picture before it is drawn, while other pictures are drawn', async () => {
   const { renderer, gpu } = headless;
   await renderer.setScene(SCENE);
   await prepared(SETTINGS);
@@ -69,7 +69,7 @@ it('compiles all that a picture needs, before it is drawn and while others are',
     const settings = { ...SETTINGS, ...change };
     const coming = renderer.precompile([VIEW], settings);
     expect(coming, name).toBeDefined();
-    // What is drawn meanwhile is drawn as ever.
+    // Pictures drawn meanwhile are unchanged.
     expect(await picture(SETTINGS), name).toEqual(first);
     await prepared(settings);
     expect(await picture(SETTINGS), name).toEqual(first);
@@ -83,7 +83,7 @@ it('compiles all that a picture needs, before it is drawn and while others are',
   }
 });
 
-it('compiles what pictures that move and pictures at rest take, and leaves the last one as it is', async () => {
+it('compiles for moving and still pictures, without changing the last picture', async () => {
   const { renderer, gpu } = headless;
   for (const [name, sampling, change] of [
     ['edges', 1, {}],
@@ -119,7 +119,7 @@ it('compiles what pictures that move and pictures at rest take, and leaves the l
   }
 });
 
-it('a picture that was prepared is the one that is drawn without', async () => {
+it('a precompiled picture equals one drawn without precompiling', async () => {
   const { renderer } = headless;
   for (const [name, change] of OTHERS) {
     const settings = { ...SETTINGS, ...change };

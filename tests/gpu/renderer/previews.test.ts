@@ -14,13 +14,13 @@ beforeAll(async () => {
 afterAll(() => headless?.close());
 
 const LAST = FRAME_GRAPH.passes.length - 1;
-/** sRGB of 8 bits, by the standard's own formula. */
+/** 8-bit sRGB, by the standard's formula. */
 const encoded = (x: number): number => {
   const shown = Math.min(1, Math.max(0, x));
   return 255 * (shown <= 0.0031308 ? 12.92 * shown : 1.055 * shown ** (1 / 2.4) - 0.055);
 };
 
-it('a preview is what a picture of its size would be, and the picture that is shown does not hear of it', async () => {
+it('a preview equals a picture of its size, and does not affect the displayed picture', async () => {
   const { renderer } = headless;
   const previews = new PreviewRenderer(renderer);
   const settings = { ...SETTINGS, antialiasing: true };
@@ -60,7 +60,7 @@ it('a preview is what a picture of its size would be, and the picture that is sh
   const light: FrameGraph = { extraBuffers: [], passes: FRAME_GRAPH.passes.slice(0, 1) };
   const nothing = () => Promise.resolve(undefined);
 
-  // The places of a film's samples come again after 16 pictures.
+  // The sample positions of a sequence repeat after 16 pictures.
   const before = await film(nothing);
   for (let i = 3; i < 16; i++) renderer.render([VIEW], settings, 'temporal');
   expect(await film(make)).toEqual(before);
@@ -79,7 +79,7 @@ it('a preview is what a picture of its size would be, and the picture that is sh
   renderer.render([VIEW], { ...bare, antialiasing: false });
   const { luminance } = await renderer.measureLight();
   renderer.setSize(SIZE.width, SIZE.height);
-  /** How many channels are more than two steps beside the truth: few, for edges are cut for the larger picture. */
+  /** Fraction of channels more than two steps off the truth: small, because the tessellation is that of the larger picture. */
   const beside = (rgba: ArrayLike<number>, rgb: Float32Array): number =>
     rgb.filter((value, i) => Math.abs(rgba[4 * Math.floor(i / 3) + (i % 3)]! - encoded(value)) > 2).length / rgb.length;
   expect(beside(image!, truth)).toBeLessThan(0.01);

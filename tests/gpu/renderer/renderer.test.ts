@@ -47,7 +47,7 @@ async function render(scene: Scene, view: ViewPoint, settings = SETTINGS, sample
   headless.renderer.render([view], settings, samples);
 }
 
-describe('what is known without any renderer', () => {
+describe('closed forms', () => {
   it('a sphere has a circular outline at any speed (Penrose 1959)', async () => {
     const at: Vec3 = [1.5, 0.5, -6];
     for (const beta of [0.5, 0.95]) {
@@ -90,7 +90,7 @@ describe('what is known without any renderer', () => {
   });
 });
 
-/** Distances of outline pixels from the outline's middle [pixels]. */
+/** Distances of outline pixels from the outline's centre [px]. */
 function outline(ids: Float32Array): { radii: number[] } {
   const edge: [number, number][] = [];
   const on = (x: number, y: number) => ids[y * SIZE + x] > 0;
@@ -105,7 +105,7 @@ function outline(ids: Float32Array): { radii: number[] } {
 }
 
 describe('the renderer', () => {
-  it('picks what is seen, and nothing in the sky', async () => {
+  it('picks visible objects, and nothing in the sky', async () => {
     await render(ballAt([0, 0, -5]), look([0, 0, -0.6]));
     const found = await headless.renderer.pick(SIZE / 2, SIZE / 2);
     expect(found?.surface).toMatchObject({ objectId: 1, path: '/ball' });
@@ -122,7 +122,7 @@ describe('the renderer', () => {
     expect(await headless.renderer.pick(-5, 900)).toBeUndefined();
   });
 
-  it('Newton with enough steps is the exact solver; with one it is not', async () => {
+  it('the Newton solver with enough steps equals the exact one; with one step it does not', async () => {
     const scene = makeScene({
       name: 'mover',
       objects: [
@@ -143,7 +143,7 @@ describe('the renderer', () => {
     expect(worst(await positions({ solver: 'newton', iterations: 1, damping: 0.5 }))).toBeGreaterThan(0.1);
   });
 
-  it('blends what is transparent over what is opaque, and hides it behind', async () => {
+  it('blends transparent surfaces over opaque ones, and hides them behind', async () => {
     const glass = (z: number) =>
       makeScene({
         name: 'glass',
@@ -164,7 +164,7 @@ describe('the renderer', () => {
     expect(await red()).toBeLessThan(0.2);
   });
 
-  it('averages n × n samples of light, and leaves data of the pixel centre', async () => {
+  it('averages n × n samples of light; data are those of the pixel centre', async () => {
     const view = look(ZERO);
     await render(ballAt([0, 0, -5]), view);
     const [data, one] = [await headless.renderer.readAov('position'), await headless.renderer.readAov('beauty')];
@@ -176,7 +176,7 @@ describe('the renderer', () => {
     expect(nine.every(Number.isFinite)).toBe(true);
   });
 
-  it('has all its light in the first picture of a size', async () => {
+  it('has complete light in the first picture of a size', async () => {
     const { renderer } = headless;
     for (const size of [SIZE + 24, SIZE]) {
       renderer.setSize(size, size);
@@ -187,7 +187,7 @@ describe('the renderer', () => {
     }
   });
 
-  it('culls what cannot be seen, and keeps what aberration brings into view', async () => {
+  it('culls invisible objects, and keeps those that aberration brings into view', async () => {
     await render(ballAt([0, 0, 6]), look(ZERO));
     expect(headless.renderer.info.objectsDrawn).toBe(0);
     await render(ballAt([2, 0, 6]), look([0, 0, -0.999]));
@@ -195,7 +195,7 @@ describe('the renderer', () => {
     expect(Math.max(...(await headless.renderer.readAov('object')))).toBe(1);
   });
 
-  it('follows a speed of light that changes under samples authored at rest', async () => {
+  it('follows a changed speed of light for samples authored at rest', async () => {
     const times = Float64Array.of(-10, 10);
     const poses = Float64Array.of(...[-5, 0, -6, 0, 0, 0, 1], ...[5, 0, -6, 0, 0, 0, 1]);
     const moving = makeObject({
@@ -216,7 +216,7 @@ describe('the renderer', () => {
   });
 });
 
-describe('a device that promises no more than WebGPU does', () => {
+describe('a device with WebGPU’s minimum limits', () => {
   it('draws the G-buffer in two passes, with the same values', async () => {
     const scene = ballAt([0.3, 0.2, -5]);
     const view = look([0.1, 0.2, -0.6]);

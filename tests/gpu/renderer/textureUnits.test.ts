@@ -6,12 +6,12 @@ import { openModulePage } from '../support/modulePage.ts';
 import { openPictures } from '../support/openPictures.ts';
 import { fullPicture, SIZE } from './textureUnitsScene.ts';
 
-/** Textures that WebGPU and WebGL2 promise to the fragments of one shader. */
+/** Textures per fragment shader guaranteed by WebGPU and WebGL2. */
 const EVERY_DEVICE = 16;
-/** What the largest shaders take of them: a new table belongs in the atlas or the scene's float table, not in a texture of its own. */
+/** Textures used by the largest shaders: a new table belongs in the atlas or the scene's float table, not in its own texture. */
 const MOST = 13;
 
-/** How many textures the fragments of each kind of shader read, as pipelines are made for them. */
+/** Number of textures read by each kind of fragment shader, recorded when pipelines are created. */
 function countTextures(device: GPUDevice): Map<string, number> {
   const counts = new Map<string, number>();
   const groups = new WeakMap<object, number>();
@@ -50,14 +50,14 @@ function countTextures(device: GPUDevice): Map<string, number> {
   return counts;
 }
 
-/** How far apart two pictures are, over the mean of the first: in the mean, and of the nearest 99 in 100 numbers. */
+/** Difference of two pictures relative to the mean of the first: mean and 99th percentile. */
 function apart(a: ArrayLike<number>, b: ArrayLike<number>) {
   const level = Array.from(a).reduce((sum, x) => sum + x, 0) / a.length;
   const far = Array.from(a, (x, i) => Math.abs(x - b[i]) / level).sort((x, y) => x - y);
   return { mean: far.reduce((sum, x) => sum + x, 0) / far.length, most: far[Math.floor(0.99 * far.length)] };
 }
 
-test('no shader reads more textures than every device has, and both kinds of devices draw alike what asks for all', async () => {
+test('no shader reads more textures than every device has, and both backends draw a scene with all features alike', async () => {
   const headless = await openPictures(SIZE, SIZE);
   const counts = countTextures(headless.gpu.device);
   expect(headless.gpu.device.limits.maxSampledTexturesPerShaderStage).toBe(EVERY_DEVICE);

@@ -3,7 +3,7 @@ import { fullPicture } from './textureUnitsScene.ts';
 
 declare global {
   interface Window {
-    /** The scene that asks for all at once, on WebGL2; `textures`: of the shader that reads most. */
+    /** Renders the scene with all features on WebGL2; `textures`: of the shader that reads most. */
     takeFull: () => Promise<{ readonly light: number[]; readonly textures: number }>;
   }
 }

@@ -10,7 +10,7 @@ import { DEFAULT_SETTINGS, type RenderSettings, type ViewPoint } from '../../../
 
 export const SIZE = 96;
 
-/** A picture of soft waves; `phase` tells it from others, `side` its size [px]. */
+/** A texture of smooth waves; `phase` distinguishes it from others, `side`: its size [px]. */
 function waves(phase: number, [low, high]: readonly [number, number], side = 16): Texture {
   const value = (x: number, y: number) => 0.5 + 0.5 * Math.sin((2 * Math.PI * (x + 2 * y)) / side + phase);
   return {
@@ -34,7 +34,7 @@ const share = (phase: number, side: number): TextureChannel => ({
   bias: 0,
 });
 
-/** Each of the eight pictures that a material can have, of different sizes. */
+/** All eight textures of a material, of different sizes. */
 const pictured = (name: string, first: number, given: Partial<Material> = {}): Material =>
   makeMaterial({
     name,
@@ -82,7 +82,7 @@ const LIGHTS: readonly Light[] = [
   },
 ];
 
-/** All that a shader of light can be asked for at once: what rests and what moves under a sun with a colour, lamps of a temperature and of lines and a dome's picture, and a window before it. */
+/** All features of the lighting shader at once: objects at rest and in motion under a coloured sun, lights with a temperature and with spectral lines, a dome texture, and a window in front. */
 export const FULL_SCENE: Scene = makeScene({
   name: 'all at once',
   objects: [
@@ -108,7 +108,7 @@ export const FULL_VIEW: ViewPoint = {
   lens: perspective(1),
 };
 
-/** Its light, linear. */
+/** Its linear light. */
 export async function fullPicture(renderer: RasterRenderer): Promise<number[]> {
   await renderer.setScene(FULL_SCENE);
   renderer.setSize(SIZE, SIZE);

@@ -12,10 +12,10 @@ import { type HeadlessPictures, openPictures } from '../support/openPictures.ts'
 import { LOCAL_LIGHT_SCENES, type LocalLightScene, renderLight, SIZE, sphereOver } from './localLightShadowsScenes.ts';
 
 const STEP = 4;
-/** Rays for a pixel where a lamp has a size. */
+/** Rays per pixel for area lights. */
 const SAMPLES = 16;
 
-/** The reference's light of every fourth pixel of every fourth row. */
+/** The reference's light in every fourth pixel of every fourth row. */
 function truthOf({ scene, view, settings }: LocalLightScene): { readonly at: number; readonly light: number }[] {
   const soft = scene.scene.lights.some((light) => light.kind !== 'dome' && !('radius' in light && light.radius === 0));
   const samples = soft ? SAMPLES : 1;
@@ -31,7 +31,7 @@ function truthOf({ scene, view, settings }: LocalLightScene): { readonly at: num
   return pixels;
 }
 
-/** Mean distance of a picture from the reference's, over the mean of that, and the share of pixels that are off by more than a quarter of its brightest. */
+/** Mean difference of a picture from the reference's, relative to its mean, and the fraction of pixels off by more than a quarter of its maximum. */
 function apart(drawn: readonly number[], truth: ReturnType<typeof truthOf>) {
   const light = truth.map((pixel) => pixel.light);
   const far = truth.map(({ at, light }) => Math.abs(drawn[at] - light));
@@ -54,7 +54,7 @@ beforeAll(async () => {
 });
 afterAll(() => headless?.close());
 
-describe('lamps throw the shadows that the reference has, on WebGPU', () => {
+describe('shadows of local lights agree with the reference, on WebGPU', () => {
   it.each(LOCAL_LIGHT_SCENES)('$name', async (scene) => {
     pumpFrame();
     const truth = truthOf(scene);
@@ -65,7 +65,7 @@ describe('lamps throw the shadows that the reference has, on WebGPU', () => {
   });
 });
 
-/** Pixels of the floor, and those of them where the picture and a shadow of closed form are not the same though no edge is within so much of the ball's radius. */
+/** Number of floor pixels, and of those where the picture differs from the closed form of the shadow, farther from its edge than a fraction of the ball's radius. */
 async function againstForm(velocity: Vec3, margin: number, retarded: boolean) {
   const { scene, lamp, ball, radius } = sphereOver(velocity);
   pumpFrame();
@@ -84,8 +84,8 @@ async function againstForm(velocity: Vec3, margin: number, retarded: boolean) {
 }
 
 /**
- * How near light on its way from a lamp to a floor event, which is seen at t = 0, comes to the centre of a ball, at `ball` + v·t: in coordinates that move with the
- * ball the way is straight along n − v. Without an eye all is of the moment t = 0.
+ * Least distance of a light ray, from a light to a floor event that is seen at t = 0, from the centre of a ball at `ball` + v·t: in coordinates that
+ * move with the ball the ray is straight along n − v. Without an observer everything is at the moment t = 0.
  */
 function distanceFrom(p: Vec3, lamp: Vec3, ball: Vec3, v: Vec3, eye: Vec3 | undefined): number {
   const n = normalize(sub(p, lamp));
@@ -96,14 +96,14 @@ function distanceFrom(p: Vec3, lamp: Vec3, ball: Vec3, v: Vec3, eye: Vec3 | unde
 }
 
 describe('the shadow of a ball on a floor', () => {
-  it('of a point at rest is a conic: all that is within the cone round the ball', async () => {
+  it('of a point light at rest is a conic: the points within the cone around the ball', async () => {
     const { floor, shadow, wrong } = await againstForm([0, 0, 0], 0.02, true);
     expect(floor).toBeGreaterThan(4000);
     expect(shadow).toBeGreaterThan(500);
     expect(wrong).toBe(0);
   });
 
-  it('that flies is where the ball was when the light passed it', async () => {
+  it('that moves is where the ball was when the light passed it', async () => {
     const { shadow, wrong } = await againstForm([0.6, 0, -0.2], 0.05, true);
     if (process.env.REPORT) console.log({ shadow, wrong });
     expect(shadow).toBeGreaterThan(500);

@@ -3,7 +3,7 @@ import { LOCAL_LIGHT_SCENES, renderLight, SIZE } from './localLightShadowsScenes
 
 declare global {
   interface Window {
-    /** The light of one of the scenes on WebGL2. */
+    /** Renders the light of one of the scenes on WebGL2. */
     takeLight: (name: string) => Promise<number[]>;
   }
 }

@@ -14,7 +14,7 @@ import { area, GREY, lambert, lamp, lit } from '../../support/lightKit.ts';
 
 export const SIZE = 96;
 
-/** Things on a floor under lamps and nothing else. */
+/** Objects on a floor, lit by local lights only. */
 export interface LocalLightScene {
   readonly name: string;
   readonly scene: TracedScene;
@@ -29,7 +29,7 @@ const TURN = fromAxisAngle([0, 1, 0], 0.5);
 const BALL = sphere(0.5, { segments: 64, rings: 32 });
 const BOX = box([0.9, 0.8, 0.6]);
 
-/** Along a straight line, at a place when light from there, or from near by, is seen. */
+/** Uniform motion that is at a position when light from there, or from nearby, is seen. */
 const passing = (place: Vec3, velocity: Vec3, delay: number, orientation = IDENTITY): UniformMotion => ({
   kind: 'uniform',
   pose: { position: addScaled(place, velocity, delay), orientation },
@@ -58,7 +58,7 @@ const crate = {
   mesh: BOX,
   motion: { kind: 'static', pose: { position: [0.6, 0.4, 0.5], orientation: TURN } },
 } as const;
-/** From the floor's middle it takes light so long to the eye. */
+/** Light travel time from the floor's centre to the observer. */
 const SEEN = Math.hypot(...sub(EYE, [0, 0.9, 0]));
 const HIGH: Vec3 = [-0.7, 2.6, -0.4];
 const over = (height: number): { readonly motion: RigidMotion } => ({
@@ -107,7 +107,7 @@ export const LOCAL_LIGHT_SCENES: readonly LocalLightScene[] = [
   ),
 ];
 
-/** Slowly over the floor, looking down. */
+/** Moving slowly above the floor, looking down. */
 function turning(): RigidMotion {
   const times = Float64Array.from({ length: 30 }, (_, k) => -16 + k);
   const poses = Array.from(times, (t) => [
@@ -117,7 +117,7 @@ function turning(): RigidMotion {
   return { kind: 'sampled', times, poses: Float64Array.from(poses.flat()) };
 }
 
-/** Light of each pixel, past what is in its way or as if nothing were. */
+/** Light of each pixel, with or without shadows. */
 export async function renderLight(
   renderer: RasterRenderer,
   { scene, view, settings }: LocalLightScene,
@@ -129,7 +129,7 @@ export async function renderLight(
   return Array.from({ length: light.length / 3 }, (_, i) => light[3 * i + 1]);
 }
 
-/** A ball that flies over the floor, under a point that rests, and where it is at t = 0. */
+/** A ball moving above the floor, below a point light at rest, and its position at t = 0. */
 export function sphereOver(velocity: Vec3) {
   const ball = addScaled([0, 0.9, 0], velocity, SEEN);
   const motion: Motion = { kind: 'uniform', pose: { position: ball, orientation: IDENTITY }, velocity };

@@ -41,7 +41,7 @@ const floor = (flight: CornerMotion): Promise<[number, number][]> => {
   return floorOf(headless.renderer, cornerPicture(flight));
 };
 
-describe('a wall hides (1 − cos α)/2 of the sky of the floor before it', () => {
+describe('a wall hides (1 − cos α)/2 of the sky from the floor in front of it', () => {
   it.each(FLIGHTS)('%s', async (_, flight) => {
     const points = await floor(flight);
     expect(points.length).toBeGreaterThan(500);
@@ -51,7 +51,7 @@ describe('a wall hides (1 − cos α)/2 of the sky of the floor before it', () =
     expect(most).toBeLessThan(0.1);
   });
 
-  it('the same points see the same, whoever flies and however fast', async () => {
+  it('occlusion of a point does not depend on the velocities', async () => {
     const rest = await floor({ body: ZERO, observer: ZERO });
     const flying = fc.tuple(direction, uniform(0, 0.95)).map(([n, v]): Vec3 => scale(n, v));
     await fc.assert(
@@ -60,7 +60,7 @@ describe('a wall hides (1 − cos α)/2 of the sky of the floor before it', () =
         fc.pre(points.length > 500);
         const [here, resting] = [profile(points), profile(rest)];
         here.forEach((open, k) => {
-          // Each part is a mean over points whose rays are few: over 56 pairs of flights 0.04 at most, by 0.03 in all but one.
+          // Each value is a mean over points with few rays: over 56 pairs of motions at most 0.04, and 0.03 in all but one.
           expect(Math.abs(open - resting[k])).toBeLessThan(0.045);
         });
       }),
@@ -69,7 +69,7 @@ describe('a wall hides (1 − cos α)/2 of the sky of the floor before it', () =
   });
 });
 
-describe('where nothing hides the sky all of it is seen', () => {
+describe('unoccluded surfaces see the whole sky', () => {
   const shares = async (mesh: Mesh, settings: Partial<RenderSettings>): Promise<number[]> => {
     const view = looking([0, 1, 4], [0, 0, 0]);
     await headless.renderer.setScene(lit([{ mesh, material: lambert(0.5) }]).scene);
@@ -91,14 +91,14 @@ describe('where nothing hides the sky all of it is seen', () => {
     expect(Math.min(...open)).toBeGreaterThan(0.9);
   });
 
-  it('and with a radius of 0 nothing does', async () => {
+  it('and with radius 0 all surfaces', async () => {
     const corner = cornerPicture({ body: ZERO, observer: ZERO });
     const points = await floorOf(headless.renderer, { ...corner, settings: { ...GREY, occlusionRadius: 0 } });
     expect(points.every(([, open]) => open === 1)).toBe(true);
   });
 });
 
-it('the same picture has the same occlusion, to the last bit', async () => {
+it('occlusion is deterministic, to the last bit', async () => {
   const flight = { body: ZERO, observer: [0, 0, -0.5] } as const;
   expect(await floor(flight)).toEqual(await floor(flight));
 });
@@ -133,7 +133,7 @@ async function example(name: string, t?: number): Promise<Lit> {
   return { scene: createTracedScene({ ...scene, lights: [SKY] }, c), view };
 }
 
-/** A box on a plane; an arcade around a yard; and examples. How much of the error is left, at most. */
+/** A box on a plane, an arcade around a yard, and examples, with the upper bound of the remaining error. */
 const SKYLIT: readonly (readonly [string, () => Lit | Promise<Lit>, number])[] = [
   [
     'a box on a plane',
@@ -162,7 +162,7 @@ const SKYLIT: readonly (readonly [string, () => Lit | Promise<Lit>, number])[] =
   ['the dice', () => example('dice'), 0.8],
 ];
 
-/** Light of the fast renderer in every sixth pixel of every sixth row, and of the reference. */
+/** Light of the rasterizer and of the reference in every sixth pixel of every sixth row. */
 const [STEP, SAMPLES] = [6, 16];
 const SMALL = { width: 96, height: 60 };
 
@@ -185,7 +185,7 @@ function* traced({ scene, view }: Lit, settings: RenderSettings): Generator<read
     }
 }
 
-describe('pictures under the sky alone are nearer to those of the reference', () => {
+describe('occlusion brings pictures under sky light closer to the reference', () => {
   beforeAll(() => headless.renderer.setSize(SMALL.width, SMALL.height));
   afterAll(() => headless.renderer.setSize(WIDTH, HEIGHT));
   it.each(SKYLIT)('%s', async (name, make, bound) => {

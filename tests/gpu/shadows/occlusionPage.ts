@@ -3,7 +3,7 @@ import { type CornerMotion, cornerPicture, floorOf, HEIGHT, WIDTH } from './occl
 
 declare global {
   interface Window {
-    /** Of the floor before a wall: distances from it and what each sees of the sky, on WebGL2. */
+    /** Distances of floor points from a wall, and their unoccluded fraction of the sky, on WebGL2. */
     floorOf: (flight: CornerMotion) => Promise<[number, number][]>;
   }
 }

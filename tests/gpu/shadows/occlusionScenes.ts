@@ -14,19 +14,19 @@ import { GREY, lambert, lit } from '../../support/lightKit.ts';
 export const WIDTH = 240;
 export const HEIGHT = 160;
 
-/** Who moves how: velocities in units of c. */
+/** Velocities of body and observer [c]. */
 export interface CornerMotion {
   readonly body: Vec3;
   readonly observer: Vec3;
 }
 
-/** From the viewer to the foot of the wall, for somebody who rests with the wall. */
+/** From the observer to the foot of the wall, in the wall's rest frame. */
 const CORNER: Vec3 = [0, -2.6, -4.2];
 const WALL = 1;
 
 const moved = (mesh: Mesh, by: Vec3): Mesh => ({ ...mesh, positions: mesh.positions.map((x, i) => x + by[i % 3]) });
 
-/** A floor and a wall on it, 1 m high and 60 m wide, which fly together and are seen the same by whoever rests with them. */
+/** A floor with a wall, 1 m high and 60 m wide, which move together; the view is the same in their rest frame. */
 function cornerScene(body: Vec3): { readonly scene: Scene; readonly start: Vec3; readonly seen: Vec3 } {
   const seen = inverseApparentPosition(CORNER, properVelocity(body));
   const start = add(seen, scale(body, length(seen)));
@@ -67,7 +67,7 @@ export function cornerPicture({ body, observer }: CornerMotion): CornerPicture {
   return { scene, view, settings: { ...GREY, occlusionRadius: 1000 }, body, start };
 }
 
-/** Of the floor before the wall: how far each pixel's point is from it, where it rests, and the share of the sky that it is said to see. */
+/** For the floor in front of the wall: each pixel's distance from the wall, in its rest frame, and its occlusion value. */
 export async function floorOf(renderer: RasterRenderer, picture: CornerPicture): Promise<[number, number][]> {
   await renderer.setScene(picture.scene);
   renderer.render([picture.view], picture.settings, 1);
@@ -84,27 +84,27 @@ export async function floorOf(renderer: RasterRenderer, picture: CornerPicture):
   return found;
 }
 
-/** A strip of sky of the height α above the horizon is hidden, all along the wall: (1 + cos α)/2 of the light is left. */
+/** A strip of sky of height α above the horizon is hidden along the wall: (1 + cos α)/2 of the light remains. */
 export const exactOpenness = (away: number): number => (1 + away / Math.hypot(away, WALL)) / 2;
 
-/** How far it is from that: in the mean, and of 95 % of the points. */
+/** The error: mean and 95th percentile. */
 export function errorStatistics(points: readonly (readonly [number, number])[]): { mean: number; most: number } {
   const errors = points.map(([away, open]) => Math.abs(open - exactOpenness(away))).sort((a, b) => a - b);
   return { mean: errors.reduce((a, b) => a + b, 0) / errors.length, most: errors[Math.floor(0.95 * errors.length)] };
 }
 
-/** The mean share of the sky at so and so far from the wall. */
+/** Mean unoccluded fraction at several distances from the wall. */
 export const profile = (points: readonly (readonly [number, number])[]): number[] =>
   [0.2, 0.4, 0.6, 0.9, 1.2].map((at) => {
     const near = points.filter(([away]) => Math.abs(away - at) < 0.05).map(([, open]) => open);
     return near.reduce((a, b) => a + b, 0) / near.length;
   });
 
-/** At rest, at nine tenths of the speed of light past it, and in a body that flies so. */
+/** At rest, for observers at 0.9 c, and for bodies at 0.9 c. */
 export const FLIGHTS: readonly (readonly [string, CornerMotion])[] = [
   ['at rest', { body: [0, 0, 0], observer: [0, 0, 0] }],
-  ['by somebody who comes at 0.9 c', { body: [0, 0, 0], observer: [0, 0, -0.9] }],
-  ['by somebody who passes at 0.9 c', { body: [0, 0, 0], observer: [0.9, 0, 0] }],
-  ['where it flies past at 0.9 c', { body: [-0.9, 0, 0], observer: [0, 0, 0] }],
-  ['where it flies ahead of somebody, both fast', { body: [0.3, 0.2, -0.6], observer: [-0.5, 0, -0.6] }],
+  ['for an observer approaching at 0.9 c', { body: [0, 0, 0], observer: [0, 0, -0.9] }],
+  ['for an observer passing at 0.9 c', { body: [0, 0, 0], observer: [0.9, 0, 0] }],
+  ['for a wall passing at 0.9 c', { body: [-0.9, 0, 0], observer: [0, 0, 0] }],
+  ['for a wall moving ahead of the observer, both fast', { body: [0.3, 0.2, -0.6], observer: [-0.5, 0, -0.6] }],
 ];

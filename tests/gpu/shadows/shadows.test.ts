@@ -29,7 +29,7 @@ import {
   SIZE,
 } from './shadowsScenes.ts';
 
-/** Whether the reference has the light of all suns at a point of the picture; undefined where nothing is. */
+/** Whether the reference has the light of all suns at a point of the picture; undefined for the background. */
 function litAt(traced: TracedScene, { view, settings, scene }: ShadowScene, x: number, y: number): boolean | undefined {
   const hit = visibleHit(traced, cameraRay(view, settings, x, y, SIZE, SIZE));
   if (!hit) return undefined;
@@ -44,13 +44,13 @@ function litAt(traced: TracedScene, { view, settings, scene }: ShadowScene, x: n
   });
 }
 
-/** Of a sun beside which nothing shines. */
+/** Colour of a sun that outshines all other light. */
 const BRIGHT: Vec3 = [3e3, 3e3, 3e3];
 
-/** Half of what is lost where the weaker sun is hidden is on the edge of its shadow. */
+/** Fraction of the light at the edge of a shadow: half the loss in the shadow of the weaker sun. */
 const full = ({ scene }: ShadowScene): number => (scene.lights.length > 2 ? 0.82 : 0.5);
 
-/** Pixels that the rasterizer has in shadow or in light, and the reference not, also not at a pixel's distance: over all that count, and over those along edges. */
+/** Fraction of pixels whose shadow differs from the reference's, also within one pixel: of all compared pixels, and of those along edges. */
 function differences(scene: ShadowScene, shares: ArrayLike<number>, counted: (pixel: number) => boolean = () => true) {
   const traced = createTracedScene(scene.scene, scene.settings.speedOfLight);
   const counts = { all: 0, shadow: 0, otherwise: 0, wrong: 0 };
@@ -80,7 +80,7 @@ function expectSame(scene: ShadowScene, shares: ArrayLike<number>): void {
   expect(wrong / all).toBeLessThan(1e-3);
 }
 
-/** An example in which nothing else shines, from where its film is taken, with the velocity that an observer has there. */
+/** An example with sunlight only, from its camera, with a given velocity of the observer. */
 async function exampleScene(name: string, beta: number): Promise<ShadowScene> {
   const file = fileURLToPath(new URL(`../../../examples/${name}.usda`, import.meta.url));
   const opened = await openSceneFile(file);
@@ -97,7 +97,7 @@ async function exampleScene(name: string, beta: number): Promise<ShadowScene> {
 
 const EXAMPLES = ['street', 'dice', 'sunset'].flatMap((name) => [0, 0.5, 0.9].map((beta) => ({ name, beta })));
 
-describe('shadows of suns are where the reference has them, on WebGPU', () => {
+describe('shadows of suns agree with the reference, on WebGPU', () => {
   let headless: HeadlessPictures;
   beforeAll(async () => {
     headless = await openPictures(SIZE, SIZE);
@@ -128,7 +128,7 @@ describe('shadows of suns are where the reference has them, on WebGPU', () => {
   });
 });
 
-/** Over what is thrown. */
+/** Above the thrown object. */
 const LAMP: Light = {
   kind: 'sphere',
   path: '/Lamp',
@@ -138,14 +138,14 @@ const LAMP: Light = {
   color: [3e3, 3e3, 3e3],
 };
 
-describe('under a lamp', () => {
+describe('under a local light', () => {
   let headless: HeadlessPictures;
   beforeAll(async () => {
     headless = await openPictures(SIZE, SIZE);
   });
   afterAll(() => headless?.close());
-  // Both are convex: what faces the lamp is lit.
-  it.each(PROJECTILE_SCENES)('$name does not shade itself', async ({ scene, ...seen }) => {
+  // Both are convex: surfaces that face the light are lit.
+  it.each(PROJECTILE_SCENES)('$name does not shadow itself', async ({ scene, ...seen }) => {
     pumpFrame();
     const lights = [LAMP, ...scene.lights.filter(({ kind }) => kind === 'dome')];
     const shares = await renderSunShares(headless.renderer, { ...seen, scene: { ...scene, lights } });
@@ -159,7 +159,7 @@ describe('under a lamp', () => {
 });
 
 describe('edges of shadows', () => {
-  /** Of a disc of radius 1 the part to one side of a line at distance d from its middle. */
+  /** Fraction of a disc of radius 1 on one side of a line at distance d from its centre. */
   const segment = (d: number): number =>
     Math.abs(d) >= 1 ? Number(d > 0) : 0.5 + (d * Math.sqrt(1 - d * d) + Math.asin(d)) / Math.PI;
   let headless: HeadlessPictures;

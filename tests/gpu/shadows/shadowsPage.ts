@@ -3,7 +3,7 @@ import { renderSunShares, SHADOW_SCENES } from './shadowsScenes.ts';
 
 declare global {
   interface Window {
-    /** What shadows leave of the light in one of the scenes on WebGL2. */
+    /** The fraction of light that shadows leave in one of the scenes, on WebGL2. */
     takeShares: (name: string) => Promise<number[]>;
   }
 }

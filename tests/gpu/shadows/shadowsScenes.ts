@@ -14,7 +14,7 @@ import { DEFAULT_SETTINGS, type RenderSettings, type ViewPoint } from '../../../
 
 export const SIZE = 128;
 
-/** Things on a floor under a sun and no sky. */
+/** Objects on a floor under a sun, without sky. */
 export interface ShadowScene {
   readonly name: string;
   readonly scene: Scene;
@@ -25,7 +25,7 @@ export interface ShadowScene {
 const SUN: DistantLight = { kind: 'distant', path: '/Sun', direction: normalize([0.5, -1, -0.4]), color: [3, 3, 3] };
 const OTHER: DistantLight = { ...SUN, path: '/Other', direction: normalize([-0.7, -1, 0.2]), color: [2, 2, 2] };
 
-/** A lattice: every other square is cut out. */
+/** A checkerboard whose alternate squares are cut out. */
 const HOLES: Texture = {
   name: 'holes',
   width: 64,
@@ -48,7 +48,7 @@ const MATERIALS = [
 const FLOOR = makeObject({ path: '/Floor', mesh: plane(40, 40, 'Y'), motion: restingAt(ZERO) });
 const TURN = fromAxisAngle([0, 1, 0], 0.5);
 const BOX = box([1.4, 1.6, 1]);
-/** Over the middle of the floor at the time −`delay`: when it is seen from the usual place. */
+/** Above the floor's centre at the time −`delay`, when it is seen from the usual position. */
 const flying = (velocity: Vec3, delay = 9.5): Motion => ({
   kind: 'uniform',
   pose: { position: addScaled([0, 1.6, 0], velocity, delay), orientation: TURN },
@@ -105,12 +105,12 @@ export const SHADOW_SCENES: readonly ShadowScene[] = [
   shadowScene('at one instant of the world', [{ mesh: BOX, motion: flying(fast, 0) }], { lightDelay: false }),
 ];
 
-/** Height of what is thrown up and falls: highest when it is seen from the usual place [m]. */
+/** Height of a projectile thrown upwards, highest when it is seen from the usual position [m]. */
 const thrown = (t: number): number => 2.2 - 0.075 * (t + 9.5) ** 2;
 const TIMES = Float64Array.from({ length: 91 }, (_, k) => -14 + 0.1 * k);
 const SHEET = plane(2.4, 2.4, 'Y');
 
-/** What goes faster and faster while light crosses it: as it deforms, and as it is rigid. */
+/** Objects that accelerate while light crosses them: deforming and rigid. */
 export const PROJECTILE_SCENES: readonly ShadowScene[] = [
   shadowScene('a thrown sheet', [
     {
@@ -135,7 +135,7 @@ export const PROJECTILE_SCENES: readonly ShadowScene[] = [
   ]),
 ];
 
-/** A sheet of which one edge is over x = 0, under a sun overhead, whose disc, seen past it from the floor, is so wide there [m]. */
+/** A sheet with one edge above x = 0 under a sun overhead, whose disc, projected past the edge onto the floor, has the given width [m]. */
 export function penumbraScene(radius: number, height: number): ShadowScene {
   const sun: DistantLight = { ...SUN, direction: [0, -1, 0], angle: 2 * Math.atan(radius / height) };
   const sheet = { mesh: plane(4, 4, 'Y'), motion: restingAt([2, height, 0]) };
@@ -145,7 +145,7 @@ export function penumbraScene(radius: number, height: number): ShadowScene {
   return { ...made, view: { ...made.view, position, orientation, lens: perspective(0.6) } };
 }
 
-/** Share of the sunlight that is left of each pixel; −1 where without shadows there is none. */
+/** Fraction of the sunlight that shadows leave per pixel; −1 where there is none without shadows. */
 export async function renderSunShares(
   renderer: RasterRenderer,
   { scene, view, settings }: ShadowScene,

@@ -12,13 +12,13 @@ import type { HeadlessPictures } from './openPictures.ts';
 /** Every fourth pixel of every fourth row is compared. */
 const STEP = 4;
 
-/** How far two renderers are apart in all channels, over the brightest of the reference's: the mean and the greatest. */
+/** Mean and greatest difference of two renderers over all channels, relative to the reference's brightest value. */
 export interface Difference {
   readonly mean: number;
   readonly max: number;
 }
 
-/** Suns and lamps alone, with nothing between them and what they shine on; `samples` rays of the reference for each pixel. */
+/** For direct light of unoccluded distant and local lights; `samples`: rays of the reference per pixel. */
 export async function compareWithReference(
   { renderer }: HeadlessPictures,
   scene: TracedScene,

@@ -6,7 +6,7 @@ import { closeAndAssertHealthy } from './healthyClose.ts';
 export interface HeadlessRenderer {
   readonly renderer: WebGPURenderer;
   readonly gpu: HeadlessDevice;
-  /** Throws what the GPU reported meanwhile, and gives it back. */
+  /** Throws errors reported by the GPU, and releases it. */
   close(): Promise<void>;
 }
 
@@ -22,6 +22,6 @@ export async function openRenderer(): Promise<HeadlessRenderer> {
   };
 }
 
-/** The renderer asks for one; nothing is drawn on it. */
+/** The renderer requires one; nothing is drawn on it. */
 const canvas = (): HTMLCanvasElement =>
   ({ width: 1, height: 1, style: {}, addEventListener() {}, removeEventListener() {} }) as unknown as HTMLCanvasElement;

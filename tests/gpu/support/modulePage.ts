@@ -2,15 +2,15 @@ import { type Browser, chromium, type Page } from 'playwright-core';
 import { build } from 'vite';
 import { findChromium, SOFTWARE_GPU_FLAGS } from '../../../src/cli/gpu/gpuDrivers.ts';
 
-/** A page with one module of this repository in it. */
+/** A page with one module of this repository. */
 export interface ModulePage {
   readonly page: Page;
-  /** Throws what the page has thrown or logged as an error since it was opened. */
+  /** Throws if the page has thrown or logged an error since it was opened. */
   assertHealthy(): void;
   close(): Promise<void>;
 }
 
-/** Bundles `entry` (an absolute path) and opens it in Chromium; what it puts on `window` can be called through `page`. */
+/** Bundles `entry` (an absolute path) and opens it in Chromium; functions that it puts on `window` can be called through `page`. */
 export async function openModulePage(entry: string): Promise<ModulePage> {
   const [code, browser] = await Promise.all([bundle(entry), launchChromium()]);
   const page = await browser.newPage();
@@ -20,7 +20,7 @@ export async function openModulePage(entry: string): Promise<ModulePage> {
     if (message.type() === 'error') errors.push(message.text());
   });
   await page.setContent('<!doctype html><title>Slowlight: shader tests</title>');
-  // A module runs when the page comes to it, not when it is added.
+  // A module runs asynchronously after it is added.
   await page.addScriptTag({ content: `${code}\nwindow.hasRun = true;`, type: 'module' });
   await page.waitForFunction('window.hasRun').catch((error) => {
     throw new Error(`the page's module did not run: ${errors.join('\n') || error}`);
@@ -45,7 +45,7 @@ async function bundle(entry: string): Promise<string> {
   const result = await build({
     configFile: false,
     logLevel: 'error',
-    // All in one, for the page that runs it has no address to load more from.
+    // A single bundle, because the page has no URL to load more from.
     build: {
       write: false,
       target: 'esnext',

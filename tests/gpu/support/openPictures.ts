@@ -7,7 +7,7 @@ import { closeAndAssertHealthy } from './healthyClose.ts';
 export interface HeadlessPictures {
   readonly renderer: SceneRenderer;
   readonly gpu: HeadlessDevice;
-  /** Throws what the GPU reported meanwhile, and gives it back. */
+  /** Throws errors reported by the GPU, and releases it. */
   close(): Promise<void>;
 }
 
@@ -18,7 +18,7 @@ export async function openPictures(
   options: RendererOptions = {},
 ): Promise<HeadlessPictures> {
   const gpu = await openDevice();
-  // After the shim, which three looks for while it is being loaded.
+  // After the shim, which three.js requires when it is loaded.
   const { SceneRenderer } = await import('../../../src/render/renderer.ts');
   const renderer = await SceneRenderer.create({ ...options, device: gpu.device });
   renderer.setSize(width, height);

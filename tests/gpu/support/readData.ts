@@ -3,7 +3,7 @@ import type { RenderSettings, ViewPoint } from '../../../src/scene/view/view.ts'
 
 const NAMES = ['object', 'position', 'emission_time', 'doppler', 'velocity', 'depth'] as const;
 
-/** Data AOVs of one picture; plain arrays, so that they can leave a page. */
+/** Data AOVs of one picture as plain arrays, which can be transferred from a page. */
 export type Data = Record<(typeof NAMES)[number], ArrayLike<number>>;
 
 export async function readData(renderer: SceneRenderer, view: ViewPoint, settings: RenderSettings): Promise<Data> {

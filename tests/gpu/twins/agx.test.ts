@@ -14,7 +14,7 @@ beforeAll(async () => {
 });
 afterAll(() => headless?.close());
 
-test('AgX is that of three.js', async () => {
+test('AgX agrees with three.js', async () => {
   const ours = twinRegistry.find(({ name }) => name === 'toneMapAgx')!;
   const theirs: Twin = {
     ...ours,

@@ -1,7 +1,7 @@
 import { random } from '../../../src/math/random.ts';
 import type { Twin, TwinCase } from '../../../src/shaders/twins/twin.ts';
 
-/** The largest error of one check over its tolerance, and where it was. */
+/** The largest error of one check relative to its tolerance, and its case. */
 export interface TwinError {
   readonly check: string;
   readonly error: number;
@@ -15,7 +15,7 @@ export interface TwinError {
 /** The same cases in Node and in the page. */
 export const casesOf = (twin: Twin, seed: number): readonly TwinCase[] => twin.cases(random(seed));
 
-/** The worst case of every check. Not a number is infinitely wrong. */
+/** The worst case of every check. NaN counts as an infinite error. */
 export function compareTwin(twin: Twin, cases: readonly TwinCase[], values: ArrayLike<number>): TwinError[] {
   const size = 4 * twin.outputs;
   const worst = new Map<string, TwinError>();
@@ -50,7 +50,7 @@ export const failures = (verdicts: readonly TwinError[]): string[] =>
         `${v.check}: ${v.error.toExponential(1)} > ${v.tolerance} at ${v.stratum}; input ${v.input.join(' ')}; GPU ${v.gpu.join(' ')}; CPU ${v.cpu.join(' ')}`,
     );
 
-/** One line per check, for docs/performance.md and for whoever changes a formula. */
+/** One line per check, for docs/performance.md and for changes of formulas. */
 export const report = (twin: Twin, verdicts: readonly TwinError[]): string =>
   verdicts
     .map((v) => `${twin.name} | ${v.check} | ${v.error.toExponential(1)} of ${v.tolerance} | ${v.stratum}`)

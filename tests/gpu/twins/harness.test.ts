@@ -6,11 +6,11 @@ import { openRenderer } from '../support/dawn.ts';
 import { casesOf, compareTwin, failures } from './compareTwin.ts';
 import { computeTwin } from './runTwin.ts';
 
-// What the twin tests would miss if they were broken themselves.
+// Tests of the twin tests themselves.
 
 const [twin] = twinRegistry;
 
-test('a formula that is off by a thousandth, or gives no number, fails', async () => {
+test('a formula with an error of a thousandth, or a NaN result, fails', async () => {
   const headless = await openRenderer();
   const wrong: Twin = { ...twin, gpu: (texel) => twin.gpu(texel).map((value) => value.mul(1.001)) };
   const lost: Twin = { ...twin, gpu: (texel) => [vec4(texel(0).x.sub(1e30).sqrt())] };
@@ -21,14 +21,14 @@ test('a formula that is off by a thousandth, or gives no number, fails', async (
   await headless.close();
 });
 
-test('a shader that does not compile is noticed', async () => {
+test('a shader that does not compile is detected', async () => {
   const headless = await openRenderer();
   headless.gpu.device.createShaderModule({ code: 'this is not WGSL' });
   await expect(headless.close()).rejects.toThrow(/the GPU reported/);
   headless.gpu.release();
 });
 
-test('a buffer that no kernel has written is noticed by its canaries', async () => {
+test('a buffer that no kernel has written is detected by its canaries', async () => {
   const headless = await openRenderer();
   const cases = casesOf(twin, 1);
   vi.spyOn(headless.renderer, 'getArrayBufferAsync').mockResolvedValue(new ArrayBuffer(cases.length * 32));

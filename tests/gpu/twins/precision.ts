@@ -31,7 +31,7 @@ import type { Twin } from '../../../src/shaders/twins/twin.ts';
 import type { Int, Vec4, VertexEvent } from '../../../src/shaders/types.ts';
 
 /*
- * What a renderer does with a vertex, from SI numbers of the world to the pixel and its Doppler factor, late in a slow world: c = 10 m/s and
+ * The whole path of a vertex, from SI numbers in the world to the pixel and its Doppler factor, at a late time with slow light: c = 10 m/s and
  * t = 10 000 s, tens of kilometres from the origin, observers up to γ = 100. The CPU solves the vertex's own world line in f64, in
  * world coordinates; the GPU gets what frame.ts would upload: the object's anchor, and the rest relative to it, in f32.
  */
@@ -46,11 +46,11 @@ interface Truth {
 }
 const truths = new WeakMap<readonly number[], Truth>();
 
-/** An object whose centre is at `place` at the world time `t`, and one vertex of it. */
+/** An object with its centre at `place` at the world time `t`, and one of its vertices. */
 interface PrecisionCase {
   readonly center: WorldLine;
   readonly vertex: WorldLine;
-  /** What the GPU gets after the anchor. */
+  /** The GPU's input after the anchor. */
   readonly upload: (anchor: EmissionEvent) => readonly number[];
 }
 type MakePrecisionCase = (random: () => number, place: Vec3, t: number, size: number) => PrecisionCase;
@@ -103,7 +103,7 @@ const hyperbolic: MakePrecisionCase = (random, place, t, size) => {
 };
 
 const SAMPLES = motionInputs.polyline.texels - 1;
-/** 24 samples a second, as an animation has them: a centre that travels, a vertex that moves about it. */
+/** 24 samples per second, as in animations: a moving centre, and a vertex moving about it. */
 const sampled: MakePrecisionCase = (random, place, t, size) => {
   const times = Float64Array.from({ length: SAMPLES }, (_, i) => t + (i - (SAMPLES - 1) / 2 + random() * 0.4) / 24);
   const velocity = scale(unitVector(random), 0.6 * C);
@@ -153,7 +153,7 @@ function pipelineTwin(
       const truth = truths.get(input);
       if (!truth) throw new Error('not one of the cases');
       const seen = emissionEvent(truth.line, truth.observer, C);
-      // Behind a horizon, which the twin of hyperbolicEmission is about.
+      // Behind a horizon, which is tested by the twin of hyperbolicEmission.
       if (!seen) return Array(8).fill(0);
       const D = dopplerFactor(seen.offset, truth.u, properVelocity(scale(seen.velocity, 1 / C)));
       return [...apparentPosition(seen.offset, truth.u), D, length(vec3At(input, 0)) / C - seen.delay, 0, 0, 0];

@@ -12,13 +12,13 @@ import {
 import type { Twin, TwinCase } from '../../../src/shaders/twins/twin.ts';
 import type { Int, Vec4 } from '../../../src/shaders/types.ts';
 
-/** Of the input texture and of the output target. */
+/** Width of the input texture and of the output target. */
 const WIDTH = 256;
 
-/** Runs the twin on a GPU. The result: 4 numbers per output, case after case. Rejects where a canary does not come back. */
+/** Runs the twin on a GPU. Returns 4 numbers per output, case by case. Rejects if a canary is not returned. */
 export type Runner = (renderer: WebGPURenderer, twin: Twin, cases: readonly TwinCase[]) => Promise<Float32Array>;
 
-/** On WebGPU: a compute shader from buffer to buffer. (Constants would be folded by the compiler, on the CPU.) */
+/** On WebGPU: a compute shader from buffer to buffer. (Constants would be folded by the compiler on the CPU.) */
 export const computeTwin: Runner = async (renderer, twin, cases) => {
   const stride = twin.texels + 1;
   const rows = twin.outputs + 1;
@@ -36,7 +36,7 @@ export const computeTwin: Runner = async (renderer, twin, cases) => {
   return unpack(twin, cases.length, canaries, (i, k) => values.subarray(4 * (i * rows + k), 4 * (i * rows + k) + 4));
 };
 
-/** On WebGL2: fragments of a float target, one case each, that read their inputs from a float texture. One pass per output. */
+/** On WebGL2: fragments of a float target, one per case, reading inputs from a float texture. One pass per output. */
 export const renderTwin: Runner = async (renderer, twin, cases) => {
   const { data, canaries } = pack(twin, cases);
   const texture = floatTexture(data);
@@ -86,13 +86,13 @@ function floatTexture(data: Float32Array): DataTexture {
   return texture;
 }
 
-/** What the shader must make of the canary: something that no copy, clear or stale buffer gives. */
+/** The expected result for a canary: something that no copy, clear or stale buffer yields. */
 const canaryAnswer = (canary: Vec4): Vec4 => canary.wzyx.mul(2).add(1);
 
 function pack(twin: Twin, cases: readonly TwinCase[]): { data: Float32Array<ArrayBuffer>; canaries: Float32Array } {
   const stride = 4 * (twin.texels + 1);
   const data = new Float32Array(stride * cases.length);
-  // Not seeded: a result left over from another run cannot pass. Whole numbers, so that the answer is exact.
+  // Not seeded, so that results left over from another run cannot pass. Integers, so that the result is exact.
   const canaries = Float32Array.from({ length: 4 * cases.length }, () => Math.floor(Math.random() * 1e6));
   cases.forEach(({ input }, i) => {
     if (input.length !== 4 * twin.texels) throw new Error(`${twin.name}: a case has ${input.length} numbers`);

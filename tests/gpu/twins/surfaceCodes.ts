@@ -17,8 +17,8 @@ import { logUniform, unitVector } from '../../../src/shaders/twins/inputs.ts';
 import type { Check, Stratum, Twin, TwinCase } from '../../../src/shaders/twins/twin.ts';
 
 /*
- * What the G-buffer holds in halves: the GPU packs, and what comes out is rounded as a target would, unpacked on the CPU and compared with
- * what went in; and the GPU unpacks what the CPU has packed and rounded.
+ * The packing of the G-buffer's halves: values are packed on the GPU, rounded as by a target, unpacked on the CPU and compared with the input; and
+ * values packed and rounded on the CPU are unpacked on the GPU.
  */
 
 type Numbers = readonly number[];
@@ -73,13 +73,13 @@ function cases(random: () => number): readonly TwinCase[] {
 }
 
 const rounded = (x: number): number => fromHalf(toHalf(x));
-/** As a GPU that cuts off would round. */
+/** Rounding of a GPU that truncates. */
 function cut(x: number): number {
   const near = toHalf(x);
   return Math.abs(fromHalf(near)) > Math.abs(x) ? fromHalf(near - 1) : fromHalf(near);
 }
 
-/** As `packSpecular`, written apart. */
+/** An independent `packSpecular`. */
 function encodeFinish({ metallic, F0 }: Content): number {
   const step = Math.min(59, Math.round(80 * Math.sqrt(F0)));
   return (step >= 30 ? -1 : 1) * 2 ** ((step % 30) - 14) * (1 + (1020 * metallic + 2) / 1024);
@@ -90,7 +90,7 @@ function decodeFinish(code: number): readonly [metallic: number, F0: number] {
   return [((Math.abs(code) / 2 ** exponent - 1) * 1024 - 2) / 1020, (step / 80) ** 2];
 }
 
-/** Roughness to 1/1020 and occlusion to 1/59: packed as the finish is. */
+/** Roughness to 1/1020 and occlusion to 1/59, as packed in the G-buffer. */
 const pairs: Twin = {
   name: 'surfaceCode, pairs',
   texels: 1,
@@ -112,10 +112,10 @@ const pairs: Twin = {
   })),
 };
 
-/** What the G-buffer has beside the lowest bits of a normal. */
+/** What the G-buffer stores next to the lowest bits of a normal. */
 const levelOf = (code: number): number => Math.floor((code + 2048) / 8) / 511;
 
-/** As `packNormals`, written apart, with bits. */
+/** An independent `packNormals`, by bit operations. */
 function encodeNormal({ normal, invisible }: Content): readonly number[] {
   const fine = encodeOctahedral(...normal).map((p) => Math.round(32766 * (p / 2 + 0.5)));
   return [

@@ -9,7 +9,7 @@ import { pipelines } from './precision.ts';
 import { computeTwin } from './runTwin.ts';
 import { surfaceCodes } from './surfaceCodes.ts';
 
-/** Another one on every run with SEED=$RANDOM; a failure prints it. */
+/** Use SEED=$RANDOM for a different one per run; failures print it. */
 const SEED = Number(process.env.SEED ?? 20260727);
 const twins = [...twinRegistry, ...pipelines, ...surfaceCodes];
 

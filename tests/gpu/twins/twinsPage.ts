@@ -7,7 +7,7 @@ import { surfaceCodes } from './surfaceCodes.ts';
 
 declare global {
   interface Window {
-    /** Runs a twin on WebGL2; its outputs. */
+    /** Runs a twin on WebGL2; returns its outputs. */
     runTwin: (name: string, seed: number) => Promise<number[]>;
   }
 }
