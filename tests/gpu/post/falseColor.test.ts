@@ -116,22 +116,25 @@ describe('false colours on the GPU', () => {
 });
 
 describe('the light meter', () => {
-  it.each([1, 2])('reads the values of the data channels at its positions, with n = %s of n × n samples', async (samples) => {
-    const { aovs } = await rasterized(['beauty', 'object', 'doppler', 'emission_time'], SETTINGS, samples);
-    const readings = await headless.renderer.measureLight();
-    const taken = { aovs, views: [VIEW], settings: SETTINGS, ...SIZE } as const;
-    const [doppler, time] = [falseColorValues('doppler', taken), falseColorValues('emission-time', taken)];
-    const beauty = aovs.get('beauty')!;
-    for (let i = 0; i < METER_CELLS * METER_CELLS; i++) {
-      const pixel =
-        meterPixel(Math.floor(i / METER_CELLS), SIZE.height) * SIZE.width + meterPixel(i % METER_CELLS, SIZE.width);
-      const [r, g, b] = beauty.subarray(3 * pixel, 3 * pixel + 3);
-      expect(readings.luminance[i]! / relativeLuminance(r!, g!, b!)).toBeCloseTo(1, 3);
-      if (aovs.get('object')![pixel]) expect(readings.doppler[i]).toBeCloseTo(doppler[pixel]!, 4);
-      // The sky's reading is at the cell's centre, at most a pixel away.
-      else expect(Math.abs(readings.doppler[i]! / doppler[pixel]! - 1)).toBeLessThan(0.02);
-      if (Number.isNaN(time[pixel]!)) expect(readings.time[i]).toBeNaN();
-      else expect(readings.time[i]).toBeCloseTo(time[pixel]!, 3);
-    }
-  });
+  it.each([1, 2])(
+    'reads the values of the data channels at its positions, with n = %s of n × n samples',
+    async (samples) => {
+      const { aovs } = await rasterized(['beauty', 'object', 'doppler', 'emission_time'], SETTINGS, samples);
+      const readings = await headless.renderer.measureLight();
+      const taken = { aovs, views: [VIEW], settings: SETTINGS, ...SIZE } as const;
+      const [doppler, time] = [falseColorValues('doppler', taken), falseColorValues('emission-time', taken)];
+      const beauty = aovs.get('beauty')!;
+      for (let i = 0; i < METER_CELLS * METER_CELLS; i++) {
+        const pixel =
+          meterPixel(Math.floor(i / METER_CELLS), SIZE.height) * SIZE.width + meterPixel(i % METER_CELLS, SIZE.width);
+        const [r, g, b] = beauty.subarray(3 * pixel, 3 * pixel + 3);
+        expect(readings.luminance[i]! / relativeLuminance(r!, g!, b!)).toBeCloseTo(1, 3);
+        if (aovs.get('object')![pixel]) expect(readings.doppler[i]).toBeCloseTo(doppler[pixel]!, 4);
+        // The sky's reading is at the cell's centre, at most a pixel away.
+        else expect(Math.abs(readings.doppler[i]! / doppler[pixel]! - 1)).toBeLessThan(0.02);
+        if (Number.isNaN(time[pixel]!)) expect(readings.time[i]).toBeNaN();
+        else expect(readings.time[i]).toBeCloseTo(time[pixel]!, 3);
+      }
+    },
+  );
 });
