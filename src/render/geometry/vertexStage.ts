@@ -218,24 +218,52 @@ const VERTEX_MOTIONS: { readonly [K in Motion['kind']]: VertexMotion } = {
 const solveVertex = (inputs: SolverInputs, { event }: Pick<SpacetimeProjection, 'event'>): SolvedVertex =>
   VERTEX_MOTIONS[inputs.sources.kind].solve(inputs, event);
 
+/** What is asked of a vertex's world line, which is built lazily: a shader takes one of these. */
+interface WorldLineSolvers<Solved extends VertexEvent> {
+  readonly place: () => WorldLineAt;
+  /** The event on the past light cone. */
+  readonly emission: () => Solved;
+  /** The event on the slice of simultaneity of the frame with γβ = u. */
+  readonly slice: (u: Vec3, gamma: Float) => Solved;
+}
+
+type EventSolver = <Solved extends VertexEvent>(
+  line: WorldLineSolvers<Solved>,
+  anchor: Vec4,
+  uniforms: EventSources['uniforms'],
+) => Solved | VertexEvent;
+
+/** By what a vertex's event is found on; the GPU's twins of `HYPERSURFACES` (src/physics/worldLines/hypersurface.ts). */
+const EVENT_SOLVERS: Readonly<Record<SpacetimeProjection['event'], EventSolver>> = {
+  newton: ({ place }, anchor, { iterations, damping }) => newtonEmission(anchor, place(), iterations, damping),
+  emission: ({ emission }) => emission(),
+  slice: ({ slice }, _, { u, gamma }) => slice(u, gamma),
+  now: ({ slice }) => slice(vec3(0), float(1)),
+};
+
 function staticVertex(inputs: SolverInputs, event: SpacetimeProjection['event']): SolvedVertex {
   const { anchor, vertex } = inputs;
   const solved = linear(inputs, vec4(0, 0, 0, 1), vertex.offset, event, () => staticEmission(anchor, vertex.offset));
   return { ...solved, normal: vertex.normal, exists: bool(true) };
 }
 
-/** `emission`: the event on the light cone. */
-function linear(
+const linear = (
   { anchor, sources }: SolverInputs,
   velocity: Vec4,
   offset: Vec3,
   event: SpacetimeProjection['event'],
   emission: () => VertexEvent,
-): VertexEvent {
-  if (event === 'newton') return newton(anchor, uniformPlace(velocity, offset), sources.uniforms);
-  if (event === 'emission') return emission();
-  return uniformSlice(anchor, velocity, offset, ...sliceOf(event, sources.uniforms));
-}
+): VertexEvent =>
+  EVENT_SOLVERS[event](
+    {
+      place: () => uniformPlace(velocity, offset),
+      emission,
+      slice: (u, gamma) => uniformSlice(anchor, velocity, offset, u, gamma),
+    },
+    anchor,
+    sources.uniforms,
+  );
+
 function uniformVertex(inputs: SolverInputs, event: SpacetimeProjection['event']): SolvedVertex {
   const { anchor, motion, extra } = inputs;
   const { offset, normal } = inputs.vertex;
@@ -251,14 +279,15 @@ function hyperbolicVertex(inputs: SolverInputs, event: SpacetimeProjection['even
   const { normal } = inputs.vertex;
   const offset = inputs.vertex.offset.sub(motion.xyz.mul(extra.z)).toVar();
   const hyperbola = [motion, extra.x, extra.y, offset] as const;
-  const solved =
-    event === 'newton'
-      ? { ...newton(anchor, hyperbolicPlace(...hyperbola), sources.uniforms), exists: bool(true) }
-      : event === 'emission'
-        ? hyperbolicEmission(anchor, ...hyperbola)
-        : hyperbolicSlice(anchor, ...hyperbola, ...sliceOf(event, sources.uniforms));
+  const solvers = {
+    place: () => hyperbolicPlace(...hyperbola),
+    emission: () => hyperbolicEmission(anchor, ...hyperbola),
+    slice: (u: Vec3, gamma: Float) => hyperbolicSlice(anchor, ...hyperbola, u, gamma),
+  };
+  const solved = EVENT_SOLVERS[event](solvers, anchor, sources.uniforms);
   const velocity = solved.velocity.toVar();
   return {
+    exists: bool(true),
     ...solved,
     velocity,
     normal: select(extra.y.greaterThan(0.5), normal, contractAlongMotion(normal, velocity)),
@@ -285,32 +314,23 @@ function samplesOf({ sources, motion, extra, vertex }: SolverInputs): VertexSamp
 
 function sampled(
   anchor: Vec4,
-  samples: VertexSamples,
+  { at, velocities, count }: VertexSamples,
   event: SpacetimeProjection['event'],
   uniforms: EventSources['uniforms'],
 ): VertexEvent {
-  const { at, velocities, count } = samples;
-  if (velocities) {
-    if (event === 'newton') return newton(anchor, cubicPlace(at, velocities, count), uniforms);
-    if (event === 'emission') return cubicEmission(anchor, at, velocities, count);
-    return cubicSlice(anchor, at, velocities, count, ...sliceOf(event, uniforms));
-  }
-  if (event === 'newton') return newton(anchor, polylinePlace(at, count), uniforms);
-  if (event === 'emission') return polylineEmission(anchor, at, count);
-  return polylineSlice(anchor, at, count, ...sliceOf(event, uniforms));
+  const solvers = velocities
+    ? {
+        place: () => cubicPlace(at, velocities, count),
+        emission: () => cubicEmission(anchor, at, velocities, count),
+        slice: (u: Vec3, gamma: Float) => cubicSlice(anchor, at, velocities, count, u, gamma),
+      }
+    : {
+        place: () => polylinePlace(at, count),
+        emission: () => polylineEmission(anchor, at, count),
+        slice: (u: Vec3, gamma: Float) => polylineSlice(anchor, at, count, u, gamma),
+      };
+  return EVENT_SOLVERS[event](solvers, anchor, uniforms);
 }
-
-const newton = (anchor: Vec4, line: WorldLineAt, { iterations, damping }: EventSources['uniforms']): VertexEvent =>
-  newtonEmission(anchor, line, iterations, damping);
-
-/** γβ and γ of the frame whose slice is used; missing entries mean the world's. */
-const MOMENTS: { readonly [Event in SpacetimeProjection['event']]?: (u: Vec3, gamma: Float) => [Vec3, Float] } = {
-  slice: (u, gamma) => [u, gamma],
-};
-
-/** The slice of the observer's own frame, or that of the world. */
-const sliceOf = (event: SpacetimeProjection['event'], { u, gamma }: EventSources['uniforms']): [Vec3, Float] =>
-  MOMENTS[event]?.(u, gamma) ?? [vec3(0), float(1)];
 
 /**
  * x∥ → x∥/γ for the velocity (v, 1 − v²): maps an offset of the rest frame to the world's slice, and a normal in the world's slice to the rest frame (the

@@ -36,10 +36,11 @@ export function restFrameViewOf(
   const rest = velocity ? restFrameBoostOf(velocity, uniforms) : undefined;
   const place = (rest ? boosted(event.xyz, length(event.xyz), rest) : event.xyz).toVar();
   const distance2 = dot(place, place).toVar();
+  const { u, gamma } = uniforms;
   const projectPlace = (x: Vec3, distance: Float): Vec3 => {
-    if (!rest) return projected(x, distance, projection, uniforms);
+    if (!rest) return PLACED[projection](x, distance, u, gamma);
     const back = { u: rest.u.negate(), gamma: rest.gamma };
-    return projected(boosted(x, distance, back), rest.gamma.mul(distance).sub(dot(rest.u, x)), projection, uniforms);
+    return PLACED[projection](boosted(x, distance, back), rest.gamma.mul(distance).sub(dot(rest.u, x)), u, gamma);
   };
   return {
     position: place,
@@ -84,17 +85,17 @@ function restFrameBoostOf(velocity: Vec4, { boostLight }: FrameUniforms): RestFr
 const boosted = (x: Vec3, ago: Float, { u, gamma }: RestFrameBoost): Vec3 =>
   x.add(u.mul(dot(u, x).div(gamma.add(1)).add(ago)));
 
-/** The observer position of a place in the world at a distance (shaders/kinematics/apparentPosition.ts, simultaneousPosition.ts). */
-function projected(
-  x: Vec3,
-  distance: Float,
-  placement: SpacetimeProjection['place'],
-  { u, gamma }: FrameUniforms,
-): Vec3 {
-  if (placement === 'plain') return x;
-  if (placement === 'apparent') return boosted(x, distance, { u, gamma });
-  return x.sub(u.mul(dot(u, x).div(gamma.mul(gamma.add(1)))));
-}
+/**
+ * The observer position of a place in the world at a distance, linear in both (docs/physics.md §3.3, §5.5; `PLACES` of vertexStage.ts takes the distance
+ * from the place).
+ */
+const PLACED: Readonly<
+  Record<SpacetimeProjection['place'], (x: Vec3, distance: Float, u: Vec3, gamma: Float) => Vec3>
+> = {
+  apparent: (x, distance, u, gamma) => boosted(x, distance, { u, gamma }),
+  contracted: (x, _, u, gamma) => x.sub(u.mul(dot(u, x).div(gamma.mul(gamma.add(1))))),
+  plain: (x) => x,
+};
 
 /**
  * Where a neighbour crosses the past light cone of a point, from which its seen event is separated by `apart`: as in shaders/emission/ontoLightCone.ts, but

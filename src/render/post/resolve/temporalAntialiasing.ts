@@ -198,16 +198,12 @@ function reproject(
   const v = clampedTexel(buffer.texture('motion'), pixel).xyz.toVar();
   const speed = length(v).toVar();
   const velocity = select(there, vec4(v, speed.oneMinus().mul(speed.add(1))), vec4(0, 0, 0, 1)).toVar();
-  // What is behind everything rests, so far away that the eye's step is nothing.
+  // The background is at rest, and so far away that the observer's displacement does not matter.
   const n = pixelDirection(uniforms).toVar();
-  const sky = projection.place === 'apparent' ? unaberrate(n, uniforms.u, uniforms.gamma) : n;
+  const sky = SKY_DIRECTION[projection.place](n, uniforms.u, uniforms.gamma);
   const now = select(there, clampedTexel(buffer.texture('event'), pixel), vec4(sky, -1)).toVar();
-  const then = previousEvent(
-    now.add(select(there, before.displacement, vec4(0))).toVar(),
-    velocity,
-    projection,
-    before,
-  ).toVar();
+  const passed = now.add(select(there, before.displacement, vec4(0))).toVar();
+  const then = PREVIOUS_EVENT[projection.event](passed, velocity, before).toVar();
 
   const [p, q] = [
     observerPosition(now.xyz, projection.place, uniforms),
@@ -232,15 +228,25 @@ function projected(
   return p.xy.div(max(p.z.negate(), 1e-20)).div(halfTangents).sub(frustumCenter.div(halfTangents));
 }
 
-/** The event at which a point, which passes `event` with `velocity`, is on the surface that the picture before was made of. */
-function previousEvent(
-  event: Vec4,
-  velocity: Vec4,
-  { event: kind }: SpacetimeProjection,
-  { u, gamma }: PreviousView,
-): Vec4 {
-  if (kind === 'emission' || kind === 'newton') return ontoLightCone(event, velocity);
-  const beta = kind === 'slice' ? u.div(gamma) : vec3(0);
+/** The direction in the world of the sky seen in the direction n′. */
+const SKY_DIRECTION: Readonly<Record<SpacetimeProjection['place'], (nPrime: Vec3, u: Vec3, gamma: Float) => Vec3>> = {
+  apparent: (nPrime, u, gamma) => unaberrate(nPrime, u, gamma),
+  contracted: (nPrime) => nPrime,
+  plain: (nPrime) => nPrime,
+};
+
+/** The event at which a point, which passes `event` with `velocity`, is on the hypersurface of the previous picture. */
+const PREVIOUS_EVENT: Readonly<
+  Record<SpacetimeProjection['event'], (event: Vec4, velocity: Vec4, previous: PreviousView) => Vec4>
+> = {
+  emission: (event, velocity) => ontoLightCone(event, velocity),
+  newton: (event, velocity) => ontoLightCone(event, velocity),
+  slice: (event, velocity, { u, gamma }) => ontoSlice(event, velocity, u.div(gamma)),
+  now: (event, velocity) => ontoSlice(event, velocity, vec3(0)),
+};
+
+/** As `ontoLightCone`, onto the slice of simultaneity of the frame with velocity β. docs/physics.md §5.2. */
+function ontoSlice(event: Vec4, velocity: Vec4, beta: Vec3): Vec4 {
   const later = dot(beta, event.xyz)
     .sub(event.w)
     .div(float(1).sub(dot(beta, velocity.xyz)));
