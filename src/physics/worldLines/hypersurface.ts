@@ -13,24 +13,24 @@ export interface TimeGradient {
 }
 
 /**
- * A set of events through the observer's own, which every world line meets at most once: what an instant picture can be made of.
+ * A hypersurface of spacetime through the observer's event that every world line intersects at most once: the events that a picture shows.
  * Times are relative to the observer's event, c(t − t_o) [m of light]; places are observer → event, world frame [m]; u is the observer's γβ.
  */
 export interface Hypersurface {
-  /** Whether its events send the light that arrives; else they are one moment of some frame. */
+  /** Whether it is the past light cone, else one moment of an inertial frame. */
   readonly isLightCone: boolean;
-  /** γβ of the frame whose moment it is; 0 for the light cone. */
+  /** γβ of that frame; 0 for the light cone. */
   momentVelocity(u: Vec3): Vec3;
-  /** Where a world line meets it; undefined behind a horizon. c [m/s]. */
+  /** Its intersection with a world line; undefined behind a horizon. c [m/s]. */
   intersect(line: WorldLine, observer: ObserverEvent, u: Vec3, c: number): SimultaneousEvent | undefined;
   timeGradient(u: Vec3): TimeGradient;
   /** c(t − t_o) at Δx. */
   timeAt(dx: Vec3, u: Vec3): number;
-  /** How far behind the surface an event is [m of light, times a positive constant]; it rises along every world line. `g`: γ of u. */
+  /** How far an event lies to the future of the hypersurface [m of light, times a positive constant]; it increases along every world line. `g`: γ of u. */
   lateness(x: number, y: number, z: number, t: number, u: Vec3, g: number): number;
   /** d(lateness)/d(ct) at (x, y, z) along a world line with velocity v [c]. */
   latenessRate(x: number, y: number, z: number, vx: number, vy: number, vz: number, u: Vec3, g: number): number;
-  /** Time [m of light] from the event T before the observer's at a to where a point with velocity v [c] meets the surface. */
+  /** Time [m of light] that a point with velocity v [c] takes from its place a at the time T before the observer's to the hypersurface. */
   crossingTime(
     T: number,
     ax: number,

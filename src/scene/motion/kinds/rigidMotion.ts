@@ -3,13 +3,13 @@ import { positionAt, type WorldLine } from '../../../physics/worldLines/worldLin
 import { type BoundingBox, boundingBox, meshBoundingSphere } from '../../bounds/bounds.ts';
 import { SupportMap } from '../../bounds/supportMap.ts';
 import { pointAt } from '../../mesh/polygons.ts';
-import type { HyperbolicMotion, Mesh, Motion, Pose, SceneObject, StaticMotion, UniformMotion } from '../../types.ts';
+import type { Mesh, Motion, Pose, RigidMotion, SceneObject } from '../../types.ts';
 import { composePoses } from './changes.ts';
 import type { ObjectWith } from './motionKind.ts';
 
 // What kinds of rigid motion share.
 
-type PosedMotion = StaticMotion | UniformMotion | HyperbolicMotion;
+type PosedMotion = Extract<RigidMotion, { readonly pose: Pose }>;
 
 /** Of a kind that has one pose at one time, and no samples. */
 export const POSED = {
