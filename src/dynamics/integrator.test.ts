@@ -55,7 +55,7 @@ describe('in air', () => {
     ['implicit-midpoint', 20],
     ['semi-implicit-euler-0', 400],
     ['linearly-implicit-2', 400],
-  ])('a step of %s is of the order that it says', (id, steps) => {
+  ])('a step of %s has the stated order', (id, steps) => {
     const { order } = METHODS.get(id)!;
     const gain = Math.log2(error(id, steps, end) / error(id, 2 * steps, end));
     expect(gain).toBeGreaterThan(order - 0.5);

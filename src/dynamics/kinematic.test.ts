@@ -90,7 +90,7 @@ describe.each(OURS)('a rotating kinematic body, by %s,', (id) => {
   it.each([
     ['a box', barrier(box(middle, [1, 0.1, 1], first), [0], K, 0.05, [1, 2, 3])],
     ['a wall', barrier({ ...plane(middle, front), orientation: first }, [0], K, 0.1, [1, 2, 3])],
-  ] as const)('%s throws a point at rest where it meets it to 2β/(1 + β²), and keeps H − ωL', (_, force) => {
+  ] as const)('%s accelerates a point at rest to 2β/(1 + β²), β at the contact, and conserves H − ωL', (_, force) => {
     // Position of the point in the box's frame at contact.
     const r = Math.sqrt(1 - 0.1 ** 2);
     const system = sweeping(omega, [force], [0.8, 0, 0]);

@@ -303,7 +303,7 @@ describe('a run', () => {
     [{ masses: Float64Array.of(1, 0) }, /point 1 has the mass 0 kg/],
     [{ masses: Float64Array.of(1), c: 0 }, /speed of light is 0/],
     [{ masses: Float64Array.of(1), drag: -1 }, /drag is -1/],
-  ])('refuses what cannot be moved: %o', (given: Partial<System> & Pick<System, 'masses'>, message) => {
+  ])('rejects invalid input: %o', (given: Partial<System> & Pick<System, 'masses'>, message) => {
     expect(() => makeSystem(given)).toThrow(message);
   });
 });
@@ -328,8 +328,8 @@ describe('obstacles', () => {
 
   it.each([
     ['in one step', 50, 10_000, 0.05],
-    ['in many steps, for it gives way', 5, 10, 1e-3],
-  ])('stops the run where something goes through it %s', (_, speed, stiffness, step) => {
+    ['in many steps, because they are soft', 5, 10, 1e-3],
+  ])('stop the run if a point passes through one %s', (_, speed, stiffness, step) => {
     const { frames, stop } = recordRun(thrown(speed, stiffness, step));
     expect(stop).toMatchObject({ reason: 'pierced', point: 1 });
     expect(stop?.message).toMatch(/^point 1 went through what is solid, to \(.+\) m; take a smaller step/);
@@ -435,7 +435,7 @@ describe('adaptive steps', () => {
     ['yoshida-4', 1],
     ['discrete-gradient', 1],
     ['implicit-midpoint', 2],
-  ])('keep what they promise of %s: each second’s steps err by no more than the tolerance', (id, c) => {
+  ])('keep their tolerance for %s: over the steps of each second', (id, c) => {
     const { system, start } = flyBy(c, 0.3, 0.3);
     const tolerance = 1e-4;
     const mover = new Integrator(system, method(id));

@@ -9,7 +9,7 @@ it.each([
   [2.294157, '2.29'],
   [1e-5, '1.00e−5'],
   [Number.POSITIVE_INFINITY, '∞'],
-])('%d is shown as %s', (value, text) => expect(formatNumber(value)).toBe(text));
+])('%d is formatted as %s', (value, text) => expect(formatNumber(value)).toBe(text));
 
 it.each([
   [0, '0'],
@@ -17,7 +17,7 @@ it.each([
   [0.9, '0.900'],
   [0.99, '0.9900'],
   [0.999999, '0.99999900'],
-])('a speed of %d c is shown with its nines', (beta, text) => expect(formatBeta(beta)).toBe(text));
+])('a speed of %d c is formatted with all its nines', (beta, text) => expect(formatBeta(beta)).toBe(text));
 
 it('times and speeds have their units', () => {
   expect(formatSeconds(2.345)).toBe('2.35 s');

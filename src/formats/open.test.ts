@@ -18,7 +18,7 @@ describe('openScene', () => {
     ['scene', /^scene: the name has no extension; /],
     ['b.gltf', /^b\.gltf: no such file; there is good\.gltf, empty\.glb$/],
     ['empty.glb', /^empty\.glb: the file is empty \(0 bytes\); export or copy it again$/],
-  ])('%s: says what is wrong and what to do', async (path, message) => {
+  ])('%s: rejected with a remedy', async (path, message) => {
     const files = memorySource({ 'a.blend': empty, 'good.gltf': empty, 'empty.glb': new Uint8Array(0), scene: empty });
     const error = await openScene(files, path).catch((thrown) => thrown);
     expect(error).toBeInstanceOf(InputError);

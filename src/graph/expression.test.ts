@@ -57,7 +57,7 @@ describe('expressions', () => {
     ['sin(1 m)', undefined, /plain numbers and angles/, 0],
     ['1 $ 2', undefined, /"\$" is not understood/, 1],
     ['('.repeat(60), undefined, /brackets in one another/, 16],
-  ])('%s in %o is refused with its place', (text, context, message, at) => {
+  ])('%s in %o is rejected with its position', (text, context, message, at) => {
     const result = evaluateExpression(text, context);
     expect(result).toMatchObject({ problem: expect.stringMatching(message) });
     expect('at' in result && Math.abs(result.at - at)).toBeLessThanOrEqual(1);

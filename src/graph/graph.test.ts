@@ -92,7 +92,7 @@ describe('the document', () => {
       JSON.stringify({ ...example(), frames: { f: { title: '', nodes: ['1st'], color: '#ffffff' } } }),
       /^frames\.f\.nodes\.0: a name is a letter .*it is "1st"$/,
     ],
-  ])('refuses %s with the place', (input, message) => {
+  ])('rejects %s with the location', (input, message) => {
     expect(() => parseDocument(input)).toThrow(message);
   });
 

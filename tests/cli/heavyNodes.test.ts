@@ -7,13 +7,13 @@ const built = async (): Promise<{ heavyNodes: typeof heavyNodes }> =>
 
 it('a node is evaluated in a worker thread of Node.js', async () => {
   const run = (await built()).heavyNodes();
-  const order = (operation: string, a: number) => ({
+  const request = (operation: string, a: number) => ({
     type: 'math',
     node: 'm',
     inputs: {},
     params: { operation, a, b: 3, c: 0 },
   });
   const work = { progress: () => {} };
-  expect(await run(order('add', 2), work)).toEqual({ number: 5 });
-  await expect(run(order('square-root', -1), work)).rejects.toMatchObject({ problem: { code: 'math.undefined' } });
+  expect(await run(request('add', 2), work)).toEqual({ number: 5 });
+  await expect(run(request('square-root', -1), work)).rejects.toMatchObject({ problem: { code: 'math.undefined' } });
 });

@@ -28,10 +28,10 @@ test.each([
   ['no folder', [project, '--folder', join(folder, 'nowhere')], 3, /there is no folder/],
   ['a scene without -o', [scene('movers.usda')], 2, /-o/],
   ['a folder beside -o', [project, '-o', 'a.png', '--folder', into], 2, /--folder/],
-])('nothing is written: %s', async (_, args, wanted, message) => {
+])('nothing is written: %s', async (_, args, expectedCode, message) => {
   const before = readdirSync(into);
   const { code, err } = await slowlight('render', ...args, ...(args.includes('--folder') ? [] : ['--folder', into]));
-  expect(code, err).toBe(wanted);
+  expect(code, err).toBe(expectedCode);
   expect(err).toMatch(message);
   expect(readdirSync(into)).toEqual(before);
 });

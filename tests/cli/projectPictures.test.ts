@@ -24,8 +24,18 @@ test('a project’s picture and film equal those of `render -o`', async () => {
   await slowlightJson('render', project, '-o', still, ...size, '--time', '0.5', '--samples', '2');
   await slowlightJson('render', project, '-o', film, ...size, '--frames', '2:6', '--fps', '8', '--samples', '1');
   expect(readFileSync(files[1]!).equals(readFileSync(still))).toBe(true);
-  const told = 'stream=width,height,r_frame_rate,nb_read_frames';
-  const probed = await ask('ffprobe', '-v', 'error', '-count_frames', '-show_entries', told, '-of', 'csv', files[0]!);
+  const entries = 'stream=width,height,r_frame_rate,nb_read_frames';
+  const probed = await ask(
+    'ffprobe',
+    '-v',
+    'error',
+    '-count_frames',
+    '-show_entries',
+    entries,
+    '-of',
+    'csv',
+    files[0]!,
+  );
   expect(probed.trim()).toBe('stream,64,48,8/1,5');
   const hashes = await Promise.all(
     [files[0]!, film].map((file) => ask('ffmpeg', '-v', 'error', '-i', file, '-f', 'framemd5', '-')),
@@ -75,11 +85,11 @@ test.each([
   ['frames without numbers', ['--set', 'film.name=a.png'], 3, /film\.name: .*a\.####\.png/],
   ['a time of one’s own', ['--time', '1'], 2, /--time is for -o/],
   ['a scene’s flag', ['--variant', 'a=b'], 2, /--variant is for scene files/],
-])('nothing is written: %s', async (_, args, wanted, message) => {
+])('nothing is written: %s', async (_, args, expectedCode, message) => {
   const here = join(folder, 'refused');
   mkdirSync(here, { recursive: true });
   const { code, err } = await slowlight('render', project, '--folder', here, ...args);
-  expect(code, err).toBe(wanted);
+  expect(code, err).toBe(expectedCode);
   expect(err).toMatch(message);
   expect(readdirSync(here)).toEqual([]);
 });

@@ -127,8 +127,8 @@ test.each([
   ['no such node', ['--csv', at('x.csv'), '--node', 'cloth'], 2, /there is run/],
   ['no folder', ['--csv', at('nowhere/x.csv')], 3, /there is no folder/],
   ['what a node refuses', ['--csv', at('x.csv'), '--set', 'cloth.which=/Gone'], 3, /cloth\.which: there is nothing at/],
-])('nothing is written: %s', async (_, args, wanted, message) => {
+])('nothing is written: %s', async (_, args, expectedCode, message) => {
   const { code, err } = await slowlight('simulate', project, ...args);
-  expect(code, err).toBe(wanted);
+  expect(code, err).toBe(expectedCode);
   expect(err).toMatch(message);
 });

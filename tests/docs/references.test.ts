@@ -34,10 +34,10 @@ function broken(files: readonly string[], pattern: RegExp, holds: (match: RegExp
 }
 
 it('a cited section of a page exists', () => {
-  const known = new Map<string, Set<string>>();
+  const headingsOf = new Map<string, Set<string>>();
   const sections = (page: string): Set<string> => {
-    const found = known.get(page) ?? (existsSync(join(ROOT, page)) ? sectionsOf(page) : new Set<string>());
-    known.set(page, found);
+    const found = headingsOf.get(page) ?? (existsSync(join(ROOT, page)) ? sectionsOf(page) : new Set<string>());
+    headingsOf.set(page, found);
     return found;
   };
   // Several sections may follow one page: `docs/physics.md §3.2, §3.3`.

@@ -134,10 +134,10 @@ it('every control of the page is reachable by Tab, with visible focus', async ()
     else if (!visible && !name.startsWith('BODY')) faint.push(name);
     reached.push(name);
   }
-  for (const wanted of ['Scenes', 'Save picture', 'Beaming', 'World time', 'Cruise', 'Controls'])
+  for (const label of ['Scenes', 'Save picture', 'Beaming', 'World time', 'Cruise', 'Controls'])
     expect(
-      reached.some((name) => name.includes(wanted)),
-      `${wanted} in ${reached.join('; ')}`,
+      reached.some((name) => name.includes(label)),
+      `${label} in ${reached.join('; ')}`,
     ).toBe(true);
   expect(faint).toEqual([]);
   await visit.close();

@@ -71,11 +71,11 @@ describe('the page', () => {
       await visit.shot(`page-${width}x${height}`);
       const overflow = () => visit.page.evaluate(() => document.documentElement.scrollWidth - innerWidth);
       await expect.poll(overflow).toBeLessThanOrEqual(0);
-      const share = async (): Promise<number> => {
+      const pictureFraction = async (): Promise<number> => {
         const picture = await visit.viewport.boundingBox();
         return (picture!.width * picture!.height) / (width * height);
       };
-      await expect.poll(share).toBeGreaterThan(0.3);
+      await expect.poll(pictureFraction).toBeGreaterThan(0.3);
     }
     await visit.close();
   });
@@ -181,8 +181,8 @@ describe('the page', () => {
     const scripts = built('.js');
     const styles = built('.css');
     const names = (css: string): readonly string[] => [...new Set(css.match(/\bm_[0-9a-f]+\b/g))];
-    const known = names(readFileSync(join(modules, '@mantine/core/styles.css'), 'utf8'));
-    const used = known.filter((name) => scripts.includes(name));
+    const mantineClasses = names(readFileSync(join(modules, '@mantine/core/styles.css'), 'utf8'));
+    const used = mantineClasses.filter((name) => scripts.includes(name));
     expect(used.length).toBeGreaterThan(50);
     expect(names(styles).toSorted()).toEqual(used.toSorted());
   });

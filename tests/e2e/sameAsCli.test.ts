@@ -72,11 +72,11 @@ it.each([
   const how = ['--size', `${WIDTH}x${HEIGHT}`, '--backend', backend];
   const { code, err } = await slowlight('render', example(name), '-o', file, ...flags, ...sampled, ...how);
   expect(code, err).toBe(0);
-  const wanted = rgbOf(file);
+  const expected = rgbOf(file);
   const visit = await shown(name, backend, sets);
   // Wait until metering, tessellation and accumulation are complete.
-  await expect.poll(async () => differing(await visit.pixels(), wanted)).toEqual([0, 0]);
-  expect(colorCount(wanted)).toBeGreaterThan(50);
+  await expect.poll(async () => differing(await visit.pixels(), expected)).toEqual([0, 0]);
+  expect(colorCount(expected)).toBeGreaterThan(50);
   await visit.close();
 });
 

@@ -70,8 +70,17 @@ it('a saved picture equals that of the command line, and a film has all its fram
   const film = await downloaded(visit, 'film');
   expect(film.name).toBe('film.mp4');
   const path = join(shots, 'download-film.mp4');
-  const told = 'stream=width,height,r_frame_rate,nb_read_frames,color_space';
-  const probed = execFileSync('ffprobe', ['-v', 'error', '-count_frames', '-show_entries', told, '-of', 'csv', path]);
+  const entries = 'stream=width,height,r_frame_rate,nb_read_frames,color_space';
+  const probed = execFileSync('ffprobe', [
+    '-v',
+    'error',
+    '-count_frames',
+    '-show_entries',
+    entries,
+    '-of',
+    'csv',
+    path,
+  ]);
   expect(probed.toString().trim()).toBe('stream,64,48,bt709,8/1,5');
   expect(frameTimes(path)).toEqual([0, 0.125, 0.25, 0.375, 0.5]);
   // Seeking to its time finds the third frame.
@@ -90,8 +99,17 @@ it('a film is VP9 where no other codec is available', async () => {
   });
   await downloaded(visit, 'film');
   const path = join(shots, 'download-film.mp4');
-  const told = 'stream=codec_name,width,height,color_space,r_frame_rate,nb_read_frames';
-  const probed = execFileSync('ffprobe', ['-v', 'error', '-count_frames', '-show_entries', told, '-of', 'csv', path]);
+  const entries = 'stream=codec_name,width,height,color_space,r_frame_rate,nb_read_frames';
+  const probed = execFileSync('ffprobe', [
+    '-v',
+    'error',
+    '-count_frames',
+    '-show_entries',
+    entries,
+    '-of',
+    'csv',
+    path,
+  ]);
   expect(probed.toString().trim()).toBe('stream,vp9,64,48,bt709,8/1,5');
   expect(frameTimes(path)).toEqual([0, 0.125, 0.25, 0.375, 0.5]);
   await visit.close();

@@ -18,7 +18,7 @@ const lamp = (name: string): SphereLight => {
 const sodium = lamp('Sodium');
 
 /** Samples of a lamp's motion: times [s], positions, and velocities [c] in between. */
-function way({ motion }: SphereLight): { t: number; place: Vec3; beta: Vec3 }[] {
+function samplesOf({ motion }: SphereLight): { t: number; place: Vec3; beta: Vec3 }[] {
   if (motion.kind !== 'sampled') throw new Error('a lamp shuttles');
   const place = (k: number): Vec3 => [motion.poses[7 * k], motion.poses[7 * k + 1], motion.poses[7 * k + 2]];
   return [...motion.times].slice(1).map((t, k) => ({
@@ -37,14 +37,14 @@ describe('lamps', () => {
   it('moves them at 0.32 c, with a standstill at the ends', () => {
     for (const name of ['Sodium', 'Mercury', 'Hydrogen'])
       expect(fastestVertex(objectAt(scene, `/World/${name}`), c).speed / c, name).toBeCloseTo(0.32, 2);
-    const ends = way(sodium).filter(({ beta }) => length(beta) < 0.01);
+    const ends = samplesOf(sodium).filter(({ beta }) => length(beta) < 0.01);
     expect(ends.map(({ place }) => Math.abs(place[0])).every((x) => x > 5.9)).toBe(true);
     expect(ends.length).toBeGreaterThan(10);
   });
 
   // λ′ = λ/D, D = √(1−β²)/(1−β cos α) for light emitted at α to the velocity; visibility from the CIE table only.
   it('lights the wall in blue, green, yellow and red, and then invisibly', () => {
-    const fast = way(sodium).find(({ beta }) => beta[0] > 0.319)!;
+    const fast = samplesOf(sodium).find(({ beta }) => beta[0] > 0.319)!;
     const beta = length(fast.beta);
     const seenAt = (ahead: number): { nm: number; color: Vec3 } => {
       const toLamp = normalize([-ahead, 0, fast.place[2]]);

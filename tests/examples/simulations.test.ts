@@ -162,7 +162,7 @@ describe("Newton's cradle", () => {
 describe('two charges', () => {
   it('have turning points given by energy and angular momentum, and follow a rosette', async () => {
     const { scene, books } = (await run('charges'))('dance');
-    const way = Array.from({ length: 721 }, (_, i) => {
+    const orbitSamples = Array.from({ length: 721 }, (_, i) => {
       const t = i / 60;
       const [x, , z] = sub(placeOf(scene, '/Positive', t), placeOf(scene, '/Negative', t));
       return { r: Math.hypot(x, z), angle: Math.atan2(z, x) };
@@ -180,8 +180,8 @@ describe('two charges', () => {
       else b = middle;
     }
     // Maximum distance: interpolated between frames by a parabola through three.
-    const turned = way.flatMap(({ r, angle }, i) => {
-      const [before, after] = [way[i - 1], way[i + 1]];
+    const turned = orbitSamples.flatMap(({ r, angle }, i) => {
+      const [before, after] = [orbitSamples[i - 1], orbitSamples[i + 1]];
       if (!before || !after || r < before.r || r < after.r) return [];
       const part = (after.r - before.r) / (2 * r - before.r - after.r) / 2;
       const step = ((after.angle - before.angle + 3 * Math.PI) % (2 * Math.PI)) - Math.PI;
@@ -198,14 +198,14 @@ describe('two charges', () => {
     // The same path is drawn on the table below, over all revolutions.
     const painted = orbit();
     let round = 0;
-    way.forEach(({ r, angle }, i) => {
-      const step = angle - (way[i - 1]?.angle ?? angle);
+    orbitSamples.forEach(({ r, angle }, i) => {
+      const step = angle - (orbitSamples[i - 1]?.angle ?? angle);
       round += step - 2 * Math.PI * Math.round(step / (2 * Math.PI));
       expect(2 * painted(round).away).toBeCloseTo(r, 2);
     });
     expect(most(books.fastest) / C).toBeCloseTo(0.6, 1);
-    expect(least(way.map(({ r }) => r)) / a).toBeCloseTo(1, 2);
-    expect(most(way.map(({ r }) => r))).toBeCloseTo(3.2, 3);
+    expect(least(orbitSamples.map(({ r }) => r)) / a).toBeCloseTo(1, 2);
+    expect(most(orbitSamples.map(({ r }) => r))).toBeCloseTo(3.2, 3);
     expect((most(books.total) - least(books.total)) / most(books.kinetic)).toBeLessThan(1e-9);
   });
 });

@@ -165,8 +165,8 @@ describe.each(['mirroredBall', 'angular'] as const)('%s', (format) => {
       const n = normalize([numbers() - 0.5, numbers() - 0.5, 1.2 * numbers() - 0.5]);
       // Directions behind the ball are compressed at its rim.
       if (n[2] < -0.8) continue;
-      const told = scale(skyIn(scene, n), 2).map((x) => x - 1) as unknown as Vec3;
-      for (let k = 0; k < 3; k++) expect(Math.abs(told[k] - n[k]), `${n}`).toBeLessThan(0.02);
+      const decoded = scale(skyIn(scene, n), 2).map((x) => x - 1) as unknown as Vec3;
+      for (let k = 0; k < 3; k++) expect(Math.abs(decoded[k] - n[k]), `${n}`).toBeLessThan(0.02);
     }
   });
 });

@@ -27,7 +27,7 @@ const CASES = [
 const JUMPING: readonly string[] = ['ladder'];
 const JUMPS: readonly Measure[] = ['changing doppler', 'changing velocity'];
 
-const painters = withRasterizers();
+const rasterizers = withRasterizers();
 
 describe.each(NAMES)('%s against the reference', (name) => {
   let scene: Scene;
@@ -35,7 +35,7 @@ describe.each(NAMES)('%s against the reference', (name) => {
   const report = new Report();
   beforeAll(async () => {
     scene = await openExample(name);
-    stage = await openComparedScene(scene, painters);
+    stage = await openComparedScene(scene, rasterizers);
   });
   afterAll(() => report.print(name));
 
@@ -46,10 +46,10 @@ describe.each(NAMES)('%s against the reference', (name) => {
   });
 
   it('galilean view: the same picture at any speed', async () => {
-    for (const painter of painters) {
+    for (const rasterizer of rasterizers) {
       const [atRest, ...fast] = BETAS.map((beta) => ({ ...exampleFrame(name, scene, 'galilean', beta), ...SIZE }));
-      const expected = await painter.take(atRest);
-      for (const order of fast) expect(isSame(await painter.take(order), expected)).toBe(true);
+      const expected = await rasterizer.take(atRest);
+      for (const request of fast) expect(isSame(await rasterizer.take(request), expected)).toBe(true);
     }
   });
 

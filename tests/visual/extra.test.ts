@@ -12,13 +12,13 @@ import {
 
 const SIZE = { width: 160, height: 90 };
 
-const painters = withRasterizers();
+const rasterizers = withRasterizers();
 
 describe.each(EXTRA_SCENES.map((extra) => [extra.scene.name, extra] as const))('%s', (name, extra) => {
   let stage: ComparedScene;
   const report = new Report();
   beforeAll(async () => {
-    stage = await openComparedScene(extra.scene, painters);
+    stage = await openComparedScene(extra.scene, rasterizers);
   });
   afterAll(() => report.print(name));
 

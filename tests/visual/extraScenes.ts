@@ -215,8 +215,11 @@ const crowd: ExtraScene = {
 };
 
 function wearers(group: string, count: number, motionOf: (place: Vec3, turn: Quat) => Motion): SceneObject[] {
-  const worn = cylinder(0.45, 1.4, { axis: 'Y', segments: 48 });
-  const meshes = [0, 1].map((material) => ({ ...worn, groups: worn.groups.map((g) => ({ ...g, material })) }));
+  const sharedMesh = cylinder(0.45, 1.4, { axis: 'Y', segments: 48 });
+  const meshes = [0, 1].map((material) => ({
+    ...sharedMesh,
+    groups: sharedMesh.groups.map((g) => ({ ...g, material })),
+  }));
   const row = ['Resting', 'World', 'Rest', 'Turning'].indexOf(group);
   return Array.from({ length: count }, (_, i) => {
     const place: Vec3 = [1.7 * ((i % 6) - 2.5) + 0.3 * row, 1.3 * row - 2, -2.2 - 2.1 * Math.floor(i / 6) - 0.5 * row];

@@ -73,7 +73,7 @@ function placesOf({ objects }: Scene, u: Vec3, { view, lightDelay, aberration }:
 
 const angle = (a: Vec3, b: Vec3): number => Math.atan2(length(cross(a, b)), dot(a, b));
 
-const painters = withRasterizers();
+const rasterizers = withRasterizers();
 
 describe.each(LATE_SCENES.map((scene) => [scene.name, scene] as const))(
   '%s, at t = 1e4 s and c = 10 m/s',
@@ -81,7 +81,7 @@ describe.each(LATE_SCENES.map((scene) => [scene.name, scene] as const))(
     let stage: ComparedScene;
     const report = new Report();
     beforeAll(async () => {
-      stage = await openComparedScene(scene, painters);
+      stage = await openComparedScene(scene, rasterizers);
     });
     afterAll(() => report.print(name));
 

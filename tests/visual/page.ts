@@ -11,7 +11,7 @@ declare global {
       /** Opens an example by its file, or one of the test scenes by its name. */
       open(name: string): Promise<void>;
       /** `readSamplePixels` as base64. */
-      take(order: PixelRequest): Promise<string>;
+      take(request: PixelRequest): Promise<string>;
       info(): Promise<RendererInfo>;
     };
     /** Returns a file of examples/ as base64; provided by the test. */
@@ -29,8 +29,8 @@ window.visual = {
   async open(name) {
     await renderer.setScene(made.find((scene) => scene.name === name) ?? (await readUsd(files, name, {})));
   },
-  async take(order) {
-    const values = await readSamplePixels(renderer, order);
+  async take(request) {
+    const values = await readSamplePixels(renderer, request);
     return base64(new Uint8Array(values.buffer));
   },
   info: async () => renderer.info,

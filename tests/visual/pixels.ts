@@ -21,13 +21,13 @@ const NAMES = ['object', 'position', 'emission_time', 'depth', 'doppler', 'veloc
 const FLOATS = 13;
 
 /** Renders the picture; returns `FLOATS` numbers per requested pixel. */
-export async function readSamplePixels(renderer: RasterRenderer, order: PixelRequest): Promise<Float32Array> {
-  const { view, settings, width, height } = order;
+export async function readSamplePixels(renderer: RasterRenderer, request: PixelRequest): Promise<Float32Array> {
+  const { view, settings, width, height } = request;
   if (renderer.width !== width || renderer.height !== height) renderer.setSize(width, height);
   renderer.render([view], settings);
   const aovs: Float32Array[] = [];
   for (const name of NAMES) aovs.push(await renderer.readAov(name));
-  const pixels = order.pixels ?? allPixels(order);
+  const pixels = request.pixels ?? allPixels(request);
   const out = new Float32Array(FLOATS * pixels.length);
   pixels.forEach((pixel, k) => {
     let at = FLOATS * k;

@@ -12,7 +12,7 @@ import { type PixelRequest, readSamplePixels } from './pixels.ts';
 export interface TestRasterizer {
   readonly name: 'WebGPU' | 'WebGL2';
   open(scene: Scene): Promise<void>;
-  take(order: PixelRequest): Promise<Float32Array>;
+  take(request: PixelRequest): Promise<Float32Array>;
   info(): Promise<RendererInfo>;
   close(): Promise<void>;
 }
@@ -23,9 +23,9 @@ export async function openWebGpu(): Promise<TestRasterizer> {
   return {
     name: 'WebGPU',
     open: (scene) => renderer.setScene(scene),
-    take: (order) => {
+    take: (request) => {
       pumpFrame();
-      return readSamplePixels(renderer, order);
+      return readSamplePixels(renderer, request);
     },
     info: async () => renderer.info,
     close,
@@ -43,9 +43,9 @@ export async function openWebGl(): Promise<TestRasterizer> {
   await page.exposeFunction('readExample', fileOf);
   return {
     name: 'WebGL2',
-    open: ({ name }) => page.evaluate((wanted) => window.visual.open(wanted), name),
-    take: async (order) => {
-      const text = await page.evaluate((wanted) => window.visual.take(wanted), order);
+    open: ({ name }) => page.evaluate((argument) => window.visual.open(argument), name),
+    take: async (request) => {
+      const text = await page.evaluate((argument) => window.visual.take(argument), request);
       chromium.assertHealthy();
       return new Float32Array(new Uint8Array(Buffer.from(text, 'base64')).buffer);
     },

@@ -31,37 +31,37 @@ const ALBEDO_UNFIT = 0.02;
 
 /** Opens both backends for the tests of a file, and closes them. */
 export function withRasterizers(): readonly TestRasterizer[] {
-  const painters: TestRasterizer[] = [];
+  const rasterizers: TestRasterizer[] = [];
   beforeAll(async () => {
-    painters.push(await openWebGpu(), await openWebGl());
+    rasterizers.push(await openWebGpu(), await openWebGl());
   });
   afterAll(async () => {
-    for (const painter of painters) await painter.close();
+    for (const rasterizer of rasterizers) await rasterizer.close();
   });
-  return painters;
+  return rasterizers;
 }
 
 /** A scene in the reference, and in every rasterizer. */
 export interface ComparedScene {
   readonly traced: TracedScene;
-  readonly painters: readonly TestRasterizer[];
+  readonly rasterizers: readonly TestRasterizer[];
 }
 
-export async function openComparedScene(scene: Scene, painters: readonly TestRasterizer[]): Promise<ComparedScene> {
-  for (const painter of painters) await painter.open(scene);
-  return { traced: createTracedScene(scene, speedOfLight(scene)), painters };
+export async function openComparedScene(scene: Scene, rasterizers: readonly TestRasterizer[]): Promise<ComparedScene> {
+  for (const rasterizer of rasterizers) await rasterizer.open(scene);
+  return { traced: createTracedScene(scene, speedOfLight(scene)), rasterizers };
 }
 
 /** Renders one frame with every rasterizer, and judges the given pixels, or all. */
 export async function judgeFrame(
-  { traced, painters }: ComparedScene,
+  { traced, rasterizers }: ComparedScene,
   { view, settings }: TestView,
   { width, height }: Size,
   pixels: readonly number[] = allPixels({ width, height }),
 ): Promise<ReadonlyMap<TestRasterizer['name'], ErrorTally>> {
   const judge = new PixelOracle({ scene: traced, view, settings, width, height });
-  const pictures = await Promise.all(painters.map((p) => p.take({ view, settings, width, height, pixels })));
-  return new Map(painters.map(({ name }, i) => [name, tallyErrors(judge, pictures[i], pixels)]));
+  const pictures = await Promise.all(rasterizers.map((p) => p.take({ view, settings, width, height, pixels })));
+  return new Map(rasterizers.map(({ name }, i) => [name, tallyErrors(judge, pictures[i], pixels)]));
 }
 
 /** Fails with a line per exceeded limit; `without`: values that are not meaningful here. */
@@ -110,8 +110,8 @@ export class Report {
     console.log(lines.join('\n'));
   }
 
-  private worstOf(painter: TestRasterizer['name']): string {
-    const own = this.entries.filter(({ name }) => name === painter);
+  private worstOf(rasterizer: TestRasterizer['name']): string {
+    const own = this.entries.filter(({ name }) => name === rasterizer);
     const most = (value: (tally: ErrorTally) => number) =>
       own.reduce((worst, entry) => (value(entry.tally) > value(worst.tally) ? entry : worst));
     const [wrong, displaced] = [most((t) => t.wrong), most((t) => t.displacement.worst)];

@@ -74,7 +74,7 @@ describe('iterations of the published implicit methods', () => {
   it.each([
     ['linearly-implicit-0', 0],
     ['local-global-0', 2 ** -10],
-  ])('%s leaves %s of the way', (id, left) => {
+  ])('%s leaves the fraction %s of the distance', (id, left) => {
     const [h, v] = [0.1, 1e-5];
     const ends = Uint32Array.of(0, 1);
     const system = makeSystem({
@@ -92,7 +92,7 @@ describe.each(OURS)('%s', (id) => {
     [0.01, 'slowly'],
     [1, ''],
     [6, 'at nearly c'],
-  ])('swings as elliptic integrals say, by %s m', (A) => {
+  ])('oscillates with the period of elliptic integrals, at an amplitude of %s m', (A) => {
     const [c, k] = [1, 1];
     const T = period(c, k, A);
     const system = oscillator(c, k);
@@ -225,7 +225,7 @@ describe.each(ALL)('%s, published or ours,', (id) => {
     ['from rest, without a rest length', [1, 1], 0, 1.6],
     ['of unequal masses, without a rest length', [1, 3], 0, 1.6],
     ['from rest, stretched to three times its length', [1, 1], 0.8, 2.4],
-  ])('swings two bodies on a spring as energy says: %s', (_, masses, length, apart) => {
+  ])('two bodies on a spring oscillate as energy conservation requires: %s', (_, masses, length, apart) => {
     const [c, k] = [1, 0.7];
     const system = makeSystem({
       masses: Float64Array.from(masses),

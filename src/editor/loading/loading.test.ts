@@ -81,7 +81,7 @@ describe('the purpose of dropped files', () => {
     [['scene.usda'], false, false],
     [['data.bin'], true, true],
     [['scene.usda'], true, false],
-  ])('%j, refused: %s → %s', (paths, isRefused, result) =>
+  ])('%j, rejected: %s → %s', (paths, isRefused, result) =>
     expect(suppliesMissingFiles(paths, { name: 'open.usda', missing, failed: isRefused })).toBe(result),
   );
 });

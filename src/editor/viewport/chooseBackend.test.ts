@@ -14,7 +14,7 @@ it.each([
   ['llvmpipe (LLVM 15.0.7, 256 bits)', true],
   ['ANGLE (Microsoft, Microsoft Basic Render Driver Direct3D11)', true],
   ['ANGLE (Apple, ANGLE Metal Renderer: Apple M2, Unspecified Version)', false],
-])('%s draws in software: %s', (name, software) => {
+])('%s is a software renderer: %s', (name, software) => {
   const gl = { getExtension: () => null, getParameter: () => name };
   vi.stubGlobal('document', { createElement: () => ({ getContext: () => gl }) });
   expect(isSoftwareRenderer()).toBe(software);
@@ -29,7 +29,7 @@ it.each([
   [true, 'emulated', 'webgpu', 'webgpu'],
   [true, undefined, 'webgpu', undefined],
   [false, 'real', 'webgl', undefined],
-] as const)('WebGL2 %s, WebGPU %s, wanted %s: %s', async (webgl, adapter, wanted, chosen) => {
+] as const)('WebGL2 %s, WebGPU %s, requested %s: %s', async (webgl, adapter, wanted, chosen) => {
   browser(webgl, adapter);
   expect(await chooseBackend(wanted)).toBe(chosen);
 });

@@ -74,7 +74,7 @@ describe('a spectrum from CSV', () => {
     ['400,1\n500,1e99', 'lamp.csv: line 2', 'is not two numbers'],
     ['400,1\n500', 'lamp.csv: line 2', 'is not two numbers'],
     [Array.from({ length: 100_002 }, (_, i) => `${i + 1},1`).join('\n'), 'lamp.csv: line 100001', 'more than'],
-  ])('is refused with its line: %#', (text, place, message) => {
+  ])('is rejected with its line: %#', (text, place, message) => {
     const error = (() => {
       try {
         return read(text);

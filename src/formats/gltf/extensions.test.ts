@@ -33,7 +33,7 @@ describe('KHR_materials_variants', () => {
     [undefined, '', 'red'],
     ['beach', 'beach', 'blue'],
     ['street', 'street', 'grey'],
-  ])('asked for %s shows %s in %s', async (asked, chosen, name) => {
+  ])('with the variant %s uses %s in %s', async (asked, chosen, name) => {
     const scene = await shoe().read(asked === undefined ? {} : { variants: new Map([['material', asked]]) });
     expect(scene.variants).toEqual([{ set: 'material', options: ['beach', 'street'], chosen }]);
     const { groups } = find(scene, '/Shoe').mesh;

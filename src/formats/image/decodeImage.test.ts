@@ -137,24 +137,21 @@ describe('an unreadable picture', () => {
     'a.jpg': new Uint8Array(readFileSync(new URL('./testdata/squares.jpg', import.meta.url))),
   };
 
-  it.each(Object.entries(samples))(
-    '%s cut off or with flipped bits is an InputError, or still a picture',
-    (name, bytes) => {
-      const attempt = (broken: Uint8Array): unknown => {
-        try {
-          decodeImage(broken, name);
-          return undefined;
-        } catch (error) {
-          return error;
-        }
-      };
-      for (let n = 0; n < bytes.length - 1; n++) expect(attempt(bytes.subarray(0, n))).toBeInstanceOf(InputError);
-      for (let i = 0; i < bytes.length; i++) {
-        const error = attempt(bytes.with(i, bytes[i] ^ (1 << (i % 8))));
-        if (error !== undefined) expect(error).toBeInstanceOf(InputError);
+  it.each(Object.entries(samples))('%s truncated or with flipped bits is read or an InputError', (name, bytes) => {
+    const attempt = (broken: Uint8Array): unknown => {
+      try {
+        decodeImage(broken, name);
+        return undefined;
+      } catch (error) {
+        return error;
       }
-    },
-  );
+    };
+    for (let n = 0; n < bytes.length - 1; n++) expect(attempt(bytes.subarray(0, n))).toBeInstanceOf(InputError);
+    for (let i = 0; i < bytes.length; i++) {
+      const error = attempt(bytes.with(i, bytes[i] ^ (1 << (i % 8))));
+      if (error !== undefined) expect(error).toBeInstanceOf(InputError);
+    }
+  });
 
   it('is rejected with a remedy', () => {
     const say = (bytes: Uint8Array): string => {

@@ -20,7 +20,7 @@ describe('I420 frames', () => {
     ['blue', [0, 0, 255], [32, 240, 118]],
     ['yellow', [255, 255, 0], [219, 16, 138]],
     ['cyan', [0, 255, 255], [188, 154, 16]],
-  ] as const)('%s is as BT.709 has it', (_, [r, g, b], expected) => {
+  ] as const)('%s agrees with BT.709', (_, [r, g, b], expected) => {
     expect(plain(r, g, b)).toEqual(expected);
   });
 

@@ -54,7 +54,7 @@ describe('a Radiance picture', () => {
     ['an exposure of 0', [...header('-Y 1 +X 1', ['EXPOSURE=0']), ...RED], 'image.damaged'],
     ['a run without a pixel', [...header('-Y 1 +X 2'), 1, 1, 1, 2, ...RED], 'image.damaged'],
     ['a header without an end', [...new TextEncoder().encode('#?RADIANCE\na')], 'image.damaged'],
-  ])('refuses %s', (_, bytes, code) => {
+  ])('rejects %s', (_, bytes, code) => {
     const refusal = expect.objectContaining({ diagnostic: expect.objectContaining({ code, place: 'sky.hdr' }) });
     expect(() => read(bytes)).toThrow(refusal);
   });

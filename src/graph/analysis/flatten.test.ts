@@ -344,7 +344,7 @@ describe('long chains', () => {
     ['sum', 'a', 'number'],
     ['reroute', 'in', 'out'],
     ['pick', 'a', 'out'],
-  ])('of %s are evaluated without trouble', async (type, input, output) => {
+  ])('of %s are evaluated without stack overflow', async (type, input, output) => {
     const document = chain(type, input, output);
     expect(validateDocument(document, toys)).toEqual([]);
     expect(await number(document)).toBe(1);

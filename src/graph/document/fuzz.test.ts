@@ -114,7 +114,7 @@ describe('a project', () => {
       /^groups\.g\.inputs: there are two of the name "a"/,
     ],
     ['more nodes than may be', edgeNamed('s.a', { nodes: many() }), /^nodes: 10001 are more than the 10000/],
-  ])('%s is refused with its place', (_what, text, message) => {
+  ])('%s is rejected with its location', (_what, text, message) => {
     expect(() => parseDocument(text)).toThrow(message);
     expect(() => parseDocument(text)).toThrow(DocumentError);
   });

@@ -263,7 +263,7 @@ describe('arranging', () => {
     ['center', { x: [255, 0], y: [205, 300], s: [205, 90] }],
     ['top', { x: [10, 0], y: [50, 0], s: [400, 0] }],
     ['bottom', { x: [10, 300], y: [50, 300], s: [400, 300] }],
-  ] as const)('brings nodes into line: %s', (to, wanted) => {
+  ] as const)('aligns nodes: %s', (to, wanted) => {
     expect(layout(alignCommand(placed, { nodes }, to, sizeOf))).toEqual(wanted);
   });
 

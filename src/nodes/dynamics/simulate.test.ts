@@ -332,7 +332,7 @@ describe('a run', () => {
   it.each([
     ['by equal steps', { rate: 200 }],
     ['by steps that adapt', { rate: 200, tolerance: 1e-3 }],
-  ])('gives the same to the bit whenever it is asked, and where it was stopped and goes on: %s', async (_, params) => {
+  ])('is deterministic to the bit, also when stopped and resumed: %s', async (_, params) => {
     const [first, second] = await Promise.all([simulated(...hanging(params)), simulated(...hanging(params))]);
     expect(second).toEqual(first);
     const evaluator = new Evaluator(nodeLibrary);
@@ -466,7 +466,7 @@ describe('bodies with prescribed motion', () => {
   it.each([
     ['a ball', ['sphere', { radius: 0.5, segments: 8, rings: 4 }], { shape: 'ball' }],
     ['a box', ['box', { width: 1, height: 1, depth: 1 }], { shape: 'box' }],
-  ] as const)('goes on as it goes: %s throws what rests to 2β/(1 + β²) c', async (_, shape, params) => {
+  ] as const)('keep moving: %s accelerates a body at rest to 2β/(1 + β²) c', async (_, shape, params) => {
     const { scene, books: record } = await simulated(
       ...going('Mover', shape, uniform, 'collider', params),
       ...ball('Target', 0.2, [3, 0, 0], { stiffness: 10_000 }),

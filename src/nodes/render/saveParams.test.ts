@@ -60,7 +60,7 @@ describe('the nodes that save pictures', () => {
     ['film', 'width', 65, 'file.even', { param: 'width', value: 66 }],
     ['film', 'to', 0, 'file.span', { param: 'to', value: 0.25 }],
     ['film', 'to', 1e9, 'file.frames', { param: 'to', value: 0.25 + 65_535 / 8 }],
-  ])('%s.%s = %s is refused, with a remedy that works', async (node, param, value, code, remedy) => {
+  ])('%s.%s = %s is rejected, with a remedy that works', async (node, param, value, code, remedy) => {
     const bad = set(node, param, value);
     expect(await refusalOf(node, bad)).toMatchObject({
       status: 'failed',

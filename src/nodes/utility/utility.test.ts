@@ -72,7 +72,7 @@ describe('math', () => {
     ['square-root', -1, 0],
     ['gamma-of-beta', 1, 0],
     ['beta-of-gamma', 0.5, 0],
-  ])('%s of %d is refused where it is no number', async (operation, a, b) => {
+  ])('%s of %d is rejected where it is undefined', async (operation, a, b) => {
     expect(await math(operation, a, b)).toMatchObject({ problem: { code: 'math.undefined', place: 'it' } });
   });
 

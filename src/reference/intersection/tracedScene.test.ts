@@ -47,8 +47,8 @@ const wandering: fc.Arbitrary<Motion> = fc
     const poses = [...start, ...turn];
     const times = [-4];
     let [position, orientation] = [start, turn];
-    for (const [way, far, axis] of steps) {
-      position = add(position, scale(way, far));
+    for (const [toward, far, axis] of steps) {
+      position = add(position, scale(toward, far));
       orientation = multiply(fromAxisAngle(axis, far / 3), orientation);
       poses.push(...position, ...orientation);
       times.push(times[times.length - 1] + 0.6);

@@ -40,18 +40,18 @@ export function brdfOf({ filter, metallic, roughness, ior, normal: N }: SurfaceP
 export function evaluateBrdf(brdf: Brdf, L: Vec3): SpectralFilter | undefined {
   const NL = Math.min(dot(brdf.N, L), 1);
   if (NL <= 0) return undefined;
-  const { share, F } = ggx(brdf, L, NL);
-  return mixFilters(brdf.diffuse, NL / Math.PI, F, NL * share);
+  const { specular, F } = ggx(brdf, L, NL);
+  return mixFilters(brdf.diffuse, NL / Math.PI, F, NL * specular);
 }
 
 /** Cook–Torrance with GGX and the height-correlated Smith term (Heitz 2014, eq. 99). */
-function ggx(brdf: Brdf, L: Vec3, NL: number): { readonly share: number; readonly F: SpectralFilter } {
+function ggx(brdf: Brdf, L: Vec3, NL: number): { readonly specular: number; readonly F: SpectralFilter } {
   const { N, V, NV, roughness } = brdf;
   const H = normalize(add(L, V));
   const a2 = roughness ** 4;
   const distribution = ggxDistribution(Math.min(dot(N, H), 1), a2);
   const visibility = 0.5 / Math.max(NL * smithTerm(NV, a2) + NV * smithTerm(NL, a2), 1e-4);
-  return { share: Math.min(distribution * visibility, 1e4), F: fresnel(brdf, dot(V, H)) };
+  return { specular: Math.min(distribution * visibility, 1e4), F: fresnel(brdf, dot(V, H)) };
 }
 
 /** √(a² + (1 − a²) x²) */
@@ -89,7 +89,7 @@ export function specularLobe(brdf: Brdf, roughness: number): Lobe {
   if (roughness < MIN_ROUGHNESS) return { sample: () => toward(N), weight: () => fresnel(brdf, NV) };
   const a2 = roughness ** 4;
   const hidden = NV + smithTerm(NV, a2);
-  const share = (L: Vec3): SpectralFilter => {
+  const weight = (L: Vec3): SpectralFilter => {
     const NL = dot(N, L);
     if (NL <= 0) return neutralFilter(0);
     const [v, l] = [NL * smithTerm(NV, a2), NV * smithTerm(NL, a2)];
@@ -97,10 +97,10 @@ export function specularLobe(brdf: Brdf, roughness: number): Lobe {
   };
   const direction = (random: Random): Vec3 => toward(sampleVisibleNormal(N, V, roughness * roughness, random));
   // From below the shading normal's horizon, where N·V is clamped, the density of visible normals is not that of the formula.
-  if (dot(N, V) < NV) return { sample: direction, weight: share };
+  if (dot(N, V) < NV) return { sample: direction, weight };
   return {
     sample: direction,
-    weight: share,
+    weight,
     pdf: (L) => ggxDistribution(dot(N, normalize(add(L, V))), a2) / (2 * hidden),
   };
 }

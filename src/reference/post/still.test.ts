@@ -37,9 +37,9 @@ describe('a still in a picture', () => {
         // Half the still's width in pixels of the picture, and the distance of a pixel's centre from the middle.
         const half = (w * height) / h / 2;
         for (let x = 0; x < width; x++) {
-          const off = Math.abs(x + 0.5 - width / 2);
-          if (Math.abs(off - half) < 1e-9) continue;
-          for (const y of [0, height - 1]) expect(shown.at(x, y)[0]).toBeCloseTo(off < half ? 1 : 0, 12);
+          const distance = Math.abs(x + 0.5 - width / 2);
+          if (Math.abs(distance - half) < 1e-9) continue;
+          for (const y of [0, height - 1]) expect(shown.at(x, y)[0]).toBeCloseTo(distance < half ? 1 : 0, 12);
         }
       }),
     );
@@ -61,7 +61,7 @@ describe('a still in a picture', () => {
   });
 
   it('conserves light when reduced, and uses every pixel', () => {
-    const share = (x: number, y: number): number => {
+    const weightOf = (x: number, y: number): number => {
       const made = still(100, 64, (i, j) => (i === x && j === y ? 1 : 0));
       return (16 * stillImage(made, 25, 16).values.reduce((all, value) => all + value, 0)) / 3;
     };
@@ -70,8 +70,8 @@ describe('a still in a picture', () => {
       [13, 50],
       [84, 9],
     ] as const)
-      expect(share(x, y)).toBeCloseTo(1, 12);
-    expect(share(0, 0)).toBeGreaterThan(0.25);
+      expect(weightOf(x, y)).toBeCloseTo(1, 12);
+    expect(weightOf(0, 0)).toBeGreaterThan(0.25);
   });
 });
 

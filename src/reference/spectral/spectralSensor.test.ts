@@ -215,7 +215,7 @@ describe('a moving floor under a sun at rest', () => {
         ],
       },
     ],
-  ])('lines are seen exactly where they are: %s', (_, spectrum) => {
+  ])('lines are seen at their exact shifted wavelengths: %s', (_, spectrum) => {
     fc.assert(
       fc.property(uniform(-0.3, 0.3), sunward, color, (v, s, albedo) => {
         const { Din, Dout, brightness } = factors(v, s);

@@ -29,7 +29,7 @@ describe('a light at rest', () => {
     [1, 1.5, 0.9],
     [3, 4, 2],
     [-5, 1.2, 1.1],
-  ])('a ball at (%d, %d) of radius %d lights with πL(r/d)² cos, near and far', (x, z, radius) => {
+  ])('a sphere light at (%d, %d) of radius %d lights with πL(r/d)² cos, near and far', (x, z, radius) => {
     const light = lamp([x, 0, z], { radius, color: [2, 2, 2] });
     const d = Math.hypot(x, z);
     expect(above(lit([floor], [light]), 0, [0, 0, 0], 1024) / (2 * (radius / d) ** 2 * (z / d))).toBeCloseTo(1, 3);

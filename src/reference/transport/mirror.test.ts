@@ -9,7 +9,7 @@ import { box, plane, sphere } from '../../scene/mesh/primitives.ts';
 const options = { bounces: 0, mirrors: true, glass: false };
 
 /** A sky whose red encodes the angle from the zenith, in thirds of π/256, and whose green is 1. */
-const told = {
+const ENCODED_SKY = {
   ...dome([1, 1, 1]),
   texture: picture(Array.from({ length: 256 }, (_, row) => [row, 255, 0] as const)),
 };
@@ -38,11 +38,11 @@ describe('a moving mirror (Einstein 1905, §8)', () => {
               },
             },
           ],
-          [told],
+          [ENCODED_SKY],
         );
-        const way = 1 - 2 * beta * cos + beta * beta;
-        const back = -((1 + beta * beta) * cos - 2 * beta) / way;
-        const shift = way / (1 - beta * beta);
+        const denominator = 1 - 2 * beta * cos + beta * beta;
+        const back = -((1 + beta * beta) * cos - 2 * beta) / denominator;
+        const shift = denominator / (1 - beta * beta);
         // k_y is invariant: ν sin φ = ν‴ sin φ‴.
         const toward = normalize([-back, -sin / shift, 0]);
         const { sine, D } = read(look(scene, { position: [0, 0, 0] }, toward, options));

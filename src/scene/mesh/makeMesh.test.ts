@@ -45,7 +45,7 @@ describe('primitives', () => {
       2 * Math.PI * r * h + 4 * Math.PI * r * r,
     ],
     ['torus', torus(2, 0.5, { segments: 96, rings: 48 }), 0, 2 * Math.PI ** 2 * 2 * 0.25, 4 * Math.PI ** 2],
-  ])('%s: volume and area near the round body’s, closed, right genus', (_, mesh, chi, v, a) => {
+  ])('%s: volume and area near those of the smooth body, closed, correct genus', (_, mesh, chi, v, a) => {
     expect(openEdges(mesh)).toBe(0);
     expect(eulerCharacteristic(mesh)).toBe(chi);
     // A chord of angle δ leaves out δ²/6 of the area at most, here δ = 2π/48.

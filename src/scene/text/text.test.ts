@@ -53,7 +53,7 @@ describe('a solid letter', () => {
     // A bar, and two rings.
     ['%', 2],
     ['@', 0],
-  ])('%s has as many holes as it is written with', (name, euler) => {
+  ])('%s has the correct number of holes', (name, euler) => {
     expect(eulerCharacteristic(solidOf(name))).toBe(euler);
   });
 

@@ -43,7 +43,7 @@ describe('a perspective lens', () => {
     { left: -1, right: 1, bottom: 1, top: -1 },
     { left: Number.NaN, right: 1, bottom: -1, top: 1 },
     { left: Number.NEGATIVE_INFINITY, right: 1, bottom: -1, top: 1 },
-  ])('refuses sides that enclose nothing: $left $right $bottom $top', (sides) => {
+  ])('rejects empty frustums: $left $right $bottom $top', (sides) => {
     expect(() => offAxisLens(sides)).toThrow(RangeError);
   });
 });

@@ -23,7 +23,7 @@ describe('light presets', () => {
     ['triphosphor', 'FL11'],
     ['led', 'LED-B3'],
     ['street-sodium', 'HP1'],
-  ])('%s has the chromaticity that colour-science gives %s', (name, cie) => {
+  ])('%s has colour-science’s chromaticity of %s', (name, cie) => {
     const spectrum = light(name) as SampledSpectrum;
     const [X, Y, Z] = tristimulus((wavelength) => spectralRadiance(spectrum, wavelength));
     [X, Y].forEach((value, i) => void expect(value / (X + Y + Z)).toBeCloseTo(judged.lamps[cie].xy[i], 6));

@@ -6,7 +6,7 @@ import { SRGB_TO_P3, SRGB_TO_XYZ, XYZ_TO_P3, XYZ_TO_SRGB } from './rgbSpaces.ts'
 test.each([
   ['sRGB', XYZ_TO_SRGB, judged.srgb],
   ['Display P3', XYZ_TO_P3, judged.p3],
-])('XYZ → linear %s is the matrix of colour-science', (_, matrix, expected) => {
+])('XYZ → linear %s agrees with colour-science', (_, matrix, expected) => {
   expected.flat().forEach((value, i) => void expect(matrix[i]).toBeCloseTo(value, 7));
 });
 

@@ -65,7 +65,7 @@ describe('coloured light on coloured surfaces', () => {
     ['0.8 to 1.2', 6504, [0.8, 1.2]],
     ['1/2 to 2', 6504, [0.5, 2]],
     ['0.8 to 1.2, at 3000 K', 3000, [0.8, 1.2]],
-  ] as const)('that move is seen as integration says: shifts from %s', (_, T, [from, to]) => {
+  ] as const)('in motion agrees with integration: shifts from %s', (_, T, [from, to]) => {
     const random = seeded(2);
     const pairs = Array.from({ length: 6 }, () => anyColor(random)).flatMap((k) => {
       const table = filteredBlackbodyTable({ temperature: T, filter: k }, 3);

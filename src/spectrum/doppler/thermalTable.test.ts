@@ -112,7 +112,7 @@ function curveAt(T: number): number[] {
 describe.each([
   ['table', (T: number) => tableTexel(plain, 0, rowOf(plain, T), 7.3)[3]],
   ['curve', (T: number) => curveAt(T)[3]],
-])('the luminance of a blackbody from H of the %s', (_, shape) => {
+])('the luminance of a blackbody by H of the %s', (_, shape) => {
   const luminance = (T: number) => blackbodyLuminance(shape(T), T);
 
   test('agrees with integration to 0.2 %', () => {

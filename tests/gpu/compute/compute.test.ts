@@ -26,9 +26,9 @@ afterAll(() => {
   gpu.release();
 });
 
-async function onGpu(order: RunOptions): Promise<RecordedRun> {
+async function onGpu(runOptions: RunOptions): Promise<RecordedRun> {
   const frames: SimulationFrame[] = [];
-  const running = runOnGpu(gpu.device, order);
+  const running = runOnGpu(gpu.device, runOptions);
   for (;;) {
     const { done, value } = await running.next();
     if (done) return { frames, stop: value };
@@ -45,7 +45,7 @@ function cloth(side: number, at: Vec3, k: number): { readonly x: Float64Array; r
 const GRAVITY: Vec3 = [0, -9.8, 0];
 /** Interval between frames [s], and their number. */
 const [EVERY, FRAMES] = [0.02, 6];
-const order = (
+const runOptions = (
   system: System,
   x: ArrayLike<number>,
   v: ArrayLike<number>,
@@ -68,7 +68,7 @@ function hanging(method: string, step = 2e-4): RunOptions {
   const pinned = new Uint8Array(100);
   pinned[0] = pinned[9] = 1;
   const system = makeSystem({ masses, pinned, c: 10, forces: [springForce(net), uniformField(masses, GRAVITY)] });
-  return order(system, x, still(x), method, step);
+  return runOptions(system, x, still(x), method, step);
 }
 
 /** A cloth, a ball thrown onto it and a fixed one below it; the rows of the balls are long. */
@@ -85,7 +85,7 @@ function ballsAndCloth(): RunOptions {
   const forces = [springForce(net), sphereContacts(balls, points), uniformField(masses, GRAVITY)];
   const places = [...x, 0.5, 0.25, 0.4, 0.45, -0.18, 0.5];
   const v = still(places).map((_, j) => (j === 301 ? -3 : 0));
-  return order(makeSystem({ masses, pinned, c: 20, forces }), places, v, 'leapfrog', 2e-4);
+  return runOptions(makeSystem({ masses, pinned, c: 20, forces }), places, v, 'leapfrog', 2e-4);
 }
 
 /** A cloth falling through air between a rotated box and a slanted plane. */
@@ -101,7 +101,7 @@ function clothOnObstacles(): RunOptions {
     barrier(block, points, 3000, 0.01),
     barrier(slope, points, 2000, 0.02),
   ];
-  return order(makeSystem({ masses, c: 15, drag: 0.5, forces }), x, still(x), 'leapfrog', 2e-4);
+  return runOptions(makeSystem({ masses, c: 15, drag: 0.5, forces }), x, still(x), 'leapfrog', 2e-4);
 }
 
 /** Two sheets that pass within contact distance; `speed`: of each. */
@@ -118,7 +118,7 @@ function sheetsThatTouch(speed: number): RunOptions {
   ];
   const x = [...a.x, ...b.x];
   const v = x.map((_, j) => (j % 3 === 1 ? (j < 192 ? speed : -speed) : 0));
-  return order(makeSystem({ masses, c: 30, forces }), x, v, 'leapfrog', 1e-4);
+  return runOptions(makeSystem({ masses, c: 30, forces }), x, v, 'leapfrog', 1e-4);
 }
 
 /** Charges in a magnetic field [T] and an electric one. */
@@ -130,7 +130,7 @@ function swarm(magneticField: Vec3): RunOptions {
   const forces = [coulomb(charges, 1e-5), uniformField(charges, [2e-3, 0, 1e-3])];
   const system = makeSystem({ masses, charges, c: 2, magneticField, forces });
   const v = x.map(() => 2 * (next() - 0.5));
-  return order(system, x, v, 'yoshida-4', 5e-4);
+  return runOptions(system, x, v, 'yoshida-4', 5e-4);
 }
 
 const CASES: readonly (readonly [string, () => RunOptions])[] = [
@@ -168,7 +168,7 @@ it('a constant force gives hyperbolic motion, up to γ = 50', async () => {
   const [force, c] = [30, 1];
   const system = makeSystem({ masses, c, forces: [uniformField(Float64Array.of(1, 1), [force, 0, 0])] });
   const { frames } = await onGpu({
-    ...order(system, [0, 0, 0, 0, 1, 0], still([0, 0, 0, 0, 0, 0]), 'leapfrog', 1e-3),
+    ...runOptions(system, [0, 0, 0, 0, 1, 0], still([0, 0, 0, 0, 0, 0]), 'leapfrog', 1e-3),
     ...{ duration: 3.3, every: 0.3 },
   });
   const b = (masses[0] * c * c) / force;
@@ -196,14 +196,14 @@ describe('a failing run', () => {
   const shot = (forces: System['forces'], more: Partial<System> = {}): RunOptions => {
     const masses = Float64Array.of(1, 1);
     const system = makeSystem({ masses, c: 100, forces, ...more });
-    return order(system, [-0.55, 0, 0, 0, 0, 0.02], [50, 0, 0, 0, 0, 0], 'leapfrog', 0.01);
+    return runOptions(system, [-0.55, 0, 0, 0, 0, 0.02], [50, 0, 0, 0, 0, 0], 'leapfrog', 0.01);
   };
   const pinned = Uint8Array.of(0, 1);
 
   it.each([
     ['a box', () => shot([barrier(box([0, 0, 0], [0.2, 1, 1]), [0], 1000)])],
     ['a ball', () => shot([sphereContacts([{ point: 1, radius: 0.2 }], [0])], { pinned })],
-  ])('ends where a point goes through %s, with the last good frame', async (_, of) => {
+  ])('ends if a point passes through %s, with the last valid frame', async (_, of) => {
     const { frames, stop } = await onGpu(of());
     expect(stop).toMatchObject({ reason: 'pierced', point: 0 });
     expect(recordRun(of()).stop).toMatchObject({ reason: 'pierced' });
@@ -240,7 +240,7 @@ describe('a failing run', () => {
       pinned: Uint8Array.of(1),
       kinematic: [{ point: 0, positionAt: (t) => [t, 0, 0] }],
     });
-    expect(await refused(order(led, [0, 0, 0], [0, 0, 0], 'leapfrog', 0.01))).toContain('prescribed motion');
+    expect(await refused(runOptions(led, [0, 0, 0], [0, 0, 0], 'leapfrog', 0.01))).toContain('prescribed motion');
     const small = new Proxy(gpu.device, {
       get(device, name) {
         if (name === 'limits') return { maxStorageBufferBindingSize: 4096, maxBufferSize: 4096 };

@@ -81,8 +81,9 @@ function checks(paint: Paint): void {
         if (object[i] !== id) wrong.push(`${x} ${y}: object ${object[i]}`);
         if (id === 0 || object[i] !== 1) continue;
         compared++;
-        const off = angle(apparentPosition(vector(position, i), view.u), direction(x, y)) / PIXEL;
-        if (!(off < 0.5) || Math.abs(position[3 * i + 1] + HEIGHT) > 1e-3) wrong.push(`${x} ${y}: ${off} pixels`);
+        const distance = angle(apparentPosition(vector(position, i), view.u), direction(x, y)) / PIXEL;
+        if (!(distance < 0.5) || Math.abs(position[3 * i + 1] + HEIGHT) > 1e-3)
+          wrong.push(`${x} ${y}: ${distance} pixels`);
       }
     expect(wrong).toEqual([]);
     expect(compared).toBeGreaterThan(SIZE * SIZE * 0.1);

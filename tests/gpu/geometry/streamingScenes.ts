@@ -58,11 +58,11 @@ export async function renderStreamingViews(renderer: SceneRenderer, form: Sample
   renderer.setSize(SIZE, SIZE);
   await renderer.setScene(sceneIn(form));
   const seen: number[][] = [];
-  for (const look of STREAMING_VIEWS) {
-    renderer.render([viewOf(look)], SETTINGS);
+  for (const view of STREAMING_VIEWS) {
+    renderer.render([viewOf(view)], SETTINGS);
     while (renderer.info.waiting) {
       await new Promise((done) => setTimeout(done, 2));
-      renderer.render([viewOf(look)], SETTINGS);
+      renderer.render([viewOf(view)], SETTINGS);
     }
     const parts = [
       await renderer.readAov('position'),

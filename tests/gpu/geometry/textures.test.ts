@@ -49,7 +49,7 @@ it.each([
   ['black', 'repeat'],
   ['clamp', 'black'],
   ['mirror', 'black'],
-] as const)('a texture that wraps as %s and %s is that of the reference', async (wrapS, wrapT) => {
+] as const)('a texture with wrap modes %s and %s agrees with the reference', async (wrapS, wrapT) => {
   const texture = checks(wrapS, wrapT);
   const albedo = await drawn(texture);
   let worst = 0;

@@ -138,7 +138,7 @@ describe('the rasterizer shows the colours of the spectral reference', () => {
     ['rest, seen by one who flies', { beta: [0.4, 0, -0.5] }],
     ['fly', { velocity: [0.3, 0.2, 0.2], beta: [0.1, 0, 0] }],
     ['fly, and tell of their invisible', { velocity: [0.3, 0.2, -0.2], material: { uv: 0.05, ir: 0.9 } }],
-  ] as const)('in strongly coloured light, of tiles that %s', async (_, given) => {
+  ] as const)('in strongly coloured light, on tiles that %s', async (_, given) => {
     const { mean, max: most } = await compared(
       [sun([3, 0.6, 0.1]), lamp([0.5, 0.3, 1.5], { color: [0.2, 1, 4] })],
       given,
@@ -197,7 +197,7 @@ describe('the rasterizer shows the colours of the spectral reference', () => {
     ['blue', [0.3, 0.5, 1], [0, 0, -0.4]],
     ['red', [1, 0.3, 0.04], [0, 0, -0.4]],
     ['red', [1, 0.3, 0.04], ZERO],
-  ])('of matt tiles in the light of a %s sky, as the integrals have it', async (_, color, beta) => {
+  ])('of matt tiles under a %s sky, by integration', async (_, color, beta) => {
     await headless.renderer.setScene(lit(tiles(undefined, { ior: 1, roughness: 1 }), [dome(color)]).scene);
     pumpFrame();
     headless.renderer.render([{ ...VIEW, u: properVelocity(beta) }], { ...SETTINGS, occlusionRadius: 0 }, 1);

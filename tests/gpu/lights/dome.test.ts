@@ -83,7 +83,7 @@ it.each([
   ['a rough mirror', mirror({ roughness: 0.5 }), 0.06],
   ['a mirror that is a little rough', mirror({ roughness: 0.2 }), 0.02],
   ['a mirror', mirror({ roughness: 0.05 }), 0.01],
-] as const)('a ball under a dome of radiance is lit as the reference has it: %s', async (_, material, bound) => {
+] as const)('a ball under a dome texture is lit as in the reference: %s', async (_, material, bound) => {
   expect(await difference(material)).toBeLessThan(bound);
 });
 
@@ -111,7 +111,7 @@ it.each([
   ['matt', lambert(1), 2e-3],
   // The total reflectance of a mirror under a sky is a fitted curve (brdf.ts).
   ['a mirror', mirror(), 0.035],
-] as const)('what reflects everything under a plain dome vanishes into it: %s', async (_, material, bound) => {
+] as const)('a lossless reflector is invisible under a uniform dome: %s', async (_, material, bound) => {
   expect(await standsOut(material, ZERO)).toBeLessThan(bound);
   expect(await standsOut(material, properVelocity([0, 0, -0.5]))).toBeLessThan(bound);
 });

@@ -90,7 +90,7 @@ it.each([-0.2, 0, 0.6])('in approximate colours it has the colour of 1,800 K, ti
 it.each([
   ['infrared', 0.6, { ir: 0.9 }, { ir: 0 }],
   ['ultraviolet', -0.6, { uv: 0.9 }, { uv: 0 }],
-] as const)('%s comes into sight at %s c', async (_, beta, bright, dark) => {
+] as const)('%s light becomes visible at %s c', async (_, beta, bright, dark) => {
   const material = { baseColor: [0.2, 0.3, 0.1] } as const;
   const [drawn, expected] = await colors({ ...material, ...bright }, [1, 1, 1], beta);
   const [dim, expectedDim] = await colors({ ...material, ...dark }, [1, 1, 1], beta);
@@ -103,12 +103,12 @@ it.each([
 });
 
 /** A texture channel that is constantly 0.6. */
-const told: TextureChannel = { texture: picture([[0, 153, 0]]), channel: 1, scale: 1, bias: 0 };
+const CONSTANT_CHANNEL: TextureChannel = { texture: picture([[0, 153, 0]]), channel: 1, scale: 1, bias: 0 };
 
 it.each([
-  ['infrared', 0.6, { ir: 0.6 }, { ir: 0.6, irTexture: told }],
-  ['ultraviolet', -0.6, { uv: 0.6 }, { uv: 0.6, uvTexture: told }],
-] as const)('%s that a picture tells is as bright as that of a number, at %s c', async (_, beta, number, texels) => {
+  ['infrared', 0.6, { ir: 0.6 }, { ir: 0.6, irTexture: CONSTANT_CHANNEL }],
+  ['ultraviolet', -0.6, { uv: 0.6 }, { uv: 0.6, uvTexture: CONSTANT_CHANNEL }],
+] as const)('%s reflectance from a texture equals that of a constant, at %s c', async (_, beta, number, texels) => {
   const material = { baseColor: [0.2, 0.3, 0.1] } as const;
   const [drawn, expected] = await colors({ ...material, ...texels }, [1, 1, 1], beta);
   const [same, expectedSame] = await colors({ ...material, ...number }, [1, 1, 1], beta);
@@ -121,7 +121,7 @@ it.each([
 
 it('occlusion maps dim sky light in both renderers, but not local lights', async () => {
   const wall = { baseColor: [0.8, 0.8, 0.8] } as const;
-  const shelter = { occlusionTexture: { ...told, scale: 0.5, bias: 0.1 } };
+  const shelter = { occlusionTexture: { ...CONSTANT_CHANNEL, scale: 0.5, bias: 0.1 } };
   const [open, sheltered] = [await colors(wall, [1, 1, 1], 0), await colors({ ...wall, ...shelter }, [1, 1, 1], 0)];
   for (const [k, bound] of [0.01, 1e-6].entries())
     expect(Math.abs(sheltered[k][1] / open[k][1] - 0.4)).toBeLessThan(bound);

@@ -47,7 +47,7 @@ describe('the stars', () => {
     { u: 2.06, fovY: 0.9 },
     // Fast enough for a visible cosmic background.
     { u: 700, fovY: 0.02 },
-  ])('are in the rasterizer’s picture as in the reference’s, at γβ = $u', async ({ u, fovY }) => {
+  ])('agree between rasterizer and reference, at γβ = $u', async ({ u, fovY }) => {
     const view: ViewPoint = {
       t: 0,
       position: [0, 0, 0],
@@ -69,8 +69,8 @@ describe('the stars', () => {
     // The range of the rasterizer's half floats.
     const expected = traced.beauty!.map((value) => Math.min(value, MAX_LIGHT));
     const most = Math.max(...expected);
-    const off = expected.map((value, i) => Math.abs(value - drawn[i]) / most);
-    const wrong = off.filter((value) => value > 1e-3).length / expected.length;
+    const errors = expected.map((value, i) => Math.abs(value - drawn[i]) / most);
+    const wrong = errors.filter((value) => value > 1e-3).length / expected.length;
     expect(expected.filter((value) => value > 0.01 * most).length).toBeGreaterThan(100);
     // For stars at the edge of the ball the triangulation matters.
     expect(wrong).toBeLessThan(1e-3);

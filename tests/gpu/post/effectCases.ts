@@ -108,9 +108,9 @@ const PICTURES = { noise, scene, shapes };
 const taken = new Map<string, EffectInput>();
 
 export function pictureOf({ picture }: EffectCase): EffectInput {
-  const known = taken.get(picture) ?? PICTURES[picture]();
-  taken.set(picture, known);
-  return known;
+  const cached = taken.get(picture) ?? PICTURES[picture]();
+  taken.set(picture, cached);
+  return cached;
 }
 
 /** A ramp from 0 at the left to 1 and beyond at the right. */

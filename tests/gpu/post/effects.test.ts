@@ -26,10 +26,10 @@ function expectSame(of: EffectCase, values: ArrayLike<number>): void {
     typeof of.of === 'object' && 'text' in of.of
       ? Math.hypot(...truth.subarray(i - (i % 3), i - (i % 3) + 3)) + NEARLY
       : Math.abs(truth[i]) + BLACK;
-  const off = Array.from(truth, (value, i) => Math.abs(values[i] - value) / size(i));
+  const errors = Array.from(truth, (value, i) => Math.abs(values[i] - value) / size(i));
   const lens = of.of === 'depth-of-field';
-  const wrong = off.filter((error) => !(error < (lens ? LENS_TOLERANCE : TOLERANCE))).length / off.length;
-  if (process.env.REPORT) console.log(`${of.name}: most ${Math.max(...off).toExponential(1)}, wrong ${wrong}`);
+  const wrong = errors.filter((error) => !(error < (lens ? LENS_TOLERANCE : TOLERANCE))).length / errors.length;
+  if (process.env.REPORT) console.log(`${of.name}: most ${Math.max(...errors).toExponential(1)}, wrong ${wrong}`);
   expect(wrong).toBeLessThanOrEqual(lens ? LENS_SHARE : 0);
 }
 

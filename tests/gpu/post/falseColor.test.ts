@@ -83,10 +83,10 @@ async function shareOff(kind: FalseColorQuantity, taken: FalseColorInput, slack:
   const expected = falseColorPicture(colors, values, taken).pixels;
   render({ ...taken.settings, falseColors: colors }, samples);
   const drawn = await headless.renderer.readPixels();
-  let off = 0;
+  let differing = 0;
   for (let i = 0; i < drawn.length; i += 4)
-    if ([0, 1, 2].some((k) => Math.abs(drawn[i + k]! - expected[i + k]!) > slack)) off++;
-  return (4 * off) / drawn.length;
+    if ([0, 1, 2].some((k) => Math.abs(drawn[i + k]! - expected[i + k]!) > slack)) differing++;
+  return (4 * differing) / drawn.length;
 }
 
 describe('false colours on the GPU', () => {

@@ -23,7 +23,7 @@ beforeAll(async () => {
 });
 afterAll(() => headless?.close());
 
-const look = (beta: Vec3, more: Partial<ViewPoint> = {}): ViewPoint => ({
+const viewAt = (beta: Vec3, more: Partial<ViewPoint> = {}): ViewPoint => ({
   t: 0,
   position: ZERO,
   u: properVelocity(beta),
@@ -53,7 +53,7 @@ describe('closed forms', () => {
     for (const beta of [0.5, 0.95]) {
       const u = properVelocity([0.2 * beta, 0, -0.9 * beta]);
       const orientation = lookAtOrientation(apparentPosition(at, u), [0, 1, 0]);
-      await render(ballAt(at), { ...look(ZERO), u, orientation, lens: perspective(0.9 * (1 - 0.8 * beta)) });
+      await render(ballAt(at), { ...viewAt(ZERO), u, orientation, lens: perspective(0.9 * (1 - 0.8 * beta)) });
       const ids = await headless.renderer.readAov('object');
       const { radii } = outline(ids);
       expect(radii.length).toBeGreaterThan(60);
@@ -64,14 +64,14 @@ describe('closed forms', () => {
   it('D on the axis: √((1 + β)/(1 − β)) ahead, its reciprocal behind', async () => {
     const beta = 0.8;
     const middle = (SIZE / 2) * SIZE + SIZE / 2;
-    await render(ballAt([0, 0, -5]), look([0, 0, -beta]));
+    await render(ballAt([0, 0, -5]), viewAt([0, 0, -beta]));
     expect((await headless.renderer.readAov('doppler'))[middle]).toBeCloseTo(3, 3);
-    await render(ballAt([0, 0, -5]), look([0, 0, beta]));
+    await render(ballAt([0, 0, -5]), viewAt([0, 0, beta]));
     expect((await headless.renderer.readAov('doppler'))[middle]).toBeCloseTo(1 / 3, 4);
   });
 
   it('rows run from the top, columns from the left', async () => {
-    await render(ballAt([-1.2, 1.5, -6], 0.6), look(ZERO));
+    await render(ballAt([-1.2, 1.5, -6], 0.6), viewAt(ZERO));
     const ids = await headless.renderer.readAov('object');
     const where = (x: number, y: number) => ids[Math.floor(y) * SIZE + Math.floor(x)];
     expect(where(SIZE * 0.32, SIZE * 0.27)).toBe(1);
@@ -80,7 +80,7 @@ describe('closed forms', () => {
   });
 
   it('the background is 0 in every data AOV, and the sky in the picture', async () => {
-    await render(makeScene({ name: 'empty', objects: [] }), look(ZERO));
+    await render(makeScene({ name: 'empty', objects: [] }), viewAt(ZERO));
     for (const name of ['depth', 'emission_time', 'doppler', 'position', 'normal', 'velocity', 'object'] as const)
       expect(Math.max(...(await headless.renderer.readAov(name)).map(Math.abs))).toBe(0);
     expect(Math.min(...(await headless.renderer.readAov('beauty')))).toBeGreaterThan(0.05);
@@ -106,7 +106,7 @@ function outline(ids: Float32Array): { radii: number[] } {
 
 describe('the renderer', () => {
   it('picks visible objects, and nothing in the sky', async () => {
-    await render(ballAt([0, 0, -5]), look([0, 0, -0.6]));
+    await render(ballAt([0, 0, -5]), viewAt([0, 0, -0.6]));
     const found = await headless.renderer.pick(SIZE / 2, SIZE / 2);
     expect(found?.surface).toMatchObject({ objectId: 1, path: '/ball' });
     expect(found?.surface?.emissionTime).toBeCloseTo(-4, 2);
@@ -134,7 +134,7 @@ describe('the renderer', () => {
       ],
     });
     const positions = async (change: Partial<RenderSettings>) => {
-      await render(scene, look(ZERO), { ...SETTINGS, ...change });
+      await render(scene, viewAt(ZERO), { ...SETTINGS, ...change });
       return headless.renderer.readAov('position');
     };
     const exact = await positions({});
@@ -157,15 +157,15 @@ describe('the renderer', () => {
         ],
       });
     const red = async () => (await headless.renderer.readAov('beauty'))[3 * ((SIZE / 2) * SIZE + SIZE / 2)];
-    await render(glass(-5), look(ZERO));
+    await render(glass(-5), viewAt(ZERO));
     expect(await red()).toBeGreaterThan(0.45);
     expect((await headless.renderer.pick(SIZE / 2, SIZE / 2))?.surface?.path).toBe('/wall');
-    await render(glass(-12), look(ZERO));
+    await render(glass(-12), viewAt(ZERO));
     expect(await red()).toBeLessThan(0.2);
   });
 
   it('averages n × n samples of light; data are those of the pixel centre', async () => {
-    const view = look(ZERO);
+    const view = viewAt(ZERO);
     await render(ballAt([0, 0, -5]), view);
     const [data, one] = [await headless.renderer.readAov('position'), await headless.renderer.readAov('beauty')];
     await render(ballAt([0, 0, -5]), view, SETTINGS, 3);
@@ -180,17 +180,17 @@ describe('the renderer', () => {
     const { renderer } = headless;
     for (const size of [SIZE + 24, SIZE]) {
       renderer.setSize(size, size);
-      await render(ballAt([0, 0, -5]), look(ZERO));
+      await render(ballAt([0, 0, -5]), viewAt(ZERO));
       const first = await renderer.readAov('beauty');
-      renderer.render([look(ZERO)], SETTINGS);
+      renderer.render([viewAt(ZERO)], SETTINGS);
       expect(await renderer.readAov('beauty')).toEqual(first);
     }
   });
 
   it('culls invisible objects, and keeps those that aberration brings into view', async () => {
-    await render(ballAt([0, 0, 6]), look(ZERO));
+    await render(ballAt([0, 0, 6]), viewAt(ZERO));
     expect(headless.renderer.info.objectsDrawn).toBe(0);
-    await render(ballAt([2, 0, 6]), look([0, 0, -0.999]));
+    await render(ballAt([2, 0, 6]), viewAt([0, 0, -0.999]));
     expect(headless.renderer.info.objectsDrawn).toBe(1);
     expect(Math.max(...(await headless.renderer.readAov('object')))).toBe(1);
   });
@@ -206,7 +206,7 @@ describe('the renderer', () => {
     });
     const scene = makeScene({ name: 'rest', objects: [moving] });
     const width = async (speedOfLight: number) => {
-      headless.renderer.render([look(ZERO)], { ...SETTINGS, view: 'galilean', speedOfLight });
+      headless.renderer.render([viewAt(ZERO)], { ...SETTINGS, view: 'galilean', speedOfLight });
       const ids = await headless.renderer.readAov('object');
       return ids.slice((SIZE / 2) * SIZE, (SIZE / 2 + 1) * SIZE).filter((id) => id > 0).length;
     };
@@ -219,7 +219,7 @@ describe('the renderer', () => {
 describe('a device with WebGPU’s minimum limits', () => {
   it('draws the G-buffer in two passes, with the same values', async () => {
     const scene = ballAt([0.3, 0.2, -5]);
-    const view = look([0.1, 0.2, -0.6]);
+    const view = viewAt([0.1, 0.2, -0.6]);
     await render(scene, view);
     const names = ['object', 'position', 'normal', 'doppler'] as const;
     const usual = await Promise.all(names.map((name) => headless.renderer.readAov(name)));

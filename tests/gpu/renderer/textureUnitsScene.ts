@@ -27,7 +27,7 @@ function waves(phase: number, [low, high]: readonly [number, number], side = 16)
   };
 }
 
-const share = (phase: number, side: number): TextureChannel => ({
+const channelOf = (phase: number, side: number): TextureChannel => ({
   texture: waves(phase, [80, 220], side),
   channel: 1,
   scale: 1,
@@ -42,11 +42,11 @@ const pictured = (name: string, first: number, given: Partial<Material> = {}): M
     emissive: [0.05, 0.1, 0.2],
     emissiveTexture: waves(first + 1, [0, 255]),
     normalTexture: { texture: waves(first + 2, [118, 138]), strength: [1, 1] },
-    roughnessTexture: share(first + 3, 8),
-    metallicTexture: share(first + 4, 16),
-    occlusionTexture: share(first + 5, 32),
-    uvTexture: share(first + 6, 64),
-    irTexture: share(first + 7, 128),
+    roughnessTexture: channelOf(first + 3, 8),
+    metallicTexture: channelOf(first + 4, 16),
+    occlusionTexture: channelOf(first + 5, 32),
+    uvTexture: channelOf(first + 6, 64),
+    irTexture: channelOf(first + 7, 128),
     uv: 0.5,
     ir: 0.5,
     ...given,

@@ -171,7 +171,7 @@ describe('edges of shadows', () => {
     [0.02, 1],
     [0.05, 1.5],
     [0.08, 3],
-  ])('are as soft as the sun is wide: %d m under an edge at %d m', async (radius, height) => {
+  ])('have the sun’s penumbra: %d m wide, under an edge at %d m', async (radius, height) => {
     pumpFrame();
     const shares = await renderSunShares(headless.renderer, penumbraScene(radius, height));
     const place = await headless.renderer.readAov('position');

@@ -35,7 +35,7 @@ describe('the value picker', () => {
     ['emission-time', -2],
     ['radiance', 1],
     ['band', 1.1e-6],
-  ] as const)('tells the number behind the colour: %s', async (kind, value) => {
+  ] as const)('reads the value behind the colour: %s', async (kind, value) => {
     setLegendColors({ kind, from: 0.5, to: 2 });
     setPointer([0.25, 0.99999]);
     await new ValuePicker().update(shown(kind), 0);

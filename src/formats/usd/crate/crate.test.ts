@@ -30,7 +30,7 @@ function listed(entry: Json | undefined): Json | undefined {
 describe.each([
   ...OWN.map((name) => [name, name]),
   ...['0.4', '0.5', '0.6'].map((version) => [`arrays-${version}`, 'arrays']),
-])('the crate %s.usdc holds what usd-core reads', (crate, name) => {
+])('the crate %s.usdc is read as by usd-core', (crate, name) => {
   const { layer: expected } = JSON.parse(
     readFileSync(new URL(`./fixtures/${name}.expected.json`, import.meta.url), 'utf8'),
   );

@@ -308,7 +308,7 @@ def Cube "A" {
   it.each([
     ['0: (0, 0, 0), 4: (4, 0, 0), 8: (4, 8, 0)', [0, 4, 8]],
     ['0: (0, 0, 0), 4: None, 8: (4, 8, 0)', [0, 4, 8]],
-  ])('go straight between samples that say so: %s', async (samples, codes) => {
+  ])('are linear between samples if so specified: %s', async (samples, codes) => {
     const scene = await readUsd(
       text(`( metersPerUnit = 1
 timeCodesPerSecond = 1 )

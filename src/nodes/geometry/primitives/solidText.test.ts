@@ -44,7 +44,7 @@ it.each<[text: string, problem: { code: string; place?: string; message?: RegExp
   ['\t', { code: 'letters.missing', message: /\(U\+0009\)/ }, 'c'],
   [' \n ', { code: 'letters.none' }, 'c'],
   ['a'.repeat(10_001), { code: 'letters.many', message: /10001 letters, more than 10000/ }, 'a'.repeat(10_000)],
-])('refuses what it cannot write, with a remedy: %j', async (text, { message = /./, ...problem }, value) => {
+])('rejects unsupported letters, with a remedy: %j', async (text, { message = /./, ...problem }, value) => {
   const wanted = { problem: { ...problem, message: expect.stringMatching(message), remedy: { node: 'it', value } } };
   expect(await made({ text })).toMatchObject(wanted);
 });

@@ -119,7 +119,7 @@ describe('a small sun in a dome texture', () => {
     ['rough plastic', makeMaterial({ name: 'plastic', baseColor: [0.5, 0.5, 0.5], roughness: 0.6 }), 0],
     ['a moving matt surface', lambert(0.8), 0.6],
     ['a moving rough metal', mirror({ roughness: 0.4 }), -0.5],
-  ] as const)('lights %s as the integral over all directions does', (_, material, speed) => {
+  ] as const)('lights %s like the integral over all directions', (_, material, speed) => {
     const turn = fromAxisAngle(normalize([0.2, 1, 0.4]), 0.7);
     const dome = sunny({ orientation: turn });
     const motion = { kind: 'uniform', pose: floor(material).motion.pose, velocity: [speed, 0, 0] } as const;

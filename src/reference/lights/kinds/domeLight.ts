@@ -36,11 +36,11 @@ export const DOME_LIGHT: LightTracer<DomeLight> = {
 
 /** Daylight plus its blue part scattered by air, so that the filter of the remainder is nearly grey. */
 function scattering(color: Vec3, context: SpectralContext): SampledRadiance {
-  const share = scatteredShare(color);
-  if (share === 0) return context.emitted(sourceSpectrumOf(color));
+  const amount = scatteredShare(color);
+  if (amount === 0) return context.emitted(sourceSpectrumOf(color));
   return plus(
-    context.emitted(sourceSpectrumOf(addScaled(color, SCATTERED_COLOR, -share))),
-    context.emitted(scatteredSource(share)),
+    context.emitted(sourceSpectrumOf(addScaled(color, SCATTERED_COLOR, -amount))),
+    context.emitted(scatteredSource(amount)),
   );
 }
 
@@ -49,17 +49,17 @@ function reddening(color: Vec3, context: SpectralContext): SampledRadiance {
   const { scattered, reddened, rest } = skyParts(color);
   let sum = context.emitted(sourceSpectrumOf(rest));
   if (scattered > 0) sum = plus(sum, context.emitted(scatteredSource(scattered)));
-  reddened.forEach((share, i) => {
-    const source = { spectrum: REDDENED[i], filter: neutralFilter(share), color: scale(REDDENED_COLORS[i], share) };
-    if (share > 0) sum = plus(sum, context.emitted(source));
+  reddened.forEach((amount, i) => {
+    const source = { spectrum: REDDENED[i], filter: neutralFilter(amount), color: scale(REDDENED_COLORS[i], amount) };
+    if (amount > 0) sum = plus(sum, context.emitted(source));
   });
   return sum;
 }
 
-const scatteredSource = (share: number): SourceSpectrum => ({
+const scatteredSource = (amount: number): SourceSpectrum => ({
   spectrum: SCATTERED,
-  filter: neutralFilter(share),
-  color: scale(SCATTERED_COLOR, share),
+  filter: neutralFilter(amount),
+  color: scale(SCATTERED_COLOR, amount),
 });
 
 function domeColor(dome: DomeLight, upAxis: Scene['upAxis']): (n: Vec3) => Vec3 {

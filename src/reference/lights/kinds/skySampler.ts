@@ -28,7 +28,7 @@ const MAX_PROBABILITY = 0.5;
 export function skySampler(dome: DomeLight): SkySampler | undefined {
   const texels = texelsOf(dome);
   if (!texels) return undefined;
-  const { width, height, excess, share } = texels;
+  const { width, height, excess, fraction } = texels;
   const [x, y, z] = domeAxes(dome);
   const rows = rowCdfs(excess, width, height);
   const marginal = cdfOf(rows.sums);
@@ -38,7 +38,7 @@ export function skySampler(dome: DomeLight): SkySampler | undefined {
     return (marginal[j + 1] - marginal[j]) * (rows.rising[at + 1] - rows.rising[at]);
   };
   return {
-    probability: Math.min(share, MAX_PROBABILITY),
+    probability: Math.min(fraction, MAX_PROBABILITY),
     sample: (random) => {
       const [row, down] = invertCdf(marginal, 0, height, random());
       const [column, right] = invertCdf(rows.rising, row * (width + 1), width, random());
@@ -70,7 +70,7 @@ interface TexelExcess {
   /** Power above the mean, per texel. */
   readonly excess: Float32Array;
   /** Sum of `excess` divided by the total power. */
-  readonly share: number;
+  readonly fraction: number;
 }
 
 function texelsOf(dome: DomeLight): TexelExcess | undefined {
@@ -87,9 +87,9 @@ function texelsOf(dome: DomeLight): TexelExcess | undefined {
   const mean = total / (2 * width);
   const excess = values.map((value, i) => Math.max(value - mean, 0) * sizes[Math.floor(i / width)]);
   const above = excess.reduce((sum, part) => sum + part, 0);
-  const share = above / total;
+  const fraction = above / total;
   // Rounding errors of a uniform sky do not count as bright parts.
-  return share > 1e-3 ? { width, height, excess, share } : undefined;
+  return fraction > 1e-3 ? { width, height, excess, fraction } : undefined;
 }
 
 interface LuminanceMap {

@@ -71,7 +71,7 @@ const AROUND = [
 /** A line at any angle, near the middle. */
 const someLine = fc
   .tuple(fc.integer({ min: 0, max: 359 }), fc.double({ min: -1, max: 1, noNaN: true }))
-  .map(([degrees, off]) => lineAt(degrees, SIZE / 2 + off, SIZE / 2 - off / 3));
+  .map(([degrees, offset]) => lineAt(degrees, SIZE / 2 + offset, SIZE / 2 - offset / 3));
 const noise = (from: number, to: number) =>
   fc
     .array(fc.double({ min: from, max: to, noNaN: true }), { minLength: 3 * 12 * 9, maxLength: 3 * 12 * 9 })
@@ -80,14 +80,14 @@ const mirrorImage = (image: FloatImage): FloatImage => image.map((x, y) => image
 const transposed = (image: FloatImage): FloatImage =>
   FloatImage.of(image.height, image.width, 3, (x, y) => image.at(y, x));
 function expectClose(a: FloatImage, b: FloatImage): void {
-  const off = a.values.map((value, i) => Math.abs(value - b.values[i]!) / (1 + Math.abs(value)));
-  expect(Math.max(...off)).toBeLessThan(1e-12);
+  const errors = a.values.map((value, i) => Math.abs(value - b.values[i]!) / (1 + Math.abs(value)));
+  expect(Math.max(...errors)).toBeLessThan(1e-12);
 }
 
 describe('on slanted edges', () => {
   it('antialiasing leaves a third of the error, and much less on edges nearly along rows or columns', () => {
-    const left = (degrees: number, off: number): number => {
-      const line = lineAt(degrees, 31.7 + off, 32.2 - off);
+    const left = (degrees: number, offset: number): number => {
+      const line = lineAt(degrees, 31.7 + offset, 32.2 - offset);
       return error(smoothed(hard(line)), line) / error(hard(line), line);
     };
     const ratios = Array.from({ length: 14 }, (_, i) => left(12.8 * i + 3, 0.13 * i));
@@ -181,12 +181,12 @@ describe('antialiasing', () => {
     fc.assert(
       fc.property(noise(0, 100), (image) => {
         const after = smoothed(image, [0.05, 8, 0.7]);
-        const off = after.values.map((value, i) => {
+        const excess = after.values.map((value, i) => {
           const [x, y] = [Math.floor(i / 3) % 12, Math.floor(i / 36)];
           const cross = [...AROUND, [0, 0] as const].map(([dx, dy]) => image.at(x + dx, y + dy)[i % 3]!);
           return Math.max(Math.min(...cross) - value, value - Math.max(...cross));
         });
-        expect(Math.max(...off)).toBeLessThan(1e-9);
+        expect(Math.max(...excess)).toBeLessThan(1e-9);
       }),
       { numRuns: 20 },
     );

@@ -279,8 +279,8 @@ describe('the vignette', () => {
     expect(dark.at(1, 1)[0]).toBeCloseTo(1, 12);
     expect(dark.at(2, 1)[0]).toBeCloseTo(Math.cos(Math.atan(tan)) ** 4, 12);
     const corner = Math.hypot(tan, tan) / Math.hypot(Math.tan(0.5), Math.tan(0.5));
-    const told = effect('vignette', [1, 4, 60], flat(3, 3, 1)).at(2, 2)[0];
-    expect(told).toBeCloseTo(Math.cos(Math.atan(corner * Math.tan(Math.PI / 3))) ** 4, 12);
+    const vignetted = effect('vignette', [1, 4, 60], flat(3, 3, 1)).at(2, 2)[0];
+    expect(vignetted).toBeCloseTo(Math.cos(Math.atan(corner * Math.tan(Math.PI / 3))) ** 4, 12);
   });
 });
 

@@ -45,7 +45,7 @@ describe('value clips', () => {
       'its times have more than two entries for 1',
     ],
     ['double2[] active = [(0, 0)]\ndouble2[] times = [(1, inf)]', 'its times are not all finite'],
-  ])('are refused where they make no sense: %s', async (lines, why) => {
+  ])('are rejected if invalid: %s', async (lines, why) => {
     const { said, times } = await composed(`asset[] assetPaths = [@a.usda@]\n${lines}`);
     expect(said).toEqual([`usd.clips root.usda</P>: its clip set 'default' is left out: ${why}`]);
     expect(times).toHaveLength(0);
@@ -65,7 +65,7 @@ describe('value clips', () => {
       template('./a.#.usda', 1, 2, 1, 'double templateActiveOffset = 2'),
       'its templateActiveOffset 2 is more than the stride 1',
     ],
-  ])('are refused where their template makes no sense: %s', async (lines, why) => {
+  ])('are rejected if their template is invalid: %s', async (lines, why) => {
     expect((await composed(lines)).said).toEqual([
       `usd.clips root.usda</P>: its clip set 'default' is left out: ${why}`,
     ]);

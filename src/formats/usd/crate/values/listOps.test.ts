@@ -56,7 +56,7 @@ describe('list ops', () => {
     ['uint', NON_ARRAY_TYPES.uintListOp, u32(2 ** 32 - 1), 2n ** 32n - 1n],
     ['int64', NON_ARRAY_TYPES.int64ListOp, u64(-1), -1n],
     ['uint64', NON_ARRAY_TYPES.uint64ListOp, u64(-1), 2n ** 64n - 1n],
-  ])('of %s have their sign and all their digits', (_, type, item, expected) => {
+  ])('of %s preserve sign and all digits', (_, type, item, expected) => {
     expect(noteOf(type, bytes([3], u64(1), item))).toEqual({ type: 'integers', op: { explicit: [expected] } });
   });
 

@@ -27,7 +27,7 @@ describe('point instancers', () => {
     ['Carried', 'velocities that lead from sample to sample, through the range of the stage', 5e-4, onStage],
     ['Forest', 'instancers in prototypes of instancers', 1e-5, any],
     ['Particles', 'ids that come and go, at their samples', 1e-5, (code: number) => code % 12 === 0],
-  ])('%s are where usd-core has them: %s', async (name, _, tolerance, at) => {
+  ])('%s agree with usd-core: %s', async (name, _, tolerance, at) => {
     const found = agreement(await scene, places, new RegExp(`^/World/${name}\\[`), at);
     expect(found).toMatchObject({ missing: [], extra: [] });
     expect(found.off).toBeLessThan(tolerance);

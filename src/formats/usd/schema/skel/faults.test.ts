@@ -163,7 +163,7 @@ describe('blend shapes', () => {
       'pointIndices = [4]; uniform vector3f[] inbetweens:half = [(0, 0, 0)]',
       'inbetweens:half needs a weight other than 0 and 1',
     ],
-  ])('%s as %s is told', async (from, to, message) => {
+  ])('%s as %s is reported', async (from, to, message) => {
     const scene = await read(arm({ animation: weights, inner: shape.replace(from, to) }));
     expect(said(scene)).toEqual([
       `usd.blend-shape a.usda</Rig/Body/M/Smile>: ${message}; it does not bend /Rig/Body/M`,
@@ -249,7 +249,7 @@ describe('invalid bindings are reported, and the mesh stays as authored', () => 
     ['translations = [(1, 0, 0)]', 'translations = []', 'translations has 0 values for 1 joints'],
     ['scales = [(1, 1, 1)]', 'scales = [(1, inf, 1)]', 'scales holds what is no finite number'],
     ['24: [(', '12: [], 24: [(', 'rotations at time 12 has 0 values for 1 joints'],
-  ])('an animation with %s as %s: its joints rest', async (from, to, message) => {
+  ])('an animation with %s as %s: its joints stay at rest', async (from, to, message) => {
     const text = arm();
     expect(text).toContain(from);
     const scene = await read(text.replace(from, to));
