@@ -33,13 +33,13 @@ export function onPath(name) {
 
 // ── Node and its packages ──────────────────────────────────────────────────────────────────────────────────────────
 
-const leastNode = [20, 19];
+const minNode = [20, 19];
 
 export function checkNode() {
   const [major, minor] = process.versions.node.split('.').map(Number);
-  if (major > leastNode[0] || (major === leastNode[0] && minor >= leastNode[1])) return;
+  if (major > minNode[0] || (major === minNode[0] && minor >= minNode[1])) return;
   throw new SetupError(
-    `Slowlight needs Node ${leastNode.join('.')} or newer; this is ${process.versions.node}. See https://nodejs.org`,
+    `Slowlight needs Node ${minNode.join('.')} or newer; this is ${process.versions.node}. See https://nodejs.org`,
   );
 }
 

@@ -90,7 +90,7 @@ describe('opening files', () => {
     await choose(visit.page, 'Scene in these files', 'set.zip/set/parts/car.usda');
     await visit.page.getByText('car.usda', { exact: true }).waitFor();
     await visit.page.getByRole('combobox', { name: 'paint' }).waitFor();
-    await visit.shot('bring-zip');
+    await visit.shot('openFiles-zip');
     expect(await violations(visit.page)).toEqual([]);
     await visit.close();
   });
@@ -114,7 +114,7 @@ describe('opening files', () => {
     const item = visit.page.locator('[data-missing="./textures/checker.png"]');
     await item.waitFor();
     expect(await item.textContent()).toMatch(/for .*textured\.usda<\/.*searched textures\/checker\.png/);
-    await visit.shot('bring-missing');
+    await visit.shot('openFiles-missing');
     expect(await violations(visit.page)).toEqual([]);
     await visit.viewport.click();
     for (const key of ['ArrowLeft', 'ArrowUp']) await visit.page.keyboard.press(key, { delay: 120 });
@@ -163,7 +163,7 @@ describe('opening files', () => {
     expect(pinkShare(gray)).toBe(0);
     await choose(visit.page, 'paint', 'pink');
     await expect.poll(async () => pinkShare(await visit.pixels())).toBeGreaterThan(0.02);
-    await visit.shot('bring-variants');
+    await visit.shot('openFiles-variants');
     await visit.page.getByRole('button', { name: /^Undo: choose a variant/ }).click();
     await visit.page.mouse.move(0, 0); // The button's tooltip covers the picture.
     await expect.poll(async () => difference(await visit.pixels(), gray)).toBeLessThan(0.5);
@@ -186,7 +186,7 @@ describe('opening files', () => {
     const bar = visit.page.getByRole('progressbar', { name: 'Reading the file' });
     await bar.waitFor();
     expect(await bar.getAttribute('aria-valuenow')).toBeNull();
-    await visit.shot('bring-reading');
+    await visit.shot('openFiles-reading');
     await visit.page.getByRole('button', { name: 'Cancel' }).click();
     await bar.waitFor({ state: 'detached', timeout: 1000 });
     expect(difference(await visit.pixels(), before)).toBeLessThan(1);
@@ -223,7 +223,7 @@ describe('motion', () => {
     await visit.page.getByText('0.00 s … 1.00 s').waitFor();
     await visit.page.getByText('4.00 m/s at t =').waitFor();
     await visit.page.getByText('Paths between samples').waitFor();
-    await visit.shot('bring-motion');
+    await visit.shot('openFiles-motion');
     await speed.fill('40');
     await speed.press('Enter');
     await visit.refusals.getByRole('button', { name: /Set Speed of light to/ }).waitFor();
@@ -245,7 +245,7 @@ describe('motion', () => {
     await choose(visit.page, 'Direction', '−X');
     await expect.poll(() => flight.getByRole('textbox', { name: 'Direction x' }).inputValue()).toBe('-1');
     await visit.page.mouse.move(0, 0);
-    await visit.shot('bring-flight');
+    await visit.shot('openFiles-flight');
     expect(await violations(visit.page)).toEqual([]);
     await flight.getByRole('button', { name: 'Move as in the file again' }).click();
     await expect.poll(() => flight.count()).toBe(0);
@@ -265,7 +265,7 @@ describe('motion', () => {
       await visit.page.setViewportSize(viewport);
       await visit.page.locator(`html[data-mantine-color-scheme=${colorScheme}]`).waitFor();
       await visit.page.getByRole('group', { name: 'Flight: /World/Wall' }).scrollIntoViewIfNeeded();
-      await visit.shot(`bring-${colorScheme}-${viewport.width}`);
+      await visit.shot(`openFiles-${colorScheme}-${viewport.width}`);
       const overflow = () => visit.page.evaluate(() => document.documentElement.scrollWidth - innerWidth);
       await expect.poll(overflow).toBeLessThanOrEqual(0);
       expect(await violations(visit.page)).toEqual([]);

@@ -39,7 +39,7 @@ export const contentHead = (content: FileContent, length: number): Uint8Array =>
   content instanceof RangedFile ? content.read(0, Math.min(length, content.size)) : content.subarray(0, length);
 
 /** Size [bytes] and maximum number of cached pages for small reads. */
-const [PAGE, MOST_PAGES] = [2 ** 16, 64];
+const [PAGE, MAX_PAGES] = [2 ** 16, 64];
 
 /** A sliding window over a file: `ensure` moves it to the wanted bytes. In-memory contents are one fixed window from byte 0. */
 export class FileWindow {
@@ -89,7 +89,7 @@ export class FileWindow {
     const found = this.pages.get(page) ?? file.read(page * PAGE, Math.min(PAGE, file.size - page * PAGE));
     this.pages.delete(page);
     this.pages.set(page, found);
-    if (this.pages.size > MOST_PAGES) this.pages.delete(this.pages.keys().next().value!);
+    if (this.pages.size > MAX_PAGES) this.pages.delete(this.pages.keys().next().value!);
     return found;
   }
 }

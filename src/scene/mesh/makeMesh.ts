@@ -167,11 +167,11 @@ class VertexValues {
   private readonly values: Float32Array;
 
   /** @param size numbers of each value */
-  constructor(from: PolygonValues, size: number, mostVertices: number) {
+  constructor(from: PolygonValues, size: number, maxVertices: number) {
     this.from = from;
     this.size = size;
     this.differs = from.per === 'corner' || from.per === 'face';
-    this.values = new Float32Array(mostVertices * size);
+    this.values = new Float32Array(maxVertices * size);
   }
 
   write(vertex: number, corner: number, face: number, point: number): void {

@@ -83,8 +83,8 @@ function tangentRows(topology: SubdivisionTopology, scheme: SubdivisionScheme, a
   const creases = creasesAt(topology, topology.edgeSharpness, LOOKS_SHARP);
   const slotOfCorner = new Uint32Array(topology.corners.length);
   const pointOfSlot: number[] = [];
-  const mostSlots = topology.corners.length + 1;
-  const [along, across] = [new SparseMatrixBuilder(mostSlots, 3), new SparseMatrixBuilder(mostSlots, 3)];
+  const maxSlots = topology.corners.length + 1;
+  const [along, across] = [new SparseMatrixBuilder(maxSlots, 3), new SparseMatrixBuilder(maxSlots, 3)];
   for (let p = 0; p < topology.points; p++) {
     const isFixed = topology.pointSharpness[p] >= LOOKS_SHARP || creases.counts[p] > 2 || isLinear(scheme);
     const corners = around(p);

@@ -28,7 +28,7 @@ function angles({ scene, view, settings }: NormalScene, normals: ArrayLike<numbe
 }
 
 /** For 98 % of the pixels, because of seams, and distant or slanted surfaces where mipmaps matter. */
-const MOST = 0.025;
+const MAX_ERROR = 0.025;
 
 function expectSame(scene: NormalScene, normals: ArrayLike<number>): void {
   const found = angles(scene, normals);
@@ -36,7 +36,7 @@ function expectSame(scene: NormalScene, normals: ArrayLike<number>): void {
   const [half, most] = [0.5, 0.98].map((share) => found[Math.floor(share * found.length)]);
   if (process.env.REPORT) console.log(`${scene.name}: ${half.toExponential(1)} ${most.toExponential(1)}`);
   expect(half).toBeLessThan(scene.tolerance);
-  expect(most).toBeLessThan(MOST);
+  expect(most).toBeLessThan(MAX_ERROR);
 }
 
 describe('normal maps agree with the reference, on WebGPU', () => {

@@ -23,7 +23,7 @@ import {
 } from './frameGraphScenes.ts';
 
 /** Tolerance relative to a value, after eight half-float images; and for false colours, which the reference has in 8 bits. */
-const [TOLERANCE, LEAST] = [0.01, 0.5];
+const [TOLERANCE, FLOOR] = [0.01, 0.5];
 
 /** The reference's result for the same G-buffers. */
 function expectAsReference({ light, buffers }: RenderedFrameGraph): void {
@@ -33,7 +33,7 @@ function expectAsReference({ light, buffers }: RenderedFrameGraph): void {
   }));
   const truth = evaluateFrameGraph({ view: VIEW, settings: SETTINGS, ...SIZE, buffers: taken }).values;
   expect(light.length).toBe(truth.length);
-  const errors = Array.from(truth, (value, i) => Math.abs(value - light[i]) / (Math.abs(value) + LEAST));
+  const errors = Array.from(truth, (value, i) => Math.abs(value - light[i]) / (Math.abs(value) + FLOOR));
   if (process.env.REPORT) console.log(Math.max(...errors), errors.filter((each) => each > TOLERANCE).length);
   expect(Math.max(...errors)).toBeLessThan(TOLERANCE);
   expect(new Set(truth).size).toBeGreaterThan(1000);

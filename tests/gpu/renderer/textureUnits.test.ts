@@ -9,7 +9,7 @@ import { fullPicture, SIZE } from './textureUnitsScene.ts';
 /** Textures per fragment shader guaranteed by WebGPU and WebGL2. */
 const EVERY_DEVICE = 16;
 /** Textures used by the largest shaders: a new table belongs in the atlas or the scene's float table, not in its own texture. */
-const MOST = 13;
+const MAX_TEXTURES = 13;
 
 /** Number of textures read by each kind of fragment shader, recorded when pipelines are created. */
 function countTextures(device: GPUDevice): Map<string, number> {
@@ -65,14 +65,14 @@ test('no shader reads more textures than every device has, and both backends dra
   const light = await fullPicture(headless.renderer);
   await headless.close();
   const mostOf = (kind: string) => Math.max(...[...counts].map(([name, count]) => (name.startsWith(kind) ? count : 0)));
-  expect([mostOf('light'), mostOf('transparent')]).toEqual([MOST, MOST]);
-  expect(Math.max(...counts.values())).toBe(MOST);
+  expect([mostOf('light'), mostOf('transparent')]).toEqual([MAX_TEXTURES, MAX_TEXTURES]);
+  expect(Math.max(...counts.values())).toBe(MAX_TEXTURES);
 
   const chromium = await openModulePage(fileURLToPath(new URL('./textureUnitsPage.ts', import.meta.url)));
   const inPage = await chromium.page.evaluate(() => window.takeFull());
   chromium.assertHealthy();
   await chromium.close();
-  expect(inPage.textures).toBe(MOST);
+  expect(inPage.textures).toBe(MAX_TEXTURES);
   expect(Math.max(...light)).toBeGreaterThan(0.5);
   const { mean, most } = apart(light, inPage.light);
   expect(mean).toBeLessThan(0.02);

@@ -12,15 +12,15 @@ const MAX_NESTING = 4;
  */
 export class AssetFiles {
   private readonly source: FileSource;
-  private readonly leastRanged: number;
+  private readonly minRangedBytes: number;
   private readonly packages = new Map<string, UsdzPackage>();
   /** Folder of the root layer, searched last for paths that do not begin with `./`. */
   private searchFolder = '';
 
-  /** Crates and packages of more than `leastRanged` bytes are read in parts, where the source can do that. */
-  constructor(source: FileSource, entry: string, leastRanged = Number.POSITIVE_INFINITY) {
+  /** Crates and packages of more than `minRangedBytes` bytes are read in parts, where the source can do that. */
+  constructor(source: FileSource, entry: string, minRangedBytes = Number.POSITIVE_INFINITY) {
     this.source = source;
-    this.leastRanged = leastRanged;
+    this.minRangedBytes = minRangedBytes;
     this.searchFolder = entry;
   }
 
@@ -34,10 +34,10 @@ export class AssetFiles {
   async content(id: string): Promise<FileContent | undefined> {
     const { outer, inner } = splitId(id);
     if (inner !== undefined) return (await this.package(outer))?.files.get(inner);
-    const ranged = this.leastRanged < Number.POSITIVE_INFINITY ? await this.source.open?.(outer) : undefined;
+    const ranged = this.minRangedBytes < Number.POSITIVE_INFINITY ? await this.source.open?.(outer) : undefined;
     if (
       ranged &&
-      ranged.size > this.leastRanged &&
+      ranged.size > this.minRangedBytes &&
       (isZip(contentHead(ranged, 4)) || isCrate(contentHead(ranged, IDENT_BYTES)))
     )
       return ranged;

@@ -36,44 +36,44 @@ import { pixelDirection } from '../../gpu/fullScreenPass.ts';
 import type { PreviousView } from './previousView.ts';
 
 /*
- * Antialiasing over time: each picture has one sample per pixel, at another place in it, and is blended with the mean of those before, fetched
- * from where the same points of matter were seen then. That place needs no second solution of the vertices: a point runs straight on from the
- * event that is seen of it now, as long as two pictures are apart, and so meets the light cone of the eye before in closed form.
- * How much and what of the past counts was chosen by `npm run bench -- antialiasing`.
+ * Temporal antialiasing (docs/adr/0012-antialiasing.md): each picture has one sample per pixel, at a different position in it, and is blended with the history,
+ * fetched from where the same material points were seen in the previous picture. That place needs no second solution of the vertices: a point moves
+ * straight on from the event that is seen now, for as long as two pictures are apart, and so meets the previous light cone in closed form.
+ * The constants were chosen by `npm run bench -- antialiasing`.
  */
 
-/** A new picture counts for at least 1/(1 + MOST). */
+/** A new picture has a weight of at least 1/(1 + MAX_HISTORY). */
 const MAX_HISTORY = 12;
-/** The past may be so many standard deviations of what is around now away from its mean, */
+/** The history is clipped to this many standard deviations about the mean of the neighbourhood, */
 const CLIP_DEVIATIONS = 1.25;
-/** and farther by so many times what it has lately been off by: where that is much, pixels are too coarse to tell what is there. */
+/** plus this many times its recent error: where that is large, detail is finer than pixels, and clipping would flicker. */
 const INSTABILITY_GAIN = 1;
-/** So quickly is that forgotten. */
+/** Weight of the newest error in the recent error. */
 const INSTABILITY_DECAY = 1 / 6;
-/** Of nearness, relative and against what is around: what was nearer than that stood before what is seen now. */
-const [ASIDE, SLOPE] = [0.03, 0.1];
-/** What grows is not known so finely from before: its weight falls with this power of the area. */
+/** Tolerances of nearness, relative and in terms of the neighbourhood's range: what was nearer by more occluded what is seen now. */
+const [RELATIVE_SLACK, SLOPE] = [0.03, 0.1];
+/** Where the picture is magnified the history lacks detail: its weight falls with this power of the area ratio. */
 const MAGNIFICATION_POWER = 5;
-/** What changes its brightness with D is another light than before: so falls its weight with D. */
+/** Where D changes brightness the history shows another light: its weight falls with this power of the ratio of Doppler factors. */
 const DOPPLER_POWER = 60;
-/** Sharpness of the filter over neighbours while there is little past [1/px²]. Source: Karis 2014, "High quality temporal supersampling". */
+/** Sharpness of the reconstruction filter while there is little history [1/px²]. Source: Karis 2014, "High quality temporal supersampling". */
 const FILTER_SHARPNESS = 2.3;
-/** Pictures after which a sample stands for itself. */
+/** Pictures of history from which on a sample is not filtered. */
 const FILTERED_FRAMES = 6;
 
-const AROUND = [-1, 0, 1].flatMap((y) => [-1, 0, 1].map((x) => [x, y] as const));
-/** Of 4 × 4 texels, without the corners. */
+const NEIGHBORS = [-1, 0, 1].flatMap((y) => [-1, 0, 1].map((x) => [x, y] as const));
 const isInner = (k: number): boolean => k === 1 || k === 2;
-const PLACES = [0, 1, 2, 3].flatMap((y) =>
+/** 4 × 4 texels without the corners. */
+const SPLINE_TEXELS = [0, 1, 2, 3].flatMap((y) =>
   [0, 1, 2, 3].flatMap((x) => (isInner(x) || isInner(y) ? [[x, y] as const] : [])),
 );
 const CORNERS = [0, 1].flatMap((y) => [0, 1].map((x) => [x, y] as const));
 
 export interface TemporalSources {
-  /** This picture and the one before: YCoCg of display light, linear, and 1/|Δx′| [1/m], 0 where no surface is. */
+  /** This picture and the previous one: YCoCg of display light, linear, and 1/|Δx′| [1/m], 0 where there is no surface. */
   readonly current: TextureNode;
   readonly previous: TextureNode;
-  /** The mean of those before, and in the fourth how many they count for, and in its fraction how far off the past has lately been. */
+  /** YCoCg of the mean of earlier pictures; the fourth channel holds their number, and in its fraction the recent error of luma. */
   readonly history: TextureNode;
   readonly buffer: GBuffer;
   readonly uniforms: FrameUniforms;
@@ -82,20 +82,20 @@ export interface TemporalSources {
   readonly projection: SpacetimeProjection;
 }
 
-/** What the samples in three columns and three rows of pixels count for at the centre of the middle one: their products, wherever in their pixels they are. */
+/** Weights of 3 × 3 samples in the reconstruction at the centre of the middle pixel, as products of a column's and a row's weight. */
 export class ReconstructionFilter {
   readonly columns = uniform(new Vector3());
   readonly rows = uniform(new Vector3());
 
-  /** From the pixels' centres, right and down [px]. */
+  /** Sample position relative to the pixel's centre, right and down [px]. */
   setJitter(dx: number, dy: number): void {
-    const weight = (away: number): number => Math.exp(-FILTER_SHARPNESS * away ** 2);
+    const weight = (distance: number): number => Math.exp(-FILTER_SHARPNESS * distance ** 2);
     this.columns.value.set(weight(dx - 1), weight(dx), weight(dx + 1));
     this.rows.value.set(weight(dy - 1), weight(dy), weight(dy + 1));
   }
 }
 
-/** Luma and two differences of colour. */
+/** Luma, orange and green chroma. */
 export const toYCoCg = ({ x: r, y: g, z: b }: Vec3): Vec3 =>
   vec3(r.add(b).mul(0.25).add(g.mul(0.5)), r.sub(b).mul(0.5), g.mul(0.5).sub(r.add(b).mul(0.25)));
 export const fromYCoCg = ({ x: y, y: co, z: cg }: Vec3): Vec3 => vec3(y.add(co).sub(cg), y.add(cg), y.sub(co).sub(cg));
@@ -103,10 +103,10 @@ export const fromYCoCg = ({ x: y, y: co, z: cg }: Vec3): Vec3 => vec3(y.add(co).
 const clampedTexel = (of: Texture | TextureNode, at: Vec2): Vec4 =>
   textureLoad(of, ivec2(clamp(at, vec2(0.5), screenSize.sub(0.5)))).toVar();
 
-/** The next mean, as `TemporalSources.history`. */
+/** The new history, as `TemporalSources.history`. */
 export const temporalResolve = (sources: TemporalSources): Vec4 =>
   Fn(() => {
-    const { history, previousView: before } = sources;
+    const { history, previousView } = sources;
     const around = neighborhoodOf(sources);
     const { shift, nearness, brightnessRatio } = reproject(
       sources,
@@ -114,34 +114,37 @@ export const temporalResolve = (sources: TemporalSources): Vec4 =>
       around.nearest.w,
     );
     const from = screenCoordinate.add(shift.mul(vec2(0.5, -0.5)).mul(screenSize)).toVar();
-    const memory = clampedTexel(history, from).w.toVar();
-    const unrest = memory.fract().toVar();
-    const then = catmullRom(history, from).toVar();
-    const former = previousSampleAt(sources, from);
+    const counter = clampedTexel(history, from).w.toVar();
+    const recentError = counter.fract().toVar();
+    const mean = catmullRom(history, from).toVar();
+    const previous = previousSampleAt(sources, from);
     const usable = isInside(from)
-      .and(before.isValid.greaterThan(0.5))
-      .and(wasOccluded(former.nearest, nearness, around).not());
-    const worth = brightnessRatio.mul(pow(minification(from), MAGNIFICATION_POWER));
-    const count = select(usable, min(floor(memory), MAX_HISTORY).mul(worth), 0).toVar();
+      .and(previousView.isValid.greaterThan(0.5))
+      .and(wasOccluded(previous.nearest, nearness, around).not());
+    const weight = brightnessRatio.mul(pow(minification(from), MAGNIFICATION_POWER));
+    const count = select(usable, min(floor(counter), MAX_HISTORY).mul(weight), 0).toVar();
 
     const sample = mix(around.filtered, around.own, min(count.div(FILTERED_FRAMES), 1)).toVar();
-    const kept = clipToNeighborhood(then, around.mean, around.spread.add(unrest.mul(INSTABILITY_GAIN)));
-    // What was the same a moment ago does not flicker: another light has come, as where a shadow goes.
-    const wrong = min(abs(around.own.x.sub(then.x)), abs(around.own.x.sub(former.luma)));
-    const off = mix(unrest, wrong, INSTABILITY_DECAY).min(0.95);
-    const known = count.greaterThan(0.5);
-    return vec4(mix(sample, kept, count.div(count.add(1))), floor(count.add(1.5)).add(select(known, off, 0)));
+    const clipped = clipToNeighborhood(mean, around.mean, around.spread.add(recentError.mul(INSTABILITY_GAIN)));
+    // A sample equal to the previous one is no flicker: the lighting has changed, as where a shadow moves away.
+    const error = min(abs(around.own.x.sub(mean.x)), abs(around.own.x.sub(previous.luma)));
+    const newError = mix(recentError, error, INSTABILITY_DECAY).min(0.95);
+    const hasHistory = count.greaterThan(0.5);
+    return vec4(
+      mix(sample, clipped, count.div(count.add(1))),
+      floor(count.add(1.5)).add(select(hasHistory, newError, 0)),
+    );
   })();
 
 interface Neighborhood {
   readonly own: Vec3;
-  /** The picture at the pixel's centre, from the samples about it. */
+  /** The picture at the pixel's centre, reconstructed from the 3 × 3 samples. */
   readonly filtered: Vec3;
   readonly mean: Vec3;
   readonly spread: Vec3;
-  /** Where the nearest surface is of those in the pixels around, and its 1/|Δx′|. */
+  /** Offset of the pixel with the nearest surface [px], and its 1/|Δx′|. */
   readonly nearest: Vec4;
-  /** The least 1/|Δx′| around. */
+  /** The least 1/|Δx′|. */
   readonly farthest: Float;
 }
 
@@ -151,17 +154,17 @@ function neighborhoodOf({ current, filter }: TemporalSources): Neighborhood {
   const [sum, squares, filtered] = [vec4(0).toVar(), vec3(0).toVar(), vec4(0).toVar()];
   const nearest = vec4(0, 0, 0, -1).toVar();
   const farthest = float(1e9).toVar();
-  for (const [x, y] of AROUND) {
+  for (const [x, y] of NEIGHBORS) {
     const texel = x === 0 && y === 0 ? own : clampedTexel(current, screenCoordinate.add(vec2(x, y)));
-    const share = columns[x + 1].mul(rows[y + 1]);
+    const weight = columns[x + 1].mul(rows[y + 1]);
     sum.addAssign(vec4(texel.xyz, 1));
     squares.addAssign(texel.xyz.mul(texel.xyz));
-    filtered.addAssign(vec4(texel.xyz, 1).mul(share));
+    filtered.addAssign(vec4(texel.xyz, 1).mul(weight));
     nearest.assign(select(texel.w.greaterThan(nearest.w), vec4(x, y, 0, texel.w), nearest));
     farthest.assign(min(farthest, texel.w));
   }
-  const mean = sum.xyz.div(AROUND.length).toVar();
-  const variance = max(squares.div(AROUND.length).sub(mean.mul(mean)), 0);
+  const mean = sum.xyz.div(NEIGHBORS.length).toVar();
+  const variance = max(squares.div(NEIGHBORS.length).sub(mean.mul(mean)), 0);
   return {
     own: own.xyz,
     filtered: filtered.xyz.div(filtered.w),
@@ -172,50 +175,50 @@ function neighborhoodOf({ current, filter }: TemporalSources): Neighborhood {
   };
 }
 
-/** Towards the mean of the surroundings, until it is within their spread. Source: Salvi 2016, "An excursion in temporal supersampling". */
+/** Moves a colour towards the neighbourhood's mean until it is within its spread. Source: Salvi 2016, "An excursion in temporal supersampling". */
 function clipToNeighborhood(color: Vec3, mean: Vec3, spread: Vec3): Vec3 {
-  const away = color.sub(mean).toVar();
-  const over = abs(away).div(max(spread, 1e-5)).toVar();
-  return mean.add(away.div(max(max(over.x, max(over.y, over.z)), 1)));
+  const difference = color.sub(mean).toVar();
+  const ratio = abs(difference).div(max(spread, 1e-5)).toVar();
+  return mean.add(difference.div(max(max(ratio.x, max(ratio.y, ratio.z)), 1)));
 }
 
 interface Reprojection {
-  /** From where it is in this picture to where it was in the one before [half-pictures]. */
+  /** From its place in this picture to that in the previous one [half-pictures]. */
   readonly shift: Vec2;
-  /** 1/|Δx′| then [1/m], 0 of what is behind everything. */
+  /** 1/|Δx′| in the previous picture [1/m], 0 of the background. */
   readonly nearness: Float;
-  /** 1 where it was seen with the same D, and less where its brightness has changed. */
+  /** 1 where D is the same in both pictures, less where it has changed brightness. */
   readonly brightnessRatio: Float;
 }
 
-/** What is seen at a pixel, in the picture before; `near`: its 1/|Δx′|. */
+/** Where the surface at a pixel was in the previous picture; `near`: its 1/|Δx′|. */
 function reproject(
-  { buffer, uniforms, previousView: before, projection }: TemporalSources,
+  { buffer, uniforms, previousView, projection }: TemporalSources,
   pixel: Vec2,
   near: Float,
 ): Reprojection {
-  const there = near.greaterThan(0);
+  const hasSurface = near.greaterThan(0);
   const v = clampedTexel(buffer.texture('motion'), pixel).xyz.toVar();
   const speed = length(v).toVar();
-  const velocity = select(there, vec4(v, speed.oneMinus().mul(speed.add(1))), vec4(0, 0, 0, 1)).toVar();
+  const velocity = select(hasSurface, vec4(v, speed.oneMinus().mul(speed.add(1))), vec4(0, 0, 0, 1)).toVar();
   // The background is at rest, and so far away that the observer's displacement does not matter.
   const n = pixelDirection(uniforms).toVar();
   const sky = SKY_DIRECTION[projection.place](n, uniforms.u, uniforms.gamma);
-  const now = select(there, clampedTexel(buffer.texture('event'), pixel), vec4(sky, -1)).toVar();
-  const passed = now.add(select(there, before.displacement, vec4(0))).toVar();
-  const then = PREVIOUS_EVENT[projection.event](passed, velocity, before).toVar();
+  const now = select(hasSurface, clampedTexel(buffer.texture('event'), pixel), vec4(sky, -1)).toVar();
+  const passed = now.add(select(hasSurface, previousView.displacement, vec4(0))).toVar();
+  const previousEvent = PREVIOUS_EVENT[projection.event](passed, velocity, previousView).toVar();
 
   const [p, q] = [
     observerPosition(now.xyz, projection.place, uniforms),
-    observerPosition(then.xyz, projection.place, before).toVar(),
+    observerPosition(previousEvent.xyz, projection.place, previousView).toVar(),
   ];
   const here = projected(transpose(uniforms.orientation).mul(p), uniforms);
   const D = dopplerFactor(now.xyz, uniforms.u, uniforms.gamma, velocity).toVar();
-  const formerD = dopplerFactor(then.xyz, before.u, before.gamma, velocity).toVar();
+  const previousD = dopplerFactor(previousEvent.xyz, previousView.u, previousView.gamma, velocity).toVar();
   return {
-    shift: projected(before.toCamera.mul(q), before).sub(here),
-    nearness: select(there, max(length(q), 1e-4).reciprocal(), 0).toVar(),
-    brightnessRatio: pow(min(D.div(formerD), formerD.div(D)), uniforms.boostLight.mul(DOPPLER_POWER)),
+    shift: projected(previousView.toCamera.mul(q), previousView).sub(here),
+    nearness: select(hasSurface, max(length(q), 1e-4).reciprocal(), 0).toVar(),
+    brightnessRatio: pow(min(D.div(previousD), previousD.div(D)), uniforms.boostLight.mul(DOPPLER_POWER)),
   };
 }
 
@@ -257,7 +260,7 @@ const isInside = ({ x, y }: Vec2): Bool =>
   x.greaterThan(0).and(y.greaterThan(0)).and(x.lessThan(screenSize.x)).and(y.lessThan(screenSize.y));
 
 interface PreviousSample {
-  /** As it was sampled in the picture before. */
+  /** Of the previous picture's samples. */
   readonly luma: Float;
   /** The greatest 1/|Δx′| there. */
   readonly nearest: Float;
@@ -273,21 +276,21 @@ function previousSampleAt({ previous }: TemporalSources, from: Vec2): PreviousSa
   };
 }
 
-/** Whether something stood before it then. */
+/** Whether something nearer hid it in the previous picture. */
 function wasOccluded(nearest: Float, nearness: Float, around: Neighborhood): Bool {
-  const slack = around.nearest.w.sub(around.farthest).mul(SLOPE).add(around.nearest.w.mul(ASIDE));
+  const slack = around.nearest.w.sub(around.farthest).mul(SLOPE).add(around.nearest.w.mul(RELATIVE_SLACK));
   return nearest.sub(nearness).greaterThan(slack);
 }
 
-/** Area in the picture before over that of a pixel now, at most 1. */
+/** Area of a pixel in the previous picture over its area now, at most 1. */
 function minification(from: Vec2): Float {
   const [x, y] = [dFdx(from).toVar(), dFdy(from).toVar()];
   return min(abs(x.x.mul(y.y).sub(x.y.mul(y.x))), 1);
 }
 
 /**
- * A Catmull-Rom spline of 4 × 4 texels without its corners (Jimenez 2016, "Filmic SMAA"), and never outside of the nearest four: from picture to
- * picture its undershoot beside edges that move would grow to black lines. Texels are fetched, for a software GPU takes long to filter.
+ * A Catmull-Rom spline of 4 × 4 texels without its corners (Jimenez 2016, "Filmic SMAA"), clamped to the range of the nearest four: its undershoot
+ * beside moving edges would otherwise accumulate to black lines. Texels are loaded one by one, for filtering is slow on a software GPU.
  */
 function catmullRom(of: TextureNode, at: Vec2): Vec3 {
   const middle = floor(at.sub(0.5)).add(0.5).toVar();
@@ -300,7 +303,7 @@ function catmullRom(of: TextureNode, at: Vec2): Vec3 {
   ].map((weight): Vec2 => weight.toVar());
   const sum = vec4(0).toVar();
   const inner: Vec3[] = [];
-  for (const [x, y] of PLACES) {
+  for (const [x, y] of SPLINE_TEXELS) {
     const texel = clampedTexel(of, middle.add(vec2(x - 1, y - 1))).xyz;
     sum.addAssign(vec4(texel, 1).mul(weights[x].x.mul(weights[y].y)));
     if (isInner(x) && isInner(y)) inner.push(texel);
