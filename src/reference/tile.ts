@@ -8,7 +8,7 @@ import type { ImageTile, OutputLayer, TileData, TileRequest } from './tileReques
 
 export const channelsOf = (layer: OutputLayer): number => (layer === 'picture' ? 3 : AOVS[layer].channels.length);
 
-/** Draws a part of a picture. Its bits depend on nothing but the request and the pixel. */
+/** Renders a part of a picture. The bits depend only on the request and the pixel. */
 export function renderTile(scene: TracedScene, request: TileRequest, tile: ImageTile): TileData {
   const data: TileData = {};
   const pixels = (tile.x1 - tile.x0) * (tile.y1 - tile.y0);

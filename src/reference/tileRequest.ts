@@ -1,18 +1,18 @@
 import type { AovName, RenderSettings, ViewPoint } from '../scene/view/view.ts';
 import type { LightOptions } from './lights/lightOptions.ts';
 
-/** What can be drawn: AOVs, and `picture`, the beauty as a screen shows it: exposed and tone mapped, linear sRGB 0 … 1 (display.ts encodes it). */
+/** AOVs, and `picture`: the beauty exposed and tone mapped, linear sRGB 0 … 1 (`encodeDisplay` encodes it). */
 export type OutputLayer = AovName | 'picture';
 
-/** What a picture is to be. */
+/** The description of a picture to render. */
 export interface TileRequest {
   readonly view: ViewPoint;
   readonly settings: RenderSettings;
-  /** Of the whole picture [px]. */
+  /** Size of the whole picture [px]. */
   readonly width: number;
   readonly height: number;
   readonly layers: readonly OutputLayer[];
-  /** n × n samples per pixel of the beauty and the picture. */
+  /** n, for n × n samples per pixel of `beauty` and `picture`. */
   readonly samples: number;
   readonly seed: number;
   readonly light: LightOptions;
@@ -26,5 +26,5 @@ export interface ImageTile {
   readonly y1: number;
 }
 
-/** What was asked for: as many values per pixel as the layer has channels, rows from the top. */
+/** The requested layers: as many values per pixel as the layer has channels, rows from the top. */
 export type TileData = Partial<Record<OutputLayer, Float32Array>>;

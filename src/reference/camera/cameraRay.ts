@@ -6,8 +6,9 @@ import { VIEWS } from '../../scene/views/views.ts';
 import type { SpacetimeRay } from '../acceleration/ray.ts';
 
 /**
- * The ray of the point (x, y) of a picture: pixels from its top left corner, the first pixel's centre at (½, ½). Its `s` is the distance
- * in the observer's frame [m], so that depths along it are those of the picture. Newton's steps are for comparing, so the solver is not asked.
+ * The camera ray of the point (x, y) of a picture [px from its top left corner; the first pixel's centre is at (½, ½)]. Its `s` is the apparent
+ * distance in the observer's frame [m], the depth in pictures. The solver setting, which is for comparisons in the rasterizer, is ignored.
+ * docs/physics.md §3.7.
  */
 export function cameraRay(
   view: ViewPoint,
@@ -34,7 +35,7 @@ export function directionAt(
   return normalize(rotate(orientation, [right, up, -1]));
 }
 
-/** The ray of a direction n′. */
+/** The ray in the direction n′. */
 export function rayToward({ t, position, u }: ViewPoint, settings: RenderSettings, n: Vec3): SpacetimeRay {
   const [dt, ...dx] = VIEWS[settings.view].rayToward(n, u, settings);
   return { t, x: position, dt, dx };

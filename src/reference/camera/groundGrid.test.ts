@@ -22,14 +22,14 @@ const view: ViewPoint = {
 const grid = groundGrid(floor, view, 100, 100);
 const covered = (x: number, y: number, depth = Number.POSITIVE_INFINITY): number => grid(x, y, depth).cover;
 
-test('lines are a metre apart, those at tens stronger, and none between', () => {
-  // The middle of the picture is x = z = ½ m; each line is five pixels to a side of it, and every ten from there.
+test('lines are a metre apart, every tenth is stronger, and there are none in between', () => {
+  // The middle of the picture is x = z = ½ m; the nearest lines are five pixels to either side of it, with others every ten pixels.
   for (const line of [25, 35, 55, 65]) expect(covered(line, 50), String(line)).toBeGreaterThan(0.4);
   for (const between of [30, 50, 60]) expect(covered(between, 50), String(between)).toBe(0);
   expect(covered(45, 50)).toBeGreaterThan(1.3 * covered(55, 50));
 });
 
-test('what is nearer hides it, and above the horizon there is none', () => {
+test('is hidden by nearer surfaces, and absent above the horizon', () => {
   expect(covered(45, 50, 4)).toBe(0);
   const level = groundGrid(floor, { ...view, orientation: [0, 0, 0, 1] }, 100, 100);
   expect(level(50, 20, Number.POSITIVE_INFINITY).cover).toBe(0);

@@ -6,7 +6,7 @@ import { motionTracer } from '../intersection/motionTracers.ts';
 import type { TracedScene } from '../intersection/tracedScene.ts';
 import { directionAt } from './cameraRay.ts';
 
-/** A colour over the picture, and how much of it is covered, 0 … 1. Display values, linear sRGB. */
+/** A colour drawn over the picture with the opacity `cover`, 0 … 1. Display values, linear sRGB. */
 export interface Overlay {
   readonly color: Vec3;
   readonly cover: number;
@@ -17,8 +17,8 @@ const MAJOR: Vec3 = [0.05, 0.75, 0.95];
 const NONE: Overlay = { color: MINOR, cover: 0 };
 
 /**
- * The ground's reference grid at a point of the picture, as the rasterizer draws it (render/post/display/grid.ts): straight lines in the observer's frame, as a
- * plane at the observer's height below would look without any relativity. `depth`: apparent distance of what is seen there [m].
+ * The ground's reference grid at a point of the picture, as in the rasterizer (render/post/display/grid.ts): straight lines in the observer's frame,
+ * as a plane below the observer at its altitude would look without relativity. `depth`: apparent distance of the visible surface [m].
  */
 export function groundGrid(
   traced: TracedScene,
@@ -33,7 +33,7 @@ export function groundGrid(
   const step = gridStep(traced);
   const altitude = dot(view.position, up);
   const distanceAlong = (n: Vec3): number => altitude / -dot(n, up);
-  /** Where a direction meets the ground, in steps of the grid. */
+  /** Where a direction meets the ground, in grid steps. */
   const place = (n: Vec3): readonly number[] =>
     [east, north].map((axis) => (dot(view.position, axis) + distanceAlong(n) * dot(n, axis)) / step);
   const placeAt = (x: number, y: number) => place(directionAt(view, x, y, width, height));
@@ -54,7 +54,7 @@ export function groundGrid(
   };
 }
 
-/** Cover of lines at whole numbers, `width` pixels wide; where they come closer than pixels they fade into their mean. */
+/** Coverage of lines at integers, `width` pixels wide; they fade out where they are closer than pixels. */
 function lines(place: readonly number[], footprint: readonly number[], width: number): number {
   const each = place.map((p, k) => {
     const away = Math.abs(p - Math.round(p)) / footprint[k];
@@ -72,10 +72,10 @@ function smoothstep(from: number, to: number, x: number): number {
 
 const steps = new WeakMap<TracedScene, number>();
 
-/** Of the finer lines [m]: a power of ten, as fine as the scene's size asks. */
+/** Distance of the finer lines [m]: a power of ten that depends on the scene's size. */
 function gridStep(traced: TracedScene): number {
-  const known = steps.get(traced);
-  if (known) return known;
+  const cached = steps.get(traced);
+  if (cached) return cached;
   const step =
     10 **
     Math.floor(

@@ -3,12 +3,12 @@ import { nearestHit, type TracedScene } from '../intersection/tracedScene.ts';
 import { materialOf } from '../materials/material.ts';
 import { opacityAt } from '../materials/surface.ts';
 
-/** Blended surfaces count, or only those that hide what is behind them. */
+/** Whether alpha-blended surfaces are hit or skipped. */
 export type TransparentMode = 'hit' | 'skip';
 
 /**
- * What a picture shows on a ray: the nearest front side, or back side where the mesh is double sided, without what is cut out.
- * Data of a picture are of what hides the rest, so transparent surfaces are skipped there.
+ * The hit that a picture shows: the nearest front side, or back side of double-sided meshes, except cut-outs. By default transparent
+ * surfaces are skipped, as in data channels.
  */
 export function visibleHit(
   scene: TracedScene,
@@ -19,7 +19,7 @@ export function visibleHit(
   return nearestHit(scene, ray, { visibleSides: true, alwaysAccept: scene.opaqueObjects, accepts });
 }
 
-/** Whether any of the surface is left at a hit. */
+/** Whether the surface is visible at a hit. */
 function isVisible(scene: TracedScene, hit: Hit, transparent: TransparentMode): boolean {
   const material = materialOf(scene, hit);
   if (scene.transparentMaterials.has(material)) return transparent === 'hit';

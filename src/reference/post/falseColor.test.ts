@@ -10,7 +10,7 @@ import { falseColorLegendHeight, withFalseColorLegend } from '../figures/falseCo
 import { createCanvas } from '../figures/pixelCanvas.ts';
 import { AOVS_OF_FALSE_COLOR, type FalseColorInput, falseColorPicture, falseColorValues } from './falseColor.ts';
 
-/** Two pixels at 10 s: a surface that was seen at 7 s with D = 2, and sky ahead of an observer at 0.6 c. */
+/** Two pixels at 10 s: a surface emitting at 7 s with D = 2, and sky ahead of an observer at 0.6 c. */
 const taken: FalseColorInput = {
   aovs: new Map<AovName, Float32Array>([
     ['object', Float32Array.of(1, 0)],
@@ -25,7 +25,7 @@ const taken: FalseColorInput = {
 };
 
 describe('false colours', () => {
-  it('stand for what is at the pixel, and for the sky’s own shift', () => {
+  it('represent the pixel’s values, and the shift of the sky', () => {
     const values = (kind: (typeof FALSE_COLOR_QUANTITIES)[number]) => [...falseColorValues(kind, taken)];
     expect(values('doppler')).toEqual([2, expect.closeTo(2, 6)]);
     expect(values('emission-time')).toEqual([-3, Number.NaN]);
@@ -34,7 +34,7 @@ describe('false colours', () => {
     expect(falseColorValues('doppler', { ...taken, settings: { ...DEFAULT_SETTINGS, view: 'galilean' } })[1]).toBe(1);
   });
 
-  it.each(FALSE_COLOR_QUANTITIES)('%s: a picture over a legend, of even height', (kind) => {
+  it.each(FALSE_COLOR_QUANTITIES)('%s: a picture with a legend below, of even height', (kind) => {
     expect(AOVS_OF_FALSE_COLOR[kind].every((name) => taken.aovs.has(name))).toBe(true);
     const values = falseColorValues(kind, taken);
     const colors = { kind, ...fitScale(kind, values) };
@@ -50,7 +50,7 @@ describe('false colours', () => {
     }
   });
 
-  it('a band is laid over the picture: brighter light, brighter tint', () => {
+  it('a band tints the picture: brighter light, brighter tint', () => {
     const colors = { kind: 'band', ...fitScale('band', []) } as const;
     const bright = (light: number) => {
       const aovs = new Map(taken.aovs).set('beauty', Float32Array.of(light, light, light, 0, 0, 0));

@@ -16,7 +16,7 @@ import { emittedWavelength } from '../../spectrum/falseColor/spectralBands.ts';
 import { cameraRay } from '../camera/cameraRay.ts';
 import type { PixelCanvas } from '../figures/pixelCanvas.ts';
 
-/** The AOVs that a false-colour picture is made of. */
+/** The AOVs required by each false-colour quantity. */
 export const AOVS_OF_FALSE_COLOR: Readonly<Record<FalseColorQuantity, readonly AovName[]>> = {
   doppler: ['object', 'doppler'],
   'emission-time': ['object', 'emission_time'],
@@ -24,7 +24,7 @@ export const AOVS_OF_FALSE_COLOR: Readonly<Record<FalseColorQuantity, readonly A
   band: ['object', 'doppler', 'beauty'],
 };
 
-/** A picture's AOVs, and what it is a picture of. */
+/** A picture's AOVs, views and settings. */
 export interface FalseColorInput {
   readonly aovs: ReadonlyMap<AovName, Float32Array>;
   readonly views: PictureViews;
@@ -33,19 +33,21 @@ export interface FalseColorInput {
   readonly height: number;
 }
 
-/** What each pixel's colour is to stand for; not a number where there is nothing. The sky has a D and a band: it rests in the world. */
-export function falseColorValues(kind: FalseColorQuantity, taken: FalseColorInput): Float32Array {
-  const { width, height } = taken;
-  const aov = (name: AovName) => taken.aovs.get(name)!;
+/** The quantity per pixel; NaN where it is undefined. The sky, at rest in the world, has a D and a band. */
+export function falseColorValues(kind: FalseColorQuantity, source: FalseColorInput): Float32Array {
+  const { width, height } = source;
+  const aov = (name: AovName) => source.aovs.get(name)!;
   const pixels = width * height;
   switch (kind) {
     case 'doppler':
-      return Float32Array.from({ length: pixels }, (_, i) => (aov('object')[i] ? aov('doppler')[i]! : skyAt(taken, i)));
+      return Float32Array.from({ length: pixels }, (_, i) =>
+        aov('object')[i] ? aov('doppler')[i]! : skyAt(source, i),
+      );
     case 'band':
-      return falseColorValues('doppler', taken).map(emittedWavelength);
+      return falseColorValues('doppler', source).map(emittedWavelength);
     case 'emission-time':
       return Float32Array.from({ length: pixels }, (_, i) =>
-        aov('object')[i] ? aov('emission_time')[i]! - timeAt(taken, i) : Number.NaN,
+        aov('object')[i] ? aov('emission_time')[i]! - timeAt(source, i) : Number.NaN,
       );
     case 'radiance':
       return Float32Array.from({ length: pixels }, (_, i) => relativeLuminance(...rgbOf(aov('beauty'), i)));
@@ -55,12 +57,12 @@ export function falseColorValues(kind: FalseColorQuantity, taken: FalseColorInpu
 const skyAt = ({ views, settings, width, height }: FalseColorInput, i: number): number =>
   skyDoppler(views, { width, height }, settings, (i % width) + 0.5, Math.floor(i / width) + 0.5);
 
-/** World time of the observer of a pixel [s]; not a number outside of all views. */
+/** World time of a pixel's observer [s]; NaN outside of all views. */
 const timeAt = ({ views, width, height }: FalseColorInput, i: number): number =>
   viewPixelAt(views, { width, height }, i % width, Math.floor(i / width))?.view.t ?? Number.NaN;
 
 /**
- * D of what rests in the world, at the point (x, y) of a picture [px], from the top left; 1 in the views that show no light, not a number outside of
+ * D of light from objects at rest in the world, at the point (x, y) of a picture [px, from the top left]; 1 in views without light, NaN outside of
  * all views.
  */
 export function skyDoppler(
@@ -77,19 +79,19 @@ export function skyDoppler(
   return dopplerFactor(cameraRay(view, settings, found.x, found.y, width, height).dx, view.u, ZERO);
 }
 
-/** The picture: RGBA, sRGB, opaque. */
-export function falseColorPicture(colors: FalseColorScale, values: Float32Array, taken: FalseColorInput): PixelCanvas {
-  const { width, height } = taken;
+/** The false-colour picture: RGBA, sRGB, opaque. */
+export function falseColorPicture(colors: FalseColorScale, values: Float32Array, source: FalseColorInput): PixelCanvas {
+  const { width, height } = source;
   const pixels = new Uint8Array(4 * width * height);
   for (let i = 0; i < width * height; i++) {
-    const shade = colors.kind === 'band' ? shadeOf(taken, i) : 1;
+    const shade = colors.kind === 'band' ? shadeOf(source, i) : 1;
     const [r, g, b] = falseColor(colors, values[i]!);
     pixels.set([Math.round(r * shade), Math.round(g * shade), Math.round(b * shade), 255], 4 * i);
   }
   return { width, height, pixels };
 }
 
-/** Of the picture as a screen would show it, in grey. */
+/** Shade factor of band colours, by the displayed grey of the picture. */
 function shadeOf({ aovs, settings }: FalseColorInput, i: number): number {
   const shown = toneMap(rgbOf(aovs.get('beauty')!, i), settings.exposure, settings.tone);
   return shadeFactor(encodeSrgb(relativeLuminance(...shown)));

@@ -1,18 +1,18 @@
 import { DEPTH_OF_FIELD_SAMPLING, EFFECTS } from '../../../scene/frameGraph/effects.ts';
 import { FloatImage, type GBufferReader } from './effectInput.ts';
 
-/** Least radius of a disc of light [px]: that of a disc as large as a pixel. */
+/** Least radius of a blur disc [px]: that of a disc of one pixel's area. */
 const MIN_RADIUS = Math.sqrt(1 / Math.PI);
-/** Of a turn. */
+/** As a fraction of a full turn. */
 const GOLDEN_ANGLE = (3 - Math.sqrt(5)) / 2;
-/** Cells within which the widest blur is looked for. */
+/** Radius in cells of the search for the widest blur. */
 const CELL_REACH = Math.ceil(EFFECTS['depth-of-field'].args[2].max / DEPTH_OF_FIELD_SAMPLING.cell);
 
 /**
- * A thin lens that the observer carries: what is seen at the depth z along the axis becomes a disc of the radius ρ = ½ A |1/f − 1/z| F [px], A the aperture, f what is
- * in focus, F the focal length in pixels. z is of the apparent distance |Δx′|: in the observer's frame the light of an event comes from there, and its wave
- * front has that curvature, wherever the thing is by now. Each pixel gathers the discs that reach it, each of the light L/(πρ²); what is farther than it does not
- * spread over it any wider than it is blurred itself. arg1: f [m]; arg2: A [mm]; arg3: the largest ρ [px].
+ * A thin lens at rest in the observer's frame: a point at the depth z along the axis becomes a disc of radius ρ = ½ A |1/f − 1/z| F [px], A the
+ * aperture, f the focus distance, F the focal length in pixels. z belongs to the apparent distance |Δx′|: in the observer's frame light comes from
+ * there, and its wave front has that curvature, wherever the source is now. Each pixel gathers the discs that reach it, with the light L/(πρ²);
+ * farther pixels spread over it no wider than its own blur. arg1: f [m]; arg2: A [mm]; arg3: the largest ρ [px]. docs/physics.md §8.4.
  */
 export function depthOfField(frame: GBufferReader, [focus = 1, aperture = 0, most = 0]: readonly number[]): FloatImage {
   const scale = ((aperture / 1000) * (frame.image.height / (2 * frame.frustum.tanY))) / 2;
@@ -25,16 +25,14 @@ export function depthOfField(frame: GBufferReader, [focus = 1, aperture = 0, mos
   return lens.map((x, y) => gathered(soft, reach, x, y));
 }
 
-/** 1/z; of nothing, 0. */
+/** 1/z; 0 where no surface is. */
 function inverseDepth(frame: GBufferReader, x: number, y: number): number {
   if (!frame.isCovered(x, y)) return 0;
   const [tx, ty] = frame.tangents(x, y);
   return Math.sqrt(1 + tx * tx + ty * ty) / frame.depth(x, y);
 }
 
-/**
- * What is blurred under a 3 × 3 binomial, with those of its neighbours that are as much, so that no speck lies between the places that are looked through.
- */
+/** Blurred pixels filtered by a 3 × 3 binomial over neighbours of similar blur, so that no spot is missed between samples. */
 function softened(lens: FloatImage, x: number, y: number): readonly number[] {
   const [r, g, b, own] = lens.at(x, y) as [number, number, number, number];
   const sum = [r, g, b];
@@ -52,7 +50,7 @@ function softened(lens: FloatImage, x: number, y: number): readonly number[] {
   return [...sum.map((value) => value / total), own];
 }
 
-/** The widest |ρ| of each cell. */
+/** The greatest |ρ| of each cell. */
 function cellsOf(lens: FloatImage): FloatImage {
   const { cell } = DEPTH_OF_FIELD_SAMPLING;
   return FloatImage.of(Math.ceil(lens.width / cell), Math.ceil(lens.height / cell), 1, (x, y) => {
@@ -63,7 +61,7 @@ function cellsOf(lens: FloatImage): FloatImage {
   });
 }
 
-/** The widest that reaches a cell from those beside it. */
+/** The greatest |ρ| that reaches a cell from cells along one axis. */
 function widest(cells: FloatImage, dx: number, dy: number): FloatImage {
   return cells.map((x, y) => {
     let most = 0;
@@ -75,16 +73,16 @@ function widest(cells: FloatImage, dx: number, dy: number): FloatImage {
   }, 1);
 }
 
-/** Places spread evenly over a disc (Vogel 1979). */
+/** Gathers samples distributed uniformly over a disc (Vogel 1979). */
 function gathered(lens: FloatImage, reach: FloatImage, x: number, y: number): readonly number[] {
   const [r, g, b, own] = lens.at(x, y) as [number, number, number, number];
   const R = reach.at(Math.floor(x / DEPTH_OF_FIELD_SAMPLING.cell), Math.floor(y / DEPTH_OF_FIELD_SAMPLING.cell))[0]!;
-  const places = Math.min(Math.max(Math.ceil(R * R), 16), DEPTH_OF_FIELD_SAMPLING.samples);
-  const density = (R * R) / places;
+  const sampleCount = Math.min(Math.max(Math.ceil(R * R), 16), DEPTH_OF_FIELD_SAMPLING.samples);
+  const density = (R * R) / sampleCount;
   let weight = 1 / Math.max(Math.abs(own), MIN_RADIUS) ** 2 / Math.PI;
   const sum = [r * weight, g * weight, b * weight];
-  for (let i = 0; R >= 0.5 && i < places; i++) {
-    const away = R * Math.sqrt((i + 0.5) / places);
+  for (let i = 0; R >= 0.5 && i < sampleCount; i++) {
+    const away = R * Math.sqrt((i + 0.5) / sampleCount);
     const angle = 2 * Math.PI * ((i * GOLDEN_ANGLE) % 1);
     const dx = Math.floor(away * Math.cos(angle) + 0.5);
     const dy = Math.floor(away * Math.sin(angle) + 0.5);
@@ -92,9 +90,9 @@ function gathered(lens: FloatImage, reach: FloatImage, x: number, y: number): re
     const signed = texel[3]!;
     const rho = signed > own ? Math.min(Math.abs(signed), Math.abs(own)) : Math.abs(signed);
     const covers = Math.min(Math.max(rho - away + 1, 0), 1);
-    const share = (density * covers) / Math.max(rho, MIN_RADIUS) ** 2;
-    for (let c = 0; c < 3; c++) sum[c]! += share * texel[c]!;
-    weight += share;
+    const contribution = (density * covers) / Math.max(rho, MIN_RADIUS) ** 2;
+    for (let c = 0; c < 3; c++) sum[c]! += contribution * texel[c]!;
+    weight += contribution;
   }
   return sum.map((value) => value / weight);
 }

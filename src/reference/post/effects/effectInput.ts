@@ -3,7 +3,7 @@ import { type Frustum, frustumOf } from '../../../scene/view/lens.ts';
 import type { AovName, RenderSettings, ViewPoint } from '../../../scene/view/view.ts';
 import { cameraRay } from '../../camera/cameraRay.ts';
 
-/** Three numbers per pixel, or as many as are told, rows from the top. */
+/** An f64 image of any number of channels, by default three, rows from the top. */
 export class FloatImage {
   readonly width: number;
   readonly height: number;
@@ -17,13 +17,13 @@ export class FloatImage {
     this.values = values ? Float64Array.from(values) : new Float64Array(width * height * channels);
   }
 
-  /** A pixel's numbers; beyond the edges, of the picture's mirror image. */
+  /** A pixel's values; mirrored beyond the borders. */
   at(x: number, y: number): readonly number[] {
     const i = this.channels * (mirrorIndex(y, this.height) * this.width + mirrorIndex(x, this.width));
     return Array.from(this.values.subarray(i, i + this.channels));
   }
 
-  /** A plane of this size, pixel by pixel. */
+  /** A new image of this size, evaluated per pixel. */
   map(pixel: (x: number, y: number) => readonly number[], channels = 3): FloatImage {
     return FloatImage.of(this.width, this.height, channels, pixel);
   }
@@ -41,17 +41,17 @@ export class FloatImage {
   }
 }
 
-/** Where the mirror image of a side of `n` pixels has its pixel `i`: … 1 0 | 0 1 … n−1 | n−1 n−2 …; farther away than one side, its end. */
+/** Mirrors index `i` into 0 … n − 1: … 1 0 | 0 1 … n−1 | n−1 n−2 …; clamped beyond one reflection. */
 export function mirrorIndex(i: number, n: number): number {
   const once = i < 0 ? -1 - i : i;
   const twice = once >= n ? 2 * n - 1 - once : once;
   return Math.min(Math.max(twice, 0), n - 1);
 }
 
-/** A picture with what is known of it. */
+/** A picture with its AOVs, view and settings. */
 export interface EffectInput {
   readonly image: FloatImage;
-  /** What `EFFECTS[id].reads` asks for (`AOVS_OF_EFFECT_CHANNEL`). */
+  /** The AOVs required by `EFFECTS[id].reads` (`AOVS_OF_EFFECT_CHANNEL`). */
   readonly aovs: ReadonlyMap<AovName, ArrayLike<number>>;
   readonly view: ViewPoint;
   readonly settings: RenderSettings;
@@ -59,25 +59,25 @@ export interface EffectInput {
   readonly zenith: Vec3;
 }
 
-/** A picture's G-buffer, by pixels inside of it or beyond its edges. */
+/** Reads a picture's G-buffer at pixels, mirrored beyond the borders. */
 export class GBufferReader {
   readonly image: FloatImage;
   readonly frustum: Frustum;
   readonly zenith: Vec3;
   private readonly input: EffectInput;
 
-  constructor(taken: EffectInput) {
-    this.input = taken;
-    this.image = taken.image;
-    this.zenith = taken.zenith;
-    this.frustum = frustumOf(taken.view.lens, this.image.width, this.image.height);
+  constructor(source: EffectInput) {
+    this.input = source;
+    this.image = source.image;
+    this.zenith = source.zenith;
+    this.frustum = frustumOf(source.view.lens, this.image.width, this.image.height);
   }
 
   isCovered(x: number, y: number): boolean {
     return this.read('object', x, y)[0]! > 0.5;
   }
 
-  /** Apparent distance |Δx′| [m]; of nothing, 0. */
+  /** Apparent distance |Δx′| [m]; 0 where no surface is. */
   depth(x: number, y: number): number {
     return this.read('depth', x, y)[0]!;
   }
@@ -91,13 +91,13 @@ export class GBufferReader {
     return sub(this.read('position', x, y) as unknown as Vec3, this.input.view.position);
   }
 
-  /** Where the pixel looks in the world: unit, world frame. */
+  /** Direction of the pixel's ray: unit, world frame. */
   direction(x: number, y: number): Vec3 {
     const { view, settings } = this.input;
     return normalize(cameraRay(view, settings, x + 0.5, y + 0.5, this.image.width, this.image.height).dx);
   }
 
-  /** tan of the angles off the axis, to the right and up. */
+  /** tan of the angles from the axis, to the right and up. */
   tangents(x: number, y: number): readonly [number, number] {
     const { image, frustum } = this;
     const { tanX, tanY, center } = frustum;
@@ -106,7 +106,7 @@ export class GBufferReader {
     return [right * tanX + center[0], up * tanY + center[1]];
   }
 
-  /** World time of the event after the observer's [s]. */
+  /** World time of the event relative to the observer's [s]. */
   emissionTime(x: number, y: number): number {
     return this.read('emission_time', x, y)[0]! - this.input.view.t;
   }
