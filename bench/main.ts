@@ -15,6 +15,7 @@ import { frame } from './rendering/frame.ts';
 import { instances } from './rendering/instances.ts';
 import { memory } from './rendering/memory.ts';
 import { tessellation } from './rendering/tessellation.ts';
+import { views } from './rendering/views.ts';
 import { cache } from './simulation/cache.ts';
 import { computing } from './simulation/compute.ts';
 import { dynamics } from './simulation/dynamics.ts';
@@ -24,6 +25,7 @@ import { gpu, releaseGpu } from './support/gpu.ts';
 /** All benchmarks, in the order of the page. */
 const benches: readonly Bench[] = [
   frame,
+  views,
   antialiasing,
   cubic,
   tessellation,
