@@ -5,14 +5,14 @@ import { type PoseSamples, sampleMotion } from '../motion/resample.ts';
 import type { Pose, RigidMotion, SampledMotion } from '../types.ts';
 import { perpendicularTo } from './arrange.ts';
 
-/** How a frame is to move, before it is known how far what it carries reaches. Places in the frame of the scene [m]; between two world times [s]. */
+/** The path of a frame before the size of what it carries is known. Places in the scene's frame [m], between two world times [s]. */
 export type MotionPath =
   | { readonly kind: 'frame'; readonly motion: RigidMotion }
   | (CircularPath & TimeSpan & { readonly kind: 'circle' })
   | (SpinPath & TimeSpan & { readonly kind: 'spin' })
   | (CurvePath & TimeSpan & { readonly kind: 'path' });
 
-/** When a course begins and ends; before and after it what it carries rests. */
+/** World times at which a path begins and ends; before and after them the frame rests. */
 export interface TimeSpan {
   readonly from: number;
   readonly to: number;
@@ -24,7 +24,7 @@ export interface CircularPath {
   readonly radius: number;
   /** [rad/s] */
   readonly rate: number;
-  /** It turns as it goes round. */
+  /** Whether the frame turns with the circle. */
   readonly facing: boolean;
 }
 export interface SpinPath {
@@ -37,32 +37,31 @@ export interface SpinPath {
 export interface CurvePath {
   /** At least two. */
   readonly points: readonly Vec3[];
-  /** Its −Z turns the way it goes. */
+  /** Whether −Z of the frame turns to the direction of motion. */
   readonly facing: boolean;
 }
 
-/** A course as a motion; `reach` [m]: how far from the frame's origin anything is that it carries. */
-export function motionFromPath(course: MotionPath, reach: number): RigidMotion {
-  switch (course.kind) {
-    case 'frame':
-      return course.motion;
-    case 'circle':
-      return circularMotion(course, { ...course, reach });
-    case 'spin':
-      return spinMotion(course, { ...course, reach });
-    case 'path':
-      return curveMotion(course, { ...course, reach });
-  }
-}
+type PathMotion<P extends MotionPath> = (path: P, reach: number) => RigidMotion;
+
+const PATH_MOTIONS: { readonly [K in MotionPath['kind']]: PathMotion<Extract<MotionPath, { readonly kind: K }>> } = {
+  frame: ({ motion }) => motion,
+  circle: (path, reach) => circularMotion(path, { ...path, reach }),
+  spin: (path, reach) => spinMotion(path, { ...path, reach }),
+  path: (path, reach) => curveMotion(path, { ...path, reach }),
+};
+
+/** The motion along a path; `reach` [m]: greatest distance from the frame's origin of what it carries. */
+export const motionFromPath = (path: MotionPath, reach: number): RigidMotion =>
+  (PATH_MOTIONS[path.kind] as PathMotion<MotionPath>)(path, reach);
 
 interface SamplingSpan extends TimeSpan {
   readonly reach: number;
 }
 
-/** Share of a path's size that a vertex may be beside its way. */
+/** Greatest distance of a vertex from its path, as a fraction of the path's size. */
 const PATH_TOLERANCE = 1e-4;
 
-/** A path as rigid samples, close enough that a vertex is nowhere seen beside its way. */
+/** Samples a path within the tolerance for all vertices. */
 function samplePath(
   at: (t: number) => Pose,
   { from, to, reach }: SamplingSpan,
@@ -74,30 +73,30 @@ function samplePath(
   return { kind: 'sampled', ...samples };
 }
 
-function circularMotion({ center, axis, radius, rate, facing }: CircularPath, how: SamplingSpan): SampledMotion {
+function circularMotion({ center, axis, radius, rate, facing }: CircularPath, span: SamplingSpan): SampledMotion {
   const x = perpendicularTo(axis);
   const y = cross(axis, x);
   const at = (t: number): Pose => {
-    const angle = rate * (t - how.from);
+    const angle = rate * (t - span.from);
     const out = add(scale(x, Math.cos(angle)), scale(y, Math.sin(angle)));
     return { position: addScaled(center, out, radius), orientation: facing ? fromAxisAngle(axis, angle) : IDENTITY };
   };
-  return samplePath(at, how, radius, eighthTurns(rate, how));
+  return samplePath(at, span, radius, eighthTurns(rate, span));
 }
 
-function spinMotion({ center, axis, rate }: SpinPath, how: SamplingSpan): SampledMotion {
+function spinMotion({ center, axis, rate }: SpinPath, span: SamplingSpan): SampledMotion {
   const at = (t: number): Pose => {
-    const orientation = fromAxisAngle(axis, rate * (t - how.from));
+    const orientation = fromAxisAngle(axis, rate * (t - span.from));
     return { position: sub(center, rotate(orientation, center)), orientation };
   };
-  return samplePath(at, how, how.reach, eighthTurns(rate, how));
+  return samplePath(at, span, span.reach, eighthTurns(rate, span));
 }
 
-/** Pieces of an eighth of a turn: what two samples have between them goes the shorter way. */
+/** Number of pieces of at most an eighth of a turn, since motion between two samples takes the smaller angle. */
 const eighthTurns = (rate: number, { from, to }: SamplingSpan): number =>
   Math.max(1, Math.ceil((Math.abs(rate) * (to - from)) / (Math.PI / 4)));
 
-/** A place to be at a time, and the way the thing is turned there. */
+/** A pose at a time. */
 export interface PoseKey {
   /** [s] */
   readonly time: number;
@@ -105,7 +104,7 @@ export interface PoseKey {
   readonly orientation: Quat;
 }
 
-/** Straight from key to key, turning evenly. */
+/** Straight from key to key, turning uniformly. */
 export function keyframedMotion(keys: readonly PoseKey[]): SampledMotion {
   const poses = new Float64Array(7 * keys.length);
   keys.forEach(({ position, orientation }, k) => void poses.set([...position, ...orientation], 7 * k));
@@ -113,45 +112,45 @@ export function keyframedMotion(keys: readonly PoseKey[]): SampledMotion {
 }
 
 /**
- * Along a smooth curve through places at one speed, from the first to the last (centripetal Catmull–Rom, Yuksel et al. 2011: no cusps,
+ * Along a smooth curve through places at constant speed, from the first to the last (centripetal Catmull–Rom, Yuksel et al. 2011: no cusps,
  * no loops).
  */
-function curveMotion({ points: places, facing }: CurvePath, how: SamplingSpan): SampledMotion {
+function curveMotion({ points: places, facing }: CurvePath, span: SamplingSpan): SampledMotion {
   const curve = curveThrough(places);
-  const part = (t: number): number => Math.min(1, Math.max(0, (t - how.from) / (how.to - how.from)));
+  const part = (t: number): number => Math.min(1, Math.max(0, (t - span.from) / (span.to - span.from)));
   const at = (t: number): Pose => {
     const s = curve.parameter(part(t));
-    const orientation = facing ? shortestRotation([0, 0, -1], curve.way(s)) : IDENTITY;
+    const orientation = facing ? shortestRotation([0, 0, -1], curve.tangent(s)) : IDENTITY;
     return { position: curve.point(s), orientation };
   };
-  return samplePath(at, how, curve.length, 8 * places.length);
+  return samplePath(at, span, curve.length, 8 * places.length);
 }
 
-/** Over so much of a piece the way of a curve is taken. */
+/** Step of the difference quotient of a curve's tangent, in pieces. */
 const STEP = 1e-4;
-/** Chords for each piece of a curve by which its length is known. */
+/** Chords per piece from which a curve's length is computed. */
 const CHORDS = 64;
 
-/** A curve through places, by a parameter that is i at place i; and the parameter by the share of its length. */
+/** A curve through places, with a parameter that is i at place i; `parameter` gives it by fraction of the length. */
 function curveThrough(places: readonly Vec3[]) {
   const last = places.length - 1;
   const point = (s: number): Vec3 => {
     const i = Math.min(Math.floor(s), last - 1);
     return catmullRom(places, i, s - i);
   };
-  const way = (s: number): Vec3 => sub(point(Math.min(last, s + STEP)), point(Math.max(0, s - STEP)));
+  const tangent = (s: number): Vec3 => sub(point(Math.min(last, s + STEP)), point(Math.max(0, s - STEP)));
   const lengths = new Float64Array(CHORDS * last + 1);
   for (let k = 1; k < lengths.length; k++)
     lengths[k] = lengths[k - 1] + distance(point((k - 1) / CHORDS), point(k / CHORDS));
   const length = lengths[lengths.length - 1];
-  const parameter = (share: number): number => {
-    const { before, s } = pieceAt(lengths, share * length);
+  const parameter = (fraction: number): number => {
+    const { before, s } = pieceAt(lengths, fraction * length);
     return (before + s) / CHORDS;
   };
-  return { point, way, parameter, length };
+  return { point, tangent, parameter, length };
 }
 
-/** Between place i and the next, by Barry and Goldman's pyramid with knots √distance apart. */
+/** Point between place i and the next, by Barry and Goldman's pyramid with knots √distance apart. */
 function catmullRom(places: readonly Vec3[], i: number, s: number): Vec3 {
   const [b, c] = [places[i], places[i + 1]];
   const a = places[i - 1] ?? sub(scale(b, 2), c);

@@ -2,10 +2,10 @@ import { IDENTITY, rotate } from '../../math/quat.ts';
 import type { Vec3 } from '../../math/vec3.ts';
 import type { DomeLight } from './light.ts';
 
-// A latitude–longitude picture of all directions, as OpenEXR and UsdLux define it: in the dome's own axes its top row is towards +Y, its middle
-// towards +Z, and a quarter of its width to the left of that is +X.
+// A latitude–longitude map as OpenEXR and UsdLux define it: in the dome's own axes its top row is +Y, its middle +Z, and a quarter of its width
+// to the left of that is +X.
 
-/** Where on the picture the unit direction n is: u to the right, v up, both 0 … 1. */
+/** Map coordinates of a unit direction: u to the right, v up, both 0 … 1. */
 export function latLongFromDirection([x, y, z]: Vec3): readonly [u: number, v: number] {
   return [0.5 - Math.atan2(x, z) / (2 * Math.PI), 1 - Math.acos(Math.min(Math.max(y, -1), 1)) / Math.PI];
 }

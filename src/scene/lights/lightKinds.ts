@@ -21,7 +21,7 @@ const LIGHTS: { readonly [K in Light['kind']]: LightKindOf<Extract<Light, { read
   stars: NIGHT_SKY,
 };
 
-/** What the scene knows of a light's kind. */
+/** The scene's record of a light's kind. */
 export function lightKind<L extends LocalLight>(light: L): LocalLightKind<L>;
 export function lightKind<L extends Light>(light: L): LightKind<L>;
 export function lightKind(light: Light): LightKind<Light> {
@@ -33,5 +33,5 @@ export const isDistantLight = (light: Light): light is DistantLight => lightKind
 export const isDomeLight = (light: Light): light is DomeLight => lightKind(light).reach === 'sky';
 export const isNightSky = (light: Light): light is NightSky => lightKind(light).reach === 'stars';
 
-/** The intensity of a light that is far away, over its `color`, where most of it is seen: the area of its image [m²]; of a line its length [m], of a point 1. */
+/** The greatest intensity of a light at a large distance over its `color`: its greatest projected area [m²]; of a line its length [m], of a point 1. */
 export const projectedArea = (light: LocalLight): number => lightKind(light).projectedArea(light);

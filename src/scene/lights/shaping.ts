@@ -1,7 +1,7 @@
 import { dot, type Vec3 } from '../../math/vec3.ts';
 import type { LightShaping } from './light.ts';
 
-/** The share of a light's radiance that leaves in the unit direction `out`, 0 … 1; `front`: the unit −Z of its frame. */
+/** Factor 0 … 1 of a light's radiance emitted in the unit direction `out`; `front`: unit −Z of its frame. */
 export function shapingFactor({ inner, outer, focus }: LightShaping, front: Vec3, out: Vec3): number {
   const cosine = Math.min(Math.max(dot(front, out), -1), 1);
   const angle = Math.acos(cosine);

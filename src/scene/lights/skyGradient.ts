@@ -1,7 +1,7 @@
 import { addScaled, lerp, scale, sub, type Vec3, ZERO } from '../../math/vec3.ts';
 import type { SkyGradient } from './light.ts';
 
-/** Radiance by height: of the zenith, the horizon and the ground. */
+/** Radiance of the zenith, the horizon and the ground. */
 export interface SkyColors extends SkyGradient {
   readonly zenith: Vec3;
 }
@@ -35,7 +35,7 @@ export interface SkyIrradiance {
 const STEPS = 512;
 
 /**
- * That of a sky that is the same all round at each height; exact on what faces up, down and the horizon. What it has beside a parabola is small for every sky
+ * The irradiance of a sky that depends on height only; exact for surfaces that face up, down and the horizon. Terms beyond the parabola are small for every sky
  * (Ramamoorthi and Hanrahan 2001, "An efficient representation for irradiance environment maps", §3.2).
  */
 export function skyIrradiance(sky: SkyColors): SkyIrradiance {
@@ -43,7 +43,7 @@ export function skyIrradiance(sky: SkyColors): SkyIrradiance {
   for (let i = 0; i < STEPS; i++) {
     const h = (2 * (i + 0.5)) / STEPS - 1;
     const radiance = gradientAt(h, sky);
-    // 2 ∫ L h dh of each half, and (2/π) ∫ L √(1 − h²) dh of a quarter on each side.
+    // 2 ∫ L h dh over each half, and (2/π) ∫ L √(1 − h²) dh towards the horizon.
     up = addScaled(up, radiance, (4 / STEPS) * Math.max(h, 0));
     down = addScaled(down, radiance, (4 / STEPS) * Math.max(-h, 0));
     side = addScaled(side, radiance, (4 / (Math.PI * STEPS)) * Math.sqrt(1 - h * h));

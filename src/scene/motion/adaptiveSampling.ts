@@ -1,28 +1,28 @@
-/** Times such that paths between them are nearly straight. */
+/** Times between which paths are nearly straight. */
 export interface SampledTimes {
-  /** The given ones, and those added between them; rising. */
+  /** The given times and those added between them, increasing. */
   readonly times: Float64Array;
-  /** Greatest distance from a chord that is left [m]. */
+  /** Greatest remaining distance from a chord [m]. */
   readonly error: number;
-  /** About how many times keep the tolerance everywhere: as many as there are, unless they were too few. */
+  /** Estimated number of times that would meet the tolerance everywhere; the number of `times` if they do. */
   readonly needed: number;
 }
 
-/** How closely a path is followed. */
+/** When a path is close enough to its chords. */
 export interface ChordCriterion {
-  /** Greatest distance from the chord that a path is left with [m]. */
+  /** Greatest accepted distance from the chord [m]. */
   readonly tolerance: number;
-  /** Where between two times a path is compared with its chord, as fractions; 0.5 among them. */
+  /** Fractions between two times at which a path is compared with its chord, including 0.5. */
   readonly fractions: readonly number[];
-  /** An interval between two given times is halved at most this often. */
+  /** Greatest number of halvings of an interval between two given times. */
   readonly maxHalvings: number;
-  /** Times before which a path is a ramp as it is, and not looked at. */
+  /** Times at the end of an interval that is a ramp and is not subdivided. */
   readonly ramps?: ReadonlySet<number>;
 }
 
 /**
- * How far some points (`shape`: 3 numbers each, at a time) move from the chords between samples. Every piece of the path is
- * looked at once, however often it is asked for: things that share a path may have different numbers of times.
+ * Adds times to a path until its points (`shape`: 3 numbers each, at a time) stay near the chords between samples. Every piece of the
+ * path is evaluated once and cached, since things that share a path may ask for different numbers of times.
  */
 export class AdaptivePath {
   readonly samples: Float64Array;
@@ -31,14 +31,14 @@ export class AdaptivePath {
   private readonly first: number;
   private readonly pieces = new PathPieces();
   private readonly places: PathPositions;
-  /** Where the points are in the middle of the piece at hand. */
+  /** The points in the middle of the current piece. */
   private readonly middle: Float64Array;
-  /** By how many times are added. */
-  private readonly known = new Map<number, SampledTimes>();
-  /** How many are, where nothing but the path itself ends it; once that is known. */
+  /** By number of added times. */
+  private readonly cached = new Map<number, SampledTimes>();
+  /** Number of added times that meets the criterion; undefined until it is found. */
   private enough: number | undefined;
 
-  /** `samples`: rising; `shape` may write each of its answers into the same array. */
+  /** `samples`: increasing; `shape` may return the same array each time. */
   constructor(samples: Float64Array, shape: (time: number) => ArrayLike<number>, how: ChordCriterion) {
     this.samples = samples;
     this.shape = shape;
@@ -49,75 +49,76 @@ export class AdaptivePath {
     this.first = this.pieces.count;
   }
 
-  /** What one added time takes: it makes two pieces, each to be looked at. */
+  /** Cost of one added time, which makes two pieces that are evaluated. */
   get evaluationsPerTime(): number {
     return 2 * this.how.fractions.length;
   }
 
   /**
-   * The samples and at most so many times between them, until the points move along chords. All intervals are halved alike
-   * before any is halved again, so that where `most` ends it, what is left is spread over all of the motion.
+   * The samples and at most `max` times between them, until the points move along chords. Intervals are halved breadth-first,
+   * so that if `max` ends it, the remaining error is spread over the whole motion.
    */
-  sample(most: number): SampledTimes {
-    const known = this.known.get(Math.min(most, this.enough ?? most));
-    if (known) return known;
-    const found = this.halved(most);
+  sample(max: number): SampledTimes {
+    const cached = this.cached.get(Math.min(max, this.enough ?? max));
+    if (cached) return cached;
+    const found = this.subdivided(max);
     const added = found.times.length - this.samples.length;
-    this.known.set(added, found);
-    if (added < most) {
+    this.cached.set(added, found);
+    if (added < max) {
       this.enough = added;
       this.places.forgetShapes();
     }
     return found;
   }
 
-  private halved(most: number): SampledTimes {
+  private subdivided(max: number): SampledTimes {
     const { tolerance, maxHalvings } = this.how;
     const added: number[] = [];
-    let [error, wanted] = [0, 0];
+    let [error, missing] = [0, 0];
     let pieces: number[] = [];
     for (let piece = 0; piece < this.first; piece++) pieces.push(piece);
-    for (let left = maxHalvings; pieces.length > 0; left--) {
+    for (let halvings = maxHalvings; pieces.length > 0; halvings--) {
       const halves: number[] = [];
       for (const piece of pieces) {
-        const off = this.offOf(piece, left);
+        const distance = this.chordDistance(piece, halvings);
         const half = this.pieces.half[piece];
-        if (half !== NONE && added.length < most) {
+        if (half !== NONE && added.length < max) {
           added.push(this.places.times[this.pieces.to[half]]);
           halves.push(half, half + 1);
           continue;
         }
-        error = Math.max(error, off);
-        // A chord over a part h of a smooth path leaves it by h².
-        if (off > tolerance) wanted += Math.ceil(Math.sqrt(off / tolerance)) - 1;
+        error = Math.max(error, distance);
+        // The distance of a smooth path from its chord is proportional to the square of the interval.
+        if (distance > tolerance) missing += Math.ceil(Math.sqrt(distance / tolerance)) - 1;
       }
       pieces = halves;
     }
     const times = added.length === 0 ? this.samples : joined(this.samples, added).sort();
-    return { times, error, needed: wanted + times.length };
+    return { times, error, needed: missing + times.length };
   }
 
-  private offOf(piece: number, left: number): number {
-    const { off } = this.pieces;
-    if (off[piece] === UNSEEN) this.look(piece, left);
-    return off[piece];
+  private chordDistance(piece: number, halvings: number): number {
+    const { distance } = this.pieces;
+    if (distance[piece] === NOT_EVALUATED) this.evaluate(piece, halvings);
+    return distance[piece];
   }
 
-  /** How far the points of a piece are from its chord, at the worst look; it has halves where that is too far. */
-  private look(piece: number, left: number): void {
-    const { from, to, off, half } = this.pieces;
+  /** Computes the greatest distance of a piece's points from its chord, and splits the piece in halves if that is too great. */
+  private evaluate(piece: number, halvings: number): void {
+    const { from, to, distance, half } = this.pieces;
     const places = this.places;
     const [a, b] = [from[piece], to[piece]];
     const [start, end] = [places.times[a], places.times[b]];
     let worst = 0;
     for (const s of this.how.fractions) {
-      const seen = this.shape(start + (end - start) * s);
-      worst = Math.max(worst, places.chordError(a, b, seen, s));
-      if (s === 0.5) copy(seen, this.middle, 0);
+      const points = this.shape(start + (end - start) * s);
+      worst = Math.max(worst, places.chordError(a, b, points, s));
+      if (s === 0.5) copy(points, this.middle, 0);
     }
-    off[piece] = worst;
+    distance[piece] = worst;
     const time = (start + end) / 2;
-    if (!(worst > this.how.tolerance) || !Number.isFinite(worst) || left === 0 || !(time > start && time < end)) return;
+    if (!(worst > this.how.tolerance) || !Number.isFinite(worst) || halvings === 0 || !(time > start && time < end))
+      return;
     const between = places.add(time, this.middle);
     half[piece] = this.pieces.add(a, between);
     this.pieces.add(between, b);
@@ -131,18 +132,18 @@ function joined(a: ArrayLike<number>, b: ArrayLike<number>): Float64Array {
   return both;
 }
 
-/** Of a piece without halves. */
+/** `half` of a piece without halves. */
 const NONE = 0;
-/** Of a piece that nobody has looked at. */
-const UNSEEN = -1;
+/** `distance` of a piece that has not been evaluated. */
+const NOT_EVALUATED = -1;
 
-/** Pieces of a path between two of its places; the halves of one follow each other. */
+/** Pieces of a path between two of its times; the two halves of a piece are consecutive. */
 class PathPieces {
   readonly from: number[] = [];
   readonly to: number[] = [];
-  /** Distance from the chord [m]. */
-  readonly off: number[] = [];
-  /** The first half. */
+  /** Greatest distance from the chord [m]. */
+  readonly distance: number[] = [];
+  /** Index of the first half. */
   readonly half: number[] = [];
 
   get count(): number {
@@ -150,7 +151,7 @@ class PathPieces {
   }
 
   add(from: number, to: number): number {
-    this.off.push(UNSEEN);
+    this.distance.push(NOT_EVALUATED);
     this.half.push(NONE);
     this.to.push(to);
     return this.from.push(from) - 1;
@@ -161,7 +162,7 @@ function copy(from: ArrayLike<number>, to: Float64Array, at: number): void {
   for (let i = 0; i < from.length; i++) to[at + i] = from[i];
 }
 
-/** Where the points are at some times. */
+/** The points of a path at some times. */
 class PathPositions {
   readonly times: number[] = [];
   /** Numbers at one time. */
@@ -187,19 +188,19 @@ class PathPositions {
     return this.times.push(time) - 1;
   }
 
-  /** Once all pieces have been looked at. */
+  /** Frees memory once all pieces have been evaluated. */
   forgetShapes(): void {
     this.shapes = new Float64Array(0);
   }
 
-  /** Greatest distance of points from where straight ways from place `a` to `b` have them at fraction `s`. */
-  chordError(a: number, b: number, seen: ArrayLike<number>, s: number): number {
+  /** Greatest distance of points from the chords between times `a` and `b` at fraction `s`. */
+  chordError(a: number, b: number, points: ArrayLike<number>, s: number): number {
     const shapes = this.shapes;
     let [p, q, worst] = [a * this.width, b * this.width, 0];
-    for (let i = 0; i + 2 < seen.length; i += 3, p += 3, q += 3) {
-      const x = seen[i] - shapes[p] - (shapes[q] - shapes[p]) * s;
-      const y = seen[i + 1] - shapes[p + 1] - (shapes[q + 1] - shapes[p + 1]) * s;
-      const z = seen[i + 2] - shapes[p + 2] - (shapes[q + 2] - shapes[p + 2]) * s;
+    for (let i = 0; i + 2 < points.length; i += 3, p += 3, q += 3) {
+      const x = points[i] - shapes[p] - (shapes[q] - shapes[p]) * s;
+      const y = points[i + 1] - shapes[p + 1] - (shapes[q + 1] - shapes[p + 1]) * s;
+      const z = points[i + 2] - shapes[p + 2] - (shapes[q + 2] - shapes[p + 2]) * s;
       worst = Math.max(worst, x * x + y * y + z * z);
     }
     return Math.sqrt(worst);
@@ -207,24 +208,24 @@ class PathPositions {
 }
 
 /**
- * What a scene may still spend on looking at paths between samples [evaluations of a transform]: a small file can ask for
- * any number of turns of any number of things. Of what is left each motion gets half at most, so that one wild thing does
- * not take it from all.
+ * The number of evaluations of a transform that a scene may still spend on adaptive paths: a small file can ask for
+ * any number of turns of any number of things. Each motion gets at most half of the rest, so that one extreme motion does
+ * not use up the budget of all others.
  */
 export class SamplingBudget {
   private left: number;
-  /** Greatest distance from a chord that was left so far [m]; undefined before the first motion. */
+  /** Greatest remaining distance from a chord so far [m]; undefined before the first motion. */
   error: number | undefined;
   constructor(evaluations: number) {
     this.left = evaluations;
   }
 
-  /** Says that a motion needs no times between its own: it leaves no chord. */
+  /** Records a motion that needs no added times, since it is on its chords. */
   markExact(): void {
     this.error ??= 0;
   }
 
-  /** As many times of a path as the budget has room for; `cost` [evaluations]: of where its points are at one time. */
+  /** Samples a path within the budget; `cost`: evaluations that its points at one time take. */
   sample(path: AdaptivePath, cost: number): SampledTimes {
     const each = path.evaluationsPerTime * cost;
     const refined = path.sample(Math.floor(this.left / 2 / each));

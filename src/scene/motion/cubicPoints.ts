@@ -13,11 +13,11 @@ export interface CubicPointsMotion extends SampledPointsMotion {
 export const isCubic = (motion: SampledPointsMotion): motion is CubicPointsMotion =>
   motion.velocities !== undefined && !isStreamed(motion.points);
 
-/** The velocity of every point at each sample, as the parabola through its neighbours has it [m/s]; 3 numbers per point. */
+/** The velocity of every point at each sample, that of the parabola through its neighbours [m/s]; 3 numbers per point. */
 export const parabolaVelocities = (times: Float64Array, points: readonly Float32Array[]): Float32Array[] =>
   points.map((_, k) => parabolaVelocityAt(times, (j) => points[j], k));
 
-/** The same at sample k, from the points at those samples that it needs. */
+/** The same at sample k; `pointsAt` is called only for the samples needed. */
 export function parabolaVelocityAt(
   times: Float64Array,
   pointsAt: (k: number) => Float32Array,
@@ -33,22 +33,22 @@ export function parabolaVelocityAt(
   return out;
 }
 
-/** Coordinates that `estimateChordError` looks at, at most. */
+/** Greatest number of coordinates that `estimateChordError` evaluates. */
 const MAX_ESTIMATED_COORDINATES = 2 ** 22;
 
 /**
- * An estimate of how far cubics through the points are from their chords [m]: in the middle of a piece h|v₁ − v₀|/8; of large motions, evenly
- * chosen points. 0 of two samples.
+ * Estimates the greatest distance of cubics through the points from their chords [m]: h|v₁ − v₀|/8 in the middle of a piece; of large motions
+ * evenly chosen points. 0 for two samples.
  */
 export function estimateChordError(times: Float64Array, points: readonly Float32Array[]): number {
   const step = Math.max(1, Math.ceil((points[0].length * times.length) / MAX_ESTIMATED_COORDINATES));
-  let most = 0;
+  let error = 0;
   for (let k = 0; k + 1 < times.length; k++)
-    most = Math.max(most, ((times[k + 1] - times[k]) / 8) * maxVelocityChange(times, points, k, step));
-  return most;
+    error = Math.max(error, ((times[k + 1] - times[k]) / 8) * maxVelocityChange(times, points, k, step));
+  return error;
 }
 
-/** The greatest |v₁ − v₀| of the piece after sample k, of one point in `step` [m/s]: a sum of the chords of three pieces, without an array of it. */
+/** The greatest |v₁ − v₀| of the piece after sample k, of every `step`-th point [m/s]: a weighted sum of the chords of three pieces. */
 function maxVelocityChange(times: Float64Array, points: readonly Float32Array[], k: number, step: number): number {
   const weights = [0, 0, 0];
   for (const end of [0, 1]) {
@@ -59,17 +59,17 @@ function maxVelocityChange(times: Float64Array, points: readonly Float32Array[],
   }
   const [first, second, third] = weights;
   const [a, b, c, d] = [k - 1, k, k + 1, k + 2].map((j) => points[Math.min(Math.max(j, 0), points.length - 1)]);
-  let most = 0;
+  let greatest = 0;
   for (let i = 0; i < a.length; i += 3 * step) {
     let square = 0;
     for (let j = i; j < i + 3; j++)
       square += (first * (b[j] - a[j]) + second * (c[j] - b[j]) + third * (d[j] - c[j])) ** 2;
-    if (square > most && square < Number.POSITIVE_INFINITY) most = square;
+    if (square > greatest && square < Number.POSITIVE_INFINITY) greatest = square;
   }
-  return Math.sqrt(most);
+  return Math.sqrt(greatest);
 }
 
-/** Point i between samples k and k + 1, from the motion's origin, with all of its bend [m, m/s]. */
+/** Point i between samples k and k + 1, relative to the motion's origin, with its full bend [m, m/s]. */
 export function pointPiece({ times, points, velocities }: CubicPointsMotion, k: number, i: number): CubicPiece {
   const read = (from: Float32Array): readonly [number, number, number] => [
     from[3 * i],
@@ -86,8 +86,8 @@ export function pointPiece({ times, points, velocities }: CubicPointsMotion, k: 
 }
 
 /**
- * The two inner Bézier control points of every point between samples k and k + 1, from the motion's origin [m]: its path is within the hull of these
- * and its places at the samples, whatever of its bend is kept.
+ * The two inner Bézier control points of every point between samples k and k + 1, relative to the motion's origin [m]: with any bend factor, its path is within
+ * the convex hull of these and its places at the samples.
  */
 export function innerControlPoints(
   { times, points, velocities }: CubicPointsMotion,
@@ -100,10 +100,10 @@ export function innerControlPoints(
   ];
 }
 
-/** A cubic is never bent so much that a control velocity exceeds this share of c. */
+/** Greatest control velocity of a cubic, as a fraction of c. */
 export const MAX_CONTROL_SPEED = 0.999;
 
-/** What is known of a motion's pieces: the greatest control velocity of each [m/s], and the bends that one speed of light allows. */
+/** Cached values of a motion's pieces: greatest control velocity [m/s], and bend factor for one speed of light. NaN: not computed yet. */
 interface SpeedCache {
   readonly greatest: Float64Array;
   c: number;
@@ -112,13 +112,13 @@ interface SpeedCache {
 const speedCaches = new WeakMap<CubicPointsMotion, SpeedCache>();
 
 function speedCacheOf(motion: CubicPointsMotion): SpeedCache {
-  const unknown = () => new Float64Array(motion.times.length - 1).fill(Number.NaN);
-  const made = speedCaches.get(motion) ?? { greatest: unknown(), c: Number.NaN, bends: unknown() };
-  speedCaches.set(motion, made);
-  return made;
+  const empty = () => new Float64Array(motion.times.length - 1).fill(Number.NaN);
+  const cache = speedCaches.get(motion) ?? { greatest: empty(), c: Number.NaN, bends: empty() };
+  speedCaches.set(motion, cache);
+  return cache;
 }
 
-/** Nothing between samples k and k + 1 is faster, with all of its bend [m/s]. */
+/** Upper bound of all speeds between samples k and k + 1, with the full bend [m/s]. */
 export function maxControlSpeed(motion: CubicPointsMotion, k: number): number {
   const { greatest } = speedCacheOf(motion);
   if (Number.isNaN(greatest[k])) greatest[k] = Math.sqrt(maxControlSpeedSquared(motion, k));
@@ -126,12 +126,13 @@ export function maxControlSpeed(motion: CubicPointsMotion, k: number): number {
 }
 
 function maxControlSpeedSquared(motion: CubicPointsMotion, k: number): number {
-  let most = 0;
-  for (let i = 0; 3 * i < motion.points[k].length; i++) most = Math.max(most, controlSpeedSquared(motion, k, i));
-  return most;
+  let greatest = 0;
+  for (let i = 0; 3 * i < motion.points[k].length; i++)
+    greatest = Math.max(greatest, controlSpeedSquared(motion, k, i));
+  return greatest;
 }
 
-/** The square of the greatest control velocity of point i between samples k and k + 1. Without an object per point, for meshes are large. */
+/** The square of the greatest control velocity of point i between samples k and k + 1, without allocating per point, since meshes are large. */
 function controlSpeedSquared({ times, points, velocities }: CubicPointsMotion, k: number, i: number): number {
   const a = points[k];
   const b = points[k + 1];
@@ -149,31 +150,31 @@ function controlSpeedSquared({ times, points, velocities }: CubicPointsMotion, k
   return Math.max(begin, middle, end);
 }
 
-/** Point i is nowhere faster between samples k and k + 1, however much of its bend is kept [m/s]. */
+/** Upper bound of the speed of point i between samples k and k + 1, with any bend factor [m/s]. */
 export const pointSpeedBound = (motion: CubicPointsMotion, k: number, i: number): number =>
   Math.sqrt(controlSpeedSquared(motion, k, i));
 
 /**
- * How much of its bend the piece after sample k keeps at the speed of light c [m/s], all points alike: all of it, unless some would go nearly
- * as fast as light or faster; then less, down to none, the chords (`subluminalBend`).
+ * The bend factor of the piece after sample k at the speed of light c [m/s], the same for all points: 1, unless a control velocity exceeds
+ * `MAX_CONTROL_SPEED`; then the smallest of all points' (`subluminalBend`), down to 0 for the chords.
  */
 export function bendFactor(motion: CubicPointsMotion, k: number, c: number): number {
   if (maxControlSpeed(motion, k) <= MAX_CONTROL_SPEED * c) return 1;
-  const of = speedCacheOf(motion);
-  if (of.c !== c) {
-    of.c = c;
-    of.bends.fill(Number.NaN);
+  const cache = speedCacheOf(motion);
+  if (cache.c !== c) {
+    cache.c = c;
+    cache.bends.fill(Number.NaN);
   }
-  if (Number.isNaN(of.bends[k])) {
+  if (Number.isNaN(cache.bends[k])) {
     let least = 1;
     for (let i = 0; 3 * i < motion.points[k].length; i++)
       least = Math.min(least, subluminalBend(pointPiece(motion, k, i), MAX_CONTROL_SPEED * c));
-    of.bends[k] = least;
+    cache.bends[k] = least;
   }
-  return of.bends[k];
+  return cache.bends[k];
 }
 
-/** Samples k, and by how much of their bend the pieces after them are short at the speed of light c [m/s]. */
+/** The samples k whose following piece is straightened at the speed of light c [m/s], and the fraction of its bend that is lost. */
 export function straightenedPieces(
   motion: CubicPointsMotion,
   c: number,
@@ -183,14 +184,14 @@ export function straightenedPieces(
   );
 }
 
-/** The greatest speed in a piece, to a part in 10⁹; `atLeast` where it is not greater. The velocity is a Bézier curve: halved until its control points tell. */
+/** The greatest speed in a piece, with a relative error of 10⁻⁹, or `atLeast` if that is greater. The velocity is a Bézier curve, subdivided until its inner control point is no longer the greatest. */
 export function maxPieceSpeed(piece: CubicPiece, atLeast = 0): number {
-  const most = ([a, b, c]: readonly [Vec3, Vec3, Vec3], known: number, halvings: number): number => {
-    const ends = Math.max(known, length(a), length(c));
+  const greatest = ([a, b, c]: readonly [Vec3, Vec3, Vec3], bound: number, halvings: number): number => {
+    const ends = Math.max(bound, length(a), length(c));
     if (length(b) <= ends * (1 + 1e-9) || halvings === 0) return ends;
     const [ab, bc] = [lerp(a, b, 0.5), lerp(b, c, 0.5)];
     const middle = lerp(ab, bc, 0.5);
-    return most([middle, bc, c], most([a, ab, middle], ends, halvings - 1), halvings - 1);
+    return greatest([middle, bc, c], greatest([a, ab, middle], ends, halvings - 1), halvings - 1);
   };
-  return most(controlVelocities(piece), atLeast, 30);
+  return greatest(controlVelocities(piece), atLeast, 30);
 }

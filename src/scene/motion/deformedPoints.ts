@@ -7,7 +7,7 @@ import type { SampledPointsMotion } from '../types.ts';
 import { bendFactor, isCubic, pointPiece } from './cubicPoints.ts';
 import { pieceAt } from './poses.ts';
 
-/** Vertex → its place at world time t, from the motion's origin. c [m/s]. */
+/** Vertex → its place at world time t, relative to the motion's origin [m]. c [m/s]. */
 export function deformedPoints(motion: SampledPointsMotion, t: number, c: number): (vertex: number) => Vec3 {
   const { before, after, s } = pieceAt(motion.times, t);
   const [a, b] = [pointsAt(motion, before), pointsAt(motion, after)];

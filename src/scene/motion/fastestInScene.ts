@@ -13,7 +13,7 @@ export interface FastestInScene {
   readonly speed: number;
 }
 
-/** Undefined where nothing moves. Samples of deforming meshes, which are many, are gone through once, whatever scenes they come to be in. */
+/** Undefined if nothing moves. Results for deforming meshes, which have many samples, are cached by motion across scenes. */
 export function fastestInScene(scene: Scene): FastestInScene | undefined {
   const range = [scene.startTime, scene.endTime] as const;
   let best: FastestInScene | undefined;
@@ -31,15 +31,20 @@ export function fastestInScene(scene: Scene): FastestInScene | undefined {
   return best;
 }
 
-type Found = Pick<ReturnType<typeof fastestVertex>, 'speed' | 'from'>;
+type CachedSpeed = Pick<ReturnType<typeof fastestVertex>, 'speed' | 'from'>;
 
-const known = new WeakMap<Motion, Found>();
+const cache = new WeakMap<Motion, CachedSpeed>();
 
-function cachedFastestVertex(object: SceneObject, c: number, range: readonly [number, number], atLeast: number): Found {
+function cachedFastestVertex(
+  object: SceneObject,
+  c: number,
+  range: readonly [number, number],
+  atLeast: number,
+): CachedSpeed {
   const { motion } = object;
-  // The bend of cubics depends on c, which is another in another scene.
+  // The bend of cubics depends on c, which differs between scenes.
   if (!motionKind(motion).keepsFastest(motion)) return fastestVertex(object, c, range, atLeast);
-  const found = known.get(motion) ?? fastestVertex(object, c, range);
-  known.set(motion, found);
+  const found = cache.get(motion) ?? fastestVertex(object, c, range);
+  cache.set(motion, found);
   return found;
 }

@@ -10,23 +10,23 @@ import { motionKind } from './motions.ts';
 
 /** A flight along a straight line at constant speed. */
 export interface Flight {
-  /** Prim path: of an object, or of what holds several. */
+  /** Prim path of an object or of a group. */
   readonly path: string;
   /** In units of c, world frame, |β| < 1. */
   readonly beta: Vec3;
   /** World time at which it passes the place where it would be without the flight [s]. */
   readonly at: number;
-  /** What the mesh is: the shape in the world as it flies by, or the shape at rest, which the flight contracts. */
+  /** Whether the mesh is the shape in the world during the flight, or the shape at rest, which the flight contracts. */
   readonly authoredIn: SceneObject['authoredIn'];
 }
 
-/** Most numbers of a deforming mesh's samples that are carried along: each is copied. */
+/** Greatest number of coordinates in a deforming mesh's samples that can fly, since they are copied. */
 const MAX_COPIED_NUMBERS = 2 ** 25;
 
-/** Whether a thing is the one of a path, or below it. */
-export const isAtOrBelow = (path: string, wanted: string): boolean => path === wanted || path.startsWith(`${wanted}/`);
+/** Whether a path is `root` or below it. */
+export const isAtOrBelow = (path: string, root: string): boolean => path === root || path.startsWith(`${root}/`);
 
-/** Objects whose samples are too many to be carried along; those that are left in a file never are. */
+/** Objects with too many samples to fly; streamed samples are never too many. */
 export const tooLargeToFly = (scene: Scene, path: string): readonly string[] =>
   scene.objects
     .filter(({ motion, mesh, ...object }) => {
@@ -37,13 +37,13 @@ export const tooLargeToFly = (scene: Scene, path: string): readonly string[] =>
     .map((object) => object.path);
 
 /**
- * The scene with a thing and all below it, lights too, flying: x(t) = x(at) + βc (t − at).
+ * The scene with an object or group and all below it, including lights, flying: x(t) = x(at) + βc (t − at).
  *
- * Rigid things keep the pose that they have at that time, and what moved them before is gone. Things that deform go on
- * deforming: every sample is shifted by βc (t − at), so that their own motion adds to it as velocities of the world frame do;
- * before their first and after their last sample they keep their shape and fly on for a while. They are always the world's.
+ * Rigid objects keep the pose that they have at that time; their own motion is replaced. Deforming objects keep
+ * deforming: every sample is shifted by βc (t − at), so that velocities add in the world frame;
+ * before their first and after their last sample they keep their shape and fly on for a while. They are always authored in the world.
  *
- * `rest`: all the parts together are the shape at rest: their places are contracted towards the middle of what flies. c [m/s].
+ * `authoredIn: 'rest'`: all parts together are the shape at rest: their places are contracted towards the centre of the group. c [m/s].
  */
 export function fly(scene: Scene, flight: Flight, c: number): Scene {
   const flying = scene.objects.filter(({ path }) => isAtOrBelow(path, flight.path));
@@ -55,7 +55,7 @@ export function fly(scene: Scene, flight: Flight, c: number): Scene {
   const u = properVelocity(flight.beta);
   const middle = box ? scale(add(box.min, box.max), 0.5) : ZERO;
   const place = (x: Vec3): Vec3 => (flight.authoredIn === 'rest' ? add(middle, contraction(sub(x, middle), u)) : x);
-  const course: FlightPath = {
+  const flightPath: FlightPath = {
     velocity: scale(flight.beta, c),
     at: flight.at,
     c,
@@ -64,10 +64,10 @@ export function fly(scene: Scene, flight: Flight, c: number): Scene {
   };
   return {
     ...scene,
-    objects: scene.objects.map((object) => (flying.includes(object) ? flyObject(object, flight, course) : object)),
+    objects: scene.objects.map((object) => (flying.includes(object) ? flyObject(object, flight, flightPath) : object)),
     lights: scene.lights.map((light) =>
       'motion' in light && flyingLights.includes(light)
-        ? { ...light, motion: motionKind(light.motion).fly(light.motion, course) }
+        ? { ...light, motion: motionKind(light.motion).fly(light.motion, flightPath) }
         : light,
     ),
   };

@@ -5,7 +5,7 @@ import type { FastestVertex } from './kinds/motionKind.ts';
 import { placeVertices } from './kinds/rigidMotion.ts';
 import { motionFacts, motionKind } from './motions.ts';
 
-// Of any motion, by the record of its kind. What the functions mean: kinds/motionKind.ts.
+// Functions of any motion, by the record of its kind; documented in kinds/motionKind.ts.
 
 type OfKind = Pick<Motion, 'kind'>;
 
@@ -35,21 +35,21 @@ export const vertexWorldLine = (object: SceneObject, i: number, c: number): Worl
 export const vertexPosition = (object: SceneObject, i: number, t: number, c: number): Vec3 =>
   positionAt(vertexWorldLine(object, i, c), t, c);
 
-/** All vertices in the world frame at world time t, 3 numbers each [m]: as `vertexPosition`, without whole world lines. */
+/** All vertices in the world frame at world time t, 3 numbers each [m]: as `vertexPosition`, without building world lines. */
 export const vertexPositions = (object: SceneObject, t: number, c: number): Float64Array =>
   placeVertices(object.mesh, motionKind(object.motion).vertexPlacer(object, t, c));
 
 /**
  * A sampled motion authored in the rest frame, as points of the world: at each sample the body is contracted along its
- * frame's velocity there. c [m/s]. Anything else is given back as it is.
+ * frame's velocity there. c [m/s]. Any other object is returned unchanged.
  */
 export const restToWorld = (object: SceneObject, c: number): SceneObject =>
   motionKind(object.motion).restToWorld(object, c);
 
 /**
- * The fastest vertex of an object, exactly: every vertex of every piece counts, not only the frame's origin. Hyperbolic
- * motion, which has no greatest speed, is judged at the ends of `range` [s]. c [m/s]. Pieces that cannot go faster than
- * `atLeast` [m/s] are not looked at in detail, and where none does the answer is at rest.
+ * The fastest vertex of an object, exactly: over all vertices and pieces, not only the frame's origin. Hyperbolic
+ * motion, which has no greatest speed, is evaluated at the ends of `range` [s]. c [m/s]. Pieces that cannot be faster than
+ * `atLeast` [m/s] are skipped; returns `REST` if all are.
  */
 export const fastestVertex = (
   object: SceneObject,

@@ -2,7 +2,7 @@ import type { Quat } from '../../math/quat.ts';
 import type { Vec3 } from '../../math/vec3.ts';
 import type { StreamedPoints } from '../streaming/storedPoints.ts';
 
-/** World times between which the object exists [s]; ±Infinity where it always did or always will. */
+/** World times between which the object exists [s]; ±Infinity without birth or death. */
 export interface Lifetime {
   readonly birth: number;
   readonly death: number;
@@ -14,10 +14,10 @@ export interface Pose {
   readonly orientation: Quat;
 }
 
-/** How an object's frame, or each of its points, moves through the world. */
+/** The motion of an object's frame, or of each of its points, in the world. */
 export type Motion = RigidMotion | SampledPointsMotion;
 
-/** How one frame moves through the world: of a rigid object, a light, a camera. */
+/** The motion of one frame in the world: of a rigid object, a light or a camera. */
 export type RigidMotion = StaticMotion | UniformMotion | HyperbolicMotion | SampledMotion;
 
 export interface StaticMotion {
@@ -42,36 +42,36 @@ export interface HyperbolicMotion {
   readonly t0: number;
 }
 /**
- * Rigid poses at rising times. Between samples every *vertex* moves in a straight line from its place in one pose to its
+ * Rigid poses at increasing times. Between samples every *vertex* moves in a straight line from its place in one pose to its
  * place in the next; before the first and after the last sample it rests. Rotation is resampled so that the chord error stays small.
  */
 export interface SampledMotion {
   readonly kind: 'sampled';
-  /** [s], strictly rising, at least 2. */
+  /** [s], strictly increasing, at least 2. */
   readonly times: Float64Array;
   /** 7 per sample: position x y z [m], orientation x y z w (unit). */
   readonly poses: Float64Array;
 }
 /**
- * A deforming mesh: every vertex moves between its places at rising times, in a straight line or, where velocities are given, along a cubic;
+ * A deforming mesh: every vertex moves between its places at increasing times, in a straight line or, if velocities are given, along a cubic;
  * it rests outside them.
  */
 export interface SampledPointsMotion {
   readonly kind: 'sampled-points';
-  /** [s], strictly rising, at least 2. */
+  /** [s], strictly increasing, at least 2. */
   readonly times: Float64Array;
-  /** Where `points` are measured from [m], so that f32 holds them well. */
+  /** Origin of `points` [m], chosen so that they keep their digits in f32. */
   readonly origin: Vec3;
   /**
-   * One array per sample, 3 per vertex, world-oriented, relative to `origin` [m]; or where to find them, where they are too
-   * many for memory. To be read with `pointsAt` (samplePoints.ts), which knows both.
+   * One array per sample, 3 per vertex, world-oriented, relative to `origin` [m]; or a reference to files, if they are too
+   * many for memory. Read them with `pointsAt` (samplePoints.ts), which handles both.
    */
   readonly points: readonly Float32Array[] | StreamedPoints;
   /**
-   * Of every vertex at each sample, world-oriented [m/s], 3 per vertex: between samples it moves along the cubic with these (Hermite), or so much of
-   * it as stays slower than light (`bendFactor`). Absent where it goes straight, as all that is left in files does.
+   * Velocity of every vertex at each sample, world-oriented [m/s], 3 per vertex: between samples the vertex moves along the cubic Hermite curve, with its
+   * bend reduced where it would exceed c (`bendFactor`). Absent for straight pieces, which all streamed samples have.
    */
   readonly velocities?: readonly Float32Array[];
-  /** World-frame normals per sample, where they were given or could be computed; else from the mesh. To be read with `normalsAt`. */
+  /** World-frame normals per sample, if they were given or could be computed; else those of the mesh are used. Read them with `normalsAt`. */
   readonly normals?: readonly Float32Array[];
 }

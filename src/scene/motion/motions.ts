@@ -17,13 +17,13 @@ const MOTIONS: { readonly [K in Motion['kind']]: MotionKindOf<Extract<Motion, { 
   'sampled-points': SAMPLED_POINTS_MOTION,
 };
 
-/** What the scene knows of a motion's kind. */
+/** The scene's record of a motion's kind. */
 export function motionKind<M extends RigidMotion>(motion: M): RigidMotionKind<M>;
 export function motionKind<M extends Motion>(motion: M): MotionKind<M>;
 export function motionKind(motion: Motion): MotionKind<Motion> {
   return MOTIONS[motion.kind];
 }
 
-/** The facts of a kind, by its name. */
+/** The constants of a kind, by its name. */
 export const motionFacts = (kind: Motion['kind']): Pick<MotionKind<Motion>, 'isStatic' | 'deforms' | 'approachesC'> =>
   MOTIONS[kind];

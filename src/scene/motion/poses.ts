@@ -13,7 +13,7 @@ export function samplePose(poses: ArrayLike<number>, i: number): Pose {
 /** x_world = position + orientation · x */
 export const applyPose = (pose: Pose, x: Vec3): Vec3 => add(pose.position, rotate(pose.orientation, x));
 
-/** Each pose changed by itself; 7 numbers per sample. */
+/** Maps every pose; 7 numbers per sample. */
 export function mapPoses(poses: Float64Array, change: (pose: Pose) => Pose): Float64Array {
   const out = new Float64Array(poses.length);
   for (let k = 0; 7 * k < poses.length; k++) {
@@ -23,7 +23,7 @@ export function mapPoses(poses: Float64Array, change: (pose: Pose) => Pose): Flo
   return out;
 }
 
-/** The samples round t and the share of the way from one to the other; outside all samples the nearest one, twice. */
+/** The samples around t and the fraction between them; outside all samples the nearest one, twice. */
 export function pieceAt(times: Float64Array, t: number): { before: number; after: number; s: number } {
   const i = samplesUntil(times, t);
   if (i === 0 || i === times.length) return { before: Math.max(0, i - 1), after: Math.max(0, i - 1), s: 0 };

@@ -3,13 +3,13 @@ import { distance, lerp } from '../../math/vec3.ts';
 import type { Pose, SampledMotion } from '../types.ts';
 import { samplePose } from './poses.ts';
 
-/** Rigid poses at rising times: a `SampledMotion` under construction. */
+/** Rigid poses at increasing times: a `SampledMotion` under construction. */
 export type PoseSamples = Pick<SampledMotion, 'times' | 'poses'>;
 
 /**
- * More samples between those given, so that a point at `radius` [m] from the frame's origin, going straight from sample
- * to sample, stays within `tolerance` [m] of the turning body: a turn by θ in n steps leaves the chord at most
- * r(1 − cos(θ/2n)) from the arc. Between given samples the body is taken to turn evenly by the shorter way.
+ * Adds samples between those given, so that a point at `radius` [m] from the frame's origin that moves straight from sample
+ * to sample stays within `tolerance` [m] of the turning body: with n steps for a turn by θ the chord is at most
+ * r(1 − cos(θ/2n)) from the arc. Between given samples the body turns uniformly through the smaller angle.
  */
 export function resampleRotation(
   times: ArrayLike<number>,
@@ -38,8 +38,8 @@ export function resampleRotation(
 }
 
 /**
- * Samples of any rigid motion t → pose: the given times, and between them as many as keep every point within `radius` [m] of
- * the origin `tolerance` [m] near its straight way. Each piece is tried at three places that no periodic motion has in common.
+ * Samples any rigid motion t → pose at the given times, and between them until every point within `radius` [m] of
+ * the origin stays within `tolerance` [m] of its chord. Each piece is tested at three incommensurable fractions, since a periodic motion can agree at some.
  */
 export function sampleMotion(
   at: (t: number) => Pose,
@@ -49,8 +49,8 @@ export function sampleMotion(
 ): PoseSamples {
   const out = new SampleList();
   const refine = (t0: number, a: Pose, t1: number, b: Pose, depth: number): void => {
-    const strays = PROBE_FRACTIONS.some((s) => deviation(at(t0 + s * (t1 - t0)), a, b, s, radius) > tolerance);
-    if (strays && depth > 0) {
+    const deviates = PROBE_FRACTIONS.some((s) => deviation(at(t0 + s * (t1 - t0)), a, b, s, radius) > tolerance);
+    if (deviates && depth > 0) {
       const middle = (t0 + t1) / 2;
       const pose = at(middle);
       refine(t0, a, middle, pose, depth - 1);
@@ -64,12 +64,12 @@ export function sampleMotion(
 }
 
 const PROBE_FRACTIONS = [0.5, 0.2360679774997897, Math.SQRT1_2];
-/** 2¹² pieces of one given interval: a turn a hundred times round it at a thousandth of the radius. */
+/** At most 2¹² pieces of one given interval: enough for a hundred turns at a tolerance of a thousandth of the radius. */
 const MAX_HALVINGS = 12;
 
 /**
- * How far a point within `radius` can be from the straight way between two poses: of the positions, plus radius times the
- * norm of the difference of the rotations (its Frobenius norm, which is never too small).
+ * Upper bound of the distance of a point within `radius` from its chord between two poses: the distance of the positions, plus radius times
+ * the Frobenius norm of the difference of the rotations.
  */
 function deviation(pose: Pose, a: Pose, b: Pose, s: number, radius: number): number {
   const [r, ra, rb] = [toMatrix(pose.orientation), toMatrix(a.orientation), toMatrix(b.orientation)];

@@ -2,7 +2,7 @@ import type { Lifetime, Light, Scene, SceneCamera, SceneObject } from '../types.
 import { type LinearTimeMap, toWorldTime } from './kinds/changes.ts';
 import { motionKind } from './motions.ts';
 
-/** How an animation is run: from `start + offset` on, `speed` times as fast. */
+/** An animation starts at `start + offset` and is played `speed` times as fast. */
 export interface Timing {
   /** [s] */
   readonly offset: number;
@@ -11,12 +11,12 @@ export interface Timing {
 }
 
 /**
- * The scene with its animation run otherwise: x′(t) = x(τ), t = start + offset + (τ − start)/speed. Everything that has a time
- * is carried along: motions, lifetimes, lights, cameras, the time range.
+ * The scene with its animation retimed: x′(t) = x(τ), t = start + offset + (τ − start)/speed. This applies to everything that has a time:
+ * motions, lifetimes, lights, cameras, the time range.
  *
- * Hyperbolic motion cannot be run k times as fast as it is, or it would near k c; its proper acceleration is k² times the
- * file's instead, which is the same motion at low speeds and never reaches c. So a scene that is run k times as fast and seen
- * at a speed of light of k c shows exactly what it did before.
+ * Hyperbolic motion played k times as fast would approach k c; its proper acceleration is multiplied by k²
+ * instead, which is the same motion at low speeds and never reaches c. So a scene that is played k times as fast
+ * with a speed of light of k c shows exactly what it showed before.
  */
 export function retime(scene: Scene, { offset, speed }: Timing): Scene {
   if (offset === 0 && speed === 1) return scene;

@@ -10,7 +10,7 @@ export const CYLINDER_LIGHT: LocalLightKind<CylinderLight> = {
   projectedArea: ({ radius, length }) => (radius === 0 ? length : 2 * radius * length),
   transform: (light, by) => ({
     ...light,
-    // Of a line the colour is the intensity of a metre.
+    // The colour of a line is its intensity per metre.
     color: light.radius === 0 ? scale(light.color, by.scale) : light.color,
     radius: light.radius * by.scale,
     length: light.length * by.scale,

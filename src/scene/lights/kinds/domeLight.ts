@@ -3,6 +3,6 @@ import type { LightKind } from './lightKind.ts';
 
 export const DOME_LIGHT: LightKind<DomeLight> = {
   reach: 'sky',
-  // A dome is the world's, not the scene's that is carried.
+  // A dome belongs to the world, and is not transformed with the scene.
   transform: (light) => light,
 };

@@ -12,7 +12,7 @@ export const SPHERE_LIGHT: LocalLightKind<SphereLight> = {
   projectedArea: (light) => (isPoint(light) ? 1 : Math.PI * light.radius ** 2),
   transform: (light, by) => ({
     ...light,
-    // A point's intensity is all of its light.
+    // The colour of a point is its intensity.
     color: isPoint(light) ? scale(light.color, by.scale ** 2) : light.color,
     radius: light.radius * by.scale,
   }),

@@ -3,9 +3,9 @@ import { multiply, type Quat, rotate, toMatrix } from '../../../math/quat.ts';
 import { add, addScaled, length, scale, type Vec3, ZERO } from '../../../math/vec3.ts';
 import type { Pose, StaticMotion, UniformMotion } from '../../types.ts';
 
-// What a motion can be changed by, whatever its kind.
+// Changes that every kind of motion supports.
 
-/** World time of what a file has at its own time τ: t = a τ + b [s]. */
+/** From a file's own time τ to world time: t = a τ + b [s]. */
 export interface LinearTimeMap {
   readonly a: number;
   readonly b: number;
@@ -13,7 +13,7 @@ export interface LinearTimeMap {
 
 export const toWorldTime = (t: number, { a, b }: LinearTimeMap): number => a * t + b;
 
-/** x → position + orientation · (scale · x) [m]: turned, enlarged and carried, never sheared, so that every motion stays of its kind. */
+/** x → position + orientation · (scale · x) [m]: without shear, so that every motion keeps its kind. */
 export interface SimilarityTransform {
   readonly position: Vec3;
   readonly orientation: Quat;
@@ -26,7 +26,7 @@ export const transformPose = ({ position, orientation }: Pose, by: SimilarityTra
   orientation: multiply(by.orientation, orientation),
 });
 
-/** Of a velocity or an acceleration. */
+/** Transforms a velocity or an acceleration. */
 export const transformVelocity = (v: Vec3, by: SimilarityTransform): Vec3 => rotate(by.orientation, scale(v, by.scale));
 
 /** Scale, then turn. */
@@ -39,20 +39,20 @@ export const composePoses = (frame: Pose, { position, orientation }: Pose): Pose
   orientation: multiply(frame.orientation, orientation),
 });
 
-/** A flight along a straight line, as a motion sees it. */
+/** A flight along a straight line, as motions apply it. */
 export interface FlightPath {
   /** [m/s] */
   readonly velocity: Vec3;
   /** [s] */
   readonly at: number;
   readonly c: number;
-  /** Where what is at a place at rest is in flight, at the time `at`. */
+  /** From a place at rest to the place in flight, at the time `at`. */
   readonly place: (x: Vec3) => Vec3;
-  /** Of the scene's time [s]. */
+  /** Length of the scene's time range [s]. */
   readonly range: number;
 }
 
-/** The flight of a frame from the pose that it has at the time `at`. */
+/** The flight of a frame with the pose that it has at the time `at`. */
 export function flyPose(pose: Pose, { velocity, at, place }: FlightPath): StaticMotion | UniformMotion {
   const position = place(pose.position);
   if (length(velocity) === 0) return { kind: 'static', pose: { ...pose, position } };

@@ -29,7 +29,7 @@ function fastestPolyline({ times, points }: SampledPointsMotion, atLeast: number
   return best.from === REST.from ? REST : best;
 }
 
-/** Of the motion as it is shown: where its bend would be faster than light, with less of it. */
+/** For the motion as it is shown, with its bend reduced where it would exceed c. */
 function fastestCubic(motion: CubicPointsMotion, c: number, atLeast: number): FastestVertex {
   const { times } = motion;
   let best: FastestVertex = { ...REST, speed: atLeast };

@@ -32,7 +32,7 @@ function vertexWorldLine({ mesh, motion, authoredIn }: ObjectWith<HyperbolicMoti
 
 const vertexPlacer = placeByWorldLine(vertexWorldLine);
 
-/** It has no greatest speed: it is judged at the ends of `range` [s]. */
+/** It has no greatest speed: it is evaluated at the ends of `range` [s]. */
 function fastestVertex(
   object: ObjectWith<HyperbolicMotion>,
   c: number,
@@ -49,7 +49,7 @@ function fastestVertex(
   return best;
 }
 
-/** A Born-rigid body must lie wholly before its horizon, c²/a behind the origin of its frame. */
+/** All of a Born-rigid body must be in front of its horizon, c²/a behind the origin of its frame. */
 function validateHorizon({ path, mesh, authoredIn, motion }: ObjectWith<HyperbolicMotion>, c: number): Diagnostic[] {
   if (authoredIn !== 'rest') return [];
   const a = motion.properAcceleration;

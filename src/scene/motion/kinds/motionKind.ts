@@ -13,15 +13,15 @@ import type {
 } from '../../types.ts';
 import type { FlightPath, LinearTimeMap, SimilarityTransform } from './changes.ts';
 
-/** An object whose motion is of a kind. */
+/** An object with a motion of one kind. */
 export type ObjectWith<M extends Motion> = SceneObject & { readonly motion: M };
 
-/** A greatest speed, and where and when. */
+/** A greatest speed, with its vertex and time. */
 export interface FastestVertex {
   /** [m/s] */
   readonly speed: number;
   readonly vertex: number;
-  /** World times between which it goes so fast [s]. */
+  /** World times between which it has this speed [s]. */
   readonly from: number;
   readonly to: number;
 }
@@ -34,51 +34,51 @@ export const REST: FastestVertex = {
 };
 
 /**
- * All that the scene knows of a kind of motion (docs/adr/0022-motion-kinds.md). Records of render, reference and formats have the rest. Times are
+ * All that the scene needs to know of a kind of motion (docs/adr/0022-motion-kinds.md); render, reference and formats have records of their own. Times are
  * world times [s], lengths [m], c [m/s].
  */
 export interface MotionKind<M extends Motion> {
-  /** At rest for ever. */
+  /** Always at rest. */
   readonly isStatic: boolean;
-  /** The mesh is world-oriented and turns with the samples: no frame carries it. */
+  /** The mesh is world-oriented and deforms with the samples: it has no rigid frame. */
   readonly deforms: boolean;
   /**
-   * Its speed approaches c, however large c is, so that greatest speeds are found anew for each c; and bodies that are authored at rest have a horizon.
+   * Its speed approaches c for any c, so that greatest speeds depend on c; and bodies authored at rest have a horizon.
    */
   readonly approachesC: boolean;
 
-  /** The pose of what rests for ever. */
+  /** The pose, if it is always at rest. */
   restingPose(motion: M): Pose | undefined;
-  /** The orientation that its frame always has. */
+  /** The orientation of its frame, if that is constant. */
   fixedOrientation(motion: M): Quat | undefined;
-  /** Times between which it is straight or cubic, strictly rising. */
+  /** Strictly increasing times between which it is straight or cubic. */
   sampleTimes(motion: M): Float64Array | undefined;
-  /** How many samples it has, whatever its times say. */
+  /** Number of its samples, even if that differs from the number of its times. */
   sampleCount(motion: M): number;
-  /** Rigid poses at times. */
+  /** The motion itself, if it is given by rigid poses. */
   poseSamples(motion: M): SampledMotion | undefined;
-  /** Places of every vertex at times. */
+  /** The motion itself, if it is given by places of every vertex. */
   pointSamples(motion: M): SampledPointsMotion | undefined;
-  /** All numbers that say where its frame is, for finding those that are not finite; without those of every vertex. */
+  /** All its numbers except those of every vertex, to find those that are not finite. */
   numbers(motion: M): readonly ArrayLike<number>[];
 
-  /** The object's frame at t. Between samples the position goes straight and the orientation turns evenly. */
+  /** The object's frame at t. Between samples the position moves straight and the orientation turns uniformly. */
   poseAt(motion: M, t: number, c: number): Pose;
   vertexWorldLine(object: ObjectWith<M>, vertex: number, c: number): WorldLine;
-  /** Vertex → place at t; what the vertices share is worked out once. */
+  /** Vertex → place at t; what all vertices share is computed once. */
   vertexPlacer(object: ObjectWith<M>, t: number, c: number): (vertex: number) => Vec3;
-  /** The box of the object at t; of one whose samples are left in a file between the boxes of its samples. */
+  /** Bounding box at t; with streamed samples interpolated between the boxes of the samples. */
   bounds(object: ObjectWith<M>, t: number, c: number): BoundingBox | undefined;
   /** As `fastestVertex` of motion.ts. */
   fastestVertex(object: ObjectWith<M>, c: number, range: readonly [number, number], atLeast: number): FastestVertex;
-  /** Whether its fastest vertex is the same for every c, and dear to find. */
+  /** Whether its fastest vertex is independent of c, and expensive to find, so that it is cached. */
   keepsFastest(motion: M): boolean;
-  /** The object as shapes of the world, where the kind can only be drawn so; else as it is. */
+  /** The object authored in the world frame, if the kind can only be drawn so; else unchanged. */
   restToWorld(object: ObjectWith<M>, c: number): SceneObject;
 
-  /** What is not a finite number in it, for a message. */
+  /** Describes a number of it that is not finite, for a message; undefined if there is none. */
   nonFiniteText(motion: M): string | undefined;
-  /** What its speed makes impossible or changes at c. */
+  /** Findings about its speed compared with c. */
   validateSpeed(object: ObjectWith<M>, c: number): Diagnostic[];
 
   retime(motion: M, map: LinearTimeMap): M;
@@ -86,11 +86,11 @@ export interface MotionKind<M extends Motion> {
   fly(motion: M, path: FlightPath): Motion;
 }
 
-/** The same of one frame: of rigid objects, lights and cameras. */
+/** A kind of motion of one frame: of rigid objects, lights and cameras. */
 export interface RigidMotionKind<M extends RigidMotion> extends MotionKind<M> {
   /** The world line of the origin of the object's frame. */
   originWorldLine(motion: M): WorldLine;
-  /** The motion of what stands at a pose in the frame. */
+  /** The motion of something with a fixed pose in the frame. */
   compose(frame: M, pose: Pose): M;
   fly(motion: M, path: FlightPath): RigidMotion;
 }

@@ -7,11 +7,11 @@ import type { Mesh, Motion, Pose, RigidMotion, SceneObject } from '../../types.t
 import { composePoses } from './changes.ts';
 import type { ObjectWith } from './motionKind.ts';
 
-// What kinds of rigid motion share.
+// Shared by kinds of rigid motion.
 
 type PosedMotion = Extract<RigidMotion, { readonly pose: Pose }>;
 
-/** Of a kind that has one pose at one time, and no samples. */
+/** Members of a kind that has one pose, and no samples. */
 export const POSED = {
   deforms: false,
   fixedOrientation: ({ pose }: PosedMotion) => pose.orientation,
@@ -26,13 +26,13 @@ export const POSED = {
 
 export const poseNumbers = ({ pose }: PosedMotion): readonly number[] => [...pose.position, ...pose.orientation];
 
-/** Tells the first that is not finite of a pose and what else says how it moves. */
+/** Describes the first number that is not finite in a pose and the vector that determines its motion. */
 export function nonFinitePoseText(motion: PosedMotion, vector: Vec3): string | undefined {
   const bad = [...poseNumbers(motion), ...vector].find((x) => !Number.isFinite(x));
   return bad === undefined ? undefined : `its pose or motion has ${bad} in it`;
 }
 
-/** Vertex → place at t, by its own world line. */
+/** Vertex → place at t, from its own world line. */
 export const placeByWorldLine =
   <M extends Motion>(vertexWorldLine: (object: ObjectWith<M>, vertex: number, c: number) => WorldLine) =>
   (object: ObjectWith<M>, t: number, c: number) =>
@@ -48,7 +48,7 @@ export function placeVertices({ positions }: Pick<Mesh, 'positions'>, at: (verte
 
 type Placer<M extends Motion> = (object: ObjectWith<M>, t: number, c: number) => (vertex: number) => Vec3;
 
-/** The box of all vertices where they are. */
+/** The bounding box of all vertices. */
 export const boundsOfVertices =
   <M extends Motion>(place: Placer<M>) =>
   (object: ObjectWith<M>, t: number, c: number): BoundingBox | undefined =>
@@ -57,10 +57,10 @@ export const boundsOfVertices =
 /** The origin, and the tips of the axes. */
 const AXES = Float32Array.of(0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1);
 
-/** By positions: objects that share a mesh share these. */
+/** By positions, so that objects with the same mesh share them. */
 const SUPPORT_MAPS = new WeakMap<Float32Array, SupportMap>();
 
-/** The same where the object's axes are taken to the world as its points are: its extreme points tell. */
+/** The same for motions that map the object affinely to the world, from the mesh's extreme points. */
 export const affineBounds =
   <M extends Motion>(place: Placer<M>) =>
   (object: ObjectWith<M>, t: number, c: number): BoundingBox | undefined => {

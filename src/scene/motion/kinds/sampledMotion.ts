@@ -20,14 +20,14 @@ function poseAt({ times, poses }: SampledMotion, t: number): Pose {
   return { position: lerp(a.position, b.position, s), orientation: slerp(a.orientation, b.orientation, s) };
 }
 
-/** The world line of what has a place at each sample. */
+/** The world line through a place at each sample. */
 function lineThrough(motion: SampledMotion, placeAt: (k: number) => Vec3): WorldLine {
   const positions = new Float64Array(3 * motion.times.length);
   for (let k = 0; k < motion.times.length; k++) positions.set(placeAt(k), 3 * k);
   return { kind: 'polyline', times: motion.times, positions };
 }
 
-/** Where a point of the object is in the world at sample k; contracted for the speed of light that is given [m/s]. */
+/** Place in the world at sample k of a point of the object, contracted if a speed of light is given [m/s]. */
 function placeAtSample(motion: SampledMotion, k: number, contractedFor: number | undefined): (x: Vec3) => Vec3 {
   const pose = samplePose(motion.poses, k);
   if (contractedFor === undefined) return (x) => applyPose(pose, x);
@@ -36,8 +36,8 @@ function placeAtSample(motion: SampledMotion, k: number, contractedFor: number |
 }
 
 /**
- * The frame's proper velocity at sample k, in units of c: over the two pieces that meet there, or the one at an end. It
- * contracts what is authored in its rest frame; accelerations are taken as small over the body (docs/model.md).
+ * The frame's proper velocity at sample k, in units of c: the mean over the two pieces that meet there, or that of the only one. It
+ * contracts what is authored in the rest frame; accelerations are taken as small over the body (docs/model.md).
  */
 function sampleVelocity({ times, poses }: SampledMotion, k: number, c: number): Vec3 {
   const [a, b] = [Math.max(0, k - 1), Math.min(times.length - 1, k + 1)];
@@ -74,7 +74,7 @@ function restToWorld(object: ObjectWith<SampledMotion>, c: number): SceneObject 
 
 const ORIGIN = { positions: new Float32Array(3) };
 
-/** Where the frame itself reaches c there is nothing to contract by, and its speed is the answer. */
+/** If the frame itself reaches c, there is no contraction, and the speed of the frame is returned. */
 function fastestVertex(object: ObjectWith<SampledMotion>, c: number, atLeast: number): FastestVertex {
   const { mesh, motion } = object;
   if (object.authoredIn !== 'rest') return fastestOfPoses(mesh, motion, atLeast);

@@ -40,7 +40,7 @@ function validateSpeed({ motion, path }: ObjectWith<SampledPointsMotion>, c: num
   return found.length > 0 ? found : validateBends(motion, path, c);
 }
 
-/** What of a cubic motion is shown straighter than it is, because it would be faster than light. */
+/** Pieces of a cubic motion that are shown straighter than they are because they would exceed c. */
 function validateBends(motion: SampledPointsMotion, path: string, c: number): Diagnostic[] {
   if (!isCubic(motion)) return [];
   const pieces = straightenedPieces(motion, c);
@@ -69,34 +69,35 @@ function transform(motion: SampledPointsMotion, by: SimilarityTransform): Sample
 
 const carried = (vectors: Float32Array, linear: Mat4): Float32Array => transformPointsInPlace(vectors.slice(), linear);
 
-/** How long a deforming thing flies on before its first and after its last sample [s], in lengths of the animation. */
+/** How long a deforming object keeps flying before its first and after its last sample, in lengths of the scene's time range. */
 const LEAD = 20;
+/** [s] */
 const MIN_LEAD = 60;
-/** As a share of the motion's time. */
+/** Duration of a velocity jump as a fraction of the motion's time. */
 const JUMP = 1e-6;
 
 function fly(motion: SampledPointsMotion, { velocity, at, range }: FlightPath): SampledPointsMotion {
   const { times, points, velocities, normals } = motion;
   const last = times.length - 1;
   const lead = Math.max(MIN_LEAD, LEAD * range);
-  // A cubic has one velocity at a sample: what it jumps by where it begins and ends takes a short piece more.
+  // A cubic has one velocity per sample, so a jump of velocity at its begin and end takes a short additional piece.
   const jump = velocities ? [JUMP * (times[last] - times[0])] : [];
   const before = [lead, ...jump].map((ahead) => times[0] - ahead);
   const after = [...jump, lead].map((behind) => times[last] + behind);
-  const order = [...before.map(() => 0), ...times.keys(), ...after.map(() => last)];
+  const samples = [...before.map(() => 0), ...times.keys(), ...after.map(() => last)];
   const longer = Float64Array.of(...before, ...times, ...after);
   const moves = (i: number): boolean => i >= before.length && i < before.length + times.length;
-  const shifts = Float64Array.from(order.flatMap((_, i) => scale(velocity, longer[i] - at)));
-  if (isStreamed(points)) return { ...motion, times: longer, points: translateStreamedPoints(points, order, shifts) };
-  const shifted = order.map((k, i) => points[k].map((x, j) => x + shifts[3 * i + (j % 3)]));
+  const shifts = Float64Array.from(samples.flatMap((_, i) => scale(velocity, longer[i] - at)));
+  if (isStreamed(points)) return { ...motion, times: longer, points: translateStreamedPoints(points, samples, shifts) };
+  const shifted = samples.map((k, i) => points[k].map((x, j) => x + shifts[3 * i + (j % 3)]));
   return {
     ...motion,
     times: longer,
     points: shifted,
     ...(velocities && {
-      velocities: order.map((k, i) => velocities[k].map((v, j) => (moves(i) ? v : 0) + velocity[j % 3])),
+      velocities: samples.map((k, i) => velocities[k].map((v, j) => (moves(i) ? v : 0) + velocity[j % 3])),
     }),
-    ...(normals && { normals: order.map((k) => normals[k]) }),
+    ...(normals && { normals: samples.map((k) => normals[k]) }),
   };
 }
 
@@ -111,7 +112,7 @@ export const SAMPLED_POINTS_MOTION: MotionKind<SampledPointsMotion> = {
   poseSamples: () => undefined,
   pointSamples: (motion) => motion,
   numbers: ({ times, origin }) => [times, origin],
-  // A deforming object has its origin, not turned.
+  // Its frame is at the origin, without rotation.
   poseAt: ({ origin }) => ({ position: origin, orientation: IDENTITY }),
   vertexWorldLine: ({ motion }, i, c) => deformedVertexLine(motion, i, c),
   vertexPlacer,
