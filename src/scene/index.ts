@@ -32,6 +32,9 @@ export { InputError } from './types.ts';
 export { validate } from './validation/validate.ts';
 export type { CameraState } from './view/camera.ts';
 export { framingCamera, lookAtOrientation, observerFromCamera } from './view/camera.ts';
+export type { FrustumSides, Lens, PerspectiveLens } from './view/lens.ts';
+export { offAxisLens, perspective } from './view/lens.ts';
+export type { PictureSize, PictureView, PictureViews, PixelRect } from './view/pictureViews.ts';
 export type { VertexProbe } from './view/probe.ts';
 export { probeVertex, probeVertices } from './view/probe.ts';
 export {
