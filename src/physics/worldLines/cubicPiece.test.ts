@@ -32,7 +32,7 @@ const piece = fc.tuple(offset, slow, slow, slow, magnitude(-2, 2)).map(([a, va, 
 });
 
 describe('a cubic piece', () => {
-  it('is any cubic of time: x = a + bt + ct² + dt³, with its true velocities', () => {
+  it('reproduces any cubic of time, x = a + bt + ct² + dt³, with its velocities', () => {
     const number = uniform(-2, 2);
     const vector = fc.tuple(number, number, number);
     fc.assert(
@@ -45,14 +45,14 @@ describe('a cubic piece', () => {
       }),
     );
   });
-  it('has no velocity greater than its greatest control velocity', () =>
+  it('has no speed above that of its fastest control velocity', () =>
     fc.assert(
       fc.property(piece, uniform(0, 1), (p, w) => {
         const most = Math.max(...controlVelocities(p).map(length));
         expect(length(cubicAt(p, w * p.span).v)).toBeLessThanOrEqual(most * (1 + 1e-9) + 1e-12);
       }),
     ));
-  it('is eased to a limit, by no more than it takes', () =>
+  it('is limited in speed by the least possible reduction of its bend', () =>
     fc.assert(
       fc.property(piece, uniform(0.5, 3), (p, part) => {
         const chord = length(scale(sub(p.b, p.a), 1 / p.span));
@@ -68,7 +68,7 @@ describe('a cubic piece', () => {
 });
 
 describe('its emission event', () => {
-  it('is the one whose light cone the observer is on, wherever he is', () =>
+  it('is the one whose light cone contains the observer, at any position', () =>
     fc.assert(
       fc.property(piece, direction, magnitude(-3, 5), uniform(0.001, 0.999), (p, n, far, w) => {
         const { x, v } = cubicAt(p, w * p.span);
@@ -82,7 +82,7 @@ describe('its emission event', () => {
       }),
       { numRuns: 500 },
     ));
-  it('of a straight piece is that of the polyline', () =>
+  it('of a straight piece equals that of the polyline', () =>
     fc.assert(
       fc.property(offset, slow, magnitude(-2, 2), uniform(0, 1), (a, v, span, w) => {
         const b = addScaled(a, v, span);
@@ -93,7 +93,7 @@ describe('its emission event', () => {
         expectClose(got.offset, polylineEmission(a, tA, b, tA + span).offset, 1e-12 * size);
       }),
     ));
-  it('is seen alike from another frame: the same event, boosted', () =>
+  it('is frame independent: the same event, boosted', () =>
     fc.assert(
       fc.property(piece, properVelocityUpTo(5), uniform(0.01, 0.99), (p, u, w) => {
         const { x } = cubicAt(p, w * p.span);
@@ -122,11 +122,11 @@ describe('a cubic world line', () => {
     positions: Float64Array.from([0, 1, 3].flatMap((t) => [t ** 3 / 20 - t / 10, 0, 0])),
     velocities: Float64Array.from([0, 1, 1, 3].flatMap((t) => [(3 * t * t) / 20 - 1 / 10, 0, 0])),
   };
-  it('rests outside its samples', () => {
+  it('is at rest outside its samples', () => {
     for (const t of [-1, 3, 9]) expect(velocityAt(line, t, 10)).toEqual([0, 0, 0]);
     expect(positionAt(line, 9, 10)).toEqual(positionAt(line, 3, 10));
   });
-  it('has no jump of velocity at a sample, and so none of D', () => {
+  it('has continuous velocity at samples, and so continuous D', () => {
     const speed = (t: number) => velocityAt(line, t, 10)[0];
     expectClose(speed(1 - 1e-9), speed(1), 1e-8);
     const beside = (t: number) => emissionEvent(line, { t, position: [0, 5, 0] }, 10)?.velocity[0] ?? Number.NaN;

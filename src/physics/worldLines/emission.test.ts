@@ -81,7 +81,7 @@ describe('uniform emission', () => {
       expectClose(uniformEmission(center, v, oneMinus(v), o).delay, delayWithManyDigits([0, 1e-6, 0], v), 1e-12);
     }
   });
-  it('is here and now where the observer is on the world line', () => {
+  it('is the observer’s event for an observer on the world line', () => {
     expect(presentEmission([0, 0, 0], [0.6, 0, 0], 0.64)).toEqual({ offset: [0, 0, 0], delay: 0 });
     expect(presentEmission([0, 0, 0], [0, 0, 0], 1)).toEqual({ offset: [0, 0, 0], delay: 0 });
     expect(staticEmission([0, 3, 4])).toEqual({ offset: [0, 3, 4], delay: 5 });
@@ -107,7 +107,7 @@ describe('polyline piece', () => {
   it('is found at its ends', () => {
     expect(polylineEmission([3, 4, 0], -5, [3, 4, 1], -3).offset).toEqual([3, 4, 0]);
     expectClose(polylineEmission([3, 4, 0.5], -7, [3, 4, 0], -5).offset, [3, 4, 0], 1e-14);
-    // The observer is at the sample.
+    // With the observer at the sample.
     expect(polylineEmission([0, 0, 0], 0, [0.5, 0, 0], 1)).toEqual({ offset: [0, 0, 0], delay: 0 });
     expectClose(polylineEmission([0.5, 0, 0], -1, [0, 0, 0], 0).delay, 0, 1e-16);
   });
@@ -183,7 +183,7 @@ describe('hyperbolic emission', () => {
     expectClose(hyperbolicEmission(d, 50, [1e-30, 0, 0])?.delay ?? 0, 3, 1e-14);
     expectClose(hyperbolicEmission(d, 0, [0, 0, 1e-30])?.offset ?? [], d, 1e-15);
   });
-  it('is here and now where the observer is on the world line', () => {
+  it('is the observer’s event for an observer on the world line', () => {
     expect(hyperbolicEmission([0, 0, 0], 0, [1, 0, 0])).toEqual({ offset: [0, 0, 0], delay: 0 });
     const eta = 2;
     const there = hyperbolicEmission([1 - Math.cosh(eta), 0, 0], Math.sinh(eta), [1, 0, 0]);
@@ -215,7 +215,7 @@ describe('circular emission', () => {
     expectClose(seen.delay, 5, 1e-14);
     expectClose(seen.offset, [3 * Math.cos(1.25), -3 * Math.sin(1.25), 4], 1e-14);
   });
-  it('is here and now where the observer is on the circle, and the centre sees all of it at once', () => {
+  it('is the observer’s event for an observer on the circle, and the centre sees the whole circle at one time', () => {
     expectClose(circularEmission([-1, 0, 0], [0, 0, 1], [1, 0, 0], 0.9).delay, 0, 1e-15);
     expectClose(circularEmission([0, 0, 0], [0, 0, 1], [2, 0, 0], 0.4).delay, 2, 1e-15);
     expectClose(circularEmission([5, 0, 0], [0, 0, 1], [0, 0, 0], 0.4).delay, 5, 1e-15);

@@ -101,7 +101,7 @@ const scene = fc
   .map(([make, position, t, c]) => ({ w: make(c), o: { t, position } as ObserverEvent, c }));
 
 describe('the emission event', () => {
-  it('lies on the past light cone to 1e-12 of all that is in play', () => {
+  it('is on the past light cone, to 1e-12 of the lengths involved', () => {
     const kinds = new Set<string>();
     fc.assert(
       fc.property(scene, ({ w, o, c }) => {
@@ -120,7 +120,7 @@ describe('the emission event', () => {
     );
     expect([...kinds].sort()).toEqual(['circular', 'cubic', 'hyperbolic', 'polyline', 'static', 'uniform']);
   });
-  it('is on the circle too, as sharply as the angle ωt is known', () =>
+  it('is on the circle too, to the accuracy of the angle ωt', () =>
     fc.assert(
       fc.property(scene, ({ w, o, c }) => {
         fc.pre(w.kind === 'circular');
@@ -130,7 +130,7 @@ describe('the emission event', () => {
         expectClose(distance(positionAt(w, e.t, c), e.position), 0, 1e-12 * size);
       }),
     ));
-  it('is here and now for an observer on the world line', () =>
+  it('is the observer’s event for an observer on the world line', () =>
     fc.assert(
       fc.property(shape, time, speedOfLight, (make, t, c) => {
         const w = make(c);
@@ -142,7 +142,7 @@ describe('the emission event', () => {
         expect(late ? c * late.delay : Number.POSITIVE_INFINITY).toBeLessThanOrEqual(1e-14 * (1 + g * g) * size);
       }),
     ));
-  it('is when the closed forms of simple cases say', () => {
+  it('agrees with closed forms of simple cases', () => {
     const c = 10;
     const o = { t: 5, position: [0, 0, 0] as Vec3 };
     expect(emissionTime({ kind: 'static', position: [30, 40, 0] }, o, c)).toBe(0);
@@ -156,7 +156,7 @@ describe('the emission event', () => {
       1e-14,
     );
   });
-  it('is never on a rocket behind the horizon', () => {
+  it('does not exist on hyperbolic motion behind the horizon', () => {
     const rocket: WorldLine = { kind: 'hyperbolic', position: [0, 0, 0], properAcceleration: [10, 0, 0], t0: 0 };
     // c²/a = 10 m behind the start; ct < 10 m − x: not yet.
     expect(emissionTime(rocket, { t: 0, position: [-10.001, 0, 0] }, 10)).toBeUndefined();
@@ -168,7 +168,7 @@ describe('the emission event', () => {
       Number.NaN,
     ]);
   });
-  it('of many lines is that of each', () =>
+  it('of many lines equals that of each', () =>
     fc.assert(
       fc.property(fc.array(shape, { maxLength: 4 }), offset, time, (makers, position, t) => {
         const lines = makers.map((make) => make(10));
@@ -182,7 +182,7 @@ describe('the emission event', () => {
 });
 
 describe('a moving body', () => {
-  it('looks as a resting one does to an observer who moves the other way', () =>
+  it('looks like one at rest for an observer moving the other way', () =>
     fc.assert(
       fc.property(properVelocityUpTo(50), offset, (u, rest) => {
         // In the body's frame the observer moves with −u and passes the point `rest` when both clocks show 0.
@@ -192,7 +192,7 @@ describe('a moving body', () => {
         expectClose(seen?.offset ?? [], expected, 1e-13 * gamma(u) ** 2 * length(expected));
       }),
     ));
-  it('that is a sphere has a circle for an outline: its tangent points are seen on a circular cone', () =>
+  it('of spherical shape has a circular outline: its tangent points are seen on a circular cone', () =>
     fc.assert(
       fc.property(properVelocityUpTo(20), direction, uniform(1.1, 20), (u, axis, far) => {
         // Unit sphere, its centre `far` away in its own frame: the tangent points, off the axis by √(1 − 1/far²).
@@ -216,7 +216,7 @@ describe('polylines', () => {
     times: Float64Array.from(times),
     positions: Float64Array.from(times.flatMap((t) => positionAt(w, t, 1))),
   });
-  it('are seen as the uniform mover they sample', () =>
+  it('are seen like the uniform motion they sample', () =>
     fc.assert(
       fc.property(offset, properVelocityUpTo(5), offset, time, (position, u, at, t) => {
         const w: UniformLine = { kind: 'uniform', position, velocity: scale(velocity(u), 10) };
@@ -227,7 +227,7 @@ describe('polylines', () => {
         expectClose(emissionTime(sampled(w, times), o, 10) ?? Number.NaN, exact, 1e-12 * size);
       }),
     ));
-  it('rest before the first and after the last sample', () => {
+  it('are at rest before the first and after the last sample', () => {
     const line: PolylineLine = {
       kind: 'polyline',
       times: Float64Array.of(0, 10),
@@ -241,7 +241,7 @@ describe('polylines', () => {
 });
 
 describe('Newton', () => {
-  it('with many steps comes to the exact event of a smooth mover', () =>
+  it('converges to the exact event of smooth motion', () =>
     fc.assert(
       fc.property(offset, properVelocityUpTo(3), offset, uniform(-50, 50), (position, u, at, t) => {
         const w: WorldLine = { kind: 'uniform', position, velocity: scale(velocity(u), 10) };
@@ -251,20 +251,20 @@ describe('Newton', () => {
         expectClose(newtonEmissionTime(w, o, 10, { iterations: 60, damping: 1 }), exact, 1e-11 * size);
       }),
     ));
-  it('is exact at rest in one step, and does nothing in none', () => {
+  it('is exact at rest in one step, and unchanged without steps', () => {
     const w: WorldLine = { kind: 'static', position: [30, 40, 0] };
     const o = { t: 7, position: [0, 0, 0] as Vec3 };
     expect(newtonEmissionTime(w, o, 10, { iterations: 1, damping: 1 })).toBe(2);
     expect(newtonEmissionTime(w, o, 10, { iterations: 0, damping: 1 })).toBe(7);
   });
-  it('leaves (1 − k)ⁿ of the way with damping k, where f is straight', () => {
+  it('leaves (1 − k)ⁿ of the error with damping k, where f is linear', () => {
     const w: WorldLine = { kind: 'static', position: [30, 40, 0] };
     const o = { t: 7, position: [0, 0, 0] as Vec3 };
     for (const damping of [0.1, 0.5, 0.9])
       for (const iterations of [1, 3, 10])
         expectClose(newtonEmissionTime(w, o, 10, { iterations, damping }), 2 + 5 * (1 - damping) ** iterations, 1e-13);
   });
-  it('doubles its digits with each step on a curve', () => {
+  it('converges quadratically on a curve', () => {
     const w: WorldLine = {
       kind: 'circular',
       center: [40, 0, 0],
@@ -279,7 +279,7 @@ describe('Newton', () => {
     expect(errors[2]).toBeLessThan(errors[1] ** 1.5 + 1e-14);
     expect(length(velocityAt(w, exact, 10))).toBeCloseTo(2.5, 12);
   });
-  it('stands still on the world line', () => {
+  it('does not move from an observer on the world line', () => {
     const w: WorldLine = { kind: 'uniform', position: [0, 0, 0], velocity: [3, 0, 0] };
     expect(newtonEmissionTime(w, { t: 0, position: [0, 0, 0] }, 10, { iterations: 5, damping: 1 })).toBe(0);
   });

@@ -25,7 +25,7 @@ import { circularSlice, hyperbolicSlice, uniformSlice } from './slice.ts';
 import { positionAt, type WorldLine } from './worldLine.ts';
 
 describe('the slice', () => {
-  it('of a uniform mover is t = β·x₀/(1 − β·v) to the last digits, also where both fly together', () =>
+  it('of uniform motion is t = β·x₀/(1 − β·v) to the last digits, also if observer and point move together', () =>
     fc.assert(
       fc.property(
         anyProperVelocity,
@@ -47,7 +47,7 @@ describe('the slice', () => {
       ),
       { numRuns: 300 },
     ));
-  it('of a rocket solves its equation with 300 digits', () =>
+  it('of hyperbolic motion solves its equation with 300 digits', () =>
     fc.assert(
       fc.property(anyProperVelocity, offset, direction, magnitude(-9, 2), uniform(-1e4, 1e4), (u, d, n, k, T) => {
         const a = scale(n, k);
@@ -120,11 +120,11 @@ describe('the slice', () => {
     for (const w of lines([0, 0, 1], [3, 4, 5]))
       expectClose(simultaneousTime(w, { t: 2, position: [0, 0, 0] }, [0, 0, 0], 10), 2, 1e-14);
   });
-  it('of an observer on the world line is his own moment', () => {
+  it('of an observer on the world line is the observer’s event', () => {
     for (const w of lines([0, 0.6, 0.8], [3, 4, 5]))
       expectClose(simultaneousTime(w, { t: 2, position: positionAt(w, 2, 10) }, [30, 40, 0], 10), 2, 1e-12);
   });
-  it('of a polyline goes on at rest outside its samples', () => {
+  it('of a polyline is at rest outside its samples', () => {
     const w: WorldLine = {
       kind: 'polyline',
       times: Float64Array.of(0, 1),
@@ -152,7 +152,7 @@ describe('contraction', () => {
         expectClose(dot(world, ahead), dot(rod, ahead) / gamma(u), 1e-15 * length(rod) * 8);
       }),
     ));
-  it('of the moving rod, seen by an observer who flies along, is its rest length', () =>
+  it('of a moving rod for a co-moving observer is its rest length', () =>
     fc.assert(
       fc.property(properVelocityUpTo(20), offset, (u, rod) => {
         const [c, v] = [10, scale(velocity(u), 10)];
@@ -161,7 +161,7 @@ describe('contraction', () => {
         expectClose(simultaneousPosition(dx, u), rod, 1e-12 * gamma(u) ** 2 * length(rod));
       }),
     ));
-  it('does whole arrays, also in place', () =>
+  it('maps whole arrays, also in place', () =>
     fc.assert(
       fc.property(anyProperVelocity, fc.array(offset, { maxLength: 5 }), (u, points) => {
         const flat = Float64Array.from(points.flat());

@@ -133,7 +133,7 @@ describe('a world line of any kind', () => {
 });
 
 describe('polyline', () => {
-  it('goes straight between samples and rests outside', () => {
+  it('is straight between samples, and at rest outside', () => {
     expect(positionAt(zigzag, 0, 1)).toEqual([0, 0, 0]);
     expect(positionAt(zigzag, 1.5, 1)).toEqual([1.5, 0, 0]);
     expect(positionAt(zigzag, 3, 1)).toEqual([3, 4, 0]);
@@ -150,7 +150,7 @@ describe('polyline', () => {
     ]);
     expect([0, 1, 3.9, 4].map((t) => restsOutsideSamples(zigzag, t))).toEqual([true, false, false, true]);
   });
-  it('counts the samples up to a time as a plain search does', () =>
+  it('counts the samples up to a time like a linear search', () =>
     fc.assert(
       fc.property(
         fc.uniqueArray(fc.integer({ min: -9, max: 9 }), { minLength: 1 }),
