@@ -160,15 +160,15 @@ function compareDisplacement(a: ExrFile, b: ExrFile, flags: CompareFlags) {
   const [shownA, shownB] = [visiblePointsOf(a), visiblePointsOf(b)];
   if (!shownA || !shownB) return undefined;
   const { pixels, lost } = displacement(shownA, shownB, a.width, a.height);
-  const known = pixels.filter((value) => !Number.isNaN(value));
+  const compared = pixels.filter((value) => !Number.isNaN(value));
   const threshold = flags.channel === undefined ? (flags.threshold ?? DISPLACEMENT_THRESHOLD) : DISPLACEMENT_THRESHOLD;
-  const measured = known.filter(Number.isFinite);
+  const measured = compared.filter(Number.isFinite);
   return {
     figures: {
       measured: measured.length,
       lost,
       threshold,
-      share: shareAbove(known, threshold),
+      share: shareAbove(compared, threshold),
       ...summarize(measured),
     },
     map: { title: 'DISPLACEMENT (PIXELS)', errors: pixels, max: flags.max ?? MAX_MAPPED_DISPLACEMENT },

@@ -45,7 +45,7 @@ export async function openDevice(): Promise<HeadlessDevice> {
     },
     release: () => {
       device.destroy();
-      for (const thing of [gpu, adapter, device]) retained.delete(thing);
+      for (const object of [gpu, adapter, device]) retained.delete(object);
     },
   };
 }

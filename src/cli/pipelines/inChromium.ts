@@ -89,8 +89,8 @@ async function launch(): Promise<Browser> {
 /** The first line of Playwright's report and up to two error lines of the browser. */
 function launchErrors(report: string): string {
   const [first, ...rest] = report.split('\n');
-  const said = rest.flatMap((line) => /\[err\] (.*)/.exec(line)?.[1] ?? []);
-  return [first, ...new Set(said)].slice(0, 3).join('; ');
+  const errors = rest.flatMap((line) => /\[err\] (.*)/.exec(line)?.[1] ?? []);
+  return [first, ...new Set(errors)].slice(0, 3).join('; ');
 }
 
 async function openPage(browser: Browser, url: string): Promise<Page> {

@@ -201,13 +201,13 @@ export function renderJobOf<Flags extends RenderFlags>(
   given: ReadonlySet<string>,
   film: boolean,
 ): RenderJob<Flags> {
-  const said = Object.fromEntries(Object.entries(flagsOf(picture, film)).filter(([name]) => !given.has(name)));
+  const implied = Object.fromEntries(Object.entries(flagsOf(picture, film)).filter(([name]) => !given.has(name)));
   const { scenes, frameGraph } = picture;
   return {
     scene: picture.scene,
     others: scenes.slice(1),
     ...(frameGraph && { frameGraph }),
-    flags: { ...flags, ...said },
+    flags: { ...flags, ...implied },
   };
 }
 

@@ -11,16 +11,16 @@ import { Progress } from '../terminal/progress.ts';
 import type { RenderFlags } from './renderFlags.ts';
 import { chooseAovs, type RenderReport, renderFrames } from './renderFrames.ts';
 
-export async function render(path: string, written: RenderFlags, given: ReadonlySet<string>): Promise<void> {
-  checkPipeline(written);
-  checkSamples(written);
-  chooseAovs(written);
+export async function render(path: string, flags: RenderFlags, given: ReadonlySet<string>): Promise<void> {
+  checkPipeline(flags);
+  checkSamples(flags);
+  chooseAovs(flags);
   const progress = new Progress();
   progress.show('reading …');
-  const what = await openJob(path, written, given, progress);
+  const job = await openJob(path, flags, given, progress);
   progress.clear();
-  const frames = frameTimes(what.scene, what.flags);
-  report(what, await renderFrames(what, frames, progress));
+  const frames = frameTimes(job.scene, job.flags);
+  report(job, await renderFrames(job, frames, progress));
 }
 
 /** Opens a scene file or a project as a render job. */
