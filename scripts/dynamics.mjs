@@ -61,7 +61,7 @@ const WHY = {
 
 const ABOUT = `# A cloth by all methods
 
-The source documents' cloth: ${SIDE} × ${SIDE} points, a metre and a kilogram, springs of ${CLOTH.stiffness} N/m along edges, across faces and to the next neighbour, weight 9.8 m/s², without damping.
+The [source documents'](physics.md#14-the-source-documents) cloth: ${SIDE} × ${SIDE} points, a metre and a kilogram, springs of ${CLOTH.stiffness} N/m along edges, across faces and to the next neighbour, weight 9.8 m/s², without damping.
 It hangs at two corners and is let go level, for ${TIME} s. Its fastest swing has ω = 1550/s, so that h = 1 ms is three quarters of what an explicit method can take. Made by \`npm run dynamics\`.
 
 Each cell tells how far the energy went from what it was at the start, over the largest kinetic energy that the cloth truly has (${EXACT}, h = ${STEPS.at(-1) * 1000} ms): at most, and what became of it.

@@ -7,7 +7,7 @@ export interface ContactParameters {
   readonly scale: number;
 }
 
-/** Values of the source documents. */
+/** Values of the source documents (docs/physics.md §14). */
 export const DEFAULT_CONTACT: ContactParameters = { stiffness: 10_000, scale: 1.1 };
 
 /** Repels points nearer than `reach`: φ = ½K(s − r)² for r < s. A soft contact: faster impacts penetrate deeper. */

@@ -6,7 +6,7 @@ import { momenta, type State, type System, SystemError, velocities } from '../sy
 import { type EnergyCorrection, velocityChangeFraction } from './energyCorrection.ts';
 import { type IntegrationMethod, potentialForces, StepFailure, type Stepper } from './method.ts';
 
-/* The methods of the source documents, for comparison: their state are velocities, forces become accelerations by (I
+/* The methods of the source documents (docs/physics.md §14), for comparison: their state are velocities, forces become accelerations by (I
    − ββᵀ)/γm at the velocity before the step, and nothing keeps them below c. Their energy is corrected by applying a
    fraction of each step's Δv (energyCorrection.ts). */
 

@@ -7,7 +7,7 @@ import type { FloatImage, GBufferReader } from './effectInput.ts';
  * A clear day's sky where no surface is, at rest in the world: aberration applies to it as to a sky, but as a backdrop it has no Doppler shift.
  * Surfaces fade into it by 1 − exp(−r/L), r = |Δx| the distance that their light has travelled in the world frame. arg1: brightness; arg2: exponent of
  * n·zenith for the blend from the colour of the horizon to that of the zenith; arg3: L [m], 0: no fading; arg4: opacity.
- * After `relativity_background.fs` of the sources.
+ * After the background of Zhu, Liu and Xia 2024 (docs/physics.md §14).
  */
 export function skyBackground(
   frame: GBufferReader,
