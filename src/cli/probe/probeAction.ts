@@ -25,7 +25,7 @@ export async function probe(path: string, flags: ProbeFlags): Promise<void> {
     return print(flags, { ...about, pixel: flags.pixel, size: flags.size, seen: observed ?? null });
   }
   const object = findObject(scene, flags.prim ?? '');
-  const vertices = probeVertices(object, view, c, flags.view).map((vertex, i) => vertex ?? { vertex: i, visible: false });
+  const vertices = probeVertices(object, view, c, flags.view).map((event, i) => event ?? { vertex: i, visible: false });
   if (flags.json) print(flags, { ...about, prim: object.path, vertices });
   else printTable(object, view, c, flags);
 }
@@ -60,14 +60,14 @@ function print(flags: ProbeFlags, result: object): void {
 function printTable(object: SceneObject, view: ViewPoint, c: number, flags: ProbeFlags): void {
   console.log(['vertex', 'time [s]', 'apparent x', 'y', 'z [m]', 'distance [m]', 'D', 'visible'].join('\t'));
   const numbers = (v: Vec3): string[] => v.map((x) => x.toPrecision(9));
-  probeVertices(object, view, c, flags.view).forEach((vertex, i) => {
-    const cells = vertex
+  probeVertices(object, view, c, flags.view).forEach((event, i) => {
+    const cells = event
       ? [
-          vertex.time.toPrecision(12),
-          ...numbers(vertex.apparent),
-          vertex.distance.toPrecision(9),
-          vertex.doppler.toPrecision(9),
-          vertex.visible,
+          event.time.toPrecision(12),
+          ...numbers(event.apparent),
+          event.distance.toPrecision(9),
+          event.doppler.toPrecision(9),
+          event.visible,
         ]
       : ['behind a horizon: no light of it ever comes here'];
     console.log([i, ...cells].join('\t'));
