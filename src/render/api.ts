@@ -12,32 +12,32 @@ export interface RasterRenderer {
   readonly info: RendererInfo;
   readonly width: number;
   readonly height: number;
-  /** Uploads a scene in place of the one before; the scene is not changed and may be shared. `others`: scenes 1, 2 … of a frame graph's further G-buffers. */
+  /** Uploads a scene and releases the previous one; the scene is not changed and may be shared. `others`: scenes 1, 2 … of a frame graph's extra G-buffers. */
   setScene(scene: Scene, others?: readonly Scene[]): Promise<void>;
   /** Size of the picture in device pixels. */
   setSize(width: number, height: number): void;
   /**
-   * Draws one picture of all views, and presents it if there is a canvas. Synchronous: the GPU may still be at work when it returns. `sampling`: default 1.
-   * Throws a RangeError where viewports leave the picture or overlap.
+   * Draws one picture of all views, and presents it if there is a canvas. Returns before the GPU has finished. `sampling`: default 1.
+   * Throws a RangeError if viewports overlap or extend beyond the picture.
    */
   render(views: PictureViews, settings: RenderSettings, sampling?: Sampling): void;
   /**
-   * Adds a sample to the last picture, and presents it if there is a canvas; in the end it is the picture of n × n samples, n a power of two. Returns
-   * whether there are more to add. Data and light are those of the pixels' centres all the while.
+   * Adds a sample to the last picture, and presents it if there is a canvas, until the picture has n × n samples, n a power of two. Returns whether
+   * samples remain. AOVs, `pick` and `measureLight` keep using the pixels' centres.
    */
   accumulate(n: number): boolean;
   /**
-   * Compiles, between the frames of others, the shaders of a picture that would be the first of its kind, and of its refinement; undefined if it can be
-   * drawn at once. While something else is being compiled, the promise is of that: ask again afterwards. Rejects where the device is lost.
+   * Compiles the shaders of a picture and of its accumulation without blocking other frames; undefined if none are missing. While other shaders are
+   * being compiled, returns their promise: call again afterwards. Rejects if the device is lost.
    */
   precompile(views: PictureViews, settings: RenderSettings, sampling?: Sampling): Promise<void> | undefined;
-  /** The last picture, sRGB, RGBA8. Also the way to wait for the GPU. */
+  /** The last picture, sRGB, RGBA8. Resolves when the GPU has finished it. */
   readPixels(): Promise<Uint8Array>;
-  /** Of the last picture; as many values per pixel as the AOV has channels. */
+  /** An AOV of the last picture, with as many values per pixel as it has channels. */
   readAov(name: AovName): Promise<Float32Array>;
-  /** The last picture at `METER_CELLS` × `METER_CELLS` places: automatic exposure and false-colour scales are computed from it. */
+  /** Samples the last picture at `METER_CELLS` × `METER_CELLS` positions, for automatic exposure and false-colour scales. */
   measureLight(): Promise<LightMeterReadings>;
-  /** What is at a pixel of the last picture (from the top left); undefined outside of its views. */
+  /** What the last picture shows at a pixel (from the top left); undefined outside its views. */
   pick(x: number, y: number): Promise<PickResult | undefined>;
   dispose(): void;
 }

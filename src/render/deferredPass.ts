@@ -12,20 +12,20 @@ import { AmbientOcclusion } from './occlusion/ambientOcclusion.ts';
 import type { SceneUpload } from './sceneUpload.ts';
 import { forwardMaterial, geometryMaterial, lightingPass, skyPass } from './shading/passes.ts';
 
-/** What is within this part of the scene's size from a point hides its sky, where nobody says how far that goes. */
-const OCCLUSION_RADIUS_SHARE = 1 / 4;
+/** Default radius of ambient occlusion, as a fraction of the scene's radius. */
+const RELATIVE_OCCLUSION_RADIUS = 1 / 4;
 
-/** What a plate is exposed to. */
+/** What a G-buffer is drawn of. */
 export interface GBufferView {
   readonly upload: SceneUpload;
   readonly projection: SpacetimeProjection;
   readonly settings: RenderSettings;
 }
 
-/** How the light of a G-buffer is made; what of the settings that may be otherwise for another light of the same. */
+/** Settings in which several lights of one G-buffer may differ. */
 export type Lighting = Pick<RenderSettings, 'shadows' | 'occlusionRadius'>;
 
-/** A G-buffer, and the light of what is in it. */
+/** Deferred shading: a G-buffer and the light that is computed from it. */
 export class DeferredPass {
   readonly buffer: GBuffer;
   private readonly gpu: Gpu;
@@ -33,15 +33,15 @@ export class DeferredPass {
   private readonly colorPipelines: ColorPipelines;
   private readonly passes: PassCache;
   private readonly occlusion: AmbientOcclusion;
-  /** The same G-buffer may be lit with shadows, and without. */
+  /** One G-buffer may be lit several times, for example with and without shadows. */
   private readonly lightTargets: RenderTarget[] = [];
   private size = { width: 1, height: 1 };
   private view: GBufferView | undefined;
 
-  constructor(gpu: Gpu, uniforms: FrameUniforms, palettes: ColorPipelines, passes: PassCache) {
+  constructor(gpu: Gpu, uniforms: FrameUniforms, colorPipelines: ColorPipelines, passes: PassCache) {
     this.gpu = gpu;
     this.uniforms = uniforms;
-    this.colorPipelines = palettes;
+    this.colorPipelines = colorPipelines;
     this.passes = passes;
     this.buffer = new GBuffer(gpu.maxBytesPerSample, gpu.maxAttachments);
     this.occlusion = new AmbientOcclusion(gpu, this.buffer, uniforms);
@@ -54,17 +54,17 @@ export class DeferredPass {
     for (const light of this.lightTargets) this.sizeLight(light);
   }
 
-  /** Where light `index` is; to be asked for before the G-buffer is drawn. */
+  /** The target of light `index`. Call it before the G-buffer is drawn: `sizeLight` clears the shared depth. */
   light(index = 0): RenderTarget {
     while (this.lightTargets.length <= index) {
-      const made = dataTarget(1, this.gpu.floatBlending ? FloatType : HalfFloatType, this.buffer.depth);
-      this.lightTargets.push(made);
-      this.sizeLight(made);
+      const target = dataTarget(1, this.gpu.floatBlending ? FloatType : HalfFloatType, this.buffer.depth);
+      this.lightTargets.push(target);
+      this.sizeLight(target);
     }
     return this.lightTargets[index];
   }
 
-  /** Three clears the depth of a target of a new size when it first draws to it. That of a light is the G-buffer's: after the scene it would be too late. */
+  /** Renders an empty scene, because three.js clears the depth of a resized target at its first draw, and the depth is shared with the G-buffer. */
   private sizeLight(light: RenderTarget): void {
     light.setSize(this.size.width, this.size.height);
     this.gpu.renderer.setRenderTarget(light);
@@ -72,22 +72,22 @@ export class DeferredPass {
   }
 
   /** Draws the opaque scene into the G-buffer. */
-  drawGeometry(subject: GBufferView, camera: PerspectiveCamera): void {
-    const { upload, projection } = subject;
+  drawGeometry(view: GBufferView, camera: PerspectiveCamera): void {
+    const { upload, projection } = view;
     const { renderer } = this.gpu;
-    this.view = subject;
+    this.view = view;
     for (const { names, target } of this.buffer.passes) {
-      for (const drawable of upload.drawCalls)
-        if (!drawable.batch.transparent)
-          setMaterial(drawable, `${names[0]} ${projection.event} ${projection.place}`, () =>
-            geometryMaterial(drawable, projection, names, renderer.reversedDepthBuffer),
+      for (const drawCall of upload.drawCalls)
+        if (!drawCall.batch.transparent)
+          setMaterial(drawCall, `${names[0]} ${projection.event} ${projection.place}`, () =>
+            geometryMaterial(drawCall, projection, names, renderer.reversedDepthBuffer),
           );
       renderer.setRenderTarget(target);
       renderer.render(upload.opaque, camera);
     }
   }
 
-  /** G-buffer to light, then what is transparent over it. */
+  /** Computes the light of the G-buffer, then blends stars and transparent objects over it. */
   drawLight(
     { upload, projection, settings }: GBufferView,
     camera: PerspectiveCamera,
@@ -97,15 +97,15 @@ export class DeferredPass {
     const { buffer, uniforms, passes } = this;
     const { environment, scene, atlas } = upload;
     const light = this.light(index);
-    const palette = colorVariantOf(settings, scene);
-    const optics = this.colorPipelines.pipeline(palette, scene, atlas);
+    const colorVariant = colorVariantOf(settings, scene);
+    const optics = this.colorPipelines.pipeline(colorVariant, scene, atlas);
     const shadows = lighting.shadows ? upload.shadows : undefined;
     const owner = upload.serial;
-    passes.run(`sky ${palette}`, () => skyPass(environment, uniforms, optics), light, { owner, region: 'sky' });
+    passes.run(`sky ${colorVariant}`, () => skyPass(environment, uniforms, optics), light, { owner, region: 'sky' });
     if (upload.opaque.children.some((mesh) => mesh.visible)) {
       const openness = lighting.occlusionRadius === 0 ? undefined : this.openness(lighting.occlusionRadius).texture;
       passes.run(
-        `light ${palette} ${lighting.shadows} ${openness !== undefined}`,
+        `light ${colorVariant} ${lighting.shadows} ${openness !== undefined}`,
         () => lightingPass(buffer, environment, uniforms, optics, isMoving(upload), shadows, openness),
         light,
         { owner, region: 'surfaces' },
@@ -113,27 +113,30 @@ export class DeferredPass {
     }
     if (upload.stars) this.drawOver(light, upload.stars.scene, camera);
     if (upload.transparent.children.every((mesh) => !mesh.visible)) return;
-    for (const drawable of upload.drawCalls)
-      if (drawable.batch.transparent)
+    for (const drawCall of upload.drawCalls)
+      if (drawCall.batch.transparent)
         setMaterial(
-          drawable,
-          `forward ${projection.event} ${projection.place} ${palette} ${lighting.shadows} ${buffer.depth.id}`,
-          () => forwardMaterial(drawable, projection, buffer, upload.environment, optics, shadows),
+          drawCall,
+          `forward ${projection.event} ${projection.place} ${colorVariant} ${lighting.shadows} ${buffer.depth.id}`,
+          () => forwardMaterial(drawCall, projection, buffer, upload.environment, optics, shadows),
         );
     this.drawOver(light, upload.transparent, camera);
   }
 
-  /** The share of the sky that each point of what is in the G-buffer sees. `radius`: as `RenderSettings.occlusionRadius`. */
+  /** Draws the G-buffer's ambient occlusion: the unoccluded fraction of the sky. `radius`: as `RenderSettings.occlusionRadius`. */
   openness(radius = this.view?.settings.occlusionRadius): RenderTarget {
     if (this.view) {
       const { upload, projection } = this.view;
-      const reach = radius ?? upload.radius * OCCLUSION_RADIUS_SHARE;
-      this.occlusion.draw({ place: projection.place, moving: isMoving(upload), radius: reach });
+      this.occlusion.draw({
+        place: projection.place,
+        moving: isMoving(upload),
+        radius: radius ?? upload.radius * RELATIVE_OCCLUSION_RADIUS,
+      });
     }
     return this.occlusion.target;
   }
 
-  /** Where `openness` draws. */
+  /** The texture that `openness` draws into. */
   get opennessTexture(): Texture {
     return this.occlusion.texture;
   }
@@ -144,7 +147,7 @@ export class DeferredPass {
     for (const light of this.lightTargets) light.dispose();
   }
 
-  /** Onto the light that is there. */
+  /** Draws without clearing the target. */
   private drawOver(light: RenderTarget, scene: Scene, camera: PerspectiveCamera): void {
     const { renderer } = this.gpu;
     renderer.autoClear = false;
@@ -156,8 +159,8 @@ export class DeferredPass {
 
 const isMoving = ({ bodies }: SceneUpload): boolean => bodies.some(({ object }) => !isStatic(object.motion));
 
-function setMaterial(drawable: DrawCall, key: string, make: () => DrawCall['mesh']['material']): void {
-  const material = drawable.materials.get(key) ?? make();
-  drawable.materials.set(key, material);
-  drawable.mesh.material = material;
+function setMaterial(drawCall: DrawCall, key: string, make: () => DrawCall['mesh']['material']): void {
+  const material = drawCall.materials.get(key) ?? make();
+  drawCall.materials.set(key, material);
+  drawCall.mesh.material = material;
 }

@@ -18,13 +18,13 @@ import { LightMeter } from './post/display/lightMeter.ts';
 import { Antialiasing, type AntialiasingMode } from './post/resolve/antialiasing.ts';
 import type { SceneUpload } from './sceneUpload.ts';
 
-/** How a picture is shown. */
+/** How a picture is displayed. */
 type DisplayState = DisplaySettings & Pick<RenderSettings, 'falseColors' | 'antialiasing' | 'frameGraph'>;
 
-/** So many compositions are kept: what is shown, what is being compiled, and what was shown before. */
+/** Most runners that are kept: the displayed one, one that is being compiled, and the previous one. */
 const MAX_RUNNERS = 3;
 
-/** The targets and passes of a picture of one size: G-buffers with their light, what a plan makes of it, display. */
+/** The targets and passes of a picture: G-buffers, lighting, frame graph and display. */
 export class FrameRenderer {
   readonly antialiasing: Antialiasing;
   private readonly screen = dataTarget(1, UnsignedByteType);
@@ -33,16 +33,16 @@ export class FrameRenderer {
   private readonly passes: PassCache;
   private readonly colorPipelines = new ColorPipelines();
   private readonly lightMeter: LightMeter;
-  /** The first is that of the picture itself. */
+  /** By G-buffer; the first is that of the picture's own settings. */
   private readonly deferredPasses: DeferredPass[] = [];
-  /** By the shape of their plans; the last that was drawn at the end. */
+  /** By the structure of their frame graphs; the most recently used is the last. */
   private readonly runners = new Map<string, FrameGraphRunner>();
   private readonly falseColors = new FalseColorTable();
   private size = { width: 1, height: 1 };
-  /** Where the light of the last sample is. */
+  /** Light of the last sample. */
   private light: RenderTarget;
-  /** How the picture that is there is to be shown; of how many samples its light is. */
   displayState: DisplayState = { tone: 'neutral', grid: false, hasStars: false, antialiasing: true };
+  /** Number of samples whose mean is the light. */
   samples = 1;
 
   constructor(gpu: Gpu, uniforms: FrameUniforms) {
@@ -74,63 +74,63 @@ export class FrameRenderer {
       sized.setSize(width, height);
   }
 
-  /** One sample of a picture: its G-buffers and their light, and what its plan makes of them; `seen` is told of each of its steps. */
+  /** Draws one sample of a picture: its G-buffers, their light and the frame graph; `onPass` is called after each of its passes. */
   draw(
-    sittings: readonly [BoundRenderView, ...BoundRenderView[]],
+    views: readonly [BoundRenderView, ...BoundRenderView[]],
     camera: PerspectiveCamera,
     time: number,
-    seen?: PassListener,
+    onPass?: PassListener,
   ): void {
-    const [first] = sittings;
+    const [first] = views;
     const { frameGraph } = first.view.settings;
     if (frameGraph) {
-      this.light = this.runnerFor(frameGraph).draw(frameGraph, { views: sittings, camera, time }, seen);
+      this.light = this.runnerFor(frameGraph).draw(frameGraph, { views, camera, time }, onPass);
       return;
     }
-    const plate = this.deferredPass(0);
-    plate.drawGeometry(first.view, camera);
-    plate.drawLight(first.view, camera, first.view.settings);
-    this.light = plate.light();
+    const pass = this.deferredPass(0);
+    pass.drawGeometry(first.view, camera);
+    pass.drawLight(first.view, camera, first.view.settings);
+    this.light = pass.light();
   }
 
-  /** What carries out plans of this shape; to be asked for before it is gone through without being drawn (precompile.ts), for it draws to targets to make them. */
-  runnerFor(plan: FrameGraph): FrameGraphRunner {
-    const shape = frameGraphStructure(plan);
-    const known = this.runners.get(shape);
-    const composition = known ?? new FrameGraphRunner(plan, this.gpu, this.uniforms, (i) => this.deferredPass(i));
-    if (!known) composition.setSize(this.size.width, this.size.height);
-    this.runners.delete(shape);
-    this.runners.set(shape, composition);
+  /** The runner of frame graphs of this structure, cached. Call it before `precompile` (gpu/precompile.ts): a new runner draws to initialize its targets. */
+  runnerFor(frameGraph: FrameGraph): FrameGraphRunner {
+    const structure = frameGraphStructure(frameGraph);
+    const cached = this.runners.get(structure);
+    const runner = cached ?? new FrameGraphRunner(frameGraph, this.gpu, this.uniforms, (i) => this.deferredPass(i));
+    if (!cached) runner.setSize(this.size.width, this.size.height);
+    this.runners.delete(structure);
+    this.runners.set(structure, runner);
     const [oldest] = this.runners;
     if (oldest && this.runners.size > MAX_RUNNERS) {
       oldest[1].dispose();
       this.runners.delete(oldest[0]);
     }
-    return composition;
+    return runner;
   }
 
   private deferredPass(index: number): DeferredPass {
     while (this.deferredPasses.length <= index) {
-      const plate = new DeferredPass(this.gpu, this.uniforms, this.colorPipelines, this.passes);
-      this.deferredPasses.push(plate);
-      plate.setSize(this.size.width, this.size.height);
+      const pass = new DeferredPass(this.gpu, this.uniforms, this.colorPipelines, this.passes);
+      this.deferredPasses.push(pass);
+      pass.setSize(this.size.width, this.size.height);
     }
     return this.deferredPasses[index];
   }
 
-  /** The share of the sky that each point of what is in the first G-buffer sees. */
+  /** Ambient occlusion of the first G-buffer: the unoccluded fraction of the sky, weighted by the cosine. */
   openness(): RenderTarget {
     return this.deferredPass(0).openness();
   }
 
-  /** Goes through what makes a picture of its light, and pictures at rest of many, without making any. */
-  runDisplayPasses(way: AntialiasingMode, projection: SpacetimeProjection, where: 'canvas' | 'screen'): void {
+  /** Runs the display passes, and those of accumulation, so that `precompile` finds their shaders; changes no picture. */
+  runDisplayPasses(mode: AntialiasingMode, projection: SpacetimeProjection, where: 'canvas' | 'screen'): void {
     const target = where === 'canvas' ? null : this.screen;
     if (this.displayState.falseColors) this.drawFalseColors(this.displayState, this.displayState.falseColors, target);
-    else this.antialiasing.runPasses(way, this.displayState, projection, target);
+    else this.antialiasing.runPasses(mode, this.displayState, projection, target);
   }
 
-  /** The finished picture to the canvas (`null`), or to where it can be read. */
+  /** Draws the finished picture to the canvas, or to a target that can be read, which is returned. */
   present(where: 'canvas' | 'screen'): RenderTarget {
     const target = where === 'canvas' ? null : this.screen;
     if (this.displayState.falseColors) this.drawFalseColors(this.displayState, this.displayState.falseColors, target);
@@ -138,21 +138,21 @@ export class FrameRenderer {
     return this.screen;
   }
 
-  private drawFalseColors(look: DisplayState, colors: FalseColorScale, target: RenderTarget | null): void {
+  private drawFalseColors(displayState: DisplayState, colors: FalseColorScale, target: RenderTarget | null): void {
     const { falseColors, buffer, uniforms } = this;
     const { target: lit, index } = this.beauty();
     const light = lit.textures[index];
     falseColors.use(colors);
-    const name = `false ${colors.kind} ${look.tone} ${look.grid} ${light.id}`;
-    this.passes.run(name, () => falseColored(colors.kind, light, buffer, uniforms, falseColors, look), target);
+    const name = `false ${colors.kind} ${displayState.tone} ${displayState.grid} ${light.id}`;
+    this.passes.run(name, () => falseColored(colors.kind, light, buffer, uniforms, falseColors, displayState), target);
   }
 
-  /** Where the light of the whole picture is, and in which of its textures. */
+  /** The target with the light of all samples, and the index of its texture. */
   beauty(): { readonly target: RenderTarget; readonly index: number } {
     return this.samples > 1 ? this.antialiasing.lightMean : { target: this.light, index: 0 };
   }
 
-  /** What the picture is like at places spread over it; c [m/s]. */
+  /** Samples the picture at positions spread over it; c [m/s]. */
   measureLight(c: number): Promise<LightMeterReadings> {
     const { target, index } = includesToneMapping(this.displayState.frameGraph)
       ? { target: this.deferredPass(0).light(), index: 0 }
@@ -160,14 +160,15 @@ export class FrameRenderer {
     return this.lightMeter.measure(target.textures[index], target.width, target.height, c);
   }
 
-  /** Lets go of the passes that read a scene. */
+  /** Releases the passes that read a scene, and the history. */
   releaseScene(upload: SceneUpload): void {
     this.antialiasing.resetHistory();
     this.passes.releaseOwner(upload.serial);
   }
 
   dispose(): void {
-    for (const held of [...this.deferredPasses, ...this.runners.values(), this.passes, this.lightMeter]) held.dispose();
+    for (const owned of [...this.deferredPasses, ...this.runners.values(), this.passes, this.lightMeter])
+      owned.dispose();
     this.falseColors.dispose();
     for (const target of [this.screen, this.antialiasing]) target.dispose();
   }

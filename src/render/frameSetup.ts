@@ -16,15 +16,15 @@ import { type FrameUniforms, makeFrameUniforms } from './gpu/frameUniforms.ts';
 import type { SamplePosition } from './post/resolve/pixelSamples.ts';
 import type { SceneUpload } from './sceneUpload.ts';
 
-/** All that a G-buffer is made of: it can be drawn again. */
+/** Everything that drawing a G-buffer needs. */
 export interface RenderView extends GBufferView {
   readonly viewPoint: ViewPoint;
-  /** Place of the view in its picture's views. */
+  /** Index of the view in its picture. */
   readonly viewIndex: number;
   readonly observation: Observation;
 }
 
-/** The G-buffers of one view of a picture, the settings' own first. */
+/** The G-buffers of one view of a picture; the first is that of the picture's own settings. */
 export type ViewBuffers = readonly [RenderView, ...RenderView[]];
 
 export function renderViewOf(
@@ -41,7 +41,7 @@ export function renderViewOf(
 export class FrameSetup {
   readonly uniforms: FrameUniforms = makeFrameUniforms();
   readonly camera = new PerspectiveCamera();
-  /** What object tables, tessellation, lights and shadow maps are of. */
+  /** The buffers that object tables, tessellation, lights and shadow maps are up to date for. */
   private prepared: ViewBuffers | undefined;
 
   constructor() {
@@ -50,8 +50,8 @@ export class FrameSetup {
   }
 
   /**
-   * Prepares the scenes of a view's G-buffers; the uniforms are those of the first afterwards. Returns which bodies of that may be visible, or undefined
-   * if samples of a motion are still being read. `ready` is called, for each G-buffer, when they are there and before edges are tessellated.
+   * Prepares the scenes of a view's G-buffers and sets the uniforms to those of the first. Returns which bodies of the first may be visible, or undefined
+   * if motion samples are still being read. `ready` is called for each G-buffer after its samples are loaded and before tessellation.
    */
   prepare(buffers: ViewBuffers, size: PictureSize, ready = () => {}): readonly boolean[] | undefined {
     this.prepared = undefined;
@@ -68,7 +68,7 @@ export class FrameSetup {
     return this.prepared === buffers;
   }
 
-  /** After uploads were released. */
+  /** Call after releasing uploads. */
   invalidate(): void {
     this.prepared = undefined;
   }
@@ -91,7 +91,7 @@ export class FrameSetup {
     return visible;
   }
 
-  /** Sets everything that is the same for all samples of a view. */
+  /** Sets the uniforms and the camera, which all samples of a view share but for jitter. */
   setView({ viewPoint: view, observation, settings, projection, upload }: RenderView, size: PictureSize): void {
     const { uniforms, camera } = this;
     const { tanX, tanY, aspect, center } = frustumIn(size, view);
@@ -119,19 +119,19 @@ export class FrameSetup {
     camera.updateMatrixWorld();
   }
 
-  /** Shifts the picture of the view that is set so that samples are at this place of their pixels. */
+  /** Shifts the picture of the current view so that its samples are at this position within their pixels. */
   jitter([dx, dy]: SamplePosition, { width, height }: PictureSize): void {
     const { halfTangents, frustumCenter } = this.uniforms;
     const { x, y } = frustumCenter.value.clone().divide(halfTangents.value);
     const { aspect } = this.camera;
     this.camera.setViewOffset(width, height, dx + (x * width) / 2, dy - (y * height) / 2, width, height);
-    // `setViewOffset` takes it from the pixels.
+    // `setViewOffset` has set it to width / height.
     this.camera.aspect = aspect;
     this.camera.updateProjectionMatrix();
     this.uniforms.jitter.value.set((2 * dx) / width, (-2 * dy) / height);
   }
 
-  /** Tessellates the batches in which something may be visible, and sorts the transparent ones from far to near. */
+  /** Tessellates the batches that may be visible, and sorts the transparent ones from far to near. */
   private tessellate(
     { upload, viewPoint, viewIndex, observation, projection }: RenderView,
     visible: readonly boolean[],
@@ -164,7 +164,7 @@ function observationOf({ t, position, u }: ViewPoint, settings: RenderSettings):
   return { t, position, u, c: settings.speedOfLight, hypersurface };
 }
 
-/** The ground is the plane of the two axes that do not point up, at height 0; its grid is as fine as the scene's size asks. */
+/** The ground is the plane at height 0 perpendicular to the up axis; its grid step is a power of ten chosen by the scene's radius. */
 function setGroundUniforms(uniforms: FrameUniforms, { position }: ViewPoint, { scene, radius }: SceneUpload): void {
   const step = 10 ** Math.floor(Math.log10(Math.max(radius, 1e-6) / 15));
   const [up, north] = scene.upAxis === 'Y' ? [1, 2] : [2, 1];

@@ -20,26 +20,26 @@ import { PIXEL_CENTER } from './post/resolve/pixelSamples.ts';
 import type { RenderContext, SceneRenderer } from './renderer.ts';
 import type { SceneUpload } from './sceneUpload.ts';
 
-/** What of a plan is to be looked at. */
+/** What a preview shows of a frame graph. */
 export type PreviewRequest =
-  /** The image of a step. `exposure` [EV]: of light that no tone curve was over yet; absent: it is 0 … 1 already. */
+  /** The image of a pass. `exposure` [EV]: for linear light before tone mapping; absent: the image is 0 … 1 already. */
   | { readonly kind: 'image'; readonly step: number; readonly exposure?: number }
-  /** The luminance of a step's light, at as many places as exposure is metered at. */
+  /** The luminance of a pass's image, sampled as by the light meter. */
   | { readonly kind: 'luminance'; readonly step: number }
-  /** The colours of the surfaces in a G-buffer; clear where there are none. */
+  /** The albedo of a G-buffer; transparent where there is no surface. */
   | { readonly kind: 'albedo'; readonly buffer: number };
 
 /** Rows from the top: sRGB, RGBA8; or luminances. */
 export type Preview = Uint8Array | Float32Array;
 
 /**
- * Small pictures of the steps of a plan: drawn by the passes of the picture that is shown, of its scenes as they are staged for it, into targets of their own.
- * Nothing of that picture, its samples or its history changes.
+ * Draws small pictures of the passes of a frame graph, into targets of its own, from the scenes as they are prepared for the displayed picture. Does not
+ * change that picture, its samples or its history.
  */
 export class PreviewRenderer {
   private readonly renderer: SceneRenderer;
   private targets: PreviewTargets | undefined;
-  /** What the shaders that are ready depend on. */
+  /** Identifies the shaders that are compiled. */
   private compiledKey = '';
 
   constructor(renderer: SceneRenderer) {
@@ -47,23 +47,25 @@ export class PreviewRenderer {
   }
 
   /**
-   * In the order of what is asked for. `plan`: its G-buffers are those of the picture that is shown, in that order. New shaders are compiled between the
-   * frames of others. Undefined where there is nothing that previews could be made of. One at a time.
+   * Returns the previews in the order of `requests`; undefined if there is no picture. `frameGraph`: its G-buffers are those of the displayed picture, in
+   * the same order. Shaders are compiled without blocking other frames. Do not call it again before it has resolved.
    */
   async make(
-    plan: FrameGraph,
-    of: readonly PreviewRequest[],
+    frameGraph: FrameGraph,
+    requests: readonly PreviewRequest[],
     size: PictureSize,
   ): Promise<readonly Preview[] | undefined> {
-    await this.renderer.withLastView((set) => this.precompiled(plan, of, this.targetsFor(set, size), set));
-    const reading = this.renderer.withLastView((set) => {
-      const read: Promise<Preview>[] = [];
-      this.targetsFor(set, size).draw(plan, of, set, (i, made) => {
-        read[i] = made();
+    await this.renderer.withLastView((context) =>
+      this.precompiled(frameGraph, requests, this.targetsFor(context, size), context),
+    );
+    const previews = this.renderer.withLastView((context) => {
+      const promises: Promise<Preview>[] = [];
+      this.targetsFor(context, size).draw(frameGraph, requests, context, (i, read) => {
+        promises[i] = read();
       });
-      return read;
+      return promises;
     });
-    return reading && Promise.all(reading);
+    return previews && Promise.all(previews);
   }
 
   dispose(): void {
@@ -80,20 +82,20 @@ export class PreviewRenderer {
   }
 
   private precompiled(
-    plan: FrameGraph,
-    of: readonly PreviewRequest[],
-    desk: PreviewTargets,
-    set: RenderContext,
+    frameGraph: FrameGraph,
+    requests: readonly PreviewRequest[],
+    targets: PreviewTargets,
+    context: RenderContext,
   ): Promise<void> | undefined {
-    const shaders = [frameGraphStructure(plan), ...set.buffers.map(({ upload }) => upload.serial)].join(' ');
+    const shaders = [frameGraphStructure(frameGraph), ...context.buffers.map(({ upload }) => upload.serial)].join(' ');
     if (shaders === this.compiledKey) return undefined;
     this.compiledKey = shaders;
-    desk.setFrameGraph(plan);
-    return precompile(set.gpu.renderer, () => desk.draw(plan, of, set, () => {}));
+    targets.setFrameGraph(frameGraph);
+    return precompile(context.gpu.renderer, () => targets.draw(frameGraph, requests, context, () => {}));
   }
 }
 
-/** Is told that what was asked for at place `i` is there, and how it is read. */
+/** Called when request `i` has been drawn, with the function that reads it back. */
 type OnPreview = (i: number, read: () => Promise<Preview>) => void;
 
 /** The targets and passes of previews of one size. */
@@ -116,7 +118,7 @@ class PreviewTargets {
     this.lightMeter = new LightMeter(gpu, this.frameRenderer.buffer, uniforms);
   }
 
-  /** Lets go of the passes of scenes that are gone. */
+  /** Sets the size, and releases the passes of scenes that are no longer used. */
   prepare({ width, height }: PictureSize, uploads: readonly SceneUpload[]): void {
     for (const upload of this.uploads) if (!uploads.includes(upload)) this.frameRenderer.releaseScene(upload);
     this.uploads = uploads;
@@ -126,45 +128,45 @@ class PreviewTargets {
     this.screen.setSize(width, height);
   }
 
-  /** Plans of another shape have other targets, which passes read. */
-  setFrameGraph(plan: FrameGraph): void {
+  /** Call it when the structure of the frame graph changes: the passes here read its targets. */
+  setFrameGraph(frameGraph: FrameGraph): void {
     this.passes.dispose();
     this.lightMeter.dispose();
     this.passes = new PassCache(this.gpu.renderer);
     this.lightMeter = new LightMeter(this.gpu, this.frameRenderer.buffer, this.uniforms);
-    this.frameRenderer.runnerFor(plan).updateStills(plan);
+    this.frameRenderer.runnerFor(frameGraph).updateStills(frameGraph);
   }
 
   draw(
-    plan: FrameGraph,
-    of: readonly PreviewRequest[],
+    frameGraph: FrameGraph,
+    requests: readonly PreviewRequest[],
     { frameSetup, buffers }: RenderContext,
-    finished: OnPreview,
+    onPreview: OnPreview,
   ): void {
     const [first] = buffers;
     const { size } = this;
-    const settings = { ...first.settings, frameGraph: plan };
-    const sittingOf = (motif: typeof first, i: number): BoundRenderView => ({
-      view: { ...motif, settings: bufferSettings(settings, i) },
-      bind: () => frameSetup.setView(motif, size),
+    const settings = { ...first.settings, frameGraph };
+    const boundView = (view: typeof first, i: number): BoundRenderView => ({
+      view: { ...view, settings: bufferSettings(settings, i) },
+      bind: () => frameSetup.setView(view, size),
     });
-    const [sitting, ...others] = buffers.map(sittingOf);
+    const [firstView, ...others] = buffers.map(boundView);
     frameSetup.setView(first, size);
     frameSetup.jitter(PIXEL_CENTER, size);
-    this.frameRenderer.draw([sitting, ...others], frameSetup.camera, first.viewPoint.t, (step, image) => {
-      of.forEach((each, i) => {
-        if (each.kind === 'image' && each.step === step) finished(i, this.image(image, each.exposure));
-        if (each.kind === 'luminance' && each.step === step)
-          finished(i, () => this.luminance(image, first.observation.c));
+    this.frameRenderer.draw([firstView, ...others], frameSetup.camera, first.viewPoint.t, (pass, image) => {
+      requests.forEach((request, i) => {
+        if (request.kind === 'image' && request.step === pass) onPreview(i, this.image(image, request.exposure));
+        if (request.kind === 'luminance' && request.step === pass)
+          onPreview(i, () => this.luminance(image, first.observation.c));
       });
     });
-    of.forEach((each, i) => {
-      if (each.kind === 'albedo') finished(i, this.albedo(each.buffer));
+    requests.forEach((request, i) => {
+      if (request.kind === 'albedo') onPreview(i, this.albedo(request.buffer));
     });
   }
 
   dispose(): void {
-    for (const held of [this.frameRenderer, this.passes, this.lightMeter, this.screen]) held.dispose();
+    for (const owned of [this.frameRenderer, this.passes, this.lightMeter, this.screen]) owned.dispose();
   }
 
   private image({ texture }: RenderTarget, exposure: number | undefined): () => Promise<Preview> {
@@ -180,8 +182,8 @@ class PreviewTargets {
     const texel = (name: 'base' | 'object'): Texture => frameRenderer.bufferOf(buffer).texture(name);
     return this.displayed(`albedo ${buffer}`, () =>
       Fn(() => {
-        const there = texelHere(texel('object')).x.greaterThan(0.5);
-        return select(there, vec4(encodeSrgb(texelHere(texel('base')).rgb), 1), vec4(0));
+        const hasSurface = texelHere(texel('object')).x.greaterThan(0.5);
+        return select(hasSurface, vec4(encodeSrgb(texelHere(texel('base')).rgb), 1), vec4(0));
       })(),
     );
   }

@@ -23,28 +23,28 @@ import type { PickResult, RendererInfo, RendererOptions, Sampling } from './sett
 import { ViewCompositor } from './viewCompositor.ts';
 import { canAccumulate, ViewRenderer } from './viewRenderer.ts';
 
-/** The last picture of the first view, and what others on its device need to draw with it. */
+/** The last picture of the first view, for drawing other pictures of it on the same device. */
 export interface RenderContext {
   readonly gpu: Gpu;
   readonly frameSetup: FrameSetup;
   readonly buffers: ViewBuffers;
 }
 
-/** Renders pictures of a scene for a page, a command line or a benchmark; see api.ts. Each view has a `ViewRenderer`; scenes are uploaded once for all. */
+/** Renders pictures of a scene for a page, a command line or a benchmark; see api.ts. Each view has a `ViewRenderer`; the uploaded scenes are shared by all views. */
 export class SceneRenderer implements RasterRenderer {
   private readonly gpu: Gpu;
   private readonly frameSetup = new FrameSetup();
   private readonly compositor: ViewCompositor;
   private readonly toCanvas: boolean;
   private readonly uploads: SceneUploads;
-  /** By place in the picture's views. */
+  /** By index of the view in the picture. */
   private readonly viewRenderers: ViewRenderer[];
   /** Of the last picture. */
   private views: PictureViews | undefined;
-  /** Keys of the shaders that pictures have been drawn with, or can be without compiling. */
+  /** Keys of pictures whose shaders are compiled. */
   private readonly compiled = new Set<string>();
   private precompiling: Promise<void> | undefined;
-  /** Of the last picture, and of the next one: the canvas is resized when that is drawn, for a resized canvas is empty. */
+  /** Of the last picture, and of the next one: the canvas is resized only when that is drawn, because resizing clears it. */
   private size: PictureSize = { width: 1, height: 1 };
   private requestedSize = this.size;
   private lastDraw = { objectsDrawn: 0, milliseconds: 0 };
@@ -106,7 +106,7 @@ export class SceneRenderer implements RasterRenderer {
 
   precompile(views: PictureViews, settings: RenderSettings, sampling: Sampling = 1): Promise<void> | undefined {
     const { uploads } = this;
-    // With another speed of light another upload may be needed first.
+    // Another speed of light may need another upload first.
     if (!uploads.first || uploads.wouldReplace(settings)) return undefined;
     const mode = antialiasingModeOf(settings, sampling);
     if (this.compiled.has(shaderKey(settings, mode, uploads.of(settings), views.length))) return undefined;
@@ -128,7 +128,7 @@ export class SceneRenderer implements RasterRenderer {
       });
     };
     const shaders = shaderKey(settings, mode, this.uploads.of(settings), views.length);
-    // Whatever comes of it: a shader that cannot be compiled is reported when it is drawn with.
+    // Also after a failure: a shader that does not compile is reported when it is used.
     await precompile(this.gpu.renderer, draw).finally(() => this.compiled.add(shaders));
   }
 
@@ -137,7 +137,7 @@ export class SceneRenderer implements RasterRenderer {
     assertViewports(views, this.requestedSize);
     const pictures = this.buffersOf(views, settings);
     const rects = this.viewportsOf(views);
-    // All views are drawn, or none: the samples of each must be there.
+    // All views are drawn or none, so the motion samples of every view must be loaded.
     const isReady = () => pictures.every((buffers, i) => this.viewRenderer(i).prepare(buffers, rects[i]));
     if (pictures.length === 0 || (pictures.length > 1 && this.uploads.isStreamed && !isReady())) return;
     const mode = antialiasingModeOf(settings, sampling);
@@ -157,16 +157,16 @@ export class SceneRenderer implements RasterRenderer {
     if (this.toCanvas) this.presentOnCanvas();
     this.lastDraw = { objectsDrawn, milliseconds: performance.now() - start };
     this.compiled.add(shaderKey(settings, mode, this.uploads.of(settings), views.length));
-    // Not while a picture with more G-buffers is being compiled.
+    // A picture that is being compiled may have more G-buffers.
     if (!this.precompiling) this.uploads.trim(pictures[0].length);
-    // This picture's own uploads were not released.
+    // Trimming may have cleared the views' last buffers, but this picture's uploads are still there.
     pictures.forEach((buffers, i) => {
       this.viewRenderer(i).keep(buffers);
     });
     if (this.toCanvas) pictures[0][0].upload.tessellator.countPeriodically();
   }
 
-  /** Empty without a scene. */
+  /** The G-buffers of each view; empty without a scene. */
   private buffersOf(views: PictureViews, settings: RenderSettings): readonly ViewBuffers[] {
     const uploads = this.uploads.of(settings);
     return views.flatMap((view, viewIndex) => {
@@ -193,9 +193,9 @@ export class SceneRenderer implements RasterRenderer {
   }
 
   accumulate(n: number): boolean {
-    const steps = this.viewRenderers.map((view) => view.accumulate(n));
-    if (this.toCanvas && steps.some(({ added }) => added)) this.presentOnCanvas();
-    return steps.some(({ more }) => more);
+    const samples = this.viewRenderers.map((view) => view.accumulate(n));
+    if (this.toCanvas && samples.some(({ added }) => added)) this.presentOnCanvas();
+    return samples.some(({ more }) => more);
   }
 
   async readPixels(): Promise<Uint8Array> {
@@ -236,8 +236,8 @@ export class SceneRenderer implements RasterRenderer {
   }
 
   /**
-   * Lends the last picture of the first view, prepared, to what draws others on the same device (previews.ts), and restores the uniforms afterwards.
-   * Undefined where there is none.
+   * Prepares the last picture of the first view, calls `use` with it, which may draw on the same device (previews.ts), and restores the uniforms
+   * afterwards. Returns undefined if there is no picture.
    */
   withLastView<Made>(use: (context: RenderContext) => Made): Made | undefined {
     const { gpu, frameSetup } = this;
@@ -259,7 +259,7 @@ export class SceneRenderer implements RasterRenderer {
   }
 }
 
-/** Whether the picture is that of one view, which fills it. */
+/** Whether the picture has one view, which fills it. */
 const isWholePicture = (views: PictureViews): boolean => views.length === 1 && views[0].viewport === undefined;
 
 function antialiasingModeOf(settings: RenderSettings, sampling: Sampling): AntialiasingMode {
@@ -268,7 +268,7 @@ function antialiasingModeOf(settings: RenderSettings, sampling: Sampling): Antia
   return settings.antialiasing ? 'fxaa' : 'none';
 }
 
-/** Names all shaders of a picture. */
+/** Identifies the shaders of a picture: equal keys need the same shaders. */
 function shaderKey(
   settings: RenderSettings,
   mode: AntialiasingMode,

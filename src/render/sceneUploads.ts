@@ -4,8 +4,8 @@ import { DEFAULT_SETTINGS, type RenderSettings } from '../scene/view/view.ts';
 import type { SceneUpload } from './sceneUpload.ts';
 
 /**
- * The scenes of a picture on the GPU, one upload for each G-buffer, also where two are of the same scene: object tables, tessellation, loaded samples and
- * shadow maps are those of one observation and one set of settings at a time. The views of a picture use them one after another.
+ * The scenes of a picture on the GPU, one upload per G-buffer, even if two show the same scene: object tables, tessellation, loaded samples and shadow
+ * maps belong to one observation and one set of settings at a time. The views of a picture use them one after another.
  */
 export class SceneUploads {
   private readonly make: (scene: Scene, speedOfLight: number) => SceneUpload;
@@ -19,16 +19,16 @@ export class SceneUploads {
     this.released = released;
   }
 
-  /** Of the picture's first G-buffer. */
+  /** The upload of the first G-buffer. */
   get first(): SceneUpload | undefined {
     return this.uploads[0];
   }
 
   get isComplete(): boolean {
-    return this.uploads.every(({ objectWriter: frame, shadows }) => frame.isComplete && shadows.isComplete);
+    return this.uploads.every(({ objectWriter, shadows }) => objectWriter.isComplete && shadows.isComplete);
   }
 
-  /** Whether samples of motions are read from files while pictures are drawn. */
+  /** Whether motion samples are read from files while rendering. */
   get isStreamed(): boolean {
     return this.uploads.some((upload) => upload.isStreamed);
   }
@@ -41,29 +41,29 @@ export class SceneUploads {
     this.uploads.push(upload);
   }
 
-  /** Whether a picture needs other uploads than there are, where there were some already: making them takes a while. */
+  /** Whether existing uploads must be replaced for a picture, which takes a while. */
   wouldReplace(settings: RenderSettings): boolean {
     return buffersOf(settings).some(
       (buffer, i) => this.uploads[i] !== undefined && !this.fits(this.uploads[i], buffer),
     );
   }
 
-  /** For each G-buffer of a picture. */
+  /** The uploads of a picture's G-buffers, created if they are missing. */
   of(settings: RenderSettings): readonly SceneUpload[] {
     if (!this.first) return [];
     return buffersOf(settings).map((buffer, i) => {
-      const known = this.uploads[i];
-      if (known && this.fits(known, buffer)) return known;
+      const existing = this.uploads[i];
+      if (existing && this.fits(existing, buffer)) return existing;
       const scene = this.scenes[buffer.scene];
       if (!scene) throw new Error(`G-buffer ${i} is of scene ${buffer.scene}, of ${this.scenes.length}`);
       const upload = this.make(scene, buffer.speedOfLight);
-      if (known) this.release(known);
+      if (existing) this.release(existing);
       this.uploads[i] = upload;
       return upload;
     });
   }
 
-  /** Lets go of those after the first `count`. */
+  /** Releases all but the first `count`. */
   trim(count: number): void {
     for (const upload of this.uploads.splice(count)) this.release(upload);
   }

@@ -3,13 +3,13 @@ import { type RenderTarget, Vector4, type WebGPURenderer } from 'three/webgpu';
 import type { PixelRect } from '../scene/view/pictureViews.ts';
 import { FullScreenPass } from './gpu/fullScreenPass.ts';
 
-/** A view's displayed picture, and where it goes. */
+/** A view's displayed picture and its viewport. */
 export interface ComposedView {
   readonly target: RenderTarget;
   readonly rect: PixelRect;
 }
 
-/** Puts the displayed pictures of several views onto the canvas; what none covers is black. */
+/** Draws the displayed pictures of several views onto the canvas; pixels outside all viewports are black. */
 export class ViewCompositor {
   private readonly renderer: WebGPURenderer;
   private pass: FullScreenPass | undefined;
@@ -33,8 +33,8 @@ export class ViewCompositor {
   }
 
   private use(targets: readonly RenderTarget[]): void {
-    const { pass, targets: former } = this;
-    if (pass && targets.length === former.length && targets.every((target, i) => target === former[i])) return;
+    const { pass, targets: previous } = this;
+    if (pass && targets.length === previous.length && targets.every((target, i) => target === previous[i])) return;
     pass?.dispose();
     this.targets = targets;
     while (this.rects.length < targets.length) this.rects.push(rectUniform());

@@ -12,7 +12,7 @@ import { gridPositions, haltonPosition, PIXEL_CENTER, type SamplePosition } from
 import type { SceneUpload } from './sceneUpload.ts';
 import type { PickResult, Sampling } from './settings.ts';
 
-/** From this sample count on the mean of the samples looks better than FXAA. */
+/** From this sample count on, the mean of the samples beats FXAA. */
 const MIN_MEAN_SAMPLES = 8;
 
 /** Draws one view of a picture: its targets, of the size of its viewport, its samples and its history. */
@@ -21,7 +21,7 @@ export class ViewRenderer {
   private readonly frameSetup: FrameSetup;
   private readonly frameRenderer: FrameRenderer;
   private rect: PixelRect = { x: 0, y: 0, width: 1, height: 1 };
-  /** What the last picture was drawn of; undefined if it cannot be drawn again. */
+  /** The G-buffers of the last picture; undefined if it cannot be drawn again. */
   private lastBuffers: ViewBuffers | undefined;
   private lastObservation: Observation | undefined;
   private samplePosition: SamplePosition = PIXEL_CENTER;
@@ -63,7 +63,7 @@ export class ViewRenderer {
     return visible;
   }
 
-  /** Draws the buffers that are prepared. */
+  /** Draws buffers that `prepare` has prepared. */
   draw(buffers: ViewBuffers, mode: AntialiasingMode, sampling: Sampling): void {
     this.lastBuffers = buffers;
     this.addedSamples = 0;
@@ -72,13 +72,13 @@ export class ViewRenderer {
     this.lastObservation = buffers[0].observation;
   }
 
-  /** Builds all shaders of a picture and of its refinement, in the order in which it would be drawn. */
+  /** Runs all passes of a picture and of its accumulation in drawing order, so that `precompile` finds their shaders. */
   traversePasses(buffers: ViewBuffers, mode: AntialiasingMode, target: 'canvas' | 'screen'): void {
     this.drawBuffers(buffers, PIXEL_CENTER);
     this.frameRenderer.runDisplayPasses(mode, buffers[0].projection, target);
   }
 
-  /** Adds a sample, if there is one left; `more`: there will be another. See `RasterRenderer.accumulate`. */
+  /** Adds a sample if any remains; `more`: whether others remain. See `RasterRenderer.accumulate`. */
   accumulate(n: number): { readonly added: boolean; readonly more: boolean } {
     const { frameRenderer, addedSamples } = this;
     const count = n * n;
@@ -98,12 +98,12 @@ export class ViewRenderer {
     return { added: true, more: this.addedSamples < count };
   }
 
-  /** The displayed picture on the canvas, of which this is the only view. */
+  /** Presents the picture on the canvas, which has no other view. */
   presentOnCanvas(): void {
     this.frameRenderer.present('canvas');
   }
 
-  /** The displayed picture in a target of its own. */
+  /** Presents the picture in a target of its own. */
   present(): RenderTarget {
     this.bind();
     return this.frameRenderer.present('screen');
@@ -122,7 +122,7 @@ export class ViewRenderer {
     return withoutAlpha(await readFloats(this.gpu, target, index, this.wholeRegion()));
   }
 
-  /** `upload`: of the first G-buffer; x and y from the viewport's top left. */
+  /** What a pixel shows. `upload`: that of the first G-buffer; x and y from the viewport's top left. */
   async pick(upload: SceneUpload, x: number, y: number): Promise<PickResult> {
     this.drawPixelCenters();
     const pathOf = (id: number) => upload.bodies[id - 1].object.path;
@@ -140,14 +140,14 @@ export class ViewRenderer {
     return this.frameRenderer.measureLight(this.requireObservation().c);
   }
 
-  /** Prepares the last picture again if another view was prepared since; undefined if it cannot be drawn again. */
+  /** Prepares the last picture again if another view has been prepared since; undefined if it cannot be drawn again. */
   restore(): ViewBuffers | undefined {
     const { lastBuffers, frameSetup } = this;
     if (!lastBuffers) return undefined;
     return frameSetup.isPrepared(lastBuffers) || this.prepare(lastBuffers, this.rect) ? lastBuffers : undefined;
   }
 
-  /** Sets the uniforms and the camera to those of the last sample, and how it is displayed. */
+  /** Sets the uniforms, the camera and the display state to those of the last sample. */
   bind(): void {
     const { frameSetup, lastBuffers } = this;
     if (!lastBuffers) return;
@@ -162,7 +162,7 @@ export class ViewRenderer {
     this.frameRenderer.releaseScene(upload);
   }
 
-  /** These buffers' uploads are still there. */
+  /** Lets the last picture be drawn again: the uploads of these buffers have not been released. */
   keep(buffers: ViewBuffers): void {
     this.lastBuffers = buffers;
   }
@@ -175,7 +175,7 @@ export class ViewRenderer {
     this.frameRenderer.displayState = { ...settings, hasStars: upload.stars !== undefined };
   }
 
-  /** n × n samples per pixel. */
+  /** Draws n × n samples per pixel. */
   private drawSamples(buffers: ViewBuffers, n: number): void {
     const { frameRenderer } = this;
     frameRenderer.samples = n * n;
@@ -187,7 +187,7 @@ export class ViewRenderer {
     else if (n === 1) frameRenderer.antialiasing.resolveSingle(frameRenderer.displayState);
   }
 
-  /** One sample, blended with the history. */
+  /** Draws one sample and blends it with the history. */
   private drawTemporal(buffers: ViewBuffers): void {
     const { frameRenderer } = this;
     const [{ observation, viewPoint, projection }] = buffers;
@@ -203,7 +203,7 @@ export class ViewRenderer {
     this.samplePosition = position;
   }
 
-  /** Draws what is prepared with its samples at one place of their pixels. */
+  /** Draws the prepared buffers, sampled at one position within each pixel. */
   private drawBuffers([first, ...others]: ViewBuffers, position: SamplePosition): void {
     const { frameSetup, rect } = this;
     frameSetup.jitter(position, rect);
@@ -211,7 +211,7 @@ export class ViewRenderer {
     this.frameRenderer.draw([bound(first), ...others.map(bound)], frameSetup.camera, first.viewPoint.t);
   }
 
-  /** Numbers are of the pixels' centres, never a mean. */
+  /** Draws the last picture at the pixels' centres: data that is read back is never averaged. */
   private drawPixelCenters(): void {
     const [x, y] = this.samplePosition;
     const buffers = x === 0 && y === 0 ? undefined : this.restore();
@@ -229,7 +229,7 @@ export class ViewRenderer {
   }
 }
 
-/** Whether pictures gain samples while they rest: false colours, which stand for numbers, never do. */
+/** Whether pictures at rest accumulate samples. False colours never do, because they stand for numbers. */
 export const canAccumulate = ({ antialiasing, falseColors }: RenderSettings): boolean => antialiasing && !falseColors;
 
 function withoutAlpha(rgba: Float32Array): Float32Array {

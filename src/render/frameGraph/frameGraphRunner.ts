@@ -14,14 +14,14 @@ import { EffectPasses, type PassInputs } from '../post/effectPasses.ts';
 import { StillImage } from './stillImage.ts';
 import { allocateTargets, linearSourceOf } from './targetAllocation.ts';
 
-/** What a G-buffer is drawn of, and how all passes are told of it. */
+/** The view of a G-buffer, and how its uniforms are set. */
 export interface BoundRenderView {
   readonly view: GBufferView;
   /** Sets the uniforms and the camera. */
   readonly bind: () => void;
 }
 
-/** What changes from sample to sample. */
+/** Per-sample input of a frame graph. */
 interface SampleInput {
   readonly views: readonly [BoundRenderView, ...BoundRenderView[]];
   readonly camera: PerspectiveCamera;
@@ -29,50 +29,56 @@ interface SampleInput {
   readonly time: number;
 }
 
-/** Hears of a step's image. */
-export type PassListener = (step: number, image: RenderTarget) => void;
+/** Called with the index and the image of a pass after it has run. */
+export type PassListener = (pass: number, image: RenderTarget) => void;
 
-/** A step that is drawn by passes, not by a plate. */
+/** Runs one pass of a frame graph, other than light and stills. */
 interface PassRunner {
-  /** Its numbers may be others than those that it was made with; its kind may not. */
-  run(step: FrameGraphPass, time: number): void;
+  /** `pass` may differ in its numbers from the one that the runner was made for, but not in its structure. */
+  run(pass: FrameGraphPass, time: number): void;
   setSize?(width: number, height: number): void;
   dispose(): void;
 }
 
-/** Effects as they are in the light: half floats hold all that a screen or an eye could tell apart. */
+/** Half floats suffice for linear light that is to be displayed. */
 const IMAGE_TYPE = HalfFloatType;
 
-/** Carries out plans of one shape. Its passes are made once; numbers are uniforms. Images that are not needed at the same time share a target. */
+/** Runs frame graphs of one structure. Its shaders are built once; numbers are uniforms. Images that are not needed at the same time share a target. */
 export class FrameGraphRunner {
   private readonly gpu: Gpu;
   private readonly uniforms: FrameUniforms;
   private readonly deferredPass: (buffer: number) => DeferredPass;
   private readonly pool: readonly RenderTarget[];
-  /** Of each step that is one. */
+  /** By pass; undefined except for stills. */
   private readonly stills: readonly (StillImage | undefined)[];
-  /** Of each step, where its image is; light is where its plate has it. */
+  /** By pass: the target with its image; that of a light belongs to its `DeferredPass`. */
   private readonly targets: readonly RenderTarget[];
-  /** Of each step; undefined of light and stills. */
+  /** By pass; undefined for light and stills. */
   private readonly passRunners: readonly (PassRunner | undefined)[];
-  /** Of each step that is light, which of its G-buffer's. */
+  /** By pass, for lights: the index among the lights of its G-buffer. */
   private readonly lightIndices: readonly number[];
 
-  constructor(plan: FrameGraph, gpu: Gpu, uniforms: FrameUniforms, plate: (buffer: number) => DeferredPass) {
+  constructor(
+    { passes }: FrameGraph,
+    gpu: Gpu,
+    uniforms: FrameUniforms,
+    deferredPass: (buffer: number) => DeferredPass,
+  ) {
     this.gpu = gpu;
     this.uniforms = uniforms;
-    this.deferredPass = plate;
-    const { passes: steps } = plan;
-    const { slots, count } = allocateTargets(steps);
+    this.deferredPass = deferredPass;
+    const { slots, count } = allocateTargets(passes);
     this.pool = Array.from({ length: count }, () => dataTarget(1, IMAGE_TYPE));
-    this.lightIndices = steps.map((step, i) => steps.slice(0, i).filter((other) => isLightOf(other, step)).length);
-    this.stills = steps.map((step) => (step.kind === 'still' ? new StillImage(step.still) : undefined));
-    this.targets = steps.map((step, i) =>
-      step.kind === 'light'
-        ? plate(step.buffer).light(this.lightIndices[i])
+    this.lightIndices = passes.map(
+      (pass, i) => passes.slice(0, i).filter((other) => isLightOfSameBuffer(other, pass)).length,
+    );
+    this.stills = passes.map((pass) => (pass.kind === 'still' ? new StillImage(pass.still) : undefined));
+    this.targets = passes.map((pass, i) =>
+      pass.kind === 'light'
+        ? deferredPass(pass.buffer).light(this.lightIndices[i])
         : (this.stills[i]?.target ?? this.pool[slots[i]]),
     );
-    this.passRunners = steps.map((step, i) => this.make(step, i, steps));
+    this.passRunners = passes.map((pass, i) => this.makeRunner(pass, i, passes));
   }
 
   setSize(width: number, height: number): void {
@@ -80,69 +86,69 @@ export class FrameGraphRunner {
     for (const sized of [...this.passRunners, ...this.stills]) sized?.setSize?.(width, height);
   }
 
-  /** Draws what does not change from frame to frame, where it is another; to be called before `draw` is only rehearsed. */
-  updateStills({ passes: steps }: Pick<FrameGraph, 'passes'>): void {
-    steps.forEach((step, i) => {
-      if (step.kind === 'still') this.stills[i]?.update(this.gpu.renderer, step.still);
+  /** Draws the stills that have changed. Call it before `draw` is passed to `precompile`, which draws nothing. */
+  updateStills({ passes }: Pick<FrameGraph, 'passes'>): void {
+    passes.forEach((pass, i) => {
+      if (pass.kind === 'still') this.stills[i]?.update(this.gpu.renderer, pass.still);
     });
   }
 
-  /** One sample; gives the target that it is in. `seen` is told of each step's image while it is there: later steps may draw over it. */
-  draw({ passes: steps }: FrameGraph, { views, camera, time }: SampleInput, seen?: PassListener): RenderTarget {
-    views.forEach(({ view, bind: look }, buffer) => {
-      look();
+  /** Draws one sample and returns its target. `onPass` is called after each pass; later passes may overwrite its image. */
+  draw({ passes }: FrameGraph, { views, camera, time }: SampleInput, onPass?: PassListener): RenderTarget {
+    views.forEach(({ view, bind }, buffer) => {
+      bind();
       this.deferredPass(buffer).drawGeometry(view, camera);
-      steps.forEach((step, i) => {
-        if (step.kind === 'light' && step.buffer === buffer) this.drawLight(step, i, view, camera);
+      passes.forEach((pass, i) => {
+        if (pass.kind === 'light' && pass.buffer === buffer) this.drawLight(pass, i, view, camera);
       });
     });
-    this.updateStills({ passes: steps });
-    let looking = views.length - 1;
-    const look = (buffer: number): void => {
-      if (buffer !== looking) views[buffer].bind();
-      looking = buffer;
+    this.updateStills({ passes });
+    let boundBuffer = views.length - 1;
+    const bindBuffer = (buffer: number): void => {
+      if (buffer !== boundBuffer) views[buffer].bind();
+      boundBuffer = buffer;
     };
-    steps.forEach((step, i) => {
-      if ('buffer' in step) look(step.buffer);
-      this.passRunners[i]?.run(step, time);
-      seen?.(i, this.targets[i]);
+    passes.forEach((pass, i) => {
+      if ('buffer' in pass) bindBuffer(pass.buffer);
+      this.passRunners[i]?.run(pass, time);
+      onPass?.(i, this.targets[i]);
     });
-    look(0);
-    return this.targets[steps.length - 1];
+    bindBuffer(0);
+    return this.targets[passes.length - 1];
   }
 
   dispose(): void {
-    for (const made of [...this.passRunners, ...this.stills]) made?.dispose();
+    for (const owned of [...this.passRunners, ...this.stills]) owned?.dispose();
     for (const target of this.pool) target.dispose();
   }
 
   private drawLight(
     { buffer, shadows, occlusion }: Extract<FrameGraphPass, { kind: 'light' }>,
     i: number,
-    subject: GBufferView,
+    view: GBufferView,
     camera: PerspectiveCamera,
   ): void {
-    const { settings } = subject;
+    const { settings } = view;
     const occlusionRadius = occlusion ? settings.occlusionRadius : 0;
     const lighting = { shadows: shadows && settings.shadows, occlusionRadius };
-    this.deferredPass(buffer).drawLight(subject, camera, lighting, this.lightIndices[i]);
+    this.deferredPass(buffer).drawLight(view, camera, lighting, this.lightIndices[i]);
   }
 
-  private make(step: FrameGraphPass, i: number, steps: readonly FrameGraphPass[]): PassRunner | undefined {
-    switch (step.kind) {
+  private makeRunner(pass: FrameGraphPass, i: number, passes: readonly FrameGraphPass[]): PassRunner | undefined {
+    switch (pass.kind) {
       case 'light':
       case 'still':
         return undefined;
       case 'occlusion':
-        return this.occlusion(step, i);
+        return this.occlusion(pass, i);
       case 'effect':
-        return this.effect(step, i);
+        return this.effect(pass, i);
       case 'mix':
-        return this.mix(step, i);
+        return this.mix(pass, i);
       case 'tone':
-        return this.toneMap(step, i);
+        return this.toneMap(pass, i);
       case 'false-colour':
-        return this.falseColor(step, i, steps);
+        return this.falseColor(pass, i, passes);
     }
   }
 
@@ -159,13 +165,13 @@ export class FrameGraphRunner {
   }
 
   private occlusion({ buffer }: Of<'occlusion'>, i: number): PassRunner {
-    const plate = this.deferredPass(buffer);
+    const deferredPass = this.deferredPass(buffer);
     const { renderer } = this.gpu;
-    const gray = new FullScreenPass(vec4(vec3(texelHere(plate.opennessTexture).x), 1), 'occlusion');
+    const gray = new FullScreenPass(vec4(vec3(texelHere(deferredPass.opennessTexture).x), 1), 'occlusion');
     return {
-      run: (step) => {
-        if (step.kind !== 'occlusion') return;
-        plate.openness(step.radius === 0 ? undefined : step.radius);
+      run: (pass) => {
+        if (pass.kind !== 'occlusion') return;
+        deferredPass.openness(pass.radius === 0 ? undefined : pass.radius);
         gray.render(renderer, this.targets[i]);
       },
       dispose: () => gray.dispose(),
@@ -173,19 +179,19 @@ export class FrameGraphRunner {
   }
 
   private effect({ effect, image, buffer, mask }: Of<'effect'>, i: number): PassRunner {
-    const of = typeof effect === 'string' ? effect : readShaderText(effect.text);
-    const passes = EffectPasses.forEffect(of, this.inputs(image, mask, buffer));
-    return this.effectRunner(passes, i, (step) => (step.kind === 'effect' ? step.args : []));
+    const source = typeof effect === 'string' ? effect : readShaderText(effect.text);
+    const passes = EffectPasses.forEffect(source, this.inputs(image, mask, buffer));
+    return this.effectRunner(passes, i, (pass) => (pass.kind === 'effect' ? pass.args : []));
   }
 
   private mix({ mode, below, above, mask }: Of<'mix'>, i: number): PassRunner {
     const passes = EffectPasses.forMix(mode, this.texture(above), this.inputs(below, mask));
-    return this.effectRunner(passes, i, (step) => (step.kind === 'mix' ? [step.alpha] : []));
+    return this.effectRunner(passes, i, (pass) => (pass.kind === 'mix' ? [pass.alpha] : []));
   }
 
-  private effectRunner(passes: EffectPasses, i: number, args: (step: FrameGraphPass) => readonly number[]): PassRunner {
+  private effectRunner(passes: EffectPasses, i: number, args: (pass: FrameGraphPass) => readonly number[]): PassRunner {
     return {
-      run: (step, time) => passes.render(this.gpu.renderer, this.targets[i], args(step), time),
+      run: (pass, time) => passes.render(this.gpu.renderer, this.targets[i], args(pass), time),
       setSize: (width, height) => passes.setSize(width, height),
       dispose: () => passes.dispose(),
     };
@@ -194,38 +200,38 @@ export class FrameGraphRunner {
   private toneMap({ tone, image }: Of<'tone'>, i: number): PassRunner {
     const exposure = uniform(0);
     const output = Fn(() => vec4(toneMaps[tone](texelHere(this.texture(image)).rgb, exposure), 1))();
-    const pass = new FullScreenPass(output, `tone ${tone}`);
+    const toneMapping = new FullScreenPass(output, `tone ${tone}`);
     return {
-      run: (step) => {
-        if (step.kind === 'tone') exposure.value = step.exposure;
-        pass.render(this.gpu.renderer, this.targets[i]);
+      run: (pass) => {
+        if (pass.kind === 'tone') exposure.value = pass.exposure;
+        toneMapping.render(this.gpu.renderer, this.targets[i]);
       },
-      dispose: () => pass.dispose(),
+      dispose: () => toneMapping.dispose(),
     };
   }
 
-  /** Luminance is that of the light before its tone curve; what lies under the bands is the image as it comes. */
+  /** Radiance is measured before tone mapping; spectral bands are drawn over the input image as it is. */
   private falseColor(
     { of, image, buffer }: Of<'false-colour'>,
     i: number,
-    steps: readonly FrameGraphPass[],
+    passes: readonly FrameGraphPass[],
   ): PassRunner {
     const { uniforms, gpu } = this;
     const table = new FalseColorTable();
-    const light = this.texture(of === 'radiance' ? linearSourceOf(image, steps) : image);
-    const look = { tone: 'linear', grid: false } as const;
-    const colors = falseColored(of, light, this.deferredPass(buffer).buffer, uniforms, table, look);
-    const pass = new FullScreenPass(Fn(() => vec4(decodeSrgb(colors.xyz), 1))(), `false colours ${of}`);
+    const light = this.texture(of === 'radiance' ? linearSourceOf(image, passes) : image);
+    const display = { tone: 'linear', grid: false } as const;
+    const colors = falseColored(of, light, this.deferredPass(buffer).buffer, uniforms, table, display);
+    const coloring = new FullScreenPass(Fn(() => vec4(decodeSrgb(colors.xyz), 1))(), `false colours ${of}`);
     return {
-      run: (step) => {
-        if (step.kind === 'false-colour' && step.scale) table.use({ kind: of, ...step.scale });
+      run: (pass) => {
+        if (pass.kind === 'false-colour' && pass.scale) table.use({ kind: of, ...pass.scale });
         const { value } = uniforms.exposure;
         uniforms.exposure.value = 0;
-        pass.render(gpu.renderer, this.targets[i]);
+        coloring.render(gpu.renderer, this.targets[i]);
         uniforms.exposure.value = value;
       },
       dispose: () => {
-        pass.dispose();
+        coloring.dispose();
         table.dispose();
       },
     };
@@ -234,5 +240,5 @@ export class FrameGraphRunner {
 
 type Of<Kind extends FrameGraphPass['kind']> = Extract<FrameGraphPass, { readonly kind: Kind }>;
 
-const isLightOf = (a: FrameGraphPass, b: FrameGraphPass): boolean =>
+const isLightOfSameBuffer = (a: FrameGraphPass, b: FrameGraphPass): boolean =>
   a.kind === 'light' && b.kind === 'light' && a.buffer === b.buffer;

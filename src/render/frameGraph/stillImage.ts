@@ -34,7 +34,7 @@ import { FullScreenPass } from '../gpu/fullScreenPass.ts';
 /** The largest half float. */
 const MAX_HALF = 65504;
 
-/** A still as it lies in a picture: drawn into a target of its own when it or the picture's size is another, not with every frame. */
+/** A still fitted into the picture. It is resampled into a target of its own only when the still or the picture's size changes. */
 export class StillImage {
   readonly target = dataTarget(1, HalfFloatType);
   private image: DataTexture;
@@ -44,9 +44,9 @@ export class StillImage {
   private readonly scale = uniform(1);
   private readonly reach = uniform(1);
   private readonly pass: FullScreenPass;
-  /** Of what the image is. */
+  /** Key of the still that `image` holds. */
   private uploadedKey: string;
-  /** Of what the target is; empty: nothing yet. */
+  /** Key of the still that `target` holds; empty if it must be drawn. */
   private drawnKey = '';
 
   constructor(still: StillPixels) {
@@ -61,7 +61,7 @@ export class StillImage {
     this.drawnKey = '';
   }
 
-  /** Brings the target up to date. */
+  /** Draws the target if it is out of date. */
   update(renderer: WebGPURenderer, still: StillPixels): void {
     if (this.drawnKey === still.key) return;
     if (this.uploadedKey !== still.key) {
@@ -86,7 +86,7 @@ export class StillImage {
     this.target.dispose();
   }
 
-  /** `fitted` of reference/post/still.ts. */
+  /** As `stillImage` of reference/post/still.ts. */
   private resampled(): Vec4 {
     const place = floor(screenCoordinate).mul(this.scale).add(this.offset).toVar();
     const first = ivec2(max(ceil(place.sub(this.reach)), vec2(0))).toVar();
@@ -97,13 +97,13 @@ export class StillImage {
     const outside = place.x.lessThan(-0.5).or(place.x.greaterThan(this.size.x.sub(0.5)));
     If(outside.not(), () => {
       Loop({ start: first.y, end: last.y, type: 'int', condition: '<=' }, ({ i }: { i: Int }) => {
-        // Loops within loops count with one name.
+        // Nested loops use the same variable name.
         const row = i.toVar();
-        const high = weight(row, place.y).toVar();
+        const rowWeight = weight(row, place.y).toVar();
         Loop({ start: first.x, end: last.x, type: 'int', condition: '<=' }, ({ i: column }: { i: Int }) => {
-          const share = weight(column, place.x).mul(high).toVar();
-          sum.addAssign(this.texel(column, row).mul(share));
-          total.addAssign(share);
+          const product = weight(column, place.x).mul(rowWeight).toVar();
+          sum.addAssign(this.texel(column, row).mul(product));
+          total.addAssign(product);
         });
       });
     });
@@ -112,24 +112,24 @@ export class StillImage {
 
   private texel(column: Int, row: Int): Vec4 {
     const texel = this.texels.load(ivec2(column, row));
-    // Else three multiplies the whole numbers by the texture's matrix.
+    // Otherwise three.js multiplies the integer coordinates by the texture's matrix.
     texel.updateMatrix = false;
     return texel;
   }
 }
 
-/** Light as half floats, as all images of a plan are. */
+/** Linear light as half floats, like all images of a frame graph. */
 function upload({ width, height, pixels }: StillPixels): DataTexture {
   const data = new Uint16Array(4 * width * height);
   for (let i = 0; i < width * height; i++) {
     for (let k = 0; k < 3; k++) data[4 * i + k] = toHalf(Math.min(pixels[3 * i + k], MAX_HALF));
     data[4 * i + 3] = toHalf(1);
   }
-  const made = new DataTexture(data, width, height, RGBAFormat, HalfFloatType);
-  made.minFilter = NearestFilter;
-  made.magFilter = NearestFilter;
-  made.generateMipmaps = false;
-  made.colorSpace = NoColorSpace;
-  made.needsUpdate = true;
-  return made;
+  const image = new DataTexture(data, width, height, RGBAFormat, HalfFloatType);
+  image.minFilter = NearestFilter;
+  image.magFilter = NearestFilter;
+  image.generateMipmaps = false;
+  image.colorSpace = NoColorSpace;
+  image.needsUpdate = true;
+  return image;
 }

@@ -10,7 +10,7 @@ export interface Cone {
   readonly cosine: number;
 }
 
-/** Directions in which a ball is seen; undefined where the observer is inside it. */
+/** The directions from the origin to a sphere; undefined if the origin is inside it. */
 export function coneAround({ center, radius }: BoundingSphere): Cone | undefined {
   const distance = length(center);
   if (!(distance > radius)) return undefined;
@@ -26,12 +26,12 @@ export function coneAround({ center, radius }: BoundingSphere): Cone | undefined
 export function aberrateCone({ axis, cosine }: Cone, u: Vec3): Cone {
   const g = gamma(u);
   const along = dot(u, axis);
-  const moved = addScaled(axis, u, along / (g + 1) + cosine);
-  const size = length(moved);
-  return { axis: scale(moved, 1 / size), cosine: (g * cosine + along) / size };
+  const boosted = addScaled(axis, u, along / (g + 1) + cosine);
+  const size = length(boosted);
+  return { axis: scale(boosted, 1 / size), cosine: (g * cosine + along) / size };
 }
 
-/** Inward unit normals of the four side planes of the picture, in the frame the camera's axes are carried in. */
+/** Inward unit normals of the four side planes of the frustum, on the axes that the orientation refers to. */
 export function frustumSides(orientation: Quat, { tanX, tanY, center: [x, y] }: Frustum): Vec3[] {
   const sides: Vec3[] = [
     [1, 0, x - tanX],
@@ -42,7 +42,7 @@ export function frustumSides(orientation: Quat, { tanX, tanY, center: [x, y] }: 
   return sides.map((s) => rotate(orientation, normalize(s)));
 }
 
-/** False only where no direction of the cone is inside the picture. */
+/** False only if no direction of the cone is inside the frustum. */
 export function coneMayIntersectFrustum(cone: Cone, sides: readonly Vec3[]): boolean {
   if (cone.cosine <= 0) return true;
   const sine = Math.sqrt(Math.max(0, 1 - cone.cosine * cone.cosine));

@@ -1,7 +1,7 @@
 import { uniform } from 'three/tsl';
 import { Matrix3, Vector2, Vector3 } from 'three/webgpu';
 
-/** What every pass of a picture reads; `value` is written once per picture. */
+/** Uniforms that all passes of a picture read, written once per picture. */
 export function makeFrameUniforms() {
   return {
     /** γβ and γ of the observer. */
@@ -9,15 +9,15 @@ export function makeFrameUniforms() {
     gamma: uniform(1),
     iterations: uniform(1, 'int'),
     damping: uniform(1),
-    /** 1 where what is seen are events on the past light cone. */
+    /** 1 in views that show events on the past light cone, otherwise 0. */
     onLightCone: uniform(1),
-    /** 1 where directions are boosted, 0 where they are the world's. */
+    /** 1 if directions are aberrated, 0 if they are the world's. */
     boosted: uniform(1),
-    /** 1 where light meets surfaces in their rest frame, 0 in the views that show no light. */
+    /** 1 if surfaces are lit in their rest frame, 0 in views that are not luminous. */
     boostLight: uniform(1),
-    /** 1 where light takes its time from lamps to surfaces; 0 in pictures of one moment. */
+    /** 1 if light travels from lamps to surfaces at finite speed, 0 in views of one moment. */
     lightTravels: uniform(1),
-    /** 1 where colours and brightness follow D; 0 in the views that show no light. */
+    /** The settings' Doppler shift of colours and beaming; 0 in views that are not luminous. */
     dopplerMix: uniform(1),
     beaming: uniform(1),
     exposure: uniform(0),
@@ -26,18 +26,18 @@ export function makeFrameUniforms() {
     /** Half the width and height of the picture at distance 1, and where its centre is there (`Frustum` of scene/view/lens.ts). */
     halfTangents: uniform(new Vector2(1, 1)),
     frustumCenter: uniform(new Vector2()),
-    /** This sample's shift in the picture, in half-pictures. */
+    /** Offset of this sample within its pixel, in half-pictures (NDC). */
     jitter: uniform(new Vector2()),
     /** Camera axes → world axes carried by the boost. */
     orientation: uniform(new Matrix3()),
     /** Unit, world frame. */
     zenith: uniform(new Vector3(0, 1, 0)),
-    /** Height of the observer above the ground [m], and its place along the ground's two axes, modulo the grid's coarsest step. */
+    /** Height of the observer above the ground [m], and its coordinates along the ground's two axes, modulo ten grid steps. */
     ground: uniform(new Vector3()),
     gridStep: uniform(1),
     gridEast: uniform(new Vector3(1, 0, 0)),
     gridNorth: uniform(new Vector3(0, 0, 1)),
-    /** Share of the new sample in the accumulated picture. */
+    /** Weight of the new sample in the accumulated picture. */
     weight: uniform(1),
     firstSample: uniform(1),
   };

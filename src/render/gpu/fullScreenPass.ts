@@ -13,31 +13,31 @@ import {
 import type { Vec3, Vec4 } from '../../shaders/types.ts';
 import type { FrameUniforms } from './frameUniforms.ts';
 
-/** Pixels of a pass over a target with the G-buffer's depth: where something was drawn, or where nothing was. */
+/** The pixels that a pass covers on a target with the G-buffer's depth: those with a surface, or those without. */
 export type PassRegion = 'surfaces' | 'sky';
 
 /**
- * A picture-filling pass: `output` is a colour, or an `mrt()`. `where` is left to the depth test, and not to an `If`: that spares the pixels
- * before they are shaded, where branches are computed on both sides (docs/adr/0006-software-gpu.md).
+ * A full-screen pass: `output` is a colour or an `mrt()`. A region is selected by the depth test, which skips pixels before shading; with an `If`, a software
+ * GPU would compute both branches (docs/adr/0006-software-gpu.md).
  */
 export class FullScreenPass {
   private readonly material = new NodeMaterial();
   private readonly quad: QuadMesh;
   private readonly region: PassRegion | undefined;
 
-  constructor(output: Node, name: string, where?: PassRegion) {
-    this.region = where;
+  constructor(output: Node, name: string, region?: PassRegion) {
+    this.region = region;
     this.material.name = name;
     this.material.fragmentNode = output;
-    this.material.depthTest = where !== undefined;
-    this.material.depthFunc = where === 'surfaces' ? GreaterDepth : LessEqualDepth;
+    this.material.depthTest = region !== undefined;
+    this.material.depthFunc = region === 'surfaces' ? GreaterDepth : LessEqualDepth;
     this.material.depthWrite = false;
     this.quad = new QuadMesh(this.material);
   }
 
-  /** `over`: what the target holds already stays where this pass does not draw. */
+  /** `over`: the target is not cleared first. */
   render(renderer: WebGPURenderer, target: RenderTarget | null, over = false): void {
-    // Three's quad lies at z = 0: the far plane, but where depth is not reversed.
+    // The quad of three.js lies at z = 0, which is the far plane only if depth is reversed.
     if (this.region && !renderer.reversedDepthBuffer) this.material.depthNode = float(1);
     renderer.setMRT(null);
     renderer.setRenderTarget(target);
@@ -53,7 +53,7 @@ export class FullScreenPass {
   }
 }
 
-/** The texel of another target of the same size under this fragment. */
+/** The texel of a texture of the target's size at this fragment. */
 export const texelHere = (of: Texture | TextureNode): Vec4 => textureLoad(of, ivec2(screenCoordinate));
 
 /** Unit direction of this pixel in the observer's frame, on the world axes that the boost carries. */

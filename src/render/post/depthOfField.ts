@@ -23,13 +23,13 @@ import type { Float, Int, Vec2, Vec4 } from '../../shaders/types.ts';
 import type { Effect } from './effect.ts';
 import type { EffectContext, EffectImage } from './effectContext.ts';
 
-/** Least radius of a disc of light [px]: that of a disc as large as a pixel. */
+/** Least radius of a disc [px]: that of a disc with the area of a pixel. */
 const MIN_RADIUS = Math.sqrt(1 / Math.PI);
-/** Of a turn. */
+/** The golden angle [turns]. */
 const GOLDEN_TURN = (3 - Math.sqrt(5)) / 2;
 const CELL_REACH = Math.ceil(EFFECTS['depth-of-field'].args[2].max / DEPTH_OF_FIELD_SAMPLING.cell);
 
-/** `depthOfFieldNode` of reference/effects/. The lens step holds (colour, ±ρ), the cells the widest |ρ|. */
+/** `depthOfField` of reference/post/effects/depthOfField.ts. The lens step holds (colour, ±ρ), the cells the largest |ρ|. */
 export const depthOfField: Effect = [
   { name: 'lens', downscale: 1, color: circleOfConfusion },
   { name: 'soft', downscale: 1, color: soften },
@@ -48,17 +48,17 @@ export const depthOfField: Effect = [
 ];
 
 function circleOfConfusion(frame: EffectContext): Vec4 {
-  const [focus, aperture, most] = frame.args;
+  const [focus, aperture, maxRadius] = frame.args;
   const { halfTangents } = frame.uniforms;
   const focal = float(frame.image.size.y).div(halfTangents.y.mul(2));
   const found = frame.depth(frame.pixel).toVar();
-  const off = frame.tangents(frame.pixel).toVar();
-  const inverse = select(found.x.greaterThan(0.5), sqrt(dot(off, off).add(1)).div(found.y), 0);
+  const tangents = frame.tangents(frame.pixel).toVar();
+  const inverseDepth = select(found.x.greaterThan(0.5), sqrt(dot(tangents, tangents).add(1)).div(found.y), 0);
   const rho = aperture
     .mul(focal)
     .mul(0.5 / 1000)
-    .mul(focus.reciprocal().sub(inverse));
-  return vec4(frame.image.at(frame.pixel).rgb, clamp(rho, most.negate(), most));
+    .mul(focus.reciprocal().sub(inverseDepth));
+  return vec4(frame.image.at(frame.pixel).rgb, clamp(rho, maxRadius.negate(), maxRadius));
 }
 
 function soften(frame: EffectContext): Vec4 {
@@ -70,8 +70,8 @@ function soften(frame: EffectContext): Vec4 {
     for (const i of [-1, 0, 1]) {
       if (i === 0 && j === 0) continue;
       const texel = lens.at(frame.pixel.add(vec2(i, j))).toVar();
-      const alike = clamp(float(2).sub(abs(texel.w.sub(here.w))), 0, 1);
-      sum.addAssign(vec4(texel.rgb, 1).mul(alike.mul(amount).mul(i * j === 0 ? 0.5 : 0.25)));
+      const similarity = clamp(float(2).sub(abs(texel.w.sub(here.w))), 0, 1);
+      sum.addAssign(vec4(texel.rgb, 1).mul(similarity.mul(amount).mul(i * j === 0 ? 0.5 : 0.25)));
     }
   return vec4(sum.rgb.div(sum.w), here.w);
 }
@@ -107,29 +107,29 @@ function gather(frame: EffectContext): Vec4 {
   const weight = discWeight(abs(own)).div(Math.PI).toVar();
   const sum = here.rgb.mul(weight).toVar();
   If(R.greaterThanEqual(0.5), () => {
-    const places = clamp(ceil(R.mul(R)), 16, DEPTH_OF_FIELD_SAMPLING.samples).toVar();
-    const density = R.mul(R).div(places).toVar();
-    Loop({ start: int(0), end: int(places), type: 'int', condition: '<' }, ({ i }: { i: Int }) => {
-      const away = R.mul(sqrt(float(i).add(0.5).div(places))).toVar();
+    const samples = clamp(ceil(R.mul(R)), 16, DEPTH_OF_FIELD_SAMPLING.samples).toVar();
+    const density = R.mul(R).div(samples).toVar();
+    Loop({ start: int(0), end: int(samples), type: 'int', condition: '<' }, ({ i }: { i: Int }) => {
+      const distance = R.mul(sqrt(float(i).add(0.5).div(samples))).toVar();
       const angle = fract(float(i).mul(GOLDEN_TURN))
         .mul(2 * Math.PI)
         .toVar();
-      const off = floor(vec2(cos(angle), sin(angle)).mul(away).add(0.5));
-      const texel = lens.at(frame.pixel.add(off)).toVar();
+      const offset = floor(vec2(cos(angle), sin(angle)).mul(distance).add(0.5));
+      const texel = lens.at(frame.pixel.add(offset)).toVar();
       const size = abs(texel.w).toVar();
       const rho = select(texel.w.greaterThan(own), min(size, abs(own)), size).toVar();
-      const share = density
-        .mul(clamp(rho.sub(away).add(1), 0, 1))
+      const sampleWeight = density
+        .mul(clamp(rho.sub(distance).add(1), 0, 1))
         .mul(discWeight(rho))
         .toVar();
-      sum.addAssign(texel.rgb.mul(share));
-      weight.addAssign(share);
+      sum.addAssign(texel.rgb.mul(sampleWeight));
+      weight.addAssign(sampleWeight);
     });
   });
   return vec4(sum.div(weight), frame.image.at(frame.pixel).w);
 }
 
-/** Of the light of a disc, what a pixel gets, times π. */
+/** The fraction of a disc's light that one pixel gets, times π. */
 function discWeight(rho: Float): Float {
   const radius = max(rho, MIN_RADIUS);
   return radius.mul(radius).reciprocal();

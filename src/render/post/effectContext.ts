@@ -18,15 +18,15 @@ import type { TargetName } from '../gbuffer/surface.ts';
 import { unpackNormals } from '../gbuffer/surfacePacking.ts';
 import type { FrameUniforms } from '../gpu/frameUniforms.ts';
 
-/** Where the surfaces of a picture are told of: `GBufferSpec`, or what stands for one. */
+/** Textures of a G-buffer, by name. */
 export interface GBufferTextures {
   texture(name: TargetName): Texture;
 }
 
-/** What an effect is made of. */
+/** Inputs of an effect. */
 export interface EffectSources {
   readonly image: Texture;
-  /** Where an effect reads it (`EFFECTS[id].reads`). */
+  /** Present if the effect reads it (`EFFECTS[id].reads`). */
   readonly buffer?: GBufferTextures;
   readonly uniforms: FrameUniforms;
   readonly args: UniformNode<'vec4', Vector4>;
@@ -34,7 +34,7 @@ export interface EffectSources {
   readonly time: UniformNode<'float', number>;
 }
 
-/** A picture that is read texel by texel, by whole numbers from its top left corner; beyond its edges, its mirror image. */
+/** An image read by integer texel coordinates from the top left; mirrored beyond its edges. */
 export class EffectImage {
   readonly size: Vec2;
   private readonly texture: Texture;
@@ -49,23 +49,23 @@ export class EffectImage {
   }
 }
 
-/** Its type does not tell what it is. */
+/** The cast corrects the declared type of `textureSize`. */
 const sizeOf = (texture: Texture) => textureSize(textureLoad(texture)) as unknown as Node<'ivec2'>;
 
-/** `mirrored` of reference/post/effects/effectInput.ts, both ways: … 1 0 | 0 1 … n−1 | n−1 n−2 … */
+/** `mirrorIndex` of reference/post/effects/effectInput.ts, in x and y: … 1 0 | 0 1 … n−1 | n−1 n−2 … */
 function mirrored(pixel: Vec2, size: Vec2): Vec2 {
   const once = max(pixel, pixel.negate().sub(1));
   const twice = min(once, size.mul(2).sub(1).sub(once));
   return max(min(twice, size.sub(1)), vec2(0));
 }
 
-/** (1 − s) a + s b: exactly either of them at the ends, however much brighter the other is. */
-export const mixExact = (a: Vec4, b: Vec4, share: Float): Vec4 => a.mul(share.oneMinus()).add(b.mul(share));
+/** (1 − s) a + s b: exactly a at s = 0 and exactly b at s = 1, however different their magnitudes. */
+export const mixExact = (a: Vec4, b: Vec4, s: Float): Vec4 => a.mul(s.oneMinus()).add(b.mul(s));
 
-/** What an effect reads while it works on a pixel: as `GBufferReader` of reference/post/effects. Used within a shader function. */
+/** What an effect reads at a pixel, as `GBufferReader` of reference/post/effects/effectInput.ts. For use within a shader function. */
 export class EffectContext {
   readonly image: EffectImage;
-  /** Of the target that is written. */
+  /** The pixel of the target that is being written. */
   readonly pixel: Vec2 = floor(screenCoordinate);
   readonly uniforms: FrameUniforms;
   private readonly sources: EffectSources;
@@ -88,7 +88,7 @@ export class EffectContext {
     return this.sources.time;
   }
 
-  /** What an earlier step has made. */
+  /** The image of an earlier step. */
   stepImage(name: string): EffectImage {
     const texture = this.steps.get(name);
     if (!texture) throw new Error(`no step ${name} has gone before`);
@@ -99,7 +99,7 @@ export class EffectContext {
     return this.surface('object', pixel).x.greaterThan(0.5);
   }
 
-  /** (whether anything is there: 1 or 0, apparent distance |Δx′| [m]) */
+  /** (1 if there is a surface, otherwise 0; apparent distance |Δx′| [m]) */
   depth(pixel: Vec2): Vec2 {
     const { x, y } = this.surface('object', pixel).toVar();
     return vec2(min(x, 1), y);
@@ -114,21 +114,21 @@ export class EffectContext {
     return this.surface('event', pixel).xyz;
   }
 
-  /** Where this pixel looks in the world: unit, world frame. */
+  /** The direction that this pixel shows: unit, world frame. */
   direction(): Vec3 {
     const { u, gamma, boosted, orientation } = this.uniforms;
     const nPrime = normalize(orientation.mul(vec3(this.tangents(this.pixel), -1))).toVar();
     return normalize(mix(nPrime, unaberrate(nPrime, u, gamma), boosted));
   }
 
-  /** tan of the angles off the axis, to the right and up, of a pixel of the picture. */
+  /** Tangents of a pixel's angles from the forward axis, right and up. */
   tangents(pixel: Vec2): Vec2 {
-    const across = pixel.add(0.5).div(this.image.size).mul(2).sub(1);
+    const ndc = pixel.add(0.5).div(this.image.size).mul(2).sub(1);
     const { halfTangents, frustumCenter } = this.uniforms;
-    return vec2(across.x, across.y.negate()).mul(halfTangents).add(frustumCenter);
+    return vec2(ndc.x, ndc.y.negate()).mul(halfTangents).add(frustumCenter);
   }
 
-  /** World time of the event after the observer's [s]. */
+  /** World time of the event minus that of the observer [s]. */
   emissionTime(pixel: Vec2): Float {
     return this.surface('event', pixel).w.mul(this.uniforms.secondsPerMetre);
   }
@@ -149,8 +149,8 @@ export class EffectContext {
   }
 
   private imageOf(texture: Texture): EffectImage {
-    const picture = this.images.get(texture) ?? new EffectImage(texture);
-    this.images.set(texture, picture);
-    return picture;
+    const image = this.images.get(texture) ?? new EffectImage(texture);
+    this.images.set(texture, image);
+    return image;
   }
 }

@@ -10,10 +10,10 @@ import type { FrameUniforms } from '../../gpu/frameUniforms.ts';
 import { FullScreenPass } from '../../gpu/fullScreenPass.ts';
 import { skyDoppler } from './falseColor.ts';
 
-/** Channels of what is measured; the fourth tells whether a surface is there. */
+/** Channels of the readings; the fourth is 1 where there is a surface. */
 const [LIGHT, DOPPLER, TIME] = [0, 1, 2];
 
-/** Measures pictures at a few thousand places on the GPU, so that little is to be read back: 64 kB, however large they are. */
+/** Samples pictures on the GPU at `METER_CELLS` × `METER_CELLS` positions, so that little is read back: 64 kB at any picture size. */
 export class LightMeter {
   private readonly gpu: Gpu;
   private readonly buffer: GBuffer;
@@ -39,24 +39,24 @@ export class LightMeter {
     const texels = await readFloats(this.gpu, this.target, 0, { x: 0, y: 0, width: METER_CELLS, height: METER_CELLS });
     const channel = (k: number, scale: number) =>
       Float32Array.from({ length: METER_CELLS * METER_CELLS }, (_, i) => {
-        const known = k !== TIME || texels[4 * i + 3]! > 0.5;
-        return known ? scale * texels[4 * i + k]! : Number.NaN;
+        const isDefined = k !== TIME || texels[4 * i + 3]! > 0.5;
+        return isDefined ? scale * texels[4 * i + k]! : Number.NaN;
       });
     return { luminance: channel(LIGHT, 1), doppler: channel(DOPPLER, 1), time: channel(TIME, 1 / c) };
   }
 
-  /** (luminance, D, c(t − t_o) [m], whether something is there) */
+  /** (luminance, D, c(t − t_o) [m], 1 if there is a surface) */
   private output(light: Texture): Vec4 {
     const { buffer, size } = this;
     return Fn(() => {
       const pixel = ivec2(floor(screenCoordinate.div(METER_CELLS).mul(vec2(size)))).toVar();
-      const at = (of: Texture): Vec4 => textureLoad(of, pixel);
-      const there = at(buffer.texture('object')).x.greaterThan(0.5).toVar();
+      const at = (source: Texture): Vec4 => textureLoad(source, pixel);
+      const hasSurface = at(buffer.texture('object')).x.greaterThan(0.5).toVar();
       return vec4(
         relativeLuminance(at(light).rgb),
-        select(there, at(buffer.texture('motion')).w, skyDoppler(this.uniforms)),
+        select(hasSurface, at(buffer.texture('motion')).w, skyDoppler(this.uniforms)),
         at(buffer.texture('event')).w,
-        select(there, 1, 0),
+        select(hasSurface, 1, 0),
       );
     })();
   }
@@ -67,10 +67,10 @@ export class LightMeter {
   }
 }
 
-/** Between two looks whether a GPU has drawn [ms]. */
+/** Interval at which the fence is polled [ms]. */
 const POLL_INTERVAL = 4;
 
-/** WebGL holds the page where it reads what is still being drawn; so it is only read when it is there. */
+/** Resolves when WebGL has drawn: reading earlier would block the page. */
 async function gpuFinished({ renderer, backend }: Gpu): Promise<void> {
   if (backend !== 'webgl') return;
   const gl = renderer.getContext() as WebGL2RenderingContext;

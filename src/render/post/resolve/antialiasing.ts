@@ -16,34 +16,34 @@ import type { FrameUniforms } from '../../gpu/frameUniforms.ts';
 import {
   accumulatedSample,
   antialiased,
-  type DisplaySettings as DisplayLook,
+  type DisplaySettings,
   sampleMean,
   singleSample,
   temporalResult,
   temporalSample,
   unfiltered,
 } from '../display/display.ts';
-import { PreviousView, type ViewState as Seen } from './previousView.ts';
+import { PreviousView, type ViewState } from './previousView.ts';
 import { ReconstructionFilter, temporalResolve } from './temporalAntialiasing.ts';
 
-type AntialiasingSettings = DisplayLook & Pick<RenderSettings, 'antialiasing'>;
+type AntialiasingSettings = DisplaySettings & Pick<RenderSettings, 'antialiasing'>;
 
-/** Runs the pass of a name, made when it is first asked for. */
+/** Runs the pass of a name, created when it is first needed. */
 export type RunPass = (name: string, output: () => Node, target: RenderTarget | null) => void;
 
-/** What the ways of smoothing read. */
+/** Inputs of the antialiasing modes. */
 export interface AntialiasingInputs {
-  /** Of the sample that was drawn last. */
+  /** Light of the last sample. */
   readonly light: () => Texture;
   readonly buffer: GBuffer;
   readonly uniforms: FrameUniforms;
   readonly runPass: RunPass;
 }
 
-/** How a picture is made of samples: one as it is, one with FXAA, the mean of many, or one blended with the history (temporal antialiasing). */
+/** How a picture is made of samples: one without filtering, one with FXAA, the mean of many, or one blended with the history (temporal antialiasing). */
 export type AntialiasingMode = 'none' | 'fxaa' | 'mean' | 'temporal';
 
-/** From samples of light to a picture without steps. */
+/** Resolves samples of light into an antialiased picture. */
 export class Antialiasing {
   private readonly inputs: AntialiasingInputs;
   private readonly single = filteredTarget();
@@ -52,10 +52,10 @@ export class Antialiasing {
   private readonly histories = [dataTarget(1, HalfFloatType), dataTarget(1, HalfFloatType)] as const;
   private readonly previousView = new PreviousView();
   private readonly filter = new ReconstructionFilter();
-  /** Which of two targets was written last. */
+  /** Indices of the sum and of the history that were written last. */
   private sum = 0;
-  private turn = 0;
-  /** What passes read of targets that take turns. */
+  private current = 0;
+  /** Texture nodes of ping-pong targets, set before each pass. */
   private readonly picture = texture(this.sums[0].textures[0]);
   private readonly light = texture(this.sums[0].textures[1]);
   private readonly mean = texture(this.sums[0].textures[0]);
@@ -65,8 +65,8 @@ export class Antialiasing {
   private readonly latest = texture(this.histories[0].texture);
   private mode: AntialiasingMode = 'none';
 
-  constructor(from: AntialiasingInputs) {
-    this.inputs = from;
+  constructor(inputs: AntialiasingInputs) {
+    this.inputs = inputs;
   }
 
   setSize(width: number, height: number): void {
@@ -74,36 +74,36 @@ export class Antialiasing {
     this.previousView.reset();
   }
 
-  /** The next picture has nothing to do with those before. */
+  /** The next picture will not be blended with previous ones. */
   resetHistory(): void {
     this.previousView.reset();
   }
 
-  /** A picture of one sample. */
-  resolveSingle(look: AntialiasingSettings): void {
-    this.drawSingle(look);
-    this.mode = look.antialiasing ? 'fxaa' : 'none';
+  /** Resolves a picture of one sample. */
+  resolveSingle(settings: AntialiasingSettings): void {
+    this.drawSingle(settings);
+    this.mode = settings.antialiasing ? 'fxaa' : 'none';
     this.previousView.reset();
   }
 
-  /** Sample `index` of `count`; until it is `shown`, the picture before them stays. */
-  addSample(index: number, count: number, look: AntialiasingSettings, shown: boolean): void {
+  /** Adds sample `index` of `count`; the previous picture stays until `shown` is true. */
+  addSample(index: number, count: number, settings: AntialiasingSettings, shown: boolean): void {
     const { uniforms } = this.inputs;
     uniforms.weight.value = 1 / count;
     uniforms.firstSample.value = index === 0 ? 1 : 0;
     this.sum = index % 2;
-    this.accumulate(look);
+    this.accumulate(settings);
     if (shown) this.mode = 'mean';
   }
 
-  /** A picture of one sample, which follows those before. */
-  resolveTemporal(look: AntialiasingSettings, seen: Seen): void {
+  /** Resolves a picture of one sample, blended with the history. */
+  resolveTemporal(settings: AntialiasingSettings, state: ViewState): void {
     const { width, height } = this.single;
     const { x, y } = this.inputs.uniforms.jitter.value;
     this.filter.setJitter((x * width) / 2, (-y * height) / 2);
-    this.previousView.update(seen);
-    this.turn = 1 - this.turn;
-    this.blend(look, seen.projection);
+    this.previousView.update(state);
+    this.current = 1 - this.current;
+    this.blend(settings, state.projection);
     this.mode = 'temporal';
   }
 
@@ -111,20 +111,20 @@ export class Antialiasing {
     this.show(this.mode, target);
   }
 
-  /** Runs the passes of a way, and those of more samples, and leaves what is known of pictures that were made. */
+  /** Runs the passes of a mode, and those of accumulation, without changing mode or history. */
   runPasses(
-    way: AntialiasingMode,
-    look: AntialiasingSettings,
+    mode: AntialiasingMode,
+    settings: AntialiasingSettings,
     projection: SpacetimeProjection,
     target: RenderTarget | null,
   ): void {
-    if (way === 'none' || way === 'fxaa') this.drawSingle(look);
-    if (way === 'temporal') this.blend(look, projection);
-    if (look.antialiasing || way === 'mean') this.accumulate(look);
-    for (const each of look.antialiasing ? [way, 'mean' as const] : [way]) this.show(each, target);
+    if (mode === 'none' || mode === 'fxaa') this.drawSingle(settings);
+    if (mode === 'temporal') this.blend(settings, projection);
+    if (settings.antialiasing || mode === 'mean') this.accumulate(settings);
+    for (const each of settings.antialiasing ? [mode, 'mean' as const] : [mode]) this.show(each, target);
   }
 
-  /** Where the mean of the samples' light is, once all are added. */
+  /** The mean of the samples' light, once all samples are added. */
   get lightMean(): { readonly target: RenderTarget; readonly index: number } {
     return { target: this.sums[this.sum], index: 1 };
   }
@@ -133,38 +133,38 @@ export class Antialiasing {
     for (const target of this.targets) target.dispose();
   }
 
-  private drawSingle(look: AntialiasingSettings): void {
+  private drawSingle(settings: AntialiasingSettings): void {
     const { buffer, uniforms, runPass: run } = this.inputs;
     const light = this.inputs.light();
-    run(`single ${light.id} ${keyOf(look)}`, () => singleSample(light, buffer, uniforms, look), this.single);
+    run(`single ${light.id} ${keyOf(settings)}`, () => singleSample(light, buffer, uniforms, settings), this.single);
   }
 
-  /** The last sum, and this sample. */
-  private accumulate(look: AntialiasingSettings): void {
+  /** Writes the last sum plus the weighted sample. */
+  private accumulate(settings: AntialiasingSettings): void {
     const { buffer, uniforms, runPass: run } = this.inputs;
     const light = this.inputs.light();
     const { picture, light: sum } = this;
     [picture.value, sum.value] = this.sums[1 - this.sum].textures;
-    const before = { picture, light: sum };
+    const previous = { picture, light: sum };
     run(
-      `add ${light.id} ${keyOf(look)}`,
-      () => accumulatedSample(light, before, buffer, uniforms, look),
+      `add ${light.id} ${keyOf(settings)}`,
+      () => accumulatedSample(light, previous, buffer, uniforms, settings),
       this.sums[this.sum],
     );
   }
 
-  private blend(look: AntialiasingSettings, projection: SpacetimeProjection): void {
+  private blend(settings: AntialiasingSettings, projection: SpacetimeProjection): void {
     const { buffer, uniforms, runPass: run } = this.inputs;
     const light = this.inputs.light();
-    const { previousView, filter, turn, now, former, history } = this;
+    const { previousView, filter, current, now, former, history } = this;
     run(
-      `fresh ${light.id} ${keyOf(look)}`,
-      () => temporalSample(light, buffer, uniforms, look),
-      this.temporalSamples[turn],
+      `fresh ${light.id} ${keyOf(settings)}`,
+      () => temporalSample(light, buffer, uniforms, settings),
+      this.temporalSamples[current],
     );
-    now.value = this.temporalSamples[turn].texture;
-    former.value = this.temporalSamples[1 - turn].texture;
-    history.value = this.histories[1 - turn].texture;
+    now.value = this.temporalSamples[current].texture;
+    former.value = this.temporalSamples[1 - current].texture;
+    history.value = this.histories[1 - current].texture;
     const sources = {
       current: now,
       previous: former,
@@ -175,21 +175,21 @@ export class Antialiasing {
       filter,
       projection,
     };
-    run(`follow ${projection.event} ${projection.place}`, () => temporalResolve(sources), this.histories[turn]);
+    run(`follow ${projection.event} ${projection.place}`, () => temporalResolve(sources), this.histories[current]);
   }
 
-  private show(way: AntialiasingMode, target: RenderTarget | null): void {
+  private show(mode: AntialiasingMode, target: RenderTarget | null): void {
     const { single, mean, latest } = this;
     const { runPass: run } = this.inputs;
     mean.value = this.sums[this.sum].textures[0];
-    latest.value = this.histories[this.turn].texture;
+    latest.value = this.histories[this.current].texture;
     const passes: Record<AntialiasingMode, () => Vec4> = {
       none: () => unfiltered(single.texture),
       fxaa: () => antialiased(single.texture),
       mean: () => sampleMean(mean),
       temporal: () => temporalResult(latest),
     };
-    run(`show ${way}`, passes[way], target);
+    run(`show ${mode}`, passes[mode], target);
   }
 
   private get targets(): readonly RenderTarget[] {
@@ -197,7 +197,7 @@ export class Antialiasing {
   }
 }
 
-const keyOf = ({ tone, grid, hasStars }: DisplayLook): string => `${tone} ${grid} ${hasStars}`;
+const keyOf = ({ tone, grid, hasStars }: DisplaySettings): string => `${tone} ${grid} ${hasStars}`;
 
 function filteredTarget(): RenderTarget {
   const target = dataTarget(1, UnsignedByteType);

@@ -23,15 +23,18 @@ import type { Float, Vec2, Vec3, Vec4 } from '../../../shaders/types.ts';
 const REDUCE = 1 / 8;
 const MIN_REDUCE = 1 / 128;
 const SPAN = 8;
-/** Of encoded luma; less is no edge. */
+/** Least contrast of an edge, in encoded luma. */
 const MIN_CONTRAST = 1 / 32;
 
-/** Smooths edges of an sRGB-encoded picture along their direction, but those between texels whose fourth number is 0. Source: Lottes, FXAA (NVIDIA 2009), the short variant. */
+/**
+ * Smooths edges of an sRGB-encoded picture along their direction, except between texels whose fourth component is 0. Source: Lottes, FXAA (NVIDIA 2009), the
+ * short variant.
+ */
 export const fxaa = (picture: Texture): Vec3 =>
   Fn(() => {
     const pixel = vec2(1).div(screenSize).toVar();
     const at = (x: Float, y: Float): Vec3 => texture(picture, screenUV.add(pixel.mul(vec2(x, y)))).level(int(0)).rgb;
-    // Whole texels are fetched, for a software GPU takes long to filter.
+    // Whole texels are loaded, because filtering is slow on a software GPU.
     const last = screenSize.sub(0.5).toVar();
     const texel = (x: number, y: number): Vec4 =>
       textureLoad(picture, ivec2(clamp(screenCoordinate.add(vec2(x, y)), vec2(0.5), last))).toVar();

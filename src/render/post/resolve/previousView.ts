@@ -8,7 +8,7 @@ import type { ViewPoint } from '../../../scene/view/view.ts';
 import type { Observation } from '../../geometry/observation.ts';
 import type { SpacetimeProjection } from '../../geometry/vertexStage.ts';
 
-/** From where and how a picture was seen. */
+/** The observation, camera and projection that a picture was drawn with. */
 export interface ViewState {
   readonly observation: Observation;
   readonly viewPoint: ViewPoint;
@@ -16,7 +16,7 @@ export interface ViewState {
   readonly frustum: Frustum;
 }
 
-/** The eye of the picture before, as the passes read it (temporalAntialiasing.ts), besides the picture's own uniforms. */
+/** Uniforms of the previous picture's view, which temporalAntialiasing.ts reads beside those of the current picture. */
 export class PreviousView {
   readonly u = uniform(new Vector3());
   readonly gamma = uniform(1);
@@ -24,22 +24,22 @@ export class PreviousView {
   readonly toCamera = uniform(new Matrix3());
   readonly halfTangents = uniform(new Vector2(1, 1));
   readonly frustumCenter = uniform(new Vector2());
-  /** From its event to that of this picture: (Δx [m], cΔt [m of light]), made in f64. */
+  /** From its observer event to that of this picture: (Δx [m], cΔt [m of light]), computed in f64. */
   readonly displacement = uniform(new Vector4());
-  /** 0: this picture follows none. */
+  /** 1 if the previous picture can be reprojected, otherwise 0. */
   readonly isValid = uniform(0);
   private last: ViewState | undefined;
 
-  /** To be told of every picture that is to follow another, or to be followed. */
-  update(look: ViewState): void {
+  /** Sets the uniforms for a picture of this view, which becomes the previous one. */
+  update(state: ViewState): void {
     const { last } = this;
-    const follows =
+    const isValid =
       last !== undefined &&
-      last.observation.c === look.observation.c &&
-      isSameProjection(last.projection, look.projection);
-    this.isValid.value = follows ? 1 : 0;
-    if (follows) this.store(last, look.observation);
-    this.last = look;
+      last.observation.c === state.observation.c &&
+      isSameProjection(last.projection, state.projection);
+    this.isValid.value = isValid ? 1 : 0;
+    if (isValid) this.store(last, state.observation);
+    this.last = state;
   }
 
   private store({ observation, viewPoint, frustum }: ViewState, now: Observation): void {
@@ -51,7 +51,7 @@ export class PreviousView {
     this.displacement.value.set(...sub(now.position, observation.position), now.c * (now.t - observation.t));
   }
 
-  /** The next picture follows none. */
+  /** The next picture will have no previous one. */
   reset(): void {
     this.last = undefined;
   }
