@@ -6,7 +6,7 @@ import { assertPictureSize } from './maxSize.ts';
 import type { PictureRenderer, PictureRequest, RenderedPicture } from './pictureRenderer.ts';
 import type { Pipeline, PipelineSession, UncheckedRequest } from './pipeline.ts';
 
-/** Draws single pictures with what draws frames. */
+/** Opens a session that draws single pictures with an interactive renderer. */
 export async function openOnGpu(
   pipeline: Required<Pick<Pipeline, 'id' | 'openInteractive'>>,
   { scenes: [scene, ...others], size }: Pick<UncheckedRequest, 'scenes' | 'size'>,
@@ -32,15 +32,21 @@ export async function openOnGpu(
   };
 }
 
-/** What goes on between the steps of a picture. */
+/** What `drawFrame` does between calls of the renderer. */
 type FramePacing = Pick<GpuAccess, 'nextFrame' | 'isShared' | 'guard' | 'assertHealthy'>;
 
-/** Pictures of the scene that a renderer has, of its size. */
+/** Renders pictures of a renderer's current scene, at its size. */
 export function picturesOf(renderer: InteractiveRenderer, pacing: FramePacing): Required<PictureRenderer> {
   return {
-    render: async ({ views, settings, samples, pixels: wanted, aovs }: PictureRequest): Promise<RenderedPicture> => {
+    render: async ({
+      views,
+      settings,
+      samples,
+      pixels: needsPixels,
+      aovs,
+    }: PictureRequest): Promise<RenderedPicture> => {
       await drawFrame(renderer, pacing, views, settings, samples);
-      const pixels = wanted ? await pacing.guard(renderer.readPixels()) : new Uint8Array();
+      const pixels = needsPixels ? await pacing.guard(renderer.readPixels()) : new Uint8Array();
       const data = new Map<AovName, Float32Array>();
       for (const name of aovs) data.set(name, await pacing.guard(renderer.readAov(name)));
       pacing.assertHealthy();

@@ -9,7 +9,7 @@ export interface SingleViewRequest extends Omit<PictureRequest, 'views'>, Pictur
 
 type RenderSingleView = (request: SingleViewRequest, onPart?: (part: number) => void) => Promise<RenderedPicture>;
 
-/** Renders the views of a picture one after another, for pipelines to which they are pictures of their own. Throws a RangeError as `assertViewports`. */
+/** Renders the views of a picture as single pictures, one after another, and composes them. Throws a RangeError as `assertViewports`. */
 export async function renderOneViewAtATime(
   { views, ...request }: PictureRequest,
   size: PictureSize,

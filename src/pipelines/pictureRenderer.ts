@@ -7,7 +7,7 @@ export interface PictureRequest {
   readonly settings: RenderSettings;
   /** n × n samples per pixel. */
   readonly samples: number;
-  /** Whether the display picture is wanted. */
+  /** Whether to return the display picture. */
   readonly pixels: boolean;
   readonly aovs: readonly AovName[];
 }

@@ -7,83 +7,83 @@ import type { InteractiveRenderer } from './interactiveRenderer.ts';
 import type { OptionValues, OptionValuesOf, PipelineOptions } from './options.ts';
 import type { PictureRenderer } from './pictureRenderer.ts';
 
-/** A picture's scene, and those of its frame graph's other G-buffers. */
+/** The scene of a picture, and those of its frame graph's extra G-buffers. */
 export type PictureScenes = readonly [Scene, ...Scene[]];
 
-/** What pictures are going to be drawn. */
+/** The scenes, size and options of the pictures of a session. */
 export interface SessionRequest<Options> {
   readonly scenes: PictureScenes;
   readonly size: PictureSize;
-  /** Of the first picture [m/s]: what takes a while is prepared for it. */
+  /** Speed of light of the first picture [m/s], for which slow preparations begin at once. */
   readonly speedOfLight: number;
   readonly options: Options;
 }
 
-/** A pipeline at work on one request. */
+/** An open pipeline. */
 export interface PipelineSession extends PictureRenderer {
-  /** What draws, for `--json`. */
+  /** Pipeline, device and the like, for `--json`. */
   readonly info: { readonly pipeline: string } & Readonly<Record<string, string | number>>;
-  /** Ends what is being drawn with this error, at once. Absent: it ends between pictures only. */
+  /** Rejects the current picture with this error at once. Absent: a session can only end between pictures. */
   stop?(error: Error): void;
   close(): Promise<void>;
 }
 
-/** What draws pictures: declares what it needs, what it gives and what it obeys. docs/adr/0025-pipelines.md */
+/** A way to draw pictures, with its requirements, abilities and options. docs/adr/0025-pipelines.md */
 export interface Pipeline<Options extends PipelineOptions = PipelineOptions> {
-  /** In `--pipeline`, in reports, and in messages to threads. */
+  /** Used in `--pipeline`, reports, and messages to threads. */
   readonly id: string;
-  /** In sentences: "is for the rasterizer". */
+  /** Used in sentences: "is for the rasterizer". */
   readonly name: string;
-  /** What it does, after its id in `--pipeline`'s help. */
+  /** Follows its id in the help of `--pipeline`. */
   readonly summary: string;
-  /** GPU interfaces that it can draw with, the preferred first; none: it needs no GPU. */
+  /** GPU backends that it supports, the preferred first; empty if it needs no GPU. */
   readonly backends: readonly Backend[];
-  /** It draws with as many threads as it is given. */
+  /** Whether it uses worker threads. */
   readonly usesThreads: boolean;
-  /** Where it stands in for another that cannot be opened (`--pipeline auto`): what to expect of it. Absent: it only draws where it is named, or comes first. */
+  /** Its drawbacks and merits, if `--pipeline auto` falls back on it when another cannot be opened. Absent: used only if named, or first in the list. */
   readonly fallback?: string;
-  /** Why flags of others are refused, after `--pipeline ID`. */
+  /** Why it rejects flags of others, after `--pipeline ID`. */
   readonly constraint?: string;
-  /** Settings of pictures of which it has one value only. */
+  /** Picture settings of which it supports one value only. */
   readonly fixedSettings: Partial<RenderSettings>;
   readonly options: Options;
-  /** Data that it gives beside a picture. */
+  /** AOVs that it can draw. */
   readonly aovs: readonly AovName[];
-  /** n × n per pixel where nobody says; `note`: what it does with them. */
+  /** Default of n, for n × n samples per pixel; `note`: what it does with them. */
   readonly samples: { readonly default: number; readonly note?: string };
-  /** How many views it draws into one picture, as the two of a stereo pair; Infinity: as many as one likes. */
+  /** Most views of one picture; Infinity: no limit. */
   readonly maxViews: number;
-  /** The node that puts a still picture by it into an image. Absent: there is none. */
+  /** Its node that renders stills. Absent: there is none. */
   readonly still?: StillLimits;
   /**
-   * Opens it to draw on a canvas or into memory, frame by frame. Absent: a picture takes longer than a frame may.
-   * With it and without `open`, single pictures are drawn frame by frame too (interactiveSession.ts).
+   * Opens it to draw on a canvas or into memory, frame by frame. Absent: it is too slow for that. Without `open`, single pictures are drawn with it too
+   * (interactiveSession.ts).
    */
   openInteractive?(options: RendererOptions): Promise<InteractiveRenderer>;
-  /** Opens it to draw pictures, each for as long as it takes. */
+  /** Opens it to draw single pictures, which may take long. */
   open?(request: SessionRequest<OptionValuesOf<Options>>, host: PipelineHost): Promise<PipelineSession>;
-  /** What a thread of its own does, where it `usesThreads`. */
+  /** Runs in its worker threads, if it `usesThreads`. */
   serveThread?(port: ThreadPort): Promise<void>;
 }
 
-/** Of the node for stills. Above the limits it refuses: minutes, not hours. */
+/** The node that renders stills, and its limits, which keep its work within minutes. */
 export interface StillLimits {
-  /** Id of the node type, and keys of the catalogue of messages. */
+  /** Id of the node type, and text keys of its title and help. */
   readonly node: string;
   readonly title: string;
   readonly help: string;
   readonly maxPixels: number;
-  /** Samples of all pixels together. */
+  /** Limit of pixels × samples. */
   readonly maxPaths: number;
   readonly maxSamples: number;
 }
 
-/** A pipeline whose code is typed by its own options. */
+/** Infers the types of a pipeline's options. */
 export const definePipeline = <const Options extends PipelineOptions>(pipeline: Pipeline<Options>): Pipeline<Options> =>
   pipeline;
 
-/** A request as somebody makes it who does not know the pipeline's options. */
+/** A request whose options are not checked against the pipeline's. */
 export type UncheckedRequest = SessionRequest<OptionValues>;
 
-/** What a pipeline cannot draw, in words for people. */
+/** Thrown if a pipeline cannot draw a request, with a message for users. */
 export class PipelineRefusal extends Error {}

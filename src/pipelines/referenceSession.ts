@@ -19,7 +19,7 @@ import { REFERENCE, type REFERENCE_OPTIONS } from './referenceOptions.ts';
 
 type ReferenceOptions = OptionValuesOf<typeof REFERENCE_OPTIONS>;
 
-/** Draws on the processor: 64-bit arithmetic, no GPU. */
+/** Opens the reference renderer, which traces rays in f64 on the CPU. */
 export function openReferenceSession(
   { scenes, size, speedOfLight, options }: SessionRequest<ReferenceOptions>,
   { threads: host }: PipelineHost,
@@ -28,7 +28,7 @@ export function openReferenceSession(
   const light = { bounces, mirrors, glass };
   const threads = Math.min(options.threads ?? host.count(scenes[0]), tilesOf(size).length);
   const pools = new TracerPools(scenes, threads, host);
-  // Threads take a while to begin.
+  // Started now, because threads take a while to start.
   pools.of(0, speedOfLight);
   return {
     info: { pipeline: REFERENCE.id, threads, seed },
@@ -51,16 +51,16 @@ export function openReferenceSession(
   };
 }
 
-/** Threads that draw pictures of a scene at one speed of light [m/s]. They share what it is made of. */
+/** Starts threads that render a scene with one speed of light [m/s] and share its prepared data. */
 export function openTracerPool(scene: Scene, speedOfLight: number, threads: number, host: ThreadHost): TracerPool {
   const { id, name } = REFERENCE;
   const ground = host.share(prepareScene(scene, speedOfLight));
   const started = Array.from({ length: threads }, () => host.start<TracerMessage, TracerReply>(id));
-  const order = { kind: 'scene', ground, shapes: host.cacheBytes(threads) } as const;
-  return new TracerPool(started, order, (error) => host.explain(error, name));
+  const message = { kind: 'scene', ground, shapes: host.cacheBytes(threads) } as const;
+  return new TracerPool(started, message, (error) => host.explain(error, name));
 }
 
-/** Threads for each scene that is drawn, with each speed of light. */
+/** Thread pools by scene and speed of light, created lazily. */
 class TracerPools {
   private readonly scenes: PictureScenes;
   private readonly threads: number;
@@ -89,7 +89,7 @@ class TracerPools {
   }
 }
 
-/** Draws layers of one G-buffer's picture. */
+/** Renders layers of one G-buffer. */
 type TraceLayers = (
   scene: number,
   settings: RenderSettings,
@@ -113,7 +113,7 @@ async function renderLayers(
   return { pixels: picture ? encodeDisplay(picture, width, height) : new Uint8Array(), aovs: aovData(images, aovs) };
 }
 
-/** Light is the mean of its samples, and data are of the pixels' centres; effects are applied to that, and the tone curve at the end. */
+/** Evaluates the frame graph on the mean of the light's samples and on AOVs of the pixels' centres; tone mapping comes last. */
 async function renderFrameGraph(
   settings: RenderSettings,
   {
@@ -133,22 +133,22 @@ async function renderFrameGraph(
     throw new PipelineRefusal(
       'the grid is drawn by the rasterizer only, where a project puts its picture together: switch it off',
     );
-  // The beauty is what the plan makes.
+  // The beauty is the result of the frame graph.
   const data = aovs.filter((name) => name !== 'beauty');
   const needed = aovsOfFrameGraph(frameGraph).map((names, i) => (i === 0 ? [...new Set([...names, ...data])] : names));
-  const taken: CapturedBuffers['buffers'][number][] = [];
+  const captured: CapturedBuffers['buffers'][number][] = [];
   for (const [i, names] of needed.entries()) {
     const own = i === 0 ? first : { ...first, ...frameGraph.extraBuffers[i - 1] };
     const scene = frameGraph.extraBuffers[i - 1]?.scene ?? 0;
     const images = await draw(scene, own, names, (part) => onPart((i + part) / needed.length));
-    taken.push({ aovs: aovData(images, names), zenith: upVector((scenes[scene] ?? scenes[0]).upAxis) });
+    captured.push({ aovs: aovData(images, names), zenith: upVector((scenes[scene] ?? scenes[0]).upAxis) });
   }
-  const light = evaluateFrameGraph({ view, settings, width, height, buffers: taken });
+  const light = evaluateFrameGraph({ view, settings, width, height, buffers: captured });
   const beauty = Float32Array.from(light.values);
-  const read = new Map(aovs.map((name) => [name, name === 'beauty' ? beauty : taken[0]!.aovs.get(name)!]));
-  if (!pixels) return { pixels: new Uint8Array(), aovs: read };
-  const shown = light.map((x, y) => toneMap(light.at(x, y) as unknown as Vec3, settings.exposure, settings.tone));
-  return { pixels: encodeDisplay(Float32Array.from(shown.values), width, height), aovs: read };
+  const requested = new Map(aovs.map((name) => [name, name === 'beauty' ? beauty : captured[0]!.aovs.get(name)!]));
+  if (!pixels) return { pixels: new Uint8Array(), aovs: requested };
+  const display = light.map((x, y) => toneMap(light.at(x, y) as unknown as Vec3, settings.exposure, settings.tone));
+  return { pixels: encodeDisplay(Float32Array.from(display.values), width, height), aovs: requested };
 }
 
 const aovData = (

@@ -5,7 +5,7 @@ import { type Pipeline, PipelineRefusal, type PipelineSession, type UncheckedReq
 import { rasterPipeline } from './raster.ts';
 import { referencePipeline } from './reference.ts';
 
-/** Every pipeline, in the order in which they are tried and listed: a new one is added here and nowhere else. */
+/** All pipelines, in the order in which they are tried and listed. A new one is added only here. */
 export const PIPELINES: readonly [Pipeline, ...Pipeline[]] = [rasterPipeline, referencePipeline];
 
 export function pipelineNamed(id: string): Pipeline {
@@ -14,7 +14,7 @@ export function pipelineNamed(id: string): Pipeline {
   return found;
 }
 
-/** Those that can draw where nobody names one: the first, and those that stand in for it. */
+/** The pipelines of `--pipeline auto`: the first and its fallbacks. */
 export const AUTOMATIC_PIPELINES: readonly Pipeline[] = PIPELINES.filter(
   (pipeline, i) => i === 0 || pipeline.fallback !== undefined,
 );
@@ -22,14 +22,14 @@ export const AUTOMATIC_PIPELINES: readonly Pipeline[] = PIPELINES.filter(
 type InteractivePipeline = Pipeline & Required<Pick<Pipeline, 'openInteractive'>>;
 const isInteractive = (pipeline: Pipeline): pipeline is InteractivePipeline => pipeline.openInteractive !== undefined;
 
-/** The first that draws frame by frame: the page's. */
+/** The first pipeline that draws frame by frame, which the page uses. */
 export function interactivePipeline(): InteractivePipeline {
   const found = PIPELINES.find(isInteractive);
   if (!found) throw new Error('no pipeline draws frame by frame');
   return found;
 }
 
-/** Opens a pipeline to draw pictures; options that are absent have their defaults. */
+/** Opens a session; absent options have their defaults. */
 export async function openSession(
   pipeline: Pipeline,
   { options, ...request }: UncheckedRequest,
@@ -48,7 +48,7 @@ async function openUnlimited(
   return openOnGpu(pipeline, request, await host.openGpu());
 }
 
-/** Refuses pictures of more views than the pipeline draws. */
+/** Rejects pictures with more views than the pipeline draws. */
 function withViewLimit({ name, maxViews }: Pipeline, session: PipelineSession): PipelineSession {
   return {
     ...session,

@@ -85,7 +85,7 @@ export class SceneUpload {
     const { bodies, drawCalls, points } = this;
     const detail = SHADOW_DETAILS[options.shadowDetail ?? 'fine'];
     const { radius } = this;
-    const occluders = { bodies, drawables: [...drawCalls], materials: scene.materials, points, detail, radius };
+    const occluders = { bodies, drawCalls: [...drawCalls], materials: scene.materials, points, detail, radius };
     this.shadows = new ShadowMaps(occluders, this.environment, gpu);
     this.tessellator = new Tessellator(gpu, [...this.drawCalls], (drawCall) => this.add(drawCall), options);
   }

@@ -5,13 +5,13 @@ import type { Lifetime, Material, Mesh, Motion, Pose, Scene, SceneObject, Static
 export const FOREVER: Lifetime = { birth: Number.NEGATIVE_INFINITY, death: Number.POSITIVE_INFINITY };
 export const IDENTITY_POSE: Pose = { position: ZERO, orientation: IDENTITY };
 
-/** At rest at `position` [m], not turned. */
+/** At rest at `position` [m], without rotation. */
 export const restingAt = (position: Vec3): StaticMotion => ({
   kind: 'static',
   pose: { position, orientation: IDENTITY },
 });
 
-/** A matt, light grey, opaque material; what is given replaces it. The base colour is linear. */
+/** A matt, light grey, opaque material by default; the base colour is linear. */
 export const makeMaterial = (given: Partial<Material> & Pick<Material, 'name'>): Material => ({
   baseColor: [0.5, 0.5, 0.5],
   emissive: ZERO,
@@ -22,7 +22,7 @@ export const makeMaterial = (given: Partial<Material> & Pick<Material, 'name'>):
   ...given,
 });
 
-/** An object of the world frame, at rest at the origin, that always exists; what is given replaces it. */
+/** By default an object at rest at the origin, authored in the world frame, that always exists. */
 export const makeObject = (
   given: Partial<SceneObject> & { readonly path: string; readonly mesh: Mesh },
 ): SceneObject => ({
@@ -32,7 +32,7 @@ export const makeObject = (
   ...given,
 });
 
-/** A scene of metres with Y up; what is given replaces it. There is always a material 0. */
+/** By default an empty scene in metres with Y up. Material 0 always exists. */
 export function makeScene(given: Partial<Scene> & Pick<Scene, 'name'>): Scene {
   const scene: Scene = {
     upAxis: 'Y',

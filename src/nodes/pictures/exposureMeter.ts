@@ -6,13 +6,13 @@ import type { PictureMeter } from './pictureMeter.ts';
 
 /** Sets the exposure of consecutive pictures like an adapting eye: metered per picture, eased over scene time. */
 export class ExposureMeter {
-  private readonly gauges: PictureMeter;
+  private readonly meter: PictureMeter;
   private readonly metering: MeteringMode;
   private readonly size: PictureSize;
   private last: { readonly t: number; readonly exposure: number } | undefined;
 
-  constructor(gauges: PictureMeter, metering: MeteringMode, size: PictureSize) {
-    this.gauges = gauges;
+  constructor(meter: PictureMeter, metering: MeteringMode, size: PictureSize) {
+    this.meter = meter;
     this.metering = metering;
     this.size = size;
   }
@@ -21,7 +21,7 @@ export class ExposureMeter {
   async read({ views, settings }: PictureRequest): Promise<number> {
     const { metering, size, last } = this;
     if (metering === 'manual') return 0;
-    const readings = await this.gauges.read(views, settings, 'radiance');
+    const readings = await this.meter.read(views, settings, 'radiance');
     const target = exposureForMetering(metering, readings, views, settings, size);
     const [{ t }] = views;
     const exposure = last ? adaptExposure(last.exposure, target, Math.abs(t - last.t)) : target;

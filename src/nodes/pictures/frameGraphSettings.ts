@@ -8,19 +8,19 @@ import { exposedFrameGraph } from './renderSettings.ts';
 
 /** Sets exposures and false-colour scales of a frame graph; all frames of a film share the scales of the first. */
 export class FrameGraphSettings {
-  private readonly gauges: PictureMeter;
-  private readonly plan: FrameGraph;
+  private readonly meter: PictureMeter;
+  private readonly frameGraph: FrameGraph;
   private scales: Map<FalseColorQuantity, ValueRange> | undefined;
 
-  constructor(gauges: PictureMeter, frameGraph: FrameGraph) {
-    this.gauges = gauges;
-    this.plan = frameGraph;
+  constructor(meter: PictureMeter, frameGraph: FrameGraph) {
+    this.meter = meter;
+    this.frameGraph = frameGraph;
   }
 
   /** `metered`: metered exposure [EV]. */
   async read(request: PictureRequest, metered: number): Promise<RenderSettings> {
     this.scales ??= await this.measured(request);
-    const frameGraph = exposedFrameGraph(this.plan, metered, (kind) => this.scales?.get(kind));
+    const frameGraph = exposedFrameGraph(this.frameGraph, metered, (kind) => this.scales?.get(kind));
     const { exposure } = request.settings;
     return {
       ...request.settings,
@@ -31,9 +31,9 @@ export class FrameGraphSettings {
 
   private async measured({ views, settings }: PictureRequest): Promise<Map<FalseColorQuantity, ValueRange>> {
     const scales = new Map<FalseColorQuantity, ValueRange>();
-    const kinds = this.plan.passes.flatMap((step) => (step.kind === 'false-colour' ? [step.of] : []));
+    const kinds = this.frameGraph.passes.flatMap((pass) => (pass.kind === 'false-colour' ? [pass.of] : []));
     for (const kind of new Set(kinds))
-      scales.set(kind, measuredFalseColorScale(kind, await this.gauges.read(views, settings, kind)));
+      scales.set(kind, measuredFalseColorScale(kind, await this.meter.read(views, settings, kind)));
     return scales;
   }
 }

@@ -18,15 +18,15 @@ export class PictureMeter {
 
   /** Values of a false-colour quantity; `radiance`: the luminance that metering uses. */
   async read(views: PictureViews, settings: RenderSettings, kind: FalseColorQuantity): Promise<LightMeterReadings> {
-    const { renderer: painter, size } = this;
-    if (painter.measureLight) return painter.measureLight(views, settings);
+    const { renderer, size } = this;
+    if (renderer.measureLight) return renderer.measureLight(views, settings);
     const { frameGraph, ...plain } = settings;
     const lit = kind !== 'radiance' || includesToneMapping(frameGraph) ? plain : settings;
     const request = { views, settings: lit, samples: 1, pixels: false, aovs: AOVS_OF_FALSE_COLOR[kind] };
-    const { aovs } = await painter.render(request);
-    const at = (of: FalseColorQuantity) =>
-      AOVS_OF_FALSE_COLOR[of].every((name) => aovs.has(name))
-        ? sampleMeterCells(falseColorValues(of, { aovs, views, settings: lit, ...size }), size)
+    const { aovs } = await renderer.render(request);
+    const at = (quantity: FalseColorQuantity) =>
+      AOVS_OF_FALSE_COLOR[quantity].every((name) => aovs.has(name))
+        ? sampleMeterCells(falseColorValues(quantity, { aovs, views, settings: lit, ...size }), size)
         : new Float32Array();
     return { luminance: at('radiance'), doppler: at('doppler'), time: at('emission-time') };
   }

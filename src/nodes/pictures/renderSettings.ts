@@ -22,7 +22,7 @@ export const pictureCamera = ({ scene, camera }: PictureSpec): SceneCamera =>
 export const initialBeta = ({ scene, ride }: PictureSpec, film: boolean): Vec3 | undefined =>
   scene.hints.beta ?? (ride || film ? undefined : ZERO);
 
-/** Scale of a false colour; undefined if not known yet. */
+/** Scale of a false colour; undefined if not measured yet. */
 export type FalseColorScales = (kind: FalseColorQuantity) => ValueRange | undefined;
 
 /** Renderer settings of a picture; `metered`: metered exposure [EV]. */
@@ -44,10 +44,10 @@ export function renderSettings(
 
 /** A frame graph with the measured exposures and scales. */
 export function exposedFrameGraph(frameGraph: FrameGraph, metered: number, scaleOf: FalseColorScales): FrameGraph {
-  const steps = frameGraph.passes.map((step) => {
-    if (step.kind === 'tone' && step.metering !== 'manual') return { ...step, exposure: step.exposure + metered };
-    const scale = step.kind === 'false-colour' ? scaleOf(step.of) : undefined;
-    return scale ? { ...step, scale } : step;
+  const passes = frameGraph.passes.map((pass) => {
+    if (pass.kind === 'tone' && pass.metering !== 'manual') return { ...pass, exposure: pass.exposure + metered };
+    const scale = pass.kind === 'false-colour' ? scaleOf(pass.of) : undefined;
+    return scale ? { ...pass, scale } : pass;
   });
-  return { ...frameGraph, passes: steps };
+  return { ...frameGraph, passes };
 }

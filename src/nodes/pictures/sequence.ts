@@ -42,21 +42,24 @@ export async function* renderPictureSequence(
   onPart: (done: number) => void,
 ): AsyncGenerator<PictureFrame, void> {
   const { settings: plain, size, samples, aovs, falseColour } = sequence;
-  const gauges = new PictureMeter(renderer, size);
-  const meter = new ExposureMeter(gauges, sequence.metering, size);
-  const composer = plain.frameGraph && new FrameGraphSettings(gauges, plain.frameGraph);
-  const falsely = falseColour && new FalseColorRenderer(renderer, gauges, falseColour, sequence);
+  const pictureMeter = new PictureMeter(renderer, size);
+  const exposureMeter = new ExposureMeter(pictureMeter, sequence.metering, size);
+  const frameGraphSettings = plain.frameGraph && new FrameGraphSettings(pictureMeter, plain.frameGraph);
+  const falseColorRenderer = falseColour && new FalseColorRenderer(renderer, pictureMeter, falseColour, sequence);
   for (const [i, { number, t }] of sequence.frames.entries()) {
     onPart(i);
     const views = sequence.views(t);
     const request: PictureRequest = { views, settings: plain, samples, pixels: aovs.length === 0, aovs };
     // AOVs are not exposed.
-    const metered = request.pixels && showsLight(sequence) ? await meter.read(request) : 0;
+    const metered = request.pixels && showsLight(sequence) ? await exposureMeter.read(request) : 0;
     const exposure = plain.exposure + metered;
-    const settings = composer ? await composer.read(request, metered) : { ...plain, exposure };
-    const painted = await (falsely ?? renderer).render({ ...request, settings }, (part) => onPart(i + part));
-    const shown = falsely?.colors ? { ...settings, falseColors: falsely.colors } : settings;
-    yield { ...(number !== undefined && { number }), views, settings: shown, exposure, rendered: painted };
+    const settings = frameGraphSettings ? await frameGraphSettings.read(request, metered) : { ...plain, exposure };
+    const rendered = await (falseColorRenderer ?? renderer).render({ ...request, settings }, (part) =>
+      onPart(i + part),
+    );
+    const colors = falseColorRenderer?.colors;
+    const finalSettings = colors ? { ...settings, falseColors: colors } : settings;
+    yield { ...(number !== undefined && { number }), views, settings: finalSettings, exposure, rendered };
   }
 }
 

@@ -32,7 +32,7 @@ export interface ObjectTables {
 export interface ObjectRow {
   readonly body: Body;
   readonly line: WorldLine;
-  readonly span: WorldTubeSection;
+  readonly section: WorldTubeSection;
   readonly anchor: RelativeEvent;
   readonly observation: Observation;
   /** Index of the object's first float in the object table. */
@@ -58,7 +58,7 @@ const noTrailingPoint = (): undefined => undefined;
 const isRestAuthored = ({ object }: Body): number => (object.authoredIn === 'rest' ? 1 : 0);
 
 /** The samples that are needed, [first, first + count), and their times after the anchor [m of light]. */
-function windowOf(line: SampledLine, { span: section, observation, anchor }: ObjectRow, max: number) {
+function windowOf(line: SampledLine, { section, observation, anchor }: ObjectRow, max: number) {
   const [first, count] = sampleWindow(line, section, observation, max);
   const after = (k: number) => observation.c * (line.times[k] - observation.t) - anchor.ahead;
   return { first, count, after };
@@ -80,7 +80,7 @@ const OBJECT_ROWS: { readonly [K in Motion['kind']]: ObjectRows<Extract<Motion, 
   },
   hyperbolic: {
     trailingPoint: ({ properAcceleration }, radius) => trailingPoint(properAcceleration, radius),
-    write: (motion, { body, span: section, anchor, observation, at }, { objects }, used) => {
+    write: (motion, { body, section, anchor, observation, at }, { objects }, used) => {
       const { c } = observation;
       const shift = section.anchor ? 0 : -body.radius;
       const line = hyperbolicLineOfCenter(body, motion, c);

@@ -90,7 +90,7 @@ export class ObjectTableWriter {
     const orientation = motionKind(body.object.motion).fixedOrientation(body.object.motion);
     if (orientation) out.set(orientation, at + 16);
     const neededSection = backToNow ? { ...section, to: Math.max(section.to, 0) } : section;
-    this.writeMotion({ body, line, span: neededSection, anchor, observation, at });
+    this.writeMotion({ body, line, section: neededSection, anchor, observation, at });
     return true;
   }
 

@@ -131,9 +131,13 @@ export function vertexStage(sources: VertexSources, projection: SpacetimeProject
       vLife.assign(vec4(s.sub(lifetime.x), lifetime.y.sub(s), lifetime.w, input.material));
       vUv.assign(input.uv);
       if (input.color) vColor.assign(input.color);
-      const shown = select(vertex.exists, observerPosition(dx, projection.place, sources.uniforms), anchor.xyz).toVar();
-      vObserverPosition.assign(shown);
-      clip.assign(cameraProjectionMatrix.mul(cameraViewMatrix.mul(vec4(shown, 1))));
+      const position = select(
+        vertex.exists,
+        observerPosition(dx, projection.place, sources.uniforms),
+        anchor.xyz,
+      ).toVar();
+      vObserverPosition.assign(position);
+      clip.assign(cameraProjectionMatrix.mul(cameraViewMatrix.mul(vec4(position, 1))));
     });
     return clip;
   })();
@@ -144,9 +148,9 @@ export function vertexObserverPosition(
   sources: MotionSources,
   projection: SpacetimeProjection,
   vertex: VertexInput,
-): { shown: Vec3; exists: Bool } {
+): { position: Vec3; exists: Bool } {
   const { dx, exists } = vertexEvent(sources, projection, vertex);
-  return { shown: observerPosition(dx, projection.place, sources.uniforms), exists };
+  return { position: observerPosition(dx, projection.place, sources.uniforms), exists };
 }
 
 /** The event of a vertex: relative to the observer [m], and its time after that of its object's anchor [m of light]. */

@@ -17,7 +17,7 @@ export function addLocalLight(
   const emitter = lightAtEmission(light, dx, time, uniforms);
   const visibility = surface.visibility?.ofLocalLight(slot, light, emitter)?.toVar();
   const { source, colored } = light;
-  const addOne = ({ share: reflectance, D }: ReflectedLight): void =>
+  const addOne = ({ reflectance, D }: ReflectedLight): void =>
     accumulator.addReflected(
       light.color,
       visibility ? reflectance.mul(visibility) : reflectance,
@@ -25,7 +25,8 @@ export function addLocalLight(
       IRRADIANCE_POWER,
     );
   const add: AddReflected = (diffuse, specular) => {
-    if (specular && !diffuse.D && !specular.D) return addOne({ share: diffuse.share.add(specular.share) });
+    if (specular && !diffuse.D && !specular.D)
+      return addOne({ reflectance: diffuse.reflectance.add(specular.reflectance) });
     addOne(diffuse);
     if (specular) addOne(specular);
   };

@@ -8,21 +8,21 @@ import { FullScreenPass } from '../gpu/fullScreenPass.ts';
 import { DOWNSAMPLING, openness } from './openness.ts';
 import { smoothOpenness, upsampleOpenness } from './opennessFilter.ts';
 
-/** How a G-buffer was drawn, and what of it hides the sky. */
+/** How a G-buffer was drawn, and the radius of its ambient occlusion. */
 export interface AmbientOcclusionRequest {
   readonly place: SpacetimeProjection['place'];
-  /** Not all things rest. */
+  /** Whether any object moves. */
   readonly moving: boolean;
-  /** What is farther from a point than this hides nothing of its sky [m, rest frame of the point]. */
+  /** Occluders farther from a point than this are ignored [m, rest frame of the point]. */
   readonly radius: number;
 }
 
 /**
- * Ambient occlusion of a G-buffer, by itself: the share of the sky that each point sees, weighted by the cosine, one number per pixel, 1 where nothing is. It
- * knows no more than what is in the picture, and depends on nothing else: the same picture always has the same occlusion, without noise over time.
+ * Screen-space ambient occlusion: the unoccluded fraction of each point's sky, weighted by the cosine; one number per pixel, 1 where there is no surface. Depends
+ * on the G-buffer only, without randomness, so the same picture always has the same occlusion.
  */
 export class AmbientOcclusion {
-  /** One channel. */
+  /** The result, one channel. */
   readonly target = dataTarget(1, FloatType);
   private readonly gpu: Gpu;
   private readonly buffer: GBuffer;

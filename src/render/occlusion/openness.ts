@@ -29,30 +29,30 @@ import type { FrameUniforms } from '../gpu/frameUniforms.ts';
 import { OcclusionSlice } from './occlusionSlice.ts';
 import { type GBufferPoint, type RestFrameView, restFrameViewOf } from './restFrameView.ts';
 
-/** Pixels of the picture per texel of what is worked out here, along each side. */
+/** Pixels of the picture per texel, along each side. */
 export const DOWNSAMPLING = 2;
-/** Neighbours on each side. */
+/** Samples on each side of a slice. */
 const STEPS_PER_SIDE = 6;
-/** The farthest of them, in heights of the picture. */
+/** Farthest sample, in heights of the picture. */
 const MAX_REACH = 0.75;
-/** What is seen is taken to be so thick, along the line of sight, over its distance: then a pole hides no half of the wall behind it. */
+/** Assumed thickness of occluders along the line of sight, relative to their distance: thin poles then do not occlude half of the wall behind them. */
 const RELATIVE_THICKNESS = 0.8;
-/** Over the last part of the radius things get thinner, to nothing. */
-const FADE_SHARE = 1 / 3;
+/** Fraction of the radius over which the thickness fades to 0 at its end. */
+const FADE_FRACTION = 1 / 3;
 
-/** What the passes of this folder know of the picture. */
+/** Inputs of the passes of this folder. */
 export interface OcclusionView {
   readonly uniforms: FrameUniforms;
-  /** Of the G-buffer [px]. */
+  /** Size of the G-buffer [px]. */
   readonly size: Vec2;
-  /** What is farther away than this hides nothing [m]. */
+  /** Occluders farther away than this are ignored [m]. */
   readonly radius: Float;
   readonly place: SpacetimeProjection['place'];
-  /** Not all things rest. */
+  /** Whether any object moves. */
   readonly moving: boolean;
 }
 
-/** (share of the sky, weighted by the cosine, that nothing in the picture hides; apparent distance [m], 0 where nothing is) */
+/** (unoccluded fraction of the sky, weighted by the cosine; apparent distance [m], 0 where there is no surface) */
 export const openness = (buffer: GBuffer, view: OcclusionView): Vec4 =>
   Fn(() => {
     const { uniforms, size, place } = view;
@@ -63,9 +63,9 @@ export const openness = (buffer: GBuffer, view: OcclusionView): Vec4 =>
     const open = float(1).toVar();
     const apparent = float(0).toVar();
     If(hasSurface(point), () => {
-      const stand = restFrameViewOf(point, place, uniforms);
-      const V = normalize(stand.position).negate().toVar();
-      const normal = facetNormal(stand, pixel, V, (at) => read(at, false));
+      const restView = restFrameViewOf(point, place, uniforms);
+      const V = normalize(restView.position).negate().toVar();
+      const normal = facetNormal(restView, pixel, V, (at) => read(at, false));
       const up = uniforms.orientation.mul(vec3(0, 1, 0));
       const right = normalize(cross(V, up)).toVar();
       const { turn, shift } = samplePattern(cell);
@@ -74,9 +74,9 @@ export const openness = (buffer: GBuffer, view: OcclusionView): Vec4 =>
         .add(cross(right, V).mul(sin(turn)))
         .toVar();
       const slice = new OcclusionSlice(V, T, cross(T, V).toVar(), normal);
-      const seen = stand.projectAlong(T);
-      apparent.assign(length(seen(float(0))));
-      marchSlice(view, { point, restView: stand, slice, projectAlong: seen, apparent, shift }, read);
+      const projectAlong = restView.projectAlong(T);
+      apparent.assign(length(projectAlong(float(0))));
+      marchSlice(view, { point, restView, slice, projectAlong, apparent, shift }, read);
       open.assign(slice.occludedShare.oneMinus());
     });
     return vec4(open, apparent, 0, 1);
@@ -98,7 +98,7 @@ function reader(buffer: GBuffer, view: OcclusionView): GBufferSampler {
   };
 }
 
-/** Of 4 × 4 texels each has its own direction and offset; together they have all. Source: Jimenez et al. 2016. */
+/** A direction and an offset per texel, all different within 4 × 4 texels. Source: Jimenez et al. 2016. */
 function samplePattern(cell: Vec2): { turn: Float; shift: Float } {
   const [x, y] = [mod(cell.x, 4).toVar(), mod(cell.y, 4).toVar()];
   return {
@@ -111,17 +111,17 @@ function samplePattern(cell: Vec2): { turn: Float; shift: Float } {
   };
 }
 
-/** The normal of the flat piece that a pixel shows: smoothed or painted ones would have it hide itself. */
-function facetNormal(stand: RestFrameView, pixel: Vec2, V: Vec3, read: GBufferSampler): Vec3 {
-  const beside = (x: number, y: number) => {
+/** The geometric normal at a pixel: with interpolated or mapped normals, surfaces would occlude themselves. */
+function facetNormal(restView: RestFrameView, pixel: Vec2, V: Vec3, read: GBufferSampler): Vec3 {
+  const neighbour = (x: number, y: number) => {
     const other = read(pixel.add(vec2(x, y)));
-    const apart = stand.comovingOffset(other.event).toVar();
-    const far = dot(apart, apart).toVar();
-    return { apart, far: select(hasSurface(other).and(far.greaterThan(0)), far, 1e30).toVar() };
+    const offset = restView.comovingOffset(other.event).toVar();
+    const square = dot(offset, offset).toVar();
+    return { offset, square: select(hasSurface(other).and(square.greaterThan(0)), square, 1e30).toVar() };
   };
   const nearer = (x: number, y: number): Vec3 => {
-    const [before, after] = [beside(-x, -y), beside(x, y)];
-    return select(before.far.lessThan(after.far), before.apart.negate(), after.apart);
+    const [before, after] = [neighbour(-x, -y), neighbour(x, y)];
+    return select(before.square.lessThan(after.square), before.offset.negate(), after.offset);
   };
   const normal = normalize(cross(nearer(0, 1), nearer(1, 0))).toVar();
   return select(dot(normal, V).lessThan(0), normal.negate(), normal).toVar();
@@ -136,7 +136,7 @@ interface HorizonMarch {
   readonly shift: Float;
 }
 
-/** What the picture shows on both sides, at distances that grow as squares. */
+/** Adds the occluders on both sides of a slice, sampled at distances that grow quadratically. */
 function marchSlice(
   view: OcclusionView,
   { restView, slice, projectAlong, apparent, shift }: HorizonMarch,
@@ -146,7 +146,7 @@ function marchSlice(
   const { orientation, halfTangents, frustumCenter, jitter } = uniforms;
   const center = frustumCenter.div(halfTangents).add(jitter).toVar();
   const height = apparent.mul(halfTangents.y).mul(2).toVar();
-  const reach = min(radius, height.mul(MAX_REACH)).toVar();
+  const farthest = min(radius, height.mul(MAX_REACH)).toVar();
   const least = height
     .mul(DOWNSAMPLING * 0.75)
     .div(size.y)
@@ -154,15 +154,15 @@ function marchSlice(
   for (const side of [-1, 1] as const)
     for (let k = 0; k < STEPS_PER_SIDE; k++) {
       const t = shift.add(k).div(STEPS_PER_SIDE).toVar();
-      const rho = max(reach.mul(t.mul(t)), least.mul(k + 1)).mul(side);
+      const rho = max(farthest.mul(t.mul(t)), least.mul(k + 1)).mul(side);
       const camera = projectAlong(rho).mul(orientation).toVar();
       const ndc = camera.xy.div(halfTangents.mul(camera.z.negate())).sub(center).toVar();
       const inside = camera.z.lessThan(0).and(max(abs(ndc.x), abs(ndc.y)).lessThan(1));
       const other = read(floor(vec2(ndc.x.add(1), ndc.y.oneMinus()).mul(0.5).mul(size)));
       const front = restView.retardedOffset(other).toVar();
       const far = length(front).toVar();
-      const thin = clamp(far.div(radius).oneMinus().div(FADE_SHARE), 0, 1);
-      const back = front.sub(slice.V.mul(far.mul(thin).mul(RELATIVE_THICKNESS))).toVar();
+      const fade = clamp(far.div(radius).oneMinus().div(FADE_FRACTION), 0, 1);
+      const back = front.sub(slice.V.mul(far.mul(fade).mul(RELATIVE_THICKNESS))).toVar();
       slice.occlude(front, back, side, select(inside.and(hasSurface(other)), 1, 0));
     }
 }

@@ -4,21 +4,21 @@ import type { Float, Vec2, Vec4 } from '../../shaders/types.ts';
 import type { GBuffer } from '../gbuffer/gbuffer.ts';
 import { DOWNSAMPLING, type OcclusionView } from './openness.ts';
 
-/** Of 5 × 5 texels, those at the rim counted by half, every 4 × 4 have all of the pattern's places. */
+/** A filter of 5 × 5 texels with half weights at the border, which averages the 4 × 4 sample pattern. */
 const FILTER_RADIUS = 2;
 const FILTER_OFFSETS = [-2, -1, 0, 1, 2] as const;
-/** So far from where the surface would go on straight [texels], and a texel counts 1/(1 + sharpness): it is another surface's. */
+/** A texel at this distance from the plane of the surface [texels] is weighted by 1/(1 + sharpness), because it belongs to another surface. */
 const MAX_PLANE_DISTANCE = 0.5;
 const SHARPNESS = 4;
 
 const gridSizeOf = ({ size }: OcclusionView): Vec2 => floor(size.add(DOWNSAMPLING - 1).div(DOWNSAMPLING));
-/** A texel's breadth at the distance 1. */
-const texelBreadth = ({ size, uniforms }: OcclusionView): Float =>
+/** Width of a texel at the distance 1. */
+const texelWidth = ({ size, uniforms }: OcclusionView): Float =>
   uniforms.halfTangents.y.mul(2 * DOWNSAMPLING).div(size.y);
 
 /**
- * The mean of what is on the same surface around each texel, in which no pattern is left. 1/distance goes straight over a plane in any picture, and
- * nearly so where aberration bends it.
+ * The mean over the texels of the same surface around each texel, without the sample pattern. 1/distance is linear over a plane in a picture without
+ * aberration, and nearly linear with it.
  */
 export const smoothOpenness = (from: Texture, view: OcclusionView): Vec4 =>
   Fn(() => {
@@ -39,47 +39,47 @@ export const smoothOpenness = (from: Texture, view: OcclusionView): Vec4 =>
       return select(abs(before).lessThan(abs(after)), before, after).toVar();
     };
     const [right, down] = [slope(1, 0), slope(0, 1)];
-    const breadth = middle.inverseDistance.mul(texelBreadth(view)).mul(MAX_PLANE_DISTANCE).reciprocal().toVar();
+    const scale = middle.inverseDistance.mul(texelWidth(view)).mul(MAX_PLANE_DISTANCE).reciprocal().toVar();
     const sum = vec2(middle.openness, 1).toVar();
     for (const y of FILTER_OFFSETS)
       for (const x of FILTER_OFFSETS) {
         if (x === 0 && y === 0) continue;
         const { openness, distance, inverseDistance } = at(x, y);
         const straight = middle.inverseDistance.add(right.mul(x)).add(down.mul(y));
-        const off = inverseDistance.sub(straight).mul(breadth).div(Math.hypot(x, y)).toVar();
+        const error = inverseDistance.sub(straight).mul(scale).div(Math.hypot(x, y)).toVar();
         const weight = (Math.abs(x) === FILTER_RADIUS ? 0.5 : 1) * (Math.abs(y) === FILTER_RADIUS ? 0.5 : 1);
-        const share = select(distance.greaterThan(0), weight, 0).div(off.mul(off).mul(SHARPNESS).add(1));
-        sum.addAssign(vec2(openness, 1).mul(share));
+        const planeWeight = select(distance.greaterThan(0), weight, 0).div(error.mul(error).mul(SHARPNESS).add(1));
+        sum.addAssign(vec2(openness, 1).mul(planeWeight));
       }
     return vec4(sum.x.div(sum.y), middle.distance, 0, 1);
   })();
 
 interface OpennessTexel {
   readonly openness: Float;
-  /** Apparent; 0 where nothing is. */
+  /** Apparent distance [m]; 0 where there is no surface. */
   readonly distance: Float;
   readonly inverseDistance: Float;
 }
 
-/** Brought to every pixel, from the texels around that show the same surface; 1 where nothing is. */
+/** Upsamples to all pixels from the surrounding texels of the same surface; 1 where there is no surface. */
 export const upsampleOpenness = (from: Texture, buffer: GBuffer, view: OcclusionView): Vec4 =>
   Fn(() => {
     const last = gridSizeOf(view).sub(1);
     const pixel = floor(screenCoordinate).toVar();
     const distance = textureLoad(buffer.texture('object'), ivec2(pixel)).y.toVar();
     const base = floor(pixel.div(DOWNSAMPLING)).toVar();
-    const part = pixel.div(DOWNSAMPLING).sub(base).toVar();
-    const texel = distance.mul(texelBreadth(view)).toVar();
+    const fraction = pixel.div(DOWNSAMPLING).sub(base).toVar();
+    const texel = distance.mul(texelWidth(view)).toVar();
     const sum = vec2(0).toVar();
     for (const [x, y] of CORNERS) {
-      const { x: open, y: there } = textureLoad(from, ivec2(min(base.add(vec2(x, y)), last))).toVar();
-      const bilinear = (x ? part.x : part.x.oneMinus()).mul(y ? part.y : part.y.oneMinus()).add(1e-4);
-      const off = there.sub(distance).div(texel).toVar();
-      const share = bilinear.mul(select(there.greaterThan(0), 1, 0)).div(off.mul(off).add(0.1));
-      sum.addAssign(vec2(open, 1).mul(share));
+      const { x: open, y: texelDistance } = textureLoad(from, ivec2(min(base.add(vec2(x, y)), last))).toVar();
+      const bilinear = (x ? fraction.x : fraction.x.oneMinus()).mul(y ? fraction.y : fraction.y.oneMinus()).add(1e-4);
+      const error = texelDistance.sub(distance).div(texel).toVar();
+      const weight = bilinear.mul(select(texelDistance.greaterThan(0), 1, 0)).div(error.mul(error).add(0.1));
+      sum.addAssign(vec2(open, 1).mul(weight));
     }
-    const known = sum.y.greaterThan(0).and(distance.greaterThan(0));
-    return vec4(select(known, clamp(sum.x.div(sum.y), 0, 1), 1), 0, 0, 1);
+    const hasSurface = sum.y.greaterThan(0).and(distance.greaterThan(0));
+    return vec4(select(hasSurface, clamp(sum.x.div(sum.y), 0, 1), 1), 0, 0, 1);
   })();
 
 const CORNERS = [

@@ -20,14 +20,14 @@ import type { Float } from '../../shaders/types.ts';
 import type { FrameUniforms } from '../gpu/frameUniforms.ts';
 import { MAX_LIGHT } from './passes.ts';
 
-/** The stars of a sky as points of a few pixels, where nothing is in front of them. What light they have here is worked out in f64 for each picture. */
+/** The stars of a sky as points a few pixels wide, hidden by surfaces. Their light is computed in f64 for each picture. */
 export class StarPoints {
-  /** To be drawn over the light of the sky. */
+  /** Drawn over the light of the sky. */
   readonly scene = new Scene();
   private readonly sky: NightSky;
   private readonly geometry = new InstancedBufferGeometry();
   private readonly material: NodeMaterial;
-  /** Place in the picture, −1 … 1, and half the side of its square [px]. */
+  /** Positions in the picture (NDC, −1 … 1), and half the side of the stars' squares [px]. */
   private readonly places: InstancedBufferAttribute;
   private readonly lights: InstancedBufferAttribute;
   private readonly size = uniform(new Vector2(1, 1));
@@ -70,10 +70,10 @@ function starMaterial({ jitter }: FrameUniforms, size: Node<'vec2'>, reversed: b
   material.name = 'stars';
   const place = attribute<'vec3'>('starPlace', 'vec3');
   const middle = place.xy.sub(jitter).mul(0.5).add(0.5).mul(size);
-  // Corners on whole pixels: a rasterizer rounds others, and what is between them with them.
+  // Corners are on whole pixels: a rasterizer would round others, and the interpolated varyings with them.
   const corner = round(middle.add(attribute<'vec3'>('position', 'vec3').xy.mul(place.z))).toVar();
   const pixels = corner.sub(middle);
-  // The far plane, as that of the passes over what is behind everything (fullScreenPass.ts).
+  // On the far plane, as the pass over the sky (fullScreenPass.ts).
   material.vertexNode = vec4(corner.div(size).mul(2).sub(1), 0, 1);
   if (!reversed) material.depthNode = float(1);
   const light = attribute<'vec3'>('starLight', 'vec3').toVarying('v_starLight');
@@ -85,7 +85,7 @@ function starMaterial({ jitter }: FrameUniforms, size: Node<'vec2'>, reversed: b
   return material;
 }
 
-/** As that of scene/stars/pointSpread.ts. */
+/** `pointSpread` of scene/stars/pointSpread.ts. */
 function pointSpread(r: Float): Float {
   const { core, wings, reach, fall } = POINT_SPREAD;
   const gauss = exp(r.mul(r).mul(-1 / (2 * core * core))).mul((1 - wings) / (2 * Math.PI * core * core));

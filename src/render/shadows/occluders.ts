@@ -9,7 +9,7 @@ import type { ShadowDetail } from './shadowDetail.ts';
 export interface Occluders {
   readonly bodies: readonly Body[];
   /** Draw calls of whole batches. */
-  readonly drawables: readonly DrawCall[];
+  readonly drawCalls: readonly DrawCall[];
   readonly materials: readonly Material[];
   readonly points: ObjectTables['points'];
   readonly detail: ShadowDetail;

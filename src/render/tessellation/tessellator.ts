@@ -16,7 +16,7 @@ import { TriangleTable } from './gpu/triangleTable.ts';
 import { type BatchPlan, LocalPlanner, type PlannedPart, type Planner } from './plan/planner.ts';
 import { fitsWorker, WorkerPlanner } from './plan/workerPlanner.ts';
 
-/** A batch: what of it is drawn as it is, and what in pieces, made when it first needs any. */
+/** A batch, its clusters that are drawn as they are, and its patches, which are created lazily. */
 interface TessellatedBatch {
   readonly slot: number;
   readonly indexed: DrawCall;
@@ -30,68 +30,68 @@ interface IndirectRequest extends PatchRequest {
 
 export type TessellatorOptions = Pick<RendererOptions, 'tolerance' | 'tessellationWorker' | 'onBetterTessellation'>;
 
-/** Most leaves of a picture, by who finds their levels. */
+/** Most patches of a view: on WebGPU the GPU computes their factors, on WebGL2 the CPU. */
 const MAX_PATCHES = { webgpu: 2 ** 17, webgl: 2 ** 16 } as const;
-/** Pictures. */
+/** Number of pictures between two counts. */
 const COUNT_INTERVAL = 10;
-/** [px] */
+/** Default of `RendererOptions.tolerance` [px]. */
 const DEFAULT_TOLERANCE = 0.25;
 
-/** Cuts a scene's batches as each picture needs it: on WebGPU by kernels and indirect draws, elsewhere and what is transparent on the CPU. */
+/** Tessellates a scene's batches for each view: on WebGPU with compute kernels and indirect draws, on WebGL2 and for transparent batches on the CPU. */
 export class Tessellator {
   private readonly gpu: Gpu;
   private readonly tolerance: number;
   private readonly parts: readonly TessellatedBatch[];
   private readonly planner: Planner;
-  private readonly addDrawable: (drawable: DrawCall) => void;
+  private readonly addDrawCall: (drawCall: DrawCall) => void;
   private readonly triangleTable = new TriangleTable();
   private readonly patterns = patternGeometry(ALL_PATTERNS);
   private readonly buffers: PatchBuffers;
   private readonly kernels: FactorKernels;
-  /** Triangles of the last picture, as far as they are known here, and those that a kernel listed. */
+  /** Triangles of the last picture that were counted here, and those that kernels listed, as last read back. */
   private cpuTriangles = 0;
   private gpuTriangles = 0;
   private frames = 0;
   private achieved = 0;
 
-  /** `add` is given drawables as they are made; they are its to dispose. */
-  constructor(gpu: Gpu, indexed: readonly DrawCall[], add: (drawable: DrawCall) => void, options: TessellatorOptions) {
+  /** `add` is called with draw calls as they are created; the caller disposes of them. */
+  constructor(gpu: Gpu, indexed: readonly DrawCall[], add: (drawCall: DrawCall) => void, options: TessellatorOptions) {
     this.gpu = gpu;
     this.tolerance = options.tolerance ?? DEFAULT_TOLERANCE;
-    this.addDrawable = add;
+    this.addDrawCall = add;
     this.planner = makePlanner(
       indexed.map(({ batch }) => ({ batch, needsFactors: batch.transparent || gpu.backend !== 'webgpu' })),
       options,
     );
-    this.parts = indexed.map((drawable, slot) => {
+    this.parts = indexed.map((drawCall, slot) => {
       const starts = this.planner.starts(slot);
-      const clusters = drawable.batch.instancing
-        ? new InstancedClusters(drawable, drawable.batch.instancing, starts, add)
-        : new IndexedClusters(drawable, starts);
-      return { slot, indexed: drawable, clusters };
+      const clusters = drawCall.batch.instancing
+        ? new InstancedClusters(drawCall, drawCall.batch.instancing, starts, add)
+        : new IndexedClusters(drawCall, starts);
+      return { slot, indexed: drawCall, clusters };
     });
     this.buffers = new PatchBuffers(indexed.length, this.patterns.runs);
     this.kernels = new FactorKernels(gpu.renderer, this.triangleTable, this.buffers);
   }
 
-  /** Drawn in the last picture; on WebGPU what kernels listed is known after `count`. */
+  /** Triangles drawn in the last picture; on WebGPU up to date after `count`. */
   get triangleCount(): number {
     return this.cpuTriangles + this.gpuTriangles;
   }
 
-  /** How far straight edges may be from the curves that are seen in the last picture [px]: more than asked for where there would be too many. */
+  /** Largest distance of straight edges from their curves in the last picture [px]; more than requested if there would be too many patches. */
   get achievedTolerance(): number {
     return this.achieved;
   }
 
-  /** Shows what is drawn of the batches that may be visible in a view, tessellated for it; `viewIndex`: its place in the picture's views. */
+  /** Tessellates the batches that may be visible in a view and hides the others. `viewIndex`: index of the view in the picture. */
   update(
     view: Omit<TessellationView, 'tolerance' | 'maxPatches'>,
     viewIndex: number,
-    seen: (batch: Batch) => boolean,
+    isVisible: (batch: Batch) => boolean,
   ): void {
     if (this.tolerance === Number.POSITIVE_INFINITY) {
-      this.showUncut(seen);
+      this.showUntessellated(isVisible);
       return;
     }
     const requested: TessellationView = {
@@ -99,7 +99,7 @@ export class Tessellator {
       tolerance: this.tolerance,
       maxPatches: MAX_PATCHES[this.gpu.backend],
     };
-    const visible = this.parts.map(({ indexed }) => seen(indexed.batch));
+    const visible = this.parts.map(({ indexed }) => isVisible(indexed.batch));
     const plans = this.planner.plan({ viewIndex, view: requested, visible });
     const requests: IndirectRequest[] = [];
     this.cpuTriangles = 0;
@@ -114,12 +114,12 @@ export class Tessellator {
     if (requests.length === 0) this.gpuTriangles = 0;
   }
 
-  /** Counts now and then, without waiting for it. */
+  /** Calls `count` every `COUNT_INTERVAL` pictures, without waiting for it. */
   countPeriodically(): void {
     if (this.frames++ % COUNT_INTERVAL === 0) this.count().catch(() => undefined);
   }
 
-  /** Asks the GPU how many triangles it has listed for the last picture. */
+  /** Reads back how many triangles kernels have listed for the last picture. */
   async count(): Promise<void> {
     if (!this.kernels.busy) return;
     const draws = await this.gpu.renderer.getArrayBufferAsync(this.buffers.draws);
@@ -134,10 +134,10 @@ export class Tessellator {
     this.patterns.geometry.dispose();
   }
 
-  private showUncut(seen: (batch: Batch) => boolean): void {
+  private showUntessellated(isVisible: (batch: Batch) => boolean): void {
     this.cpuTriangles = 0;
     for (const part of this.parts)
-      if (seen(part.indexed.batch)) this.cpuTriangles += part.clusters.showAll();
+      if (isVisible(part.indexed.batch)) this.cpuTriangles += part.clusters.showAll();
       else hidePart(part);
   }
 
@@ -151,8 +151,8 @@ export class Tessellator {
       return;
     }
     part.patches ??= this.makePatches(part);
-    const { patches: pieces } = part;
-    if (pieces instanceof IndirectPatches)
+    const { patches } = part;
+    if (patches instanceof IndirectPatches)
       requests.push({
         slot,
         kernelKey: kernelKeyOf(indexed),
@@ -160,22 +160,22 @@ export class Tessellator {
         plan,
         firstTriangle,
         firstInstance,
-        patches: pieces,
+        patches,
       });
-    else this.cpuTriangles += pieces.show(plan.patchesByPattern ?? [], firstTriangle, firstInstance);
-    if (pieces instanceof OrderedPatches) clusters.hide();
+    else this.cpuTriangles += patches.show(plan.patchesByPattern ?? [], firstTriangle, firstInstance);
+    if (patches instanceof OrderedPatches) clusters.hide();
     else this.cpuTriangles += clusters.show(plan.clusterStates);
   }
 
   private makePatches({ indexed, slot }: TessellatedBatch): IndirectPatches | InstancedPatches | OrderedPatches {
     const { triangleTable, patterns, buffers } = this;
-    const pieces = indexed.batch.transparent
+    const patches = indexed.batch.transparent
       ? new OrderedPatches(indexed, triangleTable)
       : this.gpu.backend === 'webgpu'
         ? new IndirectPatches(indexed, slot, patterns.geometry, triangleTable, buffers)
         : new InstancedPatches(indexed, triangleTable);
-    pieces.drawables.forEach(this.addDrawable);
-    return pieces;
+    patches.drawCalls.forEach(this.addDrawCall);
+    return patches;
   }
 }
 
@@ -187,11 +187,11 @@ function makePlanner(
   return new WorkerPlanner(parts, tessellationWorker(), () => onBetterTessellation?.());
 }
 
-function hidePart({ clusters, patches: pieces }: TessellatedBatch): void {
+function hidePart({ clusters, patches }: TessellatedBatch): void {
   clusters.hide();
-  pieces?.hide();
+  patches?.hide();
 }
 
-/** Of the batches whose levels one kernel finds: it reads the samples of a deforming body from a table of its own. */
-const kernelKeyOf = ({ batch: { kind, bodies, instancing: worn } }: DrawCall): string =>
-  deforms({ kind }) ? `${kind} ${bodies[0].id}` : worn ? `${kind} worn` : kind;
+/** Equal for batches whose factors one kernel computes. Deforming bodies have a kernel each, because their samples are in tables of their own. */
+const kernelKeyOf = ({ batch: { kind, bodies, instancing } }: DrawCall): string =>
+  deforms({ kind }) ? `${kind} ${bodies[0].id}` : instancing ? `${kind} worn` : kind;

@@ -1,20 +1,20 @@
 import { SKY_SHAPE } from '../lights/skyGradient.ts';
 
 /*
- * Effects over a finished picture: what they are called, which numbers they take, and what of the G-buffer they read. What each one does is written
- * twice: in f64 in reference/effects/, which is the truth, and for GPUs in render/effects/. All of them take and give linear light without an
- * upper end; beyond its edges a picture goes on as its mirror image, so that what blurs it neither loses light there nor gains any.
+ * Image effects: their names, arguments and the G-buffer channels that they read. Each is implemented twice: in f64 in reference/post/effects/, which is the
+ * standard, and for GPUs in render/post/. All map linear light of any magnitude to linear light. A picture is mirrored beyond its edges, so that blurs neither
+ * lose nor gain light there.
  */
 
-/** What an effect may know of a pixel beside its colour. */
+/** What an effect may read of a pixel beside its colour. */
 export type EffectChannel =
-  /** Apparent distance |Δx′| [m], and whether anything is there. */
+  /** Apparent distance |Δx′| [m], and whether there is a surface. */
   | 'depth'
   /** Unit normal in the surface's rest frame. */
   | 'normal'
-  /** World place of the event that is seen, from the observer [m]; its length is what its light has travelled in the world's frame. */
+  /** World position of the emission event relative to the observer [m]; its length is the distance that the light has travelled in the world frame. */
   | 'event'
-  /** Direction in which the world is seen there: unit, world frame. */
+  /** Direction that the pixel shows: unit, world frame. */
   | 'direction';
 
 export interface EffectArgument {
@@ -34,12 +34,12 @@ export interface EffectInfo {
   readonly title: string;
   readonly help: string;
   readonly category: EffectCategory;
-  /** arg1 … arg4: four at most. */
+  /** arg1 … arg4; at most four. */
   readonly args: readonly EffectArgument[];
   readonly reads: readonly EffectChannel[];
 }
 
-const share = (title: string, value: number): EffectArgument => ({
+const fraction = (title: string, value: number): EffectArgument => ({
   title,
   default: value,
   min: 0,
@@ -86,7 +86,7 @@ export const EFFECTS = {
       { title: 'effect.brightness', default: 1, min: 0, max: 1e6, step: 0.01, scale: 'log' },
       { title: 'effect.steepness', default: SKY_SHAPE.curve, min: 0.05, max: 4, step: 0.05 },
       metres('effect.fadeDistance', 0),
-      share('effect.opacity', 1),
+      fraction('effect.opacity', 1),
     ],
     reads: ['depth', 'event', 'direction'],
   },
@@ -104,7 +104,7 @@ export const EFFECTS = {
     title: 'effect.bloom',
     help: 'effect.bloom.help',
     category: 'lens',
-    args: [share('effect.scattered', 0.05), share('effect.spread', 0.7)],
+    args: [fraction('effect.scattered', 0.05), fraction('effect.spread', 0.7)],
     reads: [],
   },
   edge: {
@@ -115,7 +115,7 @@ export const EFFECTS = {
       { title: 'effect.edgeLight', default: 0, min: 0, max: 10, step: 0.1 },
       { title: 'effect.edgeDepth', default: 2, min: 0, max: 100, step: 0.1 },
       { title: 'effect.edgeNormal', default: 1, min: 0, max: 10, step: 0.1 },
-      share('effect.edgeUnder', 1),
+      fraction('effect.edgeUnder', 1),
     ],
     reads: ['depth', 'normal'],
   },
@@ -124,7 +124,7 @@ export const EFFECTS = {
     help: 'effect.vignette.help',
     category: 'lens',
     args: [
-      share('effect.strength', 1),
+      fraction('effect.strength', 1),
       { title: 'effect.power', default: 4, min: 0, max: 16, step: 0.5 },
       { title: 'effect.corner', default: 0, min: 0, max: 89, step: 1, unit: '°' },
     ],
@@ -137,8 +137,8 @@ export const EFFECTS = {
     args: [
       { ...metres('effect.freePath', 100), min: 1e-3 },
       { title: 'effect.brightness', default: 0.5, min: 0, max: 1e6, step: 0.01, scale: 'log' },
-      share('effect.haze', 0.5),
-      share('effect.overSky', 1),
+      fraction('effect.haze', 0.5),
+      fraction('effect.overSky', 1),
     ],
     reads: ['depth', 'event'],
   },
@@ -158,9 +158,9 @@ export const EFFECTS = {
     help: 'effect.antialiasing.help',
     category: 'lines',
     args: [
-      share('effect.contrast', 0.1),
+      fraction('effect.contrast', 0.1),
       { title: 'effect.search', default: 16, min: 1, max: 64, step: 1, unit: 'px' },
-      share('effect.single', 0.5),
+      fraction('effect.single', 0.5),
     ],
     reads: [],
   },
@@ -170,27 +170,27 @@ export type EffectId = keyof typeof EFFECTS;
 export const EFFECT_IDS = Object.keys(EFFECTS) as readonly EffectId[];
 
 /**
- * Two pictures into one: `a` below, `b` above. `alpha` is the share of the blended picture in the result; for `split` and `wipe` it is the place of the border.
- * Modes that are made for 0 … 1 (`screen`, `overlay`) blend what lies there and add what is above 1 as it is: their formulas would darken brighter light.
+ * Modes that blend two images: `a` below, `b` above. `alpha` is the weight of the blended image in the result; for `split` and `wipe` it is the position of the
+ * border. Modes that are defined for 0 … 1 (`screen`, `overlay`) blend that range and add what exceeds 1 unchanged, because their formulas would darken it.
  */
 export const MIX_MODES = ['normal', 'multiply', 'add', 'screen', 'overlay', 'difference', 'split', 'wipe'] as const;
 export type MixMode = (typeof MIX_MODES)[number];
 
-// What nobody turns, and both twins need.
+// Constants that both implementations fraction.
 
-/** A Gaussian is cut off at so many standard deviations. */
+/** Cutoff of Gaussians, in standard deviations. */
 export const GAUSSIAN_CUTOFF = 3;
-/** How many times bloom halves the picture: its widest glare is that many powers of two across. */
+/** Number of times that bloom halves the picture: its widest glare spans that many powers of two. */
 export const BLOOM_LEVELS = 6;
-/** Of fog: droplets scatter all colours alike, air the blue ones. */
+/** Scattering colours of fog: droplets scatter all colours equally, air mostly blue. */
 export const FOG = { gray: [1, 1, 1], haze: [0.55, 0.75, 1] } as const;
-/** At most so many places of the lens are looked through for each pixel; and the cells in which the widest blur is looked up [px]. */
+/** Most samples per pixel, and the size of the cells for which the largest radius is computed [px]. */
 export const DEPTH_OF_FIELD_SAMPLING = { samples: 256, cell: 4 } as const;
-/** Contrast is of what eyes make of light, its root, over the brighter of the two; but over that of 1/100 of white where both are darker. */
+/** Contrast compares square roots of luminance and is relative to the brighter of the two, but at least to this root, that of 1/100 of white. */
 export const MIN_CONTRAST_BASE = 0.1;
-/** How wide the border of a wipe is, as a share of the picture. */
+/** Width of the border of a wipe, as a fraction of the picture. */
 export const WIPE_WIDTH = 0.1;
 
-/** The numbers of an effect, each held to its range; the default's where one is missing. */
+/** An effect's arguments, each clamped to its range; missing ones have their defaults. */
 export const clampEffectArguments = (id: EffectId, args: readonly number[]): readonly number[] =>
   EFFECTS[id].args.map(({ default: value, min, max }, i) => Math.min(Math.max(args[i] ?? value, min), max));

@@ -9,24 +9,24 @@ import type { StillPixels } from './still.ts';
  * (render/frameGraph/) and the reference (reference/post/frameGraph.ts), with the same result. Plain data.
  */
 
-/** A G-buffer beside that of the picture's own settings, seen by the same observer. */
+/** A G-buffer in addition to that of the picture's own settings, for the same observer. */
 export interface FrameGraphBuffer extends BufferSettings {
-  /** Place among the scenes that the renderer was given. */
+  /** Index among the renderer's scenes. */
   readonly scene: number;
 }
 
-/** An effect in the words of whoever wrote it (scene/shaderText/). */
+/** A user-written effect (scene/shaderText/). */
 export interface CustomEffect {
   readonly text: string;
 }
 
-/** One step, by what it refers to images and G-buffers with. */
+/** A pass, with references to images and G-buffers of the given types. */
 export type FrameGraphPassOf<Image, Buffer> =
-  /** The G-buffer shaded: linear light. `occlusion`: what hides the sky of a place dims its light. */
+  /** Shades the G-buffer: linear light. `occlusion`: with ambient occlusion. */
   | { readonly kind: 'light'; readonly buffer: Buffer; readonly shadows: boolean; readonly occlusion: boolean }
-  /** What was made once, for one camera at one time; it lies in the picture as `fitStill` of scene/frameGraph/still.ts says. */
+  /** A picture rendered once, for one camera at one time; fitted by `fitStill` of scene/frameGraph/still.ts. */
   | { readonly kind: 'still'; readonly still: StillPixels }
-  /** The share of the sky that each place sees, as a grey image; 1 where nothing is. `radius`: as `occlusionRadius` of the settings; 0: what fits the scene. */
+  /** Ambient occlusion as a grey image; 1 where there is no surface. `radius`: as `occlusionRadius` of the settings; 0: the default for the scene. */
   | { readonly kind: 'occlusion'; readonly buffer: Buffer; readonly radius: number }
   | {
       readonly kind: 'effect';
@@ -35,7 +35,7 @@ export type FrameGraphPassOf<Image, Buffer> =
       readonly args: readonly number[];
       readonly image: Image;
       readonly buffer: Buffer;
-      /** Its first channel tells how much of the effect is to be seen. */
+      /** Its first channel is the weight of the effect. */
       readonly mask?: Image;
     }
   | {
@@ -46,7 +46,7 @@ export type FrameGraphPassOf<Image, Buffer> =
       readonly above: Image;
       readonly mask?: Image;
     }
-  /** Light to what a screen can show: 0 … 1, still linear. Where it is metered, that is added to the exposure [EV]. */
+  /** Tone maps light to 0 … 1, still linear. Unless `metering` is manual, the metered exposure is added to `exposure` [EV]. */
   | {
       readonly kind: 'tone';
       readonly tone: ToneMapping;
@@ -54,7 +54,7 @@ export type FrameGraphPassOf<Image, Buffer> =
       readonly metering: 'automatic' | 'resting-eye' | 'manual';
       readonly image: Image;
     }
-  /** Numbers of a G-buffer, or of the light, as colours, 0 … 1 and linear too. `scale`: absent until somebody has measured. */
+  /** Values of a G-buffer or of the light as linear colours 0 … 1. `scale`: absent until measured. */
   | {
       readonly kind: 'false-colour';
       readonly of: FalseColorQuantity;
@@ -63,67 +63,67 @@ export type FrameGraphPassOf<Image, Buffer> =
       readonly buffer: Buffer;
     };
 
-/** It refers to steps before it, and to G-buffers, by their places. */
+/** Refers to earlier passes and to G-buffers by their indices. */
 export type FrameGraphPass = FrameGraphPassOf<number, number>;
 
-/** The last step is the light of the picture, which is then exposed and tone mapped as the settings say. Equal steps are there once. */
+/** The image of the last pass is the light of the picture, which is then exposed and tone mapped by the settings. Equal passes occur once. */
 export interface FrameGraph {
   /** G-buffers 1, 2 …; number 0 is that of the settings themselves, of the renderer's first scene. */
   readonly extraBuffers: readonly FrameGraphBuffer[];
   readonly passes: readonly FrameGraphPass[];
 }
 
-/** A picture takes at most so many steps, so many G-buffers and so many stills: each is a texture or several, of the picture's size or a still's. */
+/** Limits on passes, G-buffers and stills, each of which needs one or several textures of the picture's or the still's size. */
 export const MAX_PASSES = 64;
 export const MAX_BUFFERS = 4;
 export const MAX_STILL_IMAGES = 4;
 
-/** The images that a step is made of. */
-export function inputImages<Image>(step: FrameGraphPassOf<Image, unknown>): readonly Image[] {
-  switch (step.kind) {
+/** The images that a pass is made from. */
+export function inputImages<Image>(pass: FrameGraphPassOf<Image, unknown>): readonly Image[] {
+  switch (pass.kind) {
     case 'light':
     case 'still':
     case 'occlusion':
       return [];
     case 'mix':
-      return [step.below, step.above, ...(step.mask === undefined ? [] : [step.mask])];
+      return [pass.below, pass.above, ...(pass.mask === undefined ? [] : [pass.mask])];
     case 'effect':
-      return [step.image, ...(step.mask === undefined ? [] : [step.mask])];
+      return [pass.image, ...(pass.mask === undefined ? [] : [pass.mask])];
     default:
-      return [step.image];
+      return [pass.image];
   }
 }
 
 /**
- * Whether tone curves are within the plan. Then the metering works there, by the light of the picture's first G-buffer; otherwise it is the plan's light that
- * is metered, exposed and tone mapped.
+ * Whether a frame graph contains tone mapping. Then the light of the picture's first G-buffer is metered for it; otherwise the graph's result is metered,
+ * exposed and tone mapped.
  */
-export const includesToneMapping = (plan: FrameGraph | undefined): boolean =>
-  plan?.passes.some(({ kind }) => kind === 'tone') ?? false;
+export const includesToneMapping = (frameGraph: FrameGraph | undefined): boolean =>
+  frameGraph?.passes.some(({ kind }) => kind === 'tone') ?? false;
 
-/** Settings, plans and steps as text, by which they are told apart; a still goes by its key. */
+/** Settings, frame graphs or passes as text for comparison; a still is identified by its key. */
 export const contentKey = (data: unknown): string =>
   JSON.stringify(data, (_, value: unknown) => (ArrayBuffer.isView(value) ? undefined : value));
 
-/** What a plan is like, but for its numbers: plans of one shape are drawn by the same shaders. */
-export const frameGraphStructure = ({ extraBuffers, passes: steps }: FrameGraph): string =>
-  JSON.stringify([extraBuffers.length, steps.map(withoutNumericValues)]);
+/** A frame graph without its numbers: graphs of equal structure are drawn by the same shaders. */
+export const frameGraphStructure = ({ extraBuffers, passes }: FrameGraph): string =>
+  JSON.stringify([extraBuffers.length, passes.map(withoutNumericValues)]);
 
-function withoutNumericValues(step: FrameGraphPass): unknown {
-  switch (step.kind) {
+function withoutNumericValues(pass: FrameGraphPass): unknown {
+  switch (pass.kind) {
     case 'effect':
-      return { ...step, args: 0 };
+      return { ...pass, args: 0 };
     case 'mix':
-      return { ...step, alpha: 0 };
+      return { ...pass, alpha: 0 };
     case 'tone':
-      return { ...step, exposure: 0 };
+      return { ...pass, exposure: 0 };
     case 'still':
-      return { ...step, still: 0 };
+      return { ...pass, still: 0 };
     case 'occlusion':
-      return { ...step, radius: 0 };
+      return { ...pass, radius: 0 };
     case 'false-colour':
-      return { ...step, scale: 0 };
+      return { ...pass, scale: 0 };
     default:
-      return step;
+      return pass;
   }
 }

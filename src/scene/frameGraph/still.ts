@@ -1,9 +1,9 @@
-/** A picture that was made once: linear light, three values per pixel, rows from the top. */
+/** A picture rendered once: linear light, three values per pixel, rows from the top. */
 export interface StillPixels {
   readonly width: number;
   readonly height: number;
   readonly pixels: Float32Array<ArrayBuffer>;
-  /** Tells it apart from others by its content, where comparing pixels would take too long. */
+  /** Identifies its content, because comparing pixels would take too long. */
   readonly key: string;
 }
 
@@ -14,7 +14,7 @@ export const makeStillPixels = (width: number, height: number, pixels: Float32Ar
   key: `${width}×${height} ${fingerprint(pixels)}`,
 });
 
-/** 64 bits, by two of FNV-1a's chains over words instead of bytes. */
+/** A 64-bit hash: two chains as in FNV-1a, over words instead of bytes. */
 function fingerprint(pixels: Float32Array<ArrayBuffer>): string {
   let [a, b] = [0x811c9dc5, 0x9747b28c];
   for (const word of new Uint32Array(pixels.buffer, pixels.byteOffset, pixels.length)) {
@@ -25,25 +25,25 @@ function fingerprint(pixels: Float32Array<ArrayBuffer>): string {
 }
 
 /**
- * Where a still lies in a picture: as high as that and in its middle, for a field of view is an angle up and down. What of it is wider is cut off,
- * and beside it nothing is seen. A pixel of the picture is the mean of the still's under a tent that reaches as far as the next pixel
- * of the coarser of the two: where both have the same size, it is the still's own.
+ * How a still is fitted into a picture: to its height and centred, because the field of view is vertical. Wider stills are cropped; the picture is black beside
+ * narrower ones. A pixel is the mean of the still's pixels under a tent filter that reaches to the next pixel of the coarser of the two, so a still of the
+ * picture's size is copied unchanged.
  */
 export interface StillFit {
-  /** How many of the still's pixels are one of the picture's. */
+  /** Pixels of the still per pixel of the picture. */
   readonly scale: number;
-  /** How far the tent reaches [px of the still]. */
+  /** Half width of the tent [px of the still]. */
   readonly reach: number;
-  /** The still's place of the picture's pixel (x, y) is scale·(x, y) + offset, both by their first pixels' centres. */
+  /** Pixel (x, y) of the picture is at scale·(x, y) + offset in the still, both relative to their first pixels' centres. */
   readonly offset: readonly [number, number];
 }
 
 export function fitStill(
   { width, height }: Pick<StillPixels, 'width' | 'height'>,
-  wide: number,
-  high: number,
+  pictureWidth: number,
+  pictureHeight: number,
 ): StillFit {
-  const scale = height / high;
-  const offset = [(width - 1 - scale * (wide - 1)) / 2, (scale - 1) / 2] as const;
+  const scale = height / pictureHeight;
+  const offset = [(width - 1 - scale * (pictureWidth - 1)) / 2, (scale - 1) / 2] as const;
   return { scale, reach: Math.max(scale, 1), offset };
 }

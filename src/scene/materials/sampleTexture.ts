@@ -4,8 +4,8 @@ import type { RadianceTexture, Texture, TextureWrap } from '../types.ts';
 export type Rgba = readonly [r: number, g: number, b: number, a: number];
 
 /**
- * A texture at (u, v), v up: linear RGB and opacity, 0 … 1 (of radiance: any), from its base level. Texels are decoded first and blended then, as graphics
- * processors do; a texel's middle is at half a texel.
+ * Samples a texture at (u, v), v up, from its base level. Returns linear RGB and opacity, 0 … 1, or radiance ≥ 0. Texels are decoded before interpolation, as
+ * on GPUs; texel centres are at half-integers.
  */
 export function sampleTexture(texture: Texture | RadianceTexture, u: number, v: number): Rgba {
   const x = u * texture.width;
@@ -29,14 +29,14 @@ const blend = (a: Rgba, b: Rgba, s: number): Rgba => [
 function texel(texture: Texture | RadianceTexture, x: number, y: number): Rgba {
   const { width, height, data, colorSpace, wrapS, wrapT } = texture;
   const k = 4 * (wrapTexel(y, height, wrapT) * width + wrapTexel(x, width, wrapS));
-  if (k < 0) return NOTHING;
+  if (k < 0) return TRANSPARENT_BLACK;
   if (data instanceof Uint16Array)
     return [fromHalf(data[k]), fromHalf(data[k + 1]), fromHalf(data[k + 2]), fromHalf(data[k + 3])];
-  const decoded = colorSpace === 'srgb' ? DECODED : PLAIN;
-  return [decoded[data[k]], decoded[data[k + 1]], decoded[data[k + 2]], PLAIN[data[k + 3]]];
+  const decoded = colorSpace === 'srgb' ? SRGB_DECODED : LINEAR;
+  return [decoded[data[k]], decoded[data[k + 1]], decoded[data[k + 2]], LINEAR[data[k + 3]]];
 }
 
-/** The row or column that is read; −∞ where none is. */
+/** The wrapped index of a row or column; −∞ outside a texture with wrap mode `black`. */
 function wrapTexel(i: number, size: number, wrap: TextureWrap): number {
   if (wrap === 'black') return i >= 0 && i < size ? i : Number.NEGATIVE_INFINITY;
   if (wrap === 'clamp') return Math.min(Math.max(i, 0), size - 1);
@@ -45,13 +45,13 @@ function wrapTexel(i: number, size: number, wrap: TextureWrap): number {
   return inside < size ? inside : period - 1 - inside;
 }
 
-const NOTHING: Rgba = [0, 0, 0, 0];
-const PLAIN = Float64Array.from({ length: 256 }, (_, byte) => byte / 255);
+const TRANSPARENT_BLACK: Rgba = [0, 0, 0, 0];
+const LINEAR = Float64Array.from({ length: 256 }, (_, byte) => byte / 255);
 /** Encoded sRGB → linear light. Source: IEC 61966-2-1. */
-const DECODED = PLAIN.map((x) => (x <= 0.04045 ? x / 12.92 : ((x + 0.055) / 1.055) ** 2.4));
+const SRGB_DECODED = LINEAR.map((x) => (x <= 0.04045 ? x / 12.92 : ((x + 0.055) / 1.055) ** 2.4));
 
-/** What each byte of a picture, or the bits of each half, stands for. */
+/** The linear value of each byte, or of each half by its bits. */
 export function linearizationTable({ data, colorSpace }: Texture | RadianceTexture): ArrayLike<number> {
   if (data instanceof Uint16Array) return Float32Array.from({ length: 2 ** 16 }, (_, bits) => fromHalf(bits));
-  return colorSpace === 'srgb' ? DECODED : PLAIN;
+  return colorSpace === 'srgb' ? SRGB_DECODED : LINEAR;
 }

@@ -1,5 +1,5 @@
 export interface Texture {
-  /** Where it came from, for messages. */
+  /** Its origin, for messages. */
   readonly name: string;
   readonly width: number;
   readonly height: number;
@@ -10,10 +10,10 @@ export interface Texture {
   readonly wrapS: TextureWrap;
   readonly wrapT: TextureWrap;
 }
-/** A picture of radiance, for what is brighter than white. */
+/** A texture of radiance, which may exceed 1. */
 export interface RadianceTexture extends Omit<Texture, 'data'> {
   /** RGBA as halves, linear sRGB of 0 … 65504, rows from the top. */
   readonly data: Uint16Array;
 }
-/** Outside the picture; `black` is transparent too. */
+/** Sampling outside 0 … 1; `black` is transparent too. */
 export type TextureWrap = 'repeat' | 'clamp' | 'mirror' | 'black';

@@ -1,6 +1,6 @@
 import type { Material, Texture } from '../types.ts';
 
-/** Blended, where it is neither opaque nor cut out. */
+/** Whether a material is blended: not opaque, and without an opacity threshold. */
 export function isTransparent({ opacity, opacityThreshold, baseColorTexture }: Material): boolean {
   if (opacityThreshold > 0) return false;
   return opacity < 1 || (baseColorTexture !== undefined && hasAlpha(baseColorTexture));

@@ -2,28 +2,28 @@
 export type Words = readonly [en: string, zh: string];
 
 interface SettingBase {
-  /** Name of its control; under `param.NAME` in the catalogue. */
+  /** Title of its control; `param.NAME` in the text catalogue. */
   readonly title?: Words;
-  /** What the control does; under `param.NAME.help`. */
+  /** Help of its control; `param.NAME.help` in the text catalogue. */
   readonly help?: Words;
-  /** Ids of the node types that have it as a parameter. */
+  /** Ids of the node types with this parameter. */
   readonly nodes?: readonly string[];
-  /** As that of a node's parameter: it matters only while another one has this value. */
+  /** Relevant only while another parameter has this value, as `onlyWhen` of `ParamSpec`. */
   readonly onlyWhen?: { readonly param: string; readonly is: string };
   readonly flag: {
-    /** Stands for the value: `<how>`. A boolean needs none. */
+    /** Placeholder of the value: `<how>`; absent for booleans. */
     readonly value?: string;
-    /** Of `--help`. */
+    /** Text in `--help`. */
     readonly help: string;
   };
-  /** The G-buffers of one picture may differ in it. */
+  /** Whether the G-buffers of one picture may differ in it. */
   readonly perBuffer?: true;
-  /** It is resolved before a renderer sees it, which does not have it among its settings. */
+  /** Whether it is resolved before rendering and not part of the renderers' settings. */
   readonly beforeRendering?: true;
-  /** In the header of a picture's file, in the order of these numbers. */
+  /** Written to picture file headers, ordered by `place`. */
   readonly header?: {
     readonly place: number;
-    /** `always`: with its unit; `changed`: where it is not the default; `light`: always, in pictures of light. */
+    /** `always`; `changed`: if it differs from the default; `light`: always in pictures of light. */
     readonly when: 'always' | 'changed' | 'light';
     readonly unit?: string;
   };
@@ -32,21 +32,21 @@ interface SettingBase {
 export interface BooleanSetting extends SettingBase {
   readonly kind: 'boolean';
   readonly default: boolean;
-  /** Nature's value; see `ParamSpec`. */
+  /** The physically correct value; see `ParamSpec`. */
   readonly physical?: boolean;
 }
 
 export interface ChoiceSetting<Value extends string = string> extends SettingBase {
   readonly kind: 'choice';
   readonly default: Value;
-  /** The titles; under `SETTING.value` in the catalogue. */
+  /** Titles of the values; `SETTING.value` in the text catalogue. */
   readonly options: Readonly<Record<Value, Words>>;
 }
 
-/** What numbers a flag takes; absent: all. */
+/** Values that a flag accepts; absent: all numbers. */
 export interface NumberRange {
   readonly min?: number;
-  /** All above it, but not itself. */
+  /** Exclusive lower bound. */
   readonly above?: number;
   readonly max?: number;
   readonly integer?: true;
@@ -54,10 +54,10 @@ export interface NumberRange {
 
 export interface NumberSetting extends SettingBase {
   readonly kind: 'number';
-  /** Absent: the setting may be absent too. */
+  /** Absent: the setting is optional. */
   readonly default?: number;
   readonly range?: NumberRange;
-  /** Of the control that a node's parameter has. */
+  /** The control of the node parameter. */
   readonly control?: {
     readonly min: number;
     readonly max: number;

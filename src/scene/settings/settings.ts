@@ -5,7 +5,7 @@ import type { ChoiceSetting, Setting, Words } from './setting.ts';
 const CONSOLE = ['relativity-console'] as const;
 const RASTERIZERS = ['relativity-rasterize', 'rasterize'] as const;
 
-/** What a picture can be asked for with, in the order of the flags. Every value is plain data, so that a document, a flag or a socket can hold it. */
+/** The settings of a picture, in the order of the flags. Values are plain data, so that documents, flags and sockets can hold them. */
 export const SETTINGS = {
   view: {
     kind: 'choice',
@@ -18,7 +18,7 @@ export const SETTINGS = {
     perBuffer: true,
     header: { place: 0, when: 'always' },
   },
-  /** Off: every point is taken at the observer's own world time, as if light were instantaneous. Light-cone view only. */
+  /** Off: every point is shown at the observer's world time, as if light were instantaneous. Light-cone view only. */
   lightDelay: {
     kind: 'boolean',
     title: ['Light delay', '光的延迟'],
@@ -31,7 +31,7 @@ export const SETTINGS = {
     perBuffer: true,
     header: { place: 1, when: 'changed' },
   },
-  /** Off: directions are those of the world frame, not the observer's. Light-cone view only. */
+  /** Off: directions are those of the world frame instead of the observer's. Light-cone view only. */
   aberration: {
     kind: 'boolean',
     title: ['Aberration', '光行差'],
@@ -44,7 +44,7 @@ export const SETTINGS = {
     perBuffer: true,
     header: { place: 2, when: 'changed' },
   },
-  /** `spectral`: light is spectra, and a shift is seen at their wavelengths. `approximate`: light is linear sRGB, and a shift is a tint (dopplerTint.ts). */
+  /** `spectral`: light has spectra, and Doppler shift acts on wavelengths. `approximate`: light is linear sRGB, and a shift is a tint (dopplerTint.ts). */
   colors: {
     kind: 'choice',
     title: ['Colours', '颜色'],
@@ -59,7 +59,7 @@ export const SETTINGS = {
     perBuffer: true,
     header: { place: 3, when: 'light' },
   },
-  /** 0 … 1: how much of log D reaches the colours. */
+  /** Fraction of log D that is applied to colours, 0 … 1. */
   dopplerMix: {
     kind: 'number',
     title: ['Doppler mix', '多普勒混合'],
@@ -73,7 +73,7 @@ export const SETTINGS = {
     perBuffer: true,
     header: { place: 6, when: 'changed' },
   },
-  /** 0 … 1: how much of log D⁴ reaches the brightness. */
+  /** Fraction of log D⁴ that is applied to brightness, 0 … 1. */
   beaming: {
     kind: 'number',
     title: ['Beaming', '聚束'],
@@ -87,7 +87,7 @@ export const SETTINGS = {
     perBuffer: true,
     header: { place: 7, when: 'changed' },
   },
-  /** Suns and lamps throw shadows. The reference renderer always has them. */
+  /** Whether distant and local lights cast shadows. The reference renderer always has them. */
   shadows: {
     kind: 'boolean',
     title: ['Shadows', '阴影'],
@@ -99,7 +99,7 @@ export const SETTINGS = {
     nodes: ['deferred-lighting'],
     flag: { help: 'suns and lamps throw none, for comparison' },
   },
-  /** [EV]: the picture is 2^exposure times as bright. */
+  /** Exposure [EV]: light is multiplied by 2^exposure. */
   exposure: {
     kind: 'number',
     title: ['Exposure', '曝光'],
@@ -114,8 +114,8 @@ export const SETTINGS = {
     header: { place: 4, when: 'light', unit: 'EV' },
   },
   /**
-   * What sets the exposure. `automatic`: the picture's own light. `resting-eye`: the same light without what the observer's velocity does to
-   * its brightness, so that this is seen as it is. `manual`: the person alone.
+   * What determines the exposure. `automatic`: the picture's luminance. `resting-eye`: that luminance without the effect of the observer's velocity, so that
+   * beaming is visible. `manual`: the user alone.
    */
   metering: {
     kind: 'choice',
@@ -137,7 +137,7 @@ export const SETTINGS = {
     },
     beforeRendering: true,
   },
-  /** How exposed light becomes what a screen can show. */
+  /** Tone curve from exposed light to display values. */
   tone: {
     kind: 'choice',
     title: ['Tone curve', '色调曲线'],
@@ -167,7 +167,7 @@ export const SETTINGS = {
     flag: { value: 'name', help: 'how emission events are found' },
     perBuffer: true,
   },
-  /** Newton steps per vertex. */
+  /** Newton iterations per vertex. */
   iterations: {
     kind: 'number',
     title: ['Iterations', '迭代次数'],
@@ -193,7 +193,7 @@ export const SETTINGS = {
     flag: { value: 'k', help: 'step length of the Newton solver, 0 < k ≤ 1' },
     perBuffer: true,
   },
-  /** Off: every pixel shows what is at its centre. Else edges are smoothed, moving pictures follow those before, and resting ones get many samples. */
+  /** Off: one sample at each pixel's centre. On: FXAA or temporal antialiasing, and accumulated samples at rest. */
   antialiasing: {
     kind: 'boolean',
     title: ['Antialiasing', '抗锯齿'],
@@ -205,7 +205,7 @@ export const SETTINGS = {
     nodes: RASTERIZERS,
     flag: { help: 'every pixel shows what is at its centre, for comparison; in place of --samples' },
   },
-  /** The ground's reference grid, which relativity does not bend. */
+  /** Whether the reference grid is drawn on the ground, unaffected by relativity. */
   grid: {
     kind: 'boolean',
     title: ['Reference grid', '参考网格'],
@@ -214,7 +214,7 @@ export const SETTINGS = {
     nodes: RASTERIZERS,
     flag: { help: 'draw the reference grid on the ground, which relativity does not bend' },
   },
-  /** How far from a point something can hide its sky, in the fast renderer [m]; 0: nothing does. Absent: a quarter of the scene's size. */
+  /** Radius of ambient occlusion in the rasterizer [m]; 0: none. Absent: a quarter of the scene's radius. */
   occlusionRadius: {
     kind: 'number',
     range: { min: 0 },
@@ -228,7 +228,7 @@ export const SETTINGS = {
 type Settings = typeof SETTINGS;
 export type SettingName = keyof Settings;
 export const SETTING_NAMES = Object.keys(SETTINGS) as readonly SettingName[];
-/** By name, with the types of the values erased. */
+/** A setting by name, without the type of its value. */
 export const settingNamed = (name: SettingName): Setting => SETTINGS[name];
 
 export type SettingValue<Name extends SettingName> = Settings[Name] extends {
@@ -238,9 +238,9 @@ export type SettingValue<Name extends SettingName> = Settings[Name] extends {
   : Settings[Name] extends { readonly kind: 'boolean' }
     ? boolean
     : number;
-/** Names of the settings whose entry is like `Like`. */
+/** Names of the settings whose entry extends `Like`. */
 type NamesLike<Like> = { [Name in SettingName]: Settings[Name] extends Like ? Name : never }[SettingName];
-/** Names of the parameters that a type of node has of these. */
+/** Names of the settings that are parameters of a node type. */
 export type SettingOfNode<Id extends string> = {
   [Name in SettingName]: Settings[Name] extends { readonly nodes: readonly (infer Node)[] }
     ? Id extends Node
@@ -250,13 +250,13 @@ export type SettingOfNode<Id extends string> = {
 }[SettingName];
 type WithDefault = NamesLike<{ readonly default: unknown }>;
 
-/** A value for each of them; those without a default may be absent. */
+/** Values of the named settings; those without a default are optional. */
 export type ValuesOf<Names extends SettingName> = {
   readonly [Name in keyof Settings as Name extends Names & WithDefault ? Name : never]: SettingValue<Name>;
 } & {
   readonly [Name in keyof Settings as Name extends Exclude<Names, WithDefault> ? Name : never]?: SettingValue<Name>;
 };
-/** What of them a renderer obeys. */
+/** The settings that renderers read. */
 export type RendererSettings = ValuesOf<Exclude<SettingName, NamesLike<{ readonly beforeRendering: true }>>>;
 export const RENDERER_SETTINGS = SETTING_NAMES.filter(
   (name) => !settingNamed(name).beforeRendering,
@@ -277,7 +277,7 @@ export type Solver = SettingValue<'solver'>;
 export type ColorMode = SettingValue<'colors'>;
 export type MeteringMode = SettingValue<'metering'>;
 
-/** What of an object are values of these settings. */
+/** The values of these settings in an object. */
 export const pickSettings = <Name extends string>(
   names: readonly Name[],
   from: { readonly [K in Name]?: unknown },

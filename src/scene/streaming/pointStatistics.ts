@@ -2,11 +2,11 @@ import { boundingBox, boundingSphere, finiteBox } from '../bounds/bounds.ts';
 import type { PointRecipe, PointStatistics } from './storedPoints.ts';
 import { makePoints } from './streamedPoints.ts';
 
-/** The vertex that goes farthest from one sample to the next, and how far [m]; vertex 0 where all rest. */
+/** The vertex with the longest displacement between two samples, and its length [m]; vertex 0 if all rest. */
 export function longestDisplacement(
   a: Float32Array,
   b: Float32Array,
-): { readonly way: number; readonly vertex: number } {
+): { readonly length: number; readonly vertex: number } {
   let square = 0;
   let vertex = 0;
   for (let i = 0; i < a.length; i += 3) {
@@ -19,47 +19,47 @@ export function longestDisplacement(
       vertex = i / 3;
     }
   }
-  return { way: Math.sqrt(square), vertex };
+  return { length: Math.sqrt(square), vertex };
 }
 
-/** Reads every sample once, and keeps what is asked of all of them; `progress` is told the part that is read. */
+/** Reads every sample once and computes the statistics; `onProgress` is called with the fraction that is read. */
 export function computePointStatistics(
   recipe: PointRecipe,
-  progress: (part: number) => void = () => {},
+  onProgress: (part: number) => void = () => {},
 ): PointStatistics {
   const n = recipe.samples.length;
-  const facts = {
+  const statistics = {
     boxes: new Float64Array(6 * n),
     radii: new Float64Array(n),
     displacements: new Float64Array(n - 1),
     fastest: new Uint32Array(n - 1),
     firstNonFinite: -1,
   };
-  let before: Float32Array | undefined;
-  let lost: Uint8Array | undefined;
+  let previous: Float32Array | undefined;
+  let nonFinite: Uint8Array | undefined;
   for (let k = 0; k < n; k++) {
     const points = makePoints(recipe, k);
     const finite = finiteBox(points);
     const box = finite ?? boundingBox(points);
-    facts.boxes.set(box ? [...box.min, ...box.max] : [1, 1, 1, -1, -1, -1], 6 * k);
-    facts.radii[k] = boundingSphere(points, box).radius;
+    statistics.boxes.set(box ? [...box.min, ...box.max] : [1, 1, 1, -1, -1, -1], 6 * k);
+    statistics.radii[k] = boundingSphere(points, box).radius;
     if (!finite) {
-      if (facts.firstNonFinite < 0) facts.firstNonFinite = k;
-      lost = markNonFinite(points, lost);
+      if (statistics.firstNonFinite < 0) statistics.firstNonFinite = k;
+      nonFinite = markNonFinite(points, nonFinite);
     }
-    if (before) {
-      const { way, vertex } = longestDisplacement(before, points);
-      facts.displacements[k - 1] = way;
-      facts.fastest[k - 1] = vertex;
+    if (previous) {
+      const { length, vertex } = longestDisplacement(previous, points);
+      statistics.displacements[k - 1] = length;
+      statistics.fastest[k - 1] = vertex;
     }
-    before = points;
-    progress((k + 1) / n);
+    previous = points;
+    onProgress((k + 1) / n);
   }
-  return lost ? { ...facts, nonFiniteVertices: lost } : facts;
+  return nonFinite ? { ...statistics, nonFiniteVertices: nonFinite } : statistics;
 }
 
-/** Marks the vertices that have a number which is not finite. */
-function markNonFinite(points: Float32Array, lost: Uint8Array = new Uint8Array(points.length / 3)): Uint8Array {
-  for (let i = 0; i < points.length; i++) if (!Number.isFinite(points[i])) lost[Math.floor(i / 3)] = 1;
-  return lost;
+/** Marks the vertices with coordinates that are not finite. */
+function markNonFinite(points: Float32Array, marks: Uint8Array = new Uint8Array(points.length / 3)): Uint8Array {
+  for (let i = 0; i < points.length; i++) if (!Number.isFinite(points[i])) marks[Math.floor(i / 3)] = 1;
+  return marks;
 }

@@ -6,24 +6,24 @@ import { makePoint, streamedNormals, streamedPoints } from './streamedPoints.ts'
 
 type PointSamples = Pick<SampledPointsMotion, 'points' | 'normals'>;
 
-/** Whether the samples of a deforming mesh are left in their file, and not in memory. */
+/** Whether the samples of a deforming mesh are read from files on demand. */
 export const isStreamed = (points: SampledPointsMotion['points']): points is StreamedPoints => 'statistics' in points;
 
-/** How many samples there are. */
+/** Number of samples. */
 export const sampleCount = ({ points }: SampledPointsMotion): number =>
   isStreamed(points) ? points.samples.length : points.length;
 
 /**
- * Sample k: 3 numbers per vertex, world-oriented, relative to the motion's origin [m]; not to be written to. What is left
- * in a file is read, which a thread of the page that draws cannot do.
+ * Sample k: 3 numbers per vertex, world-oriented, relative to the motion's origin [m]; do not write to it. Streamed samples are read from their file
+ * synchronously, which is impossible on the page's main thread.
  */
 export const pointsAt = ({ points }: PointSamples, k: number): Float32Array =>
   isStreamed(points) ? streamedPoints(points, k) : points[k];
 
-/** World-frame normals at sample k; undefined where they are the mesh's. */
+/** World-frame normals at sample k; undefined if they are the mesh's. */
 export const normalsAt = ({ points, normals }: PointSamples, k: number): Float32Array | undefined =>
   isStreamed(points) ? streamedNormals(points, k) : normals?.[k];
 
-/** One vertex at sample k [m], from the motion's origin. */
+/** One vertex at sample k [m], relative to the motion's origin. */
 export const vertexAt = ({ points }: SampledPointsMotion, k: number, vertex: number): Vec3 =>
   isStreamed(points) ? pointAt(makePoint(points, k, vertex), 0) : pointAt(points[k], vertex);

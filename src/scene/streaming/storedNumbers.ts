@@ -1,8 +1,8 @@
 import { fromHalf } from '../../math/half.ts';
 
 /**
- * A file of which parts can be read at any time, as plain data, so that it can be sent to other threads. `handle` is what
- * the host's own reader understands: a path on disk, a `File` of the page, or bytes in memory.
+ * A file whose byte ranges can be read at any time; plain data, so that it can be sent to other threads. `handle` is interpreted by the host's reader: a path on
+ * disk, a `File` of the page, or bytes in memory.
  */
 export interface StoredFile {
   /** For messages. */
@@ -10,16 +10,16 @@ export interface StoredFile {
   readonly handle: unknown;
 }
 
-/** Numbers that were left in a file: little-endian, one after the other. */
+/** An array of numbers in a file, little-endian. */
 export interface StoredNumbers {
   readonly file: StoredFile;
-  /** Byte at which they begin. */
+  /** Byte offset. */
   readonly at: number;
   readonly count: number;
   readonly scalar: 'half' | 'float' | 'double';
 }
 
-/** Reads `length` bytes of a file from `at` on, into memory of their own. Throws an InputError where the file has them no more. */
+/** Reads `length` bytes of a file from offset `at` into a new buffer. Throws an InputError if the file no longer has them. */
 export type ReadRange = (file: StoredFile, at: number, length: number) => Uint8Array<ArrayBuffer>;
 
 const NUMBER_BYTES = { half: 2, float: 4, double: 8 } as const;
@@ -27,28 +27,28 @@ const NUMBER_BYTES = { half: 2, float: 4, double: 8 } as const;
 export const storedByteLength = ({ count, scalar }: Pick<StoredNumbers, 'count' | 'scalar'>): number =>
   count * NUMBER_BYTES[scalar];
 
-let hostReads: ReadRange | undefined;
+let hostReader: ReadRange | undefined;
 
-/** How this thread reads files that are not in memory: each kind of thread says it once, at its start. */
+/** Sets how this thread reads files that are not in memory; called once when a thread starts. */
 export function setFileReader(read: ReadRange): void {
-  hostReads = read;
+  hostReader = read;
 }
 
 export function readRange(file: StoredFile, at: number, length: number): Uint8Array<ArrayBuffer> {
   const { handle } = file;
   if (handle instanceof Uint8Array) return copyOf(handle.subarray(at, at + length));
-  if (!hostReads) throw new Error(`this thread was not told how to read ${file.name}`);
-  return hostReads(file, at, length);
+  if (!hostReader) throw new Error(`this thread was not told how to read ${file.name}`);
+  return hostReader(file, at, length);
 }
 
-/** Also of a Buffer of Node, whose slices are no copies. */
+/** Unlike `slice`, also copies Buffers of Node. */
 function copyOf(bytes: Uint8Array): Uint8Array<ArrayBuffer> {
   const copy = new Uint8Array(bytes.length);
   copy.set(bytes);
   return copy;
 }
 
-/** `count` numbers from number `first` on; halves become f32. */
+/** Reads `count` numbers from index `first` on; halves become f32. */
 export function readStoredNumbers(
   { file, at, scalar, ...stored }: StoredNumbers,
   first = 0,
@@ -60,14 +60,14 @@ export function readStoredNumbers(
   return scalar === 'float' ? new Float32Array(buffer) : new Float64Array(buffer);
 }
 
-/** Numbers at a time: stored ones, or the share of the way from them to the next ones. */
+/** Numbers at a time: stored ones, or interpolated to the next ones by `fraction`. */
 export interface StoredSample {
   readonly before: StoredNumbers;
   readonly after?: StoredNumbers;
   readonly fraction: number;
 }
 
-/** Numbers at a time, linear between stored ones and in their precision, as UsdAttribute::Get has it. */
+/** Interpolates linearly in the precision of the stored numbers, as UsdAttribute::Get. */
 export function readSample({ before, after, fraction }: StoredSample, first = 0, count = before.count) {
   const numbers = readStoredNumbers(before, first, count);
   if (!after) return numbers;

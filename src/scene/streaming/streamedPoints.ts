@@ -5,27 +5,29 @@ import { transformNormalsInPlace, transformPointsInPlace } from '../mesh/transfo
 import { readSample, type StoredSample } from './storedNumbers.ts';
 import type { PointRecipe, StreamedPoints } from './storedPoints.ts';
 
-/** The points of sample k, 3 numbers per vertex, world-oriented, from the motion's origin [m]. */
+/** Reads the points of sample k: 3 numbers per vertex, world-oriented, relative to the motion's origin [m]. */
 export function makePoints(recipe: PointRecipe, k: number): Float32Array {
   const { points, matrix } = recipe.samples[k];
   return transformPointsInPlace(filePoints(recipe, points), matrix);
 }
 
-/** In the file's axes and units. */
+/** Points of the vertices in the file's axes and units. */
 function filePoints({ pointOfVertex, nonFiniteVertices }: PointRecipe, points: StoredSample): Float32Array {
-  const own = gatherPoints(readSample(points), pointOfVertex);
+  const gathered = gatherPoints(readSample(points), pointOfVertex);
   if (nonFiniteVertices)
-    for (let i = 0; i < own.length; i++) if (nonFiniteVertices[Math.floor(i / 3)] === 1) own[i] = 0;
-  return own;
+    for (let i = 0; i < gathered.length; i++) if (nonFiniteVertices[Math.floor(i / 3)] === 1) gathered[i] = 0;
+  return gathered;
 }
 
-/** The same without the vertices that are nowhere at some sample. */
+/** The same points with vertices that are not finite at some sample kept at the file's origin. */
 export function withoutNonFiniteVertices(points: StreamedPoints): StreamedPoints {
-  const { nonFiniteVertices, ...facts } = points.statistics;
-  return nonFiniteVertices ? { ...points, nonFiniteVertices, statistics: { ...facts, firstNonFinite: -1 } } : points;
+  const { nonFiniteVertices, ...statistics } = points.statistics;
+  return nonFiniteVertices
+    ? { ...points, nonFiniteVertices, statistics: { ...statistics, firstNonFinite: -1 } }
+    : points;
 }
 
-/** Their normals, unit. */
+/** Unit normals of sample k, as `makePoints`. */
 export function makeNormals(recipe: PointRecipe, k: number): Float32Array {
   const { samples, pointOfVertex, shading } = recipe;
   const { points, matrix } = samples[k];
@@ -36,13 +38,13 @@ export function makeNormals(recipe: PointRecipe, k: number): Float32Array {
   return zeroNonFinite(transformNormalsInPlace(normals, matrix));
 }
 
-/** What is no number is 0: such a normal is none, as one of length 0. */
+/** Replaces values that are not finite by 0. */
 function zeroNonFinite(normals: Float32Array): Float32Array {
   for (let i = 0; i < normals.length; i++) if (!Number.isFinite(normals[i])) normals[i] = 0;
   return normals;
 }
 
-/** One vertex of sample k alone: three numbers are read. */
+/** One vertex of sample k; reads three numbers only. */
 export function makePoint(
   { samples, pointOfVertex, nonFiniteVertices }: PointRecipe,
   k: number,
@@ -53,66 +55,68 @@ export function makePoint(
   return transformPointsInPlace(Float32Array.from(own), matrix);
 }
 
-/** Samples that were made lately. */
+/** Least recently used cache of samples. */
 class SampleCache {
-  private readonly made = new Map<string, Float32Array>();
-  private readonly names = new WeakMap<PointRecipe, number>();
-  private named = 0;
-  private left: number;
+  private readonly samples = new Map<string, Float32Array>();
+  private readonly ids = new WeakMap<PointRecipe, number>();
+  private lastId = 0;
+  private bytesLeft: number;
 
-  /** [bytes] */
+  /** `budget` [bytes]. */
   constructor(budget: number) {
-    this.left = budget;
+    this.bytesLeft = budget;
   }
 
-  /** Those that were not asked for for the longest time give way. */
+  /** Evicts the least recently used samples beyond the budget, but keeps two. */
   get(points: PointRecipe, k: number, make: typeof makePoints): Float32Array {
-    const name = this.names.get(points) ?? ++this.named;
-    this.names.set(points, name);
-    const key = `${make === makePoints ? 'points' : 'normals'} ${name} ${k}`;
-    const found = this.made.get(key) ?? make(points, k);
-    if (!this.made.delete(key)) this.left -= found.byteLength;
-    this.made.set(key, found);
-    for (const [oldest, { byteLength }] of this.made) {
-      if (this.left >= 0 || this.made.size <= 2) break;
-      this.made.delete(oldest);
-      this.left += byteLength;
+    const id = this.ids.get(points) ?? ++this.lastId;
+    this.ids.set(points, id);
+    const key = `${make === makePoints ? 'points' : 'normals'} ${id} ${k}`;
+    const sample = this.samples.get(key) ?? make(points, k);
+    if (!this.samples.delete(key)) this.bytesLeft -= sample.byteLength;
+    this.samples.set(key, sample);
+    for (const [oldest, { byteLength }] of this.samples) {
+      if (this.bytesLeft >= 0 || this.samples.size <= 2) break;
+      this.samples.delete(oldest);
+      this.bytesLeft += byteLength;
     }
-    return found;
+    return sample;
   }
 }
 
-/** For the samples of all streamed meshes, in each thread that reads them [bytes]. */
+/** Default cache size per thread for the samples of all streamed meshes [bytes]. */
 const SAMPLE_MEMORY = 128 * 2 ** 20;
-let made = new SampleCache(SAMPLE_MEMORY);
+let sampleCache = new SampleCache(SAMPLE_MEMORY);
 
-/** Gives this thread so much memory for samples [bytes], and forgets those that it has. */
+/** Sets the size of this thread's sample cache [bytes] and clears it. */
 export function setSampleCacheSize(bytes: number): void {
-  made = new SampleCache(bytes);
+  sampleCache = new SampleCache(bytes);
 }
 
-/** As `makePoints`, kept for a while: not to be written to. */
-export const streamedPoints = (points: StreamedPoints, k: number): Float32Array => made.get(points, k, makePoints);
+/** As `makePoints`, cached: do not write to it. */
+export const streamedPoints = (points: StreamedPoints, k: number): Float32Array =>
+  sampleCache.get(points, k, makePoints);
 
-/** As `makeNormals`, kept for a while. */
-export const streamedNormals = (points: StreamedPoints, k: number): Float32Array => made.get(points, k, makeNormals);
+/** As `makeNormals`, cached: do not write to it. */
+export const streamedNormals = (points: StreamedPoints, k: number): Float32Array =>
+  sampleCache.get(points, k, makeNormals);
 
-/** All samples turned and enlarged alike, by a matrix that does not shear. A box is that of the box that is turned. */
+/** Applies a matrix without shear to all samples. New boxes bound the transformed old ones. */
 export function transformStreamedPoints(points: StreamedPoints, linear: Mat4): StreamedPoints {
   const { samples, statistics } = points;
   const s = Math.hypot(linear[0], linear[4], linear[8]);
   const boxes = new Float64Array(statistics.boxes.length);
   for (let k = 0; k < samples.length; k++)
     boxes.set(transformBox(statistics.boxes.subarray(6 * k, 6 * k + 6), linear), 6 * k);
-  const [radii, ways] = [statistics.radii.map((r) => s * r), statistics.displacements.map((way) => s * way)];
+  const [radii, displacements] = [statistics.radii.map((r) => s * r), statistics.displacements.map((d) => s * d)];
   return {
     ...points,
     samples: samples.map((sample) => ({ ...sample, matrix: multiply(linear, sample.matrix) })),
-    statistics: { ...statistics, boxes, radii, displacements: ways },
+    statistics: { ...statistics, boxes, radii, displacements },
   };
 }
 
-/** Least and greatest corner of a box that has been turned. */
+/** Bounding box of a transformed box: min and max corner. */
 function transformBox(box: Float64Array, m: Mat4): number[] {
   const rows = [0, 1, 2].map((row) =>
     [0, 1, 2].map((k) => [m[4 * row + k] * box[k], m[4 * row + k] * box[3 + k]] as const),
@@ -122,7 +126,7 @@ function transformBox(box: Float64Array, m: Mat4): number[] {
   return [...ends(Math.min), ...ends(Math.max)];
 }
 
-/** Carried along: the samples of `order`, each moved by its own shift [m], three numbers each. */
+/** The samples with the indices `order`, each translated by its own shift [m], three numbers each. */
 export function translateStreamedPoints(
   points: StreamedPoints,
   order: readonly number[],
@@ -133,9 +137,11 @@ export function translateStreamedPoints(
   const boxes = order.flatMap((from, k) =>
     Array.from(statistics.boxes.subarray(6 * from, 6 * from + 6), (x, i) => x + shift(k, i % 3)),
   );
-  /** Of piece k of the old ones; none where a sample is there twice. */
-  const before = (values: ArrayLike<number>, k: number): number => (order[k] < order[k + 1] ? values[order[k]] : 0);
-  const carried = (k: number): number => Math.hypot(...[0, 1, 2].map((axis) => shift(k + 1, axis) - shift(k, axis)));
+  /** The value of the original piece; 0 if piece k joins a sample to itself. */
+  const originalValue = (values: ArrayLike<number>, k: number): number =>
+    order[k] < order[k + 1] ? values[order[k]] : 0;
+  const shiftChange = (k: number): number =>
+    Math.hypot(...[0, 1, 2].map((axis) => shift(k + 1, axis) - shift(k, axis)));
   const pieces = { length: order.length - 1 };
   return {
     ...points,
@@ -148,8 +154,8 @@ export function translateStreamedPoints(
       ...statistics,
       boxes: Float64Array.from(boxes),
       radii: Float64Array.from(order, (from) => statistics.radii[from]),
-      displacements: Float64Array.from(pieces, (_, k) => before(statistics.displacements, k) + carried(k)),
-      fastest: Uint32Array.from(pieces, (_, k) => before(statistics.fastest, k)),
+      displacements: Float64Array.from(pieces, (_, k) => originalValue(statistics.displacements, k) + shiftChange(k)),
+      fastest: Uint32Array.from(pieces, (_, k) => originalValue(statistics.fastest, k)),
       firstNonFinite: statistics.firstNonFinite < 0 ? -1 : order.indexOf(statistics.firstNonFinite),
     },
   };

@@ -75,8 +75,8 @@ export function addAreaLight(
     );
     const shift = dopplerFrom(surface, nearest);
     addReflected(
-      { share: alive ? diffuse.mul(alive) : diffuse, ...(D && { D }) },
-      { share: alive ? specular.mul(alive) : specular, ...(shift && { D: shift }) },
+      { reflectance: alive ? diffuse.mul(alive) : diffuse, ...(D && { D }) },
+      { reflectance: alive ? specular.mul(alive) : specular, ...(shift && { D: shift }) },
     );
   });
 }

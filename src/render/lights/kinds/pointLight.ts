@@ -31,5 +31,5 @@ function pointLight(
     (product, factor) => (factor ? product.mul(factor) : product),
     falloff,
   );
-  return { share: evaluateBrdf(brdf, rest.into(n)).mul(factor), ...incidentSpectrumBetween(n, rest, frame) };
+  return { reflectance: evaluateBrdf(brdf, rest.into(n)).mul(factor), ...incidentSpectrumBetween(n, rest, frame) };
 }

@@ -91,9 +91,12 @@ function sphereLight(
     const specular = areaSpecular(brdf, toward, widening, widening).mul(seen.sine2.mul(factor).mul(Math.PI));
     const shift = dopplerFrom(surfaceInLightFrame(N, rest, frame), frame.into(rest.out(toward)));
     addReflected(
-      { share: brdf.diffuse.mul(irradiance.mul(wholeIrradiance).mul(factor).div(whole.mul(Math.PI))), ...(D && { D }) },
+      {
+        reflectance: brdf.diffuse.mul(irradiance.mul(wholeIrradiance).mul(factor).div(whole.mul(Math.PI))),
+        ...(D && { D }),
+      },
       // The solid angle is that in the surface's frame; times D² it is that in the light's.
-      shift ? { share: specular.mul(shift.mul(shift)), D: shift } : { share: specular },
+      shift ? { reflectance: specular.mul(shift.mul(shift)), D: shift } : { reflectance: specular },
     );
   });
 }

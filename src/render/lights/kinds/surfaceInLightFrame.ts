@@ -40,9 +40,9 @@ export function meanLight({ U }: SurfaceInLightFrame, amount: Float, toward: Vec
   return { D, irradiance: amount.div(D) };
 }
 
-/** What a surface reflects of a light's irradiance, and the D of that light. */
+/** The radiance that a surface reflects per unit of a light's radiance or intensity, and the D of the incident light. */
 export interface ReflectedLight {
-  readonly share: SpectralFilterNodes;
+  readonly reflectance: SpectralFilterNodes;
   readonly D?: Float;
 }
 

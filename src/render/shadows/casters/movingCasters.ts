@@ -46,7 +46,7 @@ export class MovingCasters {
   private readonly casters: { readonly mesh: Mesh; readonly bodies: readonly Body[] }[] = [];
 
   constructor(occluders: Occluders) {
-    const { bodies, drawables: drawCalls, points } = occluders;
+    const { bodies, drawCalls, points } = occluders;
     this.occluders = occluders;
     this.poses = new PoseTable(bodies.length);
     this.tables = { objects: new FloatTable(256), samples: new FloatTable(1024), points };
@@ -62,7 +62,7 @@ export class MovingCasters {
 
   /** Adds the casters to an atlas; `drawsSurroundings`: uniform that is 1 while the surroundings of a light are drawn, which have another origin. */
   addTo(map: ShadowAtlas, bodies: ReadonlySet<Body>, projection: LayerProjection, drawsSurroundings?: Int): void {
-    const { drawables: drawCalls, materials } = this.occluders;
+    const { drawCalls, materials } = this.occluders;
     for (const drawCall of drawCalls) {
       const ownBodies = drawCall.batch.bodies.filter((body) => bodies.has(body));
       if (drawCall.batch.transparent || ownBodies.length === 0) continue;

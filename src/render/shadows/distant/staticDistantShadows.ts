@@ -47,7 +47,7 @@ export class StaticDistantShadows {
   private renderedKey = '';
 
   constructor(occluders: Occluders, lights: readonly ShadowedDistantLight[], gpu: Gpu) {
-    const { bodies, drawables: drawCalls, detail } = occluders;
+    const { bodies, drawCalls, detail } = occluders;
     const resting = bodies.filter(isAlwaysStatic);
     let count = 0;
     this.lights = lights.map((distantLight) => {

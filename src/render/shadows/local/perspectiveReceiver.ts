@@ -107,8 +107,8 @@ export function castersVisibility(
   const layerOf = (slot: Int | number): Int | number =>
     typeof first === 'number' && typeof slot === 'number' ? first + slot : intNode(first).add(intNode(slot));
   for (let slot = 0; slot < count; slot++) {
-    const path = pathPastCaster(table, layerOf(slot), event, incoming);
-    const isBehind = path.clearance.lessThan(0).toVar();
+    const { clearance } = pathPastCaster(table, layerOf(slot), event, incoming);
+    const isBehind = clearance.lessThan(0).toVar();
     behind.addAssign(isBehind.select(int(1 << slot), int(0)));
     casterCount.addAssign(isBehind.select(int(1), int(0)));
   }
@@ -130,7 +130,7 @@ const intNode = (x: Int | number): Int => (typeof x === 'number' ? int(x) : x);
 const SURFACE_DISTANCE = 0.5;
 
 /**
- * The light's path past a body, whether it enters the body's sphere (`clearance` < 0), and the place on it to look up; for events on the body, the event
+ * The light's path past a body, whether it enters the body's sphere (`clearance` < 0), and the position on it to look up; for events on the body, the event
  * itself.
  */
 function pathPastCaster(
@@ -148,7 +148,7 @@ function pathPastCaster(
   const clearance = radius.greaterThan(0).select(dot(fromCenter, fromCenter).sub(radius.mul(radius)), float(1));
   const away = length(here.sub(sphere.xyz)).div(radius).sub(1).div(SURFACE_DISTANCE);
   const beyond = s.mul(clamp(away, 0, 1)).toVar();
-  return { way: path, looked: here.add(path.mul(beyond)), beyond, clearance };
+  return { path, lookupPosition: here.add(path.mul(beyond)), beyond, clearance };
 }
 
 /** Whether all texels that the filter may read are on the tile; `on`: relative to the tile's centre. */
@@ -165,10 +165,10 @@ function casterVisibility(
   const shader = lightShader(incoming.kind);
   const rows: PerspectiveRows = readPerspectiveRows(table, layer);
   const [across, up, { w: focal }, source] = rows;
-  const { way: path, looked: lookupPlace, beyond } = pathPastCaster(table, layer, event, incoming);
-  const d = onLayerAxes(rows, lookupPlace.sub(source.xyz)).toVar();
+  const { path, lookupPosition, beyond } = pathPastCaster(table, layer, event, incoming);
+  const d = onLayerAxes(rows, lookupPosition.sub(source.xyz)).toVar();
   const normal = onLayerAxes(rows, event.normal).toVar();
-  // As far behind that place as the event is.
+  // As far behind that position as the event is.
   const depth = d.z.add(length(path).mul(beyond)).max(1e-6).toVar();
   const lift = normalBiasOf(normal, d).mul(depth.div(focal)).toVar();
   const at = d.add(normal.mul(lift)).toVar();

@@ -34,11 +34,7 @@ export class StaticLocalShadows {
   private readonly radius: number;
   private renderedKey = '';
 
-  constructor(
-    { bodies, drawables: drawCalls, materials, detail, radius }: Occluders,
-    lights: readonly LightEntry[],
-    gpu: Gpu,
-  ) {
+  constructor({ bodies, drawCalls, materials, detail, radius }: Occluders, lights: readonly LightEntry[], gpu: Gpu) {
     const resting = bodies.filter(isAlwaysStatic);
     let count = 0;
     this.firstTiles = lights.map(({ light }) => {

@@ -5,7 +5,7 @@ import { frustumSides } from '../../geometry/culling.ts';
 import type { Observation } from '../../geometry/observation.ts';
 import type { SpacetimeProjection } from '../../geometry/vertexStage.ts';
 
-/** How a picture is looked at, as far as the cutting of edges depends on it. */
+/** A view, as far as tessellation depends on it. */
 export interface TessellationView {
   readonly observation: Observation;
   readonly projection: SpacetimeProjection;
@@ -14,33 +14,33 @@ export interface TessellationView {
   readonly frustum: Frustum;
   /** Pixels per unit tangent. */
   readonly focal: number;
-  /** How far a straight edge may be from the curve that is seen [px]. */
+  /** Largest distance of a straight edge from the curve that it approximates [px]. */
   readonly tolerance: number;
-  /** Most leaves of a picture; where more were needed, the tolerance is doubled until there are not. */
+  /** Most patches of a view; the tolerance is doubled until they suffice. */
   readonly maxPatches: number;
 }
 
-/** What all bodies of a picture are measured by. */
+/** What a view's edges are measured with. */
 export interface ScreenMetric {
   readonly view: TessellationView;
-  /** Inward normals of the picture's sides, and its forward direction. */
+  /** Inward normals of the frustum's sides and the forward direction, and that direction by itself. */
   readonly sides: readonly Vec3[];
   readonly forward: Vec3;
-  /** That of the look, or more where the budget asks for it [px]. */
+  /** The view's, or more to stay within the patch budget [px]. */
   readonly tolerance: number;
   /** 1 + tan² of the angle to the picture's corner. */
   readonly cornerMagnification: number;
 }
 
-export function screenMetricOf(look: TessellationView, tolerance: number): ScreenMetric {
-  const { orientation, frustum } = look;
+export function screenMetricOf(view: TessellationView, tolerance: number): ScreenMetric {
+  const { orientation, frustum } = view;
   const forward = rotate(orientation, [0, 0, -1]);
   const sides = [...frustumSides(orientation, frustum), forward];
-  return { view: look, sides, forward, tolerance, cornerMagnification: cornerMagnification(frustum) };
+  return { view, sides, forward, tolerance, cornerMagnification: cornerMagnification(frustum) };
 }
 
 /** 1 + tan² of the angle between the forward axis and the corner farthest from it. */
 export function cornerMagnification(frustum: Frustum): number {
-  const [across, up] = farthestCorner(frustum);
-  return 1 + across * across + up * up;
+  const [right, up] = farthestCorner(frustum);
+  return 1 + right * right + up * up;
 }

@@ -100,7 +100,7 @@ export class FactorKernels {
           projection,
           triangleTable.interpolate(triangle, weights, { ...sources, colored: false }, instance),
         );
-      const { levels: factors, pattern } = patchFactors(cornerWeights(head, tail), project, metric);
+      const { factors, pattern } = patchFactors(cornerWeights(head, tail), project, metric);
       buffers.append(index, int(tail.w).toVar(), factors, pattern);
     })().compute(1);
     return { node, first };

@@ -8,7 +8,7 @@ import type { TriangleTable } from './triangleTable.ts';
 
 /** The patches of one batch, drawn from the lists that a compute kernel has filled (factorKernels.ts): one indirect draw per pattern. */
 export class IndirectPatches {
-  readonly drawables: readonly DrawCall[];
+  readonly drawCalls: readonly DrawCall[];
   private readonly first = uniform(0, 'uint');
   private readonly count = uniform(0, 'uint');
 
@@ -31,16 +31,16 @@ export class IndirectPatches {
       const weights = weightsAt(patch, coordinate.x, coordinate.y);
       return triangleTable.interpolate(int(patch.head.x), weights, cornerSources(indexed), patch.instance);
     };
-    this.drawables = [makeDrawCall(geometry, { ...indexed, vertex: { ...indexed.vertex, vertex } })];
+    this.drawCalls = [makeDrawCall(geometry, { ...indexed, vertex: { ...indexed.vertex, vertex } })];
   }
 
   show(range: PatchRange): void {
     this.first.value = range.first;
     this.count.value = range.count;
-    this.drawables[0].mesh.visible = range.count > 0;
+    this.drawCalls[0].mesh.visible = range.count > 0;
   }
 
   hide(): void {
-    this.drawables[0].mesh.visible = false;
+    this.drawCalls[0].mesh.visible = false;
   }
 }

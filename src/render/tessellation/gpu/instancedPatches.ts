@@ -18,7 +18,7 @@ const MIN_CAPACITY = 64;
 
 /** The patches of one batch with tessellation factors computed on the CPU: each pattern is drawn as instances, one per patch. */
 export class InstancedPatches {
-  readonly drawables: readonly DrawCall[];
+  readonly drawCalls: readonly DrawCall[];
   private readonly buffers: PatternInstances[];
 
   constructor(indexed: DrawCall, triangleTable: TriangleTable) {
@@ -38,14 +38,14 @@ export class InstancedPatches {
     this.buffers = PATTERNS.map((_, pattern) => new PatternInstances(pattern));
     // All patterns share one shader, so one set of materials.
     const materials: DrawCall['materials'] = new Map();
-    this.drawables = this.buffers.map(({ geometry }) => ({ ...makeDrawCall(geometry, sources), materials }));
+    this.drawCalls = this.buffers.map(({ geometry }) => ({ ...makeDrawCall(geometry, sources), materials }));
     this.hide();
   }
 
   /** `firstTriangle`, `firstInstance`: added to the patches' indices. Returns the number of triangles. */
   show(patchesByPattern: PatchesByPattern, firstTriangle: number, firstInstance: number): number {
     let triangles = 0;
-    this.drawables.forEach(({ mesh }, pattern) => {
+    this.drawCalls.forEach(({ mesh }, pattern) => {
       const patches = patchesByPattern[pattern];
       mesh.visible = patches.count > 0;
       if (patches.count === 0) return;
@@ -56,7 +56,7 @@ export class InstancedPatches {
   }
 
   hide(): void {
-    for (const { mesh } of this.drawables) mesh.visible = false;
+    for (const { mesh } of this.drawCalls) mesh.visible = false;
   }
 }
 

@@ -16,7 +16,7 @@ const MIN_CAPACITY = 1024;
  * which are computed on the CPU.
  */
 export class OrderedPatches {
-  readonly drawables: readonly DrawCall[];
+  readonly drawCalls: readonly DrawCall[];
   private vertices = new Float32Array(VERTEX_FLOATS * MIN_CAPACITY);
   private used = 0;
 
@@ -27,7 +27,7 @@ export class OrderedPatches {
       return triangleTable.interpolate(int(triangle), weights, cornerSources(indexed), float(0));
     };
     const sources = { ...indexed, vertex: { ...indexed.vertex, vertex } };
-    this.drawables = [makeDrawCall(geometryOf(this.vertices), sources)];
+    this.drawCalls = [makeDrawCall(geometryOf(this.vertices), sources)];
     this.hide();
   }
 
@@ -40,7 +40,7 @@ export class OrderedPatches {
   }
 
   hide(): void {
-    this.drawables[0].mesh.visible = false;
+    this.drawCalls[0].mesh.visible = false;
   }
 
   private addPatch([triangle, w01, w02, w11, w12, w21, w22, factors]: Float32Array, firstTriangle: number): void {
@@ -64,7 +64,7 @@ export class OrderedPatches {
   }
 
   private upload(): void {
-    const { mesh } = this.drawables[0];
+    const { mesh } = this.drawCalls[0];
     const position = mesh.geometry.getAttribute('position') as BufferAttribute;
     if (position.array === this.vertices) {
       position.clearUpdateRanges();

@@ -8,18 +8,18 @@ import { cornerMagnification, type TessellationView } from '../criterion/tessell
 import { MAX_LOG2_FACTOR } from '../patches/patch.ts';
 import { baseFactor, maxInt } from './shaderPatch.ts';
 
-/** Where a point of an edge is shown, in the observer's frame [m], and whether there is such a point. */
+/** Observer position of a point of an edge [m], and whether the point exists. */
 export interface ProjectedPoint {
-  readonly shown: Vec3;
+  readonly position: Vec3;
   readonly exists: Bool;
 }
 
-/** What a picture's edges are measured by; `take` once per picture. */
+/** Uniforms of the edge metric of a view (`ScreenMetric`); `set` once per view. */
 export class EdgeMetricUniforms {
   readonly focal = uniform(1);
   readonly tolerance = uniform(1);
   readonly forward = uniform(new Vector3());
-  /** 1 + tan² of the picture's corner. */
+  /** 1 + tan² of the angle to the picture's corner. */
   readonly cornerMagnification = uniform(1);
 
   set({ focal, orientation, frustum }: TessellationView, tolerance: number): void {
@@ -30,43 +30,43 @@ export class EdgeMetricUniforms {
   }
 }
 
-/** Levels of a leaf's three edges, packed, and its pattern; `show` tells where the point with some weights of the triangle's corners is seen. */
+/** The packed tessellation factors of a patch's three edges, and its pattern. `project`: from weights of the triangle's corners to the observer position. */
 export function patchFactors(
   corners: readonly [Vec3, Vec3, Vec3],
   project: (weights: Vec3) => ProjectedPoint,
   metric: EdgeMetricUniforms,
-): { levels: Int; pattern: Int } {
-  const levels = [int(0).toVar(), int(0).toVar(), int(0).toVar()] as const;
+): { factors: Int; pattern: Int } {
+  const factors = [int(0).toVar(), int(0).toVar(), int(0).toVar()] as const;
   Loop({ start: int(0), end: int(3), type: 'int', condition: '<' }, ({ i }) => {
     const edge = int(i).toVar();
-    const of = (k: number) => {
+    const corner = (k: number) => {
       const at = edge.add(int(k));
       return select(at.equal(int(1)), corners[1], select(at.equal(int(2)), corners[2], corners[0]));
     };
-    const level = edgeFactor(of(0).toVar(), of(1).toVar(), project, metric);
-    levels.forEach((to, k) => {
-      to.assign(select(edge.equal(int(k)), level, to));
+    const factor = edgeFactor(corner(0).toVar(), corner(1).toVar(), project, metric);
+    factors.forEach((to, k) => {
+      to.assign(select(edge.equal(int(k)), factor, to));
     });
   });
-  const most = maxInt(maxInt(levels[0], levels[1]), levels[2]);
-  // As patternOf and packLevels.
-  const pattern = most
-    .mul(most.add(int(1)))
+  const largest = maxInt(maxInt(factors[0], factors[1]), factors[2]);
+  // As patternIndexOf (pattern.ts) and packFactors (patch.ts).
+  const pattern = largest
+    .mul(largest.add(int(1)))
     .shiftRight(int(1))
-    .add(baseFactor(...levels))
+    .add(baseFactor(...factors))
     .toVar();
-  const packed = levels[0]
-    .add(levels[1].shiftLeft(int(3)))
-    .add(levels[2].shiftLeft(int(6)))
+  const packed = factors[0]
+    .add(factors[1].shiftLeft(int(3)))
+    .add(factors[2].shiftLeft(int(6)))
     .toVar();
-  return { levels: packed, pattern };
+  return { factors: packed, pattern };
 }
 
 /**
- * As EdgeCriterion.pieces (edgeCriterion.ts), for edges that are graded already, and as little dependent on which end is the first: weights are
- * exact, and of the five points only symmetric functions are used.
+ * As `EdgeCriterion.segments` (edgeCriterion.ts), for edges that are graded already. Depends as little as possible on which end comes first: weights are exact,
+ * and only symmetric functions of the five points are used.
  */
-function edgeFactor(from: Vec3, to: Vec3, show: (weights: Vec3) => ProjectedPoint, gauge: EdgeMetricUniforms): Int {
+function edgeFactor(from: Vec3, to: Vec3, project: (weights: Vec3) => ProjectedPoint, metric: EdgeMetricUniforms): Int {
   const quarter = to.sub(from).mul(0.25).toVar();
   const [before, middle] = [vec3(0).toVar(), vec3(0).toVar()];
   const [begin, end] = [vec3(0).toVar(), vec3(0).toVar()];
@@ -74,10 +74,10 @@ function edgeFactor(from: Vec3, to: Vec3, show: (weights: Vec3) => ProjectedPoin
   const [turned, direction] = [float(0).toVar(), vec3(0).toVar()];
   const missing = bool(false).toVar();
   Loop({ start: int(0), end: int(5), type: 'int', condition: '<' }, ({ i }) => {
-    // Loops inside `show` count with a variable of the same name.
+    // Loops inside `project` use the same variable name.
     const k = int(i).toVar();
-    const point = show(from.add(quarter.mul(float(k))).toVar());
-    end.assign(point.shown);
+    const point = project(from.add(quarter.mul(float(k))).toVar());
+    end.assign(point.position);
     missing.assign(missing.or(point.exists.not()));
     If(k.equal(int(0)), () => {
       begin.assign(end);
@@ -89,38 +89,38 @@ function edgeFactor(from: Vec3, to: Vec3, show: (weights: Vec3) => ProjectedPoin
     });
     direction.assign(n);
     least.assign(min(least, distance));
-    largest.assign(max(largest, magnification(end, gauge)));
+    largest.assign(max(largest, magnification(end, metric)));
     If(k.greaterThan(int(1)), () => {
-      bend.assign(max(bend, secondDifferencePixels(before.add(end).sub(middle.mul(2)).toVar(), middle, gauge)));
+      bend.assign(max(bend, secondDifferencePixels(before.add(end).sub(middle.mul(2)).toVar(), middle, metric)));
     });
     before.assign(middle);
     middle.assign(end);
   });
   const long = length(end.sub(begin))
-    .mul(gauge.focal)
+    .mul(metric.focal)
     .mul(largest)
     .greaterThanEqual(least.mul(float(MIN_EDGE_PIXELS)));
-  const wide = turned.mul(gauge.focal).mul(largest).greaterThanEqual(MIN_STEP_PIXELS);
-  const square = select(long.and(wide).and(missing.not()), bend.mul(2).div(gauge.tolerance), float(0)).toVar();
-  const level = int(0).toVar();
-  for (let k = 0; k < MAX_LOG2_FACTOR; k++) level.addAssign(select(square.greaterThan(4 ** k), int(1), int(0)));
-  return level;
+  const wide = turned.mul(metric.focal).mul(largest).greaterThanEqual(MIN_STEP_PIXELS);
+  const square = select(long.and(wide).and(missing.not()), bend.mul(2).div(metric.tolerance), float(0)).toVar();
+  const factor = int(0).toVar();
+  for (let k = 0; k < MAX_LOG2_FACTOR; k++) factor.addAssign(select(square.greaterThan(4 ** k), int(1), int(0)));
+  return factor;
 }
 
-/** Size of the second difference S at a place F in the picture [px]: S⊥ focal (1 + tan²θ)/|F|, and a share of what is along F. */
-function secondDifferencePixels(difference: Vec3, at: Vec3, gauge: EdgeMetricUniforms): Float {
+/** Length in the picture of the second difference S at the observer position F [px]: S⊥ focal (1 + tan²θ)/|F|, with S∥ weighted by `DEPTH_WEIGHT`. */
+function secondDifferencePixels(difference: Vec3, at: Vec3, metric: EdgeMetricUniforms): Float {
   const distance = max(length(at), 1e-30).toVar();
   const n = at.div(distance).toVar();
   const along = dot(difference, n).toVar();
   const across = length(difference.sub(n.mul(along)))
-    .mul(magnification(at, gauge))
+    .mul(magnification(at, metric))
     .toVar();
   return length(vec2(across, along.mul(float(DEPTH_WEIGHT))))
     .div(distance)
-    .mul(gauge.focal);
+    .mul(metric.focal);
 }
 
-/** 1 + tan² of the angle from the picture's middle, at most that of its corner. */
+/** 1 + tan² of the angle from the forward axis, at most that of the corner. */
 function magnification(at: Vec3, { forward, cornerMagnification }: EdgeMetricUniforms): Float {
   const depth = dot(at, forward).toVar();
   const square = dot(at, at).toVar();

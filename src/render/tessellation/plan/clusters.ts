@@ -4,26 +4,26 @@ import type { PlannedBatch } from '../projection/projectBody.ts';
 /** Most triangles of a cluster. */
 const MAX_CLUSTER_TRIANGLES = 128;
 
-/** All clusters of one body in a batch: [first, end). */
+/** The clusters of one body in a batch: [first, end) among the clusters of all bodies. */
 export interface ClusterRange {
   /** Object id − 1. */
   readonly body: number;
-  /** Of a mesh that many wear, the body's place among them. */
+  /** With instancing, the index of the body among the bodies of the batch; otherwise 0. */
   readonly instance: number;
-  /** Cluster of the arrays that is the first; those of a mesh that many wear are every body's. */
+  /** Index of the first cluster in the mesh; 0 with instancing, because all bodies share the clusters of the mesh. */
   readonly firstInMesh: number;
   readonly first: number;
   readonly end: number;
 }
 
-/** A batch's triangles in runs of neighbours in the index buffer, each of one body; of a mesh that many wear, each body has all of them. */
+/** Divides a batch's triangles into runs that are contiguous in the index buffer and belong to one body; with instancing, every body has all of them. */
 export class Clusters {
   /** First triangle of each cluster, and after the last one the number of triangles. */
   readonly starts: Uint32Array;
   readonly ranges: readonly ClusterRange[];
 
-  constructor({ arrays, bodies, instancing: worn }: Pick<PlannedBatch, 'arrays' | 'bodies' | 'instancing'>) {
-    if (worn) {
+  constructor({ arrays, bodies, instancing }: Pick<PlannedBatch, 'arrays' | 'bodies' | 'instancing'>) {
+    if (instancing) {
       const triangles = arrays.indices.length / 3;
       const each = Math.ceil(triangles / MAX_CLUSTER_TRIANGLES);
       this.starts = Uint32Array.from({ length: each + 1 }, (_, k) => Math.min(triangles, MAX_CLUSTER_TRIANGLES * k));
@@ -39,45 +39,45 @@ export class Clusters {
     const { indices, ids } = arrays;
     const triangles = indices.length / 3;
     const starts: number[] = [];
-    const runs: ClusterRange[] = [];
+    const ranges: ClusterRange[] = [];
     let body = -1;
     for (let t = 0; t < triangles; t++) {
       const owner = ids[2 * indices[3 * t]];
       if (owner !== body)
-        runs.push({ body: owner, instance: 0, firstInMesh: starts.length, first: starts.length, end: starts.length });
+        ranges.push({ body: owner, instance: 0, firstInMesh: starts.length, first: starts.length, end: starts.length });
       if (owner !== body || t - starts[starts.length - 1] >= MAX_CLUSTER_TRIANGLES) {
         starts.push(t);
-        const run = runs[runs.length - 1];
-        runs[runs.length - 1] = { ...run, end: starts.length };
+        const range = ranges[ranges.length - 1];
+        ranges[ranges.length - 1] = { ...range, end: starts.length };
       }
       body = owner;
     }
     this.starts = Uint32Array.from([...starts, triangles]);
-    this.ranges = runs;
+    this.ranges = ranges;
   }
 
-  /** In the arrays. */
+  /** Number of clusters of the mesh. */
   get count(): number {
     return this.starts.length - 1;
   }
 
-  /** Of all bodies: what has a fate of its own. */
+  /** Number of clusters of all bodies, each of which has a state of its own. */
   get totalCount(): number {
     return this.ranges.reduce((most, { end }) => Math.max(most, end), 0);
   }
 }
 
-/** Of each cluster, in the coordinates of its batch. */
+/** The bounds of each cluster, in the coordinates of its batch. */
 export function clusterBoundsOf(clusters: Clusters, { positions, indices }: PlannedBatch['arrays']): ClusterBounds[] {
-  const ball = new Float64Array(4);
+  const sphere = new Float64Array(4);
   return Array.from({ length: clusters.count }, (_, k) => {
     const corners = clusterIndices(clusters, indices, k);
-    clusterSphere(positions, corners, ball, 0);
+    clusterSphere(positions, corners, sphere, 0);
     return {
-      x: ball[0],
-      y: ball[1],
-      z: ball[2],
-      radius: ball[3],
+      x: sphere[0],
+      y: sphere[1],
+      z: sphere[2],
+      radius: sphere[3],
       longestEdge: longestEdge(positions, corners),
       maxSpeed: 0,
     };
@@ -87,7 +87,7 @@ export function clusterBoundsOf(clusters: Clusters, { positions, indices }: Plan
 export const clusterIndices = ({ starts }: Clusters, indices: Uint32Array, k: number): Uint32Array =>
   indices.subarray(3 * starts[k], 3 * starts[k + 1]);
 
-/** A ball round the middle of the box of some vertices: (middle, radius) at out[at …]. */
+/** Writes a bounding sphere of some vertices, around the centre of their box: (centre, radius) at out[at …]. */
 export function clusterSphere(p: Float32Array, vertices: Uint32Array, out: Float64Array, at: number): void {
   for (let k = 0; k < 3; k++) {
     let [low, high] = [Infinity, -Infinity];
@@ -108,7 +108,7 @@ export function clusterSphere(p: Float32Array, vertices: Uint32Array, out: Float
   out[at + 3] = Math.sqrt(square);
 }
 
-/** Of triangles, whose corners these are. */
+/** The longest edge of the triangles whose corners these are. */
 export function longestEdge(p: Float32Array, corners: Uint32Array): number {
   let square = 0;
   for (let i = 0; i < corners.length; i++) {
@@ -120,19 +120,19 @@ export function longestEdge(p: Float32Array, corners: Uint32Array): number {
   return Math.sqrt(square);
 }
 
-/** What holds all lumps of one body. */
-export function mergeBounds(lumps: readonly ClusterBounds[]): ClusterBounds {
-  if (lumps.length === 1) return lumps[0];
-  const middle = (get: (l: ClusterBounds) => number) =>
-    (Math.min(...lumps.map((l) => get(l) - l.radius)) + Math.max(...lumps.map((l) => get(l) + l.radius))) / 2;
-  const [x, y, z] = [middle((l) => l.x), middle((l) => l.y), middle((l) => l.z)];
-  const most = (get: (l: ClusterBounds) => number) => lumps.reduce((m, l) => Math.max(m, get(l)), 0);
+/** Bounds of all these clusters of one body. */
+export function mergeBounds(clusters: readonly ClusterBounds[]): ClusterBounds {
+  if (clusters.length === 1) return clusters[0];
+  const middle = (get: (c: ClusterBounds) => number) =>
+    (Math.min(...clusters.map((c) => get(c) - c.radius)) + Math.max(...clusters.map((c) => get(c) + c.radius))) / 2;
+  const [x, y, z] = [middle((c) => c.x), middle((c) => c.y), middle((c) => c.z)];
+  const largest = (get: (c: ClusterBounds) => number) => clusters.reduce((m, c) => Math.max(m, get(c)), 0);
   return {
     x,
     y,
     z,
-    radius: most((l) => l.radius + Math.hypot(l.x - x, l.y - y, l.z - z)),
-    longestEdge: most((l) => l.longestEdge),
-    maxSpeed: most((l) => l.maxSpeed),
+    radius: largest((c) => c.radius + Math.hypot(c.x - x, c.y - y, c.z - z)),
+    longestEdge: largest((c) => c.longestEdge),
+    maxSpeed: largest((c) => c.maxSpeed),
   };
 }

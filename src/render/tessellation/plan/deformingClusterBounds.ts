@@ -5,15 +5,15 @@ import type { ClusterBounds } from '../criterion/projectedBody.ts';
 import type { SampleWindow } from '../projection/sampledIntersector.ts';
 import { type Clusters, clusterIndices, clusterSphere, longestEdge, mergeBounds } from './clusters.ts';
 
-/** Samples that are known are kept, up to so many times those of the widest picture. */
+/** Most cached samples, as a multiple of the widest window so far. */
 const MAX_CACHED = 4;
 
-/** Numbers of a cluster at a sample: the middle and the radius of a ball that holds it, and its longest edge [m]. */
+/** Floats per cluster at a sample: centre and radius of a bounding sphere, and the longest edge [m]. */
 const SPHERE_FLOATS = 5;
 
 /**
- * How the vertices of each cluster move at a sample [m/s]: at most, in the piece that ends there, and how much that changes there; and how fast it
- * changes within that piece at most [m/s²].
+ * Bounds on the motion of each cluster's vertices: largest speed in the piece that ends at a sample [m/s], largest change of velocity at the sample [m/s],
+ * and largest acceleration within the piece [m/s²].
  */
 interface VelocityBounds {
   readonly speeds: Float64Array;
@@ -21,52 +21,52 @@ interface VelocityBounds {
   readonly rates: Float64Array;
 }
 
-/** The clusters of a deforming mesh, measured from the motion's origin; each sample is worked out when it is first needed. */
+/** Bounds of the clusters of a deforming mesh, relative to the motion's origin; samples are evaluated lazily and cached. */
 export class DeformingClusterBounds {
   private readonly clusters: readonly Cluster[];
   private readonly motion: SampledPointsMotion;
   private readonly spheres = new Map<number, Float64Array>();
   private readonly controlSpheres = new Map<number, readonly Float64Array[]>();
   private readonly velocityBounds = new Map<number, VelocityBounds>();
-  private widest = 0;
-  private last: { readonly window: SampleWindow; readonly lumps: readonly ClusterBounds[] } | undefined;
+  private widestWindow = 0;
+  private last: { readonly window: SampleWindow; readonly bounds: readonly ClusterBounds[] } | undefined;
 
   constructor(clusters: Clusters, indices: Uint32Array, motion: SampledPointsMotion) {
     this.clusters = Array.from({ length: clusters.count }, (_, k) => clusterOf(clusterIndices(clusters, indices, k)));
     this.motion = motion;
   }
 
-  /** What holds each cluster at all samples of a window, and so between them. */
+  /** Bounds of each cluster over all samples of a window, and therefore between them. */
   boundsOver(window: SampleWindow): readonly ClusterBounds[] {
-    if (this.last?.window.first === window.first && this.last.window.count === window.count) return this.last.lumps;
+    if (this.last?.window.first === window.first && this.last.window.count === window.count) return this.last.bounds;
     const { motion } = this;
     const samples = Array.from({ length: window.count }, (_, i) => window.first + i);
-    const places = samples.map((k) => cached(this.spheres, k, () => this.spheresOf(pointsAt(motion, k))));
+    const spheres = samples.map((k) => cached(this.spheres, k, () => this.spheresOf(pointsAt(motion, k))));
     if (isCubic(motion))
       for (const k of samples.slice(1))
-        places.push(...cached(this.controlSpheres, k, () => this.controlSpheresBefore(motion, k)));
-    const paces = samples.map((k) => cached(this.velocityBounds, k, () => this.velocityBoundsAt(k)));
-    const lumps = this.clusters.map((_, i) => ({
-      ...mergeBounds(places.map((place) => boundsAt(place, SPHERE_FLOATS * i))),
-      maxSpeed: maxOver(paces, ({ speeds }) => speeds[i]),
-      maxAcceleration: maxOver(paces, ({ rates }) => rates[i] ?? 0),
-      velocityJumps: Float64Array.from(paces, ({ jumps }) => jumps[i]),
+        spheres.push(...cached(this.controlSpheres, k, () => this.controlSpheresBefore(motion, k)));
+    const velocityBounds = samples.map((k) => cached(this.velocityBounds, k, () => this.velocityBoundsAt(k)));
+    const bounds = this.clusters.map((_, i) => ({
+      ...mergeBounds(spheres.map((sphere) => boundsAt(sphere, SPHERE_FLOATS * i))),
+      maxSpeed: maxOver(velocityBounds, ({ speeds }) => speeds[i]),
+      maxAcceleration: maxOver(velocityBounds, ({ rates }) => rates[i] ?? 0),
+      velocityJumps: Float64Array.from(velocityBounds, ({ jumps }) => jumps[i]),
     }));
-    this.last = { window, lumps };
+    this.last = { window, bounds };
     this.evictOutside(window);
-    return lumps;
+    return bounds;
   }
 
   private spheresOf(points: Float32Array): Float64Array {
-    const places = new Float64Array(SPHERE_FLOATS * this.clusters.length);
+    const spheres = new Float64Array(SPHERE_FLOATS * this.clusters.length);
     this.clusters.forEach(({ vertices, corners }, i) => {
-      clusterSphere(points, vertices, places, SPHERE_FLOATS * i);
-      places[SPHERE_FLOATS * i + 4] = longestEdge(points, corners);
+      clusterSphere(points, vertices, spheres, SPHERE_FLOATS * i);
+      spheres[SPHERE_FLOATS * i + 4] = longestEdge(points, corners);
     });
-    return places;
+    return spheres;
   }
 
-  /** Of the inner control points of the piece that ends with a sample. */
+  /** Spheres around the inner Bézier control points of the piece that ends at a sample. */
   private controlSpheresBefore(motion: CubicPointsMotion, sample: number): readonly Float64Array[] {
     return innerControlPoints(motion, sample - 1).map((points) => this.spheresOf(points));
   }
@@ -75,20 +75,20 @@ export class DeformingClusterBounds {
     const { clusters, motion } = this;
     if (isCubic(motion)) return cubicVelocityBounds(motion, sample, clusters);
     const [before, after] = [velocities(motion, sample), velocities(motion, sample + 1)];
-    const jolts = maxPerCluster(clusters, difference(after, before));
-    return { speeds: maxPerCluster(clusters, before), jumps: jolts, rates: NONE };
+    const jumps = maxPerCluster(clusters, difference(after, before));
+    return { speeds: maxPerCluster(clusters, before), jumps, rates: NONE };
   }
 
-  /** A long motion has more samples than there is memory for what is known of them. */
+  /** Bounds the memory of long motions: drops cached samples outside the window. */
   private evictOutside({ first, count }: SampleWindow): void {
-    this.widest = Math.max(this.widest, count);
-    for (const known of [this.spheres, this.controlSpheres, this.velocityBounds])
-      if (known.size > MAX_CACHED * this.widest)
-        for (const k of known.keys()) if (k < first || k >= first + count) known.delete(k);
+    this.widestWindow = Math.max(this.widestWindow, count);
+    for (const cache of [this.spheres, this.controlSpheres, this.velocityBounds])
+      if (cache.size > MAX_CACHED * this.widestWindow)
+        for (const k of cache.keys()) if (k < first || k >= first + count) cache.delete(k);
   }
 }
 
-/** The corners of a cluster's triangles, and its vertices, each once. */
+/** The corners of a cluster's triangles, and its vertices without duplicates. */
 interface Cluster {
   readonly corners: Uint32Array;
   readonly vertices: Uint32Array;
@@ -96,22 +96,22 @@ interface Cluster {
 
 const clusterOf = (corners: Uint32Array): Cluster => ({ corners, vertices: Uint32Array.from(new Set(corners)) });
 
-const boundsAt = (places: Float64Array, at: number): ClusterBounds => ({
-  x: places[at],
-  y: places[at + 1],
-  z: places[at + 2],
-  radius: places[at + 3],
-  longestEdge: places[at + 4],
+const boundsAt = (spheres: Float64Array, at: number): ClusterBounds => ({
+  x: spheres[at],
+  y: spheres[at + 1],
+  z: spheres[at + 2],
+  radius: spheres[at + 3],
+  longestEdge: spheres[at + 4],
   maxSpeed: 0,
 });
 
-/** Of the pieces between the samples of a window: its first one ends a piece before it. */
-const maxOver = (paces: readonly VelocityBounds[], of: (pace: VelocityBounds) => number): number =>
-  paces.slice(1).reduce((greatest, pace) => Math.max(greatest, of(pace)), 0);
+/** Maximum over the pieces between the samples of a window; the piece that ends at its first sample lies before it. */
+const maxOver = (bounds: readonly VelocityBounds[], of: (bound: VelocityBounds) => number): number =>
+  bounds.slice(1).reduce((max, bound) => Math.max(max, of(bound)), 0);
 
 const NONE = new Float64Array(0);
 
-/** Of each cluster, the greatest length of a vertex's vector. */
+/** The largest length of a vertex's vector in each cluster. */
 function maxPerCluster(clusters: readonly Cluster[], vectors: Float64Array): Float64Array {
   const squares = new Float64Array(vectors.length / 3);
   for (let v = 0; v < squares.length; v++)
@@ -123,7 +123,7 @@ function maxPerCluster(clusters: readonly Cluster[], vectors: Float64Array): Flo
   });
 }
 
-/** Of the vertices, in the piece that ends with a sample [m/s]; outside the samples they rest. */
+/** Velocities of the vertices in the piece that ends at a sample [m/s]; 0 before the first and after the last sample. */
 function velocities(motion: SampledPointsMotion, sample: number): Float64Array {
   const { times } = motion;
   const q = pointsAt(motion, Math.min(sample, times.length - 1));
@@ -140,32 +140,32 @@ function difference(a: Float64Array, b: Float64Array): Float64Array {
   return d;
 }
 
-/** Of cubics with all of their bend: velocities change suddenly only where the motion begins and ends. */
+/** Bounds for cubics with their full bend, whose velocities jump only at the first and the last sample. */
 function cubicVelocityBounds(
   { times, points, velocities }: CubicPointsMotion,
   sample: number,
   clusters: readonly Cluster[],
 ): VelocityBounds {
   const v = Float64Array.from(velocities[sample]);
-  const finish = maxPerCluster(clusters, v);
-  const end = sample === 0 || sample === times.length - 1;
-  const jolts = end ? finish : new Float64Array(finish.length);
-  if (sample === 0) return { speeds: jolts, jumps: jolts, rates: NONE };
+  const endSpeeds = maxPerCluster(clusters, v);
+  const isEnd = sample === 0 || sample === times.length - 1;
+  const jumps = isEnd ? endSpeeds : new Float64Array(endSpeeds.length);
+  if (sample === 0) return { speeds: jumps, jumps, rates: NONE };
   const [a, b, u] = [points[sample - 1], points[sample], Float64Array.from(velocities[sample - 1])];
   const span = times[sample] - times[sample - 1];
   const inner = u.map((u, i) => (3 * (b[i] - a[i])) / span - u - v[i]);
-  const speeds = elementwiseMax(elementwiseMax(maxPerCluster(clusters, u), maxPerCluster(clusters, inner)), finish);
+  const speeds = elementwiseMax(elementwiseMax(maxPerCluster(clusters, u), maxPerCluster(clusters, inner)), endSpeeds);
   const bends = elementwiseMax(
     maxPerCluster(clusters, difference(inner, u)),
     maxPerCluster(clusters, difference(v, inner)),
   );
-  return { jumps: jolts, speeds, rates: bends.map((bend) => (2 / span) * bend) };
+  return { jumps, speeds, rates: bends.map((bend) => (2 / span) * bend) };
 }
 
 const elementwiseMax = (a: Float64Array, b: Float64Array): Float64Array => a.map((x, i) => Math.max(x, b[i]));
 
-function cached<T>(known: Map<number, T>, key: number, make: () => T): T {
-  const value = known.get(key) ?? make();
-  known.set(key, value);
+function cached<T>(cache: Map<number, T>, key: number, make: () => T): T {
+  const value = cache.get(key) ?? make();
+  cache.set(key, value);
   return value;
 }

@@ -2,42 +2,42 @@ import type { TessellationView } from '../criterion/tessellationView.ts';
 import type { PlannedBatch } from '../projection/projectBody.ts';
 import { BatchPlanner, type PatchesByPattern, type TessellationPlan } from './tessellationPlan.ts';
 
-/** A batch that is planned. */
+/** A batch to plan. */
 export interface PlannedPart {
   readonly batch: PlannedBatch;
-  /** The levels of its leaves are wanted too; else the GPU finds them. */
+  /** Whether the plan includes tessellation factors; otherwise the GPU computes them. */
   readonly needsFactors: boolean;
 }
 
 export interface PlanRequest {
-  /** Place of the view in its picture's views. */
+  /** Index of the view in its picture. */
   readonly viewIndex: number;
   readonly view: TessellationView;
-  /** Whether anything of each batch may be in the picture. */
+  /** By batch: whether any of it may be in the picture. */
   readonly visible: readonly boolean[];
 }
 
 export interface BatchPlan extends TessellationPlan {
-  /** Where they are wanted, and there are leaves. */
+  /** Present if factors are needed and there are patches. */
   readonly patchesByPattern?: PatchesByPattern;
 }
 
-/** undefined: of a batch that is not seen. */
+/** By batch; undefined if the batch is not visible. */
 export type FramePlans = readonly (BatchPlan | undefined)[];
 
 /** Plans how the batches of a scene are drawn in one picture after another. */
 export interface Planner {
-  /** What it returns is valid until the next call. */
+  /** The result is valid until the next call. */
   plan(request: PlanRequest): FramePlans;
   /** First triangle of each cluster of a batch, and after the last one the number of triangles. */
   starts(batch: number): Uint32Array;
   dispose(): void;
 }
 
-/** Beyond this [px] a budget is not kept. */
+/** The patch budget is ignored once the tolerance reaches this [px]. */
 const MAX_TOLERANCE = 1000;
 
-/** Plans while it is asked to. */
+/** Plans synchronously on the calling thread. */
 export class LocalPlanner implements Planner {
   private readonly parts: readonly PlannedPart[];
   private readonly planners: readonly BatchPlanner[];
@@ -51,20 +51,20 @@ export class LocalPlanner implements Planner {
     return this.planners[batch].starts;
   }
 
-  /** One tolerance for all batches, or there were cracks. */
-  plan({ view: look, visible: seen }: PlanRequest): FramePlans {
-    for (let tolerance = look.tolerance; ; tolerance *= 2) {
-      const most = tolerance < MAX_TOLERANCE ? look.maxPatches : Number.POSITIVE_INFINITY;
-      const plans = this.planners.map((r, i) => (seen[i] ? r.plan(look, tolerance, most) : undefined));
+  /** Uses one tolerance for all batches, because different ones would leave cracks. */
+  plan({ view, visible }: PlanRequest): FramePlans {
+    for (let tolerance = view.tolerance; ; tolerance *= 2) {
+      const maxPatches = tolerance < MAX_TOLERANCE ? view.maxPatches : Number.POSITIVE_INFINITY;
+      const plans = this.planners.map((r, i) => (visible[i] ? r.plan(view, tolerance, maxPatches) : undefined));
       const count = plans.reduce((n, plan) => n + (plan?.count ?? 0), 0);
-      if (count <= most) return plans.map((plan, i) => plan && this.withFactors(plan, i, look));
+      if (count <= maxPatches) return plans.map((plan, i) => plan && this.withFactors(plan, i, view));
     }
   }
 
   dispose(): void {}
 
-  private withFactors(plan: TessellationPlan, i: number, look: TessellationView): BatchPlan {
+  private withFactors(plan: TessellationPlan, i: number, view: TessellationView): BatchPlan {
     if (!this.parts[i].needsFactors || plan.count === 0) return plan;
-    return { ...plan, patchesByPattern: this.planners[i].groupByPattern(plan, look) };
+    return { ...plan, patchesByPattern: this.planners[i].groupByPattern(plan, view) };
   }
 }

@@ -12,7 +12,7 @@ import type { TessellationView } from '../criterion/tessellationView.ts';
 import { INSTANCE_OFFSET, PATCH_FLOATS } from '../patches/patch.ts';
 import { BatchPlanner, type TessellationPlan } from './tessellationPlan.ts';
 
-const LOOK: TessellationView = {
+const VIEW: TessellationView = {
   observation: {
     t: 0.3,
     position: [0, 0.5, 0],
@@ -33,7 +33,7 @@ const COUNT = 12;
 function planOf(
   mesh: (i: number) => Mesh,
   motion: (place: Vec3, i: number) => Motion,
-): { plan: TessellationPlan; worn: boolean } {
+): { plan: TessellationPlan; isInstanced: boolean } {
   const objects = Array.from({ length: COUNT }, (_, i) => {
     const place: Vec3 = [3 * ((i % 4) - 1.5), 0, -2 - 8 * Math.floor(i / 4)];
     return makeObject({ path: `/${i}`, mesh: mesh(i), motion: motion(place, i) });
@@ -44,7 +44,7 @@ function planOf(
     objects.map((object, i) => makeBody(object, i + 1)),
   );
   expect(batches).toHaveLength(1);
-  return { plan: new BatchPlanner(batches[0]).plan(LOOK), worn: batches[0].instancing !== undefined };
+  return { plan: new BatchPlanner(batches[0]).plan(VIEW), isInstanced: batches[0].instancing !== undefined };
 }
 
 const pillar = cylinder(1, 4, { axis: 'Y', segments: 200 });
@@ -62,26 +62,26 @@ it.each<[string, (place: Vec3, i: number) => Motion]>([
       poses: Float64Array.of(x, y, z, ...turn(i), x, y, z, ...turn(i + 0.2), x + 1, y, z, ...turn(i + 0.4)),
     }),
   ],
-])('a mesh that many wear is cut for each of them as its copies are: they %s', (_, motion) => {
+])('an instanced mesh is tessellated for each body as a copy of it would be: bodies %s', (_, motion) => {
   const shared = planOf(() => pillar, motion);
   const copied = planOf(() => ({ ...pillar, positions: pillar.positions.slice() }), motion);
-  expect([shared.worn, copied.worn]).toEqual([true, false]);
-  // Copies are turned in f32 and measured by their own boxes, so that a cluster here and there falls otherwise.
+  expect([shared.isInstanced, copied.isInstanced]).toEqual([true, false]);
+  // Copies are rotated in f32 and have bounding boxes of their own, so a few clusters get another state.
   expect(Math.abs(shared.plan.count / copied.plan.count - 1)).toBeLessThan(0.02);
   expect(shared.plan.clusterStates).toHaveLength(copied.plan.clusterStates.length);
-  const differ = shared.plan.clusterStates.filter((fate, k) => fate !== copied.plan.clusterStates[k]).length;
+  const differ = shared.plan.clusterStates.filter((state, k) => state !== copied.plan.clusterStates[k]).length;
   expect(differ).toBeLessThan(0.05 * shared.plan.clusterStates.length);
   expect(shared.plan.clusterStates).toContain(TESSELLATED);
-  expect(perBody(shared.plan, (leaves, at) => leaves[at + INSTANCE_OFFSET])).toEqual(
-    perBody(copied.plan, (leaves, at) => Math.floor(leaves[at] / triangles)),
+  expect(perBody(shared.plan, (patches, at) => patches[at + INSTANCE_OFFSET])).toEqual(
+    perBody(copied.plan, (patches, at) => Math.floor(patches[at] / triangles)),
   );
 });
 
-/** Which bodies have leaves. */
+/** The bodies that have patches. */
 function perBody(
-  { patches: leaves, count }: TessellationPlan,
-  bodyOf: (leaves: Float32Array, at: number) => number,
+  { patches, count }: TessellationPlan,
+  bodyOf: (patches: Float32Array, at: number) => number,
 ): number[] {
-  const bodies = new Set(Array.from({ length: count }, (_, i) => bodyOf(leaves, PATCH_FLOATS * i)));
+  const bodies = new Set(Array.from({ length: count }, (_, i) => bodyOf(patches, PATCH_FLOATS * i)));
   return [...bodies].sort((a, b) => a - b);
 }

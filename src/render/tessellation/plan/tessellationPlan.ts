@@ -10,33 +10,33 @@ import { type PlannedBatch, projectBody, sampleWindowOf } from '../projection/pr
 import { type ClusterRange, Clusters, clusterBoundsOf, mergeBounds } from './clusters.ts';
 import { DeformingClusterBounds } from './deformingClusterBounds.ts';
 
-/** How one batch is drawn in one picture. */
+/** How one batch is drawn in one view. */
 export interface TessellationPlan {
-  /** Every cluster is DRAWN. */
+  /** Whether every cluster is DRAWN. */
   readonly allDrawn: boolean;
-  /** The Fate of each cluster; where many wear the mesh, of all clusters of the first body, then of the second … */
+  /** The `ClusterState` of each cluster; with instancing, of all clusters of the first body, then of the second … */
   readonly clusterStates: Uint8Array;
-  /** As in patch.ts, in the order of their bodies and triangles; valid until the next plan. */
+  /** Patches (patch.ts) in the order of bodies and triangles; valid until the next plan. */
   readonly patches: Float32Array;
   readonly count: number;
-  /** The tolerance that the budget allowed [px]; the levels are found for it. */
+  /** The tolerance that the patch budget allowed [px], for which tessellation factors are computed. */
   readonly tolerance: number;
 }
 
-/** Leaves by their patterns (pattern.ts), the levels of their edges filled in; valid until the next call. */
+/** Patches with their tessellation factors, by pattern (pattern.ts); valid until the next call. */
 export type PatchesByPattern = readonly PatchArray[];
-/** As in patch.ts. */
+/** A list of patches (patch.ts). */
 export interface PatchArray {
   readonly patches: Float32Array;
   readonly count: number;
 }
 
-/** One batch: its clusters, and what they need in a picture. */
+/** Plans one batch: classifies its clusters and subdivides triangles into patches. */
 export class BatchPlanner {
   private readonly batch: PlannedBatch;
   private readonly bodies: ReadonlyMap<number, MovingBody>;
   private readonly clusters: Clusters;
-  /** Of each cluster, where the mesh does not deform, and of each run. */
+  /** Bounds of each cluster and of each body's range; empty if the mesh deforms. */
   private readonly bounds: readonly ClusterBounds[];
   private readonly rangeBounds: readonly ClusterBounds[];
   private readonly deformingBounds: DeformingClusterBounds | undefined;
@@ -45,7 +45,7 @@ export class BatchPlanner {
   private readonly byPattern: readonly PatchList[] = PATTERNS.map(() => new PatchList());
 
   constructor(batch: PlannedBatch) {
-    const { arrays, bodies, instancing: worn } = batch;
+    const { arrays, bodies, instancing } = batch;
     this.batch = batch;
     this.bodies = new Map(bodies.map((body) => [body.id, body]));
     this.clusters = new Clusters(batch);
@@ -56,8 +56,8 @@ export class BatchPlanner {
     this.bounds = deforms ? [] : clusterBoundsOf(this.clusters, arrays);
     const wholeOf = ({ firstInMesh: from, first, end }: ClusterRange): ClusterBounds =>
       mergeBounds(this.bounds.slice(from, from + end - first));
-    const all = deforms ? [] : this.clusters.ranges.slice(0, worn ? 1 : undefined).map(wholeOf);
-    this.rangeBounds = worn ? this.clusters.ranges.map(() => all[0]) : all;
+    const all = deforms ? [] : this.clusters.ranges.slice(0, instancing ? 1 : undefined).map(wholeOf);
+    this.rangeBounds = instancing ? this.clusters.ranges.map(() => all[0]) : all;
   }
 
   /** First triangle of each cluster, and after the last one the number of triangles. */
@@ -65,94 +65,94 @@ export class BatchPlanner {
     return this.clusters.starts;
   }
 
-  /** `tolerance` [px]: that of the look, or more where the budget asks for it. Stops when there are more leaves than `most`. */
-  plan(look: TessellationView, tolerance = look.tolerance, most = Number.POSITIVE_INFINITY): TessellationPlan {
-    const gauge = screenMetricOf(look, tolerance);
+  /** `tolerance` [px]: the view's, or more to stay within the budget. Stops early once there are more than `maxPatches` patches. */
+  plan(view: TessellationView, tolerance = view.tolerance, maxPatches = Number.POSITIVE_INFINITY): TessellationPlan {
+    const metric = screenMetricOf(view, tolerance);
     this.patches.clear();
-    for (let r = 0; r < this.clusters.ranges.length; r++) this.planRange(r, gauge, most);
-    const { patches: leaves, count } = this.patches;
+    for (let r = 0; r < this.clusters.ranges.length; r++) this.planRange(r, metric, maxPatches);
+    const { patches, count } = this.patches;
     return {
-      allDrawn: this.states.every((f) => f === DRAWN),
+      allDrawn: this.states.every((state) => state === DRAWN),
       clusterStates: this.states,
-      patches: leaves,
+      patches,
       count,
       tolerance,
     };
   }
 
-  /** The levels of a plan's leaves, for the same look. */
-  groupByPattern({ patches: leaves, count, tolerance }: TessellationPlan, look: TessellationView): PatchesByPattern {
-    const gauge = screenMetricOf(look, tolerance);
-    const { bodies, instancing: worn } = this.batch;
+  /** Computes the tessellation factors of a plan's patches, for the same view. */
+  groupByPattern({ patches, count, tolerance }: TessellationPlan, view: TessellationView): PatchesByPattern {
+    const metric = screenMetricOf(view, tolerance);
+    const { bodies, instancing } = this.batch;
     const { indices, ids } = this.batch.arrays;
     for (const list of this.byPattern) list.clear();
-    let fine: EdgeFactors | undefined;
+    let edges: EdgeFactors | undefined;
     let body = -1;
     for (let i = 0; i < count; i++) {
       const at = PATCH_FLOATS * i;
-      const owner = worn ? bodies[leaves[at + INSTANCE_OFFSET]].id - 1 : ids[2 * indices[3 * leaves[at]]];
+      const owner = instancing ? bodies[patches[at + INSTANCE_OFFSET]].id - 1 : ids[2 * indices[3 * patches[at]]];
       if (owner !== body) {
-        const shown = this.projected(owner, gauge);
-        fine = shown && new EdgeFactors(shown, gauge);
+        const projected = this.projected(owner, metric);
+        edges = projected && new EdgeFactors(projected, metric);
         body = owner;
       }
-      fine?.compute(leaves, i, indices);
-      if (fine) this.byPattern[fine.pattern].copy(leaves, i, fine.factors);
+      edges?.compute(patches, i, indices);
+      if (edges) this.byPattern[edges.pattern].copy(patches, i, edges.factors);
     }
     return this.byPattern;
   }
 
-  private projected(body: number, gauge: ScreenMetric): ProjectedBody | undefined {
-    const found = this.bodies.get(body + 1);
-    return found && projectBody(found, this.batch, gauge);
+  private projected(id: number, metric: ScreenMetric): ProjectedBody | undefined {
+    const body = this.bodies.get(id + 1);
+    return body && projectBody(body, this.batch, metric);
   }
 
-  private planRange(r: number, gauge: ScreenMetric, most: number): void {
-    const run = this.clusters.ranges[r];
-    const shown = this.projected(run.body, gauge);
-    if (!shown) {
-      this.states.fill(CULLED, run.first, run.end);
+  private planRange(r: number, metric: ScreenMetric, maxPatches: number): void {
+    const range = this.clusters.ranges[r];
+    const projected = this.projected(range.body, metric);
+    if (!projected) {
+      this.states.fill(CULLED, range.first, range.end);
       return;
     }
-    this.classifyRange(r, shown, gauge);
-    this.keepOrder(run);
-    const coarse = new Subdivider(shown, gauge, this.patches, most, run.instance);
-    for (let k = run.first; k < run.end; k++)
-      if (this.states[k] === TESSELLATED && this.subdivideCluster(k - run.first + run.firstInMesh, coarse))
+    this.classifyRange(r, projected, metric);
+    this.keepOrder(range);
+    const subdivider = new Subdivider(projected, metric, this.patches, maxPatches, range.instance);
+    for (let k = range.first; k < range.end; k++)
+      if (this.states[k] === TESSELLATED && this.subdivideCluster(k - range.first + range.firstInMesh, subdivider))
         this.states[k] = DRAWN;
   }
 
-  /** The body as a whole first: most need no look at their clusters. */
-  private classifyRange(r: number, shown: ProjectedBody, gauge: ScreenMetric): void {
-    const { first, end, firstInMesh: from, body } = this.clusters.ranges[r];
-    const found = this.bodies.get(body + 1);
-    const window = found && this.deformingBounds ? sampleWindowOf(found, gauge) : undefined;
-    const lumps = window && this.deformingBounds ? this.deformingBounds.boundsOver(window) : this.bounds;
+  /** Sets the states of a body's clusters, at once if the whole body is outside the picture. */
+  private classifyRange(r: number, projected: ProjectedBody, metric: ScreenMetric): void {
+    const { first, end, firstInMesh, body: id } = this.clusters.ranges[r];
+    const body = this.bodies.get(id + 1);
+    const window = body && this.deformingBounds ? sampleWindowOf(body, metric) : undefined;
+    const bounds = window && this.deformingBounds ? this.deformingBounds.boundsOver(window) : this.bounds;
     if (!this.deformingBounds) {
-      const fate = shown.classify(this.rangeBounds[r]);
-      if (fate === CULLED || end - first === 1) {
-        this.states.fill(fate, first, end);
+      const state = projected.classify(this.rangeBounds[r]);
+      if (state === CULLED || end - first === 1) {
+        this.states.fill(state, first, end);
         return;
       }
     }
-    for (let k = first; k < end; k++) this.states[k] = shown.classify(lumps[k - first + from]);
+    for (let k = first; k < end; k++) this.states[k] = projected.classify(bounds[k - first + firstInMesh]);
   }
 
-  /** What is blended keeps the order of its triangles: all of a body are leaves, or none is. */
+  /** Keeps the drawing order of blended triangles: either all clusters of a body are tessellated, or none is. */
   private keepOrder({ first, end }: ClusterRange): void {
     if (!this.batch.transparent) return;
-    const fates = this.states.subarray(first, end);
-    if (!fates.includes(TESSELLATED)) return;
-    for (let k = 0; k < fates.length; k++) if (fates[k] === DRAWN) fates[k] = TESSELLATED;
+    const states = this.states.subarray(first, end);
+    if (!states.includes(TESSELLATED)) return;
+    for (let k = 0; k < states.length; k++) if (states[k] === DRAWN) states[k] = TESSELLATED;
   }
 
-  /** Tells whether no edge of a cluster is cut after all, so that it is drawn as it is. */
-  private subdivideCluster(cluster: number, coarse: Subdivider): boolean {
+  /** Adds the patches of a cluster. Returns true, without patches, if no edge needs tessellation and the cluster can be drawn as it is. */
+  private subdivideCluster(cluster: number, subdivider: Subdivider): boolean {
     const { indices } = this.batch.arrays;
     const before = this.patches.count;
     let whole = !this.batch.transparent;
     for (let t = this.starts[cluster]; t < this.starts[cluster + 1]; t++)
-      whole = coarse.subdivide(t, indices[3 * t], indices[3 * t + 1], indices[3 * t + 2]) && whole;
+      whole = subdivider.subdivide(t, indices[3 * t], indices[3 * t + 1], indices[3 * t + 2]) && whole;
     if (whole) this.patches.truncate(before);
     return whole;
   }

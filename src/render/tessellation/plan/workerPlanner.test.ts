@@ -11,7 +11,7 @@ import { type FramePlans, LocalPlanner, type PlannedPart } from './planner.ts';
 import { type PlannerMessage, type PlannerReply, servePlans } from './planServer.ts';
 import { WorkerPlanner } from './workerPlanner.ts';
 
-const LOOK: TessellationView = {
+const VIEW: TessellationView = {
   observation: { t: 0, position: [0, 1.5, 0], u: properVelocity([0, 0, -0.9]), c: 1, hypersurface: 'past-light-cone' },
   projection: { event: 'emission', place: 'apparent' },
   orientation: IDENTITY,
@@ -20,7 +20,7 @@ const LOOK: TessellationView = {
   tolerance: 0.25,
   maxPatches: 2 ** 16,
 };
-const turned = (angle: number): TessellationView => ({ ...LOOK, orientation: fromAxisAngle([0, 1, 0], angle) });
+const turned = (angle: number): TessellationView => ({ ...VIEW, orientation: fromAxisAngle([0, 1, 0], angle) });
 
 function parts(needsFactors: boolean): readonly PlannedPart[] {
   const scene = makeScene({
@@ -34,7 +34,7 @@ function parts(needsFactors: boolean): readonly PlannedPart[] {
   return makeBatches(scene, bodies).map((batch) => ({ batch, needsFactors }));
 }
 
-/** A worker whose work is done when `work` is called; what is posted is copied, as to a real one. */
+/** A worker that handles its messages when `work` is called, which returns their number; messages are copied as for a real worker. */
 function lazyWorker() {
   const requests: PlannerMessage[] = [];
   let serve: ((event: MessageEvent<PlannerMessage>) => void) | undefined;
@@ -66,14 +66,14 @@ const open = (needsFactors = false) => {
   let better = 0;
   const given = parts(needsFactors);
   const planner = new WorkerPlanner(given, worker as unknown as Worker, () => better++);
-  const seen = given.map(() => true);
-  return { planner, work, worker, local: new LocalPlanner(given), seen, betterCalls: () => better };
+  const visible = given.map(() => true);
+  return { planner, work, worker, local: new LocalPlanner(given), visible, betterCalls: () => better };
 };
 
-/** Copies: plans are valid until the next one only. */
+/** Copies of the plans, which are valid only until the next call. */
 const content = (plans: FramePlans) =>
-  plans.map((plan) => plan && { leaves: Array.from(plan.patches), clusters: Array.from(plan.clusterStates) });
-const leavesIn = (plans: FramePlans): Set<string> =>
+  plans.map((plan) => plan && { patches: Array.from(plan.patches), clusters: Array.from(plan.clusterStates) });
+const patchesIn = (plans: FramePlans): Set<string> =>
   new Set(
     plans.flatMap((plan, i) =>
       Array.from({ length: plan?.count ?? 0 }, (_, k) =>
@@ -82,99 +82,99 @@ const leavesIn = (plans: FramePlans): Set<string> =>
     ),
   );
 
-describe('plans from afar', () => {
-  it('before the first answer it plans itself', () => {
-    const { planner, local, seen } = open();
-    const own = content(planner.plan({ viewIndex: 0, view: LOOK, visible: seen }));
-    expect(own).toEqual(content(local.plan({ viewIndex: 0, view: LOOK, visible: seen })));
-    expect(own[0]?.leaves.length).toBeGreaterThan(100);
+describe('plans made by a worker', () => {
+  it('plans locally before the first reply', () => {
+    const { planner, local, visible } = open();
+    const own = content(planner.plan({ viewIndex: 0, view: VIEW, visible }));
+    expect(own).toEqual(content(local.plan({ viewIndex: 0, view: VIEW, visible })));
+    expect(own[0]?.patches.length).toBeGreaterThan(100);
   });
 
-  it('an answer is of the same look, a margin wider: all leaves of the own plan are in it', () => {
-    const { planner, work, local, seen } = open();
-    planner.plan({ viewIndex: 0, view: LOOK, visible: seen });
+  it('a reply is of the same view with a margin: most patches of the local plan are in it', () => {
+    const { planner, work, local, visible } = open();
+    planner.plan({ viewIndex: 0, view: VIEW, visible });
     work();
-    const far = leavesIn(planner.plan({ viewIndex: 0, view: LOOK, visible: seen }));
-    const own = leavesIn(local.plan({ viewIndex: 0, view: LOOK, visible: seen }));
-    expect(far.size).toBeGreaterThan(own.size);
-    const missing = [...own].filter((leaf) => !far.has(leaf));
-    // At its rim a wider picture asks for finer pieces.
+    const wide = patchesIn(planner.plan({ viewIndex: 0, view: VIEW, visible }));
+    const own = patchesIn(local.plan({ viewIndex: 0, view: VIEW, visible }));
+    expect(wide.size).toBeGreaterThan(own.size);
+    const missing = [...own].filter((patch) => !wide.has(patch));
+    // Near its corners a wider view needs finer patches.
     expect(missing.length / own.size).toBeLessThan(0.35);
   });
 
-  it('what turns a little is drawn with the last answer, and told when a better one has come; then it is left in peace', () => {
-    const { planner, work, seen, betterCalls } = open();
-    planner.plan({ viewIndex: 0, view: LOOK, visible: seen });
+  it('a slightly turned view uses the last reply, is notified once a better one has arrived, and then no more', () => {
+    const { planner, work, visible, betterCalls } = open();
+    planner.plan({ viewIndex: 0, view: VIEW, visible });
     work();
-    const before = planner.plan({ viewIndex: 0, view: LOOK, visible: seen });
-    expect(planner.plan({ viewIndex: 0, view: turned(0.05), visible: seen })).toEqual(before);
+    const before = planner.plan({ viewIndex: 0, view: VIEW, visible });
+    expect(planner.plan({ viewIndex: 0, view: turned(0.05), visible })).toEqual(before);
     expect(betterCalls()).toBe(0);
-    while (work() > 0) planner.plan({ viewIndex: 0, view: turned(0.05), visible: seen });
-    const told = betterCalls();
-    expect(told).toBeGreaterThan(0);
-    expect(content(planner.plan({ viewIndex: 0, view: turned(0.05), visible: seen }))).not.toEqual(content(before));
+    while (work() > 0) planner.plan({ viewIndex: 0, view: turned(0.05), visible });
+    const notified = betterCalls();
+    expect(notified).toBeGreaterThan(0);
+    expect(content(planner.plan({ viewIndex: 0, view: turned(0.05), visible }))).not.toEqual(content(before));
     expect(work()).toBe(0);
-    expect(betterCalls()).toBe(told);
+    expect(betterCalls()).toBe(notified);
   });
 
-  it('what rests has, in the end, the very plan that it would have made itself', () => {
-    const { planner, work, local, seen } = open();
-    planner.plan({ viewIndex: 0, view: LOOK, visible: seen });
+  it('a view at rest finally gets exactly the plan that it would have made locally', () => {
+    const { planner, work, local, visible } = open();
+    planner.plan({ viewIndex: 0, view: VIEW, visible });
     work();
-    const wide = content(planner.plan({ viewIndex: 0, view: LOOK, visible: seen }));
+    const wide = content(planner.plan({ viewIndex: 0, view: VIEW, visible }));
     work();
-    const own = content(planner.plan({ viewIndex: 0, view: LOOK, visible: seen }));
-    expect(own).toEqual(content(local.plan({ viewIndex: 0, view: LOOK, visible: seen })));
+    const own = content(planner.plan({ viewIndex: 0, view: VIEW, visible }));
+    expect(own).toEqual(content(local.plan({ viewIndex: 0, view: VIEW, visible })));
     expect(own).not.toEqual(wide);
-    // What turns then still has the wide one.
-    expect(content(planner.plan({ viewIndex: 0, view: turned(0.05), visible: seen }))).toEqual(wide);
+    // A view that then turns still uses the wide plan.
+    expect(content(planner.plan({ viewIndex: 0, view: turned(0.05), visible }))).toEqual(wide);
   });
 
   it.each([
     ['turns away', turned(1)],
-    ['is faster', { ...LOOK, observation: { ...LOOK.observation, u: properVelocity([0, 0, -0.99]) } }],
-    ['zooms', { ...LOOK, focal: 600, frustum: { ...LOOK.frustum, tanX: 0.5, tanY: 0.3 } }],
-    ['sees otherwise', { ...LOOK, projection: { event: 'emission', place: 'plain' } as const }],
-  ])('what %s at once is planned at once', (_, look) => {
-    const { planner, work, local, seen } = open();
-    planner.plan({ viewIndex: 0, view: LOOK, visible: seen });
+    ['speeds up', { ...VIEW, observation: { ...VIEW.observation, u: properVelocity([0, 0, -0.99]) } }],
+    ['zooms', { ...VIEW, focal: 600, frustum: { ...VIEW.frustum, tanX: 0.5, tanY: 0.3 } }],
+    ['changes projection', { ...VIEW, projection: { event: 'emission', place: 'plain' } as const }],
+  ])('a view that %s abruptly is planned locally', (_, view) => {
+    const { planner, work, local, visible } = open();
+    planner.plan({ viewIndex: 0, view: VIEW, visible });
     work();
-    expect(content(planner.plan({ viewIndex: 0, view: look, visible: seen }))).toEqual(
-      content(local.plan({ viewIndex: 0, view: look, visible: seen })),
+    expect(content(planner.plan({ viewIndex: 0, view, visible }))).toEqual(
+      content(local.plan({ viewIndex: 0, view, visible })),
     );
   });
 
-  it('a batch that is not seen has no plan, and has one as soon as it comes into the picture', () => {
-    const { planner, work, seen } = open();
-    planner.plan({ viewIndex: 0, view: LOOK, visible: seen.map(() => false) });
+  it('an invisible batch has no plan, and gets one as soon as it becomes visible', () => {
+    const { planner, work, visible } = open();
+    planner.plan({ viewIndex: 0, view: VIEW, visible: visible.map(() => false) });
     work();
-    expect(planner.plan({ viewIndex: 0, view: LOOK, visible: seen.map(() => false) })).toEqual(
-      seen.map(() => undefined),
+    expect(planner.plan({ viewIndex: 0, view: VIEW, visible: visible.map(() => false) })).toEqual(
+      visible.map(() => undefined),
     );
-    expect(planner.plan({ viewIndex: 0, view: LOOK, visible: seen })[0]?.count).toBeGreaterThan(0);
+    expect(planner.plan({ viewIndex: 0, view: VIEW, visible })[0]?.count).toBeGreaterThan(0);
   });
 
-  it('levels come with the leaves where they are wanted', () => {
-    const { planner, work, seen } = open(true);
-    planner.plan({ viewIndex: 0, view: LOOK, visible: seen });
+  it('factors come with the patches if they are needed', () => {
+    const { planner, work, visible } = open(true);
+    planner.plan({ viewIndex: 0, view: VIEW, visible });
     work();
-    const [plan] = planner.plan({ viewIndex: 0, view: LOOK, visible: seen });
+    const [plan] = planner.plan({ viewIndex: 0, view: VIEW, visible });
     expect(plan?.patchesByPattern?.reduce((sum, { count }) => sum + count, 0)).toBe(plan?.count);
   });
 
   it('two views of a picture have plans of their own, and the worker serves them in turn', () => {
-    const { planner, work, local, seen } = open();
-    const views = [LOOK, turned(1)];
-    const drawBoth = () => views.map((view, viewIndex) => content(planner.plan({ viewIndex, view, visible: seen })));
-    const own = views.map((view) => content(local.plan({ viewIndex: 0, view, visible: seen })));
+    const { planner, work, local, visible } = open();
+    const views = [VIEW, turned(1)];
+    const drawBoth = () => views.map((view, viewIndex) => content(planner.plan({ viewIndex, view, visible })));
+    const own = views.map((view) => content(local.plan({ viewIndex: 0, view, visible })));
     expect(drawBoth()).toEqual(own);
-    // At first the wide plans of both, at rest their exact plans: four plans in all.
+    // First the wide plans of both views, then their exact plans: four in all.
     let plans = 0;
     for (let served = work(); served > 0; served = work()) {
       plans += served;
       drawBoth();
     }
-    // One message is the scene.
+    // The first message is the scene.
     expect(plans - 1).toBe(4);
     expect(drawBoth()).toEqual(own);
   });

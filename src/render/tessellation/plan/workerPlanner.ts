@@ -16,18 +16,18 @@ import {
 } from './planner.ts';
 import type { PlannerMessage, PlannerReply } from './planServer.ts';
 
-/** What a worker plans is wider than the picture on all sides by this angle, for the picture turns while it is at work [rad]. */
+/** A worker plans for a frustum wider by this angle on all sides, because the view turns meanwhile [rad]. */
 const MARGIN = 0.2;
-/** A plan is not used for a view that is turned or shifted against its own by more [rad], */
+/** A plan is not used for views turned or shifted relative to its own by more than this [rad], */
 const MAX_TURN = 0.12;
-/** nor for one whose velocity differs by a rapidity of more: directions turn by as much, */
+/** nor for views whose velocity differs by more than this rapidity, which bounds the change of directions by aberration, */
 const MAX_RAPIDITY_CHANGE = 0.05;
-/** nor for one that is zoomed by more than this fraction. */
+/** nor for views zoomed by more than this fraction. */
 const MAX_ZOOM_CHANGE = 0.1;
-/** Scenes with more are not copied to a worker [bytes]. */
+/** Larger scenes are not copied to a worker [bytes]. */
 const MAX_SCENE_BYTES = 2 ** 28;
 
-/** A request and whether its plan is for this view and no other. */
+/** A request, and whether its plan is exact: for this view only. */
 interface PlanTask {
   readonly request: PlanRequest;
   readonly exact: boolean;
@@ -35,35 +35,35 @@ interface PlanTask {
 
 /** The plans of one of a picture's views. */
 interface ViewPlans {
-  /** For nearby views. */
+  /** A plan with a margin, for nearby views. */
   wide?: { readonly view: TessellationView; readonly plans: FramePlans };
-  /** For one view and no other. */
+  /** A plan for one view only. */
   exact?: { readonly request: PlanRequest; readonly plans: FramePlans };
-  /** Whether a plan that fits better than the last one returned is being made. */
+  /** Whether a better plan than the last one returned is being made. */
   awaitsBetter: boolean;
-  /** What the worker makes next, if it was busy with another view. */
+  /** The next task of this view, if the worker was busy with another view. */
   queued?: PlanTask;
 }
 
 /**
- * Has plans made by a worker (planServer.ts) and returns the latest one, which is a picture or two old: every vertex is still drawn where it is
- * seen now, only the tessellation factors are those of a moment ago. Plans on its own thread while there is no plan for a nearby view. A picture at rest
- * gets an exact plan in the end, so that it equals, to the bit, what is drawn with plans made while drawing.
+ * Has plans made by a worker (planServer.ts) and returns the latest one, which is a picture or two old: vertices are still drawn at their current positions,
+ * only the tessellation is that of a moment ago. Plans locally while there is no plan for a nearby view. A view at rest finally gets an exact plan, and then
+ * equals a locally planned picture to the bit.
  */
 export class WorkerPlanner implements Planner {
   private readonly worker: Worker;
   private readonly local: LocalPlanner;
-  /** Batches whose samples are not in this thread. */
+  /** By batch: whether its samples are streamed and therefore not available on this thread. */
   private readonly streamed: readonly boolean[];
   private readonly onBetterPlan: () => void;
   private readonly views: ViewPlans[] = [];
-  /** What the worker is busy with. */
+  /** The task that the worker is busy with. */
   private sent: PlanTask | undefined;
 
-  /** `better` is called when a plan has come that fits the last picture better than the one it was drawn with. */
-  constructor(parts: readonly PlannedPart[], worker: Worker, better: () => void) {
+  /** `onBetterPlan` is called when a plan has arrived that fits the last picture better than the one it was drawn with. */
+  constructor(parts: readonly PlannedPart[], worker: Worker, onBetterPlan: () => void) {
     this.worker = worker;
-    this.onBetterPlan = better;
+    this.onBetterPlan = onBetterPlan;
     this.local = new LocalPlanner(parts);
     this.streamed = parts.map(isStreamedPart);
     worker.onmessage = ({ data }: MessageEvent<PlannerReply>) => this.receive(data);
@@ -76,10 +76,10 @@ export class WorkerPlanner implements Planner {
     const { wide, exact } = state;
     state.awaitsBetter = false;
     if (exact && isEqual(exact.request, request)) return exact.plans;
-    const rests = wide !== undefined && isEqual(wide.view, view);
-    // The wide plan is of all batches: others may have come into the picture when it is there.
-    const task = rests ? request : { viewIndex, view, visible: visible.map(() => true) };
-    this.enqueue({ request: task, exact: rests }, state);
+    const isAtRest = wide !== undefined && isEqual(wide.view, view);
+    // A wide plan includes all batches, because others may be visible when it arrives.
+    const task = isAtRest ? request : { viewIndex, view, visible: visible.map(() => true) };
+    this.enqueue({ request: task, exact: isAtRest }, state);
     const fits = wide !== undefined && isNearlyEqual(wide.view, view);
     state.awaitsBetter = fits || this.streamed.includes(true);
     return fits ? wide.plans.map((plan, i) => (visible[i] ? plan : undefined)) : this.planLocally(request);
@@ -98,19 +98,22 @@ export class WorkerPlanner implements Planner {
     return this.views[viewIndex];
   }
 
-  /** Streamed batches are drawn with their edges as they are until the worker has planned them. */
+  /** Streamed batches are drawn without tessellation until the worker has planned them. */
   private planLocally(request: PlanRequest): FramePlans {
     const { streamed } = this;
-    const plans = this.local.plan({ ...request, visible: request.visible.map((seen, i) => seen && !streamed[i]) });
-    return plans.map((plan, i) => (request.visible[i] && streamed[i] ? this.uncut(i, request.view) : plan));
+    const plans = this.local.plan({
+      ...request,
+      visible: request.visible.map((visible, i) => visible && !streamed[i]),
+    });
+    return plans.map((plan, i) => (request.visible[i] && streamed[i] ? this.untessellated(i, request.view) : plan));
   }
 
-  private uncut(batch: number, { tolerance }: TessellationView): BatchPlan {
+  private untessellated(batch: number, { tolerance }: TessellationView): BatchPlan {
     const clusters = new Uint8Array(this.starts(batch).length - 1).fill(DRAWN);
     return { allDrawn: true, clusterStates: clusters, patches: new Float32Array(0), count: 0, tolerance };
   }
 
-  /** While the worker is busy with a view, that view's newer requests are dropped: it asks again with its next picture. */
+  /** While the worker is busy with a view, newer requests of that view are dropped: its next picture sends another. */
   private enqueue(task: PlanTask, state: ViewPlans): void {
     if (!this.sent) this.send(task, state);
     else if (this.sent.request.viewIndex !== task.request.viewIndex) state.queued = task;
@@ -147,7 +150,7 @@ const isStreamedPart = ({ batch: { bodies } }: PlannedPart): boolean =>
     return samples !== undefined && isStreamed(samples.points);
   });
 
-/** Whether a scene is small enough to be copied to a worker; what is left in files can only be planned there. */
+/** Whether a scene is small enough to be copied to a worker. Always true if samples are streamed, which only a worker can plan. */
 export const fitsWorker = (parts: readonly PlannedPart[]): boolean => {
   if (parts.some(isStreamedPart)) return true;
   const motions = parts.flatMap(({ batch }) => batch.bodies.map(({ object }) => object.motion));
@@ -161,16 +164,16 @@ export const fitsWorker = (parts: readonly PlannedPart[]): boolean => {
   return [...points, ...arrays].reduce((sum, { byteLength }) => sum + byteLength, 0) <= MAX_SCENE_BYTES;
 };
 
-/** What is shared stays so: two batches of one body have its samples once. */
+/** Parts without the data that planning does not read. Shared objects stay shared, so samples used by two batches are copied once. */
 function withoutMeshes(parts: readonly PlannedPart[]): readonly PlannedPart[] {
-  return parts.map(({ needsFactors, batch: { transparent, doubleSided, instancing: worn, bodies, arrays } }) => {
+  return parts.map(({ needsFactors, batch: { transparent, doubleSided, instancing, bodies, arrays } }) => {
     const { positions, indices, ids } = arrays;
     return {
       needsFactors,
       batch: {
         transparent,
         doubleSided,
-        ...(worn && { instancing: worn }),
+        ...(instancing && { instancing }),
         bodies: bodies.map(withoutMesh),
         arrays: { positions, indices, ids },
       },
@@ -202,7 +205,7 @@ function widenedFrustum({ tanX, tanY, center: [x, y] }: Frustum): Frustum {
 
 const wider = (tan: number): number => Math.tan(Math.min(1.5, Math.atan(tan) + MARGIN));
 
-/** Plain data of numbers and short arrays: compared by its text. */
+/** Compares plain data by its JSON. */
 const isEqual = (a: unknown, b: unknown): boolean => JSON.stringify(a) === JSON.stringify(b);
 
 function isNearlyEqual(from: TessellationView, to: TessellationView): boolean {

@@ -20,10 +20,10 @@ export const fastestOfPoints = (motion: SampledPointsMotion, c: number, atLeast:
 function fastestPolyline({ times, points }: SampledPointsMotion, atLeast: number): FastestVertex {
   let best: FastestVertex = { ...REST, speed: atLeast };
   for (let k = 0; k + 1 < times.length; k++) {
-    const { way, vertex } = isStreamed(points)
-      ? { way: points.statistics.displacements[k], vertex: points.statistics.fastest[k] }
+    const { length, vertex } = isStreamed(points)
+      ? { length: points.statistics.displacements[k], vertex: points.statistics.fastest[k] }
       : longestDisplacement(points[k], points[k + 1]);
-    const speed = way / (times[k + 1] - times[k]);
+    const speed = length / (times[k + 1] - times[k]);
     if (speed > best.speed) best = { speed, vertex, from: times[k], to: times[k + 1] };
   }
   return best.from === REST.from ? REST : best;
