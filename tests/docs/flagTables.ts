@@ -7,10 +7,10 @@ import { EXIT_MEANINGS } from '../../src/cli/terminal/exitCodes.ts';
 
 /** Flags that several commands share, by the section of the page that has their table. */
 const GROUPS = {
-  'Who looks, and how fast': addObserverFlags,
-  'What of a file, and how it moves': addSceneFlags,
-  'What is drawn': addSettingFlags,
-  'Where it runs': addPipelineFlags,
+  Observer: addObserverFlags,
+  'Files and motions': addSceneFlags,
+  'Picture settings': addSettingFlags,
+  'Pipelines and backends': addPipelineFlags,
 };
 
 const COMMANDS = commands().flatMap((command) => (command.commands.length > 0 ? command.commands : [command]));
@@ -49,7 +49,7 @@ function commandSection(command: Command): string {
     `### ${names.join(' ')}`,
     `\`slowlight ${[...names, ...args].join(' ')}\`: ${command.description()}`,
     ...(own.length > 0 ? [flagTable(own)] : []),
-    ...(links ? [`And the flags of ${links}.`] : []),
+    ...(links ? [`Also the flags of ${links}.`] : []),
   ].join('\n\n');
 }
 
