@@ -1,4 +1,4 @@
-import { frameGraphStructure } from '../scene/frameGraph/frameGraph.ts';
+import { contentKey, frameGraphStructure } from '../scene/frameGraph/frameGraph.ts';
 import type { Scene } from '../scene/types.ts';
 import { type LightMeterReadings, mergeReadings } from '../scene/view/metering.ts';
 import {
@@ -30,6 +30,15 @@ export interface RenderContext {
   readonly buffers: ViewBuffers;
 }
 
+interface IncompletePicture {
+  /** Identifies views, settings and sampling. */
+  readonly request: string;
+  readonly viewsDrawn: number;
+  readonly objectsDrawn: number;
+}
+
+const NOTHING_DRAWN = { viewsDrawn: 0, objectsDrawn: 0 };
+
 /** Renders pictures of a scene for a page, a command line or a benchmark; see api.ts. Each view has a `ViewRenderer`; the uploaded scenes are shared by all views. */
 export class SceneRenderer implements RasterRenderer {
   private readonly gpu: Gpu;
@@ -41,6 +50,8 @@ export class SceneRenderer implements RasterRenderer {
   private readonly viewRenderers: ViewRenderer[];
   /** Of the last picture. */
   private views: PictureViews | undefined;
+  /** A picture whose next view waits for motion samples from files; it is resumed there when it is requested again. */
+  private incomplete: IncompletePicture | undefined;
   /** Keys of pictures whose shaders are compiled. */
   private readonly compiled = new Set<string>();
   private precompiling: Promise<void> | undefined;
@@ -63,6 +74,7 @@ export class SceneRenderer implements RasterRenderer {
       (scene, speedOfLight) => new SceneUpload(scene, speedOfLight, uniforms, gpu, options),
       (upload) => {
         this.frameSetup.invalidate();
+        this.incomplete = undefined;
         for (const view of this.viewRenderers) view.releaseScene(upload);
       },
     );
@@ -137,21 +149,24 @@ export class SceneRenderer implements RasterRenderer {
     assertViewports(views, this.requestedSize);
     const pictures = this.buffersOf(views, settings);
     const rects = this.viewportsOf(views);
-    // All views are drawn or none, so the motion samples of every view must be loaded.
-    const isReady = () => pictures.every((buffers, i) => this.viewRenderer(i).prepare(buffers, rects[i]));
-    if (pictures.length === 0 || (pictures.length > 1 && this.uploads.isStreamed && !isReady())) return;
+    if (pictures.length === 0) return;
     const mode = antialiasingModeOf(settings, sampling);
-    let objectsDrawn = 0;
-    for (const [i, buffers] of pictures.entries()) {
+    const request = pictures.length > 1 && this.uploads.isStreamed ? contentKey([views, settings, sampling]) : '';
+    const isResumed = request !== '' && this.incomplete?.request === request;
+    let { viewsDrawn, objectsDrawn } = isResumed && this.incomplete ? this.incomplete : NOTHING_DRAWN;
+    for (const [i, buffers] of [...pictures.entries()].slice(viewsDrawn)) {
       const view = this.viewRenderer(i);
       const visible = view.prepare(buffers, rects[i], () => {
         this.resize();
         view.setViewport(rects[i]);
       });
+      this.incomplete = { request, viewsDrawn, objectsDrawn };
       if (!visible) return;
       view.draw(buffers, mode, sampling);
+      viewsDrawn++;
       objectsDrawn += visible.filter(Boolean).length;
     }
+    this.incomplete = undefined;
     this.views = views;
     for (const unused of this.viewRenderers.splice(views.length)) unused.dispose();
     if (this.toCanvas) this.presentOnCanvas();

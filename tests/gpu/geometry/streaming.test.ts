@@ -57,4 +57,10 @@ describe('samples that stream: WebGL2 (Chromium)', () => {
     expectSame(await paint('worker'), await paint('whole'));
     chromium.assertHealthy();
   });
+
+  it('two views of one picture, whose samples do not fit together, are drawn as theirs arrive', async () => {
+    const paint = (form: SampleStorage) => chromium.page.evaluate((name) => window.paintStreamedPair(name), form);
+    expectSame([await paint('worker')], [await paint('whole')]);
+    chromium.assertHealthy();
+  });
 });

@@ -53,6 +53,22 @@ export const viewOf = ({ t, beta }: (typeof STREAMING_VIEWS)[number]): ViewPoint
 
 const SETTINGS = { ...DEFAULT_SETTINGS, speedOfLight: 1 };
 
+/** Two views of one picture whose samples do not fit into few texels together, 7 s apart. */
+const PAIR = [STREAMING_VIEWS[0], STREAMING_VIEWS[3]] as const;
+
+export async function renderStreamingPair(renderer: SceneRenderer, form: SampleStorage): Promise<number[]> {
+  renderer.setSize(2 * SIZE, SIZE);
+  await renderer.setScene(sceneIn(form));
+  const eye = (i: 0 | 1) => ({ ...viewOf(PAIR[i]), viewport: { x: i * SIZE, y: 0, width: SIZE, height: SIZE } });
+  const draw = () => renderer.render([eye(0), eye(1)], SETTINGS);
+  draw();
+  while (renderer.info.waiting) {
+    await new Promise((done) => setTimeout(done, 2));
+    draw();
+  }
+  return [...(await renderer.readAov('position')), ...(await renderer.readAov('beauty'))];
+}
+
 /** Position, emission time and picture of each view, concatenated. */
 export async function renderStreamingViews(renderer: SceneRenderer, form: SampleStorage): Promise<number[][]> {
   renderer.setSize(SIZE, SIZE);
