@@ -168,11 +168,11 @@ export class SceneRenderer implements RasterRenderer {
     }
     this.incomplete = undefined;
     this.views = views;
-    for (const unused of this.viewRenderers.splice(views.length)) unused.dispose();
+    // A picture that is being compiled may have more views, and more G-buffers.
+    if (!this.precompiling) for (const unused of this.viewRenderers.splice(views.length)) unused.dispose();
     if (this.toCanvas) this.presentOnCanvas();
     this.lastDraw = { objectsDrawn, milliseconds: performance.now() - start };
     this.compiled.add(shaderKey(settings, mode, this.uploads.of(settings), views.length));
-    // A picture that is being compiled may have more G-buffers.
     if (!this.precompiling) this.uploads.trim(pictures[0].length);
     // Trimming may have cleared the views' last buffers, but this picture's uploads are still there.
     pictures.forEach((buffers, i) => {
@@ -201,14 +201,19 @@ export class SceneRenderer implements RasterRenderer {
     return this.viewRenderers[index];
   }
 
+  /** Those of the last picture; one that is being compiled may have more. */
+  private get drawnViews(): readonly ViewRenderer[] {
+    return this.viewRenderers.slice(0, this.views?.length ?? 1);
+  }
+
   private presentOnCanvas(): void {
-    const { viewRenderers, views } = this;
-    if (views && isWholePicture(views)) viewRenderers[0].presentOnCanvas();
-    else this.compositor.present(viewRenderers.map((view) => ({ target: view.present(), rect: view.viewport })));
+    const { drawnViews, views } = this;
+    if (views && isWholePicture(views)) drawnViews[0].presentOnCanvas();
+    else this.compositor.present(drawnViews.map((view) => ({ target: view.present(), rect: view.viewport })));
   }
 
   accumulate(n: number): boolean {
-    const samples = this.viewRenderers.map((view) => view.accumulate(n));
+    const samples = this.drawnViews.map((view) => view.accumulate(n));
     if (this.toCanvas && samples.some(({ added }) => added)) this.presentOnCanvas();
     return samples.some(({ more }) => more);
   }
@@ -233,7 +238,7 @@ export class SceneRenderer implements RasterRenderer {
   ): Promise<Values> {
     if (!this.views || isWholePicture(this.views)) return read(this.viewRenderers[0]);
     const parts: { rect: PixelRect; values: Values }[] = [];
-    for (const view of this.viewRenderers) parts.push({ rect: view.viewport, values: await read(view) });
+    for (const view of this.drawnViews) parts.push({ rect: view.viewport, values: await read(view) });
     return composeViews(parts, this.size, channels, background());
   }
 
@@ -246,7 +251,7 @@ export class SceneRenderer implements RasterRenderer {
 
   async measureLight(): Promise<LightMeterReadings> {
     const parts: { rect: PixelRect; readings: LightMeterReadings }[] = [];
-    for (const view of this.viewRenderers) parts.push({ rect: view.viewport, readings: await view.measureLight() });
+    for (const view of this.drawnViews) parts.push({ rect: view.viewport, readings: await view.measureLight() });
     return mergeReadings(parts, this.size);
   }
 

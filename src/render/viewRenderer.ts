@@ -39,10 +39,6 @@ export class ViewRenderer {
     return this.rect;
   }
 
-  get buffers(): ViewBuffers | undefined {
-    return this.lastBuffers;
-  }
-
   get hasPicture(): boolean {
     return this.lastObservation !== undefined;
   }

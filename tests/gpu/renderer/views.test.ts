@@ -95,6 +95,25 @@ describe('two views in one picture are, to the bit, the pictures of each', () =>
     expect(found).toMatchObject({ index: 1, x: 3.5, y: 6.5 });
   });
 
+  it('a picture of one view is left alone while one of two is compiled', async () => {
+    const { renderer } = headless;
+    const { viewport: _, ...whole } = EYES[0];
+    const settings = { ...LIGHT, tone: 'agx' } as const;
+    renderer.setSize(SIZE.width, SIZE.height);
+    pumpFrame();
+    renderer.render([whole], LIGHT, 1);
+    const before = await renderer.readPixels();
+    const coming = renderer.precompile(EYES, settings, 1);
+    expect(coming).toBeDefined();
+    pumpFrame();
+    renderer.render([whole], LIGHT, 1);
+    expect(await renderer.readPixels()).toEqual(before);
+    expect((await renderer.measureLight()).luminance.some(Number.isNaN)).toBe(false);
+    await coming;
+    expect(renderer.precompile(EYES, settings, 1)).toBeUndefined();
+    expect(await renderer.readPixels()).toEqual(before);
+  });
+
   it('views that overlap are refused, and the last picture stays', async () => {
     const { renderer } = headless;
     renderer.setSize(SIZE.width, SIZE.height);
