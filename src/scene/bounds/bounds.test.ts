@@ -10,7 +10,7 @@ import { objectBounds } from './sceneBounds.ts';
 
 it('the box of an object is that of its vertices, at any orientation and motion', () => {
   const mesh = sphere(1, { segments: 20 });
-  const lump = { ...mesh, positions: mesh.positions.map((x, i) => x * (1 + 0.3 * Math.sin(i))) };
+  const deformed = { ...mesh, positions: mesh.positions.map((x, i) => x * (1 + 0.3 * Math.sin(i))) };
   const angle = fc.double({ min: -3, max: 3, noNaN: true });
   fc.assert(
     fc.property(angle, angle, angle, fc.constantFrom('world' as const, 'rest' as const), (a, b, t, authoredIn) => {
@@ -22,7 +22,7 @@ it('the box of an object is that of its vertices, at any orientation and motion'
         { kind: 'sampled', times: Float64Array.of(-1, 2), poses },
       ];
       for (const motion of motions) {
-        const object = { ...makeObject({ path: '/a', mesh: lump, motion }), authoredIn };
+        const object = { ...makeObject({ path: '/a', mesh: deformed, motion }), authoredIn };
         const expected = boundingBox(vertexPositions(object, t, 20));
         const found = objectBounds(object, t, 20);
         for (const side of ['min', 'max'] as const)

@@ -12,11 +12,11 @@ export interface BoundingSphere {
   readonly radius: number;
 }
 
-/** The axis-parallel box of points, 3 numbers each [m]; undefined of none. Numbers that are not finite are left out. */
+/** The axis-aligned box of points, 3 numbers each [m]; undefined if there are none. Ignores values that are not finite. */
 export const boundingBox = (points: ArrayLike<number>): BoundingBox | undefined =>
   finiteBox(points) ?? boxOfFinite(points);
 
-/** The same of points that are all finite; undefined where one is not. One pass, which long caches take thousands of times. */
+/** The same, but undefined if any value is not finite. A single pass, because long caches call it thousands of times. */
 export function finiteBox(points: ArrayLike<number>): BoundingBox | undefined {
   let x0 = Number.POSITIVE_INFINITY;
   let y0 = x0;
@@ -35,7 +35,7 @@ export function finiteBox(points: ArrayLike<number>): BoundingBox | undefined {
     if (y > y1) y1 = y;
     if (z < z0) z0 = z;
     if (z > z1) z1 = z;
-    // 0 times what is not finite is no number.
+    // NaN unless all are finite.
     zero += x * 0 + y * 0 + z * 0;
   }
   return zero === 0 && x0 <= x1 ? { min: [x0, y0, z0], max: [x1, y1, z1] } : undefined;
@@ -53,7 +53,7 @@ function boxOfFinite(points: ArrayLike<number>): BoundingBox | undefined {
   return min.every((x, k) => x <= max[k]) ? { min: pointAt(min, 0), max: pointAt(max, 0) } : undefined;
 }
 
-/** A sphere round the middle of the bounding box that holds all points [m]; at most √3 times the smallest one. */
+/** A sphere around the centre of the bounding box that contains all points [m]; at most √3 times as large as the smallest. */
 export function boundingSphere(points: ArrayLike<number>, box = boundingBox(points)): BoundingSphere {
   if (!box) return { center: [0, 0, 0], radius: 0 };
   const center = scale(add(box.min, box.max), 0.5);
@@ -73,24 +73,24 @@ export function boundingSphere(points: ArrayLike<number>, box = boundingBox(poin
   return { center, radius: distance(pointAt(points, farthest), center) || 0 };
 }
 
-/** By their positions: objects that share a mesh, or wear it in other materials, share these. */
+/** By position array, which objects share even if their materials differ. */
 const MESH_SPHERES = new WeakMap<Float32Array, BoundingSphere>();
 
-/** `boundingSphere` of a mesh, found once. */
+/** `boundingSphere` of a mesh, cached. */
 export function meshBoundingSphere({ positions }: Pick<Mesh, 'positions'>): BoundingSphere {
   const sphere = MESH_SPHERES.get(positions) ?? boundingSphere(positions);
   MESH_SPHERES.set(positions, sphere);
   return sphere;
 }
 
-/** The box of sample k, from the motion's origin [m]; undefined of no points. */
+/** The box of sample k, relative to the motion's origin [m]; undefined without points. */
 export function sampleBoundingBox({ points }: SampledPointsMotion, k: number): BoundingBox | undefined {
   if (!isStreamed(points)) return boundingBox(points[k]);
   const [x, y, z, X, Y, Z] = points.statistics.boxes.subarray(6 * k, 6 * k + 6);
   return x <= X ? { min: [x, y, z], max: [X, Y, Z] } : undefined;
 }
 
-/** The sphere round sample k, from the motion's origin [m]. */
+/** The bounding sphere of sample k, relative to the motion's origin [m]. */
 export function sampleBoundingSphere(motion: SampledPointsMotion, k: number): BoundingSphere {
   const { points } = motion;
   if (!isStreamed(points)) return boundingSphere(points[k]);
@@ -100,7 +100,7 @@ export function sampleBoundingSphere(motion: SampledPointsMotion, k: number): Bo
   return { center: [x, y, z], radius: points.statistics.radii[k] };
 }
 
-/** Half the diagonal of the box of spheres [m]; 1 m of none. */
+/** Half the diagonal of the box of spheres [m]; 1 m without spheres. */
 export function halfDiagonal(spheres: readonly BoundingSphere[]): number {
   const box = boundingBox(
     spheres.flatMap(({ center, radius }) => [-radius, radius].flatMap((side) => center.map((x) => x + side))),

@@ -5,11 +5,11 @@ import { motionKind } from '../motion/motions.ts';
 import type { Scene, SceneObject } from '../types.ts';
 import { type BoundingBox, boundingBox } from './bounds.ts';
 
-/** The box of an object at world time t [s]; of one whose samples are left in a file between the boxes of its samples. */
+/** The box of an object at world time t [s]; with streamed samples, interpolated between the boxes of the samples. */
 export const objectBounds = (object: SceneObject, t: number, c: number): BoundingBox | undefined =>
   motionKind(object.motion).bounds(object, t, c);
 
-/** The box of all that exists at world time t [s]; undefined where nothing does. c [m/s]. */
+/** The box of all objects that exist at world time t [s]; undefined if none does. c [m/s]. */
 export function sceneBounds(scene: Scene, t: number, c: number): BoundingBox | undefined {
   const corners: number[] = [];
   for (const object of scene.objects) {
@@ -21,9 +21,8 @@ export function sceneBounds(scene: Scene, t: number, c: number): BoundingBox | u
 }
 
 /**
- * World times [s] between which lies the emission of every point that stays within `radius` [m] of `center`, in the world
- * frame: those of the centre for observers who look radius/c earlier and later at the same place. undefined where the
- * centre's horizon hides it from one of them.
+ * World times [s] that enclose the emission of every point within `radius` [m] of `center`, in the world frame: the emission times of the centre for the observer
+ * radius/c earlier and later at the same position. Undefined if the centre is beyond its horizon for one of these.
  */
 export function emissionWindow(
   center: WorldLine,

@@ -1,38 +1,38 @@
 import type { Vec3 } from '../../math/vec3.ts';
 
-/** Points of a lump; they are near each other where neighbours in a mesh are. */
+/** Points per cluster; consecutive points of a mesh are usually close to each other. */
 const CLUSTER_POINTS = 64;
-/** Numbers per lump: centre, radius. */
+/** Floats per cluster: centre and radius. */
 const SPHERE_NUMBERS = 4;
 
-/** Points, in lumps with a ball round each: how far they reach in a direction is found without a look at most of them. */
+/** The support function of points, accelerated by bounding spheres of clusters. */
 export class SupportMap {
   private readonly points: ArrayLike<number>;
   private readonly spheres: Float64Array;
 
-  /** 3 finite numbers each. */
+  /** `points`: 3 finite numbers each. */
   constructor(points: ArrayLike<number>) {
     this.points = points;
-    const lumps = Math.ceil(points.length / (3 * CLUSTER_POINTS));
-    this.spheres = new Float64Array(SPHERE_NUMBERS * lumps);
-    for (let k = 0; k < lumps; k++) this.enclose(k);
+    const clusters = Math.ceil(points.length / (3 * CLUSTER_POINTS));
+    this.spheres = new Float64Array(SPHERE_NUMBERS * clusters);
+    for (let k = 0; k < clusters; k++) this.enclose(k);
   }
 
-  /** The greatest d · x of all points x. */
+  /** The largest d · x over all points x. */
   support([x, y, z]: Vec3): number {
     const { points, spheres } = this;
     const size = Math.hypot(x, y, z);
-    let most = Number.NEGATIVE_INFINITY;
+    let max = Number.NEGATIVE_INFINITY;
     for (let k = 0; SPHERE_NUMBERS * k < spheres.length; k++) {
       const b = SPHERE_NUMBERS * k;
-      if (!(x * spheres[b] + y * spheres[b + 1] + z * spheres[b + 2] + size * spheres[b + 3] > most)) continue;
+      if (!(x * spheres[b] + y * spheres[b + 1] + z * spheres[b + 2] + size * spheres[b + 3] > max)) continue;
       const end = Math.min(points.length, 3 * CLUSTER_POINTS * (k + 1));
       for (let i = 3 * CLUSTER_POINTS * k; i < end; i += 3) {
         const along = x * points[i] + y * points[i + 1] + z * points[i + 2];
-        if (along > most) most = along;
+        if (along > max) max = along;
       }
     }
-    return most;
+    return max;
   }
 
   private enclose(k: number): void {
@@ -48,7 +48,7 @@ export class SupportMap {
         square,
         (points[i] - spheres[b]) ** 2 + (points[i + 1] - spheres[b + 1]) ** 2 + (points[i + 2] - spheres[b + 2]) ** 2,
       );
-    // Rounded up, so that no point is beyond.
+    // Rounded up, so that no point is outside.
     spheres[b + 3] = Math.sqrt(square) * (1 + 1e-12);
   }
 }

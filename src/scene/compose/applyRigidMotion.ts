@@ -7,13 +7,13 @@ import type { Pose, RigidMotion, Scene, SceneObject } from '../types.ts';
 import { withObjects } from './assignMaterial.ts';
 import { matchesPath } from './mergeScenes.ts';
 
-/** Things at a path and below it that move already: a motion of the whole would have to be added to their own. */
+/** Paths of the objects at a path and below it that already move, so that a common motion cannot be applied to them. */
 export const movingPaths = (scene: Scene, path: string): readonly string[] =>
   scene.objects.filter((o) => matchesPath(o.path, path) && !isStatic(o.motion)).map((o) => o.path);
 
 /**
- * Things at rest, at a path and below it, lamps too, carried as one body by the motion of a frame: each keeps its place in that frame.
- * `rest`: their meshes are shapes at rest, each contracted towards its own origin.
+ * Attaches the objects and lights at rest at a path and below it to a moving frame, in which each keeps its pose. `rest`: their meshes are rest shapes, each
+ * contracted towards its own origin.
  */
 export function applyRigidMotion(
   scene: Scene,
@@ -32,16 +32,16 @@ export function applyRigidMotion(
   return { ...scene, objects, lights };
 }
 
-/** What stands at a pose in a frame that moves. */
+/** The motion of a body at a fixed pose in a moving frame. */
 export const composeMotion = (frame: RigidMotion, pose: Pose): RigidMotion => motionKind(frame).compose(frame, pose);
 
-/** How far from the origin anything at a path and below it reaches [m]. */
+/** Largest distance from the origin of anything at a path and below it [m]. */
 export function reachFromOrigin(scene: Scene, path: string): number {
   return scene.objects
     .filter((object) => matchesPath(object.path, path))
-    .reduce((most, { mesh, motion }) => {
+    .reduce((max, { mesh, motion }) => {
       const { center, radius } = meshBoundingSphere(mesh);
       const pose = restingPose(motion);
-      return Math.max(most, length(pose ? applyPose(pose, center) : center) + radius);
+      return Math.max(max, length(pose ? applyPose(pose, center) : center) + radius);
     }, 0);
 }

@@ -3,17 +3,17 @@ import { scale, type Vec3 } from '../../math/vec3.ts';
 import type { Scene } from '../types.ts';
 import { transformObject } from './transformScene.ts';
 
-/** Where one copy stands: turned, then carried [m]. */
+/** Pose of one copy: rotated, then translated [m]. */
 export interface InstancePose {
   readonly position: Vec3;
   readonly orientation: Quat;
 }
 
-/** Most copies of one thing. */
+/** Most copies of a scene. */
 export const MAX_COPIES = 10_000;
 
-/** The scene's objects once at each spot; all wear the same meshes. The first keeps its paths, the others are `/Ball/copy2` and so on, past those that there are. */
-export function arrangeCopies(scene: Scene, spots: readonly InstancePose[]): Scene {
+/** Copies of the scene's objects at the given poses, with shared meshes. The first keeps its paths; others are named `/Ball/copy2` and so on, skipping existing paths. */
+export function arrangeCopies(scene: Scene, poses: readonly InstancePose[]): Scene {
   const taken = new Set(scene.objects.map(({ path }) => path));
   const latest = new Map<string, number>();
   const copyOf = (path: string): string => {
@@ -23,34 +23,34 @@ export function arrangeCopies(scene: Scene, spots: readonly InstancePose[]): Sce
     latest.set(path, n);
     return `${path}/copy${n}`;
   };
-  const objects = spots.flatMap((spot, i) =>
+  const objects = poses.flatMap((pose, i) =>
     scene.objects.map((object) => {
-      const copy = transformObject(object, { ...spot, scale: 1 });
+      const copy = transformObject(object, { ...pose, scale: 1 });
       return i === 0 ? copy : { ...copy, path: copyOf(object.path) };
     }),
   );
   return { ...scene, objects };
 }
 
-/** nx × ny × nz places `step` apart [m], their middle at the origin. */
+/** nx × ny × nz positions `step` apart [m], centred on the origin. */
 export function gridPoses(counts: readonly [number, number, number], step: Vec3): InstancePose[] {
-  const spots: InstancePose[] = [];
+  const poses: InstancePose[] = [];
   const at = (i: number, axis: number): number => (i - (counts[axis] - 1) / 2) * step[axis];
   for (let i = 0; i < counts[0]; i++)
     for (let j = 0; j < counts[1]; j++)
       for (let k = 0; k < counts[2]; k++)
-        spots.push({ position: [at(i, 0), at(j, 1), at(k, 2)], orientation: IDENTITY });
-  return spots;
+        poses.push({ position: [at(i, 0), at(j, 1), at(k, 2)], orientation: IDENTITY });
+  return poses;
 }
 
-/** `count` places on a circle about an axis of unit length, each turned as far as it is carried round. */
+/** `count` poses on a circle about a unit axis, each rotated by its angle on the circle. */
 export const ringPoses = (count: number, radius: number, axis: Vec3): InstancePose[] =>
   Array.from({ length: count }, (_, k) => {
     const orientation = fromAxisAngle(axis, (2 * Math.PI * k) / count);
     return { position: rotate(orientation, scale(perpendicularTo(axis), radius)), orientation };
   });
 
-/** A unit vector at right angles to a unit axis: of the coordinate axes the first that is not near it. */
+/** A unit vector perpendicular to a unit axis, in the plane of that and the X axis, or the Y axis if the axis is near X. */
 export function perpendicularTo(axis: Vec3): Vec3 {
   const other: Vec3 = Math.abs(axis[0]) < 0.9 ? [1, 0, 0] : [0, 1, 0];
   const along = axis[0] * other[0] + axis[1] * other[1] + axis[2] * other[2];

@@ -2,14 +2,14 @@ import { withMaterial } from '../mesh/meshOps.ts';
 import type { Lifetime, Material, Scene, SceneObject } from '../types.ts';
 import { matchesPath } from './mergeScenes.ts';
 
-/** Everything at a path and below it in one material, whatever it wore. */
+/** Assigns one material to all objects at a path and below it. */
 export function assignMaterial(scene: Scene, path: string, material: Material): Scene {
-  const place = scene.materials.length;
-  const objects = withObjects(scene, path, (object) => ({ ...object, mesh: withMaterial(object.mesh, place) }));
+  const index = scene.materials.length;
+  const objects = withObjects(scene, path, (object) => ({ ...object, mesh: withMaterial(object.mesh, index) }));
   return { ...scene, objects, materials: [...scene.materials, material] };
 }
 
-/** Things at a path and below it, lamps too, are there only between two world times. */
+/** Sets the lifetime of the objects and lights at a path and below it. */
 export const withLifetime = (scene: Scene, path: string, lifetime: Lifetime): Scene => ({
   ...scene,
   objects: withObjects(scene, path, (object) => ({ ...object, lifetime })),
@@ -18,7 +18,7 @@ export const withLifetime = (scene: Scene, path: string, lifetime: Lifetime): Sc
   ),
 });
 
-/** The objects of a scene, those at a path and below it changed. */
+/** The objects of a scene, with `change` applied to those at a path and below it. */
 export const withObjects = (
   { objects }: Scene,
   path: string,

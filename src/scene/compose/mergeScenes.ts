@@ -2,8 +2,8 @@ import { isAtOrBelow } from '../motion/fly.ts';
 import type { Mesh, Scene } from '../types.ts';
 
 /**
- * Several scenes as one. Where two have things of one path those of the later get a number: `/Ball`, `/Ball2`. The first has the say
- * where there can be only one: which axis is up, units, title, suggestions; the range of time holds all of theirs.
+ * Merges scenes. Duplicate top-level names of later scenes are numbered: `/Ball`, `/Ball2`. The first scene determines up axis, units, title and hints; the time
+ * range covers all.
  */
 export function mergeScenes(scenes: readonly Scene[]): Scene {
   const [first, ...others] = scenes;
@@ -12,16 +12,16 @@ export function mergeScenes(scenes: readonly Scene[]): Scene {
 }
 
 function joined(a: Scene, b: Scene): Scene {
-  const named = renamed(b, pathsOf(a));
+  const renamedB = renamed(b, pathsOf(a));
   const hints = { ...b.hints, ...a.hints };
   const variants = [...(a.variants ?? []), ...(b.variants ?? [])];
   return {
     ...a,
     ...rangeOf(a, b),
-    objects: [...a.objects, ...named.objects.map((o) => ({ ...o, mesh: shifted(o.mesh, a.materials.length) }))],
+    objects: [...a.objects, ...renamedB.objects.map((o) => ({ ...o, mesh: shifted(o.mesh, a.materials.length) }))],
     materials: [...a.materials, ...b.materials],
-    lights: [...a.lights, ...named.lights],
-    cameras: [...a.cameras, ...named.cameras],
+    lights: [...a.lights, ...renamedB.lights],
+    cameras: [...a.cameras, ...renamedB.cameras],
     hints,
     ...(variants.length > 0 && { variants }),
     diagnostics: [...a.diagnostics, ...b.diagnostics],
@@ -33,7 +33,7 @@ const shifted = (mesh: Mesh, by: number): Mesh => ({
   groups: mesh.groups.map((group) => ({ ...group, material: group.material + by })),
 });
 
-/** What does not move has no range of its own. */
+/** The time range of both; a scene without animation has none. */
 function rangeOf(a: Scene, b: Scene): Pick<Scene, 'startTime' | 'endTime'> {
   if (b.endTime <= b.startTime) return { startTime: a.startTime, endTime: a.endTime };
   if (a.endTime <= a.startTime) return { startTime: b.startTime, endTime: b.endTime };
@@ -43,7 +43,7 @@ function rangeOf(a: Scene, b: Scene): Pick<Scene, 'startTime' | 'endTime'> {
 const pathsOf = ({ objects, lights, cameras }: Scene): string[] =>
   [...objects, ...lights, ...cameras].map(({ path }) => path);
 
-/** The scene with its top-level names changed where others have them. */
+/** Renames top-level names that are already used by others. */
 function renamed(scene: Scene, others: readonly string[]): Scene {
   const taken = new Set(others.map(rootOf));
   const names = new Map<string, string>();
@@ -52,9 +52,9 @@ function renamed(scene: Scene, others: readonly string[]): Scene {
     taken.add(name);
     names.set(root, name);
   }
-  const rename = <T extends { readonly path: string }>(thing: T): T => {
-    const root = rootOf(thing.path);
-    return { ...thing, path: names.get(root) + thing.path.slice(root.length) };
+  const rename = <T extends { readonly path: string }>(item: T): T => {
+    const root = rootOf(item.path);
+    return { ...item, path: names.get(root) + item.path.slice(root.length) };
   };
   return {
     ...scene,
@@ -67,7 +67,7 @@ function renamed(scene: Scene, others: readonly string[]): Scene {
 /** `/World/Car/Wheel` → `/World` */
 const rootOf = (path: string): string => path.slice(0, path.indexOf('/', 1) < 0 ? undefined : path.indexOf('/', 1));
 
-/** The name, or with the least number from 2 on that makes it free. */
+/** The name, or if it is taken, followed by the smallest number from 2 on that makes it unique. */
 export function uniqueName(name: string, taken: ReadonlySet<string>): string {
   if (!taken.has(name)) return name;
   let number = 2;
@@ -75,5 +75,5 @@ export function uniqueName(name: string, taken: ReadonlySet<string>): string {
   return `${name}${number}`;
 }
 
-/** The things at a path and below it; all where it is empty. */
-export const matchesPath = (path: string, wanted: string): boolean => wanted === '' || isAtOrBelow(path, wanted);
+/** Whether `path` is `root` or below it; always true if `root` is empty. */
+export const matchesPath = (path: string, root: string): boolean => root === '' || isAtOrBelow(path, root);

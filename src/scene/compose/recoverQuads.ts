@@ -1,21 +1,21 @@
 import { cross, dot, normalize, sub, type Vec3 } from '../../math/vec3.ts';
 import { pointAt } from '../mesh/polygons.ts';
 
-/** Faces by their corners, as they are counted. */
+/** Polygons by their corner counts. */
 export interface PolygonFaces {
   readonly counts: readonly number[];
-  /** Points, face after face. */
+  /** Point indices of all corners, face by face. */
   readonly corners: readonly number[];
 }
 
-/** A side counts as the longest where the others are shorter by this share. */
+/** A side counts as the longest if the others are shorter by this fraction. */
 const LONGER = 1e-4;
-/** 1 − cos of the angle at which two triangles still lie flat. */
+/** 1 − cos of the largest angle between triangles that count as coplanar. */
 const FLAT = 1e-6;
 
 /**
- * The faces of a mesh of triangles, by points: two triangles that lie flat across a side which is the longest of both are one face of four corners, as it was before a
- * reader cut it. Triangles without three different points are left out. `points`: 3 numbers each.
+ * Joins pairs of coplanar triangles that share their longest side into quads, as they were before a reader triangulated them. Triangles without three different
+ * points are omitted. `points`: 3 numbers each.
  */
 export function recoverQuads(points: ArrayLike<number>, triangles: ArrayLike<number>): PolygonFaces {
   const faces = facesOf(points, triangles);
@@ -35,16 +35,16 @@ export function recoverQuads(points: ArrayLike<number>, triangles: ArrayLike<num
     const partner = partners.get(face);
     if (!partner) return [face.corners];
     const [a, b] = face.longest!;
-    return face.order > partner.order ? [] : [[a, apex(partner), b, apex(face)]];
+    return face.index > partner.index ? [] : [[a, apex(partner), b, apex(face)]];
   });
   return { counts: polygons.map(({ length }) => length), corners: polygons.flat() };
 }
 
 interface Triangle {
-  readonly order: number;
+  readonly index: number;
   readonly corners: readonly number[];
   readonly normal: Vec3;
-  /** As the triangle goes round; absent where no side is longer than the others. */
+  /** In the triangle's winding order; absent if no side is longer than the others. */
   readonly longest?: readonly [number, number];
 }
 
@@ -58,7 +58,7 @@ function facesOf(points: ArrayLike<number>, triangles: ArrayLike<number>): Trian
     const k = lengths.indexOf(Math.max(...lengths));
     const isLongest = lengths.every((length, j) => j === k || length < (1 - LONGER) * lengths[k]);
     faces.push({
-      order: i,
+      index: i,
       corners,
       normal: normalize(cross(sides[0], sides[1])),
       ...(isLongest && { longest: [corners[k], corners[(k + 1) % 3]] }),

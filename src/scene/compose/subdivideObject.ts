@@ -7,19 +7,19 @@ import { makeTopology } from '../subdivide/topology.ts';
 import type { Mesh, SampledPointsMotion, SceneObject } from '../types.ts';
 import { weld } from './weld.ts';
 
-/** Most triangles that a mesh may become. */
+/** Most triangles of a subdivided mesh. */
 export const MAX_TRIANGLES = 4_000_000;
 
-/** Each level cuts a triangle in four. */
+/** Number of triangles after subdivision; each level splits a triangle into four. */
 export const trianglesAfter = ({ indices }: Mesh, levels: number): number => (indices.length / 3) * 4 ** levels;
 
-/** Whether its samples can be cut: what is left in a file has the points that the file has. */
+/** Whether its samples can be subdivided: streamed samples cannot. */
 export function canSubdivide({ motion }: SceneObject): boolean {
   const samples = pointSamples(motion);
   return !samples || !isStreamed(samples.points);
 }
 
-/** The same shape of smaller triangles: `levels` times cut at the middles of their edges. */
+/** Splits all triangles `levels` times at the midpoints of their edges, without changing the shape. */
 export function midpointSubdivide(object: SceneObject, levels: number): SceneObject {
   let { mesh, motion } = object;
   for (let level = 0; level < levels; level++) {
@@ -31,21 +31,21 @@ export function midpointSubdivide(object: SceneObject, levels: number): SceneObj
   return { ...object, mesh, motion };
 }
 
-/** A mesh cut once. Its first vertices are the old ones; each of the others is in the middle of two of them. */
+/** A mesh split once. Its first vertices are those of the original; the others are midpoints of two of them. */
 class MidpointMesh {
   readonly mesh: Mesh;
   private readonly ends: number[] = [];
-  private readonly known = new Map<number, number>();
+  private readonly midpoints = new Map<number, number>();
   private readonly vertices: number;
 
   constructor(mesh: Mesh) {
     this.vertices = mesh.positions.length / 3;
     const { indices } = mesh;
-    const cut = new Uint32Array(4 * indices.length);
+    const split = new Uint32Array(4 * indices.length);
     for (let t = 0; t < indices.length; t += 3) {
       const [a, b, c] = [indices[t], indices[t + 1], indices[t + 2]];
       const [ab, bc, ca] = [this.middle(a, b), this.middle(b, c), this.middle(c, a)];
-      cut.set([a, ab, ca, ab, b, bc, ca, bc, c, ab, bc, ca], 4 * t);
+      split.set([a, ab, ca, ab, b, bc, ca, bc, c, ab, bc, ca], 4 * t);
     }
     this.mesh = {
       ...mesh,
@@ -53,22 +53,22 @@ class MidpointMesh {
       normals: normalizeInPlace(this.mean(mesh.normals, 3)),
       uvs: this.mean(mesh.uvs, 2),
       ...(mesh.colors && { colors: this.mean(mesh.colors, 3) }),
-      indices: cut,
+      indices: split,
       groups: mesh.groups.map(({ start, count, material }) => ({ start: 4 * start, count: 4 * count, material })),
     };
   }
 
   private middle(a: number, b: number): number {
     const key = Math.min(a, b) * this.vertices + Math.max(a, b);
-    const known = this.known.get(key);
-    if (known !== undefined) return known;
-    const made = this.vertices + this.ends.length / 2;
+    const existing = this.midpoints.get(key);
+    if (existing !== undefined) return existing;
+    const vertex = this.vertices + this.ends.length / 2;
     this.ends.push(a, b);
-    this.known.set(key, made);
-    return made;
+    this.midpoints.set(key, vertex);
+    return vertex;
   }
 
-  /** Values of the old vertices, `width` numbers each, and after them those of the middles. */
+  /** Values of the original vertices, `width` numbers each, followed by those of the midpoints. */
   mean(values: Float32Array, width: number): Float32Array {
     const out = new Float32Array(values.length + (this.ends.length / 2) * width);
     out.set(values);
@@ -90,7 +90,7 @@ function splitSamples(motion: SampledPointsMotion, middles: MidpointMesh): Sampl
   };
 }
 
-/** A smooth surface through and round the mesh (Loop 1987), of triangles `levels` times cut, its points on the limit. */
+/** Loop subdivision (1987) with `levels` levels; the points are on the limit surface. */
 export function loopSubdivide(object: SceneObject, levels: number): SceneObject {
   const { mesh, motion } = object;
   const { pointOfVertex: welded, vertexOfPoint } = weld(mesh.positions);
@@ -108,16 +108,16 @@ export function loopSubdivide(object: SceneObject, levels: number): SceneObject 
     smoothTriangles: false,
     hidden: () => false,
   });
-  const { mesh: made, pointOfVertex } = makeMesh(polygons);
+  const { mesh: refined, pointOfVertex } = makeMesh(polygons);
   const deforming = pointSamples(motion);
-  if (!deforming || isStreamed(deforming.points)) return { ...object, mesh: made };
+  if (!deforming || isStreamed(deforming.points)) return { ...object, mesh: refined };
   const at = (values: Float32Array) => surface.at(gatherPoints(values, vertexOfPoint));
   const samples = deforming.points.map(at);
   const gathered = (values: Float32Array) => gatherPoints(values, pointOfVertex);
   const { velocities } = deforming;
   return {
     ...object,
-    mesh: made,
+    mesh: refined,
     motion: {
       ...deforming,
       points: samples.map(({ positions }) => gathered(positions)),
@@ -127,7 +127,7 @@ export function loopSubdivide(object: SceneObject, levels: number): SceneObject 
   };
 }
 
-/** Triangles whose corners are one point are left out. */
+/** The control mesh; triangles without three different points are omitted. */
 function cageOf(mesh: Mesh, welded: Uint32Array, vertexOfPoint: Uint32Array) {
   const corners: number[] = [];
   const faceMaterials: number[] = [];

@@ -6,10 +6,10 @@ import { motionKind } from '../motion/motions.ts';
 import type { Light, Mesh, Motion, Scene, SceneObject } from '../types.ts';
 
 /**
- * A scene as a whole at another place: what is in it, its lights, its cameras and the directions of its sky.
+ * Transforms a whole scene: objects, lights, cameras and the directions of its sky.
  *
- * Speeds grow with the scale, for every path is as much longer and takes as long. Of hyperbolic motion the proper acceleration does:
- * it never reaches c, so that its path is only nearly the enlarged one where it is fast.
+ * Speeds are multiplied by the scale, because times do not change. Of hyperbolic motion the proper acceleration is scaled: it never reaches c, so at high speed
+ * its path only approximates the scaled one.
  */
 export const transformScene = (scene: Scene, by: SimilarityTransform): Scene => ({
   ...scene,
@@ -25,19 +25,21 @@ export function transformObject(object: SceneObject, by: SimilarityTransform): S
   const { motion } = object;
   return {
     ...object,
-    mesh: enlargedMesh(object.mesh, motion, by),
+    mesh: transformedMesh(object.mesh, motion, by),
     motion: motionKind(motion).transform(motion, by),
   };
 }
 
-/** A deforming mesh is world-oriented: it turns with its samples. */
-function enlargedMesh(mesh: Mesh, motion: Motion, { orientation, scale: s }: SimilarityTransform): Mesh {
+/** Scales a mesh. Deforming meshes are world-oriented and therefore also rotated. */
+function transformedMesh(mesh: Mesh, motion: Motion, { orientation, scale: s }: SimilarityTransform): Mesh {
   if (deforms(motion)) return transformMesh(mesh, linearOf(orientation, s));
   return s === 1 ? mesh : { ...mesh, positions: mesh.positions.map((x) => s * x) };
 }
 
-/** Radiance does not change with the scale, so that a light of a scaled room lights it as before; of a point or line `color` is all of its light. */
+/** Radiance does not change with the scale, so that a scaled room is lit as before; the `color` of point and line lights, an intensity, does. */
 function transformLight(light: Light, by: SimilarityTransform): Light {
-  const turned = lightKind(light).transform(light, by);
-  return 'motion' in turned ? { ...turned, motion: motionKind(turned.motion).transform(turned.motion, by) } : turned;
+  const transformed = lightKind(light).transform(light, by);
+  return 'motion' in transformed
+    ? { ...transformed, motion: motionKind(transformed.motion).transform(transformed.motion, by) }
+    : transformed;
 }

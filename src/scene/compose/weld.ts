@@ -1,12 +1,12 @@
-/** Vertices that are one point. */
+/** Groups of vertices at the same point. */
 export interface WeldedVertices {
-  /** Of each vertex. */
+  /** By vertex: its point. */
   readonly pointOfVertex: Uint32Array;
   /** The first vertex of each point. */
   readonly vertexOfPoint: Uint32Array;
 }
 
-/** Vertices at one place are one point, or within so much of it along each axis [m]: meshes are split where normals and uvs differ. */
+/** Merges vertices at the same position, or within a distance along each axis [m], because meshes split vertices where normals and uvs differ. */
 export function weld(positions: Float32Array, within = 0): WeldedVertices {
   const cells = new Map<string, number[]>();
   const vertexOfPoint: number[] = [];
@@ -16,17 +16,17 @@ export function weld(positions: Float32Array, within = 0): WeldedVertices {
   for (let v = 0; v < pointOfVertex.length; v++) {
     const [x, y, z] = [0, 1, 2].map((k) => sidesOf(positions[3 * v + k], within));
     const around = new Set(x.flatMap((i) => y.flatMap((j) => z.map((k) => `${i} ${j} ${k}`))));
-    const known = [...around].flatMap((cell) => cells.get(cell) ?? []).find((point) => isNear(point, v));
-    pointOfVertex[v] = known ?? vertexOfPoint.length;
-    if (known !== undefined) continue;
-    const own = [0, 1, 2].map((k) => cellOf(positions[3 * v + k], within)).join(' ');
-    cells.set(own, [...(cells.get(own) ?? []), vertexOfPoint.length]);
+    const existing = [...around].flatMap((cell) => cells.get(cell) ?? []).find((point) => isNear(point, v));
+    pointOfVertex[v] = existing ?? vertexOfPoint.length;
+    if (existing !== undefined) continue;
+    const cell = [0, 1, 2].map((k) => cellOf(positions[3 * v + k], within)).join(' ');
+    cells.set(cell, [...(cells.get(cell) ?? []), vertexOfPoint.length]);
     vertexOfPoint.push(v);
   }
   return { pointOfVertex, vertexOfPoint: Uint32Array.from(vertexOfPoint) };
 }
 
-/** Cells are wide against what is near, so that hardly a vertex is near to two. */
+/** Cells are wide compared with `within`, so that few vertices are near several of them. */
 const cellOf = (x: number, within: number): number => (within === 0 ? x : Math.floor(x / (8 * within)));
 
 const sidesOf = (x: number, within: number): readonly number[] => [

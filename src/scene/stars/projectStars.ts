@@ -11,9 +11,9 @@ import { starlight } from './starlight.ts';
 
 /** Buffers for all stars of a sky, 3 numbers each. */
 export interface ProjectedStars {
-  /** Place in the picture, −1 … 1 from left to right and from below up, and the half side of the square that it is seen in [px]. */
+  /** Position in the picture (NDC: −1 … 1, right and up), and half the side of the star's square [px]. */
   readonly positions: Float32Array;
-  /** Linear sRGB radiance that a pixel would have with all of its light. */
+  /** Linear sRGB radiance of a pixel that receives all of its light. */
   readonly radiances: Float32Array;
 }
 

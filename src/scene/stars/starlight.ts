@@ -5,9 +5,8 @@ import type { RenderSettings } from '../view/view.ts';
 import { blackbody } from './blackbody.ts';
 
 /**
- * Radiance of a blackbody of T [K] that is shifted by D, as linear sRGB over its luminance at rest: a blackbody of T·D, so Y(TD)/Y(T) times its colour.
- * Each by the settings' shares, as everything is: `dopplerMix` of the shift in colour and `beaming` of the D⁴ in brightness. Approximate colours tint
- * the star's own.
+ * Radiance of a blackbody of T [K] shifted by D, in linear sRGB relative to its luminance at rest: that of a blackbody of T·D, Y(TD)/Y(T) times its colour. The
+ * settings apply the fraction `dopplerMix` of the shift to the colour and `beaming` of D⁴ to the brightness. Approximate colours tint the star's own.
  */
 export function starlight(
   T: number,

@@ -1,7 +1,7 @@
 /*
- * Plain data as bytes, for another process: what `postMessage` does between threads. A parcel is the length of its table [u32], the table as JSON, and behind
- * that, from a multiple of 8 bytes on, the typed arrays one after the other, each from such a multiple on. The table has an entry for each object, array and
- * typed array, the root first: what is there twice, a mesh with many instances, is sent once, and is one thing again.
+ * Encodes plain data as bytes for another process, as `postMessage` does between threads. Layout: the length of a table [u32], the table as JSON, then the typed
+ * arrays, each aligned to 8 bytes. The table has an entry for each object, array and typed array, the root first. Shared objects, such as a mesh with many
+ * instances, are sent once and shared again after decoding.
  */
 
 const ARRAYS = {
@@ -18,7 +18,7 @@ const ARRAYS = {
 type TransferArrayName = keyof typeof ARRAYS;
 type TransferArray = InstanceType<(typeof ARRAYS)[TransferArrayName]>;
 
-/** In the table: a string, boolean, finite number or null as it is; the place of an entry in an array of one; what JSON has no word for by its own. */
+/** A value in the table: strings, booleans, finite numbers and null as they are; references as an array with the index of an entry; values unknown to JSON by name. */
 type TransferValue = string | number | boolean | null | readonly [place: number] | { readonly special: Special };
 type Special = 'undefined' | 'NaN' | 'Infinity' | '-Infinity' | '-0';
 
@@ -37,7 +37,7 @@ const SPECIAL: Record<Special, number | undefined> = {
 const ALIGNED = 8;
 const aligned = (bytes: number): number => Math.ceil(bytes / ALIGNED) * ALIGNED;
 
-/** Of objects, arrays, typed arrays, strings, numbers, booleans, null and undefined, nested as deep as scenes are; throws for anything else. */
+/** Encodes objects, arrays, typed arrays, strings, numbers, booleans, null and undefined, nested as deep as scenes are; throws for anything else. */
 export function encodeTransfer(value: object): Uint8Array<ArrayBuffer> {
   const { entries, arrays, size } = new TransferTable(value);
   const table = new TextEncoder().encode(JSON.stringify(entries));
@@ -53,7 +53,7 @@ export function encodeTransfer(value: object): Uint8Array<ArrayBuffer> {
 class TransferTable {
   readonly entries: TransferEntry[] = [];
   readonly arrays: { readonly at: number; readonly data: TransferArray }[] = [];
-  /** Of all arrays [bytes]. */
+  /** Size of all arrays [bytes]. */
   size = 0;
   private readonly places = new Map<object, number>();
 
@@ -89,7 +89,7 @@ class TransferTable {
     this.size = aligned(this.size + data.byteLength);
   }
 
-  /** Its entry comes before those of what is in it. */
+  /** An object's entry precedes those of its contents. */
   private addList(items: readonly unknown[]): void {
     const list: TransferValue[] = [];
     this.entries.push({ list });
@@ -112,7 +112,7 @@ function numberValue(value: number): TransferValue {
 
 const notTransferable = (what: string): TypeError => new TypeError(`a ${what} cannot be sent to another process`);
 
-/** What was put in. Its typed arrays lie in `buffer`. */
+/** Decodes data. Its typed arrays are views of `buffer`. */
 export function decodeTransfer(buffer: ArrayBuffer): unknown {
   const length = new DataView(buffer).getUint32(0, true);
   const start = aligned(4 + length);

@@ -1,4 +1,4 @@
-/** What is wrong with a scene, whatever it was made from: the codes of `validate`, and what each means. */
+/** The codes of `validate`, which are independent of the scene's format, and their meanings. */
 export const SCENE_CODES = {
   'scene.duplicate-path': 'two objects have one path',
   'mesh.empty': 'a mesh without triangles',

@@ -14,12 +14,12 @@ export const problem = (
   message,
 });
 
-/** An error where the fastest vertex of an object is not slower than light. */
+/** An error if the fastest vertex of an object is not slower than light. */
 export function validateFastest(path: string, { speed, from, to }: FastestVertex, c: number): Diagnostic[] {
   return speed >= c ? [tooFast(`motion of ${path}`, speed, from, to, c)] : [];
 }
 
-/** The house's model of a message: what, how much, when, and the least c that would do. */
+/** A model message: what, how much, when, and the least valid c. */
 function tooFast(place: string, speed: number, from: number, to: number, c: number): Diagnostic {
   const [fast, least] = [inUnitsOfC(speed / c), roundedUp(speed)];
   const message = Number.isFinite(from)
@@ -28,17 +28,17 @@ function tooFast(place: string, speed: number, from: number, to: number, c: numb
   return problem('error', 'motion.superluminal', place, message);
 }
 
-/** Speeds that need not be known exactly, for they are slower than light. */
+/** Speeds up to this need not be known exactly, because they are slower than light. */
 export const almostC = (c: number): number => c * (1 - 1e-9);
 
-/** Speeds just over c have as many digits as it takes to see it. */
+/** A ratio > 1 with at least three digits, and enough of them to show that it exceeds 1. */
 export function inUnitsOfC(ratio: number): string {
   for (let digits = 3; digits < 9; digits++)
     if (Number(ratio.toPrecision(digits)) > 1) return ratio.toPrecision(digits);
   return '1';
 }
 
-/** Three digits, and never under the number itself. */
+/** Rounded up to three digits. */
 export function roundedUp(x: number): string {
   const step = 10 ** (Math.floor(Math.log10(x)) - 2);
   const up = Math.ceil(x / step - 1e-9) * step;

@@ -4,13 +4,13 @@ import { validate } from './validate.ts';
 
 export interface RenderableScene {
   readonly scene: Scene;
-  /** What else is to be said of it, of which nothing is left out. */
+  /** Warnings about objects that are kept. */
   readonly diagnostics: readonly Diagnostic[];
 }
 
 /**
- * A scene without what no picture can be made of at any speed of light; each thing that is left out is told. Of two objects of one path the
- * first stays. What is only too fast for one speed of light is left to those who know it.
+ * Removes what cannot be rendered at any speed of light and reports it. Of two objects with the same path the first stays. Superluminal motion depends on the
+ * speed of light, so it is left to callers who know that.
  */
 export function renderableScene(scene: Scene): RenderableScene {
   const found = validate(scene, SPEED_OF_LIGHT).filter(({ code }) => code !== 'motion.superluminal');
@@ -21,7 +21,7 @@ export function renderableScene(scene: Scene): RenderableScene {
   const isWhole = ({ path }: { readonly path: string }): boolean => !broken.has(path);
   const seen = new Set<string>();
   const isFirst = ({ path }: { readonly path: string }): boolean => !seen.has(path) && seen.add(path) !== undefined;
-  const told = errors.map(
+  const removed = errors.map(
     (one): Diagnostic => ({ ...one, severity: 'warning', message: `${one.message}; it is left out` }),
   );
   return {
@@ -30,7 +30,7 @@ export function renderableScene(scene: Scene): RenderableScene {
       objects: scene.objects.filter(isWhole).filter(isFirst),
       cameras: scene.cameras.filter(isWhole),
       lights: scene.lights.filter(isWhole),
-      diagnostics: [...scene.diagnostics, ...told],
+      diagnostics: [...scene.diagnostics, ...removed],
     },
     diagnostics: remarks,
   };

@@ -8,8 +8,7 @@ import type { SceneCode } from './diagnosticCodes.ts';
 import { problem, seconds } from './motionFindings.ts';
 
 /**
- * What is wrong with a scene at the speed of light c [m/s], object by object. Errors are things that no picture can be made of;
- * an object with one must be left out or mended.
+ * Problems of a scene at the speed of light c [m/s], object by object. Objects with errors cannot be rendered and must be removed or fixed.
  */
 export function validate(scene: Scene, c: number): Diagnostic[] {
   const meshes = new Map<Mesh, MeshFindings>();
@@ -33,7 +32,7 @@ function duplicatePaths({ objects }: Scene): Diagnostic[] {
     .map(({ path }) => problem('error', 'scene.duplicate-path', path, 'two objects have this path; rename one'));
 }
 
-/** Each later check takes what the earlier ones found in order, so the first that finds an error ends the list. */
+/** Later checks rely on earlier ones, so the first check that finds an error is the last. */
 function validateObject(object: SceneObject, mesh: MeshFindings, c: number): Diagnostic[] {
   const { path, motion } = object;
   const found = [
@@ -49,10 +48,10 @@ function validateObject(object: SceneObject, mesh: MeshFindings, c: number): Dia
 
 const hasError = (found: readonly Diagnostic[]): boolean => found.some(({ severity }) => severity === 'error');
 
-/** What is wrong with a mesh, whatever wears it: looked for once. */
+/** Problems of a mesh, cached per mesh. */
 interface MeshFindings {
   readonly faults: readonly MeshFault[];
-  /** The first vertex that is nowhere. */
+  /** The first vertex that is not finite. */
   readonly notFinite: number | undefined;
 }
 type MeshFault = Pick<Diagnostic, 'severity' | 'message'> & { readonly code: SceneCode };
@@ -81,7 +80,7 @@ function notFiniteIn({ positions }: Mesh): number | undefined {
   return at < 0 ? undefined : Math.floor(at / 3);
 }
 
-/** Two corners in one place, or three in line, to f32: area under a millionth of the square of the longest side. */
+/** Coincident or collinear corners in f32: area less than a millionth of the square of the longest side. */
 function degenerateTriangles({ positions, indices }: Mesh): MeshFault[] {
   let count = 0;
   for (let i = 0; i < indices.length; i += 3)
@@ -168,7 +167,7 @@ function validateLocalLight(light: LocalLight, c: number): Diagnostic[] {
   return validateRigidMotion(light, c);
 }
 
-/** The frame of a camera or a light is a point: its own speed is what counts. */
+/** The frame of a camera or a light is a point, so only its own speed counts. */
 function validateRigidMotion({ path, motion }: SceneCamera | LocalLight, c: number): Diagnostic[] {
   const found = validateTimes(motion, path);
   if (hasError(found)) return found;

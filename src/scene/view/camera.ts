@@ -9,7 +9,7 @@ import { originWorldLine, poseAt, sampleTimes } from '../motion/motion.ts';
 import type { Scene, SceneCamera } from '../types.ts';
 import { type Lens, perspective } from './lens.ts';
 
-/** An observer at one moment of a camera's path. */
+/** The observer at a camera at one moment. */
 export interface CameraState {
   /** World frame [m]. */
   readonly position: Vec3;
@@ -22,8 +22,8 @@ export interface CameraState {
 }
 
 /**
- * The observer that rides on a camera at world time t [s]; c [m/s]. At a sample it has the velocity of the piece that begins
- * there, at the last one of the piece that ends there, so that the last picture of an animation is still of the journey.
+ * The observer at a camera at world time t [s], with its velocity; c [m/s]. At a sample that is the velocity of the piece that begins there; at the last sample,
+ * of the piece that ends there, so that the last picture of an animation still shows the motion.
  */
 export function observerFromCamera({ motion, fovY }: SceneCamera, t: number, c: number): CameraState {
   const pose = poseAt(motion, t, c);
@@ -34,11 +34,11 @@ export function observerFromCamera({ motion, fovY }: SceneCamera, t: number, c: 
   return { ...pose, u: properVelocity(scale(v, 1 / c)), lens: perspective(fovY) };
 }
 
-/** The axes of a camera (−Z forward, +Y up) that looks along `forward` with `up` as far up as can be. Any lengths but 0. */
+/** Orientation of a camera (−Z forward, +Y up) that looks along `forward`, with `up` as far up as possible. Vectors of any non-zero length. */
 export function lookAtOrientation(forward: Vec3, up: Vec3): Quat {
   const back = normalize(negate(forward), [0, 0, 1]);
   const sideways = cross(up, back);
-  // Looking along `up`: any right is right.
+  // Looking along `up`: any perpendicular direction will do.
   const spare: Vec3 = Math.abs(back[0]) < 0.9 ? [1, 0, 0] : [0, 1, 0];
   const right =
     length(sideways) > 1e-9 * length(up)
@@ -50,7 +50,7 @@ export function lookAtOrientation(forward: Vec3, up: Vec3): Quat {
 
 const FRAMING_FOV = Math.PI / 3;
 
-/** For a scene without a camera: at rest outside it, a little from above, with all that exists at the opening time in view. */
+/** A camera for scenes without one: at rest, slightly above the objects that exist at the opening time, with all of them in view. */
 export function framingCamera(scene: Scene): SceneCamera {
   const c = scene.hints.speedOfLight ?? SPEED_OF_LIGHT;
   const box = sceneBounds(scene, scene.hints.openAt ?? scene.startTime, c) ?? { min: [-1, -1, -1], max: [1, 1, 1] };

@@ -1,13 +1,13 @@
-/** A flat picture: straight lines of the observer's apparent space stay straight. */
+/** A perspective lens: straight lines of the observer's apparent space stay straight. */
 export interface PerspectiveLens {
   readonly kind: 'perspective';
   /** Vertical field of view in the observer's frame: 2 atan of half the picture's height at distance 1 [rad]. */
   readonly fovY: number;
-  /** Width over height at distance 1; absent: that of the picture, whose pixels are then square. */
+  /** Width over height at distance 1; absent: that of the picture, so pixels are square. */
   readonly aspect?: number;
   /**
    * The picture's centre: tangents of its angles from the forward axis, to the right and up. Absent: on the axis.
-   * Other than 0 the frustum is off-axis, as that of an eye in a headset, of a projection wall, or of a shifted lens.
+   * A frustum with another centre is off-axis, as for headsets, projection walls and shifted lenses.
    */
   readonly center?: readonly [number, number];
 }
@@ -17,7 +17,7 @@ export type Lens = PerspectiveLens;
 
 export const perspective = (fovY: number): PerspectiveLens => ({ kind: 'perspective', fovY });
 
-/** The sides of a picture as tangents of their angles from the forward axis; left and bottom are negative where the axis is inside. */
+/** The sides of a picture as tangents of their angles from the forward axis; left and bottom are negative if the axis is inside. */
 export interface FrustumSides {
   readonly left: number;
   readonly right: number;
@@ -40,7 +40,7 @@ export function offAxisLens({ left, right, bottom, top }: FrustumSides): Perspec
   };
 }
 
-/** A picture's rectangle at distance 1 before the camera, whose axes are right and up. */
+/** The rectangle of a picture at distance 1 from the camera, with axes right and up. */
 export interface Frustum {
   /** Half the rectangle's width and height. */
   readonly tanX: number;
@@ -63,6 +63,6 @@ export const farthestCorner = ({ tanX, tanY, center: [x, y] }: Frustum): readonl
   tanY + Math.abs(y),
 ];
 
-/** Pixels per unit tangent; the larger of both where pixels are not square. */
+/** Pixels per unit tangent; the larger of the two if pixels are not square. */
 export const pixelsPerTangent = ({ tanY, aspect }: Frustum, width: number, height: number): number =>
   (height / (2 * tanY)) * Math.max(1, width / height / aspect);

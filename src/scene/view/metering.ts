@@ -1,25 +1,25 @@
 import type { PictureSize, PixelRect } from './pictureViews.ts';
 
-/** A picture is measured at so many places across, and as many down: the middles of equal cells. */
+/** Pictures are metered at the centres of this many equal cells across and down. */
 export const METER_CELLS = 64;
 
-/** What is found at the places, rows from the top; not a number where there is nothing of the kind. */
+/** Readings at the cells, rows from the top; NaN where undefined. */
 export interface LightMeterReadings {
-  /** Of the linear light, before any exposure. */
+  /** Luminance of the linear light before exposure. */
   readonly luminance: Float32Array;
   /** D of the surface, or of the sky. */
   readonly doppler: Float32Array;
-  /** World time of the event that is seen, after the observer's [s]; negative where light was on its way. */
+  /** World time of the emission event minus the observer's [s]; negative, but for views without light delay. */
   readonly time: Float32Array;
 }
 
-/** The pixel under place `i` along a side of `size` pixels. */
+/** The pixel at cell `i` along a side of `size` pixels. */
 export const meterPixel = (i: number, size: number): number => Math.floor(((i + 0.5) / METER_CELLS) * size);
 
-/** Of linear sRGB: Y of white is 1. */
+/** Relative luminance of linear sRGB; that of white is 1. */
 export const relativeLuminance = (r: number, g: number, b: number): number => 0.2126 * r + 0.7152 * g + 0.0722 * b;
 
-/** Readings of a picture from those of its views, each by the nearest place; not a number where no view is. */
+/** Merges the readings of a picture's views, each cell by the nearest reading; NaN outside all views. */
 export function mergeReadings(
   parts: readonly { readonly rect: PixelRect; readonly readings: LightMeterReadings }[],
   size: PictureSize,

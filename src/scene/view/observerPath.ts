@@ -10,24 +10,24 @@ import type { ViewPoint } from './view.ts';
 /** The observer at world time t [s]. */
 export type ObserverPath = (t: number) => ViewPoint;
 
-/** From where a scene is looked at, and what is to be other than the camera has it. */
+/** The camera of a picture, and what overrides it. */
 export interface ObserverSetup {
   readonly camera: SceneCamera;
   /** Velocity in units of c. */
   readonly beta?: Vec3;
-  /** World frame [m]; the camera's path no longer counts. */
+  /** World frame [m]; replaces the camera's path. */
   readonly position?: Vec3;
-  /** As that of a `ViewPoint`. */
+  /** As in `ViewPoint`. */
   readonly orientation?: Quat;
   /** [rad] */
   readonly fovY?: number;
-  /** Stays in place although there is a velocity, as the lock `look`. */
+  /** Keeps the position in spite of the velocity, as the lock `look`. */
   readonly hold?: boolean;
 }
 
 /**
- * The way of an observer who starts at world time `start` [s]; c [m/s]. A camera that moves carries it along; else it coasts from its place
- * with its velocity, or holds.
+ * The path of an observer who starts at world time `start` [s]; c [m/s]. He rides on a moving camera; otherwise he coasts from his position with his velocity, or
+ * holds it.
  */
 export function observerPathFrom(setup: ObserverSetup, c: number, start: number): ObserverPath {
   const { camera, beta, position, orientation, fovY, hold } = setup;

@@ -5,9 +5,9 @@ import type { FalseColorScale } from '../../spectrum/falseColor/falseColor.ts';
 import { RENDERER_SETTINGS, settingNamed } from '../settings/settings.ts';
 import type { RenderSettings, ViewPoint } from './view.ts';
 
-// What a file of a picture tells in its header, by names of docs/conventions.md: of the picture alone, nothing of whose machine or which files it is from.
+// Header metadata of picture files, named as in docs/conventions.md. It describes the picture only, not the machine or the files that it comes from.
 
-/** Words by which the observer's event can be found again. */
+/** The observer's event, so that the picture can be reproduced. */
 export function observerMetadata({ t, position, u }: ViewPoint, speedOfLight: number): Record<string, string> {
   const beta = velocity(u);
   return {
@@ -19,7 +19,7 @@ export function observerMetadata({ t, position, u }: ViewPoint, speedOfLight: nu
   };
 }
 
-/** The same, and how its light is shown. `settings` have the exposure that the metering set. */
+/** The same, with the display settings. `settings` include the metered exposure. */
 export function pictureMetadata(view: ViewPoint, settings: RenderSettings): Record<string, string> {
   const { falseColors } = settings;
   const showsLight = falseColors === undefined || falseColors.kind === 'band';
@@ -32,7 +32,7 @@ export function pictureMetadata(view: ViewPoint, settings: RenderSettings): Reco
   };
 }
 
-/** The settings that belong in a header, as their entries in the list say. */
+/** The settings with a `header` entry. */
 function settingsMetadata(settings: RenderSettings, showsLight: boolean): Record<string, string> {
   const told = RENDERER_SETTINGS.flatMap((name) => {
     const { header, default: usual } = settingNamed(name);

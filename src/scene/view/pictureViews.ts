@@ -1,6 +1,6 @@
 import type { ViewPoint } from './view.ts';
 
-/** A rectangle of a picture [px]; x from the left, y from the top, whole numbers. */
+/** A rectangle of a picture [px]; x from the left, y from the top, integers. */
 export interface PixelRect {
   readonly x: number;
   readonly y: number;
@@ -14,19 +14,19 @@ export interface PictureSize {
   readonly height: number;
 }
 
-/** What one camera shows, in its part of a picture. */
+/** One view of a picture, in its viewport. */
 export interface PictureView extends ViewPoint {
   /** Absent: the whole picture. */
   readonly viewport?: PixelRect;
 }
 
-/** What a picture is made of: usually one view, two for a stereo pair, one for each wall or face. What no view covers is black. */
+/** The views of a picture: usually one, two for a stereo pair, one per wall or cube face. Pixels outside all viewports are black. */
 export type PictureViews = readonly [PictureView, ...PictureView[]];
 
 export const viewportOf = ({ viewport }: PictureView, { width, height }: PictureSize): PixelRect =>
   viewport ?? { x: 0, y: 0, width, height };
 
-/** Throws a RangeError where a viewport is not made of whole pixels, is empty, leaves the picture or overlaps another. */
+/** Throws a RangeError if a viewport is not made of whole pixels, is empty, extends beyond the picture or overlaps another. */
 export function assertViewports(views: PictureViews, size: PictureSize): void {
   const rects = views.map((view) => viewportOf(view, size));
   rects.forEach((rect, i) => {
@@ -44,7 +44,7 @@ export function assertViewports(views: PictureViews, size: PictureSize): void {
 const overlap = (a: PixelRect, b: PixelRect): boolean =>
   a.x < b.x + b.width && b.x < a.x + a.width && a.y < b.y + b.height && b.y < a.y + a.height;
 
-/** A point of a view's own picture, which is as large as its viewport [px]. */
+/** A point of a view's picture, relative to its viewport [px]. */
 export interface ViewPixel extends PictureSize {
   readonly index: number;
   readonly view: PictureView;
@@ -52,7 +52,7 @@ export interface ViewPixel extends PictureSize {
   readonly y: number;
 }
 
-/** The view that covers the point (x, y) of a picture; undefined where none does. */
+/** The view at the point (x, y) of a picture; undefined if there is none. */
 export function viewPixelAt(views: PictureViews, size: PictureSize, x: number, y: number): ViewPixel | undefined {
   const index = views.findIndex((view) => {
     const rect = viewportOf(view, size);
@@ -64,7 +64,7 @@ export function viewPixelAt(views: PictureViews, size: PictureSize, x: number, y
   return { index, view, x: x - left, y: y - top, width, height };
 }
 
-/** The same views in a picture that is enlarged by `factor`; rectangles need not be whole pixels then. */
+/** The views of a picture scaled by `factor`; viewports need not be whole pixels then. */
 export function scaleViewports(views: PictureViews, factor: number): PictureViews {
   const scaled = (view: PictureView): PictureView => {
     if (!view.viewport) return view;

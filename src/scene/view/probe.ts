@@ -4,17 +4,17 @@ import type { SceneObject } from '../types.ts';
 import type { ProbedEvent, ProbeObserver } from '../views/viewRecord.ts';
 import { VIEWS, type View } from '../views/views.ts';
 
-/** One vertex as one observer has it. */
+/** A vertex as seen by an observer. */
 export interface VertexProbe extends ProbedEvent {
   readonly vertex: number;
   /** |apparent| [m]. */
   readonly distance: number;
-  /** The event lies within the object's lifetime. */
+  /** Whether the event lies within the object's lifetime. */
   readonly visible: boolean;
 }
 
 /**
- * What the observer has of each vertex, from the f64 library; undefined where no light ever comes (behind a horizon).
+ * What an observer sees of each vertex, computed in f64; undefined if its light never arrives (beyond a horizon).
  * c [m/s].
  */
 export function probeVertices(

@@ -6,17 +6,17 @@ import type { FrameGraph } from '../frameGraph/frameGraph.ts';
 import { RENDERER_SETTINGS, type RendererSettings, settingNamed } from '../settings/settings.ts';
 import type { Lens } from './lens.ts';
 
-/** How a picture is made. Every field is plain data, so that a document, a flag or a socket can hold it. */
+/** Settings of a picture. Plain data, so that documents, flags and sockets can hold them. */
 export interface RenderSettings extends RendererSettings {
-  /** Instead of the light: what of it is to be shown as colours, between which values. */
+  /** Displays values as colours instead of the light. */
   readonly falseColors?: FalseColorScale;
-  /** What is made of the light, and of that of other G-buffers, before it is exposed; absent: nothing. */
+  /** The frame graph applied to linear light before exposure; absent: none. */
   readonly frameGraph?: FrameGraph;
   /** [m/s] */
   readonly speedOfLight: number;
 }
 
-/** Those of the settings that have a default, with it. */
+/** Defaults of the settings that have one. */
 const DEFAULTS = Object.fromEntries(
   RENDERER_SETTINGS.flatMap((name) => {
     const { default: value } = settingNamed(name);
@@ -26,11 +26,11 @@ const DEFAULTS = Object.fromEntries(
 
 export const DEFAULT_SETTINGS: RenderSettings = { ...DEFAULTS, speedOfLight: SPEED_OF_LIGHT };
 
-/** The settings of one of a frame graph's G-buffers; 0 is that of the settings themselves. */
+/** The settings of a frame graph's G-buffer; 0 is that of `settings` themselves. */
 export const bufferSettings = (settings: RenderSettings, buffer: number): RenderSettings =>
   buffer === 0 ? settings : { ...settings, ...settings.frameGraph?.extraBuffers[buffer - 1] };
 
-/** The observer's event and the camera there. */
+/** The observer's event, velocity and camera. */
 export interface ViewPoint {
   /** World time [s]. */
   readonly t: number;
@@ -56,7 +56,7 @@ export type AovName =
   | 'velocity'
   | 'object';
 
-/** AOVs of the surface: all but its light. */
+/** AOVs of the surface: all except `beauty`. */
 export type DataAov = Exclude<AovName, 'beauty'>;
 
 export interface AovInfo {
@@ -66,8 +66,8 @@ export interface AovInfo {
 }
 
 /**
- * What can be read back besides the picture. Pixels without a surface are 0 in every data AOV; `beauty` has the sky there.
- * Data AOVs are of the surface through the pixel's centre and are never averaged.
+ * The AOVs. In data AOVs, pixels without a surface are 0; `beauty` has the sky there. Data AOVs describe the surface at the pixel's centre and are never
+ * averaged.
  */
 export const AOVS: Readonly<Record<AovName, AovInfo>> = {
   beauty: { channels: ['R', 'G', 'B'], meaning: 'linear sRGB radiance before exposure and tone mapping' },

@@ -2,7 +2,7 @@ import { scale, sub } from '../../math/vec3.ts';
 import { positionAt, velocityAt } from '../../physics/worldLines/worldLine.ts';
 import type { ViewRecord } from './viewRecord.ts';
 
-/** What there would be to see with c = ∞. */
+/** The view with c = ∞. */
 export const galilean: ViewRecord = {
   title: ['c = ∞', 'c = ∞'],
   summary: 'c = ∞',

@@ -5,7 +5,7 @@ import { dopplerFactor } from '../../physics/optics/doppler.ts';
 import { emissionEvent } from '../../physics/worldLines/lightCone.ts';
 import type { ViewRecord } from './viewRecord.ts';
 
-/** What is seen: the events whose light arrives, where and how it arrives. */
+/** What the observer sees: events on the past light cone, with aberration and Doppler shift. */
 export const lightCone: ViewRecord = {
   title: ['Seen', '所见'],
   summary: 'what is seen',

@@ -4,7 +4,7 @@ import { simultaneitySlice, simultaneousPosition } from '../../physics/worldLine
 import { velocityAt } from '../../physics/worldLines/worldLine.ts';
 import type { ViewRecord } from './viewRecord.ts';
 
-/** Where things are at the observer's own instant. */
+/** Positions at the observer's time, in his frame. */
 export const simultaneity: ViewRecord = {
   title: ['Simultaneity', '同时面'],
   summary: 'where things are at one instant of the observer',

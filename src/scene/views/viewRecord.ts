@@ -11,41 +11,41 @@ export interface ProbeObserver extends ObserverEvent {
   readonly u: Vec3;
 }
 
-/** The event of a world line that an observer is shown. */
+/** The event of a world line that a view shows to an observer. */
 export interface ProbedEvent {
-  /** World time of the event that is shown [s]: emission, or the event of the observer's (or the world's) now. */
+  /** World time of the event [s]: of emission, or simultaneous in the observer's or the world's frame. */
   readonly time: number;
-  /** Of that event, world frame [m]. */
+  /** Position of the event, world frame [m]. */
   readonly position: Vec3;
   /** World frame, units of c. */
   readonly velocity: Vec3;
-  /** From the observer, in his frame (world axes carried by the pure boost) [m]. */
+  /** Relative to the observer, in his frame (world axes carried by the pure boost) [m]. */
   readonly apparent: Vec3;
-  /** D = ν_observed/ν_emitted; 1 in the views that are not of light. */
+  /** D = ν_observed/ν_emitted; 1 in views that are not luminous. */
   readonly doppler: number;
 }
 
-/** Effects that a view of light can leave out. */
+/** Effects of light that a view can omit. */
 export interface ViewToggles {
   readonly lightDelay: boolean;
   readonly aberration: boolean;
 }
 
-/** What a picture shows of spacetime. */
+/** A view of spacetime: which events a picture shows, and where. */
 export interface ViewRecord {
   readonly title: Words;
-  /** Of `--view`. */
+  /** Value of `--view`. */
   readonly summary: string;
-  /** A part of the sentence that tells what views there are. */
+  /** Part of the sentence that lists the views. */
   readonly help: Words;
-  /** Whether it shows light: then the observer's and the sources' motion shift and beam it. */
+  /** Whether it shows light, with Doppler shift and beaming. */
   readonly luminous: boolean;
-  /** Whether the observer's velocity changes anything. */
+  /** Whether it depends on the observer's velocity. */
   readonly relativistic: boolean;
   hypersurface(toggles: ViewToggles): HypersurfaceName;
   placement(toggles: ViewToggles): PlacementName;
-  /** (c dt, dx) per metre in the observer's frame, world frame: along it lies what is seen in the direction n′ (unit). u: the observer's γβ. */
+  /** (c dt, dx) per metre of the observer's frame, in the world frame, of the ray on which the events in the unit direction n′ lie. u: the observer's γβ. */
   rayToward(n: Vec3, u: Vec3, toggles: ViewToggles): FourVector;
-  /** With no effect left out; undefined where no light ever comes (behind a horizon). c [m/s]. */
+  /** The event without omitting any effect; undefined if its light never arrives (beyond a horizon). c [m/s]. */
   probe(line: WorldLine, observer: ProbeObserver, c: number): ProbedEvent | undefined;
 }

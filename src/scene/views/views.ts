@@ -5,7 +5,7 @@ import { lightCone } from './lightCone.ts';
 import { simultaneity } from './simultaneity.ts';
 import type { ViewRecord, ViewToggles } from './viewRecord.ts';
 
-/** Every view, in the order of menus. */
+/** All views, in the order of menus. */
 const VIEW_LIST = { 'light-cone': lightCone, simultaneity, galilean } as const satisfies Readonly<
   Record<string, ViewRecord>
 >;
