@@ -4,12 +4,11 @@ import { mergeMeshes, transformMesh } from './meshOps.ts';
 import { box } from './primitives.ts';
 
 /**
- * Square bars along all edges of nx × ny × nz cubes, the middle of all at the origin [m]. Bars go from node to node and end at the faces of a small cube
- * at each node, so that none is inside another.
+ * Square bars along all edges of nx × ny × nz cubes, centred on the origin [m]. Bars end at the faces of a small cube at each node, so that no parts overlap.
  */
 export function lattice(cells: readonly [number, number, number], cell: number, thickness: number): Mesh {
   const parts: Mesh[] = [];
-  const place = (mesh: Mesh, at: Vec3): void => {
+  const addAt = (mesh: Mesh, at: Vec3): void => {
     parts.push(transformMesh(mesh, [1, 0, 0, at[0], 0, 1, 0, at[1], 0, 0, 1, at[2], 0, 0, 0, 1]));
   };
   const width = Math.min(thickness, cell);
@@ -22,11 +21,11 @@ export function lattice(cells: readonly [number, number, number], cell: number, 
     for (let j = 0; j <= cells[1]; j++)
       for (let k = 0; k <= cells[2]; k++) {
         const here: Vec3 = [at(i, 0), at(j, 1), at(k, 2)];
-        place(node, here);
+        addAt(node, here);
         if (width === cell) continue;
         [i, j, k].forEach((index, axis) => {
           if (index < cells[axis])
-            place(bars[axis], here.map((x, n) => (n === axis ? x + cell / 2 : x)) as unknown as Vec3);
+            addAt(bars[axis], here.map((x, n) => (n === axis ? x + cell / 2 : x)) as unknown as Vec3);
         });
       }
   return mergeMeshes(parts);

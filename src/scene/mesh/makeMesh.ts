@@ -6,13 +6,13 @@ import { triangulate } from './triangulate.ts';
 
 export interface BuiltMesh {
   readonly mesh: Mesh;
-  /** The point each vertex came from, so that deformed points can follow. */
+  /** By vertex: the index of its point, for meshes whose points deform. */
   readonly pointOfVertex: Uint32Array;
 }
 
 /**
- * Triangles from polygons. A point becomes several vertices where its corners differ in normal, uv or colour.
- * Faces with fewer than three corners, or with corners that name no point, are left out and counted.
+ * Triangulates polygons. A point becomes several vertices if its corners differ in normal, uv or colour. Faces with fewer than three corners, or with invalid
+ * point indices, are skipped and counted.
  */
 export function makeMesh(polygons: Polygons): BuiltMesh & { readonly skippedFaces: number } {
   const { groups, groupOfFace, skippedFaces, total } = groupFaces(polygons);
@@ -24,7 +24,7 @@ export function makeMesh(polygons: Polygons): BuiltMesh & { readonly skippedFace
   forEachFace(polygons, (face, first, count) => {
     const group = groupOfFace[face];
     if (group < 0) return;
-    // A triangle is itself, wherever it is.
+    // Triangles need no triangulation, so their outline is not read.
     if (count > 3) outline = outlineOf(polygons, first, count, outline);
     if (count > 3 && polygons.leftHanded) turnRound(outline, count);
     const cut = triangulate(outline, count);
@@ -34,7 +34,7 @@ export function makeMesh(polygons: Polygons): BuiltMesh & { readonly skippedFace
   return { ...welder.finish({ indices, groups }), skippedFaces };
 }
 
-/** The faces of each material, in the order in which materials come up, and the places of their triangles among all. */
+/** Groups the faces by material, in order of first use, with the offsets of their triangles. */
 function groupFaces(polygons: Polygons) {
   const { faceMaterials } = polygons;
   const groups: { start: number; count: number; material: number }[] = [];
@@ -68,13 +68,13 @@ function cornersExist({ points, faceIndices }: Polygons, first: number, count: n
   return true;
 }
 
-/** The corners of an outline in the other order. */
+/** Reverses the corners of an outline. */
 function turnRound(outline: Float64Array, count: number): void {
   for (let a = 0, b = 3 * count - 3; a < b; a += 3, b -= 3)
     for (let k = 0; k < 3; k++) [outline[a + k], outline[b + k]] = [outline[b + k], outline[a + k]];
 }
 
-/** How many vertices of a point are compared with a corner; welding more would save little, and could take for ever. */
+/** Most vertices of a point that are compared with a corner; comparing all could take quadratic time and would save little. */
 const MAX_COMPARED_VERTICES = 64;
 
 /** Gives corners with the same point, normal, uv and colour the same vertex. */
@@ -83,11 +83,11 @@ class VertexWelder {
   private readonly normals: VertexValues;
   private readonly uvs: VertexValues | undefined;
   private readonly colors: VertexValues | undefined;
-  /** What corners of one point can differ in, and what they cannot. */
+  /** Values in which corners of one point may differ, and those in which they may not. */
   private readonly differing: readonly VertexValues[];
   private readonly shared: readonly VertexValues[];
   private readonly vertexOfCorner: Int32Array;
-  /** The vertices of a point: the last one, and from each to the one before. */
+  /** Linked lists of the vertices of each point: the last one, and from each to the previous. */
   private readonly lastOfPoint: Int32Array;
   private readonly before: Int32Array;
   private readonly pointOf: Uint32Array;
@@ -110,14 +110,14 @@ class VertexWelder {
   }
 
   vertex(corner: number, face: number): number {
-    const known = this.vertexOfCorner[corner];
-    if (known >= 0) return known;
+    const existing = this.vertexOfCorner[corner];
+    if (existing >= 0) return existing;
     const v = this.find(corner, face);
     this.vertexOfCorner[corner] = v;
     return v;
   }
 
-  /** A vertex is written down after all others; if it is one of them, the next is written over it. */
+  /** Appends a vertex; if an equal one exists, the next overwrites it. */
   private find(corner: number, face: number): number {
     const v = this.size;
     const point = this.polygons.faceIndices[corner];
@@ -158,15 +158,15 @@ const computedNormals = (polygons: Polygons): PolygonValues =>
     ? { per: 'corner', values: cornerNormals(polygons, polygons.smoothAngle) }
     : { per: 'face', values: faceNormals(polygons) };
 
-/** One kind of values on their way from polygons to vertices. */
+/** One kind of values, gathered from polygons to vertices. */
 class VertexValues {
-  /** Whether corners of one point can have different ones. */
+  /** Whether corners of one point can have different values. */
   readonly differs: boolean;
   private readonly from: PolygonValues;
   private readonly size: number;
   private readonly values: Float32Array;
 
-  /** @param size numbers of each value */
+  /** @param size numbers per value */
   constructor(from: PolygonValues, size: number, maxVertices: number) {
     this.from = from;
     this.size = size;
@@ -187,14 +187,14 @@ class VertexValues {
     return true;
   }
 
-  /** Those of the first so many vertices. */
+  /** The values of the first `vertices` vertices. */
   first(vertices: number): Float32Array {
     const numbers = vertices * this.size;
     return numbers === this.values.length ? this.values : this.values.slice(0, numbers);
   }
 }
 
-/** The points of the vertices: for the rest shape, and for each sample of a deforming one. */
+/** Gathers points by vertex: for the rest shape, and for each sample of a deforming mesh. */
 export function gatherPoints(points: ArrayLike<number>, pointOfVertex: ArrayLike<number>): Float32Array {
   const out = new Float32Array(pointOfVertex.length * 3);
   for (let v = 0; v < pointOfVertex.length; v++) {

@@ -4,7 +4,7 @@ import { normalize } from '../../math/vec3.ts';
 import type { Mesh, MeshGroup } from '../types.ts';
 import { pointAt } from './polygons.ts';
 
-/** One mesh of several; each keeps its groups and so its materials. Colours are white where a part has none. */
+/** Merges meshes, which keep their groups and therefore their materials. Colours of parts without any are white. */
 export function mergeMeshes(parts: readonly Mesh[]): Mesh {
   const starts = runningSums(parts.map((m) => m.positions.length / 3));
   const indexStarts = runningSums(parts.map((m) => m.indices.length));
@@ -27,7 +27,7 @@ export function mergeMeshes(parts: readonly Mesh[]): Mesh {
   };
 }
 
-/** Neighbouring runs with one material become one run: fewer draws. */
+/** Joins consecutive groups of the same material, to save draw calls. */
 function joinGroups(groups: readonly MeshGroup[]): MeshGroup[] {
   const out: MeshGroup[] = [];
   for (const g of groups) {
@@ -56,8 +56,8 @@ function concat(parts: readonly Float32Array[]): Float32Array {
 }
 
 /**
- * The mesh with every point x → M x. Normals go with the cofactor matrix, so that they stay normal under scale and shear;
- * a mirror turns the winding round.
+ * Transforms every point x → M x. Normals are transformed by the cofactor matrix, so that they stay perpendicular under scale and shear; a reflection reverses
+ * the winding.
  */
 export function transformMesh(mesh: Mesh, m: Mat4): Mesh {
   const linear = linearPart(m);
@@ -82,7 +82,7 @@ function turned(indices: Uint32Array): Uint32Array {
   return out;
 }
 
-/** The mesh with all its triangles in one material. */
+/** Assigns one material to all triangles. */
 export const withMaterial = (mesh: Mesh, material: number): Mesh => ({
   ...mesh,
   groups: [{ start: 0, count: mesh.indices.length, material }],

@@ -3,10 +3,10 @@ import type { Mesh } from '../types.ts';
 import { cornerRuns, forEachFace, outlineOf, type Polygons } from './polygons.ts';
 import { newellNormal } from './triangulate.ts';
 
-/** Around a point with more corners all faces count, however they meet: to compare each with each would take for ever. */
+/** Around points with more corners, faces are smoothed at any angle: comparing all pairs would take quadratic time. */
 const MAX_COMPARED_CORNERS = 1024;
 
-/** The normal of each face, 3 numbers; zero where it has no area. */
+/** The normal of each face, 3 numbers; zero for faces without area. */
 export function faceNormals(polygons: Polygons): Float32Array {
   const normals = new Float32Array(polygons.faceCounts.length * 3);
   let outline: Float64Array = new Float64Array(12);
@@ -17,7 +17,7 @@ export function faceNormals(polygons: Polygons): Float32Array {
   return normals;
 }
 
-/** Quicker than `set`. */
+/** Faster than `set`. */
 function put(into: Float32Array | Float64Array, i: number, v: Vec3): void {
   into[3 * i] = v[0];
   into[3 * i + 1] = v[1];
@@ -30,10 +30,10 @@ function faceNormal({ leftHanded }: Polygons, outline: Float64Array, count: numb
 }
 
 /**
- * A normal for each corner: the mean, weighted by the angle at the corner, over the faces around its point that meet
- * its own face at less than `smoothAngle` [rad]. 0: flat; π: smooth everywhere.
+ * The normal of each corner: the mean, weighted by the angle at the corner, over the faces around its point that meet its own face at less than `smoothAngle`
+ * [rad]. 0: flat; π: smooth everywhere.
  *
- * @returns 3 per corner; zero where the face has no area
+ * @returns 3 numbers per corner; zero for faces without area
  */
 export function cornerNormals(polygons: Polygons, smoothAngle: number): Float32Array {
   const corners = polygons.faceIndices.length;
@@ -66,7 +66,7 @@ function angleAt(outline: Float64Array, corner: number, count: number): number {
   return Math.atan2(norm(uy * vz - uz * vy, uz * vx - ux * vz, ux * vy - uy * vx), ux * vx + uy * vy + uz * vz);
 }
 
-/** @param own of each corner, its face's normal */
+/** @param own the face normal of each corner */
 function smoothed(
   own: Float64Array,
   weight: Float64Array,
@@ -90,7 +90,7 @@ function smoothed(
   return out;
 }
 
-/** Over the corners around a point whose faces meet that of corner c at less than the angle. */
+/** Adds the weighted normals of the corners around a point whose faces meet that of corner c at less than the angle. */
 function addUp(
   sum: Float64Array,
   own: Float64Array,
@@ -103,18 +103,18 @@ function addUp(
   for (let i = 0; i < around.length; i++) {
     const d = around[i];
     const dot = own[3 * c] * own[3 * d] + own[3 * c + 1] * own[3 * d + 1] + own[3 * c + 2] * own[3 * d + 2];
-    // A face's own normal counts even where rounding puts n·n under the cosine of 0.
+    // A face's own normal always counts: rounding may make n·n less than the cosine of 0.
     if (dot < cosine && c !== d) continue;
     for (let k = 0; k < 3; k++) sum[k] += own[3 * d + k] * weight[d];
   }
 }
 
-/** Of the groups that share a bucket so many are compared with a vertex: only a file made for it has more. */
+/** Most groups of a hash bucket that are compared with a vertex; only malicious files have more. */
 const MAX_BUCKET_SIZE = 64;
 
 /**
- * The smoothing groups of a mesh: vertices that share place and normal (a seam of uv or colour lies between them) get
- * one number, that of the first of them, so that the normals of deformed points do not show the seam.
+ * The smoothing groups of a mesh: vertices with equal position and normal, which a seam of uvs or colours separates, get the index of the first of them, so that
+ * normals of deformed points do not show the seam.
  */
 export function smoothingGroups({ positions, normals }: Mesh): Uint32Array {
   const [p, n] = [bitsOf(positions), bitsOf(normals)];
@@ -134,7 +134,7 @@ export function smoothingGroups({ positions, normals }: Mesh): Uint32Array {
   return groups;
 }
 
-/** Numbers as their bits, in which NaN is like NaN; and −0 is like 0. */
+/** Numbers as bits, so that NaN equals NaN; −0 is replaced by 0. */
 function bitsOf(numbers: Float32Array): Uint32Array {
   const bits = new Uint32Array(numbers.buffer, numbers.byteOffset, numbers.length).slice();
   for (let i = 0; i < bits.length; i++) if (bits[i] === 0x80000000) bits[i] = 0;
@@ -144,7 +144,7 @@ function bitsOf(numbers: Float32Array): Uint32Array {
 const areSame = (bits: Uint32Array, v: number, w: number): boolean =>
   bits[3 * v] === bits[3 * w] && bits[3 * v + 1] === bits[3 * w + 1] && bits[3 * v + 2] === bits[3 * w + 2];
 
-/** The three numbers of vertex v stirred into a hash. Source: the rounds of MurmurHash3, Appleby 2011. */
+/** Mixes the three numbers of vertex v into a hash. Source: the rounds of MurmurHash3, Appleby 2011. */
 function hashVertex(bits: Uint32Array, v: number, hash: number): number {
   let h = hash;
   for (let i = 3 * v; i < 3 * v + 3; i++) {
@@ -155,12 +155,12 @@ function hashVertex(bits: Uint32Array, v: number, hash: number): number {
   return h;
 }
 
-/** Sums at the vertices of a mesh, for one of its samples after another: new memory for each would take longer than to add up. */
+/** Reused buffers for the sums at the vertices of a mesh: allocating them for each sample would take longer than adding. */
 const SUMS = new WeakMap<Uint32Array, Float64Array>();
 
 function emptySums(groups: Uint32Array): Float64Array {
-  const known = SUMS.get(groups);
-  if (known) return known.fill(0);
+  const cached = SUMS.get(groups);
+  if (cached) return cached.fill(0);
   const sums = new Float64Array(groups.length * 3);
   SUMS.set(groups, sums);
   return sums;
@@ -173,7 +173,7 @@ export function deformedNormals(
   groups: Uint32Array,
 ): Float32Array {
   const sums = emptySums(groups);
-  // Without an object for each triangle: a long cache takes this for every sample that is drawn.
+  // Allocates no objects per triangle, because this runs for every drawn sample of long caches.
   for (let i = 0; i + 2 < indices.length; i += 3) {
     const a = 3 * indices[i];
     const b = 3 * indices[i + 1];
@@ -197,7 +197,7 @@ export function deformedNormals(
   return directions(sums, groups);
 }
 
-/** The unit vector of each vertex's sum, which is that of its group. */
+/** Normalizes each vertex's sum, which is that of its group. */
 function directions(sums: Float64Array, groups: Uint32Array): Float32Array {
   const out = new Float32Array(groups.length * 3);
   for (let v = 0; v < groups.length; v++) {

@@ -1,6 +1,6 @@
 import type { Vec3 } from '../../math/vec3.ts';
 
-/** Polygons as modelling programs hold them: points, faces as runs of corners, and values on points, corners or faces. */
+/** Polygons as in modelling programs: points, faces as runs of corners, and values per point, corner or face. */
 export interface Polygons {
   /** [m], 3 per point. */
   readonly points: ArrayLike<number>;
@@ -10,29 +10,29 @@ export interface Polygons {
   readonly faceIndices: ArrayLike<number>;
   /** 3 per value. Absent: computed with `smoothAngle`. */
   readonly normals?: PolygonValues;
-  /** 2 per value; zero where absent. */
+  /** 2 per value; absent: zero. */
   readonly uvs?: PolygonValues;
   /** Linear RGB, 3 per value. */
   readonly colors?: PolygonValues;
-  /** Place in `Scene.materials` for each face; absent: material 0. */
+  /** By face: index in `Scene.materials`; absent: material 0. */
   readonly faceMaterials?: ArrayLike<number>;
-  /** Faces are clockwise seen from outside. */
+  /** Whether faces are clockwise seen from outside. */
   readonly leftHanded?: boolean;
   readonly doubleSided?: boolean;
-  /** Computed normals join faces that meet at less than this angle [rad]: 0 is flat, π is smooth everywhere. Default 0. */
+  /** Computed normals are smooth between faces that meet at less than this angle [rad]: 0 is flat, π is smooth everywhere. Default 0. */
   readonly smoothAngle?: number;
 }
 
 export interface PolygonValues {
   readonly per: 'point' | 'corner' | 'face' | 'constant';
   readonly values: ArrayLike<number>;
-  /** Place in `values` for each point, corner or face; absent: in order. */
+  /** Index in `values` of each point, corner or face; absent: in order. */
   readonly indices?: ArrayLike<number>;
-  /** Of points: on a subdivision surface they are blended linearly, not as its points are. */
+  /** For values per point: whether a subdivision surface interpolates them linearly instead of like its points. */
   readonly linear?: boolean;
 }
 
-/** Calls back with each face's number, first corner and corner count. */
+/** Iterates over the faces: index, first corner and corner count. */
 export function forEachFace(
   polygons: Pick<Polygons, 'faceCounts' | 'faceIndices'>,
   visit: (face: number, firstCorner: number, count: number) => void,
@@ -51,7 +51,7 @@ export const pointAt = (points: ArrayLike<number>, i: number): Vec3 => [
   points[3 * i + 2],
 ];
 
-/** The points of a face in order, 3 numbers each; written into `into` where it has room, for faces are many. */
+/** The points of a face in order, 3 numbers each; reuses `into` if it is large enough. */
 export function outlineOf(
   { points, faceIndices }: Polygons,
   firstCorner: number,
@@ -68,7 +68,7 @@ export function outlineOf(
   return outline;
 }
 
-/** Point → its corners: point p has those of `corners` from `start[p]` on, up to `start[p + 1]`. From one pass of counting. */
+/** Point → its corners: those of point p are `corners[start[p]]` up to `start[p + 1]`. By counting sort. */
 export function cornerRuns(pointOfCorner: ArrayLike<number>, points: number) {
   const start = new Uint32Array(points + 1);
   for (let c = 0; c < pointOfCorner.length; c++) start[pointOfCorner[c] + 1]++;

@@ -2,14 +2,13 @@ import type { Vec3 } from '../../math/vec3.ts';
 import type { Mesh } from '../types.ts';
 import { makeMesh } from './makeMesh.ts';
 
-/** The axis of symmetry, as USD's `axis`. */
+/** The axis of symmetry, as `axis` in USD. */
 export type Axis = 'X' | 'Y' | 'Z';
 
 type RadiusHeight = readonly [number, number];
 
 /**
- * A band of a surface of revolution between two circles. Seen with the axis up and r to the right, outside is to the
- * right of the way from `from` to `to`.
+ * A band of a surface of revolution between two circles. With the axis up and r to the right, its outside is to the right of the direction from `from` to `to`.
  */
 export interface SurfaceBand {
   /** Radius and height [m] of the two circles; a radius of 0 is a pole. */
@@ -31,16 +30,16 @@ class RevolutionBuilder {
   readonly uvs: number[] = [];
   private readonly circles = new Map<string, number>();
   private readonly segments: number;
-  private readonly place: (x: number, y: number, z: number) => Vec3;
+  private readonly onAxis: (x: number, y: number, z: number) => Vec3;
 
   constructor(segments: number, axis: Axis) {
     this.segments = segments;
-    this.place = (x, y, z) => (axis === 'Z' ? [x, y, z] : axis === 'Y' ? [y, z, x] : [z, x, y]);
+    this.onAxis = (x, y, z) => (axis === 'Z' ? [x, y, z] : axis === 'Y' ? [y, z, x] : [z, x, y]);
   }
 
   band({ from, to, fromNormal, toNormal, v }: SurfaceBand): void {
     for (let s = 0; s < this.segments; s++) {
-      // Where a circle is a pole, its one corner has the normal and u of the triangle's middle.
+      // The one corner at a pole has the normal and u of the triangle's centre.
       const low = from[0] > 0 ? [s, s + 1] : [s + 0.5];
       const high = to[0] > 0 ? [s + 1, s] : [s + 0.5];
       for (const at of low) this.corner(from, fromNormal, at, v[0]);
@@ -52,24 +51,24 @@ class RevolutionBuilder {
   private corner(circle: RadiusHeight, normal: RadiusHeight, at: number, v: number): void {
     const angle = (2 * Math.PI * at) / this.segments;
     this.faceIndices.push(this.circle(circle) + (circle[0] > 0 ? at % this.segments : 0));
-    this.normals.push(...this.place(normal[0] * Math.cos(angle), normal[0] * Math.sin(angle), normal[1]));
+    this.normals.push(...this.onAxis(normal[0] * Math.cos(angle), normal[0] * Math.sin(angle), normal[1]));
     this.uvs.push(at / this.segments, v);
   }
 
   private circle([r, h]: RadiusHeight): number {
-    const known = this.circles.get(`${r} ${h}`);
-    if (known !== undefined) return known;
+    const existing = this.circles.get(`${r} ${h}`);
+    if (existing !== undefined) return existing;
     const first = this.points.length / 3;
     this.circles.set(`${r} ${h}`, first);
     for (let s = 0; s < (r > 0 ? this.segments : 1); s++) {
       const angle = (2 * Math.PI * s) / this.segments;
-      this.points.push(...this.place(r * Math.cos(angle), r * Math.sin(angle), h));
+      this.points.push(...this.onAxis(r * Math.cos(angle), r * Math.sin(angle), h));
     }
     return first;
   }
 }
 
-/** Turns bands round the axis; u runs once round it. */
+/** Revolves bands about the axis; u runs once around it. */
 export function revolve(bands: readonly SurfaceBand[], segments: number, axis: Axis): Mesh {
   const lathe = new RevolutionBuilder(segments, axis);
   for (const band of bands) lathe.band(band);
@@ -97,7 +96,7 @@ function curve(
   });
 }
 
-/** An arc round (0, h0) from latitude `from` to `to` [rad]; exactly on the axis at the poles. */
+/** An arc around (0, h0) from latitude `from` to `to` [rad]; exactly on the axis at the poles. */
 function arc(radius: number, h0: number, from: number, to: number, steps: number, v: RadiusHeight): SurfaceBand[] {
   return curve(
     steps,
@@ -122,18 +121,18 @@ const flatBand = (from: RadiusHeight, to: RadiusHeight, axial: number, v: Radius
 });
 
 export interface RoundOptions {
-  /** Steps round the axis. */
+  /** Segments around the axis. */
   readonly segments?: number;
   readonly axis?: Axis;
 }
 
-/** A ball of `radius` [m]; v runs from pole to pole in equal steps of latitude. */
+/** A sphere of `radius` [m]; v runs from pole to pole in equal steps of latitude. */
 export function sphere(radius: number, options: RoundOptions & { readonly rings?: number } = {}): Mesh {
   const { segments = 64, rings = segments / 2, axis = 'Z' } = options;
   return revolve(arc(radius, 0, -Math.PI / 2, Math.PI / 2, Math.round(rings), [0, 1]), segments, axis);
 }
 
-/** A closed cylinder, its middle at the origin [m]. */
+/** A closed cylinder, centred on the origin [m]. */
 export function cylinder(radius: number, height: number, { segments = 64, axis = 'Z' }: RoundOptions = {}): Mesh {
   const h = height / 2;
   const side: SurfaceBand = { from: [radius, -h], to: [radius, h], fromNormal: [1, 0], toNormal: [1, 0], v: [0, 1] };
@@ -150,7 +149,7 @@ export function cone(radius: number, height: number, { segments = 64, axis = 'Z'
   return revolve([flatBand([0, -h], [radius, -h], -1, [0, 1]), side], segments, axis);
 }
 
-/** A cylinder of `height` [m] (without its caps) closed by half balls. */
+/** A cylinder of `height` [m] (without its caps) closed by hemispheres. */
 export function capsule(
   radius: number,
   height: number,
@@ -176,11 +175,11 @@ export function capsule(
   return revolve(bands, segments, axis);
 }
 
-/** A ring: a tube of radius `tube` round a circle of radius `ring` [m] about the axis. */
+/** A torus: a tube of radius `tube` around a circle of radius `ring` [m] about the axis. */
 export function torus(ring: number, tube: number, options: RoundOptions & { readonly rings?: number } = {}): Mesh {
   const { segments = 96, rings = 32, axis = 'Z' } = options;
   const at = (t: number): { circle: RadiusHeight; normal: RadiusHeight } => {
-    // The last circle is the first one, to the last bit, so that the tube closes.
+    // The last circle equals the first to the bit, so that the tube is closed.
     const angle = 2 * Math.PI * (t % 1) - Math.PI;
     const normal: RadiusHeight = [Math.cos(angle), Math.sin(angle)];
     return { circle: [ring + tube * normal[0], tube * normal[1]], normal };
@@ -188,7 +187,7 @@ export function torus(ring: number, tube: number, options: RoundOptions & { read
   return revolve(curve(rings, at), segments, axis);
 }
 
-/** A box with its middle at the origin; each face has uv from 0 to 1. */
+/** A box centred on the origin; each face has uv from 0 to 1. */
 export function box(size: Vec3): Mesh {
   const points: number[] = [];
   for (let i = 0; i < 8; i++) points.push(...[0, 1, 2].map((k) => ((i >> k) & 1 ? size[k] : -size[k]) / 2));
@@ -197,7 +196,7 @@ export function box(size: Vec3): Mesh {
   return makeMesh({ points, faceCounts: [4, 4, 4, 4, 4, 4], faceIndices, uvs }).mesh;
 }
 
-/** A flat rectangle that faces along `axis`, cut into nx × ny cells; uv from 0 to 1. USD's plane: x is width, y is length. */
+/** A rectangle that faces along `axis`, divided into nx × ny cells; uv from 0 to 1. As in USD, x is the width and y the length. */
 export function grid(width: number, length: number, nx: number, ny: number, axis: Axis = 'Z'): Mesh {
   // As USD's Plane: the width is along X (for axis X: along Z), the length along Y (for axis Y: along Z).
   const place = (x: number, y: number): Vec3 => (axis === 'Z' ? [x, y, 0] : axis === 'Y' ? [x, 0, -y] : [0, y, -x]);
@@ -219,5 +218,5 @@ export function grid(width: number, length: number, nx: number, ny: number, axis
   return { ...mesh, doubleSided: true };
 }
 
-/** A flat rectangle of one cell. */
+/** A rectangle of one cell. */
 export const plane = (width: number, length: number, axis: Axis = 'Z'): Mesh => grid(width, length, 1, 1, axis);

@@ -2,11 +2,11 @@ import { cofactors, determinant, type Mat3 } from '../../math/mat3.ts';
 import { linearPart, type Mat4 } from '../../math/mat4.ts';
 import { norm, type Vec3, ZERO } from '../../math/vec3.ts';
 
-/** Takes points to M x, 3 numbers each, where they are: long caches have many. */
+/** Transforms points, 3 numbers each, to M x in place, because long caches have many. */
 export const transformPointsInPlace = (points: Float32Array, m: Mat4): Float32Array =>
   applyInPlace(points, linearPart(m), [m[3], m[7], m[11]]);
 
-/** Takes normals by the cofactors of M, and makes them unit, where they are; turned with the faces where M mirrors. */
+/** Transforms normals by the cofactors of M and normalizes them, in place; reversed like the faces if M is a reflection. */
 export function transformNormalsInPlace(normals: Float32Array, m: Mat4): Float32Array {
   const linear = linearPart(m);
   const sign = determinant(linear) < 0 ? -1 : 1;
@@ -27,7 +27,7 @@ function applyInPlace(vectors: Float32Array, linear: Mat3, [tx, ty, tz]: Vec3): 
   return vectors;
 }
 
-/** Vectors, 3 numbers each, made unit where they are; what has no length stays. */
+/** Normalizes vectors, 3 numbers each, in place; zero vectors stay. */
 export function normalizeInPlace(vectors: Float32Array): Float32Array {
   for (let i = 0; i < vectors.length; i += 3) {
     const l = norm(vectors[i], vectors[i + 1], vectors[i + 2]);

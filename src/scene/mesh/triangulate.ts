@@ -3,17 +3,16 @@ import { cross, dot, normalize, sub, type Vec3 } from '../../math/vec3.ts';
 import { pointAt } from './polygons.ts';
 
 const TRIANGLE = [0, 1, 2];
-/** A quad, cut from corner 0 or from corner 1. */
+/** A quad, split at corner 0 or corner 1. */
 const FROM_ZERO = [0, 1, 2, 0, 2, 3];
 const FROM_ONE = [0, 1, 3, 1, 2, 3];
 
 /**
- * Splits one polygon into triangles that keep its winding and use every corner of its outline, so that no neighbour
- * is left with a T-junction (which relativity would open into a crack). Concave and non-planar polygons are cut in
- * the plane of their Newell normal.
+ * Splits one polygon into triangles that keep its winding and use every corner of its outline, so that there are no T-junctions with neighbours (which relativity
+ * would open into cracks). Concave and non-planar polygons are triangulated in the plane of their Newell normal.
  *
  * @param outline corners in order, 3 numbers each [m]; it may be longer than `count` of them
- * @returns triples of places in `outline`, `count` − 2 of them
+ * @returns triples of indices in `outline`, `count` − 2 of them
  */
 export function triangulate(outline: ArrayLike<number>, count: number): readonly number[] {
   if (count < 3) return [];
@@ -41,14 +40,14 @@ export function newellNormal(outline: ArrayLike<number>, count: number): Vec3 {
   return [x, y, z];
 }
 
-/** Along corner 0, as viewers do, unless the quad is concave at corner 1 or 3. */
+/** Splits at corner 0, as viewers do, unless the quad is concave at corner 1 or 3. */
 function splitQuad(q: ArrayLike<number>): readonly number[] {
   const n = newellNormal(q, 4);
   if (isTurnedAs(n, q, 0, 1, 2) && isTurnedAs(n, q, 0, 2, 3)) return FROM_ZERO;
   return isTurnedAs(n, q, 0, 1, 3) && isTurnedAs(n, q, 1, 2, 3) ? FROM_ONE : FROM_ZERO;
 }
 
-/** Whether the triangle of three corners faces the way of n; without an object for each of them. */
+/** Whether the triangle of three corners faces along n; allocates nothing. */
 function isTurnedAs(n: Vec3, outline: ArrayLike<number>, i: number, j: number, k: number): boolean {
   const x = outline[3 * i];
   const y = outline[3 * i + 1];
@@ -72,8 +71,8 @@ function projected(outline: ArrayLike<number>, count: number, normal: Vec3): num
 }
 
 /**
- * Earcut returns clockwise or counter-clockwise triples and leaves out corners on straight stretches of the outline.
- * Here the winding is made the outline's, and each left-out run is cut back into the triangle on its edge.
+ * Earcut returns clockwise or counter-clockwise triples and drops corners on straight parts of the outline. This restores the winding of the outline and splits
+ * the triangle at the edge of each dropped run so that it uses these corners.
  */
 function withDroppedCorners(triangles: readonly number[], corners: number): number[] | undefined {
   if (triangles.length === 0) return undefined;
@@ -103,7 +102,7 @@ function oriented(a: number, b: number, c: number): readonly [number, number, nu
   return turns === 2 ? [a, b, c] : [a, c, b];
 }
 
-/** The triangle's outline with the dropped corners of its sides put back, cut into triangles. */
+/** Triangulates the triangle's outline with the dropped corners of its sides restored. */
 function withRuns(t: readonly [number, number, number], runs: ReadonlyMap<number, number>, corners: number): number[] {
   const sides = [0, 1, 2].map((k) => {
     const from = t[k];

@@ -2,11 +2,11 @@ import earcut from 'earcut';
 import { type Point2, twiceArea } from './contours.ts';
 
 /**
- * The triangles between outlines: those that go clockwise bound what is filled, the others are holes. Counter-clockwise, and every side
- * of an outline is the side of one triangle: no corner lies inside another’s side, which would open as a crack where light bends lines.
+ * Triangulates the area between outlines: clockwise ones bound the filled area, others are holes. The triangles are counter-clockwise, and every side of an
+ * outline is the side of one triangle: no corner lies inside another’s side, which would open as a crack where light bends lines.
  *
  * @param outlines corners in order
- * @returns triples of places among all corners, in the order of the outlines
+ * @returns triples of indices among all corners, in the order of the outlines
  */
 export function triangulateCap(outlines: readonly (readonly Point2[])[]): number[] {
   const firsts = [0];
