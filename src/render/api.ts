@@ -27,7 +27,7 @@ export interface RasterRenderer {
    */
   accumulate(n: number): boolean;
   /**
-   * Compiles the shaders of a picture and of its accumulation without blocking other frames; undefined if none are missing. While other shaders are
+   * Compiles the shaders of a picture and of its accumulation without blocking other frames; undefined if there is nothing to compile ahead. While other shaders are
    * being compiled, returns their promise: call again afterwards. Rejects if the device is lost.
    */
   precompile(views: PictureViews, settings: RenderSettings, sampling?: Sampling): Promise<void> | undefined;

@@ -194,4 +194,4 @@ function hidePart({ clusters, patches }: TessellatedBatch): void {
 
 /** Equal for batches whose factors one kernel computes. Deforming bodies have a kernel each, because their samples are in tables of their own. */
 const kernelKeyOf = ({ batch: { kind, bodies, instancing } }: DrawCall): string =>
-  deforms({ kind }) ? `${kind} ${bodies[0].id}` : instancing ? `${kind} worn` : kind;
+  deforms({ kind }) ? `${kind} ${bodies[0].id}` : instancing ? `${kind} instanced` : kind;

@@ -31,7 +31,7 @@ function tooFast(place: string, speed: number, from: number, to: number, c: numb
 /** Speeds up to this need not be known exactly, because they are slower than light. */
 export const almostC = (c: number): number => c * (1 - 1e-9);
 
-/** A ratio > 1 with at least three digits, and enough of them to show that it exceeds 1. */
+/** A ratio ≥ 1 with at least three digits, and enough of them to show that it exceeds 1. */
 export function inUnitsOfC(ratio: number): string {
   for (let digits = 3; digits < 9; digits++)
     if (Number(ratio.toPrecision(digits)) > 1) return ratio.toPrecision(digits);

@@ -50,7 +50,7 @@ export function lookAtOrientation(forward: Vec3, up: Vec3): Quat {
 
 const FRAMING_FOV = Math.PI / 3;
 
-/** A camera for scenes without one: at rest, slightly above the objects that exist at the opening time, with all of them in view. */
+/** A camera for scenes without one: at rest outside the scene and slightly above, with all objects that exist at the opening time in view. */
 export function framingCamera(scene: Scene): SceneCamera {
   const c = scene.hints.speedOfLight ?? SPEED_OF_LIGHT;
   const box = sceneBounds(scene, scene.hints.openAt ?? scene.startTime, c) ?? { min: [-1, -1, -1], max: [1, 1, 1] };

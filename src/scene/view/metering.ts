@@ -9,7 +9,7 @@ export interface LightMeterReadings {
   readonly luminance: Float32Array;
   /** D of the surface, or of the sky. */
   readonly doppler: Float32Array;
-  /** World time of the emission event minus the observer's [s]; negative, but for views without light delay. */
+  /** World time of the shown event minus the observer's [s]; negative if its light was delayed. */
   readonly time: Float32Array;
 }
 

@@ -58,11 +58,11 @@ describe('effects', () => {
 
   it('read only the channels that they declare', () => {
     for (const id of EFFECT_IDS) {
-      const taken = wall(flat(6, 5, 1), () => 3);
+      const input = wall(flat(6, 5, 1), () => 3);
       const names = new Set<AovName>(EFFECTS[id].reads.flatMap((channel) => AOVS_OF_EFFECT_CHANNEL[channel]));
-      const aovs = new Map([...taken.aovs].filter(([name]) => names.has(name)));
+      const aovs = new Map([...input.aovs].filter(([name]) => names.has(name)));
       const args = EFFECTS[id].args.map(({ default: value }) => value);
-      expect(() => applyEffect(id, args, { ...taken, aovs }), id).not.toThrow();
+      expect(() => applyEffect(id, args, { ...input, aovs }), id).not.toThrow();
     }
   });
 
@@ -73,15 +73,15 @@ describe('effects', () => {
   });
 
   it('written as text receive the channels that they read', () => {
-    const taken = wall(flat(6, 5, 1), (x) => (x < 3 ? 4 : 0));
+    const input = wall(flat(6, 5, 1), (x) => (x < 3 ? 4 : 0));
     const program = readShaderText(`
 fn effect(p: Pixel) -> vec4f {
   let o = vec2i(1, 0);
   return vec4f(depth(o) * arg2, dot(normal(o), vec3f(1)) + event(o).z, p.direction.x * 0 + image(o).x + p.position.y, 1);
 }`);
     const names = new Set<AovName>([...program.reads].flatMap((channel) => AOVS_OF_SHADER_CHANNEL[channel]));
-    const aovs = new Map([...taken.aovs].filter(([name]) => names.has(name)));
-    const after = applyEffect(program, [0, 10], { ...taken, aovs });
+    const aovs = new Map([...input.aovs].filter(([name]) => names.has(name)));
+    const after = applyEffect(program, [0, 10], { ...input, aovs });
     expect(after.at(1, 2)).toEqual([40, 1 - 4, 3.5]);
     expect(after.at(2, 2)).toEqual([0, 0, 3.5]);
   });
@@ -245,9 +245,9 @@ describe('sharpening', () => {
 describe('fog', () => {
   it('transmits e^(−r/ℓ) of the light, r in the world frame', () => {
     const view = { ...VIEW, u: properVelocity([0, 0, -0.8]) };
-    const taken = wall(flat(3, 3, 10), () => 20, view);
+    const input = wall(flat(3, 3, 10), () => 20, view);
     // The apparent distance, in the observer's frame, differs and is not used.
-    const shifted = { ...taken, aovs: new Map(taken.aovs).set('depth', new Float64Array(9).fill(6.67)) };
+    const shifted = { ...input, aovs: new Map(input.aovs).set('depth', new Float64Array(9).fill(6.67)) };
     const [value] = applyEffect('fog', [10, 0, 0, 0], shifted).at(1, 1);
     expect(value).toBeCloseTo(10 * Math.exp(-2), 12);
   });

@@ -47,7 +47,7 @@ abstract class SampledIntersector implements HypersurfaceIntersector {
   }
 
   abstract setTriangle(a: number, b: number, c: number): void;
-  abstract boundsOf(lump: ClusterBounds): EventBounds;
+  abstract boundsOf(cluster: ClusterBounds): EventBounds;
   /** Selects a point of the triangle. */
   protected abstract setPoint(w1: number, w2: number): void;
   /** Sets x, y, z to the place of the point at sample k of the window. */
