@@ -32,7 +32,7 @@ export function pictureMetadata(view: ViewPoint, settings: RenderSettings): Reco
   };
 }
 
-/** The settings with a `header` entry. */
+/** The settings with a `header` entry, as far as its `when` applies. */
 function settingsMetadata(settings: RenderSettings, showsLight: boolean): Record<string, string> {
   const told = RENDERER_SETTINGS.flatMap((name) => {
     const { header, default: usual } = settingNamed(name);
