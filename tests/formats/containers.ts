@@ -30,31 +30,31 @@ const pictures: ClaimGroup = {
   rows: [
     read(
       'PNG: every colour type and depth, interlaced or not',
-      'RGBA of 8 bits',
+      '8-bit RGBA',
       shown(encodePng(2, 1, new Uint8Array(8).fill(255))),
       (s) => expect(s.materials[0].baseColorTexture).toMatchObject({ width: 2, height: 1 }),
     ),
     read(
       'JPEG: baseline and progressive',
-      'the same; told from PNG by its content, whatever it is called',
+      'the same; distinguished from PNG by content, whatever the file is called',
       shown(JPEG),
       (s) => expect(s.materials[0].baseColorTexture?.width).toBe(8),
     ),
     leftOut(
       'WebP, AVIF, KTX2, OpenEXR, Radiance HDR',
-      'named with what it is',
+      'reported with what it is',
       'file.unreadable-texture',
       STRANGE.map(shown),
     ),
     leftOut(
-      'a picture that is damaged, cut off or empty',
-      'named',
+      'a picture that is damaged, truncated or empty',
+      'reported',
       'file.unreadable-texture',
       [PIXEL.slice(0, 40), JPEG.slice(0, 90), new Uint8Array(0)].map(shown),
     ),
     leftOut(
-      'a picture with more pixels than are read',
-      'named, before there is room made for it',
+      'a picture with more pixels than the limit',
+      'reported before memory is allocated for it',
       'file.unreadable-texture',
       shown(wider(PIXEL)),
     ),
@@ -76,18 +76,20 @@ const archives: ClaimGroup = {
   title: 'Archives (`.zip`)',
   rows: [
     read(
-      'stored and deflated files, in folders',
-      'as a folder; of several scenes the least deep, USD before glTF before meshes, or `set.zip[a/scene.usda]`',
+      'stored and deflated files, also in folders',
+      'treated as a folder; of several scenes the least deeply nested is opened, USD before glTF before meshes, or the one given as `set.zip[a/scene.usda]`',
       zip({ 'b/b.usda': text('no'), 'a.usda': CUBE }),
       (s) => expect(s.objects.map(({ path }) => path)).toEqual(['/A']),
     ),
-    refused('an archive that is damaged or cut off', 'with its place', 'zip.damaged', {
+    refused('a damaged or truncated archive', 'with the location', 'zip.damaged', {
       'set.zip': zipSync({ 'a.usda': CUBE }).slice(0, 60),
     }),
-    refused('a path that leads out of it', 'with the path', 'zip.path', zip({ '../a.usda': CUBE })),
-    refused('files with a password', 'with the file', 'zip.encrypted', changed(6, 8, 1)),
-    refused('other ways of packing', 'with the file and the way', 'zip.method', changed(8, 10, 12)),
-    refused('what unpacks to far more than it can hold', 'with the sizes', 'zip.bomb', { 'set.zip': bomb() }),
+    refused('a path that leads out of the archive', 'with the path', 'zip.path', zip({ '../a.usda': CUBE })),
+    refused('password-protected files', 'with the file', 'zip.encrypted', changed(6, 8, 1)),
+    refused('other compression methods', 'with the file and the method', 'zip.method', changed(8, 10, 12)),
+    refused('an archive that claims to unpack to far more than its data can hold', 'with the sizes', 'zip.bomb', {
+      'set.zip': bomb(),
+    }),
   ],
 };
 
@@ -102,12 +104,12 @@ function bomb(): Uint8Array {
 const whole: ClaimGroup = {
   title: 'Any file',
   rows: [
-    refused('a file without a byte', 'said', 'file.empty', { 'a.usda': '' }),
-    refused('another kind of file', 'with those that can be opened', 'file.unknown-format', { 'a.fbx': 'x' }),
-    refused('a line longer than any of a sound file', 'with its place', 'text.long-line', {
+    refused('an empty file', 'reported', 'file.empty', { 'a.usda': '' }),
+    refused('an unknown file type', 'with the types that can be opened', 'file.unknown-format', { 'a.fbx': 'x' }),
+    refused('a line longer than any in a valid file', 'with the location', 'text.long-line', {
       'a.obj': 'v'.repeat(2 ** 25),
     }),
-    refused('files with one path in an archive', 'with the path', 'zip.duplicate', {
+    refused('several files with the same path in an archive', 'with the path', 'zip.duplicate', {
       'set.zip': twice(),
     }),
   ],

@@ -10,14 +10,17 @@ export function page(): string {
   const parts = [
     '# What is read, approximated, refused',
     '<!-- Made from the code by `npm run docs`: do not edit it here. -->',
-    'Every line of the tables of formats is a claim with examples in `tests/formats`, which are opened and looked at whenever the tests run. The words mean:',
+    'Every row of the format tables is a claim with example files in `tests/formats`; the tests open them and check the result. The second column means:',
     table(
       ['', ''],
       [
-        ['read', 'as the format has it, and nothing is said but, where a code stands here, a remark'],
-        ['approximated', 'it is shown in another way, and said so with this code'],
-        ['left out', 'it is not shown, and said so with this code; all the rest is'],
-        ['refused', 'the file is not opened; the message names place and value and says what to do'],
+        [
+          'read',
+          'read as the format specifies; no warning is reported. A code in this column is that of an informational remark',
+        ],
+        ['approximated', 'shown differently from what the format specifies; a warning with this code is reported'],
+        ['left out', 'not shown; a warning with this code is reported, and everything else is shown'],
+        ['refused', 'the file is not opened; the error message gives the location and the value and says what to do'],
       ],
     ),
     '## Files',
@@ -28,13 +31,13 @@ export function page(): string {
       ...groups.flatMap(groupParts),
     ]),
     '## Bounds',
-    'A small file can ask for any amount of work and memory; so there are bounds, and what goes over one is named.',
+    'A small file can ask for an unlimited amount of work and memory. The readers therefore have limits, and report whatever exceeds one.',
     table(
       ['', 'at most'],
       readerLimits.map(({ what, most }) => [what, most]),
     ),
     '## Codes',
-    'Each message has a code, for programs: `slowlight inspect --json` and `convert --json` print it.',
+    'Each message has a code for use by programs; `slowlight inspect --json` and `convert --json` print it.',
     table(
       ['code', 'means'],
       Object.entries(DIAGNOSTIC_CODES).map(([code, meaning]) => [`\`${code}\``, meaning]),
@@ -50,13 +53,13 @@ function fileTable(): string {
     return [name, dots(extensions), written.length > 0 ? dots(written) : '–'];
   });
   const also =
-    'A `.zip` that holds one of them opens too; `slowlight convert` writes `.usdc` besides, where Pixar’s `usd-core` is.';
+    'A `.zip` that contains one of these files opens too. `slowlight convert` also writes `.usdc` if Pixar’s `usd-core` is installed.';
   return `${table(['', 'opened', 'written'], rows)}\n\n${also}`;
 }
 
 const groupParts = ({ title, rows }: ClaimGroup): string[] => [
   `### ${title}`,
-  table(['in the file', '', 'what becomes of it'], rows.map(cells)),
+  table(['in the file', '', 'result'], rows.map(cells)),
 ];
 
 const cells = ({ what, becomes, how, says }: FormatClaim): string[] => [

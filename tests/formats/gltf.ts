@@ -21,32 +21,32 @@ const files: ClaimGroup = {
   title: 'Files',
   rows: [
     read(
-      '`.glb`, and `.gltf` with its `.bin` and pictures beside it or inside',
+      '`.glb`, and `.gltf` with `.bin` and pictures beside it or embedded',
       'a scene in metres, Y up',
       json({}),
       triangles(1),
     ),
     read(
       '`KHR_draco_mesh_compression`',
-      'unpacked',
+      'decompressed',
       packed('KHR_draco_mesh_compression', (doc) => dracoGlb(doc, 'edgebreaker')),
       triangles(1),
     ),
     read(
       '`EXT_meshopt_compression`, `KHR_meshopt_compression`, `KHR_mesh_quantization`',
-      'unpacked',
+      'decompressed',
       packed('EXT_meshopt_compression', (doc) => meshoptGlb(doc, 'filter')),
       triangles(1),
     ),
     read(
       '`extras.slowlight` of the scene: `speedOfLight`, `title`, `lookFor`, `beta`, `openAt`',
-      'what the author suggests for viewing',
+      'the author’s suggestions for viewing',
       json({ scenes: [{ nodes: [0], extras: { slowlight: { speedOfLight: 10, title: 'Street' } } }] }),
       (s) => expect(s.hints).toEqual({ speedOfLight: 10, title: 'Street' }),
     ),
     leftOut(
-      'every other extension that is only used, or changes only looks',
-      'named',
+      'every other extension that is not required, or affects only appearance',
+      'reported',
       'gltf.ignored-extension',
       [
         json({ extensionsUsed: ['EXT_new'] }),
@@ -55,48 +55,43 @@ const files: ClaimGroup = {
       triangles(1),
     ),
     refused(
-      'an extension that is required and not read, and is more than a look',
+      'an unsupported required extension that affects more than appearance',
       'with its name',
       'gltf.unsupported-extension',
       json({ extensionsUsed: ['EXT_new'], extensionsRequired: ['EXT_new'] }),
     ),
     refused('glTF 1', 'with its version', 'gltf.version', json({ asset: { version: '1.0' } })),
-    refused('JSON that is damaged', 'with the place', 'gltf.damaged', { 'a.gltf': '{' }),
-    refused('JSON that is not as the schema has it', 'with place and value', 'gltf.invalid', json({ nodes: {} })),
+    refused('damaged JSON', 'with the location', 'gltf.damaged', { 'a.gltf': '{' }),
+    refused('JSON that violates the schema', 'with location and value', 'gltf.invalid', json({ nodes: {} })),
     refused(
-      'a file or buffer that is cut off',
-      'with what it holds and should',
+      'a truncated file or buffer',
+      'with the actual and the expected amount',
       'gltf.truncated',
       json({ buffers: [{ byteLength: 40, uri: 'a.bin' }] }),
     ),
-    refused('a buffer that is not there', 'with its name', 'gltf.missing-file', { 'a.gltf': json({})['a.gltf'] }),
+    refused('a missing buffer', 'with its name', 'gltf.missing-file', { 'a.gltf': json({})['a.gltf'] }),
+    refused('an index out of range', 'with location and number', 'gltf.bad-reference', json({ nodes: [{ mesh: 7 }] })),
     refused(
-      'an index of what is not there',
-      'with place and number',
-      'gltf.bad-reference',
-      json({ nodes: [{ mesh: 7 }] }),
-    ),
-    refused(
-      'an accessor of a type that is none',
+      'an accessor of an unknown type',
       'with the type',
       'gltf.bad-accessor',
       json({ accessors: [{ bufferView: 0, componentType: 1, count: 3, type: 'VEC3' }] }),
     ),
-    refused('compressed data that cannot be unpacked', 'with the reason', 'gltf.draco', damaged),
+    refused('compressed data that cannot be decompressed', 'with the reason', 'gltf.draco', damaged),
     refused(
-      'bytes that are not there',
-      'with their place',
+      'a byte range outside the buffer',
+      'with the location',
       'gltf.out-of-range',
       json({ bufferViews: [{ buffer: 0, byteLength: 36, byteOffset: 4 }] }),
     ),
     refused(
-      'nodes in themselves, or with two parents',
+      'nodes in a cycle, or with two parents',
       'with the node',
       'gltf.bad-tree',
       json({ nodes: [{ mesh: 0, children: [0] }] }),
     ),
     refused(
-      'more objects, vertices or bytes than a scene may have',
+      'more objects, vertices or bytes than the limit for a scene',
       'with the number',
       'gltf.too-large',
       json({ accessors: [{ componentType: 5126, count: 2 ** 30, type: 'VEC3' }] }),
@@ -108,14 +103,14 @@ const shapes: ClaimGroup = {
   title: 'Nodes and shapes',
   rows: [
     read(
-      'nodes, with translation, rotation, scale or a matrix (also a shearing one)',
-      'an object for each node with a mesh; `/Parent/Child`, or `/Parent/Child/Mesh` where the node holds more',
+      'nodes, with translation, rotation, scale or a matrix (also with shear)',
+      'one object per node with a mesh: `/Parent/Child`, or `/Parent/Child/Mesh` if the node has other contents',
       glb((_, thing) => thing.setTranslation([1, 2, 3])),
       (s) => expect(vertexPosition(find(s, '/Thing'), 0, 0, C)).toEqual([1, 2, 3]),
     ),
     read(
       'triangles, strips, fans; several primitives',
-      'one mesh with a run of triangles for each material; flat where there are no normals',
+      'one mesh with a range of triangles per material; flat shading without normals',
       ([5, 6] as const).map((mode) =>
         glb((kit, thing) => {
           thing.getMesh()!.addPrimitive(kit.triangle([0, 0, 0, 1, 0, 0, 0, 1, 0, 1, 1, 0]).setMode(mode));
@@ -125,7 +120,7 @@ const shapes: ClaimGroup = {
     ),
     read(
       'sparse accessors',
-      'the values they change',
+      'with their substituted values',
       json({
         accessors: [
           {
@@ -148,7 +143,7 @@ const shapes: ClaimGroup = {
     ),
     read(
       '`EXT_mesh_gpu_instancing`',
-      'an object for each instance: `/Node/Instance0`',
+      'one object per instance: `/Node/Instance0`',
       glb((kit, thing) => {
         const of = kit.doc.createExtension(EXTMeshGPUInstancing).createInstancedMesh();
         thing.setExtension(
@@ -173,7 +168,7 @@ const shapes: ClaimGroup = {
     ),
     leftOut(
       'points, lines',
-      'named',
+      'reported',
       'gltf.primitive',
       glb((kit, thing) => {
         thing.getMesh()!.addPrimitive(kit.triangle().setMode(1));
@@ -181,8 +176,8 @@ const shapes: ClaimGroup = {
       triangles(1),
     ),
     leftOut(
-      'attributes of instances beside place, turn and size',
-      'named',
+      'instance attributes other than translation, rotation and scale',
+      'reported',
       'gltf.instance-attributes',
       glb((kit, thing) => {
         const of = kit.doc.createExtension(EXTMeshGPUInstancing).createInstancedMesh();
@@ -195,7 +190,7 @@ const shapes: ClaimGroup = {
     ),
     approximated(
       'single-sided and double-sided materials on one mesh',
-      'all of it double-sided',
+      'the whole mesh is double-sided',
       'gltf.mixed-sides',
       glb((kit, thing) => {
         thing.getMesh()!.addPrimitive(kit.triangle().setMaterial(kit.doc.createMaterial().setDoubleSided(true)));
@@ -203,7 +198,7 @@ const shapes: ClaimGroup = {
       (s) => expect(find(s, '/Thing').mesh.doubleSided).toBe(true),
     ),
     refused(
-      'a triangle with a vertex that is not there',
+      'a triangle with a vertex index out of range',
       'with the number',
       'gltf.bad-index',
       glb((kit, thing) => {

@@ -38,8 +38,8 @@ const looks: ClaimGroup = {
       (s) => expect(base(s)).toMatchObject({ baseColor: [1, 0, 0], emissive: [5, 5, 5], ior: 1.25 }),
     ),
     read(
-      'alpha mode `MASK`, `BLEND`',
-      'opacity and its threshold; with `OPAQUE` alpha does not count',
+      'alpha modes `MASK`, `BLEND`',
+      'opacity and its threshold; with `OPAQUE` alpha is ignored',
       withMaterial((m) => {
         m.setAlphaMode('MASK').setAlphaCutoff(0.25).setBaseColorFactor([1, 1, 1, 0.5]);
       }),
@@ -47,7 +47,7 @@ const looks: ClaimGroup = {
     ),
     read(
       '`KHR_materials_unlit`',
-      'a surface that sends out its colour and reflects nothing',
+      'a surface that emits its colour and reflects nothing',
       withMaterial((m, { doc }) => {
         m.setBaseColorFactor([1, 0, 0, 1]).setExtension(
           'KHR_materials_unlit',
@@ -58,7 +58,7 @@ const looks: ClaimGroup = {
     ),
     read(
       'PNG and JPEG pictures of base colour and emission',
-      'textures of 8 bits',
+      '8-bit textures',
       withMaterial((m, kit) => {
         m.setBaseColorTexture(picture(kit));
       }),
@@ -66,7 +66,7 @@ const looks: ClaimGroup = {
     ),
     read(
       '`KHR_texture_transform`',
-      'moved into the uvs',
+      'applied to the uvs',
       withMaterial((m, kit) => {
         m.setBaseColorTexture(picture(kit));
         m.getBaseColorTextureInfo()!.setExtension(
@@ -78,7 +78,7 @@ const looks: ClaimGroup = {
     ),
     read(
       '`KHR_materials_variants`',
-      'the variant that is asked for (set `material`); the scene lists what there is',
+      'the requested variant (set `material`); the scene lists all',
       glb((kit, thing) => {
         const variants = kit.doc.createExtension(KHRMaterialsVariants);
         const red = variants.createVariant('red');
@@ -93,7 +93,7 @@ const looks: ClaimGroup = {
     ),
     approximated(
       'textures of one material with different uvs',
-      'those of the first are used: base colour, emission, normal, metallic-roughness',
+      'the uvs of the first are used, in the order base colour, emission, normal, metallic-roughness',
       'gltf.second-uvs',
       withMaterial((m, kit) => {
         m.setBaseColorTexture(picture(kit)).setEmissiveTexture(picture(kit));
@@ -102,7 +102,7 @@ const looks: ClaimGroup = {
     ),
     read(
       'normal and metallic-roughness textures',
-      'read per pixel',
+      'applied per pixel',
       withMaterial((m, kit) => {
         m.setMetallicRoughnessTexture(picture(kit)).setRoughnessFactor(0.5);
         m.setNormalTexture(picture(kit)).setNormalScale(0.25);
@@ -116,15 +116,15 @@ const looks: ClaimGroup = {
     ),
     read(
       'extras `slowlight:albedo:uv`, `slowlight:albedo:ir`, `slowlight:emission:temperature` [K] of a material',
-      'what it reflects of invisible light, and a glow that shifts as a blackbody’s',
+      'the reflectance of invisible light, and emission that shifts as that of a blackbody',
       withMaterial((m) => {
         m.setExtras({ 'slowlight:albedo:ir': 0.5, 'slowlight:emission:temperature': 3000 });
       }),
       (s) => expect(base(s)).toMatchObject({ ir: 0.5, emissionTemperature: 3000 }),
     ),
     leftOut(
-      'such extras that are no numbers, or out of range',
-      'named',
+      'such extras that are not numbers or are out of range',
+      'reported',
       'gltf.slowlight',
       withMaterial((m) => {
         m.setExtras({ 'slowlight:albedo:uv': 7, 'slowlight:emission:temperature': 'hot' });
@@ -133,7 +133,7 @@ const looks: ClaimGroup = {
     ),
     read(
       'occlusion textures and their strength',
-      'they dim the light of the sky and of other surfaces',
+      'they dim the light from the sky and from other surfaces',
       withMaterial((m, kit) => {
         m.setOcclusionTexture(picture(kit)).setOcclusionStrength(0.25);
       }),
@@ -141,7 +141,7 @@ const looks: ClaimGroup = {
     ),
     read(
       'the extras `slowlight:albedo:uv` and `:ir` as `{ "image": 0, "channel": 1 }`',
-      'reflectance of invisible light by that channel of the image',
+      'reflectance of invisible light from that channel of the image',
       withMaterial((m, kit) => {
         m.setBaseColorTexture(picture(kit)).setExtras({ 'slowlight:albedo:ir': { image: 0, channel: 1, scale: 0.5 } });
       }),
@@ -149,8 +149,8 @@ const looks: ClaimGroup = {
         expect(base(s).irTexture).toMatchObject({ channel: 1, scale: 0.5, bias: 0, texture: { colorSpace: 'linear' } }),
     ),
     leftOut(
-      'the opacity of vertex colours',
-      'named',
+      'alpha of vertex colours',
+      'reported',
       'gltf.vertex-alpha',
       withMaterial((m, kit) => {
         m.setAlphaMode('BLEND');
@@ -160,7 +160,7 @@ const looks: ClaimGroup = {
     ),
     leftOut(
       'a picture that is damaged, too large, or neither PNG nor JPEG (WebP, KTX2)',
-      'named with what it is',
+      'reported with what it is',
       'file.unreadable-texture',
       withMaterial((m, kit) => {
         m.setBaseColorTexture(picture(kit, WEBP));
@@ -168,13 +168,13 @@ const looks: ClaimGroup = {
       (s) => expect(base(s).baseColorTexture).toBeUndefined(),
     ),
     leftOut(
-      'a picture that is not there',
-      'named with where it was looked for; it can be dropped on the page',
+      'a missing picture',
+      'reported with the places that were searched; the file can be dropped on the page',
       'file.missing-texture',
       json({ images: [{ uri: 'bark.png' }] }),
       (s) => expect(s.diagnostics[0].missing?.lookedFor).toEqual(['bark.png']),
     ),
-    refused('a variant that is asked for and not there', 'with those that are', 'gltf.no-variant', json({}), {
+    refused('a requested variant that does not exist', 'with those that exist', 'gltf.no-variant', json({}), {
       variants: new Map([['material', 'red']]),
     }),
   ],
@@ -197,7 +197,7 @@ const lights: ClaimGroup = {
   rows: [
     read(
       '`KHR_lights_punctual`: point, spot',
-      'a sphere of 5 cm of the same luminous intensity, a spot within its cone; it moves where its node does',
+      'a sphere of 5 cm with the same luminous intensity, a spot limited to its cone; it moves with its node',
       glb(light('spot')),
       (s) =>
         expect(s.lights).toMatchObject([
@@ -214,7 +214,7 @@ const lights: ClaimGroup = {
     ),
     read(
       'the extra `slowlight:spectrum` of a light: `"2856 K"`, `"sodium"` …',
-      'what its light is made of',
+      'the spectrum of its light',
       glb((kit) => {
         const lamp = kit.doc.createExtension(KHRLightsPunctual).createLight().setType('point');
         const spectrum = lamp.setExtras({ 'slowlight:spectrum': '2856 K' });
@@ -223,8 +223,8 @@ const lights: ClaimGroup = {
       (s) => expect(s.lights[0]).toMatchObject({ spectrum: { kind: 'thermal', temperature: 2856 } }),
     ),
     leftOut(
-      'the extra `slowlight:spectrum` of a light as `"lamp.csv"`, a table beside the scene, that is not there',
-      'named; where it is there, the light is what it says',
+      'the extra `slowlight:spectrum` of a light as `"lamp.csv"`, a table beside the scene, if it is missing',
+      'reported; if the table exists, the light has its spectrum',
       'file.missing-spectrum',
       glb((kit) => {
         const lamp = kit.doc.createExtension(KHRLightsPunctual).createLight().setType('point');
@@ -233,12 +233,16 @@ const lights: ClaimGroup = {
       }),
       (s) => expect(s.lights[0]).not.toHaveProperty('spectrum'),
     ),
-    leftOut('a range of a light', 'named; light goes on for ever', 'gltf.light', glb(light('point', 7)), (s) =>
-      expect(s.lights.length).toBe(1),
+    leftOut(
+      'the range of a light',
+      'reported; the light has no cutoff distance',
+      'gltf.light',
+      glb(light('point', 7)),
+      (s) => expect(s.lights.length).toBe(1),
     ),
     read(
       'perspective cameras',
-      'cameras, moving where their node does',
+      'cameras that move with their node',
       glb((kit) => {
         kit.scene.addChild(
           kit.doc.createNode('Eye').setCamera(kit.doc.createCamera().setType('perspective').setYFov(0.5)),
@@ -248,7 +252,7 @@ const lights: ClaimGroup = {
     ),
     leftOut(
       'orthographic cameras',
-      'named',
+      'reported',
       'gltf.camera',
       glb((kit) => {
         kit.scene.addChild(kit.doc.createNode('Eye').setCamera(kit.doc.createCamera().setType('orthographic')));
@@ -293,8 +297,8 @@ const motion: ClaimGroup = {
       },
     ),
     read(
-      'scale, shear, morph weights; joints',
-      'a path for each vertex',
+      'scale, shear, morph weights and joints',
+      'one path per vertex',
       [
         glb((kit, thing) => kit.animate(thing, 'scale', [0, 1], [1, 1, 1, 3, 3, 3])),
         glb((kit, thing) => {
@@ -310,15 +314,15 @@ const motion: ClaimGroup = {
       kinds('sampled-points'),
     ),
     approximated(
-      'step',
-      'a ramp of at most a millisecond, which may be faster than light',
+      'step interpolation',
+      'a ramp of at most one millisecond, which may be faster than light',
       'gltf.jump',
       glb((kit, thing) => kit.animate(thing, 'translation', [0, 1], [0, 0, 0, 4, 0, 0], 'STEP')),
       kinds('sampled'),
     ),
     read(
       'several animations',
-      'the first, unless another is chosen (set `animation`)',
+      'the first is used unless another is chosen (set `animation`)',
       glb((kit, thing) => {
         kit.animate(thing, 'translation', [0, 1], [0, 0, 0, 4, 0, 0]);
         kit.doc.createAnimation('Other');
@@ -327,8 +331,8 @@ const motion: ClaimGroup = {
       { says: 'gltf.animations' },
     ),
     approximated(
-      'a path that turns too fast between its keys to be followed',
-      'as near as is affordable; the error is told',
+      'a path that rotates too fast between its keys to be resampled within tolerance',
+      'as close as the sample limit allows; the error is reported',
       'gltf.resampling',
       glb((kit, thing) => {
         const keys = Array.from({ length: 25000 }, (_, i) => i);
@@ -342,8 +346,8 @@ const motion: ClaimGroup = {
       kinds('sampled'),
     ),
     approximated(
-      'a directional light that turns',
-      'held where it starts',
+      'a rotating directional light',
+      'held at its initial direction',
       'gltf.light',
       glb((kit, thing) => {
         light('directional')(kit, thing);
@@ -353,7 +357,7 @@ const motion: ClaimGroup = {
     ),
     leftOut(
       'instances of a skinned mesh',
-      'one is shown: all follow the same joints',
+      'one is shown, because all follow the same joints',
       'gltf.instances',
       glb((kit, thing) => {
         skinned(kit, thing, 0);
@@ -367,7 +371,7 @@ const motion: ClaimGroup = {
     ),
     leftOut(
       'animations of anything else (`KHR_animation_pointer`)',
-      'named',
+      'reported',
       'gltf.channel',
       json({
         extensionsUsed: ['KHR_animation_pointer'],
@@ -378,20 +382,20 @@ const motion: ClaimGroup = {
       }),
     ),
     refused(
-      'keys that do not fit together',
+      'inconsistent keys',
       'with the animation and the numbers',
       'gltf.bad-animation',
       glb((kit, thing) => kit.animate(thing, 'translation', [0, 1], [0, 0, 0])),
     ),
     refused(
-      'joints that do not fit together',
+      'inconsistent joints',
       'with the numbers',
       'gltf.bad-skin',
       glb((kit, thing) => {
         skinned(kit, thing, 7);
       }),
     ),
-    refused('an animation that is asked for and not there', 'with those that are', 'gltf.no-animation', json({}), {
+    refused('a requested animation that does not exist', 'with those that exist', 'gltf.no-animation', json({}), {
       animation: 'Jump',
     }),
   ],

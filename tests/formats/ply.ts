@@ -63,7 +63,7 @@ const contents: ClaimGroup = {
     ),
     read(
       '`face`: `vertex_indices` or `vertex_index`, `texcoord`, colours',
-      'polygons, uvs of corners, colours where the points have none; without normals smooth below 60°',
+      'polygons, uvs per corner, face colours if the points have none; without normals, edges below 60° are smooth',
       ply({ face: `property list uchar int vertex_index\n${COLORS.trimEnd()}`, faces: ['4 0 1 2 3 255 0 0'] }),
       red,
     ),
@@ -80,13 +80,13 @@ const contents: ClaimGroup = {
     ),
     read(
       '`comment TextureFile x.png`',
-      'the picture of the material',
+      'the texture of the material',
       { ...ply({ comment: 'TextureFile a.png' }), 'a.png': PIXEL },
       (s) => expect(s.materials[0].baseColorTexture?.width).toBe(1),
     ),
     read(
       'other elements and properties',
-      'nothing',
+      'ignored',
       ply({
         vertex: 'property float confidence\n',
         vertices: Array(4)
@@ -95,40 +95,40 @@ const contents: ClaimGroup = {
       }),
       triangles(2),
     ),
-    leftOut('points without faces', 'said', 'ply.points', ply({ faces: [] })),
+    leftOut('points without faces', 'reported', 'ply.points', ply({ faces: [] })),
     leftOut(
       'faces with fewer than 3 corners',
-      'said with how many',
+      'reported with their number',
       'ply.faces',
       ply({ faces: ['4 0 1 2 3', '2 0 1'] }),
       triangles(2),
     ),
     leftOut(
-      'a picture that is not there',
-      'named with where it was looked for',
+      'a missing picture',
+      'reported with the places that were searched',
       'file.missing-texture',
       ply({ comment: 'TextureFile a.png' }),
       triangles(2),
     ),
     leftOut(
       'a picture that is damaged, too large, or neither PNG nor JPEG',
-      'named with what it is',
+      'reported with what it is',
       'file.unreadable-texture',
       { ...ply({ comment: 'TextureFile a.png' }), 'a.png': WEBP },
       triangles(2),
     ),
-    refused('a header that is damaged, or of no PLY', 'with its line', 'ply.header', { 'a.ply': 'plush\n' }),
+    refused('a header that is damaged or not PLY', 'with its line', 'ply.header', { 'a.ply': 'plush\n' }),
     refused(
-      'a word that should be a number',
+      'a word in place of a number',
       'with its line',
       'ply.number',
       ply({ vertices: ['0 0 x', '1 0 0', '1 1 0', '0 1 0'] }),
     ),
-    refused('an index or a length that cannot be', 'with place and value', 'ply.value', ply({ faces: ['4 0 1 2 9'] })),
-    refused('a file that is cut off', 'with what it holds and should', 'ply.truncated', {
+    refused('an invalid index or length', 'with location and value', 'ply.value', ply({ faces: ['4 0 1 2 9'] })),
+    refused('a truncated file', 'with the actual and the expected amount', 'ply.truncated', {
       'a.ply': (binary('binary_little_endian')['a.ply'] as Uint8Array).slice(0, -20),
     }),
-    refused('a file without vertices', 'said', 'ply.no-vertices', {
+    refused('a file without vertices', 'reported', 'ply.no-vertices', {
       'a.ply': 'ply\nformat ascii 1.0\nelement face 1\nproperty list uchar int vertex_indices\nend_header\n3 0 1 2\n',
     }),
   ],

@@ -25,21 +25,32 @@ const contents: ClaimGroup = {
     read('text', 'flat triangles; each `solid` is an object', stl(facet()), (s) =>
       expect(s.objects.map(({ path }) => path)).toEqual(['/Part']),
     ),
-    read('binary, told from text by its content', 'flat triangles', binary('solid as a rock'), one),
-    read('normals', 'those of the order of the corners', stl(facet('0 0 0')), (s) =>
+    read('binary, distinguished from text by content', 'flat triangles', binary('solid as a rock'), one),
+    read('normals', 'computed from the winding order', stl(facet('0 0 0')), (s) =>
       expect([...s.objects[0].mesh.normals.subarray(0, 3)]).toEqual([0, 0, 1]),
     ),
-    leftOut('normals that say the opposite', 'told with how many', 'stl.normals', stl(facet('0 0 -1')), one),
-    leftOut('colours', 'told', 'stl.colors', binary('COLOR=rgba'), one),
-    read('attribute bytes of facets', 'nothing: they have no meaning of their own', binary(), one),
-    leftOut('bytes after the last facet', 'told with how many', 'stl.rest', binary('', 3), one),
+    leftOut(
+      'normals that contradict the winding order',
+      'reported with their number',
+      'stl.normals',
+      stl(facet('0 0 -1')),
+      one,
+    ),
+    leftOut('colours', 'reported', 'stl.colors', binary('COLOR=rgba'), one),
+    read('attribute bytes of facets', 'ignored: the format gives them no meaning', binary(), one),
+    leftOut('bytes after the last facet', 'reported with their number', 'stl.rest', binary('', 3), one),
     refused('a word in the wrong place', 'with line and word', 'stl.syntax', stl('vertex 0 0 0\n')),
-    refused('a corner that is no number', 'with line or byte, and value', 'stl.number', binary('', 0, Number.NaN)),
-    refused('a facet that has not 3 corners', 'with its line', 'stl.corners', stl(facet('0 0 1', ['0 0 0', '1 0 0']))),
-    refused('a file that is cut off', 'with what it holds and should', 'stl.truncated', {
+    refused('a corner that is not a number', 'with line or byte, and value', 'stl.number', binary('', 0, Number.NaN)),
+    refused(
+      'a facet that does not have 3 corners',
+      'with its line',
+      'stl.corners',
+      stl(facet('0 0 1', ['0 0 0', '1 0 0'])),
+    ),
+    refused('a truncated file', 'with the actual and the expected amount', 'stl.truncated', {
       'a.stl': (binary()['a.stl'] as Uint8Array).slice(0, 100),
     }),
-    refused('more solids than are read', 'with the bound', 'stl.too-many', {
+    refused('more solids than the limit', 'with the limit', 'stl.too-many', {
       'a.stl': 'solid\nendsolid\n'.repeat(2 ** 16 + 1),
     }),
   ],

@@ -24,20 +24,20 @@ const files: ClaimGroup = {
       expect(paths(s)).toEqual(['/A', '/Rest']),
     ),
     read(
-      'binary, “crate” (`.usdc`, `.usd`), versions 0.4 to 0.14',
-      'the same, to the last bit, as the layer in text',
+      'binary “crate” files (`.usdc`, `.usd`), versions 0.4 to 0.14',
+      'bit for bit the same as the text layer',
       { 'a.usdc': crateFixture('written.usdc') },
       (s) => expect(s.objects.length).toBeGreaterThan(0),
     ),
     read(
-      '`.usdz`, with layers and pictures of its own',
-      'its first layer; any file in a package can be named: `box.usdz[lid.usda]`',
+      '`.usdz`, with the layers and pictures it contains',
+      'its first layer; any file in a package can be addressed, as in `box.usdz[lid.usda]`',
       { 'a.usdz': packageOf('b.usda', usd('def Cube "A" {}')['a.usda'] as string) },
       (s) => expect(paths(s)).toEqual(['/A', '/Rest']),
     ),
     read(
       '`upAxis`, `metersPerUnit`, `timeCodesPerSecond` (or `framesPerSecond`), `startTimeCode`, `endTimeCode`',
-      'the axes stay, lengths become metres, times seconds',
+      'axes are kept, lengths are converted to metres and times to seconds',
       {
         'a.usda':
           '#usda 1.0\n( upAxis = "Z"; metersPerUnit = 0.5; timeCodesPerSecond = 10; endTimeCode = 20 )\ndef Cube "A" {}',
@@ -49,28 +49,28 @@ const files: ClaimGroup = {
     ),
     read(
       'no `metersPerUnit`',
-      '1 unit = 1 cm, as USD has it',
+      '1 unit = 1 cm, the default of USD',
       { 'a.usda': '#usda 1.0\ndef Cube "A" {}' },
       (s) => expect(s.metersPerUnit).toBe(0.01),
       { says: 'usd.units' },
     ),
     read(
       '`customLayerData`’s dictionary `slowlight`',
-      'speed of light, title, what to look for, the observer’s velocity, the time to open at',
+      'speed of light, title, what to look for, the observer’s velocity, the initial time',
       {
         'a.usda':
           '#usda 1.0\n( metersPerUnit = 1; customLayerData = { dictionary slowlight = { double speedOfLight = 10; double3 beta = (0, 0, -0.9) } } )\ndef Cube "A" {}',
       },
       (s) => expect(s.hints).toEqual({ speedOfLight: 10, beta: [0, 0, -0.9] }),
     ),
-    refused('text of a later version than 1.x', 'with its version', 'usd.version', { 'a.usda': '#usda 2.0\n' }),
-    refused('text that is damaged, or not UTF-8', 'with line and column', 'usd.syntax', {
+    refused('text of a version later than 1.x', 'with its version', 'usd.version', { 'a.usda': '#usda 2.0\n' }),
+    refused('text that is damaged or not UTF-8', 'with line and column', 'usd.syntax', {
       'a.usda': '#usda 1.0\ndef Cube "A" {',
     }),
-    refused('a crate before 0.4', 'with the command that writes it anew', 'usd.version', { 'a.usdc': crate(3) }),
+    refused('a crate before 0.4', 'with the command that rewrites it', 'usd.version', { 'a.usdc': crate(3) }),
     refused(
-      'a crate that is damaged or cut off, array edits, splines of a later version',
-      'with place and value, and the command that writes it as text',
+      'a damaged or truncated crate, array edits, splines of a later version',
+      'with location, value and the command that converts it to text',
       'usd.crate',
       {
         'a.usdc': crateFixture('meshes.usdc').slice(0, 400),
@@ -79,10 +79,10 @@ const files: ClaimGroup = {
     refused('units or rates that are not positive numbers', 'with the value', 'usd.metadata', {
       'a.usda': '#usda 1.0\n( metersPerUnit = -1 )\n',
     }),
-    refused('a package that is damaged, encrypted or zip64', 'as any zip', 'zip.damaged', {
+    refused('a damaged, encrypted or zip64 package', 'as for any zip', 'zip.damaged', {
       'a.usdz': packageOf('b.usda', BOX).slice(0, 100),
     }),
-    refused('a package whose files are compressed, or that holds no layer', 'with what to do', 'usd.package', {
+    refused('a package with compressed files, or without a layer', 'with what to do', 'usd.package', {
       'a.usdz': packageOf('b.png', BOX),
     }),
   ],
@@ -95,8 +95,8 @@ const composition: ClaimGroup = {
   title: 'Composition',
   rows: [
     read(
-      'sublayers, with offset and scale',
-      'one stage',
+      'sublayers, with time offset and scale',
+      'composed into one stage',
       {
         'a.usda': '#usda 1.0\n( metersPerUnit = 1; timeCodesPerSecond = 24; subLayers = [@./b.usda@ (offset = 24)] )\n',
         'b.usda': `#usda 1.0\ndef Cube "A" { ${MOVED}\n${ORDER} }`,
@@ -104,14 +104,14 @@ const composition: ClaimGroup = {
       (s) => expect(corner(s, '/A', 0, 1.5)[0] - corner(s, '/A', 0, 1)[0]).toBeCloseTo(1.5, 4),
     ),
     read(
-      'references and payloads, to files, packages and prims, with offsets',
-      'what they lead to',
+      'references and payloads to files, packages and prims, with time offsets',
+      'their targets',
       beside('def "A" ( references = @./box.usda@ ) {}\ndef "B" ( payload = @./box.usda@</Box> ) {}'),
       (s) => expect(paths(s)).toEqual(['/A/Side', '/B/Side', '/Rest']),
     ),
     read(
       'inherits, specializes, with implied classes',
-      'opinions in USD’s order of strength',
+      'opinions in USD’s strength order',
       usd(
         'class "C" { double size = 3 }\ndef Cube "A" ( inherits = </C> ) {}\ndef Cube "B" ( specializes = </C> ) { double size = 1 }',
       ),
@@ -123,7 +123,7 @@ const composition: ClaimGroup = {
     ),
     read(
       'variant sets',
-      'the variant that is selected, or chosen: the scene lists them',
+      'the selected variant, or the one the user chooses; the scene lists all',
       usd(
         'def "A" ( variants = { string v = "x" }; prepend variantSets = "v" ) { variantSet "v" = { "x" { def Cube "X" {} } "y" { def Cube "Y" {} } } }',
       ),
@@ -135,7 +135,7 @@ const composition: ClaimGroup = {
     ),
     read(
       'relocates',
-      'prims where they are moved to',
+      'prims at their new paths',
       {
         'a.usda':
           '#usda 1.0\n( metersPerUnit = 1; relocates = { </A/Side>: </A/Lid> } )\ndef "A" ( references = @./box.usda@ ) {}',
@@ -144,21 +144,21 @@ const composition: ClaimGroup = {
       (s) => expect(paths(s)).toEqual(['/A/Lid']),
     ),
     read(
-      'list edits of every qualifier',
+      'list edits with every qualifier',
       'applied from the weakest layer up',
       beside('def "A" ( delete references = @./gone.usda@; append references = @./box.usda@ ) {}'),
       (s) => expect(paths(s)).toEqual(['/A/Side', '/Rest']),
     ),
     read(
       '`instanceable`',
-      'each instance is an object; they share their mesh',
+      'each instance is an object; instances share their mesh',
       beside(
         'def "A" ( instanceable = true; references = @./box.usda@ ) {}\ndef "B" ( instanceable = true; references = @./box.usda@ ) {}',
       ),
       (s) => expect(s.objects[0].mesh).toBe(s.objects[1].mesh),
     ),
     read(
-      'expressions with `expressionVariables` in asset paths and selections',
+      'expressions with `expressionVariables` in asset paths and variant selections',
       'evaluated',
       {
         'a.usda': `#usda 1.0
@@ -169,8 +169,8 @@ def "A" ( references = @\`"./\${N}.usda"\`@ ) {}`,
       (s) => expect(paths(s)).toEqual(['/A/Side']),
     ),
     read(
-      'value clips: sets, manifests, templates, times that run, rest, turn and jump',
-      'samples',
+      'value clips: sets, manifests, templates, clip times that advance, hold, reverse and jump',
+      'time samples',
       {
         ...usd(`def Cube "A" ( ${CLIPS} ) { double3 xformOp:translate\n${ORDER} }`),
         'clip.usda': `#usda 1.0\ndef "A" { ${MOVED} }`,
@@ -179,7 +179,7 @@ def "A" ( references = @\`"./\${N}.usda"\`@ ) {}`,
     ),
     leftOut(
       'splines',
-      'named with prim and attribute; the default value counts',
+      'reported with prim and attribute; the default value is used',
       'usd.unsupported-arc',
       {
         'a.usda':
@@ -187,61 +187,61 @@ def "A" ( references = @\`"./\${N}.usda"\`@ ) {}`,
       },
       (s) => expect(volume(s.objects[0].mesh)).toBeCloseTo(1, 5),
     ),
-    approximated('an offset or scale of times that cannot be', 'none', 'usd.layer-offset', {
+    approximated('an invalid time offset or scale', 'no offset or scale', 'usd.layer-offset', {
       'a.usda': '#usda 1.0\n( metersPerUnit = 1; subLayers = [@./box.usda@ (scale = 0)] )\n',
       'box.usda': BOX,
     }),
     leftOut(
-      'a layer that is not there',
-      'named with where it was looked for; it can be dropped on the page',
+      'a missing layer',
+      'reported with the places that were searched; the file can be dropped on the page',
       'usd.missing-layer',
       usd('def Cube "A" ( references = @./none.usda@ ) {}'),
       (s) => expect(s.diagnostics[0].missing?.lookedFor).toEqual(['none.usda']),
     ),
-    leftOut('a layer that is damaged', 'named with what is wrong', 'usd.unreadable-layer', {
+    leftOut('a damaged layer', 'reported with the reason', 'usd.unreadable-layer', {
       ...usd('def Cube "A" ( references = @./b.usda@ ) {}'),
       'b.usda': 'no',
     }),
     leftOut(
-      'an arc to a prim that is not there',
-      'named',
+      'an arc to a missing prim',
+      'reported',
       'usd.unresolved-prim',
       usd('def Cube "A" ( references = </None> ) {}'),
     ),
-    leftOut('an arc to a layer without a `defaultPrim`', 'named', 'usd.default-prim', {
+    leftOut('an arc to a layer without a `defaultPrim`', 'reported', 'usd.default-prim', {
       ...usd('def Cube "A" ( references = @./b.usda@ ) {}'),
       'b.usda': '#usda 1.0\n',
     }),
     leftOut(
-      'a circle of arcs or layers',
-      'named; the rest of them counts',
+      'a cycle of arcs or layers',
+      'reported; the other arcs or layers apply',
       'usd.cycle',
       usd('def Cube "A" ( references = </A> ) {}'),
     ),
     leftOut(
       'an expression that cannot be evaluated',
-      'named with the reason',
+      'reported with the reason',
       'usd.expression',
       usd('def Cube "A" ( references = @`none(1)`@ ) {}'),
     ),
     leftOut(
-      'clips that do not fit together',
-      'named with the reason',
+      'inconsistent clips',
+      'reported with the reason',
       'usd.clips',
       usd(`def Cube "A" ( ${CLIPS.replace('(0, 0)];', '(0, 7)];')} ) {}`),
     ),
-    leftOut('relocates that contradict each other', 'named', 'usd.relocates', {
+    leftOut('relocates that contradict each other', 'reported', 'usd.relocates', {
       'a.usda': '#usda 1.0\n( metersPerUnit = 1; relocates = { </A/B>: </A/B/C> } )\ndef "A" { def Cube "B" {} }',
     }),
     leftOut(
-      'a variant that is chosen and not there',
-      'named with those that are',
+      'a chosen variant that does not exist',
+      'reported with those that exist',
       'usd.variant',
       usd('def Cube "A" {}'),
       undefined,
       { variants: new Map([['/A{v}', 'y']]) },
     ),
-    leftOut('a prim that is only an `over`', 'named', 'usd.undefined-prim', usd('over Cube "A" {}')),
+    leftOut('a prim that is only declared as an `over`', 'reported', 'usd.undefined-prim', usd('over Cube "A" {}')),
   ],
 };
 

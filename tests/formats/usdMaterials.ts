@@ -29,7 +29,7 @@ const materials: ClaimGroup = {
   title: 'Materials and textures',
   rows: [
     read(
-      '`UsdPreviewSurface` (also as a node of MaterialX): diffuse and emissive colour, opacity and its threshold, roughness, metallic, ior',
+      '`UsdPreviewSurface` (also as a MaterialX node): diffuse and emissive colour, opacity and its threshold, roughness, metallic, ior',
       'a material',
       wears(
         'color3f inputs:diffuseColor = (1, 0, 0)\nfloat inputs:roughness = 0.25\nfloat inputs:ior = 1.25\nfloat inputs:opacity = 0.5',
@@ -37,20 +37,20 @@ const materials: ClaimGroup = {
       (s) => expect(base(s)).toMatchObject({ baseColor: [1, 0, 0], roughness: 0.25, ior: 1.25, opacity: 0.5 }),
     ),
     read(
-      '`UsdUVTexture` on colours and opacity, with `UsdPrimvarReader_float2` and `UsdTransform2d`',
+      '`UsdUVTexture` for colours and opacity, with `UsdPrimvarReader_float2` and `UsdTransform2d`',
       'textures with colour space, scale, bias, channel, wrap mode, fallback',
       { ...wears(DIFFUSE, texture('T', 'token inputs:wrapS = "mirror"')), 'a.png': PIXEL },
       (s) => expect(base(s).baseColorTexture).toMatchObject({ width: 1, wrapS: 'mirror', colorSpace: 'srgb' }),
     ),
     read(
-      'tiles of `<UDIM>`, 1001 to 1100',
-      'one picture',
+      '`<UDIM>` tiles, 1001 to 1100',
+      'combined into one picture',
       { ...wears(DIFFUSE, texture('T').replace('a.png', 'a.<UDIM>.png')), 'a.1001.png': PIXEL, 'a.1002.png': PIXEL },
       (s) => expect(base(s).baseColorTexture?.width).toBeGreaterThan(1),
     ),
     read(
-      '`UsdPrimvarReader_float3` (`_vector`, `_point`, `_normal`) on the diffuse colour',
-      'the mesh’s colours; its fallback where there are none',
+      '`UsdPrimvarReader_float3` (`_vector`, `_point`, `_normal`) for the diffuse colour',
+      'the mesh’s vertex colours, or the reader’s fallback if there are none',
       wears(
         'color3f inputs:diffuseColor.connect = </M/R.outputs:result>',
         reader('float3', 'string inputs:varname = "none"\nfloat3 inputs:fallback = (1, 0, 0)'),
@@ -58,8 +58,8 @@ const materials: ClaimGroup = {
       (s) => expect([...s.objects[0].mesh.colors!.subarray(0, 3)]).toEqual([1, 0, 0]),
     ),
     read(
-      'textures of roughness and metallic, each from a channel with scale and bias',
-      'read per pixel',
+      'roughness and metallic textures, each from one channel with scale and bias',
+      'applied per pixel',
       {
         ...wears(
           'float inputs:roughness.connect = </M/T.outputs:g>',
@@ -71,7 +71,7 @@ const materials: ClaimGroup = {
     ),
     read(
       'normal maps, with scale and bias',
-      'read per pixel, in the frame of the uvs',
+      'applied per pixel, in the tangent frame of the uvs',
       {
         ...wears(
           'normal3f inputs:normal.connect = </M/T.outputs:rgb>',
@@ -86,7 +86,7 @@ const materials: ClaimGroup = {
     ),
     read(
       '`slowlight:albedo:uv`, `slowlight:albedo:ir`, `slowlight:emission:temperature` [K] on the Material',
-      'what it reflects of invisible light, and a glow that shifts as a blackbody’s',
+      'the reflectance of invisible light, and emission that shifts as that of a blackbody',
       usd(
         worn(
           material(
@@ -99,8 +99,8 @@ const materials: ClaimGroup = {
       (s) => expect(base(s)).toMatchObject({ ir: 0.5, emissionTemperature: 3000 }),
     ),
     read(
-      'an `asset slowlight:reflectance` on the Material, a CSV of wavelengths in nm and shares from 0 to 1',
-      'what it reflects at each wavelength, by the reference renderer exactly; the fast one shows its colour and the means of its ultraviolet and infrared',
+      'an `asset slowlight:reflectance` on the Material, a CSV of wavelengths in nm and reflectances from 0 to 1',
+      'the reflectance at each wavelength. The reference renderer uses it exactly; the fast one uses its colour and its means in the ultraviolet and infrared',
       {
         ...usd(worn(material('M', '', 'custom asset slowlight:reflectance = @./grey.csv@'))),
         'grey.csv': '# nm, share\n300, 0.25\n900, 0.25\n1500, 0.25\n',
@@ -114,8 +114,8 @@ const materials: ClaimGroup = {
         }),
     ),
     leftOut(
-      'one whose values are percents',
-      'named with its greatest value',
+      'such a table with values in percent',
+      'reported with its greatest value',
       'spectrum.csv',
       {
         ...usd(worn(material('M', '', 'custom asset slowlight:reflectance = @leaf.csv@'))),
@@ -128,14 +128,14 @@ const materials: ClaimGroup = {
     ),
     approximated(
       '`useSpecularWorkflow`',
-      'the nearest metal or glass',
+      'the closest metal or glass',
       'usd.material-input',
       wears('int inputs:useSpecularWorkflow = 1\ncolor3f inputs:specularColor = (1, 1, 1)'),
       (s) => expect(base(s).metallic).toBeGreaterThan(0.8),
     ),
     leftOut(
       'displacement, clearcoat',
-      'named; the rest of the material counts',
+      'reported; the rest of the material applies',
       'usd.material-input',
       [
         wears('color3f inputs:diffuseColor = (1, 0, 0)\nfloat inputs:clearcoat = 1'),
@@ -144,14 +144,14 @@ const materials: ClaimGroup = {
       red,
     ),
     read(
-      'textures of occlusion, and of what is reflected of invisible light (`slowlight:albedo:uv.connect`, `:ir`)',
-      'drawn per pixel; occlusion dims the light of the sky and of other surfaces',
+      'occlusion textures, and textures of the reflectance of invisible light (`slowlight:albedo:uv.connect`, `:ir`)',
+      'applied per pixel; occlusion dims the light from the sky and from other surfaces',
       [{ ...wears('float inputs:occlusion.connect = </M/T.outputs:r>', texture('T')), 'a.png': PIXEL }],
       (s) => expect(base(s).occlusionTexture).toMatchObject({ channel: 0, scale: 1, bias: 0 }),
     ),
     leftOut(
       'a primvar that drives a number',
-      'its fallback counts',
+      'its fallback is used',
       'usd.material-input',
       wears(
         'color3f inputs:diffuseColor = (1, 0, 0)\nfloat inputs:roughness.connect = </M/R.outputs:result>',
@@ -161,7 +161,7 @@ const materials: ClaimGroup = {
     ),
     approximated(
       'materials of other renderers (MaterialX, MDL, RenderMan, Arnold …)',
-      'their `UsdPreviewSurface`; else base colour or the one picture behind it, roughness, metalness, glow, opacity, as far as they are constants; else the displayColor',
+      'their `UsdPreviewSurface` if there is one; else base colour or the only picture connected to it, and roughness, metalness, emission and opacity if constant; else the displayColor',
       'usd.material',
       usd(
         worn(
@@ -177,15 +177,15 @@ const materials: ClaimGroup = {
       red,
     ),
     approximated(
-      'a material that is not there',
+      'a missing material',
       'the displayColor',
       'usd.material',
       usd(worn('', 'color3f[] primvars:displayColor = [(1, 0, 0)]')),
       red,
     ),
     approximated(
-      'a shader that is not read, or a network too long to follow',
-      'the input keeps its own value',
+      'an unsupported shader, or a network that is too long to follow',
+      'the value set on the input is used',
       'usd.shader',
       wears(
         'color3f inputs:diffuseColor = (1, 0, 0)\ncolor3f inputs:diffuseColor.connect = </M/T.outputs:rgb>',
@@ -193,8 +193,8 @@ const materials: ClaimGroup = {
       ),
     ),
     approximated(
-      'textures of one material that read different uvs',
-      'those of the first; a mesh has one set',
+      'textures of one material with different uv sets',
+      'the uvs of the first; a mesh has one set',
       'usd.uv',
       {
         ...usd(
@@ -215,29 +215,23 @@ const materials: ClaimGroup = {
         'a.png': PIXEL,
       },
     ),
-    approximated(
-      'a material that changes with time',
-      'held at the start',
-      'usd.animated-material',
-      wears(ANIMATED),
-      red,
-    ),
+    approximated('an animated material', 'held at its initial value', 'usd.animated-material', wears(ANIMATED), red),
     leftOut(
-      'a picture that is not there',
-      'named with where it was looked for; it can be dropped on the page',
+      'a missing picture',
+      'reported with the places that were searched; the file can be dropped on the page',
       'file.missing-texture',
       wears(DIFFUSE, texture('T')),
       (s) => expect(s.diagnostics[0].missing?.name).toBe('./a.png'),
     ),
     leftOut(
       'a picture that is damaged, too large, or neither PNG nor JPEG',
-      'named with what it is',
+      'reported with what it is',
       'file.unreadable-texture',
       { ...wears(DIFFUSE, texture('T')), 'a.png': WEBP },
     ),
     leftOut(
-      'a texture that names no file',
-      'its fallback counts',
+      'a texture without a file',
+      'its fallback is used',
       'usd.texture',
       wears(DIFFUSE, texture('T', 'float4 inputs:fallback = (1, 0, 0, 1)').replace('@./a.png@', '@@')),
       red,
@@ -260,13 +254,13 @@ const EXR = writeExr({
 const HALVES = Uint16Array.from([16.0625, 16.0625, 16.0625, 1], toHalf);
 
 const unread = (type: string): ReturnType<typeof leftOut> =>
-  leftOut(`\`${type}\``, 'named', 'usd.unsupported-prim', shines(type), (s) => expect(s.lights).toEqual([]));
+  leftOut(`\`${type}\``, 'reported', 'usd.unsupported-prim', shines(type), (s) => expect(s.lights).toEqual([]));
 
 const lights: ClaimGroup = {
   title: 'Lights and cameras',
   rows: [
     read(
-      '`DistantLight` with its angle, `DomeLight` with its picture',
+      '`DistantLight` with angle, `DomeLight` with picture',
       'lights',
       {
         ...usd(
@@ -281,14 +275,14 @@ const lights: ClaimGroup = {
         ]),
     ),
     read(
-      '`DomeLight` with `slowlight:sky = "stars"`; intensity, where it is turned to',
-      'the bright stars and the cosmic background, celestial north along +Y of its frame',
+      '`DomeLight` with `slowlight:sky = "stars"`; intensity and orientation',
+      'the bright stars and the cosmic background, with celestial north along +Y of the light’s frame',
       usd('def DomeLight "A" { token slowlight:sky = "stars"\nfloat inputs:intensity = 5 }'),
       (s) => expect(s.lights).toMatchObject([{ kind: 'stars', gain: expect.closeTo(5, 6) }]),
     ),
     read(
       'a `DomeLight` without a picture; with `slowlight:sky:horizon` or `slowlight:sky:ground`',
-      'alike all round; a sky that changes with height',
+      'uniform in all directions; a sky whose colour varies with elevation',
       usd(
         'def DomeLight "A" { float inputs:intensity = 2 }\ndef DomeLight "B" { custom color3f slowlight:sky:horizon = (1, 0.5, 0) }',
       ),
@@ -299,8 +293,8 @@ const lights: ClaimGroup = {
         ]),
     ),
     read(
-      'the picture of a `DomeLight` as Radiance (`.hdr`), or OpenEXR (halves or floats; uncompressed, ZIP)',
-      'radiance as bright as it says, up to 65504',
+      'the picture of a `DomeLight` as Radiance (`.hdr`) or OpenEXR (half or float; uncompressed or ZIP)',
+      'radiance with the values of the file, up to 65504',
       [
         { ...usd('def DomeLight "B" { asset inputs:texture:file = @a.hdr@ }'), 'a.hdr': HDR },
         { ...usd('def DomeLight "B" { asset inputs:texture:file = @a.exr@ }'), 'a.exr': EXR },
@@ -308,8 +302,8 @@ const lights: ClaimGroup = {
       (s) => expect(s.lights).toMatchObject([{ kind: 'dome', texture: { width: 1, data: HALVES } }]),
     ),
     read(
-      'how a `DomeLight` is turned, the `poleAxis` of a `DomeLight_1`; a mirror ball or light probe by `texture:format`',
-      'where UsdLux puts it',
+      'the orientation of a `DomeLight`, the `poleAxis` of a `DomeLight_1`; a mirror ball or light probe by `texture:format`',
+      'mapped as UsdLux specifies',
       {
         ...usd(
           'def DomeLight_1 "B" { uniform token poleAxis = "Z"\nasset inputs:texture:file = @a.exr@\ntoken inputs:texture:format = "angular" }',
@@ -326,7 +320,7 @@ const lights: ClaimGroup = {
     ),
     leftOut(
       'a `texture:format` of `cubeMapVerticalCross`',
-      'named; the dome shines in its colour',
+      'reported; the dome emits its constant colour',
       'usd.light-input',
       {
         ...usd(
@@ -337,15 +331,15 @@ const lights: ClaimGroup = {
       (s) => expect(s.lights).toEqual([{ kind: 'dome', path: '/B', color: [1, 1, 1] }]),
     ),
     leftOut(
-      'such a picture that is damaged, too large, or of another kind (PIZ, DWA, tiles …)',
-      'named with what it is',
+      'such a picture that is damaged, too large or of an unsupported kind (PIZ, DWA, tiles …)',
+      'reported with what it is',
       'file.unreadable-texture',
       { ...usd('def DomeLight "B" { asset inputs:texture:file = @a.hdr@ }'), 'a.hdr': HDR.slice(0, -1) },
       (s) => expect(s.lights).toMatchObject([{ kind: 'dome' }]),
     ),
     read(
       '`SphereLight`, `RectLight`, `DiskLight`, `CylinderLight`; color, intensity, exposure, `normalize`, colour temperature, `treatAsPoint`, `treatAsLine`',
-      'lamps that move as their transforms or `slowlight:motion` say',
+      'lamps that move with their transforms or by `slowlight:motion`',
       usd(
         ['Sphere', 'Rect', 'Disk', 'Cylinder']
           .map((k) => `def ${k}Light "${k}" { float inputs:exposure = 1 }`)
@@ -357,14 +351,14 @@ const lights: ClaimGroup = {
         ),
     ),
     read(
-      '`slowlight:spectrum` of a light: `"2856 K"`, `"sodium"` …; else its colour temperature',
-      'what its light is made of',
+      '`slowlight:spectrum` of a light (`"2856 K"`, `"sodium"` …), or its colour temperature',
+      'the spectrum of its light',
       shines('SphereLight', 'custom token slowlight:spectrum = "sodium"'),
       (s) => expect(s.lights).toMatchObject([{ spectrum: { kind: 'lines' } }]),
     ),
     read(
       'an `asset slowlight:spectrum` of a light, a CSV of wavelengths in nm and values',
-      'its light is what the table says; only the brightness of its colour counts',
+      'its light has the spectrum of the table; of its colour only the brightness is used',
       {
         ...shines('SphereLight', 'custom asset slowlight:spectrum = @./lamps/warm.csv@'),
         'lamps/warm.csv': '# nm, W\n400, 1\n500, 2\n600, 4\n',
@@ -372,15 +366,15 @@ const lights: ClaimGroup = {
       (s) => expect(s.lights).toMatchObject([{ spectrum: { kind: 'sampled', values: [1, 2, 4] } }]),
     ),
     leftOut(
-      'such a table that is not there',
-      'named with where it was looked for; it can be dropped on the page',
+      'such a table that is missing',
+      'reported with the places that were searched; the file can be dropped on the page',
       'file.missing-spectrum',
       shines('SphereLight', 'custom asset slowlight:spectrum = @./warm.csv@'),
       (s) => expect(s.diagnostics.find(({ missing }) => missing)?.missing?.name).toBe('./warm.csv'),
     ),
     leftOut(
-      'one that is no spectrum',
-      'named with its line',
+      'such a table that is not a spectrum',
+      'reported with the line',
       'spectrum.csv',
       {
         ...shines('DomeLight', 'custom asset slowlight:spectrum = @warm.csv@'),
@@ -394,8 +388,8 @@ const lights: ClaimGroup = {
       },
     ),
     leftOut(
-      'a `slowlight:spectrum` that is not known',
-      'named',
+      'an unknown `slowlight:spectrum`',
+      'reported',
       'usd.slowlight',
       ['moonshine', '-3 K', '1e99 K'].map((text) =>
         shines('SphereLight', `custom token slowlight:spectrum = "${text}"`),
@@ -410,28 +404,28 @@ const lights: ClaimGroup = {
     ),
     approximated(
       '`MeshLightAPI`, `GeometryLight`',
-      'the mesh glows; that it lights other things the reference renderer alone shows',
+      'the mesh emits light; only the reference renderer shows that it lights other objects',
       'usd.mesh-light',
       usd(`def Mesh "A" ( prepend apiSchemas = ["MeshLightAPI"] ) { ${FACE}\nfloat inputs:intensity = 2 }`),
       (s) => expect(base(s).emissive).toEqual([2, 2, 2]),
     ),
     approximated(
-      'the picture on a `RectLight`',
+      'the texture of a `RectLight`',
       'its mean colour',
       'usd.light-input',
       { ...shines('RectLight', 'asset inputs:texture:file = @a.png@'), 'a.png': PIXEL },
       (s) => expect(s.lights[0]).toMatchObject({ color: [1, 0, 0] }),
     ),
     approximated(
-      'a light that changes with time, but for where a lamp is',
-      'held at the start',
+      'animated parameters of a light, other than a lamp’s position',
+      'held at its initial value',
       'usd.animated-light',
       shines('SphereLight', 'float inputs:intensity.timeSamples = { 0: 1, 9: 2 }'),
       (s) => expect(s.lights[0]).toMatchObject({ color: [1, 1, 1] }),
     ),
     leftOut(
-      'IES profiles, `focusTint`, a `specular` unlike `diffuse`, shadows that are switched off',
-      'named; the light shines without',
+      'IES profiles, `focusTint`, a `specular` that differs from `diffuse`, disabled shadows',
+      'reported; the light is shown without them',
       'usd.light-input',
       [
         'asset inputs:shaping:ies:file = @a.ies@',
@@ -445,20 +439,20 @@ const lights: ClaimGroup = {
     unread('PluginLight'),
     read(
       '`Camera`',
-      'a camera; vertical field of view 2 atan(verticalAperture / 2 focalLength)',
+      'a camera with the vertical field of view 2 atan(verticalAperture / 2 focalLength)',
       shines('Camera', 'float focalLength = 10\nfloat verticalAperture = 20'),
       (s) => expect(s.cameras[0].fovY).toBeCloseTo(Math.PI / 2, 12),
     ),
     approximated(
       'orthographic cameras',
-      'perspective ones',
+      'shown as perspective cameras',
       'usd.projection',
       shines('Camera', 'token projection = "orthographic"'),
       (s) => expect(s.cameras.length).toBe(1),
     ),
     approximated(
-      'a lens that changes with time',
-      'held at the start',
+      'an animated lens',
+      'held at its initial value',
       'usd.animated-lens',
       shines('Camera', 'float focalLength.timeSamples = { 0: 10, 9: 20 }'),
       (s) => expect(s.cameras.length).toBe(1),

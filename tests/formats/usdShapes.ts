@@ -23,7 +23,7 @@ const motion: ClaimGroup = {
   rows: [
     read(
       'all transform ops, `!invert!`, `!resetXformStack!`',
-      'where things are',
+      'placement',
       usd(
         `def Xform "X" { double3 xformOp:translate = (9, 0, 0)\n${ORDER}
        def Cube "A" { double3 xformOp:translate = (1, 2, 3)\nuniform token[] xformOpOrder = ["!resetXformStack!", "!invert!xformOp:translate"] } }`,
@@ -35,7 +35,7 @@ const motion: ClaimGroup = {
     ),
     read(
       'time samples of transforms',
-      'rigid motion; linear between samples, quaternions along the arc',
+      'rigid motion; linear between samples, quaternions by spherical interpolation',
       usd(`def Cube "A" { ${MOVED}\n${ORDER} }`),
       (s) => {
         expect(s.objects[0].motion.kind).toBe('sampled');
@@ -44,7 +44,7 @@ const motion: ClaimGroup = {
     ),
     read(
       'time-sampled scale, shear or `points` (and `normals`)',
-      'a path for each vertex',
+      'one path per vertex',
       usd(
         def(
           'Mesh',
@@ -60,23 +60,23 @@ const motion: ClaimGroup = {
       },
     ),
     read(
-      'what is between samples of `points` with `--interpolation cubic`',
-      'cubics, with `velocities` where they are written; else straight lines; how far these differ is told',
+      '`points` between samples, with `--interpolation cubic`',
+      'cubics, using `velocities` if the file has them; straight lines without the flag; the distance between the two is reported',
       usd(def('Mesh', waving(''))),
       (s) => expect(deforming(s).velocities).toHaveLength(3),
       { says: 'usd.between-samples', options: { interpolation: 'cubic' } },
     ),
     approximated(
-      '`velocities` that do not fit the points, along cubics',
-      'slopes of the points',
+      '`velocities` that do not match the points, with cubic interpolation',
+      'slopes are computed from the points',
       'usd.velocities',
       usd(def('Mesh', waving('vector3f[] velocities.timeSamples = { 0: [(0, 0, 1)] }'))),
       (s) => expect(deforming(s).velocities).toHaveLength(3),
       { interpolation: 'cubic' },
     ),
     approximated(
-      'samples of `points` that are too many for memory, in binary layers',
-      'they stay in their file and are read ahead of the light cone; subdivision surfaces are drawn as their polygons',
+      'too many samples of `points` for memory, in binary layers',
+      'the samples stay in the file and are read ahead of the light cone; subdivision surfaces are drawn as their polygons',
       'usd.subdivision',
       { 'a.usdc': crateFixture('../../fixtures/caches.usdc') },
       (s) => expect(isStreamed(deforming(s).points)).toBe(true),
@@ -84,13 +84,13 @@ const motion: ClaimGroup = {
     ),
     read(
       '`slowlight:motion = "uniform"` or `"hyperbolic"`',
-      'exact motion for all times',
+      'exact motion at all times',
       usd(def('Cube', 'token slowlight:motion = "uniform"\nvector3d slowlight:velocity = (2, 0, 0)')),
       (s) => expect(s.objects[0].motion).toMatchObject({ kind: 'uniform', velocity: [2, 0, 0] }),
     ),
     read(
       '`slowlight:birth`, `slowlight:death`, `slowlight:authoredIn`',
-      'when it is there; whose shape is written',
+      'the lifetime of the object; the frame in which its shape is given',
       usd(def('Cube', 'double slowlight:birth = 1\ntoken slowlight:authoredIn = "rest"')),
       (s) =>
         expect(s.objects[0]).toMatchObject({
@@ -100,22 +100,22 @@ const motion: ClaimGroup = {
     ),
     read(
       '`visibility`, `active`, `purpose`',
-      'what is invisible, inactive, `proxy` or `guide` is not shown',
+      'prims that are invisible, inactive, `proxy` or `guide` are not shown',
       usd(
         'def Cube "A" { token visibility = "invisible" }\ndef Cube "B" ( active = false ) {}\ndef Cube "C" { uniform token purpose = "proxy" }\ndef Cube "D" { uniform token purpose = "guide" }',
       ),
       (s) => expect(paths(s)).toEqual(['/Rest']),
     ),
     approximated(
-      '`visibility` that changes with time',
-      'held at the start',
+      'animated `visibility`',
+      'held at its initial value',
       'usd.animated-visibility',
       usd(def('Cube', 'token visibility.timeSamples = { 0: "inherited", 9: "invisible" }')),
       (s) => expect(paths(s)).toContain('/A'),
     ),
     approximated(
-      'a path that turns too fast between its samples to be followed',
-      'as near as is affordable; samples wanted and error are told',
+      'a path that rotates too fast between its samples to be resampled within tolerance',
+      'as close as the sample limit allows; the number of samples needed and the error are reported',
       'usd.resampling',
       usd(
         def(
@@ -124,10 +124,10 @@ const motion: ClaimGroup = {
         ),
       ),
     ),
-    leftOut('an op that `xformOpOrder` names and the prim has not', 'named', 'usd.xform-op', usd(def('Cube', ORDER))),
+    leftOut('an op in `xformOpOrder` that the prim does not have', 'reported', 'usd.xform-op', usd(def('Cube', ORDER))),
     leftOut(
-      '`slowlight:` attributes that contradict each other or are not known',
-      'named',
+      '`slowlight:` attributes that contradict each other or are unknown',
+      'reported',
       'usd.slowlight',
       usd(def('Cube', 'token slowlight:motion = "sideways"')),
     ),
@@ -150,7 +150,7 @@ const geometry: ClaimGroup = {
   title: 'Shapes',
   rows: [
     read(
-      '`Mesh`: polygons, also concave, holes, left-handed',
+      '`Mesh`: polygons (also concave), holes, left-handed orientation',
       'triangles',
       usd(def('Mesh', `${FACE}\nuniform token orientation = "leftHanded"`)),
       (s) => {
@@ -160,8 +160,8 @@ const geometry: ClaimGroup = {
       },
     ),
     read(
-      'normals, uvs and colours of every interpolation, indexed or not',
-      'the same, vertices split where they differ',
+      'normals, uvs and colours with every interpolation, indexed or not',
+      'the same; vertices are split where values differ',
       [
         ['constant', '[0]'],
         ['uniform', '[0]'],
@@ -182,7 +182,7 @@ const geometry: ClaimGroup = {
     ),
     read(
       '`subdivisionScheme` `catmullClark`, `loop`, `bilinear`; creases, corners, holes, boundaries',
-      'the limit surface, two levels (up to four of few faces) unless asked otherwise',
+      'the limit surface, at two levels (up to four for meshes of few faces) unless set otherwise',
       usd(def('Mesh', `${PYRAMID}\nuniform token subdivisionScheme = "loop"`)),
       (s) => {
         expect(s.objects[0].mesh.indices.length).toBe(3 * 4 * 4 ** 4);
@@ -199,19 +199,19 @@ const geometry: ClaimGroup = {
     ),
     read(
       '`GeomSubset` of faces; `material:binding`, inherited, `strongerThanDescendants`',
-      'runs of triangles with a material',
+      'ranges of triangles with a material each',
       usd(def('Mesh', `${FACE}\ndef GeomSubset "S" { int[] indices = [0]\nrel material:binding = </Red> }`) + RED),
       (s) => expect(s.materials[s.objects[0].mesh.groups[0].material].baseColor).toEqual([1, 0, 0]),
     ),
     read(
       '`displayColor`, `displayOpacity`',
-      'the material where none is bound',
+      'the material if none is bound',
       usd(def('Cube', 'color3f[] primvars:displayColor = [(1, 0, 0)]\nfloat[] primvars:displayOpacity = [0.5]')),
       (s) => expect(s.materials[0]).toMatchObject({ baseColor: [1, 0, 0], opacity: 0.5 }),
     ),
     approximated(
-      'faces, or a number of points, that change with time',
-      'the shape is held at the start',
+      'animated topology or number of points',
+      'the shape is held at its initial state',
       'usd.topology',
       usd(
         def(
@@ -222,14 +222,14 @@ const geometry: ClaimGroup = {
       (s) => expect(paths(s)).toContain('/A'),
     ),
     approximated(
-      'sizes of `Cube` and others that change with time',
-      'held at the start',
+      'animated sizes of `Cube` and the other primitives',
+      'held at its initial value',
       'usd.animated-size',
       usd(def('Cube', 'double size.timeSamples = { 0: 1, 9: 2 }')),
     ),
     approximated(
-      '`loop` with polygons; creases or corners that do not fit',
-      'the polygons; the surface without them',
+      '`loop` with faces other than triangles; creases or corners that do not match the mesh',
+      'drawn as polygons; the surface without those creases or corners',
       'usd.subdivision',
       [
         FACE.replace('"none"', '"loop"'),
@@ -238,23 +238,23 @@ const geometry: ClaimGroup = {
       ].map((mesh) => usd(def('Mesh', mesh))),
     ),
     leftOut(
-      'faces of fewer than 3 corners, or with points that are not there',
-      'named with how many',
+      'faces with fewer than 3 corners or with point indices out of range',
+      'reported with their number',
       'usd.faces',
       usd(def('Mesh', `${PYRAMID.replace('2, 0, 3]', '2, 0, 9]')}\nuniform token subdivisionScheme = "none"`)),
       (s) => expect(s.objects[0].mesh.indices.length).toBe(9),
     ),
-    leftOut('a `Mesh` without points or faces', 'named', 'usd.empty-mesh', usd(def('Mesh'))),
+    leftOut('a `Mesh` without points or faces', 'reported', 'usd.empty-mesh', usd(def('Mesh'))),
     leftOut(
-      'a primvar whose values do not fit',
-      'named with the numbers',
+      'a primvar with the wrong number of values',
+      'reported with the numbers',
       'usd.primvar',
       usd(def('Mesh', `${FACE}\nnormal3f[] normals = [(0, 0, 1)] ( interpolation = "vertex" )`)),
       (s) => expect(paths(s)).toContain('/A'),
     ),
     leftOut(
       'subsets of points or edges',
-      'named',
+      'reported',
       'usd.subset',
       usd(
         def(
@@ -263,11 +263,11 @@ const geometry: ClaimGroup = {
         ) + RED,
       ),
     ),
-    unseen(['BasisCurves', 'NurbsCurves', 'HermiteCurves', 'Points', 'Volume'], 'named'),
-    unseen(['NurbsPatch', 'TetMesh', 'Cylinder_1', 'Capsule_1'], 'named; export it, or its surface, as a mesh'),
+    unseen(['BasisCurves', 'NurbsCurves', 'HermiteCurves', 'Points', 'Volume'], 'reported'),
+    unseen(['NurbsPatch', 'TetMesh', 'Cylinder_1', 'Capsule_1'], 'reported; export it, or its surface, as a mesh'),
     leftOut(
       'NaN, infinite or overflowing numbers',
-      'what they spoil (points, motions, lights), with how much',
+      'what depends on them (points, motions, lights) is left out; the amount is reported',
       'file.not-finite',
       usd(def('Mesh', `${PYRAMID.replace('(0, 0, 1)]', '(0, 0, nan)]')}\nuniform token subdivisionScheme = "none"`)),
       (s) => expect(s.objects[0].mesh.indices.length).toBe(3),
@@ -302,57 +302,57 @@ const instances: ClaimGroup = {
   rows: [
     read(
       '`PointInstancer`: ids, masks, scales, velocities, instancers in prototypes',
-      'an object for each instance: `/Forest[12]/Tree`',
+      'one object per instance: `/Forest[12]/Tree`',
       usd(many(2)),
       (s) => expect(paths(s).slice(0, 2)).toEqual(['/A[0]/P', '/A[1]/P']),
     ),
     leftOut(
-      'an instancer that asks for more objects than a scene may have',
-      'named with how many',
+      'an instancer with more objects than the limit for a scene',
+      'reported with their number',
       'usd.too-many-instances',
       usd(
         `${many(600).replace('"A"', '"B"').replaceAll('/A/P', '/B/P')}\n${def('PointInstancer', `rel prototypes = </B>\nint[] protoIndices = [${Array(600).fill(0).join(', ')}]\npoint3f[] positions = [${Array(600).fill('(0, 0, 0)').join(', ')}]`)}`,
       ),
     ),
     leftOut(
-      'arrays or prototypes of an instancer that do not fit together',
-      'named; the instances that can be are shown',
+      'inconsistent arrays or prototypes of an instancer',
+      'reported; the valid instances are shown',
       'usd.instancer',
       usd(many(2).replace('[0, 0]', '[0, 7]')),
     ),
     leftOut(
       'lights and cameras in prototypes',
-      'named',
+      'reported',
       'usd.instancer',
       usd(many(1).replace('def Cube "P" {}', 'def Xform "P" { def Cube "C" {}\ndef SphereLight "L" {} }')),
     ),
     read(
-      '`SkelRoot`, `Skeleton`, `SkelAnimation`; linear blending or dual quaternions',
-      'meshes that follow their joints',
+      '`SkelRoot`, `Skeleton`, `SkelAnimation`; linear blend or dual quaternion skinning',
+      'skinned meshes',
       usd(body(`${BOUND}\nrel skel:skeleton = </A/S>`, SLIDE)),
       (s) => expect(vertexPosition(s.objects[0], 0, 0.5, C)[2]).toBeCloseTo(1, 5),
     ),
     read(
-      '`BlendShape`, with inbetweens',
-      'bends its mesh',
+      '`BlendShape`, with inbetween shapes',
+      'deforms its mesh',
       usd(body(SHAPE(UP), `${SLIDE.replace(/float3\[\] tr.*\n/, 'float3[] translations = [(0, 0, 0)]\n')}\n${WEIGHT}`)),
       (s) => expect(vertexPosition(s.objects[0], 0, 0.5, C)[2]).toBeCloseTo(1, 5),
     ),
     leftOut(
-      'a skeleton or animation that does not fit together',
-      'named; its meshes stay as they are written',
+      'an inconsistent skeleton or animation',
+      'reported; its meshes are shown undeformed',
       'usd.skeleton',
       usd(body(BOUND, SLIDE).replace(`bindTransforms = [${ONE}]`, 'bindTransforms = []')),
     ),
     leftOut(
-      'joints or weights that do not fit their mesh',
-      'named; the mesh stays as it is written',
+      'joints or weights that do not match their mesh',
+      'reported; the mesh is shown undeformed',
       'usd.skin',
       usd(body(BOUND.replace('[0, 0, 0, 0]', '[0, 0, 0, 9]'), SLIDE)),
     ),
     leftOut(
-      'a blend shape that does not fit its mesh',
-      'named; it does not bend it',
+      'a blend shape that does not match its mesh',
+      'reported; it is not applied',
       'usd.blend-shape',
       usd(body(SHAPE('[(0, 0, 2)]'), `${SLIDE}\n${WEIGHT}`)),
     ),
