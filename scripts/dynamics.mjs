@@ -62,11 +62,11 @@ const WHY = {
 const ABOUT = `# A cloth by all methods
 
 The [source documents'](physics.md#14-the-source-documents) cloth: ${SIDE} × ${SIDE} points, a metre and a kilogram, springs of ${CLOTH.stiffness} N/m along edges, across faces and to the next neighbour, weight 9.8 m/s², without damping.
-It hangs at two corners and is let go level, for ${TIME} s. Its fastest swing has ω = 1550/s, so that h = 1 ms is three quarters of what an explicit method can take. Made by \`npm run dynamics\`.
+It is released horizontally, held at two corners, and simulated for ${TIME} s. Its fastest oscillation has ω = 1550/s, so that h = 1 ms is three quarters of the stability limit of an explicit method. Made by \`npm run dynamics\`.
 
-Each cell tells how far the energy went from what it was at the start, over the largest kinetic energy that the cloth truly has (${EXACT}, h = ${STEPS.at(-1) * 1000} ms): at most, and what became of it.
-*Explodes*: more than all of it came from nowhere; *passes c*: a point was given the speed of light or more; *matrix gives out*: it is not positive definite any more; *fades* and *grows*: more than a twentieth was lost or gained at the end.
-The numbers behind the methods of the sources are their corrections of the energy: 0 none, 1 by the tangent, 2 by the secant, 3 by the root between them. The last column is the time that a step of ${STEPS.at(-1) * 1000} ms took to compute when all else was done: the median of ${TIMED_PARTS} parts of ${TIMED} s of motion, each the quickest of ${TIMED_OFTEN} times.
+Each cell gives the largest deviation of the energy from its initial value, relative to the largest kinetic energy of the accurate solution (${EXACT}, h = ${STEPS.at(-1) * 1000} ms), and the outcome.
+*Explodes*: the deviation exceeds that kinetic energy; *passes c*: a point reached the speed of light or more; *matrix gives out*: the matrix is no longer positive definite; *fades* and *grows*: more than a twentieth was lost or gained at the end.
+The numbers after the methods of the sources are their energy corrections: 0 none, 1 by the tangent, 2 by the secant, 3 by the root between them. The last column is the time to compute a step of ${STEPS.at(-1) * 1000} ms when nothing else runs: the median of ${TIMED_PARTS} parts of ${TIMED} s of motion, each the fastest of ${TIMED_OFTEN} times.
 `;
 
 /** All runs, the longest first, so that all cores finish at about the same time; `fraction` of the full durations. */
@@ -209,7 +209,7 @@ function summary(results) {
     const kept = count(({ word, most }) => !word && most < 0.01);
     const ends = count(({ t }) => t !== undefined);
     const [fade, grow] = ['fades', 'grows'].map((name) => count(({ word }) => word === name));
-    return `- ${who}: of ${fates.length} runs ${ends} end early (they explode, pass c, or their matrix gives out), ${fade} fade, ${grow} grow; ${kept} keep the energy to a hundredth.`;
+    return `- ${who}: of ${fates.length} runs ${ends} end early (they explode, pass c, or their matrix gives out), ${fade} fade, ${grow} grow; ${kept} conserve the energy to a hundredth.`;
   };
   return ['## In short', '', line('sources', 'The methods of the sources'), line('ours', 'Ours'), ''].join('\n');
 }
@@ -241,10 +241,10 @@ function longTable(results) {
   return [
     '## For long',
     '',
-    `At c = ${LONG} m/s. *Off at most*: |ΔE| over the largest kinetic energy, in all steps. *Trend*: the slope of a line through the means of ${PARTS} parts of the last ${LONG_STEPS.toLocaleString('en')} steps, with its standard error; within three of these there is none.`,
+    `At c = ${LONG} m/s. *Off at most*: the largest |ΔE| of all steps, relative to the largest kinetic energy. *Trend*: the slope of a line through the means of ${PARTS} parts of the last ${LONG_STEPS.toLocaleString('en')} steps, with its standard error; below three standard errors there is no trend.`,
     '',
-    `Let go *at rest*, a cloth moves slowly at first, and its motion spreads to ever faster swings. What energy a splitting errs by is a function of where things are and how they go, and so it follows that, until all swings have their share: it settles. Without that, and without a trend,`,
-    `a cloth is that was *shaken*, each point thrown by up to ${SHAKEN} m/s along each axis, and then left alone for ${(SETTLING * LONG_STEPS).toLocaleString('en')} steps.`,
+    `Released *at rest*, a cloth moves slowly at first, and its motion spreads to ever faster oscillations. The energy error of a splitting method is a function of positions and velocities, so it follows that spreading until all oscillations are excited: it settles. Neither settling nor a trend is shown by`,
+    `a cloth that was *shaken*: each point starts with up to ${SHAKEN} m/s along each axis, and the cloth then runs undisturbed for ${(SETTLING * LONG_STEPS).toLocaleString('en')} steps.`,
     '',
     '| method | cloth | h | steps | off at most | trend | |',
     '|---|---|---|---|---|---|---|',
@@ -270,8 +270,8 @@ function documentedTable(results) {
   return [
     '## The runs that the documents name',
     '',
-    `They tell neither how many points their cloth has nor for how long they look. Here it is let go for ${DOCUMENTED_TIME} s, without damping; one of 20 × 20 points swings twice as fast, so that h = 1 ms is beyond what explicit methods can take.`,
-    'Semi-implicit steps come to what they tell, where the cloth is fine enough, or the time long. Two things do not come about here: steps of 0.1 ms do not explode by the tangent, though it keeps the energy no better than none; and implicit steps, of their equation as it stands, fade at c = 10 m/s whatever the correction but the tangent, and explode at 1 m/s with the secant too.',
+    `They give neither the number of points of their cloth nor the duration. Here it is simulated for ${DOCUMENTED_TIME} s, without damping; one of 20 × 20 points oscillates twice as fast, so that h = 1 ms is beyond the stability limit of explicit methods.`,
+    'Semi-implicit steps reproduce their descriptions if the cloth is fine enough or the time long enough. Two descriptions are not reproduced here: steps of 0.1 ms do not explode by the tangent, though it keeps the energy no better than none; and implicit steps, of their equation as it stands, fade at c = 10 m/s whatever the correction but the tangent, and explode at 1 m/s with the secant too.',
     '',
     `| method | c [m/s] | h | the documents | ${DOCUMENTED_SIDES.map((side) => `${side} × ${side}`).join(' | ')} |`,
     `|${'---|'.repeat(DOCUMENTED_SIDES.length + 4)}`,
@@ -306,8 +306,8 @@ function dampedRuns(results) {
   return [
     '## With the documents’ damping',
     '',
-    `Their programs take a two-hundredth of all velocities away in every step (\`damping\` ${DAMPING}). What is lost in a second then depends on the step: as dp/dt = −drag · p it is a drag of ${drags}.`,
-    `So much hides what a method does. Energy can only fall then; of ${damped.length} runs by the documents’ methods at c = ${SPEEDS.filter(Number.isFinite).join(', ')} m/s with these steps, ${gains.length} gained more than ${power(MIN_GAIN)} of the kinetic energy within ${TIME} s${gains.length > 0 ? ':' : '.'}`,
+    `Their programs reduce all velocities by a two-hundredth in every step (\`damping\` ${DAMPING}). The loss per second then depends on the step: as dp/dt = −drag · p it corresponds to a drag of ${drags}.`,
+    `Such strong damping hides the behaviour of a method. With it the energy can only decrease; of ${damped.length} runs by the documents’ methods at c = ${SPEEDS.filter(Number.isFinite).join(', ')} m/s with these steps, ${gains.length} gained more than ${power(MIN_GAIN)} of the kinetic energy within ${TIME} s${gains.length > 0 ? ':' : '.'}`,
     ...(gains.length > 0 ? ['', ...gains] : []),
     '',
   ].join('\n');
