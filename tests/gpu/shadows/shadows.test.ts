@@ -23,7 +23,7 @@ import { type HeadlessPictures, openPictures } from '../support/openPictures.ts'
 import {
   PROJECTILE_SCENES,
   penumbraScene,
-  renderSunShares,
+  renderSunVisibility,
   SHADOW_SCENES,
   type ShadowScene,
   SIZE,
@@ -106,7 +106,7 @@ describe('shadows of suns agree with the reference, on WebGPU', () => {
   it.each(EXAMPLES)('in the example $name at $beta c', async ({ name, beta }) => {
     pumpFrame();
     const scene = await exampleScene(name, beta);
-    const { all, shadow, otherwise, wrong } = differences(scene, await renderSunShares(headless.renderer, scene));
+    const { all, shadow, otherwise, wrong } = differences(scene, await renderSunVisibility(headless.renderer, scene));
     if (process.env.REPORT) console.log(name, beta, { all, shadow, otherwise, wrong });
     expect(shadow / all).toBeGreaterThan(0.02);
     expect(otherwise / all).toBeLessThan(0.03);
@@ -114,11 +114,11 @@ describe('shadows of suns agree with the reference, on WebGPU', () => {
   });
   it.each(SHADOW_SCENES)('$name', async (scene) => {
     pumpFrame();
-    expectSame(scene, await renderSunShares(headless.renderer, scene));
+    expectSame(scene, await renderSunVisibility(headless.renderer, scene));
   });
   it.each(PROJECTILE_SCENES)('on $name itself', async (scene) => {
     pumpFrame();
-    const shares = await renderSunShares(headless.renderer, scene);
+    const shares = await renderSunVisibility(headless.renderer, scene);
     const place = await headless.renderer.readAov('position');
     const { all, otherwise, wrong } = differences(scene, shares, (pixel) => place[3 * pixel + 1] > 0.2);
     if (process.env.REPORT) console.log(scene.name, { all, otherwise, wrong });
@@ -148,7 +148,7 @@ describe('under a local light', () => {
   it.each(PROJECTILE_SCENES)('$name does not shadow itself', async ({ scene, ...seen }) => {
     pumpFrame();
     const lights = [LAMP, ...scene.lights.filter(({ kind }) => kind === 'dome')];
-    const shares = await renderSunShares(headless.renderer, { ...seen, scene: { ...scene, lights } });
+    const shares = await renderSunVisibility(headless.renderer, { ...seen, scene: { ...scene, lights } });
     const place = await headless.renderer.readAov('position');
     const own = shares.filter((share, pixel) => share >= 0 && place[3 * pixel + 1] > 0.2);
     const shaded = own.filter((share) => share < 0.5).length;
@@ -173,7 +173,7 @@ describe('edges of shadows', () => {
     [0.08, 3],
   ])('have the sun’s penumbra: %d m wide, under an edge at %d m', async (radius, height) => {
     pumpFrame();
-    const shares = await renderSunShares(headless.renderer, penumbraScene(radius, height));
+    const shares = await renderSunVisibility(headless.renderer, penumbraScene(radius, height));
     const place = await headless.renderer.readAov('position');
     const { sum, most, count } = shares.reduce(
       (all, share, i) => {
@@ -198,7 +198,7 @@ describe('on WebGL2', () => {
   });
   afterAll(() => chromium?.close());
   it.each(SHADOW_SCENES)('$name', async (scene) => {
-    const shares = await chromium.page.evaluate((name) => window.takeShares(name), scene.name);
+    const shares = await chromium.page.evaluate((name) => window.captureSunVisibility(name), scene.name);
     chromium.assertHealthy();
     expectSame(scene, shares);
   });

@@ -146,7 +146,7 @@ export function penumbraScene(radius: number, height: number): ShadowScene {
 }
 
 /** Fraction of the sunlight that shadows leave per pixel; −1 where there is none without shadows. */
-export async function renderSunShares(
+export async function renderSunVisibility(
   renderer: RasterRenderer,
   { scene, view, settings }: ShadowScene,
 ): Promise<number[]> {
