@@ -42,7 +42,7 @@ export async function main(args: readonly string[]): Promise<number> {
 
 function program(): Command {
   const program = new Command('slowlight')
-    .description('Shows what a fast observer sees, and what is really there.')
+    .description('Renders, probes and converts scenes as a relativistic observer sees them.')
     .version(version())
     .addHelpText('after', exitCodes);
   for (const command of commands()) program.addCommand(command);

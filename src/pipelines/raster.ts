@@ -12,7 +12,7 @@ export const rasterPipeline = definePipeline({
   fixedSettings: {},
   options: {},
   aovs: Object.keys(AOVS) as AovName[],
-  samples: { default: 1, note: 'whose edges FXAA then smooths' },
+  samples: { default: 1, note: 'smoothed by FXAA' },
   maxViews: MAX_VIEWS,
   // Imported lazily: three is large, and inspects its environment when it is imported.
   openInteractive: async (options) => (await import('./raster.gpu.ts')).openRasterRenderer(options),

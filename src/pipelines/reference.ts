@@ -6,7 +6,7 @@ import { REFERENCE, REFERENCE_OPTIONS } from './referenceOptions.ts';
 /** Traces rays through spacetime in f64 on the processor; its code is imported lazily. */
 export const referencePipeline = definePipeline({
   ...REFERENCE,
-  summary: 'traces light in 64-bit arithmetic on the processor, and needs no GPU',
+  summary: 'traces rays in 64-bit arithmetic on the CPU, without a GPU',
   backends: [],
   usesThreads: true,
   fallback: 'slower, and exact',

@@ -6,9 +6,9 @@ const metrics: readonly Metric[] = ['flip', 'pixels', 'aov'];
 
 const notes = `
 Metrics:
-  flip     the difference that a person sees who looks at both in turn (FLIP), 0 … 1; of .exr over all exposures that matter
-  pixels   plain differences: of sRGB values 0 … 1, of .exr linear light
-  aov      .exr channel by channel, and how many pixels A's points are displaced in B
+  flip     perceived difference when alternating between the pictures (FLIP), 0 … 1; for .exr over all relevant exposures
+  pixels   absolute differences of sRGB values 0 … 1, for .exr of linear light
+  aov      differences of .exr channels, and the displacement of A's points in B in pixels
 
 Examples:
   slowlight compare fast.png exact.png -o error.png
@@ -18,24 +18,24 @@ Examples:
 
 export function compareCommand(): Command {
   return new Command('compare')
-    .description('Tells how two pictures differ, in figures and as an error map.')
-    .argument('<A>', 'the picture that is judged: .png, .jpg or .exr')
-    .argument('<B>', 'the picture that it should be')
-    .addOption(new Option('--metric <name>', 'what is measured, see below').choices(metrics).default('flip'))
-    .option('-o, --output <file>', 'error map to write, .png')
-    .option('--triptych', 'with -o: A and B beside the error')
-    .option('--channel <name>', 'with --metric aov: map and share of the differences of this channel')
+    .description('Compares two pictures: statistics and an error map.')
+    .argument('<A>', 'test picture: .png, .jpg or .exr')
+    .argument('<B>', 'reference picture')
+    .addOption(new Option('--metric <name>', 'error metric, see below').choices(metrics).default('flip'))
+    .option('-o, --output <file>', 'error map, .png')
+    .option('--triptych', 'with -o: A, B and the error side by side')
+    .option('--channel <name>', 'with --metric aov: use the differences of this channel for map and fraction')
     .option(
       '--threshold <x>',
-      'a pixel with a larger error counts as different (default: flip 0.1, pixels 0.02, aov 0.5 px)',
+      'error above which a pixel counts as different (default: flip 0.1, pixels 0.02, aov 0.5 px)',
       parseNotNegative,
     )
     .option(
       '--fail-above <share>',
-      'end with exit code 5 where more than this share of the pixels, 0 … 1, is different',
+      'exit with code 5 if more than this fraction of the pixels, 0 … 1, is different',
       parseFraction,
     )
-    .option('--max <x>', 'error that the map shows in its brightest colour', parsePositive)
+    .option('--max <x>', 'error shown in the brightest colour of the map', parsePositive)
     .option('--exposure <EV>', 'with --triptych: show .exr pictures 2^EV times as bright', parseNumber, 0)
     .option('--json', 'print as JSON')
     .addHelpText('after', notes)

@@ -11,11 +11,11 @@ import { usageError } from '../terminal/exitCodes.ts';
 export const convertCommand = (): Command =>
   addSceneFlags(
     new Command('convert')
-      .description('Writes a scene as another kind of file, and tells what that cannot hold.')
+      .description('Converts a scene to another format, and reports what that cannot represent.')
       .argument('<in>', SCENE_ARGUMENT)
-      .argument('<out>', `file to write: ${dotted(SCENE_EXTENSIONS)}`),
+      .argument('<out>', `output file: ${dotted(SCENE_EXTENSIONS)}`),
   )
-    .option('--json', 'print what was written, and what was lost, as JSON')
+    .option('--json', 'print a report of what was written and what was lost as JSON')
     .action(convert);
 
 async function convert(from: string, to: string, flags: SceneFlags & { json?: boolean }): Promise<void> {

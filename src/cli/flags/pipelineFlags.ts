@@ -23,16 +23,16 @@ export interface PipelineFlags {
 /** All flags by name: those of pipelines are only known from their records. */
 type FlagValues = Readonly<Record<string, unknown>>;
 
-const BACKENDS: Record<Backend, string> = { webgpu: 'webgpu draws here', webgl: 'webgl in a headless Chromium' };
+const BACKENDS: Record<Backend, string> = { webgpu: 'webgpu in this process', webgl: 'webgl in a headless Chromium' };
 const first = PIPELINES[0];
 
 export function addPipelineFlags(command: Command): Command {
   const summaries = PIPELINES.map(({ id, summary }) => `${id} ${summary}`);
-  const pipeline = new Option('--pipeline <name>', [...summaries, `auto: ${first.id} where it can`].join('; '));
+  const pipeline = new Option('--pipeline <name>', [...summaries, `auto: ${first.id} if possible`].join('; '));
   const drawing = PIPELINES.filter(({ backends }) => backends.length > 0).map(({ id }) => id);
   const backend = new Option(
     '--backend <name>',
-    `of ${drawing.join(', ')}: ${Object.values(BACKENDS).join('; ')}; auto takes the first that works`,
+    `of ${drawing.join(', ')}: ${Object.values(BACKENDS).join('; ')}; auto: the first that works`,
   );
   command
     .addOption(pipeline.choices(['auto', ...PIPELINES.map(({ id }) => id)]).default('auto'))

@@ -28,37 +28,37 @@ const interpolations: readonly Interpolation[] = ['linear', 'cubic'];
 
 type FlyFlag = Omit<Flight, 'authoredIn'>;
 
-export const SCENE_ARGUMENT = `${ANY_FORMAT_FILE} file; or a .zip that holds one, set.zip[scene.usda] where it holds several`;
+export const SCENE_ARGUMENT = `${ANY_FORMAT_FILE} file; or a .zip with one, set.zip[scene.usda] to choose one of several`;
 
 export const addSceneFlags = (command: Command): Command =>
   command
     .option(
       '--variant <set=option>',
-      "what a file offers to choose, as inspect lists it: '/World/Car{paint}=red'; several times for several sets",
+      "select a variant, as listed by inspect: '/World/Car{paint}=red'; repeatable",
       addVariant,
     )
-    .option('--animation <name>', 'glTF: the animation to show, by name or place from 0 (default: the first)')
+    .option('--animation <name>', 'glTF: animation to play, by name or index from 0 (default: the first)')
     .addOption(
-      new Option('--interpolation <name>', 'USD: how things go between samples; linear is what USD says')
+      new Option('--interpolation <name>', 'USD: interpolation between time samples; USD specifies linear')
         .choices(interpolations)
         .default('linear'),
     )
     .option(
       '--subdivision <n>',
-      'USD: levels to which subdivision surfaces are refined; 0 draws their polygons (default: as many as look round, fewer where it would be too many faces)',
+      'USD: subdivision levels; 0 draws the polygons (default: as many as look smooth, fewer if there would be too many faces)',
       parseLevels,
     )
-    .option('--speed-factor <k>', 'the animation runs so many times as fast', parsePositive)
-    .option('--start-offset <s>', 'the animation begins so much later, or earlier', parseNumber)
+    .option('--speed-factor <k>', 'factor on the speed of the animation', parsePositive)
+    .option('--start-offset <s>', 'delay of the animation [s]; negative: earlier', parseNumber)
     .option(
       '--fly <prim=x,y,z@t>',
-      "a thing and all below it fly at this velocity in units of c, and are where they would be at t [s] (default 0): '/World/Car=0.8,0,0@2'",
+      "make a prim and its descendants move at this velocity in units of c, passing their authored positions at t [s] (default 0): '/World/Car=0.8,0,0@2'; repeatable",
       addFlyFlag,
     )
     .addOption(
       new Option(
         '--fly-shape <name>',
-        'what the file holds of them: the shape at rest, or as the world has it in flight',
+        'with --fly: whether the file has the rest shape, or the shape in the world frame while moving',
       )
         .choices(['rest', 'world'])
         .default('rest'),

@@ -28,24 +28,23 @@ export function addObserverFlags(command: Command): Command {
   return command
     .option(
       '--camera <prim>',
-      "the scene's camera to look through (default: its first; without one, a view of the whole scene)",
+      "prim path of the camera (default: the scene's first; if it has none, a view of the whole scene)",
     )
+    .option('--beta <x,y,z>', "the observer's velocity in units of c, world axes (default: the camera's)", parseBeta)
+    .option('--position <x,y,z>', 'position of the observer, world frame [m]', parseVec3)
     .option(
-      '--beta <x,y,z>',
-      "the observer's velocity in units of c, world axes (default: the camera's own)",
-      parseBeta,
+      '--look-at <x,y,z>',
+      'direction of the camera: from its position towards this point, world axes [m]',
+      parseVec3,
     )
-    .option('--position <x,y,z>', 'where the observer is [m]', parseVec3)
-    .option('--look-at <x,y,z>', 'look along target − position, world axes [m]', parseVec3)
     .option('--fov <degrees>', "vertical field of view in the observer's frame", parseFov)
     .addOption(speedOfLightOption());
 }
 
 export const speedOfLightOption = (): Option =>
-  new Option(
-    '--c <m/s>',
-    `speed of light (default: what the scene's author suggests, else ${SPEED_OF_LIGHT})`,
-  ).argParser(parsePositive);
+  new Option('--c <m/s>', `speed of light (default: suggested by the scene, else ${SPEED_OF_LIGHT})`).argParser(
+    parsePositive,
+  );
 
 /** [m/s]: by the flag, else the scene's hint, else 299 792 458. */
 export const speedOfLight = (scene: Scene, flag: number | undefined): number =>

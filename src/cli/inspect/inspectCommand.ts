@@ -11,7 +11,7 @@ import { treeLines } from './tree.ts';
 export const inspectCommand = (): Command =>
   addSceneFlags(
     new Command('inspect')
-      .description('Tells what is in a scene file, how fast it moves, and what is wrong with it.')
+      .description('Reports the contents of a scene file, its speeds, and its errors.')
       .argument('<file>', SCENE_ARGUMENT),
   )
     .addOption(speedOfLightOption())

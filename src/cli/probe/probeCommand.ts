@@ -11,18 +11,18 @@ Examples:
 
 export function probeCommand(): Command {
   const command = new Command('probe')
-    .description('Tells in double precision what the observer sees of an object, vertex by vertex, or at a pixel.')
+    .description('Computes in double precision what the observer sees of each vertex of an object, or at a pixel.')
     .argument('<scene>', SCENE_ARGUMENT)
-    .option('--prim <path>', 'every vertex of this object: emission time, apparent position, Doppler factor', String)
     .option(
-      '--pixel <x,y>',
-      'what is seen at this pixel, from the top left; 0,0 is the centre of the first',
-      parsePixel,
+      '--prim <path>',
+      'prim path of an object: emission time, apparent position and Doppler factor of each vertex',
+      String,
     )
-    .addOption(sizeOption('of the picture that the pixel is in'))
+    .option('--pixel <x,y>', 'pixel to probe, from the top left; 0,0 is the centre of the first pixel', parsePixel)
+    .addOption(sizeOption('size of the picture that contains the pixel'))
     .option(
       '--time <s>',
-      "world time of the observer's event (default: what the scene suggests, else its start)",
+      "world time of the observer's event [s] (default: suggested by the scene, else its start)",
       parseNumber,
     );
   return addSceneFlags(addObserverFlags(command))

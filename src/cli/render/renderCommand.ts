@@ -1,5 +1,6 @@
 import { Command, Option } from 'commander';
 import { PIPELINES } from '../../pipelines/registry.ts';
+import { AOVS } from '../../scene/view/view.ts';
 import { FALSE_COLOR_QUANTITIES } from '../../spectrum/falseColor/falseColor.ts';
 import {
   parseAovs,
@@ -34,52 +35,55 @@ Examples:
 
 export function renderCommand(): Command {
   const command = new Command('render')
-    .description('Makes pictures of a scene, or of a project: .png, .exr with data channels, or .mp4.')
-    .argument('<scene>', `${SCENE_ARGUMENT}; or a project, .slowlight.json`)
+    .description('Renders a scene or a project as .png, .exr with data channels, or .mp4.')
+    .argument('<scene>', `${SCENE_ARGUMENT}; or a .slowlight.json project`)
     .option(
       '-o, --output <file>',
-      'file to write; #### in the name of a .png or .exr becomes the frame. Without: the files that the nodes of a project ask for',
+      'output file; #### in the name of a .png or .exr is replaced by the frame number (default: the files that the nodes of a project write)',
     )
-    .option('--folder <folder>', 'of a project, without -o: where its files are written (default: here)')
-    .addOption(sizeOption('in pixels'))
+    .option(
+      '--folder <folder>',
+      'for a project, without -o: folder that its files are written to (default: the current one)',
+    )
+    .addOption(sizeOption('picture size in pixels'))
     .option(
       '--time <s>',
-      "world time of the observer's event (default: what the scene suggests, else its start)",
+      "world time of the observer's event [s] (default: suggested by the scene, else its start)",
       parseNumber,
     )
-    .option('--frames <A:B>', 'frames A to B; frame n is at world time n/fps', parseFrames)
+    .option('--frames <A:B>', 'first and last frame; frame n is at world time n/fps', parseFrames)
     .option('--fps <n>', "frames per second (default: the scene's time codes per second)", parsePositive);
   addObserverFlags(addSceneFlags(command)).option(
     '--hold',
-    'with --frames: stay in place although there is a velocity, instead of coasting with it',
+    'with --frames: keep the observer in place instead of moving it with its velocity',
   );
   addSettingFlags(command)
     .option('--samples <n>', `n × n samples per pixel (default: ${defaultSamples})`, parseSamples)
     .addOption(
       new Option(
         '--false-colour <what>',
-        'colours for numbers: the Doppler factor, the time of emission before now, luminance before exposure, or the part of the spectrum that is seen',
+        'false colours: the Doppler factor, emission time before now, luminance before exposure, or the emitted wavelength that is visible',
       ).choices(FALSE_COLOR_QUANTITIES),
     )
     .option(
       '--false-range <from:to>',
-      'values at both ends of the colours, seconds of emission-time, metres of band (default: round numbers that hold the first picture)',
+      'values at both ends of the colour scale; emission-time in seconds, band in metres (default: round numbers that enclose the values of the first picture)',
       parseRange,
     )
-    .option('--legend', 'with --false-colour: a strip under the picture that tells what its colours mean')
+    .option('--legend', 'with --false-colour: add a legend below the picture')
     .option(
       '--aov <names>',
-      'for .exr: channels to write, of beauty, albedo, depth, emission_time, doppler, position, normal, velocity, object',
+      `for .exr: data channels to write, comma-separated: ${Object.keys(AOVS).join(', ')}`,
       parseAovs,
     );
   return (
     addPipelineFlags(command)
       .option(
         '--set <node.param=value>',
-        'of a project: a parameter of a node; several times for several; vectors as x,y,z',
+        'for a project: set a parameter of a node; repeatable; vectors as x,y,z',
         (text: string, before: readonly string[] = []) => [...before, text],
       )
-      .option('--json', 'print what was made as JSON')
+      .option('--json', 'print a report as JSON')
       .addHelpText('after', examples)
       // Imported lazily: the renderer is large.
       .action(async (scene: string, { output, ...flags }: Optional<RenderFlags, 'output'> & ProjectFilesFlags) => {

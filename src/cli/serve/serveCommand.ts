@@ -7,10 +7,10 @@ const DEFAULT_PORT = 5510;
 
 export const serveCommand = (): Command =>
   new Command('serve')
-    .description('Serves the program to a browser on this machine.')
+    .description('Serves the web page on this machine.')
     .option(
       '--port <n>',
-      `port on 127.0.0.1; 0: any that is free (default: ${DEFAULT_PORT}, or any where that is taken)`,
+      `port on 127.0.0.1; 0: any free port (default: ${DEFAULT_PORT}, or any if that is in use)`,
       parsePort,
     )
     .option('--json', 'print the address as JSON')

@@ -10,19 +10,19 @@ Examples:
 
 export const simulateCommand = (): Command =>
   new Command('simulate')
-    .description('Runs a simulation of a project, and writes how its things move and what became of their energy.')
-    .argument('<project>', 'a project, .slowlight.json, or an archive with one')
-    .option('-o, --output <file>', 'scene to write: .usda, .usdz, .usdc, .glb …')
-    .option('--csv <file>', 'energies, momenta and speeds to write, frame by frame')
-    .option('--node <id>', 'which Simulate node, where the project has several')
-    .option('--checkpoint <file>', 'keep every frame in a file as soon as it is computed')
-    .option('--resume', 'go on from what is in the --checkpoint; the duration may be another')
+    .description('Runs a simulation of a project, and writes the resulting motion and energies.')
+    .argument('<project>', 'a .slowlight.json project, or an archive with one')
+    .option('-o, --output <file>', 'output scene: .usda, .usdz, .usdc, .glb …')
+    .option('--csv <file>', 'table of energies, momenta and speeds per frame')
+    .option('--node <id>', 'id of the Simulate node, if the project has several')
+    .option('--checkpoint <file>', 'file that every frame is appended to as soon as it is computed')
+    .option('--resume', 'continue from the --checkpoint; the duration may differ')
     .option(
       '--set <node.param=value>',
-      'a parameter of a node; several times for several; vectors as x,y,z',
+      'set a parameter of a node; repeatable; vectors as x,y,z',
       (text: string, before: readonly string[] = []) => [...before, text],
     )
-    .option('--json', 'print what came out as JSON')
+    .option('--json', 'print the result as JSON')
     .addHelpText('after', examples)
     .action(async (project: string, flags: SimulateFlags) =>
       (await import('./simulateAction.ts')).simulate(project, flags),

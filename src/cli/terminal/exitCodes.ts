@@ -13,13 +13,13 @@ export const EXIT = {
 /** For `--help` and docs/guide/command-line.md. */
 export const EXIT_MEANINGS: Readonly<Record<(typeof EXIT)[keyof typeof EXIT], string>> = {
   [EXIT.ok]: 'done',
-  [EXIT.internal]: "a fault of the program's own",
-  [EXIT.usage]: 'a flag or an argument that makes no sense',
-  [EXIT.input]: 'a file that is missing, damaged, describes what cannot be, or cannot be written',
-  [EXIT.unavailable]: 'no GPU, browser, encoder or port to do it with',
-  [EXIT.different]: 'compare --fail-above: the pictures differ by more than that',
-  [EXIT.ended]: 'simulate: it ended before its time; what there is of it is written',
-  [EXIT.cancelled]: 'stopped with Ctrl-C; no half-written file is left',
+  [EXIT.internal]: 'an internal error',
+  [EXIT.usage]: 'an invalid flag or argument',
+  [EXIT.input]: 'a file that is missing, damaged, unphysical, or cannot be written',
+  [EXIT.unavailable]: 'no GPU, browser, encoder or port available',
+  [EXIT.different]: 'compare --fail-above: the pictures differ by more',
+  [EXIT.ended]: 'simulate: the simulation ended early; its result so far is written',
+  [EXIT.cancelled]: 'stopped with Ctrl-C; no incomplete file is left',
 };
 
 /** An error that the user can act on; `main` prints its message without a stack. */

@@ -27,7 +27,7 @@ export const SETTINGS = {
     physical: true,
     nodes: CONSOLE,
     onlyWhen: { param: 'view', is: 'light-cone' },
-    flag: { help: 'as if light were instantaneous' },
+    flag: { help: 'as if light arrived instantaneously' },
     perBuffer: true,
     header: { place: 1, when: 'changed' },
   },
@@ -40,7 +40,7 @@ export const SETTINGS = {
     physical: true,
     nodes: CONSOLE,
     onlyWhen: { param: 'view', is: 'light-cone' },
-    flag: { help: "directions of the world's frame, not the observer's" },
+    flag: { help: "use directions of the world frame instead of the observer's" },
     perBuffer: true,
     header: { place: 2, when: 'changed' },
   },
@@ -55,7 +55,7 @@ export const SETTINGS = {
     default: 'spectral',
     options: { spectral: ['Spectral', '光谱'], approximate: ['Approximate', '近似'] },
     nodes: ['relativity-rasterize'],
-    flag: { value: 'how', help: 'how a Doppler shift turns colours: by spectra, or by a simple tint, for comparison' },
+    flag: { value: 'how', help: 'how Doppler shifts change colours: by spectra, or by a simple tint for comparison' },
     perBuffer: true,
     header: { place: 3, when: 'light' },
   },
@@ -69,7 +69,7 @@ export const SETTINGS = {
     range: { min: 0, max: 1 },
     control: { min: 0, max: 1, step: 0.01 },
     nodes: ['relativity-rasterize'],
-    flag: { value: '0…1', help: 'how much of the Doppler shift reaches the colours' },
+    flag: { value: '0…1', help: 'strength of the Doppler shift of colours' },
     perBuffer: true,
     header: { place: 6, when: 'changed' },
   },
@@ -83,7 +83,7 @@ export const SETTINGS = {
     range: { min: 0, max: 1 },
     control: { min: 0, max: 1, step: 0.01 },
     nodes: ['relativity-rasterize'],
-    flag: { value: '0…1', help: 'how much of it reaches the brightness' },
+    flag: { value: '0…1', help: 'strength of its effect on brightness' },
     perBuffer: true,
     header: { place: 7, when: 'changed' },
   },
@@ -97,7 +97,7 @@ export const SETTINGS = {
     ],
     default: true,
     nodes: ['deferred-lighting'],
-    flag: { help: 'suns and lamps throw none, for comparison' },
+    flag: { help: 'no shadows of suns and lamps, for comparison' },
   },
   /** Exposure [EV]: light is multiplied by 2^exposure. */
   exposure: {
@@ -110,7 +110,10 @@ export const SETTINGS = {
     default: 0,
     control: { min: -10, max: 10, step: 0.1, unit: 'EV' },
     nodes: ['tone-map'],
-    flag: { value: 'EV', help: 'added to what the metering sets: the picture is 2^EV times as bright' },
+    flag: {
+      value: 'EV',
+      help: 'exposure compensation, added to the metered exposure: the picture is 2^EV times as bright',
+    },
     header: { place: 4, when: 'light', unit: 'EV' },
   },
   /**
@@ -133,7 +136,7 @@ export const SETTINGS = {
     nodes: ['tone-map'],
     flag: {
       value: 'how',
-      help: "what sets the exposure. automatic: the picture's light; resting-eye: what somebody at rest there would have, so that beaming is seen as it is; manual: --exposure alone",
+      help: "automatic: exposure from the picture's light; resting-eye: the exposure of an observer at rest at the same place, so that beaming shows its true strength; manual: --exposure alone",
     },
     beforeRendering: true,
   },
@@ -150,7 +153,7 @@ export const SETTINGS = {
     nodes: ['tone-map'],
     flag: {
       value: 'curve',
-      help: 'neutral keeps colours and softens what is very bright; agx rolls all of it off, as film does; linear cuts it off',
+      help: 'tone curve: neutral keeps colours and compresses highlights; agx rolls off like film; linear clips',
     },
     header: { place: 5, when: 'light' },
   } satisfies ChoiceSetting<ToneMapping>,
@@ -164,7 +167,7 @@ export const SETTINGS = {
     default: 'exact',
     options: { exact: ['Exact', '精确'], newton: ['Newton', '牛顿'] },
     nodes: CONSOLE,
-    flag: { value: 'name', help: 'how emission events are found' },
+    flag: { value: 'name', help: 'solver for emission events' },
     perBuffer: true,
   },
   /** Newton iterations per vertex. */
@@ -177,7 +180,7 @@ export const SETTINGS = {
     control: { min: 1, max: 32, step: 1, integer: true },
     nodes: CONSOLE,
     onlyWhen: { param: 'solver', is: 'newton' },
-    flag: { value: 'n', help: 'steps of the Newton solver' },
+    flag: { value: 'n', help: 'iterations of the Newton solver' },
     perBuffer: true,
   },
   /** Newton step length, 0 < k ≤ 1. */
@@ -203,7 +206,7 @@ export const SETTINGS = {
     ],
     default: true,
     nodes: RASTERIZERS,
-    flag: { help: 'every pixel shows what is at its centre, for comparison; in place of --samples' },
+    flag: { help: 'one sample at the centre of every pixel, for comparison; excludes --samples' },
   },
   /** Whether the reference grid is drawn on the ground, unaffected by relativity. */
   grid: {
@@ -212,7 +215,7 @@ export const SETTINGS = {
     help: ['A grid on the ground that is not affected by relativity.', '不受相对论变形影响的地面网格。'],
     default: false,
     nodes: RASTERIZERS,
-    flag: { help: 'draw the reference grid on the ground, which relativity does not bend' },
+    flag: { help: 'draw the reference grid on the ground, which is not affected by relativity' },
   },
   /** Radius of ambient occlusion in the rasterizer [m]; 0: none. Absent: a quarter of the scene's radius. */
   occlusionRadius: {
@@ -220,7 +223,7 @@ export const SETTINGS = {
     range: { min: 0 },
     flag: {
       value: 'm',
-      help: "of raster: how far from a point something can hide its sky; 0: nothing does (default: a quarter of the scene's size)",
+      help: "of raster: radius of ambient occlusion [m]; 0: none (default: a quarter of the scene's size)",
     },
   },
 } as const satisfies Readonly<Record<string, Setting>>;

@@ -7,7 +7,7 @@ import type { ViewRecord } from './viewRecord.ts';
 /** Positions at the observer's time, in his frame. */
 export const simultaneity: ViewRecord = {
   title: ['Simultaneity', '同时面'],
-  summary: 'where things are at one instant of the observer',
+  summary: 'positions at one instant of the observer',
   help: ['positions at your own instant (a “god’s eye” view)', '你此刻同时面上的物体位置（“上帝视角”）'],
   luminous: false,
   relativistic: true,
