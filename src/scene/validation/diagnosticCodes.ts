@@ -16,7 +16,7 @@ export const SCENE_CODES = {
   'motion.horizon': 'part of an accelerated body lies beyond its horizon, where nothing can keep up with it',
   'object.lifetime': 'an object that dies before it is born',
   'light.size': 'a lamp whose size is negative or not finite',
-  'light.color': 'a lamp whose colour is negative or not finite',
+  'light.color': 'a lamp whose colour is not finite',
 } as const;
 
 export type SceneCode = keyof typeof SCENE_CODES;
