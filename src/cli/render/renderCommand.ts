@@ -62,7 +62,7 @@ export function renderCommand(): Command {
     .addOption(
       new Option(
         '--false-colour <what>',
-        'false colours: the Doppler factor, emission time before now, luminance before exposure, or the emitted wavelength that is visible',
+        'false colours: the Doppler factor, emission time relative to the observer, luminance before exposure, or the emitted wavelength that is visible',
       ).choices(FALSE_COLOR_QUANTITIES),
     )
     .option(

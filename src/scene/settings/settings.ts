@@ -83,7 +83,7 @@ export const SETTINGS = {
     range: { min: 0, max: 1 },
     control: { min: 0, max: 1, step: 0.01 },
     nodes: ['relativity-rasterize'],
-    flag: { value: '0…1', help: 'strength of its effect on brightness' },
+    flag: { value: '0…1', help: 'strength of the effect of the Doppler shift on brightness' },
     perBuffer: true,
     header: { place: 7, when: 'changed' },
   },
