@@ -145,6 +145,14 @@ test('it reports progress, and can be cancelled by its caller', async () => {
   const pixels = await renderStill(picture, { progress: (part) => parts.push(part) });
   expect(pixels.length).toBe(3 * 40 * 20);
   expect(parts).toEqual([1, 2, 3, 4, 5, 6].map((done) => done / 6));
+  // Two views by the same threads: each half is the picture of one.
+  const half = (x: number) => ({ ...view, viewport: { x, y: 0, width: 20, height: 20 } });
+  const pair = await renderStill({ ...picture, views: [half(0), half(20)] }, { progress: () => {} });
+  const alone = await renderStill({ ...picture, width: 20, height: 20 }, { progress: () => {} });
+  for (let row = 0; row < 20; row++)
+    for (const x of [0, 20])
+      expect(pair.slice(3 * (40 * row + x), 3 * (40 * row + x + 20))).toEqual(alone.slice(60 * row, 60 * (row + 1)));
+  expect(new Set(alone).size).toBeGreaterThan(100);
   const abort = new AbortController();
   const large = { ...picture, width: 4096, height: 4096, samples: 16 };
   const work = { signal: abort.signal, progress: () => abort.abort() };
