@@ -1,7 +1,7 @@
-// `npm test`: set-up, then every check and test, the fast ones first; stops at the first failing stage.
+// `npm test`: set-up, then every check and test, the fast ones first; goes on after a failed stage, and sums up at the end.
 // `npm test -- unit cli` runs only some stages.
 import { spawnSync } from 'node:child_process';
-import { delimiter, join } from 'node:path';
+import { basename, delimiter, join } from 'node:path';
 import { checkNode, ensureBuilt, ensureModules, ensureOracle, ensureSystem, root, SetupError } from './setup.mjs';
 
 const tool = (path, ...args) => ({ path: join(root, 'node_modules', path), args });
@@ -29,6 +29,7 @@ const stages = {
 };
 
 const results = [];
+let build;
 try {
   checkNode();
   ensureModules();
@@ -36,7 +37,6 @@ try {
   const need = new Set(chosen.flatMap((name) => stages[name].needs ?? []));
   if (need.has('system')) requireSystem();
   const judges = need.has('python') ? ensureOracle() : undefined;
-  if (need.has('build')) ensureBuilt('lib', 'app');
   for (const name of chosen) runStage(name, judges);
 } catch (error) {
   if (!(error instanceof SetupError)) throw error;
@@ -61,19 +61,42 @@ function requireSystem() {
   );
 }
 
+/** Runs all steps of a stage, also after one that fails. */
 function runStage(name, judges) {
   console.log(`\n\x1b[1m── ${name}\x1b[0m`);
+  const { steps, needs = [] } = stages[name];
+  const reason = needs.includes('build') ? buildFailure() : undefined;
+  if (reason !== undefined) return fail(name, `NOT RUN: ${reason}`);
   const began = Date.now();
   const env = { ...process.env, ...(judges && { PATH: `${judges}${delimiter}${process.env.PATH}` }) };
-  for (const { path, args } of stages[name].steps) {
-    const done = spawnSync(process.execPath, [path, ...args], { cwd: root, stdio: 'inherit', env });
-    if (done.status === 0) continue;
-    results.push([name, `FAILED (${args.join(' ') || path})`]);
-    throw new SetupError(`${name} failed.`);
-  }
-  const partly = stages[name].needs?.includes('python') && !judges;
+  const failed = steps.filter(({ path, args }) => {
+    const { status } = spawnSync(process.execPath, [path, ...args], { cwd: root, stdio: 'inherit', env });
+    return status !== 0;
+  });
+  const seconds = `${((Date.now() - began) / 1000).toFixed(0)} s`;
+  const names = failed.map(({ path, args }) => [basename(path), ...args].join(' '));
+  if (failed.length > 0) return fail(name, `FAILED in ${seconds}: ${names.join('; ')}`);
+  const partly = needs.includes('python') && !judges;
   const without = partly ? '; comparisons with other programs SKIPPED: they need Python 3 with venv, and PyPI' : '';
-  results.push([name, `passed in ${((Date.now() - began) / 1000).toFixed(0)} s${without}`]);
+  results.push([name, `passed in ${seconds}${without}`]);
+}
+
+function fail(name, result) {
+  results.push([name, result]);
+  process.exitCode = 1;
+}
+
+/** Builds once, before the first stage that needs it; returns why it failed. */
+function buildFailure() {
+  if (build === undefined)
+    try {
+      ensureBuilt('lib', 'app');
+      build = {};
+    } catch (error) {
+      if (!(error instanceof SetupError)) throw error;
+      build = { failure: error.message };
+    }
+  return build.failure;
 }
 
 function summarize() {

@@ -124,6 +124,23 @@ test('check lists faults, upgrade preserves a project’s meaning, and docs cove
   expect(`${code} ${err}`).toMatch(/^3 .*orbit\.radius: -1 is outside/);
   writeFileSync(at('half.slowlight.json'), '{"format":"slowlight","version":3');
   expect((await slowlight('graph', 'check', at('half.slowlight.json'))).code).toBe(3);
+  const several = [at('half.slowlight.json'), example('workshop'), at('bad.slowlight.json'), at('none.slowlight.json')];
+  const all = await slowlight('graph', 'check', ...several);
+  expect(all.code).toBe(3);
+  expect(all.out).toMatch(/^\S*workshop\.slowlight\.json: \d+ nodes, nothing is wrong\n$/);
+  for (const wrong of [
+    /half\.slowlight\.json: /,
+    /bad\.slowlight\.json: orbit\.radius/,
+    /none\.slowlight\.json: no such file/,
+  ])
+    expect(all.err).toMatch(wrong);
+  const list = JSON.parse((await slowlight('graph', 'check', ...several, '--json')).out);
+  expect(list).toMatchObject([
+    { nodes: 0, error: expect.stringContaining('half') },
+    { faults: [] },
+    { faults: [{ place: 'orbit.radius' }] },
+    { error: expect.stringContaining('no such file') },
+  ]);
 
   const old = {
     format: 'slowlight',

@@ -7,10 +7,12 @@ export function graphCommand(): Command {
   );
   command
     .command('check')
-    .description('Reports errors in a project, node by node, without opening the files that it uses.')
-    .argument('<project>', '.slowlight.json')
-    .option('--json', 'print the errors as JSON')
-    .action(async (path: string, flags: { json?: boolean }) => (await import('./graphAction.ts')).check(path, flags));
+    .description('Reports errors in projects, node by node, without opening the files that they use.')
+    .argument('<projects...>', '.slowlight.json')
+    .option('--json', 'print the errors as JSON; for several projects, a list')
+    .action(async (paths: string[], flags: { json?: boolean }) =>
+      (await import('./graphAction.ts')).check(paths, flags),
+    );
   command
     .command('upgrade')
     .description('Upgrades a project to the current version; the same project always gives the same text.')
