@@ -1,77 +1,61 @@
-import { readdirSync, readFileSync } from 'node:fs';
+import { spawnSync } from 'node:child_process';
+import { copyFileSync, mkdirSync, mkdtempSync, readdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import { dirname, join } from 'node:path';
+import { fileURLToPath } from 'node:url';
 import { describe, expect, it } from 'vitest';
+import { folderRows, importRules } from './importRules.ts';
 
 const ROOT = new URL('../../', import.meta.url);
-const read = (path: string): string => readFileSync(new URL(path, ROOT), 'utf8');
+const adr = readFileSync(new URL('docs/adr/0001-folders.md', ROOT), 'utf8');
+const BIOME = fileURLToPath(new URL('node_modules/@biomejs/biome/bin/biome', ROOT));
 
-interface ImportRule {
-  readonly includes: readonly [files: string, ...others: string[]];
-  readonly linter: {
-    readonly rules: {
-      readonly style: {
-        readonly noRestrictedImports: {
-          readonly options: { readonly patterns: readonly { readonly group: string[] }[] };
-        };
-      };
-    };
-  };
-}
-const { overrides } = JSON.parse(read('biome.json')) as { readonly overrides: readonly ImportRule[] };
-/** The patterns that each folder may not import. */
-const forbidden = new Map(
-  overrides.map(({ includes, linter }) => [
-    /^src\/(\w+)\/\*\*$/.exec(includes[0])![1]!,
-    linter.rules.style.noRestrictedImports.options.patterns.flatMap(({ group }) => group),
-  ]),
-);
+/** Files with one import each, and whether it is refused. */
+const CASES: readonly (readonly [file: string, imported: string, refused: boolean])[] = [
+  ['src/physics/a.ts', '../math/vec3.ts', false],
+  ['src/physics/optics/a.ts', '../../math/vec3.ts', false],
+  ['src/physics/b.ts', '../scene/types.ts', true],
+  ['src/physics/optics/b.ts', '../../render/api.ts', true],
+  ['src/render/a.ts', 'three/webgpu', false],
+  ['src/scene/a.ts', 'three', true],
+  ['src/pipelines/a.ts', '../graph/nodeType.ts', true],
+  ['src/pipelines/b.ts', '../render/api.ts', false],
+  ['src/editor/a.ts', 'node:fs', true],
+  ['src/cli/a.ts', 'node:fs', false],
+  ['src/physics/a.test.ts', '../scene/types.ts', false],
+];
 
-/** Rows of the table with this head, cell by cell. */
-function rowsOf(page: string, head: string): string[][] {
-  const [, rows] = page.split(`${head}\n`)[1]!.split(/^\|[-|]+\|\n/m) as [string, string];
-  return rows
-    .slice(0, rows.search(/^(?!\|)/m))
-    .trim()
-    .split('\n')
-    .map((row) => row.split('|').map((cell) => cell.trim()));
-}
-
-const adr = read('docs/adr/0001-folders.md');
-const folderRows = rowsOf(adr, '| folder | contents | may import |').map(
-  ([, folder, , imports]) => [folder!.replaceAll(/[`/]/g, ''), imports!] as const,
-);
-const folders = folderRows.map(([folder]) => folder);
-const packageRows = rowsOf(adr, '| packages | only in |').map(
-  ([, packages, places]) => [packages!.split(', '), places!.split(', ')] as const,
-);
-
-/** `math, physics`, `all above but graph` or `nothing`. */
-function allowedFolders(text: string, above: readonly string[]): readonly string[] {
-  if (text === 'nothing') return [];
-  const [, excepted] = /^all above(?: but (.*))?$/.exec(text) ?? [];
-  if (!text.startsWith('all above')) return text.split(', ');
-  return above.filter((folder) => !excepted?.split(', ').includes(folder));
+/** The files whose import Biome refuses by the project's configuration, in a folder of their own. */
+function refusedFiles(): string[] {
+  const folder = mkdtempSync(join(tmpdir(), 'slowlight-imports-'));
+  try {
+    for (const name of ['biome.json', 'biome.imports.json']) copyFileSync(new URL(name, ROOT), join(folder, name));
+    for (const [file, imported] of CASES) {
+      mkdirSync(join(folder, dirname(file)), { recursive: true });
+      writeFileSync(join(folder, file), `import { a } from '${imported}';\nexport const b = a;\n`);
+    }
+    const flags = ['--only=style/noRestrictedImports', '--vcs-enabled=false', '--colors=off'];
+    const { stdout, stderr } = spawnSync(process.execPath, [BIOME, 'lint', ...flags], { cwd: folder });
+    return CASES.map(([file]) => file).filter((file) => `${stdout}${stderr}`.includes(`${file}:`));
+  } finally {
+    rmSync(folder, { recursive: true });
+  }
 }
 
-const patternsOf = (name: string): string[] => {
-  if (name === 'node:') return ['node:*'];
-  if (name.startsWith('@')) return [`${name}/**`];
-  return ['three', 'react', 'react-dom'].includes(name) ? [name, `${name}/**`] : [name];
-};
-
-describe('the import rules of biome.json', () => {
-  it('are for the folders of docs/adr/0001-folders.md, which has all of src/', () => {
+describe('the table of folders in docs/adr/0001-folders.md', () => {
+  it('has all folders of src/', () => {
     const here = readdirSync(new URL('src/', ROOT), { withFileTypes: true }).filter((entry) => entry.isDirectory());
+    const folders = folderRows(adr).map(({ folder }) => folder);
     expect(here.map(({ name }) => name).filter((name) => !folders.includes(name))).toEqual([]);
-    expect([...forbidden.keys()].sort()).toEqual([...folders].sort());
   });
 
-  it.each(folderRows)('%s/ may import: %s', (folder, text) => {
-    const allowed = allowedFolders(text, folders.slice(0, folders.indexOf(folder)));
-    expect(allowed.filter((each) => !folders.includes(each))).toEqual([]);
-    const others = folders.filter((each) => each !== folder && !allowed.includes(each));
-    const packages = packageRows.flatMap(([names, places]) => (places.includes(folder) ? [] : names));
-    expect([...(forbidden.get(folder) ?? [])].sort()).toEqual(
-      [...others.flatMap((each) => [`../**/${each}/**`, `../${each}/**`]), ...packages.flatMap(patternsOf)].sort(),
-    );
+  // `npm run docs` runs this file with -u, which writes the rules anew.
+  it('is what biome.imports.json enforces', async () => {
+    const rules = `${JSON.stringify(importRules(adr), null, 2)}\n`;
+    await expect(rules).toMatchFileSnapshot('../../biome.imports.json');
+  });
+
+  it('is what Biome enforces, but for tests', () => {
+    expect(refusedFiles()).toEqual(CASES.filter(([, , refused]) => refused).map(([file]) => file));
   });
 });
