@@ -1,4 +1,11 @@
-import { assertViewports, composeViews, type PictureSize, viewportOf } from '../scene/view/pictureViews.ts';
+import {
+  assertViewports,
+  blackPicture,
+  composeViews,
+  isWholePicture,
+  type PictureSize,
+  viewportOf,
+} from '../scene/view/pictureViews.ts';
 import { AOVS, type ViewPoint } from '../scene/view/view.ts';
 import type { PictureRequest, RenderedPicture } from './pictureRenderer.ts';
 
@@ -17,9 +24,7 @@ export async function renderOneViewAtATime(
   onPart: (part: number) => void = () => {},
 ): Promise<RenderedPicture> {
   assertViewports(views, size);
-  const [first] = views;
-  if (views.length === 1 && first.viewport === undefined)
-    return renderView({ ...request, ...size, view: first }, onPart);
+  if (isWholePicture(views)) return renderView({ ...request, ...size, view: views[0] }, onPart);
   const rects = views.map((view) => viewportOf(view, size));
   const area = rects.reduce((sum, { width, height }) => sum + width * height, 0);
   const pictures: RenderedPicture[] = [];
@@ -31,10 +36,9 @@ export async function renderOneViewAtATime(
     done += weight;
   }
   const { width, height } = size;
-  const black = new Uint8Array(4 * width * height).map((_, i) => (i % 4 === 3 ? 255 : 0));
   const pixels = pictures.map((picture, i) => ({ rect: rects[i]!, values: picture.pixels }));
   return {
-    pixels: request.pixels ? composeViews(pixels, size, 4, black) : new Uint8Array(),
+    pixels: request.pixels ? composeViews(pixels, size, 4, blackPicture(size)) : new Uint8Array(),
     aovs: new Map(
       request.aovs.map((name) => {
         const { length: channels } = AOVS[name].channels;

@@ -75,17 +75,18 @@ export class FrameSetup {
 
   private prepareBuffer(view: RenderView, size: PictureSize, ready: () => void): readonly boolean[] | undefined {
     const { upload, viewPoint, settings, observation, projection } = view;
+    const frustum = frustumIn(size, viewPoint);
     this.setView(view, size);
     const visible = upload.objectWriter.fill(
       upload.bodies,
       observation,
-      { sides: frustumSides(viewPoint.orientation, frustumIn(size, viewPoint)), place: projection.place },
+      { sides: frustumSides(viewPoint.orientation, frustum), place: projection.place },
       projection.event === 'newton',
     );
     if (!upload.objectWriter.isComplete) return undefined;
     if (settings.shadows && !upload.shadows.update(observation)) return undefined;
     ready();
-    this.tessellate(view, visible, size);
+    this.tessellate(view, visible, frustum, size);
     upload.updateLights(observation, settings.colors);
     upload.stars?.update(viewPoint, settings, size.width, size.height);
     return visible;
@@ -135,10 +136,10 @@ export class FrameSetup {
   private tessellate(
     { upload, viewPoint, viewIndex, observation, projection }: RenderView,
     visible: readonly boolean[],
+    frustum: Frustum,
     size: PictureSize,
   ): void {
     const { drawCalls, objectWriter, tessellator } = upload;
-    const frustum = frustumIn(size, viewPoint);
     const focal = pixelsPerTangent(frustum, size.width, size.height);
     const view = { observation, projection, orientation: viewPoint.orientation, frustum, focal };
     tessellator.update(view, viewIndex, ({ bodies }) => bodies.some(({ id }) => visible[id - 1]));

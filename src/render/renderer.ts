@@ -3,7 +3,9 @@ import type { Scene } from '../scene/types.ts';
 import { type LightMeterReadings, mergeReadings } from '../scene/view/metering.ts';
 import {
   assertViewports,
+  blackPicture,
   composeViews,
+  isWholePicture,
   type PictureSize,
   type PictureViews,
   type PixelRect,
@@ -151,22 +153,25 @@ export class SceneRenderer implements RasterRenderer {
     const rects = this.viewportsOf(views);
     if (pictures.length === 0) return;
     const mode = antialiasingModeOf(settings, sampling);
-    const request = pictures.length > 1 && this.uploads.isStreamed ? contentKey([views, settings, sampling]) : '';
-    const isResumed = request !== '' && this.incomplete?.request === request;
-    let { viewsDrawn, objectsDrawn } = isResumed && this.incomplete ? this.incomplete : NOTHING_DRAWN;
+    const canWait = pictures.length > 1 && this.uploads.isStreamed;
+    const request = canWait ? contentKey([views, settings, sampling]) : undefined;
+    const resumed = canWait && this.incomplete?.request === request ? this.incomplete : undefined;
+    let { viewsDrawn, objectsDrawn } = resumed ?? NOTHING_DRAWN;
+    this.incomplete = undefined;
     for (const [i, buffers] of [...pictures.entries()].slice(viewsDrawn)) {
       const view = this.viewRenderer(i);
       const visible = view.prepare(buffers, rects[i], () => {
         this.resize();
         view.setViewport(rects[i]);
       });
-      this.incomplete = { request, viewsDrawn, objectsDrawn };
-      if (!visible) return;
+      if (!visible) {
+        if (request !== undefined) this.incomplete = { request, viewsDrawn, objectsDrawn };
+        return;
+      }
       view.draw(buffers, mode, sampling);
       viewsDrawn++;
       objectsDrawn += visible.filter(Boolean).length;
     }
-    this.incomplete = undefined;
     this.views = views;
     // A picture that is being compiled may have more views, and more G-buffers.
     if (!this.precompiling) for (const unused of this.viewRenderers.splice(views.length)) unused.dispose();
@@ -220,8 +225,11 @@ export class SceneRenderer implements RasterRenderer {
 
   async readPixels(): Promise<Uint8Array> {
     await this.uploads.first?.tessellator.count();
-    const black = () => new Uint8Array(4 * this.width * this.height).map((_, i) => (i % 4 === 3 ? 255 : 0));
-    return this.readViews((view) => view.readPixels(), 4, black);
+    return this.readViews(
+      (view) => view.readPixels(),
+      4,
+      () => blackPicture(this.size),
+    );
   }
 
   readAov(name: AovName): Promise<Float32Array> {
@@ -278,9 +286,6 @@ export class SceneRenderer implements RasterRenderer {
     this.gpu.renderer.dispose();
   }
 }
-
-/** Whether the picture has one view, which fills it. */
-const isWholePicture = (views: PictureViews): boolean => views.length === 1 && views[0].viewport === undefined;
 
 function antialiasingModeOf(settings: RenderSettings, sampling: Sampling): AntialiasingMode {
   if (sampling === 'temporal' && canAccumulate(settings)) return 'temporal';

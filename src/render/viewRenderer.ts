@@ -144,7 +144,7 @@ export class ViewRenderer {
   }
 
   /** Sets the uniforms, the camera and the display state to those of the last sample. */
-  bind(): void {
+  private bind(): void {
     const { frameSetup, lastBuffers } = this;
     if (!lastBuffers) return;
     this.setDisplay(lastBuffers);

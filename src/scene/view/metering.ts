@@ -1,4 +1,4 @@
-import type { PictureSize, PixelRect } from './pictureViews.ts';
+import { type PictureSize, type PixelRect, rectContains } from './pictureViews.ts';
 
 /** Pictures are metered at the centres of this many equal cells across and down. */
 export const METER_CELLS = 64;
@@ -30,15 +30,14 @@ export function mergeReadings(
     x === 0 && y === 0 && rect.width === width && rect.height === height;
   if (parts.length === 1 && isWhole(only.rect)) return only.readings;
   const cellOf = (pixel: number, side: number): number => Math.floor(((pixel + 0.5) / side) * METER_CELLS);
+  const sources = Array.from({ length: METER_CELLS * METER_CELLS }, (_, i) => {
+    const [px, py] = [meterPixel(i % METER_CELLS, width), meterPixel(Math.floor(i / METER_CELLS), height)];
+    const found = parts.find(({ rect }) => rectContains(rect, px, py));
+    if (!found) return undefined;
+    const { rect, readings } = found;
+    return { readings, cell: cellOf(py - rect.y, rect.height) * METER_CELLS + cellOf(px - rect.x, rect.width) };
+  });
   const merged = (channel: keyof LightMeterReadings): Float32Array =>
-    Float32Array.from({ length: METER_CELLS * METER_CELLS }, (_, i) => {
-      const [px, py] = [meterPixel(i % METER_CELLS, width), meterPixel(Math.floor(i / METER_CELLS), height)];
-      const found = parts.find(
-        ({ rect: { x, y, ...rect } }) => px >= x && py >= y && px < x + rect.width && py < y + rect.height,
-      );
-      if (!found) return Number.NaN;
-      const { rect, readings } = found;
-      return readings[channel][cellOf(py - rect.y, rect.height) * METER_CELLS + cellOf(px - rect.x, rect.width)];
-    });
+    Float32Array.from(sources, (source) => (source ? source.readings[channel][source.cell] : Number.NaN));
   return { luminance: merged('luminance'), doppler: merged('doppler'), time: merged('time') };
 }

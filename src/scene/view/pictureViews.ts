@@ -26,6 +26,12 @@ export type PictureViews = readonly [PictureView, ...PictureView[]];
 export const viewportOf = ({ viewport }: PictureView, { width, height }: PictureSize): PixelRect =>
   viewport ?? { x: 0, y: 0, width, height };
 
+/** Whether a picture has one view, which fills it. */
+export const isWholePicture = (views: PictureViews): boolean => views.length === 1 && views[0].viewport === undefined;
+
+export const rectContains = (rect: PixelRect, x: number, y: number): boolean =>
+  x >= rect.x && y >= rect.y && x < rect.x + rect.width && y < rect.y + rect.height;
+
 /** Throws a RangeError if a viewport is not made of whole pixels, is empty, extends beyond the picture or overlaps another. */
 export function assertViewports(views: PictureViews, size: PictureSize): void {
   const rects = views.map((view) => viewportOf(view, size));
@@ -54,10 +60,7 @@ export interface ViewPixel extends PictureSize {
 
 /** The view at the point (x, y) of a picture; undefined if there is none. */
 export function viewPixelAt(views: PictureViews, size: PictureSize, x: number, y: number): ViewPixel | undefined {
-  const index = views.findIndex((view) => {
-    const rect = viewportOf(view, size);
-    return x >= rect.x && y >= rect.y && x < rect.x + rect.width && y < rect.y + rect.height;
-  });
+  const index = views.findIndex((view) => rectContains(viewportOf(view, size), x, y));
   if (index < 0) return undefined;
   const view = views[index];
   const { x: left, y: top, width, height } = viewportOf(view, size);
@@ -76,7 +79,11 @@ export function scaleViewports(views: PictureViews, factor: number): PictureView
   return [scaled(first), ...others.map(scaled)];
 }
 
-/** Puts the pixels of views, `channels` values each, rows from the top, into their viewports of a picture that is 0 elsewhere. */
+/** An opaque black picture, RGBA8. */
+export const blackPicture = ({ width, height }: PictureSize): Uint8Array =>
+  new Uint8Array(4 * width * height).map((_, i) => (i % 4 === 3 ? 255 : 0));
+
+/** Copies the pixels of views, `channels` values each, rows from the top, into their viewports of the picture `into`. */
 export function composeViews<Values extends Float32Array | Uint8Array>(
   parts: readonly { readonly rect: PixelRect; readonly values: Values }[],
   { width }: PictureSize,
