@@ -3,6 +3,7 @@ import { join } from 'node:path';
 import { expect, test } from 'vitest';
 import { serializeDocument } from '../../src/graph/document/serialize.ts';
 import { savingProject } from '../support/savingGraph.ts';
+import { videoStream } from '../support/videoStream.ts';
 import { ask, outputFolder, programResult, slowlight, slowlightJson, start } from './program.ts';
 
 const folder = outputFolder();
@@ -24,19 +25,7 @@ test('a project’s picture and film equal those of `render -o`', async () => {
   await slowlightJson('render', project, '-o', still, ...size, '--time', '0.5', '--samples', '2');
   await slowlightJson('render', project, '-o', film, ...size, '--frames', '2:6', '--fps', '8', '--samples', '1');
   expect(readFileSync(files[1]!).equals(readFileSync(still))).toBe(true);
-  const entries = 'stream=width,height,r_frame_rate,nb_read_frames';
-  const probed = await ask(
-    'ffprobe',
-    '-v',
-    'error',
-    '-count_frames',
-    '-show_entries',
-    entries,
-    '-of',
-    'csv',
-    files[0]!,
-  );
-  expect(probed.trim()).toBe('stream,64,48,8/1,5');
+  expect(videoStream(files[0]!, 'width,height,r_frame_rate,nb_read_frames')).toBe('stream,64,48,8/1,5');
   const hashes = await Promise.all(
     [files[0]!, film].map((file) => ask('ffmpeg', '-v', 'error', '-i', file, '-f', 'framemd5', '-')),
   );

@@ -9,6 +9,7 @@ import { serializeDocument } from '../../src/graph/document/serialize.ts';
 import type { Command } from '../../src/graph/edits/commands.ts';
 import { add, connect, edited, set } from '../support/graphKit.ts';
 import { savingProject } from '../support/savingGraph.ts';
+import { videoStream } from '../support/videoStream.ts';
 import { difference, type MonitoredPage, Program, shots } from './program.ts';
 import { drop } from './support.ts';
 
@@ -70,18 +71,7 @@ it('a saved picture equals that of the command line, and a film has all its fram
   const film = await downloaded(visit, 'film');
   expect(film.name).toBe('film.mp4');
   const path = join(shots, 'download-film.mp4');
-  const entries = 'stream=width,height,r_frame_rate,nb_read_frames,color_space';
-  const probed = execFileSync('ffprobe', [
-    '-v',
-    'error',
-    '-count_frames',
-    '-show_entries',
-    entries,
-    '-of',
-    'csv',
-    path,
-  ]);
-  expect(probed.toString().trim()).toBe('stream,64,48,bt709,8/1,5');
+  expect(videoStream(path, 'width,height,r_frame_rate,nb_read_frames,color_space')).toBe('stream,64,48,bt709,8/1,5');
   expect(frameTimes(path)).toEqual([0, 0.125, 0.25, 0.375, 0.5]);
   // Seeking to its time finds the third frame.
   const jump = ['-v', 'error', '-ss', '0.25', '-i', path, '-frames:v', '1', '-f', 'rawvideo', '-pix_fmt', 'rgba', '-'];
@@ -99,18 +89,9 @@ it('a film is VP9 where no other codec is available', async () => {
   });
   await downloaded(visit, 'film');
   const path = join(shots, 'download-film.mp4');
-  const entries = 'stream=codec_name,width,height,color_space,r_frame_rate,nb_read_frames';
-  const probed = execFileSync('ffprobe', [
-    '-v',
-    'error',
-    '-count_frames',
-    '-show_entries',
-    entries,
-    '-of',
-    'csv',
-    path,
-  ]);
-  expect(probed.toString().trim()).toBe('stream,vp9,64,48,bt709,8/1,5');
+  expect(videoStream(path, 'codec_name,width,height,color_space,r_frame_rate,nb_read_frames')).toBe(
+    'stream,vp9,64,48,bt709,8/1,5',
+  );
   expect(frameTimes(path)).toEqual([0, 0.125, 0.25, 0.375, 0.5]);
   await visit.close();
 });
