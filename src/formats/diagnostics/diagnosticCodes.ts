@@ -42,6 +42,7 @@ export const DIAGNOSTIC_CODES = {
 
   'usd.syntax': 'text that is not valid USD',
   'usd.crate': 'a binary layer that is damaged or has unsupported data',
+  'usd.unwritable': 'something of a layer that a binary layer cannot hold',
   'usd.version': 'an unsupported version of USD',
   'usd.package': 'a usdz without a layer, or with compressed files',
   'usd.metadata': 'a unit or rate that is not a positive number',

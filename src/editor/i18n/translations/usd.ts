@@ -436,6 +436,23 @@ export const usd: MessageCatalogue = {
     '请用当前的 OpenUSD 重新写出：usdcat in.usdc -o out.usdc',
   'write it as text: usdcat in.usdc -o out.usda': '请写为文本：usdcat in.usdc -o out.usda',
 
+  // Crate files: what cannot be written
+  '{}; write it as text, .usda': '{1}；请写为文本（.usda）',
+  'a payload has customData, which binary files keep of references only':
+    '载荷带有 customData，而二进制文件只为引用保存它',
+  'of the integers {} some do not fit 64 bits': '整数 {1} 中有的超出 64 位',
+  'a list of unknown metadata has an item of type {}': '未知元数据的列表中有类型为 {1} 的项',
+  '{} bytes are more than an LZ4 block holds': '{1} 字节超出 LZ4 块的容量',
+  'the sublayer @{}@ has a path or customData, which only references have':
+    '子图层 @{1}@ 带有路径或 customData，而只有引用可以带',
+  '<{}> is not an absolute path': '<{1}> 不是绝对路径',
+  'a spline of type {} is not one of double, float, half or timecode':
+    '样条的类型 {1} 不是 double、float、half 或 timecode',
+  'the text {} has the character U+0000': '文本 {1} 中有字符 U+0000',
+  'values of type {} cannot be written': '类型为 {1} 的值无法写出',
+  'relocates of a prim are no longer in USD; the layer can have them':
+    'USD 已不再支持 prim 的 relocates；图层可以带有它们',
+
   // Crate files: their sections
   'the header': '文件头',
   'the place of the table of contents': '目录的位置',
@@ -553,8 +570,9 @@ export const usd: MessageCatalogue = {
   'a spline': '样条',
   'bytes of a spline': '样条字节',
   'a spline has {} bytes, and what it says takes {}': '样条有 {1} 字节，而其内容占 {2} 字节',
-  'a spline is of version {}; 1 and 2 are read. Write the layer as text: usdcat':
-    '样条的版本为 {1}；只能读取 1 和 2。请用 usdcat 将图层写为文本',
+  'a spline is of version {}; 1 to 3 are read. Write the layer as text: usdcat':
+    '样条的版本为 {1}；只能读取 1 到 3。请用 usdcat 将图层写为文本',
+  'a spline has values of an unknown type': '样条的值类型未知',
   'a spline extrapolates in way {}': '样条的外推方式为 {1}，无法识别',
   'a slope': '斜率',
   'the start of a loop': '循环的开始',

@@ -2,7 +2,9 @@ import { readFileSync } from 'node:fs';
 import { describe, expect, it, vi } from 'vitest';
 import { random } from '../../../math/random.ts';
 import { InputError } from '../../../scene/types.ts';
+import { parseLayer } from '../text/parser.ts';
 import { outcome } from './fixtures/outcome.ts';
+import { writeCrate } from './write/writeCrate.ts';
 
 // Thousands of reads take seconds, on a busy machine many.
 vi.setConfig({ testTimeout: 60_000 });
@@ -10,9 +12,18 @@ vi.setConfig({ testTimeout: 60_000 });
 const fixture = (name: string): Uint8Array =>
   new Uint8Array(readFileSync(new URL(`./fixtures/${name}.usdc`, import.meta.url)));
 
-describe.each(['values', 'arrays', 'arrays-0.4', 'structure', 'splines', 'written'])('%s.usdc, damaged,', (name) => {
-  const whole = fixture(name);
+/** A text layer as our writer writes it. */
+const rewritten = (name: string): Uint8Array =>
+  writeCrate(parseLayer(readFileSync(new URL(`./fixtures/${name}.usda`, import.meta.url)), 'a'));
 
+const CRATES: readonly (readonly [name: string, bytes: Uint8Array])[] = [
+  ...['values', 'arrays', 'arrays-0.4', 'structure', 'splines', 'written'].map(
+    (name) => [`${name}.usdc`, fixture(name)] as const,
+  ),
+  ...['arrays', 'structure'].map((name) => [`${name}.usda, written here`, rewritten(name)] as const),
+];
+
+describe.each(CRATES)('%s, damaged,', (_, whole) => {
   it('is rejected when truncated anywhere', () => {
     for (let k = 0; k < 20; k++)
       expect(outcome(whole.subarray(0, Math.floor((whole.length * k) / 20)))).toBeInstanceOf(InputError);

@@ -14,7 +14,7 @@ import { SPEC_TYPES, type SpecFields, type SpecReader } from './specReader.ts';
 import type { CrateSource } from './structure/crateSource.ts';
 import type { PathNode } from './structure/pathTree.ts';
 
-const SPECIFIERS: readonly Specifier[] = ['def', 'over', 'class'];
+export const SPECIFIERS: readonly Specifier[] = ['def', 'over', 'class'];
 const BUILT_SPEC_TYPES: ReadonlySet<number> = new Set(Object.values(SPEC_TYPES));
 
 /** Makes a layer of a crate's specs. Each must be where its parent lists it: none is left out in silence. */
@@ -134,7 +134,7 @@ class ChildPaths {
 const elementKey = ({ element, isProperty }: PathNode): string => (isProperty ? `.${element}` : element);
 
 /** How a property varies, by number: 0 varying, else uniform. */
-const UNIFORM = 1;
+export const UNIFORM = 1;
 
 function attribute(name: string, fields: SpecFields): AttributeSpec {
   const typeName = fields.text('typeName') ?? fields.fail('the attribute has no type');
@@ -161,7 +161,7 @@ function attribute(name: string, fields: SpecFields): AttributeSpec {
 
 function relationship(name: string, fields: SpecFields): RelationshipSpec {
   const custom = fields.bool('custom') ?? false;
-  const uniform = (fields.choice('variability') ?? UNIFORM) >= UNIFORM;
+  const uniform = (fields.choice('variability') ?? 0) >= UNIFORM;
   const targets = fields.take('targetPaths', 'paths')?.op;
   fields.drop('targetChildren');
   return { kind: 'relationship', name, custom, uniform, metadata: metadataOf(fields), ...(targets ? { targets } : {}) };

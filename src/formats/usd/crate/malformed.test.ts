@@ -175,9 +175,9 @@ describe('a crate written here', () => {
     [
       '0.3',
       { version: 3 },
-      'is a crate file of version 0.3.0; 0.4 to 0.14 are read; write it anew with a present OpenUSD',
+      'is a crate file of version 0.3.0; 0.4 to 0.15 are read; write it anew with a present OpenUSD',
     ],
-    ['0.15', { version: 15 }, 'is a crate file of version 0.15.0; 0.4 to 0.14 are read; write it as text: usdcat'],
+    ['0.16', { version: 16 }, 'is a crate file of version 0.16.0; 0.4 to 0.15 are read; write it as text: usdcat'],
   ])('of version %s is refused', (_, rest, message) => {
     expect(refusal(crate(u64(0), [], [], rest))).toContain(message);
   });

@@ -11,14 +11,14 @@ import type { SpecFields } from './specReader.ts';
 import type { FieldValue } from './values/fieldValue.ts';
 
 /** Names of fields that text calls otherwise. */
-const WRITTEN: ReadonlyMap<string, string> = new Map([
+export const WRITTEN: ReadonlyMap<string, string> = new Map([
   ['inheritPaths', 'inherits'],
   ['layerRelocates', 'relocates'],
   ['variantSelection', 'variants'],
   ['variantSetNames', 'variantSets'],
 ]);
 
-const PERMISSIONS = ['public', 'private'];
+export const PERMISSIONS = ['public', 'private'];
 
 /** The metadata among a spec's fields, as the text reader has it. */
 export function metadataOf(fields: SpecFields): ReadonlyMap<string, MetadataValue> {

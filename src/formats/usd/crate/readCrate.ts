@@ -13,7 +13,7 @@ import { readStructure } from './structure/structure.ts';
 const budgetOf = (size: number): number => Math.max(Math.min(2 ** 26 + 128 * size, 2 ** 31), 4 * size);
 
 /**
- * Reads a binary USD layer (a crate, versions 0.4 to 0.14) into the same model as text. Throws an InputError that names
+ * Reads a binary USD layer (a crate, versions 0.4 to 0.15) into the same model as text. Throws an InputError that names
  * the file, the section or the path, and the byte. Of what is not in memory, large arrays stay in the file (storedArray.ts).
  */
 export function readCrate(content: FileContent, file: string): Layer {

@@ -32,6 +32,13 @@ const KEY_TYPES: ReadonlyMap<string, string> = new Map(
   }).flatMap(([type, keys]) => keys.split(' ').map((key): [string, string] => [key, type])),
 );
 
+/** Keys that OpenUSD has given up: it keeps their text, as that of unknown keys. */
+const FORMER_KEYS: ReadonlySet<string> = new Set(['autoPlay', 'playbackMode']);
+
+export const isFormerKey = (key: string): boolean => FORMER_KEYS.has(key);
+/** Whether a schema of OpenUSD knows a key of metadata. */
+export const isRegistered = (key: string): boolean => KEY_TYPES.has(key) && !FORMER_KEYS.has(key);
+
 /** Reserved words. */
 export const KEYWORDS: ReadonlySet<string> = new Set(
   'add append class config connect custom customData def default delete displayUnit doc inherits kind nameChildren None offset over payload permission prefixSubstitutions prepend properties references rel relocates reorder rootPrims scale specializes subLayers suffixSubstitutions symmetryArguments symmetryFunction timeSamples uniform variantSet variantSets variants varying'.split(

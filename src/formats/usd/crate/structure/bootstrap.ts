@@ -1,16 +1,18 @@
 import { inputError } from '../../../diagnostics/inputError.ts';
 import { type CrateSource, Cursor } from './crateSource.ts';
 
-const IDENT = 'PXR-USDC';
+export const IDENT = 'PXR-USDC';
 /** Length of the magic number. */
 export const IDENT_BYTES = IDENT.length;
-const HEADER_BYTES = 88;
-/** Of one entry in the table of contents: a name of 16 bytes, where the section begins, how long it is. */
-const ENTRY_BYTES = 32;
+export const HEADER_BYTES = 88;
+/** Of the name of a section in the table of contents. */
+export const SECTION_NAME_BYTES = 16;
+/** Of one entry in the table of contents: its name, where the section begins, how long it is. */
+const ENTRY_BYTES = SECTION_NAME_BYTES + 16;
 const MAX_SECTIONS = 64;
 
-/** Supported versions: 0.4 (compressed structure) to 0.14 (array edits, which are rejected). */
-const [OLDEST, NEWEST] = [4, 14];
+/** Supported versions: 0.4 (compressed structure) to 0.15 (splines of time codes); array edits, of 0.14, are rejected. */
+const [OLDEST, NEWEST] = [4, 15];
 
 export const SECTIONS = ['TOKENS', 'STRINGS', 'FIELDS', 'FIELDSETS', 'PATHS', 'SPECS'] as const;
 export type SectionName = (typeof SECTIONS)[number];
@@ -30,7 +32,7 @@ export function readSections(source: CrateSource): Map<SectionName, number> {
   if (count > MAX_SECTIONS) source.fail(`it says ${count} sections; a crate file has ${SECTIONS.length}`, start);
   const found = new Map<string, number>();
   for (let i = 0; i < count; i++) {
-    const name = nameAt(source, cursor.pass(16, 'the name of a section'));
+    const name = nameAt(source, cursor.pass(SECTION_NAME_BYTES, 'the name of a section'));
     const begin = cursor.i64(`the place of section ${name}`);
     source.check(begin, Math.max(0, cursor.i64(`the size of section ${name}`)), `section ${name}`);
     found.set(name, begin);
@@ -50,7 +52,7 @@ function checkVersion({ bytes, base, file }: CrateSource): number {
 }
 
 function nameAt({ bytes, base }: CrateSource, at: number): string {
-  const name = bytes.subarray(at - base, at - base + 16);
+  const name = bytes.subarray(at - base, at - base + SECTION_NAME_BYTES);
   const end = name.indexOf(0);
   return String.fromCharCode(...(end < 0 ? name : name.subarray(0, end)));
 }

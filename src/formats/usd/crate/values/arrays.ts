@@ -8,7 +8,7 @@ import type { ArrayType, CrateScalar } from './crateTypes.ts';
 import type { ValueRep } from './valueRep.ts';
 
 /** Shorter arrays are never compressed, even if flagged so. */
-const MIN_COMPRESSED_LENGTH = 16;
+export const MIN_COMPRESSED_LENGTH = 16;
 
 const SCALAR_BYTES = { bool: 1, uchar: 1, int: 4, uint: 4, half: 2, float: 4, double: 8 } as const;
 
@@ -150,7 +150,8 @@ function readPairs(cursor: Cursor, count: number): Uint32Array<ArrayBuffer> {
   return new Uint32Array(cursor.source.slice(from, 8 * count).buffer);
 }
 
-const [AS_INTEGERS, BY_TABLE] = ['i', 't'].map((c) => c.charCodeAt(0));
+/** How numbers are compressed: as integers, or as places in a table. */
+export const [AS_INTEGERS, BY_TABLE] = ['i', 't'].map((c) => c.charCodeAt(0));
 
 function readCompressed(cursor: Cursor, scalar: CrateScalar, count: number): NumberArray {
   const { source, at } = cursor;

@@ -8,7 +8,7 @@ import type { ValueRep } from './valueRep.ts';
 const ITEM_BYTES = 32;
 
 /** Bits of a list op's first byte, in the order in which its lists follow. The lowest says that it is explicit. */
-const LIST_BITS: readonly (readonly [bit: number, list: keyof ListOp<unknown>])[] = [
+export const LIST_BITS: readonly (readonly [bit: number, list: keyof ListOp<unknown>])[] = [
   [2, 'explicit'],
   [4, 'added'],
   [32, 'prepended'],

@@ -34,7 +34,8 @@ describe('a spline in a crate', () => {
   });
 
   it.each<[string, Uint8Array, string]>([
-    ['of version 3', bytes(header(3, 9), u32(0)), 'a spline is of version 3; 1 and 2 are read'],
+    ['of version 4', bytes(header(4, 9), u32(0)), 'a spline is of version 4; 1 to 3 are read'],
+    ['of version 3 with another type', bytes(header(3, 9), [1], u32(0)), 'a spline has values of an unknown type'],
     ['with tangents of Maya', bytes(header(1, 9), u32(1), knot(0x16, 1)), "tangents in Maya's form"],
     [
       'with knots out of order',

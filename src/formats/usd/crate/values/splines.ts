@@ -5,9 +5,9 @@ import { ENTRY_BYTES, type ValueDecoder } from './fieldValue.ts';
 import type { ValueRep } from './valueRep.ts';
 
 const HELD: Extrapolation = { kind: 'held' };
-const EXTRAPOLATIONS = ['none', 'held', 'linear', 'sloped', 'repeat', 'reset', 'oscillate'] as const;
-const INTERPOLATIONS = ['none', 'held', 'linear', 'curve'] as const;
-const ALGORITHMS = ['none', 'custom', 'autoEase'] as const;
+export const EXTRAPOLATIONS = ['none', 'held', 'linear', 'sloped', 'repeat', 'reset', 'oscillate'] as const;
+export const INTERPOLATIONS = ['none', 'held', 'linear', 'curve'] as const;
+export const ALGORITHMS = ['none', 'custom', 'autoEase'] as const;
 /** Of what type values are, by the number in the first byte; of none, where there is no knot. */
 const SCALARS = ['double', 'double', 'float', 'half'] as const;
 
@@ -18,7 +18,7 @@ interface SplineFormat {
   value(): number;
 }
 
-/** A spline (OpenUSD, ts/binary.cpp, versions 1 and 2): its bytes with their number, then custom data by time. */
+/** A spline (OpenUSD, ts/binary.cpp, versions 1 to 3): its bytes with their number, then custom data by time. */
 export function readSpline(reader: ValueDecoder, rep: ValueRep, cursor: Cursor): Spline {
   const empty: Spline = { curve: 'bezier', before: HELD, after: HELD, knots: [] };
   if (rep.isInlined) return empty;
@@ -48,8 +48,8 @@ function readBytes(cursor: Cursor, custom: CustomData): Spline {
   const { source, at } = cursor;
   const first = cursor.u8('a spline');
   const version = first & 15;
-  if (version !== 1 && version !== 2)
-    source.fail(`a spline is of version ${version}; 1 and 2 are read. Write the layer as text: usdcat`, at);
+  if (version < 1 || version > 3)
+    source.fail(`a spline is of version ${version}; 1 to 3 are read. Write the layer as text: usdcat`, at);
   const scalar = SCALARS[(first >> 4) & 3];
   const shape: SplineFormat = {
     version,
@@ -57,6 +57,8 @@ function readBytes(cursor: Cursor, custom: CustomData): Spline {
     value: () => readNumber(cursor, scalar),
   };
   const modes = cursor.u8('a spline');
+  // Of what kind time codes are: plain ones, as far as is known.
+  if (version === 3 && cursor.u8('a spline') !== 0) source.fail('a spline has values of an unknown type', at);
   const before = readExtrapolation(cursor, modes & 7);
   const after = readExtrapolation(cursor, (modes >> 3) & 7);
   const loop = modes & 64 ? readLoop(cursor) : undefined;
