@@ -40,7 +40,7 @@ const GALLERY = [
 ];
 const SCENES = ['.usda', '.usdz', '.glb'];
 const isProject = (file: string): boolean => file.endsWith('.slowlight.json');
-const SHIPPED = [...SCENES, '.png', '.jpg', '.gltf', '.bin'];
+const SHIPPED = [...SCENES, '.png', '.jpg', '.webp', '.gltf', '.bin'];
 
 /** The page, and the page without a screen that the command line drives. Nothing inline: it runs under `script-src 'self'`. */
 export default defineConfig({
@@ -154,7 +154,7 @@ function describeProject(file: string): Example {
 }
 
 function thumbnailOf(name: string): Pick<Example, 'thumbnail'> {
-  const thumbnail = `thumbnails/${name}.png`;
+  const thumbnail = `thumbnails/${name}.webp`;
   return existsSync(join(examplesFolder, thumbnail)) ? { thumbnail: `examples/${thumbnail}` } : {};
 }
 

@@ -3,6 +3,7 @@ import { spawn } from 'node:child_process';
 import { once } from 'node:events';
 import { join } from 'node:path';
 import { root } from './setup.mjs';
+import { toWebp } from './webp.mjs';
 
 /** The graph with a box added to the scene, and the console node in the inspector. */
 export async function shootGraph() {
@@ -25,7 +26,8 @@ export async function shootGraph() {
     await addBox(page, node);
     await node('console').click();
     await page.waitForTimeout(3000);
-    await page.screenshot({ path: join(root, 'docs/pictures/graph.png') });
+    await page.screenshot({ path: join(root, '.cache/pictures/graph.png') });
+    toWebp('.cache/pictures/graph.png', 'docs/pictures/graph.webp');
   } finally {
     await browser.close();
     server.kill();

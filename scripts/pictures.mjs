@@ -2,9 +2,10 @@
 // `npm run pictures -- street` renders those of some scenes. The comparisons of docs/guide/comparing.md are only made by
 // `npm run pictures -- compare` (or the name of one, `compare-moved`), since the reference renderer is slow.
 import { existsSync, mkdirSync } from 'node:fs';
-import { join } from 'node:path';
+import { basename, join } from 'node:path';
 import { shootGraph } from './pageShots.mjs';
 import { checkNode, ensureBuilt, ensureModules, root, run, SetupError } from './setup.mjs';
+import { toWebp } from './webp.mjs';
 
 /** Scene, name of the picture, flags. Thumbnails are 480 × 270, pictures for docs 960 × 540. */
 const thumbnails = {
@@ -81,10 +82,11 @@ try {
   const chosen = (scene) => names.length === 0 || names.includes(scene);
   mkdirSync(join(root, 'docs/pictures'), { recursive: true });
   mkdirSync(join(root, 'examples/thumbnails'), { recursive: true });
+  mkdirSync(join(root, '.cache/pictures'), { recursive: true });
   for (const [scene, flags] of Object.entries(thumbnails))
-    if (chosen(scene)) render(scene, `examples/thumbnails/${scene}.png`, ['--size', '480x270', ...flags]);
+    if (chosen(scene)) draw(scene, `examples/thumbnails/${scene}.webp`, ['--size', '480x270', ...flags]);
   for (const [scene, name, flags] of pictures)
-    if (chosen(scene)) render(scene, `docs/pictures/${name}.png`, ['--size', '960x540', ...flags]);
+    if (chosen(scene)) draw(scene, `docs/pictures/${name}.webp`, ['--size', '960x540', ...flags]);
   if (chosen('graph')) await shootGraph();
   for (const comparison of comparisons)
     if (names.includes('compare') || names.includes(comparison[1])) compare(...comparison);
@@ -92,6 +94,13 @@ try {
   if (!(error instanceof SetupError)) throw error;
   console.error(`\nnpm run pictures: ${error.message}`);
   process.exit(1);
+}
+
+/** Renders a picture and packs it. */
+function draw(scene, out, flags) {
+  const png = `.cache/pictures/${basename(out, '.webp')}.png`;
+  render(scene, png, flags);
+  toWebp(png, out, { exact: flags.includes('--false-colour') });
 }
 
 function render(scene, out, flags) {
@@ -103,14 +112,15 @@ function render(scene, out, flags) {
 
 /** Compares the rasterizer's picture with that of the reference renderer. */
 function compare(scene, name, format, both, fast, how) {
-  mkdirSync(join(root, '.cache/compare'), { recursive: true });
   const [a, b] = ['raster', 'reference'].map((pipeline) => {
-    const out = `.cache/compare/${name}-${pipeline}.${format}`;
+    const out = `.cache/pictures/${name}-${pipeline}.${format}`;
     const flags = pipeline === 'raster' ? fast : [];
     render(scene, out, ['--size', '480x270', '--pipeline', pipeline, ...both, ...flags]);
     return out;
   });
-  slowlight('compare', a, b, '-o', `docs/pictures/${name}.png`, ...how);
+  const png = `.cache/pictures/${name}.png`;
+  slowlight('compare', a, b, '-o', png, ...how);
+  toWebp(png, `docs/pictures/${name}.webp`, { exact: how.includes('aov') });
 }
 
 function slowlight(...args) {
