@@ -1,3 +1,4 @@
+import { fileURLToPath } from 'node:url';
 import { defineConfig } from 'vitest/config';
 
 /** Builds the program and the page where they are not up to date. */
@@ -5,11 +6,15 @@ const built = 'scripts/vitest-built.mjs';
 
 const seeded = ['tests/seed.ts'];
 
+/** Examples of the documentation import the library as its users do. */
+const alias = [{ find: /^slowlight\/(\w+)$/, replacement: fileURLToPath(new URL('src/$1/index.ts', import.meta.url)) }];
+
 /** Unit tests sit beside the code; tests that need a GPU, a browser or the built program live in tests/. */
 export default defineConfig({
   test: {
     projects: [
       {
+        resolve: { alias },
         test: {
           name: 'unit',
           include: [

@@ -6,6 +6,13 @@ import { GpuIntegrator } from './gpuIntegrator.ts';
  * As `integrate` of dynamics, with steps on a GPU, in 32-bit floats (docs/adr/0020-cloth-on-the-gpu.md). Splitting
  * methods with fixed steps only; energies and momenta are summed on the CPU in 64 bits. The device is not closed.
  * Throws a SystemError for what a GPU cannot compute.
+ * @example
+ * import { METHODS, type RunOptions } from 'slowlight/dynamics';
+ * async function simulate(options: RunOptions) {
+ *   const { device, release } = await openWebGpu();
+ *   for await (const { state, quantities } of runOnGpu(device, options)) console.log(state.t, quantities.total);
+ *   release();
+ * }
  */
 export async function* runOnGpu(
   device: GPUDevice,

@@ -17,6 +17,14 @@ export interface ConservedQuantities {
   readonly fastest: number;
 }
 
+/**
+ * Energies, momenta and the greatest speed of a state.
+ * @example
+ * // One kilogram at 0.6 c, c = 10 m/s: (γ − 1) m c² = 25 J, γ m v = 7.5 kg m/s.
+ * const system = makeSystem({ masses: Float64Array.of(1), c: 10 });
+ * const state = { ...stateAtRest(new Float64Array(3)), p: momenta(system, [6, 0, 0]) };
+ * conservedQuantities(system, state); // { kinetic: 25, potential: 0, momentum: [7.5, 0, 0], fastest: 6 }
+ */
 export function conservedQuantities(system: System, state: State): ConservedQuantities {
   const { c, masses, pinned } = system;
   const { x, p } = state;

@@ -11,6 +11,7 @@ export interface MeshStiffness {
   readonly bending: number;
 }
 
+/** The faces of a mesh. */
 export interface FaceTopology {
   /** Number of corners of each face. */
   readonly counts: ArrayLike<number>;
@@ -24,6 +25,11 @@ const MAX_SPRINGS = 10_000_000;
  * The springs of a mesh, each pair of points once: structural along edges; shear along face diagonals; bending from
  * each point to the one beyond a neighbour (in quads: straight on), or across the edge between two triangles. Rest
  * lengths are those in x times `tension`.
+ * @example
+ * // A square: four edges and two diagonals.
+ * const x = Float64Array.of(0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0);
+ * const faces = { counts: [4], corners: [0, 1, 2, 3] };
+ * meshSprings(x, faces, { structural: 100, shear: 50, bending: 0 }).lengths.length; // 6
  */
 export function meshSprings(x: Float64Array, faces: FaceTopology, stiffness: MeshStiffness, tension = 1): Springs {
   const points = x.length / 3;

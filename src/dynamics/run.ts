@@ -7,6 +7,7 @@ import { copyState, type State, type System } from './system.ts';
 
 /** What is to be computed. */
 export interface RunOptions {
+  /** What moves. */
   readonly system: System;
   /** Not modified. */
   readonly start: State;
@@ -15,6 +16,7 @@ export interface RunOptions {
    * those of an uninterrupted run.
    */
   readonly since?: { readonly t: number; readonly frames: number };
+  /** How: one of `METHODS`. */
   readonly method: IntegrationMethod;
   /** From `start.t` on [s]. */
   readonly duration: number;
@@ -35,7 +37,9 @@ export interface RunOptions {
 
 /** A state that a run yields at an interval. */
 export interface SimulationFrame {
+  /** A copy, which the caller may keep. */
   readonly state: State;
+  /** Its energies and momenta. */
   readonly quantities: ConservedQuantities;
   /** Steps since the start. */
   readonly steps: number;
@@ -43,9 +47,11 @@ export interface SimulationFrame {
 
 /** Why a run ended early. */
 export interface EarlyStop {
+  /** Why, for programs. */
   readonly reason: StepFailureReason;
   /** [s] */
   readonly t: number;
+  /** Why, for people. */
   readonly message: string;
   /** The affected point, if there is one. */
   readonly point?: number;
@@ -63,6 +69,7 @@ const MAX_STEPS = 1e9;
  */
 export const MAX_ENERGY_GAIN = 0.5;
 
+/** How a run is divided into steps. */
 export interface StepSchedule {
   /** Maximum step [s]. */
   readonly h: number;
@@ -72,7 +79,15 @@ export interface StepSchedule {
   readonly stable: boolean;
 }
 
-/** Step size and count for a run's options. */
+/**
+ * Step size and count for a run's options.
+ * @example
+ * // A spring pendulum of ω² ≤ 400/s²: a step below 2/ω, and ten frames a second.
+ * const spring = { ends: Uint32Array.of(0, 1), stiffness: Float64Array.of(100), lengths: Float64Array.of(1) };
+ * const system = makeSystem({ masses: Float64Array.of(1, 1), forces: [springForce(spring)] });
+ * const start = stateAtRest(Float64Array.of(0, 0, 0, 1.2, 0, 0));
+ * stepSchedule({ system, start, method: METHODS.get('leapfrog')!, duration: 1, every: 0.1 }).stable; // true
+ */
 export function stepSchedule(options: RunOptions): StepSchedule {
   const { system, method, every } = options;
   const omega = maxAngularFrequency(system);
@@ -91,6 +106,14 @@ function maxStepLength({ method, every, step, tolerance }: RunOptions, omega: nu
 /**
  * Runs a system frame by frame, starting with the initial state. Returns the reason if it ended early; the last yielded
  * frame is valid. A generator, so that the caller can cancel, and resume from any frame's state.
+ * @example
+ * // A kilogram is pushed by 10 N for 1 s, with c = 10 m/s: p = 10 kg m/s, v = c/√2.
+ * const masses = Float64Array.of(1);
+ * const system = makeSystem({ masses, c: 10, forces: [uniformField(masses, [10, 0, 0])] });
+ * const start = stateAtRest(new Float64Array(3));
+ * const frames = [...integrate({ system, start, method: METHODS.get('leapfrog')!, duration: 1, every: 0.1 })];
+ * frames.at(-1)!.state.p; // [10.0, 0, 0] kg m/s
+ * frames.at(-1)!.quantities.fastest; // 7.071 m/s
  */
 export function* integrate(options: RunOptions): Generator<SimulationFrame, EarlyStop | undefined> {
   const course = new FrameBuilder(options);

@@ -20,7 +20,9 @@ export interface RunRecord {
   readonly steps: Float64Array;
   /** Per frame [J]; as in `ConservedQuantities`. */
   readonly kinetic: Float64Array;
+  /** Per frame [J]; as in `ConservedQuantities`. */
   readonly potential: Float64Array;
+  /** Per frame [J]; as in `ConservedQuantities`. */
   readonly total: Float64Array;
   /** x, y, z per frame [kg m/s]. */
   readonly momentum: Float64Array;
@@ -75,7 +77,17 @@ function firstGrowth(total: Float64Array, kinetic: Float64Array): number {
 const maxMagnitude = (values: Float64Array): number =>
   values.reduce((most, value) => Math.max(most, Math.abs(value)), 0);
 
-/** Records a run; call once per frame. */
+/**
+ * Records a run; call once per frame.
+ * @example
+ * const masses = Float64Array.of(1);
+ * const system = makeSystem({ masses, forces: [uniformField(masses, [0, -9.81, 0])] });
+ * const start = stateAtRest(Float64Array.of(0, 10, 0));
+ * const options = { system, start, method: METHODS.get('leapfrog')!, duration: 1, every: 0.5 };
+ * const recorder = new RunRecorder(options);
+ * for (const frame of integrate(options)) recorder.addFrame(frame);
+ * recorder.record().times; // [0, 0.5, 1] s
+ */
 export class RunRecorder {
   private readonly order: RunOptions;
   private readonly rows: RunRecordRow[] = [];
@@ -84,6 +96,7 @@ export class RunRecorder {
     this.order = options;
   }
 
+  /** Adds a row. */
   addFrame({ state, quantities, steps }: SimulationFrame): void {
     this.rows.push({ t: state.t, steps, ...quantities });
   }
@@ -116,7 +129,21 @@ type RunRecordRow = SimulationFrame['quantities'] & { readonly t: number; readon
 const CSV_HEADER =
   'time [s],steps,kinetic energy [J],potential energy [J],total energy [J],px [kg m/s],py [kg m/s],pz [kg m/s],Lx [kg m²/s],Ly [kg m²/s],Lz [kg m²/s],fastest [m/s]';
 
-/** The record as a CSV table: a header with units and a row per frame, in full precision. */
+/**
+ * The record as a CSV table: a header with units and a row per frame, in full precision.
+ * @example
+ * const masses = Float64Array.of(1);
+ * const options = {
+ *   system: makeSystem({ masses }),
+ *   start: stateAtRest(new Float64Array(3)),
+ *   method: METHODS.get('leapfrog')!,
+ *   duration: 1,
+ *   every: 1,
+ * };
+ * const recorder = new RunRecorder(options);
+ * for (const frame of integrate(options)) recorder.addFrame(frame);
+ * runRecordCsv(recorder.record()).split('\n').length; // 4: a header, two frames, an empty end
+ */
 export function runRecordCsv(record: RunRecord): string {
   const { times, steps, kinetic, potential, total, momentum, angularMomentum, fastest } = record;
   const rows = Array.from(times, (t, i) => [

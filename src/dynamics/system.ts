@@ -44,6 +44,12 @@ export const pointName = (i: number): string => `point ${i}`;
 /** Components of a point in x, y, z order. */
 export const pointAt = (x: Float64Array, i: number): Vec3 => [x[3 * i], x[3 * i + 1], x[3 * i + 2]];
 
+/**
+ * A state of its own, with the same numbers.
+ * @example
+ * const state = stateAtRest(Float64Array.of(1, 2, 3));
+ * copyState(state).x === state.x; // false
+ */
 export const copyState = ({ t, x, p }: State): State => ({ t, x: x.slice(), p: p.slice() });
 
 /** Copies a state of the same number of points. */
@@ -53,7 +59,12 @@ export function assignState(to: State, from: State): void {
   to.p.set(from.p);
 }
 
-/** An invalid system, with what to do about it. */
+/**
+ * An invalid system, with what to do about it.
+ * @example
+ * const error = new SystemError('point 2 has no mass', 2);
+ * error.point; // 2
+ */
 export class SystemError extends Error {
   /** The affected point, if there is one. */
   readonly point: number | undefined;
@@ -66,7 +77,11 @@ export class SystemError extends Error {
 
 const MAX_POINTS = 1_000_000;
 
-/** Fills in defaults. Throws a SystemError for an invalid system. */
+/**
+ * Fills in defaults. Throws a SystemError for an invalid system.
+ * @example
+ * makeSystem({ masses: Float64Array.of(1, 2) }); // { c: Infinity, pinned: [0, 0], drag: 0 }
+ */
 export function makeSystem({
   masses,
   pinned = new Uint8Array(masses.length),
@@ -84,13 +99,22 @@ export function makeSystem({
   return { masses, pinned, forces, c, drag, ...rest };
 }
 
-/** A state at rest. */
+/**
+ * A state at rest.
+ * @example
+ * stateAtRest(Float64Array.of(1, 2, 3)); // { t: 0, x: [1, 2, 3], p: [0, 0, 0] }
+ */
 export const stateAtRest = (x: Float64Array, t = 0): State => ({ t, x, p: new Float64Array(x.length) });
 
 /** p = γ m v of a mass; v [m/s] below c. */
 export const momentum = (mass: number, v: Vec3, c: number): Vec3 => scale(v, mass / Math.sqrt(1 - dot(v, v) / (c * c)));
 
-/** p = γ m v of all points; v [m/s] below c. Pinned points are at rest. */
+/**
+ * p = γ m v of all points; v [m/s] below c. Pinned points are at rest.
+ * @example
+ * // γ m v at 0.6 c, with c = 10 m/s.
+ * momenta(makeSystem({ masses: Float64Array.of(2), c: 10 }), [6, 0, 0]); // [15, 0, 0] kg m/s
+ */
 export function momenta({ c, masses, pinned }: System, v: ArrayLike<number>): Float64Array {
   const p = new Float64Array(v.length);
   for (let i = 0; i < masses.length; i++) {
@@ -116,7 +140,13 @@ export function relativisticMasses({ c, masses }: System, p: Float64Array, out: 
     out[i] = Math.sqrt(masses[i] * masses[i] + (p[j] * p[j] + p[j + 1] * p[j + 1] + p[j + 2] * p[j + 2]) * perSquare);
 }
 
-/** v = p/√(m² + p²/c²) [m/s], below c for any p. */
+/**
+ * v = p/√(m² + p²/c²) [m/s], below c for any p.
+ * @example
+ * const v = new Float64Array(3);
+ * velocities(makeSystem({ masses: Float64Array.of(1), c: 10 }), Float64Array.of(7.5, 0, 0), v);
+ * v; // [6, 0, 0] m/s
+ */
 export function velocities(system: System, p: Float64Array, out: Float64Array): void {
   const { c, masses } = system;
   const perSquare = 1 / (c * c);

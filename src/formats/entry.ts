@@ -11,6 +11,10 @@ export function scenesIn(paths: readonly string[]): string[] {
   return scenes.sort((a, b) => depth(a) - depth(b) || kind(a) - kind(b) || (a < b ? -1 : 1));
 }
 
-/** The file to open. A single file is returned whatever its type, so that its reader reports the error. */
+/**
+ * The file to open. A single file is returned whatever its type, so that its reader reports the error.
+ * @example
+ * entryOf(['textures/wood.png', 'parts/wheel.usda', 'cart.usda']); // 'cart.usda'
+ */
 export const entryOf = (paths: readonly string[]): string | undefined =>
   paths.length === 1 ? paths[0] : scenesIn(paths)[0];

@@ -5,6 +5,7 @@ import { sanitizeScene } from './read/sanitize.ts';
 import type { ReadOptions } from './readOptions.ts';
 import { formatOf, sceneFormats } from './registry.ts';
 
+/** How a scene is read, and how much of it at most. */
 export interface OpenOptions extends ReadOptions {
   /** Maximum total size of a scene's files [bytes]. */
   readonly maxBytes?: number;
@@ -16,6 +17,11 @@ export const MAX_BYTES = 2 ** 31;
 /**
  * Reads a scene. Throws an InputError, and nothing else, where the file is missing, empty, too large, damaged or of a
  * kind that no reader knows.
+ * @example
+ * const usda = `#usda 1.0
+ * def Sphere "Ball" { double radius = 2 }`;
+ * const scene = await openScene(memorySource({ 'ball.usda': new TextEncoder().encode(usda) }), 'ball.usda');
+ * scene.objects[0].path; // '/Ball'
  */
 export async function openScene(files: FileSource, entry: string, options: OpenOptions = {}): Promise<Scene> {
   const path = normalizePath(entry);

@@ -1,3 +1,4 @@
+/** Between time samples: straight, or along cubics. */
 export type Interpolation = 'linear' | 'cubic';
 
 /** Options for reading a scene. */

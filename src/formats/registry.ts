@@ -4,6 +4,7 @@ import type { ReadOptions } from './readOptions.ts';
 
 /** A scene file format. `read` loads its parser lazily, to keep the page small. */
 export interface SceneFormat {
+  /** Short and stable, for programs. */
   readonly id: string;
   /** Display name. */
   readonly name: string;
@@ -11,10 +12,15 @@ export interface SceneFormat {
   readonly shortName: string;
   /** Lower case, without the dot. */
   readonly extensions: readonly string[];
+  /** Reads the file `entry` of `source`. Throws an InputError. */
   read(source: FileSource, entry: string, options: ReadOptions): Promise<Scene>;
 }
 
-/** All readable scene formats; those that can reference others come first. */
+/**
+ * All readable scene formats; those that can reference others come first.
+ * @example
+ * sceneFormats.flatMap(({ extensions }) => extensions).includes('usdz'); // true
+ */
 export const sceneFormats: readonly SceneFormat[] = [
   {
     id: 'usd',
@@ -53,7 +59,12 @@ export const sceneFormats: readonly SceneFormat[] = [
   },
 ];
 
-/** The format by a path's extension; undefined if unsupported. */
+/**
+ * The format by a path's extension; undefined if unsupported.
+ * @example
+ * formatOf('models/Chair.GLB')!.id; // 'gltf'
+ * formatOf('notes.txt'); // undefined
+ */
 export function formatOf(path: string): SceneFormat | undefined {
   const extension = extensionOf(path);
   return sceneFormats.find((format) => format.extensions.includes(extension));

@@ -38,7 +38,14 @@ function cubicNotes(scene: Scene, name: string): readonly Diagnostic[] {
 /** Extensions that `saveScene` takes. */
 export const writtenExtensions: readonly string[] = Object.keys(writers);
 
-/** Saves a scene in the format of `name`'s extension (no folders). Throws an InputError if unsupported. */
+/**
+ * Saves a scene in the format of `name`'s extension (no folders). Throws an InputError if unsupported.
+ * @example
+ * import { makeObject, makeScene, sphere } from 'slowlight/scene';
+ * const ball = makeScene({ name: 'ball', objects: [makeObject({ path: '/Ball', mesh: sphere(1) })] });
+ * const { files } = await saveScene(ball, 'ball.glb');
+ * [...files.keys()]; // ['ball.glb']
+ */
 export async function saveScene(scene: Scene, name: string): Promise<ExportedScene> {
   const extension = extensionOf(name);
   if (writtenExtensions.includes(extension)) return writers[extension](scene, name);

@@ -9,6 +9,7 @@ export type ExpressionResult =
   /** `at`: offset in the text [characters]. */
   | { readonly problem: string; readonly at: number };
 
+/** What an expression may refer to. */
 export interface ExpressionContext {
   /** Unit of the field; numbers without a unit are in it. */
   readonly unit?: string;
@@ -83,6 +84,13 @@ const FUNCTIONS: Readonly<Record<string, FunctionSpec>> = {
   beta: unaryFunction((gamma) => Math.sqrt((1 - 1 / gamma) * (1 + 1 / gamma))),
 };
 
+/**
+ * Evaluates the text of a number field; a fault is part of the result.
+ * @example
+ * evaluateExpression('0.9*c', { unit: 'm/s', speedOfLight: 10 }); // { value: 9 }
+ * evaluateExpression('36 km/h', { unit: 'm/s' }); // { value: 10 }
+ * evaluateExpression('2 *'); // { at: 3 }
+ */
 export function evaluateExpression(text: string, { unit, speedOfLight }: ExpressionContext = {}): ExpressionResult {
   if (text.length > MAX_LENGTH) return { problem: `longer than ${MAX_LENGTH} characters`, at: MAX_LENGTH };
   try {

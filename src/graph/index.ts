@@ -1,20 +1,7 @@
-export { conversion } from './analysis/conversion.ts';
-export { type FlatGraph, type FlatNode, type FlatSource, flatten } from './analysis/flatten.ts';
-export { inferTypes, type LevelTypes } from './analysis/inferTypes.ts';
-export {
-  type GraphLevel,
-  inputName,
-  inputSocket,
-  levelOf,
-  type NodeSockets,
-  socketsOf,
-} from './analysis/sockets.ts';
-export { edgeError, isReachable, validateDocument } from './analysis/validate.ts';
+export { validateDocument } from './analysis/validate.ts';
 export {
   DocumentError,
-  edgeKey,
   emptyDocument,
-  emptyGraph,
   type FileReference,
   type Graph,
   type GraphDocument,
@@ -23,54 +10,44 @@ export {
   type GraphNode,
   type GraphNote,
   type GroupSocket,
-  graphIn,
   type NodeGroup,
   type ParamValue,
 } from './document/document.ts';
-export { referencedFiles, renameFiles } from './document/fileReferences.ts';
-export { CURRENT_VERSION, migrate } from './document/migrations.ts';
+export { referencedFiles } from './document/fileReferences.ts';
 export { parseDocument, readDocument } from './document/parse.ts';
 export { serializeDocument } from './document/serialize.ts';
-export {
-  decodeShareLink,
-  encodeShareLink,
-  isShareLink,
-} from './document/shareLink.ts';
-export * from './document/structuralTypes.ts';
-export {
-  type Alignment,
-  alignCommand,
-  distributeCommand,
-  type SizeOf,
-} from './edits/arrange.ts';
-export { applyCommand, type Command, CommandError, type Edit } from './edits/commands.ts';
-export {
-  copyFragment,
-  duplicateSelection,
-  type Fragment,
-  type GraphSelection,
-  type Paste,
-  parseFragment,
-  pasteFragment,
-  serializeFragment,
-} from './edits/fragment.ts';
-export { type Grouping, groupCommand } from './edits/group.ts';
-export { endGesture, executeCommand, type History, newHistory, redo, undo } from './edits/history.ts';
-export { locateNode, type NodeLocation } from './edits/locateNode.ts';
-export { type Ungrouping, ungroupCommand } from './edits/ungroup.ts';
+export { decodeShareLink, encodeShareLink } from './document/shareLink.ts';
+export { applyCommand, type CanvasPoint, type Command, CommandError, type Edit } from './edits/commands.ts';
 export {
   CancelledError,
   type EvaluateOptions,
   type Evaluation,
   Evaluator,
   type EvaluatorOptions,
+  type HeavyRequest,
+  type RunHeavy,
 } from './evaluation/evaluator.ts';
-export {
-  type HeavyPort,
-  type HeavyWorker,
-  heavyWorkerPool,
-  serveHeavy,
-} from './evaluation/heavyWorkers.ts';
 export type { NodeResult } from './evaluation/resultCache.ts';
 export { type ExpressionContext, type ExpressionResult, evaluateExpression } from './expression.ts';
-export * from './nodeType.ts';
+export {
+  type AbortSignalLike,
+  type BooleanParam,
+  type ChoiceParam,
+  type ColorParam,
+  type EvaluationContext,
+  type ListParam,
+  type NodeProblem,
+  NodeRefusal,
+  type NodeType,
+  type NumberParam,
+  type NumberVariant,
+  type Outputs,
+  type ParamSpec,
+  type ProgressCallback,
+  type Registry,
+  type ReportInterim,
+  type Socket,
+  type TextParam,
+  type VectorParam,
+  valueError,
+} from './nodeType.ts';

@@ -30,11 +30,16 @@ interface ParamBase {
   /** The physical value; at any other the control is marked as unphysical. */
   readonly physical?: ParamValue;
 }
+/** A number with its range. */
 export interface NumberParam extends ParamBase {
   readonly kind: 'number';
+  /** Without a value in the document. */
   readonly default: number;
+  /** Least value, in `unit`. */
   readonly min: number;
+  /** Greatest value, in `unit`. */
   readonly max: number;
+  /** Of the control. */
   readonly step: number;
   /**
    * `log`: the control moves in equal ratios. `approach`: in equal steps of the distance to 1, on a scale that never
@@ -43,6 +48,7 @@ export interface NumberParam extends ParamBase {
   readonly scale?: 'linear' | 'log' | 'approach';
   /** As displayed beside the number: `m/s`, `c`, `EV`, `°`. */
   readonly unit?: string;
+  /** Whether it is a whole number. */
   readonly integer?: boolean;
   /** False: no bounded range, so there is only a text field. */
   readonly slider?: boolean;
@@ -56,17 +62,24 @@ export type NumberVariant = Pick<
   NumberParam,
   'title' | 'default' | 'min' | 'max' | 'step' | 'scale' | 'unit' | 'slider'
 >;
+/** A switch. */
 export interface BooleanParam extends ParamBase {
   readonly kind: 'boolean';
+  /** Without a value in the document. */
   readonly default: boolean;
 }
+/** One of several values. */
 export interface ChoiceParam<Value extends string = string> extends ParamBase {
   readonly kind: 'choice';
+  /** Without a value in the document. */
   readonly default: Value;
+  /** In the order of menus. */
   readonly options: readonly { readonly value: Value; readonly title: string }[];
 }
+/** A text. */
 export interface TextParam extends ParamBase {
   readonly kind: 'text';
+  /** Without a value in the document. */
   readonly default: string;
   /** Source of its options: the scene's `cameras`. Absent: set by a special control (the opened file). */
   readonly choices?: 'cameras';
@@ -80,6 +93,7 @@ export interface TextParam extends ParamBase {
 /** Three numbers: a direction or a position. */
 export interface VectorParam extends ParamBase {
   readonly kind: 'vector';
+  /** Without a value in the document. */
   readonly default: readonly [number, number, number];
   /** Unit of each component, as displayed beside the number. */
   readonly unit?: string;
@@ -87,13 +101,16 @@ export interface VectorParam extends ParamBase {
 /** Linear sRGB. */
 export interface ColorParam extends ParamBase {
   readonly kind: 'color';
+  /** Without a value in the document. */
   readonly default: readonly [number, number, number];
 }
 /** Any number of texts, set by a special control. */
 export interface ListParam extends ParamBase {
   readonly kind: 'list';
+  /** Without a value in the document. */
   readonly default: readonly string[];
 }
+/** The description of a parameter. */
 export type ParamSpec = NumberParam | BooleanParam | ChoiceParam | TextParam | VectorParam | ColorParam | ListParam;
 
 /** Type of a parameter's value in the node's code. */
@@ -114,7 +131,9 @@ export type ParamValueOf<Spec> =
 
 /** The part of `AbortSignal` that the engine needs. */
 export interface AbortSignalLike {
+  /** Whether it is cancelled. */
   readonly aborted: boolean;
+  /** Calls `listener` when it is cancelled. */
   addEventListener(type: 'abort', listener: () => void): void;
 }
 
@@ -130,9 +149,13 @@ export type Outputs = Readonly<Record<string, unknown>>;
  */
 export type ReportInterim = (make: () => Outputs) => void;
 
+/** What a node's code is given besides its inputs and parameters. */
 export interface EvaluationContext<Services> {
+  /** Of the host. */
   readonly services: Services;
+  /** Whether the work is still wanted. */
   readonly signal?: AbortSignalLike;
+  /** To be told how far the work is. */
   readonly progress: ProgressCallback;
   /** Absent if interim results are not requested. */
   readonly interim?: ReportInterim;
@@ -142,17 +165,26 @@ export interface EvaluationContext<Services> {
 
 /** Cause and remedy of a problem, as displayed on the node. */
 export interface NodeProblem {
+  /** With an error the node has no result. */
   readonly severity: 'error' | 'warning';
+  /** Short and stable, for programs. */
   readonly code: string;
   /** Node, or file and prim path. */
   readonly place: string;
+  /** What is the matter and what to do, for people. */
   readonly message: string;
   /** A parameter change that would solve it. */
   readonly remedy?: { readonly node: string; readonly param: string; readonly value: ParamValue };
 }
 
-/** Thrown by a node's evaluation to refuse its inputs; the engine reports it at the node. */
+/**
+ * Thrown by a node's evaluation to refuse its inputs; the engine reports it at the node.
+ * @example
+ * const refusal = new NodeRefusal({ severity: 'error', code: 'too-fast', place: 'fly1', message: 'β is 1.2; choose less' });
+ * refusal.problem.code; // 'too-fast'
+ */
 export class NodeRefusal extends Error {
+  /** What the engine reports at the node. */
   readonly problem: NodeProblem;
   constructor(problem: NodeProblem) {
     super(problem.message);
@@ -163,12 +195,19 @@ export class NodeRefusal extends Error {
 
 /** A node type with erased types, as engine and panels use it. */
 export interface NodeType<Services = unknown> {
+  /** Short and stable, in files. */
   readonly id: string;
+  /** Text key. */
   readonly title: string;
+  /** Text key of the explanation. */
   readonly help: string;
+  /** Of menus. */
   readonly category: 'geometry' | 'dynamics' | 'composition' | 'render' | 'utility';
+  /** Parameters by name, in the order of panels. */
   readonly params: Readonly<Record<string, ParamSpec>>;
+  /** Sockets by name. */
   readonly inputs: Readonly<Record<string, Socket>>;
+  /** Sockets by name. */
   readonly outputs: Readonly<Record<string, Socket>>;
   /** The inputs needed with these parameters; others are not evaluated. Default: all. */
   needs?(params: Readonly<Record<string, ParamValue | undefined>>): readonly string[];
@@ -176,6 +215,7 @@ export interface NodeType<Services = unknown> {
   readonly heavy?: boolean;
   /** Whether it computes on a GPU, which is not available in every worker. */
   onGpu?(params: Readonly<Record<string, ParamValue | undefined>>): boolean;
+  /** The outputs by name. Pure; throws a NodeRefusal where the inputs are not fit. */
   evaluate(
     inputs: Readonly<Record<string, unknown>>,
     params: Readonly<Record<string, ParamValue | undefined>>,
@@ -183,6 +223,7 @@ export interface NodeType<Services = unknown> {
   ): Record<string, unknown> | Promise<Record<string, unknown>>;
 }
 
+/** The known node types by id. */
 export type Registry<Services = unknown> = Readonly<Record<string, NodeType<Services>>>;
 
 /** All parameters with their values: as set, else the default; undefined if the scene may suggest one. */
@@ -221,7 +262,13 @@ export function isParamActive(spec: ParamSpec, params: Readonly<Record<string, P
 export const isUnphysical = ({ physical }: ParamSpec, value: ParamValue): boolean =>
   physical !== undefined && value !== physical;
 
-/** Why a value is not valid for a parameter; undefined if it is. */
+/**
+ * Why a value is not valid for a parameter; undefined if it is.
+ * @example
+ * const speed: ParamSpec = { kind: 'number', title: 'Speed', default: 0, min: 0, max: 1, step: 0.1 };
+ * valueError(speed, 0.5); // undefined
+ * valueError(speed, 2); // '2 is outside 0 … 1'
+ */
 export function valueError(spec: ParamSpec, value: ParamValue): string | undefined {
   if (spec.kind === 'number') return numberError(spec, value);
   if (spec.kind === 'choice')

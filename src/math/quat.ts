@@ -4,19 +4,38 @@ import { cross, dot, normalize, type Vec3 } from './vec3.ts';
 /** A quaternion x i + y j + z k + w; of unit length where it represents a rotation. */
 export type Quat = readonly [x: number, y: number, z: number, w: number];
 
+/**
+ * No rotation.
+ * @example
+ * quat.rotate(quat.IDENTITY, [1, 2, 3]); // [1, 2, 3]
+ */
 export const IDENTITY: Quat = [0, 0, 0, 1];
 
-/** Hamilton product a b: as rotations, first `b`, then `a`. */
+/**
+ * Hamilton product a b: as rotations, first `b`, then `a`.
+ * @example
+ * const quarter = quat.fromAxisAngle([0, 0, 1], Math.PI / 2);
+ * quat.rotationAngle(quat.multiply(quarter, quarter)); // 3.14159 rad
+ */
 export const multiply = (a: Quat, b: Quat): Quat => [
   a[3] * b[0] + a[0] * b[3] + a[1] * b[2] - a[2] * b[1],
   a[3] * b[1] - a[0] * b[2] + a[1] * b[3] + a[2] * b[0],
   a[3] * b[2] + a[0] * b[1] - a[1] * b[0] + a[2] * b[3],
   a[3] * b[3] - a[0] * b[0] - a[1] * b[1] - a[2] * b[2],
 ];
-/** The inverse of a rotation. */
+/**
+ * The inverse of a rotation.
+ * @example
+ * const quarter = quat.fromAxisAngle([0, 0, 1], Math.PI / 2);
+ * quat.multiply(quarter, quat.conjugate(quarter)); // [0, 0, 0, 1]
+ */
 export const conjugate = (q: Quat): Quat => [-q[0], -q[1], -q[2], q[3]];
 
-/** q v q⁻¹ = v + 2 w (q × v) + 2 q × (q × v), for a unit q. */
+/**
+ * q v q⁻¹ = v + 2 w (q × v) + 2 q × (q × v), for a unit q.
+ * @example
+ * quat.rotate(quat.fromAxisAngle([0, 0, 1], Math.PI / 2), [1, 0, 0]); // [0, 1, 0]
+ */
 export function rotate(q: Quat, v: Vec3): Vec3 {
   const [x, y, z, w] = q;
   const tx = 2 * (y * v[2] - z * v[1]);
@@ -25,23 +44,40 @@ export function rotate(q: Quat, v: Vec3): Vec3 {
   return [v[0] + w * tx + y * tz - z * ty, v[1] + w * ty + z * tx - x * tz, v[2] + w * tz + x * ty - y * tx];
 }
 
-/** q/|q|; the identity where |q| = 0. */
+/**
+ * q/|q|; the identity where |q| = 0.
+ * @example
+ * quat.normalizeQuat([0, 0, 3, 4]); // [0, 0, 0.6, 0.8]
+ */
 export function normalizeQuat(q: Quat): Quat {
   const l = Math.hypot(q[0], q[1], q[2], q[3]);
   return l > 0 ? [q[0] / l, q[1] / l, q[2] / l, q[3] / l] : IDENTITY;
 }
 
-/** Right-handed rotation by `angle` [rad] about `axis` (any length but 0). */
+/**
+ * Right-handed rotation by `angle` [rad] about `axis` (any length but 0).
+ * @example
+ * quat.fromAxisAngle([0, 0, 5], Math.PI / 2); // [0, 0, 0.7071, 0.7071]
+ */
 export function fromAxisAngle(axis: Vec3, angle: number): Quat {
   const [x, y, z] = normalize(axis);
   const s = Math.sin(angle / 2);
   return [x * s, y * s, z * s, Math.cos(angle / 2)];
 }
 
-/** The rotation angle of a unit quaternion [rad], 0 … π; accurate for tiny angles too. */
+/**
+ * The rotation angle of a unit quaternion [rad], 0 … π; accurate for tiny angles too.
+ * @example
+ * quat.rotationAngle(quat.fromAxisAngle([1, 1, 0], 0.3)); // 0.3 rad
+ */
 export const rotationAngle = (q: Quat): number => 2 * Math.atan2(Math.hypot(q[0], q[1], q[2]), Math.abs(q[3]));
 
-/** Constant angular speed along the shorter arc from `a` (s = 0) to `b` (s = 1). */
+/**
+ * Constant angular speed along the shorter arc from `a` (s = 0) to `b` (s = 1).
+ * @example
+ * const halfTurn = quat.fromAxisAngle([0, 0, 1], Math.PI / 2);
+ * quat.rotationAngle(quat.slerp(quat.IDENTITY, halfTurn, 0.5)); // 0.7854 rad
+ */
 export function slerp(a: Quat, b: Quat, s: number): Quat {
   const d = multiply(conjugate(a), b);
   const turn: Quat = d[3] < 0 ? [-d[0], -d[1], -d[2], -d[3]] : d;
@@ -49,7 +85,11 @@ export function slerp(a: Quat, b: Quat, s: number): Quat {
   return normalizeQuat(multiply(a, fromAxisAngle(axis, s * rotationAngle(turn))));
 }
 
-/** The quaternion of a proper rotation matrix, from its largest component (Shepperd 1978), so that nothing is divided by the root of a small number. */
+/**
+ * The quaternion of a proper rotation matrix, from its largest component (Shepperd 1978), so that nothing is divided by the root of a small number.
+ * @example
+ * quat.fromMatrix([0, -1, 0, 1, 0, 0, 0, 0, 1]); // [0, 0, 0.7071, 0.7071]
+ */
 export function fromMatrix(m: Mat3): Quat {
   const [xx, xy, xz, yx, yy, yz, zx, zy, zz] = m;
   const [x, y, z, w] = [1 + xx - yy - zz, 1 - xx + yy - zz, 1 - xx - yy + zz, 1 + xx + yy + zz];
@@ -60,7 +100,11 @@ export function fromMatrix(m: Mat3): Quat {
   return normalizeQuat([zx + xz, yz + zy, z, yx - xy]);
 }
 
-/** The rotation matrix of a unit quaternion. */
+/**
+ * The rotation matrix of a unit quaternion.
+ * @example
+ * quat.toMatrix(quat.fromAxisAngle([0, 0, 1], Math.PI / 2)); // [0, -1, 0, 1, 0, 0, 0, 0, 1]
+ */
 export function toMatrix(q: Quat): Mat3 {
   const [x, y, z, w] = q;
   return [
@@ -76,7 +120,11 @@ export function toMatrix(q: Quat): Mat3 {
   ];
 }
 
-/** The rotation that takes one unit vector to another along the shortest arc; for opposite vectors half a turn about an axis perpendicular to them. */
+/**
+ * The rotation that takes one unit vector to another along the shortest arc; for opposite vectors half a turn about an axis perpendicular to them.
+ * @example
+ * quat.rotate(quat.shortestRotation([1, 0, 0], [0, 0, 1]), [1, 0, 0]); // [0, 0, 1]
+ */
 export function shortestRotation(from: Vec3, to: Vec3): Quat {
   const cosine = dot(from, to);
   if (cosine > 1 - 1e-15) return IDENTITY;

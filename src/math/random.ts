@@ -4,6 +4,10 @@ export type Random = () => number;
 /**
  * A seeded generator of numbers in [0, 1), with the same sequence on every machine: sfc32 of PractRand (Doty-Humphrey), 2³² seeds
  * with periods of at least 2³².
+ * @example
+ * const next = random(42);
+ * const again = random(42);
+ * next() === again(); // true
  */
 export function random(seed: number): Random {
   let [a, b, c, counter] = [0, seed | 0, seed ^ 0x9e3779b9, 1];

@@ -1,4 +1,8 @@
-/** The root of a continuous f between a and b, where f changes sign, to the last bit: halves until no number lies between. */
+/**
+ * The root of a continuous f between a and b, where f changes sign, to the last bit: halves until no number lies between.
+ * @example
+ * bisect((x) => x * x - 2, 0, 2); // 1.414213562373
+ */
 export function bisect(f: (x: number) => number, a: number, b: number): number {
   let [lo, hi] = f(a) <= f(b) ? [a, b] : [b, a];
   for (;;) {
@@ -13,6 +17,8 @@ export function bisect(f: (x: number) => number, a: number, b: number): number {
  * The root of a continuous f between a and b, where f changes sign: inverse quadratic steps guarded by bisection, until
  * the bracket is `tolerance` or one rounding wide. If f has the same sign at both ends, the end with the smaller |f| is returned.
  * Source: Brent 1973, "Algorithms for Minimization without Derivatives", ch. 4.
+ * @example
+ * brent((x) => x * x - 2, 0, 2); // 1.414213562373
  */
 export function brent(f: (x: number) => number, a: number, b: number, tolerance = 0): number {
   let [fa, fb] = [f(a), f(b)];
@@ -50,6 +56,9 @@ const MAX_STEPS = 100;
 /**
  * The root of an increasing function between a and b: Newton's steps from `guess`, replaced by bisection where a step leaves the current bracket or
  * the last two steps did not halve it. f returns value and slope. If the root lies beyond an end, that end is returned.
+ * @example
+ * // Kepler's equation M = E − e sin E, with e = 0.6 and M = 1.
+ * safeguardedNewton((E) => [E - 0.6 * Math.sin(E) - 1, 1 - 0.6 * Math.cos(E)], 0, 2, 1); // 1.5997
  */
 export function safeguardedNewton(
   f: (x: number) => readonly [value: number, slope: number],

@@ -137,5 +137,9 @@ const types = [
   groupOutputNode,
 ];
 
-/** All node types by id; a new type is registered only here. */
+/**
+ * All node types by id; a new type is registered only here.
+ * @example
+ * nodeLibrary.fly.category; // 'geometry'
+ */
 export const nodeLibrary: Registry<Services> = Object.fromEntries(types.map((type) => [type.id, type]));

@@ -11,16 +11,20 @@ import type { RenderStill } from './still.ts';
  * thread.
  */
 export interface LoadedScene {
+  /** As read. */
   readonly scene: Scene;
   /** The fastest point; undefined if nothing moves. */
   readonly fastest?: FastestScenePoint;
 }
 
+/** The fastest vertex of a scene and its object. */
 export type FastestScenePoint = FastestInScene;
 
 /** Options for reading a scene. */
 export interface ReadRequest extends Pick<ReadOptions, 'variants' | 'interpolation'> {
+  /** Cancels the reading. */
   readonly signal?: AbortSignalLike;
+  /** Told how far the reading is. */
   readonly progress: ProgressCallback;
 }
 

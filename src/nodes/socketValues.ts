@@ -27,6 +27,7 @@ export interface GBufferSpec extends CameraView, ValuesOf<SettingOfNode<'relativ
 
 /** An image, described by the pass that makes it from others; nothing is rendered before the whole picture is known. */
 export interface ImageSpec {
+  /** The pass, and the images that it takes. */
   readonly step: FrameGraphPassOf<ImageSpec, GBufferSpec>;
   /** The primary G-buffer, whose camera, time and speed of light apply to the image. */
   readonly gbuffer: GBufferSpec;
@@ -36,6 +37,7 @@ export interface ImageSpec {
 export interface PictureSpec extends GBufferSpec, ValuesOf<SettingOfNode<'deferred-lighting' | 'tone-map'>> {
   /** Whether ambient occlusion dims the light of the sky. */
   readonly occlusion: boolean;
+  /** What is displayed as colours. */
   readonly falseColor: FalseColorQuantity | 'none';
   /** Present if the picture is more than one shaded G-buffer. */
   readonly frameGraph?: FrameGraph;

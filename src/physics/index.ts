@@ -43,25 +43,15 @@ export {
   radiancePerWavelength,
 } from './optics/radiance.ts';
 export {
-  type CubicPiece,
-  controlVelocities,
-  cubicAt,
-  cubicCrossing,
-  cubicEmission,
-  subluminalBend,
-  withBend,
-} from './worldLines/cubicPiece.ts';
-export {
   circularEmission,
   hyperbolicEmission,
   polylineEmission,
-  presentEmission,
   type RetardedEvent,
   staticEmission,
   uniformEmission,
 } from './worldLines/emission.ts';
-export { type CircularLine, circleAt } from './worldLines/kinds/circularLine.ts';
-export { type CubicLine, cubicPiece } from './worldLines/kinds/cubicLine.ts';
+export type { CircularLine } from './worldLines/kinds/circularLine.ts';
+export type { CubicLine } from './worldLines/kinds/cubicLine.ts';
 export type { HyperbolicLine } from './worldLines/kinds/hyperbolicLine.ts';
 export type { PolylineLine } from './worldLines/kinds/polylineLine.ts';
 export type { StaticLine } from './worldLines/kinds/staticLine.ts';
@@ -77,7 +67,7 @@ export {
   newtonEmissionTime,
   pastLightCone,
 } from './worldLines/lightCone.ts';
-export { restsOutsideSamples, samplePosition, samplesUntil } from './worldLines/samples.ts';
+export type { SampledLine } from './worldLines/samples.ts';
 export {
   contraction,
   simultaneitySlice,

@@ -42,7 +42,16 @@ export function aovReader(name: DataAov, scene: TracedScene, u: Vec3, settings: 
   }
 }
 
-/** D = ν_observed/ν_emitted of a ray's hit, for an observer with proper velocity u at the ray's origin. */
+/**
+ * D = ν_observed/ν_emitted of a ray's hit, for an observer with proper velocity u at the ray's origin.
+ * @example
+ * import { makeObject, makeScene, plane, restingAt } from 'slowlight/scene';
+ * const wall = makeObject({ path: '/Wall', mesh: plane(2, 2), motion: restingAt([0, 0, -4]) });
+ * const scene = createTracedScene(makeScene({ name: 'wall', objects: [wall] }), 10);
+ * const ray = { t: 0, x: [0, 0, 0], dt: -1, dx: [0, 0, -1] } as const;
+ * // The observer flies towards it at 0.6 c.
+ * dopplerOfHit(visibleHit(scene, ray)!, ray, [0, 0, -0.75]); // 2
+ */
 export function dopplerOfHit({ velocity }: Hit, { dx }: SpacetimeRay, u: Vec3): number {
   return dopplerFactor(dx, u, properVelocity(velocity));
 }

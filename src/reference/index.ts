@@ -3,6 +3,7 @@ export { dopplerOfHit } from './aov.ts';
 export { cameraRay, rayToward } from './camera/cameraRay.ts';
 export { type TransparentMode, visibleHit } from './camera/visibleHit.ts';
 export { createTracedScene, nearestHit, type TracedScene } from './intersection/tracedScene.ts';
+export { DEFAULT_LIGHT, type LightOptions } from './lights/lightOptions.ts';
 export { materialOf } from './materials/material.ts';
 export { renderTile } from './tile.ts';
-export type { ImageTile, TileData, TileRequest } from './tileRequest.ts';
+export type { ImageTile, OutputLayer, TileData, TileRequest } from './tileRequest.ts';

@@ -8,7 +8,32 @@ import type { ImageTile, OutputLayer, TileData, TileRequest } from './tileReques
 
 export const channelsOf = (layer: OutputLayer): number => (layer === 'picture' ? 3 : AOVS[layer].channels.length);
 
-/** Renders a part of a picture. The bits depend only on the request and the pixel. */
+/**
+ * Renders a part of a picture. The bits depend only on the request and the pixel.
+ * @example
+ * import { DEFAULT_SETTINGS, makeObject, makeScene, perspective, plane, restingAt } from 'slowlight/scene';
+ * const wall = makeObject({ path: '/Wall', mesh: plane(20, 20), motion: restingAt([0, 0, -4]) });
+ * const scene = createTracedScene(makeScene({ name: 'wall', objects: [wall] }), 10);
+ * const view = {
+ *   t: 0,
+ *   position: [0, 0, 0],
+ *   u: [0, 0, -0.75],
+ *   orientation: [0, 0, 0, 1],
+ *   lens: perspective(0.01),
+ * } as const;
+ * const request: TileRequest = {
+ *   view,
+ *   settings: DEFAULT_SETTINGS,
+ *   width: 1,
+ *   height: 1,
+ *   layers: ['depth', 'doppler'],
+ *   samples: 1,
+ *   seed: 1,
+ *   light: DEFAULT_LIGHT,
+ * };
+ * // Seen from 0.6 c the wall is D = 2 times as far.
+ * renderTile(scene, request, { x0: 0, y0: 0, x1: 1, y1: 1 }); // { depth: [8], doppler: [2] }
+ */
 export function renderTile(scene: TracedScene, request: TileRequest, tile: ImageTile): TileData {
   const data: TileData = {};
   const pixels = (tile.x1 - tile.x0) * (tile.y1 - tile.y0);

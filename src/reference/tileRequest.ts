@@ -6,23 +6,33 @@ export type OutputLayer = AovName | 'picture';
 
 /** The description of a picture to render. */
 export interface TileRequest {
+  /** The observer's event, velocity and camera. */
   readonly view: ViewPoint;
+  /** Settings of the picture; some belong to the rasterizer only. */
   readonly settings: RenderSettings;
-  /** Size of the whole picture [px]. */
+  /** Width of the whole picture [px]. */
   readonly width: number;
+  /** Height of the whole picture [px]. */
   readonly height: number;
+  /** What to compute. */
   readonly layers: readonly OutputLayer[];
   /** n, for n × n samples per pixel of `beauty` and `picture`. */
   readonly samples: number;
+  /** The same seed gives the same noise. */
   readonly seed: number;
+  /** How light is followed. */
   readonly light: LightOptions;
 }
 
 /** Pixels x0 ≤ x < x1, y0 ≤ y < y1, from the top left. */
 export interface ImageTile {
+  /** Left edge [px]. */
   readonly x0: number;
+  /** Top edge [px]. */
   readonly y0: number;
+  /** After the right edge [px]. */
   readonly x1: number;
+  /** After the bottom edge [px]. */
   readonly y1: number;
 }
 

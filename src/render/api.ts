@@ -9,8 +9,11 @@ import type { PickResult, RendererInfo, Sampling } from './settings.ts';
  * `const renderer = await SceneRenderer.create({ canvas })`. Pixels have their rows from the top, on every backend.
  */
 export interface RasterRenderer {
+  /** What draws, and what the last frame cost. */
   readonly info: RendererInfo;
+  /** Of the picture [px]. */
   readonly width: number;
+  /** Of the picture [px]. */
   readonly height: number;
   /** Uploads a scene and releases the previous one; the scene is not changed and may be shared. `others`: scenes 1, 2 … of a frame graph's extra G-buffers. */
   setScene(scene: Scene, others?: readonly Scene[]): Promise<void>;
@@ -39,5 +42,6 @@ export interface RasterRenderer {
   measureLight(): Promise<LightMeterReadings>;
   /** What the last picture shows at a pixel (from the top left); undefined outside its views. */
   pick(x: number, y: number): Promise<PickResult | undefined>;
+  /** Gives back all that it holds on the GPU. */
   dispose(): void;
 }

@@ -41,7 +41,23 @@ interface IncompletePicture {
 
 const NOTHING_DRAWN = { viewsDrawn: 0, objectsDrawn: 0 };
 
-/** Renders pictures of a scene for a page, a command line or a benchmark; see api.ts. Each view has a `ViewRenderer`; the uploaded scenes are shared by all views. */
+/**
+ * Renders pictures of a scene for a page, a command line or a benchmark; see `RasterRenderer`. The uploaded scenes are
+ * shared by all views.
+ * @example
+ * import { memorySource, openScene } from 'slowlight/formats';
+ * import { DEFAULT_SETTINGS, framingCamera, observerFromCamera } from 'slowlight/scene';
+ * async function draw(canvas: HTMLCanvasElement, file: Uint8Array) {
+ *   const scene = await openScene(memorySource({ 'scene.usda': file }), 'scene.usda');
+ *   const renderer = await SceneRenderer.create({ canvas });
+ *   await renderer.setScene(scene);
+ *   renderer.setSize(960, 540);
+ *   const settings = { ...DEFAULT_SETTINGS, speedOfLight: 10 };
+ *   const eye = observerFromCamera(framingCamera(scene), 0, settings.speedOfLight);
+ *   // At half the speed of light, straight ahead.
+ *   renderer.render([{ ...eye, t: 0, u: [0, 0, -0.577] }], settings);
+ * }
+ */
 export class SceneRenderer implements RasterRenderer {
   private readonly gpu: Gpu;
   private readonly frameSetup = new FrameSetup();

@@ -33,8 +33,10 @@ export type Sampling = number | 'temporal';
 /** Most views of a picture: `ViewCompositor` reads one texture of each in one pass, and WebGL2 and WebGPU guarantee 16. */
 export const MAX_VIEWS = 16;
 
+/** What draws on the GPU. */
 export type Backend = 'webgpu' | 'webgl';
 
+/** Where and how it draws. */
 export interface RendererOptions {
   /** The canvas to present on; absent: pictures are only read back. */
   readonly canvas?: HTMLCanvasElement;
@@ -71,7 +73,9 @@ export interface RendererOptions {
   readonly onLost?: (reason: string) => void;
 }
 
+/** What draws, and what the last frame cost. */
 export interface RendererInfo {
+  /** What draws. */
   readonly backend: Backend;
   /** Drawn in the last frame, after culling. */
   readonly triangles: number;
@@ -79,7 +83,9 @@ export interface RendererInfo {
   readonly tolerance: number;
   /** Largest width and height of a picture on this device [px]. */
   readonly maxTextureSize: number;
+  /** In the last frame, after culling. */
   readonly objectsDrawn: number;
+  /** Of the scene. */
   readonly objects: number;
   /** Whether the last requested picture was not drawn because samples of a deforming mesh are being loaded. */
   readonly waiting: boolean;

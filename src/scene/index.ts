@@ -1,30 +1,23 @@
 export type { BoundingBox, BoundingSphere } from './bounds/bounds.ts';
 export { boundingBox, boundingSphere } from './bounds/bounds.ts';
-export { emissionWindow, objectBounds, sceneBounds } from './bounds/sceneBounds.ts';
+export { objectBounds, sceneBounds } from './bounds/sceneBounds.ts';
 export { FOREVER, IDENTITY_POSE, makeMaterial, makeObject, makeScene, restingAt } from './defaults.ts';
-export type { BuiltMesh } from './mesh/makeMesh.ts';
-export { gatherPoints, makeMesh } from './mesh/makeMesh.ts';
+export { type BuiltMesh, makeMesh } from './mesh/makeMesh.ts';
 export { mergeMeshes, transformMesh, withMaterial } from './mesh/meshOps.ts';
-export { cornerNormals, deformedNormals, smoothingGroups } from './mesh/normals.ts';
 export type { Polygons, PolygonValues } from './mesh/polygons.ts';
-export type { Axis, RoundOptions, SurfaceBand } from './mesh/primitives.ts';
+export type { Axis, RadiusHeight, RoundOptions, SurfaceBand } from './mesh/primitives.ts';
 export { box, capsule, cone, cylinder, grid, plane, revolve, sphere, torus } from './mesh/primitives.ts';
 export { type Flight, fly } from './motion/fly.ts';
-export { bornRigidAcceleration } from './motion/kinds/hyperbolicMotion.ts';
 export type { FastestVertex } from './motion/kinds/motionKind.ts';
 export {
   fastestVertex,
   originWorldLine,
   poseAt,
-  restToWorld,
   vertexPosition,
   vertexPositions,
   vertexWorldLine,
 } from './motion/motion.ts';
 export { changeMotion, type MotionChange } from './motion/motionChange.ts';
-export { samplePose } from './motion/poses.ts';
-export type { PoseSamples } from './motion/resample.ts';
-export { resampleRotation, sampleMotion } from './motion/resample.ts';
 export { retime, type Timing } from './motion/retime.ts';
 export type { Solver } from './settings/settings.ts';
 export type * from './types.ts';

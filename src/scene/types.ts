@@ -13,18 +13,25 @@ export type * from './motion/motionTypes.ts';
  * seconds, metres per second, radians. The axes are the file's own; only its lengths are scaled to metres.
  */
 export interface Scene {
+  /** For people. */
   readonly name: string;
   /** The up axis of the file; determines only the default camera's up, the grid's plane and the sky's zenith. */
   readonly upAxis: 'Y' | 'Z';
   /** As in the file, for writing it back. All lengths of a scene are metres already. */
   readonly metersPerUnit: number;
+  /** As in the file, for writing it back. All times of a scene are seconds already. */
   readonly timeCodesPerSecond: number;
-  /** Range of the animation [s]. */
+  /** Start of the animation [s]. */
   readonly startTime: number;
+  /** End of the animation [s]. */
   readonly endTime: number;
+  /** What is seen. */
   readonly objects: readonly SceneObject[];
+  /** What surfaces are made of; `MeshGroup.material` counts in them. */
   readonly materials: readonly Material[];
+  /** What shines. */
   readonly lights: readonly Light[];
+  /** What the file looks with. */
   readonly cameras: readonly SceneCamera[];
   /** The author's suggestions for viewing; the user's choices take precedence. */
   readonly hints: SceneHints;
@@ -32,6 +39,7 @@ export interface Scene {
   readonly variants?: readonly VariantSet[];
   /** Largest distance between a path in the file and its samples joined by straight lines [m]; absent if none was resampled. */
   readonly pathError?: number;
+  /** What its reader could not read, or changed. */
   readonly diagnostics: readonly Diagnostic[];
 }
 
@@ -39,14 +47,17 @@ export interface Scene {
 export interface VariantSet {
   /** Unique in the scene. glTF: `material`; USD: prim path and set, `/World/Car{paint}`. */
   readonly set: string;
+  /** Their names. */
   readonly options: readonly string[];
   /** One of `options`, or empty if none is chosen. */
   readonly chosen: string;
 }
 
+/** The author's suggestions for viewing. */
 export interface SceneHints {
   /** Speed of light [m/s]. */
   readonly speedOfLight?: number;
+  /** For people. */
   readonly title?: string;
   /** What to look for, one or two sentences. */
   readonly lookFor?: string;
@@ -56,11 +67,15 @@ export interface SceneHints {
   readonly openAt?: number;
 }
 
+/** Something seen: a mesh that moves. */
 export interface SceneObject {
   /** Prim path, unique: `/World/Cube`. Its index in `objects` plus one is the id in the object AOV (0 is background). */
   readonly path: string;
+  /** Its shape, in its own frame. */
   readonly mesh: Mesh;
+  /** How it moves. */
   readonly motion: Motion;
+  /** When it exists. */
   readonly lifetime: Lifetime;
   /**
    * `world`: at each world time the object has the shape as written. `rest`: the mesh is the shape in the object's rest frame, so in the world it is
@@ -79,33 +94,45 @@ export interface Mesh {
   readonly uvs: Float32Array;
   /** Linear RGB, 3 per vertex, multiplied with the base colour; absent if all are white. */
   readonly colors?: Float32Array;
+  /** Three vertices per triangle, counterclockwise seen from outside. */
   readonly indices: Uint32Array;
   /** Runs of `indices`, each with its material; together they cover `indices`. */
   readonly groups: readonly MeshGroup[];
+  /** Whether faces are seen from both sides. */
   readonly doubleSided: boolean;
 }
 
+/** Triangles of one material. */
 export interface MeshGroup {
+  /** Its first place in `Mesh.indices`. */
   readonly start: number;
+  /** How many places: three per triangle. */
   readonly count: number;
   /** Index in `Scene.materials`. */
   readonly material: number;
 }
 
+/** What a surface is made of, in its rest frame. */
 export interface Material {
+  /** For people. */
   readonly name: string;
   /** Linear sRGB. */
   readonly baseColor: Vec3;
+  /** Multiplied with `baseColor`. */
   readonly baseColorTexture?: Texture;
   /** Linear sRGB radiance. */
   readonly emissive: Vec3;
+  /** Multiplied with `emissive`. */
   readonly emissiveTexture?: Texture;
   /** 0 … 1; with a texture, the mean of that. */
   readonly roughness: number;
+  /** Roughness by place. */
   readonly roughnessTexture?: TextureChannel;
   /** 0 … 1; with a texture, the mean of that. */
   readonly metallic: number;
+  /** Metalness by place. */
   readonly metallicTexture?: TextureChannel;
+  /** Bends the normals. */
   readonly normalTexture?: NormalTexture;
   /** 0 … 1 */
   readonly opacity: number;
@@ -113,13 +140,15 @@ export interface Material {
   readonly opacityThreshold: number;
   /** Refractive index; absent: that of glass, 1.5. */
   readonly ior?: number;
-  /** Reflectance below 360 nm and above 830 nm, 0 … 1; absent: that of the visible colour at its ends. */
+  /** Reflectance below 360 nm, 0 … 1; absent: that of the visible colour at its end. */
   readonly uv?: number;
+  /** Reflectance above 830 nm, 0 … 1; absent: that of the visible colour at its end. */
   readonly ir?: number;
   /** Measured reflectance; `baseColor`, `uv` and `ir` are then its bands (spectrum/color/filterOfReflectance.ts). With a texture or vertex colours only these bands count. */
   readonly reflectance?: MeasuredReflectance;
-  /** With these textures, `uv` and `ir` are their means. */
+  /** With it, `uv` is its mean. */
   readonly uvTexture?: TextureChannel;
+  /** With it, `ir` is its mean. */
   readonly irTexture?: TextureChannel;
   /** Baked ambient occlusion: the fraction of the light of the sky and of other surfaces that reaches each point. Does not affect distant and local lights. */
   readonly occlusionTexture?: TextureChannel;
@@ -129,9 +158,13 @@ export interface Material {
 
 /** One channel of a texture as a number: `scale` times its linear value plus `bias`, clamped to 0 … 1. */
 export interface TextureChannel {
+  /** Linear. */
   readonly texture: Texture;
+  /** Red, green, blue, alpha. */
   readonly channel: 0 | 1 | 2 | 3;
+  /** Factor of the linear value. */
   readonly scale: number;
+  /** Added after `scale`. */
   readonly bias: number;
 }
 
@@ -142,11 +175,13 @@ export interface TextureChannel {
 export interface NormalTexture {
   /** Linear. */
   readonly texture: Texture;
+  /** Factors of x and y. */
   readonly strength: readonly [x: number, y: number];
 }
 
 /** A perspective camera that looks down −Z with +Y up; animated by its poses. */
 export interface SceneCamera {
+  /** Prim path, unique. */
   readonly path: string;
   /** Static or sampled. */
   readonly motion: StaticMotion | SampledMotion;
@@ -156,16 +191,19 @@ export interface SceneCamera {
 
 /** Something users should know about the file: severity, code, place, and what to do. */
 export interface Diagnostic {
+  /** With an error, something is missing or the file is rejected; a warning tells of a simplification. */
   readonly severity: 'error' | 'warning' | 'info';
   /** Short and stable, for programs: `usd.unsupported-arc`. */
   readonly code: string;
   /** File, or file and prim path. */
   readonly place: string;
+  /** What is the matter and what to do, for people. */
   readonly message: string;
   /** The missing file, if there is one: the user may supply it. */
   readonly missing?: MissingFile;
 }
 
+/** A file that another one names and that was not found. */
 export interface MissingFile {
   /** As the file writes it. */
   readonly name: string;
@@ -173,8 +211,16 @@ export interface MissingFile {
   readonly lookedFor: readonly string[];
 }
 
-/** Rejects an input: names file, place and value and says what to do. The only error type that readers throw. */
+/**
+ * Rejects an input: names file, place and value and says what to do. The only error type that readers throw.
+ * @example
+ * import { memorySource, openScene } from 'slowlight/formats';
+ * const files = memorySource({ 'a.usda': new TextEncoder().encode('not USD') });
+ * const error = await openScene(files, 'a.usda').catch((reason) => reason);
+ * error instanceof InputError && error.diagnostic.severity; // 'error'
+ */
 export class InputError extends Error {
+  /** Place, code and words, for programs and people. */
   readonly diagnostic: Diagnostic;
   constructor(diagnostic: Diagnostic) {
     super(`${diagnostic.place}: ${diagnostic.message}`);

@@ -1,9 +1,6 @@
 export { dopplerTint } from './color/dopplerTint.ts';
 export { glowColor } from './color/glowColor.ts';
-export { lineColor } from './color/lineColor.ts';
-export { type SkyPartNodes as SkyParts, skyParts } from './color/skyParts.ts';
 export { toneMapAgx, toneMapLinear, toneMapNeutral } from './color/toneMap.ts';
-export { cubicEmission } from './emission/cubicEmission.ts';
 export { hyperbolicEmission } from './emission/hyperbolicEmission.ts';
 export { newtonEmission } from './emission/newtonEmission.ts';
 export { ontoLightCone } from './emission/ontoLightCone.ts';
@@ -18,23 +15,20 @@ export { emitterDoppler } from './kinematics/emitterDoppler.ts';
 export { observerDoppler } from './kinematics/observerDoppler.ts';
 export { simultaneousPosition } from './kinematics/simultaneousPosition.ts';
 export { unaberrate } from './kinematics/unaberrate.ts';
-export { cubicSlice } from './simultaneity/cubicSlice.ts';
 export { hyperbolicSlice } from './simultaneity/hyperbolicSlice.ts';
 export { polylineSlice } from './simultaneity/polylineSlice.ts';
 export { uniformSlice } from './simultaneity/uniformSlice.ts';
-export { HalfAtlas, type HalfTable, type HalfTexels } from './tables/halfAtlas.ts';
-export { observerTexels } from './tables/observerTable.ts';
-export {
-  type BandColors,
-  coloredColors,
-  filteredColor,
-  luminanceOf,
-  type SpectrumTable,
-  spectrumTable,
-  thermalColors,
-} from './tables/spectrumTable.ts';
-export type { HyperbolicVertexEvent, SampleTable, VertexEvent, WorldLineAt } from './types.ts';
-export { cubicPlace } from './worldLines/cubicPlace.ts';
+export type {
+  Bool,
+  Float,
+  HyperbolicVertexEvent,
+  Int,
+  SampleTable,
+  Vec3,
+  Vec4,
+  VertexEvent,
+  WorldLineAt,
+} from './types.ts';
 export { hyperbolicPlace } from './worldLines/hyperbolicPlace.ts';
 export { polylinePlace } from './worldLines/polylinePlace.ts';
 export { uniformPlace } from './worldLines/uniformPlace.ts';

@@ -1,10 +1,15 @@
 import type { Node } from 'three/webgpu';
 
+/** A truth value in a shader. */
 export type Bool = Node<'bool'>;
+/** An integer in a shader. */
 export type Int = Node<'int'>;
+/** A number in a shader (f32). */
 export type Float = Node<'float'>;
 export type Vec2 = Node<'vec2'>;
+/** Three numbers in a shader (f32). */
 export type Vec3 = Node<'vec3'>;
+/** Four numbers in a shader (f32). */
 export type Vec4 = Node<'vec4'>;
 
 /*
@@ -33,6 +38,7 @@ export type SampleTable = (index: Int) => Vec4;
 
 /** A vertex event that may not exist: `exists` is false behind the horizon. */
 export interface HyperbolicVertexEvent extends VertexEvent {
+  /** False behind the horizon. */
   readonly exists: Bool;
 }
 

@@ -1,30 +1,13 @@
 export { blackbodyColor, glowColor } from './color/blackbodyColor.ts';
 export { lightFilter } from './color/lightFilter.ts';
-export {
-  colorOfSpectrum,
-  LUMINANCE_WEIGHTS,
-  observedColor,
-  toLinearSrgb,
-  XYZ_TO_RENDER_SRGB,
-} from './color/observerColor.ts';
+export { colorOfSpectrum, LUMINANCE_WEIGHTS, observedColor, toLinearSrgb } from './color/observerColor.ts';
 export { P3_TO_XYZ, SRGB_TO_P3, SRGB_TO_XYZ, XYZ_TO_P3, XYZ_TO_SRGB } from './display/rgbSpaces.ts';
-export { toneMap } from './display/toneMap.ts';
-export { columnOf, type DopplerTable, SHIFT_LIMIT, tableColor, tableTexel } from './doppler/dopplerTable.ts';
+export { type ToneMapping, toneMap } from './display/toneMap.ts';
 export { dopplerTint } from './doppler/dopplerTint.ts';
-export {
-  type BlackbodyCurve,
-  blackbodyCurve,
-  blackbodyLuminance,
-  LUMINANCE_THETA,
-  MIDDLE_TEMPERATURE,
-  rowOf,
-  thermalTable,
-} from './doppler/thermalTable.ts';
-export { colorMatching, NANOMETRE, tristimulus, VISIBLE, WAVELENGTHS } from './observer/standardObserver.ts';
+export { colorMatching, tristimulus, VISIBLE, WAVELENGTHS } from './observer/standardObserver.ts';
 export { MATERIAL_PRESETS, type MaterialPreset } from './reflectance/materialPresets.ts';
 export {
-  BASIS_ENDS,
-  basisAt,
+  type FilterResidual,
   filterFromRgb,
   reflectanceAt,
   type SpectralFilter,
@@ -42,4 +25,4 @@ export {
   spectralRadiance,
   type ThermalSpectrum,
 } from './sources/lightSpectrum.ts';
-export { logLuminance, logPlanck, SECOND_RADIATION } from './sources/planck.ts';
+export { logLuminance, logPlanck } from './sources/planck.ts';

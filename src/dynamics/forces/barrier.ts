@@ -13,6 +13,10 @@ const MAX_SEARCH_STEPS = 40;
  * Its discrete gradient is Gonzalez's: the gradient at the midpoint plus a correction along the displacement that makes
  * up for V₁ − V₀. `carriers`: kinematic points that carry the obstacle: its center and, if it rotates, the ends of two
  * arms along its x and y axes; none: it is fixed. Points are then transformed to the obstacle's initial pose.
+ * @example
+ * // A point 0.1 m below the floor: V = ½ · 1000 N/m · (0.1 m)².
+ * const floor = barrier(plane([0, 0, 0], [0, 1, 0]), [0], 1000);
+ * floor.energy(Float64Array.of(5, -0.1, 0)); // 5 J
  */
 export const barrier = (
   obstacle: Obstacle,

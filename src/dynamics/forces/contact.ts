@@ -1,5 +1,6 @@
 import { PairForce, type PairPotential } from './pairs.ts';
 
+/** How hard spheres are, and where they begin. */
 export interface ContactParameters {
   /** Stiffness [N/m]. */
   readonly stiffness: number;
@@ -7,10 +8,20 @@ export interface ContactParameters {
   readonly scale: number;
 }
 
-/** Values of the source documents (docs/physics.md §14). */
+/**
+ * Values of the source documents (docs/physics.md §14).
+ * @example
+ * DEFAULT_CONTACT; // { stiffness: 10000, scale: 1.1 }
+ */
 export const DEFAULT_CONTACT: ContactParameters = { stiffness: 10_000, scale: 1.1 };
 
-/** Repels points nearer than `reach`: φ = ½K(s − r)² for r < s. A soft contact: faster impacts penetrate deeper. */
+/**
+ * Repels points nearer than `reach`: φ = ½K(s − r)² for r < s. A soft contact: faster impacts penetrate deeper.
+ * @example
+ * const soft = new PenaltyPotential(1000, () => 0.5);
+ * soft.energy(0.3, 0); // 20 J
+ * soft.energy(0.6, 0); // 0 J
+ */
 export class PenaltyPotential implements PairPotential {
   readonly kind = 'penalty';
   private readonly K: number;
@@ -39,12 +50,19 @@ export class PenaltyPotential implements PairPotential {
 
 /** A rigid sphere: a point of the system, possibly pinned, with a radius. */
 export interface ContactSphere {
+  /** Its index in the system. */
   readonly point: number;
   /** Displayed radius [m]. */
   readonly radius: number;
 }
 
-/** Spheres against points and each other; all pairs, since spheres are few. */
+/**
+ * Spheres against points and each other; all pairs, since spheres are few.
+ * @example
+ * // Two spheres of 1 m, 2.1 m apart: within 1.1 (r₁ + r₂) = 2.2 m they repel.
+ * const contact = sphereContacts([{ point: 0, radius: 1 }, { point: 1, radius: 1 }], []);
+ * contact.energy(Float64Array.of(0, 0, 0, 2.1, 0, 0)); // 50 J
+ */
 export function sphereContacts(
   balls: readonly ContactSphere[],
   points: Iterable<number>,

@@ -1,11 +1,18 @@
 import { PairForce, type PairPotential } from './pairs.ts';
 
-/** 1/4πε₀ [N m²/C²], CODATA 2022. */
+/**
+ * 1/4πε₀ [N m²/C²], CODATA 2022.
+ * @example
+ * COULOMB_CONSTANT / 9e9; // 0.9986
+ */
 export const COULOMB_CONSTANT = 8.987551786e9;
 
 /**
  * Coulomb repulsion or attraction: V = Σ k q_i q_j/r over all pairs, instantaneous as springs are. `strength`: k [N
  * m²/C²].
+ * @example
+ * // Two charges of 1 μC, 1 m apart.
+ * coulomb(Float64Array.of(1e-6, 1e-6)).energy(Float64Array.of(0, 0, 0, 1, 0, 0)); // 0.00899 J
  */
 export function coulomb(charges: Float64Array, strength = COULOMB_CONSTANT): PairForce {
   const ends: number[] = [];

@@ -9,6 +9,12 @@ const SKIN_RATIO = 0.5;
  * rest than its reach, so that folds do not pass through each other. Candidate pairs come from a Verlet list: found by
  * cells as wide as the reach plus a skin, and rebuilt when a point has moved by half of the skin, so that none is
  * missed. Source: Verlet 1967, Phys. Rev. 159, 98.
+ * @example
+ * // Points of two bodies that come nearer than 0.2 m repel.
+ * const rest = Float64Array.of(0, 0, 0, 1, 0, 0);
+ * const force = new NeighborPairs(Int32Array.of(0, 1), rest, 0.2, new PenaltyPotential(1000, () => 0.2));
+ * force.energy(Float64Array.of(0, 0, 0, 0.1, 0, 0)); // 5 J
+ * force.energy(rest); // 0 J
  */
 export class NeighborPairs implements Force {
   private readonly bodies: Int32Array;

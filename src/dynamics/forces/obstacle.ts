@@ -15,7 +15,11 @@ export interface Obstacle {
   readonly halfExtents?: Vec3;
 }
 
-/** The half-space opposite to `normal`. */
+/**
+ * The half-space opposite to `normal`, through `point` [m].
+ * @example
+ * plane([0, 1, 0], [0, 1, 0]).distance(7, 3, 0); // 2 m
+ */
 export function plane(point: Vec3, normal: Vec3): Obstacle {
   const n = normalize(normal);
   const [nx, ny, nz] = n;
@@ -27,7 +31,12 @@ export function plane(point: Vec3, normal: Vec3): Obstacle {
   };
 }
 
-/** A box; inside, the normal is that of the nearest side. */
+/**
+ * A box [m]; inside, the normal is that of the nearest side.
+ * @example
+ * box([0, 0, 0], [2, 2, 2]).distance(3, 0, 0); // 2 m
+ * box([0, 0, 0], [2, 2, 2]).distance(0.5, 0, 0); // -0.5 m
+ */
 export function box(center: Vec3, size: Vec3, orientation = IDENTITY): Obstacle {
   const halfExtents = scale(size, 0.5);
   const back = conjugate(orientation);

@@ -3,6 +3,7 @@ import { addBlock, type Force, type PairForceData, type Stiffness, type Stiffnes
 
 /** A potential φ of the distance between two points. */
 export interface PairPotential {
+  /** Which of the potentials it is, for other implementations. */
   readonly kind: PairForceData['kind'];
   /** k [N/m], or [N m²]. */
   strength(pair: number): number;
@@ -23,6 +24,9 @@ export interface PairPotential {
 /**
  * Central forces between many pairs of points: V = Σ φ(|x_i − x_j|). The discrete gradient (φ(r₁) − φ(r₀))/(r₁² −
  * r₀²)·(d₀ + d₁), d = x_i − x_j, conserves momentum, and angular momentum too, since it is symmetric in the ends.
+ * @example
+ * const pairs = new PairForce(Uint32Array.of(0, 1), new PenaltyPotential(1000, () => 0.5));
+ * pairs.energy(Float64Array.of(0, 0, 0, 0.3, 0, 0)); // 20 J
  */
 export class PairForce implements Force {
   /** Both ends of each pair. */

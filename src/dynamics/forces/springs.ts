@@ -10,6 +10,13 @@ export interface Springs {
   readonly lengths: Float64Array;
 }
 
+/**
+ * The force of springs, as fast as it can be.
+ * @example
+ * // A spring of 100 N/m, stretched from 1 m to 1.2 m.
+ * const spring = { ends: Uint32Array.of(0, 1), stiffness: Float64Array.of(100), lengths: Float64Array.of(1) };
+ * springForce(spring).energy(Float64Array.of(0, 0, 0, 1.2, 0, 0)); // 2 J
+ */
 export const springForce = (given: Springs): Force => new SpringForce(given);
 
 /**

@@ -4,6 +4,9 @@ import type { Force, Stiffness } from './force.ts';
 /**
  * A uniform field, scaled per point: V = −Σ a_i f·x_i. Weight: a = m, f = g [m/s²]; an electric field: a = q, f = E
  * [V/m].
+ * @example
+ * // Half a kilogram, 2 m up.
+ * uniformField(Float64Array.of(0.5), [0, -9.81, 0]).energy(Float64Array.of(0, 2, 0)); // 9.81 J
  */
 export function uniformField(amounts: Float64Array, [fx, fy, fz]: Vec3): Force {
   const add = (sum: Float64Array): void => {

@@ -5,7 +5,11 @@ import { linearlyImplicit, localGlobal, semiImplicitEuler } from './velocityMeth
 
 const CORRECTIONS = [0, 1, 2, 3] as const;
 
-/** All methods by id; those of the source documents with the number of their correction (`local-global-2`). */
+/**
+ * All methods by id; those of the source documents with the number of their correction (`local-global-2`).
+ * @example
+ * METHODS.get('leapfrog')!.order; // 2
+ */
 export const METHODS: ReadonlyMap<string, IntegrationMethod> = new Map(
   [
     discreteGradient,

@@ -2,6 +2,7 @@ import type { State, System } from '../system.ts';
 
 /** A numerical integration method. */
 export interface IntegrationMethod {
+  /** Short and stable, for flags and files. */
   readonly id: string;
   /** Order: the error at a fixed time scales as this power of the step. */
   readonly order: number;
@@ -12,6 +13,7 @@ export interface IntegrationMethod {
    * half of the first and half of the second, and so on.
    */
   readonly coefficients?: readonly number[];
+  /** Prepares it for a system. */
   begin(system: System): Stepper;
 }
 
@@ -40,7 +42,14 @@ export type StepFailureReason =
   /** The GPU device was lost. */
   | 'lost';
 
+/**
+ * A step that could not be made.
+ * @example
+ * const failure = new StepFailure('light', 'point 3 reached the speed of light', 3);
+ * failure.reason; // 'light'
+ */
 export class StepFailure extends Error {
+  /** Why, for programs. */
   readonly reason: StepFailureReason;
   /** The first affected point, if there is one. */
   readonly point: number | undefined;

@@ -21,6 +21,12 @@ interface SpectrumRow {
  * a semicolon, a tab or blanks (a decimal comma is read where it is not the comma between them). Lines that start with `#`, empty ones and
  * one heading are left out; negative values, of noise, count as 0. Steps that are not even become so, with the light of each kept.
  * Throws an InputError that names the line.
+ * @example
+ * const csv = new TextEncoder().encode('# a lamp\n500, 0.2\n510, 0.8\n520, 0.4\n');
+ * const { first, step, values } = readSpectrumCsv(csv, 'lamp.csv');
+ * first; // 500.0e-9 m
+ * step; // 10.0e-9 m
+ * values; // [0.2, 0.8, 0.4]
  */
 export function readSpectrumCsv(bytes: Uint8Array, name: string): SampledSpectrum {
   const rows: SpectrumRow[] = [];

@@ -13,7 +13,13 @@ export interface FileSource {
   list?(): Promise<string[]>;
 }
 
-/** Files held in memory, by path. */
+/**
+ * Files held in memory, by path.
+ * @example
+ * const files = memorySource({ 'set/cube.obj': new TextEncoder().encode('v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n') });
+ * const scene = await openScene(files, 'set/cube.obj');
+ * scene.objects[0].mesh.indices.length; // 3
+ */
 export function memorySource(files: Readonly<Record<string, Uint8Array>>): FileSource {
   const byPath = new Map(Object.entries(files).map(([path, bytes]) => [normalizePath(path), bytes]));
   return {

@@ -5,8 +5,11 @@ import { decodePngPixels } from './decodePng.ts';
 
 /** A texture image: RGBA8, rows from the top, straight alpha. */
 export interface DecodedImage {
+  /** [px] */
   readonly width: number;
+  /** [px] */
   readonly height: number;
+  /** Four bytes a pixel, as encoded in the file. */
   readonly data: Uint8Array;
 }
 
@@ -14,7 +17,12 @@ export interface DecodedImage {
 export const MAX_SIDE = 16384;
 export const MAX_PIXELS = 2 ** 26;
 
-/** Decodes a PNG or JPEG, detected by content. Throws an InputError that names `name`. */
+/**
+ * Decodes a PNG or JPEG, detected by content. Throws an InputError that names `name`.
+ * @example
+ * const png = encodePng(2, 1, new Uint8Array([255, 0, 0, 255, 0, 0, 255, 128]));
+ * decodeImage(png, 'two.png'); // { width: 2, height: 1, data: [255, 0, 0, 255, 0, 0, 255, 128] }
+ */
 export function decodeImage(bytes: Uint8Array, name: string): DecodedImage {
   const kind = imageKind(bytes);
   if (kind !== 'PNG' && kind !== 'JPEG') throw unreadableImage(name, kind);

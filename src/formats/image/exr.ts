@@ -6,16 +6,21 @@ import { toHalf } from '../../math/half.ts';
  * half or uint, uncompressed or ZIP. Layout: https://openexr.com/en/latest/OpenEXRFileLayout.html
  */
 export interface ExrImage {
+  /** [px] */
   readonly width: number;
+  /** [px] */
   readonly height: number;
+  /** In any order; a name only once. */
   readonly channels: readonly ExrChannel[];
   /** Text in the header, by name. */
   readonly attributes?: Readonly<Record<string, string>>;
 }
 
+/** One number per pixel. */
 export interface ExrChannel {
   /** `R`, or with its layer `position.x`. */
   readonly name: string;
+  /** How it is stored: 32 or 16 bits of floating point, or 32 bits unsigned. */
   readonly type: 'float' | 'half' | 'uint';
   /** One value per pixel, rows from the top. */
   readonly data: Float32Array | Uint32Array;
@@ -34,7 +39,14 @@ const LONG_NAMES = 0x400;
 export const exrValueBytes = (type: ExrChannel['type']): number => (type === 'half' ? 2 : 4);
 const byName = (a: { name: string }, b: { name: string }): number => (a.name < b.name ? -1 : a.name > b.name ? 1 : 0);
 
-/** Writes one picture, ZIP compressed; channels are sorted by name, as the format asks. */
+/**
+ * Writes one picture, ZIP compressed; channels are sorted by name, as the format asks. Throws where a channel has not
+ * a value for each pixel.
+ * @example
+ * const depth = { name: 'depth', type: 'float', data: new Float32Array([1.5, 2.5]) } as const;
+ * const bytes = writeExr({ width: 2, height: 1, channels: [depth] });
+ * readExr(bytes, 'depth.exr').channels[0].data; // [1.5, 2.5]
+ */
 export function writeExr(image: ExrImage): Uint8Array {
   const { width, height } = image;
   const channels = [...image.channels].sort(byName);

@@ -40,7 +40,12 @@ interface ExrHeader {
 /** Refuses, by throwing, a picture of a size. */
 type SizeCheck = (width: number, height: number, name: string) => void;
 
-/** Reads what `writeExr` writes, and the like of other programs; throws an InputError that names `name` where it cannot. */
+/**
+ * Reads what `writeExr` writes, and the like of other programs; throws an InputError that names `name` where it cannot.
+ * @example
+ * const y = { name: 'Y', type: 'half', data: new Float32Array([0.25]) } as const;
+ * readExr(writeExr({ width: 1, height: 1, channels: [y] }), 'one.exr').channels[0]; // { name: 'Y', type: 'half', data: [0.25] }
+ */
 export function readExr(bytes: Uint8Array, name: string, checkSize: SizeCheck = () => undefined): ExrImage {
   try {
     const cursor = new ByteCursor(bytes);

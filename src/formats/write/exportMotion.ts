@@ -25,6 +25,7 @@ export type ExportMotion = StaticMotion | SampledMotion | SampledPointsMotion;
 /** Maximum distance of a sampled path from the closed form, as a fraction of the object's size. */
 const CHORD_TOLERANCE = 1e-4;
 
+/** A saved scene: its files, and what they cannot say. */
 export interface ExportedScene {
   /** Contents by path relative to the main file, which is first. */
   readonly files: ReadonlyMap<string, Uint8Array>;

@@ -3,7 +3,11 @@ import { nearestPath } from '../files/nearestPath.ts';
 import { type RandomAccessFile, readZipDirectory } from './directory.ts';
 import { unpack } from './unpack.ts';
 
-/** In-memory bytes as a random access file. */
+/**
+ * In-memory bytes as a random access file.
+ * @example
+ * memoryFile(new Uint8Array([1, 2, 3])).size; // 3 bytes
+ */
 export const memoryFile = (bytes: Uint8Array): RandomAccessFile => ({
   size: bytes.length,
   read: async (from, to) => bytes.subarray(from, to),
@@ -12,6 +16,12 @@ export const memoryFile = (bytes: Uint8Array): RandomAccessFile => ({
 /**
  * Mounts an archive as a folder of its own name: `set.zip/scene.usda`. Paths outside it are resolved in `around`;
  * broken paths inside by file name.
+ * @example
+ * // With a zip of a scene and its textures; `zip` has its bytes.
+ * async function open(zip: Uint8Array) {
+ *   const source = await zipSource(memoryFile(zip), 'set.zip', memorySource({}));
+ *   return openScene(source, entryOf((await source.list?.()) ?? [])!);
+ * }
  */
 export async function zipSource(
   archive: RandomAccessFile,

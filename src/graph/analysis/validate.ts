@@ -14,7 +14,14 @@ import { flatten, incomingEdges } from './flatten.ts';
 import { inferTypes } from './inferTypes.ts';
 import { type GraphLevel, inputName, inputSocket, levelOf, levelsOf, socketsOf } from './sockets.ts';
 
-/** All problems of a document, each at its node (`group/node` in a group's definition). */
+/**
+ * All problems of a document, each at its node (`group/node` in a group's definition).
+ * @example
+ * import { newProject, nodeLibrary } from 'slowlight/nodes';
+ * const { document } = applyCommand(newProject('street.usda'), { kind: 'remove-nodes', nodes: ['camera'] });
+ * const [problem] = validateDocument(document, nodeLibrary);
+ * problem.severity; // 'error'
+ */
 export function validateDocument(document: GraphDocument, registry: Registry): NodeProblem[] {
   const fault = findFault(document) ?? findFlattenFault(document, registry);
   if (fault) return [problemAt('graph.document', 'the project', fault)];

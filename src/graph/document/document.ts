@@ -108,19 +108,36 @@ export const documentSchema = z.strictObject({
   files: z.record(shortText(1000), fileSchema),
 });
 
+/** The value of a parameter: a number, a switch, a text, or a list of numbers or texts. */
 export type ParamValue = z.infer<typeof paramValueSchema>;
+/** A node: its type, and the parameters that are not at their defaults. */
 export type GraphNode = z.infer<typeof nodeSchema>;
+/** From an output of a node to an input of another. */
 export type GraphEdge = z.infer<typeof edgeSchema>;
+/** A text on the canvas, with place and size [px]. */
 export type GraphNote = z.infer<typeof noteSchema>;
+/** A titled frame around nodes. */
 export type GraphFrame = z.infer<typeof frameSchema>;
+/** What is known of a file that a project reads: hash and size [bytes]. */
 export type FileReference = z.infer<typeof fileSchema>;
+/** An input or output of a group. */
 export type GroupSocket = z.infer<typeof groupSocketSchema>;
+/** A subgraph that any number of `group` nodes use. */
 export type NodeGroup = z.infer<typeof groupSchema>;
+/** A project: nodes, edges and groups, with their places on the canvas [px]. Plain JSON. */
 export type GraphDocument = z.infer<typeof documentSchema>;
 /** One level of a document: its own, or a group's. */
 export type Graph = Pick<GraphDocument, keyof typeof graphShape>;
 
-/** A document that cannot be read, with the place of the error. */
+/**
+ * A document that cannot be read, with the place of the error.
+ * @example
+ * try {
+ *   parseDocument('{ "format": "slowlight", "version": 4, "nodes": 7 }');
+ * } catch (error) {
+ *   error instanceof DocumentError && error.message.startsWith('nodes:'); // true
+ * }
+ */
 export class DocumentError extends Error {
   constructor(message: string) {
     super(message);
@@ -130,6 +147,11 @@ export class DocumentError extends Error {
 
 export const emptyGraph = (): Graph => ({ nodes: {}, edges: {}, layout: {}, notes: {}, frames: {} });
 
+/**
+ * A project without nodes.
+ * @example
+ * emptyDocument(); // { format: 'slowlight', version: 4 }
+ */
 export const emptyDocument = (): GraphDocument => ({
   format: 'slowlight',
   version: CURRENT_VERSION,

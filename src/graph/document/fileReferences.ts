@@ -1,7 +1,12 @@
 import type { Registry } from '../nodeType.ts';
 import { type Graph, type GraphDocument, type GraphNode, own } from './document.ts';
 
-/** Sorted distinct names of the files that nodes of a document read. */
+/**
+ * Sorted distinct names of the files that nodes of a document read.
+ * @example
+ * import { newProject, nodeLibrary } from 'slowlight/nodes';
+ * referencedFiles(newProject('street.usda'), nodeLibrary); // ['street.usda']
+ */
 export function referencedFiles(document: GraphDocument, registry: Registry): string[] {
   const found = new Set<string>();
   renameFiles(document, registry, (file) => {

@@ -9,7 +9,11 @@ const MAX_PROJECT_LENGTH = 2 ** 24;
 const MAX_PLACE_LENGTH = 200;
 const MAX_VALUE_LENGTH = 80;
 
-/** Reads parsed JSON of any version. Throws a DocumentError with the place of the first error. */
+/**
+ * Reads parsed JSON of any version. Throws a DocumentError with the place of the first error.
+ * @example
+ * readDocument({ ...emptyDocument(), title: 'Nothing yet' }).title; // 'Nothing yet'
+ */
 export function readDocument(data: unknown): GraphDocument {
   const document = parseWithSchema(documentSchema, migrate(data), 'not a Slowlight project');
   const fault = findFault(document);
@@ -17,6 +21,11 @@ export function readDocument(data: unknown): GraphDocument {
   return document;
 }
 
+/**
+ * Reads the text of a project file, of any version. Throws a DocumentError with the place of the first error.
+ * @example
+ * parseDocument(serializeDocument(emptyDocument())).version; // 4
+ */
 export const parseDocument = (text: string): GraphDocument => readDocument(parseJson(text));
 
 /** Parses data by a schema; throws a DocumentError with the place. */

@@ -3,7 +3,11 @@ import type { GraphDocument } from './document.ts';
 /** Values up to this length are written on one line: a node, an edge, a position. */
 const MAX_LINE_LENGTH = 100;
 
-/** Deterministic: equal documents give equal texts, whatever their edit history. */
+/**
+ * Deterministic: equal documents give equal texts, whatever their edit history.
+ * @example
+ * serializeDocument(emptyDocument()).split('\n')[0]; // '{'
+ */
 export const serializeDocument = (document: GraphDocument): string => `${formatJson(sortKeys(document), '')}\n`;
 
 /** Sorts the keys of all tables by code unit. */

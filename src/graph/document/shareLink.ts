@@ -14,6 +14,8 @@ const FRAGMENT_PREFIX = 'project=';
 /**
  * A project as the fragment of a link, `project=…`: its text, deflated, as base64url (RFC 4648 § 5). Browsers do not
  * send fragments to servers. Throws a DocumentError if the project is too large for a link.
+ * @example
+ * encodeShareLink(emptyDocument()).startsWith('project='); // true
  */
 export function encodeShareLink(document: GraphDocument): string {
   const packed = deflateSync(new TextEncoder().encode(JSON.stringify(sortKeys(document))), { level: 9 });
@@ -25,7 +27,11 @@ export function encodeShareLink(document: GraphDocument): string {
 
 export const isShareLink = (fragment: string): boolean => withoutHash(fragment).startsWith(FRAGMENT_PREFIX);
 
-/** Reads a link's fragment, with or without `#`; validated like a file. Throws a DocumentError. */
+/**
+ * Reads a link's fragment, with or without `#`; validated like a file. Throws a DocumentError.
+ * @example
+ * decodeShareLink(encodeShareLink({ ...emptyDocument(), title: 'Look' })).title; // 'Look'
+ */
 export function decodeShareLink(fragment: string): GraphDocument {
   const text = withoutHash(fragment);
   if (!text.startsWith(FRAGMENT_PREFIX)) throw new DocumentError('the link: it carries no project');

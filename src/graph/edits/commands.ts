@@ -17,6 +17,7 @@ import { findFault } from '../document/integrity.ts';
 
 enablePatches();
 
+/** A place on the canvas, y downwards [px]. */
 export type CanvasPoint = readonly [x: number, y: number];
 
 /** An edit of a document; applies to the document's own level unless wrapped in `inside` a group. */
@@ -51,14 +52,25 @@ export type Command =
   | { readonly kind: 'inside'; readonly group: string; readonly command: Command }
   | { readonly kind: 'batch'; readonly commands: readonly Command[] };
 
+/** A changed document, and what changed. */
 export interface Edit {
+  /** The new document; the old one is unchanged. */
   readonly document: GraphDocument;
+  /** From the old document to the new one. */
   readonly patches: readonly Patch[];
-  /** Applied to the new document they restore the old one exactly. */
+  /** From the new document to the old one. */
   readonly inverse: readonly Patch[];
 }
 
-/** A command that is not valid for the document. */
+/**
+ * A command that is not valid for the document.
+ * @example
+ * try {
+ *   applyCommand(emptyDocument(), { kind: 'set-param', node: 'none', param: 'speed', value: 1 });
+ * } catch (error) {
+ *   error instanceof CommandError; // true
+ * }
+ */
 export class CommandError extends Error {
   constructor(message: string) {
     super(message);
@@ -66,7 +78,13 @@ export class CommandError extends Error {
   }
 }
 
-/** Throws a CommandError without effect if the resulting document would be invalid. */
+/**
+ * Throws a CommandError without effect if the resulting document would be invalid.
+ * @example
+ * const command: Command = { kind: 'add-node', node: 'a', type: 'number', at: [0, 0] };
+ * const { document } = applyCommand(emptyDocument(), command);
+ * document.nodes.a.type; // 'number'
+ */
 export function applyCommand(document: GraphDocument, command: Command): Edit {
   const [next, patches, inverse] = produceWithPatches(document, (draft) => applyToDocument(draft, draft, command));
   const fault = needsIntegrityCheck(command) ? findFault(next) : undefined;

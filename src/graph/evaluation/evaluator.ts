@@ -13,6 +13,7 @@ import { failure, type NodeResult, ResultCache, resultAtNode } from './resultCac
 import { type NodeCall, Scheduler } from './scheduler.ts';
 import { type EvaluationJob, SharedWork } from './sharedWork.ts';
 
+/** What an evaluation found. */
 export interface Evaluation {
   /** Result of the first target. */
   readonly target: NodeResult;
@@ -20,7 +21,26 @@ export interface Evaluation {
   readonly results: ReadonlyMap<string, NodeResult>;
 }
 
-/** Thrown when an evaluation is cancelled. */
+/**
+ * Thrown when an evaluation is cancelled.
+ * @example
+ * const wait: NodeType = {
+ *   id: 'wait',
+ *   title: 'Wait',
+ *   help: 'Never ready.',
+ *   category: 'utility',
+ *   params: {},
+ *   inputs: {},
+ *   outputs: {},
+ *   evaluate: () => new Promise(() => {}),
+ * };
+ * const { document } = applyCommand(emptyDocument(), { kind: 'add-node', node: 'w', type: 'wait', at: [0, 0] });
+ * const stop = new AbortController();
+ * const running = new Evaluator({ wait }).evaluate(document, 'w', {}, { signal: stop.signal });
+ * stop.abort();
+ * const error = await running.catch((reason) => reason);
+ * error instanceof CancelledError; // true
+ */
 export class CancelledError extends Error {
   constructor() {
     super('cancelled');
@@ -28,8 +48,11 @@ export class CancelledError extends Error {
   }
 }
 
+/** How an evaluation is watched and cancelled. */
 export interface EvaluateOptions {
+  /** Cancels the evaluation, which then throws a CancelledError. */
   readonly signal?: AbortSignalLike;
+  /** Told how far the work of a node is. */
   readonly progress?: (node: string, ...report: Parameters<ProgressCallback>) => void;
   /** Called when running work that is waited for has an interim result. */
   readonly onInterim?: (node: string) => void;
@@ -42,14 +65,19 @@ export interface EvaluateOptions {
 
 /** Work of a heavy node as a message to another thread. */
 export interface HeavyRequest {
+  /** Of the node. */
   readonly type: string;
+  /** Its id, for messages. */
   readonly node: string;
+  /** By socket. */
   readonly inputs: Readonly<Record<string, unknown>>;
+  /** All parameters. */
   readonly params: NodeCall<never>['params'];
   /** Whether it computes on a GPU. */
   readonly onGpu?: boolean;
   /** Whether interim results are requested. */
   readonly interims?: boolean;
+  /** The last interim result of the same content. */
   readonly resume?: Outputs;
 }
 
@@ -63,6 +91,7 @@ export type RunHeavy = (
   },
 ) => Promise<Outputs>;
 
+/** What an evaluator keeps, and where it works. */
 export interface EvaluatorOptions {
   /** Number of results cached beyond those of the latest evaluation, for undo. */
   readonly capacity?: number;
@@ -73,6 +102,20 @@ export interface EvaluatorOptions {
 /**
  * Evaluates only what the targets need. Results are cached under the content that made them, so an edit re-evaluates
  * only what depends on it, and an undo finds the previous results.
+ * @example
+ * const double: NodeType = {
+ *   id: 'double',
+ *   title: 'Double',
+ *   help: 'Twice a number.',
+ *   category: 'utility',
+ *   params: { value: { kind: 'number', title: 'Value', default: 1, min: 0, max: 100, step: 1 } },
+ *   inputs: {},
+ *   outputs: { number: { type: 'number' } },
+ *   evaluate: (_, { value }) => ({ number: 2 * Number(value) }),
+ * };
+ * const { document } = applyCommand(emptyDocument(), { kind: 'add-node', node: 'd', type: 'double', at: [0, 0] });
+ * const { target } = await new Evaluator({ double }).evaluate(document, 'd', {});
+ * target; // { status: 'done', outputs: { number: 2 } }
  */
 export class Evaluator<Services> {
   private readonly registry: Registry<Services>;

@@ -1,6 +1,7 @@
 import type { ParamValue } from '../document/document.ts';
 import type { NodeProblem, Outputs } from '../nodeType.ts';
 
+/** What became of a node: its outputs, its problem, or the node upstream that failed. */
 export type NodeResult =
   /** `interim`: whether it is, or depends on, an interim result. */
   | { readonly status: 'done'; readonly outputs: Outputs; readonly interim?: true }

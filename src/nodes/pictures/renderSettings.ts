@@ -7,7 +7,15 @@ import type { RenderSettings } from '../../scene/view/view.ts';
 import type { FalseColorQuantity, ValueRange } from '../../spectrum/falseColor/falseColor.ts';
 import type { PictureSpec } from '../socketValues.ts';
 
-/** The picture of an evaluated output node; undefined if it failed. */
+/**
+ * The picture of an evaluated output node; undefined if it failed.
+ * @example
+ * import { Evaluator } from 'slowlight/graph';
+ * async function pictureOf(services: Services) {
+ *   const project = newProject('street.usda');
+ *   return evaluatedPicture(await new Evaluator(nodeLibrary).evaluate(project, outputNodeId(project)!, services));
+ * }
+ */
 export const evaluatedPicture = ({ target }: Evaluation): PictureSpec | undefined =>
   target.status === 'done' ? (target.outputs.picture as PictureSpec) : undefined;
 
@@ -25,7 +33,13 @@ export const initialBeta = ({ scene, ride }: PictureSpec, film: boolean): Vec3 |
 /** Scale of a false colour; undefined if not measured yet. */
 export type FalseColorScales = (kind: FalseColorQuantity) => ValueRange | undefined;
 
-/** Renderer settings of a picture; `metered`: metered exposure [EV]. */
+/**
+ * Renderer settings of a picture; `metered`: metered exposure [EV].
+ * @example
+ * import type { RenderSettings } from 'slowlight/scene';
+ * // With the exposure 1.5 EV where the project meters it.
+ * const settingsOf = (picture: PictureSpec): RenderSettings => renderSettings(picture, 1.5);
+ */
 export function renderSettings(
   picture: PictureSpec,
   metered: number,

@@ -2,7 +2,11 @@ import { type FlatAlias, type FlatGraph, type FlatNode, flatten } from '../../gr
 import { DocumentError, type GraphDocument, type ParamValue } from '../../graph/document/document.ts';
 import { nodeLibrary } from '../library.ts';
 
-/** The node whose image is the project's: the first output node. */
+/**
+ * The node whose image is the project's: the first output node.
+ * @example
+ * outputNodeId(newProject('street.usda')); // 'output'
+ */
 export const outputNodeId = ({ nodes }: GraphDocument): string | undefined =>
   Object.entries(nodes).find(([, { type }]) => type === 'output')?.[0];
 

@@ -14,6 +14,9 @@ export const PROJECT_FILE_NAME = 'project.slowlight.json';
 /**
  * A project with its files as one zip. `files`: by the names under which the document refers to them, with the files
  * that these reference (textures, layers) beside them.
+ * @example
+ * const zip = await packProjectArchive(newProject('ball.usda'), new Map([['ball.usda', new Uint8Array([35])]]));
+ * new TextDecoder().decode(zip.subarray(0, 2)); // 'PK'
  */
 export async function packProjectArchive(
   document: GraphDocument,
@@ -36,7 +39,9 @@ async function fileReference(bytes: Uint8Array): Promise<FileReference> {
   return { size: bytes.length, hash: [...digest].map((byte) => byte.toString(16).padStart(2, '0')).join('') };
 }
 
+/** An opened zip of a project. */
 export interface ProjectArchive {
+  /** The project. */
   readonly document: GraphDocument;
   /** The project's files, by the names under which the document refers to them. */
   readonly files: ReadonlyMap<string, Uint8Array>;
@@ -45,6 +50,10 @@ export interface ProjectArchive {
 /**
  * Reads what `packProjectArchive` wrote. Throws an InputError for a damaged archive, a DocumentError for a damaged
  * project.
+ * @example
+ * const zip = await packProjectArchive(newProject('ball.usda'), new Map([['ball.usda', new Uint8Array([35])]]));
+ * const { files } = await openProjectArchive(zip, 'ball.zip');
+ * [...files.keys()]; // ['ball.usda']
  */
 export async function openProjectArchive(archive: Uint8Array, name: string): Promise<ProjectArchive> {
   const source = await zipSource(memoryFile(archive), name, memorySource({}));

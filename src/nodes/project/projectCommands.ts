@@ -38,7 +38,12 @@ const DEFAULT_EDGES = [
   ['image', 'image'],
 ] as const;
 
-/** Read → Retime → Scene → Relativity Console → Scene Camera → Relativity Rasterize → Deferred Lighting → Tone Map → False Colour → Output. */
+/**
+ * A project that shows a file: Read → Retime → Scene → Relativity Console → Scene Camera → Relativity Rasterize →
+ * Deferred Lighting → Tone Map → False Colour → Output.
+ * @example
+ * newProject('street.usda').nodes.read.params.source; // 'street.usda'
+ */
 export function newProject(source = ''): GraphDocument {
   const nodes = DEFAULT_NODES.map(([node, type], i): Command => ({ kind: 'add-node', node, type, at: [i * 240, 0] }));
   const edges = DEFAULT_EDGES.map(([output, input], i): Command => {
@@ -52,6 +57,11 @@ export function newProject(source = ''): GraphDocument {
 /**
  * Sets a parameter of a node given by its evaluation id, in the group definition if it is in one; without a value it is
  * reset to the default.
+ * @example
+ * import { applyCommand } from 'slowlight/graph';
+ * const project = newProject('street.usda');
+ * const { document } = applyCommand(project, setParamCommand(project, 'console', 'speedOfLight', 10));
+ * document.nodes.console.params.speedOfLight; // 10 m/s
  */
 export function setParamCommand(document: GraphDocument, id: string, param: string, value?: ParamValue): Command {
   const { group, node } = locateNode(document, id) ?? { node: id };
@@ -72,6 +82,11 @@ const SCENE_PARAMS = [
 /**
  * Opens another file in a project; scene-specific parameters are reset to what the new scene suggests. Undefined if
  * there is no read node.
+ * @example
+ * import { applyCommand } from 'slowlight/graph';
+ * const project = newProject('street.usda');
+ * const { document } = applyCommand(project, openFileCommand(project, 'dice.usda')!);
+ * document.nodes.read.params.source; // 'dice.usda'
  */
 export function openFileCommand(document: GraphDocument, source: string): Command | undefined {
   const reader = nearestToOutput(document, 'read');
@@ -107,6 +122,11 @@ export function flyNodesIn(document: GraphDocument): string[] {
 /**
  * Makes an object fly with the fly node's defaults; `at`: world time at which it passes its position [s]. Does nothing
  * if there is no node before the camera to attach to.
+ * @example
+ * import { applyCommand } from 'slowlight/graph';
+ * const project = newProject('street.usda');
+ * const { document } = applyCommand(project, flyCommand(project, '/Cart', 2));
+ * document.nodes.fly1.params.object; // '/Cart'
  */
 export function flyCommand(document: GraphDocument, object: string, at: number): Command {
   const camera = nearestToOutput(document, 'scene-camera');

@@ -26,6 +26,12 @@ const sinhc = (x: number): number => (x === 0 ? 1 : Math.sinh(x) / x);
  * the orientation is rotated by the inverse Wigner rotation of Λ = B(tanh ζ â) B(β₀) = R·B(β_f).
  * properAcceleration [m/s²]: observer's frame (world axes carried by the pure boost), constant in gyroscope axes during the step.
  * dTau [s], also negative. docs/physics.md §2.7; Misner, Thorne & Wheeler §6.2.
+ * @example
+ * // One year of 1 g, in years and light-years: c = 1, g = 1.0323 ly/a².
+ * const atRest: ObserverState = { t: 0, position: [0, 0, 0], u: [0, 0, 0], orientation: [0, 0, 0, 1], properTime: 0 };
+ * const after = accelerate(atRest, [0, 0, 1.0323], 1, 1);
+ * after.t; // 1.187 a: sinh(1.0323)/1.0323
+ * velocity(after.u); // [0, 0, 0.7748] c: tanh 1.0323
  */
 export function accelerate(state: ObserverState, properAcceleration: Vec3, dTau: number, c: number): ObserverState {
   const zeta = (length(properAcceleration) * dTau) / c;
@@ -58,7 +64,13 @@ function displaced(
   };
 }
 
-/** Free motion over the proper time dTau [s]: t grows by γΔτ, x by u c Δτ. c [m/s]. */
+/**
+ * Free motion over the proper time dTau [s]: t grows by γΔτ, x by u c Δτ. c [m/s].
+ * @example
+ * // A muon at 0.8 c for 3 s of its own time, with c = 1 m/s.
+ * const moving: ObserverState = { t: 0, position: [0, 0, 0], u: [4 / 3, 0, 0], orientation: [0, 0, 0, 1], properTime: 0 };
+ * coast(moving, 3, 1); // { t: 5, position: [4, 0, 0], properTime: 3 }
+ */
 export const coast = (state: ObserverState, dTau: number, c: number): ObserverState => ({
   ...state,
   t: state.t + gamma(state.u) * dTau,

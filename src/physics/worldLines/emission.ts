@@ -14,7 +14,11 @@ export interface RetardedEvent {
   readonly delay: number;
 }
 
-/** A point at rest. d [m]: observer → point. Also makes the result for any event that is known to lie on the past light cone. */
+/**
+ * A point at rest. d [m]: observer → point. Also makes the result for any event that is known to lie on the past light cone.
+ * @example
+ * staticEmission([3, 4, 0]); // { offset: [3, 4, 0], delay: 5 } m
+ */
 export const staticEmission = (d: Vec3): RetardedEvent => ({ offset: d, delay: length(d) });
 
 /**
@@ -34,6 +38,9 @@ export function presentEmission(d: Vec3, v: Vec3, oneMinusV2: number): RetardedE
  * A point at the offset o from an object's centre, both moving with v, from the centre's emission event d_c: as
  * `polylineEmission` with A = d_c + o, T = |d_c|, with q = T² − A² = −(2 d_c·o + o²) free of cancellation.
  * d_c, o [m], v [c]: world frame; `oneMinusV2` = 1 − v² > 0. docs/physics.md §4.2.
+ * @example
+ * // The centre is seen 5 m away; a point 0.5 m nearer is seen later, and farther along its way.
+ * uniformEmission([0, 0, 5], [0.6, 0, 0], 0.64, [0, 0, -0.5]).offset; // [0.294, 0, 4.5]
  */
 export function uniformEmission(center: Vec3, v: Vec3, oneMinusV2: number, o: Vec3): RetardedEvent {
   const T = length(center);
@@ -48,6 +55,9 @@ export function uniformEmission(center: Vec3, v: Vec3, oneMinusV2: number, o: Ve
  * With T = −tA, the time since A is s = q/(g + √(g² − (1 − v²)q)), q = T² − A², g = T + A·v.
  * The event is clamped to the piece. A, B [m]: observer → sample; tA < tB [m of light]: relative to the observer's time.
  * docs/physics.md §4.3.
+ * @example
+ * // From 2 m to 8 m in 10 m of light: it is seen where t = −|x|.
+ * polylineEmission([2, 0, 0], -9, [8, 0, 0], 1); // { offset: [4.625, 0, 0], delay: 4.625 } m
  */
 export function polylineEmission(a: Vec3, tA: number, b: Vec3, tB: number): RetardedEvent {
   const span = tB - tA;
@@ -89,6 +99,9 @@ function lineOfSightRate(d: Vec3, r: number, v: Vec3, oneMinusV2: number): numbe
  * (ξ + kσ/2)² + |d⊥|²; before it with T → −T and 1/w = 1 + kψ. Exact for k → 0 (φ is then the coordinate time since the turning point).
  * d [m]: world frame, observer → turning point. T [m of light]: the observer's time after the turning point.
  * a: proper acceleration over c² [1/m], world frame.
+ * @example
+ * // It turns 4 m away at this moment, with a/c² = 0.5/m towards the observer, and is seen on its way out.
+ * hyperbolicEmission([0, 0, 4], 0, [0, 0, -0.5]); // { offset: [0, 0, 2.6667], delay: 2.6667 } m
  */
 export function hyperbolicEmission(d: Vec3, T: number, a: Vec3): RetardedEvent | undefined {
   const k = length(a);
@@ -114,6 +127,9 @@ function hyperbolicRoot(b: number, root: number, sigma: number, lead: number, af
 /**
  * Circular motion: the root of |center + arm(−s)| = s by Brent's method; the distance of the centre gives the bracket. docs/physics.md §4.6.
  * center: observer → centre; arm: centre → point at the observer's time, perpendicular to the axis [m], world frame. omega: ω/c [1/m].
+ * @example
+ * // From the centre of the circle all of it is seen as long ago as light needs for the radius: a quarter turn here.
+ * circularEmission([0, 0, 0], [0, 0, 1], [2, 0, 0], Math.PI / 4); // { offset: [0, -2, 0], delay: 2 } m
  */
 export function circularEmission(center: Vec3, axis: Vec3, arm: Vec3, omega: number): RetardedEvent {
   const offsetAt = (s: number) => add(center, rotate(fromAxisAngle(axis, -omega * s), arm));

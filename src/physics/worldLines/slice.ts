@@ -26,6 +26,8 @@ function relativeRate(u: Vec3, v: Vec3): number {
  * Uniform motion, at d at the world time T relative to the observer's: the event with
  * cΔt = β·Δx is s = (u·d − γT)/(γ − u·v) later. d [m], v [c], u = γβ: world frame; T [m of light].
  * docs/physics.md §5.2.
+ * @example
+ * uniformSlice([5, 0, 0], 0, [0, 0, 0], [0.75, 0, 0]); // { offset: [5, 0, 0], ahead: 3 } m
  */
 export function uniformSlice(d: Vec3, T: number, v: Vec3, u: Vec3): SimultaneousEvent {
   const s = (dot(u, d) - gamma(u) * T) / relativeRate(u, v);
@@ -36,6 +38,9 @@ export function uniformSlice(d: Vec3, T: number, v: Vec3, u: Vec3): Simultaneous
  * Hyperbolic motion (d, T, a as in `hyperbolicEmission`): ℓ sinh η − β_a ℓ(cosh η − 1) = K, K = T + β·d, β_a = β·â.
  * With e^η = 1 + kφ, K ≥ 0: (1 − β_a) kφ² + 2(1 − kK) φ − 2K = 0, its discriminant the sum of squares
  * (1 − β_a kK)² + (kK)²(1 − β_a²); for K < 0 with η, K, β_a → −η, −K, −β_a. There always is exactly one event. docs/physics.md §5.3.
+ * @example
+ * // An observer at rest has the world's moments: at its turning point it is where it turns.
+ * hyperbolicSlice([0, 0, 4], 0, [0, 0, -0.5], [0, 0, 0]); // { offset: [0, 0, 4], ahead: 0 } m
  */
 export function hyperbolicSlice(d: Vec3, T: number, a: Vec3, u: Vec3): SimultaneousEvent {
   const g = gamma(u);
@@ -58,7 +63,11 @@ export function hyperbolicSlice(d: Vec3, T: number, a: Vec3, u: Vec3): Simultane
   };
 }
 
-/** Circular motion (arguments as `circularEmission`): the root of s = β·(center + arm(s)) within β·center ± β r. docs/physics.md §5.4. */
+/**
+ * Circular motion (arguments as `circularEmission`): the root of s = β·(center + arm(s)) within β·center ± β r. docs/physics.md §5.4.
+ * @example
+ * circularSlice([5, 0, 0], [0, 0, 1], [0, 0, 0], 0.1, [0.75, 0, 0]); // { offset: [5, 0, 0], ahead: 3 } m
+ */
 export function circularSlice(center: Vec3, axis: Vec3, arm: Vec3, omega: number, u: Vec3): SimultaneousEvent {
   const beta = scale(u, 1 / gamma(u));
   const offsetAt = (s: number) => add(center, rotate(fromAxisAngle(axis, omega * s), arm));

@@ -25,10 +25,21 @@ export const worldLineKind = ({ kind }: WorldLine): WorldLineKind<WorldLine> => 
 
 // What the functions mean: kinds/worldLineKind.ts.
 
-/** x(t) in the world frame [m]; t: world time [s]; c [m/s] is used only for hyperbolic motion. */
+/**
+ * x(t) in the world frame [m]; t: world time [s]; c [m/s] is used only for hyperbolic motion.
+ * @example
+ * // Constant proper acceleration of 10 m/s², with c = 10 m/s: x = (c²/a)(√(1 + (at/c)²) − 1).
+ * const line: WorldLine = { kind: 'hyperbolic', position: [0, 0, 0], properAcceleration: [10, 0, 0], t0: 0 };
+ * positionAt(line, 1, 10); // [4.142, 0, 0] m
+ */
 export const positionAt = (w: WorldLine, t: number, c: number): Vec3 => worldLineKind(w).positionAt(w, t, c);
 
-/** dx/dt in the world frame [m/s]. At a sample, the velocity of the piece that starts there. */
+/**
+ * dx/dt in the world frame [m/s]. At a sample, the velocity of the piece that starts there.
+ * @example
+ * const line: WorldLine = { kind: 'hyperbolic', position: [0, 0, 0], properAcceleration: [10, 0, 0], t0: 0 };
+ * velocityAt(line, 1, 10); // [7.071, 0, 0] m/s
+ */
 export const velocityAt = (w: WorldLine, t: number, c: number): Vec3 => worldLineKind(w).velocityAt(w, t, c);
 
 export const asInertial = (w: WorldLine): InertialLine | undefined => worldLineKind(w).asInertial(w);

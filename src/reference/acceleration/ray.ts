@@ -7,24 +7,31 @@ import type { Vec3 } from '../../math/vec3.ts';
  * docs/physics.md §10.1.
  */
 export interface SpacetimeRay {
+  /** World time at s = 0 [s]. */
   readonly t: number;
+  /** Position at s = 0, world frame [m]. */
   readonly x: Vec3;
+  /** c times the change of the time for each s [m]. */
   readonly dt: number;
+  /** Change of the position for each s [m]. */
   readonly dx: Vec3;
 }
 
 /** Where a ray meets a surface. */
 export interface Hit {
+  /** Place on the ray. */
   readonly s: number;
   /** Index in `Scene.objects`. */
   readonly object: number;
   /** Index of the triangle's first corner in `mesh.indices` of the object in `TracedScene.objects`. */
   readonly corner: number;
-  /** Barycentric weights of the second and third corners. */
+  /** Barycentric weight of the second corner. */
   readonly v: number;
+  /** Barycentric weight of the third corner. */
   readonly w: number;
-  /** World time [s] and position [m] of the event. */
+  /** World time of the event [s]. */
   readonly time: number;
+  /** World position of the event [m]. */
   readonly position: Vec3;
   /** Velocity of the surface at the event, world frame [c]. */
   readonly velocity: Vec3;

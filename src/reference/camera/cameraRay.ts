@@ -9,6 +9,17 @@ import type { SpacetimeRay } from '../acceleration/ray.ts';
  * The camera ray of the point (x, y) of a picture [px from its top left corner; the first pixel's centre is at (½, ½)]. Its `s` is the apparent
  * distance in the observer's frame [m], the depth in pictures. The solver setting, which is for comparisons in the rasterizer, is ignored.
  * docs/physics.md §3.7.
+ * @example
+ * import { DEFAULT_SETTINGS, perspective } from 'slowlight/scene';
+ * const view = {
+ *   t: 0,
+ *   position: [0, 0, 0],
+ *   u: [0, 0, -0.75],
+ *   orientation: [0, 0, 0, 1],
+ *   lens: perspective(Math.PI / 2),
+ * } as const;
+ * // The middle of a picture by an observer at 0.6 c: a metre of apparent distance is half a metre in the world.
+ * cameraRay(view, DEFAULT_SETTINGS, 50, 50, 100, 100); // { t: 0, dt: -0.5, dx: [0, 0, -0.5] }
  */
 export function cameraRay(
   view: ViewPoint,
@@ -35,7 +46,19 @@ export function directionAt(
   return normalize(rotate(orientation, [right, up, -1]));
 }
 
-/** The ray in the direction n′. */
+/**
+ * The ray in the direction n′.
+ * @example
+ * import { DEFAULT_SETTINGS, perspective } from 'slowlight/scene';
+ * const atRest = {
+ *   t: 0,
+ *   position: [0, 0, 0],
+ *   u: [0, 0, 0],
+ *   orientation: [0, 0, 0, 1],
+ *   lens: perspective(1),
+ * } as const;
+ * rayToward(atRest, DEFAULT_SETTINGS, [1, 0, 0]); // { dt: -1, dx: [1, 0, 0] }
+ */
 export function rayToward({ t, position, u }: ViewPoint, settings: RenderSettings, n: Vec3): SpacetimeRay {
   const [dt, ...dx] = VIEWS[settings.view].rayToward(n, u, settings);
   return { t, x: position, dt, dx };

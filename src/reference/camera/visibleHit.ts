@@ -9,6 +9,12 @@ export type TransparentMode = 'hit' | 'skip';
 /**
  * The hit that a picture shows: the nearest front side, or back side of double-sided meshes, except cut-outs. By default transparent
  * surfaces are skipped, as in data channels.
+ * @example
+ * import { makeObject, makeScene, plane, restingAt } from 'slowlight/scene';
+ * const wall = makeObject({ path: '/Wall', mesh: plane(2, 2), motion: restingAt([0, 0, -4]) });
+ * const scene = createTracedScene(makeScene({ name: 'wall', objects: [wall] }), 10);
+ * const hit = visibleHit(scene, { t: 0, x: [0, 0, 0], dt: -1, dx: [0, 0, -1] });
+ * hit; // { s: 4, object: 0, position: [0, 0, -4], time: -0.4 }
  */
 export function visibleHit(
   scene: TracedScene,

@@ -10,6 +10,7 @@ import { ShapeCache } from './sampledShapes.ts';
 
 /** A scene with the acceleration structures for tracing rays. */
 export interface TracedScene {
+  /** The scene itself. */
   readonly scene: Scene;
   /** [m/s] */
   readonly c: number;
@@ -19,6 +20,7 @@ export interface TracedScene {
   readonly transparentMaterials: ReadonlySet<Material>;
   /** Per index in `objects`: whether the object is opaque everywhere. */
   readonly opaqueObjects: readonly boolean[];
+  /** Finds the objects that a ray may meet. */
   readonly topLevel: TopLevelBvh;
 }
 
@@ -42,7 +44,13 @@ export function prepareScene(scene: Scene, c: number): PreparedScene {
 /** Budget of `ShapeCache` [bytes]. */
 const SHAPE_CACHE_BYTES = 256 * 2 ** 20;
 
-/** Builds the acceleration structures of a scene for the speed of light c [m/s]. */
+/**
+ * Builds the acceleration structures of a scene for the speed of light c [m/s].
+ * @example
+ * import { makeObject, makeScene, sphere } from 'slowlight/scene';
+ * const scene = makeScene({ name: 'ball', objects: [makeObject({ path: '/Ball', mesh: sphere(1) })] });
+ * createTracedScene(scene, 10).opaqueObjects; // [true]
+ */
 export const createTracedScene = (scene: Scene, c: number): TracedScene => fromPreparedScene(prepareScene(scene, c));
 
 /** A traced scene on shared prepared data. Shapes at samples of motions are evaluated lazily and cached in `shapes` bytes. */
@@ -86,6 +94,14 @@ function createIntersector(
 /**
  * The first event on the ray, between `begin` and `end`, at which it meets a surface within its lifetime, from either side. `accepts` is called
  * for each candidate nearer than all accepted before, in no particular order, and must not trace rays itself.
+ * @example
+ * import { box, IDENTITY_POSE, makeObject, makeScene } from 'slowlight/scene';
+ * // A cube that flew past at 6 m/s with c = 10 m/s, and is seen where it was 0.5 s before.
+ * const motion = { kind: 'uniform', pose: IDENTITY_POSE, velocity: [6, 0, 0] } as const;
+ * const cube = makeObject({ path: '/Cube', mesh: box([2, 2, 2]), motion });
+ * const scene = createTracedScene(makeScene({ name: 'cube', objects: [cube] }), 10);
+ * const hit = nearestHit(scene, { t: 0.5, x: [0, 0, 6], dt: -1, dx: [0, 0, -1] });
+ * hit; // { s: 5, time: 0, velocity: [0.6, 0, 0] }
  */
 export function nearestHit({ topLevel }: TracedScene, ray: SpacetimeRay, filter: RayFilter = {}): Hit | undefined {
   const search = new RayQuery(ray, filter);

@@ -8,6 +8,11 @@ export interface LightOptions {
   readonly glass: boolean;
 }
 
+/**
+ * How light is followed if nothing else is said: two bounces, mirrors, no refraction.
+ * @example
+ * DEFAULT_LIGHT.bounces; // 2
+ */
 export const DEFAULT_LIGHT: LightOptions = { bounces: 2, mirrors: true, glass: false };
 
 /** Upper bound of `bounces`. */

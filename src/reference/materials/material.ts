@@ -8,5 +8,13 @@ export function materialIndex({ objects }: TracedScene, { object, corner }: Hit)
   return group?.material ?? 0;
 }
 
-/** The material of the hit triangle. */
+/**
+ * The material of the hit triangle.
+ * @example
+ * import { makeMaterial, makeObject, makeScene, sphere } from 'slowlight/scene';
+ * const objects = [makeObject({ path: '/Ball', mesh: sphere(1) })];
+ * const scene = createTracedScene(makeScene({ name: 'ball', objects, materials: [makeMaterial({ name: 'gold' })] }), 10);
+ * const hit = visibleHit(scene, { t: 0, x: [0, 0, 5], dt: -1, dx: [0, 0, -1] })!;
+ * materialOf(scene, hit).name; // 'gold'
+ */
 export const materialOf = (scene: TracedScene, hit: Hit): Material => scene.scene.materials[materialIndex(scene, hit)];

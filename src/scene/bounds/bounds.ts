@@ -3,16 +3,26 @@ import { pointAt } from '../mesh/polygons.ts';
 import { isStreamed } from '../streaming/samplePoints.ts';
 import type { Mesh, SampledPointsMotion } from '../types.ts';
 
+/** An axis-aligned box [m]. */
 export interface BoundingBox {
+  /** Its least coordinates. */
   readonly min: Vec3;
+  /** Its greatest coordinates. */
   readonly max: Vec3;
 }
+/** A sphere that contains something [m]. */
 export interface BoundingSphere {
+  /** Its centre [m]. */
   readonly center: Vec3;
+  /** Its radius [m]. */
   readonly radius: number;
 }
 
-/** The axis-aligned box of points, 3 numbers each [m]; undefined if there are none. Ignores values that are not finite. */
+/**
+ * The axis-aligned box of points, 3 numbers each [m]; undefined if there are none. Ignores values that are not finite.
+ * @example
+ * boundingBox([0, 0, 0, 1, 2, 3, -1, 5, 0]); // { min: [-1, 0, 0], max: [1, 5, 3] } m
+ */
 export const boundingBox = (points: ArrayLike<number>): BoundingBox | undefined =>
   finiteBox(points) ?? boxOfFinite(points);
 
@@ -53,7 +63,11 @@ function boxOfFinite(points: ArrayLike<number>): BoundingBox | undefined {
   return min.every((x, k) => x <= max[k]) ? { min: pointAt(min, 0), max: pointAt(max, 0) } : undefined;
 }
 
-/** A sphere around the centre of the bounding box that contains all points [m]; at most √3 times as large as the smallest. */
+/**
+ * A sphere around the centre of the bounding box that contains all points [m]; at most √3 times as large as the smallest.
+ * @example
+ * boundingSphere([-3, 0, 0, 3, 0, 0, 0, 1, 0]); // { center: [0, 0.5, 0], radius: 3.041 } m
+ */
 export function boundingSphere(points: ArrayLike<number>, box = boundingBox(points)): BoundingSphere {
   if (!box) return { center: [0, 0, 0], radius: 0 };
   const center = scale(add(box.min, box.max), 0.5);

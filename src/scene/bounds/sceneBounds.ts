@@ -5,11 +5,25 @@ import { motionKind } from '../motion/motions.ts';
 import type { Scene, SceneObject } from '../types.ts';
 import { type BoundingBox, boundingBox } from './bounds.ts';
 
-/** The box of an object at world time t [s]; with streamed samples, interpolated between the boxes of the samples. */
+/**
+ * The box of an object at world time t [s]; with streamed samples, interpolated between the boxes of the samples.
+ * @example
+ * const flying = makeObject({
+ *   path: '/Cube',
+ *   mesh: box([2, 2, 2]),
+ *   motion: { kind: 'uniform', pose: IDENTITY_POSE, velocity: [6, 0, 0] },
+ * });
+ * objectBounds(flying, 0.5, 10); // { min: [2, -1, -1], max: [4, 1, 1] } m
+ */
 export const objectBounds = (object: SceneObject, t: number, c: number): BoundingBox | undefined =>
   motionKind(object.motion).bounds(object, t, c);
 
-/** The box of all objects that exist at world time t [s]; undefined if none does. c [m/s]. */
+/**
+ * The box of all objects that exist at world time t [s]; undefined if none does. c [m/s].
+ * @example
+ * const objects = [makeObject({ path: '/Ball', mesh: box([2, 2, 2]), motion: restingAt([5, 0, 0]) })];
+ * sceneBounds(makeScene({ name: 'one', objects }), 0, 10); // { min: [4, -1, -1], max: [6, 1, 1] } m
+ */
 export function sceneBounds(scene: Scene, t: number, c: number): BoundingBox | undefined {
   const corners: number[] = [];
   for (const object of scene.objects) {

@@ -5,6 +5,7 @@ import type { RadianceTexture, Texture } from '../materials/texture.ts';
 import type { Lifetime, RigidMotion } from '../motion/motionTypes.ts';
 import type { Stars } from '../stars/brightStars.ts';
 
+/** What shines: sources with a spectrum, or the stars. */
 export type Light = SpectrumLight | NightSky;
 
 /** A light with one colour and one spectrum. */
@@ -12,10 +13,13 @@ export type SpectrumLight = DistantLight | LocalLight | DomeLight;
 
 /** A light with a place, which may move. */
 export type LocalLight = SphereLight | AreaLight;
+/** A light with a shape that is not a sphere. */
 export type AreaLight = RectLight | DiskLight | CylinderLight;
 
+/** Parallel light, as the sun's. */
 export interface DistantLight {
   readonly kind: 'distant';
+  /** Prim path, unique. */
   readonly path: string;
   /** Unit vector in which the light travels. */
   readonly direction: Vec3;
@@ -26,7 +30,9 @@ export interface DistantLight {
   /** Its spectrum in its own frame; daylight if absent. */
   readonly spectrum?: LightSpectrum;
 }
+/** What lights with a place have in common. */
 export interface LocalLightBase {
+  /** Prim path, unique. */
   readonly path: string;
   /** The motion of its centre and axes. */
   readonly motion: RigidMotion;
@@ -39,6 +45,7 @@ export interface LocalLightBase {
   /** Absent if it shines equally in all directions. */
   readonly shaping?: LightShaping;
 }
+/** A sphere that shines in all directions, or a point. */
 export interface SphereLight extends LocalLightBase {
   readonly kind: 'sphere';
   /** In its own frame [m]. E = πL(radius/distance)²; of a point (radius 0) `color` is the intensity I, E = I/distance². */
@@ -47,8 +54,9 @@ export interface SphereLight extends LocalLightBase {
 /** A rectangle in the XY plane of its frame that shines to one side, towards −Z. */
 export interface RectLight extends LocalLightBase {
   readonly kind: 'rect';
-  /** Along X and Y of its own frame [m]. */
+  /** Along X of its own frame [m]. */
   readonly width: number;
+  /** Along Y of its own frame [m]. */
   readonly height: number;
 }
 /** The same for a disk. */
@@ -62,6 +70,7 @@ export interface CylinderLight extends LocalLightBase {
   readonly kind: 'cylinder';
   /** In its own frame [m]. Of a line (radius 0) `color` is 2·radius·L: the intensity of a metre of it, seen from the side. */
   readonly radius: number;
+  /** In its own frame [m]. */
   readonly length: number;
 }
 /**
@@ -69,13 +78,19 @@ export interface CylinderLight extends LocalLightBase {
  * beyond `outer` [rad], and 1 − smoothstep between them.
  */
 export interface LightShaping {
+  /** Where it begins to fade [rad]. */
   readonly inner: number;
+  /** Where it ends [rad]. */
   readonly outer: number;
+  /** Exponent of cos θ. */
   readonly focus: number;
 }
+/** The light of the sky, from all directions. */
 export interface DomeLight {
   readonly kind: 'dome';
+  /** Prim path, unique. */
   readonly path: string;
+  /** Linear sRGB radiance; with a texture its factor. */
   readonly color: Vec3;
   /** Its spectrum in its own frame; daylight if absent. */
   readonly spectrum?: LightSpectrum;
@@ -88,13 +103,17 @@ export interface DomeLight {
 }
 /** Linear sRGB radiance at the horizon, and of the ground well below it. The zenith is where the scene's up axis points. */
 export interface SkyGradient {
+  /** Linear sRGB radiance. */
   readonly horizon: Vec3;
+  /** Linear sRGB radiance. */
   readonly ground: Vec3;
 }
 /** The fixed stars before the cosmic background. They are seen, but too faint to light surfaces. */
 export interface NightSky {
   readonly kind: 'stars';
+  /** Prim path, unique. */
   readonly path: string;
+  /** Directions, magnitudes and temperatures. */
   readonly stars: Stars;
   /** Equatorial axes → world axes. */
   readonly orientation: Quat;

@@ -4,7 +4,9 @@ import { cornerNormals, faceNormals } from './normals.ts';
 import { forEachFace, outlineOf, type Polygons, type PolygonValues } from './polygons.ts';
 import { triangulate } from './triangulate.ts';
 
+/** A mesh, and which points its vertices were. */
 export interface BuiltMesh {
+  /** Its triangles. */
   readonly mesh: Mesh;
   /** By vertex: the index of its point, for meshes whose points deform. */
   readonly pointOfVertex: Uint32Array;
@@ -13,6 +15,15 @@ export interface BuiltMesh {
 /**
  * Triangulates polygons. A point becomes several vertices if its corners differ in normal, uv or colour. Faces with fewer than three corners, or with invalid
  * point indices, are skipped and counted.
+ * @example
+ * // A square of two triangles.
+ * const { mesh } = makeMesh({
+ *   points: [0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0],
+ *   faceCounts: [4],
+ *   faceIndices: [0, 1, 2, 3],
+ * });
+ * mesh.indices.length; // 6
+ * mesh.normals; // [0, 0, 1, 0, 0, 1, 0, 0, 1, 0, 0, 1]
  */
 export function makeMesh(polygons: Polygons): BuiltMesh & { readonly skippedFaces: number } {
   const { groups, groupOfFace, skippedFaces, total } = groupFaces(polygons);

@@ -4,7 +4,11 @@ import { normalize } from '../../math/vec3.ts';
 import type { Mesh, MeshGroup } from '../types.ts';
 import { pointAt } from './polygons.ts';
 
-/** Merges meshes, which keep their groups and therefore their materials. Colours of parts without any are white. */
+/**
+ * Merges meshes, which keep their groups and therefore their materials. Colours of parts without any are white.
+ * @example
+ * mergeMeshes([box([1, 1, 1]), box([2, 2, 2])]).indices.length; // 72: 24 triangles
+ */
 export function mergeMeshes(parts: readonly Mesh[]): Mesh {
   const starts = runningSums(parts.map((m) => m.positions.length / 3));
   const indexStarts = runningSums(parts.map((m) => m.indices.length));
@@ -58,6 +62,10 @@ function concat(parts: readonly Float32Array[]): Float32Array {
 /**
  * Transforms every point x → M x. Normals are transformed by the cofactor matrix, so that they stay perpendicular under scale and shear; a reflection reverses
  * the winding.
+ * @example
+ * import { mat3, mat4 } from 'slowlight/math';
+ * const moved = transformMesh(box([2, 2, 2]), mat4.fromParts(mat3.IDENTITY, [5, 0, 0]));
+ * boundingBox(moved.positions); // { min: [4, -1, -1], max: [6, 1, 1] } m
  */
 export function transformMesh(mesh: Mesh, m: Mat4): Mesh {
   const linear = linearPart(m);
@@ -82,7 +90,11 @@ function turned(indices: Uint32Array): Uint32Array {
   return out;
 }
 
-/** Assigns one material to all triangles. */
+/**
+ * Assigns one material to all triangles.
+ * @example
+ * withMaterial(box([1, 1, 1]), 3).groups; // [{ start: 0, count: 36, material: 3 }]
+ */
 export const withMaterial = (mesh: Mesh, material: number): Mesh => ({
   ...mesh,
   groups: [{ start: 0, count: mesh.indices.length, material }],

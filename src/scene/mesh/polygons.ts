@@ -18,13 +18,17 @@ export interface Polygons {
   readonly faceMaterials?: ArrayLike<number>;
   /** Whether faces are clockwise seen from outside. */
   readonly leftHanded?: boolean;
+  /** Whether faces are seen from both sides. */
   readonly doubleSided?: boolean;
   /** Computed normals are smooth between faces that meet at less than this angle [rad]: 0 is flat, π is smooth everywhere. Default 0. */
   readonly smoothAngle?: number;
 }
 
+/** Values of points, corners or faces, or one for all. */
 export interface PolygonValues {
+  /** What has a value each. */
   readonly per: 'point' | 'corner' | 'face' | 'constant';
+  /** As many numbers a value as the field says. */
   readonly values: ArrayLike<number>;
   /** Index in `values` of each point, corner or face; absent: in order. */
   readonly indices?: ArrayLike<number>;

@@ -5,7 +5,8 @@ import { makeMesh } from './makeMesh.ts';
 /** The axis of symmetry, as `axis` in USD. */
 export type Axis = 'X' | 'Y' | 'Z';
 
-type RadiusHeight = readonly [number, number];
+/** Radius and height [m] of a circle about an axis; of normals their radial and axial part. */
+export type RadiusHeight = readonly [number, number];
 
 /**
  * A band of a surface of revolution between two circles. With the axis up and r to the right, its outside is to the right of the direction from `from` to `to`.
@@ -13,9 +14,11 @@ type RadiusHeight = readonly [number, number];
 export interface SurfaceBand {
   /** Radius and height [m] of the two circles; a radius of 0 is a pole. */
   readonly from: RadiusHeight;
+  /** The same of the second circle. */
   readonly to: RadiusHeight;
   /** Radial and axial part of the normals at the two circles. */
   readonly fromNormal: RadiusHeight;
+  /** The same of the second circle. */
   readonly toNormal: RadiusHeight;
   /** Texture v at the two circles. */
   readonly v: RadiusHeight;
@@ -68,7 +71,13 @@ class RevolutionBuilder {
   }
 }
 
-/** Revolves bands about the axis; u runs once around it. */
+/**
+ * Revolves bands about the axis; u runs once around it.
+ * @example
+ * // The wall of a tube of radius 1 m and height 2 m.
+ * const wall = { from: [1, -1], to: [1, 1], fromNormal: [1, 0], toNormal: [1, 0], v: [0, 1] } as const;
+ * boundingBox(revolve([wall], 4, 'Y').positions); // { min: [-1.00, -1, -1.00], max: [1.00, 1, 1.00] } m
+ */
 export function revolve(bands: readonly SurfaceBand[], segments: number, axis: Axis): Mesh {
   const lathe = new RevolutionBuilder(segments, axis);
   for (const band of bands) lathe.band(band);
@@ -120,19 +129,29 @@ const flatBand = (from: RadiusHeight, to: RadiusHeight, axial: number, v: Radius
   v,
 });
 
+/** How finely round shapes are divided, and where they point. */
 export interface RoundOptions {
   /** Segments around the axis. */
   readonly segments?: number;
+  /** The axis of symmetry; default Z. */
   readonly axis?: Axis;
 }
 
-/** A sphere of `radius` [m]; v runs from pole to pole in equal steps of latitude. */
+/**
+ * A sphere of `radius` [m]; v runs from pole to pole in equal steps of latitude.
+ * @example
+ * boundingBox(sphere(1, { segments: 32 }).positions)!.max[2]; // 1 m
+ */
 export function sphere(radius: number, options: RoundOptions & { readonly rings?: number } = {}): Mesh {
   const { segments = 64, rings = segments / 2, axis = 'Z' } = options;
   return revolve(arc(radius, 0, -Math.PI / 2, Math.PI / 2, Math.round(rings), [0, 1]), segments, axis);
 }
 
-/** A closed cylinder, centred on the origin [m]. */
+/**
+ * A closed cylinder, centred on the origin [m].
+ * @example
+ * boundingBox(cylinder(1, 4, { axis: 'Y' }).positions)!.max[1]; // 2 m
+ */
 export function cylinder(radius: number, height: number, { segments = 64, axis = 'Z' }: RoundOptions = {}): Mesh {
   const h = height / 2;
   const side: SurfaceBand = { from: [radius, -h], to: [radius, h], fromNormal: [1, 0], toNormal: [1, 0], v: [0, 1] };
@@ -140,7 +159,11 @@ export function cylinder(radius: number, height: number, { segments = 64, axis =
   return revolve(bands, segments, axis);
 }
 
-/** A closed cone, its apex at +height/2 [m]. */
+/**
+ * A closed cone, its apex at +height/2 [m].
+ * @example
+ * boundingBox(cone(1, 4).positions)!.max[2]; // 2 m
+ */
 export function cone(radius: number, height: number, { segments = 64, axis = 'Z' }: RoundOptions = {}): Mesh {
   const h = height / 2;
   const slant = Math.hypot(radius, height);
@@ -149,7 +172,11 @@ export function cone(radius: number, height: number, { segments = 64, axis = 'Z'
   return revolve([flatBand([0, -h], [radius, -h], -1, [0, 1]), side], segments, axis);
 }
 
-/** A cylinder of `height` [m] (without its caps) closed by hemispheres. */
+/**
+ * A cylinder of `height` [m] (without its caps) closed by hemispheres.
+ * @example
+ * boundingBox(capsule(1, 4).positions)!.max[2]; // 3 m
+ */
 export function capsule(
   radius: number,
   height: number,
@@ -175,7 +202,11 @@ export function capsule(
   return revolve(bands, segments, axis);
 }
 
-/** A torus: a tube of radius `tube` around a circle of radius `ring` [m] about the axis. */
+/**
+ * A torus: a tube of radius `tube` around a circle of radius `ring` [m] about the axis.
+ * @example
+ * boundingBox(torus(2, 0.5).positions)!.max[2]; // 0.5 m
+ */
 export function torus(ring: number, tube: number, options: RoundOptions & { readonly rings?: number } = {}): Mesh {
   const { segments = 96, rings = 32, axis = 'Z' } = options;
   const at = (t: number): { circle: RadiusHeight; normal: RadiusHeight } => {
@@ -187,7 +218,11 @@ export function torus(ring: number, tube: number, options: RoundOptions & { read
   return revolve(curve(rings, at), segments, axis);
 }
 
-/** A box centred on the origin; each face has uv from 0 to 1. */
+/**
+ * A box centred on the origin; each face has uv from 0 to 1.
+ * @example
+ * box([1, 2, 3]).positions.length / 3; // 24: four corners of six faces
+ */
 export function box(size: Vec3): Mesh {
   const points: number[] = [];
   for (let i = 0; i < 8; i++) points.push(...[0, 1, 2].map((k) => ((i >> k) & 1 ? size[k] : -size[k]) / 2));
@@ -196,7 +231,11 @@ export function box(size: Vec3): Mesh {
   return makeMesh({ points, faceCounts: [4, 4, 4, 4, 4, 4], faceIndices, uvs }).mesh;
 }
 
-/** A rectangle that faces along `axis`, divided into nx × ny cells; uv from 0 to 1. As in USD, x is the width and y the length. */
+/**
+ * A rectangle that faces along `axis`, divided into nx × ny cells; uv from 0 to 1. As in USD, x is the width and y the length.
+ * @example
+ * grid(2, 1, 4, 2).indices.length / 3; // 16 triangles
+ */
 export function grid(width: number, length: number, nx: number, ny: number, axis: Axis = 'Z'): Mesh {
   // As USD's Plane: the width is along X (for axis X: along Z), the length along Y (for axis Y: along Z).
   const place = (x: number, y: number): Vec3 => (axis === 'Z' ? [x, y, 0] : axis === 'Y' ? [x, 0, -y] : [0, y, -x]);
@@ -218,5 +257,9 @@ export function grid(width: number, length: number, nx: number, ny: number, axis
   return { ...mesh, doubleSided: true };
 }
 
-/** A rectangle of one cell. */
+/**
+ * A rectangle of one cell.
+ * @example
+ * boundingBox(plane(2, 1, 'Y').positions); // { min: [-1, 0, -0.5], max: [1, 0, 0.5] } m
+ */
 export const plane = (width: number, length: number, axis: Axis = 'Z'): Mesh => grid(width, length, 1, 1, axis);

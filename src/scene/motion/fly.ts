@@ -44,6 +44,10 @@ export const tooLargeToFly = (scene: Scene, path: string): readonly string[] =>
  * before their first and after their last sample they keep their shape and fly on for a while. They are always authored in the world.
  *
  * `authoredIn: 'rest'`: all parts together are the shape at rest: their places are contracted towards the centre of the group. c [m/s].
+ * @example
+ * const scene = makeScene({ name: 'one', objects: [makeObject({ path: '/Ball', mesh: sphere(1) })] });
+ * const flying = fly(scene, { path: '/Ball', beta: [0.8, 0, 0], at: 2, authoredIn: 'rest' }, 10);
+ * poseAt(flying.objects[0].motion, 3, 10).position; // [8, 0, 0] m
  */
 export function fly(scene: Scene, flight: Flight, c: number): Scene {
   const flying = scene.objects.filter(({ path }) => isAtOrBelow(path, flight.path));

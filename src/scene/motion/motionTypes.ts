@@ -4,13 +4,17 @@ import type { StreamedPoints } from '../streaming/storedPoints.ts';
 
 /** World times between which the object exists [s]; ±Infinity without birth or death. */
 export interface Lifetime {
+  /** [s]; −Infinity: always existed. */
   readonly birth: number;
+  /** [s]; Infinity: always will. */
   readonly death: number;
 }
 
 /** Position [m] and orientation: x_world = position + orientation · x_object. */
 export interface Pose {
+  /** Of the object's origin, world frame [m]. */
   readonly position: Vec3;
+  /** From the object's axes to the world's. */
   readonly orientation: Quat;
 }
 
@@ -20,10 +24,13 @@ export type Motion = RigidMotion | SampledPointsMotion;
 /** The motion of one frame in the world: of a rigid object, a light or a camera. */
 export type RigidMotion = StaticMotion | UniformMotion | HyperbolicMotion | SampledMotion;
 
+/** Always at rest. */
 export interface StaticMotion {
   readonly kind: 'static';
+  /** Its place and orientation, world frame. */
   readonly pose: Pose;
 }
+/** Constant velocity for all times, without rotation. */
 export interface UniformMotion {
   readonly kind: 'uniform';
   /** At world time 0. */

@@ -17,6 +17,8 @@ export interface Timing {
  * Hyperbolic motion played k times as fast would approach k c; its proper acceleration is multiplied by k²
  * instead, which is the same motion at low speeds and never reaches c. So a scene that is played k times as fast
  * with a speed of light of k c shows exactly what it showed before.
+ * @example
+ * retime(makeScene({ name: 'empty', startTime: 1, endTime: 9 }), { offset: 0, speed: 2 }).endTime; // 5 s
  */
 export function retime(scene: Scene, { offset, speed }: Timing): Scene {
   if (offset === 0 && speed === 1) return scene;

@@ -276,6 +276,7 @@ export const BUFFER_SETTINGS: readonly (keyof BufferSettings)[] = [
   'speedOfLight',
 ];
 
+/** How the GPU finds emission events: in closed form, or by Newton's iteration for comparison (docs/physics.md §4.11). */
 export type Solver = SettingValue<'solver'>;
 export type ColorMode = SettingValue<'colors'>;
 export type MeteringMode = SettingValue<'metering'>;

@@ -9,6 +9,15 @@ import { problem, seconds } from './motionFindings.ts';
 
 /**
  * Problems of a scene at the speed of light c [m/s], object by object. Objects with errors cannot be rendered and must be removed or fixed.
+ * @example
+ * const tooFast = makeObject({
+ *   path: '/Ball',
+ *   mesh: sphere(1),
+ *   motion: { kind: 'uniform', pose: IDENTITY_POSE, velocity: [12, 0, 0] },
+ * });
+ * const [problem] = validate(makeScene({ name: 'one', objects: [tooFast] }), 10);
+ * problem.severity; // 'error'
+ * problem.code; // 'motion.superluminal'
  */
 export function validate(scene: Scene, c: number): Diagnostic[] {
   const meshes = new Map<Mesh, MeshFindings>();

@@ -24,6 +24,9 @@ export interface CameraState {
 /**
  * The observer at a camera at world time t [s], with its velocity; c [m/s]. At a sample that is the velocity of the piece that begins there; at the last sample,
  * of the piece that ends there, so that the last picture of an animation still shows the motion.
+ * @example
+ * const observer = observerFromCamera({ path: '/Eye', motion: restingAt([0, 1, 5]), fovY: 1 }, 0, 10);
+ * observer; // { position: [0, 1, 5], u: [0, 0, 0] }
  */
 export function observerFromCamera({ motion, fovY }: SceneCamera, t: number, c: number): CameraState {
   const pose = poseAt(motion, t, c);
@@ -34,7 +37,13 @@ export function observerFromCamera({ motion, fovY }: SceneCamera, t: number, c: 
   return { ...pose, u: properVelocity(scale(v, 1 / c)), lens: perspective(fovY) };
 }
 
-/** Orientation of a camera (−Z forward, +Y up) that looks along `forward`, with `up` as far up as possible. Vectors of any non-zero length. */
+/**
+ * Orientation of a camera (−Z forward, +Y up) that looks along `forward`, with `up` as far up as possible. Vectors of any non-zero length.
+ * @example
+ * import { quat } from 'slowlight/math';
+ * // The camera's forward axis is −Z.
+ * quat.rotate(lookAtOrientation([1, 0, 0], [0, 1, 0]), [0, 0, -1]); // [1, 0, 0]
+ */
 export function lookAtOrientation(forward: Vec3, up: Vec3): Quat {
   const back = normalize(negate(forward), [0, 0, 1]);
   const sideways = cross(up, back);
@@ -50,7 +59,12 @@ export function lookAtOrientation(forward: Vec3, up: Vec3): Quat {
 
 const FRAMING_FOV = Math.PI / 3;
 
-/** A camera for scenes without one: at rest outside the scene and slightly above, with all objects that exist at the opening time in view. */
+/**
+ * A camera for scenes without one: at rest outside the scene and slightly above, with all objects that exist at the opening time in view.
+ * @example
+ * const scene = makeScene({ name: 'one', objects: [makeObject({ path: '/Ball', mesh: sphere(1) })] });
+ * framingCamera(scene).fovY; // 1.0472 rad
+ */
 export function framingCamera(scene: Scene): SceneCamera {
   const c = scene.hints.speedOfLight ?? SPEED_OF_LIGHT;
   const box = sceneBounds(scene, scene.hints.openAt ?? scene.startTime, c) ?? { min: [-1, -1, -1], max: [1, 1, 1] };

@@ -15,17 +15,30 @@ export interface PerspectiveLens {
 /** How the directions seen by a camera map to its picture, as plain data. */
 export type Lens = PerspectiveLens;
 
+/**
+ * A lens without shift, with a vertical field of view in the observer's frame [rad].
+ * @example
+ * perspective(Math.PI / 3); // { kind: 'perspective', fovY: 1.0472 }
+ */
 export const perspective = (fovY: number): PerspectiveLens => ({ kind: 'perspective', fovY });
 
 /** The sides of a picture as tangents of their angles from the forward axis; left and bottom are negative if the axis is inside. */
 export interface FrustumSides {
+  /** Negative if left of the axis. */
   readonly left: number;
+  /** Positive if right of the axis. */
   readonly right: number;
+  /** Negative if below the axis. */
   readonly bottom: number;
+  /** Positive if above the axis. */
   readonly top: number;
 }
 
-/** The lens whose picture has these sides. Throws a RangeError unless left < right and bottom < top. */
+/**
+ * The lens whose picture has these sides. Throws a RangeError unless left < right and bottom < top.
+ * @example
+ * offAxisLens({ left: -1, right: 3, bottom: -1, top: 1 }); // { fovY: 1.5708, aspect: 2, center: [1, 0] }
+ */
 export function offAxisLens({ left, right, bottom, top }: FrustumSides): PerspectiveLens {
   const [width, height] = [right - left, top - bottom];
   if (!(width > 0 && height > 0 && Number.isFinite(width) && Number.isFinite(height)))

@@ -2,15 +2,21 @@ import type { ViewPoint } from './view.ts';
 
 /** A rectangle of a picture [px]; x from the left, y from the top, integers. */
 export interface PixelRect {
+  /** Left edge [px]. */
   readonly x: number;
+  /** Top edge [px]. */
   readonly y: number;
+  /** [px] */
   readonly width: number;
+  /** [px] */
   readonly height: number;
 }
 
 /** Size of a picture [px]. */
 export interface PictureSize {
+  /** [px] */
   readonly width: number;
+  /** [px] */
   readonly height: number;
 }
 

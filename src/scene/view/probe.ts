@@ -6,6 +6,7 @@ import { VIEWS, type View } from '../views/views.ts';
 
 /** A vertex as seen by an observer. */
 export interface VertexProbe extends ProbedEvent {
+  /** Its index in the mesh. */
   readonly vertex: number;
   /** |apparent| [m]. */
   readonly distance: number;
@@ -16,6 +17,9 @@ export interface VertexProbe extends ProbedEvent {
 /**
  * What an observer sees of each vertex, computed in f64; undefined if its light never arrives (beyond a horizon).
  * c [m/s].
+ * @example
+ * const object = makeObject({ path: '/Cube', mesh: box([1, 1, 1]) });
+ * probeVertices(object, { t: 0, position: [0, 0, 5], u: [0, 0, 0] }, 10).length; // 24
  */
 export function probeVertices(
   object: SceneObject,
@@ -26,6 +30,16 @@ export function probeVertices(
   return Array.from({ length: object.mesh.positions.length / 3 }, (_, i) => probeVertex(object, i, observer, c, view));
 }
 
+/**
+ * What an observer sees of one vertex; undefined if its light never arrives. c [m/s].
+ * @example
+ * // At 0.6 c, a vertex 4 m ahead appears D = 2 times as far, and its light is twice as blue.
+ * const point = makeObject({ path: '/Point', mesh: plane(0, 0), motion: restingAt([0, 0, -4]) });
+ * const probe = probeVertex(point, 0, { t: 0, position: [0, 0, 0], u: [0, 0, -0.75] }, 10)!;
+ * probe.doppler; // 2
+ * probe.distance; // 8 m
+ * probe.time; // -0.4 s
+ */
 export function probeVertex(
   object: SceneObject,
   vertex: number,

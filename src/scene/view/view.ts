@@ -24,6 +24,12 @@ const DEFAULTS = Object.fromEntries(
   }),
 ) as unknown as RendererSettings;
 
+/**
+ * What a picture has if nothing else is said.
+ * @example
+ * DEFAULT_SETTINGS.speedOfLight; // 299792458 m/s
+ * DEFAULT_SETTINGS.beaming; // 1
+ */
 export const DEFAULT_SETTINGS: RenderSettings = { ...DEFAULTS, speedOfLight: SPEED_OF_LIGHT };
 
 /** The settings of a frame graph's G-buffer; 0 is that of `settings` themselves. */
@@ -44,6 +50,7 @@ export interface ViewPoint {
   readonly lens: Lens;
 }
 
+/** The names of the data channels; docs/conventions.md explains each. */
 export type AovName =
   | 'beauty'
   | 'albedo'
@@ -59,15 +66,19 @@ export type AovName =
 /** AOVs of the surface: all except `beauty`. */
 export type DataAov = Exclude<AovName, 'beauty'>;
 
+/** A data channel of pictures. */
 export interface AovInfo {
   /** EXR channel names, in the order of the values of a pixel. */
   readonly channels: readonly string[];
+  /** For people. */
   readonly meaning: string;
 }
 
 /**
  * The AOVs. In data AOVs, pixels without a surface are 0; `beauty` has the sky there. Data AOVs describe the surface at the pixel's centre and are never
  * averaged.
+ * @example
+ * AOVS.depth.channels; // ['depth']
  */
 export const AOVS: Readonly<Record<AovName, AovInfo>> = {
   beauty: { channels: ['R', 'G', 'B'], meaning: 'linear sRGB radiance before exposure and tone mapping' },

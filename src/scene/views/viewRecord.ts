@@ -6,6 +6,7 @@ import type { ObserverEvent } from '../../physics/worldLines/kinds/worldLineKind
 import type { WorldLine } from '../../physics/worldLines/worldLine.ts';
 import type { Words } from '../settings/setting.ts';
 
+/** An observer's event with its velocity. */
 export interface ProbeObserver extends ObserverEvent {
   /** γβ, world frame. */
   readonly u: Vec3;

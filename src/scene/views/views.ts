@@ -9,6 +9,7 @@ import type { ViewRecord, ViewToggles } from './viewRecord.ts';
 const VIEW_LIST = { 'light-cone': lightCone, simultaneity, galilean } as const satisfies Readonly<
   Record<string, ViewRecord>
 >;
+/** Which events a picture shows, and where: `light-cone` (as seen), `simultaneity`, `galilean`. */
 export type View = keyof typeof VIEW_LIST;
 export const VIEWS: Readonly<Record<View, ViewRecord>> = VIEW_LIST;
 export const VIEW_NAMES = Object.keys(VIEW_LIST) as readonly View[];

@@ -23,6 +23,10 @@ const planckRatio = (x: number, inverseD: Float): Float => {
 /**
  * Approximate colour after a Doppler shift by D^amount, without the D⁴ of beaming; the model is described in spectrum/doppler/dopplerTint.ts.
  * `rgb` linear sRGB, D > 0, `amount` 0…1. Identity at D = 1. docs/physics.md §7.10.
+ * @example
+ * import { float, vec3 } from 'three/tsl';
+ * // What an orange wall looks like at D = 1.5.
+ * const color = dopplerTint(vec3(1, 0.5, 0.1), float(1.5), float(1));
  */
 export const dopplerTint = Fn(
   ([rgb, D, amount]: [Vec3, Float, Float]): Vec3 => {

@@ -13,7 +13,12 @@ const polynomial = ([a, b, c]: Quadratic, t: Float): Float => t.mul(c).add(b).mu
 const fitted = ([over, under]: readonly [Quadratic, Quadratic], t: Float): Float =>
   polynomial(over, t).div(polynomial(under, t)).toVar();
 
-/** Approximate colour of a surface that glows at T [K]: linear sRGB of luminance 1, with daylight as white (spectrum/color/blackbodyColor.ts). */
+/**
+ * Approximate colour of a surface that glows at T [K]: linear sRGB of luminance 1, with daylight as white (spectrum/color/blackbodyColor.ts).
+ * @example
+ * import { float } from 'three/tsl';
+ * const ember = glowColor(float(1200));
+ */
 export const glowColor = Fn(
   ([temperature]: [Float]): Vec3 => {
     const t = clamp(temperature, ...KRYSTEK_RANGE).toVar();

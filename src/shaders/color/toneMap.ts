@@ -8,7 +8,12 @@ const LAYOUT = { rgb: 'vec3', exposure: 'float', return: 'vec3' } as const;
 
 const exposed = (rgb: Vec3, exposure: Float): Vec3 => clamp(rgb.mul(exp2(exposure)), -MAX_RADIANCE, MAX_RADIANCE);
 
-/** Linear sRGB radiance → linear sRGB to display, 0…1, still to be encoded: times 2^exposure [EV], then the neutral curve (spectrum/display/toneMap.ts). */
+/**
+ * Linear sRGB radiance → linear sRGB to display, 0…1, still to be encoded: times 2^exposure [EV], then the neutral curve (spectrum/display/toneMap.ts).
+ * @example
+ * import { float, vec3 } from 'three/tsl';
+ * const displayed = toneMapNeutral(vec3(4, 2, 1), float(-1));
+ */
 export const toneMapNeutral = Fn(([rgb, exposure]: [Vec3, Float]): Vec3 => {
   const color = max(exposed(rgb, exposure), 0).toVar();
   const peak = max(color.x, max(color.y, color.z)).toVar();
@@ -24,7 +29,12 @@ export const toneMapNeutral = Fn(([rgb, exposure]: [Vec3, Float]): Vec3 => {
   return select(peak.lessThanEqual(NEUTRAL.shoulder), color, compressed);
 }, LAYOUT);
 
-/** The same with the AgX curve (spectrum/display/agx.ts). */
+/**
+ * As `toneMapNeutral`, with the AgX curve (spectrum/display/agx.ts).
+ * @example
+ * import { float, vec3 } from 'three/tsl';
+ * const displayed = toneMapAgx(vec3(4, 2, 1), float(-1));
+ */
 export const toneMapAgx = Fn(([rgb, exposure]: [Vec3, Float]): Vec3 => {
   const [least, most] = AGX.stops;
   const stops = log2(max(transform(AGX.inset, exposed(rgb, exposure).toVar()), 1e-10));
@@ -34,7 +44,12 @@ export const toneMapAgx = Fn(([rgb, exposure]: [Vec3, Float]): Vec3 => {
   return clamp(transform(AGX.toSrgb, light), 0, 1);
 }, LAYOUT);
 
-/** The same, clipped to 0…1. */
+/**
+ * As `toneMapNeutral`, but clipped to 0…1.
+ * @example
+ * import { float, vec3 } from 'three/tsl';
+ * const displayed = toneMapLinear(vec3(4, 2, 1), float(-1));
+ */
 export const toneMapLinear = Fn(([rgb, exposure]: [Vec3, Float]): Vec3 => clamp(exposed(rgb, exposure), 0, 1), LAYOUT);
 
 export const toneMaps = { neutral: toneMapNeutral, agx: toneMapAgx, linear: toneMapLinear } as const satisfies Record<

@@ -8,6 +8,10 @@ import { hyperbolaEvent } from '../worldLines/hyperbolaEvent.ts';
  * Q = d² − T² at the event where its rapidity equals the anchor's, η solves (aα − 1)η² + (aQ + α + κ)η + Q = 0 on the increasing branch; the discriminant is
  * (aQ + κ − α)² + 4 d⊥², a sum of squares. No event (behind the horizon) where 1 + aη ≤ 0.
  * `anchor` = (d_c, R) [m]; `motion`, `w` = e^φ at the anchor, `bornRigid`, `offset`: see hyperbola.ts.
+ * @example
+ * import { float, vec3, vec4 } from 'three/tsl';
+ * // It turns 4 m away at this moment, seen on its way out; a/c² = 0.5/m towards the observer.
+ * const { dx, exists } = hyperbolicEmission(vec4(0, 0, 4, 4), vec4(0, 0, -1, 0.5), float(1), float(0), vec3(0));
  */
 export const hyperbolicEmission = (
   anchor: Vec4,

@@ -9,6 +9,10 @@ const NOISE = 5e-7;
  * values interpolated between vertices are: τ = q/(b − √(b² + (1 − v²)q)) later, q = |Δx|² − s², b = s − Δx·v ≤ 0. `velocity` = (v, 1 − v²).
  * b is computed from |Δx| + Δx·v, in conjugate form where the point approaches. An event that f32 cannot distinguish from one on the cone is unchanged:
  * close to c, b is nearly 0, and rounding errors of q would move it far. docs/physics.md §4.10.
+ * @example
+ * import { vec4 } from 'three/tsl';
+ * // An event interpolated between two vertices, 1 mm of light off the cone.
+ * const event = ontoLightCone(vec4(0, 0, -4, -4.001), vec4(0.6, 0, 0, 0.64));
  */
 export const ontoLightCone = Fn(
   ([event, velocity]: [Vec4, Vec4]): Vec4 => {

@@ -9,6 +9,10 @@ import { linearEmission } from './linearEmission.ts';
  * Emission event of a vertex that moves uniformly between samples and is at rest outside them: bisection finds the piece, a closed form
  * the root, clamped to the piece. `anchor` = (d_c, R) [m]; `at` gives the vertex's samples
  * relative to the anchor; 2 ≤ `count` ≤ 4096. Exact, without an iteration that could fail. docs/physics.md §4.3, §4.7.
+ * @example
+ * import { int, select, vec4 } from 'three/tsl';
+ * const samples = (i: Int) => select(i.equal(int(0)), vec4(0, 0, 0, -1), vec4(1, 0, 0, 1));
+ * const { dx, velocity } = polylineEmission(vec4(0, 0, -4, 4), samples, int(2));
  */
 export function polylineEmission(anchor: Vec4, at: SampleTable, count: Int): VertexEvent {
   const beforeCone = (sample: Vec4) => coneOffset(anchor, sample.xyz).add(sample.w).lessThanEqual(0);

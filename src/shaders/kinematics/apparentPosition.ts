@@ -5,6 +5,10 @@ import type { Float, Vec3 } from '../types.ts';
  * Apparent position, in the observer's frame, of a point that emitted at Δx (world frame):
  * p∥′ = γp∥ + |u| r, transverse part unchanged; |Δx′| = D_o r. Behind the observer in conjugate form (|u×Δx|² − p∥²)/(|u| r − γp∥).
  * `dx` [m]; `u` = γβ of the observer. docs/physics.md §3.3.
+ * @example
+ * import { float, vec3 } from 'three/tsl';
+ * // At 0.6 c, what is 3 m ahead appears 6 m away.
+ * const apparent = apparentPosition(vec3(0, 0, 3), vec3(0, 0, 0.75), float(1.25));
  */
 export const apparentPosition = Fn(
   ([dx, u, gamma]: [Vec3, Vec3, Float]) => {

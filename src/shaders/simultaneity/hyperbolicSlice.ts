@@ -8,6 +8,17 @@ import { hyperbolaEvent } from '../worldLines/hyperbolaEvent.ts';
  * The event of a vertex in hyperbolic motion on the observer's slice Δt′ = 0 (docs/physics.md §5.3): u·x = γt, that is
  * w(γ − u∥)/2 · (t + x∥)/w + (γ + u∥)/2w · (t − x∥)w = u⊥·x⊥. `anchor` = (d_c, R) is an event of the slice; the rest as in
  * hyperbolicEmission. u = 0: the slice of world time.
+ * @example
+ * import { float, vec3, vec4 } from 'three/tsl';
+ * const { dx } = hyperbolicSlice(
+ *   vec4(0, 0, 4, 4),
+ *   vec4(0, 0, -1, 0.5),
+ *   float(1),
+ *   float(0),
+ *   vec3(0.5, 0, 0),
+ *   vec3(0),
+ *   float(1),
+ * );
  */
 export function hyperbolicSlice(
   anchor: Vec4,

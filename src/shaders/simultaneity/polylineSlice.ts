@@ -7,6 +7,10 @@ import { pieceVelocity } from '../worldLines/pieceVelocity.ts';
 /**
  * The event on the observer's slice Δt′ = 0 of a vertex that moves uniformly between samples and is at rest outside them.
  * `anchor` = (d_c, R) is an event of the slice; `at` gives samples relative to it; 2 ≤ `count` ≤ 4096. u = 0: the slice of world time. docs/physics.md §5.4.
+ * @example
+ * import { float, int, select, vec3, vec4 } from 'three/tsl';
+ * const samples = (i: Int) => select(i.equal(int(0)), vec4(0, 0, 0, -1), vec4(1, 0, 0, 1));
+ * const { dx } = polylineSlice(vec4(0, 0, -4, 4), samples, int(2), vec3(0), float(1));
  */
 export function polylineSlice(anchor: Vec4, at: SampleTable, count: Int, u: Vec3, gamma: Float): VertexEvent {
   // γt − u·x increases along every world line and is 0 on the slice.

@@ -3,7 +3,13 @@ import type { Int, SampleTable, WorldLineAt } from '../types.ts';
 import { bisect } from './bisect.ts';
 import { pieceVelocity } from './pieceVelocity.ts';
 
-/** World line of a vertex that moves uniformly between samples (relative to the anchor) and is at rest outside them; 2 ≤ `count` ≤ 4096. */
+/**
+ * World line of a vertex that moves uniformly between samples (relative to the anchor) and is at rest outside them; 2 ≤ `count` ≤ 4096.
+ * @example
+ * import { float, int, select, vec4 } from 'three/tsl';
+ * const samples = (i: Int) => select(i.equal(int(0)), vec4(0, 0, 0, -1), vec4(1, 0, 0, 1));
+ * const { x } = polylinePlace(samples, int(2))(float(0.5));
+ */
 export const polylinePlace =
   (at: SampleTable, count: Int): WorldLineAt =>
   (time) => {

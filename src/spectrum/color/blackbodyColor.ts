@@ -28,6 +28,8 @@ export const XYZ_TO_SRGB_ROWS = [
  * luminance 1, with D65 as white. Spectral rendering uses `colorOfSpectrum` of a thermal spectrum instead, with 6504 K as white; above
  * 1900 K, blackbodyColor(T)/blackbodyColor(6504 K) agrees with that within 2 % of the largest channel. docs/physics.md §7.10.
  * Source: Krystek 1985, "An algorithm to calculate correlated colour temperature", eq. for u(T), v(T) (CIE 1960); within 1.5e-4 in u and v.
+ * @example
+ * blackbodyColor(2856); // [1.84, 0.83, 0.23]: incandescent light
  */
 export function blackbodyColor(T: number): Vec3 {
   const t = Math.min(Math.max(T, KRYSTEK_RANGE[0]), KRYSTEK_RANGE[1]);
@@ -59,6 +61,8 @@ export const DAYLIGHT_COLOR = blackbodyColor(6504);
 /**
  * The colour of a glowing surface at T [K], of luminance 1, in the *approximate* colours: `blackbodyColor` with 6504 K as white.
  * A Doppler shift tints it as any other colour (dopplerTint.ts); spectral rendering shows a blackbody of T·D instead.
+ * @example
+ * glowColor(6504); // [1, 1, 1]
  */
 export function glowColor(T: number): Vec3 {
   const [r, g, b] = blackbodyColor(T);

@@ -8,6 +8,8 @@ import { LUMINANCE_WEIGHTS, observedColor } from './observerColor.ts';
  * The filter k before a blackbody for which a white surface at rest shows the linear sRGB `color`; in daylight k is `color` itself.
  * Bands in which the blackbody has almost no light (blue of embers) stay neutral. Lines and sampled spectra have their own colour:
  * only the luminance of `color` is used. docs/physics.md §7.7.
+ * @example
+ * lightFilter([1, 0.5, 0.25], DAYLIGHT).rgb; // [1, 0.5, 0.25]
  */
 export function lightFilter(color: Vec3, spectrum: LightSpectrum): SpectralFilter {
   const gray = dot(LUMINANCE_WEIGHTS, color);

@@ -25,13 +25,31 @@ const DAYLIGHT_XYZ: Mat3 = transpose(
  */
 export const XYZ_TO_RENDER_SRGB: Mat3 = invert(DAYLIGHT_XYZ) ?? IDENTITY;
 
-/** Luminance of linear sRGB in the renderers: that of the three basis functions in `DAYLIGHT`, (0.218, 0.711, 0.071), of sum 1. */
+/**
+ * Luminance of linear sRGB in the renderers: that of the three basis functions in `DAYLIGHT`, (0.218, 0.711, 0.071), of sum 1.
+ * @example
+ * const [r, g, b] = LUMINANCE_WEIGHTS;
+ * r + g + b; // 1
+ */
 export const LUMINANCE_WEIGHTS: Vec3 = [DAYLIGHT_XYZ[3], DAYLIGHT_XYZ[4], DAYLIGHT_XYZ[5]];
 
-/** N·XYZ: the renderers' linear sRGB, white in `DAYLIGHT`. Channels are negative for colours outside sRGB; only a display clips them. */
+/**
+ * N·XYZ: the renderers' linear sRGB, white in `DAYLIGHT`. Channels are negative for colours outside sRGB; only a display clips them.
+ * @example
+ * // The XYZ of daylight of luminance 1 is white.
+ * const daylight = tristimulus((wavelength) => spectralRadiance(DAYLIGHT, wavelength));
+ * toLinearSrgb(daylight); // [1.0, 1.0, 1.0]
+ */
 export const toLinearSrgb = (xyz: Vec3): Vec3 => transform(XYZ_TO_RENDER_SRGB, xyz);
 
-/** Linear sRGB of light of luminance 1, at rest; (1, 1, 1) for `DAYLIGHT`. */
+/**
+ * Linear sRGB of light of luminance 1, at rest; (1, 1, 1) for `DAYLIGHT`.
+ * @example
+ * colorOfSpectrum(DAYLIGHT); // [1.00, 1.00, 1.00]
+ * // Sodium's yellow lies outside of sRGB: blue is negative.
+ * const [r, g, b] = colorOfSpectrum({ kind: 'lines', lines: [{ wavelength: 589.3e-9, weight: 1 }] });
+ * r > g && b < 0; // true
+ */
 export const colorOfSpectrum = (spectrum: LightSpectrum): Vec3 =>
   observedColor(WHITE_FILTER, WHITE_FILTER, spectrum, 1, 1);
 
@@ -43,6 +61,11 @@ export const colorOfSpectrum = (spectrum: LightSpectrum): Vec3 =>
  *   N ∫ cmf(λ) a(Dout λ) k(D λ) D⁵ S(D λ) dλ / D⁴
  *
  * The factor D⁴ of the radiance over all wavelengths is applied as beaming, elsewhere. Directly visible emitters have Din = 1. docs/physics.md §7.4.
+ * @example
+ * // A grey wall in daylight that approaches with D = 2 looks bluish.
+ * const grey = filterFromRgb([0.5, 0.5, 0.5]);
+ * const [r, , b] = observedColor(grey, WHITE_FILTER, DAYLIGHT, 1, 2);
+ * b > r; // true
  */
 export function observedColor(
   a: SpectralFilter,

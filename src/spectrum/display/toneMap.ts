@@ -21,6 +21,9 @@ export const MAX_RADIANCE = 1e15;
 /**
  * Linear sRGB radiance → linear sRGB to display, each in 0…1 (still to be encoded): times 2^exposure [EV], then the curve. Negative channels
  * (colours outside the gamut) are desaturated by `agx` and set to 0 by the others.
+ * @example
+ * toneMap([0.25, 0.5, 0.125], 0, 'neutral'); // [0.25, 0.5, 0.125]: below the shoulder
+ * toneMap([0.25, 0.5, 0.125], 2, 'linear'); // [1, 1, 0.5]: two stops brighter, clipped
  */
 export function toneMap(rgb: Vec3, exposure: number, tone: ToneMapping): Vec3 {
   const exposed = (value: number) => Math.min(Math.max(value * 2 ** exposure, -MAX_RADIANCE), MAX_RADIANCE);

@@ -13,6 +13,10 @@ export const TINT_RANGE = [0.01, 1e6] as const;
  * 611 nm, g at 549 nm, b at and below 464 nm, interpolated smoothly in ln λ. Each primary λ shows the light emitted
  * at Dλ: ρ(Dλ) · D⁵P(Dλ)/P(λ) / D⁴. White takes the colours of a blackbody at D·6504 K, and colours fade where the visible
  * comes from the infrared or the ultraviolet. `mix` in 0…1 is an exponent of D. Identity at D = 1. docs/physics.md §7.10.
+ * @example
+ * dopplerTint([0.8, 0.4, 0.2], 1, 1); // [0.8, 0.4, 0.2]
+ * const [r, , b] = dopplerTint([1, 1, 1], 1.5, 1);
+ * b > r; // true
  */
 export function dopplerTint(rgb: Vec3, D: number, mix: number): Vec3 {
   const shift = Math.min(Math.max(D ** mix, TINT_RANGE[0]), TINT_RANGE[1]);

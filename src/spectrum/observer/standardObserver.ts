@@ -4,14 +4,27 @@ import { X_BAR, Y_BAR, Z_BAR } from '../tables/cie1931.ts';
 /**
  * The visible range of the CIE 1931 2° standard observer [m]: the wavelengths 360 … 830 nm of its table with half a nanometre
  * on either side. For an observer at rest all else is invisible.
+ * @example
+ * const [shortest, longest] = VISIBLE;
+ * longest / shortest; // 2.31: from D = 2.31 on all that is seen was infrared, or less than 1/2.31 ultraviolet
  */
 export const VISIBLE: readonly [shortest: number, longest: number] = [359.5e-9, 830.5e-9];
 /** Width of the steps in which spectra are integrated [m]. */
 export const NANOMETRE = 1e-9;
-/** The wavelengths of the standard observer's table [m]: 360, 361 … 830 nm. */
+/**
+ * The wavelengths of the standard observer's table [m]: 360, 361 … 830 nm.
+ * @example
+ * WAVELENGTHS.length; // 471
+ * WAVELENGTHS[0]; // 360.0e-9 m
+ */
 export const WAVELENGTHS: readonly number[] = X_BAR.map((_, i) => (360 + i) / 1e9);
 
-/** x̄, ȳ, z̄ of the CIE 1931 2° standard observer at a wavelength [m]: as published at whole nanometres, linear between, 0 outside. */
+/**
+ * x̄, ȳ, z̄ of the CIE 1931 2° standard observer at a wavelength [m]: as published at whole nanometres, linear between, 0 outside.
+ * @example
+ * colorMatching(555e-9)[1]; // 1.00
+ * colorMatching(1000e-9); // [0, 0, 0]
+ */
 export function colorMatching(wavelength: number): Vec3 {
   const place = wavelength / NANOMETRE - 360;
   return [interpolateTable(X_BAR, place), interpolateTable(Y_BAR, place), interpolateTable(Z_BAR, place)];
@@ -27,7 +40,15 @@ export function interpolateTable(values: readonly number[], place: number): numb
   return values[i] + (values[i + 1] - values[i]) * (place - i);
 }
 
-/** ∫ (x̄, ȳ, z̄) S dλ of a spectrum over wavelength, summed at whole nanometres. */
+/**
+ * ∫ (x̄, ȳ, z̄) S dλ of a spectrum over wavelength, summed at whole nanometres.
+ * @example
+ * // The equal-energy spectrum: the three functions have the same area.
+ * const [X, Y, Z] = tristimulus(() => 1e9);
+ * Y; // 106.9
+ * X / Y; // 1.000
+ * Z / Y; // 1.000
+ */
 export function tristimulus(spectrum: (wavelength: number) => number): Vec3 {
   let [X, Y, Z] = [0, 0, 0];
   for (let i = 0; i < WAVELENGTHS.length; i++) {

@@ -3,7 +3,9 @@ import { filterFromRgb, type SpectralFilter } from './spectralFilter.ts';
 
 /** The reflectance of a surface, including ultraviolet (below 360 nm) and infrared (above 830 nm). */
 export interface MaterialPreset {
+  /** What was measured, for people. */
   readonly about: string;
+  /** Its reflectance. */
   readonly filter: SpectralFilter;
   /** For metals the filter is the specular reflectance, for others the diffuse one. */
   readonly metallic: boolean;
@@ -28,6 +30,9 @@ const metal = (about: string, rgb: Vec3, uv: number, ir: number): MaterialPreset
  * Materials whose infrared or ultraviolet reflectance differs from what their colour suggests, for scenes in which a Doppler shift makes it visible.
  * Rounded from published measurements of single samples; one number for the ultraviolet (300…360 nm) and one for the near
  * infrared (830…1300 nm).
+ * @example
+ * const { rgb, ir } = MATERIAL_PRESETS.get('leaf')!.filter;
+ * ir > 3 * rgb[1]; // true: leaves are bright in the infrared
  */
 export const MATERIAL_PRESETS: ReadonlyMap<string, MaterialPreset> = new Map([
   [

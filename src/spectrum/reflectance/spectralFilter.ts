@@ -10,18 +10,24 @@ import { type MeasuredReflectance, measuredReflectanceAt } from './measuredRefle
  * `uv` and `ir` are invisible at rest; a Doppler shift makes them visible. docs/physics.md §7.3.
  */
 export interface SpectralFilter {
+  /** Weights of the three basis functions within `VISIBLE`: linear sRGB in daylight. */
   readonly rgb: Vec3;
+  /** At wavelengths shorter than `VISIBLE`, 0 … 1. */
   readonly uv: number;
+  /** At wavelengths longer than `VISIBLE`, 0 … 1. */
   readonly ir: number;
   /** The difference of a measured reflectance from its bands, times a factor. */
   readonly residual?: FilterResidual;
 }
 
+/** What a measured reflectance has besides its bands: share · (reflectance − bands). */
 export interface FilterResidual {
+  /** A measured reflectance, and its own bands. */
   readonly base: {
     readonly reflectance: MeasuredReflectance;
     readonly bands: Pick<SpectralFilter, 'rgb' | 'uv' | 'ir'>;
   };
+  /** Factor, 0 … 1. */
   readonly share: number;
 }
 
@@ -47,17 +53,30 @@ export const BASIS_ENDS: { readonly uv: Vec3; readonly ir: Vec3 } = {
   ir: basisAt(BASIS_RANGE[1]),
 };
 
-/** The filter of a linear sRGB colour; by default `uv` and `ir` continue the basis at its ends. */
+/**
+ * The filter of a linear sRGB colour; by default `uv` and `ir` continue the basis at its ends.
+ * @example
+ * filterFromRgb([0.5, 0.5, 0.5]); // { rgb: [0.5, 0.5, 0.5], uv: 0.5, ir: 0.5 }
+ */
 export const filterFromRgb = (
   rgb: Vec3,
   uv = dot(BASIS_ENDS.uv, rgb),
   ir = dot(BASIS_ENDS.ir, rgb),
 ): SpectralFilter => ({ rgb, uv, ir });
 
-/** Transmits everything. */
+/**
+ * Transmits everything.
+ * @example
+ * reflectanceAt(WHITE_FILTER, 555e-9); // 1.00
+ */
 export const WHITE_FILTER: SpectralFilter = { rgb: [1, 1, 1], uv: 1, ir: 1 };
 
-/** ρ(λ) of a filter at a wavelength [m]; with a `width` [m], steps that cross an end of `VISIBLE` are averaged. */
+/**
+ * ρ(λ) of a filter at a wavelength [m]; with a `width` [m], steps that cross an end of `VISIBLE` are averaged.
+ * @example
+ * const leaf = filterFromRgb([0.05, 0.12, 0.03], 0.05, 0.5);
+ * reflectanceAt(leaf, 900e-9); // 0.5
+ */
 export function reflectanceAt({ rgb, uv, ir, residual: rest }: SpectralFilter, wavelength: number, width = 0): number {
   const ultraviolet = stepFraction(VISIBLE[0] - wavelength, width);
   const infrared = stepFraction(wavelength - VISIBLE[1], width);

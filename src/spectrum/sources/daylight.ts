@@ -8,6 +8,9 @@ const RANGE = [4000, 25_000] as const;
 /**
  * The CIE D series: daylight of a correlated colour temperature [K], clamped to 4000…25,000, from 300 to 830 nm; D65 is
  * that of 6504 K. Unlike a blackbody it has the absorption bands of the sun and the air. docs/physics.md §7.9; CIE 015:2018, §4.1.2, eq. 4.6–4.10.
+ * @example
+ * const d65 = daylightSpectrum(6504);
+ * d65.first; // 300.0e-9 m
  */
 export function daylightSpectrum(temperature: number): SampledSpectrum {
   const [x, y] = daylightChromaticity(Math.min(Math.max(temperature, RANGE[0]), RANGE[1]));

@@ -11,7 +11,9 @@ import {
 
 /** A named spectrum with a short description. */
 export interface LightPreset {
+  /** What it is, for people. */
   readonly about: string;
+  /** Its relative spectrum, at rest. */
   readonly spectrum: LightSpectrum;
 }
 
@@ -32,6 +34,8 @@ const lines = (...all: readonly (readonly [nanometres: number, weight: number])[
 /**
  * Spectra of common lights. Wavelengths of lines are in air (below 200 nm in vacuum), from the NIST Atomic Spectra
  * Database, version 5; in air they are 0.03 % shorter. Relative strengths vary between lamps; these are typical.
+ * @example
+ * LIGHT_PRESETS.get('sodium')!.spectrum.kind; // 'lines'
  */
 export const LIGHT_PRESETS: ReadonlyMap<string, LightPreset> = new Map([
   ['daylight', { about: 'a blackbody of 6504 K, white', spectrum: DAYLIGHT }],

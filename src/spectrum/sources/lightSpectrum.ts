@@ -4,38 +4,54 @@ import { logLuminance, logPlanck, SECOND_RADIATION } from './planck.ts';
 /** A blackbody of a temperature above 0 [K]; shifted by D, one of T·D. */
 export interface ThermalSpectrum {
   readonly kind: 'thermal';
+  /** [K], above 0. */
   readonly temperature: number;
 }
 
 /** A line at a wavelength [m] of relative radiance `weight`. */
 export interface SpectralLine {
+  /** In its source's rest frame [m]. */
   readonly wavelength: number;
+  /** Relative radiance. */
   readonly weight: number;
 }
 
 /** Light of single wavelengths: vapour lamps, nebulae, lasers. */
 export interface LineSpectrum {
   readonly kind: 'lines';
+  /** At least one. */
   readonly lines: readonly SpectralLine[];
 }
 
 /** Relative radiance per wavelength at `first`, `first + step` … [m], at least two values, linear between them, 0 outside. */
 export interface SampledSpectrum {
   readonly kind: 'sampled';
+  /** Wavelength of the first value [m]. */
   readonly first: number;
+  /** From value to value [m]. */
   readonly step: number;
+  /** Relative radiance per wavelength. */
   readonly values: readonly number[];
 }
 
 /** The relative spectrum of light in its source's rest frame; brightness is given by the source. */
 export type LightSpectrum = ThermalSpectrum | LineSpectrum | SampledSpectrum;
 
-/** The default spectrum of lights: a blackbody of 6504 K, whose colour is nearly the white of sRGB. */
+/**
+ * The default spectrum of lights: a blackbody of 6504 K, whose colour is nearly the white of sRGB.
+ * @example
+ * DAYLIGHT.temperature; // 6504 K
+ */
 export const DAYLIGHT: ThermalSpectrum = { kind: 'thermal', temperature: 6504 };
 
 /**
  * S(λ) [1/m] of a spectrum at a wavelength [m] in its source's rest frame, scaled so that its luminance ∫ ȳ S dλ is 1.
  * For lines see `linesOf`. A spectrum that is invisible at rest is scaled as if all of its power were at 555 nm.
+ * @example
+ * // Wien: a blackbody of 5796 K is brightest at 500 nm.
+ * const sun = { kind: 'thermal', temperature: 5796 } as const;
+ * const at = (nm: number) => spectralRadiance(sun, nm * 1e-9);
+ * at(500) > at(490) && at(500) > at(510); // true
  */
 export function spectralRadiance(spectrum: ThermalSpectrum | SampledSpectrum, wavelength: number): number {
   if (spectrum.kind === 'thermal') return thermalRadiance(spectrum.temperature, wavelength, scaleOf(spectrum));
@@ -70,7 +86,12 @@ function runningIntegral(values: readonly number[]): Float64Array {
   return sums;
 }
 
-/** The lines of a spectrum, scaled so that their luminance Σ w ȳ(λ) is 1; spectra invisible at rest as in `spectralRadiance`. */
+/**
+ * The lines of a spectrum, scaled so that their luminance Σ w ȳ(λ) is 1; spectra invisible at rest as in `spectralRadiance`.
+ * @example
+ * // All of the light at the green where the eye is most sensitive: ȳ is 1 there.
+ * linesOf({ kind: 'lines', lines: [{ wavelength: 555e-9, weight: 7 }] }); // [{ wavelength: 555.0e-9, weight: 1.00 }]
+ */
 export function linesOf(spectrum: LineSpectrum): readonly SpectralLine[] {
   const scale = scaleOf(spectrum);
   return spectrum.lines.map(({ wavelength, weight }) => ({ wavelength, weight: weight * scale }));

@@ -3,6 +3,7 @@ import { staticEmission } from '../emission.ts';
 import { uniformSlice } from '../slice.ts';
 import type { WorldLineKind } from './worldLineKind.ts';
 
+/** A point at rest. */
 export interface StaticLine {
   readonly kind: 'static';
   /** [m] */

@@ -4,6 +4,7 @@ import { presentEmission } from '../emission.ts';
 import { uniformSlice } from '../slice.ts';
 import type { WorldLineKind } from './worldLineKind.ts';
 
+/** Constant velocity for all times. */
 export interface UniformLine {
   readonly kind: 'uniform';
   /** At t = 0 [m]. */

@@ -20,9 +20,11 @@ export type ObjectWith<M extends Motion> = SceneObject & { readonly motion: M };
 export interface FastestVertex {
   /** [m/s] */
   readonly speed: number;
+  /** Its index in the mesh. */
   readonly vertex: number;
-  /** World times between which it has this speed [s]. */
+  /** First world time at which it has this speed [s]. */
   readonly from: number;
+  /** Last world time at which it has this speed [s]. */
   readonly to: number;
 }
 
