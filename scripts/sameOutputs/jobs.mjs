@@ -26,7 +26,7 @@ const MOTIONS = { 'at rest': REST, '0.6 c': MOVING };
 const FEW_SCENES = ['dice', 'street', 'wheel'];
 /** Projects that are also rendered with WebGL2 and the reference renderer: those with frame graphs, and one simulation. */
 const FEW_PROJECTS = ['comparison', 'layers', 'lesson', 'gods-eye', 'truth', 'workshop', 'hanging-cloth'];
-const FORMATS = ['usda', 'usdz', 'gltf', 'glb', 'obj'];
+const FORMATS = ['usda', 'usdc', 'usdz', 'gltf', 'glb', 'obj'];
 export const SCENE_FILE = /\.(usd|usda|usdc|usdz|gltf|glb|obj|ply|stl)$/;
 /** A moving object of each scene, if there is one. */
 const PROBED = {

@@ -12,6 +12,13 @@ const writers: Readonly<Record<string, (scene: Scene, name: string) => Promise<E
     const layer = new TextEncoder().encode(writeUsda(scene));
     return { files: new Map([[name, layer], ...writeTextures(scene)]), diagnostics: cubicNotes(scene, name) };
   },
+  usdc: async (scene, name) => {
+    const { writeTextures, writeUsdc } = await import('./usd/write/writeUsd.ts');
+    return {
+      files: new Map([[name, writeUsdc(scene)], ...writeTextures(scene)]),
+      diagnostics: cubicNotes(scene, name),
+    };
+  },
   usdz: async (scene, name) => {
     const { writeUsdz } = await import('./usd/write/writeUsd.ts');
     return { files: new Map([[name, writeUsdz(scene)]]), diagnostics: cubicNotes(scene, name) };

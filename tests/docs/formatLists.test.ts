@@ -1,7 +1,6 @@
 import { readdirSync, readFileSync } from 'node:fs';
 import { fileURLToPath } from 'node:url';
 import { expect, it } from 'vitest';
-import { SCENE_EXTENSIONS } from '../../src/cli/files/exportScene.ts';
 import { simulateCommand } from '../../src/cli/simulate/simulateCommand.ts';
 import { sceneFormats } from '../../src/formats/registry.ts';
 import { writtenExtensions } from '../../src/formats/save.ts';
@@ -43,14 +42,14 @@ it('extensions in brackets behind the name of a format are all that it has', () 
 it('what convert writes is what the command line’s page says', () => {
   const [, rows] = /\| file \| holds \|\n\|.*\n((?:\|.*\n)+)/.exec(read('docs/guide/command-line.md'))!;
   const cells = Array.from(rows!.matchAll(/^\| ([^|]*) \|/gm), ([, cell]) => cell!).join();
-  expect(cells.match(/\w+/g)!.sort()).toEqual([...SCENE_EXTENSIONS].sort());
+  expect(cells.match(/\w+/g)!.sort()).toEqual([...writtenExtensions].sort());
 });
 
 it('the examples of extensions in the help of simulate can be written', () => {
   const help = simulateCommand().options.find(({ long }) => long === '--output')!.description;
   const named = Array.from(help.matchAll(/\.(\w+)/g), ([, extension]) => extension!);
   expect(named.length).toBeGreaterThan(2);
-  expect(named.filter((extension) => !SCENE_EXTENSIONS.includes(extension))).toEqual([]);
+  expect(named.filter((extension) => !writtenExtensions.includes(extension))).toEqual([]);
 });
 
 it('the comparison of outputs knows every format', () => {

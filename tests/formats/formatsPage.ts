@@ -52,8 +52,7 @@ function fileTable(): string {
     const written = writtenExtensions.filter((e) => extensions.includes(e));
     return [name, dots(extensions), written.length > 0 ? dots(written) : '–'];
   });
-  const also =
-    'A `.zip` that contains one of these files opens too. `slowlight convert` also writes `.usdc` if Pixar’s `usd-core` is installed.';
+  const also = 'A `.zip` that contains one of these files opens too.';
   return `${table(['', 'opened', 'written'], rows)}\n\n${also}`;
 }
 

@@ -24,7 +24,7 @@ const files: ClaimGroup = {
       expect(paths(s)).toEqual(['/A', '/Rest']),
     ),
     read(
-      'binary “crate” files (`.usdc`, `.usd`), versions 0.4 to 0.14',
+      'binary “crate” files (`.usdc`, `.usd`), versions 0.4 to 0.15',
       'bit for bit the same as the text layer',
       { 'a.usdc': crateFixture('written.usdc') },
       (s) => expect(s.objects.length).toBeGreaterThan(0),

@@ -1,8 +1,8 @@
 import { basename, dirname, resolve } from 'node:path';
 import { Command } from 'commander';
 import { dotted, extensionOf } from '../../formats/files/fileSource.ts';
-import { saveScene } from '../../formats/save.ts';
-import { checkPython, exportScene, SCENE_EXTENSIONS, USDC, writeExportedFiles } from '../files/exportScene.ts';
+import { saveScene, writtenExtensions } from '../../formats/save.ts';
+import { writeExportedFiles } from '../files/exportScene.ts';
 import { checkWritable } from '../files/outputFile.ts';
 import { addSceneFlags, openSceneWithFlags, SCENE_ARGUMENT, type SceneFlags } from '../flags/sceneFlags.ts';
 import { reportDiagnostics } from '../terminal/diagnostics.ts';
@@ -13,20 +13,19 @@ export const convertCommand = (): Command =>
     new Command('convert')
       .description('Converts a scene to another format, and reports what that cannot represent.')
       .argument('<in>', SCENE_ARGUMENT)
-      .argument('<out>', `output file: ${dotted(SCENE_EXTENSIONS)}`),
+      .argument('<out>', `output file: ${dotted(writtenExtensions)}`),
   )
     .option('--json', 'print a report of what was written and what was lost as JSON')
     .action(convert);
 
 async function convert(from: string, to: string, flags: SceneFlags & { json?: boolean }): Promise<void> {
   const extension = extensionOf(to);
-  if (!SCENE_EXTENSIONS.includes(extension))
-    throw usageError(`${to}: a scene is written as ${dotted(SCENE_EXTENSIONS)}, not as .${extension}`);
+  if (!writtenExtensions.includes(extension))
+    throw usageError(`${to}: a scene is written as ${dotted(writtenExtensions)}, not as .${extension}`);
   checkWritable(to);
   if (resolve(from) === resolve(to)) throw usageError(`${to} would be written over itself; name another file`);
-  if (extension === USDC) checkPython();
   const scene = await openSceneWithFlags(from, flags);
-  const written = await exportScene(basename(to), (name) => saveScene(scene, name));
+  const written = await saveScene(scene, basename(to));
   const diagnostics = [...scene.diagnostics, ...written.diagnostics];
   reportDiagnostics(diagnostics);
   const files = writeExportedFiles(dirname(resolve(to)), written);

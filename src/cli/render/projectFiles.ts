@@ -4,7 +4,7 @@ import { DocumentError, type GraphDocument } from '../../graph/document/document
 import { exportSceneFile } from '../../nodes/project/exportSceneFile.ts';
 import { fileNodesIn, requestedFiles } from '../../nodes/project/fileNodes.ts';
 import { frameTimes, type ImageOutput, type RequestedFile, type VideoOutput } from '../../nodes/project/outputFiles.ts';
-import { checkPython, exportScene, USDC, writeExportedFiles } from '../files/exportScene.ts';
+import { writeExportedFiles } from '../files/exportScene.ts';
 import { checkWritable, throwIfStopped } from '../files/outputFile.ts';
 import { checkPipeline } from '../flags/pipelineFlags.ts';
 import {
@@ -39,7 +39,7 @@ const WRITERS: {
   ) => Promise<readonly string[]>;
 } = {
   scene: async (file, { folder }) => {
-    const written = await exportScene(file.name, (name) => exportSceneFile(file, name));
+    const written = await exportSceneFile(file, file.name);
     reportDiagnostics([...file.scene.diagnostics, ...written.diagnostics]);
     return writeExportedFiles(folder, written);
   },
@@ -123,6 +123,5 @@ function checkFiles(files: readonly RequestedFile[], folder: string): void {
   if (twice !== undefined) throw inputProblem(`two nodes write ${twice}; give one of them another name`);
   for (const { name } of files) checkWritable(join(folder, name));
   const extensions = new Set(files.map(({ name }) => extensionOf(name)));
-  if (extensions.has(USDC)) checkPython();
   if (extensions.has(VIDEO_EXTENSION)) checkEncoder();
 }

@@ -3,6 +3,7 @@ import { setImmediate } from 'node:timers/promises';
 import { stepSchedule } from '../../dynamics/run.ts';
 import { type RunRecord, runRecordCsv, summarizeRun } from '../../dynamics/runRecord.ts';
 import { dotted } from '../../formats/files/fileSource.ts';
+import { writtenExtensions } from '../../formats/save.ts';
 import { flatten } from '../../graph/analysis/flatten.ts';
 import { DocumentError, type GraphDocument } from '../../graph/document/document.ts';
 import type { HeavyRequest, RunHeavy } from '../../graph/evaluation/evaluator.ts';
@@ -11,7 +12,7 @@ import { simulationSettings } from '../../nodes/dynamics/simulate.ts';
 import { Simulation, type SimulationOutputs } from '../../nodes/dynamics/simulation.ts';
 import { nodeLibrary } from '../../nodes/library.ts';
 import { exportSceneFile } from '../../nodes/project/exportSceneFile.ts';
-import { checkPython, exportScene, SCENE_EXTENSIONS, USDC, writeExportedFiles } from '../files/exportScene.ts';
+import { writeExportedFiles } from '../files/exportScene.ts';
 import {
   checkWritable,
   handleSignals,
@@ -43,9 +44,7 @@ export async function simulate(path: string, flags: SimulateFlags): Promise<void
   const written =
     output === undefined
       ? undefined
-      : await exportScene(basename(output), (name) =>
-          exportSceneFile({ kind: 'scene', name, scene, sampled: true }, name),
-        );
+      : await exportSceneFile({ kind: 'scene', name: basename(output), scene, sampled: true }, basename(output));
   reportDiagnostics([...scene.diagnostics, ...(written?.diagnostics ?? [])]);
   const files = written ? writeExportedFiles(dirname(resolve(output!)), written) : [];
   if (csv !== undefined) writeFileAtomically(csv, new TextEncoder().encode(runRecordCsv(books)));
@@ -60,9 +59,8 @@ function checkFlags({ output, csv, checkpoint, resume }: SimulateFlags): void {
   for (const file of [output, csv, checkpoint]) if (file !== undefined) checkWritable(file);
   if (output === undefined) return;
   const extension = extname(output).slice(1).toLowerCase();
-  if (!SCENE_EXTENSIONS.includes(extension))
-    throw usageError(`${output}: a scene is written as ${dotted(SCENE_EXTENSIONS)}`);
-  if (extension === USDC) checkPython();
+  if (!writtenExtensions.includes(extension))
+    throw usageError(`${output}: a scene is written as ${dotted(writtenExtensions)}`);
 }
 
 /** Id of the Simulate node to run; `outer/inner` in a group. */

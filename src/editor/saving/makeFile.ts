@@ -1,7 +1,6 @@
 import { zipSync } from 'fflate';
 import { extensionOf } from '../../formats/files/fileSource.ts';
 import { CancelledError } from '../../graph/evaluation/evaluator.ts';
-import { NodeRefusal } from '../../graph/nodeType.ts';
 import { encodeExrPicture, encodePngPicture, frameName } from '../../nodes/pictures/encode.ts';
 import { pictureSequence } from '../../nodes/pictures/fileSequence.ts';
 import { type PictureFrame, type PictureSequence, renderPictureSequence } from '../../nodes/pictures/sequence.ts';
@@ -21,16 +20,15 @@ export interface MadeFile {
 }
 
 export interface MakeFileOptions {
-  readonly node: string;
   readonly backend: Backend | 'auto';
   readonly signal: AbortSignal;
   /** Called with the completed fraction, 0 … 1. */
   readonly progress: (part: number) => void;
 }
 
-/** Makes what a node requests; several files become a zip. Throws UnsupportedInPage, NodeRefusal or CancelledError. */
+/** Makes what a node requests; several files become a zip. Throws UnsupportedInPage or CancelledError. */
 export async function makeFile(file: RequestedFile, options: MakeFileOptions): Promise<MadeFile> {
-  if (file.kind === 'scene') return sceneFile(file, options);
+  if (file.kind === 'scene') return sceneFile(file);
   const picture = pictureSequence(file);
   if (extensionOf(file.name) !== 'mp4') return pictureFile(file, picture, options);
   const { Mp4Encoder } = await import('./mp4Encoder.ts');
@@ -47,13 +45,7 @@ export async function makeFile(file: RequestedFile, options: MakeFileOptions): P
   }
 }
 
-async function sceneFile(file: SceneOutput, { node }: MakeFileOptions): Promise<MadeFile> {
-  if (extensionOf(file.name) === 'usdc') {
-    const message =
-      'binary USD is written by Pixar’s own library, which no browser has; the same scene as .usdz holds all of it';
-    const remedy = { node, param: 'name', value: file.name.replace(/\.usdc$/i, '.usdz') };
-    throw new NodeRefusal({ severity: 'error', code: 'file.binary', place: `${node}.name`, message, remedy });
-  }
+async function sceneFile(file: SceneOutput): Promise<MadeFile> {
   const { files, diagnostics } = await exportSceneFile(file, file.name);
   const losses = diagnostics.filter(({ severity }) => severity !== 'info');
   const told = losses.map(({ place, message }) => `${place.replace(`${file.name}: `, '')}: ${message}`);

@@ -54,7 +54,7 @@ async function save({ node, editor, backend, signal, t, translateMessage }: Save
   told({ name: file.name });
   // Loaded on demand.
   const { makeFile } = await import('./makeFile.ts');
-  const made = await makeFile(file, { node, backend, signal, progress: (part) => told({ part }) });
+  const made = await makeFile(file, { backend, signal, progress: (part) => told({ part }) });
   download(made.content, made.name);
   editor.notify({ kind: 'info', text: savedText(made, { t, translateMessage }) });
 }

@@ -434,8 +434,8 @@ export const nodeTexts = {
   ],
   'param.fileName': ['File', '文件名'],
   'param.fileName.help': [
-    'Without folders. `.usda` is text, `.usdz` a package with textures, `.usdc` binary (requires Pixar’s usd-core).',
-    '不含文件夹。`.usda` 为文本，`.usdz` 为连同贴图的包，`.usdc` 为二进制（需要 Pixar 的 usd-core）。',
+    'Without folders. `.usda` is text, `.usdz` a package with textures, `.usdc` binary and smaller.',
+    '不含文件夹。`.usda` 为文本，`.usdz` 为连同贴图的包，`.usdc` 为更小的二进制。',
   ],
   'param.writtenMotion': ['Motion', '运动'],
   'param.writtenMotion.help': [

@@ -302,8 +302,6 @@ export const program: MessageCatalogue = {
   '{} bytes are more than a project has; it holds words, not data':
     '{1} 字节超过了项目应有的大小；项目只含文字，不含数据',
   '{} are more than a page packs': '{1} 超过了页面能打包的大小',
-  'binary USD is written by Pixar’s own library, which no browser has; the same scene as .usdz holds all of it':
-    '二进制 USD 由 Pixar 自己的库写出，浏览器中没有；同一场景保存为 .usdz 可包含全部内容',
   'the node asks for no file': '该节点不需要文件',
   'the browser made no PNG': '浏览器没有生成 PNG',
   'a worker could not be started': '无法启动工作线程',

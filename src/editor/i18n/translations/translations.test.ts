@@ -30,8 +30,7 @@ const sources = import.meta.glob<string>(
     '!../../../formats/diagnostics/diagnosticCodes.ts',
     '!../../../compute/shader.ts',
     // Lines of written files.
-    '!../../../formats/usd/write/{materials,motionLines,prims}.ts',
-    '!../../../formats/usd/write/lights/*.ts',
+    '!../../../formats/usd/write/layerText.ts',
   ],
   { query: '?raw', import: 'default', eager: true },
 );

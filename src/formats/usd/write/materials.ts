@@ -1,3 +1,4 @@
+import type { Vec3 } from '../../../math/vec3.ts';
 import type { Material, RadianceTexture, Scene, Texture, TextureChannel } from '../../../scene/types.ts';
 import type { MeasuredReflectance } from '../../../spectrum/reflectance/measuredReflectance.ts';
 import type { LightSpectrum, SampledSpectrum } from '../../../spectrum/sources/lightSpectrum.ts';
@@ -6,9 +7,11 @@ import { formatSpectrum } from '../../attributes/spectrumAttribute.ts';
 import { writeSpectrumCsv } from '../../attributes/spectrumCsv.ts';
 import { encodePng } from '../../image/encodePng.ts';
 import { encodeRadiance } from '../../image/radiance.ts';
+import type { AttributeSpec, Value } from '../layer/layer.ts';
 import { pictureOf, spectrumOf } from './lights/lights.ts';
 import type { PrimTree } from './primTree.ts';
-import { block, double, float, floats, type Lines, quoted } from './usdaText.ts';
+import { attribute, connected, custom, type PrimContent, type Properties, uniform } from './specs.ts';
+import { asset, double, float, string, token, tuple } from './values.ts';
 
 const texturesOf = (m: Material): readonly Texture[] =>
   [
@@ -117,110 +120,119 @@ export class MaterialWriter {
     const wanted = material.name.startsWith('/') ? material.name : `/Materials/${material.name || 'Material'}`;
     const path = this.tree.claim(byColors ? `${wanted}_vertexColors` : wanted);
     this.paths.set(key, path);
-    const shaders = this.network(path, material, byColors);
+    const network = this.network(path, material, byColors);
     const unseen = INVISIBLE_BANDS.flatMap(({ texture, name, shader }) => {
       const from = material[texture];
-      return from ? [[name, `.connect = <${path}/${shader}.outputs:${'rgba'[from.channel]}>`] as const] : [];
+      if (!from) return [];
+      return [{ ...connected('double', name, network.output(shader, 'rgba'[from.channel])), custom: true }];
     });
     const told = SPECTRAL_ATTRIBUTES.flatMap(({ of, name }) => {
       const value = material[of];
-      return value === undefined ? [] : [[name, ` = ${double(value)}`] as const];
+      return value === undefined ? [] : [custom('double', name, double(value))];
     });
-    const hints = [...new Map<string, string>([...told, ...unseen])].map(([name, is]) => `custom double ${name}${is}`);
+    const hints = new Map([...told, ...unseen].map((one) => [one.name, one]));
     const measured =
       material.reflectance && !byColors && !material.baseColorTexture
-        ? [`custom asset ${REFLECTANCE_ATTRIBUTE} = @${this.files.reflectance(material.reflectance)}@`]
+        ? [custom('asset', REFLECTANCE_ATTRIBUTE, asset(this.files.reflectance(material.reflectance)))]
         : [];
-    const properties = [`token outputs:surface.connect = <${path}/Surface.outputs:surface>`, ...hints, ...measured];
-    this.tree.set(path, { type: 'Material', properties, inner: shaders });
+    const surface = connected('token', 'outputs:surface', network.output('Surface', 'surface'));
+    this.tree.set(path, {
+      type: 'Material',
+      properties: [surface, ...hints.values(), ...measured],
+      inner: network.shaders,
+    });
     return path;
   }
 
-  private network(path: string, m: Material, byColors: boolean): Lines[] {
+  private network(path: string, m: Material, byColors: boolean): ShaderNetwork {
     const { baseColorTexture: base, emissiveTexture: emissive, normalTexture: normal } = m;
     const { roughnessTexture: roughness, metallicTexture: metallic, occlusionTexture: occlusion } = m;
     const cutOut = base?.data.some((x, i) => i % 4 === 3 && x < 255);
-    const from = (shader: string, output: string): string => `<${path}/${shader}.outputs:${output}>`;
+    const network = new ShaderNetwork(path, this.tree);
+    const from = (shader: string, output: string): string => network.output(shader, output);
     const diffuse = byColors ? from('Colors', 'result') : base && from('BaseColor', 'rgb');
-    const surface = block('def Shader "Surface"', [
-      'uniform token info:id = "UsdPreviewSurface"',
-      input('color3f', 'diffuseColor', diffuse, floats(m.baseColor)),
-      input('color3f', 'emissiveColor', emissive && from('Emissive', 'rgb'), floats(m.emissive)),
-      ...(m.ior === undefined ? [] : [`float inputs:ior = ${float(m.ior)}`]),
+    const rgb = (x: Vec3): Value => tuple('float3', x);
+    network.add('Surface', [
+      uniform('token', 'info:id', token('UsdPreviewSurface')),
+      input('color3f', 'diffuseColor', diffuse, rgb(m.baseColor)),
+      input('color3f', 'emissiveColor', emissive && from('Emissive', 'rgb'), rgb(m.emissive)),
+      ...(m.ior === undefined ? [] : [attribute('float', 'inputs:ior', float(m.ior))]),
       input('float', 'metallic', metallic && from('Metallic', 'rgba'[metallic.channel]), float(m.metallic)),
-      ...(normal ? [`normal3f inputs:normal.connect = ${from('Normal', 'rgb')}`] : []),
-      ...(occlusion ? [`float inputs:occlusion.connect = ${from('Occlusion', 'rgba'[occlusion.channel])}`] : []),
+      ...(normal ? [connected('normal3f', 'inputs:normal', from('Normal', 'rgb'))] : []),
+      ...(occlusion ? [connected('float', 'inputs:occlusion', from('Occlusion', 'rgba'[occlusion.channel]))] : []),
       input('float', 'opacity', cutOut ? from('BaseColor', 'a') : undefined, float(m.opacity)),
-      `float inputs:opacityThreshold = ${float(m.opacityThreshold)}`,
+      attribute('float', 'inputs:opacityThreshold', float(m.opacityThreshold)),
       input('float', 'roughness', roughness && from('Roughness', 'rgba'[roughness.channel]), float(m.roughness)),
-      'token outputs:surface',
+      attribute('token', 'outputs:surface'),
     ]);
     const [x, y] = normal?.strength ?? [1, 1];
-    const textures = [
-      ...(base ? [this.texture(path, 'BaseColor', base, [...m.baseColor, m.opacity])] : []),
-      ...(emissive ? [this.texture(path, 'Emissive', emissive, [...m.emissive, 1])] : []),
-      ...(normal ? [this.texture(path, 'Normal', normal.texture, [2 * x, 2 * y, 2, 1], [-x, -y, -1, 0])] : []),
-      ...(roughness ? [this.channel(path, 'Roughness', roughness)] : []),
-      ...(metallic ? [this.channel(path, 'Metallic', metallic)] : []),
-      ...(occlusion ? [this.channel(path, 'Occlusion', occlusion)] : []),
-      ...INVISIBLE_BANDS.flatMap(({ texture, shader }) => (m[texture] ? [this.channel(path, shader, m[texture])] : [])),
-    ];
-    const readers = [...(byColors ? [colorReader()] : []), ...(textures.length > 0 ? [uvReader()] : [])];
-    return [surface, ...textures, ...readers];
+    if (base) this.texture(network, 'BaseColor', base, [...m.baseColor, m.opacity]);
+    if (emissive) this.texture(network, 'Emissive', emissive, [...m.emissive, 1]);
+    if (normal) this.texture(network, 'Normal', normal.texture, [2 * x, 2 * y, 2, 1], [-x, -y, -1, 0]);
+    if (roughness) this.channel(network, 'Roughness', roughness);
+    if (metallic) this.channel(network, 'Metallic', metallic);
+    if (occlusion) this.channel(network, 'Occlusion', occlusion);
+    for (const { texture, shader } of INVISIBLE_BANDS) if (m[texture]) this.channel(network, shader, m[texture]);
+    const textured = network.shaders.size > 1;
+    if (byColors) network.add('Colors', reader('float3', 'displayColor'));
+    if (textured) network.add('Uv', reader('float2', 'st'));
+    return network;
   }
 
-  private channel(path: string, name: string, { texture, channel, scale, bias }: TextureChannel): Lines {
+  private channel(network: ShaderNetwork, name: string, { texture, channel, scale, bias }: TextureChannel): void {
     const only = (value: number, otherwise: number) => [0, 1, 2, 3].map((k) => (k === channel ? value : otherwise));
-    return this.texture(path, name, texture, only(scale, 1), only(bias, 0));
+    this.texture(network, name, texture, only(scale, 1), only(bias, 0));
   }
 
   private texture(
-    path: string,
+    network: ShaderNetwork,
     name: string,
     texture: Texture,
     scale: readonly number[],
     bias: readonly number[] = [0, 0, 0, 0],
-  ): Lines {
-    return block(`def Shader "${name}"`, [
-      'uniform token info:id = "UsdUVTexture"',
-      ...(bias.some((x) => x !== 0) ? [`float4 inputs:bias = ${floats(bias)}`] : []),
-      `asset inputs:file = @${this.files.path(texture)}@`,
-      `float4 inputs:scale = ${floats(scale)}`,
-      `token inputs:sourceColorSpace = "${texture.colorSpace === 'srgb' ? 'sRGB' : 'raw'}"`,
-      `float2 inputs:st.connect = <${path}/Uv.outputs:result>`,
-      `token inputs:wrapS = "${texture.wrapS}"`,
-      `token inputs:wrapT = "${texture.wrapT}"`,
-      ...['a', 'b', 'g', 'r'].map((channel) => `float outputs:${channel}`),
-      'float3 outputs:rgb',
-      `custom token slowlight:filter = "${texture.filter}"`,
+  ): void {
+    network.add(name, [
+      uniform('token', 'info:id', token('UsdUVTexture')),
+      ...(bias.some((x) => x !== 0) ? [attribute('float4', 'inputs:bias', tuple('float4', bias))] : []),
+      attribute('asset', 'inputs:file', asset(this.files.path(texture))),
+      attribute('float4', 'inputs:scale', tuple('float4', scale)),
+      attribute('token', 'inputs:sourceColorSpace', token(texture.colorSpace === 'srgb' ? 'sRGB' : 'raw')),
+      connected('float2', 'inputs:st', network.output('Uv', 'result')),
+      attribute('token', 'inputs:wrapS', token(texture.wrapS)),
+      attribute('token', 'inputs:wrapT', token(texture.wrapT)),
+      ...['a', 'b', 'g', 'r'].map((channel) => attribute('float', `outputs:${channel}`)),
+      attribute('float3', 'outputs:rgb'),
+      custom('token', 'slowlight:filter', token(texture.filter)),
     ]);
   }
 }
 
-const input = (type: string, name: string, connection: string | undefined, value: string): string =>
-  connection ? `${type} inputs:${name}.connect = ${connection}` : `${type} inputs:${name} = ${value}`;
+/** The shaders of one material, by the names of their prims. */
+class ShaderNetwork {
+  readonly shaders = new Map<string, PrimContent>();
+  private readonly path: string;
+  private readonly tree: PrimTree;
 
-const uvReader = (): Lines => reader('Uv', 'float2', 'st');
-const colorReader = (): Lines => reader('Colors', 'float3', 'displayColor');
+  constructor(path: string, tree: PrimTree) {
+    this.path = path;
+    this.tree = tree;
+  }
 
-const reader = (name: string, type: string, primvar: string): Lines =>
-  block(`def Shader "${name}"`, [
-    `uniform token info:id = "UsdPrimvarReader_${type}"`,
-    `string inputs:varname = "${primvar}"`,
-    `${type} outputs:result`,
-  ]);
+  /** The path of what comes out of a shader. */
+  output(shader: string, name: string): string {
+    return `${this.path}/${this.tree.innerName(this.path, shader)}.outputs:${name}`;
+  }
 
-/** What the author suggests, as the layer's `customLayerData`. */
-export function hintLines({ hints }: Scene): Lines {
-  const { speedOfLight, title, lookFor, beta, openAt } = hints;
-  const entries = [
-    ...(beta ? [`double3 beta = (${beta.map(double).join(', ')})`] : []),
-    ...(lookFor !== undefined ? [`string lookFor = ${quoted(lookFor)}`] : []),
-    ...(openAt !== undefined ? [`double openAt = ${double(openAt)}`] : []),
-    ...(speedOfLight !== undefined ? [`double speedOfLight = ${double(speedOfLight)}`] : []),
-    ...(title !== undefined ? [`string title = ${quoted(title)}`] : []),
-  ];
-  if (entries.length === 0) return [];
-  const inner = ['    dictionary slowlight = {', ...entries.map((e) => `        ${e}`), '    }'];
-  return ['customLayerData = {', ...inner, '}'];
+  add(name: string, properties: Properties): void {
+    this.shaders.set(this.tree.innerName(this.path, name), { type: 'Shader', properties });
+  }
 }
+
+const input = (type: string, name: string, connection: string | undefined, value: Value): AttributeSpec =>
+  connection ? connected(type, `inputs:${name}`, connection) : attribute(type, `inputs:${name}`, value);
+
+const reader = (type: string, primvar: string): Properties => [
+  uniform('token', 'info:id', token(`UsdPrimvarReader_${type}`)),
+  attribute('string', 'inputs:varname', string(primvar)),
+  attribute(type, 'outputs:result'),
+];

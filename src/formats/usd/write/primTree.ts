@@ -1,13 +1,5 @@
-import { block, type Lines, primName } from './usdaText.ts';
-
-/** What a prim is, apart from its children that have prims of their own. */
-export interface PrimContent {
-  readonly type: string;
-  readonly metadata?: Lines;
-  readonly properties: Lines;
-  /** Prims written whole, such as subsets and shaders. */
-  readonly inner?: readonly Lines[];
-}
+import type { PrimSpec } from '../layer/layer.ts';
+import { type PrimContent, primSpec } from './specs.ts';
 
 interface PrimTreeNode {
   content?: PrimContent;
@@ -23,9 +15,7 @@ export class PrimTree {
     const names = path.split('/').filter(Boolean).map(primName);
     if (names.length === 0) names.push('Prim');
     const parent = this.node(names.slice(0, -1));
-    const wanted = names.at(-1)!;
-    let name = wanted;
-    for (let n = 1; parent.children.get(name)?.content; n++) name = `${wanted}_${n}`;
+    const name = freeName(names.at(-1)!, (taken) => parent.children.get(taken)?.content !== undefined);
     const claimed: PrimContent = { type: 'Xform', properties: [] };
     parent.children.set(name, { children: parent.children.get(name)?.children ?? new Map(), content: claimed });
     return `/${[...names.slice(0, -1), name].join('/')}`;
@@ -33,6 +23,12 @@ export class PrimTree {
 
   set(path: string, content: PrimContent): void {
     this.node(path.split('/').filter(Boolean)).content = content;
+  }
+
+  /** A name for a prim that is written with that at `path`, besides those that have paths of their own. */
+  innerName(path: string, wanted: string): string {
+    const { children } = this.node(path.split('/').filter(Boolean));
+    return freeName(wanted, (taken) => children.has(taken));
   }
 
   private node(names: readonly string[]): PrimTreeNode {
@@ -45,24 +41,30 @@ export class PrimTree {
     return node;
   }
 
-  rootNames(): string[] {
-    return [...this.root.children.keys()];
-  }
-
-  lines(): Lines {
-    return [...this.root.children].flatMap(([name, node]) => ['', ...nodeLines(name, node)]);
+  rootPrims(): Map<string, PrimSpec> {
+    return primsOf('', this.root);
   }
 }
 
-function nodeLines(name: string, node: PrimTreeNode): Lines {
+function freeName(wanted: string, isTaken: (name: string) => boolean): string {
+  let name = wanted;
+  for (let n = 1; isTaken(name); n++) name = `${wanted}_${n}`;
+  return name;
+}
+
+const primsOf = (path: string, { children }: PrimTreeNode): Map<string, PrimSpec> =>
+  new Map([...children].map(([name, node]) => [name, primOf(`${path}/${name}`, node)]));
+
+function primOf(path: string, node: PrimTreeNode): PrimSpec {
   const content = node.content ?? { type: holdsOnlyMaterials(node) ? 'Scope' : 'Xform', properties: [] };
-  const inner = [
-    ...(content.inner ?? []),
-    ...[...node.children].map(([child, childNode]) => nodeLines(child, childNode)),
-  ];
-  const spaced = inner.flatMap((lines, i) => (i === 0 && content.properties.length === 0 ? lines : ['', ...lines]));
-  return block(`def ${content.type} "${name}"`, [...content.properties, ...spaced], content.metadata);
+  return primSpec(path, content, primsOf(path, node));
 }
 
 const holdsOnlyMaterials = (node: PrimTreeNode): boolean =>
   [...node.children.values()].every((c) => (c.content ? c.content.type === 'Material' : holdsOnlyMaterials(c)));
+
+/** A name that USD allows for a prim: letters, digits and _, not first a digit. */
+export function primName(name: string): string {
+  const safe = name.replaceAll(/[^\p{L}\p{N}_]/gu, '_');
+  return /^[\p{L}_]/u.test(safe) ? safe : `_${safe}`;
+}

@@ -2,95 +2,115 @@ import { pointSamples } from '../../../scene/motion/motion.ts';
 import { normalsAt, pointsAt } from '../../../scene/streaming/samplePoints.ts';
 import type { Mesh, Motion, SceneCamera, SceneObject } from '../../../scene/types.ts';
 import { boxCorners } from '../schema/geometry/pointSampling.ts';
-import { motionLines, slowlightMotionLines, type WriteContext } from './motionLines.ts';
-import type { PrimContent } from './primTree.ts';
-import { block, double, float, floatTuples, type Lines, timeSamples, withMetadata } from './usdaText.ts';
+import { slowlightMotion, transformOf, type WriteContext } from './motions.ts';
+import {
+  attribute,
+  custom,
+  PER_VERTEX,
+  type PrimContent,
+  type Properties,
+  relationship,
+  sampled,
+  schemas,
+  uniform,
+} from './specs.ts';
+import { bool, double, float, floatTuples, ints, LazyTuples, token } from './values.ts';
 
-/** `materialOf`: the path of a material, by its place in the scene. */
+/** What a mesh needs of the rest of the scene. */
+export interface MeshSurroundings {
+  /** The path of a material, by its place in the scene. */
+  materialOf(index: number): string;
+  /** A free name for a prim within the mesh's. */
+  innerName(wanted: string): string;
+}
+
 export function meshContent(
   object: SceneObject,
   placement: WriteContext,
-  materialOf: (index: number) => string,
+  { materialOf, innerName }: MeshSurroundings,
 ): PrimContent {
   const { mesh, motion } = object;
-  const { groups } = mesh;
-  const single = groups.length === 1 ? [`rel material:binding = <${materialOf(groups[0].material)}>`] : [];
+  const { groups, indices } = mesh;
+  const single = groups.length === 1 ? [relationship('material:binding', materialOf(groups[0].material))] : [];
+  const subsets = groups.length > 1 ? groups.map((_, i) => subsetContent(mesh, i, materialOf)) : [];
   return {
     type: 'Mesh',
-    metadata: ['prepend apiSchemas = ["MaterialBindingAPI"]'],
+    metadata: schemas('MaterialBindingAPI'),
     properties: [
-      `uniform bool doubleSided = ${mesh.doubleSided ? 1 : 0}`,
-      ...pointLines(mesh, motion, placement),
-      `int[] faceVertexCounts = [${new Array(mesh.indices.length / 3).fill('3').join(', ')}]`,
-      `int[] faceVertexIndices = [${mesh.indices.join(', ')}]`,
+      uniform('bool', 'doubleSided', bool(mesh.doubleSided)),
+      ...pointProperties(mesh, motion, placement),
+      attribute('int[]', 'faceVertexCounts', ints(new Int32Array(indices.length / 3).fill(3))),
+      attribute('int[]', 'faceVertexIndices', ints(new Int32Array(indices))),
       ...single,
-      ...colorLines(mesh),
-      ...withMetadata(`texCoord2f[] primvars:st = ${floatTuples(mesh.uvs, 2)}`, 'interpolation = "vertex"'),
-      ...slowlightLines(object, placement),
-      'uniform token subdivisionScheme = "none"',
-      ...motionLines(motion, placement),
+      ...(mesh.colors ? [perVertex('color3f[]', 'primvars:displayColor', mesh.colors)] : []),
+      perVertex('texCoord2f[]', 'primvars:st', mesh.uvs),
+      ...slowlightProperties(object, placement),
+      uniform('token', 'subdivisionScheme', token('none')),
+      ...transformOf(motion, placement),
     ],
-    inner: groups.length > 1 ? groups.map((_, i) => subsetLines(mesh, i, materialOf)) : [],
+    inner: new Map(subsets.map((content, i) => [innerName(`Part${i}`), content])),
   };
 }
 
-function subsetLines(mesh: Mesh, i: number, materialOf: (index: number) => string): Lines {
+const perVertex = (typeName: string, name: string, values: Float32Array) =>
+  attribute(typeName, name, floatTuples(typeName.includes('2') ? 'float2' : 'float3', values), {
+    metadata: PER_VERTEX,
+  });
+
+function subsetContent(mesh: Mesh, i: number, materialOf: (index: number) => string): PrimContent {
   const { start, count, material } = mesh.groups[i];
-  const faces = Array.from({ length: count / 3 }, (_, k) => start / 3 + k);
-  return block(
-    `def GeomSubset "Part${i}"`,
-    [
-      'uniform token elementType = "face"',
-      'uniform token familyName = "materialBind"',
-      `int[] indices = [${faces.join(', ')}]`,
-      `rel material:binding = <${materialOf(material)}>`,
+  return {
+    type: 'GeomSubset',
+    metadata: schemas('MaterialBindingAPI'),
+    properties: [
+      uniform('token', 'elementType', token('face')),
+      uniform('token', 'familyName', token('materialBind')),
+      attribute('int[]', 'indices', ints(Int32Array.from({ length: count / 3 }, (_, k) => start / 3 + k))),
+      relationship('material:binding', materialOf(material)),
     ],
-    ['prepend apiSchemas = ["MaterialBindingAPI"]'],
-  );
+  };
 }
 
-const colorLines = ({ colors }: Mesh): Lines =>
-  colors ? withMetadata(`color3f[] primvars:displayColor = ${floatTuples(colors, 3)}`, 'interpolation = "vertex"') : [];
-
-function pointLines(mesh: Mesh, motion: Motion, placement: WriteContext): Lines {
+function pointProperties(mesh: Mesh, motion: Motion, placement: WriteContext): Properties {
   const scale = 1 / placement.metersPerUnit;
-  const points = (values: Float32Array): string => floatTuples(values, 3, scale);
-  const extent = (values: Float32Array): string => {
+  const scaled = (values: Float32Array): Float32Array => (scale === 1 ? values : values.map((x) => x * scale));
+  const extentOf = (values: Float32Array): Float32Array => {
     const corners = boxCorners(values);
-    return floatTuples([...corners[0], ...corners.at(-1)!], 3, scale);
+    return Float32Array.from([...corners[0], ...corners.at(-1)!], (x) => x * scale);
   };
   const samples = pointSamples(motion);
-  const still = !samples || !normalsAt(samples, 0);
-  const normals = still ? `normal3f[] normals = ${floatTuples(mesh.normals, 3)}` : 'normal3f[] normals';
-  const normalLines = withMetadata(normals, 'interpolation = "vertex"');
   if (!samples)
     return [
-      `float3[] extent = ${extent(mesh.positions)}`,
-      ...normalLines,
-      `point3f[] points = ${points(mesh.positions)}`,
+      attribute('float3[]', 'extent', { type: 'float3[]', data: extentOf(mesh.positions) }),
+      perVertex('normal3f[]', 'normals', mesh.normals),
+      attribute('point3f[]', 'points', { type: 'float3[]', data: scaled(mesh.positions) }),
     ];
   const codes = samples.times.map((t) => t * placement.codesPerSecond);
+  const moving = (typeName: string, name: string, at: (i: number) => Float32Array, metadata?: typeof PER_VERTEX) =>
+    sampled(typeName, name, codes, (i) => new LazyTuples(() => at(i)), metadata);
+  const { velocities } = samples;
   return [
-    ...timeSamples('float3[] extent', codes, (i) => extent(pointsAt(samples, i))),
-    ...normalLines,
-    ...(still ? [] : timeSamples('normal3f[] normals', codes, (i) => floatTuples(normalsAt(samples, i)!, 3))),
-    ...timeSamples('point3f[] points', codes, (i) => points(pointsAt(samples, i))),
-    ...(samples.velocities ? timeSamples('vector3f[] velocities', codes, (i) => points(samples.velocities![i])) : []),
+    moving('float3[]', 'extent', (i) => extentOf(pointsAt(samples, i))),
+    normalsAt(samples, 0)
+      ? moving('normal3f[]', 'normals', (i) => normalsAt(samples, i)!, PER_VERTEX)
+      : perVertex('normal3f[]', 'normals', mesh.normals),
+    moving('point3f[]', 'points', (i) => scaled(pointsAt(samples, i))),
+    ...(velocities ? [moving('vector3f[]', 'velocities', (i) => scaled(velocities[i]))] : []),
   ];
 }
 
 type WithSlowlightAttributes = Pick<SceneObject, 'motion' | 'lifetime'> & Partial<Pick<SceneObject, 'authoredIn'>>;
 
 /** Our own attributes: what closed-form motion, lifetime and frame of authoring an object or a light has. */
-export function slowlightLines(
+export function slowlightProperties(
   { motion, lifetime, authoredIn }: WithSlowlightAttributes,
   placement: WriteContext,
-): Lines {
+): Properties {
   return [
-    ...(authoredIn === 'rest' ? ['custom token slowlight:authoredIn = "rest"'] : []),
-    ...(Number.isFinite(lifetime.birth) ? [`custom double slowlight:birth = ${double(lifetime.birth)}`] : []),
-    ...(Number.isFinite(lifetime.death) ? [`custom double slowlight:death = ${double(lifetime.death)}`] : []),
-    ...slowlightMotionLines(motion, placement),
+    ...(authoredIn === 'rest' ? [custom('token', 'slowlight:authoredIn', token('rest'))] : []),
+    ...(Number.isFinite(lifetime.birth) ? [custom('double', 'slowlight:birth', double(lifetime.birth))] : []),
+    ...(Number.isFinite(lifetime.death) ? [custom('double', 'slowlight:death', double(lifetime.death))] : []),
+    ...slowlightMotion(motion, placement),
   ];
 }
 
@@ -103,10 +123,10 @@ export function cameraContent(camera: SceneCamera, placement: WriteContext): Pri
   return {
     type: 'Camera',
     properties: [
-      `float focalLength = ${FOCAL_LENGTH}`,
-      `float horizontalAperture = ${float(aperture * ASPECT)}`,
-      `float verticalAperture = ${float(aperture)}`,
-      ...motionLines(camera.motion, placement),
+      attribute('float', 'focalLength', float(FOCAL_LENGTH)),
+      attribute('float', 'horizontalAperture', float(aperture * ASPECT)),
+      attribute('float', 'verticalAperture', float(aperture)),
+      ...transformOf(camera.motion, placement),
     ],
   };
 }

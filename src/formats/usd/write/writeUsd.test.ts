@@ -6,9 +6,12 @@ import type { DistantLight, Material, Mesh, Scene, SceneObject, Texture } from '
 import { memorySource } from '../../files/fileSource.ts';
 import { contentBytes } from '../../files/rangedFile.ts';
 import { openPackage } from '../assets/usdz.ts';
+import { readCrate } from '../crate/readCrate.ts';
 import { readUsd } from '../read.ts';
-import { float, primName } from './usdaText.ts';
-import { writeTextures, writeUsda, writeUsdz } from './writeUsd.ts';
+import { parseLayer } from '../text/parser.ts';
+import { floatText } from './numberText.ts';
+import { primName } from './primTree.ts';
+import { writeTextures, writeUsda, writeUsdc, writeUsdz } from './writeUsd.ts';
 
 const texture = (name: string, alpha: number, seed: number): Texture => ({
   name,
@@ -336,6 +339,20 @@ describe('a written scene is read back unchanged', async () => {
   });
 });
 
+describe('binary USD', () => {
+  it('has the layer of the text, to the last bit', () => {
+    const text = parseLayer(new TextEncoder().encode(writeUsda(scene)), 'scene.usda');
+    expect(readCrate(writeUsdc(scene), 'scene.usda')).toEqual(text);
+  });
+
+  it('is the first file of a package, as usdzip has it', () => {
+    const { files, layer } = openPackage(writeUsdz(scene), 'x');
+    expect([...files.keys()][0]).toBe('scene.usdc');
+    expect(layer).toBe('scene.usdc');
+    expect(contentBytes(files.get(layer)!)).toEqual(writeUsdc(scene));
+  });
+});
+
 describe('the written files', () => {
   it('are deterministic', () => {
     expect(writeUsdz(scene)).toEqual(writeUsdz(scene));
@@ -361,6 +378,22 @@ describe('the written files', () => {
     expect(writeUsda(twice).match(/def Mesh "\w+"/g)).toEqual(['def Mesh "A_b"', 'def Mesh "A_b_1"']);
   });
 
+  it('have distinct names for the parts of a mesh and what lies below it', async () => {
+    const inside: Scene = {
+      ...scene,
+      objects: [object('/A', { mesh }), object('/A/Part0', {})],
+      lights: [],
+      cameras: [],
+    };
+    const text = writeUsda(inside);
+    expect(text.match(/def GeomSubset "\w+"/g)).toEqual(['def GeomSubset "Part0_1"', 'def GeomSubset "Part1"']);
+    const { objects } = await readUsd(memorySource({ 'a.usda': new TextEncoder().encode(text) }), 'a.usda');
+    expect(objects.map(({ path, mesh: { groups } }) => [path, groups.length])).toEqual([
+      ['/A', 2],
+      ['/A/Part0', 1],
+    ]);
+  });
+
   it('have lengths in the scene’s original units', async () => {
     const inches: Scene = { ...scene, metersPerUnit: 0.0254 };
     const { mesh: after } = (
@@ -376,10 +409,10 @@ describe('text of numbers and names', () => {
     const value = new Float32Array(bits.buffer);
     for (let i = 1; i < 4000; i++) {
       bits[0] = Math.imul(i, 2654435761) & 0xff7fffff;
-      const text = float(value[0]);
+      const text = floatText(value[0]);
       expect(Object.is(Math.fround(Number(text)), value[0])).toBe(true);
     }
-    expect([0.1, 1 / 3, 16777216, -0].map((x) => float(x))).toEqual(['0.1', '0.33333334', '16777216', '-0']);
+    expect([0.1, 1 / 3, 16777216, -0].map((x) => floatText(x))).toEqual(['0.1', '0.33333334', '16777216', '-0']);
   });
 
   it('is a valid identifier', () => {

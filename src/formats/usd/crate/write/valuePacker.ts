@@ -1,5 +1,4 @@
 import type { Dictionary, TimeSamples, Value } from '../../layer/layer.ts';
-import { StoredArray } from '../../layer/storedArray.ts';
 import { NON_ARRAY_TYPES } from '../values/crateTypes.ts';
 import { packArray } from './arrays.ts';
 import { ByteSink } from './byteSink.ts';
@@ -31,7 +30,7 @@ export class ValuePacker implements PackContext {
   readonly fail: (message: string) => never;
   private readonly values: ValueStore;
   /** Arrays that several values share, such as equal samples. */
-  private readonly arrays = new Map<object, bigint>();
+  private readonly arrays = new WeakMap<object, bigint>();
 
   constructor(tokens: TokenTable, paths: PathTable, values: ValueStore, fail: (message: string) => never) {
     this.tokens = tokens;
@@ -69,8 +68,7 @@ export class ValuePacker implements PackContext {
     const type = codedType(isArray ? value.type.slice(0, -2) : value.type);
     if (!type) return this.fail(`values of type ${value.type} cannot be written`);
     if (!isArray) return packScalar(this, type, value.data);
-    // What is read anew each time is not kept.
-    if (value instanceof StoredArray) return packArray(this, type, value.data);
+    // Of a value that is read or made anew each time this is another each time.
     const data = value.data as Parameters<typeof packArray>[2];
     const known = this.arrays.get(data);
     if (known !== undefined) return known;

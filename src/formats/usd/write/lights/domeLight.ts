@@ -1,21 +1,26 @@
 import { IDENTITY } from '../../../../math/quat.ts';
 import type { DomeLight } from '../../../../scene/types.ts';
 import { SKY_ATTRIBUTES } from '../../../attributes/hints.ts';
-import { poseLines, type WriteContext } from '../motionLines.ts';
-import { floats, type Lines } from '../usdaText.ts';
-import { colorLines, type LightWriter } from './lightWriter.ts';
+import { poseProperties, type WriteContext } from '../motions.ts';
+import { attribute, custom, type Properties } from '../specs.ts';
+import { asset, token, tuple } from '../values.ts';
+import { colorProperties, type LightWriter } from './lightWriter.ts';
 
 export const writeDomeLight: LightWriter<DomeLight> = (light, placement, files) => {
   const { gradient } = light;
   const sky = gradient
-    ? [gradient.horizon, gradient.ground].map((part, k) => `custom color3f ${SKY_ATTRIBUTES[k]} = ${floats(part)}`)
+    ? [gradient.horizon, gradient.ground].map((part, k) => custom('color3f', SKY_ATTRIBUTES[k], tuple('float3', part)))
     : [];
-  const picture = files.picture ? pictureLines(light, files.picture, placement) : [];
-  return { type: 'DomeLight', properties: [...colorLines(light, files), ...sky, ...picture] };
+  const picture = files.picture ? pictureProperties(light, files.picture, placement) : [];
+  return { type: 'DomeLight', properties: [...colorProperties(light, files), ...sky, ...picture] };
 };
 
-const pictureLines = ({ orientation = IDENTITY }: DomeLight, file: string, placement: WriteContext): Lines => [
-  `asset inputs:texture:file = @${file}@`,
-  'token inputs:texture:format = "latlong"',
-  ...poseLines({ position: [0, 0, 0], orientation }, placement),
+const pictureProperties = (
+  { orientation = IDENTITY }: DomeLight,
+  file: string,
+  placement: WriteContext,
+): Properties => [
+  attribute('asset', 'inputs:texture:file', asset(file)),
+  attribute('token', 'inputs:texture:format', token('latlong')),
+  ...poseProperties({ position: [0, 0, 0], orientation }, placement),
 ];

@@ -1,8 +1,8 @@
 import type { Light, SpectrumLight } from '../../../../scene/types.ts';
 import { formatSpectrum, SPECTRUM_ATTRIBUTE } from '../../../attributes/spectrumAttribute.ts';
-import type { WriteContext } from '../motionLines.ts';
-import type { PrimContent } from '../primTree.ts';
-import { floats, type Lines } from '../usdaText.ts';
+import type { WriteContext } from '../motions.ts';
+import { attribute, custom, type PrimContent, type Properties } from '../specs.ts';
+import { asset, float, token, tuple } from '../values.ts';
 
 /** How lights of a kind are written as prims of UsdLux (docs/adr/0024-light-kinds.md). */
 export type LightWriter<L extends Light> = (light: L, placement: WriteContext, files: LightFiles) => PrimContent;
@@ -13,12 +13,12 @@ export interface LightFiles {
   readonly spectrum?: string | undefined;
 }
 
-export function colorLines({ color, spectrum }: SpectrumLight, { spectrum: table }: LightFiles): Lines {
+export function colorProperties({ color, spectrum }: SpectrumLight, { spectrum: table }: LightFiles): Properties {
   const named = spectrum && formatSpectrum(spectrum);
   return [
-    `color3f inputs:color = ${floats(color)}`,
-    'float inputs:intensity = 1',
-    ...(named ? [`custom token ${SPECTRUM_ATTRIBUTE} = "${named}"`] : []),
-    ...(table ? [`custom asset ${SPECTRUM_ATTRIBUTE} = @${table}@`] : []),
+    attribute('color3f', 'inputs:color', tuple('float3', color)),
+    attribute('float', 'inputs:intensity', float(1)),
+    ...(named ? [custom('token', SPECTRUM_ATTRIBUTE, token(named))] : []),
+    ...(table ? [custom('asset', SPECTRUM_ATTRIBUTE, asset(table))] : []),
   ];
 }

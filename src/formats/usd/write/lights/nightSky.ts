@@ -1,8 +1,9 @@
 import { conjugate, multiply } from '../../../../math/quat.ts';
 import { EQUATORIAL } from '../../../../scene/stars/equatorial.ts';
 import type { NightSky } from '../../../../scene/types.ts';
-import { poseLines } from '../motionLines.ts';
-import { float } from '../usdaText.ts';
+import { poseProperties } from '../motions.ts';
+import { attribute, custom } from '../specs.ts';
+import { float, token } from '../values.ts';
 import type { LightWriter } from './lightWriter.ts';
 
 export const writeNightSky: LightWriter<NightSky> = ({ gain, orientation }, placement) => {
@@ -10,9 +11,9 @@ export const writeNightSky: LightWriter<NightSky> = ({ gain, orientation }, plac
   return {
     type: 'DomeLight',
     properties: [
-      'custom token slowlight:sky = "stars"',
-      `float inputs:intensity = ${float(gain)}`,
-      ...poseLines({ position: [0, 0, 0], orientation: turn }, placement),
+      custom('token', 'slowlight:sky', token('stars')),
+      attribute('float', 'inputs:intensity', float(gain)),
+      ...poseProperties({ position: [0, 0, 0], orientation: turn }, placement),
     ],
   };
 };
