@@ -4,12 +4,18 @@ import { defineConfig } from 'vitest/config';
 /** Builds the program and the page where they are not up to date. */
 const built = 'scripts/vitest-built.mjs';
 
+/** What Playwright and polls wait for before they give up [ms]: a defect, on however slow a machine. */
+const PATIENCE = 180_000;
+
 const seeded = ['tests/seed.ts'];
 
 /** Examples of the documentation import the library as its users do. */
 const alias = [{ find: /^slowlight\/(\w+)$/, replacement: fileURLToPath(new URL('src/$1/index.ts', import.meta.url)) }];
 
-/** Unit tests sit beside the code; tests that need a GPU, a browser or the built program live in tests/. */
+/**
+ * Unit tests sit beside the code; tests that need a GPU, a browser or the built program live in tests/. Timeouts
+ * end what hangs; they are far beyond what anything takes, since tests say nothing about speed.
+ */
 export default defineConfig({
   test: {
     projects: [
@@ -26,8 +32,7 @@ export default defineConfig({
           exclude: ['**/*.oracle.test.ts'],
           setupFiles: seeded,
           maxWorkers: 2,
-          // What takes a second takes many where the machine is busy.
-          testTimeout: 30_000,
+          testTimeout: 120_000,
         },
       },
       {
@@ -36,7 +41,7 @@ export default defineConfig({
           include: ['src/**/*.oracle.test.ts', 'tests/formats/**/*.oracle.test.ts'],
           setupFiles: seeded,
           maxWorkers: 2,
-          testTimeout: 120_000,
+          testTimeout: 600_000,
         },
       },
       {
@@ -46,7 +51,7 @@ export default defineConfig({
           globalSetup: built,
           pool: 'forks',
           maxWorkers: 2,
-          testTimeout: 300_000,
+          testTimeout: 1_200_000,
         },
       },
       {
@@ -56,8 +61,8 @@ export default defineConfig({
           setupFiles: seeded,
           pool: 'forks',
           maxWorkers: 2,
-          testTimeout: 180_000,
-          hookTimeout: 60_000,
+          testTimeout: 900_000,
+          hookTimeout: 300_000,
         },
       },
       {
@@ -66,8 +71,8 @@ export default defineConfig({
           include: ['tests/visual/**/*.test.ts'],
           pool: 'forks',
           maxWorkers: 2,
-          testTimeout: 180_000,
-          hookTimeout: 60_000,
+          testTimeout: 900_000,
+          hookTimeout: 300_000,
         },
       },
       {
@@ -77,7 +82,7 @@ export default defineConfig({
           globalSetup: built,
           pool: 'forks',
           maxWorkers: 2,
-          testTimeout: 180_000,
+          testTimeout: 900_000,
         },
       },
       {
@@ -87,9 +92,8 @@ export default defineConfig({
           globalSetup: built,
           pool: 'forks',
           maxWorkers: 2,
-          testTimeout: 180_000,
-          // A new scene's shaders are compiled between frames: its picture comes a second or more after its name.
-          expect: { poll: { timeout: 30_000 } },
+          testTimeout: 900_000,
+          expect: { poll: { timeout: PATIENCE } },
         },
       },
     ],

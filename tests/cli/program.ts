@@ -1,5 +1,5 @@
 import { type ChildProcess, spawn } from 'node:child_process';
-import { mkdtempSync, rmSync } from 'node:fs';
+import { mkdtempSync, readFileSync, rmSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { fileURLToPath } from 'node:url';
@@ -34,6 +34,14 @@ export function programResult(child: ChildProcess): Promise<ProgramResult> {
     child.on('error', reject);
     child.on('close', (code) => resolve({ code, out, err }));
   });
+}
+
+/** Processor time that a program has taken so far [s]. */
+export function processorSeconds({ pid, exitCode }: ChildProcess): number {
+  if (exitCode !== null) throw new Error(`it ended with ${exitCode}`);
+  const fields = readFileSync(`/proc/${pid}/stat`, 'utf8').split(') ')[1]!.split(' ');
+  // User and system time, in hundredths of a second.
+  return (Number(fields[11]) + Number(fields[12])) / 100;
 }
 
 export const slowlight = (...args: string[]): Promise<ProgramResult> => programResult(start(...args));

@@ -41,11 +41,11 @@ describe('exposure and tone', () => {
     const automatic = await visit.pixels();
     await choose(visit, 'Metering', 'Manual');
     const dimmed = async () => Math.abs(brightness(await visit.pixels()) - brightness(automatic));
-    await expect.poll(dimmed, { timeout: 30_000 }).toBeGreaterThan(3);
+    await expect.poll(dimmed).toBeGreaterThan(3);
     await choose(visit, 'Metering', 'Automatic');
     // Wait until every pixel has all its samples again.
     const other = async () => difference(await visit.pixels(), automatic);
-    await expect.poll(other, { timeout: 90_000 }).toBeLessThan(0.5);
+    await expect.poll(other).toBeLessThan(0.5);
     await choose(visit, 'Tone curve', 'AgX');
     await expect.poll(async () => difference(await visit.pixels(), automatic)).toBeGreaterThan(1);
     await visit.close();
@@ -104,7 +104,7 @@ describe('false colours', () => {
     await visit.viewport.focus();
     for (let i = 0; i < 4; i++) await visit.page.keyboard.press('x');
     await legendOf(visit).waitFor();
-    await visit.page.waitForTimeout(300);
+    await visit.settled();
     await visit.shot('false-band-phone');
     expect(await visit.page.evaluate(() => document.documentElement.scrollWidth - innerWidth)).toBeLessThanOrEqual(0);
     await visit.close();

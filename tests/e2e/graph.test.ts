@@ -142,7 +142,7 @@ it('nodes are added, connected, set, grouped and copied, by mouse and keyboard, 
   // Visible nodes show previews, also to screen readers.
   await page.keyboard.press('Escape');
   const picture = page.getByRole('img', { name: 'Picture of the result of Tone map' });
-  await picture.waitFor({ timeout: 60_000 });
+  await picture.waitFor();
   const kinds = await picture.evaluate((canvas: HTMLCanvasElement) => {
     const { data } = canvas.getContext('2d')!.getImageData(0, 0, canvas.width, canvas.height);
     return new Set(new Uint32Array(data.buffer)).size;

@@ -108,7 +108,7 @@ async function expectFit(
   for (const [width, height] of [...sizes.slice(1), sizes[0]]) {
     await visit.page.setViewportSize({ width, height });
     await expect.poll(() => visit.page.evaluate(() => innerWidth)).toBe(width);
-    await expect.poll(() => outside(visit), { timeout: 5000 }).toEqual([]);
+    await expect.poll(() => outside(visit)).toEqual([]);
     expect(await visit.page.locator('[data-status="gamma"]').isVisible()).toBe(true);
     if (shot) await visit.shot(`${shot}-${width}`);
   }

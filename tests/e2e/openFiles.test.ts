@@ -171,11 +171,14 @@ describe('opening files', () => {
   });
 
   it('reading reports its stage and progress, and can be stopped at once', async () => {
-    let slow = true;
+    let release = () => {};
+    const released = new Promise<void>((done) => {
+      release = done;
+    });
     const visit = await (
       await program.open(SMALL, {}, async (page) => {
         await page.route('**/examples/street.usda', async (route) => {
-          if (slow) await new Promise((done) => setTimeout(done, 60_000));
+          await released;
           await route.continue().catch(() => {});
         });
       })
@@ -188,10 +191,10 @@ describe('opening files', () => {
     expect(await bar.getAttribute('aria-valuenow')).toBeNull();
     await visit.shot('openFiles-reading');
     await visit.page.getByRole('button', { name: 'Cancel' }).click();
-    await bar.waitFor({ state: 'detached', timeout: 1000 });
+    await bar.waitFor({ state: 'detached' });
     expect(difference(await visit.pixels(), before)).toBeLessThan(1);
     expect(visit.page.workers().filter((worker) => worker.url().includes('loader.worker'))).toEqual([]);
-    slow = false;
+    release();
     await visit.close();
   });
 });

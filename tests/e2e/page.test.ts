@@ -43,14 +43,14 @@ describe('the page', () => {
       await visit.page.getByRole('button', { name: 'Scenes' }).click();
       await visit.page.getByRole('dialog').waitFor();
       await visit.page.locator('[data-example]').first().waitFor();
-      await visit.page.waitForTimeout(400); // Until the dialogue has faded in its contrast is poor.
+      await visit.settled(); // Until the dialogue has faded in its contrast is poor.
       await visit.shot(`gallery-${colorScheme}`);
       expect(await seriousViolations(visit.page)).toEqual([]);
       await visit.page.keyboard.press('Escape');
       await visit.page.getByRole('dialog').waitFor({ state: 'detached' });
       await visit.page.keyboard.press('F1');
       await visit.page.getByRole('dialog', { name: 'Keys' }).waitFor();
-      await visit.page.waitForTimeout(400);
+      await visit.settled();
       await visit.shot(`help-${colorScheme}`);
       expect(await seriousViolations(visit.page)).toEqual([]);
       await visit.page.keyboard.press('Escape');
@@ -131,7 +131,7 @@ describe('the page', () => {
     await expect.poll(async () => difference(await visit.pixels(), seen)).toBeGreaterThan(0.5);
     await visit.shot('view-simultaneity');
     await visit.page.getByText('Seen', { exact: true }).click();
-    await expect.poll(async () => difference(await visit.pixels(), seen), { timeout: 60_000 }).toBeLessThan(0.5);
+    await expect.poll(async () => difference(await visit.pixels(), seen)).toBeLessThan(0.5);
     await visit.close();
   });
 
@@ -157,7 +157,7 @@ describe('the page', () => {
     const before = await visit.pixels();
     expect(colorCount(before)).toBeGreaterThan(50);
     await program.crashGraphics();
-    await visit.page.getByText('was lost and has been restarted').waitFor({ timeout: 30_000 });
+    await visit.page.getByText('was lost and has been restarted').waitFor();
     await expect.poll(async () => difference(await visit.pixels(), before)).toBeLessThan(1);
     visit.expectComplaint(/Device Lost/);
     await visit.close();

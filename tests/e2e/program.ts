@@ -11,6 +11,9 @@ import { SOFTWARE_GPU_FLAGS } from '../../src/cli/gpu/gpuDrivers.ts';
 
 const bin = fileURLToPath(new URL('../../bin/slowlight.js', import.meta.url));
 
+/** As the polls' (vitest.config.ts) [ms]. */
+const PATIENCE = 180_000;
+
 /** Folder of screenshots of a run, for inspection. */
 export const shots = process.env.E2E_SHOTS ?? mkdtempSync(join(tmpdir(), 'slowlight-e2e-'));
 
@@ -53,6 +56,7 @@ export class Program {
       locale: 'en-GB',
       ...options,
     });
+    context.setDefaultTimeout(PATIENCE);
     const page = await context.newPage();
     const guarded = new MonitoredPage(page, this.url);
     await prepare?.(page);
@@ -119,7 +123,17 @@ export class MonitoredPage {
   /** Waits until the picture is final: the last request is drawn with all samples and metered exposure. */
   async finest(): Promise<this> {
     await this.page.evaluate(() => new Promise((drawn) => requestAnimationFrame(() => requestAnimationFrame(drawn))));
-    await this.page.locator('canvas[data-finest]').waitFor({ timeout: 60_000 });
+    await this.page.locator('canvas[data-finest]').waitFor();
+    return this;
+  }
+
+  /** Waits until nothing fades or slides any more. */
+  async settled(): Promise<this> {
+    await this.page.waitForFunction(() =>
+      document
+        .getAnimations()
+        .every(({ playState, effect }) => playState !== 'running' || effect?.getTiming().iterations === Infinity),
+    );
     return this;
   }
 

@@ -150,7 +150,7 @@ describe('a link', () => {
     const shown = await (await page.finest()).pixels();
     await choose(page, /^Share/);
     const link = await page.page.getByRole('textbox', { name: 'Link' }).inputValue();
-    await page.page.waitForTimeout(300);
+    await page.settled();
     await page.shot('project-share');
     const { violations } = await new AxeBuilder({ page: page.page }).analyze();
     expect(violations.filter(({ impact }) => impact === 'serious' || impact === 'critical')).toEqual([]);
@@ -174,11 +174,29 @@ describe('a link', () => {
   });
 });
 
+/** The projects that the page keeps in the browser, as JSON. */
+const storedProjects = ({ page }: MonitoredPage): Promise<string> =>
+  page.evaluate(
+    () =>
+      new Promise<string>((resolve, reject) => {
+        const opening = indexedDB.open('slowlight');
+        opening.onerror = () => reject(opening.error);
+        opening.onsuccess = () => {
+          const all = opening.result.transaction('sessions').objectStore('sessions').getAll();
+          all.onerror = () => reject(all.error);
+          all.onsuccess = () => {
+            opening.result.close();
+            resolve(JSON.stringify(all.result));
+          };
+        };
+      }),
+  );
+
 describe('stored sessions', () => {
   it('the session of a closed tab is offered in the next one, not while it is open', async () => {
     const page = await (await visit()).ready();
     await expose(page, '3');
-    await page.page.waitForTimeout(600);
+    await expect.poll(() => storedProjects(page)).toContain('"exposure":3');
     const address = '?backend=webgl&scene=examples/sphere.usda';
     const second = await (await program.beside(page, address)).ready();
     expect(await second.page.getByText('There is unsaved work').count()).toBe(0);

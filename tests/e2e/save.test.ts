@@ -57,7 +57,7 @@ it('a saved picture has the displayed legend, at its place, and metadata', async
   await visit.page.keyboard.press('x');
   const legend = visit.page.locator('[data-legend]');
   await legend.waitFor();
-  await visit.page.waitForTimeout(300);
+  await visit.settled();
   const [box, under] = [(await legend.boundingBox())!, (await visit.viewport.boundingBox())!];
   const place = { ...box, x: box.x - under.x, y: box.y - under.y };
   const bar = (await visit.page.locator('.sl-legend-bar').boundingBox())!;
@@ -90,7 +90,7 @@ it('the value at the crosshair is saved with it, also in Chinese and at double r
   for (let i = 0; i < 4; i++) await visit.page.keyboard.press('x');
   await visit.page.keyboard.press('p');
   await visit.page.locator('[data-reading] b').waitFor();
-  await visit.page.waitForTimeout(300);
+  await visit.settled();
   const picture = await save(visit, 'saved-crosshair-zh');
   expect(picture.width).toBe(2 * Math.round((await visit.viewport.boundingBox())!.width));
   expect(at(picture, picture.width / 2 - 12, picture.height / 2)).toEqual([255, 255, 255]);

@@ -39,7 +39,7 @@ async function downloaded(
   { page }: MonitoredPage,
   id: string,
 ): Promise<{ readonly name: string; readonly content: Buffer }> {
-  const download = page.waitForEvent('download', { timeout: 120_000 });
+  const download = page.waitForEvent('download');
   await node(page, id).getByRole('button', { name: 'Download the file' }).click();
   const file = await download;
   await file.saveAs(join(shots, `download-${file.suggestedFilename()}`));

@@ -30,9 +30,7 @@ describe('scenes', () => {
       if (source.endsWith('.slowlight.json') && name !== 'workshop') continue;
       await visit.page.getByRole('button', { name: 'Scenes' }).click();
       await visit.page.locator(`[data-example="${name}"]`).click();
-      await expect
-        .poll(() => visit.page.locator('[data-opened]').getAttribute('data-opened'), { timeout: 60_000 })
-        .toContain(`/${name}.`);
+      await expect.poll(() => visit.page.locator('[data-opened]').getAttribute('data-opened')).toContain(`/${name}.`);
       // Until then the picture is that of the previous scene.
       await visit.page.getByText('Preparing the picture').waitFor({ state: 'hidden' });
       await expect.poll(() => visit.triangles()).toBeGreaterThan(0);
@@ -40,7 +38,7 @@ describe('scenes', () => {
       await visit.shot(`scene-${name}`);
     }
     await visit.close();
-  }, 300_000);
+  });
 
   it('a dropped scene opens with its texture, and undo returns to the previous one', async () => {
     const visit = await (await (await program.open(SMALL)).ready()).finest();

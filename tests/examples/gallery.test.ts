@@ -9,7 +9,7 @@ import { observerFromCamera } from '../../src/scene/view/camera.ts';
 import { NAMES, openExample, speedOfLight } from './open.ts';
 
 // Reading a scene takes seconds on a busy machine.
-describe.each(NAMES)('examples/%s.usda', { timeout: 60_000 }, (name) => {
+describe.each(NAMES)('examples/%s.usda', (name) => {
   it('opens without diagnostics, and nothing is faster than light', async () => {
     const scene = await openExample(name);
     // For deforming meshes undersampling is always reported.

@@ -10,7 +10,7 @@ export interface Outcome {
   readonly said?: string;
   /** Number of objects in the scene. */
   readonly objects?: number;
-  /** A failure: another kind of error, an invalid scene, or a timeout. */
+  /** A failure: another kind of error, an invalid scene, or a read without end. */
   readonly fault?: string;
   readonly milliseconds: number;
 }
@@ -18,10 +18,12 @@ export interface Outcome {
 /** Maximum memory growth for a bomb, or for all mutations of one kind [bytes]. */
 export const MEMORY_LIMIT = 2 ** 30;
 
-/** Timeout of one read [ms]; the slowest valid file takes a tenth of a second on an idle machine. */
-const READ_TIMEOUT = 20_000;
+/** Processor time of one read, beyond which it hangs [ms]; the slowest valid file takes a tenth of a second. */
+const READ_LIMIT = 20_000;
+/** How often that is looked at [ms]. */
+const LOOK_INTERVAL = 100;
 
-/** Reads files sequentially in a worker thread, which is restarted after a timeout. */
+/** Reads files sequentially in a worker thread, which is restarted if it hangs. */
 export class ReaderThread {
   private seed: Seed | undefined;
   private worker: Worker | undefined;
@@ -39,14 +41,18 @@ export class ReaderThread {
     if (outcome) return outcome;
     await this.end();
     await this.setSeed(this.seed!);
-    return { fault: 'it hangs, or ended the thread', milliseconds: READ_TIMEOUT };
+    return { fault: 'it hangs, or ended the thread', milliseconds: READ_LIMIT };
   }
 
-  /** Undefined on timeout. */
+  /** Undefined if it hangs: other processes do not count. */
   private async answer(bytes: Uint8Array): Promise<Outcome | undefined> {
     const worker = this.worker!;
     const waiting = new AbortController();
-    const timer = setTimeout(() => waiting.abort(), READ_TIMEOUT);
+    const before = process.cpuUsage();
+    const timer = setInterval(() => {
+      const { user, system } = process.cpuUsage(before);
+      if ((user + system) / 1000 > READ_LIMIT) waiting.abort();
+    }, LOOK_INTERVAL);
     try {
       worker.postMessage({ bytes });
       const [outcome] = await once(worker, 'message', { signal: waiting.signal });
@@ -54,7 +60,7 @@ export class ReaderThread {
     } catch {
       return undefined;
     } finally {
-      clearTimeout(timer);
+      clearInterval(timer);
     }
   }
 

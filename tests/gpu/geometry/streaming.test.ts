@@ -9,7 +9,7 @@ function checks(paint: (form: SampleStorage) => Promise<number[][]>): void {
   let whole: number[][];
   beforeAll(async () => {
     whole = await paint('whole');
-  }, 120_000);
+  });
 
   it('the object is visible and changes', () => {
     expect(whole).toHaveLength(STREAMING_VIEWS.length);
@@ -42,7 +42,7 @@ describe('samples that stream: WebGL2 (Chromium)', () => {
   let chromium: ModulePage;
   beforeAll(async () => {
     chromium = await openModulePage(fileURLToPath(new URL('./streamingPage.ts', import.meta.url)));
-  }, 60_000);
+  });
   afterAll(() => chromium?.close());
 
   checks(async (form) => {

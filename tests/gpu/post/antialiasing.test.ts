@@ -35,7 +35,7 @@ describe('antialiasing: WebGPU (Dawn), a turning camera over details finer than 
     const headless = await openPictures(SIZE.width, SIZE.height);
     figures = await figuresOf(headless.renderer, turning(0.5), pumpFrame);
     await headless.close();
-  }, 120_000);
+  });
   checks(() => figures);
   it('flickers less', () => {
     expect(figures.temporal.flicker).toBeLessThan(0.8 * figures.edges.flicker);
@@ -50,7 +50,7 @@ describe('antialiasing: WebGL2 (Chromium), balls passing', () => {
     close = chromium.close;
     figures = await chromium.page.evaluate(() => window.antialias());
     chromium.assertHealthy();
-  }, 120_000);
+  });
   afterAll(() => close?.());
   checks(() => figures);
 });

@@ -78,7 +78,7 @@ describe('decompression bombs', () => {
     expect(said.map((line) => line.split(':')[0])).toEqual([
       expect.stringMatching(/^usd.too-many-prims root.usda<\/L0\/C0/),
     ]);
-  }, 60_000);
+  });
 
   const many = (of: string, count: number): string =>
     `${of}\ndef "W" {\n${numbered(count, (i) => `def "R${i}" ( references = </B> (offset = ${i + 1}) ) {}`)}\n}`;
@@ -120,7 +120,7 @@ def "S" {\n${numbered(2000, (i) => `def "B${i}" ( inherits = </K> ) {}`)}\n}`,
     });
     expect(said).toEqual([]);
     expect(whole.layer.rootPrims.get('W')?.children.size).toBe(249_999);
-  }, 60_000);
+  });
 
   it('differ from a large file of authored references, which is read completely', async () => {
     const house = numbered(40, (i) => `def "Window${i}" ( references = </Window> ) { double size = ${i + 1} }`);
@@ -135,13 +135,13 @@ def "S" {\n${numbered(2000, (i) => `def "B${i}" ( inherits = </K> ) {}`)}\n}`,
     const houses = [...whole.layer.rootPrims.get('Street')!.children.values()];
     expect(houses.map(({ children }) => children.size)).toEqual(houses.map(() => 40));
     expect(houses).toHaveLength(1000);
-  }, 60_000);
+  });
 
   it('report where the work ended, and nothing about prims not reached', async () => {
     const { stage: cut, said } = await stage({ 'root.usda': bombs['variant sets that nothing selects'] });
     expect(said).toEqual([expect.stringMatching(/^usd.too-many-prims root.usda<\/A>/)]);
     expect(cut.layer.rootPrims.size).toBe(0);
-  }, 60_000);
+  });
 
   it('are limited in arcs', async () => {
     /** Every prim references all later ones. */
@@ -153,14 +153,14 @@ def "S" {\n${numbered(2000, (i) => `def "B${i}" ( inherits = </K> ) {}`)}\n}`,
     expect((await stage({ 'root.usda': web(9) })).said).toEqual([]);
     const { said } = await stage({ 'root.usda': web(14) });
     expect(said.map((line) => line.slice(0, 20))).toContain('usd.too-many-arcs ro');
-  }, 60_000);
+  });
 
   it('are limited in depth', async () => {
     const chain = Array.from({ length: 150 }, (_, i) => `def "P${i}" ( references = </P${i + 1}/C> ) { def "C" {} }`);
     const { said } = await stage({ 'root.usda': chain.join('\n') });
     expect(said.some((line) => line.startsWith('usd.too-deep'))).toBe(true);
     expect(said.every((line) => /^usd\.(too-deep|unresolved-prim)/.test(line))).toBe(true);
-  }, 60_000);
+  });
 });
 
 describe('packages', () => {
