@@ -48,12 +48,15 @@ async function restoreTabSession(
   local: LocalFiles,
 ): Promise<Omit<StartupState, 'sessions'> | undefined> {
   const before = tabSession();
-  const session = before === undefined ? undefined : await sessions.get(before);
-  if (!session || session.address !== pageAddress()) return undefined;
+  const found = before === undefined ? undefined : await sessions.get(before);
+  if (!found || found.address !== pageAddress()) return undefined;
+  const isOwn = await acquireSession(found.id);
+  // Read again: by now the page before, if there was one, has ended, and what it stored last is there.
+  const session = (await sessions.get(found.id)) ?? found;
   const files = await sessions.filesOf(session.id);
   const beginning = restoreSession(session, files, local);
   const { view } = session;
-  if (await acquireSession(session.id)) return { project: beginning, view, id: session.id, savedSets: files.keys() };
+  if (isOwn) return { project: beginning, view, id: session.id, savedSets: files.keys() };
   const id = randomId();
   await acquireSession(id);
   return { project: beginning, view, id, savedSets: [] };
