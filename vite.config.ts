@@ -3,8 +3,6 @@ import { extname, join } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import react from '@vitejs/plugin-react';
 import { defineConfig, type Plugin } from 'vite';
-import * as chinese from './src/editor/i18n/chinese.ts';
-import * as english from './src/editor/i18n/english.ts';
 import type { Example } from './src/editor/loading/examples.ts';
 import { FONTS, fontFile } from './src/formats/font/glyphs.ts';
 
@@ -47,7 +45,7 @@ export default defineConfig({
   root: join(root, 'src/app'),
   base: './',
   publicDir: false,
-  plugins: [react(), oneLanguage(), examples(), fonts(), ownDockTheme()],
+  plugins: [react(), examples(), fonts(), ownDockTheme()],
   worker: { format: 'es', plugins: () => [withoutGpu()] },
   build: {
     outDir: join(root, 'dist/app'),
@@ -61,19 +59,6 @@ export default defineConfig({
     },
   },
 });
-
-/** The catalogue has its languages side by side (texts.ts); the page gets each by itself, and loads the one that it is in. */
-function oneLanguage(): Plugin {
-  return {
-    name: 'slowlight-one-language',
-    load(id) {
-      const language = /i18n\/(english|chinese)\.ts$/.exec(id)?.[1];
-      if (!language) return undefined;
-      const texts = Object.entries(language === 'english' ? english : chinese);
-      return texts.map(([name, value]) => `export const ${name} = ${JSON.stringify(value)};`).join('\n');
-    },
-  };
-}
 
 /** The page's workers draw nothing on a GPU: without this each of them would ship its own copy of three. */
 function withoutGpu(): Plugin {

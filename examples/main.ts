@@ -4,6 +4,7 @@ import { fileURLToPath } from 'node:url';
 import { writeTextures, writeUsda } from '../src/formats/usd/index.ts';
 import type { GraphDocument } from '../src/graph/document/document.ts';
 import { serializeDocument } from '../src/graph/document/serialize.ts';
+import { inEnglish, msg } from '../src/messages/message.ts';
 import { SPEED_OF_LIGHT } from '../src/physics/constants.ts';
 import type { Scene, Texture } from '../src/scene/types.ts';
 import { validate } from '../src/scene/validation/validate.ts';
@@ -38,7 +39,8 @@ function unknown(name: string): never {
 function write({ name, make, texturesOf = name }: ExampleScene, under = ''): void {
   const scene = named(make(), texturesOf);
   const faults = validate(scene, scene.hints.speedOfLight ?? SPEED_OF_LIGHT).filter((d) => d.severity === 'error');
-  if (faults.length > 0) throw new Error(faults.map((d) => `${name}: ${d.place}: ${d.message}`).join('\n'));
+  if (faults.length > 0)
+    throw new Error(faults.map((d) => inEnglish(msg`${name}: ${d.place}: ${d.message}`)).join('\n'));
   const text = writeUsda(scene);
   const place = join(folder, under);
   mkdirSync(place, { recursive: true });

@@ -1,4 +1,5 @@
 import { inputError } from '../formats/diagnostics/inputError.ts';
+import { msg } from '../messages/message.ts';
 import type { HeadlessPage } from '../pipelines/headlessPage.ts';
 import type { InteractiveRenderer } from '../pipelines/interactiveRenderer.ts';
 import { picturesOf } from '../pipelines/interactiveSession.ts';
@@ -62,7 +63,7 @@ function partOfFile(files: string, { name, handle }: StoredFile, at: number, len
   request.overrideMimeType('text/plain; charset=x-user-defined');
   request.send();
   if (request.status !== 200)
-    throw inputError('file.changed', name, 'it is not what was opened any more, or is gone; open the scene again');
+    throw inputError('file.changed', name, msg`it is not what was opened any more, or is gone; open the scene again`);
   return Uint8Array.from(request.responseText, (character) => character.charCodeAt(0));
 }
 

@@ -1,5 +1,8 @@
 import { readFileSync } from 'node:fs';
-import { Command, CommanderError } from 'commander';
+import { parseArgs } from 'node:util';
+import { Command, CommanderError, Option } from 'commander';
+import { LANGUAGE_TAGS } from '../messages/languages.ts';
+import { type Message, msg } from '../messages/message.ts';
 import { PipelineRefusal } from '../pipelines/pipeline.ts';
 import { InputError } from '../scene/types.ts';
 import { compareCommand } from './compare/compareCommand.ts';
@@ -11,12 +14,10 @@ import { probeCommand } from './probe/probeCommand.ts';
 import { renderCommand } from './render/renderCommand.ts';
 import { serveCommand } from './serve/serveCommand.ts';
 import { simulateCommand } from './simulate/simulateCommand.ts';
+import { CommandLineError, throwOwnErrors } from './terminal/commandLineErrors.ts';
 import { CliError, EXIT, EXIT_MEANINGS } from './terminal/exitCodes.ts';
-
-const exitCodes = [
-  '\nExit codes:',
-  ...Object.entries(EXIT_MEANINGS).map(([code, meaning]) => `  ${code.padEnd(5)}${meaning}`),
-].join('\n');
+import { localizeHelp, section } from './terminal/help.ts';
+import { chosenLanguage, localized, setLanguage } from './terminal/language.ts';
 
 /** All commands with their flags, in the order of `--help`; their actions are imported lazily. */
 export const commands = (): readonly Command[] => [
@@ -33,26 +34,40 @@ export const commands = (): readonly Command[] => [
 /** Runs the command line; returns the exit code. */
 export async function main(args: readonly string[]): Promise<number> {
   try {
-    await program().parseAsync([...args], { from: 'user' });
+    await setLanguage(chosenLanguage(languageFlag(args), process.env));
+    await program(args).parseAsync([...args], { from: 'user' });
     return Number(process.exitCode ?? EXIT.ok);
   } catch (error) {
     return report(error);
   }
 }
 
-function program(): Command {
+/** The value of `--lang`: it is wanted before there are texts of commands, and checked with the other flags. */
+const languageFlag = (args: readonly string[]): unknown =>
+  parseArgs({ args: [...args], options: { lang: { type: 'string' } }, strict: false }).values.lang;
+
+function program(args: readonly string[]): Command {
   const program = new Command('slowlight')
-    .description('Renders, probes and converts scenes as a relativistic observer sees them.')
-    .version(version())
-    .addHelpText('after', exitCodes);
+    .description(localized(msg`Renders, probes and converts scenes as a relativistic observer sees them.`))
+    .version(version(), '-V, --version', localized(msg`output the version number`))
+    .addOption(
+      new Option(
+        '--lang <tag>',
+        localized(msg`language of texts, also after a command (default: LANGUAGE, LC_ALL, LC_MESSAGES or LANG)`),
+      ).choices(LANGUAGE_TAGS),
+    )
+    .addHelpText('after', exitCodes());
   for (const command of commands()) program.addCommand(command);
-  for (const command of [program, ...program.commands]) {
-    command
-      .exitOverride()
-      .showHelpAfterError(`(slowlight ${command === program ? '' : `${command.name()} `}--help tells more)`);
-  }
+  localizeHelp(program);
+  throwOwnErrors(program, args);
   return program;
 }
+
+const exitCodes = (): string =>
+  section(
+    msg`Exit codes:`,
+    Object.entries(EXIT_MEANINGS).map(([code, meaning]) => msg`${code.padEnd(5)}${meaning}`),
+  );
 
 function version(): string {
   const file = new URL('../../../package.json', import.meta.url);
@@ -65,14 +80,18 @@ function report(error: unknown): number {
   // After a signal any error is a consequence of it.
   if (stopped !== undefined) return stopped;
   if (error instanceof CommanderError) return error.exitCode === 0 ? EXIT.ok : EXIT.usage;
-  if (error instanceof CliError) return complain(error.message, error.exitCode);
-  if (error instanceof PipelineRefusal) return complain(error.message, EXIT.usage);
-  if (error instanceof InputError) return complain(error.message, EXIT.input);
+  if (error instanceof CommandLineError) {
+    console.error(localized(error.text));
+    return error.exitCode;
+  }
+  if (error instanceof CliError) return complain(error.text, error.exitCode);
+  if (error instanceof PipelineRefusal) return complain(error.text, EXIT.usage);
+  if (error instanceof InputError) return complain(error.text, EXIT.input);
   const stack = error instanceof Error ? (error.stack ?? error.message) : String(error);
-  return complain(`this is a fault of Slowlight's own, please report it:\n${stack}`, EXIT.internal);
+  return complain(msg`this is a fault of Slowlight's own, please report it:\n${stack}`, EXIT.internal);
 }
 
-function complain(message: string, exitCode: number): number {
-  console.error(`slowlight: ${message}`);
+function complain(text: Message, exitCode: number): number {
+  console.error(`slowlight: ${localized(text)}`);
   return exitCode;
 }

@@ -1,4 +1,5 @@
 import { SystemError } from '../dynamics/system.ts';
+import { msg } from '../messages/message.ts';
 
 /** A GPU for computing; call `release` when done. */
 export interface ComputeGpu {
@@ -22,7 +23,7 @@ export interface ComputeGpu {
  */
 export async function openWebGpu(): Promise<ComputeGpu> {
   const adapter = await globalThis.navigator?.gpu?.requestAdapter({ powerPreference: 'high-performance' });
-  if (!adapter) throw new SystemError('there is no GPU here that computes (WebGPU)');
+  if (!adapter) throw new SystemError(msg`there is no GPU here that computes (WebGPU)`);
   const { maxBufferSize, maxStorageBufferBindingSize } = adapter.limits;
   const device = await adapter.requestDevice({ requiredLimits: { maxBufferSize, maxStorageBufferBindingSize } });
   return { device, software: adapter.info.isFallbackAdapter, release: () => device.destroy() };

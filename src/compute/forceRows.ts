@@ -1,6 +1,7 @@
 import type { BarrierData, ForceData, NeighborForceData, PairForceData } from '../dynamics/forces/force.ts';
 import type { Obstacle } from '../dynamics/forces/obstacle.ts';
 import { type System, SystemError } from '../dynamics/system.ts';
+import { msg } from '../messages/message.ts';
 
 /**
  * All forces in a form for the GPU: each point sums a row of its own, so that there are no write conflicts. A spring is
@@ -33,11 +34,11 @@ const LONG_ROW = 64;
 
 /** Throws a SystemError for forces that the GPU does not support. */
 export function forceRowsOf({ forces, masses, pinned, kinematic: led = [] }: System): ForceRows {
-  if (led.length > 0) throw new SystemError('objects with prescribed motion are not supported on the GPU');
+  if (led.length > 0) throw new SystemError(msg`objects with prescribed motion are not supported on the GPU`);
   const all = forces.map((force) => force.data);
   const plain = [...all.filter(({ kind }) => kind === 'spring'), ...all.filter(({ kind }) => kind !== 'spring')];
   const nears = plain.filter(({ kind }) => kind === 'near');
-  if (nears.length > 1) throw new SystemError('points have several contact laws; the GPU supports one');
+  if (nears.length > 1) throw new SystemError(msg`points have several contact laws; the GPU supports one`);
   const barriers = plain.filter(({ kind }) => kind === 'barrier') as BarrierData[];
   const obstacles = [...new Set(barriers.map(({ obstacle }) => obstacle))];
   const tell = (of: LinkVisitor): void =>

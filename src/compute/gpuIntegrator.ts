@@ -3,6 +3,7 @@ import { maxDisplacement } from '../dynamics/forces/neighborPairs.ts';
 import { tunnelingFailure } from '../dynamics/integrator.ts';
 import { StepFailure } from '../dynamics/methods/method.ts';
 import { pointAt, type State, type System } from '../dynamics/system.ts';
+import { msg } from '../messages/message.ts';
 import { joinState, splitState, WORDS } from './bufferLayout.ts';
 import { type ForceRows, forceRowsOf, neighborRows } from './forceRows.ts';
 import { IntegratorPasses } from './integratorPasses.ts';
@@ -81,7 +82,7 @@ export class GpuIntegrator {
     if (passed.strayed) return false;
     if (passed.piercedAt !== undefined) {
       const point = links.pointOfRow[passed.piercedAt];
-      throw tunnelingFailure(point, 'soon after it was at', pointAt(state.x, point));
+      throw tunnelingFailure(point, msg`soon after it was at`, pointAt(state.x, point));
     }
     joinState(origins, passed.changes, links.pointOfRow, state);
     state.t += steps * this.h;
@@ -128,7 +129,7 @@ class NeighborList {
 
   widen(): void {
     if (++this.widenings > MAX_WIDENINGS)
-      throw new StepFailure('infinite', 'points fly apart within one step; take a smaller one');
+      throw new StepFailure('infinite', msg`points fly apart within one step; take a smaller one`);
     this.builtAt = undefined;
     this.margin *= 2;
   }

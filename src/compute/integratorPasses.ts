@@ -1,5 +1,6 @@
 import { StepFailure } from '../dynamics/methods/method.ts';
 import { type System, SystemError } from '../dynamics/system.ts';
+import { msg } from '../messages/message.ts';
 import { packBodies, packObstacles, packStage, packWorld, STAGE_BYTES, WORDS } from './bufferLayout.ts';
 import type { ForceRows } from './forceRows.ts';
 import { SPLITTING_WGSL, WORKGROUP_SIZE } from './shader.ts';
@@ -132,7 +133,7 @@ export class IntegratorPasses {
 
 function deviceLost(error: unknown): never {
   const why = error instanceof Error ? error.message : String(error);
-  throw new StepFailure('lost', `the GPU was lost (${why}); go on, or compute it on the processor`);
+  throw new StepFailure('lost', msg`the GPU was lost (${why}); go on, or compute it on the processor`);
 }
 
 interface Kernels {
@@ -186,7 +187,7 @@ function makeBuffer(device: GPUDevice, size: number, usage: number): GPUBuffer {
   const most = Math.min(device.limits.maxStorageBufferBindingSize, device.limits.maxBufferSize);
   if (size > most) {
     const [asked, there] = [size, most].map((bytes) => `${Math.ceil(bytes / 2 ** 20)} MiB`);
-    throw new SystemError(`it takes a buffer of ${asked}, and the GPU gives ${there} at most`);
+    throw new SystemError(msg`it takes a buffer of ${asked}, and the GPU gives ${there} at most`);
   }
   return device.createBuffer({ size, usage });
 }

@@ -1,5 +1,6 @@
 import { type EarlyStop, earlyStopFor, FrameBuilder, type RunOptions, type SimulationFrame } from '../dynamics/run.ts';
 import { copyState, SystemError } from '../dynamics/system.ts';
+import { msg } from '../messages/message.ts';
 import { GpuIntegrator } from './gpuIntegrator.ts';
 
 /**
@@ -20,8 +21,8 @@ export async function* runOnGpu(
 ): AsyncGenerator<SimulationFrame, EarlyStop | undefined> {
   const { system, method, tolerance, start } = options;
   if (!method.coefficients)
-    throw new SystemError(`${method.id} is not computed on the GPU; leapfrog and Yoshida's methods are`);
-  if (tolerance !== undefined) throw new SystemError('adaptive steps are not supported on the GPU; use fixed steps');
+    throw new SystemError(msg`${method.id} is not computed on the GPU; leapfrog and Yoshida's methods are`);
+  if (tolerance !== undefined) throw new SystemError(msg`adaptive steps are not supported on the GPU; use fixed steps`);
   const course = new FrameBuilder(options);
   const { h, perFrame } = course.steps;
   const machine = await withErrorScopes(device, () => GpuIntegrator.create(device, system, method.coefficients!, h));
@@ -52,6 +53,6 @@ async function withErrorScopes<T>(device: GPUDevice, make: () => Promise<T>): Pr
   const errors = await Promise.all(kinds.map(() => device.popErrorScope()));
   if (result.status === 'rejected') throw result.reason;
   const refused = errors.find((error) => error !== null);
-  if (refused) throw new SystemError(`the GPU refuses: ${refused.message}`);
+  if (refused) throw new SystemError(msg`the GPU refuses: ${refused.message}`);
   return result.value;
 }

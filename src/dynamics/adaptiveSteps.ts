@@ -1,3 +1,4 @@
+import { msg } from '../messages/message.ts';
 import type { Integrator } from './integrator.ts';
 import { StepFailure } from './methods/method.ts';
 import { assignState, type State, type System, velocities } from './system.ts';
@@ -74,7 +75,7 @@ export class AdaptiveSteps {
     const error = this.difference() / (this.settings.tolerance * h);
     if (error <= 1) assignState(state, halves);
     else if (last)
-      throw new StepFailure('tolerance', `even steps of ${h.toExponential(1)} s err too much; allow a larger error`);
+      throw new StepFailure('tolerance', msg`even steps of ${h.toExponential(1)} s err too much; allow a larger error`);
     return Number.isNaN(error) ? Number.POSITIVE_INFINITY : error;
   }
 

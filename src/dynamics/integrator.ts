@@ -1,4 +1,5 @@
 import { dot, length, scale, sub, type Vec3 } from '../math/vec3.ts';
+import { type LocalizedText, msg } from '../messages/message.ts';
 import { type IntegrationMethod, StepFailure, type Stepper } from './methods/method.ts';
 import { leapfrog } from './methods/splitting.ts';
 import { momentum, pointAt, pointName, type State, type System } from './system.ts';
@@ -49,7 +50,7 @@ export class Integrator {
     kinematic.forEach(({ point, positionAt }, i) => {
       const v = scale(sub(positionAt(end), pointAt(x, point)), 1 / (end - t));
       if (!(dot(v, v) / (c * c) < 1)) {
-        const message = `${pointName(point)} is moved at ${length(v).toPrecision(4)} m/s, not below c = ${c} m/s; move it slower`;
+        const message = msg`${pointName(point)} is moved at ${length(v).toPrecision(4)} m/s, not below c = ${c} m/s; move it slower`;
         throw new StepFailure('light', message, point);
       }
       this.kinematicMomenta.set(momentum(masses[point], v, c), 3 * i);
@@ -69,15 +70,15 @@ export class Integrator {
     for (const force of this.system.forces) {
       const point = force.findTunneled?.(this.before, x);
       if (point === undefined) continue;
-      throw tunnelingFailure(point, 'to', pointAt(x, point));
+      throw tunnelingFailure(point, msg`to`, pointAt(x, point));
     }
   }
 }
 
 /** `where`: description of a position [m]. */
-export function tunnelingFailure(point: number, where: string, positionAt: Vec3): StepFailure {
+export function tunnelingFailure(point: number, where: LocalizedText, positionAt: Vec3): StepFailure {
   const at = positionAt.map((value) => value.toPrecision(4)).join(', ');
-  const message = `${pointName(point)} went through what is solid, ${where} (${at}) m; take a smaller step, a harder penalty, or let it go slower`;
+  const message = msg`${pointName(point)} went through what is solid, ${where} (${at}) m; take a smaller step, a harder penalty, or let it go slower`;
   return new StepFailure('pierced', message, point);
 }
 
@@ -93,5 +94,9 @@ export function assertFinite({ x, p }: State): void {
   const odd = x.findIndex((value, j) => !Number.isFinite(value) || !Number.isFinite(p[j]));
   if (odd < 0) return;
   const point = Math.floor(odd / 3);
-  throw new StepFailure('infinite', `${pointName(point)} has no finite position any more; take a smaller step`, point);
+  throw new StepFailure(
+    'infinite',
+    msg`${pointName(point)} has no finite position any more; take a smaller step`,
+    point,
+  );
 }

@@ -1,3 +1,4 @@
+import { msg } from '../messages/message.ts';
 import type { Springs } from './forces/springs.ts';
 import { SystemError } from './system.ts';
 
@@ -64,7 +65,8 @@ function halfEdgesOf({ counts, corners }: FaceTopology, points: number): HalfEdg
     for (let k = 0; k < counts[f]; k++) {
       const corner = first + k;
       const point = corners[corner];
-      if (!(point >= 0 && point < points)) throw new SystemError(`a face has point ${point}, and there are ${points}`);
+      if (!(point >= 0 && point < points))
+        throw new SystemError(msg`a face has point ${point}, and there are ${points}`);
       after[corner] = first + ((k + 1) % counts[f]);
       before[after[corner]] = corner;
       const next = corners[after[corner]];
@@ -108,7 +110,7 @@ class SpringBuilder {
   add(a: number, b: number, k: number): void {
     if (!(k > 0) || a === b) return;
     if (this.stiffness.length === MAX_SPRINGS)
-      throw new SystemError(`the mesh makes more than ${MAX_SPRINGS} springs; take a coarser one`);
+      throw new SystemError(msg`the mesh makes more than ${MAX_SPRINGS} springs; take a coarser one`);
     this.ends.push(Math.min(a, b), Math.max(a, b));
     this.stiffness.push(k);
   }

@@ -1,6 +1,7 @@
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
 import { recordRun, sheet } from '../../tests/support/clothKit.ts';
+import { english } from '../../tests/support/inWords.ts';
 import { uniform as between } from '../../tests/support/physicsArbitraries.ts';
 import { random } from '../math/random.ts';
 import { AdaptiveSteps } from './adaptiveSteps.ts';
@@ -269,7 +270,7 @@ describe('a run', () => {
     expect(stepSchedule(order).stable).toBe(false);
     const { frames, stop } = recordRun(order);
     expect(stop?.reason).toBe('unstable');
-    expect(stop?.message).toContain('steps of 0.0100 s are longer than leapfrog can take here, ');
+    expect(english(stop?.message)).toContain('steps of 0.0100 s are longer than leapfrog can take here, ');
     const energies = frames.map(({ quantities }) => quantities);
     expect(energies.every(({ total, kinetic }) => total - energies[0].total <= 0.5 * kinetic)).toBe(true);
     expect(frames.length).toBeLessThan(250);
@@ -287,7 +288,7 @@ describe('a run', () => {
     expect(stepSchedule(order).stable).toBe(true);
     const { frames, stop } = recordRun(order);
     expect(stop).toMatchObject({ reason: 'light', t: 0, point: 0 });
-    expect(stop?.message).toMatch(/^point \d+ goes at .* m\/s, not below c = 1 m\/s; take a smaller step$/);
+    expect(english(stop?.message)).toMatch(/^point \d+ goes at .* m\/s, not below c = 1 m\/s; take a smaller step$/);
     expect(frames).toHaveLength(1);
   });
 
@@ -332,7 +333,7 @@ describe('obstacles', () => {
   ])('stop the run if a point passes through one %s', (_, speed, stiffness, step) => {
     const { frames, stop } = recordRun(thrown(speed, stiffness, step));
     expect(stop).toMatchObject({ reason: 'pierced', point: 1 });
-    expect(stop?.message).toMatch(/^point 1 went through what is solid, to \(.+\) m; take a smaller step/);
+    expect(english(stop?.message)).toMatch(/^point 1 went through what is solid, to \(.+\) m; take a smaller step/);
     // ½K·0.55² = 1.5 J are less than ½·25 J: it passes half of the reach after 1.7 m at 5 m/s, or slightly later.
     expect(stop!.t).toBeGreaterThan(1.725 / speed);
     expect(stop!.t).toBeLessThan(2.2 / speed + step);

@@ -1,3 +1,4 @@
+import { type Message, msg } from '../messages/message.ts';
 import { AdaptiveSteps } from './adaptiveSteps.ts';
 import { type ConservedQuantities, conservedQuantities } from './energy.ts';
 import { assertFinite, Integrator } from './integrator.ts';
@@ -52,7 +53,7 @@ export interface EarlyStop {
   /** [s] */
   readonly t: number;
   /** Why, for people. */
-  readonly message: string;
+  readonly message: Message;
   /** The affected point, if there is one. */
   readonly point?: number;
 }
@@ -174,8 +175,8 @@ export class FrameBuilder {
 /** The reason for a run's end at t from a StepFailure; other errors are rethrown. */
 export function earlyStopFor(error: unknown, t: number): EarlyStop {
   if (!(error instanceof StepFailure)) throw error;
-  const { reason, message, point } = error;
-  return { reason, t, message, ...(point !== undefined && { point }) };
+  const { reason, text, point } = error;
+  return { reason, t, message: text, ...(point !== undefined && { point }) };
 }
 
 /** Returns a function that advances a state by one frame and returns the number of steps. */
@@ -202,6 +203,6 @@ function assertEnergyBounded(
   if (stable || now.total - first.total <= MAX_ENERGY_GAIN * now.kinetic) return;
   const bound = (2 / maxAngularFrequency(options.system)).toPrecision(3);
   const gain = (now.total - first.total).toPrecision(3);
-  const message = `the energy has grown by ${gain} J: steps of ${h.toPrecision(3)} s are longer than ${options.method.id} can take here, ${bound} s; take shorter ones`;
+  const message = msg`the energy has grown by ${gain} J: steps of ${h.toPrecision(3)} s are longer than ${options.method.id} can take here, ${bound} s; take shorter ones`;
   throw new StepFailure('unstable', message);
 }

@@ -1,4 +1,6 @@
 import { dot, scale, type Vec3 } from '../math/vec3.ts';
+import { inEnglish, type LocalizedText, type Message, msg } from '../messages/message.ts';
+import { MessageError } from '../messages/messageError.ts';
 import type { Force } from './forces/force.ts';
 
 /** Point masses, the forces on and between them, and the limiting speed. World frame, SI units. */
@@ -38,8 +40,17 @@ export interface State {
   readonly p: Float64Array;
 }
 
-/** Name of a point in messages; callers that know its object replace it. */
-export const pointName = (i: number): string => `point ${i}`;
+/** What a point is called where its object is not known. */
+export const pointName = (i: number): Message => msg`point ${i}`;
+
+/** The message with another name of a point. */
+export const withPointName = (message: Message, point: number, name: LocalizedText): Message => ({
+  ...message,
+  values: message.values.map((value) => {
+    if (typeof value !== 'object') return value;
+    return inEnglish(value) === inEnglish(pointName(point)) ? name : withPointName(value, point, name);
+  }),
+});
 
 /** Components of a point in x, y, z order. */
 export const pointAt = (x: Float64Array, i: number): Vec3 => [x[3 * i], x[3 * i + 1], x[3 * i + 2]];
@@ -62,15 +73,16 @@ export function assignState(to: State, from: State): void {
 /**
  * An invalid system, with what to do about it.
  * @example
- * const error = new SystemError('point 2 has no mass', 2);
+ * import { msg } from 'slowlight/messages';
+ * const error = new SystemError(msg`point 2 has no mass`, 2);
  * error.point; // 2
  */
-export class SystemError extends Error {
+export class SystemError extends MessageError {
   /** The affected point, if there is one. */
   readonly point: number | undefined;
 
-  constructor(message: string, point?: number) {
-    super(message);
+  constructor(text: Message, point?: number) {
+    super(text);
     this.point = point;
   }
 }
@@ -90,12 +102,12 @@ export function makeSystem({
   drag = 0,
   ...rest
 }: Partial<System> & Pick<System, 'masses'>): System {
-  if (!(c > 0)) throw new SystemError(`the speed of light is ${c} m/s; make it above 0`);
-  if (!(drag >= 0 && Number.isFinite(drag))) throw new SystemError(`the drag is ${drag} 1/s; make it 0 or above`);
+  if (!(c > 0)) throw new SystemError(msg`the speed of light is ${c} m/s; make it above 0`);
+  if (!(drag >= 0 && Number.isFinite(drag))) throw new SystemError(msg`the drag is ${drag} 1/s; make it 0 or above`);
   if (masses.length > MAX_POINTS)
-    throw new SystemError(`there are ${masses.length} points, more than ${MAX_POINTS}; take a coarser mesh`);
+    throw new SystemError(msg`there are ${masses.length} points, more than ${MAX_POINTS}; take a coarser mesh`);
   const odd = masses.findIndex((mass) => !(mass > 0 && Number.isFinite(mass)));
-  if (odd >= 0) throw new SystemError(`${pointName(odd)} has the mass ${masses[odd]} kg; make it above 0`);
+  if (odd >= 0) throw new SystemError(msg`${pointName(odd)} has the mass ${masses[odd]} kg; make it above 0`);
   return { masses, pinned, forces, c, drag, ...rest };
 }
 
@@ -122,7 +134,7 @@ export function momenta({ c, masses, pinned }: System, v: ArrayLike<number>): Fl
     const rest = 1 - (vx * vx + vy * vy + vz * vz) / (c * c);
     if (!(rest > 0))
       throw new SystemError(
-        `${pointName(i)} goes at ${Math.hypot(vx, vy, vz).toPrecision(4)} m/s, not below c = ${c} m/s`,
+        msg`${pointName(i)} goes at ${Math.hypot(vx, vy, vz).toPrecision(4)} m/s, not below c = ${c} m/s`,
         i,
       );
     const mass = pinned[i] ? 0 : masses[i] / Math.sqrt(rest);

@@ -1,5 +1,6 @@
 import { lazy, type ReactNode, Suspense, useEffect, useState } from 'react';
-import { useTexts } from './i18n/i18n.ts';
+import { msg } from '../messages/message.ts';
+import { useTexts } from './language/languageStore.ts';
 import { ProjectDialogs } from './projects/ProjectDialogs.tsx';
 import { projectName } from './projects/projectNames.ts';
 import { useSaveProject } from './projects/useSaveProject.ts';
@@ -27,7 +28,7 @@ export function EditorApp(): ReactNode {
   return (
     <div className="sl-app">
       <button type="button" className="sl-skip" onClick={toPicture}>
-        {t('app.skip')}
+        {t(msg`Skip to the picture`)}
       </button>
       <Header />
       <main className="sl-main">
@@ -51,7 +52,7 @@ function useTitle(): void {
   const name = useEditorState(projectName);
   const unsaved = useEditorState(isUnsaved);
   useEffect(() => {
-    document.title = [unsaved ? '•' : '', name, name && '–', t('app.title')].filter(Boolean).join(' ');
+    document.title = [unsaved ? '•' : '', name, name && '–', t(msg`Slowlight`)].filter(Boolean).join(' ');
   }, [name, unsaved, t]);
 }
 

@@ -1,3 +1,5 @@
+import { LANGUAGES } from '../messages/languages.ts';
+import { msg } from '../messages/message.ts';
 import '@fontsource-variable/inter/wght.css';
 import './fonts/fonts.css';
 import './mantine.css';
@@ -11,7 +13,7 @@ import { openWebGpu } from '../compute/computeDevice.ts';
 import type { Backend } from '../render/settings.ts';
 import { EditorApp } from './EditorApp.tsx';
 import { ObserverController } from './flight/observerController.ts';
-import { startTranslation, useTexts } from './i18n/i18n.ts';
+import { setLanguage, useTexts } from './language/languageStore.ts';
 import { readFont } from './loading/fonts.ts';
 import { LocalFiles } from './loading/localFiles.ts';
 import { fileReader, sceneReader } from './loading/sceneLoader.ts';
@@ -35,7 +37,7 @@ export interface StartOptions extends StartupRequest {
 export async function startEditor(root: Root, { backend: wanted, ...asked }: StartOptions): Promise<void> {
   const { language, legend: withLegend } = loadPreferences();
   legendStore.setState({ visible: withLegend });
-  const [backend] = await Promise.all([chooseBackend(wanted), startTranslation(language)]);
+  const [backend] = await Promise.all([chooseBackend(wanted), setLanguage(language).catch(() => setLanguage('en'))]);
   if (!backend) {
     root.render(
       <Page>
@@ -93,8 +95,8 @@ function Page({ children }: { readonly children: ReactNode }): ReactNode {
 function Language(): null {
   const { t, language } = useTexts();
   useEffect(() => {
-    document.documentElement.lang = language === 'zh' ? 'zh-CN' : 'en';
-    document.title = t('app.title');
+    document.documentElement.lang = LANGUAGES[language].locale;
+    document.title = t(msg`Slowlight`);
   }, [language, t]);
   return null;
 }

@@ -1,5 +1,7 @@
+import { listed, msg } from '../messages/message.ts';
+import { messageOf } from '../messages/messageError.ts';
 import { InputError, type Scene } from '../scene/types.ts';
-import { formatBytes, inputError, messageOf } from './diagnostics/inputError.ts';
+import { formatBytes, inputError } from './diagnostics/inputError.ts';
 import { dotted, extensionOf, type FileSource, normalizePath } from './files/fileSource.ts';
 import { sanitizeScene } from './read/sanitize.ts';
 import type { ReadOptions } from './readOptions.ts';
@@ -30,26 +32,26 @@ export async function openScene(files: FileSource, entry: string, options: OpenO
   const source = boundedSource(files, options.maxBytes ?? MAX_BYTES);
   const size = (await source.open?.(path))?.size ?? (await source.read(path))?.length;
   if (size === undefined) throw await missingFile(files, path);
-  if (size === 0) throw inputError('file.empty', path, 'the file is empty (0 bytes); export or copy it again');
+  if (size === 0) throw inputError('file.empty', path, msg`the file is empty (0 bytes); export or copy it again`);
   try {
     return sanitizeScene(await format.read(source, path, options));
   } catch (thrown) {
     if (thrown instanceof InputError) throw thrown;
-    const message = `cannot be read as ${format.name}: ${messageOf(thrown)}; the file may be damaged, export it again`;
+    const message = msg`cannot be read as ${format.name}: ${messageOf(thrown)}; the file may be damaged, export it again`;
     throw inputError('file.unreadable', path, message, thrown);
   }
 }
 
 function unknownFormat(path: string): InputError {
   if (/\.slowlight\.json$/i.test(path)) {
-    const use = 'render, simulate and graph check take it, and the page opens it at ?project=…';
-    return inputError('file.unknown-format', path, `this is a project, not a scene; ${use}`);
+    const use = msg`render, simulate and graph check take it, and the page opens it at ?project=…`;
+    return inputError('file.unknown-format', path, msg`this is a project, not a scene; ${use}`);
   }
-  const known = sceneFormats.map((f) => `${f.name} (${dotted(f.extensions)})`).join(', ');
+  const known = listed(sceneFormats.map((f) => msg`${f.name} (${dotted(f.extensions)})`));
   const extension = extensionOf(path);
   const message = extension
-    ? `.${extension} is not a scene format that can be opened; ${known} can`
-    : `the name has no extension; ${known} can be opened`;
+    ? msg`.${extension} is not a scene format that can be opened; ${known} can`
+    : msg`the name has no extension; ${known} can be opened`;
   return inputError('file.unknown-format', path, message);
 }
 
@@ -57,8 +59,8 @@ async function missingFile(files: FileSource, path: string): Promise<InputError>
   const known = (await files.list?.())?.filter((file) => formatOf(file)) ?? [];
   const message =
     known.length > 0
-      ? `no such file; there is ${known.slice(0, 5).join(', ')}`
-      : 'no such file; check its name, and where it is';
+      ? msg`no such file; there is ${listed(known.slice(0, 5))}`
+      : msg`no such file; check its name, and where it is`;
   return inputError('file.missing', path, message);
 }
 
@@ -74,7 +76,7 @@ function boundedSource(files: FileSource, maxBytes: number): FileSource {
   const count = (path: string, size: number): void => {
     total += size;
     if (total > maxBytes) {
-      const message = `with this file the scene takes ${formatBytes(total)}, more than the ${formatBytes(maxBytes)} that are read; use smaller textures or fewer samples`;
+      const message = msg`with this file the scene takes ${formatBytes(total)}, more than the ${formatBytes(maxBytes)} that are read; use smaller textures or fewer samples`;
       throw inputError('file.too-large', path, message);
     }
   };

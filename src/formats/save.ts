@@ -1,3 +1,4 @@
+import { msg } from '../messages/message.ts';
 import { pointSamples } from '../scene/motion/motion.ts';
 import type { Diagnostic, Scene } from '../scene/types.ts';
 import { DiagnosticLog } from './diagnostics/diagnosticLog.ts';
@@ -37,7 +38,7 @@ function cubicNotes(scene: Scene, name: string): readonly Diagnostic[] {
         'info',
         'convert.interpolation',
         path,
-        'its points go along cubics, which USD does not know: their velocities are written, so that reading with cubic interpolation gives them back; other programs go straight',
+        msg`its points go along cubics, which USD does not know: their velocities are written, so that reading with cubic interpolation gives them back; other programs go straight`,
       );
   return losses.list();
 }
@@ -56,6 +57,6 @@ export const writtenExtensions: readonly string[] = Object.keys(writers);
 export async function saveScene(scene: Scene, name: string): Promise<ExportedScene> {
   const extension = extensionOf(name);
   if (writtenExtensions.includes(extension)) return writers[extension](scene, name);
-  const message = `.${extension} is not a scene format that can be written; ${dotted(writtenExtensions)} can`;
+  const message = msg`.${extension} is not a scene format that can be written; ${dotted(writtenExtensions)} can`;
   throw inputError('file.unknown-format', name, message);
 }

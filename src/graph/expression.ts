@@ -1,4 +1,6 @@
 import { radians } from '../math/angle.ts';
+import { type LocalizedText, type Message, msg } from '../messages/message.ts';
+import { MessageError } from '../messages/messageError.ts';
 
 /**
  * Expressions in number fields: `0.9*c`, `30deg`, `5 km/h`, `2*pi/3`. Evaluated on input to a number in the field's
@@ -7,7 +9,7 @@ import { radians } from '../math/angle.ts';
 export type ExpressionResult =
   | { readonly value: number }
   /** `at`: offset in the text [characters]. */
-  | { readonly problem: string; readonly at: number };
+  | { readonly problem: Message; readonly at: number };
 
 /** What an expression may refer to. */
 export interface ExpressionContext {
@@ -92,20 +94,20 @@ const FUNCTIONS: Readonly<Record<string, FunctionSpec>> = {
  * evaluateExpression('2 *'); // { at: 3 }
  */
 export function evaluateExpression(text: string, { unit, speedOfLight }: ExpressionContext = {}): ExpressionResult {
-  if (text.length > MAX_LENGTH) return { problem: `longer than ${MAX_LENGTH} characters`, at: MAX_LENGTH };
+  if (text.length > MAX_LENGTH) return { problem: msg`longer than ${MAX_LENGTH} characters`, at: MAX_LENGTH };
   try {
     const parser = new ExpressionParser(tokenizeExpression(text), speedOfLight);
     return { value: toFieldUnit(parser.parse(), unit, speedOfLight) };
   } catch (error) {
-    if (error instanceof ParseError) return { problem: error.message, at: error.at };
+    if (error instanceof ParseError) return { problem: error.text, at: error.at };
     throw error;
   }
 }
 
-class ParseError extends Error {
+class ParseError extends MessageError {
   readonly at: number;
-  constructor(message: string, at: number) {
-    super(message);
+  constructor(text: Message, at: number) {
+    super(text);
     this.at = at;
   }
 }
@@ -121,8 +123,8 @@ function toFieldUnit(
   // A field without a unit accepts angles, in radians.
   const fits =
     sameDimensions(of, NONE) || sameDimensions(of, field?.of ?? NONE) || (!field && sameDimensions(of, ANGLE));
-  if (!fits) throw new ParseError(`a value in ${unitName(of)} where ${unit ?? 'a plain number'} is wanted`, 0);
-  if (!Number.isFinite(result)) throw new ParseError('this is no finite number', 0);
+  if (!fits) throw new ParseError(msg`a value in ${unitName(of)} where ${unit ?? msg`a plain number`} is wanted`, 0);
+  if (!Number.isFinite(result)) throw new ParseError(msg`this is no finite number`, 0);
   return result;
 }
 
@@ -138,11 +140,11 @@ function unitOf(unit: string, speedOfLight: number | undefined): DimensionedValu
 
 const sameDimensions = (a: Dimensions, b: Dimensions): boolean => a.every((power, i) => power === b[i]);
 
-function unitName(of: Dimensions): string {
+function unitName(of: Dimensions): LocalizedText {
   const parts = ['m', 's', 'K', 'rad'].flatMap((name, i) =>
     of[i] === 0 ? [] : [of[i] === 1 ? name : `${name}^${of[i]}`],
   );
-  return parts.join('·') || 'no unit';
+  return parts.join('·') || msg`no unit`;
 }
 
 interface ExpressionToken {
@@ -161,13 +163,13 @@ function tokenizeExpression(text: string): ExpressionToken[] {
   while (TOKEN.lastIndex < end) {
     const at = TOKEN.lastIndex;
     const match = TOKEN.exec(text);
-    if (!match) throw new ParseError(`"${text.slice(at).trim()[0]}" is not understood`, at);
+    if (!match) throw new ParseError(msg`"${text.slice(at).trim()[0]}" is not understood`, at);
     const [, number, name, sign] = match;
     if (number !== undefined) found.push({ kind: 'number', text: number, at });
     else if (name !== undefined) found.push({ kind: 'name', text: name, at });
     else found.push({ kind: 'sign', text: SIGNS[sign!] ?? sign!, at });
   }
-  return [...found, { kind: 'end', text: 'the end', at: end }];
+  return [...found, { kind: 'end', text: '', at: end }];
 }
 
 /** sum = product {± product}; product = signed {(×|÷) signed}; signed = [±] power {power}; power = factor [^ [±] factor]. */
@@ -194,7 +196,10 @@ class ExpressionParser {
 
   private unexpected(): ParseError {
     const { text, at, kind } = this.next;
-    return new ParseError(kind === 'end' ? 'something is missing at the end' : `"${text}" does not belong here`, at);
+    return new ParseError(
+      kind === 'end' ? msg`something is missing at the end` : msg`"${text}" does not belong here`,
+      at,
+    );
   }
 
   private sign(...wanted: readonly string[]): string | undefined {
@@ -209,7 +214,7 @@ class ExpressionParser {
     for (let at = this.next.at, sign = this.sign('+', '-'); sign; at = this.next.at, sign = this.sign('+', '-')) {
       const term = this.product();
       if (!sameDimensions(sum.of, term.of))
-        throw new ParseError(`${unitName(sum.of)} and ${unitName(term.of)} do not add`, at);
+        throw new ParseError(msg`${unitName(sum.of)} and ${unitName(term.of)} do not add`, at);
       sum = { value: sign === '+' ? sum.value + term.value : sum.value - term.value, of: sum.of };
     }
     return sum;
@@ -245,9 +250,9 @@ class ExpressionParser {
     if (!this.sign('^')) return base;
     const sign = this.sign('+', '-') === '-' ? -1 : 1;
     const { value, of } = this.factor();
-    if (!sameDimensions(of, NONE)) throw new ParseError('an exponent is a plain number', at);
+    if (!sameDimensions(of, NONE)) throw new ParseError(msg`an exponent is a plain number`, at);
     if (!sameDimensions(base.of, NONE) && !Number.isInteger(value))
-      throw new ParseError('what has a unit is raised to whole numbers only', at);
+      throw new ParseError(msg`what has a unit is raised to whole numbers only`, at);
     return { value: base.value ** (sign * value), of: scaleDimensions(base.of, sign * value) };
   }
 
@@ -260,7 +265,7 @@ class ExpressionParser {
     if (token.kind === 'name') return this.named(token);
     if (this.sign('(') === undefined) throw this.unexpected();
     const inner = this.deeper(() => this.sum());
-    if (this.sign(')') === undefined) throw new ParseError('a bracket is not closed', token.at);
+    if (this.sign(')') === undefined) throw new ParseError(msg`a bracket is not closed`, token.at);
     return inner;
   }
 
@@ -270,23 +275,23 @@ class ExpressionParser {
     if (bracket && Object.hasOwn(FUNCTIONS, text)) return this.called(FUNCTIONS[text]!, text, at);
     if (text === 'c' && this.speedOfLight !== undefined) return { value: this.speedOfLight, of: SPEED };
     if (Object.hasOwn(UNITS, text)) return UNITS[text]!;
-    throw new ParseError(`"${text}" is neither a unit nor a function`, at);
+    throw new ParseError(msg`"${text}" is neither a unit nor a function`, at);
   }
 
   private called({ arity, of }: FunctionSpec, name: string, at: number): DimensionedValue {
     this.sign('(');
     const values = [this.deeper(() => this.sum())];
     while (this.sign(',')) values.push(this.deeper(() => this.sum()));
-    if (this.sign(')') === undefined) throw new ParseError('a bracket is not closed', at);
+    if (this.sign(')') === undefined) throw new ParseError(msg`a bracket is not closed`, at);
     if (values.length !== arity)
-      throw new ParseError(`${name} takes ${arity === 1 ? 'one value' : `${arity} values`}`, at);
+      throw new ParseError(msg`${name} takes ${arity === 1 ? msg`one value` : msg`${arity} values`}`, at);
     if (values.some((value) => !sameDimensions(value.of, NONE) && !sameDimensions(value.of, ANGLE)))
-      throw new ParseError(`${name} is of plain numbers and angles`, at);
+      throw new ParseError(msg`${name} is of plain numbers and angles`, at);
     return { value: of(...values.map(({ value }) => value)), of: NONE };
   }
 
   private deeper(parse: () => DimensionedValue): DimensionedValue {
-    if (++this.depth > MAX_DEPTH) throw new ParseError('too many brackets in one another', this.next.at);
+    if (++this.depth > MAX_DEPTH) throw new ParseError(msg`too many brackets in one another`, this.next.at);
     const result = parse();
     this.depth--;
     return result;

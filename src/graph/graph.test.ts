@@ -1,4 +1,6 @@
 import { describe, expect, it } from 'vitest';
+import { english, saying } from '../../tests/support/inWords.ts';
+import { inEnglish, msg } from '../messages/message.ts';
 import { edgeError, validateDocument } from './analysis/validate.ts';
 import { emptyDocument, type GraphDocument } from './document/document.ts';
 import { CURRENT_VERSION, migrate } from './document/migrations.ts';
@@ -20,8 +22,8 @@ import {
 const runs: string[] = [];
 const value: NodeType = {
   id: 'value',
-  title: 'value',
-  help: 'value',
+  title: msg`value`,
+  help: msg`value`,
   category: 'utility',
   params: { value: { kind: 'number', title: 'value', default: 1, min: -100, max: 100, step: 1 } },
   inputs: {},
@@ -30,7 +32,7 @@ const value: NodeType = {
     runs.push(work.node);
     const result = params.value as number;
     if (result === 13)
-      throw new NodeRefusal({ severity: 'error', code: 'test.unlucky', place: work.node, message: '13 is refused' });
+      throw new NodeRefusal({ severity: 'error', code: 'test.unlucky', place: work.node, message: msg`13 is refused` });
     return { number: result };
   },
 };
@@ -217,33 +219,33 @@ describe('validation', () => {
       set('v', 1000),
       { kind: 'connect', edge: edge('t', 's', 'a', 'text') },
     );
-    const codes = validateDocument(document, registry).map((problem) => `${problem.code} ${problem.place}`);
+    const codes = validateDocument(document, registry).map((problem) => `${problem.code} ${inEnglish(problem.place)}`);
     expect(codes.sort()).toEqual(['graph.edge s', 'graph.param v.value', 'graph.unknown-node odd']);
   });
 
   it('rejects cycles of any length', () => {
     const document = build(add('a', 'sum'), add('b', 'sum'), { kind: 'connect', edge: edge('a', 'b', 'a') });
-    expect(edgeError(document, edge('b', 'a', 'a'), registry)).toMatch(/cycle/);
-    expect(edgeError(document, edge('a', 'a', 'a'), registry)).toMatch(/cycle/);
-    expect(edgeError(document, edge('a', 'b', 'b'), registry)).toBeUndefined();
-    expect(edgeError(document, edge('a', 'b', 'z'), registry)).toMatch(/no input "z"/);
+    expect(english(edgeError(document, edge('b', 'a', 'a'), registry))).toMatch(/cycle/);
+    expect(english(edgeError(document, edge('a', 'a', 'a'), registry))).toMatch(/cycle/);
+    expect(english(edgeError(document, edge('a', 'b', 'b'), registry))).toBeUndefined();
+    expect(english(edgeError(document, edge('a', 'b', 'z'), registry))).toMatch(/no input "z"/);
   });
 
   it('checks values against their descriptions', () => {
     const number = value.params.value!;
     expect(valueError(number, 5)).toBeUndefined();
-    expect(valueError(number, Number.NaN)).toMatch(/not a number/);
-    expect(valueError({ ...number, integer: true } as typeof number, 0.5)).toMatch(/whole/);
-    expect(valueError({ kind: 'boolean', title: '', default: true }, 'yes')).toMatch(/not a boolean/);
+    expect(english(valueError(number, Number.NaN))).toMatch(/not a number/);
+    expect(english(valueError({ ...number, integer: true } as typeof number, 0.5))).toMatch(/whole/);
+    expect(english(valueError({ kind: 'boolean', title: '', default: true }, 'yes'))).toMatch(/neither true nor false/);
     const vector = { kind: 'vector', title: '', default: [0, 0, 1] } as const;
     expect(valueError(vector, [1, 2, 3])).toBeUndefined();
     for (const wrong of [[1, 2], [1, 2, Number.NaN], ['1', '2', '3'], 1])
-      expect(valueError(vector, wrong)).toMatch(/three/);
+      expect(english(valueError(vector, wrong))).toMatch(/three/);
     const list = { kind: 'list', title: '', default: [] } as const;
     expect(valueError(list, ['a', 'b'])).toBeUndefined();
-    for (const wrong of ['a', [1], true]) expect(valueError(list, wrong)).toMatch(/no list/);
+    for (const wrong of ['a', [1], true]) expect(english(valueError(list, wrong))).toMatch(/no list/);
     const choice = { kind: 'choice', title: '', default: 'a', options: [{ value: 'a', title: '' }] } as const;
-    expect(valueError(choice, 'b')).toMatch(/none of the choices/);
+    expect(english(valueError(choice, 'b'))).toMatch(/none of the choices/);
   });
 
   it('a parameter is the set value, else the suggested, else the default one', () => {
@@ -431,7 +433,9 @@ describe('evaluation', () => {
     };
     const evaluator = new Evaluator({ value: flaky });
     const target = async () => (await evaluator.evaluate(build(add('x', 'value')), 'x', {})).target;
-    expect(await target()).toMatchObject({ problem: { code: 'graph.evaluation', message: 'the network is down' } });
+    expect(await target()).toMatchObject({
+      problem: { code: 'graph.evaluation', message: saying(/^the network is down$/) },
+    });
     expect(await target()).toMatchObject({ outputs: { number: 2 } });
   });
 });

@@ -1,3 +1,5 @@
+import { type LocalizedText, type Message, msg } from '../messages/message.ts';
+import { MessageError } from '../messages/messageError.ts';
 import type { ParamValue } from './document/document.ts';
 
 /**
@@ -10,8 +12,8 @@ export interface Socket<Type extends string = string> {
    * type of what is connected; all `any` sockets of a node have the same type.
    */
   readonly type: Type;
-  /** Text key; default: the socket's name. */
-  readonly title?: string;
+  /** Default: the socket's name. */
+  readonly title?: LocalizedText;
   /** Whether it may be unconnected; otherwise a missing source is an error. */
   readonly optional?: boolean;
   /** Whether it takes any number of edges, ordered by number: `name.1`, `name.2`. The node's code gets an array. */
@@ -21,10 +23,9 @@ export interface Socket<Type extends string = string> {
 export const ANY = 'any';
 
 interface ParamBase {
-  /** Text key. */
-  readonly title: string;
-  /** Text key of the explanation. */
-  readonly help?: string;
+  readonly title: LocalizedText;
+  /** Explanation. */
+  readonly help?: LocalizedText;
   /** The parameter is active only while another has this value, or one of these. */
   readonly onlyWhen?: { readonly param: string; readonly is: ParamValue | readonly ParamValue[] };
   /** The physical value; at any other the control is marked as unphysical. */
@@ -74,7 +75,7 @@ export interface ChoiceParam<Value extends string = string> extends ParamBase {
   /** Without a value in the document. */
   readonly default: Value;
   /** In the order of menus. */
-  readonly options: readonly { readonly value: Value; readonly title: string }[];
+  readonly options: readonly { readonly value: Value; readonly title: LocalizedText }[];
 }
 /** A text. */
 export interface TextParam extends ParamBase {
@@ -170,9 +171,9 @@ export interface NodeProblem {
   /** Short and stable, for programs. */
   readonly code: string;
   /** Node, or file and prim path. */
-  readonly place: string;
+  readonly place: LocalizedText;
   /** What is the matter and what to do, for people. */
-  readonly message: string;
+  readonly message: Message;
   /** A parameter change that would solve it. */
   readonly remedy?: { readonly node: string; readonly param: string; readonly value: ParamValue };
 }
@@ -180,10 +181,11 @@ export interface NodeProblem {
 /**
  * Thrown by a node's evaluation to refuse its inputs; the engine reports it at the node.
  * @example
- * const refusal = new NodeRefusal({ severity: 'error', code: 'too-fast', place: 'fly1', message: 'β is 1.2; choose less' });
+ * import { msg } from 'slowlight/messages';
+ * const refusal = new NodeRefusal({ severity: 'error', code: 'too-fast', place: 'fly1', message: msg`β is 1.2; choose less` });
  * refusal.problem.code; // 'too-fast'
  */
-export class NodeRefusal extends Error {
+export class NodeRefusal extends MessageError {
   /** What the engine reports at the node. */
   readonly problem: NodeProblem;
   constructor(problem: NodeProblem) {
@@ -193,16 +195,18 @@ export class NodeRefusal extends Error {
   }
 }
 
+export type NodeCategory = 'geometry' | 'dynamics' | 'composition' | 'render' | 'utility';
+
 /** A node type with erased types, as engine and panels use it. */
 export interface NodeType<Services = unknown> {
   /** Short and stable, in files. */
   readonly id: string;
-  /** Text key. */
-  readonly title: string;
-  /** Text key of the explanation. */
-  readonly help: string;
+  /** In menus and on the node. */
+  readonly title: Message;
+  /** Explanation. */
+  readonly help: Message;
   /** Of menus. */
-  readonly category: 'geometry' | 'dynamics' | 'composition' | 'render' | 'utility';
+  readonly category: NodeCategory;
   /** Parameters by name, in the order of panels. */
   readonly params: Readonly<Record<string, ParamSpec>>;
   /** Sockets by name. */
@@ -265,29 +269,31 @@ export const isUnphysical = ({ physical }: ParamSpec, value: ParamValue): boolea
 /**
  * Why a value is not valid for a parameter; undefined if it is.
  * @example
+ * import { inEnglish } from 'slowlight/messages';
  * const speed: ParamSpec = { kind: 'number', title: 'Speed', default: 0, min: 0, max: 1, step: 0.1 };
  * valueError(speed, 0.5); // undefined
- * valueError(speed, 2); // '2 is outside 0 … 1'
+ * inEnglish(valueError(speed, 2)!); // '2 is outside 0 … 1'
  */
-export function valueError(spec: ParamSpec, value: ParamValue): string | undefined {
+export function valueError(spec: ParamSpec, value: ParamValue): Message | undefined {
   if (spec.kind === 'number') return numberError(spec, value);
   if (spec.kind === 'choice')
     return spec.options.some((option) => option.value === value)
       ? undefined
-      : `${String(value)} is none of the choices`;
+      : msg`${String(value)} is none of the choices`;
   if (spec.kind === 'vector' || spec.kind === 'color')
-    return isVector(value) ? undefined : `${String(value)} is not three numbers`;
-  if (spec.kind === 'list') return isList(value) ? undefined : `${String(value)} is no list of texts`;
-  const wanted = spec.kind === 'boolean' ? 'boolean' : 'string';
-  return typeof value === wanted ? undefined : `${String(value)} is not a ${wanted}`;
+    return isVector(value) ? undefined : msg`${String(value)} is not three numbers`;
+  if (spec.kind === 'list') return isList(value) ? undefined : msg`${String(value)} is no list of texts`;
+  if (spec.kind === 'boolean')
+    return typeof value === 'boolean' ? undefined : msg`${String(value)} is neither true nor false`;
+  return typeof value === 'string' ? undefined : msg`${String(value)} is not a text`;
 }
 
 const isVector = (value: ParamValue): boolean =>
   Array.isArray(value) && value.length === 3 && value.every((x) => Number.isFinite(x));
 const isList = (value: ParamValue): boolean => Array.isArray(value) && value.every((text) => typeof text === 'string');
 
-function numberError(spec: NumberParam, value: ParamValue): string | undefined {
-  if (typeof value !== 'number' || !Number.isFinite(value)) return `${String(value)} is not a number`;
-  if (spec.integer && !Number.isInteger(value)) return `${value} is not a whole number`;
-  return value < spec.min || value > spec.max ? `${value} is outside ${spec.min} … ${spec.max}` : undefined;
+function numberError(spec: NumberParam, value: ParamValue): Message | undefined {
+  if (typeof value !== 'number' || !Number.isFinite(value)) return msg`${String(value)} is not a number`;
+  if (spec.integer && !Number.isInteger(value)) return msg`${value} is not a whole number`;
+  return value < spec.min || value > spec.max ? msg`${value} is outside ${spec.min} … ${spec.max}` : undefined;
 }

@@ -39,7 +39,7 @@ interface SocketValues {
   readonly file: RequestedFile;
   readonly any: unknown;
 }
-type SocketType = keyof SocketValues;
+export type SocketType = keyof SocketValues;
 type SocketTable = Readonly<Record<string, Socket<SocketType>>>;
 type ValueOf<S extends Socket<SocketType>> = S extends { readonly many: true }
   ? readonly SocketValues[S['type']][]

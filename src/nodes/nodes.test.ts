@@ -1,14 +1,17 @@
 import { readdirSync, readFileSync } from 'node:fs';
 import { describe, expect, it } from 'vitest';
 import { utilityProject } from '../../tests/support/exampleGraphs.ts';
+import { saying } from '../../tests/support/inWords.ts';
 import { validateDocument } from '../graph/analysis/validate.ts';
 import type { ParamValue } from '../graph/document/document.ts';
 import { parseDocument } from '../graph/document/parse.ts';
 import { serializeDocument } from '../graph/document/serialize.ts';
 import { applyCommand, type Command } from '../graph/edits/commands.ts';
 import { Evaluator } from '../graph/evaluation/evaluator.ts';
-import { resolveParams, valueError } from '../graph/nodeType.ts';
+import { type NodeType, resolveParams, valueError } from '../graph/nodeType.ts';
+import { inEnglish, type LocalizedText, msg } from '../messages/message.ts';
 import { makeMaterial, makeObject, restingAt } from '../scene/defaults.ts';
+import { EFFECTS } from '../scene/frameGraph/effects.ts';
 import { box } from '../scene/mesh/primitives.ts';
 import { InputError, type Scene } from '../scene/types.ts';
 import { DEFAULT_SETTINGS } from '../scene/view/view.ts';
@@ -48,7 +51,32 @@ async function evaluate(loaded: LoadedScene, ...commands: Command[]) {
   return { picture: evaluatedPicture(evaluation), evaluation };
 }
 
+/** What is the same in every language: a letter, a symbol, a number with its unit. */
+const isUniversal = (text: string): boolean => !/\p{L}{3}/u.test(text);
+const textsOf = (type: NodeType): LocalizedText[] => [
+  type.title,
+  type.help,
+  ...Object.values(type.params).flatMap((spec) => [
+    spec.title,
+    ...(spec.help ? [spec.help] : []),
+    ...(spec.kind === 'choice' ? spec.options.map((option) => option.title) : []),
+    ...(spec.kind === 'number' ? Object.values(spec.as?.cases ?? {}).map(({ title }) => title) : []),
+  ]),
+  ...[...Object.values(type.inputs), ...Object.values(type.outputs)].flatMap(({ title }) => title ?? []),
+];
+
 describe('the library', () => {
+  it('and the effects and settings are titled and explained by messages, not in one language', () => {
+    const effects = Object.values(EFFECTS).flatMap(({ title, help, args }) => [
+      title,
+      help,
+      ...args.map((arg) => arg.title),
+    ]);
+    const texts = [...Object.values(nodeLibrary).flatMap(textsOf), ...effects];
+    expect(texts.filter((text) => typeof text === 'string' && !isUniversal(text))).toEqual([]);
+    expect(texts.map(inEnglish)).not.toContain('');
+  });
+
   it.each(Object.values(nodeLibrary))('$id is fully described', (type) => {
     expect(type.id).toMatch(/^[a-z-]+$/);
     for (const spec of Object.values(type.params)) {
@@ -97,7 +125,7 @@ describe('motion', () => {
     const fast = await evaluate(loaded, set('retime', 'speed', 2), set('console', 'speedOfLight', 40));
     const result = fast.evaluation.results.get('console');
     expect(result).toMatchObject({
-      problem: { code: 'motion.superluminal', message: expect.stringMatching(/1\.40 c at t = 0\.10/) },
+      problem: { code: 'motion.superluminal', message: saying(/1\.40 c at t = 0\.10/) },
     });
     const later = await evaluate(loaded, set('retime', 'speed', 2), set('retime', 'offset', 3));
     expect(later.picture).toMatchObject({ speedOfLight: 70.1, fastest: { speed: 56, time: 3.1 } });
@@ -198,7 +226,7 @@ describe('a material', () => {
   });
 
   it('reports a table that is missing or invalid', async () => {
-    const missing = new InputError({ severity: 'error', code: 'file.missing', place: 'leaf.csv', message: 'no' });
+    const missing = new InputError({ severity: 'error', code: 'file.missing', place: 'leaf.csv', message: msg`no` });
     expect(await painted(() => Promise.reject(missing))).toMatchObject({
       status: 'failed',
       problem: { code: 'file.missing', place: 'leaf.csv' },
@@ -235,7 +263,7 @@ describe('the project', () => {
       problem: {
         code: 'motion.superluminal',
         place: '/World/Cube',
-        message: expect.stringContaining('1.31 c at t = 2'),
+        message: saying('1.31 c at t = 2'),
       },
     });
     const remedy = result?.status === 'failed' ? result.problem.remedy! : undefined;
@@ -261,14 +289,19 @@ describe('the project', () => {
 
   it('rejects a missing camera', async () => {
     const { evaluation } = await evaluate({ scene }, set('camera', 'camera', '/gone'));
-    expect(evaluation.results.get('camera')).toMatchObject({ problem: { message: expect.stringContaining('/cam') } });
+    expect(evaluation.results.get('camera')).toMatchObject({ problem: { message: saying('/cam') } });
   });
 
   it('passes on a reader’s diagnostic unchanged, and blocks downstream nodes', async () => {
     const services: Services = {
       ...workerServices,
       readScene: async () => {
-        throw new InputError({ severity: 'error', code: 'file.empty', place: 'a.usda', message: 'the file is empty' });
+        throw new InputError({
+          severity: 'error',
+          code: 'file.empty',
+          place: 'a.usda',
+          message: msg`the file is empty`,
+        });
       },
     };
     const evaluation = await new Evaluator(nodeLibrary).evaluate(newProject('a.usda'), 'output', services);

@@ -2,6 +2,8 @@ import { type ComputeGpu, openWebGpu } from '../compute/computeDevice.ts';
 import type { ReadFont } from '../formats/font/glyphs.ts';
 import type { ReadOptions } from '../formats/readOptions.ts';
 import type { AbortSignalLike, ProgressCallback } from '../graph/nodeType.ts';
+import { msg } from '../messages/message.ts';
+import { MessageError } from '../messages/messageError.ts';
 import type { FastestInScene } from '../scene/motion/fastestInScene.ts';
 import type { Scene } from '../scene/types.ts';
 import type { RenderStill } from './still.ts';
@@ -43,11 +45,12 @@ export interface Services {
 }
 
 /** Heavy-node threads read nothing and start no threads; their inputs come with the request. */
-const rejectReading = () => Promise.reject(new Error('a heavy node reads no files; give it what it needs as inputs'));
+const rejectReading = () =>
+  Promise.reject(new MessageError(msg`a heavy node reads no files; give it what it needs as inputs`));
 export const workerServices: Services = {
   readScene: rejectReading,
   readFont: rejectReading,
   readFile: rejectReading,
-  renderStill: () => Promise.reject(new Error('a heavy node has no threads of its own')),
+  renderStill: () => Promise.reject(new MessageError(msg`a heavy node has no threads of its own`)),
   openGpu: openWebGpu,
 };

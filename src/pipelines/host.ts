@@ -1,3 +1,4 @@
+import type { LocalizedText } from '../messages/message.ts';
 import type { RendererOptions } from '../render/settings.ts';
 import type { Scene } from '../scene/types.ts';
 
@@ -36,7 +37,7 @@ export interface ThreadHost {
   /** Starts a thread that runs `serveThread` of the pipeline with this id. */
   start<Message, Reply>(pipeline: string): WorkerThread<Message, Reply>;
   /** A thread's error with a message for users. */
-  explain(error: Error, pipelineName: string): Error;
+  explain(error: Error, pipelineName: LocalizedText): Error;
 }
 
 /** A worker thread, from the main thread. */

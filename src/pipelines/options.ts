@@ -1,14 +1,16 @@
+import type { LocalizedText } from '../messages/message.ts';
+
 /**
  * A pipeline's option, in addition to a picture's settings. Flags of the command line, parameters of nodes and checks derive
  * from these descriptions.
  */
 interface OptionBase {
   /** Help of the flag, which follows the owning pipelines. */
-  readonly help: string;
+  readonly help: LocalizedText;
   /** Whether it changes the picture itself, not only noise or render time. */
   readonly changesPicture: boolean;
-  /** Text keys of the node parameter; absent: no parameter. */
-  readonly param?: { readonly title: string; readonly help: string };
+  /** Texts of the node parameter; absent: no parameter. */
+  readonly param?: { readonly title: LocalizedText; readonly help: LocalizedText };
 }
 export interface IntegerOption extends OptionBase {
   readonly kind: 'integer';

@@ -1,3 +1,5 @@
+import type { Message } from '../messages/message.ts';
+import { MessageError } from '../messages/messageError.ts';
 import type { Backend, RendererOptions } from '../render/settings.ts';
 import type { Scene } from '../scene/types.ts';
 import type { PictureSize } from '../scene/view/pictureViews.ts';
@@ -33,24 +35,24 @@ export interface Pipeline<Options extends PipelineOptions = PipelineOptions> {
   /** Used in `--pipeline`, reports, and messages to threads. */
   readonly id: string;
   /** Used in sentences: "is for the rasterizer". */
-  readonly name: string;
+  readonly name: Message;
   /** Follows its id in the help of `--pipeline`. */
-  readonly summary: string;
+  readonly summary: Message;
   /** GPU backends that it supports, the preferred first; empty if it needs no GPU. */
   readonly backends: readonly Backend[];
   /** Whether it uses worker threads. */
   readonly usesThreads: boolean;
   /** Its drawbacks and merits, if `--pipeline auto` falls back on it when another cannot be opened. Absent: used only if named, or first in the list. */
-  readonly fallback?: string;
+  readonly fallback?: Message;
   /** Why it rejects flags of others, after `--pipeline ID`. */
-  readonly constraint?: string;
+  readonly constraint?: Message;
   /** Picture settings of which it supports one value only. */
   readonly fixedSettings: Partial<RenderSettings>;
   readonly options: Options;
   /** AOVs that it can draw. */
   readonly aovs: readonly AovName[];
   /** Default of n, for n × n samples per pixel; `note`: what it does with them. */
-  readonly samples: { readonly default: number; readonly note?: string };
+  readonly samples: { readonly default: number; readonly note?: Message };
   /** Most views of one picture; Infinity: no limit. */
   readonly maxViews: number;
   /** Its node that renders stills. Absent: there is none. */
@@ -68,10 +70,10 @@ export interface Pipeline<Options extends PipelineOptions = PipelineOptions> {
 
 /** The node that renders stills, and its limits, which keep its work within minutes. */
 export interface StillLimits {
-  /** Id of the node type, and text keys of its title and help. */
+  /** Id of the node type. */
   readonly node: string;
-  readonly title: string;
-  readonly help: string;
+  readonly title: Message;
+  readonly help: Message;
   readonly maxPixels: number;
   /** Limit of pixels × samples. */
   readonly maxPaths: number;
@@ -86,4 +88,4 @@ export const definePipeline = <const Options extends PipelineOptions>(pipeline: 
 export type UncheckedRequest = SessionRequest<OptionValues>;
 
 /** Thrown if a pipeline cannot draw a request, with a message for users. */
-export class PipelineRefusal extends Error {}
+export class PipelineRefusal extends MessageError {}

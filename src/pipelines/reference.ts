@@ -1,3 +1,4 @@
+import { msg } from '../messages/message.ts';
 import { MAX_SAMPLES } from '../reference/lights/lightOptions.ts';
 import { AOVS, type AovName } from '../scene/view/view.ts';
 import { definePipeline } from './pipeline.ts';
@@ -6,11 +7,11 @@ import { REFERENCE, REFERENCE_OPTIONS } from './referenceOptions.ts';
 /** Traces rays through spacetime in f64 on the processor; its code is imported lazily. */
 export const referencePipeline = definePipeline({
   ...REFERENCE,
-  summary: 'traces rays in 64-bit arithmetic on the CPU, without a GPU',
+  summary: msg`traces rays in 64-bit arithmetic on the CPU, without a GPU`,
   backends: [],
   usesThreads: true,
-  fallback: 'slower, and exact',
-  constraint: 'needs no GPU and is always exact',
+  fallback: msg`slower, and exact`,
+  constraint: msg`needs no GPU and is always exact`,
   fixedSettings: { solver: 'exact' },
   options: REFERENCE_OPTIONS,
   aovs: Object.keys(AOVS) as AovName[],
@@ -18,8 +19,8 @@ export const referencePipeline = definePipeline({
   maxViews: Number.POSITIVE_INFINITY,
   still: {
     node: 'reference-render',
-    title: 'node.referenceRender',
-    help: 'node.referenceRender.help',
+    title: msg`Reference render`,
+    help: msg`A still by the reference renderer: rays traced into the past in 64-bit arithmetic, including light that objects cast on each other. It uses the camera and the time set here, not the flying observer. It is centred in the picture at full height; what is wider is cropped. It takes a while, on all processors.`,
     maxPixels: 2 ** 22,
     maxPaths: 2 ** 26,
     maxSamples: MAX_SAMPLES,

@@ -1,4 +1,5 @@
 import type { Vec3 } from '../math/vec3.ts';
+import { msg } from '../messages/message.ts';
 import { prepareScene } from '../reference/intersection/tracedScene.ts';
 import { encodeDisplay } from '../reference/post/encodeDisplay.ts';
 import { aovsOfFrameGraph, type CapturedBuffers, evaluateFrameGraph } from '../reference/post/frameGraph.ts';
@@ -131,7 +132,7 @@ async function renderFrameGraph(
   if (!frameGraph) throw new Error('there is no frame graph to evaluate');
   if (settings.grid)
     throw new PipelineRefusal(
-      'the grid is drawn by the rasterizer only, where a project puts its picture together: switch it off',
+      msg`the grid is drawn by the rasterizer only, where a project puts its picture together: switch it off`,
     );
   // The beauty is the result of the frame graph.
   const data = aovs.filter((name) => name !== 'beauty');

@@ -1,6 +1,7 @@
 import { describe, expect, it } from 'vitest';
 import { IDENTITY } from '../math/quat.ts';
 import { ZERO } from '../math/vec3.ts';
+import { msg } from '../messages/message.ts';
 import { makeScene } from '../scene/defaults.ts';
 import { perspective } from '../scene/view/lens.ts';
 import { DEFAULT_SETTINGS } from '../scene/view/view.ts';
@@ -43,7 +44,7 @@ it('a picture of more views than the pipeline draws is refused', async () => {
     render: async () => ({ pixels: new Uint8Array(), aovs: new Map() }),
     close: async () => {},
   };
-  const few: Pipeline = { ...pipelineNamed('reference'), name: 'small one', maxViews: 2, open: async () => session };
+  const few: Pipeline = { ...pipelineNamed('reference'), name: msg`small one`, maxViews: 2, open: async () => session };
   const request = {
     scenes: [makeScene({ name: '' })],
     size: { width: 1, height: 1 },

@@ -1,3 +1,4 @@
+import { msg } from '../messages/message.ts';
 import type { PipelineHost } from './host.ts';
 import { openOnGpu } from './interactiveSession.ts';
 import { withDefaults } from './options.ts';
@@ -55,7 +56,9 @@ function withViewLimit({ name, maxViews }: Pipeline, session: PipelineSession): 
     render: async (request, onPart) => {
       const { length: count } = request.views;
       if (count > maxViews)
-        throw new PipelineRefusal(`${count} views are more than the ${name} draws into one picture: up to ${maxViews}`);
+        throw new PipelineRefusal(
+          msg`${count} views are more than the ${name} draws into one picture: up to ${maxViews}`,
+        );
       return session.render(request, onPart);
     },
   };

@@ -1,4 +1,6 @@
 import type { Vec3 } from '../math/vec3.ts';
+import { type LocalizedText, type Message, msg } from '../messages/message.ts';
+import { MessageError } from '../messages/messageError.ts';
 import type { MeasuredReflectance } from '../spectrum/reflectance/measuredReflectance.ts';
 import type { Light } from './lights/light.ts';
 import type { Texture } from './materials/texture.ts';
@@ -196,9 +198,9 @@ export interface Diagnostic {
   /** Short and stable, for programs: `usd.unsupported-arc`. */
   readonly code: string;
   /** File, or file and prim path. */
-  readonly place: string;
+  readonly place: LocalizedText;
   /** What is the matter and what to do, for people. */
-  readonly message: string;
+  readonly message: Message;
   /** The missing file, if there is one: the user may supply it. */
   readonly missing?: MissingFile;
 }
@@ -219,11 +221,11 @@ export interface MissingFile {
  * const error = await openScene(files, 'a.usda').catch((reason) => reason);
  * error instanceof InputError && error.diagnostic.severity; // 'error'
  */
-export class InputError extends Error {
+export class InputError extends MessageError {
   /** Place, code and words, for programs and people. */
   readonly diagnostic: Diagnostic;
-  constructor(diagnostic: Diagnostic) {
-    super(`${diagnostic.place}: ${diagnostic.message}`);
+  constructor(diagnostic: Diagnostic, options?: ErrorOptions) {
+    super(msg`${diagnostic.place}: ${diagnostic.message}`, options);
     this.name = 'InputError';
     this.diagnostic = diagnostic;
   }

@@ -8,6 +8,9 @@ import { afterAll } from 'vitest';
 const bin = fileURLToPath(new URL('../../bin/slowlight.js', import.meta.url));
 const scenes = fileURLToPath(new URL('scenes/', import.meta.url));
 
+// Its texts are those that tests expect, whatever the language of the machine.
+process.env.LC_ALL = 'C.UTF-8';
+
 export const scene = (name: string): string => join(scenes, name);
 
 export interface ProgramResult {

@@ -4,6 +4,7 @@ import { addSceneFlags } from '../../src/cli/flags/sceneFlags.ts';
 import { addObserverFlags, addSettingFlags } from '../../src/cli/flags/viewFlags.ts';
 import { commands } from '../../src/cli/main.ts';
 import { EXIT_MEANINGS } from '../../src/cli/terminal/exitCodes.ts';
+import { inEnglish } from '../../src/messages/message.ts';
 
 /** Flags that several commands share, by the section of the page that has their table. */
 const GROUPS = {
@@ -19,6 +20,7 @@ const COMMANDS = commands().flatMap((command) => (command.commands.length > 0 ? 
 export const FLAGS: ReadonlySet<string> = new Set([
   '--help',
   '--version',
+  '--lang',
   ...COMMANDS.flatMap(({ options }) => options.map(({ long }) => long!)),
 ]);
 
@@ -33,7 +35,11 @@ export const withTables = (page: string): string =>
 
 function made(name: string): string {
   if (name === 'commands') return COMMANDS.map(commandSection).join('\n\n');
-  if (name === 'exit codes') return table(['code', 'means'], Object.entries(EXIT_MEANINGS));
+  if (name === 'exit codes')
+    return table(
+      ['code', 'means'],
+      Object.entries(EXIT_MEANINGS).map(([code, meaning]) => [code, inEnglish(meaning)]),
+    );
   return flagTable(optionsOf(GROUPS[name as keyof typeof GROUPS]));
 }
 

@@ -122,7 +122,7 @@ it('unphysical settings are marked at their controls and in the status bar', asy
   await visit.page.getByText('not physical', { exact: true }).waitFor();
   await visit.shot('unphysical-en');
   expect(await seriousViolations(visit)).toEqual([]);
-  await visit.page.getByRole('button', { name: '切换到中文' }).click();
+  await visit.chooseLanguage('中文');
   await expect.poll(() => note.textContent()).toBe('非物理: 聚束');
   await visit.shot('unphysical-zh');
   await visit.page.keyboard.press('Control+z');

@@ -220,5 +220,20 @@ it('a large graph on a narrow page, in light colours and in Chinese', async () =
   expect(await seriousViolations(page)).toEqual([]);
   const overflow = await page.evaluate(() => document.documentElement.scrollWidth - innerWidth);
   expect(overflow).toBeLessThanOrEqual(0);
+
+  // Nodes and commands are found in the page's language and in English.
+  const found = page.getByRole('option');
+  for (const [keys, query, title] of [
+    ['Space', '变换', '变换'],
+    ['Space', 'tone map', '色调映射'],
+    ['Control+k', '全选', '全选'],
+    ['Control+k', 'select all', '全选'],
+  ] as const) {
+    await page.locator('.sl-flow').focus();
+    await page.keyboard.press(keys);
+    await page.getByRole('combobox').last().fill(query);
+    await expect.poll(() => found.first().textContent(), { message: query }).toContain(title);
+    await page.keyboard.press('Escape');
+  }
   await visit.close();
 });

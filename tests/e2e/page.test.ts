@@ -82,7 +82,7 @@ describe('the page', () => {
 
   it('can be switched to Chinese, which is remembered', async () => {
     const visit = await (await program.open(SMALL)).ready();
-    await visit.page.getByRole('button', { name: '切换到中文' }).click();
+    await visit.chooseLanguage('中文');
     await visit.page.getByText('光速').first().waitFor();
     expect(await visit.page.evaluate(() => document.documentElement.lang)).toBe('zh-CN');
     await visit.shot('page-zh');
@@ -93,6 +93,10 @@ describe('the page', () => {
     await drop(visit, [{ name: 'broken.usda', content: broken }]);
     await expect.poll(() => visit.refusals.textContent()).toMatch(/broken\.usda.*此处应为列表中的.*文件却已结束/);
     await visit.shot('page-zh-refused');
+    await visit.chooseLanguage('English');
+    // What is shown already changes its language too.
+    await expect.poll(() => visit.refusals.textContent()).toMatch(/broken\.usda.*found the end of the file/);
+    expect(await visit.page.evaluate(() => document.documentElement.lang)).toBe('en-GB');
     await visit.close();
   });
 

@@ -22,10 +22,10 @@ const SLOW = `fn effect(p: Pixel) -> vec4f {
   return vec4f(x.ggg, 1);
 }`;
 
-const textOf = ({ page }: MonitoredPage) => page.getByRole('textbox', { name: 'Shader text' });
+const messageOf = ({ page }: MonitoredPage) => page.getByRole('textbox', { name: 'Shader text' });
 async function write(visit: MonitoredPage, text: string): Promise<void> {
-  await textOf(visit).fill(text);
-  await textOf(visit).press('Control+Enter');
+  await messageOf(visit).fill(text);
+  await messageOf(visit).press('Control+Enter');
 }
 
 async function undo({ page }: MonitoredPage): Promise<void> {
@@ -111,7 +111,7 @@ it.each([
     });
   await page.page.getByText('was lost and has been restarted').waitFor();
   await expect.poll(async () => difference(await page.pixels(), before)).toBeLessThan(0.5);
-  expect(await textOf(page).inputValue()).toContain('1 - p.color');
+  expect(await messageOf(page).inputValue()).toContain('1 - p.color');
   await undo(page);
   await expect.poll(async () => difference(await page.pixels(), first)).toBeLessThan(0.5);
   page.expectComplaint(/Device Lost/);

@@ -113,6 +113,12 @@ export class MonitoredPage {
     this.complaints.splice(0, this.complaints.length, ...rest);
   }
 
+  /** Chooses the page's language by its own name: 中文. */
+  async chooseLanguage(name: string): Promise<void> {
+    await this.page.getByRole('button', { name: /^(?:Language|语言)$/ }).click();
+    await this.page.getByRole('menuitem', { name, exact: true }).click();
+  }
+
   /** Waits until the scene is open and drawn. */
   async ready(): Promise<this> {
     await this.page.locator('[data-status="backend"]', { hasText: 'Web' }).waitFor();
@@ -160,6 +166,7 @@ export class MonitoredPage {
   }
 
   async shot(name: string): Promise<void> {
+    expect(await this.page.content(), 'a message put into a string').not.toContain('[object Object]');
     await this.page.screenshot({ path: join(shots, `${name}.png`) });
   }
 

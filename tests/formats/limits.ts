@@ -27,9 +27,10 @@ import { MAX_UDIM_ATLAS_SIDE as MAX_ATLAS_SIDE } from '../../src/formats/usd/sch
 import { MAX_INFLUENCES } from '../../src/formats/usd/schema/skel/binding.ts';
 import { MAX_DEPTH as TEXT_DEPTH } from '../../src/formats/usd/text/parser.ts';
 import { MAX_TOTAL } from '../../src/formats/zip/directory.ts';
+import { inEnglish } from '../../src/messages/message.ts';
 
 const count = (n: number): string => n.toLocaleString('en');
-const bytes = (n: number): string => formatBytes(n).replace(/\.0+(?= )/, '');
+const bytes = (n: number): string => inEnglish(formatBytes(n)).replace(/\.0+(?= )/, '');
 
 /** Limits of a scene, from the readers' constants. */
 export const readerLimits: readonly { readonly what: string; readonly most: string }[] = [

@@ -1,6 +1,7 @@
 import { expect } from 'vitest';
 import { writeExr } from '../../src/formats/image/exr.ts';
 import { toHalf } from '../../src/math/half.ts';
+import { inEnglish } from '../../src/messages/message.ts';
 import type { Material, Scene } from '../../src/scene/types.ts';
 import { approximated, type ClaimGroup, type Files, leftOut, read } from './claim.ts';
 import { PIXEL, WEBP } from './pictures.ts';
@@ -123,7 +124,7 @@ const materials: ClaimGroup = {
       },
       (s) => {
         expect(base(s)).not.toHaveProperty('reflectance');
-        expect(s.diagnostics.map(({ message }) => message).join()).toContain('divide percents by 100');
+        expect(s.diagnostics.map(({ message }) => inEnglish(message)).join()).toContain('divide percents by 100');
       },
     ),
     approximated(
@@ -382,7 +383,7 @@ const lights: ClaimGroup = {
       },
       (s) => {
         expect(s.lights[0]).not.toHaveProperty('spectrum');
-        expect(s.diagnostics.map(({ message }) => message).join()).toContain(
+        expect(s.diagnostics.map(({ message }) => inEnglish(message)).join()).toContain(
           'warm.csv: line 2: 390 nm comes after 400 nm',
         );
       },

@@ -74,7 +74,7 @@ export class ReaderThread {
 const HEAP_LIMIT_MIB = 512;
 
 async function startWorker(): Promise<Worker> {
-  const library = new URL('../../dist/lib/formats/index.js', import.meta.url).href;
+  const library = new URL('../../dist/lib/', import.meta.url).href;
   const worker = new Worker(new URL('./readerWorker.mjs', import.meta.url), {
     workerData: { library },
     resourceLimits: { maxOldGenerationSizeMb: HEAP_LIMIT_MIB },

@@ -1,7 +1,8 @@
 // Reads files in a worker thread with the built library, so that a hanging reader can be terminated and reported.
 import { parentPort, workerData } from 'node:worker_threads';
 
-const { decodeImage, memorySource, openScene, readExr } = await import(workerData.library);
+const { decodeImage, memorySource, openScene, readExr } = await import(`${workerData.library}formats/index.js`);
+const { inEnglish } = await import(`${workerData.library}messages/index.js`);
 
 let files = {};
 let entry = '';
@@ -23,14 +24,19 @@ async function read(bytes) {
     else return ofScene(await openScene(memorySource({ ...files, [entry]: bytes }), entry));
     return {};
   } catch (error) {
-    const typed = error.name === 'InputError' && error.diagnostic.place !== '' && error.diagnostic.message !== '';
-    if (!typed) return { fault: `threw ${error.stack ?? error}` };
+    if (error.name !== 'InputError' || !isSaid(error.diagnostic)) return { fault: `threw ${error.stack ?? error}` };
     return { refusal: error.message, said: error.diagnostic.code };
   }
 }
 
+/** Whether place and message are words, and no value of theirs was put into a string as an object. */
+const isSaid = ({ place, message }) =>
+  [place, message].map(inEnglish).every((words) => words !== '' && !words.includes('[object'));
+
 function ofScene(scene) {
   const polluted = 'polluted' in {} ? 'every object is polluted' : undefined;
+  const unsaid = scene.diagnostics.find((diagnostic) => !isSaid(diagnostic));
+  if (unsaid) return { fault: `no words for users: ${JSON.stringify(unsaid)}` };
   const objects = scene.objects.length;
   return { fault: polluted ?? faultOf(scene), objects, said: scene.diagnostics.map(({ code }) => code).join(' ') };
 }

@@ -7,8 +7,9 @@ import { copyFragment, duplicateSelection, insideGroup, pasteFragment } from '..
 import { groupCommand } from '../../src/graph/edits/group.ts';
 import { ungroupCommand } from '../../src/graph/edits/ungroup.ts';
 import type { NodeType } from '../../src/graph/nodeType.ts';
+import { msg } from '../../src/messages/message.ts';
 
-const base = { title: 'toy', help: 'toy', category: 'utility', params: {}, inputs: {}, outputs: {} } as const;
+const base = { title: msg`toy`, help: msg`toy`, category: 'utility', params: {}, inputs: {}, outputs: {} } as const;
 const number = { type: 'number' } as const;
 const some = { type: 'number', optional: true } as const;
 const any = { type: 'any', optional: true } as const;

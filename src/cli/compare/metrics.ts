@@ -1,3 +1,4 @@
+import { type LocalizedText, listed, msg } from '../../messages/message.ts';
 import { type AovDifference, aovDifference, channelErrors } from '../../reference/compare/aovDifference.ts';
 import { visiblePointsOf } from '../../reference/compare/channels.ts';
 import { displacement } from '../../reference/compare/displacement.ts';
@@ -63,7 +64,7 @@ export function comparePair(a: PictureFile, b: PictureFile, flags: CompareFlags)
   }
   if (a.kind === 'exr' || b.kind === 'exr') throw new TypeError('pictures of two kinds');
   if (flags.metric === 'aov')
-    throw inputProblem(`${a.path}: only .exr pictures have channels to compare by --metric aov`);
+    throw inputProblem(msg`${a.path}: only .exr pictures have channels to compare by --metric aov`);
   return flags.metric === 'flip' ? compareFlip(a, b, flags) : comparePixels(encodedRgb(a), encodedRgb(b), 1, flags);
 }
 
@@ -141,7 +142,7 @@ const MAX_MAPPED_DISPLACEMENT = 2;
 function compareAovs(a: ExrFile, b: ExrFile, flags: CompareFlags): Comparison {
   const difference = aovDifference(a, b);
   if (difference.channels.length === 0 && difference.otherObject === undefined)
-    throw inputProblem(`${a.path} and ${b.path} have no channel in common: ${namesOf(a)}, and ${namesOf(b)}`);
+    throw inputProblem(msg`${a.path} and ${b.path} have no channel in common: ${namesOf(a)}, and ${namesOf(b)}`);
   const moved = compareDisplacement(a, b, flags);
   const channel = flags.channel === undefined ? undefined : compareChannel(a, b, flags.channel, flags);
   const findings: AovFindings = {
@@ -154,7 +155,7 @@ function compareAovs(a: ExrFile, b: ExrFile, flags: CompareFlags): Comparison {
   return { findings, share: chosen?.figures.share, map: chosen?.map };
 }
 
-const namesOf = ({ channels }: ExrFile): string => [...channels.keys()].join(', ');
+const namesOf = ({ channels }: ExrFile): LocalizedText => listed([...channels.keys()]);
 
 function compareDisplacement(a: ExrFile, b: ExrFile, flags: CompareFlags) {
   const [shownA, shownB] = [visiblePointsOf(a), visiblePointsOf(b)];
@@ -177,7 +178,7 @@ function compareDisplacement(a: ExrFile, b: ExrFile, flags: CompareFlags) {
 
 function compareChannel(a: ExrFile, b: ExrFile, name: string, flags: CompareFlags) {
   for (const file of [a, b]) {
-    if (!file.channels.has(name)) throw inputProblem(`${file.path} has no channel ${name}; it has ${namesOf(file)}`);
+    if (!file.channels.has(name)) throw inputProblem(msg`${file.path} has no channel ${name}; it has ${namesOf(file)}`);
   }
   const errors = channelErrors(a, b, name);
   const threshold = flags.threshold ?? 0;

@@ -2,6 +2,7 @@ import { readFile } from 'node:fs/promises';
 import { decodeImage } from '../../formats/image/decodeImage.ts';
 import { readExr } from '../../formats/image/readExr.ts';
 import type { Vec3 } from '../../math/vec3.ts';
+import { type Message, msg } from '../../messages/message.ts';
 import type { ChannelPicture } from '../../reference/compare/channels.ts';
 import type { RgbImage } from '../../reference/compare/rgbImage.ts';
 import type { PixelCanvas } from '../../reference/figures/pixelCanvas.ts';
@@ -30,13 +31,15 @@ export interface ExrFile extends ChannelPicture {
 export async function openPair(pathA: string, pathB: string): Promise<readonly [PictureFile, PictureFile]> {
   const [a, b] = [await openPicture(pathA), await openPicture(pathB)];
   if (a.width !== b.width || a.height !== b.height) {
-    const size = ({ path, width, height }: PictureFile): string => `${path} has ${width} × ${height}`;
-    throw inputProblem(`${size(a)} pixels, ${size(b)}: only pictures of one size can be compared; render both alike`);
+    const size = ({ path, width, height }: PictureFile): Message => msg`${path} has ${width} × ${height}`;
+    throw inputProblem(
+      msg`${size(a)} pixels, ${size(b)}: only pictures of one size can be compared; render both alike`,
+    );
   }
   if (a.kind !== b.kind) {
     const [exr, screen] = a.kind === 'exr' ? [a, b] : [b, a];
     throw inputProblem(
-      `${exr.path} holds linear light and ${screen.path} what a screen shows: give two .exr, or two .png or .jpg`,
+      msg`${exr.path} holds linear light and ${screen.path} what a screen shows: give two .exr, or two .png or .jpg`,
     );
   }
   return [a, b];
@@ -59,8 +62,8 @@ async function readBytes(path: string): Promise<Uint8Array> {
     return new Uint8Array(await readFile(path));
   } catch (error) {
     const code = (error as NodeJS.ErrnoException).code;
-    if (code === 'ENOENT' || code === 'ENOTDIR') throw inputProblem(`${path}: there is no such file`);
-    if (code === 'EISDIR') throw inputProblem(`${path} is a folder; name a picture`);
+    if (code === 'ENOENT' || code === 'ENOTDIR') throw inputProblem(msg`${path}: there is no such file`);
+    if (code === 'EISDIR') throw inputProblem(msg`${path} is a folder; name a picture`);
     throw error;
   }
 }
@@ -86,7 +89,7 @@ export function linearRgb(file: ExrFile): RgbImage {
   const { path, width, height, channels } = file;
   const planes = ['R', 'G', 'B'].map((name) => {
     const plane = channels.get(name);
-    if (!plane) throw inputProblem(`${path} has no channel ${name}; render it with --aov beauty,…`);
+    if (!plane) throw inputProblem(msg`${path} has no channel ${name}; render it with --aov beauty,…`);
     return plane;
   });
   const rgb = Float32Array.from({ length: 3 * width * height }, (_, i) => planes[i % 3][Math.floor(i / 3)]);
@@ -94,7 +97,9 @@ export function linearRgb(file: ExrFile): RgbImage {
   if (bad >= 0) {
     const pixel = Math.floor(bad / 3);
     const where = `${pixel % width},${Math.floor(pixel / width)}`;
-    throw inputProblem(`${path}: ${'RGB'[bad % 3]} of pixel ${where} is ${rgb[bad]}, not a number to compare`);
+    throw inputProblem(
+      msg`${path}: ${'RGB'[bad % 3] ?? ''} of pixel ${where} is ${String(rgb[bad])}, not a number to compare`,
+    );
   }
   return { width, height, rgb };
 }

@@ -1,5 +1,8 @@
+import { type LocalizedText, listed, msg } from '../../messages/message.ts';
 import type { ChannelDifference } from '../../reference/compare/aovDifference.ts';
 import type { ErrorSummary } from '../../reference/compare/statistics.ts';
+import { localized } from '../terminal/language.ts';
+import { displayWidth, padColumns } from '../terminal/width.ts';
 import type { AovFindings, Findings, FlipFindings, PixelFindings } from './metrics.ts';
 
 interface ComparisonHeader {
@@ -11,63 +14,83 @@ interface ComparisonHeader {
 
 /** The findings as lines of text. */
 export function compareLines({ a, b, width, height }: ComparisonHeader, findings: Findings): string[] {
-  const head = `${titles[findings.metric]}: ${a} against ${b}, ${width} × ${height} pixels`;
+  const head = localized(msg`${TITLES[findings.metric]}: ${a} against ${b}, ${width} × ${height} pixels`);
   if (findings.metric === 'aov') return [head, ...aovLines(findings, width * height)];
   const more = findings.metric === 'flip' ? exposureLines(findings) : noiseLines(findings);
-  const rows = [
-    ['mean', number(findings.mean)],
-    ['99 of 100 pixels are at most', number(findings.p99)],
-    ['largest', number(findings.max)],
-    [`above ${findings.threshold}`, `${percent(findings.share)} of the pixels`],
+  const rows: Row[] = [
+    [msg`mean`, number(findings.mean)],
+    [msg`99 of 100 pixels are at most`, number(findings.p99)],
+    [msg`largest`, number(findings.max)],
+    [msg`above ${findings.threshold}`, msg`${percent(findings.share)} of the pixels`],
     ...more,
   ];
   return [head, ...columns(rows, 2)];
 }
 
-const titles = { flip: 'FLIP', pixels: 'Difference of pixels', aov: 'Difference of channels' } as const;
+const TITLES: Readonly<Record<Findings['metric'], LocalizedText>> = {
+  flip: 'FLIP',
+  pixels: msg`Difference of pixels`,
+  aov: msg`Difference of channels`,
+};
 
-const exposureLines = ({ exposures }: FlipFindings): string[][] =>
-  exposures ? [['exposures', `${exposures.count}, ${number(exposures.start)} … ${number(exposures.stop)} EV`]] : [];
+type Row = readonly LocalizedText[];
 
-const noiseLines = ({ rmse, psnr }: PixelFindings): string[][] => [
-  ['root of the mean square', number(rmse)],
-  ['peak signal to noise', Number.isFinite(psnr) ? `${psnr.toFixed(2)} dB` : 'nothing differs'],
+const exposureLines = ({ exposures }: FlipFindings): Row[] =>
+  exposures
+    ? [[msg`exposures`, msg`${exposures.count}, ${number(exposures.start)} … ${number(exposures.stop)} EV`]]
+    : [];
+
+const noiseLines = ({ rmse, psnr }: PixelFindings): Row[] => [
+  [msg`root of the mean square`, number(rmse)],
+  [msg`peak signal to noise`, Number.isFinite(psnr) ? `${psnr.toFixed(2)} dB` : msg`nothing differs`],
 ];
 
 function aovLines(findings: AovFindings, pixels: number): string[] {
   const { channels, onlyA, onlyB, otherObject, displacement, channel } = findings;
-  const heading = ['channel', 'mean', '99 %', 'largest', 'relative: mean', '99 %', 'largest', 'pixels', ''];
-  const facts = [
+  const heading = [
+    msg`channel`,
+    msg`mean`,
+    '99 %',
+    msg`largest`,
+    msg`relative: mean`,
+    '99 %',
+    msg`largest`,
+    msg`pixels`,
+    '',
+  ];
+  const facts: Row[] = [
     ...(otherObject === undefined
       ? []
-      : [['another object', `${otherObject} pixels, ${percent(otherObject / pixels)}`]]),
+      : [[msg`another object`, msg`${otherObject} pixels, ${percent(otherObject / pixels)}`]]),
     ...(displacement ? displacementRows(displacement) : []),
-    ...(channel ? [[`${channel.name} above ${channel.threshold}`, `${percent(channel.share)} of the pixels`]] : []),
-    ...(onlyA.length > 0 ? [['only in A', onlyA.join(', ')]] : []),
-    ...(onlyB.length > 0 ? [['only in B', onlyB.join(', ')]] : []),
+    ...(channel
+      ? [[msg`${channel.name} above ${channel.threshold}`, msg`${percent(channel.share)} of the pixels`]]
+      : []),
+    ...(onlyA.length > 0 ? [[msg`only in A`, listed(onlyA)]] : []),
+    ...(onlyB.length > 0 ? [[msg`only in B`, listed(onlyB)]] : []),
   ];
   const table = channels.length > 0 ? columns([heading, ...channels.map(channelRow)], 2) : [];
   return [...table, ...(table.length > 0 && facts.length > 0 ? [''] : []), ...columns(facts, 2)];
 }
 
-const channelRow = ({ name, pixels, notFinite, absolute, relative }: ChannelDifference): string[] => [
+const channelRow = ({ name, pixels, notFinite, absolute, relative }: ChannelDifference): Row => [
   name,
   ...summaryCells(absolute),
   ...summaryCells(relative),
   String(pixels),
-  notFinite > 0 ? `${notFinite} not finite` : '',
+  notFinite > 0 ? msg`${notFinite} not finite` : '',
 ];
 
 const summaryCells = (summary: ErrorSummary | undefined): string[] =>
   [summary?.mean, summary?.p99, summary?.max].map(number);
 
-function displacementRows(found: NonNullable<AovFindings['displacement']>): string[][] {
+function displacementRows(found: NonNullable<AovFindings['displacement']>): Row[] {
   const { mean, p99, max, threshold, share, measured, lost } = found;
   return [
-    ['displacement', `mean ${number(mean)} px, 99 % at most ${number(p99)} px, largest ${number(max)} px`],
+    [msg`displacement`, msg`mean ${number(mean)} px, 99 % at most ${number(p99)} px, largest ${number(max)} px`],
     [
-      `beyond ${threshold} px`,
-      `${percent(share)} of ${measured + lost} pixels; of these without a counterpart within a pixel: ${lost}`,
+      msg`beyond ${threshold} px`,
+      msg`${percent(share)} of ${measured + lost} pixels; of these without a counterpart within a pixel: ${lost}`,
     ],
   ];
 }
@@ -78,7 +101,10 @@ const number = (value: number | undefined): string =>
 export const percent = (share: number): string => `${Number((100 * share).toPrecision(3))} %`;
 
 /** Pads the cells of rows into columns. */
-function columns(rows: readonly (readonly string[])[], indent: number): string[] {
-  const width = (k: number) => Math.max(...rows.map((row) => row[k]?.length ?? 0));
-  return rows.map((row) => (' '.repeat(indent) + row.map((cell, k) => cell.padEnd(width(k))).join('  ')).trimEnd());
+function columns(rows: readonly Row[], indent: number): string[] {
+  const cells = rows.map((row) => row.map(localized));
+  const width = (k: number) => Math.max(...cells.map((row) => displayWidth(row[k] ?? '')));
+  return cells.map((row) =>
+    (' '.repeat(indent) + row.map((cell, k) => padColumns(cell, width(k))).join('  ')).trimEnd(),
+  );
 }

@@ -1,6 +1,7 @@
 import { closeSync, fstatSync, openSync, readSync, type Stats, statSync } from 'node:fs';
 import { inputError } from '../../formats/diagnostics/inputError.ts';
 import { RangedFile } from '../../formats/files/rangedFile.ts';
+import { type LocalizedText, msg } from '../../messages/message.ts';
 import type { StoredFile } from '../../scene/streaming/storedNumbers.ts';
 
 /** A file on disk with its state when it was opened; plain data that can be sent to threads. */
@@ -28,10 +29,10 @@ export function readDiskFile({ name, handle }: StoredFile, at: number, length: n
   const bytes = new Uint8Array(length);
   try {
     const descriptor = descriptorOf(file.path);
-    if (!isUnchanged(file, fstatSync(descriptor))) throw fileChanged(name, 'it was written to since');
+    if (!isUnchanged(file, fstatSync(descriptor))) throw fileChanged(name, msg`it was written to since`);
     for (let done = 0; done < length; ) {
       const read = readSync(descriptor, bytes, done, length - done, at + done);
-      if (read === 0) throw fileChanged(name, `it ends before byte ${at + length}`);
+      if (read === 0) throw fileChanged(name, msg`it ends before byte ${at + length}`);
       done += read;
     }
   } catch (error) {
@@ -44,8 +45,8 @@ export function readDiskFile({ name, handle }: StoredFile, at: number, length: n
 const isUnchanged = ({ size, modified }: DiskFile, stats: Stats): boolean =>
   stats.size === size && stats.mtimeMs === modified;
 
-const fileChanged = (name: string, why: string): Error =>
-  inputError('file.changed', name, `it is not what was opened any more (${why}); open the scene again`);
+const fileChanged = (name: string, why: LocalizedText): Error =>
+  inputError('file.changed', name, msg`it is not what was opened any more (${why}); open the scene again`);
 
 function descriptorOf(path: string): number {
   const descriptor = descriptors.get(path) ?? openSync(path, 'r');

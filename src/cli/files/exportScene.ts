@@ -1,6 +1,7 @@
 import { existsSync, mkdirSync, readFileSync } from 'node:fs';
 import { dirname, join } from 'node:path';
 import type { ExportedScene } from '../../formats/write/exportMotion.ts';
+import { msg } from '../../messages/message.ts';
 import { inputProblem } from '../terminal/exitCodes.ts';
 import { writeFileAtomically } from './outputFile.ts';
 
@@ -19,5 +20,5 @@ export function writeExportedFiles(folder: string, { files }: ExportedScene): st
 /** Only the named file may be overwritten: a texture of the same name may belong to another scene. */
 function refuseOverwrite(path: string, bytes: Uint8Array): void {
   if (existsSync(path) && !readFileSync(path).equals(bytes))
-    throw inputProblem(`${path} is there already and is another file; write into a folder of its own`);
+    throw inputProblem(msg`${path} is there already and is another file; write into a folder of its own`);
 }

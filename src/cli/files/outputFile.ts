@@ -1,5 +1,6 @@
 import { existsSync, renameSync, rmSync, statSync, writeFileSync } from 'node:fs';
 import { basename, dirname, join, resolve } from 'node:path';
+import { msg } from '../../messages/message.ts';
 import { CliError, EXIT, inputProblem } from '../terminal/exitCodes.ts';
 
 /** A file that is written under a temporary name in the same folder and renamed when complete. Ctrl-C and errors remove the temporary file. */
@@ -44,8 +45,8 @@ export function writeFileAtomically(path: string, bytes: Uint8Array): void {
 /** Throws if the file cannot be written; called before long work begins. */
 export function checkWritable(path: string): void {
   const folder = dirname(resolve(path));
-  if (!existsSync(folder)) throw inputProblem(`${path}: there is no folder ${folder} to write into; make it first`);
-  if (existsSync(path) && statSync(path).isDirectory()) throw inputProblem(`${path} is a folder; name a file`);
+  if (!existsSync(folder)) throw inputProblem(msg`${path}: there is no folder ${folder} to write into; make it first`);
+  if (existsSync(path) && statSync(path).isDirectory()) throw inputProblem(msg`${path} is a folder; name a file`);
 }
 
 const openOutputs = new Set<OutputFile>();
@@ -67,7 +68,7 @@ export const requestedExitCode = (): number | undefined => requestedCode;
 
 /** Throws if a signal has requested the end; call between the steps of long work. */
 export function throwIfStopped(): void {
-  if (requestedCode !== undefined) throw new CliError(requestedCode, 'stopped');
+  if (requestedCode !== undefined) throw new CliError(requestedCode, msg`stopped`);
 }
 
 /** Installs the signal handlers. Work without an open OutputFile must poll `requestedExitCode` afterwards. */

@@ -7,6 +7,7 @@ import { openScene } from '../../formats/open.ts';
 import type { ReadOptions } from '../../formats/readOptions.ts';
 import type { RandomAccessFile } from '../../formats/zip/directory.ts';
 import { splitArchive, zipSource } from '../../formats/zip/zipSource.ts';
+import { msg } from '../../messages/message.ts';
 import { setFileReader } from '../../scene/streaming/storedNumbers.ts';
 import { InputError, type Scene } from '../../scene/types.ts';
 import { openDiskFile, readDiskFile } from './diskFiles.ts';
@@ -58,7 +59,7 @@ export async function locateScene(path: string): Promise<SceneLocation> {
   const inside = await zipSource(await partedFile(file), name, source);
   const paths = await inside.list();
   const entry = zip.inner === undefined ? entryOf(paths) : `${name}/${zip.inner}`;
-  if (entry === undefined) throw inputError('zip.no-scene', name, `none of its ${paths.length} files is a scene`);
+  if (entry === undefined) throw inputError('zip.no-scene', name, msg`none of its ${paths.length} files is a scene`);
   return { source: inside, folder, entry };
 }
 
@@ -71,7 +72,7 @@ export async function openSceneFile(path: string, options: ReadOptions = {}): Pr
 async function partedFile(path: string): Promise<RandomAccessFile> {
   try {
     const stat = await withFile(path, (file) => file.stat());
-    if (!stat.isFile()) throw inputError('file.missing', path, 'is a folder; name the scene in it');
+    if (!stat.isFile()) throw inputError('file.missing', path, msg`is a folder; name the scene in it`);
     const read = (from: number, to: number) =>
       withFile(path, async (file) => {
         const { buffer, bytesRead } = await file.read(new Uint8Array(to - from), 0, to - from, from);
@@ -81,7 +82,12 @@ async function partedFile(path: string): Promise<RandomAccessFile> {
   } catch (error) {
     if (error instanceof InputError) throw error;
     const { code, message } = error as NodeJS.ErrnoException;
-    throw inputError('file.missing', path, code === 'ENOENT' ? 'no such file' : `cannot be read (${message})`, error);
+    throw inputError(
+      'file.missing',
+      path,
+      code === 'ENOENT' ? msg`no such file` : msg`cannot be read (${message})`,
+      error,
+    );
   }
 }
 

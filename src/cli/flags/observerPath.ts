@@ -1,5 +1,6 @@
 import { radians } from '../../math/angle.ts';
 import { addScaled, length, type Vec3 } from '../../math/vec3.ts';
+import { listed, msg } from '../../messages/message.ts';
 import { isStatic } from '../../scene/motion/motion.ts';
 import type { Scene, SceneCamera } from '../../scene/types.ts';
 import { framingCamera, lookAtOrientation, observerFromCamera } from '../../scene/view/camera.ts';
@@ -32,14 +33,14 @@ function chooseCamera(scene: Scene, path: string | undefined): SceneCamera {
   if (path === undefined) return scene.cameras[0] ?? framingCamera(scene);
   const camera = scene.cameras.find((candidate) => candidate.path === path);
   if (camera) return camera;
-  const known = scene.cameras.map((candidate) => candidate.path).join(', ') || 'none';
-  throw usageError(`--camera ${path}: the scene has no such camera; it has ${known}`);
+  const known = listed(scene.cameras.map((candidate) => candidate.path)) || msg`none`;
+  throw usageError(msg`--camera ${path}: the scene has no such camera; it has ${known}`);
 }
 
 /** target − position, used unchanged in the observer's frame, whose axes are the world's carried by the pure boost. */
 function lookOrientation(flags: ObserverFlags, target: Vec3, from: Vec3, up: Vec3): ViewPoint['orientation'] {
   const forward = addScaled(target, flags.position ?? from, -1);
   if (length(forward) === 0)
-    throw usageError('--look-at names the place where the observer is: there is no direction to look in');
+    throw usageError(msg`--look-at names the place where the observer is: there is no direction to look in`);
   return lookAtOrientation(forward, up);
 }

@@ -1,5 +1,5 @@
-import { InvalidArgumentError } from 'commander';
 import { describe, expect, test } from 'vitest';
+import { InvalidValue } from '../terminal/commandLineErrors.ts';
 import { parseAovs, parseBeta, parseFrames, parsePixel, parsePort, parseSize, parseVec3 } from './parse.ts';
 
 describe('flag values', () => {
@@ -23,6 +23,6 @@ describe('flag values', () => {
     ['a port that is none', parsePort, '70000'],
   ];
   test.each(wrong)('%s is rejected', (_, parse, text) => {
-    expect(() => parse(text)).toThrow(InvalidArgumentError);
+    expect(() => parse(text)).toThrow(InvalidValue);
   });
 });

@@ -1,25 +1,28 @@
-import { InvalidArgumentError, Option } from 'commander';
+import { Option } from 'commander';
 import { parseVariantChoice } from '../../formats/variantChoice.ts';
 import { length, type Vec3 } from '../../math/vec3.ts';
+import { listed, type Message, msg } from '../../messages/message.ts';
 import { MAX_SAMPLES } from '../../reference/lights/lightOptions.ts';
 import type { NumberRange } from '../../scene/settings/setting.ts';
 import type { PictureSize } from '../../scene/view/pictureViews.ts';
 import { AOVS, type AovName } from '../../scene/view/view.ts';
+import { InvalidValue } from '../terminal/commandLineErrors.ts';
+import { localized } from '../terminal/language.ts';
 
-/** Parsers of flag values. Each throws an InvalidArgumentError that says what was expected. */
+/** Parsers of flag values. Each throws an InvalidValue that says what was expected. */
 
 export function parseNumber(text: string): number {
   const value = Number(text);
-  if (text.trim() === '' || !Number.isFinite(value)) throw new InvalidArgumentError('Expected a number.');
+  if (text.trim() === '' || !Number.isFinite(value)) throw new InvalidValue(msg`Expected a number.`);
   return value;
 }
 
 /** Parser of a number with a condition; `expected` describes it in the error. */
 const numberWhere =
-  (condition: (value: number) => boolean, expected: string) =>
+  (condition: (value: number) => boolean, expected: Message) =>
   (text: string): number => {
     const value = parseNumber(text);
-    if (!condition(value)) throw new InvalidArgumentError(`Expected ${expected}.`);
+    if (!condition(value)) throw new InvalidValue(msg`Expected ${expected}.`);
     return value;
   };
 
@@ -30,24 +33,24 @@ export function parseWithin(range: NumberRange): (text: string) => number {
   return numberWhere((x) => x >= min && x > above && x <= max && (!whole || Number.isInteger(x)), described(range));
 }
 
-function described({ min, above, max, integer }: NumberRange): string {
-  if (integer) return `a whole number, ${min} to ${max}`;
+function described({ min, above, max, integer }: NumberRange): Message {
+  if (integer) return msg`a whole number, ${min ?? ''} to ${max ?? ''}`;
   if (above !== undefined)
-    return max === undefined ? `a number above ${above}` : `a number above ${above} and at most ${max}`;
-  return max === undefined ? `a number, ${min} or above` : `a number from ${min} to ${max}`;
+    return max === undefined ? msg`a number above ${above}` : msg`a number above ${above} and at most ${max}`;
+  return max === undefined ? msg`a number, ${min ?? ''} or above` : msg`a number from ${min ?? ''} to ${max}`;
 }
 
 export const parsePositive = parseWithin({ above: 0 });
 export const parseNotNegative = parseWithin({ min: 0 });
 export const parseFraction = parseWithin({ min: 0, max: 1 });
-export const parseFov = numberWhere((x) => x > 0 && x < 180, 'degrees between 0 and 180');
+export const parseFov = numberWhere((x) => x > 0 && x < 180, msg`degrees between 0 and 180`);
 export const parseSamples = parseWithin({ min: 1, max: MAX_SAMPLES, integer: true });
 export const parseLevels = parseWithin({ min: 0, max: 8, integer: true });
-export const parsePort = numberWhere((x) => Number.isInteger(x) && x >= 0 && x <= 65535, 'a port, 0 to 65535');
+export const parsePort = numberWhere((x) => Number.isInteger(x) && x >= 0 && x <= 65535, msg`a port, 0 to 65535`);
 
 export function parseVec3(text: string): Vec3 {
   const parts = text.split(',');
-  if (parts.length !== 3) throw new InvalidArgumentError('Expected three numbers, X,Y,Z.');
+  if (parts.length !== 3) throw new InvalidValue(msg`Expected three numbers, X,Y,Z.`);
   const [x, y, z] = parts.map(parseNumber) as [number, number, number];
   return [x, y, z];
 }
@@ -56,9 +59,7 @@ export function parseVec3(text: string): Vec3 {
 export function parseBeta(text: string): Vec3 {
   const beta = parseVec3(text);
   if (length(beta) >= 1) {
-    throw new InvalidArgumentError(
-      `Its length is ${length(beta)}, and nothing with mass reaches 1 (the speed of light).`,
-    );
+    throw new InvalidValue(msg`Its length is ${length(beta)}, and nothing with mass reaches 1 (the speed of light).`);
   }
   return beta;
 }
@@ -66,7 +67,7 @@ export function parseBeta(text: string): Vec3 {
 /** Adds `SET=OPTION` to the previous choices; the set must not contain `=`. */
 export function addVariant(text: string, before: ReadonlyMap<string, string> = new Map()): ReadonlyMap<string, string> {
   const choice = parseVariantChoice(text);
-  if (!choice) throw new InvalidArgumentError('Expected SET=OPTION, as inspect lists them: /World/Car{paint}=red.');
+  if (!choice) throw new InvalidValue(msg`Expected SET=OPTION, as inspect lists them: /World/Car{paint}=red.`);
   return new Map([...before, choice]);
 }
 
@@ -75,21 +76,21 @@ export function parseSize(text: string): PictureSize {
   const width = Number(match?.[1]);
   const height = Number(match?.[2]);
   if (!(width >= 1 && height >= 1 && width <= 16384 && height <= 16384)) {
-    throw new InvalidArgumentError('Expected WIDTHxHEIGHT in pixels, like 1280x720.');
+    throw new InvalidValue(msg`Expected WIDTHxHEIGHT in pixels, like 1280x720.`);
   }
   return { width, height };
 }
 
 /** `--size`; default 1280x720. */
-export const sizeOption = (meaning: string): Option =>
-  new Option('--size <WxH>', meaning).argParser(parseSize).default({ width: 1280, height: 720 }, '1280x720');
+export const sizeOption = (meaning: Message): Option =>
+  new Option('--size <WxH>', localized(meaning)).argParser(parseSize).default({ width: 1280, height: 720 }, '1280x720');
 
 /** `FROM:TO`, two numbers, the smaller first. */
 export function parseRange(text: string): { readonly from: number; readonly to: number } {
   const parts = text.split(':');
   const [from, to] = parts.map(Number) as [number, number];
   if (parts.length !== 2 || !Number.isFinite(from) || !Number.isFinite(to) || !(from < to)) {
-    throw new InvalidArgumentError('Expected FROM:TO, two numbers, the smaller one first, like -2:0.');
+    throw new InvalidValue(msg`Expected FROM:TO, two numbers, the smaller one first, like -2:0.`);
   }
   return { from, to };
 }
@@ -104,7 +105,7 @@ export function parseFrames(text: string): FrameRange {
   const match = /^(-?\d+):(-?\d+)$/.exec(text.trim());
   const first = Number(match?.[1]);
   const last = Number(match?.[2]);
-  if (!match || last < first) throw new InvalidArgumentError('Expected FIRST:LAST, two whole numbers, like 1:48.');
+  if (!match || last < first) throw new InvalidValue(msg`Expected FIRST:LAST, two whole numbers, like 1:48.`);
   return { first, last };
 }
 
@@ -112,7 +113,7 @@ export function parseAovs(text: string): AovName[] {
   const names = text.split(',').map((name) => name.trim());
   const unknown = names.filter((name) => !(name in AOVS));
   if (unknown.length > 0) {
-    throw new InvalidArgumentError(`There is no AOV ${unknown.join(', ')}; there are ${Object.keys(AOVS).join(', ')}.`);
+    throw new InvalidValue(msg`There is no AOV ${listed(unknown)}; there are ${listed(Object.keys(AOVS))}.`);
   }
   return [...new Set(names)] as AovName[];
 }
@@ -120,7 +121,7 @@ export function parseAovs(text: string): AovName[] {
 /** Pixel coordinates from the top left; the centre of the first pixel is 0,0. */
 export function parsePixel(text: string): readonly [number, number] {
   const parts = text.split(',');
-  if (parts.length !== 2) throw new InvalidArgumentError('Expected two numbers, X,Y.');
+  if (parts.length !== 2) throw new InvalidValue(msg`Expected two numbers, X,Y.`);
   const [x, y] = parts.map(parseNumber) as [number, number];
   return [x, y];
 }

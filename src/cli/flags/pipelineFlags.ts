@@ -1,4 +1,5 @@
 import { type Command, Option } from 'commander';
+import { listed, type Message, msg } from '../../messages/message.ts';
 import {
   type IntegerOption,
   type OptionValues,
@@ -10,6 +11,7 @@ import { AUTOMATIC_PIPELINES, PIPELINES, pipelineNamed } from '../../pipelines/r
 import type { Backend } from '../../render/settings.ts';
 import type { AovName } from '../../scene/view/view.ts';
 import { usageError } from '../terminal/exitCodes.ts';
+import { inClauses, localized } from '../terminal/language.ts';
 import { parseWithin } from './parse.ts';
 import type { SettingFlags } from './viewFlags.ts';
 
@@ -23,16 +25,22 @@ export interface PipelineFlags {
 /** All flags by name: those of pipelines are only known from their records. */
 type FlagValues = Readonly<Record<string, unknown>>;
 
-const BACKENDS: Record<Backend, string> = { webgpu: 'webgpu in this process', webgl: 'webgl in a headless Chromium' };
+const BACKENDS: Record<Backend, Message> = {
+  webgpu: msg`webgpu in this process`,
+  webgl: msg`webgl in a headless Chromium`,
+};
 const first = PIPELINES[0];
 
 export function addPipelineFlags(command: Command): Command {
-  const summaries = PIPELINES.map(({ id, summary }) => `${id} ${summary}`);
-  const pipeline = new Option('--pipeline <name>', [...summaries, `auto: ${first.id} if possible`].join('; '));
+  const summaries = PIPELINES.map(({ id, summary }) => msg`${id} ${summary}`);
+  const pipeline = new Option(
+    '--pipeline <name>',
+    localized(inClauses([...summaries, msg`auto: ${first.id} if possible`])),
+  );
   const drawing = PIPELINES.filter(({ backends }) => backends.length > 0).map(({ id }) => id);
   const backend = new Option(
     '--backend <name>',
-    `of ${drawing.join(', ')}: ${Object.values(BACKENDS).join('; ')}; auto: the first that works`,
+    localized(msg`of ${listed(drawing)}: ${inClauses([...Object.values(BACKENDS), msg`auto: the first that works`])}`),
   );
   command
     .addOption(pipeline.choices(['auto', ...PIPELINES.map(({ id }) => id)]).default('auto'))
@@ -54,7 +62,7 @@ function optionsOfAll(): Map<string, { readonly option: PipelineOption; readonly
 }
 
 function addOptionFlag(command: Command, name: string, option: PipelineOption, owners: readonly string[]): void {
-  const help = `of ${owners.join(', ')}: ${option.help}`;
+  const help = localized(msg`of ${listed(owners)}: ${option.help}`);
   if (option.kind === 'integer')
     command.option(`--${name} <n>`, help, parseWithin({ min: option.min, max: option.max, integer: true }));
   else if (option.default) command.option(`--no-${name}`, help);
@@ -71,16 +79,16 @@ export function checkPipeline(
 ): void {
   const idle = unusedOption(flags);
   if (idle)
-    throw usageError(`${idle.flag} is for the ${idle.owner.name}: add --pipeline ${idle.owner.id}, or leave it out`);
+    throw usageError(msg`${idle.flag} is for the ${idle.owner.name}: add --pipeline ${idle.owner.id}, or leave it out`);
   if (flags.pipeline === 'auto') return;
   const pipeline = pipelineNamed(flags.pipeline);
   const foreign = foreignSetting(flags, pipeline);
   if (foreign) {
-    const why = pipeline.constraint ?? 'does not have it';
-    throw usageError(`${foreign} is for the ${first.name}; --pipeline ${pipeline.id} ${why}. Leave one of them out`);
+    const why = pipeline.constraint ?? msg`does not have it`;
+    throw usageError(msg`${foreign} is for the ${first.name}; --pipeline ${pipeline.id} ${why}. Leave one of them out`);
   }
   const odd = flags.aov?.find((name) => !pipeline.aovs.includes(name));
-  if (odd) throw usageError(`--aov ${odd}: --pipeline ${pipeline.id} gives ${pipeline.aovs.join(', ') || 'none'}`);
+  if (odd) throw usageError(msg`--aov ${odd}: --pipeline ${pipeline.id} gives ${listed(pipeline.aovs) || msg`none`}`);
 }
 
 /** A backend or setting value that a pipeline does not support; undefined if none. */

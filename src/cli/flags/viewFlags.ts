@@ -1,6 +1,7 @@
 import type { Command } from 'commander';
 import { Option } from 'commander';
 import type { Vec3 } from '../../math/vec3.ts';
+import { msg } from '../../messages/message.ts';
 import { SPEED_OF_LIGHT } from '../../physics/constants.ts';
 import {
   pickSettings,
@@ -13,6 +14,7 @@ import {
 } from '../../scene/settings/settings.ts';
 import type { Scene } from '../../scene/types.ts';
 import type { RenderSettings } from '../../scene/view/view.ts';
+import { localized } from '../terminal/language.ts';
 import { parseBeta, parseFov, parseNumber, parsePositive, parseVec3, parseWithin } from './parse.ts';
 
 export interface ObserverFlags {
@@ -28,23 +30,28 @@ export function addObserverFlags(command: Command): Command {
   return command
     .option(
       '--camera <prim>',
-      "prim path of the camera (default: the scene's first; if it has none, a view of the whole scene)",
+      localized(msg`prim path of the camera (default: the scene's first; if it has none, a view of the whole scene)`),
     )
-    .option('--beta <x,y,z>', "the observer's velocity in units of c, world axes (default: the camera's)", parseBeta)
-    .option('--position <x,y,z>', 'position of the observer, world frame [m]', parseVec3)
+    .option(
+      '--beta <x,y,z>',
+      localized(msg`the observer's velocity in units of c, world axes (default: the camera's)`),
+      parseBeta,
+    )
+    .option('--position <x,y,z>', localized(msg`position of the observer, world frame [m]`), parseVec3)
     .option(
       '--look-at <x,y,z>',
-      'direction of the camera: from its position towards this point, world axes [m]',
+      localized(msg`direction of the camera: from its position towards this point, world axes [m]`),
       parseVec3,
     )
-    .option('--fov <degrees>', "vertical field of view in the observer's frame", parseFov)
+    .option('--fov <degrees>', localized(msg`vertical field of view in the observer's frame`), parseFov)
     .addOption(speedOfLightOption());
 }
 
 export const speedOfLightOption = (): Option =>
-  new Option('--c <m/s>', `speed of light (default: suggested by the scene, else ${SPEED_OF_LIGHT})`).argParser(
-    parsePositive,
-  );
+  new Option(
+    '--c <m/s>',
+    localized(msg`speed of light (default: suggested by the scene, else ${SPEED_OF_LIGHT})`),
+  ).argParser(parsePositive);
 
 /** [m/s]: by the flag, else the scene's hint, else 299 792 458. */
 export const speedOfLight = (scene: Scene, flag: number | undefined): number =>
@@ -60,7 +67,8 @@ export function addSettingFlags(command: Command): Command {
 /** `lightDelay`, default true: `--no-light-delay`; `dopplerMix`: `--doppler-mix <0…1>`. */
 export function settingOption(name: SettingName): Option {
   const setting = settingNamed(name);
-  const { value, help } = setting.flag;
+  const { value } = setting.flag;
+  const help = localized(setting.flag.help);
   const flag = name.replace(/[A-Z]/g, (letter) => `-${letter.toLowerCase()}`);
   if (setting.kind === 'boolean')
     return setting.default ? new Option(`--no-${flag}`, help) : new Option(`--${flag}`, help).default(false);

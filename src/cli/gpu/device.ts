@@ -1,3 +1,5 @@
+import { type LocalizedText, msg } from '../../messages/message.ts';
+import { MessageError } from '../../messages/messageError.ts';
 import { RAISED_LIMITS } from '../../render/gpu/deviceLimits.ts';
 import { unavailable } from '../terminal/exitCodes.ts';
 import { findSwiftShader, hasVulkanDriver } from './gpuDrivers.ts';
@@ -41,7 +43,7 @@ export async function openDevice(): Promise<HeadlessDevice> {
     adapterName: adapter.info.description || adapter.info.device || adapter.info.vendor,
     software: adapter.info.isFallbackAdapter || /swiftshader|llvmpipe/i.test(adapter.info.description),
     assertHealthy: () => {
-      if (errors.length > 0) throw new Error(`the GPU reported: ${errors[0]}`);
+      if (errors.length > 0) throw new MessageError(msg`the GPU reported: ${errors[0] ?? ''}`);
     },
     release: () => {
       device.destroy();
@@ -55,7 +57,7 @@ async function loadDawn(): Promise<Dawn> {
   try {
     return await import('webgpu');
   } catch (error) {
-    throw unavailable(`the GPU library (npm package webgpu) does not load here: ${String(error)}`);
+    throw unavailable(msg`the GPU library (npm package webgpu) does not load here: ${String(error)}`);
   }
 }
 
@@ -71,8 +73,7 @@ async function findAdapter(dawn: Dawn): Promise<{ gpu: GPU; adapter: GPUAdapter 
     if (found) return found;
   }
   throw unavailable(
-    'no GPU was found, and no software one. On Debian or Ubuntu: apt-get install -y chromium libvulkan1 (Chromium carries the software GPU). ' +
-      'Elsewhere set VK_ICD_FILENAMES to the description of a Vulkan driver, or use --backend webgl.',
+    msg`no GPU was found, and no software one. On Debian or Ubuntu: apt-get install -y chromium libvulkan1 (Chromium carries the software GPU). Elsewhere set VK_ICD_FILENAMES to the description of a Vulkan driver, or use --backend webgl.`,
   );
 }
 
@@ -84,14 +85,14 @@ async function askForAdapter(dawn: Dawn): Promise<{ gpu: GPU; adapter: GPUAdapte
   return adapter ? { gpu, adapter } : undefined;
 }
 
-function recordErrors(device: GPUDevice): string[] {
-  const errors: string[] = [];
+function recordErrors(device: GPUDevice): readonly LocalizedText[] {
+  const errors: LocalizedText[] = [];
   device.addEventListener('uncapturederror', (event) => {
     errors.push((event as GPUUncapturedErrorEvent).error.message);
     event.preventDefault();
   });
   void device.lost.then((info) => {
-    if (info.reason !== 'destroyed') errors.push(`the device was lost: ${info.message}`);
+    if (info.reason !== 'destroyed') errors.push(msg`the device was lost: ${info.message}`);
   });
   return errors;
 }

@@ -1,19 +1,23 @@
 import { own } from '../../graph/document/document.ts';
 import { serializeDocument } from '../../graph/document/serialize.ts';
 import type { NodeProblem, NodeType } from '../../graph/nodeType.ts';
+import { listed, type Message, msg } from '../../messages/message.ts';
 import { nodePage, nodeReference } from '../../nodes/docs/nodeReference.ts';
 import { nodeLibrary } from '../../nodes/library.ts';
 import { InputError } from '../../scene/types.ts';
 import { checkWritable, writeFileAtomically } from '../files/outputFile.ts';
-import { formatProblem, projectProblems, readProject } from '../project/project.ts';
+import { projectProblems, readProject } from '../project/project.ts';
+import { placed } from '../terminal/diagnostics.ts';
 import { CliError, EXIT, inputProblem, usageError } from '../terminal/exitCodes.ts';
+import { toJson } from '../terminal/json.ts';
+import { inLines, localized } from '../terminal/language.ts';
 
 /** What is wrong with one project; `error`: it cannot be read. */
 interface ProjectReport {
   readonly project: string;
   readonly nodes: number;
   readonly faults: readonly NodeProblem[];
-  readonly error?: string;
+  readonly error?: Message;
 }
 
 /** Checks every project, also after one with errors. With `json`, one project gives its report, several a list. */
@@ -25,17 +29,17 @@ export async function check(paths: readonly string[], { json }: { readonly json?
     const [first] = reports;
     if (paths.length === 1 && first?.error !== undefined) throw inputProblem(first.error);
     const printed = paths.length === 1 && first ? { nodes: first.nodes, faults: first.faults } : reports;
-    console.log(JSON.stringify(printed, null, 2));
+    console.log(toJson(printed));
     if (reports.some(hasErrors)) process.exitCode = EXIT.input;
     return;
   }
   for (const report of reports)
-    if (!hasErrors(report)) console.log(`${report.project}: ${report.nodes} nodes, nothing is wrong`);
-  const lines = reports.flatMap(({ project, faults, error }) => [
+    if (!hasErrors(report)) console.log(localized(msg`${report.project}: ${report.nodes} nodes, nothing is wrong`));
+  const lines = reports.flatMap<Message>(({ project, faults, error }) => [
     ...(error === undefined ? [] : [error]),
-    ...faults.map((fault) => `${project}: ${formatProblem(fault)}`),
+    ...faults.map((fault) => msg`${project}: ${placed(fault)}`),
   ]);
-  if (lines.length > 0) throw inputProblem(lines.join('\n'));
+  if (lines.length > 0) throw inputProblem(inLines(lines));
 }
 
 async function reportOf(project: string): Promise<ProjectReport> {
@@ -45,7 +49,7 @@ async function reportOf(project: string): Promise<ProjectReport> {
   } catch (error) {
     const isUnreadable = error instanceof InputError || (error instanceof CliError && error.exitCode === EXIT.input);
     if (!isUnreadable) throw error;
-    return { project, nodes: 0, faults: [], error: error.message };
+    return { project, nodes: 0, faults: [], error: error.text };
   }
 }
 
@@ -57,11 +61,11 @@ export async function upgrade(path: string, { output = path }: { readonly output
 }
 
 export async function docs(type?: string): Promise<void> {
-  console.log(type === undefined ? nodeReference() : nodePage(nodeTypeOf(type)));
+  console.log(type === undefined ? nodeReference(localized) : nodePage(nodeTypeOf(type), localized));
 }
 
 function nodeTypeOf(id: string): NodeType {
   const type = own(nodeLibrary, id);
   if (type) return type as NodeType;
-  throw usageError(`there is no node type ${id}; there are ${Object.keys(nodeLibrary).join(', ')}`);
+  throw usageError(msg`there is no node type ${id}; there are ${listed(Object.keys(nodeLibrary))}`);
 }

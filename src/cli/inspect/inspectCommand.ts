@@ -1,30 +1,36 @@
 import { Command } from 'commander';
 import { degrees } from '../../math/angle.ts';
+import { type LocalizedText, listed, type Message, msg } from '../../messages/message.ts';
+import type { Light } from '../../scene/lights/light.ts';
 import { fastestVertex, pointSamples, sampleTimes } from '../../scene/motion/motion.ts';
-import type { Diagnostic, Scene, SceneObject, VariantSet } from '../../scene/types.ts';
+import type { Motion } from '../../scene/motion/motionTypes.ts';
+import type { Scene, SceneObject, VariantSet } from '../../scene/types.ts';
 import { validate } from '../../scene/validation/validate.ts';
 import { addSceneFlags, openSceneWithFlags, SCENE_ARGUMENT, type SceneFlags } from '../flags/sceneFlags.ts';
 import { speedOfLight, speedOfLightOption } from '../flags/viewFlags.ts';
-import { CliError, EXIT } from '../terminal/exitCodes.ts';
+import { diagnosticLine } from '../terminal/diagnostics.ts';
+import { inputProblem } from '../terminal/exitCodes.ts';
+import { toJson } from '../terminal/json.ts';
+import { inLines, localized } from '../terminal/language.ts';
 import { treeLines } from './tree.ts';
 
 export const inspectCommand = (): Command =>
   addSceneFlags(
     new Command('inspect')
-      .description('Reports the contents of a scene file, its speeds, and its errors.')
-      .argument('<file>', SCENE_ARGUMENT),
+      .description(localized(msg`Reports the contents of a scene file, its speeds, and its errors.`))
+      .argument('<file>', localized(SCENE_ARGUMENT)),
   )
     .addOption(speedOfLightOption())
-    .option('--json', 'print as JSON')
+    .option('--json', localized(msg`print as JSON`))
     .action(inspect);
 
 async function inspect(path: string, flags: SceneFlags & { c?: number; json?: boolean }): Promise<void> {
   const scene = await openSceneWithFlags(path, flags);
   const summary = summarize(scene, speedOfLight(scene, flags.c));
-  console.log(flags.json ? JSON.stringify(summary, null, 2) : describe(summary));
+  console.log(flags.json ? toJson(summary) : describe(summary));
   const errors = summary.diagnostics.filter(({ severity }) => severity === 'error').length;
   if (errors > 0)
-    throw new CliError(EXIT.input, `${path}: ${errors === 1 ? 'an error' : `${errors} errors`}, told above`);
+    throw inputProblem(errors === 1 ? msg`${path}: an error, told above` : msg`${path}: ${errors} errors, told above`);
 }
 
 type Summary = ReturnType<typeof summarize>;
@@ -96,49 +102,86 @@ function fastestPoint(scene: Scene, c: number) {
 }
 
 function describe(s: Summary): string {
-  const { counts: n } = s;
   const parts = [
     s.title ? `${s.name} – ${s.title}` : s.name,
-    ...(s.lookFor ? [`  ${s.lookFor}`] : []),
-    `  ${s.upAxis} up, 1 unit = ${s.metersPerUnit} m, ${s.timeCodesPerSecond} time codes a second, ${s.startTime} … ${s.endTime} s`,
-    `  ${count(n.objects, 'object')}, ${count(n.vertices, 'vertex', 'vertices')}, ${count(n.triangles, 'triangle')}, ${count(n.materials, 'material')}, ${count(n.lights, 'light')}, ${count(n.cameras, 'camera')}`,
-    s.fastest
-      ? `  fastest: ${s.fastest.path}, ${s.fastest.speed.toPrecision(6)} m/s = ${s.fastest.fractionOfC.toPrecision(6)} c${period(s.fastest)} (c = ${s.speedOfLight} m/s)`
-      : `  nothing moves (c = ${s.speedOfLight} m/s)`,
-    ...(s.pathError === undefined ? [] : [`  paths between samples are ${describePathError(s.pathError)}`]),
-    ...s.variants.map(variantLine),
+    ...[...(s.lookFor ? [s.lookFor] : []), ...summaryLines(s)].map((line) => msg`  ${line}`),
     '',
     ...treeLines(treeEntries(s)),
     ...(s.diagnostics.length > 0 ? ['', ...s.diagnostics.map(diagnosticLine)] : []),
   ];
-  return parts.join('\n');
+  return localized(inLines(parts));
 }
 
-/** Below 1 nm the error is rounding. */
-const describePathError = (error: number): string => (error < 1e-9 ? 'exact' : `right to ${error.toPrecision(2)} m`);
-const variantLine = ({ set, options, chosen }: VariantSet): string =>
-  `  ${set}: ${options.map((option) => (option === chosen ? `[${option}]` : option)).join(', ')}`;
+const summaryLines = (s: Summary): readonly LocalizedText[] => [
+  msg`${s.upAxis} up, 1 unit = ${s.metersPerUnit} m, ${s.timeCodesPerSecond} time codes a second, ${s.startTime} … ${s.endTime} s`,
+  listed(Object.entries(s.counts).map(([what, n]) => counted(n, COUNTED[what as keyof typeof COUNTED]))),
+  s.fastest
+    ? msg`fastest: ${s.fastest.path}, ${s.fastest.speed.toPrecision(6)} m/s = ${s.fastest.fractionOfC.toPrecision(6)} c${period(s.fastest)} (c = ${s.speedOfLight} m/s)`
+    : msg`nothing moves (c = ${s.speedOfLight} m/s)`,
+  ...(s.pathError === undefined ? [] : [pathErrorLine(s.pathError)]),
+  ...s.variants.map(variantLine),
+];
 
-const period = ({ from, to }: { from?: number; to?: number }): string =>
-  from === undefined ? '' : from === to ? ` at ${from} s` : ` from ${from} to ${to} s`;
-const count = (n: number, one: string, many = `${one}s`): string => `${n.toLocaleString('en')} ${n === 1 ? one : many}`;
-const diagnosticLine = ({ severity, place, message }: Diagnostic): string => `${severity}: ${place}: ${message}`;
+/** Below 1 nm the error is rounding. */
+const pathErrorLine = (error: number): Message =>
+  error < 1e-9
+    ? msg`paths between samples are exact`
+    : msg`paths between samples are right to ${error.toPrecision(2)} m`;
+const variantLine = ({ set, options, chosen }: VariantSet): Message =>
+  msg`${set}: ${listed(options.map((option) => (option === chosen ? `[${option}]` : option)))}`;
+
+const period = ({ from, to }: { from?: number; to?: number }): LocalizedText => {
+  if (from === undefined || to === undefined) return '';
+  return from === to ? msg` at ${from} s` : msg` from ${from} to ${to} s`;
+};
+
+/** Of one, and of several. */
+const COUNTED = {
+  objects: [msg`1 object`, (n: string) => msg`${n} objects`],
+  vertices: [msg`1 vertex`, (n: string) => msg`${n} vertices`],
+  triangles: [msg`1 triangle`, (n: string) => msg`${n} triangles`],
+  materials: [msg`1 material`, (n: string) => msg`${n} materials`],
+  lights: [msg`1 light`, (n: string) => msg`${n} lights`],
+  cameras: [msg`1 camera`, (n: string) => msg`${n} cameras`],
+  samples: [msg`1 sample`, (n: string) => msg`${n} samples`],
+} as const;
+
+const counted = (n: number, [one, several]: (typeof COUNTED)[keyof typeof COUNTED]): Message =>
+  n === 1 ? one : several(n.toLocaleString('en'));
+
+const MOTIONS: Readonly<Record<Motion['kind'], Message>> = {
+  static: msg`static`,
+  uniform: msg`uniform`,
+  hyperbolic: msg`hyperbolic`,
+  sampled: msg`sampled`,
+  'sampled-points': msg`sampled-points`,
+};
+
+const LIGHTS: Readonly<Record<Light['kind'], Message>> = {
+  distant: msg`distant light`,
+  sphere: msg`sphere light`,
+  rect: msg`rect light`,
+  disk: msg`disk light`,
+  cylinder: msg`cylinder light`,
+  dome: msg`dome light`,
+  stars: msg`stars light`,
+};
 
 function treeEntries(s: Summary): { path: string; note: string }[] {
-  const objects = s.objects.map((o) => {
-    const motion =
-      o.samples > 0
-        ? `${o.motion}${o.interpolation === 'cubic' ? ' along cubics' : ''}, ${count(o.samples, 'sample')}`
-        : o.motion;
-    const rest = o.authoredIn === 'rest' ? ', authored at rest' : '';
-    const life =
-      o.birth !== undefined || o.death !== undefined ? `, lives ${o.birth ?? '−∞'} … ${o.death ?? '∞'} s` : '';
-    return { path: o.path, note: `${count(o.triangles, 'triangle')}, ${motion}${rest}${life}` };
+  const objects = s.objects.map(({ path, ...o }) => {
+    const motion = o.interpolation === 'cubic' ? msg`${MOTIONS[o.motion]} along cubics` : MOTIONS[o.motion];
+    const facts = [
+      counted(o.triangles, COUNTED.triangles),
+      ...(o.samples > 0 ? [motion, counted(o.samples, COUNTED.samples)] : [MOTIONS[o.motion]]),
+      ...(o.authoredIn === 'rest' ? [msg`authored at rest`] : []),
+      ...(o.birth !== undefined || o.death !== undefined ? [msg`lives ${o.birth ?? '−∞'} … ${o.death ?? '∞'} s`] : []),
+    ];
+    return { path, note: localized(listed(facts)) };
   });
-  const lights = s.lights.map(({ path, kind }) => ({ path, note: `${kind} light` }));
+  const lights = s.lights.map(({ path, kind }) => ({ path, note: localized(LIGHTS[kind]) }));
   const cameras = s.cameras.map(({ path, motion, fov }) => ({
     path,
-    note: `camera, ${motion}, ${fov.toFixed(1)}° high`,
+    note: localized(msg`camera, ${MOTIONS[motion]}, ${fov.toFixed(1)}° high`),
   }));
   return [...objects, ...lights, ...cameras];
 }

@@ -1,3 +1,6 @@
+import { msg } from '../../messages/message.ts';
+import { localized } from '../terminal/language.ts';
+
 interface PathTreeNode {
   note?: string;
   readonly children: Map<string, PathTreeNode>;
@@ -23,7 +26,7 @@ function childOf(node: PathTreeNode, name: string): PathTreeNode {
 function linesOf(node: PathTreeNode, indent: string): string[] {
   return [...node.children].flatMap(([name, child], i) => {
     const last = i === node.children.size - 1;
-    const line = `${indent}${last ? '└─ ' : '├─ '}${name}${child.note ? `  (${child.note})` : ''}`;
+    const line = `${indent}${last ? '└─ ' : '├─ '}${name}${child.note ? localized(msg`  (${child.note})`) : ''}`;
     return [line, ...linesOf(child, indent + (last ? '   ' : '│  '))];
   });
 }

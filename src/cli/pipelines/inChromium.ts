@@ -1,5 +1,6 @@
 import { randomUUID } from 'node:crypto';
 import type { Browser, Page } from 'playwright-core';
+import { msg } from '../../messages/message.ts';
 import type { HeadlessPage } from '../../pipelines/headlessPage.ts';
 import { assertPictureSize } from '../../pipelines/maxSize.ts';
 import type { PictureRequest, RenderedPicture } from '../../pipelines/pictureRenderer.ts';
@@ -69,7 +70,7 @@ async function launch(): Promise<Browser> {
   const executablePath = findChromium();
   if (!executablePath) {
     throw unavailable(
-      '--backend webgl needs Chromium, which is not on the PATH (CHROMIUM may name it). On Debian or Ubuntu: apt-get install -y chromium libegl-mesa0 libgl1-mesa-dri',
+      msg`--backend webgl needs Chromium, which is not on the PATH (CHROMIUM may name it). On Debian or Ubuntu: apt-get install -y chromium libegl-mesa0 libgl1-mesa-dri`,
     );
   }
   const { chromium } = await import('playwright-core');
@@ -82,7 +83,7 @@ async function launch(): Promise<Browser> {
     args: [...gl, '--ignore-gpu-blocklist'],
   });
   return starting.catch((error: unknown) => {
-    throw unavailable(`Chromium (${executablePath}) does not start: ${launchErrors(String(error))}`);
+    throw unavailable(msg`Chromium (${executablePath}) does not start: ${launchErrors(String(error))}`);
   });
 }
 
@@ -103,7 +104,7 @@ async function openPage(browser: Browser, url: string): Promise<Page> {
   }
   if (!(await page.evaluate(() => document.createElement('canvas').getContext('webgl2') !== null))) {
     throw unavailable(
-      'the Chromium here has no WebGL2. On Debian or Ubuntu: apt-get install -y libegl-mesa0 libgl1-mesa-dri',
+      msg`the Chromium here has no WebGL2. On Debian or Ubuntu: apt-get install -y libegl-mesa0 libgl1-mesa-dri`,
     );
   }
   return page;

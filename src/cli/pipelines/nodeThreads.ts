@@ -1,5 +1,6 @@
 import { availableParallelism } from 'node:os';
 import { type ResourceLimits, Worker } from 'node:worker_threads';
+import { type LocalizedText, msg } from '../../messages/message.ts';
 import type { ThreadHost, WorkerThread } from '../../pipelines/host.ts';
 import { unavailable } from '../terminal/exitCodes.ts';
 import { toSharedMemory } from './sharedMemory.ts';
@@ -35,10 +36,10 @@ function startThread<Message, Reply>(
   };
 }
 
-function explainError(error: NodeJS.ErrnoException, pipelineName: string): Error {
+function explainError(error: NodeJS.ErrnoException, pipelineName: LocalizedText): Error {
   const outOfMemory = error.code === 'ERR_WORKER_OUT_OF_MEMORY' || error.message.includes('allocation failed');
   if (!outOfMemory) return error;
   return unavailable(
-    `a thread of the ${pipelineName} ran out of memory. Use fewer --threads, or let each have more: NODE_OPTIONS=--max-old-space-size=8192 [MiB]`,
+    msg`a thread of the ${pipelineName} ran out of memory. Use fewer --threads, or let each have more: NODE_OPTIONS=--max-old-space-size=8192 [MiB]`,
   );
 }

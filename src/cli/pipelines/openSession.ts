@@ -1,3 +1,4 @@
+import { anyOf, type Message, msg } from '../../messages/message.ts';
 import { PictureTooLargeError } from '../../pipelines/maxSize.ts';
 import type { OptionValues } from '../../pipelines/options.ts';
 import type { PictureScenes, Pipeline, PipelineSession, UncheckedRequest } from '../../pipelines/pipeline.ts';
@@ -8,26 +9,28 @@ import { foreignSetting, optionsOf } from '../flags/pipelineFlags.ts';
 import { speedOfLight } from '../flags/viewFlags.ts';
 import type { RenderFlags } from '../render/renderFlags.ts';
 import { CliError, EXIT, unavailable } from '../terminal/exitCodes.ts';
+import { inLines } from '../terminal/language.ts';
 import { nodeHost } from './nodeHost.ts';
 
 /** Opens the named pipeline, or with `auto` the first on each of its backends in turn, then its fallbacks, unless a flag needs the first one. Throws if none works. */
 export async function openFlaggedSession(
   scenes: PictureScenes,
   flags: RenderFlags,
-  say: (text: string) => void,
+  say: (text: Message) => void,
 ): Promise<PipelineSession> {
   const candidates = flags.pipeline === 'auto' ? AUTOMATIC_PIPELINES : [pipelineNamed(flags.pipeline)];
-  const missing: string[] = [];
+  const missing: Message[] = [];
   for (const [i, pipeline] of candidates.entries()) {
     if (i > 0) {
       if (foreignSetting(flags, pipeline)) break;
-      say(`slowlight: no usable GPU, so the ${pipeline.name} draws: ${pipeline.fallback}.\n${missing.join('\n')}`);
+      const draws = msg`no usable GPU, so the ${pipeline.name} draws: ${pipeline.fallback ?? ''}.`;
+      say(inLines([msg`slowlight: ${draws}`, ...missing]));
     }
     const session = await openOnBackend(pipeline, scenes, flags, missing);
     if (session) return stoppable(session);
   }
   const others = AUTOMATIC_PIPELINES.filter(({ backends }) => backends.length === 0).map(({ id }) => id);
-  throw unavailable(`${missing.join('\n')}\nWithout a GPU: --pipeline ${others.join(' or ')}.`);
+  throw unavailable(inLines([...missing, msg`Without a GPU: --pipeline ${anyOf(others)}.`]));
 }
 
 /** Opens a pipeline on its first working backend, if it needs one; returns undefined, with the reasons in `missing`, if none works. */
@@ -35,7 +38,7 @@ async function openOnBackend(
   pipeline: Pipeline,
   scenes: PictureScenes,
   flags: RenderFlags,
-  missing: string[],
+  missing: Message[],
 ): Promise<PipelineSession | undefined> {
   const { size, backend } = flags;
   const request = {
@@ -50,14 +53,14 @@ async function openOnBackend(
       return await OPENERS[each](pipeline, request);
     } catch (error) {
       if (!isUnavailable(error)) throw error;
-      missing.push(`${each}: ${error.message}`);
+      missing.push(msg`${each}: ${error.text}`);
     }
   }
   return undefined;
 }
 
 /** Whether another backend may succeed. */
-const isUnavailable = (error: unknown): error is Error =>
+const isUnavailable = (error: unknown): error is PictureTooLargeError | CliError =>
   error instanceof PictureTooLargeError || (error instanceof CliError && error.exitCode === EXIT.unavailable);
 
 const OPENERS: Record<Backend, (pipeline: Pipeline, request: UncheckedRequest) => Promise<PipelineSession>> = {
@@ -69,7 +72,7 @@ const OPENERS: Record<Backend, (pipeline: Pipeline, request: UncheckedRequest) =
 /** Stops the session, if it can be stopped, when the program is. */
 function stoppable(session: PipelineSession): PipelineSession {
   if (!session.stop) return session;
-  const forget = killWhenStopped({ kill: () => session.stop?.(new CliError(EXIT.cancelled, 'stopped')) });
+  const forget = killWhenStopped({ kill: () => session.stop?.(new CliError(EXIT.cancelled, msg`stopped`)) });
   return {
     ...session,
     close: () => {

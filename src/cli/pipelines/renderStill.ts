@@ -1,4 +1,5 @@
 import { CancelledError } from '../../graph/evaluation/evaluator.ts';
+import { msg } from '../../messages/message.ts';
 import { lightOf, queueStills, stillRequest } from '../../nodes/still.ts';
 import { openSession, pipelineNamed } from '../../pipelines/registry.ts';
 import { killWhenStopped, throwIfStopped } from '../files/outputFile.ts';
@@ -8,7 +9,7 @@ import { nodeHost } from './nodeHost.ts';
 /** Draws the stills that nodes of a project request, one after the other. */
 export const renderStill = queueStills(async (still, { signal, progress }) => {
   const session = await openSession(pipelineNamed(still.pipeline), stillRequest(still), nodeHost);
-  const forget = killWhenStopped({ kill: () => session.stop?.(new CliError(EXIT.cancelled, 'stopped')) });
+  const forget = killWhenStopped({ kill: () => session.stop?.(new CliError(EXIT.cancelled, msg`stopped`)) });
   signal?.addEventListener('abort', () => session.stop?.(new CancelledError()));
   try {
     // Signals during opening had no listener.

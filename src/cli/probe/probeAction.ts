@@ -1,4 +1,5 @@
 import { length, type Vec3 } from '../../math/vec3.ts';
+import { type LocalizedText, listed, type Message, msg } from '../../messages/message.ts';
 import { gamma, velocity } from '../../physics/lorentz/boost.ts';
 import type { Scene, SceneObject } from '../../scene/types.ts';
 import { validate } from '../../scene/validation/validate.ts';
@@ -9,11 +10,13 @@ import { openSceneWithFlags } from '../flags/sceneFlags.ts';
 import { speedOfLight } from '../flags/viewFlags.ts';
 import { reportDiagnostics } from '../terminal/diagnostics.ts';
 import { usageError } from '../terminal/exitCodes.ts';
+import { toJson } from '../terminal/json.ts';
+import { localized } from '../terminal/language.ts';
 import { probePixel } from './pixelProbe.ts';
 import type { ProbeFlags } from './probeFlags.ts';
 
 export async function probe(path: string, flags: ProbeFlags): Promise<void> {
-  if ((flags.prim === undefined) === (flags.pixel === undefined)) throw usageError('give either --prim or --pixel');
+  if ((flags.prim === undefined) === (flags.pixel === undefined)) throw usageError(msg`give either --prim or --pixel`);
   const scene = await openSceneWithFlags(path, flags);
   const c = speedOfLight(scene, flags.c);
   reportDiagnostics([...scene.diagnostics, ...validate(scene, c)]);
@@ -42,23 +45,49 @@ function findObject(scene: Scene, path: string): SceneObject {
   const object = scene.objects.find((candidate) => candidate.path === path);
   if (object) return object;
   const near = scene.objects.filter((candidate) => candidate.path.includes(path)).slice(0, 8);
-  const known = (near.length > 0 ? near : scene.objects.slice(0, 8)).map((candidate) => candidate.path).join(', ');
-  throw usageError(`--prim ${path}: the scene has no such object; it has ${known || 'none'}`);
+  const known = listed((near.length > 0 ? near : scene.objects.slice(0, 8)).map((candidate) => candidate.path));
+  throw usageError(msg`--prim ${path}: the scene has no such object; it has ${known || msg`none`}`);
 }
 
-/** Prints `key value` lines or JSON. */
+/** What is printed for people of names that JSON has. */
+const LABELS: Readonly<Record<string, Message>> = {
+  scene: msg`scene`,
+  time: msg`time`,
+  speedOfLight: msg`speedOfLight`,
+  view: msg`view`,
+  observer: msg`observer`,
+  position: msg`position`,
+  beta: msg`beta`,
+  speed: msg`speed`,
+  gamma: msg`gamma`,
+  pixel: msg`pixel`,
+  size: msg`size`,
+  width: msg`width`,
+  height: msg`height`,
+  seen: msg`seen`,
+  prim: msg`prim`,
+  object: msg`object`,
+  velocity: msg`velocity`,
+  apparent: msg`apparent`,
+  distance: msg`distance`,
+  doppler: msg`doppler`,
+};
+
+/** Prints `name value` lines or JSON. */
 function print(flags: ProbeFlags, result: object): void {
   const lines = (value: object, indent: string): string[] =>
-    Object.entries(value).flatMap(([key, entry]) =>
-      entry !== null && typeof entry === 'object' && !Array.isArray(entry)
-        ? [`${indent}${key}`, ...lines(entry, `${indent}  `)]
-        : [`${indent}${key}  ${Array.isArray(entry) ? entry.join(' ') : String(entry ?? 'nothing')}`],
-    );
-  console.log(flags.json ? JSON.stringify(result, null, 2) : lines(result, '').join('\n'));
+    Object.entries(value).flatMap(([key, entry]) => {
+      const label = `${indent}${localized(LABELS[key] ?? key)}`;
+      if (entry !== null && typeof entry === 'object' && !Array.isArray(entry))
+        return [label, ...lines(entry, `${indent}  `)];
+      return [`${label}  ${Array.isArray(entry) ? entry.join(' ') : String(entry ?? localized(msg`nothing`))}`];
+    });
+  console.log(flags.json ? toJson(result) : lines(result, '').join('\n'));
 }
 
 function printTable(object: SceneObject, view: ViewPoint, c: number, flags: ProbeFlags): void {
-  console.log(['vertex', 'time [s]', 'apparent x', 'y', 'z [m]', 'distance [m]', 'D', 'visible'].join('\t'));
+  const print = (cells: readonly LocalizedText[]): void => console.log(cells.map(localized).join('\t'));
+  print([msg`vertex`, msg`time [s]`, msg`apparent x`, 'y', 'z [m]', msg`distance [m]`, 'D', msg`visible`]);
   const numbers = (v: Vec3): string[] => v.map((x) => x.toPrecision(9));
   probeVertices(object, view, c, flags.view).forEach((event, i) => {
     const cells = event
@@ -67,9 +96,9 @@ function printTable(object: SceneObject, view: ViewPoint, c: number, flags: Prob
           ...numbers(event.apparent),
           event.distance.toPrecision(9),
           event.doppler.toPrecision(9),
-          event.visible,
+          event.visible ? msg`true` : msg`false`,
         ]
-      : ['behind a horizon: no light of it ever comes here'];
-    console.log([i, ...cells].join('\t'));
+      : [msg`behind a horizon: no light of it ever comes here`];
+    print([String(i), ...cells]);
   });
 }

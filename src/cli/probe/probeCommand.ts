@@ -1,33 +1,42 @@
 import { Command } from 'commander';
+import { msg } from '../../messages/message.ts';
 import { parseNumber, parsePixel, sizeOption } from '../flags/parse.ts';
 import { addSceneFlags, SCENE_ARGUMENT } from '../flags/sceneFlags.ts';
 import { addObserverFlags, settingOption } from '../flags/viewFlags.ts';
+import { examples } from '../terminal/help.ts';
+import { localized } from '../terminal/language.ts';
 import type { ProbeFlags } from './probeFlags.ts';
 
-const examples = `
-Examples:
-  slowlight probe dice.usda --prim /World/Die --time 1.5 --json
-  slowlight probe dice.usda --pixel 640,360 --size 1280x720 --beta 0,0,-0.9`;
+const EXAMPLES = [
+  'slowlight probe dice.usda --prim /World/Die --time 1.5 --json',
+  'slowlight probe dice.usda --pixel 640,360 --size 1280x720 --beta 0,0,-0.9',
+];
 
 export function probeCommand(): Command {
   const command = new Command('probe')
-    .description('Computes in double precision what the observer sees of each vertex of an object, or at a pixel.')
-    .argument('<scene>', SCENE_ARGUMENT)
+    .description(
+      localized(msg`Computes in double precision what the observer sees of each vertex of an object, or at a pixel.`),
+    )
+    .argument('<scene>', localized(SCENE_ARGUMENT))
     .option(
       '--prim <path>',
-      'prim path of an object: emission time, apparent position and Doppler factor of each vertex',
+      localized(msg`prim path of an object: emission time, apparent position and Doppler factor of each vertex`),
       String,
     )
-    .option('--pixel <x,y>', 'pixel to probe, from the top left; 0,0 is the centre of the first pixel', parsePixel)
-    .addOption(sizeOption('size of the picture that contains the pixel'))
+    .option(
+      '--pixel <x,y>',
+      localized(msg`pixel to probe, from the top left; 0,0 is the centre of the first pixel`),
+      parsePixel,
+    )
+    .addOption(sizeOption(msg`size of the picture that contains the pixel`))
     .option(
       '--time <s>',
-      "world time of the observer's event [s] (default: suggested by the scene, else its start)",
+      localized(msg`world time of the observer's event [s] (default: suggested by the scene, else its start)`),
       parseNumber,
     );
   return addSceneFlags(addObserverFlags(command))
     .addOption(settingOption('view'))
-    .option('--json', 'print as JSON')
-    .addHelpText('after', examples)
+    .option('--json', localized(msg`print as JSON`))
+    .addHelpText('after', examples(EXAMPLES))
     .action(async (scene: string, flags: ProbeFlags) => (await import('./probeAction.ts')).probe(scene, flags));
 }

@@ -1,6 +1,8 @@
 import { Worker } from 'node:worker_threads';
 import type { RunHeavy } from '../../graph/evaluation/evaluator.ts';
 import { heavyWorkerPool } from '../../graph/evaluation/heavyWorkers.ts';
+import { msg } from '../../messages/message.ts';
+import { MessageError } from '../../messages/messageError.ts';
 import { nodeLibrary } from '../../nodes/library.ts';
 import { workerServices } from '../../nodes/services.ts';
 import { openDevice } from '../gpu/device.ts';
@@ -35,7 +37,7 @@ const runInThreads = (): RunHeavy =>
           hear(reply);
         });
         worker.on('error', fail);
-        worker.on('exit', (code) => fail(new Error(`a thread of the graph ended by itself, with ${code}`)));
+        worker.on('exit', (code) => fail(new MessageError(msg`a thread of the graph ended by itself, with ${code}`)));
       },
       end: () => void worker.terminate(),
     };

@@ -8,6 +8,8 @@ import { applyCommand, type Command } from '../../graph/edits/commands.ts';
 import { type Evaluation, Evaluator, type RunHeavy } from '../../graph/evaluation/evaluator.ts';
 import { type NodeProblem, type ParamSpec, valueError } from '../../graph/nodeType.ts';
 import { degrees } from '../../math/angle.ts';
+import { listed, msg } from '../../messages/message.ts';
+import { messageOf } from '../../messages/messageError.ts';
 import { toLoadedScene } from '../../nodes/common/loadedScene.ts';
 import { nodeLibrary } from '../../nodes/library.ts';
 import { evaluatedPicture, initialBeta } from '../../nodes/pictures/renderSettings.ts';
@@ -24,7 +26,9 @@ import { locateScene, openSceneFile } from '../files/sceneFiles.ts';
 import { openDevice } from '../gpu/device.ts';
 import { renderStill } from '../pipelines/renderStill.ts';
 import type { RenderFlags } from '../render/renderFlags.ts';
+import { placed } from '../terminal/diagnostics.ts';
 import { inputProblem, usageError } from '../terminal/exitCodes.ts';
+import { inLines } from '../terminal/language.ts';
 import { heavyNodes } from './heavyNodes.ts';
 
 const isArchive = (path: string): boolean => path.toLowerCase().endsWith('.zip');
@@ -46,7 +50,7 @@ export async function readProject(path: string): Promise<GraphDocument> {
   try {
     return parseDocument(new TextDecoder().decode(bytes));
   } catch (error) {
-    throw inputProblem(`${path}: ${error instanceof Error ? error.message : String(error)}`);
+    throw inputProblem(msg`${path}: ${messageOf(error)}`);
   }
 }
 
@@ -57,12 +61,12 @@ async function readBytes(path: string): Promise<Uint8Array | undefined> {
 }
 
 function throwUnreadable(path: string, { code, message }: NodeJS.ErrnoException): never {
-  throw inputProblem(`${path}: ${code === 'ENOENT' ? 'no such file' : `cannot be read (${message})`}`);
+  throw inputProblem(msg`${path}: ${code === 'ENOENT' ? msg`no such file` : msg`cannot be read (${message})`}`);
 }
 
 async function readPacked(path: string): Promise<Uint8Array> {
   const bytes = await readBytes(pathInArchive(path, PROJECT_FILE_NAME));
-  if (!bytes) throw inputProblem(`${path}: it holds no ${PROJECT_FILE_NAME}; save the project with its files again`);
+  if (!bytes) throw inputProblem(msg`${path}: it holds no ${PROJECT_FILE_NAME}; save the project with its files again`);
   return bytes;
 }
 
@@ -71,7 +75,7 @@ export function withParams(document: GraphDocument, sets: readonly string[]): Gr
   const commands = sets.map((text): Command => {
     const [, node, param, value] = /^([^.=]+)\.([^=]+)=(.*)$/s.exec(text) ?? [];
     if (node === undefined || param === undefined || value === undefined)
-      throw usageError(`--set ${text}: write node.param=value, like console.speedOfLight=10`);
+      throw usageError(msg`--set ${text}: write node.param=value, like console.speedOfLight=10`);
     return { kind: 'set-param', node, param, value: valueFor(document, node, param, value) };
   });
   return applyCommand(document, { kind: 'batch', commands }).document;
@@ -80,18 +84,18 @@ export function withParams(document: GraphDocument, sets: readonly string[]): Gr
 function valueFor(document: GraphDocument, node: string, param: string, text: string): ParamValue {
   const found = own(document.nodes, node);
   if (!found) {
-    const known = Object.keys(document.nodes).join(', ');
-    throw usageError(`--set ${node}.${param}: the project has no such node; it has ${known || 'none'}`);
+    const known = listed(Object.keys(document.nodes));
+    throw usageError(msg`--set ${node}.${param}: the project has no such node; it has ${known || msg`none`}`);
   }
   const params = own(nodeLibrary, found.type)?.params ?? {};
   const spec = own(params, param);
   if (!spec) {
-    const known = Object.keys(params).join(', ');
-    throw usageError(`--set ${node}.${param}: a ${found.type} has no such parameter; it has ${known || 'none'}`);
+    const known = listed(Object.keys(params));
+    throw usageError(msg`--set ${node}.${param}: a ${found.type} has no such parameter; it has ${known || msg`none`}`);
   }
   const value = parseParam(spec, text);
   const refusal = valueError(spec, value);
-  if (refusal) throw usageError(`--set ${node}.${param}=${text}: ${refusal}`);
+  if (refusal) throw usageError(msg`--set ${node}.${param}=${text}: ${refusal}`);
   return value;
 }
 
@@ -121,8 +125,6 @@ function numbersIn(text: string): number[] | undefined {
 export const projectProblems = (document: GraphDocument): readonly NodeProblem[] =>
   validateDocument(document, nodeLibrary);
 
-export const formatProblem = ({ place, message }: NodeProblem): string => `${place}: ${message}`;
-
 /** Evaluates nodes of a project. */
 export const evaluateNodes = (
   path: string,
@@ -143,15 +145,13 @@ async function evaluateProject(
   const picture = evaluatedPicture(evaluation);
   if (picture) return picture;
   const faults = problemsIn(evaluation);
-  throw inputProblem(
-    [`${path}: there is no picture`, ...faults.map((fault) => `  ${formatProblem(fault)}`)].join('\n'),
-  );
+  throw inputProblem(inLines([msg`${path}: there is no picture`, ...faults.map((fault) => msg`  ${placed(fault)}`)]));
 }
 
 function outputNodeOf(path: string, document: GraphDocument): string {
   const output = outputNodeId(document);
   if (output !== undefined) return output;
-  throw inputProblem(`${path}: it has no output node, so that it makes no picture; add one`);
+  throw inputProblem(msg`${path}: it has no output node, so that it makes no picture; add one`);
 }
 
 export const problemsIn = ({ results }: Evaluation): readonly NodeProblem[] =>
@@ -176,7 +176,7 @@ function servicesAt(project: string): Services {
     },
     async readFile(name) {
       const bytes = await readBytes(at(name));
-      if (!bytes) throw inputError('file.missing', name, 'there is no such file; put it beside the project');
+      if (!bytes) throw inputError('file.missing', name, msg`there is no such file; put it beside the project`);
       return bytes;
     },
   };
@@ -236,7 +236,7 @@ export function refuseSceneFlags(given: ReadonlySet<string>): void {
   const odd = SCENE_FLAGS.find((name) => given.has(name));
   if (odd === undefined) return;
   const flag = `--${odd.replace(/[A-Z]/g, (letter) => `-${letter.toLowerCase()}`)}`;
-  throw usageError(`${flag} is for scene files; a project says so in its nodes: use --set node.param=value`);
+  throw usageError(msg`${flag} is for scene files; a project says so in its nodes: use --set node.param=value`);
 }
 
 function flagsOf(picture: PictureSpec, film: boolean): Partial<RenderFlags> {

@@ -1,5 +1,5 @@
 import { extname } from 'node:path';
-import { alternatives } from '../../formats/formatLists.ts';
+import { anyOf, msg } from '../../messages/message.ts';
 import { encodeExrPicture, encodePngPicture, frameName } from '../../nodes/pictures/encode.ts';
 import type { PictureFrame } from '../../nodes/pictures/sequence.ts';
 import type { Scene } from '../../scene/types.ts';
@@ -36,14 +36,14 @@ const SINKS: ReadonlyMap<string, OpenSink> = new Map<string, OpenSink>([
 export async function openFrameSink(flags: RenderFlags, scene: Scene, frames: number): Promise<FrameSink> {
   const open = SINKS.get(extname(flags.output).toLowerCase());
   if (open) return open(flags, scene, frames);
-  throw usageError(`--output ${flags.output}: its name must end in ${alternatives([...SINKS.keys()])}`);
+  throw usageError(msg`--output ${flags.output}: its name must end in ${anyOf([...SINKS.keys()])}`);
 }
 
 /** One file per frame; `####` in the name is the frame's number. */
 function fileSink(output: string, frames: number, encode: (frame: PictureFrame) => Uint8Array): FrameSink {
   if (frames > 1 && !/#/.test(output)) {
     const pattern = output.replace(/(\.\w+)$/, '.####$1');
-    throw usageError(`--output ${output}: several frames need a place for their number, like ${pattern}`);
+    throw usageError(msg`--output ${output}: several frames need a place for their number, like ${pattern}`);
   }
   checkWritable(output);
   const files: string[] = [];
@@ -61,7 +61,7 @@ function fileSink(output: string, frames: number, encode: (frame: PictureFrame) 
 
 async function videoSink({ output, size }: RenderFlags, fps: number): Promise<FrameSink> {
   if (size.width % 2 || size.height % 2) {
-    throw usageError(`--size ${size.width}x${size.height}: an .mp4 needs an even width and height`);
+    throw usageError(msg`--size ${size.width}x${size.height}: an .mp4 needs an even width and height`);
   }
   const video = await VideoWriter.open(output, size, fps);
   const files: string[] = [];

@@ -1,6 +1,7 @@
 import { join } from 'node:path';
 import { extensionOf } from '../../formats/files/fileSource.ts';
 import { DocumentError, type GraphDocument } from '../../graph/document/document.ts';
+import { msg } from '../../messages/message.ts';
 import { exportSceneFile } from '../../nodes/project/exportSceneFile.ts';
 import { fileNodesIn, requestedFiles } from '../../nodes/project/fileNodes.ts';
 import { frameTimes, type ImageOutput, type RequestedFile, type VideoOutput } from '../../nodes/project/outputFiles.ts';
@@ -9,7 +10,6 @@ import { checkWritable, throwIfStopped } from '../files/outputFile.ts';
 import { checkPipeline } from '../flags/pipelineFlags.ts';
 import {
   evaluateNodes,
-  formatProblem,
   isProject,
   problemsIn,
   readProject,
@@ -17,8 +17,10 @@ import {
   renderJobOf,
   withParams,
 } from '../project/project.ts';
-import { reportDiagnostics } from '../terminal/diagnostics.ts';
+import { placed, reportDiagnostics } from '../terminal/diagnostics.ts';
 import { inputProblem, usageError } from '../terminal/exitCodes.ts';
+import { toJson } from '../terminal/json.ts';
+import { inLines } from '../terminal/language.ts';
 import { Progress } from '../terminal/progress.ts';
 import type { ProjectFilesFlags, RenderFlags } from './renderFlags.ts';
 import { renderFrames } from './renderFrames.ts';
@@ -57,7 +59,7 @@ async function writeRendered(
   const own = { output: join(folder, name), size: { width, height }, ...more };
   const opened = renderJobOf(picture, { ...flags, ...own }, given, file.kind === 'video');
   const sampled = opened.flags.antialiasing ? { ...opened, flags: { ...opened.flags, samples } } : opened;
-  return (await renderFrames(sampled, frameTimes(file), new Progress(`${name}: `))).files;
+  return (await renderFrames(sampled, frameTimes(file), new Progress(name))).files;
 }
 
 /** Writes every file that the nodes of a project request; writes none if one of them cannot be written. */
@@ -67,7 +69,7 @@ export async function writeProjectFiles(
   given: ReadonlySet<string>,
 ): Promise<void> {
   if (!(await isProject(path)))
-    throw usageError('name the file to write with -o; only projects say by themselves what they write');
+    throw usageError(msg`name the file to write with -o; only projects say by themselves what they write`);
   checkFlags(flags, given);
   const { folder = '.', set = [], json } = flags;
   const files = await collectFiles(path, withParams(await readProject(path), set));
@@ -77,7 +79,7 @@ export async function writeProjectFiles(
     throwIfStopped();
     paths.push(...(await write(file, { folder, flags, given })));
   }
-  console.log(json ? JSON.stringify({ files: paths }, null, 2) : paths.join('\n'));
+  console.log(json ? toJson({ files: paths }) : paths.join('\n'));
 }
 
 const write = (file: RequestedFile, place: WriteTarget): Promise<readonly string[]> =>
@@ -91,28 +93,30 @@ function checkFlags(flags: ProjectFilesFlags, given: ReadonlySet<string>): void 
   checkPipeline(flags);
   const odd = NODE_FLAGS.find((name) => given.has(name));
   if (odd !== undefined)
-    throw usageError(`--${odd} is for -o; without it each node that writes says so itself: use --set node.param=value`);
+    throw usageError(
+      msg`--${odd} is for -o; without it each node that writes says so itself: use --set node.param=value`,
+    );
 }
 
 /** The files that the nodes request; throws if a node has failed. */
 async function collectFiles(path: string, document: GraphDocument): Promise<readonly RequestedFile[]> {
   const writers = flatWriters(path, document);
   if (writers.size === 0)
-    throw usageError(`${path}: none of its nodes writes a file; add one that does, or name a picture with -o`);
+    throw usageError(msg`${path}: none of its nodes writes a file; add one that does, or name a picture with -o`);
   const progress = new Progress();
   const evaluation = await evaluateNodes(path, document, [...writers.keys()], progress.node);
   progress.clear();
   const files = [...requestedFiles(evaluation, writers).values()];
   if (files.length === writers.size) return files;
-  const faults = problemsIn(evaluation).map((fault) => `  ${formatProblem(fault)}`);
-  throw inputProblem([`${path}: not all of its files can be written`, ...faults].join('\n'));
+  const faults = problemsIn(evaluation).map((fault) => msg`  ${placed(fault)}`);
+  throw inputProblem(inLines([msg`${path}: not all of its files can be written`, ...faults]));
 }
 
 function flatWriters(path: string, document: GraphDocument): ReadonlyMap<string, string> {
   try {
     return fileNodesIn(document);
   } catch (error) {
-    if (error instanceof DocumentError) throw inputProblem(`${path}: ${error.message}`);
+    if (error instanceof DocumentError) throw inputProblem(msg`${path}: ${error.text}`);
     throw error;
   }
 }
@@ -120,7 +124,7 @@ function flatWriters(path: string, document: GraphDocument): ReadonlyMap<string,
 function checkFiles(files: readonly RequestedFile[], folder: string): void {
   const names = files.map(({ name }) => name.toLowerCase());
   const twice = names.find((name, i) => names.indexOf(name) < i);
-  if (twice !== undefined) throw inputProblem(`two nodes write ${twice}; give one of them another name`);
+  if (twice !== undefined) throw inputProblem(msg`two nodes write ${twice}; give one of them another name`);
   for (const { name } of files) checkWritable(join(folder, name));
   const extensions = new Set(files.map(({ name }) => extensionOf(name)));
   if (extensions.has(VIDEO_EXTENSION)) checkEncoder();

@@ -1,5 +1,6 @@
 import { extname } from 'node:path';
 import { length } from '../../math/vec3.ts';
+import { msg } from '../../messages/message.ts';
 import type { FrameTime } from '../../nodes/project/outputFiles.ts';
 import { gamma, velocity } from '../../physics/lorentz/boost.ts';
 import type { Scene } from '../../scene/types.ts';
@@ -7,6 +8,8 @@ import { checkPipeline } from '../flags/pipelineFlags.ts';
 import { openSceneWithFlags } from '../flags/sceneFlags.ts';
 import { isProject, openProjectJob, type RenderJob } from '../project/project.ts';
 import { usageError } from '../terminal/exitCodes.ts';
+import { toJson } from '../terminal/json.ts';
+import { localized } from '../terminal/language.ts';
 import { Progress } from '../terminal/progress.ts';
 import type { RenderFlags } from './renderFlags.ts';
 import { chooseAovs, type RenderReport, renderFrames } from './renderFrames.ts';
@@ -16,7 +19,7 @@ export async function render(path: string, flags: RenderFlags, given: ReadonlySe
   checkSamples(flags);
   chooseAovs(flags);
   const progress = new Progress();
-  progress.show('reading …');
+  progress.show(msg`reading …`);
   const job = await openJob(path, flags, given, progress);
   progress.clear();
   const frames = frameTimes(job.scene, job.flags);
@@ -31,21 +34,22 @@ async function openJob(
   progress: Progress,
 ): Promise<RenderJob<RenderFlags>> {
   if (await isProject(path)) return openProjectJob(path, flags, given, progress.node);
-  if (flags.set) throw usageError('--set is for projects, .slowlight.json; of a scene file there are no nodes to set');
+  if (flags.set)
+    throw usageError(msg`--set is for projects, .slowlight.json; of a scene file there are no nodes to set`);
   return { scene: await openSceneWithFlags(path, flags), others: [], flags };
 }
 
 function checkSamples({ samples, antialiasing }: RenderFlags): void {
   if (samples !== undefined && !antialiasing)
-    throw usageError('--no-antialiasing takes one sample, at the centre of each pixel: leave it or --samples out');
+    throw usageError(msg`--no-antialiasing takes one sample, at the centre of each pixel: leave it or --samples out`);
 }
 
 function frameTimes(scene: Scene, { time, frames, fps = scene.timeCodesPerSecond, output }: RenderFlags): FrameTime[] {
   if (!frames) {
-    if (extname(output).toLowerCase() === '.mp4') throw usageError('an .mp4 needs --frames FIRST:LAST');
+    if (extname(output).toLowerCase() === '.mp4') throw usageError(msg`an .mp4 needs --frames FIRST:LAST`);
     return [{ t: time ?? scene.hints.openAt ?? scene.startTime }];
   }
-  if (time !== undefined) throw usageError('--time and --frames exclude each other');
+  if (time !== undefined) throw usageError(msg`--time and --frames exclude each other`);
   const count = frames.last - frames.first + 1;
   return Array.from({ length: count }, (_, i) => ({ number: frames.first + i, t: (frames.first + i) / fps }));
 }
@@ -53,7 +57,8 @@ function frameTimes(scene: Scene, { time, frames, fps = scene.timeCodesPerSecond
 function report({ scene, flags }: RenderJob<RenderFlags>, drawn: RenderReport): void {
   const { files, frames, first } = drawn;
   if (!flags.json) {
-    console.log(`${files.length > 1 ? `${files.length} files, the last ` : ''}${files.at(-1)}`);
+    const last = files.at(-1) ?? '';
+    console.log(localized(files.length > 1 ? msg`${files.length} files, the last ${last}` : last));
     return;
   }
   const beta = velocity(first.u);
@@ -70,5 +75,5 @@ function report({ scene, flags }: RenderJob<RenderFlags>, drawn: RenderReport): 
     falseColours: drawn.falseColours,
     objects: scene.objects.map((object, i) => ({ id: i + 1, path: object.path })),
   };
-  console.log(JSON.stringify(summary, null, 2));
+  console.log(toJson(summary));
 }

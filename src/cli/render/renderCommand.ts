@@ -1,4 +1,5 @@
 import { Command, Option } from 'commander';
+import { listed, msg } from '../../messages/message.ts';
 import { PIPELINES } from '../../pipelines/registry.ts';
 import { AOVS } from '../../scene/view/view.ts';
 import { FALSE_COLOR_QUANTITIES } from '../../spectrum/falseColor/falseColor.ts';
@@ -15,81 +16,92 @@ import { addPipelineFlags } from '../flags/pipelineFlags.ts';
 import { addSceneFlags, SCENE_ARGUMENT } from '../flags/sceneFlags.ts';
 import { addObserverFlags, addSettingFlags } from '../flags/viewFlags.ts';
 import { usageError } from '../terminal/exitCodes.ts';
+import { examples } from '../terminal/help.ts';
+import { inClauses, localized } from '../terminal/language.ts';
 import type { ProjectFilesFlags, RenderFlags } from './renderFlags.ts';
 
 type Optional<T, K extends keyof T> = Omit<T, K> & Partial<Pick<T, K>>;
 
-const defaultSamples = PIPELINES.map(({ id, samples: { default: n, note } }) =>
-  [`${n} of ${id}`, ...(note ? [note] : [])].join(', '),
-).join('; ');
+const DEFAULT_SAMPLES = inClauses(
+  PIPELINES.map(({ id, samples: { default: n, note } }) => {
+    const samples = msg`${n} of ${id}`;
+    return note ? msg`${samples}, ${note}` : samples;
+  }),
+);
 
-const examples = `
-Examples:
-  slowlight render street.usda -o street.png --time 2 --c 10 --beta 0,0,-0.8
-  slowlight render street.usda -o street.exr --aov beauty,depth,doppler --size 1920x1080
-  slowlight render street.usda -o street.mp4 --frames 1:96 --fps 24
-  slowlight render street.usda -o 'street.####.png' --frames 1:96
-  slowlight render street.usda -o truth.png --pipeline reference --samples 8
-  slowlight render street.usda -o shift.png --false-colour doppler --legend --beta 0,0,-0.5
-  slowlight render workshop.slowlight.json -o workshop.png --set console.speedOfLight=10`;
+const EXAMPLES = [
+  'slowlight render street.usda -o street.png --time 2 --c 10 --beta 0,0,-0.8',
+  'slowlight render street.usda -o street.exr --aov beauty,depth,doppler --size 1920x1080',
+  'slowlight render street.usda -o street.mp4 --frames 1:96 --fps 24',
+  "slowlight render street.usda -o 'street.####.png' --frames 1:96",
+  'slowlight render street.usda -o truth.png --pipeline reference --samples 8',
+  'slowlight render street.usda -o shift.png --false-colour doppler --legend --beta 0,0,-0.5',
+  'slowlight render workshop.slowlight.json -o workshop.png --set console.speedOfLight=10',
+];
 
 export function renderCommand(): Command {
   const command = new Command('render')
-    .description('Renders a scene or a project as .png, .exr with data channels, or .mp4.')
-    .argument('<scene>', `${SCENE_ARGUMENT}; or a .slowlight.json project`)
+    .description(localized(msg`Renders a scene or a project as .png, .exr with data channels, or .mp4.`))
+    .argument('<scene>', localized(msg`${SCENE_ARGUMENT}; or a .slowlight.json project`))
     .option(
       '-o, --output <file>',
-      'output file; #### in the name of a .png or .exr is replaced by the frame number (default: the files that the nodes of a project write)',
+      localized(
+        msg`output file; #### in the name of a .png or .exr is replaced by the frame number (default: the files that the nodes of a project write)`,
+      ),
     )
     .option(
       '--folder <folder>',
-      'for a project, without -o: folder that its files are written to (default: the current one)',
+      localized(msg`for a project, without -o: folder that its files are written to (default: the current one)`),
     )
-    .addOption(sizeOption('picture size in pixels'))
+    .addOption(sizeOption(msg`picture size in pixels`))
     .option(
       '--time <s>',
-      "world time of the observer's event [s] (default: suggested by the scene, else its start)",
+      localized(msg`world time of the observer's event [s] (default: suggested by the scene, else its start)`),
       parseNumber,
     )
-    .option('--frames <A:B>', 'first and last frame; frame n is at world time n/fps', parseFrames)
-    .option('--fps <n>', "frames per second (default: the scene's time codes per second)", parsePositive);
+    .option('--frames <A:B>', localized(msg`first and last frame; frame n is at world time n/fps`), parseFrames)
+    .option('--fps <n>', localized(msg`frames per second (default: the scene's time codes per second)`), parsePositive);
   addObserverFlags(addSceneFlags(command)).option(
     '--hold',
-    'with --frames: keep the observer in place instead of moving it with its velocity',
+    localized(msg`with --frames: keep the observer in place instead of moving it with its velocity`),
   );
   addSettingFlags(command)
-    .option('--samples <n>', `n × n samples per pixel (default: ${defaultSamples})`, parseSamples)
+    .option('--samples <n>', localized(msg`n × n samples per pixel (default: ${DEFAULT_SAMPLES})`), parseSamples)
     .addOption(
       new Option(
         '--false-colour <what>',
-        'false colours: the Doppler factor, emission time relative to the observer, luminance before exposure, or the emitted wavelength that is visible',
+        localized(
+          msg`false colours: the Doppler factor, emission time relative to the observer, luminance before exposure, or the emitted wavelength that is visible`,
+        ),
       ).choices(FALSE_COLOR_QUANTITIES),
     )
     .option(
       '--false-range <from:to>',
-      'values at both ends of the colour scale; emission-time in seconds, band in metres (default: round numbers that enclose the values of the first picture)',
+      localized(
+        msg`values at both ends of the colour scale; emission-time in seconds, band in metres (default: round numbers that enclose the values of the first picture)`,
+      ),
       parseRange,
     )
-    .option('--legend', 'with --false-colour: add a legend below the picture')
+    .option('--legend', localized(msg`with --false-colour: add a legend below the picture`))
     .option(
       '--aov <names>',
-      `for .exr: data channels to write, comma-separated: ${Object.keys(AOVS).join(', ')}`,
+      localized(msg`for .exr: data channels to write, comma-separated: ${listed(Object.keys(AOVS))}`),
       parseAovs,
     );
   return (
     addPipelineFlags(command)
       .option(
         '--set <node.param=value>',
-        'for a project: set a parameter of a node; repeatable; vectors as x,y,z',
+        localized(msg`for a project: set a parameter of a node; repeatable; vectors as x,y,z`),
         (text: string, before: readonly string[] = []) => [...before, text],
       )
-      .option('--json', 'print a report as JSON')
-      .addHelpText('after', examples)
+      .option('--json', localized(msg`print a report as JSON`))
+      .addHelpText('after', examples(EXAMPLES))
       // Imported lazily: the renderer is large.
       .action(async (scene: string, { output, ...flags }: Optional<RenderFlags, 'output'> & ProjectFilesFlags) => {
         const given = explicitFlags(command);
         if (output === undefined) return (await import('./projectFiles.ts')).writeProjectFiles(scene, flags, given);
-        if (flags.folder !== undefined) throw usageError('--folder is for the files of a project; -o names its own');
+        if (flags.folder !== undefined) throw usageError(msg`--folder is for the files of a project; -o names its own`);
         return (await import('./renderAction.ts')).render(scene, { output, ...flags }, given);
       })
   );

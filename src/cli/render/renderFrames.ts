@@ -1,4 +1,5 @@
 import { extname } from 'node:path';
+import { msg } from '../../messages/message.ts';
 import { outputSize } from '../../nodes/pictures/falseColor.ts';
 import { type PictureSequence, renderPictureSequence } from '../../nodes/pictures/sequence.ts';
 import type { FrameTime } from '../../nodes/project/outputFiles.ts';
@@ -52,13 +53,13 @@ export async function renderFrames(
   const request = { settings, metering, size, aovs, views, frames, falseColour, falseRange, legend };
   const sink = await openFrameSink({ ...flags, size: outputSize(flags) }, scene, frames.length);
   try {
-    progress.show('getting ready to draw …');
+    progress.show(msg`getting ready to draw …`);
     const session = await openFlaggedSession([scene, ...others], flags, (text) => progress.note(text));
     const { info } = session;
     const samples = flags.samples ?? (flags.antialiasing ? pipelineNamed(info.pipeline).samples.default : 1);
     const made = await renderIntoSink(session, { ...request, samples }, sink, progress).finally(() => session.close());
     throwIfStopped();
-    progress.show('finishing …');
+    progress.show(msg`finishing …`);
     await sink.finish();
     const { files } = sink;
     return { files, frames, first: observer(frames[0]!.t), info, samples, speedOfLight: c, ...made };
@@ -90,17 +91,17 @@ async function renderIntoSink(
 /** The AOVs to write: those of `--aov`, by default beauty in EXR and none in other formats. Throws if the format cannot hold them. */
 export function chooseAovs({ output, aov }: RenderFlags): readonly AovName[] {
   if (extname(output).toLowerCase() === '.exr') return aov ?? ['beauty'];
-  if (aov) throw usageError(`--aov needs a file that can hold data channels: write an .exr, not ${output}`);
+  if (aov) throw usageError(msg`--aov needs a file that can hold data channels: write an .exr, not ${output}`);
   return [];
 }
 
 function checkFalseColors({ falseColour, falseRange, legend }: RenderFlags, aovs: readonly AovName[]): void {
   if (falseColour === undefined) {
     const idle = falseRange ? '--false-range' : legend ? '--legend' : undefined;
-    if (idle) throw usageError(`${idle} is for false colours: add --false-colour, or leave it out`);
+    if (idle) throw usageError(msg`${idle} is for false colours: add --false-colour, or leave it out`);
   } else if (aovs.length > 0) {
-    throw usageError('--false-colour makes pictures for a screen; an .exr holds the numbers themselves: use --aov');
+    throw usageError(msg`--false-colour makes pictures for a screen; an .exr holds the numbers themselves: use --aov`);
   } else if (falseRange && falseColour !== 'emission-time' && falseRange.from <= 0) {
-    throw usageError(`--false-range: the scale of ${falseColour} is logarithmic, so that both ends must be above 0`);
+    throw usageError(msg`--false-range: the scale of ${falseColour} is logarithmic, so that both ends must be above 0`);
   }
 }

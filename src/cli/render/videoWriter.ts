@@ -1,6 +1,7 @@
 import { type ChildProcessByStdio, spawn, spawnSync } from 'node:child_process';
 import { once } from 'node:events';
 import type { Readable, Writable } from 'node:stream';
+import { msg } from '../../messages/message.ts';
 import type { PictureSize } from '../../scene/view/pictureViews.ts';
 import { killWhenStopped, OutputFile } from '../files/outputFile.ts';
 import { inputProblem, unavailable } from '../terminal/exitCodes.ts';
@@ -8,7 +9,9 @@ import { inputProblem, unavailable } from '../terminal/exitCodes.ts';
 export const VIDEO_EXTENSION = 'mp4';
 
 const missingEncoder = () =>
-  unavailable('mp4 needs the program ffmpeg, which is not on the PATH. On Debian or Ubuntu: apt-get install -y ffmpeg');
+  unavailable(
+    msg`mp4 needs the program ffmpeg, which is not on the PATH. On Debian or Ubuntu: apt-get install -y ffmpeg`,
+  );
 
 /** Throws if ffmpeg is missing; called before rendering. */
 export function checkEncoder(): void {
@@ -61,7 +64,7 @@ export class VideoWriter {
     this.forget();
     if (code === 0) return this.file.commit();
     this.file.discard();
-    throw inputProblem(`${this.file.path}: ffmpeg failed: ${this.complaint.trim() || `exit ${code}`}`);
+    throw inputProblem(msg`${this.file.path}: ffmpeg failed: ${this.complaint.trim() || `exit ${code}`}`);
   }
 
   discard(): void {

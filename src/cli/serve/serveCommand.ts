@@ -1,24 +1,26 @@
 import { once } from 'node:events';
 import { Command } from 'commander';
+import { type Message, msg } from '../../messages/message.ts';
 import { parsePort } from '../flags/parse.ts';
+import { localized } from '../terminal/language.ts';
 import { PortTaken, type RunningServer, serveApp } from './staticServer.ts';
 
 const DEFAULT_PORT = 5510;
 
 export const serveCommand = (): Command =>
   new Command('serve')
-    .description('Serves the web page on this machine.')
+    .description(localized(msg`Serves the web page on this machine.`))
     .option(
       '--port <n>',
-      `port on 127.0.0.1; 0: any free port (default: ${DEFAULT_PORT}, or any if that is in use)`,
+      localized(msg`port on 127.0.0.1; 0: any free port (default: ${DEFAULT_PORT}, or any if that is in use)`),
       parsePort,
     )
-    .option('--json', 'print the address as JSON')
+    .option('--json', localized(msg`print the address as JSON`))
     .action(serve);
 
 async function serve(flags: { port?: number; json?: boolean }): Promise<void> {
   const server = await start(flags.port);
-  console.log(flags.json ? JSON.stringify({ url: server.url }) : welcome(server.url));
+  console.log(flags.json ? JSON.stringify({ url: server.url }) : localized(welcome(server.url)));
   await Promise.race([once(process, 'SIGINT'), once(process, 'SIGTERM')]);
   await server.close();
 }
@@ -34,7 +36,7 @@ async function start(port: number | undefined): Promise<RunningServer> {
   }
 }
 
-const welcome = (url: string): string => `
+const welcome = (url: string): Message => msg`
   Slowlight is at  ${url}
 
   Open it in a browser, pick a scene, then:

@@ -3,6 +3,8 @@ import { createServer, type IncomingMessage, type Server, type ServerResponse } 
 import { type AddressInfo, isIP } from 'node:net';
 import { extname, join, sep } from 'node:path';
 import { fileURLToPath } from 'node:url';
+import { msg } from '../../messages/message.ts';
+import { messageOf } from '../../messages/messageError.ts';
 import { CliError, EXIT, unavailable } from '../terminal/exitCodes.ts';
 
 const packageRoot = fileURLToPath(new URL('../../../../', import.meta.url));
@@ -44,7 +46,7 @@ export interface RunningServer {
 export async function serveApp(port: number, extra?: ExtraFiles): Promise<RunningServer> {
   if (!isFile(join(appFolder, 'index.html'))) {
     throw unavailable(
-      'the page is not built. Run `npm run build` in the project folder (or `npm start`, which does it all)',
+      msg`the page is not built. Run \`npm run build\` in the project folder (or \`npm start\`, which does it all)`,
     );
   }
   const server = createServer((request, response) => {
@@ -62,14 +64,14 @@ export async function serveApp(port: number, extra?: ExtraFiles): Promise<Runnin
 
 export class PortTaken extends CliError {
   constructor(port: number) {
-    super(EXIT.unavailable, `port ${port} is in use; choose another with --port, or stop what uses it`);
+    super(EXIT.unavailable, msg`port ${port} is in use; choose another with --port, or stop what uses it`);
   }
 }
 
 function listen(server: Server, port: number): Promise<void> {
   return new Promise((resolve, reject) => {
     server.once('error', (error: NodeJS.ErrnoException) => {
-      reject(error.code === 'EADDRINUSE' ? new PortTaken(port) : unavailable(error.message));
+      reject(error.code === 'EADDRINUSE' ? new PortTaken(port) : unavailable(messageOf(error)));
     });
     server.listen(port, '127.0.0.1', resolve);
   });

@@ -3,6 +3,7 @@ import { closeSync, ftruncateSync, openSync, readFileSync, writeSync } from 'nod
 import { endianness } from 'node:os';
 import type { SimulationFrame } from '../../dynamics/run.ts';
 import type { State } from '../../dynamics/system.ts';
+import { msg } from '../../messages/message.ts';
 import { inputProblem } from '../terminal/exitCodes.ts';
 
 /** First line of a checkpoint, as JSON. Frames follow as f64: t, steps, x (3 per point), p (3 per point). */
@@ -74,7 +75,7 @@ function openForWriting(path: string, how: 'w' | 'r+'): number {
   try {
     return openSync(path, how);
   } catch (error) {
-    throw inputProblem(`${path} cannot be written (${(error as Error).message}); name another file`);
+    throw inputProblem(msg`${path} cannot be written (${(error as Error).message}); name another file`);
   }
 }
 
@@ -87,10 +88,10 @@ export function readCheckpoint(
   const bytes = readBytes(path);
   const newline = bytes.indexOf(10);
   const head = parseHeader(bytes.subarray(0, Math.max(0, newline)));
-  if (!head) throw inputProblem(`${path} is no checkpoint of a simulation; leave --resume out to begin anew`);
+  if (!head) throw inputProblem(msg`${path} is no checkpoint of a simulation; leave --resume out to begin anew`);
   if (head.content !== content || head.points !== points || head.littleEndian !== LITTLE_ENDIAN)
     throw inputProblem(
-      `${path} was made of another simulation: its things, numbers, method or pace were others; set them as they were, or leave --resume out to begin anew`,
+      msg`${path} was made of another simulation: its things, numbers, method or pace were others; set them as they were, or leave --resume out to begin anew`,
     );
   const size = 2 + 6 * points;
   const body = bytes.slice(newline + 1);
@@ -109,7 +110,7 @@ function readBytes(path: string): Uint8Array {
   try {
     return new Uint8Array(readFileSync(path));
   } catch (error) {
-    throw inputProblem(`${path} cannot be read (${(error as Error).message}); leave --resume out to begin anew`);
+    throw inputProblem(msg`${path} cannot be read (${(error as Error).message}); leave --resume out to begin anew`);
   }
 }
 

@@ -7,6 +7,7 @@ import { writtenExtensions } from '../../formats/save.ts';
 import { flatten } from '../../graph/analysis/flatten.ts';
 import { DocumentError, type GraphDocument } from '../../graph/document/document.ts';
 import type { HeavyRequest, RunHeavy } from '../../graph/evaluation/evaluator.ts';
+import { listed, msg } from '../../messages/message.ts';
 import type { Matter } from '../../nodes/dynamics/matter.ts';
 import { simulationSettings } from '../../nodes/dynamics/simulate.ts';
 import { Simulation, type SimulationOutputs } from '../../nodes/dynamics/simulation.ts';
@@ -22,9 +23,11 @@ import {
 } from '../files/outputFile.ts';
 import { openDevice } from '../gpu/device.ts';
 import { heavyNodes } from '../project/heavyNodes.ts';
-import { evaluateNodes, formatProblem, isProject, problemsIn, readProject, withParams } from '../project/project.ts';
-import { reportDiagnostics } from '../terminal/diagnostics.ts';
+import { evaluateNodes, isProject, problemsIn, readProject, withParams } from '../project/project.ts';
+import { placed, reportDiagnostics } from '../terminal/diagnostics.ts';
 import { EXIT, inputProblem, usageError } from '../terminal/exitCodes.ts';
+import { toJson } from '../terminal/json.ts';
+import { inLines } from '../terminal/language.ts';
 import { Progress } from '../terminal/progress.ts';
 import { Checkpoint, contentHash, readCheckpoint } from './checkpoint.ts';
 import type { SimulateFlags } from './simulateFlags.ts';
@@ -34,7 +37,7 @@ const YIELD_INTERVAL = 50;
 
 export async function simulate(path: string, flags: SimulateFlags): Promise<void> {
   checkFlags(flags);
-  if (!(await isProject(path))) throw usageError(`${path} is no project; what is simulated is said by its nodes`);
+  if (!(await isProject(path))) throw usageError(msg`${path} is no project; what is simulated is said by its nodes`);
   const document = withParams(await readProject(path), flags.set ?? []);
   const node = chooseSimulateNode(path, document, flags.node);
   handleSignals();
@@ -54,23 +57,23 @@ export async function simulate(path: string, flags: SimulateFlags): Promise<void
 
 function checkFlags({ output, csv, checkpoint, resume }: SimulateFlags): void {
   if (output === undefined && csv === undefined)
-    throw usageError('name what to write: a scene with -o, a table of energies with --csv');
-  if (resume && checkpoint === undefined) throw usageError('--resume goes on from a --checkpoint; name it too');
+    throw usageError(msg`name what to write: a scene with -o, a table of energies with --csv`);
+  if (resume && checkpoint === undefined) throw usageError(msg`--resume goes on from a --checkpoint; name it too`);
   for (const file of [output, csv, checkpoint]) if (file !== undefined) checkWritable(file);
   if (output === undefined) return;
   const extension = extname(output).slice(1).toLowerCase();
   if (!writtenExtensions.includes(extension))
-    throw usageError(`${output}: a scene is written as ${dotted(writtenExtensions)}`);
+    throw usageError(msg`${output}: a scene is written as ${dotted(writtenExtensions)}`);
 }
 
 /** Id of the Simulate node to run; `outer/inner` in a group. */
 function chooseSimulateNode(path: string, document: GraphDocument, requested: string | undefined): string {
   const all = [...nodesIn(path, document)].filter(({ type }) => type === 'simulate').map(({ id }) => id);
   if (requested !== undefined && !all.includes(requested))
-    throw usageError(`--node ${requested}: there is no such Simulate node; there is ${all.join(', ') || 'none'}`);
-  if (all.length === 0) throw usageError(`${path}: it has no Simulate node; add one`);
+    throw usageError(msg`--node ${requested}: there is no such Simulate node; there is ${listed(all) || msg`none`}`);
+  if (all.length === 0) throw usageError(msg`${path}: it has no Simulate node; add one`);
   if (all.length > 1 && requested === undefined)
-    throw usageError(`${path} has several Simulate nodes; name one with --node: ${all.join(', ')}`);
+    throw usageError(msg`${path} has several Simulate nodes; name one with --node: ${listed(all)}`);
   return requested ?? all[0];
 }
 
@@ -78,7 +81,7 @@ function nodesIn(path: string, document: GraphDocument) {
   try {
     return flatten(document, nodeLibrary).nodes.values();
   } catch (error) {
-    if (error instanceof DocumentError) throw inputProblem(`${path}: ${error.message}`);
+    if (error instanceof DocumentError) throw inputProblem(msg`${path}: ${error.text}`);
     throw error;
   }
 }
@@ -91,7 +94,7 @@ async function runSimulation(
   flags: SimulateFlags,
 ): Promise<SimulationOutputs> {
   const threads = heavyNodes();
-  const progress = new Progress(`${node}: `);
+  const progress = new Progress(node);
   const heavy: RunHeavy = (request, work) =>
     request.node === node ? runWithCheckpoint(request, flags, progress) : threads(request, work);
   const evaluation = await evaluateNodes(path, document, [node], progress.node, heavy);
@@ -99,8 +102,8 @@ async function runSimulation(
   throwIfStopped();
   const { target } = evaluation;
   if (target.status === 'done') return target.outputs as unknown as SimulationOutputs;
-  const faults = problemsIn(evaluation).map((fault) => `  ${formatProblem(fault)}`);
-  throw inputProblem([`${path}: it cannot be simulated`, ...faults].join('\n'));
+  const faults = problemsIn(evaluation).map((fault) => msg`  ${placed(fault)}`);
+  throw inputProblem(inLines([msg`${path}: it cannot be simulated`, ...faults]));
 }
 
 async function runWithCheckpoint(
@@ -125,8 +128,9 @@ async function runWithCheckpoint(
     saved?.close();
   }
   if (requestedExitCode() !== undefined) {
-    const how = saved ? `; --resume goes on from ${flags.checkpoint}` : '; nothing is written';
-    progress.note(`stopped after ${simulation.recordedFrames} of ${simulation.frames} frames${how}`);
+    const stopped = msg`stopped after ${simulation.recordedFrames} of ${simulation.frames} frames`;
+    const how = saved ? msg`--resume goes on from ${flags.checkpoint ?? ''}` : msg`nothing is written`;
+    progress.note(msg`${stopped}; ${how}`);
   }
   return { ...simulation.outputs() };
 }
@@ -166,6 +170,6 @@ function report(books: RunRecord, files: readonly string[], { json }: SimulateFl
     energyChange: drift,
     ...(stop && { stop }),
   };
-  if (json) console.log(JSON.stringify(summary, null, 2));
+  if (json) console.log(toJson(summary));
   else console.log(files.join('\n'));
 }

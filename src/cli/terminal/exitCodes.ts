@@ -1,3 +1,6 @@
+import { type Message, msg } from '../../messages/message.ts';
+import { MessageError } from '../../messages/messageError.ts';
+
 /** Exit codes of the program. */
 export const EXIT = {
   ok: 0,
@@ -11,27 +14,27 @@ export const EXIT = {
 } as const;
 
 /** For `--help` and docs/guide/command-line.md. */
-export const EXIT_MEANINGS: Readonly<Record<(typeof EXIT)[keyof typeof EXIT], string>> = {
-  [EXIT.ok]: 'done',
-  [EXIT.internal]: 'an internal error',
-  [EXIT.usage]: 'an invalid flag or argument',
-  [EXIT.input]: 'a file that is missing, damaged, unphysical, or cannot be written',
-  [EXIT.unavailable]: 'no GPU, browser, encoder or port available',
-  [EXIT.different]: 'compare --fail-above: the pictures differ by more',
-  [EXIT.ended]: 'simulate: the simulation ended early; its result so far is written',
-  [EXIT.cancelled]: 'stopped with Ctrl-C; no incomplete file is left',
+export const EXIT_MEANINGS: Readonly<Record<(typeof EXIT)[keyof typeof EXIT], Message>> = {
+  [EXIT.ok]: msg`done`,
+  [EXIT.internal]: msg`an internal error`,
+  [EXIT.usage]: msg`an invalid flag or argument`,
+  [EXIT.input]: msg`a file that is missing, damaged, unphysical, or cannot be written`,
+  [EXIT.unavailable]: msg`no GPU, browser, encoder or port available`,
+  [EXIT.different]: msg`compare --fail-above: the pictures differ by more`,
+  [EXIT.ended]: msg`simulate: the simulation ended early; its result so far is written`,
+  [EXIT.cancelled]: msg`stopped with Ctrl-C; no incomplete file is left`,
 };
 
 /** An error that the user can act on; `main` prints its message without a stack. */
-export class CliError extends Error {
+export class CliError extends MessageError {
   readonly exitCode: number;
-  constructor(exitCode: number, message: string) {
-    super(message);
+  constructor(exitCode: number, text: Message) {
+    super(text);
     this.name = 'CliError';
     this.exitCode = exitCode;
   }
 }
 
-export const usageError = (message: string): CliError => new CliError(EXIT.usage, message);
-export const inputProblem = (message: string): CliError => new CliError(EXIT.input, message);
-export const unavailable = (message: string): CliError => new CliError(EXIT.unavailable, message);
+export const usageError = (text: Message): CliError => new CliError(EXIT.usage, text);
+export const inputProblem = (text: Message): CliError => new CliError(EXIT.input, text);
+export const unavailable = (text: Message): CliError => new CliError(EXIT.unavailable, text);

@@ -1,4 +1,5 @@
 import type { Vec3 } from '../../math/vec3.ts';
+import { msg } from '../../messages/message.ts';
 import type { Stiffness } from '../forces/force.ts';
 import { AndersonAcceleration } from '../linear/andersonAcceleration.ts';
 import { ConjugateGradients } from '../linear/conjugateGradients.ts';
@@ -150,7 +151,7 @@ class ImplicitStepper implements Stepper {
       return;
     }
     if (halvings === MAX_HALVINGS)
-      throw new StepFailure('unsolved', 'the equations of an implicit step were not solved; take a smaller step');
+      throw new StepFailure('unsolved', msg`the equations of an implicit step were not solved; take a smaller step`);
     assignState(state, { x: this.x0, p: this.p0, t });
     this.step(state, h / 2, halvings + 1);
     this.step(state, h / 2, halvings + 1);

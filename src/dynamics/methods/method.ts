@@ -1,3 +1,5 @@
+import type { Message } from '../../messages/message.ts';
+import { MessageError } from '../../messages/messageError.ts';
 import type { State, System } from '../system.ts';
 
 /** A numerical integration method. */
@@ -45,17 +47,18 @@ export type StepFailureReason =
 /**
  * A step that could not be made.
  * @example
- * const failure = new StepFailure('light', 'point 3 reached the speed of light', 3);
+ * import { msg } from 'slowlight/messages';
+ * const failure = new StepFailure('light', msg`point 3 reached the speed of light`, 3);
  * failure.reason; // 'light'
  */
-export class StepFailure extends Error {
+export class StepFailure extends MessageError {
   /** Why, for programs. */
   readonly reason: StepFailureReason;
   /** The first affected point, if there is one. */
   readonly point: number | undefined;
 
-  constructor(reason: StepFailureReason, message: string, point?: number) {
-    super(message);
+  constructor(reason: StepFailureReason, text: Message, point?: number) {
+    super(text);
     this.reason = reason;
     this.point = point;
   }

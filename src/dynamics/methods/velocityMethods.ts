@@ -1,3 +1,4 @@
+import { msg } from '../../messages/message.ts';
 import { potentialEnergy } from '../energy.ts';
 import type { Stiffness, StiffnessForm } from '../forces/force.ts';
 import { ConjugateGradients } from '../linear/conjugateGradients.ts';
@@ -52,7 +53,7 @@ function implicitChange(system: System, rounds: number, form: StiffnessForm): Ve
       const dx = new Float64Array(x.length);
       const { indefinite } = linear.solve(matrix, b, dx, 1e-10, 1000);
       if (indefinite)
-        throw new StepFailure('indefinite', 'the matrix of the step is not positive definite; take a smaller step');
+        throw new StepFailure('indefinite', msg`the matrix of the step is not positive definite; take a smaller step`);
       for (let j = 0; j < x.length; j++) x[j] += dx[j];
     }
     return x.map((value, j) => (value - x0[j]) / h - v[j]);
@@ -128,7 +129,7 @@ class VelocityStepper implements Stepper {
       return momenta(this.system, this.v);
     } catch (error) {
       if (error instanceof SystemError)
-        throw new StepFailure('light', `${error.message}; take a smaller step`, error.point);
+        throw new StepFailure('light', msg`${error.text}; take a smaller step`, error.point);
       throw error;
     }
   }

@@ -1,9 +1,10 @@
+import { type Message, msg } from '../../messages/message.ts';
 import './energy.css';
 import { ScrollArea, Select, Stack, Switch, Text, useComputedColorScheme } from '@mantine/core';
 import { type ReactNode, useMemo, useState } from 'react';
 import { type RunSummary, summarizeRun } from '../../dynamics/runRecord.ts';
 import { formatBeta, formatNumber, formatSeconds } from '../format.ts';
-import { useTexts } from '../i18n/i18n.ts';
+import { useTexts } from '../language/languageStore.ts';
 import { userTitle } from '../panels/nodeTitle.ts';
 import { useEditorState, useTelemetry } from '../state/context.tsx';
 import { type SimulationRun, simulationRuns, unevaluatedSimulations } from '../state/simulationRuns.ts';
@@ -11,6 +12,16 @@ import { LinePlot, type PlotLine } from './LinePlot.tsx';
 import { lineStyle } from './lineStyle.ts';
 import { runNames } from './runNames.ts';
 import { frameIndexAt, QUANTITIES, type RunQuantity, unitOf, valuesOf } from './series.ts';
+
+const QUANTITY_TITLES: Readonly<Record<RunQuantity, Message>> = {
+  change: msg`Change of energy`,
+  total: msg`Total energy`,
+  kinetic: msg`Kinetic energy`,
+  potential: msg`Potential energy`,
+  fastest: msg`Fastest point`,
+  momentum: msg`Momentum`,
+  angularMomentum: msg`Angular momentum`,
+};
 
 /** A run with its name and line style. */
 interface LabeledRun extends SimulationRun {
@@ -29,25 +40,30 @@ export default function EnergyPanel(): ReactNode {
   const named = useLabeledRuns(runs, quantity, unit);
   return (
     <ScrollArea h="100%" type="auto" scrollbarSize={8} className="sl-panel">
-      <Stack gap="xs" p="md" component="section" aria-label={t('panel.energy')}>
+      <Stack gap="xs" p="md" component="section" aria-label={t(msg`Energy`)}>
         {named.length === 0 ? (
           <Text size="sm" c="dimmed" lh={1.5}>
-            {t('energy.none')}
+            {t(
+              msg`Nothing has been simulated yet. A Simulate node needs matter (Mass Spring, Collider, Field), and its geometry must lead to the output. If something is wrong, the node reports it.`,
+            )}
           </Text>
         ) : (
           <>
             <Select
               size="xs"
-              aria-label={t('energy.quantity')}
+              aria-label={t(msg`Quantity`)}
               allowDeselect={false}
               value={quantity}
               onChange={(chosen) => chosen && setQuantity(chosen as RunQuantity)}
-              data={QUANTITIES.map((value) => ({ value, label: `${t(`energy.${value}`)} [${unitOf(value, runs)}]` }))}
+              data={QUANTITIES.map((value) => ({
+                value,
+                label: `${t(QUANTITY_TITLES[value])} [${unitOf(value, runs)}]`,
+              }))}
             />
             <EnergyPlot runs={named} quantity={quantity} unit={unit} logarithmic={logarithmic} />
             <Switch
               size="xs"
-              label={t('energy.logarithmic')}
+              label={t(msg`Logarithmic (absolute values)`)}
               checked={logarithmic}
               onChange={(event) => setLogarithmic(event.currentTarget.checked)}
             />
@@ -73,21 +89,23 @@ function UnevaluatedNote(): ReactNode {
   if (busy || names.length === 0 || results.size === 0) return null;
   return (
     <Text size="xs" c="dimmed" lh={1.5}>
-      {t('energy.unseen', { names: names.join(', ') })}
+      {t(
+        msg`Not computed, because it does not lead to the picture: ${names.join(', ')}. Connect its geometry to the scene, with a Transform to see it beside the others.`,
+      )}
     </Text>
   );
 }
 
 function useLabeledRuns(runs: readonly SimulationRun[], quantity: RunQuantity, unit: string): readonly LabeledRun[] {
-  const { textOrKey } = useTexts();
+  const { t } = useTexts();
   const document = useEditorState((state) => state.history.document);
   return useMemo(() => {
-    const names = runNames(runs, (node) => userTitle(document, node), textOrKey);
+    const names = runNames(runs, (node) => userTitle(document, node), t);
     return runs.map((run, i) => {
       const line = { times: run.record.times, values: valuesOf(run.record, quantity, unit) };
       return { ...run, name: names[i]!, line };
     });
-  }, [runs, quantity, unit, document, textOrKey]);
+  }, [runs, quantity, unit, document, t]);
 }
 
 interface RunsProps {
@@ -101,7 +119,7 @@ function EnergyPlot({ runs, quantity, unit, logarithmic }: RunsProps & { readonl
   const lines = useMemo(() => runs.map(({ line }) => line), [runs]);
   const ariaValueText = (time: number) =>
     runs.map(({ name, line }) => `${name} ${valueAt(line, time)} ${unit}`).join('; ');
-  const label = t('energy.plot', { quantity: t(`energy.${quantity}`) });
+  const label = t(msg`${QUANTITY_TITLES[quantity]} over time`);
   return <LinePlot lines={lines} logarithmic={logarithmic} label={label} ariaValueText={ariaValueText} />;
 }
 
@@ -117,14 +135,14 @@ function EnergyTable({ runs, unit }: RunsProps): ReactNode {
     <table className="sl-energy">
       <thead>
         <tr>
-          <th scope="col">{t('energy.run')}</th>
+          <th scope="col">{t(msg`Run`)}</th>
           <th scope="col">
             <CurrentTime unit={unit} />
           </th>
-          <th scope="col" title={t('energy.drift.help')}>
-            {t('energy.drift')}
+          <th scope="col" title={t(msg`The largest change of the energy, relative to the largest kinetic energy`)}>
+            {t(msg`Drift`)}
           </th>
-          <th scope="col">{t('energy.mostSpeed')}</th>
+          <th scope="col">{t(msg`Fastest`)}</th>
         </tr>
       </thead>
       {runs.map((run, n) => (
@@ -172,22 +190,25 @@ const formatFractionOfC = (beta: number): string => (beta > 0.1 ? formatBeta(bet
 
 /** Step size, how far the run came, and its problem. */
 function RunNotes({ run, figures }: { readonly run: LabeledRun; readonly figures: RunSummary }): ReactNode {
-  const { t, translateMessage } = useTexts();
+  const { t } = useTexts();
   const running = useEditorState((state) => state.interim === 'running');
   const { record, interim } = run;
   const { step, stop, speedOfLight } = record;
   const { until, grown } = figures;
-  const h = step > 0 ? t('energy.step', { step: formatNumber(step * 1000, 2) }) : t('energy.adaptive');
-  const c = Number.isFinite(speedOfLight) ? `c = ${formatNumber(speedOfLight)} m/s` : t('energy.newton');
-  const far = interim && t(running ? 'energy.running' : 'energy.stopped', { time: formatSeconds(until) });
+  const h = step > 0 ? t(msg`h = ${formatNumber(step * 1000, 2)} ms`) : t(msg`adaptive h`);
+  const c = Number.isFinite(speedOfLight) ? `c = ${formatNumber(speedOfLight)} m/s` : t(msg`Newtonian`);
+  const far =
+    interim && t(running ? msg`computed until ${formatSeconds(until)}` : msg`stopped at ${formatSeconds(until)}`);
   return (
     <tr>
       <td colSpan={4}>
         {[c, h, far].filter(Boolean).join(' · ')}
-        {grown !== undefined && <strong>{t('energy.grown', { time: formatSeconds(grown) })}</strong>}
-        {stop && (
-          <strong>{t('energy.failed', { time: formatSeconds(stop.t), why: translateMessage(stop.message) })}</strong>
+        {grown !== undefined && (
+          <strong>
+            {t(msg`By ${formatSeconds(grown)} energy had grown without a source: an error of the method`)}
+          </strong>
         )}
+        {stop && <strong>{t(msg`Ended at ${formatSeconds(stop.t)}: ${stop.message}`)}</strong>}
       </td>
     </tr>
   );

@@ -1,4 +1,5 @@
 import type { RunRecord } from '../../dynamics/runRecord.ts';
+import type { LocalizedText } from '../../messages/message.ts';
 import { simulateNode } from '../../nodes/dynamics/simulate.ts';
 import { formatNumber } from '../format.ts';
 import type { SimulationRun } from '../state/simulationRuns.ts';
@@ -10,9 +11,9 @@ import type { SimulationRun } from '../state/simulationRuns.ts';
 export function runNames(
   runs: readonly SimulationRun[],
   titleOf: (node: string) => string | undefined,
-  word: (key: string) => string,
+  t: (text: LocalizedText) => string,
 ): string[] {
-  const short = runs.map(({ node, record }) => titleOf(node) ?? methodName(record, word));
+  const short = runs.map(({ node, record }) => titleOf(node) ?? methodName(record, t));
   const withSpeedOfLight = runs.map(({ record }, i) => `${short[i]}, c = ${formatNumber(record.speedOfLight, 1)} m/s`);
   return runs.map(({ node }, i) => {
     const alone = [short, withSpeedOfLight].find((names) => names.indexOf(names[i]!) === names.lastIndexOf(names[i]!));
@@ -21,8 +22,8 @@ export function runNames(
 }
 
 /** With its velocity correction, for methods that have several. */
-function methodName({ method, onGpu }: RunRecord, word: (key: string) => string): string {
+function methodName({ method, onGpu }: RunRecord, t: (text: LocalizedText) => string): string {
   const [, family, correction] = /^(.+?)(?:-([0-3]))?$/.exec(method) ?? [];
   const known = simulateNode.params.method.options.find(({ value }) => value === family);
-  return [word(known?.title ?? method), correction, onGpu && 'GPU'].filter(Boolean).join(' ');
+  return [t(known?.title ?? method), correction, onGpu && 'GPU'].filter(Boolean).join(' ');
 }

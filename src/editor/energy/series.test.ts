@@ -2,6 +2,7 @@ import { describe, expect, it } from 'vitest';
 import { add, build } from '../../../tests/support/graphKit.ts';
 import { type RunRecord, summarizeRun } from '../../dynamics/runRecord.ts';
 import type { NodeResult } from '../../graph/evaluation/resultCache.ts';
+import { inEnglish } from '../../messages/message.ts';
 import { computedUntil, simulationRuns, unevaluatedSimulations } from '../state/simulationRuns.ts';
 import { lineStyle } from './lineStyle.ts';
 import { runNames } from './runNames.ts';
@@ -81,20 +82,16 @@ it('runs are named by title or method, or by what distinguishes them if these ar
     record: { ...record, method, speedOfLight },
   });
   const names = (...runs: Parameters<typeof runNames>[0]) =>
-    runNames(
-      runs,
-      (node) => (node === 'mine' ? 'My cloth' : undefined),
-      (key) => key.replace('method.', ''),
-    );
+    runNames(runs, (node) => (node === 'mine' ? 'My cloth' : undefined), inEnglish);
   expect(
     names(run('mine', 'leapfrog'), run('a', 'leapfrog'), run('b', 'local-global-2'), run('e', 'yoshida-4')),
-  ).toEqual(['My cloth', 'leapfrog', 'localGlobal 2', 'yoshida4']);
+  ).toEqual(['My cloth', 'Leapfrog', 'Local–global 2', 'Yoshida 4']);
   expect(names(run('a', 'leapfrog', 1), run('b', 'leapfrog', 100), run('c', 'yoshida-4'))).toEqual([
-    'leapfrog, c = 1 m/s',
-    'leapfrog, c = 100 m/s',
-    'yoshida4',
+    'Leapfrog, c = 1 m/s',
+    'Leapfrog, c = 100 m/s',
+    'Yoshida 4',
   ]);
-  expect(names(run('a', 'leapfrog'), run('b', 'leapfrog'))).toEqual(['leapfrog (a)', 'leapfrog (b)']);
+  expect(names(run('a', 'leapfrog'), run('b', 'leapfrog'))).toEqual(['Leapfrog (a)', 'Leapfrog (b)']);
 });
 
 it('values at a time are those of the previous frame', () => {

@@ -1,6 +1,6 @@
 import { readFileSync } from 'node:fs';
+import { parseSync } from 'oxc-parser';
 import { expect, it } from 'vitest';
-import { uiTexts } from '../i18n/texts.ts';
 
 const text = (path: string): string => readFileSync(new URL(path, import.meta.url), 'utf8');
 const greek = (words: string): readonly string[] => [...new Set(words.match(/\p{Script=Greek}/gu))].toSorted();
@@ -14,6 +14,27 @@ function lettersOf(ranges: string): string {
     .join('');
 }
 
+/** Sources of the program with all languages, and of the examples; shaders are not shown. */
+const sources = import.meta.glob<string>(
+  ['../../**/*.{ts,tsx}', '../../../examples/**/*.ts', '!../../{shaders,compute}/**', '!**/*.test.{ts,tsx}'],
+  { query: '?raw', import: 'default', eager: true },
+);
+
+/** All strings and templates of a source that has Greek letters. */
+function textsIn([file, source]: readonly [string, string]): string {
+  if (greek(source).length === 0) return '';
+  const texts: unknown[] = [];
+  const walk = (node: unknown): void => {
+    if (typeof node !== 'object' || node === null) return;
+    const { type, value } = node as { readonly type?: string; readonly value?: unknown };
+    if (type === 'Literal' || type === 'JSXText') texts.push(value);
+    if (type === 'TemplateElement') texts.push((value as { readonly cooked: string }).cooked);
+    Object.values(node).forEach(walk);
+  };
+  walk(parseSync(file, source).program);
+  return texts.join('');
+}
+
 const [inFont = ''] = /(?<=FORMULAS = ").*(?=")/.exec(text('../../../scripts/pageFonts.py')) ?? [];
 const inSheet = lettersOf(/inter-greek\.woff2[^}]*unicode-range:([^;]*)/.exec(text('fonts.css'))?.[1] ?? '');
 
@@ -22,8 +43,8 @@ it('the stylesheet declares exactly the Greek letters of the font subset', () =>
   expect(inFont).toContain('γ');
 });
 
-it('the page’s texts need no other Greek letters', () => {
-  const used = greek(Object.values(uiTexts).flat().join(''));
+it('the texts of the program and of its examples need no other Greek letters', () => {
+  const used = greek(Object.entries(sources).map(textsIn).join(''));
   expect(used).toContain('γ');
   expect(used.filter((letter) => !inFont.includes(letter))).toEqual([]);
 });

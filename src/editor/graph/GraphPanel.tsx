@@ -1,10 +1,11 @@
+import { msg } from '../../messages/message.ts';
 import '@xyflow/react/dist/base.css';
 import './cards/sockets.css';
 import './graph.css';
 import './pictures/pictures.css';
 import { ReactFlowProvider } from '@xyflow/react';
 import { type ReactNode, useRef } from 'react';
-import { useTexts } from '../i18n/i18n.ts';
+import { useTexts } from '../language/languageStore.ts';
 import { loadPreferences } from '../state/preferences.ts';
 import { Breadcrumb } from './Breadcrumb.tsx';
 import { GraphCanvas } from './canvas/Canvas.tsx';
@@ -24,7 +25,7 @@ export default function GraphPanel(): ReactNode {
   useCanvasKeys(panel);
   useFocusRestore(panel);
   return (
-    <section ref={panel} className="sl-graph" aria-label={t('panel.graph')}>
+    <section ref={panel} className="sl-graph" aria-label={t(msg`Graph`)}>
       <ReactFlowProvider>
         <GraphCanvas panel={panel} />
         <Breadcrumb />

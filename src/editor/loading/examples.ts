@@ -1,3 +1,6 @@
+import { msg } from '../../messages/message.ts';
+import { MessageError } from '../../messages/messageError.ts';
+
 /** A scene or project of the gallery, as listed in `examples/index.json`; generated from the files at build time. */
 export interface Example {
   /** Path relative to the page: `examples/street.usda`. */
@@ -12,6 +15,6 @@ export interface Example {
 
 export async function loadExamples(): Promise<readonly Example[]> {
   const response = await fetch(new URL('examples/index.json', document.baseURI));
-  if (!response.ok) throw new Error(`examples/index.json: the server answers ${response.status}`);
+  if (!response.ok) throw new MessageError(msg`examples/index.json: the server answers ${response.status}`);
   return response.json() as Promise<readonly Example[]>;
 }

@@ -1,6 +1,8 @@
 import { type FileSource, normalizePath } from '../../formats/files/fileSource.ts';
 import { nearestPath } from '../../formats/files/nearestPath.ts';
 import { RangedFile } from '../../formats/files/rangedFile.ts';
+import { msg } from '../../messages/message.ts';
+import { MessageError } from '../../messages/messageError.ts';
 import { readUserFile, type UserFile } from './userFiles.ts';
 
 type ReportProgress = (received: number, total: number) => void;
@@ -14,7 +16,8 @@ export function urlSource(base: string, report: ReportProgress): FileSource {
     read: async (path) => {
       const response = await fetch(new URL(encodePath(normalizePath(path)), base));
       if (response.status === 404) return undefined;
-      if (!response.ok) throw new Error(`${path}: the server answers ${response.status} ${response.statusText}`);
+      if (!response.ok)
+        throw new MessageError(msg`${path}: the server answers ${response.status} ${response.statusText}`);
       return readAll(response, report);
     },
   };

@@ -4,6 +4,8 @@ import { type FileSource, normalizePath } from '../../formats/files/fileSource.t
 import { openScene } from '../../formats/open.ts';
 import { memoryFile, splitArchive, zipSource } from '../../formats/zip/zipSource.ts';
 import { transferables } from '../../graph/evaluation/transferables.ts';
+import { msg } from '../../messages/message.ts';
+import { messageOf } from '../../messages/messageError.ts';
 import type { LoadedScene } from '../../nodes/services.ts';
 import { setFileReader } from '../../scene/streaming/storedNumbers.ts';
 import { InputError } from '../../scene/types.ts';
@@ -22,8 +24,11 @@ addEventListener('message', async ({ data }: MessageEvent<LoadRequest>) => {
     if (data.collect) reply({ kind: 'collected', files });
     else reply({ kind: 'done', loaded }, transferables(loaded));
   } catch (error) {
-    const message = error instanceof Error ? error.message : String(error);
-    reply({ kind: 'failed', message, diagnostic: error instanceof InputError ? error.diagnostic : undefined });
+    reply({
+      kind: 'failed',
+      message: messageOf(error),
+      diagnostic: error instanceof InputError ? error.diagnostic : undefined,
+    });
   }
 });
 
@@ -69,7 +74,7 @@ async function sceneIn(source: FileSource, path: string): Promise<{ source: File
   if (!zip || !bytes) return { source, entry: path };
   const inside = await zipSource(memoryFile(bytes), zip.archive, source);
   const entry = zip.inner === undefined ? entryOf(await inside.list()) : `${zip.archive}/${zip.inner}`;
-  if (entry === undefined) throw inputError('zip.no-scene', zip.archive, 'none of its files is a scene');
+  if (entry === undefined) throw inputError('zip.no-scene', zip.archive, msg`none of its files is a scene`);
   return { source: inside, entry };
 }
 

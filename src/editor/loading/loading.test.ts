@@ -1,5 +1,6 @@
 import { zipSync } from 'fflate';
 import { describe, expect, it } from 'vitest';
+import { msg } from '../../messages/message.ts';
 import { LocalFiles, sceneKey } from './localFiles.ts';
 import { missingPaths, suppliesMissingFiles } from './missingFiles.ts';
 import { expandArchives, readUserFile } from './userFiles.ts';
@@ -68,10 +69,10 @@ describe('the purpose of dropped files', () => {
       severity: 'warning',
       code: 'x',
       place: '',
-      message: '',
+      message: msg`missing`,
       missing: { name: '../Tex/Wood%20a.PNG', lookedFor: ['tex/wood a.png'] },
     },
-    { severity: 'info', code: 'y', place: '', message: '' },
+    { severity: 'info', code: 'y', place: '', message: msg`whatever` },
   ]);
   it.each([
     [['wood a.png'], false, true],

@@ -1,4 +1,5 @@
 import type { Interpolation } from '../../formats/readOptions.ts';
+import type { Message } from '../../messages/message.ts';
 import type { LoadedScene } from '../../nodes/services.ts';
 import type { Diagnostic } from '../../scene/types.ts';
 import type { UserFile } from './userFiles.ts';
@@ -29,4 +30,4 @@ export type LoaderReply =
   /** By their paths relative to the scene. */
   | { readonly kind: 'collected'; readonly files: ReadonlyMap<string, Uint8Array> }
   /** With `diagnostic` if the reader refused the file; otherwise an unexpected error. */
-  | { readonly kind: 'failed'; readonly message: string; readonly diagnostic?: Diagnostic };
+  | { readonly kind: 'failed'; readonly message: Message; readonly diagnostic?: Diagnostic };

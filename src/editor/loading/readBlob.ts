@@ -1,4 +1,5 @@
 import { inputError } from '../../formats/diagnostics/inputError.ts';
+import { msg } from '../../messages/message.ts';
 import type { StoredFile } from '../../scene/streaming/storedNumbers.ts';
 
 /** Available in workers only, and missing from the DOM library. */
@@ -10,7 +11,7 @@ declare class FileReaderSync {
 export function readBlob({ name, handle }: StoredFile, at: number, length: number): Uint8Array<ArrayBuffer> {
   const bytes = partOf(handle as Blob, at, length);
   if (bytes?.length === length) return bytes;
-  throw inputError('file.changed', name, 'it is not what was opened any more, or is gone; open the scene again');
+  throw inputError('file.changed', name, msg`it is not what was opened any more, or is gone; open the scene again`);
 }
 
 /** Undefined if the browser reports that the file has changed. */

@@ -1,5 +1,7 @@
 import { CancelledError } from '../../graph/evaluation/evaluator.ts';
 import type { AbortSignalLike, ProgressCallback } from '../../graph/nodeType.ts';
+import { msg } from '../../messages/message.ts';
+import { MessageError } from '../../messages/messageError.ts';
 import type { LoadedScene, ReadRequest, Services } from '../../nodes/services.ts';
 import { InputError } from '../../scene/types.ts';
 import { localSource, splitAddress, urlSource } from './fileSources.ts';
@@ -29,14 +31,14 @@ export function fileReader(local: LocalFiles): Services['readFile'] {
     const others = base === undefined ? undefined : urlSource(base, () => {});
     const bytes = await localSource(new Map(files), () => {}, others).read(entry);
     if (bytes) return bytes;
-    const message = 'there is no such file; put it beside the project, or open it';
+    const message = msg`there is no such file; put it beside the project, or open it`;
     throw new InputError({ severity: 'error', code: 'file.missing', place: sceneName(source), message });
   };
 }
 
 function filesAtAddress(source: string): SceneFiles {
   if (source.startsWith('local:')) {
-    const message = 'the file was opened in an earlier session; open it again';
+    const message = msg`the file was opened in an earlier session; open it again`;
     throw new InputError({ severity: 'error', code: 'file.forgotten', place: sceneName(source), message });
   }
   return { files: [], ...splitAddress(new URL(source, document.baseURI)) };
@@ -47,7 +49,7 @@ async function readInWorker(request: LoadRequest, { signal, progress }: ReadRequ
   progress(undefined, 'fetch');
   const reply = await askWorker(request, progress, signal);
   if (reply.kind === 'done') return reply.loaded;
-  throw new Error('the reader did not give the scene');
+  throw new MessageError(msg`the reader did not give the scene`);
 }
 
 /** Files on a server that reading a scene requests, by path relative to its folder. */
@@ -57,7 +59,7 @@ export async function collectServerFiles(
   how: SceneReadOptions,
 ): Promise<ReadonlyMap<string, Uint8Array>> {
   const reply = await askWorker({ ...requestFor(local, source, how), collect: true }, () => {});
-  if (reply.kind !== 'collected') throw new Error('the reader did not give the files');
+  if (reply.kind !== 'collected') throw new MessageError(msg`the reader did not give the files`);
   return reply.files;
 }
 
@@ -67,11 +69,13 @@ function askWorker(request: LoadRequest, progress: ProgressCallback, signal?: Ab
   const worker = new Worker(new URL('./loader.worker.ts', import.meta.url), { type: 'module' });
   const reading = new Promise<LoaderAnswer>((resolve, reject) => {
     signal?.addEventListener('abort', () => reject(new CancelledError()));
-    worker.addEventListener('error', (event) => reject(new Error(event.message || 'the reader could not be started')));
+    worker.addEventListener('error', (event) =>
+      reject(event.message ? new Error(event.message) : new MessageError(msg`the reader could not be started`)),
+    );
     worker.addEventListener('message', ({ data }: MessageEvent<LoaderReply>) => {
       if (data.kind === 'progress') progress(data.part, data.stage);
       else if (data.kind === 'failed')
-        reject(data.diagnostic ? new InputError(data.diagnostic) : new Error(data.message));
+        reject(data.diagnostic ? new InputError(data.diagnostic) : new MessageError(data.message));
       else resolve(data);
     });
     worker.postMessage(request);

@@ -2,6 +2,7 @@ import { inputError } from '../../formats/diagnostics/inputError.ts';
 import { extensionOf } from '../../formats/files/fileSource.ts';
 import { type RandomAccessFile, readZipDirectory, type ZipEntry } from '../../formats/zip/directory.ts';
 import { unpack } from '../../formats/zip/unpack.ts';
+import { msg } from '../../messages/message.ts';
 
 /** A file from the user, or an entry of an archive, decompressed on read in the worker. */
 export type UserFile = Blob | ArchivedFile;
@@ -33,7 +34,7 @@ export async function readUserFile(
   const reader = file.stream().getReader();
   for (let part = await reader.read(); !part.done; part = await reader.read()) {
     if (received + part.value.length > bytes.length)
-      throw inputError('file.changed', '', 'the file grew while it was read; open it again');
+      throw inputError('file.changed', '', msg`the file grew while it was read; open it again`);
     bytes.set(part.value, received);
     received += part.value.length;
     report(received, bytes.length);

@@ -3,13 +3,13 @@ import { type ReactNode, useId } from 'react';
 import type { ColorParam } from '../../graph/nodeType.ts';
 import { decodeSrgb } from '../../spectrum/display/srgb.ts';
 import { cssColor } from '../color.ts';
-import { useTexts } from '../i18n/i18n.ts';
+import { useTexts } from '../language/languageStore.ts';
 import { ParamLabel, ResetButton } from './ParamLabel.tsx';
 import type { ParamProps } from './paramProps.ts';
 
 /** A colour, edited in display sRGB; the document stores linear values. */
 export function ColorControl({ spec, set, value, onChange, onGestureEnd }: ParamProps<ColorParam>): ReactNode {
-  const { textOrKey } = useTexts();
+  const { t } = useTexts();
   const id = useId();
   const shown = cssColor(Array.isArray(value) ? value.map(Number) : spec.default);
   const take = (text: string) => {
@@ -24,7 +24,7 @@ export function ColorControl({ spec, set, value, onChange, onGestureEnd }: Param
         <ColorInput
           size="xs"
           w={124}
-          aria-label={textOrKey(spec.title)}
+          aria-label={t(spec.title)}
           format="hex"
           value={shown}
           onChange={take}

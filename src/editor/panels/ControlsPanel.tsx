@@ -3,9 +3,10 @@ import { Fragment, type ReactNode } from 'react';
 import type { FlatNode } from '../../graph/analysis/flatten.ts';
 import { type GraphDocument, own } from '../../graph/document/document.ts';
 import type { NodeType } from '../../graph/nodeType.ts';
+import type { LocalizedText } from '../../messages/message.ts';
 import { nodeLibrary } from '../../nodes/library.ts';
 import { nodesFeedingOutput } from '../../nodes/project/outputChain.ts';
-import { useTexts } from '../i18n/i18n.ts';
+import { useTexts } from '../language/languageStore.ts';
 import { useEditorState } from '../state/context.tsx';
 import { drivenInputTitlesOf } from './drivenInputs.ts';
 import { NodeParams, visibleParams } from './NodeParams.tsx';
@@ -49,18 +50,18 @@ export function ControlsPanel(): ReactNode {
 
 interface NodeSectionProps {
   readonly section: ParamSection;
-  readonly inputTitles: Readonly<Record<string, string>>;
+  readonly inputTitles: Readonly<Record<string, LocalizedText>>;
 }
 
 function NodeSection({ section, inputTitles: feeders }: NodeSectionProps): ReactNode {
-  const { textOrKey } = useTexts();
+  const { t } = useTexts();
   const { node, type, title } = section;
   const shown = visibleParams(type, node.params);
   return (
-    <Stack gap={10} component="section" aria-label={title ?? textOrKey(type.title)}>
-      <Tooltip label={textOrKey(type.help)} position="top-start" openDelay={400}>
+    <Stack gap={10} component="section" aria-label={title ?? t(type.title)}>
+      <Tooltip label={t(type.help)} position="top-start" openDelay={400}>
         <Text component="h2" size="xs" fw={600} c="dimmed" className="sl-section-title">
-          {title ?? textOrKey(type.title)}
+          {title ?? t(type.title)}
         </Text>
       </Tooltip>
       <NodeParams node={node.id} type={type} set={node.params} visible={shown} inputTitles={feeders} />

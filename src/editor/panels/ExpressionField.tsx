@@ -1,7 +1,8 @@
 import { TextInput, Tooltip } from '@mantine/core';
 import { type KeyboardEvent, type ReactNode, useState } from 'react';
 import { evaluateExpression } from '../../graph/expression.ts';
-import { useTexts } from '../i18n/i18n.ts';
+import { type LocalizedText, msg } from '../../messages/message.ts';
+import { useTexts } from '../language/languageStore.ts';
 import { useEditorState } from '../state/context.tsx';
 
 interface ExpressionFieldProps {
@@ -28,10 +29,10 @@ export function ExpressionField({
   width,
   leftSection,
 }: ExpressionFieldProps): ReactNode {
-  const { t, translateMessage } = useTexts();
+  const { t } = useTexts();
   const speedOfLight = useEditorState((state) => state.picture?.speedOfLight);
   const [typed, setTyped] = useState<string>();
-  const [problem, setProblem] = useState<string>();
+  const [problem, setProblem] = useState<LocalizedText>();
   const forget = () => {
     setTyped(undefined);
     setProblem(undefined);
@@ -53,7 +54,11 @@ export function ExpressionField({
   const shown = `${grouped(value, decimals)}${unit ? ` ${unit}` : ''}`;
   return (
     <Tooltip
-      label={problem === undefined ? t('param.expression') : translateMessage(problem)}
+      label={
+        problem === undefined
+          ? t(msg`A number, or an expression with units: 0.9*c, 30deg, 5 km/h, sqrt(2)`)
+          : t(problem)
+      }
       opened={problem ? true : undefined}
       color={problem ? 'red' : undefined}
       openDelay={900}

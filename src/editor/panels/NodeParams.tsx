@@ -1,7 +1,8 @@
 import type { ReactNode } from 'react';
 import type { GraphNode } from '../../graph/document/document.ts';
 import { isParamActive, type NodeType, type ParamSpec, resolveParams, resolveSpec } from '../../graph/nodeType.ts';
-import { useTexts } from '../i18n/i18n.ts';
+import type { LocalizedText } from '../../messages/message.ts';
+import { useTexts } from '../language/languageStore.ts';
 import { useEditor, useEditorState } from '../state/context.tsx';
 import { ParamControl } from './ParamControl.tsx';
 import { suggestion } from './suggestion.ts';
@@ -28,12 +29,12 @@ interface NodeParamsProps {
   readonly set: GraphNode['params'];
   readonly visible: ReturnType<typeof visibleParams>;
   /** Titles of the nodes that drive parameters, by parameter. */
-  readonly inputTitles: Readonly<Record<string, string>>;
+  readonly inputTitles: Readonly<Record<string, LocalizedText>>;
 }
 
 /** A control for each parameter. */
 export function NodeParams({ node, type, set, visible: shown, inputTitles }: NodeParamsProps): ReactNode {
-  const { textOrKey } = useTexts();
+  const { t } = useTexts();
   const editor = useEditor();
   const picture = useEditorState((state) => state.picture);
   const resolved = resolveParams(type, set);
@@ -44,7 +45,7 @@ export function NodeParams({ node, type, set, visible: shown, inputTitles }: Nod
       set={set[name]}
       value={resolved[name] ?? suggestion(spec, picture)}
       choices={picture?.scene.cameras.map(({ path }) => path)}
-      drivenBy={inputTitles[name] && textOrKey(inputTitles[name])}
+      drivenBy={inputTitles[name] && t(inputTitles[name])}
       onChange={(value, gesture) => editor.set(node, name, value, spec.title, gesture)}
       onGestureEnd={editor.endGesture}
     />

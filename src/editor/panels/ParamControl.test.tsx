@@ -3,15 +3,15 @@ import { MantineProvider } from '@mantine/core';
 import { cleanup, fireEvent, render, screen } from '@testing-library/react';
 import { afterEach, beforeAll, expect, it, vi } from 'vitest';
 import type { NumberParam } from '../../graph/nodeType.ts';
+import { msg } from '../../messages/message.ts';
 import { workerServices } from '../../nodes/services.ts';
-import { startTranslation } from '../i18n/i18n.ts';
 import { EditorProvider } from '../state/context.tsx';
 import { createEditor, projectOfScene } from '../state/editor.ts';
 import { ParamControl } from './ParamControl.tsx';
 
 const spec: NumberParam = {
   kind: 'number',
-  title: 'param.speedOfLight',
+  title: msg`Speed of light`,
   default: 30,
   min: 1,
   max: 100,
@@ -20,7 +20,7 @@ const spec: NumberParam = {
   unit: 'm/s',
 };
 
-beforeAll(async () => {
+beforeAll(() => {
   // Browser features that Mantine uses and jsdom lacks.
   vi.stubGlobal('matchMedia', () => ({ matches: false, addEventListener: () => {}, removeEventListener: () => {} }));
   vi.stubGlobal(
@@ -31,7 +31,6 @@ beforeAll(async () => {
       disconnect() {}
     },
   );
-  await startTranslation('en');
 });
 afterEach(cleanup);
 

@@ -9,7 +9,8 @@ import {
   type TextParam,
   type VectorParam,
 } from '../../graph/nodeType.ts';
-import { useTexts } from '../i18n/i18n.ts';
+import { msg } from '../../messages/message.ts';
+import { useTexts } from '../language/languageStore.ts';
 import { ColorControl } from './ColorControl.tsx';
 import { ExpressionField } from './ExpressionField.tsx';
 import { DrivenParam, ParamLabel, ResetButton } from './ParamLabel.tsx';
@@ -51,7 +52,7 @@ const vectorOf = (spec: VectorParam, value: ParamValue): VectorParam['default'] 
   Array.isArray(value) ? [Number(value[0]), Number(value[1]), Number(value[2])] : spec.default;
 
 function NumberControl({ spec, set, value, onChange, onGestureEnd }: ParamProps<NumberParam>): ReactNode {
-  const { textOrKey } = useTexts();
+  const { t } = useTexts();
   const id = useId();
   const number = Number(value);
   const precision = spec.scale ? 9 : decimals(spec.step);
@@ -62,7 +63,7 @@ function NumberControl({ spec, set, value, onChange, onGestureEnd }: ParamProps<
         <Group gap={2} wrap="nowrap">
           <Unphysical spec={spec} value={number} nature={String(spec.physical)} />
           <ResetButton set={set} onChange={onChange} />
-          <NumberField {...{ spec, number, onChange }} label={textOrKey(spec.title)} precision={precision} />
+          <NumberField {...{ spec, number, onChange }} label={t(spec.title)} precision={precision} />
         </Group>
       </Group>
       {spec.slider !== false && (
@@ -75,7 +76,7 @@ function NumberControl({ spec, set, value, onChange, onGestureEnd }: ParamProps<
           value={sliderPosition(spec, number)}
           onChange={(position) => onChange(sliderValue(spec, position), `slider ${id}`)}
           onChangeEnd={onGestureEnd}
-          thumbLabel={textOrKey(spec.title)}
+          thumbLabel={t(spec.title)}
           thumbValueText={`${number} ${spec.unit ?? ''}`.trim()}
         />
       )}
@@ -95,9 +96,9 @@ function Unphysical({ spec, value, nature }: UnphysicalProps): ReactNode {
   const { t } = useTexts();
   if (!isUnphysical(spec, value)) return null;
   return (
-    <Tooltip label={t('param.unphysical.help', { value: nature })} openDelay={400}>
+    <Tooltip label={t(msg`For teaching and comparison: in nature this is ${nature}.`)} openDelay={400}>
       <Badge size="xs" variant="light" color="orange" autoContrast className="sl-unphysical">
-        {t('param.unphysical')}
+        {t(msg`not physical`)}
       </Badge>
     </Tooltip>
   );
@@ -130,17 +131,17 @@ function NumberField({ spec, number, onChange, label, precision }: NumberFieldPr
 const decimals = (step: number): number => Math.max(0, Math.ceil(-Math.log10(step)));
 
 function BooleanControl({ spec, set, value, onChange }: ParamProps): ReactNode {
-  const { textOrKey, t } = useTexts();
+  const { t } = useTexts();
   const id = useId();
   return (
     <Group gap={4} wrap="nowrap" justify="space-between" mih={24}>
       <ParamLabel spec={spec} id={id} />
       <Group gap={6} wrap="nowrap">
-        <Unphysical spec={spec} value={value} nature={t(spec.physical === false ? 'graph.off' : 'graph.on')} />
+        <Unphysical spec={spec} value={value} nature={t(spec.physical === false ? msg`off` : msg`on`)} />
         <ResetButton set={set} onChange={onChange} />
         <Switch
           size="xs"
-          aria-label={textOrKey(spec.title)}
+          aria-label={t(spec.title)}
           checked={value === true}
           onChange={(event) => onChange(event.currentTarget.checked)}
         />
@@ -153,7 +154,7 @@ function BooleanControl({ spec, set, value, onChange }: ParamProps): ReactNode {
 const MAX_SEGMENTS = 5;
 
 function ChoiceControl({ spec, set, value, onChange }: ParamProps<ChoiceParam>): ReactNode {
-  const { textOrKey } = useTexts();
+  const { t } = useTexts();
   const id = useId();
   if (spec.options.length > MAX_SEGMENTS)
     return (
@@ -164,12 +165,12 @@ function ChoiceControl({ spec, set, value, onChange }: ParamProps<ChoiceParam>):
         </Group>
         <Select
           size="xs"
-          aria-label={textOrKey(spec.title)}
+          aria-label={t(spec.title)}
           allowDeselect={false}
           searchable={spec.options.length > 10}
           value={String(value)}
           onChange={(chosen) => chosen !== null && onChange(chosen)}
-          data={spec.options.map((option) => ({ value: option.value, label: textOrKey(option.title) }))}
+          data={spec.options.map((option) => ({ value: option.value, label: t(option.title) }))}
         />
       </Stack>
     );
@@ -182,14 +183,14 @@ function ChoiceControl({ spec, set, value, onChange }: ParamProps<ChoiceParam>):
         aria-labelledby={id}
         value={String(value)}
         onChange={onChange}
-        data={spec.options.map((option) => ({ value: option.value, label: textOrKey(option.title) }))}
+        data={spec.options.map((option) => ({ value: option.value, label: t(option.title) }))}
       />
     </Stack>
   );
 }
 
 function TextChoiceControl({ spec, value, choices, onChange }: ParamProps<TextParam>): ReactNode {
-  const { textOrKey, t } = useTexts();
+  const { t } = useTexts();
   const id = useId();
   if (!choices || choices.length < 2) return null;
   return (
@@ -197,11 +198,11 @@ function TextChoiceControl({ spec, value, choices, onChange }: ParamProps<TextPa
       <ParamLabel spec={spec} id={id} />
       <Select
         size="xs"
-        aria-label={textOrKey(spec.title)}
+        aria-label={t(spec.title)}
         allowDeselect={false}
         value={String(value)}
         onChange={(chosen) => onChange(chosen || undefined)}
-        data={[{ value: '', label: t('param.camera.auto') }, ...choices.map((path) => ({ value: path, label: path }))]}
+        data={[{ value: '', label: t(msg`Automatic`) }, ...choices.map((path) => ({ value: path, label: path }))]}
       />
     </Stack>
   );

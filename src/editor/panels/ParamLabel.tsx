@@ -3,18 +3,19 @@ import { IconRestore } from '@tabler/icons-react';
 import type { ReactNode } from 'react';
 import type { ParamValue } from '../../graph/document/document.ts';
 import type { ParamSpec } from '../../graph/nodeType.ts';
-import { useTexts } from '../i18n/i18n.ts';
+import { msg } from '../../messages/message.ts';
+import { useTexts } from '../language/languageStore.ts';
 
 /** Title and help of a parameter. */
 export function ParamLabel({ spec, id }: { readonly spec: ParamSpec; readonly id: string }): ReactNode {
-  const { textOrKey } = useTexts();
+  const { t } = useTexts();
   const text = (
     <Text size="sm" id={id} className="sl-param-label" truncate>
-      {textOrKey(spec.title)}
+      {t(spec.title)}
     </Text>
   );
   return spec.help ? (
-    <Tooltip label={textOrKey(spec.help)} position="left" multiline maw={260} openDelay={400}>
+    <Tooltip label={t(spec.help)} position="left" multiline maw={260} openDelay={400}>
       {text}
     </Tooltip>
   ) : (
@@ -32,12 +33,12 @@ export function ResetButton({ set, onChange }: ResetProps): ReactNode {
   const { t } = useTexts();
   if (set === undefined) return null;
   return (
-    <Tooltip label={t('panel.reset')} openDelay={400}>
+    <Tooltip label={t(msg`Back to the default`)} openDelay={400}>
       <ActionIcon
         size="xs"
         variant="subtle"
         color="gray"
-        aria-label={t('panel.reset')}
+        aria-label={t(msg`Back to the default`)}
         onClick={() => onChange(undefined)}
       >
         <IconRestore size={13} />
@@ -48,12 +49,12 @@ export function ResetButton({ set, onChange }: ResetProps): ReactNode {
 
 /** Shown instead of a control when an edge drives the parameter. */
 export function DrivenParam({ spec, by }: { readonly spec: ParamSpec; readonly by: string }): ReactNode {
-  const { textOrKey, t } = useTexts();
+  const { t } = useTexts();
   return (
-    <Group gap={4} wrap="nowrap" justify="space-between" mih={26} aria-label={textOrKey(spec.title)} role="group">
+    <Group gap={4} wrap="nowrap" justify="space-between" mih={26} aria-label={t(spec.title)} role="group">
       <ParamLabel spec={spec} id="" />
       <Text size="xs" c="dimmed" truncate>
-        {t('param.drivenBy', { node: by })}
+        {t(msg`from ${by}`)}
       </Text>
     </Group>
   );

@@ -3,14 +3,15 @@ import type { ReactNode } from 'react';
 import { graphIn } from '../../graph/document/document.ts';
 import { locateNode } from '../../graph/edits/locateNode.ts';
 import type { NodeProblem } from '../../graph/nodeType.ts';
+import { msg } from '../../messages/message.ts';
 import { nodeLibrary } from '../../nodes/library.ts';
 import { formatNumber } from '../format.ts';
-import { useTexts } from '../i18n/i18n.ts';
+import { useTexts } from '../language/languageStore.ts';
 import { useEditor, useEditorState } from '../state/context.tsx';
 
 /** Button that applies a problem's suggested fix. */
 export function Remedy({ remedy }: { readonly remedy: NonNullable<NodeProblem['remedy']> }): ReactNode {
-  const { t, textOrKey } = useTexts();
+  const { t } = useTexts();
   const editor = useEditor();
   const type = useEditorState(({ history: { document } }) => {
     const place = locateNode(document, remedy.node);
@@ -24,9 +25,9 @@ export function Remedy({ remedy }: { readonly remedy: NonNullable<NodeProblem['r
       size="compact-xs"
       variant="light"
       className="sl-remedy"
-      onClick={() => editor.set(remedy.node, remedy.param, remedy.value, 'edit.remedy')}
+      onClick={() => editor.set(remedy.node, remedy.param, remedy.value, msg`the suggested remedy`)}
     >
-      {t('notice.remedy', { what: textOrKey(spec?.title ?? remedy.param), value: `${shown}${unit}`.trim() })}
+      {t(msg`Set ${t(spec?.title ?? remedy.param)} to ${`${shown}${unit}`.trim()}`)}
     </Button>
   );
 }

@@ -1,7 +1,7 @@
 import { Group, Stack, Textarea, TextInput } from '@mantine/core';
 import { type KeyboardEvent, type ReactNode, useId, useState } from 'react';
 import type { ListParam, TextParam } from '../../graph/nodeType.ts';
-import { useTexts } from '../i18n/i18n.ts';
+import { useTexts } from '../language/languageStore.ts';
 import { ParamLabel, ResetButton } from './ParamLabel.tsx';
 import type { ParamProps } from './paramProps.ts';
 
@@ -30,7 +30,7 @@ interface LinesProps extends Pick<ParamProps<TextParam | ListParam>, 'spec' | 's
 }
 
 function Lines({ spec, set, text, long, onChange, take }: LinesProps): ReactNode {
-  const { textOrKey } = useTexts();
+  const { t } = useTexts();
   const id = useId();
   const [typed, setTyped] = useState<string>();
   const commit = () => {
@@ -39,7 +39,7 @@ function Lines({ spec, set, text, long, onChange, take }: LinesProps): ReactNode
   };
   const field = {
     size: 'xs',
-    'aria-label': textOrKey(spec.title),
+    'aria-label': t(spec.title),
     value: typed ?? text,
     spellCheck: false,
     onBlur: commit,

@@ -2,7 +2,8 @@ import { Group, Select, Stack, Text } from '@mantine/core';
 import { type ReactNode, useId } from 'react';
 import type { ParamValue } from '../../graph/document/document.ts';
 import type { VectorParam } from '../../graph/nodeType.ts';
-import { useTexts } from '../i18n/i18n.ts';
+import { msg } from '../../messages/message.ts';
+import { useTexts } from '../language/languageStore.ts';
 import { ExpressionField } from './ExpressionField.tsx';
 import { ParamLabel, ResetButton } from './ParamLabel.tsx';
 
@@ -28,9 +29,9 @@ interface VectorControlProps {
 
 /** A position or direction: a choice of axis, or three numbers. */
 export function VectorControl({ spec, set, value, onChange }: VectorControlProps): ReactNode {
-  const { textOrKey, t } = useTexts();
+  const { t } = useTexts();
   const id = useId();
-  const title = textOrKey(spec.title);
+  const title = t(spec.title);
   const axis = AXES.find(([, one]) => one.every((x, i) => x === value[i]))?.[0] ?? OTHER;
   const choose = (name: string | null) => {
     const chosen = AXES.find(([one]) => one === name);
@@ -52,7 +53,7 @@ export function VectorControl({ spec, set, value, onChange }: VectorControlProps
               value={axis}
               data={[
                 ...AXES.map(([name]) => name),
-                ...(axis === OTHER ? [{ value: OTHER, label: t('axis.other') }] : []),
+                ...(axis === OTHER ? [{ value: OTHER, label: t(msg`Other`) }] : []),
               ]}
               onChange={choose}
             />

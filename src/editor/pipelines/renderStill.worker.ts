@@ -1,3 +1,4 @@
+import { messageOf } from '../../messages/messageError.ts';
 import { lightOf, type StillOrder, stillRequest } from '../../nodes/still.ts';
 import { openSession, pipelineNamed } from '../../pipelines/registry.ts';
 import type { StillReply } from './protocol.ts';
@@ -12,7 +13,7 @@ addEventListener('message', async ({ data }: MessageEvent<StillOrder>) => {
     const pixels = await drawStill(data);
     reply({ kind: 'done', pixels }, [pixels.buffer]);
   } catch (error) {
-    reply({ kind: 'failed', message: error instanceof Error ? error.message : String(error) });
+    reply({ kind: 'failed', message: messageOf(error) });
   }
 });
 

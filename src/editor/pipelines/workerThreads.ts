@@ -1,6 +1,7 @@
 import { transferables } from '../../graph/evaluation/transferables.ts';
 import type { ThreadHost, WorkerThread } from '../../pipelines/host.ts';
 import type { Scene } from '../../scene/types.ts';
+import { workerError } from './workerError.ts';
 
 /** Memory limit for the threads' copies of the scene, together [bytes]. */
 const MAX_SCENE_COPIES_BYTES = 2 ** 30;
@@ -28,7 +29,7 @@ function startThread<Message, Reply>(pipeline: string): WorkerThread<Message, Re
     send: (message) => worker.postMessage(message),
     listen: (hear, fail) => {
       worker.addEventListener('message', ({ data }) => hear(data));
-      worker.addEventListener('error', ({ message }) => fail(new Error(message || 'a worker could not be started')));
+      worker.addEventListener('error', ({ message }) => fail(workerError(message)));
     },
     terminate: () => {
       worker.terminate();

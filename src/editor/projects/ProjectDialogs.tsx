@@ -1,12 +1,13 @@
 import { Button, Group, Modal, Stack, Text, TextInput } from '@mantine/core';
 import { IconCheck, IconCopy, IconPackageExport } from '@tabler/icons-react';
 import { type FormEvent, type ReactNode, useRef, useState } from 'react';
-import { messageOf } from '../../formats/diagnostics/inputError.ts';
 import { referencedFiles, renameFiles } from '../../graph/document/fileReferences.ts';
 import { encodeShareLink } from '../../graph/document/shareLink.ts';
 import type { History } from '../../graph/edits/history.ts';
+import { type LocalizedText, msg, type Translate } from '../../messages/message.ts';
+import { messageOf } from '../../messages/messageError.ts';
 import { nodeLibrary } from '../../nodes/library.ts';
-import { type Translate, useTexts } from '../i18n/i18n.ts';
+import { useTexts } from '../language/languageStore.ts';
 import { parseLocalName } from '../loading/localFiles.ts';
 import { useEditor, useEditorState } from '../state/context.tsx';
 import type { EditorState } from '../state/editor.ts';
@@ -19,13 +20,13 @@ export function ProjectDialogs(): ReactNode {
   const editor = useEditor();
   const dialog = useEditorState((state) => state.dialog);
   const close = () => editor.update({ dialog: undefined });
-  const frame = { onClose: close, centered: true, closeButtonProps: { 'aria-label': t('close') } };
+  const frame = { onClose: close, centered: true, closeButtonProps: { 'aria-label': t(msg`Close`) } };
   return (
     <>
-      <Modal {...frame} opened={dialog === 'share'} title={t('share.title')}>
+      <Modal {...frame} opened={dialog === 'share'} title={t(msg`Share by a link`)}>
         {dialog === 'share' && <Share />}
       </Modal>
-      <Modal {...frame} opened={dialog === 'name'} title={t('project.name')} size="sm">
+      <Modal {...frame} opened={dialog === 'name'} title={t(msg`Name of the project`)} size="sm">
         {dialog === 'name' && <Name onDone={close} />}
       </Modal>
     </>
@@ -40,11 +41,16 @@ function Share(): ReactNode {
 }
 
 /** A link that contains the project, or the reason why there is none. */
-function linkTo(state: EditorState, t: Translate): { readonly link: string } | { readonly why: string } {
+function linkTo(state: EditorState, t: Translate): { readonly link: string } | { readonly why: LocalizedText } {
   const { document, origin } = state.history;
   const called = (file: string): string => exportedName(file, origin);
   const own = referencedFiles(document, nodeLibrary).filter((file) => parseLocalName(file));
-  if (own.length > 0) return { why: t('share.local', { files: own.map(called).join(', ') }) };
+  if (own.length > 0)
+    return {
+      why: t(
+        msg`A link cannot contain files, and this project reads some from your device: ${own.map(called).join(', ')}. Save it with its files and send the zip.`,
+      ),
+    };
   try {
     const named = { ...document, ...titleOf(state.history, projectName(state)) };
     return {
@@ -73,8 +79,10 @@ function Link({ link }: { readonly link: string }): ReactNode {
   };
   return (
     <Stack gap="sm">
-      <Text size="sm">{t('share.intro')}</Text>
-      <TextInput ref={field} readOnly label={t('share.link')} value={link} onFocus={() => field.current?.select()} />
+      <Text size="sm">
+        {t(msg`The whole project is in the link, after the #. Only people who get the link can see it.`)}
+      </Text>
+      <TextInput ref={field} readOnly label={t(msg`Link`)} value={link} onFocus={() => field.current?.select()} />
       <Group justify="flex-end">
         <Button
           size="xs"
@@ -83,15 +91,15 @@ function Link({ link }: { readonly link: string }): ReactNode {
           leftSection={copied ? <IconCheck size={15} /> : <IconCopy size={15} />}
           onClick={copy}
         >
-          {copied ? t('share.copied') : t('share.copy')}
+          {copied ? t(msg`Copied`) : t(msg`Copy`)}
         </Button>
       </Group>
     </Stack>
   );
 }
 
-function NoLink({ why }: { readonly why: string }): ReactNode {
-  const { t, translateMessage } = useTexts();
+function NoLink({ why }: { readonly why: LocalizedText }): ReactNode {
+  const { t } = useTexts();
   const editor = useEditor();
   const { saveWithFiles } = useSaveProject();
   const save = () => {
@@ -101,11 +109,11 @@ function NoLink({ why }: { readonly why: string }): ReactNode {
   return (
     <Stack gap="sm">
       <Text size="sm" role="alert" className="sl-place">
-        {translateMessage(why)}
+        {t(why)}
       </Text>
       <Group justify="flex-end">
         <Button size="xs" variant="light" data-autofocus leftSection={<IconPackageExport size={15} />} onClick={save}>
-          {t('project.saveAll')}
+          {t(msg`Save with its files`)}
         </Button>
       </Group>
     </Stack>
@@ -118,7 +126,7 @@ function Name({ onDone }: { readonly onDone: () => void }): ReactNode {
   const [name, setName] = useState(() => projectName(editor.store.getState()));
   const submit = (event: FormEvent) => {
     event.preventDefault();
-    editor.edit({ kind: 'describe', what: 'title', value: name.trim() }, 'edit.rename');
+    editor.edit({ kind: 'describe', what: 'title', value: name.trim() }, msg`rename`);
     onDone();
   };
   return (
@@ -126,14 +134,14 @@ function Name({ onDone }: { readonly onDone: () => void }): ReactNode {
       <Stack gap="sm">
         <TextInput
           data-autofocus
-          aria-label={t('project.name')}
+          aria-label={t(msg`Name of the project`)}
           maxLength={200}
           value={name}
           onChange={(event) => setName(event.currentTarget.value)}
         />
         <Group justify="flex-end">
           <Button size="xs" variant="light" type="submit">
-            {t('project.done')}
+            {t(msg`Done`)}
           </Button>
         </Group>
       </Stack>

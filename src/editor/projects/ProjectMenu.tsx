@@ -12,8 +12,10 @@ import {
   IconPencil,
 } from '@tabler/icons-react';
 import { type ReactNode, useRef, useState } from 'react';
-import { messageOf } from '../../formats/diagnostics/inputError.ts';
-import { useTexts } from '../i18n/i18n.ts';
+import { FORMAT_NAMES } from '../../formats/formatLists.ts';
+import { msg } from '../../messages/message.ts';
+import { messageOf } from '../../messages/messageError.ts';
+import { useTexts } from '../language/languageStore.ts';
 import { pickedFiles } from '../loading/pickedFiles.ts';
 import { useServices } from '../services.tsx';
 import { useOpenFiles } from '../shell/useOpenFiles.ts';
@@ -47,10 +49,10 @@ export function ProjectMenu(): ReactNode {
             size="compact-sm"
             variant="default"
             leftSection={<IconFolderOpen size={15} />}
-            aria-label={t('project.menu')}
+            aria-label={t(msg`Project`)}
             rightSection={<IconChevronDown size={13} />}
           >
-            {t('project.menu')}
+            {t(msg`Project`)}
           </Button>
         </Menu.Target>
         <Menu.Dropdown>
@@ -83,15 +85,15 @@ function OpenItems({ onFile, onFolder }: { readonly onFile: () => void; readonly
         leftSection={<IconFilePlus size={15} />}
         onClick={() => editor.openProject(projectOfScene(DEFAULT_SCENE))}
       >
-        {t('project.new')}
+        {t(msg`New`)}
       </Menu.Item>
       <Menu.Item leftSection={<IconFile size={15} />} onClick={onFile}>
-        {t('header.openFile')}
+        {t(msg`Open file…`)}
       </Menu.Item>
       <Menu.Item leftSection={<IconFolder size={15} />} onClick={onFolder}>
-        {t('header.openFolder')}
+        {t(msg`Open folder…`)}
       </Menu.Item>
-      <Menu.Label>{t('header.openHint')}</Menu.Label>
+      <Menu.Label>{t(msg`Projects; ${FORMAT_NAMES}; a folder or a zip where it has textures`)}</Menu.Label>
     </>
   );
 }
@@ -103,16 +105,16 @@ function SaveItems(): ReactNode {
   return (
     <>
       <Menu.Item leftSection={<IconDeviceFloppy size={15} />} rightSection={<Kbd size="xs">Ctrl S</Kbd>} onClick={save}>
-        {t('project.save')}
+        {t(msg`Save project`)}
       </Menu.Item>
       <Menu.Item leftSection={<IconPackageExport size={15} />} onClick={() => void saveWithFiles()}>
-        {t('project.saveAll')}
+        {t(msg`Save with its files`)}
       </Menu.Item>
       <Menu.Item leftSection={<IconLink size={15} />} onClick={() => editor.update({ dialog: 'share' })}>
-        {t('project.share')}
+        {t(msg`Share by a link…`)}
       </Menu.Item>
       <Menu.Item leftSection={<IconPencil size={15} />} onClick={() => editor.update({ dialog: 'name' })}>
-        {t('project.rename')}
+        {t(msg`Name…`)}
       </Menu.Item>
     </>
   );
@@ -124,10 +126,10 @@ function ClosedSessionItems({ earlier }: { readonly earlier: readonly SessionRec
   return (
     <>
       <Menu.Divider />
-      <Menu.Label>{t('project.earlier')}</Menu.Label>
+      <Menu.Label>{t(msg`Earlier work`)}</Menu.Label>
       {earlier.map((session) => (
         <Menu.Item key={session.id} leftSection={<IconHistory size={15} />} onClick={() => resume(session)}>
-          {session.name || t('project.unnamed')}
+          {session.name || t(msg`Unnamed`)}
           <Text span size="xs" c="dimmed" ml={8}>
             {formatTime(session.at, language)}
           </Text>
@@ -157,12 +159,12 @@ export function ProjectName(): ReactNode {
   const editor = useEditor();
   const name = useEditorState(projectName);
   const unsaved = useEditorState(isUnsaved);
-  const shown = name || t('project.unnamed');
+  const shown = name || t(msg`Unnamed`);
   return (
     <UnstyledButton
       className="sl-project-name"
-      aria-label={`${t('project.name')}: ${shown}${unsaved ? `, ${t('project.unsaved')}` : ''}`}
-      title={unsaved ? t('project.unsaved') : undefined}
+      aria-label={`${t(msg`Name of the project`)}: ${shown}${unsaved ? `, ${t(msg`Not saved to a file`)}` : ''}`}
+      title={unsaved ? t(msg`Not saved to a file`) : undefined}
       data-unsaved={unsaved}
       onClick={() => editor.update({ dialog: 'name' })}
     >

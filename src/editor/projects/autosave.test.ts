@@ -1,5 +1,6 @@
 // @vitest-environment jsdom
 import { afterEach, beforeEach, expect, it, vi } from 'vitest';
+import { saying } from '../../../tests/support/inWords.ts';
 import { workerServices } from '../../nodes/services.ts';
 import { makeScene } from '../../scene/defaults.ts';
 import { ObserverController } from '../flight/observerController.ts';
@@ -97,7 +98,7 @@ it('full storage is reported once, and again after a success', async () => {
     expose(exposure);
     expect(await autosave.saveNow()).toBe(false);
   }
-  expect(reported).toEqual([{ kind: 'work', why: 'no room is left' }]);
+  expect(reported).toEqual([{ kind: 'work', why: saying(/^no room is left$/) }]);
   sessions.save.mockResolvedValue();
   expect(await autosave.saveNow()).toBe(true);
   sessions.save.mockRejectedValue(new Error('gone'));

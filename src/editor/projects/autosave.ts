@@ -1,6 +1,8 @@
-import { formatBytes, messageOf } from '../../formats/diagnostics/inputError.ts';
+import { formatBytes } from '../../formats/diagnostics/inputError.ts';
 import type { GraphDocument } from '../../graph/document/document.ts';
 import { referencedFiles } from '../../graph/document/fileReferences.ts';
+import type { LocalizedText, Message } from '../../messages/message.ts';
+import { MessageError, messageOf } from '../../messages/messageError.ts';
 import { nodeLibrary } from '../../nodes/library.ts';
 import type { ObserverController } from '../flight/observerController.ts';
 import type { LocalFiles } from '../loading/localFiles.ts';
@@ -19,15 +21,15 @@ const MAX_REPLACED_PROJECTS = 3;
 
 /** What cannot be stored, and why; reported once each. */
 export type AutosaveFailure =
-  | { readonly kind: 'work'; readonly why: string }
-  | { readonly kind: 'files'; readonly size: string };
+  | { readonly kind: 'work'; readonly why: LocalizedText }
+  | { readonly kind: 'files'; readonly size: LocalizedText };
 
 export interface AutosaveOptions {
   readonly editor: Editor;
   readonly observerController: ObserverController;
   readonly localFiles: LocalFiles;
   /** A `refusal` if the browser provides no storage. */
-  readonly sessions: SessionStore | { readonly refusal: string };
+  readonly sessions: SessionStore | { readonly refusal: Message };
   readonly id: string;
   readonly address: () => string;
   /** Ids of file sets already stored, when the tab's session was restored. */
@@ -87,7 +89,7 @@ export class Autosave {
     if (!this.hasWork) return false;
     const { sessions } = this.options;
     try {
-      if ('refusal' in sessions) throw new Error(sessions.refusal);
+      if ('refusal' in sessions) throw new MessageError(sessions.refusal);
       const { editor, observerController, id } = this.options;
       const state = editor.store.getState();
       const { lock, cruise, playing, loop } = state;

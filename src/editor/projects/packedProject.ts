@@ -3,6 +3,8 @@ import { scenesIn } from '../../formats/entry.ts';
 import { resolvePath } from '../../formats/files/fileSource.ts';
 import type { GraphDocument } from '../../graph/document/document.ts';
 import { referencedFiles, renameFiles } from '../../graph/document/fileReferences.ts';
+import { msg } from '../../messages/message.ts';
+import { MessageError } from '../../messages/messageError.ts';
 import { parseVariants } from '../../nodes/geometry/read.ts';
 import { nodeLibrary } from '../../nodes/library.ts';
 import { readNodeParams } from '../../nodes/project/outputChain.ts';
@@ -15,13 +17,12 @@ import { exportedName, isProject } from './projectNames.ts';
 /** Limit on what the page packs, since it holds it twice [bytes]. */
 const MAX_PACKED_BYTES = 2 ** 29;
 
-/** The project's files exceed the limit; `size` and `most` are formatted. */
-export class ProjectTooLargeToPack extends Error {
-  readonly size: string;
-  readonly limit = formatBytes(MAX_PACKED_BYTES);
+/** The project's files exceed the limit. */
+export class ProjectTooLargeToPack extends MessageError {
   constructor(bytes: number) {
-    super(`${formatBytes(bytes)} are more than a page packs`);
-    this.size = formatBytes(bytes);
+    super(
+      msg`Its files are ${formatBytes(bytes)}, more than the ${formatBytes(MAX_PACKED_BYTES)} that the page can pack. Save the project alone, and keep the files beside it.`,
+    );
   }
 }
 

@@ -1,9 +1,11 @@
-import { inputError, messageOf } from '../../formats/diagnostics/inputError.ts';
+import { inputError } from '../../formats/diagnostics/inputError.ts';
 import { resolvePath } from '../../formats/files/fileSource.ts';
 import { nearestPath } from '../../formats/files/nearestPath.ts';
 import { DocumentError, type GraphDocument } from '../../graph/document/document.ts';
 import { renameFiles } from '../../graph/document/fileReferences.ts';
 import { parseDocument } from '../../graph/document/parse.ts';
+import { type LocalizedText, msg } from '../../messages/message.ts';
+import { messageOf } from '../../messages/messageError.ts';
 import { nodeLibrary } from '../../nodes/library.ts';
 import { InputError } from '../../scene/types.ts';
 import type { LocalFiles } from '../loading/localFiles.ts';
@@ -16,8 +18,8 @@ const MAX_PROJECT_BYTES = 2 ** 26;
 
 /** Why a project could not be opened, and where the error is. */
 export interface OpenError {
-  readonly place?: string;
-  readonly text: string;
+  readonly place?: LocalizedText;
+  readonly text: LocalizedText;
 }
 
 /** Describes an error on opening the project file `name`. */
@@ -27,7 +29,9 @@ export function openErrorOf(name: string, thrown: unknown): OpenError {
   return {
     place: name,
     text:
-      thrown instanceof DocumentError ? `${text}. Save the project again, or undo what was changed in its text.` : text,
+      thrown instanceof DocumentError
+        ? msg`${text}. Save the project again, or undo what was changed in its text.`
+        : text,
   };
 }
 
@@ -57,7 +61,8 @@ export async function projectFromFiles(files: UserFiles, path: string, local: Lo
 export async function projectFromAddress(address: string, local: LocalFiles): Promise<LoadedProject> {
   const response = await fetch(new URL(address, document.baseURI));
   const name = address.slice(address.lastIndexOf('/') + 1);
-  if (!response.ok) throw inputError('file.missing', name, `the server answers ${response.status}; check the address`);
+  if (!response.ok)
+    throw inputError('file.missing', name, msg`the server answers ${response.status}; check the address`);
   const file = await response.blob();
   if (!/\.zip$/i.test(name))
     return {
@@ -73,7 +78,7 @@ export async function projectFromAddress(address: string, local: LocalFiles): Pr
 function findProjectFile(files: UserFiles, name: string): string {
   const path = findProject([...files.keys()]);
   if (path === undefined)
-    throw inputError('zip.no-project', name, 'it holds no .slowlight.json; save the project with its files again');
+    throw inputError('zip.no-project', name, msg`it holds no .slowlight.json; save the project with its files again`);
   return path;
 }
 
@@ -86,6 +91,6 @@ const resolveFileNames = (project: GraphDocument, address: string): GraphDocumen
 async function readText(name: string, file: UserFile): Promise<string> {
   const size = file instanceof Blob ? file.size : file.entry.size;
   if (size > MAX_PROJECT_BYTES)
-    throw inputError('file.too-large', name, `${size} bytes are more than a project has; it holds words, not data`);
+    throw inputError('file.too-large', name, msg`${size} bytes are more than a project has; it holds words, not data`);
   return new TextDecoder().decode(await readUserFile(file, () => {}));
 }

@@ -1,5 +1,6 @@
 import { zipSync } from 'fflate';
 import { describe, expect, it } from 'vitest';
+import { saying } from '../../../tests/support/inWords.ts';
 import { serializeDocument } from '../../graph/document/serialize.ts';
 import { applyCommand } from '../../graph/edits/commands.ts';
 import { newProject, setParamCommand } from '../../nodes/project/projectCommands.ts';
@@ -95,9 +96,9 @@ describe('a project among files', () => {
     bad.nodes.read.params.source = { no: 'text' };
     expect(await open(JSON.stringify(bad))).toMatchObject({
       place: 'my.slowlight.json',
-      text: expect.stringMatching(/^nodes\.read\.params\.source: .*Save the project again/),
+      text: saying(/^nodes\.read\.params\.source: .*Save the project again/),
     });
-    expect(await open('{"format"')).toMatchObject({ text: expect.stringMatching(/^not JSON/) });
+    expect(await open('{"format"')).toMatchObject({ text: saying(/^not JSON/) });
   });
 });
 

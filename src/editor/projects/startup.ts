@@ -1,5 +1,6 @@
-import { messageOf } from '../../formats/diagnostics/inputError.ts';
 import { decodeShareLink, isShareLink } from '../../graph/document/shareLink.ts';
+import type { Message } from '../../messages/message.ts';
+import { messageOf } from '../../messages/messageError.ts';
 import type { LocalFiles } from '../loading/localFiles.ts';
 import { type LoadedProject, projectOfScene } from '../state/editor.ts';
 import { linkErrorOf, type OpenError, openErrorOf, projectFromAddress } from './projectSource.ts';
@@ -20,7 +21,7 @@ export interface StartupRequest {
 /** Initial project of a tab, and the id of its session. */
 export interface StartupState {
   readonly project: LoadedProject;
-  readonly sessions: SessionStore | { readonly refusal: string };
+  readonly sessions: SessionStore | { readonly refusal: Message };
   readonly id: string;
   /** Ids of file sets stored under this session already; undefined for a new session. */
   readonly savedSets?: Iterable<string>;

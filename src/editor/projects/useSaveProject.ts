@@ -1,8 +1,8 @@
 import { useMemo } from 'react';
 import { referencedFiles, renameFiles } from '../../graph/document/fileReferences.ts';
 import { serializeDocument } from '../../graph/document/serialize.ts';
+import { msg } from '../../messages/message.ts';
 import { nodeLibrary } from '../../nodes/library.ts';
-import { useTexts } from '../i18n/i18n.ts';
 import { parseLocalName } from '../loading/localFiles.ts';
 import { useServices } from '../services.tsx';
 import { download } from '../shell/download.ts';
@@ -20,15 +20,14 @@ export interface SaveProject {
 export function useSaveProject(): SaveProject {
   const editor = useEditor();
   const { localFiles } = useServices();
-  const { t } = useTexts();
   return useMemo(() => {
     const done = (bytes: BlobPart, type: string, name: string, without: readonly string[]): void => {
       download(new Blob([bytes], { type }), name);
       editor.markSaved();
       const text =
         without.length > 0
-          ? t('notice.savedWithout', { name, files: without.join(', ') })
-          : t('notice.saved', { name });
+          ? msg`Saved ${name}. It reads files that it does not contain (${without.join(', ')}): keep them beside it, or save with its files.`
+          : msg`Saved ${name}`;
       editor.notify({ kind: 'info', text });
     };
     const save = (): void => {
@@ -42,17 +41,16 @@ export function useSaveProject(): SaveProject {
     const saveWithFiles = async (): Promise<void> => {
       const state = editor.store.getState();
       const name = fileName(projectName(state), '.zip');
-      editor.notify({ kind: 'info', text: t('notice.packing') });
+      editor.notify({ kind: 'info', text: msg`Collecting files…` });
       const { packedProject, ProjectTooLargeToPack } = await import('./packedProject.ts');
       try {
         const { document, origin } = state.history;
         done((await packedProject(document, origin, localFiles)).slice(), 'application/zip', name, []);
       } catch (error) {
-        if (error instanceof ProjectTooLargeToPack)
-          editor.notify({ kind: 'error', text: t('notice.tooMuchToPack', { size: error.size, most: error.limit }) });
+        if (error instanceof ProjectTooLargeToPack) editor.notify({ kind: 'error', text: error.text });
         else editor.notify({ kind: 'error', ...openErrorOf(name, error) });
       }
     };
     return { save, saveWithFiles };
-  }, [editor, localFiles, t]);
+  }, [editor, localFiles]);
 }

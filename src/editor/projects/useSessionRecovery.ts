@@ -1,7 +1,9 @@
 import { useCallback, useEffect, useRef } from 'react';
-import { messageOf } from '../../formats/diagnostics/inputError.ts';
 import { isShareLink } from '../../graph/document/shareLink.ts';
-import { useTexts } from '../i18n/i18n.ts';
+import { LANGUAGES, type LanguageTag } from '../../messages/languages.ts';
+import { msg } from '../../messages/message.ts';
+import { messageOf } from '../../messages/messageError.ts';
+import { useTexts } from '../language/languageStore.ts';
 import { useServices } from '../services.tsx';
 import { useEditor } from '../state/context.tsx';
 import { linkErrorOf, openErrorOf } from './projectSource.ts';
@@ -14,18 +16,16 @@ import { projectFromLink } from './startup.ts';
  * the page.
  */
 export function useSessionRecovery(): void {
-  const { t, language } = useTexts();
+  const { language } = useTexts();
   const editor = useEditor();
   const { autosave, sessions } = useServices();
   const resume = useRestoreSession();
-  const say = useRef(t);
-  say.current = t;
   useEffect(() => {
     autosave.onFailure = (unkept) => {
       const text =
         unkept.kind === 'work'
-          ? say.current('notice.notKept', { why: unkept.why })
-          : say.current('notice.filesNotKept', { size: unkept.size });
+          ? msg`This browser cannot store your work (${unkept.why}): unsaved changes are lost when the page is closed. Save the project, or free some storage.`
+          : msg`The files (${unkept.size}) are too large to be stored in the browser. After a reload they must be opened again; everything else is kept.`;
       editor.notify({ kind: 'error', text });
     };
   }, [editor, autosave]);
@@ -39,8 +39,8 @@ export function useSessionRecovery(): void {
       if (!latest) return;
       // Offered once; after that it is in the menu only.
       await sessions.save({ ...latest, passed: true });
-      const text = say.current('notice.earlier', { when: when.current(latest.at), name: latest.name });
-      const action = { text: say.current('notice.continue'), act: () => resume(latest) };
+      const text = msg`There is unsaved work from ${when.current(latest.at)}: ${latest.name}.`;
+      const action = { text: msg`Restore`, act: () => resume(latest) };
       editor.notify({ kind: 'info', text, action });
     };
     offer().catch((error: unknown) => autosave.onFailure({ kind: 'work', why: messageOf(error) }));
@@ -60,8 +60,8 @@ export function useSessionRecovery(): void {
   }, [editor]);
 }
 
-export const formatTime = (at: number, language: string): string =>
-  new Date(at).toLocaleString(language === 'zh' ? 'zh-CN' : 'en-GB', { dateStyle: 'medium', timeStyle: 'short' });
+export const formatTime = (at: number, language: LanguageTag): string =>
+  new Date(at).toLocaleString(LANGUAGES[language].locale, { dateStyle: 'medium', timeStyle: 'short' });
 
 /** Restores the session of a closed tab into this one. */
 export function useRestoreSession(): (session: SessionRecord) => void {

@@ -1,7 +1,8 @@
 import { Button } from '@mantine/core';
 import { IconDownload } from '@tabler/icons-react';
 import type { ReactNode } from 'react';
-import { useTexts } from '../i18n/i18n.ts';
+import { msg } from '../../messages/message.ts';
+import { useTexts } from '../language/languageStore.ts';
 import { useSaving } from './savingState.ts';
 import { useSaveFile } from './useSaveFile.ts';
 
@@ -23,7 +24,7 @@ export function SaveFileButton({ node }: SaveFileProps): ReactNode {
       leftSection={<IconDownload size={15} aria-hidden />}
       onClick={() => void save(node)}
     >
-      {t('saving.download')}
+      {t(msg`Download the file`)}
     </Button>
   );
 }
@@ -39,8 +40,8 @@ export function SaveFileIcon({ node }: SaveFileProps): ReactNode {
       className="sl-node-enter sl-node-save nodrag"
       tabIndex={-1}
       disabled={busy}
-      aria-label={t('saving.download')}
-      title={t('saving.download')}
+      aria-label={t(msg`Download the file`)}
+      title={t(msg`Download the file`)}
       onClick={() => void save(node)}
     >
       <IconDownload size={14} />

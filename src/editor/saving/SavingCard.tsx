@@ -1,6 +1,7 @@
 import { Button, Group, Paper, Progress, Text } from '@mantine/core';
 import type { ReactNode } from 'react';
-import { useTexts } from '../i18n/i18n.ts';
+import { msg } from '../../messages/message.ts';
+import { useTexts } from '../language/languageStore.ts';
 import { useSaving } from './savingState.ts';
 
 /** Progress of a file being made, with a cancel button. */
@@ -9,7 +10,7 @@ export function SavingCard(): ReactNode {
   const job = useSaving((state) => state.job);
   if (!job) return null;
   const { name, part, cancel } = job;
-  const label = t('saving.making', { name });
+  const label = t(msg`Making ${name}`);
   return (
     <Paper withBorder shadow="md" p="sm" data-saving>
       <Text size="sm" fw={600} role="status">
@@ -25,7 +26,7 @@ export function SavingCard(): ReactNode {
           {part === undefined ? '' : `${Math.floor(100 * part)} %`}
         </Text>
         <Button size="compact-xs" variant="default" onClick={cancel}>
-          {t('viewport.cancel')}
+          {t(msg`Cancel`)}
         </Button>
       </Group>
     </Paper>

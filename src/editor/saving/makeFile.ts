@@ -1,6 +1,8 @@
 import { zipSync } from 'fflate';
+import { formatBytes } from '../../formats/diagnostics/inputError.ts';
 import { extensionOf } from '../../formats/files/fileSource.ts';
 import { CancelledError } from '../../graph/evaluation/evaluator.ts';
+import { type LocalizedText, msg } from '../../messages/message.ts';
 import { encodeExrPicture, encodePngPicture, frameName } from '../../nodes/pictures/encode.ts';
 import { pictureSequence } from '../../nodes/pictures/fileSequence.ts';
 import { type PictureFrame, type PictureSequence, renderPictureSequence } from '../../nodes/pictures/sequence.ts';
@@ -16,7 +18,7 @@ export interface MadeFile {
   readonly name: string;
   readonly content: Blob;
   /** Features that the file format cannot hold. */
-  readonly losses?: readonly string[];
+  readonly losses?: readonly LocalizedText[];
 }
 
 export interface MakeFileOptions {
@@ -33,7 +35,11 @@ export async function makeFile(file: RequestedFile, options: MakeFileOptions): P
   if (extensionOf(file.name) !== 'mp4') return pictureFile(file, picture, options);
   const { Mp4Encoder } = await import('./mp4Encoder.ts');
   const encoder = await Mp4Encoder.open(picture.size, file.kind === 'video' ? file.fps : 1, picture.frames.length);
-  if (!encoder) throw new UnsupportedInPage('notice.noFilm');
+  if (!encoder)
+    throw new UnsupportedInPage(
+      (command) =>
+        msg`This browser cannot encode films of that size. Save frames instead (a name like film.####.png), or save the project and run: ${command}`,
+    );
   try {
     await renderFrames(file, picture, options, async (frame) => {
       await encoder.add(frame.rendered.pixels);
@@ -48,7 +54,7 @@ export async function makeFile(file: RequestedFile, options: MakeFileOptions): P
 async function sceneFile(file: SceneOutput): Promise<MadeFile> {
   const { files, diagnostics } = await exportSceneFile(file, file.name);
   const losses = diagnostics.filter(({ severity }) => severity !== 'info');
-  const told = losses.map(({ place, message }) => `${place.replace(`${file.name}: `, '')}: ${message}`);
+  const told = losses.map(({ place, message }) => msg`${place}: ${message}`);
   return { ...bundleFiles(file.name, files), losses: told };
 }
 
@@ -99,8 +105,14 @@ async function renderFrames(
   }
 }
 
+const tooLargeForPage = () =>
+  new UnsupportedInPage(
+    (command) =>
+      msg`This exceeds the ${formatBytes(MAX_PAGE_BYTES)} that a page can hold. Save the project and run: ${command}`,
+  );
+
 function checkSize(bytes: number): void {
-  if (bytes > MAX_PAGE_BYTES) throw new UnsupportedInPage('notice.tooLarge');
+  if (bytes > MAX_PAGE_BYTES) throw tooLargeForPage();
 }
 
 function throwIfCancelled(signal: AbortSignal): void {

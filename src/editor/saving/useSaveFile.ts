@@ -1,11 +1,11 @@
 import { useCallback } from 'react';
 import { CancelledError, type Evaluation } from '../../graph/evaluation/evaluator.ts';
 import { type NodeProblem, NodeRefusal } from '../../graph/nodeType.ts';
+import { type LocalizedText, type Message, msg } from '../../messages/message.ts';
+import { MessageError, messageOf } from '../../messages/messageError.ts';
 import { fileNodesIn, requestedFiles } from '../../nodes/project/fileNodes.ts';
 import type { RequestedFile } from '../../nodes/project/outputFiles.ts';
 import { PictureTooLargeError } from '../../pipelines/maxSize.ts';
-import { type Translate, useTexts } from '../i18n/i18n.ts';
-import type { TranslateMessage } from '../i18n/translations/translateMessage.ts';
 import { fileName, projectName } from '../projects/projectNames.ts';
 import { type EditorServices, useServices } from '../services.tsx';
 import { download } from '../shell/download.ts';
@@ -19,21 +19,20 @@ import { UnsupportedInPage } from './unsupportedInPage.ts';
 export function useSaveFile(): (node: string) => Promise<void> {
   const editor = useEditor();
   const { backend } = useServices();
-  const { t, translateMessage } = useTexts();
   return useCallback(
     async (node) => {
       if (savingStore.getState().job) return;
       const abort = new AbortController();
       savingStore.setState({ job: { node, name: node, cancel: () => abort.abort() } });
       try {
-        await save({ node, editor, backend, signal: abort.signal, t, translateMessage });
+        await save({ node, editor, backend, signal: abort.signal });
       } catch (error) {
-        if (!(error instanceof CancelledError)) notifyError(editor, t, error);
+        if (!(error instanceof CancelledError)) notifyError(editor, error);
       } finally {
         savingStore.setState({ job: undefined });
       }
     },
-    [editor, backend, t, translateMessage],
+    [editor, backend],
   );
 }
 
@@ -41,11 +40,9 @@ interface SaveFileContext extends Pick<EditorServices, 'backend'> {
   readonly node: string;
   readonly editor: Editor;
   readonly signal: AbortSignal;
-  readonly t: Translate;
-  readonly translateMessage: TranslateMessage;
 }
 
-async function save({ node, editor, backend, signal, t, translateMessage }: SaveFileContext): Promise<void> {
+async function save({ node, editor, backend, signal }: SaveFileContext): Promise<void> {
   const { document } = editor.store.getState().history;
   const evaluation = await editor.evaluate(node, signal);
   const file = requireFile(evaluation, requestedFiles(evaluation, fileNodesIn(document)).get(node));
@@ -56,21 +53,17 @@ async function save({ node, editor, backend, signal, t, translateMessage }: Save
   const { makeFile } = await import('./makeFile.ts');
   const made = await makeFile(file, { backend, signal, progress: (part) => told({ part }) });
   download(made.content, made.name);
-  editor.notify({ kind: 'info', text: savedText(made, { t, translateMessage }) });
+  editor.notify({ kind: 'info', text: savedText(made) });
 }
 
 const MAX_LISTED_LOSSES = 4;
 
-function savedText(
-  { name, losses = [] }: MadeFile,
-  { t, translateMessage }: Pick<SaveFileContext, 't' | 'translateMessage'>,
-): string {
-  if (losses.length === 0) return t('notice.saved', { name });
+function savedText({ name, losses = [] }: MadeFile): Message {
+  const [first, ...others] = losses.slice(0, MAX_LISTED_LOSSES);
+  if (!first) return msg`Saved ${name}`;
   const more = losses.length > MAX_LISTED_LOSSES ? ` (+ ${losses.length - MAX_LISTED_LOSSES})` : '';
-  return t('notice.savedLosing', {
-    name,
-    losses: losses.slice(0, MAX_LISTED_LOSSES).map(translateMessage).join('; ') + more,
-  });
+  const list = others.reduce<LocalizedText>((before, loss) => msg`${before}; ${loss}`, first);
+  return msg`Saved ${name}, which cannot represent everything: ${list}${more}`;
 }
 
 /** The file that a node requests; throws what prevents it. */
@@ -78,34 +71,33 @@ function requireFile({ target, results }: Evaluation, file: RequestedFile | unde
   if (file) return file;
   const failed = [target, ...results.values()].find((result) => result.status === 'failed');
   if (failed?.status === 'failed') throw new NodeRefusal(failed.problem);
-  throw new Error('the node asks for no file');
+  throw new MessageError(msg`the node asks for no file`);
 }
 
-function notifyError(editor: Editor, t: Translate, error: unknown): void {
+function notifyError(editor: Editor, error: unknown): void {
   if (error instanceof UnsupportedInPage) {
-    notifyCommand(editor, (command) => t(error.why, { ...error.fill, command }), t);
+    notifyCommand(editor, error.remedy);
     return;
   }
   if (error instanceof PictureTooLargeError) {
     notifyCommand(
       editor,
-      (command) => `${t('picture.tooLarge', { ...error.fill })} ${t('notice.elsewhere', { command })}`,
-      t,
+      (command) => msg`${error.text} Or save the project and run it where a larger device is available: ${command}`,
     );
     return;
   }
-  const { message, place, remedy }: Pick<NodeProblem, 'message' | 'remedy'> & { place?: string } =
-    error instanceof NodeRefusal ? error.problem : { message: error instanceof Error ? error.message : String(error) };
+  const { message, place, remedy }: Pick<NodeProblem, 'message' | 'remedy'> & { place?: LocalizedText } =
+    error instanceof NodeRefusal ? error.problem : { message: messageOf(error) };
   editor.notify({ kind: 'error', text: message, ...(place && { place }), ...(remedy && { remedy }) });
 }
 
 /** Shows the equivalent command line. */
-function notifyCommand(editor: Editor, words: (command: string) => string, t: Translate): void {
+function notifyCommand(editor: Editor, words: (command: string) => Message): void {
   const project = fileName(projectName(editor.store.getState()), '.slowlight.json');
   const command = `slowlight render ${/^[\w.-]+$/.test(project) ? project : `'${project.replaceAll("'", "'\\''")}'`}`;
   editor.notify({
     kind: 'error',
     text: words(command),
-    action: { text: t('notice.copyCommand'), act: () => void navigator.clipboard.writeText(command) },
+    action: { text: msg`Copy the command`, act: () => void navigator.clipboard.writeText(command) },
   });
 }

@@ -2,8 +2,8 @@ import { useComputedColorScheme } from '@mantine/core';
 import { createDockview, type DockviewApi, type DockviewTheme, type ITabRenderer } from 'dockview';
 import { lazy, type ReactNode, Suspense, useEffect, useRef, useState } from 'react';
 import { createPortal } from 'react-dom';
-import { useTexts } from '../i18n/i18n.ts';
-import type { TextKey } from '../i18n/texts.ts';
+import { type Message, msg } from '../../messages/message.ts';
+import { useTexts } from '../language/languageStore.ts';
 import { ControlsPanel } from '../panels/ControlsPanel.tsx';
 import { ScenePanel } from '../panels/scene/ScenePanel.tsx';
 import { useEditor, useEditorState } from '../state/context.tsx';
@@ -17,13 +17,13 @@ const Inspector = lazy(() => import('../graph/inspector/Inspector.tsx'));
 const EnergyPanel = lazy(() => import('../energy/EnergyPanel.tsx'));
 
 const PANELS = {
-  picture: { title: 'panel.picture', content: <Viewport /> },
-  controls: { title: 'panel.controls', content: <ControlsPanel /> },
-  scene: { title: 'panel.scene', content: <ScenePanel /> },
-  energy: { title: 'panel.energy', content: <EnergyPanel /> },
-  graph: { title: 'panel.graph', content: <GraphPanel /> },
-  node: { title: 'panel.node', content: <Inspector /> },
-} as const satisfies Record<string, { title: TextKey; content: ReactNode }>;
+  picture: { title: msg`Picture`, content: <Viewport /> },
+  controls: { title: msg`Controls`, content: <ControlsPanel /> },
+  scene: { title: msg`Scene`, content: <ScenePanel /> },
+  energy: { title: msg`Energy`, content: <EnergyPanel /> },
+  graph: { title: msg`Graph`, content: <GraphPanel /> },
+  node: { title: msg`Node`, content: <Inspector /> },
+} as const satisfies Record<string, { title: Message; content: ReactNode }>;
 type PanelName = keyof typeof PANELS;
 
 const THEMES = {

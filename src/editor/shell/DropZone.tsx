@@ -1,15 +1,16 @@
 import { Text } from '@mantine/core';
 import { IconDownload } from '@tabler/icons-react';
 import { type ReactNode, useEffect, useState } from 'react';
-import { messageOf } from '../../formats/diagnostics/inputError.ts';
-import { useTexts } from '../i18n/i18n.ts';
+import { msg } from '../../messages/message.ts';
+import { messageOf } from '../../messages/messageError.ts';
+import { useTexts } from '../language/languageStore.ts';
 import { droppedFiles } from '../loading/pickedFiles.ts';
 import { useEditor } from '../state/context.tsx';
 import { useOpenFiles } from './useOpenFiles.ts';
 
 /** Drop target for files on the whole page; ignores panels that are dragged inside it. */
 export function DropZone(): ReactNode {
-  const { t, translateMessage } = useTexts();
+  const { t } = useTexts();
   const editor = useEditor();
   const open = useOpenFiles();
   const [over, setOver] = useState(false);
@@ -28,7 +29,10 @@ export function DropZone(): ReactNode {
       event.preventDefault();
       setOver(false);
       droppedFiles(event.dataTransfer).then(open, (error: unknown) =>
-        editor.notify({ kind: 'error', text: t('notice.unreadable', { why: translateMessage(messageOf(error)) }) }),
+        editor.notify({
+          kind: 'error',
+          text: msg`The browser could not read the dropped files: ${messageOf(error)}. Check that they still exist and can be read, or use Project › Open file.`,
+        }),
       );
     };
     addEventListener('dragover', onOver);
@@ -39,11 +43,11 @@ export function DropZone(): ReactNode {
       removeEventListener('dragleave', onLeave);
       removeEventListener('drop', onDrop);
     };
-  }, [open, editor, t, translateMessage]);
+  }, [open, editor]);
   return over ? (
     <div className="sl-drop">
       <IconDownload size={32} />
-      <Text fw={600}>{t('viewport.drop')}</Text>
+      <Text fw={600}>{t(msg`Drop a scene, a project, a folder or a zip; or missing files of the scene`)}</Text>
     </div>
   ) : null;
 }

@@ -1,7 +1,9 @@
 import { Badge, Group, Modal, SimpleGrid, Stack, Text, UnstyledButton } from '@mantine/core';
 import { type ReactNode, useEffect, useState } from 'react';
-import { useTexts } from '../i18n/i18n.ts';
-import { useSceneTexts } from '../i18n/useSceneTexts.ts';
+import { msg } from '../../messages/message.ts';
+import { messageOf } from '../../messages/messageError.ts';
+import { useTexts } from '../language/languageStore.ts';
+import { useSceneTexts } from '../language/useSceneTexts.ts';
 import { type Example, loadExamples } from '../loading/examples.ts';
 import { Section } from '../panels/scene/Section.tsx';
 import { isProject } from '../projects/projectNames.ts';
@@ -20,11 +22,11 @@ export function Gallery(): ReactNode {
       onClose={close}
       size="min(1080px, 94vw)"
       centered
-      title={t('gallery.title')}
-      closeButtonProps={{ 'aria-label': t('close') }}
+      title={t(msg`Scenes`)}
+      closeButtonProps={{ 'aria-label': t(msg`Close`) }}
     >
       <Text size="sm" c="dimmed" mb="md">
-        {t('gallery.intro')}
+        {t(msg`Each shows one relativistic effect.`)}
       </Text>
       {opened && <Cards onChosen={close} />}
     </Modal>
@@ -38,11 +40,11 @@ function Cards({ onChosen }: { readonly onChosen: () => void }): ReactNode {
   const [examples, setExamples] = useState<readonly Example[]>();
   useEffect(() => {
     loadExamples().then(setExamples, (error: unknown) => {
-      editor.notify({ kind: 'error', text: error instanceof Error ? error.message : String(error) });
+      editor.notify({ kind: 'error', text: messageOf(error) });
       setExamples([]);
     });
   }, [editor]);
-  if (examples?.length === 0) return <Text>{t('gallery.empty')}</Text>;
+  if (examples?.length === 0) return <Text>{t(msg`No example scenes were found. Open a file of your own.`)}</Text>;
   const choose = (source: string) => {
     open(source);
     onChosen();
@@ -52,9 +54,9 @@ function Cards({ onChosen }: { readonly onChosen: () => void }): ReactNode {
     <Stack gap="md">
       <Grid examples={examples?.filter(({ source }) => !isProject(source)) ?? []} onChoose={choose} />
       {projects.length > 0 && (
-        <Section title={t('gallery.projects')}>
+        <Section title={t(msg`Projects`)}>
           <Text size="sm" c="dimmed">
-            {t('gallery.projectsIntro')}
+            {t(msg`Graphs of nodes: open one, change it, save it as your own.`)}
           </Text>
           <Grid examples={projects} onChoose={choose} />
         </Section>
@@ -99,7 +101,7 @@ function Card({ example, onChoose }: { readonly example: Example; readonly onCho
           </Text>
           {current && (
             <Badge size="xs" variant="default">
-              {t('gallery.now')}
+              {t(msg`Open now`)}
             </Badge>
           )}
         </Group>

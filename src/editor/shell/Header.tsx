@@ -3,6 +3,7 @@ import {
   Button,
   Group,
   Kbd,
+  Menu,
   Text,
   Tooltip,
   useComputedColorScheme,
@@ -12,6 +13,7 @@ import {
   IconArrowBackUp,
   IconArrowForwardUp,
   IconCamera,
+  IconCheck,
   IconKeyboard,
   IconLanguage,
   IconLayoutGrid,
@@ -20,7 +22,9 @@ import {
   IconSun,
 } from '@tabler/icons-react';
 import type { ReactNode } from 'react';
-import { setLanguage, useTexts } from '../i18n/i18n.ts';
+import { LANGUAGE_TAGS, LANGUAGES, type LanguageTag } from '../../messages/languages.ts';
+import { msg } from '../../messages/message.ts';
+import { setLanguage, useTexts } from '../language/languageStore.ts';
 import { ProjectMenu, ProjectName } from '../projects/ProjectMenu.tsx';
 import { useEditor, useEditorState } from '../state/context.tsx';
 import { loadPreferences, savePreferences } from '../state/preferences.ts';
@@ -32,7 +36,7 @@ export function Header(): ReactNode {
   const editor = useEditor();
   const save = useSavePicture();
   return (
-    <Group component="header" className="sl-header" gap="xs" wrap="nowrap" px="sm" aria-label={t('header.toolbar')}>
+    <Group component="header" className="sl-header" gap="xs" wrap="nowrap" px="sm" aria-label={t(msg`Program`)}>
       <Logo />
       <Text component="h1" fw={650} size="sm" className="sl-wordmark">
         Slowlight
@@ -41,22 +45,22 @@ export function Header(): ReactNode {
         size="compact-sm"
         variant="default"
         leftSection={<IconLayoutGrid size={15} />}
-        aria-label={t('header.scenes')}
+        aria-label={t(msg`Scenes`)}
         onClick={() => editor.update({ dialog: 'gallery' })}
       >
-        {t('header.scenes')}
+        {t(msg`Scenes`)}
       </Button>
       <ProjectMenu />
       <UndoRedo />
       <GraphButton />
       <ProjectName />
       <div className="sl-spring" />
-      <IconButton label={t('header.save')} keys="Ctrl ⇧ S" onClick={() => void save()}>
+      <IconButton label={t(msg`Save picture`)} keys="Ctrl ⇧ S" onClick={() => void save()}>
         <IconCamera size={17} />
       </IconButton>
-      <LanguageButton />
+      <LanguageMenu />
       <SchemeButton />
-      <IconButton label={t('header.help')} keys="?" onClick={() => editor.update({ dialog: 'help' })}>
+      <IconButton label={t(msg`Keys and help`)} keys="?" onClick={() => editor.update({ dialog: 'help' })}>
         <IconKeyboard size={17} />
       </IconButton>
     </Group>
@@ -67,15 +71,14 @@ interface IconButtonProps {
   readonly label: string;
   readonly keys?: string;
   readonly disabled?: boolean;
-  readonly lang?: string;
   readonly onClick: () => void;
   readonly children: ReactNode;
 }
 
-function IconButton({ label, keys, disabled, lang, onClick, children }: IconButtonProps): ReactNode {
+function IconButton({ label, keys, disabled, onClick, children }: IconButtonProps): ReactNode {
   const tip = (
     <Group gap={6} wrap="nowrap">
-      <span lang={lang}>{label}</span>
+      <span>{label}</span>
       {keys && <Kbd size="xs">{keys}</Kbd>}
     </Group>
   );
@@ -89,14 +92,14 @@ function IconButton({ label, keys, disabled, lang, onClick, children }: IconButt
 }
 
 function UndoRedo(): ReactNode {
-  const { t, textOrKey } = useTexts();
+  const { t } = useTexts();
   const editor = useEditor();
   const last = useEditorState(({ history }) => history.past.at(-1)?.label);
   const next = useEditorState(({ history }) => history.future[0]?.label);
   return (
     <Group gap={0} wrap="nowrap">
       <IconButton
-        label={last ? t('header.undoWhat', { what: textOrKey(last) }) : t('header.undo')}
+        label={last ? t(msg`Undo: ${t(last)}`) : t(msg`Undo`)}
         keys="Ctrl Z"
         disabled={!last}
         onClick={editor.undo}
@@ -104,7 +107,7 @@ function UndoRedo(): ReactNode {
         <IconArrowBackUp size={17} />
       </IconButton>
       <IconButton
-        label={next ? t('header.redoWhat', { what: textOrKey(next) }) : t('header.redo')}
+        label={next ? t(msg`Redo: ${t(next)}`) : t(msg`Redo`)}
         keys="Ctrl ⇧ Z"
         disabled={!next}
         onClick={editor.redo}
@@ -122,7 +125,7 @@ function GraphButton(): ReactNode {
   const shown = useEditorState((state) => state.graph);
   return (
     <IconButton
-      label={t(shown ? 'graph.hide' : 'graph.show')}
+      label={t(shown ? msg`Hide the node graph` : msg`Show the node graph`)}
       keys="Ctrl ⇧ G"
       onClick={() => editor.update({ graph: !shown })}
     >
@@ -131,19 +134,41 @@ function GraphButton(): ReactNode {
   );
 }
 
-function LanguageButton(): ReactNode {
+function LanguageMenu(): ReactNode {
   const { t, language } = useTexts();
   const editor = useEditor();
-  const other = language === 'en' ? 'zh' : 'en';
-  const change = () =>
-    setLanguage(other).then(
-      () => savePreferences({ ...loadPreferences(), language: other }),
-      () => editor.notify({ kind: 'error', text: t('header.noLanguage') }),
+  const change = (tag: LanguageTag) =>
+    setLanguage(tag).then(
+      () => savePreferences({ ...loadPreferences(), language: tag }),
+      () =>
+        editor.notify({
+          kind: 'error',
+          text: msg`${LANGUAGES[tag].name} could not be loaded. Is the server still running?`,
+        }),
     );
   return (
-    <IconButton label={t('header.languageLabel')} lang={other} onClick={() => void change()}>
-      <IconLanguage size={17} />
-    </IconButton>
+    <Menu position="bottom-end">
+      <Tooltip label={t(msg`Language`)} openDelay={400}>
+        <Menu.Target>
+          <ActionIcon variant="subtle" color="gray" size={30} aria-label={t(msg`Language`)}>
+            <IconLanguage size={17} />
+          </ActionIcon>
+        </Menu.Target>
+      </Tooltip>
+      <Menu.Dropdown>
+        {LANGUAGE_TAGS.map((tag) => (
+          <Menu.Item
+            key={tag}
+            lang={LANGUAGES[tag].locale}
+            aria-current={tag === language}
+            leftSection={<IconCheck size={15} visibility={tag === language ? undefined : 'hidden'} />}
+            onClick={() => void change(tag)}
+          >
+            {LANGUAGES[tag].name}
+          </Menu.Item>
+        ))}
+      </Menu.Dropdown>
+    </Menu>
   );
 }
 
@@ -153,7 +178,10 @@ function SchemeButton(): ReactNode {
   const scheme = useComputedColorScheme('dark');
   const other = scheme === 'dark' ? 'light' : 'dark';
   return (
-    <IconButton label={t(`header.${other}`)} onClick={() => setColorScheme(other)}>
+    <IconButton
+      label={t(other === 'dark' ? msg`Dark colours` : msg`Light colours`)}
+      onClick={() => setColorScheme(other)}
+    >
       {scheme === 'dark' ? <IconSun size={17} /> : <IconMoon size={17} />}
     </IconButton>
   );

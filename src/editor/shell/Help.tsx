@@ -1,52 +1,52 @@
 import { Modal, SimpleGrid, Stack, Text } from '@mantine/core';
 import { lazy, type ReactNode, Suspense } from 'react';
-import { useTexts } from '../i18n/i18n.ts';
-import type { TextKey } from '../i18n/texts.ts';
+import { type Message, msg } from '../../messages/message.ts';
+import { useTexts } from '../language/languageStore.ts';
 import { useEditor, useEditorState } from '../state/context.tsx';
 import { type KeyRow, KeySection } from './KeySection.tsx';
 
 /** Loaded with the graph's code. */
 const GraphKeys = lazy(() => import('../graph/commands/GraphKeys.tsx'));
 
-type KeyGroup = readonly [title: TextKey, rows: readonly KeyRow[]];
+type KeyGroup = readonly [title: Message, rows: readonly KeyRow[]];
 
 const COLUMNS: readonly (readonly KeyGroup[])[] = [
   [
     [
-      'help.flying',
+      msg`Flying`,
       [
-        [['W', 'A', 'S', 'D'], 'help.move'],
-        [['Q', 'E'], 'help.vertical'],
-        [['⇧ Shift'], 'help.full'],
-        [['help.drag'], 'help.lookAround'],
-        [['help.doubleClick'], 'help.capture'],
-        [['Tab'], 'help.lock'],
-        [['C'], 'help.cruise'],
-        [['R'], 'help.restart'],
+        [['W', 'A', 'S', 'D'], msg`Accelerate; release to brake`],
+        [['Q', 'E'], msg`Down, up`],
+        [['⇧ Shift'], msg`Full speed`],
+        [[msg`Drag`], msg`Look around (also the arrow keys)`],
+        [[msg`Double-click`], msg`Capture the mouse; Esc releases it`],
+        [['Tab'], msg`Next lock: free, look, fly`],
+        [['C'], msg`Cruise: keep the velocity`],
+        [['R'], msg`Back to the start of the scene`],
       ],
     ],
   ],
   [
     [
-      'help.picture',
+      msg`Picture`,
       [
-        [['key.space'], 'help.play'],
-        [['V'], 'help.view'],
-        [['G'], 'help.grid'],
-        [['X'], 'help.falseColor'],
-        [['P'], 'help.crosshair'],
-        [['F'], 'help.maximize'],
-        [['key.escape'], 'help.leave'],
+        [[msg`Space`], msg`Play or pause`],
+        [['V'], msg`Next view`],
+        [['G'], msg`Reference grid`],
+        [['X'], msg`Next false colour`],
+        [['P'], msg`Value at the crosshair`],
+        [['F'], msg`Only the picture`],
+        [[msg`Esc`], msg`Leave the picture`],
       ],
     ],
     [
-      'help.program',
+      msg`Program`,
       [
-        [['Ctrl', 'Z'], 'header.undo'],
-        [['Ctrl', '⇧', 'Z'], 'header.redo'],
-        [['Ctrl', 'S'], 'project.save'],
-        [['Ctrl', '⇧', 'S'], 'header.save'],
-        [['?', 'F1'], 'header.help'],
+        [['Ctrl', 'Z'], msg`Undo`],
+        [['Ctrl', '⇧', 'Z'], msg`Redo`],
+        [['Ctrl', 'S'], msg`Save project`],
+        [['Ctrl', '⇧', 'S'], msg`Save picture`],
+        [['?', 'F1'], msg`Keys and help`],
       ],
     ],
   ],
@@ -63,14 +63,14 @@ export function Help(): ReactNode {
       onClose={() => editor.update({ dialog: undefined })}
       size="min(820px, 94vw)"
       centered
-      title={t('help.title')}
-      closeButtonProps={{ 'aria-label': t('close') }}
+      title={t(msg`Keys`)}
+      closeButtonProps={{ 'aria-label': t(msg`Close`) }}
     >
       <SimpleGrid cols={{ base: 1, sm: 2 }} spacing="xl" verticalSpacing="lg">
         {COLUMNS.map((sections) => (
-          <Stack key={sections[0]?.[0]} gap="lg">
+          <Stack key={sections[0]?.[0].template} gap="lg">
             {sections.map(([title, rows]) => (
-              <KeySection key={title} title={title} rows={rows} />
+              <KeySection key={title.template} title={title} rows={rows} />
             ))}
           </Stack>
         ))}
@@ -79,7 +79,9 @@ export function Help(): ReactNode {
         <GraphKeys />
       </Suspense>
       <Text size="xs" c="dimmed" mt="lg">
-        {t('help.gamepad')}
+        {t(
+          msg`Gamepad: left stick flies, right stick looks, bumpers go down and up, right trigger is full speed, A plays, Y changes the lock.`,
+        )}
       </Text>
     </Modal>
   );

@@ -1,21 +1,21 @@
 import { Group, Kbd, Stack, Text } from '@mantine/core';
 import type { ReactNode } from 'react';
-import { useTexts } from '../i18n/i18n.ts';
-import type { TextKey } from '../i18n/texts.ts';
+import type { LocalizedText, Message } from '../../messages/message.ts';
+import { useTexts } from '../language/languageStore.ts';
 
 /** Keys and what they do; `OR` separates alternatives. */
-export type KeyRow = readonly [keys: readonly string[], what: TextKey];
+export type KeyRow = readonly [keys: readonly LocalizedText[], what: Message];
 export const OR = ' or ';
 
 export function KeyRows({ rows }: { readonly rows: readonly KeyRow[] }): ReactNode {
-  const { t, textOrKey } = useTexts();
+  const { t } = useTexts();
   return rows.map(([keys, what]) => (
-    <Group key={what} justify="space-between" wrap="nowrap" gap="md">
+    <Group key={what.template} justify="space-between" wrap="nowrap" gap="md">
       <Text size="sm">{t(what)}</Text>
       <Group gap={4} wrap="nowrap">
         {keys.map((key, i) => (
           // biome-ignore lint/suspicious/noArrayIndexKey: the same key may occur twice
-          <Key key={i} name={key === OR ? OR : textOrKey(key)} />
+          <Key key={i} name={key === OR ? OR : t(key)} />
         ))}
       </Group>
     </Group>
@@ -31,7 +31,7 @@ const Key = ({ name }: { readonly name: string }): ReactNode =>
     <Kbd>{name}</Kbd>
   );
 
-export function KeySection({ title, rows }: { readonly title: TextKey; readonly rows: readonly KeyRow[] }): ReactNode {
+export function KeySection({ title, rows }: { readonly title: Message; readonly rows: readonly KeyRow[] }): ReactNode {
   const { t } = useTexts();
   return (
     <Stack gap={8}>

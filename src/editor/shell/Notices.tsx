@@ -1,7 +1,8 @@
 import { Button, Notification, Stack, Text } from '@mantine/core';
 import { IconAlertTriangle, IconCheck } from '@tabler/icons-react';
-import { type ReactNode, useEffect, useRef } from 'react';
-import { useTexts } from '../i18n/i18n.ts';
+import { type ReactNode, useEffect } from 'react';
+import { inEnglish, type Message, msg } from '../../messages/message.ts';
+import { useTexts } from '../language/languageStore.ts';
 import { sceneName } from '../loading/localFiles.ts';
 import { displayTitle } from '../panels/nodeTitle.ts';
 import { Remedy } from '../panels/Remedy.tsx';
@@ -36,17 +37,14 @@ export function Notices(): ReactNode {
 
 /** Reports missing files of a newly opened scene while it is open; otherwise its diagnostics, if any. */
 function useSceneNotices(): void {
-  const { t } = useTexts();
   const editor = useEditor();
-  const say = useRef(t);
-  say.current = t;
   const source = useEditorState((state) => state.pictureSource.source);
   useEffect(() => {
     const scene = editor.store.getState().picture?.scene;
     if (!source || !scene) return;
     const missing = [...new Set(scene.diagnostics.flatMap(({ missing: file }) => (file ? [file.name] : [])))];
     const remarks = scene.diagnostics.filter(({ severity }) => severity !== 'info');
-    const warn = (text: string) => {
+    const warn = (text: Message) => {
       const id = editor.notify({ kind: 'warning', text });
       return () => editor.dismiss(id);
     };
@@ -54,36 +52,45 @@ function useSceneNotices(): void {
       const files = [...missing.slice(0, MAX_NAMED_FILES), ...(missing.length > MAX_NAMED_FILES ? ['…'] : [])].join(
         ', ',
       );
-      return warn(say.current('notice.missing', { count: missing.length, files }));
+      return warn(
+        msg`Missing files: ${missing.length} (${files}). What needs them is left out or grey. Drop them on the page, or the folder that contains all of them.`,
+      );
     }
-    if (scene.objects.length === 0) return warn(say.current('notice.empty', { name: sceneName(source) }));
+    if (scene.objects.length === 0)
+      return warn(
+        msg`There are no objects in ${sceneName(source)}, so only the sky is visible. Check what was exported; the Scene panel may say more.`,
+      );
     if (remarks.length > 0)
-      editor.notify({ kind: 'info', text: say.current('notice.warnings', { count: remarks.length }) });
+      editor.notify({
+        kind: 'info',
+        text: msg`Diagnostics for this file: ${remarks.length}. See the Scene panel`,
+      });
   }, [editor, source]);
 }
 
 function NoticeCard({ notice }: { readonly notice: Notice }): ReactNode {
-  const { t, translateMessage } = useTexts();
+  const { t } = useTexts();
   const editor = useEditor();
   const kept = useEditorState((state) => state.picture !== undefined);
   const place = usePlace(notice);
   const error = notice.kind === 'error';
+  const { length } = t(notice.text);
   useEffect(() => {
     if (notice.kind !== 'info' || notice.action) return;
     const timer = setTimeout(
       () => editor.dismiss(notice.id),
-      Math.max(INFO_DURATION, READING_TIME_PER_CHARACTER * notice.text.length),
+      Math.max(INFO_DURATION, READING_TIME_PER_CHARACTER * length),
     );
     return () => clearTimeout(timer);
-  }, [editor, notice]);
+  }, [editor, notice, length]);
   return (
     <Notification
       withBorder
       color={COLORS[notice.kind]}
       icon={notice.kind === 'info' ? <IconCheck size={18} /> : <IconAlertTriangle size={18} />}
-      title={error ? t('notice.error') : undefined}
+      title={error ? t(msg`Operation failed`) : undefined}
       role={error ? 'alert' : 'status'}
-      closeButtonProps={{ 'aria-label': t('close') }}
+      closeButtonProps={{ 'aria-label': t(msg`Close`) }}
       onClose={() => editor.dismiss(notice.id)}
     >
       <Stack gap={6}>
@@ -93,7 +100,7 @@ function NoticeCard({ notice }: { readonly notice: Notice }): ReactNode {
           </Text>
         )}
         <Text size="sm" c="var(--mantine-color-text)">
-          {translateMessage(notice.text)}
+          {t(notice.text)}
         </Text>
         {notice.remedy && <Remedy remedy={notice.remedy} />}
         {notice.action && (
@@ -106,12 +113,12 @@ function NoticeCard({ notice }: { readonly notice: Notice }): ReactNode {
               notice.action?.act();
             }}
           >
-            {notice.action.text}
+            {t(notice.action.text)}
           </Button>
         )}
         {error && notice.ofDocument && kept && (
           <Text size="xs" c="dimmed">
-            {t('notice.sceneKept')}
+            {t(msg`The last valid scene is still shown.`)}
           </Text>
         )}
       </Stack>
@@ -121,7 +128,7 @@ function NoticeCard({ notice }: { readonly notice: Notice }): ReactNode {
 
 /** Title of the node that a notice refers to. */
 function usePlace({ place }: Notice): string | undefined {
-  const { textOrKey, translateMessage } = useTexts();
-  const title = useEditorState(({ history }) => (place ? displayTitle(history.document, place) : undefined));
-  return title ? textOrKey(title) : place && translateMessage(place);
+  const { t } = useTexts();
+  const title = useEditorState(({ history }) => (place ? displayTitle(history.document, inEnglish(place)) : undefined));
+  return title ? t(title) : place && t(place);
 }

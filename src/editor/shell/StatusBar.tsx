@@ -3,20 +3,27 @@ import { IconEye, IconGauge, IconLockOpen, IconPlane } from '@tabler/icons-react
 import type { ReactNode } from 'react';
 import { type GraphDocument, own } from '../../graph/document/document.ts';
 import { isParamActive, isUnphysical, resolveParams } from '../../graph/nodeType.ts';
+import { type LocalizedText, type Message, msg } from '../../messages/message.ts';
 import { nodeLibrary } from '../../nodes/library.ts';
 import type { Lock } from '../flight/flight.ts';
 import { formatBeta, formatCount, formatNumber, formatSeconds, formatSpeed } from '../format.ts';
-import { useTexts } from '../i18n/i18n.ts';
+import { useTexts } from '../language/languageStore.ts';
 import { useServices } from '../services.tsx';
 import { useEditor, useEditorState, useTelemetry } from '../state/context.tsx';
 
 const LOCK_ICONS = { free: IconLockOpen, look: IconEye, fly: IconPlane } as const satisfies Record<Lock, unknown>;
 
+const LOCK_TEXTS: Readonly<Record<Lock, { readonly title: Message; readonly help: Message }>> = {
+  free: { title: msg`Free`, help: msg`You move and see the effects of your velocity.` },
+  look: { title: msg`Look`, help: msg`You have a velocity but stay in place.` },
+  fly: { title: msg`Fly`, help: msg`You move, but the picture is that of someone at rest.` },
+};
+
 /** Lock, speed, γ and speed of light; then backend, quality and the observer's proper time. */
 export function StatusBar(): ReactNode {
   const { t } = useTexts();
   return (
-    <Group component="footer" className="sl-status" gap={0} wrap="nowrap" aria-label={t('status.bar')}>
+    <Group component="footer" className="sl-status" gap={0} wrap="nowrap" aria-label={t(msg`Status`)}>
       <LockButton />
       <CruiseButton />
       <Unphysical />
@@ -34,16 +41,16 @@ function LockButton(): ReactNode {
   const lock = useEditorState((state) => state.lock);
   const Icon = LOCK_ICONS[lock];
   return (
-    <Tooltip label={t(`lock.${lock}.help`)} openDelay={300}>
+    <Tooltip label={t(LOCK_TEXTS[lock].help)} openDelay={300}>
       <UnstyledButton
         className="sl-status-item sl-status-button"
-        aria-label={`${t('lock.label')}: ${t(`lock.${lock}`)}`}
+        aria-label={`${t(msg`Lock`)}: ${t(LOCK_TEXTS[lock].title)}`}
         data-lock={lock}
         onClick={() => observerController.cycleLock()}
       >
         <Icon size={14} />
         <Text size="xs" fw={600}>
-          {t(`lock.${lock}`)}
+          {t(LOCK_TEXTS[lock].title)}
         </Text>
       </UnstyledButton>
     </Tooltip>
@@ -55,7 +62,7 @@ function CruiseButton(): ReactNode {
   const editor = useEditor();
   const cruise = useEditorState((state) => state.cruise);
   return (
-    <Tooltip label={t('cruise.help')} openDelay={300}>
+    <Tooltip label={t(msg`Keep the velocity when no key is pressed`)} openDelay={300}>
       <UnstyledButton
         className="sl-status-item sl-status-button"
         aria-pressed={cruise}
@@ -63,7 +70,7 @@ function CruiseButton(): ReactNode {
       >
         <IconGauge size={14} opacity={cruise ? 1 : 0.35} />
         <Text size="xs" c={cruise ? undefined : 'dimmed'}>
-          {t('cruise.label')}
+          {t(msg`Cruise`)}
         </Text>
       </UnstyledButton>
     </Tooltip>
@@ -101,22 +108,22 @@ function Speed(): ReactNode {
     <>
       <Item
         id="speed"
-        label={t('status.speed')}
+        label={t(msg`Speed`)}
         more={c === undefined ? undefined : `${formatSpeed(beta * c)} · `}
         value={c ? `${formatBeta(beta)} c` : '–'}
       />
-      <Item id="gamma" label={t('status.gamma')} value={`γ = ${formatNumber(gamma, 4)}`} />
-      <Item id="c" label={t('status.c')} value={c ? `c = ${formatSpeed(c)}` : '–'} />
+      <Item id="gamma" label={t(msg`Lorentz factor`)} value={`γ = ${formatNumber(gamma, 4)}`} />
+      <Item id="c" label={t(msg`Speed of light`)} value={c ? `c = ${formatSpeed(c)}` : '–'} />
     </>
   );
 }
 
 /** Lists unphysical settings while they are active. */
 function Unphysical(): ReactNode {
-  const { t, textOrKey } = useTexts();
+  const { t } = useTexts();
   const document = useEditorState((state) => state.history.document);
-  const names = unphysical(document).map((title) => textOrKey(title));
-  const text = `${t('status.unphysical')}: ${names.join(', ')}`;
+  const names = unphysical(document).map((title) => t(title));
+  const text = `${t(msg`Not physical`)}: ${names.join(', ')}`;
   return names.length > 0 ? (
     <Text size="xs" fw={600} className="sl-unphysical" role="status" title={text} data-status="unphysical">
       {text}
@@ -125,7 +132,7 @@ function Unphysical(): ReactNode {
 }
 
 /** Titles of the active parameters with unphysical values. */
-const unphysical = ({ nodes }: GraphDocument): string[] =>
+const unphysical = ({ nodes }: GraphDocument): LocalizedText[] =>
   Object.values(nodes).flatMap((node) => {
     const type = own(nodeLibrary, node.type);
     if (!type) return [];
@@ -138,7 +145,7 @@ const unphysical = ({ nodes }: GraphDocument): string[] =>
 function Clock(): ReactNode {
   const { t } = useTexts();
   const properTime = useTelemetry((live) => live.properTime);
-  return <Item id="own-time" label={t('status.ownTime')} value={`τ = ${formatSeconds(properTime)}`} />;
+  return <Item id="own-time" label={t(msg`Proper time`)} value={`τ = ${formatSeconds(properTime)}`} />;
 }
 
 /** Error below which the tessellation is not reported [px]. */
@@ -152,14 +159,14 @@ function Machine(): ReactNode {
   const triangles = useTelemetry((live) => live.triangles);
   const tolerance = useTelemetry((live) => live.tolerance);
   const waiting = useTelemetry((live) => live.waiting);
-  const starting = graphics === 'starting' ? t('status.starting') : t('status.recovering');
+  const starting = graphics === 'starting' ? t(msg`starting…`) : t(msg`recovering…`);
   const name = graphics === 'webgpu' || graphics === 'webgl' ? BACKENDS[graphics] : starting;
   return (
     <>
       <Text size="xs" className="sl-status-item sl-figure" c="dimmed" data-status="triangles">
-        {t('status.triangles', { count: formatCount(triangles) })}
-        {tolerance > MAX_UNNOTICED_ERROR && ` · ${t('status.coarse', { pixels: formatCount(Math.ceil(tolerance)) })}`}
-        {waiting && ` · ${t('status.waiting')}`}
+        {t(msg`${formatCount(triangles)} triangles`)}
+        {tolerance > MAX_UNNOTICED_ERROR && ` · ${t(msg`error up to ${formatCount(Math.ceil(tolerance))} px`)}`}
+        {waiting && ` · ${t(msg`reading samples…`)}`}
       </Text>
       <Text size="xs" className="sl-status-item" c="dimmed" data-status="backend">
         {name}

@@ -1,8 +1,9 @@
 import { ActionIcon, Group, Slider, Text, Tooltip } from '@mantine/core';
 import { IconPlayerPauseFilled, IconPlayerPlayFilled, IconPlayerSkipBackFilled, IconRepeat } from '@tabler/icons-react';
 import type { ReactNode } from 'react';
+import { msg } from '../../messages/message.ts';
 import { formatSeconds } from '../format.ts';
-import { useTexts } from '../i18n/i18n.ts';
+import { useTexts } from '../language/languageStore.ts';
 import { useServices } from '../services.tsx';
 import { useEditor, useEditorState, useTelemetry } from '../state/context.tsx';
 import { computedUntil } from '../state/simulationRuns.ts';
@@ -11,7 +12,7 @@ import { computedUntil } from '../state/simulationRuns.ts';
 export function Timeline(): ReactNode {
   const { t } = useTexts();
   return (
-    <Group component="section" className="sl-timeline" gap="xs" wrap="nowrap" px="sm" aria-label={t('timeline.label')}>
+    <Group component="section" className="sl-timeline" gap="xs" wrap="nowrap" px="sm" aria-label={t(msg`Timeline`)}>
       <PlayButtons />
       <Scrubber />
       <LoopButton />
@@ -24,13 +25,13 @@ function PlayButtons(): ReactNode {
   const { observerController } = useServices();
   const playing = useEditorState((state) => state.playing);
   const start = useEditorState((state) => state.picture?.scene.startTime ?? 0);
-  const label = playing ? t('timeline.pause') : t('timeline.play');
+  const label = playing ? t(msg`Pause`) : t(msg`Play`);
   return (
     <Group gap={2} wrap="nowrap">
       <ActionIcon
         variant="subtle"
         color="gray"
-        aria-label={t('timeline.start')}
+        aria-label={t(msg`Back to the start`)}
         onClick={() => observerController.seek(start)}
       >
         <IconPlayerSkipBackFilled size={14} />
@@ -68,12 +69,12 @@ function Scrubber(): ReactNode {
           marks={until < end ? [{ value: until }] : []}
           value={Math.min(end, Math.max(start, time))}
           onChange={(value) => observerController.seek(value)}
-          thumbLabel={t('timeline.time')}
+          thumbLabel={t(msg`World time`)}
           thumbValueText={formatSeconds(time)}
         />
       ) : (
         <Text size="xs" c="dimmed" className="sl-scrubber">
-          {t('timeline.still')}
+          {t(msg`Nothing moves in this scene`)}
         </Text>
       )}
       {end > start && (
@@ -90,11 +91,11 @@ function LoopButton(): ReactNode {
   const editor = useEditor();
   const loop = useEditorState((state) => state.loop);
   return (
-    <Tooltip label={t('timeline.loop')} openDelay={400}>
+    <Tooltip label={t(msg`Loop`)} openDelay={400}>
       <ActionIcon
         variant={loop ? 'light' : 'subtle'}
         color={loop ? undefined : 'gray'}
-        aria-label={t('timeline.loop')}
+        aria-label={t(msg`Loop`)}
         aria-pressed={loop}
         onClick={() => editor.update({ loop: !loop })}
       >

@@ -1,6 +1,7 @@
 import { Button, Container, List, Stack, Text, Title } from '@mantine/core';
 import type { ReactNode } from 'react';
-import { useTexts } from '../i18n/i18n.ts';
+import { msg } from '../../messages/message.ts';
+import { useTexts } from '../language/languageStore.ts';
 import { Logo } from './Logo.tsx';
 
 /** Shown if the browser cannot render: why, and what to do. */
@@ -11,17 +12,21 @@ export function Unsupported(): ReactNode {
       <Stack gap="lg">
         <Logo />
         <Title order={1} size="h2">
-          {t('unsupported.title')}
+          {t(msg`Slowlight needs WebGPU or WebGL 2`)}
         </Title>
-        <Text>{t('unsupported.body')}</Text>
+        <Text>{t(msg`This browser offers neither, so nothing can be rendered. One of these usually helps:`)}</Text>
         <List spacing="sm">
-          <List.Item>{t('unsupported.update')}</List.Item>
-          <List.Item>{t('unsupported.acceleration')}</List.Item>
-          <List.Item>{t('unsupported.driver')}</List.Item>
-          <List.Item>{t('unsupported.cli')}</List.Item>
+          <List.Item>{t(msg`Use a current Chrome, Edge, Firefox or Safari.`)}</List.Item>
+          <List.Item>
+            {t(
+              msg`Turn on “Use graphics acceleration when available” in the browser’s system settings, then restart it.`,
+            )}
+          </List.Item>
+          <List.Item>{t(msg`Update the graphics driver.`)}</List.Item>
+          <List.Item>{t(msg`Or render without a screen: slowlight render scene.usda -o picture.png`)}</List.Item>
         </List>
         <Button onClick={() => location.reload()} w="fit-content">
-          {t('unsupported.retry')}
+          {t(msg`Try again`)}
         </Button>
       </Stack>
     </Container>

@@ -8,29 +8,24 @@ import type { Editor } from '../state/editor.ts';
 
 /** Actions shared by keys and buttons; without the node they do nothing. */
 export const nextView = (editor: Editor): void =>
-  change(editor, 'relativity-console', 'view', (now) => next(VIEW_NAMES, now), 'param.view');
+  change(editor, 'relativity-console', 'view', (now) => next(VIEW_NAMES, now));
 
 export const toggleGrid = (editor: Editor): void =>
-  change(editor, 'relativity-rasterize', 'grid', (now) => now !== true, 'param.grid');
+  change(editor, 'relativity-rasterize', 'grid', (now) => now !== true);
 
 export const nextFalseColor = (editor: Editor): void =>
-  change(editor, 'false-colour', 'of', (now) => next(['none', ...FALSE_COLOR_QUANTITIES], now), 'param.falseColor');
+  change(editor, 'false-colour', 'of', (now) => next(['none', ...FALSE_COLOR_QUANTITIES], now));
 
 /** Detaches the observer from the camera it rides on. */
-export const leaveCamera = (editor: Editor): void => change(editor, 'scene-camera', 'ride', () => false, 'param.ride');
+export const leaveCamera = (editor: Editor): void => change(editor, 'scene-camera', 'ride', () => false);
 
 const next = (values: readonly string[], now: ParamValue | undefined): string =>
   values[(values.indexOf(String(now)) + 1) % values.length]!;
 
 /** Changes a parameter of the node of a type that is nearest to the output. */
-function change(
-  editor: Editor,
-  typeId: string,
-  param: string,
-  to: (now: ParamValue | undefined) => ParamValue,
-  label: string,
-): void {
+function change(editor: Editor, typeId: string, param: string, to: (now: ParamValue | undefined) => ParamValue): void {
   const node = nearestToOutput(editor.store.getState().history.document, typeId);
   const type = own(nodeLibrary, typeId);
-  if (node && type) editor.set(node.id, param, to(resolveParams(type, node.params)[param]), label);
+  const spec = type?.params[param];
+  if (node && spec) editor.set(node.id, param, to(resolveParams(type, node.params)[param]), spec.title);
 }

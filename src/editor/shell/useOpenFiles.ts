@@ -1,8 +1,9 @@
 import { useCallback } from 'react';
 import { entryOf } from '../../formats/entry.ts';
+import { ANY_FORMAT } from '../../formats/formatLists.ts';
+import { msg } from '../../messages/message.ts';
 import { readNodeParams, readSource } from '../../nodes/project/outputChain.ts';
 import { setParamCommand } from '../../nodes/project/projectCommands.ts';
-import { useTexts } from '../i18n/i18n.ts';
 import { sceneName } from '../loading/localFiles.ts';
 import { missingPaths, suppliesMissingFiles } from '../loading/missingFiles.ts';
 import type { PickedFiles } from '../loading/pickedFiles.ts';
@@ -20,7 +21,6 @@ import type { EditorState } from '../state/editor.ts';
 export function useOpenFiles(): (files: PickedFiles) => void {
   const editor = useEditor();
   const { localFiles } = useServices();
-  const { t } = useTexts();
   return useCallback(
     (picked: PickedFiles) => {
       const take = async (files: UserFiles): Promise<void> => {
@@ -34,9 +34,13 @@ export function useOpenFiles(): (files: PickedFiles) => void {
           const commands = lacking.map(({ node, source }) =>
             setParamCommand(state.history.document, node, 'source', localFiles.addToSet(source, files)),
           );
-          editor.edit({ kind: 'batch', commands }, 'edit.supply');
+          editor.edit({ kind: 'batch', commands }, msg`add missing files`);
         } else if (entry) editor.open(localFiles.add(files, entry));
-        else if (files.size > 0) editor.notify({ kind: 'error', text: t('notice.noScene') });
+        else if (files.size > 0)
+          editor.notify({
+            kind: 'error',
+            text: msg`None of these files is a scene. Drop a ${ANY_FORMAT} file, or a folder or zip that contains one.`,
+          });
       };
       expandArchives(picked)
         .then(take)
@@ -45,7 +49,7 @@ export function useOpenFiles(): (files: PickedFiles) => void {
           editor.notify({ kind: 'error', ...openErrorOf(name, error) });
         });
     },
-    [editor, localFiles, t],
+    [editor, localFiles],
   );
 }
 

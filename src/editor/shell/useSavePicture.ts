@@ -1,8 +1,10 @@
 import { useCallback } from 'react';
 import { withPngText } from '../../formats/image/pngText.ts';
+import { msg, type Translate } from '../../messages/message.ts';
+import { MessageError } from '../../messages/messageError.ts';
 import { pictureMetadata } from '../../scene/view/pictureMetadata.ts';
 import { formatBeta } from '../format.ts';
-import { type Translate, useTexts } from '../i18n/i18n.ts';
+import { useTexts } from '../language/languageStore.ts';
 import { projectName } from '../projects/projectNames.ts';
 import { useServices } from '../services.tsx';
 import { useEditor } from '../state/context.tsx';
@@ -26,7 +28,7 @@ export function useSavePicture(): () => Promise<void> {
     const png = new Uint8Array(await (await composePng(captured, t)).arrayBuffer());
     const name = pictureName(editor.store.getState());
     download(new Blob([withPngText(png, pictureMetadata(viewPoint, settings))], { type: 'image/png' }), name);
-    editor.notify({ kind: 'info', text: t('notice.saved', { name }) });
+    editor.notify({ kind: 'info', text: msg`Saved ${name}` });
   }, [editor, stage, t]);
 }
 
@@ -49,7 +51,10 @@ async function composePng({ image, settings: { falseColors } }: CapturedPicture,
     drawLegend(context, legendTexts(falseColors, t), legendStyleOf(element, picture), told || undefined);
   }
   return new Promise((resolve, reject) => {
-    canvas.toBlob((blob) => (blob ? resolve(blob) : reject(new Error('the browser made no PNG'))), 'image/png');
+    canvas.toBlob(
+      (blob) => (blob ? resolve(blob) : reject(new MessageError(msg`the browser made no PNG`))),
+      'image/png',
+    );
   });
 }
 

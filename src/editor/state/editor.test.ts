@@ -1,7 +1,9 @@
 import { describe, expect, it } from 'vitest';
+import { saying } from '../../../tests/support/inWords.ts';
 import { applyCommand, type Command } from '../../graph/edits/commands.ts';
 import { groupCommand } from '../../graph/edits/group.ts';
 import { CancelledError } from '../../graph/evaluation/evaluator.ts';
+import { msg } from '../../messages/message.ts';
 import { nodeLibrary } from '../../nodes/library.ts';
 import { newProject } from '../../nodes/project/projectCommands.ts';
 import { type Services, workerServices } from '../../nodes/services.ts';
@@ -14,7 +16,7 @@ const refused = new InputError({
   severity: 'error',
   code: 'file.empty',
   place: 'bad.usda',
-  message: 'the file is empty',
+  message: msg`the file is empty`,
 });
 
 /** Reads any file at once, refuses `bad.usda`, and never finishes `slow.usda`. */
@@ -42,7 +44,7 @@ it('the last valid scene stays when another is rejected, and undo removes the er
   const { editor, state } = await open('a.usda', 'bad.usda');
   expect(state()).toMatchObject({
     pictureSource: { source: 'a.usda' },
-    notices: [{ place: 'bad.usda', text: 'the file is empty' }],
+    notices: [{ place: 'bad.usda', text: msg`the file is empty` }],
   });
   expect(state().picture?.scene.name).toBe('a.usda');
   editor.undo();
@@ -163,7 +165,7 @@ it('a node in a group is edited in the group’s definition, and invalid values 
   expect(state().picture?.exposure).toBe(2);
   expect(state().history.document.groups.group?.nodes.toneMap?.params).toEqual({ exposure: 2 });
   editor.set('group/gone', 'exposure', 2, 'exposure');
-  expect(state().notices).toMatchObject([{ kind: 'error', text: 'there is no node "group/gone"' }]);
+  expect(state().notices).toMatchObject([{ kind: 'error', text: saying('there is no node "group/gone"') }]);
 });
 
 describe('projects', () => {
@@ -188,7 +190,7 @@ describe('projects', () => {
     editor.openProject({ ...other, document: applyCommand(other.document, output).document });
     await settled();
     expect(state().picture?.scene.name).toBe('a.usda');
-    expect(state().notices).toMatchObject([{ text: expect.stringMatching(/no output node/), ofDocument: true }]);
+    expect(state().notices).toMatchObject([{ text: saying('no output node'), ofDocument: true }]);
     editor.openProject({ ...other, document: newProject('bad.usda') });
     await settled();
     expect(state()).toMatchObject({

@@ -13,6 +13,8 @@ import {
 import { CancelledError, type Evaluation, Evaluator } from '../../graph/evaluation/evaluator.ts';
 import type { NodeResult } from '../../graph/evaluation/resultCache.ts';
 import type { NodeProblem } from '../../graph/nodeType.ts';
+import { type LocalizedText, msg } from '../../messages/message.ts';
+import { MessageError, messageOf } from '../../messages/messageError.ts';
 import { nodeLibrary } from '../../nodes/library.ts';
 import { evaluatedPicture } from '../../nodes/pictures/renderSettings.ts';
 import { nearestToOutput, outputNodeId, readNodeParams, readSource } from '../../nodes/project/outputChain.ts';
@@ -33,18 +35,24 @@ export interface LoadingState {
   readonly source: string;
   /** 0 … 1; undefined if unknown. */
   readonly part: number | undefined;
-  readonly stage: (typeof STAGES)[number];
+  readonly stage: LoadingStage;
 }
-const STAGES = ['fetch', 'parse', 'trace', 'simulate'] as const;
+export const STAGE_TITLES = {
+  fetch: msg`Reading the file`,
+  parse: msg`Building the scene`,
+  trace: msg`Tracing light`,
+  simulate: msg`Computing steps`,
+};
+type LoadingStage = keyof typeof STAGE_TITLES;
 
 export interface Notice {
   readonly id: number;
   readonly kind: 'error' | 'warning' | 'info';
-  readonly text: string;
-  readonly place?: string;
+  readonly text: LocalizedText;
+  readonly place?: LocalizedText;
   readonly remedy?: NodeProblem['remedy'];
   /** An additional action that the notice offers. */
-  readonly action?: { readonly text: string; readonly act: () => void };
+  readonly action?: { readonly text: LocalizedText; readonly act: () => void };
   /** Whether it comes from the evaluation and disappears with the problem. */
   readonly ofDocument: boolean;
 }
@@ -95,9 +103,15 @@ export interface EditorState {
 
 export interface Editor {
   readonly store: StoreApi<EditorState>;
-  readonly edit: (command: Command, label: string, gesture?: string) => void;
+  readonly edit: (command: Command, label: LocalizedText, gesture?: string) => void;
   /** `node`: evaluation id, in groups `outer/inner`. */
-  readonly set: (node: string, param: string, value: ParamValue | undefined, label: string, gesture?: string) => void;
+  readonly set: (
+    node: string,
+    param: string,
+    value: ParamValue | undefined,
+    label: LocalizedText,
+    gesture?: string,
+  ) => void;
   readonly endGesture: () => void;
   readonly undo: () => void;
   readonly redo: () => void;
@@ -175,11 +189,11 @@ export function createEditor({ services, project, playing }: EditorOptions): Edi
       go((history) => executeCommand(history, command, label, gesture));
     } catch (error) {
       if (!(error instanceof CommandError)) throw error;
-      addNotice(store, { kind: 'error', text: error.message, ofDocument: false });
+      addNotice(store, { kind: 'error', text: messageOf(error), ofDocument: false });
     }
   };
   const openProject: Editor['openProject'] = ({ document, origin, unsaved }) => {
-    go((history) => replaceDocument(history, document, origin, 'edit.openProject'));
+    go((history) => replaceDocument(history, document, origin, msg`open a project`));
     store.setState(({ history }) => ({ saved: unsaved ? null : markOf(history) }));
   };
   evaluation.update();
@@ -195,7 +209,7 @@ export function createEditor({ services, project, playing }: EditorOptions): Edi
       const before = store.getState();
       const command = openFileCommand(before.history.document, file);
       if (!command) return openProject(projectOfScene(file));
-      edit(command, 'edit.open');
+      edit(command, msg`open a scene`);
       // Opening another scene alone is not an unsaved change.
       if (!isUnsaved(before)) store.setState(({ history }) => ({ saved: markOf(history) }));
     },
@@ -212,7 +226,7 @@ export function createEditor({ services, project, playing }: EditorOptions): Edi
       if (!picture || sameReads(readNodeParams(history.document), pictureSource.reads)) return;
       if (history.origin !== pictureSource.origin) go((now) => undoToReads(now, pictureSource.reads));
       else if (sameReads(readNodeParams(undo(history).document), pictureSource.reads)) go(undo);
-      else edit(restoreReadsCommand(history.document, pictureSource.reads), 'edit.open');
+      else edit(restoreReadsCommand(history.document, pictureSource.reads), msg`open a scene`);
     },
     notify: (notice) => addNotice(store, { ...notice, ofDocument: false }),
     dismiss: (id) => store.setState(({ notices }) => ({ notices: notices.filter((notice) => notice.id !== id) })),
@@ -255,8 +269,8 @@ const NO_OUTPUT_RESULT: NodeResult = {
   problem: {
     severity: 'error',
     code: 'graph.output',
-    place: 'the project',
-    message: 'it has no output node, so that it makes no picture; undo, or add one',
+    place: msg`the project`,
+    message: msg`it has no output node, so that it makes no picture; undo, or add one`,
   },
 };
 const NO_OUTPUT_EVALUATION: Evaluation = { target: NO_OUTPUT_RESULT, results: new Map([['', NO_OUTPUT_RESULT]]) };
@@ -269,7 +283,7 @@ function startEvaluation(store: StoreApi<EditorState>, services: Services) {
   const evaluator = new Evaluator(nodeLibrary, { heavy: heavyWorkers() });
   const quick: Services = {
     ...services,
-    renderStill: () => Promise.reject(new Error('it waits for what is under way')),
+    renderStill: () => Promise.reject(new MessageError(msg`it waits for what is under way`)),
   };
   let abort = new AbortController();
   let latest = 0;
@@ -285,7 +299,7 @@ function startEvaluation(store: StoreApi<EditorState>, services: Services) {
     let over = false;
     seen = false;
     const progress = (node: string, part: number | undefined, what?: string) => {
-      const stage = STAGES.find((each) => each === what) ?? 'parse';
+      const stage = Object.hasOwn(STAGE_TITLES, what ?? '') ? (what as LoadingStage) : 'parse';
       if (turn === latest) store.setState({ loading: { node, source: readSource(reads[node]) || node, part, stage } });
     };
     const before = abort;
@@ -357,7 +371,7 @@ function applyEvaluation(store: StoreApi<EditorState>, evaluation: Evaluation): 
     notices: notices.filter((notice) => !notice.ofDocument),
   }));
   for (const { node, record } of stops) {
-    const text = `it ended at t = ${record.stop!.t.toPrecision(4)} s: ${record.stop!.message}`;
+    const text = msg`it ended at t = ${record.stop!.t.toPrecision(4)} s: ${record.stop!.message}`;
     addNotice(store, { kind: 'warning', text, place: node, ofDocument: true });
   }
   for (const { message, place, remedy } of failed.map(({ problem }) => problem)) {

@@ -1,5 +1,6 @@
 import type { RunHeavy } from '../../graph/evaluation/evaluator.ts';
 import { heavyWorkerPool } from '../../graph/evaluation/heavyWorkers.ts';
+import { workerError } from '../pipelines/workerError.ts';
 
 /** Runs heavy nodes in the page's workers. */
 export const heavyWorkers = (): RunHeavy =>
@@ -9,7 +10,7 @@ export const heavyWorkers = (): RunHeavy =>
       send: (order) => worker.postMessage(order),
       listen: (hear, fail) => {
         worker.addEventListener('message', ({ data }) => hear(data));
-        worker.addEventListener('error', ({ message }) => fail(new Error(message || 'a worker could not be started')));
+        worker.addEventListener('error', ({ message }) => fail(workerError(message)));
       },
       end: () => worker.terminate(),
     };

@@ -1,7 +1,9 @@
 import { beforeEach, expect, it, vi } from 'vitest';
+import { saying } from '../../../tests/support/inWords.ts';
 import { applyCommand, type Command } from '../../graph/edits/commands.ts';
 import { CancelledError, type HeavyRequest } from '../../graph/evaluation/evaluator.ts';
 import type { Outputs } from '../../graph/nodeType.ts';
+import { msg } from '../../messages/message.ts';
 import { newProject } from '../../nodes/project/projectCommands.ts';
 import { type Services, workerServices } from '../../nodes/services.ts';
 import { makeScene } from '../../scene/defaults.ts';
@@ -157,11 +159,11 @@ it('cancelling stops newly started work, and does not restart it', async () => {
 
 it('a run that stopped early is reported once', async () => {
   const { editor, state } = await open();
-  const books = { kinetic: Float64Array.of(0), stop: { t: 1.5, message: 'too fast' } };
+  const books = { kinetic: Float64Array.of(0), stop: { t: 1.5, message: msg`too fast` } };
   led[0]!.end('abc', { books });
   await settled();
   expect(state().notices).toMatchObject([
-    { kind: 'warning', place: 'work', text: 'it ended at t = 1.500 s: too fast' },
+    { kind: 'warning', place: 'work', text: saying(/^it ended at t = 1\.500 s: too fast$/) },
   ]);
   editor.set('toneMap', 'exposure', 1, 'exposure');
   await settled();

@@ -1,8 +1,8 @@
-import { type Language, preferredLanguage } from '../i18n/i18n.ts';
+import { isLanguageTag, type LanguageTag, preferredLanguage } from '../../messages/languages.ts';
 
 /** The user's settings of the page itself; stored in the browser, not in the document. */
 export interface Preferences {
-  readonly language: Language;
+  readonly language: LanguageTag;
   readonly captions: boolean;
   /** Whether the legend of false colours is shown. */
   readonly legend: boolean;
@@ -15,8 +15,7 @@ const PREFERENCES_KEY = 'slowlight.preferences';
 /** Without readable preferences (private window, full disk) the browser's settings apply. */
 export function loadPreferences(): Preferences {
   const kept = readStoredPreferences();
-  const language =
-    kept.language === 'en' || kept.language === 'zh' ? kept.language : preferredLanguage(navigator.languages);
+  const language = isLanguageTag(kept.language) ? kept.language : preferredLanguage(navigator.languages);
   return {
     language,
     captions: kept.captions !== false,

@@ -1,11 +1,13 @@
 import { Button, Group, Progress, Stack, Text, UnstyledButton } from '@mantine/core';
 import { IconX } from '@tabler/icons-react';
 import { type ReactNode, type RefObject, useEffect, useRef, useState } from 'react';
+import { msg } from '../../messages/message.ts';
 import { useFlightControls } from '../flight/useFlightControls.ts';
-import { useTexts } from '../i18n/i18n.ts';
-import { useOpenedTexts } from '../i18n/useSceneTexts.ts';
+import { useTexts } from '../language/languageStore.ts';
+import { useOpenedTexts } from '../language/useSceneTexts.ts';
 import { sceneName } from '../loading/localFiles.ts';
 import { useEditor, useEditorState, useTelemetry } from '../state/context.tsx';
+import { STAGE_TITLES } from '../state/editor.ts';
 import { loadPreferences, savePreferences } from '../state/preferences.ts';
 import { Legend } from './legend/Legend.tsx';
 import { useViewportRenderer } from './useViewportRenderer.ts';
@@ -20,7 +22,15 @@ export function Viewport(): ReactNode {
   const shown = useEditorState(({ pictureSource }) => pictureSource.origin || pictureSource.source);
   return (
     <div className="sl-viewport" data-opened={shown}>
-      <div ref={host} className="sl-picture" role="application" aria-label={t('viewport.label')} data-viewport>
+      <div
+        ref={host}
+        className="sl-picture"
+        role="application"
+        aria-label={t(
+          msg`Picture. W A S D Q E fly, arrow keys look around, Tab changes the lock, Escape leaves the picture.`,
+        )}
+        data-viewport
+      >
         {/* A canvas whose context was lost cannot be reused: each generation gets a new one. */}
         <canvas key={generation} ref={canvas} className="sl-canvas" />
       </div>
@@ -38,7 +48,7 @@ function StartHint(): ReactNode {
   const open = useEditorState((state) => state.picture?.falseColor === 'none' && !state.loading);
   return open ? (
     <Text size="xs" className="sl-hint">
-      {t('viewport.start')}
+      {t(msg`Fly with W A S D, drag to look, ? for all keys`)}
     </Text>
   ) : null;
 }
@@ -56,17 +66,17 @@ function Caption(): ReactNode {
   if (!shown) {
     return (
       <UnstyledButton className="sl-caption sl-caption-closed" onClick={() => show(true)}>
-        <Text size="xs">{t('viewport.lookFor')}</Text>
+        <Text size="xs">{t(msg`What to look for`)}</Text>
       </UnstyledButton>
     );
   }
   return (
-    <aside className="sl-caption" aria-label={t('viewport.lookFor')}>
+    <aside className="sl-caption" aria-label={t(msg`What to look for`)}>
       <Group justify="space-between" wrap="nowrap" align="start" gap="xs">
         <Text size="sm" fw={600}>
           {title}
         </Text>
-        <UnstyledButton aria-label={t('viewport.hide')} onClick={() => show(false)}>
+        <UnstyledButton aria-label={t(msg`Hide`)} onClick={() => show(false)}>
           <IconX size={14} />
         </UnstyledButton>
       </Group>
@@ -84,7 +94,7 @@ function CompilingHint(): ReactNode {
   const busy = useEditorState((state) => state.loading !== undefined || state.graphics === 'recovering');
   return preparing && !busy ? (
     <Text size="xs" className="sl-hint sl-preparing" role="status">
-      {t('viewport.preparing')}
+      {t(msg`Preparing the picture…`)}
     </Text>
   ) : null;
 }
@@ -121,7 +131,7 @@ function ActivityOverlay({ picture }: { readonly picture: RefObject<HTMLElement 
 }
 
 /** Stages other than reading a scene, which may take minutes. */
-const LONG_STAGES = { trace: 'viewport.tracing', simulate: 'viewport.simulating' } as const;
+const LONG_STAGES = { trace: msg`Reference render`, simulate: msg`Simulating` } as const;
 
 /** A scene being read, or the device restarting. */
 function BusyCard(): ReactNode {
@@ -133,12 +143,12 @@ function BusyCard(): ReactNode {
   const running = useEditorState(({ interim }) => interim === 'running');
   if (loading) {
     const { part, stage } = loading;
-    const step = t(`loading.${stage}`);
+    const step = t(STAGE_TITLES[stage]);
     const long = stage === 'trace' || stage === 'simulate';
     return (
       <Stack className="sl-busy" gap={8} role="status" data-aside={(shown && long) || undefined}>
         <Text size="sm" fw={600}>
-          {long ? t(LONG_STAGES[stage]) : t('viewport.loading', { name: sceneName(loading.source) })}
+          {long ? t(LONG_STAGES[stage]) : t(msg`Opening ${sceneName(loading.source)}`)}
         </Text>
         {part === undefined ? (
           <div className="sl-working" role="progressbar" aria-label={step} />
@@ -150,13 +160,18 @@ function BusyCard(): ReactNode {
             {part === undefined ? step : `${step}, ${Math.round(100 * part)} %`}
           </Text>
           <Button size="compact-xs" variant="default" onClick={editor.cancelLoading}>
-            {t(running ? 'viewport.stop' : 'viewport.cancel')}
+            {t(running ? msg`Stop` : msg`Cancel`)}
           </Button>
         </Group>
       </Stack>
     );
   }
-  const text = graphics === 'recovering' ? t('viewport.restart') : graphics === 'failed' ? t('notice.noGraphics') : '';
+  const text =
+    graphics === 'recovering'
+      ? t(msg`The graphics device was lost. Restarting…`)
+      : graphics === 'failed'
+        ? t(msg`The graphics device keeps failing. Reload the page; if that does not help, update the graphics driver.`)
+        : '';
   return text ? (
     <Text className="sl-busy" size="sm" role="status">
       {text}
@@ -171,9 +186,9 @@ function StoppedCard(): ReactNode {
   const stopped = useEditorState(({ interim, loading }) => interim === 'stopped' && !loading);
   return stopped ? (
     <Group className="sl-busy" justify="space-between" wrap="nowrap" role="status" data-aside>
-      <Text size="xs">{t('viewport.stopped')}</Text>
+      <Text size="xs">{t(msg`Stopped: interim results are shown.`)}</Text>
       <Button size="compact-xs" variant="default" onClick={editor.resumeWork}>
-        {t('viewport.goOn')}
+        {t(msg`Go on`)}
       </Button>
     </Group>
   ) : null;

@@ -1,5 +1,6 @@
 import { type RefObject, useEffect, useRef, useState } from 'react';
-import { useTexts } from '../i18n/i18n.ts';
+import { msg } from '../../messages/message.ts';
+import { messageOf } from '../../messages/messageError.ts';
 import { useServices } from '../services.tsx';
 import { useEditor } from '../state/context.tsx';
 import { ViewportRenderer } from './viewportRenderer.ts';
@@ -13,13 +14,10 @@ const LOSS_WINDOW = 60_000;
  * document, observer and time are kept. Returns the generation, for the key of the canvas.
  */
 export function useViewportRenderer(canvas: RefObject<HTMLCanvasElement | null>): number {
-  const { t } = useTexts();
   const editor = useEditor();
   const services = useServices();
   const [generation, setLife] = useState(0);
   const losses = useRef<number[]>([]);
-  const say = useRef(t);
-  say.current = t;
 
   useEffect(() => {
     let viewportRenderer: ViewportRenderer | undefined;
@@ -37,7 +35,7 @@ export function useViewportRenderer(canvas: RefObject<HTMLCanvasElement | null>)
       services.viewport.capture = () => started.capture();
       services.viewport.besides = () => started.previewContext();
       if (generation > 0 && losses.current.length > 0)
-        editor.notify({ kind: 'info', text: say.current('notice.recovered') });
+        editor.notify({ kind: 'info', text: msg`The graphics device was lost and has been restarted.` });
     };
     const lost = () => {
       if (over) return;
@@ -49,8 +47,7 @@ export function useViewportRenderer(canvas: RefObject<HTMLCanvasElement | null>)
     };
     if (canvas.current) {
       begin(canvas.current).catch((error: unknown) => {
-        const text = error instanceof Error ? error.message : String(error);
-        editor.notify({ kind: 'error', text });
+        editor.notify({ kind: 'error', text: messageOf(error) });
         lost();
       });
     }

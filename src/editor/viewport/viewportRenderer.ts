@@ -1,3 +1,4 @@
+import { messageOf } from '../../messages/messageError.ts';
 import { exposedFrameGraph, renderSettings } from '../../nodes/pictures/renderSettings.ts';
 import type { PictureSpec } from '../../nodes/socketValues.ts';
 import type { InteractiveRenderer } from '../../pipelines/interactiveRenderer.ts';
@@ -252,8 +253,7 @@ export class ViewportRenderer {
       this.observerController.setPicture(picture, opened, until);
     } catch (error) {
       this.uploadStart = undefined;
-      const text = error instanceof Error ? error.message : String(error);
-      this.editor.notify({ kind: 'error', text, place: sceneName(opened.source || opened.origin) });
+      this.editor.notify({ kind: 'error', text: messageOf(error), place: sceneName(opened.source || opened.origin) });
     } finally {
       this.uploading = false;
     }
@@ -280,7 +280,7 @@ export class ViewportRenderer {
   /** The last picture stays, and time goes on. */
   private handleSampleError(error: Error): void {
     this.samplesLost = true;
-    this.editor.notify({ kind: 'error', text: error.message });
+    this.editor.notify({ kind: 'error', text: messageOf(error) });
   }
 
   /** Draws if the view changed; returns whether it did. */

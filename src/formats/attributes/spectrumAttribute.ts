@@ -1,3 +1,4 @@
+import { type Message, msg } from '../../messages/message.ts';
 import { LIGHT_PRESETS } from '../../spectrum/sources/lightPresets.ts';
 import type { LightSpectrum } from '../../spectrum/sources/lightSpectrum.ts';
 
@@ -29,5 +30,5 @@ export function formatSpectrum(spectrum: LightSpectrum): string | undefined {
 }
 
 /** Message for an unknown spectrum. */
-export const unknownSpectrumMessage = (written: string): string =>
-  `${SPECTRUM_ATTRIBUTE} "${written.slice(0, 40)}" is neither a temperature, as "2856 K", nor one of ${[...LIGHT_PRESETS.keys()].join(', ')}; it is left out`;
+export const unknownSpectrumMessage = (written: string): Message =>
+  msg`${SPECTRUM_ATTRIBUTE} "${written.slice(0, 40)}" is neither a temperature, as "2856 K", nor one of ${[...LIGHT_PRESETS.keys()].join(', ')}; it is left out`;

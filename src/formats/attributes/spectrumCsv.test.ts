@@ -1,5 +1,6 @@
 import fc from 'fast-check';
 import { describe, expect, test } from 'vitest';
+import { inEnglish } from '../../messages/message.ts';
 import { InputError } from '../../scene/types.ts';
 import { colorOfSpectrum } from '../../spectrum/color/observerColor.ts';
 import { LIGHT_PRESETS } from '../../spectrum/sources/lightPresets.ts';
@@ -83,8 +84,9 @@ describe('a spectrum from CSV', () => {
       }
     })();
     expect(error).toBeInstanceOf(InputError);
-    expect((error as InputError).diagnostic).toMatchObject({ code: 'spectrum.csv', place });
-    expect((error as InputError).diagnostic.message).toContain(message);
+    const { diagnostic } = error as InputError;
+    expect([diagnostic.code, inEnglish(diagnostic.place)]).toEqual(['spectrum.csv', place]);
+    expect(inEnglish(diagnostic.message)).toContain(message);
   });
 
   test('of any bytes is read or rejected', () => {

@@ -1,3 +1,4 @@
+import { type LocalizedText, type Message, msg } from '../../messages/message.ts';
 import type { MeasuredReflectance } from '../../spectrum/reflectance/measuredReflectance.ts';
 import type { SampledSpectrum } from '../../spectrum/sources/lightSpectrum.ts';
 import { inputError } from '../diagnostics/inputError.ts';
@@ -31,16 +32,16 @@ interface SpectrumRow {
 export function readSpectrumCsv(bytes: Uint8Array, name: string): SampledSpectrum {
   const rows: SpectrumRow[] = [];
   for (const { number, text } of textLines(bytes, name)) {
-    if (rows.length === MAX_TABLE_ROWS)
-      throw damaged(`${name}: line ${number}`, `there are more than ${MAX_TABLE_ROWS} rows`);
+    const fail = (message: Message): Error => damaged(msg`${name}: line ${number}`, message);
+    if (rows.length === MAX_TABLE_ROWS) throw fail(msg`there are more than ${MAX_TABLE_ROWS} rows`);
     const words = wordsOf(text);
     if (words.length === 0) continue;
     const row = rowOf(words);
-    if (row) rows.push(checked(row, rows.at(-1), `${name}: line ${number}`));
-    else if (rows.length > 0) throw damaged(`${name}: line ${number}`, `"${text.slice(0, 40)}" is not two numbers`);
+    if (row) rows.push(checked(row, rows.at(-1), fail));
+    else if (rows.length > 0) throw fail(msg`"${text.slice(0, 40)}" is not two numbers`);
   }
-  if (rows.length < 2) throw damaged(name, 'it has fewer than two rows of a wavelength in nm and a value');
-  if (rows.every(({ value }) => value === 0)) throw damaged(name, 'all of its values are 0');
+  if (rows.length < 2) throw damaged(name, msg`it has fewer than two rows of a wavelength in nm and a value`);
+  if (rows.every(({ value }) => value === 0)) throw damaged(name, msg`all of its values are 0`);
   return evenlySampled(rows);
 }
 
@@ -49,7 +50,7 @@ export function readReflectanceCsv(bytes: Uint8Array, name: string): MeasuredRef
   const { first, step, values } = readSpectrumCsv(bytes, name);
   const most = values.reduce((a, b) => Math.max(a, b));
   if (most > 1)
-    throw damaged(name, `its greatest value is ${most}, and no more than 1 is reflected; divide percents by 100`);
+    throw damaged(name, msg`its greatest value is ${most}, and no more than 1 is reflected; divide percents by 100`);
   return { first, step, values };
 }
 
@@ -59,8 +60,8 @@ export function writeSpectrumCsv({ first, step, values }: MeasuredReflectance, o
   return new TextEncoder().encode([`# wavelength [nm], ${of}`, ...rows, ''].join('\n'));
 }
 
-const damaged = (place: string, message: string) =>
-  inputError('spectrum.csv', place, `${message}; a spectrum is lines such as "550, 0.87", wavelengths in nm rising`);
+const damaged = (place: LocalizedText, message: Message) =>
+  inputError('spectrum.csv', place, msg`${message}; a spectrum is lines such as "550, 0.87", wavelengths in nm rising`);
 
 function wordsOf(text: string): string[] {
   const line = text.replace(/^\uFEFF/, '').trim();
@@ -76,11 +77,14 @@ function rowOf([wavelength, value]: string[]): SpectrumRow | undefined {
   return Number.isFinite(Math.fround(row.nanometres)) && Number.isFinite(Math.fround(row.value)) ? row : undefined;
 }
 
-function checked({ nanometres, value }: SpectrumRow, before: SpectrumRow | undefined, place: string): SpectrumRow {
+function checked(
+  { nanometres, value }: SpectrumRow,
+  before: SpectrumRow | undefined,
+  fail: (message: Message) => Error,
+): SpectrumRow {
   if (nanometres < WAVELENGTH_RANGE[0] || nanometres > WAVELENGTH_RANGE[1])
-    throw damaged(place, `${nanometres} nm is not between ${WAVELENGTH_RANGE[0]} and ${WAVELENGTH_RANGE[1]} nm`);
-  if (before && nanometres <= before.nanometres)
-    throw damaged(place, `${nanometres} nm comes after ${before.nanometres} nm`);
+    throw fail(msg`${nanometres} nm is not between ${WAVELENGTH_RANGE[0]} and ${WAVELENGTH_RANGE[1]} nm`);
+  if (before && nanometres <= before.nanometres) throw fail(msg`${nanometres} nm comes after ${before.nanometres} nm`);
   return { nanometres, value: Math.max(value, 0) };
 }
 

@@ -1,3 +1,4 @@
+import { inEnglish, type LocalizedText, type Message, msg } from '../../messages/message.ts';
 import type { Diagnostic } from '../../scene/types.ts';
 import type { DiagnosticCode } from './diagnosticCodes.ts';
 
@@ -11,14 +12,15 @@ export class DiagnosticList {
   private readonly counts = new Map<string, number>();
 
   /** `file`: place of the message that summarizes further ones. */
-  add(diagnostic: Diagnostic & { readonly code: DiagnosticCode }, file: string): void {
+  add(diagnostic: Diagnostic & { readonly code: DiagnosticCode }, file: LocalizedText): void {
     const { severity, code, place, message } = diagnostic;
-    const key = `${code}\n${place}\n${message}`;
     const count = (this.counts.get(code) ?? 0) + 1;
-    if (this.said.has(key) || count > MAX_PER_CODE + 1) return;
+    if (count > MAX_PER_CODE + 1) return;
+    const key = `${code}\n${inEnglish(place)}\n${inEnglish(message)}`;
+    if (this.said.has(key)) return;
     this.counts.set(code, count);
     this.said.add(key);
-    const more = `there are more of these; the first ${MAX_PER_CODE} are listed`;
+    const more = msg`there are more of these; the first ${MAX_PER_CODE} are listed`;
     this.list.push(count <= MAX_PER_CODE ? diagnostic : { severity, code, place: file, message: more });
   }
 }
@@ -35,11 +37,11 @@ export class DiagnosticLog {
   add(
     severity: Diagnostic['severity'],
     code: DiagnosticCode,
-    what: string,
-    message: string,
+    what: LocalizedText,
+    message: Message,
     more: Partial<Omit<Diagnostic, 'code'>> = {},
   ): void {
-    const place = what ? `${this.file}: ${what}` : this.file;
+    const place = what ? msg`${this.file}: ${what}` : this.file;
     this.said.add({ severity, code, place, message, ...more }, this.file);
   }
 

@@ -1,4 +1,5 @@
 import { expect, it } from 'vitest';
+import { inEnglish } from '../../messages/message.ts';
 import { memorySource } from '../files/fileSource.ts';
 import { openScene } from '../open.ts';
 
@@ -6,7 +7,9 @@ const text = (words: string) => new TextEncoder().encode(words);
 const missingIn = async (entry: string, words: string, more: Record<string, string> = {}) => {
   const others = Object.entries(more).map(([name, content]) => [name, text(content)] as const);
   const { diagnostics } = await openScene(memorySource({ [entry]: text(words), ...Object.fromEntries(others) }), entry);
-  return diagnostics.flatMap(({ code, place, missing }) => (missing ? [{ code, place, ...missing }] : []));
+  return diagnostics.flatMap(({ code, place, missing }) =>
+    missing ? [{ code, place: inEnglish(place), ...missing }] : [],
+  );
 };
 
 it('USD: a layer and a texture', async () => {

@@ -1,3 +1,4 @@
+import { msg } from '../../messages/message.ts';
 import type { Diagnostic, MissingFile } from '../../scene/types.ts';
 import type { DiagnosticCode } from './diagnosticCodes.ts';
 
@@ -6,7 +7,7 @@ export function missingTexture(
   name: string,
   lookedFor: readonly string[],
 ): Pick<Diagnostic, 'message'> & { code: DiagnosticCode; missing: MissingFile } {
-  const message = `the texture ${name} is not there (looked for ${lookedFor.join(', ')}); shown without it`;
+  const message = msg`the texture ${name} is not there (looked for ${lookedFor.join(', ')}); shown without it`;
   return { code: 'file.missing-texture', message, missing: { name, lookedFor } };
 }
 
@@ -14,8 +15,8 @@ export function missingTexture(
 export function missingSpectrum(
   name: string,
   lookedFor: readonly string[],
-  instead = 'its light is taken for daylight',
+  instead = msg`its light is taken for daylight`,
 ): Pick<Diagnostic, 'message'> & { code: DiagnosticCode; missing: MissingFile } {
-  const message = `the spectrum ${name} is not there (looked for ${lookedFor.join(', ')}); ${instead}`;
+  const message = msg`the spectrum ${name} is not there (looked for ${lookedFor.join(', ')}); ${instead}`;
   return { code: 'file.missing-spectrum', message, missing: { name, lookedFor } };
 }

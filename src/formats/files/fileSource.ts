@@ -1,3 +1,4 @@
+import { type LocalizedText, listed } from '../../messages/message.ts';
 import { RangedFile } from './rangedFile.ts';
 
 /**
@@ -57,7 +58,7 @@ export function extensionOf(path: string): string {
 }
 
 /** `usda`, `usdz` → `.usda, .usdz`. */
-export const dotted = (extensions: readonly string[]): string => extensions.map((each) => `.${each}`).join(', ');
+export const dotted = (extensions: readonly string[]): LocalizedText => listed(extensions.map((each) => `.${each}`));
 
 /** `a/b/Scene.v2.glb` → `Scene.v2`. */
 export const stemOf = (path: string): string => path.replace(/^.*\//, '').replace(/(?<=.)\.[^.]*$/, '');

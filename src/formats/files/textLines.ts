@@ -1,3 +1,4 @@
+import { type Message, msg } from '../../messages/message.ts';
 import { inputError } from '../diagnostics/inputError.ts';
 
 /** Bytes decoded at once: a large file exceeds the maximum string length. */
@@ -23,8 +24,8 @@ export function* textLines(bytes: Uint8Array, entry: string): Generator<TextLine
     if (to - from > BLOCK + MAX_LINE) {
       throw inputError(
         'text.long-line',
-        `${entry}: after line ${number}`,
-        `a line has more than ${MAX_LINE} bytes; the file is damaged`,
+        msg`${entry}: after line ${number}`,
+        msg`a line has more than ${MAX_LINE} bytes; the file is damaged`,
       );
     }
     const lines = decoder.decode(bytes.subarray(from, to)).split(/\r\n|\n|\r/);
@@ -44,9 +45,9 @@ function endOfBlock(bytes: Uint8Array, from: number): number {
 }
 
 /** Parses a number in the range of f32; throws what `fail` returns for the reason otherwise. */
-export function parseFiniteNumber(word: string | undefined, fail: (message: string) => Error): number {
-  if (!word) throw fail('a number is missing; the file is cut off or damaged');
+export function parseFiniteNumber(word: string | undefined, fail: (message: Message) => Error): number {
+  if (!word) throw fail(msg`a number is missing; the file is cut off or damaged`);
   const value = Number(word);
   if (Number.isFinite(Math.fround(value))) return value;
-  throw fail(Number.isFinite(value) ? `${word} is too large a number` : `${word.slice(0, 40)} is not a number`);
+  throw fail(Number.isFinite(value) ? msg`${word} is too large a number` : msg`${word.slice(0, 40)} is not a number`);
 }

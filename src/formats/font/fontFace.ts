@@ -1,4 +1,6 @@
 import type { OpenTypeFont } from 'opentype.js/dist/opentype.mjs';
+import { msg } from '../../messages/message.ts';
+import { MessageError } from '../../messages/messageError.ts';
 import type { Contour, ContourSegment, Glyph, Point2 } from '../../scene/text/contours.ts';
 import { unpackWoff } from './woff.ts';
 
@@ -33,7 +35,7 @@ function contoursFromPath(commands: Commands): Contour[] {
     else if (command.type === 'Q')
       last.segments.push({ control: [command.x1, command.y1], to: [command.x, command.y] });
     else if (command.type === 'Z') last.segments.push({ to: last.start });
-    else throw new Error('the font has cubic outlines, not those of TrueType');
+    else throw new MessageError(msg`the font has cubic outlines, not those of TrueType`);
   }
   return contours;
 }

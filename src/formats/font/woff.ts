@@ -1,4 +1,6 @@
 import { unzlibSync } from 'fflate';
+import { msg } from '../../messages/message.ts';
+import { MessageError } from '../../messages/messageError.ts';
 
 /** Tables for outlines; substitution and positioning (GSUB, GPOS) are not used. */
 const TABLES = ['OS/2', 'cmap', 'glyf', 'head', 'hhea', 'hmtx', 'loca', 'maxp', 'name', 'post'];
@@ -15,7 +17,7 @@ interface Table {
  */
 export function unpackWoff(woff: Uint8Array): ArrayBuffer {
   const from = new DataView(woff.buffer, woff.byteOffset, woff.byteLength);
-  if (from.getUint32(0) !== 0x774f4646) throw new Error('the font is no WOFF file');
+  if (from.getUint32(0) !== 0x774f4646) throw new MessageError(msg`the font is no WOFF file`);
   const tables = Array.from({ length: from.getUint16(12) }, (_, i) => tableAt(from, woff, 44 + 20 * i)).filter(
     ({ tag }) => TABLES.includes(tag),
   );

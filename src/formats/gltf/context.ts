@@ -1,4 +1,5 @@
 import type { Document, GLTF } from '@gltf-transform/core';
+import { type LocalizedText, type Message, msg } from '../../messages/message.ts';
 import type { VariantSet } from '../../scene/types.ts';
 import type { SampledSpectrum } from '../../spectrum/sources/lightSpectrum.ts';
 import type { DiagnosticCode } from '../diagnostics/diagnosticCodes.ts';
@@ -25,5 +26,10 @@ export interface GltfContext {
 export type Resources = Record<string, Uint8Array<ArrayBuffer>>;
 
 /** An InputError: `what` is the part of the file, `message` the value and remedy. */
-export const gltfError = (entry: string, code: DiagnosticCode, what: string, message: string, cause?: unknown) =>
-  inputError(code, what ? `${entry}: ${what}` : entry, message, cause);
+export const gltfError = (
+  entry: string,
+  code: DiagnosticCode,
+  what: LocalizedText,
+  message: Message,
+  cause?: unknown,
+) => inputError(code, what ? msg`${entry}: ${what}` : entry, message, cause);

@@ -3,9 +3,11 @@ import { AnimationMixer, type InstancedMesh, Matrix4, Vector3 } from 'three';
 import { GLTFLoader } from 'three/addons/loaders/GLTFLoader.js';
 import { describe, expect, it } from 'vitest';
 import { find, GltfBuilder } from '../../../tests/support/gltfBuilder.ts';
+import { inWords } from '../../../tests/support/inWords.ts';
 import { fromAxisAngle } from '../../math/quat.ts';
 import { random } from '../../math/random.ts';
 import { distance } from '../../math/vec3.ts';
+import { inEnglish } from '../../messages/message.ts';
 import { vertexPosition } from '../../scene/motion/motion.ts';
 import { memorySource } from '../files/fileSource.ts';
 import { readGltf } from './index.ts';
@@ -150,7 +152,7 @@ describe('EXT_mesh_gpu_instancing', () => {
     expect(objects[1].mesh).toBe(objects[2].mesh);
     expect(objects[0].mesh).not.toBe(objects[1].mesh);
     expect(objects[2].motion).toMatchObject({ kind: 'static', pose: { position: [9, 0, 0] } });
-    expect(diagnostics.map((d) => d.message)).toEqual(['_ID of its instances are left out']);
+    expect(diagnostics.map((d) => inEnglish(d.message))).toEqual(['_ID of its instances are left out']);
   });
 
   it('rejects attributes of different lengths', async () => {
@@ -175,7 +177,7 @@ describe('unsupported content is reported', () => {
     const { cameras, lights, diagnostics } = await kit.read();
     expect(cameras).toEqual([]);
     expect(lights).toMatchObject([{ kind: 'sphere', shaping: { inner: 0, outer: Math.PI / 4, focus: 0 } }]);
-    expect(diagnostics.map((d) => `${d.place}: ${d.message}`)).toEqual([
+    expect(diagnostics.map(inWords)).toEqual([
       'a.glb: /Spot: its range of 12 m is left out: light goes on for ever',
       'a.glb: /Flat: an orthographic camera is not read; it is left out',
       'a.glb: /Wide: its field of view is 4 rad; it is left out',
@@ -191,7 +193,7 @@ describe('unsupported content is reported', () => {
         .setAttribute('COLOR_0', colors)
         .setMaterial(kit.doc.createMaterial().setAlphaMode(mode));
       kit.scene.addChild(kit.meshNode('Glass', glass));
-      return (await kit.read()).diagnostics.map((d) => `${d.place}: ${d.message}`);
+      return (await kit.read()).diagnostics.map(inWords);
     };
     expect(await alpha('BLEND', 0.5)).toEqual(['a.glb: mesh Glass: the opacity of its vertex colours is left out']);
     expect([...(await alpha('BLEND', 1)), ...(await alpha('OPAQUE', 0.5))]).toEqual([]);

@@ -1,6 +1,8 @@
 import { decode as decodeJpegFile } from 'jpeg-js';
+import { type LocalizedText, msg } from '../../messages/message.ts';
+import { MessageError, messageOf } from '../../messages/messageError.ts';
 import { InputError } from '../../scene/types.ts';
-import { inputError, messageOf } from '../diagnostics/inputError.ts';
+import { inputError } from '../diagnostics/inputError.ts';
 import { decodePngPixels } from './decodePng.ts';
 
 /** A texture image: RGBA8, rows from the top, straight alpha. */
@@ -23,14 +25,14 @@ export const MAX_PIXELS = 2 ** 26;
  * const png = encodePng(2, 1, new Uint8Array([255, 0, 0, 255, 0, 0, 255, 128]));
  * decodeImage(png, 'two.png'); // { width: 2, height: 1, data: [255, 0, 0, 255, 0, 0, 255, 128] }
  */
-export function decodeImage(bytes: Uint8Array, name: string): DecodedImage {
+export function decodeImage(bytes: Uint8Array, name: LocalizedText): DecodedImage {
   const kind = imageKind(bytes);
   if (kind !== 'PNG' && kind !== 'JPEG') throw unreadableImage(name, kind);
   try {
     return kind === 'PNG' ? decodePng(bytes, name) : decodeJpeg(bytes, name);
   } catch (thrown) {
     if (thrown instanceof InputError) throw thrown;
-    const message = `the ${kind} is damaged or cut off (${messageOf(thrown)}); export it again`;
+    const message = msg`the ${kind} is damaged or cut off (${messageOf(thrown)}); export it again`;
     throw inputError('image.damaged', name, message, thrown);
   }
 }
@@ -49,21 +51,21 @@ export function imageKind(bytes: Uint8Array): string {
   return 'unknown';
 }
 
-function unreadableImage(name: string, kind: string): InputError {
-  if (kind === 'empty') return inputError('image.empty', name, 'the picture is empty (0 bytes); copy it again');
-  const what = kind === 'unknown' ? 'neither PNG nor JPEG' : `${kind}, which is not read`;
-  return inputError('image.unknown-format', name, `the picture is ${what}; convert it to PNG or JPEG`);
+function unreadableImage(name: LocalizedText, kind: string): InputError {
+  if (kind === 'empty') return inputError('image.empty', name, msg`the picture is empty (0 bytes); copy it again`);
+  const what = kind === 'unknown' ? msg`neither PNG nor JPEG` : msg`${kind}, which is not read`;
+  return inputError('image.unknown-format', name, msg`the picture is ${what}; convert it to PNG or JPEG`);
 }
 
-function checkSize(width: number, height: number, name: string): void {
+function checkSize(width: number, height: number, name: LocalizedText): void {
   if (width > 0 && height > 0 && width <= MAX_SIDE && height <= MAX_SIDE && width * height <= MAX_PIXELS) return;
-  const limit = `1 to ${MAX_SIDE} a side and at most ${MAX_PIXELS / 2 ** 20} Mi pixels are read`;
-  throw inputError('image.size', name, `the picture is ${width} × ${height} pixels, ${limit}; scale it`);
+  const limit = msg`1 to ${MAX_SIDE} a side and at most ${MAX_PIXELS / 2 ** 20} Mi pixels are read`;
+  throw inputError('image.size', name, msg`the picture is ${width} × ${height} pixels, ${limit}; scale it`);
 }
 
-function decodeJpeg(bytes: Uint8Array, name: string): DecodedImage {
+function decodeJpeg(bytes: Uint8Array, name: LocalizedText): DecodedImage {
   const end = bytes.lastIndexOf(0xd9);
-  if (end < 1 || bytes[end - 1] !== 0xff) throw new Error('no end marker');
+  if (end < 1 || bytes[end - 1] !== 0xff) throw new MessageError(msg`no end marker`);
   const { width, height } = jpegSize(bytes);
   checkSize(width, height, name);
   const image = decodeJpegFile(bytes, { useTArray: true, maxResolutionInMP: 100, maxMemoryUsageInMB: 2048 });
@@ -73,7 +75,7 @@ function decodeJpeg(bytes: Uint8Array, name: string): DecodedImage {
 /** Size from the frame header (SOF marker, ITU T.81 B.2.2), before anything is allocated for it. */
 function jpegSize(bytes: Uint8Array): { width: number; height: number } {
   const at = jpegFrame(bytes);
-  if (at < 0) throw new Error('no frame header');
+  if (at < 0) throw new MessageError(msg`no frame header`);
   return { height: (bytes[at + 5] << 8) | bytes[at + 6], width: (bytes[at + 7] << 8) | bytes[at + 8] };
 }
 
@@ -94,7 +96,7 @@ function jpegFrame(bytes: Uint8Array): number {
   return -1;
 }
 
-function decodePng(bytes: Uint8Array, name: string): DecodedImage {
+function decodePng(bytes: Uint8Array, name: LocalizedText): DecodedImage {
   const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);
   const [width, height] = [view.getUint32(16), view.getUint32(20)];
   checkSize(width, height, name);

@@ -1,4 +1,6 @@
 import { unzlibSync } from 'fflate';
+import { msg } from '../../messages/message.ts';
+import { MessageError } from '../../messages/messageError.ts';
 import { crc32 } from '../files/crc32.ts';
 
 /**
@@ -15,7 +17,7 @@ export function decodePngPixels(bytes: Uint8Array): Uint8Array {
   const rawSizes = sizes.map(([w, h]) => (w > 0 && h > 0 ? h * (1 + rowBytes(w)) : 0));
   const total = rawSizes.reduce((a, b) => a + b, 0);
   const raw = unzlibSync(joined(chunks.data), { out: new Uint8Array(total) });
-  if (raw.length !== total) throw new Error(`${raw.length} of ${total} bytes of pixels`);
+  if (raw.length !== total) throw new MessageError(msg`${raw.length} of ${total} bytes of pixels`);
   const out = new Uint8Array(format.width * format.height * 4);
   const write = pixelWriter(format, out);
   let at = 0;
@@ -80,7 +82,7 @@ function readChunks(bytes: Uint8Array): Chunks {
     const crc = view.getUint32(end);
     // Checksums of ancillary chunks are not verified.
     const isNeeded = ['IHDR', 'PLTE', 'tRNS', 'IDAT'].includes(type);
-    if (isNeeded && crc32(bytes.subarray(at + 4, end)) !== crc) throw new Error(`wrong check sum of ${type}`);
+    if (isNeeded && crc32(bytes.subarray(at + 4, end)) !== crc) throw new MessageError(msg`wrong check sum of ${type}`);
     if (type === 'IDAT') data.push(bytes.subarray(at + 8, end));
     else byType.set(type, bytes.subarray(at + 8, end));
     at = end + 4;
@@ -90,14 +92,15 @@ function readChunks(bytes: Uint8Array): Chunks {
 
 function readFormat({ byType }: Chunks): Format {
   const header = byType.get('IHDR');
-  if (header?.length !== 13) throw new Error('no header');
+  if (header?.length !== 13) throw new MessageError(msg`no header`);
   const view = new DataView(header.buffer, header.byteOffset, 13);
   const [depth, colorType, compression, filter, interlace] = header.subarray(8);
   const color = COLOR_TYPES[colorType];
-  if (!color?.depths.includes(depth)) throw new Error(`colour type ${colorType} with ${depth} bits`);
-  if (compression !== 0 || filter !== 0 || interlace > 1) throw new Error('unknown compression, filter or interlacing');
+  if (!color?.depths.includes(depth)) throw new MessageError(msg`colour type ${colorType} with ${depth} bits`);
+  if (compression !== 0 || filter !== 0 || interlace > 1)
+    throw new MessageError(msg`unknown compression, filter or interlacing`);
   const palette = colorType === 3 ? byType.get('PLTE') : undefined;
-  if (colorType === 3 && !palette) throw new Error('no palette');
+  if (colorType === 3 && !palette) throw new MessageError(msg`no palette`);
   return {
     width: view.getUint32(0),
     height: view.getUint32(4),
@@ -113,7 +116,7 @@ function readFormat({ byType }: Chunks): Format {
 function unfilter(raw: Uint8Array, rowBytes: number, step: number): void {
   for (let start = 0; start < raw.length; start += rowBytes + 1) {
     const filter = raw[start];
-    if (filter > 4) throw new Error(`row filter ${filter}`);
+    if (filter > 4) throw new MessageError(msg`row filter ${filter}`);
     if (filter === 0) continue;
     for (let i = 1; i <= rowBytes; i++) {
       const at = start + i;
@@ -158,7 +161,7 @@ function pixelWriter(format: Format, out: Uint8Array): PixelWriter {
 function paletteWriter({ depth, transparency }: Format, palette: Uint8Array, out: Uint8Array): PixelWriter {
   return (line, column, to) => {
     const color = sample(line, column, depth);
-    if (color * 3 + 2 >= palette.length) throw new Error(`palette has no colour ${color}`);
+    if (color * 3 + 2 >= palette.length) throw new MessageError(msg`palette has no colour ${color}`);
     for (let k = 0; k < 3; k++) out[to + k] = palette[color * 3 + k];
     out[to + 3] = transparency?.[color] ?? 255;
   };

@@ -1,4 +1,6 @@
 import { encode } from 'fast-png';
+import { msg } from '../../messages/message.ts';
+import { MessageError } from '../../messages/messageError.ts';
 
 /**
  * PNG of 8-bit RGBA, rows from the top, alpha not premultiplied. Throws where there are not 4 bytes for each pixel.
@@ -8,8 +10,8 @@ import { encode } from 'fast-png';
  */
 export function encodePng(width: number, height: number, rgba: Uint8Array | Uint8ClampedArray): Uint8Array {
   if (rgba.length !== width * height * 4) {
-    throw new RangeError(
-      `a picture of ${width} × ${height} has ${width * height * 4} bytes of RGBA, not ${rgba.length}`,
+    throw new MessageError(
+      msg`a picture of ${width} × ${height} has ${width * height * 4} bytes of RGBA, not ${rgba.length}`,
     );
   }
   return encode({ width, height, data: rgba, channels: 4, depth: 8 });

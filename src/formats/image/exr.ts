@@ -1,5 +1,7 @@
 import { zlibSync } from 'fflate';
 import { toHalf } from '../../math/half.ts';
+import { msg } from '../../messages/message.ts';
+import { MessageError } from '../../messages/messageError.ts';
 
 /**
  * OpenEXR pictures, the part that Slowlight writes and reads back: one part, scan lines, whole-pixel channels of float,
@@ -62,11 +64,11 @@ export function writeExr(image: ExrImage): Uint8Array {
 }
 
 function checkImage(width: number, height: number, channels: readonly ExrChannel[]): void {
-  if (!(width > 0 && height > 0)) throw new RangeError(`an EXR picture of ${width} × ${height} pixels cannot be`);
+  if (!(width > 0 && height > 0)) throw new MessageError(msg`an EXR picture of ${width} × ${height} pixels cannot be`);
   for (const [i, { name, data }] of channels.entries()) {
-    if (name === channels[i + 1]?.name) throw new RangeError(`two EXR channels are named ${name}`);
+    if (name === channels[i + 1]?.name) throw new MessageError(msg`two EXR channels are named ${name}`);
     if (data.length !== width * height) {
-      throw new RangeError(`EXR channel ${name} has ${data.length} values for ${width} × ${height} pixels`);
+      throw new MessageError(msg`EXR channel ${name} has ${data.length} values for ${width} × ${height} pixels`);
     }
   }
 }

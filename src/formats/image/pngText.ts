@@ -1,3 +1,5 @@
+import { msg } from '../../messages/message.ts';
+import { MessageError } from '../../messages/messageError.ts';
 import { crc32 } from '../files/crc32.ts';
 
 /** Behind the signature and the header, which comes first. */
@@ -20,7 +22,7 @@ export function withPngText(png: Uint8Array, texts: Readonly<Record<string, stri
 
 function textChunk(key: string, text: string): Uint8Array {
   const content = latin1(`tEXt${key}\0${text}`);
-  if (key.length < 1 || key.length > 79) throw new RangeError(`a PNG keyword has 1 … 79 characters, not “${key}”`);
+  if (key.length < 1 || key.length > 79) throw new MessageError(msg`a PNG keyword has 1 … 79 characters, not “${key}”`);
   const chunk = new Uint8Array(4 + content.length + 4);
   const view = new DataView(chunk.buffer);
   view.setUint32(0, content.length - 4);
@@ -32,7 +34,7 @@ function textChunk(key: string, text: string): Uint8Array {
 function latin1(text: string): Uint8Array {
   return Uint8Array.from(text, (character) => {
     const code = character.codePointAt(0)!;
-    if (code > 255) throw new RangeError(`“${character}” cannot stand in the text of a PNG`);
+    if (code > 255) throw new MessageError(msg`“${character}” cannot stand in the text of a PNG`);
     return code;
   });
 }

@@ -1,4 +1,5 @@
 import { fromHalf, toHalf } from '../../math/half.ts';
+import { msg } from '../../messages/message.ts';
 import { inputError } from '../diagnostics/inputError.ts';
 import { imageKind } from './decodeImage.ts';
 import { type ExrChannel, type ExrImage, writeExr } from './exr.ts';
@@ -22,7 +23,7 @@ function radianceFromExr({ width, height, channels }: ExrImage, name: string): D
     throw inputError(
       'image.unsupported',
       name,
-      `an EXR without channels R, G, B or Y is not read; it has ${names.join(', ')}`,
+      msg`an EXR without channels R, G, B or Y is not read; it has ${names.join(', ')}`,
     );
   }
   const data = new Uint16Array(4 * width * height).fill(toHalf(1));

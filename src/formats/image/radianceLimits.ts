@@ -1,3 +1,4 @@
+import { msg } from '../../messages/message.ts';
 import { inputError } from '../diagnostics/inputError.ts';
 
 /** A picture of radiance: RGBA halves of linear sRGB, alpha 1, rows from the top. */
@@ -16,6 +17,6 @@ export const MAX_RADIANCE = 65504;
 /** Refuses what is more than is read. */
 export function checkRadianceSize(width: number, height: number, name: string): void {
   if (width > 0 && height > 0 && width <= MAX_SIDE && height <= MAX_SIDE && width * height <= MAX_PIXELS) return;
-  const limit = `1 to ${MAX_SIDE} a side and at most ${MAX_PIXELS / 2 ** 20} Mi pixels are read of such pictures`;
-  throw inputError('image.size', name, `the picture is ${width} × ${height} pixels, ${limit}; scale it`);
+  const limit = msg`1 to ${MAX_SIDE} a side and at most ${MAX_PIXELS / 2 ** 20} Mi pixels are read of such pictures`;
+  throw inputError('image.size', name, msg`the picture is ${width} × ${height} pixels, ${limit}; scale it`);
 }

@@ -1,7 +1,9 @@
 import { unzlibSync } from 'fflate';
 import { fromHalf } from '../../math/half.ts';
+import { type Message, msg } from '../../messages/message.ts';
+import { MessageError, messageOf } from '../../messages/messageError.ts';
 import { InputError } from '../../scene/types.ts';
-import { inputError, messageOf } from '../diagnostics/inputError.ts';
+import { inputError } from '../diagnostics/inputError.ts';
 import {
   EXR_MAGIC,
   EXR_PIXEL_TYPES,
@@ -18,10 +20,10 @@ const ZIPS = 2;
 /** Deflate makes nothing longer than this many times. */
 const MAX_INFLATION = 1032;
 /** Bits of the version word: tiles, deep data, several parts. */
-const UNSUPPORTED_FLAGS: readonly (readonly [number, string])[] = [
-  [0x200, 'tiled EXR'],
-  [0x800, 'deep EXR'],
-  [0x1000, 'multi-part EXR'],
+const UNSUPPORTED_FLAGS: readonly (readonly [number, Message])[] = [
+  [0x200, msg`tiled EXR`],
+  [0x800, msg`deep EXR`],
+  [0x1000, msg`multi-part EXR`],
 ];
 
 /** Of one picture: all are held at once. */
@@ -54,13 +56,13 @@ export function readExr(bytes: Uint8Array, name: string, checkSize: SizeCheck = 
     return { ...header, channels: readPixels(cursor, header) };
   } catch (thrown) {
     if (thrown instanceof InputError) throw thrown;
-    const message = `the EXR is damaged or cut off (${messageOf(thrown)}); render or export it again`;
+    const message = msg`the EXR is damaged or cut off (${messageOf(thrown)}); render or export it again`;
     throw inputError('image.damaged', name, message, thrown);
   }
 }
 
 function readHeader(cursor: ByteCursor, name: string): ExrHeader {
-  if (cursor.int() !== EXR_MAGIC) throw inputError('image.unknown-format', name, 'not an OpenEXR picture');
+  if (cursor.int() !== EXR_MAGIC) throw inputError('image.unknown-format', name, msg`not an OpenEXR picture`);
   const version = cursor.int();
   const flag = UNSUPPORTED_FLAGS.find(([bit]) => version & bit);
   if (flag) throw unsupported(name, flag[1]);
@@ -74,22 +76,22 @@ function readHeader(cursor: ByteCursor, name: string): ExrHeader {
   }
   const need = (key: string): ByteCursor => {
     const value = found.get(key);
-    if (!value) throw new Error(`no ${key} in the header`);
+    if (!value) throw new MessageError(msg`no ${key} in the header`);
     return value;
   };
   const compression = need('compression').byte();
   if (![NONE, ZIPS, EXR_ZIP].includes(compression))
-    throw unsupported(name, `${COMPRESSIONS[compression] ?? compression} compression`);
+    throw unsupported(name, msg`${COMPRESSIONS[compression] ?? compression} compression`);
   return { ...readWindow(need('dataWindow')), compression, channels: readChannels(need('channels'), name), attributes };
 }
 
-const unsupported = (name: string, what: string): InputError =>
-  inputError('image.unsupported', name, `${what} is not read; save it as scan lines with ZIP or no compression`);
+const unsupported = (name: string, what: Message): InputError =>
+  inputError('image.unsupported', name, msg`${what} is not read; save it as scan lines with ZIP or no compression`);
 
 function readWindow(cursor: ByteCursor): Pick<ExrHeader, 'width' | 'height' | 'top'> {
   const [left, top, right, bottom] = [cursor.int(), cursor.int(), cursor.int(), cursor.int()];
   const [width, height] = [right - left + 1, bottom - top + 1];
-  if (!(width > 0 && height > 0)) throw new Error(`data window of ${width} × ${height} pixels`);
+  if (!(width > 0 && height > 0)) throw new MessageError(msg`data window of ${width} × ${height} pixels`);
   return { width, height, top };
 }
 
@@ -99,10 +101,11 @@ function readChannels(cursor: ByteCursor, name: string): ExrHeader['channels'] {
     const type = EXR_PIXEL_TYPES[cursor.int()];
     cursor.int();
     const [xSampling, ySampling] = [cursor.int(), cursor.int()];
-    if (!type) throw new Error(`channel ${channel} has no known type`);
-    if (xSampling !== 1 || ySampling !== 1) throw unsupported(name, `subsampled channel ${channel}`);
+    if (!type) throw new MessageError(msg`channel ${channel} has no known type`);
+    if (xSampling !== 1 || ySampling !== 1) throw unsupported(name, msg`subsampled channel ${channel}`);
     channels.push({ name: channel, type });
-    if (channels.length > MAX_EXR_CHANNELS) throw unsupported(name, `an EXR of more than ${MAX_EXR_CHANNELS} channels`);
+    if (channels.length > MAX_EXR_CHANNELS)
+      throw unsupported(name, msg`an EXR of more than ${MAX_EXR_CHANNELS} channels`);
   }
   return channels;
 }
@@ -110,7 +113,8 @@ function readChannels(cursor: ByteCursor, name: string): ExrHeader['channels'] {
 function readPixels(cursor: ByteCursor, header: ExrHeader): ExrChannel[] {
   const { width, height, channels, compression, top } = header;
   const rowBytes = channels.reduce((sum, c) => sum + width * exrValueBytes(c.type), 0);
-  if (rowBytes * height > cursor.left * MAX_INFLATION) throw new Error(`too short for ${width} × ${height} pixels`);
+  if (rowBytes * height > cursor.left * MAX_INFLATION)
+    throw new MessageError(msg`too short for ${width} × ${height} pixels`);
   const out = channels.map(
     ({ name, type }): ExrChannel => ({
       name,
@@ -123,7 +127,8 @@ function readPixels(cursor: ByteCursor, header: ExrHeader): ExrChannel[] {
   cursor.slice(blocks * 8);
   for (let i = 0; i < blocks; i++) {
     const row = cursor.int() - top;
-    if (row < 0 || row >= height || row % blockRows !== 0) throw new Error(`a block at row ${row} of ${height}`);
+    if (row < 0 || row >= height || row % blockRows !== 0)
+      throw new MessageError(msg`a block at row ${row} of ${height}`);
     const rows = Math.min(blockRows, height - row);
     unpackRows(inflate(cursor.slice(cursor.int()).rest(), rows * rowBytes), out, width, row, rows);
   }
@@ -134,7 +139,7 @@ function readPixels(cursor: ByteCursor, header: ExrHeader): ExrChannel[] {
 function inflate(block: Uint8Array, size: number): Uint8Array {
   if (block.length === size) return block;
   const bytes = unzlibSync(block, { out: new Uint8Array(size) });
-  if (bytes.length !== size) throw new Error(`a block of ${bytes.length} bytes where ${size} belong`);
+  if (bytes.length !== size) throw new MessageError(msg`a block of ${bytes.length} bytes where ${size} belong`);
   return unpredict(bytes);
 }
 
@@ -183,13 +188,13 @@ class ByteCursor {
   /** Up to a zero byte. */
   text(): string {
     const end = this.bytes.indexOf(0, this.at);
-    if (end < 0 || end - this.at > 255) throw new Error('a name without an end');
+    if (end < 0 || end - this.at > 255) throw new MessageError(msg`a name without an end`);
     const text = new TextDecoder().decode(this.bytes.subarray(this.at, end));
     this.at = end + 1;
     return text;
   }
   slice(size: number): ByteCursor {
-    if (size < 0 || size > this.left) throw new Error(`${size} bytes wanted, ${this.left} there`);
+    if (size < 0 || size > this.left) throw new MessageError(msg`${size} bytes wanted, ${this.left} there`);
     this.at += size;
     return new ByteCursor(this.bytes.subarray(this.at - size, this.at));
   }

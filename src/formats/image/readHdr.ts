@@ -1,6 +1,8 @@
 import { toHalf } from '../../math/half.ts';
+import { msg } from '../../messages/message.ts';
+import { MessageError, messageOf } from '../../messages/messageError.ts';
 import { InputError } from '../../scene/types.ts';
-import { inputError, messageOf } from '../diagnostics/inputError.ts';
+import { inputError } from '../diagnostics/inputError.ts';
 import { checkRadianceSize, type DecodedRadiance, MAX_RADIANCE } from './radianceLimits.ts';
 
 /** One byte of a run of the old kind stands for so many pixels at most; of the new kind for fewer. */
@@ -20,11 +22,12 @@ export function readHdr(bytes: Uint8Array, name: string): DecodedRadiance {
     const header = readHeader(bytes, name);
     const { width, height } = header;
     checkRadianceSize(width, height, name);
-    if (width * height > MAX_PIXELS_PER_BYTE * (bytes.length - header.end)) throw new Error('too short for its size');
+    if (width * height > MAX_PIXELS_PER_BYTE * (bytes.length - header.end))
+      throw new MessageError(msg`too short for its size`);
     return { width, height, data: readRows(bytes, header) };
   } catch (thrown) {
     if (thrown instanceof InputError) throw thrown;
-    const message = `the Radiance picture is damaged or cut off (${messageOf(thrown)}); export it again`;
+    const message = msg`the Radiance picture is damaged or cut off (${messageOf(thrown)}); export it again`;
     throw inputError('image.damaged', name, message, thrown);
   }
 }
@@ -47,7 +50,7 @@ function readHeader(bytes: Uint8Array, name: string): HdrHeader {
   let end = 0;
   const line = (): string => {
     const stop = bytes.indexOf(10, end);
-    if (stop < 0 || stop - end > MAX_HEADER_LINE) throw new Error('a header without an end');
+    if (stop < 0 || stop - end > MAX_HEADER_LINE) throw new MessageError(msg`a header without an end`);
     const text = new TextDecoder().decode(bytes.subarray(end, stop)).trim();
     end = stop + 1;
     return text;
@@ -55,10 +58,10 @@ function readHeader(bytes: Uint8Array, name: string): HdrHeader {
   let gain = 1;
   let lines = 0;
   for (let text = line(); text !== ''; text = line()) {
-    if (++lines > MAX_HEADER_LINES) throw new Error('a header without an end');
+    if (++lines > MAX_HEADER_LINES) throw new MessageError(msg`a header without an end`);
     const [, key, value] = /^(\w+)\s*=\s*(.*)$/.exec(text) ?? [];
     if (key === 'FORMAT' && value !== '32-bit_rle_rgbe') {
-      const message = `a Radiance picture of ${value.slice(0, 40)} is not read; save it as RGBE`;
+      const message = msg`a Radiance picture of ${value.slice(0, 40)} is not read; save it as RGBE`;
       throw inputError('image.unsupported', name, message);
     }
     if (key === 'EXPOSURE') gain /= Number.parseFloat(value);
@@ -69,9 +72,9 @@ function readHeader(bytes: Uint8Array, name: string): HdrHeader {
     throw inputError(
       'image.unsupported',
       name,
-      `a Radiance picture with rows as '${size.slice(0, 40)}' is not read; save it with -Y +X`,
+      msg`a Radiance picture with rows as '${size.slice(0, 40)}' is not read; save it with -Y +X`,
     );
-  if (!(gain > 0 && Number.isFinite(gain))) throw new Error('an exposure that is not above 0');
+  if (!(gain > 0 && Number.isFinite(gain))) throw new MessageError(msg`an exposure that is not above 0`);
   return { width: Number(width), height: Number(height), upsideDown: sign === '+', gain, end };
 }
 
@@ -109,7 +112,7 @@ function readPacked(bytes: Uint8Array, start: number, row: Uint8Array): number {
       const head = byteAt(bytes, at++);
       const isRun = head > MAX_LITERAL;
       const count = isRun ? head - MAX_LITERAL : head;
-      if (count === 0 || x + count > width) throw new Error(`a run of ${count} pixels at ${x} of ${width}`);
+      if (count === 0 || x + count > width) throw new MessageError(msg`a run of ${count} pixels at ${x} of ${width}`);
       for (let i = 0; i < count; i++) row[4 * (x + i) + k] = byteAt(bytes, isRun ? at : at + i);
       at += isRun ? 1 : count;
       x += count;
@@ -131,15 +134,15 @@ function readPlain(bytes: Uint8Array, start: number, row: Uint8Array): number {
       continue;
     }
     const to = i + 4 * pixel[3] * 2 ** shift;
-    if (i === 0 || to > row.length) throw new Error('a run that does not fit');
+    if (i === 0 || to > row.length) throw new MessageError(msg`a run that does not fit`);
     for (; i < to; i += 4) row.copyWithin(i, i - 4, i);
     shift += 8;
-    if (shift > 24) throw new Error('a run that does not fit');
+    if (shift > 24) throw new MessageError(msg`a run that does not fit`);
   }
   return at;
 }
 
 function byteAt(bytes: Uint8Array, at: number): number {
-  if (at >= bytes.length) throw new Error('its pixels end too early');
+  if (at >= bytes.length) throw new MessageError(msg`its pixels end too early`);
   return bytes[at];
 }

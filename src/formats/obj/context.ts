@@ -1,3 +1,4 @@
+import { type Message, msg } from '../../messages/message.ts';
 import type { DiagnosticCode } from '../diagnostics/diagnosticCodes.ts';
 import type { DiagnosticLog } from '../diagnostics/diagnosticLog.ts';
 import { inputError } from '../diagnostics/inputError.ts';
@@ -12,8 +13,8 @@ export interface ObjContext {
 }
 
 /** An InputError at a line; `message` names the value and a remedy. */
-export const lineError = (file: string, line: number, code: DiagnosticCode, message: string): Error =>
-  inputError(code, `${file}: line ${line}`, message);
+export const lineError = (file: string, line: number, code: DiagnosticCode, message: Message): Error =>
+  inputError(code, msg`${file}: line ${line}`, message);
 
 /** Parses a number; throws an InputError at the line if it is not one. */
 export const numberOf = (file: string, line: number, word: string | undefined): number =>

@@ -1,3 +1,4 @@
+import { type LocalizedText, type Message, msg } from '../../messages/message.ts';
 import { decodeSrgb } from '../../spectrum/display/srgb.ts';
 import {
   type GrowableFloats,
@@ -30,10 +31,10 @@ export interface ObjPart {
 type ObjAttribute = 'point' | 'uv' | 'normal';
 
 /** An index in words, for messages. */
-const NAMED: Readonly<Record<ObjAttribute, (index: number | string) => string>> = {
-  point: (index) => `point ${index}`,
-  uv: (index) => `uv ${index}`,
-  normal: (index) => `normal ${index}`,
+const NAMED: Readonly<Record<ObjAttribute, (index: number | LocalizedText) => Message>> = {
+  point: (index) => msg`point ${index}`,
+  uv: (index) => msg`uv ${index}`,
+  normal: (index) => msg`normal ${index}`,
 };
 
 /** Position of the next slash, or the length. */
@@ -129,7 +130,7 @@ export class ObjGeometry {
   /** `f 1/2/3 4//5 −1 …` */
   addFace({ line, words }: ObjStatement): void {
     if (words.length < 3 || words.length > MAX_CORNERS) {
-      const message = `a face has ${words.length} corners; from 3 to ${MAX_CORNERS} are read`;
+      const message = msg`a face has ${words.length} corners; from 3 to ${MAX_CORNERS} are read`;
       throw lineError(this.file, line, 'obj.face', message);
     }
     const part = this.partFor(line);
@@ -143,7 +144,7 @@ export class ObjGeometry {
     const existing = this.materialIndices.get(this.material);
     if (existing !== undefined) return existing;
     if (this.materialIndices.size >= MAX_PARTS)
-      throw lineError(this.file, line, 'obj.too-many', `there are more than ${MAX_PARTS} materials`);
+      throw lineError(this.file, line, 'obj.too-many', msg`there are more than ${MAX_PARTS} materials`);
     this.materialIndices.set(this.material, this.materialIndices.size);
     return this.materialIndices.size - 1;
   }
@@ -167,7 +168,7 @@ export class ObjGeometry {
     const written = Number(text);
     const index = written < 0 ? count + written : written - 1;
     if (!Number.isInteger(written) || written === 0 || index < 0 || index >= 2 ** 31) {
-      const message = `the corner ${word} names ${NAMED[list](text || '(none)')}; indices count from 1, or back from −1, and there are ${count} so far`;
+      const message = msg`the corner ${word} names ${NAMED[list](text || msg`(none)`)}; indices count from 1, or back from −1, and there are ${count} so far`;
       throw lineError(this.file, line, 'obj.index', message);
     }
     // Elements may be defined after the face; `checkIndices` verifies the highest.
@@ -185,7 +186,7 @@ export class ObjGeometry {
     for (const list of ['point', 'uv', 'normal'] as const) {
       const { index, line } = this.highest[list];
       if (index < counts[list]) continue;
-      const message = `a face names ${NAMED[list](index + 1)} of ${counts[list]}; the file is cut off or damaged, export it again`;
+      const message = msg`a face names ${NAMED[list](index + 1)} of ${counts[list]}; the file is cut off or damaged, export it again`;
       throw lineError(this.file, line, 'obj.index', message);
     }
   }
@@ -199,7 +200,7 @@ export class ObjGeometry {
         this.file,
         line,
         'obj.too-many',
-        `there are more than ${MAX_PARTS} objects and groups; join some`,
+        msg`there are more than ${MAX_PARTS} objects and groups; join some`,
       );
     }
     this.part = existing ?? {

@@ -1,3 +1,4 @@
+import { msg } from '../../messages/message.ts';
 import { makeMaterial } from '../../scene/defaults.ts';
 import type { Material, Texture } from '../../scene/types.ts';
 import { resolvePath } from '../files/fileSource.ts';
@@ -47,7 +48,12 @@ export class ObjMaterialLibrary {
   async load({ line, words, rest }: ObjStatement): Promise<void> {
     this.named += words.length;
     if (this.named > MAX_FILES) {
-      throw lineError(this.context.entry, line, 'obj.too-many', `more than ${MAX_FILES} files of materials are named`);
+      throw lineError(
+        this.context.entry,
+        line,
+        'obj.too-many',
+        msg`more than ${MAX_FILES} files of materials are named`,
+      );
     }
     if (await this.loadFile(rest)) return;
     const missing: string[] = [];
@@ -55,9 +61,9 @@ export class ObjMaterialLibrary {
     const names = words.length > 1 ? missing : [rest];
     for (const name of names) {
       const { entry, notes } = this.context;
-      const message = `the materials ${name} are not there (looked for ${resolvePath(entry, name)}); put them beside it, or open the folder that holds both`;
+      const message = msg`the materials ${name} are not there (looked for ${resolvePath(entry, name)}); put them beside it, or open the folder that holds both`;
       const missing = { name, lookedFor: [resolvePath(entry, name)] };
-      notes.add('warning', 'file.missing-materials', `line ${line}`, message, { missing });
+      notes.add('warning', 'file.missing-materials', msg`line ${line}`, message, { missing });
     }
   }
 
@@ -76,12 +82,12 @@ export class ObjMaterialLibrary {
     const written = this.written.get(name);
     if (written) return convert(written, this.pictures);
     if (name !== '') {
-      const where = this.files.length > 0 ? this.files.join(', ') : 'no materials were found';
+      const where = this.files.length > 0 ? this.files.join(', ') : msg`no materials were found`;
       this.context.notes.add(
         'warning',
         'obj.missing-material',
         name,
-        `no such material (${where}); it is shown light grey`,
+        msg`no such material (${where}); it is shown light grey`,
       );
     }
     return { material: makeMaterial({ name: name || 'default' }) };
@@ -97,18 +103,18 @@ function readMtl(bytes: Uint8Array, file: string, { notes }: ObjContext): MtlMat
     const { line, keyword, words, rest } = statement;
     if (keyword === 'newmtl') {
       if (out.length >= MAX_MATERIALS)
-        throw lineError(file, line, 'obj.too-many', `there are more than ${MAX_MATERIALS} materials`);
+        throw lineError(file, line, 'obj.too-many', msg`there are more than ${MAX_MATERIALS} materials`);
       [numbers, pictures] = [new Map(), new Map()];
       out.push({ file, name: rest, numbers, pictures });
     } else if (COLORS.includes(keyword)) {
       if (words[0] === 'spectral' || words[0] === 'xyz')
-        notes.add('warning', 'obj.color', `${file}: line ${line}`, `${keyword} ${words[0]} is not read`);
+        notes.add('warning', 'obj.color', msg`${file}: line ${line}`, msg`${keyword} ${words[0]} is not read`);
       else numbers.set(keyword, colorOf(file, statement));
     } else if (SCALARS.includes(keyword)) numbers.set(keyword, [scalarOf(file, statement)]);
     else if (SHOWN_PICTURES.includes(keyword))
       pictures.set(keyword, parseTextureReference(file, out.at(-1)?.name ?? '', statement));
     else if (LEFT_OUT.test(keyword)) {
-      notes.add('info', 'obj.ignored', `material ${out.at(-1)?.name ?? ''}`, `${keyword} of it is left out`);
+      notes.add('info', 'obj.ignored', msg`material ${out.at(-1)?.name ?? ''}`, msg`${keyword} of it is left out`);
     }
   }
   return out;

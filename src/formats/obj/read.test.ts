@@ -1,8 +1,10 @@
 import { OBJLoader } from 'three/addons/loaders/OBJLoader.js';
 import { describe, expect, it } from 'vitest';
+import { inWords } from '../../../tests/support/inWords.ts';
 import { sceneSoup, threeSoup } from '../../../tests/support/threeSoup.ts';
 import { random } from '../../math/random.ts';
 import { distance } from '../../math/vec3.ts';
+import { inEnglish } from '../../messages/message.ts';
 import { pointAt } from '../../scene/mesh/polygons.ts';
 import { InputError, type Scene } from '../../scene/types.ts';
 import { memorySource } from '../files/fileSource.ts';
@@ -50,7 +52,7 @@ describe('OBJ shapes', () => {
     const scene = await read(obj);
     expect(sceneSoup(scene)).toEqual(threeSoup(new OBJLoader().parse(obj)));
     expect(scene.objects.map((o) => o.path)).toEqual(['/Sheet']);
-    expect(scene.diagnostics.map((d) => d.message)).toEqual([UNITS]);
+    expect(scene.diagnostics.map((d) => inEnglish(d.message))).toEqual([UNITS]);
     expect([scene.name, scene.upAxis, scene.metersPerUnit]).toEqual(['a', 'Y', 1]);
   });
 
@@ -114,7 +116,7 @@ describe('OBJ shapes', () => {
   it('reports skipped statements', async () => {
     const { diagnostics, objects } = await read('v 0 0 0\np 1\nl 1 1\nl 1 1\nfrobnicate 3\n');
     expect(objects).toEqual([]);
-    expect(diagnostics.map((d) => [d.severity, d.place, d.message])).toEqual([
+    expect(diagnostics.map((d) => [d.severity, inEnglish(d.place), inEnglish(d.message)])).toEqual([
       ['warning', 'set/a.obj: line 2', 'points are not shown (p, first on this line)'],
       ['warning', 'set/a.obj: line 3', 'lines are not shown (l, first on this line)'],
       ['info', 'set/a.obj: line 5', 'frobnicate is not known; lines that begin with it are left out'],
@@ -165,7 +167,7 @@ Ke 3 2 1
       [2.5, 0.25],
       [1, 0],
     ]);
-    expect(diagnostics.map((d) => d.message)).toEqual(['map_Bump of it is left out', UNITS]);
+    expect(diagnostics.map((d) => inEnglish(d.message))).toEqual(['map_Bump of it is left out', UNITS]);
   });
 
   it('opacity may have its own texture', async () => {
@@ -190,7 +192,7 @@ Ke 3 2 1
     const obj = `mtllib b.mtl no.mtl\n${square}usemtl A\n${face}usemtl B\n${face}`;
     const { materials, diagnostics } = await read(obj, files);
     expect(materials.map((m) => m.name)).toEqual(['A', 'B']);
-    expect(diagnostics.filter((d) => d.severity === 'warning').map((d) => `${d.place}: ${d.message}`)).toEqual([
+    expect(diagnostics.filter((d) => d.severity === 'warning').map(inWords)).toEqual([
       'set/a.obj: line 1: the materials no.mtl are not there (looked for set/no.mtl); put them beside it, or open the folder that holds both',
       'set/a.obj: set/b.mtl: line 4, material A: the texture 7 is not there (looked for set/7); shown without it',
       'set/a.obj: set/b.mtl: line 2, material A: the texture D:\\x\\no.png is not there (looked for set/D:/x/no.png, set/no.png); shown without it',

@@ -1,3 +1,4 @@
+import { type Message, msg } from '../../messages/message.ts';
 import type { Material, Scene } from '../../scene/types.ts';
 import { DiagnosticLog } from '../diagnostics/diagnosticLog.ts';
 import { inputError } from '../diagnostics/inputError.ts';
@@ -18,7 +19,7 @@ const MAX_UNREAD = 100;
  */
 export async function readObj(source: FileSource, entry: string): Promise<Scene> {
   const bytes = await source.read(entry);
-  if (!bytes) throw inputError('file.missing', entry, 'no such file');
+  if (!bytes) throw inputError('file.missing', entry, msg`no such file`);
   const context: ObjContext = { source, entry, notes: new DiagnosticLog(entry) };
   const geometry = new ObjGeometry(entry);
   const library = new ObjMaterialLibrary(context);
@@ -27,7 +28,7 @@ export async function readObj(source: FileSource, entry: string): Promise<Scene>
     if (statement.keyword === 'mtllib') await library.load(statement);
     else if (!apply(geometry, statement) && !unread.has(statement.keyword)) unread.set(statement.keyword, statement);
     if (unread.size <= MAX_UNREAD) continue;
-    const message = `it is no Wavefront OBJ: there are more than ${MAX_UNREAD} kinds of statements that are not known`;
+    const message = msg`it is no Wavefront OBJ: there are more than ${MAX_UNREAD} kinds of statements that are not known`;
     throw lineError(entry, statement.line, 'obj.not-obj', message);
   }
   geometry.checkIndices();
@@ -52,12 +53,12 @@ function apply(geometry: ObjGeometry, statement: ObjStatement): boolean {
   return true;
 }
 
-const UNREAD: ReadonlyMap<string, string> = new Map([
-  ['p', 'points are'],
-  ['l', 'lines are'],
-  ['curv', 'curves are'],
-  ['curv2', 'curves are'],
-  ['surf', 'curved surfaces are'],
+const UNREAD: ReadonlyMap<string, Message> = new Map([
+  ['p', msg`points are`],
+  ['l', msg`lines are`],
+  ['curv', msg`curves are`],
+  ['curv2', msg`curves are`],
+  ['surf', msg`curved surfaces are`],
 ]);
 /** Keywords that are ignored silently: they accompany unsupported statements or do not affect the geometry. */
 const SILENT =
@@ -66,13 +67,14 @@ const SILENT =
 function noteUnread({ notes }: ObjContext, unread: ReadonlyMap<string, ObjStatement>): void {
   for (const [keyword, { line }] of unread) {
     const what = UNREAD.get(keyword);
-    if (what) notes.add('warning', 'obj.ignored', `line ${line}`, `${what} not shown (${keyword}, first on this line)`);
+    if (what)
+      notes.add('warning', 'obj.ignored', msg`line ${line}`, msg`${what} not shown (${keyword}, first on this line)`);
     else if (!SILENT.test(keyword))
       notes.add(
         'info',
         'obj.unknown',
-        `line ${line}`,
-        `${keyword.slice(0, 40)} is not known; lines that begin with it are left out`,
+        msg`line ${line}`,
+        msg`${keyword.slice(0, 40)} is not known; lines that begin with it are left out`,
       );
   }
 }

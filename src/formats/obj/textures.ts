@@ -1,3 +1,4 @@
+import { msg } from '../../messages/message.ts';
 import { InputError, type Texture } from '../../scene/types.ts';
 import { missingTexture } from '../diagnostics/missingFiles.ts';
 import { resolvePath } from '../files/fileSource.ts';
@@ -101,7 +102,7 @@ export class ObjTextureLoader {
   }
 
   private async load({ file, line, material, name }: TextureReference): Promise<DecodedImage | undefined> {
-    const what = `${file}: line ${line}`;
+    const what = msg`${file}: line ${line}`;
     // Files copied from another machine often contain its absolute paths.
     const places = [...new Set([resolvePath(file, name), resolvePath(file, name.replace(/^.*[\\/]/, ''))])];
     for (const path of places) {
@@ -111,12 +112,12 @@ export class ObjTextureLoader {
         return decodeImage(bytes, path);
       } catch (thrown) {
         if (!(thrown instanceof InputError)) throw thrown;
-        this.context.notes.add('warning', 'file.unreadable-texture', what, `${thrown.message}; shown without it`);
+        this.context.notes.add('warning', 'file.unreadable-texture', what, msg`${thrown.text}; shown without it`);
         return undefined;
       }
     }
     const { code, message, missing } = missingTexture(name, places);
-    this.context.notes.add('warning', code, `${what}, material ${material}`, message, { missing });
+    this.context.notes.add('warning', code, msg`${what}, material ${material}`, message, { missing });
     return undefined;
   }
 }

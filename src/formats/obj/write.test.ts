@@ -2,6 +2,7 @@ import { type Mesh as ThreeMesh, Vector3 } from 'three';
 import { MTLLoader } from 'three/addons/loaders/MTLLoader.js';
 import { OBJLoader } from 'three/addons/loaders/OBJLoader.js';
 import { describe, expect, it } from 'vitest';
+import { inWords } from '../../../tests/support/inWords.ts';
 import { fromAxisAngle } from '../../math/quat.ts';
 import { distance } from '../../math/vec3.ts';
 import { makeMaterial, makeObject, makeScene } from '../../scene/defaults.ts';
@@ -114,7 +115,7 @@ describe('a scene written as OBJ', () => {
   });
 
   it('reports lost content', () => {
-    expect(diagnostics.map((d) => `${d.code} ${d.place}: ${d.message}`)).toEqual([
+    expect(diagnostics.map((d) => `${d.code} ${inWords(d)}`)).toEqual([
       'convert.motion a.obj: /World/B: OBJ has no motion: it is written where it is at 1 s',
       'convert.left-out a.obj: /Sky: OBJ has no lights and no cameras; it is left out',
     ]);

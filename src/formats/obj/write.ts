@@ -1,5 +1,6 @@
 import { rotate } from '../../math/quat.ts';
 import { add, type Vec3 } from '../../math/vec3.ts';
+import { msg } from '../../messages/message.ts';
 import { sampleTimes } from '../../scene/motion/motion.ts';
 import type { Material, Mesh, Pose, Scene, Texture, TextureChannel } from '../../scene/types.ts';
 import { DiagnosticLog } from '../diagnostics/diagnosticLog.ts';
@@ -21,15 +22,15 @@ export function writeObj(scene: Scene, name: string): ExportedScene {
   for (const { path, mesh, motion } of exportObjects(scene, losses)) {
     const times = sampleTimes(motion);
     if (times)
-      losses.add('warning', 'convert.motion', path, `OBJ has no motion: it is written where it is at ${times[0]} s`);
+      losses.add('warning', 'convert.motion', path, msg`OBJ has no motion: it is written where it is at ${times[0]} s`);
     const name = path.replace(/^\//, '').replace(/\s/g, '_');
     parts.push([`o ${name}`], vertexLines(scene, mesh, exportPoses(motion)[0]), faceLines(mesh, first, library));
     first += mesh.positions.length / 3;
   }
   if (Object.keys(scene.hints).length > 0)
-    losses.add('info', 'convert.hints', '', 'OBJ has no place for what the author suggests for viewing');
+    losses.add('info', 'convert.hints', '', msg`OBJ has no place for what the author suggests for viewing`);
   for (const { path } of [...scene.lights, ...scene.cameras])
-    losses.add('warning', 'convert.left-out', path, 'OBJ has no lights and no cameras; it is left out');
+    losses.add('warning', 'convert.left-out', path, msg`OBJ has no lights and no cameras; it is left out`);
   const encode = (text: readonly string[]): Uint8Array => new TextEncoder().encode(`${text.join('\n')}\n`);
   const files = new Map([
     [name, encode(parts.flat())],

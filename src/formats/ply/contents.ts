@@ -1,3 +1,4 @@
+import { type LocalizedText, type Message, msg } from '../../messages/message.ts';
 import { decodeSrgb } from '../../spectrum/display/srgb.ts';
 import { inputError } from '../diagnostics/inputError.ts';
 import {
@@ -55,11 +56,11 @@ const isIndices = ({ name, count }: Property): boolean => count !== undefined &&
 /** Reads all elements of a file, and keeps those that make a mesh. Throws an InputError that names byte or line and value. */
 export function readContents(header: PlyHeader, values: PlyValueReader, entry: string): PlyContents {
   const vertices = header.elements.find(({ name }) => name === 'vertex');
-  if (!vertices) throw inputError('ply.no-vertices', entry, 'has no element vertex; it holds no mesh');
+  if (!vertices) throw inputError('ply.no-vertices', entry, msg`has no element vertex; it holds no mesh`);
   const reader = new ContentsReader(values, entry, vertices.rows);
   for (const element of header.elements) {
     if (element.properties.length === 0) continue;
-    values.expect(() => `${element.rows} rows of ${element.name}`, element.rows, minRowTypes(element));
+    values.expect(() => msg`${element.rows} rows of ${element.name}`, element.rows, minRowTypes(element));
     if (element.name === 'vertex') reader.readVertices(element);
     else if (element.name === 'face') reader.readFaces(element);
     else if (element.name === 'tristrips') reader.readStrips(element);
@@ -99,7 +100,7 @@ class ContentsReader {
       const places = placesOf(element, NAMES[kind]);
       return places ? [{ kind, places, values: new Float32Array(rows * places.length) }] : [];
     });
-    if (kinds[0]?.kind !== 'points') throw this.error('its vertices have no x, y and z', this.entry);
+    if (kinds[0]?.kind !== 'points') throw this.error(msg`its vertices have no x, y and z`, this.entry);
     const row = new Float64Array(properties.length);
     for (let i = 0; i < rows; i++) {
       this.readRow(properties, row);
@@ -137,7 +138,7 @@ class ContentsReader {
   readFaces(element: Element): void {
     const { rows, properties } = element;
     const indices = properties.find(isIndices);
-    if (!indices) throw this.error('its faces have no list vertex_indices', this.entry);
+    if (!indices) throw this.error(msg`its faces have no list vertex_indices`, this.entry);
     const colors = placesOf(element, NAMES.colors);
     if (colors) this.faceColors = growableFloats();
     if (properties.some(({ name, count }) => count && name === 'texcoord')) this.cornerUvs = growableFloats();
@@ -160,7 +161,8 @@ class ContentsReader {
 
   private readFace({ type, count, name }: Property, face: number): void {
     const corners = this.length(count!, type, name);
-    if (corners > MAX_CORNERS) throw this.error(`face ${face} has ${corners} corners; at most ${MAX_CORNERS} are read`);
+    if (corners > MAX_CORNERS)
+      throw this.error(msg`face ${face} has ${corners} corners; at most ${MAX_CORNERS} are read`);
     for (let k = 0; k < corners; k++) this.faceIndices.push(this.vertex(type, 'face', face));
     this.faceCounts.push(corners);
   }
@@ -207,27 +209,27 @@ class ContentsReader {
 
   private length(countType: ScalarType, type: ScalarType, name: string): number {
     const length = this.values.next(countType);
-    if (!Number.isInteger(length) || length < 0) throw this.error(`a list ${name} has the length ${length}`);
-    this.values.expect(() => `${length} values of ${name}`, length, [type]);
+    if (!Number.isInteger(length) || length < 0) throw this.error(msg`a list ${name} has the length ${length}`);
+    this.values.expect(() => msg`${length} values of ${name}`, length, [type]);
     return length;
   }
 
   private vertex(type: ScalarType, what: 'face' | 'strip', row: number, least = 0): number {
     const index = this.values.next(type);
     if (Number.isInteger(index) && index >= least && index < this.vertices) return index;
-    const where = what === 'face' ? `face ${row}` : `strip ${row}`;
-    throw this.error(`${where} names vertex ${index}; there are ${this.vertices}, counted from 0`);
+    const where = what === 'face' ? msg`face ${row}` : msg`strip ${row}`;
+    throw this.error(msg`${where} names vertex ${index}; there are ${this.vertices}, counted from 0`);
   }
 
   private finite(value: number, name: string, element: 'vertex' | 'face', row: number): number {
     if (Number.isFinite(Math.fround(value))) return value;
     throw this.error(
-      element === 'vertex' ? `${name} of vertex ${row} is ${value}` : `${name} of face ${row} is ${value}`,
+      element === 'vertex' ? msg`${name} of vertex ${row} is ${value}` : msg`${name} of face ${row} is ${value}`,
     );
   }
 
-  private error(message: string, place = `${this.entry}: ${this.values.place()}`): Error {
-    return inputError('ply.value', place, `${message}; the file is damaged, export it again`);
+  private error(message: Message, place: LocalizedText = msg`${this.entry}: ${this.values.place()}`): Error {
+    return inputError('ply.value', place, msg`${message}; the file is damaged, export it again`);
   }
 }
 

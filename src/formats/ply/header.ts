@@ -1,3 +1,4 @@
+import { type Message, msg } from '../../messages/message.ts';
 import { inputError } from '../diagnostics/inputError.ts';
 
 /** Scalar types by all their names, with their size [bytes]. */
@@ -51,10 +52,11 @@ export const MAX_PROPERTIES = 1000;
 /** Throws an InputError that names the line of an invalid header. */
 export function readHeader(bytes: Uint8Array, entry: string): PlyHeader {
   const text = new TextDecoder('latin1').decode(bytes.subarray(0, MAX_HEADER));
-  const fail = (line: number, message: string): Error => inputError('ply.header', `${entry}: line ${line}`, message);
+  const fail = (line: number, message: Message): Error =>
+    inputError('ply.header', msg`${entry}: line ${line}`, message);
   const end = /^[ \t]*end_header[ \t]*(\r\n|\n|\r)/m.exec(text);
-  if (!/^ply\s*$/m.test(text.slice(0, 5))) throw fail(1, 'it does not begin with ply; it is no PLY');
-  if (!end) throw fail(1, 'its header has no end_header; the file is cut off or damaged, copy it again');
+  if (!/^ply\s*$/m.test(text.slice(0, 5))) throw fail(1, msg`it does not begin with ply; it is no PLY`);
+  if (!end) throw fail(1, msg`its header has no end_header; the file is cut off or damaged, copy it again`);
   const builder = new HeaderBuilder(fail);
   const lines = text.slice(0, end.index).split(/\r\n|\n|\r/);
   for (const [i, line] of lines.entries()) if (i > 0) builder.read(i + 1, line.trim());
@@ -62,11 +64,11 @@ export function readHeader(bytes: Uint8Array, entry: string): PlyHeader {
 }
 
 class HeaderBuilder {
-  private readonly fail: (line: number, message: string) => Error;
+  private readonly fail: (line: number, message: Message) => Error;
   private readonly elements: { name: string; rows: number; properties: Property[] }[] = [];
   private format: PlyHeader['format'] | undefined;
   private texture: string | undefined;
-  constructor(fail: (line: number, message: string) => Error) {
+  constructor(fail: (line: number, message: Message) => Error) {
     this.fail = fail;
   }
 
@@ -77,11 +79,11 @@ class HeaderBuilder {
     else if (words[0] === 'property') this.readProperty(line, words);
     else if (words[0] === 'comment') this.texture ??= /^comment\s+TextureFile\s+(.+)$/i.exec(text)?.[1];
     else if (words[0] !== 'obj_info' && text !== '')
-      throw this.fail(line, `${words[0].slice(0, 40)} is not known in a header`);
+      throw this.fail(line, msg`${words[0].slice(0, 40)} is not known in a header`);
   }
 
   finish(): Omit<PlyHeader, 'end' | 'endLine'> {
-    if (!this.format) throw this.fail(2, 'its header has no format');
+    if (!this.format) throw this.fail(2, msg`its header has no format`);
     return {
       format: this.format,
       elements: this.elements,
@@ -89,36 +91,38 @@ class HeaderBuilder {
     };
   }
 
-  private readFormat(line: number, [, format, version]: readonly string[]): void {
+  private readFormat(line: number, [, format = '', version = '']: readonly string[]): void {
     const isKnown = format === 'ascii' || format === 'binary_little_endian' || format === 'binary_big_endian';
-    if (!isKnown || version !== '1.0') throw this.fail(line, `the format ${format} ${version} is not known`);
+    if (!isKnown || version !== '1.0') throw this.fail(line, msg`the format ${format} ${version} is not known`);
     this.format = format;
   }
 
-  private readElement(line: number, [, name, count]: readonly string[]): void {
-    const rows = /^\d{1,15}$/.test(count ?? '') ? Number(count) : Number.NaN;
-    if (!name || Number.isNaN(rows)) throw this.fail(line, `an element needs a name and a count, not ${name} ${count}`);
+  private readElement(line: number, [, name = '', count = '']: readonly string[]): void {
+    const rows = /^\d{1,15}$/.test(count) ? Number(count) : Number.NaN;
+    if (!name || Number.isNaN(rows))
+      throw this.fail(line, msg`an element needs a name and a count, not ${name} ${count}`);
     if (this.elements.some((element) => element.name === name))
-      throw this.fail(line, `the element ${name} comes twice`);
-    if (this.elements.length >= MAX_PROPERTIES) throw this.fail(line, `there are more than ${MAX_PROPERTIES} elements`);
+      throw this.fail(line, msg`the element ${name} comes twice`);
+    if (this.elements.length >= MAX_PROPERTIES)
+      throw this.fail(line, msg`there are more than ${MAX_PROPERTIES} elements`);
     this.elements.push({ name, rows, properties: [] });
   }
 
   private readProperty(line: number, words: readonly string[]): void {
     const properties = this.elements.at(-1)?.properties;
-    if (!properties) throw this.fail(line, 'a property comes before the first element');
+    if (!properties) throw this.fail(line, msg`a property comes before the first element`);
     if (properties.length >= MAX_PROPERTIES)
-      throw this.fail(line, `an element has more than ${MAX_PROPERTIES} properties`);
+      throw this.fail(line, msg`an element has more than ${MAX_PROPERTIES} properties`);
     const isList = words[1] === 'list';
     const name = words[isList ? 4 : 2];
     const type = this.type(line, words[isList ? 3 : 1]);
-    if (!name) throw this.fail(line, 'a property has no name');
+    if (!name) throw this.fail(line, msg`a property has no name`);
     properties.push(isList ? { name, type, count: this.type(line, words[2]) } : { name, type });
   }
 
-  private type(line: number, name: string | undefined): ScalarType {
-    const type = TYPES.get(name as 'int') ?? name ?? '';
+  private type(line: number, name = ''): ScalarType {
+    const type = TYPES.get(name as 'int') ?? name;
     if (Object.hasOwn(SIZES, type)) return type as ScalarType;
-    throw this.fail(line, `the type ${name} is not known`);
+    throw this.fail(line, msg`the type ${name} is not known`);
   }
 }

@@ -3,6 +3,7 @@ import { PLYLoader } from 'three/addons/loaders/PLYLoader.js';
 import { describe, expect, it } from 'vitest';
 import { sceneSoup, threeSoup } from '../../../tests/support/threeSoup.ts';
 import { random } from '../../math/random.ts';
+import { inEnglish } from '../../messages/message.ts';
 import { InputError, type Scene } from '../../scene/types.ts';
 import { memorySource } from '../files/fileSource.ts';
 import { encodePng } from '../image/encodePng.ts';
@@ -120,7 +121,7 @@ describe.each(FORMATS)('PLY, %s', (format) => {
     expect([...objects[0].mesh.colors!]).toEqual([1, half, 0, 1, half, 0, 1, half, 0]);
     expect([...objects[0].mesh.uvs]).toEqual([0, 0, 1, 0, 0, 1]);
     expect(materials[0]).toMatchObject({ baseColor: [1, 1, 1], baseColorTexture: { width: 1 } });
-    expect((await read(bytes)).diagnostics[0].message).toBe(
+    expect(inEnglish((await read(bytes)).diagnostics[0].message)).toBe(
       'the texture red.png is not there (looked for red.png); shown without it',
     );
   });
@@ -208,6 +209,8 @@ describe('PLY', () => {
 
   it('a file of points only is reported as not displayed', async () => {
     const cloud = encode(`${head('element vertex 1', ...xyz)}1 2 3\n`);
-    expect((await read(cloud)).diagnostics[0].message).toBe('its 1 points have no faces; points are not shown');
+    expect(inEnglish((await read(cloud)).diagnostics[0].message)).toBe(
+      'its 1 points have no faces; points are not shown',
+    );
   });
 });

@@ -1,3 +1,4 @@
+import { msg } from '../../messages/message.ts';
 import { makeMaterial } from '../../scene/defaults.ts';
 import { makeMesh } from '../../scene/mesh/makeMesh.ts';
 import type { PolygonValues } from '../../scene/mesh/polygons.ts';
@@ -21,7 +22,7 @@ const SMOOTH_ANGLE = Math.PI / 3;
  */
 export async function readPly(source: FileSource, entry: string): Promise<Scene> {
   const bytes = await source.read(entry);
-  if (!bytes) throw inputError('file.missing', entry, 'no such file');
+  if (!bytes) throw inputError('file.missing', entry, msg`no such file`);
   const notes = new DiagnosticLog(entry);
   const header = readHeader(bytes, entry);
   const contents = readContents(header, plyValueReader(bytes, header, entry), entry);
@@ -34,7 +35,7 @@ export async function readPly(source: FileSource, entry: string): Promise<Scene>
 function meshOf(contents: PlyContents, notes: DiagnosticLog): Mesh | undefined {
   const { points, normals, colors, faceColors } = contents;
   if (contents.faceCounts.length === 0) {
-    notes.add('warning', 'ply.points', '', `its ${points.length / 3} points have no faces; points are not shown`);
+    notes.add('warning', 'ply.points', '', msg`its ${points.length / 3} points have no faces; points are not shown`);
     return undefined;
   }
   const uvs = uvsOf(contents);
@@ -52,7 +53,7 @@ function meshOf(contents: PlyContents, notes: DiagnosticLog): Mesh | undefined {
     doubleSided: true,
   });
   if (skippedFaces > 0)
-    notes.add('warning', 'ply.faces', '', `${skippedFaces} faces have fewer than 3 corners; they are left out`);
+    notes.add('warning', 'ply.faces', '', msg`${skippedFaces} faces have fewer than 3 corners; they are left out`);
   return mesh.indices.length > 0 ? mesh : undefined;
 }
 
@@ -89,7 +90,7 @@ async function readTexture(
     return { name, ...image, colorSpace: 'srgb', filter: 'linear', wrapS: 'repeat', wrapT: 'repeat' };
   } catch (thrown) {
     if (!(thrown instanceof InputError)) throw thrown;
-    notes.add('warning', 'file.unreadable-texture', '', `${thrown.message}; shown without it`);
+    notes.add('warning', 'file.unreadable-texture', '', msg`${thrown.text}; shown without it`);
     return undefined;
   }
 }

@@ -1,3 +1,4 @@
+import { type LocalizedText, type Message, msg } from '../../messages/message.ts';
 import { formatBytes, inputError } from '../diagnostics/inputError.ts';
 import { parseFiniteNumber, textLines } from '../files/textLines.ts';
 import type { Element, PlyHeader, ScalarType } from './header.ts';
@@ -8,9 +9,9 @@ export interface PlyValueReader {
   /** The next value; throws an InputError where there is none. */
   next(type: ScalarType): number;
   /** Location of the last value, for messages: `line 12`, `byte 3400`. */
-  place(): string;
+  place(): Message;
   /** Throws an InputError that names `what` where the rest of the file is too short for `rows` rows of these types. */
-  expect(what: () => string, rows: number, types: readonly ScalarType[]): void;
+  expect(what: () => Message, rows: number, types: readonly ScalarType[]): void;
 }
 
 export const plyValueReader = (bytes: Uint8Array, header: PlyHeader, entry: string): PlyValueReader =>
@@ -20,9 +21,9 @@ export const plyValueReader = (bytes: Uint8Array, header: PlyHeader, entry: stri
 export const minRowTypes = ({ properties }: Element): ScalarType[] =>
   properties.map(({ type, count }) => count ?? type);
 
-function tooShort(entry: string, what: string, wanted: number, left: number): Error {
-  const message = `${what} take ${formatBytes(wanted)} at the least, but ${formatBytes(left)} are left: the file is cut off or damaged; copy it again`;
-  return inputError('ply.truncated', entry, message);
+function tooShort(place: LocalizedText, what: Message, wanted: number, left: number): Error {
+  const message = msg`${what} take ${formatBytes(wanted)} at the least, but ${formatBytes(left)} are left: the file is cut off or damaged; copy it again`;
+  return inputError('ply.truncated', place, message);
 }
 
 class PlyBinaryReader implements PlyValueReader {
@@ -39,20 +40,20 @@ class PlyBinaryReader implements PlyValueReader {
     this.last = end;
   }
 
-  place(): string {
-    return `byte ${this.last}`;
+  place(): Message {
+    return msg`byte ${this.last}`;
   }
 
-  expect(what: () => string, rows: number, types: readonly ScalarType[]): void {
+  expect(what: () => Message, rows: number, types: readonly ScalarType[]): void {
     const wanted = rows * types.reduce((sum, type) => sum + SIZES[type], 0);
     const left = this.view.byteLength - this.at;
-    if (wanted > left) throw tooShort(`${this.entry}: byte ${this.at}`, what(), wanted, left);
+    if (wanted > left) throw tooShort(msg`${this.entry}: byte ${this.at}`, what(), wanted, left);
   }
 
   next(type: ScalarType): number {
     const at = this.at;
     if (at + SIZES[type] > this.view.byteLength) {
-      throw tooShort(`${this.entry}: byte ${at}`, 'the next value', SIZES[type], this.view.byteLength - at);
+      throw tooShort(msg`${this.entry}: byte ${at}`, msg`the next value`, SIZES[type], this.view.byteLength - at);
     }
     this.last = at;
     this.at = at + SIZES[type];
@@ -94,20 +95,20 @@ class PlyTextReader implements PlyValueReader {
     this.line = endLine;
   }
 
-  place(): string {
-    return `line ${this.line}`;
+  place(): Message {
+    return msg`line ${this.line}`;
   }
 
   /** A value takes at least two characters: only counts beyond the whole file's size are detected. */
-  expect(what: () => string, rows: number, types: readonly ScalarType[]): void {
+  expect(what: () => Message, rows: number, types: readonly ScalarType[]): void {
     const wanted = 2 * rows * types.length - 1;
-    if (wanted > this.bytes) throw tooShort(`${this.entry}: ${this.place()}`, what(), wanted, this.bytes);
+    if (wanted > this.bytes) throw tooShort(msg`${this.entry}: ${this.place()}`, what(), wanted, this.bytes);
   }
 
   next(): number {
     while (this.word >= this.words.length) {
       const { value, done } = this.lines.next();
-      if (done) throw this.error('a number is missing at the end; the file is cut off, copy it again');
+      if (done) throw this.error(msg`a number is missing at the end; the file is cut off, copy it again`);
       this.line = this.firstLine + value.number;
       const text = value.text.trim();
       this.words = text === '' ? [] : text.split(/\s+/);
@@ -116,7 +117,7 @@ class PlyTextReader implements PlyValueReader {
     return parseFiniteNumber(this.words[this.word++], (message) => this.error(message));
   }
 
-  private error(message: string): Error {
-    return inputError('ply.number', `${this.entry}: ${this.place()}`, message);
+  private error(message: Message): Error {
+    return inputError('ply.number', msg`${this.entry}: ${this.place()}`, message);
   }
 }

@@ -1,3 +1,4 @@
+import { msg } from '../../messages/message.ts';
 import { makeObject, makeScene } from '../../scene/defaults.ts';
 import type { Material, Mesh, Scene } from '../../scene/types.ts';
 import type { DiagnosticLog } from '../diagnostics/diagnosticLog.ts';
@@ -21,9 +22,14 @@ export function meshScene(
   notes: DiagnosticLog,
 ): Scene {
   const paths = new UniquePrimPaths();
-  notes.add('info', 'file.units', '', 'neither unit nor up axis is written in it; one unit is taken as 1 m, Y as up');
+  notes.add(
+    'info',
+    'file.units',
+    '',
+    msg`neither unit nor up axis is written in it; one unit is taken as 1 m, Y as up`,
+  );
   if (meshes.length === 0)
-    notes.add('warning', 'file.no-triangles', '', 'no triangle is in it, so that there is nothing to see');
+    notes.add('warning', 'file.no-triangles', '', msg`no triangle is in it, so that there is nothing to see`);
   return makeScene({
     name: stemOf(entry),
     objects: meshes.map(({ name, mesh }) => makeObject({ path: paths.of('', name || stemOf(entry)), mesh })),

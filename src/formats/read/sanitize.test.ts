@@ -1,4 +1,5 @@
 import { describe, expect, it } from 'vitest';
+import { inEnglish } from '../../messages/message.ts';
 import { FOREVER, makeMaterial, makeObject, makeScene, restingAt } from '../../scene/defaults.ts';
 import { box, grid } from '../../scene/mesh/primitives.ts';
 import { pointsAt } from '../../scene/streaming/samplePoints.ts';
@@ -28,7 +29,7 @@ describe('sanitizing a scene', () => {
     expect(objects[0].mesh.groups.reduce((sum, { count }) => sum + count, 0)).toBe(objects[0].mesh.indices.length);
     expect(objects[1].mesh).toBe(mesh);
     expect(diagnostics).toMatchObject([{ code: 'file.not-finite', place: 'a.usda</A>', severity: 'warning' }]);
-    expect(diagnostics[0].message).toContain(`the place of 1 of ${plane.positions.length / 3} points`);
+    expect(inEnglish(diagnostics[0].message)).toContain(`the place of 1 of ${plane.positions.length / 3} points`);
   });
 
   it('removes points that are non-finite at one sample', () => {

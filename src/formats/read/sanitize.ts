@@ -1,3 +1,4 @@
+import { type Message, msg } from '../../messages/message.ts';
 import { makeMaterial } from '../../scene/defaults.ts';
 import { deformedNormals, smoothingGroups } from '../../scene/mesh/normals.ts';
 import { pointSamples } from '../../scene/motion/motion.ts';
@@ -25,7 +26,7 @@ import type { DiagnosticCode } from '../diagnostics/diagnosticCodes.ts';
  */
 export function sanitizeScene(scene: Scene): Scene {
   const found: Diagnostic[] = [];
-  const say = (path: string, message: string): void => {
+  const say = (path: string, message: Message): void => {
     found.push({ severity: 'warning', code: NOT_FINITE, place: `${scene.name}<${path}>`, message });
   };
   const sound: Scene = {
@@ -41,13 +42,16 @@ export function sanitizeScene(scene: Scene): Scene {
 
 const NOT_FINITE: DiagnosticCode = 'file.not-finite';
 
-type ReportIssue = (path: string, message: string) => void;
+type ReportIssue = (path: string, message: Message) => void;
 
-const NOT_FINITE_TEXT = 'not a finite number (NaN, or too large)';
+const NOT_FINITE_TEXT = msg`not a finite number (NaN, or too large)`;
 
 function sanitizeTimes({ startTime, endTime }: Scene, say: ReportIssue): Pick<Scene, 'startTime' | 'endTime'> {
   if (Number.isFinite(startTime) && Number.isFinite(endTime)) return { startTime, endTime };
-  say('/', `the animation lasts from ${startTime} to ${endTime} s, which is ${NOT_FINITE_TEXT}; it is shown from 0 s`);
+  say(
+    '/',
+    msg`the animation lasts from ${startTime} to ${endTime} s, which is ${NOT_FINITE_TEXT}; it is shown from 0 s`,
+  );
   return { startTime: 0, endTime: Number.isFinite(endTime) ? Math.max(0, endTime) : 0 };
 }
 
@@ -84,7 +88,7 @@ function areFiniteBits(bits: Uint32Array): boolean {
 
 function isMotionFinite({ path, motion }: { path: string; motion: Motion }, say: ReportIssue): boolean {
   if (motionKind(motion).numbers(motion).every(allFinite)) return true;
-  say(path, `where it is, or how it moves, is ${NOT_FINITE_TEXT}; it is left out`);
+  say(path, msg`where it is, or how it moves, is ${NOT_FINITE_TEXT}; it is left out`);
   return false;
 }
 
@@ -129,7 +133,7 @@ function withoutVertices({ path, mesh }: SceneObject, lost: Uint8Array, say: Rep
   const triangles = (mesh.indices.length - indices.length) / 3;
   say(
     path,
-    `the place of ${count} of ${lost.length} points is ${NOT_FINITE_TEXT}; their ${triangles} triangles are left out`,
+    msg`the place of ${count} of ${lost.length} points is ${NOT_FINITE_TEXT}; their ${triangles} triangles are left out`,
   );
   return { ...mesh, positions: zeroPoints(mesh.positions, lost), indices: Uint32Array.from(indices), groups };
 }
@@ -161,9 +165,9 @@ function withFiniteAttributes(mesh: Mesh, path: string, say: ReportIssue): Mesh 
   const { positions, normals, uvs, colors, indices } = mesh;
   const bad = [normals, uvs, colors ?? []].map((numbers) => !allFinite(numbers));
   if (!bad.includes(true)) return mesh;
-  if (bad[0]) say(path, `some of its normals are ${NOT_FINITE_TEXT}; they are computed anew`);
-  if (bad[1]) say(path, `some of its texture coordinates are ${NOT_FINITE_TEXT}; they are taken as 0`);
-  if (bad[2]) say(path, `some of its colours are ${NOT_FINITE_TEXT}; they are taken as 0`);
+  if (bad[0]) say(path, msg`some of its normals are ${NOT_FINITE_TEXT}; they are computed anew`);
+  if (bad[1]) say(path, msg`some of its texture coordinates are ${NOT_FINITE_TEXT}; they are taken as 0`);
+  if (bad[2]) say(path, msg`some of its colours are ${NOT_FINITE_TEXT}; they are taken as 0`);
   const computed = bad[0] && deformedNormals(positions, indices, smoothingGroups(mesh));
   return {
     ...mesh,
@@ -187,7 +191,7 @@ function sanitizeMaterial(material: Material, say: ReportIssue): Material {
   const { name, baseColor, emissive, roughness, metallic, opacity, opacityThreshold, ior } = material;
   const numbers = [...baseColor, ...emissive, roughness, metallic, opacity, opacityThreshold, ior ?? 1];
   if (allFinite(numbers)) return material;
-  say(name, `a number of the material is ${NOT_FINITE_TEXT}; it is shown in grey`);
+  say(name, msg`a number of the material is ${NOT_FINITE_TEXT}; it is shown in grey`);
   return makeMaterial({ name });
 }
 
@@ -201,6 +205,6 @@ function isFiniteItem(thing: Light | SceneCamera, say: ReportIssue): boolean {
   }: Partial<LocalLight> & Pick<DomeLight, 'gradient'> = thing as Partial<LocalLight>;
   const numbers = [rest, shaping ?? {}, gradient ?? {}].flatMap((part) => Object.values(part)).flat();
   if (allFinite(numbers.filter((value) => typeof value === 'number'))) return true;
-  say(thing.path, `a number of it is ${NOT_FINITE_TEXT}; it is left out`);
+  say(thing.path, msg`a number of it is ${NOT_FINITE_TEXT}; it is left out`);
   return false;
 }

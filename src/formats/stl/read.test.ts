@@ -1,8 +1,10 @@
 import { Mesh as ThreeMesh } from 'three';
 import { STLLoader } from 'three/addons/loaders/STLLoader.js';
 import { describe, expect, it } from 'vitest';
+import { inWords } from '../../../tests/support/inWords.ts';
 import { area, openEdges, volume } from '../../../tests/support/meshes.ts';
 import { sceneSoup, threeSoup } from '../../../tests/support/threeSoup.ts';
+import { inEnglish } from '../../messages/message.ts';
 import { pointAt } from '../../scene/mesh/polygons.ts';
 import { box } from '../../scene/mesh/primitives.ts';
 import { InputError, type Mesh, type Scene } from '../../scene/types.ts';
@@ -80,13 +82,13 @@ describe('STL', () => {
     const turned = encode(
       textStl(BOX).replace(/normal (\S+) (\S+) (\S+)/g, (_, x, y, z) => `normal ${-x} ${-y} ${-z}`),
     );
-    expect((await read(longer)).diagnostics.map((d) => `${d.place}: ${d.message}`)).toEqual(
+    expect((await read(longer)).diagnostics.map(inWords)).toEqual(
       expect.arrayContaining([
         'a.stl: byte 684: 3 bytes follow the 12 facets; they are left out',
         'a.stl: its colours are left out',
       ]),
     );
-    expect((await read(turned)).diagnostics[0].message).toBe(
+    expect(inEnglish((await read(turned)).diagnostics[0].message)).toBe(
       'the normals of 12 facets say the opposite of the order of their corners, which is what is taken',
     );
     expect((await read(encode('solid\nendsolid'))).diagnostics.map((d) => d.code)).toEqual([

@@ -1,3 +1,4 @@
+import { msg } from '../../messages/message.ts';
 import type { Scene } from '../../scene/types.ts';
 import { DiagnosticLog } from '../diagnostics/diagnosticLog.ts';
 import { inputError } from '../diagnostics/inputError.ts';
@@ -13,7 +14,7 @@ import { readStlText } from './text.ts';
  */
 export async function readStl(source: FileSource, entry: string): Promise<Scene> {
   const bytes = await source.read(entry);
-  if (!bytes) throw inputError('file.missing', entry, 'no such file');
+  if (!bytes) throw inputError('file.missing', entry, msg`no such file`);
   const notes = new DiagnosticLog(entry);
   const solids = isBinaryStl(bytes) ? [readBinaryStl(bytes, entry, notes)] : readStlText(bytes, entry);
   noteTurned(solids, notes);
@@ -26,6 +27,6 @@ export async function readStl(source: FileSource, entry: string): Promise<Scene>
 function noteTurned(solids: readonly Facets[], notes: DiagnosticLog): void {
   const turned = solids.reduce((sum, solid) => sum + solid.turned, 0);
   if (turned === 0) return;
-  const message = `the normals of ${turned} facets say the opposite of the order of their corners, which is what is taken`;
+  const message = msg`the normals of ${turned} facets say the opposite of the order of their corners, which is what is taken`;
   notes.add('info', 'stl.normals', '', message);
 }

@@ -1,4 +1,5 @@
 import type { Vec3 } from '../../math/vec3.ts';
+import { anyOf, type Message, msg } from '../../messages/message.ts';
 import type { DiagnosticCode } from '../diagnostics/diagnosticCodes.ts';
 import { inputError } from '../diagnostics/inputError.ts';
 import { type GrowableFloats, growableFloats } from '../files/growableArray.ts';
@@ -48,7 +49,7 @@ class StlTextReader {
     if (!expected.includes(keyword)) {
       throw this.error(
         'stl.syntax',
-        `${expected.join(' or ')} should stand here, not ${words[0].slice(0, 40)}; export it again`,
+        msg`${anyOf(expected)} should stand here, not ${words[0].slice(0, 40)}; export it again`,
       );
     }
     if (keyword === 'solid') this.open(text.slice(5).trim());
@@ -61,13 +62,13 @@ class StlTextReader {
 
   finish(): Facets[] {
     if (this.inside !== 'file')
-      throw this.error('stl.truncated', `the file ends inside a ${this.inside}; it is cut off, copy it again`);
+      throw this.error('stl.truncated', msg`the file ends inside a ${this.inside}; it is cut off, copy it again`);
     return this.solids.map(({ name, points, turned }) => ({ name, points: points.values().slice(), turned }));
   }
 
   private open(name: string): void {
     if (this.solids.length >= MAX_SOLIDS)
-      throw this.error('stl.too-many', `there are more than ${MAX_SOLIDS} solids; join some`);
+      throw this.error('stl.too-many', msg`there are more than ${MAX_SOLIDS} solids; join some`);
     this.solids.push({ name, points: growableFloats(), turned: 0 });
     this.inside = 'solid';
   }
@@ -82,7 +83,7 @@ class StlTextReader {
 
   private addCorner(words: readonly string[]): void {
     if (this.corners.length === 3)
-      throw this.error('stl.corners', 'a facet has 3 corners, this one more; export it again');
+      throw this.error('stl.corners', msg`a facet has 3 corners, this one more; export it again`);
     this.corners.push(this.vector(words));
   }
 
@@ -90,7 +91,7 @@ class StlTextReader {
     const solid = this.solids.at(-1)!;
     const corners = this.corners;
     if (corners.length !== 3)
-      throw this.error('stl.corners', `a facet has 3 corners, this one ${corners.length}; export it again`);
+      throw this.error('stl.corners', msg`a facet has 3 corners, this one ${corners.length}; export it again`);
     for (const [x, y, z] of corners) solid.points.push(x, y, z);
     if (isTurned(this.normal, facetNormal(corners.flat(), 0))) solid.turned++;
     this.corners = [];
@@ -103,7 +104,7 @@ class StlTextReader {
     return [number(0), number(1), number(2)];
   }
 
-  private error(code: DiagnosticCode, message: string): Error {
-    return inputError(code, `${this.entry}: line ${this.line}`, message);
+  private error(code: DiagnosticCode, message: Message): Error {
+    return inputError(code, msg`${this.entry}: line ${this.line}`, message);
   }
 }

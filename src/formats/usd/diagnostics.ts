@@ -1,3 +1,4 @@
+import type { Message } from '../../messages/message.ts';
 import type { Diagnostic } from '../../scene/types.ts';
 import type { DiagnosticCode } from '../diagnostics/diagnosticCodes.ts';
 import type { DiagnosticList } from '../diagnostics/diagnosticLog.ts';
@@ -15,7 +16,7 @@ export function report(
   severity: Diagnostic['severity'],
   code: DiagnosticCode,
   path: string,
-  message: string,
+  message: Message,
   more: Partial<Omit<Diagnostic, 'code'>> = {},
 ): void {
   const { name } = context.layer;

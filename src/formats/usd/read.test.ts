@@ -4,13 +4,13 @@ import { fileURLToPath } from 'node:url';
 import { describe, expect, it } from 'vitest';
 import { InputError, type Scene } from '../../scene/types.ts';
 import { memorySource } from '../files/fileSource.ts';
+import { said } from './fixtures/said.ts';
 import { readUsd } from './read.ts';
 
 const readText = (body: string, header = 'metersPerUnit = 0.5'): Promise<Scene> => {
   const text = `#usda 1.0\n(\n${header}\n)\n${body}\n`;
   return readUsd(memorySource({ 'a.usda': new TextEncoder().encode(text) }), 'a.usda');
 };
-const said = (scene: Scene): string[] => scene.diagnostics.map((d) => `${d.code} ${d.place}: ${d.message}`);
 
 describe('slowlight attributes', () => {
   it('give an object and its descendants a closed-form motion, in stage units', async () => {
@@ -103,6 +103,8 @@ class "_class" {}
       'usd.unresolved-prim a.usda</Car>: its reference </Nowhere> leads to /Nowhere, which a.usda does not have',
       "usd.undefined-prim a.usda</Lost>: an 'over' changes this prim, and nothing defines it; it is left out",
     ]);
+    const missing = scene.diagnostics.flatMap((d) => d.missing ?? []);
+    expect(missing).toEqual(['base.usda', 'car.usd', 'heavy.usd'].map((name) => ({ name, lookedFor: [name] })));
     expect(scene.variants).toEqual([{ set: '/Car{color}', options: ['blue', 'red'], chosen: '' }]);
   });
 

@@ -1,6 +1,7 @@
+import { msg } from '../../messages/message.ts';
 import { SamplingBudget } from '../../scene/motion/adaptiveSampling.ts';
 import { sampleTimes } from '../../scene/motion/motion.ts';
-import type { Diagnostic, MissingFile, Scene } from '../../scene/types.ts';
+import type { Scene } from '../../scene/types.ts';
 import { DiagnosticList } from '../diagnostics/diagnosticLog.ts';
 import { inputError } from '../diagnostics/inputError.ts';
 import type { FileSource } from '../files/fileSource.ts';
@@ -44,7 +45,7 @@ export async function readUsd(source: FileSource, entry: string, options: ReadOp
   const sampleMemory = options.sampleMemory ?? SAMPLE_MEMORY;
   const files = new AssetFiles(source, entry, sampleMemory / MIN_STORED_RATIO);
   const content = await files.content(entry);
-  if (!content) throw inputError('file.missing', entry, 'no such file');
+  if (!content) throw inputError('file.missing', entry, msg`no such file`);
   const store = new LayerStore(files, readLayer);
   const root = await store.root(entry, content);
   const stage = await composeStage(store, root, diagnostics, {
@@ -59,17 +60,10 @@ export async function readUsd(source: FileSource, entry: string, options: ReadOp
     ...sceneHeader(context, entry),
     ...timeRange(context, contents),
     ...contents,
-    diagnostics: diagnostics.list.map((one) => withMissingFile(one, store.missing)),
+    diagnostics: diagnostics.list,
     ...variantsIn(stage),
     ...(error !== undefined && { pathError: error }),
   };
-}
-
-/** What is said of a layer that is not there, with the file that was asked for. */
-function withMissingFile(diagnostic: Diagnostic, layers: ReadonlyMap<string, MissingFile>): Diagnostic {
-  if (diagnostic.code !== 'usd.missing-layer') return diagnostic;
-  const missing = layers.get(diagnostic.message.slice(diagnostic.message.indexOf('@')));
-  return missing ? { ...diagnostic, missing } : diagnostic;
 }
 
 /** `/World/Car{paint}` is how a scene calls the set `paint` of the prim `/World/Car`. */
@@ -116,10 +110,10 @@ function contextOf(
     const value = context[key];
     if (value > 0 && Number.isFinite(value)) continue;
     const name = key === 'unit' ? 'metersPerUnit' : 'timeCodesPerSecond';
-    throw inputError('usd.metadata', layer.name, `${name} = ${value} is not a positive number`);
+    throw inputError('usd.metadata', layer.name, msg`${name} = ${value} is not a positive number`);
   }
   if (!layer.metadata.has('metersPerUnit'))
-    report(context, 'info', 'usd.units', '', 'metersPerUnit is not written; one unit is taken as 1 cm, as USD says');
+    report(context, 'info', 'usd.units', '', msg`metersPerUnit is not written; one unit is taken as 1 cm, as USD says`);
   return context;
 }
 
@@ -157,7 +151,7 @@ function reportSubdivision(context: StageContext): void {
   if (first === undefined) return;
   const message =
     rest.length > 0
-      ? `${rest.length + 1} meshes (the first is ${first}) are meant as subdivision surface; it is drawn as its polygons`
-      : `${first} is meant as subdivision surface; it is drawn as its polygons`;
+      ? msg`${rest.length + 1} meshes (the first is ${first}) are meant as subdivision surface; it is drawn as its polygons`
+      : msg`${first} is meant as subdivision surface; it is drawn as its polygons`;
   report(context, 'info', 'usd.subdivision', '', message);
 }

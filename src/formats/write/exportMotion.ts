@@ -1,5 +1,6 @@
 import { fromAxisAngle, multiply, type Quat } from '../../math/quat.ts';
 import type { Vec3 } from '../../math/vec3.ts';
+import { type Message, msg } from '../../messages/message.ts';
 import { SPEED_OF_LIGHT } from '../../physics/constants.ts';
 import { boundingSphere } from '../../scene/bounds/bounds.ts';
 import { deformedNormals, smoothingGroups } from '../../scene/mesh/normals.ts';
@@ -49,7 +50,7 @@ export function exportObjects(
         'warning',
         'convert.lifetime',
         object.path,
-        `it lives from ${birth} to ${death} s; there it always is`,
+        msg`it lives from ${birth} to ${death} s; there it always is`,
       );
     return { ...object, ...exportObject(object, scene, c, losses) };
   });
@@ -69,15 +70,15 @@ function exportObject(object: SceneObject, scene: Scene, c: number, losses: Diag
 }
 
 /** Kinds of motion that are sampled, in words. */
-const SAMPLED_TEXTS: { readonly [K in Exclude<Motion, ExportMotion>['kind']]: string } = {
-  uniform: 'its uniform motion',
-  hyperbolic: 'its hyperbolic motion',
+const SAMPLED_TEXTS: { readonly [K in Exclude<Motion, ExportMotion>['kind']]: Message } = {
+  uniform: msg`its uniform motion`,
+  hyperbolic: msg`its hyperbolic motion`,
 };
 
 const isExportable = (motion: Motion): motion is ExportMotion => !Object.hasOwn(SAMPLED_TEXTS, motion.kind);
 
-const sampledFrom = ({ kind }: Exclude<Motion, ExportMotion>, range: readonly number[]): string =>
-  `${SAMPLED_TEXTS[kind]} is sampled from ${range[0]} to ${range[1]} s; before and after it rests`;
+const sampledFrom = ({ kind }: Exclude<Motion, ExportMotion>, range: readonly number[]): Message =>
+  msg`${SAMPLED_TEXTS[kind]} is sampled from ${range[0]} to ${range[1]} s; before and after it rests`;
 
 /** A mesh authored in its rest frame, as world-frame points at the given times. */
 function contracted(object: SceneObject, times: Float64Array, origin: Vec3, c: number) {

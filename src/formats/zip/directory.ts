@@ -1,3 +1,4 @@
+import { type Message, msg } from '../../messages/message.ts';
 import { formatBytes, inputError } from '../diagnostics/inputError.ts';
 import { normalizePath } from '../files/fileSource.ts';
 
@@ -52,7 +53,7 @@ export async function readZipDirectory(file: RandomAccessFile, name: string): Pr
 /** Metadata files that macOS adds. */
 const isClutter = (path: string): boolean => /(^|\/)(__MACOSX|\.DS_Store|\._[^/]*)(\/|$)/.test(path);
 
-const fail = (name: string, message: string): never => {
+const fail = (name: string, message: Message): never => {
   throw inputError('zip.damaged', name, message);
 };
 
@@ -72,7 +73,7 @@ export function directoryPlace(tail: Uint8Array, from: number, name: string): Di
   const view = new DataView(tail.buffer, tail.byteOffset, tail.byteLength);
   let at = tail.length - END_SIZE;
   while (at >= 0 && view.getUint32(at, true) !== END) at--;
-  if (at < 0) return fail(name, 'the archive has no directory; it is cut off or no zip, copy it again');
+  if (at < 0) return fail(name, msg`the archive has no directory; it is cut off or no zip, copy it again`);
   const [count, size, start] = [
     view.getUint16(at + 10, true),
     view.getUint32(at + 12, true),
@@ -83,12 +84,12 @@ export function directoryPlace(tail: Uint8Array, from: number, name: string): Di
     throw inputError(
       'zip.zip64',
       name,
-      'is a zip64 archive, which is not read; pack less than 4 GiB and 65 535 files, or open the folder itself',
+      msg`is a zip64 archive, which is not read; pack less than 4 GiB and 65 535 files, or open the folder itself`,
     );
   if (view.getUint16(at + 4, true) !== 0 || view.getUint16(at + 8, true) !== count)
-    throw inputError('zip.parts', name, 'is one part of a split archive, which is not read; pack it as one file');
+    throw inputError('zip.parts', name, msg`is one part of a split archive, which is not read; pack it as one file`);
   if (start + size > from + at)
-    return fail(name, `its directory (${size} bytes at ${start}) goes beyond its end; it is cut off, copy it again`);
+    return fail(name, msg`its directory (${size} bytes at ${start}) goes beyond its end; it is cut off, copy it again`);
   return { count, start, size };
 }
 
@@ -104,7 +105,7 @@ export function entriesIn(directory: Uint8Array, count: number, fileSize: number
 export function dataStart(header: Uint8Array, { path, offset }: ZipEntry, name: string): number {
   const view = new DataView(header.buffer, header.byteOffset, header.byteLength);
   if (header.length < LOCAL_SIZE || view.getUint32(0, true) !== LOCAL)
-    fail(name, `${path} in it is not where the directory says (byte ${offset}); copy or pack it again`);
+    fail(name, msg`${path} in it is not where the directory says (byte ${offset}); copy or pack it again`);
   return offset + LOCAL_SIZE + view.getUint16(26, true) + view.getUint16(28, true);
 }
 
@@ -123,7 +124,7 @@ class Directory {
     const found: ZipEntry[] = [];
     let at = 0;
     for (let i = 0; i < count; i++) {
-      if (this.u32(at) !== CENTRAL) fail(this.name, `entry ${i} of its directory is damaged; copy it again`);
+      if (this.u32(at) !== CENTRAL) fail(this.name, msg`entry ${i} of its directory is damaged; copy it again`);
       const [nameLength, extra, comment] = [28, 30, 32].map((k) => this.u16(at + k));
       const path = this.path(at + 46, nameLength, (this.u16(at + 8) & 0x800) !== 0);
       if (!path.endsWith('/')) found.push(this.entry(at, path));
@@ -134,7 +135,7 @@ class Directory {
 
   private entry(at: number, path: string): ZipEntry {
     if (this.u16(at + 8) & 1)
-      throw inputError('zip.encrypted', this.name, `${path} in it is encrypted; pack it without a password`);
+      throw inputError('zip.encrypted', this.name, msg`${path} in it is encrypted; pack it without a password`);
     return {
       path: normalizePath(path),
       method: this.u16(at + 10),
@@ -147,23 +148,23 @@ class Directory {
 
   /** File names are UTF-8, flagged or not; else Latin-1 as an approximation. */
   private path(at: number, length: number, isUtf8: boolean): string {
-    if (at + length > this.bytes.length) fail(this.name, 'its directory is cut off; copy it again');
+    if (at + length > this.bytes.length) fail(this.name, msg`its directory is cut off; copy it again`);
     const bytes = this.bytes.subarray(at, at + length);
     try {
       return new TextDecoder('utf-8', { fatal: true }).decode(bytes);
     } catch {
-      if (isUtf8) fail(this.name, `the name of a file at byte ${at} of its directory is no UTF-8; pack it again`);
+      if (isUtf8) fail(this.name, msg`the name of a file at byte ${at} of its directory is no UTF-8; pack it again`);
       return new TextDecoder('latin1').decode(bytes);
     }
   }
 
   private u16(at: number): number {
-    if (at + 2 > this.bytes.length) fail(this.name, 'its directory is cut off; copy it again');
+    if (at + 2 > this.bytes.length) fail(this.name, msg`its directory is cut off; copy it again`);
     return this.view.getUint16(at, true);
   }
 
   private u32(at: number): number {
-    if (at + 4 > this.bytes.length) fail(this.name, 'its directory is cut off; copy it again');
+    if (at + 4 > this.bytes.length) fail(this.name, msg`its directory is cut off; copy it again`);
     return this.view.getUint32(at, true);
   }
 }
@@ -172,8 +173,8 @@ function checkNames(entries: readonly ZipEntry[], name: string): void {
   const seen = new Set<string>();
   for (const { path } of entries) {
     if (path.split('/').includes('..') || /^(\/|[a-zA-Z]:)/.test(path) || path.includes('\0'))
-      throw inputError('zip.path', name, `holds a file named '${path}', which leads out of it; pack it again`);
-    if (seen.has(path)) throw inputError('zip.duplicate', name, `holds two files named ${path}; pack it again`);
+      throw inputError('zip.path', name, msg`holds a file named '${path}', which leads out of it; pack it again`);
+    if (seen.has(path)) throw inputError('zip.duplicate', name, msg`holds two files named ${path}; pack it again`);
     seen.add(path);
   }
 }
@@ -183,25 +184,26 @@ function checkSizes(entries: readonly ZipEntry[], fileSize: number, name: string
   let free = 0;
   for (const { path, packed, size, offset } of [...entries].sort((a, b) => a.offset - b.offset)) {
     if (offset < free)
-      throw inputError('zip.bomb', name, `${path} in it shares its bytes with another file; pack it again`);
+      throw inputError('zip.bomb', name, msg`${path} in it shares its bytes with another file; pack it again`);
     free = offset + LOCAL_SIZE + packed;
-    if (free > fileSize) fail(name, `${path} in it ends at byte ${free} of ${fileSize}; it is cut off, copy it again`);
+    if (free > fileSize)
+      fail(name, msg`${path} in it ends at byte ${free} of ${fileSize}; it is cut off, copy it again`);
     if (size > packed * MAX_RATIO + MAX_RATIO)
       throw inputError(
         'zip.bomb',
         name,
-        `${path} in it claims ${formatBytes(size)} of ${packed} bytes, which cannot be; pack it again`,
+        msg`${path} in it claims ${formatBytes(size)} of ${packed} bytes, which cannot be; pack it again`,
       );
     total += size;
   }
   if (total > MAX_TOTAL) {
-    const message = `unpacked it takes ${formatBytes(total)}, more than the ${formatBytes(MAX_TOTAL)} that are read; leave out what the scene does not use`;
+    const message = msg`unpacked it takes ${formatBytes(total)}, more than the ${formatBytes(MAX_TOTAL)} that are read; leave out what the scene does not use`;
     throw inputError('zip.too-large', name, message);
   }
   if (total > BOMB_TOTAL && total > fileSize * BOMB_RATIO)
     throw inputError(
       'zip.bomb',
       name,
-      `its ${formatBytes(fileSize)} unpack to ${formatBytes(total)}; that is no scene`,
+      msg`its ${formatBytes(fileSize)} unpack to ${formatBytes(total)}; that is no scene`,
     );
 }

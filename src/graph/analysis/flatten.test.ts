@@ -1,5 +1,7 @@
 import { describe, expect, it } from 'vitest';
 import { add, build, connect, edge, edited, set, toys } from '../../../tests/support/graphKit.ts';
+import { english, saying } from '../../../tests/support/inWords.ts';
+import { inEnglish } from '../../messages/message.ts';
 import { emptyGraph, type GraphDocument, type NodeGroup } from '../document/document.ts';
 import { findFault } from '../document/integrity.ts';
 import type { Command } from '../edits/commands.ts';
@@ -14,7 +16,7 @@ const sourcesOf = (document: GraphDocument, node: string) =>
   Object.fromEntries(
     [...flatten(document, toys).nodes.get(node)!.inputs].map(([input, sources]) => [
       input,
-      sources.map((source) => (source.kind === 'output' ? `${source.node}.${source.output}` : source.why)),
+      sources.map((source) => (source.kind === 'output' ? `${source.node}.${source.output}` : inEnglish(source.why))),
     ]),
   );
 const evaluate = async (document: GraphDocument, target = 'out') =>
@@ -24,7 +26,7 @@ const number = async (document: GraphDocument, target?: string) => {
   return result.status === 'done' ? result.outputs.number : result;
 };
 const codes = (document: GraphDocument) =>
-  validateDocument(document, toys).map(({ code, place }) => `${code} ${place}`);
+  validateDocument(document, toys).map(({ code, place }) => `${code} ${inEnglish(place)}`);
 const mute = (...nodes: string[]): Command => ({ kind: 'mute', nodes, muted: true });
 const putGroup = (group: string, value: NodeGroup): Command => ({ kind: 'set-group', group, value });
 const emptyGroup: NodeGroup = { title: '', ...emptyGraph(), inputs: [], outputs: [] };
@@ -62,9 +64,9 @@ describe('a parameter', () => {
       connect('y.number', 's.bias'),
     );
     expect(await evaluate(far, 's')).toMatchObject({
-      problem: { code: 'graph.param', place: 's.bias', message: /2000000000 is outside/ },
+      problem: { code: 'graph.param', place: 's.bias', message: saying('2000000000 is outside') },
     });
-    expect(edgeError(edited(driven, add('t', 'words')), edge('t.text', 's.bias'), toys)).toBe(
+    expect(english(edgeError(edited(driven, add('t', 'words')), edge('t.text', 's.bias'), toys))).toBe(
       'text (t.text) does not fit number (s.bias)',
     );
   });
@@ -94,9 +96,9 @@ describe('a multi-input', () => {
 
   it('requires a number; other inputs must not have one', () => {
     const document = build(add('w', 'weigh'), add('v', 'value'), add('s', 'sum'));
-    expect(edgeError(document, edge('v.number', 'w.items'), toys)).toMatch(/no input "items"/);
-    expect(edgeError(document, edge('v.number', 's.a.1'), toys)).toMatch(/no input "a.1"/);
-    expect(edgeError(document, edge('v.number', 'w.items.1'), toys)).toBeUndefined();
+    expect(english(edgeError(document, edge('v.number', 'w.items'), toys))).toMatch(/no input "items"/);
+    expect(english(edgeError(document, edge('v.number', 's.a.1'), toys))).toMatch(/no input "a.1"/);
+    expect(english(edgeError(document, edge('v.number', 'w.items.1'), toys))).toBeUndefined();
   });
 });
 
@@ -119,14 +121,14 @@ describe('a generic socket', () => {
     expect([typeOf(told, 'q', 'outputs', 'out'), typeOf(told, 'p', 'inputs', 'a')]).toEqual(['number', 'number']);
     const wanted = edited(two, add('l', 'length'), connect('q.out', 'l.vector'));
     expect(typeOf(wanted, 'p', 'inputs', 'a')).toBe('vector');
-    expect(edgeError(wanted, edge('v.number', 'p.a'), toys)).toBeUndefined();
+    expect(english(edgeError(wanted, edge('v.number', 'p.a'), toys))).toBeUndefined();
   });
 
   it('rejects a second type, and reports both ends', () => {
     const told = edited(two, connect('v.number', 'p.b'));
-    expect(edgeError(told, edge('t.text', 'q.b'), toys)).toBe('text (t.text) does not fit number (v.number)');
+    expect(english(edgeError(told, edge('t.text', 'q.b'), toys))).toBe('text (t.text) does not fit number (v.number)');
     const wanted = edited(two, add('s', 'sum'), connect('q.out', 's.a'));
-    expect(edgeError(wanted, edge('t.text', 'p.b'), toys)).toBe('text (t.text) does not fit number (s.a)');
+    expect(english(edgeError(wanted, edge('t.text', 'p.b'), toys))).toBe('text (t.text) does not fit number (s.a)');
     expect(codes(edited(wanted, connect('t.text', 'p.b')))).toEqual(['graph.edge s']);
   });
 
@@ -139,8 +141,8 @@ describe('a generic socket', () => {
       const joined = edited(base, ...links.map((link) => connect(...(link.split('>') as [string, string]))));
       expect(codes(joined)).toEqual([]);
       expect(typeOf(joined, 'q', 'outputs', 'out')).toBe('color');
-      expect(edgeError(joined, edge('q.out', 'l.vector'), toys)).toBeUndefined();
-      expect(edgeError(joined, edge('q.out', 's.a'), toys)).toBe('color (k.color) does not fit number (s.a)');
+      expect(english(edgeError(joined, edge('q.out', 'l.vector'), toys))).toBeUndefined();
+      expect(english(edgeError(joined, edge('q.out', 's.a'), toys))).toBe('color (k.color) does not fit number (s.a)');
     }
     for (const sinks of [
       ['l.vector', 's.a'],
@@ -176,7 +178,7 @@ describe('a generic socket', () => {
     expect(await number(document, 'l')).toBeCloseTo(2 * Math.sqrt(3), 12);
     const odd = edited(document, add('t', 'words'), connect('t.text', 'p.a'));
     expect(await evaluate(odd, 'l')).toMatchObject({
-      problem: { code: 'graph.edge', place: 'l', message: /text \(p.out\) does not fit vector/ },
+      problem: { code: 'graph.edge', place: 'l', message: saying('text (p.out) does not fit vector') },
     });
   });
 });
@@ -269,14 +271,16 @@ describe('a group', () => {
       },
       connect('v.number', 'group.in'),
     );
-    expect(edgeError(through, edge('group.out', 'out.a'), toys)).toBeUndefined();
+    expect(english(edgeError(through, edge('group.out', 'out.a'), toys))).toBeUndefined();
     expect(codes(edited(through, connect('group.out', 'out.a')))).toEqual([]);
     const fixed = edited(through, {
       kind: 'inside',
       group: 'group',
       command: { kind: 'batch', commands: [add('s', 'sum'), connect('input.in', 's.a')] },
     });
-    expect(edgeError(fixed, edge('t.text', 'group.in'), toys)).toBe('text (t.text) does not fit number (group.in)');
+    expect(english(edgeError(fixed, edge('t.text', 'group.in'), toys))).toBe(
+      'text (t.text) does not fit number (group.in)',
+    );
   });
 
   it('must not contain itself, nor expand to more nodes than a project may have', () => {
@@ -290,15 +294,15 @@ describe('a group', () => {
         };
       return document;
     };
-    expect(findFault(doubling(16))).toBeUndefined();
+    expect(english(findFault(doubling(16)))).toBeUndefined();
     expect(() => flatten(doubling(16), toys)).toThrow(/opened out they make more than 10000 nodes/);
     expect(codes(doubling(16))).toEqual(['graph.document the project']);
-    expect(findFault(doubling(18))).toMatch(/more than 16 deep/);
+    expect(english(findFault(doubling(18)))).toMatch(/more than 16 deep/);
     const circle = doubling(3);
     circle.groups.g2!.nodes.v!.params.group = 'g0';
-    expect(findFault(circle)).toMatch(/holds itself: g0 → g1 → g2 → g0/);
+    expect(english(findFault(circle))).toMatch(/holds itself: g0 → g1 → g2 → g0/);
     expect(() => flatten(circle, toys)).toThrow();
-    expect(edgeError(circle, edge('top.x', 'top.y'), toys)).toMatch(/no output/);
+    expect(english(edgeError(circle, edge('top.x', 'top.y'), toys))).toMatch(/no output/);
   });
 });
 

@@ -1,3 +1,4 @@
+import { type Message, msg } from '../../messages/message.ts';
 import {
   DocumentError,
   type Graph,
@@ -17,7 +18,7 @@ import { type GraphLevel, inputName, levelOf, socketsOf } from './sockets.ts';
 /** Source of an input: an output, or none despite a connection. */
 export type FlatSource =
   | { readonly kind: 'output'; readonly node: string; readonly output: string }
-  | { readonly kind: 'nothing'; readonly why: string };
+  | { readonly kind: 'nothing'; readonly why: Message };
 
 export interface FlatNode {
   /** `outer/inner` for a node in a group. */
@@ -94,7 +95,7 @@ interface TraceContext {
 function resolveAlias(scope: Scope, id: string, node: GraphNode, trace: TraceContext): FlatAlias {
   const output = Object.keys(socketsOf(scope, node, trace.registry)?.outputs ?? {})[0] ?? '';
   const source = resolveSource(scope, { node: id, output }, trace);
-  return { output, source: source ?? noSource(`nothing is connected to ${scope.prefix}${id}`) };
+  return { output, source: source ?? noSource(msg`nothing is connected to ${scope.prefix}${id}`) };
 }
 
 const isPassThrough = (node: GraphNode): boolean =>
@@ -104,11 +105,11 @@ const isPassThrough = (node: GraphNode): boolean =>
 function expandScope(level: GraphLevel, prefix: string, parent: Scope['parent'], total: { count: number }): Scope {
   const depth = prefix.split('/').length - 1;
   if (depth > MAX_GROUP_DEPTH)
-    throw new DocumentError(`groups.${level.group}: groups lie more than ${MAX_GROUP_DEPTH} deep`);
+    throw new DocumentError(msg`groups.${level.group ?? ''}: groups lie more than ${MAX_GROUP_DEPTH} deep`);
   const entries = Object.entries(level.graph.nodes);
   total.count += entries.length;
   if (total.count > MAX_NODES)
-    throw new DocumentError(`groups: opened out they make more than ${MAX_NODES} nodes; use them less often`);
+    throw new DocumentError(msg`groups: opened out they make more than ${MAX_NODES} nodes; use them less often`);
   const exit = entries.find(([, { type }]) => type === GROUP_OUTPUT)?.[0];
   const incoming = incomingEdges(level.graph);
   const scope: Scope = { ...level, prefix, parent, inside: new Map(), incoming, exit };
@@ -162,12 +163,12 @@ function resolveSource(start: Scope, edge: GraphEdge['from'], trace: TraceContex
     const id = at.scope.prefix + at.node;
     const node = own(at.scope.graph.nodes, at.node);
     if (!node || !isPassThrough(node)) {
-      found = node ? { kind: 'output', node: id, output: at.output } : noSource(`there is no node ${id}`);
+      found = node ? { kind: 'output', node: id, output: at.output } : noSource(msg`there is no node ${id}`);
       break;
     }
     const place = `${id}.${at.output}`;
     if (known.has(place) || passed.has(place)) {
-      found = passed.has(place) ? noSource(`${id} feeds itself; remove one of the edges`) : known.get(place);
+      found = passed.has(place) ? noSource(msg`${id} feeds itself; remove one of the edges`) : known.get(place);
       break;
     }
     passed.add(place);
@@ -182,7 +183,7 @@ function resolveSource(start: Scope, edge: GraphEdge['from'], trace: TraceContex
   return found;
 }
 
-const noSource = (why: string): FlatSource => ({ kind: 'nothing', why });
+const noSource = (why: Message): FlatSource => ({ kind: 'nothing', why });
 
 interface OutputLocation {
   readonly scope: Scope;
@@ -199,15 +200,17 @@ function throughPassThrough(
   const { scope, output } = at;
   if (node.type === GROUP_INPUT) {
     const { parent } = scope;
-    return parent ? edgeSource(parent.scope, parent.node, output) : noSource(`${at.node} stands in no group`);
+    return parent ? edgeSource(parent.scope, parent.node, output) : noSource(msg`${at.node} stands in no group`);
   }
   if (node.muted) return throughMuted(at, node, registry);
   if (node.type === REROUTE) return edgeSource(scope, at.node, 'in');
   const inner = scope.inside.get(at.node);
   const group = scope.prefix + at.node;
-  if (!inner) return noSource(`there is no group "${groupKeyOf(node)}"`);
-  if (inner.exit === undefined) return noSource(`the group ${group} has no group output`);
-  return edgeSource(inner, inner.exit, output) ?? noSource(`in the group ${group} nothing is connected to ${output}`);
+  if (!inner) return noSource(msg`there is no group "${groupKeyOf(node)}"`);
+  if (inner.exit === undefined) return noSource(msg`the group ${group} has no group output`);
+  return (
+    edgeSource(inner, inner.exit, output) ?? noSource(msg`in the group ${group} nothing is connected to ${output}`)
+  );
 }
 
 function edgeSource(scope: Scope, node: string, input: string): OutputLocation | undefined {
@@ -228,5 +231,5 @@ function throughMuted(
     .filter(({ to }) => types.typeOf(id, 'inputs', to.input) === wanted)
     .sort((a, b) => order.indexOf(inputName(a.to.input).base) - order.indexOf(inputName(b.to.input).base));
   if (first) return { scope, ...first.from };
-  return noSource(`${scope.prefix}${id} is muted and has no ${wanted ?? output} to pass on; unmute it`);
+  return noSource(msg`${scope.prefix}${id} is muted and has no ${wanted ?? output} to pass on; unmute it`);
 }

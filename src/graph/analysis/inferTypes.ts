@@ -1,3 +1,4 @@
+import { type Message, msg } from '../../messages/message.ts';
 import { type GraphDocument, type GraphEdge, own } from '../document/document.ts';
 import { GROUP, GROUP_INPUT, GROUP_OUTPUT, groupKeyOf } from '../document/structuralTypes.ts';
 import { ANY, type Registry } from '../nodeType.ts';
@@ -15,7 +16,7 @@ interface TypedEndpoint {
 
 interface TypeConflict {
   readonly edge: GraphEdge;
-  readonly message: string;
+  readonly message: Message;
 }
 
 /** Types of a level's sockets, with generic ones inferred from connections, and the edges that do not fit. */
@@ -94,8 +95,8 @@ function sinkType(
   return variables.assign(variable, to, (other) => conversion(to.type, other.type) !== undefined);
 }
 
-const typeMismatch = (from: TypedEndpoint, to: TypedEndpoint): string =>
-  `${from.type} (${from.place}) does not fit ${to.type} (${to.place})`;
+const typeMismatch = (from: TypedEndpoint, to: TypedEndpoint): Message =>
+  msg`${from.type} (${from.place}) does not fit ${to.type} (${to.place})`;
 
 const edgesIncluding = (edges: readonly GraphEdge[], more: GraphEdge | undefined): readonly GraphEdge[] =>
   more ? [...edges.filter(({ to }) => to.node !== more.to.node || to.input !== more.to.input), more] : edges;

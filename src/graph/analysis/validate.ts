@@ -1,3 +1,4 @@
+import { type LocalizedText, type Message, msg } from '../../messages/message.ts';
 import {
   DocumentError,
   edgeKey,
@@ -24,16 +25,16 @@ import { type GraphLevel, inputName, inputSocket, levelOf, levelsOf, socketsOf }
  */
 export function validateDocument(document: GraphDocument, registry: Registry): NodeProblem[] {
   const fault = findFault(document) ?? findFlattenFault(document, registry);
-  if (fault) return [problemAt('graph.document', 'the project', fault)];
+  if (fault) return [problemAt('graph.document', msg`the project`, fault)];
   return levelsOf(document).flatMap((level) => checkLevel(level, registry));
 }
 
-function findFlattenFault(document: GraphDocument, registry: Registry): string | undefined {
+function findFlattenFault(document: GraphDocument, registry: Registry): Message | undefined {
   try {
     flatten(document, registry);
     return undefined;
   } catch (thrown) {
-    if (thrown instanceof DocumentError) return thrown.message;
+    if (thrown instanceof DocumentError) return thrown.text;
     throw thrown;
   }
 }
@@ -54,7 +55,7 @@ function checkLevel(level: GraphLevel, registry: Registry): NodeProblem[] {
   return problems;
 }
 
-export const CYCLE_MESSAGE = 'the node feeds itself: remove one of the edges';
+export const CYCLE_MESSAGE = msg`the node feeds itself: remove one of the edges`;
 
 function checkNode(
   level: GraphLevel,
@@ -64,13 +65,15 @@ function checkNode(
   isConnected: (input: string) => boolean,
 ): NodeProblem[] {
   if (node.type === GROUP && !own(level.document.groups, groupKeyOf(node)))
-    return [problemAt('graph.group', place, `there is no group "${groupKeyOf(node)}"; choose one, or remove the node`)];
+    return [
+      problemAt('graph.group', place, msg`there is no group "${groupKeyOf(node)}"; choose one, or remove the node`),
+    ];
   if ((node.type === GROUP_INPUT || node.type === GROUP_OUTPUT) && level.group === undefined)
-    return [problemAt('graph.group', place, 'it stands in no group; remove it')];
+    return [problemAt('graph.group', place, msg`it stands in no group; remove it`)];
   if (node.type === GROUP_OUTPUT && groupOutputOf(level) !== node)
-    return [problemAt('graph.group', place, 'a group has one group output; remove this one')];
+    return [problemAt('graph.group', place, msg`a group has one group output; remove this one`)];
   const type = own(registry, node.type);
-  if (!type) return [problemAt('graph.unknown-node', place, `there is no node type "${node.type}"`)];
+  if (!type) return [problemAt('graph.unknown-node', place, msg`there is no node type "${node.type}"`)];
   return [
     ...checkParams(place, node.params, type),
     ...(node.muted ? [] : checkConnections(place, node.params, type, isConnected)),
@@ -88,9 +91,9 @@ export function edgeError(
   edge: GraphEdge,
   registry: Registry,
   group?: string,
-): string | undefined {
+): Message | undefined {
   const level = levelOf(document, group);
-  if (!level) return `there is no group "${group}"`;
+  if (!level) return msg`there is no group "${group ?? ''}"`;
   const sockets = socketError(level, edge, registry);
   if (sockets) return sockets;
   const key = edgeKey(edge.to);
@@ -100,15 +103,15 @@ export function edgeError(
     return at === key || !old.has(at);
   });
   if (conflict) return conflict.message;
-  return isReachable(level.graph, edge.to.node, edge.from.node) ? 'this would close a cycle' : undefined;
+  return isReachable(level.graph, edge.to.node, edge.from.node) ? msg`this would close a cycle` : undefined;
 }
 
-function socketError(level: GraphLevel, { from, to }: GraphEdge, registry: Registry): string | undefined {
+function socketError(level: GraphLevel, { from, to }: GraphEdge, registry: Registry): Message | undefined {
   const [source, target] = [own(level.graph.nodes, from.node), own(level.graph.nodes, to.node)];
   const outputs = source && socketsOf(level, source, registry)?.outputs;
   const sockets = target && socketsOf(level, target, registry);
-  if (!outputs || !own(outputs, from.output)) return `${from.node} has no output "${from.output}"`;
-  return sockets && inputSocket(sockets, to.input) ? undefined : `${to.node} has no input "${to.input}"`;
+  if (!outputs || !own(outputs, from.output)) return msg`${from.node} has no output "${from.output}"`;
+  return sockets && inputSocket(sockets, to.input) ? undefined : msg`${to.node} has no input "${to.input}"`;
 }
 
 /** Whether data flows from one node to another, over any number of edges; a node reaches itself. */
@@ -132,7 +135,7 @@ export function reachableFrom({ edges }: Pick<GraphDocument, 'edges'>, starts: I
 function checkParams(id: string, params: GraphNode['params'], type: NodeType): NodeProblem[] {
   return Object.entries(params).flatMap(([name, value]) => {
     const spec = own(type.params, name);
-    const refusal = spec ? valueError(spec, value) : 'there is no such parameter';
+    const refusal = spec ? valueError(spec, value) : msg`there is no such parameter`;
     return refusal ? [problemAt('graph.param', `${id}.${name}`, refusal)] : [];
   });
 }
@@ -149,7 +152,7 @@ function checkConnections(
   return needed.flatMap((name) => {
     const socket = type.inputs[name];
     if (!socket || socket.optional || isConnected(name)) return [];
-    return [problemAt('graph.input', place, `connect something to "${name}" (${socket.type})`)];
+    return [problemAt('graph.input', place, msg`connect something to "${name}" (${socket.type})`)];
   });
 }
 
@@ -160,7 +163,7 @@ function levelCycles({ graph }: GraphLevel): ReadonlySet<string> {
   );
 }
 
-const problemAt = (code: string, place: string, message: string): NodeProblem => ({
+const problemAt = (code: string, place: LocalizedText, message: Message): NodeProblem => ({
   severity: 'error',
   code,
   place,

@@ -1,7 +1,7 @@
 import * as z from 'zod/mini';
+import { type Message, msg } from '../../messages/message.ts';
+import { MessageError } from '../../messages/messageError.ts';
 import { CURRENT_VERSION } from './migrations.ts';
-
-z.config(z.locales.en());
 
 /**
  * The document: the whole state of a project that can be edited, saved and undone. State that changes by itself (time,
@@ -18,11 +18,22 @@ const MAX_TEXT_LENGTH = 100_000;
 export const IDENTIFIER = /^[A-Za-z][A-Za-z0-9_-]{0,63}$/;
 /** An input; `name.2` is the second edge of an input that takes many. */
 const INPUT_NAME = /^[A-Za-z][A-Za-z0-9_-]{0,63}(\.[1-9][0-9]{0,3})?$/;
-const NAME_RULE = 'a name is a letter and at most 63 more letters, digits, - or _';
-const identifier = z.string().check(z.regex(IDENTIFIER, NAME_RULE));
+const COLOR = /^#[0-9a-f]{6}$/;
+const HASH = /^[0-9a-f]{64}$/;
+const NAME_RULE = msg`a name is a letter and at most 63 more letters, digits, - or _`;
+/** What texts of these patterns are, for messages; by the pattern. */
+export const PATTERN_RULES: ReadonlyMap<string, Message> = new Map([
+  [String(IDENTIFIER), NAME_RULE],
+  [String(INPUT_NAME), msg`${NAME_RULE}, here with a number after a dot where it takes many`],
+  [String(COLOR), msg`a colour is # and six digits of 0…9, a…f`],
+  [String(HASH), msg`a hash is 64 digits of 0…9, a…f`],
+]);
+/** What values of parameters are, for messages. */
+export const VALUE_RULE = msg`a value is a number, true or false, a text, or a list of numbers or of texts`;
+const identifier = z.string().check(z.regex(IDENTIFIER));
 const text = z.string().check(z.maxLength(MAX_TEXT_LENGTH));
 const title = z.string().check(z.maxLength(200));
-const color = z.string().check(z.regex(/^#[0-9a-f]{6}$/, 'a colour is # and six digits of 0…9, a…f'));
+const color = z.string().check(z.regex(COLOR));
 const shortText = (longest: number) => z.string().check(z.minLength(1), z.maxLength(longest));
 const arrayUpTo = <T extends z.ZodMiniType>(most: number, of: T) => z.readonly(z.array(of).check(z.maxLength(most)));
 const point = z.readonly(z.tuple([z.number(), z.number()]));
@@ -51,7 +62,7 @@ const edgeSchema = z.strictObject({
   from: z.strictObject({ node: identifier, output: identifier }),
   to: z.strictObject({
     node: identifier,
-    input: z.string().check(z.regex(INPUT_NAME, `${NAME_RULE}, here with a number after a dot where it takes many`)),
+    input: z.string().check(z.regex(INPUT_NAME)),
   }),
 });
 
@@ -89,7 +100,7 @@ const groupSchema = z.strictObject({
 
 const fileSchema = z.strictObject({
   /** SHA-256 of its content, if known. */
-  hash: z.optional(z.string().check(z.regex(/^[0-9a-f]{64}$/, 'a hash is 64 digits of 0…9, a…f'))),
+  hash: z.optional(z.string().check(z.regex(HASH))),
   /** [bytes] */
   size: z.optional(z.int().check(z.nonnegative())),
 });
@@ -138,9 +149,9 @@ export type Graph = Pick<GraphDocument, keyof typeof graphShape>;
  *   error instanceof DocumentError && error.message.startsWith('nodes:'); // true
  * }
  */
-export class DocumentError extends Error {
-  constructor(message: string) {
-    super(message);
+export class DocumentError extends MessageError {
+  constructor(text: Message) {
+    super(text);
     this.name = 'DocumentError';
   }
 }

@@ -2,6 +2,7 @@ import fc from 'fast-check';
 import { deflateSync } from 'fflate';
 import { describe, expect, it } from 'vitest';
 import { add, build, connect, documents, toys } from '../../../tests/support/graphKit.ts';
+import { inEnglish } from '../../messages/message.ts';
 import { validateDocument } from '../analysis/validate.ts';
 import { copyFragment, parseFragment, pasteFragment, serializeFragment } from '../edits/fragment.ts';
 import { Evaluator } from '../evaluation/evaluator.ts';
@@ -68,7 +69,7 @@ function damaged(text: string, { path, by }: Damage): string {
 async function use(document: GraphDocument): Promise<void> {
   expect(parseDocument(serializeDocument(document))).toEqual(document);
   const problems = validateDocument(document, toys);
-  for (const { message, place } of problems) expect([message, place]).not.toContain('');
+  for (const { message, place } of problems) expect([message, place].map(inEnglish)).not.toContain('');
   const { results } = await new Evaluator(toys).evaluate(document, Object.keys(document.nodes), {});
   const odd = [...results.values()].filter(
     (result) => result.status === 'failed' && result.problem.code === 'graph.evaluation',

@@ -1,11 +1,13 @@
+import { type Message, msg } from '../../messages/message.ts';
+import { MessageError } from '../../messages/messageError.ts';
 import { edgeKey, type Graph, type GraphDocument, MAX_GROUP_DEPTH, MAX_NODES, own } from './document.ts';
 import { GROUP, groupKeyOf } from './structuralTypes.ts';
 
 /** The first inconsistency in a document, with its place; undefined if there is none. */
-export function findFault(document: GraphDocument): string | undefined {
+export function findFault(document: GraphDocument): Message | undefined {
   const levels = [document, ...Object.values(document.groups)];
   const nodes = levels.reduce((sum, level) => sum + Object.keys(level.nodes).length, 0);
-  if (nodes > MAX_NODES) return `nodes: ${nodes} are more than the ${MAX_NODES} that a project may hold`;
+  if (nodes > MAX_NODES) return msg`nodes: ${nodes} are more than the ${MAX_NODES} that a project may hold`;
   const inLevel =
     findGraphFault(document, '') ??
     firstFault(Object.entries(document.groups), ([id, group]) => {
@@ -19,12 +21,12 @@ export function findFault(document: GraphDocument): string | undefined {
   return inLevel ?? findRecursion(document);
 }
 
-function findGraphFault(graph: Graph, place: string): string | undefined {
+function findGraphFault(graph: Graph, place: string): Message | undefined {
   const stranger = (id: string, where: string) =>
-    own(graph.nodes, id) ? undefined : `${place}${where}: there is no node "${id}"`;
+    own(graph.nodes, id) ? undefined : msg`${place}${where}: there is no node "${id}"`;
   return (
     firstFault(Object.entries(graph.edges), ([key, { from, to }]) => {
-      if (key !== edgeKey(to)) return `${place}edges.${key}: it feeds ${edgeKey(to)}, and must be called so`;
+      if (key !== edgeKey(to)) return msg`${place}edges.${key}: it feeds ${edgeKey(to)}, and must be called so`;
       return stranger(from.node, `edges.${key}.from`) ?? stranger(to.node, `edges.${key}.to`);
     }) ??
     firstFault(Object.keys(graph.layout), (id) => stranger(id, `layout.${id}`)) ??
@@ -34,17 +36,17 @@ function findGraphFault(graph: Graph, place: string): string | undefined {
   );
 }
 
-function findDuplicate(sockets: readonly { readonly name: string }[], place: string): string | undefined {
+function findDuplicate(sockets: readonly { readonly name: string }[], place: string): Message | undefined {
   const names = sockets.map(({ name }) => name);
   const found = names.find((name, i) => names.indexOf(name) !== i);
-  return found === undefined ? undefined : `${place}: there are two of the name "${found}"`;
+  return found === undefined ? undefined : msg`${place}: there are two of the name "${found}"`;
 }
 
 /** A group that contains itself, directly or indirectly, or is nested too deeply. */
-function findRecursion(document: GraphDocument): string | undefined {
+function findRecursion(document: GraphDocument): Message | undefined {
   const heights = new Map<string, number>();
   const height = (id: string, above: readonly string[]): number => {
-    if (above.includes(id)) throw new RecursionFault(`groups.${id}: it holds itself: ${[...above, id].join(' → ')}`);
+    if (above.includes(id)) throw new RecursionFault(msg`groups.${id}: it holds itself: ${[...above, id].join(' → ')}`);
     const known = heights.get(id);
     if (known !== undefined) return known;
     if (above.length > MAX_GROUP_DEPTH) throw new RecursionFault(depthFault(id));
@@ -57,14 +59,14 @@ function findRecursion(document: GraphDocument): string | undefined {
     const deep = Object.keys(document.groups).find((id) => height(id, []) > MAX_GROUP_DEPTH);
     return deep === undefined ? undefined : depthFault(deep);
   } catch (error) {
-    if (error instanceof RecursionFault) return error.message;
+    if (error instanceof RecursionFault) return error.text;
     throw error;
   }
 }
 
-const depthFault = (id: string) => `groups.${id}: groups lie more than ${MAX_GROUP_DEPTH} deep in one another`;
+const depthFault = (id: string) => msg`groups.${id}: groups lie more than ${MAX_GROUP_DEPTH} deep in one another`;
 
-class RecursionFault extends Error {}
+class RecursionFault extends MessageError {}
 
 /** Distinct groups that a level's nodes use. */
 function usedGroupKeys(graph: Graph | undefined): string[] {
@@ -72,7 +74,7 @@ function usedGroupKeys(graph: Graph | undefined): string[] {
   return [...new Set(used)];
 }
 
-function firstFault<T>(items: readonly T[], find: (item: T) => string | undefined): string | undefined {
+function firstFault<T>(items: readonly T[], find: (item: T) => Message | undefined): Message | undefined {
   for (const item of items) {
     const found = find(item);
     if (found !== undefined) return found;

@@ -1,7 +1,10 @@
 import type * as z from 'zod/mini';
+import { msg } from '../../messages/message.ts';
+import { messageOf } from '../../messages/messageError.ts';
 import { DocumentError, documentSchema, type GraphDocument } from './document.ts';
 import { findFault } from './integrity.ts';
 import { migrate } from './migrations.ts';
+import { schemaRule } from './schemaRule.ts';
 
 /** Larger texts are not projects [characters]. */
 const MAX_PROJECT_LENGTH = 2 ** 24;
@@ -15,7 +18,7 @@ const MAX_VALUE_LENGTH = 80;
  * readDocument({ ...emptyDocument(), title: 'Nothing yet' }).title; // 'Nothing yet'
  */
 export function readDocument(data: unknown): GraphDocument {
-  const document = parseWithSchema(documentSchema, migrate(data), 'not a Slowlight project');
+  const document = parseWithSchema(documentSchema, migrate(data));
   const fault = findFault(document);
   if (fault) throw new DocumentError(fault);
   return document;
@@ -28,34 +31,35 @@ export function readDocument(data: unknown): GraphDocument {
  */
 export const parseDocument = (text: string): GraphDocument => readDocument(parseJson(text));
 
-/** Parses data by a schema; throws a DocumentError with the place. */
-export function parseWithSchema<T>(schema: z.ZodMiniType<T>, data: unknown, otherwise: string): T {
+/** Parses data by a schema; throws a DocumentError with the place of the first issue, and its value if it is short. */
+export function parseWithSchema<T>(schema: z.ZodMiniType<T>, data: unknown): T {
   const result = schema.safeParse(data);
   if (result.success) return result.data;
-  const issue = result.error.issues[0];
-  const place = issue?.path.join('.').slice(0, MAX_PLACE_LENGTH) || 'the file';
-  throw new DocumentError(`${place}: ${issue ? describeIssue(issue.message, data, issue.path) : otherwise}`);
-}
-
-/** The error, and the offending value if it is short. */
-function describeIssue(message: string, data: unknown, path: readonly PropertyKey[]): string {
-  const value = path.reduce<unknown>(
+  const issue = result.error.issues[0]!;
+  const place = issue.path.join('.').slice(0, MAX_PLACE_LENGTH) || msg`the file`;
+  const value = issue.path.reduce<unknown>(
     (within, key) => (within as Record<PropertyKey, unknown> | undefined)?.[key],
     data,
   );
-  return ['string', 'number', 'boolean'].includes(typeof value)
-    ? `${message}; it is ${JSON.stringify(value).slice(0, MAX_VALUE_LENGTH)}`
-    : message;
+  const rule = schemaRule(issue, value);
+  const isShort = issue.code !== 'invalid_key' && ['string', 'number', 'boolean'].includes(typeof value);
+  throw new DocumentError(
+    isShort
+      ? msg`${place}: ${msg`${rule}; it is ${JSON.stringify(value).slice(0, MAX_VALUE_LENGTH)}`}`
+      : msg`${place}: ${rule}`,
+  );
 }
 
 export function parseJson(text: string): unknown {
   if (text.length > MAX_PROJECT_LENGTH) {
     const size = (text.length / 2 ** 20).toFixed(0);
-    throw new DocumentError(`the file: ${size} MiB is more than the ${MAX_PROJECT_LENGTH / 2 ** 20} MiB of a project`);
+    throw new DocumentError(
+      msg`the file: ${size} MiB is more than the ${MAX_PROJECT_LENGTH / 2 ** 20} MiB of a project`,
+    );
   }
   try {
     return JSON.parse(text);
   } catch (error) {
-    throw new DocumentError(`not JSON: ${error instanceof Error ? error.message : String(error)}`);
+    throw new DocumentError(msg`not JSON: ${messageOf(error)}`);
   }
 }

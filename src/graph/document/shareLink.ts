@@ -1,4 +1,5 @@
 import { deflateSync, Inflate } from 'fflate';
+import { type LocalizedText, msg } from '../../messages/message.ts';
 import { DocumentError, type GraphDocument } from './document.ts';
 import { parseDocument } from './parse.ts';
 import { sortKeys } from './serialize.ts';
@@ -21,8 +22,8 @@ export function encodeShareLink(document: GraphDocument): string {
   const packed = deflateSync(new TextEncoder().encode(JSON.stringify(sortKeys(document))), { level: 9 });
   const fragment = FRAGMENT_PREFIX + toBase64Url(packed);
   if (fragment.length <= MAX_LINK_LENGTH) return fragment;
-  const sizes = `${fragment.length} characters of the ${MAX_LINK_LENGTH} that a link may have`;
-  throw new DocumentError(`the link: the project is too large (${sizes}); save it to a file and send that`);
+  const sizes = msg`${fragment.length} characters of the ${MAX_LINK_LENGTH} that a link may have`;
+  throw new DocumentError(msg`the link: the project is too large (${sizes}); save it to a file and send that`);
 }
 
 export const isShareLink = (fragment: string): boolean => withoutHash(fragment).startsWith(FRAGMENT_PREFIX);
@@ -34,22 +35,24 @@ export const isShareLink = (fragment: string): boolean => withoutHash(fragment).
  */
 export function decodeShareLink(fragment: string): GraphDocument {
   const text = withoutHash(fragment);
-  if (!text.startsWith(FRAGMENT_PREFIX)) throw new DocumentError('the link: it carries no project');
+  if (!text.startsWith(FRAGMENT_PREFIX)) throw new DocumentError(msg`the link: it carries no project`);
   if (text.length > MAX_LINK_LENGTH)
-    throw new DocumentError(`the link: ${text.length} characters are more than the ${MAX_LINK_LENGTH} of one of ours`);
+    throw new DocumentError(
+      msg`the link: ${text.length} characters are more than the ${MAX_LINK_LENGTH} of one of ours`,
+    );
   return parseDocument(decodeText(inflateBounded(fromBase64Url(text.slice(FRAGMENT_PREFIX.length)))));
 }
 
 const withoutHash = (fragment: string): string => fragment.replace(/^#/, '');
 
-const damagedLink = (what: string): DocumentError =>
-  new DocumentError(`the link: ${what}; it was cut off or changed on its way, ask for it again`);
+const damagedLink = (what: LocalizedText): DocumentError =>
+  new DocumentError(msg`the link: ${what}; it was cut off or changed on its way, ask for it again`);
 
 function decodeText(bytes: Uint8Array): string {
   try {
     return new TextDecoder('utf-8', { fatal: true }).decode(bytes);
   } catch {
-    throw damagedLink('what it carries is no text');
+    throw damagedLink(msg`what it carries is no text`);
   }
 }
 
@@ -59,7 +62,7 @@ function inflateBounded(packed: Uint8Array): Uint8Array {
   let ended = false;
   const inflate = new Inflate((part, final) => {
     size += part.length;
-    if (size > MAX_UNPACKED) throw new DocumentError(`the link: it unpacks to more than ${MAX_UNPACKED} bytes`);
+    if (size > MAX_UNPACKED) throw new DocumentError(msg`the link: it unpacks to more than ${MAX_UNPACKED} bytes`);
     parts.push(part);
     ended = final;
   });
@@ -67,9 +70,9 @@ function inflateBounded(packed: Uint8Array): Uint8Array {
     for (let at = 0; at < packed.length || at === 0; at += CHUNK_SIZE)
       inflate.push(packed.subarray(at, at + CHUNK_SIZE), at + CHUNK_SIZE >= packed.length);
   } catch (error) {
-    throw error instanceof DocumentError ? error : damagedLink('it cannot be unpacked');
+    throw error instanceof DocumentError ? error : damagedLink(msg`it cannot be unpacked`);
   }
-  if (!ended) throw damagedLink('it has no end');
+  if (!ended) throw damagedLink(msg`it has no end`);
   const whole = new Uint8Array(size);
   let at = 0;
   for (const part of parts) {
@@ -85,10 +88,10 @@ function toBase64Url(bytes: Uint8Array): string {
 }
 
 function fromBase64Url(text: string): Uint8Array {
-  if (!/^[A-Za-z0-9_-]*$/.test(text)) throw damagedLink('it has letters that no link of ours has');
+  if (!/^[A-Za-z0-9_-]*$/.test(text)) throw damagedLink(msg`it has letters that no link of ours has`);
   try {
     return Uint8Array.from(atob(text.replaceAll('-', '+').replaceAll('_', '/')), (letter) => letter.charCodeAt(0));
   } catch {
-    throw damagedLink('it is not whole');
+    throw damagedLink(msg`it is not whole`);
   }
 }

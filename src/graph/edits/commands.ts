@@ -1,4 +1,6 @@
 import { current, enablePatches, type Patch, produceWithPatches } from 'immer';
+import { type Message, msg } from '../../messages/message.ts';
+import { MessageError } from '../../messages/messageError.ts';
 import {
   edgeKey,
   type FileReference,
@@ -62,6 +64,16 @@ export interface Edit {
   readonly inverse: readonly Patch[];
 }
 
+/** The tables of a graph, and what they hold. */
+const GRAPH_TABLES = {
+  nodes: msg`node`,
+  layout: msg`node`,
+  edges: msg`edge`,
+  notes: msg`note`,
+  frames: msg`frame`,
+};
+type GraphTable = keyof typeof GRAPH_TABLES;
+
 /**
  * A command that is not valid for the document.
  * @example
@@ -71,9 +83,9 @@ export interface Edit {
  *   error instanceof CommandError; // true
  * }
  */
-export class CommandError extends Error {
-  constructor(message: string) {
-    super(message);
+export class CommandError extends MessageError {
+  constructor(text: Message) {
+    super(text);
     this.name = 'CommandError';
   }
 }
@@ -107,7 +119,7 @@ function applyToDocument(document: GraphDocument, level: Graph, command: Command
       break;
     case 'inside': {
       const inner = graphIn(document, command.group);
-      if (!inner) throw new CommandError(`there is no group "${command.group}"`);
+      if (!inner) throw new CommandError(msg`there is no group "${command.group}"`);
       applyToDocument(document, inner, command.command);
       break;
     }
@@ -200,21 +212,21 @@ function cloneData<T>(value: T): T {
 }
 
 function addNode(level: Graph, { node, type, at, params = {} }: Extract<Command, { kind: 'add-node' }>): void {
-  if (!IDENTIFIER.test(node)) throw new CommandError(`"${node}" cannot be a node's name: letters, digits, - and _`);
-  assertKeyFree(level.nodes, node, 'node');
+  if (!IDENTIFIER.test(node)) throw new CommandError(msg`"${node}" cannot be a node's name: letters, digits, - and _`);
+  assertKeyFree(level.nodes, node, 'nodes');
   level.nodes[node] = { type, params: cloneData(params) };
   level.layout[node] = cloneData(at);
 }
 
 function insert(level: Graph, graph: Graph): void {
-  for (const table of ['nodes', 'layout', 'edges', 'notes', 'frames'] as const) {
+  for (const table of Object.keys(GRAPH_TABLES) as GraphTable[]) {
     for (const key of Object.keys(graph[table])) assertKeyFree(level[table], key, table);
     Object.assign(level[table], cloneData(graph[table]));
   }
 }
 
-function assertKeyFree(table: object, key: string, what: string): void {
-  if (Object.hasOwn(table, key)) throw new CommandError(`there is already a ${what.replace(/s$/, '')} "${key}"`);
+function assertKeyFree(taken: object, key: string, table: GraphTable): void {
+  if (Object.hasOwn(taken, key)) throw new CommandError(msg`there is already a ${GRAPH_TABLES[table]} "${key}"`);
 }
 
 function removeNodes(level: Graph, ids: readonly string[]): void {
@@ -236,6 +248,6 @@ function removeNodes(level: Graph, ids: readonly string[]): void {
 
 function requireNode(level: Graph, id: string) {
   const node = own(level.nodes, id);
-  if (!node) throw new CommandError(`there is no node "${id}"`);
+  if (!node) throw new CommandError(msg`there is no node "${id}"`);
   return node;
 }

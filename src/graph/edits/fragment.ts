@@ -1,4 +1,5 @@
 import * as z from 'zod/mini';
+import { msg } from '../../messages/message.ts';
 import {
   DocumentError,
   documentSchema,
@@ -46,11 +47,11 @@ export const serializeFragment = (fragment: Fragment): string => JSON.stringify(
 export function parseFragment(text: string): Fragment {
   const data = parseJson(text);
   const isFragment = typeof data === 'object' && data !== null && 'format' in data && data.format === 'slowlight-nodes';
-  if (!isFragment) throw new DocumentError('format: these are no nodes of Slowlight');
+  if (!isFragment) throw new DocumentError(msg`format: these are no nodes of Slowlight`);
   const migrated = migrate(data);
   // Migrated documents have files; fragments of earlier versions do not.
   if (typeof migrated === 'object' && migrated !== null && 'files' in migrated) delete migrated.files;
-  const fragment = parseWithSchema(fragmentSchema, migrated, 'no nodes of Slowlight');
+  const fragment = parseWithSchema(fragmentSchema, migrated);
   const fault = findFault({ ...emptyDocument(), ...fragment, format: 'slowlight' });
   if (fault) throw new DocumentError(fault);
   return fragment;

@@ -1,3 +1,4 @@
+import { msg } from '../../messages/message.ts';
 import { inferTypes } from '../analysis/inferTypes.ts';
 import { type GraphLevel, inputName, levelOf } from '../analysis/sockets.ts';
 import { reachableFrom } from '../analysis/validate.ts';
@@ -35,7 +36,7 @@ export function groupCommand(
   registry: Registry,
 ): Grouping {
   const level = levelOf(document, parentGroup);
-  if (!level) throw new CommandError(`there is no group "${parentGroup}"`);
+  if (!level) throw new CommandError(msg`there is no group "${parentGroup ?? ''}"`);
   const chosen = new Set(nodes);
   assertGroupable(level, chosen);
   const cut = extractGroup(level, chosen, registry);
@@ -58,12 +59,12 @@ export function groupCommand(
 const connect = (from: GraphEdge['from'], to: GraphEdge['to']): Command => ({ kind: 'connect', edge: { from, to } });
 
 function assertGroupable({ graph }: GraphLevel, chosen: ReadonlySet<string>): void {
-  if (chosen.size === 0) throw new CommandError('choose the nodes that the group is to hold');
+  if (chosen.size === 0) throw new CommandError(msg`choose the nodes that the group is to hold`);
   for (const id of chosen) {
     const node = own(graph.nodes, id);
-    if (!node) throw new CommandError(`there is no node "${id}"`);
+    if (!node) throw new CommandError(msg`there is no node "${id}"`);
     if (node.type === GROUP_INPUT || node.type === GROUP_OUTPUT)
-      throw new CommandError(`${id} carries the sockets of the group around it, and stays there`);
+      throw new CommandError(msg`${id} carries the sockets of the group around it, and stays there`);
   }
   // Nodes outside that are both fed by the selection and feed it.
   const edges = Object.values(graph.edges);
@@ -75,7 +76,7 @@ function assertGroupable({ graph }: GraphLevel, chosen: ReadonlySet<string>): vo
   const reached = reachableFrom(outer, fed);
   const through = feeding.find((id) => reached.has(id));
   if (through !== undefined)
-    throw new CommandError(`the group would feed itself over ${through}; take that into it too, or less`);
+    throw new CommandError(msg`the group would feed itself over ${through}; take that into it too, or less`);
 }
 
 /** The content of the new group, and the edges that its node takes over. */

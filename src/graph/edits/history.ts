@@ -1,10 +1,11 @@
 import { applyPatches, type Patch } from 'immer';
+import type { LocalizedText } from '../../messages/message.ts';
 import type { GraphDocument } from '../document/document.ts';
 import { applyCommand, type Command } from './commands.ts';
 
 interface HistoryStep {
-  /** What the step did, as a text key or plain text, for the undo button. */
-  readonly label: string;
+  /** What the step did, for the undo button. */
+  readonly label: LocalizedText;
   /** Consecutive steps of the same gesture are merged. */
   readonly gesture?: string;
   readonly patches: readonly Patch[];
@@ -33,7 +34,7 @@ export const newHistory = (document: GraphDocument, origin = ''): History => ({
  * Executes a command. `gesture` identifies a continuous interaction (dragging a slider), whose edits coalesce into one
  * step. An edit without effect leaves the history unchanged.
  */
-export function executeCommand(history: History, command: Command, label: string, gesture?: string): History {
+export function executeCommand(history: History, command: Command, label: LocalizedText, gesture?: string): History {
   const { document, patches, inverse } = applyCommand(history.document, command);
   if (document === history.document) return history;
   const last = history.past.at(-1);
@@ -48,7 +49,12 @@ export function executeCommand(history: History, command: Command, label: string
 }
 
 /** Replaces the document as an undoable step. */
-export function replaceDocument(history: History, document: GraphDocument, origin: string, label: string): History {
+export function replaceDocument(
+  history: History,
+  document: GraphDocument,
+  origin: string,
+  label: LocalizedText,
+): History {
   const whole = (value: GraphDocument): readonly Patch[] => [{ op: 'replace', path: [], value }];
   const step: HistoryStep = {
     label,

@@ -1,3 +1,4 @@
+import { msg } from '../../messages/message.ts';
 import { edgeKey, type Graph, type GraphDocument, type GraphEdge, graphIn, own } from '../document/document.ts';
 import { GROUP, GROUP_INPUT, GROUP_OUTPUT, groupKeyOf } from '../document/structuralTypes.ts';
 import { type Command, CommandError } from './commands.ts';
@@ -17,7 +18,7 @@ export function ungroupCommand(document: GraphDocument, node: string, parentGrou
   const held = level && own(level.nodes, node);
   const key = held?.type === GROUP ? groupKeyOf(held) : '';
   const group = own(document.groups, key);
-  if (!level || !group) throw new CommandError(`${node} is no group`);
+  if (!level || !group) throw new CommandError(msg`${node} is no group`);
   const content = Object.keys(group.nodes).filter((id) => !isBoundaryNode(group, id));
   const names = keyMappingFor(level, node, content, group);
   const [x, y] = level.layout[node] ?? [0, 0];

@@ -1,3 +1,5 @@
+import { msg } from '../../messages/message.ts';
+import { messageOf } from '../../messages/messageError.ts';
 import { type FlatGraph, flatten } from '../analysis/flatten.ts';
 import { DocumentError, type GraphDocument } from '../document/document.ts';
 import {
@@ -24,10 +26,11 @@ export interface Evaluation {
 /**
  * Thrown when an evaluation is cancelled.
  * @example
+ * import { msg } from 'slowlight/messages';
  * const wait: NodeType = {
  *   id: 'wait',
- *   title: 'Wait',
- *   help: 'Never ready.',
+ *   title: msg`Wait`,
+ *   help: msg`Never ready.`,
  *   category: 'utility',
  *   params: {},
  *   inputs: {},
@@ -103,10 +106,11 @@ export interface EvaluatorOptions {
  * Evaluates only what the targets need. Results are cached under the content that made them, so an edit re-evaluates
  * only what depends on it, and an undo finds the previous results.
  * @example
+ * import { msg } from 'slowlight/messages';
  * const double: NodeType = {
  *   id: 'double',
- *   title: 'Double',
- *   help: 'Twice a number.',
+ *   title: msg`Double`,
+ *   help: msg`Twice a number.`,
  *   category: 'utility',
  *   params: { value: { kind: 'number', title: 'Value', default: 1, min: 0, max: 100, step: 1 } },
  *   inputs: {},
@@ -157,7 +161,7 @@ export class Evaluator<Services> {
     const results = await (signal ? Promise.race([reached, rejectOnAbort(signal)]) : reached);
     this.results.trim(results.size);
     this.lastInterimResults = job.interimResults;
-    const target = results.get(first) ?? failure('graph.unknown-node', first, 'nothing was asked for');
+    const target = results.get(first) ?? failure('graph.unknown-node', first, msg`nothing was asked for`);
     const evaluation = { target, results };
     this.latest = [...results.values()].every(isCacheable) ? { flat, services, targetsKey, evaluation } : undefined;
     return evaluation;
@@ -173,7 +177,7 @@ export class Evaluator<Services> {
       this.flat = { of: document, graph: flat };
       return flat;
     } catch (error) {
-      if (error instanceof DocumentError) return failure('graph.document', 'the project', error.message);
+      if (error instanceof DocumentError) return failure('graph.document', msg`the project`, error.text);
       throw error;
     }
   }
@@ -325,5 +329,5 @@ const toProblem = (error: unknown, node: string): NodeProblem =>
         severity: 'error',
         code: UNEXPECTED_ERROR,
         place: node,
-        message: error instanceof Error ? error.message : String(error),
+        message: messageOf(error),
       };

@@ -1,6 +1,8 @@
 import { MessageChannel } from 'node:worker_threads';
 import { afterEach, describe, expect, it } from 'vitest';
 import { add, build, connect, set, toys } from '../../../tests/support/graphKit.ts';
+import { saying } from '../../../tests/support/inWords.ts';
+import { msg } from '../../messages/message.ts';
 import { NodeRefusal, type NodeType } from '../nodeType.ts';
 import { CancelledError, Evaluator } from './evaluator.ts';
 import { heavyWorkerPool, serveHeavy } from './heavyWorkers.ts';
@@ -14,7 +16,8 @@ const series: NodeType = {
   outputs: { numbers: { type: 'numbers' } },
   async evaluate({ a }, { count }, { node, progress, services }) {
     progress(0.5, 'counting');
-    if (count === 13) throw new NodeRefusal({ severity: 'error', code: 'test.unlucky', place: node, message: 'no 13' });
+    if (count === 13)
+      throw new NodeRefusal({ severity: 'error', code: 'test.unlucky', place: node, message: msg`no 13` });
     if (count === 14) throw new TypeError('unforeseen');
     if (count === 15) await new Promise(() => {});
     return { numbers: Float32Array.from({ length: Number(count) }, (_, i) => Number(a) * i), services };
@@ -78,9 +81,9 @@ describe('a heavy node', () => {
   it('returns its refusal unchanged, and the thread continues with the next node', async () => {
     const evaluator = new Evaluator<unknown>(library, { heavy: threads() });
     const problem = async (count: number) => (await evaluator.evaluate(document(count), 's', undefined)).target;
-    expect(await problem(13)).toMatchObject({ problem: { code: 'test.unlucky', place: 's', message: 'no 13' } });
+    expect(await problem(13)).toMatchObject({ problem: { code: 'test.unlucky', place: 's', message: msg`no 13` } });
     expect(await problem(14)).toMatchObject({
-      problem: { code: 'graph.evaluation', place: 's', message: 'unforeseen' },
+      problem: { code: 'graph.evaluation', place: 's', message: saying(/^unforeseen$/) },
     });
     expect(await problem(2)).toMatchObject({ status: 'done' });
     expect([started, ended]).toEqual([1, 0]);
@@ -102,6 +105,6 @@ describe('a heavy node', () => {
     const odd = { ...library, value: { ...toys.value, evaluate: () => ({ number: () => 1 }) } };
     const evaluator = new Evaluator<unknown>(odd, { heavy: threads() });
     const { target } = await evaluator.evaluate(document(1), 's', undefined);
-    expect(target).toMatchObject({ problem: { place: 's', message: expect.stringMatching(/clone/) } });
+    expect(target).toMatchObject({ problem: { place: 's', message: saying(/clone/) } });
   });
 });

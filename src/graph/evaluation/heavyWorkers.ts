@@ -1,3 +1,5 @@
+import type { Message } from '../../messages/message.ts';
+import { MessageError, messageOf } from '../../messages/messageError.ts';
 import { type NodeProblem, NodeRefusal, type Outputs, type Registry } from '../nodeType.ts';
 import { CancelledError, type HeavyRequest, type RunHeavy } from './evaluator.ts';
 import { throttleInterims } from './interim.ts';
@@ -12,7 +14,7 @@ type HeavyResponse =
   | { readonly kind: 'interim'; readonly outputs: Outputs }
   | { readonly kind: 'done'; readonly outputs: Outputs }
   /** With `problem` if the node refused its inputs; otherwise an unexpected error. */
-  | { readonly kind: 'failed'; readonly message: string; readonly problem?: NodeProblem };
+  | { readonly kind: 'failed'; readonly message: Message; readonly problem?: NodeProblem };
 
 /** The thread's end of the channel. */
 export interface HeavyPort {
@@ -34,8 +36,10 @@ export function serveHeavy<Services>(registry: Registry<Services>, services: Ser
       const outputs = await registry[type]!.evaluate(inputs, params, work);
       port.reply({ kind: 'done', outputs }, transferables(outputs));
     } catch (error) {
-      const message = error instanceof Error ? error.message : String(error);
-      port.reply({ kind: 'failed', message, ...(error instanceof NodeRefusal && { problem: error.problem }) }, []);
+      port.reply(
+        { kind: 'failed', message: messageOf(error), ...(error instanceof NodeRefusal && { problem: error.problem }) },
+        [],
+      );
     }
   });
 }
@@ -80,7 +84,7 @@ export function heavyWorkerPool(start: () => HeavyWorker): RunHeavy {
         idle.push(worker);
         worker.fail = () => void idle.splice(idle.indexOf(worker), 1);
         if (reply.kind === 'done') resolve(reply.outputs);
-        else reject(reply.problem ? new NodeRefusal(reply.problem) : new Error(reply.message));
+        else reject(reply.problem ? new NodeRefusal(reply.problem) : new MessageError(reply.message));
       };
       signal?.addEventListener('abort', () => {
         if (!idle.includes(worker)) fail(new CancelledError());

@@ -1,3 +1,4 @@
+import { type Message, msg } from '../../messages/message.ts';
 import type { GraphNode, ParamValue } from '../document/document.ts';
 import { own } from '../document/document.ts';
 import { type NodeType, type ParamSpec, resolveParams, valueError } from '../nodeType.ts';
@@ -10,7 +11,7 @@ export interface StoredParams {
   readonly values: ParamValues;
   /** Identifies their values. */
   readonly key: string;
-  readonly refusal?: { readonly param: string; readonly message: string };
+  readonly refusal?: { readonly param: string; readonly message: Message };
 }
 
 const storedParamsCache = new WeakMap<NodeType, WeakMap<GraphNode['params'], StoredParams>>();
@@ -30,7 +31,7 @@ export function storedParams(type: NodeType, set: GraphNode['params']): StoredPa
 function findInvalidParam(type: NodeType, set: GraphNode['params']): Pick<StoredParams, 'refusal'> {
   for (const [param, value] of Object.entries(set)) {
     const spec = own(type.params, param);
-    const message = spec ? valueError(spec, value) : 'there is no such parameter';
+    const message = spec ? valueError(spec, value) : msg`there is no such parameter`;
     if (message) return { refusal: { param, message } };
   }
   return {};
@@ -41,7 +42,7 @@ export const drivenValue = (spec: ParamSpec, value: unknown): ParamValue =>
   spec.kind === 'boolean' && typeof value === 'number' ? value !== 0 : (value as ParamValue);
 
 /** A value that is not valid for a parameter, with the default as remedy. */
-export function paramFailure(node: string, type: NodeType, param: string, message: string): NodeResult {
+export function paramFailure(node: string, type: NodeType, param: string, message: Message): NodeResult {
   const spec = own(type.params, param);
   return failure('graph.param', `${node}.${param}`, message, spec && { node, param, value: spec.default });
 }

@@ -1,3 +1,4 @@
+import type { LocalizedText, Message } from '../../messages/message.ts';
 import type { ParamValue } from '../document/document.ts';
 import type { NodeProblem, Outputs } from '../nodeType.ts';
 
@@ -85,8 +86,8 @@ export function resultAtNode(result: NodeResult, before: string, node: string): 
 
 export const failure = (
   code: string,
-  place: string,
-  message: string,
+  place: LocalizedText,
+  message: Message,
   remedy?: { readonly node: string; readonly param: string; readonly value: ParamValue },
 ): NodeResult => ({
   status: 'failed',

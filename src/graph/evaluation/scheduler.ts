@@ -1,3 +1,4 @@
+import { msg } from '../../messages/message.ts';
 import { conversion } from '../analysis/conversion.ts';
 import type { FlatAlias, FlatGraph, FlatNode, FlatSource } from '../analysis/flatten.ts';
 import { socketsOfType } from '../analysis/sockets.ts';
@@ -110,7 +111,7 @@ export class Scheduler<Services> {
   private advance(task: NodeTask<Services>): void {
     const { id, node, type } = task;
     if (!node || !type) {
-      this.settle(task, failure('graph.unknown-node', id, `there is no node "${node?.type ?? id}"`));
+      this.settle(task, failure('graph.unknown-node', id, msg`there is no node "${node?.type ?? id}"`));
     } else if (this.graph.cycles.has(id)) {
       this.settle(task, failure('graph.cycle', id, CYCLE_MESSAGE));
     } else {
@@ -187,7 +188,7 @@ export class Scheduler<Services> {
       if ('status' in found) return found;
       const value = drivenValue(type.params[name]!, found.value);
       const message = valueError(type.params[name]!, value);
-      if (message) return failure('graph.param', `${node.id}.${name}`, `${message}; an edge brings it`);
+      if (message) return failure('graph.param', `${node.id}.${name}`, msg`${message}; an edge brings it`);
       values[name] = value;
     }
     return { values, key: JSON.stringify(values) };
@@ -225,11 +226,11 @@ export class Scheduler<Services> {
     if (result.interim) task.interim = true;
     const from = `${source.node}.${source.output}`;
     const declared = type && own(type.outputs, source.output)?.type;
-    if (declared === undefined) return failure('graph.edge', task.id, `there is no output ${from}; connect another`);
+    if (declared === undefined) return failure('graph.edge', task.id, msg`there is no output ${from}; connect another`);
     const actual = declared === ANY ? generic : declared;
     const convert = conversion(actual, wanted);
     if (convert) return { value: convert(result.outputs[source.output]), type: actual };
-    const message = `${actual} (${from}) does not fit ${wanted} (${input}); connect something else`;
+    const message = msg`${actual} (${from}) does not fit ${wanted} (${input}); connect something else`;
     return failure('graph.edge', task.id, message);
   }
 }
@@ -244,6 +245,6 @@ const drivenParams = (node: FlatNode, type: NodeType<never>): string[] =>
   [...node.inputs.keys()].filter((name) => !own(type.inputs, name) && own(type.params, name));
 
 function missingInput(node: string, name: string, type: string, [source]: readonly FlatSource[]): NodeResult {
-  const why = source?.kind === 'nothing' ? `${source.why}, or connect something else to "${name}"` : undefined;
-  return failure('graph.input', node, why ?? `connect something to "${name}" (${type})`);
+  const why = source?.kind === 'nothing' ? msg`${source.why}, or connect something else to "${name}"` : undefined;
+  return failure('graph.input', node, why ?? msg`connect something to "${name}" (${type})`);
 }

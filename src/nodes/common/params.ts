@@ -2,13 +2,19 @@ import { NodeRefusal, type NumberParam, type TextParam, type VectorParam } from 
 import { radians } from '../../math/angle.ts';
 import { fromAxisAngle, IDENTITY, multiply, type Quat } from '../../math/quat.ts';
 import type { Vec3 } from '../../math/vec3.ts';
+import { type LocalizedText, type Message, msg } from '../../messages/message.ts';
 import { matchesPath } from '../../scene/compose/mergeScenes.ts';
 import type { Scene } from '../../scene/types.ts';
 
 /** Path of the objects that a node applies to. */
-export const whichParam: TextParam = { kind: 'text', title: 'param.which', help: 'param.which.help', default: '' };
+export const whichParam: TextParam = {
+  kind: 'text',
+  title: msg`Applies to`,
+  help: msg`Path of an object, with everything below it, such as /Car; empty for everything.`,
+  default: '',
+};
 
-export const vectorParam = (title: string, value: Vec3, unit?: string): VectorParam => ({
+export const vectorParam = (title: LocalizedText, value: Vec3, unit?: string): VectorParam => ({
   kind: 'vector',
   title,
   default: value,
@@ -16,7 +22,7 @@ export const vectorParam = (title: string, value: Vec3, unit?: string): VectorPa
 });
 
 /** A world time [s]. */
-export const timeParam = (title: string, value: number): NumberParam => ({
+export const timeParam = (title: LocalizedText, value: number): NumberParam => ({
   kind: 'number',
   title,
   unit: 's',
@@ -27,15 +33,19 @@ export const timeParam = (title: string, value: number): NumberParam => ({
   slider: false,
 });
 
-export const nodeRefusal = (code: string, place: string, message: string, remedy?: NodeRefusal['problem']['remedy']) =>
-  new NodeRefusal({ severity: 'error', code, place, message, ...(remedy && { remedy }) });
+export const nodeRefusal = (
+  code: string,
+  place: LocalizedText,
+  message: Message,
+  remedy?: NodeRefusal['problem']['remedy'],
+) => new NodeRefusal({ severity: 'error', code, place, message, ...(remedy && { remedy }) });
 
 /** Throws a NodeRefusal if the scene has nothing at a path, instead of changing nothing silently. */
 export function assertPathExists(scene: Scene, path: string, node: string): void {
   const paths = [...scene.objects, ...scene.lights].map((each) => each.path);
   if (path === '' || paths.some((each) => matchesPath(each, path))) return;
   const few = paths.slice(0, 8).join(', ') + (paths.length > 8 ? ', …' : '');
-  const message = `there is nothing at "${path}"; there is ${few || 'nothing at all'}`;
+  const message = msg`there is nothing at "${path}"; there is ${few || msg`nothing at all`}`;
   throw nodeRefusal('geometry.path', `${node}.which`, message, { node, param: 'which', value: '' });
 }
 

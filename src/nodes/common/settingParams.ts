@@ -6,7 +6,6 @@ import {
   type SettingValue,
   settingNamed,
 } from '../../scene/settings/settings.ts';
-import { choiceKey, settingKey } from './settingTexts.ts';
 
 type ParamOf<Name extends SettingName> =
   SettingValue<Name> extends boolean
@@ -31,12 +30,12 @@ const UNBOUNDED = { min: -1e9, max: 1e9, step: 0.001 } as const;
 function paramSpec(name: SettingName): ParamSpec {
   const setting = settingNamed(name);
   const common = {
-    title: settingKey(name),
-    ...(setting.help && { help: `${settingKey(name)}.help` }),
+    title: setting.title ?? name,
+    ...(setting.help && { help: setting.help }),
     ...(setting.onlyWhen && { onlyWhen: setting.onlyWhen }),
   };
   if (setting.kind === 'choice') {
-    const options = Object.keys(setting.options).map((value) => ({ value, title: choiceKey(name, value) }));
+    const options = Object.entries(setting.options).map(([value, title]) => ({ value, title }));
     return { kind: 'choice', ...common, default: setting.default, options };
   }
   const physical = setting.physical !== undefined && { physical: setting.physical };

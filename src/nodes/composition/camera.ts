@@ -1,5 +1,6 @@
 import { radians } from '../../math/angle.ts';
 import { sub } from '../../math/vec3.ts';
+import { msg } from '../../messages/message.ts';
 import { makeScene } from '../../scene/defaults.ts';
 import { lookAtOrientation } from '../../scene/view/camera.ts';
 import { vectorParam } from '../common/params.ts';
@@ -10,14 +11,14 @@ import { nameParam } from './lightParams.ts';
 /** A camera at rest. */
 export const cameraNode = defineNode({
   id: 'camera',
-  title: 'node.cameraAt',
-  help: 'node.cameraAt.help',
+  title: msg`Camera`,
+  help: msg`A camera at rest.`,
   category: 'composition',
   params: {
     name: nameParam('Camera'),
-    position: vectorParam('param.position', [3, 2, 6], 'm'),
-    target: vectorParam('param.target', [0, 0, 0], 'm'),
-    fieldOfView: { kind: 'number', title: 'param.fieldOfView', unit: '°', default: 60, min: 5, max: 150, step: 1 },
+    position: vectorParam(msg`Position`, [3, 2, 6], 'm'),
+    target: vectorParam(msg`Looks at`, [0, 0, 0], 'm'),
+    fieldOfView: { kind: 'number', title: msg`Field of view`, unit: '°', default: 60, min: 5, max: 150, step: 1 },
   },
   inputs: {},
   outputs: { geometry: { type: 'geometry' } },

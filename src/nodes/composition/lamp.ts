@@ -1,4 +1,5 @@
 import { scale } from '../../math/vec3.ts';
+import { msg } from '../../messages/message.ts';
 import { composeMotion } from '../../scene/compose/applyRigidMotion.ts';
 import { motionFromPath } from '../../scene/compose/motionPaths.ts';
 import { FOREVER } from '../../scene/defaults.ts';
@@ -11,27 +12,27 @@ import { brightnessParam, emissionParam, lightBase, lightColorParam, nameParam }
 /** A local light, which may move. Rectangle and disk lights emit towards −Z. */
 export const lampNode = defineNode({
   id: 'lamp',
-  title: 'node.lamp',
-  help: 'node.lamp.help',
+  title: msg`Lamp`,
+  help: msg`A light at a position, which may move. Squares and discs emit towards their −Z.`,
   category: 'composition',
   params: {
     name: nameParam('Lamp'),
     shape: {
       kind: 'choice',
-      title: 'param.lampShape',
+      title: msg`Shape`,
       default: 'point',
       options: [
-        { value: 'point', title: 'lamp.point' },
-        { value: 'ball', title: 'lamp.ball' },
-        { value: 'rect', title: 'lamp.rect' },
-        { value: 'disk', title: 'lamp.disk' },
+        { value: 'point', title: msg`Point` },
+        { value: 'ball', title: msg`Ball` },
+        { value: 'rect', title: msg`Square` },
+        { value: 'disk', title: msg`Disc` },
       ],
     },
-    position: vectorParam('param.position', [0, 3, 0], 'm'),
-    rotation: vectorParam('param.rotation', [-90, 0, 0], '°'),
-    size: { ...lengthParam('param.lampSize', 1), help: 'param.lampSize.help' },
+    position: vectorParam(msg`Position`, [0, 3, 0], 'm'),
+    rotation: vectorParam(msg`Rotation`, [-90, 0, 0], '°'),
+    size: { ...lengthParam(msg`Size`, 1), help: msg`Width; a point has none.` },
     color: lightColorParam,
-    brightness: brightnessParam('param.lampBrightness', 10),
+    brightness: brightnessParam(msg`Brightness`, 10),
     madeOf: emissionParam,
   },
   inputs: { spectrum: { type: 'spectrum', optional: true }, motion: { type: 'motion', optional: true } },

@@ -1,4 +1,5 @@
 import type { ChoiceParam, ColorParam, NumberParam, TextParam } from '../../graph/nodeType.ts';
+import { type LocalizedText, type Message, msg } from '../../messages/message.ts';
 import { LIGHT_PRESETS } from '../../spectrum/sources/lightPresets.ts';
 import type { LightSpectrum } from '../../spectrum/sources/lightSpectrum.ts';
 import { rootPrimPath } from '../geometry/primitives/definePrimitive.ts';
@@ -6,18 +7,18 @@ import { rootPrimPath } from '../geometry/primitives/definePrimitive.ts';
 /** Name of the prim: `/name`. */
 export const nameParam = (value: string): TextParam => ({
   kind: 'text',
-  title: 'param.name',
-  help: 'param.name.help',
+  title: msg`Name`,
+  help: msg`Name in the scene: letters, digits and _.`,
   default: value,
 });
 
 /** Colour of the light as reflected by a white surface at rest. */
-export const lightColorParam: ColorParam = { kind: 'color', title: 'param.lightColor', default: [1, 1, 1] };
+export const lightColorParam: ColorParam = { kind: 'color', title: msg`Colour`, default: [1, 1, 1] };
 
-export const brightnessParam = (title: string, value: number): NumberParam => ({
+export const brightnessParam = (title: LocalizedText, value: number): NumberParam => ({
   kind: 'number',
   title,
-  help: 'param.brightness.help',
+  help: msg`Full daylight is about 3.`,
   default: value,
   min: 0,
   max: 1e9,
@@ -25,13 +26,28 @@ export const brightnessParam = (title: string, value: number): NumberParam => ({
   slider: false,
 });
 
+const EMISSION_TITLES: Readonly<Record<string, Message>> = {
+  daylight: msg`Daylight (6504 K)`,
+  d65: msg`Daylight, measured (D65)`,
+  candle: msg`Candle`,
+  tungsten: msg`Light bulb`,
+  'blue-star': msg`Blue star`,
+  fluorescent: msg`Fluorescent tube`,
+  triphosphor: msg`Triphosphor tube`,
+  led: msg`White LED`,
+  'street-sodium': msg`Sodium street light`,
+  sodium: msg`Sodium lines`,
+  mercury: msg`Mercury`,
+  hydrogen: msg`Hydrogen`,
+};
+
 /** Emission spectrum preset; a connected spectrum takes precedence. */
 export const emissionParam: ChoiceParam = {
   kind: 'choice',
-  title: 'param.madeOf',
-  help: 'param.madeOf.help',
+  title: msg`Spectrum`,
+  help: msg`The spectrum of the light at rest, which determines the colours after a Doppler shift. Daylight whose colour is that of a blackbody is treated as one.`,
   default: 'daylight',
-  options: [...LIGHT_PRESETS.keys()].map((name) => ({ value: name, title: `light.${name}` })),
+  options: [...LIGHT_PRESETS.keys()].map((name) => ({ value: name, title: EMISSION_TITLES[name] ?? name })),
 };
 
 /**

@@ -1,4 +1,5 @@
 import { NodeRefusal } from '../../graph/nodeType.ts';
+import { msg } from '../../messages/message.ts';
 import { SPEED_OF_LIGHT } from '../../physics/constants.ts';
 import { fastestInScene } from '../../scene/motion/fastestInScene.ts';
 import { approachesC } from '../../scene/motion/motion.ts';
@@ -11,17 +12,20 @@ const MIN_SPEED_OF_LIGHT = 0.1;
 /** Used where neither the user nor the file specifies c; makes a street scene relativistic. */
 const DEFAULT_SPEED_OF_LIGHT = 30;
 
+/** 299 792 458 */
+const REAL_LIGHT = String(SPEED_OF_LIGHT).replace(/\B(?=(\d{3})+$)/g, ' ');
+
 /** How light travels: the single place that sets a scene's physics. */
 export const relativityConsoleNode = defineNode({
   id: 'relativity-console',
-  title: 'node.console',
-  help: 'node.console.help',
+  title: msg`Relativity console`,
+  help: msg`How light travels, and the speed limits.`,
   category: 'composition',
   params: {
     speedOfLight: {
       kind: 'number',
-      title: 'param.speedOfLight',
-      help: 'param.speedOfLight.help',
+      title: msg`Speed of light`,
+      help: msg`The lower it is, the stronger relativistic effects are. In nature: ${REAL_LIGHT} m/s.`,
       unit: 'm/s',
       default: DEFAULT_SPEED_OF_LIGHT,
       min: MIN_SPEED_OF_LIGHT,
@@ -32,8 +36,8 @@ export const relativityConsoleNode = defineNode({
     },
     maxSpeed: {
       kind: 'number',
-      title: 'param.maxSpeed',
-      help: 'param.maxSpeed.help',
+      title: msg`Maximum speed`,
+      help: msg`Your maximum speed while Shift is held. Without Shift: half of it, or 8 m/s if that is less.`,
       unit: 'c',
       default: 0.95,
       min: 0.01,
@@ -78,9 +82,7 @@ function withFastestAt(loaded: LoadedScene, speedOfLight: number): LoadedScene {
 function assertSubluminal({ fastest }: LoadedScene, c: number, node: string): void {
   if (!fastest || fastest.speed < c) return;
   const least = roundUp(fastest.speed);
-  const message =
-    `${(fastest.speed / c).toPrecision(3)} c at t = ${fastest.time.toFixed(2)} s; ` +
-    `raise the speed of light to ${least} m/s or more, or slow it down`;
+  const message = msg`${(fastest.speed / c).toPrecision(3)} c at t = ${fastest.time.toFixed(2)} s; raise the speed of light to ${least} m/s or more, or slow it down`;
   const remedy = { node, param: 'speedOfLight', value: least };
   throw new NodeRefusal({ severity: 'error', code: 'motion.superluminal', place: fastest.path, message, remedy });
 }

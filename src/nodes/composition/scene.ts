@@ -1,3 +1,4 @@
+import { msg } from '../../messages/message.ts';
 import { mergeScenes } from '../../scene/compose/mergeScenes.ts';
 import { makeScene } from '../../scene/defaults.ts';
 import type { Light, Scene } from '../../scene/types.ts';
@@ -12,8 +13,8 @@ import type { TimeRange } from '../socketValues.ts';
  */
 export const sceneNode = defineNode({
   id: 'scene',
-  title: 'node.scene',
-  help: 'node.scene.help',
+  title: msg`Scene`,
+  help: msg`Composes what is observed.`,
   category: 'composition',
   params: {},
   inputs: {

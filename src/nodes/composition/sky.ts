@@ -1,5 +1,6 @@
 import { multiply } from '../../math/quat.ts';
 import { scale } from '../../math/vec3.ts';
+import { msg } from '../../messages/message.ts';
 import { EQUATORIAL } from '../../scene/stars/equatorial.ts';
 import { relativeLuminance } from '../../scene/view/metering.ts';
 import { rotationXYZ, vectorParam } from '../common/params.ts';
@@ -11,24 +12,24 @@ const STARS = { param: 'sky', is: 'stars' } as const;
 /** Background of the scene: a uniform sky, or the stars. */
 export const skyNode = defineNode({
   id: 'sky',
-  title: 'node.sky',
-  help: 'node.sky.help',
+  title: msg`Sky`,
+  help: msg`The background of the scene: a uniform sky, or the stars.`,
   category: 'composition',
   params: {
     name: nameParam('Sky'),
     sky: {
       kind: 'choice',
-      title: 'param.sky',
+      title: msg`Sky`,
       default: 'even',
       options: [
-        { value: 'even', title: 'sky.even' },
-        { value: 'stars', title: 'sky.stars' },
+        { value: 'even', title: msg`Even` },
+        { value: 'stars', title: msg`Stars` },
       ],
     },
     color: lightColorParam,
-    brightness: brightnessParam('param.skyBrightness', 1),
+    brightness: brightnessParam(msg`Brightness`, 1),
     madeOf: emissionParam,
-    rotation: { ...vectorParam('param.rotation', [0, 0, 0], '°'), onlyWhen: STARS },
+    rotation: { ...vectorParam(msg`Rotation`, [0, 0, 0], '°'), onlyWhen: STARS },
   },
   inputs: { spectrum: { type: 'spectrum', optional: true } },
   outputs: { lights: { type: 'lights' } },

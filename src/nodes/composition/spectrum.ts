@@ -1,3 +1,4 @@
+import { msg } from '../../messages/message.ts';
 import { LIGHT_PRESETS } from '../../spectrum/sources/lightPresets.ts';
 import { defineNode } from '../defineNode.ts';
 import { emissionParam } from './lightParams.ts';
@@ -5,22 +6,22 @@ import { emissionParam } from './lightParams.ts';
 /** An emission spectrum: of a lamp or a blackbody. */
 export const spectrumNode = defineNode({
   id: 'spectrum',
-  title: 'node.spectrum',
-  help: 'node.spectrum.help',
+  title: msg`Spectrum`,
+  help: msg`The spectrum of a light.`,
   category: 'utility',
   params: {
     kind: {
       kind: 'choice',
-      title: 'param.spectrumKind',
+      title: msg`Kind`,
       default: 'thermal',
       options: [
-        { value: 'thermal', title: 'spectrum.thermal' },
-        { value: 'lamp', title: 'spectrum.lamp' },
+        { value: 'thermal', title: msg`Blackbody` },
+        { value: 'lamp', title: msg`Lamp` },
       ],
     },
     temperature: {
       kind: 'number',
-      title: 'param.temperature',
+      title: msg`Temperature`,
       unit: 'K',
       default: 6504,
       min: 500,

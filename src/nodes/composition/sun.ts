@@ -1,4 +1,5 @@
 import { normalize, scale } from '../../math/vec3.ts';
+import { msg } from '../../messages/message.ts';
 import { vectorParam } from '../common/params.ts';
 import { defineNode } from '../defineNode.ts';
 import { brightnessParam, emissionParam, lightBase, lightColorParam, nameParam } from './lightParams.ts';
@@ -6,14 +7,14 @@ import { brightnessParam, emissionParam, lightBase, lightColorParam, nameParam }
 /** A distant light. */
 export const sunNode = defineNode({
   id: 'sun',
-  title: 'node.sun',
-  help: 'node.sun.help',
+  title: msg`Sun`,
+  help: msg`A distant light with a single direction.`,
   category: 'composition',
   params: {
     name: nameParam('Sun'),
-    direction: vectorParam('param.lightDirection', [-0.5, -1, -0.7]),
+    direction: vectorParam(msg`Shines towards`, [-0.5, -1, -0.7]),
     color: lightColorParam,
-    brightness: brightnessParam('param.irradiance', 2.5),
+    brightness: brightnessParam(msg`Irradiance`, 2.5),
     madeOf: emissionParam,
   },
   inputs: { spectrum: { type: 'spectrum', optional: true } },

@@ -1,3 +1,4 @@
+import { msg } from '../../messages/message.ts';
 import { timeParam } from '../common/params.ts';
 import { defineNode } from '../defineNode.ts';
 import { assertTimeSpan } from '../motion/checkSpan.ts';
@@ -5,10 +6,10 @@ import { assertTimeSpan } from '../motion/checkSpan.ts';
 /** Time range in which a scene is shown. */
 export const timeNode = defineNode({
   id: 'time',
-  title: 'node.time',
-  help: 'node.time.help',
+  title: msg`Time`,
+  help: msg`The time range in which the scene is shown.`,
   category: 'composition',
-  params: { from: timeParam('param.from', 0), to: timeParam('param.to', 10), openAt: timeParam('param.openAt', 0) },
+  params: { from: timeParam(msg`From`, 0), to: timeParam(msg`To`, 10), openAt: timeParam(msg`Opens at`, 0) },
   inputs: {},
   outputs: { time: { type: 'time' } },
   evaluate(_inputs, { from, to, openAt }, { node }) {

@@ -1,96 +1,90 @@
 import type { NodeType, NumberParam, NumberVariant, ParamSpec, Socket } from '../../graph/nodeType.ts';
+import { inEnglish, type LocalizedText, listed, type Message, msg, type Translate } from '../../messages/message.ts';
 import { nodeLibrary } from '../library.ts';
-import { effectTexts } from './effectTexts.ts';
-import { nodeTexts } from './nodeTexts.ts';
-
-const englishTexts = { ...nodeTexts, ...effectTexts };
-
-/** The English text of a key; other texts are returned as they are. */
-const englishText = (key: string): string =>
-  Object.hasOwn(englishTexts, key) ? englishTexts[key as keyof typeof englishTexts][0] : key;
-
-const CATEGORIES = [
-  ['geometry', 'Geometry'],
-  ['dynamics', 'Dynamics'],
-  ['composition', 'Composition'],
-  ['render', 'Render'],
-  ['utility', 'Utility'],
-] as const;
+import { CATEGORY_TITLES } from '../titles.ts';
 
 const INTRODUCTION = [
-  '# Nodes',
-  'What projects are made of; `slowlight graph docs` prints this page, and `slowlight graph docs TYPE` one node of it.',
-  'Every parameter but a list is an input too: what is connected to it comes before what is set.',
+  msg`# Nodes`,
+  msg`What projects are made of; \`slowlight graph docs\` prints this page, and \`slowlight graph docs TYPE\` one node of it.`,
+  msg`Every parameter but a list is an input too: what is connected to it comes before what is set.`,
 ];
 
 /** Reference page of all nodes, generated from their descriptions; Markdown. */
-export function nodeReference(): string {
-  const sections = CATEGORIES.map(([category, title]) => {
+export function nodeReference(translate: Translate = inEnglish): string {
+  const sections = Object.entries(CATEGORY_TITLES).map(([category, title]) => {
     const types = Object.values(nodeLibrary).filter((type) => type.category === category);
-    return [`## ${title}`, ...types.map((type) => nodePage(type as NodeType))].join('\n\n');
+    return [`## ${translate(title)}`, ...types.map((type) => nodePage(type as NodeType, translate))].join('\n\n');
   });
-  return [...INTRODUCTION, ...sections].join('\n\n');
+  return [...INTRODUCTION.map(translate), ...sections].join('\n\n');
 }
 
 /** Section of one node: help, sockets, parameters with units, ranges and defaults. */
-export function nodePage(type: NodeType): string {
+export function nodePage(type: NodeType, translate: Translate): string {
   const params = Object.entries(type.params);
   return [
-    `### ${englishText(type.title)} (\`${type.id}\`)`,
-    englishText(type.help),
-    ...socketLine('In', type.inputs),
-    ...socketLine('Out', type.outputs),
-    ...(params.length > 0 ? [paramTable(params)] : []),
-  ].join('\n\n');
+    msg`### ${type.title} (${`\`${type.id}\``})`,
+    type.help,
+    ...socketLine(msg`In`, type.inputs),
+    ...socketLine(msg`Out`, type.outputs),
+    ...(params.length > 0 ? [paramTable(params, translate)] : []),
+  ]
+    .map(translate)
+    .join('\n\n');
 }
 
-function socketLine(side: string, all: NodeType['inputs']): string[] {
-  const described = Object.entries(all).map(([name, socket]) => `\`${name}\` (${socketDescription(socket)})`);
-  return described.length > 0 ? [`${side}: ${described.join(', ')}.`] : [];
+function socketLine(side: Message, all: NodeType['inputs']): Message[] {
+  const described = Object.entries(all).map(([name, socket]) => msg`${`\`${name}\``} (${socketDescription(socket)})`);
+  return described.length > 0 ? [msg`${side}: ${listed(described)}.`] : [];
 }
 
-const socketDescription = ({ type, many, optional }: Socket): string =>
-  [type, ...(many ? ['any number'] : []), ...(optional ? ['optional'] : [])].join(', ');
+const socketDescription = ({ type, many, optional }: Socket): LocalizedText =>
+  listed([type, ...(many ? [msg`any number`] : []), ...(optional ? [msg`optional`] : [])]);
 
-const paramTable = (params: readonly (readonly [string, ParamSpec])[]): string =>
+const paramTable = (params: readonly (readonly [string, ParamSpec])[], translate: Translate): string =>
   [
-    '| parameter | | values | default |',
+    translate(msg`| parameter | | values | default |`),
     '|---|---|---|---|',
     ...params.map(([name, spec]) => {
-      const about = spec.help ? `${englishText(spec.title)}: ${englishText(spec.help)}` : englishText(spec.title);
-      return `| \`${name}\` | ${tableCell(about)} | ${tableCell(allowedValues(spec))} | ${tableCell(defaultText(spec))} |`;
+      const about = spec.help ? msg`${spec.title}: ${spec.help}` : spec.title;
+      const cells = [about, allowedValues(spec), defaultText(spec)].map(translate);
+      return `| \`${name}\` | ${cells.map(tableCell).join(' | ')} |`;
     }),
   ].join('\n');
 
 const tableCell = (text: string): string => text.replaceAll('|', '\\|');
 
-function allowedValues(spec: ParamSpec): string {
+function allowedValues(spec: ParamSpec): LocalizedText {
   switch (spec.kind) {
     case 'number':
-      return spec.as ? Object.entries(spec.as.cases).map(formatVariant).join('; ') : formatRange(spec);
+      return spec.as ? clauses(Object.entries(spec.as.cases).map(variantText)) : rangeText(spec);
     case 'choice':
-      return spec.options.map(({ value, title }) => `\`${value}\` (${englishText(title)})`).join(', ');
+      return listed(spec.options.map(({ value, title }) => msg`${`\`${value}\``} (${title})`));
     case 'vector':
-      return spec.unit ? `three numbers [${spec.unit}]` : 'three numbers';
+      return spec.unit ? msg`three numbers [${spec.unit}]` : msg`three numbers`;
     case 'color':
-      return 'linear sRGB';
+      return msg`linear sRGB`;
     case 'list':
-      return 'texts';
+      return msg`texts`;
     default:
-      return spec.kind === 'boolean' ? 'on, off' : 'text';
+      return spec.kind === 'boolean' ? msg`on, off` : msg`text`;
   }
 }
 
-const formatRange = ({ min, max, unit, integer }: NumberVariant & Pick<NumberParam, 'integer'>): string =>
-  `${min} … ${max}${unit ? ` ${unit}` : ''}${integer ? ', whole' : ''}`;
+const clauses = (texts: readonly LocalizedText[]): LocalizedText =>
+  texts.reduce((before, text) => msg`${before}; ${text}`);
 
-const formatVariant = ([value, spec]: readonly [string, NumberVariant]): string =>
-  `\`${value}\`: ${englishText(spec.title)}, ${formatRange(spec)}, ${spec.default}`;
+function rangeText({ min, max, unit, integer }: NumberVariant & Pick<NumberParam, 'integer'>): LocalizedText {
+  const range = `${min} … ${max}${unit ? ` ${unit}` : ''}`;
+  return integer ? msg`${range}, whole` : range;
+}
 
-function defaultText(spec: ParamSpec): string {
-  if (spec.kind === 'number' && spec.suggestion) return `what the scene suggests, else ${spec.default}`;
-  if (spec.kind === 'number' && spec.as) return `by \`${spec.as.param}\``;
-  if (spec.kind === 'text' && spec.shader) return 'an example';
-  if (spec.kind === 'boolean') return spec.default ? 'on' : 'off';
+const variantText = ([value, spec]: readonly [string, NumberVariant]): Message =>
+  msg`${`\`${value}\``}: ${listed([spec.title, rangeText(spec), String(spec.default)])}`;
+
+function defaultText(spec: ParamSpec): LocalizedText {
+  if (spec.kind === 'number' && spec.suggestion) return msg`what the scene suggests, else ${spec.default}`;
+  if (spec.kind === 'number' && spec.as) return msg`by ${`\`${spec.as.param}\``}`;
+  if (spec.kind === 'text' && spec.shader) return msg`an example`;
+  if (spec.kind === 'boolean') return spec.default ? msg`on` : msg`off`;
   return Array.isArray(spec.default) ? spec.default.join(spec.kind === 'list' ? '; ' : ', ') : String(spec.default);
 }

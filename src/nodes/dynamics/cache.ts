@@ -1,3 +1,4 @@
+import { msg } from '../../messages/message.ts';
 import { InputError } from '../../scene/types.ts';
 import { nodeRefusal } from '../common/params.ts';
 import { defineNode } from '../defineNode.ts';
@@ -5,10 +6,18 @@ import { defineNode } from '../defineNode.ts';
 /** Reads a simulation's results from the file that they were written to, instead of computing them again. */
 export const cacheNode = defineNode({
   id: 'cache',
-  title: 'node.cache',
-  help: 'node.cache.help',
+  title: msg`Cache`,
+  help: msg`Reads a simulation’s results from a file instead of running it again; without a file the input passes through. “slowlight simulate PROJECT -o FILE” or Write USD writes it.`,
   category: 'dynamics',
-  params: { file: { kind: 'text', title: 'node.read.source', help: 'param.cached.help', default: '', file: true } },
+  params: {
+    file: {
+      kind: 'text',
+      title: msg`File`,
+      help: msg`The file is used as it is, even if the input has changed since.`,
+      default: '',
+      file: true,
+    },
+  },
   inputs: { geometry: { type: 'geometry', optional: true } },
   outputs: { geometry: { type: 'geometry' } },
   needs: ({ file }) => (file === '' ? ['geometry'] : []),
@@ -18,7 +27,7 @@ export const cacheNode = defineNode({
       throw nodeRefusal(
         'cache.none',
         node,
-        'it passes on what comes in; connect something, or name a file to read instead',
+        msg`it passes on what comes in; connect something, or name a file to read instead`,
       );
     }
     try {

@@ -9,6 +9,7 @@ import { type Springs, springForce } from '../../dynamics/forces/springs.ts';
 import { uniformField } from '../../dynamics/forces/uniformField.ts';
 import type { System } from '../../dynamics/system.ts';
 import { add, length, type Vec3, ZERO } from '../../math/vec3.ts';
+import { msg } from '../../messages/message.ts';
 import { nodeRefusal } from '../common/params.ts';
 import type { ColliderMatter, FieldMatter } from './matter.ts';
 
@@ -101,7 +102,7 @@ function concatSprings(nets: readonly Springs[]): Springs {
 function sphereContactForces({ bodies, spheres: balls, pinned }: PointCollection): Force[] {
   const points = bodies.flatMap((body, i) => (body < 0 ? [] : [i]));
   if (balls.length * (points.length + balls.length) > MAX_PAIRS) {
-    const message = `${balls.length} balls and ${points.length} points make too many pairs; take fewer balls, or coarser meshes`;
+    const message = msg`${balls.length} balls and ${points.length} points make too many pairs; take fewer balls, or coarser meshes`;
     throw nodeRefusal('collider.many', balls[0].of.node, message);
   }
   const byStiffness = new Map<number, { readonly ends: number[]; readonly reach: number[] }>();
@@ -144,7 +145,7 @@ function proximityForces({ bodies, x }: PointCollection, { reach, stiffness }: P
 function coulombForce(charges: Float64Array): Force {
   const charged = charges.filter((charge) => charge !== 0).length;
   if (charged ** 2 / 2 > MAX_PAIRS) {
-    const message = `${charged} charged points make too many pairs; charge fewer or coarser objects`;
+    const message = msg`${charged} charged points make too many pairs; charge fewer or coarser objects`;
     throw nodeRefusal('field.charges', 'charge', message);
   }
   return coulomb(charges);

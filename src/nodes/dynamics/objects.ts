@@ -1,4 +1,5 @@
 import { add, scale, type Vec3 } from '../../math/vec3.ts';
+import { msg } from '../../messages/message.ts';
 import { boundingBox } from '../../scene/bounds/bounds.ts';
 import { isStatic, poseAt } from '../../scene/motion/motion.ts';
 import { applyPose } from '../../scene/motion/poses.ts';
@@ -31,6 +32,6 @@ export const isMoving = ({ motion }: SceneObject): boolean => !isStatic(motion);
 /** Bounds of its mesh, in its own frame. */
 export function meshBounds({ mesh, path }: SceneObject) {
   const bounds = boundingBox(mesh.positions);
-  if (!bounds) throw nodeRefusal('matter.empty', path, 'it has no points; leave it out');
+  if (!bounds) throw nodeRefusal('matter.empty', path, msg`it has no points; leave it out`);
   return bounds;
 }

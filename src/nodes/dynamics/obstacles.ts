@@ -1,6 +1,7 @@
 import { box, type Obstacle, plane } from '../../dynamics/forces/obstacle.ts';
 import { conjugate, multiply, rotate, rotationAngle } from '../../math/quat.ts';
 import { addScaled, length, normalize, sub, type Vec3 } from '../../math/vec3.ts';
+import { msg } from '../../messages/message.ts';
 import { pointAt } from '../../scene/mesh/polygons.ts';
 import { poseSamples } from '../../scene/motion/motion.ts';
 import { applyPose, samplePose } from '../../scene/motion/poses.ts';
@@ -26,7 +27,7 @@ export function obstacleOf(object: SceneObject, part: ColliderMatter, c: number)
   if (length(front) > 0 && thick <= FLATNESS_TOLERANCE * length(sub(max, min))) {
     return plane(applyPose(pose, middle), rotate(pose.orientation, front));
   }
-  const message = 'it is not flat, so that it is no plane; choose the shape box or ball';
+  const message = msg`it is not flat, so that it is no plane; choose the shape box or ball`;
   throw nodeRefusal('collider.plane', object.path, message, { node: part.node, param: 'shape', value: 'box' });
 }
 

@@ -1,4 +1,5 @@
 import type { NumberParam } from '../../graph/nodeType.ts';
+import { msg } from '../../messages/message.ts';
 import { matchesPath } from '../../scene/compose/mergeScenes.ts';
 import { deforms, isStatic } from '../../scene/motion/motion.ts';
 import type { Scene } from '../../scene/types.ts';
@@ -22,23 +23,23 @@ export const quantityParam = (about: NumberParamOptions): NumberParam => ({
 export const signedQuantityParam = (about: NumberParamOptions): NumberParam => quantityParam({ min: -1e12, ...about });
 
 export const massParam = quantityParam({
-  title: 'param.mass',
-  help: 'param.mass.help',
+  title: msg`Mass`,
+  help: msg`Mass of each object.`,
   unit: 'kg',
   default: 1,
   min: 1e-9,
 });
 export const penaltyParam = quantityParam({
-  title: 'param.penalty',
-  help: 'param.penalty.help',
+  title: msg`Contact stiffness`,
+  help: msg`Stiffness of the contact force; faster impacts penetrate deeper.`,
   unit: 'N/m',
   default: 10_000,
   min: 1e-6,
   step: 1,
 });
 export const chargeParam = signedQuantityParam({
-  title: 'param.charge',
-  help: 'param.charge.help',
+  title: msg`Charge`,
+  help: msg`Charge of each object.`,
   unit: 'C',
   default: 0,
   step: 1e-9,
@@ -55,11 +56,11 @@ export function splitByPath(
   const objectsThat = (match: boolean): Scene['objects'] =>
     scene.objects.filter(({ path }) => matchesPath(path, which) === match);
   const objects = objectsThat(true);
-  if (objects.length === 0) throw nodeRefusal('matter.none', node, 'there is no object with a surface; connect one');
+  if (objects.length === 0) throw nodeRefusal('matter.none', node, msg`there is no object with a surface; connect one`);
   for (const { path, motion } of objects) {
     if (isStatic(motion) || (may === 'rigid' && !deforms(motion))) continue;
-    const how = may === 'rigid' ? 'changes its shape' : 'moves';
-    const message = `${path} ${how} already; put this before what moves it, or choose things ${may === 'rigid' ? 'that keep theirs' : 'at rest'}`;
+    const how = may === 'rigid' ? msg`changes its shape` : msg`moves`;
+    const message = msg`${path} ${how} already; put this before what moves it, or choose things ${may === 'rigid' ? msg`that keep theirs` : msg`at rest`}`;
     throw nodeRefusal('matter.moving', path, message);
   }
   return {

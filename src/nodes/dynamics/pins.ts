@@ -1,4 +1,5 @@
 import { length, sub, type Vec3 } from '../../math/vec3.ts';
+import { msg } from '../../messages/message.ts';
 import { boundingBox } from '../../scene/bounds/bounds.ts';
 import { pointAt } from '../../scene/mesh/polygons.ts';
 import { nodeRefusal } from '../common/params.ts';
@@ -20,7 +21,7 @@ export function pinnedPoints(
     case 'points': {
       const odd = pins.vertices.find((vertex) => vertex >= pointOfVertex.length);
       if (odd === undefined) return new Set(pins.vertices.map((vertex) => pointOfVertex[vertex]));
-      const message = `${path} has no point ${odd}: they are numbered from 0 to ${pointOfVertex.length - 1}`;
+      const message = msg`${path} has no point ${odd}: they are numbered from 0 to ${pointOfVertex.length - 1}`;
       throw nodeRefusal('pins.numbers', `${node}.pinned`, message, { node, param: 'pinned', value: '0' });
     }
     case 'box': {

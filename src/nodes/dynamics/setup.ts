@@ -2,6 +2,7 @@ import type { Springs } from '../../dynamics/forces/springs.ts';
 import { meshSprings } from '../../dynamics/meshSprings.ts';
 import { type KinematicPoint, makeSystem, momenta, momentum, type State, type System } from '../../dynamics/system.ts';
 import { add, cross, length, scale, sub, type Vec3, ZERO } from '../../math/vec3.ts';
+import { msg } from '../../messages/message.ts';
 import { positionAt, velocityAt, type WorldLine } from '../../physics/worldLines/worldLine.ts';
 import { boundingBox } from '../../scene/bounds/bounds.ts';
 import { recoverQuads } from '../../scene/compose/recoverQuads.ts';
@@ -105,7 +106,7 @@ class SystemBuilder implements PointCollection {
       throw nodeRefusal(
         'pins.none',
         `${part.node}.pinCenter`,
-        'no point is in the box that holds points; put it on some',
+        msg`no point is in the box that holds points; put it on some`,
       );
     return bodies;
   }
@@ -201,7 +202,7 @@ class SystemBuilder implements PointCollection {
   ): number {
     const speed = length(v);
     if (!pin && !(speed < this.c)) {
-      const message = `it begins at ${speed.toPrecision(3)} m/s, not below the speed of light, ${this.c} m/s; let it begin slower, or raise the speed of light of the simulation`;
+      const message = msg`it begins at ${speed.toPrecision(3)} m/s, not below the speed of light, ${this.c} m/s; let it begin slower, or raise the speed of light of the simulation`;
       throw nodeRefusal('simulate.light', start.node, message);
     }
     this.x.push(...at);

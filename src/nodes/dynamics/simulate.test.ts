@@ -1,5 +1,6 @@
 import { describe, expect, it } from 'vitest';
 import { add, build, connect } from '../../../tests/support/graphKit.ts';
+import { english, inWords, saying } from '../../../tests/support/inWords.ts';
 import { type RunRecord, summarizeRun } from '../../dynamics/runRecord.ts';
 import { openScene } from '../../formats/open.ts';
 import type { GraphDocument, ParamValue } from '../../graph/document/document.ts';
@@ -7,6 +8,8 @@ import type { Command } from '../../graph/edits/commands.ts';
 import { CancelledError, Evaluator } from '../../graph/evaluation/evaluator.ts';
 import type { Outputs } from '../../graph/nodeType.ts';
 import { length, sub, type Vec3 } from '../../math/vec3.ts';
+import { chinese } from '../../messages/languages/chinese.ts';
+import { inEnglish, msg, translate } from '../../messages/message.ts';
 import { grid } from '../../scene/mesh/primitives.ts';
 import { poseAt, vertexPositions } from '../../scene/motion/motion.ts';
 import { InputError, type Scene, type SceneObject } from '../../scene/types.ts';
@@ -378,8 +381,12 @@ describe('a run', () => {
     ];
     const { books: record, scene } = await simulated(...parts, ...running(['Sheet', 'Hard'], { duration: 1 }));
     expect(record.stop).toMatchObject({ reason: 'pierced' });
-    expect(record.stop!.message).toMatch(/^vertex \d of \/Sheet went through what is solid, to \(/);
-    expect(scene.diagnostics.map(({ message }) => message).join()).toContain(record.stop!.message);
+    expect(inEnglish(record.stop!.message)).toMatch(/^vertex \d of \/Sheet went through what is solid, to \(/);
+    expect(scene.diagnostics.map(inWords).join()).toContain(inEnglish(record.stop!.message));
+    const { message } = scene.diagnostics.find(({ code }) => code === 'simulate.stopped')!;
+    expect(translate(structuredClone(message), chinese.messages)).toMatch(
+      /^于 t = [\d.]+ s 结束：\/Sheet 的顶点 \d 穿过了实体，到达（.*）m；请减小步长、加大接触劲度，或让它慢一些$/,
+    );
     const light = { method: 'semi-implicit-euler', speedOfLight: 1, duration: 3 };
     const thrown = ball('Ball', 0.1, [0, 1, 0], {
       velocity: [0.9, 0, 0],
@@ -388,7 +395,9 @@ describe('a run', () => {
       pivot: [0, 2, 0],
     });
     const { books: bad } = await simulated(...thrown, ...running(['Ball'], { ...light, step: 0.09, rate: 10 }));
-    expect(bad.stop?.message).toMatch(/^\/Ball goes at [\d.]+ m\/s, not below c = 1 m\/s; take a smaller step$/);
+    expect(english(bad.stop?.message)).toMatch(
+      /^\/Ball goes at [\d.]+ m\/s, not below c = 1 m\/s; take a smaller step$/,
+    );
   });
 
   it('reports numerical energy gain, even with steps below the stability bound', async () => {
@@ -398,7 +407,7 @@ describe('a run', () => {
     };
     const [note] = await noted({ method: 'semi-implicit-euler', correction: '2' });
     expect(note).toMatchObject({ code: 'simulate.grows', place: 'run.method', severity: 'warning' });
-    expect(note.message).toMatch(
+    expect(inEnglish(note.message)).toMatch(
       /^by t = [\d.]+ s the energy had grown without a source .* semi-implicit-euler-2; set a shorter/,
     );
     expect(await noted({ method: 'leapfrog' })).toEqual([]);
@@ -411,7 +420,7 @@ describe('a run', () => {
     // Unit tests have no GPU; tests/gpu/compute/compute.test.ts checks its results.
     expect(await refusalOf(...hanging({ method: 'leapfrog', onGpu: true }))).toMatchObject({
       ...{ code: 'simulate.gpu', place: 'run.onGpu', remedy: { param: 'onGpu', value: false } },
-      message: 'there is no GPU here that computes (WebGPU); compute it on the processor',
+      message: saying(/^there is no GPU here that computes \(WebGPU\); compute it on the processor$/),
     });
     expect(await refusalOf(...hanging({ method: 'leapfrog', onGpu: true, tolerance: 1e-6 }))).toMatchObject({
       ...{ code: 'simulate.gpu', place: 'run.tolerance', remedy: { param: 'tolerance', value: 0 } },
@@ -428,7 +437,7 @@ describe('a run', () => {
     expect(await refusalOf(...sheet('Sheet', 2, [0, 0, 0], many), ...running(['Sheet'], {}))).toMatchObject({
       code: 'pins.numbers',
       place: 'Sheet.pinned',
-      message: '/Sheet has no point 9: they are numbered from 0 to 8',
+      message: saying(/^\/Sheet has no point 9: they are numbered from 0 to 8$/),
       remedy: { param: 'pinned' },
     });
     const thick = matter('Solid', ['box', {}], [0, 0, 0], 'collider', { shape: 'plane' });
@@ -516,7 +525,7 @@ describe('bodies with prescribed motion', () => {
     );
     expect(record.stop).toMatchObject({
       reason: 'light',
-      message: expect.stringContaining('/Mover is moved at 11.00 m/s'),
+      message: saying('/Mover is moved at 11.00 m/s'),
     });
   });
 
@@ -553,7 +562,7 @@ describe('bodies with prescribed motion', () => {
     );
     expect(record.stop).toMatchObject({
       reason: 'light',
-      message: expect.stringMatching(/^\/Paddle is moved at 15\.\d+ m\/s/),
+      message: saying(/^\/Paddle is moved at 15\.\d+ m\/s/),
     });
   });
 
@@ -605,7 +614,7 @@ describe('a cache', () => {
     const missing = {
       code: 'file.missing',
       place: 'a.usda',
-      message: 'there is no such file',
+      message: msg`there is no such file`,
       severity: 'error',
     } as const;
     const services = { ...workerServices, readScene: () => Promise.reject(new InputError(missing)) };

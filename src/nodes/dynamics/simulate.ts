@@ -1,4 +1,5 @@
 import { CancelledError } from '../../graph/evaluation/evaluator.ts';
+import { msg } from '../../messages/message.ts';
 import { SPEED_OF_LIGHT } from '../../physics/constants.ts';
 import { defineNode } from '../defineNode.ts';
 import type { RecordedMotion } from './motionRecorder.ts';
@@ -7,15 +8,15 @@ import type { SimulationOutputs, SimulationSettings } from './simulation.ts';
 
 /** The methods of the source documents, which have velocity corrections, are last. */
 const METHODS = [
-  { value: 'discrete-gradient', title: 'method.discreteGradient' },
-  { value: 'implicit-midpoint', title: 'method.midpoint' },
-  { value: 'leapfrog', title: 'method.leapfrog' },
-  { value: 'yoshida-4', title: 'method.yoshida4' },
-  { value: 'yoshida-6', title: 'method.yoshida6' },
-  { value: 'yoshida-8', title: 'method.yoshida8' },
-  { value: 'semi-implicit-euler', title: 'method.euler' },
-  { value: 'linearly-implicit', title: 'method.linear' },
-  { value: 'local-global', title: 'method.localGlobal' },
+  { value: 'discrete-gradient', title: msg`Discrete gradient` },
+  { value: 'implicit-midpoint', title: msg`Implicit midpoint` },
+  { value: 'leapfrog', title: msg`Leapfrog` },
+  { value: 'yoshida-4', title: msg`Yoshida 4` },
+  { value: 'yoshida-6', title: msg`Yoshida 6` },
+  { value: 'yoshida-8', title: msg`Yoshida 8` },
+  { value: 'semi-implicit-euler', title: msg`Semi-implicit Euler` },
+  { value: 'linearly-implicit', title: msg`Linearly implicit` },
+  { value: 'local-global', title: msg`Local–global` },
 ];
 const CORRECTED_METHODS = METHODS.slice(6).map(({ value }) => value);
 /** Methods that run on the GPU. */
@@ -27,16 +28,16 @@ const YIELD_INTERVAL = 50;
 /** Computes how matter moves, and records its conserved quantities. */
 export const simulateNode = defineNode({
   id: 'simulate',
-  title: 'node.simulate',
-  help: 'node.simulate.help',
+  title: msg`Simulate`,
+  help: msg`Computes how matter moves, with momenta as state, so that nothing reaches c, and records energy and momentum. The result moves along cubics between frames. “slowlight simulate PROJECT” does it on the command line.`,
   category: 'dynamics',
   heavy: true,
   onGpu: (params) => simulationSettings(params).onGpu,
   params: {
     speedOfLight: {
       kind: 'number',
-      title: 'param.speedOfLight',
-      help: 'param.simulatedLight.help',
+      title: msg`Speed of light`,
+      help: msg`The limiting speed; the scene then suggests it for viewing.`,
       unit: 'm/s',
       default: 10,
       min: 0.1,
@@ -46,18 +47,18 @@ export const simulateNode = defineNode({
     },
     mechanics: {
       kind: 'choice',
-      title: 'param.mechanics',
-      help: 'param.mechanics.help',
+      title: msg`Mechanics`,
+      help: msg`Newton’s mechanics is computed as if c were infinite, and may exceed the speed of light used for viewing.`,
       default: 'einstein',
       options: [
-        { value: 'einstein', title: 'mechanics.einstein' },
-        { value: 'newton', title: 'mechanics.newton' },
+        { value: 'einstein', title: msg`Einstein’s` },
+        { value: 'newton', title: msg`Newton’s` },
       ],
     },
-    duration: quantityParam({ title: 'param.duration', unit: 's', default: 4, min: 1e-6, max: 1e6 }),
+    duration: quantityParam({ title: msg`Duration`, unit: 's', default: 4, min: 1e-6, max: 1e6 }),
     rate: quantityParam({
-      title: 'param.frameRate',
-      help: 'param.frameRate.help',
+      title: msg`Frames per second`,
+      help: msg`Number of recorded frames; steps are shorter.`,
       unit: '1/s',
       default: 24,
       min: 1e-3,
@@ -65,41 +66,53 @@ export const simulateNode = defineNode({
     }),
     method: {
       kind: 'choice',
-      title: 'param.method',
-      help: 'param.method.help',
+      title: msg`Method`,
+      help: msg`The discrete gradient conserves energy; splitting methods are fast, and their energy oscillates without a trend; the last three are those of the source documents, for comparison.`,
       default: 'discrete-gradient',
       options: METHODS,
     },
     correction: {
       kind: 'choice',
-      title: 'param.correction',
-      help: 'param.correction.help',
+      title: msg`Correction`,
+      help: msg`Correction of the energy after each step.`,
       default: '0',
       options: [
-        { value: '0', title: 'correction.none' },
-        { value: '1', title: 'correction.tangent' },
-        { value: '2', title: 'correction.secant' },
-        { value: '3', title: 'correction.root' },
+        { value: '0', title: msg`None` },
+        { value: '1', title: msg`By the tangent` },
+        { value: '2', title: msg`By the secant` },
+        { value: '3', title: msg`By the root` },
       ],
       onlyWhen: { param: 'method', is: CORRECTED_METHODS },
     },
     onGpu: {
       kind: 'boolean',
-      title: 'param.onGpu',
-      help: 'param.onGpu.help',
+      title: msg`On the GPU`,
+      help: msg`Takes the steps on the graphics processor, in 32-bit floats: for cloths of many thousands of points. Their rounding error is about a millionth of the kinetic energy.`,
       default: false,
       onlyWhen: { param: 'method', is: SPLITTING_METHODS },
     },
     tolerance: quantityParam({
-      title: 'param.errorASecond',
-      help: 'param.errorASecond.help',
+      title: msg`Error per second`,
+      help: msg`Steps adapt to keep the error of any position [m] and velocity [m/s] below this per second; 0: fixed steps.`,
       unit: 'm',
       default: 0,
       max: 1e6,
       step: 1e-6,
     }),
-    step: quantityParam({ title: 'param.step', help: 'param.step.help', unit: 's', default: 0, max: 1e6, step: 1e-6 }),
-    reach: quantityParam({ title: 'param.touchReach', help: 'param.touchReach.help', unit: 'm', default: 0 }),
+    step: quantityParam({
+      title: msg`Step`,
+      help: msg`Maximum step; 0: a tenth of the stability limit of an explicit method.`,
+      unit: 's',
+      default: 0,
+      max: 1e6,
+      step: 1e-6,
+    }),
+    reach: quantityParam({
+      title: msg`Contact distance`,
+      help: msg`Points of nets that come nearer repel each other: between objects, and within an object that folds if they are farther apart at rest. About the length of an edge; 0: no contact.`,
+      unit: 'm',
+      default: 0,
+    }),
     stiffness: penaltyParam,
   },
   inputs: { matter: { type: 'matter', many: true } },

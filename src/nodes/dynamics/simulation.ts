@@ -4,7 +4,8 @@ import { conservedQuantities } from '../../dynamics/energy.ts';
 import { METHODS } from '../../dynamics/methods/library.ts';
 import { type EarlyStop, integrate, type RunOptions, type SimulationFrame, stepSchedule } from '../../dynamics/run.ts';
 import { type RunRecord, summarizeRun } from '../../dynamics/runRecord.ts';
-import { pointName, type State, SystemError } from '../../dynamics/system.ts';
+import { type State, SystemError, withPointName } from '../../dynamics/system.ts';
+import { type LocalizedText, type Message, msg } from '../../messages/message.ts';
 import type { Diagnostic } from '../../scene/types.ts';
 import { toLoadedScene } from '../common/loadedScene.ts';
 import { nodeRefusal } from '../common/params.ts';
@@ -62,7 +63,11 @@ export class Simulation {
   constructor(matter: readonly Matter[], settings: SimulationSettings, node: string, before?: RecordedMotion) {
     const c = settings.newtonian ? Number.POSITIVE_INFINITY : settings.speedOfLight;
     if (matter.every(({ kind }) => kind === 'field'))
-      throw nodeRefusal('simulate.nothing', node, 'there is nothing to simulate; connect a Mass spring or a Collider');
+      throw nodeRefusal(
+        'simulate.nothing',
+        node,
+        msg`there is nothing to simulate; connect a Mass spring or a Collider`,
+      );
     const setup = withSystemErrors(node, () => setUpSimulation(matter, c, settings.touch));
     this.settings = settings;
     this.node = node;
@@ -155,23 +160,23 @@ export class Simulation {
     const { h, stable } = stepSchedule(options);
     const { grown } = summarizeRun(record);
     const notes: Diagnostic[] = [];
-    const note = (code: string, param: string, message: string, severity: 'warning' | 'info' = 'warning'): void =>
+    const note = (code: string, param: string, message: Message, severity: 'warning' | 'info' = 'warning'): void =>
       void notes.push({ severity, code, place: param ? `${node}.${param}` : node, message });
     if (!stable) {
-      const message = `steps of ${h.toPrecision(3)} s are too long for ${options.method.id}: perturbations may grow; set a shorter step, or 0`;
+      const message = msg`steps of ${h.toPrecision(3)} s are too long for ${options.method.id}: perturbations may grow; set a shorter step, or 0`;
       note('simulate.unstable', 'step', message);
     }
     if (onSoftware) {
-      const message = 'the GPU here is a software implementation; without it the simulation is faster';
+      const message = msg`the GPU here is a software implementation; without it the simulation is faster`;
       note('simulate.software', 'onGpu', message, 'info');
     }
     if (grown !== undefined) {
-      const message = `by t = ${grown.toPrecision(4)} s the energy had grown without a source by more than half of the kinetic energy: an error of ${options.method.id}; set a shorter step, or another method`;
+      const message = msg`by t = ${grown.toPrecision(4)} s the energy had grown without a source by more than half of the kinetic energy: an error of ${options.method.id}; set a shorter step, or another method`;
       note('simulate.grows', 'method', message);
     }
     if (stop) {
       const param = stop.reason === 'tolerance' ? 'tolerance' : '';
-      note('simulate.stopped', param, `it ended at t = ${stop.t.toPrecision(4)} s: ${stop.message}`);
+      note('simulate.stopped', param, msg`it ended at t = ${stop.t.toPrecision(4)} s: ${stop.message}`);
     }
     return notes;
   }
@@ -183,17 +188,17 @@ function withObjectName(stop: EarlyStop, bodyGroups: readonly BodyGroup[]): Earl
   if (point === undefined) return stop;
   for (const body of bodyGroups.flatMap(({ bodies }) => bodies)) {
     const name = pointNameIn(body, point);
-    if (name) return { ...stop, message: stop.message.replace(pointName(point), name) };
+    if (name) return { ...stop, message: withPointName(stop.message, point, name) };
   }
   return stop;
 }
 
 /** Description of a point of a body; undefined if it is not one of its points. */
-function pointNameIn(body: SimulatedBody, point: number): string | undefined {
+function pointNameIn(body: SimulatedBody, point: number): LocalizedText | undefined {
   switch (body.kind) {
     case 'net': {
       const vertex = body.pointOfVertex.indexOf(point);
-      return vertex >= 0 ? `vertex ${vertex} of ${body.object.path}` : undefined;
+      return vertex >= 0 ? msg`vertex ${vertex} of ${body.object.path}` : undefined;
     }
     case 'ball':
       return body.point === point ? body.object.path : undefined;
@@ -205,8 +210,8 @@ function pointNameIn(body: SimulatedBody, point: number): string | undefined {
 }
 
 /** Refuses what a GPU cannot do, with an alternative. */
-const gpuRefusal = (node: string, { message }: SystemError): Error =>
-  nodeRefusal('simulate.gpu', `${node}.onGpu`, `${message}; compute it on the processor`, {
+const gpuRefusal = (node: string, { text }: SystemError): Error =>
+  nodeRefusal('simulate.gpu', `${node}.onGpu`, msg`${text}; compute it on the processor`, {
     ...{ node, param: 'onGpu', value: false },
   });
 
@@ -215,7 +220,7 @@ function withSystemErrors<T>(node: string, make: () => T): T {
   try {
     return make();
   } catch (error) {
-    if (error instanceof SystemError) throw nodeRefusal('simulate.system', node, error.message);
+    if (error instanceof SystemError) throw nodeRefusal('simulate.system', node, error.text);
     throw error;
   }
 }
@@ -229,19 +234,19 @@ function runOptionsFor(
   const frames = Math.max(1, Math.round(duration * rate));
   const set = (param: string, value: number) => ({ node, param, value });
   if (frames > MAX_FRAMES) {
-    const message = `${frames} frames are more than ${MAX_FRAMES}; keep fewer a second, or let it end sooner`;
+    const message = msg`${frames} frames are more than ${MAX_FRAMES}; keep fewer a second, or let it end sooner`;
     throw nodeRefusal('simulate.frames', `${node}.rate`, message, set('duration', MAX_FRAMES / rate));
   }
   const vertices = bodyGroups
     .flatMap(({ bodies }) => bodies)
     .reduce((sum, body) => sum + (body.kind === 'net' ? body.pointOfVertex.length : 0), 0);
   if (vertices * frames > MAX_SAMPLES) {
-    const message = `${vertices} vertices in ${frames} frames are more than ${MAX_SAMPLES} samples; keep fewer frames a second, let it end sooner, or take coarser meshes`;
+    const message = msg`${vertices} vertices in ${frames} frames are more than ${MAX_SAMPLES} samples; keep fewer frames a second, let it end sooner, or take coarser meshes`;
     const most = Math.floor(MAX_SAMPLES / vertices / duration);
     throw nodeRefusal('simulate.samples', `${node}.rate`, message, most >= 1 ? set('rate', most) : undefined);
   }
   if (onGpu && tolerance > 0) {
-    const message = 'adaptive steps are not supported on the GPU; use fixed steps, with 0';
+    const message = msg`adaptive steps are not supported on the GPU; use fixed steps, with 0`;
     throw nodeRefusal('simulate.gpu', `${node}.tolerance`, message, set('tolerance', 0));
   }
   const options: RunOptions = {
@@ -251,7 +256,7 @@ function runOptionsFor(
   };
   const { h, perFrame } = stepSchedule(options);
   if (perFrame * frames > MAX_STEPS) {
-    const message = `it would take ${(perFrame * frames).toExponential(1)} steps of ${h.toExponential(1)} s, more than ${MAX_STEPS}; set a longer step, take softer springs, or let it end sooner`;
+    const message = msg`it would take ${(perFrame * frames).toExponential(1)} steps of ${h.toExponential(1)} s, more than ${MAX_STEPS}; set a longer step, take softer springs, or let it end sooner`;
     throw nodeRefusal('simulate.steps', `${node}.step`, message, set('step', duration / MAX_STEPS));
   }
   return options;

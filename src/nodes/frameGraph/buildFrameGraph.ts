@@ -1,3 +1,5 @@
+import { type Message, msg } from '../../messages/message.ts';
+import { MessageError } from '../../messages/messageError.ts';
 import {
   contentKey,
   type FrameGraph,
@@ -15,7 +17,7 @@ import { VIEWS } from '../../scene/views/views.ts';
 import type { GBufferSpec, ImageSpec, PictureSpec } from '../socketValues.ts';
 
 /** A picture with too many parts. */
-export class FrameGraphError extends Error {}
+export class FrameGraphError extends MessageError {}
 
 /** The primary of two G-buffers: the relativistic one. */
 export const primaryGBuffer = (below: GBufferSpec, above: GBufferSpec): GBufferSpec =>
@@ -55,9 +57,9 @@ export class UniqueList<T> {
   readonly items: T[] = [];
   private readonly places = new Map<unknown, number>();
   private readonly most: number;
-  private readonly what: string;
+  private readonly what: Message;
 
-  constructor(most: number, what: string) {
+  constructor(most: number, what: Message) {
     this.most = most;
     this.what = what;
   }
@@ -66,7 +68,7 @@ export class UniqueList<T> {
     const existing = this.places.get(key);
     if (existing !== undefined) return existing;
     if (this.items.length === this.most)
-      throw new FrameGraphError(`a picture is put together of ${this.most} ${this.what} at most; leave some out`);
+      throw new FrameGraphError(msg`a picture is put together of ${this.most} ${this.what} at most; leave some out`);
     this.places.set(key, this.items.length);
     return this.items.push(item) - 1;
   }
@@ -76,9 +78,9 @@ function buildFrameGraph(
   image: ImageSpec,
   first: GBufferSpec,
 ): { readonly plan: FrameGraph; readonly scenes: readonly Scene[] } {
-  const scenes = new UniqueList<Scene>(MAX_BUFFERS, 'scenes');
-  const buffers = new UniqueList<FrameGraphBuffer>(MAX_BUFFERS, 'G-buffers');
-  const steps = new UniqueList<FrameGraphPass>(MAX_PASSES, 'steps');
+  const scenes = new UniqueList<Scene>(MAX_BUFFERS, msg`scenes`);
+  const buffers = new UniqueList<FrameGraphBuffer>(MAX_BUFFERS, msg`G-buffers`);
+  const steps = new UniqueList<FrameGraphPass>(MAX_PASSES, msg`steps`);
   const bufferPlace = (gbuffer: GBufferSpec): number => {
     const buffer = frameGraphBuffer(gbuffer, scenes.indexOf(gbuffer.scene, gbuffer.scene));
     return buffers.indexOf(buffer, contentKey(buffer));
@@ -86,7 +88,7 @@ function buildFrameGraph(
   bufferPlace(first);
   addPasses(image, steps, bufferPlace);
   if (steps.items.filter(({ kind }) => kind === 'still').length > MAX_STILL_IMAGES)
-    throw new FrameGraphError(`a picture is put together of ${MAX_STILL_IMAGES} stills at most; leave some out`);
+    throw new FrameGraphError(msg`a picture is put together of ${MAX_STILL_IMAGES} stills at most; leave some out`);
   return { plan: { extraBuffers: buffers.items.slice(1), passes: steps.items }, scenes: scenes.items };
 }
 

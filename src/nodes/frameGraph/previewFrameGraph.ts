@@ -1,3 +1,4 @@
+import { msg } from '../../messages/message.ts';
 import { EFFECTS, type EffectInfo } from '../../scene/frameGraph/effects.ts';
 import { type FrameGraph, type FrameGraphPass, MAX_PASSES } from '../../scene/frameGraph/frameGraph.ts';
 import type { Scene } from '../../scene/types.ts';
@@ -34,14 +35,14 @@ export function previewFrameGraph(
   { settings, scenes }: PreviewBase,
   scale: number,
 ) {
-  const steps = new UniqueList<FrameGraphPass>(MAX_PASSES, 'steps');
+  const steps = new UniqueList<FrameGraphPass>(MAX_PASSES, msg`steps`);
   const others = settings.frameGraph?.extraBuffers ?? [];
   const buffers = [0, ...others].map((_, i) =>
     JSON.stringify(frameGraphBuffer(bufferSettings(settings, i), others[i - 1]?.scene ?? 0)),
   );
   const bufferPlace = (gbuffer: GBufferSpec): number => {
     const place = buffers.indexOf(JSON.stringify(frameGraphBuffer(gbuffer, scenes.indexOf(gbuffer.scene))));
-    if (place < 0) throw new FrameGraphError('the picture has no such G-buffer');
+    if (place < 0) throw new FrameGraphError(msg`the picture has no such G-buffer`);
     return place;
   };
   const places = new Map<string, PreviewTarget>();

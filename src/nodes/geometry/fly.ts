@@ -1,5 +1,6 @@
 import { type NodeProblem, NodeRefusal } from '../../graph/nodeType.ts';
 import { length, normalize, scale } from '../../math/vec3.ts';
+import { msg } from '../../messages/message.ts';
 import { fly, isAtOrBelow, tooLargeToFly } from '../../scene/motion/fly.ts';
 import { fastestVertex } from '../../scene/motion/motion.ts';
 import type { Scene } from '../../scene/types.ts';
@@ -11,15 +12,20 @@ import type { RelativisticScene } from '../socketValues.ts';
 /** Makes an object fly along a straight line, replacing its motion. */
 export const flyNode = defineNode({
   id: 'fly',
-  title: 'node.fly',
-  help: 'node.fly.help',
+  title: msg`Flight`,
+  help: msg`Makes an object, with everything below it, fly along a straight line. Rigid objects keep their pose and lose their own motion; deforming objects keep deforming, and the two velocities are added relativistically.`,
   category: 'geometry',
   params: {
-    object: { kind: 'text', title: 'param.flyObject', help: 'param.flyObject.help', default: '' },
+    object: {
+      kind: 'text',
+      title: msg`What flies`,
+      help: msg`An object, or a group with its whole content.`,
+      default: '',
+    },
     speed: {
       kind: 'number',
-      title: 'param.flySpeed',
-      help: 'param.flySpeed.help',
+      title: msg`Speed`,
+      help: msg`In units of the speed of light.`,
       unit: 'c',
       default: 0.8,
       min: 0,
@@ -29,19 +35,22 @@ export const flyNode = defineNode({
     },
     direction: {
       kind: 'vector',
-      title: 'param.flyDirection',
-      help: 'param.flyDirection.help',
+      title: msg`Direction`,
+      help: msg`In the axes of the scene; its length does not matter.`,
       default: [1, 0, 0],
     },
-    at: { ...timeParam('param.flyAt', 0), help: 'param.flyAt.help' },
+    at: {
+      ...timeParam(msg`Passes its position at`, 0),
+      help: msg`World time at which it is where it would be without the flight.`,
+    },
     authoredIn: {
       kind: 'choice',
-      title: 'param.flyShape',
-      help: 'param.flyShape.help',
+      title: msg`The file’s shape is that`,
+      help: msg`At rest: the flight contracts it. In flight: it is already contracted. Deforming objects are always treated as in flight.`,
       default: 'rest',
       options: [
-        { value: 'rest', title: 'fly.rest' },
-        { value: 'world', title: 'fly.world' },
+        { value: 'rest', title: msg`At rest` },
+        { value: 'world', title: msg`In flight` },
       ],
     },
   },
@@ -70,15 +79,20 @@ function assertCanFly(scene: Scene, path: string, direction: readonly [number, n
     throw refusal({
       code: 'fly.missing',
       place: path,
-      message: 'the scene has no such object; choose another',
+      message: msg`the scene has no such object; choose another`,
     });
   }
   if (length(direction) === 0) {
     const remedy = { node, param: 'direction', value: [1, 0, 0] };
-    throw refusal({ code: 'fly.direction', place: path, message: 'the direction 0, 0, 0 is not a direction', remedy });
+    throw refusal({
+      code: 'fly.direction',
+      place: path,
+      message: msg`the direction 0, 0, 0 is not a direction`,
+      remedy,
+    });
   }
   if (large !== undefined) {
-    const message = 'it deforms, and has too many samples to be carried along; let the file move it';
+    const message = msg`it deforms, and has too many samples to be carried along; let the file move it`;
     throw refusal({ code: 'fly.too-large', place: large, message });
   }
 }
@@ -106,6 +120,6 @@ function superluminalProblem(
   c: number,
   node: string,
 ): Omit<NodeProblem, 'severity'> {
-  const message = `with its own motion the flight makes it ${(speed / c).toPrecision(3)} c at t = ${time.toFixed(2)} s; fly slower, or raise the speed of light`;
+  const message = msg`with its own motion the flight makes it ${(speed / c).toPrecision(3)} c at t = ${time.toFixed(2)} s; fly slower, or raise the speed of light`;
   return { code: 'motion.superluminal', place: path, message, remedy: { node, param: 'speed', value: 0.5 } };
 }

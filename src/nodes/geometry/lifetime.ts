@@ -1,3 +1,4 @@
+import { msg } from '../../messages/message.ts';
 import { withLifetime } from '../../scene/compose/assignMaterial.ts';
 import { assertPathExists, nodeRefusal, timeParam, whichParam } from '../common/params.ts';
 import { defineNode } from '../defineNode.ts';
@@ -5,10 +6,10 @@ import { defineNode } from '../defineNode.ts';
 /** Time range in which objects exist. */
 export const lifetimeNode = defineNode({
   id: 'lifetime',
-  title: 'node.lifetime',
-  help: 'node.lifetime.help',
+  title: msg`Lifetime`,
+  help: msg`The time range in which objects exist.`,
   category: 'geometry',
-  params: { which: whichParam, birth: timeParam('param.birth', 0), death: timeParam('param.death', 10) },
+  params: { which: whichParam, birth: timeParam(msg`Begins at`, 0), death: timeParam(msg`Ends at`, 10) },
   inputs: { geometry: { type: 'geometry' } },
   outputs: { geometry: { type: 'geometry' } },
   evaluate({ geometry }, { which, birth, death }, { node }) {
@@ -18,7 +19,7 @@ export const lifetimeNode = defineNode({
       throw nodeRefusal(
         'lifetime.empty',
         `${node}.death`,
-        `it ends at ${death} s, before it begins at ${birth} s`,
+        msg`it ends at ${death} s, before it begins at ${birth} s`,
         remedy,
       );
     }

@@ -1,4 +1,5 @@
 import { readReflectanceCsv } from '../../formats/attributes/spectrumCsv.ts';
+import { type LocalizedText, type Message, msg } from '../../messages/message.ts';
 import { assignMaterial } from '../../scene/compose/assignMaterial.ts';
 import { makeMaterial } from '../../scene/defaults.ts';
 import { measuredMaterial } from '../../scene/materials/measuredMaterial.ts';
@@ -9,44 +10,52 @@ import { assertPathExists, nodeRefusal, whichParam } from '../common/params.ts';
 import { defineNode } from '../defineNode.ts';
 import type { Services } from '../services.ts';
 
-const fractionParam = (title: string, value: number) =>
+const fractionParam = (title: LocalizedText, value: number) =>
   ({ kind: 'number', title, default: value, min: 0, max: 1, step: 0.01 }) as const;
+const PRESET_TITLES: Readonly<Record<string, Message>> = {
+  leaf: msg`Leaf`,
+  skin: msg`Skin`,
+  asphalt: msg`Asphalt`,
+  snow: msg`Snow`,
+  gold: msg`Gold`,
+  copper: msg`Copper`,
+};
 const CUSTOM_PRESET = { param: 'preset', is: 'own' } as const;
 
 /** A surface material. */
 export const materialNode = defineNode({
   id: 'material',
-  title: 'node.material',
-  help: 'node.material.help',
+  title: msg`Material`,
+  help: msg`The material of a surface, including ultraviolet and infrared.`,
   category: 'geometry',
   params: {
     which: whichParam,
     preset: {
       kind: 'choice',
-      title: 'param.preset',
-      help: 'param.preset.help',
+      title: msg`Surface`,
+      help: msg`A surface modelled on measurements, including ultraviolet and infrared, or a custom one.`,
       default: 'own',
       options: [
-        { value: 'own', title: 'preset.own' },
-        ...[...MATERIAL_PRESETS.keys()].map((name) => ({ value: name, title: `preset.${name}` })),
+        { value: 'own', title: msg`Custom` },
+        ...[...MATERIAL_PRESETS.keys()].map((name) => ({ value: name, title: PRESET_TITLES[name] ?? name })),
       ],
     },
     reflectance: {
       kind: 'text',
-      title: 'param.reflectance',
-      help: 'param.reflectance.help',
+      title: msg`Reflectance`,
+      help: msg`A CSV table: each line has a wavelength in nm and the reflected fraction, 0 to 1. The colour is then that of the table.`,
       default: '',
       file: true,
       onlyWhen: CUSTOM_PRESET,
     },
-    color: { kind: 'color', title: 'param.color', default: [0.5, 0.5, 0.5], onlyWhen: CUSTOM_PRESET },
-    roughness: { ...fractionParam('param.roughness', 0.6), onlyWhen: CUSTOM_PRESET },
-    metallic: { ...fractionParam('param.metallic', 0), onlyWhen: CUSTOM_PRESET },
-    opacity: fractionParam('param.opacity', 1),
+    color: { kind: 'color', title: msg`Colour`, default: [0.5, 0.5, 0.5], onlyWhen: CUSTOM_PRESET },
+    roughness: { ...fractionParam(msg`Roughness`, 0.6), onlyWhen: CUSTOM_PRESET },
+    metallic: { ...fractionParam(msg`Metallic`, 0), onlyWhen: CUSTOM_PRESET },
+    opacity: fractionParam(msg`Opacity`, 1),
     glow: {
       kind: 'number',
-      title: 'param.glow',
-      help: 'param.glow.help',
+      title: msg`Emission`,
+      help: msg`Emitted light; 1 is as bright as a white surface in full daylight.`,
       default: 0,
       min: 0,
       max: 1e6,
@@ -55,8 +64,8 @@ export const materialNode = defineNode({
     },
     temperature: {
       kind: 'number',
-      title: 'param.temperature',
-      help: 'param.temperature.help',
+      title: msg`Temperature`,
+      help: msg`Temperature of the blackbody emission.`,
       unit: 'K',
       default: 6504,
       min: 500,

@@ -1,3 +1,4 @@
+import { msg } from '../../messages/message.ts';
 import { mergeScenes } from '../../scene/compose/mergeScenes.ts';
 import { toLoadedScene } from '../common/loadedScene.ts';
 import { defineNode } from '../defineNode.ts';
@@ -5,8 +6,8 @@ import { defineNode } from '../defineNode.ts';
 /** Merges geometry; for what can occur only once the first input wins. */
 export const mergeNode = defineNode({
   id: 'merge',
-  title: 'node.merge',
-  help: 'node.merge.help',
+  title: msg`Merge`,
+  help: msg`Merges several inputs. Duplicate names get a number.`,
   category: 'geometry',
   params: {},
   inputs: { geometry: { type: 'geometry', many: true } },

@@ -1,3 +1,4 @@
+import { msg } from '../../messages/message.ts';
 import { applyRigidMotion, movingPaths, reachFromOrigin } from '../../scene/compose/applyRigidMotion.ts';
 import { motionFromPath } from '../../scene/compose/motionPaths.ts';
 import { sampleTimes } from '../../scene/motion/motion.ts';
@@ -9,19 +10,19 @@ import { defineNode } from '../defineNode.ts';
 /** Moves objects at rest, all as one body. */
 export const moveNode = defineNode({
   id: 'move',
-  title: 'node.move',
-  help: 'node.move.help',
+  title: msg`Motion`,
+  help: msg`Moves objects that are at rest, all as one body.`,
   category: 'geometry',
   params: {
     which: whichParam,
     authoredIn: {
       kind: 'choice',
-      title: 'param.flyShape',
-      help: 'param.flyShape.help',
+      title: msg`The file’s shape is that`,
+      help: msg`At rest: the flight contracts it. In flight: it is already contracted. Deforming objects are always treated as in flight.`,
       default: 'world',
       options: [
-        { value: 'rest', title: 'fly.rest' },
-        { value: 'world', title: 'fly.world' },
+        { value: 'rest', title: msg`At rest` },
+        { value: 'world', title: msg`In flight` },
       ],
     },
   },
@@ -31,7 +32,7 @@ export const moveNode = defineNode({
     assertPathExists(scene, which, node);
     const [moving] = movingPaths(scene, which);
     if (moving !== undefined) {
-      const message = `${moving} moves already; put this before what moves it, or choose things at rest`;
+      const message = msg`${moving} moves already; put this before what moves it, or choose things at rest`;
       throw nodeRefusal('move.moving', moving, message);
     }
     const motion = motionFromPath(course, reachFromOrigin(scene, which));

@@ -1,4 +1,6 @@
+import { ANY_FORMAT } from '../../formats/formatLists.ts';
 import { parseVariantChoice } from '../../formats/variantChoice.ts';
+import { msg } from '../../messages/message.ts';
 import { InputError } from '../../scene/types.ts';
 import { nodeRefusal } from '../common/params.ts';
 import { defineNode } from '../defineNode.ts';
@@ -6,28 +8,28 @@ import { defineNode } from '../defineNode.ts';
 /** Reads a scene file of any supported format. */
 export const readNode = defineNode({
   id: 'read',
-  title: 'node.read',
-  help: 'node.read.help',
+  title: msg`Read`,
+  help: msg`Reads a scene file: ${ANY_FORMAT}.`,
   category: 'geometry',
   params: {
-    source: { kind: 'text', title: 'node.read.source', default: '', file: true },
+    source: { kind: 'text', title: msg`File`, default: '', file: true },
     /** `set=option`, as `Scene.variants` names them: `/World/Car{paint}=red`. */
-    variants: { kind: 'list', title: 'node.read.variants', default: [] },
+    variants: { kind: 'list', title: msg`Variants`, default: [] },
     interpolation: {
       kind: 'choice',
-      title: 'node.read.interpolation',
-      help: 'node.read.interpolation.help',
+      title: msg`Between samples`,
+      help: msg`Interpolation between the time samples of a USD file: linear, as USD specifies, or cubic, so that velocities do not jump.`,
       default: 'linear',
       options: [
-        { value: 'linear', title: 'interpolation.linear' },
-        { value: 'cubic', title: 'interpolation.cubic' },
+        { value: 'linear', title: msg`Linear` },
+        { value: 'cubic', title: msg`Cubic` },
       ],
     },
   },
   inputs: {},
   outputs: { geometry: { type: 'geometry' } },
   async evaluate(_inputs, { source, variants, interpolation }, { node, services, signal, progress }) {
-    if (!source) throw nodeRefusal('read.none', node, 'no file is chosen; open one, or take one of the examples');
+    if (!source) throw nodeRefusal('read.none', node, msg`no file is chosen; open one, or take one of the examples`);
     try {
       return {
         geometry: await services.readScene(source, {

@@ -1,3 +1,4 @@
+import { msg } from '../../messages/message.ts';
 import { SPEED_OF_LIGHT } from '../../physics/constants.ts';
 import { approachesC, fastestVertex } from '../../scene/motion/motion.ts';
 import { retime } from '../../scene/motion/retime.ts';
@@ -8,14 +9,14 @@ import type { LoadedScene } from '../services.ts';
 /** Time offset and speed of a scene's animation. */
 export const retimeNode = defineNode({
   id: 'retime',
-  title: 'node.retime',
-  help: 'node.retime.help',
+  title: msg`Animation`,
+  help: msg`When the file’s animation begins, and how fast it runs. Motion faster than light is refused.`,
   category: 'geometry',
   params: {
     speed: {
       kind: 'number',
-      title: 'param.animationSpeed',
-      help: 'param.animationSpeed.help',
+      title: msg`Animation speed`,
+      help: msg`Multiplies all speeds in the file. A constant acceleration is multiplied by the square and still stays below c.`,
       unit: '×',
       default: 1,
       min: 0.01,
@@ -23,7 +24,10 @@ export const retimeNode = defineNode({
       step: 0.01,
       scale: 'log',
     },
-    offset: { ...timeParam('param.animationOffset', 0), help: 'param.animationOffset.help' },
+    offset: {
+      ...timeParam(msg`Starts later by`, 0),
+      help: msg`Delay of the animation relative to the file; negative values make it start earlier.`,
+    },
   },
   inputs: { geometry: { type: 'geometry' } },
   outputs: { geometry: { type: 'geometry' } },

@@ -1,3 +1,4 @@
+import { msg } from '../../messages/message.ts';
 import { withObjects } from '../../scene/compose/assignMaterial.ts';
 import { matchesPath } from '../../scene/compose/mergeScenes.ts';
 import { toLoadedScene } from '../common/loadedScene.ts';
@@ -8,21 +9,21 @@ import { countParam } from './primitives/definePrimitive.ts';
 /** Subdivides triangles into four, optionally smoothing the surface. */
 export const subdivideNode = defineNode({
   id: 'subdivide',
-  title: 'node.subdivide',
-  help: 'node.subdivide.help',
+  title: msg`Subdivide`,
+  help: msg`Splits triangles into four, or makes a smooth surface from them. Not needed for rendering, which tessellates edges for each picture.`,
   category: 'geometry',
   heavy: true,
   params: {
     which: whichParam,
-    levels: countParam('param.levels', 1, 0, 6),
+    levels: countParam(msg`Levels`, 1, 0, 6),
     surface: {
       kind: 'choice',
-      title: 'param.surface',
-      help: 'param.surface.help',
+      title: msg`Surface`,
+      help: msg`The same shape with smaller triangles, or a smooth surface (Loop subdivision).`,
       default: 'same',
       options: [
-        { value: 'same', title: 'surface.same' },
-        { value: 'smooth', title: 'surface.smooth' },
+        { value: 'same', title: msg`Same shape` },
+        { value: 'smooth', title: msg`Smooth` },
       ],
     },
   },
@@ -37,12 +38,12 @@ export const subdivideNode = defineNode({
     const chosen = scene.objects.filter(({ path }) => matchesPath(path, which));
     const triangles = chosen.reduce((sum, { mesh }) => sum + trianglesAfter(mesh, levels), 0);
     if (triangles > MAX_TRIANGLES) {
-      const message = `${levels} levels would make ${triangles.toExponential(1)} triangles, more than ${MAX_TRIANGLES}; take fewer levels, or fewer things`;
+      const message = msg`${levels} levels would make ${triangles.toExponential(1)} triangles, more than ${MAX_TRIANGLES}; take fewer levels, or fewer things`;
       throw nodeRefusal('subdivide.many', `${node}.levels`, message, { node, param: 'levels', value: levels - 1 });
     }
     const stored = chosen.find((object) => !canSubdivide(object));
     if (stored) {
-      const message = `${stored.path} deforms and its samples are left in their file, so that they cannot be cut; choose other things`;
+      const message = msg`${stored.path} deforms and its samples are left in their file, so that they cannot be cut; choose other things`;
       throw nodeRefusal('subdivide.stored', stored.path, message);
     }
     const finer = surface === 'smooth' ? loopSubdivide : midpointSubdivide;

@@ -1,3 +1,4 @@
+import { msg } from '../../messages/message.ts';
 import { transformScene } from '../../scene/compose/transformScene.ts';
 import { toLoadedScene } from '../common/loadedScene.ts';
 import { rotationXYZ, vectorParam } from '../common/params.ts';
@@ -6,16 +7,16 @@ import { defineNode } from '../defineNode.ts';
 /** Rotates, scales and translates everything in its input, with motions, lights and cameras. */
 export const transformNode = defineNode({
   id: 'transform',
-  title: 'node.transform',
-  help: 'node.transform.help',
+  title: msg`Transform`,
+  help: msg`Rotates, scales and translates the input, with its motions, lamps and cameras.`,
   category: 'geometry',
   params: {
-    position: vectorParam('param.position', [0, 0, 0], 'm'),
-    rotation: vectorParam('param.rotation', [0, 0, 0], '°'),
+    position: vectorParam(msg`Position`, [0, 0, 0], 'm'),
+    rotation: vectorParam(msg`Rotation`, [0, 0, 0], '°'),
     scale: {
       kind: 'number',
-      title: 'param.scale',
-      help: 'param.scale.help',
+      title: msg`Scale`,
+      help: msg`Scales sizes, and with them the distances and speeds of motions.`,
       unit: '×',
       default: 1,
       min: 1e-6,

@@ -1,4 +1,5 @@
 import { normalize } from '../../math/vec3.ts';
+import { msg } from '../../messages/message.ts';
 import { timeParam, vectorParam } from '../common/params.ts';
 import { defineNode } from '../defineNode.ts';
 import { lengthParam } from '../geometry/primitives/definePrimitive.ts';
@@ -7,17 +8,17 @@ import { assertTimeSpan, assertTurns } from './checkSpan.ts';
 /** Around a circle at constant speed. */
 export const circularNode = defineNode({
   id: 'motion-circular',
-  title: 'node.circular',
-  help: 'node.circular.help',
+  title: msg`Circular motion`,
+  help: msg`Around a circle at constant speed.`,
   category: 'geometry',
   params: {
-    center: vectorParam('param.center', [0, 0, 0], 'm'),
-    axis: vectorParam('param.axisVector', [0, 1, 0]),
-    radius: lengthParam('param.radius', 4),
+    center: vectorParam(msg`Centre`, [0, 0, 0], 'm'),
+    axis: vectorParam(msg`Axis`, [0, 1, 0]),
+    radius: lengthParam(msg`Radius`, 4),
     speed: {
       kind: 'number',
-      title: 'param.speed',
-      help: 'param.speedRound.help',
+      title: msg`Speed`,
+      help: msg`Along the circle; negative values reverse the direction.`,
       unit: 'm/s',
       default: 1,
       min: -1e9,
@@ -25,9 +26,14 @@ export const circularNode = defineNode({
       step: 0.01,
       slider: false,
     },
-    facing: { kind: 'boolean', title: 'param.facing', help: 'param.facing.help', default: true },
-    from: timeParam('param.from', 0),
-    to: timeParam('param.to', 60),
+    facing: {
+      kind: 'boolean',
+      title: msg`Face along motion`,
+      help: msg`Turns with the direction of motion; otherwise it keeps its pose.`,
+      default: true,
+    },
+    from: timeParam(msg`From`, 0),
+    to: timeParam(msg`To`, 60),
   },
   inputs: {},
   outputs: { motion: { type: 'motion' } },

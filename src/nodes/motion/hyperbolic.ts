@@ -1,3 +1,4 @@
+import { msg } from '../../messages/message.ts';
 import { IDENTITY_POSE } from '../../scene/defaults.ts';
 import { timeParam, vectorParam } from '../common/params.ts';
 import { defineNode } from '../defineNode.ts';
@@ -5,12 +6,12 @@ import { defineNode } from '../defineNode.ts';
 /** Constant proper acceleration, momentarily at rest once. */
 export const hyperbolicNode = defineNode({
   id: 'motion-hyperbolic',
-  title: 'node.hyperbolic',
-  help: 'node.hyperbolic.help',
+  title: msg`Hyperbolic motion`,
+  help: msg`Constant proper acceleration: approaches c but never reaches it.`,
   category: 'geometry',
   params: {
-    acceleration: vectorParam('param.properAcceleration', [1, 0, 0], 'm/s²'),
-    restAt: timeParam('param.restAt', 0),
+    acceleration: vectorParam(msg`Proper acceleration`, [1, 0, 0], 'm/s²'),
+    restAt: timeParam(msg`At rest at`, 0),
   },
   inputs: {},
   outputs: { motion: { type: 'motion' } },

@@ -1,5 +1,6 @@
 import { IDENTITY } from '../../math/quat.ts';
 import type { Vec3 } from '../../math/vec3.ts';
+import { msg } from '../../messages/message.ts';
 import type { PoseKey } from '../../scene/compose/motionPaths.ts';
 import { nodeRefusal, rotationXYZ } from '../common/params.ts';
 
@@ -17,7 +18,7 @@ export function parsePathPoints(texts: readonly string[], node: string): Vec3[] 
       throw nodeRefusal(
         'path.same',
         `${node}.places ${i + 2}`,
-        'it is the place before it again; leave one of them out',
+        msg`it is the place before it again; leave one of them out`,
       );
   });
   return places;
@@ -32,7 +33,7 @@ export function parsePoseKeys(texts: readonly string[], node: string): PoseKey[]
   checkCount(keys, `${node}.keys`);
   keys.slice(1).forEach(({ time }, i) => {
     if (!(time > keys[i]!.time)) {
-      const message = `its time ${time} s is not after ${keys[i]!.time} s, that of the one before it; put them in order`;
+      const message = msg`its time ${time} s is not after ${keys[i]!.time} s, that of the one before it; put them in order`;
       throw nodeRefusal('keys.order', `${node}.keys ${i + 2}`, message);
     }
   });
@@ -41,9 +42,13 @@ export function parsePoseKeys(texts: readonly string[], node: string): PoseKey[]
 
 function checkCount(all: readonly unknown[], place: string): void {
   if (all.length < 2)
-    throw nodeRefusal('path.short', place, `it takes at least two; there ${all.length === 1 ? 'is one' : 'are none'}`);
+    throw nodeRefusal(
+      'path.short',
+      place,
+      msg`it takes at least two; there ${all.length === 1 ? msg`is one` : msg`are none`}`,
+    );
   if (all.length > MAX_KEYS)
-    throw nodeRefusal('path.long', place, `there are ${all.length}, more than ${MAX_KEYS}; take fewer`);
+    throw nodeRefusal('path.long', place, msg`there are ${all.length}, more than ${MAX_KEYS}; take fewer`);
 }
 
 function parseNumbers(text: string, counts: readonly number[], place: string): number[] {
@@ -55,6 +60,6 @@ function parseNumbers(text: string, counts: readonly number[], place: string): n
   throw nodeRefusal(
     'path.numbers',
     place,
-    `"${text.slice(0, 80)}" is not ${counts.join(' or ')} numbers; write them with blanks between them`,
+    msg`"${text.slice(0, 80)}" is not ${counts.join(' or ')} numbers; write them with blanks between them`,
   );
 }

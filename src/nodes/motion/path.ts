@@ -1,3 +1,4 @@
+import { msg } from '../../messages/message.ts';
 import { timeParam } from '../common/params.ts';
 import { defineNode } from '../defineNode.ts';
 import { assertTimeSpan } from './checkSpan.ts';
@@ -6,14 +7,24 @@ import { parsePathPoints } from './keyTable.ts';
 /** Along a smooth curve through points, at constant speed. */
 export const pathNode = defineNode({
   id: 'motion-path',
-  title: 'node.path',
-  help: 'node.path.help',
+  title: msg`Path`,
+  help: msg`Along a smooth curve through points, at constant speed.`,
   category: 'geometry',
   params: {
-    places: { kind: 'list', title: 'param.places', help: 'param.places.help', default: ['0 0 0', '4 0 0', '4 0 -4'] },
-    facing: { kind: 'boolean', title: 'param.facing', help: 'param.facing.help', default: true },
-    from: timeParam('param.from', 0),
-    to: timeParam('param.to', 10),
+    places: {
+      kind: 'list',
+      title: msg`Waypoints`,
+      help: msg`One point per line: x y z in metres.`,
+      default: ['0 0 0', '4 0 0', '4 0 -4'],
+    },
+    facing: {
+      kind: 'boolean',
+      title: msg`Face along motion`,
+      help: msg`Turns with the direction of motion; otherwise it keeps its pose.`,
+      default: true,
+    },
+    from: timeParam(msg`From`, 0),
+    to: timeParam(msg`To`, 10),
   },
   inputs: {},
   outputs: { motion: { type: 'motion' } },

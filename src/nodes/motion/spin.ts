@@ -1,4 +1,5 @@
 import { normalize } from '../../math/vec3.ts';
+import { msg } from '../../messages/message.ts';
 import { timeParam, vectorParam } from '../common/params.ts';
 import { defineNode } from '../defineNode.ts';
 import { assertTimeSpan, assertTurns } from './checkSpan.ts';
@@ -6,15 +7,15 @@ import { assertTimeSpan, assertTurns } from './checkSpan.ts';
 /** Rotation in place. */
 export const spinNode = defineNode({
   id: 'motion-spin',
-  title: 'node.spin',
-  help: 'node.spin.help',
+  title: msg`Spin`,
+  help: msg`Rotates around an axis.`,
   category: 'geometry',
   params: {
-    center: vectorParam('param.center', [0, 0, 0], 'm'),
-    axis: vectorParam('param.axisVector', [0, 1, 0]),
+    center: vectorParam(msg`Centre`, [0, 0, 0], 'm'),
+    axis: vectorParam(msg`Axis`, [0, 1, 0]),
     rate: {
       kind: 'number',
-      title: 'param.rate',
+      title: msg`Rate`,
       unit: 'rad/s',
       default: 1,
       min: -1e9,
@@ -22,8 +23,8 @@ export const spinNode = defineNode({
       step: 0.01,
       slider: false,
     },
-    from: timeParam('param.from', 0),
-    to: timeParam('param.to', 60),
+    from: timeParam(msg`From`, 0),
+    to: timeParam(msg`To`, 60),
   },
   inputs: {},
   outputs: { motion: { type: 'motion' } },

@@ -1,4 +1,5 @@
 import { dotted, extensionOf } from '../../formats/files/fileSource.ts';
+import { msg } from '../../messages/message.ts';
 import type { Scene } from '../../scene/types.ts';
 import { nodeRefusal } from '../common/params.ts';
 import type { PictureSpec } from '../socketValues.ts';
@@ -84,6 +85,6 @@ export function checkedFileName(name: string, extensions: readonly string[], nod
     .replace(/^[.\s]+/u, '')
     .replace(/\.[^.]*$/u, '');
   const value = `${bare.slice(0, MAX_NAME_LENGTH / 2) || 'file'}.${extensions[0]}`;
-  const message = `"${name.slice(0, 80)}" is no name of a file without folders that ends in ${dotted(extensions)}; write one like ${value}`;
+  const message = msg`"${name.slice(0, 80)}" is no name of a file without folders that ends in ${dotted(extensions)}; write one like ${value}`;
   throw nodeRefusal('file.name', `${node}.name`, message, { node, param: 'name', value });
 }

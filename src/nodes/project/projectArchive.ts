@@ -6,6 +6,7 @@ import type { FileReference, GraphDocument } from '../../graph/document/document
 import { referencedFiles } from '../../graph/document/fileReferences.ts';
 import { parseDocument } from '../../graph/document/parse.ts';
 import { serializeDocument } from '../../graph/document/serialize.ts';
+import { msg } from '../../messages/message.ts';
 import { nodeLibrary } from '../library.ts';
 
 /** File name of the project in its archive. */
@@ -24,7 +25,7 @@ export async function packProjectArchive(
 ): Promise<Uint8Array> {
   const missing = referencedFiles(document, nodeLibrary).find((file) => !files.has(file));
   if (missing !== undefined)
-    throw inputError('file.missing', missing, 'the project reads it; open it again before the project is packed');
+    throw inputError('file.missing', missing, msg`the project reads it; open it again before the project is packed`);
   const references = await Promise.all(
     [...files].map(async ([path, bytes]) => [path, await fileReference(bytes)] as const),
   );
@@ -61,7 +62,8 @@ export async function openProjectArchive(archive: Uint8Array, name: string): Pro
   const files = new Map<string, Uint8Array>();
   for (const path of await source.list()) files.set(path.slice(folder.length), (await source.read(path))!);
   const project = files.get(PROJECT_FILE_NAME);
-  if (!project) throw inputError('zip.no-project', name, `it holds no ${PROJECT_FILE_NAME}; export the project again`);
+  if (!project)
+    throw inputError('zip.no-project', name, msg`it holds no ${PROJECT_FILE_NAME}; export the project again`);
   files.delete(PROJECT_FILE_NAME);
   return { document: parseDocument(new TextDecoder().decode(project)), files };
 }

@@ -1,16 +1,17 @@
+import { msg } from '../../messages/message.ts';
 import { defineNode } from '../defineNode.ts';
 
 /** Ambient occlusion as a mask. */
 export const ambientOcclusionNode = defineNode({
   id: 'ambient-occlusion',
-  title: 'node.occlusion',
-  help: 'node.occlusion.help',
+  title: msg`Ambient occlusion`,
+  help: msg`The visible fraction of the sky at each point as a mask, which can be smoothed, viewed, or multiplied with an image.`,
   category: 'render',
   params: {
     radius: {
       kind: 'number',
-      title: 'param.occlusionRadius',
-      help: 'param.occlusionRadius.help',
+      title: msg`Radius (0: automatic)`,
+      help: msg`Objects farther away than this do not occlude.`,
       unit: 'm',
       default: 0,
       min: 0,

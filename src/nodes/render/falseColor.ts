@@ -1,23 +1,24 @@
+import { msg } from '../../messages/message.ts';
 import { defineNode } from '../defineNode.ts';
 
 /** False colours for a quantity, over the picture. */
 export const falseColorNode = defineNode({
   id: 'false-colour',
-  title: 'node.falseColor',
-  help: 'node.falseColor.help',
+  title: msg`False colour`,
+  help: msg`Shows a quantity as colours with a legend: Doppler factor, emission time, luminance, or the visible part of the emitted spectrum.`,
   category: 'render',
   params: {
     of: {
       kind: 'choice',
-      title: 'param.falseColor',
-      help: 'param.falseColor.help',
+      title: msg`False colours`,
+      help: msg`Shows a quantity as colours: the Doppler factor D; the emission time; the luminance before exposure; the visible part of the emitted spectrum.`,
       default: 'none',
       options: [
-        { value: 'none', title: 'falseColor.none' },
-        { value: 'doppler', title: 'falseColor.doppler' },
-        { value: 'emission-time', title: 'falseColor.emissionTime' },
-        { value: 'radiance', title: 'falseColor.radiance' },
-        { value: 'band', title: 'falseColor.band' },
+        { value: 'none', title: msg`Off` },
+        { value: 'doppler', title: msg`Doppler` },
+        { value: 'emission-time', title: msg`Time` },
+        { value: 'radiance', title: msg`Light` },
+        { value: 'band', title: msg`Band` },
       ],
     },
   },

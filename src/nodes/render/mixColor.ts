@@ -1,33 +1,34 @@
+import { msg } from '../../messages/message.ts';
 import { defineNode } from '../defineNode.ts';
 import { primaryGBuffer } from '../frameGraph/buildFrameGraph.ts';
 
 /** Blends two images. */
 export const mixColorNode = defineNode({
   id: 'mix-color',
-  title: 'node.mixColor',
-  help: 'node.mixColor.help',
+  title: msg`Mix colour`,
+  help: msg`Blends two images. Split shows them side by side, wipe moves the border between them.`,
   category: 'render',
   params: {
     mode: {
       kind: 'choice',
-      title: 'param.mixMode',
-      help: 'param.mixMode.help',
+      title: msg`Mode`,
+      help: msg`Blends linear light: values brighter than white are kept.`,
       default: 'normal',
       options: [
-        { value: 'normal', title: 'mix.normal' },
-        { value: 'multiply', title: 'mix.multiply' },
-        { value: 'add', title: 'mix.add' },
-        { value: 'screen', title: 'mix.screen' },
-        { value: 'overlay', title: 'mix.overlay' },
-        { value: 'difference', title: 'mix.difference' },
-        { value: 'split', title: 'mix.split' },
-        { value: 'wipe', title: 'mix.wipe' },
+        { value: 'normal', title: msg`Normal` },
+        { value: 'multiply', title: msg`Multiply` },
+        { value: 'add', title: msg`Add` },
+        { value: 'screen', title: msg`Screen` },
+        { value: 'overlay', title: msg`Overlay` },
+        { value: 'difference', title: msg`Difference` },
+        { value: 'split', title: msg`Split` },
+        { value: 'wipe', title: msg`Wipe` },
       ],
     },
     alpha: {
       kind: 'number',
-      title: 'param.alpha',
-      help: 'param.alpha.help',
+      title: msg`Alpha`,
+      help: msg`Opacity of the upper image; for split and wipe, position of the border.`,
       default: 0.5,
       min: 0,
       max: 1,
@@ -35,8 +36,8 @@ export const mixColorNode = defineNode({
     },
   },
   inputs: {
-    below: { type: 'image', title: 'socket.below' },
-    above: { type: 'image', title: 'socket.above' },
+    below: { type: 'image', title: msg`Below` },
+    above: { type: 'image', title: msg`Above` },
     mask: { type: 'mask', optional: true },
   },
   outputs: { image: { type: 'image' } },

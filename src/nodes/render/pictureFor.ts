@@ -8,6 +8,6 @@ export function buildPictureAt(image: ImageSpec, node: string): PictureSpec {
     return buildPicture(image);
   } catch (error) {
     if (!(error instanceof FrameGraphError)) throw error;
-    throw new NodeRefusal({ severity: 'error', code: 'picture.large', place: node, message: error.message });
+    throw new NodeRefusal({ severity: 'error', code: 'picture.large', place: node, message: error.text });
   }
 }

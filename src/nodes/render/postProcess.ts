@@ -1,4 +1,5 @@
 import { NodeRefusal, type NumberParam } from '../../graph/nodeType.ts';
+import { msg } from '../../messages/message.ts';
 import { EFFECTS, type EffectId, type EffectInfo } from '../../scene/frameGraph/effects.ts';
 import type { CustomEffect } from '../../scene/frameGraph/frameGraph.ts';
 import { readShaderText } from '../../scene/shaderText/shaderText.ts';
@@ -25,7 +26,12 @@ fn effect(p: Pixel) -> vec4f {
 }
 `;
 
-const ARGUMENT_TITLES = ['param.arg1', 'param.arg2', 'param.arg3', 'param.arg4'] as const;
+const ARGUMENT_TITLES = [
+  msg`Number 1 (arg1)`,
+  msg`Number 2 (arg2)`,
+  msg`Number 3 (arg3)`,
+  msg`Number 4 (arg4)`,
+] as const;
 
 /** arg1 … arg4: built-in effects define names, units and ranges of their arguments; custom effects take any numbers. */
 function argumentParam(index: 0 | 1 | 2 | 3) {
@@ -42,18 +48,18 @@ function argumentParam(index: 0 | 1 | 2 | 3) {
 /** An effect over an image, which may read the G-buffer. */
 export const postProcessNode = defineNode({
   id: 'post-process',
-  title: 'node.postProcess',
-  help: 'node.postProcess.help',
+  title: msg`Post process`,
+  help: msg`An effect over an image: a built-in one or your own. It can read the visible surfaces; a mask limits it to where the mask is bright.`,
   category: 'render',
   params: {
     effect: {
       kind: 'choice',
-      title: 'param.effect',
-      help: 'param.effect.help',
+      title: msg`Effect`,
+      help: msg`Each effect has its own arguments, arg1 to arg4; values outside their ranges are clamped.`,
       default: 'gaussian-blur',
       options: [
         ...BUILTIN_EFFECTS.map((value) => ({ value, title: EFFECTS[value].title })),
-        { value: CUSTOM_EFFECT, title: 'effect.written' },
+        { value: CUSTOM_EFFECT, title: msg`Custom` },
       ],
     },
     arg1: argumentParam(0),
@@ -62,8 +68,8 @@ export const postProcessNode = defineNode({
     arg4: argumentParam(3),
     text: {
       kind: 'text',
-      title: 'param.shaderText',
-      help: 'param.shaderText.help',
+      title: msg`Shader text`,
+      help: msg`WGSL: fn effect(p: Pixel) -> vec4f returns the colour of a pixel, from image(offset), depth(offset), normal(offset) …, p.uv, arg1 … arg4 and time.`,
       default: EXAMPLE,
       shader: true,
       onlyWhen: { param: 'effect', is: CUSTOM_EFFECT },
@@ -95,6 +101,6 @@ function parseCustomEffect(text: string, node: string): CustomEffect {
     return { text };
   } catch (error) {
     if (!(error instanceof ShaderTextError)) throw error;
-    throw new NodeRefusal({ severity: 'error', code: 'shader.text', place: node, message: error.message });
+    throw new NodeRefusal({ severity: 'error', code: 'shader.text', place: node, message: error.text });
   }
 }

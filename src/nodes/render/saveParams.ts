@@ -1,12 +1,13 @@
 import { extensionOf } from '../../formats/files/fileSource.ts';
 import type { NumberParam, ParamSpec } from '../../graph/nodeType.ts';
+import { type LocalizedText, msg } from '../../messages/message.ts';
 import { nodeRefusal } from '../common/params.ts';
 import type { ImageSpec, PictureSpec } from '../socketValues.ts';
 import { buildPictureAt } from './pictureFor.ts';
 
 const MAX_SIDE = 16384;
 
-const pixelParam = (title: string, value: number): NumberParam => ({
+const pixelParam = (title: LocalizedText, value: number): NumberParam => ({
   kind: 'number',
   title,
   unit: 'px',
@@ -20,15 +21,15 @@ const pixelParam = (title: string, value: number): NumberParam => ({
 
 /** Parameters of all nodes that save pictures. */
 export const pictureSizeParams = {
-  width: pixelParam('param.width', 1280),
-  height: pixelParam('param.height', 720),
+  width: pixelParam(msg`Width`, 1280),
+  height: pixelParam(msg`Height`, 720),
 } as const satisfies Readonly<Record<string, ParamSpec>>;
 
 /** Samples along each side of a pixel. */
 export const samplesParam = (value: number): NumberParam => ({
   kind: 'number',
-  title: 'param.samples',
-  help: 'param.samples.help',
+  title: msg`Samples`,
+  help: msg`Along each side of a pixel: 4 means 16 per pixel. If the rasterizer’s antialiasing is off, a pixel shows what is at its centre.`,
   default: value,
   min: 1,
   max: 16,
@@ -40,7 +41,7 @@ export const samplesParam = (value: number): NumberParam => ({
 export function pictureToSave(image: ImageSpec, name: string, node: string): PictureSpec {
   const picture = buildPictureAt(image, node);
   if (extensionOf(name) !== 'exr' || picture.falseColor === 'none') return picture;
-  const message = 'false colours are for a screen, and an .exr holds light; save them as .png';
+  const message = msg`false colours are for a screen, and an .exr holds light; save them as .png`;
   const remedy = { node, param: 'name', value: name.replace(/\.exr$/i, '.png') };
   throw nodeRefusal('file.falseColour', `${node}.name`, message, remedy);
 }

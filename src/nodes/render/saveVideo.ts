@@ -1,4 +1,5 @@
 import { extensionOf } from '../../formats/files/fileSource.ts';
+import { msg } from '../../messages/message.ts';
 import { nodeRefusal, timeParam } from '../common/params.ts';
 import { defineNode } from '../defineNode.ts';
 import { checkedFileName, frameCount, type VideoOutput } from '../project/outputFiles.ts';
@@ -10,17 +11,22 @@ const MAX_FRAMES = 65_536;
 /** Requests that an image is saved over a time range, as a film or as frames; passes it through. */
 export const saveVideoNode = defineNode({
   id: 'save-video',
-  title: 'node.saveVideo',
-  help: 'node.saveVideo.help',
+  title: msg`Save video`,
+  help: msg`Requests that the image is saved over a time range, as a film or one file per frame, and passes it through. The node’s button downloads it; “slowlight render PROJECT” without -o writes it.`,
   category: 'render',
   params: {
-    name: { kind: 'text', title: 'param.fileName', help: 'param.videoName.help', default: 'film.mp4' },
+    name: {
+      kind: 'text',
+      title: msg`File name`,
+      help: msg`Without folders. .mp4 is a film; .png and .exr are frames, whose numbers replace ####: film.####.png.`,
+      default: 'film.mp4',
+    },
     ...pictureSizeParams,
-    from: { ...timeParam('param.from', 0), suggestion: 'startTime' },
-    to: { ...timeParam('param.to', 0), suggestion: 'endTime' },
+    from: { ...timeParam(msg`From`, 0), suggestion: 'startTime' },
+    to: { ...timeParam(msg`To`, 0), suggestion: 'endTime' },
     fps: {
       kind: 'number',
-      title: 'param.fps',
+      title: msg`Frames per second`,
       unit: '1/s',
       default: 24,
       min: 0.001,
@@ -29,11 +35,16 @@ export const saveVideoNode = defineNode({
       slider: false,
       suggestion: 'timeCodesPerSecond',
     },
-    hold: { kind: 'boolean', title: 'param.hold', help: 'param.hold.help', default: false },
+    hold: {
+      kind: 'boolean',
+      title: msg`Observer stays in place`,
+      help: msg`On: the picture has the observer’s velocity, from a fixed position. Off: the observer coasts.`,
+      default: false,
+    },
     samples: samplesParam(2),
   },
   inputs: { image: { type: 'image' } },
-  outputs: { image: { type: 'image' }, file: { type: 'file', title: 'socket.file' } },
+  outputs: { image: { type: 'image' }, file: { type: 'file', title: msg`File` } },
   evaluate({ image }, { name, width, height, from, to, fps, hold, samples }, { node }) {
     const called = checkedFileName(name, ['mp4', 'png', 'exr'], node);
     const picture = pictureToSave(image, called, node);
@@ -49,12 +60,12 @@ export const saveVideoNode = defineNode({
 function assertFrameRange(span: Pick<VideoOutput, 'from' | 'to' | 'fps'>, node: string): void {
   const { from, to, fps } = span;
   if (to < from) {
-    const message = `it ends at ${to} s, before it begins at ${from} s`;
+    const message = msg`it ends at ${to} s, before it begins at ${from} s`;
     throw nodeRefusal('file.span', `${node}.to`, message, { node, param: 'to', value: from });
   }
   const count = frameCount(span);
   if (count <= MAX_FRAMES) return;
-  const message = `${count} frames are more than ${MAX_FRAMES}; let it be shorter, or of fewer frames per second`;
+  const message = msg`${count} frames are more than ${MAX_FRAMES}; let it be shorter, or of fewer frames per second`;
   throw nodeRefusal('file.frames', `${node}.to`, message, { node, param: 'to', value: from + (MAX_FRAMES - 1) / fps });
 }
 
@@ -62,7 +73,7 @@ function assertFrameRange(span: Pick<VideoOutput, 'from' | 'to' | 'fps'>, node: 
 function assertEvenSize(size: Pick<VideoOutput, 'width' | 'height'>, node: string): void {
   for (const param of ['width', 'height'] as const) {
     if (size[param] % 2 === 0) continue;
-    const message = `an .mp4 needs an even width and height; ${param} is ${size[param]}`;
+    const message = msg`an .mp4 needs an even width and height; ${param} is ${size[param]}`;
     throw nodeRefusal('file.even', `${node}.${param}`, message, { node, param, value: size[param] + 1 });
   }
 }
@@ -70,6 +81,6 @@ function assertEvenSize(size: Pick<VideoOutput, 'width' | 'height'>, node: strin
 function assertFrameNumber(name: string, node: string): void {
   if (name.includes('#')) return;
   const value = name.replace(/(\.\w+)$/, '.####$1');
-  const message = `"${name}": several frames need a place for their number, like ${value}; or write an .mp4`;
+  const message = msg`"${name}": several frames need a place for their number, like ${value}; or write an .mp4`;
   throw nodeRefusal('file.frame', `${node}.name`, message, { node, param: 'name', value });
 }

@@ -1,20 +1,26 @@
 import { NodeRefusal } from '../../graph/nodeType.ts';
 import { radians } from '../../math/angle.ts';
+import { listed, msg } from '../../messages/message.ts';
 import { defineNode } from '../defineNode.ts';
 
 /** The camera that the scene is observed from. */
 export const sceneCameraNode = defineNode({
   id: 'scene-camera',
-  title: 'node.camera',
-  help: 'node.camera.help',
+  title: msg`Camera`,
+  help: msg`The camera from which the scene is observed.`,
   category: 'render',
   params: {
-    camera: { kind: 'text', title: 'param.camera', default: '', choices: 'cameras' },
-    ride: { kind: 'boolean', title: 'param.ride', help: 'param.ride.help', default: false },
+    camera: { kind: 'text', title: msg`Camera`, default: '', choices: 'cameras' },
+    ride: {
+      kind: 'boolean',
+      title: msg`Ride the camera`,
+      help: msg`Follow the scene’s animated camera with its velocity. Any movement key detaches you.`,
+      default: false,
+    },
     fieldOfView: {
       kind: 'number',
-      title: 'param.fieldOfView',
-      help: 'param.fieldOfView.help',
+      title: msg`Field of view`,
+      help: msg`Vertical, in your rest frame.`,
       unit: '°',
       default: 60,
       min: 5,
@@ -28,7 +34,7 @@ export const sceneCameraNode = defineNode({
   evaluate({ relativity }, { camera, ride, fieldOfView }, { node }) {
     const { cameras } = relativity.scene;
     if (camera && !cameras.some(({ path }) => path === camera)) {
-      const message = `there is no camera ${camera}; the scene has ${cameras.map(({ path }) => path).join(', ') || 'none'}`;
+      const message = msg`there is no camera ${camera}; the scene has ${listed(cameras.map(({ path }) => path)) || msg`none`}`;
       const remedy = { node, param: 'camera', value: '' };
       throw new NodeRefusal({ severity: 'error', code: 'camera.missing', place: node, message, remedy });
     }

@@ -1,4 +1,5 @@
 import { type BooleanParam, NodeRefusal, type NumberParam } from '../../graph/nodeType.ts';
+import { type LocalizedText, type Message, msg } from '../../messages/message.ts';
 import { properVelocity } from '../../physics/lorentz/boost.ts';
 import { optionsByEffect } from '../../pipelines/options.ts';
 import type { Pipeline, StillLimits } from '../../pipelines/pipeline.ts';
@@ -12,9 +13,9 @@ import { DEFAULT_SETTINGS, type RenderSettings, type ViewPoint } from '../../sce
 import { defineNode } from '../defineNode.ts';
 import type { GBufferSpec } from '../socketValues.ts';
 
-const integerParam = (title: string, preset: number, min: number, max: number) =>
+const integerParam = (title: LocalizedText, preset: number, min: number, max: number) =>
   ({ kind: 'number', title, default: preset, min, max, step: 1, integer: true }) as const;
-const stillPixelParam = (title: string, preset: number) =>
+const stillPixelParam = (title: LocalizedText, preset: number) =>
   ({ ...integerParam(title, preset, 1, 8192), unit: 'px', slider: false }) as const;
 
 /** Parameters for a pipeline's options. */
@@ -43,16 +44,16 @@ const stillNode = (pipeline: Pipeline, still: StillLimits) =>
     help: still.help,
     category: 'render',
     params: {
-      width: stillPixelParam('param.width', 480),
-      height: stillPixelParam('param.height', 270),
+      width: stillPixelParam(msg`Width`, 480),
+      height: stillPixelParam(msg`Height`, 270),
       samples: {
-        ...integerParam('param.stillSamples', pipeline.samples.default, 1, still.maxSamples),
-        help: 'param.stillSamples.help',
+        ...integerParam(msg`Samples`, pipeline.samples.default, 1, still.maxSamples),
+        help: msg`n × n per pixel: four times as many samples halve the noise.`,
       },
       time: {
         kind: 'number',
-        title: 'param.stillTime',
-        help: 'param.stillTime.help',
+        title: msg`Time`,
+        help: msg`World time of the observer’s event.`,
         unit: 's',
         default: 0,
         min: -1e12,
@@ -89,7 +90,7 @@ export const stillNodes = PIPELINES.flatMap((pipeline) =>
   pipeline.still ? [stillNode(pipeline, pipeline.still)] : [],
 );
 
-const millions = (n: number): string => `${(n / 1e6).toFixed(1)} million`;
+const millions = (n: number): Message => msg`${(n / 1e6).toFixed(1)} million`;
 
 function assertSize(
   pipeline: string,
@@ -99,7 +100,7 @@ function assertSize(
   node: string,
 ): void {
   const many = width * height;
-  const refuse = (message: string, remedy?: number): never => {
+  const refuse = (message: Message, remedy?: number): never => {
     throw new NodeRefusal({
       severity: 'error',
       code: `${pipeline}.large`,
@@ -109,11 +110,11 @@ function assertSize(
     });
   };
   if (many > maxPixels)
-    refuse(`${width} × ${height} are ${millions(many)} pixels, more than ${millions(maxPixels)}; make it smaller`);
+    refuse(msg`${width} × ${height} are ${millions(many)} pixels, more than ${millions(maxPixels)}; make it smaller`);
   if (many * samples ** 2 > maxPaths) {
-    const paths = `${samples} × ${samples} samples of ${width} × ${height} pixels are ${millions(many * samples ** 2)}`;
+    const paths = msg`${samples} × ${samples} samples of ${width} × ${height} pixels are ${millions(many * samples ** 2)}`;
     const fitting = Math.floor(Math.sqrt(maxPaths / many));
-    refuse(`${paths}, more than ${millions(maxPaths)}; take ${fitting} × ${fitting}, or fewer pixels`, fitting);
+    refuse(msg`${paths}, more than ${millions(maxPaths)}; take ${fitting} × ${fitting}, or fewer pixels`, fitting);
   }
 }
 

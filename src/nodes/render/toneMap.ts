@@ -1,11 +1,12 @@
+import { msg } from '../../messages/message.ts';
 import { settingParam } from '../common/settingParams.ts';
 import { defineNode } from '../defineNode.ts';
 
 /** Maps scene-linear radiance to display values. */
 export const toneMapNode = defineNode({
   id: 'tone-map',
-  title: 'node.toneMap',
-  help: 'node.toneMap.help',
+  title: msg`Tone map`,
+  help: msg`Maps radiance to what a screen can show.`,
   category: 'render',
   params: {
     tone: settingParam('tone'),

@@ -1,7 +1,8 @@
 import type { NumberParam } from '../../graph/nodeType.ts';
+import type { LocalizedText } from '../../messages/message.ts';
 
 /** A number parameter without bounds. */
-export const numberParam = <const Title extends string>(title: Title, value = 0) =>
+export const numberParam = <const Title extends LocalizedText>(title: Title, value = 0) =>
   ({
     kind: 'number',
     title,

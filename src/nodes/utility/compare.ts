@@ -1,3 +1,4 @@
+import { type Message, msg } from '../../messages/message.ts';
 import { defineNode } from '../defineNode.ts';
 import { numberParam } from './anyNumber.ts';
 
@@ -10,26 +11,34 @@ const RELATIONS = {
   unequal: (a, b, tolerance) => Math.abs(a - b) > tolerance,
 } as const satisfies Record<string, (a: number, b: number, tolerance: number) => boolean>;
 type Relation = keyof typeof RELATIONS;
+const TITLES: Readonly<Record<Relation, Message>> = {
+  less: msg`A < B`,
+  'less-or-equal': msg`A ≤ B`,
+  greater: msg`A > B`,
+  'greater-or-equal': msg`A ≥ B`,
+  equal: msg`A = B`,
+  unequal: msg`A ≠ B`,
+};
 const NAMES = Object.keys(RELATIONS) as Relation[];
 
 /** 1 where a comparison of two numbers holds, else 0. */
 export const compareNode = defineNode({
   id: 'compare',
-  title: 'node.compare',
-  help: 'node.compare.help',
+  title: msg`Compare`,
+  help: msg`1 if the relation holds, otherwise 0.`,
   category: 'utility',
   params: {
     relation: {
       kind: 'choice',
-      title: 'param.relation',
+      title: msg`Relation`,
       default: 'less',
-      options: NAMES.map((value) => ({ value, title: `relation.${value}` })),
+      options: NAMES.map((value) => ({ value, title: TITLES[value] })),
     },
     a: numberParam('A'),
     b: numberParam('B'),
     tolerance: {
       kind: 'number',
-      title: 'param.tolerance',
+      title: msg`Tolerance`,
       default: 1e-6,
       min: 0,
       max: 1e12,

@@ -1,15 +1,16 @@
 import { REROUTE } from '../../graph/document/structuralTypes.ts';
+import { msg } from '../../messages/message.ts';
 import { defineNode } from '../defineNode.ts';
 import { neverEvaluated } from './neverEvaluated.ts';
 
 /** A bend in an edge. */
 export const rerouteNode = defineNode({
   id: REROUTE,
-  title: 'node.reroute',
-  help: 'node.reroute.help',
+  title: msg`Reroute`,
+  help: msg`A bend in an edge, to keep it clear of others.`,
   category: 'utility',
   params: {},
-  inputs: { in: { type: 'any', title: 'socket.in' } },
-  outputs: { out: { type: 'any', title: 'socket.out' } },
+  inputs: { in: { type: 'any', title: msg`In` } },
+  outputs: { out: { type: 'any', title: msg`Out` } },
   evaluate: neverEvaluated,
 });

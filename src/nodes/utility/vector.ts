@@ -1,11 +1,12 @@
+import { msg } from '../../messages/message.ts';
 import { defineNode } from '../defineNode.ts';
 import { numberParam } from './anyNumber.ts';
 
 /** Three numbers as a vector. */
 export const vectorNode = defineNode({
   id: 'vector',
-  title: 'node.vector',
-  help: 'node.vector.help',
+  title: msg`Vector`,
+  help: msg`A vector of three numbers.`,
   category: 'utility',
   params: { x: numberParam('X'), y: numberParam('Y'), z: numberParam('Z') },
   inputs: {},

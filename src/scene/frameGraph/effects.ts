@@ -1,3 +1,4 @@
+import { type LocalizedText, msg } from '../../messages/message.ts';
 import { SKY_SHAPE } from '../lights/skyGradient.ts';
 
 /*
@@ -18,8 +19,7 @@ export type EffectChannel =
   | 'direction';
 
 export interface EffectArgument {
-  /** Text key. */
-  readonly title: string;
+  readonly title: LocalizedText;
   readonly default: number;
   readonly min: number;
   readonly max: number;
@@ -31,22 +31,22 @@ export interface EffectArgument {
 export type EffectCategory = 'blur' | 'lens' | 'distance' | 'lines';
 
 export interface EffectInfo {
-  readonly title: string;
-  readonly help: string;
+  readonly title: LocalizedText;
+  readonly help: LocalizedText;
   readonly category: EffectCategory;
   /** arg1 … arg4; at most four. */
   readonly args: readonly EffectArgument[];
   readonly reads: readonly EffectChannel[];
 }
 
-const fraction = (title: string, value: number): EffectArgument => ({
+const fraction = (title: LocalizedText, value: number): EffectArgument => ({
   title,
   default: value,
   min: 0,
   max: 1,
   step: 0.01,
 });
-const metres = (title: string, value: number): EffectArgument => ({
+const metres = (title: LocalizedText, value: number): EffectArgument => ({
   title,
   default: value,
   min: 0,
@@ -58,109 +58,109 @@ const metres = (title: string, value: number): EffectArgument => ({
 
 export const EFFECTS = {
   'gaussian-blur': {
-    title: 'effect.gaussianBlur',
-    help: 'effect.gaussianBlur.help',
+    title: msg`Gaussian blur`,
+    help: msg`Blurs along one direction; two of them, horizontal and vertical, blur evenly. No light is lost at the edges.`,
     category: 'blur',
     args: [
-      { title: 'effect.sigma', default: 4, min: 0, max: 20, step: 0.1, unit: 'px' },
-      { title: 'effect.angle', default: 0, min: 0, max: 180, step: 1, unit: '°' },
+      { title: msg`Width (σ)`, default: 4, min: 0, max: 20, step: 0.1, unit: 'px' },
+      { title: msg`Direction`, default: 0, min: 0, max: 180, step: 1, unit: '°' },
     ],
     reads: [],
   },
   'bilateral-filter': {
-    title: 'effect.bilateralFilter',
-    help: 'effect.bilateralFilter.help',
+    title: msg`Bilateral filter`,
+    help: msg`Smooths noise, such as that of ambient occlusion, but not across the edges of objects.`,
     category: 'blur',
     args: [
-      { title: 'effect.sigma', default: 3, min: 0, max: 8, step: 0.1, unit: 'px' },
-      { title: 'effect.depthRange', default: 0.02, min: 0, max: 1, step: 0.001 },
-      { title: 'effect.normalRange', default: 15, min: 0, max: 180, step: 1, unit: '°' },
+      { title: msg`Width (σ)`, default: 3, min: 0, max: 8, step: 0.1, unit: 'px' },
+      { title: msg`Range of distances`, default: 0.02, min: 0, max: 1, step: 0.001 },
+      { title: msg`Range of normals`, default: 15, min: 0, max: 180, step: 1, unit: '°' },
     ],
     reads: ['depth', 'normal'],
   },
   'sky-background': {
-    title: 'effect.skyBackground',
-    help: 'effect.skyBackground.help',
+    title: msg`Sky background`,
+    help: msg`Fills the background with a clear sky; distant objects fade into it. It is at rest in the world and has no Doppler shift.`,
     category: 'distance',
     args: [
-      { title: 'effect.brightness', default: 1, min: 0, max: 1e6, step: 0.01, scale: 'log' },
-      { title: 'effect.steepness', default: SKY_SHAPE.curve, min: 0.05, max: 4, step: 0.05 },
-      metres('effect.fadeDistance', 0),
-      fraction('effect.opacity', 1),
+      { title: msg`Brightness`, default: 1, min: 0, max: 1e6, step: 0.01, scale: 'log' },
+      { title: msg`Gradient`, default: SKY_SHAPE.curve, min: 0.05, max: 4, step: 0.05 },
+      metres(msg`Fades at (0: never)`, 0),
+      fraction(msg`Opacity`, 1),
     ],
     reads: ['depth', 'event', 'direction'],
   },
   sharpen: {
-    title: 'effect.sharpen',
-    help: 'effect.sharpen.help',
+    title: msg`Sharpen`,
+    help: msg`Makes edges steeper; without overshoot there are no halos.`,
     category: 'lines',
     args: [
-      { title: 'effect.strength', default: 0.5, min: 0, max: 4, step: 0.05 },
-      { title: 'effect.overshoot', default: 0, min: 0, max: 1, step: 0.05 },
+      { title: msg`Strength`, default: 0.5, min: 0, max: 4, step: 0.05 },
+      { title: msg`Overshoot`, default: 0, min: 0, max: 1, step: 0.05 },
     ],
     reads: [],
   },
   bloom: {
-    title: 'effect.bloom',
-    help: 'effect.bloom.help',
+    title: msg`Bloom`,
+    help: msg`Light scattered by a lens or an eye. Conserves the total light; there is no threshold.`,
     category: 'lens',
-    args: [fraction('effect.scattered', 0.05), fraction('effect.spread', 0.7)],
+    args: [fraction(msg`Scattered light`, 0.05), fraction(msg`Spread`, 0.7)],
     reads: [],
   },
   edge: {
-    title: 'effect.edge',
-    help: 'effect.edge.help',
+    title: msg`Edges`,
+    help: msg`Draws lines where luminance changes, at silhouettes and at creases.`,
     category: 'lines',
     args: [
-      { title: 'effect.edgeLight', default: 0, min: 0, max: 10, step: 0.1 },
-      { title: 'effect.edgeDepth', default: 2, min: 0, max: 100, step: 0.1 },
-      { title: 'effect.edgeNormal', default: 1, min: 0, max: 10, step: 0.1 },
-      fraction('effect.edgeUnder', 1),
+      { title: msg`By light`, default: 0, min: 0, max: 10, step: 0.1 },
+      { title: msg`By distance`, default: 2, min: 0, max: 100, step: 0.1 },
+      { title: msg`By normals`, default: 1, min: 0, max: 10, step: 0.1 },
+      fraction(msg`Picture opacity`, 1),
     ],
     reads: ['depth', 'normal'],
   },
   vignette: {
-    title: 'effect.vignette',
-    help: 'effect.vignette.help',
+    title: msg`Vignette`,
+    help: msg`Darkens towards the corners by a power of the cosine of the off-axis angle: 4 is a thin lens.`,
     category: 'lens',
     args: [
-      fraction('effect.strength', 1),
-      { title: 'effect.power', default: 4, min: 0, max: 16, step: 0.5 },
-      { title: 'effect.corner', default: 0, min: 0, max: 89, step: 1, unit: '°' },
+      fraction(msg`Strength`, 1),
+      { title: msg`Power`, default: 4, min: 0, max: 16, step: 0.5 },
+      { title: msg`Corner angle (0: camera)`, default: 0, min: 0, max: 89, step: 1, unit: '°' },
     ],
     reads: [],
   },
   fog: {
-    title: 'effect.fog',
-    help: 'effect.fog.help',
+    title: msg`Fog`,
+    help: msg`Fog at rest in the world: attenuates by the path that the light has travelled there, not by the apparent distance.`,
     category: 'distance',
     args: [
-      { ...metres('effect.freePath', 100), min: 1e-3 },
-      { title: 'effect.brightness', default: 0.5, min: 0, max: 1e6, step: 0.01, scale: 'log' },
-      fraction('effect.haze', 0.5),
-      fraction('effect.overSky', 1),
+      { ...metres(msg`Mean free path`, 100), min: 1e-3 },
+      { title: msg`Brightness`, default: 0.5, min: 0, max: 1e6, step: 0.01, scale: 'log' },
+      fraction(msg`Grey to haze`, 0.5),
+      fraction(msg`Over the sky`, 1),
     ],
     reads: ['depth', 'event'],
   },
   'depth-of-field': {
-    title: 'effect.depthOfField',
-    help: 'effect.depthOfField.help',
+    title: msg`Depth of field`,
+    help: msg`A thin lens carried by the observer: focuses by the distance of an event in the observer’s frame.`,
     category: 'lens',
     args: [
-      { ...metres('effect.focus', 5), min: 1e-3 },
-      { title: 'effect.aperture', default: 20, min: 0, max: 1e6, step: 0.1, unit: 'mm', scale: 'log' },
-      { title: 'effect.mostBlur', default: 16, min: 0, max: 24, step: 1, unit: 'px' },
+      { ...metres(msg`In focus at`, 5), min: 1e-3 },
+      { title: msg`Aperture`, default: 20, min: 0, max: 1e6, step: 0.1, unit: 'mm', scale: 'log' },
+      { title: msg`Maximum blur`, default: 16, min: 0, max: 24, step: 1, unit: 'px' },
     ],
     reads: ['depth'],
   },
   antialiasing: {
-    title: 'effect.antialiasing',
-    help: 'effect.antialiasing.help',
+    title: msg`Antialiasing`,
+    help: msg`Smooths jagged edges in a finished picture. Place it after Tone Map.`,
     category: 'lines',
     args: [
-      fraction('effect.contrast', 0.1),
-      { title: 'effect.search', default: 16, min: 1, max: 64, step: 1, unit: 'px' },
-      fraction('effect.single', 0.5),
+      fraction(msg`Minimum contrast`, 0.1),
+      { title: msg`Search along edges`, default: 16, min: 1, max: 64, step: 1, unit: 'px' },
+      fraction(msg`Spread single pixels`, 0.5),
     ],
     reads: [],
   },

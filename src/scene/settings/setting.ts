@@ -1,11 +1,10 @@
-/** English and Chinese. */
-export type Words = readonly [en: string, zh: string];
+import type { LocalizedText, Message } from '../../messages/message.ts';
 
 interface SettingBase {
-  /** Title of its control; `param.NAME` in the text catalogue. */
-  readonly title?: Words;
-  /** Help of its control; `param.NAME.help` in the text catalogue. */
-  readonly help?: Words;
+  /** Title of its control; a setting without a control has none. */
+  readonly title?: Message;
+  /** Help of its control. */
+  readonly help?: Message;
   /** Ids of the node types with this parameter. */
   readonly nodes?: readonly string[];
   /** Relevant only while another parameter has this value, as `onlyWhen` of `ParamSpec`. */
@@ -14,7 +13,7 @@ interface SettingBase {
     /** Placeholder of the value: `<how>`; absent for booleans. */
     readonly value?: string;
     /** Text in `--help`. */
-    readonly help: string;
+    readonly help: Message;
   };
   /** Whether the G-buffers of one picture may differ in it. */
   readonly perBuffer?: true;
@@ -39,8 +38,8 @@ export interface BooleanSetting extends SettingBase {
 export interface ChoiceSetting<Value extends string = string> extends SettingBase {
   readonly kind: 'choice';
   readonly default: Value;
-  /** Titles of the values; `SETTING.value` in the text catalogue. */
-  readonly options: Readonly<Record<Value, Words>>;
+  /** Titles of the values. */
+  readonly options: Readonly<Record<Value, LocalizedText>>;
 }
 
 /** Values that a flag accepts; absent: all numbers. */

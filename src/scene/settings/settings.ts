@@ -1,6 +1,7 @@
+import { type LocalizedText, msg } from '../../messages/message.ts';
 import type { ToneMapping } from '../../spectrum/display/toneMap.ts';
 import { VIEW_HELP, VIEW_TITLES } from '../views/views.ts';
-import type { ChoiceSetting, Setting, Words } from './setting.ts';
+import type { ChoiceSetting, Setting } from './setting.ts';
 
 const CONSOLE = ['relativity-console'] as const;
 const RASTERIZERS = ['relativity-rasterize', 'rasterize'] as const;
@@ -9,7 +10,7 @@ const RASTERIZERS = ['relativity-rasterize', 'rasterize'] as const;
 export const SETTINGS = {
   view: {
     kind: 'choice',
-    title: ['View', '视图'],
+    title: msg`View`,
     help: VIEW_HELP.control,
     default: 'light-cone',
     options: VIEW_TITLES,
@@ -21,98 +22,92 @@ export const SETTINGS = {
   /** Off: every point is shown at the observer's world time, as if light were instantaneous. Light-cone view only. */
   lightDelay: {
     kind: 'boolean',
-    title: ['Light delay', '光的延迟'],
-    help: ['Moving objects are seen where they were when the light left them.', '运动的物体显示在其发光时的位置。'],
+    title: msg`Light delay`,
+    help: msg`Moving objects are seen where they were when the light left them.`,
     default: true,
     physical: true,
     nodes: CONSOLE,
     onlyWhen: { param: 'view', is: 'light-cone' },
-    flag: { help: 'as if light arrived instantaneously' },
+    flag: { help: msg`as if light arrived instantaneously` },
     perBuffer: true,
     header: { place: 1, when: 'changed' },
   },
   /** Off: directions are those of the world frame instead of the observer's. Light-cone view only. */
   aberration: {
     kind: 'boolean',
-    title: ['Aberration', '光行差'],
-    help: ['The directions of light depend on your velocity.', '光的方向随你的速度改变。'],
+    title: msg`Aberration`,
+    help: msg`The directions of light depend on your velocity.`,
     default: true,
     physical: true,
     nodes: CONSOLE,
     onlyWhen: { param: 'view', is: 'light-cone' },
-    flag: { help: "use directions of the world frame instead of the observer's" },
+    flag: { help: msg`use directions of the world frame instead of the observer's` },
     perBuffer: true,
     header: { place: 2, when: 'changed' },
   },
   /** `spectral`: light has spectra, and Doppler shift acts on wavelengths. `approximate`: light is linear sRGB, and a shift is a tint (dopplerTint.ts). */
   colors: {
     kind: 'choice',
-    title: ['Colours', '颜色'],
-    help: [
-      'Spectral: light has spectra, and Doppler shift acts on wavelengths. Approximate: a simple tint, for comparison.',
-      '光谱：光以光谱计算，频移按波长作用。近似：简单的色调变化，用于比较。',
-    ],
+    title: msg`Colours`,
+    help: msg`Spectral: light has spectra, and Doppler shift acts on wavelengths. Approximate: a simple tint, for comparison.`,
     default: 'spectral',
-    options: { spectral: ['Spectral', '光谱'], approximate: ['Approximate', '近似'] },
+    options: { spectral: msg`Spectral`, approximate: msg`Approximate` },
     nodes: ['relativity-rasterize'],
-    flag: { value: 'how', help: 'how Doppler shifts change colours: by spectra, or by a simple tint for comparison' },
+    flag: {
+      value: 'how',
+      help: msg`how Doppler shifts change colours: by spectra, or by a simple tint for comparison`,
+    },
     perBuffer: true,
     header: { place: 3, when: 'light' },
   },
   /** Fraction of log D that is applied to colours, 0 … 1. */
   dopplerMix: {
     kind: 'number',
-    title: ['Doppler mix', '多普勒混合'],
-    help: ['How strongly the Doppler shift affects colours.', '多普勒频移对颜色的影响程度。'],
+    title: msg`Doppler mix`,
+    help: msg`How strongly the Doppler shift affects colours.`,
     default: 1,
     physical: 1,
     range: { min: 0, max: 1 },
     control: { min: 0, max: 1, step: 0.01 },
     nodes: ['relativity-rasterize'],
-    flag: { value: '0…1', help: 'strength of the Doppler shift of colours' },
+    flag: { value: '0…1', help: msg`strength of the Doppler shift of colours` },
     perBuffer: true,
     header: { place: 6, when: 'changed' },
   },
   /** Fraction of log D⁴ that is applied to brightness, 0 … 1. */
   beaming: {
     kind: 'number',
-    title: ['Beaming', '聚束'],
-    help: ['How strongly light is brighter ahead and darker behind.', '前方变亮、后方变暗的程度。'],
+    title: msg`Beaming`,
+    help: msg`How strongly light is brighter ahead and darker behind.`,
     default: 1,
     physical: 1,
     range: { min: 0, max: 1 },
     control: { min: 0, max: 1, step: 0.01 },
     nodes: ['relativity-rasterize'],
-    flag: { value: '0…1', help: 'strength of the effect of the Doppler shift on brightness' },
+    flag: { value: '0…1', help: msg`strength of the effect of the Doppler shift on brightness` },
     perBuffer: true,
     header: { place: 7, when: 'changed' },
   },
   /** Whether distant and local lights cast shadows. The reference renderer always has them. */
   shadows: {
     kind: 'boolean',
-    title: ['Shadows', '阴影'],
-    help: [
-      'Suns and lamps cast shadows, each from where the object was when the light passed it.',
-      '太阳和灯投下阴影：每个物体的阴影取自光经过它时它所在的位置。',
-    ],
+    title: msg`Shadows`,
+    help: msg`Suns and lamps cast shadows, each from where the object was when the light passed it.`,
     default: true,
     nodes: ['deferred-lighting'],
-    flag: { help: 'no shadows of suns and lamps, for comparison' },
+    flag: { help: msg`no shadows of suns and lamps, for comparison` },
   },
   /** Exposure [EV]: light is multiplied by 2^exposure. */
   exposure: {
     kind: 'number',
-    title: ['Exposure', '曝光'],
-    help: [
-      'Added to the metered exposure. Each stop doubles the brightness.',
-      '在测光结果之上再加的曝光。每增加一档亮度加倍。',
-    ],
+    title: msg`Exposure`,
+    help: msg`Added to the metered exposure. Each stop doubles the brightness.`,
     default: 0,
     control: { min: -10, max: 10, step: 0.1, unit: 'EV' },
     nodes: ['tone-map'],
     flag: {
       value: 'EV',
-      help: 'exposure compensation, added to the metered exposure: the picture is 2^EV times as bright',
+      help: msg`exposure compensation, added to the metered exposure: the picture is 2^EV times as bright`,
     },
     header: { place: 4, when: 'light', unit: 'EV' },
   },
@@ -122,100 +117,88 @@ export const SETTINGS = {
    */
   metering: {
     kind: 'choice',
-    title: ['Metering', '测光'],
-    help: [
-      'Automatic follows the picture’s luminance, as an eye does. Resting eye uses the exposure of an observer at rest here, so that the headlight effect is visible. Manual is set by you alone.',
-      '自动：像眼睛一样跟随画面亮度。静止之眼：按此处静止者的曝光，因而能看到聚束效应的真实强弱。手动：完全由你设定。',
-    ],
+    title: msg`Metering`,
+    help: msg`Automatic follows the picture’s luminance, as an eye does. Resting eye uses the exposure of an observer at rest here, so that the headlight effect is visible. Manual is set by you alone.`,
     default: 'automatic',
     options: {
-      automatic: ['Automatic', '自动'],
-      'resting-eye': ['Resting eye', '静止之眼'],
-      manual: ['Manual', '手动'],
+      automatic: msg`Automatic`,
+      'resting-eye': msg`Resting eye`,
+      manual: msg`Manual`,
     },
     nodes: ['tone-map'],
     flag: {
       value: 'how',
-      help: "automatic: exposure from the picture's light; resting-eye: the exposure of an observer at rest at the same place, so that beaming shows its true strength; manual: --exposure alone",
+      help: msg`automatic: exposure from the picture's light; resting-eye: the exposure of an observer at rest at the same place, so that beaming shows its true strength; manual: --exposure alone`,
     },
     beforeRendering: true,
   },
   /** Tone curve from exposed light to display values. */
   tone: {
     kind: 'choice',
-    title: ['Tone curve', '色调曲线'],
-    help: [
-      'Neutral keeps colours and compresses only very bright light; AgX compresses all light, as film does; Linear clips.',
-      '中性：保持颜色，只压缩很亮的部分；AgX：像胶片一样整体柔化；线性：直接截断过亮的部分。',
-    ],
+    title: msg`Tone curve`,
+    help: msg`Neutral keeps colours and compresses only very bright light; AgX compresses all light, as film does; Linear clips.`,
     default: 'neutral',
-    options: { neutral: ['Neutral', '中性'], agx: ['AgX', 'AgX'], linear: ['Linear', '线性'] },
+    options: { neutral: msg`Neutral`, agx: msg`AgX`, linear: msg`Linear` },
     nodes: ['tone-map'],
     flag: {
       value: 'curve',
-      help: 'tone curve: neutral keeps colours and compresses highlights; agx rolls off like film; linear clips',
+      help: msg`tone curve: neutral keeps colours and compresses highlights; agx rolls off like film; linear clips`,
     },
     header: { place: 5, when: 'light' },
   } satisfies ChoiceSetting<ToneMapping>,
   solver: {
     kind: 'choice',
-    title: ['Solver', '求解器'],
-    help: [
-      'Exact: closed form or bisection. Newton: the iterative method, for comparison.',
-      '精确：二分加解析解。牛顿：迭代法，用于比较。',
-    ],
+    title: msg`Solver`,
+    help: msg`Exact: closed form or bisection. Newton: the iterative method, for comparison.`,
     default: 'exact',
-    options: { exact: ['Exact', '精确'], newton: ['Newton', '牛顿'] },
+    options: { exact: msg`Exact`, newton: msg`Newton` },
     nodes: CONSOLE,
-    flag: { value: 'name', help: 'solver for emission events' },
+    flag: { value: 'name', help: msg`solver for emission events` },
     perBuffer: true,
   },
   /** Newton iterations per vertex. */
   iterations: {
     kind: 'number',
-    title: ['Iterations', '迭代次数'],
-    help: ['More are more accurate, and slower.', '越多越精确，也越慢。'],
+    title: msg`Iterations`,
+    help: msg`More are more accurate, and slower.`,
     default: 8,
     range: { min: 1, max: 64, integer: true },
     control: { min: 1, max: 32, step: 1, integer: true },
     nodes: CONSOLE,
     onlyWhen: { param: 'solver', is: 'newton' },
-    flag: { value: 'n', help: 'iterations of the Newton solver' },
+    flag: { value: 'n', help: msg`iterations of the Newton solver` },
     perBuffer: true,
   },
   /** Newton step length, 0 < k ≤ 1. */
   damping: {
     kind: 'number',
-    title: ['Damping', '阻尼'],
-    help: ['Smaller steps diverge less easily.', '步长越小越不易发散。'],
+    title: msg`Damping`,
+    help: msg`Smaller steps diverge less easily.`,
     default: 1,
     range: { above: 0, max: 1 },
     control: { min: 0.05, max: 1, step: 0.05 },
     nodes: CONSOLE,
     onlyWhen: { param: 'solver', is: 'newton' },
-    flag: { value: 'k', help: 'step length of the Newton solver, 0 < k ≤ 1' },
+    flag: { value: 'k', help: msg`step length of the Newton solver, 0 < k ≤ 1` },
     perBuffer: true,
   },
   /** Off: one sample at each pixel's centre. On: FXAA or temporal antialiasing, and accumulated samples at rest. */
   antialiasing: {
     kind: 'boolean',
-    title: ['Antialiasing', '抗锯齿'],
-    help: [
-      'Smooth edges, stable in motion; a still picture becomes finer over time. Off: every pixel shows what is at its centre.',
-      '边缘平滑，运动时也稳定；静止画面会自动变得更精细。关：每个像素只显示其中心所见。',
-    ],
+    title: msg`Antialiasing`,
+    help: msg`Smooth edges, stable in motion; a still picture becomes finer over time. Off: every pixel shows what is at its centre.`,
     default: true,
     nodes: RASTERIZERS,
-    flag: { help: 'one sample at the centre of every pixel, for comparison; excludes --samples' },
+    flag: { help: msg`one sample at the centre of every pixel, for comparison; excludes --samples` },
   },
   /** Whether the reference grid is drawn on the ground, unaffected by relativity. */
   grid: {
     kind: 'boolean',
-    title: ['Reference grid', '参考网格'],
-    help: ['A grid on the ground that is not affected by relativity.', '不受相对论变形影响的地面网格。'],
+    title: msg`Reference grid`,
+    help: msg`A grid on the ground that is not affected by relativity.`,
     default: false,
     nodes: RASTERIZERS,
-    flag: { help: 'draw the reference grid on the ground, which is not affected by relativity' },
+    flag: { help: msg`draw the reference grid on the ground, which is not affected by relativity` },
   },
   /** Radius of ambient occlusion in the rasterizer [m]; 0: none. Absent: a quarter of the scene's radius. */
   occlusionRadius: {
@@ -223,7 +206,7 @@ export const SETTINGS = {
     range: { min: 0 },
     flag: {
       value: 'm',
-      help: "of raster: radius of ambient occlusion [m]; 0: none (default: a quarter of the scene's size)",
+      help: msg`of raster: radius of ambient occlusion [m]; 0: none (default: a quarter of the scene's size)`,
     },
   },
 } as const satisfies Readonly<Record<string, Setting>>;
@@ -235,7 +218,7 @@ export const SETTING_NAMES = Object.keys(SETTINGS) as readonly SettingName[];
 export const settingNamed = (name: SettingName): Setting => SETTINGS[name];
 
 export type SettingValue<Name extends SettingName> = Settings[Name] extends {
-  readonly options: Readonly<Record<infer Value, Words>>;
+  readonly options: Readonly<Record<infer Value, LocalizedText>>;
 }
   ? Value
   : Settings[Name] extends { readonly kind: 'boolean' }

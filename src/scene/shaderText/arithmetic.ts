@@ -1,4 +1,6 @@
 import { degrees, radians } from '../../math/angle.ts';
+import { msg } from '../../messages/message.ts';
+import { MessageError } from '../../messages/messageError.ts';
 import type { ShaderOperation } from './program.ts';
 import { isFloat, type ShaderType } from './types.ts';
 
@@ -113,7 +115,7 @@ export function applyOperation(
   if (ofVectors) return ofVectors(a, b);
   const special = types[0] && isFloat(types[0]) ? FLOAT_COMPONENTS[f] : INTEGER_COMPONENTS[f];
   const each = special ?? COMPONENTS[f];
-  if (!each) throw new Error(`no operation ${f}`);
+  if (!each) throw new MessageError(msg`no operation ${f}`);
   const size = Math.max(...args.map((arg) => arg.length));
   return Array.from({ length: size }, (_, i) => each(...args.map((arg) => arg[arg.length === 1 ? 0 : i] ?? 0)));
 }

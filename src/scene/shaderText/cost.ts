@@ -1,3 +1,4 @@
+import { msg } from '../../messages/message.ts';
 import type { ShaderChannel, ShaderExpression, ShaderProgram, ShaderStatement } from './program.ts';
 import { refuse, SHADER_TEXT_LIMITS, type SourceLocation } from './sourceLocation.ts';
 
@@ -65,7 +66,7 @@ export function checkCost(
   const ofFunction = (index: number): ShaderCost => {
     const at = places[index] ?? { line: 1, column: 1 };
     const name = functions[index]?.name ?? '';
-    if (open.has(index)) refuse(at, `${name} calls itself, which no shader can: write a loop`);
+    if (open.has(index)) refuse(at, msg`${name} calls itself, which no shader can: write a loop`);
     const before = known.get(index);
     if (before) return before;
     open.add(index);
@@ -74,17 +75,17 @@ export function checkCost(
     if (cost.rounds > SHADER_TEXT_LIMITS.nested)
       refuse(
         at,
-        `loops within loops of ${name} go round ${cost.rounds} times; more than ${SHADER_TEXT_LIMITS.nested} are not taken: take fewer`,
+        msg`loops within loops of ${name} go round ${cost.rounds} times; more than ${SHADER_TEXT_LIMITS.nested} are not taken: take fewer`,
       );
     if (cost.size > SHADER_TEXT_LIMITS.size)
       refuse(
         at,
-        `${name} has ${cost.size} operations, with those of the functions that it calls; more than ${SHADER_TEXT_LIMITS.size} are not taken`,
+        msg`${name} has ${cost.size} operations, with those of the functions that it calls; more than ${SHADER_TEXT_LIMITS.size} are not taken`,
       );
     if (cost.steps > SHADER_TEXT_LIMITS.steps)
       refuse(
         at,
-        `${name} takes ${cost.steps} steps for each pixel (a look at a pixel counts ${SAMPLE_COST}); more than ${SHADER_TEXT_LIMITS.steps} are not taken: let loops go round fewer times`,
+        msg`${name} takes ${cost.steps} steps for each pixel (a look at a pixel counts ${SAMPLE_COST}); more than ${SHADER_TEXT_LIMITS.steps} are not taken: let loops go round fewer times`,
       );
     known.set(index, cost);
     return cost;

@@ -1,3 +1,4 @@
+import { msg } from '../../messages/message.ts';
 import { applyOperation, convertComponents } from './arithmetic.ts';
 import {
   FLOAT_FUNCTIONS,
@@ -88,12 +89,12 @@ export function checkExpression(of: ExpressionSyntax, names: ShaderScope): Shade
 function literal(text: string, at: SourceLocation): ShaderExpression {
   const suffix = /^0[xX]/.test(text) ? /[iu]$/.exec(text)?.[0] : /[fhiu]$/.exec(text)?.[0];
   if (suffix === 'u' || suffix === 'h')
-    refuse(at, `the number ${text} is of a type that is not taken: leave the ${suffix} out`);
+    refuse(at, msg`the number ${text} is of a type that is not taken: leave the ${suffix} out`);
   const value = Number(suffix ? text.slice(0, -1) : text);
   const broken = suffix === 'f' || (!/^0[xX]/.test(text) && /[.eE]/.test(text));
   if (!broken && value > 2 ** 31 - 1)
-    refuse(at, `${text} is more than the largest i32, 2147483647: write it with a point`);
-  if (Math.abs(value) > LARGEST) refuse(at, `${text} is more than the largest f32, 3.4e38`);
+    refuse(at, msg`${text} is more than the largest i32, 2147483647: write it with a point`);
+  if (Math.abs(value) > LARGEST) refuse(at, msg`${text} is more than the largest f32, 3.4e38`);
   const of = suffix === 'f' ? 'f32' : suffix === 'i' ? 'i32' : broken ? 'broken' : 'whole';
   return { op: 'constant', type: { of, rows: 1, columns: 1 }, numbers: [value] };
 }
@@ -103,7 +104,7 @@ function named(name: string, at: SourceLocation, names: ShaderScope): ShaderExpr
   if (variable) return variable;
   if (Object.hasOwn(SHADER_INPUTS, name))
     return { op: 'input', type: vector(SHADER_INPUTS[name as ShaderInput]), input: name as ShaderInput };
-  return refuse(at, `${name} is not declared here: \`let ${name} = …;\` before it, or is it spelt otherwise?`);
+  return refuse(at, msg`${name} is not declared here: \`let ${name} = …;\` before it, or is it spelt otherwise?`);
 }
 
 const constants = (values: readonly ShaderExpression[]): readonly (readonly number[])[] | undefined => {
@@ -120,7 +121,7 @@ function operation(
 ): ShaderExpression {
   const divisor = f === 'div' || f === 'rem' ? args[1] : undefined;
   if (divisor?.op === 'constant' && !isFloat(divisor.type) && divisor.numbers.includes(0))
-    refuse(at, 'this divides a whole number by 0');
+    refuse(at, msg`this divides a whole number by 0`);
   const known = constants(args);
   if (!known) return { op: 'apply', type, f, args: args.map((arg) => convertTo(arg, concreteType(arg.type))) };
   const numbers = applyOperation(
@@ -128,7 +129,7 @@ function operation(
     known,
     args.map((arg) => arg.type),
   );
-  if (numbers.some((x) => !(Math.abs(x) <= LARGEST))) refuse(at, 'this comes to no number that f32 holds');
+  if (numbers.some((x) => !(Math.abs(x) <= LARGEST))) refuse(at, msg`this comes to no number that f32 holds`);
   const size = componentCount(type);
   return {
     op: 'constant',
@@ -145,17 +146,17 @@ export function convertTo(value: ShaderExpression, type: ShaderType): ShaderExpr
 
 function unary(sign: string, of: ShaderExpression, at: SourceLocation): ShaderExpression {
   if (sign === '!') {
-    expectType(of.type, BOOL, at, 'what follows !');
+    expectType(of.type, BOOL, at, msg`what follows !`);
     return operation('not', [of], BOOL, at);
   }
-  if (of.type.of === 'bool' || of.type.of === 'pixel') refuse(at, `- does not work on ${typeName(of.type)}`);
+  if (of.type.of === 'bool' || of.type.of === 'pixel') refuse(at, msg`- does not work on ${typeName(of.type)}`);
   return operation('negate', [of], of.type, at);
 }
 
 function binary(sign: string, a: ShaderExpression, b: ShaderExpression, at: SourceLocation): ShaderExpression {
   const f = BINARY[sign] as ShaderBinaryOperation;
   const clash = (): never =>
-    refuse(at, `${sign} does not work between ${typeName(a.type)} and ${typeName(b.type)}: convert one of them`);
+    refuse(at, msg`${sign} does not work between ${typeName(a.type)} and ${typeName(b.type)}: convert one of them`);
   if (f === 'and' || f === 'or') {
     if (!isSameType(a.type, BOOL) || !isSameType(b.type, BOOL)) clash();
     return operation(f, [a, b], BOOL, at);
@@ -169,7 +170,7 @@ function binary(sign: string, a: ShaderExpression, b: ShaderExpression, at: Sour
   if (matrices && f === 'mul' && !numbers) return matrixProduct(a, b, clash, at);
   if (COMPARISONS.has(f)) {
     if (componentCount(a.type) > 1 || componentCount(b.type) > 1)
-      refuse(at, `${sign} compares numbers: compare the components (.x, .y …) one by one`);
+      refuse(at, msg`${sign} compares numbers: compare the components (.x, .y …) one by one`);
     if (of === 'bool' && f !== 'eq' && f !== 'ne') clash();
     return operation(f, [convertTo(a, { ...a.type, of }), convertTo(b, { ...b.type, of })], BOOL, at);
   }
@@ -204,13 +205,13 @@ function member(written: ExpressionSyntax, name: string, at: SourceLocation, nam
     const input = `p.${name}` as ShaderInput;
     if (name === 'color') return sampleChannel('image', { op: 'constant', type: vector(2, 'i32'), numbers: [0, 0] });
     if (!Object.hasOwn(SHADER_INPUTS, input))
-      refuse(at, `a Pixel has no ${name}: it has position, uv, size, direction and color`);
+      refuse(at, msg`a Pixel has no ${name}: it has position, uv, size, direction and color`);
     return { op: 'input', type: vector(SHADER_INPUTS[input]), input };
   }
   const sets = ['xyzw', 'rgba'].map((set) => [...name].map((letter) => set.indexOf(letter)));
   const parts = sets.find((places) => places.every((place) => place >= 0 && place < of.type.rows));
   if (!parts || parts.length > 4 || of.type.rows === 1 || of.type.columns > 1)
-    return refuse(at, `${typeName(of.type)} has no .${name}`);
+    return refuse(at, msg`${typeName(of.type)} has no .${name}`);
   return partsOf(of, parts);
 }
 
@@ -225,7 +226,7 @@ function indexed(of: ShaderExpression, index: ShaderExpression, at: SourceLocati
   const place = constantIndex(index, at);
   const { rows, columns } = of.type;
   const count = columns > 1 ? columns : rows;
-  if (count === 1 || place < 0 || place >= count) refuse(at, `${typeName(of.type)} has no [${place}]`);
+  if (count === 1 || place < 0 || place >= count) refuse(at, msg`${typeName(of.type)} has no [${place}]`);
   if (columns === 1) return partsOf(of, [place]);
   const type: ShaderType = { ...of.type, columns: 1 };
   return of.op === 'constant'
@@ -236,7 +237,7 @@ function indexed(of: ShaderExpression, index: ShaderExpression, at: SourceLocati
 /** A constant index. */
 export function constantIndex(index: ShaderExpression, at: SourceLocation): number {
   if (index.op !== 'constant' || isFloat(index.type) || componentCount(index.type) !== 1)
-    refuse(at, 'an index must be a whole number that is known: write [0], or .x');
+    refuse(at, msg`an index must be a whole number that is known: write [0], or .x`);
   return index.op === 'constant' ? (index.numbers[0] ?? 0) : 0;
 }
 
@@ -258,12 +259,12 @@ function called(
   const own = names.function(name);
   const counted = (count: number): void => {
     if (args.length !== count)
-      refuse(at, `${name} takes ${count === 1 ? '1 value' : `${count} values`}, and has ${args.length}`);
+      refuse(at, msg`${name} takes ${count === 1 ? msg`1 value` : msg`${count} values`}, and has ${args.length}`);
   };
   if (own) {
     counted(own.params.length);
     for (const [i, type] of own.params.entries())
-      expectType(args[i]?.type ?? type, type, places[i] ?? at, `value ${i + 1} of ${name}`);
+      expectType(args[i]?.type ?? type, type, places[i] ?? at, msg`value ${i + 1} of ${name}`);
     const passed = args.flatMap((arg, i) =>
       arg.type.of === 'pixel' ? [] : [convertTo(arg, own.params[i] ?? arg.type)],
     );
@@ -271,7 +272,7 @@ function called(
   }
   if (Object.hasOwn(SHADER_CHANNELS, name)) {
     counted(1);
-    expectType(args[0]?.type ?? F32, vector(2, 'i32'), places[0] ?? at, `the offset of ${name}, in pixels,`);
+    expectType(args[0]?.type ?? F32, vector(2, 'i32'), places[0] ?? at, msg`the offset of ${name}, in pixels,`);
     return sampleChannel(name as ShaderChannel, convertTo(args[0] as ShaderExpression, vector(2, 'i32')));
   }
   const count = FUNCTIONS[name];
@@ -283,13 +284,13 @@ function called(
   if (type && type.of !== 'pixel') return constructed(type, args, at);
   return refuse(
     at,
-    `there is no function ${name}: is it spelt otherwise? Textures, derivatives and bits are not taken`,
+    msg`there is no function ${name}: is it spelt otherwise? Textures, derivatives and bits are not taken`,
   );
 }
 
 function builtin(f: ShaderOperation, args: readonly ShaderExpression[], at: SourceLocation): ShaderExpression {
   const [a, b, c] = args as [ShaderExpression, ShaderExpression, ShaderExpression];
-  const clash = (): never => refuse(at, `${f} does not take (${args.map(({ type }) => typeName(type)).join(', ')})`);
+  const clash = (): never => refuse(at, msg`${f} does not take (${args.map(({ type }) => typeName(type)).join(', ')})`);
   if (f === 'select') {
     const of = commonComponentType([a.type, b.type]);
     if (!of || !sameShape(a.type, b.type) || !isSameType(c.type, BOOL)) return clash();
@@ -320,17 +321,17 @@ function constructed(type: ShaderType, args: readonly ShaderExpression[], at: So
   const size = componentCount(type);
   const bare = type.of === 'whole';
   const of = bare ? commonComponentType(args.map((arg) => arg.type)) : type.of;
-  if (!of) return refuse(at, 'the values are of different types: convert them');
+  if (!of) return refuse(at, msg`the values are of different types: convert them`);
   const made: ShaderType = { ...type, of };
   const one = args[0];
   if (!one) return { op: 'constant', type: concreteType(made), numbers: Array.from({ length: size }, () => 0) };
   if (args.length === 1 && sameShape(one.type, type) && type.columns === 1) return converted(one, made, at);
   const total = args.reduce((sum, arg) => sum + componentCount(arg.type), 0);
   const splat = args.length === 1 && componentCount(one.type) === 1 && type.columns === 1;
-  if (total !== size && !splat) refuse(at, `${typeName(made)} has ${size} components, and is given ${total}`);
+  if (total !== size && !splat) refuse(at, msg`${typeName(made)} has ${size} components, and is given ${total}`);
   const parts = args.map((arg, i) => {
     if (arg.type.of !== made.of && !isConvertible(arg.type, { ...arg.type, of: made.of }))
-      refuse(at, `component ${i + 1} of ${typeName(made)} is ${typeName(arg.type)}: convert it by ${made.of}(…)`);
+      refuse(at, msg`component ${i + 1} of ${typeName(made)} is ${typeName(arg.type)}: convert it by ${made.of}(…)`);
     return convertTo(arg, { ...arg.type, of: made.of });
   });
   const known = constants(parts)?.flat();
@@ -339,7 +340,7 @@ function constructed(type: ShaderType, args: readonly ShaderExpression[], at: So
 }
 
 function converted(from: ShaderExpression, to: ShaderType, at: SourceLocation): ShaderExpression {
-  if (from.type.of === 'pixel') refuse(at, 'a Pixel is no number: take its position, uv, size, direction or color');
+  if (from.type.of === 'pixel') refuse(at, msg`a Pixel is no number: take its position, uv, size, direction or color`);
   if (from.op === 'constant') return { op: 'constant', type: to, numbers: convertComponents(from.numbers, to) };
   return isSameType(from.type, to) ? from : { op: 'convert', type: to, of: from };
 }

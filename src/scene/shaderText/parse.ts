@@ -1,3 +1,4 @@
+import { anyOf, type LocalizedText, type Message, msg } from '../../messages/message.ts';
 import { refuse, SHADER_TEXT_LIMITS, type SourceLocation } from './sourceLocation.ts';
 import type {
   AssignmentSyntax,
@@ -12,24 +13,24 @@ import type {
 import { type ShaderToken, tokenize } from './tokens.ts';
 
 /** WGSL keywords that are not supported, and what to write instead. */
-const REFUSED: Readonly<Record<string, string>> = {
-  while: 'write a `for` whose count is known: `for (var i = 0; i < 16; i++)`',
-  loop: 'write a `for` whose count is known: `for (var i = 0; i < 16; i++)`',
-  switch: 'write `if … else if … else`',
-  discard: 'return the colour that is to be there',
-  struct: 'use vectors',
-  alias: "write the type's own name",
-  override: 'use `const`, or arg1 … arg4 for what is to be turned',
-  enable: 'what it enables is not taken',
-  requires: 'what it requires is not taken',
-  diagnostic: 'leave it out',
-  fallthrough: 'write `if … else if … else`',
+const REFUSED: Readonly<Record<string, Message>> = {
+  while: msg`write a \`for\` whose count is known: \`for (var i = 0; i < 16; i++)\``,
+  loop: msg`write a \`for\` whose count is known: \`for (var i = 0; i < 16; i++)\``,
+  switch: msg`write \`if … else if … else\``,
+  discard: msg`return the colour that is to be there`,
+  struct: msg`use vectors`,
+  alias: msg`write the type's own name`,
+  override: msg`use \`const\`, or arg1 … arg4 for what is to be turned`,
+  enable: msg`what it enables is not taken`,
+  requires: msg`what it requires is not taken`,
+  diagnostic: msg`leave it out`,
+  fallthrough: msg`write \`if … else if … else\``,
 };
-const TYPES_REFUSED: readonly [RegExp, string][] = [
-  [/^(ptr|atomic|array)$/, 'pass and return values: numbers, vectors and matrices'],
-  [/^(texture|sampler)/, 'pixels are read by image(offset), depth(offset), normal(offset) …'],
-  [/^(u32|vec[234]u)$/, 'use i32'],
-  [/^(f16|vec[234]h|mat\dx\dh)$/, 'use f32'],
+const TYPES_REFUSED: readonly [RegExp, Message][] = [
+  [/^(ptr|atomic|array)$/, msg`pass and return values: numbers, vectors and matrices`],
+  [/^(texture|sampler)/, msg`pixels are read by image(offset), depth(offset), normal(offset) …`],
+  [/^(u32|vec[234]u)$/, msg`use i32`],
+  [/^(f16|vec[234]h|mat\dx\dh)$/, msg`use f32`],
 ];
 /** Binary operators by increasing precedence. */
 const LEVELS = [['||'], ['&&'], ['==', '!=', '<', '>', '<=', '>='], ['+', '-'], ['*', '/', '%']] as const;
@@ -57,32 +58,33 @@ class Parser {
       if (this.is('fn')) functions.push(this.function());
       else if (this.is('const')) constants.push(this.ended(this.declaration()));
       else if (this.is('var'))
-        refuse(this.here, '`var` outside of a function is not taken: declare it inside, or use `const`');
-      else this.refused('`fn` or `const`');
+        refuse(this.here, msg`\`var\` outside of a function is not taken: declare it inside, or use \`const\``);
+      else this.refused(anyOf(['`fn`', '`const`']));
     }
     return { constants, functions };
   }
 
   private function(): FunctionSyntax {
     const at = this.word('fn');
-    const name = this.name('a name for the function');
+    const name = this.name(msg`a name for the function`);
     this.word('(');
     const params: { at: SourceLocation; name: string; type: TypeSyntax }[] = [];
     while (!this.is(')')) {
-      const param = this.name('a parameter');
+      const param = this.name(msg`a parameter`);
       this.word(':');
       params.push({ at: param, name: param.text, type: this.type() });
       if (!this.takes(',')) break;
     }
     this.word(')');
-    if (!this.takes('->')) refuse(this.here, `${name.text} gives nothing: write \`-> vec4f\`, or what else it returns`);
+    if (!this.takes('->'))
+      refuse(this.here, msg`${name.text} gives nothing: write \`-> vec4f\`, or what else it returns`);
     return { at: { ...at, ...name }, name: name.text, params, result: this.type(), body: this.block() };
   }
 
   private type(): TypeSyntax {
-    const at = this.name('the name of a type');
+    const at = this.name(msg`the name of a type`);
     const why = TYPES_REFUSED.find(([names]) => names.test(at.text));
-    if (why) refuse(at, `the type ${at.text} is not taken: ${why[1]}`);
+    if (why) refuse(at, msg`the type ${at.text} is not taken: ${why[1]}`);
     if (!TEMPLATES.test(at.text) || !this.takes('<')) return { at, name: at.text };
     const of = this.type();
     this.word('>');
@@ -113,7 +115,7 @@ class Parser {
         return this.loop();
       case 'return': {
         this.word('return');
-        if (this.is(';')) refuse(this.here, 'this returns nothing: write the value after `return`');
+        if (this.is(';')) refuse(this.here, msg`this returns nothing: write the value after \`return\``);
         return this.ended({ at, kind: 'return', value: this.expression() });
       }
       case 'break':
@@ -150,7 +152,7 @@ class Parser {
   private simple(): DeclarationSyntax | AssignmentSyntax {
     if (this.is('let') || this.is('var') || this.is('const')) return this.declaration();
     const at = this.here;
-    if (at.kind !== 'name' || REFUSED[at.text]) this.refused('a statement');
+    if (at.kind !== 'name' || REFUSED[at.text]) this.refused(msg`a statement`);
     const target = this.postfix();
     const sign = this.here.text;
     if (this.takes('++') || this.takes('--')) {
@@ -158,7 +160,7 @@ class Parser {
       return { at, kind: 'assign', target, sign: sign[0], value: one };
     }
     if (target.kind === 'call')
-      refuse(at, `what ${target.callee.name} returns is not used: assign it, or leave the call out`);
+      refuse(at, msg`what ${target.callee.name} returns is not used: assign it, or leave the call out`);
     if (!this.takes('=') && !/^[-+*/%]=$/.test(sign)) this.refused('`=`');
     else if (sign !== '=') this.word(sign);
     return { at, kind: 'assign', target, sign: sign === '=' ? undefined : sign[0], value: this.expression() };
@@ -167,11 +169,11 @@ class Parser {
   private declaration(): DeclarationSyntax {
     const at = this.here;
     const how = this.take().text as DeclarationSyntax['how'];
-    if (this.is('<')) refuse(this.here, 'address spaces are not taken: write `var` alone');
-    const { text: name } = this.name('a name for the value');
+    if (this.is('<')) refuse(this.here, msg`address spaces are not taken: write \`var\` alone`);
+    const { text: name } = this.name(msg`a name for the value`);
     const type = this.takes(':') ? this.type() : undefined;
     const value = this.takes('=') ? this.expression() : undefined;
-    if (!value && (how !== 'var' || !type)) refuse(this.here, `${name} has no value: write \`= …\` after it`);
+    if (!value && (how !== 'var' || !type)) refuse(this.here, msg`${name} has no value: write \`= …\` after it`);
     return { at, kind: 'declare', how, name, type, value };
   }
 
@@ -185,7 +187,7 @@ class Parser {
       a = { at, kind: 'binary', sign: at.text, a, b };
     }
     if (this.here.kind === 'sign' && BITS.has(this.here.text))
-      refuse(this.here, `the operator ${this.here.text} works on bits, and is not taken: use arithmetic`);
+      refuse(this.here, msg`the operator ${this.here.text} works on bits, and is not taken: use arithmetic`);
     return a;
   }
 
@@ -193,7 +195,7 @@ class Parser {
     const at = this.here;
     if (this.takes('-') || this.takes('!'))
       return { at, kind: 'unary', sign: at.text, of: this.within(() => this.unary()) };
-    if (at.text === '&' || at.text === '*') refuse(at, 'pointers are not taken: pass and return values');
+    if (at.text === '&' || at.text === '*') refuse(at, msg`pointers are not taken: pass and return values`);
     return this.postfix();
   }
 
@@ -202,7 +204,7 @@ class Parser {
     for (;;) {
       const at = this.here;
       this.chain(at, at.text === '.' || at.text === '[');
-      if (this.takes('.')) of = { at, kind: 'member', of, name: this.name('x, y, z or w').text };
+      if (this.takes('.')) of = { at, kind: 'member', of, name: this.name(msg`x, y, z or w`).text };
       else if (this.takes('[')) {
         const index = this.within(() => this.expression());
         this.word(']');
@@ -220,7 +222,7 @@ class Parser {
       this.word(')');
       return inner;
     }
-    if (at.kind !== 'name' || REFUSED[at.text]) this.refused('an expression');
+    if (at.kind !== 'name' || REFUSED[at.text]) this.refused(msg`an expression`);
     const templated = TEMPLATES.test(at.text);
     const callee = templated ? this.type() : { at, name: this.take().text };
     if (!this.takes('(')) {
@@ -238,7 +240,7 @@ class Parser {
 
   private within<T>(read: () => T): T {
     if (++this.depth > LEVELS.length * SHADER_TEXT_LIMITS.depth)
-      refuse(this.here, `this lies more than ${SHADER_TEXT_LIMITS.depth} brackets deep: give parts of it names`);
+      refuse(this.here, msg`this lies more than ${SHADER_TEXT_LIMITS.depth} brackets deep: give parts of it names`);
     const found = read();
     this.depth--;
     return found;
@@ -247,7 +249,7 @@ class Parser {
   /** Chained operators nest as deep as they are long. */
   private chain(at: ShaderToken, longer = true): void {
     if (longer && ++this.chained > SHADER_TEXT_LIMITS.chain)
-      refuse(at, `this statement is longer than ${SHADER_TEXT_LIMITS.chain} operators: give parts of it names`);
+      refuse(at, msg`this statement is longer than ${SHADER_TEXT_LIMITS.chain} operators: give parts of it names`);
   }
 
   private ended<T>(statement: T): T {
@@ -281,16 +283,19 @@ class Parser {
     return this.take();
   }
 
-  private name(what: string): ShaderToken {
+  private name(what: LocalizedText): ShaderToken {
     if (this.here.kind !== 'name' || REFUSED[this.here.text]) this.refused(what);
     return this.take();
   }
 
-  private refused(expected: string): never {
+  private refused(expected: LocalizedText): never {
     const { text, kind } = this.here;
     const instead = REFUSED[text];
-    if (instead && kind === 'name') refuse(this.here, `\`${text}\` is not taken: ${instead}`);
-    if (text === '@') refuse(this.here, 'attributes are not taken: leave them out');
-    refuse(this.here, `expected ${expected} here, found ${kind === 'end' ? 'the end of the text' : `\`${text}\``}`);
+    if (instead && kind === 'name') refuse(this.here, msg`\`${text}\` is not taken: ${instead}`);
+    if (text === '@') refuse(this.here, msg`attributes are not taken: leave them out`);
+    refuse(
+      this.here,
+      msg`expected ${expected} here, found ${kind === 'end' ? msg`the end of the text` : `\`${text}\``}`,
+    );
   }
 }

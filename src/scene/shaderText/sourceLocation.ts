@@ -1,3 +1,6 @@
+import { type Message, msg } from '../../messages/message.ts';
+import { MessageError } from '../../messages/messageError.ts';
+
 /** Line and column in a text, from 1. */
 export interface SourceLocation {
   readonly line: number;
@@ -5,18 +8,18 @@ export interface SourceLocation {
 }
 
 /** An error in a shader text, with its location and a remedy. */
-export class ShaderTextError extends Error {
+export class ShaderTextError extends MessageError {
   readonly line: number;
   readonly column: number;
-  constructor({ line, column }: SourceLocation, message: string) {
-    super(`line ${line}, column ${column}: ${message}`);
+  constructor({ line, column }: SourceLocation, message: Message) {
+    super(msg`line ${line}, column ${column}: ${message}`);
     this.name = 'ShaderTextError';
     this.line = line;
     this.column = column;
   }
 }
 
-export function refuse(at: SourceLocation, message: string): never {
+export function refuse(at: SourceLocation, message: Message): never {
   throw new ShaderTextError(at, message);
 }
 

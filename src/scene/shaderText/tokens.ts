@@ -1,3 +1,4 @@
+import { msg } from '../../messages/message.ts';
 import { refuse, SHADER_TEXT_LIMITS, type SourceLocation } from './sourceLocation.ts';
 
 export interface ShaderToken extends SourceLocation {
@@ -20,7 +21,7 @@ export function tokenize(text: string): readonly ShaderToken[] {
   if (text.length > SHADER_TEXT_LIMITS.length)
     refuse(
       here(),
-      `the text has ${text.length} characters; more than ${SHADER_TEXT_LIMITS.length} are not taken: shorten it`,
+      msg`the text has ${text.length} characters; more than ${SHADER_TEXT_LIMITS.length} are not taken: shorten it`,
     );
   while (at < text.length) {
     const place = here();
@@ -45,7 +46,7 @@ function tokenAt(text: string, at: number, place: SourceLocation): readonly [key
   }
   return refuse(
     place,
-    `the character ${JSON.stringify(String.fromCodePoint(text.codePointAt(at) ?? 0))} has no meaning in WGSL`,
+    msg`the character ${JSON.stringify(String.fromCodePoint(text.codePointAt(at) ?? 0))} has no meaning in WGSL`,
   );
 }
 
@@ -58,5 +59,5 @@ function comment(text: string, from: number, place: SourceLocation): string {
     else at--;
     if (depth === 0) return text.slice(from, at + 2);
   }
-  return refuse(place, 'this comment has no end: close it with */');
+  return refuse(place, msg`this comment has no end: close it with */`);
 }

@@ -1,3 +1,4 @@
+import { type LocalizedText, msg } from '../../messages/message.ts';
 import { checkExpression, constantIndex, convertTo, isReservedName, type ShaderScope } from './expressions.ts';
 import type { ShaderExpression, ShaderFunction, ShaderProgram, ShaderStatement } from './program.ts';
 import { refuse, SHADER_TEXT_LIMITS, type SourceLocation } from './sourceLocation.ts';
@@ -34,8 +35,9 @@ export function typeCheck(syntax: ModuleSyntax): Pick<ShaderProgram, 'functions'
   const signatures = new Map<string, Signature>();
   const known = new Map<string, ShaderExpression>();
   syntax.functions.forEach((of, index) => {
-    if (isReservedName(of.name)) refuse(of.at, `${of.name} is a function of WGSL or of effects: call yours otherwise`);
-    if (signatures.has(of.name)) refuse(of.at, `there is a function ${of.name} already: call this one otherwise`);
+    if (isReservedName(of.name))
+      refuse(of.at, msg`${of.name} is a function of WGSL or of effects: call yours otherwise`);
+    if (signatures.has(of.name)) refuse(of.at, msg`there is a function ${of.name} already: call this one otherwise`);
     const params = of.params.map(({ type }) => declaredType(type));
     signatures.set(of.name, { index, params, result: declaredType(of.result) });
   });
@@ -49,23 +51,27 @@ export function typeCheck(syntax: ModuleSyntax): Pick<ShaderProgram, 'functions'
 function effectOf({ functions }: ModuleSyntax, signatures: ReadonlyMap<string, Signature>): number {
   const effect = signatures.get('effect');
   if (!effect)
-    return refuse({ line: 1, column: 1 }, 'there is no function effect: write `fn effect(p: Pixel) -> vec4f { … }`');
+    return refuse(
+      { line: 1, column: 1 },
+      msg`there is no function effect: write \`fn effect(p: Pixel) -> vec4f { … }\``,
+    );
   const { params, result } = effect;
   const fits = params.length === 1 && params.every((type) => isSameType(type, PIXEL)) && isSameType(result, vector(4));
   if (!fits)
     refuse(
       functions[effect.index]?.at ?? { line: 1, column: 1 },
-      'effect should be a function of one Pixel that returns vec4f',
+      msg`effect should be a function of one Pixel that returns vec4f`,
     );
   return effect.index;
 }
 
 function constantOf({ name, type, value, at }: DeclarationSyntax, names: ShaderScope): ShaderExpression {
   const found = checkExpression(value as ExpressionSyntax, names);
-  if (found.op !== 'constant') return refuse(at, `the value of the const ${name} is not known beforehand: use \`let\``);
+  if (found.op !== 'constant')
+    return refuse(at, msg`the value of the const ${name} is not known beforehand: use \`let\``);
   if (!type) return found;
   const wanted = declaredType(type);
-  expectType(found.type, wanted, (value as ExpressionSyntax).at, `the value of ${name}`);
+  expectType(found.type, wanted, (value as ExpressionSyntax).at, msg`the value of ${name}`);
   return convertTo(found, wanted);
 }
 
@@ -89,7 +95,7 @@ class FunctionChecker {
 
   function({ name, params, result, body, at }: FunctionSyntax): ShaderFunction {
     this.result = declaredType(result);
-    if (this.result.of === 'pixel') refuse(result.at, 'a Pixel cannot be returned: return its colour or a number');
+    if (this.result.of === 'pixel') refuse(result.at, msg`a Pixel cannot be returned: return its colour or a number`);
     const scope = new Map<string, Variable>();
     for (const param of params) {
       const type = declaredType(param.type);
@@ -99,7 +105,7 @@ class FunctionChecker {
     const count = this.locals.length;
     this.scopes.push(scope);
     const steps = this.block(body);
-    if (!alwaysReturns(body)) refuse(at, `not every way through ${name} returns a value: end it with \`return …;\``);
+    if (!alwaysReturns(body)) refuse(at, msg`not every way through ${name} returns a value: end it with \`return …;\``);
     return { name, locals: this.locals, params: count, result: this.result, body: steps };
   }
 
@@ -123,7 +129,7 @@ class FunctionChecker {
 
   private declare(name: string, variable: Variable, at: SourceLocation): void {
     const scope = this.scopes[this.scopes.length - 1];
-    if (scope?.has(name)) refuse(at, `there is a ${name} already: call this one otherwise`);
+    if (scope?.has(name)) refuse(at, msg`there is a ${name} already: call this one otherwise`);
     scope?.set(name, variable);
   }
 
@@ -144,19 +150,19 @@ class FunctionChecker {
         return this.block(statement.body);
       case 'if': {
         const test = checkExpression(statement.test, this.names);
-        expectType(test.type, BOOL, statement.test.at, 'what follows `if`');
+        expectType(test.type, BOOL, statement.test.at, msg`what follows \`if\``);
         return [{ op: 'if', test, yes: this.block(statement.yes), no: this.block(statement.no) }];
       }
       case 'for':
         return this.loop(statement);
       case 'return': {
         const value = checkExpression(statement.value, this.names);
-        expectType(value.type, this.result, statement.value.at, 'the returned value');
+        expectType(value.type, this.result, statement.value.at, msg`the returned value`);
         return [{ op: 'return', value: convertTo(value, this.result) }];
       }
       case 'break':
       case 'continue':
-        if (this.loops === 0) refuse(statement.at, `\`${statement.kind}\` is in no loop`);
+        if (this.loops === 0) refuse(statement.at, msg`\`${statement.kind}\` is in no loop`);
         return [{ op: statement.kind }];
     }
   }
@@ -170,13 +176,13 @@ class FunctionChecker {
     const wanted = type && declaredType(type);
     const found = value && checkExpression(value, this.names);
     const of = wanted ?? concreteType(found?.type ?? BOOL);
-    if (of.of === 'pixel') refuse(at, 'a Pixel cannot be kept: keep its colour, or a number of it');
+    if (of.of === 'pixel') refuse(at, msg`a Pixel cannot be kept: keep its colour, or a number of it`);
     const zero: ShaderExpression = {
       op: 'constant',
       type: of,
       numbers: Array.from({ length: componentCount(of) }, () => 0),
     };
-    if (found) expectType(found.type, of, value.at, `the value of ${name}`);
+    if (found) expectType(found.type, of, value.at, msg`the value of ${name}`);
     const local = this.local(of);
     this.declare(name, { value: local, how }, at);
     return [{ op: 'set', local: local.local, part: undefined, value: found ? convertTo(found, of) : zero }];
@@ -186,7 +192,7 @@ class FunctionChecker {
     const { local, type, part } = this.target(target);
     const sum: ExpressionSyntax = sign ? { at, kind: 'binary', sign, a: target, b: value } : value;
     const found = checkExpression(sum, this.names);
-    expectType(found.type, type, value.at, 'the new value');
+    expectType(found.type, type, value.at, msg`the new value`);
     return [{ op: 'set', local, part, value: convertTo(found, type) }];
   }
 
@@ -197,27 +203,29 @@ class FunctionChecker {
     readonly part: number | undefined;
   } {
     const whole = target.kind === 'member' || target.kind === 'index' ? target.of : target;
-    if (whole.kind !== 'name') return refuse(target.at, 'only a variable, or one component of it, can be assigned');
+    if (whole.kind !== 'name') return refuse(target.at, msg`only a variable, or one component of it, can be assigned`);
     const variable = this.find(whole.name);
-    if (!variable) return refuse(whole.at, `${whole.name} is no variable here: \`var ${whole.name} = …;\` before it`);
-    if (variable.how === 'counter') refuse(whole.at, `${whole.name} counts this loop, and may not be changed in it`);
+    if (!variable)
+      return refuse(whole.at, msg`${whole.name} is no variable here: \`var ${whole.name} = …;\` before it`);
+    if (variable.how === 'counter') refuse(whole.at, msg`${whole.name} counts this loop, and may not be changed in it`);
     if (variable.how !== 'var' || variable.value.op !== 'local')
-      return refuse(whole.at, `${whole.name} cannot be changed: declare it with \`var\`, or copy it into one`);
+      return refuse(whole.at, msg`${whole.name} cannot be changed: declare it with \`var\`, or copy it into one`);
     const { local, type } = variable.value;
     if (target.kind === 'name') return { local, type, part: undefined };
-    if (type.columns > 1) refuse(target.at, 'a part of a matrix cannot be assigned: build it anew');
+    if (type.columns > 1) refuse(target.at, msg`a part of a matrix cannot be assigned: build it anew`);
     const found = checkExpression(target, this.names);
     if (found.op !== 'parts' || found.parts.length !== 1)
-      return refuse(target.at, 'WGSL assigns one component at a time: .x, .y, .z or .w');
+      return refuse(target.at, msg`WGSL assigns one component at a time: .x, .y, .z or .w`);
     return { local, type: found.type, part: found.parts[0] };
   }
 
   private loop({ at, first, while: test, next, body }: ForLoopSyntax): readonly ShaderStatement[] {
     if (first?.kind !== 'declare' || first.how !== 'var' || !first.value)
-      return refuse(at, 'the loop declares no counter of its own: write `for (var i = 0; i < 16; i++)`');
+      return refuse(at, msg`the loop declares no counter of its own: write \`for (var i = 0; i < 16; i++)\``);
     const { name } = first;
-    const from = this.whole(first.value, `the first value of ${name}`);
-    if (first.type && !isSameType(declaredType(first.type), I32)) refuse(first.at, `${name} counts, and should be i32`);
+    const from = this.whole(first.value, msg`the first value of ${name}`);
+    if (first.type && !isSameType(declaredType(first.type), I32))
+      refuse(first.at, msg`${name} counts, and should be i32`);
     const by = this.stride(next, name, at);
     const count = this.rounds(test, name, from, by, at);
     const local = this.local(I32);
@@ -230,7 +238,7 @@ class FunctionChecker {
   }
 
   /** A constant integer. */
-  private whole(of: ExpressionSyntax, what: string): number {
+  private whole(of: ExpressionSyntax, what: LocalizedText): number {
     const value = checkExpression(of, this.names);
     if (
       value.op !== 'constant' ||
@@ -239,7 +247,7 @@ class FunctionChecker {
     )
       return refuse(
         of.at,
-        `${what} must be a whole number that is known beforehand: a number or a \`const\`. Where fewer rounds are needed, leave the loop by \`break\``,
+        msg`${what} must be a whole number that is known beforehand: a number or a \`const\`. Where fewer rounds are needed, leave the loop by \`break\``,
       );
     return constantIndex(value, of.at);
   }
@@ -249,10 +257,10 @@ class FunctionChecker {
     if (!counts || (next.sign !== '+' && next.sign !== '-'))
       return refuse(
         next?.at ?? at,
-        `the loop does not count ${name} on by a number that is known: write ${name}++ or ${name} += 2`,
+        msg`the loop does not count ${name} on by a number that is known: write ${name}++ or ${name} += 2`,
       );
-    const size = this.whole(next.value, `the step of ${name}`);
-    if (size === 0) refuse(next.at, `${name} is counted on by 0: the loop would never end`);
+    const size = this.whole(next.value, msg`the step of ${name}`);
+    if (size === 0) refuse(next.at, msg`${name} is counted on by 0: the loop would never end`);
     return next.sign === '+' ? size : -size;
   }
 
@@ -267,17 +275,17 @@ class FunctionChecker {
     if (!bounded || !['<', '<=', '>', '>='].includes(test.sign))
       return refuse(
         test?.at ?? at,
-        `the loop has no end that is known: write ${name} < 16, with the counter on the left`,
+        msg`the loop has no end that is known: write ${name} < 16, with the counter on the left`,
       );
-    const to = this.whole(test.b, `the end of ${name}`);
+    const to = this.whole(test.b, msg`the end of ${name}`);
     if (by > 0 !== test.sign.startsWith('<'))
-      refuse(test.at, `${name} is counted away from its end: the loop would never end`);
+      refuse(test.at, msg`${name} is counted away from its end: the loop would never end`);
     const distance = (by > 0 ? to - from : from - to) + (test.sign.length === 2 ? 1 : 0);
     const count = Math.max(0, Math.ceil(distance / Math.abs(by)));
     if (count > SHADER_TEXT_LIMITS.rounds)
       refuse(
         test.at,
-        `this loop goes round ${count} times; more than ${SHADER_TEXT_LIMITS.rounds} are not taken: take fewer, in larger steps`,
+        msg`this loop goes round ${count} times; more than ${SHADER_TEXT_LIMITS.rounds} are not taken: take fewer, in larger steps`,
       );
     return count;
   }

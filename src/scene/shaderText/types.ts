@@ -1,3 +1,4 @@
+import { type LocalizedText, msg } from '../../messages/message.ts';
 import { refuse, type SourceLocation } from './sourceLocation.ts';
 import type { TypeSyntax } from './syntax.ts';
 
@@ -73,14 +74,14 @@ export function declaredType(written: TypeSyntax): ShaderType {
   if (type && whole) return type;
   return refuse(
     written.at,
-    `the type ${written.name} is not known: there are f32, i32, bool, vec2f … vec4f, vec2i … vec4i, mat2x2f, mat3x3f, mat4x4f and Pixel`,
+    msg`the type ${written.name} is not known: there are f32, i32, bool, vec2f … vec4f, vec2i … vec4i, mat2x2f, mat3x3f, mat4x4f and Pixel`,
   );
 }
 
-export const expectType = (found: ShaderType, wanted: ShaderType, at: SourceLocation, what: string): void => {
+export const expectType = (found: ShaderType, wanted: ShaderType, at: SourceLocation, what: LocalizedText): void => {
   if (!isConvertible(found, wanted))
     refuse(
       at,
-      `${what} is ${typeName(found)}, and should be ${typeName(wanted)}: convert it by ${typeName(wanted)}(…)`,
+      msg`${what} is ${typeName(found)}, and should be ${typeName(wanted)}: convert it by ${typeName(wanted)}(…)`,
     );
 };

@@ -1,3 +1,4 @@
+import { type LocalizedText, type Message, msg } from '../../messages/message.ts';
 import type { FastestVertex } from '../motion/kinds/motionKind.ts';
 import type { Diagnostic } from '../types.ts';
 import type { SceneCode } from './diagnosticCodes.ts';
@@ -5,8 +6,8 @@ import type { SceneCode } from './diagnosticCodes.ts';
 export const problem = (
   severity: Diagnostic['severity'],
   code: SceneCode,
-  place: string,
-  message: string,
+  place: LocalizedText,
+  message: Message,
 ): Diagnostic => ({
   severity,
   code,
@@ -14,17 +15,24 @@ export const problem = (
   message,
 });
 
+/** The place of problems of an object's motion. */
+export const motionPlace = (path: string): Message => msg`motion of ${path}`;
+
+/** Path of the object that a problem is about. */
+export const objectPath = ({ place }: Diagnostic): string =>
+  typeof place === 'string' ? place : String(place.values[0]);
+
 /** An error if the fastest vertex of an object is not slower than light. */
 export function validateFastest(path: string, { speed, from, to }: FastestVertex, c: number): Diagnostic[] {
-  return speed >= c ? [tooFast(`motion of ${path}`, speed, from, to, c)] : [];
+  return speed >= c ? [tooFast(motionPlace(path), speed, from, to, c)] : [];
 }
 
 /** A model message: what, how much, when, and the least valid c. */
-function tooFast(place: string, speed: number, from: number, to: number, c: number): Diagnostic {
+function tooFast(place: LocalizedText, speed: number, from: number, to: number, c: number): Diagnostic {
   const [fast, least] = [inUnitsOfC(speed / c), roundedUp(speed)];
   const message = Number.isFinite(from)
-    ? `${fast} c between t = ${seconds(from)} and ${seconds(to)}; raise c above ${least} m/s or slow it down`
-    : `${fast} c at all times; raise c above ${least} m/s or slow it down`;
+    ? msg`${fast} c between t = ${seconds(from)} and ${seconds(to)}; raise c above ${least} m/s or slow it down`
+    : msg`${fast} c at all times; raise c above ${least} m/s or slow it down`;
   return problem('error', 'motion.superluminal', place, message);
 }
 

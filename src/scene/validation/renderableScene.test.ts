@@ -1,4 +1,5 @@
 import { expect, it } from 'vitest';
+import { saying } from '../../../tests/support/inWords.ts';
 import { makeObject, makeScene, restingAt } from '../defaults.ts';
 import { box } from '../mesh/primitives.ts';
 import { renderableScene } from './renderableScene.ts';
@@ -19,7 +20,7 @@ it('skips objects that cannot be rendered, and reports them', () => {
   );
   expect(scene.objects.map(({ path }) => path)).toEqual(['/good']);
   expect(scene.diagnostics).toMatchObject([
-    { severity: 'warning', code: 'mesh.index', place: '/bad', message: expect.stringMatching(/; it is left out$/) },
+    { severity: 'warning', code: 'mesh.index', place: '/bad', message: saying(/; it is left out$/) },
     { severity: 'warning', code: 'motion.times', place: '/back' },
   ]);
   expect(diagnostics).toEqual([]);

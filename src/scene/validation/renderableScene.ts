@@ -1,5 +1,7 @@
+import { msg } from '../../messages/message.ts';
 import { SPEED_OF_LIGHT } from '../../physics/constants.ts';
 import type { Diagnostic, Scene } from '../types.ts';
+import { objectPath } from './motionFindings.ts';
 import { validate } from './validate.ts';
 
 export interface RenderableScene {
@@ -17,12 +19,12 @@ export function renderableScene(scene: Scene): RenderableScene {
   const errors = found.filter(({ severity }) => severity === 'error');
   const remarks = found.filter(({ severity }) => severity !== 'error');
   if (errors.length === 0) return { scene, diagnostics: remarks };
-  const broken = new Set(errors.flatMap((one) => (one.code === DUPLICATE ? [] : [pathOf(one)])));
+  const broken = new Set(errors.flatMap((one) => (one.code === DUPLICATE ? [] : [objectPath(one)])));
   const isWhole = ({ path }: { readonly path: string }): boolean => !broken.has(path);
   const seen = new Set<string>();
   const isFirst = ({ path }: { readonly path: string }): boolean => !seen.has(path) && seen.add(path) !== undefined;
   const removed = errors.map(
-    (one): Diagnostic => ({ ...one, severity: 'warning', message: `${one.message}; it is left out` }),
+    (one): Diagnostic => ({ ...one, severity: 'warning', message: msg`${one.message}; it is left out` }),
   );
   return {
     scene: {
@@ -37,5 +39,3 @@ export function renderableScene(scene: Scene): RenderableScene {
 }
 
 const DUPLICATE = 'scene.duplicate-path';
-
-const pathOf = ({ place }: Diagnostic): string => place.replace(/^motion of /, '');

@@ -1,6 +1,8 @@
 import { describe, expect, it } from 'vitest';
+import { inWords } from '../../../tests/support/inWords.ts';
 import { fromAxisAngle, IDENTITY } from '../../math/quat.ts';
 import type { Vec3 } from '../../math/vec3.ts';
+import { inEnglish, msg } from '../../messages/message.ts';
 import { FOREVER, makeObject, makeScene, restingAt } from '../defaults.ts';
 import { box } from '../mesh/primitives.ts';
 import type { Mesh, Motion, SampledMotion, Scene, SceneObject } from '../types.ts';
@@ -15,7 +17,7 @@ const object = (given: Partial<SceneObject> = {}): SceneObject =>
   makeObject({ path: '/World/Cube', mesh: box([2, 2, 2]), ...given });
 const scene = (...objects: SceneObject[]): Scene => makeScene({ name: 'test', objects });
 const told = (given: Partial<SceneObject>, c = 10): string[] =>
-  validate(scene(object(given)), c).map(({ code, place, message }) => `${code} | ${place}: ${message}`);
+  validate(scene(object(given)), c).map((found) => `${found.code} | ${inWords(found)}`);
 const meshWith = (given: Partial<Mesh>): Partial<SceneObject> => ({ mesh: { ...box([2, 2, 2]), ...given } });
 
 describe('validate', () => {
@@ -102,8 +104,8 @@ describe('validate', () => {
     };
     const lamp = { ...camera, kind: 'sphere', path: '/Lamp', lifetime: FOREVER, radius: 1, color: [1, 1, 1] } as const;
     expect(validate({ ...scene(), cameras: [camera], lights: [lamp] }, 10)).toMatchObject([
-      { place: 'motion of /Camera', code: 'motion.superluminal' },
-      { place: 'motion of /Lamp', code: 'motion.superluminal' },
+      { place: msg`motion of ${'/Camera'}`, code: 'motion.superluminal' },
+      { place: msg`motion of ${'/Lamp'}`, code: 'motion.superluminal' },
     ]);
   });
 
@@ -115,7 +117,7 @@ describe('validate', () => {
       { ...lamp, kind: 'disk', radius: 1, color: [1, Number.NaN, 1] },
       { ...lamp, kind: 'sphere', radius: 0 },
     ] as const;
-    expect(validate({ ...scene(), lights }, 10).map((d) => `${d.code}: ${d.message}`)).toEqual([
+    expect(validate({ ...scene(), lights }, 10).map((d) => `${d.code}: ${inEnglish(d.message)}`)).toEqual([
       'light.size: its height is NaN m; give it a size of 0 m or more',
       'light.size: its radius is -1 m, its length is Infinity m; give it a size of 0 m or more',
       'light.color: its colour is 1, NaN, 1; give it three numbers',

@@ -1,3 +1,4 @@
+import { listed, type Message, msg } from '../../messages/message.ts';
 import { makeObject } from '../defaults.ts';
 import { isLocalLight, lightKind } from '../lights/lightKinds.ts';
 import { pointAt } from '../mesh/polygons.ts';
@@ -38,7 +39,7 @@ function duplicatePaths({ objects }: Scene): Diagnostic[] {
   const seen = new Set<string>();
   return objects
     .filter(({ path }) => seen.has(path) || !seen.add(path))
-    .map(({ path }) => problem('error', 'scene.duplicate-path', path, 'two objects have this path; rename one'));
+    .map(({ path }) => problem('error', 'scene.duplicate-path', path, msg`two objects have this path; rename one`));
 }
 
 /** Later checks rely on earlier ones, so the first check that finds an error is the last. */
@@ -65,22 +66,24 @@ interface MeshFindings {
 }
 type MeshFault = Pick<Diagnostic, 'severity' | 'message'> & { readonly code: SceneCode };
 
-const error = (code: SceneCode, message: string): MeshFault => ({ severity: 'error', code, message });
+const error = (code: SceneCode, message: Message): MeshFault => ({ severity: 'error', code, message });
 
 function meshFaults(mesh: Mesh, scene: Scene): MeshFault[] {
   const vertices = mesh.positions.length / 3;
   if (mesh.indices.length === 0 || vertices === 0)
-    return [{ severity: 'warning', code: 'mesh.empty', message: 'has no triangle; nothing of it is drawn' }];
+    return [{ severity: 'warning', code: 'mesh.empty', message: msg`has no triangle; nothing of it is drawn` }];
   const beyond = mesh.indices.find((v) => v >= vertices);
   if (beyond !== undefined)
-    return [error('mesh.index', `a triangle names vertex ${beyond}, but there are only ${vertices}`)];
+    return [error('mesh.index', msg`a triangle names vertex ${beyond}, but there are only ${vertices}`)];
   if (mesh.normals.length !== mesh.positions.length || mesh.uvs.length !== 2 * vertices) {
-    const message = `${vertices} vertices need as many normals and uvs, not ${mesh.normals.length / 3} and ${mesh.uvs.length / 2}`;
+    const message = msg`${vertices} vertices need as many normals and uvs, not ${mesh.normals.length / 3} and ${mesh.uvs.length / 2}`;
     return [error('mesh.length', message)];
   }
   const foreign = mesh.groups.find(({ material }) => material >= scene.materials.length);
   if (foreign)
-    return [error('mesh.material', `uses material ${foreign.material}, but there are only ${scene.materials.length}`)];
+    return [
+      error('mesh.material', msg`uses material ${foreign.material}, but there are only ${scene.materials.length}`),
+    ];
   return degenerateTriangles(mesh);
 }
 
@@ -95,7 +98,7 @@ function degenerateTriangles({ positions, indices }: Mesh): MeshFault[] {
   for (let i = 0; i < indices.length; i += 3)
     if (isDegenerate(positions, indices[i], indices[i + 1], indices[i + 2])) count++;
   if (count === 0) return [];
-  const message = `${count} of ${indices.length / 3} triangles have no area; merge double points, or leave it: they are not drawn`;
+  const message = msg`${count} of ${indices.length / 3} triangles have no area; merge double points, or leave it: they are not drawn`;
   return [{ severity: 'warning', code: 'mesh.degenerate', message }];
 }
 
@@ -118,7 +121,7 @@ function validateTimes(motion: Motion, path: string): Diagnostic[] {
         'error',
         'motion.samples',
         path,
-        `${times.length} times and ${samples} samples; a motion needs as many of both, two or more`,
+        msg`${times.length} times and ${samples} samples; a motion needs as many of both, two or more`,
       ),
     ];
   }
@@ -129,7 +132,7 @@ function validateTimes(motion: Motion, path: string): Diagnostic[] {
       'error',
       'motion.times',
       path,
-      `sample ${k} is at ${seconds(times[k])}, not after sample ${k - 1} at ${seconds(times[k - 1])}; times must rise`,
+      msg`sample ${k} is at ${seconds(times[k])}, not after sample ${k - 1} at ${seconds(times[k - 1])}; times must rise`,
     ),
   ];
 }
@@ -141,21 +144,20 @@ function validateLifetime({ lifetime, path }: SceneObject): Diagnostic[] {
       'warning',
       'object.lifetime',
       path,
-      `ends at ${seconds(lifetime.death)}, not after it begins at ${seconds(lifetime.birth)}; it is never there`,
+      msg`ends at ${seconds(lifetime.death)}, not after it begins at ${seconds(lifetime.birth)}; it is never there`,
     ),
   ];
 }
 
 function validateAuthoring({ authoredIn, motion, path }: SceneObject): Diagnostic[] {
   if (authoredIn === 'world' || !deforms(motion)) return [];
-  const message =
-    'deforming points are authored in the rest frame, which they do not share; they are taken as the world’s';
+  const message = msg`deforming points are authored in the rest frame, which they do not share; they are taken as the world’s`;
   return [problem('info', 'motion.rest-points', path, message)];
 }
 
 function finiteness({ path, mesh, motion }: SceneObject, { notFinite }: MeshFindings): Diagnostic[] {
   if (notFinite !== undefined) {
-    const message = `vertex ${notFinite} is at ${pointAt(mesh.positions, notFinite).join(', ')}`;
+    const message = msg`vertex ${notFinite} is at ${pointAt(mesh.positions, notFinite).join(', ')}`;
     return [problem('error', 'mesh.not-finite', path, message)];
   }
   const bad = motionKind(motion).nonFiniteText(motion);
@@ -165,12 +167,12 @@ function finiteness({ path, mesh, motion }: SceneObject, { notFinite }: MeshFind
 function validateLocalLight(light: LocalLight, c: number): Diagnostic[] {
   const sizes: readonly string[] = lightKind(light).sizes;
   const wrong = Object.entries(light).flatMap(([name, value]) =>
-    sizes.includes(name) && !(value >= 0 && Number.isFinite(value)) ? [`its ${name} is ${value} m`] : [],
+    sizes.includes(name) && !(value >= 0 && Number.isFinite(value)) ? [msg`its ${name} is ${value} m`] : [],
   );
   if (wrong.length > 0)
-    return [problem('error', 'light.size', light.path, `${wrong.join(', ')}; give it a size of 0 m or more`)];
+    return [problem('error', 'light.size', light.path, msg`${listed(wrong)}; give it a size of 0 m or more`)];
   if (!light.color.every(Number.isFinite)) {
-    const message = `its colour is ${light.color.join(', ')}; give it three numbers`;
+    const message = msg`its colour is ${light.color.join(', ')}; give it three numbers`;
     return [problem('error', 'light.color', light.path, message)];
   }
   return validateRigidMotion(light, c);

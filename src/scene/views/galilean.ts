@@ -1,12 +1,13 @@
 import { scale, sub } from '../../math/vec3.ts';
+import { msg } from '../../messages/message.ts';
 import { positionAt, velocityAt } from '../../physics/worldLines/worldLine.ts';
 import type { ViewRecord } from './viewRecord.ts';
 
 /** The view with c = ∞. */
 export const galilean: ViewRecord = {
-  title: ['c = ∞', 'c = ∞'],
+  title: 'c = ∞',
   summary: 'c = ∞',
-  help: ['the world with infinite c', '光速无穷大的世界'],
+  help: msg`the world with infinite c`,
   luminous: false,
   relativistic: false,
   hypersurface: () => 'now',

@@ -1,4 +1,5 @@
 import { length, scale } from '../../math/vec3.ts';
+import { msg } from '../../messages/message.ts';
 import { properVelocity } from '../../physics/lorentz/boost.ts';
 import { apparentPosition, inverseApparentPosition } from '../../physics/optics/apparentPosition.ts';
 import { dopplerFactor } from '../../physics/optics/doppler.ts';
@@ -7,9 +8,9 @@ import type { ViewRecord } from './viewRecord.ts';
 
 /** What the observer sees: events on the past light cone, with aberration and Doppler shift. */
 export const lightCone: ViewRecord = {
-  title: ['Seen', '所见'],
-  summary: 'what is seen',
-  help: ['What you see', '你所看到的'],
+  title: msg`Seen`,
+  summary: msg`what is seen`,
+  help: msg`What you see`,
   luminous: true,
   relativistic: true,
   hypersurface: ({ lightDelay }) => (lightDelay ? 'past-light-cone' : 'now'),

@@ -1,4 +1,5 @@
 import { add, scale } from '../../math/vec3.ts';
+import { msg } from '../../messages/message.ts';
 import { inverseBoost } from '../../physics/lorentz/boost.ts';
 import { simultaneitySlice, simultaneousPosition } from '../../physics/worldLines/simultaneity.ts';
 import { velocityAt } from '../../physics/worldLines/worldLine.ts';
@@ -6,9 +7,9 @@ import type { ViewRecord } from './viewRecord.ts';
 
 /** Positions at the observer's time, in his frame. */
 export const simultaneity: ViewRecord = {
-  title: ['Simultaneity', '同时面'],
-  summary: 'positions at one instant of the observer',
-  help: ['positions at your own instant (a “god’s eye” view)', '你此刻同时面上的物体位置（“上帝视角”）'],
+  title: msg`Simultaneity`,
+  summary: msg`positions at one instant of the observer`,
+  help: msg`positions at your own instant (a “god’s eye” view)`,
   luminous: false,
   relativistic: true,
   hypersurface: () => 'slice',

@@ -1,10 +1,10 @@
 import type { Vec3 } from '../../math/vec3.ts';
+import type { LocalizedText, Message } from '../../messages/message.ts';
 import type { FourVector } from '../../physics/lorentz/fourVector.ts';
 import type { PlacementName } from '../../physics/optics/placement.ts';
 import type { HypersurfaceName } from '../../physics/worldLines/hypersurface.ts';
 import type { ObserverEvent } from '../../physics/worldLines/kinds/worldLineKind.ts';
 import type { WorldLine } from '../../physics/worldLines/worldLine.ts';
-import type { Words } from '../settings/setting.ts';
 
 /** An observer's event with its velocity. */
 export interface ProbeObserver extends ObserverEvent {
@@ -34,11 +34,11 @@ export interface ViewToggles {
 
 /** A view of spacetime: which events a picture shows, and where. */
 export interface ViewRecord {
-  readonly title: Words;
+  readonly title: LocalizedText;
   /** Value of `--view`. */
-  readonly summary: string;
+  readonly summary: LocalizedText;
   /** Part of the sentence that lists the views. */
-  readonly help: Words;
+  readonly help: Message;
   /** Whether it shows light, with Doppler shift and beaming. */
   readonly luminous: boolean;
   /** Whether it depends on the observer's velocity. */

@@ -1,5 +1,5 @@
+import { type LocalizedText, type Message, msg } from '../../messages/message.ts';
 import { HYPERSURFACES, type Hypersurface } from '../../physics/worldLines/hypersurface.ts';
-import type { Words } from '../settings/setting.ts';
 import { galilean } from './galilean.ts';
 import { lightCone } from './lightCone.ts';
 import { simultaneity } from './simultaneity.ts';
@@ -25,26 +25,17 @@ export const hypersurfaceOf = (settings: ViewSettings): Hypersurface =>
 const records = Object.values(VIEWS);
 
 export const VIEW_TITLES = Object.fromEntries(VIEW_NAMES.map((name) => [name, VIEWS[name].title])) as Readonly<
-  Record<View, Words>
+  Record<View, LocalizedText>
 >;
 
+const [lastView, ...otherViews] = [...records].reverse();
+
 /** What the choice of a view is about, in its control and in `--help`. */
-export const VIEW_HELP: { readonly control: Words; readonly flag: string } = {
-  control: [
-    `${listed(
-      records.map(({ help: [en] }) => en),
-      '; ',
-      '; or ',
-    )}.`,
-    `${listed(
-      records.map(({ help: [, zh] }) => zh),
-      '；',
-      '；或',
-    )}。`,
-  ],
-  flag: VIEW_NAMES.map((name) => `${name}: ${VIEWS[name].summary}`).join('; '),
+export const VIEW_HELP = {
+  control: msg`${joined(otherViews.reverse().map(({ help }) => help))}; or ${lastView!.help}.`,
+  flag: joined(VIEW_NAMES.map((name) => msg`${name}: ${VIEWS[name].summary}`)),
 };
 
-function listed(parts: readonly string[], between: string, last: string): string {
-  return parts.slice(0, -1).join(between) + last + parts[parts.length - 1];
+function joined(parts: readonly Message[]): Message {
+  return parts.reduce((before, part) => msg`${before}; ${part}`);
 }

@@ -11,7 +11,8 @@ import {
 } from '@xyflow/react';
 import { type CSSProperties, type FocusEvent, type ReactNode, useMemo } from 'react';
 import { GROUP } from '../../../graph/document/structuralTypes.ts';
-import { useTexts } from '../../i18n/i18n.ts';
+import { msg } from '../../../messages/message.ts';
+import { useTexts } from '../../language/languageStore.ts';
 import { useEditor } from '../../state/context.tsx';
 import { NodeCard, RerouteDot } from '../cards/NodeCard.tsx';
 import { FrameBox, NoteCard } from '../cards/NoteCard.tsx';
@@ -38,7 +39,7 @@ export function GraphCanvas({ panel }: { readonly panel: React.RefObject<HTMLEle
   const wiring = useWiring(flow.cards, panel);
   useCanvasViewport(flow, panel);
   useNodePictures(flow.cards);
-  const labels = useMemo(() => ({ 'minimap.ariaLabel': t('graph.minimap') }), [t]);
+  const labels = useMemo(() => ({ 'minimap.ariaLabel': t(msg`Overview of the graph`) }), [t]);
   const onDoubleClick = (_event: unknown, { id, data }: FlowNode) => {
     const context = actionContext(editor);
     if (!context) return;
@@ -51,7 +52,9 @@ export function GraphCanvas({ panel }: { readonly panel: React.RefObject<HTMLEle
     <CanvasPixelContext value={pixel}>
       <ReactFlow<FlowNode, WireEdge>
         className="sl-flow"
-        aria-label={t('graph.canvas')}
+        aria-label={t(
+          msg`Node graph. Tab goes from node to node, arrow keys move them, Shift A adds one, Enter opens the inspector, Ctrl K lists all commands.`,
+        )}
         tabIndex={-1}
         data-far={pixel === undefined ? undefined : pixel > MAX_PICTURE_PIXEL ? 'bare' : 'far'}
         style={{ '--sl-pixel': `${pixel ?? 1}px` } as CSSProperties}

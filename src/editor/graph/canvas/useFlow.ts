@@ -3,8 +3,9 @@ import { useCallback, useMemo, useRef, useState } from 'react';
 import { inferTypes } from '../../../graph/analysis/inferTypes.ts';
 import type { GraphLevel } from '../../../graph/analysis/sockets.ts';
 import type { CanvasPoint } from '../../../graph/edits/commands.ts';
+import { msg } from '../../../messages/message.ts';
 import { nodeLibrary } from '../../../nodes/library.ts';
-import { useTexts } from '../../i18n/i18n.ts';
+import { useTexts } from '../../language/languageStore.ts';
 import { useEditor, useEditorState } from '../../state/context.tsx';
 import { cardSize, frameRect, withoutCoveringPictures } from '../cards/cardGeometry.ts';
 import { type CardModel, cardModel, connectedSockets } from '../cards/cardModel.ts';
@@ -81,14 +82,12 @@ export function useFlow() {
 }
 
 function useNames(): (card: CardModel) => string {
-  const { t, textOrKey, translateMessage, language } = useTexts();
+  const { t, language } = useTexts();
   // biome-ignore lint/correctness/useExhaustiveDependencies: texts change with the language
   return useCallback(
     ({ title, problem }) =>
-      problem
-        ? t('graph.node.problem', { title: textOrKey(title), problem: translateMessage(problem.message) })
-        : t('graph.node', { title: textOrKey(title) }),
-    [language, translateMessage],
+      problem ? t(msg`${t(title)}, node. Problem: ${problem.message}`) : t(msg`${t(title)}, node`),
+    [language, t],
   );
 }
 
@@ -145,7 +144,7 @@ function useDrag(level: GraphLevel, cards: ReadonlyMap<string, CardModel>, place
       const nodes = changed(moved.nodes, (key) => now.current.placed[key]);
       const notes = changed(moved.notes, (key) => here.graph.notes[key]?.at);
       if (Object.keys(nodes).length + Object.keys(notes).length > 0)
-        editor.edit(moveItemsCommand(here, nodes, notes), 'edit.move');
+        editor.edit(moveItemsCommand(here, nodes, notes), msg`move`);
     },
     [editor],
   );

@@ -4,6 +4,7 @@ import type { GraphLevel } from '../../../graph/analysis/sockets.ts';
 import type { GraphEdge } from '../../../graph/document/document.ts';
 import type { CanvasPoint } from '../../../graph/edits/commands.ts';
 import { insideGroup } from '../../../graph/edits/fragment.ts';
+import { msg } from '../../../messages/message.ts';
 import { useEditor } from '../../state/context.tsx';
 import type { CardModel } from '../cards/cardModel.ts';
 import { connectionCheck, oppositeSide, type PendingConnection, socketOptions } from '../commands/connections.ts';
@@ -23,7 +24,7 @@ export function useWiring(cards: ReadonlyMap<string, CardModel>, panel: React.Re
     const levelNow = (): GraphLevel => levelAt(editor.store.getState().history.document, canvas.getState().path);
     const draw = (edge: GraphEdge) => {
       const level = levelNow();
-      if (!hasEdge(level, edge)) editor.edit(connectCommand(level, edge), 'edit.connect');
+      if (!hasEdge(level, edge)) editor.edit(connectCommand(level, edge), msg`connect`);
     };
     const toPanel = ([x, y]: CanvasPoint): CanvasPoint => {
       const box = panel.current?.getBoundingClientRect();
@@ -45,7 +46,7 @@ export function useWiring(cards: ReadonlyMap<string, CardModel>, panel: React.Re
     const dropped = (event: MouseEvent | TouchEvent, pendingEnd: PendingConnection) => {
       const level = levelNow();
       const taken = reconnectedEdge.current;
-      if (taken) editor.edit(insideGroup(level.group, { kind: 'disconnect', to: taken.to }), 'edit.disconnect');
+      if (taken) editor.edit(insideGroup(level.group, { kind: 'disconnect', to: taken.to }), msg`disconnect`);
       const onto = nodeUnderPointer(event);
       if (taken && onto === undefined) return;
       const offers = onto === undefined ? undefined : socketOptions(levelNow(), pendingEnd, onto);
@@ -90,7 +91,7 @@ export function useWiring(cards: ReadonlyMap<string, CardModel>, panel: React.Re
       onReconnect: ({ id }: WireEdge, connection: Connection) => {
         const level = levelNow();
         const [before, edge] = [level.graph.edges[id], edgeOfConnection(connection)];
-        if (before && edge && !hasEdge(level, edge)) editor.edit(reconnectCommand(level, before, edge), 'edit.connect');
+        if (before && edge && !hasEdge(level, edge)) editor.edit(reconnectCommand(level, before, edge), msg`connect`);
       },
       onReconnectEnd: () => {
         reconnectedEdge.current = undefined;
@@ -101,7 +102,7 @@ export function useWiring(cards: ReadonlyMap<string, CardModel>, panel: React.Re
         if (!event.altKey || !edge) return;
         const { x, y } = screenToFlowPosition({ x: event.clientX, y: event.clientY });
         const { command, node } = rerouteCommand(level, edge, [x, y]);
-        editor.edit(command, 'edit.reroute');
+        editor.edit(command, msg`bend an edge`);
         canvas.setState(({ selection }) => ({ selection: { ...selection, nodes: [node], edges: [] } }));
       },
     };

@@ -4,8 +4,9 @@ import type { NodeProps } from '@xyflow/react';
 import { memo, type ReactNode, useContext } from 'react';
 import { GROUP } from '../../../graph/document/structuralTypes.ts';
 import type { CanvasPoint } from '../../../graph/edits/commands.ts';
+import { msg } from '../../../messages/message.ts';
 import { isFileNode } from '../../../nodes/project/fileNodes.ts';
-import { useTexts } from '../../i18n/i18n.ts';
+import { useTexts } from '../../language/languageStore.ts';
 import { SaveFileIcon } from '../../saving/SaveFileButton.tsx';
 import { useEditor } from '../../state/context.tsx';
 import { existingPath, flatNodeId, useCanvas } from '../canvas/canvasState.ts';
@@ -48,29 +49,24 @@ export const NodeCard = memo(function NodeCard({ data: { card, reach } }: NodePr
 });
 
 function Head({ card }: { readonly card: CardModel }): ReactNode {
-  const { textOrKey, t, translateMessage } = useTexts();
+  const { t } = useTexts();
   return (
     <header className="sl-node-head">
       {card.type === GROUP && <EnterButton id={card.id} />}
-      <span className="sl-node-title" title={card.kind && `${textOrKey(card.title)} (${textOrKey(card.kind)})`}>
-        {textOrKey(card.title)}
+      <span className="sl-node-title" title={card.kind && `${t(card.title)} (${t(card.kind)})`}>
+        {t(card.title)}
       </span>
       <NodeProgress id={card.id} />
       {!card.muted && isFileNode(card.type) && <SaveMark id={card.id} />}
-      {card.muted && <IconEyeOff size={14} aria-label={t('graph.muted')} />}
+      {card.muted && <IconEyeOff size={14} aria-label={t(msg`muted`)} />}
       {card.problem ? (
-        <Tooltip
-          label={`${translateMessage(card.problem.place)}: ${translateMessage(card.problem.message)}`}
-          multiline
-          maw={340}
-          withinPortal
-        >
+        <Tooltip label={t(msg`${card.problem.place}: ${card.problem.message}`)} multiline maw={340} withinPortal>
           <span className="sl-node-problem">
             <IconAlertTriangle size={15} aria-hidden />
           </span>
         </Tooltip>
       ) : (
-        card.blocked && <IconHourglass size={14} aria-label={t('graph.waits')} />
+        card.blocked && <IconHourglass size={14} aria-label={t(msg`waits for an upstream node`)} />
       )}
     </header>
   );
@@ -84,9 +80,9 @@ interface ZoomedOutLabelProps {
 
 /** Label of a zoomed-out node: its title, centered or above its picture. */
 function ZoomedOutLabel({ card, reach, pixel }: ZoomedOutLabelProps): ReactNode {
-  const { textOrKey } = useTexts();
+  const { t } = useTexts();
   const room = titleArea(card, pixel <= MAX_PICTURE_PIXEL);
-  const set = layoutTitle(textOrKey(card.title), room, reach, pixel);
+  const set = layoutTitle(t(card.title), room, reach, pixel);
   if (!set) return null;
   const [x, y] = set.reach;
   const place = { left: -x, right: -x, top: -y, height: room[1] + 2 * y };
@@ -116,8 +112,8 @@ function EnterButton({ id }: { readonly id: string }): ReactNode {
       type="button"
       className="sl-node-enter nodrag"
       tabIndex={-1}
-      aria-label={t('graph.enter')}
-      title={t('graph.enter')}
+      aria-label={t(msg`Enter the group`)}
+      title={t(msg`Enter the group`)}
       onClick={open}
     >
       <IconSitemap size={14} />
@@ -142,7 +138,7 @@ function Body({ card, fits }: { readonly card: CardModel; readonly fits?: Readon
             // biome-ignore lint/suspicious/noArrayIndexKey: rows have no id
             <RowLine key={i} row={row} fits={fits} />
           ))}
-          {card.more > 0 && <div className="sl-node-row sl-node-more">{t('graph.more', { count: card.more })}</div>}
+          {card.more > 0 && <div className="sl-node-row sl-node-more">{t(msg`+ ${card.more} more set`)}</div>}
         </div>
       )}
       {card.picture && <NodePicture card={card} />}
@@ -160,15 +156,13 @@ function RowLine({
   readonly row: CardRow;
   readonly fits?: ReadonlySet<string>;
 }) {
-  const { textOrKey, t } = useTexts();
+  const { t } = useTexts();
   const unfit = (key: string) => fits !== undefined && !fits.has(key);
   return (
     <div className="sl-node-row" data-param={title ? true : undefined}>
       {input && <SocketHandle side="inputs" socket={input} closed={false} unfit={unfit(`inputs ${input.name}`)} />}
-      <span className="sl-node-label">{title ? textOrKey(title) : input && <SocketLabel socket={input} />}</span>
-      {title && (
-        <span className="sl-node-value">{value ? <ValueText of={value} /> : <em>{t('graph.driven')}</em>}</span>
-      )}
+      <span className="sl-node-label">{title ? t(title) : input && <SocketLabel socket={input} />}</span>
+      {title && <span className="sl-node-value">{value ? <ValueText of={value} /> : <em>{t(msg`driven`)}</em>}</span>}
       {output && (
         <>
           <span className="sl-node-label sl-node-out">
@@ -182,10 +176,10 @@ function RowLine({
 }
 
 function SocketLabel({ socket }: { readonly socket: SocketModel }): ReactNode {
-  const { textOrKey } = useTexts();
+  const { t } = useTexts();
   return (
     <>
-      {textOrKey(socket.title)}
+      {t(socket.title)}
       {socket.number !== undefined && <span className="sl-node-number"> {socket.number}</span>}
     </>
   );

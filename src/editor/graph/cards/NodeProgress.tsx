@@ -1,6 +1,7 @@
 import type { CSSProperties, ReactNode } from 'react';
-import { useTexts } from '../../i18n/i18n.ts';
+import { useTexts } from '../../language/languageStore.ts';
 import { useEditorState } from '../../state/context.tsx';
+import { STAGE_TITLES } from '../../state/editor.ts';
 import { flatNodeId, useCanvas } from '../canvas/canvasState.ts';
 
 /** Progress of a node's work, or of the work inside a group. */
@@ -16,7 +17,7 @@ export function NodeProgress({ id }: { readonly id: string }): ReactNode {
     <span
       className="sl-node-work"
       role="progressbar"
-      aria-label={t(`loading.${work.stage}`)}
+      aria-label={t(STAGE_TITLES[work.stage])}
       aria-valuenow={percent}
       style={{ '--sl-part': `${percent ?? 100}%` } as CSSProperties}
     >

@@ -2,7 +2,8 @@ import { type NodeProps, NodeResizer } from '@xyflow/react';
 import { memo, type ReactNode } from 'react';
 import type { GraphNote } from '../../../graph/document/document.ts';
 import { insideGroup } from '../../../graph/edits/fragment.ts';
-import { useTexts } from '../../i18n/i18n.ts';
+import { msg } from '../../../messages/message.ts';
+import { useTexts } from '../../language/languageStore.ts';
 import { useEditor } from '../../state/context.tsx';
 import type { Editor } from '../../state/editor.ts';
 import { canvas, levelAt, useCanvas } from '../canvas/canvasState.ts';
@@ -13,7 +14,7 @@ const MIN_SIZE: readonly [width: number, height: number] = [100, 44];
 
 function setNote(editor: Editor, note: string, value: GraphNote): void {
   const { group } = levelAt(editor.store.getState().history.document, canvas.getState().path);
-  editor.edit(insideGroup(group, { kind: 'set-note', note, value }), 'edit.note');
+  editor.edit(insideGroup(group, { kind: 'set-note', note, value }), msg`note`);
 }
 
 /** A note on the canvas. */
@@ -39,13 +40,13 @@ export const NoteCard = memo(function NoteCard({ data: { id, note }, selected }:
       />
       {writing ? (
         <InlineEditor
-          label={t('graph.note')}
+          label={t(msg`Add a note`)}
           words={note.text}
           long
           take={(text) => setNote(editor, id, { ...note, text })}
         />
       ) : (
-        <p>{note.text || <em>{t('graph.note.empty')}</em>}</p>
+        <p>{note.text || <em>{t(msg`Empty note`)}</em>}</p>
       )}
     </div>
   );
@@ -58,15 +59,15 @@ export const FrameBox = memo(function FrameBox({ data: { id, frame }, selected }
   const writing = useCanvas((state) => state.editing === `frame:${id}`);
   const rename = (title: string) => {
     const { group } = levelAt(editor.store.getState().history.document, canvas.getState().path);
-    editor.edit(insideGroup(group, { kind: 'set-frame', frame: id, value: { ...frame, title } }), 'edit.rename');
+    editor.edit(insideGroup(group, { kind: 'set-frame', frame: id, value: { ...frame, title } }), msg`rename`);
   };
   return (
     <div className="sl-frame" data-selected={selected || undefined}>
       <div className="sl-frame-title">
         {writing ? (
-          <InlineEditor label={t('graph.frame.title')} words={frame.title} take={rename} />
+          <InlineEditor label={t(msg`Title of the frame`)} words={frame.title} take={rename} />
         ) : (
-          frame.title || <em>{t('graph.frame.untitled')}</em>
+          frame.title || <em>{t(msg`Frame`)}</em>
         )}
       </div>
     </div>

@@ -1,9 +1,11 @@
 import { describe, expect, it } from 'vitest';
+import { english, saying } from '../../../../tests/support/inWords.ts';
 import { inferTypes } from '../../../graph/analysis/inferTypes.ts';
 import { levelOf } from '../../../graph/analysis/sockets.ts';
 import type { GraphDocument } from '../../../graph/document/document.ts';
 import { applyCommand, type Command } from '../../../graph/edits/commands.ts';
 import { Evaluator } from '../../../graph/evaluation/evaluator.ts';
+import { inEnglish, msg } from '../../../messages/message.ts';
 import { nodeLibrary } from '../../../nodes/library.ts';
 import { newProject } from '../../../nodes/project/projectCommands.ts';
 import { workerServices } from '../../../nodes/services.ts';
@@ -67,7 +69,7 @@ describe('the card of a node', () => {
     const cards = await facesOf(document);
     expect(inputs(cards.get('scene')!)).toEqual(['geometry.1', 'geometry.2', 'lights.1', 'observer', 'time']);
     expect(inputs(cards.get('box')!)).toEqual(['name', 'width', 'height', 'depth']);
-    expect(cards.get('box')!.rows[2]).toMatchObject({ title: 'param.sizeX', input: { connected: true } });
+    expect(cards.get('box')!.rows[2]).toMatchObject({ title: msg`Width (x)`, input: { connected: true } });
     expect(cards.get('box')!.rows[2]).not.toHaveProperty('value');
     expect(inputs(cards.get('console')!)).toEqual(['scene', 'maxSpeed']);
     expect(inputs(cards.get('math')!)).toEqual(['operation', 'a', 'b']);
@@ -77,19 +79,18 @@ describe('the card of a node', () => {
   it('has its results', async () => {
     const cards = await facesOf(document);
     expect(cards.get('box')!.preview).toEqual({
-      kind: 'words',
-      key: 'graph.things',
-      fill: { objects: '1', vertices: '24' },
+      kind: 'text',
+      text: saying(/^Objects: 1 · vertices: 24$/),
     });
     // 3 × 0.5 c is above the observer's speed limit.
     expect(cards.get('math')!.preview).toEqual({ kind: 'text', text: '1.50000' });
-    expect(cards.get('console')!.problem?.message).toContain('1.5 is outside');
+    expect(english(cards.get('console')!.problem?.message)).toContain('1.5 is outside');
     expect(cards.get('camera')!.blocked).toBe(true);
     expect(cards.get('number')!.hasPreview).toBe(false);
   });
 
   it('of a group has the problems of its inner nodes', () => {
-    const problem = { severity: 'error', code: 'x', place: 'a/b/c', message: 'no' } as const;
+    const problem = { severity: 'error', code: 'x', place: 'a/b/c', message: msg`no` } as const;
     const found = problemsByNode(new Map([['a/b/c', { status: 'failed', problem }]]));
     expect([...found.keys()].sort()).toEqual(['a', 'a/b', 'a/b/c']);
   });
@@ -121,7 +122,7 @@ it('unchanged cards keep their identity, so that they are not rendered again', a
       overhangs: new Map(),
     };
     return {
-      nodes: flowNodes({ ...input, nameOf: ({ title }) => title }, nodes),
+      nodes: flowNodes({ ...input, nameOf: ({ title }) => inEnglish(title) }, nodes),
       edges: flowEdges(level, inferTypes(level, nodeLibrary), EMPTY_SELECTION, edges),
     };
   };

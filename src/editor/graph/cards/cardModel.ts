@@ -12,7 +12,9 @@ import {
   resolveSpec,
   type Socket,
 } from '../../../graph/nodeType.ts';
+import { type LocalizedText, msg } from '../../../messages/message.ts';
 import { nodeLibrary } from '../../../nodes/library.ts';
+import { socketTitle } from '../../../nodes/titles.ts';
 import { type DisplayValue, displayParam } from './displayValue.ts';
 import { hasPicturePreview, hasTextPreview, previewedImage, textPreview } from './resultPreview.ts';
 
@@ -20,8 +22,7 @@ import { hasPicturePreview, hasTextPreview, previewedImage, textPreview } from '
 export interface SocketModel {
   /** Name used by edges: `geometry.2`. */
   readonly name: string;
-  /** Text key, or plain text. */
-  readonly title: string;
+  readonly title: LocalizedText;
   /** Index within an input that takes many edges. */
   readonly number?: number;
   /** Data type, as inferred from the connections. */
@@ -34,7 +35,7 @@ export interface CardRow {
   readonly input?: SocketModel;
   readonly output?: SocketModel;
   /** Title of the parameter, and its value unless an edge drives it. */
-  readonly title?: string;
+  readonly title?: LocalizedText;
   readonly value?: DisplayValue;
 }
 
@@ -43,10 +44,10 @@ export interface CardModel {
   readonly id: string;
   readonly type: string;
   readonly category: NodeType['category'] | 'unknown';
-  /** The user's title; otherwise the text key of the type or of the group. */
-  readonly title: string;
+  /** The user's title; otherwise that of the type or of the group. */
+  readonly title: LocalizedText;
   /** Title of the type, where the title does not already say it. */
-  readonly kind?: string;
+  readonly kind?: LocalizedText;
   readonly muted: boolean;
   readonly collapsed: boolean;
   readonly rows: readonly CardRow[];
@@ -180,11 +181,11 @@ function resultModel(
   };
 }
 
-type TitledSocket = readonly [name: string, title: string];
+type TitledSocket = readonly [name: string, title: LocalizedText];
 
 /** Title of a socket without one: its type, if the name says no more. */
-const titleOfSocket = (name: string, { title, type }: Socket): string =>
-  title ?? (name === type ? `type.${name}` : name);
+const titleOfSocket = (name: string, { title, type }: Socket): LocalizedText =>
+  title ?? (name === type ? socketTitle(type) : name);
 
 function outputsOf(
   node: GraphNode,
@@ -193,7 +194,7 @@ function outputsOf(
 ): readonly TitledSocket[] {
   const known = Object.entries(outputs).map(([name, socket]): TitledSocket => [name, titleOfSocket(name, socket)]);
   const stray = ends.outputs.filter((name) => !Object.hasOwn(outputs, name)).map((name): TitledSocket => [name, name]);
-  return [...known, ...stray, ...(node.type === GROUP_INPUT ? [[NEW_SOCKET, 'graph.newSocket'] as const] : [])];
+  return [...known, ...stray, ...(node.type === GROUP_INPUT ? [[NEW_SOCKET, msg`new`] satisfies TitledSocket] : [])];
 }
 
 /** Inputs that are not parameters. */
@@ -241,7 +242,7 @@ const strayInputs = (
     .map((name) => ({ name, title: name, connected: true }));
 
 const newSocketInput = (node: GraphNode): PlainSocket[] =>
-  node.type === GROUP_OUTPUT ? [{ name: NEW_SOCKET, title: 'graph.newSocket', connected: false }] : [];
+  node.type === GROUP_OUTPUT ? [{ name: NEW_SOCKET, title: msg`new`, connected: false }] : [];
 
 function pairSockets(inputs: readonly SocketModel[], outputs: readonly SocketModel[]): CardRow[] {
   return Array.from({ length: Math.max(inputs.length, outputs.length) }, (_, i) => ({

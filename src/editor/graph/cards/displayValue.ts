@@ -1,13 +1,12 @@
 import type { ParamValue } from '../../../graph/document/document.ts';
 import type { ParamSpec } from '../../../graph/nodeType.ts';
+import { type LocalizedText, msg } from '../../../messages/message.ts';
 import { cssColor } from '../../color.ts';
 import { formatNumber } from '../../format.ts';
 
 /** A value as short text or a colour. */
 export type DisplayValue =
-  | { readonly kind: 'text'; readonly text: string }
-  /** Text key, with its fillings. */
-  | { readonly kind: 'words'; readonly key: string; readonly fill?: Readonly<Record<string, string>> }
+  | { readonly kind: 'text'; readonly text: LocalizedText }
   /** CSS colour. */
   | { readonly kind: 'color'; readonly css: string };
 
@@ -19,14 +18,14 @@ export function displayParam(spec: ParamSpec, value: ParamValue): DisplayValue {
   switch (spec.kind) {
     case 'choice': {
       const title = spec.options.find((option) => option.value === value)?.title;
-      return title ? { kind: 'words', key: title } : displayText(String(value));
+      return title ? { kind: 'text', text: title } : displayText(String(value));
     }
     case 'boolean':
-      return { kind: 'words', key: value === true ? 'graph.on' : 'graph.off' };
+      return { kind: 'text', text: value === true ? msg`on` : msg`off` };
     case 'color':
       return displayColor(value as readonly number[]);
     case 'list':
-      return { kind: 'words', key: 'graph.lines', fill: { count: String((value as readonly string[]).length) } };
+      return { kind: 'text', text: msg`${(value as readonly string[]).length} lines` };
     case 'number':
       return displayText(withUnit(formatNumber(Number(value), DIGITS), spec.unit));
     case 'vector':

@@ -1,4 +1,5 @@
 import type { NodeResult } from '../../../graph/evaluation/resultCache.ts';
+import { type Message, msg } from '../../../messages/message.ts';
 import type { LoadedScene } from '../../../nodes/services.ts';
 import type { GBufferSpec, ImageSpec, PictureSpec, RelativisticScene, TimeRange } from '../../../nodes/socketValues.ts';
 import type { MotionPath } from '../../../scene/compose/motionPaths.ts';
@@ -13,7 +14,7 @@ const TEXT_PREVIEWS: Readonly<Record<string, (value: never) => DisplayValue>> = 
   scene: describeScene,
   relativity: ({ speedOfLight }: RelativisticScene) => displayText(`c = ${formatNumber(speedOfLight)}\u202fm/s`),
   motion: describeMotion,
-  lights: (lights: readonly Light[]) => describeCount('graph.lights', lights.length),
+  lights: (lights: readonly Light[]) => ({ kind: 'text', text: msg`Lights: ${formatCount(lights.length)}` }),
   observer: (beta: readonly number[]) => displayText(`β = ${formatNumber(Math.hypot(...beta))}`),
   time: ({ start, end }: TimeRange) => displayText(`${formatNumber(start)} … ${formatNumber(end)}\u202fs`),
   spectrum: describeSpectrum,
@@ -48,15 +49,21 @@ export function previewedImage(result: NodeResult | undefined, output: string): 
 
 /** Number of objects and vertices; without objects, number of lights or cameras. */
 function describeScene({ scene: { objects, lights, cameras } }: LoadedScene): DisplayValue {
-  if (objects.length === 0 && lights.length > 0) return describeCount('graph.lights', lights.length);
-  if (objects.length === 0 && cameras.length > 0) return describeCount('graph.cameras', cameras.length);
+  if (objects.length === 0 && lights.length > 0)
+    return { kind: 'text', text: msg`Lights: ${formatCount(lights.length)}` };
+  if (objects.length === 0 && cameras.length > 0)
+    return { kind: 'text', text: msg`Cameras: ${formatCount(cameras.length)}` };
   const vertices = objects.reduce((sum, { mesh }) => sum + mesh.positions.length / 3, 0);
-  const fill = { objects: formatCount(objects.length), vertices: formatCount(vertices) };
-  return { kind: 'words', key: 'graph.things', fill };
+  return {
+    kind: 'text',
+    text: msg`Objects: ${formatCount(objects.length)} · vertices: ${formatCount(vertices)}`,
+  };
 }
 
+const PATH_TITLES = { circle: msg`circle`, spin: msg`spin`, path: msg`path` };
+
 function describeMotion(motion: MotionPath): DisplayValue {
-  if (motion.kind !== 'frame') return describeSpan(`graph.course.${motion.kind}`, motion.from, motion.to);
+  if (motion.kind !== 'frame') return describeSpan(PATH_TITLES[motion.kind], motion.from, motion.to);
   return describeFrameMotion(motion.motion);
 }
 
@@ -66,12 +73,12 @@ interface MotionText<M extends RigidMotion> {
 }
 
 const MOTION_TEXTS: { readonly [K in RigidMotion['kind']]: MotionText<Extract<RigidMotion, { readonly kind: K }>> } = {
-  static: { describe: () => ({ kind: 'words', key: 'graph.course.rest' }) },
+  static: { describe: () => ({ kind: 'text', text: msg`at rest` }) },
   uniform: { describe: ({ velocity }) => displayText(`${formatNumber(Math.hypot(...velocity))}\u202fm/s`) },
   hyperbolic: {
     describe: ({ properAcceleration }) => displayText(`${formatNumber(Math.hypot(...properAcceleration))}\u202fm/s²`),
   },
-  sampled: { describe: ({ times }) => describeSpan('graph.course.keys', times[0]!, times.at(-1)!) },
+  sampled: { describe: ({ times }) => describeSpan(msg`keys`, times[0]!, times.at(-1)!) },
 };
 
 function describeFrameMotion(motion: RigidMotion): DisplayValue {
@@ -79,21 +86,14 @@ function describeFrameMotion(motion: RigidMotion): DisplayValue {
   return text.describe(motion);
 }
 
-const describeSpan = (key: string, from: number, to: number): DisplayValue => ({
-  kind: 'words',
-  key,
-  fill: { from: formatNumber(from), to: formatNumber(to) },
+const describeSpan = (path: Message, from: number, to: number): DisplayValue => ({
+  kind: 'text',
+  text: msg`${path}, ${formatNumber(from)} … ${formatNumber(to)} s`,
 });
 
 function describeSpectrum(light: LightSpectrum): DisplayValue {
   if (light.kind === 'thermal') return displayText(`${formatCount(light.temperature)}\u202fK`);
   return light.kind === 'lines'
-    ? describeCount('graph.spectralLines', light.lines.length)
-    : { kind: 'words', key: 'graph.sampled' };
+    ? { kind: 'text', text: msg`Lines: ${formatCount(light.lines.length)}` }
+    : { kind: 'text', text: msg`measured` };
 }
-
-const describeCount = (key: string, count: number): DisplayValue => ({
-  kind: 'words',
-  key,
-  fill: { count: formatCount(count) },
-});

@@ -1,18 +1,19 @@
 import { SimpleGrid, Stack, Text } from '@mantine/core';
 import type { ReactNode } from 'react';
-import { useTexts } from '../../i18n/i18n.ts';
+import { type LocalizedText, msg } from '../../../messages/message.ts';
+import { useTexts } from '../../language/languageStore.ts';
 import { type KeyRow, KeyRows, OR } from '../../shell/KeySection.tsx';
 import { GRAPH_ACTIONS } from './actions.ts';
 import { formatKeyBinding, type KeyBinding } from './keyBindings.ts';
 
 /** Keys handled outside of the action table (useCanvasKeys.ts). */
 const OTHERS: readonly KeyRow[] = [
-  [['Tab'], 'graph.keys.next'],
-  [['←', '→', '↑', '↓'], 'graph.keys.nudge'],
-  [['key.escape'], 'graph.keys.back'],
+  [['Tab'], msg`Next node; with ⇧ the previous one`],
+  [['←', '→', '↑', '↓'], msg`Move the selection; with ⇧ farther`],
+  [[msg`Esc`], msg`Clear the selection; then leave the group`],
 ];
 
-const either = (keys: readonly KeyBinding[]): string[] =>
+const either = (keys: readonly KeyBinding[]): LocalizedText[] =>
   keys.flatMap((each, i) => [...(i > 0 ? [OR] : []), ...formatKeyBinding(each)]);
 
 /** Key bindings of the graph panel for the help, from its action table. */
@@ -26,11 +27,11 @@ export default function GraphKeyHelp(): ReactNode {
   return (
     <Stack gap={8} mt="lg">
       <Text component="h3" size="xs" fw={600} c="dimmed" className="sl-section-title">
-        {t('help.graph')}
+        {t(msg`Node graph, while it has the focus`)}
       </Text>
       <SimpleGrid cols={{ base: 1, sm: 2 }} spacing="xl" verticalSpacing={8}>
         {[rows.slice(0, half), rows.slice(half)].map((part) => (
-          <Stack key={part[0]?.[1]} gap={8}>
+          <Stack key={part[0]?.[1].template} gap={8}>
             <KeyRows rows={part} />
           </Stack>
         ))}

@@ -11,7 +11,8 @@ import {
   IconZoomOut,
 } from '@tabler/icons-react';
 import type { ReactNode } from 'react';
-import { useTexts } from '../../i18n/i18n.ts';
+import { msg } from '../../../messages/message.ts';
+import { useTexts } from '../../language/languageStore.ts';
 import { useEditor } from '../../state/context.tsx';
 import { useCanvas } from '../canvas/canvasState.ts';
 import { actionContext, GRAPH_ACTIONS } from './actions.ts';
@@ -34,7 +35,7 @@ export function Toolbar(): ReactNode {
   const editor = useEditor();
   const pictures = useCanvas((state) => state.pictures);
   return (
-    <Group className="sl-graph-tools" gap={0} role="toolbar" aria-label={t('graph.tools')}>
+    <Group className="sl-graph-tools" gap={0} role="toolbar" aria-label={t(msg`Graph tools`)}>
       {BUTTONS.map(([id, icon]) => {
         const { title, keys, run } = GRAPH_ACTIONS.find((action) => action.id === id)!;
         const act = () => {
@@ -54,7 +55,7 @@ export function Toolbar(): ReactNode {
         );
       })}
       <Tool
-        label={t('palette.title')}
+        label={t(msg`Search commands and nodes`)}
         keys={formatKeyBinding('Mod+K')}
         onClick={() => editor.update({ dialog: 'palette' })}
       >

@@ -6,8 +6,8 @@ import { CommandError } from '../../../graph/edits/commands.ts';
 import { copyFragment, insideGroup, pasteFragment } from '../../../graph/edits/fragment.ts';
 import { groupCommand } from '../../../graph/edits/group.ts';
 import { ungroupCommand } from '../../../graph/edits/ungroup.ts';
+import { type Message, msg } from '../../../messages/message.ts';
 import { nodeLibrary } from '../../../nodes/library.ts';
-import type { TextKey } from '../../i18n/texts.ts';
 import type { Editor } from '../../state/editor.ts';
 import { loadPreferences, savePreferences } from '../../state/preferences.ts';
 import {
@@ -57,7 +57,7 @@ export function actionContext(
 /** An action on the canvas; key bindings, buttons, command palette and help are generated from this table. */
 export interface GraphAction {
   readonly id: string;
-  readonly title: TextKey;
+  readonly title: Message;
   readonly keys: readonly KeyBinding[];
   /** Handled by the browser, as a clipboard event. */
   readonly native?: boolean;
@@ -72,7 +72,7 @@ const hasSelection = ({ selection }: ActionContext): boolean =>
 const groupNode = ({ level, selection }: ActionContext): string | undefined =>
   selection.nodes.find((id) => level.graph.nodes[id]?.type === GROUP);
 
-const editLevel = ({ editor, level }: ActionContext, command: Command, label: TextKey, gesture?: string): void =>
+const editLevel = ({ editor, level }: ActionContext, command: Command, label: Message, gesture?: string): void =>
   editor.edit(insideGroup(level.group, command), label, gesture);
 
 /** Runs an action; a refusal becomes a notice. */
@@ -81,7 +81,7 @@ function notifyOnError({ editor }: ActionContext, act: () => void): void {
     act();
   } catch (error) {
     if (!(error instanceof CommandError)) throw error;
-    editor.notify({ kind: 'error', text: error.message });
+    editor.notify({ kind: 'error', text: error.text });
   }
 }
 
@@ -95,7 +95,7 @@ function duplicateSelected(context: ActionContext): void {
   const { nodes, notes } = selection;
   const fragment = copyFragment(level.document, { nodes, notes, group: level.group });
   const { command, ...added } = pasteFragment(level.document, fragment, level.group, findFreeCenter(level, fragment));
-  editor.edit(command, 'edit.duplicate');
+  editor.edit(command, msg`duplicate`);
   selectItems(added);
   revealNodes(added.nodes);
 }
@@ -106,7 +106,7 @@ function groupSelection(context: ActionContext): void {
     const selection = { nodes: chosen.nodes, group: level.group };
     const { command, node } = groupCommand(level.document, selection, '', nodeLibrary);
     context.viewport.focus();
-    editor.edit(command, 'edit.group');
+    editor.edit(command, msg`make a group`);
     selectItems({ nodes: [node] });
   });
 }
@@ -117,7 +117,7 @@ function ungroupSelection(context: ActionContext): void {
   notifyOnError(context, () => {
     const { command, nodes } = ungroupCommand(context.level.document, node, context.level.group);
     context.viewport.focus();
-    context.editor.edit(command, 'edit.ungroup');
+    context.editor.edit(command, msg`ungroup`);
     selectItems({ nodes });
   });
 }
@@ -146,7 +146,7 @@ function toggleFlag(context: ActionContext, kind: 'mute' | 'collapse'): void {
   const on = selection.nodes.some((id) => level.graph.nodes[id]?.[flag] !== true);
   const command: Command =
     kind === 'mute' ? { kind, nodes: selection.nodes, muted: on } : { kind, nodes: selection.nodes, collapsed: on };
-  editLevel(context, command, kind === 'mute' ? 'edit.mute' : 'edit.collapse');
+  editLevel(context, command, kind === 'mute' ? msg`mute` : msg`collapse`);
 }
 
 /** Lays out the selected nodes in place, or all nodes. */
@@ -160,11 +160,11 @@ function arrangeNodes(context: ActionContext): void {
   ];
   const [x, y] = corner(nodes.map(viewport.positionOf));
   const to = Object.entries(found).map(([id, at]): [string, CanvasPoint] => [id, [at[0] + x, at[1] + y]]);
-  editor.edit(moveItemsCommand(level, Object.fromEntries(to)), 'edit.arrange');
+  editor.edit(moveItemsCommand(level, Object.fromEntries(to)), msg`arrange`);
   requestAnimationFrame(() => viewport.fit(selection.nodes.length > 1 ? selection.nodes : undefined));
 }
 
-const alignAction = (to: Alignment, title: TextKey, ...keys: KeyBinding[]): GraphAction => ({
+const alignAction = (to: Alignment, title: Message, ...keys: KeyBinding[]): GraphAction => ({
   id: `align-${to}`,
   title,
   keys,
@@ -172,11 +172,11 @@ const alignAction = (to: Alignment, title: TextKey, ...keys: KeyBinding[]): Grap
   run: ({ editor, level, selection, viewport }) =>
     editor.edit(
       alignCommand(level.document, { nodes: selection.nodes, group: level.group }, to, viewport.sizeOf),
-      'edit.arrange',
+      msg`arrange`,
     ),
 });
 
-const distributeAction = (axis: 0 | 1, title: TextKey): GraphAction => ({
+const distributeAction = (axis: 0 | 1, title: Message): GraphAction => ({
   id: `distribute-${axis}`,
   title,
   keys: [],
@@ -184,7 +184,7 @@ const distributeAction = (axis: 0 | 1, title: TextKey): GraphAction => ({
   run: ({ editor, level, selection, viewport }) =>
     editor.edit(
       distributeCommand(level.document, { nodes: selection.nodes, group: level.group }, axis, viewport.sizeOf),
-      'edit.arrange',
+      msg`arrange`,
     ),
 });
 
@@ -192,13 +192,13 @@ const distributeAction = (axis: 0 | 1, title: TextKey): GraphAction => ({
 function frameSelection(context: ActionContext): void {
   const { level, selection, editor } = context;
   const { command, frame: key } = frameCommand(level, selection.nodes, '');
-  editor.edit(command, 'edit.frame');
+  editor.edit(command, msg`add a frame`);
   canvas.setState({ selection: { ...EMPTY_SELECTION, frames: [key] }, editing: `frame:${key}` });
 }
 
 function addNote({ level, editor, viewport }: ActionContext): void {
   const { command, note: key } = noteCommand(level, viewport.center());
-  editor.edit(command, 'edit.note');
+  editor.edit(command, msg`note`);
   canvas.setState({ selection: { ...EMPTY_SELECTION, notes: [key] }, editing: `note:${key}` });
 }
 
@@ -213,7 +213,7 @@ const firstSelected = ({ nodes, notes, frames }: CanvasSelection): string | unde
 function removeSelection(context: ActionContext): void {
   const { level, selection, editor } = context;
   context.viewport.focus();
-  editor.edit(removeCommand(level, selection), 'edit.remove');
+  editor.edit(removeCommand(level, selection), msg`delete`);
   selectItems({});
 }
 
@@ -238,12 +238,12 @@ const reportError = (editor: Editor, error: unknown): void => {
 };
 
 export const GRAPH_ACTIONS: readonly GraphAction[] = [
-  { id: 'add', title: 'graph.add', keys: ['Shift+A', 'Space'], run: (context) => openAddNode(context) },
-  { id: 'remove', title: 'graph.remove', keys: ['Delete', 'Backspace'], isEnabled: hasSelection, run: removeSelection },
-  { id: 'duplicate', title: 'graph.duplicate', keys: ['Mod+D'], isEnabled: hasSelection, run: duplicateSelected },
+  { id: 'add', title: msg`Add a node…`, keys: ['Shift+A', 'Space'], run: (context) => openAddNode(context) },
+  { id: 'remove', title: msg`Delete`, keys: ['Delete', 'Backspace'], isEnabled: hasSelection, run: removeSelection },
+  { id: 'duplicate', title: msg`Duplicate`, keys: ['Mod+D'], isEnabled: hasSelection, run: duplicateSelected },
   {
     id: 'copy',
-    title: 'graph.copy',
+    title: msg`Copy`,
     keys: ['Mod+C'],
     native: true,
     isEnabled: hasSelection,
@@ -251,7 +251,7 @@ export const GRAPH_ACTIONS: readonly GraphAction[] = [
   },
   {
     id: 'cut',
-    title: 'graph.cut',
+    title: msg`Cut`,
     keys: ['Mod+X'],
     native: true,
     isEnabled: hasSelection,
@@ -259,7 +259,7 @@ export const GRAPH_ACTIONS: readonly GraphAction[] = [
   },
   {
     id: 'paste',
-    title: 'graph.paste',
+    title: msg`Paste`,
     keys: ['Mod+V'],
     native: true,
     run: ({ editor }) => {
@@ -271,77 +271,77 @@ export const GRAPH_ACTIONS: readonly GraphAction[] = [
   },
   {
     id: 'select-all',
-    title: 'graph.selectAll',
+    title: msg`Select all`,
     keys: ['Mod+A'],
     run: ({ level: { graph } }) => selectItems({ nodes: Object.keys(graph.nodes), notes: Object.keys(graph.notes) }),
   },
   {
     id: 'inspect',
-    title: 'graph.inspect',
+    title: msg`Open the inspector`,
     keys: ['Enter'],
     isEnabled: hasNodes,
     run: ({ editor }) => editor.update({ inspecting: true }),
   },
   {
     id: 'rename',
-    title: 'graph.rename',
+    title: msg`Rename`,
     keys: ['F2'],
     isEnabled: ({ selection }) => firstSelected(selection) !== undefined,
     run: ({ selection }) => canvas.setState({ editing: firstSelected(selection) }),
   },
-  { id: 'mute', title: 'graph.mute', keys: ['M'], isEnabled: hasNodes, run: (context) => toggleFlag(context, 'mute') },
+  { id: 'mute', title: msg`Mute`, keys: ['M'], isEnabled: hasNodes, run: (context) => toggleFlag(context, 'mute') },
   {
     id: 'collapse',
-    title: 'graph.collapse',
+    title: msg`Collapse`,
     keys: ['H'],
     isEnabled: hasNodes,
     run: (context) => toggleFlag(context, 'collapse'),
   },
-  { id: 'group', title: 'graph.group', keys: ['Mod+G'], isEnabled: hasNodes, run: groupSelection },
+  { id: 'group', title: msg`Make a group`, keys: ['Mod+G'], isEnabled: hasNodes, run: groupSelection },
   {
     id: 'ungroup',
-    title: 'graph.ungroup',
+    title: msg`Ungroup`,
     keys: ['Mod+Alt+G'],
     isEnabled: (context) => groupNode(context) !== undefined,
     run: ungroupSelection,
   },
   {
     id: 'enter',
-    title: 'graph.enter',
+    title: msg`Enter the group`,
     keys: ['Mod+Enter'],
     isEnabled: (context) => groupNode(context) !== undefined,
     run: (context) => enterGroup(context, groupNode(context)!),
   },
   {
     id: 'leave',
-    title: 'graph.leave',
+    title: msg`Leave the group`,
     keys: ['Mod+Shift+Enter'],
     isEnabled: ({ path }) => path.length > 0,
     run: (context) => leaveGroup(context, context.path.length - 1),
   },
-  { id: 'frame', title: 'graph.frame', keys: ['F'], isEnabled: hasNodes, run: frameSelection },
-  { id: 'note', title: 'graph.note', keys: ['N'], run: addNote },
-  { id: 'arrange', title: 'graph.arrange', keys: ['L'], run: arrangeNodes },
-  alignAction('left', 'graph.align.left', 'Alt+ArrowLeft'),
-  alignAction('right', 'graph.align.right', 'Alt+ArrowRight'),
-  alignAction('top', 'graph.align.top', 'Alt+ArrowUp'),
-  alignAction('bottom', 'graph.align.bottom', 'Alt+ArrowDown'),
-  alignAction('center', 'graph.align.center'),
-  alignAction('middle', 'graph.align.middle'),
-  distributeAction(0, 'graph.distribute.across'),
-  distributeAction(1, 'graph.distribute.down'),
-  { id: 'large', title: 'graph.large', keys: ['Shift+Space'], run: ({ editor }) => toggleLargeGraph(editor) },
-  { id: 'pictures', title: 'graph.pictures', keys: ['P'], run: togglePictures },
-  { id: 'fit', title: 'graph.fit', keys: ['Home'], run: ({ viewport }) => viewport.fit() },
+  { id: 'frame', title: msg`Frame around the selection`, keys: ['F'], isEnabled: hasNodes, run: frameSelection },
+  { id: 'note', title: msg`Add a note`, keys: ['N'], run: addNote },
+  { id: 'arrange', title: msg`Arrange`, keys: ['L'], run: arrangeNodes },
+  alignAction('left', msg`Align left edges`, 'Alt+ArrowLeft'),
+  alignAction('right', msg`Align right edges`, 'Alt+ArrowRight'),
+  alignAction('top', msg`Align tops`, 'Alt+ArrowUp'),
+  alignAction('bottom', msg`Align bottoms`, 'Alt+ArrowDown'),
+  alignAction('center', msg`Align centres`),
+  alignAction('middle', msg`Align middles`),
+  distributeAction(0, msg`Space evenly across`),
+  distributeAction(1, msg`Space evenly down`),
+  { id: 'large', title: msg`Enlarge or restore`, keys: ['Shift+Space'], run: ({ editor }) => toggleLargeGraph(editor) },
+  { id: 'pictures', title: msg`Pictures on nodes`, keys: ['P'], run: togglePictures },
+  { id: 'fit', title: msg`Fit all`, keys: ['Home'], run: ({ viewport }) => viewport.fit() },
   {
     id: 'fit-chosen',
-    title: 'graph.fitChosen',
+    title: msg`Fit the selection`,
     keys: ['.'],
     isEnabled: hasNodes,
     run: ({ viewport, selection }) => viewport.fit(selection.nodes),
   },
-  { id: 'zoom-in', title: 'graph.zoomIn', keys: ['+', '='], run: ({ viewport }) => viewport.zoom(1.25) },
-  { id: 'zoom-out', title: 'graph.zoomOut', keys: ['-'], run: ({ viewport }) => viewport.zoom(0.8) },
+  { id: 'zoom-in', title: msg`Zoom in`, keys: ['+', '='], run: ({ viewport }) => viewport.zoom(1.25) },
+  { id: 'zoom-out', title: msg`Zoom out`, keys: ['-'], run: ({ viewport }) => viewport.zoom(0.8) },
 ];
 
 /** Step of the arrow keys [px]; Shift makes it larger. */
@@ -367,6 +367,6 @@ export function nudgeSelection(
   const nodes = selection.nodes.map((id): [string, CanvasPoint] => [id, moved(viewport.positionOf(id))]);
   const notes = selection.notes.map((id): [string, CanvasPoint] => [id, moved(level.graph.notes[id]!.at)]);
   const gesture = `nudge ${[...selection.nodes, ...selection.notes].join(' ')}`;
-  editor.edit(moveItemsCommand(level, Object.fromEntries(nodes), Object.fromEntries(notes)), 'edit.move', gesture);
+  editor.edit(moveItemsCommand(level, Object.fromEntries(nodes), Object.fromEntries(notes)), msg`move`, gesture);
   return true;
 }

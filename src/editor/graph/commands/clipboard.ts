@@ -1,6 +1,7 @@
 import type { GraphLevel } from '../../../graph/analysis/sockets.ts';
 import { DocumentError } from '../../../graph/document/document.ts';
 import { copyFragment, parseFragment, pasteFragment, serializeFragment } from '../../../graph/edits/fragment.ts';
+import { msg } from '../../../messages/message.ts';
 import type { Editor } from '../../state/editor.ts';
 import { canvas, levelAt, prunedSelection, selectItems } from '../canvas/canvasState.ts';
 import { findFreeCenter, revealNodes } from '../layout/freePosition.ts';
@@ -22,7 +23,7 @@ export function cutSelection(editor: Editor): string | undefined {
   const words = copySelection(editor);
   const level = shownLevel(editor);
   if (words !== undefined)
-    editor.edit(removeCommand(level, prunedSelection(level, canvas.getState().selection)), 'edit.cut');
+    editor.edit(removeCommand(level, prunedSelection(level, canvas.getState().selection)), msg`cut`);
   return words;
 }
 
@@ -33,11 +34,11 @@ export function pasteText(editor: Editor, words: string): void {
     const fragment = parseFragment(words);
     const at = findFreeCenter(level, fragment, canvas.getState().viewport?.center());
     const { command, nodes, notes } = pasteFragment(level.document, fragment, level.group, at);
-    editor.edit(command, 'edit.paste');
+    editor.edit(command, msg`paste`);
     selectItems({ nodes, notes });
     revealNodes(nodes);
   } catch (error) {
     if (!(error instanceof DocumentError)) throw error;
-    editor.notify({ kind: 'error', text: error.message, place: words.trim().slice(0, 60) });
+    editor.notify({ kind: 'error', text: error.text, place: words.trim().slice(0, 60) });
   }
 }

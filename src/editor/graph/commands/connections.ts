@@ -5,7 +5,9 @@ import { edgeError, reachableFrom } from '../../../graph/analysis/validate.ts';
 import { type Graph, type GraphEdge, own } from '../../../graph/document/document.ts';
 import { GROUP, GROUP_INPUT, GROUP_OUTPUT } from '../../../graph/document/structuralTypes.ts';
 import { ANY, type NodeType } from '../../../graph/nodeType.ts';
+import type { LocalizedText } from '../../../messages/message.ts';
 import { nodeLibrary } from '../../../nodes/library.ts';
+import { socketTitle } from '../../../nodes/titles.ts';
 import { NEW_SOCKET } from '../cards/cardModel.ts';
 
 /** One end of an edge whose other end is not chosen yet. */
@@ -75,8 +77,7 @@ function isGeneric(level: GraphLevel, id: string, side: keyof NodeSockets, name:
 /** A socket of a node that fits a pending connection. */
 export interface SocketOption {
   readonly socket: string;
-  /** Text key, or plain text. */
-  readonly title: string;
+  readonly title: LocalizedText;
 }
 
 /** The sockets of a node that fit a pending connection; parameters last. */
@@ -88,7 +89,7 @@ export function socketOptions(level: GraphLevel, pendingEnd: PendingConnection, 
   const side = oppositeSide(pendingEnd.side);
   return Object.entries(sockets[side]).flatMap(([name, { title, type, many }]): SocketOption[] => {
     const socket = many && side === 'inputs' ? `${name}.${freeNumber(level.graph, id, name)}` : name;
-    return fits(id, socket) ? [{ socket, title: title ?? (name === type ? `type.${type}` : name) }] : [];
+    return fits(id, socket) ? [{ socket, title: title ?? (name === type ? socketTitle(type) : name) }] : [];
   });
 }
 

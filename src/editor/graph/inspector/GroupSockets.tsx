@@ -3,7 +3,8 @@ import { IconTrash } from '@tabler/icons-react';
 import type { ReactNode } from 'react';
 import type { GraphLevel } from '../../../graph/analysis/sockets.ts';
 import { own } from '../../../graph/document/document.ts';
-import { useTexts } from '../../i18n/i18n.ts';
+import { msg } from '../../../messages/message.ts';
+import { useTexts } from '../../language/languageStore.ts';
 import { useEditor } from '../../state/context.tsx';
 import { changeSocketCommand } from '../commands/edits.ts';
 
@@ -26,20 +27,20 @@ export function GroupSockets({ level, side }: GroupSocketsProps): ReactNode {
             key={title}
             size="xs"
             flex={1}
-            aria-label={t('inspector.socketName', { name })}
+            aria-label={t(msg`Name of the socket ${name}`)}
             defaultValue={title}
             maxLength={200}
             onBlur={(event) => {
               const written = event.currentTarget.value;
-              if (written !== title) editor.edit(changeSocketCommand(level, side, name, written), 'edit.rename');
+              if (written !== title) editor.edit(changeSocketCommand(level, side, name, written), msg`rename`);
             }}
           />
-          <Tooltip label={t('inspector.removeSocket')} openDelay={400}>
+          <Tooltip label={t(msg`Remove the socket`)} openDelay={400}>
             <ActionIcon
               variant="subtle"
               color="gray"
-              aria-label={`${t('inspector.removeSocket')}: ${title}`}
-              onClick={() => editor.edit(changeSocketCommand(level, side, name), 'edit.remove')}
+              aria-label={`${t(msg`Remove the socket`)}: ${title}`}
+              onClick={() => editor.edit(changeSocketCommand(level, side, name), msg`delete`)}
             >
               <IconTrash size={15} />
             </ActionIcon>
@@ -47,7 +48,7 @@ export function GroupSockets({ level, side }: GroupSocketsProps): ReactNode {
         </Group>
       ))}
       <Text size="xs" c="dimmed">
-        {t('inspector.newSocket')}
+        {t(msg`Draw an edge to “new” to add a socket.`)}
       </Text>
     </Stack>
   );

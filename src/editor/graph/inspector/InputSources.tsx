@@ -4,8 +4,9 @@ import { inferTypes } from '../../../graph/analysis/inferTypes.ts';
 import { type GraphLevel, socketsOf } from '../../../graph/analysis/sockets.ts';
 import { edgeKey, type GraphNode, own } from '../../../graph/document/document.ts';
 import { insideGroup } from '../../../graph/edits/fragment.ts';
+import { msg } from '../../../messages/message.ts';
 import { nodeLibrary } from '../../../nodes/library.ts';
-import { useTexts } from '../../i18n/i18n.ts';
+import { useTexts } from '../../language/languageStore.ts';
 import { useEditor } from '../../state/context.tsx';
 import { cardModel, connectedSockets, NEW_SOCKET, type SocketModel } from '../cards/cardModel.ts';
 import { connectionCheck, edgeBetween } from '../commands/connections.ts';
@@ -49,7 +50,7 @@ interface InputSourceProps {
 }
 
 function InputSource({ id, level, socket }: InputSourceProps): ReactNode {
-  const { textOrKey, t } = useTexts();
+  const { t } = useTexts();
   const editor = useEditor();
   const [open, setOpen] = useState(false);
   const to = { node: id, input: socket.name };
@@ -59,28 +60,28 @@ function InputSource({ id, level, socket }: InputSourceProps): ReactNode {
     const held = own(level.graph.nodes, node);
     const title = held && socketsOf(level, held, nodeLibrary)?.outputs;
     const several = title && Object.keys(title).length > 1;
-    const called = textOrKey(held?.title ?? nodeLibrary[held?.type ?? '']?.title ?? node);
-    return several ? `${called} (${node}) · ${textOrKey(title[output]?.title ?? output)}` : `${called} (${node})`;
+    const called = t(held?.title ?? nodeLibrary[held?.type ?? '']?.title ?? node);
+    return several ? `${called} (${node}) · ${t(title[output]?.title ?? output)}` : `${called} (${node})`;
   };
   const sources = open ? compatibleSources(level, to) : from ? [from] : [];
   const take = (chosen: string | null) => {
     const [node, output] = chosen?.split('.') ?? [];
     if (node === undefined || output === undefined)
-      editor.edit(insideGroup(level.group, { kind: 'disconnect', to }), 'edit.disconnect');
+      editor.edit(insideGroup(level.group, { kind: 'disconnect', to }), msg`disconnect`);
     else {
       const edge = edgeBetween({ node: id, side: 'inputs', socket: socket.name }, node, output);
-      editor.edit(connectCommand(level, edge), 'edit.connect');
+      editor.edit(connectCommand(level, edge), msg`connect`);
     }
   };
   return (
     <Select
       size="xs"
-      label={`${textOrKey(socket.title)}${socket.number ? ` ${socket.number}` : ''}`}
-      placeholder={t('inspector.notConnected')}
-      nothingFoundMessage={t('inspector.noSource')}
+      label={`${t(socket.title)}${socket.number ? ` ${socket.number}` : ''}`}
+      placeholder={t(msg`not connected`)}
+      nothingFoundMessage={t(msg`No matching output`)}
       searchable
       clearable
-      clearButtonProps={{ 'aria-label': t('graph.disconnect') }}
+      clearButtonProps={{ 'aria-label': t(msg`Disconnect`) }}
       value={value}
       data={sources.map(({ node, output }) => ({ value: `${node}.${output}`, label: name(node, output) }))}
       onDropdownOpen={() => setOpen(true)}

@@ -6,9 +6,10 @@ import { type GraphNode, own } from '../../../graph/document/document.ts';
 import { GROUP, GROUP_INPUT, GROUP_OUTPUT, groupKeyOf } from '../../../graph/document/structuralTypes.ts';
 import { insideGroup } from '../../../graph/edits/fragment.ts';
 import type { NodeProblem, NodeType } from '../../../graph/nodeType.ts';
+import { msg } from '../../../messages/message.ts';
 import { nodeLibrary } from '../../../nodes/library.ts';
 import { isFileNode } from '../../../nodes/project/fileNodes.ts';
-import { useTexts } from '../../i18n/i18n.ts';
+import { useTexts } from '../../language/languageStore.ts';
 import { drivenInputTitles } from '../../panels/drivenInputs.ts';
 import { NodeParams, visibleParams } from '../../panels/NodeParams.tsx';
 import { Remedy } from '../../panels/Remedy.tsx';
@@ -35,7 +36,7 @@ export default function Inspector(): ReactNode {
         <NodeInspector key={id} id={id} node={node} level={level} flat={flatNodeId(existingPath(document, path), id)} />
       ) : (
         <Text size="sm" c="dimmed" p="md">
-          {t('inspector.nothing')}
+          {t(msg`Select a node in the graph to see its parameters here.`)}
         </Text>
       )}
     </ScrollArea>
@@ -51,19 +52,19 @@ interface InspectedProps {
 }
 
 function NodeInspector({ id, node, level, flat }: InspectedProps): ReactNode {
-  const { textOrKey } = useTexts();
+  const { t } = useTexts();
   const type = own(nodeLibrary, node.type);
   const problem = useEditorState((state) => problemsByNode(state.results).get(flat));
   const isCarrier = node.type === GROUP_INPUT || node.type === GROUP_OUTPUT;
   return (
-    <Stack gap="sm" p="md" component="section" aria-label={textOrKey(node.title ?? type?.title ?? node.type)}>
+    <Stack gap="sm" p="md" component="section" aria-label={t(node.title ?? type?.title ?? node.type)}>
       <div>
         <Text component="h2" size="sm" fw={600}>
-          {textOrKey(type?.title ?? node.type)}
+          {t(type?.title ?? node.type)}
         </Text>
         {type && (
           <Text size="xs" c="dimmed" lh={1.5}>
-            {textOrKey(type.help)}
+            {t(type.help)}
           </Text>
         )}
       </div>
@@ -81,7 +82,7 @@ function NodeInspector({ id, node, level, flat }: InspectedProps): ReactNode {
 
 /** Title of the node, or of its group; focused when the inspector is opened by a command. */
 function Title({ id, node, level, type }: Omit<InspectedProps, 'flat'> & { readonly type?: NodeType }): ReactNode {
-  const { textOrKey, t } = useTexts();
+  const { t } = useTexts();
   const editor = useEditor();
   const field = useRef<HTMLInputElement>(null);
   const inspecting = useEditorState((state) => state.inspecting);
@@ -95,16 +96,16 @@ function Title({ id, node, level, type }: Omit<InspectedProps, 'flat'> & { reado
   const held = group ? group.title : (node.title ?? '');
   const take = (title: string) => {
     if (title === held) return;
-    if (group) editor.edit({ kind: 'set-group', group: groupKeyOf(node), value: { ...group, title } }, 'edit.rename');
-    else editor.edit(insideGroup(level.group, { kind: 'rename', node: id, title }), 'edit.rename');
+    if (group) editor.edit({ kind: 'set-group', group: groupKeyOf(node), value: { ...group, title } }, msg`rename`);
+    else editor.edit(insideGroup(level.group, { kind: 'rename', node: id, title }), msg`rename`);
   };
   return (
     <TextInput
       key={held}
       ref={field}
       size="xs"
-      label={t('inspector.name')}
-      placeholder={textOrKey(type?.title ?? node.type)}
+      label={t(msg`Name`)}
+      placeholder={t(type?.title ?? node.type)}
       defaultValue={held}
       maxLength={200}
       onBlur={(event) => take(event.currentTarget.value)}
@@ -116,14 +117,14 @@ function Title({ id, node, level, type }: Omit<InspectedProps, 'flat'> & { reado
 }
 
 function ProblemNote({ problem: { message, place, remedy } }: { readonly problem: NodeProblem }): ReactNode {
-  const { translateMessage } = useTexts();
+  const { t } = useTexts();
   return (
     <Alert color="red" variant="light" p="xs" icon={<IconAlertTriangle size={16} />} role="status">
       <Stack gap={6}>
         <Text size="xs" ff="monospace" className="sl-place">
-          {translateMessage(place)}
+          {t(place)}
         </Text>
-        <Text size="sm">{translateMessage(message)}</Text>
+        <Text size="sm">{t(message)}</Text>
         {remedy && <Remedy remedy={remedy} />}
       </Stack>
     </Alert>

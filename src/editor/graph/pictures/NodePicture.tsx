@@ -1,6 +1,7 @@
 import { type ReactNode, useEffect, useRef } from 'react';
+import { msg } from '../../../messages/message.ts';
 import { formatNumber } from '../../format.ts';
-import { useTexts } from '../../i18n/i18n.ts';
+import { useTexts } from '../../language/languageStore.ts';
 import { flatNodeId, useCanvas } from '../canvas/canvasState.ts';
 import type { CardModel } from '../cards/cardModel.ts';
 import { type LuminanceHistogram, STOP_RANGE } from './luminanceHistogram.ts';
@@ -8,7 +9,7 @@ import { useNodePicture } from './nodePictures.ts';
 
 /** Picture of a node's result; an empty frame until it is rendered. */
 export function NodePicture({ card }: { readonly card: CardModel }): ReactNode {
-  const { t, textOrKey } = useTexts();
+  const { t } = useTexts();
   const path = useCanvas((state) => state.path);
   const picture = useNodePicture(flatNodeId(path, card.id));
   const canvas = useRef<HTMLCanvasElement>(null);
@@ -17,7 +18,11 @@ export function NodePicture({ card }: { readonly card: CardModel }): ReactNode {
     if (image) canvas.current?.getContext('2d')?.putImageData(image, 0, 0);
   }, [image]);
   const surfaces = picture !== undefined && !('step' in picture.of);
-  const label = t(surfaces ? 'graph.picture.surfaces' : 'graph.picture', { title: textOrKey(card.title) });
+  const label = t(
+    surfaces
+      ? msg`Picture of the surfaces that ${t(card.title)} rasterized`
+      : msg`Picture of the result of ${t(card.title)}`,
+  );
   return (
     <>
       <div className="sl-node-picture">
@@ -37,13 +42,16 @@ const TICKS = [-8, -4, 0] as const;
 /** Histogram of the luminance that the tone curve gets, over stops; white is at 0. */
 function Histogram({ histogram }: { readonly histogram?: LuminanceHistogram }): ReactNode {
   const { t } = useTexts();
-  const fill = histogram && { middle: formatNumber(histogram.middle, 2), over: formatNumber(100 * histogram.over, 2) };
   return (
     <svg
       className="sl-node-spread"
       viewBox={`0 0 ${WIDTH} ${HEIGHT + 12}`}
       role="img"
-      aria-label={fill ? t('graph.spread', fill) : t('graph.spread.none')}
+      aria-label={t(
+        histogram
+          ? msg`Luminance histogram in stops: the median is ${formatNumber(histogram.middle, 2)} EV, ${formatNumber(100 * histogram.over, 2)} % is above white`
+          : msg`Luminance histogram: not measured yet`,
+      )}
     >
       {histogram && <path d={outline(histogram.bins)} />}
       {TICKS.map((stop) => (

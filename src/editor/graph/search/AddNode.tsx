@@ -1,6 +1,7 @@
 import { Paper } from '@mantine/core';
 import { type ReactNode, useEffect, useMemo, useRef } from 'react';
-import { useTexts } from '../../i18n/i18n.ts';
+import { msg } from '../../../messages/message.ts';
+import { useTexts } from '../../language/languageStore.ts';
 import { useEditor, useEditorState } from '../../state/context.tsx';
 import type { Editor } from '../../state/editor.ts';
 import { type AddNodeRequest, canvas, levelAt, selectItems } from '../canvas/canvasState.ts';
@@ -46,7 +47,7 @@ export function AddNode({
   return (
     <Paper ref={host} withBorder shadow="md" className="sl-adding" style={{ left, top }}>
       <QuickPick
-        label={t(adding.onto === undefined ? 'graph.add' : 'graph.connectTo')}
+        label={t(adding.onto === undefined ? msg`Add a node…` : msg`Connect to…`)}
         items={items}
         onChoose={({ id }) => {
           close();
@@ -59,25 +60,25 @@ export function AddNode({
 }
 
 function useItems(adding: AddNodeRequest) {
-  const { textOrKey, t } = useTexts();
+  const { t } = useTexts();
   const document = useEditorState((state) => state.history.document);
   const level = useMemo(() => levelAt(document, canvas.getState().path), [document]);
   const nodes = useNodeItems(level, adding.pending);
   const { pending, onto } = adding;
   return useMemo(() => {
     if (!pending || onto === undefined) return nodes;
-    const group = t('graph.sockets');
+    const group = t(msg`Inputs`);
     return socketOptions(level, pending, onto).map(({ socket, title }) => {
       const number = /\.(\d+)$/.exec(socket)?.[1];
-      return { id: socket, label: number ? `${textOrKey(title)} ${number}` : textOrKey(title), group };
+      return { id: socket, label: number ? `${t(title)} ${number}` : t(title), group };
     });
-  }, [nodes, level, pending, onto, textOrKey, t]);
+  }, [nodes, level, pending, onto, t]);
 }
 
 function take(editor: Editor, { at, pending, onto }: AddNodeRequest, id: string): void {
   const level = levelAt(editor.store.getState().history.document, canvas.getState().path);
   if (pending && onto !== undefined) {
-    editor.edit(connectCommand(level, edgeBetween(pending, onto, id)), 'edit.connect');
+    editor.edit(connectCommand(level, edgeBetween(pending, onto, id)), msg`connect`);
     canvas.getState().viewport?.focus(onto);
     return;
   }
@@ -87,7 +88,7 @@ function take(editor: Editor, { at, pending, onto }: AddNodeRequest, id: string)
   const shift = pending ? (pending.side === 'outputs' ? 0 : -NODE_WIDTH) : -NODE_WIDTH / 2;
   const place = findFreePosition(level, addition, [at[0] + shift, at[1] - 40]);
   const { node, command } = addCommand(level, addition, place, pending);
-  editor.edit(command, 'edit.add');
+  editor.edit(command, msg`add a node`);
   selectItems({ nodes: [node] });
   canvas.getState().viewport?.focus(node);
 }

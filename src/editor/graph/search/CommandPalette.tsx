@@ -1,10 +1,9 @@
+import { inEnglish, type Message, msg } from '../../../messages/message.ts';
 import '../cards/sockets.css';
 import '../graph.css';
 import { Modal } from '@mantine/core';
 import { type ReactNode, useMemo } from 'react';
-import { inEveryLanguage } from '../../i18n/everyLanguage.ts';
-import { useTexts } from '../../i18n/i18n.ts';
-import type { TextKey } from '../../i18n/texts.ts';
+import { useTexts } from '../../language/languageStore.ts';
 import { useSaveProject } from '../../projects/useSaveProject.ts';
 import { nextFalseColor, nextView, toggleGrid } from '../../shell/actions.ts';
 import { useSavePicture } from '../../shell/useSavePicture.ts';
@@ -21,7 +20,7 @@ import type { QuickPickItem } from './ranking.ts';
 import { useNodeItems } from './useNodeItems.ts';
 
 interface PageCommand {
-  readonly title: TextKey;
+  readonly title: Message;
   readonly keys?: KeyBinding;
   readonly run: () => void;
 }
@@ -41,7 +40,7 @@ export default function CommandPalette(): ReactNode {
       transitionProps={{ duration: 0 }}
     >
       <Modal.Overlay backgroundOpacity={0.35} />
-      <Modal.Content aria-label={t('palette.title')}>
+      <Modal.Content aria-label={t(msg`Search commands and nodes`)}>
         <Commands close={close} />
       </Modal.Content>
     </Modal.Root>
@@ -58,7 +57,7 @@ function Commands({ close }: { readonly close: () => void }): ReactNode {
   const context = actionContext(editor);
   const named = (
     id: string,
-    title: TextKey,
+    title: Message,
     group: string,
     keys: KeyBinding | undefined,
     disabled: boolean,
@@ -66,21 +65,21 @@ function Commands({ close }: { readonly close: () => void }): ReactNode {
     id,
     label: t(title),
     group,
-    words: inEveryLanguage(title),
+    words: `${inEnglish(title)} ${t(title)}`,
     disabled,
     ...(keys && { keys: formatKeyBinding(keys) }),
   });
-  const page = commands.map(({ title, keys }) => named(`page:${title}`, title, t('palette.page'), keys, false));
+  const page = commands.map(({ title, keys }) => named(`page:${title.template}`, title, t(msg`Program`), keys, false));
   const graph = context
     ? GRAPH_ACTIONS.map(({ id, title, keys, isEnabled }) =>
-        named(`graph:${id}`, title, t('panel.graph'), keys[0], isEnabled?.(context) === false),
+        named(`graph:${id}`, title, t(msg`Graph`), keys[0], isEnabled?.(context) === false),
       )
     : [];
   graph.sort((a, b) => Number(a.disabled) - Number(b.disabled));
   const added = nodes.map((item) => ({
     ...item,
     id: `node:${item.id}`,
-    label: t('palette.add', { what: item.label }),
+    label: t(msg`Add: ${item.label}`),
   }));
   const choose = ({ id, disabled }: QuickPickItem) => {
     if (disabled) return;
@@ -91,12 +90,17 @@ function Commands({ close }: { readonly close: () => void }): ReactNode {
   const run = (id: string) => {
     const [kind, name] = [id.slice(0, id.indexOf(':')), id.slice(id.indexOf(':') + 1)];
     const now = actionContext(editor);
-    if (kind === 'page') commands.find(({ title }) => title === name)?.run();
+    if (kind === 'page') commands.find(({ title }) => title.template === name)?.run();
     else if (kind === 'node') addNode(editor, name);
     else if (now) GRAPH_ACTIONS.find((action) => action.id === name)?.run(now);
   };
   return (
-    <QuickPick label={t('palette.title')} items={[...graph, ...page, ...added]} onChoose={choose} onClose={close} />
+    <QuickPick
+      label={t(msg`Search commands and nodes`)}
+      items={[...graph, ...page, ...added]}
+      onChoose={choose}
+      onClose={close}
+    />
   );
 }
 
@@ -111,7 +115,7 @@ function addNode(editor: Editor, id: string): void {
     addition,
     findFreePosition(level, addition, viewport?.center() ?? [0, 240]),
   );
-  editor.edit(command, 'edit.add');
+  editor.edit(command, msg`add a node`);
   editor.update({ graph: true });
   selectItems({ nodes: [node] });
   viewport?.focus(node);
@@ -123,19 +127,23 @@ function usePageCommands(editor: Editor): readonly PageCommand[] {
   const maximized = useEditorState((state) => state.maximized);
   const graph = useEditorState((state) => state.graph);
   return [
-    { title: graph ? 'graph.hide' : 'graph.show', keys: 'Mod+Shift+G', run: () => editor.update({ graph: !graph }) },
-    { title: 'header.scenes', run: () => editor.update({ dialog: 'gallery' }) },
-    { title: 'project.save', keys: 'Mod+S', run: project.save },
-    { title: 'project.saveAll', run: () => void project.saveWithFiles() },
-    { title: 'project.share', run: () => editor.update({ dialog: 'share' }) },
-    { title: 'project.rename', run: () => editor.update({ dialog: 'name' }) },
-    { title: 'header.save', keys: 'Mod+Shift+S', run: () => void save() },
-    { title: 'header.undo', keys: 'Mod+Z', run: editor.undo },
-    { title: 'header.redo', keys: 'Mod+Shift+Z', run: editor.redo },
-    { title: 'help.view', run: () => nextView(editor) },
-    { title: 'help.grid', run: () => toggleGrid(editor) },
-    { title: 'help.falseColor', run: () => nextFalseColor(editor) },
-    { title: 'help.maximize', run: () => editor.update({ maximized: !maximized }) },
-    { title: 'header.help', keys: '?', run: () => editor.update({ dialog: 'help' }) },
+    {
+      title: graph ? msg`Hide the node graph` : msg`Show the node graph`,
+      keys: 'Mod+Shift+G',
+      run: () => editor.update({ graph: !graph }),
+    },
+    { title: msg`Scenes`, run: () => editor.update({ dialog: 'gallery' }) },
+    { title: msg`Save project`, keys: 'Mod+S', run: project.save },
+    { title: msg`Save with its files`, run: () => void project.saveWithFiles() },
+    { title: msg`Share by a link…`, run: () => editor.update({ dialog: 'share' }) },
+    { title: msg`Name…`, run: () => editor.update({ dialog: 'name' }) },
+    { title: msg`Save picture`, keys: 'Mod+Shift+S', run: () => void save() },
+    { title: msg`Undo`, keys: 'Mod+Z', run: editor.undo },
+    { title: msg`Redo`, keys: 'Mod+Shift+Z', run: editor.redo },
+    { title: msg`Next view`, run: () => nextView(editor) },
+    { title: msg`Reference grid`, run: () => toggleGrid(editor) },
+    { title: msg`Next false colour`, run: () => nextFalseColor(editor) },
+    { title: msg`Only the picture`, run: () => editor.update({ maximized: !maximized }) },
+    { title: msg`Keys and help`, keys: '?', run: () => editor.update({ dialog: 'help' }) },
   ];
 }

@@ -1,7 +1,8 @@
 import { Group, Kbd, Text, TextInput } from '@mantine/core';
 import { IconSearch } from '@tabler/icons-react';
 import { type KeyboardEvent, type ReactNode, useEffect, useId, useRef, useState } from 'react';
-import { useTexts } from '../../i18n/i18n.ts';
+import { msg } from '../../../messages/message.ts';
+import { useTexts } from '../../language/languageStore.ts';
 import { type QuickPickItem, rankItems } from './ranking.ts';
 
 interface QuickPickProps {
@@ -76,7 +77,7 @@ export function QuickPick({ label, items, onChoose, onClose }: QuickPickProps): 
         ))}
         {found.length === 0 && (
           <Text size="sm" c="dimmed" p="sm">
-            {t('graph.nothingFound')}
+            {t(msg`No results`)}
           </Text>
         )}
       </div>

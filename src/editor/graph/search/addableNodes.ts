@@ -1,5 +1,7 @@
 import { type GraphLevel, levelOf } from '../../../graph/analysis/sockets.ts';
 import { GROUP, GROUP_INPUT, GROUP_OUTPUT, groupKeyOf } from '../../../graph/document/structuralTypes.ts';
+import type { NodeCategory } from '../../../graph/nodeType.ts';
+import { type LocalizedText, type Message, msg } from '../../../messages/message.ts';
 import { nodeLibrary } from '../../../nodes/library.ts';
 import { type PendingConnection, socketFor, socketForGroup } from '../commands/connections.ts';
 import type { AddableNode } from '../commands/edits.ts';
@@ -7,9 +9,9 @@ import type { AddableNode } from '../commands/edits.ts';
 /** A list entry: node type id, or `group:` and the group's id. */
 interface AddableItem extends AddableNode {
   readonly id: string;
-  readonly title: string;
-  readonly help?: string;
-  readonly category: string;
+  readonly title: LocalizedText;
+  readonly help?: Message;
+  readonly category: NodeCategory | 'group';
 }
 
 /** All kinds of node that can be added to a level; with a pending connection, only those that fit it. */
@@ -26,7 +28,7 @@ export function addableNodes(level: GraphLevel, pendingEnd?: PendingConnection):
     if (containsGroup(level, group, level.group)) return [];
     const socket = pendingEnd && socketForGroup(level, group, pendingEnd);
     if (pendingEnd && socket === undefined) return [];
-    const words = { title: title || 'node.group', category: 'group' };
+    const words = { title: title || msg`Group`, category: 'group' } as const;
     return [{ id: `group:${group}`, type: GROUP, group, ...words, ...(socket && { socket }) }];
   });
   return [...types, ...groups];

@@ -1,4 +1,6 @@
 import { expect, it } from 'vitest';
+import { chinese } from '../../../messages/languages/chinese.ts';
+import { translate } from '../../../messages/message.ts';
 import { matchesKeyBinding } from '../commands/keyBindings.ts';
 import { type QuickPickItem, rankItems } from './ranking.ts';
 import { optionTitles } from './useNodeItems.ts';
@@ -21,12 +23,12 @@ it('names that begin with the query rank first, then names that contain it, then
   expect(found('zzz')).toEqual([]);
 });
 
-it('a node is found by its options, in every language', () => {
+it('a node is found by its options, in English and in the page’s language', () => {
   const nodes = ['post-process', 'tone-map', 'group'].map((id) => ({
     id,
     label: id,
     group: '',
-    words: optionTitles(id),
+    words: optionTitles(id, (text) => translate(text, chinese.messages)),
   }));
   for (const query of ['bloom', 'Bloom', '泛光'])
     expect(rankItems(nodes, query).map(({ id }) => id)).toEqual(['post-process']);

@@ -1,8 +1,9 @@
 import { Button, Stack, Text } from '@mantine/core';
 import { IconFilePlus } from '@tabler/icons-react';
 import { type ReactNode, useRef } from 'react';
+import { inEnglish, msg } from '../../../messages/message.ts';
 import type { Diagnostic } from '../../../scene/types.ts';
-import { useTexts } from '../../i18n/i18n.ts';
+import { useTexts } from '../../language/languageStore.ts';
 import { pickedFiles } from '../../loading/pickedFiles.ts';
 import { useOpenFiles } from '../../shell/useOpenFiles.ts';
 import { Section } from './Section.tsx';
@@ -22,18 +23,18 @@ export function MissingFiles({ notes }: { readonly notes: readonly Diagnostic[] 
     picker.value = '';
   };
   return (
-    <Section title={t('scene.missing')}>
+    <Section title={t(msg`Missing files`)}>
       <Stack gap="sm" component="ul" className="sl-list">
         {missing.map(({ name, place, lookedFor }) => (
-          <Stack gap={2} component="li" key={`${name} ${place}`} data-missing={name}>
+          <Stack gap={2} component="li" key={`${name} ${inEnglish(place)}`} data-missing={name}>
             <Text size="sm" fw={600} className="sl-place">
               {name}
             </Text>
             <Text size="xs" className="sl-place">
-              {t('scene.missingFor', { place })}
+              {t(msg`for ${place}`)}
             </Text>
             <Text size="xs" c="dimmed" className="sl-place">
-              {t('scene.lookedFor', { paths: lookedFor.join(', ') })}
+              {t(msg`searched ${lookedFor.join(', ')}`)}
             </Text>
           </Stack>
         ))}
@@ -45,10 +46,10 @@ export function MissingFiles({ notes }: { readonly notes: readonly Diagnostic[] 
         leftSection={<IconFilePlus size={15} />}
         onClick={() => input.current?.click()}
       >
-        {t('scene.supply')}
+        {t(msg`Add missing files…`)}
       </Button>
       <Text size="xs" c="dimmed">
-        {t('scene.supplyHint')}
+        {t(msg`Or drop them on the page. The scene is then reloaded; you stay where you are.`)}
       </Text>
       <input ref={input} type="file" multiple hidden onChange={(event) => onPicked(event.currentTarget)} />
     </Section>

@@ -4,13 +4,14 @@ import { type ReactNode, useMemo, useState } from 'react';
 import type { FlatNode } from '../../../graph/analysis/flatten.ts';
 import type { GraphDocument } from '../../../graph/document/document.ts';
 import { resolveParams } from '../../../graph/nodeType.ts';
+import { msg } from '../../../messages/message.ts';
 import { nodeLibrary } from '../../../nodes/library.ts';
 import { nearestToOutput, nodesFeedingOutput } from '../../../nodes/project/outputChain.ts';
 import { flyCommand, flyNodesIn, removeFlightCommand } from '../../../nodes/project/projectCommands.ts';
 import type { PictureSpec } from '../../../nodes/socketValues.ts';
 import { isStatic, sampleTimes } from '../../../scene/motion/motion.ts';
 import type { Scene } from '../../../scene/types.ts';
-import { useTexts } from '../../i18n/i18n.ts';
+import { useTexts } from '../../language/languageStore.ts';
 import { useServices } from '../../services.tsx';
 import { useEditor, useEditorState } from '../../state/context.tsx';
 import { ParamControl } from '../ParamControl.tsx';
@@ -29,10 +30,10 @@ export function MotionSection({ picture }: { readonly picture: PictureSpec }): R
     if (!path) return;
     setSearch('');
     const at = Math.round(observerController.observer.t * 1000) / 1000;
-    editor.edit(flyCommand(document, path, at), 'edit.fly');
+    editor.edit(flyCommand(document, path, at), msg`make it fly`);
   };
   return (
-    <Section title={t('motion.title')}>
+    <Section title={t(msg`Motion`)}>
       {moves(picture.scene) && <NearestParams type="retime" />}
       {sampled(picture.scene) && <NearestParams type="read" only="interpolation" />}
       {flights.map((node) => (
@@ -40,11 +41,11 @@ export function MotionSection({ picture }: { readonly picture: PictureSpec }): R
       ))}
       <Select
         size="xs"
-        label={t('motion.fly')}
+        label={t(msg`Make something fly`)}
         disabled={!nearestToOutput(document, 'scene-camera')}
         leftSection={<IconPlaneDeparture size={15} />}
-        placeholder={t('motion.search')}
-        nothingFoundMessage={t('motion.nothing')}
+        placeholder={t(msg`Search objects…`)}
+        nothingFoundMessage={t(msg`No object has this name`)}
         searchable
         limit={50}
         searchValue={search}
@@ -87,7 +88,7 @@ function useMovablePrims({ objects }: Scene): readonly MovablePrim[] {
     }
     return [...counts]
       .sort(([a], [b]) => (a < b ? -1 : 1))
-      .map(([value, count]) => ({ value, label: count > 1 ? t('motion.group', { path: value, count }) : value }));
+      .map(([value, count]) => ({ value, label: count > 1 ? t(msg`${value} (${count} objects)`) : value }));
   }, [paths, t]);
 }
 
@@ -95,25 +96,32 @@ function FlyParams({ node, things }: { readonly node: string; readonly things: r
   const { t } = useTexts();
   const editor = useEditor();
   const object = useEditorState(({ history }) => String(nodeAt(history.document, node)?.params.object ?? ''));
-  const land = () => editor.edit(removeFlightCommand(editor.store.getState().history.document, node), 'edit.land');
+  const land = () =>
+    editor.edit(removeFlightCommand(editor.store.getState().history.document, node), msg`end the flight`);
   return (
-    <Paper withBorder p="xs" component="fieldset" aria-label={`${t('node.fly')}: ${object}`} className="sl-flight">
+    <Paper withBorder p="xs" component="fieldset" aria-label={`${t(msg`Flight`)}: ${object}`} className="sl-flight">
       <Stack gap={10}>
         <Group gap={6} wrap="nowrap" align="end">
           <Select
             size="xs"
             flex={1}
-            label={t('param.flyObject')}
-            nothingFoundMessage={t('motion.nothing')}
+            label={t(msg`What flies`)}
+            nothingFoundMessage={t(msg`No object has this name`)}
             searchable
             allowDeselect={false}
             limit={50}
             value={object}
             data={things.some(({ value }) => value === object) ? things : [{ value: object, label: object }, ...things]}
-            onChange={(path) => path && editor.set(node, 'object', path, 'edit.fly')}
+            onChange={(path) => path && editor.set(node, 'object', path, msg`make it fly`)}
           />
-          <Tooltip label={t('motion.land')} openDelay={400}>
-            <ActionIcon variant="subtle" color="gray" size={30} aria-label={t('motion.land')} onClick={land}>
+          <Tooltip label={t(msg`Move as in the file again`)} openDelay={400}>
+            <ActionIcon
+              variant="subtle"
+              color="gray"
+              size={30}
+              aria-label={t(msg`Move as in the file again`)}
+              onClick={land}
+            >
               <IconTrash size={16} />
             </ActionIcon>
           </Tooltip>

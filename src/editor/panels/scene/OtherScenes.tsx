@@ -1,7 +1,8 @@
 import { Select } from '@mantine/core';
 import type { ReactNode } from 'react';
 import { scenesIn } from '../../../formats/entry.ts';
-import { useTexts } from '../../i18n/i18n.ts';
+import { msg } from '../../../messages/message.ts';
+import { useTexts } from '../../language/languageStore.ts';
 import { useServices } from '../../services.tsx';
 import { useEditor } from '../../state/context.tsx';
 
@@ -16,7 +17,7 @@ export function OtherScenes({ source }: { readonly source: string }): ReactNode 
   return (
     <Select
       size="xs"
-      label={t('scene.others')}
+      label={t(msg`Scene in these files`)}
       searchable={scenes.length > 8}
       allowDeselect={false}
       limit={100}

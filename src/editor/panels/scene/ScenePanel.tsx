@@ -1,11 +1,12 @@
 import { Badge, ScrollArea, Stack, Table, Text } from '@mantine/core';
 import type { ReactNode } from 'react';
+import { inEnglish, msg, type Translate } from '../../../messages/message.ts';
 import type { PictureSpec } from '../../../nodes/socketValues.ts';
 import { isStatic } from '../../../scene/motion/motion.ts';
 import type { Diagnostic } from '../../../scene/types.ts';
 import { formatCount, formatLength, formatSeconds, formatSpeed } from '../../format.ts';
-import { type Translate, useTexts } from '../../i18n/i18n.ts';
-import { useOpenedTexts } from '../../i18n/useSceneTexts.ts';
+import { useTexts } from '../../language/languageStore.ts';
+import { useOpenedTexts } from '../../language/useSceneTexts.ts';
 import { sceneName } from '../../loading/localFiles.ts';
 import { useEditorState } from '../../state/context.tsx';
 import { MissingFiles } from './MissingFiles.tsx';
@@ -33,7 +34,7 @@ export function ScenePanel(): ReactNode {
         </Stack>
       ) : (
         <Text p="md" size="sm" c="dimmed">
-          {t('info.none')}
+          {t(msg`No scene is open.`)}
         </Text>
       )}
     </ScrollArea>
@@ -62,15 +63,15 @@ function Figures({ picture }: { readonly picture: PictureSpec }): ReactNode {
   const { scene, fastest } = picture;
   const triangles = scene.objects.reduce((sum, { mesh }) => sum + mesh.indices.length / 3, 0);
   const moving = scene.objects.filter(({ motion }) => !isStatic(motion)).length;
-  const time = fastest && { speed: formatSpeed(fastest.speed), time: unbroken(formatSeconds(fastest.time)) };
+  const time = fastest && msg`${formatSpeed(fastest.speed)} at t = ${unbroken(formatSeconds(fastest.time))}`;
   const paths = pathsRow(scene.pathError, t);
   const rows: (readonly [string, ReactNode])[] = [
-    [t('info.objects'), formatCount(scene.objects.length)],
-    [t('info.moving'), formatCount(moving)],
-    [t('info.trianglesInScene'), formatCount(triangles)],
-    [t('info.duration'), `${formatSeconds(scene.startTime)} … ${formatSeconds(scene.endTime)}`],
-    ...(time ? [[t('info.fastest'), t('info.fastestAt', time)] as const] : []),
-    ...(paths ? [[t('info.paths'), paths] as const] : []),
+    [t(msg`Objects`), formatCount(scene.objects.length)],
+    [t(msg`Moving`), formatCount(moving)],
+    [t(msg`Triangles`), formatCount(triangles)],
+    [t(msg`Time range`), `${formatSeconds(scene.startTime)} … ${formatSeconds(scene.endTime)}`],
+    ...(time ? [[t(msg`Fastest point`), t(time)] as const] : []),
+    ...(paths ? [[t(msg`Paths between samples`), paths] as const] : []),
   ];
   return (
     <Table verticalSpacing={4} horizontalSpacing={0} fz="sm" withRowBorders={false}>
@@ -95,25 +96,25 @@ const unbroken = (text: string): string => text.replaceAll(' ', '\u00a0');
 /** Below 1 nm it is rounding error. */
 function pathsRow(error: number | undefined, t: Translate): string | undefined {
   if (error === undefined || !Number.isFinite(error)) return undefined;
-  return error < 1e-9 ? t('info.pathsExact') : t('info.pathsTo', { length: formatLength(error) });
+  return error < 1e-9 ? t(msg`exact`) : t(msg`accurate to ${formatLength(error)}`);
 }
 
 const COLORS = { error: 'red', warning: 'yellow', info: 'gray' } as const;
 
 function Notes({ notes }: { readonly notes: readonly Diagnostic[] }): ReactNode {
-  const { t, translateMessage } = useTexts();
+  const { t } = useTexts();
   if (notes.length === 0) return null;
   return (
-    <Section title={t('info.notes')}>
+    <Section title={t(msg`Diagnostics`)}>
       {notes.map((note) => (
-        <Stack gap={2} key={`${note.code} ${note.place} ${note.message}`}>
+        <Stack gap={2} key={`${note.code} ${inEnglish(note.place)} ${inEnglish(note.message)}`}>
           <Badge size="xs" variant="light" color={COLORS[note.severity]}>
             {note.code}
           </Badge>
           <Text size="xs" ff="monospace" className="sl-place">
-            {translateMessage(note.place)}
+            {t(note.place)}
           </Text>
-          <Text size="xs">{translateMessage(note.message)}</Text>
+          <Text size="xs">{t(note.message)}</Text>
         </Stack>
       ))}
     </Section>

@@ -1,9 +1,10 @@
 import { Select } from '@mantine/core';
 import type { ReactNode } from 'react';
 import { formatVariantChoice } from '../../../formats/variantChoice.ts';
+import { msg } from '../../../messages/message.ts';
 import { nearestToOutput } from '../../../nodes/project/outputChain.ts';
 import type { VariantSet } from '../../../scene/types.ts';
-import { useTexts } from '../../i18n/i18n.ts';
+import { useTexts } from '../../language/languageStore.ts';
 import { useEditor, useEditorState } from '../../state/context.tsx';
 import { Section } from './Section.tsx';
 
@@ -18,10 +19,10 @@ export function Variants({ sets }: { readonly sets: readonly VariantSet[] }): Re
   const choose = (name: string, option: string | null) => {
     const others = chosen.filter((text) => !text.startsWith(formatVariantChoice(name, '')));
     const next = option ? [...others, formatVariantChoice(name, option)] : others;
-    editor.set(reader.id, 'variants', next.length > 0 ? next : undefined, 'edit.variant');
+    editor.set(reader.id, 'variants', next.length > 0 ? next : undefined, msg`choose a variant`);
   };
   return (
-    <Section title={t('scene.variants')}>
+    <Section title={t(msg`Variants`)}>
       {sets.map((one) => (
         <VariantSelect
           key={one.set}
@@ -52,8 +53,8 @@ function VariantSelect({ set: { set, options, chosen: shown }, chosen, onChoose 
       searchable={options.length > 12}
       allowDeselect={false}
       clearable={chosen !== undefined}
-      clearButtonProps={{ 'aria-label': t('panel.reset') }}
-      placeholder={t('scene.none')}
+      clearButtonProps={{ 'aria-label': t(msg`Back to the default`) }}
+      placeholder={t(msg`none`)}
       value={chosen ?? (shown || null)}
       data={[...options]}
       onChange={onChoose}

@@ -1,8 +1,9 @@
 import { ActionIcon, Text, Tooltip, UnstyledButton } from '@mantine/core';
 import { IconCrosshair, IconX } from '@tabler/icons-react';
 import type { ReactNode } from 'react';
+import { msg } from '../../../messages/message.ts';
 import type { FalseColorQuantity, FalseColorScale } from '../../../spectrum/falseColor/falseColor.ts';
-import { useTexts } from '../../i18n/i18n.ts';
+import { useTexts } from '../../language/languageStore.ts';
 import { useLegend } from '../../state/context.tsx';
 import { setLegendVisible, toggleCrosshair } from './legendState.ts';
 import { type LegendTexts, legendTexts, pickedPosition, pickedTexts } from './legendTexts.ts';
@@ -17,7 +18,7 @@ export function Legend(): ReactNode {
   if (!shown)
     return (
       <UnstyledButton className="sl-legend sl-legend-closed" onClick={() => setLegendVisible(true)}>
-        <Text size="xs">{t('legend.show')}</Text>
+        <Text size="xs">{t(msg`Legend`)}</Text>
       </UnstyledButton>
     );
   const words = legendTexts(colors, t);
@@ -34,7 +35,7 @@ export function Legend(): ReactNode {
             size="sm"
             variant="subtle"
             color="gray"
-            aria-label={t('viewport.hide')}
+            aria-label={t(msg`Hide`)}
             onClick={() => setLegendVisible(false)}
           >
             <IconX size={14} />
@@ -50,12 +51,12 @@ export function Legend(): ReactNode {
 function CrosshairButton({ pressed }: { readonly pressed: boolean }): ReactNode {
   const { t } = useTexts();
   return (
-    <Tooltip label={`${t('legend.crosshair')} (P)`} openDelay={400}>
+    <Tooltip label={`${t(msg`Value at the crosshair`)} (P)`} openDelay={400}>
       <ActionIcon
         size="sm"
         variant={pressed ? 'light' : 'subtle'}
         color={pressed ? undefined : 'gray'}
-        aria-label={t('legend.crosshair')}
+        aria-label={t(msg`Value at the crosshair`)}
         aria-pressed={pressed}
         onClick={toggleCrosshair}
       >
@@ -118,7 +119,7 @@ function Value({ kind, spoken }: { readonly kind: FalseColorQuantity; readonly s
           </span>
         </>
       ) : (
-        <span>{t('legend.point')}</span>
+        <span>{t(msg`Point at the picture, or press P`)}</span>
       )}
     </Text>
   );

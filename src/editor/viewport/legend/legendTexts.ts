@@ -1,3 +1,4 @@
+import { type Message, msg, type Translate } from '../../../messages/message.ts';
 import {
   colorRamp,
   type FalseColorQuantity,
@@ -5,13 +6,26 @@ import {
   positionOnScale,
 } from '../../../spectrum/falseColor/falseColor.ts';
 import { tickDigits, ticksOf } from '../../../spectrum/falseColor/falseColorScale.ts';
-import { bandOf, SPECTRAL_BANDS } from '../../../spectrum/falseColor/spectralBands.ts';
+import { bandOf, SPECTRAL_BANDS, type SpectralBandName } from '../../../spectrum/falseColor/spectralBands.ts';
 import { formatLength, formatNumber } from '../../format.ts';
-import type { Translate } from '../../i18n/i18n.ts';
 import type { PickedValue } from './legendState.ts';
 
 /** Enough stops for a smooth gradient. */
 const GRADIENT_STOPS = 33;
+
+const QUANTITY_TITLES: Readonly<Record<FalseColorQuantity, Message>> = {
+  doppler: msg`Doppler factor D`,
+  'emission-time': msg`Happened, from now`,
+  radiance: msg`Luminance before exposure`,
+  band: msg`Seen at 550 nm, emitted at [nm]`,
+};
+const BAND_TITLES: Readonly<Record<SpectralBandName, Message>> = {
+  'far-ultraviolet': msg`far UV`,
+  'near-ultraviolet': msg`near UV`,
+  visible: msg`visible`,
+  'near-infrared': msg`near IR`,
+  'thermal-infrared': msg`thermal IR`,
+};
 
 /**
  * Texts of a legend in the page's language, for page and saved pictures. Colours are CSS colours, positions 0 … 1 along
@@ -31,12 +45,14 @@ export function legendTexts({ kind, ...scale }: FalseColorScale, t: Translate): 
   const ticks = ticksOf(kind, scale);
   const digits = tickDigits(ticks);
   return {
-    title: t(`legend.${kind}`),
+    title: t(QUANTITY_TITLES[kind]),
     stops: colorRamp(kind, scale, GRADIENT_STOPS).map(css),
     ticks: ticks.map((value) => ({ part: positionOnScale(kind, value, scale), text: shortText(kind, value, digits) })),
-    range: t('legend.range', { from: valueText(kind, scale.from), to: valueText(kind, scale.to) }),
+    range: t(msg`Colours from ${valueText(kind, scale.from)} to ${valueText(kind, scale.to)}`),
     bands:
-      kind === 'band' ? SPECTRAL_BANDS.map(({ name, color }) => ({ name: t(`band.${name}`), color: css(color) })) : [],
+      kind === 'band'
+        ? SPECTRAL_BANDS.map(({ name, color }) => ({ name: t(BAND_TITLES[name]), color: css(color) }))
+        : [],
   };
 }
 
@@ -50,12 +66,12 @@ export function pickedPosition({ kind, ...scale }: FalseColorScale, { value }: P
 /** A picked value and its object as texts. */
 export const pickedTexts = (kind: FalseColorQuantity, reading: PickedValue, t: Translate) => ({
   value: pickedText(kind, reading, t),
-  of: reading.path ?? t('legend.sky'),
+  of: reading.path ?? t(msg`sky`),
 });
 
 function pickedText(kind: FalseColorQuantity, { value }: PickedValue, t: Translate): string {
-  if (Number.isNaN(value)) return t('legend.nothing');
-  return kind === 'band' ? `${valueText(kind, value)} · ${t(`band.${bandOf(value)}`)}` : valueText(kind, value);
+  if (Number.isNaN(value)) return t(msg`nothing there`);
+  return kind === 'band' ? `${valueText(kind, value)} · ${t(BAND_TITLES[bandOf(value)])}` : valueText(kind, value);
 }
 
 /** Value with unit. */

@@ -1,4 +1,6 @@
 import type { Attribute, Decoder, DracoModule, Mesh, NumberArray } from 'draco3dgltf/draco_decoder_gltf_nodejs.js';
+import { msg } from '../../../messages/message.ts';
+import { MessageError } from '../../../messages/messageError.ts';
 import { ByteReader } from './meshoptBytes.ts';
 
 /** A decoded Draco mesh. */
@@ -45,7 +47,7 @@ function guarded<T>(decode: () => T): T {
     return decode();
   } catch (thrown) {
     if (thrown instanceof Error) throw thrown;
-    throw new Error('wants more memory than its size accounts for', { cause: thrown });
+    throw new MessageError(msg`wants more memory than its size accounts for`, { cause: thrown });
   }
 }
 
@@ -56,7 +58,7 @@ function decode(draco: DracoModule, data: Uint8Array): DracoMesh {
   const mesh = new draco.Mesh();
   buffer.Init(data, data.length);
   const status = decoder.DecodeBufferToMesh(buffer, mesh);
-  if (!status.ok()) throw new Error(`cannot be decoded (${status.error_msg() || 'no reason is given'})`);
+  if (!status.ok()) throw new MessageError(msg`cannot be decoded (${status.error_msg() || msg`no reason is given`})`);
   draco.destroy(buffer);
   return {
     indices: readIndices(draco, decoder, mesh),
@@ -71,19 +73,19 @@ const EDGEBREAKER = 1;
 /** Throws for triangle counts that the data cannot hold, before allocation (Draco bitstream 2.2, §4 and §5). */
 function checkTriangleCount(data: Uint8Array): void {
   const reader = new ByteReader(data, 0, data.length);
-  if (String.fromCharCode(...reader.take(5)) !== 'DRACO') throw new Error('does not begin with DRACO');
+  if (String.fromCharCode(...reader.take(5)) !== 'DRACO') throw new MessageError(msg`does not begin with DRACO`);
   const [major, minor, kind, method] = reader.take(4);
-  if (major !== 2 || minor !== 2) throw new Error(`has bitstream version ${major}.${minor}; glTF takes 2.2`);
-  if (kind !== 1) throw new Error(`holds geometry of kind ${kind}, not a mesh (1)`);
+  if (major !== 2 || minor !== 2) throw new MessageError(msg`has bitstream version ${major}.${minor}; glTF takes 2.2`);
+  if (kind !== 1) throw new MessageError(msg`holds geometry of kind ${kind}, not a mesh (1)`);
   const [low, high] = reader.take(2);
-  if ((low | (high << 8)) & METADATA_FLAG) throw new Error('carries metadata of its own, which is not read');
+  if ((low | (high << 8)) & METADATA_FLAG) throw new MessageError(msg`carries metadata of its own, which is not read`);
   if (method === EDGEBREAKER) {
     reader.byte();
     reader.varint();
   }
   const triangles = reader.varint();
   if (triangles > data.length * MAX_TRIANGLES_PER_BYTE) {
-    throw new Error(`claims ${triangles} triangles in ${data.length} bytes`);
+    throw new MessageError(msg`claims ${triangles} triangles in ${data.length} bytes`);
   }
 }
 
@@ -117,12 +119,12 @@ function readAttribute(
 ): { components: number; values: DracoValues } {
   const kind = KINDS.get(componentType as 5126);
   const attribute: Attribute = decoder.GetAttributeByUniqueId(mesh, id);
-  if (!kind) throw new Error(`its accessor has component type ${componentType}`);
-  if (attribute.ptr === 0) throw new Error(`has no attribute ${id}`);
+  if (!kind) throw new MessageError(msg`its accessor has component type ${componentType}`);
+  if (attribute.ptr === 0) throw new MessageError(msg`has no attribute ${id}`);
   const [Values, holder, fill] = kind;
   const held: NumberArray = new draco[holder]();
   const components = attribute.num_components();
-  if (!decoder[fill](mesh, attribute, held)) throw new Error(`attribute ${id} cannot be read`);
+  if (!decoder[fill](mesh, attribute, held)) throw new MessageError(msg`attribute ${id} cannot be read`);
   const values: DracoValues = new Values(mesh.num_points() * components);
   for (let i = 0; i < values.length; i++) values[i] = held.GetValue(i);
   draco.destroy(held);

@@ -2,6 +2,7 @@ import fc from 'fast-check';
 import { MeshoptDecoder, MeshoptEncoder } from 'meshoptimizer';
 import { beforeAll, describe, expect, it } from 'vitest';
 import { random } from '../../../math/random.ts';
+import { MessageError } from '../../../messages/messageError.ts';
 import { checkMeshopt, decodeMeshopt } from './meshopt.ts';
 
 /** Compared with the authors' own encoder and decoder (WebAssembly). */
@@ -131,7 +132,7 @@ describe('the codecs of meshopt', () => {
         try {
           expect(decodeMeshopt(damaged, part).length).toBe(bytes.length);
         } catch (thrown) {
-          expect((thrown as Error).constructor).toBe(Error);
+          expect(thrown).toBeInstanceOf(MessageError);
         }
       }
     }

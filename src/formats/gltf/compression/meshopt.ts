@@ -1,3 +1,5 @@
+import { msg } from '../../../messages/message.ts';
+import { MessageError } from '../../../messages/messageError.ts';
 import { decodeAttributes } from './meshoptAttributes.ts';
 import { FILTERS } from './meshoptFilters.ts';
 import { decodeSequence, decodeTriangles } from './meshoptIndices.ts';
@@ -19,15 +21,15 @@ const MAX_INDICES_PER_BYTE = 3;
 /** Throws an Error for a view that the extension forbids, or whose count the data cannot hold. */
 export function checkMeshopt({ count, byteStride, mode, filter = 'NONE' }: MeshoptLayout, bytes: number): void {
   const isIndices = mode === 'TRIANGLES' || mode === 'INDICES';
-  if (!isIndices && mode !== 'ATTRIBUTES') throw new Error(`has the unknown mode ${mode}`);
-  if (!Number.isInteger(count) || count < 0) throw new Error(`has count ${count}`);
+  if (!isIndices && mode !== 'ATTRIBUTES') throw new MessageError(msg`has the unknown mode ${mode}`);
+  if (!Number.isInteger(count) || count < 0) throw new MessageError(msg`has count ${count}`);
   if (mode === 'TRIANGLES' && count % 3 !== 0)
-    throw new Error(`has ${count} corners of triangles, not a multiple of 3`);
+    throw new MessageError(msg`has ${count} corners of triangles, not a multiple of 3`);
   const fits = isIndices ? byteStride === 2 || byteStride === 4 : isAttributeStride(byteStride);
-  if (!fits) throw new Error(`has elements of ${byteStride} bytes in mode ${mode}`);
+  if (!fits) throw new MessageError(msg`has elements of ${byteStride} bytes in mode ${mode}`);
   if (filter !== 'NONE') checkFilter(filter, byteStride, isIndices);
   const most = bytes * (isIndices ? MAX_INDICES_PER_BYTE : MAX_PACKING / byteStride);
-  if (count > most) throw new Error(`claims ${count} elements in ${bytes} bytes`);
+  if (count > most) throw new MessageError(msg`claims ${count} elements in ${bytes} bytes`);
 }
 
 const isAttributeStride = (stride: number): boolean =>
@@ -35,8 +37,9 @@ const isAttributeStride = (stride: number): boolean =>
 
 function checkFilter(name: string, stride: number, isIndices: boolean): void {
   const filter = FILTERS.get(name);
-  if (!filter) throw new Error(`has the unknown filter ${name}`);
-  if (isIndices || !filter.strides(stride)) throw new Error(`has elements of ${stride} bytes with filter ${name}`);
+  if (!filter) throw new MessageError(msg`has the unknown filter ${name}`);
+  if (isIndices || !filter.strides(stride))
+    throw new MessageError(msg`has elements of ${stride} bytes with filter ${name}`);
 }
 
 /** Decodes a checked view to count × byteStride bytes. Throws an Error that names the byte where data are damaged. */

@@ -1,3 +1,5 @@
+import { msg } from '../../../messages/message.ts';
+import { MessageError } from '../../../messages/messageError.ts';
 import { ByteReader, unzigzag } from './meshoptBytes.ts';
 
 /**
@@ -50,20 +52,21 @@ export function decodeAttributes(data: Uint8Array, count: number, stride: number
       out.set(before, (first + i) * stride);
     }
   }
-  if (reader.at !== layout.dataEnd) throw new Error(`holds ${layout.dataEnd - reader.at} bytes more than it needs`);
+  if (reader.at !== layout.dataEnd)
+    throw new MessageError(msg`holds ${layout.dataEnd - reader.at} bytes more than it needs`);
   return out;
 }
 
 function readLayout(data: Uint8Array, stride: number): Layout {
   const version = data[0] - 0xa0;
-  if (version !== 0 && version !== 1) throw new Error(`begins with byte ${data[0]}, not with 160 or 161`);
+  if (version !== 0 && version !== 1) throw new MessageError(msg`begins with byte ${data[0]}, not with 160 or 161`);
   const used = version === 0 ? stride : stride + stride / 4;
   const dataEnd = data.length - Math.max(used, TAIL_BYTES[version]);
-  if (dataEnd < 1) throw new Error(`of ${data.length} bytes is shorter than its own end`);
+  if (dataEnd < 1) throw new MessageError(msg`of ${data.length} bytes is shorter than its own end`);
   const tail = data.subarray(data.length - used);
   const channels = version === 0 ? undefined : tail.subarray(stride);
   const odd = channels?.findIndex((channel) => (channel & 3) === 3) ?? -1;
-  if (odd >= 0) throw new Error(`differences channel ${odd} in an unknown way`);
+  if (odd >= 0) throw new MessageError(msg`differences channel ${odd} in an unknown way`);
   return { version, stride, baseline: tail.subarray(0, stride), channels, dataEnd };
 }
 

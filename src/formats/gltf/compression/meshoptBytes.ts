@@ -1,3 +1,6 @@
+import { msg } from '../../../messages/message.ts';
+import { MessageError } from '../../../messages/messageError.ts';
+
 /** A sequential byte reader; throws an Error that names the byte where it would pass `end`. */
 export class ByteReader {
   at: number;
@@ -29,11 +32,11 @@ export class ByteReader {
       value |= (byte & 0x7f) << shift;
       if (byte < 0x80) return value >>> 0;
     }
-    throw new Error(`a number of more than 5 bytes ends at byte ${this.at}`);
+    throw new MessageError(msg`a number of more than 5 bytes ends at byte ${this.at}`);
   }
 
   private short(wanted: number): Error {
-    return new Error(`wants ${wanted} more bytes at byte ${this.at}, but the data ends at ${this.end}`);
+    return new MessageError(msg`wants ${wanted} more bytes at byte ${this.at}, but the data ends at ${this.end}`);
   }
 }
 

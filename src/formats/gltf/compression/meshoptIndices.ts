@@ -1,3 +1,5 @@
+import { msg } from '../../../messages/message.ts';
+import { MessageError } from '../../../messages/messageError.ts';
 import { ByteReader, unzigzag } from './meshoptBytes.ts';
 
 /** The index codecs of EXT_meshopt_compression (appendix A, modes 1 and 2). Both throw an Error that names the byte where the data is damaged. */
@@ -31,9 +33,9 @@ const EXPLICIT = 15;
 /** Mode 1: corners of triangles, three by three; `count` of them. */
 export function decodeTriangles(data: Uint8Array, count: number): Uint32Array {
   const triangles = count / 3;
-  if (data[0] !== TRIANGLES) throw new Error(`begins with byte ${data[0]}, not with ${TRIANGLES}`);
+  if (data[0] !== TRIANGLES) throw new MessageError(msg`begins with byte ${data[0]}, not with ${TRIANGLES}`);
   if (data.length < 1 + triangles + PAIR_TABLE) {
-    throw new Error(`has ${data.length} bytes, too few for ${triangles} triangles`);
+    throw new MessageError(msg`has ${data.length} bytes, too few for ${triangles} triangles`);
   }
   const decoder = new TriangleDecoder(data, triangles);
   const out = new Uint32Array(count);
@@ -107,9 +109,9 @@ class TriangleDecoder {
 
 /** Mode 2: `count` arbitrary indices, delta encoded against one of two baselines. */
 export function decodeSequence(data: Uint8Array, count: number): Uint32Array {
-  if (data[0] !== SEQUENCE) throw new Error(`begins with byte ${data[0]}, not with ${SEQUENCE}`);
+  if (data[0] !== SEQUENCE) throw new MessageError(msg`begins with byte ${data[0]}, not with ${SEQUENCE}`);
   if (data.length < 1 + count + SEQUENCE_TAIL)
-    throw new Error(`has ${data.length} bytes, too few for ${count} indices`);
+    throw new MessageError(msg`has ${data.length} bytes, too few for ${count} indices`);
   const reader = new ByteReader(data, 1, data.length - SEQUENCE_TAIL);
   const last = [0, 0];
   const out = new Uint32Array(count);

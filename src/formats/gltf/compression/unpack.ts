@@ -1,6 +1,8 @@
 import type { GLTF } from '@gltf-transform/core';
+import { type LocalizedText, type Message, msg } from '../../../messages/message.ts';
+import { MessageError, messageOf } from '../../../messages/messageError.ts';
 import type { DiagnosticCode } from '../../diagnostics/diagnosticCodes.ts';
-import { formatBytes, messageOf } from '../../diagnostics/inputError.ts';
+import { formatBytes } from '../../diagnostics/inputError.ts';
 import { gltfError, type Resources } from '../context.ts';
 import { checkRange, MAX_UNPACKED } from '../load/checkReferences.ts';
 import type { DracoMesh } from './draco.ts';
@@ -64,7 +66,7 @@ class GeometryUnpacker {
     for (const [i, view] of (this.json.bufferViews ?? []).entries()) {
       const packed = meshoptOf(view);
       if (!packed) continue;
-      const what = `bufferView ${i}`;
+      const what = msg`bufferView ${i}`;
       const data = this.bytes(what, packed);
       const bytes = this.attempt('gltf.meshopt', what, () => {
         checkMeshopt(packed, data.length);
@@ -72,7 +74,7 @@ class GeometryUnpacker {
         return decodeMeshopt(data, packed);
       });
       if (bytes.length < view.byteLength) {
-        throw this.refusal('gltf.meshopt', what, `unpacks to ${bytes.length} bytes, not to ${view.byteLength}`);
+        throw this.refusal('gltf.meshopt', what, msg`unpacks to ${bytes.length} bytes, not to ${view.byteLength}`);
       }
       const { extensions: _, ...plain } = view;
       this.json.bufferViews![i] = { ...plain, buffer: this.addBuffer(bytes), byteOffset: 0 };
@@ -89,7 +91,7 @@ class GeometryUnpacker {
       for (const p of mesh.primitives) {
         const packed = dracoOf(p);
         if (!packed) continue;
-        const what = `mesh ${mesh.name ?? i}`;
+        const what = msg`mesh ${mesh.name ?? i}`;
         this.attempt('gltf.draco', what, () => {
           const known = meshes.get(packed.bufferView);
           const unpacked = known ?? decode(this.viewBytes(what, packed.bufferView));
@@ -103,17 +105,17 @@ class GeometryUnpacker {
   /** Points a primitive's accessors to the decoded values. */
   private fillPrimitive(p: Primitive, packed: DracoPrimitive, mesh: DracoMesh, filled: Map<number, string>): void {
     if (p.mode !== undefined && p.mode !== 4)
-      throw new Error(`is compressed as triangles, but drawn in mode ${p.mode}`);
+      throw new MessageError(msg`is compressed as triangles, but drawn in mode ${p.mode}`);
     p.indices ??= this.json.accessors!.push({ type: 'SCALAR', componentType: 5125, count: mesh.indices.length }) - 1;
     const fill = (place: number, key: string, count: number, values: () => ArrayBufferView<ArrayBuffer>): void => {
       const own = `${packed.bufferView} ${key}`;
       const known = filled.get(place);
       if (known === own) return;
       const accessor = this.json.accessors?.[place];
-      if (!accessor) throw new Error(`refers to accessor ${place}`);
-      if (known !== undefined) throw new Error(`fills accessor ${place} a second time`);
+      if (!accessor) throw new MessageError(msg`refers to accessor ${place}`);
+      if (known !== undefined) throw new MessageError(msg`fills accessor ${place} a second time`);
       if (accessor.count !== count)
-        throw new Error(`holds ${count} values for accessor ${place}, which has ${accessor.count}`);
+        throw new MessageError(msg`holds ${count} values for accessor ${place}, which has ${accessor.count}`);
       filled.set(place, own);
       this.replaceValues(place, values());
     };
@@ -124,7 +126,7 @@ class GeometryUnpacker {
         const { type, componentType } = this.json.accessors![place];
         const { components, values } = mesh.attribute(id, componentType);
         if (COMPONENTS.get(type) !== components)
-          throw new Error(`has ${components} numbers in each ${name}, not ${type}`);
+          throw new MessageError(msg`has ${components} numbers in each ${name}, not ${type}`);
         return values;
       });
     }
@@ -139,22 +141,22 @@ class GeometryUnpacker {
 
   private replaceValues(place: number, values: ArrayBufferView<ArrayBuffer>): void {
     const bytes = new Uint8Array(values.buffer, values.byteOffset, values.byteLength);
-    this.spend(`accessor ${place}`, bytes.length);
+    this.spend(msg`accessor ${place}`, bytes.length);
     const buffer = this.addBuffer(bytes);
     const view = this.json.bufferViews!.push({ buffer, byteLength: bytes.length }) - 1;
     const { byteOffset: _, sparse: __, ...accessor } = this.json.accessors![place];
     this.json.accessors![place] = { ...accessor, bufferView: view };
   }
 
-  private viewBytes(what: string, place: number): Uint8Array {
+  private viewBytes(what: LocalizedText, place: number): Uint8Array {
     const view = this.json.bufferViews?.[place];
-    if (!view) throw new Error(`refers to bufferView ${place}`);
+    if (!view) throw new MessageError(msg`refers to bufferView ${place}`);
     return this.bytes(what, view);
   }
 
-  private bytes(what: string, part: { buffer: number; byteOffset?: number; byteLength: number }): Uint8Array {
+  private bytes(what: LocalizedText, part: { buffer: number; byteOffset?: number; byteLength: number }): Uint8Array {
     const buffer = this.json.buffers?.[part.buffer];
-    if (!buffer) throw this.refusal('gltf.bad-reference', what, `refers to buffer ${part.buffer}`);
+    if (!buffer) throw this.refusal('gltf.bad-reference', what, msg`refers to buffer ${part.buffer}`);
     const held = this.resources[buffer.uri ?? '@glb.bin'] ?? new Uint8Array(0);
     const from = part.byteOffset ?? 0;
     checkRange(this.entry, what, from, part.byteLength, held.length);
@@ -178,15 +180,15 @@ class GeometryUnpacker {
     });
   }
 
-  private spend(what: string, bytes: number): void {
+  private spend(what: LocalizedText, bytes: number): void {
     this.left -= bytes;
     if (this.left >= 0) return;
-    const message = `with it the file unpacks to more than ${formatBytes(MAX_UNPACKED)}; export it in parts`;
+    const message = msg`with it the file unpacks to more than ${formatBytes(MAX_UNPACKED)}; export it in parts`;
     throw gltfError(this.entry, 'gltf.too-large', what, message);
   }
 
   /** Runs a decoder; its exceptions become InputErrors. */
-  private attempt<T>(code: DiagnosticCode, what: string, decode: () => T): T {
+  private attempt<T>(code: DiagnosticCode, what: LocalizedText, decode: () => T): T {
     try {
       return decode();
     } catch (thrown) {
@@ -195,8 +197,8 @@ class GeometryUnpacker {
     }
   }
 
-  private refusal(code: DiagnosticCode, what: string, reason: string, cause?: unknown): Error {
-    const message = `its compressed data ${reason}; export it again, or without compression`;
+  private refusal(code: DiagnosticCode, what: LocalizedText, reason: Message, cause?: unknown): Error {
+    const message = msg`its compressed data ${reason}; export it again, or without compression`;
     return gltfError(this.entry, code, what, message, cause);
   }
 }

@@ -1,4 +1,5 @@
 import type { GLTF } from '@gltf-transform/core';
+import { type LocalizedText, msg } from '../../../messages/message.ts';
 import { formatBytes } from '../../diagnostics/inputError.ts';
 import { gltfError } from '../context.ts';
 
@@ -21,7 +22,12 @@ export const MAX_DEPTH = 1000;
 export function checkGltf(entry: string, json: GLTF.IGLTF, resources: Readonly<Record<string, Uint8Array>>): void {
   const version = json.asset?.version;
   if (version !== '2.0')
-    throw gltfError(entry, 'gltf.version', 'asset', `glTF ${version}; only 2.0 is read, export it as 2.0`);
+    throw gltfError(
+      entry,
+      'gltf.version',
+      'asset',
+      msg`glTF ${version ?? msg`(none)`}; only 2.0 is read, export it as 2.0`,
+    );
   checkReferences(entry, json);
   checkExtensionIndices(entry, json);
   checkBuffers(entry, json, resources);
@@ -30,7 +36,7 @@ export function checkGltf(entry: string, json: GLTF.IGLTF, resources: Readonly<R
 }
 
 function checkReferences(entry: string, json: GLTF.IGLTF): void {
-  const check = (target: keyof GLTF.IGLTF, what: string, ...indices: readonly (number | undefined)[]): void => {
+  const check = (target: keyof GLTF.IGLTF, what: LocalizedText, ...indices: readonly (number | undefined)[]): void => {
     const list = json[target];
     const count = Array.isArray(list) ? list.length : 0;
     for (const i of indices) {
@@ -39,58 +45,58 @@ function checkReferences(entry: string, json: GLTF.IGLTF): void {
         entry,
         'gltf.bad-reference',
         what,
-        `refers to ${target} ${i}, of which there are ${count}; export it again`,
+        msg`refers to ${target} ${i}, of which there are ${count}; export it again`,
       );
     }
   };
   json.bufferViews?.forEach((v, i) => {
-    check('buffers', `bufferView ${i}`, v.buffer);
+    check('buffers', msg`bufferView ${i}`, v.buffer);
   });
   json.images?.forEach((v, i) => {
-    check('bufferViews', `image ${i}`, v.bufferView);
+    check('bufferViews', msg`image ${i}`, v.bufferView);
   });
   json.textures?.forEach((t, i) => {
-    check('images', `texture ${i}`, t.source);
-    check('samplers', `texture ${i}`, t.sampler);
+    check('images', msg`texture ${i}`, t.source);
+    check('samplers', msg`texture ${i}`, t.sampler);
   });
   json.materials?.forEach((m, i) => {
-    check('textures', `material ${i}`, ...textureIndices(m));
+    check('textures', msg`material ${i}`, ...textureIndices(m));
   });
   json.meshes?.forEach((mesh, i) => {
     for (const p of mesh.primitives) {
-      check('materials', `mesh ${i}`, p.material);
+      check('materials', msg`mesh ${i}`, p.material);
       check(
         'accessors',
-        `mesh ${i}`,
+        msg`mesh ${i}`,
         p.indices,
         ...[p.attributes, ...(p.targets ?? [])].flatMap((a) => Object.values(a)),
       );
-      check('materials', `mesh ${i}, a variant`, ...variantMappings(p).map((mapping) => mapping.material));
+      check('materials', msg`mesh ${i}, a variant`, ...variantMappings(p).map((mapping) => mapping.material));
     }
   });
   json.nodes?.forEach((n, i) => {
-    check('nodes', `node ${i}`, ...(n.children ?? []));
-    check('meshes', `node ${i}`, n.mesh);
-    check('skins', `node ${i}`, n.skin);
-    check('cameras', `node ${i}`, n.camera);
+    check('nodes', msg`node ${i}`, ...(n.children ?? []));
+    check('meshes', msg`node ${i}`, n.mesh);
+    check('skins', msg`node ${i}`, n.skin);
+    check('cameras', msg`node ${i}`, n.camera);
     check(
       'accessors',
-      `node ${i}, its instances`,
+      msg`node ${i}, its instances`,
       ...Object.values(extensionOf<Instances>(n, 'EXT_mesh_gpu_instancing')?.attributes ?? {}),
     );
   });
   json.skins?.forEach((s, i) => {
-    check('nodes', `skin ${i}`, s.skeleton, ...s.joints);
-    check('accessors', `skin ${i}`, s.inverseBindMatrices);
+    check('nodes', msg`skin ${i}`, s.skeleton, ...s.joints);
+    check('accessors', msg`skin ${i}`, s.inverseBindMatrices);
   });
   json.animations?.forEach((a, i) => {
-    for (const s of a.samplers) check('accessors', `animation ${i}`, s.input, s.output);
-    for (const c of a.channels) check('nodes', `animation ${i}`, c.target.node);
+    for (const s of a.samplers) check('accessors', msg`animation ${i}`, s.input, s.output);
+    for (const c of a.channels) check('nodes', msg`animation ${i}`, c.target.node);
   });
   json.scenes?.forEach((s, i) => {
-    check('nodes', `scene ${i}`, ...(s.nodes ?? []));
+    check('nodes', msg`scene ${i}`, ...(s.nodes ?? []));
   });
-  check('scenes', 'the default scene', json.scene);
+  check('scenes', msg`the default scene`, json.scene);
 }
 
 type Extended = { readonly extensions?: Record<string, unknown> };
@@ -109,24 +115,24 @@ const variantMappings = (p: Extended): readonly Mapping[] =>
   extensionOf<{ mappings: readonly Mapping[] }>(p, VARIANTS)?.mappings ?? [];
 
 function checkExtensionIndices(entry: string, json: GLTF.IGLTF): void {
-  const check = (what: string, kind: string, count: number, indices: readonly (number | undefined)[]): void => {
+  const check = (what: LocalizedText, kind: string, count: number, indices: readonly (number | undefined)[]): void => {
     const bad = indices.find((i) => i !== undefined && i >= count);
     if (bad === undefined) return;
     throw gltfError(
       entry,
       'gltf.bad-reference',
       what,
-      `refers to ${kind} ${bad}, of which there are ${count}; export it again`,
+      msg`refers to ${kind} ${bad}, of which there are ${count}; export it again`,
     );
   };
   const variants = extensionOf<{ variants: readonly unknown[] }>(json, VARIANTS)?.variants.length ?? 0;
   const lights = extensionOf<{ lights: readonly unknown[] }>(json, LIGHTS)?.lights.length ?? 0;
   json.meshes?.forEach((mesh, i) => {
     const named = mesh.primitives.flatMap((p) => variantMappings(p)).flatMap((mapping) => mapping.variants);
-    check(`mesh ${i}`, 'variants', variants, named);
+    check(msg`mesh ${i}`, 'variants', variants, named);
   });
   json.nodes?.forEach((node, i) => {
-    check(`node ${i}`, 'lights', lights, [extensionOf<{ light: number }>(node, LIGHTS)?.light]);
+    check(msg`node ${i}`, 'lights', lights, [extensionOf<{ light: number }>(node, LIGHTS)?.light]);
   });
 }
 
@@ -142,20 +148,26 @@ function checkBuffers(entry: string, json: GLTF.IGLTF, resources: Readonly<Recor
   json.buffers?.forEach((buffer, i) => {
     const held = resources[buffer.uri ?? '@glb.bin']?.length ?? 0;
     if (held >= buffer.byteLength) return;
-    const message = `holds ${formatBytes(held)} of ${formatBytes(buffer.byteLength)}: the file is cut off; copy or export it again`;
-    throw gltfError(entry, 'gltf.truncated', `buffer ${i}`, message);
+    const message = msg`holds ${formatBytes(held)} of ${formatBytes(buffer.byteLength)}: the file is cut off; copy or export it again`;
+    throw gltfError(entry, 'gltf.truncated', msg`buffer ${i}`, message);
   });
   json.bufferViews?.forEach((view, i) => {
     const size = json.buffers![view.buffer].byteLength;
-    checkRange(entry, `bufferView ${i}`, view.byteOffset ?? 0, view.byteLength, size);
+    checkRange(entry, msg`bufferView ${i}`, view.byteOffset ?? 0, view.byteLength, size);
   });
 }
 
 /** Throws where a byte range is outside the data. */
-export function checkRange(entry: string, what: string, offset: number, length: number, available: number): void {
+export function checkRange(
+  entry: string,
+  what: LocalizedText,
+  offset: number,
+  length: number,
+  available: number,
+): void {
   const whole = Number.isInteger(offset) && Number.isInteger(length) && offset >= 0 && length >= 0;
   if (whole && offset + length <= available) return;
-  const message = `wants bytes ${offset} to ${offset + length} of ${available}; the file is damaged, export it again`;
+  const message = msg`wants bytes ${offset} to ${offset + length} of ${available}; the file is damaged, export it again`;
   throw gltfError(entry, 'gltf.out-of-range', what, message);
 }
 
@@ -163,15 +175,20 @@ function checkAccessors(entry: string, json: GLTF.IGLTF): void {
   let total = 0;
   const views = json.bufferViews ?? [];
   json.accessors?.forEach((a, i) => {
-    const what = `accessor ${i}`;
+    const what = msg`accessor ${i}`;
     const bytes = (COMPONENT_BYTES[a.componentType] ?? Number.NaN) * (ELEMENT_SIZE[a.type] ?? Number.NaN);
     const valid = Number.isInteger(a.count) && a.count >= 0 && bytes > 0;
     if (!valid)
-      throw gltfError(entry, 'gltf.bad-accessor', what, `${a.count} of ${a.type}, component type ${a.componentType}`);
+      throw gltfError(
+        entry,
+        'gltf.bad-accessor',
+        what,
+        msg`${a.count} of ${a.type}, component type ${a.componentType}`,
+      );
     total += bytes * a.count;
     if (a.bufferView !== undefined) {
       const view = views[a.bufferView];
-      if (!view) throw gltfError(entry, 'gltf.bad-reference', what, `refers to bufferView ${a.bufferView}`);
+      if (!view) throw gltfError(entry, 'gltf.bad-reference', what, msg`refers to bufferView ${a.bufferView}`);
       const length = a.count === 0 ? 0 : (view.byteStride ?? bytes) * (a.count - 1) + bytes;
       checkRange(entry, what, a.byteOffset ?? 0, length, view.byteLength);
     }
@@ -182,22 +199,22 @@ function checkAccessors(entry: string, json: GLTF.IGLTF): void {
       entry,
       'gltf.too-large',
       'accessors',
-      `unpack to ${formatBytes(total)}, more than ${formatBytes(MAX_UNPACKED)}`,
+      msg`unpack to ${formatBytes(total)}, more than ${formatBytes(MAX_UNPACKED)}`,
     );
   }
 }
 
 function checkSparse(
   entry: string,
-  what: string,
+  what: LocalizedText,
   accessor: GLTF.IAccessor,
   bytes: number,
   views: readonly GLTF.IBufferView[],
 ): void {
   const { count, indices, values } = accessor.sparse!;
-  const place = `${what}, sparse`;
+  const place = msg`${what}, sparse`;
   if (!(Number.isInteger(count) && count >= 0 && count <= accessor.count)) {
-    throw gltfError(entry, 'gltf.bad-accessor', place, `${count} changed values of ${accessor.count}`);
+    throw gltfError(entry, 'gltf.bad-accessor', place, msg`${count} changed values of ${accessor.count}`);
   }
   const parts = [
     [indices, COMPONENT_BYTES[indices.componentType] ?? Number.NaN],
@@ -205,7 +222,7 @@ function checkSparse(
   ] as const;
   for (const [part, size] of parts) {
     const view = views[part.bufferView];
-    if (!view) throw gltfError(entry, 'gltf.bad-reference', place, `refers to bufferView ${part.bufferView}`);
+    if (!view) throw gltfError(entry, 'gltf.bad-reference', place, msg`refers to bufferView ${part.bufferView}`);
     checkRange(entry, place, part.byteOffset ?? 0, count * size, view.byteLength);
   }
 }
@@ -220,8 +237,8 @@ function checkNodeTree(entry: string, json: GLTF.IGLTF): void {
         throw gltfError(
           entry,
           'gltf.bad-tree',
-          `node ${child}`,
-          `has two parents, nodes ${parent[child]} and ${i}; export it again`,
+          msg`node ${child}`,
+          msg`has two parents, nodes ${parent[child]} and ${i}; export it again`,
         );
       }
       parent[child] = i;
@@ -231,8 +248,8 @@ function checkNodeTree(entry: string, json: GLTF.IGLTF): void {
     let depth = 0;
     for (let up = parent[i]; up >= 0; up = parent[up]) {
       if (++depth <= MAX_DEPTH) continue;
-      const message = `is nested more than ${MAX_DEPTH} deep, or in itself; flatten the hierarchy`;
-      throw gltfError(entry, 'gltf.bad-tree', `node ${i}`, message);
+      const message = msg`is nested more than ${MAX_DEPTH} deep, or in itself; flatten the hierarchy`;
+      throw gltfError(entry, 'gltf.bad-tree', msg`node ${i}`, message);
     }
   }
 }

@@ -1,4 +1,6 @@
 import type { GLTF } from '@gltf-transform/core';
+import { type Message, msg } from '../../../messages/message.ts';
+import { MessageError } from '../../../messages/messageError.ts';
 import { gltfError } from '../context.ts';
 
 /** Schema of the parts of glTF in use: types of values. References are checked in checkReferences.ts. */
@@ -6,11 +8,11 @@ import { gltfError } from '../context.ts';
 /** Throws for a value of the wrong type; `place`: as in `nodes[3].mesh`. */
 type SchemaCheck = (value: unknown, place: string) => void;
 
-class SchemaError extends Error {
+class SchemaError extends MessageError {
   readonly place: string;
-  constructor(place: string, value: unknown, wanted: string) {
+  constructor(place: string, value: unknown, wanted: Message) {
     const shown = JSON.stringify(value);
-    super(shown === undefined ? `is missing, not ${wanted}` : `is ${shortened(shown)}, not ${wanted}`);
+    super(shown === undefined ? msg`is missing, not ${wanted}` : msg`is ${shortened(shown)}, not ${wanted}`);
     this.place = place;
   }
 }
@@ -18,18 +20,18 @@ class SchemaError extends Error {
 const shortened = (text: string): string => (text.length > 40 ? `${text.slice(0, 40)}…` : text);
 
 const kind =
-  (isOne: (value: unknown) => boolean, wanted: string): SchemaCheck =>
+  (isOne: (value: unknown) => boolean, wanted: Message): SchemaCheck =>
   (value, place) => {
     if (!isOne(value)) throw new SchemaError(place, value, wanted);
   };
 const isObject = (value: unknown): value is Record<string, unknown> =>
   typeof value === 'object' && value !== null && !Array.isArray(value);
 
-const number = kind(Number.isFinite, 'a finite number');
-const index = kind((value) => Number.isSafeInteger(value) && (value as number) >= 0, 'a whole number from 0');
-const text = kind((value) => typeof value === 'string', 'a text');
-const object = kind(isObject, 'an object');
-const array = kind(Array.isArray, 'an array');
+const number = kind(Number.isFinite, msg`a finite number`);
+const index = kind((value) => Number.isSafeInteger(value) && (value as number) >= 0, msg`a whole number from 0`);
+const text = kind((value) => typeof value === 'string', msg`a text`);
+const object = kind(isObject, msg`an object`);
+const array = kind(Array.isArray, msg`an array`);
 
 const optional =
   (of: SchemaCheck): SchemaCheck =>
@@ -41,7 +43,7 @@ const list =
   (value, place) => {
     array(value, place);
     const items = value as readonly unknown[];
-    if (length !== undefined && items.length !== length) throw new SchemaError(place, value, `${length} numbers`);
+    if (length !== undefined && items.length !== length) throw new SchemaError(place, value, msg`${length} numbers`);
     for (const [i, item] of items.entries()) of(item, `${place}[${i}]`);
   };
 const fields =
@@ -74,7 +76,14 @@ const primitive = fields({
     KHR_materials_variants: fields({ mappings: list(fields({ material: index, variants: list(index) })) }),
   }),
 });
-const meshopt = fields({ count: index, byteStride: index, byteLength: index, buffer: index, mode: text });
+const meshopt = fields({
+  count: index,
+  byteStride: index,
+  byteLength: index,
+  buffer: index,
+  mode: text,
+  filter: optional(text),
+});
 
 const perspective = fields({ type: text, perspective: fields({ yfov: number }) });
 const orthographic = fields({ type: text, orthographic: object });
@@ -85,19 +94,22 @@ const camera: SchemaCheck = (value, place) => {
 };
 /** Embedded or external. */
 const image: SchemaCheck = (value, place) => {
-  fields({ uri: optional(text), bufferView: optional(index), mimeType: optional(text) })(value, place);
+  fields({ name: optional(text), uri: optional(text), bufferView: optional(index), mimeType: optional(text) })(
+    value,
+    place,
+  );
   const { uri, bufferView } = value as GLTF.IImage;
   if (uri === undefined && bufferView === undefined)
-    throw new SchemaError(place, value, 'a picture: it needs uri or bufferView');
+    throw new SchemaError(place, value, msg`a picture: it needs uri or bufferView`);
 };
 
 const FILE = fields({
-  asset: object,
+  asset: fields({ version: optional(text) }),
   scene: optional(index),
   extensionsUsed: optional(list(text)),
   extensionsRequired: optional(list(text)),
   extensions: extensions({
-    KHR_lights_punctual: fields({ lights: list(fields({ type: text })) }),
+    KHR_lights_punctual: fields({ lights: list(fields({ type: text, range: optional(number) })) }),
     KHR_materials_variants: fields({ variants: list(fields({ name: optional(text) })) }),
   }),
   buffers: optional(list(fields({ byteLength: index, uri: optional(text) }))),
@@ -136,6 +148,7 @@ const FILE = fields({
   materials: optional(
     list(
       fields({
+        name: optional(text),
         pbrMetallicRoughness: optional(
           fields({
             baseColorFactor: optional(list(number, 4)),
@@ -153,7 +166,9 @@ const FILE = fields({
       }),
     ),
   ),
-  meshes: optional(list(fields({ primitives: list(primitive), weights: optional(list(number)) }))),
+  meshes: optional(
+    list(fields({ name: optional(text), primitives: list(primitive), weights: optional(list(number)) })),
+  ),
   nodes: optional(
     list(
       fields({
@@ -181,12 +196,13 @@ const FILE = fields({
   animations: optional(
     list(
       fields({
+        name: optional(text),
         samplers: list(fields({ input: index, output: index, interpolation: optional(text) })),
         channels: list(fields({ sampler: index, target: fields({ node: optional(index), path: text }) })),
       }),
     ),
   ),
-  scenes: optional(list(fields({ nodes: optional(list(index)) }))),
+  scenes: optional(list(fields({ name: optional(text), nodes: optional(list(index)) }))),
 });
 
 /** Validates the JSON; throws with the place and value of an error. */
@@ -196,6 +212,6 @@ export function checkSchema(entry: string, json: unknown): GLTF.IGLTF {
     return json as GLTF.IGLTF;
   } catch (thrown) {
     if (!(thrown instanceof SchemaError)) throw thrown;
-    throw gltfError(entry, 'gltf.invalid', thrown.place, `${thrown.message}; the file is damaged, export it again`);
+    throw gltfError(entry, 'gltf.invalid', thrown.place, msg`${thrown.text}; the file is damaged, export it again`);
   }
 }

@@ -9,8 +9,10 @@ import {
   KHRMeshQuantization,
   KHRTextureTransform,
 } from '@gltf-transform/extensions';
+import { inEnglish, type LocalizedText, listed, msg } from '../../../messages/message.ts';
+import { messageOf } from '../../../messages/messageError.ts';
 import type { DiagnosticLog } from '../../diagnostics/diagnosticLog.ts';
-import { formatBytes, messageOf } from '../../diagnostics/inputError.ts';
+import { formatBytes } from '../../diagnostics/inputError.ts';
 import { missingTexture } from '../../diagnostics/missingFiles.ts';
 import { type FileSource, resolvePath } from '../../files/fileSource.ts';
 import { COMPRESSIONS, isFallback, unpackGeometry } from '../compression/unpack.ts';
@@ -47,7 +49,7 @@ export async function loadGltf(
   notes: DiagnosticLog,
 ): Promise<{ json: GLTF.IGLTF; document: Document }> {
   const bytes = await source.read(entry);
-  if (!bytes) throw gltfError(entry, 'file.missing', '', 'no such file');
+  if (!bytes) throw gltfError(entry, 'file.missing', '', msg`no such file`);
   const { json, binary } = unpackContainer(entry, bytes);
   const resources = await loadResources(source, entry, json, notes);
   if (binary) resources[GLB_BUFFER] = binary;
@@ -67,15 +69,15 @@ function unpackContainer(entry: string, bytes: Uint8Array): { json: GLTF.IGLTF; 
   if (!isBinary) return { json: parseJson(entry, bytes) };
   const size = bytes.length >= 12 ? view.getUint32(8, true) : 12;
   if (size > bytes.length) {
-    const message = `${formatBytes(bytes.length)} of ${formatBytes(size)}: the file is cut off; copy or export it again`;
+    const message = msg`${formatBytes(bytes.length)} of ${formatBytes(size)}: the file is cut off; copy or export it again`;
     throw gltfError(entry, 'gltf.truncated', '', message);
   }
   const version = view.getUint32(4, true);
   if (version !== 2)
-    throw gltfError(entry, 'gltf.version', '', `GLB version ${version}; only 2 is read, export it as glTF 2.0`);
+    throw gltfError(entry, 'gltf.version', '', msg`GLB version ${version}; only 2 is read, export it as glTF 2.0`);
   const chunks = readChunks(entry, view, bytes, size);
   const json = chunks.get(JSON_CHUNK);
-  if (!json) throw gltfError(entry, 'gltf.damaged', '', 'the GLB has no JSON chunk; export it again');
+  if (!json) throw gltfError(entry, 'gltf.damaged', '', msg`the GLB has no JSON chunk; export it again`);
   const binary = chunks.get(BIN_CHUNK);
   return { json: parseJson(entry, json), ...(binary ? { binary: unshared(binary) } : {}) };
 }
@@ -86,7 +88,7 @@ function readChunks(entry: string, view: DataView, bytes: Uint8Array, size: numb
     const length = view.getUint32(at, true);
     const type = view.getUint32(at + 4, true);
     if (at + 8 + length > size) {
-      const message = `a chunk of ${formatBytes(length)} at byte ${at} runs past the end; export it again`;
+      const message = msg`a chunk of ${formatBytes(length)} at byte ${at} runs past the end; export it again`;
       throw gltfError(entry, 'gltf.truncated', '', message);
     }
     if (!chunks.has(type)) chunks.set(type, bytes.subarray(at + 8, at + 8 + length));
@@ -100,11 +102,11 @@ function parseJson(entry: string, bytes: Uint8Array): GLTF.IGLTF {
   try {
     json = JSON.parse(new TextDecoder('utf-8', { fatal: true }).decode(bytes));
   } catch (thrown) {
-    const message = `the JSON is damaged or cut off (${messageOf(thrown)}); copy or export it again`;
+    const message = msg`the JSON is damaged or cut off (${messageOf(thrown)}); copy or export it again`;
     throw gltfError(entry, 'gltf.damaged', '', message, thrown);
   }
   const isGltf = typeof json === 'object' && json !== null && Object.hasOwn(json, 'asset');
-  if (!isGltf) throw gltfError(entry, 'gltf.damaged', '', 'not a glTF: the JSON has no "asset"');
+  if (!isGltf) throw gltfError(entry, 'gltf.damaged', '', msg`not a glTF: the JSON has no "asset"`);
   return checkSchema(entry, json);
 }
 
@@ -116,50 +118,55 @@ async function loadResources(
   notes: DiagnosticLog,
 ): Promise<Resources> {
   const resources: Resources = Object.create(null);
-  const load = async (item: { uri?: string }, what: string): Promise<boolean> => {
+  const load = async (item: { uri?: string }, what: LocalizedText): Promise<boolean> => {
     if (item.uri === undefined) return true;
     const bytes = await loadUri(source, entry, what, item.uri);
-    if (item.uri.startsWith('data:')) item.uri = what;
+    if (item.uri.startsWith('data:')) item.uri = inEnglish(what);
     resources[item.uri] = bytes ?? new Uint8Array(0);
     return bytes !== undefined;
   };
   for (const [i, buffer] of (json.buffers ?? []).entries()) {
-    const { uri } = buffer;
-    if (isFallback(buffer) || (await load(buffer, `buffer ${i}`))) continue;
-    throw gltfError(entry, 'gltf.missing-file', `buffer ${i}`, `there is no file ${uri}; put it beside the scene`);
+    const { uri = '' } = buffer;
+    if (isFallback(buffer) || (await load(buffer, msg`buffer ${i}`))) continue;
+    throw gltfError(
+      entry,
+      'gltf.missing-file',
+      msg`buffer ${i}`,
+      msg`there is no file ${uri}; put it beside the scene`,
+    );
   }
   for (const [i, image] of (json.images ?? []).entries()) {
-    const { uri } = image;
-    if (await load(image, `image ${i}`)) continue;
-    const { code, message, missing } = missingTexture(uri ?? '', [resolvePath(entry, unescaped(uri ?? ''))]);
+    const { uri = '' } = image;
+    if (await load(image, msg`image ${i}`)) continue;
+    const { code, message, missing } = missingTexture(uri, [resolvePath(entry, unescaped(uri))]);
     notes.add('warning', code, usersOf(json, i), message, { missing });
   }
   return resources;
 }
 
 /** Names an image and the materials that use it: `image 3, material Wood`. */
-function usersOf(json: GLTF.IGLTF, image: number): string {
+function usersOf(json: GLTF.IGLTF, image: number): LocalizedText {
   const shows = (texture: GLTF.ITextureInfo | undefined) =>
     texture !== undefined && json.textures?.[texture.index]?.source === image;
   const users = (json.materials ?? []).flatMap((material, i) => {
     const { baseColorTexture, metallicRoughnessTexture } = material.pbrMetallicRoughness ?? {};
     const all = [baseColorTexture, metallicRoughnessTexture, material.emissiveTexture, material.normalTexture];
-    return all.some(shows) || shows(material.occlusionTexture) ? [`material ${material.name ?? i}`] : [];
+    return all.some(shows) || shows(material.occlusionTexture) ? [msg`material ${material.name ?? i}`] : [];
   });
-  return [`image ${image}`, ...users.slice(0, 3), ...(users.length > 3 ? ['…'] : [])].join(', ');
+  return listed([msg`image ${image}`, ...users.slice(0, 3), ...(users.length > 3 ? ['…'] : [])]);
 }
 
 async function loadUri(
   source: FileSource,
   entry: string,
-  what: string,
+  what: LocalizedText,
   uri: string,
 ): Promise<Uint8Array<ArrayBuffer> | undefined> {
   if (uri.startsWith('data:')) {
     try {
       return BufferUtils.createBufferFromDataURI(uri);
     } catch (thrown) {
-      throw gltfError(entry, 'gltf.damaged', what, `its data URI cannot be decoded (${messageOf(thrown)})`, thrown);
+      throw gltfError(entry, 'gltf.damaged', what, msg`its data URI cannot be decoded (${messageOf(thrown)})`, thrown);
     }
   }
   const bytes = (await source.read(resolvePath(entry, unescaped(uri)))) ?? (await source.read(resolvePath(entry, uri)));
@@ -182,14 +189,14 @@ function unescaped(uri: string): string {
 function checkExtensions(entry: string, json: GLTF.IGLTF, notes: DiagnosticLog): void {
   for (const name of json.extensionsRequired ?? []) {
     if (HANDLED.includes(name) || LOOKS_ONLY.test(name)) continue;
-    const message = `it needs the extension ${name}, which is not read; export it without`;
+    const message = msg`it needs the extension ${name}, which is not read; export it without`;
     throw gltfError(entry, 'gltf.unsupported-extension', '', message);
   }
   for (const name of json.extensionsUsed ?? []) {
     if (HANDLED.includes(name)) continue;
     const severity = LOOKS_ONLY.test(name) && !CHANGES_COLOR.test(name) ? 'info' : 'warning';
-    const effect = CHANGES_COLOR.test(name) ? '; what uses it is shown without its picture or colour' : '';
-    notes.add(severity, 'gltf.ignored-extension', '', `the extension ${name} is left out${effect}`);
+    const effect = CHANGES_COLOR.test(name) ? msg`; what uses it is shown without its picture or colour` : '';
+    notes.add(severity, 'gltf.ignored-extension', '', msg`the extension ${name} is left out${effect}`);
   }
   json.extensionsRequired = json.extensionsRequired?.filter((name) =>
     EXTENSIONS.some((e) => e.EXTENSION_NAME === name),
@@ -214,8 +221,8 @@ function dropUnreadTextures(json: GLTF.IGLTF, notes: DiagnosticLog): void {
       notes.add(
         'warning',
         'file.unreadable-texture',
-        `material ${material.name ?? i}`,
-        `its ${name} has no picture that is read; shown without it`,
+        msg`material ${material.name ?? i}`,
+        msg`its ${name} has no picture that is read; shown without it`,
       );
     }
   }

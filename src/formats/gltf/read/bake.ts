@@ -2,6 +2,7 @@ import { invert, type Mat3, multiply as times3, transpose } from '../../../math/
 import { fromParts, isRigid, linearPart } from '../../../math/mat4.ts';
 import { multiply as after, fromMatrix, type Quat, toMatrix } from '../../../math/quat.ts';
 import { add, scale, type Vec3, ZERO } from '../../../math/vec3.ts';
+import { msg } from '../../../messages/message.ts';
 import { boundingBox } from '../../../scene/bounds/bounds.ts';
 import { transformMesh } from '../../../scene/mesh/meshOps.ts';
 import { AdaptivePath, SamplingBudget } from '../../../scene/motion/adaptiveSampling.ts';
@@ -142,7 +143,7 @@ export class Baker {
     const refined = new AdaptivePath(Float64Array.from(knots.times), shape, how);
     const { times, error, needed } = this.motionBudget.sample(refined, cost);
     if (error > tolerance) {
-      const message = `moves too wildly between its ${knots.times.length} keys to be followed: about ${needed.toPrecision(2)} samples would be needed, ${times.length} are used, and paths are off by up to ${error.toPrecision(2)} m; export more keys`;
+      const message = msg`moves too wildly between its ${knots.times.length} keys to be followed: about ${needed.toPrecision(2)} samples would be needed, ${times.length} are used, and paths are off by up to ${error.toPrecision(2)} m; export more keys`;
       this.context.notes.add('warning', 'gltf.resampling', path, message);
     }
     return [...times];
@@ -150,7 +151,7 @@ export class Baker {
 
   private noteJumps({ path }: AnimatedTransform, { jumps }: KeyTimes): void {
     if (jumps.size === 0) return;
-    const message = `jumps ${jumps.size} times (first at ${[...jumps].sort((a, b) => a - b)[0]} s); each jump is shown as a ramp of at most 1 ms, and may be faster than light`;
+    const message = msg`jumps ${jumps.size} times (first at ${[...jumps].sort((a, b) => a - b)[0]} s); each jump is shown as a ramp of at most 1 ms, and may be faster than light`;
     this.context.notes.add('warning', 'gltf.jump', path, message);
   }
 
@@ -173,7 +174,7 @@ export class Baker {
     }
     if (times.length > most) times = [...subsampleEvenly(times, most)];
     if (times.length < knots.times.length || tolerance > wanted) {
-      const message = `bends too much to hold in ${formatBytes(this.budget)}; it is sampled at ${times.length} times only`;
+      const message = msg`bends too much to hold in ${formatBytes(this.budget)}; it is sampled at ${times.length} times only`;
       this.context.notes.add('warning', 'gltf.coarse', frame.path, message);
     }
     this.left -= times.length * sampleBytes;

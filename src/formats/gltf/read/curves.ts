@@ -1,5 +1,6 @@
 import type { AnimationSampler } from '@gltf-transform/core';
 import { normalizeQuat, type Quat, slerp } from '../../../math/quat.ts';
+import { type LocalizedText, msg } from '../../../messages/message.ts';
 import { gltfError } from '../context.ts';
 import { floatsOf } from './accessors.ts';
 
@@ -15,7 +16,7 @@ export interface AnimationCurve {
 /** Evaluates a sampler, as in glTF 2.0 appendix C ("Animation sampler interpolation modes"). */
 export function makeCurve(
   entry: string,
-  what: string,
+  what: LocalizedText,
   sampler: AnimationSampler,
   width: number,
   isRotation: boolean,
@@ -26,7 +27,7 @@ export function makeCurve(
   const isCubic = kind === 'CUBICSPLINE';
   const needed = times.length * width * (isCubic ? 3 : 1);
   if (times.length === 0 || values.length < needed) {
-    const message = `${values.length} values for ${times.length} keys, ${needed} are needed; export it again`;
+    const message = msg`${values.length} values for ${times.length} keys, ${needed} are needed; export it again`;
     throw gltfError(entry, 'gltf.bad-animation', what, message);
   }
   times.forEach((t, i) => {
@@ -35,7 +36,7 @@ export function makeCurve(
       entry,
       'gltf.bad-animation',
       what,
-      `key ${i} is at ${t} s after ${times[i - 1] ?? '–'} s; keys must rise`,
+      msg`key ${i} is at ${t} s after ${times[i - 1] ?? '–'} s; keys must rise`,
     );
   });
   const value = (key: number, part = 0): number[] => {

@@ -2,6 +2,7 @@ import type { Node as GltfNode } from '@gltf-transform/core';
 import { cofactors, determinant, transform } from '../../../math/mat3.ts';
 import { linearPart, type Mat4, multiply } from '../../../math/mat4.ts';
 import { normalize } from '../../../math/vec3.ts';
+import { msg } from '../../../messages/message.ts';
 import { blendMatrices } from '../../read/skinning.ts';
 import { type GltfContext, gltfError } from '../context.ts';
 import { floatsOf } from './accessors.ts';
@@ -73,13 +74,13 @@ function readJoints(context: GltfContext, tree: NodeTree, node: GltfNode, used: 
   const nodes = skin.listJoints();
   const highest = used.reduce((a, b) => Math.max(a, b), 0);
   if (highest >= nodes.length) {
-    const message = `a vertex follows joint ${highest} of ${nodes.length}; the file is damaged, export it again`;
+    const message = msg`a vertex follows joint ${highest} of ${nodes.length}; the file is damaged, export it again`;
     throw gltfError(context.entry, 'gltf.bad-skin', what, message);
   }
   const accessor = skin.getInverseBindMatrices();
   const binds = accessor ? floatsOf(accessor) : undefined;
   if (binds && binds.length < nodes.length * 16) {
-    const message = `${binds.length / 16} inverse bind matrices for ${nodes.length} joints; export it again`;
+    const message = msg`${binds.length / 16} inverse bind matrices for ${nodes.length} joints; export it again`;
     throw gltfError(context.entry, 'gltf.bad-skin', what, message);
   }
   const bind = (j: number): Mat4 =>

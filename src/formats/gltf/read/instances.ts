@@ -2,6 +2,7 @@ import type { Accessor, Node as GltfNode } from '@gltf-transform/core';
 import type { InstancedMesh } from '@gltf-transform/extensions';
 import { fromParts } from '../../../math/mat4.ts';
 import { normalizeQuat, toMatrix } from '../../../math/quat.ts';
+import { type LocalizedText, msg } from '../../../messages/message.ts';
 import { type GltfContext, gltfError } from '../context.ts';
 import { floatsOf } from './accessors.ts';
 import type { NodeTransform } from './nodes.ts';
@@ -15,16 +16,26 @@ const WIDTHS: ReadonlyMap<string, number> = new Map([
 ]);
 
 /** Instance transforms of EXT_mesh_gpu_instancing in the node's frame; undefined if absent. */
-export function readInstances(context: GltfContext, node: GltfNode, what: string): NodeTransform[] | undefined {
+export function readInstances(context: GltfContext, node: GltfNode, what: LocalizedText): NodeTransform[] | undefined {
   const instanced = node.getExtension<InstancedMesh>('EXT_mesh_gpu_instancing');
   if (!instanced) return undefined;
   const others = instanced.listSemantics().filter((name) => !WIDTHS.has(name));
   if (others.length > 0) {
-    context.notes.add('info', 'gltf.instance-attributes', what, `${others.join(', ')} of its instances are left out`);
+    context.notes.add(
+      'info',
+      'gltf.instance-attributes',
+      what,
+      msg`${others.join(', ')} of its instances are left out`,
+    );
   }
   const count = instanced.listAttributes()[0]?.getCount() ?? 0;
   if (count > MAX_INSTANCES) {
-    throw gltfError(context.entry, 'gltf.too-large', what, `has ${count} instances; at most ${MAX_INSTANCES} are read`);
+    throw gltfError(
+      context.entry,
+      'gltf.too-large',
+      what,
+      msg`has ${count} instances; at most ${MAX_INSTANCES} are read`,
+    );
   }
   const values = (name: string): Float32Array | undefined => {
     const accessor = instanced.getAttribute(name);
@@ -34,9 +45,15 @@ export function readInstances(context: GltfContext, node: GltfNode, what: string
   return Array.from({ length: count }, (_, i) => placement(translation, rotation, scale, i));
 }
 
-function valuesOf(context: GltfContext, what: string, name: string, accessor: Accessor, count: number): Float32Array {
+function valuesOf(
+  context: GltfContext,
+  what: LocalizedText,
+  name: string,
+  accessor: Accessor,
+  count: number,
+): Float32Array {
   if (accessor.getElementSize() === WIDTHS.get(name) && accessor.getCount() === count) return floatsOf(accessor);
-  const message = `${name} of its instances has ${accessor.getCount()} of ${accessor.getType()}, for ${count}; export it again`;
+  const message = msg`${name} of its instances has ${accessor.getCount()} of ${accessor.getType()}, for ${count}; export it again`;
   throw gltfError(context.entry, 'gltf.bad-attribute', what, message);
 }
 

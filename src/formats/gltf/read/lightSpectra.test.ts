@@ -1,4 +1,5 @@
 import { expect, it } from 'vitest';
+import { inEnglish } from '../../../messages/message.ts';
 import type { DistantLight } from '../../../scene/types.ts';
 import { memorySource } from '../../files/fileSource.ts';
 import { readGltf } from './read.ts';
@@ -30,7 +31,7 @@ it('lights of a glTF use the spectrum tables that they reference, shared if from
   expect(warm).toMatchObject({ kind: 'sampled', values: [1, 2, 4] });
   expect(same).toBe(warm);
   expect(without).toEqual([undefined, undefined, undefined]);
-  const said = scene.diagnostics.map(({ code, message }) => `${code}: ${message}`);
+  const said = scene.diagnostics.map(({ code, message }) => `${code}: ${inEnglish(message)}`);
   expect(said).toContainEqual(
     expect.stringMatching(/^spectrum\.csv: a\/cold\.csv: line 2: "500, bright" is not two numbers/),
   );

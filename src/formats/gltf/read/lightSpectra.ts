@@ -1,4 +1,5 @@
 import type { GLTF } from '@gltf-transform/core';
+import { msg } from '../../../messages/message.ts';
 import { InputError } from '../../../scene/types.ts';
 import type { SampledSpectrum } from '../../../spectrum/sources/lightSpectrum.ts';
 import { SPECTRUM_ATTRIBUTE } from '../../attributes/spectrumAttribute.ts';
@@ -30,7 +31,7 @@ function readOrTell(bytes: Uint8Array, path: string, notes: DiagnosticLog): Samp
     return readSpectrumCsv(bytes, path);
   } catch (thrown) {
     if (!(thrown instanceof InputError)) throw thrown;
-    notes.add('warning', 'spectrum.csv', '', `${thrown.message}; its light is taken for daylight`);
+    notes.add('warning', 'spectrum.csv', '', msg`${thrown.text}; its light is taken for daylight`);
     return undefined;
   }
 }

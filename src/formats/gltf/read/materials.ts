@@ -1,6 +1,7 @@
 import type { Material as GltfMaterial, Texture as GltfTexture, TextureInfo } from '@gltf-transform/core';
 import type { EmissiveStrength, IOR, Transform } from '@gltf-transform/extensions';
 import { scale, type Vec3, ZERO } from '../../../math/vec3.ts';
+import { inEnglish, type LocalizedText, type Message, msg } from '../../../messages/message.ts';
 import {
   InputError,
   type Material,
@@ -109,8 +110,8 @@ export class GltfMaterialLibrary {
   /** Spectral properties from the material's extras. */
   private spectral(material: GltfMaterial, name: string): Partial<Material> {
     const extras = new Map(Object.entries(material.getExtras()));
-    const refuse = (message: string): void =>
-      this.context.notes.add('warning', 'gltf.slowlight', `material ${name}`, message);
+    const refuse = (message: Message): void =>
+      this.context.notes.add('warning', 'gltf.slowlight', msg`material ${name}`, message);
     const pictures = INVISIBLE_BANDS.flatMap((hint) => {
       const told = this.channelOf(extras.get(hint.name));
       if (told) extras.delete(hint.name);
@@ -133,7 +134,7 @@ export class GltfMaterialLibrary {
     const decoded = this.decode(picture);
     if (!decoded) return undefined;
     const { width, height, data } = decoded;
-    const name = this.imageName(picture);
+    const name = inEnglish(this.imageName(picture));
     const shown = { colorSpace: 'linear', filter: 'linear', wrapS: 'repeat', wrapT: 'repeat' } as const;
     return { texture: { name, width, height, data, ...shown }, channel, scale, bias };
   }
@@ -148,7 +149,7 @@ export class GltfMaterialLibrary {
     const decoded = this.decode(image);
     if (!decoded) return undefined;
     return {
-      name: this.imageName(image),
+      name: inEnglish(this.imageName(image)),
       width: decoded.width,
       height: decoded.height,
       data: opaque ? withoutAlpha(decoded.data) : decoded.data,
@@ -173,16 +174,16 @@ export class GltfMaterialLibrary {
         'warning',
         'file.unreadable-texture',
         name,
-        `${thrown.diagnostic.message}; shown without it`,
+        msg`${thrown.diagnostic.message}; shown without it`,
       );
     }
     this.images.set(image, decoded);
     return decoded;
   }
 
-  private imageName(image: GltfTexture): string {
+  private imageName(image: GltfTexture): LocalizedText {
     const place = this.context.document.getRoot().listTextures().indexOf(image);
-    return image.getURI() || image.getName() || `image ${place}`;
+    return image.getURI() || image.getName() || msg`image ${place}`;
   }
 }
 
@@ -220,21 +221,21 @@ export function uvSourceOf(context: GltfContext, material: GltfMaterial | null):
   const [first, ...more] = material ? uvSources(material) : [];
   const other = material && more.find(({ source }) => JSON.stringify(source) !== JSON.stringify(first.source));
   if (other) {
-    const message = `its ${other.what} has its own uv set or transform; that of the ${first.what} is used for both`;
-    context.notes.add('warning', 'gltf.second-uvs', `material ${nameOf(context, material)}`, message);
+    const message = msg`its ${other.what} has its own uv set or transform; that of the ${first.what} is used for both`;
+    context.notes.add('warning', 'gltf.second-uvs', msg`material ${nameOf(context, material)}`, message);
   }
   return first?.source ?? { set: 0, offset: [0, 0], rotation: 0, scale: [1, 1] };
 }
 
-function uvSources(m: GltfMaterial): { readonly what: string; readonly source: GltfUvSource }[] {
-  const source = (what: string, texture: GltfTexture | null, info: TextureInfo | null) =>
+function uvSources(m: GltfMaterial): { readonly what: Message; readonly source: GltfUvSource }[] {
+  const source = (what: Message, texture: GltfTexture | null, info: TextureInfo | null) =>
     texture ? [{ what, source: uvSource(info) }] : [];
   return [
-    ...source('base colour texture', m.getBaseColorTexture(), m.getBaseColorTextureInfo()),
-    ...source('emissive texture', m.getEmissiveTexture(), m.getEmissiveTextureInfo()),
-    ...source('normal texture', m.getNormalTexture(), m.getNormalTextureInfo()),
-    ...source('metallic-roughness texture', m.getMetallicRoughnessTexture(), m.getMetallicRoughnessTextureInfo()),
-    ...source('occlusion texture', m.getOcclusionTexture(), m.getOcclusionTextureInfo()),
+    ...source(msg`base colour texture`, m.getBaseColorTexture(), m.getBaseColorTextureInfo()),
+    ...source(msg`emissive texture`, m.getEmissiveTexture(), m.getEmissiveTextureInfo()),
+    ...source(msg`normal texture`, m.getNormalTexture(), m.getNormalTextureInfo()),
+    ...source(msg`metallic-roughness texture`, m.getMetallicRoughnessTexture(), m.getMetallicRoughnessTextureInfo()),
+    ...source(msg`occlusion texture`, m.getOcclusionTexture(), m.getOcclusionTextureInfo()),
   ];
 }
 

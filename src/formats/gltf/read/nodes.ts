@@ -2,6 +2,7 @@ import type { Animation, Node as GltfNode } from '@gltf-transform/core';
 import { decomposeRigid, fromParts, IDENTITY, type Mat4, multiply } from '../../../math/mat4.ts';
 import { multiply as after, normalizeQuat, type Quat, toMatrix } from '../../../math/quat.ts';
 import type { Vec3 } from '../../../math/vec3.ts';
+import { msg } from '../../../messages/message.ts';
 import { UniquePrimPaths } from '../../read/primPaths.ts';
 import { type GltfContext, gltfError } from '../context.ts';
 import { type AnimationCurve, makeCurve } from './curves.ts';
@@ -137,15 +138,15 @@ function readChannels(
 ): Map<GltfNode, Partial<Record<AnimatedProperty, AnimationCurve>>> {
   const byNode = new Map<GltfNode, Partial<Record<AnimatedProperty, AnimationCurve>>>();
   for (const channel of animation.listChannels()) {
-    const [node, sampler, path] = [channel.getTargetNode(), channel.getSampler(), channel.getTargetPath()];
-    const what = `animation ${animation.getName() || 'without a name'}, ${node?.getName() || 'a node'}.${path}`;
-    const width = path === 'weights' ? morphCount(node) : WIDTHS[path ?? ''];
+    const [node, sampler, path] = [channel.getTargetNode(), channel.getSampler(), channel.getTargetPath() ?? ''];
+    const what = msg`animation ${animation.getName() || msg`without a name`}, ${node?.getName() || msg`a node`}.${path}`;
+    const width = path === 'weights' ? morphCount(node) : WIDTHS[path];
     if (!node || width === undefined) {
-      context.notes.add('warning', 'gltf.channel', what, 'this kind of animation is not read; it is left out');
+      context.notes.add('warning', 'gltf.channel', what, msg`this kind of animation is not read; it is left out`);
       continue;
     }
     if (!sampler?.getInput() || !sampler.getOutput()) {
-      throw gltfError(context.entry, 'gltf.bad-animation', what, 'has no keys; export it again');
+      throw gltfError(context.entry, 'gltf.bad-animation', what, msg`has no keys; export it again`);
     }
     if (width === 0) continue;
     const curves = byNode.get(node) ?? {};

@@ -1,5 +1,6 @@
 import type { Accessor, Material as GltfMaterial, Mesh as GltfMesh, Primitive } from '@gltf-transform/core';
 import { cross, normalize, sub, type Vec3 } from '../../../math/vec3.ts';
+import { type LocalizedText, msg } from '../../../messages/message.ts';
 import { mergeMeshes } from '../../../scene/mesh/meshOps.ts';
 import type { Mesh } from '../../../scene/types.ts';
 import { type GltfContext, gltfError } from '../context.ts';
@@ -32,12 +33,12 @@ interface PrimitiveGeometry extends Geometry {
 /** All triangle primitives of a mesh as one; undefined where it has none. */
 export function readGeometry(context: GltfContext, mesh: GltfMesh, library: GltfMaterialLibrary): Geometry | undefined {
   const place = context.document.getRoot().listMeshes().indexOf(mesh);
-  const what = `mesh ${mesh.getName() || place}`;
+  const what = msg`mesh ${mesh.getName() || place}`;
   const parts = mesh.listPrimitives().flatMap((p) => readPrimitive(context, what, p, library) ?? []);
   if (parts.length === 0) return undefined;
   if (parts.length === 1) return parts[0];
   if (new Set(parts.map((p) => p.mesh.doubleSided)).size > 1) {
-    const message = 'has single-sided and double-sided materials; all of it is shown double-sided';
+    const message = msg`has single-sided and double-sided materials; all of it is shown double-sided`;
     context.notes.add('info', 'gltf.mixed-sides', what, message);
   }
   return joinParts(parts);
@@ -83,23 +84,23 @@ function joined(parts: readonly Float32Array[]): Float32Array {
 
 function readPrimitive(
   context: GltfContext,
-  what: string,
+  what: LocalizedText,
   p: Primitive,
   library: GltfMaterialLibrary,
 ): PrimitiveGeometry | undefined {
   const position = p.getAttribute('POSITION');
   const corners = position && triangleCorners(p, position.getCount());
   if (!position || !corners) {
-    const mode = ['single points', 'separate lines', 'a line loop', 'a line strip'][p.getMode()];
+    const mode = [msg`single points`, msg`separate lines`, msg`a line loop`, msg`a line strip`][p.getMode()];
     const message = position
-      ? `${mode ?? `mode ${p.getMode()}`} cannot be shown; only triangles are`
-      : 'has no positions';
-    context.notes.add('warning', 'gltf.primitive', what, `${message}; that part is left out`);
+      ? msg`${mode ?? msg`mode ${p.getMode()}`} cannot be shown; only triangles are`
+      : msg`has no positions`;
+    context.notes.add('warning', 'gltf.primitive', what, msg`${message}; that part is left out`);
     return undefined;
   }
   const bad = corners.find((corner) => corner >= position.getCount());
   if (bad !== undefined) {
-    const message = `a triangle wants vertex ${bad} of ${position.getCount()}; the file is damaged, export it again`;
+    const message = msg`a triangle wants vertex ${bad} of ${position.getCount()}; the file is damaged, export it again`;
     throw gltfError(context.entry, 'gltf.bad-index', what, message);
   }
   // Flat normals are per triangle, so vertices are not shared.
@@ -108,7 +109,7 @@ function readPrimitive(
     const accessor = of.getAttribute(name);
     if (!accessor) return undefined;
     if (accessor.getCount() !== position.getCount()) {
-      const message = `${name} has ${accessor.getCount()} values for ${position.getCount()} vertices; export it again`;
+      const message = msg`${name} has ${accessor.getCount()} values for ${position.getCount()} vertices; export it again`;
       throw gltfError(context.entry, 'gltf.bad-attribute', what, message);
     }
     return pick(accessor, width, isFlat ? corners : undefined);
@@ -124,11 +125,16 @@ function readPrimitive(
 }
 
 /** Vertex alpha is not supported. */
-function noteVertexAlpha({ notes }: GltfContext, what: string, p: Primitive, material: GltfMaterial | null): void {
+function noteVertexAlpha(
+  { notes }: GltfContext,
+  what: LocalizedText,
+  p: Primitive,
+  material: GltfMaterial | null,
+): void {
   const colors = p.getAttribute('COLOR_0');
   if (colors?.getElementSize() !== 4 || (material?.getAlphaMode() ?? 'OPAQUE') === 'OPAQUE') return;
   if (floatsOf(colors).every((value, i) => i % 4 !== 3 || value >= 1)) return;
-  notes.add('warning', 'gltf.vertex-alpha', what, 'the opacity of its vertex colours is left out');
+  notes.add('warning', 'gltf.vertex-alpha', what, msg`the opacity of its vertex colours is left out`);
 }
 
 /** Reads an attribute, `width` values per vertex of the merged mesh. */

@@ -2,6 +2,8 @@ import type { Animation, Mesh as GltfMesh, Node as GltfNode, Scene as GltfScene 
 import type { Light as GltfLight } from '@gltf-transform/extensions';
 import { rotate } from '../../../math/quat.ts';
 import { scale, type Vec3 } from '../../../math/vec3.ts';
+import { type Message, msg } from '../../../messages/message.ts';
+import { messageOf } from '../../../messages/messageError.ts';
 import { FOREVER, makeObject, makeScene } from '../../../scene/defaults.ts';
 import {
   type DistantLight,
@@ -17,7 +19,6 @@ import {
 import { parseSceneHints } from '../../attributes/hints.ts';
 import { parseSpectrum, SPECTRUM_ATTRIBUTE, unknownSpectrumMessage } from '../../attributes/spectrumAttribute.ts';
 import { DiagnosticLog } from '../../diagnostics/diagnosticLog.ts';
-import { messageOf } from '../../diagnostics/inputError.ts';
 import { type FileSource, stemOf } from '../../files/fileSource.ts';
 import { MAX_OBJECTS } from '../../read/limits.ts';
 import type { ReadOptions } from '../../readOptions.ts';
@@ -36,6 +37,8 @@ import { variantSet } from './variants.ts';
 export const POINT_LIGHT_RADIUS = 0.05;
 /** Maximum number of vertices of a scene; shared meshes count once. */
 export const MAX_VERTICES = 2 ** 26;
+const TOO_MANY_OBJECTS = msg`${MAX_OBJECTS} objects with all copies of its meshes`;
+const TOO_MANY_VERTICES = msg`${MAX_VERTICES} vertices with all sizes of its meshes`;
 
 /**
  * Reads glTF 2.0 (.gltf with its files, .glb). Node, morph and skin animations become sampled motions in the world
@@ -51,7 +54,7 @@ export async function readGltf(source: FileSource, entry: string, options: ReadO
     return buildScene(context);
   } catch (thrown) {
     if (thrown instanceof InputError) throw thrown;
-    throw gltfError(entry, 'gltf.invalid', '', `not a valid glTF (${messageOf(thrown)}); export it again`, thrown);
+    throw gltfError(entry, 'gltf.invalid', '', msg`not a valid glTF (${messageOf(thrown)}); export it again`, thrown);
   }
 }
 
@@ -112,15 +115,15 @@ function chooseAnimation(context: GltfContext): Animation | undefined {
   const asked = options.animation ?? options.variants?.get(ANIMATION_SET);
   const place = typeof asked === 'string' ? names.indexOf(asked) : (asked ?? 0);
   if (asked !== undefined && !all[place]) {
-    const known = names.length > 0 ? `there are ${names.join(', ')}` : 'there is none';
-    throw gltfError(entry, 'gltf.no-animation', '', `no animation ${asked}; ${known}`);
+    const known = names.length > 0 ? msg`there are ${names.join(', ')}` : msg`there is none`;
+    throw gltfError(entry, 'gltf.no-animation', '', msg`no animation ${asked}; ${known}`);
   }
   if (all.length > 1) {
     notes.add(
       'info',
       'gltf.animations',
       '',
-      `${all.length} animations (${names.join(', ')}); ${names[place]} is shown`,
+      msg`${all.length} animations (${names.join(', ')}); ${names[place]} is shown`,
     );
   }
   return all[place];
@@ -190,13 +193,13 @@ class SceneBuilder {
     const what = this.tree.path(node);
     const instances = readInstances(this.context, node, what);
     if (!instances || !skin || !node.getSkin()) return instances;
-    const message = 'its instances all follow the same joints, so that they are in one place; one is shown';
+    const message = msg`its instances all follow the same joints, so that they are in one place; one is shown`;
     this.context.notes.add('warning', 'gltf.instances', what, message);
     return undefined;
   }
 
   private addObject(node: GltfNode, geometry: Geometry, frame: AnimatedTransform, path: string): void {
-    this.bound(frame, this.objects.length < MAX_OBJECTS, `${MAX_OBJECTS} objects with all copies of its meshes`);
+    this.bound(frame, this.objects.length < MAX_OBJECTS, TOO_MANY_OBJECTS);
     const deformer = makeDeformer(this.context, this.tree, node, frame, geometry);
     const bends = geometry.morphs.length > 0 || (geometry.skin && node.getSkin());
     const baked = bends
@@ -205,12 +208,12 @@ class SceneBuilder {
     const { positions } = baked.mesh;
     if (!this.counted.has(positions)) this.vertices += positions.length / 3;
     this.counted.add(positions);
-    this.bound(frame, this.vertices <= MAX_VERTICES, `${MAX_VERTICES} vertices with all sizes of its meshes`);
+    this.bound(frame, this.vertices <= MAX_VERTICES, TOO_MANY_VERTICES);
     this.objects.push(makeObject({ path, ...baked }));
   }
 
-  private bound({ path }: AnimatedTransform, isKept: boolean, most: string): void {
-    if (!isKept) throw gltfError(this.context.entry, 'gltf.too-large', path, `more than ${most}; export fewer`);
+  private bound({ path }: AnimatedTransform, isKept: boolean, most: Message): void {
+    if (!isKept) throw gltfError(this.context.entry, 'gltf.too-large', path, msg`more than ${most}; export fewer`);
   }
 
   private addCamera(node: GltfNode): void {
@@ -218,12 +221,12 @@ class SceneBuilder {
     if (!camera) return;
     const path = this.pathOf(node, 'Camera');
     if (camera.getType() !== 'perspective') {
-      this.context.notes.add('warning', 'gltf.camera', path, 'an orthographic camera is not read; it is left out');
+      this.context.notes.add('warning', 'gltf.camera', path, msg`an orthographic camera is not read; it is left out`);
       return;
     }
     const fovY = camera.getYFov();
     if (!(fovY > 0 && fovY < Math.PI)) {
-      this.context.notes.add('warning', 'gltf.camera', path, `its field of view is ${fovY} rad; it is left out`);
+      this.context.notes.add('warning', 'gltf.camera', path, msg`its field of view is ${fovY} rad; it is left out`);
       return;
     }
     this.cameras.push({ path, motion: this.baker.bakeFrame(this.tree.frame(node)), fovY });
@@ -236,7 +239,12 @@ class SceneBuilder {
     const color = scale(light.getColor(), light.getIntensity());
     const range = light.getRange();
     if (range)
-      this.context.notes.add('info', 'gltf.light', path, `its range of ${range} m is left out: light goes on for ever`);
+      this.context.notes.add(
+        'info',
+        'gltf.light',
+        path,
+        msg`its range of ${range} m is left out: light goes on for ever`,
+      );
     if (light.getType() === 'directional') {
       this.lights.push({
         kind: 'distant',
@@ -270,7 +278,7 @@ class SceneBuilder {
   private shining(node: GltfNode, path: string): Vec3 {
     const curves = this.tree.curvesAbove(node);
     if (curves.length > 0)
-      this.context.notes.add('warning', 'gltf.light', path, 'a turning sun is held where it starts');
+      this.context.notes.add('warning', 'gltf.light', path, msg`a turning sun is held where it starts`);
     const start = curves.length > 0 ? Math.min(...curves.map((curve) => curve.times[0])) : 0;
     return rotate(this.tree.transformAt(node, start).rotation, [0, 0, -1]);
   }

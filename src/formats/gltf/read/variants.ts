@@ -1,5 +1,6 @@
 import type { Material as GltfMaterial, Primitive } from '@gltf-transform/core';
 import type { MappingList } from '@gltf-transform/extensions';
+import { msg } from '../../../messages/message.ts';
 import type { VariantSet } from '../../../scene/types.ts';
 import { type GltfContext, gltfError } from '../context.ts';
 
@@ -17,8 +18,8 @@ export function variantSet({
   const names = (listed?.variants ?? []).map(({ name }, i) => name || `variant ${i}`);
   const chosen = options.variants?.get(SET) ?? '';
   if (chosen !== '' && !names.includes(chosen)) {
-    const known = names.length > 0 ? `there are ${names.join(', ')}` : 'the file has none';
-    throw gltfError(entry, 'gltf.no-variant', '', `no variant ${chosen} of its materials; ${known}`);
+    const known = names.length > 0 ? msg`there are ${names.join(', ')}` : msg`the file has none`;
+    throw gltfError(entry, 'gltf.no-variant', '', msg`no variant ${chosen} of its materials; ${known}`);
   }
   return names.length > 0 ? { set: SET, options: [...new Set(names)], chosen } : undefined;
 }

@@ -1,5 +1,6 @@
 import { shortestRotation } from '../../../math/quat.ts';
 import { scale, type Vec3 } from '../../../math/vec3.ts';
+import { type Message, msg } from '../../../messages/message.ts';
 import { lightKind, projectedArea } from '../../../scene/lights/lightKinds.ts';
 import type { Light, LocalLight, RigidMotion } from '../../../scene/types.ts';
 import type { LightSpectrum } from '../../../spectrum/sources/lightSpectrum.ts';
@@ -13,7 +14,7 @@ export interface PunctualLight {
   readonly spectrum: LightSpectrum | undefined;
   readonly cone?: { readonly inner: number; readonly outer: number };
   /** What glTF has no words for: "radius of 1 m". */
-  readonly lost?: string;
+  readonly lost?: Message;
 }
 
 /** undefined where glTF has no such light. */
@@ -29,7 +30,7 @@ const LIGHTS: { readonly [K in Light['kind']]: PunctualWriter<Extract<Light, { r
     },
     intensity: light.color,
   }),
-  sphere: (light) => localLight(light, light.radius === 0 ? undefined : `radius of ${light.radius} m`),
+  sphere: (light) => localLight(light, light.radius === 0 ? undefined : msg`radius of ${light.radius} m`),
   rect: (light) => localLight(light, lostShape(light)),
   disk: (light) => localLight(light, lostShape(light)),
   cylinder: (light) => localLight(light, lostShape(light)),
@@ -40,9 +41,9 @@ const LIGHTS: { readonly [K in Light['kind']]: PunctualWriter<Extract<Light, { r
 export const punctualLight = (light: Light): PunctualLight | undefined =>
   (LIGHTS[light.kind] as PunctualWriter<Light>)(light);
 
-const lostShape = ({ kind }: LocalLight): string => `shape, a ${kind},`;
+const lostShape = ({ kind }: LocalLight): Message => msg`shape, a ${kind},`;
 
-function localLight(light: LocalLight, lost: string | undefined): PunctualLight {
+function localLight(light: LocalLight, lost: Message | undefined): PunctualLight {
   const cone = spotCone(light);
   return {
     spectrum: light.spectrum,

@@ -4,6 +4,7 @@ import { GLTFLoader } from 'three/addons/loaders/GLTFLoader.js';
 import { describe, expect, it } from 'vitest';
 import { fromAxisAngle } from '../../../math/quat.ts';
 import { distance, type Vec3 } from '../../../math/vec3.ts';
+import { inEnglish } from '../../../messages/message.ts';
 import { FOREVER, makeMaterial, makeObject, makeScene, restingAt } from '../../../scene/defaults.ts';
 import { projectedArea } from '../../../scene/lights/lightKinds.ts';
 import { box } from '../../../scene/mesh/primitives.ts';
@@ -201,7 +202,7 @@ describe('a scene written as glTF', () => {
     for (const name of ['a.glb', 'a.gltf']) {
       const { source, files, diagnostics } = await written(scene, name);
       expect(files.keys().next().value).toBe(name);
-      expect(diagnostics.map((d) => `${d.code} ${d.place}`)).toEqual([`convert.light ${name}: /Sky`]);
+      expect(diagnostics.map((d) => `${d.code} ${inEnglish(d.place)}`)).toEqual([`convert.light ${name}: /Sky`]);
       const back = await readGltf(source, name);
       expect(back.materials).toMatchObject([
         { ...materials[0], emissive: [8, 4, 2] },
@@ -289,7 +290,7 @@ describe('a scene written as glTF', () => {
       { ...lamp, kind: 'sphere', path: '/Spot', radius: 0, shaping },
     ] as const;
     const { source, diagnostics } = await written(makeScene({ name: 'lamps', lights }), 'a.glb');
-    expect(diagnostics.map((d) => d.message)).toEqual([
+    expect(diagnostics.map((d) => inEnglish(d.message))).toEqual([
       'its shape, a rect, is lost: lights of glTF are points with a cone',
       'its shape, a cylinder, is lost: lights of glTF are points',
     ]);
@@ -363,7 +364,7 @@ describe('a scene written as glTF', () => {
       ],
     });
     const { source, diagnostics } = await written(scene);
-    expect(diagnostics.map((d) => `${d.severity} ${d.code} ${d.place}`)).toEqual([
+    expect(diagnostics.map((d) => `${d.severity} ${d.code} ${inEnglish(d.place)}`)).toEqual([
       'warning convert.lifetime a.glb: /Train',
       'warning convert.motion a.glb: /Train',
       'warning convert.points a.glb: /Flag',

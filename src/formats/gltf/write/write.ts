@@ -1,6 +1,7 @@
 import { Document, type Node as GltfNode, WebIO } from '@gltf-transform/core';
 import { KHRLightsPunctual, KHRMaterialsEmissiveStrength, KHRMaterialsIOR } from '@gltf-transform/extensions';
 import { scale } from '../../../math/vec3.ts';
+import { msg } from '../../../messages/message.ts';
 import { poseSamples } from '../../../scene/motion/motion.ts';
 import type { Light, Scene } from '../../../scene/types.ts';
 import { formatSpectrum, SPECTRUM_ATTRIBUTE } from '../../attributes/spectrumAttribute.ts';
@@ -90,7 +91,7 @@ class GltfWriter {
   private addLight(light: Light): void {
     const punctual = punctualLight(light);
     if (!punctual) {
-      this.losses.add('warning', 'convert.light', light.path, 'glTF has no light from a sky; it is left out');
+      this.losses.add('warning', 'convert.light', light.path, msg`glTF has no light from a sky; it is left out`);
       return;
     }
     const { type, intensity, cone, lost } = punctual;
@@ -108,7 +109,7 @@ class GltfWriter {
     else if (punctual.spectrum) this.losses.add('warning', 'convert.light', light.path, NO_TABLES);
     this.placed(light.path, 'Light', motion).setExtension('KHR_lights_punctual', made);
     if (lost === undefined) return;
-    const message = `its ${lost} is lost: lights of glTF are points${cone ? ' with a cone' : ''}`;
+    const message = msg`its ${lost} is lost: lights of glTF are points${cone ? msg` with a cone` : ''}`;
     this.losses.add('info', 'convert.light', light.path, message);
   }
 
@@ -146,4 +147,4 @@ function ancestors(path: string): string[] {
 }
 
 /** Said of a spectrum that has no name. */
-const NO_TABLES = 'its spectrum is lost: a table of it is written beside USD alone';
+const NO_TABLES = msg`its spectrum is lost: a table of it is written beside USD alone`;

@@ -1,4 +1,5 @@
 import type { Accessor, Animation, Buffer, Document, Node as GltfNode } from '@gltf-transform/core';
+import { msg } from '../../../messages/message.ts';
 import { isStatic, sampleTimes } from '../../../scene/motion/motion.ts';
 import type { Motion, SampledMotion, Scene } from '../../../scene/types.ts';
 import type { DiagnosticLog } from '../../diagnostics/diagnosticLog.ts';
@@ -26,7 +27,7 @@ export class AnimationWriter {
     const starts = motions.map(startOf);
     this.shift = -starts.reduce((a, b) => Math.min(a, b), 0);
     if (this.shift > 0)
-      losses.add('info', 'convert.times', '', `all times are ${this.shift} s later: glTF has none before 0`);
+      losses.add('info', 'convert.times', '', msg`all times are ${this.shift} s later: glTF has none before 0`);
   }
 
   addPoses(node: GltfNode, motion: SampledMotion): void {

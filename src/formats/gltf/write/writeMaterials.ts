@@ -1,6 +1,7 @@
 import type { Document, Material as GltfMaterial, Texture as GltfTexture, TextureInfo } from '@gltf-transform/core';
 import { KHRMaterialsEmissiveStrength, KHRMaterialsIOR } from '@gltf-transform/extensions';
 import { scale, type Vec3 } from '../../../math/vec3.ts';
+import { msg } from '../../../messages/message.ts';
 import type { Material, Scene, Texture, TextureChannel } from '../../../scene/types.ts';
 import { INVISIBLE_BANDS, SPECTRAL_ATTRIBUTES } from '../../attributes/hints.ts';
 import type { DiagnosticLog } from '../../diagnostics/diagnosticLog.ts';
@@ -57,8 +58,8 @@ export class GltfMaterialWriter {
       this.losses.add(
         'warning',
         'convert.material',
-        `material ${m.name}`,
-        'its measured reflectance is lost, but for its colour and its means of ultraviolet and infrared: a table of it is written beside USD alone',
+        msg`material ${m.name}`,
+        msg`its measured reflectance is lost, but for its colour and its means of ultraviolet and infrared: a table of it is written beside USD alone`,
       );
     this.addNormalTexture(made, m);
     this.addMetallicRoughness(made, m);
@@ -75,8 +76,8 @@ export class GltfMaterialWriter {
     if (!normalTexture) return;
     const [x, y] = normalTexture.strength;
     if (x !== y) {
-      const message = `its normals are ${x} times as steep along u and ${y} times along v; the first is taken for both`;
-      this.losses.add('warning', 'convert.texture', `material ${name}`, message);
+      const message = msg`its normals are ${x} times as steep along u and ${y} times along v; the first is taken for both`;
+      this.losses.add('warning', 'convert.texture', msg`material ${name}`, message);
     }
     made.setNormalTexture(this.picture(normalTexture.texture, 'numbers')).setNormalScale(x);
     sampled(made.getNormalTextureInfo(), normalTexture.texture);
@@ -120,8 +121,8 @@ export class GltfMaterialWriter {
       this.losses.add(
         'warning',
         'convert.color',
-        `material ${name}`,
-        `its base colour ${color.join(', ')} is cut to 0 … 1`,
+        msg`material ${name}`,
+        msg`its base colour ${color.join(', ')} is cut to 0 … 1`,
       );
     return [r, g, b];
   }
@@ -130,7 +131,7 @@ export class GltfMaterialWriter {
     const known = this.pictures.get(texture.data);
     if (known) return known;
     if (texture.colorSpace === 'linear' && of === 'colors')
-      this.losses.add('warning', 'convert.texture', texture.name, 'its linear colours are taken as sRGB there');
+      this.losses.add('warning', 'convert.texture', texture.name, msg`its linear colours are taken as sRGB there`);
     const name =
       texture.name
         .replace(/^.*[/\\]/, '')

@@ -1,4 +1,5 @@
 import type { Accessor, Buffer, Document, Node as GltfNode, Primitive } from '@gltf-transform/core';
+import { msg } from '../../../messages/message.ts';
 import { pointSamples } from '../../../scene/motion/motion.ts';
 import { normalsAt, pointsAt } from '../../../scene/streaming/samplePoints.ts';
 import type { Mesh, MeshGroup, SampledPointsMotion, Scene, SceneObject } from '../../../scene/types.ts';
@@ -30,11 +31,16 @@ export class MeshWriter {
     const deforming = pointSamples(motion);
     const isWritten = deforming !== undefined && deforming.times.length <= MAX_MORPH_TARGETS;
     if (deforming && !isWritten) {
-      const message = `its ${mesh.positions.length / 3} points are sampled at ${deforming.times.length} times, more than the ${MAX_MORPH_TARGETS} that become morph targets; it is written at rest, as it is at its first`;
+      const message = msg`its ${mesh.positions.length / 3} points are sampled at ${deforming.times.length} times, more than the ${MAX_MORPH_TARGETS} that become morph targets; it is written at rest, as it is at its first`;
       this.losses.add('warning', 'convert.points', path, message);
     }
     if (isWritten && deforming.velocities)
-      this.losses.add('warning', 'convert.interpolation', path, 'its points go along cubics; there they go straight');
+      this.losses.add(
+        'warning',
+        'convert.interpolation',
+        path,
+        msg`its points go along cubics; there they go straight`,
+      );
     const made = this.document.createMesh(node.getName());
     for (const group of mesh.groups) made.addPrimitive(this.primitive(mesh, group, deforming, isWritten));
     node.setMesh(made);

@@ -1,3 +1,4 @@
+import { type Message, msg } from '../../../messages/message.ts';
 import { inputError } from '../../diagnostics/inputError.ts';
 import { type FileContent, FileWindow } from '../../files/rangedFile.ts';
 import { dataStart, directoryPlace, entriesIn, LOCAL_SIZE, TAIL, type ZipEntry } from '../../zip/directory.ts';
@@ -20,20 +21,21 @@ export function openPackage(content: FileContent, name: string): UsdzPackage {
   const files = new Map(entries.map((entry) => [entry.path, stored(window, entry, name)]));
   const layer = [...files.keys()].find((path) => /\.usd[ac]?$/i.test(path));
   if (layer !== undefined) return { layer, files };
-  const held = `${files.size} files: ${[...files.keys()].slice(0, 5).join(', ')}`;
-  throw inputError('usd.package', name, `the package holds no USD layer (${held})`);
+  const held = msg`${files.size} files: ${[...files.keys()].slice(0, 5).join(', ')}`;
+  throw inputError('usd.package', name, msg`the package holds no USD layer (${held})`);
 }
 
 /** A file of a package, where it is. */
 function stored(window: FileWindow, entry: ZipEntry, name: string): FileContent {
   const { path, method, packed, size, offset } = entry;
-  const fail = (message: string): never => {
+  const fail = (message: Message): never => {
     throw inputError('usd.package', name, message);
   };
   if (method !== 0)
-    fail(`${path} in it is compressed (method ${method}), which usdz does not allow; pack it with usdzip`);
-  if (packed !== size) fail(`${path} in it has two different sizes`);
+    fail(msg`${path} in it is compressed (method ${method}), which usdz does not allow; pack it with usdzip`);
+  if (packed !== size) fail(msg`${path} in it has two different sizes`);
   const start = dataStart(window.slice(offset, LOCAL_SIZE), entry, name);
-  if (start + size > window.size) fail(`${path} in it ends at byte ${start + size} of ${window.size}; it is cut off`);
+  if (start + size > window.size)
+    fail(msg`${path} in it ends at byte ${start + size} of ${window.size}; it is cut off`);
   return window.part(start, size) ?? window.bytes.subarray(start, start + size);
 }

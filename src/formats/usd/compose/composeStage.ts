@@ -1,3 +1,5 @@
+import { type Message, msg } from '../../../messages/message.ts';
+import type { MissingFile } from '../../../scene/types.ts';
 import type { DiagnosticCode } from '../../diagnostics/diagnosticCodes.ts';
 import type { DiagnosticList } from '../../diagnostics/diagnosticLog.ts';
 import { report } from '../diagnostics.ts';
@@ -6,6 +8,7 @@ import { isActive } from '../layer/query.ts';
 import { applyClips } from './clips/applyClips.ts';
 import { type ClipSet, clipSetOf } from './clips/clipSet.ts';
 import { type ClipSetDefinition, clipSetDefinitions } from './clips/definitions.ts';
+import type { ReportPrimIssue } from './layers/layerStack.ts';
 import { LayerStackCache } from './layers/layerStackCache.ts';
 import { type LayerStore, type LoadedLayer, loadedLayer } from './layers/layerStore.ts';
 import { childNames } from './prim/childNames.ts';
@@ -42,7 +45,8 @@ export interface ComposedStage {
 interface PendingIssue {
   readonly code: DiagnosticCode;
   readonly path: string;
-  readonly message: string;
+  readonly message: Message;
+  readonly missing: MissingFile | undefined;
 }
 
 /** A prim whose children are composed, and their inherited state. */
@@ -86,8 +90,8 @@ class StageComposer {
     this.diagnostics = diagnostics;
     this.choices = options.variants ?? [];
     this.session = loadedLayer(sessionLayer(this.choices), '', true);
-    const note = (code: DiagnosticCode, path: string, message: string): void => {
-      this.noted.push({ code, path, message });
+    const note: ReportPrimIssue = (code, path, message, missing) => {
+      this.noted.push({ code, path, message, missing });
     };
     const stacks = new LayerStackCache(store, note);
     this.composer = {
@@ -115,22 +119,23 @@ class StageComposer {
       this.noted = [];
       const built = build();
       if (this.store.isComplete) {
-        for (const { code, path, message } of this.noted) this.report(code, path, message);
+        for (const { code, path, message, missing } of this.noted) this.report(code, path, message, missing);
         return built;
       }
       await this.store.load();
     }
   }
 
-  private report(code: DiagnosticCode, path: string, message: string): void {
-    report({ layer: this.root.layer, diagnostics: this.diagnostics }, 'warning', code, path, message);
+  private report(code: DiagnosticCode, path: string, message: Message, missing?: MissingFile): void {
+    const context = { layer: this.root.layer, diagnostics: this.diagnostics };
+    report(context, 'warning', code, path, message, missing && { missing });
   }
 
   private async children(parent: ParentPrim, names: readonly string[]): Promise<ReadonlyMap<string, PrimSpec>> {
     const { path, depth, isShared } = parent;
     const children = new Map<string, PrimSpec>();
     if (depth >= MAX_DEPTH) {
-      this.report('usd.too-deep', path, `prims nested more than ${MAX_DEPTH} deep are left out`);
+      this.report('usd.too-deep', path, msg`prims nested more than ${MAX_DEPTH} deep are left out`);
       return children;
     }
     for (const name of names) {
@@ -178,14 +183,15 @@ class StageComposer {
     path: string,
     around: readonly ClipSet[],
   ): Promise<readonly ClipSet[]> {
-    const say = (code: DiagnosticCode, message: string): void => this.composer.note(code, path, message);
-    const own = await this.whenLayersLoaded(() => definitions.flatMap((d) => clipSetOf(d, this.store, say) ?? []));
+    const { note } = this.composer;
+    const build = () => definitions.flatMap((d) => clipSetOf(d, this.store, path, note) ?? []);
+    const own = await this.whenLayersLoaded(build);
     return [...own, ...around];
   }
 
   private applyClips(prim: PrimSpec, index: PrimIndexNode, clips: readonly ClipSet[]): void {
     if (this.clipBudget.samples < 0 || applyClips(prim, index, clips, this.clipBudget)) return;
-    const message = `the clips of the stage make more than ${MAX_CLIP_SAMPLES} samples; from here on they are left out`;
+    const message = msg`the clips of the stage make more than ${MAX_CLIP_SAMPLES} samples; from here on they are left out`;
     this.report('usd.clips', prim.path, message);
   }
 
@@ -195,9 +201,9 @@ class StageComposer {
     this.isFull = true;
     const why =
       this.prims > MAX_PRIMS
-        ? `the stage has more than ${MAX_PRIMS} prims`
-        : `its layers write ${this.store.specs} prims and properties, and their arcs make more of them than can be followed; ${this.prims - 1} prims are made`;
-    this.report('usd.too-many-prims', path, `${why}; the rest is left out, from here on`);
+        ? msg`the stage has more than ${MAX_PRIMS} prims`
+        : msg`its layers write ${this.store.specs} prims and properties, and their arcs make more of them than can be followed; ${this.prims - 1} prims are made`;
+    this.report('usd.too-many-prims', path, msg`${why}; the rest is left out, from here on`);
   }
 
   private reportUnknownVariants(): void {
@@ -205,8 +211,8 @@ class StageComposer {
       const offered = this.variantSets.find((s) => s.path === path && s.set === set);
       if (offered?.variants.includes(variant) || (offered && variant === '')) continue;
       const message = offered
-        ? `the variant '${variant}' of '${set}' is chosen, but ${set} has ${offered.variants.join(', ')}`
-        : `the variant '${variant}' of '${set}' is chosen, but ${set} is not a variant set of this prim`;
+        ? msg`the variant '${variant}' of '${set}' is chosen, but ${set} has ${offered.variants.join(', ')}`
+        : msg`the variant '${variant}' of '${set}' is chosen, but ${set} is not a variant set of this prim`;
       this.report('usd.variant', path, message);
     }
   }

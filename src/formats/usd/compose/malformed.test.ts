@@ -1,4 +1,5 @@
 import { describe, expect, it } from 'vitest';
+import { inEnglish } from '../../../messages/message.ts';
 import { memorySource } from '../../files/fileSource.ts';
 import { readUsd } from '../read.ts';
 import { packUsdz } from '../write/packUsdz.ts';
@@ -227,7 +228,7 @@ variantSet "shape" = { "cube" { def Cube "X" {}
       ['/None{x}', 'y'],
     ]);
     const scene = await readUsd(source, 'a.usda', { variants });
-    const said = scene.diagnostics.filter((d) => d.code === 'usd.variant').map((d) => d.message);
+    const said = scene.diagnostics.filter((d) => d.code === 'usd.variant').map((d) => inEnglish(d.message));
     expect(said).toEqual([
       "the variant 'cone' of 'shape' is chosen, but shape has ball, cube",
       "the variant 'y' of 'x' is chosen, but x is not a variant set of this prim",

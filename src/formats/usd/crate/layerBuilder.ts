@@ -1,3 +1,4 @@
+import { msg } from '../../../messages/message.ts';
 import {
   type AttributeSpec,
   EMPTY_MAP,
@@ -32,7 +33,7 @@ export class LayerBuilder {
   layer(): Layer {
     const { source } = this.reader;
     const root = this.specs.find((node) => !node.parent);
-    if (root?.specType !== SPEC_TYPES.layer) return source.fail('there is no spec of the layer itself');
+    if (root?.specType !== SPEC_TYPES.layer) return source.fail(msg`there is no spec of the layer itself`);
     root.isBuilt = true;
     const fields = this.reader.read(root);
     const children = fields.names('primChildren') ?? [];
@@ -41,7 +42,7 @@ export class LayerBuilder {
     const layer: Layer = { name: source.file, metadata: metadataOf(fields), rootPrims };
     if (rootOrder) layer.rootOrder = rootOrder;
     source.node = this.specs.find((node) => !node.isBuilt);
-    if (source.node) source.fail('there is a spec of this path, which is in no list of what is in its parent');
+    if (source.node) source.fail(msg`there is a spec of this path, which is in no list of what is in its parent`);
     return layer;
   }
 
@@ -49,10 +50,10 @@ export class LayerBuilder {
     let prims: ReadonlyMap<string, PrimSpec> = EMPTY_MAP;
     for (const name of names) {
       const node = siblings.take(name, false, [SPEC_TYPES.prim]);
-      if (!isPrimName(name)) this.reader.source.fail(`'${name}' is not a prim name`);
+      if (!isPrimName(name)) this.reader.source.fail(msg`'${name}' is not a prim name`);
       const fields = this.reader.read(node);
       const specifier = SPECIFIERS[fields.choice('specifier') ?? 1];
-      if (!specifier) fields.fail(`its specifier is not def, over or class`);
+      if (!specifier) fields.fail(msg`its specifier is not def, over or class`);
       prims = withEntry(prims, name, this.prim(node, name, specifier, fields.text('typeName') ?? '', fields));
     }
     return prims;
@@ -94,7 +95,7 @@ export class LayerBuilder {
 
   private property(siblings: ChildPaths, name: string): PropertySpec {
     const node = siblings.take(name, true, [SPEC_TYPES.attribute, SPEC_TYPES.relationship]);
-    if (!isPropertyName(name)) this.reader.source.fail(`'${name}' is not a property name`);
+    if (!isPropertyName(name)) this.reader.source.fail(msg`'${name}' is not a property name`);
     const fields = this.reader.read(node);
     return node.specType === SPEC_TYPES.attribute ? attribute(name, fields) : relationship(name, fields);
   }
@@ -123,7 +124,7 @@ class ChildPaths {
       : this.parent.children.find((child) => child.element === element && child.isProperty === isProperty);
     if (!node || node.isBuilt || !types.includes(node.specType)) {
       this.source.node = this.parent;
-      return this.source.fail(`it lists '${element}', of which there is no spec, or lists it twice`);
+      return this.source.fail(msg`it lists '${element}', of which there is no spec, or lists it twice`);
     }
     node.isBuilt = true;
     return node;
@@ -137,7 +138,7 @@ const elementKey = ({ element, isProperty }: PathNode): string => (isProperty ? 
 export const UNIFORM = 1;
 
 function attribute(name: string, fields: SpecFields): AttributeSpec {
-  const typeName = fields.text('typeName') ?? fields.fail('the attribute has no type');
+  const typeName = fields.text('typeName') ?? fields.fail(msg`the attribute has no type`);
   const custom = fields.bool('custom') ?? false;
   const uniform = (fields.choice('variability') ?? 0) >= UNIFORM;
   const value = fields.value('default');

@@ -291,7 +291,7 @@ describe('invalid specs', () => {
       ],
       'a.usdc</A>: there is a spec of this path, which is in no list',
     ],
-    ['have fields past the end', [[0, 5000, 7]], 'of its fields, from 5000 on, one is field undefined of 3'],
+    ['have fields past the end', [[0, 5000, 7]], 'its list of fields begins at 5000 of 6 and has no end'],
   ])('%s', (_, rows, message) => {
     expect(specs(...rows)).toContain(message);
   });

@@ -1,3 +1,4 @@
+import { msg } from '../../../messages/message.ts';
 import {
   EMPTY_MAP,
   type ListOp,
@@ -42,7 +43,7 @@ function subLayersOf(fields: SpecFields): ReferenceSpec[] | undefined {
 function entryOf(fields: SpecFields, key: string, field: FieldValue): MetadataValue {
   switch (field.type) {
     case 'permission':
-      return { type: 'token', data: PERMISSIONS[field.data] ?? fields.fail(`its permission is ${field.data}`) };
+      return { type: 'token', data: PERMISSIONS[field.data] ?? fields.fail(msg`its permission is ${field.data}`) };
     case 'names':
       return { type: 'token[]', data: field.data };
     case 'times':
@@ -58,7 +59,7 @@ function entryOf(fields: SpecFields, key: string, field: FieldValue): MetadataVa
     case 'offsets':
     case 'specifier':
     case 'variability':
-      return fields.fail(`its metadata ${key} is of kind ${field.type}`);
+      return fields.fail(msg`its metadata ${key} is of kind ${field.type}`);
     default:
       return field;
   }
@@ -66,7 +67,7 @@ function entryOf(fields: SpecFields, key: string, field: FieldValue): MetadataVa
 
 function textsOf(fields: SpecFields, key: string, data: ReadonlyMap<string, Value>): Map<string, string> {
   const text = (value: Value): string =>
-    value.type === 'string' ? value.data : fields.fail(`its ${key} hold a ${value.type}, not only strings`);
+    value.type === 'string' ? value.data : fields.fail(msg`its ${key} hold a ${value.type}, not only strings`);
   return new Map([...data].map(([from, to]) => [from, text(to)]));
 }
 

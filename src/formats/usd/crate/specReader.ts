@@ -1,3 +1,4 @@
+import { type Message, msg } from '../../../messages/message.ts';
 import type { Value } from '../layer/layer.ts';
 import type { CrateSource } from './structure/crateSource.ts';
 import type { PathNode } from './structure/pathTree.ts';
@@ -8,6 +9,8 @@ import { ValueRep } from './values/valueRep.ts';
 
 /** Kinds of specs by number (OpenUSD, SdfSpecType), those that a layer is made of. */
 export const SPEC_TYPES = { attribute: 1, prim: 6, layer: 7, relationship: 8, variant: 10, variantSet: 11 } as const;
+
+const A_FIELD = msg`a field`;
 
 /** Finds specs by their paths and reads their fields. */
 export class SpecReader {
@@ -28,8 +31,8 @@ export class SpecReader {
     source.section = 'SPECS';
     for (let i = 0; i < specs.paths.length; i++) {
       const node = paths[specs.paths[i]];
-      if (!node) return source.fail(`spec ${i} is of path ${specs.paths[i]}, which is none`);
-      if (node.specType !== 0) source.fail(`there are two specs of ${node.path}`);
+      if (!node) return source.fail(msg`spec ${i} is of path ${specs.paths[i]}, which is none`);
+      if (node.specType !== 0) source.fail(msg`there are two specs of ${node.path}`);
       node.specType = specs.types[i];
       node.fieldSet = specs.fieldSets[i];
       yield node;
@@ -43,11 +46,13 @@ export class SpecReader {
     const found = new SpecFields(source, values, node);
     source.node = node;
     for (let i = fieldSet; fieldSets[i] !== -1; i++) {
+      if (!(i >= 0 && i < fieldSets.length))
+        source.fail(msg`its list of fields begins at ${fieldSet} of ${fieldSets.length} and has no end`);
       const field = fieldSets[i];
       source.field = '';
       if (!(field >= 0 && field < fields.names.length))
-        source.fail(`of its fields, from ${fieldSet} on, one is field ${field} of ${fields.names.length}`);
-      source.spend(ENTRY_BYTES, 'a field');
+        source.fail(msg`of its fields, from ${fieldSet} on, one is field ${field} of ${fields.names.length}`);
+      source.spend(ENTRY_BYTES, A_FIELD);
       source.field = values.token(fields.names[field]);
       found.add(
         source.field,
@@ -76,7 +81,7 @@ export class SpecFields {
   }
 
   add(name: string, field: FieldValue): void {
-    if (this.keys.includes(name)) this.source.fail('it has this field twice');
+    if (this.keys.includes(name)) this.source.fail(msg`it has this field twice`);
     this.keys.push(name);
     this.fields.push(field);
   }
@@ -92,7 +97,7 @@ export class SpecFields {
   /** Takes out a field of one kind; undefined where there is none. */
   take<K extends FieldValue['type']>(name: string, type: K): FieldOf<K> | undefined {
     const field = this.takeOut(name);
-    if (field && field.type !== type) return this.fail(`its ${name} is of kind ${field.type}, not ${type}`);
+    if (field && field.type !== type) return this.fail(msg`its ${name} is of kind ${field.type}, not ${type}`);
     return field as FieldOf<K> | undefined;
   }
 
@@ -130,7 +135,7 @@ export class SpecFields {
     }
   }
 
-  fail(message: string): never {
+  fail(message: Message): never {
     this.source.node = this.node;
     return this.source.fail(message);
   }

@@ -1,3 +1,4 @@
+import { msg } from '../../../messages/message.ts';
 import type { PolygonValues } from '../../../scene/mesh/polygons.ts';
 import { report } from '../diagnostics.ts';
 import { attributeOf, numbersOf, type TimeCode, valueAt } from '../layer/attributes.ts';
@@ -59,8 +60,8 @@ export function valuesOnMesh(
     return { per, values, ...(indices ? { indices } : {}), ...(primvar.isLinear ? { linear: true } : {}) };
   }
   const message = outside
-    ? `${name} has an index outside its ${held} values; it is left out`
-    : `${name} has ${count} values where ${needed} are needed; it is left out`;
+    ? msg`${name} has an index outside its ${held} values; it is left out`
+    : msg`${name} has ${count} values where ${needed} are needed; it is left out`;
   report(context, 'warning', 'usd.primvar', prim.path, message);
   return undefined;
 }

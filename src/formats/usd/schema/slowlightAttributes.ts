@@ -1,4 +1,5 @@
 import { scale } from '../../../math/vec3.ts';
+import { msg } from '../../../messages/message.ts';
 import type {
   HyperbolicMotion,
   Lifetime,
@@ -70,13 +71,16 @@ const CLOSED_FORMS: { readonly [K in MotionAttributes['kind']]: ClosedForm } = {
     motion: (context, path, pose, directions) => ({
       kind: 'uniform',
       pose,
-      velocity: scale(requiredVector(context, path, directions, 'velocity'), context.unit),
+      velocity: scale(requiredVector(context, path, 'uniform', directions, 'velocity'), context.unit),
     }),
   },
   hyperbolic: {
     poseTime: ({ t0 }) => t0 ?? 0,
     motion: (context, path, pose, directions) => {
-      const properAcceleration = scale(requiredVector(context, path, directions, 'properAcceleration'), context.unit);
+      const properAcceleration = scale(
+        requiredVector(context, path, 'hyperbolic', directions, 'properAcceleration'),
+        context.unit,
+      );
       return { kind: 'hyperbolic', pose, properAcceleration, t0: directions.t0 ?? 0 };
     },
   },
@@ -103,12 +107,13 @@ export const closedFormMotion = (
 function requiredVector(
   context: StageContext,
   path: string,
+  motion: MotionAttributes['kind'],
   from: SlowlightAttributes,
   name: 'velocity' | 'properAcceleration',
 ) {
   const value = from[name];
   if (value) return value;
-  const message = `slowlight:motion is "${from.motion}" without slowlight:${name}, a vector3d; it rests`;
+  const message = msg`slowlight:motion is "${motion}" without slowlight:${name}, a vector3d; it rests`;
   report(context, 'warning', 'usd.slowlight', path, message);
   return [0, 0, 0] as const;
 }
@@ -122,7 +127,7 @@ export function checkSlowlightAttributes(context: StageContext, path: string, di
       'warning',
       'usd.slowlight',
       path,
-      `slowlight:motion "${motion}" is not uniform or hyperbolic; it is left out`,
+      msg`slowlight:motion "${motion}" is not uniform or hyperbolic; it is left out`,
     );
   if (authoredIn !== undefined && authoredIn !== 'rest' && authoredIn !== 'world')
     report(
@@ -130,7 +135,7 @@ export function checkSlowlightAttributes(context: StageContext, path: string, di
       'warning',
       'usd.slowlight',
       path,
-      `slowlight:authoredIn "${authoredIn}" is not world or rest; world is taken`,
+      msg`slowlight:authoredIn "${authoredIn}" is not world or rest; world is taken`,
     );
 }
 

@@ -1,3 +1,4 @@
+import { type Message, msg } from '../../../messages/message.ts';
 import { measuredMaterial } from '../../../scene/materials/measuredMaterial.ts';
 import { InputError, type Material, type SpectrumLight } from '../../../scene/types.ts';
 import type { MeasuredReflectance } from '../../../spectrum/reflectance/measuredReflectance.ts';
@@ -13,10 +14,10 @@ import type { StageContext } from './context.ts';
 class TableCache<Table> {
   private readonly tables = new WeakMap<StageContext['files'], Map<string, Table>>();
   private readonly read: (bytes: Uint8Array, name: string) => Table;
-  private readonly fallbackMessage: string;
+  private readonly fallbackMessage: Message;
 
-  /** `instead`: text for a missing or invalid table. */
-  constructor(read: (bytes: Uint8Array, name: string) => Table, instead: string) {
+  /** `instead`: what is said of a missing or invalid table. */
+  constructor(read: (bytes: Uint8Array, name: string) => Table, instead: Message) {
     this.read = read;
     this.fallbackMessage = instead;
   }
@@ -43,16 +44,16 @@ class TableCache<Table> {
       return table;
     } catch (thrown) {
       if (!(thrown instanceof InputError)) throw thrown;
-      report(context, 'warning', 'spectrum.csv', prim.path, `${thrown.message}; ${this.fallbackMessage}`);
+      report(context, 'warning', 'spectrum.csv', prim.path, msg`${thrown.text}; ${this.fallbackMessage}`);
       return undefined;
     }
   }
 }
 
-const spectra = new TableCache<SampledSpectrum>(readSpectrumCsv, 'its light is taken for daylight');
+const spectra = new TableCache<SampledSpectrum>(readSpectrumCsv, msg`its light is taken for daylight`);
 const reflectances = new TableCache<MeasuredReflectance>(
   readReflectanceCsv,
-  'its surface has the colour of its inputs',
+  msg`its surface has the colour of its inputs`,
 );
 
 /** The emission spectrum of a light. */

@@ -1,4 +1,5 @@
 import { IDENTITY, invert } from '../../../math/mat4.ts';
+import { msg } from '../../../messages/message.ts';
 import type { Lifetime, Light, Scene, SceneCamera, SceneObject } from '../../../scene/types.ts';
 import { MAX_OBJECTS } from '../../read/limits.ts';
 import { report } from '../diagnostics.ts';
@@ -158,7 +159,7 @@ class StageReader {
   private async readHere(prim: PrimSpec, own: Inherited): Promise<void> {
     reportUnreadValues(this.context, prim);
     const { typeName } = prim;
-    const unread = isUnreadLight(typeName) ? `${typeName} is a light that is not read` : unreadType(typeName);
+    const unread = isUnreadLight(typeName) ? msg`${typeName} is a light that is not read` : unreadType(typeName);
     if (unread) report(this.context, 'warning', 'usd.unsupported-prim', prim.path, unread);
     await this.readSchema(prim, own);
   }
@@ -166,7 +167,7 @@ class StageReader {
   private isDefined(prim: PrimSpec): boolean {
     if (prim.specifier === 'class' || !isActive(prim)) return false;
     if (prim.specifier === 'over') {
-      const message = "an 'over' changes this prim, and nothing defines it; it is left out";
+      const message = msg`an 'over' changes this prim, and nothing defines it; it is left out`;
       if (!this.prototypes.has(prim.path)) report(this.context, 'warning', 'usd.undefined-prim', prim.path, message);
       return false;
     }
@@ -180,7 +181,7 @@ class StageReader {
         'warning',
         'usd.animated-visibility',
         prim.path,
-        'its visibility changes with time; it is held at the start (slowlight:birth and slowlight:death can say when it exists)',
+        msg`its visibility changes with time; it is held at the start (slowlight:birth and slowlight:death can say when it exists)`,
       );
     return textAt(prim, 'visibility', this.context.startCode) !== 'invisible';
   }
@@ -193,10 +194,10 @@ class StageReader {
         'warning',
         'usd.xform-op',
         prim.path,
-        `xformOpOrder names '${name}', which is no transform of this prim; it is left out`,
+        msg`xformOpOrder names '${name}', which is no transform of this prim; it is left out`,
       );
     if (transform.tooMany) {
-      const message = `xformOpOrder names ${transform.tooMany} transforms; the first ${MAX_OPS} are used (write their product as one matrix)`;
+      const message = msg`xformOpOrder names ${transform.tooMany} transforms; the first ${MAX_OPS} are used (write their product as one matrix)`;
       report(this.context, 'warning', 'usd.xform-op', prim.path, message);
     }
     const directions = slowlightAttributesOf(prim, inherited.slowlight);
@@ -218,7 +219,7 @@ class StageReader {
   private async readSchema(prim: PrimSpec, own: Inherited): Promise<void> {
     const lights = isLight(prim.typeName);
     if ((lights || prim.typeName === 'Camera') && !own.sink.isScene) {
-      const message = `a ${prim.typeName} in a prototype of instances is not read; it is left out`;
+      const message = msg`a ${prim.typeName} in a prototype of instances is not read; it is left out`;
       report(this.context, 'warning', 'usd.instancer', prim.path, message);
     } else if (prim.typeName === 'Camera') this.cameras.push(cameraOf(this.context, prim, own.transform));
     else if (lights) this.lights.push(await this.lightOf(prim, own));
@@ -304,7 +305,7 @@ class StageReader {
     if (prim.typeName !== 'Mesh') return gprimGeometry(this.context, prim, surface);
     const shape = meshGeometry(this.context, this.skeletons, prim, surface);
     if (shape && shape.mesh.indices.length > 0) return shape;
-    if (shape) report(this.context, 'warning', 'usd.empty-mesh', prim.path, 'the mesh has no faces; it is left out');
+    if (shape) report(this.context, 'warning', 'usd.empty-mesh', prim.path, msg`the mesh has no faces; it is left out`);
     return undefined;
   }
 
@@ -317,7 +318,7 @@ class StageReader {
     const poseTime = poseTimeOf(directions);
     if (poseTime === undefined) return placeGeometry(this.context, path, shape, frame);
     if (frame.times.length > 0 || shape.deformation) {
-      const message = `slowlight:motion and time samples both move it; it keeps its pose of t = ${poseTime} s and moves as slowlight:motion says`;
+      const message = msg`slowlight:motion and time samples both move it; it keeps its pose of t = ${poseTime} s and moves as slowlight:motion says`;
       report(this.context, 'warning', 'usd.slowlight', path, message);
     }
     const still = placeAtTime(this.context, shape, frame, poseTime * this.context.codesPerSecond);

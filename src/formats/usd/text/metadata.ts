@@ -1,3 +1,4 @@
+import { msg } from '../../../messages/message.ts';
 import { InputError } from '../../../scene/types.ts';
 import {
   type Dictionary,
@@ -11,6 +12,9 @@ import {
 import { absolutePath, isPath } from '../layer/paths.ts';
 import { Scanner } from './scanner.ts';
 import { parseDictionary, parseItems, parseTypeName, parseValue, rawValue } from './values.ts';
+
+const A_TEXT = msg`a text in quotes`;
+const METADATA = msg`metadata`;
 
 type Metadata = ReadonlyMap<string, MetadataValue>;
 
@@ -75,7 +79,7 @@ export function parseListOp<T>(
   identity?: (item: T) => string,
 ): void {
   const items = s.takeKeyword('None') ? [] : s.peek() === '[' ? parseItems(s, item) : [item()];
-  if (identity && new Set(items.map(identity)).size < items.length) s.fail('an item of this list is there twice');
+  if (identity && new Set(items.map(identity)).size < items.length) s.fail(msg`an item of this list is there twice`);
   // An empty prepend or delete is no opinion; an empty explicit list is.
   if (items.length > 0 || qualifier === 'explicit') op[qualifier] = items;
 }
@@ -88,26 +92,26 @@ export function parseMetadata(s: Scanner, owner: string, before: Metadata = EMPT
   let said = before;
   if (!s.take('(')) return said;
   while (!s.take(')')) {
-    if (s.atEnd()) s.expected("')' after metadata");
+    if (s.atEnd()) s.expected(msg`')' after metadata`);
     const c = s.peek();
     if (c === '"' || c === "'")
-      said = withEntry<MetadataValue>(said, 'comment', { type: 'string', data: s.string('a comment') });
+      said = withEntry<MetadataValue>(said, 'comment', { type: 'string', data: s.string(A_TEXT) });
     else said = withEntry(said, ...parseEntry(s, owner, said));
-    s.endStatement('metadata');
+    s.endStatement(METADATA);
   }
   return said;
 }
 
 function parseEntry(s: Scanner, owner: string, said: Metadata): [key: string, value: MetadataValue] {
   const qualifier = takeQualifier(s);
-  const written = s.joinedName(':', "a metadata key or ')'");
+  const written = s.joinedName(':', msg`a metadata key or ')'`);
   const key = written === 'doc' ? 'documentation' : written;
-  s.expect('=', `after the metadata key '${written}'`);
+  s.expect('=', msg`after the metadata key '${written}'`);
   const special = SPECIAL_PARSERS.get(key);
   const isList = special ? LIST_PARSERS.has(special) : !KEY_TYPES.has(key);
-  if (qualifier !== 'explicit' && !isList) s.fail(`'${written}' is no list, which could be edited`);
+  if (qualifier !== 'explicit' && !isList) s.fail(msg`'${written}' is no list, which could be edited`);
   if (!special && !KEY_TYPES.has(key) && KEYWORDS.has(key))
-    s.fail(`'${key}' is a word of the language, no metadata key`);
+    s.fail(msg`'${key}' is a word of the language, no metadata key`);
   if (special) return [key, special(s, said.get(key), qualifier, owner)];
   if (qualifier !== 'explicit') return [key, unregisteredList(s, said.get(key), qualifier)];
   return [key, plainEntry(s, key)];
@@ -115,7 +119,7 @@ function parseEntry(s: Scanner, owner: string, said: Metadata): [key: string, va
 
 function plainEntry(s: Scanner, key: string): Value {
   const type = KEY_TYPES.get(key);
-  if (type !== undefined && s.peekName() === 'None') s.expected(`a value of type ${type}`);
+  if (type !== undefined && s.peekName() === 'None') s.expected(msg`a value of type ${type}`);
   if (type === undefined && s.peek() !== '{') return rawValue(s);
   return parseValue(s, type ?? 'dictionary');
 }
@@ -174,16 +178,16 @@ const integers: SpecialParser = (s, old, qualifier) => {
   parseListOp(s, op, qualifier, () => BigInt(s.integerText().slice(0, 40)));
   return { type: 'integers', op };
 };
-const tokenValue: SpecialParser = (s) => ({ type: 'token', data: s.takeName() ?? s.string('a name') });
+const tokenValue: SpecialParser = (s) => ({ type: 'token', data: s.takeName() ?? s.string(msg`a name`) });
 const permission: SpecialParser = (s) => {
-  const data = s.takeName() ?? s.string('public or private');
+  const data = s.takeName() ?? s.string(msg`public or private`);
   return data === 'public' || data === 'private'
     ? { type: 'token', data }
-    : s.fail(`'${data}' is not public or private`);
+    : s.fail(msg`'${data}' is not public or private`);
 };
 const substitutions: SpecialParser = (s) => ({
   type: 'texts-by-name',
-  data: new Map(parsePairs(s, () => s.string('a text in quotes'))),
+  data: new Map(parsePairs(s, () => s.string(A_TEXT))),
 });
 
 const SPECIAL_PARSERS: ReadonlyMap<string, SpecialParser> = new Map<string, SpecialParser>([
@@ -218,7 +222,7 @@ function textsOf(
   identity?: (text: string) => string,
 ): MetadataValue {
   const op = old?.type === 'texts' ? old.op : {};
-  parseListOp(s, op, qualifier, () => s.string('a name in quotes'), identity);
+  parseListOp(s, op, qualifier, () => s.string(msg`a name in quotes`), identity);
   return { type: 'texts', op };
 }
 
@@ -228,12 +232,12 @@ const LIST_PARSERS: ReadonlySet<SpecialParser> = new Set([arcs, paths, texts, na
 /** `{ a: b, c: d }` */
 function parsePairs(s: Scanner, item: () => string): [string, string][] {
   const pairs: [string, string][] = [];
-  s.expect('{', 'before pairs');
+  s.expect('{', msg`before pairs`);
   while (!s.take('}')) {
     const from = item();
-    s.expect(':', 'between the parts of a pair');
+    s.expect(':', msg`between the parts of a pair`);
     pairs.push([from, item()]);
-    if (!s.take(',') && s.peek() !== '}') s.expected("',' or '}' after a pair");
+    if (!s.take(',') && s.peek() !== '}') s.expected(msg`',' or '}' after a pair`);
   }
   return pairs;
 }
@@ -241,14 +245,14 @@ function parsePairs(s: Scanner, item: () => string): [string, string][] {
 /** `{ string set = "variant" }` */
 function parseSelections(s: Scanner): Map<string, string> {
   const selections = new Map<string, string>();
-  s.expect('{', 'before variant selections');
+  s.expect('{', msg`before variant selections`);
   while (!s.take('}')) {
     const type = parseTypeName(s);
-    if (type !== 'string') s.fail(`a variant selection is a string, not a ${type}`);
-    const set = s.takeName() ?? s.string('the name of a variant set');
-    s.expect('=', `after '${set}'`);
-    selections.set(set, s.string('the name of a variant'));
-    s.endStatement(`the selection of '${set}'`);
+    if (type !== 'string') s.fail(msg`a variant selection is a string, not a ${type}`);
+    const set = s.takeName() ?? s.string(msg`the name of a variant set`);
+    s.expect('=', msg`after '${set}'`);
+    selections.set(set, s.string(msg`the name of a variant`));
+    s.endStatement(msg`the selection of '${set}'`);
   }
   return selections;
 }
@@ -261,7 +265,7 @@ export function parsePath(s: Scanner, owner: string, canBeProperty: boolean, can
   if (canBeNone && path === '') return '';
   if (!isPath(path, canBeProperty))
     s.fail(
-      canBeProperty ? `<${path}> is not the path of a prim or a property` : `<${path}> is not the path of a prim`,
+      canBeProperty ? msg`<${path}> is not the path of a prim or a property` : msg`<${path}> is not the path of a prim`,
       at,
     );
   return absolutePath(path, owner);
@@ -271,7 +275,7 @@ function parseArcPath(s: Scanner): string {
   const at = s.pos;
   const path = s.path();
   if (path !== '' && !(path.startsWith('/') && isPath(path, false)))
-    s.fail(`<${path}> is not the path of a prim from the root`, at);
+    s.fail(msg`<${path}> is not the path of a prim from the root`, at);
   return path;
 }
 
@@ -284,18 +288,18 @@ function parseArc(s: Scanner): ReferenceSpec {
   s.skip();
   const start = s.pos;
   const asset = s.peek() === '@' ? s.asset() : '';
-  if (s.pos > start && asset === '') s.fail('this asset path is empty', start);
-  const path = s.peek() === '<' ? parseArcPath(s) : asset === '' ? s.expected('@file@ or </Prim>') : '';
+  if (s.pos > start && asset === '') s.fail(msg`this asset path is empty`, start);
+  const path = s.peek() === '<' ? parseArcPath(s) : asset === '' ? s.expected(msg`@file@ or </Prim>`) : '';
   let [offset, scale] = [0, 1];
   let customData: Dictionary | undefined;
   if (s.take('(')) {
     while (!s.take(')')) {
-      const key = s.name("offset, scale, customData or ')'");
-      s.expect('=', `after '${key}'`);
+      const key = s.name(msg`offset, scale, customData or ')'`);
+      s.expect('=', msg`after '${key}'`);
       if (key === 'offset') offset = s.number();
       else if (key === 'scale') scale = s.number();
       else if (key === 'customData') customData = parseDictionary(s);
-      else s.fail(`'${key}' is not offset, scale or customData`);
+      else s.fail(msg`'${key}' is not offset, scale or customData`);
       s.endStatement(`'${key}'`);
     }
   }

@@ -1,3 +1,4 @@
+import { type LocalizedText, type Message, msg } from '../../../messages/message.ts';
 import { inputError } from '../../diagnostics/inputError.ts';
 
 const NEWLINE = 10;
@@ -63,7 +64,7 @@ export class Scanner {
         return;
       }
     }
-    this.fail('the comment that begins here is not closed with */', start);
+    this.fail(msg`the comment that begins here is not closed with */`, start);
   }
 
   atEnd(): boolean {
@@ -85,8 +86,8 @@ export class Scanner {
     return true;
   }
 
-  expect(char: string, where: string): void {
-    if (!this.take(char)) this.expected(`'${char}' ${where}`);
+  expect(char: string, where: LocalizedText): void {
+    if (!this.take(char)) this.expected(msg`'${char}' ${where}`);
   }
 
   /** Consumes a name; undefined if none comes next. */
@@ -99,12 +100,12 @@ export class Scanner {
     return this.text(start, this.pos);
   }
 
-  name(what: string): string {
+  name(what: LocalizedText): string {
     return this.takeName() ?? this.expected(what);
   }
 
   /** A name, then more of them joined by `separator` without spaces: `primvars:st`. */
-  joinedName(separator: ':' | '.', what: string): string {
+  joinedName(separator: ':' | '.', what: LocalizedText): string {
     let name = this.name(what);
     const code = separator.charCodeAt(0);
     while (this.bytes[this.pos] === code && isNameStart(this.bytes[this.pos + 1] ?? 0)) {
@@ -131,11 +132,11 @@ export class Scanner {
   }
 
   /** Consumes the end of a statement: a new line, one ';' on its own line, or the closing bracket of the block. */
-  endStatement(what: string): void {
+  endStatement(what: LocalizedText): void {
     const c = this.peek();
     const newline = this.lineStart === this.pos;
     if (newline || c === '}' || c === ')' || c === '') return;
-    if (c !== ';') this.expected(`a new line or ';' after ${what}`);
+    if (c !== ';') this.expected(msg`a new line or ';' after ${what}`);
     this.pos++;
   }
 
@@ -184,7 +185,7 @@ export class Scanner {
     if (this.bytes[p] === MINUS || this.bytes[p] === 43) p++;
     const first = p;
     while (isDigit(this.bytes[p])) p++;
-    return p > first ? p : this.fail('the exponent of this number has no digits', start);
+    return p > first ? p : this.fail(msg`the exponent of this number has no digits`, start);
   }
 
   private wordNumber(start: number, negative: boolean): number {
@@ -195,7 +196,7 @@ export class Scanner {
     if (word === 'inf') return negative ? -Infinity : Infinity;
     if (word === 'nan' && !negative) return NaN;
     this.pos = start;
-    return this.expected('a number');
+    return this.expected(msg`a number`);
   }
 
   /** Digits of an integer of any size. */
@@ -208,11 +209,11 @@ export class Scanner {
     const next = this.bytes[this.pos];
     if (this.pos > first && next !== DOT && next !== 69 && next !== 101) return this.text(start, this.pos);
     this.pos = start;
-    return this.expected('a whole number');
+    return this.expected(msg`a whole number`);
   }
 
   /** `"…"`, `'…'` or the tripled forms, which may hold new lines. */
-  string(what: string): string {
+  string(what: LocalizedText): string {
     this.skip();
     const start = this.pos;
     const quote = this.bytes[start];
@@ -231,8 +232,8 @@ export class Scanner {
       } else if (!triple && (c === NEWLINE || c === RETURN)) break;
     }
     const message = triple
-      ? 'the string that begins here is not closed'
-      : 'the string that begins here is not closed on its line';
+      ? msg`the string that begins here is not closed`
+      : msg`the string that begins here is not closed on its line`;
     return this.fail(message, start);
   }
 
@@ -268,7 +269,7 @@ export class Scanner {
   asset(): string {
     this.skip();
     const start = this.pos;
-    if (this.bytes[start] !== AT) return this.expected('an asset path (@…@)');
+    if (this.bytes[start] !== AT) return this.expected(msg`an asset path (@…@)`);
     const triple = this.bytes[start + 1] === AT && this.bytes[start + 2] === AT;
     const close = triple ? '@@@' : '@';
     for (let p = start + close.length; p < this.bytes.length && this.bytes[p] !== NEWLINE; p++) {
@@ -281,20 +282,20 @@ export class Scanner {
         return triple ? text.replaceAll('\\@@@', '@@@') : text;
       }
     }
-    return this.fail(`the asset path that begins here is not closed with ${close} on its line`, start);
+    return this.fail(msg`the asset path that begins here is not closed with ${close} on its line`, start);
   }
 
   /** `<…>`, as written. */
   path(): string {
     this.skip();
     const start = this.pos;
-    if (this.bytes[start] !== 60) return this.expected('a path (<…>)');
+    if (this.bytes[start] !== 60) return this.expected(msg`a path (<…>)`);
     for (let p = start + 1; p < this.bytes.length && this.bytes[p] !== NEWLINE; p++) {
       if (this.bytes[p] !== 62) continue;
       this.pos = p + 1;
       return this.text(start + 1, p);
     }
-    return this.fail('the path that begins here is not closed with > on its line', start);
+    return this.fail(msg`the path that begins here is not closed with > on its line`, start);
   }
 
   /** Decodes bytes; throws if not UTF-8. */
@@ -307,7 +308,7 @@ export class Scanner {
     try {
       return this.utf8.decode(bytes);
     } catch {
-      return this.fail('this text is not UTF-8; save the file as UTF-8', from);
+      return this.fail(msg`this text is not UTF-8; save the file as UTF-8`, from);
     }
   }
 
@@ -317,16 +318,16 @@ export class Scanner {
   }
 
   /** Throws for an unexpected token. */
-  expected(what: string): never {
+  expected(what: LocalizedText): never {
     this.skip();
     if (this.pos >= this.bytes.length)
-      return this.fail(`expected ${what}, found the end of the file; it may be cut off`);
+      return this.fail(msg`expected ${what}, found the end of the file; it may be cut off`);
     const line = String.fromCharCode(...this.bytes.subarray(this.pos, this.pos + 40)).split(/[\r\n]/)[0]!;
     const found = (/^([\w:.-]+|\W)/.exec(line)?.[0] ?? line).slice(0, 32);
-    return this.fail(`expected ${what}, found '${found}'`);
+    return this.fail(msg`expected ${what}, found '${found}'`);
   }
 
-  fail(message: string, at = this.pos): never {
+  fail(message: Message, at = this.pos): never {
     throw inputError('usd.syntax', this.place(at), message);
   }
 

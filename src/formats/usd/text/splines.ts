@@ -1,4 +1,5 @@
 import { fromHalf, toHalf } from '../../../math/half.ts';
+import { msg } from '../../../messages/message.ts';
 import type { Dictionary, Extrapolation, Spline, SplineKnot, SplineLoop, Tangent } from '../layer/layer.ts';
 import type { Scanner } from './scanner.ts';
 import { parseDictionary } from './values.ts';
@@ -19,10 +20,10 @@ const NO_TANGENT: Tangent = { width: 0, slope: 0, algorithm: 'none' };
 /** `{ bezier, pre: held, 1: 5; post curve (2, 0.3), … }`: of two knots at one time the first stands, as in OpenUSD. */
 export function parseSpline(s: Scanner, typeName: string): Spline {
   const round = ROUNDINGS.get(typeName);
-  if (!round) return s.fail(`a spline is of type double, float or half, not ${typeName}`);
+  if (!round) return s.fail(msg`a spline is of type double, float or half, not ${typeName}`);
   const head: Partial<Record<'before' | 'after', Extrapolation>> & { curve?: Spline['curve']; loop?: SplineLoop } = {};
   const knots = new Map<number, SplineKnot>();
-  s.expect('{', 'before a spline');
+  s.expect('{', msg`before a spline`);
   while (!s.take('}')) {
     const word = s.takeName();
     if (word === 'bezier' || word === 'hermite') head.curve = word;
@@ -30,8 +31,8 @@ export function parseSpline(s: Scanner, typeName: string): Spline {
     else if (word === 'post') head.after = parseExtrapolation(s);
     else if (word === 'loop') head.loop = parseLoop(s);
     else if (word === undefined) addKnot(s, round, knots);
-    else s.fail(`'${word}' is not bezier, hermite, pre, post, loop or the time of a knot`);
-    if (!s.take(',') && s.peek() !== '}') s.expected("',' or '}' in a spline");
+    else s.fail(msg`'${word}' is not bezier, hermite, pre, post, loop or the time of a knot`);
+    if (!s.take(',') && s.peek() !== '}') s.expected(msg`',' or '}' in a spline`);
   }
   const { curve = 'bezier', before = { kind: 'held' }, after = { kind: 'held' }, loop } = head;
   const sorted = [...knots.values()].sort((a, b) => a.time - b.time);
@@ -52,19 +53,19 @@ const withoutWidths = (knot: SplineKnot): SplineKnot => ({
 
 /** `: held`, `: sloped(0.5)`, `: loop repeat` */
 function parseExtrapolation(s: Scanner): Extrapolation {
-  s.expect(':', 'before the kind of extrapolation');
-  const word = s.name('none, held, linear, sloped or loop');
+  s.expect(':', msg`before the kind of extrapolation`);
+  const word = s.name(msg`none, held, linear, sloped or loop`);
   if (word === 'none' || word === 'held' || word === 'linear') return { kind: word };
   if (word === 'sloped') {
-    s.expect('(', 'before a slope');
+    s.expect('(', msg`before a slope`);
     const slope = finite(s);
-    s.expect(')', 'after a slope');
+    s.expect(')', msg`after a slope`);
     return { kind: 'sloped', slope };
   }
-  if (word !== 'loop') s.fail(`'${word}' is not none, held, linear, sloped or loop`);
-  const mode = s.name('repeat, reset or oscillate');
+  if (word !== 'loop') s.fail(msg`'${word}' is not none, held, linear, sloped or loop`);
+  const mode = s.name(msg`repeat, reset or oscillate`);
   if (mode !== 'repeat' && mode !== 'reset' && mode !== 'oscillate')
-    return s.fail(`'loop ${mode}' is not loop repeat, loop reset or loop oscillate`);
+    return s.fail(msg`'loop ${mode}' is not loop repeat, loop reset or loop oscillate`);
   return { kind: mode };
 }
 
@@ -72,22 +73,22 @@ const isInt32 = (x: number): boolean => (x | 0) === x;
 
 /** `: (start, end, before, after, offset)` */
 function parseLoop(s: Scanner): SplineLoop {
-  s.expect(':', "after 'loop'");
-  s.expect('(', 'before the five numbers of a loop');
+  s.expect(':', msg`after 'loop'`);
+  s.expect('(', msg`before the five numbers of a loop`);
   const numbers = Array.from({ length: 5 }, (_, i) => {
-    if (i > 0) s.expect(',', 'between the five numbers of a loop');
+    if (i > 0) s.expect(',', msg`between the five numbers of a loop`);
     return finite(s);
   });
-  s.expect(')', 'after the five numbers of a loop');
+  s.expect(')', msg`after the five numbers of a loop`);
   const [start, end, before, after, offset] = numbers;
-  if (!isInt32(before) || !isInt32(after)) s.fail('how often a spline is looped, is a whole number');
+  if (!isInt32(before) || !isInt32(after)) s.fail(msg`how often a spline is looped, is a whole number`);
   return { start, end, before, after, offset };
 }
 
 /** `time: value` or `time: preValue & value`, then what shapes it, each after a ';'. */
 function addKnot(s: Scanner, round: Rounding, knots: Map<number, SplineKnot>): void {
   const time = finite(s);
-  s.expect(':', `after the time ${time}`);
+  s.expect(':', msg`after the time ${time}`);
   const first = round(finite(s));
   const value = s.take('&') ? round(finite(s)) : undefined;
   const shape = parseShape(s, round);
@@ -108,44 +109,44 @@ function parseShape(s: Scanner, round: Rounding): KnotShape {
     else if (s.takeKeyword('post')) {
       interpolation = parseInterpolation(s);
       post = s.peek() === '(' ? parseTangent(s, round) : NO_TANGENT;
-    } else s.expected("'pre', 'post' or a dictionary");
+    } else s.expected(msg`'pre', 'post' or a dictionary`);
   }
   return { interpolation, pre, post, ...(customData?.size ? { customData } : {}) };
 }
 
 function parseInterpolation(s: Scanner): SplineKnot['interpolation'] {
-  const word = s.name('none, held, linear or curve');
+  const word = s.name(msg`none, held, linear or curve`);
   if (word === 'none' || word === 'held' || word === 'linear' || word === 'curve') return word;
-  return s.fail(`'${word}' is not none, held, linear or curve`);
+  return s.fail(msg`'${word}' is not none, held, linear or curve`);
 }
 
 /** `(slope)`, `(width, slope)`, either with the algorithm last. */
 function parseTangent(s: Scanner, round: Rounding): Tangent {
-  s.expect('(', 'before a tangent');
+  s.expect('(', msg`before a tangent`);
   const at = s.pos;
   const numbers = [finite(s)];
   let algorithm: Tangent['algorithm'] = 'none';
   while (s.take(',')) {
-    if (s.peekName() !== undefined) {
-      algorithm = parseAlgorithm(s);
+    const word = s.takeName();
+    if (word !== undefined) {
+      algorithm = algorithmOf(s, word);
       break;
     }
-    if (numbers.length === 2) s.expected("')' after the width and the slope of a tangent");
+    if (numbers.length === 2) s.expected(msg`')' after the width and the slope of a tangent`);
     numbers.push(finite(s));
   }
-  s.expect(')', 'after a tangent');
+  s.expect(')', msg`after a tangent`);
   const [width, slope] = numbers.length === 2 ? numbers : [0, numbers[0]];
-  if (width < 0) s.fail(`the width of a tangent is ${width}; it cannot be negative`, at);
+  if (width < 0) s.fail(msg`the width of a tangent is ${width}; it cannot be negative`, at);
   return { width, slope: round(slope), algorithm };
 }
 
-function parseAlgorithm(s: Scanner): Tangent['algorithm'] {
-  const word = s.takeName();
+function algorithmOf(s: Scanner, word: string): Tangent['algorithm'] {
   if (word === 'custom' || word === 'autoEase') return word;
-  return s.fail(`'${word}' is not custom or autoEase`);
+  return s.fail(msg`'${word}' is not custom or autoEase`);
 }
 
 function finite(s: Scanner): number {
   const value = s.number();
-  return Number.isFinite(value) ? value : s.fail(`${value} cannot be in a spline`);
+  return Number.isFinite(value) ? value : s.fail(msg`${value} cannot be in a spline`);
 }

@@ -1,3 +1,4 @@
+import { type Message, msg } from '../../../messages/message.ts';
 import type { NumberType, TextType, TupleType } from '../layer/layer.ts';
 
 /** Text syntax and storage of a type. */
@@ -10,8 +11,31 @@ export type ValueType =
       readonly kind: 'tuple';
       readonly storage: TupleType;
       readonly scalar: ScalarKind;
-      readonly shape: readonly number[];
+      readonly shape: TupleShape;
     };
+
+/** The parts of a tuple or matrix, and where they are, for messages: a file has many tuples of few shapes. */
+export interface TupleShape {
+  readonly parts: number;
+  /** Shape of a part; absent: parts are numbers. */
+  readonly part?: TupleShape;
+  /** Number of numbers. */
+  readonly size: number;
+  readonly before: Message;
+  readonly between: Message;
+  readonly after: Message;
+}
+
+function tupleShape(parts: number, part?: TupleShape): TupleShape {
+  return {
+    parts,
+    ...(part && { part }),
+    size: parts * (part?.size ?? 1),
+    before: msg`before a value with ${part ? `${parts} × ${part.parts}` : parts} numbers`,
+    between: msg`between the ${parts} parts of a value`,
+    after: msg`after the ${parts} parts of a value`,
+  };
+}
 
 export type ScalarKind = 'uchar' | 'int' | 'uint' | 'half' | 'float' | 'double';
 
@@ -34,17 +58,20 @@ function* allTypes(): Generator<[string, ValueType]> {
     yield [storage, { kind: 'text', storage }];
   yield* vectors();
   for (const n of [2, 3, 4] as const)
-    yield [`matrix${n}d`, { kind: 'tuple', storage: `matrix${n}d`, scalar: 'double', shape: [n, n] }];
-  yield ['frame4d', { kind: 'tuple', storage: 'matrix4d', scalar: 'double', shape: [4, 4] }];
-  yield ['quath', { kind: 'tuple', storage: 'quath', scalar: 'half', shape: [4] }];
-  yield ['quatf', { kind: 'tuple', storage: 'quatf', scalar: 'float', shape: [4] }];
-  yield ['quatd', { kind: 'tuple', storage: 'quatd', scalar: 'double', shape: [4] }];
+    yield [
+      `matrix${n}d`,
+      { kind: 'tuple', storage: `matrix${n}d`, scalar: 'double', shape: tupleShape(n, tupleShape(n)) },
+    ];
+  yield ['frame4d', { kind: 'tuple', storage: 'matrix4d', scalar: 'double', shape: tupleShape(4, tupleShape(4)) }];
+  yield ['quath', { kind: 'tuple', storage: 'quath', scalar: 'half', shape: tupleShape(4) }];
+  yield ['quatf', { kind: 'tuple', storage: 'quatf', scalar: 'float', shape: tupleShape(4) }];
+  yield ['quatd', { kind: 'tuple', storage: 'quatd', scalar: 'double', shape: tupleShape(4) }];
 }
 
 function* vectors(): Generator<[string, ValueType]> {
   for (const n of [2, 3, 4] as const) {
     for (const scalar of ['int', 'half', 'float', 'double'] as const) {
-      const type: ValueType = { kind: 'tuple', storage: `${scalar}${n}`, scalar, shape: [n] };
+      const type: ValueType = { kind: 'tuple', storage: `${scalar}${n}`, scalar, shape: tupleShape(n) };
       yield [`${scalar}${n}`, type];
       if (scalar !== 'int') for (const role of rolesOf[n]) yield [`${role}${n}${scalar[0]}`, type];
     }

@@ -1,7 +1,8 @@
 import { fromHalf, toHalf } from '../../../math/half.ts';
+import { msg } from '../../../messages/message.ts';
 import type { Dictionary, NumberArray, Value } from '../layer/layer.ts';
 import type { Scanner } from './scanner.ts';
-import { type ScalarKind, type ValueType, valueTypes } from './valueTypes.ts';
+import { type ScalarKind, type TupleShape, type ValueType, valueTypes } from './valueTypes.ts';
 
 /** Maximum depth of dictionaries, and of brackets in values of unknown types. */
 const MAX_DEPTH = 64;
@@ -31,7 +32,7 @@ function parseSingle(s: Scanner, type: ValueType): Value {
     case 'number':
       return { type: type.storage, data: readScalar(s, type.scalar) };
     case 'tuple': {
-      const data = newArray(type.scalar, sizeOf(type.shape));
+      const data = newArray(type.scalar, type.shape.size);
       parseTuple(s, type.scalar, type.shape, data, 0);
       reorderQuaternions(type.storage, data);
       return { type: type.storage, data };
@@ -52,7 +53,7 @@ function parseArray(s: Scanner, type: ValueType): Value {
     case 'bool':
       return { type: 'bool[]', data: Uint8Array.from(parseItems(s, () => (parseBool(s) ? 1 : 0))) };
     case 'number':
-      return { type: `${type.storage}[]`, data: parseNumbers(s, type.scalar, []) };
+      return { type: `${type.storage}[]`, data: parseNumbers(s, type.scalar) };
     case 'tuple': {
       const data = parseNumbers(s, type.scalar, type.shape);
       reorderQuaternions(type.storage, data);
@@ -63,27 +64,27 @@ function parseArray(s: Scanner, type: ValueType): Value {
 
 /** `[a, b, …]`, with or without a comma at its end. */
 export function parseItems<T>(s: Scanner, item: () => T): T[] {
-  s.expect('[', 'before a list');
+  s.expect('[', msg`before a list`);
   const items: T[] = [];
   while (!s.take(']')) {
     items.push(item());
-    if (!s.take(',') && s.peek() !== ']') s.expected("',' or ']' in a list");
+    if (!s.take(',') && s.peek() !== ']') s.expected(msg`',' or ']' in a list`);
   }
   return items;
 }
 
 /** Parses a list of numbers or tuples directly into one flat array. */
-function parseNumbers(s: Scanner, scalar: ScalarKind, shape: readonly number[]): NumberArray {
-  const size = sizeOf(shape);
-  s.expect('[', 'before a list');
+function parseNumbers(s: Scanner, scalar: ScalarKind, shape?: TupleShape): NumberArray {
+  const size = shape?.size ?? 1;
+  s.expect('[', msg`before a list`);
   let out = newArray(scalar, Math.ceil(countNumbers(s) / size) * size);
   let n = 0;
   while (!s.take(']')) {
     if (n + size > out.length) out = grown(out, scalar, n + size);
-    if (size === 1) out[n] = readScalar(s, scalar);
+    if (!shape) out[n] = readScalar(s, scalar);
     else parseTuple(s, scalar, shape, out, n);
     n += size;
-    if (!s.take(',') && s.peek() !== ']') s.expected("',' or ']' in a list");
+    if (!s.take(',') && s.peek() !== ']') s.expected(msg`',' or ']' in a list`);
   }
   return n === out.length ? out : out.slice(0, n);
 }
@@ -107,20 +108,17 @@ function grown(from: NumberArray, scalar: ScalarKind, least: number): NumberArra
 }
 
 /** `(a, b)` or, for matrices, `((a, b), (c, d))`. */
-function parseTuple(s: Scanner, scalar: ScalarKind, shape: readonly number[], out: NumberArray, at: number): void {
-  const [count, inner] = shape;
-  const size = inner ?? 1;
-  s.expect('(', `before a value with ${shape.join(' × ')} numbers`);
-  for (let i = 0; i < count; i++) {
-    if (i > 0) s.expect(',', `between the ${count} parts of a value`);
-    if (inner === undefined) out[at + i] = readScalar(s, scalar);
-    else parseTuple(s, scalar, [inner], out, at + i * size);
+function parseTuple(s: Scanner, scalar: ScalarKind, shape: TupleShape, out: NumberArray, at: number): void {
+  const { parts, part } = shape;
+  s.expect('(', shape.before);
+  for (let i = 0; i < parts; i++) {
+    if (i > 0) s.expect(',', shape.between);
+    if (part) parseTuple(s, scalar, part, out, at + i * part.size);
+    else out[at + i] = readScalar(s, scalar);
   }
   s.take(',');
-  s.expect(')', `after the ${count} parts of a value`);
+  s.expect(')', shape.after);
 }
-
-const sizeOf = (shape: readonly number[]): number => shape.reduce((n, k) => n * k, 1);
 
 function newArray(scalar: ScalarKind, length: number): NumberArray {
   switch (scalar) {
@@ -147,7 +145,7 @@ function readScalar(s: Scanner, scalar: ScalarKind): number {
   if (scalar === 'half') return fromHalf(toHalf(value));
   const [least, most] = LIMITS[scalar];
   const whole = Math.trunc(value);
-  if (!(whole >= least && whole <= most)) s.fail(`${value} is not a whole number from ${least} to ${most}`);
+  if (!(whole >= least && whole <= most)) s.fail(msg`${value} is not a whole number from ${least} to ${most}`);
   // −0 → 0.
   return whole + 0;
 }
@@ -167,7 +165,7 @@ function parseBool(s: Scanner): boolean {
   if (word === undefined) return s.number() !== 0;
   if (word === 'true' || word === 'yes') return true;
   if (word === 'false' || word === 'no') return false;
-  return s.fail(`'${word}' is not true, false, 0 or 1`);
+  return s.fail(msg`'${word}' is not true, false, 0 or 1`);
 }
 
 function parseLong(s: Scanner, storage: 'int64' | 'uint64'): bigint {
@@ -177,33 +175,33 @@ function parseLong(s: Scanner, storage: 'int64' | 'uint64'): bigint {
   // 2⁶⁴ has 20 digits; much longer numbers are not converted.
   const value = text.length <= 40 ? BigInt(text) : 2n ** 64n;
   const fits = storage === 'int64' ? BigInt.asIntN(64, value) === value : BigInt.asUintN(64, value) === value;
-  return fits ? value : s.fail(`${text.slice(0, 40)} does not fit ${storage}`, at);
+  return fits ? value : s.fail(msg`${text.slice(0, 40)} does not fit ${storage}`, at);
 }
 
 function parseText(s: Scanner, storage: 'string' | 'token' | 'asset' | 'pathExpression'): string {
-  return storage === 'asset' ? s.asset() : s.string(`a ${storage} in quotes`);
+  return storage === 'asset' ? s.asset() : s.string(msg`a ${storage} in quotes`);
 }
 
 /** `{ type name = value … }` */
 export function parseDictionary(s: Scanner, depth = 0): Dictionary {
-  if (depth > MAX_DEPTH) s.fail(`dictionaries are nested more than ${MAX_DEPTH} deep`);
-  s.expect('{', 'before a dictionary');
+  if (depth > MAX_DEPTH) s.fail(msg`dictionaries are nested more than ${MAX_DEPTH} deep`);
+  s.expect('{', msg`before a dictionary`);
   const entries = new Map<string, Value>();
   while (!s.take('}')) {
     const typeName = parseTypeName(s);
-    const key = s.takeName() ?? s.string('the name of a dictionary entry');
-    s.expect('=', `after '${key}'`);
+    const key = s.takeName() ?? s.string(msg`the name of a dictionary entry`);
+    s.expect('=', msg`after '${key}'`);
     entries.set(key, parseValue(s, typeName, depth));
-    s.endStatement(`the dictionary entry '${key}'`);
+    s.endStatement(msg`the dictionary entry '${key}'`);
   }
   return entries;
 }
 
 /** `float`, `color3f[]`, `dictionary`. */
 export function parseTypeName(s: Scanner): string {
-  const name = s.joinedName(':', 'a type');
+  const name = s.joinedName(':', msg`a type`);
   if (!s.take('[')) return name;
-  s.expect(']', `after '${name}['`);
+  s.expect(']', msg`after '${name}['`);
   return `${name}[]`;
 }
 
@@ -218,20 +216,20 @@ export function rawValue(s: Scanner): Value {
 const CLOSING: Readonly<Record<string, string>> = { '(': ')', '[': ']', '{': '}' };
 
 function skipValue(s: Scanner, depth: number): void {
-  if (depth > MAX_DEPTH) s.fail(`brackets are nested more than ${MAX_DEPTH} deep`);
+  if (depth > MAX_DEPTH) s.fail(msg`brackets are nested more than ${MAX_DEPTH} deep`);
   const char = s.peek();
   const close = CLOSING[char];
   if (close) {
     s.pos++;
     while (!s.take(close)) skipInside(s, depth + 1);
-  } else if (char === '"' || char === "'") s.string('a string');
+  } else if (char === '"' || char === "'") s.string(msg`a string`);
   else if (char === '@') s.asset();
   else if (char === '<') s.path();
   else if (s.takeName() === undefined) s.number();
 }
 
 function skipInside(s: Scanner, depth: number): void {
-  if (s.atEnd()) s.expected('a closing bracket');
+  if (s.atEnd()) s.expected(msg`a closing bracket`);
   if (!',:;='.includes(s.peek())) skipValue(s, depth);
   else s.pos++;
 }

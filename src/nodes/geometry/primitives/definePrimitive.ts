@@ -1,11 +1,12 @@
 import { NodeRefusal, type NumberParam, type ParamSpec, type ParamValueOf } from '../../../graph/nodeType.ts';
+import { type LocalizedText, type Message, msg } from '../../../messages/message.ts';
 import { makeObject, makeScene } from '../../../scene/defaults.ts';
 import type { Mesh } from '../../../scene/types.ts';
 import { defineNode, type ParamTable } from '../../defineNode.ts';
 import type { Services } from '../../services.ts';
 
 /** A length of a primitive [m]. */
-export const lengthParam = (title: string, value: number): NumberParam => ({
+export const lengthParam = (title: LocalizedText, value: number): NumberParam => ({
   kind: 'number',
   title,
   unit: 'm',
@@ -17,7 +18,7 @@ export const lengthParam = (title: string, value: number): NumberParam => ({
 });
 
 /** A number of subdivisions. */
-export const countParam = (title: string, value: number, least: number, most: number): NumberParam => ({
+export const countParam = (title: LocalizedText, value: number, least: number, most: number): NumberParam => ({
   kind: 'number',
   title,
   default: value,
@@ -30,12 +31,12 @@ export const countParam = (title: string, value: number, least: number, most: nu
 /** The axis of a round primitive. */
 export const axisParam = {
   kind: 'choice',
-  title: 'param.axis',
+  title: msg`Axis`,
   default: 'Y',
   options: [
-    { value: 'X', title: 'axis.x' },
-    { value: 'Y', title: 'axis.y' },
-    { value: 'Z', title: 'axis.z' },
+    { value: 'X', title: msg`X` },
+    { value: 'Y', title: msg`Y` },
+    { value: 'Z', title: msg`Z` },
   ],
 } as const satisfies ParamSpec;
 
@@ -50,8 +51,8 @@ interface MeshContext {
 /** Defines a node that makes one mesh at rest at the origin: `/name` of the scene. */
 export function definePrimitive<const P extends ParamTable>(description: {
   readonly id: string;
-  readonly title: string;
-  readonly help: string;
+  readonly title: Message;
+  readonly help: Message;
   /** Default prim name. */
   readonly name: string;
   readonly params: P;
@@ -63,7 +64,10 @@ export function definePrimitive<const P extends ParamTable>(description: {
     title,
     help,
     category: 'geometry',
-    params: { name: { kind: 'text', title: 'param.name', help: 'param.name.help', default: name }, ...params },
+    params: {
+      name: { kind: 'text', title: msg`Name`, help: msg`Name in the scene: letters, digits and _.`, default: name },
+      ...params,
+    },
     inputs: {},
     outputs: { geometry: { type: 'geometry' } },
     async evaluate(_inputs, values, work) {
@@ -77,7 +81,7 @@ export function definePrimitive<const P extends ParamTable>(description: {
 /** A valid USD identifier: letters, digits and _, not starting with a digit. */
 export function rootPrimPath(name: string, node: string): string {
   if (/^[\p{L}_][\p{L}\p{N}_]{0,63}$/u.test(name)) return `/${name}`;
-  const message = `"${name}" cannot be a name: letters, digits and _ can, at most 64, and no digit first`;
+  const message = msg`"${name}" cannot be a name: letters, digits and _ can, at most 64, and no digit first`;
   const remedy = { node, param: 'name', value: name.replace(/[^\p{L}\p{N}_]/gu, '_').replace(/^(?=\p{N}|$)/u, '_') };
   throw new NodeRefusal({ severity: 'error', code: 'primitive.name', place: `${node}.name`, message, remedy });
 }

@@ -1,3 +1,4 @@
+import { type LocalizedText, msg } from '../../../messages/message.ts';
 import type { Glyph } from '../../../scene/text/contours.ts';
 import type { TextStyle } from '../../../scene/text/textMesh.ts';
 import { InputError } from '../../../scene/types.ts';
@@ -9,33 +10,39 @@ import { definePrimitive, lengthParam } from './definePrimitive.ts';
 const MAX_LETTERS = 10_000;
 
 /** In cap heights. */
-const capHeightParam = (title: string, help: string, value: number, min: number, max: number) =>
+const capHeightParam = (title: LocalizedText, help: LocalizedText, value: number, min: number, max: number) =>
   ({ kind: 'number', title, help, default: value, min, max, step: 0.01 }) as const;
 
 /** Extruded text that stands on the ground and faces +z. */
 export const solidTextNode = definePrimitive({
   id: 'solid-text',
-  title: 'node.solidText',
-  help: 'node.solidText.help',
+  title: msg`Solid text`,
+  help: msg`Extruded letters that stand on the ground and face +z, in any number of lines: Latin, Greek, Cyrillic, Chinese. Letters have their own widths; there is no kerning.`,
   name: 'Text',
   params: {
-    text: { kind: 'text', title: 'node.text', default: 'c', lines: true },
-    size: lengthParam('param.letterSize', 1),
-    depth: lengthParam('param.sizeZ', 0.2),
+    text: { kind: 'text', title: msg`Text`, default: 'c', lines: true },
+    size: lengthParam(msg`Cap height`, 1),
+    depth: lengthParam(msg`Depth (z)`, 0.2),
     align: {
       kind: 'choice',
-      title: 'param.align',
+      title: msg`Alignment`,
       default: 'center',
       options: [
-        { value: 'left', title: 'align.left' },
-        { value: 'center', title: 'align.center' },
-        { value: 'right', title: 'align.right' },
+        { value: 'left', title: msg`Start at x = 0` },
+        { value: 'center', title: msg`Centre at x = 0` },
+        { value: 'right', title: msg`End at x = 0` },
       ],
     },
-    spacing: capHeightParam('param.letterSpacing', 'param.letterSpacing.help', 0, -1, 10),
-    lineHeight: capHeightParam('param.lineHeight', 'param.lineHeight.help', 1.65, 0.1, 10),
+    spacing: capHeightParam(msg`Letter spacing`, msg`Additional space, in cap heights.`, 0, -1, 10),
+    lineHeight: capHeightParam(msg`Line height`, msg`In cap heights.`, 1.65, 0.1, 10),
     tolerance: {
-      ...capHeightParam('param.curveTolerance', 'param.curveTolerance.help', 0.002, 1e-5, 0.2),
+      ...capHeightParam(
+        msg`Curve tolerance`,
+        msg`Maximum deviation of line segments from the curve, in cap heights: smaller is rounder, with more triangles.`,
+        0.002,
+        1e-5,
+        0.2,
+      ),
       step: 0.00001,
       scale: 'log',
     },
@@ -47,9 +54,9 @@ export const solidTextNode = definePrimitive({
     const style: TextStyle = { ...measures, align: align as TextStyle['align'] };
     const triangles = textTriangles(lines, style);
     if (triangles === 0)
-      throw nodeRefusal('letters.none', `${node}.text`, 'it shows nothing; write a letter', remedy(node, 'c'));
+      throw nodeRefusal('letters.none', `${node}.text`, msg`it shows nothing; write a letter`, remedy(node, 'c'));
     if (triangles > MAX_TEXT_TRIANGLES) {
-      const message = `it would be of ${triangles} triangles, more than ${MAX_TEXT_TRIANGLES}; write less, or let curves be coarser (tolerance)`;
+      const message = msg`it would be of ${triangles} triangles, more than ${MAX_TEXT_TRIANGLES}; write less, or let curves be coarser (tolerance)`;
       throw nodeRefusal('letters.large', node, message);
     }
     return textMesh(lines, style);
@@ -63,7 +70,7 @@ async function glyphLines(text: string, node: string, { readFont }: Services): P
     .map((line) => Array.from(line));
   const written = lines.flat();
   if (written.length > MAX_LETTERS) {
-    const message = `it has ${written.length} letters, more than ${MAX_LETTERS}; write less`;
+    const message = msg`it has ${written.length} letters, more than ${MAX_LETTERS}; write less`;
     throw nodeRefusal('letters.many', `${node}.text`, message, remedy(node, written.slice(0, MAX_LETTERS).join('')));
   }
   const { readGlyphs } = await import('../../../formats/font/glyphs.ts');
@@ -75,7 +82,7 @@ async function glyphLines(text: string, node: string, { readFont }: Services): P
   const missing = [...new Set(written)].filter((letter) => !letters.has(letter));
   if (missing.length > 0) {
     const few = missing.slice(0, 8).map(describeLetter).join(', ') + (missing.length > 8 ? ', …' : '');
-    const message = `no font that comes with the program has ${few}; leave it out`;
+    const message = msg`no font that comes with the program has ${few}; leave it out`;
     const without = lines.map((line) => line.filter((letter) => letters.has(letter)).join('')).join('\n');
     throw nodeRefusal('letters.missing', `${node}.text`, message, remedy(node, without || 'c'));
   }

@@ -1,9 +1,10 @@
 import { rotate } from '../../../math/quat.ts';
 import { add, dot, length, scale, type Vec3 } from '../../../math/vec3.ts';
+import { msg } from '../../../messages/message.ts';
 import { positionAt, velocityAt, type WorldLine } from '../../../physics/worldLines/worldLine.ts';
 import { pointAt } from '../../mesh/polygons.ts';
 import type { Diagnostic, HyperbolicMotion, Pose } from '../../types.ts';
-import { problem, roundedUp } from '../../validation/motionFindings.ts';
+import { motionPlace, problem, roundedUp } from '../../validation/motionFindings.ts';
 import { flyPose, toWorldTime, transformPose, transformVelocity } from './changes.ts';
 import { type FastestVertex, type ObjectWith, REST, type RigidMotionKind } from './motionKind.ts';
 import { boundsOfVertices, nonFinitePoseText, POSED, placeByWorldLine, poseNumbers } from './rigidMotion.ts';
@@ -59,8 +60,8 @@ function validateHorizon({ path, mesh, authoredIn, motion }: ObjectWith<Hyperbol
   }
   if (depth < c * c) return [];
   const [behind, horizon] = [depth, c * c].map((of) => (of / length(a)).toPrecision(3));
-  const message = `a point ${behind} m behind its origin would have to outrun light (horizon at ${horizon} m); raise c above ${roundedUp(Math.sqrt(depth))} m/s or accelerate less`;
-  return [problem('error', 'motion.horizon', `motion of ${path}`, message)];
+  const message = msg`a point ${behind} m behind its origin would have to outrun light (horizon at ${horizon} m); raise c above ${roundedUp(Math.sqrt(depth))} m/s or accelerate less`;
+  return [problem('error', 'motion.horizon', motionPlace(path), message)];
 }
 
 export const HYPERBOLIC_MOTION: RigidMotionKind<HyperbolicMotion> = {

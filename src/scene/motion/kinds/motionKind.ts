@@ -1,5 +1,6 @@
 import type { Quat } from '../../../math/quat.ts';
 import type { Vec3 } from '../../../math/vec3.ts';
+import type { Message } from '../../../messages/message.ts';
 import type { WorldLine } from '../../../physics/worldLines/worldLine.ts';
 import type { BoundingBox } from '../../bounds/bounds.ts';
 import type {
@@ -79,7 +80,7 @@ export interface MotionKind<M extends Motion> {
   restToWorld(object: ObjectWith<M>, c: number): SceneObject;
 
   /** Describes a number of it that is not finite, for a message; undefined if there is none. */
-  nonFiniteText(motion: M): string | undefined;
+  nonFiniteText(motion: M): Message | undefined;
   /** Findings about its speed compared with c. */
   validateSpeed(object: ObjectWith<M>, c: number): Diagnostic[];
 

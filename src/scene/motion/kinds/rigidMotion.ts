@@ -1,4 +1,5 @@
 import type { Vec3 } from '../../../math/vec3.ts';
+import { type Message, msg } from '../../../messages/message.ts';
 import { positionAt, type WorldLine } from '../../../physics/worldLines/worldLine.ts';
 import { type BoundingBox, boundingBox, meshBoundingSphere } from '../../bounds/bounds.ts';
 import { SupportMap } from '../../bounds/supportMap.ts';
@@ -27,9 +28,9 @@ export const POSED = {
 export const poseNumbers = ({ pose }: PosedMotion): readonly number[] => [...pose.position, ...pose.orientation];
 
 /** Describes the first number that is not finite in a pose and the vector that determines its motion. */
-export function nonFinitePoseText(motion: PosedMotion, vector: Vec3): string | undefined {
+export function nonFinitePoseText(motion: PosedMotion, vector: Vec3): Message | undefined {
   const bad = [...poseNumbers(motion), ...vector].find((x) => !Number.isFinite(x));
-  return bad === undefined ? undefined : `its pose or motion has ${bad} in it`;
+  return bad === undefined ? undefined : msg`its pose or motion has ${bad} in it`;
 }
 
 /** Vertex → place at t, from its own world line. */

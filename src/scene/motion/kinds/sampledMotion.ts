@@ -1,5 +1,6 @@
 import { rotate, slerp } from '../../../math/quat.ts';
 import { add, lerp, scale, sub, type Vec3 } from '../../../math/vec3.ts';
+import { type Message, msg } from '../../../messages/message.ts';
 import { properVelocity } from '../../../physics/lorentz/boost.ts';
 import { contraction } from '../../../physics/worldLines/simultaneity.ts';
 import type { WorldLine } from '../../../physics/worldLines/worldLine.ts';
@@ -82,9 +83,9 @@ function fastestVertex(object: ObjectWith<SampledMotion>, c: number, atLeast: nu
   return frame.speed < c ? fastestOfPoints(contractedPoints(object, c), c, atLeast) : frame;
 }
 
-function nonFiniteText({ times, poses }: SampledMotion): string | undefined {
+function nonFiniteText({ times, poses }: SampledMotion): Message | undefined {
   const at = poses.findIndex((x) => !Number.isFinite(x));
-  return at < 0 ? undefined : `the pose at ${seconds(times[Math.floor(at / 7)])} has ${poses[at]} in it`;
+  return at < 0 ? undefined : msg`the pose at ${seconds(times[Math.floor(at / 7)])} has ${poses[at]} in it`;
 }
 
 export const SAMPLED_MOTION: RigidMotionKind<SampledMotion> = {

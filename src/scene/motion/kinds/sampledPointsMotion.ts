@@ -1,6 +1,7 @@
 import type { Mat4 } from '../../../math/mat4.ts';
 import { IDENTITY } from '../../../math/quat.ts';
 import { add, lerp, scale, type Vec3 } from '../../../math/vec3.ts';
+import { type Message, msg } from '../../../messages/message.ts';
 import { type BoundingBox, sampleBoundingBox } from '../../bounds/bounds.ts';
 import { transformPointsInPlace } from '../../mesh/transformPoints.ts';
 import { isStreamed, sampleCount } from '../../streaming/samplePoints.ts';
@@ -29,10 +30,10 @@ function interpolatedBox(motion: SampledPointsMotion, t: number): BoundingBox | 
 
 const boxOfVertices = boundsOfVertices(vertexPlacer);
 
-function nonFiniteText({ times, points, velocities }: SampledPointsMotion): string | undefined {
+function nonFiniteText({ times, points, velocities }: SampledPointsMotion): Message | undefined {
   const broken = (all: readonly Float32Array[]) => all.findIndex((numbers) => numbers.some((x) => !Number.isFinite(x)));
   const k = Math.max(isStreamed(points) ? points.statistics.firstNonFinite : broken(points), broken(velocities ?? []));
-  return k < 0 ? undefined : `the points or velocities at ${seconds(times[k])} have a number that is not finite`;
+  return k < 0 ? undefined : msg`the points or velocities at ${seconds(times[k])} have a number that is not finite`;
 }
 
 function validateSpeed({ motion, path }: ObjectWith<SampledPointsMotion>, c: number): Diagnostic[] {
@@ -49,7 +50,7 @@ function validateBends(motion: SampledPointsMotion, path: string, c: number): Di
   const speed = Math.max(...pieces.map(({ k }) => maxControlSpeed(motion, k)));
   const lost = Math.max(...pieces.map((piece) => piece.lost));
   const from = seconds(motion.times[first.k]);
-  const message = `between samples its cubic path could reach ${inUnitsOfC(speed / c)} c, first at t = ${from}; ${pieces.length} of ${motion.times.length - 1} pieces are shown straighter, by up to ${Math.ceil(100 * lost)} %, and velocities jump there; raise c above ${roundedUp(speed / MAX_CONTROL_SPEED)} m/s or write more samples`;
+  const message = msg`between samples its cubic path could reach ${inUnitsOfC(speed / c)} c, first at t = ${from}; ${pieces.length} of ${motion.times.length - 1} pieces are shown straighter, by up to ${Math.ceil(100 * lost)} %, and velocities jump there; raise c above ${roundedUp(speed / MAX_CONTROL_SPEED)} m/s or write more samples`;
   return [problem('warning', 'motion.cubic', path, message)];
 }
 

@@ -1,7 +1,8 @@
-import type { DiagnosticCode } from '../../../diagnostics/diagnosticCodes.ts';
+import { type Message, msg } from '../../../../messages/message.ts';
 import { valueAt } from '../../layer/attributes.ts';
 import type { AttributeSpec, PrimSpec, Value } from '../../layer/layer.ts';
 import { isPrimPath, specAt } from '../../layer/primPaths.ts';
+import type { ReportPrimIssue } from '../layers/layerStack.ts';
 import { isLayerError, type LayerStore, type LoadedLayer } from '../layers/layerStore.ts';
 import { inverseOffset, isNoOffset } from '../layers/timeOffset.ts';
 import type { ClipSetDefinition } from './definitions.ts';
@@ -29,32 +30,34 @@ export interface ClipSet {
   readonly skipsMissing: boolean;
 }
 
-/** Builds a clip set; undefined and reported if invalid. Layers not loaded yet are requested. */
+/** Builds a clip set of the prim `path`; undefined and reported if invalid. Layers not loaded yet are requested. */
 export function clipSetOf(
   definition: ClipSetDefinition,
   store: LayerStore,
-  note: (code: DiagnosticCode, message: string) => void,
+  path: string,
+  note: ReportPrimIssue,
 ): ClipSet | undefined {
   const { entries, from, name, time } = definition;
   const anchor = from.source.id;
   const layerOf = (asset: string, isOptional: boolean): LoadedLayer | undefined => {
     const found = store.find(anchor, asset);
     if (!found || !isLayerError(found)) return found;
-    if (!isOptional || found.code !== 'usd.missing-layer') note(found.code, `the clip ${found.message}`);
+    if (!isOptional || found.code !== 'usd.missing-layer')
+      note(found.code, path, msg`the clip ${found.message}`, found.missing);
     return undefined;
   };
-  const refuse = (why: string): undefined => {
-    note('usd.clips', `its clip set '${name}' is left out: ${why}`);
+  const refuse = (why: Message): undefined => {
+    note('usd.clips', path, msg`its clip set '${name}' is left out: ${why}`);
     return undefined;
   };
   const table = entries.has('assetPaths')
     ? writtenTable(entries)
     : tableOfTemplate(entries, (asset) => layerOf(asset, true) !== undefined, time);
-  if (typeof table === 'string') return refuse(table);
+  if ('template' in table) return refuse(table);
   const fault = clipTableError(table);
   if (fault !== undefined) return refuse(fault);
   const primPath = textOf(entries.get('primPath'));
-  if (!isPrimPath(primPath)) return refuse(`its primPath '${primPath}' is not the path of a prim`);
+  if (!isPrimPath(primPath)) return refuse(msg`its primPath '${primPath}' is not the path of a prim`);
   const manifest = textOf(entries.get('manifestAssetPath'));
   const skips = entries.get('interpolateMissingClipValues');
   const hasTimes = table.times.length > 0 || isNoOffset(time);
@@ -71,9 +74,9 @@ export function clipSetOf(
 const textOf = (value: Value | undefined): string =>
   value?.type === 'string' || value?.type === 'asset' || value?.type === 'token' ? value.data : '';
 
-function writtenTable(entries: ReadonlyMap<string, Value>): ClipTable | string {
+function writtenTable(entries: ReadonlyMap<string, Value>): ClipTable | Message {
   const assets = entries.get('assetPaths');
-  if (assets?.type !== 'asset[]') return 'its assetPaths are no list of assets';
+  if (assets?.type !== 'asset[]') return msg`its assetPaths are no list of assets`;
   return { assets: assets.data, active: knotsOf(entries.get('active')), times: knotsOf(entries.get('times')) };
 }
 
@@ -82,21 +85,21 @@ function knotsOf(value: Value | undefined): TimeKnot[] {
   return Array.from({ length: value.data.length / 2 }, (_, i): TimeKnot => [value.data[2 * i], value.data[2 * i + 1]]);
 }
 
-function clipTableError({ assets, active, times }: ClipTable): string | undefined {
+function clipTableError({ assets, active, times }: ClipTable): Message | undefined {
   const starts = new Set<number>();
   for (const [time, clip] of active) {
-    if (assets[clip] === undefined) return `its active names clip ${clip}, and there are ${assets.length}`;
-    if (assets[clip] === '') return `its clip ${clip} has no path`;
-    if (starts.has(time)) return `two clips are active from ${time} on`;
+    if (assets[clip] === undefined) return msg`its active names clip ${clip}, and there are ${assets.length}`;
+    if (assets[clip] === '') return msg`its clip ${clip} has no path`;
+    if (starts.has(time)) return msg`two clips are active from ${time} on`;
     starts.add(time);
   }
   const counts = new Map<number, number>();
   for (const [time] of times) {
     counts.set(time, (counts.get(time) ?? 0) + 1);
-    if (counts.get(time)! > 2) return `its times have more than two entries for ${time}`;
+    if (counts.get(time)! > 2) return msg`its times have more than two entries for ${time}`;
   }
-  if (![...active, ...times].every((knot) => knot.every(Number.isFinite))) return 'its times are not all finite';
-  return active.length === 0 ? 'none of its clips is active' : undefined;
+  if (![...active, ...times].every((knot) => knot.every(Number.isFinite))) return msg`its times are not all finite`;
+  return active.length === 0 ? msg`none of its clips is active` : undefined;
 }
 
 function clipsOf({ assets, active }: ClipTable, layerOf: (asset: string) => LoadedLayer | undefined): Clip[] {

@@ -7,13 +7,13 @@ const CLIP = '#usda 1.0\ndef "Clip" {\ndouble x.timeSamples = { 0: 0, 5: 50, 9: 
 async function composed(clips: string, files: Record<string, string> = {}) {
   const root = `#usda 1.0\ndef "P" (\nclips = {\ndictionary default = {\nstring primPath = "/Clip"\n${clips}\n}\n}\n) {\ndouble x\n}`;
   const all = new Map(Object.entries({ 'root.usda': root, 'a.usda': CLIP, ...files }));
-  const { stage, said } = await composedFiles(all, 'root.usda');
+  const { stage, said, missing } = await composedFiles(all, 'root.usda');
   const x = stage.layer.rootPrims.get('P')?.properties.get('x');
   const at = (time: number): number | undefined => {
     const value = x?.kind === 'attribute' ? valueAt(x, time) : undefined;
     return value?.type === 'double' ? value.data : undefined;
   };
-  return { said, at, times: x?.kind === 'attribute' ? (x.timeSamples?.times ?? []) : [] };
+  return { said, missing, at, times: x?.kind === 'attribute' ? (x.timeSamples?.times ?? []) : [] };
 }
 
 describe('value clips', () => {
@@ -27,12 +27,13 @@ describe('value clips', () => {
   });
 
   it('that are missing are reported with the searched location, and have no values', async () => {
-    const { at, said } = await composed(
+    const { at, said, missing } = await composed(
       'asset[] assetPaths = [@a.usda@, @b.usda@]\ndouble2[] active = [(0, 0), (6, 1)]',
     );
     expect(said).toEqual([
       'usd.missing-layer root.usda</P>: the clip @b.usda@ is not there (looked for b.usda); open the folder that holds it',
     ]);
+    expect(missing).toEqual([{ name: 'b.usda', lookedFor: ['b.usda'] }]);
     expect([5, 6, 8].map(at)).toEqual([50, undefined, undefined]);
   });
 

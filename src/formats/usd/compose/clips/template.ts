@@ -1,3 +1,4 @@
+import { type Message, msg } from '../../../../messages/message.ts';
 import type { Value } from '../../layer/layer.ts';
 import { mapTime, type TimeOffset } from '../layers/timeOffset.ts';
 
@@ -44,13 +45,13 @@ function nameAt({ folder, parts: [before, after], digits }: Template, time: numb
 
 /**
  * Expands a template to its existing clips: one per step, active from its own time or `templateActiveOffset` later.
- * Returns a text for errors in the template.
+ * Returns a message for errors in the template.
  */
 export function tableOfTemplate(
   entries: ReadonlyMap<string, Value>,
   isThere: (asset: string) => boolean,
   layerTime: TimeOffset,
-): ClipTable | string {
+): ClipTable | Message {
   const number = (key: string): number | undefined => {
     const value = entries.get(`template${key}`);
     return value && 'data' in value && typeof value.data === 'number' ? value.data : undefined;
@@ -59,14 +60,14 @@ export function tableOfTemplate(
   const written = entries.get('templateAssetPath');
   const text = written?.type === 'string' || written?.type === 'asset' ? written.data : '';
   const template = templateOf(text);
-  if (!template) return `its templateAssetPath '${text}' has no group of # between dots, or more than two`;
+  if (!template) return msg`its templateAssetPath '${text}' has no group of # between dots, or more than two`;
   if (start === undefined || end === undefined || stride === undefined)
-    return 'it has no templateStartTime, templateEndTime or templateStride';
+    return msg`it has no templateStartTime, templateEndTime or templateStride`;
   if (!(stride > 0) || !(start <= end) || !Number.isFinite(end - start))
-    return `its template goes from ${start} to ${end} in steps of ${stride}, which does not end`;
-  if ((end - start) / stride >= MAX_CLIPS) return `its template stands for more than ${MAX_CLIPS} clips`;
+    return msg`its template goes from ${start} to ${end} in steps of ${stride}, which does not end`;
+  if ((end - start) / stride >= MAX_CLIPS) return msg`its template stands for more than ${MAX_CLIPS} clips`;
   if (offset !== undefined && Math.abs(offset) > stride)
-    return `its templateActiveOffset ${offset} is more than the stride ${stride}`;
+    return msg`its templateActiveOffset ${offset} is more than the stride ${stride}`;
   const made = clipsOf(template, isThere, { start, end, stride, offset });
   const mapped = (knots: readonly TimeKnot[]): TimeKnot[] =>
     knots.map(([time, other]) => [mapTime(layerTime, time), other]);

@@ -1,3 +1,5 @@
+import { type LocalizedText, type Message, msg } from '../../../../messages/message.ts';
+import { MessageError } from '../../../../messages/messageError.ts';
 import { numbersOf } from '../../layer/attributes.ts';
 import type { MetadataValue, Value } from '../../layer/layer.ts';
 
@@ -20,7 +22,7 @@ export const evaluate = (text: string, variables: Variables): ExpressionValue =>
 export function expandExpression(text: string, variables: Variables): string {
   if (!isExpression(text)) return text;
   const value = evaluate(text, variables) ?? '';
-  if (typeof value !== 'string') throw new VariableExpressionError(`it makes ${typeNameOf(value)}, not text`);
+  if (typeof value !== 'string') throw new VariableExpressionError(msg`it makes ${typeNameOf(value)}, not text`);
   return value;
 }
 
@@ -34,7 +36,7 @@ export function expandOrKeep(text: string, variables: Variables): string {
   }
 }
 
-class VariableExpressionError extends Error {}
+class VariableExpressionError extends MessageError {}
 
 export const NO_VARIABLES: Variables = new Map();
 
@@ -60,16 +62,24 @@ function variableOf(value: Value): ExpressionValue | undefined {
   return value.type === 'int[]' ? Array.from(numbersOf(value) ?? []) : undefined;
 }
 
-const typeNameOf = (value: ExpressionValue): string =>
-  value === null
-    ? 'None'
-    : Array.isArray(value)
-      ? 'a list'
-      : typeof value === 'number'
-        ? 'an integer'
-        : typeof value === 'string'
-          ? 'a string'
-          : 'a boolean';
+type ValueKind = 'none' | 'list' | 'number' | 'string' | 'boolean';
+
+const KIND_NAMES: Readonly<Record<ValueKind, LocalizedText>> = {
+  none: 'None',
+  list: msg`a list`,
+  number: msg`an integer`,
+  string: msg`a string`,
+  boolean: msg`a boolean`,
+};
+
+function kindOf(value: ExpressionValue): ValueKind {
+  if (value === null) return 'none';
+  if (typeof value === 'string') return 'string';
+  if (typeof value === 'number') return 'number';
+  return typeof value === 'boolean' ? 'boolean' : 'list';
+}
+
+const typeNameOf = (value: ExpressionValue): LocalizedText => KIND_NAMES[kindOf(value)];
 
 type LazyValue = () => ExpressionValue;
 
@@ -96,14 +106,14 @@ class ExpressionEvaluation {
   }
 
   whole(): ExpressionValue {
-    if (!this.take('`')) this.fail("it does not begin with '`'");
+    if (!this.take('`')) this.fail(msg`it does not begin with '\`'`);
     const value = this.expression();
-    if (!this.take('`') || this.at < this.text.length) this.fail("it does not end with '`' there");
+    if (!this.take('`') || this.at < this.text.length) this.fail(msg`it does not end with '\`' there`);
     return value();
   }
 
-  private fail(message: string): never {
-    throw new VariableExpressionError(`${message} (character ${this.at} of ${this.text.slice(0, 80)})`);
+  private fail(message: Message): never {
+    throw new VariableExpressionError(msg`${message} (character ${this.at} of ${this.text.slice(0, 80)})`);
   }
 
   private take(text: string): boolean {
@@ -117,17 +127,17 @@ class ExpressionEvaluation {
   }
 
   private expression(): LazyValue {
-    if (--this.budget.steps < 0) this.fail('it takes too many steps');
+    if (--this.budget.steps < 0) this.fail(msg`it takes too many steps`);
     if (this.text.startsWith('${', this.at)) return this.variable((value) => value);
     const literal = this.literal();
     if (literal) return literal;
     if (this.take('[')) return this.list();
     const name = this.match(/[A-Za-z_]\w*/y);
-    if (name === undefined || !this.take('(')) return this.fail('here is no expression');
-    const of = FUNCTIONS.get(name) ?? this.fail(`there is no function ${name}`);
+    if (name === undefined || !this.take('(')) return this.fail(msg`here is no expression`);
+    const of = FUNCTIONS.get(name) ?? this.fail(msg`there is no function ${name}`);
     const args = this.items(')');
     const [least, most] = of.takes;
-    if (args.length < least || args.length > most) this.fail(`${name} does not take ${args.length} arguments`);
+    if (args.length < least || args.length > most) this.fail(msg`${name} does not take ${args.length} arguments`);
     return () => of.call(args, this.variables);
   }
 
@@ -146,14 +156,14 @@ class ExpressionEvaluation {
     if (/^n/i.test(word)) return () => null;
     if (/^[tf]/i.test(word)) return () => /^t/i.test(word);
     const number = Number(word);
-    return Number.isSafeInteger(number) ? () => number : this.fail(`${word} is too large`);
+    return Number.isSafeInteger(number) ? () => number : this.fail(msg`${word} is too large`);
   }
 
   private string(quote: string): LazyValue {
     this.at++;
     const parts: (string | LazyValue)[] = [];
     while (!this.take(quote)) {
-      if (this.at >= this.text.length) this.fail(`the text is not closed with ${quote}`);
+      if (this.at >= this.text.length) this.fail(msg`the text is not closed with ${quote}`);
       if (this.text.startsWith('${', this.at)) parts.push(this.variable(textOnly, true));
       else {
         const isEscaped = this.take('\\');
@@ -163,7 +173,7 @@ class ExpressionEvaluation {
     }
     return () => {
       const made = parts.map((part) => (typeof part === 'string' ? part : part())).join('');
-      return made.length <= MAX_LENGTH ? made : this.fail('it makes too long a text');
+      return made.length <= MAX_LENGTH ? made : this.fail(msg`it makes too long a text`);
     };
   }
 
@@ -171,21 +181,21 @@ class ExpressionEvaluation {
   private variable(use: (value: ExpressionValue, name: string) => ExpressionValue, inText = false): LazyValue {
     const start = this.at;
     this.take('${');
-    const name = this.match(/[A-Za-z_]\w*/y) ?? this.fail('a variable has a name of letters, digits and _');
-    const fallback = this.take(':') ? (this.literal() ?? this.fail('a fallback value is missing')) : undefined;
-    if (!this.take('}')) this.fail("the variable is not closed with '}'");
+    const name = this.match(/[A-Za-z_]\w*/y) ?? this.fail(msg`a variable has a name of letters, digits and _`);
+    const fallback = this.take(':') ? (this.literal() ?? this.fail(msg`a fallback value is missing`)) : undefined;
+    if (!this.take('}')) this.fail(msg`the variable is not closed with '}'`);
     const written = this.text.slice(start, this.at);
     return () => {
       const value = this.variables.get(name);
       if (value !== undefined) return use(this.valueOf(name, value), name);
       if (fallback) return use(fallback(), name);
-      return inText ? written : this.fail(`there is no value for the variable ${name}`);
+      return inText ? written : this.fail(msg`there is no value for the variable ${name}`);
     };
   }
 
   private valueOf(name: string, value: ExpressionValue): ExpressionValue {
     if (typeof value !== 'string' || !isExpression(value)) return value;
-    if (this.within.includes(name)) this.fail(`the variable ${name} is made of itself`);
+    if (this.within.includes(name)) this.fail(msg`the variable ${name} is made of itself`);
     return new ExpressionEvaluation(value, this.variables, [...this.within, name], this.budget).whole();
   }
 
@@ -194,7 +204,7 @@ class ExpressionEvaluation {
     return () => {
       const values = items.map((item) => item());
       const isOneKind = values.every((v) => v !== null && !Array.isArray(v) && typeof v === typeof values[0]);
-      return isOneKind ? (values as (string | number | boolean)[]) : this.fail('a list holds items of one kind');
+      return isOneKind ? (values as (string | number | boolean)[]) : this.fail(msg`a list holds items of one kind`);
     };
   }
 
@@ -207,7 +217,7 @@ class ExpressionEvaluation {
       items.push(this.expression());
       this.space();
       if (this.take(end)) return items;
-      if (!this.take(',')) this.fail(`'${end}' is missing`);
+      if (!this.take(',')) this.fail(msg`'${end}' is missing`);
     }
   }
 }
@@ -215,7 +225,7 @@ class ExpressionEvaluation {
 function textOnly(value: ExpressionValue, name: string): string {
   if (value === null) return '';
   if (typeof value !== 'string')
-    throw new VariableExpressionError(`the variable ${name} is ${typeNameOf(value)}, not text`);
+    throw new VariableExpressionError(msg`the variable ${name} is ${typeNameOf(value)}, not text`);
   return value;
 }
 
@@ -226,7 +236,7 @@ interface ExpressionFunction {
 
 function requireBoolean(value: ExpressionValue, who: string): boolean {
   if (typeof value !== 'boolean')
-    throw new VariableExpressionError(`${who} asks for True or False, not ${typeNameOf(value)}`);
+    throw new VariableExpressionError(msg`${who} asks for True or False, not ${typeNameOf(value)}`);
   return value;
 }
 
@@ -237,7 +247,7 @@ const comparison = (name: string, holds: (order: number) => boolean): [string, E
     call: ([first, second]) => {
       const [a, b] = [first(), second()];
       if (Array.isArray(a) || Array.isArray(b) || typeof a !== typeof b || (a === null) !== (b === null))
-        throw new VariableExpressionError(`${name} cannot compare ${typeNameOf(a)} with ${typeNameOf(b)}`);
+        throw new VariableExpressionError(msg`${name} cannot compare ${typeNameOf(a)} with ${typeNameOf(b)}`);
       return holds(a === b ? 0 : (a as string) < (b as string) ? -1 : 1);
     },
   },
@@ -251,8 +261,8 @@ const FUNCTIONS: ReadonlyMap<string, ExpressionFunction> = new Map<string, Expre
       call: ([condition, then, otherwise]) => {
         const holds = requireBoolean(condition(), 'if');
         const [a, b] = [then(), otherwise?.() ?? null];
-        if (a !== null && b !== null && typeNameOf(a) !== typeNameOf(b))
-          throw new VariableExpressionError('both values of if are of one kind');
+        if (a !== null && b !== null && kindOf(a) !== kindOf(b))
+          throw new VariableExpressionError(msg`both values of if are of one kind`);
         return holds ? a : b;
       },
     },
@@ -277,7 +287,7 @@ const FUNCTIONS: ReadonlyMap<string, ExpressionFunction> = new Map<string, Expre
         if (typeof all === 'string') return all.includes(textOf(one));
         const list = listOf(all);
         if (one === null || Array.isArray(one) || (list.length > 0 && typeof list[0] !== typeof one))
-          throw new VariableExpressionError(`contains cannot look for ${typeNameOf(one)} there`);
+          throw new VariableExpressionError(msg`contains cannot look for ${typeNameOf(one)} there`);
         return list.includes(one as string);
       },
     },
@@ -288,9 +298,9 @@ const FUNCTIONS: ReadonlyMap<string, ExpressionFunction> = new Map<string, Expre
       takes: [2, 2],
       call: ([within, index]) => {
         const [all, i] = [within(), index()];
-        if (typeof i !== 'number') throw new VariableExpressionError(`at takes an integer, not ${typeNameOf(i)}`);
+        if (typeof i !== 'number') throw new VariableExpressionError(msg`at takes an integer, not ${typeNameOf(i)}`);
         const found = (typeof all === 'string' ? all : listOf(all)).at(i);
-        if (found === undefined) throw new VariableExpressionError(`there is no item ${i}`);
+        if (found === undefined) throw new VariableExpressionError(msg`there is no item ${i}`);
         return found;
       },
     },
@@ -300,11 +310,12 @@ const FUNCTIONS: ReadonlyMap<string, ExpressionFunction> = new Map<string, Expre
 const utf8 = (value: ExpressionValue): Uint8Array => new TextEncoder().encode(textOf(value));
 
 function textOf(value: ExpressionValue): string {
-  if (typeof value !== 'string') throw new VariableExpressionError(`text is asked for, not ${typeNameOf(value)}`);
+  if (typeof value !== 'string') throw new VariableExpressionError(msg`text is asked for, not ${typeNameOf(value)}`);
   return value;
 }
 
 function listOf(value: ExpressionValue): readonly (string | number | boolean)[] {
-  if (!Array.isArray(value)) throw new VariableExpressionError(`a list or text is asked for, not ${typeNameOf(value)}`);
+  if (!Array.isArray(value))
+    throw new VariableExpressionError(msg`a list or text is asked for, not ${typeNameOf(value)}`);
   return value;
 }

@@ -1,3 +1,5 @@
+import type { Message } from '../../../../messages/message.ts';
+import type { MissingFile } from '../../../../scene/types.ts';
 import type { DiagnosticCode } from '../../../diagnostics/diagnosticCodes.ts';
 import type { PrimSpec } from '../../layer/layer.ts';
 import { specAt } from '../../layer/primPaths.ts';
@@ -44,7 +46,7 @@ export interface Opinion {
   readonly from: StackLayer;
 }
 
-export type ReportPrimIssue = (code: DiagnosticCode, path: string, message: string) => void;
+export type ReportPrimIssue = (code: DiagnosticCode, path: string, message: Message, missing?: MissingFile) => void;
 
 /** All opinions of a stack on the prim at a path, strongest first. */
 export function opinionsAt({ layers, opinions }: LayerStack, path: string): readonly Opinion[] {

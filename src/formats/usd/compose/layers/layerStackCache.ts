@@ -1,4 +1,5 @@
-import { messageOf } from '../../../diagnostics/inputError.ts';
+import { msg } from '../../../../messages/message.ts';
+import { messageOf } from '../../../../messages/messageError.ts';
 import { expandExpression, isExpression, NO_VARIABLES, variablesUnder } from './expressions.ts';
 import type { LayerStack, ReportPrimIssue, StackLayer } from './layerStack.ts';
 import { isLayerError, type LayerStore, type LoadedLayer } from './layerStore.ts';
@@ -51,13 +52,13 @@ export class LayerStackCache {
       if (asset === undefined) continue;
       const found = this.store.find(source.id, asset);
       if (!found) complete = false;
-      else if (isLayerError(found)) this.note(found.code, '', `the sublayer ${found.message}`);
+      else if (isLayerError(found)) this.note(found.code, '', msg`the sublayer ${found.message}`, found.missing);
       else {
         const chain = [...above, source];
         if (chain.includes(found) || chain.length > MAX_DEPTH) {
           const message = chain.includes(found)
-            ? `the sublayer @${asset}@ of ${source.id} is one of its own sublayers; it is left out there`
-            : `the sublayer @${asset}@ of ${source.id} is nested deeper than ${MAX_DEPTH}; it is left out there`;
+            ? msg`the sublayer @${asset}@ of ${source.id} is one of its own sublayers; it is left out there`
+            : msg`the sublayer @${asset}@ of ${source.id} is nested deeper than ${MAX_DEPTH}; it is left out there`;
           this.note('usd.cycle', '', message);
           continue;
         }
@@ -76,14 +77,14 @@ export class LayerStackCache {
     try {
       return expandExpression(asset, variables) || undefined;
     } catch (thrown) {
-      this.note('usd.expression', '', `the sublayer ${asset} of ${source.id} is left out: ${messageOf(thrown)}`);
+      this.note('usd.expression', '', msg`the sublayer ${asset} of ${source.id} is left out: ${messageOf(thrown)}`);
       return undefined;
     }
   }
 
   private usable(time: TimeOffset, asset: string, source: LoadedLayer): TimeOffset {
     if (isInvertible(time)) return time;
-    const message = `the sublayer @${asset}@ of ${source.id} has the offset ${time.offset} and the scale ${time.scale}, which are no times; they are left out`;
+    const message = msg`the sublayer @${asset}@ of ${source.id} has the offset ${time.offset} and the scale ${time.scale}, which are no times; they are left out`;
     this.note('usd.layer-offset', '', message);
     return NO_OFFSET;
   }

@@ -1,5 +1,6 @@
-import { InputError, type MissingFile } from '../../../../scene/types.ts';
-import { messageOf } from '../../../diagnostics/inputError.ts';
+import { type Message, msg } from '../../../../messages/message.ts';
+import { messageOf } from '../../../../messages/messageError.ts';
+import type { MissingFile } from '../../../../scene/types.ts';
 import type { FileContent } from '../../../files/rangedFile.ts';
 import type { AssetFiles } from '../../assets/assetFiles.ts';
 import type { Layer, PrimSpec } from '../../layer/layer.ts';
@@ -20,7 +21,9 @@ export interface LoadedLayer {
 /** Why a layer could not be loaded. */
 export interface LayerError {
   readonly code: 'usd.missing-layer' | 'usd.unreadable-layer' | 'usd.too-many-layers';
-  readonly message: string;
+  readonly message: Message;
+  /** If it is missing. */
+  readonly missing?: MissingFile;
 }
 
 /** Maximum number of layers of a scene. */
@@ -31,8 +34,6 @@ export type ParseLayer = (content: FileContent, id: string) => Layer;
 /** The layers of a stage, each read once. `find` is synchronous: it returns `undefined` for a new layer, which is there after the next `load`. */
 export class LayerStore {
   readonly files: AssetFiles;
-  /** Missing layers by message. */
-  readonly missing = new Map<string, MissingFile>();
   private readonly parse: ParseLayer;
   private readonly byId = new Map<string, LoadedLayer | LayerError>();
   private readonly byReference = new Map<string, LoadedLayer | LayerError>();
@@ -69,7 +70,7 @@ export class LayerStore {
     if (this.byId.size >= MAX_LAYERS)
       return {
         code: 'usd.too-many-layers',
-        message: `@${asset}@ is layer ${MAX_LAYERS + 1} of the scene; so many are read`,
+        message: msg`@${asset}@ is layer ${MAX_LAYERS + 1} of the scene; so many are read`,
       };
     try {
       const found = await this.files.find(anchor, asset);
@@ -78,9 +79,8 @@ export class LayerStore {
       return unreadable(asset, thrown);
     }
     const lookedFor = this.files.candidates(anchor, asset);
-    const message = `@${asset}@ is not there (looked for ${lookedFor.join(', ')}); open the folder that holds it`;
-    this.missing.set(message, { name: asset, lookedFor });
-    return { code: 'usd.missing-layer', message };
+    const message = msg`@${asset}@ is not there (looked for ${lookedFor.join(', ')}); open the folder that holds it`;
+    return { code: 'usd.missing-layer', message, missing: { name: asset, lookedFor } };
   }
 
   private async layer(file: string, content: FileContent): Promise<LoadedLayer | LayerError> {
@@ -127,7 +127,7 @@ export const isLayerError = (found: LoadedLayer | LayerError): found is LayerErr
 
 const unreadable = (asset: string, thrown: unknown): LayerError => ({
   code: 'usd.unreadable-layer',
-  message: `@${asset}@ cannot be read: ${thrown instanceof InputError ? thrown.message : messageOf(thrown)}`,
+  message: msg`@${asset}@ cannot be read: ${messageOf(thrown)}`,
 });
 
 export function loadedLayer(layer: Layer, id: string, isSession = false): LoadedLayer {

@@ -1,3 +1,4 @@
+import { type Message, msg } from '../../../../messages/message.ts';
 import { depthOf, hasPrefix, isPrimPath, parentOf, someAncestor } from '../../layer/primPaths.ts';
 import type { NamespaceMap } from '../primIndex/namespaceMap.ts';
 import type { Relocates, ReportPrimIssue, StackLayer } from './layerStack.ts';
@@ -15,7 +16,7 @@ export function relocatesOf(layers: readonly StackLayer[], note: ReportPrimIssue
   for (const [source, target] of written) {
     const fault = relocateError(source, target) ?? relocateConflict(source, target, written, comings);
     if (!fault) continue;
-    note('usd.relocates', '', `the relocate of ${source} to ${target}: ${fault}; it is left out`);
+    note('usd.relocates', '', msg`the relocate of ${source} to ${target}: ${fault}; it is left out`);
     bySource.delete(source);
   }
   const byTarget = new Map([...bySource].flatMap(([from, to]) => (to === '' ? [] : [[to, from] as const])));
@@ -54,10 +55,11 @@ function sourcesByTarget(written: ReadonlyMap<string, string>): ReadonlyMap<stri
   return out;
 }
 
-function relocateError(source: string, target: string): string | undefined {
-  if (!isPrimPath(source) || (target !== '' && !isPrimPath(target))) return 'it is not from prim to prim';
-  if (depthOf(source) < 2 || depthOf(target) === 1) return 'root prims cannot be moved';
-  if (target !== '' && (hasPrefix(target, source) || hasPrefix(source, target))) return 'one of them is in the other';
+function relocateError(source: string, target: string): Message | undefined {
+  if (!isPrimPath(source) || (target !== '' && !isPrimPath(target))) return msg`it is not from prim to prim`;
+  if (depthOf(source) < 2 || depthOf(target) === 1) return msg`root prims cannot be moved`;
+  if (target !== '' && (hasPrefix(target, source) || hasPrefix(source, target)))
+    return msg`one of them is in the other`;
   return undefined;
 }
 
@@ -67,14 +69,14 @@ function relocateConflict(
   target: string,
   all: ReadonlyMap<string, string>,
   comings: ReadonlyMap<string, readonly string[]>,
-): string | undefined {
+): Message | undefined {
   const other = target !== '' && comings.get(target)?.find((from) => from !== source);
-  if (other) return `${other} goes there as well`;
+  if (other) return msg`${other} goes there as well`;
   const [before] = comings.get(source) ?? [];
-  if (before !== undefined) return `${before} goes to ${source}`;
+  if (before !== undefined) return msg`${before} goes to ${source}`;
   const isMoved = (path: string): boolean => path !== source && all.has(path);
-  if (someAncestor(target, isMoved)) return 'what is around it is moved away';
-  return someAncestor(source, isMoved) ? 'what is around the source is moved away' : undefined;
+  if (someAncestor(target, isMoved)) return msg`what is around it is moved away`;
+  return someAncestor(source, isMoved) ? msg`what is around the source is moved away` : undefined;
 }
 
 /** /A/B → /A/C and /A/C/D → /A/E: what is at /A/E was at /A/B/D. */

@@ -1,3 +1,4 @@
+import { msg } from '../../../../messages/message.ts';
 import { depthOf, hasPrefix, isPrimPath, parentOf, stripVariants } from '../../layer/primPaths.ts';
 import { classesAt } from '../layers/siteOpinions.ts';
 import { STEP_COSTS } from './compositionBudget.ts';
@@ -11,7 +12,7 @@ import {
   withRoot,
 } from './namespaceMap.ts';
 import type { PrimIndexBuilder } from './primIndexBuilder.ts';
-import { hasClasses, type PrimIndexNode } from './primIndexNode.ts';
+import { ARC_NAMES, hasClasses, type PrimIndexNode } from './primIndexNode.ts';
 import { mapForArc } from './referenceArcs.ts';
 
 type ClassKind = 'inherit' | 'specialize';
@@ -21,7 +22,11 @@ export function addClassArcs(builder: PrimIndexBuilder, node: PrimIndexNode, kin
   const paths = classesAt(node.opinions, kind === 'inherit' ? 'inherits' : 'specializes');
   paths.forEach((path, number) => {
     if (isPrimPath(path)) addClassArc(builder, kind, node, undefined, withRoot(mapForArc(node, path)), number);
-    else builder.report('usd.class-path', `it ${kind}s ${path}, which is not the path of a prim; that is left out`);
+    else
+      builder.report(
+        'usd.class-path',
+        msg`it ${ARC_NAMES[kind]}s ${path}, which is not the path of a prim; that is left out`,
+      );
   });
 }
 

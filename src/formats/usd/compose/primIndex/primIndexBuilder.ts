@@ -1,9 +1,11 @@
+import type { Message } from '../../../../messages/message.ts';
+import type { MissingFile } from '../../../../scene/types.ts';
 import type { DiagnosticCode } from '../../../diagnostics/diagnosticCodes.ts';
 import type { LayerStack, ReportPrimIssue } from '../layers/layerStack.ts';
 import type { LayerStackCache } from '../layers/layerStackCache.ts';
 import type { LayerStore } from '../layers/layerStore.ts';
 import type { CompositionBudget } from './compositionBudget.ts';
-import type { CompositionArc, PrimIndexNode } from './primIndexNode.ts';
+import type { CompositionArc, PrimIndexNode, TargetArc } from './primIndexNode.ts';
 import type { TaskList } from './tasks.ts';
 
 /** Shared by the prim indexes of one stage. */
@@ -45,16 +47,16 @@ export interface PrimIndexBuilder {
   readonly ancestorDepth: number;
   readonly tasks: TaskList;
   readonly work: CompositionBudget;
-  /** Adds a diagnostic about the composed prim. */
-  report(code: DiagnosticCode, message: string): void;
+  /** Adds a diagnostic about the composed prim; `missing`: the missing layer, if it is about one. */
+  report(code: DiagnosticCode, message: Message, missing?: MissingFile): void;
   /** Reports `message` where no site of `target` has opinions once all arcs are followed. */
-  expectOpinions(target: PrimIndexNode, message: string): void;
+  expectOpinions(target: PrimIndexNode, message: Message): void;
   /** Adds a site below a node and queues its tasks. Undefined where it would make a cycle, or is there already. */
   addArc(
     parent: PrimIndexNode,
     stack: LayerStack,
     path: string,
-    arc: CompositionArc,
+    arc: TargetArc,
     options?: ArcOptions,
   ): PrimIndexNode | undefined;
 }

@@ -1,3 +1,4 @@
+import { type Message, msg } from '../../../../messages/message.ts';
 import { ancestorPath, depthOf, hasPrefix } from '../../layer/primPaths.ts';
 import { type LayerStack, type Opinion, opinionsAt } from '../layers/layerStack.ts';
 import { composeOffsets, NO_OFFSET, type TimeOffset } from '../layers/timeOffset.ts';
@@ -6,6 +7,15 @@ import { composeMaps, IDENTITY, type NamespaceMap } from './namespaceMap.ts';
 /** Composition arcs, strongest first. */
 export const ARCS = ['root', 'inherit', 'variant', 'relocate', 'reference', 'payload', 'specialize'] as const;
 export type ArcType = (typeof ARCS)[number];
+
+/** Arcs in messages. */
+export const ARC_NAMES: Readonly<Record<Exclude<ArcType, 'root' | 'variant'>, Message>> = {
+  inherit: msg`inherit`,
+  relocate: msg`relocate`,
+  reference: msg`reference`,
+  payload: msg`payload`,
+  specialize: msg`specialize`,
+};
 
 /** The arc from a node's parent to it. */
 export interface CompositionArc {
@@ -19,6 +29,9 @@ export interface CompositionArc {
   /** Namespace depth of the prim with the arc. */
   readonly depth: number;
 }
+
+/** An arc that adds a node. */
+export type TargetArc = CompositionArc & { readonly kind: Exclude<ArcType, 'root'> };
 
 const ROOT_ARC: CompositionArc = { kind: 'root', map: IDENTITY, number: 0, depth: 0 };
 

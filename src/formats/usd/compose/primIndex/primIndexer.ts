@@ -1,3 +1,5 @@
+import { type Message, msg } from '../../../../messages/message.ts';
+import type { MissingFile } from '../../../../scene/types.ts';
 import type { DiagnosticCode } from '../../../diagnostics/diagnosticCodes.ts';
 import { nameOf, parentOf, someAncestor } from '../../layer/primPaths.ts';
 import type { LayerStack } from '../layers/layerStack.ts';
@@ -6,13 +8,14 @@ import { type CompositionBudget, STEP_COSTS } from './compositionBudget.ts';
 import { isInstance } from './instances.ts';
 import type { ArcOptions, CompositionContext, IndexStackFrame, PrimIndexBuilder } from './primIndexBuilder.ts';
 import {
+  ARC_NAMES,
   allNodes,
   areNestedPaths,
-  type CompositionArc,
   hasClasses,
   hasOpinions,
   makeInert,
   PrimIndexNode,
+  type TargetArc,
 } from './primIndexNode.ts';
 import { addReferenceArcs } from './referenceArcs.ts';
 import { addRelocateArc, implyRelocateArc } from './relocateArcs.ts';
@@ -48,7 +51,7 @@ export class PrimIndexer implements PrimIndexBuilder {
   private readonly count: { nodes: number };
   /** The prim of the stage that all this is for. */
   private readonly path: string;
-  private readonly expected: { target: PrimIndexNode; message: string }[];
+  private readonly expected: { target: PrimIndexNode; message: Message }[];
 
   private constructor(context: CompositionContext, path: string, origin?: IndexerOrigin, evaluatesVariants = true) {
     this.context = context;
@@ -102,7 +105,7 @@ export class PrimIndexer implements PrimIndexBuilder {
     if (this.level <= MAX_NESTED_INDEXES) return false;
     this.report(
       'usd.too-deep',
-      `arcs to ${path} are nested more than ${MAX_NESTED_INDEXES} deep; they are left out there`,
+      msg`arcs to ${path} are nested more than ${MAX_NESTED_INDEXES} deep; they are left out there`,
     );
     return true;
   }
@@ -124,7 +127,7 @@ export class PrimIndexer implements PrimIndexBuilder {
 
   private isOverBudget(): boolean {
     if (this.count.nodes > MAX_NODES)
-      this.report('usd.too-many-arcs', `more than ${MAX_NODES} sites have opinions on it; the rest is left out`);
+      this.report('usd.too-many-arcs', msg`more than ${MAX_NODES} sites have opinions on it; the rest is left out`);
     return this.count.nodes > MAX_NODES || this.work.isExhausted;
   }
 
@@ -133,11 +136,11 @@ export class PrimIndexer implements PrimIndexBuilder {
     if (TASKS_FOR_INERT.has(task.kind) || !node.isInert) TASK_HANDLERS[task.kind](this, task);
   }
 
-  report(code: DiagnosticCode, message: string): void {
-    this.context.note(code, this.path, message);
+  report(code: DiagnosticCode, message: Message, missing?: MissingFile): void {
+    this.context.note(code, this.path, message, missing);
   }
 
-  expectOpinions(target: PrimIndexNode, message: string): void {
+  expectOpinions(target: PrimIndexNode, message: Message): void {
     this.expected.push({ target, message });
   }
 
@@ -145,11 +148,11 @@ export class PrimIndexer implements PrimIndexBuilder {
     parent: PrimIndexNode,
     stack: LayerStack,
     path: string,
-    arc: CompositionArc,
+    arc: TargetArc,
     options: ArcOptions = {},
   ): PrimIndexNode | undefined {
     if (arc.kind !== 'variant' && this.makesCycle(parent, stack, path)) {
-      const message = `the ${arc.kind} of ${parent.path} in ${parent.stack.root.id} to ${path} leads back to where it comes from; it is left out`;
+      const message = msg`the ${ARC_NAMES[arc.kind]} of ${parent.path} in ${parent.stack.root.id} to ${path} leads back to where it comes from; it is left out`;
       this.report('usd.cycle', message);
       return undefined;
     }

@@ -1,4 +1,5 @@
-import { messageOf } from '../../../diagnostics/inputError.ts';
+import { msg } from '../../../../messages/message.ts';
+import { messageOf } from '../../../../messages/messageError.ts';
 import { depthOf, isPrimPath, stripVariants } from '../../layer/primPaths.ts';
 import { metadataText } from '../../layer/query.ts';
 import { expandExpression } from '../layers/expressions.ts';
@@ -8,10 +9,12 @@ import { referencesAt, type SourcedReference } from '../layers/siteOpinions.ts';
 import { composeOffsets, isInvertible, NO_OFFSET, type TimeOffset } from '../layers/timeOffset.ts';
 import { arcMap, composeMaps, type NamespaceMap, withPairs, withRoot } from './namespaceMap.ts';
 import type { PrimIndexBuilder } from './primIndexBuilder.ts';
-import type { PrimIndexNode } from './primIndexNode.ts';
+import { ARC_NAMES, type PrimIndexNode } from './primIndexNode.ts';
+
+type ReferenceType = 'reference' | 'payload';
 
 /** Follows the references or the payloads that a site has. */
-export function addReferenceArcs(builder: PrimIndexBuilder, node: PrimIndexNode, kind: 'reference' | 'payload'): void {
+export function addReferenceArcs(builder: PrimIndexBuilder, node: PrimIndexNode, kind: ReferenceType): void {
   const arcs = referencesAt(node.opinions, kind === 'reference' ? 'references' : 'payload');
   arcs.forEach((arc, number) => {
     const target = targetOf(builder, node, kind, arc);
@@ -25,7 +28,7 @@ export function addReferenceArcs(builder: PrimIndexBuilder, node: PrimIndexNode,
     if (added)
       builder.expectOpinions(
         added,
-        `its ${kind} ${describe(arc)} leads to ${path}, which ${stack.root.id} does not have`,
+        msg`its ${ARC_NAMES[kind]} ${describe(arc)} leads to ${path}, which ${stack.root.id} does not have`,
       );
   });
 }
@@ -39,15 +42,15 @@ interface ReferenceTarget {
 function targetOf(
   builder: PrimIndexBuilder,
   node: PrimIndexNode,
-  kind: string,
+  kind: ReferenceType,
   arc: SourcedReference,
 ): ReferenceTarget | undefined {
   const root = arc.asset === '' ? node.stack.root : layerOf(builder, kind, arc);
   if (!root) return undefined;
   const path = arc.path === '' ? defaultPrim(root) : arc.path;
   if (path === undefined || !isPrimPath(path)) {
-    const why = path === undefined ? `${root.id} has no defaultPrim` : `${path} is not the path of a prim`;
-    builder.report('usd.default-prim', `its ${kind} ${describe(arc)} is left out: ${why}`);
+    const why = path === undefined ? msg`${root.id} has no defaultPrim` : msg`${path} is not the path of a prim`;
+    builder.report('usd.default-prim', msg`its ${ARC_NAMES[kind]} ${describe(arc)} is left out: ${why}`);
     return undefined;
   }
   const stack =
@@ -55,21 +58,25 @@ function targetOf(
   return { stack, path, time: referenceTimeOffset(builder, kind, arc, arc.asset === '' ? undefined : root) };
 }
 
-function layerOf(builder: PrimIndexBuilder, kind: string, arc: SourcedReference): LoadedLayer | undefined {
+function layerOf(builder: PrimIndexBuilder, kind: ReferenceType, arc: SourcedReference): LoadedLayer | undefined {
   const asset = assetOf(builder, kind, arc);
   if (asset === '') return undefined;
   const found = builder.context.store.find(arc.from.source.id, asset);
   if (!found || !isLayerError(found)) return found;
-  builder.report(found.code, kind === 'reference' ? `its reference ${found.message}` : `its payload ${found.message}`);
+  builder.report(
+    found.code,
+    kind === 'reference' ? msg`its reference ${found.message}` : msg`its payload ${found.message}`,
+    found.missing,
+  );
   return undefined;
 }
 
 /** The asset path, with expressions evaluated; empty on error. */
-function assetOf(builder: PrimIndexBuilder, kind: string, { asset, from }: SourcedReference): string {
+function assetOf(builder: PrimIndexBuilder, kind: ReferenceType, { asset, from }: SourcedReference): string {
   try {
     return expandExpression(asset, from.variables);
   } catch (thrown) {
-    builder.report('usd.expression', `its ${kind} @${asset}@ is left out: ${messageOf(thrown)}`);
+    builder.report('usd.expression', msg`its ${ARC_NAMES[kind]} @${asset}@ is left out: ${messageOf(thrown)}`);
     return '';
   }
 }
@@ -80,7 +87,7 @@ function assetOf(builder: PrimIndexBuilder, kind: string, { asset, from }: Sourc
  */
 function referenceTimeOffset(
   builder: PrimIndexBuilder,
-  kind: string,
+  kind: ReferenceType,
   arc: SourcedReference,
   target: LoadedLayer | undefined,
 ): TimeOffset {
@@ -89,7 +96,7 @@ function referenceTimeOffset(
   if (!usable)
     builder.report(
       'usd.layer-offset',
-      `its ${kind} ${describe(arc)} has the offset ${arc.offset} and the scale ${arc.scale}, which are no times; they are left out`,
+      msg`its ${ARC_NAMES[kind]} ${describe(arc)} has the offset ${arc.offset} and the scale ${arc.scale}, which are no times; they are left out`,
     );
   const written = usable ? { offset: arc.offset, scale: arc.scale } : NO_OFFSET;
   if (!target) return written;

@@ -1,3 +1,4 @@
+import { msg } from '../../../../messages/message.ts';
 import { IDENTITY, mapToTarget } from './namespaceMap.ts';
 import type { PrimIndexBuilder } from './primIndexBuilder.ts';
 import { makeInert, type PrimIndexNode } from './primIndexNode.ts';
@@ -11,7 +12,7 @@ export function addRelocateArc(builder: PrimIndexBuilder, node: PrimIndexNode): 
   const added = builder.addArc(node, node.stack, source, arc, { contributes: false, ancestral: true });
   if (!added) return;
   if (added.opinions.length > 0) {
-    const message = `${source} is moved to ${node.path} by a relocate, and opinions on it in ${node.stack.root.id} do not count; write them at ${node.path}`;
+    const message = msg`${source} is moved to ${node.path} by a relocate, and opinions on it in ${node.stack.root.id} do not count; write them at ${node.path}`;
     builder.report('usd.relocates', message);
   }
   makeRelocatedInert(added);

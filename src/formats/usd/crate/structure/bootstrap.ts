@@ -1,3 +1,4 @@
+import { msg } from '../../../../messages/message.ts';
 import { inputError } from '../../../diagnostics/inputError.ts';
 import { type CrateSource, Cursor } from './crateSource.ts';
 
@@ -22,22 +23,24 @@ export const isCrate = (bytes: Uint8Array): boolean =>
 
 /** Reads the header and the table of contents. Throws for unsupported versions. */
 export function readSections(source: CrateSource): Map<SectionName, number> {
-  source.section = 'header';
-  source.require(0, HEADER_BYTES, 'the header');
+  source.section = msg`header`;
+  source.require(0, HEADER_BYTES, msg`the header`);
   source.version = checkVersion(source);
-  const start = new Cursor(source, 16).i64('the place of the table of contents');
-  source.section = 'table of contents';
+  const start = new Cursor(source, 16).i64(msg`the place of the table of contents`);
+  source.section = msg`table of contents`;
   const cursor = new Cursor(source, start);
-  const count = cursor.count('sections', ENTRY_BYTES);
-  if (count > MAX_SECTIONS) source.fail(`it says ${count} sections; a crate file has ${SECTIONS.length}`, start);
+  const count = cursor.count(msg`sections`, ENTRY_BYTES);
+  if (count > MAX_SECTIONS) source.fail(msg`it says ${count} sections; a crate file has ${SECTIONS.length}`, start);
   const found = new Map<string, number>();
   for (let i = 0; i < count; i++) {
-    const name = nameAt(source, cursor.pass(SECTION_NAME_BYTES, 'the name of a section'));
-    const begin = cursor.i64(`the place of section ${name}`);
-    source.check(begin, Math.max(0, cursor.i64(`the size of section ${name}`)), `section ${name}`);
+    const name = nameAt(source, cursor.pass(SECTION_NAME_BYTES, msg`the name of a section`));
+    const begin = cursor.i64(msg`the place of section ${name}`);
+    source.check(begin, Math.max(0, cursor.i64(msg`the size of section ${name}`)), msg`section ${name}`);
     found.set(name, begin);
   }
-  return new Map(SECTIONS.map((name) => [name, found.get(name) ?? source.fail(`there is no section ${name}`, start)]));
+  return new Map(
+    SECTIONS.map((name) => [name, found.get(name) ?? source.fail(msg`there is no section ${name}`, start)]),
+  );
 }
 
 function checkVersion({ bytes, base, file }: CrateSource): number {
@@ -45,10 +48,10 @@ function checkVersion({ bytes, base, file }: CrateSource): number {
   if (major === 0 && minor >= OLDEST && minor <= NEWEST) return minor;
   const old = major === 0 && minor < OLDEST;
   const what = old
-    ? 'write it anew with a present OpenUSD: usdcat in.usdc -o out.usdc'
-    : 'write it as text: usdcat in.usdc -o out.usda';
-  const read = `0.${OLDEST} to 0.${NEWEST} are read`;
-  throw inputError('usd.version', file, `is a crate file of version ${major}.${minor}.${patch}; ${read}; ${what}`);
+    ? msg`write it anew with a present OpenUSD: usdcat in.usdc -o out.usdc`
+    : msg`write it as text: usdcat in.usdc -o out.usda`;
+  const read = msg`0.${OLDEST} to 0.${NEWEST} are read`;
+  throw inputError('usd.version', file, msg`is a crate file of version ${major}.${minor}.${patch}; ${read}; ${what}`);
 }
 
 function nameAt({ bytes, base }: CrateSource, at: number): string {

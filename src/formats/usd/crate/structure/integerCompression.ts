@@ -1,3 +1,4 @@
+import { type LocalizedText, msg } from '../../../../messages/message.ts';
 import type { CrateSource, Cursor } from './crateSource.ts';
 import { decompress, MAX_EXPANSION } from './lz4.ts';
 
@@ -5,7 +6,7 @@ import { decompress, MAX_EXPANSION } from './lz4.ts';
  * `count` integers of 32 bits: their differences in 0, 8, 16 or 32 bits, two bits each saying which, compressed
  * (OpenUSD, Sdf_IntegerCompression). No bits stand for the commonest difference, which comes first.
  */
-export function readInt32s(cursor: Cursor, count: number, what: string): Int32Array {
+export function readInt32s(cursor: Cursor, count: number, what: LocalizedText): Int32Array {
   const { source, at } = cursor;
   const { view, codes, from, size } = unpack(cursor, count, 4, what);
   const common = view.getInt32(0, true);
@@ -28,7 +29,7 @@ export function readInt32s(cursor: Cursor, count: number, what: string): Int32Ar
 }
 
 /** The same of 64 bits: differences in 0, 16, 32 or 64 bits. Returns pairs of 32 bits, the low ones first. */
-export function readInt64s(cursor: Cursor, count: number, what: string): Uint32Array<ArrayBuffer> {
+export function readInt64s(cursor: Cursor, count: number, what: LocalizedText): Uint32Array<ArrayBuffer> {
   const { source, at } = cursor;
   const { view, codes, from, size } = unpack(cursor, count, 8, what);
   const common = [view.getUint32(0, true), view.getInt32(4, true)];
@@ -63,23 +64,23 @@ interface PackedIntegers {
   readonly size: number;
 }
 
-function unpack(cursor: Cursor, count: number, width: 4 | 8, what: string): PackedIntegers {
+function unpack(cursor: Cursor, count: number, width: 4 | 8, what: LocalizedText): PackedIntegers {
   const { source, at } = cursor;
-  const length = cursor.count(`bytes of compressed ${what}`, 1);
+  const length = cursor.count(msg`bytes of compressed ${what}`, 1);
   const from = cursor.pass(length, what);
   const codeBytes = Math.ceil(count / 4);
   const least = width + codeBytes;
   if (least > MAX_EXPANSION * length)
-    source.fail(`it says ${count} ${what}, which ${length} compressed bytes cannot hold`, at);
-  source.spend(width * count, `an array of ${count} numbers`, at);
+    source.fail(msg`it says ${count} ${what}, which ${length} compressed bytes cannot hold`, at);
+  source.spend(width * count, msg`an array of ${count} numbers`, at);
   const scratch = scratchOf(Math.min(least + width * count, MAX_EXPANSION * length));
   const size = decompress(source, from, length, scratch);
   if (size < least) failTruncated(source, what, 0, count, at);
   return { view: new DataView(scratch.buffer), codes: width, from: least, size };
 }
 
-function failTruncated(source: CrateSource, what: string, i: number, count: number, at: number): never {
-  return source.fail(`of ${count} ${what} the compressed data holds ${i}`, at);
+function failTruncated(source: CrateSource, what: LocalizedText, i: number, count: number, at: number): never {
+  return source.fail(msg`of ${count} ${what} the compressed data holds ${i}`, at);
 }
 
 /** Size of the scratch buffer kept between calls [bytes]. */

@@ -1,3 +1,4 @@
+import { msg } from '../../../../messages/message.ts';
 import type { CrateSource } from './crateSource.ts';
 
 /** Maximum compression ratio of LZ4. */
@@ -8,18 +9,18 @@ export const MAX_EXPANSION = 255;
  * several with their sizes before them (OpenUSD, TfFastCompression).
  */
 export function decompress(source: CrateSource, at: number, length: number, out: Uint8Array): number {
-  source.require(at, length, 'compressed data');
-  if (length === 0) return source.fail('compressed data of no bytes', at);
+  source.require(at, length, msg`compressed data`);
+  if (length === 0) return source.fail(msg`compressed data of no bytes`, at);
   const end = at + length;
   const chunks = source.bytes[at - source.base];
   if (chunks === 0) return decompressBlock(source, at + 1, end, out, 0);
   let from = at + 1;
   let written = 0;
   for (let i = 0; i < chunks; i++) {
-    source.require(from, 4, 'the size of a compressed chunk');
+    source.require(from, 4, msg`the size of a compressed chunk`);
     const size = source.view.getInt32(from - source.base, true);
     from += 4;
-    if (size < 0 || from + size > end) source.fail(`a compressed chunk says ${size} bytes, past its end`, from - 4);
+    if (size < 0 || from + size > end) source.fail(msg`a compressed chunk says ${size} bytes, past its end`, from - 4);
     written = decompressBlock(source, from, from + size, out, written);
     from += size;
   }
@@ -37,7 +38,7 @@ function decompressBlock(source: CrateSource, start: number, stop: number, out: 
     if (nibble !== 15) return nibble;
     let length = 15;
     for (;;) {
-      if (from >= end) source.fail('compressed data ends in the middle of a length', base + from);
+      if (from >= end) source.fail(msg`compressed data ends in the middle of a length`, base + from);
       const more = bytes[from++];
       length += more;
       if (more !== 255) return length;
@@ -47,17 +48,17 @@ function decompressBlock(source: CrateSource, start: number, stop: number, out: 
     const token = bytes[from++];
     const literals = longer(token >> 4);
     if (from + literals > end || to + literals > out.length)
-      source.fail(`compressed data has ${literals} bytes that do not fit`, base + from);
+      source.fail(msg`compressed data has ${literals} bytes that do not fit`, base + from);
     copyLiterals(bytes, from, out, to, literals);
     from += literals;
     to += literals;
     if (from === end) return to;
-    if (from + 2 > end) source.fail('compressed data ends in the middle of a match', base + from);
+    if (from + 2 > end) source.fail(msg`compressed data ends in the middle of a match`, base + from);
     const distance = bytes[from] | (bytes[from + 1] << 8);
     from += 2;
     const length = longer(token & 15) + 4;
     if (distance === 0 || distance > to - begin || to + length > out.length)
-      source.fail(`compressed data repeats ${length} bytes from ${distance} before, which it has not`, base + from);
+      source.fail(msg`compressed data repeats ${length} bytes from ${distance} before, which it has not`, base + from);
     copyMatch(out, to, distance, length);
     to += length;
   }

@@ -1,3 +1,4 @@
+import { msg } from '../../../../messages/message.ts';
 import type { CrateSource, Cursor } from './crateSource.ts';
 import { readInt32s } from './integerCompression.ts';
 
@@ -44,6 +45,8 @@ function separator(parent: PathNode, element: string, isProperty: boolean): stri
   return !parent.parent || parent.element.endsWith('}') || /^[{[]/.test(element) ? '' : '/';
 }
 
+const A_PATH = msg`a path`;
+
 /** Memory of a path besides its characters [bytes]. */
 const NODE_BYTES = 128;
 
@@ -53,14 +56,14 @@ const NODE_BYTES = 128;
  */
 export function readPaths(cursor: Cursor, tokens: readonly string[]): (PathNode | undefined)[] {
   const { source, at } = cursor;
-  const count = cursor.i64('the number of paths');
-  const encoded = cursor.i64('the number of encoded paths');
-  if (count < 0 || encoded < 0 || encoded > count) source.fail(`it says ${encoded} encoded paths of ${count}`, at);
-  source.spend(8 * count, `${count} paths`, at);
+  const count = cursor.i64(msg`the number of paths`);
+  const encoded = cursor.i64(msg`the number of encoded paths`);
+  if (count < 0 || encoded < 0 || encoded > count) source.fail(msg`it says ${encoded} encoded paths of ${count}`, at);
+  source.spend(8 * count, msg`${count} paths`, at);
   const tree: PathTree = {
-    indices: readInt32s(cursor, encoded, 'indices of paths'),
-    elements: readInt32s(cursor, encoded, 'elements of paths'),
-    jumps: readInt32s(cursor, encoded, 'jumps between paths'),
+    indices: readInt32s(cursor, encoded, msg`indices of paths`),
+    elements: readInt32s(cursor, encoded, msg`elements of paths`),
+    jumps: readInt32s(cursor, encoded, msg`jumps between paths`),
   };
   const paths = new Array<PathNode | undefined>(count).fill(undefined);
   if (encoded > 0) walk(source, tree, tokens, paths, at);
@@ -84,14 +87,14 @@ function walk(
   let parent: PathNode | undefined;
   for (let current = 0, steps = 0; ; steps++) {
     if (current >= indices.length || steps === indices.length)
-      source.fail(`a jump between paths leads to path ${current} of ${indices.length}, or round in a circle`, at);
+      source.fail(msg`a jump between paths leads to path ${current} of ${indices.length}, or round in a circle`, at);
     const index = indices[current];
-    if (!(index >= 0 && index < paths.length)) source.fail(`a path has index ${index} of ${paths.length}`, at);
-    if (paths[index]) source.fail(`two paths have index ${index}`, at);
+    if (!(index >= 0 && index < paths.length)) source.fail(msg`a path has index ${index} of ${paths.length}`, at);
+    if (paths[index]) source.fail(msg`two paths have index ${index}`, at);
     const node = newNode(source, parent, elements[current], tokens, at);
     paths[index] = node;
     const jump = jumps[current];
-    if (jump < -2) source.fail(`the jump after path ${current} is ${jump}`, at);
+    if (jump < -2) source.fail(msg`the jump after path ${current} is ${jump}`, at);
     if (jump > 0) waiting.push([current + jump, parent]);
     if (jump > 0 || jump === -1) parent = node;
     if (jump !== -2) {
@@ -114,10 +117,10 @@ function newNode(
   if (!parent) return new PathNode('', false, undefined);
   const element = tokens[Math.abs(signed)];
   if (element === undefined)
-    return source.fail(`an element of a path is token ${Math.abs(signed)} of ${tokens.length}`, at);
-  if (parent.depth === MAX_DEPTH) source.fail(`paths are nested more than ${MAX_DEPTH} deep`, at);
+    return source.fail(msg`an element of a path is token ${Math.abs(signed)} of ${tokens.length}`, at);
+  if (parent.depth === MAX_DEPTH) source.fail(msg`paths are nested more than ${MAX_DEPTH} deep`, at);
   const node = new PathNode(element, signed < 0, parent);
-  source.spend(NODE_BYTES + node.length, 'a path', at);
+  source.spend(NODE_BYTES + node.length, A_PATH, at);
   parent.children.push(node);
   return node;
 }

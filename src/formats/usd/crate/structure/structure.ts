@@ -1,3 +1,4 @@
+import { type LocalizedText, msg } from '../../../../messages/message.ts';
 import type { SectionName } from './bootstrap.ts';
 import { type CrateSource, Cursor } from './crateSource.ts';
 import { readInt32s } from './integerCompression.ts';
@@ -30,6 +31,8 @@ export interface SpecTable {
   readonly types: Int32Array;
 }
 
+const A_STRING = msg`a string`;
+
 /** Memory of a string besides its characters [bytes]. */
 const TEXT_BYTES = 32;
 
@@ -52,14 +55,14 @@ export function readStructure(source: CrateSource, sections: ReadonlyMap<Section
 /** Null-terminated strings, compressed. */
 function readTokens(cursor: Cursor): string[] {
   const { source, at } = cursor;
-  const count = cursor.i64('the number of tokens');
-  const size = cursor.i64('the size of the tokens');
-  const length = cursor.count('bytes of compressed tokens', 1);
-  const from = cursor.pass(length, 'the tokens');
+  const count = cursor.i64(msg`the number of tokens`);
+  const size = cursor.i64(msg`the size of the tokens`);
+  const length = cursor.count(msg`bytes of compressed tokens`, 1);
+  const from = cursor.pass(length, msg`the tokens`);
   if (size < 0 || size > MAX_EXPANSION * length)
-    source.fail(`it says ${size} bytes of tokens, which ${length} compressed bytes cannot hold`, at);
-  if (count < 0 || count > size) source.fail(`it says ${count} tokens in ${size} bytes`, at);
-  source.spend(2 * size + TEXT_BYTES * count, `${count} tokens`, at);
+    source.fail(msg`it says ${size} bytes of tokens, which ${length} compressed bytes cannot hold`, at);
+  if (count < 0 || count > size) source.fail(msg`it says ${count} tokens in ${size} bytes`, at);
+  source.spend(2 * size + TEXT_BYTES * count, msg`${count} tokens`, at);
   const out = new Uint8Array(size);
   return splitTokens(source, out.subarray(0, decompress(source, from, length, out)), count, at);
 }
@@ -68,8 +71,8 @@ function splitTokens(source: CrateSource, bytes: Uint8Array, count: number, at: 
   const tokens: string[] = [];
   for (let start = 0; tokens.length < count; ) {
     const end = bytes.indexOf(0, start);
-    if (end < 0) source.fail(`of ${count} tokens there are ${tokens.length}`, at);
-    tokens.push(textOf(bytes, start, end) ?? source.fail(`token ${tokens.length} is not UTF-8`, at));
+    if (end < 0) source.fail(msg`of ${count} tokens there are ${tokens.length}`, at);
+    tokens.push(textOf(bytes, start, end) ?? source.fail(msg`token ${tokens.length} is not UTF-8`, at));
     start = end + 1;
   }
   return tokens;
@@ -99,45 +102,45 @@ function decode(bytes: Uint8Array): string | undefined {
 
 function readStrings(cursor: Cursor, tokens: number): Uint32Array {
   const { source, at } = cursor;
-  const count = cursor.count('strings', 4);
-  source.spend(4 * count, `${count} strings`, at);
+  const count = cursor.count(msg`strings`, 4);
+  source.spend(4 * count, msg`${count} strings`, at);
   return Uint32Array.from({ length: count }, (_, i) => {
-    const token = cursor.u32(`string ${i}`);
-    return token < tokens ? token : source.fail(`string ${i} is token ${token} of ${tokens}`, cursor.at - 4);
+    const token = cursor.u32(A_STRING);
+    return token < tokens ? token : source.fail(msg`string ${i} is token ${token} of ${tokens}`, cursor.at - 4);
   });
 }
 
 /** Item count of a section; memory is checked when they are decompressed. */
-function readCount(cursor: Cursor, what: string): number {
+function readCount(cursor: Cursor, what: LocalizedText): number {
   const { at } = cursor;
-  const count = cursor.i64(`the number of ${what}`);
-  return count >= 0 && count < 2 ** 31 ? count : cursor.source.fail(`it says ${count} ${what}`, at);
+  const count = cursor.i64(msg`the number of ${what}`);
+  return count >= 0 && count < 2 ** 31 ? count : cursor.source.fail(msg`it says ${count} ${what}`, at);
 }
 
 function readFields(cursor: Cursor, tokens: number): FieldTable {
   const { source, at } = cursor;
-  const count = readCount(cursor, 'fields');
-  const names = readInt32s(cursor, count, 'names of fields');
+  const count = readCount(cursor, msg`fields`);
+  const names = readInt32s(cursor, count, msg`names of fields`);
   const wrong = names.findIndex((name) => name < 0 || name >= tokens);
-  if (wrong >= 0) source.fail(`the name of field ${wrong} is token ${names[wrong]} of ${tokens}`, at);
-  const length = cursor.count('bytes of compressed values', 1);
-  const from = cursor.pass(length, 'the values of fields');
-  source.spend(8 * count, `the values of ${count} fields`, at);
+  if (wrong >= 0) source.fail(msg`the name of field ${wrong} is token ${names[wrong]} of ${tokens}`, at);
+  const length = cursor.count(msg`bytes of compressed values`, 1);
+  const from = cursor.pass(length, msg`the values of fields`);
+  source.spend(8 * count, msg`the values of ${count} fields`, at);
   const values = new Uint32Array(2 * count);
   const size = decompress(source, from, length, new Uint8Array(values.buffer));
-  if (size < 8 * count) source.fail(`the values of ${count} fields take ${size} bytes, not ${8 * count}`, from);
+  if (size < 8 * count) source.fail(msg`the values of ${count} fields take ${size} bytes, not ${8 * count}`, from);
   return { names, values };
 }
 
 function readFieldSets(cursor: Cursor): Int32Array {
-  return readInt32s(cursor, readCount(cursor, 'fields of sets'), 'fields of sets');
+  return readInt32s(cursor, readCount(cursor, msg`fields of sets`), msg`fields of sets`);
 }
 
 function readSpecs(cursor: Cursor): SpecTable {
-  const count = readCount(cursor, 'specs');
+  const count = readCount(cursor, msg`specs`);
   return {
-    paths: readInt32s(cursor, count, 'paths of specs'),
-    fieldSets: readInt32s(cursor, count, 'field sets of specs'),
-    types: readInt32s(cursor, count, 'types of specs'),
+    paths: readInt32s(cursor, count, msg`paths of specs`),
+    fieldSets: readInt32s(cursor, count, msg`field sets of specs`),
+    types: readInt32s(cursor, count, msg`types of specs`),
   };
 }

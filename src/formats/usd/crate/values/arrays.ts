@@ -1,4 +1,5 @@
 import { fromHalf } from '../../../../math/half.ts';
+import { msg } from '../../../../messages/message.ts';
 import { storedByteLength } from '../../../../scene/streaming/storedNumbers.ts';
 import type { NumberArray, Value } from '../../layer/layer.ts';
 import { StoredArray } from '../../layer/storedArray.ts';
@@ -6,6 +7,9 @@ import { type CrateSource, Cursor } from '../structure/crateSource.ts';
 import { readInt32s, readInt64s } from '../structure/integerCompression.ts';
 import type { ArrayType, CrateScalar } from './crateTypes.ts';
 import type { ValueRep } from './valueRep.ts';
+
+const A_NUMBER = msg`a number`;
+const INTEGERS = msg`integers`;
 
 /** Shorter arrays are never compressed, even if flagged so. */
 export const MIN_COMPRESSED_LENGTH = 16;
@@ -45,7 +49,7 @@ export function readArray(source: CrateSource, rep: ValueRep, type: ArrayType, t
     case 'bool':
       return { type: 'bool[]', data: readNumbers(cursor, 'bool', count).map((x) => (x === 0 ? 0 : 1)) };
     case 'long': {
-      const pairs = compressed ? readInt64s(cursor, count, 'integers') : readPairs(cursor, count);
+      const pairs = compressed ? readInt64s(cursor, count, INTEGERS) : readPairs(cursor, count);
       return type.storage === 'int64'
         ? { type: 'int64[]', data: new BigInt64Array(pairs.buffer) }
         : { type: 'uint64[]', data: new BigUint64Array(pairs.buffer) };
@@ -79,23 +83,23 @@ function storedInFile(
   const bytes = storedByteLength({ count: count * size, scalar });
   const part = bytes >= MIN_STORED_BYTES ? source.part(0, source.size) : undefined;
   if (!part) return undefined;
-  const at = part.start + cursor.skip(bytes, `an array of ${count} tuples`);
+  const at = part.start + cursor.skip(bytes, msg`an array of ${count} tuples`);
   return new StoredArray(`${storage}[]`, { file: part.file, at, count: count * size, scalar });
 }
 
 /** Before 0.5 the rank preceded the length; before 0.7 the length had 32 bits. */
 function readLength(cursor: Cursor): number {
   const { source } = cursor;
-  if (source.version < 5) cursor.u32('the rank of an array');
+  if (source.version < 5) cursor.u32(msg`the rank of an array`);
   const { at } = cursor;
-  const length = source.version < 7 ? cursor.u32('the length of an array') : cursor.i64('the length of an array');
-  return length >= 0 && length < 2 ** 31 ? length : source.fail(`an array has length ${length}`, at);
+  const length = source.version < 7 ? cursor.u32(msg`the length of an array`) : cursor.i64(msg`the length of an array`);
+  return length >= 0 && length < 2 ** 31 ? length : source.fail(msg`an array has length ${length}`, at);
 }
 
 function readTexts(cursor: Cursor, count: number, storage: string, texts: TextTable): string[] {
   const { source } = cursor;
-  const from = cursor.pass(4 * count, `an array of ${count} texts`);
-  source.spend(REFERENCE_BYTES * count, `an array of ${count} texts`, from);
+  const from = cursor.pass(4 * count, msg`an array of ${count} texts`);
+  source.spend(REFERENCE_BYTES * count, msg`an array of ${count} texts`, from);
   return Array.from({ length: count }, (_, i) => {
     const at = from + 4 * i;
     const index = source.view.getUint32(at - source.base, true);
@@ -105,7 +109,7 @@ function readTexts(cursor: Cursor, count: number, storage: string, texts: TextTa
 
 /** One number as it lies. */
 export function readNumber(cursor: Cursor, scalar: CrateScalar): number {
-  const at = cursor.pass(SCALAR_BYTES[scalar], 'a number') - cursor.source.base;
+  const at = cursor.pass(SCALAR_BYTES[scalar], A_NUMBER) - cursor.source.base;
   const { view } = cursor.source;
   switch (scalar) {
     case 'half':
@@ -130,8 +134,8 @@ const MIN_COPIED_BYTES = 64;
 export function readNumbers(cursor: Cursor, scalar: CrateScalar, count: number): NumberArray {
   const { source } = cursor;
   const size = SCALAR_BYTES[scalar] * count;
-  const from = cursor.skip(size, `an array of ${count} numbers`);
-  source.spend(scalar === 'half' ? 2 * size : size, `an array of ${count} numbers`, from);
+  const from = cursor.skip(size, msg`an array of ${count} numbers`);
+  source.spend(scalar === 'half' ? 2 * size : size, msg`an array of ${count} numbers`, from);
   const NumbersArray = TYPED_ARRAYS[scalar];
   if (size < MIN_COPIED_BYTES) {
     const out = new NumbersArray(count);
@@ -145,8 +149,8 @@ export function readNumbers(cursor: Cursor, scalar: CrateScalar, count: number):
 }
 
 function readPairs(cursor: Cursor, count: number): Uint32Array<ArrayBuffer> {
-  const from = cursor.skip(8 * count, `an array of ${count} numbers`);
-  cursor.source.spend(8 * count, `an array of ${count} numbers`, from);
+  const from = cursor.skip(8 * count, msg`an array of ${count} numbers`);
+  cursor.source.spend(8 * count, msg`an array of ${count} numbers`, from);
   return new Uint32Array(cursor.source.slice(from, 8 * count).buffer);
 }
 
@@ -155,16 +159,17 @@ export const [AS_INTEGERS, BY_TABLE] = ['i', 't'].map((c) => c.charCodeAt(0));
 
 function readCompressed(cursor: Cursor, scalar: CrateScalar, count: number): NumberArray {
   const { source, at } = cursor;
-  if (scalar === 'int') return readInt32s(cursor, count, 'integers');
-  if (scalar === 'uint') return new Uint32Array(readInt32s(cursor, count, 'integers').buffer);
-  if (scalar === 'uchar' || scalar === 'bool') return source.fail(`an array of ${scalar} says it is compressed`, at);
-  const code = cursor.u8('how numbers are compressed');
-  if (code !== AS_INTEGERS && code !== BY_TABLE) source.fail(`numbers are compressed in an unknown way (${code})`, at);
+  if (scalar === 'int') return readInt32s(cursor, count, INTEGERS);
+  if (scalar === 'uint') return new Uint32Array(readInt32s(cursor, count, INTEGERS).buffer);
+  if (scalar === 'uchar' || scalar === 'bool') return source.fail(msg`an array of ${scalar} says it is compressed`, at);
+  const code = cursor.u8(msg`how numbers are compressed`);
+  if (code !== AS_INTEGERS && code !== BY_TABLE)
+    source.fail(msg`numbers are compressed in an unknown way (${code})`, at);
   const FloatArray = TYPED_ARRAYS[scalar];
-  source.spend(FloatArray.BYTES_PER_ELEMENT * count, `an array of ${count} numbers`, at);
-  if (code === AS_INTEGERS) return FloatArray.from(readInt32s(cursor, count, 'whole numbers'));
-  const table = readNumbers(cursor, scalar, cursor.u32('the size of a table of numbers'));
-  return lookUp(source, table, readInt32s(cursor, count, 'places in a table'), new FloatArray(count), at);
+  source.spend(FloatArray.BYTES_PER_ELEMENT * count, msg`an array of ${count} numbers`, at);
+  if (code === AS_INTEGERS) return FloatArray.from(readInt32s(cursor, count, msg`whole numbers`));
+  const table = readNumbers(cursor, scalar, cursor.u32(msg`the size of a table of numbers`));
+  return lookUp(source, table, readInt32s(cursor, count, msg`places in a table`), new FloatArray(count), at);
 }
 
 function lookUp<T extends NumberArray>(
@@ -177,7 +182,7 @@ function lookUp<T extends NumberArray>(
   for (let i = 0; i < places.length; i++) {
     const place = places[i];
     if (place < 0 || place >= table.length)
-      source.fail(`number ${i} of an array is at place ${place} of a table of ${table.length}`, at);
+      source.fail(msg`number ${i} of an array is at place ${place} of a table of ${table.length}`, at);
     out[i] = table[place];
   }
   return out;

@@ -1,8 +1,18 @@
+import { msg } from '../../../../messages/message.ts';
 import type { ListOp, ReferenceSpec } from '../../layer/layer.ts';
 import type { Cursor } from '../structure/crateSource.ts';
 import { NON_ARRAY_TYPES } from './crateTypes.ts';
 import type { FieldValue, ValueDecoder } from './fieldValue.ts';
 import type { ValueRep } from './valueRep.ts';
+
+const A_TOKEN = msg`a token`;
+const A_STRING = msg`a string`;
+const A_PATH = msg`a path`;
+const AN_INTEGER = msg`an integer`;
+const A_NUMBER = msg`a number`;
+const AN_ASSET = msg`an asset`;
+const AN_OFFSET = msg`an offset`;
+const A_SCALE = msg`a scale`;
 
 /** Memory of a list item [bytes]. */
 const ITEM_BYTES = 32;
@@ -19,14 +29,14 @@ export const LIST_BITS: readonly (readonly [bit: number, list: keyof ListOp<unkn
 
 type ListItem<T> = { readonly bytes: number; read(reader: ValueDecoder, cursor: Cursor): T };
 
-const token: ListItem<string> = { bytes: 4, read: (reader, c) => reader.token(c.u32('a token'), c.at - 4) };
-const string: ListItem<string> = { bytes: 4, read: (reader, c) => reader.string(c.u32('a string'), c.at - 4) };
-const path: ListItem<string> = { bytes: 4, read: (reader, c) => reader.path(c.u32('a path'), c.at - 4) };
+const token: ListItem<string> = { bytes: 4, read: (reader, c) => reader.token(c.u32(A_TOKEN), c.at - 4) };
+const string: ListItem<string> = { bytes: 4, read: (reader, c) => reader.string(c.u32(A_STRING), c.at - 4) };
+const path: ListItem<string> = { bytes: 4, read: (reader, c) => reader.path(c.u32(A_PATH), c.at - 4) };
 const integers: Readonly<Record<number, ListItem<bigint>>> = {
-  [NON_ARRAY_TYPES.intListOp]: { bytes: 4, read: (_, c) => BigInt(c.i32('an integer')) },
-  [NON_ARRAY_TYPES.uintListOp]: { bytes: 4, read: (_, c) => BigInt(c.u32('an integer')) },
-  [NON_ARRAY_TYPES.int64ListOp]: { bytes: 8, read: (_, c) => c.big('an integer') },
-  [NON_ARRAY_TYPES.uint64ListOp]: { bytes: 8, read: (_, c) => BigInt.asUintN(64, c.big('an integer')) },
+  [NON_ARRAY_TYPES.intListOp]: { bytes: 4, read: (_, c) => BigInt(c.i32(AN_INTEGER)) },
+  [NON_ARRAY_TYPES.uintListOp]: { bytes: 4, read: (_, c) => BigInt(c.u32(AN_INTEGER)) },
+  [NON_ARRAY_TYPES.int64ListOp]: { bytes: 8, read: (_, c) => c.big(AN_INTEGER) },
+  [NON_ARRAY_TYPES.uint64ListOp]: { bytes: 8, read: (_, c) => BigInt.asUintN(64, c.big(AN_INTEGER)) },
 };
 
 const reference: ListItem<ReferenceSpec> = {
@@ -49,18 +59,18 @@ const payload: ListItem<ReferenceSpec> = {
 
 function readTarget(reader: ValueDecoder, cursor: Cursor): Pick<ReferenceSpec, 'asset' | 'path'> {
   const { at } = cursor;
-  const asset = reader.string(cursor.u32('an asset'), at);
-  return { asset, path: reader.path(cursor.u32('a path'), at + 4) };
+  const asset = reader.string(cursor.u32(AN_ASSET), at);
+  return { asset, path: reader.path(cursor.u32(A_PATH), at + 4) };
 }
 
 const readOffset = (cursor: Cursor): Pick<ReferenceSpec, 'offset' | 'scale'> => ({
-  offset: cursor.f64('an offset'),
-  scale: cursor.f64('a scale'),
+  offset: cursor.f64(AN_OFFSET),
+  scale: cursor.f64(A_SCALE),
 });
 
 function readItems<T>(reader: ValueDecoder, cursor: Cursor, { bytes, read }: ListItem<T>): T[] {
-  const count = cursor.count('items of a list', bytes);
-  reader.source.spend(ITEM_BYTES * count, `a list of ${count} items`, cursor.at);
+  const count = cursor.count(msg`items of a list`, bytes);
+  reader.source.spend(ITEM_BYTES * count, msg`a list of ${count} items`, cursor.at);
   return Array.from({ length: count }, () => read(reader, cursor));
 }
 
@@ -88,7 +98,7 @@ export function readListOp(reader: ValueDecoder, rep: ValueRep, cursor: Cursor):
 }
 
 function readOp<T>(reader: ValueDecoder, cursor: Cursor, item: ListItem<T>): ListOp<T> {
-  const bits = cursor.u8('a list op');
+  const bits = cursor.u8(msg`a list op`);
   const op: ListOp<T> = bits & 1 ? { explicit: [] } : {};
   for (const [bit, list] of LIST_BITS) if (bits & bit) op[list] = readItems(reader, cursor, item);
   return op;
@@ -105,7 +115,7 @@ export function readVector(reader: ValueDecoder, rep: ValueRep, cursor: Cursor):
     case NON_ARRAY_TYPES.pathVector:
       return { type: 'names', data: items(path) };
     case NON_ARRAY_TYPES.doubleVector:
-      return { type: 'times', data: Float64Array.from(items({ bytes: 8, read: (_, c) => c.f64('a number') })) };
+      return { type: 'times', data: Float64Array.from(items({ bytes: 8, read: (_, c) => c.f64(A_NUMBER) })) };
     case NON_ARRAY_TYPES.offsetVector:
       return { type: 'offsets', data: items({ bytes: 16, read: (_, c) => readOffset(c) }) };
     case NON_ARRAY_TYPES.relocates:

@@ -1,4 +1,5 @@
 import { fromHalf } from '../../../../math/half.ts';
+import { msg } from '../../../../messages/message.ts';
 import type { NumberArray, Value } from '../../layer/layer.ts';
 import { type CrateSource, Cursor } from '../structure/crateSource.ts';
 import { readNumber, type TextTable, TYPED_ARRAYS } from './arrays.ts';
@@ -47,13 +48,13 @@ function numberOf(source: CrateSource, rep: ValueRep, scalar: CrateScalar): numb
 function readLong(source: CrateSource, rep: ValueRep, storage: 'int64' | 'uint64'): bigint {
   const { low } = rep;
   if (rep.isInlined) return BigInt(storage === 'int64' ? low | 0 : low);
-  const value = new Cursor(source, rep.offset).big('an integer of 64 bits');
+  const value = new Cursor(source, rep.offset).big(msg`an integer of 64 bits`);
   return storage === 'int64' ? value : BigInt.asUintN(64, value);
 }
 
 /** Assets are inlined as tokens, though arrays have them as strings. */
 function readText(source: CrateSource, rep: ValueRep, storage: string, texts: TextTable): string {
-  const index = rep.isInlined ? rep.low : new Cursor(source, rep.offset).u32(`a value of type ${storage}`);
+  const index = rep.isInlined ? rep.low : new Cursor(source, rep.offset).u32(msg`a value of type ${storage}`);
   return storage === 'token' || storage === 'asset' ? texts.token(index, rep.at) : texts.string(index, rep.at);
 }
 
@@ -61,7 +62,7 @@ type CrateTupleType = Extract<ArrayType, { kind: 'tuple' }>;
 
 /** Small whole numbers are inlined as bytes with a sign: all of a vector, or the diagonal of a matrix. */
 function readTuple(source: CrateSource, rep: ValueRep, { scalar, size, storage }: CrateTupleType): NumberArray {
-  source.spend(TUPLE_BYTES, `a value of type ${storage}`, rep.at);
+  source.spend(TUPLE_BYTES, msg`a value of type ${storage}`, rep.at);
   const out = new TYPED_ARRAYS[scalar](size);
   if (!rep.isInlined) {
     const cursor = new Cursor(source, rep.offset);

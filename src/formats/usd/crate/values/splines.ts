@@ -1,3 +1,4 @@
+import { msg } from '../../../../messages/message.ts';
 import type { Dictionary, Extrapolation, Spline, SplineKnot, SplineLoop, Tangent } from '../../layer/layer.ts';
 import { Cursor } from '../structure/crateSource.ts';
 import { readNumber } from './arrays.ts';
@@ -23,42 +24,42 @@ export function readSpline(reader: ValueDecoder, rep: ValueRep, cursor: Cursor):
   const empty: Spline = { curve: 'bezier', before: HELD, after: HELD, knots: [] };
   if (rep.isInlined) return empty;
   const { source } = reader;
-  const length = cursor.count('bytes of a spline', 1);
-  const from = cursor.pass(length, 'a spline');
+  const length = cursor.count(msg`bytes of a spline`, 1);
+  const from = cursor.pass(length, msg`a spline`);
   const custom = readCustomData(reader, cursor);
   if (length === 0) return empty;
   const bytes = new Cursor(source, from);
   const spline = readBytes(bytes, custom);
   if (bytes.at !== from + length)
-    source.fail(`a spline has ${length} bytes, and what it says takes ${bytes.at - from}`, from);
+    source.fail(msg`a spline has ${length} bytes, and what it says takes ${bytes.at - from}`, from);
   return spline;
 }
 
 type CustomData = Map<number, Dictionary>;
 
 function readCustomData(reader: ValueDecoder, cursor: Cursor): CustomData {
-  const count = cursor.count('knots with data', 16);
-  reader.source.spend(ENTRY_BYTES * count, 'data of knots', cursor.at);
+  const count = cursor.count(msg`knots with data`, 16);
+  reader.source.spend(ENTRY_BYTES * count, msg`data of knots`, cursor.at);
   return new Map(
-    Array.from({ length: count }, () => [cursor.f64('the time of a knot'), reader.dictionary(cursor)] as const),
+    Array.from({ length: count }, () => [cursor.f64(msg`the time of a knot`), reader.dictionary(cursor)] as const),
   );
 }
 
 function readBytes(cursor: Cursor, custom: CustomData): Spline {
   const { source, at } = cursor;
-  const first = cursor.u8('a spline');
+  const first = cursor.u8(msg`a spline`);
   const version = first & 15;
   if (version < 1 || version > 3)
-    source.fail(`a spline is of version ${version}; 1 to 3 are read. Write the layer as text: usdcat`, at);
+    source.fail(msg`a spline is of version ${version}; 1 to 3 are read. Write the layer as text: usdcat`, at);
   const scalar = SCALARS[(first >> 4) & 3];
   const shape: SplineFormat = {
     version,
     isHermite: (first & 128) !== 0,
     value: () => readNumber(cursor, scalar),
   };
-  const modes = cursor.u8('a spline');
+  const modes = cursor.u8(msg`a spline`);
   // Of what kind time codes are: plain ones, as far as is known.
-  if (version === 3 && cursor.u8('a spline') !== 0) source.fail('a spline has values of an unknown type', at);
+  if (version === 3 && cursor.u8(msg`a spline`) !== 0) source.fail(msg`a spline has values of an unknown type`, at);
   const before = readExtrapolation(cursor, modes & 7);
   const after = readExtrapolation(cursor, (modes >> 3) & 7);
   const loop = modes & 64 ? readLoop(cursor) : undefined;
@@ -72,25 +73,25 @@ function readBytes(cursor: Cursor, custom: CustomData): Spline {
 }
 
 function readExtrapolation(cursor: Cursor, mode: number): Extrapolation {
-  const kind = EXTRAPOLATIONS[mode] ?? cursor.source.fail(`a spline extrapolates in way ${mode}`, cursor.at - 1);
-  return kind === 'sloped' ? { kind, slope: cursor.f64('a slope') } : { kind };
+  const kind = EXTRAPOLATIONS[mode] ?? cursor.source.fail(msg`a spline extrapolates in way ${mode}`, cursor.at - 1);
+  return kind === 'sloped' ? { kind, slope: cursor.f64(msg`a slope`) } : { kind };
 }
 
 function readLoop(cursor: Cursor): SplineLoop {
-  const [start, end] = [cursor.f64('the start of a loop'), cursor.f64('the end of a loop')];
-  const [before, after] = [cursor.i32('the loops before'), cursor.i32('the loops after')];
-  return { start, end, before, after, offset: cursor.f64('the offset of a loop') };
+  const [start, end] = [cursor.f64(msg`the start of a loop`), cursor.f64(msg`the end of a loop`)];
+  const [before, after] = [cursor.i32(msg`the loops before`), cursor.i32(msg`the loops after`)];
+  return { start, end, before, after, offset: cursor.f64(msg`the offset of a loop`) };
 }
 
 function readKnots(cursor: Cursor, shape: SplineFormat, custom: CustomData): SplineKnot[] {
   const { source, at } = cursor;
-  const count = cursor.u32('the number of knots');
-  source.spend(2 * ENTRY_BYTES * Math.min(count, source.size), `${count} knots`, at);
+  const count = cursor.u32(msg`the number of knots`);
+  source.spend(2 * ENTRY_BYTES * Math.min(count, source.size), msg`${count} knots`, at);
   const knots: SplineKnot[] = [];
   for (let i = 0; i < count; i++) {
     const knot = readKnot(cursor, shape, custom);
     if (!(knot.time > (knots.at(-1)?.time ?? -Infinity)))
-      source.fail(`knot ${i} of a spline is at the time ${knot.time}, not after those before it`, at);
+      source.fail(msg`knot ${i} of a spline is at the time ${knot.time}, not after those before it`, at);
     knots.push(knot);
   }
   return knots;
@@ -98,20 +99,23 @@ function readKnots(cursor: Cursor, shape: SplineFormat, custom: CustomData): Spl
 
 function readKnot(cursor: Cursor, { version, isHermite, value }: SplineFormat, custom: CustomData): SplineKnot {
   const { source, at } = cursor;
-  const flags = cursor.u8('a knot');
-  if (flags & 0x30) source.fail("a knot has tangents in Maya's form, which is not read; write it as text: usdcat", at);
-  const time = cursor.f64('the time of a knot');
+  const flags = cursor.u8(msg`a knot`);
+  if (flags & 0x30)
+    source.fail(msg`a knot has tangents in Maya's form, which is not read; write it as text: usdcat`, at);
+  const time = cursor.f64(msg`the time of a knot`);
   const own = value();
   const preValue = flags & 1 ? value() : undefined;
-  const widths = isHermite ? [0, 0] : [cursor.f64('the width of a tangent'), cursor.f64('the width of a tangent')];
+  const widths = isHermite
+    ? [0, 0]
+    : [cursor.f64(msg`the width of a tangent`), cursor.f64(msg`the width of a tangent`)];
   const slopes = [value(), value()];
-  const algorithms = version < 2 ? 0 : cursor.u8('how tangents are made');
+  const algorithms = version < 2 ? 0 : cursor.u8(msg`how tangents are made`);
   const tangent = (i: 0 | 1): Tangent => {
     const algorithm = (algorithms >> (4 * i)) & 15;
     return {
       width: widths[i],
       slope: slopes[i],
-      algorithm: ALGORITHMS[algorithm] ?? source.fail(`tangents are made in way ${algorithm}`, cursor.at - 1),
+      algorithm: ALGORITHMS[algorithm] ?? source.fail(msg`tangents are made in way ${algorithm}`, cursor.at - 1),
     };
   };
   const customData = custom.get(time);

@@ -1,3 +1,4 @@
+import { msg } from '../../../../messages/message.ts';
 import type { TimeSamples, Value } from '../../layer/layer.ts';
 import type { Cursor } from '../structure/crateSource.ts';
 import { ENTRY_BYTES, type FieldValue, type ValueDecoder } from './fieldValue.ts';
@@ -10,20 +11,20 @@ export function readTimeSamples(reader: ValueDecoder, rep: ValueRep, cursor: Cur
   const { at } = cursor;
   const times = timesOf(reader, reader.readNested(cursor), at);
   const jump = cursor.at;
-  cursor.at = jump + cursor.i64('the place of samples');
-  const count = cursor.count('values of samples', 8);
-  if (count !== times.length) source.fail(`there are ${count} samples at ${times.length} times`, at);
-  source.spend(ENTRY_BYTES * count, `${count} samples`, at);
+  cursor.at = jump + cursor.i64(msg`the place of samples`);
+  const count = cursor.count(msg`values of samples`, 8);
+  if (count !== times.length) source.fail(msg`there are ${count} samples at ${times.length} times`, at);
+  source.spend(ENTRY_BYTES * count, msg`${count} samples`, at);
   const values = Array.from({ length: count }, (): Value => reader.plain(reader.readAt(cursor), cursor.at - 8));
   return { times, values };
 }
 
 function timesOf({ source }: ValueDecoder, value: FieldValue, at: number): Float64Array {
   if (value.type !== 'times' && value.type !== 'double[]')
-    return source.fail(`the times of samples are of kind ${value.type}, not numbers`, at);
+    return source.fail(msg`the times of samples are of kind ${value.type}, not numbers`, at);
   const times = value.data as Float64Array;
   for (let i = 0; i < times.length; i++)
     if (!(Number.isFinite(times[i]) && (i === 0 || times[i] > times[i - 1])))
-      source.fail(`sample ${i} is at the time ${times[i]}, not after ${i > 0 ? times[i - 1] : 'all before'}`, at);
+      source.fail(msg`sample ${i} is at the time ${times[i]}, not after ${i > 0 ? times[i - 1] : msg`all before`}`, at);
   return times;
 }

@@ -1,3 +1,4 @@
+import { msg } from '../../../../messages/message.ts';
 import type { Value } from '../../layer/layer.ts';
 import { type CrateSource, Cursor } from '../structure/crateSource.ts';
 import type { Structure } from '../structure/structure.ts';
@@ -9,6 +10,9 @@ import { readScalar } from './scalars.ts';
 import { readSpline } from './splines.ts';
 import { readTimeSamples } from './timeSamples.ts';
 import { ValueRep } from './valueRep.ts';
+
+const A_VALUE = msg`a value`;
+const PLACE_OF_VALUE = msg`the place of a value`;
 
 /** Maximum nesting of values. */
 const MAX_DEPTH = 64;
@@ -35,19 +39,19 @@ export class ValueReader implements ValueDecoder {
 
   token(index: number, at?: number): string {
     const { tokens } = this.structure;
-    return tokens[index] ?? this.source.fail(`there is no token ${index}; there are ${tokens.length}`, at);
+    return tokens[index] ?? this.source.fail(msg`there is no token ${index}; there are ${tokens.length}`, at);
   }
 
   string(index: number, at?: number): string {
     const { strings } = this.structure;
-    if (index >= strings.length) this.source.fail(`there is no string ${index}; there are ${strings.length}`, at);
+    if (index >= strings.length) this.source.fail(msg`there is no string ${index}; there are ${strings.length}`, at);
     return this.token(strings[index], at);
   }
 
   /** Empty for the invalid path. */
   path(index: number, at?: number): string {
     const { paths } = this.structure;
-    if (index >= paths.length) this.source.fail(`there is no path ${index}; there are ${paths.length}`, at);
+    if (index >= paths.length) this.source.fail(msg`there is no path ${index}; there are ${paths.length}`, at);
     return paths[index]?.path ?? '';
   }
 
@@ -61,14 +65,14 @@ export class ValueReader implements ValueDecoder {
     const before = known.get(rep.offset);
     if (before) return before;
     const value = this.decode(rep, type);
-    this.source.spend(ENTRY_BYTES, 'a value', rep.at);
+    this.source.spend(ENTRY_BYTES, A_VALUE, rep.at);
     known.set(rep.offset, value);
     return value;
   }
 
   /** The value of a representation that lies in the file. */
   readAt(cursor: Cursor): FieldValue {
-    const at = cursor.pass(8, 'a value');
+    const at = cursor.pass(8, A_VALUE);
     const { view, base } = this.source;
     const low = view.getUint32(at - base, true);
     return this.read(new ValueRep(this.source, low, view.getUint32(at - base + 4, true), at));
@@ -77,7 +81,7 @@ export class ValueReader implements ValueDecoder {
   /** The value whose representation is where the next offset leads; what is read next follows it. */
   readNested(cursor: Cursor): FieldValue {
     const { at } = cursor;
-    cursor.at = at + cursor.i64('the place of a value');
+    cursor.at = at + cursor.i64(PLACE_OF_VALUE);
     return this.readAt(cursor);
   }
 
@@ -100,7 +104,7 @@ export class ValueReader implements ValueDecoder {
       case 'subLayers':
       case 'relocates':
       case 'texts-by-name':
-        return this.source.fail(`a value of kind ${value.type} stands where none can`, at);
+        return this.source.fail(msg`a value of kind ${value.type} stands where none can`, at);
       default:
         return value;
     }
@@ -108,8 +112,8 @@ export class ValueReader implements ValueDecoder {
 
   private decode(rep: ValueRep, type: ArrayType | undefined): FieldValue {
     if (type) return readArray(this.source, rep, type, this);
-    if (rep.isArray) this.source.fail(`there are no arrays of type ${rep.type}`, rep.at);
-    if (this.depth === MAX_DEPTH) this.source.fail(`values are nested more than ${MAX_DEPTH} deep`, rep.at);
+    if (rep.isArray) this.source.fail(msg`there are no arrays of type ${rep.type}`, rep.at);
+    if (this.depth === MAX_DEPTH) this.source.fail(msg`values are nested more than ${MAX_DEPTH} deep`, rep.at);
     this.depth++;
     const value = this.decodeNonArray(rep, new Cursor(this.source, rep.offset));
     this.depth--;
@@ -146,17 +150,17 @@ export class ValueReader implements ValueDecoder {
   }
 
   private unknown(rep: ValueRep): never {
-    return this.source.fail(`there is no type ${rep.type}`, rep.at);
+    return this.source.fail(msg`there is no type ${rep.type}`, rep.at);
   }
 
   /** `{ key: value, … }`: how many, then each key and, behind an offset, its value. */
   dictionary(cursor: Cursor): Map<string, Value> {
-    const count = cursor.count('entries of a dictionary', 20);
-    this.source.spend(ENTRY_BYTES * count, 'a dictionary', cursor.at);
+    const count = cursor.count(msg`entries of a dictionary`, 20);
+    this.source.spend(ENTRY_BYTES * count, msg`a dictionary`, cursor.at);
     const entries = new Map<string, Value>();
     for (let i = 0; i < count; i++) {
       const { at } = cursor;
-      const key = this.string(cursor.u32('the key of a dictionary entry'), at);
+      const key = this.string(cursor.u32(msg`the key of a dictionary entry`), at);
       entries.set(key, this.plain(this.readNested(cursor), at));
     }
     return entries;
@@ -167,7 +171,7 @@ export class ValueReader implements ValueDecoder {
     const value = this.readNested(cursor);
     if (value.type === 'string') return { type: 'unregistered', data: value.data };
     if (value.type === 'dictionary' || value.type === 'unregistereds') return value;
-    return this.source.fail(`unregistered metadata of kind ${value.type}`, at);
+    return this.source.fail(msg`unregistered metadata of kind ${value.type}`, at);
   }
 
   /** One item of a list of unregistered texts. */
@@ -178,4 +182,4 @@ export class ValueReader implements ValueDecoder {
   }
 }
 
-const enumValue = (rep: ValueRep, cursor: Cursor): number => (rep.isInlined ? rep.low : cursor.i32('a choice'));
+const enumValue = (rep: ValueRep, cursor: Cursor): number => (rep.isInlined ? rep.low : cursor.i32(A_VALUE));

@@ -1,3 +1,4 @@
+import { msg } from '../../../../messages/message.ts';
 import type { CrateSource } from '../structure/crateSource.ts';
 
 /**
@@ -21,7 +22,7 @@ export class ValueRep {
     this.offset = (top & 0xffff) * 2 ** 32 + low;
     this.at = at;
     if (this.typeAndFlags & 0x1000)
-      source.fail('an array edit (crate 0.14) is not read; flatten it: usdcat --flatten in.usdc -o out.usda', at);
+      source.fail(msg`an array edit (crate 0.14) is not read; flatten it: usdcat --flatten in.usdc -o out.usda`, at);
   }
 
   get type(): number {

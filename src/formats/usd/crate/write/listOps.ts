@@ -1,3 +1,4 @@
+import { msg } from '../../../../messages/message.ts';
 import type { ListOp, ReferenceSpec, Value } from '../../layer/layer.ts';
 import { NON_ARRAY_TYPES } from '../values/crateTypes.ts';
 import { LIST_BITS } from '../values/listOps.ts';
@@ -17,7 +18,7 @@ const offset = (sink: ByteSink, { offset: shift, scale }: Pick<ReferenceSpec, 'o
 };
 
 const payload: ItemWriter<ReferenceSpec> = (packer, sink, arc) => {
-  if (arc.customData) packer.fail(`a payload has customData, which binary files keep of references only`);
+  if (arc.customData) packer.fail(msg`a payload has customData, which binary files keep of references only`);
   string(packer, sink, arc.asset);
   path(packer, sink, arc.path);
   offset(sink, arc);
@@ -60,7 +61,7 @@ export function packIntegers(packer: ValuePacker, op: ListOp<bigint>): bigint {
   const allAre = (wrap: (bits: number, x: bigint) => bigint): boolean => items.every((x) => wrap(64, x) === x);
   const type = allAre(BigInt.asIntN) ? NON_ARRAY_TYPES.int64ListOp : NON_ARRAY_TYPES.uint64ListOp;
   if (type === NON_ARRAY_TYPES.uint64ListOp && !allAre(BigInt.asUintN))
-    packer.fail(`of the integers ${items.join(', ').slice(0, 80)} some do not fit 64 bits`);
+    packer.fail(msg`of the integers ${items.join(', ').slice(0, 80)} some do not fit 64 bits`);
   return packOp(packer, type, op, (_, sink, item) => sink.big(item));
 }
 
@@ -69,7 +70,7 @@ export function packUnregistereds(packer: ValuePacker, op: ListOp<Value>): bigin
   const textOf = (item: Value): string =>
     item.type === 'unregistered'
       ? item.data
-      : packer.fail(`a list of unknown metadata has an item of type ${item.type}`);
+      : packer.fail(msg`a list of unknown metadata has an item of type ${item.type}`);
   const joined = Object.entries(op).map(([list, items]) => [
     list,
     items.length > 0 ? [items.map(textOf).join(', ')] : [],

@@ -1,3 +1,6 @@
+import { msg } from '../../../../messages/message.ts';
+import { MessageError } from '../../../../messages/messageError.ts';
+
 /** LZ4 block format: a match is of at least 4 bytes, begins 12 or more before the end and ends 5 or more before it. */
 const MIN_MATCH = 4;
 const LAST_MATCH_START = 12;
@@ -13,7 +16,7 @@ const MAX_BLOCK_BYTES = 0x7e000000;
 
 /** Data as one LZ4 block after a zero byte (OpenUSD, TfFastCompression: no chunks). */
 export function compress(data: Uint8Array): Uint8Array {
-  if (data.length > MAX_BLOCK_BYTES) throw new RangeError(`${data.length} bytes are more than an LZ4 block holds`);
+  if (data.length > MAX_BLOCK_BYTES) throw new MessageError(msg`${data.length} bytes are more than an LZ4 block holds`);
   // Incompressible data grows by one byte in 255, and a few.
   const out = new Uint8Array(data.length + Math.ceil(data.length / 255) + 17);
   return out.subarray(0, compressBlock(data, out, 1));

@@ -1,3 +1,4 @@
+import { msg } from '../../../../messages/message.ts';
 import type { MetadataValue, ReferenceSpec } from '../../layer/layer.ts';
 import { isFormerKey, isRegistered } from '../../text/metadata.ts';
 import { PERMISSIONS, WRITTEN } from '../metadata.ts';
@@ -74,7 +75,7 @@ const strings = (texts: ReadonlyMap<string, string>) =>
 
 function* packSubLayers(packer: ValuePacker, layers: readonly ReferenceSpec[]): Generator<PackedField> {
   const odd = layers.find(({ path, customData }) => path !== '' || customData);
-  if (odd) packer.fail(`the sublayer @${odd.asset}@ has a path or customData, which only references have`);
+  if (odd) packer.fail(msg`the sublayer @${odd.asset}@ has a path or customData, which only references have`);
   yield [
     'subLayers',
     packAssets(

@@ -1,3 +1,4 @@
+import type { Message } from '../../../../messages/message.ts';
 import type { PathTable } from './pathTable.ts';
 import type { TokenTable } from './tokenTable.ts';
 
@@ -7,5 +8,5 @@ export interface PackContext {
   readonly paths: PathTable;
   /** Puts bytes into the file; returns where they are. */
   place(bytes: Uint8Array, alignment?: number): number;
-  fail(message: string): never;
+  fail(message: Message): never;
 }

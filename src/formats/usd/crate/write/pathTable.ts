@@ -1,3 +1,4 @@
+import { type Message, msg } from '../../../../messages/message.ts';
 import type { ByteSink } from './byteSink.ts';
 import { writeInt32s } from './integers.ts';
 import type { TokenTable } from './tokenTable.ts';
@@ -19,9 +20,9 @@ export class PathTable {
   private readonly root: PathEntry;
   private count = 1;
   private readonly known = new Map<string, PathEntry>();
-  private readonly fail: (message: string) => never;
+  private readonly fail: (message: Message) => never;
 
-  constructor(tokens: TokenTable, fail: (message: string) => never) {
+  constructor(tokens: TokenTable, fail: (message: Message) => never) {
     this.tokens = tokens;
     this.fail = fail;
     this.root = this.entry(0);
@@ -38,11 +39,11 @@ export class PathTable {
 
   private add(path: string): PathEntry {
     let at = this.root;
-    let from = path.startsWith('/') ? 0 : this.fail(`<${path}> is not an absolute path`);
+    let from = path.startsWith('/') ? 0 : this.fail(msg`<${path}> is not an absolute path`);
     while (from < path.length) {
       PART.lastIndex = from;
       const part = PART.exec(path);
-      if (!part) return this.fail(`<${path}> is not the path of a prim or a property`);
+      if (!part) return this.fail(msg`<${path}> is not the path of a prim or a property`);
       at = this.child(at, part);
       from = PART.lastIndex;
     }

@@ -1,4 +1,5 @@
 import { toHalf } from '../../../../math/half.ts';
+import { msg } from '../../../../messages/message.ts';
 import type { Extrapolation, Spline, SplineKnot } from '../../layer/layer.ts';
 import { NON_ARRAY_TYPES } from '../values/crateTypes.ts';
 import { ALGORITHMS, EXTRAPOLATIONS, INTERPOLATIONS } from '../values/splines.ts';
@@ -22,7 +23,7 @@ const CRATE_VERSIONS = { 1: 12, 2: 13, 3: 15 } as const;
 export function packSpline(packer: ValuePacker, spline: Spline, typeName: string): bigint {
   const [bits, write] =
     VALUE_TYPES.get(typeName) ??
-    packer.fail(`a spline of type ${typeName} is not one of double, float, half or timecode`);
+    packer.fail(msg`a spline of type ${typeName} is not one of double, float, half or timecode`);
   const hasAlgorithms = spline.knots.some(({ pre, post }) => pre.algorithm !== 'none' || post.algorithm !== 'none');
   const version = typeName === 'timecode' ? 3 : hasAlgorithms ? 2 : 1;
   packer.need(CRATE_VERSIONS[version]);

@@ -1,3 +1,4 @@
+import { type Message, msg } from '../../../../messages/message.ts';
 import { ByteSink } from './byteSink.ts';
 import { writeSized } from './integers.ts';
 import { compress } from './lz4.ts';
@@ -9,16 +10,16 @@ const FIRST = ';-)';
 export class TokenTable {
   private readonly tokens = new Map<string, number>([[FIRST, 0]]);
   private readonly strings = new Map<string, number>();
-  private readonly fail: (message: string) => never;
+  private readonly fail: (message: Message) => never;
 
-  constructor(fail: (message: string) => never) {
+  constructor(fail: (message: Message) => never) {
     this.fail = fail;
   }
 
   index(text: string): number {
     const known = this.tokens.get(text);
     if (known !== undefined) return known;
-    if (text.includes('\0')) this.fail(`the text ${JSON.stringify(text.slice(0, 80))} has the character U+0000`);
+    if (text.includes('\0')) this.fail(msg`the text ${JSON.stringify(text.slice(0, 80))} has the character U+0000`);
     const index = this.tokens.size;
     this.tokens.set(text, index);
     return index;

@@ -1,3 +1,4 @@
+import { type Message, msg } from '../../../../messages/message.ts';
 import type { Dictionary, TimeSamples, Value } from '../../layer/layer.ts';
 import { NON_ARRAY_TYPES } from '../values/crateTypes.ts';
 import { packArray } from './arrays.ts';
@@ -27,12 +28,12 @@ export class ValuePacker implements PackContext {
   readonly paths: PathTable;
   /** Of the format that what is packed so far needs. */
   version = 8;
-  readonly fail: (message: string) => never;
+  readonly fail: (message: Message) => never;
   private readonly values: ValueStore;
   /** Arrays that several values share, such as equal samples. */
   private readonly arrays = new WeakMap<object, bigint>();
 
-  constructor(tokens: TokenTable, paths: PathTable, values: ValueStore, fail: (message: string) => never) {
+  constructor(tokens: TokenTable, paths: PathTable, values: ValueStore, fail: (message: Message) => never) {
     this.tokens = tokens;
     this.paths = paths;
     this.values = values;
@@ -66,7 +67,7 @@ export class ValuePacker implements PackContext {
     this.need(NEEDED_VERSIONS.get(value.type) ?? 0);
     const isArray = value.type.endsWith('[]');
     const type = codedType(isArray ? value.type.slice(0, -2) : value.type);
-    if (!type) return this.fail(`values of type ${value.type} cannot be written`);
+    if (!type) return this.fail(msg`values of type ${value.type} cannot be written`);
     if (!isArray) return packScalar(this, type, value.data);
     // Of a value that is read or made anew each time this is another each time.
     const data = value.data as Parameters<typeof packArray>[2];

@@ -1,3 +1,4 @@
+import { type Message, msg } from '../../../../messages/message.ts';
 import { inputError } from '../../../diagnostics/inputError.ts';
 import { type AttributeSpec, EMPTY_MAP, type Layer, type PrimSpec, type RelationshipSpec } from '../../layer/layer.ts';
 import { variantPath } from '../../layer/primPaths.ts';
@@ -36,11 +37,11 @@ class CrateWriter {
   private place = '';
 
   constructor(name: string) {
-    const fail = (message: string): never => {
+    const fail = (message: Message): never => {
       throw inputError(
         'usd.unwritable',
         `${name}${this.place && `<${this.place}>`}`,
-        `${message}; write it as text, .usda`,
+        msg`${message}; write it as text, .usda`,
       );
     };
     this.tokens = new TokenTable(fail);
@@ -95,7 +96,7 @@ class CrateWriter {
   /** What is as it is without being said, is not said: `over`, no type. */
   private *primType({ specifier, typeName, metadata }: PrimSpec): Generator<PackedField> {
     if (metadata.has('relocates'))
-      this.packer.fail('relocates of a prim are no longer in USD; the layer can have them');
+      this.packer.fail(msg`relocates of a prim are no longer in USD; the layer can have them`);
     if (specifier !== 'over') yield ['specifier', inlined(NON_ARRAY_TYPES.specifier, SPECIFIERS.indexOf(specifier))];
     if (typeName !== '') yield ['typeName', this.packer.pack({ type: 'token', data: typeName })];
   }

@@ -1,3 +1,4 @@
+import { msg } from '../../../../messages/message.ts';
 import { withMaterial } from '../../../../scene/mesh/meshOps.ts';
 import { type Axis, box, capsule, cone, cylinder, plane, sphere } from '../../../../scene/mesh/primitives.ts';
 import type { Mesh } from '../../../../scene/types.ts';
@@ -27,7 +28,13 @@ export const isGprim = (typeName: string): boolean => BUILDERS.has(typeName);
 export function gprimGeometry(context: StageContext, prim: PrimSpec, surface: PrimMaterials): PrimGeometry {
   const size = (name: string, fallback: number): number => {
     if (sampleTimes(attributeOf(prim, name)).length > 0)
-      report(context, 'warning', 'usd.animated-size', prim.path, `${name} changes with time; it is held at the start`);
+      report(
+        context,
+        'warning',
+        'usd.animated-size',
+        prim.path,
+        msg`${name} changes with time; it is held at the start`,
+      );
     return numberAt(prim, name, context.startCode) ?? fallback;
   };
   const written = textAt(prim, 'axis', undefined);

@@ -1,3 +1,4 @@
+import { anyOf, msg } from '../../../../messages/message.ts';
 import { gatherPoints, makeMesh } from '../../../../scene/mesh/makeMesh.ts';
 import type { Polygons, PolygonValues } from '../../../../scene/mesh/polygons.ts';
 import type { Mesh } from '../../../../scene/types.ts';
@@ -77,7 +78,7 @@ function staysInFile(context: StageContext, prim: PrimSpec, points: number): boo
   const attribute = attributeOf(prim, 'points');
   const bytes = pointBytes(sampleTimes(attribute).length, points, vectorsPerVertex(context));
   if (bytes <= context.sampleMemory.bytes || !storedSamples(attribute)) return false;
-  const message = 'its samples are too many to be subdivided and stay in their file; it is drawn as its polygons';
+  const message = msg`its samples are too many to be subdivided and stay in their file; it is drawn as its polygons`;
   report(context, 'info', 'usd.subdivision', prim.path, message);
   return true;
 }
@@ -188,14 +189,15 @@ function facesOf(context: StageContext, prim: PrimSpec): FaceArrays | undefined 
   const at = (name: string) => numbersAt(prim, name, context.startCode);
   const [points, counts, indices] = [at('points'), at('faceVertexCounts'), at('faceVertexIndices')];
   if (!points || !counts || !indices) {
-    const missing = [!points && 'points', !counts && 'faceVertexCounts', !indices && 'faceVertexIndices'];
-    const message = `the mesh has no ${missing.filter(Boolean).join(' or ')}; it is left out`;
+    const arrays = { points, faceVertexCounts: counts, faceVertexIndices: indices };
+    const missing = Object.entries(arrays).flatMap(([name, values]) => (values ? [] : [name]));
+    const message = msg`the mesh has no ${anyOf(missing)}; it is left out`;
     report(context, 'warning', 'usd.empty-mesh', prim.path, message);
     return undefined;
   }
   for (const name of ['faceVertexCounts', 'faceVertexIndices'])
     if (sampleTimes(attributeOf(prim, name)).length > 0)
-      report(context, 'warning', 'usd.topology', prim.path, `${name} changes with time; it is held at the start`);
+      report(context, 'warning', 'usd.topology', prim.path, msg`${name} changes with time; it is held at the start`);
   return { points, counts, indices };
 }
 
@@ -222,7 +224,7 @@ function keptFaces(
     first += count;
   }
   if (bad > 0) {
-    const message = `${bad} of ${counts.length} faces have fewer than 3 corners or name points that are not there; they are left out`;
+    const message = msg`${bad} of ${counts.length} faces have fewer than 3 corners or name points that are not there; they are left out`;
     report(context, 'warning', 'usd.faces', prim.path, message);
   }
   if (left === 0) return undefined;
@@ -297,7 +299,7 @@ function pointTimes(context: StageContext, prim: PrimSpec): Float64Array {
   const times = sampleTimes(points);
   const count = numbersAt(prim, 'points', context.startCode)!.length;
   if (times.length === 0 || points!.timeSamples!.values.every((value) => countOf(value) === count)) return times;
-  const message = 'the number of points changes with time; the shape is held at the start';
+  const message = msg`the number of points changes with time; the shape is held at the start`;
   report(context, 'warning', 'usd.topology', prim.path, message);
   return new Float64Array(0);
 }
@@ -308,7 +310,7 @@ function velocitiesOf(context: StageContext, prim: PrimSpec, times: Float64Array
   if (!samples) return false;
   const areAligned = samples.times.length === times.length && samples.times.every((t, k) => t === times[k]);
   if (areAligned && samples.values.every((value) => countOf(value) === count)) return true;
-  const message = `its velocities are not given for each of ${count / 3} points at each of ${times.length} samples; they are taken from the points`;
+  const message = msg`its velocities are not given for each of ${count / 3} points at each of ${times.length} samples; they are taken from the points`;
   report(context, 'info', 'usd.velocities', prim.path, message);
   return false;
 }

@@ -3,6 +3,7 @@ import { pointsAt } from '../../../../scene/streaming/samplePoints.ts';
 import type { Mesh, Scene } from '../../../../scene/types.ts';
 import { memorySource } from '../../../files/fileSource.ts';
 import type { ReadOptions } from '../../../readOptions.ts';
+import { placeAndMessage } from '../../fixtures/said.ts';
 import { readUsd } from '../../read.ts';
 
 const readAsIs = (body: string, options: ReadOptions = {}): Promise<Scene> => {
@@ -10,8 +11,7 @@ const readAsIs = (body: string, options: ReadOptions = {}): Promise<Scene> => {
   return readUsd(memorySource({ 'a.usda': new TextEncoder().encode(text) }), 'a.usda', options);
 };
 const read = (body: string, subdivision = 2): Promise<Scene> => readAsIs(body, { subdivision });
-const said = (scene: Scene): string[] =>
-  scene.diagnostics.map((d) => `${d.severity} ${d.code} ${d.place}: ${d.message}`);
+const said = (scene: Scene): string[] => scene.diagnostics.map((d) => `${d.severity} ${d.code} ${placeAndMessage(d)}`);
 
 const FACES = `
   int[] faceVertexCounts = [4, 4, 4, 4, 4, 4]

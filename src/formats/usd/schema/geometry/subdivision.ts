@@ -1,3 +1,4 @@
+import { type Message, msg } from '../../../../messages/message.ts';
 import type { Polygons } from '../../../../scene/mesh/polygons.ts';
 import type { FaceVaryingRule } from '../../../../scene/subdivide/faceVarying.ts';
 import { facesAfter } from '../../../../scene/subdivide/limitSurface.ts';
@@ -92,7 +93,7 @@ export function levelsOf(context: StageContext, prim: PrimSpec): number {
       context,
       prim,
       'info',
-      `it is subdivided ${levels} times, not ${wanted}: a scene's surfaces share ${FACE_BUDGET.toLocaleString('en')} faces`,
+      msg`it is subdivided ${levels} times, not ${wanted}: a scene's surfaces share ${FACE_BUDGET.toLocaleString('en')} faces`,
     );
   if (wanted === 0) context.subdivided.push(prim.path);
   if (levels === 0 || scheme !== 'loop') return levels;
@@ -102,7 +103,7 @@ export function levelsOf(context: StageContext, prim: PrimSpec): number {
     context,
     prim,
     'warning',
-    'subdivisionScheme loop takes triangles only; it is drawn as its polygons',
+    msg`subdivisionScheme loop takes triangles only; it is drawn as its polygons`,
   );
   return 0;
 }
@@ -111,7 +112,7 @@ const reportSubdivision = (
   context: StageContext,
   prim: PrimSpec,
   severity: 'info' | 'warning',
-  message: string,
+  message: Message,
 ): void => report(context, severity, 'usd.subdivision', prim.path, message);
 
 /** @param cage the valid polygons; `isHole` by their index */
@@ -167,7 +168,7 @@ function tokenChoice<T extends string>(
       context,
       prim,
       'warning',
-      `${name} '${written}' is not ${options.join(', ')}; ${fallback} is taken`,
+      msg`${name} '${written}' is not ${options.join(', ')}; ${fallback} is taken`,
     );
   return found ?? fallback;
 }
@@ -188,9 +189,9 @@ function creasesOf(
   const fits = areRuns && (perEdge || sharpness.length === lengths.length);
   if (!fits || !Array.from(indices).every((p) => p >= 0 && p < points)) {
     const what = fits
-      ? 'creaseIndices names points that are not there'
-      : 'creaseLengths, creaseIndices and creaseSharpnesses do not fit each other';
-    reportSubdivision(context, prim, 'warning', `${what}; the creases are left out`);
+      ? msg`creaseIndices names points that are not there`
+      : msg`creaseLengths, creaseIndices and creaseSharpnesses do not fit each other`;
+    reportSubdivision(context, prim, 'warning', msg`${what}; the creases are left out`);
     return undefined;
   }
   const byEdge = new Map<number, number>();
@@ -214,7 +215,7 @@ function cornerSharpness(context: StageContext, prim: PrimSpec, points: number):
       context,
       prim,
       'warning',
-      'cornerIndices and cornerSharpnesses do not fit each other or the points; the corners are left out',
+      msg`cornerIndices and cornerSharpnesses do not fit each other or the points; the corners are left out`,
     );
   else for (let i = 0; i < indices.length; i++) out[indices[i]] = sharpness[i];
   return out;

@@ -1,4 +1,5 @@
 import type { Vec3 } from '../../../../math/vec3.ts';
+import { msg } from '../../../../messages/message.ts';
 import { report } from '../../diagnostics.ts';
 import type { PrimSpec } from '../../layer/layer.ts';
 import type { StageContext } from '../context.ts';
@@ -25,7 +26,7 @@ export function instanceColors(context: StageContext, prim: PrimSpec, { instance
       'warning',
       'usd.primvar',
       prim.path,
-      `${DISPLAY_COLOR} has ${has} values for ${count} instances; it is left out`,
+      msg`${DISPLAY_COLOR} has ${has} values for ${count} instances; it is left out`,
     );
     return () => undefined;
   }

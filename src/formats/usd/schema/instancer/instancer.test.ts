@@ -3,6 +3,7 @@ import { fileURLToPath } from 'node:url';
 import { describe, expect, it } from 'vitest';
 import type { Scene } from '../../../../scene/types.ts';
 import { memorySource } from '../../../files/fileSource.ts';
+import { said } from '../../fixtures/said.ts';
 import { readUsd } from '../../read.ts';
 import { agreement, type Places } from './fixtures/agreement.ts';
 
@@ -40,7 +41,6 @@ const TRIANGLE = `int[] faceVertexCounts = [3]
 const stage = (body: string, header = ''): Promise<Scene> =>
   readText(`#usda 1.0\n( metersPerUnit = 1\n${header} )\ndef Mesh "Kite" { ${TRIANGLE} }\n${body}`);
 const HIDDEN = 'over "P" { def Mesh "Kite" { uniform token subdivisionScheme = "none"\n';
-const said = (scene: Scene): string[] => scene.diagnostics.map((d) => `${d.code} ${d.place}: ${d.message}`);
 const list = (count: number, item: string): string => `[${new Array(count).fill(item).join(', ')}]`;
 
 describe('instances', () => {

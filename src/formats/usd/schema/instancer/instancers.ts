@@ -1,5 +1,6 @@
 import * as mat4 from '../../../../math/mat4.ts';
 import type { Vec3 } from '../../../../math/vec3.ts';
+import { msg } from '../../../../messages/message.ts';
 import type { Lifetime } from '../../../../scene/types.ts';
 import { report } from '../../diagnostics.ts';
 import type { PrimSpec } from '../../layer/layer.ts';
@@ -55,7 +56,7 @@ export class Instancers {
     const size = await this.sizeOf(site.prim, new Set());
     const room = this.reader.remainingObjects();
     if (size > room) {
-      const message = `its instances would be ${size.toPrecision(3)} objects, and a scene has room for ${room} more; it is left out`;
+      const message = msg`its instances would be ${size.toPrecision(3)} objects, and a scene has room for ${room} more; it is left out`;
       report(this.context, 'warning', 'usd.too-many-instances', site.prim.path, message);
       return;
     }
@@ -74,7 +75,7 @@ export class Instancers {
     const cached = this.sizes.get(prim);
     if (cached !== undefined) return cached;
     if (within.has(prim)) {
-      const message = 'it is in one of its own prototypes, which would go on for ever; it is left out there';
+      const message = msg`it is in one of its own prototypes, which would go on for ever; it is left out there`;
       report(this.context, 'warning', 'usd.instancer', prim.path, message);
       return 0;
     }
@@ -181,7 +182,7 @@ export class Instancers {
   private async readPrototype(prim: PrimSpec, path: string): Promise<Prototype | undefined> {
     const prototype = primAt(this.context.layer, path);
     if (prototype) return this.reader.prototype(prototype);
-    const message = `its prototype <${path}> is not in the stage; its instances are left out`;
+    const message = msg`its prototype <${path}> is not in the stage; its instances are left out`;
     report(this.context, 'warning', 'usd.instancer', prim.path, message);
     return undefined;
   }

@@ -1,3 +1,4 @@
+import { msg } from '../../../../messages/message.ts';
 import { report } from '../../diagnostics.ts';
 import { attributeOf, numbersAt, sampleTimes, valueAt } from '../../layer/attributes.ts';
 import type { PrimSpec } from '../../layer/layer.ts';
@@ -58,7 +59,7 @@ export function pointInstancesOf(context: StageContext, prim: PrimSpec): PointIn
   for (const interval of intervals) if (fits(context, prim, transforms, interval, times)) tracker.add(interval);
   const { outside } = tracker;
   if (outside) {
-    const message = `protoIndices[${outside.index}] is ${outside.value}, but there are ${prototypes.length} prototypes; ${outside.count} such instances are left out`;
+    const message = msg`protoIndices[${outside.index}] is ${outside.value}, but there are ${prototypes.length} prototypes; ${outside.count} such instances are left out`;
     report(context, 'warning', 'usd.instancer', prim.path, message);
   }
   return { instances: tracker.finish(), prototypes, transforms, times };
@@ -74,7 +75,7 @@ function topologyIntervals(context: StageContext, prim: PrimSpec, topology: Floa
     const prototypes = numbersAt(prim, 'protoIndices', start) ?? [];
     steps += prototypes.length;
     if (k > 0 && steps > MAX_INSTANCE_SAMPLES) {
-      const message = `it has more than ${MAX_INSTANCE_SAMPLES} instances at all its times together; from t = ${start} on it is held`;
+      const message = msg`it has more than ${MAX_INSTANCE_SAMPLES} instances at all its times together; from t = ${start} on it is held`;
       report(context, 'warning', 'usd.instancer', prim.path, message);
       return [...intervals.slice(0, -1), { ...intervals[k - 1], to: Infinity }];
     }
@@ -95,8 +96,14 @@ function labelsAt(context: StageContext, prim: PrimSpec, time: number, count: nu
   if (ids.length === 0) return undefined;
   if (ids.length === count && new Set(ids).size === count) return ids;
   const message =
-    ids.length === count ? 'two of its ids are the same' : `it has ${ids.length} ids for ${count} instances`;
-  report(context, 'warning', 'usd.instancer', prim.path, `${message}; its instances are known by their places instead`);
+    ids.length === count ? msg`two of its ids are the same` : msg`it has ${ids.length} ids for ${count} instances`;
+  report(
+    context,
+    'warning',
+    'usd.instancer',
+    prim.path,
+    msg`${message}; its instances are known by their places instead`,
+  );
   return undefined;
 }
 
@@ -123,8 +130,8 @@ function fits(
   let fit = true;
   for (const time of [first, ...times.filter((t) => t > from && t < to)]) {
     for (const [name, has] of transforms.sizeMismatches(count, time)) {
-      const left = name === 'positions' ? 'they are left out' : `${name} are left out`;
-      const message = `${name} has ${has} values at t = ${time}, for ${count} instances; ${left}`;
+      const left = name === 'positions' ? msg`they are left out` : msg`${name} are left out`;
+      const message = msg`${name} has ${has} values at t = ${time}, for ${count} instances; ${left}`;
       report(context, 'warning', 'usd.instancer', prim.path, message);
       if (name === 'positions') fit = false;
     }

@@ -3,6 +3,7 @@ import * as mat3 from '../../../../math/mat3.ts';
 import * as mat4 from '../../../../math/mat4.ts';
 import { fromAxisAngle, IDENTITY, multiply, type Quat } from '../../../../math/quat.ts';
 import type { Vec3 } from '../../../../math/vec3.ts';
+import { msg } from '../../../../messages/message.ts';
 import { directionFromLatLong, latLongFromDirection } from '../../../../scene/lights/latLong.ts';
 import { sampleTexture } from '../../../../scene/materials/sampleTexture.ts';
 import type { DomeLight, RadianceTexture } from '../../../../scene/types.ts';
@@ -82,7 +83,7 @@ function formatOf(context: StageContext, prim: PrimSpec): string {
   const written = textAt(prim, 'inputs:texture:format', context.startCode) ?? 'automatic';
   const format = written === 'automatic' ? 'latlong' : written;
   if (!MAPPINGS.has(format)) {
-    const message = `the format ${written.slice(0, 40)} of its picture is not read, so it shines in its colour alone; convert the picture to latlong`;
+    const message = msg`the format ${written.slice(0, 40)} of its picture is not read, so it shines in its colour alone; convert the picture to latlong`;
     report(context, 'warning', 'usd.light-input', prim.path, message);
   }
   return format;
@@ -91,7 +92,7 @@ function formatOf(context: StageContext, prim: PrimSpec): string {
 function reportFormatGuess(context: StageContext, prim: PrimSpec, { width, height }: DomeImage): void {
   const written = textAt(prim, 'inputs:texture:format', context.startCode) ?? 'automatic';
   if (written !== 'automatic' || width !== height || width === 1) return;
-  const message = `its picture of ${width} × ${height} pixels is taken for one by latitude and longitude; of a mirror ball inputs:texture:format should say "mirroredBall" or "angular"`;
+  const message = msg`its picture of ${width} × ${height} pixels is taken for one by latitude and longitude; of a mirror ball inputs:texture:format should say "mirroredBall" or "angular"`;
   report(context, 'info', 'usd.light-input', prim.path, message);
 }
 

@@ -1,5 +1,6 @@
 import { radians } from '../../../../math/angle.ts';
 import { scale, type Vec3 } from '../../../../math/vec3.ts';
+import { type Message, msg } from '../../../../messages/message.ts';
 import type { DistantLight, LightShaping } from '../../../../scene/types.ts';
 import { blackbodyColor } from '../../../../spectrum/color/blackbodyColor.ts';
 import {
@@ -27,7 +28,7 @@ export function emissionOf(context: StageContext, prim: PrimSpec, intensity = 1)
   const color = vec3At(prim, 'inputs:color', startCode) ?? vec3At(prim, 'color', startCode) ?? [1, 1, 1];
   const diffuse = lightNumber(context, prim, 'diffuse') ?? 1;
   if ((lightNumber(context, prim, 'specular') ?? 1) !== diffuse) {
-    const message = `its multiplier for diffuse light, ${diffuse}, is taken for specular light too`;
+    const message = msg`its multiplier for diffuse light, ${diffuse}, is taken for specular light too`;
     report(context, 'info', 'usd.light-input', prim.path, message);
   }
   return emissionOfColor(context, prim, color, intensity);
@@ -83,11 +84,11 @@ export function shapingOf(context: StageContext, prim: PrimSpec, face: boolean):
 function reportUnsupportedShaping(context: StageContext, prim: PrimSpec): void {
   const tint = numbersAt(prim, 'inputs:shaping:focusTint', context.startCode) ?? [];
   const profile = ['inputs:shaping:ies:file', 'shaping:ies:file'].some((name) => textAt(prim, name, context.startCode));
-  const say = (message: string): void => report(context, 'info', 'usd.light-input', prim.path, message);
-  if (profile) say('the IES profile of the light is not applied');
-  if (Array.from(tint).some((x) => x !== 0)) say('the focus tint of the light is not applied');
+  const say = (message: Message): void => report(context, 'info', 'usd.light-input', prim.path, message);
+  if (profile) say(msg`the IES profile of the light is not applied`);
+  if (Array.from(tint).some((x) => x !== 0)) say(msg`the focus tint of the light is not applied`);
   if (attributeOf(prim, 'inputs:shadow:enable') && !isShadowing(context, prim))
-    say('the want of shadows of the light is not applied');
+    say(msg`the want of shadows of the light is not applied`);
 }
 
 const isShadowing = (context: StageContext, prim: PrimSpec): boolean => isTrue(context, prim, 'inputs:shadow:enable');

@@ -1,3 +1,4 @@
+import { msg } from '../../../../messages/message.ts';
 import type { Light } from '../../../../scene/types.ts';
 import { report } from '../../diagnostics.ts';
 import { sampleTimes } from '../../layer/attributes.ts';
@@ -40,7 +41,13 @@ export function lightOf(of: LightPrim): Promise<Light> {
 function reportHeldInputs({ context, prim, frame, slowlight }: LightPrim, moves: boolean): void {
   const moved = frame.times.length > 0 || poseTimeOf(slowlight) !== undefined;
   if ((moved && !moves) || [...prim.properties.values()].some(isAnimatedInput))
-    report(context, 'warning', 'usd.animated-light', prim.path, 'the light changes with time; it is held at the start');
+    report(
+      context,
+      'warning',
+      'usd.animated-light',
+      prim.path,
+      msg`the light changes with time; it is held at the start`,
+    );
 }
 
 const isAnimatedInput = (property: PropertySpec): boolean =>

@@ -1,6 +1,7 @@
 import { describe, expect, it } from 'vitest';
 import { rotate } from '../../../../math/quat.ts';
 import type { Vec3 } from '../../../../math/vec3.ts';
+import { inEnglish } from '../../../../messages/message.ts';
 import { projectedArea } from '../../../../scene/lights/lightKinds.ts';
 import type { LocalLight, Scene } from '../../../../scene/types.ts';
 import { blackbodyColor } from '../../../../spectrum/color/blackbodyColor.ts';
@@ -149,7 +150,7 @@ describe('inputs of lights', () => {
     const { diagnostics } = await read(
       'def RectLight "L"\n{\nasset inputs:shaping:ies:file = @a.ies@\nasset inputs:texture:file = @no.png@\nfloat inputs:specular = 0\n}\n',
     );
-    expect(diagnostics.map((d) => d.message)).toEqual([
+    expect(diagnostics.map((d) => inEnglish(d.message))).toEqual([
       'the IES profile of the light is not applied',
       expect.stringContaining('no.png is not there'),
       'its multiplier for diffuse light, 1, is taken for specular light too',

@@ -1,4 +1,5 @@
 import { cross, length, scale, sub, type Vec3 } from '../../../../math/vec3.ts';
+import { msg } from '../../../../messages/message.ts';
 import { pointAt } from '../../../../scene/mesh/polygons.ts';
 import type { Mesh } from '../../../../scene/types.ts';
 import { report } from '../../diagnostics.ts';
@@ -47,7 +48,7 @@ export function withEmission(
     SYNC_MODES.find((m) => m === written) ?? (light === prim ? 'materialGlowTintsLight' : 'noMaterialResponse');
   const area = lightFlag(context, light, 'normalize') ? areaOf(mesh) / context.unit ** 2 : 1;
   const radiance = scale(emissionOf(context, light), area > 0 ? 1 / area : 0);
-  const message = 'it is seen to shine; what it lights, the reference renderer alone shows';
+  const message = msg`it is seen to shine; what it lights, the reference renderer alone shows`;
   report(context, 'info', 'usd.mesh-light', prim.path, message);
   const groups = mesh.groups.map((group) => ({ ...group, material: table.emissive(group.material, radiance, mode) }));
   return { ...mesh, groups };

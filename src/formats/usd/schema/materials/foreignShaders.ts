@@ -1,4 +1,5 @@
 import { scale, type Vec3 } from '../../../../math/vec3.ts';
+import { type LocalizedText, msg } from '../../../../messages/message.ts';
 import { numberOf, textAt, textOf, vec3Of } from '../../layer/attributes.ts';
 import type { PrimSpec, Value } from '../../layer/layer.ts';
 import type { StageContext } from '../context.ts';
@@ -57,9 +58,11 @@ export function surfaceShaders({ layer, startCode }: StageContext, material: Pri
 }
 
 /** A shader's id, or its name in its source asset. */
-export function shaderName(shader: PrimSpec): string {
+export function shaderName(shader: PrimSpec): LocalizedText {
   const inSource = ['info:mdl:sourceAsset:subIdentifier', 'info:sourceAsset:subIdentifier'];
-  return shaderId(shader) || inSource.map((name) => textAt(shader, name, undefined)).find(Boolean) || 'without an id';
+  return (
+    shaderId(shader) || inSource.map((name) => textAt(shader, name, undefined)).find(Boolean) || msg`without an id`
+  );
 }
 
 /** Base colour, metalness, roughness and emission, as far as they are constants or one texture; undefined if there are none. */

@@ -1,4 +1,5 @@
 import type { Vec3 } from '../../../../math/vec3.ts';
+import { msg } from '../../../../messages/message.ts';
 import type { PolygonValues } from '../../../../scene/mesh/polygons.ts';
 import { report } from '../../diagnostics.ts';
 import { attributeOf, numbersAt, textAt } from '../../layer/attributes.ts';
@@ -74,13 +75,13 @@ function colorsOf(
   used: readonly BoundMaterial[],
   materials: Uint32Array,
 ): PolygonValues | undefined {
-  const reading = used.filter((m) => m.colors);
+  const reading = used.flatMap(({ index, colors }) => (colors ? [{ index, ...colors }] : []));
   const [first] = reading;
-  if (!first?.colors) return undefined;
-  const { name, fallback } = first.colors;
-  const other = reading.find(({ colors }) => colors?.name !== name);
+  if (!first) return undefined;
+  const { name, fallback } = first;
+  const other = reading.find((colors) => colors.name !== name);
   if (other) {
-    const message = `its materials read colours ${name} and ${other.colors?.name}; the first is used for both`;
+    const message = msg`its materials read colours ${name} and ${other.name}; the first is used for both`;
     report(context, 'warning', 'usd.primvar', prim.path, message);
   }
   const path = `primvars:${name}`;
@@ -125,7 +126,13 @@ async function subsetsOf(
     const own = materialBindingOf(child, binding?.strong ? binding : undefined);
     if (!own) continue;
     if ((textAt(child, 'elementType', undefined) ?? 'face') !== 'face') {
-      report(context, 'warning', 'usd.subset', child.path, 'only subsets of faces can have a material; it is left out');
+      report(
+        context,
+        'warning',
+        'usd.subset',
+        child.path,
+        msg`only subsets of faces can have a material; it is left out`,
+      );
       continue;
     }
     const faces = numbersAt(child, 'indices', context.startCode) ?? [];
@@ -151,20 +158,16 @@ function uvsOf(
 ): PolygonValues | undefined {
   const requested = new Set(used.flatMap((m) => m.uv?.name ?? []));
   const name = [...requested, 'st', ...uvPrimvars(prim)].find((n) => attributeOf(prim, `primvars:${n}`));
-  if (requested.size > 1)
-    report(
-      context,
-      'warning',
-      'usd.uv',
-      prim.path,
-      `its materials use uvs ${[...requested].join(', ')}; ${name} is used`,
-    );
   if (name === undefined) {
     if (requested.size > 0) {
-      const message = `its material reads uvs '${[...requested].join("', '")}', which it does not have`;
+      const message = msg`its material reads uvs '${[...requested].join("', '")}', which it does not have`;
       report(context, 'warning', 'usd.uv', prim.path, message);
     }
     return undefined;
+  }
+  if (requested.size > 1) {
+    const message = msg`its materials use uvs ${[...requested].join(', ')}; ${name} is used`;
+    report(context, 'warning', 'usd.uv', prim.path, message);
   }
   const primvar = primvarOf(prim, `primvars:${name}`, context.startCode);
   const values = primvar && valuesOnMesh(context, prim, `primvars:${name}`, primvar, 2, topology);

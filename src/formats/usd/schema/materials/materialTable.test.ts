@@ -1,4 +1,5 @@
 import { describe, expect, it } from 'vitest';
+import { inEnglish } from '../../../../messages/message.ts';
 import type { Material, Scene, SceneObject } from '../../../../scene/types.ts';
 import { decodeSrgb } from '../../../../spectrum/display/srgb.ts';
 import { memorySource } from '../../../files/fileSource.ts';
@@ -35,7 +36,7 @@ async function read(
   const text = `#usda 1.0\n(metersPerUnit = 1)\n${MESH}${mesh}\ndef Material "M" { token outputs:surface.connect = </M/S.outputs:surface>\n${shaders} }\n`;
   const scene = await readUsd(memorySource({ ...files, 'a.usda': new TextEncoder().encode(text) }), 'a.usda');
   const [object] = scene.objects;
-  const said = scene.diagnostics.map((d) => `${d.code}: ${d.message}`);
+  const said = scene.diagnostics.map((d) => `${d.code}: ${inEnglish(d.message)}`);
   return { scene, object, said, material: scene.materials[object.mesh.groups[0].material] };
 }
 

@@ -1,4 +1,5 @@
 import type { Vec3 } from '../../../../math/vec3.ts';
+import { msg } from '../../../../messages/message.ts';
 import type { Material } from '../../../../scene/types.ts';
 import { INVISIBLE_BANDS, parseSpectralHints, REFLECTANCE_ATTRIBUTE } from '../../../attributes/hints.ts';
 import { report } from '../../diagnostics.ts';
@@ -98,8 +99,14 @@ export class MaterialTable {
       const shader = shaders.find((candidate) => PREVIEW_SURFACE_IDS.has(shaderId(candidate)));
       if (prim && shader) return this.preview(prim, shader);
       if (shaders.length > 0) return this.foreign(path, shaders[0], fallback);
-      const why = prim ? 'has no surface that can be read' : 'is not in this file';
-      report(this.context, 'warning', 'usd.material', user, `its material ${path} ${why}; its displayColor is drawn`);
+      const why = prim ? msg`has no surface that can be read` : msg`is not in this file`;
+      report(
+        this.context,
+        'warning',
+        'usd.material',
+        user,
+        msg`its material ${path} ${why}; its displayColor is drawn`,
+      );
       return withDisplayColor(this.added({ ...DEFAULTS, name: path, baseColor: fallback.color }, {}), fallback);
     });
   }
@@ -198,9 +205,9 @@ export class MaterialTable {
     if (value === undefined) return {};
     const refusal =
       value.type !== 'asset'
-        ? `${REFLECTANCE_ATTRIBUTE} is no asset, as @leaf.csv@; it is left out`
+        ? msg`${REFLECTANCE_ATTRIBUTE} is no asset, as @leaf.csv@; it is left out`
         : texture || primvar
-          ? `${REFLECTANCE_ATTRIBUTE} is left out, for the surface is painted by its diffuseColor`
+          ? msg`${REFLECTANCE_ATTRIBUTE} is left out, for the surface is painted by its diffuseColor`
           : undefined;
     if (refusal === undefined) return reflectanceOfFile(this.context, prim, value);
     report(this.context, 'warning', 'usd.slowlight', prim.path, refusal);
@@ -255,8 +262,8 @@ export class MaterialTable {
     if (other) {
       const message =
         other.name === first.name
-          ? `its textures use ${first.name} in two ways; the first is used for both`
-          : `its textures use ${first.name} and ${other.name}; the first is used for both`;
+          ? msg`its textures use ${first.name} in two ways; the first is used for both`
+          : msg`its textures use ${first.name} and ${other.name}; the first is used for both`;
       report(this.context, 'warning', 'usd.uv', path, message);
     }
     return first;
@@ -267,12 +274,21 @@ export class MaterialTable {
       input(name).shader !== undefined || (numberOf(input(name).value) ?? 0) > 0;
     const left = UNSUPPORTED_INPUTS.filter(isWritten);
     const notes = [
-      ...(left.length > 0 ? [`${left.join(', ')} of this material is not drawn`] : []),
-      ...(isWritten('useSpecularWorkflow') ? ['its specular workflow is drawn as metal and glass'] : []),
+      ...(left.length > 0 ? [msg`${left.join(', ')} of this material is not drawn`] : []),
+      ...(isWritten('useSpecularWorkflow') ? [msg`its specular workflow is drawn as metal and glass`] : []),
     ];
-    if (notes.length > 0) report(this.context, 'info', 'usd.material-input', path, notes.join('; '));
+    if (notes.length > 0) {
+      const message = notes.reduce((before, note) => msg`${before}; ${note}`);
+      report(this.context, 'info', 'usd.material-input', path, message);
+    }
     if (isAnimated(shader))
-      report(this.context, 'warning', 'usd.animated-material', path, 'it changes with time; it is held at the start');
+      report(
+        this.context,
+        'warning',
+        'usd.animated-material',
+        path,
+        msg`it changes with time; it is held at the start`,
+      );
   }
 
   /** A material of another renderer by its colours, metalness, roughness and one texture. */
@@ -281,11 +297,11 @@ export class MaterialTable {
     const { texture: picture, color, ...finish } = surface ?? {};
     const image = picture && (await this.textures.file(picture, shader.path));
     const drawn = image
-      ? 'its picture and finish are'
+      ? msg`its picture and finish are`
       : color
-        ? 'its base colour and finish are'
-        : 'the displayColor is';
-    const message = `it is made of '${shaderName(shader)}', which is not read, and has no UsdPreviewSurface; ${drawn} drawn`;
+        ? msg`its base colour and finish are`
+        : msg`the displayColor is`;
+    const message = msg`it is made of '${shaderName(shader)}', which is not read, and has no UsdPreviewSurface; ${drawn} drawn`;
     report(this.context, 'warning', 'usd.material', path, message);
     const baseColor = image ? WHITE : (color ?? fallback.color);
     const material = { ...DEFAULTS, ...finish, name: path, baseColor };

@@ -1,8 +1,8 @@
 import { scale, type Vec3 } from '../../../../math/vec3.ts';
+import { msg } from '../../../../messages/message.ts';
+import { messageOf } from '../../../../messages/messageError.ts';
 import type { DomeLight, Texture, TextureWrap } from '../../../../scene/types.ts';
-import { InputError } from '../../../../scene/types.ts';
 import { decodeSrgb } from '../../../../spectrum/display/srgb.ts';
-import { messageOf } from '../../../diagnostics/inputError.ts';
 import { missingTexture } from '../../../diagnostics/missingFiles.ts';
 import { type DecodedImage, decodeImage, looksLikeColor } from '../../../image/decodeImage.ts';
 import { decodeRadiance } from '../../../image/radiance.ts';
@@ -33,7 +33,7 @@ export class TextureLoader {
   async image(shader: PrimSpec): Promise<LoadedImage | undefined> {
     const input = resolveInput(this.context.layer, shader, 'inputs:file', this.context.startCode);
     if (!textOf(input.value)) {
-      report(this.context, 'warning', 'usd.texture', shader.path, 'the texture names no file');
+      report(this.context, 'warning', 'usd.texture', shader.path, msg`the texture names no file`);
       return undefined;
     }
     return this.file(input.value, shader.path);
@@ -92,8 +92,7 @@ export class TextureLoader {
     try {
       return await read();
     } catch (thrown) {
-      const message = thrown instanceof InputError ? thrown.message : messageOf(thrown);
-      report(this.context, 'warning', 'file.unreadable-texture', user, message);
+      report(this.context, 'warning', 'file.unreadable-texture', user, messageOf(thrown));
       return null;
     }
   }

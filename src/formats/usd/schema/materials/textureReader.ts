@@ -1,4 +1,5 @@
 import type { Vec3 } from '../../../../math/vec3.ts';
+import { msg } from '../../../../messages/message.ts';
 import type { NormalTexture, Texture, TextureChannel } from '../../../../scene/types.ts';
 import { type DecodedImage, withAlphaFrom } from '../../../image/decodeImage.ts';
 import { report } from '../../diagnostics.ts';
@@ -158,7 +159,7 @@ export class TextureReader {
     }
     if (!id.startsWith('UsdPrimvarReader_float')) this.unsupported(shader);
     else {
-      const message = 'a primvar drives a number of this material; its fallback is drawn';
+      const message = msg`a primvar drives a number of this material; its fallback is drawn`;
       report(this.context, 'info', 'usd.material-input', shader.path, message);
     }
     return numberOf(this.value(shader, 'fallback'));
@@ -180,7 +181,7 @@ export class TextureReader {
         'warning',
         'usd.animated-material',
         shader.path,
-        'it changes with time; it is held at the start',
+        msg`it changes with time; it is held at the start`,
       );
     const four = (name: string, otherwise: number): number[] => {
       const written = numbersOf(this.value(shader, name));
@@ -199,7 +200,7 @@ export class TextureReader {
   }
 
   private unsupported(shader: PrimSpec): void {
-    const message = `a shader '${shaderId(shader)}' is not read; the input that it drives keeps its own value`;
+    const message = msg`a shader '${shaderId(shader)}' is not read; the input that it drives keeps its own value`;
     report(this.context, 'warning', 'usd.shader', shader.path, message);
   }
 }

@@ -1,4 +1,5 @@
 import { radians } from '../../../../math/angle.ts';
+import { msg } from '../../../../messages/message.ts';
 import type { PolygonValues } from '../../../../scene/mesh/polygons.ts';
 import { report } from '../../diagnostics.ts';
 import { numberOf, numbersOf, textOf } from '../../layer/attributes.ts';
@@ -42,7 +43,13 @@ export function uvSourceOf(context: StageContext, texture: PrimSpec): UvSource |
   if (id === 'UsdTransform2d') {
     const reader = resolveInput(layer, shader, 'inputs:in', startCode).shader;
     if (isAnimated(shader))
-      report(context, 'warning', 'usd.animated-material', shader.path, 'it changes with time; it is held at the start');
+      report(
+        context,
+        'warning',
+        'usd.animated-material',
+        shader.path,
+        msg`it changes with time; it is held at the start`,
+      );
     const name = reader ? readerVariable(context, reader) : undefined;
     return name === undefined ? undefined : { name, transform: uvTransformOf(context, shader) };
   }
@@ -50,7 +57,7 @@ export function uvSourceOf(context: StageContext, texture: PrimSpec): UvSource |
     const name = readerVariable(context, shader);
     return name === undefined ? undefined : { name };
   }
-  report(context, 'warning', 'usd.shader', shader.path, `a shader '${id}' is not read; st is used for uv`);
+  report(context, 'warning', 'usd.shader', shader.path, msg`a shader '${id}' is not read; st is used for uv`);
   return undefined;
 }
 

@@ -2,6 +2,7 @@ import { describe, expect, it } from 'vitest';
 import { expectClose } from '../../../../../tests/support/physicsArbitraries.ts';
 import { rotate } from '../../../../math/quat.ts';
 import { distance, type Vec3 } from '../../../../math/vec3.ts';
+import { inEnglish } from '../../../../messages/message.ts';
 import { poseAt, vertexPosition } from '../../../../scene/motion/motion.ts';
 import type { Scene, SceneObject } from '../../../../scene/types.ts';
 import { memorySource } from '../../../files/fileSource.ts';
@@ -123,7 +124,7 @@ describe('points between samples', () => {
       const [note] = diagnostics.filter(({ code }) => code === 'usd.between-samples');
       expect(note).toMatchObject({ severity: 'info', place: 'a.usda</It>' });
       // x = t² between samples 0.7 s apart: 0.7²/4.
-      expect(note?.message).toContain('up to 0.12 m elsewhere');
+      expect(inEnglish(note.message)).toContain('up to 0.12 m elsewhere');
     }
     const straight = cloth().replaceAll(/\(0, 0, [\d.]+\)/g, '(0, 0, 0)');
     expect((await read(straight)).diagnostics.map(({ code }) => code)).not.toContain('usd.between-samples');

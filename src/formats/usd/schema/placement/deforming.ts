@@ -2,6 +2,7 @@ import { hermite } from '../../../../math/hermite.ts';
 import { determinant } from '../../../../math/mat3.ts';
 import * as mat4 from '../../../../math/mat4.ts';
 import { distance, type Vec3 } from '../../../../math/vec3.ts';
+import { msg } from '../../../../messages/message.ts';
 import { gatherPoints } from '../../../../scene/mesh/makeMesh.ts';
 import { deformedNormals, smoothingGroups } from '../../../../scene/mesh/normals.ts';
 import { transformNormalsInPlace, transformPointsInPlace } from '../../../../scene/mesh/transformPoints.ts';
@@ -101,7 +102,7 @@ function budgetedTimes(context: StageContext, path: string, requested: Float64Ar
   const times = affordableTimes(requested, perTime, pointBudget.bytes);
   pointBudget.bytes = Math.max(0, pointBudget.bytes - times.length * perTime);
   if (times.length < requested.length) {
-    const message = `its ${vertices} vertices at ${requested.length} times take more memory than there is for a scene's points; ${times.length} of the times are used`;
+    const message = msg`its ${vertices} vertices at ${requested.length} times take more memory than there is for a scene's points; ${times.length} of the times are used`;
     report(context, 'warning', 'usd.sample-budget', path, message);
   }
   return times;
@@ -137,7 +138,7 @@ function streamedPoints(
   };
   const times = codes.map((t) => t / context.codesPerSecond);
   if (context.cubic) {
-    const message = 'its samples are too many for memory and stay in their file; between them its points go straight';
+    const message = msg`its samples are too many for memory and stay in their file; between them its points go straight`;
     report(context, 'info', 'usd.between-samples', path, message);
   }
   const statistics = computePointStatistics(recipe, context.progress);
@@ -232,8 +233,8 @@ function reportGap(context: StageContext, path: string, times: number, { max: mo
   if (most <= tolerance) return;
   const gap = most.toPrecision(2);
   const message = context.cubic
-    ? `between its ${times} samples its points go along cubics; straight they would be up to ${gap} m elsewhere`
-    : `between its ${times} samples its points go straight; along cubics they would be up to ${gap} m elsewhere`;
+    ? msg`between its ${times} samples its points go along cubics; straight they would be up to ${gap} m elsewhere`
+    : msg`between its ${times} samples its points go straight; along cubics they would be up to ${gap} m elsewhere`;
   report(context, 'info', 'usd.between-samples', path, message);
 }
 

@@ -1,4 +1,5 @@
 import * as mat4 from '../../../../math/mat4.ts';
+import { msg } from '../../../../messages/message.ts';
 import { AdaptivePath, type ChordCriterion } from '../../../../scene/motion/adaptiveSampling.ts';
 import type { SampledMotion, StaticMotion } from '../../../../scene/types.ts';
 import { subsampleEvenly } from '../../../read/subsample.ts';
@@ -100,7 +101,7 @@ export function budgetedSamples(
   const most = context.sampleBudget.take(written.length, cost);
   if (most >= written.length) return written;
   const samples = THINNED_SAMPLES.getOrCreate(written, [most], () => subsampleEvenly(written, most));
-  const message = `it is moved by ${written.length} samples, and all things of the scene together by more than there is room for; ${samples.length} of its samples are used (write out fewer, or move fewer things apart)`;
+  const message = msg`it is moved by ${written.length} samples, and all things of the scene together by more than there is room for; ${samples.length} of its samples are used (write out fewer, or move fewer things apart)`;
   report(context, 'warning', 'usd.sample-budget', path, message);
   return samples;
 }
@@ -122,7 +123,7 @@ export function resampledPath(
 ): Float64Array {
   const { times, error, needed } = context.motionBudget.sample(refined, cost);
   if (error > tolerance) {
-    const message = `it jumps or turns too fast between its ${refined.samples.length} samples to be followed: about ${needed.toPrecision(2)} samples would be needed, ${times.length} are used, and paths are off by up to ${error.toPrecision(2)} m; write more samples, or let it turn less between them`;
+    const message = msg`it jumps or turns too fast between its ${refined.samples.length} samples to be followed: about ${needed.toPrecision(2)} samples would be needed, ${times.length} are used, and paths are off by up to ${error.toPrecision(2)} m; write more samples, or let it turn less between them`;
     report(context, 'warning', 'usd.resampling', path, message);
   }
   return times;

@@ -1,4 +1,5 @@
 import { toMatrix } from '../../../../math/quat.ts';
+import { type Message, msg } from '../../../../messages/message.ts';
 import { report } from '../../diagnostics.ts';
 import { attributeOf, numbersAt, sampleTimes, tokensAt } from '../../layer/attributes.ts';
 import type { NumberArray, PrimSpec } from '../../layer/layer.ts';
@@ -32,7 +33,7 @@ export function animationPrim(context: StageContext, skeleton: PrimSpec): PrimSp
       'warning',
       'usd.skeleton',
       path,
-      'skel:animationSource leads here, which is no SkelAnimation; it rests',
+      msg`skel:animationSource leads here, which is no SkelAnimation; it rests`,
     );
     return undefined;
   }
@@ -48,7 +49,7 @@ export function jointAnimationOf(
   if (moved.length === 0) return undefined;
   const problem = problemOf(context, prim, moved.length);
   if (problem) {
-    report(context, 'warning', 'usd.skeleton', prim.path, `${problem}; its joints rest`);
+    report(context, 'warning', 'usd.skeleton', prim.path, msg`${problem}; its joints rest`);
     return undefined;
   }
   const places = new Map(moved.map((joint, i) => [joint, i]));
@@ -61,16 +62,16 @@ export function jointAnimationOf(
 }
 
 /** Why the joints cannot be animated, e.g. a sample without a value for each; undefined if they can. */
-function problemOf(context: StageContext, prim: PrimSpec, joints: number): string | undefined {
+function problemOf(context: StageContext, prim: PrimSpec, joints: number): Message | undefined {
   for (const name of JOINT_ATTRIBUTE_NAMES) {
     const attribute = attributeOf(prim, name);
     const times = attribute?.timeSamples?.times ?? [];
     for (const time of times.length > 0 ? times : [context.startCode]) {
       const values = numbersAt(prim, name, time);
-      const what = times.length > 0 ? `${name} at time ${time}` : name;
+      const what = times.length > 0 ? msg`${name} at time ${time}` : name;
       if (values?.length !== joints * JOINT_ATTRIBUTES[name])
-        return `${what} has ${(values?.length ?? 0) / JOINT_ATTRIBUTES[name]} values for ${joints} joints`;
-      if (!values.every(Number.isFinite)) return `${what} holds what is no finite number`;
+        return msg`${what} has ${(values?.length ?? 0) / JOINT_ATTRIBUTES[name]} values for ${joints} joints`;
+      if (!values.every(Number.isFinite)) return msg`${what} holds what is no finite number`;
     }
   }
   return undefined;

@@ -1,3 +1,4 @@
+import { type Message, msg } from '../../../../messages/message.ts';
 import type { SkinInfluences } from '../../../read/skinning.ts';
 import { report } from '../../diagnostics.ts';
 import { attributeOf, numberOf, numbersOf, textAt, tokensAt, valueAt } from '../../layer/attributes.ts';
@@ -50,15 +51,15 @@ export class Skeletons {
     if (!skeleton) return undefined;
     if (!nearestAttribute(this.context, mesh, INDICES)) return { skeleton };
     const joints = jointsOf(this.context, mesh, skeleton, points);
-    if (typeof joints !== 'string') return { skeleton, joints };
-    report(this.context, 'warning', 'usd.skin', mesh.path, `${joints}; the mesh stays as it is written`);
+    if (!('template' in joints)) return { skeleton, joints };
+    report(this.context, 'warning', 'usd.skin', mesh.path, msg`${joints}; the mesh stays as it is written`);
     return undefined;
   }
 
   private skeletonAt(path: string, mesh: PrimSpec): Skeleton | undefined {
     const prim = primAt(this.context.layer, path);
     if (prim?.typeName !== 'Skeleton') {
-      const message = `skel:skeleton leads to ${path}, where no Skeleton is; the mesh stays as it is written`;
+      const message = msg`skel:skeleton leads to ${path}, where no Skeleton is; the mesh stays as it is written`;
       report(this.context, 'warning', 'usd.skin', mesh.path, message);
       return undefined;
     }
@@ -76,29 +77,29 @@ function nearestAttribute({ layer }: StageContext, mesh: PrimSpec, name: string)
   return prim && attributeOf(prim, name);
 }
 
-/** The binding, or an error text that begins with the attribute's name. */
-function jointsOf(context: StageContext, mesh: PrimSpec, skeleton: Skeleton, points: number): JointBinding | string {
+/** The binding, or an error message that begins with the attribute's name. */
+function jointsOf(context: StageContext, mesh: PrimSpec, skeleton: Skeleton, points: number): JointBinding | Message {
   const geomBind = geomBindOf(context, mesh);
   const places = jointPlaces(context, mesh, skeleton);
-  if (typeof geomBind === 'string') return geomBind;
-  if (typeof places === 'string') return places;
+  if ('template' in geomBind) return geomBind;
+  if ('template' in places) return places;
   const [indices, weights] = [nearestAttribute(context, mesh, INDICES), nearestAttribute(context, mesh, WEIGHTS)];
   const at = (attribute: AttributeSpec | undefined) => numbersOf(valueAt(attribute, context.startCode));
   const [joints, shares] = [at(indices), at(weights)];
-  if (!joints || !shares) return `${joints ? WEIGHTS : INDICES} has no value`;
+  if (!joints || !shares) return msg`${joints ? WEIGHTS : INDICES} has no value`;
   if (joints.length !== shares.length)
-    return `${INDICES} has ${joints.length} values, and ${WEIGHTS} has ${shares.length}`;
+    return msg`${INDICES} has ${joints.length} values, and ${WEIGHTS} has ${shares.length}`;
   const perPoint = numberOf(indices!.metadata.get('elementSize') as never) ?? 1;
   const isRigid = (metadataText(indices!.metadata, 'interpolation') ?? 'constant') === 'constant';
   if (!(Number.isInteger(perPoint) && perPoint > 0 && perPoint <= MAX_INFLUENCES))
-    return `${INDICES} has elementSize ${perPoint}, not 1 to ${MAX_INFLUENCES}`;
+    return msg`${INDICES} has elementSize ${perPoint}, not 1 to ${MAX_INFLUENCES}`;
   const needed = (isRigid ? 1 : points) * perPoint;
   if (joints.length !== needed)
-    return `${INDICES} has ${joints.length} values; with elementSize ${perPoint} and interpolation ${isRigid ? 'constant' : 'vertex'} it needs ${needed}`;
+    return msg`${INDICES} has ${joints.length} values; with elementSize ${perPoint} and interpolation ${isRigid ? 'constant' : 'vertex'} it needs ${needed}`;
   const bad = joints.findIndex((j) => !(j >= 0 && j < places.length));
-  if (bad >= 0) return `${INDICES}[${bad}] is ${joints[bad]} of ${places.length} joints`;
+  if (bad >= 0) return msg`${INDICES}[${bad}] is ${joints[bad]} of ${places.length} joints`;
   const odd = shares.findIndex((w) => !Number.isFinite(w));
-  if (odd >= 0) return `${WEIGHTS}[${odd}] is ${shares[odd]}`;
+  if (odd >= 0) return msg`${WEIGHTS}[${odd}] is ${shares[odd]}`;
   const influences = {
     perPoint,
     joints: Int32Array.from(joints, (j) => places[j]),
@@ -108,21 +109,21 @@ function jointsOf(context: StageContext, mesh: PrimSpec, skeleton: Skeleton, poi
 }
 
 /** Index in the skeleton of each of the mesh's joints: by `skel:joints`, else in the skeleton's order. */
-function jointPlaces(context: StageContext, mesh: PrimSpec, skeleton: Skeleton): number[] | string {
+function jointPlaces(context: StageContext, mesh: PrimSpec, skeleton: Skeleton): number[] | Message {
   const owner = nearestAncestor(context.layer, mesh.path, (prim) => attributeOf(prim, 'skel:joints') !== undefined);
   const own = owner && tokensAt(owner, 'skel:joints', undefined);
   if (!own) return [...skeleton.joints.keys()];
   const byName = new Map(skeleton.joints.map((joint, i) => [joint, i]));
   const missing = own.find((joint) => !byName.has(joint));
-  if (missing !== undefined) return `skel:joints names '${missing}', which is no joint of ${skeleton.path}`;
+  if (missing !== undefined) return msg`skel:joints names '${missing}', which is no joint of ${skeleton.path}`;
   return own.map((joint) => byName.get(joint)!);
 }
 
-function geomBindOf(context: StageContext, mesh: PrimSpec): Float64Array | string {
+function geomBindOf(context: StageContext, mesh: PrimSpec): Float64Array | Message {
   const name = 'primvars:skel:geomBindTransform';
   const value = numbersOf(valueAt(nearestAttribute(context, mesh, name), context.startCode));
   if (!value) return Float64Array.of(1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0);
-  if (value.length !== 16 || !value.every(Number.isFinite)) return `${name} is no matrix of finite numbers`;
+  if (value.length !== 16 || !value.every(Number.isFinite)) return msg`${name} is no matrix of finite numbers`;
   return columnMatrices(value);
 }
 
@@ -131,6 +132,6 @@ function skinningMethodOf(context: StageContext, mesh: PrimSpec): JointBinding['
   const owner = nearestAncestor(context.layer, mesh.path, (prim) => attributeOf(prim, name) !== undefined);
   const method = (owner && textAt(owner, name, undefined)) ?? 'classicLinear';
   if (method === 'dualQuaternion' || method === 'classicLinear') return method;
-  report(context, 'warning', 'usd.skin', mesh.path, `${name} '${method}' is not known; classicLinear is taken`);
+  report(context, 'warning', 'usd.skin', mesh.path, msg`${name} '${method}' is not known; classicLinear is taken`);
   return 'classicLinear';
 }

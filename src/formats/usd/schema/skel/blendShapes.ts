@@ -1,3 +1,4 @@
+import { type Message, msg } from '../../../../messages/message.ts';
 import { report } from '../../diagnostics.ts';
 import { attributeOf, numberOf, numbersAt, sampleTimes, tokensAt } from '../../layer/attributes.ts';
 import type { AttributeSpec, NumberArray, PrimSpec } from '../../layer/layer.ts';
@@ -43,7 +44,7 @@ export function blendShapesOf(
   const places = new Map(animated.map((name, i) => [name, i]));
   const targets = targetsOf(mesh, 'skel:blendShapeTargets');
   if (targets.length !== names.length) {
-    const message = `skel:blendShapes has ${names.length} names for ${targets.length} skel:blendShapeTargets; its blend shapes are left out`;
+    const message = msg`skel:blendShapes has ${names.length} names for ${targets.length} skel:blendShapeTargets; its blend shapes are left out`;
     report(context, 'warning', 'usd.blend-shape', mesh.path, message);
     return undefined;
   }
@@ -71,7 +72,7 @@ function allFinite(context: StageContext, animation: PrimSpec, count: number): b
   for (const time of times.length > 0 ? times : [context.startCode]) {
     const weights = numbersAt(animation, 'blendShapeWeights', time);
     if (weights?.length === count && weights.every(Number.isFinite)) continue;
-    const message = `blendShapeWeights needs ${count} finite numbers, one for each of blendShapes; the shapes are left out`;
+    const message = msg`blendShapeWeights needs ${count} finite numbers, one for each of blendShapes; the shapes are left out`;
     report(context, 'warning', 'usd.blend-shape', animation.path, message);
     return false;
   }
@@ -86,30 +87,30 @@ function shapeOf(
   points: number,
 ): BlendShape | undefined {
   const prim = primAt(context.layer, path);
-  const fail = (message: string): undefined => {
-    report(context, 'warning', 'usd.blend-shape', path, `${message}; it does not bend ${mesh.path}`);
+  const fail = (message: Message): undefined => {
+    report(context, 'warning', 'usd.blend-shape', path, msg`${message}; it does not bend ${mesh.path}`);
     return undefined;
   };
-  if (prim?.typeName !== 'BlendShape') return fail('there is no BlendShape');
+  if (prim?.typeName !== 'BlendShape') return fail(msg`there is no BlendShape`);
   const indices = numbersAt(prim, 'pointIndices', undefined);
   const count = indices?.length ?? points;
   const bad = indices?.findIndex((i) => !(i >= 0 && i < points)) ?? -1;
-  if (bad >= 0) return fail(`pointIndices[${bad}] is ${indices![bad]} of ${points} points`);
+  if (bad >= 0) return fail(msg`pointIndices[${bad}] is ${indices![bad]} of ${points} points`);
   const full = subShape(prim, 'offsets', 'normalOffsets', 1, count);
-  if (typeof full === 'string') return fail(full);
+  if ('template' in full) return fail(full);
   const inner: SubShape[] = [];
   for (const attribute of inbetweens(prim)) {
     const weight = numberOf(attribute.metadata.get('weight') as never);
     if (weight === undefined || weight === 0 || weight === 1 || !Number.isFinite(weight))
-      return fail(`${attribute.name} needs a weight other than 0 and 1`);
+      return fail(msg`${attribute.name} needs a weight other than 0 and 1`);
     const sub = subShape(prim, attribute.name, `${attribute.name}:normalOffsets`, weight, count);
-    if (typeof sub === 'string') return fail(sub);
+    if ('template' in sub) return fail(sub);
     inner.push(sub);
   }
   // `null`: sort puts undefined last.
   const all = [null, full, ...inner].sort((a, b) => (a?.weight ?? 0) - (b?.weight ?? 0));
   const weights = all.map((sub) => sub?.weight ?? 0);
-  if (new Set(weights).size < weights.length) return fail('two inbetweens have the same weight');
+  if (new Set(weights).size < weights.length) return fail(msg`two inbetweens have the same weight`);
   return { source, subShapes: all, weights, ...(indices ? { rows: rowsOf(indices, points) } : {}) };
 }
 
@@ -118,10 +119,17 @@ const inbetweens = (prim: PrimSpec): AttributeSpec[] =>
     (p): p is AttributeSpec => p.kind === 'attribute' && /^inbetweens:[^:]+$/.test(p.name),
   );
 
-function subShape(prim: PrimSpec, name: string, normalsName: string, weight: number, count: number): SubShape | string {
+function subShape(
+  prim: PrimSpec,
+  name: string,
+  normalsName: string,
+  weight: number,
+  count: number,
+): SubShape | Message {
   const points = numbersAt(prim, name, undefined);
-  if (points?.length !== 3 * count) return `${name} has ${(points?.length ?? 0) / 3} offsets where ${count} are needed`;
-  if (!points.every(Number.isFinite)) return `${name} holds what is no finite number`;
+  if (points?.length !== 3 * count)
+    return msg`${name} has ${(points?.length ?? 0) / 3} offsets where ${count} are needed`;
+  if (!points.every(Number.isFinite)) return msg`${name} holds what is no finite number`;
   const normals = numbersAt(prim, normalsName, undefined);
   return {
     weight,

@@ -2,13 +2,13 @@ import { describe, expect, it } from 'vitest';
 import { vertexPosition } from '../../../../scene/motion/motion.ts';
 import type { Scene } from '../../../../scene/types.ts';
 import { memorySource } from '../../../files/fileSource.ts';
+import { said } from '../../fixtures/said.ts';
 import { readUsd } from '../../read.ts';
 
 const read = (body: string): Promise<Scene> => {
   const text = `#usda 1.0\n(\nmetersPerUnit = 1\n)\n${body}\n`;
   return readUsd(memorySource({ 'a.usda': new TextEncoder().encode(text) }), 'a.usda');
 };
-const said = (scene: Scene): string[] => scene.diagnostics.map((d) => `${d.code} ${d.place}: ${d.message}`);
 
 const ONE = '((1, 0, 0, 0), (0, 1, 0, 0), (0, 0, 1, 0), (0, 0, 0, 1))';
 /** The elbow, at x = 1 from the shoulder, which is at the origin. */

@@ -1,4 +1,5 @@
 import * as mat4 from '../../../../math/mat4.ts';
+import { type Message, msg } from '../../../../messages/message.ts';
 import { report } from '../../diagnostics.ts';
 import { numbersAt, tokensAt } from '../../layer/attributes.ts';
 import type { NumberArray, PrimSpec } from '../../layer/layer.ts';
@@ -78,26 +79,26 @@ interface BindPose {
 
 /** Reads a Skeleton prim; undefined, with a diagnostic, if it is invalid. */
 export function readSkeleton(context: StageContext, prim: PrimSpec): Skeleton | undefined {
-  const fail = (message: string): undefined => {
-    report(context, 'warning', 'usd.skeleton', prim.path, `${message}; its meshes stay as they are written`);
+  const fail = (message: Message): undefined => {
+    report(context, 'warning', 'usd.skeleton', prim.path, msg`${message}; its meshes stay as they are written`);
     return undefined;
   };
   const joints = tokensAt(prim, 'joints', undefined) ?? [];
-  if (joints.length === 0) return fail('joints is empty');
+  if (joints.length === 0) return fail(msg`joints is empty`);
   const tree = treeOf(joints);
-  if (typeof tree === 'string') return fail(tree);
+  if ('template' in tree) return fail(tree);
   const binds = numbersAt(prim, 'bindTransforms', undefined);
   if (binds?.length !== 16 * joints.length)
-    return fail(`bindTransforms has ${(binds?.length ?? 0) / 16} matrices for ${joints.length} joints`);
+    return fail(msg`bindTransforms has ${(binds?.length ?? 0) / 16} matrices for ${joints.length} joints`);
   const unbind = inverses(binds);
-  if (typeof unbind === 'number') return fail(`bindTransforms[${unbind}] has no inverse`);
+  if (typeof unbind === 'number') return fail(msg`bindTransforms[${unbind}] has no inverse`);
   const rests = numbersAt(prim, 'restTransforms', undefined);
   const rest = rests?.length === 16 * joints.length && rests.every(Number.isFinite) ? columnMatrices(rests) : undefined;
   const source = animationPrim(context, prim);
   const animation = source && jointAnimationOf(context, source, joints);
   if (!rest && !animation?.isWhole)
     return fail(
-      `restTransforms has ${(rests?.length ?? 0) / 16} usable matrices for ${joints.length} joints, and no animation moves all of them`,
+      msg`restTransforms has ${(rests?.length ?? 0) / 16} usable matrices for ${joints.length} joints, and no animation moves all of them`,
     );
   const frame = localToStageTransform(context.layer, prim.path);
   return new Skeleton({ path: prim.path, joints, transform: frame, animation, source }, tree, {
@@ -107,12 +108,12 @@ export function readSkeleton(context: StageContext, prim: PrimSpec): Skeleton | 
 }
 
 /** A joint's parent is the nearest path above it that is a joint. */
-function treeOf(joints: readonly string[]): JointTree | string {
+function treeOf(joints: readonly string[]): JointTree | Message {
   const places = new Map<string, number>();
   const depths = joints.map((joint) => joint.split('/', MAX_DEPTH + 1).length);
   for (const [j, joint] of joints.entries()) {
-    if (depths[j] > MAX_DEPTH) return `joints[${j}] is more than ${MAX_DEPTH} joints deep`;
-    if (places.has(joint)) return `joints names '${joint}' twice`;
+    if (depths[j] > MAX_DEPTH) return msg`joints[${j}] is more than ${MAX_DEPTH} joints deep`;
+    if (places.has(joint)) return msg`joints names '${joint}' twice`;
     places.set(joint, j);
   }
   const parents = Int32Array.from(joints, (joint) => {

@@ -1,5 +1,6 @@
 import * as mat4 from '../../../../../math/mat4.ts';
 import { addScaled, cross, dot, length, negate, normalize, scale, type Vec3 } from '../../../../../math/vec3.ts';
+import { msg } from '../../../../../messages/message.ts';
 import type { LocalLight, LocalLightBase, RigidMotion } from '../../../../../scene/types.ts';
 import { report } from '../../../diagnostics.ts';
 import { attributeOf, textOf, valueAt } from '../../../layer/attributes.ts';
@@ -100,7 +101,7 @@ async function meanTextureColor(
     .find(textOf);
   const image = file && (await textures.file(file, prim.path));
   if (!image) return undefined;
-  report(context, 'info', 'usd.light-input', prim.path, 'its texture shines with its mean colour');
+  report(context, 'info', 'usd.light-input', prim.path, msg`its texture shines with its mean colour`);
   return meanColor(textureOf(context, prim, image, false));
 }
 

@@ -1,5 +1,5 @@
 import { useEditorState } from '../state/context.tsx';
-import { useTexts } from './i18n.ts';
+import { useTexts } from './languageStore.ts';
 
 interface SceneTexts {
   readonly title: string;

@@ -1,4 +1,0 @@
-import { textsIn } from './texts.ts';
-
-// The build replaces this by the texts themselves (vite.config.ts), so that the page loads one language only.
-export const words = textsIn(0);
