@@ -156,7 +156,7 @@ function buildOf(commit) {
   // Otherwise the build below installs the commit's own.
   if (readFileSync(join(root, lock)).equals(readFileSync(join(tree, lock))))
     symlinkSync(join(root, 'node_modules'), join(tree, 'node_modules'), 'junction');
-  run(process.execPath, [join(tree, 'scripts/build.mjs')], { cwd: tree });
+  run(process.execPath, [join(tree, 'scripts/build.mjs'), 'lib', 'app'], { cwd: tree });
   return tree;
 }
 

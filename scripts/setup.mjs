@@ -3,7 +3,7 @@
 import { spawnSync } from 'node:child_process';
 import { createHash } from 'node:crypto';
 import { existsSync, mkdirSync, readdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
-import { delimiter, join, sep } from 'node:path';
+import { delimiter, join, relative, sep } from 'node:path';
 import { fileURLToPath } from 'node:url';
 
 export const root = fileURLToPath(new URL('..', import.meta.url));
@@ -43,22 +43,22 @@ export function checkNode() {
   );
 }
 
-/** Compares npm's record of installed packages in node_modules with package-lock.json. */
-function modulesAreCurrent() {
-  const installedFile = at('node_modules', '.package-lock.json');
+/** Compares npm's record of installed packages in a folder's node_modules with its package-lock.json. */
+function modulesAreCurrent(folder) {
+  const installedFile = join(folder, 'node_modules', '.package-lock.json');
   if (!existsSync(installedFile)) return false;
-  const locked = JSON.parse(readFileSync(at('package-lock.json'), 'utf8')).packages;
+  const locked = JSON.parse(readFileSync(join(folder, 'package-lock.json'), 'utf8')).packages;
   const installed = JSON.parse(readFileSync(installedFile, 'utf8')).packages;
   return Object.entries(locked).every(
     ([path, { version, optional }]) => path === '' || optional || installed[path]?.version === version,
   );
 }
 
-export function ensureModules() {
-  if (modulesAreCurrent()) return;
-  say('Installing packages (npm ci) …');
+export function ensureModules(folder = root) {
+  if (modulesAreCurrent(folder)) return;
+  say(`Installing packages (npm ci${folder === root ? '' : ` in ${relative(root, folder)}`}) …`);
   // On Windows npm is a .cmd file, which only a shell can start.
-  run('npm', ['ci', '--include=dev', '--no-audit', '--no-fund'], { shell: process.platform === 'win32' });
+  run('npm', ['ci', '--include=dev', '--no-audit', '--no-fund'], { shell: process.platform === 'win32', cwd: folder });
 }
 
 // ── System packages ────────────────────────────────────────────────────────────────────────────────────────────────
@@ -129,9 +129,29 @@ export const ensureSystem = (purpose) => ensurePackages(systemPackages, purpose)
 
 // ── The build ──────────────────────────────────────────────────────────────────────────────────────────────────────
 
+const apiFiles = ['README.md', 'build.mjs', 'package-lock.json'];
 const products = {
-  lib: { inputs: ['src', 'tsconfig.json', 'tsconfig.build.json'], clean: ['lib', 'lib.tsbuildinfo'] },
-  app: { inputs: ['src', 'examples', 'vite.config.ts', 'tsconfig.json'], clean: [] },
+  lib: {
+    title: 'the library and the command line',
+    inputs: ['src', 'tsconfig.json', 'tsconfig.build.json'],
+    clean: ['lib', 'lib.tsbuildinfo'],
+    build: () => run(process.execPath, [at('node_modules/typescript/bin/tsc'), '-p', 'tsconfig.build.json']),
+  },
+  app: {
+    title: 'the page',
+    inputs: ['src', 'examples', 'vite.config.ts', 'tsconfig.json'],
+    clean: [],
+    build: () => run(process.execPath, [at('node_modules/vite/bin/vite.js'), 'build', '--logLevel', 'error']),
+  },
+  api: {
+    title: "the pages of the library's API",
+    inputs: ['src', 'package.json', 'tsconfig.build.json', ...apiFiles.map((name) => `docs/api/${name}`)],
+    clean: ['api'],
+    build() {
+      ensureModules(at('docs/api'));
+      run(process.execPath, [at('docs/api/build.mjs')]);
+    },
+  },
 };
 const stampFile = at('dist', '.stamps.json');
 
@@ -164,20 +184,15 @@ const readStamps = () => (existsSync(stampFile) ? JSON.parse(readFileSync(stampF
 /** Builds the parts whose inputs have changed. */
 export function ensureBuilt(...names) {
   for (const name of names) {
-    const { inputs, clean } = products[name];
+    const { title, inputs, clean, build } = products[name];
     const stamp = fingerprint(inputs);
     if (readStamps()[name] === stamp) continue;
-    say(name === 'lib' ? 'Building the library and the command line …' : 'Building the page …');
+    say(`Building ${title} …`);
     for (const path of clean) rmSync(at('dist', path), { recursive: true, force: true });
-    build(name);
+    build();
     mkdirSync(at('dist'), { recursive: true });
     writeFileSync(stampFile, JSON.stringify({ ...readStamps(), [name]: stamp }));
   }
-}
-
-function build(name) {
-  if (name === 'lib') run(process.execPath, [at('node_modules/typescript/bin/tsc'), '-p', 'tsconfig.build.json']);
-  else run(process.execPath, [at('node_modules/vite/bin/vite.js'), 'build', '--logLevel', 'error']);
 }
 
 // ── Independent judges of our files and figures, for tests ─────────────────────────────────────────────────────────

@@ -17,6 +17,7 @@ const stages = {
       tool('typescript/bin/tsc', '-p', 'bench/tsconfig.json', '--noEmit'),
       tool('typescript/bin/tsc', '-p', 'examples/tsconfig.json', '--noEmit'),
       tool('knip/bin/knip.js'),
+      { path: join(root, 'scripts/build.mjs'), args: ['api'] },
     ],
   },
   unit: { steps: vitest('unit') },
@@ -90,7 +91,7 @@ function fail(name, result) {
 function buildFailure() {
   if (build === undefined)
     try {
-      ensureBuilt('lib', 'app');
+      ensureBuilt('lib', 'app', 'api');
       build = {};
     } catch (error) {
       if (!(error instanceof SetupError)) throw error;

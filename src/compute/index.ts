@@ -1,2 +1,8 @@
+/**
+ * Dynamics on a GPU, by WebGPU.
+ *
+ * @module slowlight/compute
+ */
+
 export { type ComputeGpu, openWebGpu } from './computeDevice.ts';
 export { runOnGpu } from './runOnGpu.ts';

@@ -1,3 +1,10 @@
+/**
+ * Relativistic mass–spring systems: forces with a potential, integrators, conserved quantities. World frame, SI units;
+ * points one after another, x, y, z each.
+ *
+ * @module slowlight/dynamics
+ */
+
 export { type ConservedQuantities, conservedQuantities } from './energy.ts';
 export { barrier } from './forces/barrier.ts';
 export {
@@ -8,7 +15,16 @@ export {
   sphereContacts,
 } from './forces/contact.ts';
 export { COULOMB_CONSTANT, coulomb } from './forces/coulomb.ts';
-export type { Force, ForceData, Stiffness, StiffnessForm } from './forces/force.ts';
+export type {
+  BarrierData,
+  Force,
+  ForceData,
+  NeighborForceData,
+  PairForceData,
+  Stiffness,
+  StiffnessForm,
+  UniformFieldData,
+} from './forces/force.ts';
 export { NeighborPairs } from './forces/neighborPairs.ts';
 export { box, type Obstacle, plane } from './forces/obstacle.ts';
 export { PairForce, type PairPotential } from './forces/pairs.ts';
@@ -34,6 +50,7 @@ export { type RunRecord, RunRecorder, runRecordCsv } from './runRecord.ts';
 export { maxAngularFrequency } from './stability.ts';
 export {
   copyState,
+  type KinematicPoint,
   makeSystem,
   momenta,
   type State,

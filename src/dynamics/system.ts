@@ -25,6 +25,7 @@ export interface System {
 
 /** A point with prescribed motion, slower than light. The energy it exchanges is not recorded. */
 export interface KinematicPoint {
+  /** Its index; it is pinned. */
   readonly point: number;
   /** Position [m] at t [s]. */
   positionAt(t: number): Vec3;

@@ -1,10 +1,17 @@
+/**
+ * Files of scenes and pictures: USD, glTF, OBJ, PLY, STL; PNG, JPEG, EXR; zips. Readers throw an `InputError` that
+ * names file, place and value.
+ *
+ * @module slowlight/formats
+ */
+
 export { readSpectrumCsv } from './attributes/spectrumCsv.ts';
 export { entryOf } from './entry.ts';
 export { type FileSource, memorySource } from './files/fileSource.ts';
 export { type DecodedImage, decodeImage } from './image/decodeImage.ts';
 export { encodePng } from './image/encodePng.ts';
 export { type ExrChannel, type ExrImage, writeExr } from './image/exr.ts';
-export { readExr } from './image/readExr.ts';
+export { readExr, type SizeCheck } from './image/readExr.ts';
 export { type OpenOptions, openScene } from './open.ts';
 export type { Interpolation, ReadOptions } from './readOptions.ts';
 export { formatOf, type SceneFormat, sceneFormats } from './registry.ts';

@@ -1,3 +1,10 @@
+/**
+ * The document of a project: nodes and edges, their edits, and the evaluation of what they describe. `slowlight/nodes`
+ * has the nodes themselves.
+ *
+ * @module slowlight/graph
+ */
+
 export { validateDocument } from './analysis/validate.ts';
 export {
   DocumentError,

@@ -1,3 +1,9 @@
+/**
+ * The nodes of Slowlight's projects, and edits of whole projects.
+ *
+ * @module slowlight/nodes
+ */
+
 export { nodeLibrary } from './library.ts';
 export { evaluatedPicture, type FalseColorScales, renderSettings } from './pictures/renderSettings.ts';
 export { outputNodeId } from './project/outputChain.ts';

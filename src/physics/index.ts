@@ -1,3 +1,11 @@
+/**
+ * Special relativity: boosts, aberration, Doppler factors, world lines, the past light cone and simultaneity.
+ * Velocities are proper velocities u = γβ in units of c, in the world frame, unless a function says otherwise; its
+ * formulas, with sources, are in docs/physics.md.
+ *
+ * @module slowlight/physics
+ */
+
 export {
   boost,
   boostMatrix,

@@ -1,3 +1,9 @@
+/**
+ * The reference renderer: rays into the past through a scene, in 64-bit arithmetic, on the processor.
+ *
+ * @module slowlight/reference
+ */
+
 export type * from './acceleration/ray.ts';
 export { dopplerOfHit } from './aov.ts';
 export { cameraRay, rayToward } from './camera/cameraRay.ts';

@@ -1,3 +1,9 @@
+/**
+ * The renderer on a GPU, by WebGPU or WebGL2, in a page or in Node.
+ *
+ * @module slowlight/render
+ */
+
 export type { RasterRenderer } from './api.ts';
 export { SceneRenderer } from './renderer.ts';
-export type { Backend, PickResult, RendererInfo, RendererOptions } from './settings.ts';
+export type { Backend, PickedSurface, PickResult, RendererInfo, RendererOptions, Sampling } from './settings.ts';

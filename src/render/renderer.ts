@@ -54,7 +54,7 @@ const NOTHING_DRAWN = { viewsDrawn: 0, objectsDrawn: 0 };
  *   renderer.setSize(960, 540);
  *   const settings = { ...DEFAULT_SETTINGS, speedOfLight: 10 };
  *   const eye = observerFromCamera(framingCamera(scene), 0, settings.speedOfLight);
- *   // At half the speed of light, straight ahead.
+ *   // An observer at half the speed of light along −Z.
  *   renderer.render([{ ...eye, t: 0, u: [0, 0, -0.577] }], settings);
  * }
  */
@@ -78,6 +78,7 @@ export class SceneRenderer implements RasterRenderer {
   private requestedSize = this.size;
   private lastDraw = { objectsDrawn: 0, milliseconds: 0 };
 
+  /** Opens a GPU. Throws an error that says why where there is none. */
   static async create(options: RendererOptions = {}): Promise<SceneRenderer> {
     return new SceneRenderer(await openGpu(options), options);
   }
@@ -282,6 +283,7 @@ export class SceneRenderer implements RasterRenderer {
   /**
    * Prepares the last picture of the first view, calls `use` with it, which may draw on the same device (previews.ts), and restores the uniforms
    * afterwards. Returns undefined if there is no picture.
+   * @internal
    */
   withLastView<Made>(use: (context: RenderContext) => Made): Made | undefined {
     const { gpu, frameSetup } = this;

@@ -9,9 +9,11 @@ export interface PickResult {
   readonly surface?: PickedSurface;
 }
 
+/** The surface at a pixel and the event at which it is seen. */
 export interface PickedSurface {
   /** Index in `Scene.objects` plus one. */
   readonly objectId: number;
+  /** Of its object. */
   readonly path: string;
   /** World time of the emission event [s]. */
   readonly emissionTime: number;
@@ -19,6 +21,7 @@ export interface PickedSurface {
   readonly position: Vec3;
   /** Of the surface at that event, world frame, units of c. */
   readonly velocity: Vec3;
+  /** D = ν_observed/ν_emitted. */
   readonly doppler: number;
   /** Apparent distance [m]. */
   readonly depth: number;

@@ -1,3 +1,10 @@
+/**
+ * What is observed: objects, meshes, motions, materials, lights and cameras; the observer, the settings of a picture.
+ * World frame, SI units.
+ *
+ * @module slowlight/scene
+ */
+
 export type { BoundingBox, BoundingSphere } from './bounds/bounds.ts';
 export { boundingBox, boundingSphere } from './bounds/bounds.ts';
 export { objectBounds, sceneBounds } from './bounds/sceneBounds.ts';
@@ -20,6 +27,7 @@ export {
 export { changeMotion, type MotionChange } from './motion/motionChange.ts';
 export { retime, type Timing } from './motion/retime.ts';
 export type { Solver } from './settings/settings.ts';
+export type { Stars } from './stars/brightStars.ts';
 export type * from './types.ts';
 export { InputError } from './types.ts';
 export { validate } from './validation/validate.ts';
@@ -27,6 +35,7 @@ export type { CameraState } from './view/camera.ts';
 export { framingCamera, lookAtOrientation, observerFromCamera } from './view/camera.ts';
 export type { FrustumSides, Lens, PerspectiveLens } from './view/lens.ts';
 export { offAxisLens, perspective } from './view/lens.ts';
+export type { LightMeterReadings } from './view/metering.ts';
 export type { PictureSize, PictureView, PictureViews, PixelRect } from './view/pictureViews.ts';
 export type { VertexProbe } from './view/probe.ts';
 export { probeVertex, probeVertices } from './view/probe.ts';

@@ -1,3 +1,12 @@
+/**
+ * The formulas of `slowlight/physics` and `slowlight/spectrum` for shaders in TSL (three.js), in 32-bit floats. c = 1,
+ * lengths in metres, times in light-metres; u = γβ and γ of the observer are given as a pair, because f32 loses one
+ * from the other. An `anchor` (d_c, R) is an event on the observer's past light cone (or slice of simultaneity): d_c
+ * from the observer to it, R = |d_c|; places and times of vertices are relative to it (docs/physics.md §4.9).
+ *
+ * @module slowlight/shaders
+ */
+
 export { dopplerTint } from './color/dopplerTint.ts';
 export { glowColor } from './color/glowColor.ts';
 export { toneMapAgx, toneMapLinear, toneMapNeutral } from './color/toneMap.ts';

@@ -43,7 +43,26 @@ test('serves only the page and its scenes, and only to this machine', async () =
     expect((await get(url, `/${source}`)).status).toBe(200);
   }
 
-  for (const path of ['/../../package.json', '/%2e%2e/%2e%2e/package.json', '/..%2f..%2fpackage.json', '/nothing']) {
+  expect((await get(url, '/api')).headers.location).toBe('/api/');
+  const api = await get(url, '/api/');
+  expect(api.status).toBe(200);
+  // Nothing in these pages is forbidden by the content policy, or comes from elsewhere.
+  expect(api.body).not.toMatch(/<script>|(?:src|href)="https?:/);
+  const gamma = await get(
+    url,
+    `/api/${/functions\/[^"]*physics\.gamma\.html/.exec((await get(url, '/api/modules/slowlight_physics.html')).body)![0]}`,
+  );
+  expect(gamma.body).toContain('1.6667');
+  expect((await get(url, '/api/assets/main.js')).headers['cache-control']).toBe('no-cache');
+
+  for (const path of [
+    '/api/../../package.json',
+    '/api/%2e%2e/%2e%2e/package.json',
+    '/../../package.json',
+    '/%2e%2e/%2e%2e/package.json',
+    '/..%2f..%2fpackage.json',
+    '/nothing',
+  ]) {
     expect((await get(url, path)).status, path).toBe(404);
   }
   expect((await get(url, '/%ff')).status).toBe(400);

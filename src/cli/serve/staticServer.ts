@@ -9,6 +9,9 @@ import { CliError, EXIT, unavailable } from '../terminal/exitCodes.ts';
 
 const packageRoot = fileURLToPath(new URL('../../../../', import.meta.url));
 export const appFolder = join(packageRoot, 'dist', 'app');
+/** The pages of the library's API, at /api/. */
+const apiFolder = join(packageRoot, 'dist', 'api');
+const API = '/api/';
 
 /** Only the page's own scripts may run. */
 const contentPolicy =
@@ -83,8 +86,10 @@ async function answer(request: IncomingMessage, response: ServerResponse, extra?
   if (!isLoopbackName(request.headers.host)) return refuse(response, 403);
   const path = decodePath(request.url ?? '/');
   if (path === undefined) return refuse(response, 400);
-  const file = join(appFolder, path.endsWith('/') ? `${path}index.html` : path);
-  if (file.startsWith(appFolder + sep) && isFile(file)) return sendFile(file, request, response);
+  if (`${path}/` === API) return void response.writeHead(301, { Location: API }).end();
+  const [folder, inside] = path.startsWith(API) ? [apiFolder, path.slice(API.length - 1)] : [appFolder, path];
+  const file = join(folder, inside.endsWith('/') ? `${inside}index.html` : inside);
+  if (file.startsWith(folder + sep) && isFile(file)) return sendFile(file, request, response);
   const bytes = await extra?.(path);
   if (!bytes) return refuse(response, 404);
   response.writeHead(200, { ...headers(path), 'Content-Length': bytes.length }).end(bytes);
@@ -114,8 +119,10 @@ function headers(path: string): Record<string, string> {
     'Content-Security-Policy': contentPolicy,
     'X-Content-Type-Options': 'nosniff',
     'Referrer-Policy': 'no-referrer',
-    // Names of assets contain a hash of their content.
-    'Cache-Control': path.includes('/assets/') ? 'public, max-age=31536000, immutable' : 'no-cache',
+    // Names of the page's assets contain a hash of their content.
+    'Cache-Control': path.startsWith(join(appFolder, 'assets') + sep)
+      ? 'public, max-age=31536000, immutable'
+      : 'no-cache',
   };
 }
 

@@ -32,12 +32,15 @@ export type ForceData = UniformFieldData | PairForceData | BarrierData | Neighbo
 /** A force a_i f on each point: `amounts`, `field`. */
 export interface UniformFieldData {
   readonly kind: 'uniform';
+  /** a of each point: [kg] in a field of acceleration, [C] in an electric one. */
   readonly amounts: Float64Array;
+  /** f [m/s²], or [V/m]. */
   readonly field: Vec3;
 }
 
 /** Forces along the line between two points: a spring ½k(r − L)², a penalty, which only repels, or k/r of charges. */
 export interface PairForceData {
+  /** Which potential. */
   readonly kind: 'spring' | 'penalty' | 'inverse-square';
   /** Both ends of each pair. */
   readonly ends: Uint32Array;
@@ -50,11 +53,13 @@ export interface PairForceData {
 /** ½K(margin − d)² of points nearer to an obstacle than the margin. */
 export interface BarrierData {
   readonly kind: 'barrier';
+  /** What pushes. */
   readonly obstacle: Obstacle;
+  /** Indices of the points that it pushes. */
   readonly points: readonly number[];
   /** K [N/m] */
   readonly strength: number;
-  /** [m] */
+  /** How far it reaches [m]. */
   readonly margin: number;
 }
 
@@ -63,7 +68,7 @@ export interface NeighborForceData {
   readonly kind: 'near';
   /** K [N/m] */
   readonly strength: number;
-  /** [m] */
+  /** How far it reaches [m]. */
   readonly cutoff: number;
   /** Both ends of all pairs that can come within the cutoff while each point moves by at most `maxTravel` [m]. */
   candidates(x: Float64Array, maxTravel: number): Uint32Array;

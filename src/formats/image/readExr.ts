@@ -40,7 +40,7 @@ interface ExrHeader {
 }
 
 /** Refuses, by throwing, a picture of a size. */
-type SizeCheck = (width: number, height: number, name: string) => void;
+export type SizeCheck = (width: number, height: number, name: string) => void;
 
 /**
  * Reads what `writeExr` writes, and the like of other programs; throws an InputError that names `name` where it cannot.

@@ -47,6 +47,7 @@ const paramValueSchema = z.union([
 ]);
 
 const nodeSchema = z.strictObject({
+  /** Id of its node type. */
   type: shortText(64),
   /** Only values that differ from the node's defaults. */
   params: z.record(identifier, paramValueSchema),
@@ -59,34 +60,50 @@ const nodeSchema = z.strictObject({
 });
 
 const edgeSchema = z.strictObject({
+  /** An output of a node. */
   from: z.strictObject({ node: identifier, output: identifier }),
+  /** An input of another. */
   to: z.strictObject({
     node: identifier,
     input: z.string().check(z.regex(INPUT_NAME)),
   }),
 });
 
-const noteSchema = z.strictObject({ text, at: point, size: point, color: z.optional(color) });
+const noteSchema = z.strictObject({
+  text,
+  /** Top left corner on the canvas [px]. */
+  at: point,
+  /** Width and height [px]. */
+  size: point,
+  /** `#rrggbb`, sRGB. */
+  color: z.optional(color),
+});
 const frameSchema = z.strictObject({
   title,
+  /** Ids of those around which it lies. */
   nodes: arrayUpTo(MAX_NODES, identifier),
+  /** `#rrggbb`, sRGB. */
   color: z.optional(color),
 });
 
 /** Nodes and edges: of the document itself, and of each group. */
 const graphShape = {
+  /** By id. */
   nodes: z.record(identifier, nodeSchema),
   /** By the input that the edge feeds (`node.input`): an input has at most one source. */
   edges: z.record(z.string().check(z.maxLength(140)), edgeSchema),
   /** Position of each node on the canvas [px]. */
   layout: z.record(identifier, point),
+  /** Texts on the canvas, by id. */
   notes: z.record(identifier, noteSchema),
-  /** Frames around nodes. */
+  /** Frames around nodes, by id. */
   frames: z.record(identifier, frameSchema),
 };
 
 const groupSocketSchema = z.strictObject({
+  /** Unique in its list. */
   name: identifier,
+  /** Type of its data. */
   type: shortText(64),
   title: z.optional(title),
 });
@@ -95,6 +112,7 @@ const groupSchema = z.strictObject({
   ...graphShape,
   /** In display order. Inside, nodes of types `group-input` and `group-output` have them as sockets. */
   inputs: arrayUpTo(256, groupSocketSchema),
+  /** The same at its other end. */
   outputs: arrayUpTo(256, groupSocketSchema),
 });
 
@@ -106,7 +124,9 @@ const fileSchema = z.strictObject({
 });
 
 export const documentSchema = z.strictObject({
+  /** Tells projects from other JSON. */
   format: z.literal('slowlight'),
+  /** Of the schema; files of earlier versions are migrated when they are read. */
   version: z.literal(CURRENT_VERSION),
   /** Title of the project. */
   title: z.optional(title),
@@ -122,21 +142,21 @@ export const documentSchema = z.strictObject({
 /** The value of a parameter: a number, a switch, a text, or a list of numbers or texts. */
 export type ParamValue = z.infer<typeof paramValueSchema>;
 /** A node: its type, and the parameters that are not at their defaults. */
-export type GraphNode = z.infer<typeof nodeSchema>;
+export interface GraphNode extends z.infer<typeof nodeSchema> {}
 /** From an output of a node to an input of another. */
-export type GraphEdge = z.infer<typeof edgeSchema>;
+export interface GraphEdge extends z.infer<typeof edgeSchema> {}
 /** A text on the canvas, with place and size [px]. */
-export type GraphNote = z.infer<typeof noteSchema>;
+export interface GraphNote extends z.infer<typeof noteSchema> {}
 /** A titled frame around nodes. */
-export type GraphFrame = z.infer<typeof frameSchema>;
+export interface GraphFrame extends z.infer<typeof frameSchema> {}
 /** What is known of a file that a project reads: hash and size [bytes]. */
-export type FileReference = z.infer<typeof fileSchema>;
+export interface FileReference extends z.infer<typeof fileSchema> {}
 /** An input or output of a group. */
-export type GroupSocket = z.infer<typeof groupSocketSchema>;
+export interface GroupSocket extends z.infer<typeof groupSocketSchema> {}
 /** A subgraph that any number of `group` nodes use. */
-export type NodeGroup = z.infer<typeof groupSchema>;
+export interface NodeGroup extends z.infer<typeof groupSchema> {}
 /** A project: nodes, edges and groups, with their places on the canvas [px]. Plain JSON. */
-export type GraphDocument = z.infer<typeof documentSchema>;
+export interface GraphDocument extends z.infer<typeof documentSchema> {}
 /** One level of a document: its own, or a group's. */
 export type Graph = Pick<GraphDocument, keyof typeof graphShape>;
 

@@ -76,7 +76,7 @@ export function invertPoincare(p: Poincare): Poincare {
 }
 
 /**
- * World → the frame with proper velocity u whose origin is at the event `origin` [m]: X′ = B(u)(X − origin).
+ * World → the frame X′ = B(u)(X − origin) with proper velocity u whose origin is at the event `origin` [m].
  * @example
  * applyPoincare(frameAt([1, 2, 0, 0], [0.75, 0, 0]), [1, 2, 0, 0]); // [0, 0, 0, 0]
  */

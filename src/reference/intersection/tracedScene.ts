@@ -20,7 +20,10 @@ export interface TracedScene {
   readonly transparentMaterials: ReadonlySet<Material>;
   /** Per index in `objects`: whether the object is opaque everywhere. */
   readonly opaqueObjects: readonly boolean[];
-  /** Finds the objects that a ray may meet. */
+  /**
+   * Finds the objects that a ray may meet.
+   * @internal
+   */
   readonly topLevel: TopLevelBvh;
 }
 

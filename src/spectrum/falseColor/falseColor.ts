@@ -11,12 +11,15 @@ export const FALSE_COLOR_QUANTITIES: readonly FalseColorQuantity[] = ['doppler',
 
 /** The values at both ends of the colours. */
 export interface ValueRange {
+  /** The value at the first colour. */
   readonly from: number;
+  /** The value at the last colour. */
   readonly to: number;
 }
 
 /** The quantity and the range of a false-colour picture. */
 export interface FalseColorScale extends ValueRange {
+  /** What is shown. */
   readonly kind: FalseColorQuantity;
 }
 

@@ -1,4 +1,4 @@
-import { mkdirSync, rmSync, writeFileSync } from 'node:fs';
+import { mkdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { isClaim } from './claim.ts';
 import { type PublicExport, ROOT } from './publicApi.ts';
@@ -25,6 +25,20 @@ export function examplesIn(text: string): string[] {
         .replace(/^```\w*$/gm, '')
         .trim(),
     );
+}
+
+/** The code in a page of the documentation, as if it were that of exports. */
+export function pageExamples(page: string): PublicExport[] {
+  const blocks = [...readFileSync(join(ROOT, page), 'utf8').matchAll(/^```ts\n(.*?)^```$/gms)];
+  return blocks.map(([, code], i) => ({
+    entry: 'pages',
+    name: `${page.replace(/\W/g, '-')}-${i + 1}`,
+    isType: false,
+    file: page,
+    line: 1,
+    text: `@example\n${code}`,
+    members: [],
+  }));
 }
 
 /** Writes the examples of all exports, and a tsconfig.json that finds `slowlight/ENTRY` in the sources. */
@@ -75,7 +89,7 @@ function moduleText(
   const text = [
     `// ${file}:${line} ${name}`,
     `import { claim } from '../../../tests/docs/api/claim.ts';`,
-    `import { ${names.join(', ')} } from 'slowlight/${entry}';`,
+    ...(names.length > 0 ? [`import { ${names.join(', ')} } from 'slowlight/${entry}';`] : []),
     ...lines,
     'export {};',
     '',

@@ -2,14 +2,22 @@ import { spawnSync } from 'node:child_process';
 import { join } from 'node:path';
 import { describe, expect, it } from 'vitest';
 import { claim } from './claim.ts';
-import { examplesIn, writeExamples } from './exampleModules.ts';
+import { examplesIn, pageExamples, writeExamples } from './exampleModules.ts';
 import { entriesOf, publicApi, ROOT } from './publicApi.ts';
 
 const entries = entriesOf();
 const exported = entries.flatMap(publicApi);
-const examples = writeExamples(exported);
+const pages = ['README.md', 'docs/api/README.md'].flatMap(pageExamples);
+const examples = writeExamples([...exported, ...pages]);
 /** Their examples need a GPU: they are compiled, and not run. */
 const NEED_GPU = ['compute', 'render'];
+
+async function wrongExamples(entry: string): Promise<string[]> {
+  const wrong: string[] = [];
+  for (const { path, name } of examples.filter((one) => one.entry === entry))
+    await import(/* @vite-ignore */ join(ROOT, path)).catch((error) => wrong.push(`${name}: ${error.message}`));
+  return wrong;
+}
 
 describe.each(entries)('slowlight/%s', (entry) => {
   const own = exported.filter((one) => one.entry === entry);
@@ -25,11 +33,13 @@ describe.each(entries)('slowlight/%s', (entry) => {
   });
 
   it.skipIf(NEED_GPU.includes(entry))('does what its examples claim', async () => {
-    const wrong: string[] = [];
-    for (const { path, name } of examples.filter((one) => one.entry === entry))
-      await import(/* @vite-ignore */ join(ROOT, path)).catch((error) => wrong.push(`${name}: ${error.message}`));
-    expect(wrong).toEqual([]);
+    expect(await wrongExamples(entry)).toEqual([]);
   });
+});
+
+it('has pages whose examples do what they claim', async () => {
+  expect(pages.length).toBeGreaterThan(1);
+  expect(await wrongExamples('pages')).toEqual([]);
 });
 
 it('has examples that compile', { timeout: 120_000 }, () => {
