@@ -2,7 +2,7 @@ import { useComputedColorScheme } from '@mantine/core';
 import { createDockview, type DockviewApi, type DockviewTheme, type ITabRenderer } from 'dockview';
 import { lazy, type ReactNode, Suspense, useEffect, useRef, useState } from 'react';
 import { createPortal } from 'react-dom';
-import { type Message, msg } from '../../messages/message.ts';
+import { type Message, msg, type Translate } from '../../messages/message.ts';
 import { useTexts } from '../language/languageStore.ts';
 import { ControlsPanel } from '../panels/ControlsPanel.tsx';
 import { ScenePanel } from '../panels/scene/ScenePanel.tsx';
@@ -66,6 +66,9 @@ type SetElements = React.Dispatch<React.SetStateAction<Partial<Record<PanelName,
 function useDockview(host: React.RefObject<HTMLDivElement | null>, setElements: SetElements): DockviewApi | undefined {
   const [api, setApi] = useState<DockviewApi>();
   const scheme = useComputedColorScheme('dark');
+  const { t } = useTexts();
+  const say = useRef(t);
+  say.current = t;
   useEffect(() => {
     if (!host.current) return;
     const made = createDockview(host.current, {
@@ -81,6 +84,7 @@ function useDockview(host: React.RefObject<HTMLDivElement | null>, setElements: 
       createTabComponent: plainTab,
       defaultTabComponent: 'plain',
       disableFloatingGroups: true,
+      getAnnouncement: ({ kind, panel }) => announcement(kind, PANELS[panel.id as PanelName].title, say.current),
       theme: THEMES.dark,
     });
     layOut(made, isNarrow(host.current));
@@ -92,6 +96,22 @@ function useDockview(host: React.RefObject<HTMLDivElement | null>, setElements: 
   }, [host, setElements]);
   useEffect(() => api?.updateOptions({ theme: THEMES[scheme] }), [api, scheme]);
   return api;
+}
+
+/** For screen readers; null: nothing is said. */
+function announcement(kind: string, title: Message, t: Translate): string | null {
+  switch (kind) {
+    case 'open':
+      return t(msg`${title} opened`);
+    case 'close':
+      return t(msg`${title} closed`);
+    case 'maximize':
+      return t(msg`${title} maximized`);
+    case 'restore':
+      return t(msg`${title} restored`);
+    default:
+      return null;
+  }
 }
 
 const isNarrow = ({ clientWidth, clientHeight }: HTMLElement): boolean =>

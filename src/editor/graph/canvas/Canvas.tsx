@@ -39,7 +39,14 @@ export function GraphCanvas({ panel }: { readonly panel: React.RefObject<HTMLEle
   const wiring = useWiring(flow.cards, panel);
   useCanvasViewport(flow, panel);
   useNodePictures(flow.cards);
-  const labels = useMemo(() => ({ 'minimap.ariaLabel': t(msg`Overview of the graph`) }), [t]);
+  const labels = useMemo(
+    () => ({
+      'minimap.ariaLabel': t(msg`Overview of the graph`),
+      'node.a11yDescription.default': t(msg`Arrow keys move the node, Enter opens the inspector, Delete removes it.`),
+      'edge.a11yDescription.default': t(msg`A connection of two nodes.`),
+    }),
+    [t],
+  );
   const onDoubleClick = (_event: unknown, { id, data }: FlowNode) => {
     const context = actionContext(editor);
     if (!context) return;

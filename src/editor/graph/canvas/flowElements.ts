@@ -5,6 +5,7 @@ import type { GraphLevel } from '../../../graph/analysis/sockets.ts';
 import { edgeKey, type GraphFrame, type GraphNote } from '../../../graph/document/document.ts';
 import { REROUTE } from '../../../graph/document/structuralTypes.ts';
 import type { CanvasPoint } from '../../../graph/edits/commands.ts';
+import { msg, type Translate } from '../../../messages/message.ts';
 import { type CanvasRect, cardSize, frameRect, SOCKET_SIZE, socketPositions } from '../cards/cardGeometry.ts';
 import type { CardModel } from '../cards/cardModel.ts';
 import type { CanvasSelection } from './canvasState.ts';
@@ -154,6 +155,7 @@ export function flowEdges(
   level: GraphLevel,
   types: LevelTypes,
   chosen: CanvasSelection,
+  t: Translate,
   cache: ElementCache<WireEdge>,
 ): WireEdge[] {
   const conflicts = new Set(types.conflicts.map(({ edge }) => edgeKey(edge.to)));
@@ -161,6 +163,7 @@ export function flowEdges(
     const type = types.typeOf(from.node, 'outputs', from.output) ?? 'any';
     const conflict = conflicts.has(id);
     const selected = chosen.edges.includes(id);
+    const ariaLabel = t(msg`Connection from ${from.node} to ${to.node}`);
     const make = (): WireEdge => ({
       id,
       type: 'wire',
@@ -169,9 +172,10 @@ export function flowEdges(
       target: to.node,
       targetHandle: to.input,
       data: { type, conflict },
+      ariaLabel,
       selected,
     });
-    return cache.get(id, JSON.stringify([from, type, conflict, selected]), make);
+    return cache.get(id, JSON.stringify([from, type, conflict, selected, ariaLabel]), make);
   });
   cache.evictUnused();
   return edges;

@@ -43,6 +43,7 @@ const NO_DRAG: Drag = { nodes: {}, notes: {} };
 
 /** The shown level as React Flow elements, with handlers for its changes. */
 export function useFlow() {
+  const { t } = useTexts();
   const level = useLevel();
   const chosen = useCanvas((state) => state.selection);
   const uncropped = useCardModels(level);
@@ -75,8 +76,8 @@ export function useFlow() {
     [level, cards, places, drag, present, beyond, nameOf],
   );
   const edges = useMemo(
-    () => flowEdges(level, inferTypes(level, nodeLibrary), present, edgeCache.current),
-    [level, present],
+    () => flowEdges(level, inferTypes(level, nodeLibrary), present, t, edgeCache.current),
+    [level, present, t],
   );
   return { level, uncropped, cards, places, nodes, edges, onNodesChange, onEdgesChange: selectEdges };
 }

@@ -123,7 +123,7 @@ it('unchanged cards keep their identity, so that they are not rendered again', a
     };
     return {
       nodes: flowNodes({ ...input, nameOf: ({ title }) => inEnglish(title) }, nodes),
-      edges: flowEdges(level, inferTypes(level, nodeLibrary), EMPTY_SELECTION, edges),
+      edges: flowEdges(level, inferTypes(level, nodeLibrary), EMPTY_SELECTION, inEnglish, edges),
     };
   };
   const before = await shown(document);
