@@ -5,6 +5,8 @@ import react from '@vitejs/plugin-react';
 import { defineConfig, type Plugin } from 'vite';
 import type { Example } from './src/editor/loading/examples.ts';
 import { FONTS, fontFile } from './src/formats/font/glyphs.ts';
+import { readLayer } from './src/formats/usd/readLayer.ts';
+import { hintsOf } from './src/formats/usd/schema/slowlightAttributes.ts';
 
 // The tests build the page too, and what is served should always be what people get.
 process.env.NODE_ENV = 'production';
@@ -36,9 +38,9 @@ const GALLERY = [
   'truth',
   'workshop',
 ];
-const SCENES = ['.usda', '.usdz', '.glb'];
+const SCENES = ['.usda', '.usdc'];
 const isProject = (file: string): boolean => file.endsWith('.slowlight.json');
-const SHIPPED = [...SCENES, '.png', '.jpg', '.webp', '.gltf', '.bin'];
+const SHIPPED = [...SCENES, '.png', '.webp'];
 
 /** The page, and the page without a screen that the command line drives. Nothing inline: it runs under `script-src 'self'`. */
 export default defineConfig({
@@ -125,11 +127,8 @@ function filesIn(folder: string, prefix: string): string[] {
 
 function describe(file: string): Example {
   const name = file.slice(0, -extname(file).length);
-  // Hints stand in the layer's head, which these files have as text.
-  const head = readFileSync(join(examplesFolder, file)).subarray(0, 4096).toString('utf8');
-  const hint = (key: string) => new RegExp(`string ${key} = "((?:[^"\\\\]|\\\\.)*)"`).exec(head)?.[1];
-  const lookFor = hint('lookFor')?.replace(/\\(.)/g, '$1') ?? '';
-  return { source: `examples/${file}`, name, title: hint('title') ?? name, lookFor, ...thumbnailOf(name) };
+  const { title = name, lookFor = '' } = hintsOf(readLayer(readFileSync(join(examplesFolder, file)), file));
+  return { source: `examples/${file}`, name, title, lookFor, ...thumbnailOf(name) };
 }
 
 function describeProject(file: string): Example {

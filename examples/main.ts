@@ -1,7 +1,7 @@
 import { mkdirSync, writeFileSync } from 'node:fs';
 import { dirname, join } from 'node:path';
 import { fileURLToPath } from 'node:url';
-import { writeTextures, writeUsda } from '../src/formats/usd/index.ts';
+import { sceneLayer, writeCrate, writeTextures, writeUsda } from '../src/formats/usd/index.ts';
 import type { GraphDocument } from '../src/graph/document/document.ts';
 import { serializeDocument } from '../src/graph/document/serialize.ts';
 import { inEnglish, msg } from '../src/messages/message.ts';
@@ -9,6 +9,7 @@ import { SPEED_OF_LIGHT } from '../src/physics/constants.ts';
 import type { Scene, Texture } from '../src/scene/types.ts';
 import { validate } from '../src/scene/validation/validate.ts';
 import type { ExampleScene } from './kit/example.ts';
+import { packLayer } from './kit/pack.ts';
 import { projects } from './projects/index.ts';
 import { scenes } from './scenes/index.ts';
 import { sets } from './sets/index.ts';
@@ -36,22 +37,23 @@ function unknown(name: string): never {
 }
 
 /** `under`: a subfolder of examples/ with its own textures. */
-function write({ name, make, texturesOf = name }: ExampleScene, under = ''): void {
+function write({ name, make, texturesOf = name, readable = false }: ExampleScene, under = ''): void {
   const scene = named(make(), texturesOf);
   const faults = validate(scene, scene.hints.speedOfLight ?? SPEED_OF_LIGHT).filter((d) => d.severity === 'error');
   if (faults.length > 0)
     throw new Error(faults.map((d) => inEnglish(msg`${name}: ${d.place}: ${d.message}`)).join('\n'));
-  const text = writeUsda(scene);
+  const file = `${name}.${readable ? 'usda' : 'usdc'}`;
+  const bytes = readable ? new TextEncoder().encode(writeUsda(scene)) : writeCrate(packLayer(sceneLayer(scene, file)));
   const place = join(folder, under);
   mkdirSync(place, { recursive: true });
-  writeFileSync(join(place, `${name}.usda`), text);
-  for (const [path, bytes] of writeTextures(scene)) {
+  writeFileSync(join(place, file), bytes);
+  for (const [path, content] of writeTextures(scene)) {
     mkdirSync(dirname(join(place, path)), { recursive: true });
-    writeFileSync(join(place, path), bytes);
+    writeFileSync(join(place, path), content);
   }
   const triangles = scene.objects.reduce((sum, { mesh }) => sum + mesh.indices.length / 3, 0);
   console.log(
-    `${under}${name}.usda  ${(text.length / 1024).toFixed(0)} KiB, ${triangles} triangles, ${scene.objects.length} objects`,
+    `${under}${file}  ${(bytes.length / 1024).toFixed(0)} KiB, ${triangles} triangles, ${scene.objects.length} objects`,
   );
 }
 

@@ -17,7 +17,7 @@ export async function shootGraph() {
   try {
     const viewport = { width: 1440, height: 900 };
     const page = await browser.newPage({ viewport, colorScheme: 'dark', reducedMotion: 'reduce', locale: 'en-GB' });
-    await page.goto(`${JSON.parse(line.toString()).url}/?backend=webgl&scene=examples/sphere.usda`);
+    await page.goto(`${JSON.parse(line.toString()).url}/?backend=webgl&scene=examples/sphere.usdc`);
     await page.locator('[data-status="backend"]', { hasText: 'Web' }).waitFor();
     await page.getByRole('button', { name: 'Hide' }).click();
     await page.keyboard.press('Control+Shift+G');

@@ -104,7 +104,7 @@ function draw(scene, out, flags) {
 }
 
 function render(scene, out, flags) {
-  const file = [`examples/${scene}.usda`, `examples/${scene}.slowlight.json`].find((path) =>
+  const file = [`examples/${scene}.usdc`, `examples/${scene}.slowlight.json`].find((path) =>
     existsSync(join(root, path)),
   );
   slowlight('render', file, '-o', out, '--samples', '3', ...flags);

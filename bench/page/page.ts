@@ -41,7 +41,7 @@ async function firstPicture(browser: Browser, url: string, backend: string): Pro
     const context = await browser.newContext({ viewport: { width: 960, height: 600 } });
     const tab = await context.newPage();
     const ms = await timed(async () => {
-      await tab.goto(`${url}/?backend=${backend}&scene=examples/street.usda`);
+      await tab.goto(`${url}/?backend=${backend}&scene=examples/street.usdc`);
       await tab.locator('[data-status="triangles"]', { hasText: /[1-9]/ }).waitFor({ timeout: 120_000 });
     });
     times.push(ms / 1000);

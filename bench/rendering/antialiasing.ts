@@ -44,7 +44,7 @@ export const antialiasing: Bench = {
 
 /** Coasting from the command line's default view of the example. */
 async function street(beta: number): Promise<CameraPath> {
-  const scene = await openSceneFile(fileURLToPath(new URL('../../../../examples/street.usda', import.meta.url)));
+  const scene = await openSceneFile(fileURLToPath(new URL('../../../../examples/street.usdc', import.meta.url)));
   const { view, settings } = exampleFrame('street', scene, 'light-cone', beta);
   const c = speedOfLight(scene);
   const at = (index: number): ViewPoint => ({

@@ -37,7 +37,7 @@ export const tessellation: Bench = {
     const errors: (string | number)[][] = [];
     const costs: (string | number)[][] = [];
     for (const name of NAMES) {
-      const scene = await openSceneFile(fileURLToPath(new URL(`../../../../examples/${name}.usda`, import.meta.url)));
+      const scene = await openSceneFile(fileURLToPath(new URL(`../../../../examples/${name}.usdc`, import.meta.url)));
       for (const beta of BETAS) {
         const { error, cost } = await rowsOf(name, scene, beta);
         errors.push(error);

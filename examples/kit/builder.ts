@@ -1,6 +1,6 @@
 import { fromParts, type Mat4, multiply } from '../../src/math/mat4.ts';
 import { fromAxisAngle, IDENTITY, type Quat, toMatrix } from '../../src/math/quat.ts';
-import { scale, type Vec3 } from '../../src/math/vec3.ts';
+import { scale, type Vec3, ZERO } from '../../src/math/vec3.ts';
 import { mergeMeshes, transformMesh, withMaterial } from '../../src/scene/mesh/meshOps.ts';
 import type {
   DistantLight,
@@ -20,7 +20,7 @@ import { colorOfSpectrum } from '../../src/spectrum/color/observerColor.ts';
 import { MATERIAL_PRESETS, type MaterialPreset } from '../../src/spectrum/reflectance/materialPresets.ts';
 import type { LightSpectrum } from '../../src/spectrum/sources/lightSpectrum.ts';
 import { linear } from './paint.ts';
-import { roundForText } from './tidy.ts';
+import { aroundBase, roundMesh, roundMotion } from './tidy.ts';
 
 /** Placement of a part: rotation about the vertical axis [rad], then translation [m]. */
 export const place = (position: Vec3, turn = 0): Mat4 => fromParts(toMatrix(fromAxisAngle([0, 1, 0], turn)), position);
@@ -88,19 +88,21 @@ export class SceneBuilder {
     return this.materials.length - 1;
   }
 
-  /** Adds one object with all the parts; groups of one material are merged. */
+  /** Adds one object with all the parts; groups of one material are merged. Without a motion it rests where they are. */
   object(
     path: string,
     parts: Part,
-    motion: Motion = at([0, 0, 0]),
+    motion?: Motion,
     options: Partial<Pick<SceneObject, 'lifetime' | 'authoredIn'>> = {},
   ): void {
     const sorted = [...parts].sort((a, b) => (a.groups[0]?.material ?? 0) - (b.groups[0]?.material ?? 0));
     const lifetime = { birth: -Infinity, death: Infinity };
+    const merged = mergeMeshes(sorted);
+    const { mesh, base } = motion ? { mesh: merged, base: ZERO } : aroundBase(merged);
     this.objects.push({
       path,
-      mesh: roundForText(mergeMeshes(sorted)),
-      motion,
+      mesh: roundMesh(mesh),
+      motion: motion ? roundMotion(motion) : at(base),
       lifetime,
       authoredIn: 'world',
       ...options,
@@ -123,7 +125,7 @@ export class SceneBuilder {
       endTime: range[1],
       objects: this.objects,
       materials: this.materials,
-      lights,
+      lights: lights.map((light) => ('motion' in light ? { ...light, motion: roundMotion(light.motion) } : light)),
       cameras,
       hints,
       diagnostics: [],

@@ -5,5 +5,7 @@ export interface ExampleScene {
   readonly name: string;
   /** The scene whose textures it shares, if it has none of its own. */
   readonly texturesOf?: string;
+  /** Small, and kept as text, so that one can see what a scene is. */
+  readonly readable?: boolean;
   make(): Scene;
 }

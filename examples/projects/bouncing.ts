@@ -32,7 +32,7 @@ export const bouncing = () =>
       from: { matter: ['lattice.matter', 'ground.matter', 'weight.matter'] },
     },
     ...simulationScene(['fall.geometry'], {
-      set: 'gym',
+      set: 'gym.usdc',
       floor: { which: '/World/Mat', stiffness: 400, margin: 0.24 },
       eye: [1.6, 1.5, 4.4],
       target: [0.1, 0.9, 0],

@@ -45,7 +45,7 @@ export const charges = () =>
     },
     stars: { type: 'sky', set: { name: 'Stars', sky: 'stars', brightness: 40 } },
     ...simulationScene(['dance.geometry'], {
-      set: 'planetarium',
+      set: 'planetarium.usdc',
       eye: [0, 4.1, 4.7],
       target: [0, 0, 0.2],
       to: 14.5,

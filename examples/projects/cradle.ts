@@ -63,7 +63,7 @@ export const cradle = () =>
       from: { matter: ['first.matter', 'others.matter', 'weight.matter'] },
     },
     ...simulationScene(['swing.geometry'], {
-      set: 'library',
+      set: 'library.usdc',
       eye: [2, 1.7, 6.9],
       target: [0, 1.8, 0],
       to: 6,

@@ -39,7 +39,7 @@ export const fallingCloth = () =>
     },
     kept: { type: 'cache', from: { geometry: 'fall.geometry' } },
     ...simulationScene(['kept.geometry'], {
-      set: 'studio',
+      set: 'studio.usdc',
       floor: { which: '/World/Floor', stiffness: 400, margin: 0.05 },
       eye: [1.1, 1.9, 3.9],
       target: [0, 0.95, 0],

@@ -53,7 +53,7 @@ export const hangingCloth = () =>
     standing: { type: 'transform', set: { position: [0, 1.325, -1] }, from: { geometry: 'posts.geometry' } },
     wood: withMaterial('standing.geometry', [0.3, 0.18, 0.09]),
     ...simulationScene(['swing.geometry', 'wood.geometry'], {
-      set: 'terrace',
+      set: 'terrace.usdc',
       eye: [2.4, 1.6, 3.4],
       target: [0, 1.5, -1],
       to: 6,

@@ -35,7 +35,7 @@ export const impact = () =>
       from: { matter: ['elastic.matter', 'rigid.matter'] },
     },
     ...simulationScene(['meeting.geometry'], {
-      set: 'laboratory',
+      set: 'laboratory.usda',
       eye: [0.1, 1.4, 4.2],
       target: [0.1, 0.85, 0],
       to: 1.6,

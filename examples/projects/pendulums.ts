@@ -54,7 +54,7 @@ const SPEEDS = [1, 10, 100];
 /** Pendulums at several speeds of light. */
 export const pendulums = () => {
   const picture = simulationScene([...SPEEDS.flatMap((c) => [`swing${c}.geometry`, `label${c}.geometry`])], {
-    set: 'classroom',
+    set: 'classroom.usdc',
     eye: [3.3, 1.6, 3.7],
     target: [0.1, 0.95, 0.1],
     to: 14,

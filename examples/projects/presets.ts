@@ -8,7 +8,7 @@ const changed = (document: GraphDocument, ...commands: readonly Command[]): Grap
 /** The lattice as a non-relativistic renderer draws it: no light delay, no Doppler shift, no aberration. */
 export const plain = (): GraphDocument => ({
   ...changed(
-    newProject('lattice.usda'),
+    newProject('lattice.usdc'),
     { kind: 'set-param', node: 'console', param: 'view', value: 'galilean' },
     { kind: 'set-param', node: 'rasterize', param: 'dopplerMix', value: 0 },
     { kind: 'set-param', node: 'rasterize', param: 'beaming', value: 0 },
@@ -21,7 +21,7 @@ export const plain = (): GraphDocument => ({
 /** All effects: the street at 0.9 c from the first picture on. */
 export const rush = (): GraphDocument => ({
   ...changed(
-    newProject('street.usda'),
+    newProject('street.usdc'),
     { kind: 'add-node', node: 'start', type: 'observer', at: [240, 180], params: { beta: [0, 0, -0.9] } },
     {
       kind: 'connect',

@@ -31,7 +31,7 @@ export const simulationScene = (
   things: readonly string[],
   { set, floor, lights = [], eye, target, fieldOfView = 40, to, openAt }: SimulationView,
 ): NodeSketches => ({
-  place: { type: 'read', set: { source: `sets/${set}.usda` } },
+  place: { type: 'read', set: { source: `sets/${set}` } },
   ...(floor && {
     ground: { type: 'collider', set: { shape: 'plane', ...floor }, from: { geometry: 'place.geometry' } },
   }),

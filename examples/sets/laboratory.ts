@@ -5,7 +5,7 @@ import { Canvas, checker } from '../kit/paint.ts';
 import { block, quad } from '../kit/parts.ts';
 import { floorOf, type Room, wallsOf } from '../kit/room.ts';
 
-export const set: ExampleScene = { name: 'laboratory', make };
+export const set: ExampleScene = { name: 'laboratory', readable: true, make };
 
 const ROOM: Room = { half: 14, back: -1.5, front: 9 };
 const TOP = 5;

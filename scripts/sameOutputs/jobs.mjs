@@ -120,10 +120,11 @@ export function jobsFor(folder, paths) {
   const files = paths.filter((path) => SCENE_FILE.test(path) || path.endsWith('.slowlight.json'));
   const examples = (ending) =>
     files
-      .filter((path) => path.startsWith('examples/') && path.split('/').length === 2 && path.endsWith(ending))
-      .map((path) => ({ name: basename(path, ending), file: join(folder, path) }));
-  const scenes = examples('.usda');
-  const projects = examples('.slowlight.json');
+      .filter((path) => path.startsWith('examples/') && path.split('/').length === 2 && ending.test(path))
+      .map((path) => ({ name: basename(path).replace(ending, ''), file: join(folder, path) }));
+  // Before ADR 28 they were text.
+  const scenes = examples(/\.usd[ac]$/);
+  const projects = examples(/\.slowlight\.json$/);
   const gallery = new Set([...scenes, ...projects].map(({ file }) => file));
   const others = files
     .filter((path) => SCENE_FILE.test(path) && !gallery.has(join(folder, path)))

@@ -5,7 +5,7 @@ const parameters = new URLSearchParams(location.search);
 const wanted = parameters.get('backend');
 
 /**
- * `?scene=examples/dice.usda` opens that scene, `?project=examples/workshop.slowlight.json` that project;
+ * `?scene=examples/dice.usdc` opens that scene, `?project=examples/workshop.slowlight.json` that project;
  * `?backend=webgl` or `webgpu` forces a backend.
  */
 void startEditor(createRoot(document.getElementById('root')!), {

@@ -10,7 +10,7 @@ beforeAll(async () => {
 afterAll(() => program.stop());
 
 /** At 0.5 c, looking ahead. */
-const MOVING = '?backend=webgl&scene=examples/sphere.usda';
+const MOVING = '?backend=webgl&scene=examples/sphere.usdc';
 
 const choose = (visit: MonitoredPage, group: string, option: string) =>
   visit.page.getByRole('radiogroup', { name: group }).getByText(option, { exact: true }).click();
@@ -37,7 +37,7 @@ const brightness = (pixels: Uint8Array): number => pixels.reduce((sum, value) =>
 
 describe('exposure and tone', () => {
   it('metering follows the light, keeps the exposure of an observer at rest, or is off', async () => {
-    const visit = await (await (await program.open('?backend=webgl&scene=examples/lattice.usda')).ready()).finest();
+    const visit = await (await (await program.open('?backend=webgl&scene=examples/lattice.usdc')).ready()).finest();
     const automatic = await visit.pixels();
     await choose(visit, 'Metering', 'Manual');
     const dimmed = async () => Math.abs(brightness(await visit.pixels()) - brightness(automatic));

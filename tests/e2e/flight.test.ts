@@ -7,7 +7,7 @@ beforeAll(async () => {
 });
 afterAll(() => program.stop());
 
-const STREET = '?backend=webgl&scene=examples/street.usda';
+const STREET = '?backend=webgl&scene=examples/street.usdc';
 
 async function withKeys(held: MonitoredPage, keys: readonly string[], until: () => Promise<void>): Promise<void> {
   for (const key of keys) await held.page.keyboard.down(key);

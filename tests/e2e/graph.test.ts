@@ -10,7 +10,7 @@ beforeAll(async () => {
 });
 afterAll(() => program.stop());
 
-const SMALL = '?backend=webgl&scene=examples/sphere.usda';
+const SMALL = '?backend=webgl&scene=examples/sphere.usdc';
 const node = (page: Page, id: string) => page.locator(`.react-flow__node[data-id="${id}"]`);
 const socket = (page: Page, id: string, name: string) => node(page, id).locator(`[data-socket="${name}"]`);
 const edges = (page: Page) => page.locator('.react-flow__edge');

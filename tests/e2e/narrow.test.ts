@@ -8,7 +8,7 @@ beforeAll(async () => {
 });
 afterAll(() => program.stop());
 
-const SMALL = '?backend=webgl&scene=examples/sphere.usda';
+const SMALL = '?backend=webgl&scene=examples/sphere.usdc';
 const WORDS = {
   'en-GB': { beaming: 'Beaming', mix: 'Doppler mix', c: 'Speed of light', scene: 'Scene' },
   'zh-CN': { beaming: '聚束', mix: '多普勒混合', c: '光速', scene: '场景' },

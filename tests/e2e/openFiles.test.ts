@@ -11,7 +11,7 @@ beforeAll(async () => {
 });
 afterAll(() => program.stop());
 
-const SMALL = '?backend=webgl&scene=examples/sphere.usda';
+const SMALL = '?backend=webgl&scene=examples/sphere.usdc';
 const text = (words: string) => new TextEncoder().encode(words);
 const TEXTURED = { name: 'textured.usda', content: sceneBytes('textured.usda') };
 const CHECKER = { name: 'checker.png', content: sceneBytes('textures/checker.png') };
@@ -177,7 +177,7 @@ describe('opening files', () => {
     });
     const visit = await (
       await program.open(SMALL, {}, async (page) => {
-        await page.route('**/examples/street.usda', async (route) => {
+        await page.route('**/examples/street.usdc', async (route) => {
           await released;
           await route.continue().catch(() => {});
         });

@@ -23,7 +23,7 @@ const built = (ending: string): string =>
     .map((file) => readFileSync(join(assets, file), 'utf8'))
     .join('\n');
 
-const SMALL = '?backend=webgl&scene=examples/sphere.usda';
+const SMALL = '?backend=webgl&scene=examples/sphere.usdc';
 
 async function seriousViolations(page: Page): Promise<string[]> {
   const { violations } = await new AxeBuilder({ page }).analyze();
@@ -122,14 +122,14 @@ describe('the page', () => {
   });
 
   it('a worker plans the tessellation, and the status bar counts what is drawn', async () => {
-    const visit = await (await program.open('?backend=webgl&scene=examples/street.usda')).ready();
+    const visit = await (await program.open('?backend=webgl&scene=examples/street.usdc')).ready();
     expect(visit.page.workers().filter((worker) => worker.url().includes('tessellation.worker'))).toHaveLength(1);
     await expect.poll(() => visit.status('triangles')).toMatch(/^[1-9][\d\s]* triangles$/);
     await visit.close();
   });
 
   it('views differ, and switching back restores the picture', async () => {
-    const visit = await (await (await program.open('?backend=webgl&scene=examples/dice.usda')).ready()).finest();
+    const visit = await (await (await program.open('?backend=webgl&scene=examples/dice.usdc')).ready()).finest();
     const seen = await visit.pixels();
     await visit.page.getByText('Simultaneity', { exact: true }).click();
     await expect.poll(async () => difference(await visit.pixels(), seen)).toBeGreaterThan(0.5);
@@ -155,7 +155,7 @@ describe('the page', () => {
   it('draws with WebGPU where available, and recovers from the loss of its device', async () => {
     // Software WebGPU is slow for large pictures.
     const options = { viewport: { width: 800, height: 480 } };
-    const visit = await (await program.open('?backend=webgpu&scene=examples/sphere.usda', options)).ready();
+    const visit = await (await program.open('?backend=webgpu&scene=examples/sphere.usdc', options)).ready();
     expect(await visit.status('backend')).toBe('WebGPU');
     await visit.finest();
     const before = await visit.pixels();

@@ -197,7 +197,7 @@ describe('stored sessions', () => {
     const page = await (await visit()).ready();
     await expose(page, '3');
     await expect.poll(() => storedProjects(page)).toContain('"exposure":3');
-    const address = '?backend=webgl&scene=examples/sphere.usda';
+    const address = '?backend=webgl&scene=examples/sphere.usdc';
     const second = await (await program.beside(page, address)).ready();
     expect(await second.page.getByText('There is unsaved work').count()).toBe(0);
     await second.page.close();

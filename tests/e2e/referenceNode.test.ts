@@ -36,7 +36,7 @@ function blackShare(pixels: Uint8Array): number {
 
 it('a reference render reports progress on its node, is displayed, stays while the next one is rendered, and can be cancelled', async () => {
   const options = { viewport: { width: 1100, height: 760 } };
-  const visit = await (await program.open('?backend=webgl&scene=examples/sphere.usda', options)).ready();
+  const visit = await (await program.open('?backend=webgl&scene=examples/sphere.usdc', options)).ready();
   const { page } = visit;
   const work = page.locator('.react-flow__node[data-id="truth"]').getByRole('progressbar');
   const samples = page.getByRole('textbox', { name: 'Samples' });

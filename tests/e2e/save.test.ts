@@ -12,7 +12,7 @@ beforeAll(async () => {
 afterAll(() => program.stop());
 
 /** A ball passing at 0.5 c. */
-const MOVING = '?backend=webgl&scene=examples/sphere.usda';
+const MOVING = '?backend=webgl&scene=examples/sphere.usdc';
 const WIDTH = 1000;
 
 async function save(visit: MonitoredPage, name: string): Promise<DecodedPng> {

@@ -21,7 +21,7 @@ afterAll(() => program.stop());
 
 /** The saving project in the page, with its graph. */
 async function opened(...commands: readonly Command[]): Promise<MonitoredPage> {
-  const visit = await program.open('?backend=webgl&scene=examples/sphere.usda', {
+  const visit = await program.open('?backend=webgl&scene=examples/sphere.usdc', {
     viewport: { width: 1280, height: 900 },
   });
   await visit.ready();

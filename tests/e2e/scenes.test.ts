@@ -16,7 +16,7 @@ beforeAll(async () => {
 afterAll(() => program.stop());
 
 const path = (name: string) => fileURLToPath(new URL(`scenes/${name}`, import.meta.url));
-const SMALL = '?backend=webgl&scene=examples/sphere.usda';
+const SMALL = '?backend=webgl&scene=examples/sphere.usdc';
 
 describe('scenes', () => {
   it('every scene of the gallery opens, draws something, and shows what to look for', async () => {
@@ -118,7 +118,7 @@ describe('scenes', () => {
   });
 
   it('a speed of light below the scene’s speeds is rejected with a remedy that works', async () => {
-    const visit = await (await program.open('?backend=webgl&scene=examples/dice.usda')).ready();
+    const visit = await (await program.open('?backend=webgl&scene=examples/dice.usdc')).ready();
     const field = visit.page.getByRole('textbox', { name: 'Speed of light' });
     await field.fill('0.2');
     await field.press('Enter');

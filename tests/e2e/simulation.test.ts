@@ -18,7 +18,7 @@ const hanging = (params: Readonly<Record<string, ParamValue>>): string => {
     ([param, value]): Command => ({ kind: 'set-param', node: 'swing', param, value }),
   );
   // A dropped project resolves files relative to the page, not to itself.
-  const source = { kind: 'set-param', node: 'place', param: 'source', value: 'examples/sets/terrace.usda' } as const;
+  const source = { kind: 'set-param', node: 'place', param: 'source', value: 'examples/sets/terrace.usdc' } as const;
   return serializeDocument(applyCommand(hangingCloth(), { kind: 'batch', commands: [source, ...set] }).document);
 };
 /** Long enough, with short enough steps, that no test reaches its end. */
@@ -32,7 +32,7 @@ async function computed({ page }: MonitoredPage): Promise<number> {
 
 it('a simulation is displayed with its energy while it is computed; it can be stopped, is kept, and resumes from there', async () => {
   const options = { viewport: { width: 1100, height: 760 } };
-  const visit = await (await program.open('?backend=webgl&scene=examples/sphere.usda', options)).ready();
+  const visit = await (await program.open('?backend=webgl&scene=examples/sphere.usdc', options)).ready();
   const { page } = visit;
   const before = await (await visit.finest()).pixels();
   await drop(visit, [{ name: 'cloth.slowlight.json', content: Buffer.from(endless) }]);
@@ -87,7 +87,7 @@ it('a simulation is displayed with its energy while it is computed; it can be st
 });
 
 it('the GPU computes the steps in a worker of the page, if so set', async () => {
-  const visit = await (await program.open('?scene=examples/sphere.usda')).ready();
+  const visit = await (await program.open('?scene=examples/sphere.usdc')).ready();
   const { page } = visit;
   const content = Buffer.from(hanging({ onGpu: true, duration: 0.5 }));
   await drop(visit, [{ name: 'cloth.slowlight.json', content }]);

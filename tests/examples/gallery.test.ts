@@ -9,7 +9,7 @@ import { observerFromCamera } from '../../src/scene/view/camera.ts';
 import { NAMES, openExample, speedOfLight } from './open.ts';
 
 // Reading a scene takes seconds on a busy machine.
-describe.each(NAMES)('examples/%s.usda', (name) => {
+describe.each(NAMES)('examples/%s.usdc', (name) => {
   it('opens without diagnostics, and nothing is faster than light', async () => {
     const scene = await openExample(name);
     // For deforming meshes undersampling is always reported.
@@ -51,7 +51,7 @@ describe.each(NAMES)('examples/%s.usda', (name) => {
   });
 
   it('is small enough to load quickly', async () => {
-    const { size } = await stat(new URL(`../../examples/${name}.usda`, import.meta.url));
-    expect(size).toBeLessThan(4e6);
+    const { size } = await stat(new URL(`../../examples/${name}.usdc`, import.meta.url));
+    expect(size).toBeLessThan(1e6);
   });
 });

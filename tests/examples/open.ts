@@ -38,7 +38,7 @@ const opened = new Map<ExampleName, Promise<Scene>>();
 
 /** The scene of the repository; cached. */
 export function openExample(name: ExampleName): Promise<Scene> {
-  const scene = opened.get(name) ?? openScene(files, `${name}.usda`);
+  const scene = opened.get(name) ?? openScene(files, `${name}.usdc`);
   opened.set(name, scene);
   return scene;
 }

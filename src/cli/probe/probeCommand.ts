@@ -8,8 +8,8 @@ import { localized } from '../terminal/language.ts';
 import type { ProbeFlags } from './probeFlags.ts';
 
 const EXAMPLES = [
-  'slowlight probe dice.usda --prim /World/Die --time 1.5 --json',
-  'slowlight probe dice.usda --pixel 640,360 --size 1280x720 --beta 0,0,-0.9',
+  'slowlight probe dice.usdc --prim /World/Die --time 1.5 --json',
+  'slowlight probe dice.usdc --pixel 640,360 --size 1280x720 --beta 0,0,-0.9',
 ];
 
 export function probeCommand(): Command {

@@ -30,12 +30,12 @@ const DEFAULT_SAMPLES = inClauses(
 );
 
 const EXAMPLES = [
-  'slowlight render street.usda -o street.png --time 2 --c 10 --beta 0,0,-0.8',
-  'slowlight render street.usda -o street.exr --aov beauty,depth,doppler --size 1920x1080',
-  'slowlight render street.usda -o street.mp4 --frames 1:96 --fps 24',
-  "slowlight render street.usda -o 'street.####.png' --frames 1:96",
-  'slowlight render street.usda -o truth.png --pipeline reference --samples 8',
-  'slowlight render street.usda -o shift.png --false-colour doppler --legend --beta 0,0,-0.5',
+  'slowlight render street.usdc -o street.png --time 2 --c 10 --beta 0,0,-0.8',
+  'slowlight render street.usdc -o street.exr --aov beauty,depth,doppler --size 1920x1080',
+  'slowlight render street.usdc -o street.mp4 --frames 1:96 --fps 24',
+  "slowlight render street.usdc -o 'street.####.png' --frames 1:96",
+  'slowlight render street.usdc -o truth.png --pipeline reference --samples 8',
+  'slowlight render street.usdc -o shift.png --false-colour doppler --legend --beta 0,0,-0.5',
   'slowlight render workshop.slowlight.json -o workshop.png --set console.speedOfLight=10',
 ];
 

@@ -1,6 +1,8 @@
 import { readdirSync, readFileSync } from 'node:fs';
 import { describe, expect, it } from 'vitest';
 import { makeSystem } from '../../dynamics/system.ts';
+import { readLayer } from '../../formats/usd/readLayer.ts';
+import { hintsOf } from '../../formats/usd/schema/slowlightAttributes.ts';
 import { emptyDocument } from '../../graph/document/document.ts';
 import { parseDocument } from '../../graph/document/parse.ts';
 import { decodeShareLink } from '../../graph/document/shareLink.ts';
@@ -67,13 +69,11 @@ describe.each(LANGUAGE_TAGS.filter((tag) => tag !== 'en'))('the examples in %s',
   const numbers = (text: string): string[] => (text.match(/\d+(\.\d+)?/g) ?? []).sort();
   /** By name; what the file itself says to look for. */
   const examples = readdirSync(folder).flatMap((file) => {
-    const [, name = '', kind] = /^(.*?)\.(slowlight\.json|usda)$/.exec(file) ?? [];
+    const [, name = '', kind] = /^(.*?)\.(slowlight\.json|usdc)$/.exec(file) ?? [];
     if (!kind) return [];
-    const text = readFileSync(new URL(file, folder))
-      .subarray(0, kind === 'usda' ? 4096 : undefined)
-      .toString('utf8');
-    const said = kind === 'usda' ? /string lookFor = "((?:[^"\\]|\\.)*)"/.exec(text)?.[1] : JSON.parse(text).lookFor;
-    return [{ name, said: String(said ?? '') }];
+    const bytes = readFileSync(new URL(file, folder));
+    const { lookFor } = kind === 'usdc' ? hintsOf(readLayer(bytes, file)) : JSON.parse(bytes.toString('utf8'));
+    return [{ name, said: String(lookFor ?? '') }];
   });
 
   it('are all translated, and no others', async () => {

@@ -3,7 +3,7 @@ import { MessageError } from '../../messages/messageError.ts';
 
 /** A scene or project of the gallery, as listed in `examples/index.json`; generated from the files at build time. */
 export interface Example {
-  /** Path relative to the page: `examples/street.usda`. */
+  /** Path relative to the page: `examples/street.usdc`. */
   readonly source: string;
   /** Name without extension: `street`. */
   readonly name: string;

@@ -22,7 +22,7 @@ describe('the files of a session', () => {
     expect(local.get(local.sibling(source, 'a/y.usda'))?.entry).toBe('a/y.usda');
     expect(local.paths(source)).toEqual(['a/x.usda', 'a/y.usda']);
     expect(local.get('local:7/a.usda')).toBeUndefined();
-    expect(local.get('examples/street.usda')).toBeUndefined();
+    expect(local.get('examples/street.usdc')).toBeUndefined();
   });
 
   it('can be extended without changing the scene; the previous set stays for undo', () => {

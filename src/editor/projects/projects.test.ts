@@ -17,9 +17,9 @@ const sourceOf = (document: ReturnType<typeof newProject>) => document.nodes.rea
 
 describe('the names of files', () => {
   it.each([
-    ['examples/street.usda', '', 'examples/street.usda'],
+    ['examples/street.usdc', '', 'examples/street.usdc'],
     ['local:3/set/scene.usda', '', 'set/scene.usda'],
-    ['local:4.1@examples/street.usda', '', 'examples/street.usda'],
+    ['local:4.1@examples/street.usdc', '', 'examples/street.usdc'],
     ['local:3/set.zip/a/scene.usda', '', 'set.zip[a/scene.usda]'],
     ['local:3/yard.zip/a/scene.usda', 'local:3/yard.zip/project.slowlight.json', 'a/scene.usda'],
     ['local:3.2/yard/a/scene.usda', 'local:3/yard/my.slowlight.json', 'a/scene.usda'],
@@ -44,7 +44,7 @@ describe('the names of files', () => {
     expect(projectName(state('examples/workshop.slowlight.json'))).toBe('workshop');
     expect(projectName(state('examples/workshop.slowlight.json', 'Mine'))).toBe('Mine');
     expect(projectName(state(''))).toBe('street.v2');
-    const refused = { document: newProject('examples/wheel.usda'), origin: '', past: [], future: [] };
+    const refused = { document: newProject('examples/wheel.usdc'), origin: '', past: [], future: [] };
     expect(projectName({ history: refused, pictureSource: { origin: '', source: '', reads: {} } })).toBe('wheel');
     expect(fileName('a/b: "c"?\n', '.zip')).toBe('a b c.zip');
     expect(fileName('///', '.zip')).toBe('project.zip');
@@ -61,7 +61,7 @@ describe('a project among files', () => {
       ['my.slowlight.json', 'set.zip/a/scene.usda'],
       'local:1/set.zip/a/scene.usda',
     ],
-    ['beside the page', 'examples/street.usda', ['my.slowlight.json'], 'examples/street.usda'],
+    ['beside the page', 'examples/street.usdc', ['my.slowlight.json'], 'examples/street.usdc'],
     ['of another session', 'local:9/set/scene.usda', ['my.slowlight.json'], 'set/scene.usda'],
   ])('finds a file %s', async (_, named, paths, found) => {
     const files = new Map(paths.map((path) => [path, path.endsWith('.json') ? projectOf(named) : blob('x')]));

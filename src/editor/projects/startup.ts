@@ -8,7 +8,7 @@ import { restoreSession } from './restoreSession.ts';
 import { acquireSession, randomId, SessionStore, type SessionView, setTabSession, tabSession } from './sessionStore.ts';
 
 /** Scene of a page whose address names none. */
-export const DEFAULT_SCENE = 'examples/street.usda';
+export const DEFAULT_SCENE = 'examples/street.usdc';
 
 /** What a page's address requests. */
 export interface StartupRequest {

@@ -5,7 +5,7 @@ import { sampleTimes } from '../../scene/motion/motion.ts';
 import type { Material, Mesh, Pose, Scene, Texture, TextureChannel } from '../../scene/types.ts';
 import { DiagnosticLog } from '../diagnostics/diagnosticLog.ts';
 import { redTexture } from '../image/channelTexture.ts';
-import { encodePng } from '../image/encodePng.ts';
+import { encodeTexture } from '../image/encodeTexture.ts';
 import { type ExportedScene, exportObjects, exportPoses, vectorYUp } from '../write/exportMotion.ts';
 
 /**
@@ -118,7 +118,7 @@ class MtlWriter {
 
   /** The PNG files by name; call after `lines`. */
   pictures(): [string, Uint8Array][] {
-    return [...this.files.values()].map(([name, t]) => [name, encodePng(t.width, t.height, t.data)]);
+    return [...this.files.values()].map(([name, t]) => [name, encodeTexture(t.width, t.height, t.data)]);
   }
 
   private file(texture: Texture): string {

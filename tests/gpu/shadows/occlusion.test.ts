@@ -126,7 +126,7 @@ const boxAt = (size: Vec3, position: Vec3) => ({
 const ground = { mesh: plane(40, 40, 'Y'), material: lambert(0.5) };
 
 async function example(name: string, t?: number): Promise<Lit> {
-  const scene = await openSceneFile(`examples/${name}.usda`, {});
+  const scene = await openSceneFile(`examples/${name}.usdc`, {});
   const c = scene.hints.speedOfLight ?? 1;
   const time = t ?? scene.startTime;
   const view = { ...observerFromCamera(scene.cameras[0]!, time, c), t: time, u: ZERO };

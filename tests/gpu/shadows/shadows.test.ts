@@ -82,7 +82,7 @@ function expectSame(scene: ShadowScene, shares: ArrayLike<number>): void {
 
 /** An example with sunlight only, from its camera, with a given velocity of the observer. */
 async function exampleScene(name: string, beta: number): Promise<ShadowScene> {
-  const file = fileURLToPath(new URL(`../../../examples/${name}.usda`, import.meta.url));
+  const file = fileURLToPath(new URL(`../../../examples/${name}.usdc`, import.meta.url));
   const opened = await openSceneFile(file);
   const lights = opened.lights.flatMap((light) => (light.kind === 'distant' ? [{ ...light, color: BRIGHT }] : []));
   const materials = opened.materials.map((material) => ({ ...material, emissive: ZERO }));

@@ -6,7 +6,7 @@ import type { Material, Scene, Texture, TextureChannel } from '../../../scene/ty
 import { INVISIBLE_BANDS, SPECTRAL_ATTRIBUTES } from '../../attributes/hints.ts';
 import type { DiagnosticLog } from '../../diagnostics/diagnosticLog.ts';
 import { redTexture } from '../../image/channelTexture.ts';
-import { encodePng } from '../../image/encodePng.ts';
+import { encodeTexture } from '../../image/encodeTexture.ts';
 import { metallicRoughnessTexture, occlusionTextureOf } from './metallicRoughness.ts';
 
 const WRAPS = { repeat: 10497, clamp: 33071, mirror: 33648, black: 33071 } as const;
@@ -137,7 +137,7 @@ export class GltfMaterialWriter {
         .replace(/^.*[/\\]/, '')
         .replace(/\.[^.]*$/, '')
         .replace(/[^\w-]/g, '_') || 'texture';
-    const image = encodePng(texture.width, texture.height, texture.data);
+    const image = encodeTexture(texture.width, texture.height, texture.data);
     const made = this.document.createTexture(name).setMimeType('image/png').setImage(Uint8Array.from(image));
     this.pictures.set(texture.data, made);
     return made;

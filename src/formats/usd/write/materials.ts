@@ -5,7 +5,7 @@ import type { LightSpectrum, SampledSpectrum } from '../../../spectrum/sources/l
 import { INVISIBLE_BANDS, REFLECTANCE_ATTRIBUTE, SPECTRAL_ATTRIBUTES } from '../../attributes/hints.ts';
 import { formatSpectrum } from '../../attributes/spectrumAttribute.ts';
 import { writeSpectrumCsv } from '../../attributes/spectrumCsv.ts';
-import { encodePng } from '../../image/encodePng.ts';
+import { encodeTexture } from '../../image/encodeTexture.ts';
 import { encodeRadiance } from '../../image/radiance.ts';
 import type { AttributeSpec, Value } from '../layer/layer.ts';
 import { pictureOf, spectrumOf } from './lights/lights.ts';
@@ -92,7 +92,7 @@ const isTable = (spectrum: LightSpectrum): spectrum is SampledSpectrum =>
 type WrittenTexture = Texture | RadianceTexture;
 const isRadiance = (texture: WrittenTexture): texture is RadianceTexture => texture.data instanceof Uint16Array;
 const encode = (texture: WrittenTexture): Uint8Array =>
-  isRadiance(texture) ? encodeRadiance(texture) : encodePng(texture.width, texture.height, texture.data);
+  isRadiance(texture) ? encodeRadiance(texture) : encodeTexture(texture.width, texture.height, texture.data);
 
 /**
  * Writes materials as UsdPreviewSurface networks, each when it is first bound. One that is worn with vertex colours is

@@ -9,7 +9,7 @@ const MAX_DISTANCE = 65535;
 
 /** Matches of this length are taken at once; of shorter ones, the longest of so many candidates. */
 const GOOD_LENGTH = 64;
-const MAX_CANDIDATES = 24;
+const MAX_CANDIDATES = 8;
 
 /** Maximum size of one LZ4 block (LZ4_MAX_INPUT_SIZE) [bytes]. */
 const MAX_BLOCK_BYTES = 0x7e000000;
