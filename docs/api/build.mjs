@@ -32,6 +32,7 @@ const app = await Application.bootstrap({
     'FastestInScene',
     'FrameGraph',
     'FrameGraphPassOf',
+    'LANGUAGE_LIST',
     'ReadFont',
     'RangedFile',
     'RenderStill',

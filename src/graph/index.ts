@@ -43,6 +43,7 @@ export {
   type ColorParam,
   type EvaluationContext,
   type ListParam,
+  type NodeCategory,
   type NodeProblem,
   NodeRefusal,
   type NodeType,

@@ -195,6 +195,7 @@ export class NodeRefusal extends MessageError {
   }
 }
 
+/** Of menus. */
 export type NodeCategory = 'geometry' | 'dynamics' | 'composition' | 'render' | 'utility';
 
 /** A node type with erased types, as engine and panels use it. */
