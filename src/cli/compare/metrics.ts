@@ -1,4 +1,4 @@
-import { listed, type LocalizedText, msg } from '../../messages/message.ts';
+import { type LocalizedText, listed, msg } from '../../messages/message.ts';
 import { type AovDifference, aovDifference, channelErrors } from '../../reference/compare/aovDifference.ts';
 import { visiblePointsOf } from '../../reference/compare/channels.ts';
 import { displacement } from '../../reference/compare/displacement.ts';

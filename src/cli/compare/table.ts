@@ -1,4 +1,4 @@
-import { listed, type LocalizedText, msg } from '../../messages/message.ts';
+import { type LocalizedText, listed, msg } from '../../messages/message.ts';
 import type { ChannelDifference } from '../../reference/compare/aovDifference.ts';
 import type { ErrorSummary } from '../../reference/compare/statistics.ts';
 import { localized } from '../terminal/language.ts';

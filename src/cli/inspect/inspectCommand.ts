@@ -1,6 +1,6 @@
 import { Command } from 'commander';
 import { degrees } from '../../math/angle.ts';
-import { listed, type LocalizedText, type Message, msg } from '../../messages/message.ts';
+import { type LocalizedText, listed, type Message, msg } from '../../messages/message.ts';
 import type { Light } from '../../scene/lights/light.ts';
 import { fastestVertex, pointSamples, sampleTimes } from '../../scene/motion/motion.ts';
 import type { Motion } from '../../scene/motion/motionTypes.ts';

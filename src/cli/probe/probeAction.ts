@@ -1,5 +1,5 @@
 import { length, type Vec3 } from '../../math/vec3.ts';
-import { listed, type LocalizedText, type Message, msg } from '../../messages/message.ts';
+import { type LocalizedText, listed, type Message, msg } from '../../messages/message.ts';
 import { gamma, velocity } from '../../physics/lorentz/boost.ts';
 import type { Scene, SceneObject } from '../../scene/types.ts';
 import { validate } from '../../scene/validation/validate.ts';

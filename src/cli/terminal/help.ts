@@ -1,5 +1,5 @@
 import { type Command, Help, type Option } from 'commander';
-import { listed, type LocalizedText, type Message, msg } from '../../messages/message.ts';
+import { type LocalizedText, listed, type Message, msg } from '../../messages/message.ts';
 import { inLines, localized } from './language.ts';
 import { displayWidth } from './width.ts';
 
