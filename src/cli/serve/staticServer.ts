@@ -12,6 +12,7 @@ export const appFolder = join(packageRoot, 'dist', 'app');
 /** The pages of the library's API, at /api/. */
 const apiFolder = join(packageRoot, 'dist', 'api');
 const API = '/api/';
+const NO_API_PAGES = 'these pages are being made, or are to be made: npm run build -- api';
 
 /** Only the page's own scripts may run. */
 const contentPolicy =
@@ -90,6 +91,7 @@ async function answer(request: IncomingMessage, response: ServerResponse, extra?
   const [folder, inside] = path.startsWith(API) ? [apiFolder, path.slice(API.length - 1)] : [appFolder, path];
   const file = join(folder, inside.endsWith('/') ? `${inside}index.html` : inside);
   if (file.startsWith(folder + sep) && isFile(file)) return sendFile(file, request, response);
+  if (path === API) return refuse(response, 503, NO_API_PAGES);
   const bytes = await extra?.(path);
   if (!bytes) return refuse(response, 404);
   response.writeHead(200, { ...headers(path), 'Content-Length': bytes.length }).end(bytes);
@@ -135,7 +137,7 @@ function sendFile(file: string, request: IncomingMessage, response: ServerRespon
       .pipe(response);
 }
 
-function refuse(response: ServerResponse, status: number): void {
+function refuse(response: ServerResponse, status: number, why = ''): void {
   if (response.headersSent) response.destroy();
-  else response.writeHead(status, { 'Content-Type': 'text/plain' }).end(`${status}\n`);
+  else response.writeHead(status, { 'Content-Type': 'text/plain' }).end(`${status} ${why}\n`);
 }
