@@ -48,8 +48,9 @@ const app = await Application.bootstrap({
 });
 app.converter.on(Converter.EVENT_RESOLVE_END, ({ project }) => project.children.forEach(addImports));
 // The server's content policy allows no scripts within pages; this one only chooses the theme a moment earlier.
+// The first page has a title of its own.
 app.renderer.on(PageEvent.END, (page) => {
-  page.contents = page.contents?.replace(/<script>.*?<\/script>/gs, '');
+  page.contents = page.contents?.replace(/<script>.*?<\/script>|<h1>Slowlight<\/h1>/gs, '');
 });
 const project = await app.convert();
 if (!project) process.exit(1);
