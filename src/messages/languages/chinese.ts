@@ -18,6 +18,8 @@ const messages: Translation['messages'] = {
     '载荷带有 customData，而二进制文件只为引用保存它',
   'of the integers {} some do not fit 64 bits': '整数 {1} 中有的超出 64 位',
   'a list of unknown metadata has an item of type {}': '未知元数据的列表中有类型为 {1} 的项',
+  'a binary layer of more than {} cannot be written; write fewer samples, or fewer objects':
+    '无法写出超过 {1} 的二进制图层；请减少样本或物体',
   '{} bytes are more than an LZ4 block holds': '{1} 字节超出 LZ4 块的容量',
   'the sublayer @{}@ has a path or customData, which only references have':
     '子图层 @{1}@ 带有路径或 customData，而只有引用可以带',

@@ -1,4 +1,10 @@
+import { msg } from '../../../../messages/message.ts';
+import { MessageError } from '../../../../messages/messageError.ts';
+import { formatBytes } from '../../../diagnostics/inputError.ts';
+
 const INITIAL_BYTES = 256;
+/** The largest array of all platforms [bytes]. */
+const MAX_BYTES = 2 ** 32 - 8;
 
 /** Bytes that are appended to, little-endian. */
 export class ByteSink {
@@ -26,7 +32,11 @@ export class ByteSink {
     const at = this.used;
     this.used = at + size;
     if (this.used > this.buffer.length) {
-      const grown = new Uint8Array(Math.max(this.used, 2 * this.buffer.length));
+      if (this.used > MAX_BYTES)
+        throw new MessageError(
+          msg`a binary layer of more than ${formatBytes(MAX_BYTES)} cannot be written; write fewer samples, or fewer objects`,
+        );
+      const grown = new Uint8Array(Math.max(this.used, Math.min(MAX_BYTES, 2 * this.buffer.length)));
       grown.set(this.buffer.subarray(0, at));
       this.buffer = grown;
       this.view = new DataView(grown.buffer);
