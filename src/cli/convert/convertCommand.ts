@@ -1,15 +1,10 @@
-import { basename, dirname, resolve } from 'node:path';
 import { Command } from 'commander';
-import { dotted, extensionOf } from '../../formats/files/fileSource.ts';
-import { saveScene, writtenExtensions } from '../../formats/save.ts';
+import { dotted } from '../../formats/files/fileSource.ts';
+import { writtenExtensions } from '../../formats/save.ts';
 import { msg } from '../../messages/message.ts';
-import { writeExportedFiles } from '../files/exportScene.ts';
-import { checkWritable } from '../files/outputFile.ts';
-import { addSceneFlags, openSceneWithFlags, SCENE_ARGUMENT, type SceneFlags } from '../flags/sceneFlags.ts';
-import { reportDiagnostics } from '../terminal/diagnostics.ts';
-import { usageError } from '../terminal/exitCodes.ts';
-import { toJson } from '../terminal/json.ts';
+import { addSceneFlags, SCENE_ARGUMENT } from '../flags/sceneFlags.ts';
 import { localized } from '../terminal/language.ts';
+import type { ConvertFlags } from './convertFlags.ts';
 
 export const convertCommand = (): Command =>
   addSceneFlags(
@@ -19,18 +14,6 @@ export const convertCommand = (): Command =>
       .argument('<out>', localized(msg`output file: ${dotted(writtenExtensions)}`)),
   )
     .option('--json', localized(msg`print a report of what was written and what was lost as JSON`))
-    .action(convert);
-
-async function convert(from: string, to: string, flags: SceneFlags & { json?: boolean }): Promise<void> {
-  const extension = extensionOf(to);
-  if (!writtenExtensions.includes(extension))
-    throw usageError(msg`${to}: a scene is written as ${dotted(writtenExtensions)}, not as .${extension}`);
-  checkWritable(to);
-  if (resolve(from) === resolve(to)) throw usageError(msg`${to} would be written over itself; name another file`);
-  const scene = await openSceneWithFlags(from, flags);
-  const written = await saveScene(scene, basename(to));
-  const diagnostics = [...scene.diagnostics, ...written.diagnostics];
-  reportDiagnostics(diagnostics);
-  const files = writeExportedFiles(dirname(resolve(to)), written);
-  console.log(flags.json ? toJson({ files, diagnostics }) : files.join('\n'));
-}
+    .action(async (from: string, to: string, flags: ConvertFlags) =>
+      (await import('./convertAction.ts')).convert(from, to, flags),
+    );

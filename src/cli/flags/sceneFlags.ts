@@ -1,17 +1,12 @@
 import { type Command, Option } from 'commander';
 import { ANY_FORMAT_FILE } from '../../formats/formatLists.ts';
-import type { Interpolation, ReadOptions } from '../../formats/readOptions.ts';
-import { listed, msg } from '../../messages/message.ts';
-import { type Flight, isAtOrBelow, tooLargeToFly } from '../../scene/motion/fly.ts';
-import { changeMotion, type MotionChange } from '../../scene/motion/motionChange.ts';
-import type { Scene, SceneObject } from '../../scene/types.ts';
-import { renderableScene } from '../../scene/validation/renderableScene.ts';
-import { openSceneFile } from '../files/sceneFiles.ts';
+import type { Interpolation } from '../../formats/readOptions.ts';
+import { msg } from '../../messages/message.ts';
+import type { Flight } from '../../scene/motion/fly.ts';
+import type { SceneObject } from '../../scene/types.ts';
 import { InvalidValue } from '../terminal/commandLineErrors.ts';
-import { inputProblem, usageError } from '../terminal/exitCodes.ts';
 import { localized } from '../terminal/language.ts';
 import { addVariant, parseBeta, parseLevels, parseNumber, parsePositive } from './parse.ts';
-import { speedOfLight } from './viewFlags.ts';
 
 /** Which parts of a file are opened, and changes of its motions. */
 export interface SceneFlags {
@@ -79,36 +74,4 @@ function addFlyFlag(text: string, before: readonly FlyFlag[] = []): readonly Fly
   if (path === undefined || velocity === undefined)
     throw new InvalidValue(msg`Expected PRIM=X,Y,Z or PRIM=X,Y,Z@T, like /World/Car=0.8,0,0@2.`);
   return [...before, { path, beta: parseBeta(velocity), at: parseNumber(at) }];
-}
-
-export const readOptions = ({ variant, animation, interpolation, subdivision }: SceneFlags): ReadOptions => ({
-  interpolation,
-  ...(variant && { variants: variant }),
-  ...(subdivision !== undefined && { subdivision }),
-  ...(animation !== undefined && { animation: /^\d+$/.test(animation) ? Number(animation) : animation }),
-});
-
-export const motionChange = ({
-  speedFactor = 1,
-  startOffset = 0,
-  fly = [],
-  flyShape = 'rest',
-}: SceneFlags): MotionChange => ({
-  timing: { speed: speedFactor, offset: startOffset },
-  flights: fly.map((flight) => ({ ...flight, authoredIn: flyShape })),
-});
-
-/** Opens a scene file with the flags' motions, without objects that cannot be drawn. */
-export async function openSceneWithFlags(path: string, flags: SceneFlags): Promise<Scene> {
-  const { scene } = renderableScene(await openSceneFile(path, readOptions(flags)));
-  for (const flight of flags.fly ?? []) checkFlyFlag(scene, flight.path);
-  return changeMotion(scene, motionChange(flags), speedOfLight(scene, flags.c));
-}
-
-function checkFlyFlag(scene: Scene, path: string): void {
-  const near = scene.objects.map((object) => object.path).slice(0, 8);
-  if (!scene.objects.some((object) => isAtOrBelow(object.path, path)))
-    throw usageError(msg`--fly ${path}: the scene has no such thing; it has ${listed(near) || msg`none`}`);
-  const [large] = tooLargeToFly(scene, path);
-  if (large !== undefined) throw inputProblem(msg`${large}: it deforms, and has too many samples to be carried along`);
 }

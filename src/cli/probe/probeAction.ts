@@ -6,7 +6,7 @@ import { validate } from '../../scene/validation/validate.ts';
 import { probeVertices } from '../../scene/view/probe.ts';
 import type { ViewPoint } from '../../scene/view/view.ts';
 import { observerPath } from '../flags/observerPath.ts';
-import { openSceneWithFlags } from '../flags/sceneFlags.ts';
+import { openSceneWithFlags } from '../flags/openScene.ts';
 import { speedOfLight } from '../flags/viewFlags.ts';
 import { reportDiagnostics } from '../terminal/diagnostics.ts';
 import { usageError } from '../terminal/exitCodes.ts';

@@ -1,0 +1,177 @@
+import { degrees } from '../../math/angle.ts';
+import { type LocalizedText, listed, type Message, msg } from '../../messages/message.ts';
+import type { Light } from '../../scene/lights/light.ts';
+import { fastestVertex, pointSamples, sampleTimes } from '../../scene/motion/motion.ts';
+import type { Motion } from '../../scene/motion/motionTypes.ts';
+import type { Scene, SceneObject, VariantSet } from '../../scene/types.ts';
+import { validate } from '../../scene/validation/validate.ts';
+import { openSceneWithFlags } from '../flags/openScene.ts';
+import { speedOfLight } from '../flags/viewFlags.ts';
+import { diagnosticLine } from '../terminal/diagnostics.ts';
+import { inputProblem } from '../terminal/exitCodes.ts';
+import { toJson } from '../terminal/json.ts';
+import { inLines, localized } from '../terminal/language.ts';
+import type { InspectFlags } from './inspectFlags.ts';
+import { treeLines } from './tree.ts';
+
+export async function inspect(path: string, flags: InspectFlags): Promise<void> {
+  const scene = await openSceneWithFlags(path, flags);
+  const summary = summarize(scene, speedOfLight(scene, flags.c));
+  console.log(flags.json ? toJson(summary) : describe(summary));
+  const errors = summary.diagnostics.filter(({ severity }) => severity === 'error').length;
+  if (errors > 0)
+    throw inputProblem(errors === 1 ? msg`${path}: an error, told above` : msg`${path}: ${errors} errors, told above`);
+}
+
+type Summary = ReturnType<typeof summarize>;
+
+function summarize(scene: Scene, c: number) {
+  const objects = scene.objects.map(summarizeObject);
+  const total = (key: 'vertices' | 'triangles'): number => objects.reduce((sum, object) => sum + object[key], 0);
+  return {
+    name: scene.name,
+    title: scene.hints.title,
+    lookFor: scene.hints.lookFor,
+    upAxis: scene.upAxis,
+    metersPerUnit: scene.metersPerUnit,
+    timeCodesPerSecond: scene.timeCodesPerSecond,
+    startTime: scene.startTime,
+    endTime: scene.endTime,
+    speedOfLight: c,
+    counts: {
+      objects: objects.length,
+      vertices: total('vertices'),
+      triangles: total('triangles'),
+      materials: scene.materials.length,
+      lights: scene.lights.length,
+      cameras: scene.cameras.length,
+    },
+    fastest: fastestPoint(scene, c),
+    pathError: Number.isFinite(scene.pathError) ? scene.pathError : undefined,
+    variants: scene.variants ?? [],
+    objects,
+    lights: scene.lights.map(({ kind, path }) => ({ kind, path })),
+    cameras: scene.cameras.map(({ path, motion, fovY }) => ({
+      path,
+      motion: motion.kind,
+      fov: degrees(fovY),
+    })),
+    diagnostics: [...scene.diagnostics, ...validate(scene, c)],
+  };
+}
+
+function summarizeObject({ path, mesh, motion, lifetime, authoredIn }: SceneObject) {
+  const points = pointSamples(motion);
+  return {
+    path,
+    vertices: mesh.positions.length / 3,
+    triangles: mesh.indices.length / 3,
+    motion: motion.kind,
+    samples: sampleTimes(motion)?.length ?? 0,
+    ...(points && { interpolation: points.velocities ? 'cubic' : 'linear' }),
+    authoredIn,
+    // Infinite bounds are omitted: JSON has no infinity.
+    birth: Number.isFinite(lifetime.birth) ? lifetime.birth : undefined,
+    death: Number.isFinite(lifetime.death) ? lifetime.death : undefined,
+  };
+}
+
+/** The fastest point of the scene; undefined if nothing moves. */
+function fastestPoint(scene: Scene, c: number) {
+  let best:
+    | { path: string; vertex: number; speed: number; fractionOfC: number; from?: number; to?: number }
+    | undefined;
+  for (const object of scene.objects) {
+    const { speed, vertex, from, to } = fastestVertex(object, c, [scene.startTime, scene.endTime], best?.speed);
+    if (!(speed > (best?.speed ?? 0))) continue;
+    // Uniform motion has its speed at all times: no interval, and JSON has no infinity.
+    const when = Number.isFinite(from) ? { from, to } : {};
+    best = { path: object.path, vertex, speed, fractionOfC: speed / c, ...when };
+  }
+  return best;
+}
+
+function describe(s: Summary): string {
+  const parts = [
+    s.title ? `${s.name} – ${s.title}` : s.name,
+    ...[...(s.lookFor ? [s.lookFor] : []), ...summaryLines(s)].map((line) => msg`  ${line}`),
+    '',
+    ...treeLines(treeEntries(s)),
+    ...(s.diagnostics.length > 0 ? ['', ...s.diagnostics.map(diagnosticLine)] : []),
+  ];
+  return localized(inLines(parts));
+}
+
+const summaryLines = (s: Summary): readonly LocalizedText[] => [
+  msg`${s.upAxis} up, 1 unit = ${s.metersPerUnit} m, ${s.timeCodesPerSecond} time codes a second, ${s.startTime} … ${s.endTime} s`,
+  listed(Object.entries(s.counts).map(([what, n]) => counted(n, COUNTED[what as keyof typeof COUNTED]))),
+  s.fastest
+    ? msg`fastest: ${s.fastest.path}, ${s.fastest.speed.toPrecision(6)} m/s = ${s.fastest.fractionOfC.toPrecision(6)} c${period(s.fastest)} (c = ${s.speedOfLight} m/s)`
+    : msg`nothing moves (c = ${s.speedOfLight} m/s)`,
+  ...(s.pathError === undefined ? [] : [pathErrorLine(s.pathError)]),
+  ...s.variants.map(variantLine),
+];
+
+/** Below 1 nm the error is rounding. */
+const pathErrorLine = (error: number): Message =>
+  error < 1e-9
+    ? msg`paths between samples are exact`
+    : msg`paths between samples are right to ${error.toPrecision(2)} m`;
+const variantLine = ({ set, options, chosen }: VariantSet): Message =>
+  msg`${set}: ${listed(options.map((option) => (option === chosen ? `[${option}]` : option)))}`;
+
+const period = ({ from, to }: { from?: number; to?: number }): LocalizedText => {
+  if (from === undefined || to === undefined) return '';
+  return from === to ? msg` at ${from} s` : msg` from ${from} to ${to} s`;
+};
+
+/** Of one, and of several. */
+const COUNTED = {
+  objects: [msg`1 object`, (n: string) => msg`${n} objects`],
+  vertices: [msg`1 vertex`, (n: string) => msg`${n} vertices`],
+  triangles: [msg`1 triangle`, (n: string) => msg`${n} triangles`],
+  materials: [msg`1 material`, (n: string) => msg`${n} materials`],
+  lights: [msg`1 light`, (n: string) => msg`${n} lights`],
+  cameras: [msg`1 camera`, (n: string) => msg`${n} cameras`],
+  samples: [msg`1 sample`, (n: string) => msg`${n} samples`],
+} as const;
+
+const counted = (n: number, [one, several]: (typeof COUNTED)[keyof typeof COUNTED]): Message =>
+  n === 1 ? one : several(n.toLocaleString('en'));
+
+const MOTIONS: Readonly<Record<Motion['kind'], Message>> = {
+  static: msg`static`,
+  uniform: msg`uniform`,
+  hyperbolic: msg`hyperbolic`,
+  sampled: msg`sampled`,
+  'sampled-points': msg`sampled-points`,
+};
+
+const LIGHTS: Readonly<Record<Light['kind'], Message>> = {
+  distant: msg`distant light`,
+  sphere: msg`sphere light`,
+  rect: msg`rect light`,
+  disk: msg`disk light`,
+  cylinder: msg`cylinder light`,
+  dome: msg`dome light`,
+  stars: msg`stars light`,
+};
+
+function treeEntries(s: Summary): { path: string; note: string }[] {
+  const objects = s.objects.map(({ path, ...o }) => {
+    const motion = o.interpolation === 'cubic' ? msg`${MOTIONS[o.motion]} along cubics` : MOTIONS[o.motion];
+    const facts = [
+      counted(o.triangles, COUNTED.triangles),
+      ...(o.samples > 0 ? [motion, counted(o.samples, COUNTED.samples)] : [MOTIONS[o.motion]]),
+      ...(o.authoredIn === 'rest' ? [msg`authored at rest`] : []),
+      ...(o.birth !== undefined || o.death !== undefined ? [msg`lives ${o.birth ?? '−∞'} … ${o.death ?? '∞'} s`] : []),
+    ];
+    return { path, note: localized(listed(facts)) };
+  });
+  const lights = s.lights.map(({ path, kind }) => ({ path, note: localized(LIGHTS[kind]) }));
+  const cameras = s.cameras.map(({ path, motion, fov }) => ({
+    path,
+    note: localized(msg`camera, ${MOTIONS[motion]}, ${fov.toFixed(1)}° high`),
+  }));
+  return [...objects, ...lights, ...cameras];
+}
