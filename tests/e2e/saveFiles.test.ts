@@ -113,6 +113,8 @@ it('frames are saved as a zip, scenes as files, binary too; also by keyboard', a
   expect(Object.keys(files)).toEqual(['f_02.png', 'f_03.png']);
   expect(decode(files['f_03.png']!).text).toMatchObject({ worldTime: '0.375 s' });
 
+  const clicked = await downloaded(visit, 'usd');
+  expect([clicked.name, String.fromCharCode(...clicked.content.subarray(0, 8))]).toEqual(['box.usdc', 'PXR-USDC']);
   await node(page, 'usd').focus();
   await page.keyboard.press('Enter');
   const button = page.getByRole('region', { name: 'Write USD' }).getByRole('button', { name: 'Download the file' });
@@ -121,7 +123,7 @@ it('frames are saved as a zip, scenes as files, binary too; also by keyboard', a
   // Immediately, because an inspector that has just been opened takes the focus.
   await button.press('Enter');
   const scene = await download;
-  await page.getByText('box.usdc, which cannot represent everything: /Box: its uniform motion is sampled').waitFor();
+  await page.getByText(/box\.usdc, which cannot represent everything: .*\/Box: its uniform motion is sampled/).last().waitFor();
   expect(scene.suggestedFilename()).toBe('box.usdc');
   expect(
     readFileSync(await scene.path())
