@@ -123,7 +123,10 @@ it('frames are saved as a zip, scenes as files, binary too; also by keyboard', a
   // Immediately, because an inspector that has just been opened takes the focus.
   await button.press('Enter');
   const scene = await download;
-  await page.getByText(/box\.usdc, which cannot represent everything: .*\/Box: its uniform motion is sampled/).last().waitFor();
+  await page
+    .getByText(/box\.usdc, which cannot represent everything: .*\/Box: its uniform motion is sampled/)
+    .last()
+    .waitFor();
   expect(scene.suggestedFilename()).toBe('box.usdc');
   expect(
     readFileSync(await scene.path())
