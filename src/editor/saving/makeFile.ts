@@ -1,4 +1,5 @@
 import { zipSync } from 'fflate';
+import { partOf } from '../../formats/diagnostics/diagnosticLog.ts';
 import { formatBytes } from '../../formats/diagnostics/inputError.ts';
 import { extensionOf } from '../../formats/files/fileSource.ts';
 import { CancelledError } from '../../graph/evaluation/evaluator.ts';
@@ -54,7 +55,7 @@ export async function makeFile(file: RequestedFile, options: MakeFileOptions): P
 async function sceneFile(file: SceneOutput): Promise<MadeFile> {
   const { files, diagnostics } = await exportSceneFile(file, file.name);
   const losses = diagnostics.filter(({ severity }) => severity !== 'info');
-  const told = losses.map(({ place, message }) => msg`${place}: ${message}`);
+  const told = losses.map(({ place, message }) => msg`${partOf(file.name, place)}: ${message}`);
   return { ...bundleFiles(file.name, files), losses: told };
 }
 

@@ -1,6 +1,6 @@
 import { describe, expect, it } from 'vitest';
 import { inEnglish, msg } from '../../messages/message.ts';
-import { DiagnosticLog } from './diagnosticLog.ts';
+import { DiagnosticLog, partOf } from './diagnosticLog.ts';
 
 describe('diagnostics', () => {
   it('are recorded once, with their place', () => {
@@ -27,5 +27,13 @@ describe('diagnostics', () => {
       'a.obj',
       'there are more of these; the first 100 are listed',
     ]);
+  });
+
+  it('say which part of the file they are of', () => {
+    const notes = new DiagnosticLog('a.obj');
+    notes.add('info', 'file.units', '/Box', msg`metres`);
+    notes.add('info', 'file.units', '', msg`metres`);
+    expect(notes.list().map(({ place }) => partOf('a.obj', place))).toEqual(['/Box', 'a.obj']);
+    expect(partOf('b.obj', notes.list()[0]!.place)).toEqual(notes.list()[0]!.place);
   });
 });

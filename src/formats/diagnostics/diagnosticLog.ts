@@ -25,6 +25,16 @@ export class DiagnosticList {
   }
 }
 
+/** The place of a part of a file. */
+const placeIn = (file: string, what: LocalizedText): Message => msg`${file}: ${what}`;
+
+/** The part of a file that a place names, where the file need not be said. */
+export function partOf(file: string, place: LocalizedText): LocalizedText {
+  if (typeof place === 'string' || place.template !== placeIn('', '').template || place.values[0] !== file)
+    return place;
+  return place.values[1] as LocalizedText;
+}
+
 /** Diagnostics of one file, for its reader or writer. */
 export class DiagnosticLog {
   private readonly said = new DiagnosticList();
@@ -41,7 +51,7 @@ export class DiagnosticLog {
     message: Message,
     more: Partial<Omit<Diagnostic, 'code'>> = {},
   ): void {
-    const place = what ? msg`${this.file}: ${what}` : this.file;
+    const place = what ? placeIn(this.file, what) : this.file;
     this.said.add({ severity, code, place, message, ...more }, this.file);
   }
 
