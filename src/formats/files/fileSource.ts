@@ -1,4 +1,4 @@
-import { listed, type LocalizedText } from '../../messages/message.ts';
+import { type LocalizedText, listed } from '../../messages/message.ts';
 import { RangedFile } from './rangedFile.ts';
 
 /**

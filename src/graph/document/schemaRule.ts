@@ -1,5 +1,5 @@
 import type * as z from 'zod/mini';
-import { anyOf, listed, type LocalizedText, type Message, msg } from '../../messages/message.ts';
+import { anyOf, type LocalizedText, listed, type Message, msg } from '../../messages/message.ts';
 import { PATTERN_RULES, VALUE_RULE } from './document.ts';
 
 /** What a value ought to be, from the issue that a schema found. */

@@ -1,5 +1,5 @@
 import type { NodeType, NumberParam, NumberVariant, ParamSpec, Socket } from '../../graph/nodeType.ts';
-import { inEnglish, listed, type LocalizedText, type Message, msg, type Translate } from '../../messages/message.ts';
+import { inEnglish, type LocalizedText, listed, type Message, msg, type Translate } from '../../messages/message.ts';
 import { nodeLibrary } from '../library.ts';
 import { CATEGORY_TITLES } from '../titles.ts';
 

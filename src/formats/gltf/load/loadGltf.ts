@@ -9,7 +9,7 @@ import {
   KHRMeshQuantization,
   KHRTextureTransform,
 } from '@gltf-transform/extensions';
-import { inEnglish, listed, type LocalizedText, msg } from '../../../messages/message.ts';
+import { inEnglish, type LocalizedText, listed, msg } from '../../../messages/message.ts';
 import { messageOf } from '../../../messages/messageError.ts';
 import type { DiagnosticLog } from '../../diagnostics/diagnosticLog.ts';
 import { formatBytes } from '../../diagnostics/inputError.ts';

@@ -1,4 +1,4 @@
-import { listed, type LocalizedText, type Message, msg } from '../../../../messages/message.ts';
+import { type LocalizedText, listed, type Message, msg } from '../../../../messages/message.ts';
 import { formatBytes, inputError } from '../../../diagnostics/inputError.ts';
 import { type FileContent, FileWindow } from '../../../files/rangedFile.ts';
 
