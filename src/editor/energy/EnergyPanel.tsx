@@ -1,4 +1,4 @@
-import { type Message, msg } from '../../messages/message.ts';
+import { listed, type Message, msg } from '../../messages/message.ts';
 import './energy.css';
 import { ScrollArea, Select, Stack, Switch, Text, useComputedColorScheme } from '@mantine/core';
 import { type ReactNode, useMemo, useState } from 'react';
@@ -90,7 +90,7 @@ function UnevaluatedNote(): ReactNode {
   return (
     <Text size="xs" c="dimmed" lh={1.5}>
       {t(
-        msg`Not computed, because it does not lead to the picture: ${names.join(', ')}. Connect its geometry to the scene, with a Transform to see it beside the others.`,
+        msg`Not computed, because it does not lead to the picture: ${listed(names)}. Connect its geometry to the scene, with a Transform to see it beside the others.`,
       )}
     </Text>
   );

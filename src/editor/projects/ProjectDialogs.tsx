@@ -4,7 +4,7 @@ import { type FormEvent, type ReactNode, useRef, useState } from 'react';
 import { referencedFiles, renameFiles } from '../../graph/document/fileReferences.ts';
 import { encodeShareLink } from '../../graph/document/shareLink.ts';
 import type { History } from '../../graph/edits/history.ts';
-import { type LocalizedText, msg, type Translate } from '../../messages/message.ts';
+import { type LocalizedText, listed, msg, type Translate } from '../../messages/message.ts';
 import { messageOf } from '../../messages/messageError.ts';
 import { nodeLibrary } from '../../nodes/library.ts';
 import { useTexts } from '../language/languageStore.ts';
@@ -48,7 +48,7 @@ function linkTo(state: EditorState, t: Translate): { readonly link: string } | {
   if (own.length > 0)
     return {
       why: t(
-        msg`A link cannot contain files, and this project reads some from your device: ${own.map(called).join(', ')}. Save it with its files and send the zip.`,
+        msg`A link cannot contain files, and this project reads some from your device: ${listed(own.map(called))}. Save it with its files and send the zip.`,
       ),
     };
   try {

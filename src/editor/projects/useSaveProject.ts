@@ -1,7 +1,7 @@
 import { useMemo } from 'react';
 import { referencedFiles, renameFiles } from '../../graph/document/fileReferences.ts';
 import { serializeDocument } from '../../graph/document/serialize.ts';
-import { msg } from '../../messages/message.ts';
+import { listed, msg } from '../../messages/message.ts';
 import { nodeLibrary } from '../../nodes/library.ts';
 import { parseLocalName } from '../loading/localFiles.ts';
 import { useServices } from '../services.tsx';
@@ -26,7 +26,7 @@ export function useSaveProject(): SaveProject {
       editor.markSaved();
       const text =
         without.length > 0
-          ? msg`Saved ${name}. It reads files that it does not contain (${without.join(', ')}): keep them beside it, or save with its files.`
+          ? msg`Saved ${name}. It reads files that it does not contain (${listed(without)}): keep them beside it, or save with its files.`
           : msg`Saved ${name}`;
       editor.notify({ kind: 'info', text });
     };

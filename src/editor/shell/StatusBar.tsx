@@ -3,7 +3,7 @@ import { IconEye, IconGauge, IconLockOpen, IconPlane } from '@tabler/icons-react
 import type { ReactNode } from 'react';
 import { type GraphDocument, own } from '../../graph/document/document.ts';
 import { isParamActive, isUnphysical, resolveParams } from '../../graph/nodeType.ts';
-import { type LocalizedText, type Message, msg } from '../../messages/message.ts';
+import { type LocalizedText, listed, type Message, msg } from '../../messages/message.ts';
 import { nodeLibrary } from '../../nodes/library.ts';
 import type { Lock } from '../flight/flight.ts';
 import { formatBeta, formatCount, formatNumber, formatSeconds, formatSpeed } from '../format.ts';
@@ -122,8 +122,8 @@ function Speed(): ReactNode {
 function Unphysical(): ReactNode {
   const { t } = useTexts();
   const document = useEditorState((state) => state.history.document);
-  const names = unphysical(document).map((title) => t(title));
-  const text = `${t(msg`Not physical`)}: ${names.join(', ')}`;
+  const names = unphysical(document);
+  const text = t(msg`${msg`Not physical`}: ${listed(names)}`);
   return names.length > 0 ? (
     <Text size="xs" fw={600} className="sl-unphysical" role="status" title={text} data-status="unphysical">
       {text}

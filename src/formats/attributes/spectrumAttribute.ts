@@ -1,4 +1,4 @@
-import { type Message, msg } from '../../messages/message.ts';
+import { listed, type Message, msg } from '../../messages/message.ts';
 import { LIGHT_PRESETS } from '../../spectrum/sources/lightPresets.ts';
 import type { LightSpectrum } from '../../spectrum/sources/lightSpectrum.ts';
 
@@ -31,4 +31,4 @@ export function formatSpectrum(spectrum: LightSpectrum): string | undefined {
 
 /** Message for an unknown spectrum. */
 export const unknownSpectrumMessage = (written: string): Message =>
-  msg`${SPECTRUM_ATTRIBUTE} "${written.slice(0, 40)}" is neither a temperature, as "2856 K", nor one of ${[...LIGHT_PRESETS.keys()].join(', ')}; it is left out`;
+  msg`${SPECTRUM_ATTRIBUTE} "${written.slice(0, 40)}" is neither a temperature, as "2856 K", nor one of ${listed([...LIGHT_PRESETS.keys()])}; it is left out`;

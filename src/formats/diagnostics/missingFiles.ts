@@ -1,4 +1,4 @@
-import { msg } from '../../messages/message.ts';
+import { listed, msg } from '../../messages/message.ts';
 import type { Diagnostic, MissingFile } from '../../scene/types.ts';
 import type { DiagnosticCode } from './diagnosticCodes.ts';
 
@@ -7,7 +7,7 @@ export function missingTexture(
   name: string,
   lookedFor: readonly string[],
 ): Pick<Diagnostic, 'message'> & { code: DiagnosticCode; missing: MissingFile } {
-  const message = msg`the texture ${name} is not there (looked for ${lookedFor.join(', ')}); shown without it`;
+  const message = msg`the texture ${name} is not there (looked for ${listed(lookedFor)}); shown without it`;
   return { code: 'file.missing-texture', message, missing: { name, lookedFor } };
 }
 
@@ -17,6 +17,6 @@ export function missingSpectrum(
   lookedFor: readonly string[],
   instead = msg`its light is taken for daylight`,
 ): Pick<Diagnostic, 'message'> & { code: DiagnosticCode; missing: MissingFile } {
-  const message = msg`the spectrum ${name} is not there (looked for ${lookedFor.join(', ')}); ${instead}`;
+  const message = msg`the spectrum ${name} is not there (looked for ${listed(lookedFor)}); ${instead}`;
   return { code: 'file.missing-spectrum', message, missing: { name, lookedFor } };
 }

@@ -1,5 +1,5 @@
 import { fromHalf, toHalf } from '../../math/half.ts';
-import { msg } from '../../messages/message.ts';
+import { listed, msg } from '../../messages/message.ts';
 import { inputError } from '../diagnostics/inputError.ts';
 import { imageKind } from './decodeImage.ts';
 import { type ExrChannel, type ExrImage, writeExr } from './exr.ts';
@@ -23,7 +23,7 @@ function radianceFromExr({ width, height, channels }: ExrImage, name: string): D
     throw inputError(
       'image.unsupported',
       name,
-      msg`an EXR without channels R, G, B or Y is not read; it has ${names.join(', ')}`,
+      msg`an EXR without channels R, G, B or Y is not read; it has ${listed(names)}`,
     );
   }
   const data = new Uint16Array(4 * width * height).fill(toHalf(1));

@@ -1,4 +1,4 @@
-import { msg } from '../../messages/message.ts';
+import { listed, msg } from '../../messages/message.ts';
 import { makeMaterial } from '../../scene/defaults.ts';
 import type { Material, Texture } from '../../scene/types.ts';
 import { resolvePath } from '../files/fileSource.ts';
@@ -82,7 +82,7 @@ export class ObjMaterialLibrary {
     const written = this.written.get(name);
     if (written) return convert(written, this.pictures);
     if (name !== '') {
-      const where = this.files.length > 0 ? this.files.join(', ') : msg`no materials were found`;
+      const where = this.files.length > 0 ? listed(this.files) : msg`no materials were found`;
       this.context.notes.add(
         'warning',
         'obj.missing-material',

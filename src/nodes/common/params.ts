@@ -2,7 +2,7 @@ import { NodeRefusal, type NumberParam, type TextParam, type VectorParam } from 
 import { radians } from '../../math/angle.ts';
 import { fromAxisAngle, IDENTITY, multiply, type Quat } from '../../math/quat.ts';
 import type { Vec3 } from '../../math/vec3.ts';
-import { type LocalizedText, type Message, msg } from '../../messages/message.ts';
+import { type LocalizedText, listed, type Message, msg } from '../../messages/message.ts';
 import { matchesPath } from '../../scene/compose/mergeScenes.ts';
 import type { Scene } from '../../scene/types.ts';
 
@@ -44,7 +44,7 @@ export const nodeRefusal = (
 export function assertPathExists(scene: Scene, path: string, node: string): void {
   const paths = [...scene.objects, ...scene.lights].map((each) => each.path);
   if (path === '' || paths.some((each) => matchesPath(each, path))) return;
-  const few = paths.slice(0, 8).join(', ') + (paths.length > 8 ? ', …' : '');
+  const few = listed([...paths.slice(0, 8), ...(paths.length > 8 ? ['…'] : [])]);
   const message = msg`there is nothing at "${path}"; there is ${few || msg`nothing at all`}`;
   throw nodeRefusal('geometry.path', `${node}.which`, message, { node, param: 'which', value: '' });
 }

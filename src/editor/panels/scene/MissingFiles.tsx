@@ -1,7 +1,7 @@
 import { Button, Stack, Text } from '@mantine/core';
 import { IconFilePlus } from '@tabler/icons-react';
 import { type ReactNode, useRef } from 'react';
-import { inEnglish, msg } from '../../../messages/message.ts';
+import { inEnglish, listed, msg } from '../../../messages/message.ts';
 import type { Diagnostic } from '../../../scene/types.ts';
 import { useTexts } from '../../language/languageStore.ts';
 import { pickedFiles } from '../../loading/pickedFiles.ts';
@@ -34,7 +34,7 @@ export function MissingFiles({ notes }: { readonly notes: readonly Diagnostic[] 
               {t(msg`for ${place}`)}
             </Text>
             <Text size="xs" c="dimmed" className="sl-place">
-              {t(msg`searched ${lookedFor.join(', ')}`)}
+              {t(msg`searched ${listed(lookedFor)}`)}
             </Text>
           </Stack>
         ))}

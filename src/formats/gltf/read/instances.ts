@@ -2,7 +2,7 @@ import type { Accessor, Node as GltfNode } from '@gltf-transform/core';
 import type { InstancedMesh } from '@gltf-transform/extensions';
 import { fromParts } from '../../../math/mat4.ts';
 import { normalizeQuat, toMatrix } from '../../../math/quat.ts';
-import { type LocalizedText, msg } from '../../../messages/message.ts';
+import { type LocalizedText, listed, msg } from '../../../messages/message.ts';
 import { type GltfContext, gltfError } from '../context.ts';
 import { floatsOf } from './accessors.ts';
 import type { NodeTransform } from './nodes.ts';
@@ -21,12 +21,7 @@ export function readInstances(context: GltfContext, node: GltfNode, what: Locali
   if (!instanced) return undefined;
   const others = instanced.listSemantics().filter((name) => !WIDTHS.has(name));
   if (others.length > 0) {
-    context.notes.add(
-      'info',
-      'gltf.instance-attributes',
-      what,
-      msg`${others.join(', ')} of its instances are left out`,
-    );
+    context.notes.add('info', 'gltf.instance-attributes', what, msg`${listed(others)} of its instances are left out`);
   }
   const count = instanced.listAttributes()[0]?.getCount() ?? 0;
   if (count > MAX_INSTANCES) {

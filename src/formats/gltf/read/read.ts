@@ -2,7 +2,7 @@ import type { Animation, Mesh as GltfMesh, Node as GltfNode, Scene as GltfScene 
 import type { Light as GltfLight } from '@gltf-transform/extensions';
 import { rotate } from '../../../math/quat.ts';
 import { scale, type Vec3 } from '../../../math/vec3.ts';
-import { type Message, msg } from '../../../messages/message.ts';
+import { listed, type Message, msg } from '../../../messages/message.ts';
 import { messageOf } from '../../../messages/messageError.ts';
 import { FOREVER, makeObject, makeScene } from '../../../scene/defaults.ts';
 import {
@@ -115,7 +115,7 @@ function chooseAnimation(context: GltfContext): Animation | undefined {
   const asked = options.animation ?? options.variants?.get(ANIMATION_SET);
   const place = typeof asked === 'string' ? names.indexOf(asked) : (asked ?? 0);
   if (asked !== undefined && !all[place]) {
-    const known = names.length > 0 ? msg`there are ${names.join(', ')}` : msg`there is none`;
+    const known = names.length > 0 ? msg`there are ${listed(names)}` : msg`there is none`;
     throw gltfError(entry, 'gltf.no-animation', '', msg`no animation ${asked}; ${known}`);
   }
   if (all.length > 1) {
@@ -123,7 +123,7 @@ function chooseAnimation(context: GltfContext): Animation | undefined {
       'info',
       'gltf.animations',
       '',
-      msg`${all.length} animations (${names.join(', ')}); ${names[place]} is shown`,
+      msg`${all.length} animations (${listed(names)}); ${names[place]} is shown`,
     );
   }
   return all[place];

@@ -1,6 +1,6 @@
 import type { Material as GltfMaterial, Primitive } from '@gltf-transform/core';
 import type { MappingList } from '@gltf-transform/extensions';
-import { msg } from '../../../messages/message.ts';
+import { listed, msg } from '../../../messages/message.ts';
 import type { VariantSet } from '../../../scene/types.ts';
 import { type GltfContext, gltfError } from '../context.ts';
 
@@ -14,11 +14,11 @@ export function variantSet({
   json,
   options,
 }: Pick<GltfContext, 'entry' | 'json' | 'options'>): VariantSet | undefined {
-  const listed = json.extensions?.[EXTENSION] as { variants?: { name?: string }[] } | undefined;
-  const names = (listed?.variants ?? []).map(({ name }, i) => name || `variant ${i}`);
+  const listedVariants = json.extensions?.[EXTENSION] as { variants?: { name?: string }[] } | undefined;
+  const names = (listedVariants?.variants ?? []).map(({ name }, i) => name || `variant ${i}`);
   const chosen = options.variants?.get(SET) ?? '';
   if (chosen !== '' && !names.includes(chosen)) {
-    const known = names.length > 0 ? msg`there are ${names.join(', ')}` : msg`the file has none`;
+    const known = names.length > 0 ? msg`there are ${listed(names)}` : msg`the file has none`;
     throw gltfError(entry, 'gltf.no-variant', '', msg`no variant ${chosen} of its materials; ${known}`);
   }
   return names.length > 0 ? { set: SET, options: [...new Set(names)], chosen } : undefined;

@@ -1,4 +1,4 @@
-import { type Message, msg } from '../../../messages/message.ts';
+import { listed, type Message, msg } from '../../../messages/message.ts';
 import { inputError } from '../../diagnostics/inputError.ts';
 import { type FileContent, FileWindow } from '../../files/rangedFile.ts';
 import { dataStart, directoryPlace, entriesIn, LOCAL_SIZE, TAIL, type ZipEntry } from '../../zip/directory.ts';
@@ -21,7 +21,7 @@ export function openPackage(content: FileContent, name: string): UsdzPackage {
   const files = new Map(entries.map((entry) => [entry.path, stored(window, entry, name)]));
   const layer = [...files.keys()].find((path) => /\.usd[ac]?$/i.test(path));
   if (layer !== undefined) return { layer, files };
-  const held = msg`${files.size} files: ${[...files.keys()].slice(0, 5).join(', ')}`;
+  const held = msg`${files.size} files: ${listed([...files.keys()].slice(0, 5))}`;
   throw inputError('usd.package', name, msg`the package holds no USD layer (${held})`);
 }
 

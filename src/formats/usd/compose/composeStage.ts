@@ -1,4 +1,4 @@
-import { type Message, msg } from '../../../messages/message.ts';
+import { listed, type Message, msg } from '../../../messages/message.ts';
 import type { MissingFile } from '../../../scene/types.ts';
 import type { DiagnosticCode } from '../../diagnostics/diagnosticCodes.ts';
 import type { DiagnosticList } from '../../diagnostics/diagnosticLog.ts';
@@ -211,7 +211,7 @@ class StageComposer {
       const offered = this.variantSets.find((s) => s.path === path && s.set === set);
       if (offered?.variants.includes(variant) || (offered && variant === '')) continue;
       const message = offered
-        ? msg`the variant '${variant}' of '${set}' is chosen, but ${set} has ${offered.variants.join(', ')}`
+        ? msg`the variant '${variant}' of '${set}' is chosen, but ${set} has ${listed(offered.variants)}`
         : msg`the variant '${variant}' of '${set}' is chosen, but ${set} is not a variant set of this prim`;
       this.report('usd.variant', path, message);
     }

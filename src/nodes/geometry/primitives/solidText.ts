@@ -1,4 +1,4 @@
-import { type LocalizedText, msg } from '../../../messages/message.ts';
+import { type LocalizedText, listed, msg } from '../../../messages/message.ts';
 import type { Glyph } from '../../../scene/text/contours.ts';
 import type { TextStyle } from '../../../scene/text/textMesh.ts';
 import { InputError } from '../../../scene/types.ts';
@@ -81,7 +81,7 @@ async function glyphLines(text: string, node: string, { readFont }: Services): P
   });
   const missing = [...new Set(written)].filter((letter) => !letters.has(letter));
   if (missing.length > 0) {
-    const few = missing.slice(0, 8).map(describeLetter).join(', ') + (missing.length > 8 ? ', …' : '');
+    const few = listed([...missing.slice(0, 8).map(describeLetter), ...(missing.length > 8 ? ['…'] : [])]);
     const message = msg`no font that comes with the program has ${few}; leave it out`;
     const without = lines.map((line) => line.filter((letter) => letters.has(letter)).join('')).join('\n');
     throw nodeRefusal('letters.missing', `${node}.text`, message, remedy(node, without || 'c'));

@@ -1,4 +1,4 @@
-import { type Message, msg } from '../../../../messages/message.ts';
+import { listed, type Message, msg } from '../../../../messages/message.ts';
 import { messageOf } from '../../../../messages/messageError.ts';
 import type { MissingFile } from '../../../../scene/types.ts';
 import type { FileContent } from '../../../files/rangedFile.ts';
@@ -79,7 +79,7 @@ export class LayerStore {
       return unreadable(asset, thrown);
     }
     const lookedFor = this.files.candidates(anchor, asset);
-    const message = msg`@${asset}@ is not there (looked for ${lookedFor.join(', ')}); open the folder that holds it`;
+    const message = msg`@${asset}@ is not there (looked for ${listed(lookedFor)}); open the folder that holds it`;
     return { code: 'usd.missing-layer', message, missing: { name: asset, lookedFor } };
   }
 

@@ -1,4 +1,4 @@
-import { type Message, msg } from '../../../../messages/message.ts';
+import { listed, type Message, msg } from '../../../../messages/message.ts';
 import type { Polygons } from '../../../../scene/mesh/polygons.ts';
 import type { FaceVaryingRule } from '../../../../scene/subdivide/faceVarying.ts';
 import { facesAfter } from '../../../../scene/subdivide/limitSurface.ts';
@@ -168,7 +168,7 @@ function tokenChoice<T extends string>(
       context,
       prim,
       'warning',
-      msg`${name} '${written}' is not ${options.join(', ')}; ${fallback} is taken`,
+      msg`${name} '${written}' is not ${listed(options)}; ${fallback} is taken`,
     );
   return found ?? fallback;
 }

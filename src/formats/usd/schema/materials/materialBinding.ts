@@ -1,5 +1,5 @@
 import type { Vec3 } from '../../../../math/vec3.ts';
-import { msg } from '../../../../messages/message.ts';
+import { listed, msg } from '../../../../messages/message.ts';
 import type { PolygonValues } from '../../../../scene/mesh/polygons.ts';
 import { report } from '../../diagnostics.ts';
 import { attributeOf, numbersAt, textAt } from '../../layer/attributes.ts';
@@ -166,7 +166,7 @@ function uvsOf(
     return undefined;
   }
   if (requested.size > 1) {
-    const message = msg`its materials use uvs ${[...requested].join(', ')}; ${name} is used`;
+    const message = msg`its materials use uvs ${listed([...requested])}; ${name} is used`;
     report(context, 'warning', 'usd.uv', prim.path, message);
   }
   const primvar = primvarOf(prim, `primvars:${name}`, context.startCode);

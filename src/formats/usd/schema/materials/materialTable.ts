@@ -1,5 +1,5 @@
 import type { Vec3 } from '../../../../math/vec3.ts';
-import { msg } from '../../../../messages/message.ts';
+import { listed, msg } from '../../../../messages/message.ts';
 import type { Material } from '../../../../scene/types.ts';
 import { INVISIBLE_BANDS, parseSpectralHints, REFLECTANCE_ATTRIBUTE } from '../../../attributes/hints.ts';
 import { report } from '../../diagnostics.ts';
@@ -274,7 +274,7 @@ export class MaterialTable {
       input(name).shader !== undefined || (numberOf(input(name).value) ?? 0) > 0;
     const left = UNSUPPORTED_INPUTS.filter(isWritten);
     const notes = [
-      ...(left.length > 0 ? [msg`${left.join(', ')} of this material is not drawn`] : []),
+      ...(left.length > 0 ? [msg`${listed(left)} of this material is not drawn`] : []),
       ...(isWritten('useSpecularWorkflow') ? [msg`its specular workflow is drawn as metal and glass`] : []),
     ];
     if (notes.length > 0) {
