@@ -1516,7 +1516,8 @@ const messages: Translation['messages'] = {
   '{} takes {} steps for each pixel (a look at a pixel counts {}); more than {} are not taken: let loops go round fewer times':
     '{1} 每像素需要 {2} 步（读取一个像素计 {3} 步），上限为 {4} 步：请减少循环次数',
 
-  // param
+  // ———— Nodes and settings ————
+  // Parameters
   View: '视图',
   'Light delay': '光的延迟',
   'Moving objects are seen where they were when the light left them.': '运动的物体显示在其发光时的位置。',
@@ -1810,29 +1811,29 @@ const messages: Translation['messages'] = {
   'For teaching and comparison: in nature this is {}.': '用于教学与比较：自然界中此值为 {1}。',
   'Ride the camera': '跟随相机',
 
-  // view
+  // Views
   Seen: '所见',
   Simultaneity: '同时面',
 
-  // colors
+  // Colours
   Spectral: '光谱',
   Approximate: '近似',
 
-  // metering
+  // Metering
   Automatic: '自动',
   'Resting eye': '静止之眼',
   Manual: '手动',
 
-  // tone
+  // Tone curves
   Neutral: '中性',
   AgX: 'AgX',
   Linear: '线性',
 
-  // solver
+  // Solvers
   Exact: '精确',
   Newton: '牛顿',
 
-  // node
+  // Nodes: titles and help
   Read: '读取',
   File: '文件',
   Variants: '变体',
@@ -1989,14 +1990,14 @@ const messages: Translation['messages'] = {
     '以动量为状态计算物质的运动，任何东西都达不到 c，并记录能量与动量。帧与帧之间沿三次曲线运动。命令行 “slowlight simulate PROJECT” 同样可用。',
   Flight: '飞行',
 
-  // interpolation
+  // Interpolation
   Cubic: '三次曲线',
 
-  // fly
+  // Flight
   'At rest': '静止时',
   'In flight': '飞行时',
 
-  // effect
+  // Effects
   Custom: '自定义',
   'Gaussian blur': '高斯模糊',
   'Blurs along one direction; two of them, horizontal and vertical, blur evenly. No light is lost at the edges.':
@@ -2050,7 +2051,7 @@ const messages: Translation['messages'] = {
   'Spread single pixels': '扩散孤立像素',
   'Maximum blur': '最大模糊',
 
-  // mix
+  // Modes of mixing
   Normal: '正常',
   Multiply: '正片叠底',
   Add: '相加',
@@ -2060,7 +2061,7 @@ const messages: Translation['messages'] = {
   Split: '分屏',
   Wipe: '擦除',
 
-  // socket
+  // Sockets
   Below: '下层',
   Above: '上层',
   Value: '值',
@@ -2068,7 +2069,7 @@ const messages: Translation['messages'] = {
   Out: '输出',
   'The rest': '其余物体',
 
-  // vectorMath
+  // Operations of vectors
   'A + B': 'A + B',
   'A − B': 'A − B',
   'A times the factor': 'A 乘以系数',
@@ -2077,7 +2078,7 @@ const messages: Translation['messages'] = {
   'A · B (dot product)': 'A · B（点积）',
   'Length of A': 'A 的长度',
 
-  // math
+  // Operations of numbers
   'A × B': 'A × B',
   'A ÷ B': 'A ÷ B',
   'A to the power B': 'A 的 B 次方',
@@ -2101,31 +2102,31 @@ const messages: Translation['messages'] = {
   'γ of the speed β': '由速度 β 求 γ',
   'Speed β of γ': '由 γ 求速度 β',
 
-  // falseColor
+  // False colours
   Off: '关',
   Doppler: '多普勒',
   Light: '亮度',
   Band: '波段',
 
-  // axis
+  // Axes
   X: 'X',
   Y: 'Y',
   Z: 'Z',
   Other: '其他',
 
-  // writtenMotion
+  // Motion in written files
   Sampled: '采样',
 
-  // align
+  // Alignment of letters
   'Start at x = 0': '左端在 x = 0',
   'Centre at x = 0': '居中于 x = 0',
   'End at x = 0': '右端在 x = 0',
 
-  // arrangement
+  // Arrangements
   'In rows': '成行',
   Circle: '圆周',
 
-  // preset
+  // Material presets
   Leaf: '树叶',
   Skin: '皮肤',
   Asphalt: '沥青',
@@ -2133,11 +2134,11 @@ const messages: Translation['messages'] = {
   Gold: '金',
   Copper: '铜',
 
-  // surface
+  // Surfaces
   'Same shape': '保持形状',
   Smooth: '光滑',
 
-  // light
+  // Spectra of lights
   'Daylight (6504 K)': '日光（6504 K）',
   'Daylight, measured (D65)': '实测日光（D65）',
   Candle: '蜡烛',
@@ -2151,38 +2152,38 @@ const messages: Translation['messages'] = {
   Mercury: '汞灯',
   Hydrogen: '氢谱线',
 
-  // lamp
+  // Lamps
   Point: '点',
   Ball: '球',
   Square: '方形',
   Disc: '圆盘',
 
-  // sky
+  // Skies
   Even: '均匀',
   Stars: '恒星',
 
-  // spectrum
+  // Spectra
   Blackbody: '黑体',
 
-  // pins
+  // Pinned points
   None: '无',
   'Upper corners': '上方四角',
   Top: '顶部',
   'Points in a box': '框内的点',
   'Points by number': '按编号',
 
-  // solid
+  // Bodies
   Plane: '平面',
 
-  // rods
+  // Rods
   'Each from its own pivot': '各自悬挂',
   'Each from the one before': '逐个相连',
 
-  // mechanics
+  // Mechanics
   'Einstein’s': '爱因斯坦',
   'Newton’s': '牛顿',
 
-  // method
+  // Methods of integration
   'Discrete gradient': '离散梯度',
   'Implicit midpoint': '隐式中点',
   Leapfrog: '蛙跳',
@@ -2193,16 +2194,16 @@ const messages: Translation['messages'] = {
   'Linearly implicit': '线性隐式',
   'Local–global': '局部–全局',
 
-  // correction
+  // Corrections of velocities
   'By the tangent': '切线',
   'By the secant': '割线',
   'By the root': '求根',
 
-  // picture
+  // Pictures
   '{} × {} pixels are too many for the graphics device here, which draws up to {} along each side; make the picture smaller.':
     '{1} × {2} 像素超出了此处图形设备的能力（每边最多 {3}）；请缩小图片。',
 
-  // project
+  // Projects
   Project: '项目',
   New: '新建',
   'Save project': '保存项目',
@@ -2215,14 +2216,15 @@ const messages: Translation['messages'] = {
   'Earlier work': '之前的工作',
   Done: '完成',
 
-  // gallery
+  // ———— The page ————
+  // The gallery
   Projects: '项目',
   'Graphs of nodes: open one, change it, save it as your own.': '节点图：打开、修改，并保存为自己的项目。',
   'Each shows one relativistic effect.': '每个场景都展示一件眼见才信的事。',
   'No example scenes were found. Open a file of your own.': '没有找到示例场景，请打开自己的文件。',
   'Open now': '当前',
 
-  // edit
+  // Steps to undo
   'open a project': '打开项目',
   rename: '重命名',
   'add a node': '添加节点',
@@ -2248,7 +2250,7 @@ const messages: Translation['messages'] = {
   'end the flight': '结束飞行',
   'the suggested remedy': '采用建议',
 
-  // share
+  // Links
   'Share by a link': '用链接分享',
   'The whole project is in the link, after the #. Only people who get the link can see it.':
     '整个项目都在链接中 # 之后的部分。只有得到链接的人才能看到它。',
@@ -2258,7 +2260,7 @@ const messages: Translation['messages'] = {
   'A link cannot contain files, and this project reads some from your device: {}. Save it with its files and send the zip.':
     '链接无法携带文件，而此项目读取了您设备上的文件：{1}。请连同文件一起保存，然后发送该 zip。',
 
-  // notice
+  // Notices
   'Saved {}. It reads files that it does not contain ({}): keep them beside it, or save with its files.':
     '已保存 {1}。它读取的文件不在其中（{2}）：请把它们放在旁边，或连同文件一起保存。',
   'Collecting files…': '正在收集文件…',
@@ -2290,14 +2292,14 @@ const messages: Translation['messages'] = {
   'The graphics device keeps failing. Reload the page; if that does not help, update the graphics driver.':
     '图形设备反复出错。请重新加载页面；若仍无效，请更新显卡驱动。',
 
-  // panel
+  // Panels
   Graph: '节点图',
   Node: '节点',
   Controls: '控制',
   Energy: '能量',
   'Back to the default': '恢复默认值',
 
-  // graph
+  // The node graph
   'Show the node graph': '显示节点图',
   'Hide the node graph': '隐藏节点图',
   'Node graph. Tab goes from node to node, arrow keys move them, Shift A adds one, Enter opens the inspector, Ctrl K lists all commands.':
@@ -2367,12 +2369,12 @@ const messages: Translation['messages'] = {
   'Zoom in': '放大',
   'Zoom out': '缩小',
 
-  // palette
+  // The command palette
   'Search commands and nodes': '搜索命令与节点',
   Program: '程序',
   'Add: {}': '添加：{1}',
 
-  // inspector
+  // The inspector
   'Select a node in the graph to see its parameters here.': '在节点图中选择一个节点，其参数将显示在此。',
   'not connected': '未连接',
   'No matching output': '没有可用的来源',
@@ -2380,7 +2382,7 @@ const messages: Translation['messages'] = {
   'Remove the socket': '移除接口',
   'Draw an edge to “new” to add a socket.': '将连线拖到“新建”即可添加接口。',
 
-  // category
+  // Categories of nodes
   Geometry: '几何',
   Dynamics: '动力学',
   Composition: '组成',
@@ -2388,7 +2390,7 @@ const messages: Translation['messages'] = {
   Utility: '工具',
   Groups: '节点组',
 
-  // type
+  // Types of sockets
   Matter: '物质',
   'Run record': '账目',
   Lights: '光源',
@@ -2398,11 +2400,11 @@ const messages: Translation['messages'] = {
   Picture: '画面',
   Mask: '遮罩',
 
-  // app
+  // The page
   Slowlight: 'Slowlight 慢光',
   'Skip to the picture': '跳到画面',
 
-  // header
+  // The header
   Scenes: '场景',
   'Open file…': '打开文件…',
   'Open folder…': '打开文件夹…',
@@ -2415,14 +2417,14 @@ const messages: Translation['messages'] = {
   'Dark colours': '深色界面',
   'Light colours': '浅色界面',
 
-  // motion
+  // Motion
   'Make something fly': '让物体飞起来',
   'Search objects…': '搜索物体…',
   'No object has this name': '没有此名称的物体',
   'Move as in the file again': '恢复文件中的运动',
   '{} ({} objects)': '{1}（{2} 个物体）',
 
-  // relation
+  // Relations
   'A < B': 'A < B',
   'A ≤ B': 'A ≤ B',
   'A > B': 'A > B',
@@ -2430,7 +2432,7 @@ const messages: Translation['messages'] = {
   'A = B': 'A = B',
   'A ≠ B': 'A ≠ B',
 
-  // legend
+  // Legends of false colours
   Legend: '图例',
   'Doppler factor D': '多普勒因子 D',
   'Happened, from now': '发生时间（相对现在）',
@@ -2442,14 +2444,14 @@ const messages: Translation['messages'] = {
   'nothing there': '此处无物体',
   sky: '天空',
 
-  // band
+  // Spectral bands
   'far UV': '远紫外',
   'near UV': '近紫外',
   visible: '可见',
   'near IR': '近红外',
   'thermal IR': '热红外',
 
-  // status
+  // The status bar
   'Not physical': '非物理',
   Status: '状态',
   'Lorentz factor': '洛伦兹因子',
@@ -2460,7 +2462,7 @@ const messages: Translation['messages'] = {
   'starting…': '启动中…',
   'recovering…': '恢复中…',
 
-  // lock
+  // Locks
   Look: '观察',
   Fly: '飞行',
   'You move and see the effects of your velocity.': '你在运动，并看到速度带来的效应。',
@@ -2468,11 +2470,11 @@ const messages: Translation['messages'] = {
   'You move, but the picture is that of someone at rest.': '你在移动，但画面如同静止者所见。',
   Lock: '锁定',
 
-  // cruise
+  // Cruise
   Cruise: '巡航',
   'Keep the velocity when no key is pressed': '松开按键后保持速度',
 
-  // timeline
+  // The timeline
   Timeline: '时间轴',
   Play: '播放',
   Pause: '暂停',
@@ -2481,7 +2483,7 @@ const messages: Translation['messages'] = {
   'World time': '世界时间',
   'Nothing moves in this scene': '此场景没有运动',
 
-  // viewport
+  // The viewport
   'Picture. W A S D Q E fly, arrow keys look around, Tab changes the lock, Escape leaves the picture.':
     '画面。W A S D Q E 飞行，方向键转头，Tab 切换锁定，Escape 离开画面。',
   'Fly with W A S D, drag to look, ? for all keys': 'W A S D 飞行，拖动环顾，? 查看全部按键',
@@ -2498,13 +2500,13 @@ const messages: Translation['messages'] = {
   'Drop a scene, a project, a folder or a zip; or missing files of the scene':
     '拖放场景、项目、文件夹或 zip；也可补充场景缺少的文件',
 
-  // loading
+  // Stages of loading
   'Reading the file': '读取文件',
   'Building the scene': '构建场景',
   'Tracing light': '追踪光线',
   'Computing steps': '逐步计算',
 
-  // energy
+  // Energy
   'Nothing has been simulated yet. A Simulate node needs matter (Mass Spring, Collider, Field), and its geometry must lead to the output. If something is wrong, the node reports it.':
     '尚无模拟结果。模拟节点需要连接运动的物体（质点弹簧、碰撞体、场），其几何须通向输出。如有问题，节点会给出提示。',
   'Not computed, because it does not lead to the picture: {}. Connect its geometry to the scene, with a Transform to see it beside the others.':
@@ -2531,7 +2533,7 @@ const messages: Translation['messages'] = {
   'By {} energy had grown without a source: an error of the method': '至 {1} 已有能量凭空出现：方法的误差',
   'Ended at {}: {}': '结束于 {1}：{2}',
 
-  // info
+  // The scene
   Objects: '物体',
   Triangles: '三角形',
   Moving: '运动物体',
@@ -2543,7 +2545,7 @@ const messages: Translation['messages'] = {
   Diagnostics: '读取说明',
   'No scene is open.': '没有打开的场景。',
 
-  // scene
+  // Files of the scene
   'Scene in these files': '这些文件中的场景',
   none: '无',
   '<{}> is not an absolute path': '<{1}> 不是绝对路径',
@@ -2554,7 +2556,7 @@ const messages: Translation['messages'] = {
   'Or drop them on the page. The scene is then reloaded; you stay where you are.':
     '也可拖放到页面上。场景会重新读取，视角保持不变。',
 
-  // help
+  // Keys and help
   Keys: '按键',
   Flying: '飞行',
   'Node graph, while it has the focus': '节点图（焦点在图中时）',
@@ -2576,18 +2578,18 @@ const messages: Translation['messages'] = {
   Drag: '拖动',
   'Double-click': '双击',
 
-  // key
+  // Names of keys
   Space: '空格',
   Esc: 'Esc',
 
-  // close
+  // Closing
   Close: '关闭',
 
-  // saving
+  // Saving
   'Download the file': '下载文件',
   'Making {}': '正在生成 {1}',
 
-  // unsupported
+  // Without graphics
   'Slowlight needs WebGPU or WebGL 2': 'Slowlight 需要 WebGPU 或 WebGL 2',
   'This browser offers neither, so nothing can be rendered. One of these usually helps:':
     '此浏览器两者都不支持，无法绘制画面。通常可以这样解决：',
