@@ -33,6 +33,7 @@ export default defineConfig({
           setupFiles: seeded,
           maxWorkers: 2,
           testTimeout: 120_000,
+          expect: { poll: { timeout: 60_000 } },
         },
       },
       {

@@ -1,4 +1,4 @@
-import { expect, it, vi } from 'vitest';
+import { expect, it } from 'vitest';
 import { CancelledError } from '../../graph/evaluation/evaluator.ts';
 import { coalesce } from './coalesce.ts';
 
@@ -17,14 +17,14 @@ it('processes one value at a time, then only the latest; being stopped is no err
   for (let i = 0; i < 5; i++) news();
   expect(looks).toHaveLength(1);
   end();
-  await vi.waitFor(() => expect(looks).toHaveLength(2));
+  await expect.poll(() => looks).toHaveLength(2);
   news();
   end(new CancelledError());
-  await vi.waitFor(() => expect(looks).toHaveLength(3));
+  await expect.poll(() => looks).toHaveLength(3);
   end();
   await new Promise((done) => setTimeout(done, 30));
   expect(looks).toHaveLength(3);
   news();
-  await vi.waitFor(() => expect(looks).toHaveLength(4));
+  await expect.poll(() => looks).toHaveLength(4);
   expect(most).toBe(1);
 });

@@ -74,13 +74,13 @@ it('the picture shows the motion computed so far', async () => {
   expect(state()).toMatchObject({ loading: { node: 'work', part: 0.25, stage: 'simulate' } });
   expect(state().picture).toBeUndefined();
   led[0]!.give('ab');
-  await vi.waitFor(() => expect(state().interim).toBe('running'));
+  await expect.poll(() => state().interim).toBe('running');
   expect(state()).toMatchObject({ pictureSource: { origin: 'p' }, loading: { part: 0.25 } });
   expect(end()).toBe(2);
   expect(state().results.get('work')).toMatchObject({ status: 'done', interim: true });
   led[0]!.give('abc');
   led[0]!.give('abcd');
-  await vi.waitFor(() => expect(end()).toBe(4));
+  await expect.poll(() => end()).toBe(4);
   led[0]!.end('abcdef');
   await settled();
   expect([state().loading, state().interim, state().notices]).toEqual([undefined, undefined, []]);

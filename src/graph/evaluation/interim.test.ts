@@ -172,14 +172,14 @@ describe('in a thread', () => {
   it('it yields interim results, and resumes from the last one', async () => {
     const evaluator = new Evaluator<unknown>({ ...library, tally: { ...tally, heavy: true } }, { heavy: threads() });
     const first = begin(evaluator, doubled, 'd');
-    await vi.waitFor(() => expect(led).toHaveLength(1));
+    await expect.poll(() => led).toHaveLength(1);
     led[0]!.interim!(3);
-    await vi.waitFor(() => expect(first.told).toEqual(['t']));
+    await expect.poll(() => first.told).toEqual(['t']);
     expect(await soFar(evaluator, doubled, 'd')).toMatchObject({ outputs: { number: 6 }, interim: true });
     first.abort.abort();
     await expect(first.ended).rejects.toThrow(CancelledError);
     const second = begin(evaluator, doubled, 'd');
-    await vi.waitFor(() => expect(led).toHaveLength(2));
+    await expect.poll(() => led).toHaveLength(2);
     expect(led[1]!.resume).toEqual({ number: 3, own: 'state of 3' });
     led[1]!.end(7);
     expect((await second.ended).target).toMatchObject({ outputs: { number: 14 } });
