@@ -3,10 +3,11 @@ import { addScaled, dot, normalize, scale, sub, type Vec3 } from '../../math/vec
 import { properVelocity } from '../../physics/lorentz/boost.ts';
 import { unaberrate } from '../../physics/optics/aberration.ts';
 import { dopplerAtPixel } from '../../physics/optics/doppler.ts';
-import { makeObject, makeScene } from '../../scene/defaults.ts';
+import { makeMaterial, makeObject, makeScene } from '../../scene/defaults.ts';
 import { plane, sphere } from '../../scene/mesh/primitives.ts';
 import { lookAtOrientation } from '../../scene/view/camera.ts';
 import { perspective } from '../../scene/view/lens.ts';
+import type { SceneObject } from '../../scene/types.ts';
 import type { ViewPoint } from '../../scene/view/view.ts';
 import { probePixel } from './pixelProbe.ts';
 
@@ -48,6 +49,27 @@ describe('the probe of a pixel', () => {
     expect(seen.doppler).toBe(1);
     const direction = normalize(down);
     for (const k of [0, 1, 2]) expect(seen.apparent[k]).toBeCloseTo(direction[k] * seen.distance, 10);
+  });
+
+  test('has normal, albedo and the visible part of the sky: all of it on a plain, half of it at the foot of a wall', () => {
+    const material = makeMaterial({ name: 'paint', baseColor: [0.2, 0.4, 0.6] });
+    const floor = makeObject({ path: '/Floor', mesh: plane(400, 400, 'Y') });
+    const wall = makeObject({
+      path: '/Wall',
+      mesh: plane(400, 400),
+      motion: { kind: 'static', pose: { position: [0, 200, -2.001], orientation: [0, 0, 0, 1] } },
+    });
+    const seenWith = (...objects: SceneObject[]) =>
+      probePixel(makeScene({ name: 'foot', objects, materials: [material] }), view([0, 0, 0]), 10, 'light-cone', size, [
+        99.5, 49.5,
+      ]);
+    const plain = seenWith(floor);
+    expect(plain?.normal).toEqual([0, 1, 0]);
+    for (const [k, value] of [0.2, 0.4, 0.6].entries()) expect(plain?.albedo[k]).toBeCloseTo(value, 6);
+    expect(plain?.occlusion).toBeCloseTo(1, 6);
+    const foot = seenWith(floor, wall);
+    expect(foot?.prim).toBe('/Floor');
+    expect(foot?.occlusion).toBeCloseTo(0.5, 3);
   });
 
   test('is of the nearest object, and undefined without one', () => {

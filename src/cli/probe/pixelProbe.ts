@@ -2,13 +2,14 @@ import { sub } from '../../math/vec3.ts';
 import { properVelocity } from '../../physics/lorentz/boost.ts';
 import { dopplerFactor } from '../../physics/optics/doppler.ts';
 import { PLACEMENTS } from '../../physics/optics/placement.ts';
+import { aovReader } from '../../reference/aov.ts';
 import { cameraRay } from '../../reference/camera/cameraRay.ts';
 import { visibleHit } from '../../reference/camera/visibleHit.ts';
 import { createTracedScene } from '../../reference/intersection/tracedScene.ts';
 import type { Scene } from '../../scene/types.ts';
 import type { PictureSize } from '../../scene/view/pictureViews.ts';
 import type { VertexProbe } from '../../scene/view/probe.ts';
-import { DEFAULT_SETTINGS, type ViewPoint } from '../../scene/view/view.ts';
+import { type DataAov, DEFAULT_SETTINGS, type ViewPoint } from '../../scene/view/view.ts';
 import { VIEWS, type View } from '../../scene/views/views.ts';
 
 /** The surface point and emission event that an observer sees at a pixel. */
@@ -16,6 +17,12 @@ export interface PixelProbe extends Omit<VertexProbe, 'vertex' | 'visible'> {
   readonly prim: string;
   /** Index in the scene plus one, as in the `object` channel. */
   readonly object: number;
+  /** Unit, in the rest frame of the surface; with its normal map. */
+  readonly normal: readonly number[];
+  /** Linear sRGB of the base colour, with texture and vertex colour. */
+  readonly albedo: readonly number[];
+  /** The fraction of the sky that is visible there, 0 … 1. */
+  readonly occlusion: number;
 }
 
 /**
@@ -32,8 +39,10 @@ export function probePixel(
 ): PixelProbe | undefined {
   const settings = { ...DEFAULT_SETTINGS, view: how, speedOfLight: c };
   const ray = cameraRay(view, settings, x + 0.5, y + 0.5, size.width, size.height);
-  const hit = visibleHit(createTracedScene(scene, c), ray);
+  const traced = createTracedScene(scene, c);
+  const hit = visibleHit(traced, ray);
   if (!hit) return undefined;
+  const read = (name: DataAov) => aovReader(name, traced, view.u, settings)(hit, ray);
   const { object, time, position, velocity, s: distance } = hit;
   const offset = sub(position, view.position);
   const shown = VIEWS[how];
@@ -48,5 +57,8 @@ export function probePixel(
     apparent,
     distance,
     doppler,
+    normal: read('normal'),
+    albedo: read('albedo'),
+    occlusion: read('occlusion')[0]!,
   };
 }

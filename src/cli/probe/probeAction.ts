@@ -71,6 +71,9 @@ const LABELS: Readonly<Record<string, Message>> = {
   apparent: msg`apparent`,
   distance: msg`distance`,
   doppler: msg`doppler`,
+  normal: msg`normal`,
+  albedo: msg`albedo`,
+  occlusion: msg`occlusion`,
 };
 
 /** Prints `name value` lines or JSON. */

@@ -1,10 +1,15 @@
 import { expect, test } from 'vitest';
 import { judged } from '../../../tests/support/spectra.ts';
-import { logLuminance, logPlanck } from './planck.ts';
+import { logLuminance, logPlanck, SECOND_RADIATION } from './planck.ts';
 
 test.each(judged.planck)('B of %d K at %d nm agrees with colour-science', (T, nanometres, expected) => {
   const ratio = Math.exp(logPlanck(nanometres * 1e-9, T) - logPlanck(560e-9, T));
   expect(ratio / expected).toBeCloseTo(1, 6);
+});
+
+test('c₂ gives the constant of Wien’s displacement law, 2.897771955 mm K (CODATA 2018)', () => {
+  // The maximum of x⁵/(eˣ − 1) is at x = 5 + W(−5 e⁻⁵).
+  expect(SECOND_RADIATION / 4.965114231744276).toBeCloseTo(2.897771955e-3, 12);
 });
 
 /** ln Y over ln T. */

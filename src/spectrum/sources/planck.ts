@@ -1,8 +1,13 @@
+import { SPEED_OF_LIGHT } from '../../physics/constants.ts';
 import { NANOMETRE, WAVELENGTHS } from '../observer/standardObserver.ts';
 import { Y_BAR } from '../tables/cie1931.ts';
 
-/** The second radiation constant hc/k_B [m K] (CODATA 2018, exact in the SI). */
-export const SECOND_RADIATION = 1.438776877e-2;
+/** h [J s] and k_B [J/K], exact in the SI of 2019. */
+const PLANCK = 6.626_070_15e-34;
+const BOLTZMANN = 1.380_649e-23;
+
+/** The second radiation constant c₂ = hc/k_B [m K]. */
+export const SECOND_RADIATION = (PLANCK * SPEED_OF_LIGHT) / BOLTZMANN;
 
 /**
  * ln B(λ, T) of a blackbody, up to a constant: B = λ⁻⁵/(exp(c₂/λT) − 1), λ [m], T [K].
