@@ -1,6 +1,7 @@
 import { readFileSync } from 'node:fs';
 import { encode as encodeJpeg } from 'jpeg-js';
 import { type ExrChannel, writeExr } from '../../src/formats/image/exr.ts';
+import { parseLayer, writeCrate } from '../../src/formats/usd/index.ts';
 import { GltfBuilder } from '../support/gltfBuilder.ts';
 import { dracoGlb, meshoptGlb } from '../support/gltfCompress.ts';
 
@@ -37,6 +38,7 @@ export async function seeds(): Promise<Seed[]> {
       'wood.1012.png': PICTURE['wood.png'],
     }),
     seed('everything.usdc', corpusFile('everything.usdc'), false, USD),
+    seed('written.usdc', writeCrate(parseLayer(corpusFile('everything.usda'), 'everything.usda')), false, USD),
     seed('grammar.usda', corpusFile('../../../src/formats/usd/fixtures/grammar.usda'), true),
     seed('everything.usdz', corpusFile('everything.usdz'), false),
     seed('everything.gltf', json, true, { 'everything.bin': binary, ...PICTURE }),
