@@ -123,12 +123,12 @@ it('unphysical settings are marked at their controls and in the status bar', asy
   await visit.shot('unphysical-en');
   expect(await seriousViolations(visit)).toEqual([]);
   await visit.chooseLanguage('中文');
-  await expect.poll(() => note.textContent()).toBe('非物理: 聚束');
+  await expect.poll(() => note.textContent()).toBe('非物理：聚束');
   await visit.shot('unphysical-zh');
   await visit.page.keyboard.press('Control+z');
   await expect.poll(() => note.count()).toBe(0);
   await visit.page.getByRole('switch', { name: '光的延迟' }).press('Space');
-  await expect.poll(() => note.textContent()).toBe('非物理: 光的延迟');
+  await expect.poll(() => note.textContent()).toBe('非物理：光的延迟');
   await visit.page.getByText('c = ∞', { exact: true }).click();
   await expect.poll(() => note.count(), { message: 'where it does not matter' }).toBe(0);
   await visit.close();
