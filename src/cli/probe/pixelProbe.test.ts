@@ -5,9 +5,9 @@ import { unaberrate } from '../../physics/optics/aberration.ts';
 import { dopplerAtPixel } from '../../physics/optics/doppler.ts';
 import { makeMaterial, makeObject, makeScene } from '../../scene/defaults.ts';
 import { plane, sphere } from '../../scene/mesh/primitives.ts';
+import type { SceneObject } from '../../scene/types.ts';
 import { lookAtOrientation } from '../../scene/view/camera.ts';
 import { perspective } from '../../scene/view/lens.ts';
-import type { SceneObject } from '../../scene/types.ts';
 import type { ViewPoint } from '../../scene/view/view.ts';
 import { probePixel } from './pixelProbe.ts';
 
@@ -60,9 +60,14 @@ describe('the probe of a pixel', () => {
       motion: { kind: 'static', pose: { position: [0, 200, -2.001], orientation: [0, 0, 0, 1] } },
     });
     const seenWith = (...objects: SceneObject[]) =>
-      probePixel(makeScene({ name: 'foot', objects, materials: [material] }), view([0, 0, 0]), 10, 'light-cone', size, [
-        99.5, 49.5,
-      ]);
+      probePixel(
+        makeScene({ name: 'foot', objects, materials: [material] }),
+        view([0, 0, 0]),
+        10,
+        'light-cone',
+        size,
+        [99.5, 49.5],
+      );
     const plain = seenWith(floor);
     expect(plain?.normal).toEqual([0, 1, 0]);
     for (const [k, value] of [0.2, 0.4, 0.6].entries()) expect(plain?.albedo[k]).toBeCloseTo(value, 6);
