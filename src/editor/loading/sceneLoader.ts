@@ -4,6 +4,7 @@ import { msg } from '../../messages/message.ts';
 import { MessageError } from '../../messages/messageError.ts';
 import type { LoadedScene, ReadRequest, Services } from '../../nodes/services.ts';
 import { InputError } from '../../scene/types.ts';
+import { workerError } from '../pipelines/workerError.ts';
 import { localSource, splitAddress, urlSource } from './fileSources.ts';
 import { type LocalFiles, sceneName } from './localFiles.ts';
 import type { LoaderReply, LoadRequest, SceneFiles } from './protocol.ts';
@@ -70,7 +71,7 @@ function askWorker(request: LoadRequest, progress: ProgressCallback, signal?: Ab
   const reading = new Promise<LoaderAnswer>((resolve, reject) => {
     signal?.addEventListener('abort', () => reject(new CancelledError()));
     worker.addEventListener('error', (event) =>
-      reject(event.message ? new Error(event.message) : new MessageError(msg`the reader could not be started`)),
+      reject(workerError(event.message, msg`the reader could not be started`)),
     );
     worker.addEventListener('message', ({ data }: MessageEvent<LoaderReply>) => {
       if (data.kind === 'progress') progress(data.part, data.stage);

@@ -1,4 +1,11 @@
-import { NodeRefusal, type NumberParam, type TextParam, type VectorParam } from '../../graph/nodeType.ts';
+import {
+  type BooleanParam,
+  type ChoiceParam,
+  NodeRefusal,
+  type NumberParam,
+  type TextParam,
+  type VectorParam,
+} from '../../graph/nodeType.ts';
 import { radians } from '../../math/angle.ts';
 import { fromAxisAngle, IDENTITY, multiply, type Quat } from '../../math/quat.ts';
 import type { Vec3 } from '../../math/vec3.ts';
@@ -31,6 +38,26 @@ export const timeParam = (title: LocalizedText, value: number): NumberParam => (
   max: 1e9,
   step: 0.001,
   slider: false,
+});
+
+/** Whether something that moves along a path turns with it. */
+export const facingParam: BooleanParam = {
+  kind: 'boolean',
+  title: msg`Face along motion`,
+  help: msg`Turns with the direction of motion; otherwise it keeps its pose.`,
+  default: true,
+};
+
+/** In which frame the shape of a file is that of something that is made to move. */
+export const authoredInParam = (value: 'rest' | 'world'): ChoiceParam<'rest' | 'world'> => ({
+  kind: 'choice',
+  title: msg`The file’s shape is that`,
+  help: msg`At rest: the flight contracts it. In flight: it is already contracted. Deforming objects are always treated as in flight.`,
+  default: value,
+  options: [
+    { value: 'rest', title: msg`At rest` },
+    { value: 'world', title: msg`In flight` },
+  ],
 });
 
 export const nodeRefusal = (

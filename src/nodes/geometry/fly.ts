@@ -4,7 +4,7 @@ import { msg } from '../../messages/message.ts';
 import { fly, isAtOrBelow, tooLargeToFly } from '../../scene/motion/fly.ts';
 import { fastestVertex } from '../../scene/motion/motion.ts';
 import type { Scene } from '../../scene/types.ts';
-import { timeParam } from '../common/params.ts';
+import { authoredInParam, timeParam } from '../common/params.ts';
 import { defineNode } from '../defineNode.ts';
 import type { FastestScenePoint } from '../services.ts';
 import type { RelativisticScene } from '../socketValues.ts';
@@ -43,16 +43,7 @@ export const flyNode = defineNode({
       ...timeParam(msg`Passes its position at`, 0),
       help: msg`World time at which it is where it would be without the flight.`,
     },
-    authoredIn: {
-      kind: 'choice',
-      title: msg`The file’s shape is that`,
-      help: msg`At rest: the flight contracts it. In flight: it is already contracted. Deforming objects are always treated as in flight.`,
-      default: 'rest',
-      options: [
-        { value: 'rest', title: msg`At rest` },
-        { value: 'world', title: msg`In flight` },
-      ],
-    },
+    authoredIn: authoredInParam('rest'),
   },
   inputs: { relativity: { type: 'relativity' } },
   outputs: { relativity: { type: 'relativity' } },

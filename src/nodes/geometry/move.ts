@@ -4,7 +4,7 @@ import { motionFromPath } from '../../scene/compose/motionPaths.ts';
 import { sampleTimes } from '../../scene/motion/motion.ts';
 import type { RigidMotion, SceneObject } from '../../scene/types.ts';
 import { toLoadedScene } from '../common/loadedScene.ts';
-import { assertPathExists, nodeRefusal, whichParam } from '../common/params.ts';
+import { assertPathExists, authoredInParam, nodeRefusal, whichParam } from '../common/params.ts';
 import { defineNode } from '../defineNode.ts';
 
 /** Moves objects at rest, all as one body. */
@@ -15,16 +15,7 @@ export const moveNode = defineNode({
   category: 'geometry',
   params: {
     which: whichParam,
-    authoredIn: {
-      kind: 'choice',
-      title: msg`The file’s shape is that`,
-      help: msg`At rest: the flight contracts it. In flight: it is already contracted. Deforming objects are always treated as in flight.`,
-      default: 'world',
-      options: [
-        { value: 'rest', title: msg`At rest` },
-        { value: 'world', title: msg`In flight` },
-      ],
-    },
+    authoredIn: authoredInParam('world'),
   },
   inputs: { geometry: { type: 'geometry' }, motion: { type: 'motion' } },
   outputs: { geometry: { type: 'geometry' } },

@@ -1,6 +1,6 @@
 import { normalize } from '../../math/vec3.ts';
 import { msg } from '../../messages/message.ts';
-import { timeParam, vectorParam } from '../common/params.ts';
+import { facingParam, timeParam, vectorParam } from '../common/params.ts';
 import { defineNode } from '../defineNode.ts';
 import { lengthParam } from '../geometry/primitives/definePrimitive.ts';
 import { assertTimeSpan, assertTurns } from './checkSpan.ts';
@@ -26,12 +26,7 @@ export const circularNode = defineNode({
       step: 0.01,
       slider: false,
     },
-    facing: {
-      kind: 'boolean',
-      title: msg`Face along motion`,
-      help: msg`Turns with the direction of motion; otherwise it keeps its pose.`,
-      default: true,
-    },
+    facing: facingParam,
     from: timeParam(msg`From`, 0),
     to: timeParam(msg`To`, 60),
   },

@@ -1,5 +1,5 @@
 import { msg } from '../../messages/message.ts';
-import { timeParam } from '../common/params.ts';
+import { facingParam, timeParam } from '../common/params.ts';
 import { defineNode } from '../defineNode.ts';
 import { assertTimeSpan } from './checkSpan.ts';
 import { parsePathPoints } from './keyTable.ts';
@@ -17,12 +17,7 @@ export const pathNode = defineNode({
       help: msg`One point per line: x y z in metres.`,
       default: ['0 0 0', '4 0 0', '4 0 -4'],
     },
-    facing: {
-      kind: 'boolean',
-      title: msg`Face along motion`,
-      help: msg`Turns with the direction of motion; otherwise it keeps its pose.`,
-      default: true,
-    },
+    facing: facingParam,
     from: timeParam(msg`From`, 0),
     to: timeParam(msg`To`, 10),
   },
