@@ -66,7 +66,7 @@ It is released horizontally, held at two corners, and simulated for ${TIME} s. I
 
 Each cell gives the largest deviation of the energy from its initial value, relative to the largest kinetic energy of the accurate solution (${EXACT}, h = ${STEPS.at(-1) * 1000} ms), and the outcome.
 *Explodes*: the deviation exceeds that kinetic energy; *passes c*: a point reached the speed of light or more; *matrix gives out*: the matrix is no longer positive definite; *fades* and *grows*: more than a twentieth was lost or gained at the end.
-The numbers after the methods of the sources are their energy corrections: 0 none, 1 by the tangent, 2 by the secant, 3 by the root between them. The last column is the time to compute a step of ${STEPS.at(-1) * 1000} ms when nothing else runs: the median of ${TIMED_PARTS} parts of ${TIMED} s of motion, each the fastest of ${TIMED_OFTEN} times.
+The numbers after the methods of the sources are their energy corrections: 0 none, 1 by the tangent, 2 by the secant, 3 by the root (all momenta times the factor that conserves the energy). The last column is the time to compute a step of ${STEPS.at(-1) * 1000} ms when nothing else runs: the median of ${TIMED_PARTS} parts of ${TIMED} s of motion, each the fastest of ${TIMED_OFTEN} times.
 `;
 
 /** All runs, the longest first, so that all cores finish at about the same time; `fraction` of the full durations. */
@@ -306,7 +306,7 @@ function dampedRuns(results) {
   return [
     '## With the documents’ damping',
     '',
-    `Their programs reduce all velocities by a two-hundredth in every step (\`damping\` ${DAMPING}). The loss per second then depends on the step: as dp/dt = −drag · p it corresponds to a drag of ${drags}.`,
+    `The documents name a \`damping\` of ${DAMPING}. As a factor on all velocities in every step, its loss per second depends on the step: as dp/dt = −drag · p it corresponds to a drag of ${drags}.`,
     `Such strong damping hides the behaviour of a method. With it the energy can only decrease; of ${damped.length} runs by the documents’ methods at c = ${SPEEDS.filter(Number.isFinite).join(', ')} m/s with these steps, ${gains.length} gained more than ${power(MIN_GAIN)} of the kinetic energy within ${TIME} s${gains.length > 0 ? ':' : '.'}`,
     ...(gains.length > 0 ? ['', ...gains] : []),
     '',

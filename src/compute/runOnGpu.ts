@@ -1,4 +1,11 @@
-import { type EarlyStop, earlyStopFor, FrameBuilder, type RunOptions, type SimulationFrame } from '../dynamics/run.ts';
+import {
+  type EarlyStop,
+  earlyStopFor,
+  FrameBuilder,
+  NO_STEPS,
+  type RunOptions,
+  type SimulationFrame,
+} from '../dynamics/run.ts';
 import { copyState, SystemError } from '../dynamics/system.ts';
 import { msg } from '../messages/message.ts';
 import { GpuIntegrator } from './gpuIntegrator.ts';
@@ -19,7 +26,7 @@ export async function* runOnGpu(
   device: GPUDevice,
   options: RunOptions,
 ): AsyncGenerator<SimulationFrame, EarlyStop | undefined> {
-  const { system, method, tolerance, start } = options;
+  const { system, method, tolerance, start, since } = options;
   if (!method.coefficients)
     throw new SystemError(msg`${method.id} is not computed on the GPU; leapfrog and Yoshida's methods are`);
   if (tolerance !== undefined) throw new SystemError(msg`adaptive steps are not supported on the GPU; use fixed steps`);
@@ -28,12 +35,15 @@ export async function* runOnGpu(
   const machine = await withErrorScopes(device, () => GpuIntegrator.create(device, system, method.coefficients!, h));
   try {
     const state = copyState(start);
+    let { steps } = since?.tally ?? NO_STEPS;
     yield course.start();
     while (!course.isDone) {
       let frame: SimulationFrame;
       try {
         await machine.advance(state, perFrame);
-        frame = course.next(state, perFrame);
+        steps += perFrame;
+        // The energy that drag takes is not summed on the GPU.
+        frame = course.next(state, { steps, ...(system.drag === 0 && { dragLoss: 0 }) });
       } catch (error) {
         return earlyStopFor(error, state.t);
       }

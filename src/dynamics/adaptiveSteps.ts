@@ -64,17 +64,24 @@ export class AdaptiveSteps {
     const { whole, halves, mover } = this;
     assignState(whole, state);
     assignState(halves, state);
+    const { dragLoss } = mover;
     try {
       mover.step(whole, h);
+      mover.dragLoss = dragLoss;
       mover.step(halves, h / 2);
       mover.step(halves, h / 2);
     } catch (failure) {
+      mover.dragLoss = dragLoss;
       if (last || !(failure instanceof StepFailure)) throw failure;
       return Number.POSITIVE_INFINITY;
     }
     const error = this.difference() / (this.settings.tolerance * h);
-    if (error <= 1) assignState(state, halves);
-    else if (last)
+    if (error <= 1) {
+      assignState(state, halves);
+      return error;
+    }
+    mover.dragLoss = dragLoss;
+    if (last)
       throw new StepFailure('tolerance', msg`even steps of ${h.toExponential(1)} s err too much; allow a larger error`);
     return Number.isNaN(error) ? Number.POSITIVE_INFINITY : error;
   }

@@ -1,6 +1,11 @@
 import type { Vec3 } from '../math/vec3.ts';
 import type { State, System } from './system.ts';
 
+/**
+ * Allowed energy gain relative to the kinetic energy if steps exceed the stability limit; more is not an oscillation.
+ */
+export const MAX_ENERGY_GAIN = 0.5;
+
 /** Conserved quantities of a state in the world frame; pinned points are excluded. */
 export interface ConservedQuantities {
   /** Σ (γ − 1) m c² [J] */

@@ -42,6 +42,7 @@ export {
   type EarlyStop,
   integrate,
   type RunOptions,
+  type RunTally,
   type SimulationFrame,
   type StepSchedule,
   stepSchedule,

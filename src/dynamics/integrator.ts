@@ -1,5 +1,6 @@
 import { dot, length, scale, sub, type Vec3 } from '../math/vec3.ts';
 import { type LocalizedText, msg } from '../messages/message.ts';
+import { kineticEnergy } from './energy.ts';
 import { type IntegrationMethod, StepFailure, type Stepper } from './methods/method.ts';
 import { leapfrog } from './methods/splitting.ts';
 import { momentum, pointAt, pointName, type State, type System } from './system.ts';
@@ -13,6 +14,8 @@ export class Integrator {
   private readonly before: Float64Array;
   /** Momenta of kinematic points. */
   private readonly kinematicMomenta: Float64Array;
+  /** Energy that drag has taken so far [J]. Settable, for steps that are taken back. */
+  dragLoss = 0;
 
   constructor(system: System, method: IntegrationMethod) {
     this.system = system;
@@ -25,19 +28,24 @@ export class Integrator {
     this.kinematicMomenta = new Float64Array(3 * (system.kinematic?.length ?? 0));
   }
 
+  /** Steps so far that the method's energy correction has changed; undefined: it has none. */
+  get corrected(): number | undefined {
+    return this.stepper.corrected;
+  }
+
   /**
    * Half of the drag before and half after, so that the step is time-reversible. Throws a StepFailure; the state is
    * then invalid.
    */
   step(state: State, h: number): void {
-    const { drag, pinned } = this.system;
+    const { drag } = this.system;
     this.before.set(state.x);
     const end = state.t + h;
     this.moveKinematic(state, end);
     for (const fraction of this.fractions) {
-      applyDrag(state, pinned, (fraction * drag * h) / 2);
+      this.applyDrag(state, (fraction * drag * h) / 2);
       this.stepper.step(state, fraction * h);
-      applyDrag(state, pinned, (fraction * drag * h) / 2);
+      this.applyDrag(state, (fraction * drag * h) / 2);
     }
     state.t = end;
     this.placeKinematic(state, end);
@@ -66,6 +74,17 @@ export class Integrator {
     });
   }
 
+  /** Damps all points except pinned ones, and accounts for the energy that they lose. */
+  private applyDrag({ p }: State, exponent: number): void {
+    if (exponent === 0) return;
+    const { system } = this;
+    const { pinned } = system;
+    const fraction = Math.exp(-exponent);
+    const before = kineticEnergy(system, p);
+    for (let i = 0; i < pinned.length; i++) if (!pinned[i]) for (let j = 3 * i; j < 3 * i + 3; j++) p[j] *= fraction;
+    this.dragLoss += before - kineticEnergy(system, p);
+  }
+
   private assertNotTunneled({ x }: State): void {
     for (const force of this.system.forces) {
       const point = force.findTunneled?.(this.before, x);
@@ -80,13 +99,6 @@ export function tunnelingFailure(point: number, where: LocalizedText, positionAt
   const at = positionAt.map((value) => value.toPrecision(4)).join(', ');
   const message = msg`${pointName(point)} went through what is solid, ${where} (${at}) m; take a smaller step, a harder penalty, or let it go slower`;
   return new StepFailure('pierced', message, point);
-}
-
-/** Damps all points except pinned ones. */
-function applyDrag({ p }: State, pinned: Uint8Array, exponent: number): void {
-  if (exponent === 0) return;
-  const fraction = Math.exp(-exponent);
-  for (let i = 0; i < pinned.length; i++) if (!pinned[i]) for (let j = 3 * i; j < 3 * i + 3; j++) p[j] *= fraction;
 }
 
 /** Throws a StepFailure if a value is not finite. */

@@ -149,8 +149,8 @@ it('a run with kinematic points resumes from any frame to the same bits', () => 
   const system = towed((t) => [Math.sin(3 * t), 0.1 * t, 0]);
   const more = { step: 1e-3, duration: 3, every: 1 / 7 };
   const whole = ranBy('discrete-gradient', system, [0, 0, 0, 0, 0, 0], more);
-  const start = whole.frames[8].state;
-  const since = { t: 0, frames: 8 };
+  const { state: start, ...tally } = whole.frames[8];
+  const since = { t: 0, frames: 8, tally };
   const rest = ranBy('discrete-gradient', system, [], { ...more, start, since, duration: 3 - 8 / 7 });
   rest.frames.forEach(({ state }, k) => {
     expect(state).toEqual(whole.frames[8 + k].state);

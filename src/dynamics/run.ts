@@ -1,6 +1,6 @@
 import { type Message, msg } from '../messages/message.ts';
 import { AdaptiveSteps } from './adaptiveSteps.ts';
-import { type ConservedQuantities, conservedQuantities } from './energy.ts';
+import { type ConservedQuantities, conservedQuantities, MAX_ENERGY_GAIN } from './energy.ts';
 import { assertFinite, Integrator } from './integrator.ts';
 import { type IntegrationMethod, StepFailure, type StepFailureReason } from './methods/method.ts';
 import { maxAngularFrequency } from './stability.ts';
@@ -13,10 +13,10 @@ export interface RunOptions {
   /** Not modified. */
   readonly start: State;
   /**
-   * For a resumed run: start time of the whole run [s], and the frame number of `start`; makes times bit-identical to
-   * those of an uninterrupted run.
+   * For a resumed run: start time of the whole run [s], the frame number of `start`, and what was counted until then;
+   * makes a resumed run bit-identical to an uninterrupted one.
    */
-  readonly since?: { readonly t: number; readonly frames: number };
+  readonly since?: { readonly t: number; readonly frames: number; readonly tally: RunTally };
   /** How: one of `METHODS`. */
   readonly method: IntegrationMethod;
   /** From `start.t` on [s]. */
@@ -36,14 +36,25 @@ export interface RunOptions {
   readonly tolerance?: number;
 }
 
+/** What is counted from the start of a run. */
+export interface RunTally {
+  /** Number of steps. */
+  readonly steps: number;
+  /** Energy that drag has taken [J]; absent: not known, because drag acts on a GPU. */
+  readonly dragLoss?: number;
+  /** Number of steps, of which adaptive ones count both attempts, that an energy correction changed; absent: none is made. */
+  readonly corrected?: number;
+}
+
+/** The tally before the first step. */
+export const NO_STEPS: RunTally = { steps: 0, dragLoss: 0 };
+
 /** A state that a run yields at an interval. */
-export interface SimulationFrame {
+export interface SimulationFrame extends RunTally {
   /** A copy, which the caller may keep. */
   readonly state: State;
   /** Its energies and momenta. */
   readonly quantities: ConservedQuantities;
-  /** Steps since the start. */
-  readonly steps: number;
 }
 
 /** Why a run ended early. */
@@ -65,10 +76,6 @@ const MAX_STEP_FRACTION = 0.9;
 /** Default steps per frame if nothing oscillates. */
 const DEFAULT_STEPS_PER_FRAME = 10;
 const MAX_STEPS = 1e9;
-/**
- * Allowed energy gain relative to the kinetic energy if steps exceed the stability limit; more is not an oscillation.
- */
-export const MAX_ENERGY_GAIN = 0.5;
 
 /** How a run is divided into steps. */
 export interface StepSchedule {
@@ -140,7 +147,6 @@ export class FrameBuilder {
   private readonly frames: number;
   private readonly first: ConservedQuantities;
   private frame = 0;
-  private taken = 0;
 
   constructor(options: RunOptions) {
     this.order = options;
@@ -155,20 +161,23 @@ export class FrameBuilder {
     return this.frame === this.frames;
   }
 
-  start = (): SimulationFrame => ({ state: copyState(this.order.start), quantities: this.first, steps: 0 });
+  start = (): SimulationFrame => ({
+    state: copyState(this.order.start),
+    quantities: this.first,
+    ...(this.order.since?.tally ?? NO_STEPS),
+  });
 
-  /** The next frame, from a state that took so many steps. Throws a StepFailure if the state is not plausible. */
-  next(state: State, steps: number): SimulationFrame {
+  /** The next frame, from a state and its tally. Throws a StepFailure if the state is not plausible. */
+  next(state: State, tally: RunTally): SimulationFrame {
     const { order: options, first } = this;
     assertFinite(state);
     const now = conservedQuantities(options.system, state);
     assertEnergyBounded(options, this.steps, first, now);
-    this.taken += steps;
     this.frame++;
     // Recomputed, since sums of many steps accumulate rounding errors.
     const { t, frames } = options.since ?? { t: options.start.t, frames: 0 };
     state.t = t + (frames + this.frame) * options.every;
-    return { state: copyState(state), quantities: now, steps: this.taken };
+    return { state: copyState(state), quantities: now, ...tally };
   }
 }
 
@@ -179,17 +188,29 @@ export function earlyStopFor(error: unknown, t: number): EarlyStop {
   return { reason, t, message: text, ...(point !== undefined && { point }) };
 }
 
-/** Returns a function that advances a state by one frame and returns the number of steps. */
-function advancer(options: RunOptions, { h, perFrame }: StepSchedule): (state: State) => number {
-  const { system, method, every, tolerance } = options;
+/** Returns a function that advances a state by one frame and returns the tally. */
+function advancer(options: RunOptions, { h, perFrame }: StepSchedule): (state: State) => RunTally {
+  const { system, method, every, tolerance, since } = options;
   const mover = new Integrator(system, method);
+  const start = since?.tally ?? NO_STEPS;
+  let { steps } = start;
+  mover.dragLoss = start.dragLoss ?? 0;
+  const tally = (): RunTally => ({
+    steps,
+    dragLoss: mover.dragLoss,
+    ...(mover.corrected !== undefined && { corrected: (start.corrected ?? 0) + mover.corrected }),
+  });
   if (tolerance !== undefined) {
     const adaptive = new AdaptiveSteps(mover, system, { order: method.order, tolerance, longest: h });
-    return (state) => adaptive.advance(state, every);
+    return (state) => {
+      steps += adaptive.advance(state, every);
+      return tally();
+    };
   }
   return (state) => {
     for (let i = 0; i < perFrame; i++) mover.step(state, h);
-    return perFrame;
+    steps += perFrame;
+    return tally();
   };
 }
 

@@ -1,4 +1,4 @@
-import { type EarlyStop, MAX_ENERGY_GAIN, type RunOptions, type SimulationFrame, stepSchedule } from './run.ts';
+import { type EarlyStop, type RunOptions, type RunTally, type SimulationFrame, stepSchedule } from './run.ts';
 
 /** Record of a run for plots and tables, frame by frame, as plain data. World frame, SI units. */
 export interface RunRecord {
@@ -24,6 +24,10 @@ export interface RunRecord {
   readonly potential: Float64Array;
   /** Per frame [J]; as in `ConservedQuantities`. */
   readonly total: Float64Array;
+  /** Energy that drag has taken until each frame [J]; absent: not known, because drag acted on a GPU. */
+  readonly dragLoss?: Float64Array;
+  /** Number of steps that the method's energy correction changed; absent: it has none. */
+  readonly corrected?: number;
   /** x, y, z per frame [kg m/s]. */
   readonly momentum: Float64Array;
   /** x, y, z per frame [kg m²/s]. */
@@ -33,49 +37,6 @@ export interface RunRecord {
   /** Why it ended early. */
   readonly stop?: EarlyStop;
 }
-
-/** Summary of a run. */
-export interface RunSummary {
-  /** Largest change of the energy relative to the largest kinetic energy; undefined if nothing moved. */
-  readonly drift: number | undefined;
-  /** [m/s] */
-  readonly fastest: number;
-  /** Time of the last frame [s]. */
-  readonly until: number;
-  /**
-   * Time at which the energy had grown by more than half of the largest kinetic energy until then [s]: without energy
-   * sources this is the method's error. Absent: never.
-   */
-  readonly grown?: number;
-}
-
-/** Slower motion is rounding error [m/s]. */
-const MIN_SPEED = 1e-9;
-/** Relative rounding error of energies, including the 32-bit positions of a GPU. */
-const ENERGY_ROUNDING = 1e-6;
-
-export function summarizeRun({ total, kinetic, fastest, times, hasKinematic }: RunRecord): RunSummary {
-  const top = maxMagnitude(fastest);
-  const until = times.at(-1) ?? 0;
-  const most = maxMagnitude(kinetic);
-  if (top < MIN_SPEED || most === 0) return { drift: undefined, fastest: top, until };
-  const drift = maxMagnitude(total.map((energy) => energy - total[0])) / most;
-  const frame = hasKinematic ? -1 : firstGrowth(total, kinetic);
-  return { drift, fastest: top, until, ...(frame >= 0 && { grown: times[frame] }) };
-}
-
-/** First frame with an energy above its minimum so far by more than an oscillation; −1: none. */
-function firstGrowth(total: Float64Array, kinetic: Float64Array): number {
-  let [lowest, most] = [Number.POSITIVE_INFINITY, 0];
-  return total.findIndex((energy, k) => {
-    lowest = Math.min(lowest, energy);
-    most = Math.max(most, kinetic[k]);
-    return energy - lowest > MAX_ENERGY_GAIN * most + ENERGY_ROUNDING * (Math.abs(energy) + Math.abs(lowest));
-  });
-}
-
-const maxMagnitude = (values: Float64Array): number =>
-  values.reduce((most, value) => Math.max(most, Math.abs(value)), 0);
 
 /**
  * Records a run; call once per frame.
@@ -97,14 +58,15 @@ export class RunRecorder {
   }
 
   /** Adds a row. */
-  addFrame({ state, quantities, steps }: SimulationFrame): void {
-    this.rows.push({ t: state.t, steps, ...quantities });
+  addFrame({ state, quantities, ...tally }: SimulationFrame): void {
+    this.rows.push({ t: state.t, ...tally, ...quantities });
   }
 
   /** The record so far. */
   record(stop?: EarlyStop): RunRecord {
     const { rows, order: options } = this;
     const column = (of: (row: RunRecordRow) => number): Float64Array => Float64Array.from(rows, of);
+    const corrected = rows.at(-1)?.corrected;
     return {
       method: options.method.id,
       speedOfLight: options.system.c,
@@ -116,6 +78,8 @@ export class RunRecorder {
       kinetic: column(({ kinetic }) => kinetic),
       potential: column(({ potential }) => potential),
       total: column(({ total }) => total),
+      ...(rows.every(({ dragLoss }) => dragLoss !== undefined) && { dragLoss: column(({ dragLoss }) => dragLoss!) }),
+      ...(corrected !== undefined && { corrected }),
       momentum: Float64Array.from(rows.flatMap(({ momentum }) => [...momentum])),
       angularMomentum: Float64Array.from(rows.flatMap(({ angularMomentum }) => [...angularMomentum])),
       fastest: column(({ fastest }) => fastest),
@@ -124,10 +88,10 @@ export class RunRecorder {
   }
 }
 
-type RunRecordRow = SimulationFrame['quantities'] & { readonly t: number; readonly steps: number };
+type RunRecordRow = SimulationFrame['quantities'] & RunTally & { readonly t: number };
 
 const CSV_HEADER =
-  'time [s],steps,kinetic energy [J],potential energy [J],total energy [J],px [kg m/s],py [kg m/s],pz [kg m/s],Lx [kg m²/s],Ly [kg m²/s],Lz [kg m²/s],fastest [m/s]';
+  'time [s],steps,kinetic energy [J],potential energy [J],total energy [J],px [kg m/s],py [kg m/s],pz [kg m/s],Lx [kg m²/s],Ly [kg m²/s],Lz [kg m²/s],fastest [m/s],energy taken by drag [J]';
 
 /**
  * The record as a CSV table: a header with units and a row per frame, in full precision.
@@ -145,7 +109,7 @@ const CSV_HEADER =
  * runRecordCsv(recorder.record()).split('\n').length; // 4: a header, two frames, an empty end
  */
 export function runRecordCsv(record: RunRecord): string {
-  const { times, steps, kinetic, potential, total, momentum, angularMomentum, fastest } = record;
+  const { times, steps, kinetic, potential, total, momentum, angularMomentum, fastest, dragLoss } = record;
   const rows = Array.from(times, (t, i) => [
     t,
     steps[i],
@@ -155,6 +119,7 @@ export function runRecordCsv(record: RunRecord): string {
     ...momentum.subarray(3 * i, 3 * i + 3),
     ...angularMomentum.subarray(3 * i, 3 * i + 3),
     fastest[i],
+    dragLoss?.[i] ?? '',
   ]);
   return `${[CSV_HEADER, ...rows.map((row) => row.join(','))].join('\n')}\n`;
 }

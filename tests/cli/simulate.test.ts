@@ -46,7 +46,28 @@ print(json.dumps([codes, min(world.Transform(p)[1] for p in points.Get(codes[-1]
   ) as [number[], number, number];
   expect(times).toEqual(Array.from({ length: 13 }, (_, k) => k));
   expect(low).toBeLessThan(-0.02);
-  expect(fast).toBeCloseTo(Number(rows.at(-1)!.split(',').at(-1)), 4);
+  expect(fast).toBeCloseTo(Number(rows.at(-1)!.split(',').at(-2)), 4);
+});
+
+test('what drag takes is told apart from what the method loses, and energy that went wrong is told', async () => {
+  const figures = async (...more: string[]) =>
+    slowlightJson<{ energyChange: number; energyDrift: number; dragLoss: number; corrected?: number }>(
+      ...['simulate', project, '--csv', at('drag.csv'), ...more.flatMap((each) => ['--set', each])],
+    );
+  const damped = await figures('weight.drag=3', 'run.method=discrete-gradient');
+  expect(damped.energyChange).toBeGreaterThan(0.3);
+  expect(damped.energyDrift).toBeLessThan(1e-12);
+  expect(Number(readFileSync(at('drag.csv'), 'utf8').trim().split(',').at(-1))).toBe(damped.dragLoss);
+  expect(damped).not.toHaveProperty('energyFault');
+  const implicit = ['run.method=linearly-implicit', 'run.step=0.01', 'run.duration=2'];
+  const fading = await figures(...implicit, 'run.correction=2');
+  expect(fading).toMatchObject({
+    ...{ corrected: 0, dragLoss: 0 },
+    energyFault: { kind: 'lost', message: expect.stringMatching(/energy is missing .* linearly-implicit-2/) },
+  });
+  const kept = await figures(...implicit, 'run.correction=3');
+  expect(kept.energyDrift).toBeLessThan(1e-11);
+  expect(kept.corrected).toBe(200);
 });
 
 test('a GPU computes a simulation, also one that a project’s picture needs', async () => {

@@ -1,15 +1,18 @@
 import { createHash } from 'node:crypto';
 import { closeSync, ftruncateSync, openSync, readFileSync, writeSync } from 'node:fs';
 import { endianness } from 'node:os';
-import type { SimulationFrame } from '../../dynamics/run.ts';
+import type { RunTally, SimulationFrame } from '../../dynamics/run.ts';
 import type { State } from '../../dynamics/system.ts';
 import { msg } from '../../messages/message.ts';
 import { inputProblem } from '../terminal/exitCodes.ts';
 
-/** First line of a checkpoint, as JSON. Frames follow as f64: t, steps, x (3 per point), p (3 per point). */
+/**
+ * First line of a checkpoint, as JSON. Frames follow as f64: t, steps, energy taken by drag, corrected steps (NaN where
+ * absent), x (3 per point), p (3 per point).
+ */
 interface CheckpointHeader {
   readonly slowlight: 'checkpoint';
-  readonly version: 1;
+  readonly version: 2;
   /** Content hash of the simulation's inputs. */
   readonly content: string;
   readonly points: number;
@@ -18,8 +21,11 @@ interface CheckpointHeader {
 
 export interface CheckpointFrame {
   readonly state: State;
-  readonly steps: number;
+  readonly tally: RunTally;
 }
+
+/** Numbers of a frame before its positions. */
+const FRAME_HEAD = 4;
 
 const LITTLE_ENDIAN = endianness() === 'LE';
 
@@ -43,7 +49,7 @@ export class Checkpoint {
     if (after === undefined) {
       const head: CheckpointHeader = {
         slowlight: 'checkpoint',
-        version: 1,
+        version: 2,
         content,
         points,
         littleEndian: LITTLE_ENDIAN,
@@ -57,11 +63,11 @@ export class Checkpoint {
 
   private at: number | null = null;
 
-  add({ state: { t, x, p }, steps }: Pick<SimulationFrame, 'state' | 'steps'>): void {
-    const numbers = new Float64Array(2 + x.length + p.length);
-    numbers.set([t, steps]);
-    numbers.set(x, 2);
-    numbers.set(p, 2 + x.length);
+  add({ state: { t, x, p }, steps, dragLoss, corrected }: Omit<SimulationFrame, 'quantities'>): void {
+    const numbers = new Float64Array(FRAME_HEAD + x.length + p.length);
+    numbers.set([t, steps, dragLoss ?? Number.NaN, corrected ?? Number.NaN]);
+    numbers.set(x, FRAME_HEAD);
+    numbers.set(p, FRAME_HEAD + x.length);
     writeSync(this.file, new Uint8Array(numbers.buffer), 0, numbers.byteLength, this.at);
     if (this.at !== null) this.at += numbers.byteLength;
   }
@@ -93,15 +99,21 @@ export function readCheckpoint(
     throw inputProblem(
       msg`${path} was made of another simulation: its things, numbers, method or pace were others; set them as they were, or leave --resume out to begin anew`,
     );
-  const size = 2 + 6 * points;
+  const size = FRAME_HEAD + 6 * points;
   const body = bytes.slice(newline + 1);
   const count = Math.floor(body.length / (8 * size));
   const numbers = new Float64Array(body.buffer, 0, count * size);
   const frames = Array.from({ length: count }, (_, k): CheckpointFrame => {
-    const [t, steps] = numbers.subarray(k * size);
-    const x = numbers.slice(k * size + 2, k * size + 2 + 3 * points);
-    const p = numbers.slice(k * size + 2 + 3 * points, (k + 1) * size);
-    return { state: { t, x, p }, steps };
+    const [t, steps, dragLoss, corrected] = numbers.subarray(k * size);
+    const positions = k * size + FRAME_HEAD;
+    const x = numbers.slice(positions, positions + 3 * points);
+    const p = numbers.slice(positions + 3 * points, (k + 1) * size);
+    const tally = {
+      steps,
+      ...(!Number.isNaN(dragLoss) && { dragLoss }),
+      ...(!Number.isNaN(corrected) && { corrected }),
+    };
+    return { state: { t, x, p }, tally };
   });
   return { frames, end: newline + 1 + 8 * count * size };
 }
@@ -117,7 +129,7 @@ function readBytes(path: string): Uint8Array {
 function parseHeader(bytes: Uint8Array): CheckpointHeader | undefined {
   try {
     const head = JSON.parse(new TextDecoder().decode(bytes)) as CheckpointHeader;
-    return head.slowlight === 'checkpoint' && head.version === 1 ? head : undefined;
+    return head.slowlight === 'checkpoint' && head.version === 2 ? head : undefined;
   } catch {
     return undefined;
   }

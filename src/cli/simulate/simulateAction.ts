@@ -1,7 +1,8 @@
 import { basename, dirname, extname, resolve } from 'node:path';
 import { setImmediate } from 'node:timers/promises';
 import { stepSchedule } from '../../dynamics/run.ts';
-import { type RunRecord, runRecordCsv, summarizeRun } from '../../dynamics/runRecord.ts';
+import { type RunRecord, runRecordCsv } from '../../dynamics/runRecord.ts';
+import { energyFaultMessage, summarizeRun } from '../../dynamics/runSummary.ts';
 import { dotted } from '../../formats/files/fileSource.ts';
 import { writtenExtensions } from '../../formats/save.ts';
 import { flatten } from '../../graph/analysis/flatten.ts';
@@ -149,13 +150,13 @@ function openCheckpoint(
   const content = contentHash({ matter, settings, every: runOptions.every, steps: stepSchedule(runOptions) });
   if (!resume) return new Checkpoint(path, content, points);
   const existing = readCheckpoint(path, content, points);
-  for (const { state, steps } of existing.frames.slice(0, frames)) simulation.addFrame(state, steps);
+  for (const { state, tally } of existing.frames.slice(0, frames)) simulation.addFrame(state, tally);
   return new Checkpoint(path, content, points, existing.end);
 }
 
 function report(books: RunRecord, files: readonly string[], { json }: SimulateFlags): void {
-  const { method, onGpu = false, speedOfLight, step, times, stop, steps } = books;
-  const { until, fastest, drift = 0 } = summarizeRun(books);
+  const { method, onGpu = false, speedOfLight, step, times, stop, steps, corrected } = books;
+  const { until, fastest, change = 0, drift, dragLoss, fault } = summarizeRun(books);
   const summary = {
     files,
     method,
@@ -166,8 +167,16 @@ function report(books: RunRecord, files: readonly string[], { json }: SimulateFl
     frames: times.length,
     until,
     fastest,
-    /** Largest deviation of the energy from its first value, over the largest kinetic energy. */
-    energyChange: drift,
+    /** Largest deviation of the energy from its first value, over the largest kinetic energy, whatever its cause. */
+    energyChange: change,
+    /** The same with what drag took added: the method's error. Absent where moving objects, or drag on a GPU, hide it. */
+    ...(drift !== undefined && { energyDrift: drift }),
+    /** [J] */
+    ...(dragLoss !== undefined && { dragLoss }),
+    /** Steps that the energy correction changed. */
+    ...(corrected !== undefined && { corrected }),
+    /** The energy went wrong. */
+    ...(fault && { energyFault: { ...fault, message: energyFaultMessage(fault, method) } }),
     ...(stop && { stop }),
   };
   if (json) console.log(toJson(summary));

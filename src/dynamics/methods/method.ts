@@ -21,6 +21,8 @@ export interface IntegrationMethod {
 
 /** A method applied to one system, with its scratch buffers. */
 export interface Stepper {
+  /** Steps so far that an energy correction has changed; absent: it has none. */
+  readonly corrected?: number;
   /** Advances the state by h [s]. Throws a StepFailure; the state is then invalid. */
   step(state: State, h: number): void;
 }
@@ -37,6 +39,8 @@ export type StepFailureReason =
   | 'infinite'
   /** A point passed through a solid. */
   | 'pierced'
+  /** No velocities conserve the energy. */
+  | 'energy'
   /** Steps exceed the stability limit, and the energy grows. */
   | 'unstable'
   /** No step is short enough for the tolerance. */

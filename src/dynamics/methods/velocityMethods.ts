@@ -1,15 +1,15 @@
 import { msg } from '../../messages/message.ts';
-import { potentialEnergy } from '../energy.ts';
+import { kineticEnergy, potentialEnergy } from '../energy.ts';
 import type { Stiffness, StiffnessForm } from '../forces/force.ts';
 import { ConjugateGradients } from '../linear/conjugateGradients.ts';
 import { StepMatrix } from '../linear/stepMatrix.ts';
-import { momenta, type State, type System, SystemError, velocities } from '../system.ts';
-import { type EnergyCorrection, velocityChangeFraction } from './energyCorrection.ts';
+import { momenta, pointAt, type State, type System, SystemError, velocities } from '../system.ts';
+import { type EnergyCorrection, momentumFactor, velocityChangeFraction } from './energyCorrection.ts';
 import { type IntegrationMethod, potentialForces, StepFailure, type Stepper } from './method.ts';
 
 /* The methods of the source documents (docs/physics.md §14), for comparison: their state are velocities, forces become accelerations by (I
-   − ββᵀ)/γm at the velocity before the step, and nothing keeps them below c. Their energy is corrected by applying a
-   fraction of each step's Δv (energyCorrection.ts). */
+   − ββᵀ)/γm at the velocity before the step, and nothing keeps them below c. Their energy is corrected after each step
+   (energyCorrection.ts). */
 
 /** v += h a(x, v), x += h v */
 export const semiImplicitEuler = (correction: EnergyCorrection): IntegrationMethod =>
@@ -100,6 +100,8 @@ function velocityMethod(
 }
 
 class VelocityStepper implements Stepper {
+  /** Undefined where the energy is not corrected. */
+  corrected: number | undefined;
   private readonly system: System;
   private readonly correction: EnergyCorrection;
   private readonly change: VelocityChange;
@@ -108,19 +110,28 @@ class VelocityStepper implements Stepper {
   constructor(system: System, correction: EnergyCorrection, change: VelocityChange) {
     this.system = system;
     this.correction = correction;
+    this.corrected = correction === 0 ? undefined : 0;
     this.change = change;
     this.v = new Float64Array(3 * system.masses.length);
   }
 
   step(state: State, h: number): void {
-    const { system, v } = this;
-    velocities(system, state.p, v);
-    const before = potentialEnergy(system, state.x);
-    const dv = this.change(state.x, v, h);
-    for (let j = 0; j < v.length; j++) state.x[j] += h * (v[j] + dv[j]);
-    const share = velocityChangeFraction(this.correction, system, v, dv, before - potentialEnergy(system, state.x));
-    for (let j = 0; j < v.length; j++) v[j] += share * dv[j];
-    state.p.set(this.momenta());
+    const { system, v, correction } = this;
+    const { x, p } = state;
+    velocities(system, p, v);
+    const potential = potentialEnergy(system, x);
+    const kinetic = kineticEnergy(system, p);
+    const dv = this.change(x, v, h);
+    const held = heldPositions(system, x);
+    for (let j = 0; j < v.length; j++) x[j] += h * (v[j] + dv[j]);
+    const gain = correction === 0 ? 0 : potential - potentialEnergy(system, held ? held(x) : x);
+    const fraction = correction === 1 || correction === 2 ? velocityChangeFraction(correction, system, v, dv, gain) : 1;
+    for (let j = 0; j < v.length; j++) v[j] += fraction * dv[j];
+    p.set(this.momenta());
+    const factor =
+      correction === 3 ? momentumFactor(system, p, kinetic + gain, Math.abs(potential) + Math.abs(gain) + kinetic) : 1;
+    for (let j = 0; j < p.length; j++) p[j] *= factor;
+    if (this.corrected !== undefined && (fraction !== 1 || factor !== 1)) this.corrected++;
     state.t += h;
   }
 
@@ -133,6 +144,22 @@ class VelocityStepper implements Stepper {
       throw error;
     }
   }
+}
+
+/**
+ * Where there are kinematic points: a function that returns positions with these where they are now, since the energy
+ * that their motion adds is not the method's error.
+ */
+function heldPositions({ kinematic }: System, now: Float64Array): ((x: Float64Array) => Float64Array) | undefined {
+  if (!kinematic) return undefined;
+  const at = kinematic.map(({ point }) => pointAt(now, point));
+  return (x) => {
+    const held = x.slice();
+    kinematic.forEach(({ point }, i) => {
+      held.set(at[i], 3 * point);
+    });
+    return held;
+  };
 }
 
 /** h (F − (F·β)β)/γm */

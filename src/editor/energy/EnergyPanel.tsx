@@ -2,7 +2,7 @@ import { listed, type Message, msg } from '../../messages/message.ts';
 import './energy.css';
 import { ScrollArea, Select, Stack, Switch, Text, useComputedColorScheme } from '@mantine/core';
 import { type ReactNode, useMemo, useState } from 'react';
-import { type RunSummary, summarizeRun } from '../../dynamics/runRecord.ts';
+import { energyFaultMessage, type RunSummary, summarizeRun } from '../../dynamics/runSummary.ts';
 import { formatBeta, formatNumber, formatSeconds } from '../format.ts';
 import { useTexts } from '../language/languageStore.ts';
 import { userTitle } from '../panels/nodeTitle.ts';
@@ -15,6 +15,8 @@ import { frameIndexAt, QUANTITIES, type RunQuantity, unitOf, valuesOf } from './
 
 const QUANTITY_TITLES: Readonly<Record<RunQuantity, Message>> = {
   change: msg`Change of energy`,
+  drift: msg`Drift of energy`,
+  dragLoss: msg`Energy taken by drag`,
   total: msg`Total energy`,
   kinetic: msg`Kinetic energy`,
   potential: msg`Potential energy`,
@@ -125,7 +127,7 @@ function EnergyPlot({ runs, quantity, unit, logarithmic }: RunsProps & { readonl
 
 function valueAt({ times, values }: PlotLine, t: number): string {
   const frame = frameIndexAt(times, t);
-  return frame < 0 ? '–' : formatNumber(values[frame]!);
+  return frame < 0 || Number.isNaN(values[frame]) ? '–' : formatNumber(values[frame]!);
 }
 
 /** Values at the page's time, and figures of the whole run. */
@@ -139,7 +141,12 @@ function EnergyTable({ runs, unit }: RunsProps): ReactNode {
           <th scope="col">
             <CurrentTime unit={unit} />
           </th>
-          <th scope="col" title={t(msg`The largest change of the energy, relative to the largest kinetic energy`)}>
+          <th
+            scope="col"
+            title={t(
+              msg`The largest change of the energy and what drag took together, relative to the largest kinetic energy: the method’s error. – where moving objects, or drag on a graphics processor, hide it`,
+            )}
+          >
             {t(msg`Drift`)}
           </th>
           <th scope="col">{t(msg`Fastest`)}</th>
@@ -193,21 +200,18 @@ function RunNotes({ run, figures }: { readonly run: LabeledRun; readonly figures
   const { t } = useTexts();
   const running = useEditorState((state) => state.interim === 'running');
   const { record, interim } = run;
-  const { step, stop, speedOfLight } = record;
-  const { until, grown } = figures;
+  const { step, stop, speedOfLight, method } = record;
+  const { until, fault, dragLoss = 0 } = figures;
   const h = step > 0 ? t(msg`h = ${formatNumber(step * 1000, 2)} ms`) : t(msg`adaptive h`);
   const c = Number.isFinite(speedOfLight) ? `c = ${formatNumber(speedOfLight)} m/s` : t(msg`Newtonian`);
+  const drag = dragLoss > 0 && t(msg`drag took ${formatNumber(dragLoss)} J`);
   const far =
     interim && t(running ? msg`computed until ${formatSeconds(until)}` : msg`stopped at ${formatSeconds(until)}`);
   return (
     <tr>
       <td colSpan={4}>
-        {[c, h, far].filter(Boolean).join(' · ')}
-        {grown !== undefined && (
-          <strong>
-            {t(msg`By ${formatSeconds(grown)} energy had grown without a source: an error of the method`)}
-          </strong>
-        )}
+        {[c, h, drag, far].filter(Boolean).join(' · ')}
+        {fault && <strong>{t(energyFaultMessage(fault, method))}</strong>}
         {stop && <strong>{t(msg`Ended at ${formatSeconds(stop.t)}: ${stop.message}`)}</strong>}
       </td>
     </tr>

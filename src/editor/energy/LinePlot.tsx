@@ -6,7 +6,7 @@ import { formatSeconds } from '../format.ts';
 import { useServices } from '../services.tsx';
 import { useTelemetry } from '../state/context.tsx';
 import { type ColorScheme, lineStyle } from './lineStyle.ts';
-import { onLogarithmicAxis } from './series.ts';
+import { onLinearAxis, onLogarithmicAxis } from './series.ts';
 import { tick, ticksWidth } from './ticks.ts';
 
 /** A line of the plot. */
@@ -128,7 +128,7 @@ function placeTimeMarker({ over, valToPos }: uPlot, time: number): void {
 /** All lines on shared times, with gaps where a line has no value. */
 function alignedData(lines: readonly PlotLine[], logarithmic: boolean): uPlot.AlignedData {
   const columns = lines.map(
-    ({ times, values }): uPlot.AlignedData => [times, logarithmic ? onLogarithmicAxis(values) : values],
+    ({ times, values }): uPlot.AlignedData => [times, (logarithmic ? onLogarithmicAxis : onLinearAxis)(values)],
   );
   const [only] = columns;
   return only && columns.length === 1 ? only : uPlot.join(columns);

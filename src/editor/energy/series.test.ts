@@ -1,12 +1,12 @@
 import { describe, expect, it } from 'vitest';
 import { add, build } from '../../../tests/support/graphKit.ts';
-import { type RunRecord, summarizeRun } from '../../dynamics/runRecord.ts';
+import type { RunRecord } from '../../dynamics/runRecord.ts';
 import type { NodeResult } from '../../graph/evaluation/resultCache.ts';
 import { inEnglish } from '../../messages/message.ts';
 import { computedUntil, simulationRuns, unevaluatedSimulations } from '../state/simulationRuns.ts';
 import { lineStyle } from './lineStyle.ts';
 import { runNames } from './runNames.ts';
-import { frameIndexAt, onLogarithmicAxis, unitOf, valuesOf } from './series.ts';
+import { frameIndexAt, onLinearAxis, onLogarithmicAxis, unitOf, valuesOf } from './series.ts';
 import { tick } from './ticks.ts';
 
 /** Three frames; the maximum kinetic energy is 3 J, and 1.5 J are lost. */
@@ -69,9 +69,16 @@ describe('the run records of an evaluation', () => {
     expect([...valuesOf(record, 'fastest', 'm/s')]).toEqual([0, 8, 5]);
   });
 
-  it('are summarized by drift relative to the kinetic energy, maximum speed and end', () => {
-    expect(summarizeRun(record)).toEqual({ drift: 0.5, fastest: 8, until: 1 });
-    expect(summarizeRun({ ...record, kinetic: Float64Array.of(0, 0, 0) }).drift).toBeUndefined();
+  it('have what drag took apart from the drift, which moving objects and drag on a GPU hide', () => {
+    const damped = { ...record, dragLoss: Float64Array.of(0, 1, 1.25) };
+    expect([...valuesOf(damped, 'drift', 'J')]).toEqual([0, 0, -0.25]);
+    expect([...valuesOf(damped, 'dragLoss', 'J')]).toEqual([0, 1, 1.25]);
+    expect([...valuesOf({ ...damped, hasKinematic: true }, 'drift', 'J')]).toEqual([
+      Number.NaN,
+      Number.NaN,
+      Number.NaN,
+    ]);
+    expect(onLinearAxis(valuesOf(record, 'drift', 'J'))).toEqual([null, null, null]);
   });
 });
 

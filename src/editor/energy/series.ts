@@ -5,9 +5,11 @@ import type { SimulationRun } from '../state/simulationRuns.ts';
 /** Quantities that can be plotted over time. */
 export const QUANTITIES = [
   'change',
+  'drift',
   'total',
   'kinetic',
   'potential',
+  'dragLoss',
   'fastest',
   'momentum',
   'angularMomentum',
@@ -16,8 +18,12 @@ export type RunQuantity = (typeof QUANTITIES)[number];
 
 /** Values of a quantity, one per frame, in `unit` (see `unitOf`). */
 export function valuesOf(record: RunRecord, quantity: RunQuantity, unit: string): Float64Array {
-  const { total, speedOfLight, fastest } = record;
+  const { total, speedOfLight, fastest, hasKinematic } = record;
+  const { dragLoss = total.map(() => Number.NaN) } = record;
   if (quantity === 'change') return total.map((energy) => energy - (total[0] ?? 0));
+  if (quantity === 'drift')
+    return total.map((energy, k) => (hasKinematic ? Number.NaN : energy + dragLoss[k]! - (total[0] ?? 0)));
+  if (quantity === 'dragLoss') return dragLoss;
   if (quantity === 'fastest') return unit === 'c' ? fastest.map((speed) => speed / speedOfLight) : fastest;
   if (quantity === 'momentum' || quantity === 'angularMomentum') return lengths(record[quantity]);
   return record[quantity];
@@ -38,6 +44,10 @@ const lengths = (vectors: Float64Array): Float64Array =>
 
 /** Index of the last frame with time ≤ t; −1 if there is none. */
 export const frameIndexAt = (times: Float64Array, t: number): number => samplesUntil(times, t) - 1;
+
+/** Values for a linear axis; null where not finite. */
+export const onLinearAxis = (values: Float64Array): (number | null)[] =>
+  Array.from(values, (value) => (Number.isFinite(value) ? value : null));
 
 /** Absolute values for a logarithmic axis; null where zero or not finite. */
 export const onLogarithmicAxis = (values: Float64Array): (number | null)[] =>

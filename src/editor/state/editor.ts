@@ -1,4 +1,5 @@
 import { createStore, type StoreApi } from 'zustand/vanilla';
+import { energyFaultMessage, summarizeRun } from '../../dynamics/runSummary.ts';
 import type { GraphDocument, ParamValue } from '../../graph/document/document.ts';
 import { type Command, CommandError } from '../../graph/edits/commands.ts';
 import {
@@ -360,7 +361,7 @@ function applyEvaluation(store: StoreApi<EditorState>, evaluation: Evaluation): 
     result.status === 'failed' ? [{ node, problem: result.problem }] : [],
   );
   const known = new Set(simulationRuns(store.getState().results).map(({ record }) => record));
-  const stops = simulationRuns(evaluation.results).filter(({ record }) => record.stop && !known.has(record));
+  const fresh = simulationRuns(evaluation.results).filter(({ record }) => !known.has(record));
   const shown = pictureUpdate(store, evaluation);
   store.setState(({ notices }) => ({
     ...shown,
@@ -370,9 +371,14 @@ function applyEvaluation(store: StoreApi<EditorState>, evaluation: Evaluation): 
     results: evaluation.results,
     notices: notices.filter((notice) => !notice.ofDocument),
   }));
-  for (const { node, record } of stops) {
-    const text = msg`it ended at t = ${record.stop!.t.toPrecision(4)} s: ${record.stop!.message}`;
-    addNotice(store, { kind: 'warning', text, place: node, ofDocument: true });
+  for (const { node, record } of fresh) {
+    const { stop, method } = record;
+    const { fault } = summarizeRun(record);
+    const texts = [
+      fault && energyFaultMessage(fault, method),
+      stop && msg`it ended at t = ${stop.t.toPrecision(4)} s: ${stop.message}`,
+    ];
+    for (const text of texts) if (text) addNotice(store, { kind: 'warning', text, place: node, ofDocument: true });
   }
   for (const { message, place, remedy } of failed.map(({ problem }) => problem)) {
     addNotice(store, { kind: 'error', text: message, place, remedy, ofDocument: true });

@@ -159,7 +159,9 @@ it('cancelling stops newly started work, and does not restart it', async () => {
 
 it('a run that stopped early is reported once', async () => {
   const { editor, state } = await open();
-  const books = { kinetic: Float64Array.of(0), stop: { t: 1.5, message: msg`too fast` } };
+  const zero = Float64Array.of(0);
+  const stop = { t: 1.5, message: msg`too fast` };
+  const books = { kinetic: zero, total: zero, fastest: zero, times: zero, dragLoss: zero, stop };
   led[0]!.end('abc', { books });
   await settled();
   expect(state().notices).toMatchObject([

@@ -1204,8 +1204,16 @@ const messages: Translation['messages'] = {
   'the GPU was lost ({}); go on, or compute it on the processor': 'GPU 已丢失（{1}）；请继续，或在处理器上计算',
   'steps of {} s are too long for {}: perturbations may grow; set a shorter step, or 0':
     '步长 {1} s 对 {2} 来说太长：微小的量可能每步增大；请设更短的步长，或设为 0',
-  'by t = {} s the energy had grown without a source by more than half of the kinetic energy: an error of {}; set a shorter step, or another method':
-    '至 t = {1} s，凭空出现的能量已超过运动能量的一半：这是 {2} 的误差；请设更短的步长，或换一种方法',
+  'from t = {} s on there is energy without a source, up to {} % of the largest kinetic energy: an error of {}; set a shorter step, or another method':
+    '自 t = {1} s 起有能量凭空出现，最多为最大动能的 {2}%：是 {3} 的误差；请缩短步长，或换一种方法',
+  'from t = {} s on energy is missing that nothing took, up to {} % of the largest kinetic energy: an error of {}; set a shorter step, or another method':
+    '自 t = {1} s 起有能量无故消失，最多为最大动能的 {2}%：是 {3} 的误差；请缩短步长，或换一种方法',
+  'the correction changed no step: it only holds back steps that gain energy; the correction by the root conserves it':
+    '修正没有改变任何一步：它只抑制使能量增加的步；求根修正可使能量守恒',
+  'after the step no velocities conserve the energy: {}; take a smaller step':
+    '这一步之后，任何速度都不能使能量守恒：{1}；请缩短步长',
+  'the potential energy alone is {} J above the total': '仅势能就比总能量高出 {1} J',
+  'nothing moves that could have {} J': '没有运动的物体可以具有这 {1} J',
   'the GPU here is a software implementation; without it the simulation is faster':
     '这里的 GPU 是运行在处理器上的程序；不用它，模拟更快',
   'there is no GPU here that computes (WebGPU)': '这里没有能计算的 GPU（WebGPU）',
@@ -1789,7 +1797,8 @@ const messages: Translation['messages'] = {
   'The discrete gradient conserves energy; splitting methods are fast, and their energy oscillates without a trend; the last three are those of the source documents, for comparison.':
     '离散梯度保持能量；分裂法快，能量只摆动、无趋势；最后三种来自原始文献，用于比较。',
   Correction: '能量修正',
-  'Correction of the energy after each step.': '每步之后对能量的修正。',
+  'Correction of the energy after each step. Tangent and secant apply a fraction of the change of velocity: they hold back steps that gain energy, and the secant leaves those that lose it, as implicit steps do. The root multiplies all momenta by the factor that conserves the energy to rounding; where there is none, the run ends.':
+    '每步之后对能量的修正。切线与割线只施加速度变化的一部分：它们抑制使能量增加的步；割线不改变使能量减少的步，隐式步即是如此。求根则把所有动量乘以同一因子，使能量守恒至舍入误差；若无此因子，模拟即告终止。',
   'On the GPU': '在 GPU 上',
   'Takes the steps on the graphics processor, in 32-bit floats: for cloths of many thousands of points. Their rounding error is about a millionth of the kinetic energy.':
     '由图形处理器以 32 位数计算各步：适合有成千上万个点的布料；舍入误差约为动能的百万分之一。',
@@ -2513,6 +2522,8 @@ const messages: Translation['messages'] = {
     '未计算，因为没有通向画面：{1}。请将其几何连接到场景，可经过变换节点与其他结果并排显示。',
   Quantity: '绘制的量',
   'Change of energy': '能量变化',
+  'Drift of energy': '能量漂移',
+  'Energy taken by drag': '阻力耗去的能量',
   'Total energy': '总能量',
   'Kinetic energy': '动能',
   'Potential energy': '势能',
@@ -2523,14 +2534,15 @@ const messages: Translation['messages'] = {
   '{} over time': '{1}随时间的变化',
   Run: '模拟',
   Drift: '漂移',
-  'The largest change of the energy, relative to the largest kinetic energy': '能量的最大变化，以最大动能为单位',
+  'The largest change of the energy and what drag took together, relative to the largest kinetic energy: the method’s error. – where moving objects, or drag on a graphics processor, hide it':
+    '能量与阻力耗去的能量之和的最大变化，相对于最大动能：方法的误差。在运动物体或图形处理器上的阻力使其无从得知时为 –',
   Fastest: '最快',
   'h = {} ms': 'h = {1} ms',
   'adaptive h': '自适应步长',
   Newtonian: '牛顿力学',
   'computed until {}': '已计算到 {1}',
   'stopped at {}': '停止于 {1}',
-  'By {} energy had grown without a source: an error of the method': '至 {1} 已有能量凭空出现：方法的误差',
+  'drag took {} J': '阻力耗去 {1} J',
   'Ended at {}: {}': '结束于 {1}：{2}',
 
   // The scene

@@ -1,4 +1,4 @@
-import type { EarlyStop, RunOptions, SimulationFrame } from '../../dynamics/run.ts';
+import { type EarlyStop, NO_STEPS, type RunOptions, type RunTally, type SimulationFrame } from '../../dynamics/run.ts';
 import { type RunRecord, RunRecorder } from '../../dynamics/runRecord.ts';
 import { type State, velocities } from '../../dynamics/system.ts';
 import { fromAxisAngle, rotate, shortestRotation } from '../../math/quat.ts';
@@ -72,9 +72,9 @@ export class MotionRecorder {
     return this.rows.length;
   }
 
-  /** State of the last recorded frame, or the initial one, and the number of steps so far. */
-  get latest(): { readonly state: State; readonly steps: number } {
-    return { state: this.last, steps: this.rows.at(-1)?.steps ?? 0 };
+  /** State of the last recorded frame, or the initial one, and the tally so far. */
+  get latest(): { readonly state: State; readonly tally: RunTally } {
+    return { state: this.last, tally: this.rows.at(-1) ?? NO_STEPS };
   }
 
   /** The recording so far. */

@@ -1,7 +1,8 @@
 import { describe, expect, it } from 'vitest';
 import { add, build, connect } from '../../../tests/support/graphKit.ts';
 import { english, inWords, saying } from '../../../tests/support/inWords.ts';
-import { type RunRecord, summarizeRun } from '../../dynamics/runRecord.ts';
+import type { RunRecord } from '../../dynamics/runRecord.ts';
+import { summarizeRun } from '../../dynamics/runSummary.ts';
 import { openScene } from '../../formats/open.ts';
 import type { GraphDocument, ParamValue } from '../../graph/document/document.ts';
 import type { Command } from '../../graph/edits/commands.ts';
@@ -408,7 +409,7 @@ describe('a run', () => {
     const [note] = await noted({ method: 'semi-implicit-euler', correction: '2' });
     expect(note).toMatchObject({ code: 'simulate.grows', place: 'run.method', severity: 'warning' });
     expect(inEnglish(note.message)).toMatch(
-      /^by t = [\d.]+ s the energy had grown without a source .* semi-implicit-euler-2; set a shorter/,
+      /^from t = [\d.]+ s on there is energy without a source, .* semi-implicit-euler-2; set a shorter/,
     );
     expect(await noted({ method: 'leapfrog' })).toEqual([]);
     expect(await noted({ method: 'leapfrog', tolerance: 1e-300 })).toMatchObject([{ place: 'run.tolerance' }]);
@@ -485,7 +486,7 @@ describe('bodies with prescribed motion', () => {
     expect(record.kinetic[0]).toBe(0);
     expect(record.stop).toBeUndefined();
     // Pumping changes the energy, so no numerical gain is reported.
-    expect(summarizeRun(record).grown).toBeUndefined();
+    expect(summarizeRun(record).fault).toBeUndefined();
     expect(scene.diagnostics).toEqual([]);
     for (const t of [0, 0.4, 1]) expect(placeOf(thing(scene, '/Mover'), t, c)).toEqual([u * t, 0, 0]);
     expect(validate(scene, c).filter(({ severity }) => severity === 'error')).toEqual([]);

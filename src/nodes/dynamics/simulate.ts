@@ -74,7 +74,7 @@ export const simulateNode = defineNode({
     correction: {
       kind: 'choice',
       title: msg`Correction`,
-      help: msg`Correction of the energy after each step.`,
+      help: msg`Correction of the energy after each step. Tangent and secant apply a fraction of the change of velocity: they hold back steps that gain energy, and the secant leaves those that lose it, as implicit steps do. The root multiplies all momenta by the factor that conserves the energy to rounding; where there is none, the run ends.`,
       default: '0',
       options: [
         { value: '0', title: msg`None` },

@@ -2,8 +2,16 @@ import type { ComputeGpu } from '../../compute/computeDevice.ts';
 import { runOnGpu } from '../../compute/runOnGpu.ts';
 import { conservedQuantities } from '../../dynamics/energy.ts';
 import { METHODS } from '../../dynamics/methods/library.ts';
-import { type EarlyStop, integrate, type RunOptions, type SimulationFrame, stepSchedule } from '../../dynamics/run.ts';
-import { type RunRecord, summarizeRun } from '../../dynamics/runRecord.ts';
+import {
+  type EarlyStop,
+  integrate,
+  type RunOptions,
+  type RunTally,
+  type SimulationFrame,
+  stepSchedule,
+} from '../../dynamics/run.ts';
+import type { RunRecord } from '../../dynamics/runRecord.ts';
+import { energyFaultMessage, summarizeRun } from '../../dynamics/runSummary.ts';
 import { type State, SystemError, withPointName } from '../../dynamics/system.ts';
 import { type LocalizedText, type Message, msg } from '../../messages/message.ts';
 import type { Diagnostic } from '../../scene/types.ts';
@@ -107,9 +115,9 @@ export class Simulation {
   private async *runRemaining(device: GPUDevice | undefined): AsyncGenerator<SimulationFrame, void> {
     const { runOptions: options, recorder } = this;
     const { length } = recorder;
-    const { state: start, steps } = recorder.latest;
+    const { state: start, tally } = recorder.latest;
     const done = Math.max(1, length) - 1;
-    const since = { t: options.start.t, frames: done };
+    const since = { t: options.start.t, frames: done, tally };
     const left = (this.frames - 1 - done) * options.every;
     const rest: RunOptions = {
       ...options,
@@ -127,9 +135,8 @@ export class Simulation {
           this.stop = value && withObjectName(value, this.bodyGroups);
           return;
         }
-        const frame = { ...value, steps: steps + value.steps };
-        recorder.addFrame(frame);
-        yield frame;
+        recorder.addFrame(value);
+        yield value;
       }
     } finally {
       await running.return(undefined);
@@ -137,8 +144,8 @@ export class Simulation {
   }
 
   /** Adds a frame that was computed before. */
-  addFrame(state: State, steps: number): void {
-    this.recorder.addFrame({ state, steps, quantities: conservedQuantities(this.runOptions.system, state) });
+  addFrame(state: State, tally: RunTally): void {
+    this.recorder.addFrame({ state, ...tally, quantities: conservedQuantities(this.runOptions.system, state) });
   }
 
   /** Outputs so far. */
@@ -156,9 +163,9 @@ export class Simulation {
 
   private notes(record: RunRecord): Diagnostic[] {
     const { node, runOptions: options, onSoftware } = this;
-    const { stop } = record;
+    const { stop, corrected } = record;
     const { h, stable } = stepSchedule(options);
-    const { grown } = summarizeRun(record);
+    const { fault } = summarizeRun(record);
     const notes: Diagnostic[] = [];
     const note = (code: string, param: string, message: Message, severity: 'warning' | 'info' = 'warning'): void =>
       void notes.push({ severity, code, place: param ? `${node}.${param}` : node, message });
@@ -170,9 +177,15 @@ export class Simulation {
       const message = msg`the GPU here is a software implementation; without it the simulation is faster`;
       note('simulate.software', 'onGpu', message, 'info');
     }
-    if (grown !== undefined) {
-      const message = msg`by t = ${grown.toPrecision(4)} s the energy had grown without a source by more than half of the kinetic energy: an error of ${options.method.id}; set a shorter step, or another method`;
-      note('simulate.grows', 'method', message);
+    if (fault)
+      note(
+        `simulate.${fault.kind === 'gained' ? 'grows' : 'fades'}`,
+        'method',
+        energyFaultMessage(fault, record.method),
+      );
+    if (corrected === 0 && record.times.length > 1) {
+      const message = msg`the correction changed no step: it only holds back steps that gain energy; the correction by the root conserves it`;
+      note('simulate.uncorrected', 'correction', message);
     }
     if (stop) {
       const param = stop.reason === 'tolerance' ? 'tolerance' : '';

@@ -38,7 +38,7 @@ export const NodeCard = memo(function NodeCard({ data: { card, reach } }: NodePr
       data-muted={card.muted || undefined}
       data-collapsed={card.collapsed || undefined}
       data-picture={(!card.collapsed && card.picture) || undefined}
-      data-problem={card.problem ? 'error' : undefined}
+      data-problem={card.problem?.severity}
       data-unfit={(fits && fits.size === 0) || undefined}
     >
       <Head card={card} />
@@ -61,7 +61,7 @@ function Head({ card }: { readonly card: CardModel }): ReactNode {
       {card.muted && <IconEyeOff size={14} aria-label={t(msg`muted`)} />}
       {card.problem ? (
         <Tooltip label={t(msg`${card.problem.place}: ${card.problem.message}`)} multiline maw={340} withinPortal>
-          <span className="sl-node-problem">
+          <span className="sl-node-problem" data-severity={card.problem.severity}>
             <IconAlertTriangle size={15} aria-hidden />
           </span>
         </Tooltip>

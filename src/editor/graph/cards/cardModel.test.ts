@@ -5,6 +5,7 @@ import { levelOf } from '../../../graph/analysis/sockets.ts';
 import type { GraphDocument } from '../../../graph/document/document.ts';
 import { applyCommand, type Command } from '../../../graph/edits/commands.ts';
 import { Evaluator } from '../../../graph/evaluation/evaluator.ts';
+import type { NodeResult } from '../../../graph/evaluation/resultCache.ts';
 import { inEnglish, msg } from '../../../messages/message.ts';
 import { nodeLibrary } from '../../../nodes/library.ts';
 import { newProject } from '../../../nodes/project/projectCommands.ts';
@@ -93,6 +94,25 @@ describe('the card of a node', () => {
     const problem = { severity: 'error', code: 'x', place: 'a/b/c', message: msg`no` } as const;
     const found = problemsByNode(new Map([['a/b/c', { status: 'failed', problem }]]));
     expect([...found.keys()].sort()).toEqual(['a', 'a/b', 'a/b/c']);
+  });
+
+  it('has the first warning about its node, not those about other nodes or files; errors come first', () => {
+    const note = (severity: 'warning' | 'info', place: string) => ({ severity, code: 'x', place, message: msg`no` });
+    const scene = {
+      diagnostics: [note('warning', 'a.usda'), note('info', 'g/run.step'), note('warning', 'g/run.method')],
+    };
+    const problem = { severity: 'error', code: 'x', place: 'g/b', message: msg`no` } as const;
+    const outputs = { geometry: { scene }, books: undefined };
+    const found = problemsByNode(
+      new Map<string, NodeResult>([
+        ['g/run', { status: 'done', outputs }],
+        ['scene', { status: 'done', outputs }],
+        ['g/b', { status: 'failed', problem }],
+      ]),
+    );
+    expect(found.get('g/run')).toMatchObject({ severity: 'warning', place: 'g/run.method' });
+    expect(found.get('g')).toBe(problem);
+    expect(found.has('scene')).toBe(false);
   });
 
   it('has every socket on its border, within its height, separate from the others', async () => {

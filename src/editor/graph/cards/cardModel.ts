@@ -60,7 +60,7 @@ export interface CardModel {
    * Whether it shows a picture of its result; `metered`: with the histogram of the luminance that its tone curve gets.
    */
   readonly picture?: 'plain' | 'metered';
-  readonly problem?: Pick<NodeProblem, 'message' | 'place'>;
+  readonly problem?: Pick<NodeProblem, 'severity' | 'message' | 'place'>;
   /** An input comes from a node that failed. */
   readonly blocked: boolean;
 }
@@ -176,7 +176,7 @@ function resultModel(
   const preview = first && tells ? textPreview(result, first.name, first.type) : undefined;
   return {
     ...(preview && { preview }),
-    ...(problem && { problem: { message: problem.message, place: problem.place } }),
+    ...(problem && { problem: { severity: problem.severity, message: problem.message, place: problem.place } }),
     blocked: result?.status === 'blocked',
   };
 }
