@@ -31,6 +31,10 @@ export function aovReader(name: DataAov, scene: TracedScene, u: Vec3, settings: 
       return ({ position }) => position;
     case 'normal':
       return (hit) => surfaceAt(scene, hit).normal;
+    case 'roughness':
+      return (hit) => [surfaceAt(scene, hit).roughness];
+    case 'metallic':
+      return (hit) => [surfaceAt(scene, hit).metallic];
     case 'occlusion': {
       const lighting = createLightingContext(scene, settings, DEFAULT_LIGHT, u, ZERO_RANDOM);
       return (hit) => [openness(lighting, hit)];

@@ -1,7 +1,11 @@
-import { Group, Stack, Textarea, TextInput } from '@mantine/core';
+import { Button, FileButton, Group, Stack, Textarea, TextInput } from '@mantine/core';
 import { type KeyboardEvent, type ReactNode, useId, useState } from 'react';
 import type { ListParam, TextParam } from '../../graph/nodeType.ts';
+import { msg } from '../../messages/message.ts';
+import { isGlsl } from '../../scene/shaderText/glsl/isGlsl.ts';
+import { SHADER_TEXT_LIMITS } from '../../scene/shaderText/sourceLocation.ts';
 import { useTexts } from '../language/languageStore.ts';
+import { download } from '../shell/download.ts';
 import { ParamLabel, ResetButton } from './ParamLabel.tsx';
 import type { ParamProps } from './paramProps.ts';
 
@@ -13,7 +17,38 @@ export function TextControl({ spec, set, value, onChange }: ParamProps<TextParam
   const text = String(value);
   const long =
     spec.shader || spec.lines || [text, spec.default].some((words) => words.includes('\n') || words.length > LONG);
-  return <Lines {...{ spec, set, onChange }} text={text} long={long} take={onChange} />;
+  const lines = <Lines {...{ spec, set, onChange }} text={text} long={long} take={onChange} />;
+  if (!spec.shader) return lines;
+  return (
+    <Stack gap={4}>
+      {lines}
+      <ShaderFile text={text} take={onChange} />
+    </Stack>
+  );
+}
+
+/** Loads the text of an effect from a file, and saves it to one. */
+function ShaderFile({ text, take }: Pick<LinesProps, 'text' | 'take'>): ReactNode {
+  const { t } = useTexts();
+  const load = async (file: File | null) => {
+    // More than the limit is loaded too, so that the node says what is wrong, but never without end.
+    if (file) take(await file.slice(0, 4 * SHADER_TEXT_LIMITS.length).text());
+  };
+  const save = () => download(new Blob([text], { type: 'text/plain' }), isGlsl(text) ? 'effect.fs' : 'effect.wgsl');
+  return (
+    <Group gap={4}>
+      <FileButton onChange={load} accept=".wgsl,.glsl,.frag,.fs,.txt">
+        {(props) => (
+          <Button {...props} size="compact-xs" variant="default">
+            {t(msg`Load text…`)}
+          </Button>
+        )}
+      </FileButton>
+      <Button size="compact-xs" variant="default" onClick={save}>
+        {t(msg`Save text`)}
+      </Button>
+    </Group>
+  );
 }
 
 /** A list of texts, one per line. */

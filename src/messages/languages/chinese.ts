@@ -1391,7 +1391,6 @@ const messages: Translation['messages'] = {
 
   // The words of a text
   'the text has {} characters; more than {} are not taken: shorten it': '文本有 {1} 个字符，上限为 {2} 个：请缩短',
-  'the character {} has no meaning in WGSL': '字符 {1} 在 WGSL 中没有意义',
   'this comment has no end: close it with */': '此注释没有结尾：请以 */ 结束',
 
   // Its structure
@@ -1459,13 +1458,8 @@ const messages: Translation['messages'] = {
   'the value of the const {} is not known beforehand: use `let`': 'const {1} 的值不是事先已知的：请用 `let`',
   'a Pixel cannot be kept: keep its colour, or a number of it': '不能保存 Pixel：请保存其颜色，或其中的一个数',
   'only a variable, or one component of it, can be assigned': '只能给变量或它的一个分量赋值',
-  '{} is no variable here: `var {} = …;` before it': '{1} 在这里不是变量：请先写 `var {2} = …;`',
-  '{} cannot be changed: declare it with `var`, or copy it into one':
-    '{1} 不能更改：请用 `var` 声明，或复制到 `var` 变量中',
   'a part of a matrix cannot be assigned: build it anew': '不能给矩阵的一部分赋值：请重新构造矩阵',
   'WGSL assigns one component at a time: .x, .y, .z or .w': 'WGSL 一次只给一个分量赋值：.x、.y、.z 或 .w',
-  '{} is not declared here: `let {} = …;` before it, or is it spelt otherwise?':
-    '{1} 在这里没有声明：请先写 `let {2} = …;`，或检查拼写',
   '{} is more than the largest i32, 2147483647: write it with a point':
     '{1} 超过了最大的 i32，2147483647：请写成带小数点的数',
   '{} is more than the largest f32, 3.4e38': '{1} 超过了最大的 f32，3.4e38',
@@ -1487,8 +1481,6 @@ const messages: Translation['messages'] = {
   '- does not work on {}': '- 不能用于 {1}',
   '{} does not work between {} and {}: convert one of them': '{1} 不能用于 {2} 与 {3} 之间：请转换其中一个',
   '{} compares numbers: compare the components (.x, .y …) one by one': '{1} 只比较数：请逐个比较分量（.x、.y …）',
-  'a Pixel has no {}: it has position, uv, size, direction and color':
-    'Pixel 没有 {1}：它有 position、uv、size、direction 和 color',
   'a Pixel is no number: take its position, uv, size, direction or color':
     'Pixel 不是数：请取其 position、uv、size、direction 或 color',
   '{} has no .{}': '{1} 没有 .{2}',
@@ -1500,10 +1492,7 @@ const messages: Translation['messages'] = {
 
   // Loops and limits
   '`{}` is in no loop': '`{1}` 不在循环中',
-  'the loop declares no counter of its own: write `for (var i = 0; i < 16; i++)`':
-    '循环没有声明自己的计数变量：请写 `for (var i = 0; i < 16; i++)`',
   '{} counts this loop, and may not be changed in it': '{1} 为此循环计数，不能在其中更改',
-  '{} counts, and should be i32': '{1} 用于计数，应为 i32',
   '{} must be a whole number that is known beforehand: a number or a `const`. Where fewer rounds are needed, leave the loop by `break`':
     '{1}须是事先已知的整数：一个数或一个 `const`。需要较少次数时，请用 `break` 离开循环',
   'the first value of {}': '{1} 的初值',
@@ -1605,8 +1594,69 @@ const messages: Translation['messages'] = {
   'Number 3 (arg3)': '数值 3（arg3）',
   'Number 4 (arg4)': '数值 4（arg4）',
   'Shader text': '着色器文本',
-  'WGSL: fn effect(p: Pixel) -> vec4f returns the colour of a pixel, from image(offset), depth(offset), normal(offset) …, p.uv, arg1 … arg4 and time.':
-    'WGSL：fn effect(p: Pixel) -> vec4f 给出像素颜色，可用 image(offset)、depth(offset)、normal(offset) …、p.uv、arg1 … arg4 与 time。',
+  'Load text…': '载入文本…',
+  'Save text': '保存文本',
+  'Shader file': '着色器文件',
+  'A file with the text, in WGSL or GLSL, such as blur.fs; it comes before the text above.':
+    '含有文本的文件，用 WGSL 或 GLSL 写成，例如 blur.fs；它优先于上面的文本。',
+  'the text reads a second image, and none is connected: connect one to “Second image”':
+    '文本读取第二幅图像，但没有连接：请将一幅图像连到“第二幅图像”',
+  'Second image': '第二幅图像',
+  '{} has {} bytes; a shader text has {} characters at most': '{1} 有 {2} 字节；着色器文本最多 {3} 个字符',
+  'Blends two images. Split shows them side by side, wipe moves the border between them, and a custom mode is what you write.':
+    '将两幅图像合为一幅。分屏左右并列显示，擦除以移动的边界切换，自定义模式由你编写。',
+  'WGSL: fn effect(p: Pixel) -> vec4f returns the colour of a pixel, from image(offset), which is below, image2(offset), which is above, and arg1, which is alpha. Or GLSL with a void main().':
+    'WGSL：fn effect(p: Pixel) -> vec4f 返回像素的颜色，可用下层 image(offset)、上层 image2(offset) 和 arg1（即 alpha）。也可用带 void main() 的 GLSL。',
+  'An effect over an image: a built-in one or your own. It can read a second image and the visible surfaces; a mask limits it to where the mask is bright.':
+    '对图像施加效果：内置的或自己编写的。它可以读取第二幅图像和可见的表面；遮罩将其限制在遮罩明亮之处。',
+  'WGSL: fn effect(p: Pixel) -> vec4f returns the colour of a pixel, from image(offset), image2(offset), depth(offset), normal(offset), albedo(offset) …, p.uv, arg1 … arg4 and time. Or GLSL with a void main().':
+    'WGSL：fn effect(p: Pixel) -> vec4f 返回像素的颜色，可用 image(offset)、image2(offset)、depth(offset)、normal(offset)、albedo(offset)……、p.uv、arg1 … arg4 和 time。也可用带 void main() 的 GLSL。',
+  'Hue shift': '色调偏移',
+  'Turns the hues, and strengthens or weakens them; the luminance stays. It has nothing to do with the Doppler effect.':
+    '旋转色调，并可增强或减弱；亮度不变。与多普勒效应无关。',
+  Angle: '角度',
+  Saturation: '饱和度',
+  '{} is not declared here: declare it before, or is it spelt otherwise?': '{1} 在这里没有声明：请先声明，或检查拼写',
+  'a Pixel has no {}: it has position, uv, size, direction, view, projection and color':
+    'Pixel 没有 {1}：它有 position、uv、size、direction、view、projection 和 color',
+  'a matrix is not made of a vector': '矩阵不能由一个向量构造',
+  'write a `for` whose count is known: {}': '请写次数已知的 `for`：{1}',
+  'return the value': '请返回该值',
+  'use int': '请用 int',
+  'use float': '请用 float',
+  'compare components one by one': '请逐个比较分量',
+  'use a square matrix': '请用方阵',
+  'pixels are read by samplers declared outside of functions: `uniform sampler2D`':
+    '像素由函数之外声明的采样器读取：`uniform sampler2D`',
+  'there is no function main: write `void main() { … }`': '没有函数 main：请写 `void main() { … }`',
+  'arrays are not taken: pass and return numbers, vectors and matrices': '不支持数组：请传递和返回数、向量和矩阵',
+  'use sampler2D': '请用 sampler2D',
+  'nothing is known by the name of the sampler {}: there are {}': '没有名为 {1} 的采样器：可用的有 {2}',
+  'nothing is known by the name of `{}`: there are {}': '没有 `{1}`：可用的有 {2}',
+  '{} is of type {}': '{1} 的类型是 {2}',
+  'there is a second output: a pixel has one colour': '有第二个输出：一个像素只有一种颜色',
+  'the type {} is not known: there are {}': '类型 {1} 未知：有 {2}',
+  'variables outside of functions are not taken: declare them inside, or with `const`':
+    '不支持函数之外的变量：请在函数内声明，或用 `const`',
+  '{} returns nothing: let it return a value': '{1} 不返回任何值：请让它返回一个值',
+  'main has no parameters': 'main 没有参数',
+  'the loop counts more than one variable: declare the others before it': '循环计数多个变量：请在循环之前声明其余变量',
+  'a sampler is no value: read it by `texture({}, uv)`': '采样器不是值：请用 `texture({1}, uv)` 读取',
+  'a sampler': '采样器',
+  '{} is no sampler: `uniform sampler2D {};` before it': '{1} 不是采样器：请先写 `uniform sampler2D {2};`',
+  '{} takes {} values, and has {}': '{1} 需要 {2} 个值，却有 {3} 个',
+  'its macros make the text longer than {} words: shorten it': '宏使文本超过 {1} 个词：请缩短',
+  '`#{}` is not taken: there are `#version`, `#define` and `#undef`':
+    '不支持 `#{1}`：有 `#version`、`#define` 和 `#undef`',
+  'expected a name for the macro here': '此处应为宏的名称',
+  'the macro {} has arguments, which are not taken: write a function': '宏 {1} 带有参数，不支持：请写函数',
+  'the macro {} is longer than {} words: write a function': '宏 {1} 超过 {2} 个词：请写函数',
+  'the character {} has no meaning in {}': '字符 {1} 在 {2} 中没有意义',
+  '{} is no variable here: declare it before': '{1} 在这里不是变量：请先声明',
+  '{} cannot be changed: copy it into a variable': '{1} 不能更改：请复制到变量中',
+  'this assigns one component twice': '这里给同一分量赋值两次',
+  'the loop declares no counter of its own: write {}': '循环没有声明自己的计数变量：请写 {1}',
+  '{} counts, and should be {}': '{1} 用于计数，应为 {2}',
   Mode: '模式',
   'Blends linear light: values brighter than white are kept.': '对光进行混合：比白更亮的保持其亮度。',
   Alpha: '透明度',
@@ -1875,11 +1925,7 @@ const messages: Translation['messages'] = {
   'The visible fraction of the sky at each point as a mask, which can be smoothed, viewed, or multiplied with an image.':
     '每处所见天空的比例，单独输出为遮罩：可平滑、查看或与图像相乘。',
   'Post process': '后期处理',
-  'An effect over an image: a built-in one or your own. It can read the visible surfaces; a mask limits it to where the mask is bright.':
-    '图像上的效果：内置的或自己编写的。可读取所见表面的信息；有遮罩时只在遮罩明亮处生效。',
   'Mix colour': '混合颜色',
-  'Blends two images. Split shows them side by side, wipe moves the border between them.':
-    '将两幅图像合为一幅。分屏左右并列显示，擦除以移动的边界切换。',
   'False colour': '伪彩色',
   'Shows a quantity as colours with a legend: Doppler factor, emission time, luminance, or the visible part of the emitted spectrum.':
     '以颜色表示画面中的数值并附图例：多普勒因子、发光时刻、亮度，或所见的光谱部分。',

@@ -13,6 +13,20 @@ import type { PictureSpec } from '../socketValues.ts';
 const loaded = { scene: makeScene({ name: 'a', hints: { speedOfLight: 10 } }) };
 
 /** Output of a graph behind a camera. */
+const FILES: Readonly<Record<string, string>> = {
+  'add.fs': `#version 430 core
+uniform vec2 iResolution;
+uniform sampler2D baseColorSampler1, baseColorSampler2;
+uniform float alpha;
+layout(location = 0) out vec4 Color;
+void main() {
+  vec2 uv = gl_FragCoord.xy / iResolution;
+  Color = vec4(texture(baseColorSampler1, uv).rgb + texture(baseColorSampler2, uv).rgb * alpha, 1.0);
+}`,
+  'wrong.fs': 'void main() {\n  discard;\n}',
+  'long.fs': '/'.repeat(70_000),
+};
+
 async function evaluated(...commands: readonly Command[]) {
   const document = build(
     add('read', 'read'),
@@ -33,6 +47,7 @@ async function evaluated(...commands: readonly Command[]) {
   const services: Services = {
     ...workerServices,
     readScene: async () => loaded,
+    readFile: async (source) => new TextEncoder().encode(FILES[source]),
     renderStill: async ({ width, height, options: { seed } }) =>
       new Float32Array(3 * width * height).fill(Number(seed)),
   };
@@ -221,5 +236,50 @@ it('an invalid effect text is rejected at its node, with line and column', async
   );
   expect(results.get('own')).toMatchObject({
     problem: { code: 'shader.text', place: 'own', message: saying(/^line 2, column 3: /) },
+  });
+});
+
+describe('an effect text in a file', () => {
+  const mixed = (file: string) =>
+    evaluated(
+      ...blur('soft', 'light.image'),
+      add('mix', 'mix-color'),
+      set('mix', 'mode', 'written'),
+      set('mix', 'file', file),
+      set('mix', 'alpha', 0.25),
+      connect('light.image', 'mix.below'),
+      connect('soft.image', 'mix.above'),
+      shown('mix'),
+    );
+
+  it('is a mode of Mix colour, with both images and alpha', async () => {
+    const { frameGraph } = evaluatedPicture(await mixed('add.fs'))!;
+    expect(frameGraph!.passes.map(({ kind }) => kind)).toEqual(['light', 'effect', 'effect']);
+    expect(frameGraph!.passes[2]).toMatchObject({
+      ...{ effect: { text: FILES['add.fs'] }, args: [0.25], image: 0, second: 1 },
+    });
+  });
+
+  it('is named with the error in it, and bounded', async () => {
+    const problem = async (file: string) => (await mixed(file)).results.get('mix');
+    expect(await problem('wrong.fs')).toMatchObject({
+      problem: { code: 'shader.text', message: saying(/^wrong\.fs: line 2, column 3: `discard` is not taken/) },
+    });
+    expect(await problem('long.fs')).toMatchObject({ problem: { message: saying(/70000 bytes/) } });
+  });
+
+  it('that reads a second image needs one', async () => {
+    const text = 'fn effect(p: Pixel) -> vec4f { return image2(vec2i(0)); }';
+    const own = [
+      ...blur('own', 'light.image'),
+      set('own', 'effect', 'written'),
+      set('own', 'text', text),
+      shown('own'),
+    ];
+    const { results } = await evaluated(...own);
+    expect(results.get('own')).toMatchObject({ problem: { message: saying(/none is connected/) } });
+    const passes = (await pictured(...own, ...blur('soft', 'light.image'), connect('soft.image', 'own.second')))
+      .frameGraph!.passes;
+    expect(passes.at(-1)).toMatchObject({ image: 0, second: 1 });
   });
 });

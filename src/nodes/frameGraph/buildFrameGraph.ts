@@ -139,9 +139,9 @@ function indexedPass(
     case 'occlusion':
       return { ...step, buffer: buffer(step.buffer) };
     case 'effect': {
-      const { mask, ...rest } = step;
+      const { mask, second, ...rest } = step;
       const made = { ...rest, image: image(step.image), buffer: buffer(step.buffer) };
-      return mask ? { ...made, mask: image(mask) } : made;
+      return { ...made, ...(second && { second: image(second) }), ...(mask && { mask: image(mask) }) };
     }
     case 'mix': {
       const { mask, ...rest } = step;

@@ -1,12 +1,19 @@
 import { msg } from '../../messages/message.ts';
 import { defineNode } from '../defineNode.ts';
 import { primaryGBuffer } from '../frameGraph/buildFrameGraph.ts';
+import { CUSTOM, customEffect, customEffectParams } from './customEffect.ts';
+
+const EXAMPLE = `// The darker of the two images.
+fn effect(p: Pixel) -> vec4f {
+  return mix(p.color, min(p.color, image2(vec2i(0))), arg1);
+}
+`;
 
 /** Blends two images. */
 export const mixColorNode = defineNode({
   id: 'mix-color',
   title: msg`Mix colour`,
-  help: msg`Blends two images. Split shows them side by side, wipe moves the border between them.`,
+  help: msg`Blends two images. Split shows them side by side, wipe moves the border between them, and a custom mode is what you write.`,
   category: 'render',
   params: {
     mode: {
@@ -23,6 +30,7 @@ export const mixColorNode = defineNode({
         { value: 'difference', title: msg`Difference` },
         { value: 'split', title: msg`Split` },
         { value: 'wipe', title: msg`Wipe` },
+        { value: CUSTOM, title: msg`Custom` },
       ],
     },
     alpha: {
@@ -34,6 +42,11 @@ export const mixColorNode = defineNode({
       max: 1,
       step: 0.01,
     },
+    ...customEffectParams(
+      'mode',
+      EXAMPLE,
+      msg`WGSL: fn effect(p: Pixel) -> vec4f returns the colour of a pixel, from image(offset), which is below, image2(offset), which is above, and arg1, which is alpha. Or GLSL with a void main().`,
+    ),
   },
   inputs: {
     below: { type: 'image', title: msg`Below` },
@@ -41,10 +54,12 @@ export const mixColorNode = defineNode({
     mask: { type: 'mask', optional: true },
   },
   outputs: { image: { type: 'image' } },
-  evaluate: ({ below, above, mask }, { mode, alpha }) => ({
-    image: {
-      step: { kind: 'mix', mode, alpha, below, above, ...(mask && { mask }) },
-      gbuffer: primaryGBuffer(below.gbuffer, above.gbuffer),
-    },
-  }),
+  async evaluate({ below, above, mask }, { mode, alpha, text, file }, { node, services }) {
+    const gbuffer = primaryGBuffer(below.gbuffer, above.gbuffer);
+    const masked = mask && { mask };
+    if (mode !== CUSTOM) return { image: { step: { kind: 'mix', mode, alpha, below, above, ...masked }, gbuffer } };
+    const effect = await customEffect({ text, file }, true, node, services);
+    const images = { image: below, second: above, buffer: gbuffer, ...masked };
+    return { image: { step: { kind: 'effect', effect, args: [alpha], ...images }, gbuffer } };
+  },
 });

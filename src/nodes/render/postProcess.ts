@@ -1,10 +1,8 @@
-import { NodeRefusal, type NumberParam } from '../../graph/nodeType.ts';
+import type { NumberParam } from '../../graph/nodeType.ts';
 import { msg } from '../../messages/message.ts';
 import { EFFECTS, type EffectId, type EffectInfo } from '../../scene/frameGraph/effects.ts';
-import type { CustomEffect } from '../../scene/frameGraph/frameGraph.ts';
-import { readShaderText } from '../../scene/shaderText/shaderText.ts';
-import { ShaderTextError } from '../../scene/shaderText/sourceLocation.ts';
 import { defineNode } from '../defineNode.ts';
+import { CUSTOM, customEffect, customEffectParams } from './customEffect.ts';
 
 /** Depth of field has a node of its own. */
 const BUILTIN_EFFECTS = [
@@ -16,8 +14,8 @@ const BUILTIN_EFFECTS = [
   'edge',
   'vignette',
   'fog',
+  'hue-shift',
 ] as const satisfies readonly EffectId[];
-const CUSTOM_EFFECT = 'written';
 
 const EXAMPLE = `// Darker lines, as on an old screen.
 fn effect(p: Pixel) -> vec4f {
@@ -41,7 +39,7 @@ function argumentParam(index: 0 | 1 | 2 | 3) {
     return arg ? [[id, arg] as const] : [];
   });
   const any = { title: ARGUMENT_TITLES[index]!, default: 0, min: -1e9, max: 1e9, step: 0.01, slider: false } as const;
-  const cases = { ...Object.fromEntries(own), [CUSTOM_EFFECT]: any };
+  const cases = { ...Object.fromEntries(own), [CUSTOM]: any };
   return { kind: 'number', ...any, as: { param: 'effect', cases } } as const satisfies NumberParam;
 }
 
@@ -49,7 +47,7 @@ function argumentParam(index: 0 | 1 | 2 | 3) {
 export const postProcessNode = defineNode({
   id: 'post-process',
   title: msg`Post process`,
-  help: msg`An effect over an image: a built-in one or your own. It can read the visible surfaces; a mask limits it to where the mask is bright.`,
+  help: msg`An effect over an image: a built-in one or your own. It can read a second image and the visible surfaces; a mask limits it to where the mask is bright.`,
   category: 'render',
   params: {
     effect: {
@@ -59,48 +57,41 @@ export const postProcessNode = defineNode({
       default: 'gaussian-blur',
       options: [
         ...BUILTIN_EFFECTS.map((value) => ({ value, title: EFFECTS[value].title })),
-        { value: CUSTOM_EFFECT, title: msg`Custom` },
+        { value: CUSTOM, title: msg`Custom` },
       ],
     },
     arg1: argumentParam(0),
     arg2: argumentParam(1),
     arg3: argumentParam(2),
     arg4: argumentParam(3),
-    text: {
-      kind: 'text',
-      title: msg`Shader text`,
-      help: msg`WGSL: fn effect(p: Pixel) -> vec4f returns the colour of a pixel, from image(offset), depth(offset), normal(offset) …, p.uv, arg1 … arg4 and time.`,
-      default: EXAMPLE,
-      shader: true,
-      onlyWhen: { param: 'effect', is: CUSTOM_EFFECT },
-    },
+    ...customEffectParams(
+      'effect',
+      EXAMPLE,
+      msg`WGSL: fn effect(p: Pixel) -> vec4f returns the colour of a pixel, from image(offset), image2(offset), depth(offset), normal(offset), albedo(offset) …, p.uv, arg1 … arg4 and time. Or GLSL with a void main().`,
+    ),
   },
   inputs: {
     image: { type: 'image' },
+    second: { type: 'image', title: msg`Second image`, optional: true },
     gbuffer: { type: 'gbuffer', optional: true },
     mask: { type: 'mask', optional: true },
   },
   outputs: { image: { type: 'image' } },
-  evaluate({ image, gbuffer = image.gbuffer, mask }, { effect, arg1, arg2, arg3, arg4, text }, { node }) {
+  async evaluate(
+    { image, second, gbuffer = image.gbuffer, mask },
+    { effect, arg1, arg2, arg3, arg4, text, file },
+    { node, services },
+  ) {
+    const isCustom = effect === CUSTOM;
     const step = {
       kind: 'effect',
-      effect: effect === CUSTOM_EFFECT ? parseCustomEffect(text, node) : effect,
+      effect: isCustom ? await customEffect({ text, file }, second !== undefined, node, services) : effect,
       args: [arg1, arg2, arg3, arg4],
       image,
       buffer: gbuffer,
+      ...(second && isCustom && { second }),
       ...(mask && { mask }),
     } as const;
     return { image: { step, gbuffer: image.gbuffer } };
   },
 });
-
-/** Throws a NodeRefusal with line and column of the error. */
-function parseCustomEffect(text: string, node: string): CustomEffect {
-  try {
-    readShaderText(text);
-    return { text };
-  } catch (error) {
-    if (!(error instanceof ShaderTextError)) throw error;
-    throw new NodeRefusal({ severity: 'error', code: 'shader.text', place: node, message: error.text });
-  }
-}

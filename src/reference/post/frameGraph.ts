@@ -68,7 +68,7 @@ function evaluatePass(
 ): FloatImage {
   const { view, width, height } = captured;
   const image = (i: number): FloatImage => images[i]!;
-  const mask = (i: number | undefined) => (i === undefined ? undefined : image(i));
+  const optional = (i: number | undefined) => (i === undefined ? undefined : image(i));
   switch (pass.kind) {
     case 'light':
       return new FloatImage(width, height, 3, captured.buffers[pass.buffer]!.aovs.get('beauty'));
@@ -80,10 +80,16 @@ function evaluatePass(
       const { aovs, zenith } = captured.buffers[pass.buffer]!;
       const settings = bufferSettings(captured.settings, pass.buffer);
       const of = typeof pass.effect === 'string' ? pass.effect : readShaderText(pass.effect.text);
-      return applyEffect(of, pass.args, { image: image(pass.image), aovs, view, settings, zenith }, mask(pass.mask));
+      return applyEffect(
+        of,
+        pass.args,
+        { image: image(pass.image), aovs, view, settings, zenith },
+        optional(pass.mask),
+        optional(pass.second),
+      );
     }
     case 'mix':
-      return mixImages(pass.mode, pass.alpha, image(pass.below), image(pass.above), mask(pass.mask));
+      return mixImages(pass.mode, pass.alpha, image(pass.below), image(pass.above), optional(pass.mask));
     case 'tone': {
       const light = image(pass.image);
       return light.map((x, y) => toneMap(light.at(x, y) as unknown as Vec3, pass.exposure, pass.tone));

@@ -178,9 +178,11 @@ export class FrameGraphRunner {
     };
   }
 
-  private effect({ effect, image, buffer, mask }: Of<'effect'>, i: number): PassRunner {
+  private effect({ effect, image, second, buffer, mask }: Of<'effect'>, i: number): PassRunner {
     const source = typeof effect === 'string' ? effect : readShaderText(effect.text);
-    const passes = EffectPasses.forEffect(source, this.inputs(image, mask, buffer));
+    const inputs = this.inputs(image, mask, buffer);
+    const both = second === undefined ? inputs : { ...inputs, second: this.texture(second) };
+    const passes = EffectPasses.forEffect(source, both);
     return this.effectRunner(passes, i, (pass) => (pass.kind === 'effect' ? pass.args : []));
   }
 

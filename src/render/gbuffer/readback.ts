@@ -7,6 +7,7 @@ import { unpackGBufferNormal } from '../gpu/packNormal.ts';
 import type { PickedSurface } from '../settings.ts';
 import type { GBuffer } from './gbuffer.ts';
 import type { TargetName } from './surface.ts';
+import { unpackFine } from './surfacePacking.ts';
 
 /** Four floats (or one) per pixel of a float target, rows from the top. */
 export async function readFloats(
@@ -63,6 +64,8 @@ const AOV_SOURCES: Record<
   emission_time: { target: 'event', values: ([, , , w], observation) => [observation.t + w / observation.c] },
   position: { target: 'event', values: ([x, y, z], { position: p }) => [p[0] + x, p[1] + y, p[2] + z] },
   doppler: { target: 'motion', values: ([, , , w]) => [w] },
+  roughness: { target: 'base', values: ([, , , code]) => [unpackFine(code)] },
+  metallic: { target: 'emissive', values: ([, , , code]) => [unpackFine(code)] },
   occlusion: { target: 'openness', values: ([openness]) => [openness] },
   velocity: { target: 'motion', values: ([x, y, z]) => [x, y, z] },
   normal: { target: 'normal', values: unpackGBufferNormal },

@@ -114,6 +114,13 @@ function unpackTwo(code: Float): { readonly fine: Float; readonly step: Float } 
   return { fine: clamp(within, 0, 1), step };
 }
 
+/** `unpackTwo` of a code that was read back: the number in its mantissa. */
+export function unpackFine(code: number): number {
+  const size = Math.abs(code);
+  const mantissa = size / 2 ** Math.floor(Math.log2(size)) - 1;
+  return Math.min(Math.max((mantissa * MANTISSA - MARGIN) / (MANTISSA - 2 * MARGIN), 0), 1);
+}
+
 /**
  * The normal, and `invisible`: reflectance below 360 nm and beyond 830 nm. Four integers of 12 bits, which halves hold exactly: the upper bits of the
  * normal's two coordinates, and 9 bits of each reflectance with the lower 3 of a coordinate (also read by `unpackGBufferNormal` in packNormal.ts).

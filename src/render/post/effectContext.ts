@@ -1,6 +1,9 @@
 import {
   floor,
+  int,
   ivec2,
+  length,
+  mat4,
   max,
   min,
   mix,
@@ -10,13 +13,20 @@ import {
   textureSize,
   vec2,
   vec3,
+  vec4,
 } from 'three/tsl';
 import type { Node, Texture, UniformNode, Vector4 } from 'three/webgpu';
+import { PROJECTION_NEAR } from '../../scene/shaderText/program.ts';
 import { unaberrate } from '../../shaders/kinematics/unaberrate.ts';
-import type { Bool, Float, Vec2, Vec3, Vec4 } from '../../shaders/types.ts';
+import type { Bool, Float, Int, Vec2, Vec3, Vec4 } from '../../shaders/types.ts';
 import type { TargetName } from '../gbuffer/surface.ts';
-import { unpackNormals } from '../gbuffer/surfacePacking.ts';
+import { unpackNormals, unpackRoughnessAndOcclusion, unpackSpecular } from '../gbuffer/surfacePacking.ts';
 import type { FrameUniforms } from '../gpu/frameUniforms.ts';
+
+/** Three's types do not know the columns of a matrix. */
+interface Matrix {
+  element(column: Int): Vec3;
+}
 
 /** Textures of a G-buffer, by name. */
 export interface GBufferTextures {
@@ -26,6 +36,8 @@ export interface GBufferTextures {
 /** Inputs of an effect. */
 export interface EffectSources {
   readonly image: Texture;
+  /** What `image2` of a user's text reads. */
+  readonly second?: Texture;
   /** Present if the effect reads it (`EFFECTS[id].reads`). */
   readonly buffer?: GBufferTextures;
   readonly uniforms: FrameUniforms;
@@ -126,6 +138,63 @@ export class EffectContext {
     const ndc = pixel.add(0.5).div(this.image.size).mul(2).sub(1);
     const { halfTangents, frustumCenter } = this.uniforms;
     return vec2(ndc.x, ndc.y.negate()).mul(halfTangents).add(frustumCenter);
+  }
+
+  /** The second image; 0 if there is none. */
+  secondImage(pixel: Vec2): Vec4 {
+    const { second } = this.sources;
+    return second ? this.imageOf(second).at(pixel) : vec4(0, 0, 0, 1);
+  }
+
+  albedo(pixel: Vec2): Vec3 {
+    return this.surface('base', pixel).xyz;
+  }
+
+  roughness(pixel: Vec2): Float {
+    return unpackRoughnessAndOcclusion(this.surface('base', pixel).w).roughness;
+  }
+
+  metallic(pixel: Vec2): Float {
+    return unpackSpecular(this.surface('emissive', pixel).w).metallic;
+  }
+
+  /** Observer → apparent position, observer's frame on world axes carried by the boost [m]. */
+  apparentPosition(pixel: Vec2): Vec3 {
+    const direction = normalize(vec3(this.tangents(pixel), -1));
+    return this.uniforms.orientation.mul(direction).mul(this.depth(pixel).y);
+  }
+
+  /** z/w of the apparent position under `projectionMatrix`. */
+  clipDepth(pixel: Vec2): Float {
+    const axial = this.depth(pixel).y.div(length(vec3(this.tangents(pixel), 1)));
+    return axial
+      .reciprocal()
+      .mul(2 * PROJECTION_NEAR)
+      .oneMinus();
+  }
+
+  /** Apparent positions → camera axes. */
+  viewMatrix(): Node<'mat4'> {
+    const [x, y, z] = [0, 1, 2].map((row) => vec4(this.orientationRow(row), 0));
+    return mat4(x, y, z, vec4(0, 0, 0, 1)) as Node<'mat4'>;
+  }
+
+  /** Camera axes → clip space of OpenGL, without a far plane. */
+  projectionMatrix(): Node<'mat4'> {
+    const { halfTangents: half, frustumCenter: center } = this.uniforms;
+    const [x, y] = [half.x.reciprocal(), half.y.reciprocal()];
+    return mat4(
+      vec4(x, 0, 0, 0),
+      vec4(0, y, 0, 0),
+      vec4(center.x.mul(x), center.y.mul(y), -1, -1),
+      vec4(0, 0, -2 * PROJECTION_NEAR, 0),
+    ) as Node<'mat4'>;
+  }
+
+  /** A row of the rotation from camera to world axes: a column of its inverse. */
+  private orientationRow(row: number): Vec3 {
+    const columns = [0, 1, 2].map((k) => (this.uniforms.orientation as unknown as Matrix).element(int(k)));
+    return vec3(...(columns.map((column) => [column.x, column.y, column.z][row]) as [Float, Float, Float]));
   }
 
   /** World time of the event minus that of the observer [s]. */

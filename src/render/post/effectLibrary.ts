@@ -7,6 +7,7 @@ import { edge } from './edge.ts';
 import type { Effect } from './effect.ts';
 import { fog } from './fog.ts';
 import { gaussianBlur } from './gaussianBlur.ts';
+import { hueShift } from './hueShift.ts';
 import { sharpen } from './sharpen.ts';
 import { skyBackground } from './skyBackground.ts';
 import { vignette } from './vignette.ts';
@@ -21,6 +22,7 @@ export const effectLibrary: Readonly<Record<EffectId, Effect>> = {
   edge,
   vignette,
   fog,
+  'hue-shift': hueShift,
   'depth-of-field': depthOfField,
   antialiasing,
 };

@@ -15,6 +15,8 @@ import { compileShaderText } from './shaderText.ts';
 export interface PassInputs {
   readonly image: Texture;
   readonly buffer?: GBufferTextures;
+  /** What `image2` of a user's text reads. */
+  readonly second?: Texture;
   /** Its first channel is the weight of the effect, 0 … 1. */
   readonly mask?: Texture;
   readonly uniforms: FrameUniforms;

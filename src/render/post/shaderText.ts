@@ -47,11 +47,13 @@ import {
   sqrt,
   step,
   tan,
+  transpose,
   trunc,
   vec2,
   vec3,
   vec4,
 } from 'three/tsl';
+import { inverseOf } from '../../scene/shaderText/inverseMatrix.ts';
 import type {
   ShaderChannel,
   ShaderExpression,
@@ -61,7 +63,7 @@ import type {
   ShaderProgram,
   ShaderStatement,
 } from '../../scene/shaderText/program.ts';
-import { componentCount, isFloat, type ShaderType, scalar, vector } from '../../scene/shaderText/types.ts';
+import { componentCount, isFloat, isInteger, type ShaderType, scalar, vector } from '../../scene/shaderText/types.ts';
 import type { Bool, Float, Int, Vec2, Vec4 } from '../../shaders/types.ts';
 import { type Effect, singleStep } from './effect.ts';
 import type { EffectContext } from './effectContext.ts';
@@ -95,7 +97,9 @@ const VECTORS = {
 } as const;
 
 /** A value of a type, from its components in order. */
-function build({ of, rows, columns }: ShaderType, parts: readonly Float[]): Float {
+function build(type: ShaderType, parts: readonly Float[]): Float {
+  const { rows, columns } = type;
+  const of = isInteger(type) ? 'i32' : type.of;
   const tables: Readonly<Record<string, Readonly<Record<number, unknown>>>> = { ...VECTORS, matrix: MATRICES };
   const make = tables[columns > 1 ? 'matrix' : of]?.[columns > 1 ? columns : rows] as
     | ((...parts: Float[]) => unknown)
@@ -107,7 +111,7 @@ function build({ of, rows, columns }: ShaderType, parts: readonly Float[]): Floa
 function constant(type: ShaderType, numbers: readonly number[]): Float {
   const { of, rows, columns } = type;
   const scalarConstant = (x: number): Float =>
-    untyped(of === 'bool' ? bool(x !== 0) : of === 'i32' || of === 'whole' ? int(x) : float(x));
+    untyped(of === 'bool' ? bool(x !== 0) : isInteger(type) ? int(x) : float(x));
   if (componentCount(type) === 1) return scalarConstant(numbers[0] ?? 0);
   if (columns === 1) return build({ ...type, of: isFloat(type) ? 'f32' : 'i32' }, numbers.map(scalarConstant));
   // From numbers three.js would build a matrix row by row.
@@ -118,12 +122,48 @@ function constant(type: ShaderType, numbers: readonly number[]): Float {
   );
 }
 
+/** An element of a matrix, column after column. */
+const elementOf = (matrix: Float, rows: number, i: number): Float => {
+  const column = (matrix as unknown as { element(k: Int): Float }).element(int(Math.floor(i / rows)));
+  return swizzle(column, [i % rows]);
+};
+
+function reshaped(one: Float, from: ShaderType, to: ShaderType): Float {
+  const parts = Array.from({ length: componentCount(to) }, (_, i) => {
+    const [row, column] = [i % to.rows, Math.floor(i / to.rows)];
+    if (from.columns === 1) return row === column ? one : float(0);
+    if (row >= from.rows || column >= from.columns) return float(row === column ? 1 : 0);
+    return elementOf(one, from.rows, column * from.rows + row);
+  });
+  return matrixOf(to, parts);
+}
+
+const inverted = (matrix: Float, type: ShaderType): Float =>
+  matrixOf(
+    type,
+    inverseOf<Float>(type.rows, (i) => elementOf(matrix, type.rows, i), {
+      add: (a, b) => a.add(b),
+      multiply: (a, b) => a.mul(b),
+      negate: (a) => a.negate(),
+      divide: (a, b) => a.div(b),
+    }),
+  );
+
+/** By columns, since three.js takes the elements of a matrix row after row. */
+const matrixOf = (type: ShaderType, elements: readonly Float[]): Float =>
+  build(
+    type,
+    Array.from({ length: type.columns }, (_, k) =>
+      build(vector(type.rows), elements.slice(k * type.rows, (k + 1) * type.rows)),
+    ),
+  );
+
 type Make = (...args: Float[]) => unknown;
 const floatRemainder = (a: Float, b: Float): Float => a.sub(b.mul(trunc(a.div(b))));
 const intRemainder = (a: Float, b: Float): Float => a.sub(b.mul(a.div(b)));
 
 const OF_VECTORS = { dot, length, distance, normalize, reflect, cross };
-const OPERATIONS: Readonly<Record<ShaderOperation, Make>> = {
+const OPERATIONS: Readonly<Record<Exclude<ShaderOperation, 'inverse'>, Make>> = {
   ...{ sin, cos, tan, asin, acos, atan, exp, exp2, log, log2, sqrt, inverseSqrt, floor, ceil, round, trunc, fract },
   ...{ radians, degrees, saturate, pow, step, mix, smoothstep, abs, sign, min, max, clamp },
   ...(OF_VECTORS as unknown as Readonly<Record<keyof typeof OF_VECTORS, Make>>),
@@ -139,6 +179,8 @@ const OPERATIONS: Readonly<Record<ShaderOperation, Make>> = {
   mul: (a, b) => a.mul(b),
   div: (a, b) => a.div(b),
   rem: floatRemainder,
+  mod: (a, b) => a.sub(b.mul(floor(a.div(b)))),
+  transpose: transpose as unknown as Make,
   product: (a, b) => a.mul(b),
   and: (a, b) => asBool(a).and(asBool(b)),
   or: (a, b) => asBool(a).or(asBool(b)),
@@ -257,6 +299,8 @@ class FunctionCompiler {
         return build(value.type.columns > 1 ? value.type : { ...scalar(value.type.of), rows: value.type.rows }, [
           this.value(value.of),
         ]);
+      case 'reshape':
+        return reshaped(this.value(value.of).toVar(), value.of.type, value.type);
       case 'apply':
         return this.applied(value);
       case 'call': {
@@ -273,8 +317,9 @@ class FunctionCompiler {
 
   private applied({ f, args }: ShaderExpression & { readonly op: 'apply' }): Float {
     const values = args.map((arg) => this.value(arg));
-    const isInteger = args[0] && !isFloat(args[0].type);
-    return untyped((f === 'rem' && isInteger ? intRemainder : OPERATIONS[f])(...values));
+    const { type } = args[0] as ShaderExpression;
+    if (f === 'inverse') return inverted((values[0] as Float).toVar(), type);
+    return untyped((f === 'rem' && !isFloat(type) ? intRemainder : OPERATIONS[f])(...values));
   }
 }
 
@@ -284,6 +329,7 @@ const swizzle = (of: Float, parts: readonly number[]): Float =>
 /** The value of a channel at a pixel; 0 where there is no surface. */
 function readChannel(frame: EffectContext, channel: ShaderChannel, pixel: Vec2): Float {
   if (channel === 'image') return untyped(frame.image.at(pixel));
+  if (channel === 'image2') return untyped(frame.secondImage(pixel));
   if (channel === 'object') return frame.object(pixel);
   const { x: exists, y: depth } = frame.depth(pixel).toVar();
   switch (channel) {
@@ -293,6 +339,18 @@ function readChannel(frame: EffectContext, channel: ShaderChannel, pixel: Vec2):
       return depth.mul(exists);
     case 'normal':
       return untyped(frame.normal(pixel).mul(exists));
+    case 'albedo':
+      return untyped(frame.albedo(pixel).mul(exists));
+    case 'roughness':
+      return select(exists.greaterThan(0.5), frame.roughness(pixel), float(0));
+    case 'metallic':
+      return select(exists.greaterThan(0.5), frame.metallic(pixel), float(0));
+    case 'metallicRoughness':
+      return untyped(select(exists.greaterThan(0.5), vec2(frame.metallic(pixel), frame.roughness(pixel)), vec2(0)));
+    case 'apparent':
+      return untyped(frame.apparentPosition(pixel).mul(exists));
+    case 'clipDepth':
+      return select(exists.greaterThan(0.5), frame.clipDepth(pixel), float(0));
     case 'event':
       return untyped(frame.event(pixel).mul(exists));
     case 'emissionTime':
@@ -317,6 +375,8 @@ function readInput(frame: EffectContext, name: ShaderInput): Float {
     'p.uv': () => position.div(frame.image.size),
     'p.size': () => frame.image.size,
     'p.direction': () => frame.direction(),
+    'p.view': () => frame.viewMatrix(),
+    'p.projection': () => frame.projectionMatrix(),
   };
   return untyped(inputs[name]());
 }

@@ -28,7 +28,7 @@ export interface EffectArgument {
   readonly scale?: 'linear' | 'log';
 }
 
-export type EffectCategory = 'blur' | 'lens' | 'distance' | 'lines';
+export type EffectCategory = 'blur' | 'lens' | 'distance' | 'lines' | 'color';
 
 export interface EffectInfo {
   readonly title: LocalizedText;
@@ -141,6 +141,16 @@ export const EFFECTS = {
       fraction(msg`Over the sky`, 1),
     ],
     reads: ['depth', 'event'],
+  },
+  'hue-shift': {
+    title: msg`Hue shift`,
+    help: msg`Turns the hues, and strengthens or weakens them; the luminance stays. It has nothing to do with the Doppler effect.`,
+    category: 'color',
+    args: [
+      { title: msg`Angle`, default: 60, min: -180, max: 180, step: 1, unit: '°' },
+      { title: msg`Saturation`, default: 1, min: 0, max: 4, step: 0.05 },
+    ],
+    reads: [],
   },
   'depth-of-field': {
     title: msg`Depth of field`,

@@ -34,6 +34,8 @@ export type FrameGraphPassOf<Image, Buffer> =
       /** arg1 … arg4 */
       readonly args: readonly number[];
       readonly image: Image;
+      /** What `image2` of a custom effect reads. */
+      readonly second?: Image;
       readonly buffer: Buffer;
       /** Its first channel is the weight of the effect. */
       readonly mask?: Image;
@@ -88,7 +90,7 @@ export function inputImages<Image>(pass: FrameGraphPassOf<Image, unknown>): read
     case 'mix':
       return [pass.below, pass.above, ...(pass.mask === undefined ? [] : [pass.mask])];
     case 'effect':
-      return [pass.image, ...(pass.mask === undefined ? [] : [pass.mask])];
+      return [pass.image, ...[pass.second, pass.mask].filter((image) => image !== undefined)];
     default:
       return [pass.image];
   }

@@ -1,8 +1,9 @@
 import { degrees, radians } from '../../math/angle.ts';
 import { msg } from '../../messages/message.ts';
 import { MessageError } from '../../messages/messageError.ts';
+import { inverseOf } from './inverseMatrix.ts';
 import type { ShaderOperation } from './program.ts';
-import { isFloat, type ShaderType } from './types.ts';
+import { isFloat, isInteger, type ShaderType } from './types.ts';
 
 /*
  * What the operations of a shader text are, in f64. Truth is 1 and 0; matrices are column after column. Where WGSL leaves a result to the machine
@@ -87,6 +88,7 @@ const INTEGER_COMPONENTS: Readonly<Partial<Record<ShaderOperation, ComponentFunc
 const FLOAT_COMPONENTS: Readonly<Partial<Record<ShaderOperation, ComponentFunction>>> = {
   div: (a, b) => a / b,
   rem: (a, b) => a - b * Math.trunc(a / b),
+  mod: (a, b) => a - b * Math.floor(a / b),
 };
 
 const dot = (a: Components, b: Components): number => a.reduce((sum, x, i) => sum + x * (b[i] ?? 0), 0);
@@ -111,6 +113,10 @@ export function applyOperation(
   const [a = [], b = [], c = []] = args;
   if (f === 'select') return c[0] ? b : a;
   if (f === 'product') return product(a, b, types[0] as ShaderType, types[1] as ShaderType);
+  const matrix = types[0];
+  if (f === 'transpose' && matrix)
+    return a.map((_, i) => a[Math.floor(i / matrix.rows) + matrix.rows * (i % matrix.rows)] ?? 0);
+  if (f === 'inverse' && matrix) return inverse(a, matrix.rows);
   const ofVectors = VECTORS[f];
   if (ofVectors) return ofVectors(a, b);
   const special = types[0] && isFloat(types[0]) ? FLOAT_COMPONENTS[f] : INTEGER_COMPONENTS[f];
@@ -133,8 +139,25 @@ function product(a: Components, b: Components, left: ShaderType, right: ShaderTy
   });
 }
 
+const inverse = (m: Components, size: number): Components =>
+  inverseOf(size, (i) => m[i] ?? 0, {
+    add: (a, b) => a + b,
+    multiply: (a, b) => a * b,
+    negate: (a) => -a,
+    divide: (a, b) => a / b,
+  });
+
+/** A scalar on the diagonal of a matrix, or a matrix in another size, filled up by the identity. */
+export const reshapeMatrix = (numbers: Components, from: ShaderType, to: ShaderType): Components =>
+  Array.from({ length: to.rows * to.columns }, (_, i) => {
+    const [row, column] = [i % to.rows, Math.floor(i / to.rows)];
+    if (from.columns === 1) return row === column ? (numbers[0] ?? 0) : 0;
+    if (row >= from.rows || column >= from.columns) return row === column ? 1 : 0;
+    return numbers[column * from.rows + row] ?? 0;
+  });
+
 /** Converts to the component type. */
 export function convertComponents(numbers: Components, to: ShaderType): Components {
   if (to.of === 'bool') return numbers.map((x) => Number(x !== 0));
-  return to.of === 'i32' || to.of === 'whole' ? numbers.map((x) => whole(Math.trunc(x))) : numbers;
+  return isInteger(to) ? numbers.map((x) => whole(Math.trunc(x))) : numbers;
 }

@@ -12,6 +12,8 @@ interface ShaderCost {
 }
 
 const SAMPLE_COST = 8;
+/** Of a 4 × 4 matrix. */
+const INVERSE_COST = 200;
 
 /** Throws for programs that take too long or recurse; returns the channels sampled. `places`: of the functions. */
 export function checkCost(
@@ -39,7 +41,7 @@ export function checkCost(
       case 'call':
         return sum([...value.args.map(ofValue), ofFunction(value.f)], 1);
       case 'apply':
-        return sum(value.args.map(ofValue), 1);
+        return sum(value.args.map(ofValue), value.f === 'inverse' ? INVERSE_COST : 1);
       case 'build':
         return sum(value.parts.map(ofValue), 1);
       default:

@@ -1,7 +1,8 @@
 import { msg } from '../../messages/message.ts';
-import { applyOperation, convertComponents } from './arithmetic.ts';
+import { applyOperation, convertComponents, reshapeMatrix } from './arithmetic.ts';
 import {
   FLOAT_FUNCTIONS,
+  GLSL_FUNCTIONS,
   NUMBER_FUNCTIONS,
   SHADER_CHANNELS,
   SHADER_INPUTS,
@@ -13,7 +14,8 @@ import {
   VECTOR_FUNCTIONS,
 } from './program.ts';
 import { refuse, type SourceLocation } from './sourceLocation.ts';
-import type { ExpressionSyntax, TypeSyntax } from './syntax.ts';
+import type { ExpressionSyntax, ModuleSyntax, TypeSyntax } from './syntax.ts';
+import { typeNamed } from './typeNames.ts';
 import {
   BOOL,
   commonComponentType,
@@ -26,13 +28,16 @@ import {
   isSameType,
   type ShaderType,
   sameShape,
+  scalar,
   typeName,
-  typeNamed,
   vector,
 } from './types.ts';
 
 /** Scope of an expression. */
 export interface ShaderScope {
+  readonly language: ModuleSyntax['language'];
+  /** GLSL's uniforms and inputs. */
+  global(name: string): ExpressionSyntax | undefined;
   variable(name: string): ShaderExpression | undefined;
   function(
     name: string,
@@ -50,21 +55,26 @@ const FUNCTIONS: Readonly<Record<string, number>> = {
   ...FLOAT_FUNCTIONS,
   ...NUMBER_FUNCTIONS,
   ...VECTOR_FUNCTIONS,
+  ...GLSL_FUNCTIONS,
   select: 3,
 };
+/** Functions whose second and later arguments may be scalars in GLSL, or whose first ones may. */
+const SPREADING = new Set<ShaderOperation>(['min', 'max', 'clamp', 'mod', 'mix', 'step', 'smoothstep']);
 
 /** Reserved function names. */
 export const isReservedName = (name: string): boolean =>
-  Object.hasOwn(FUNCTIONS, name) ||
+  (Object.hasOwn(FUNCTIONS, name) && !Object.hasOwn(GLSL_FUNCTIONS, name)) ||
   Object.hasOwn(SHADER_CHANNELS, name) ||
   typeNamed({ at: { line: 1, column: 1 }, name }) !== undefined;
 
 export function checkExpression(of: ExpressionSyntax, names: ShaderScope): ShaderExpression {
   switch (of.kind) {
     case 'number':
-      return literal(of.text, of.at);
+      return names.language === 'glsl' ? glslLiteral(of.text, of.at) : literal(of.text, of.at);
     case 'truth':
       return { op: 'constant', type: BOOL, numbers: [Number(of.value)] };
+    case 'input':
+      return inputExpression(of.input);
     case 'name':
       return named(of.name, of.at, names);
     case 'unary':
@@ -73,6 +83,8 @@ export function checkExpression(of: ExpressionSyntax, names: ShaderScope): Shade
       return binary(of.sign, checkExpression(of.a, names), checkExpression(of.b, names), of.at);
     case 'member':
       return member(of.of, of.name, of.at, names);
+    case 'texel':
+      return texel(of.channel, checkExpression(of.offset, names));
     case 'index':
       return indexed(checkExpression(of.of, names), checkExpression(of.index, names), of.at);
     case 'call':
@@ -99,12 +111,40 @@ function literal(text: string, at: SourceLocation): ShaderExpression {
   return { op: 'constant', type: { of, rows: 1, columns: 1 }, numbers: [value] };
 }
 
+/** Whole numbers are ints, others floats. */
+function glslLiteral(text: string, at: SourceLocation): ShaderExpression {
+  const hex = /^0[xX]/.test(text);
+  const suffix = hex ? undefined : /[uU]$|(?:lf|LF|[fF])$/.exec(text)?.[0];
+  if (suffix === 'u' || suffix === 'U')
+    refuse(at, msg`the number ${text} is of a type that is not taken: leave the ${suffix} out`);
+  const digits = suffix ? text.slice(0, -suffix.length) : text;
+  const found = literal(suffix && !/[.eE]/.test(digits) ? `${digits}.0` : digits, at);
+  return { ...found, type: scalar(found.type.of === 'whole' ? 'int' : 'f32') };
+}
+
+/** The four components that GLSL reads from a texture with fewer. */
+function texel(channel: ShaderChannel, offset: ShaderExpression): ShaderExpression {
+  const value = sampleChannel(channel, convertTo(offset, vector(2, 'i32')));
+  const size = SHADER_CHANNELS[channel];
+  if (size === 4) return value;
+  const rest = [0, 0, 0, 1].slice(size);
+  const parts = [value, { op: 'constant', type: vector(rest.length), numbers: rest } as const];
+  return { op: 'build', type: vector(4), parts };
+}
+
+const inputExpression = (input: ShaderInput): ShaderExpression => {
+  const size = SHADER_INPUTS[input];
+  return { op: 'input', type: size === 16 ? { of: 'f32', rows: 4, columns: 4 } : vector(size), input };
+};
+
 function named(name: string, at: SourceLocation, names: ShaderScope): ShaderExpression {
   const variable = names.variable(name);
   if (variable) return variable;
-  if (Object.hasOwn(SHADER_INPUTS, name))
-    return { op: 'input', type: vector(SHADER_INPUTS[name as ShaderInput]), input: name as ShaderInput };
-  return refuse(at, msg`${name} is not declared here: \`let ${name} = …;\` before it, or is it spelt otherwise?`);
+  const global = names.global(name);
+  if (global) return checkExpression(global, names);
+  // A text in GLSL declares what it takes.
+  if (names.language === 'wgsl' && Object.hasOwn(SHADER_INPUTS, name)) return inputExpression(name as ShaderInput);
+  return refuse(at, msg`${name} is not declared here: declare it before, or is it spelt otherwise?`);
 }
 
 const constants = (values: readonly ShaderExpression[]): readonly (readonly number[])[] | undefined => {
@@ -205,10 +245,12 @@ function member(written: ExpressionSyntax, name: string, at: SourceLocation, nam
     const input = `p.${name}` as ShaderInput;
     if (name === 'color') return sampleChannel('image', { op: 'constant', type: vector(2, 'i32'), numbers: [0, 0] });
     if (!Object.hasOwn(SHADER_INPUTS, input))
-      refuse(at, msg`a Pixel has no ${name}: it has position, uv, size, direction and color`);
-    return { op: 'input', type: vector(SHADER_INPUTS[input]), input };
+      refuse(at, msg`a Pixel has no ${name}: it has position, uv, size, direction, view, projection and color`);
+    return inputExpression(input);
   }
-  const sets = ['xyzw', 'rgba'].map((set) => [...name].map((letter) => set.indexOf(letter)));
+  const sets = ['xyzw', 'rgba', ...(names.language === 'glsl' ? ['stpq'] : [])].map((set) =>
+    [...name].map((letter) => set.indexOf(letter)),
+  );
   const parts = sets.find((places) => places.every((place) => place >= 0 && place < of.type.rows));
   if (!parts || parts.length > 4 || of.type.rows === 1 || of.type.columns > 1)
     return refuse(at, msg`${typeName(of.type)} has no .${name}`);
@@ -270,22 +312,36 @@ function called(
     );
     return { op: 'call', type: own.result, f: own.index, args: passed };
   }
-  if (Object.hasOwn(SHADER_CHANNELS, name)) {
+  if (names.language === 'wgsl' && Object.hasOwn(SHADER_CHANNELS, name)) {
     counted(1);
     expectType(args[0]?.type ?? F32, vector(2, 'i32'), places[0] ?? at, msg`the offset of ${name}, in pixels,`);
     return sampleChannel(name as ShaderChannel, convertTo(args[0] as ShaderExpression, vector(2, 'i32')));
   }
   const count = FUNCTIONS[name];
-  if (Object.hasOwn(FUNCTIONS, name) && count) {
+  const isGlsl = names.language === 'glsl';
+  if (Object.hasOwn(FUNCTIONS, name) && count && (isGlsl || !Object.hasOwn(GLSL_FUNCTIONS, name))) {
     counted(count);
-    return builtin(name as ShaderOperation, args, at);
+    const f = name as ShaderOperation;
+    return builtin(f, isGlsl && SPREADING.has(f) ? spread(args) : args, at);
   }
   const type = typeNamed(callee);
-  if (type && type.of !== 'pixel') return constructed(type, args, at);
+  if (type && type.of !== 'pixel') return isGlsl ? glslConstructed(type, args, at) : constructed(type, args, at);
   return refuse(
     at,
     msg`there is no function ${name}: is it spelt otherwise? Textures, derivatives and bits are not taken`,
   );
+}
+
+/** Scalars among vectors as vectors of their size. */
+function spread(args: readonly ShaderExpression[]): readonly ShaderExpression[] {
+  const wide = args.find(({ type }) => type.columns === 1 && type.rows > 1);
+  if (!wide) return args;
+  return args.map((arg) => {
+    if (componentCount(arg.type) !== 1) return arg;
+    const type: ShaderType = { ...arg.type, rows: wide.type.rows };
+    if (arg.op !== 'constant') return { op: 'build', type, parts: [arg] };
+    return { op: 'constant', type, numbers: Array.from({ length: type.rows }, () => arg.numbers[0] ?? 0) };
+  });
 }
 
 function builtin(f: ShaderOperation, args: readonly ShaderExpression[], at: SourceLocation): ShaderExpression {
@@ -297,11 +353,16 @@ function builtin(f: ShaderOperation, args: readonly ShaderExpression[], at: Sour
     const type = { ...concreteType({ ...a.type, of }) };
     return operation(f, [convertTo(a, type), convertTo(b, type), c], type, at);
   }
+  if (f === 'inverse' || f === 'transpose') {
+    if (a.type.columns === 1) clash();
+    return operation(f, [a], a.type, at);
+  }
   // The last argument of `mix` may be a scalar.
   const shares = f === 'mix' && componentCount(c.type) === 1 ? [a, b] : args;
   const of = commonComponentType(args.map(({ type }) => type));
-  const whole = Object.hasOwn(NUMBER_FUNCTIONS, f) && (of === 'whole' || of === 'i32');
-  const wanted = whole ? of : of === 'whole' || of === 'broken' ? 'broken' : of === 'f32' ? 'f32' : undefined;
+  const whole = Object.hasOwn(NUMBER_FUNCTIONS, f) && (of === 'whole' || of === 'i32' || of === 'int');
+  const broken = of === 'whole' || of === 'broken';
+  const wanted = whole ? of : broken ? 'broken' : of === 'f32' || of === 'int' ? 'f32' : undefined;
   if (!wanted || a.type.columns > 1 || shares.some(({ type }) => !sameShape(type, a.type))) return clash();
   const vectors = Object.hasOwn(VECTOR_FUNCTIONS, f);
   if (vectors && ((a.type.rows === 1 && f !== 'length' && f !== 'distance') || (f === 'cross' && a.type.rows !== 3)))
@@ -337,6 +398,38 @@ function constructed(type: ShaderType, args: readonly ShaderExpression[], at: So
   const known = constants(parts)?.flat();
   if (!known) return { op: 'build', type: made, parts };
   return { op: 'constant', type: made, numbers: splat ? Array.from({ length: size }, () => known[0] ?? 0) : known };
+}
+
+/** As `constructed`, but components of any type are converted, a vector may be cut short, and matrices are made of a number or another matrix. */
+function glslConstructed(type: ShaderType, args: readonly ShaderExpression[], at: SourceLocation): ShaderExpression {
+  const [one] = args;
+  if (!one) return refuse(at, msg`${typeName(type)} has ${componentCount(type)} components, and is given ${0}`);
+  const made = args.map((arg) => converted(arg, { ...arg.type, of: type.of }, at));
+  const [first] = made as [ShaderExpression];
+  if (made.length > 1) {
+    const total = made.reduce((sum, arg) => sum + componentCount(arg.type), 0);
+    const last = made.at(-1) as ShaderExpression;
+    const excess = total - componentCount(type);
+    // GLSL drops what the last value has too much.
+    if (excess > 0 && excess < componentCount(last.type) && last.type.columns === 1) {
+      const kept = Array.from({ length: componentCount(last.type) - excess }, (_, k) => k);
+      return constructed(type, [...made.slice(0, -1), partsOf(last, kept)], at);
+    }
+    return constructed(type, made, at);
+  }
+  if (type.columns > 1) return matrixOfOne(type, first, at);
+  if (first.type.columns === 1 && first.type.rows > type.rows) {
+    const kept = Array.from({ length: type.rows }, (_, k) => k);
+    return partsOf(first, kept);
+  }
+  return constructed(type, [first], at);
+}
+
+/** A multiple of the identity, or another matrix cut out or filled up by the identity. */
+function matrixOfOne(type: ShaderType, one: ShaderExpression, at: SourceLocation): ShaderExpression {
+  if (one.type.columns === 1 && one.type.rows > 1) refuse(at, msg`a matrix is not made of a vector`);
+  if (one.op === 'constant') return { op: 'constant', type, numbers: reshapeMatrix(one.numbers, one.type, type) };
+  return { op: 'reshape', type, of: one };
 }
 
 function converted(from: ShaderExpression, to: ShaderType, at: SourceLocation): ShaderExpression {

@@ -1,5 +1,6 @@
-import { anyOf, type LocalizedText, type Message, msg } from '../../messages/message.ts';
-import { refuse, SHADER_TEXT_LIMITS, type SourceLocation } from './sourceLocation.ts';
+import { anyOf, type Message, msg } from '../../messages/message.ts';
+import { ShaderParser } from './shaderParser.ts';
+import { refuse, type SourceLocation } from './sourceLocation.ts';
 import type {
   AssignmentSyntax,
   DeclarationSyntax,
@@ -32,23 +33,13 @@ const TYPES_REFUSED: readonly [RegExp, Message][] = [
   [/^(u32|vec[234]u)$/, msg`use i32`],
   [/^(f16|vec[234]h|mat\dx\dh)$/, msg`use f32`],
 ];
-/** Binary operators by increasing precedence. */
-const LEVELS = [['||'], ['&&'], ['==', '!=', '<', '>', '<=', '>='], ['+', '-'], ['*', '/', '%']] as const;
-const BITS = new Set(['&', '|', '^', '~', '<<', '>>']);
 const TEMPLATES = /^(vec[234]|mat[234]x[234]|array|ptr|atomic|texture_\w+)$/;
 
 /** Parses a text; throws with the location where it is not of the language. */
 export const parse = (text: string): ModuleSyntax => new Parser(tokenize(text)).module();
 
-class Parser {
-  private readonly tokens: readonly ShaderToken[];
-  private next = 0;
-  private depth = 0;
-  private chained = 0;
-
-  constructor(tokens: readonly ShaderToken[]) {
-    this.tokens = tokens;
-  }
+class Parser extends ShaderParser {
+  protected readonly refusedWords = REFUSED;
 
   module(): ModuleSyntax {
     const constants: DeclarationSyntax[] = [];
@@ -61,7 +52,7 @@ class Parser {
         refuse(this.here, msg`\`var\` outside of a function is not taken: declare it inside, or use \`const\``);
       else this.refused(anyOf(['`fn`', '`const`']));
     }
-    return { constants, functions };
+    return { language: 'wgsl', globals: new Map(), constants, functions };
   }
 
   private function(): FunctionSyntax {
@@ -152,7 +143,7 @@ class Parser {
   private simple(): DeclarationSyntax | AssignmentSyntax {
     if (this.is('let') || this.is('var') || this.is('const')) return this.declaration();
     const at = this.here;
-    if (at.kind !== 'name' || REFUSED[at.text]) this.refused(msg`a statement`);
+    if (at.kind !== 'name' || this.isRefused(at.text)) this.refused(msg`a statement`);
     const target = this.postfix();
     const sign = this.here.text;
     if (this.takes('++') || this.takes('--')) {
@@ -177,125 +168,11 @@ class Parser {
     return { at, kind: 'declare', how, name, type, value };
   }
 
-  private expression(level = 0): ExpressionSyntax {
-    if (level === LEVELS.length) return this.unary();
-    let a = this.within(() => this.expression(level + 1));
-    while ((LEVELS[level] as readonly string[]).includes(this.here.text) && this.here.kind === 'sign') {
-      const at = this.take();
-      this.chain(at);
-      const b = this.within(() => this.expression(level + 1));
-      a = { at, kind: 'binary', sign: at.text, a, b };
-    }
-    if (this.here.kind === 'sign' && BITS.has(this.here.text))
-      refuse(this.here, msg`the operator ${this.here.text} works on bits, and is not taken: use arithmetic`);
-    return a;
-  }
-
-  private unary(): ExpressionSyntax {
-    const at = this.here;
-    if (this.takes('-') || this.takes('!'))
-      return { at, kind: 'unary', sign: at.text, of: this.within(() => this.unary()) };
-    if (at.text === '&' || at.text === '*') refuse(at, msg`pointers are not taken: pass and return values`);
-    return this.postfix();
-  }
-
-  private postfix(): ExpressionSyntax {
-    let of = this.primary();
-    for (;;) {
-      const at = this.here;
-      this.chain(at, at.text === '.' || at.text === '[');
-      if (this.takes('.')) of = { at, kind: 'member', of, name: this.name(msg`x, y, z or w`).text };
-      else if (this.takes('[')) {
-        const index = this.within(() => this.expression());
-        this.word(']');
-        of = { at, kind: 'index', of, index };
-      } else return of;
-    }
-  }
-
-  private primary(): ExpressionSyntax {
-    const at = this.here;
-    if (at.kind === 'number') return { at, kind: 'number', text: this.take().text };
-    if (this.takes('true') || this.takes('false')) return { at, kind: 'truth', value: at.text === 'true' };
-    if (this.takes('(')) {
-      const inner = this.within(() => this.expression());
-      this.word(')');
-      return inner;
-    }
-    if (at.kind !== 'name' || REFUSED[at.text]) this.refused(msg`an expression`);
+  protected named(at: ShaderToken): ExpressionSyntax {
     const templated = TEMPLATES.test(at.text);
     const callee = templated ? this.type() : { at, name: this.take().text };
-    if (!this.takes('(')) {
-      if (templated) this.refused('`(`');
-      return { at, kind: 'name', name: callee.name };
-    }
-    const args: ExpressionSyntax[] = [];
-    while (!this.is(')')) {
-      args.push(this.within(() => this.expression()));
-      if (!this.takes(',')) break;
-    }
-    this.word(')');
-    return { at, kind: 'call', callee, args };
-  }
-
-  private within<T>(read: () => T): T {
-    if (++this.depth > LEVELS.length * SHADER_TEXT_LIMITS.depth)
-      refuse(this.here, msg`this lies more than ${SHADER_TEXT_LIMITS.depth} brackets deep: give parts of it names`);
-    const found = read();
-    this.depth--;
-    return found;
-  }
-
-  /** Chained operators nest as deep as they are long. */
-  private chain(at: ShaderToken, longer = true): void {
-    if (longer && ++this.chained > SHADER_TEXT_LIMITS.chain)
-      refuse(at, msg`this statement is longer than ${SHADER_TEXT_LIMITS.chain} operators: give parts of it names`);
-  }
-
-  private ended<T>(statement: T): T {
-    this.chained = 0;
-    this.word(';');
-    return statement;
-  }
-
-  private get here(): ShaderToken {
-    return this.tokens[Math.min(this.next, this.tokens.length - 1)] as ShaderToken;
-  }
-
-  private take(): ShaderToken {
-    const token = this.here;
-    this.next++;
-    return token;
-  }
-
-  private is(text: string): boolean {
-    return this.here.text === text;
-  }
-
-  private takes(text: string): boolean {
-    if (!this.is(text)) return false;
-    this.next++;
-    return true;
-  }
-
-  private word(text: string): ShaderToken {
-    if (!this.is(text)) this.refused(`\`${text}\``);
-    return this.take();
-  }
-
-  private name(what: LocalizedText): ShaderToken {
-    if (this.here.kind !== 'name' || REFUSED[this.here.text]) this.refused(what);
-    return this.take();
-  }
-
-  private refused(expected: LocalizedText): never {
-    const { text, kind } = this.here;
-    const instead = REFUSED[text];
-    if (instead && kind === 'name') refuse(this.here, msg`\`${text}\` is not taken: ${instead}`);
-    if (text === '@') refuse(this.here, msg`attributes are not taken: leave them out`);
-    refuse(
-      this.here,
-      msg`expected ${expected} here, found ${kind === 'end' ? msg`the end of the text` : `\`${text}\``}`,
-    );
+    if (this.is('(')) return { at, kind: 'call', callee, args: this.args() };
+    if (templated) this.refused('`(`');
+    return { at, kind: 'name', name: callee.name };
   }
 }

@@ -4,12 +4,24 @@ import type { ShaderType } from './types.ts';
 export const SHADER_CHANNELS = {
   /** Linear colour and opacity. */
   image: 4,
+  /** The same of a second image, if the node has one. */
+  image2: 4,
   /** 1 on surfaces, 0 on the sky. */
   there: 1,
   /** Apparent distance |Δx′| [m]. */
   depth: 1,
   /** Unit, in the surface's rest frame. */
   normal: 3,
+  /** Base colour, linear sRGB. */
+  albedo: 3,
+  roughness: 1,
+  metallic: 1,
+  /** (metallic, roughness) */
+  metallicRoughness: 2,
+  /** Observer → apparent position, observer's frame on world axes carried by the boost [m]. */
+  apparent: 3,
+  /** z/w of the apparent position under `p.projection`: 0 … 1 from 0.2 m on. */
+  clipDepth: 1,
   /** Observer → event, world frame [m]. */
   event: 3,
   /** World time of the event after the observer's [s]. */
@@ -39,8 +51,14 @@ export const SHADER_INPUTS = {
   'p.size': 2,
   /** View direction of the pixel: unit, world frame. */
   'p.direction': 3,
+  /** Apparent positions → camera axes. */
+  'p.view': 16,
+  /** Camera axes → clip space of OpenGL, without a far plane. */
+  'p.projection': 16,
 } as const;
 export type ShaderInput = keyof typeof SHADER_INPUTS;
+/** Near plane of `p.projection` [m]. */
+export const PROJECTION_NEAR = 0.1;
 
 /** Builtin functions. All are component-wise except `VECTOR_FUNCTIONS`; all arguments have one shape. */
 export const FLOAT_FUNCTIONS = {
@@ -51,11 +69,14 @@ export const FLOAT_FUNCTIONS = {
 export const NUMBER_FUNCTIONS = { abs: 1, sign: 1, min: 2, max: 2, clamp: 3 } as const;
 /** On whole vectors. */
 export const VECTOR_FUNCTIONS = { dot: 2, length: 1, distance: 2, normalize: 1, cross: 2, reflect: 2 } as const;
+/** Of GLSL only. `mod` differs from `%` for negative numbers. */
+export const GLSL_FUNCTIONS = { mod: 2, inverse: 1, transpose: 1 } as const;
 
 export type ShaderOperation =
   | keyof typeof FLOAT_FUNCTIONS
   | keyof typeof NUMBER_FUNCTIONS
   | keyof typeof VECTOR_FUNCTIONS
+  | keyof typeof GLSL_FUNCTIONS
   | 'select'
   | 'negate'
   | 'not'
@@ -105,6 +126,8 @@ export type ShaderExpression = { readonly type: ShaderType } & (
   /** From consecutive components; a single scalar is broadcast. */
   | { readonly op: 'build'; readonly parts: readonly ShaderExpression[] }
   | { readonly op: 'convert'; readonly of: ShaderExpression }
+  /** A matrix from a scalar on its diagonal, or from a matrix of another size, filled up by the identity. */
+  | { readonly op: 'reshape'; readonly of: ShaderExpression }
   | { readonly op: 'apply'; readonly f: ShaderOperation; readonly args: readonly ShaderExpression[] }
   | { readonly op: 'call'; readonly f: number; readonly args: readonly ShaderExpression[] }
 );

@@ -1,4 +1,4 @@
-import { applyOperation, type Components, convertComponents } from './arithmetic.ts';
+import { applyOperation, type Components, convertComponents, reshapeMatrix } from './arithmetic.ts';
 import type {
   ShaderChannel,
   ShaderExpression,
@@ -106,6 +106,8 @@ class FunctionCall {
       }
       case 'convert':
         return convertComponents(this.value(value.of), value.type);
+      case 'reshape':
+        return reshapeMatrix(this.value(value.of), value.of.type, value.type);
       case 'apply':
         return applyOperation(
           value.f,

@@ -11,9 +11,12 @@ export interface SourceLocation {
 export class ShaderTextError extends MessageError {
   readonly line: number;
   readonly column: number;
-  constructor({ line, column }: SourceLocation, message: Message) {
-    super(msg`line ${line}, column ${column}: ${message}`);
+  /** Without the location. */
+  readonly reason: Message;
+  constructor({ line, column }: SourceLocation, reason: Message) {
+    super(msg`line ${line}, column ${column}: ${reason}`);
     this.name = 'ShaderTextError';
+    this.reason = reason;
     this.line = line;
     this.column = column;
   }

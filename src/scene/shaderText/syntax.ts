@@ -1,4 +1,6 @@
+import type { ShaderChannel, ShaderInput } from './program.ts';
 import type { SourceLocation } from './sourceLocation.ts';
+import type { ShaderType } from './types.ts';
 
 /** The syntax tree, before names are resolved. */
 
@@ -9,12 +11,15 @@ interface SyntaxNode {
 export interface TypeSyntax extends SyntaxNode {
   readonly name: string;
   readonly of?: TypeSyntax;
+  /** Known to the parser: GLSL's names mean other types. */
+  readonly type?: ShaderType;
 }
 
 export type ExpressionSyntax =
   | (SyntaxNode & { readonly kind: 'number'; readonly text: string })
   | (SyntaxNode & { readonly kind: 'truth'; readonly value: boolean })
   | (SyntaxNode & { readonly kind: 'name'; readonly name: string })
+  | (SyntaxNode & { readonly kind: 'input'; readonly input: ShaderInput })
   | (SyntaxNode & { readonly kind: 'unary'; readonly sign: string; readonly of: ExpressionSyntax })
   | (SyntaxNode & {
       readonly kind: 'binary';
@@ -24,6 +29,8 @@ export type ExpressionSyntax =
     })
   | (SyntaxNode & { readonly kind: 'call'; readonly callee: TypeSyntax; readonly args: readonly ExpressionSyntax[] })
   | (SyntaxNode & { readonly kind: 'member'; readonly of: ExpressionSyntax; readonly name: string })
+  /** GLSL's `texture`: a channel as the four components of a texel, at an offset in pixels. */
+  | (SyntaxNode & { readonly kind: 'texel'; readonly channel: ShaderChannel; readonly offset: ExpressionSyntax })
   | (SyntaxNode & { readonly kind: 'index'; readonly of: ExpressionSyntax; readonly index: ExpressionSyntax });
 
 export interface DeclarationSyntax extends SyntaxNode {
@@ -69,6 +76,9 @@ export interface FunctionSyntax extends SyntaxNode {
 }
 
 export interface ModuleSyntax {
+  readonly language: 'wgsl' | 'glsl';
+  /** GLSL's uniforms and inputs. */
+  readonly globals: ReadonlyMap<string, ExpressionSyntax>;
   readonly constants: readonly DeclarationSyntax[];
   readonly functions: readonly FunctionSyntax[];
 }

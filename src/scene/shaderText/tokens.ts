@@ -6,15 +6,24 @@ export interface ShaderToken extends SourceLocation {
   readonly text: string;
 }
 
-const PARTS = {
+const WGSL = {
   space: /[ \t\r\n]+|\/\/[^\n]*/y,
   name: /[A-Za-z_][A-Za-z0-9_]*/y,
   number: /0[xX][0-9a-fA-F]+[iu]?|(?:\d+\.\d*|\.\d+|\d+)(?:[eE][+-]?\d+)?[fhiu]?/y,
   sign: /->|\+\+|--|&&|\|\||<<|>>|[<>=!+\-*/%&|^]=|[-+*/%&|^~!<>=(){}[\],.;:@]/y,
 } as const;
+const GLSL = {
+  space: WGSL.space,
+  name: WGSL.name,
+  number: /0[xX][0-9a-fA-F]+|(?:\d+\.\d*|\.\d+|\d+)(?:[eE][+-]?\d+)?(?:lf|LF|[fFuU])?/y,
+  sign: /\+\+|--|&&|\|\||<<|>>|[<>=!+\-*/%&|^]=|[-+*/%&|^~!<>=(){}[\],.;:?#]/y,
+} as const;
+const PARTS = { wgsl: WGSL, glsl: GLSL };
+const LANGUAGES = { wgsl: 'WGSL', glsl: 'GLSL' };
+type ShaderLanguage = keyof typeof PARTS;
 
 /** Tokens of a text, with one for its end. */
-export function tokenize(text: string): readonly ShaderToken[] {
+export function tokenize(text: string, language: ShaderLanguage = 'wgsl'): readonly ShaderToken[] {
   const tokens: ShaderToken[] = [];
   let [at, line, start] = [0, 1, 0];
   const here = (): SourceLocation => ({ line, column: at - start + 1 });
@@ -25,7 +34,7 @@ export function tokenize(text: string): readonly ShaderToken[] {
     );
   while (at < text.length) {
     const place = here();
-    const [kind, found] = tokenAt(text, at, place);
+    const [kind, found] = tokenAt(text, at, place, language);
     if (kind !== 'space') tokens.push({ ...place, kind, text: found });
     for (let i = 0; i < found.length; i++)
       if (found[i] === '\n') {
@@ -37,21 +46,31 @@ export function tokenize(text: string): readonly ShaderToken[] {
   return [...tokens, { ...here(), kind: 'end', text: '' }];
 }
 
-function tokenAt(text: string, at: number, place: SourceLocation): readonly [keyof typeof PARTS, string] {
-  if (text.startsWith('/*', at)) return ['space', comment(text, at, place)];
-  for (const kind of Object.keys(PARTS) as (keyof typeof PARTS)[]) {
-    PARTS[kind].lastIndex = at;
-    const found = PARTS[kind].exec(text);
+function tokenAt(
+  text: string,
+  at: number,
+  place: SourceLocation,
+  language: ShaderLanguage,
+): readonly [keyof typeof WGSL, string] {
+  if (text.startsWith('/*', at)) return ['space', comment(text, at, place, language)];
+  const parts = PARTS[language];
+  for (const kind of Object.keys(parts) as (keyof typeof parts)[]) {
+    parts[kind].lastIndex = at;
+    const found = parts[kind].exec(text);
     if (found) return [kind, found[0]];
   }
   return refuse(
     place,
-    msg`the character ${JSON.stringify(String.fromCodePoint(text.codePointAt(at) ?? 0))} has no meaning in WGSL`,
+    msg`the character ${JSON.stringify(String.fromCodePoint(text.codePointAt(at) ?? 0))} has no meaning in ${LANGUAGES[language]}`,
   );
 }
 
-/** Comments lie within comments. */
-function comment(text: string, from: number, place: SourceLocation): string {
+/** In WGSL comments lie within comments. */
+function comment(text: string, from: number, place: SourceLocation, language: ShaderLanguage): string {
+  if (language === 'glsl') {
+    const end = text.indexOf('*/', from + 2);
+    if (end >= 0) return text.slice(from, end + 2);
+  }
   let depth = 0;
   for (let at = from; at < text.length; at += 2) {
     if (text.startsWith('/*', at)) depth++;

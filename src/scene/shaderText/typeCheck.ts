@@ -11,13 +11,14 @@ import type {
   ModuleSyntax,
   StatementSyntax,
 } from './syntax.ts';
+import { declaredType } from './typeNames.ts';
 import {
   BOOL,
   componentCount,
   concreteType,
-  declaredType,
   expectType,
   I32,
+  isInteger,
   isSameType,
   PIXEL,
   type ShaderType,
@@ -35,16 +36,24 @@ export function typeCheck(syntax: ModuleSyntax): Pick<ShaderProgram, 'functions'
   const signatures = new Map<string, Signature>();
   const known = new Map<string, ShaderExpression>();
   syntax.functions.forEach((of, index) => {
-    if (isReservedName(of.name))
+    if (syntax.language === 'wgsl' && isReservedName(of.name))
       refuse(of.at, msg`${of.name} is a function of WGSL or of effects: call yours otherwise`);
     if (signatures.has(of.name)) refuse(of.at, msg`there is a function ${of.name} already: call this one otherwise`);
     const params = of.params.map(({ type }) => declaredType(type));
     signatures.set(of.name, { index, params, result: declaredType(of.result) });
   });
   const effect = effectOf(syntax, signatures);
-  const names: ShaderScope = { variable: (name) => known.get(name), function: () => undefined };
+  const { language, globals } = syntax;
+  const names: ShaderScope = {
+    language,
+    global: () => undefined,
+    variable: (name) => known.get(name),
+    function: () => undefined,
+  };
   for (const constant of syntax.constants) known.set(constant.name, constantOf(constant, names));
-  const functions = syntax.functions.map((of) => new FunctionChecker(signatures, known).function(of));
+  const functions = syntax.functions.map((of) =>
+    new FunctionChecker(signatures, known, language, globals).function(of),
+  );
   return { functions, effect };
 }
 
@@ -88,9 +97,22 @@ class FunctionChecker {
   private result: ShaderType = BOOL;
   private loops = 0;
 
-  constructor(signatures: ReadonlyMap<string, Signature>, known: ReadonlyMap<string, ShaderExpression>) {
+  private readonly names: ShaderScope;
+
+  constructor(
+    signatures: ReadonlyMap<string, Signature>,
+    known: ReadonlyMap<string, ShaderExpression>,
+    language: ModuleSyntax['language'],
+    globals: ModuleSyntax['globals'],
+  ) {
     this.signatures = signatures;
     this.known = known;
+    this.names = {
+      language,
+      global: (name) => globals.get(name),
+      variable: (name) => this.find(name)?.value ?? this.known.get(name),
+      function: (name) => this.signatures.get(name),
+    };
   }
 
   function({ name, params, result, body, at }: FunctionSyntax): ShaderFunction {
@@ -109,17 +131,20 @@ class FunctionChecker {
     return { name, locals: this.locals, params: count, result: this.result, body: steps };
   }
 
-  private readonly names: ShaderScope = {
-    variable: (name) => this.find(name)?.value ?? this.known.get(name),
-    function: (name) => this.signatures.get(name),
-  };
-
   private find(name: string): Variable | undefined {
     for (let i = this.scopes.length - 1; i >= 0; i--) {
       const found = this.scopes[i]?.get(name);
       if (found) return found;
     }
     return undefined;
+  }
+
+  private get isGlsl(): boolean {
+    return this.names.language === 'glsl';
+  }
+
+  private isConstant(value: ExpressionSyntax | undefined): boolean {
+    return value !== undefined && checkExpression(value, this.names).op === 'constant';
   }
 
   private local(type: ShaderType): ShaderExpression & { readonly op: 'local' } {
@@ -169,7 +194,7 @@ class FunctionChecker {
 
   private declaration(statement: DeclarationSyntax): readonly ShaderStatement[] {
     const { how, name, type, value, at } = statement;
-    if (how === 'const') {
+    if (how === 'const' && !(this.isGlsl && !this.isConstant(value))) {
       this.declare(name, { value: constantOf(statement, this.names), how }, at);
       return [];
     }
@@ -189,46 +214,73 @@ class FunctionChecker {
   }
 
   private assignment({ target, sign, value, at }: AssignmentSyntax): readonly ShaderStatement[] {
-    const { local, type, part } = this.target(target);
+    const { local, type, parts, whole } = this.target(target);
     const sum: ExpressionSyntax = sign ? { at, kind: 'binary', sign, a: target, b: value } : value;
     const found = checkExpression(sum, this.names);
     expectType(found.type, type, value.at, msg`the new value`);
-    return [{ op: 'set', local, part, value: convertTo(found, type) }];
+    if (!parts || parts.length === 1) return [{ op: 'set', local, part: parts?.[0], value: convertTo(found, type) }];
+    return this.assignParts(local, whole, parts, convertTo(found, type));
   }
 
-  /** A variable, or one component of it. */
+  /** `v.xy = …` by way of a variable, since the value may read what it changes. */
+  private assignParts(
+    local: number,
+    type: ShaderType,
+    parts: readonly number[],
+    value: ShaderExpression,
+  ): readonly ShaderStatement[] {
+    const kept = this.local(value.type);
+    const component = (of: ShaderExpression, part: number): ShaderExpression => ({
+      ...{ op: 'parts', type: { ...of.type, rows: 1 }, of, parts: [part] },
+    });
+    const before: ShaderExpression = { op: 'local', type, local };
+    const built = Array.from({ length: type.rows }, (_, k) =>
+      parts.includes(k) ? component(kept, parts.indexOf(k)) : component(before, k),
+    );
+    return [
+      { op: 'set', local: kept.local, part: undefined, value },
+      { op: 'set', local, part: undefined, value: { op: 'build', type, parts: built } },
+    ];
+  }
+
+  /** A variable, or components of it: one of them in WGSL. */
   private target(target: ExpressionSyntax): {
     readonly local: number;
     readonly type: ShaderType;
-    readonly part: number | undefined;
+    readonly parts: readonly number[] | undefined;
+    readonly whole: ShaderType;
   } {
     const whole = target.kind === 'member' || target.kind === 'index' ? target.of : target;
     if (whole.kind !== 'name') return refuse(target.at, msg`only a variable, or one component of it, can be assigned`);
     const variable = this.find(whole.name);
-    if (!variable)
-      return refuse(whole.at, msg`${whole.name} is no variable here: \`var ${whole.name} = …;\` before it`);
+    if (!variable) return refuse(whole.at, msg`${whole.name} is no variable here: declare it before`);
     if (variable.how === 'counter') refuse(whole.at, msg`${whole.name} counts this loop, and may not be changed in it`);
     if (variable.how !== 'var' || variable.value.op !== 'local')
-      return refuse(whole.at, msg`${whole.name} cannot be changed: declare it with \`var\`, or copy it into one`);
+      return refuse(whole.at, msg`${whole.name} cannot be changed: copy it into a variable`);
     const { local, type } = variable.value;
-    if (target.kind === 'name') return { local, type, part: undefined };
+    if (target.kind === 'name') return { local, type, parts: undefined, whole: type };
     if (type.columns > 1) refuse(target.at, msg`a part of a matrix cannot be assigned: build it anew`);
     const found = checkExpression(target, this.names);
-    if (found.op !== 'parts' || found.parts.length !== 1)
+    if (found.op !== 'parts' || (found.parts.length !== 1 && !this.isGlsl))
       return refuse(target.at, msg`WGSL assigns one component at a time: .x, .y, .z or .w`);
-    return { local, type: found.type, part: found.parts[0] };
+    if (new Set(found.parts).size < found.parts.length) refuse(target.at, msg`this assigns one component twice`);
+    return { local, type: found.type, parts: found.parts, whole: type };
   }
 
   private loop({ at, first, while: test, next, body }: ForLoopSyntax): readonly ShaderStatement[] {
     if (first?.kind !== 'declare' || first.how !== 'var' || !first.value)
-      return refuse(at, msg`the loop declares no counter of its own: write \`for (var i = 0; i < 16; i++)\``);
+      return refuse(
+        at,
+        msg`the loop declares no counter of its own: write ${this.isGlsl ? '`for (int i = 0; i < 16; i++)`' : '`for (var i = 0; i < 16; i++)`'}`,
+      );
     const { name } = first;
     const from = this.whole(first.value, msg`the first value of ${name}`);
-    if (first.type && !isSameType(declaredType(first.type), I32))
-      refuse(first.at, msg`${name} counts, and should be i32`);
+    const type = first.type ? declaredType(first.type) : I32;
+    if (!isInteger(type) || componentCount(type) > 1)
+      refuse(first.at, msg`${name} counts, and should be ${this.isGlsl ? 'int' : 'i32'}`);
     const by = this.stride(next, name, at);
     const count = this.rounds(test, name, from, by, at);
-    const local = this.local(I32);
+    const local = this.local(type);
     this.scopes.push(new Map([[name, { value: local, how: 'counter' } as const]]));
     this.loops++;
     const steps = this.block(body);
@@ -240,11 +292,7 @@ class FunctionChecker {
   /** A constant integer. */
   private whole(of: ExpressionSyntax, what: LocalizedText): number {
     const value = checkExpression(of, this.names);
-    if (
-      value.op !== 'constant' ||
-      (value.type.of !== 'whole' && value.type.of !== 'i32') ||
-      componentCount(value.type) !== 1
-    )
+    if (value.op !== 'constant' || !isInteger(value.type) || componentCount(value.type) !== 1)
       return refuse(
         of.at,
         msg`${what} must be a whole number that is known beforehand: a number or a \`const\`. Where fewer rounds are needed, leave the loop by \`break\``,

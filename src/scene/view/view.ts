@@ -59,6 +59,8 @@ export type AovName =
   | 'doppler'
   | 'position'
   | 'normal'
+  | 'roughness'
+  | 'metallic'
   | 'occlusion'
   | 'velocity'
   | 'object';
@@ -97,6 +99,8 @@ export const AOVS: Readonly<Record<AovName, AovInfo>> = {
     channels: ['normal.x', 'normal.y', 'normal.z'],
     meaning: 'unit normal in the rest frame of the surface, on the world axes carried there by the pure boost',
   },
+  roughness: { channels: ['roughness'], meaning: 'roughness of the surface, with its texture, 0 … 1' },
+  metallic: { channels: ['metallic'], meaning: 'how metallic the surface is, with its texture, 0 … 1' },
   occlusion: {
     channels: ['occlusion'],
     meaning:

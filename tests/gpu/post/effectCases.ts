@@ -34,7 +34,10 @@ const VIEW: ViewPoint = {
 const SETTINGS = { ...DEFAULT_SETTINGS, speedOfLight: 1 };
 const ZENITH = [0, 1, 0] as const;
 
-const DATA = ['object', 'depth', 'normal', 'position', 'emission_time', 'velocity', 'doppler'] as const;
+const DATA = [
+  ...(['object', 'depth', 'normal', 'position', 'emission_time', 'velocity', 'doppler'] as const),
+  ...(['albedo', 'roughness', 'metallic'] as const),
+] as const;
 
 /** Light over six decades, and unrelated random surfaces with holes. */
 function noise(): EffectInput {
@@ -52,6 +55,9 @@ function noise(): EffectInput {
     ['emission_time', of(1, () => [3 - 20 * next()])],
     ['velocity', of(3, () => [0, 0, 0].map(() => next() - 0.5))],
     ['doppler', of(1, () => [4 ** (2 * next() - 1)])],
+    ['albedo', of(3, () => [next(), next(), next()])],
+    ['roughness', of(1, () => [next()])],
+    ['metallic', of(1, () => [next()])],
   ]);
   return { image, aovs, view: VIEW, settings: SETTINGS, zenith: ZENITH };
 }
@@ -116,7 +122,7 @@ export function pictureOf({ picture }: EffectCase): EffectInput {
 /** A ramp from 0 at the left to 1 and beyond at the right. */
 export const maskOf = ({ image }: EffectInput): FloatImage => image.map((x) => [(1.4 * x) / image.width - 0.2, 0, 0]);
 
-/** The upper picture of a mix: the mirrored picture, dimmed. */
+/** The upper picture of a mix, and the second of a text: the mirrored picture, dimmed. */
 export const overOf = ({ image }: EffectInput): FloatImage =>
   image.map((x, y) => image.at(image.width - 1 - x, y).map((value) => 0.3 * value));
 
@@ -125,7 +131,7 @@ export function expected(of: EffectCase): FloatImage {
   const picture = pictureOf(of);
   const mask = of.masked ? maskOf(picture) : undefined;
   if (typeof of.of === 'string') return applyEffect(of.of, of.args, picture, mask);
-  if ('text' in of.of) return applyEffect(readShaderText(of.of.text), of.args, picture, mask);
+  if ('text' in of.of) return applyEffect(readShaderText(of.of.text), of.args, picture, mask, overOf(picture));
   return mixImages(of.of.mode, of.args[0] ?? 0, picture.image, overOf(picture), mask);
 }
 
@@ -201,8 +207,62 @@ fn effect(p: Pixel) -> vec4f {
 }`,
 };
 
+/** Texts in GLSL, written as for OpenGL. */
+const GLSL_TEXTS: Readonly<Record<string, string>> = {
+  'a denoiser in GLSL, guided by colours': `
+#version 430 core
+uniform vec2 iResolution;
+uniform sampler2D baseColorSampler;
+uniform float arg1;
+layout(location = 0) out vec4 Color;
+const int K = 2;
+float likeness(float d, vec3 a, vec3 b) { return exp(-arg1 * d - dot(a - b, a - b)); }
+void main()
+{
+  vec2 uv = gl_FragCoord.xy / iResolution;
+  vec3 here = texture(baseColorSampler, uv).rgb, col = vec3(0.0);
+  float sum = 0.0;
+  for (int i = -K; i <= K; i++)
+    for (int j = -K; j <= K; j++)
+    {
+      vec3 there = texture(baseColorSampler, uv + vec2(i, j) / iResolution).rgb;
+      float w = likeness(i * i + j * j, here, there);
+      sum += w;
+      col += there * w;
+    }
+  Color = vec4(col / sum, 1.0);
+}`,
+  'matrices in GLSL: every surface again where it is': `
+uniform vec2 iResolution;
+uniform sampler2D baseColorSampler, baseColorSampler2, positionSampler, depthSampler;
+uniform mat4 view, projection;
+out vec4 Color;
+void main() {
+  vec2 uv = gl_FragCoord.xy / iResolution;
+  vec3 at = texture(positionSampler, uv).xyz;
+  vec4 clip = projection * view * vec4(at, 1);
+  float depth = texture(depthSampler, uv).r;
+  vec4 far = inverse(projection * mat4(mat3(view))) * vec4(uv * 2 - 1, 1, 1);
+  Color = vec4(normalize(far.xyz), 1);
+  if (depth == 0) return;
+  Color.rg = clip.xy / clip.w * 0.5 + 0.5 - uv;
+  Color.b = clip.z / clip.w - depth;
+  Color.rgb += mod(at, 2).zxy * mix(texture(baseColorSampler, uv), texture(baseColorSampler2, uv), 0.5).rgb;
+}`,
+  'materials in GLSL': `
+uniform vec2 iResolution;
+uniform sampler2D diffuseColorSampler, metallicRoughnessSampler, roughnessSampler;
+out vec4 Color;
+void main() {
+  ivec2 here = ivec2(gl_FragCoord.xy);
+  vec4 m = texelFetch(metallicRoughnessSampler, here, 0);
+  Color = vec4(m.xy, texelFetch(roughnessSampler, here + ivec2(1, 0), 0).x, 1);
+  Color.rgb += 10 * texelFetch(diffuseColorSampler, here - ivec2(0, 1), 0).rgb * (m.x > 0.5 ? 1 : 2.5);
+}`,
+};
+
 export const EFFECT_CASES: readonly EffectCase[] = [
-  ...Object.entries(TEXTS).flatMap(([name, text]) =>
+  ...Object.entries({ ...TEXTS, ...GLSL_TEXTS }).flatMap(([name, text]) =>
     (['noise', 'scene'] as const).map((picture) => ({
       name: `${name}, ${picture}`,
       of: { text },
@@ -229,6 +289,8 @@ export const EFFECT_CASES: readonly EffectCase[] = [
   ...both('vignette', [0.7, 2, 50]),
   ...both('fog', [8, 0.6, 0.5, 1]),
   ...both('fog', [20, 2, 0, 0.3]),
+  ...both('hue-shift', [70, 1]),
+  ...both('hue-shift', [-160, 2.5]),
   ...both('depth-of-field', [4, 300, 12]),
   ...both('depth-of-field', [6, 2000, 24]),
   ...both('antialiasing', [0.1, 16, 0.5]),

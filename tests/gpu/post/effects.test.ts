@@ -21,11 +21,10 @@ const LENS_SHARE = 0.01;
 function expectSame(of: EffectCase, values: ArrayLike<number>): void {
   const truth = expected(of).values;
   expect(values.length).toBe(truth.length);
-  // Texts may subtract large numbers.
+  // Texts may subtract large numbers, and turned hues do.
+  const isOfColor = of.of === 'hue-shift' || (typeof of.of === 'object' && 'text' in of.of);
   const size = (i: number): number =>
-    typeof of.of === 'object' && 'text' in of.of
-      ? Math.hypot(...truth.subarray(i - (i % 3), i - (i % 3) + 3)) + NEARLY
-      : Math.abs(truth[i]) + BLACK;
+    isOfColor ? Math.hypot(...truth.subarray(i - (i % 3), i - (i % 3) + 3)) + NEARLY : Math.abs(truth[i]) + BLACK;
   const errors = Array.from(truth, (value, i) => Math.abs(values[i] - value) / size(i));
   const lens = of.of === 'depth-of-field';
   const wrong = errors.filter((error) => !(error < (lens ? LENS_TOLERANCE : TOLERANCE))).length / errors.length;

@@ -50,7 +50,8 @@ function passesOf(of: EffectCase, picture: EffectInput): EffectPasses {
     type: FloatType,
   };
   if (typeof of.of === 'string') return EffectPasses.forEffect(of.of, inputs);
-  if ('text' in of.of) return EffectPasses.forEffect(readShaderText(of.of.text), inputs);
+  if ('text' in of.of)
+    return EffectPasses.forEffect(readShaderText(of.of.text), { ...inputs, second: textureOf(overOf(picture)) });
   return EffectPasses.forMix(of.of.mode, textureOf(overOf(picture)), inputs);
 }
 
@@ -78,6 +79,11 @@ export function bufferOf({ aovs, view, settings, image: { width, height } }: Eff
     return values[(values.length / (width * height)) * i + k] ?? 0;
   };
   const textures = {
+    base: dataTexture(width, height, (i) => [
+      ...[0, 1, 2].map((k) => at('albedo', i, k)),
+      packedFine(at('roughness', i, 0)),
+    ]),
+    emissive: dataTexture(width, height, (i) => [0, 0, 0, packedFine(at('metallic', i, 0))]),
     object: dataTexture(width, height, (i) => [at('object', i, 0), at('depth', i, 0)], RGFormat),
     normal: dataTexture(width, height, (i) => packed(at('normal', i, 0), at('normal', i, 1), at('normal', i, 2))),
     event: dataTexture(width, height, (i) => [
@@ -93,6 +99,9 @@ export function bufferOf({ aovs, view, settings, image: { width, height } }: Eff
     },
   };
 }
+
+/** As written by `packTwo` of surfacePacking.ts, with the other number in its first step: 2⁻¹⁴ (1 + (2 + 1020 x)/1024). */
+const packedFine = (x: number): number => 2 ** -14 * (1 + (2 + 1020 * x) / 1024);
 
 /** As written by `packNormals`, without reflectance. */
 function packed(x: number, y: number, z: number): readonly number[] {

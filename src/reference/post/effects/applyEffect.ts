@@ -9,6 +9,7 @@ import { edge } from './edge.ts';
 import { type EffectInput, type FloatImage, GBufferReader } from './effectInput.ts';
 import { fog } from './fog.ts';
 import { gaussianBlur } from './gaussianBlur.ts';
+import { hueShift } from './hueShift.ts';
 import { mixImages } from './mix.ts';
 import { applyShaderText } from './shaderText.ts';
 import { sharpen } from './sharpen.ts';
@@ -26,6 +27,7 @@ const EFFECT_FUNCTIONS: Readonly<Record<EffectId, EffectFunction>> = {
   edge,
   vignette,
   fog,
+  'hue-shift': hueShift,
   'depth-of-field': depthOfField,
   antialiasing,
 };
@@ -44,6 +46,13 @@ export const AOVS_OF_SHADER_CHANNEL: Readonly<Record<ShaderChannel, readonly Aov
   there: ['object'],
   depth: AOVS_OF_EFFECT_CHANNEL.depth,
   normal: AOVS_OF_EFFECT_CHANNEL.normal,
+  image2: [],
+  albedo: ['object', 'albedo'],
+  roughness: ['object', 'roughness'],
+  metallic: ['object', 'metallic'],
+  metallicRoughness: ['object', 'metallic', 'roughness'],
+  apparent: AOVS_OF_EFFECT_CHANNEL.depth,
+  clipDepth: AOVS_OF_EFFECT_CHANNEL.depth,
   event: AOVS_OF_EFFECT_CHANNEL.event,
   emissionTime: ['object', 'emission_time'],
   velocity: ['object', 'velocity'],
@@ -51,17 +60,18 @@ export const AOVS_OF_SHADER_CHANNEL: Readonly<Record<ShaderChannel, readonly Aov
   object: ['object'],
 };
 
-/** Applies an effect in f64; unchanged where the mask (its first channel) is 0. */
+/** Applies an effect in f64; unchanged where the mask (its first channel) is 0. `second`: what `image2` of a text reads. */
 export function applyEffect(
   of: EffectId | ShaderProgram,
   args: readonly number[],
   source: EffectInput,
   mask?: FloatImage,
+  second?: FloatImage,
 ): FloatImage {
   const frame = new GBufferReader(source);
   const after =
     typeof of === 'string'
       ? EFFECT_FUNCTIONS[of](frame, clampEffectArguments(of, args))
-      : applyShaderText(of, frame, args, source.view.t);
+      : applyShaderText(of, frame, args, source.view.t, second);
   return mask ? mixImages('normal', 1, source.image, after, mask) : after;
 }

@@ -1,4 +1,5 @@
-import { normalize, sub, type Vec3 } from '../../../math/vec3.ts';
+import { conjugate, rotate, toMatrix } from '../../../math/quat.ts';
+import { normalize, scale, sub, type Vec3 } from '../../../math/vec3.ts';
 import { type Frustum, frustumOf } from '../../../scene/view/lens.ts';
 import type { AovName, RenderSettings, ViewPoint } from '../../../scene/view/view.ts';
 import { cameraRay } from '../../camera/cameraRay.ts';
@@ -104,6 +105,24 @@ export class GBufferReader {
     const right = ((x + 0.5) / image.width) * 2 - 1;
     const up = 1 - ((y + 0.5) / image.height) * 2;
     return [right * tanX + center[0], up * tanY + center[1]];
+  }
+
+  /** Observer → apparent position, observer's frame on world axes carried by the boost [m]. */
+  apparentPosition(x: number, y: number): Vec3 {
+    const direction = normalize([...this.tangents(x, y), -1]);
+    return scale(rotate(this.input.view.orientation, direction), this.depth(x, y));
+  }
+
+  /** Distance of the apparent position along the camera's axis [m]. */
+  axialDepth(x: number, y: number): number {
+    return this.depth(x, y) / Math.hypot(...this.tangents(x, y), 1);
+  }
+
+  /** Apparent positions → camera axes: 4 × 4, column after column. */
+  get viewMatrix(): readonly number[] {
+    const m = toMatrix(conjugate(this.input.view.orientation));
+    const column = (k: number) => [...[0, 1, 2].map((row) => m[3 * row + k] ?? 0), 0];
+    return [...column(0), ...column(1), ...column(2), 0, 0, 0, 1];
   }
 
   /** World time of the event relative to the observer's [s]. */

@@ -242,6 +242,49 @@ describe('sharpening', () => {
   });
 });
 
+describe('a hue shift', () => {
+  const shift = (angle: number, saturation: number, color: readonly number[]) =>
+    effect(
+      'hue-shift',
+      [angle, saturation],
+      FloatImage.of(1, 1, 3, () => color),
+    ).at(0, 0) as [number, number, number];
+
+  it('keeps the luminance, makes nothing negative, and leaves greys', () => {
+    fc.assert(
+      fc.property(
+        fc.double({ min: -180, max: 180, noNaN: true }),
+        fc.double({ min: 0, max: 4, noNaN: true }),
+        pixels(3, 2),
+        (angle, much, image) => {
+          const after = effect('hue-shift', [angle, much], image);
+          for (let i = 0; i < 6; i++) {
+            const [before, turned] = [image, after].map(
+              (of) => of.at(i % 3, Math.floor(i / 3)) as [number, number, number],
+            );
+            const light = relativeLuminance(...before!);
+            expect(Math.abs(relativeLuminance(...turned!) - light)).toBeLessThanOrEqual(1e-9 * (1 + light));
+            expect(Math.min(...turned!)).toBeGreaterThanOrEqual(-1e-9 * (1 + light));
+          }
+        },
+      ),
+    );
+    for (const value of shift(77, 3, [0.4, 0.4, 0.4])) expect(value).toBeCloseTo(0.4, 12);
+  });
+
+  it('of 120° turns red to the green of the same luminance, and back', () => {
+    // By hand: (r, g, b) → (b, r, g), then the grey that restores the luminance.
+    const weights = [0.2126, 0.7152, 0.0722];
+    const lightOf = (c: readonly number[]) => c.reduce((sum, x, k) => sum + x * weights[k]!, 0);
+    const color = [0.5, 0.4, 0.45];
+    const turned = [color[2]!, color[0]!, color[1]!];
+    const gray = lightOf(color) - lightOf(turned);
+    for (const [k, value] of shift(120, 1, color).entries()) expect(value).toBeCloseTo(turned[k]! + gray, 3);
+    for (const [k, value] of shift(-70, 1, shift(70, 1, color)).entries()) expect(value).toBeCloseTo(color[k]!, 12);
+    expect(shift(0, 0, color)[0]).toBeCloseTo(lightOf(color), 3);
+  });
+});
+
 describe('fog', () => {
   it('transmits e^(−r/ℓ) of the light, r in the world frame', () => {
     const view = { ...VIEW, u: properVelocity([0, 0, -0.8]) };
