@@ -1,4 +1,4 @@
-import { FloatType, HalfFloatType, PerspectiveCamera, type RenderTarget, Scene, type Texture } from 'three/webgpu';
+import { PerspectiveCamera, type RenderTarget, Scene, type Texture } from 'three/webgpu';
 import { isStatic } from '../scene/motion/motion.ts';
 import type { RenderSettings } from '../scene/view/view.ts';
 import { type ColorPipelines, colorVariantOf } from './color/colorPipelines.ts';
@@ -7,6 +7,7 @@ import { dataTarget, GBuffer } from './gbuffer/gbuffer.ts';
 import type { SpacetimeProjection } from './geometry/vertexStage.ts';
 import type { Gpu } from './gpu/device.ts';
 import type { FrameUniforms } from './gpu/frameUniforms.ts';
+import { blendedRange, type LightRange } from './gpu/lightRange.ts';
 import type { PassCache } from './gpu/passCache.ts';
 import { AmbientOcclusion } from './occlusion/ambientOcclusion.ts';
 import type { SceneUpload } from './sceneUpload.ts';
@@ -29,6 +30,7 @@ export type Lighting = Pick<RenderSettings, 'shadows' | 'occlusionRadius'>;
 export class DeferredPass {
   readonly buffer: GBuffer;
   private readonly gpu: Gpu;
+  private readonly range: LightRange;
   private readonly uniforms: FrameUniforms;
   private readonly colorPipelines: ColorPipelines;
   private readonly passes: PassCache;
@@ -40,6 +42,7 @@ export class DeferredPass {
 
   constructor(gpu: Gpu, uniforms: FrameUniforms, colorPipelines: ColorPipelines, passes: PassCache) {
     this.gpu = gpu;
+    this.range = blendedRange(gpu);
     this.uniforms = uniforms;
     this.colorPipelines = colorPipelines;
     this.passes = passes;
@@ -57,7 +60,7 @@ export class DeferredPass {
   /** The target of light `index`. Call it before the G-buffer is drawn: `sizeLight` clears the shared depth. */
   light(index = 0): RenderTarget {
     while (this.lightTargets.length <= index) {
-      const target = dataTarget(1, this.gpu.floatBlending ? FloatType : HalfFloatType, this.buffer.depth);
+      const target = dataTarget(1, this.range.type, this.buffer.depth);
       this.lightTargets.push(target);
       this.sizeLight(target);
     }
@@ -94,19 +97,22 @@ export class DeferredPass {
     lighting: Lighting,
     index = 0,
   ): void {
-    const { buffer, uniforms, passes } = this;
+    const { buffer, uniforms, passes, range } = this;
     const { environment, scene, atlas } = upload;
     const light = this.light(index);
     const colorVariant = colorVariantOf(settings, scene);
     const optics = this.colorPipelines.pipeline(colorVariant, scene, atlas);
     const shadows = lighting.shadows ? upload.shadows : undefined;
     const owner = upload.serial;
-    passes.run(`sky ${colorVariant}`, () => skyPass(environment, uniforms, optics), light, { owner, region: 'sky' });
+    passes.run(`sky ${colorVariant}`, () => skyPass(environment, uniforms, optics, range), light, {
+      owner,
+      region: 'sky',
+    });
     if (upload.opaque.children.some((mesh) => mesh.visible)) {
       const openness = lighting.occlusionRadius === 0 ? undefined : this.openness(lighting.occlusionRadius).texture;
       passes.run(
         `light ${colorVariant} ${lighting.shadows} ${openness !== undefined}`,
-        () => lightingPass(buffer, environment, uniforms, optics, isMoving(upload), shadows, openness),
+        () => lightingPass(buffer, environment, uniforms, optics, isMoving(upload), shadows, openness, range),
         light,
         { owner, region: 'surfaces' },
       );
@@ -118,7 +124,7 @@ export class DeferredPass {
         setMaterial(
           drawCall,
           `forward ${projection.event} ${projection.place} ${colorVariant} ${lighting.shadows} ${buffer.depth.id}`,
-          () => forwardMaterial(drawCall, projection, buffer, upload.environment, optics, shadows),
+          () => forwardMaterial(drawCall, projection, buffer, upload.environment, optics, range, shadows),
         );
     this.drawOver(light, upload.transparent, camera);
   }

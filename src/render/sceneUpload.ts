@@ -71,7 +71,7 @@ export class SceneUpload {
     this.materials = this.table.part(scene.materials.length * MATERIAL_TEXELS);
     this.environment = new Environment(scene, this.table, this.atlas);
     const nightSky = sceneNightSky(scene);
-    this.stars = nightSky && new StarPoints(nightSky, uniforms, gpu.renderer.reversedDepthBuffer);
+    this.stars = nightSky && new StarPoints(nightSky, uniforms, gpu);
     this.objectWriter = new ObjectTableWriter({ objects: this.objects, samples: this.samples, points: this.points });
     for (const { id, object } of this.bodies) {
       const samples = pointSamples(object.motion);

@@ -295,7 +295,7 @@ const lights: ClaimGroup = {
     ),
     read(
       'the picture of a `DomeLight` as Radiance (`.hdr`) or OpenEXR (half or float; uncompressed or ZIP)',
-      'radiance with the values of the file, up to 65504',
+      'radiance with the values of the file; above 65504 dimmed, with its hue',
       [
         { ...usd('def DomeLight "B" { asset inputs:texture:file = @a.hdr@ }'), 'a.hdr': HDR },
         { ...usd('def DomeLight "B" { asset inputs:texture:file = @a.exr@ }'), 'a.exr': EXR },

@@ -38,6 +38,12 @@ describe('a Radiance picture', () => {
     expect(pixel(image, 300)).toEqual(about(1, 0.5, 0));
   });
 
+  it('keeps its hue where it is brighter than halves', () => {
+    const [red, green, blue] = pixel(read(header('-Y 1 +X 1'), [200, 100, 50, 160]), 0);
+    expect(red).toBe(65504);
+    expect([green / red, blue / red]).toEqual([expect.closeTo(100.5 / 200.5, 3), expect.closeTo(50.5 / 200.5, 3)]);
+  });
+
   it('is divided by its exposures, and clamped to the range of halves', () => {
     const image = read(header('-Y 1 +X 2', ['EXPOSURE=2', 'EXPOSURE= 0.25']), RED, [255, 0, 0, 255]);
     expect(pixel(image, 0)[0]).toBeCloseTo(2, 1);
@@ -86,6 +92,16 @@ describe('an OpenEXR picture of radiance', () => {
   it('is clamped to 0 … the largest half, without NaN', () => {
     const image = decodeRadiance(exr('RGB', 0.5, -1, Number.NaN, 1e9, Number.POSITIVE_INFINITY), 'a.exr')!;
     expect([0, 1, 2, 3, 4].map((i) => pixel(image, i)[1])).toEqual([0.5, 0, 0, 65504, 65504]);
+  });
+
+  it('keeps its hue where it is brighter than halves', () => {
+    const channels = [4e6, 1e6, 2e6].map((value, k) => ({
+      name: 'RGB'[k],
+      type: 'float' as const,
+      data: Float32Array.of(value),
+    }));
+    const image = decodeRadiance(writeExr({ width: 1, height: 1, channels }), 'a.exr')!;
+    expect(pixel(image, 0)).toEqual([65504, 16376, 32752]);
   });
 
   it('may have a single channel', () => {

@@ -3,7 +3,7 @@ import { listed, msg } from '../../messages/message.ts';
 import { inputError } from '../diagnostics/inputError.ts';
 import { imageKind } from './decodeImage.ts';
 import { type ExrChannel, type ExrImage, writeExr } from './exr.ts';
-import { checkRadianceSize, type DecodedRadiance, MAX_RADIANCE } from './radianceLimits.ts';
+import { checkRadianceSize, type DecodedRadiance, storeRadiance } from './radianceLimits.ts';
 import { readExr } from './readExr.ts';
 import { readHdr } from './readHdr.ts';
 
@@ -27,11 +27,10 @@ function radianceFromExr({ width, height, channels }: ExrImage, name: string): D
     );
   }
   const data = new Uint16Array(4 * width * height).fill(toHalf(1));
-  found.forEach((channel, k) => {
-    const values = channel!.data;
-    for (let i = 0; i < values.length; i++)
-      data[4 * i + k] = toHalf(Math.min(Math.max(values[i] || 0, 0), MAX_RADIANCE));
-  });
+  const [red, green, blue] = found.map((channel) => channel!.data);
+  const atLeastZero = (value: number): number => Math.max(value || 0, 0);
+  for (let i = 0; i < width * height; i++)
+    storeRadiance(data, 4 * i, atLeastZero(red[i]), atLeastZero(green[i]), atLeastZero(blue[i]));
   return { width, height, data };
 }
 

@@ -1,3 +1,4 @@
+import { toHalf } from '../../math/half.ts';
 import { msg } from '../../messages/message.ts';
 import { inputError } from '../diagnostics/inputError.ts';
 
@@ -12,7 +13,15 @@ export interface DecodedRadiance {
 const MAX_SIDE = 8192;
 const MAX_PIXELS = 2 ** 25;
 /** The largest half. */
-export const MAX_RADIANCE = 65504;
+const MAX_RADIANCE = 65504;
+
+/** Writes a pixel's halves; what is brighter than they hold is dimmed as a whole, so that it keeps its hue. */
+export function storeRadiance(data: Uint16Array, at: number, red: number, green: number, blue: number): void {
+  const scale = Math.min(1, MAX_RADIANCE / Math.min(Math.max(red, green, blue), Number.MAX_VALUE));
+  data[at] = toHalf(Math.min(red * scale, MAX_RADIANCE));
+  data[at + 1] = toHalf(Math.min(green * scale, MAX_RADIANCE));
+  data[at + 2] = toHalf(Math.min(blue * scale, MAX_RADIANCE));
+}
 
 /** Refuses what is more than is read. */
 export function checkRadianceSize(width: number, height: number, name: string): void {

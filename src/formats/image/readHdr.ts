@@ -3,7 +3,7 @@ import { msg } from '../../messages/message.ts';
 import { MessageError, messageOf } from '../../messages/messageError.ts';
 import { InputError } from '../../scene/types.ts';
 import { inputError } from '../diagnostics/inputError.ts';
-import { checkRadianceSize, type DecodedRadiance, MAX_RADIANCE } from './radianceLimits.ts';
+import { checkRadianceSize, type DecodedRadiance, storeRadiance } from './radianceLimits.ts';
 
 /** One byte of a run of the old kind stands for so many pixels at most; of the new kind for fewer. */
 const MAX_PIXELS_PER_BYTE = 64;
@@ -89,7 +89,7 @@ function readRows(bytes: Uint8Array, { width, height, upsideDown, gain, end }: H
     for (let i = 0; i < row.length; i += 4) {
       // A mantissa of 8 bits, its middle taken; exponents count from 128.
       const unit = row[i + 3] === 0 ? 0 : gain * 2 ** (row[i + 3] - 136);
-      for (let k = 0; k < 3; k++) data[to + i + k] = toHalf(Math.min((row[i + k] + 0.5) * unit, MAX_RADIANCE));
+      storeRadiance(data, to + i, (row[i] + 0.5) * unit, (row[i + 1] + 0.5) * unit, (row[i + 2] + 0.5) * unit);
       data[to + i + 3] = ONE;
     }
   }

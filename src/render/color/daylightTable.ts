@@ -1,4 +1,4 @@
-import { int } from 'three/tsl';
+import { floor, int } from 'three/tsl';
 import { toHalf } from '../../math/half.ts';
 import type { Vec3 } from '../../math/vec3.ts';
 import type { HalfAtlas, HalfTable } from '../../shaders/tables/halfAtlas.ts';
@@ -10,7 +10,9 @@ import {
   columnOf,
   type DopplerTable,
   fromUnitRatio,
+  shapeChannels,
   tableColor,
+  tableShape,
   tableTexel,
   toUnitRatio,
 } from '../../spectrum/doppler/dopplerTable.ts';
@@ -27,7 +29,7 @@ import { DAYLIGHT } from '../../spectrum/sources/lightSpectrum.ts';
 
 /** Colours of daylight through each band of a filter that is shifted with it, and its Y(T D)/(Y(T) D⁴). */
 export interface DaylightColors {
-  readonly colors: Omit<BandColors, 'H'>;
+  readonly colors: Omit<BandColors, 'G'>;
   readonly gain: gpu.Float;
 }
 
@@ -70,13 +72,14 @@ export class DaylightColumns {
     this.layers = blackbodies.layers;
   }
 
-  /** Layer after layer; H in the fourth channel of the first. */
+  /** Layer after layer; G and its slope in the fourth channels (`columns`). */
   daylight(): Uint16Array {
     const { blackbodies } = this;
-    return this.cached('daylight', () => (D) => {
+    const integrate = () => (D: number) => {
       const [row, column] = [rowOf(blackbodies, DAYLIGHT.temperature * D), columnOf(blackbodies, D)];
-      return Array.from({ length: this.layers }, (_, layer) => tableTexel(blackbodies, layer, row, column));
-    });
+      return Array.from({ length: this.layers }, (_, layer) => tableTexel(blackbodies, layer, row, column).slice(0, 3));
+    };
+    return this.cached('daylight', integrate, this.shapeOf(DAYLIGHT.temperature));
   }
 
   skyColors(light: number): Uint16Array {
@@ -112,12 +115,13 @@ export class DaylightColumns {
     return this.cached('overlaps', () => overShifts((D) => bandOverlaps(DAYLIGHT.temperature * D, D, this.layers)));
   }
 
-  /** A coloured light, layer after layer; H in the fourth channel of the first. */
+  /** A coloured light, layer after layer; G and its slope in the fourth channels. */
   colored(light: FilteredBlackbody): Uint16Array {
-    return this.cached(`colored ${JSON.stringify(light)}`, () => {
+    const integrate = () => {
       const bands = this.bandsAtShifts();
       return overShifts((D, i) => filteredBlackbodyAtRest(light, D, bands[i]));
-    });
+    };
+    return this.cached(`colored ${JSON.stringify(light)}`, integrate, this.shapeOf(light.temperature));
   }
 
   /** Skies are both seen directly and reflected; the integrals are cached for both. */
@@ -132,9 +136,14 @@ export class DaylightColumns {
     return this.bands;
   }
 
+  /** G of a blackbody of T [K] that is shifted by D. */
+  private shapeOf(T: number): (D: number) => number {
+    return (D) => tableShape(this.blackbodies, rowOf(this.blackbodies, T * D));
+  }
+
   /** Integrates only on first use, because integration takes long. */
-  private cached(name: string, integrate: () => (D: number) => Layers): Uint16Array {
-    const columnsData = this.cache.get(name) ?? columns(integrate());
+  private cached(name: string, integrate: () => (D: number) => Layers, shapeAt?: (D: number) => number): Uint16Array {
+    const columnsData = this.cache.get(name) ?? columns(integrate(), shapeAt);
     this.cache.set(name, columnsData);
     return columnsData;
   }
@@ -147,18 +156,28 @@ const overWhite = (skyTexel: readonly number[], white: Vec3): readonly number[] 
 const skyColor = (light: number, D: number): Vec3 =>
   observedColor(WHITE_FILTER, WHITE_FILTER, SKY_LIGHTS[light].spectrum, 1, D);
 
-function columns(layersAt: (D: number) => Layers): Uint16Array {
-  const steps = Array.from({ length: STEPS }, (_, i) =>
-    layersAt(Math.min(Math.max(fromUnitRatio(i / (STEPS - 1)), 1e-4), 1e7)),
-  );
+/** The layers at all steps; with `shapeAt` their fourth channels are those of `shapeChannels`, with the slope from step to step. */
+function columns(layersAt: (D: number) => Layers, shapeAt?: (D: number) => number): Uint16Array {
+  const shiftOf = (i: number): number => Math.min(Math.max(fromUnitRatio(i / (STEPS - 1)), 1e-4), 1e7);
+  const steps = Array.from({ length: STEPS }, (_, i) => layersAt(shiftOf(i)));
+  const shapes =
+    shapeAt &&
+    shapeChannels(
+      Array.from(steps, (_, i) => shapeAt(shiftOf(i))),
+      slope,
+    );
   const data = new Uint16Array(4 * ROWS * WIDTH * steps[0].length);
   steps.forEach((layers, i) => {
     layers.forEach((texel, k) => {
-      data.set(texel.map(toHalf), 4 * (k * ROWS * WIDTH + i));
+      const at = 4 * (k * ROWS * WIDTH + i);
+      data.set(texel.map(toHalf), at);
+      if (shapes && k < 3) data[at + 3] = toHalf(shapes[i][k]);
     });
   });
   return data;
 }
+
+const slope = (before: number, _: number, after: number): number => (after - before) / 2;
 
 /** `DaylightColumns` as the shaders of a scene read them. */
 export class DaylightTable {
@@ -171,22 +190,17 @@ export class DaylightTable {
   }
 
   at(D: gpu.Float): DaylightColors {
-    const layer = this.read('daylight', () => this.columns.daylight(), D);
-    const red = layer(0);
-    const colors = { red: red.xyz, green: layer(1).xyz, blue: layer(2).xyz };
+    const { G, ...colors } = this.readLight('daylight', () => this.columns.daylight(), D);
     const square = D.mul(D).toVar();
     return {
-      colors: this.columns.layers === 4 ? { ...colors, beyond: layer(3).xyz } : colors,
-      gain: luminanceOf(red.w, D.mul(DAYLIGHT.temperature)).div(square.mul(square)),
+      colors,
+      gain: luminanceOf(G, D.mul(DAYLIGHT.temperature)).div(square.mul(square)),
     };
   }
 
   /** A coloured light, by its number, whose light is seen shifted by D together with the surface that reflects it. */
   colored(number: number, light: FilteredBlackbody, D: gpu.Float): BandColors {
-    const layer = this.read(`at rest ${number}`, () => this.columns.colored(light), D);
-    const red = layer(0);
-    const colors = { red: red.xyz, green: layer(1).xyz, blue: layer(2).xyz, H: red.w };
-    return this.columns.layers === 4 ? { ...colors, beyond: layer(3).xyz } : colors;
+    return this.readLight(`at rest ${number}`, () => this.columns.colored(light), D);
   }
 
   /** Linear sRGB, without D⁴, of one of the lights of skies (`SKY_LIGHTS`), with luminance 1 at rest. */
@@ -212,16 +226,25 @@ export class DaylightTable {
     return [layer(0).xyz, layer(1).xyz, layer(2).xyz];
   }
 
+  /** The bands of a light, with G at D itself and not at its nearest step. */
+  private readLight(name: string, data: () => Uint16Array, D: gpu.Float): BandColors {
+    const layer = this.read(name, data, D);
+    const [red, green, blue] = [layer(0), layer(1), layer(2)];
+    const position = positionOf(D).toVar();
+    const G = red.w.add(green.w).add(position.sub(floor(position.add(0.5))).mul(blue.w));
+    const colors = { red: red.xyz, green: green.xyz, blue: blue.xyz, G };
+    return this.columns.layers === 4 ? { ...colors, beyond: layer(3).xyz } : colors;
+  }
+
   private read(name: string, data: () => Uint16Array, D: gpu.Float): (layer: number) => gpu.Vec4 {
     const table: HalfTable = this.atlas.table(name, () => ({ data: data(), width: WIDTH }));
-    const step = int(
-      D.div(D.add(1))
-        .mul(STEPS - 1)
-        .add(0.5),
-    ).toVar();
+    const step = int(positionOf(D).add(0.5)).toVar();
     return (layer) => table.load(step.add(int(layer * ROWS * WIDTH)));
   }
 }
+
+/** Steps up to a shift, 0 … STEPS − 1. */
+const positionOf = (D: gpu.Float): gpu.Float => D.div(D.add(1)).mul(STEPS - 1);
 
 /**
  * Number of shifts at which colours are integrated; between them they are interpolated linearly, with an error within 2e-3. Odd, so that D = 1 is one of

@@ -92,7 +92,7 @@ export const spectralPipeline =
     const unshifted = (filter: SpectralFilterNodes, { temperature, luminance }: ThermalSource): Vec3 => {
       const T = temperature.mul(out.mixed).toVar();
       const colors = thermalColors(blackbodies, T, out.mixed);
-      return filteredColor(colors, filter).mul(gain(colors.H, T, luminance, out.mixed));
+      return filteredColor(colors, filter).mul(gain(colors.G, T, luminance, out.mixed));
     };
 
     const parts = (light: Vec3): SkyPartNodes => decomposeSky(light, reddenedSky);
@@ -107,10 +107,10 @@ export const spectralPipeline =
     ): Vec3 => {
       const whole = clamp(out.mixed.mul(shift), ...SHIFT_RANGE).toVar();
       const T = whole.mul(thermalSource?.temperature ?? DAYLIGHT.temperature).toVar();
-      const [seen, H] = [vec3(0).toVar(), float(0).toVar()];
+      const [seen, G] = [vec3(0).toVar(), float(0).toVar()];
       const add = (colors: BandColors, strength: Float): void => {
         seen.assign(filteredColor(colors, reflectance).mul(strength));
-        H.assign(colors.H);
+        G.assign(colors.G);
       };
       If(whole.greaterThan(1 / SHIFT_LIMIT).and(whole.lessThan(SHIFT_LIMIT)), () => {
         add(coloredColors(coloredTables(light), whole, out.mixed), max(k.x, max(k.y, k.z)));
@@ -119,7 +119,7 @@ export const spectralPipeline =
         const end = select(whole.lessThan(1), dot(k, vec3(...BASIS_ENDS.uv)), dot(k, vec3(...BASIS_ENDS.ir)));
         add(thermalColors(blackbodies, T, out.mixed), end);
       });
-      return seen.mul(gain(H, T, thermalSource?.luminance ?? float(1), whole));
+      return seen.mul(gain(G, T, thermalSource?.luminance ?? float(1), whole));
     };
 
     /** The same for light that reaches a surface unshifted. */
@@ -130,7 +130,7 @@ export const spectralPipeline =
       { temperature, luminance }: ThermalSource,
     ): Vec3 => {
       const colors = daylightTable.colored(light, lights[light], out.mixed);
-      const strength = gain(colors.H, temperature.mul(out.mixed), luminance, out.mixed);
+      const strength = gain(colors.G, temperature.mul(out.mixed), luminance, out.mixed);
       return filteredColor(colors, reflectance).mul(strength.mul(max(k.x, max(k.y, k.z))));
     };
 
@@ -145,7 +145,7 @@ export const spectralPipeline =
       const T = whole.mul(thermalSource?.temperature ?? DAYLIGHT.temperature).toVar();
       const colors = thermalColors(blackbodies, T, out.mixed);
       return filteredColor(colors, reflectance).mul(
-        gain(colors.H, T, thermalSource?.luminance ?? float(1), whole).mul(strength),
+        gain(colors.G, T, thermalSource?.luminance ?? float(1), whole).mul(strength),
       );
     };
 
@@ -162,7 +162,7 @@ export const spectralPipeline =
       const surface = thermalColors(blackbodies, T, out.mixed);
       const bare = filteredColor(surface, vec4(1)).toVar();
       const source = thermalSource
-        ? { colors: thermalColors(blackbodies, T, whole), gain: gain(surface.H, T, thermalSource.luminance, whole) }
+        ? { colors: thermalColors(blackbodies, T, whole), gain: gain(surface.G, T, thermalSource.luminance, whole) }
         : daylightTable.at(whole);
       const through = filteredColor(source.colors, ofColor(light, whole));
       // No channel transmits more than the brightest band.
@@ -231,14 +231,14 @@ export const spectralPipeline =
         if (!glowing) return;
         If(luminance.greaterThan(0), () => {
           const temperature = exp2(log2Temperature).mul(DAYLIGHT.temperature).toVar();
-          const atRest = luminanceOf(thermalColors(blackbodies, temperature, float(1)).H, temperature);
+          const atRest = luminanceOf(thermalColors(blackbodies, temperature, float(1)).G, temperature);
           sum.addAssign(unshifted(ofColor(vec3(luminance), out.mixed), { temperature, luminance: atRest }));
         });
       },
       addBlackbody: (T, radiance) => {
         const seenAt = out.mixed.mul(T).toVar();
         const colors = thermalColors(blackbodies, seenAt, float(1));
-        const brightness = gain(colors.H, seenAt, float(1), out.mixed);
+        const brightness = gain(colors.G, seenAt, float(1), out.mixed);
         sum.addAssign(filteredColor(colors, vec4(1)).mul(brightness).mul(radiance));
       },
       total: () => {
@@ -264,7 +264,7 @@ function fullFrequencyShift(D: Float): FrequencyShift {
 }
 
 /** Y(T)/D⁴ of a blackbody that is seen at T, over its luminance at rest: the factor of brightness that a shift by D leaves besides beaming. */
-const gain = (H: Float, T: Float, atRest: Float, D: Float): Float => {
+const gain = (G: Float, T: Float, atRest: Float, D: Float): Float => {
   const square = D.mul(D).toVar();
-  return luminanceOf(H, T).div(square.mul(square).mul(atRest));
+  return luminanceOf(G, T).div(square.mul(square).mul(atRest));
 };

@@ -1,5 +1,5 @@
 import { Fn, uniform, vec3, vec4 } from 'three/tsl';
-import { HalfFloatType, type PerspectiveCamera, type RenderTarget } from 'three/webgpu';
+import type { PerspectiveCamera, RenderTarget } from 'three/webgpu';
 import type { FrameGraph, FrameGraphPass } from '../../scene/frameGraph/frameGraph.ts';
 import { readShaderText } from '../../scene/shaderText/shaderText.ts';
 import { toneMaps } from '../../shaders/color/toneMap.ts';
@@ -8,6 +8,7 @@ import { dataTarget } from '../gbuffer/gbuffer.ts';
 import type { Gpu } from '../gpu/device.ts';
 import type { FrameUniforms } from '../gpu/frameUniforms.ts';
 import { FullScreenPass, texelHere } from '../gpu/fullScreenPass.ts';
+import { IMAGE_RANGE } from '../gpu/lightRange.ts';
 import { decodeSrgb } from '../post/display/display.ts';
 import { FalseColorTable, falseColored } from '../post/display/falseColor.ts';
 import { EffectPasses, type PassInputs } from '../post/effectPasses.ts';
@@ -40,9 +41,6 @@ interface PassRunner {
   dispose(): void;
 }
 
-/** Half floats suffice for linear light that is to be displayed. */
-const IMAGE_TYPE = HalfFloatType;
-
 /** Runs frame graphs of one structure. Its shaders are built once; numbers are uniforms. Images that are not needed at the same time share a target. */
 export class FrameGraphRunner {
   private readonly gpu: Gpu;
@@ -68,7 +66,7 @@ export class FrameGraphRunner {
     this.uniforms = uniforms;
     this.deferredPass = deferredPass;
     const { slots, count } = allocateTargets(passes);
-    this.pool = Array.from({ length: count }, () => dataTarget(1, IMAGE_TYPE));
+    this.pool = Array.from({ length: count }, () => dataTarget(1, IMAGE_RANGE.type));
     this.lightIndices = passes.map(
       (pass, i) => passes.slice(0, i).filter((other) => isLightOfSameBuffer(other, pass)).length,
     );
@@ -158,7 +156,7 @@ export class FrameGraphRunner {
     return {
       image: this.texture(image),
       uniforms: this.uniforms,
-      type: IMAGE_TYPE,
+      type: IMAGE_RANGE.type,
       ...(mask !== undefined && { mask: this.texture(mask) }),
       ...(buffer !== undefined && { buffer: this.deferredPass(buffer).buffer }),
     };

@@ -17,7 +17,7 @@ import {
 } from 'three/tsl';
 import {
   DataTexture,
-  HalfFloatType,
+  FloatType,
   NearestFilter,
   NoColorSpace,
   RGBAFormat,
@@ -25,18 +25,15 @@ import {
   Vector2,
   type WebGPURenderer,
 } from 'three/webgpu';
-import { toHalf } from '../../math/half.ts';
 import { fitStill, type StillPixels } from '../../scene/frameGraph/still.ts';
 import type { Float, Int, Vec4 } from '../../shaders/types.ts';
 import { dataTarget } from '../gbuffer/gbuffer.ts';
 import { FullScreenPass } from '../gpu/fullScreenPass.ts';
-
-/** The largest half float. */
-const MAX_HALF = 65504;
+import { IMAGE_RANGE } from '../gpu/lightRange.ts';
 
 /** A still fitted into the picture. It is resampled into a target of its own only when the still or the picture's size changes. */
 export class StillImage {
-  readonly target = dataTarget(1, HalfFloatType);
+  readonly target = dataTarget(1, IMAGE_RANGE.type);
   private image: DataTexture;
   private readonly texels: TextureNode<'vec4'>;
   private readonly size = uniform(new Vector2());
@@ -118,14 +115,11 @@ export class StillImage {
   }
 }
 
-/** Linear light as half floats, like all images of a frame graph. */
+/** Linear light as 32-bit floats, like all images of a frame graph. */
 function upload({ width, height, pixels }: StillPixels): DataTexture {
-  const data = new Uint16Array(4 * width * height);
-  for (let i = 0; i < width * height; i++) {
-    for (let k = 0; k < 3; k++) data[4 * i + k] = toHalf(Math.min(pixels[3 * i + k], MAX_HALF));
-    data[4 * i + 3] = toHalf(1);
-  }
-  const image = new DataTexture(data, width, height, RGBAFormat, HalfFloatType);
+  const data = new Float32Array(4 * width * height).fill(1);
+  for (let i = 0; i < width * height; i++) data.set(pixels.subarray(3 * i, 3 * i + 3), 4 * i);
+  const image = new DataTexture(data, width, height, RGBAFormat, FloatType);
   image.minFilter = NearestFilter;
   image.magFilter = NearestFilter;
   image.generateMipmaps = false;

@@ -1,7 +1,8 @@
-import { abs, clamp, exp2, floor, log2, max, min, round, select, sqrt, vec3, vec4 } from 'three/tsl';
+import { abs, clamp, exp2, floor, log2, max, min, round, select, sqrt, step, vec3, vec4 } from 'three/tsl';
 import type { Float, Vec2, Vec3, Vec4 } from '../../shaders/types.ts';
 import { DAYLIGHT } from '../../spectrum/sources/lightSpectrum.ts';
 import { relativeLuminance } from '../color/luminance.ts';
+import { limitLight } from '../gpu/lightRange.ts';
 import { decodeOctahedral, encodeOctahedral } from '../gpu/octahedral.ts';
 import { CODE_OFFSET, GBUFFER_NORMAL_STEPS, NORMAL_LOW_STEPS, REFLECTANCE_STEPS } from '../gpu/packNormal.ts';
 
@@ -32,23 +33,68 @@ export function emissionOf(rgb: Vec3, temperature: Float): Emission {
   };
 }
 
-/** Slightly below the largest half. */
-const MAX_EMISSION = 65_000;
+/** The emission that is kept; brighter light is dimmed to it and keeps its hue. */
+const MAX_EMISSION = 1e18;
+/** Slightly below the largest half, and the smallest normal one. */
+const [MAX_HALF, MIN_HALF] = [65_000, 2 ** -14];
+/** A colour beyond halves is divided by a power of 2¹⁶, whose number is in the signs of red (its lower bit) and green. */
+const COLOR_STEP = 16;
+/**
+ * A thermal luminance is divided by a power of 2¹⁶, the lowest of which is 2⁻⁹⁶. The temperature, as log₂ T/6504 K in steps of 2⁻¹⁴ from −13 on, is an integer of 19
+ * bits: shifted by D, the light of an ember varies as up to the 40th power of T.
+ */
+const MIN_LUMINANCE_STEP = -6;
+const [TEMPERATURE_STEPS, MIN_LOG2_TEMPERATURE] = [2 ** 14, -13];
+/** Values of the lower 7 and upper 12 bits. */
+const [TEMPERATURE_LOW, TEMPERATURE_HIGH] = [128, 4096];
 
-/** A negative blue marks thermal emission. */
-export const packEmission = ({ rgb, luminance, log2Temperature }: Emission): Vec3 =>
-  select(
-    luminance.greaterThan(0),
-    vec3(min(luminance, MAX_EMISSION), log2Temperature, -1),
-    clamp(rgb, 0, MAX_EMISSION),
+/** A negative blue marks thermal emission: luminance, upper bits of the temperature, −1 − lower bits − 128 · luminance step. */
+export function packEmission({ rgb, luminance, log2Temperature }: Emission): Vec3 {
+  const bright = min(luminance, MAX_EMISSION).toVar();
+  const luminanceStep = max(
+    floor(log2(max(bright.div(MAX_HALF), 1e-30)).div(COLOR_STEP)).add(1),
+    MIN_LUMINANCE_STEP,
+  ).toVar();
+  const temperature = clamp(
+    round(log2Temperature.sub(MIN_LOG2_TEMPERATURE).mul(TEMPERATURE_STEPS)),
+    0,
+    TEMPERATURE_LOW * TEMPERATURE_HIGH - 1,
+  ).toVar();
+  const high = floor(temperature.div(TEMPERATURE_LOW)).toVar();
+  const low = temperature.sub(high.mul(TEMPERATURE_LOW));
+  const thermal = vec3(
+    bright.mul(exp2(luminanceStep.mul(-COLOR_STEP))),
+    high.sub(TEMPERATURE_HIGH / 2),
+    luminanceStep.sub(MIN_LUMINANCE_STEP).mul(TEMPERATURE_LOW).add(low).add(1).negate(),
   );
+  return select(luminance.greaterThan(0), thermal, packColor(limitLight(max(rgb, 0), MAX_EMISSION).toVar()));
+}
+
+function packColor(rgb: Vec3): Vec3 {
+  const peak = max(rgb.x, max(rgb.y, rgb.z)).toVar();
+  const stepsAbove = [0, 1, 2].map((k) => step(MAX_HALF * 2 ** (COLOR_STEP * k), peak));
+  const steps = stepsAbove.reduce((sum, above) => sum.add(above)).toVar();
+  // Zero has no sign.
+  const scaled = max(rgb.mul(exp2(steps.mul(-COLOR_STEP))), MIN_HALF).toVar();
+  const signs = vec3(select(steps.equal(1).or(steps.equal(3)), -1, 1), select(steps.greaterThanEqual(2), -1, 1), 1);
+  return select(steps.greaterThan(0.5), scaled.mul(signs), rgb);
+}
 
 export function unpackEmission(code: Vec3): Emission {
   const thermal = code.z.lessThan(0);
+  const scale = select(code.x.lessThan(0), 2 ** COLOR_STEP, 1).mul(
+    select(code.y.lessThan(0), 2 ** (2 * COLOR_STEP), 1),
+  );
+  const whole = code.z.negate().sub(1).toVar();
+  const luminanceStep = floor(whole.div(TEMPERATURE_LOW)).toVar();
+  const temperature = code.y
+    .add(TEMPERATURE_HIGH / 2)
+    .mul(TEMPERATURE_LOW)
+    .add(whole.sub(luminanceStep.mul(TEMPERATURE_LOW)));
   return {
-    rgb: select(thermal, vec3(0), code),
-    luminance: select(thermal, code.x, 0),
-    log2Temperature: select(thermal, code.y, 0),
+    rgb: select(thermal, vec3(0), abs(code).mul(scale)),
+    luminance: select(thermal, code.x.mul(exp2(luminanceStep.add(MIN_LUMINANCE_STEP).mul(COLOR_STEP))), 0),
+    log2Temperature: select(thermal, temperature.div(TEMPERATURE_STEPS).add(MIN_LOG2_TEMPERATURE), 0),
   };
 }
 

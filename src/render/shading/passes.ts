@@ -1,7 +1,7 @@
-import { Discard, Fn, float, length, min, select, vec4 } from 'three/tsl';
+import { Discard, Fn, float, length, select, vec4 } from 'three/tsl';
 import { NoBlending, NodeMaterial, NormalBlending, type Texture } from 'three/webgpu';
 import { isStatic } from '../../scene/motion/motion.ts';
-import type { Float, Vec3, Vec4 } from '../../shaders/types.ts';
+import type { Float, Vec4 } from '../../shaders/types.ts';
 import type { ColorPipeline } from '../color/radiance.ts';
 import { type DrawCall, materialSide } from '../gbuffer/drawCall.ts';
 import type { GBuffer } from '../gbuffer/gbuffer.ts';
@@ -16,13 +16,11 @@ import { type SpacetimeProjection, vertexStage, vObserverPosition } from '../geo
 import { logarithmicDepth } from '../gpu/depth.ts';
 import type { FrameUniforms } from '../gpu/frameUniforms.ts';
 import { pixelDirection, texelHere } from '../gpu/fullScreenPass.ts';
+import { type LightRange, limitLight } from '../gpu/lightRange.ts';
 import type { Environment } from '../lights/environment.ts';
 import type { LightVisibility } from '../shadows/distant/parallelReceiver.ts';
 import { type ShadedSurface, shade } from './shade.ts';
 import { backgroundRadiance } from './sky.ts';
-
-/** Nearly the largest finite half float, at which light in the light target is clamped. */
-export const MAX_LIGHT = 65_000;
 
 /** `reversed`: whether the depth buffer is reversed. */
 export function geometryMaterial(
@@ -41,11 +39,16 @@ export function geometryMaterial(
   return material;
 }
 
-const clampToHalf = (light: Vec3): Vec4 => vec4(min(light, MAX_LIGHT), 1);
-
 /** The sky, for pixels without a surface. */
-export const skyPass = (environment: Environment, uniforms: FrameUniforms, pipeline: ColorPipeline): Vec4 =>
-  Fn(() => clampToHalf(backgroundRadiance(environment, uniforms, pipeline, pixelDirection(uniforms))))();
+export const skyPass = (
+  environment: Environment,
+  uniforms: FrameUniforms,
+  pipeline: ColorPipeline,
+  range: LightRange,
+): Vec4 =>
+  Fn(() =>
+    vec4(limitLight(backgroundRadiance(environment, uniforms, pipeline, pixelDirection(uniforms)), range.max), 1),
+  )();
 
 /** Deferred shading, for pixels with a surface. `moving`: whether anything in the scene moves; `openness`: the ambient occlusion target, if it is used. */
 export const lightingPass = (
@@ -56,8 +59,12 @@ export const lightingPass = (
   moving: boolean,
   shadows: LightVisibility | undefined,
   openness: Texture | undefined,
+  range: LightRange,
 ): Vec4 =>
-  Fn(() => clampToHalf(shade(readGBuffer(buffer, moving, openness), environment, uniforms, pipeline, shadows)))();
+  Fn(() => {
+    const light = shade(readGBuffer(buffer, moving, openness), environment, uniforms, pipeline, shadows);
+    return vec4(limitLight(light, range.max), 1);
+  })();
 
 function readGBuffer(buffer: GBuffer, moving: boolean, openness: Texture | undefined): ShadedSurface {
   const [base, emissive, normal, event, motion] = (['base', 'emissive', 'normal', 'event', 'motion'] as const).map(
@@ -86,6 +93,7 @@ export function forwardMaterial(
   buffer: GBuffer,
   environment: Environment,
   pipeline: ColorPipeline,
+  range: LightRange,
   shadows?: LightVisibility,
 ): NodeMaterial {
   const { uniforms } = drawCall.surface;
@@ -97,7 +105,7 @@ export function forwardMaterial(
     const velocity = isStatic(drawCall.batch) ? undefined : surface.velocity;
     Discard(surface.distance.greaterThan(depthHere(buffer)));
     const light = shade({ ...surface, velocity }, environment, uniforms, pipeline, shadows);
-    return vec4(min(light, MAX_LIGHT), surface.color.w);
+    return vec4(limitLight(light, range.max), surface.color.w);
   })();
   material.side = materialSide(drawCall.batch);
   material.transparent = true;

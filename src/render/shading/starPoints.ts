@@ -1,4 +1,4 @@
-import { attribute, exp, float, length, pow, round, uniform, vec4 } from 'three/tsl';
+import { attribute, exp, Fn, float, length, pow, round, uniform, vec4 } from 'three/tsl';
 import {
   AdditiveBlending,
   DynamicDrawUsage,
@@ -17,8 +17,9 @@ import { projectStars } from '../../scene/stars/projectStars.ts';
 import type { NightSky } from '../../scene/types.ts';
 import type { RenderSettings, ViewPoint } from '../../scene/view/view.ts';
 import type { Float } from '../../shaders/types.ts';
+import type { Gpu } from '../gpu/device.ts';
 import type { FrameUniforms } from '../gpu/frameUniforms.ts';
-import { MAX_LIGHT } from './passes.ts';
+import { blendedRange, type LightRange, limitLight } from '../gpu/lightRange.ts';
 
 /** The stars of a sky as points a few pixels wide, hidden by surfaces. Their light is computed in f64 for each picture. */
 export class StarPoints {
@@ -32,7 +33,7 @@ export class StarPoints {
   private readonly lights: InstancedBufferAttribute;
   private readonly size = uniform(new Vector2(1, 1));
 
-  constructor(sky: NightSky, uniforms: FrameUniforms, reversedDepth: boolean) {
+  constructor(sky: NightSky, uniforms: FrameUniforms, gpu: Gpu) {
     this.sky = sky;
     const count = sky.stars.temperatures.length;
     this.places = new InstancedBufferAttribute(new Float32Array(3 * count), 3).setUsage(DynamicDrawUsage);
@@ -42,7 +43,7 @@ export class StarPoints {
     this.geometry.setAttribute('position', square.getAttribute('position'));
     this.geometry.setAttribute('starPlace', this.places);
     this.geometry.setAttribute('starLight', this.lights);
-    this.material = starMaterial(uniforms, this.size, reversedDepth);
+    this.material = starMaterial(uniforms, this.size, gpu.renderer.reversedDepthBuffer, blendedRange(gpu));
     const mesh = new Mesh(this.geometry, this.material);
     mesh.frustumCulled = false;
     this.scene.add(mesh);
@@ -65,7 +66,12 @@ export class StarPoints {
   }
 }
 
-function starMaterial({ jitter }: FrameUniforms, size: Node<'vec2'>, reversed: boolean): NodeMaterial {
+function starMaterial(
+  { jitter }: FrameUniforms,
+  size: Node<'vec2'>,
+  reversed: boolean,
+  range: LightRange,
+): NodeMaterial {
   const material = new NodeMaterial();
   material.name = 'stars';
   const place = attribute<'vec3'>('starPlace', 'vec3');
@@ -77,7 +83,8 @@ function starMaterial({ jitter }: FrameUniforms, size: Node<'vec2'>, reversed: b
   material.vertexNode = vec4(corner.div(size).mul(2).sub(1), 0, 1);
   if (!reversed) material.depthNode = float(1);
   const light = attribute<'vec3'>('starLight', 'vec3').toVarying('v_starLight');
-  material.fragmentNode = vec4(light.mul(pointSpread(length(pixels.toVarying('v_starPixels')))).min(MAX_LIGHT), 1);
+  const spread = light.mul(pointSpread(length(pixels.toVarying('v_starPixels'))));
+  material.fragmentNode = Fn(() => vec4(limitLight(spread, range.max), 1))();
   material.depthFunc = LessEqualDepth;
   material.depthWrite = false;
   material.transparent = true;

@@ -1,13 +1,12 @@
-import { fromHalf } from '../../math/half.ts';
 import type { Vec3 } from '../../math/vec3.ts';
-import { blackbodyCurve, blackbodyLuminance, rowOf } from '../../spectrum/doppler/thermalTable.ts';
+import { type BlackbodyCurve, blackbodyCurve, blackbodyLuminance, rowOf } from '../../spectrum/doppler/thermalTable.ts';
 
 /**
  * Linear sRGB of a blackbody of T [K] at luminance 1, and its luminance relative to daylight. Interpolated from a
  * table, since a sky evaluates thousands per frame.
  */
 export function blackbody(T: number): { readonly color: Vec3; readonly luminance: number } {
-  curve ??= decodedCurve();
+  curve ??= blackbodyCurve();
   const place = rowOf(curve, T);
   const i = Math.min(Math.floor(place), curve.rows - 2);
   const s = place - i;
@@ -16,9 +15,4 @@ export function blackbody(T: number): { readonly color: Vec3; readonly luminance
   return { color: [at(0), at(1), at(2)], luminance: blackbodyLuminance(at(3), T) };
 }
 
-let curve: { readonly values: Float64Array; readonly rows: number } | undefined;
-
-function decodedCurve() {
-  const { data, rows } = blackbodyCurve();
-  return { values: Float64Array.from(data, fromHalf), rows };
-}
+let curve: BlackbodyCurve | undefined;

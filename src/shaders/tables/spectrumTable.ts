@@ -1,6 +1,6 @@
-import { clamp, exp, Fn, min, select } from 'three/tsl';
+import { clamp, exp, Fn, fract, max, select } from 'three/tsl';
 import { type DopplerTable, SHIFT_LIMIT } from '../../spectrum/doppler/dopplerTable.ts';
-import { LUMINANCE_THETA, MIDDLE_TEMPERATURE } from '../../spectrum/doppler/thermalTable.ts';
+import { DARK_TEMPERATURE, LUMINANCE_THETA, MIDDLE_TEMPERATURE } from '../../spectrum/doppler/thermalTable.ts';
 import { DAYLIGHT } from '../../spectrum/sources/lightSpectrum.ts';
 import type { Float, Vec3, Vec4 } from '../types.ts';
 import type { HalfAtlas, HalfTable } from './halfAtlas.ts';
@@ -20,8 +20,8 @@ export interface BandColors {
   readonly blue: Vec3;
   /** Of its ultraviolet or infrared, in tables of four layers. */
   readonly beyond?: Vec3;
-  /** H of `blackbodyLuminance`. */
-  readonly H: Float;
+  /** G of `blackbodyLuminance`. */
+  readonly G: Float;
 }
 
 /** Puts a table into the atlas. */
@@ -58,25 +58,31 @@ function coordinateOf(D: Float, steps: number): Float {
 function colorsAt({ table, layers, rows }: SpectrumTable, column: Float, row: Float): BandColors {
   const [across, down] = [column.add(0.5).toVar(), row.add(0.5).toVar()];
   const layer = (k: number): Vec4 => table.sampleLinear(across, down.add(k * rows));
-  const red = layer(0);
-  const colors = { red: red.xyz, green: layer(1).xyz, blue: layer(2).xyz, H: red.w };
+  const [red, green, blue] = [layer(0), layer(1), layer(2)];
+  const between = fract(row).toVar();
+  const G = red.w.add(green.w).sub(between.mul(between.oneMinus()).mul(blue.w).mul(0.5));
+  const colors = { red: red.xyz, green: green.xyz, blue: blue.xyz, G };
   return layers === 4 ? { ...colors, beyond: layer(3).xyz } : colors;
 }
 
 /** Observed colour of a filter (r, g, b, and for tables of four layers its ultraviolet where D < 1, else its infrared). */
-export function filteredColor({ red, green, blue, beyond }: Omit<BandColors, 'H'>, filter: Vec4): Vec3 {
+export function filteredColor({ red, green, blue, beyond }: Omit<BandColors, 'G'>, filter: Vec4): Vec3 {
   const inside = red.mul(filter.x).add(green.mul(filter.y)).add(blue.mul(filter.z));
   return beyond ? inside.add(beyond.mul(filter.w)) : inside;
 }
 
 const OF_DAYLIGHT = Math.expm1(LUMINANCE_THETA / DAYLIGHT.temperature);
 
-/** Twin of `blackbodyLuminance`: H (e^{θ/6504 K} − 1)/(e^{θ/T} − 1), T [K], the denominator by its series for small θ/T. */
+/** Twin of `blackbodyLuminance`, T [K]: the denominator is divided by e^{θ/T}, and has its series for small θ/T. */
 export const luminanceOf = Fn(
-  ([H, T]: [Float, Float]): Float => {
-    const x = min(T.reciprocal().mul(LUMINANCE_THETA), 85).toVar();
-    const series = x.mul(x.mul(x.div(3).add(1)).div(2).add(1));
-    return H.mul(OF_DAYLIGHT).div(select(x.lessThan(0.03), series, exp(x).sub(1)));
+  ([G, T]: [Float, Float]): Float => {
+    const inverse = max(T, DARK_TEMPERATURE).reciprocal().toVar();
+    const x = inverse.mul(LUMINANCE_THETA).toVar();
+    const log = inverse.mul(MIDDLE_TEMPERATURE).add(1).mul(G).sub(x);
+    const series = x.mul(x.mul(x.div(3).oneMinus()).div(2).oneMinus());
+    return exp(log)
+      .mul(OF_DAYLIGHT)
+      .div(select(x.lessThan(0.03), series, exp(x.negate()).oneMinus()));
   },
-  { H: 'float', T: 'float', return: 'float' },
+  { G: 'float', T: 'float', return: 'float' },
 );

@@ -62,6 +62,11 @@ const thermal = (own: boolean): Twin => ({
         const shift = () => logUniform(random, 0.7, 1.4);
         return texelsOf(filter(), logUniform(random, 2000, 20_000), shift(), shift());
       }),
+      ...casesOf([{ name: 'embers, T D 400 … 1200 K', gamma: 1 }], 300, () => {
+        const [T, seen] = [logUniform(random, 600, 3000), logUniform(random, 400, 1200)];
+        const Dout = logUniform(random, 0.4, 2.5);
+        return texelsOf(filter(), T, seen / T / Dout, Dout);
+      }),
       ...casesOf([{ name: 'D = 1', gamma: 1 }], 30, () => texelsOf(filter(), DAYLIGHT.temperature, 1, 1)),
     ];
   },
@@ -74,11 +79,11 @@ const thermal = (own: boolean): Twin => ({
     const D = light.y.mul(light.z).toVar();
     const T = light.x.mul(D).toVar();
     const colors = thermalColors(blackbodies(own ? 4 : 3), T, light.z);
-    const gain = luminanceOf(colors.H, T).div(D.mul(D).mul(D.mul(D)).mul(source.x));
+    const gain = luminanceOf(colors.G, T).div(D.mul(D).mul(D.mul(D)).mul(source.x));
     const filter = vec4(band.xyz, select(light.z.lessThan(1), band.w, light.w));
     return [vec4(filteredColor(colors, filter).mul(gain), 0)];
   },
-  checks: [within('color, over white', 0, (_, input) => Math.max(...whiteAt(input).map(Math.abs)), always(2e-3))],
+  checks: [within('color, over white', 0, (_, input) => Math.max(...whiteAt(input).map(Math.abs)), always(1e-3))],
 });
 
 const COLORED = [

@@ -9,11 +9,12 @@ import { BASIS_ENDS, BASIS_RANGE, basisAt, type SpectralFilter } from '../reflec
  * interpolation between texels (docs/physics.md §7.5). Layers of rows × columns RGBA texels, row after row;
  * C_j is the linear sRGB (by N, see observerColor.ts) that band j alone shows:
  *
- *   layer 0: C_r, H    layer 1: C_g, 0    layer 2: C_b, 0    layer 3, in tables of four: C_x, 0
+ *   layer 0: C_r, G    layer 1: C_g, G′    layer 2: C_b, δ²G    layer 3, in tables of four: C_x, 0
  *
  * Three layers: for filters whose `uv` and `ir` are the values at the ends of the basis (`filterFromRgb` of a colour); the observed colour is
  * r C_r + g C_g + b C_b. Four layers: for any filter, plus x C_x, where x is its `uv` for D_out < 1 and its `ir` for D_out > 1 (never both are visible).
- * H gives the luminance of a blackbody (`blackbodyLuminance`).
+ * G + G′ gives the luminance of a blackbody (`blackbodyLuminance`): two halves, which together have the precision of 22 bits, and δ²G, its second difference
+ * from row to row, with which `tableShape` interpolates it.
  */
 export interface DopplerTable {
   readonly data: Uint16Array;
@@ -41,10 +42,10 @@ export const columnOf = ({ columns }: Pick<DopplerTable, 'columns'>, Dout: numbe
 export const shiftAt = (column: number, columns: number): number =>
   fromUnitRatio(0.5 + ((2 * column) / (columns - 1) - 1) * MAX_RATIO_OFFSET);
 
-/** A row of a table: the radiance of its light [1/m] at each of `WAVELENGTHS`, and its H. */
+/** A row of a table: the radiance of its light [1/m] at each of `WAVELENGTHS`, and its G. */
 export interface TableRow {
   readonly radiance: readonly number[];
-  readonly H: number;
+  readonly G: number;
 }
 
 /** The table with one light per row, of three or four layers. */
@@ -53,11 +54,15 @@ export function shiftedColorTable(lights: readonly TableRow[], layers: 3 | 4, co
   const data = new Uint16Array(4 * layers * rows * columns);
   const filters = Array.from({ length: columns }, (_, column) => shiftedBands(shiftAt(column, columns)));
   const found = new Float64Array(12);
-  lights.forEach(({ radiance, H }, row) => {
+  const shapes = shapeChannels(
+    lights.map(({ G }) => G),
+    secondDifference,
+  );
+  lights.forEach(({ radiance }, row) => {
     const light = observedLight(radiance);
     filters.forEach((filter, column) => {
       bandColors(light, filter, layers === 3, found);
-      storeTexel(data, layers, row * columns + column, found, H);
+      storeTexel(data, layers, row * columns + column, found, shapes[row]);
     });
   });
   return { data, layers, columns, rows };
@@ -144,12 +149,25 @@ function bandColors({ colors, sums }: ObservedLight, bands: ShiftedBands, closed
   }
 }
 
-function storeTexel(data: Uint16Array, layers: number, texel: number, found: Float64Array, H: number): void {
+/** The fourth channels of the first three layers, for each of a row of values of G. */
+export function shapeChannels(
+  values: readonly number[],
+  correction: (before: number, value: number, after: number) => number,
+): readonly Vec3[] {
+  return values.map((G, i) => {
+    const high = fromHalf(toHalf(G));
+    return [high, G - high, correction(values[i - 1] ?? G, G, values[i + 1] ?? G)];
+  });
+}
+
+export const secondDifference = (before: number, value: number, after: number): number => before - 2 * value + after;
+
+function storeTexel(data: Uint16Array, layers: number, texel: number, found: Float64Array, shape: Vec3): void {
   const layerSize = data.length / layers;
   for (let layer = 0; layer < layers; layer++) {
     const at = layer * layerSize + 4 * texel;
     for (let k = 0; k < 3; k++) data[at + k] = toHalf(found[3 * layer + k]);
-    data[at + 3] = layer === 0 ? toHalf(H) : 0;
+    data[at + 3] = layer < 3 ? toHalf(shape[layer]) : 0;
   }
 }
 
@@ -159,6 +177,13 @@ export function tableColor(table: DopplerTable, row: number, column: number, { r
   const texels = parts.map((_, layer) => tableTexel(table, layer, row, column));
   const channel = (k: number) => parts.reduce((sum, part, layer) => sum + part * texels[layer][k], 0);
   return [channel(0), channel(1), channel(2)];
+}
+
+/** G at `row`, interpolated by a parabola. */
+export function tableShape(table: DopplerTable, row: number): number {
+  const [high, low, curvature] = [0, 1, 2].map((layer) => tableTexel(table, layer, row, 0)[3]);
+  const fraction = row - Math.floor(row);
+  return high + low - (fraction * (1 - fraction) * curvature) / 2;
 }
 
 /** The four channels of a layer at `row` and `column`, bilinearly interpolated. */

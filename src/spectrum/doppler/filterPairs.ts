@@ -3,7 +3,7 @@ import type { Vec3 } from '../../math/vec3.ts';
 import { NANOMETRE, WAVELENGTHS } from '../observer/standardObserver.ts';
 import { basisAt, reflectanceAt, type SpectralFilter } from '../reflectance/spectralFilter.ts';
 import { meanRadiance, type SampledSpectrum, spectralRadiance } from '../sources/lightSpectrum.ts';
-import { type DopplerTable, OBSERVER_SRGB, shiftAt } from './dopplerTable.ts';
+import { type DopplerTable, OBSERVER_SRGB, secondDifference, shapeChannels, shiftAt } from './dopplerTable.ts';
 import { luminanceShape } from './thermalTable.ts';
 
 /*
@@ -62,17 +62,16 @@ export interface FilteredBlackbody {
 
 /**
  * The observed colour of one coloured light reflected by a surface at rest, for each band of the surface's filter, both observed with the shift D.
- * `bands`: `bandTransmission` of the surface and of the light. Layer after layer (r, g, b, H), with H in the first layer only.
+ * `bands`: `bandTransmission` of the surface and of the light. Layer after layer.
  */
 export function filteredBlackbodyAtRest(
   { temperature, filter }: FilteredBlackbody,
   D: number,
   bands: { readonly surface: readonly Float64Array[]; readonly light: readonly Float64Array[] },
-): readonly (readonly number[])[] {
+): readonly Vec3[] {
   const through = throughFilter(filter, bands.light);
   const light = observedBlackbody(temperature * D).map((channel) => channel.map((value, n) => value * through[n]));
-  const H = luminanceShape(temperature * D);
-  return bands.surface.map((band, i) => [...light.map((channel) => sumOf(band, channel)), i === 0 ? H : 0]);
+  return bands.surface.map((band) => [sumOf(band, light[0]), sumOf(band, light[1]), sumOf(band, light[2])]);
 }
 
 /**
@@ -107,10 +106,13 @@ export function filteredBlackbodyTable(
   const data = new Uint16Array(4 * layers * steps * steps);
   const shifts = Array.from({ length: steps }, (_, step) => shiftAt(step, steps));
   const surfaces = shifts.map((D) => bandTransmission(D, layers));
+  const luminanceShapes = shapeChannels(
+    shifts.map((D) => luminanceShape(temperature * D)),
+    secondDifference,
+  );
   shifts.forEach((D, row) => {
     const through = throughFilter(filter, bandTransmission(D, 3));
     const light = observedBlackbody(temperature * D).map((channel) => channel.map((value, n) => value * through[n]));
-    const H = toHalf(luminanceShape(temperature * D));
     light.forEach((channel, k) => {
       const total = sumOf(ONES, channel);
       surfaces.forEach((parts, column) => {
@@ -120,7 +122,7 @@ export function filteredBlackbodyTable(
         data[at(1) + k] = toHalf(g);
         data[at(2) + k] = toHalf(total - r - g - x);
         if (layers === 4) data[at(3) + k] = toHalf(x);
-        data[at(0) + 3] = H;
+        for (let layer = 0; layer < 3; layer++) data[at(layer) + 3] = toHalf(luminanceShapes[row][layer]);
       });
     });
   });

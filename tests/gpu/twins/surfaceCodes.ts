@@ -11,8 +11,9 @@ import {
   unpackNormals,
   unpackSpecular,
 } from '../../../src/render/gbuffer/surfacePacking.ts';
+import { limitLight } from '../../../src/render/gpu/lightRange.ts';
 import { encodeOctahedral, unpackGBufferNormal } from '../../../src/render/gpu/packNormal.ts';
-import { absolute, always } from '../../../src/shaders/twins/checks.ts';
+import { absolute, always, relative, within } from '../../../src/shaders/twins/checks.ts';
 import { logUniform, unitVector } from '../../../src/shaders/twins/inputs.ts';
 import type { Check, Stratum, Twin, TwinCase } from '../../../src/shaders/twins/twin.ts';
 
@@ -46,6 +47,7 @@ const NAMED: readonly Stratum[] = [
   { name: 'axes and edges of the octahedron, glass, whole metal', gamma: 1 },
   { name: 'anything, glowing hot', gamma: 1 },
   { name: 'anything', gamma: 1 },
+  { name: 'brighter than halves', gamma: 1 },
 ];
 
 const EDGES: readonly Vec3[] = [-1, 0, 1].flatMap((x) =>
@@ -59,10 +61,13 @@ function cases(random: () => number): readonly TwinCase[] {
     stratum: NAMED[0],
     input: [...normal, k % 2, 0, 0, 0, 0.04, 0, 1, 0, 0],
   }));
-  const anything = [NAMED[1], NAMED[2]].flatMap((stratum) =>
-    Array.from({ length: 400 }, () => {
-      const light = Array.from({ length: 3 }, () => logUniform(random, 1e-3, 1e3));
-      const heat = stratum === NAMED[1] ? logUniform(random, 300, 1e6) : 0;
+  const anything = [NAMED[1], NAMED[2], NAMED[3]].flatMap((stratum) =>
+    Array.from({ length: 400 }, (_, i) => {
+      const scale = stratum === NAMED[3] ? logUniform(random, 1e3, 1e15) : 1;
+      const light = Array.from({ length: 3 }, (_, k) =>
+        stratum === NAMED[3] && k < 2 && (i >> k) & 1 ? 0 : scale * logUniform(random, 1e-3, 1e3),
+      );
+      const heat = stratum === NAMED[1] || (stratum === NAMED[3] && i % 8 === 0) ? logUniform(random, 300, 1e6) : 0;
       return {
         stratum,
         input: [...unitVector(random), random(), ...light, 0.54 * random() ** 2, random(), random(), heat, 0],
@@ -124,6 +129,28 @@ function encodeNormal({ normal, invisible }: Content): readonly number[] {
   ];
 }
 
+/** The light that the three numbers of an emission stand for: a colour, or a luminance first. Independent of `unpackEmission`. */
+function decodeEmission([x, y, z]: Numbers): Numbers {
+  if (z < 0) return [x * 2 ** (16 * (Math.floor((-z - 1) / 128) - 6)), 0, 0];
+  const scale = 2 ** (16 * ((x < 0 ? 1 : 0) + (y < 0 ? 2 : 0)));
+  return [x, y, z].map((value) => Math.abs(value) * scale);
+}
+
+/** log₂ of the temperature over daylight's, from the same. */
+const decodeHeat = ([, y, z]: Numbers): number => (128 * (y + 2048) + ((-z - 1) % 128)) / 2 ** 14 - 13;
+
+/** An independent `packEmission`. */
+function encodeEmission({ emission, temperature }: Content): Numbers {
+  if (temperature > 0) {
+    const step = Math.floor(Math.log2(luminance(emission) / 65_000) / 16) + 1;
+    const bits = Math.round((Math.log2(temperature / 6504) + 13) * 2 ** 14);
+    return [luminance(emission) / 2 ** (16 * step), (bits >> 7) - 2048, -1 - (bits & 127) - 128 * (step + 6)];
+  }
+  const steps = Math.max(0, Math.ceil(Math.log2(Math.max(...emission) / 65_000) / 16));
+  const [r, g, b] = steps === 0 ? emission : emission.map((x) => Math.max(x / 2 ** (16 * steps), 2 ** -14));
+  return [steps & 1 ? -r : r, steps & 2 ? -g : g, b];
+}
+
 const luminance = ([r, g, b]: Vec3): number => 0.2126 * r + 0.7152 * g + 0.0722 * b;
 const heatOf = ({ temperature }: Content): number => Math.log2(temperature / 6504);
 
@@ -160,11 +187,19 @@ const packing: Twin = {
       'emission, relative',
       (gpu, { emission, temperature }) =>
         temperature > 0
-          ? Math.abs(gpu[0] / luminance(emission) - 1) + (gpu[2] === -1 ? 0 : 1)
-          : Math.max(...emission.map((x, k) => Math.abs(gpu[k] - x) / Math.max(x, 1e-3))),
+          ? Math.abs(decodeEmission(gpu)[0] / luminance(emission) - 1)
+          : Math.max(
+              ...emission.map(
+                (x, k) => Math.abs(decodeEmission(gpu)[k] - x) / Math.max(x, 1e-3, 0.2 * Math.max(...emission)),
+              ),
+            ),
       6e-4,
     ),
-    check('heat', (gpu, content) => (content.temperature > 0 ? Math.abs(gpu[1] - heatOf(content)) : 0), 2.1e-3),
+    check(
+      'heat',
+      (gpu, content) => (content.temperature > 0 ? Math.abs(decodeHeat(gpu) - heatOf(content)) : 0),
+      3.3e-5,
+    ),
   ],
 };
 
@@ -175,16 +210,15 @@ const unpacking: Twin = {
   cases: (random) =>
     cases(random).map(({ stratum, input }) => {
       const content = contentOf(input);
-      const [r, g, b] = content.emission;
-      const glow = content.temperature > 0 ? [luminance(content.emission), heatOf(content), -1] : [r, g, b];
-      const codes = [...glow, encodeFinish(content), ...encodeNormal(content)];
+      const codes = [...encodeEmission(content), encodeFinish(content), ...encodeNormal(content)];
       return { stratum, input: codes.map(rounded) };
     }),
   cpu: ([r, g, b, finish, ...normal]) => {
-    const emission = b < 0 ? [0, 0, 0, r, 0] : [r, g, b, 0, 0];
+    const light = decodeEmission([r, g, b]);
+    const emission = b < 0 ? [0, 0, 0, light[0]] : [...light, 0];
     const [metallic, F0] = decodeFinish(finish);
     const invisible = [levelOf(normal[2]), levelOf(normal[3])];
-    return [...emission.slice(0, 4), ...unpackGBufferNormal(normal), b < 0 ? g : 0, metallic, F0, ...invisible];
+    return [...emission, ...unpackGBufferNormal(normal), b < 0 ? decodeHeat([r, g, b]) : 0, metallic, F0, ...invisible];
   },
   gpu: (texel) => {
     const { rgb, luminance, log2Temperature } = unpackEmission(texel(0).xyz);
@@ -192,7 +226,29 @@ const unpacking: Twin = {
     const { normal, invisible } = unpackNormals(texel(1));
     return [vec4(rgb, luminance), vec4(normal, log2Temperature), vec4(metallic, F0, invisible)];
   },
-  checks: [absolute('emission', 0, 4, always(0)), absolute('the rest', 4, 8, always(2e-6))],
+  checks: [
+    within('emission, relative', 0, (cpu) => Math.max(...cpu.slice(0, 3), 1e-30), always(0)),
+    relative('luminance', 3, always(2e-5)),
+    absolute('the rest', 4, 8, always(2e-6)),
+  ],
 };
 
-export const surfaceCodes: readonly Twin[] = [packing, pairs, unpacking];
+/** (light, largest channel): dimmed as a whole, in f64. */
+const limited: Twin = {
+  name: 'limitLight',
+  texels: 1,
+  outputs: 1,
+  cases: (random) =>
+    Array.from({ length: 200 }, (_, i) => ({
+      stratum: NAMED[3],
+      input: [...Array.from({ length: 3 }, () => (i % 5 === 0 ? -1 : 1) * logUniform(random, 1e-3, 1e30)), 1e18],
+    })),
+  cpu: ([r, g, b, most]) => {
+    const peak = Math.max(r, g, b);
+    return [r, g, b].map((x) => (peak > most ? (x * most) / peak : x)).concat(0);
+  },
+  gpu: (texel) => [vec4(limitLight(texel(0).xyz, 1e18), 0)],
+  checks: [within('light, relative', 0, (cpu) => Math.hypot(...cpu.slice(0, 3)), always(1e-5))],
+};
+
+export const surfaceCodes: readonly Twin[] = [packing, pairs, unpacking, limited];
