@@ -3,6 +3,7 @@ import { cross, normalize, scale, sub, type Vec3 } from '../../src/math/vec3.ts'
 import { makeMesh } from '../../src/scene/mesh/makeMesh.ts';
 import { transformMesh } from '../../src/scene/mesh/meshOps.ts';
 import { box, revolve, type SurfaceBand } from '../../src/scene/mesh/primitives.ts';
+import { withoutQuadric } from '../../src/scene/mesh/quadric.ts';
 import type { Mesh } from '../../src/scene/types.ts';
 
 /** A flat quadrilateral, corners counterclockwise seen from the front; uv from 0 at the first corner to su, sv. */
@@ -176,7 +177,7 @@ export const sized = (mesh: Mesh, k: Vec3): Mesh =>
 
 /** A closed mesh with its faces turned inwards. */
 export const insideOut = (mesh: Mesh): Mesh => ({
-  ...mesh,
+  ...withoutQuadric(mesh),
   normals: mesh.normals.map((x) => -x),
   indices: mesh.indices.map((_, i, all) => all[i % 3 === 0 ? i : i % 3 === 1 ? i + 1 : i - 1]),
 });

@@ -1,4 +1,5 @@
 import type { Vec3 } from '../../src/math/vec3.ts';
+import { withoutQuadric } from '../../src/scene/mesh/quadric.ts';
 import type { Mesh, Motion } from '../../src/scene/types.ts';
 
 const rounded = (values: Float32Array, digits: number): Float32Array => {
@@ -21,7 +22,7 @@ export function aroundBase(mesh: Mesh): { readonly mesh: Mesh; readonly base: Ve
   });
   const middle = ([low, high]: readonly number[]): number => Math.floor((low + high) / 2 + 0.25) / GRID;
   const base: Vec3 = [middle(sides[0]), sides[1][0] / GRID, middle(sides[2])];
-  return { mesh: { ...mesh, positions: positions.map((x, i) => x - base[i % 3]) }, base };
+  return { mesh: { ...withoutQuadric(mesh), positions: positions.map((x, i) => x - base[i % 3]) }, base };
 }
 
 /** Samples of poses as f32, which take half the room in a file. Cameras keep theirs: their speed is that of the observer. */
@@ -30,7 +31,7 @@ export const roundMotion = <M extends Motion>(motion: M): M =>
 
 /** Rounds positions to 0.1 mm and normals to 0.001, so that files are short and equal things equal. */
 export const roundMesh = (mesh: Mesh): Mesh => ({
-  ...mesh,
+  ...withoutQuadric(mesh),
   positions: rounded(mesh.positions, Math.log10(GRID)),
   normals: rounded(mesh.normals, 3),
   uvs: rounded(mesh.uvs, 4),

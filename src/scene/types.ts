@@ -4,10 +4,12 @@ import { MessageError } from '../messages/messageError.ts';
 import type { MeasuredReflectance } from '../spectrum/reflectance/measuredReflectance.ts';
 import type { Light } from './lights/light.ts';
 import type { Texture } from './materials/texture.ts';
+import type { Quadric } from './mesh/quadricTypes.ts';
 import type { Lifetime, Motion, SampledMotion, StaticMotion } from './motion/motionTypes.ts';
 
 export type * from './lights/light.ts';
 export type * from './materials/texture.ts';
+export type * from './mesh/quadricTypes.ts';
 export type * from './motion/motionTypes.ts';
 
 /**
@@ -102,6 +104,8 @@ export interface Mesh {
   readonly groups: readonly MeshGroup[];
   /** Whether faces are seen from both sides. */
   readonly doubleSided: boolean;
+  /** The round solid that these triangles approximate, which is what is seen of it; absent where the triangles are the shape. */
+  readonly quadric?: Quadric;
 }
 
 /** Triangles of one material. */

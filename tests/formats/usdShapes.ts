@@ -190,12 +190,16 @@ const geometry: ClaimGroup = {
       },
     ),
     read(
-      '`Cube`, `BoundingSphere`, `Cylinder`, `Cone`, `Capsule`, `FloatImage`',
-      'meshes',
+      '`Cube`, `Sphere`, `Cylinder`, `Cone`, `Capsule`, `Plane`',
+      'meshes; the round ones are exactly round in the reference renderer',
       usd(
         ['Cube', 'Sphere', 'Cylinder', 'Cone', 'Capsule', 'Plane'].map((type) => `def ${type} "${type}" {}`).join('\n'),
       ),
-      (s) => expect(s.objects.length).toBe(7),
+      (s) => {
+        expect(s.objects.length).toBe(7);
+        const round = s.objects.flatMap(({ mesh }) => mesh.quadric?.shape.kind ?? []);
+        expect(round).toEqual(['sphere', 'cylinder', 'cone', 'capsule']);
+      },
     ),
     read(
       '`GeomSubset` of faces; `material:binding`, inherited, `strongerThanDescendants`',

@@ -1,6 +1,7 @@
 import { type Message, msg } from '../../messages/message.ts';
 import { makeMaterial } from '../../scene/defaults.ts';
 import { deformedNormals, smoothingGroups } from '../../scene/mesh/normals.ts';
+import { withoutQuadric } from '../../scene/mesh/quadric.ts';
 import { pointSamples } from '../../scene/motion/motion.ts';
 import { motionKind } from '../../scene/motion/motions.ts';
 import { isStreamed, pointsAt } from '../../scene/streaming/samplePoints.ts';
@@ -135,7 +136,8 @@ function withoutVertices({ path, mesh }: SceneObject, lost: Uint8Array, say: Rep
     path,
     msg`the place of ${count} of ${lost.length} points is ${NOT_FINITE_TEXT}; their ${triangles} triangles are left out`,
   );
-  return { ...mesh, positions: zeroPoints(mesh.positions, lost), indices: Uint32Array.from(indices), groups };
+  const positions = zeroPoints(mesh.positions, lost);
+  return { ...withoutQuadric(mesh), positions, indices: Uint32Array.from(indices), groups };
 }
 
 function zeroVertices(lost: Uint8Array, motion: Motion): Motion {

@@ -4,6 +4,7 @@ import { type Message, msg } from '../../messages/message.ts';
 import { SPEED_OF_LIGHT } from '../../physics/constants.ts';
 import { boundingSphere } from '../../scene/bounds/bounds.ts';
 import { deformedNormals, smoothingGroups } from '../../scene/mesh/normals.ts';
+import { withoutQuadric } from '../../scene/mesh/quadric.ts';
 import { poseAt, poseSamples, restToWorld, vertexPositions } from '../../scene/motion/motion.ts';
 import { samplePose } from '../../scene/motion/poses.ts';
 import { sampleMotion } from '../../scene/motion/resample.ts';
@@ -87,7 +88,7 @@ function contracted(object: SceneObject, times: Float64Array, origin: Vec3, c: n
   );
   const groups = smoothingGroups(object.mesh);
   const normals = points.map((p) => deformedNormals(p, object.mesh.indices, groups));
-  const mesh = { ...object.mesh, positions: points[0], normals: normals[0] };
+  const mesh = { ...withoutQuadric(object.mesh), positions: points[0], normals: normals[0] };
   return { mesh, motion: { kind: 'sampled-points', times, origin, points, normals } as const };
 }
 

@@ -9,6 +9,7 @@ import { mergeScenes } from '../../scene/compose/mergeScenes.ts';
 import { FOREVER } from '../../scene/defaults.ts';
 import { deformedNormals, smoothingGroups } from '../../scene/mesh/normals.ts';
 import { pointAt } from '../../scene/mesh/polygons.ts';
+import { withoutQuadric } from '../../scene/mesh/quadric.ts';
 import { MAX_CONTROL_SPEED } from '../../scene/motion/cubicPoints.ts';
 import type { Diagnostic, Mesh, Motion, Scene, SceneObject } from '../../scene/types.ts';
 import { initialPose } from './objects.ts';
@@ -190,7 +191,7 @@ function deformingMotion(mesh: Mesh, origin: Vec3, { points, velocities, normals
     velocities: times.length === 1 ? [0, 1].map(() => new Float32Array(points[0].length)) : velocities.slice(),
     normals: atLeastTwo(normals),
   };
-  return { mesh: { ...mesh, positions: points[0], normals: normals[0] }, motion };
+  return { mesh: { ...withoutQuadric(mesh), positions: points[0], normals: normals[0] }, motion };
 }
 
 /** A rigid sphere is translated only. */

@@ -2,10 +2,10 @@ import { addScaled, normalize, type Vec3 } from '../../math/vec3.ts';
 import type { Lifetime } from '../../scene/types.ts';
 import type { Hit, RayFilter, SpacetimeRay } from './ray.ts';
 
-/** The intersection of a ray with a triangle in minimal form; `ObjectIntersector.hitAt` computes the rest. */
+/** The intersection of a ray with a surface in minimal form; `ObjectIntersector.hitAt` computes the rest. */
 export interface Crossing {
   readonly s: number;
-  /** Index of the triangle's first corner in `mesh.indices`. */
+  /** Index of the triangle's first corner in `mesh.indices`; of a round solid which of its surfaces. */
   readonly corner: number;
   /** Barycentric weights of the second and third corners. */
   readonly v: number;

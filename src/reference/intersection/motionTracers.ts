@@ -6,12 +6,16 @@ import { deformedPoints } from '../../scene/motion/deformedPoints.ts';
 import type { ObjectWith } from '../../scene/motion/kinds/motionKind.ts';
 import { applyPose, pieceAt, samplePose } from '../../scene/motion/poses.ts';
 import { normalsAt } from '../../scene/streaming/samplePoints.ts';
-import type { Motion, Pose, SampledMotion, SceneObject } from '../../scene/types.ts';
+import type { Motion, Pose, SampledMotion, SceneObject, UniformMotion } from '../../scene/types.ts';
 import type { ObjectIntersector } from '../acceleration/rayQuery.ts';
 import type { TriangleBvh } from '../acceleration/triangleBvh.ts';
 import { HyperbolicRayIntersector } from './hyperbolic.ts';
 import { PointShapes } from './pointShapes.ts';
 import { PoseShapes } from './poseShapes.ts';
+import { HyperbolicQuadricIntersector } from './quadrics/hyperbolicQuadric.ts';
+import { RigidQuadricIntersector } from './quadrics/rigidQuadric.ts';
+import type { RoundSolid } from './quadrics/roundSolid.ts';
+import { SampledQuadricIntersector } from './quadrics/sampledQuadric.ts';
 import { RigidIntersector } from './rigid.ts';
 import { SampledRayIntersector } from './sampled.ts';
 import { SampledShapes, type ShapeCache } from './sampledShapes.ts';
@@ -24,6 +28,8 @@ export interface TracerInputs {
   readonly c: number;
   /** The BVH of a mesh of constant shape. */
   readonly tree: () => TriangleBvh;
+  /** What is seen instead of the mesh's triangles, if it is round. */
+  readonly solid: RoundSolid | undefined;
   readonly store: ShapeCache;
 }
 
@@ -72,28 +78,41 @@ function turned({ times, poses }: SampledMotion, vectors: Float32Array, t: numbe
   return (i) => lerp(rotate(a, pointAt(vectors, i)), rotate(b, pointAt(vectors, i)), s);
 }
 
+const inertial = (
+  object: SceneObject,
+  frame: Pick<UniformMotion, 'pose' | 'velocity'>,
+  { index, tree, solid, c }: TracerInputs,
+): ObjectIntersector =>
+  solid
+    ? new RigidQuadricIntersector(index, object, frame, solid, c)
+    : new RigidIntersector(index, object, frame, tree(), c);
+
 const MOTION_TRACERS: { readonly [K in Motion['kind']]: MotionTracer<Extract<Motion, { readonly kind: K }>> } = {
   static: {
     ...POSED,
-    createIntersector: (object, { index, tree, c }) =>
-      new RigidIntersector(index, object, { pose: object.motion.pose, velocity: ZERO }, tree(), c),
+    createIntersector: (object, inputs) => inertial(object, { pose: object.motion.pose, velocity: ZERO }, inputs),
     isAuthoredMoving: () => false,
   },
   uniform: {
     ...POSED,
-    createIntersector: (object, { index, tree, c }) => new RigidIntersector(index, object, object.motion, tree(), c),
+    createIntersector: (object, inputs) => inertial(object, object.motion, inputs),
     isAuthoredMoving: isAuthoredInWorld,
   },
   hyperbolic: {
     ...POSED,
-    createIntersector: (object, { index, tree, c }) => new HyperbolicRayIntersector(index, object, tree(), c),
+    createIntersector: (object, { index, tree, solid, c }) =>
+      solid
+        ? new HyperbolicQuadricIntersector(index, object, solid, c)
+        : new HyperbolicRayIntersector(index, object, tree(), c),
     isAuthoredMoving: isAuthoredInWorld,
   },
   sampled: {
     keepsShape: false,
-    createIntersector: (object, { index, c, store }) =>
-      new SampledRayIntersector(index, object, c, new SampledShapes(object.mesh, new PoseShapes(object), store)),
-    isAuthoredMoving: () => true,
+    createIntersector: (object, { index, c, solid, store }) =>
+      solid
+        ? new SampledQuadricIntersector(index, object, solid, c)
+        : new SampledRayIntersector(index, object, c, new SampledShapes(object.mesh, new PoseShapes(object), store)),
+    isAuthoredMoving: isAuthoredInWorld,
     vertexPlaces: ({ mesh, motion }, t) => turned(motion, mesh.positions, t),
     vertexNormals: ({ mesh, motion }, t) => turned(motion, mesh.normals, t),
     startSphere: (object) => sphereAt(samplePose(object.motion.poses, 0), object),

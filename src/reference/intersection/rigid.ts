@@ -161,7 +161,7 @@ function longestAxis(line: Float64Array): number {
 }
 
 /** The inverse of `contraction`, x + (u·x) u/(γ + 1), row-major. */
-function lengthening(u: Vec3): readonly number[] {
+export function lengthening(u: Vec3): readonly number[] {
   const k = 1 / (gamma(u) + 1);
   return [0, 1, 2].flatMap((i) => [0, 1, 2].map((j) => (i === j ? 1 : 0) + k * u[i] * u[j]));
 }

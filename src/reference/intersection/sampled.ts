@@ -1,6 +1,5 @@
-import { addScaled, cross, scale, sub, type Vec3, ZERO } from '../../math/vec3.ts';
+import { addScaled, cross, scale, sub, type Vec3 } from '../../math/vec3.ts';
 import { properVelocity } from '../../physics/lorentz/boost.ts';
-import { samplesUntil } from '../../physics/worldLines/samples.ts';
 import { contraction } from '../../physics/worldLines/simultaneity.ts';
 import type { SceneObject } from '../../scene/types.ts';
 import { MovingBvhTraversal } from '../acceleration/movingBvhTraversal.ts';
@@ -13,8 +12,8 @@ import {
   type ObjectIntersector,
   type RayQuery,
 } from '../acceleration/rayQuery.ts';
-import { TimeBvh } from '../acceleration/timeBvh.ts';
 import type { CubicChords } from './cubicChords.ts';
+import { PieceSearch, type PieceTracer } from './pieceSearch.ts';
 import type { SampledShapes } from './sampledShapes.ts';
 import { SpacetimeTriangle } from './spacetimeTriangle.ts';
 
@@ -23,8 +22,6 @@ const triangle = new SpacetimeTriangle();
 /** The corners of a triangle at both ends of a chord, relative to the motion's origin. */
 const chordBegin = new Float64Array(9);
 const chordFinish = new Float64Array(9);
-/** The current ray relative to the origin of the current object: o x y z, d x y z. */
-const line = new Float64Array(6);
 
 /** Rounding error of corners relative to the ray, in units of the last place. */
 const ROUNDINGS = 32;
@@ -39,9 +36,7 @@ export class SampledRayIntersector implements ObjectIntersector {
   private readonly object: SceneObject;
   private readonly c: number;
   private readonly samples: SampledShapes;
-  private readonly timeBvh: TimeBvh;
-  /** The greatest absolute coordinate [m]. */
-  private readonly reach: number;
+  private readonly pieces: PieceSearch;
 
   constructor(index: number, object: SceneObject, c: number, samples: SampledShapes) {
     this.index = index;
@@ -49,69 +44,23 @@ export class SampledRayIntersector implements ObjectIntersector {
     this.object = object;
     this.c = c;
     this.samples = samples;
-    this.timeBvh = new TimeBvh(this.samples.outlines());
-    this.reach = Math.max(...this.timeBvh.whole.map(Math.abs));
+    const { times, origin } = samples;
+    const trace: PieceTracer = (...piece) => this.tracePiece(...piece);
+    this.pieces = new PieceSearch(times, origin, samples.outlines(), c, trace);
   }
 
   get bounds(): MovingBox | undefined {
-    const { origin, topology: shape } = this.samples;
-    if (shape.first.length === 0) return undefined;
-    return { box: Array.from(this.timeBvh.whole, (x, i) => x + origin[i % 3]), velocity: ZERO };
+    return this.samples.topology.first.length === 0 ? undefined : this.pieces.bounds;
   }
 
   intersect(ray: SpacetimeRay, search: RayQuery): void {
-    const { birth, death } = this.object.lifetime;
-    const [begin, end] = clipToTimes(ray, birth, death, this.c, search.begin, search.end);
-    if (begin > end) return;
-    const { times } = this.samples;
-    const { pieces } = this.timeBvh;
-    if (ray.dt === 0) {
-      this.tracePiece(ray, samplesUntil(times, ray.t) - 1, begin, end, search);
-      return;
-    }
-    for (let i = 0; i < 3; i++) {
-      line[i] = ray.x[i] - this.samples.origin[i];
-      line[3 + i] = ray.dx[i];
-    }
-    const [early, late] = ray.dt > 0 ? [-1, pieces] : [pieces, -1];
-    this.tracePiece(ray, early, begin, end, search);
-    this.descend(ray, 1, 0, pieces - 1, begin, end, search);
-    this.tracePiece(ray, late, begin, end, search);
-  }
-
-  /** Intersects the pieces from first to last, in the order in which the ray passes them. */
-  private descend(
-    ray: SpacetimeRay,
-    node: number,
-    first: number,
-    last: number,
-    begin: number,
-    end: number,
-    search: RayQuery,
-  ): void {
-    const { times } = this.samples;
-    const perSecond = this.c / ray.dt;
-    const one = (times[first] - ray.t) * perSecond;
-    const other = (times[last + 1] - ray.t) * perSecond;
-    const near = Math.max(begin, Math.min(one, other));
-    const far = Math.min(end, search.end, Math.max(one, other));
-    if (near > far || !this.timeBvh.intersects(node, line, near, far)) return;
-    if (first === last) {
-      this.tracePiece(ray, first, near, far, search);
-      return;
-    }
-    const middle = (first + last) >> 1;
-    const rising = ray.dt > 0;
-    if (rising) this.descend(ray, 2 * node, first, middle, begin, end, search);
-    this.descend(ray, 2 * node + 1, middle + 1, last, begin, end, search);
-    if (!rising) this.descend(ray, 2 * node, first, middle, begin, end, search);
+    this.pieces.intersect(ray, this.object.lifetime, search);
   }
 
   private tracePiece(ray: SpacetimeRay, k: number, begin: number, end: number, search: RayQuery): void {
     const { times, origin, topology: shape } = this.samples;
     const last = times.length - 1;
-    const from = k < 0 ? Number.NEGATIVE_INFINITY : times[k];
-    const to = k < last ? times[k + 1] : Number.POSITIVE_INFINITY;
+    const [from, to] = this.pieces.timesOf(k);
     const [near, far] = clipToTimes(ray, from, to, this.c, begin, Math.min(end, search.end));
     if (near > far) return;
     const [before, after] = [this.samples.at(Math.max(0, k)), this.samples.at(Math.min(last, k + 1))];
@@ -238,6 +187,6 @@ export class SampledRayIntersector implements ObjectIntersector {
 
   /** Accuracy of positions relative to o [m]. */
   private noise(o: Vec3): number {
-    return ROUNDINGS * Number.EPSILON * (Math.abs(o[0]) + Math.abs(o[1]) + Math.abs(o[2]) + this.reach);
+    return ROUNDINGS * Number.EPSILON * (Math.abs(o[0]) + Math.abs(o[1]) + Math.abs(o[2]) + this.pieces.reach);
   }
 }

@@ -1,11 +1,13 @@
 import { isTransparent } from '../../scene/materials/transparency.ts';
+import { quadricOf } from '../../scene/mesh/quadric.ts';
 import { restToWorld } from '../../scene/motion/motion.ts';
-import type { Material, Mesh, Scene, SceneObject } from '../../scene/types.ts';
+import type { Material, Mesh, Quadric, Scene, SceneObject } from '../../scene/types.ts';
 import type { Hit, RayFilter, SpacetimeRay } from '../acceleration/ray.ts';
 import { type ObjectIntersector, RayQuery } from '../acceleration/rayQuery.ts';
 import { TopLevelBvh } from '../acceleration/topLevelBvh.ts';
 import { meshBvh, type TriangleBvh } from '../acceleration/triangleBvh.ts';
 import { motionTracer } from './motionTracers.ts';
+import { RoundSolid } from './quadrics/roundSolid.ts';
 import { ShapeCache } from './sampledShapes.ts';
 
 /** A scene with the acceleration structures for tracing rays. */
@@ -14,7 +16,7 @@ export interface TracedScene {
   readonly scene: Scene;
   /** [m/s] */
   readonly c: number;
-  /** `scene.objects` in the same order; sampled ones authored at rest are converted to the world frame. */
+  /** `scene.objects` in the same order; sampled meshes authored at rest are converted to the world frame. */
   readonly objects: readonly SceneObject[];
   /** Alpha-blended materials. */
   readonly transparentMaterials: ReadonlySet<Material>;
@@ -32,15 +34,17 @@ export interface PreparedScene {
   readonly scene: Scene;
   readonly c: number;
   readonly objects: readonly SceneObject[];
-  /** The BVHs of meshes of constant shape. */
+  /** The BVHs of meshes of constant shape that are not round solids. */
   readonly trees: ReadonlyMap<Mesh, TriangleBvh>;
 }
 
 export function prepareScene(scene: Scene, c: number): PreparedScene {
-  const objects = scene.objects.map((object) => restToWorld(object, c));
+  const objects = scene.objects.map((object) => (quadricOf(object) ? object : restToWorld(object, c)));
   const trees = new Map<Mesh, TriangleBvh>();
-  for (const { mesh, motion } of objects)
-    if (motionTracer(motion).keepsShape && !trees.has(mesh)) trees.set(mesh, meshBvh(mesh));
+  for (const object of objects) {
+    const { mesh, motion } = object;
+    if (motionTracer(motion).keepsShape && !quadricOf(object) && !trees.has(mesh)) trees.set(mesh, meshBvh(mesh));
+  }
   return { scene, c, objects, trees };
 }
 
@@ -62,7 +66,8 @@ export function fromPreparedScene(
   shapes = SHAPE_CACHE_BYTES,
 ): TracedScene {
   const store = new ShapeCache(shapes);
-  const tracers = objects.map((object, i) => createIntersector(object, i, trees, c, store));
+  const solids = new Map<Quadric, RoundSolid>();
+  const tracers = objects.map((object, i) => createIntersector(object, i, trees, solids, c, store));
   const transparent = new Set(scene.materials.filter(isTransparent));
   return {
     scene,
@@ -83,6 +88,7 @@ function createIntersector(
   object: SceneObject,
   index: number,
   trees: PreparedScene['trees'],
+  solids: Map<Quadric, RoundSolid>,
   c: number,
   store: ShapeCache,
 ): ObjectIntersector {
@@ -91,7 +97,10 @@ function createIntersector(
     if (!found) throw new Error(`${object.path} has no tree`);
     return found;
   };
-  return motionTracer(object.motion).createIntersector(object, { index, c, tree, store });
+  const quadric = quadricOf(object);
+  const solid = quadric && (solids.get(quadric) ?? new RoundSolid(quadric));
+  if (quadric && solid) solids.set(quadric, solid);
+  return motionTracer(object.motion).createIntersector(object, { index, c, tree, solid, store });
 }
 
 /**

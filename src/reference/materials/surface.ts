@@ -4,7 +4,8 @@ import { fourVector, spatial } from '../../physics/lorentz/fourVector.ts';
 import { contraction } from '../../physics/worldLines/simultaneity.ts';
 import { type Rgba, sampleTexture } from '../../scene/materials/sampleTexture.ts';
 import { pointAt } from '../../scene/mesh/polygons.ts';
-import type { Material, NormalTexture, TextureChannel } from '../../scene/types.ts';
+import { quadricOf } from '../../scene/mesh/quadric.ts';
+import type { Material, NormalTexture, SceneObject, TextureChannel } from '../../scene/types.ts';
 import { filterOfReflectance } from '../../spectrum/color/filterOfReflectance.ts';
 import { filterFromRgb, type SpectralFilter } from '../../spectrum/reflectance/spectralFilter.ts';
 import type { Hit } from '../acceleration/ray.ts';
@@ -28,7 +29,7 @@ export interface SurfacePoint {
   readonly occlusion: number;
   /** Refractive index; default 1.5. */
   readonly ior: number;
-  /** Interpolated unit normal in the rest frame, on the world axes carried there by the pure boost; on the side of the ray. */
+  /** Unit normal in the rest frame, on the world axes carried there by the pure boost; on the side of the ray. */
   readonly normal: Vec3;
   readonly uv: readonly [u: number, v: number];
 }
@@ -130,7 +131,7 @@ function emission({ emissive, emissiveTexture }: Material, uv: readonly [number,
 }
 
 /**
- * The rest-frame normal: a normal given on a slice of world time loses the factor γ along the motion (docs/physics.md §6.3). Where interpolated
+ * The rest-frame normal: that of a round solid itself, otherwise the interpolated one. A normal given on a slice of world time loses the factor γ along the motion (docs/physics.md §6.3). Where interpolated
  * normals cancel, the triangle's own is used. The triangle also determines the side, because some files have normals that point to the other
  * side, and rays that start on the wrong side of a wall would leak through it.
  */
@@ -142,15 +143,19 @@ function normalAt(
   uv: Uv,
 ): Vec3 {
   const object = scene.objects[hit.object];
-  const given = interpolate(corners, motionTracer(object.motion).vertexNormals(object, hit.time));
-  const rest = motionTracer(object.motion).isAuthoredMoving(object)
-    ? contraction(given, properVelocity(hit.velocity))
-    : given;
-  const smooth = normalize(rest, hit.normal);
+  const smooth = quadricOf(object) ? hit.normal : interpolatedNormal(object, hit, corners);
   const side = facingNormal(hit);
   if (!map) return faceForward(side, smooth);
   const mapped = mappedNormal(map, uv, smooth, tangentFrame(scene, hit, corners));
   return dot(side, smooth) < 0 ? negate(mapped) : mapped;
+}
+
+function interpolatedNormal(object: SceneObject, hit: Hit, corners: TriangleVertices): Vec3 {
+  const given = interpolate(corners, motionTracer(object.motion).vertexNormals(object, hit.time));
+  const rest = motionTracer(object.motion).isAuthoredMoving(object)
+    ? contraction(given, properVelocity(hit.velocity))
+    : given;
+  return normalize(rest, hit.normal);
 }
 
 /** Directions of increasing u and v in the rest frame, of any length; 0 if the uvs are degenerate. */

@@ -9,7 +9,7 @@ import { reflect, toHemisphere } from '../sampling/directions.ts';
 import type { RestFrame } from '../spectral/restFrame.ts';
 import { NO_LIGHT, plus, type SampledRadiance, times } from '../spectral/sampledRadiance.ts';
 import { type SurfaceOrigin, transmissionOrigin } from './rayOrigin.ts';
-import { coverage, isOtherTriangle, type RaySegment } from './transmittance.ts';
+import { coverage, isElsewhere, type RaySegment } from './transmittance.ts';
 
 /** Upper bound of successive reflections inside a body. */
 const MAX_INTERNAL_REFLECTIONS = 16;
@@ -72,7 +72,7 @@ function insideRadiance(
   const beam: RaySegment = { ray, begin: from.clearance / length(ray.dx), from: from.hit };
   const hit = nearestHit(scene, ray, {
     begin: beam.begin,
-    accepts: (found) => isOtherTriangle(beam, found) && (coverage(scene, found) > 0 || isGlass(lighting, found)),
+    accepts: (found) => isElsewhere(scene, beam, found) && (coverage(scene, found) > 0 || isGlass(lighting, found)),
   });
   if (!hit) return glass.outside(from, direction);
   if (hit.object !== from.hit.object || hit.front) return glass.along(beam);

@@ -21,7 +21,7 @@ import { type LightReceiver, RADIANCE_POWER, receivedLight, type Sensor } from '
 import { directLight } from './directLight.ts';
 import { type GlassBody, glassRadiance, isGlass } from './glass.ts';
 import { reflectionOrigin, type SurfaceOrigin } from './rayOrigin.ts';
-import { coverage, isOtherTriangle, type RaySegment } from './transmittance.ts';
+import { coverage, isElsewhere, type RaySegment } from './transmittance.ts';
 
 /** Upper bound of successive specular reflections and refractions. */
 const MAX_SPECULAR_DEPTH = 8;
@@ -103,7 +103,7 @@ function nextHit(lighting: LightingContext, beam: RaySegment, { isCameraPath }: 
   return nearestHit(scene, beam.ray, {
     begin: beam.begin,
     accepts: (hit) =>
-      isOtherTriangle(beam, hit) &&
+      isElsewhere(scene, beam, hit) &&
       (!isCameraPath || hit.front || scene.objects[hit.object].mesh.doubleSided) &&
       (coverage(scene, hit) > 0 || (isCameraPath && isGlass(lighting, hit))),
   });

@@ -2,6 +2,7 @@ import { add, addScaled, dot, length, negate, scale, sub, type Vec3 } from '../.
 import { properVelocity } from '../../physics/lorentz/boost.ts';
 import { contraction } from '../../physics/worldLines/simultaneity.ts';
 import { pointAt } from '../../scene/mesh/polygons.ts';
+import { quadricOf } from '../../scene/mesh/quadric.ts';
 import type { Hit } from '../acceleration/ray.ts';
 import { motionTracer } from '../intersection/motionTracers.ts';
 import type { TracedScene } from '../intersection/tracedScene.ts';
@@ -18,12 +19,13 @@ export interface SurfaceOrigin extends RayOrigin {
 
 /**
  * Triangles that approximate a curved body would be shadowed by neighbours that stick out (the shadow terminator). Rays therefore begin on the curved
- * surface implied by the vertex normals: the projections onto the corners' tangent planes, weighted barycentrically. On flat faces this is the hit.
+ * surface implied by the vertex normals: the projections onto the corners' tangent planes, weighted barycentrically. On flat faces, and on round solids, this is the hit.
  * Source: Hanika 2021, "Hacking the shadow terminator", Ray Tracing Gems II, ch. 4.
  */
 export function reflectionOrigin(scene: TracedScene, hit: Hit): SurfaceOrigin {
-  const corners = verticesOf(scene, hit);
   const object = scene.objects[hit.object];
+  if (quadricOf(object)) return { ...transmissionOrigin(scene, hit), geometricNormal: facingNormal(hit) };
+  const corners = verticesOf(scene, hit);
   const place = motionTracer(object.motion).vertexPlaces(object, hit.time, scene.c);
   const normal = motionTracer(object.motion).vertexNormals(object, hit.time);
   const [a, b, c] = corners.indices.map(place);

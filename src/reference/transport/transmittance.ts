@@ -1,3 +1,4 @@
+import { quadricOf } from '../../scene/mesh/quadric.ts';
 import type { Hit, SpacetimeRay } from '../acceleration/ray.ts';
 import { nearestHit, type TracedScene } from '../intersection/tracedScene.ts';
 import { materialOf } from '../materials/material.ts';
@@ -19,8 +20,9 @@ export interface RaySegment {
   readonly from?: Hit;
 }
 
-export const isOtherTriangle = ({ from }: RaySegment, { object, corner }: Hit): boolean =>
-  !from || object !== from.object || corner !== from.corner;
+/** Whether a hit is elsewhere than the ray begins. A round solid, which is convex, is not met again but from inside, maybe on the same triangle. */
+export const isElsewhere = ({ objects }: TracedScene, { from }: RaySegment, { object, corner }: Hit): boolean =>
+  !from || object !== from.object || corner !== from.corner || quadricOf(objects[object]) !== undefined;
 
 /** The fraction of light transmitted from s = `end` to the ray's beginning, past all surfaces, each where the light passed it; transparent ones transmit 1 − opacity. */
 export function transmittance(scene: TracedScene, beam: RaySegment, end: number): number {
@@ -29,7 +31,7 @@ export function transmittance(scene: TracedScene, beam: RaySegment, end: number)
     begin: beam.begin,
     end,
     accepts: (hit) => {
-      if (!isOtherTriangle(beam, hit)) return false;
+      if (!isElsewhere(scene, beam, hit)) return false;
       const opacity = coverage(scene, hit);
       transmitted *= 1 - opacity;
       return opacity >= 1;

@@ -1,4 +1,5 @@
 import { gatherPoints, makeMesh } from '../mesh/makeMesh.ts';
+import { withoutQuadric } from '../mesh/quadric.ts';
 import { normalizeInPlace } from '../mesh/transformPoints.ts';
 import { pointSamples } from '../motion/motion.ts';
 import { isStreamed } from '../streaming/samplePoints.ts';
@@ -48,7 +49,7 @@ class MidpointMesh {
       split.set([a, ab, ca, ab, b, bc, ca, bc, c, ab, bc, ca], 4 * t);
     }
     this.mesh = {
-      ...mesh,
+      ...withoutQuadric(mesh),
       positions: this.mean(mesh.positions, 3),
       normals: normalizeInPlace(this.mean(mesh.normals, 3)),
       uvs: this.mean(mesh.uvs, 2),

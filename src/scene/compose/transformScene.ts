@@ -1,5 +1,7 @@
+import { IDENTITY, scaledUniformly } from '../../math/mat4.ts';
 import { lightKind } from '../lights/lightKinds.ts';
 import { transformMesh } from '../mesh/meshOps.ts';
+import { transformedQuadric, withoutQuadric } from '../mesh/quadric.ts';
 import { linearOf, type SimilarityTransform } from '../motion/kinds/changes.ts';
 import { deforms } from '../motion/motion.ts';
 import { motionKind } from '../motion/motions.ts';
@@ -33,7 +35,9 @@ export function transformObject(object: SceneObject, by: SimilarityTransform): S
 /** Scales a mesh. Deforming meshes are world-oriented and therefore also rotated. */
 function transformedMesh(mesh: Mesh, motion: Motion, { orientation, scale: s }: SimilarityTransform): Mesh {
   if (deforms(motion)) return transformMesh(mesh, linearOf(orientation, s));
-  return s === 1 ? mesh : { ...mesh, positions: mesh.positions.map((x) => s * x) };
+  if (s === 1) return mesh;
+  const quadric = transformedQuadric(mesh.quadric, scaledUniformly(IDENTITY, s));
+  return { ...withoutQuadric(mesh), positions: mesh.positions.map((x) => s * x), ...quadric };
 }
 
 /** Radiance does not change with the scale, so that a scaled room is lit as before; the `color` of point and line lights, an intensity, does. */

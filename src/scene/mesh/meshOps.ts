@@ -3,6 +3,7 @@ import { linearPart, type Mat4, transformPoint } from '../../math/mat4.ts';
 import { normalize } from '../../math/vec3.ts';
 import type { Mesh, MeshGroup } from '../types.ts';
 import { pointAt } from './polygons.ts';
+import { transformedQuadric, withoutQuadric } from './quadric.ts';
 
 /**
  * Merges meshes, which keep their groups and therefore their materials. Colours of parts without any are white.
@@ -78,7 +79,8 @@ export function transformMesh(mesh: Mesh, m: Mat4): Mesh {
     positions.set(transformPoint(m, pointAt(mesh.positions, v)), 3 * v);
     normals.set(normalize(transform(normalMatrix, normal), normal), 3 * v);
   }
-  return { ...mesh, positions, normals, indices: mirrored ? turned(mesh.indices) : mesh.indices };
+  const indices = mirrored ? turned(mesh.indices) : mesh.indices;
+  return { ...withoutQuadric(mesh), positions, normals, indices, ...transformedQuadric(mesh.quadric, m) };
 }
 
 function turned(indices: Uint32Array): Uint32Array {

@@ -1,6 +1,9 @@
+import type { Mat4 } from '../../math/mat4.ts';
 import type { Vec3 } from '../../math/vec3.ts';
 import type { Mesh } from '../types.ts';
 import { makeMesh } from './makeMesh.ts';
+import { ROUND_SEGMENTS } from './quadric.ts';
+import type { QuadricShape } from './quadricTypes.ts';
 
 /** The axis of symmetry, as `axis` in USD. */
 export type Axis = 'X' | 'Y' | 'Z';
@@ -129,7 +132,18 @@ const flatBand = (from: RadiusHeight, to: RadiusHeight, axial: number, v: Radius
   v,
 });
 
-/** How finely round shapes are divided, and where they point. */
+/** From axes with the axis of symmetry along z to the mesh's, as `RevolutionBuilder` places points. */
+const FROM_Z: { readonly [K in Axis]: Mat4 } = {
+  X: [0, 0, 1, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 0, 1],
+  Y: [0, 1, 0, 0, 0, 0, 1, 0, 1, 0, 0, 0, 0, 0, 0, 1],
+  Z: [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1],
+};
+
+/** The mesh with the solid that it stands for, unless it is too coarse to be meant as one. */
+const round = (mesh: Mesh, shape: QuadricShape, axis: Axis, segments: number, rings = 1): Mesh =>
+  segments >= ROUND_SEGMENTS ? { ...mesh, quadric: { shape, toMesh: FROM_Z[axis], segments, rings } } : mesh;
+
+/** How finely round shapes are divided, and where they point. With fewer than 16 segments they are the prisms and pyramids that their polygons are. */
 export interface RoundOptions {
   /** Segments around the axis. */
   readonly segments?: number;
@@ -143,8 +157,10 @@ export interface RoundOptions {
  * boundingBox(sphere(1, { segments: 32 }).positions)!.max[2]; // 1 m
  */
 export function sphere(radius: number, options: RoundOptions & { readonly rings?: number } = {}): Mesh {
-  const { segments = 64, rings = segments / 2, axis = 'Z' } = options;
-  return revolve(arc(radius, 0, -Math.PI / 2, Math.PI / 2, Math.round(rings), [0, 1]), segments, axis);
+  const { segments = 64, axis = 'Z' } = options;
+  const rings = Math.round(options.rings ?? segments / 2);
+  const mesh = revolve(arc(radius, 0, -Math.PI / 2, Math.PI / 2, rings, [0, 1]), segments, axis);
+  return round(mesh, { kind: 'sphere', radius }, axis, segments, rings);
 }
 
 /**
@@ -156,7 +172,7 @@ export function cylinder(radius: number, height: number, { segments = 64, axis =
   const h = height / 2;
   const side: SurfaceBand = { from: [radius, -h], to: [radius, h], fromNormal: [1, 0], toNormal: [1, 0], v: [0, 1] };
   const bands = [flatBand([0, -h], [radius, -h], -1, [0, 1]), side, flatBand([radius, h], [0, h], 1, [1, 0])];
-  return revolve(bands, segments, axis);
+  return round(revolve(bands, segments, axis), { kind: 'cylinder', radius, height }, axis, segments);
 }
 
 /**
@@ -169,7 +185,8 @@ export function cone(radius: number, height: number, { segments = 64, axis = 'Z'
   const slant = Math.hypot(radius, height);
   const n: RadiusHeight = [height / slant, radius / slant];
   const side: SurfaceBand = { from: [radius, -h], to: [0, h], fromNormal: n, toNormal: n, v: [0, 1] };
-  return revolve([flatBand([0, -h], [radius, -h], -1, [0, 1]), side], segments, axis);
+  const mesh = revolve([flatBand([0, -h], [radius, -h], -1, [0, 1]), side], segments, axis);
+  return round(mesh, { kind: 'cone', radius, height }, axis, segments);
 }
 
 /**
@@ -199,7 +216,7 @@ export function capsule(
     ...(height > 0 ? [side] : []),
     ...arc(radius, h, 0, Math.PI / 2, steps, [1 - low, 1]),
   ];
-  return revolve(bands, segments, axis);
+  return round(revolve(bands, segments, axis), { kind: 'capsule', radius, height }, axis, segments, steps);
 }
 
 /**

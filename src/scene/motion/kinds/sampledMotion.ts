@@ -1,4 +1,5 @@
-import { rotate, slerp } from '../../../math/quat.ts';
+import { type Mat3, transpose } from '../../../math/mat3.ts';
+import { rotate, slerp, toMatrix } from '../../../math/quat.ts';
 import { add, lerp, scale, sub, type Vec3 } from '../../../math/vec3.ts';
 import { type Message, msg } from '../../../messages/message.ts';
 import { properVelocity } from '../../../physics/lorentz/boost.ts';
@@ -34,6 +35,21 @@ function placeAtSample(motion: SampledMotion, k: number, contractedFor: number |
   if (contractedFor === undefined) return (x) => applyPose(pose, x);
   const u = sampleVelocity(motion, k, contractedFor);
   return (x) => add(pose.position, contraction(rotate(pose.orientation, x), u));
+}
+
+/** Where sample k places the object's axes: x → position + M x, contracted if it is authored in its rest frame. c [m/s]. */
+export function frameAtSample(
+  { motion, authoredIn }: ObjectWith<SampledMotion>,
+  k: number,
+  c: number,
+): { readonly position: Vec3; readonly linear: Mat3 } {
+  const { position, orientation } = samplePose(motion.poses, k);
+  const turn = toMatrix(orientation);
+  if (authoredIn === 'world') return { position, linear: turn };
+  const u = sampleVelocity(motion, k, c);
+  const columns = transpose(turn);
+  const shortened = [0, 3, 6].flatMap((i) => contraction([columns[i], columns[i + 1], columns[i + 2]], u));
+  return { position, linear: transpose(shortened) };
 }
 
 /**

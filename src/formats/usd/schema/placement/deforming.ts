@@ -5,6 +5,7 @@ import { distance, type Vec3 } from '../../../../math/vec3.ts';
 import { msg } from '../../../../messages/message.ts';
 import { gatherPoints } from '../../../../scene/mesh/makeMesh.ts';
 import { deformedNormals, smoothingGroups } from '../../../../scene/mesh/normals.ts';
+import { withoutQuadric } from '../../../../scene/mesh/quadric.ts';
 import { transformNormalsInPlace, transformPointsInPlace } from '../../../../scene/mesh/transformPoints.ts';
 import { AdaptivePath } from '../../../../scene/motion/adaptiveSampling.ts';
 import { estimateChordError, parabolaVelocities, parabolaVelocityAt } from '../../../../scene/motion/cubicPoints.ts';
@@ -253,7 +254,8 @@ function flippedWinding(indices: Uint32Array): Uint32Array {
 
 /** The mesh with deformed points. */
 export function deformedMesh(mesh: Mesh, { positions, normals }: DeformedPoints): Mesh {
-  return { ...mesh, positions, normals: normals ?? deformedNormals(positions, mesh.indices, smoothingGroups(mesh)) };
+  const shading = normals ?? deformedNormals(positions, mesh.indices, smoothingGroups(mesh));
+  return { ...withoutQuadric(mesh), positions, normals: shading };
 }
 
 /** Maximum number of samples from which the origin is chosen. */
