@@ -34,7 +34,8 @@ async function probed(file: string): Promise<Record<string, string>> {
 /** Pixels as ffmpeg decodes them. */
 async function rgb(file: string): Promise<Uint8Array> {
   const raw = `${file}.rgb`;
-  await ask('ffmpeg', '-v', 'error', '-y', '-i', file, '-f', 'rawvideo', '-pix_fmt', 'rgb24', raw);
+  const once = ['-fps_mode', 'passthrough'];
+  await ask('ffmpeg', '-v', 'error', '-y', '-i', file, ...once, '-f', 'rawvideo', '-pix_fmt', 'rgb24', raw);
   return new Uint8Array(readFileSync(raw));
 }
 
@@ -98,6 +99,31 @@ test('writes a film with all frames, and no other file', async () => {
     nb_frames: '6',
     r_frame_rate: '12/1',
   });
+  expect(readdirSync(folder).filter((name) => name.includes('partial'))).toEqual([]);
+});
+
+test('writes a GIF of the same pictures, with durations that add up', async () => {
+  const [film, still] = [out('film.gif'), out('of-gif.png')];
+  const at = ['--fps', '12'];
+  const { files } = await slowlightJson<Rendered>('render', movers, '-o', film, ...size, '--frames', '3:8', ...at);
+  expect(files).toEqual([film]);
+  expect(await probed(film)).toMatchObject({ codec_name: 'gif', width: 160, height: 90 });
+  const durations = await ask(
+    'ffprobe',
+    '-v',
+    'error',
+    '-show_entries',
+    'packet=duration_time',
+    '-of',
+    'csv=p=0',
+    film,
+  );
+  expect(durations.trim().split('\n').map(Number)).toEqual([0.08, 0.09, 0.08, 0.08, 0.09, 0.08]);
+  await slowlight('render', movers, '-o', still, ...size, '--frames', '8:8', ...at);
+  const [all, last] = [await rgb(film), await rgb(still)];
+  expect(all).toHaveLength(6 * last.length);
+  const errors = last.map((value, i) => Math.abs(value - all[5 * last.length + i]!));
+  expect(errors.reduce((a, b) => a + b, 0) / errors.length).toBeLessThan(3);
   expect(readdirSync(folder).filter((name) => name.includes('partial'))).toEqual([]);
 });
 

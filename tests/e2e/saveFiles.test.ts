@@ -80,8 +80,11 @@ it('a saved picture equals that of the command line, and a film has all its fram
   await visit.close();
 });
 
-it('a film is VP9 where no other codec is available', async () => {
-  const visit = await opened();
+it('a film is VP9 where no other codec is available, and a GIF needs none', async () => {
+  const visit = await opened(
+    ...[add('gif', 'save-video'), set('gif', 'name', 'film.gif'), set('gif', 'width', 63), set('gif', 'height', 48)],
+    ...[set('gif', 'from', 0.25), set('gif', 'to', 0.75), set('gif', 'fps', 8), connect('tone.image', 'gif.image')],
+  );
   await visit.page.evaluate(() => {
     const real = VideoEncoder.isConfigSupported.bind(VideoEncoder);
     VideoEncoder.isConfigSupported = (config) =>
@@ -93,6 +96,11 @@ it('a film is VP9 where no other codec is available', async () => {
     'stream,vp9,64,48,bt709,8/1,5',
   );
   expect(frameTimes(path)).toEqual([0, 0.125, 0.25, 0.375, 0.5]);
+  const gif = await downloaded(visit, 'gif');
+  expect(gif.name).toBe('film.gif');
+  const saved = join(shots, 'download-film.gif');
+  expect(videoStream(saved, 'codec_name,width,height,nb_read_frames')).toBe('stream,gif,63,48,5');
+  expect(frameTimes(saved)).toEqual([0, 0.13, 0.25, 0.38, 0.5]);
   await visit.close();
 });
 

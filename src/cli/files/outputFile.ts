@@ -1,4 +1,4 @@
-import { existsSync, renameSync, rmSync, statSync, writeFileSync } from 'node:fs';
+import { appendFileSync, existsSync, renameSync, rmSync, statSync, writeFileSync } from 'node:fs';
 import { basename, dirname, join, resolve } from 'node:path';
 import { msg } from '../../messages/message.ts';
 import { CliError, EXIT, inputProblem } from '../terminal/exitCodes.ts';
@@ -19,6 +19,10 @@ export class OutputFile {
 
   write(bytes: Uint8Array): void {
     writeFileSync(this.temporary, bytes);
+  }
+
+  append(bytes: Uint8Array): void {
+    appendFileSync(this.temporary, bytes);
   }
 
   commit(): void {

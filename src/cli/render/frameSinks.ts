@@ -1,9 +1,11 @@
 import { extname } from 'node:path';
+import { GifEncoder } from '../../formats/image/gif/encodeGif.ts';
+import { gifProblem } from '../../formats/image/gif/gifLimits.ts';
 import { anyOf, msg } from '../../messages/message.ts';
 import { encodeExrPicture, encodePngPicture, frameName } from '../../nodes/pictures/encode.ts';
 import type { PictureFrame } from '../../nodes/pictures/sequence.ts';
 import type { Scene } from '../../scene/types.ts';
-import { checkWritable, writeFileAtomically } from '../files/outputFile.ts';
+import { checkWritable, OutputFile, writeFileAtomically } from '../files/outputFile.ts';
 import { usageError } from '../terminal/exitCodes.ts';
 import type { RenderFlags } from './renderFlags.ts';
 import { VIDEO_EXTENSION, VideoWriter } from './videoWriter.ts';
@@ -31,7 +33,11 @@ const SINKS: ReadonlyMap<string, OpenSink> = new Map<string, OpenSink>([
       fileSink(output, frames, (frame) => encodeExrPicture(size, frame.rendered, frame, scene)),
   ],
   [`.${VIDEO_EXTENSION}`, (flags, scene) => videoSink(flags, flags.fps ?? scene.timeCodesPerSecond)],
+  ['.gif', (flags, scene) => gifSink(flags, flags.fps ?? scene.timeCodesPerSecond)],
 ]);
+
+/** Extensions of films, which need several frames. */
+export const isFilm = (output: string): boolean => /\.(mp4|gif)$/i.test(output);
 
 export async function openFrameSink(flags: RenderFlags, scene: Scene, frames: number): Promise<FrameSink> {
   const open = SINKS.get(extname(flags.output).toLowerCase());
@@ -56,6 +62,25 @@ function fileSink(output: string, frames: number, encode: (frame: PictureFrame) 
     },
     finish: async () => {},
     discard: () => {},
+  };
+}
+
+/** Appends each frame to the film as soon as it is drawn. */
+function gifSink({ output, size }: RenderFlags, fps: number): FrameSink {
+  const problem = gifProblem(size, fps);
+  if (problem) throw usageError(msg`${output}: ${problem}`);
+  const film = new OutputFile(output);
+  const encoder = new GifEncoder(size, fps);
+  const files: string[] = [];
+  return {
+    files,
+    add: async ({ rendered }) => film.append(encoder.add(rendered.pixels)),
+    finish: async () => {
+      film.append(encoder.finish());
+      film.commit();
+      files.push(output);
+    },
+    discard: () => film.discard(),
   };
 }
 

@@ -1,4 +1,3 @@
-import { extname } from 'node:path';
 import { length } from '../../math/vec3.ts';
 import { msg } from '../../messages/message.ts';
 import type { FrameTime } from '../../nodes/project/outputFiles.ts';
@@ -11,6 +10,7 @@ import { usageError } from '../terminal/exitCodes.ts';
 import { toJson } from '../terminal/json.ts';
 import { localized } from '../terminal/language.ts';
 import { Progress } from '../terminal/progress.ts';
+import { isFilm } from './frameSinks.ts';
 import type { RenderFlags } from './renderFlags.ts';
 import { chooseAovs, type RenderReport, renderFrames } from './renderFrames.ts';
 
@@ -46,7 +46,7 @@ function checkSamples({ samples, antialiasing }: RenderFlags): void {
 
 function frameTimes(scene: Scene, { time, frames, fps = scene.timeCodesPerSecond, output }: RenderFlags): FrameTime[] {
   if (!frames) {
-    if (extname(output).toLowerCase() === '.mp4') throw usageError(msg`an .mp4 needs --frames FIRST:LAST`);
+    if (isFilm(output)) throw usageError(msg`a film, .mp4 or .gif, needs --frames FIRST:LAST`);
     return [{ t: time ?? scene.hints.openAt ?? scene.startTime }];
   }
   if (time !== undefined) throw usageError(msg`--time and --frames exclude each other`);

@@ -33,6 +33,7 @@ const EXAMPLES = [
   'slowlight render street.usdc -o street.png --time 2 --c 10 --beta 0,0,-0.8',
   'slowlight render street.usdc -o street.exr --aov beauty,depth,doppler --size 1920x1080',
   'slowlight render street.usdc -o street.mp4 --frames 1:96 --fps 24',
+  'slowlight render street.usdc -o street.gif --frames 1:96 --fps 25 --size 480x270',
   "slowlight render street.usdc -o 'street.####.png' --frames 1:96",
   'slowlight render street.usdc -o truth.png --pipeline reference --samples 8',
   'slowlight render street.usdc -o shift.png --false-colour doppler --legend --beta 0,0,-0.5',
@@ -41,7 +42,9 @@ const EXAMPLES = [
 
 export function renderCommand(): Command {
   const command = new Command('render')
-    .description(localized(msg`Renders a scene or a project as .png, .exr with data channels, or .mp4.`))
+    .description(
+      localized(msg`Renders a scene or a project as .png, .exr with data channels, or a film: .mp4 or .gif.`),
+    )
     .argument('<scene>', localized(msg`${SCENE_ARGUMENT}; or a .slowlight.json project`))
     .option(
       '-o, --output <file>',
@@ -60,7 +63,13 @@ export function renderCommand(): Command {
       parseNumber,
     )
     .option('--frames <A:B>', localized(msg`first and last frame; frame n is at world time n/fps`), parseFrames)
-    .option('--fps <n>', localized(msg`frames per second (default: the scene's time codes per second)`), parsePositive);
+    .option(
+      '--fps <n>',
+      localized(
+        msg`frames per second (default: the scene's time codes per second); a .gif has at most 50, of whole hundredths of a second: at 24, four or five each`,
+      ),
+      parsePositive,
+    );
   addObserverFlags(addSceneFlags(command)).option(
     '--hold',
     localized(msg`with --frames: keep the observer in place instead of moving it with its velocity`),

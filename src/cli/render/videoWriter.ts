@@ -6,6 +6,7 @@ import type { PictureSize } from '../../scene/view/pictureViews.ts';
 import { killWhenStopped, OutputFile } from '../files/outputFile.ts';
 import { inputProblem, unavailable } from '../terminal/exitCodes.ts';
 
+/** Extension of the films that ffmpeg encodes. */
 export const VIDEO_EXTENSION = 'mp4';
 
 const missingEncoder = () =>

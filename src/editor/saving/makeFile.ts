@@ -33,7 +33,9 @@ export interface MakeFileOptions {
 export async function makeFile(file: RequestedFile, options: MakeFileOptions): Promise<MadeFile> {
   if (file.kind === 'scene') return sceneFile(file);
   const picture = pictureSequence(file);
-  if (extensionOf(file.name) !== 'mp4') return pictureFile(file, picture, options);
+  const format = extensionOf(file.name);
+  if (format === 'gif') return gifFile(file, picture, options);
+  if (format !== 'mp4') return pictureFile(file, picture, options);
   const { Mp4Encoder } = await import('./mp4Encoder.ts');
   const encoder = await Mp4Encoder.open(picture.size, file.kind === 'video' ? file.fps : 1, picture.frames.length);
   if (!encoder)
@@ -57,6 +59,25 @@ async function sceneFile(file: SceneOutput): Promise<MadeFile> {
   const losses = diagnostics.filter(({ severity }) => severity !== 'info');
   const told = losses.map(({ place, message }) => msg`${partOf(file.name, place)}: ${message}`);
   return { ...bundleFiles(file.name, files), losses: told };
+}
+
+/** Loaded when one is saved. */
+async function gifFile(
+  file: ImageOutput | VideoOutput,
+  sequence: PictureSequence,
+  options: MakeFileOptions,
+): Promise<MadeFile> {
+  const { GifEncoder } = await import('../../formats/image/gif/encodeGif.ts');
+  const encoder = new GifEncoder(sequence.size, file.kind === 'video' ? file.fps : 1);
+  const parts: BlobPart[] = [];
+  let size = 0;
+  await renderFrames(file, sequence, options, async ({ rendered }) => {
+    const bytes = encoder.add(rendered.pixels);
+    parts.push(bytes.slice());
+    size += bytes.length;
+    checkSize(size);
+  });
+  return { name: file.name, content: new Blob([...parts, encoder.finish().slice()], { type: 'image/gif' }) };
 }
 
 async function pictureFile(

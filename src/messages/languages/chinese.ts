@@ -1664,8 +1664,12 @@ const messages: Translation['messages'] = {
     '上层图像在结果中的比例；分屏与擦除时为边界的位置。',
   'Without folders. .png is as displayed; .exr is radiance before exposure and tone curve.':
     '不含文件夹。.png 如屏幕所示，.exr 为曝光与色调曲线之前的光。',
-  'Without folders. .mp4 is a film; .png and .exr are frames, whose numbers replace ####: film.####.png.':
-    '不含文件夹。.mp4 为影片；.png 和 .exr 为逐帧文件，编号代替 ####：film.####.png。',
+  'Without folders. .mp4 and .gif are films; .png and .exr are frames, whose numbers replace ####: film.####.png. A .gif repeats for ever, has 256 colours, and frames of whole hundredths of a second, right on average.':
+    '不含文件夹。.mp4 和 .gif 为影片；.png 和 .exr 为逐帧文件，编号代替 ####：film.####.png。.gif 无限循环，有 256 种颜色，每帧时长为百分之一秒的整数倍，平均而言准确。',
+  'a .gif has between one frame in 655 s and {} a second, not {}; choose another rate, or write an .mp4':
+    '.gif 的帧率在每 655 s 一帧到每秒 {1} 帧之间，不能是 {2}；请另选帧率，或写出 .mp4',
+  'a .gif of {} × {} pixels is too large; write at most {} along a side, or an .mp4':
+    '{1} × {2} 像素的 .gif 太大；每边至多 {3} 像素，或写出 .mp4',
   'World time of the observer’s event; default: the time at which the scene opens.':
     '观察者事件的世界时间；未设置时为场景打开的时刻。',
   'Frames per second': '每秒帧数',
@@ -2850,8 +2854,8 @@ const messages: Translation['messages'] = {
   'the Chromium here has no WebGL2. On Debian or Ubuntu: apt-get install -y libegl-mesa0 libgl1-mesa-dri':
     '此处的 Chromium 没有 WebGL2。在 Debian 或 Ubuntu 上：apt-get install -y libegl-mesa0 libgl1-mesa-dri',
   // render
-  'Renders a scene or a project as .png, .exr with data channels, or .mp4.':
-    '将场景或项目渲染为 .png、带数据通道的 .exr 或 .mp4。',
+  'Renders a scene or a project as .png, .exr with data channels, or a film: .mp4 or .gif.':
+    '将场景或项目渲染为 .png、带数据通道的 .exr，或影片：.mp4 或 .gif。',
   '{}; or a .slowlight.json project': '{1}；或 .slowlight.json 项目',
   'output file; #### in the name of a .png or .exr is replaced by the frame number (default: the files that the nodes of a project write)':
     '输出文件；.png 或 .exr 文件名中的 #### 由帧号代替（默认：项目的节点所写的文件）',
@@ -2859,7 +2863,8 @@ const messages: Translation['messages'] = {
     '用于项目，且没有 -o：写入文件的文件夹（默认：当前文件夹）',
   'picture size in pixels': '图像的大小，以像素计',
   'first and last frame; frame n is at world time n/fps': '首帧与末帧；第 n 帧的世界时间为 n/fps',
-  "frames per second (default: the scene's time codes per second)": '每秒帧数（默认：场景每秒的时间码数）',
+  "frames per second (default: the scene's time codes per second); a .gif has at most 50, of whole hundredths of a second: at 24, four or five each":
+    '每秒帧数（默认：场景每秒的时间码数）；.gif 至多 50 帧，每帧为百分之一秒的整数倍：24 帧时每帧百分之四或五秒',
   'with --frames: keep the observer in place instead of moving it with its velocity':
     '与 --frames 同用：让观察者留在原处，而不按其速度移动',
   '{} of {}': '{2} 为 {1}',
@@ -2878,7 +2883,7 @@ const messages: Translation['messages'] = {
   '--output {}: several frames need a place for their number, like {}':
     '--output {1}：多帧时文件名须留出帧号的位置，例如 {2}',
   '--size {}x{}: an .mp4 needs an even width and height': '--size {1}x{2}：.mp4 的宽和高须为偶数',
-  'an .mp4 needs --frames FIRST:LAST': '.mp4 需要 --frames FIRST:LAST',
+  'a film, .mp4 or .gif, needs --frames FIRST:LAST': '影片（.mp4 或 .gif）需要 --frames FIRST:LAST',
   '--time and --frames exclude each other': '--time 与 --frames 不能同时使用',
   '--no-antialiasing takes one sample, at the centre of each pixel: leave it or --samples out':
     '--no-antialiasing 只在每个像素的中心取一个采样：请去掉它或 --samples',

@@ -69,6 +69,20 @@ describe('the nodes that save pictures', () => {
     expect(await refusalOf(node, bad, set(node, remedy.param, remedy.value))).toMatchObject({ status: 'done' });
   });
 
+  it.each([
+    ['fps', 60, 'file.rate', 50],
+    ['fps', 0.001, 'file.rate', 0.002],
+    ['width', 5000, 'file.size', 4096],
+  ])('a GIF of %s %s is rejected, with a remedy that works', async (param, value, code, remedy) => {
+    const gif = [set('film', 'name', 'a.gif'), set('film', 'width', 65)];
+    expect(await asked('film', ...gif)).toMatchObject({ kind: 'video', name: 'a.gif', width: 65 });
+    const bad = set('film', param, value);
+    expect(await refusalOf('film', ...gif, bad)).toMatchObject({
+      problem: { code, remedy: { node: 'film', param, value: remedy } },
+    });
+    expect(await refusalOf('film', ...gif, bad, set('film', param, remedy))).toMatchObject({ status: 'done' });
+  });
+
   it('false colours cannot be saved as light', async () => {
     const light = set('still', 'name', 'a.exr');
     expect(await refusalOf('still', light)).toMatchObject({ status: 'done' });

@@ -1,4 +1,5 @@
 import { extensionOf } from '../../formats/files/fileSource.ts';
+import { gifProblem, MAX_GIF_RATE, MAX_GIF_SIDE, MIN_GIF_RATE } from '../../formats/image/gif/gifLimits.ts';
 import { msg } from '../../messages/message.ts';
 import { nodeRefusal, timeParam } from '../common/params.ts';
 import { defineNode } from '../defineNode.ts';
@@ -18,7 +19,7 @@ export const saveVideoNode = defineNode({
     name: {
       kind: 'text',
       title: msg`File name`,
-      help: msg`Without folders. .mp4 is a film; .png and .exr are frames, whose numbers replace ####: film.####.png.`,
+      help: msg`Without folders. .mp4 and .gif are films; .png and .exr are frames, whose numbers replace ####: film.####.png. A .gif repeats for ever, has 256 colours, and frames of whole hundredths of a second, right on average.`,
       default: 'film.mp4',
     },
     ...pictureSizeParams,
@@ -46,12 +47,14 @@ export const saveVideoNode = defineNode({
   inputs: { image: { type: 'image' } },
   outputs: { image: { type: 'image' }, file: { type: 'file', title: msg`File` } },
   evaluate({ image }, { name, width, height, from, to, fps, hold, samples }, { node }) {
-    const called = checkedFileName(name, ['mp4', 'png', 'exr'], node);
+    const called = checkedFileName(name, ['mp4', 'gif', 'png', 'exr'], node);
     const picture = pictureToSave(image, called, node);
     const { startTime, endTime, timeCodesPerSecond } = picture.scene;
     const span = { from: from ?? startTime, to: to ?? endTime, fps: fps ?? timeCodesPerSecond };
     assertFrameRange(span, node);
-    if (extensionOf(called) === 'mp4') assertEvenSize({ width, height }, node);
+    const kind = extensionOf(called);
+    if (kind === 'mp4') assertEvenSize({ width, height }, node);
+    else if (kind === 'gif') assertGif({ width, height, fps: span.fps }, node);
     else assertFrameNumber(called, node);
     return { image, file: { kind: 'video', name: called, picture, width, height, samples, hold, ...span } };
   },
@@ -76,6 +79,18 @@ function assertEvenSize(size: Pick<VideoOutput, 'width' | 'height'>, node: strin
     const message = msg`an .mp4 needs an even width and height; ${param} is ${size[param]}`;
     throw nodeRefusal('file.even', `${node}.${param}`, message, { node, param, value: size[param] + 1 });
   }
+}
+
+function assertGif(film: Pick<VideoOutput, 'width' | 'height' | 'fps'>, node: string): void {
+  const problem = gifProblem(film, film.fps);
+  if (!problem) return;
+  const { fps } = film;
+  if (fps > MAX_GIF_RATE || fps < MIN_GIF_RATE) {
+    const value = fps > MAX_GIF_RATE ? MAX_GIF_RATE : 0.002;
+    throw nodeRefusal('file.rate', `${node}.fps`, problem, { node, param: 'fps', value });
+  }
+  const param = film.width > MAX_GIF_SIDE ? 'width' : 'height';
+  throw nodeRefusal('file.size', `${node}.${param}`, problem, { node, param, value: MAX_GIF_SIDE });
 }
 
 function assertFrameNumber(name: string, node: string): void {
