@@ -26,6 +26,7 @@ const thumbnails = {
   rush: ['--exposure', '2.5'],
   workshop: [],
   layers: ['--time', '5'],
+  checkerboards: [],
   comparison: [],
   lesson: [],
   'gods-eye': [],

@@ -1,6 +1,7 @@
 import type { GraphDocument } from '../../src/graph/document/document.ts';
 import { bouncing } from './bouncing.ts';
 import { charges } from './charges.ts';
+import { checkerboards } from './checkerboards.ts';
 import { comparison } from './comparison.ts';
 import { cradle } from './cradle.ts';
 import { fallingCloth } from './fallingCloth.ts';
@@ -20,6 +21,7 @@ export const projects: Readonly<Record<string, () => GraphDocument>> = {
   plain,
   rush,
   layers,
+  checkerboards,
   comparison,
   lesson,
   'gods-eye': godsEye,

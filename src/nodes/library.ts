@@ -29,6 +29,7 @@ import { torusNode } from './geometry/primitives/torus.ts';
 import { readNode } from './geometry/read.ts';
 import { retimeNode } from './geometry/retime.ts';
 import { subdivideNode } from './geometry/subdivide.ts';
+import { textureNode } from './geometry/texture.ts';
 import { transformNode } from './geometry/transform.ts';
 import { writeUsdNode } from './geometry/writeUsd.ts';
 import { circularNode } from './motion/circular.ts';
@@ -80,6 +81,7 @@ const types = [
   transformNode,
   instancesNode,
   materialNode,
+  textureNode,
   subdivideNode,
   mergeNode,
   lifetimeNode,

@@ -6,7 +6,7 @@ import { aovsOfFrameGraph, type CapturedBuffers, evaluateFrameGraph } from '../r
 import type { OutputLayer } from '../reference/tileRequest.ts';
 import { renderWithPool, TracerPool, tilesOf } from '../reference/tracerPool.ts';
 import type { TracerMessage, TracerReply } from '../reference/tracerServer.ts';
-import { upVector } from '../scene/lights/sceneLights.ts';
+import { backdropColors, upVector } from '../scene/lights/sceneLights.ts';
 import type { Scene } from '../scene/types.ts';
 import type { PictureSize } from '../scene/view/pictureViews.ts';
 import type { AovName, RenderSettings, ViewPoint } from '../scene/view/view.ts';
@@ -142,7 +142,8 @@ async function renderFrameGraph(
     const own = i === 0 ? first : { ...first, ...frameGraph.extraBuffers[i - 1] };
     const scene = frameGraph.extraBuffers[i - 1]?.scene ?? 0;
     const images = await draw(scene, own, names, (part) => onPart((i + part) / needed.length));
-    captured.push({ aovs: aovData(images, names), zenith: upVector((scenes[scene] ?? scenes[0]).upAxis) });
+    const of = scenes[scene] ?? scenes[0];
+    captured.push({ aovs: aovData(images, names), zenith: upVector(of.upAxis), sky: backdropColors(of) });
   }
   const light = evaluateFrameGraph({ view, settings, width, height, buffers: captured });
   const beauty = Float32Array.from(light.values);

@@ -3,6 +3,8 @@ import { degrees } from '../math/angle.ts';
 import { toMatrix } from '../math/quat.ts';
 import { gamma } from '../physics/lorentz/boost.ts';
 import { HYPERSURFACES } from '../physics/worldLines/hypersurface.ts';
+import { backdropColors } from '../scene/lights/sceneLights.ts';
+import type { SkyColors } from '../scene/lights/skyGradient.ts';
 import { type Frustum, frustumOf, pixelsPerTangent } from '../scene/view/lens.ts';
 import type { PictureSize } from '../scene/view/pictureViews.ts';
 import type { RenderSettings, ViewPoint } from '../scene/view/view.ts';
@@ -171,7 +173,15 @@ function setGroundUniforms(uniforms: FrameUniforms, { position }: ViewPoint, { s
   const [up, north] = scene.upAxis === 'Y' ? [1, 2] : [2, 1];
   const wrap = (x: number) => x - 10 * step * Math.floor(x / (10 * step));
   uniforms.zenith.value.set(0, up === 1 ? 1 : 0, up === 2 ? 1 : 0);
+  setSkyColors(uniforms, backdropColors(scene));
   uniforms.gridNorth.value.set(0, north === 1 ? 1 : 0, north === 2 ? 1 : 0);
   uniforms.gridStep.value = step;
   uniforms.ground.value.set(position[up], wrap(position[0]), wrap(position[north]));
+}
+
+/** Colours of a sky as a backdrop. */
+export function setSkyColors(uniforms: FrameUniforms, { zenith, horizon, ground }: SkyColors): void {
+  uniforms.skyZenith.value.set(...zenith);
+  uniforms.skyHorizon.value.set(...horizon);
+  uniforms.skyGround.value.set(...ground);
 }

@@ -1594,6 +1594,33 @@ const messages: Translation['messages'] = {
   'Number 3 (arg3)': '数值 3（arg3）',
   'Number 4 (arg4)': '数值 4（arg4）',
   'Shader text': '着色器文本',
+  'The background of the scene: a uniform sky, a gradient from the horizon to the zenith and to the ground, or the stars. Post process with Sky background lets distant things fade into it.':
+    '场景的背景：均匀的天空、从地平线到天顶和地面的渐变，或星空。用“后处理”的“天空背景”可让远处的物体淡入其中。',
+  Zenith: '天顶',
+  Horizon: '地平线',
+  Ground: '地面',
+  'A checkerboard or a picture on surfaces, in place of their colour. The rest of their material stays: put it after Material.':
+    '表面上的棋盘格或图片，取代其颜色。材质的其余部分不变：请放在“材质”之后。',
+  Checkerboard: '棋盘格',
+  'A PNG or JPEG.': 'PNG 或 JPEG。',
+  'First colour': '第一种颜色',
+  'Second colour': '第二种颜色',
+  Tint: '染色',
+  Texture: '纹理',
+  Filter: '过滤',
+  'Nearest: texels have sharp edges. Linear: they blend.': '最邻近：纹素边缘锐利。线性：相互融合。',
+  Nearest: '最邻近',
+  Mapping: '映射',
+  'By the surface’s own texture coordinates, or projected along the axes.': '按表面自己的纹理坐标，或沿坐标轴投影。',
+  'Its own': '自己的',
+  Projected: '投影',
+  'Cells or pictures along u': '沿 u 的格数或图片数',
+  'Cells or pictures along v': '沿 v 的格数或图片数',
+  'Size of a cell or picture': '一格或一张图片的大小',
+  '{} deforms, so that a projected texture would slide over it; use its own coordinates':
+    '{1} 会变形，投影的纹理会在其上滑动；请用它自己的坐标',
+  '{} has no texture coordinates; project the texture instead': '{1} 没有纹理坐标；请改用投影',
+  'no image is named; name a PNG or JPEG': '没有指定图像；请指定 PNG 或 JPEG',
   'Load text…': '载入文本…',
   'Save text': '保存文本',
   'Shader file': '着色器文件',
@@ -2019,7 +2046,6 @@ const messages: Translation['messages'] = {
   'A light at a position, which may move. Squares and discs emit towards their −Z.':
     '位于某处、可运动的灯。矩形与圆盘朝其 −Z 方向发光。',
   Sky: '天空',
-  'The background of the scene: a uniform sky, or the stars.': '一切物体背后的景象：均匀天空或恒星。',
   Spectrum: '光谱',
   'The spectrum of a light.': '光的成分。',
   'A camera at rest.': '一个静止的观察位置。',
@@ -3262,6 +3288,11 @@ const examples: Translation['examples'] = {
     title: '梯子与谷仓',
     lookFor:
       '16 米长的梯子以 0.6 c 穿过 14 米长的谷仓。在谷仓的参考系中它长 12.8 米，两扇门有一刻同时关闭，把它全部关在里面。在梯子的参考系中（用“同时面”视图跟随相机 /World/Rider），谷仓长 11.2 米，两扇门从不同时关闭。',
+  },
+  checkerboards: {
+    title: '棋盘格',
+    lookFor:
+      'Slowlight 所遵循的程序（朱雨田、刘子潮、夏子汐，2024，图 14）的完整节点图及其测试场景：方块掠过、球在棋盘格地板上方旋转，光速为 10 m/s。环境光遮蔽经过平滑，由用 GLSL 编写的效果与画面相乘；远处的物体淡入天空；再混入十分之一普通渲染器的画面，显示一切当时在哪里。',
   },
   'hanging-cloth': {
     title: '悬挂的布',

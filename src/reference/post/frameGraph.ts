@@ -1,6 +1,7 @@
 import type { Vec3 } from '../../math/vec3.ts';
 import { EFFECTS } from '../../scene/frameGraph/effects.ts';
 import { type FrameGraph, type FrameGraphPass, inputImages } from '../../scene/frameGraph/frameGraph.ts';
+import type { SkyColors } from '../../scene/lights/skyGradient.ts';
 import { readShaderText } from '../../scene/shaderText/shaderText.ts';
 import type { AovName, RenderSettings, ViewPoint } from '../../scene/view/view.ts';
 import { bufferSettings } from '../../scene/view/view.ts';
@@ -17,6 +18,8 @@ export interface CapturedBuffer {
   readonly aovs: ReadonlyMap<AovName, Float32Array>;
   /** The scene's upward direction: unit, world frame. */
   readonly zenith: Vec3;
+  /** Colours of its sky as a backdrop. */
+  readonly sky?: SkyColors;
 }
 
 export interface CapturedBuffers {
@@ -77,13 +80,13 @@ function evaluatePass(
     case 'occlusion':
       return opennessImage(captured.buffers[pass.buffer]!, width, height);
     case 'effect': {
-      const { aovs, zenith } = captured.buffers[pass.buffer]!;
+      const { aovs, zenith, sky } = captured.buffers[pass.buffer]!;
       const settings = bufferSettings(captured.settings, pass.buffer);
       const of = typeof pass.effect === 'string' ? pass.effect : readShaderText(pass.effect.text);
       return applyEffect(
         of,
         pass.args,
-        { image: image(pass.image), aovs, view, settings, zenith },
+        { image: image(pass.image), aovs, view, settings, zenith, ...(sky && { sky }) },
         optional(pass.mask),
         optional(pass.second),
       );

@@ -1,5 +1,8 @@
 import { uniform } from 'three/tsl';
 import { Matrix3, Vector2, Vector3 } from 'three/webgpu';
+import { backdropColors } from '../../scene/lights/sceneLights.ts';
+
+const DAY = backdropColors({ lights: [] });
 
 /** Uniforms that all passes of a picture read, written once per picture. */
 export function makeFrameUniforms() {
@@ -32,6 +35,10 @@ export function makeFrameUniforms() {
     orientation: uniform(new Matrix3()),
     /** Unit, world frame. */
     zenith: uniform(new Vector3(0, 1, 0)),
+    /** Colours of the scene's sky as a backdrop, linear sRGB. */
+    skyZenith: uniform(new Vector3(...DAY.zenith)),
+    skyHorizon: uniform(new Vector3(...DAY.horizon)),
+    skyGround: uniform(new Vector3(...DAY.ground)),
     /** Height of the observer above the ground [m], and its coordinates along the ground's two axes, modulo ten grid steps. */
     ground: uniform(new Vector3()),
     gridStep: uniform(1),

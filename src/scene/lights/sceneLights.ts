@@ -4,6 +4,7 @@ import { spectrumOfColor } from '../../spectrum/color/spectrumOfColor.ts';
 import type { Scene } from '../types.ts';
 import type { DistantLight, DomeLight, Light, LocalLight, NightSky } from './light.ts';
 import { isDistantLight, isDomeLight, isLocalLight, isNightSky } from './lightKinds.ts';
+import type { SkyColors } from './skyGradient.ts';
 
 // The lights and the sky of a scene: its own, or those of a clear day.
 
@@ -52,6 +53,12 @@ function withSpectrum(light: DirectLight): DirectLight {
 /** The dome light; a clear day's sky if there is none, or darkness under a night sky. */
 export const sceneDome = ({ lights }: Pick<Scene, 'lights'>): DomeLight =>
   lights.find(isDomeLight) ?? (sceneNightSky({ lights }) ? DARKNESS : DAY_SKY);
+
+/** The colours of a clear day's sky as a backdrop: those of the scene's own gradient, else of the default sky. */
+export function backdropColors({ lights }: Pick<Scene, 'lights'>): SkyColors {
+  const { color, gradient } = lights.find(isDomeLight) ?? DAY_SKY;
+  return gradient ? { zenith: color, ...gradient } : { zenith: DAY_SKY.color, ...DAY_SKY.gradient };
+}
 
 /** Whether the scene has a dome of its own, which may be reddened as at dusk. */
 export const hasDomeLight = ({ lights }: Pick<Scene, 'lights'>): boolean => lights.some(isDomeLight);

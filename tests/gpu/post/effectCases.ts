@@ -90,6 +90,7 @@ function scene(): EffectInput {
     view: VIEW,
     settings: SETTINGS,
     zenith: ZENITH,
+    sky: { zenith: [0.5, 0.1, 0.3], horizon: [1.2, 0.4, 0.1], ground: [0.02, 0.05, 0.01] },
   };
 }
 

@@ -2,6 +2,7 @@ import { DataTexture, FloatType, RGBAFormat, RGFormat } from 'three/webgpu';
 import { toMatrix } from '../../../src/math/quat.ts';
 import { gamma } from '../../../src/physics/lorentz/boost.ts';
 import type { EffectInput, FloatImage } from '../../../src/reference/post/effects/effectInput.ts';
+import { setSkyColors } from '../../../src/render/frameSetup.ts';
 import { dataTarget } from '../../../src/render/gbuffer/gbuffer.ts';
 import { readFloats } from '../../../src/render/gbuffer/readback.ts';
 import type { Gpu } from '../../../src/render/gpu/device.ts';
@@ -56,7 +57,7 @@ function passesOf(of: EffectCase, picture: EffectInput): EffectPasses {
 }
 
 /** The uniforms that the renderer sets per picture. */
-export function uniformsOf({ view, image, zenith, settings }: EffectInput) {
+export function uniformsOf({ view, image, zenith, sky, settings }: EffectInput) {
   const uniforms = makeFrameUniforms();
   const { tanX, tanY, center } = frustumOf(view.lens, image.width, image.height);
   uniforms.u.value.set(...view.u);
@@ -66,6 +67,7 @@ export function uniformsOf({ view, image, zenith, settings }: EffectInput) {
   uniforms.frustumCenter.value.set(...center);
   uniforms.orientation.value.fromArray([...toMatrix(view.orientation)]).transpose();
   uniforms.zenith.value.set(...zenith);
+  if (sky) setSkyColors(uniforms, sky);
   return uniforms;
 }
 

@@ -1,5 +1,7 @@
 import { conjugate, rotate, toMatrix } from '../../../math/quat.ts';
 import { normalize, scale, sub, type Vec3 } from '../../../math/vec3.ts';
+import { backdropColors } from '../../../scene/lights/sceneLights.ts';
+import type { SkyColors } from '../../../scene/lights/skyGradient.ts';
 import { type Frustum, frustumOf } from '../../../scene/view/lens.ts';
 import type { AovName, RenderSettings, ViewPoint } from '../../../scene/view/view.ts';
 import { cameraRay } from '../../camera/cameraRay.ts';
@@ -58,6 +60,8 @@ export interface EffectInput {
   readonly settings: RenderSettings;
   /** The scene's upward direction: unit, world frame. */
   readonly zenith: Vec3;
+  /** Colours of the sky as a backdrop; those of a clear day if absent. */
+  readonly sky?: SkyColors;
 }
 
 /** Reads a picture's G-buffer at pixels, mirrored beyond the borders. */
@@ -65,12 +69,14 @@ export class GBufferReader {
   readonly image: FloatImage;
   readonly frustum: Frustum;
   readonly zenith: Vec3;
+  readonly sky: SkyColors;
   private readonly input: EffectInput;
 
   constructor(source: EffectInput) {
     this.input = source;
     this.image = source.image;
     this.zenith = source.zenith;
+    this.sky = source.sky ?? backdropColors({ lights: [] });
     this.frustum = frustumOf(source.view.lens, this.image.width, this.image.height);
   }
 
