@@ -82,6 +82,11 @@ export interface SceneObject {
   /** When it exists. */
   readonly lifetime: Lifetime;
   /**
+   * Path of the thing of which this is one piece, absent of a whole: a thing that exists at several times, or has several topologies one after another, is
+   * several objects with lifetimes that do not overlap.
+   */
+  readonly pieceOf?: string;
+  /**
    * `world`: at each world time the object has the shape as written. `rest`: the mesh is the shape in the object's rest frame, so in the world it is
    * contracted along its velocity.
    */

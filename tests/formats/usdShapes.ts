@@ -106,12 +106,18 @@ const motion: ClaimGroup = {
       ),
       (s) => expect(paths(s)).toEqual(['/Rest']),
     ),
+    read(
+      '`visibility` over time, with that of the prims above',
+      'lifetimes, half-open: an object for each time in which it is visible, `/Thing/piece1` and so on; of lights with a place too',
+      usd(def('Cube', 'token visibility.timeSamples = { 0: "inherited", 9: "invisible", 24: "inherited" }')),
+      (s) => expect(paths(s)).toEqual(expect.arrayContaining(['/A/piece1', '/A/piece2'])),
+    ),
     approximated(
-      'animated `visibility`',
+      '`visibility` over time of a distant or dome light',
       'held at its initial value',
       'usd.animated-visibility',
-      usd(def('Cube', 'token visibility.timeSamples = { 0: "inherited", 9: "invisible" }')),
-      (s) => expect(paths(s)).toContain('/A'),
+      usd('def DistantLight "Sun" { token visibility.timeSamples = { 0: "inherited", 9: "invisible" } }'),
+      (s) => expect(s.lights).toHaveLength(1),
     ),
     approximated(
       'a path that rotates too fast between its samples to be resampled within tolerance',
@@ -133,6 +139,14 @@ const motion: ClaimGroup = {
     ),
   ],
 };
+
+/** A square, from code 9 on a triangle elsewhere. */
+const CHANGING_FACE = `int[] faceVertexCounts.timeSamples = { 0: [4], 9: [3] }
+  int[] faceVertexIndices.timeSamples = { 0: [0, 1, 2, 3], 9: [0, 1, 2] }
+  point3f[] points.timeSamples = { 0: [(0, 0, 0), (1, 0, 0), (1, 1, 0), (0, 1, 0)], 9: [(0, 0, 1), (1, 0, 1), (1, 1, 1)] }
+  uniform token subdivisionScheme = "none"`;
+const CHANGING_VELOCITIES = `vector3f[] velocities.timeSamples = {
+  0: [(0, 0, 2), (0, 0, 2), (0, 0, 2), (0, 0, 2)], 9: [(0, 0, 2), (0, 0, 2), (0, 0, 2)] }`;
 
 const PYRAMID = `int[] faceVertexCounts = [3, 3, 3, 3]; int[] faceVertexIndices = [0, 2, 1, 0, 1, 3, 1, 2, 3, 2, 0, 3]
   point3f[] points = [(0, 0, 0), (1, 0, 0), (0, 1, 0), (0, 0, 1)]`;
@@ -213,16 +227,28 @@ const geometry: ClaimGroup = {
       usd(def('Cube', 'color3f[] primvars:displayColor = [(1, 0, 0)]\nfloat[] primvars:displayOpacity = [0.5]')),
       (s) => expect(s.materials[0]).toMatchObject({ baseColor: [1, 0, 0], opacity: 0.5 }),
     ),
+    read(
+      'topology, number of points and faces of subsets over time, with `velocities`',
+      'a sequence of meshes (`/Thing/piece1` …), each alive from its sample to the next; its points are those of its sample and move on with their velocities until the next',
+      usd(def('Mesh', `${CHANGING_FACE}\n${CHANGING_VELOCITIES}`)),
+      (s) => expect(s.objects.filter(({ pieceOf }) => pieceOf === '/A')).toHaveLength(2),
+      { says: 'usd.topology' },
+    ),
     approximated(
-      'animated topology or number of points',
-      'the shape is held at its initial state',
+      'the same without `velocities`',
+      'each mesh rests until the next, so it shows no Doppler effect of its own; where the number of points stays, they go straight from sample to sample',
       'usd.topology',
-      usd(
-        def(
-          'Mesh',
-          FACE.replace('faceVertexCounts =', 'faceVertexCounts.timeSamples = { 0:').replace('[4];', '[4], 9: [3] };'),
+      usd(def('Mesh', CHANGING_FACE)),
+      (s) =>
+        expect(s.objects.filter(({ motion }) => motion.kind === 'static').map(({ path }) => path)).toEqual(
+          expect.arrayContaining(['/A/piece1', '/A/piece2']),
         ),
-      ),
+    ),
+    approximated(
+      'topology over time of skinned meshes',
+      'held at its initial state',
+      'usd.topology',
+      usd(def('Mesh', `${CHANGING_FACE}\nrel skel:skeleton = </None>`)),
       (s) => expect(paths(s)).toContain('/A'),
     ),
     approximated(

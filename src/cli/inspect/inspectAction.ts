@@ -2,7 +2,7 @@ import { degrees } from '../../math/angle.ts';
 import { type LocalizedText, listed, type Message, msg } from '../../messages/message.ts';
 import type { Light } from '../../scene/lights/light.ts';
 import { fastestVertex, pointSamples, sampleTimes } from '../../scene/motion/motion.ts';
-import type { Motion } from '../../scene/motion/motionTypes.ts';
+import type { Lifetime, Motion } from '../../scene/motion/motionTypes.ts';
 import type { Scene, SceneObject, VariantSet } from '../../scene/types.ts';
 import { validate } from '../../scene/validation/validate.ts';
 import { openSceneWithFlags } from '../flags/openScene.ts';
@@ -50,7 +50,11 @@ function summarize(scene: Scene, c: number) {
     pathError: Number.isFinite(scene.pathError) ? scene.pathError : undefined,
     variants: scene.variants ?? [],
     objects,
-    lights: scene.lights.map(({ kind, path }) => ({ kind, path })),
+    lights: scene.lights.map((light) => ({
+      kind: light.kind,
+      path: light.path,
+      ...('lifetime' in light && lifeOf(light.lifetime)),
+    })),
     cameras: scene.cameras.map(({ path, motion, fovY }) => ({
       path,
       motion: motion.kind,
@@ -60,7 +64,7 @@ function summarize(scene: Scene, c: number) {
   };
 }
 
-function summarizeObject({ path, mesh, motion, lifetime, authoredIn }: SceneObject) {
+function summarizeObject({ path, mesh, motion, lifetime, authoredIn, pieceOf }: SceneObject) {
   const points = pointSamples(motion);
   return {
     path,
@@ -70,11 +74,16 @@ function summarizeObject({ path, mesh, motion, lifetime, authoredIn }: SceneObje
     samples: sampleTimes(motion)?.length ?? 0,
     ...(points && { interpolation: points.velocities ? 'cubic' : 'linear' }),
     authoredIn,
-    // Infinite bounds are omitted: JSON has no infinity.
-    birth: Number.isFinite(lifetime.birth) ? lifetime.birth : undefined,
-    death: Number.isFinite(lifetime.death) ? lifetime.death : undefined,
+    ...lifeOf(lifetime),
+    pieceOf,
   };
 }
+
+/** Infinite bounds are omitted: JSON has no infinity. */
+const lifeOf = ({ birth, death }: Lifetime) => ({
+  birth: Number.isFinite(birth) ? birth : undefined,
+  death: Number.isFinite(death) ? death : undefined,
+});
 
 /** The fastest point of the scene; undefined if nothing moves. */
 function fastestPoint(scene: Scene, c: number) {
@@ -157,21 +166,50 @@ const LIGHTS: Readonly<Record<Light['kind'], Message>> = {
   stars: msg`stars light`,
 };
 
+/** Pieces of one thing that are listed; of others only the number. */
+const LISTED_PIECES = 6;
+
 function treeEntries(s: Summary): { path: string; note: string }[] {
-  const objects = s.objects.map(({ path, ...o }) => {
+  const pieces = new Map<string, number>();
+  for (const { pieceOf } of s.objects) if (pieceOf !== undefined) pieces.set(pieceOf, (pieces.get(pieceOf) ?? 0) + 1);
+  const isListed = lister(pieces);
+  const objects = s.objects.filter(isListed).map(({ path, ...o }) => {
     const motion = o.interpolation === 'cubic' ? msg`${MOTIONS[o.motion]} along cubics` : MOTIONS[o.motion];
     const facts = [
       counted(o.triangles, COUNTED.triangles),
       ...(o.samples > 0 ? [motion, counted(o.samples, COUNTED.samples)] : [MOTIONS[o.motion]]),
       ...(o.authoredIn === 'rest' ? [msg`authored at rest`] : []),
-      ...(o.birth !== undefined || o.death !== undefined ? [msg`lives ${o.birth ?? '−∞'} … ${o.death ?? '∞'} s`] : []),
+      ...lifeFact(o),
     ];
     return { path, note: localized(listed(facts)) };
   });
-  const lights = s.lights.map(({ path, kind }) => ({ path, note: localized(LIGHTS[kind]) }));
+  const wholes = [...pieces].map(([path, n]) => ({ path, note: localized(piecesNote(n)) }));
+  const lights = s.lights.map(({ path, kind, ...life }) => ({
+    path,
+    note: localized(listed([LIGHTS[kind], ...lifeFact(life)])),
+  }));
   const cameras = s.cameras.map(({ path, motion, fov }) => ({
     path,
     note: localized(msg`camera, ${MOTIONS[motion]}, ${fov.toFixed(1)}° high`),
   }));
-  return [...objects, ...lights, ...cameras];
+  return [...wholes, ...objects, ...lights, ...cameras];
+}
+
+const lifeFact = ({ birth, death }: { readonly birth?: number; readonly death?: number }): readonly Message[] =>
+  birth !== undefined || death !== undefined ? [msg`lives ${birth ?? '−∞'} … ${death ?? '∞'} s`] : [];
+
+const piecesNote = (n: number): Message =>
+  n > LISTED_PIECES
+    ? msg`${n} pieces that take turns, of which the first ${LISTED_PIECES} are listed`
+    : msg`${n} pieces that take turns`;
+
+/** Accepts wholes, and the first pieces of each thing. */
+function lister(pieces: ReadonlyMap<string, number>): (object: { readonly pieceOf?: string | undefined }) => boolean {
+  const left = new Map([...pieces.keys()].map((path) => [path, LISTED_PIECES]));
+  return ({ pieceOf }) => {
+    if (pieceOf === undefined) return true;
+    const n = left.get(pieceOf) ?? 0;
+    left.set(pieceOf, n - 1);
+    return n > 0;
+  };
 }

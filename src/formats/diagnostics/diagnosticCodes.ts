@@ -52,7 +52,7 @@ export const DIAGNOSTIC_CODES = {
   'usd.too-many-layers': 'more layers than the limit of a stage',
   'usd.too-many-prims': 'more prims than the limit of a stage',
   'usd.too-many-arcs': 'more opinions than the limit of a prim or a stage',
-  'usd.too-many-instances': 'an instancer with more objects than the limit of a scene',
+  'usd.too-many-instances': 'an instancer, or lives of a prim, with more objects than the limit of a scene',
   'usd.too-deep': 'prims or arcs that are nested too deeply',
   'usd.cycle': 'layers or arcs that refer back to themselves',
   'usd.unresolved-prim': 'an arc to a prim that does not exist',
@@ -67,7 +67,7 @@ export const DIAGNOSTIC_CODES = {
   'usd.unsupported-prim': 'an unsupported type of prim',
   'usd.undefined-prim': 'a prim that is only an over: it is not defined',
   'usd.xform-op': 'an unknown transform op, or one without a value',
-  'usd.animated-visibility': 'animated visibility, which keeps its value at the start',
+  'usd.animated-visibility': 'animated visibility of a light without a lifetime, which keeps its value at the start',
   'usd.animated-size': 'an animated size, which keeps its value at the start',
   'usd.animated-lens': 'an animated lens, which keeps its value at the start',
   'usd.animated-light': 'an animated light, which keeps its value at the start',
@@ -75,7 +75,8 @@ export const DIAGNOSTIC_CODES = {
   'usd.projection': 'an orthographic camera, read as a perspective one',
   'usd.empty-mesh': 'a mesh without points or faces',
   'usd.faces': 'faces with fewer than 3 corners, or with indices of missing points',
-  'usd.topology': 'an animated topology, which stays as it is at the start',
+  'usd.topology':
+    'a topology that changes: meshes that take turns, at rest without velocities; of skinned meshes it stays as at the start',
   'usd.subset': 'a subset that is not one of faces',
   'usd.subdivision': 'a subdivision surface that is refined less than requested, or drawn as its polygons',
   'usd.primvar': 'a primvar whose values do not fit the mesh',
@@ -94,7 +95,7 @@ export const DIAGNOSTIC_CODES = {
   'usd.between-samples':
     'a mesh whose positions between samples depend on the interpolation, or that can only be interpolated linearly',
   'usd.velocities': 'velocities that do not fit the points, from which they are computed instead',
-  'usd.sample-budget': 'a deforming mesh with more samples than fit into memory',
+  'usd.sample-budget': 'a deforming mesh with more samples than fit into memory, or one with more topologies',
   'usd.slowlight': 'attributes of Slowlight that are contradictory or unknown',
 
   'gltf.damaged': 'damaged JSON or data URI',

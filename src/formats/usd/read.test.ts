@@ -149,8 +149,10 @@ def Material "M" {
       'file.missing-texture a.usda</M/T>: the texture tex/none.png is not there (looked for tex/none.png); shown without it',
       'usd.faces a.usda</BadFaces>: 3 of 4 faces have fewer than 3 corners or name points that are not there; they are left out',
       'usd.primvar a.usda</BadFaces>: primvars:st has 1 values where 3 are needed; it is left out',
+      'usd.topology a.usda</Changing>: its topology changes: 2 meshes take turns, each alive until the next; 2 of them have no velocities, so they rest while they live and show no Doppler effect of their own (write velocities)',
       'usd.material a.usda</Changing>: its material /Missing is not in this file; its displayColor is drawn',
-      'usd.topology a.usda</Changing>: the number of points changes with time; the shape is held at the start',
+      'usd.faces a.usda</Changing>: 1 of 1 faces have fewer than 3 corners or name points that are not there; they are left out',
+      'usd.empty-mesh a.usda</Changing>: the mesh has no faces; it is left out',
     ]);
     // One triangle, subdivided twice.
     expect(scene.objects[0].mesh.indices.length).toBe(12 * 6 * 4 ** 2);

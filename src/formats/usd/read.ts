@@ -130,17 +130,21 @@ function sceneHeader(context: StageContext, entry: string) {
   };
 }
 
-/** As written, else what the samples span [s]. */
+/** As written, else what the samples span, and the times at which one piece follows another [s]. */
 function timeRange(context: StageContext, { objects, cameras }: StageContents) {
   const start = metadataNumber(context.layer.metadata, 'startTimeCode');
   const end = metadataNumber(context.layer.metadata, 'endTimeCode');
   let [first, last] = [Infinity, -Infinity];
+  const include = (time: number): void => {
+    first = Math.min(first, time);
+    last = Math.max(last, time);
+  };
   for (const { motion } of [...objects, ...cameras]) {
     const times = sampleTimes(motion);
-    if (!times) continue;
-    first = Math.min(first, times[0]);
-    last = Math.max(last, times[times.length - 1]);
+    if (times) [times[0], times[times.length - 1]].forEach(include);
   }
+  for (const { pieceOf, lifetime } of objects)
+    if (pieceOf !== undefined) [lifetime.birth, lifetime.death].filter(Number.isFinite).forEach(include);
   const startTime = start !== undefined ? start / context.codesPerSecond : Number.isFinite(first) ? first : 0;
   const endTime = end !== undefined ? end / context.codesPerSecond : Math.max(startTime, last);
   return { startTime, endTime: Math.max(startTime, endTime) };

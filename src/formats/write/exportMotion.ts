@@ -5,6 +5,7 @@ import { SPEED_OF_LIGHT } from '../../physics/constants.ts';
 import { boundingSphere } from '../../scene/bounds/bounds.ts';
 import { deformedNormals, smoothingGroups } from '../../scene/mesh/normals.ts';
 import { withoutQuadric } from '../../scene/mesh/quadric.ts';
+import { isAlive, isEternal } from '../../scene/motion/lifetimes.ts';
 import { poseAt, poseSamples, restToWorld, vertexPositions } from '../../scene/motion/motion.ts';
 import { samplePose } from '../../scene/motion/poses.ts';
 import { sampleMotion } from '../../scene/motion/resample.ts';
@@ -36,28 +37,48 @@ export interface ExportedScene {
 }
 
 /**
- * Objects for formats without relativity: geometry in the world frame, motions sampled over the scene's time range. Losses
+ * Objects for formats without relativity: geometry in the world frame, motions sampled over the scene's time range, of pieces that take turns one. Losses
  * are reported in `losses`.
  */
 export function exportObjects(
   scene: Scene,
   losses: DiagnosticLog,
 ): (SceneObject & { readonly motion: ExportMotion })[] {
-  const c = scene.hints.speedOfLight ?? SPEED_OF_LIGHT;
-  return scene.objects.map((object) => {
+  return [...turnsByPath(scene.objects)].map(([path, turns]) => {
+    const object = turns.find(({ lifetime }) => isAlive(lifetime, scene.startTime)) ?? turns[0];
     const { birth, death } = object.lifetime;
-    if (Number.isFinite(birth) || Number.isFinite(death))
+    if (turns.length > 1)
+      losses.add(
+        'warning',
+        'convert.lifetime',
+        path,
+        msg`it is ${turns.length} pieces that take turns; only that of ${birth} to ${death} s is written, and there it always is`,
+      );
+    else if (!isEternal(object.lifetime))
       losses.add(
         'warning',
         'convert.lifetime',
         object.path,
         msg`it lives from ${birth} to ${death} s; there it always is`,
       );
-    return { ...object, ...exportObject(object, scene, c, losses) };
+    return { ...object, ...exportObject(object, scene, losses) };
   });
 }
 
-function exportObject(object: SceneObject, scene: Scene, c: number, losses: DiagnosticLog) {
+/** Objects, and all pieces of each thing, by the path of the whole. */
+function turnsByPath(objects: readonly SceneObject[]): ReadonlyMap<string, readonly SceneObject[]> {
+  const turns = new Map<string, SceneObject[]>();
+  for (const object of objects) {
+    const path = object.pieceOf ?? object.path;
+    const own = turns.get(path);
+    if (own) own.push(object);
+    else turns.set(path, [object]);
+  }
+  return turns;
+}
+
+function exportObject(object: SceneObject, scene: Scene, losses: DiagnosticLog) {
+  const c = scene.hints.speedOfLight ?? SPEED_OF_LIGHT;
   const own = restToWorld(object, c);
   const { motion } = own;
   if (isExportable(motion)) return { mesh: own.mesh, motion };
@@ -120,12 +141,16 @@ export function exportPoses(motion: ExportMotion): readonly Pose[] {
   return Array.from(samples.times, (_, i) => samplePose(samples.poses, i));
 }
 
-/** The scene with all motions expressible without relativity; losses are added to `notes`. */
+/** The scene with all motions expressible without relativity, and its lifetimes; losses are added to `notes`. */
 export function exportSampledScene(scene: Scene, notes: DiagnosticLog): Scene {
   return {
     ...scene,
     endTime: Math.max(scene.endTime, scene.startTime + 1),
-    objects: exportObjects(scene, notes).map((object) => ({ ...object, authoredIn: 'world' })),
+    objects: scene.objects.map((object) => ({
+      ...object,
+      ...exportObject(object, scene, notes),
+      authoredIn: 'world',
+    })),
     lights: scene.lights.map((light) =>
       'motion' in light ? { ...light, motion: exportRigidMotion(light.motion, scene, light.path, notes) } : light,
     ),

@@ -50,8 +50,18 @@ const messages: Translation['messages'] = {
   'metersPerUnit is not written; one unit is taken as 1 cm, as USD says':
     '没有写明 metersPerUnit；已按 USD 的规定取一个单位为 1 cm',
   "an 'over' changes this prim, and nothing defines it; it is left out": '有“over”更改此 prim，却没有定义它；已去掉',
-  'its visibility changes with time; it is held at the start (slowlight:birth and slowlight:death can say when it exists)':
-    '其可见性随时间变化；已保持起始时的值（可用 slowlight:birth 和 slowlight:death 说明它何时存在）',
+  'its visibility changes with time, and a {} has no lifetime: it is held at the start':
+    '其可见性随时间变化，而 {1} 没有存在时间：已保持起始时的值',
+  'its topology changes: {} meshes take turns, each alive until the next':
+    '其拓扑随时间变化：{1} 个网格依次出现，每个存在到下一个出现为止',
+  'its topology changes: {} meshes take turns, each alive until the next; {} of them have no velocities, so they rest while they live and show no Doppler effect of their own (write velocities)':
+    '其拓扑随时间变化：{1} 个网格依次出现，每个存在到下一个出现为止；其中 {2} 个没有速度，因而在存在期间静止，不显示自身的多普勒效应（请写出 velocities）',
+  'its topology changes {} times, more than there is room for; {} of its shapes are shown, each until the next (write fewer samples, or smaller ones)':
+    '其拓扑变化 {1} 次，超出容量；已显示其中 {2} 个形状，每个显示到下一个为止（请写出更少或更小的样本）',
+  'its topology changes with time, and it may be skinned: it is held at the start':
+    '其拓扑随时间变化，而它可能带有蒙皮：已保持起始时的值',
+  'it exists at {} separate times, and a scene has room for {} more objects; the first are shown':
+    '它在 {1} 段分开的时间内存在，而场景只能再容纳 {2} 个物体；已显示最前面的',
   "xformOpOrder names '{}', which is no transform of this prim; it is left out":
     'xformOpOrder 列出了“{1}”，它不是此 prim 的变换；已去掉',
   'xformOpOrder names {} transforms; the first {} are used (write their product as one matrix)':
@@ -74,7 +84,6 @@ const messages: Translation['messages'] = {
   'the mesh has no faces; it is left out': '网格没有面；已去掉',
   '{} of {} faces have fewer than 3 corners or name points that are not there; they are left out':
     '{2} 个面中有 {1} 个的角不足 3 个，或用到不存在的点；已去掉这些面',
-  'the number of points changes with time; the shape is held at the start': '点数随时间变化；已保持起始时的形状',
   'its velocities are not given for each of {} points at each of {} samples; they are taken from the points':
     '没有为 {1} 个点在 {2} 个样本处都给出速度；已由点的位置求得',
   "its {} vertices at {} times take more memory than there is for a scene's points; {} of the times are used":
@@ -817,6 +826,8 @@ const messages: Translation['messages'] = {
   '{} is too large a number': '{1} 这个数太大',
 
   // What a file cannot hold
+  'it is {} pieces that take turns; only that of {} to {} s is written, and there it always is':
+    '它由 {1} 个依次出现的部分组成；只写出了 {2} 至 {3} s 的那一个，在那个文件中它始终存在',
   'it lives from {} to {} s; there it always is': '它只存在于 {1} 至 {2} s；在那个文件中它始终存在',
   '{} is sampled from {} to {} s; before and after it rests': '{1}在 {2} 至 {3} s 之间采样；之前和之后静止',
   'its uniform motion': '其匀速运动',
@@ -3031,6 +3042,8 @@ const messages: Translation['messages'] = {
   'stars light': '星空光',
   'authored at rest': '以静止形状制作',
   'lives {} … {} s': '存在于 {1} … {2} s',
+  '{} pieces that take turns': '{1} 个依次出现的部分',
+  '{} pieces that take turns, of which the first {} are listed': '{1} 个依次出现的部分，列出其中最前面的 {2} 个',
   'camera, {}, {}° high': '相机、{1}、垂直视角 {2}°',
   // compare
   'Compares two pictures: statistics and an error map.': '比较两幅图像：统计数据与误差图。',

@@ -1,5 +1,4 @@
 import { addScaled, normalize, type Vec3 } from '../../math/vec3.ts';
-import type { Lifetime } from '../../scene/types.ts';
 import type { Hit, RayFilter, SpacetimeRay } from './ray.ts';
 
 /** The intersection of a ray with a surface in minimal form; `ObjectIntersector.hitAt` computes the rest. */
@@ -113,10 +112,7 @@ export function createHit(
   };
 }
 
-export const isUnlimited = ({ birth, death }: Lifetime): boolean =>
-  birth === Number.NEGATIVE_INFINITY && death === Number.POSITIVE_INFINITY;
-
-/** The part of [begin, end] in which the ray's time is within [from, to] (world times [s]); empty if its first number is the greater one. */
+/** The part of [begin, end] in which the ray's time is within [from, to) (world times [s]), with the end itself where time passes along the ray; empty if its first number is the greater one. */
 export function clipToTimes(
   { t, dt }: SpacetimeRay,
   from: number,
@@ -125,7 +121,7 @@ export function clipToTimes(
   begin: number,
   end: number,
 ): readonly [begin: number, end: number] {
-  if (dt === 0) return from <= t && t <= to ? [begin, end] : [1, 0];
+  if (dt === 0) return from <= t && t < to ? [begin, end] : [1, 0];
   const a = ((from - t) * c) / dt;
   const b = ((to - t) * c) / dt;
   return [Math.max(begin, Math.min(a, b)), Math.min(end, Math.max(a, b))];

@@ -3,6 +3,7 @@ import { conjugate, rotate, toMatrix } from '../../math/quat.ts';
 import { add, scale, type Vec3 } from '../../math/vec3.ts';
 import { gamma, properVelocity } from '../../physics/lorentz/boost.ts';
 import { contraction } from '../../physics/worldLines/simultaneity.ts';
+import { isEternal } from '../../scene/motion/lifetimes.ts';
 import type { Pose, SceneObject, UniformMotion } from '../../scene/types.ts';
 import { emptyBox, growBox } from '../acceleration/bvh.ts';
 import { BvhTraversal } from '../acceleration/bvhTraversal.ts';
@@ -11,7 +12,6 @@ import {
   type Crossing,
   clipToTimes,
   createHit,
-  isUnlimited,
   type MovingBox,
   type ObjectIntersector,
   type RayQuery,
@@ -61,7 +61,7 @@ export class RigidIntersector implements ObjectIntersector {
     this.toObject = Float64Array.from(
       object.authoredIn === 'rest' ? multiply(toOwnAxes, lengthening(this.u)) : toOwnAxes,
     );
-    this.hasLifetime = !isUnlimited(object.lifetime);
+    this.hasLifetime = !isEternal(object.lifetime);
   }
 
   get bounds(): MovingBox | undefined {

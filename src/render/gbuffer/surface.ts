@@ -138,7 +138,7 @@ export function readSurface(sources: SurfaceSources): Surface {
   // Before any discard, because it needs derivatives between neighbouring fragments.
   const normal = textures.normal ? mappedNormal(textures.normal, normalOcclusion.xy, mapSurface).toVar() : smooth;
   const delay = event.w.sub(vEvent.w).toVar();
-  const alive = vLife.x.add(delay).greaterThanEqual(0).and(vLife.y.sub(delay).greaterThanEqual(0));
+  const alive = vLife.x.add(delay).greaterThanEqual(0).and(vLife.y.sub(delay).greaterThan(0));
   Discard(alive.not().or(vNormal.w.lessThan(0.9999)).or(color.w.lessThan(glow.w)));
   const dx = event.xyz.toVar();
   const D = mix(1, dopplerFactor(dx, u, gamma, velocity), boostLight);

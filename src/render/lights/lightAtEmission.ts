@@ -66,7 +66,7 @@ interface Alive {
 
 function aliveFactorAt({ life, exists, time }: Alive, delay: Float | undefined): Float {
   const emitted = (delay ? time.add(delay) : time).toVar();
-  const alive = emitted.greaterThanEqual(life.x).and(emitted.lessThanEqual(life.y));
+  const alive = emitted.greaterThanEqual(life.x).and(emitted.lessThan(life.y));
   return select(exists ? alive.and(exists) : alive, 1, 0);
 }
 

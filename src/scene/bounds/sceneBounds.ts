@@ -1,6 +1,7 @@
 import type { ObserverEvent } from '../../physics/worldLines/kinds/worldLineKind.ts';
 import { emissionTime } from '../../physics/worldLines/lightCone.ts';
 import type { WorldLine } from '../../physics/worldLines/worldLine.ts';
+import { isAlive } from '../motion/lifetimes.ts';
 import { motionKind } from '../motion/motions.ts';
 import type { Scene, SceneObject } from '../types.ts';
 import { type BoundingBox, boundingBox } from './bounds.ts';
@@ -27,7 +28,7 @@ export const objectBounds = (object: SceneObject, t: number, c: number): Boundin
 export function sceneBounds(scene: Scene, t: number, c: number): BoundingBox | undefined {
   const corners: number[] = [];
   for (const object of scene.objects) {
-    if (t < object.lifetime.birth || t > object.lifetime.death) continue;
+    if (!isAlive(object.lifetime, t)) continue;
     const box = objectBounds(object, t, c);
     if (box) corners.push(...box.min, ...box.max);
   }

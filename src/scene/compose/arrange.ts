@@ -1,6 +1,6 @@
 import { fromAxisAngle, IDENTITY, type Quat, rotate } from '../../math/quat.ts';
 import { scale, type Vec3 } from '../../math/vec3.ts';
-import type { Scene } from '../types.ts';
+import type { Scene, SceneObject } from '../types.ts';
 import { transformObject } from './transformScene.ts';
 
 /** Pose of one copy: rotated, then translated [m]. */
@@ -23,12 +23,18 @@ export function arrangeCopies(scene: Scene, poses: readonly InstancePose[]): Sce
     latest.set(path, n);
     return `${path}/copy${n}`;
   };
-  const objects = poses.flatMap((pose, i) =>
-    scene.objects.map((object) => {
+  const objects = poses.flatMap((pose, i) => {
+    const wholes = new Map<string, string>();
+    return scene.objects.map((object): SceneObject => {
       const copy = transformObject(object, { ...pose, scale: 1 });
-      return i === 0 ? copy : { ...copy, path: copyOf(object.path) };
-    }),
-  );
+      const { path, pieceOf } = object;
+      if (i === 0) return copy;
+      if (pieceOf === undefined) return { ...copy, path: copyOf(path) };
+      const whole = wholes.get(pieceOf) ?? copyOf(pieceOf);
+      wholes.set(pieceOf, whole);
+      return { ...copy, path: whole + path.slice(pieceOf.length), pieceOf: whole };
+    });
+  });
   return { ...scene, objects };
 }
 

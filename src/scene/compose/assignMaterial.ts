@@ -1,4 +1,5 @@
 import { withMaterial } from '../mesh/meshOps.ts';
+import { commonLifetime } from '../motion/lifetimes.ts';
 import type { Lifetime, Material, Scene, SceneObject } from '../types.ts';
 import { matchesPath } from './mergeScenes.ts';
 
@@ -9,14 +10,36 @@ export function assignMaterial(scene: Scene, path: string, material: Material): 
   return { ...scene, objects, materials: [...scene.materials, material] };
 }
 
-/** Sets the lifetime of the objects and lights at a path and below it. */
+/**
+ * Limits the objects and lights at a path and below it to a lifetime: they exist where they did before and in that. Pieces that are left without time are
+ * removed, unless nothing of their whole would remain.
+ */
 export const withLifetime = (scene: Scene, path: string, lifetime: Lifetime): Scene => ({
   ...scene,
-  objects: withObjects(scene, path, (object) => ({ ...object, lifetime })),
-  lights: scene.lights.map((light) =>
-    'lifetime' in light && matchesPath(light.path, path) ? { ...light, lifetime } : light,
-  ),
+  objects: limited(scene.objects, path, lifetime),
+  lights: limited(scene.lights, path, lifetime),
 });
+
+function limited<T extends Mortal>(items: readonly T[], path: string, lifetime: Lifetime): T[] {
+  const isLimited = (item: T): item is T & Required<Pick<Mortal, 'lifetime'>> =>
+    item.lifetime !== undefined && matchesPath(item.path, path);
+  const survivors = new Set(
+    items.flatMap((item) => (!isLimited(item) || commonLifetime(item.lifetime, lifetime) ? [item.pieceOf] : [])),
+  );
+  return items.flatMap((item) => {
+    if (!isLimited(item)) return [item];
+    const { birth, death } = item.lifetime;
+    const common = { birth: Math.max(birth, lifetime.birth), death: Math.min(death, lifetime.death) };
+    const isGone = !(common.birth < common.death) && item.pieceOf !== undefined && survivors.has(item.pieceOf);
+    return isGone ? [] : [{ ...item, lifetime: common }];
+  });
+}
+
+interface Mortal {
+  readonly path: string;
+  readonly lifetime?: Lifetime;
+  readonly pieceOf?: string;
+}
 
 /** The objects of a scene, with `change` applied to those at a path and below it. */
 export const withObjects = (

@@ -8,7 +8,8 @@ import { pointAt } from '../mesh/polygons.ts';
 import { box, sphere } from '../mesh/primitives.ts';
 import type { SimilarityTransform } from '../motion/kinds/changes.ts';
 import { poseAt, vertexPosition } from '../motion/motion.ts';
-import type { LocalLight, Mesh, Motion, SceneObject } from '../types.ts';
+import type { LocalLight, Mesh, Motion, Scene, SceneObject } from '../types.ts';
+import { validate } from '../validation/validate.ts';
 import { applyRigidMotion, movingPaths } from './applyRigidMotion.ts';
 import { arrangeCopies, gridPoses, ringPoses } from './arrange.ts';
 import { assignMaterial, withLifetime } from './assignMaterial.ts';
@@ -120,6 +121,34 @@ describe('merged scenes', () => {
     ]);
     const born = withLifetime(merged, '/Ball', { birth: 1, death: 2 });
     expect(born.objects.map(({ lifetime }) => lifetime.birth)).toEqual([1, -Infinity, -Infinity]);
+  });
+
+  it('a lifetime is within those before: pieces without time in it go, unless nothing would remain', () => {
+    const piece = (n: number, birth: number) => ({
+      ...makeObject({ path: `/Water/piece${n}`, mesh, lifetime: { birth, death: birth + 2 } }),
+      pieceOf: '/Water',
+    });
+    const water = makeScene({ name: 'water', objects: [piece(1, 0), piece(2, 2), piece(3, 4)] });
+    const lives = (scene: Scene) => scene.objects.map(({ path, lifetime }) => [path, lifetime.birth, lifetime.death]);
+    const limited = withLifetime(water, '/Water', { birth: 1, death: 4 });
+    expect(lives(limited)).toEqual([
+      ['/Water/piece1', 1, 2],
+      ['/Water/piece2', 2, 4],
+    ]);
+    expect(lives(withLifetime(limited, '', { birth: 3, death: 9 }))).toEqual([['/Water/piece2', 3, 4]]);
+    const gone = withLifetime(water, '', { birth: 8, death: 9 });
+    expect(validate(gone, 10).map(({ code }) => code)).toEqual(Array(3).fill('object.lifetime'));
+  });
+
+  it('copies and merged scenes keep pieces together', () => {
+    const objects = [1, 2].map((n) => ({ ...makeObject({ path: `/Water/piece${n}`, mesh }), pieceOf: '/Water' }));
+    const water = makeScene({ name: 'water', objects });
+    const names = (scene: Scene) => scene.objects.map(({ path, pieceOf }) => `${pieceOf} ${path}`);
+    expect(names(mergeScenes([water, water])).slice(2)).toEqual(['/Water2 /Water2/piece1', '/Water2 /Water2/piece2']);
+    expect(names(arrangeCopies(water, ringPoses(2, 1, [0, 0, 1]))).slice(2)).toEqual([
+      '/Water/copy2 /Water/copy2/piece1',
+      '/Water/copy2 /Water/copy2/piece2',
+    ]);
   });
 });
 

@@ -52,10 +52,12 @@ function renamed(scene: Scene, others: readonly string[]): Scene {
     taken.add(name);
     names.set(root, name);
   }
-  const rename = <T extends { readonly path: string }>(item: T): T => {
-    const root = rootOf(item.path);
-    return { ...item, path: names.get(root) + item.path.slice(root.length) };
-  };
+  const newPath = (path: string): string => names.get(rootOf(path)) + path.slice(rootOf(path).length);
+  const rename = <T extends { readonly path: string; readonly pieceOf?: string }>(item: T): T => ({
+    ...item,
+    path: newPath(item.path),
+    ...(item.pieceOf !== undefined && { pieceOf: newPath(item.pieceOf) }),
+  });
   return {
     ...scene,
     objects: scene.objects.map(rename),

@@ -38,6 +38,8 @@ export interface LocalLightBase {
   readonly motion: RigidMotion;
   /** World times between which it emits [s]. */
   readonly lifetime: Lifetime;
+  /** Path of the light that shines several times, of which this is one; absent of a whole. */
+  readonly pieceOf?: string;
   /** Linear sRGB in its own frame: the radiance L of its surface, the same in all directions in which it shines. */
   readonly color: Vec3;
   /** Its spectrum in its own frame; daylight if absent. */

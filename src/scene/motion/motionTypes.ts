@@ -2,7 +2,7 @@ import type { Quat } from '../../math/quat.ts';
 import type { Vec3 } from '../../math/vec3.ts';
 import type { StreamedPoints } from '../streaming/storedPoints.ts';
 
-/** World times between which the object exists [s]; ±Infinity without birth or death. */
+/** World times between which the object exists, birth ≤ t < death [s]; ±Infinity without birth or death. */
 export interface Lifetime {
   /** [s]; −Infinity: always existed. */
   readonly birth: number;

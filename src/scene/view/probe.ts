@@ -1,4 +1,5 @@
 import { length } from '../../math/vec3.ts';
+import { isAlive } from '../motion/lifetimes.ts';
 import { vertexWorldLine } from '../motion/motion.ts';
 import type { SceneObject } from '../types.ts';
 import type { ProbedEvent, ProbeObserver } from '../views/viewRecord.ts';
@@ -49,7 +50,6 @@ export function probeVertex(
 ): VertexProbe | undefined {
   const shown = VIEWS[view].probe(vertexWorldLine(object, vertex, c), observer, c);
   if (!shown) return undefined;
-  const { birth, death } = object.lifetime;
-  const visible = shown.time >= birth && shown.time <= death;
+  const visible = isAlive(object.lifetime, shown.time);
   return { vertex, ...shown, distance: length(shown.apparent), visible };
 }

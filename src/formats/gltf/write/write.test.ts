@@ -342,6 +342,19 @@ describe('a scene written as glTF', () => {
       expect((await readGltf((await written(makeScene({ name: 'nothing' }), name)).source, name)).objects).toEqual([]);
   });
 
+  it('of pieces that take turns there is the one of the start', async () => {
+    const piece = (n: number, birth: number, death: number) => ({
+      ...makeObject({ path: `/Water/piece${n}`, mesh: { ...cube, doubleSided: n === 2 }, lifetime: { birth, death } }),
+      pieceOf: '/Water',
+    });
+    const objects = [piece(1, Number.NEGATIVE_INFINITY, 0), piece(2, 0, 1), piece(3, 1, Number.POSITIVE_INFINITY)];
+    const { source, diagnostics } = await written(makeScene({ name: 'water', objects }));
+    expect(diagnostics.map((d) => `${d.severity} ${d.code} ${inEnglish(d.place)}`)).toEqual([
+      'warning convert.lifetime a.glb: /Water',
+    ]);
+    expect((await readGltf(source, 'a.glb')).objects.map(({ mesh }) => mesh.doubleSided)).toEqual([true]);
+  });
+
   it('reports lost content', async () => {
     const many = Array.from({ length: 200 }, () => cube.positions);
     const scene = makeScene({

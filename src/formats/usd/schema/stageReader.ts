@@ -1,9 +1,10 @@
 import { IDENTITY, invert } from '../../../math/mat4.ts';
 import { msg } from '../../../messages/message.ts';
+import { commonLifetimes, isAlive } from '../../../scene/motion/lifetimes.ts';
 import type { Lifetime, Light, Scene, SceneCamera, SceneObject } from '../../../scene/types.ts';
 import { MAX_OBJECTS } from '../../read/limits.ts';
 import { report } from '../diagnostics.ts';
-import { attributeOf, sampleTimes, type TimeCode, textAt } from '../layer/attributes.ts';
+import { numbersAt, type TimeCode, textAt } from '../layer/attributes.ts';
 import type { PrimSpec } from '../layer/layer.ts';
 import { parentOf } from '../layer/primPaths.ts';
 import { ancestorsOf, isActive } from '../layer/query.ts';
@@ -17,6 +18,10 @@ import { collectPrototypePaths, type InstanceContext, Instancers } from './insta
 import type { PlacedInstancer, Prototype, UnplacedGprim } from './instancer/prototype.ts';
 import { isLight, isUnreadLight, lightOf } from './lights/lights.ts';
 import { geometryLights, type MeshLight, meshLightOf, withEmission } from './lights/meshLights.ts';
+import { type MeshPiece, meshPieces, reportPieces } from './lives/meshPieces.ts';
+import { transformInLife } from './lives/pieceGeometry.ts';
+import { piecePaths } from './lives/piecePaths.ts';
+import { ALWAYS, visibleTimes } from './lives/visibility.ts';
 import {
   type MaterialBinding,
   materialBindingOf,
@@ -55,6 +60,8 @@ interface Inherited {
   readonly maybeSkinned: boolean;
   /** Inherited `purpose`. */
   readonly purpose: string;
+  /** When it is visible [s]. */
+  readonly lives: readonly Lifetime[];
   /** Receives the gprims: the scene, or a prototype. */
   readonly sink: GprimSink;
 }
@@ -72,6 +79,7 @@ const AT_ROOT = {
   slowlight: {},
   maybeSkinned: false,
   purpose: 'default',
+  lives: ALWAYS,
 };
 
 export type StageContents = Pick<Scene, 'objects' | 'materials' | 'lights' | 'cameras'>;
@@ -117,8 +125,13 @@ class StageReader {
   }
 
   async visit(prim: PrimSpec, inherited: Inherited): Promise<void> {
-    if (!this.isDefined(prim)) return;
-    await this.read(prim, this.inherit(prim, inherited));
+    if (this.isDefined(prim)) await this.readVisible(prim, inherited);
+  }
+
+  /** Reads a prim and its subtree if it is ever visible. */
+  private async readVisible(prim: PrimSpec, inherited: Inherited): Promise<void> {
+    const lives = visibleTimes(this.context, prim, inherited.lives);
+    if (lives.length > 0) await this.read(prim, { ...this.inherit(prim, inherited), lives });
   }
 
   /** Reads a defined prim and its subtree. */
@@ -127,7 +140,8 @@ class StageReader {
     if (drawn) await this.readHere(prim, own);
     // Prims below an instancer are its prototypes, not rendered themselves.
     if (prim.typeName === 'PointInstancer') {
-      if (drawn) await own.sink.instancer({ prim, transform: own.transform, slowlight: own.slowlight });
+      if (drawn)
+        await own.sink.instancer({ prim, transform: own.transform, slowlight: own.slowlight, lives: own.lives });
       return;
     }
     for (const child of prim.children.values()) await this.visit(child, own);
@@ -151,8 +165,8 @@ class StageReader {
       undefined,
     );
     const bound = above.reduce((around, ancestor) => maybeSkinned(ancestor, around), false);
-    if (isActive(prim) && this.isVisible(prim))
-      await this.read(prim, this.inherit(prim, { ...AT_ROOT, material: binding, maybeSkinned: bound, sink: found }));
+    if (isActive(prim))
+      await this.readVisible(prim, { ...AT_ROOT, material: binding, maybeSkinned: bound, sink: found });
     return { parentPath, gprims: parts, instancers };
   }
 
@@ -171,22 +185,10 @@ class StageReader {
       if (!this.prototypes.has(prim.path)) report(this.context, 'warning', 'usd.undefined-prim', prim.path, message);
       return false;
     }
-    return this.isVisible(prim);
+    return true;
   }
 
-  private isVisible(prim: PrimSpec): boolean {
-    if (sampleTimes(attributeOf(prim, 'visibility')).length > 0)
-      report(
-        this.context,
-        'warning',
-        'usd.animated-visibility',
-        prim.path,
-        msg`its visibility changes with time; it is held at the start (slowlight:birth and slowlight:death can say when it exists)`,
-      );
-    return textAt(prim, 'visibility', this.context.startCode) !== 'invisible';
-  }
-
-  private inherit(prim: PrimSpec, inherited: Inherited): Inherited {
+  private inherit(prim: PrimSpec, inherited: Inherited): Omit<Inherited, 'lives'> {
     const transform = transformOf(prim, this.context.cubic);
     for (const name of transform.unknown)
       report(
@@ -222,21 +224,65 @@ class StageReader {
       const message = msg`a ${prim.typeName} in a prototype of instances is not read; it is left out`;
       report(this.context, 'warning', 'usd.instancer', prim.path, message);
     } else if (prim.typeName === 'Camera') this.cameras.push(cameraOf(this.context, prim, own.transform));
-    else if (lights) this.lights.push(await this.lightOf(prim, own));
+    else if (lights) await this.readLight(prim, own);
     else if (prim.typeName === 'Mesh' || isGprim(prim.typeName)) await this.readGprim(prim, own);
   }
 
-  private lightOf(prim: PrimSpec, { transform: frame, slowlight }: Inherited): Promise<Light> {
+  private async readLight(prim: PrimSpec, { transform: frame, slowlight, lives }: Inherited): Promise<void> {
     const { context, textures } = this;
-    return lightOf({ context, textures, prim, frame, slowlight });
+    const light = await lightOf({ context, textures, prim, frame, slowlight });
+    if ('lifetime' in light) {
+      const own = livesIn(lives, light.lifetime);
+      piecePaths(prim.path, undefined, own.length).forEach((piece, i) => {
+        this.lights.push({ ...light, ...piece, lifetime: own[i] });
+      });
+      return;
+    }
+    if (lives !== ALWAYS) {
+      const message = msg`its visibility changes with time, and a ${prim.typeName} has no lifetime: it is held at the start`;
+      report(context, 'warning', 'usd.animated-visibility', prim.path, message);
+    }
+    if (lives.some((life) => isAlive(life, context.startCode / context.codesPerSecond))) this.lights.push(light);
   }
 
   private async readGprim(prim: PrimSpec, own: Inherited): Promise<void> {
-    const { material, transform, slowlight, sink } = own;
-    const surface = await primMaterialsOf(this.context, this.table, prim, material);
-    const make = (): PrimGeometry | undefined => this.geometryOf(prim, surface);
+    const pieces = prim.typeName === 'Mesh' ? this.piecesOf(prim, own) : undefined;
+    if (!pieces) {
+      await this.readShape(prim, own);
+      return;
+    }
+    const { codesPerSecond } = this.context;
+    const [only] = pieces.length === 1 ? pieces : [];
+    for (const [i, piece] of pieces.entries()) {
+      const number = only ? undefined : i + 1;
+      const life = { birth: piece.from / codesPerSecond, death: piece.until / codesPerSecond };
+      const lives = commonLifetimes(own.lives, [life]);
+      const transform = transformInLife(own.transform, piece);
+      if (lives.length > 0) await this.readShape(prim, { ...own, transform, lives }, { ...piece, number });
+    }
+  }
+
+  /** The pieces of a mesh whose topology changes, without empty ones, with which simulations often begin; undefined if it does not, or if it is skinned. */
+  private piecesOf(prim: PrimSpec, own: Inherited): readonly MeshPiece[] | undefined {
+    const pieces = meshPieces(this.context, prim);
+    if (!pieces) return undefined;
+    if (!own.maybeSkinned) {
+      const drawn = pieces.filter(({ at }) => (numbersAt(prim, 'faceVertexCounts', at)?.length ?? 0) > 0);
+      reportPieces(this.context, prim, drawn);
+      return drawn;
+    }
+    const message = msg`its topology changes with time, and it may be skinned: it is held at the start`;
+    report(this.context, 'warning', 'usd.topology', prim.path, message);
+    return undefined;
+  }
+
+  private async readShape(prim: PrimSpec, own: Inherited, piece?: NumberedPiece): Promise<void> {
+    const { material, transform, slowlight, sink, lives } = own;
+    const context = piece ? { ...this.context, startCode: piece.at } : this.context;
+    const surface = await primMaterialsOf(context, this.table, prim, material);
+    const make = (): PrimGeometry | undefined => this.geometryOf(context, prim, surface, piece);
     // A skinned mesh's shape depends on more than its own opinions.
-    const shape = own.maybeSkinned ? make() : this.geometryCache.getOrCreate(prim, surface, make);
+    const shape = own.maybeSkinned ? make() : this.geometryCache.getOrCreate(prim, surface, `${piece?.at ?? ''}`, make);
     if (!shape) return;
     const place =
       shape.transform && !sink.isScene
@@ -248,9 +294,10 @@ class StageReader {
       geometry: shape,
       transform: place,
       slowlight,
+      lives,
       displayColorMaterial: surface.displayColorMaterial,
     };
-    sink.gprim({ ...part, ...(light && { light }) });
+    sink.gprim({ ...part, ...(light && { light }), ...(piece?.number !== undefined && { piece: piece.number }) });
   }
 
   /** The stage transform `target` carried along to where `frame` places the prim: frame × (the prim's own stage transform)⁻¹ × target. */
@@ -260,13 +307,15 @@ class StageReader {
     return nestedTransform(frame, nestedTransform(back, target));
   }
 
-  private draw({ path, geometry, transform, slowlight, light }: UnplacedGprim): void {
+  private draw(part: UnplacedGprim): void {
+    const { path, geometry, transform, slowlight, light } = part;
     const placed = this.placed(path, geometry, transform, slowlight);
-    this.add(path, slowlight, this.withMeshLight(placed, light), lifetimeOf(slowlight));
+    this.add(path, part, slowlight, this.withMeshLight(placed, light), livesIn(part.lives, lifetimeOf(slowlight)));
   }
 
   private drawInstance(part: UnplacedGprim, path: string, setting: InstanceContext): void {
-    if (this.objects.length >= MAX_OBJECTS) return;
+    const lives = livesIn(commonLifetimes(setting.lives, part.lives), lifetimeOf(setting.slowlight));
+    if (lives.length === 0) return;
     const frame = nestedTransform(setting.transform, part.transform);
     const placed = setting.velocity
       ? placeWithVelocity(this.context, path, part.geometry, frame, setting.velocity)
@@ -280,12 +329,7 @@ class StageReader {
             this.table.withBaseColor(part.displayColorMaterial, color),
           )
         : placed.mesh;
-    const own = lifetimeOf(setting.slowlight);
-    const lifetime = {
-      birth: Math.max(own.birth, setting.lifetime.birth),
-      death: Math.min(own.death, setting.lifetime.death),
-    };
-    this.add(path, setting.slowlight, this.withMeshLight({ ...placed, mesh }, part.light), lifetime);
+    this.add(path, part, setting.slowlight, this.withMeshLight({ ...placed, mesh }, part.light), lives);
   }
 
   private withMeshLight(made: ObjectGeometry, light: MeshLight | undefined): ObjectGeometry {
@@ -294,18 +338,33 @@ class StageReader {
 
   private add(
     path: string,
+    { piece }: Pick<UnplacedGprim, 'piece'>,
     directions: SlowlightAttributes,
     { mesh, motion }: ObjectGeometry,
-    lifetime: Lifetime,
+    lives: readonly Lifetime[],
   ): void {
-    this.objects.push({ path, mesh, motion, lifetime, authoredIn: authoredInOf(directions) });
+    const room = MAX_OBJECTS - this.objects.length;
+    if (lives.length > room) {
+      const message = msg`it exists at ${lives.length} separate times, and a scene has room for ${room} more objects; the first are shown`;
+      report(this.context, 'warning', 'usd.too-many-instances', path, message);
+    }
+    piecePaths(path, piece, lives.length)
+      .slice(0, room)
+      .forEach((named, i) => {
+        this.objects.push({ ...named, mesh, motion, lifetime: lives[i], authoredIn: authoredInOf(directions) });
+      });
   }
 
-  private geometryOf(prim: PrimSpec, surface: PrimMaterials): PrimGeometry | undefined {
-    if (prim.typeName !== 'Mesh') return gprimGeometry(this.context, prim, surface);
-    const shape = meshGeometry(this.context, this.skeletons, prim, surface);
+  private geometryOf(
+    context: StageContext,
+    prim: PrimSpec,
+    surface: PrimMaterials,
+    piece: MeshPiece | undefined,
+  ): PrimGeometry | undefined {
+    if (prim.typeName !== 'Mesh') return gprimGeometry(context, prim, surface);
+    const shape = meshGeometry(context, this.skeletons, prim, surface, piece);
     if (shape && shape.mesh.indices.length > 0) return shape;
-    if (shape) report(this.context, 'warning', 'usd.empty-mesh', prim.path, msg`the mesh has no faces; it is left out`);
+    if (shape) report(context, 'warning', 'usd.empty-mesh', prim.path, msg`the mesh has no faces; it is left out`);
     return undefined;
   }
 
@@ -327,6 +386,15 @@ class StageReader {
 }
 
 type ObjectGeometry = Pick<SceneObject, 'mesh' | 'motion'>;
+
+interface NumberedPiece extends MeshPiece {
+  /** From 1; undefined if there are no others. */
+  readonly number: number | undefined;
+}
+
+/** The lives within an authored lifetime; that itself if it is empty, for the validation to tell of. */
+const livesIn = (lives: readonly Lifetime[], authored: Lifetime): readonly Lifetime[] =>
+  authored.birth < authored.death ? commonLifetimes(lives, [authored]) : [authored];
 
 /** Whether several of its children have transforms of their own, or children that may have. */
 const hasSeveralTransforms = ({ children }: PrimSpec): boolean =>

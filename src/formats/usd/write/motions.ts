@@ -1,5 +1,5 @@
 import type { Vec3 } from '../../../math/vec3.ts';
-import type { Motion, Pose, SampledMotion } from '../../../scene/types.ts';
+import type { Lifetime, Motion, Pose, SampledMotion } from '../../../scene/types.ts';
 import { attribute, custom, type Properties, sampled, uniform } from './specs.ts';
 import { double, token, tokens, tuple } from './values.ts';
 
@@ -7,8 +7,16 @@ import { double, token, tokens, tuple } from './values.ts';
 export interface WriteContext {
   readonly metersPerUnit: number;
   readonly codesPerSecond: number;
+  /** Of the animation [s]. */
+  readonly startTime: number;
   /** It is inside a prim that has a transform of its own. */
   readonly nested: boolean;
+  /** Prims with objects of their own are inside it. */
+  readonly isParent: boolean;
+  /** A prim around it says by our attributes when it exists, which it would inherit. */
+  readonly inheritsLife: boolean;
+  /** When it exists [s], in the order of time. */
+  readonly lives: readonly Lifetime[];
 }
 
 /** How USD has a kind of motion. */

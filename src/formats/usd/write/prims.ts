@@ -2,6 +2,7 @@ import { pointSamples } from '../../../scene/motion/motion.ts';
 import { normalsAt, pointsAt } from '../../../scene/streaming/samplePoints.ts';
 import type { Mesh, Motion, SceneCamera, SceneObject } from '../../../scene/types.ts';
 import { boxCorners } from '../schema/geometry/pointSampling.ts';
+import { lifeProperties } from './lives.ts';
 import { slowlightMotion, transformOf, type WriteContext } from './motions.ts';
 import {
   attribute,
@@ -14,7 +15,7 @@ import {
   schemas,
   uniform,
 } from './specs.ts';
-import { bool, double, float, floatTuples, ints, LazyTuples, token } from './values.ts';
+import { bool, float, floatTuples, ints, LazyTuples, token } from './values.ts';
 
 /** What a mesh needs of the rest of the scene. */
 export interface MeshSurroundings {
@@ -44,8 +45,10 @@ export function meshContent(
       ...single,
       ...(mesh.colors ? [perVertex('color3f[]', 'primvars:displayColor', mesh.colors)] : []),
       perVertex('texCoord2f[]', 'primvars:st', mesh.uvs),
-      ...slowlightProperties(object, placement),
+      ...authoringProperties(object),
+      ...slowlightMotion(motion, placement),
       uniform('token', 'subdivisionScheme', token('none')),
+      ...lifeProperties(placement),
       ...transformOf(motion, placement),
     ],
     inner: new Map(subsets.map((content, i) => [innerName(`Part${i}`), content])),
@@ -71,26 +74,34 @@ function subsetContent(mesh: Mesh, i: number, materialOf: (index: number) => str
   };
 }
 
-function pointProperties(mesh: Mesh, motion: Motion, placement: WriteContext): Properties {
-  const scale = 1 / placement.metersPerUnit;
-  const scaled = (values: Float32Array): Float32Array => (scale === 1 ? values : values.map((x) => x * scale));
-  const extentOf = (values: Float32Array): Float32Array => {
-    const corners = boxCorners(values);
-    return Float32Array.from([...corners[0], ...corners.at(-1)!], (x) => x * scale);
-  };
+/** Vectors [m] in units of the stage. */
+export function scaledPoints(values: Float32Array, metersPerUnit: number): Float32Array {
+  const scale = 1 / metersPerUnit;
+  return scale === 1 ? values : values.map((x) => x * scale);
+}
+
+/** The corners of the box of some points [m], in units of the stage. */
+export function extentOf(values: Float32Array, metersPerUnit: number): Float32Array {
+  const corners = boxCorners(values);
+  const scale = 1 / metersPerUnit;
+  return Float32Array.from([...corners[0], ...corners.at(-1)!], (x) => x * scale);
+}
+
+function pointProperties(mesh: Mesh, motion: Motion, { metersPerUnit, codesPerSecond }: WriteContext): Properties {
+  const scaled = (values: Float32Array): Float32Array => scaledPoints(values, metersPerUnit);
   const samples = pointSamples(motion);
   if (!samples)
     return [
-      attribute('float3[]', 'extent', { type: 'float3[]', data: extentOf(mesh.positions) }),
+      attribute('float3[]', 'extent', { type: 'float3[]', data: extentOf(mesh.positions, metersPerUnit) }),
       perVertex('normal3f[]', 'normals', mesh.normals),
       attribute('point3f[]', 'points', { type: 'float3[]', data: scaled(mesh.positions) }),
     ];
-  const codes = samples.times.map((t) => t * placement.codesPerSecond);
+  const codes = samples.times.map((t) => t * codesPerSecond);
   const moving = (typeName: string, name: string, at: (i: number) => Float32Array, metadata?: typeof PER_VERTEX) =>
     sampled(typeName, name, codes, (i) => new LazyTuples(() => at(i)), metadata);
   const { velocities } = samples;
   return [
-    moving('float3[]', 'extent', (i) => extentOf(pointsAt(samples, i))),
+    moving('float3[]', 'extent', (i) => extentOf(pointsAt(samples, i), metersPerUnit)),
     normalsAt(samples, 0)
       ? moving('normal3f[]', 'normals', (i) => normalsAt(samples, i)!, PER_VERTEX)
       : perVertex('normal3f[]', 'normals', mesh.normals),
@@ -99,20 +110,9 @@ function pointProperties(mesh: Mesh, motion: Motion, placement: WriteContext): P
   ];
 }
 
-type WithSlowlightAttributes = Pick<SceneObject, 'motion' | 'lifetime'> & Partial<Pick<SceneObject, 'authoredIn'>>;
-
-/** Our own attributes: what closed-form motion, lifetime and frame of authoring an object or a light has. */
-export function slowlightProperties(
-  { motion, lifetime, authoredIn }: WithSlowlightAttributes,
-  placement: WriteContext,
-): Properties {
-  return [
-    ...(authoredIn === 'rest' ? [custom('token', 'slowlight:authoredIn', token('rest'))] : []),
-    ...(Number.isFinite(lifetime.birth) ? [custom('double', 'slowlight:birth', double(lifetime.birth))] : []),
-    ...(Number.isFinite(lifetime.death) ? [custom('double', 'slowlight:death', double(lifetime.death))] : []),
-    ...slowlightMotion(motion, placement),
-  ];
-}
+/** The frame in which its shape is given. */
+export const authoringProperties = ({ authoredIn }: Pick<SceneObject, 'authoredIn'>): Properties =>
+  authoredIn === 'rest' ? [custom('token', 'slowlight:authoredIn', token('rest'))] : [];
 
 /** [tenths of a stage unit], as USD's fallback. */
 const FOCAL_LENGTH = 50;

@@ -1,10 +1,13 @@
-import type { Scene } from '../../../scene/types.ts';
+import { isEternal } from '../../../scene/motion/lifetimes.ts';
+import type { Lifetime, Light, LocalLight, Scene } from '../../../scene/types.ts';
 import type { Dictionary, Layer, MetadataValue, Value } from '../layer/layer.ts';
+import { isOneMesh, meshOfPieces } from './changingMesh.ts';
 import { lightContent, pictureOf, spectrumOf } from './lights/lights.ts';
 import { MaterialWriter, TextureFiles } from './materials.ts';
 import type { WriteContext } from './motions.ts';
-import { cameraContent, meshContent } from './prims.ts';
+import { cameraContent } from './prims.ts';
 import { PrimTree } from './primTree.ts';
+import { thingsOf, type WrittenThing } from './things.ts';
 import { double, string, token, tuple } from './values.ts';
 
 /**
@@ -15,36 +18,64 @@ export function sceneLayer(scene: Scene, name: string): Layer {
   const tree = new PrimTree();
   const files = new TextureFiles(scene);
   const materials = new MaterialWriter(scene, tree, files);
+  const own = [...scene.objects, ...scene.cameras, ...scene.lights].map(pathOfWhole);
+  const around = new Set(own.flatMap(ancestors));
   // All paths are claimed before any is used, so that a clash changes the same names wherever they stand.
   const claimed = <T extends { readonly path: string }>(items: readonly T[]) =>
     items.map((item) => ({ item, path: tree.claim(item.path) }));
-  const [objects, cameras, lights] = [claimed(scene.objects), claimed(scene.cameras), claimed(scene.lights)];
+  const objects = claimed(thingsOf(scene.objects, (pieces, path) => !around.has(path) && isOneMesh(pieces)));
+  const cameras = claimed(scene.cameras);
+  const lights = claimed(lightThings(scene.lights, around));
   const placed = new Set([...objects, ...cameras, ...lights].map(({ path }) => path));
-  const placement = (path: string): WriteContext => ({
+  const parents = new Set([...placed].flatMap(ancestors));
+  const mortalParents = new Set(
+    objects.flatMap(({ item, path }) => (parents.has(path) && !isEternal(item.pieces[0].lifetime) ? [path] : [])),
+  );
+  const placement = (path: string, pieces: readonly { readonly lifetime: Lifetime }[]): WriteContext => ({
     metersPerUnit: scene.metersPerUnit,
     codesPerSecond: scene.timeCodesPerSecond,
+    startTime: scene.startTime,
     nested: ancestors(path).some((ancestor) => placed.has(ancestor)),
+    isParent: parents.has(path),
+    inheritsLife: ancestors(path).some((ancestor) => mortalParents.has(ancestor)),
+    lives: pieces.map(({ lifetime }) => lifetime),
   });
   for (const { item, path } of objects) {
-    const colored = item.mesh.colors !== undefined;
+    const colored = item.pieces.some(({ mesh }) => mesh.colors !== undefined);
     const surroundings = {
       materialOf: (index: number) => materials.path(index, colored),
       innerName: (wanted: string) => tree.innerName(path, wanted),
     };
-    tree.set(path, meshContent(item, placement(path), surroundings));
+    tree.set(path, meshOfPieces(item.pieces, placement(path, item.pieces), surroundings));
   }
-  for (const { item, path } of cameras) tree.set(path, cameraContent(item, placement(path)));
+  for (const { item, path } of cameras) tree.set(path, cameraContent(item, placement(path, [])));
   for (const { item, path } of lights) {
-    const [picture, spectrum] = [pictureOf(item), spectrumOf(item)];
+    const [light] = item.pieces;
+    const [picture, spectrum] = [pictureOf(light), spectrumOf(light)];
     const named = {
       picture: picture && files.path(picture),
       spectrum: spectrum && files.spectrum(spectrum),
     };
-    tree.set(path, lightContent(item, placement(path), named));
+    tree.set(path, lightContent(light, placement(path, item.pieces.filter(isLocal)), named));
   }
   const rootPrims = tree.rootPrims();
   return { name, metadata: metadataOf(scene, [...rootPrims.keys()]), rootPrims };
 }
+
+const isLocal = (light: Light): light is LocalLight => 'lifetime' in light;
+
+/** Local lights with all their lives, and the others. */
+function lightThings(lights: readonly Light[], around: ReadonlySet<string>): WrittenThing<Light>[] {
+  const things = new Map<Light, WrittenThing<Light>>();
+  for (const thing of thingsOf(lights.filter(isLocal), (_, path) => !around.has(path)))
+    things.set(thing.pieces[0], thing);
+  // In the scene's order.
+  return lights.flatMap((light) =>
+    isLocal(light) ? (things.get(light) ?? []) : { path: light.path, pieces: [light] },
+  );
+}
+
+const pathOfWhole = (item: { readonly path: string; readonly pieceOf?: string }): string => item.pieceOf ?? item.path;
 
 /** `/A/B/C` → `/A/B`, `/A` */
 function ancestors(path: string): string[] {

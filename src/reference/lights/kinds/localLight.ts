@@ -4,6 +4,7 @@ import { length, negate, normalize, scale, sub, type Vec3 } from '../../../math/
 import { apparentPosition, inverseApparentPosition } from '../../../physics/optics/apparentPosition.ts';
 import { velocityAt, type WorldLine } from '../../../physics/worldLines/worldLine.ts';
 import { shapingFactor } from '../../../scene/lights/shaping.ts';
+import { isAlive } from '../../../scene/motion/lifetimes.ts';
 import { originWorldLine, poseAt } from '../../../scene/motion/motion.ts';
 import type { LocalLight } from '../../../scene/types.ts';
 import type { RestFrame } from '../../spectral/restFrame.ts';
@@ -79,7 +80,7 @@ function sampleMovingLight<L extends LocalLight>(
   if (!sample) return undefined;
   const dx = inverseApparentPosition(sample.toward, emitter.frame.u);
   const time = at.t + rayBack(lighting, at, dx).dt / lighting.scene.c;
-  if (time < light.lifetime.birth || time > light.lifetime.death) return undefined;
+  if (!isAlive(light.lifetime, time)) return undefined;
   return { dx, rayDirection: dx, end: 1 - 1e-9, sourceSpectrum, sourceFrame: emitter.frame, weight: sample.weight };
 }
 

@@ -159,7 +159,7 @@ export function largestCasters(bodies: readonly Body[], observation: Observation
         !event ||
         !(
           observation.c * (birth - observation.t) <= event.ahead &&
-          event.ahead <= observation.c * (death - observation.t)
+          event.ahead < observation.c * (death - observation.t)
         )
       )
         return [];

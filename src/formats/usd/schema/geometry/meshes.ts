@@ -3,10 +3,12 @@ import { gatherPoints, makeMesh } from '../../../../scene/mesh/makeMesh.ts';
 import type { Polygons, PolygonValues } from '../../../../scene/mesh/polygons.ts';
 import type { Mesh } from '../../../../scene/types.ts';
 import { report } from '../../diagnostics.ts';
-import { attributeOf, numbersAt, sampleTimes, textAt } from '../../layer/attributes.ts';
+import { attributeOf, lowerSample, numbersAt, sampleTimes, textAt } from '../../layer/attributes.ts';
 import type { NumberArray, PrimSpec } from '../../layer/layer.ts';
 import { countOf, storedSamples } from '../../layer/storedArray.ts';
 import { isTrue, type StageContext } from '../context.ts';
+import type { MeshPiece } from '../lives/meshPieces.ts';
+import { pieceGeometry } from '../lives/pieceGeometry.ts';
 import type { PrimMaterials } from '../materials/materialBinding.ts';
 import { deformedMesh } from '../placement/deforming.ts';
 import { type MeshElementCounts, type Primvar, primvarOf, valuesOnMesh } from '../primvars.ts';
@@ -40,18 +42,22 @@ const PROBE_POINTS = 64;
 /** Number of skinned points that cost as much as one transform. */
 const POINTS_PER_TRANSFORM = 8;
 
-/** A Mesh prim as triangles with its deformation; undefined, with a diagnostic, if it has no valid faces. */
+/**
+ * A Mesh prim as triangles with its deformation; undefined, with a diagnostic, if it has no valid faces. `piece`: one of the meshes that it is, if its topology
+ * changes; `context` is then that of its time.
+ */
 export function meshGeometry(
   context: StageContext,
   skeletons: Skeletons,
   prim: PrimSpec,
   surface: PrimMaterials,
+  piece?: MeshPiece,
 ): PrimGeometry | undefined {
   const faces = facesOf(context, prim);
   if (!faces) return undefined;
   const topology = { points: faces.points.length / 3, corners: faces.indices.length, faces: faces.counts.length };
   const requested = levelsOf(context, prim);
-  const levels = requested > 0 && staysInFile(context, prim, topology.points) ? 0 : requested;
+  const levels = requested > 0 && !piece && staysInFile(context, prim, topology.points) ? 0 : requested;
   const kept = keptFaces(context, prim, faces, levels > 0);
   const uvs = surface.uvs(prim, topology);
   const colors = surface.colors(prim, topology);
@@ -66,11 +72,14 @@ export function meshGeometry(
     leftHanded: textAt(prim, 'orientation', context.startCode) === 'leftHanded',
     doubleSided: isTrue(context, prim, 'doubleSided'),
   };
-  const moved = pointTimes(context, prim);
-  const skin = skinOf(context, skeletons, prim, { count: topology.points, times: moved });
-  if (levels > 0)
-    return withDeformation(context, prim, moved, subdividedMesh(context, prim, polygons, levels, kept), skin);
-  return withDeformation(context, prim, moved, plainMesh(context, prim, polygons, topology, kept, skin), skin);
+  const moved = piece ? piece.codes : pointTimes(context, prim);
+  const skin = piece ? undefined : skinOf(context, skeletons, prim, { count: topology.points, times: moved });
+  const drawn =
+    levels > 0
+      ? subdividedMesh(context, prim, polygons, levels, kept)
+      : plainMesh(context, prim, polygons, topology, kept, { skin, times: piece?.codes });
+  if (piece) return pieceGeometry(context, prim, drawn.mesh, piece, drawn.pointsFor);
+  return withDeformation(context, prim, moved, drawn, skin);
 }
 
 /** Whether the samples of the points exceed memory and can stay in the file; reported, because such a mesh cannot be subdivided. */
@@ -97,7 +106,7 @@ function plainMesh(
   polygons: Polygons,
   topology: MeshElementCounts,
   kept: KeptFaces | undefined,
-  skin: Skin | undefined,
+  { skin, times }: { readonly skin: Skin | undefined; readonly times: Float64Array | undefined },
 ): PolygonMesh {
   const authored = normalsOf(context, prim, topology);
   const smoothAngle = textAt(prim, 'subdivisionScheme', undefined) === 'none' ? 0 : SMOOTH_ANGLE;
@@ -106,7 +115,9 @@ function plainMesh(
     ...(authored ? { normals: valuesOnKept(authored.values, kept) } : { smoothAngle }),
   });
   const sampled =
-    authored && areSampledNormals(authored.primvar, topology.points) ? authored.primvar.attribute.name : undefined;
+    authored && areSampledNormals(authored.primvar, topology.points, times)
+      ? authored.primvar.attribute.name
+      : undefined;
   const normals = sampled === undefined ? undefined : storedSamples(attributeOf(prim, sampled));
   const normalsAt = (time: number): Float32Array | undefined => {
     if (skin) return authored && skin.normalsAt(time, mesh.normals, pointOfVertex);
@@ -122,10 +133,12 @@ function plainMesh(
   };
 }
 
-/** Whether normals are sampled per point, with the same count at every time. */
-function areSampledNormals({ interpolation, indices, attribute }: Primvar, points: number): boolean {
+/** Whether normals are sampled per point, with the same count at every time, or at the given sample times. */
+function areSampledNormals({ interpolation, indices, attribute }: Primvar, points: number, at?: Float64Array): boolean {
   if (interpolation !== 'point' || indices || sampleTimes(attribute).length === 0) return false;
-  return attribute.timeSamples!.values.every((value) => countOf(value) === 3 * points);
+  const { times, values } = attribute.timeSamples!;
+  const needed = at ? Array.from(at, (time) => values[lowerSample(times, time)]) : values;
+  return needed.every((value) => countOf(value) === 3 * points);
 }
 
 function subdividedMesh(
@@ -195,9 +208,6 @@ function facesOf(context: StageContext, prim: PrimSpec): FaceArrays | undefined 
     report(context, 'warning', 'usd.empty-mesh', prim.path, message);
     return undefined;
   }
-  for (const name of ['faceVertexCounts', 'faceVertexIndices'])
-    if (sampleTimes(attributeOf(prim, name)).length > 0)
-      report(context, 'warning', 'usd.topology', prim.path, msg`${name} changes with time; it is held at the start`);
   return { points, counts, indices };
 }
 
@@ -293,15 +303,13 @@ function normalsOf(context: StageContext, prim: PrimSpec, topology: MeshElementC
   return undefined;
 }
 
-/** Time codes of the points' samples; none, with a diagnostic, if their number changes. */
+/** Time codes of the points' samples; none if their number changes, as it may only of skinned meshes, whose shape is then held. */
 function pointTimes(context: StageContext, prim: PrimSpec): Float64Array {
   const points = attributeOf(prim, 'points');
   const times = sampleTimes(points);
   const count = numbersAt(prim, 'points', context.startCode)!.length;
-  if (times.length === 0 || points!.timeSamples!.values.every((value) => countOf(value) === count)) return times;
-  const message = msg`the number of points changes with time; the shape is held at the start`;
-  report(context, 'warning', 'usd.topology', prim.path, message);
-  return new Float64Array(0);
+  const isConstant = times.length === 0 || points!.timeSamples!.values.every((value) => countOf(value) === count);
+  return isConstant ? times : new Float64Array(0);
 }
 
 /** Whether the file has a velocity for each point at each of the points' samples. */

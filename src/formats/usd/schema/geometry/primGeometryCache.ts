@@ -7,9 +7,16 @@ import type { PrimGeometry } from './primGeometry.ts';
 export class PrimGeometryCache {
   private readonly geometries = new Map<string, PrimGeometry | undefined>();
 
-  getOrCreate(prim: PrimSpec, surface: PrimMaterials, make: () => PrimGeometry | undefined): PrimGeometry | undefined {
-    const key = keyOf(prim, surface);
-    if (key === undefined) return make();
+  /** `part`: which part of the prim's geometry, if it has several. */
+  getOrCreate(
+    prim: PrimSpec,
+    surface: PrimMaterials,
+    part: string,
+    make: () => PrimGeometry | undefined,
+  ): PrimGeometry | undefined {
+    const whole = keyOf(prim, surface);
+    if (whole === undefined) return make();
+    const key = `${whole} ${part}`;
     if (!this.geometries.has(key)) this.geometries.set(key, make());
     return this.geometries.get(key);
   }

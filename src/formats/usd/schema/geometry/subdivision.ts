@@ -10,9 +10,10 @@ import {
 } from '../../../../scene/subdivide/subdividePolygons.ts';
 import { makeTopology } from '../../../../scene/subdivide/topology.ts';
 import { report } from '../../diagnostics.ts';
-import { numbersAt, textAt } from '../../layer/attributes.ts';
+import { attributeOf, numbersAt, textAt } from '../../layer/attributes.ts';
 import type { Layer, PrimSpec } from '../../layer/layer.ts';
 import { isActive } from '../../layer/query.ts';
+import { countOf } from '../../layer/storedArray.ts';
 import type { StageContext, SubdivisionLevels } from '../context.ts';
 
 /** Default levels: the first number, and up to the second until a mesh has enough faces to look round. */
@@ -57,12 +58,12 @@ export function subdivisionLevels(layer: Layer, requested?: number): Subdivision
   );
 }
 
-const facesOf = ({ corners, scheme }: SubdivisionCandidate, levels: number): number =>
-  levels === 0 ? 0 : facesAfter(corners, scheme, levels);
+const facesOf = ({ corners, scheme, copies }: SubdivisionCandidate, levels: number): number =>
+  levels === 0 ? 0 : copies * facesAfter(corners, scheme, levels);
 
 function automaticLevels(mesh: SubdivisionCandidate): number {
   let levels = MIN_LEVELS;
-  while (levels < MAX_LEVELS && facesOf(mesh, levels) < SMOOTH_FACES) levels++;
+  while (levels < MAX_LEVELS && facesOf({ ...mesh, copies: 1 }, levels) < SMOOTH_FACES) levels++;
   return levels;
 }
 
@@ -70,16 +71,25 @@ interface SubdivisionCandidate {
   readonly path: string;
   /** Equal for prims with the same opinions. */
   readonly key: string;
+  /** Most at any time. */
   readonly corners: number;
+  /** How often they are sampled. */
+  readonly copies: number;
   readonly scheme: UsdSubdivisionScheme;
 }
 
 function subdividedMeshes(prim: PrimSpec): SubdivisionCandidate[] {
   if (prim.specifier !== 'def' || !isActive(prim)) return [];
   const scheme = prim.typeName === 'Mesh' ? schemeOf(prim) : undefined;
-  const corners = scheme ? (numbersAt(prim, 'faceVertexIndices', undefined)?.length ?? 0) : 0;
   const below = [...prim.children.values()].flatMap((child) => subdividedMeshes(child));
-  return scheme ? [{ path: prim.path, key: prim.content ?? prim.path, corners, scheme }, ...below] : below;
+  return scheme ? [{ path: prim.path, key: prim.content ?? prim.path, ...cornersOf(prim), scheme }, ...below] : below;
+}
+
+function cornersOf(prim: PrimSpec): Pick<SubdivisionCandidate, 'corners' | 'copies'> {
+  const indices = attributeOf(prim, 'faceVertexIndices');
+  const samples = indices?.timeSamples?.values ?? [];
+  const counts = (samples.length > 0 ? samples : [indices?.value]).map((value) => (value && countOf(value)) ?? 0);
+  return { corners: counts.reduce((a, b) => Math.max(a, b), 0), copies: counts.length };
 }
 
 /** Subdivision levels of a mesh; 0: drawn as polygons. */
@@ -95,7 +105,7 @@ export function levelsOf(context: StageContext, prim: PrimSpec): number {
       'info',
       msg`it is subdivided ${levels} times, not ${wanted}: a scene's surfaces share ${FACE_BUDGET.toLocaleString('en')} faces`,
     );
-  if (wanted === 0) context.subdivided.push(prim.path);
+  if (wanted === 0 && context.subdivided.at(-1) !== prim.path) context.subdivided.push(prim.path);
   if (levels === 0 || scheme !== 'loop') return levels;
   const counts = numbersAt(prim, 'faceVertexCounts', context.startCode) ?? [];
   if (counts.every((count) => count === 3)) return levels;

@@ -1,13 +1,14 @@
 import * as mat4 from '../../../../math/mat4.ts';
 import type { Vec3 } from '../../../../math/vec3.ts';
 import { msg } from '../../../../messages/message.ts';
+import { commonLifetimes } from '../../../../scene/motion/lifetimes.ts';
 import type { Lifetime } from '../../../../scene/types.ts';
 import { report } from '../../diagnostics.ts';
 import type { PrimSpec } from '../../layer/layer.ts';
 import { parentOf } from '../../layer/primPaths.ts';
 import { metadataNumber, primAt, targetsOf } from '../../layer/query.ts';
 import type { StageContext } from '../context.ts';
-import { lifetimeOf, poseTimeOf, type SlowlightAttributes } from '../slowlightAttributes.ts';
+import { poseTimeOf, type SlowlightAttributes } from '../slowlightAttributes.ts';
 import { nestedTransform, ROOT_TRANSFORM, type StageTransform } from '../transforms/stageTransform.ts';
 import { type InstanceColor, instanceColors } from './instanceColors.ts';
 import { type ExtrapolationRange, instanceTransform } from './instancePaths.ts';
@@ -18,7 +19,8 @@ import type { PlacedInstancer, Prototype, UnplacedGprim } from './prototype.ts';
 export interface InstanceContext {
   readonly transform: StageTransform;
   readonly slowlight: SlowlightAttributes;
-  readonly lifetime: Lifetime;
+  /** When it exists, apart from what `slowlight` says [s]. */
+  readonly lives: readonly Lifetime[];
   readonly color: Vec3 | undefined;
   /** Constant velocity in the stage's axes [units/s]; undefined if the transform describes the motion. */
   readonly velocity: Vec3 | undefined;
@@ -63,7 +65,7 @@ export class Instancers {
     const around = {
       transform: ROOT_TRANSFORM,
       slowlight: {},
-      lifetime: lifetimeOf({}),
+      lives: site.lives,
       color: undefined,
       velocity: undefined,
     };
@@ -86,7 +88,7 @@ export class Instancers {
     let size = 0;
     for (const [i, path] of prototypes.entries()) {
       const subtree = each[i] > 0 ? await this.prototype(prim, path) : undefined;
-      let own = subtree?.gprims.length ?? 0;
+      let own = (subtree?.gprims ?? []).reduce((sum, { lives }) => sum + lives.length, 0);
       for (const nested of subtree?.instancers ?? []) own += await this.sizeOf(nested.prim, within);
       size += each[i] * own;
     }
@@ -134,7 +136,12 @@ export class Instancers {
     });
     for (const part of subtree.gprims) this.reader.addInstance(part, named(part.path), directed(part.slowlight));
     for (const nested of subtree.instancers)
-      await this.draw(nested, named(nested.prim.path), directed(nested.slowlight), within);
+      await this.draw(
+        nested,
+        named(nested.prim.path),
+        { ...directed(nested.slowlight), lives: commonLifetimes(setting.lives, nested.lives) },
+        within,
+      );
   }
 
   private instanceContext(
@@ -143,8 +150,8 @@ export class Instancers {
     around: InstanceContext,
   ): InstanceContext {
     const { codesPerSecond } = this.context;
-    const birth = Math.max(around.lifetime.birth, instance.birth / codesPerSecond);
-    const death = Math.min(around.lifetime.death, instance.death / codesPerSecond);
+    const life = { birth: instance.birth / codesPerSecond, death: instance.death / codesPerSecond };
+    const lives = commonLifetimes(around.lives, [life]);
     const isStill = around.transform.times.length === 0;
     const [{ index, count }] = instance.indexRuns;
     const isDirected = poseTimeOf(around.slowlight) !== undefined;
@@ -153,7 +160,7 @@ export class Instancers {
     const matrix = around.transform.matrixAt(0);
     const frame = nestedTransform(around.transform, this.instanceTransform(population, instance, rate !== undefined));
     const drift = rate ? mat4.transformVector(matrix, rate) : around.velocity;
-    return { ...around, transform: frame, lifetime: { birth, death }, velocity: drift };
+    return { ...around, transform: frame, lives, velocity: drift };
   }
 
   /** An instance with a constant velocity has its transform of time code 0. */

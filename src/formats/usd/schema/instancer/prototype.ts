@@ -1,3 +1,4 @@
+import type { Lifetime } from '../../../../scene/types.ts';
 import type { PrimSpec } from '../../layer/layer.ts';
 import type { PrimGeometry } from '../geometry/primGeometry.ts';
 import type { MeshLight } from '../lights/meshLights.ts';
@@ -10,6 +11,10 @@ export interface UnplacedGprim {
   readonly geometry: PrimGeometry;
   readonly transform: StageTransform;
   readonly slowlight: SlowlightAttributes;
+  /** When it exists, apart from what `slowlight` says [s]. */
+  readonly lives: readonly Lifetime[];
+  /** Its number, if it is one of the pieces of a mesh whose topology changes. */
+  readonly piece?: number;
   /** Index in `Scene.materials` of the material that an instance's displayColor replaces. */
   readonly displayColorMaterial: number | undefined;
   /** Absent if it is not a light. */
@@ -20,6 +25,8 @@ export interface PlacedInstancer {
   readonly prim: PrimSpec;
   readonly transform: StageTransform;
   readonly slowlight: SlowlightAttributes;
+  /** When it exists, apart from what `slowlight` says [s]. */
+  readonly lives: readonly Lifetime[];
 }
 
 /** The content of a prim's subtree. */

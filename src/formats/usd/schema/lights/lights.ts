@@ -51,4 +51,7 @@ function reportHeldInputs({ context, prim, frame, slowlight }: LightPrim, moves:
 }
 
 const isAnimatedInput = (property: PropertySpec): boolean =>
-  property.kind === 'attribute' && !property.name.startsWith('xformOp:') && sampleTimes(property).length > 0;
+  property.kind === 'attribute' &&
+  property.name !== 'visibility' &&
+  !property.name.startsWith('xformOp:') &&
+  sampleTimes(property).length > 0;

@@ -1,7 +1,7 @@
 import { degrees } from '../../../../math/angle.ts';
 import type { LightShaping, LocalLight } from '../../../../scene/types.ts';
-import { transformOf } from '../motions.ts';
-import { slowlightProperties } from '../prims.ts';
+import { lifeProperties } from '../lives.ts';
+import { slowlightMotion, transformOf } from '../motions.ts';
 import { attribute, type Properties, schemas } from '../specs.ts';
 import { float } from '../values.ts';
 import { colorProperties, type LightWriter } from './lightWriter.ts';
@@ -20,7 +20,8 @@ export const localLightWriter =
           attribute('float', `inputs:${name}`, float(size / placement.metersPerUnit)),
         ),
         ...shaping,
-        ...slowlightProperties(light, placement),
+        ...slowlightMotion(light.motion, placement),
+        ...lifeProperties(placement),
         ...transformOf(light.motion, placement),
       ],
     };
