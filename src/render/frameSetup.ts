@@ -89,6 +89,7 @@ export class FrameSetup {
     if (settings.shadows && !upload.shadows.update(observation)) return undefined;
     ready();
     this.tessellate(view, visible, frustum, size);
+    upload.releasePieces(visible);
     upload.updateLights(observation, settings.colors);
     upload.stars?.update(viewPoint, settings, size.width, size.height);
     return visible;

@@ -7,12 +7,13 @@ import type { SampledPointsMotion, Scene, Texture } from '../scene/types.ts';
 import { HalfAtlas } from '../shaders/tables/halfAtlas.ts';
 import { type DrawCall, disposeDrawCall, makeDrawCall } from './gbuffer/drawCall.ts';
 import { MATERIAL_TEXELS, materialTexels, type SurfaceTextures } from './gbuffer/surface.ts';
-import { type Batch, type BatchArrays, type BatchTextures, makeBatches } from './geometry/batches.ts';
+import { type Batch, type BatchArrays, type BatchTextures, isPiece, makeBatches } from './geometry/batches.ts';
 import { type Body, makeBody } from './geometry/bodies.ts';
 import { ObjectTableWriter } from './geometry/objectTables.ts';
 import type { Observation } from './geometry/observation.ts';
 import { PointStore } from './geometry/pointSamples/pointStore.ts';
 import { SampleLoader } from './geometry/pointSamples/sampleLoader.ts';
+import { ReleasedPieces } from './geometry/releasedPieces.ts';
 import { indexedVertex } from './geometry/vertexInput.ts';
 import { isSampledAtRest, sceneRadius, worldObjects } from './geometry/worldObjects.ts';
 import { ChannelPacker } from './gpu/channelPacking.ts';
@@ -61,6 +62,10 @@ export class SceneUpload {
   private readonly channelPacker = new ChannelPacker();
   private readonly textures = new Map<string, DataTexture>();
   private sampleLoader: SampleLoader | undefined;
+  /** Draw calls of pieces that take turns. */
+  private readonly pieces: ReleasedPieces<DrawCall>;
+  /** By what shaders read: pieces without textures of their own share their materials, which are expensive to compile. */
+  private readonly pieceMaterials = new Map<string, DrawCall['materials']>();
 
   constructor(scene: Scene, speedOfLight: number, uniforms: FrameUniforms, gpu: Gpu, options: RendererOptions) {
     this.scene = scene;
@@ -73,14 +78,20 @@ export class SceneUpload {
     const nightSky = sceneNightSky(scene);
     this.stars = nightSky && new StarPoints(nightSky, uniforms, gpu);
     this.objectWriter = new ObjectTableWriter({ objects: this.objects, samples: this.samples, points: this.points });
+    // Several lives of one thing have one motion.
+    const stores = new Map<SampledPointsMotion, PointStore>();
     for (const { id, object } of this.bodies) {
       const samples = pointSamples(object.motion);
-      if (samples) this.points.set(id, this.pointStore(samples, object.mesh.normals, gpu, options));
+      if (!samples) continue;
+      const store = stores.get(samples) ?? this.pointStore(samples, object.mesh.normals, gpu, options);
+      stores.set(samples, store);
+      this.points.set(id, store);
     }
     this.fillMaterials();
     const batches = makeBatches({ ...scene, objects: this.bodies.map((b) => b.object) }, this.bodies);
     this.fillInstances(batches);
     for (const batch of batches) this.add(this.drawBatch(batch, uniforms));
+    this.pieces = new ReleasedPieces(this.drawCalls.filter(({ batch }) => isPiece(batch)));
     // Before the tessellator changes the draw calls' geometry: shadow maps draw whole batches.
     const { bodies, drawCalls, points } = this;
     const detail = SHADOW_DETAILS[options.shadowDetail ?? 'fine'];
@@ -100,7 +111,7 @@ export class SceneUpload {
     this.tessellator.dispose();
     this.shadows.dispose();
     this.sampleLoader?.dispose();
-    for (const store of this.points.values()) store.dispose();
+    for (const store of new Set(this.points.values())) store.dispose();
     for (const image of this.textures.values()) image.dispose();
     for (const table of [this.objects, this.samples, this.table, this.instances]) table.dispose();
     this.atlas.dispose();
@@ -120,6 +131,14 @@ export class SceneUpload {
     this.sampleLoader ??= new SampleLoader(sampleWorker(), options);
     const samples = this.sampleLoader.samplesOf(motion.points);
     return new PointStore(motion, meshNormals, gpu.renderer, { maxTexels: texels, samples });
+  }
+
+  /** Frees the memory on the GPU of pieces that have not been in the picture for a while. `visible`: by body, whether it may be in this one. */
+  releasePieces(visible: readonly boolean[]): void {
+    for (const { batch, mesh } of this.pieces.next(({ batch }) => batch.bodies.some(({ id }) => visible[id - 1]))) {
+      mesh.geometry.dispose();
+      for (const { id } of batch.bodies) this.points.get(id)?.release();
+    }
   }
 
   /** Updates the lights for an observation, with their colours for a colour mode. */
@@ -155,7 +174,7 @@ export class SceneUpload {
     const points = deforms(batch) ? this.points.get(batch.bodies[0].id) : undefined;
     const colored = batch.arrays.colors !== undefined;
     const instances = batch.instancing ? this.instances : undefined;
-    return makeDrawCall(makeGeometry(batch.arrays), {
+    const drawCall = makeDrawCall(makeGeometry(batch.arrays), {
       batch,
       vertex: {
         kind: batch.kind,
@@ -173,6 +192,15 @@ export class SceneUpload {
         textures: this.surfaceTextures(batch.textures),
       },
     });
+    if (!isPiece(batch) || points || instances) return drawCall;
+    const { kind, transparent, doubleSided } = batch;
+    const textures = Object.values(batch.textures).map((each) =>
+      'texture' in each ? [textureKey(each.texture), 'channel' in each && each.channel] : textureKey(each),
+    );
+    const key = [kind, transparent, doubleSided, colored, Object.keys(batch.textures), textures].join(' ');
+    const materials = this.pieceMaterials.get(key) ?? drawCall.materials;
+    this.pieceMaterials.set(key, materials);
+    return { ...drawCall, materials };
   }
 
   private surfaceTextures(batchTextures: BatchTextures): SurfaceTextures {

@@ -3,6 +3,7 @@ import { SceneRenderer } from '../../src/render/renderer.ts';
 import type { RendererInfo } from '../../src/render/settings.ts';
 import { EXTRA_SCENES } from './extraScenes.ts';
 import { LATE_SCENES } from './lateScenes.ts';
+import { PIECES } from './pieceScenes.ts';
 import { type PixelRequest, readSamplePixels } from './pixels.ts';
 
 declare global {
@@ -20,7 +21,7 @@ declare global {
 }
 
 const renderer = await SceneRenderer.create({ canvas: document.createElement('canvas'), backend: 'webgl' });
-const made = [...EXTRA_SCENES.map(({ scene }) => scene), ...LATE_SCENES];
+const made = [...EXTRA_SCENES.map(({ scene }) => scene), ...LATE_SCENES, PIECES];
 const files = {
   read: async (path: string) => Uint8Array.from(atob(await window.readExample(path)), (c) => c.charCodeAt(0)),
 };

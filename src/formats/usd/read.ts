@@ -1,7 +1,8 @@
 import { msg } from '../../messages/message.ts';
+import { FOREVER } from '../../scene/defaults.ts';
 import { SamplingBudget } from '../../scene/motion/adaptiveSampling.ts';
 import { sampleTimes } from '../../scene/motion/motion.ts';
-import type { Scene } from '../../scene/types.ts';
+import type { Lifetime, Motion, Scene } from '../../scene/types.ts';
 import { DiagnosticList } from '../diagnostics/diagnosticLog.ts';
 import { inputError } from '../diagnostics/inputError.ts';
 import type { FileSource } from '../files/fileSource.ts';
@@ -139,12 +140,17 @@ function timeRange(context: StageContext, { objects, cameras }: StageContents) {
     first = Math.min(first, time);
     last = Math.max(last, time);
   };
-  for (const { motion } of [...objects, ...cameras]) {
+  const includeSamples = (motion: Motion, { birth, death }: Lifetime): void => {
     const times = sampleTimes(motion);
-    if (times) [times[0], times[times.length - 1]].forEach(include);
-  }
-  for (const { pieceOf, lifetime } of objects)
+    if (!times) return;
+    include(Math.max(birth, times[0]));
+    include(Math.min(death, times[times.length - 1]));
+  };
+  for (const { motion } of cameras) includeSamples(motion, FOREVER);
+  for (const { motion, pieceOf, lifetime } of objects) {
+    includeSamples(motion, pieceOf === undefined ? FOREVER : lifetime);
     if (pieceOf !== undefined) [lifetime.birth, lifetime.death].filter(Number.isFinite).forEach(include);
+  }
   const startTime = start !== undefined ? start / context.codesPerSecond : Number.isFinite(first) ? first : 0;
   const endTime = end !== undefined ? end / context.codesPerSecond : Math.max(startTime, last);
   return { startTime, endTime: Math.max(startTime, endTime) };

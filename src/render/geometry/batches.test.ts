@@ -2,9 +2,10 @@ import { expect, it } from 'vitest';
 import { fromAxisAngle } from '../../math/quat.ts';
 import { makeMaterial, makeObject, makeScene, restingAt } from '../../scene/defaults.ts';
 import { box, sphere } from '../../scene/mesh/primitives.ts';
-import type { Material, SceneObject } from '../../scene/types.ts';
+import type { Material, Mesh, SceneObject } from '../../scene/types.ts';
 import { makeBatches } from './batches.ts';
 import { makeBody } from './bodies.ts';
+import { ReleasedPieces } from './releasedPieces.ts';
 
 const batchesOf = (objects: SceneObject[], materials: Material[] = []) => {
   const scene = makeScene({ name: 'test', objects, materials });
@@ -52,6 +53,25 @@ it('deforming, large and transparent objects get batches of their own', () => {
   const batches = batchesOf(objects, [makeMaterial({ name: 'matt' }), glass]);
   expect(batches.map((b) => b.bodies.map(({ id }) => id))).toEqual([[1], [2], [3, 4], [5], [6]]);
   expect(batches.map((b) => b.transparent)).toEqual([true, true, false, false, false]);
+});
+
+it('pieces with meshes of their own get batches of their own, several lives of one mesh do not', () => {
+  const shared = box([1, 1, 1]);
+  const piece = (whole: string, n: number, mesh: Mesh): SceneObject => ({
+    ...makeObject({ path: `${whole}/piece${n}`, mesh, lifetime: { birth: n, death: n + 1 } }),
+    pieceOf: whole,
+  });
+  const own = [1, 2].map((n) => piece('/Water', n, box([n, 1, 1])));
+  const lives = [1, 2].map((n) => piece('/Lamp', n, shared));
+  const batches = batchesOf([...own, ...lives]);
+  expect(batches.map((b) => b.bodies.map(({ id }) => id))).toEqual([[1], [2], [3, 4]]);
+});
+
+it('pieces are released when 16 pictures have not shown them, and not again before they are seen', () => {
+  const pieces = new ReleasedPieces(['a', 'b']);
+  const released: string[][] = [];
+  for (let i = 0; i < 40; i++) released.push([...pieces.next((piece) => piece === 'a' || i === 0)]);
+  expect(released.flatMap((of, i) => of.map((piece) => [i, piece]))).toEqual([[16, 'b']]);
 });
 
 it('a mesh shared by many objects is stored once, with the object and the material of each', () => {

@@ -34,6 +34,9 @@ export interface Batch {
   readonly arrays: BatchArrays;
 }
 
+/** Whether it is a piece of something whose pieces take turns: it can be released when it is not in the picture. */
+export const isPiece = ({ bodies }: Batch): boolean => bodies.every(({ object }) => object.pieceOf !== undefined);
+
 const CHANNEL_SLOTS = ['roughnessTexture', 'metallicTexture', 'occlusionTexture', 'uvTexture', 'irTexture'] as const;
 const TEXTURE_SLOTS = ['baseColorTexture', 'emissiveTexture', 'normalTexture', ...CHANNEL_SLOTS] as const;
 
@@ -79,7 +82,7 @@ export function makeBatches(scene: Scene, bodies: readonly Body[]): Batch[] {
   for (const body of bodies) {
     const { mesh, motion } = body.object;
     const deforming = deforms(motion);
-    const alone = deforming || mesh.indices.length > 3 * MAX_MERGED_TRIANGLES;
+    const alone = deforming || mesh.indices.length > 3 * MAX_MERGED_TRIANGLES || sharedMeshes.isOwnPiece(body);
     const sharedKey = sharedMeshes.sharedKey(body);
     for (const { material, start, count } of mesh.groups) {
       const shape = `${motion.kind} ${mesh.doubleSided} ${mesh.colors !== undefined} ${alone || transparent[material] ? body.id : 0}`;
@@ -117,6 +120,11 @@ class SharedMeshes {
       const key = this.keyOf(body);
       this.users.set(key, (this.users.get(key) ?? 0) + 1);
     }
+  }
+
+  /** Whether it is one of several things that take turns with meshes of their own, of which only those in the picture are uploaded. */
+  isOwnPiece(body: Body): boolean {
+    return body.object.pieceOf !== undefined && this.users.get(this.keyOf(body)) === 1;
   }
 
   sharedKey(body: Body): string | undefined {

@@ -114,6 +114,7 @@ export class FloatTable implements Texels {
     return texel;
   }
 
+  /** Frees the memory on the GPU; the next shader that reads the table uploads it again. */
   dispose(): void {
     this.texture.dispose();
   }

@@ -1,6 +1,6 @@
 import { deforms } from '../../scene/motion/motion.ts';
 import type { DrawCall } from '../gbuffer/drawCall.ts';
-import type { Batch } from '../geometry/batches.ts';
+import { type Batch, isPiece } from '../geometry/batches.ts';
 import type { Gpu } from '../gpu/device.ts';
 import type { RendererOptions } from '../settings.ts';
 import type { TessellationView } from './criterion/tessellationView.ts';
@@ -100,6 +100,7 @@ export class Tessellator {
       maxPatches: MAX_PATCHES[this.gpu.backend],
     };
     const visible = this.parts.map(({ indexed }) => isVisible(indexed.batch));
+    this.triangleTable.trim((batch) => !isPiece(batch) || isVisible(batch));
     const plans = this.planner.plan({ viewIndex, view: requested, visible });
     const requests: IndirectRequest[] = [];
     this.cpuTriangles = 0;

@@ -20,8 +20,8 @@ export const withLifetime = (scene: Scene, path: string, lifetime: Lifetime): Sc
   lights: limited(scene.lights, path, lifetime),
 });
 
-function limited<T extends Mortal>(items: readonly T[], path: string, lifetime: Lifetime): T[] {
-  const isLimited = (item: T): item is T & Required<Pick<Mortal, 'lifetime'>> =>
+function limited<T extends LimitedLife>(items: readonly T[], path: string, lifetime: Lifetime): T[] {
+  const isLimited = (item: T): item is T & Required<Pick<LimitedLife, 'lifetime'>> =>
     item.lifetime !== undefined && matchesPath(item.path, path);
   const survivors = new Set(
     items.flatMap((item) => (!isLimited(item) || commonLifetime(item.lifetime, lifetime) ? [item.pieceOf] : [])),
@@ -35,7 +35,7 @@ function limited<T extends Mortal>(items: readonly T[], path: string, lifetime: 
   });
 }
 
-interface Mortal {
+interface LimitedLife {
   readonly path: string;
   readonly lifetime?: Lifetime;
   readonly pieceOf?: string;

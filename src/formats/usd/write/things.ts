@@ -6,14 +6,14 @@ export interface WrittenThing<T> {
   readonly pieces: readonly [T, ...T[]];
 }
 
-interface Piece {
+interface LivingPart {
   readonly path: string;
   readonly pieceOf?: string;
   readonly lifetime: Lifetime;
 }
 
 /** Gathers the pieces of each thing; where they cannot be one prim, each is a thing of its own. */
-export function thingsOf<T extends Piece>(
+export function thingsOf<T extends LivingPart>(
   items: readonly T[],
   areOne: (pieces: readonly [T, ...T[]], path: string) => boolean,
 ): WrittenThing<T>[] {

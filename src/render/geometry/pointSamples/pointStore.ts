@@ -82,6 +82,11 @@ export class PointStore {
     return resident;
   }
 
+  /** Frees the memory on the GPU of samples that are uploaded again as a whole when they are next read. */
+  release(): void {
+    if (!this.ring) for (const table of this.tables()) table.dispose();
+  }
+
   private upload(ring: SampleRing, k: number): boolean {
     const rows = this.samples.take(k);
     if (!rows) return false;

@@ -8,6 +8,8 @@ import { FloatTable } from '../../gpu/floatTable.ts';
 
 /** Indices are stored as f32, which is exact up to this. */
 const MAX_TEXELS = 2 ** 24;
+/** Most texels of vertices that are kept without need: 16 MiB. */
+const MAX_UNNEEDED_TEXELS = 2 ** 20;
 /** Per triangle: (first texels of its corners, in the order of their positions), (object id − 1, material, that order, 0). */
 const TRIANGLE_TEXELS = 2;
 
@@ -29,12 +31,22 @@ export class TriangleTable {
   private triangleCount = 0;
   private vertexTexels = 0;
 
+  /** Forgets all batches if those that are not needed have many texels; the others are added again when they are used. */
+  trim(isNeeded: (batch: Batch) => boolean): void {
+    let texels = 0;
+    for (const batch of this.firstTriangles.keys()) if (!isNeeded(batch)) texels += texelsOf(batch);
+    if (texels <= MAX_UNNEEDED_TEXELS) return;
+    this.firstTriangles.clear();
+    this.triangleCount = 0;
+    this.vertexTexels = 0;
+  }
+
   /** Index of a batch's first triangle, added on first use; undefined if there is no room left. */
   firstTriangle(batch: Batch): number | undefined {
     const cached = this.firstTriangles.get(batch);
     if (cached !== undefined) return cached;
     const triangles = this.triangleCount + batch.arrays.indices.length / 3;
-    const texels = this.vertexTexels + texelsPerVertex(batch.arrays) * (batch.arrays.positions.length / 3);
+    const texels = this.vertexTexels + texelsOf(batch);
     if (TRIANGLE_TEXELS * triangles > MAX_TEXELS || texels > MAX_TEXELS) return undefined;
     const first = this.triangleCount;
     this.firstTriangles.set(batch, first);
@@ -123,6 +135,8 @@ export class TriangleTable {
     this.vertices.upload();
   }
 }
+
+const texelsOf = ({ arrays }: Batch): number => texelsPerVertex(arrays) * (arrays.positions.length / 3);
 
 const texelsPerVertex = ({ colors }: BatchArrays): number => (colors ? 3 : 2);
 

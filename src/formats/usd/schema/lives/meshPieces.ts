@@ -47,10 +47,11 @@ export function meshPieces(context: StageContext, prim: PrimSpec): readonly Mesh
     const own = pointCodes.filter((code) => code >= from && code < until);
     const codes = own.length > 0 && (i === 0 || own[0] === start) ? own : Float64Array.of(start, ...own);
     const last = codes[codes.length - 1];
+    const alone = { at: Math.min(start, codes[0]), from, until, codes };
     const end = Number.isFinite(until) ? until : lastCode;
-    const goOn = samePoints && until < Infinity && pointCodes[pointCodes.length - 1] > last;
-    const after = !(end > last) ? 'rest' : hasVelocities(prim, last) ? 'velocities' : goOn ? 'straight' : 'rest';
-    return { at: Math.min(start, codes[0]), from, until, codes, after, end };
+    if (end > last && hasVelocities(prim, last)) return { ...alone, after: 'velocities', end };
+    if (!samePoints || pointCodes.length === 0) return { ...alone, after: 'rest', end: last };
+    return { ...alone, after: 'straight', end: Math.max(last, Math.min(until, pointCodes[pointCodes.length - 1])) };
   });
 }
 

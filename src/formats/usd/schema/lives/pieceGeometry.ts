@@ -1,51 +1,99 @@
+import { distance } from '../../../../math/vec3.ts';
 import type { Mesh } from '../../../../scene/types.ts';
-import { numbersAt } from '../../layer/attributes.ts';
+import { attributeOf, numbersAt, sampleTimes } from '../../layer/attributes.ts';
 import type { NumberArray, PrimSpec } from '../../layer/layer.ts';
 import type { StageContext } from '../context.ts';
+import { boxCorners } from '../geometry/pointSampling.ts';
 import type { DeformedPoints, PrimGeometry } from '../geometry/primGeometry.ts';
 import type { StageTransform } from '../transforms/stageTransform.ts';
 import { unionOfTimes } from '../transforms/xformOps.ts';
 import type { MeshPiece } from './meshPieces.ts';
 
-/** The mesh of a piece with its motion while it lives; `pointsFor` maps the prim's points at a time to its vertices. */
+/** How far points are moved on beyond the life of their piece, relative to its size, and how long, relative to that life. */
+const MARGIN_SIZES = 4;
+const MARGIN_LIVES = 100;
+
+/**
+ * The mesh of a piece with its motion; `pointsFor` maps the prim's points at a time to its vertices. The motion goes on before its birth and after its death: of
+ * a triangle of which a part is seen alive, corners are seen earlier or later, and the renderer interpolates their velocities.
+ */
 export function pieceGeometry(
   { codesPerSecond }: Pick<StageContext, 'codesPerSecond'>,
   prim: PrimSpec,
   mesh: Mesh,
-  { codes, after, end }: MeshPiece,
+  piece: MeshPiece,
   pointsFor: (points: ArrayLike<number>, time: number) => DeformedPoints,
 ): PrimGeometry {
-  const last = codes[codes.length - 1];
-  const times = after === 'rest' ? codes : unionOfTimes([codes, Float64Array.of(end)]);
-  if (times.length < 2) return { mesh };
+  const { codes, after, end } = piece;
+  const [first, last] = [codes[0], codes[codes.length - 1]];
+  const lasting = after === 'rest' || end === last ? codes : unionOfTimes([codes, Float64Array.of(end)]);
+  if (lasting.length < 2) return { mesh };
+  const velocities = after === 'velocities' ? numbersAt(prim, 'velocities', last) : undefined;
+  const rate =
+    codes.length === 1
+      ? velocities
+      : chordVelocities(pointsOf(prim, first), pointsOf(prim, codes[1]), codes[1] - first);
+  const toCodes = codes.length === 1 ? 1 / codesPerSecond : 1;
   const pointsAt = (time: number): ArrayLike<number> => {
-    if (time <= last || after === 'straight') return pointsOf(prim, time);
+    if (after === 'straight') return pointsOf(prim, time);
+    if (time < first && rate) return movedPoints(pointsOf(prim, first), rate, (time - first) * toCodes);
+    if (time <= last) return pointsOf(prim, time);
     const points = pointsOf(prim, last);
-    return after === 'rest'
-      ? points
-      : movedPoints(points, numbersAt(prim, 'velocities', last)!, (time - last) / codesPerSecond);
+    return velocities ? movedPoints(points, velocities, (time - last) / codesPerSecond) : points;
   };
   const at = (time: number): DeformedPoints => {
-    const placed = pointsFor(pointsAt(time), Math.min(time, last));
+    const placed = pointsFor(pointsAt(time), Math.max(first, Math.min(time, last)));
     // Of one sample, the normals keep their directions while the points move on.
-    return codes.length === 1 && after === 'velocities' ? { ...placed, normals: mesh.normals.slice() } : placed;
+    return codes.length === 1 && velocities ? { ...placed, normals: mesh.normals.slice() } : placed;
   };
-  return { mesh, deformation: { times, at } };
+  const margin = velocities ? marginOf(pointsOf(prim, last), velocities, codesPerSecond, end - first) : 0;
+  const beyond =
+    after === 'straight'
+      ? neighbours(sampleTimes(attributeOf(prim, 'points')), first, end)
+      : margin > 0
+        ? Float64Array.from(
+            [first - margin, end + margin].filter((_, i) => Number.isFinite(i ? piece.until : piece.from)),
+          )
+        : NO_TIMES;
+  return { mesh, deformation: { times: unionOfTimes([lasting, beyond]), at } };
 }
+
+const NO_TIMES = new Float64Array(0);
+
+/** The last sample before a time and the first one after another. */
+const neighbours = (times: Float64Array, from: number, to: number): Float64Array =>
+  Float64Array.of(...times.filter((time) => time < from).slice(-1), ...times.filter((time) => time > to).slice(0, 1));
 
 const pointsOf = (prim: PrimSpec, time: number): NumberArray => numbersAt(prim, 'points', time)!;
 
-const movedPoints = (points: NumberArray, velocities: NumberArray, seconds: number): Float64Array =>
-  Float64Array.from(points, (x, i) => x + velocities[i] * seconds);
+const movedPoints = (points: NumberArray, velocities: ArrayLike<number>, time: number): Float64Array =>
+  Float64Array.from(points, (x, i) => x + velocities[i] * time);
 
-/** A transform as far as a piece needs it: between its birth and its death. */
+const chordVelocities = (from: NumberArray, to: NumberArray, time: number): Float64Array =>
+  Float64Array.from(from, (x, i) => (to[i] - x) / time);
+
+/** [time codes] Light crosses the points in less, because none is as fast as light. */
+function marginOf(points: NumberArray, velocities: NumberArray, codesPerSecond: number, life: number): number {
+  const corners = boxCorners(points);
+  let fastest = 0;
+  for (let i = 0; i < velocities.length; i += 3)
+    fastest = Math.max(fastest, Math.hypot(velocities[i], velocities[i + 1], velocities[i + 2]));
+  if (!(fastest > 0)) return 0;
+  const crossing = (MARGIN_SIZES * distance(corners[0], corners[corners.length - 1]) * codesPerSecond) / fastest;
+  return Math.min(crossing, MARGIN_LIVES * life);
+}
+
+/** Samples of a transform that are kept before the birth and after the death of a piece. */
+const MARGIN_SAMPLES = 3;
+
+/** A transform as far as a piece needs it: around its life. */
 export function transformInLife(frame: StageTransform, { from, until }: MeshPiece): StageTransform {
   if (frame.times.length === 0) return frame;
-  const within = frame.times.filter((time) => time > from && time < until);
-  const times = Float64Array.from([
-    ...(Number.isFinite(from) ? [from] : []),
-    ...within,
-    ...(Number.isFinite(until) ? [until] : []),
-  ]);
-  return { ...frame, times: times.length > 0 ? times : frame.times };
+  const first = frame.times.findIndex((time) => time > from);
+  const begin = first < 0 ? frame.times.length : first;
+  const after = frame.times.findIndex((time) => time >= until);
+  const end = after < 0 ? frame.times.length : after;
+  const within = frame.times.slice(Math.max(0, begin - MARGIN_SAMPLES), end + MARGIN_SAMPLES);
+  const ends = Float64Array.from([from, until].filter(Number.isFinite));
+  return { ...frame, times: unionOfTimes([within, ends]) };
 }
