@@ -1,5 +1,6 @@
 import { listed, msg } from '../messages/message.ts';
 import { messageOf } from '../messages/messageError.ts';
+import { matchesPath } from '../scene/compose/mergeScenes.ts';
 import { InputError, type Scene } from '../scene/types.ts';
 import { formatBytes, inputError } from './diagnostics/inputError.ts';
 import { dotted, extensionOf, type FileSource, normalizePath } from './files/fileSource.ts';
@@ -34,12 +35,30 @@ export async function openScene(files: FileSource, entry: string, options: OpenO
   if (size === undefined) throw await missingFile(files, path);
   if (size === 0) throw inputError('file.empty', path, msg`the file is empty (0 bytes); export or copy it again`);
   try {
-    return sanitizeScene(await format.read(source, path, options));
+    return withinPrim(sanitizeScene(await format.read(source, path, options)), path, options.prim);
   } catch (thrown) {
     if (thrown instanceof InputError) throw thrown;
     const message = msg`cannot be read as ${format.name}: ${messageOf(thrown)}; the file may be damaged, export it again`;
     throw inputError('file.unreadable', path, message, thrown);
   }
+}
+
+/** What is at a prim path and below it; of USD nothing else has been read. Throws an InputError if that is nothing. */
+function withinPrim(scene: Scene, file: string, prim: string | undefined): Scene {
+  if (!prim) return scene;
+  const root = `/${prim.split('/').filter(Boolean).join('/')}`;
+  const inside = <T extends { readonly path: string }>(items: readonly T[]): readonly T[] =>
+    items.filter(({ path }) => matchesPath(path, root));
+  const [objects, lights, cameras] = [inside(scene.objects), inside(scene.lights), inside(scene.cameras)];
+  if (objects.length + lights.length + cameras.length > 0) return { ...scene, objects, lights, cameras };
+  const others = scene.objects.slice(0, 5).map(({ path }) => path);
+  throw inputError(
+    'prim.missing',
+    file,
+    others.length > 0
+      ? msg`there is nothing at ${prim}; there is ${listed(others)}`
+      : msg`there is nothing to be seen at ${prim}, and no light and no camera; choose another path`,
+  );
 }
 
 function unknownFormat(path: string): InputError {

@@ -7,6 +7,8 @@ export interface ReadOptions {
   readonly animation?: string | number;
   /** Maximum error of a resampled path, relative to the object's size. */
   readonly chordTolerance?: number;
+  /** Path of the prim that is read, with everything below it; what it inherits from above stays. Absent: everything. */
+  readonly prim?: string;
   /** USD: interpolation between time samples; USD specifies linear. */
   readonly interpolation?: Interpolation;
   /** Levels to which subdivision surfaces are refined, 0 … 8; 0: drawn as their polygons. Default: 2, up to 4 for meshes of few faces, or what faces there are for. */

@@ -167,10 +167,11 @@ function servicesAt(project: string): Services {
     readFont,
     renderStill,
     openGpu: openDevice,
-    async readScene(source, { variants, interpolation }) {
+    async readScene(source, { variants, interpolation, prim }) {
       const read = await openSceneFile(at(source), {
         ...(variants && { variants }),
         ...(interpolation && { interpolation }),
+        ...(prim && { prim }),
       });
       return toLoadedScene(renderableScene(read).scene);
     },

@@ -42,6 +42,7 @@ async function load(request: LoadRequest, files?: Map<string, Uint8Array>): Prom
       variants: new Map(request.variants),
       progress,
       ...(request.interpolation && { interpolation: request.interpolation }),
+      ...(request.prim && { prim: request.prim }),
     }),
   );
 }

@@ -17,6 +17,8 @@ export interface LoadRequest extends SceneFiles {
   /** `set`, `option`. */
   readonly variants: readonly (readonly [string, string])[];
   readonly interpolation?: Interpolation;
+  /** Path of the prim to read. */
+  readonly prim?: string;
   /** Return the files that reading requests from the server, instead of the scene. */
   readonly collect?: true;
 }

@@ -73,6 +73,8 @@ export const DIAGNOSTIC_CODES = {
   'usd.animated-light': 'an animated light, which keeps its value at the start',
   'usd.animated-material': 'an animated material, which keeps its value at the start',
   'usd.projection': 'an orthographic camera, read as a perspective one',
+  'prim.missing': 'a prim path where there is nothing',
+  'usd.prim-exists': 'a prim to be written where there is one',
   'usd.empty-mesh': 'a mesh without points or faces',
   'usd.faces': 'faces with fewer than 3 corners, or with indices of missing points',
   'usd.topology':

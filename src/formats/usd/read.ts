@@ -1,4 +1,4 @@
-import { msg } from '../../messages/message.ts';
+import { listed, msg } from '../../messages/message.ts';
 import { FOREVER } from '../../scene/defaults.ts';
 import { SamplingBudget } from '../../scene/motion/adaptiveSampling.ts';
 import { sampleTimes } from '../../scene/motion/motion.ts';
@@ -13,7 +13,7 @@ import { LayerStore } from './compose/layers/layerStore.ts';
 import type { VariantSelection } from './compose/sessionLayer.ts';
 import { report } from './diagnostics.ts';
 import type { Layer } from './layer/layer.ts';
-import { metadataNumber } from './layer/query.ts';
+import { metadataNumber, primAt, primsAlong } from './layer/query.ts';
 import { readLayer } from './readLayer.ts';
 import { type StageContext, upAxisOf } from './schema/context.ts';
 import { SampleBudget } from './schema/sampleBudget.ts';
@@ -53,6 +53,7 @@ export async function readUsd(source: FileSource, entry: string, options: ReadOp
     variants: variantSelections(options.variants),
     fallbacks: options.variantFallbacks,
   });
+  if (options.prim) assertPrim(stage.layer, options.prim, entry);
   const context = contextOf(stage.layer, files, diagnostics, { ...options, sampleMemory });
   const contents = await readStage(context);
   reportSubdivision(context);
@@ -65,6 +66,20 @@ export async function readUsd(source: FileSource, entry: string, options: ReadOp
     ...variantsIn(stage),
     ...(error !== undefined && { pathError: error }),
   };
+}
+
+function assertPrim(layer: Layer, path: string, entry: string): void {
+  if (primAt(layer, path)) return;
+  const above = primsAlong(layer, path).at(-1);
+  const names = [...(above?.children ?? layer.rootPrims).keys()].slice(0, 8);
+  const place = above?.path ?? '/';
+  throw inputError(
+    'prim.missing',
+    entry,
+    names.length > 0
+      ? msg`there is no prim ${path}; below ${place} there is ${listed(names)}`
+      : msg`there is no prim ${path}; ${place} has nothing below it`,
+  );
 }
 
 /** `/World/Car{paint}` is how a scene calls the set `paint` of the prim `/World/Car`. */
@@ -96,6 +111,7 @@ function contextOf(
     codesPerSecond: number('timeCodesPerSecond') ?? number('framesPerSecond') ?? 24,
     startCode: number('startTimeCode') ?? 0,
     cubic: options.interpolation === 'cubic',
+    ...(options.prim && { prim: `/${options.prim.split('/').filter(Boolean).join('/')}` }),
     chordTolerance: options.chordTolerance ?? CHORD_TOLERANCE,
     bendTolerance: options.chordTolerance ?? BEND_TOLERANCE,
     diagnostics,

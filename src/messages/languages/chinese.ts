@@ -1605,6 +1605,33 @@ const messages: Translation['messages'] = {
   'Number 3 (arg3)': '数值 3（arg3）',
   'Number 4 (arg4)': '数值 4（arg4）',
   'Shader text': '着色器文本',
+  'this would overwrite {}, the stage that the geometry goes into; choose another file name':
+    '这会覆盖 {1}，即要写入的场景文件；请选择其他文件名',
+  'Prim path': '基元路径',
+  'Only this prim and what is below it, such as /World/Car, where it is in the stage and with the materials that it inherits; empty: everything.':
+    '只读取此基元及其下的一切，例如 /World/Car，保持其在场景中的位置和继承的材质；空：全部。',
+  'Everything is written below this prim, such as /geom/geometry; empty: where it is.':
+    '一切都写在此基元之下，例如 /geom/geometry；空：保持原位。',
+  'Into the stage': '写入场景文件',
+  'A USD file of the project. A new stage is written that has it and the geometry; the file itself is not changed. Keep them in one folder.':
+    '项目中的一个 USD 文件。写出一个包含它和几何体的新场景文件；该文件本身不变。请放在同一文件夹中。',
+  As: '方式',
+  'Sublayer: a layer below those of the stage. Payload: of a new prim, which programs can leave unloaded.':
+    '子层：位于场景各层之下的一层。载荷：属于一个新基元，程序可以不加载它。',
+  Sublayer: '子层',
+  Payload: '载荷',
+  '"{}" is no path of a prim; write one like {}': '“{1}”不是基元路径；请写成 {2} 这样',
+  'the name {} has characters that USD takes for the end of it; rename the file':
+    '名称 {1} 含有 USD 会当作结尾的字符；请重命名该文件',
+  'in {} {} is up, in the geometry {}; make the geometry in the axes of the stage':
+    '在 {1} 中 {2} 轴朝上，几何体中是 {3} 轴；请按场景文件的坐标轴制作几何体',
+  'there is a prim {} already, and nothing is overwritten; choose another path':
+    '已有基元 {1}，不会覆盖任何内容；请选择其他路径',
+  'there is nothing at {}; there is {}': '{1} 处没有任何内容；有 {2}',
+  'there is nothing to be seen at {}, and no light and no camera; choose another path':
+    '{1} 处没有可见的内容，也没有灯光和相机；请选择其他路径',
+  'there is no prim {}; below {} there is {}': '没有基元 {1}；{2} 之下有 {3}',
+  'there is no prim {}; {} has nothing below it': '没有基元 {1}；{2} 之下没有任何内容',
   'The background of the scene: a uniform sky, a gradient from the horizon to the zenith and to the ground, or the stars. Post process with Sky background lets distant things fade into it.':
     '场景的背景：均匀的天空、从地平线到天顶和地面的渐变，或星空。用“后处理”的“天空背景”可让远处的物体淡入其中。',
   Zenith: '天顶',

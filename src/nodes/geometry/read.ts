@@ -13,6 +13,12 @@ export const readNode = defineNode({
   category: 'geometry',
   params: {
     source: { kind: 'text', title: msg`File`, default: '', file: true },
+    prim: {
+      kind: 'text',
+      title: msg`Prim path`,
+      help: msg`Only this prim and what is below it, such as /World/Car, where it is in the stage and with the materials that it inherits; empty: everything.`,
+      default: '',
+    },
     /** `set=option`, as `Scene.variants` names them: `/World/Car{paint}=red`. */
     variants: { kind: 'list', title: msg`Variants`, default: [] },
     interpolation: {
@@ -28,13 +34,14 @@ export const readNode = defineNode({
   },
   inputs: {},
   outputs: { geometry: { type: 'geometry' } },
-  async evaluate(_inputs, { source, variants, interpolation }, { node, services, signal, progress }) {
+  async evaluate(_inputs, { source, prim, variants, interpolation }, { node, services, signal, progress }) {
     if (!source) throw nodeRefusal('read.none', node, msg`no file is chosen; open one, or take one of the examples`);
     try {
       return {
         geometry: await services.readScene(source, {
           variants: parseVariants(variants),
           interpolation,
+          ...(prim && { prim }),
           signal,
           progress,
         }),

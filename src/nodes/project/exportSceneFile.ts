@@ -4,8 +4,9 @@ import { type ExportedScene, exportSampledScene } from '../../formats/write/expo
 import type { SceneOutput } from './outputFiles.ts';
 
 /** The files of a scene exported as `name`, with the main file first, and what they cannot hold. */
-export async function exportSceneFile({ scene, sampled }: SceneOutput, name: string): Promise<ExportedScene> {
+export async function exportSceneFile({ scene, sampled, stage }: SceneOutput, name: string): Promise<ExportedScene> {
   const notes = new DiagnosticLog(name);
-  const written = await saveScene(sampled ? exportSampledScene(scene, notes) : scene, name);
-  return { files: written.files, diagnostics: [...notes.list(), ...written.diagnostics] };
+  const written = await saveScene(sampled ? exportSampledScene(scene, notes) : scene, stage?.geometryFile ?? name);
+  const root = stage ? [[name, new TextEncoder().encode(stage.text)] as const] : [];
+  return { files: new Map([...root, ...written.files]), diagnostics: [...notes.list(), ...written.diagnostics] };
 }

@@ -14,6 +14,8 @@ export interface SceneOutput {
   readonly scene: Scene;
   /** Whether motions that USD cannot express are sampled over the scene’s time. */
   readonly sampled: boolean;
+  /** `name` is then a new root layer of an existing stage, and the scene a layer that it names. */
+  readonly stage?: { readonly text: string; readonly geometryFile: string };
 }
 
 /** Pictures to render, with the observer that the project describes. */

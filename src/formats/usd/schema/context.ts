@@ -12,6 +12,8 @@ export interface StageContext {
   readonly layer: Layer;
   /** Source of textures. */
   readonly files: AssetFiles;
+  /** Path of the only prim that is read, with everything below it. */
+  readonly prim?: string;
   /** Metres per stage unit. */
   readonly unit: number;
   readonly codesPerSecond: number;

@@ -1,5 +1,6 @@
 import { IDENTITY, invert } from '../../../math/mat4.ts';
 import { msg } from '../../../messages/message.ts';
+import { isAtOrBelow } from '../../../scene/motion/fly.ts';
 import { commonLifetimes, isAlive } from '../../../scene/motion/lifetimes.ts';
 import type { Lifetime, Light, Scene, SceneCamera, SceneObject } from '../../../scene/types.ts';
 import { MAX_OBJECTS } from '../../read/limits.ts';
@@ -125,6 +126,7 @@ class StageReader {
   }
 
   async visit(prim: PrimSpec, inherited: Inherited): Promise<void> {
+    if (inherited.sink.isScene && !this.isAsked(prim.path, 'leadsTo')) return;
     if (this.isDefined(prim)) await this.readVisible(prim, inherited);
   }
 
@@ -136,7 +138,7 @@ class StageReader {
 
   /** Reads a defined prim and its subtree. */
   private async read(prim: PrimSpec, own: Inherited): Promise<void> {
-    const drawn = isRendered(own.purpose);
+    const drawn = isRendered(own.purpose) && (!own.sink.isScene || this.isAsked(prim.path, 'isPart'));
     if (drawn) await this.readHere(prim, own);
     // Prims below an instancer are its prototypes, not rendered themselves.
     if (prim.typeName === 'PointInstancer') {
@@ -145,6 +147,13 @@ class StageReader {
       return;
     }
     for (const child of prim.children.values()) await this.visit(child, own);
+  }
+
+  /** Whether a prim is part of what is asked for, or also leads to it. */
+  private isAsked(path: string, how: 'isPart' | 'leadsTo'): boolean {
+    const asked = this.context.prim;
+    if (asked === undefined || isAtOrBelow(path, asked)) return true;
+    return how === 'leadsTo' && isAtOrBelow(asked, path);
   }
 
   /** Reads a prototype, defined or not; its materials are bound by its place in the stage. */
