@@ -2062,7 +2062,8 @@ const messages: Translation['messages'] = {
   Merge: '合并',
   'Merges several inputs. Duplicate names get a number.': '把多个物体合在一起；重复的名称会加上编号。',
   Lifetime: '寿命',
-  'The time range in which objects exist.': '物体存在的时间段。',
+  'Objects and lights exist only within this time range, and of it when they did before.':
+    '物体和光源只在此时间段内存在，并且只在其中它们原本存在的时候。',
   Motion: '运动',
   'Moves objects that are at rest, all as one body.': '让静止的物体作为一个整体运动。',
   'Uniform motion': '匀速运动',

@@ -3,11 +3,11 @@ import { withLifetime } from '../../scene/compose/assignMaterial.ts';
 import { assertPathExists, nodeRefusal, timeParam, whichParam } from '../common/params.ts';
 import { defineNode } from '../defineNode.ts';
 
-/** Time range in which objects exist. */
+/** Limits objects and lights to a time range. */
 export const lifetimeNode = defineNode({
   id: 'lifetime',
   title: msg`Lifetime`,
-  help: msg`The time range in which objects exist.`,
+  help: msg`Objects and lights exist only within this time range, and of it when they did before.`,
   category: 'geometry',
   params: { which: whichParam, birth: timeParam(msg`Begins at`, 0), death: timeParam(msg`Ends at`, 10) },
   inputs: { geometry: { type: 'geometry' } },
