@@ -94,7 +94,8 @@ function fastestPoint(scene: Scene, c: number) {
     const { speed, vertex, from, to } = fastestVertex(object, c, [scene.startTime, scene.endTime], best?.speed);
     if (!(speed > (best?.speed ?? 0))) continue;
     // Uniform motion has its speed at all times: no interval, and JSON has no infinity.
-    const when = Number.isFinite(from) ? { from, to } : {};
+    const { birth, death } = object.lifetime;
+    const when = Number.isFinite(from) ? { from: Math.max(from, birth), to: Math.min(to, death) } : {};
     best = { path: object.path, vertex, speed, fractionOfC: speed / c, ...when };
   }
   return best;
@@ -196,7 +197,9 @@ function treeEntries(s: Summary): { path: string; note: string }[] {
 }
 
 const lifeFact = ({ birth, death }: { readonly birth?: number; readonly death?: number }): readonly Message[] =>
-  birth !== undefined || death !== undefined ? [msg`lives ${birth ?? '−∞'} … ${death ?? '∞'} s`] : [];
+  birth !== undefined || death !== undefined ? [msg`lives ${rounded(birth) ?? '−∞'} … ${rounded(death) ?? '∞'} s`] : [];
+
+const rounded = (t: number | undefined): number | undefined => (t === undefined ? t : Number(t.toPrecision(6)));
 
 const piecesNote = (n: number): Message =>
   n > LISTED_PIECES

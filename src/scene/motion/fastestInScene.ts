@@ -25,7 +25,11 @@ export function fastestInScene(scene: Scene): FastestInScene | undefined {
       best?.speed ?? 0,
     );
     if (speed > (best?.speed ?? 0)) {
-      best = { path: object.path, time: Number.isFinite(from) ? from : scene.startTime, speed };
+      best = {
+        path: object.path,
+        time: Number.isFinite(from) ? Math.max(from, object.lifetime.birth) : scene.startTime,
+        speed,
+      };
     }
   }
   return best;

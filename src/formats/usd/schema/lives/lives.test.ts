@@ -1,5 +1,6 @@
 import { readFileSync } from 'node:fs';
 import { describe, expect, it } from 'vitest';
+import { vertexPosition } from '../../../../scene/motion/motion.ts';
 import type { Scene } from '../../../../scene/types.ts';
 import { probeVertex } from '../../../../scene/view/probe.ts';
 import { memorySource } from '../../../files/fileSource.ts';
@@ -157,6 +158,18 @@ describe('topology', () => {
     // Across at 0.8 c, emitted at t = 2 + at x = 0: D = 1/γ = 0.6 where it is abeam.
     expect(doppler(second, 2 + 19 / c).doppler).toBeCloseTo(0.6, 6);
     expect(said(scene)).toEqual(['info usd.topology']);
+  });
+
+  it('with accelerations its points are x + v t + a t²/2 at the ends of four straight pieces', async () => {
+    const accelerations = `vector3f[] accelerations.timeSamples = { 2: [(0, 0, -2), (0, 0, -2), (0, 0, -2), (0, 0, -2)] }`;
+    const scene = await read(stage(`def Mesh "W" { ${CHANGING}\n${VELOCITIES}\n${accelerations} }`));
+    for (const t of [2, 2.5, 3, 3.5, 4]) {
+      const [x, , z] = vertexPosition(scene.objects[1], 0, t, 100);
+      expect([x, z]).toEqual([4 * (t - 2), 1 - (t - 2) ** 2].map((value) => expect.closeTo(value, 5)));
+    }
+    // Before the sample, and after the next, it goes on with the velocities there.
+    expect(vertexPosition(scene.objects[1], 0, 1.5, 100)[2]).toBeCloseTo(1, 5);
+    expect(vertexPosition(scene.objects[1], 0, 4.5, 100)[2]).toBeCloseTo(1 - 4 - 4 * 0.5, 5);
   });
 
   it('that only seems to change stays one mesh with sampled points', async () => {

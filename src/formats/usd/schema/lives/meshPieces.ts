@@ -2,7 +2,7 @@ import { msg } from '../../../../messages/message.ts';
 import { subsampleEvenly } from '../../../read/subsample.ts';
 import { report } from '../../diagnostics.ts';
 import { attributeOf, lowerSample, numbersOf, sampleTimes } from '../../layer/attributes.ts';
-import type { AttributeSpec, PrimSpec, Value } from '../../layer/layer.ts';
+import type { AttributeSpec, NumberArray, PrimSpec, Value } from '../../layer/layer.ts';
 import { metadataNumber } from '../../layer/query.ts';
 import { countOf } from '../../layer/storedArray.ts';
 import type { StageContext } from '../context.ts';
@@ -18,7 +18,7 @@ export interface MeshPiece {
   /** Codes of its points' samples, between which they go straight; before the first they rest. */
   readonly codes: Float64Array;
   /**
-   * What its points do after the last of `codes`: they rest; they keep the velocities that the file has for them, until `end`; or they go straight to where the
+   * What its points do after the last of `codes`: they rest; they keep the velocities that the file has for them, or accelerate as it says, until `end`; or they go straight to where the
    * next piece has them, because all pieces have the same points.
    */
   readonly after: 'rest' | 'velocities' | 'straight';
@@ -120,11 +120,15 @@ function haveSameNumbers(a: Value | undefined, b: Value | undefined): boolean {
   return p !== undefined && q !== undefined && p.length === q.length && p.every((x, i) => x === q[i]);
 }
 
-function hasVelocities(prim: PrimSpec, code: number): boolean {
-  const [points, velocities] = ['points', 'velocities'].map((name) => attributeOf(prim, name));
-  const samples = velocities?.timeSamples;
+const hasVelocities = (prim: PrimSpec, code: number): boolean => ratesAt(prim, 'velocities', code) !== undefined;
+
+/** The velocities or accelerations at a sample of the points; undefined unless there is one for each point. */
+export function ratesAt(prim: PrimSpec, name: 'velocities' | 'accelerations', code: number): NumberArray | undefined {
+  const [points, rates] = [attributeOf(prim, 'points'), attributeOf(prim, name)];
+  const samples = rates?.timeSamples;
   const isThere = !samples || samples.times.length === 0 || samples.times.includes(code);
-  return isThere && countIn(heldValue(velocities, code)) === countIn(heldValue(points, code));
+  const value = heldValue(rates, code);
+  return isThere && countIn(value) === countIn(heldValue(points, code)) ? numbersOf(value) : undefined;
 }
 
 /** The starts of as many pieces as there is room for, evenly chosen; their memory is subtracted from the scene's. */

@@ -1,17 +1,20 @@
 import { distance } from '../../../../math/vec3.ts';
+import { pointAt } from '../../../../scene/mesh/polygons.ts';
 import type { Mesh } from '../../../../scene/types.ts';
 import { attributeOf, numbersAt, sampleTimes } from '../../layer/attributes.ts';
 import type { NumberArray, PrimSpec } from '../../layer/layer.ts';
 import type { StageContext } from '../context.ts';
-import { boxCorners } from '../geometry/pointSampling.ts';
 import type { DeformedPoints, PrimGeometry } from '../geometry/primGeometry.ts';
 import type { StageTransform } from '../transforms/stageTransform.ts';
 import { unionOfTimes } from '../transforms/xformOps.ts';
-import type { MeshPiece } from './meshPieces.ts';
+import { type MeshPiece, ratesAt } from './meshPieces.ts';
 
-/** How far points are moved on beyond the life of their piece, relative to its size, and how long, relative to that life. */
-const MARGIN_SIZES = 4;
+/** How far points are moved on beyond the life of their piece, relative to its longest edge, and how long, relative to that life. */
+const MARGIN_EDGES = 8;
 const MARGIN_LIVES = 100;
+
+/** Straight pieces of a path under acceleration. */
+const ACCELERATED_CHORDS = 4;
 
 /**
  * The mesh of a piece with its motion; `pointsFor` maps the prim's points at a time to its vertices. The motion goes on before its birth and after its death: of
@@ -26,9 +29,12 @@ export function pieceGeometry(
 ): PrimGeometry {
   const { codes, after, end } = piece;
   const [first, last] = [codes[0], codes[codes.length - 1]];
-  const lasting = after === 'rest' || end === last ? codes : unionOfTimes([codes, Float64Array.of(end)]);
+  const velocities = after === 'velocities' ? ratesAt(prim, 'velocities', last) : undefined;
+  const accelerations = velocities && ratesAt(prim, 'accelerations', last);
+  const count = accelerations ? ACCELERATED_CHORDS : 1;
+  const chords = Float64Array.from({ length: count }, (_, k) => last + ((end - last) * (k + 1)) / count);
+  const lasting = after === 'rest' || end === last ? codes : unionOfTimes([codes, chords]);
   if (lasting.length < 2) return { mesh };
-  const velocities = after === 'velocities' ? numbersAt(prim, 'velocities', last) : undefined;
   const rate =
     codes.length === 1
       ? velocities
@@ -39,14 +45,18 @@ export function pieceGeometry(
     if (time < first && rate) return movedPoints(pointsOf(prim, first), rate, (time - first) * toCodes);
     if (time <= last) return pointsOf(prim, time);
     const points = pointsOf(prim, last);
-    return velocities ? movedPoints(points, velocities, (time - last) / codesPerSecond) : points;
+    if (!velocities) return points;
+    const [within, beyond] = [Math.min(time, end) - last, Math.max(0, time - end)].map((dt) => dt / codesPerSecond);
+    return accelerations
+      ? acceleratedPoints(points, velocities, accelerations, within, beyond)
+      : movedPoints(points, velocities, within + beyond);
   };
   const at = (time: number): DeformedPoints => {
     const placed = pointsFor(pointsAt(time), Math.max(first, Math.min(time, last)));
     // Of one sample, the normals keep their directions while the points move on.
     return codes.length === 1 && velocities ? { ...placed, normals: mesh.normals.slice() } : placed;
   };
-  const margin = velocities ? marginOf(pointsOf(prim, last), velocities, codesPerSecond, end - first) : 0;
+  const margin = velocities ? marginOf(mesh, velocities, codesPerSecond, end - first) : 0;
   const beyond =
     after === 'straight'
       ? neighbours(sampleTimes(attributeOf(prim, 'points')), first, end)
@@ -69,17 +79,34 @@ const pointsOf = (prim: PrimSpec, time: number): NumberArray => numbersAt(prim, 
 const movedPoints = (points: NumberArray, velocities: ArrayLike<number>, time: number): Float64Array =>
   Float64Array.from(points, (x, i) => x + velocities[i] * time);
 
+/** After a time under acceleration, and then at the velocity reached [s]. */
+const acceleratedPoints = (
+  points: NumberArray,
+  velocities: NumberArray,
+  accelerations: NumberArray,
+  time: number,
+  beyond: number,
+): Float64Array =>
+  Float64Array.from(
+    points,
+    (x, i) => x + velocities[i] * (time + beyond) + accelerations[i] * time * (time / 2 + beyond),
+  );
+
 const chordVelocities = (from: NumberArray, to: NumberArray, time: number): Float64Array =>
   Float64Array.from(from, (x, i) => (to[i] - x) / time);
 
-/** [time codes] Light crosses the points in less, because none is as fast as light. */
-function marginOf(points: NumberArray, velocities: NumberArray, codesPerSecond: number, life: number): number {
-  const corners = boxCorners(points);
+/** [time codes] The corners of a triangle that moves at up to 8/9 c are seen within less, because none is as fast as light. */
+function marginOf({ positions, indices }: Mesh, velocities: NumberArray, codesPerSecond: number, life: number): number {
+  let longest = 0;
+  for (let i = 0; i < indices.length; i++) {
+    const next = i % 3 === 2 ? i - 2 : i + 1;
+    longest = Math.max(longest, distance(pointAt(positions, indices[i]), pointAt(positions, indices[next])));
+  }
   let fastest = 0;
   for (let i = 0; i < velocities.length; i += 3)
     fastest = Math.max(fastest, Math.hypot(velocities[i], velocities[i + 1], velocities[i + 2]));
   if (!(fastest > 0)) return 0;
-  const crossing = (MARGIN_SIZES * distance(corners[0], corners[corners.length - 1]) * codesPerSecond) / fastest;
+  const crossing = (MARGIN_EDGES * longest * codesPerSecond) / fastest;
   return Math.min(crossing, MARGIN_LIVES * life);
 }
 
