@@ -78,6 +78,7 @@ export {
 export type { SampledLine } from './worldLines/samples.ts';
 export {
   contraction,
+  newtonSimultaneousTime,
   simultaneitySlice,
   simultaneousPosition,
   simultaneousPositions,

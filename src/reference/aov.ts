@@ -25,6 +25,8 @@ export function aovReader(name: DataAov, scene: TracedScene, u: Vec3, settings: 
       return ({ s }) => [s];
     case 'emission_time':
       return ({ time }) => [time];
+    case 'emission_time_relative':
+      return ({ time }, ray) => [time - ray.t];
     case 'doppler':
       return VIEWS[settings.view].luminous ? (hit, ray) => [dopplerOfHit(hit, ray, u)] : () => [1];
     case 'position':

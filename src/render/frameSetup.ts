@@ -12,7 +12,7 @@ import { VIEWS } from '../scene/views/views.ts';
 import type { GBufferView } from './deferredPass.ts';
 import { frustumSides } from './geometry/culling.ts';
 import type { Observation } from './geometry/observation.ts';
-import { type SpacetimeProjection, vertexSolverOf } from './geometry/vertexStage.ts';
+import { type SpacetimeProjection, startsAtNow, vertexSolverOf } from './geometry/vertexStage.ts';
 import { FAR, NEAR } from './gpu/depth.ts';
 import { type FrameUniforms, makeFrameUniforms } from './gpu/frameUniforms.ts';
 import type { SamplePosition } from './post/resolve/pixelSamples.ts';
@@ -83,7 +83,7 @@ export class FrameSetup {
       upload.bodies,
       observation,
       { sides: frustumSides(viewPoint.orientation, frustum), place: projection.place },
-      projection.event === 'newton',
+      startsAtNow(projection),
     );
     if (!upload.objectWriter.isComplete) return undefined;
     if (settings.shadows && !upload.shadows.update(observation)) return undefined;

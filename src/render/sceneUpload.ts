@@ -66,9 +66,11 @@ export class SceneUpload {
   private readonly pieces: ReleasedPieces<DrawCall>;
   /** By what shaders read: pieces without textures of their own share their materials, which are expensive to compile. */
   private readonly pieceMaterials = new Map<string, DrawCall['materials']>();
+  private readonly software: boolean;
 
   constructor(scene: Scene, speedOfLight: number, uniforms: FrameUniforms, gpu: Gpu, options: RendererOptions) {
     this.scene = scene;
+    this.software = gpu.software;
     this.speedOfLight = speedOfLight;
     this.dependsOnSpeedOfLight = scene.objects.some(isSampledAtRest);
     this.bodies = worldObjects(scene, speedOfLight).map((object, i) => makeBody(object, i + 1));
@@ -227,7 +229,7 @@ export class SceneUpload {
 
   private texture(image: Texture): DataTexture {
     const key = textureKey(image);
-    const uploaded = this.textures.get(key) ?? uploadTexture(image);
+    const uploaded = this.textures.get(key) ?? uploadTexture(image, !this.software);
     this.textures.set(key, uploaded);
     return uploaded;
   }

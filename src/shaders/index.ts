@@ -25,6 +25,7 @@ export { observerDoppler } from './kinematics/observerDoppler.ts';
 export { simultaneousPosition } from './kinematics/simultaneousPosition.ts';
 export { unaberrate } from './kinematics/unaberrate.ts';
 export { hyperbolicSlice } from './simultaneity/hyperbolicSlice.ts';
+export { newtonSlice } from './simultaneity/newtonSlice.ts';
 export { polylineSlice } from './simultaneity/polylineSlice.ts';
 export { uniformSlice } from './simultaneity/uniformSlice.ts';
 export type {

@@ -82,6 +82,7 @@ test('an EXR file has data channels that agree with the f64 library, and the nam
   expect(channel(image, 'object')[middle]).toBe(seen.object);
   expect(channel(image, 'depth')[middle] / seen.distance).toBeCloseTo(1, 3);
   expect(channel(image, 'emission_time')[middle]).toBeCloseTo(seen.time, 2);
+  expect(channel(image, 'emission_time_relative')[middle]).toBeCloseTo(seen.time - 1, 2);
   expect(channel(image, 'doppler')[middle] / seen.doppler).toBeCloseTo(1, 3);
   expect([channel(image, 'depth')[0], channel(image, 'object')[0]]).toEqual([0, 0]);
   expect(JSON.parse(image.attributes?.objects ?? '{}')).toMatchObject({ 1: '/World/Still', 3: '/World/Rising' });

@@ -9,6 +9,7 @@ describe('flag values', () => {
     expect(parseBeta('0,0,-0.999999')).toEqual([0, 0, -0.999999]);
     expect(parseFrames('-4:12')).toEqual({ first: -4, last: 12 });
     expect(parseAovs('depth, doppler,depth')).toEqual(['depth', 'doppler']);
+    expect(parseAovs('emission_time,depth')).toEqual(['emission_time', 'emission_time_relative', 'depth']);
     expect(parsePixel('10,20.5')).toEqual([10, 20.5]);
   });
 

@@ -109,13 +109,17 @@ export function parseFrames(text: string): FrameRange {
   return { first, last };
 }
 
+/** Names of data channels. A world time, which 32 bits hold to 0.5 s after 10⁷ s, comes with the time relative to the observer's. */
 export function parseAovs(text: string): AovName[] {
   const names = text.split(',').map((name) => name.trim());
   const unknown = names.filter((name) => !(name in AOVS));
   if (unknown.length > 0) {
     throw new InvalidValue(msg`There is no AOV ${listed(unknown)}; there are ${listed(Object.keys(AOVS))}.`);
   }
-  return [...new Set(names)] as AovName[];
+  const written = (names as AovName[]).flatMap((name): AovName[] =>
+    name === 'emission_time' ? [name, 'emission_time_relative'] : [name],
+  );
+  return [...new Set(written)];
 }
 
 /** Pixel coordinates from the top left; the centre of the first pixel is 0,0. */

@@ -1,6 +1,7 @@
 import { type LocalizedText, msg } from '../../messages/message.ts';
 import { MessageError } from '../../messages/messageError.ts';
 import { RAISED_LIMITS } from '../../render/gpu/deviceLimits.ts';
+import { isSoftwareGpu } from '../../render/gpu/softwareGpu.ts';
 import { unavailable } from '../terminal/exitCodes.ts';
 import { findSwiftShader, hasVulkanDriver } from './gpuDrivers.ts';
 
@@ -41,7 +42,7 @@ export async function openDevice(): Promise<HeadlessDevice> {
   return {
     device,
     adapterName: adapter.info.description || adapter.info.device || adapter.info.vendor,
-    software: adapter.info.isFallbackAdapter || /swiftshader|llvmpipe/i.test(adapter.info.description),
+    software: adapter.info.isFallbackAdapter || isSoftwareGpu(adapter.info.description),
     assertHealthy: () => {
       if (errors.length > 0) throw new MessageError(msg`the GPU reported: ${errors[0] ?? ''}`);
     },

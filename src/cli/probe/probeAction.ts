@@ -3,7 +3,7 @@ import { type LocalizedText, listed, type Message, msg } from '../../messages/me
 import { gamma, velocity } from '../../physics/lorentz/boost.ts';
 import type { Scene, SceneObject } from '../../scene/types.ts';
 import { validate } from '../../scene/validation/validate.ts';
-import { probeVertices } from '../../scene/view/probe.ts';
+import { probeVertices, type VertexProbe } from '../../scene/view/probe.ts';
 import type { ViewPoint } from '../../scene/view/view.ts';
 import { observerPath } from '../flags/observerPath.ts';
 import { openSceneWithFlags } from '../flags/openScene.ts';
@@ -17,6 +17,10 @@ import type { ProbeFlags } from './probeFlags.ts';
 
 export async function probe(path: string, flags: ProbeFlags): Promise<void> {
   if ((flags.prim === undefined) === (flags.pixel === undefined)) throw usageError(msg`give either --prim or --pixel`);
+  const { solver, iterations, damping } = flags;
+  const newton = solver === 'newton' ? { iterations, damping } : undefined;
+  if (newton && flags.pixel)
+    throw usageError(msg`--solver newton is for --prim: a pixel is probed by a ray, which needs no solver`);
   const scene = await openSceneWithFlags(path, flags);
   const c = speedOfLight(scene, flags.c);
   reportDiagnostics([...scene.diagnostics, ...validate(scene, c)]);
@@ -28,9 +32,10 @@ export async function probe(path: string, flags: ProbeFlags): Promise<void> {
     return print(flags, { ...about, pixel: flags.pixel, size: flags.size, seen: observed ?? null });
   }
   const object = findObject(scene, flags.prim ?? '');
-  const vertices = probeVertices(object, view, c, flags.view).map((event, i) => event ?? { vertex: i, visible: false });
+  const probed = probeVertices(object, view, c, flags.view, newton);
+  const vertices = probed.map((event, i) => event ?? { vertex: i, visible: false });
   if (flags.json) print(flags, { ...about, prim: object.path, vertices });
-  else printTable(object, view, c, flags);
+  else printTable(probed);
 }
 
 const describeObserver = ({ t, position, u }: ViewPoint) => ({
@@ -88,11 +93,11 @@ function print(flags: ProbeFlags, result: object): void {
   console.log(flags.json ? toJson(result) : lines(result, '').join('\n'));
 }
 
-function printTable(object: SceneObject, view: ViewPoint, c: number, flags: ProbeFlags): void {
+function printTable(probed: readonly (VertexProbe | undefined)[]): void {
   const print = (cells: readonly LocalizedText[]): void => console.log(cells.map(localized).join('\t'));
   print([msg`vertex`, msg`time [s]`, msg`apparent x`, 'y', 'z [m]', msg`distance [m]`, 'D', msg`visible`]);
   const numbers = (v: Vec3): string[] => v.map((x) => x.toPrecision(9));
-  probeVertices(object, view, c, flags.view).forEach((event, i) => {
+  probed.forEach((event, i) => {
     const cells = event
       ? [
           event.time.toPrecision(12),

@@ -5,7 +5,7 @@ import { addSceneFlags, SCENE_ARGUMENT } from '../flags/sceneFlags.ts';
 import { addObserverFlags, settingOption } from '../flags/viewFlags.ts';
 import { examples } from '../terminal/help.ts';
 import { localized } from '../terminal/language.ts';
-import type { ProbeFlags } from './probeFlags.ts';
+import { PROBE_SETTINGS, type ProbeFlags } from './probeFlags.ts';
 
 const EXAMPLES = [
   'slowlight probe dice.usdc --prim /World/Die --time 1.5 --json',
@@ -34,8 +34,9 @@ export function probeCommand(): Command {
       localized(msg`world time of the observer's event [s] (default: suggested by the scene, else its start)`),
       parseNumber,
     );
-  return addSceneFlags(addObserverFlags(command))
-    .addOption(settingOption('view'))
+  addSceneFlags(addObserverFlags(command));
+  for (const name of PROBE_SETTINGS) command.addOption(settingOption(name));
+  return command
     .option('--json', localized(msg`print as JSON`))
     .addHelpText('after', examples(EXAMPLES))
     .action(async (scene: string, flags: ProbeFlags) => (await import('./probeAction.ts')).probe(scene, flags));

@@ -1,13 +1,15 @@
+import type { SettingName } from '../../scene/settings/settings.ts';
 import type { PictureSize } from '../../scene/view/pictureViews.ts';
-import type { View } from '../../scene/views/views.ts';
 import type { SceneFlags } from '../flags/sceneFlags.ts';
-import type { ObserverFlags } from '../flags/viewFlags.ts';
+import type { ObserverFlags, SettingFlags } from '../flags/viewFlags.ts';
 
-export interface ProbeFlags extends ObserverFlags, SceneFlags {
+/** The settings that change what is probed. */
+export const PROBE_SETTINGS = ['view', 'solver', 'iterations', 'damping'] as const satisfies readonly SettingName[];
+
+export interface ProbeFlags extends ObserverFlags, SceneFlags, Pick<SettingFlags, (typeof PROBE_SETTINGS)[number]> {
   readonly prim?: string;
   readonly pixel?: readonly [number, number];
   readonly size: PictureSize;
   readonly time?: number;
-  readonly view: View;
   readonly json?: boolean;
 }

@@ -1,3 +1,4 @@
+import { isSoftwareGpu, webglRendererName } from '../../render/gpu/softwareGpu.ts';
 import type { Backend } from '../../render/settings.ts';
 
 /**
@@ -16,10 +17,10 @@ export async function chooseBackend(wanted: Backend | 'auto'): Promise<Backend |
 /** Whether the renderer runs on the CPU, as far as the browser reports it. */
 export function isSoftwareRenderer(): boolean {
   const gl = document.createElement('canvas').getContext('webgl2');
-  const name = gl?.getExtension('WEBGL_debug_renderer_info')?.UNMASKED_RENDERER_WEBGL;
-  const told = String(gl?.getParameter(name ?? gl.RENDERER));
-  gl?.getExtension('WEBGL_lose_context')?.loseContext();
-  return /swiftshader|llvmpipe|softpipe|software|basic render/i.test(told);
+  if (!gl) return false;
+  const name = webglRendererName(gl);
+  gl.getExtension('WEBGL_lose_context')?.loseContext();
+  return isSoftwareGpu(name);
 }
 
 const hasWebGl2 = (): boolean => document.createElement('canvas').getContext('webgl2') !== null;

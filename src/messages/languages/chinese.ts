@@ -1550,8 +1550,8 @@ const messages: Translation['messages'] = {
   'Neutral keeps colours and compresses only very bright light; AgX compresses all light, as film does; Linear clips.':
     '中性：保持颜色，只压缩很亮的部分；AgX：像胶片一样整体柔化；线性：直接截断过亮的部分。',
   Solver: '求解器',
-  'Exact: closed form or bisection. Newton: the iterative method, for comparison.':
-    '精确：二分加解析解。牛顿：迭代法，用于比较。',
+  'Exact: closed form or bisection. Newton: the iterative method, for comparison, in what is seen and in simultaneity.':
+    '精确：二分加解析解。牛顿：迭代法，用于比较，适用于所见画面和同时性视图。',
   Iterations: '迭代次数',
   'More are more accurate, and slower.': '越多越精确，也越慢。',
   Damping: '阻尼',
@@ -2747,7 +2747,10 @@ const messages: Translation['messages'] = {
     'automatic：曝光取自画面的光；resting-eye：采用在同一处静止的观察者的曝光，因而能看到聚束效应的真实强弱；manual：只按 --exposure',
   'tone curve: neutral keeps colours and compresses highlights; agx rolls off like film; linear clips':
     '色调曲线：neutral 保持颜色并压缩高光；agx 像胶片一样柔和过渡；linear 直接截断',
-  'solver for emission events': '求发光事件的解法',
+  'solver for events on the light cone or in the slice of simultaneity; newton: for comparison':
+    '求光锥上或同时面上事件的解法；newton 用于比较',
+  '--solver newton is for --prim: a pixel is probed by a ray, which needs no solver':
+    '--solver newton 用于 --prim：像素由光线探测，不需要解法',
   'iterations of the Newton solver': '牛顿解法的迭代次数',
   'step length of the Newton solver, 0 < k ≤ 1': '牛顿解法的步长因子，0 < k ≤ 1',
   'one sample at the centre of every pixel, for comparison; excludes --samples':

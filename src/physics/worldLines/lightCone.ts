@@ -90,7 +90,7 @@ export function emissionOffsets(
   return out;
 }
 
-/** Of the iteration that `newtonEmissionTime` makes. */
+/** Of the iterations that `newtonEmissionTime` and `newtonSimultaneousTime` make. */
 export interface NewtonOptions {
   /** Number of steps. */
   readonly iterations: number;

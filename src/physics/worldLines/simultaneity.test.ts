@@ -15,6 +15,7 @@ import { boost, gamma, properVelocity, velocity } from '../lorentz/boost.ts';
 import { fourVector, spatial } from '../lorentz/fourVector.ts';
 import {
   contraction,
+  newtonSimultaneousTime,
   simultaneitySlice,
   simultaneousPosition,
   simultaneousPositions,
@@ -170,4 +171,38 @@ describe('contraction', () => {
         expect(simultaneousPositions(flat, u, flat)).toEqual(expected);
       }),
     ));
+});
+
+describe('Newton’s iteration in the slice', () => {
+  it('leaves (1 − k)ⁿ of c Δt = β·d/(1 − β·v), where the motion is uniform', () =>
+    fc.assert(
+      fc.property(
+        properVelocityUpTo(3),
+        properVelocityUpTo(3),
+        offset,
+        fc.constantFrom(0.1, 0.5, 1),
+        fc.nat(10),
+        (u, other, d, damping, iterations) => {
+          const [beta, v] = [velocity(u), velocity(other)];
+          const w: WorldLine = { kind: 'uniform', position: addScaled(d, v, -70), velocity: scale(v, 10) };
+          const exact = dot(beta, d) / (10 * (1 - dot(beta, v)));
+          const found = newtonSimultaneousTime(w, { t: 7, position: [0, 0, 0] }, u, 10, { iterations, damping });
+          expectClose(found - 7, exact * (1 - (1 - damping) ** iterations), 1e-10 * (length(d) + 70));
+        },
+      ),
+    ));
+  it('converges to the slice on a curve', () => {
+    const w: WorldLine = {
+      kind: 'circular',
+      center: [40, 0, 0],
+      axis: [0, 0, 1],
+      arm: [5, 0, 0],
+      angularVelocity: 0.5,
+    };
+    const observer = { t: 3, position: [0, 0, 0] as Vec3 };
+    const u: Vec3 = [0.75, 0.2, 0];
+    const found = newtonSimultaneousTime(w, observer, u, 10, { iterations: 8, damping: 1 });
+    expect(found).toBeCloseTo(simultaneousTime(w, observer, u, 10), 10);
+    expect(Math.abs(found - 3)).toBeGreaterThan(1);
+  });
 });

@@ -1,9 +1,10 @@
-import { addScaled, dot, type Vec3 } from '../../math/vec3.ts';
+import { addScaled, dot, sub, type Vec3 } from '../../math/vec3.ts';
 import { mapVectors } from '../../math/vec3Arrays.ts';
-import { gamma } from '../lorentz/boost.ts';
+import { gamma, velocity } from '../lorentz/boost.ts';
 import type { ObserverEvent } from './kinds/worldLineKind.ts';
+import type { NewtonOptions } from './lightCone.ts';
 import type { SimultaneousEvent } from './slice.ts';
-import { type WorldLine, worldLineKind } from './worldLine.ts';
+import { positionAt, velocityAt, type WorldLine, worldLineKind } from './worldLine.ts';
 
 // Events with Δt′ = 0 in the observer's frame (docs/physics.md §5).
 
@@ -26,6 +27,31 @@ export const simultaneitySlice = (w: WorldLine, observer: ObserverEvent, u: Vec3
  */
 export const simultaneousTime = (w: WorldLine, observer: ObserverEvent, u: Vec3, c: number): number =>
   observer.t + simultaneitySlice(w, observer, u, c).ahead / c;
+
+/**
+ * Damped Newton iteration t ← t − k f/f′, started at t_o, for comparison with `simultaneousTime`: f = c(t − t_o) − β·(x(t) − x_o), f′ = c − β·v > 0.
+ * World time after the last step [s]. u: the observer's γβ, world frame. c [m/s]. docs/physics.md §5.6.
+ * @example
+ * const line: WorldLine = { kind: 'static', position: [5, 0, 0] };
+ * const observer = { t: 0, position: [0, 0, 0] } as const;
+ * newtonSimultaneousTime(line, observer, [0.75, 0, 0], 10, { iterations: 1, damping: 0.5 }); // 0.15 s
+ * newtonSimultaneousTime(line, observer, [0.75, 0, 0], 10, { iterations: 1, damping: 1 }); // 0.3 s
+ */
+export function newtonSimultaneousTime(
+  w: WorldLine,
+  observer: ObserverEvent,
+  u: Vec3,
+  c: number,
+  options: NewtonOptions,
+): number {
+  const beta = velocity(u);
+  let t = observer.t;
+  for (let i = 0; i < options.iterations; i++) {
+    const miss = c * (t - observer.t) - dot(beta, sub(positionAt(w, t, c), observer.position));
+    t -= (options.damping * miss) / (c - dot(beta, velocityAt(w, t, c)));
+  }
+  return t;
+}
 
 /**
  * `simultaneousTime` of many world lines [s].

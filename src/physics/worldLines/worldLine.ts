@@ -1,4 +1,5 @@
-import type { Vec3 } from '../../math/vec3.ts';
+import { scale, type Vec3 } from '../../math/vec3.ts';
+import { properVelocity } from '../lorentz/boost.ts';
 import { CIRCULAR_LINE, type CircularLine } from './kinds/circularLine.ts';
 import { CUBIC_LINE, type CubicLine } from './kinds/cubicLine.ts';
 import { HYPERBOLIC_LINE, type HyperbolicLine } from './kinds/hyperbolicLine.ts';
@@ -41,6 +42,10 @@ export const positionAt = (w: WorldLine, t: number, c: number): Vec3 => worldLin
  * velocityAt(line, 1, 10); // [7.071, 0, 0] m/s
  */
 export const velocityAt = (w: WorldLine, t: number, c: number): Vec3 => worldLineKind(w).velocityAt(w, t, c);
+
+/** γβ in the world frame, finite also where the velocity is c to the last bit. */
+export const properVelocityAt = (w: WorldLine, t: number, c: number): Vec3 =>
+  worldLineKind(w).properVelocityAt?.(w, t, c) ?? properVelocity(scale(velocityAt(w, t, c), 1 / c));
 
 export const asInertial = (w: WorldLine): InertialLine | undefined => worldLineKind(w).asInertial(w);
 export const asPolyline = (w: WorldLine): SampledLine | undefined => worldLineKind(w).asPolyline(w);

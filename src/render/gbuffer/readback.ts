@@ -62,6 +62,7 @@ const AOV_SOURCES: Record<
   albedo: { target: 'base', values: ([r, g, b]) => [r, g, b] },
   depth: { target: 'object', values: ([, distance]) => [distance] },
   emission_time: { target: 'event', values: ([, , , w], observation) => [observation.t + w / observation.c] },
+  emission_time_relative: { target: 'event', values: ([, , , w], { c }) => [w / c] },
   position: { target: 'event', values: ([x, y, z], { position: p }) => [p[0] + x, p[1] + y, p[2] + z] },
   doppler: { target: 'motion', values: ([, , , w]) => [w] },
   roughness: { target: 'base', values: ([, , , code]) => [unpackFine(code)] },

@@ -22,7 +22,16 @@ import { ontoLightCone } from '../../shaders/emission/ontoLightCone.ts';
 import { dopplerFactor } from '../../shaders/kinematics/dopplerFactor.ts';
 import type { Float, Vec2, Vec3, Vec4 } from '../../shaders/types.ts';
 import { BASIS_ENDS } from '../../spectrum/reflectance/spectralFilter.ts';
-import { vColor, vEvent, vLife, vMotion, vNormal, vObserverPosition, vUv } from '../geometry/vertexStage.ts';
+import {
+  triangleExists,
+  vColor,
+  vEvent,
+  vLife,
+  vMotion,
+  vNormal,
+  vObserverPosition,
+  vUv,
+} from '../geometry/vertexStage.ts';
 import type { Texels } from '../gpu/floatTable.ts';
 import type { FrameUniforms } from '../gpu/frameUniforms.ts';
 import { sampled } from '../gpu/textures.ts';
@@ -139,7 +148,7 @@ export function readSurface(sources: SurfaceSources): Surface {
   const normal = textures.normal ? mappedNormal(textures.normal, normalOcclusion.xy, mapSurface).toVar() : smooth;
   const delay = event.w.sub(vEvent.w).toVar();
   const alive = vLife.x.add(delay).greaterThanEqual(0).and(vLife.y.sub(delay).greaterThan(0));
-  Discard(alive.not().or(vNormal.w.lessThan(0.9999)).or(color.w.lessThan(glow.w)));
+  Discard(alive.not().or(triangleExists().not()).or(color.w.lessThan(glow.w)));
   const dx = event.xyz.toVar();
   const D = mix(1, dopplerFactor(dx, u, gamma, velocity), boostLight);
   return {

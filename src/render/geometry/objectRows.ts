@@ -28,12 +28,14 @@ export interface ObjectTables {
   readonly points: ReadonlyMap<number, PointStore>;
 }
 
-/** An object at the event of its centre, whose rows are to be written. */
+/** An object at the event of its anchor, whose rows are to be written. */
 export interface ObjectRow {
   readonly body: Body;
   readonly line: WorldLine;
   readonly section: WorldTubeSection;
   readonly anchor: RelativeEvent;
+  /** From the centre to the point whose event the anchor is. */
+  readonly anchorPoint: Vec3;
   readonly observation: Observation;
   /** Index of the object's first float in the object table. */
   readonly at: number;
@@ -47,8 +49,8 @@ interface Written {
 
 /** How one kind of motion is written to the object and sample tables. */
 interface ObjectRows<M extends Motion> {
-  /** The point of the bounding sphere, relative to the centre, that comes out first from behind a horizon. */
-  trailingPoint(motion: M, radius: number): Vec3 | undefined;
+  /** The point of the bounding sphere, relative to the centre, that comes out first from behind a horizon; undefined if all points come out together. */
+  trailingPoint(motion: M, body: Body): Vec3 | undefined;
   /** `used`: texels of the sample table that are in use already. */
   write(motion: M, row: ObjectRow, tables: ObjectTables, used: number): Written;
 }
@@ -79,17 +81,15 @@ const OBJECT_ROWS: { readonly [K in Motion['kind']]: ObjectRows<Extract<Motion, 
     },
   },
   hyperbolic: {
-    trailingPoint: ({ properAcceleration }, radius) => trailingPoint(properAcceleration, radius),
-    write: (motion, { body, section, anchor, observation, at }, { objects }, used) => {
+    // The points of a Born-rigid body have one horizon.
+    trailingPoint: ({ properAcceleration }, { object, radius }) =>
+      object.authoredIn === 'rest' ? undefined : trailingPoint(properAcceleration, radius),
+    write: (motion, { body, anchor, anchorPoint, observation, at }, { objects }, used) => {
       const { c } = observation;
-      const shift = section.anchor ? 0 : -body.radius;
-      const line = hyperbolicLineOfCenter(body, motion, c);
-      const reference = section.anchor
-        ? line
-        : hyperbolicLineOfCenter(body, motion, c, trailingPoint(line.properAcceleration, body.radius));
-      const a = reference.properAcceleration;
+      const { properAcceleration: a, t0 } = hyperbolicLineOfCenter(body, motion, c, anchorPoint);
+      const shift = -length(anchorPoint);
       objects.values.set([...normalize(a, [1, 0, 0]), length(a) / (c * c)], at + 4);
-      const factor = rapidityFactor(a, line.t0, anchor.ahead, observation);
+      const factor = rapidityFactor(a, t0, anchor.ahead, observation);
       objects.values.set([factor, isRestAuthored(body), shift, 0], at + 12);
       return { used, complete: true };
     },

@@ -1,4 +1,4 @@
-import { length, type Vec3 } from '../../math/vec3.ts';
+import { length, type Vec3, ZERO } from '../../math/vec3.ts';
 import type { PlacementName } from '../../physics/optics/placement.ts';
 import { simultaneousPosition } from '../../physics/worldLines/simultaneity.ts';
 import type { BoundingSphere } from '../../scene/bounds/bounds.ts';
@@ -6,13 +6,7 @@ import { motionKind } from '../../scene/motion/motions.ts';
 import { type Body, worldLineOfCenter } from './bodies.ts';
 import { aberrateCone, type Cone, coneAround, coneMayIntersectFrustum } from './culling.ts';
 import { type ObjectRow, type ObjectTables, objectRows } from './objectRows.ts';
-import {
-  intersect,
-  type Observation,
-  type RelativeEvent,
-  type WorldTubeSection,
-  worldTubeSection,
-} from './observation.ts';
+import { intersect, type Observation, type WorldTubeSection, worldTubeSection } from './observation.ts';
 
 /** Texels per object in the object table. */
 export const OBJECT_TEXELS = 5;
@@ -44,15 +38,15 @@ export class ObjectTableWriter {
   }
 
   /**
-   * Fills the tables; returns which bodies may be in the picture. `backToNow`: include samples up to the observer's own time, where Newton's search along
+   * Fills the tables; returns which bodies may be in the picture. `withNow`: include samples from or up to the observer's own time, where Newton's search along
    * world lines begins.
    */
-  fill(bodies: readonly Body[], observation: Observation, frustum: ViewFrustum, backToNow: boolean): boolean[] {
+  fill(bodies: readonly Body[], observation: Observation, frustum: ViewFrustum, withNow: boolean): boolean[] {
     const { objects, samples } = this.tables;
     this.used = 0;
     this.complete = true;
     objects.reserve(bodies.length * OBJECT_TEXELS);
-    const visible = bodies.map((body) => this.writeObject(body, observation, frustum, backToNow));
+    const visible = bodies.map((body) => this.writeObject(body, observation, frustum, withNow));
     objects.upload();
     samples.upload();
     return visible;
@@ -68,7 +62,7 @@ export class ObjectTableWriter {
     return this.tables.objects.values[4 * OBJECT_TEXELS * (id - 1) + 3];
   }
 
-  private writeObject(body: Body, observation: Observation, frustum: ViewFrustum, backToNow: boolean): boolean {
+  private writeObject(body: Body, observation: Observation, frustum: ViewFrustum, withNow: boolean): boolean {
     const at = 4 * OBJECT_TEXELS * (body.id - 1);
     const out = this.tables.objects.values;
     const line = worldLineOfCenter(body, observation.c);
@@ -78,7 +72,10 @@ export class ObjectTableWriter {
       out[at + 3] = -1;
       return false;
     }
-    const anchor = section.anchor ?? this.trailingAnchor(body, observation);
+    // A body that straddles a horizon is anchored where it has come out farthest: its centre may be infinitely far away.
+    const straddles = section.sphere.radius === Number.POSITIVE_INFINITY || !section.anchor;
+    const trailing = straddles ? this.trailingAnchor(body, observation) : undefined;
+    const anchor = trailing?.anchor ?? section.anchor;
     if (!anchor) {
       out[at + 3] = -1;
       return false;
@@ -89,15 +86,19 @@ export class ObjectTableWriter {
     out.set([after(birth), after(death), -anchor.ahead, body.id], at + 8);
     const orientation = motionKind(body.object.motion).fixedOrientation(body.object.motion);
     if (orientation) out.set(orientation, at + 16);
-    const neededSection = backToNow ? { ...section, to: Math.max(section.to, 0) } : section;
-    this.writeMotion({ body, line, section: neededSection, anchor, observation, at });
+    const neededSection = withNow
+      ? { ...section, from: Math.min(section.from, 0), to: Math.max(section.to, 0) }
+      : section;
+    const anchorPoint = trailing?.anchorPoint ?? ZERO;
+    this.writeMotion({ body, line, section: neededSection, anchor, anchorPoint, observation, at });
     return true;
   }
 
-  private trailingAnchor(body: Body, observation: Observation): RelativeEvent | undefined {
+  private trailingAnchor(body: Body, observation: Observation): Pick<ObjectRow, 'anchor' | 'anchorPoint'> | undefined {
     const { motion } = body.object;
-    const point = objectRows(motion).trailingPoint(motion, body.radius);
-    return point && intersect(worldLineOfCenter(body, observation.c, point), observation);
+    const anchorPoint = objectRows(motion).trailingPoint(motion, body);
+    const anchor = anchorPoint && intersect(worldLineOfCenter(body, observation.c, anchorPoint), observation);
+    return anchor && { anchor, anchorPoint };
   }
 
   private writeMotion(row: ObjectRow): void {

@@ -1,4 +1,5 @@
 import {
+  abs,
   bool,
   cameraProjectionMatrix,
   cameraViewMatrix,
@@ -30,6 +31,7 @@ import { apparentPosition } from '../../shaders/kinematics/apparentPosition.ts';
 import { simultaneousPosition } from '../../shaders/kinematics/simultaneousPosition.ts';
 import { cubicSlice } from '../../shaders/simultaneity/cubicSlice.ts';
 import { hyperbolicSlice } from '../../shaders/simultaneity/hyperbolicSlice.ts';
+import { newtonSlice } from '../../shaders/simultaneity/newtonSlice.ts';
 import { polylineSlice } from '../../shaders/simultaneity/polylineSlice.ts';
 import { uniformSlice } from '../../shaders/simultaneity/uniformSlice.ts';
 import type { Bool, Float, Vec3, Vec4, VertexEvent, WorldLineAt } from '../../shaders/types.ts';
@@ -46,13 +48,23 @@ import { pieceAt, pointSamples, poseSamples, type VertexSamples } from './vertex
 
 /** How a vertex finds its event, and where it is drawn; a shader is compiled for each pair that is used. */
 export interface SpacetimeProjection {
-  readonly event: 'emission' | 'newton' | 'slice' | 'now';
+  readonly event: 'emission' | 'newtonEmission' | 'slice' | 'newtonSlice' | 'now';
   readonly place: PlacementName;
 }
 
-/** The solver of events on a hypersurface; the past light cone has two. */
+/** The solvers of events on each hypersurface. The world's own time needs no search: Newton's would start and end there. */
+const VERTEX_SOLVERS: Readonly<Record<HypersurfaceName, Readonly<Record<Solver, SpacetimeProjection['event']>>>> = {
+  'past-light-cone': { exact: 'emission', newton: 'newtonEmission' },
+  slice: { exact: 'slice', newton: 'newtonSlice' },
+  now: { exact: 'now', newton: 'now' },
+};
+
 export const vertexSolverOf = (surface: HypersurfaceName, solver: Solver): SpacetimeProjection['event'] =>
-  surface === 'past-light-cone' ? (solver === 'newton' ? 'newton' : 'emission') : surface;
+  VERTEX_SOLVERS[surface][solver];
+
+/** Whether vertices are searched for from the observer's own time on. */
+export const startsAtNow = ({ event }: Pick<SpacetimeProjection, 'event'>): boolean =>
+  event === 'newtonEmission' || event === 'newtonSlice';
 
 /** Where shaders read the motions of a batch's bodies. */
 export interface MotionSources {
@@ -81,8 +93,12 @@ export const vEvent = varyingProperty('vec4', 'v_event');
 export const vObserverPosition = varyingProperty('vec3', 'v_shown');
 /** (v, 1 − v²) of the surface in the world, in units of c. */
 export const vMotion = varyingProperty('vec4', 'v_motion');
-/** Normal in the surface's rest frame, and 1 where the vertex exists. */
+/** Normal in the surface's rest frame, and 1 where all vertices of the triangle exist (`triangleExists`). */
 export const vNormal = varyingProperty('vec4', 'v_normal');
+/** So large that no interpolation makes it 1 again: in perspective, a vertex that is a million times as far away as the others has a millionth of their weight. */
+const NONEXISTENT = -1e20;
+/** Whether the vertices of a fragment's triangle exist. */
+export const triangleExists = (): Bool => abs(vNormal.w.sub(1)).lessThan(1e-4);
 /** Time since birth and until death [m of light], object id, material. */
 export const vLife = varyingProperty('vec4', 'v_life');
 export const vUv = varyingProperty('vec2', 'v_uv');
@@ -127,15 +143,12 @@ export function vertexStage(sources: VertexSources, projection: SpacetimeProject
       const s = vertex.s.toVar();
       vEvent.assign(vec4(dx, s.sub(lifetime.z)));
       vMotion.assign(vertex.velocity);
-      vNormal.assign(vec4(vertex.normal, select(vertex.exists, float(1), float(0))));
+      vNormal.assign(vec4(vertex.normal, select(vertex.exists, float(1), float(NONEXISTENT))));
       vLife.assign(vec4(s.sub(lifetime.x), lifetime.y.sub(s), lifetime.w, input.material));
       vUv.assign(input.uv);
       if (input.color) vColor.assign(input.color);
-      const position = select(
-        vertex.exists,
-        observerPosition(dx, projection.place, sources.uniforms),
-        anchor.xyz,
-      ).toVar();
+      // Vertices behind a horizon are drawn on its edge: far from there they would make splinters, which software GPUs draw wrong.
+      const position = observerPosition(dx, projection.place, sources.uniforms).toVar();
       vObserverPosition.assign(position);
       clip.assign(cameraProjectionMatrix.mul(cameraViewMatrix.mul(vec4(position, 1))));
     });
@@ -239,7 +252,9 @@ type EventSolver = <Solved extends VertexEvent>(
 
 /** By what a vertex's event is found on; the GPU's twins of `HYPERSURFACES` (src/physics/worldLines/hypersurface.ts). */
 const EVENT_SOLVERS: Readonly<Record<SpacetimeProjection['event'], EventSolver>> = {
-  newton: ({ place }, anchor, { iterations, damping }) => newtonEmission(anchor, place(), iterations, damping),
+  newtonEmission: ({ place }, anchor, { iterations, damping }) => newtonEmission(anchor, place(), iterations, damping),
+  newtonSlice: ({ place }, anchor, { u, gamma, iterations, damping }) =>
+    newtonSlice(anchor, place(), u, gamma, iterations, damping),
   emission: ({ emission }) => emission(),
   slice: ({ slice }, _, { u, gamma }) => slice(u, gamma),
   now: ({ slice }) => slice(vec3(0), float(1)),

@@ -1,6 +1,7 @@
 import { LinearSRGBColorSpace, NoToneMapping, WebGPURenderer } from 'three/webgpu';
 import type { Backend, RendererOptions } from '../settings.ts';
 import { RAISED_LIMITS } from './deviceLimits.ts';
+import { isSoftwareGpu, webglRendererName } from './softwareGpu.ts';
 
 /** Three's renderer, and the device limits that decide how passes are laid out. */
 export interface Gpu {
@@ -12,6 +13,8 @@ export interface Gpu {
   readonly maxTextureSize: number;
   /** Whether 32-bit float targets can be blended into. */
   readonly floatBlending: boolean;
+  /** Whether the processor draws. */
+  readonly software: boolean;
 }
 
 type Adapter = Awaited<ReturnType<GPU['requestAdapter']>>;
@@ -62,6 +65,7 @@ function capabilities(renderer: WebGPURenderer): Omit<Gpu, 'renderer'> {
       maxAttachments: device.limits.maxColorAttachments,
       maxTextureSize: device.limits.maxTextureDimension2D,
       floatBlending: device.features.has('float32-blendable'),
+      software: isSoftwareAdapter(device.adapterInfo),
     };
   }
   const gl = renderer.getContext() as WebGL2RenderingContext;
@@ -71,8 +75,13 @@ function capabilities(renderer: WebGPURenderer): Omit<Gpu, 'renderer'> {
     maxAttachments: gl.getParameter(gl.MAX_DRAW_BUFFERS),
     maxTextureSize: gl.getParameter(gl.MAX_TEXTURE_SIZE),
     floatBlending: gl.getExtension('EXT_float_blend') !== null,
+    software: isSoftwareGpu(webglRendererName(gl)),
   };
 }
+
+/** Older browsers do not tell of a device's adapter. */
+const isSoftwareAdapter = (info: GPUAdapterInfo | undefined): boolean =>
+  info !== undefined && (info.isFallbackAdapter || isSoftwareGpu(`${info.description} ${info.architecture}`));
 
 function watchLoss(renderer: WebGPURenderer, onLost: RendererOptions['onLost']): void {
   const stopDrawing = renderer.onDeviceLost;

@@ -33,7 +33,7 @@ export class DomeTexture {
 
   /** `tint`: factor of its colours. */
   constructor(picture: NonNullable<DomeLight['texture']>, dome: DomeLight, tint: Vec3, atlas: HalfAtlas) {
-    this.image = uploadTexture({ ...picture, wrapS: 'repeat', wrapT: 'clamp' });
+    this.image = uploadTexture({ ...picture, wrapS: 'repeat', wrapT: 'clamp' }, false);
     const maps = prefilterDome(picture);
     this.layers = maps.length;
     this.maps = atlas.table('dome', () => stacked(maps));

@@ -149,11 +149,14 @@ export const SETTINGS = {
   solver: {
     kind: 'choice',
     title: msg`Solver`,
-    help: msg`Exact: closed form or bisection. Newton: the iterative method, for comparison.`,
+    help: msg`Exact: closed form or bisection. Newton: the iterative method, for comparison, in what is seen and in simultaneity.`,
     default: 'exact',
     options: { exact: msg`Exact`, newton: msg`Newton` },
     nodes: CONSOLE,
-    flag: { value: 'name', help: msg`solver for emission events` },
+    flag: {
+      value: 'name',
+      help: msg`solver for events on the light cone or in the slice of simultaneity; newton: for comparison`,
+    },
     perBuffer: true,
   },
   /** Newton iterations per vertex. */
@@ -259,7 +262,7 @@ export const BUFFER_SETTINGS: readonly (keyof BufferSettings)[] = [
   'speedOfLight',
 ];
 
-/** How the GPU finds emission events: in closed form, or by Newton's iteration for comparison (docs/physics.md §4.11). */
+/** How the GPU finds events on the light cone and in the slice of simultaneity: in closed form, or by Newton's iteration for comparison (docs/physics.md §4.11, §5.6). */
 export type Solver = SettingValue<'solver'>;
 export type ColorMode = SettingValue<'colors'>;
 export type MeteringMode = SettingValue<'metering'>;

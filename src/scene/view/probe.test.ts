@@ -96,4 +96,31 @@ describe('probe, against closed forms', () => {
     const seen = probeVertex(point(motion), 0, { ...atRest, t: 1 }, c)!;
     expect(length(seen.position)).toBeCloseTo(c * (1 - seen.time), 9);
   });
+
+  it.each([1e-16, 1e-12, 1e-6])('points %s c²/a before the horizon have a finite D', (before) => {
+    const motion: Motion = {
+      kind: 'hyperbolic',
+      pose: { position: [before, 0, 0], orientation: IDENTITY },
+      properAcceleration: [-1, 0, 0],
+      t0: 0,
+    };
+    // c = 1: x = before + 1 − √(1 + t²) crosses the light cone of (t = −1, x = 0, y = −2) where e^φ, φ < 0 the rapidity along −x, is tiny.
+    const seen = probeVertex(point(motion), 0, { t: -1, position: [0, -2, 0], u: ZERO }, 1);
+    expect(seen?.visible).toBe(true);
+    expect(Number.isFinite(seen!.doppler)).toBe(true);
+    // With w = e^φ: 1/D = [w(1 + n) + (1 − n)/w]/2 with 1 − n = 2² / (r² (1 + n)).
+    const w = 1 / (Math.hypot(1, seen!.time) - seen!.time);
+    const r = -1 - seen!.time;
+    const n = Math.sqrt(1 - 4 / r ** 2);
+    expect(seen!.doppler / (2 / (w * (1 + n) + 4 / (r * r * (1 + n)) / w))).toBeCloseTo(1, 3);
+  });
+
+  it('with a Newton solver has the event where its steps end, in what is seen and in simultaneity', () => {
+    const wall = point(passing([0, 0, -8], [0, 0, 5]));
+    const observer = { t: 0, position: ZERO, u: [0, 0, -0.75] } as const;
+    const newton = { iterations: 1, damping: 0.3 };
+    // Seen: f = 8 m at the observer's time, f′ = c − 5 m/s. In the slice: 0.3 of c Δt = 4.8/1.3 m.
+    expect(probeVertex(wall, 0, observer, c, 'light-cone', newton)!.time).toBeCloseTo((-0.3 * 8) / 5, 12);
+    expect(probeVertex(wall, 0, observer, c, 'simultaneity', newton)!.time).toBeCloseTo((0.3 * 4.8) / 1.3 / c, 12);
+  });
 });

@@ -56,6 +56,7 @@ export type AovName =
   | 'albedo'
   | 'depth'
   | 'emission_time'
+  | 'emission_time_relative'
   | 'doppler'
   | 'position'
   | 'normal'
@@ -90,6 +91,10 @@ export const AOVS: Readonly<Record<AovName, AovInfo>> = {
   },
   depth: { channels: ['depth'], meaning: "apparent distance |Δx'| in the observer frame [m]" },
   emission_time: { channels: ['emission_time'], meaning: 'world time of the event that is seen [s]' },
+  emission_time_relative: {
+    channels: ['emission_time_relative'],
+    meaning: "world time of the event that is seen minus that of the observer's [s]; as accurate at any time",
+  },
   doppler: { channels: ['doppler'], meaning: 'D = ν_observed/ν_emitted' },
   position: {
     channels: ['position.x', 'position.y', 'position.z'],

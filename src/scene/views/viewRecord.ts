@@ -4,6 +4,7 @@ import type { FourVector } from '../../physics/lorentz/fourVector.ts';
 import type { PlacementName } from '../../physics/optics/placement.ts';
 import type { HypersurfaceName } from '../../physics/worldLines/hypersurface.ts';
 import type { ObserverEvent } from '../../physics/worldLines/kinds/worldLineKind.ts';
+import type { NewtonOptions } from '../../physics/worldLines/lightCone.ts';
 import type { WorldLine } from '../../physics/worldLines/worldLine.ts';
 
 /** An observer's event with its velocity. */
@@ -47,6 +48,9 @@ export interface ViewRecord {
   placement(toggles: ViewToggles): PlacementName;
   /** (c dt, dx) per metre of the observer's frame, in the world frame, of the ray on which the events in the unit direction n′ lie. u: the observer's γβ. */
   rayToward(n: Vec3, u: Vec3, toggles: ViewToggles): FourVector;
-  /** The event without omitting any effect; undefined if its light never arrives (beyond a horizon). c [m/s]. */
-  probe(line: WorldLine, observer: ProbeObserver, c: number): ProbedEvent | undefined;
+  /**
+   * The event without omitting any effect; undefined if its light never arrives (beyond a horizon). c [m/s]. `newton`: where these steps of the Newton solver,
+   * for comparison, end instead; a view that needs no search ignores it.
+   */
+  probe(line: WorldLine, observer: ProbeObserver, c: number, newton?: NewtonOptions): ProbedEvent | undefined;
 }

@@ -1,5 +1,7 @@
+import { int } from 'three/tsl';
 import { dot, scale, ZERO } from '../../math/vec3.ts';
-import { simultaneitySlice } from '../../physics/index.ts';
+import { newtonSimultaneousTime, positionAt, simultaneitySlice } from '../../physics/index.ts';
+import { newtonSlice } from '../simultaneity/newtonSlice.ts';
 import { expectedAt, outputsOf, placeAndTime } from './emission.ts';
 import { casesOf, gammaOf, logUniform, observerInput, observers, vec3At, withLength } from './inputs.ts';
 import { type MotionInput, motionInputs } from './motions.ts';
@@ -36,7 +38,42 @@ const sliceTwin = (mover: MotionInput, parts: readonly string[]): Twin => ({
   checks: placeAndTime,
 });
 
+/** As `newtonTwin` of emission.ts. */
+const newtonTwin = (mover: MotionInput): Twin => ({
+  name: `newtonSlice, ${mover.kind}`,
+  parts: ['newtonSlice'],
+  texels: mover.texels + 2,
+  outputs: 3,
+  cases: (random) =>
+    casesOf(
+      strata(mover.speeds).filter(({ gamma, beta }) => gamma <= 10 && beta <= 0.9),
+      EACH,
+      (stratum) => {
+        const { u, n } = observerInput(random, stratum);
+        const anchor = scale(n, logUniform(random, 0.1, 100));
+        const settings = [Math.floor(12 * random()), 0.3 + 0.7 * random(), 0, 0];
+        return [...withLength(anchor), ...mover.draw(random, stratum, anchor), ...u, gammaOf(u), ...settings];
+      },
+    ),
+  cpu: (input) => {
+    const u = vec3At(input, mover.texels);
+    const time = dot(u, vec3At(input, 0)) / gammaOf(u);
+    const line = mover.worldLine(input, time);
+    const [iterations, damping] = input.slice(4 * (mover.texels + 1));
+    const ahead = newtonSimultaneousTime(line, OBSERVER, u, 1, { iterations, damping });
+    return expectedAt(line, positionAt(line, ahead, 1), ahead, ahead - time);
+  },
+  gpu: (texel) => {
+    const [observer, settings] = [texel(mover.texels), texel(mover.texels + 1)];
+    return outputsOf(newtonSlice(texel(0), mover.place(texel), observer.xyz, observer.w, int(settings.x), settings.y));
+  },
+  checks: placeAndTime,
+});
+
 export const simultaneityTwins: readonly Twin[] = [
+  newtonTwin(motionInputs.uniform),
+  newtonTwin(motionInputs.polyline),
+
   sliceTwin(motionInputs.uniform, ['lorentzFactorRatio']),
   sliceTwin(motionInputs.hyperbolic, ['hyperbolaVertex', 'hyperbolaCrossing', 'hyperbolaEvent']),
   sliceTwin(motionInputs.polyline, ['bisect', 'pieceVelocity']),

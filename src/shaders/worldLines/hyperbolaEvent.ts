@@ -1,4 +1,4 @@
-import { vec4 } from 'three/tsl';
+import { max, select, vec4 } from 'three/tsl';
 import type { Bool, Float, Vec3, Vec4 } from '../types.ts';
 import type { HyperbolaVertex } from './hyperbola.ts';
 
@@ -14,11 +14,20 @@ interface HyperbolaEvent {
   readonly exists: Bool;
 }
 
+/**
+ * The least e^φ. Light from the edge of the horizon was emitted at e^φ → 0, infinitely far away and long ago; an event at e^φ = 1e-5 is 50,000 c²/a away, within
+ * 1e-5 rad of it, and still has digits in f32. Vertices behind the horizon are there too, so that no interpolation meets infinity.
+ */
+const MIN_RAPIDITY_FACTOR = 1e-5;
+
 /** The event of the vertex at the parameter `eta` of its hyperbola (see hyperbola.ts). */
 export function hyperbolaEvent(motion: Vec4, w: Float, vertex: HyperbolaVertex, eta: Float): HyperbolaEvent {
-  const growth = vertex.acceleration.mul(eta).add(1).toVar();
-  const plus = w.mul(vertex.plus.add(eta)).toVar();
-  const minus = vertex.minus.add(eta.div(growth)).div(w).toVar();
+  const trueGrowth = vertex.acceleration.mul(eta).add(1).toVar();
+  const least = w.reciprocal().mul(MIN_RAPIDITY_FACTOR).toVar();
+  const growth = max(trueGrowth, least).toVar();
+  const limited = select(trueGrowth.lessThan(least), growth.sub(1).div(max(vertex.acceleration, 1e-20)), eta).toVar();
+  const plus = w.mul(vertex.plus.add(limited)).toVar();
+  const minus = vertex.minus.add(limited.div(growth)).div(w).toVar();
   // e^φ at the event: v = tanh φ, 1 − v² = 1/cosh² φ
   const rapidity = w.mul(growth).toVar();
   const cosh = rapidity.add(rapidity.reciprocal()).mul(0.5).toVar();
@@ -27,6 +36,6 @@ export function hyperbolaEvent(motion: Vec4, w: Float, vertex: HyperbolaVertex, 
     x: vertex.across.add(motion.xyz.mul(plus.sub(minus).mul(0.5))),
     s: plus.add(minus).mul(0.5),
     velocity: vec4(motion.xyz.mul(sinh.div(cosh)), cosh.mul(cosh).reciprocal()),
-    exists: growth.greaterThan(0).and(vertex.acceleration.greaterThanEqual(0)),
+    exists: trueGrowth.greaterThan(0).and(vertex.acceleration.greaterThanEqual(0)),
   };
 }

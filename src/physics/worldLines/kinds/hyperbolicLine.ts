@@ -28,6 +28,7 @@ export const HYPERBOLIC_LINE: WorldLineKind<HyperbolicLine> = {
     const a = w.properAcceleration;
     return scale(a, s / Math.hypot(1, (Math.hypot(...a) * s) / c));
   },
+  properVelocityAt: ({ properAcceleration, t0 }, t, c) => scale(properAcceleration, (t - t0) / c),
   pastLightCone: (w, { t, position }, c) =>
     hyperbolicEmission(sub(w.position, position), c * (t - w.t0), scale(w.properAcceleration, 1 / (c * c))),
   simultaneitySlice: (w, { t, position }, u, c) =>

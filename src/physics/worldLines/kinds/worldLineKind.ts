@@ -25,6 +25,8 @@ export interface WorldLineKind<W> {
   positionAt(w: W, t: number, c: number): Vec3;
   /** dx/dt [m/s]. At a sample, the velocity of the piece that starts there. */
   velocityAt(w: W, t: number, c: number): Vec3;
+  /** γβ, where it is known to more digits than the velocity gives. */
+  properVelocityAt?(w: W, t: number, c: number): Vec3;
   /** Its event on the past light cone of the observer's event; undefined if no light of it reaches that event. docs/physics.md §4. */
   pastLightCone(w: W, observer: ObserverEvent, c: number): RetardedEvent | undefined;
   /** Its event with Δt′ = 0 for an observer with proper velocity u. docs/physics.md §5. */

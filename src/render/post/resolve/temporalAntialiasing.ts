@@ -243,8 +243,9 @@ const PREVIOUS_EVENT: Readonly<
   Record<SpacetimeProjection['event'], (event: Vec4, velocity: Vec4, previous: PreviousView) => Vec4>
 > = {
   emission: (event, velocity) => ontoLightCone(event, velocity),
-  newton: (event, velocity) => ontoLightCone(event, velocity),
+  newtonEmission: (event, velocity) => ontoLightCone(event, velocity),
   slice: (event, velocity, { u, gamma }) => ontoSlice(event, velocity, u.div(gamma)),
+  newtonSlice: (event, velocity, { u, gamma }) => ontoSlice(event, velocity, u.div(gamma)),
   now: (event, velocity) => ontoSlice(event, velocity, vec3(0)),
 };
 
