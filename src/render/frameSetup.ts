@@ -17,6 +17,7 @@ import { FAR, NEAR } from './gpu/depth.ts';
 import { type FrameUniforms, makeFrameUniforms } from './gpu/frameUniforms.ts';
 import type { SamplePosition } from './post/resolve/pixelSamples.ts';
 import type { SceneUpload } from './sceneUpload.ts';
+import { DEPTH_WEIGHT } from './tessellation/criterion/edgeCriterion.ts';
 
 /** Everything that drawing a G-buffer needs. */
 export interface RenderView extends GBufferView {
@@ -38,6 +39,9 @@ export function renderViewOf(
   const projection = spacetimeProjectionOf(settings);
   return { upload, viewPoint, viewIndex, settings, projection, observation: observationOf(viewPoint, settings) };
 }
+
+/** Largest error along the line of sight over that across it: edges are measured with half of it, and a triangle may sag twice as far as its edges. */
+const MAX_DEPTH_ERROR = 2 / DEPTH_WEIGHT;
 
 /** Prepares uploaded scenes for one view at a time, and sets the uniforms and the camera that all passes read. */
 export class FrameSetup {
@@ -142,10 +146,11 @@ export class FrameSetup {
     frustum: Frustum,
     size: PictureSize,
   ): void {
-    const { drawCalls, objectWriter, tessellator } = upload;
+    const { drawCalls, objectWriter, shadows, tessellator } = upload;
     const focal = pixelsPerTangent(frustum, size.width, size.height);
     const view = { observation, projection, orientation: viewPoint.orientation, frustum, focal };
     tessellator.update(view, viewIndex, ({ bodies }) => bodies.some(({ id }) => visible[id - 1]));
+    shadows.allowFor((MAX_DEPTH_ERROR * tessellator.achievedTolerance) / focal);
     for (const { batch, mesh } of drawCalls)
       if (batch.transparent) mesh.renderOrder = -Math.min(...batch.bodies.map(({ id }) => objectWriter.distance(id)));
   }

@@ -1,5 +1,5 @@
 import { rotate } from '../../math/quat.ts';
-import { add, dot, lerp, scale, sub, type Vec3, ZERO } from '../../math/vec3.ts';
+import { add, dot, scale, sub, type Vec3, ZERO } from '../../math/vec3.ts';
 import { properVelocity } from '../../physics/lorentz/boost.ts';
 import type { HyperbolicLine } from '../../physics/worldLines/kinds/hyperbolicLine.ts';
 import { contraction } from '../../physics/worldLines/simultaneity.ts';
@@ -7,7 +7,7 @@ import type { WorldLine } from '../../physics/worldLines/worldLine.ts';
 import { meshBoundingSphere, sampleBoundingSphere } from '../../scene/bounds/bounds.ts';
 import { type CubicPointsMotion, innerControlPoints, isCubic } from '../../scene/motion/cubicPoints.ts';
 import type { ObjectWith } from '../../scene/motion/kinds/motionKind.ts';
-import { applyPose, pieceAt, samplePose } from '../../scene/motion/poses.ts';
+import { applyPose, samplePose } from '../../scene/motion/poses.ts';
 import type {
   HyperbolicMotion,
   Motion,
@@ -43,7 +43,7 @@ export type LinearMap = readonly [Vec3, Vec3, Vec3];
 interface BodyMotion<M extends Motion> {
   /** Whether one mesh can be uploaded for many bodies. */
   readonly sharesMesh: boolean;
-  /** Whether events are solved per vertex, because the body deforms or is in Born rigid acceleration: no single rotation and place holds for all of it. */
+  /** Whether events are solved per vertex, because the body turns, deforms or is in Born rigid acceleration: no single rotation and place holds for all of it. */
   readonly isSolvedPerVertex: boolean;
   /** A line and a radius such that at every world time all points of the object are within the radius of the line. */
   boundingLine(object: ObjectWith<M>): Pick<Body, 'center' | 'radius' | 'line'>;
@@ -114,15 +114,10 @@ const BODY_MOTIONS: { readonly [K in Motion['kind']]: BodyMotion<Extract<Motion,
   },
   sampled: {
     sharesMesh: true,
-    isSolvedPerVertex: false,
+    isSolvedPerVertex: true,
     boundingLine: rigid(sampledLine),
     worldLineOfCenter: ({ line }) => line,
-    linearMap: (_body, { times, poses }, _instanced, t) => {
-      const { before, after, s } = pieceAt(times, t);
-      const [a, b] = [before, after].map((k) => samplePose(poses, k).orientation);
-      // As each vertex moves: straight from sample to sample.
-      return mapOf((axis) => lerp(rotate(a, axis), rotate(b, axis), s));
-    },
+    linearMap: () => undefined,
   },
   'sampled-points': {
     sharesMesh: false,
@@ -166,7 +161,7 @@ export function hyperbolicLineOfCenter(
 
 /**
  * Rotation and contraction of a rigid body in the world's slice at the time t [s]; c [m/s]. `instanced`: its mesh is uploaded in its own axes. Returns
- * undefined if no single map holds for all of it, because it deforms or is in Born rigid acceleration.
+ * undefined if no single map holds for all of it (`isSolvedPerVertex`).
  */
 export const linearMapOf = (body: MovingBody, instanced: boolean, t: number, c: number): LinearMap | undefined =>
   bodyMotion(body.object.motion).linearMap(body, body.object.motion, instanced, t, c);

@@ -1,4 +1,4 @@
-import { Discard, Fn, If, int, round, varyingProperty, vec4 } from 'three/tsl';
+import { attribute, Discard, Fn, float, If, int, round, varyingProperty, vec3, vec4 } from 'three/tsl';
 import {
   BufferAttribute,
   BufferGeometry,
@@ -11,12 +11,14 @@ import {
 } from 'three/webgpu';
 import type { Material } from '../../../scene/types.ts';
 import type { Bool, Float, Int, Vec3, Vec4 } from '../../../shaders/types.ts';
-import type { DrawCall } from '../../gbuffer/drawCall.ts';
+import { cornerSources, type DrawCall } from '../../gbuffer/drawCall.ts';
 import { MATERIAL_TEXELS } from '../../gbuffer/surface.ts';
 import type { Batch } from '../../geometry/batches.ts';
 import type { VertexInput } from '../../geometry/vertexInput.ts';
 import { vUv } from '../../geometry/vertexStage.ts';
 import { sampled } from '../../gpu/textures.ts';
+import type { TriangleTable } from '../../tessellation/gpu/triangleTable.ts';
+import { dividedTriangles, PART_FLOATS } from './dividedTriangles.ts';
 
 /** (height or depth, place on the tile), from `LayerProjection.project`, and the material. */
 const vShadow = varyingProperty('vec4', 'v_shadow');
@@ -32,27 +34,60 @@ export interface LayerProjection {
   heightOf(spot: Vec3): { readonly height: Float; readonly outside: Bool };
 }
 
-/** Draws a batch into shadow maps: all its triangles, not tessellated, and from both sides, because a sheet throws a shadow from either. */
+/** The triangles of a draw call as shadow maps draw them: by its own vertices, or divided. */
+export type CasterSource = Pick<DrawCall, 'batch' | 'surface'> & {
+  readonly geometry: BufferGeometry;
+  readonly vertex: () => VertexInput;
+};
+
+/** All triangles of a batch, as they are. */
+export const wholeBatch = ({ batch, surface, mesh, vertex }: DrawCall): CasterSource => ({
+  batch,
+  surface,
+  geometry: casterGeometry({ batch, mesh }),
+  vertex: vertex.vertex,
+});
+
+/**
+ * All triangles of a batch whose vertices have an event each, divided (dividedTriangles.ts): between the corners of a large triangle the surface that is seen is
+ * curved, and drawn flat it would shade itself. Fine meshes are drawn as they are.
+ */
+export function dividedBatch(drawCall: DrawCall, table: TriangleTable): CasterSource {
+  const { batch, surface } = drawCall;
+  const radii = new Map(batch.bodies.map(({ id, radius }) => [id, radius]));
+  const parts = dividedTriangles(batch.arrays, (id) => radii.get(id) ?? 0);
+  const first = parts && table.firstTriangle(batch);
+  if (!parts || first === undefined) return wholeBatch(drawCall);
+  const geometry = new BufferGeometry().setAttribute('position', new BufferAttribute(parts, PART_FLOATS));
+  const vertex = (): VertexInput => {
+    const { x: triangle, y: second, z: third } = attribute<'vec3'>('position', 'vec3');
+    const weights = vec3(second.oneMinus().sub(third), second, third).toVar();
+    return table.interpolate(int(triangle).add(int(first)), weights, cornerSources(drawCall), float(0));
+  };
+  return { batch, surface, geometry, vertex };
+}
+
+/** Draws triangles into shadow maps from both sides, because a sheet throws a shadow from either. */
 export function makeCaster(
-  drawCall: DrawCall,
+  source: CasterSource,
   placement: CasterPlacement,
   projection: LayerProjection,
   materials: readonly Material[],
 ): Mesh {
   const material = new NodeMaterial();
-  material.name = `shadow ${drawCall.batch.kind}`;
-  material.vertexNode = casterVertexNode(drawCall, placement, projection);
-  material.fragmentNode = heightNode(drawCall, projection, isCutOut(drawCall.batch, materials));
+  material.name = `shadow ${source.batch.kind}`;
+  material.vertexNode = casterVertexNode(source, placement, projection);
+  material.fragmentNode = heightNode(source, projection, isCutOut(source.batch, materials));
   material.side = DoubleSide;
   material.blending = NoBlending;
-  const mesh = new Mesh(casterGeometry(drawCall), material);
+  const mesh = new Mesh(source.geometry, material);
   mesh.frustumCulled = false;
   mesh.matrixAutoUpdate = false;
   return mesh;
 }
 
 /** Shares the vertex attributes; has its own indices and instances, because those of the picture change from frame to frame. */
-function casterGeometry({ batch, mesh }: DrawCall): BufferGeometry {
+function casterGeometry({ batch, mesh }: Pick<DrawCall, 'batch' | 'mesh'>): BufferGeometry {
   const geometry = batch.instancing ? instancedGeometry(batch.instancing) : new BufferGeometry();
   for (const name of ['position', 'normal', 'uv', 'ids', 'color']) {
     const attribute = mesh.geometry.getAttribute(name);
@@ -69,9 +104,9 @@ function instancedGeometry({ first, materials }: NonNullable<Batch['instancing']
   return geometry.setAttribute('instance', new InstancedBufferAttribute(numbers, 1));
 }
 
-function casterVertexNode({ vertex }: DrawCall, placement: CasterPlacement, projection: LayerProjection): Vec4 {
+function casterVertexNode({ vertex }: CasterSource, placement: CasterPlacement, projection: LayerProjection): Vec4 {
   return Fn(() => {
-    const input = vertex.vertex();
+    const input = vertex();
     const clip = vec4(2, 2, 2, 1).toVar();
     const { layer, x } = placement(input);
     If(layer.greaterThanEqual(int(0)), () => {
@@ -91,7 +126,7 @@ function isCutOut({ arrays, instancing }: Batch, materials: readonly Material[])
 }
 
 function heightNode(
-  { surface: { materials, textures } }: DrawCall,
+  { surface: { materials, textures } }: CasterSource,
   projection: LayerProjection,
   cutOut: boolean,
 ): Vec4 {

@@ -12,9 +12,10 @@ import { OBJECT_TEXELS, ObjectTableWriter } from '../../geometry/objectTables.ts
 import { intersect, type Observation, type RelativeEvent } from '../../geometry/observation.ts';
 import { vertexEvent } from '../../geometry/vertexStage.ts';
 import { FloatTable } from '../../gpu/floatTable.ts';
+import { TriangleTable } from '../../tessellation/gpu/triangleTable.ts';
 import type { ShadowAtlas } from '../atlas/shadowAtlas.ts';
 import type { Occluders } from '../occluders.ts';
-import { type CasterPlacement, type LayerProjection, makeCaster } from './casterMesh.ts';
+import { type CasterPlacement, dividedBatch, type LayerProjection, makeCaster, wholeBatch } from './casterMesh.ts';
 import { PoseTable, SURROUNDINGS } from './casterPoses.ts';
 
 /** Smaller bodies throw no shadow: radius over distance. */
@@ -32,7 +33,7 @@ export interface ObservedCaster extends RelativeEvent {
 
 /**
  * Occluders with tiles of their own, in coordinates that move with them, relative to the events of their centres: rigid bodies with the pose that they have
- * there; of bodies that deform or accelerate, each vertex at its own event that is seen, so that the body does not shade itself because parts of it are seen
+ * there; of bodies that turn, deform or accelerate, each vertex at its own event that is seen, so that the body does not shade itself because parts of it are seen
  * later or earlier.
  */
 export class MovingCasters {
@@ -40,6 +41,8 @@ export class MovingCasters {
   private readonly poses: PoseTable;
   private readonly frame: ObjectTableWriter;
   private readonly tables: ObjectTables;
+  /** Of the divided batches. */
+  private readonly triangles = new TriangleTable();
   private readonly instanced: ReadonlySet<Body>;
   /** 1 where events are on the past light cone; otherwise γβ and γ of the observer whose slice of simultaneity is shown. */
   private readonly events = { onLightCone: uniform(1), u: uniform(new Vector3()), gamma: uniform(1) };
@@ -66,7 +69,8 @@ export class MovingCasters {
     for (const drawCall of drawCalls) {
       const ownBodies = drawCall.batch.bodies.filter((body) => bodies.has(body));
       if (drawCall.batch.transparent || ownBodies.length === 0) continue;
-      const mesh = makeCaster(drawCall, this.placement(drawCall, map.layer, drawsSurroundings), projection, materials);
+      const source = isSolvedPerVertex(drawCall.batch) ? dividedBatch(drawCall, this.triangles) : wholeBatch(drawCall);
+      const mesh = makeCaster(source, this.placement(drawCall, map.layer, drawsSurroundings), projection, materials);
       map.scene.add(mesh);
       this.casters.push({ mesh, bodies: ownBodies });
     }
@@ -78,7 +82,7 @@ export class MovingCasters {
   }
 
   /**
-   * As `PoseTable.placement` for rigid bodies; vertices of deforming bodies are placed at the event where they are seen, moved back with the body's velocity
+   * As `PoseTable.placement` for rigid bodies; vertices of others are placed at the event where they are seen, moved back with the body's velocity
    * to the time of its centre's event.
    */
   private placement({ batch, vertex }: DrawCall, first: Int, drawsSurroundings?: Int): CasterPlacement {
@@ -145,6 +149,7 @@ export class MovingCasters {
     this.poses.dispose();
     this.tables.objects.dispose();
     this.tables.samples.dispose();
+    this.triangles.dispose();
   }
 }
 

@@ -2,7 +2,7 @@ import type { Vec3 } from '../../../math/vec3.ts';
 import { addScaled, dot, ZERO } from '../../../math/vec3.ts';
 import { HYPERSURFACES } from '../../../physics/worldLines/hypersurface.ts';
 import type { Float } from '../../../shaders/types.ts';
-import type { Body } from '../../geometry/bodies.ts';
+import { type Body, isSolvedPerVertex } from '../../geometry/bodies.ts';
 import type { Observation } from '../../geometry/observation.ts';
 import type { Gpu } from '../../gpu/device.ts';
 import { LayerTable } from '../atlas/layerTable.ts';
@@ -134,6 +134,7 @@ function layerOf(
     halfDepth: 1.01 * halfSide,
     penumbraSlope,
     tile,
+    asSeen: isSolvedPerVertex(body.object.motion),
   };
 }
 

@@ -30,10 +30,12 @@ export interface ParallelLayer {
   /** Half width of a penumbra over the height of the edge that throws it above the receiver. */
   readonly penumbraSlope: number;
   readonly tile: AtlasTile;
+  /** Whether the occluder is drawn as it is seen, each point at its own event; else as it is at one event. */
+  readonly asSeen?: boolean;
 }
 
 /** Texels of a layer in the table of layers. */
-export const PARALLEL_LAYER_TEXELS = 5;
+export const PARALLEL_LAYER_TEXELS = 6;
 /** Margin at each side of a tile that is read by the filter [texels]. */
 export const TILE_MARGIN = 12;
 
@@ -67,11 +69,11 @@ export const texelSize = ({ halfSide, tile }: ParallelLayer): number => (2 * hal
 
 /**
  * A layer as shaders read it. Three rows (∂/∂x, ∂/∂y, ∂/∂z, constant) map an event (Δx, ct) to column, row and height towards the light, in texels; then
- * (their derivatives ∂/∂ct, width of a texel [m]); then the tile's (x, y), the penumbra slope, and the height of the highest occluders. The lowest have
- * height 0.
+ * (their derivatives ∂/∂ct, width of a texel [m]); then the tile's (x, y), the penumbra slope, and the height of the highest occluders; then 1 if it is
+ * drawn as it is seen. The lowest occluders have height 0.
  */
 export function parallelLayerTexels(layer: ParallelLayer): readonly number[] {
-  const { axes, beta, center, tile, halfDepth, penumbraSlope } = layer;
+  const { axes, beta, center, tile, halfDepth, penumbraSlope, asSeen = false } = layer;
   const texel = texelSize(layer);
   const row = (axis: Vec3, middle: number): readonly [...Vec3, number] => {
     const along = scale(axis, 1 / texel);
@@ -83,5 +85,17 @@ export function parallelLayerTexels(layer: ParallelLayer): readonly number[] {
     row(axes.toLight, halfDepth / texel),
   ];
   const perTime = rows.map(([x, y, z]) => -dot([x, y, z], beta));
-  return [...rows.flat(), ...perTime, texel, tile.x, tile.y, penumbraSlope, (2 * halfDepth) / texel];
+  return [
+    ...rows.flat(),
+    ...perTime,
+    texel,
+    tile.x,
+    tile.y,
+    penumbraSlope,
+    (2 * halfDepth) / texel,
+    Number(asSeen),
+    0,
+    0,
+    0,
+  ];
 }

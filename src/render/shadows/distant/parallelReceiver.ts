@@ -1,4 +1,4 @@
-import { abs, clamp, dot, float, floor, If, int, log2, max, normalize, round, sqrt, vec2, vec3 } from 'three/tsl';
+import { abs, clamp, dot, float, floor, If, int, log2, max, mix, normalize, round, sqrt, vec2, vec3 } from 'three/tsl';
 import type { Bool, Float, Int, Vec3, Vec4 } from '../../../shaders/types.ts';
 import type { LightAtEmission } from '../../lights/lightAtEmission.ts';
 import type { LightTexels } from '../../lights/lightTexels.ts';
@@ -53,6 +53,21 @@ export interface ReceiverEvent {
   readonly dx: Vec3;
   readonly time: Float;
   readonly normal: Vec3;
+  /** Of the receiver [c]. */
+  readonly velocity: Vec3;
+  /** The gradient of c(t − t_o) on the hypersurface that is shown. */
+  readonly timeGradient: Vec3;
+  /** How far a curved surface that is seen may lie beside the drawn one [m]. */
+  readonly drawingError: Float;
+}
+
+/**
+ * The normal, of any length, of a surface as it is seen in coordinates ξ = x − βct: with dt = g·dx along what is shown, w = v − β, and N the normal in a slice
+ * of the world's time, ∂ξ = (1 + w gᵀ/(1 − g·v)) ∂x has the normal N − g (w·N)/(1 − g·β) (docs/physics.md §6.10). All on the same axes.
+ */
+export function normalAsSeen(N: Vec3, velocity: Vec3, beta: Vec3, timeGradient: Vec3): Vec3 {
+  const bend = dot(velocity.sub(beta), N).div(max(dot(timeGradient, beta).oneMinus(), 1e-6));
+  return N.sub(timeGradient.mul(bend));
 }
 
 /** Normal of the surface in a slice of the world's time: that of the rest frame with n∥ → γ n∥ (docs/physics.md §6.3). */
@@ -110,17 +125,20 @@ function isBehindCaster(tile: Vec4, side: number, place: Vec3): Bool {
 function layerVisibility(
   { atlas, table, sampleCount }: ParallelMaps,
   layer: Int,
-  { dx, time, normal }: ReceiverEvent,
+  { dx, time, normal, velocity, timeGradient, drawingError }: ReceiverEvent,
 ): Float {
   const rows = readParallelRows(table, layer);
-  const [across, up, height, { w: texel }] = rows;
+  const [across, up, height, { xyz: perTime, w: texel }] = rows;
   const penumbraSlope = readTileTexel(table, layer).z;
-  const n = vec3(dot(across.xyz, normal), dot(up.xyz, normal), dot(height.xyz, normal)).mul(texel).toVar();
+  const asSeen = table.texel(layer, 5).x;
+  const onAxes = (v: Vec3): Vec3 => vec3(dot(across.xyz, v), dot(up.xyz, v), dot(height.xyz, v)).mul(texel).toVar();
+  const atOnce = onAxes(normal);
+  const seen = normalize(normalAsSeen(atOnce, onAxes(velocity), perTime.mul(texel).negate(), onAxes(timeGradient)));
+  const n = mix(atOnce, seen, asSeen).toVar();
   const facing = clamp(n.z, 0, 1).toVar();
   const along = sqrt(facing.mul(facing).oneMinus());
-  const place = projectToLayer(rows, dx, time)
-    .add(n.mul(along.mul(NORMAL_BIAS[1]).add(NORMAL_BIAS[0])))
-    .toVar();
+  const lift = along.mul(NORMAL_BIAS[1]).add(NORMAL_BIAS[0]).add(drawingError.div(texel).mul(asSeen));
+  const place = projectToLayer(rows, dx, time).add(n.mul(lift)).toVar();
   const slope = clamp(n.xy.div(max(facing, 1 / MAX_SLOPE)).negate(), -MAX_SLOPE, MAX_SLOPE).toVar();
   // Texels without an occluder have height 0.
   const ground = max(place.z, 0).toVar();

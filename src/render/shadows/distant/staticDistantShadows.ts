@@ -5,7 +5,7 @@ import type { Body } from '../../geometry/bodies.ts';
 import type { Gpu } from '../../gpu/device.ts';
 import { LayerTable } from '../atlas/layerTable.ts';
 import { type AtlasDraw, ShadowAtlas } from '../atlas/shadowAtlas.ts';
-import { makeCaster } from '../casters/casterMesh.ts';
+import { makeCaster, wholeBatch } from '../casters/casterMesh.ts';
 import { PoseTable } from '../casters/casterPoses.ts';
 import type { Occluders, ShadowedDistantLight } from '../occluders.ts';
 import { cascadeSizes, cascades, type LightSpaceBox, lightSpaceBox } from './cascades.ts';
@@ -68,7 +68,9 @@ export class StaticDistantShadows {
     const placement = this.poses.placement(atlas.layer);
     for (const drawCall of drawCalls)
       if (!drawCall.batch.transparent && drawCall.batch.bodies.some(isAlwaysStatic))
-        atlas.scene.add(makeCaster(drawCall, placement, parallelProjection(atlas, table, side), occluders.materials));
+        atlas.scene.add(
+          makeCaster(wholeBatch(drawCall), placement, parallelProjection(atlas, table, side), occluders.materials),
+        );
   }
 
   /** Returns undefined if nothing is at rest. `index`: of the light. */

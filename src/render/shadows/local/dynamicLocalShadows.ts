@@ -2,7 +2,7 @@ import { uniform } from 'three/tsl';
 import { add, addScaled, normalize } from '../../../math/vec3.ts';
 import { isStatic } from '../../../scene/motion/motion.ts';
 import type { Float, Int } from '../../../shaders/types.ts';
-import type { Body } from '../../geometry/bodies.ts';
+import { type Body, isSolvedPerVertex } from '../../geometry/bodies.ts';
 import { intersect, type Observation, type RelativeEvent } from '../../geometry/observation.ts';
 import type { Gpu } from '../../gpu/device.ts';
 import { type LightEntry, lightAnchor } from '../../lights/lightTable.ts';
@@ -179,7 +179,7 @@ export class DynamicLocalShadows {
     if (!layer) return false;
     const center = addScaled(comovingCenter(mover), normalize(layer.source), -driftBias(mover));
     const [x, y] = tileCenter(this.tiles, tile);
-    const sphere = [...center, radius, ...beta, 0];
+    const sphere = [...center, radius, ...beta, Number(isSolvedPerVertex(body.object.motion))];
     const receiver = perspectiveLayerTexels({ ...layer, source: add(center, layer.source) }, x, y);
     this.table.set(tile, [...receiver, ...sphere]);
     this.table.set(this.lightCount * (this.maxCasters + 1) + tile, [...perspectiveLayerTexels(layer, x, y), ...sphere]);

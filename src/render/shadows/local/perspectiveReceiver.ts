@@ -1,9 +1,9 @@
-import { abs, clamp, dot, float, If, int, length, log2, max, min, normalize, round, sqrt, vec2 } from 'three/tsl';
+import { abs, clamp, dot, float, If, int, length, log2, max, min, mix, normalize, round, sqrt, vec2 } from 'three/tsl';
 import type { Bool, Float, Int, Vec2, Vec3 } from '../../../shaders/types.ts';
 import { lightShader } from '../../lights/lightShaders.ts';
 import { type AtlasLookup, loopTimes, MAX_SLOPE, NORMAL_BIAS } from '../atlas/atlasLookups.ts';
 import type { LayerTable } from '../atlas/layerTable.ts';
-import type { ReceiverEvent, ShadowedLight } from '../distant/parallelReceiver.ts';
+import { normalAsSeen, type ReceiverEvent, type ShadowedLight } from '../distant/parallelReceiver.ts';
 import { pcssVisibility } from './pcss.ts';
 import {
   cubeFaceOf,
@@ -86,7 +86,7 @@ function normalBiasOf(normal: Vec3, fromLight: Vec3): Float {
 /** A vector at the light, seen along the path to a place, across the tile's axis [m]. */
 const acrossPath = (v: Vec3, place: Vec3): Vec2 => v.xy.sub(place.xy.mul(v.z.div(place.z)));
 
-/** Texels of a body's tile: `perspectiveLayerTexels` with the tile's centre; then the body's centre and radius, and its velocity [c]. */
+/** Texels of a body's tile: `perspectiveLayerTexels` with the tile's centre; then the body's centre and radius; then its velocity [c], and 1 if it is drawn as it is seen. */
 export const CASTER_TEXELS = 6;
 
 /**
@@ -167,16 +167,19 @@ function casterVisibility(
   const [across, up, { w: focal }, source] = rows;
   const { path, lookupPosition, beyond } = pathPastCaster(table, layer, event, incoming);
   const d = onLayerAxes(rows, lookupPosition.sub(source.xyz)).toVar();
-  const normal = onLayerAxes(rows, event.normal).toVar();
+  const motion = table.texel(layer, 5).toVar();
+  const seenNormal = normalize(normalAsSeen(event.normal, event.velocity, motion.xyz, event.timeGradient));
+  const eventNormal = mix(event.normal, seenNormal, motion.w).toVar();
+  const normal = onLayerAxes(rows, eventNormal).toVar();
   // As far behind that position as the event is.
   const depth = d.z.add(length(path).mul(beyond)).max(1e-6).toVar();
-  const lift = normalBiasOf(normal, d).mul(depth.div(focal)).toVar();
+  const lift = normalBiasOf(normal, d).mul(depth.div(focal)).add(event.drawingError.mul(motion.w)).toVar();
   const at = d.add(normal.mul(lift)).toVar();
   const [A, B] = shader.silhouette(incoming).map((axis) => acrossPath(onLayerAxes(rows, axis), at).mul(focal).toVar());
   const surface = planeOf(
     depth.add(normal.z.mul(lift)).max(1e-6).reciprocal(),
     normal,
-    dot(event.normal, path).negate(),
+    dot(eventNormal, path).negate(),
     focal,
   );
   const on = at.xy.mul(focal).div(at.z.max(1e-6)).toVar();

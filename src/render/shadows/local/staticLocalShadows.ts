@@ -7,7 +7,7 @@ import type { Gpu } from '../../gpu/device.ts';
 import type { LightEntry } from '../../lights/lightTable.ts';
 import { LayerTable } from '../atlas/layerTable.ts';
 import { type AtlasDraw, ShadowAtlas } from '../atlas/shadowAtlas.ts';
-import { makeCaster } from '../casters/casterMesh.ts';
+import { makeCaster, wholeBatch } from '../casters/casterMesh.ts';
 import { PoseTable } from '../casters/casterPoses.ts';
 import type { ReceiverEvent } from '../distant/parallelReceiver.ts';
 import { isAlwaysStatic } from '../distant/staticDistantShadows.ts';
@@ -56,7 +56,7 @@ export class StaticLocalShadows {
     const placement = this.poses.placement(this.atlas.layer);
     for (const drawCall of drawCalls)
       if (!drawCall.batch.transparent && drawCall.batch.bodies.some(isAlwaysStatic))
-        this.atlas.scene.add(makeCaster(drawCall, placement, projection, materials));
+        this.atlas.scene.add(makeCaster(wholeBatch(drawCall), placement, projection, materials));
   }
 
   /** Returns undefined if nothing is at rest. */
