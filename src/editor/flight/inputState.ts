@@ -1,5 +1,6 @@
 import { length, type Vec3 } from '../../math/vec3.ts';
 import type { FlightControls } from './flight.ts';
+import { TouchFlight } from './touchFlight.ts';
 
 /** Thrust of each key in camera axes, by physical key (`KeyboardEvent.code`), the same on every layout. */
 const THRUST_KEYS: Readonly<Record<string, Vec3>> = {
@@ -28,12 +29,13 @@ export const isFlightKey = (code: string): boolean => code in THRUST_KEYS || cod
 /** Button indices of the W3C standard gamepad. */
 const GAMEPAD_BUTTONS = { play: 0, lock: 3, down: 4, up: 5, full: 7 } as const;
 
-/** Keys, drags and gamepad as they are held now. */
+/** Keys, drags, fingers and gamepad as they are held now. */
 export class InputState {
   private readonly keys = new Set<string>();
   private pendingTurn: [yaw: number, pitch: number] = [0, 0];
   private pressed = new Set<number>();
   private fullSpeed = false;
+  readonly touch = new TouchFlight();
 
   press(code: string): void {
     this.keys.add(code);
@@ -61,6 +63,9 @@ export class InputState {
       const push = THRUST_KEYS[key];
       if (push) for (let axis = 0; axis < 3; axis++) thrust[axis]! += push[axis]!;
     }
+    this.touch.thrust().forEach((push, axis) => {
+      thrust[axis]! += push;
+    });
     const pad = gamepad();
     if (pad) {
       thrust[0] += stickValue(pad, 0);

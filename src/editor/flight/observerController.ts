@@ -1,8 +1,9 @@
 import { IDENTITY } from '../../math/quat.ts';
-import { length, ZERO } from '../../math/vec3.ts';
+import { add, addScaled, dot, length, scale, sub, ZERO } from '../../math/vec3.ts';
 import { pictureCamera } from '../../nodes/pictures/renderSettings.ts';
 import type { PictureSpec } from '../../nodes/socketValues.ts';
 import type { ObserverState } from '../../physics/lorentz/observer.ts';
+import { lookAtOrientation } from '../../scene/view/camera.ts';
 import type { ViewPoint } from '../../scene/view/view.ts';
 import { sceneKey } from '../loading/localFiles.ts';
 import { leaveCamera } from '../shell/actions.ts';
@@ -10,6 +11,7 @@ import type { Editor, PictureSource } from '../state/editor.ts';
 import { initialObserver, observerOnCamera, sceneUpVector, viewPointOf } from '../state/observer.ts';
 import { LOCKS, type Lock, stepFlight, turnView, wrapTime } from './flight.ts';
 import { InputState } from './inputState.ts';
+import { isOutside, type SceneLimits, sceneLimits } from './sceneLimits.ts';
 
 /** State from which a restored session resumes. */
 export interface RestoredObserver {
@@ -26,6 +28,7 @@ export class ObserverController {
   /** Key of the shown scene; it stays the same when files are added to the scene. */
   private scene = '';
   private until: number | undefined;
+  private limits: SceneLimits | undefined;
   private state: ObserverState = { t: 0, position: ZERO, u: ZERO, orientation: IDENTITY, properTime: 0 };
 
   /** For the first picture: the state to restore after a page reload. */
@@ -58,6 +61,8 @@ export class ObserverController {
    */
   setPicture(picture: PictureSpec, { origin, source }: Pick<PictureSource, 'origin' | 'source'>, until?: number): void {
     const before = this.currentPicture?.camera;
+    if (picture.scene !== this.currentPicture?.scene)
+      this.limits = sceneLimits(picture.scene, initialObserver(picture).position, picture.speedOfLight);
     const scene = sceneIdentity(origin, source);
     this.currentPicture = picture;
     this.until = until;
@@ -85,6 +90,24 @@ export class ObserverController {
     this.state = observer;
     this.editor.update({ lock, cruise });
     this.restored = undefined;
+  }
+
+  /** Whether the observer has left the scene. */
+  get isOutside(): boolean {
+    return this.limits !== undefined && isOutside(this.limits, this.state.position);
+  }
+
+  /** Stops, and looks back to where the scene is. */
+  turnBack(): void {
+    if (!this.limits || !this.currentPicture) return;
+    const { min, max } = this.limits.box;
+    const { position } = this.state;
+    const up = sceneUpVector(this.currentPicture.scene);
+    const there = sub(scale(add(min, max), 0.5), position);
+    // At the height of the eyes: one who flew straight out flies straight in again.
+    const level = addScaled(there, up, -dot(there, up));
+    const ahead = length(level) > 0 ? level : there;
+    if (length(ahead) > 0) this.state = { ...this.state, u: ZERO, orientation: lookAtOrientation(ahead, up) };
   }
 
   seek(t: number): void {

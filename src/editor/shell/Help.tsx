@@ -1,6 +1,7 @@
 import { Modal, SimpleGrid, Stack, Text } from '@mantine/core';
 import { lazy, type ReactNode, Suspense } from 'react';
 import { type Message, msg } from '../../messages/message.ts';
+import { useInputDevice } from '../flight/inputDevice.ts';
 import { useTexts } from '../language/languageStore.ts';
 import { useEditor, useEditorState } from '../state/context.tsx';
 import { type KeyRow, KeySection } from './KeySection.tsx';
@@ -9,6 +10,16 @@ import { type KeyRow, KeySection } from './KeySection.tsx';
 const GraphKeys = lazy(() => import('../graph/commands/GraphKeys.tsx'));
 
 type KeyGroup = readonly [title: Message, rows: readonly KeyRow[]];
+
+const TOUCH: KeyGroup = [
+  msg`Touch`,
+  [
+    [[msg`One finger`], msg`Look around`],
+    [[msg`Two fingers`], msg`Accelerate: up for forwards; lift one to brake`],
+    [[msg`Three fingers`], msg`Rise and sink`],
+    [[msg`The bar below`], msg`Lock and cruise`],
+  ],
+];
 
 const COLUMNS: readonly (readonly KeyGroup[])[] = [
   [
@@ -23,6 +34,7 @@ const COLUMNS: readonly (readonly KeyGroup[])[] = [
         [['Tab'], msg`Next lock: free, look, fly`],
         [['C'], msg`Cruise: keep the velocity`],
         [['R'], msg`Back to the start of the scene`],
+        [['B'], msg`Stop, and turn back to the scene`],
       ],
     ],
   ],
@@ -57,6 +69,7 @@ export function Help(): ReactNode {
   const { t } = useTexts();
   const editor = useEditor();
   const opened = useEditorState((state) => state.dialog === 'help');
+  const device = useInputDevice();
   return (
     <Modal
       opened={opened}
@@ -67,7 +80,7 @@ export function Help(): ReactNode {
       closeButtonProps={{ 'aria-label': t(msg`Close`) }}
     >
       <SimpleGrid cols={{ base: 1, sm: 2 }} spacing="xl" verticalSpacing="lg">
-        {COLUMNS.map((sections) => (
+        {(device === 'touch' ? [[TOUCH], ...COLUMNS] : COLUMNS).map((sections) => (
           <Stack key={sections[0]?.[0].template} gap="lg">
             {sections.map(([title, rows]) => (
               <KeySection key={title.template} title={title} rows={rows} />

@@ -62,7 +62,7 @@ function CruiseButton(): ReactNode {
   const editor = useEditor();
   const cruise = useEditorState((state) => state.cruise);
   return (
-    <Tooltip label={t(msg`Keep the velocity when no key is pressed`)} openDelay={300}>
+    <Tooltip label={t(msg`Keep the velocity when you do not steer`)} openDelay={300}>
       <UnstyledButton
         className="sl-status-item sl-status-button"
         aria-pressed={cruise}

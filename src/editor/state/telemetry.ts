@@ -19,6 +19,8 @@ export interface Telemetry {
   readonly waiting: boolean;
   /** Whether the next picture waits for shaders that are being compiled. */
   readonly preparing: boolean;
+  /** Whether the observer has left the scene. */
+  readonly outside: boolean;
 }
 
 const INTERVAL = 100; // [ms]
@@ -32,6 +34,7 @@ export const telemetry = createStore<Telemetry>(() => ({
   tolerance: 0,
   waiting: false,
   preparing: false,
+  outside: false,
 }));
 
 let lastUpdate = Number.NEGATIVE_INFINITY;
@@ -39,14 +42,14 @@ let lastUpdate = Number.NEGATIVE_INFINITY;
 /** `now` [ms] is the frame's time stamp. Changes within the interval are published with a later frame. */
 export function updateTelemetry(
   state: ObserverState,
-  drawn: Pick<Telemetry, 'triangles' | 'tolerance' | 'waiting' | 'preparing'>,
+  drawn: Pick<Telemetry, 'triangles' | 'tolerance' | 'waiting' | 'preparing' | 'outside'>,
   now: number,
 ): void {
   if (now - lastUpdate < INTERVAL) return;
   lastUpdate = now;
   const g = gamma(state.u);
-  const { triangles, tolerance, waiting, preparing } = drawn;
-  const picture = { triangles, tolerance, waiting, preparing };
+  const { triangles, tolerance, waiting, preparing, outside } = drawn;
+  const picture = { triangles, tolerance, waiting, preparing, outside };
   const next = { t: state.t, properTime: state.properTime, beta: length(state.u) / g, gamma: g, ...picture };
   const shown = telemetry.getState();
   if ((Object.keys(next) as (keyof Telemetry)[]).some((key) => next[key] !== shown[key])) telemetry.setState(next);

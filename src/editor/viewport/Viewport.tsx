@@ -2,10 +2,12 @@ import { Button, Group, Progress, Stack, Text, UnstyledButton } from '@mantine/c
 import { IconX } from '@tabler/icons-react';
 import { type ReactNode, type RefObject, useEffect, useRef, useState } from 'react';
 import { msg } from '../../messages/message.ts';
+import { useInputDevice, useLastInput } from '../flight/inputDevice.ts';
 import { useFlightControls } from '../flight/useFlightControls.ts';
 import { useTexts } from '../language/languageStore.ts';
 import { useOpenedTexts } from '../language/useSceneTexts.ts';
 import { sceneName } from '../loading/localFiles.ts';
+import { useServices } from '../services.tsx';
 import { useEditor, useEditorState, useTelemetry } from '../state/context.tsx';
 import { STAGE_TITLES } from '../state/editor.ts';
 import { loadPreferences, savePreferences } from '../state/preferences.ts';
@@ -19,6 +21,8 @@ export function Viewport(): ReactNode {
   const canvas = useRef<HTMLCanvasElement>(null);
   const generation = useViewportRenderer(canvas);
   const focused = useFlightControls(host);
+  useLastInput();
+  const device = useInputDevice();
   const shown = useEditorState(({ pictureSource }) => pictureSource.origin || pictureSource.source);
   return (
     <div className="sl-viewport" data-opened={shown}>
@@ -27,7 +31,9 @@ export function Viewport(): ReactNode {
         className="sl-picture"
         role="application"
         aria-label={t(
-          msg`Picture. W A S D Q E fly, arrow keys look around, Tab changes the lock, Escape leaves the picture.`,
+          device === 'touch'
+            ? msg`Picture. Drag with one finger to look around, with two to fly, with three to rise and sink.`
+            : msg`Picture. W A S D Q E fly, arrow keys look around, Tab changes the lock, Escape leaves the picture.`,
         )}
         data-viewport
       >
@@ -38,6 +44,7 @@ export function Viewport(): ReactNode {
       <Legend />
       <Caption />
       <CompilingHint />
+      <OutsideCard picture={host} />
       <ActivityOverlay picture={host} />
     </div>
   );
@@ -45,10 +52,15 @@ export function Viewport(): ReactNode {
 
 function StartHint(): ReactNode {
   const { t } = useTexts();
+  const device = useInputDevice();
   const open = useEditorState((state) => state.picture?.falseColor === 'none' && !state.loading);
   return open ? (
     <Text size="xs" className="sl-hint">
-      {t(msg`Fly with W A S D, drag to look, ? for all keys`)}
+      {t(
+        device === 'touch'
+          ? msg`Look around with one finger, fly with two`
+          : msg`Fly with W A S D, drag to look, ? for all keys`,
+      )}
     </Text>
   ) : null;
 }
@@ -84,6 +96,42 @@ function Caption(): ReactNode {
         {lookFor}
       </Text>
     </aside>
+  );
+}
+
+/** Shown to one who has left the scene: the ways back. The focus stays where it is while it appears, and goes to the picture from its buttons. */
+function OutsideCard({ picture }: { readonly picture: RefObject<HTMLElement | null> }): ReactNode {
+  const { t } = useTexts();
+  const { observerController } = useServices();
+  const outside = useTelemetry((live) => live.outside);
+  const device = useInputDevice();
+  const ways = [
+    [msg`Turn back`, 'B', () => observerController.turnBack()],
+    [msg`Back to the start`, 'R', () => observerController.restart()],
+  ] as const;
+  // The region is there before its text, else screen readers do not read it.
+  return (
+    <div role="status">
+      {outside && (
+        <Group className="sl-outside" gap="xs" data-outside>
+          <Text size="xs">{t(msg`You have left the scene.`)}</Text>
+          {ways.map(([title, key, go]) => (
+            <Button
+              key={key}
+              size="compact-xs"
+              variant="default"
+              aria-keyshortcuts={key}
+              onClick={() => {
+                go();
+                picture.current?.focus();
+              }}
+            >
+              {device === 'touch' ? t(title) : `${t(title)} (${key})`}
+            </Button>
+          ))}
+        </Group>
+      )}
+    </div>
   );
 }
 

@@ -202,7 +202,8 @@ export class ViewportRenderer {
       this.resize();
     } else if (this.resolution.isStill) this.accumulate();
     this.pickValue(now);
-    const drawn = { ...this.renderer.info, waiting: this.isWaiting, preparing: this.compiling };
+    const { isOutside: outside } = this.observerController;
+    const drawn = { ...this.renderer.info, waiting: this.isWaiting, preparing: this.compiling, outside };
     updateTelemetry(this.observerController.observer, this.displayed ? drawn : { ...drawn, triangles: 0 }, now);
   }
 

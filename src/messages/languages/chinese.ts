@@ -2565,6 +2565,7 @@ const messages: Translation['messages'] = {
   'Colours from {} to {}': '颜色范围：{1} 至 {2}',
   'Value at the crosshair': '十字线处的数值',
   'Point at the picture, or press P': '指向画面，或按 P 键',
+  'Touch the picture': '触摸画面',
   'nothing there': '此处无物体',
   sky: '天空',
 
@@ -2596,7 +2597,7 @@ const messages: Translation['messages'] = {
 
   // Cruise
   Cruise: '巡航',
-  'Keep the velocity when no key is pressed': '松开按键后保持速度',
+  'Keep the velocity when you do not steer': '不操纵时保持速度',
 
   // The timeline
   Timeline: '时间轴',
@@ -2610,6 +2611,11 @@ const messages: Translation['messages'] = {
   // The viewport
   'Picture. W A S D Q E fly, arrow keys look around, Tab changes the lock, Escape leaves the picture.':
     '画面。W A S D Q E 飞行，方向键转头，Tab 切换锁定，Escape 离开画面。',
+  'Picture. Drag with one finger to look around, with two to fly, with three to rise and sink.':
+    '画面。单指拖动环顾，双指拖动飞行，三指拖动升降。',
+  'Look around with one finger, fly with two': '单指环顾，双指飞行',
+  'You have left the scene.': '您已离开场景。',
+  'Turn back': '掉头',
   'Fly with W A S D, drag to look, ? for all keys': 'W A S D 飞行，拖动环顾，? 查看全部按键',
   'What to look for': '观察要点',
   Hide: '隐藏',
@@ -2695,6 +2701,16 @@ const messages: Translation['messages'] = {
   'Next lock: free, look, fly': '下一个锁定：自由、观察、飞行',
   'Cruise: keep the velocity': '巡航：保持速度',
   'Back to the start of the scene': '回到场景起点',
+  'Stop, and turn back to the scene': '停下并转向场景',
+  Touch: '触摸',
+  'One finger': '单指',
+  'Look around': '环顾',
+  'Two fingers': '双指',
+  'Accelerate: up for forwards; lift one to brake': '加速：向上为前进；抬起一指则刹车',
+  'Three fingers': '三指',
+  'Rise and sink': '升降',
+  'The bar below': '下方状态栏',
+  'Lock and cruise': '锁定与巡航',
   'Play or pause': '播放或暂停',
   'Next view': '下一个视图',
   'Next false colour': '下一种伪彩色',

@@ -3,6 +3,7 @@ import { IconCrosshair, IconX } from '@tabler/icons-react';
 import type { ReactNode } from 'react';
 import { msg } from '../../../messages/message.ts';
 import type { FalseColorQuantity, FalseColorScale } from '../../../spectrum/falseColor/falseColor.ts';
+import { useInputDevice } from '../../flight/inputDevice.ts';
 import { useTexts } from '../../language/languageStore.ts';
 import { useLegend } from '../../state/context.tsx';
 import { setLegendVisible, toggleCrosshair } from './legendState.ts';
@@ -108,6 +109,7 @@ const endClass = (part: number): string | undefined => (part < 0.02 ? 'sl-first'
 function Value({ kind, spoken }: { readonly kind: FalseColorQuantity; readonly spoken: boolean }): ReactNode {
   const { t } = useTexts();
   const reading = useLegend((state) => state.picked);
+  const device = useInputDevice();
   const words = reading && pickedTexts(kind, reading, t);
   return (
     <Text component="output" size="xs" className="sl-legend-value" aria-live={spoken ? 'polite' : 'off'} data-reading>
@@ -119,7 +121,7 @@ function Value({ kind, spoken }: { readonly kind: FalseColorQuantity; readonly s
           </span>
         </>
       ) : (
-        <span>{t(msg`Point at the picture, or press P`)}</span>
+        <span>{t(device === 'touch' ? msg`Touch the picture` : msg`Point at the picture, or press P`)}</span>
       )}
     </Text>
   );
