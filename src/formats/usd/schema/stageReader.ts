@@ -1,7 +1,7 @@
 import { IDENTITY, invert } from '../../../math/mat4.ts';
 import { msg } from '../../../messages/message.ts';
 import { isAtOrBelow } from '../../../scene/motion/fly.ts';
-import { commonLifetimes, isAlive } from '../../../scene/motion/lifetimes.ts';
+import { commonLifetimes, isAlive, isEternal } from '../../../scene/motion/lifetimes.ts';
 import type { Lifetime, Light, Scene, SceneCamera, SceneObject } from '../../../scene/types.ts';
 import { MAX_OBJECTS } from '../../read/limits.ts';
 import { report } from '../diagnostics.ts';
@@ -324,7 +324,7 @@ class StageReader {
 
   private drawInstance(part: UnplacedGprim, path: string, setting: InstanceContext): void {
     const lives = livesIn(commonLifetimes(setting.lives, part.lives), lifetimeOf(setting.slowlight));
-    if (lives.length === 0) return;
+    if (lives.length === 0 || this.objects.length >= MAX_OBJECTS) return;
     const frame = nestedTransform(setting.transform, part.transform);
     const placed = setting.velocity
       ? placeWithVelocity(this.context, path, part.geometry, frame, setting.velocity)
@@ -352,16 +352,14 @@ class StageReader {
     { mesh, motion }: ObjectGeometry,
     lives: readonly Lifetime[],
   ): void {
-    const room = MAX_OBJECTS - this.objects.length;
+    const room = Math.max(1, MAX_OBJECTS - this.objects.length);
     if (lives.length > room) {
       const message = msg`it exists at ${lives.length} separate times, and a scene has room for ${room} more objects; the first are shown`;
       report(this.context, 'warning', 'usd.too-many-instances', path, message);
     }
-    piecePaths(path, piece, lives.length)
-      .slice(0, room)
-      .forEach((named, i) => {
-        this.objects.push({ ...named, mesh, motion, lifetime: lives[i], authoredIn: authoredInOf(directions) });
-      });
+    piecePaths(path, piece, Math.min(lives.length, room)).forEach((named, i) => {
+      this.objects.push({ ...named, mesh, motion, lifetime: lives[i], authoredIn: authoredInOf(directions) });
+    });
   }
 
   private geometryOf(
@@ -402,8 +400,10 @@ interface NumberedPiece extends MeshPiece {
 }
 
 /** The lives within an authored lifetime; that itself if it is empty, for the validation to tell of. */
-const livesIn = (lives: readonly Lifetime[], authored: Lifetime): readonly Lifetime[] =>
-  authored.birth < authored.death ? commonLifetimes(lives, [authored]) : [authored];
+const livesIn = (lives: readonly Lifetime[], authored: Lifetime): readonly Lifetime[] => {
+  if (isEternal(authored)) return lives;
+  return authored.birth < authored.death ? commonLifetimes(lives, [authored]) : [authored];
+};
 
 /** Whether several of its children have transforms of their own, or children that may have. */
 const hasSeveralTransforms = ({ children }: PrimSpec): boolean =>

@@ -4,6 +4,9 @@ import { addScaled, distance, length, scale, sub, type Vec3, ZERO } from '../../
 import { gamma } from '../../../physics/lorentz/boost.ts';
 import { HYPERSURFACES } from '../../../physics/worldLines/hypersurface.ts';
 import { positionAt, velocityAt, type WorldLine } from '../../../physics/worldLines/worldLine.ts';
+import { pointSamples } from '../../../scene/motion/motion.ts';
+import { pointsAt } from '../../../scene/streaming/samplePoints.ts';
+import type { SampledPointsMotion } from '../../../scene/types.ts';
 import type { Int } from '../../../shaders/types.ts';
 import type { DrawCall } from '../../gbuffer/drawCall.ts';
 import { type Body, isSolvedPerVertex, linearMapOf, worldLineOfCenter } from '../../geometry/bodies.ts';
@@ -174,7 +177,8 @@ export function largestCasters(bodies: readonly Body[], observation: Observation
         velocityAt(line, observation.t + event.ahead / observation.c, observation.c),
         1 / observation.c,
       );
-      return [{ body, ...event, beta, drift: driftOf(line, event.ahead, beta, body.radius, observation), size }];
+      const drift = driftOf(line, event.ahead, beta, body.radius, observation) + turnDrift(body, observation.c);
+      return [{ body, ...event, beta, drift, size }];
     })
     .sort((a, b) => b.size - a.size || a.body.id - b.body.id);
 }
@@ -187,7 +191,35 @@ export const comovingCenter = ({ offset, beta, ahead }: ObservedCaster): Vec3 =>
  * earlier, deviates from that by its drift.
  */
 export const driftBias = ({ body, drift }: ObservedCaster): number =>
-  isSolvedPerVertex(body.object.motion) ? 0 : drift;
+  isSolvedPerVertex(body.object.motion) && body.object.pieceOf === undefined ? 0 : drift;
+
+/**
+ * How far the surface of a piece moves relative to its centre between the event of that and one that is seen with it [m]. Only the piece that exists at the event of its centre casts a shadow, on
+ * the others as well, which follow and precede it.
+ */
+function turnDrift({ object, radius }: Body, c: number): number {
+  if (object.pieceOf === undefined) return 0;
+  const samples = pointSamples(object.motion);
+  return samples ? (radius * relativeSpeed(samples)) / c : 0;
+}
+
+const RELATIVE_SPEEDS = new WeakMap<SampledPointsMotion, number>();
+
+/** The largest difference of a vertex's velocity at the first samples from the mean [m/s]. */
+function relativeSpeed(motion: SampledPointsMotion): number {
+  const cached = RELATIVE_SPEEDS.get(motion);
+  if (cached !== undefined) return cached;
+  const [from, to] = [pointsAt(motion, 0), pointsAt(motion, 1)];
+  const vertices = from.length / 3;
+  const mean = [0, 0, 0];
+  for (let i = 0; i < from.length; i++) mean[i % 3] += (to[i] - from[i]) / vertices;
+  let most = 0;
+  for (let i = 0; i < from.length; i += 3)
+    most = Math.max(most, Math.hypot(...[0, 1, 2].map((k) => to[i + k] - from[i + k] - mean[k])));
+  const speed = most / (motion.times[1] - motion.times[0]);
+  RELATIVE_SPEEDS.set(motion, speed);
+  return speed;
+}
 
 /** Deviation of a line from uniform motion with β, at `radius` of light before and after an event [m]. */
 function driftOf(line: WorldLine, ahead: number, beta: Vec3, radius: number, { t, c }: Observation): number {

@@ -64,6 +64,15 @@ describe('visibility', () => {
     expect(await lives(CUBE('A', '1: "invisible", 2: None, 3: "invisible"'))).toEqual([['/A', 2, 3]]);
   });
 
+  it('of more times than a scene has objects is cut, which is said, and quickly', async () => {
+    const samples = Array.from({ length: 60_000 }, (_, k) => `${k}: "${k % 2 ? 'invisible' : 'inherited'}"`);
+    const children = Array.from({ length: 20 }, (_, k) => `def Cube "C${k}" {}`).join('\n');
+    const scene = await read(stage(`def Xform "G" { token visibility.timeSamples = { ${samples} }\n${children} }`));
+    expect(scene.objects.length).toBeGreaterThanOrEqual(250_000);
+    expect(scene.objects.length).toBeLessThan(250_300);
+    expect(said(scene)).toContain('warning usd.too-many-instances');
+  });
+
   it('of prims above, and authored lifetimes, intersect with it', async () => {
     const group = (samples: string, child: string): string =>
       `def Xform "G" { token visibility.timeSamples = { ${samples} }\n${child} }`;
