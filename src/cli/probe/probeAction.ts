@@ -31,7 +31,9 @@ export async function probe(path: string, flags: ProbeFlags): Promise<void> {
     const observed = probePixel(scene, view, c, flags.view, flags.size, flags.pixel);
     return print(flags, { ...about, pixel: flags.pixel, size: flags.size, seen: observed ?? null });
   }
-  const object = findObject(scene, flags.prim ?? '');
+  const seenVertices = (piece: SceneObject): number =>
+    probeVertices(piece, view, c, flags.view, newton).filter((event) => event?.visible).length;
+  const object = findObject(scene, flags.prim ?? '', seenVertices);
   const probed = probeVertices(object, view, c, flags.view, newton);
   const vertices = probed.map((event, i) => event ?? { vertex: i, visible: false });
   if (flags.json) print(flags, { ...about, prim: object.path, vertices });
@@ -46,9 +48,15 @@ const describeObserver = ({ t, position, u }: ViewPoint) => ({
   gamma: gamma(u),
 });
 
-function findObject(scene: Scene, path: string): SceneObject {
+/** The object at a path; of a thing whose pieces take turns the piece of which most is seen. */
+function findObject(scene: Scene, path: string, seenVertices: (piece: SceneObject) => number): SceneObject {
   const object = scene.objects.find((candidate) => candidate.path === path);
   if (object) return object;
+  const pieces = scene.objects
+    .filter(({ pieceOf }) => pieceOf === path)
+    .map((piece) => ({ piece, n: seenVertices(piece) }));
+  const [most] = pieces.sort((a, b) => b.n - a.n);
+  if (most) return most.piece;
   const near = scene.objects.filter((candidate) => candidate.path.includes(path)).slice(0, 8);
   const known = listed((near.length > 0 ? near : scene.objects.slice(0, 8)).map((candidate) => candidate.path));
   throw usageError(msg`--prim ${path}: the scene has no such object; it has ${known || msg`none`}`);

@@ -52,7 +52,7 @@ export function exportObjects(
         'warning',
         'convert.lifetime',
         path,
-        msg`it is ${turns.length} pieces that take turns; only that of ${birth} to ${death} s is written, and there it always is`,
+        msg`it is ${turns.length} pieces that take turns; only the one of the start is written, and there it always is`,
       );
     else if (!isEternal(object.lifetime))
       losses.add(

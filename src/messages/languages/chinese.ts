@@ -826,8 +826,8 @@ const messages: Translation['messages'] = {
   '{} is too large a number': '{1} 这个数太大',
 
   // What a file cannot hold
-  'it is {} pieces that take turns; only that of {} to {} s is written, and there it always is':
-    '它由 {1} 个依次出现的部分组成；只写出了 {2} 至 {3} s 的那一个，在那个文件中它始终存在',
+  'it is {} pieces that take turns; only the one of the start is written, and there it always is':
+    '它由 {1} 个依次出现的部分组成；只写出了起始时的那一个，在那个文件中它始终存在',
   'it lives from {} to {} s; there it always is': '它只存在于 {1} 至 {2} s；在那个文件中它始终存在',
   '{} is sampled from {} to {} s; before and after it rests': '{1}在 {2} 至 {3} s 之间采样；之前和之后静止',
   'its uniform motion': '其匀速运动',
