@@ -29,10 +29,26 @@ export function validate(scene: Scene, c: number): Diagnostic[] {
   };
   return [
     ...duplicatePaths(scene),
-    ...scene.objects.flatMap((object) => validateObject(object, findingsOf(object.mesh), c)),
+    ...oncePerThing(scene.objects, (object) => validateObject(object, findingsOf(object.mesh), c)),
     ...scene.cameras.flatMap((camera) => validateRigidMotion(camera, c)),
     ...scene.lights.flatMap((light) => (isLocalLight(light) ? validateLocalLight(light, c) : [])),
   ];
+}
+
+/** Of the pieces of one thing a warning of each kind is told once: a simulation may have hundreds. */
+function oncePerThing(
+  objects: readonly SceneObject[],
+  findingsOf: (object: SceneObject) => readonly Diagnostic[],
+): Diagnostic[] {
+  const told = new Set<string>();
+  return objects.flatMap((object) =>
+    findingsOf(object).filter(({ severity, code }) => {
+      const key = `${object.pieceOf} ${code}`;
+      const isNew = object.pieceOf === undefined || severity === 'error' || !told.has(key);
+      told.add(key);
+      return isNew;
+    }),
+  );
 }
 
 function duplicatePaths({ objects }: Scene): Diagnostic[] {
