@@ -99,3 +99,17 @@ test('for a missing object the existing ones are listed', async () => {
   expect(code).toBe(2);
   expect(err).toContain('/World/Leaving');
 });
+
+test('--solver newton gives where its steps end, and is refused for a pixel, which a ray probes', async () => {
+  const newton = ['--solver', 'newton', '--iterations', '1', '--damping', '0.3', '--time', '2'];
+  const { vertices } = await slowlightJson<Probe>('probe', movers, '--prim', '/World/Leaving', ...newton);
+  for (const { time, position } of vertices) {
+    // One step from t = 2 s: f = |x|, f′ = c + v·x/|x|, v = −6 m/s along z.
+    const [x, y, z] = [position[0], position[1], position[2] - 6 * (2 - time)];
+    const r = Math.hypot(x, y, z);
+    expect(time).toBeCloseTo(2 - (0.3 * r) / (10 - (6 * z) / r), 10);
+  }
+  const refused = await slowlight('probe', movers, '--pixel', '3,3', ...newton);
+  expect(refused.code).toBe(2);
+  expect(refused.err).toContain('--solver newton is for --prim');
+});
