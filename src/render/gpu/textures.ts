@@ -38,8 +38,8 @@ export function textureKey({ data, colorSpace, filter, wrapS, wrapT }: Texture):
 const ANISOTROPY = 8;
 
 /**
- * Uploads an image. Its rows run from the top, so it is read at 1 − v. `anisotropic`: not where the processor draws, which takes 40 times as long for it
- * (llvmpipe).
+ * Uploads an image. Its rows run from the top, so it is read at 1 − v. `anisotropic`: not where the processor draws, which takes more than twice
+ * as long for a floor with it (llvmpipe).
  */
 export function uploadTexture(image: Texture | RadianceTexture, anisotropic: boolean): DataTexture {
   const { data, width, height } = image;
