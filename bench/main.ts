@@ -12,6 +12,7 @@ import { cubic } from './rendering/cubic.ts';
 import { effects } from './rendering/effects.ts';
 import { emission } from './rendering/emission.ts';
 import { frame } from './rendering/frame.ts';
+import { immersive } from './rendering/immersive.ts';
 import { instances } from './rendering/instances.ts';
 import { memory } from './rendering/memory.ts';
 import { tessellation } from './rendering/tessellation.ts';
@@ -25,6 +26,7 @@ import { gpu, releaseGpu } from './support/gpu.ts';
 /** All benchmarks, in the order of the page. */
 const benches: readonly Bench[] = [
   frame,
+  immersive,
   views,
   antialiasing,
   cubic,

@@ -12,7 +12,7 @@ import { layers } from './layers.ts';
 import { lesson } from './lesson.ts';
 import { letters } from './letters.ts';
 import { pendulums } from './pendulums.ts';
-import { plain, rush } from './presets.ts';
+import { accelerations, plain, rush } from './presets.ts';
 import { truth } from './truth.ts';
 import { workshop } from './workshop.ts';
 
@@ -20,6 +20,7 @@ import { workshop } from './workshop.ts';
 export const projects: Readonly<Record<string, () => GraphDocument>> = {
   plain,
   rush,
+  ...accelerations,
   layers,
   checkerboards,
   comparison,

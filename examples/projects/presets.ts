@@ -33,3 +33,26 @@ export const rush = (): GraphDocument => ({
   lookFor:
     'The street at 0.9 c from the first picture on, and you stay in place (Look), so that there is time to see: houses that lie behind you lean into view, the middle is blue and far away, the rim red and dark. Press Tab for Free to drive on.',
 });
+
+/** One of the three moments of an accelerating vehicle that the immersive paper shows, at its plain boxes. */
+const accelerating = (beta: number): GraphDocument => ({
+  ...changed(
+    newProject('boxes.usdc'),
+    { kind: 'add-node', node: 'start', type: 'observer', at: [240, 180], params: { beta: [0, 0, -beta] } },
+    {
+      kind: 'connect',
+      edge: { from: { node: 'start', output: 'observer' }, to: { node: 'scene', input: 'observer' } },
+    },
+    { kind: 'set-param', node: 'camera', param: 'fieldOfView', value: 75 },
+    // The shape alone: the paper has no light of relativity.
+    { kind: 'set-param', node: 'rasterize', param: 'dopplerMix', value: 0 },
+    { kind: 'set-param', node: 'rasterize', param: 'beaming', value: 0 },
+  ),
+  title: `Boxes at ${beta} c`,
+  lookFor:
+    'One of three moments of an acceleration, at 0.892, 0.949 and 0.968 c and the same place. What is ahead shrinks from one to the next, and more of what lies behind comes into view. Doppler mix and Beaming are 0: put them to 1 for its light.',
+});
+
+export const accelerations: Readonly<Record<string, () => GraphDocument>> = Object.fromEntries(
+  [0.892, 0.949, 0.968].map((beta) => [`boxes-${1000 * beta}`, () => accelerating(beta)]),
+);

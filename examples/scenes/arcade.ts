@@ -51,7 +51,7 @@ function make(): Scene {
     title: 'Arcade',
     lookFor:
       'Three hundred thousand triangles: 120 columns, vaults and balusters, sun that falls into the court, a ball of bronze in it. At 0.9 c the arches lean in, the galleries fold round you, and what is ahead turns blue.',
-    openAt: 2.4,
+    openAt: 1.3,
   };
   return builder.finish(
     'arcade',

@@ -34,7 +34,7 @@ function make(): Scene {
     paint(quad([-x, -0.02, near], [x, -0.02, near], [x, -0.02, far], [-x, -0.02, far]), ground),
   ]);
   const [from, to] = [0, 20];
-  const way = (t: number) => 34 - 118 * smoothRamp(t / to, 0.34);
+  const way = (t: number) => 28 - 118 * smoothRamp(t / to, 0.34);
   const flight = camera({
     from,
     to,
@@ -47,7 +47,7 @@ function make(): Scene {
     title: 'Boxes',
     lookFor:
       'Nothing but boxes with straight edges and flat faces, so that every bend is the light’s. From 0.9 c on the sides that face away from you come into view, and the rows ahead close to a small bright disc.',
-    openAt: 4,
+    openAt: 1.8,
   };
   return builder.finish('boxes', hints, [from, to], [flight], daylight([0.6, 0.7, 0.35]));
 }

@@ -1,7 +1,7 @@
 import type { ExampleScene } from '../kit/example.ts';
 import { scene as arcade } from './arcade.ts';
 import { scene as boxes } from './boxes.ts';
-import { scene as checkerboard } from './checkerboard.ts';
+import { scene as cubes } from './cubes.ts';
 import { scene as dice } from './dice.ts';
 import { scene as gallery } from './gallery.ts';
 import { scene as hall } from './hall.ts';
@@ -31,7 +31,7 @@ export const scenes: readonly ExampleScene[] = [
   saturn,
   gallery,
   ladder,
-  checkerboard,
+  cubes,
   arcade,
   boxes,
 ];

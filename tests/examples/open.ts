@@ -10,7 +10,7 @@ import type { Scene, SceneObject } from '../../src/scene/types.ts';
 import { observerFromCamera } from '../../src/scene/view/camera.ts';
 import type { ProbeObserver } from '../../src/scene/views/viewRecord.ts';
 
-/** Every scene of the gallery. */
+/** The scenes of the gallery that are compared with the reference; the test scenes of the sources are in testScenes.test.ts. */
 export const NAMES = [
   'street',
   'dice',

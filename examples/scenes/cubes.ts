@@ -12,7 +12,7 @@ const SQUARE = 5;
 /** Half width and half length of the floor [m]. */
 const [HALF, LONG] = [100, 150];
 
-export const scene: ExampleScene = { name: 'checkerboard', make };
+export const scene: ExampleScene = { name: 'cubes', make };
 
 /** The main test scene of the Houdini project that this program follows: a floor of 5 m squares, cubes that move, a ball that turns; all of it checkered. */
 function make(): Scene {
@@ -34,7 +34,7 @@ function make(): Scene {
     '/World/Ball',
     [paint(sphere(3.2, { segments: 64, rings: 32, axis: 'Y' }), ball)],
     sampled(0, 16, 24, (t) => ({
-      position: [0, 4, -32],
+      position: [0.5, 4, 4],
       orientation: multiply(fromAxisAngle([0, 0, 1], -0.25), fromAxisAngle([0, 1, 0], 1.94 * t)),
     })),
   );
@@ -49,13 +49,13 @@ function make(): Scene {
   });
   const hints = {
     speedOfLight: 10,
-    title: 'Checkerboard',
+    title: 'Cubes and a ball',
     lookFor:
       'A floor of 5 m squares, cubes at up to 0.9 c and a ball whose equator turns at 0.62 c. A cube that comes is stretched and blue, one that flees is short and red, and one that passes shows its rear. On the ball the squares of the coming side are wide, those of the fleeing side narrow. Fly, and the whole floor bends; the grid (G) stays straight.',
-    openAt: 3.4,
+    openAt: 1.2,
   };
   return builder.finish(
-    'checkerboard',
+    'cubes',
     hints,
     [from, to],
     [flight],
@@ -70,10 +70,10 @@ function cubes(builder: SceneBuilder, checkered: (name: string, a: string, b: st
   const gold = checkered('gold', '#f6edd4', '#c08a2c', 4);
   const cube = (material: number) => [paint(block(3, 3, 3, 1 / 3), material)];
   const lanes: readonly (readonly [name: string, x: number, z: number, speed: number, material: number])[] = [
-    ['Coming', -14, -120, 6, blue],
-    ['ComingFast', 14, -170, 9, blue],
-    ['Fleeing', -21, 20, -4.5, gold],
-    ['FleeingFast', 21, 30, -8, gold],
+    ['Coming', -15, 19, 6, blue],
+    ['ComingFast', 9, 19, 9, blue],
+    ['Fleeing', -19, 8, -4.5, gold],
+    ['FleeingFast', 14, -4, -8, gold],
   ];
   for (const [name, x, z, speed, material] of lanes)
     builder.object(`/World/Cube${name}`, cube(material), {
@@ -83,12 +83,12 @@ function cubes(builder: SceneBuilder, checkered: (name: string, a: string, b: st
     });
   builder.object('/World/CubeCrossing', cube(green), {
     kind: 'uniform',
-    pose: { position: [-58, 0, -14], orientation: [0, 0, 0, 1] },
+    pose: { position: [13, 0, 4], orientation: [0, 0, 0, 1] },
     velocity: [7, 0, 0],
   });
   for (const [side, z] of [
-    [-1, -20],
-    [1, -44],
+    [-1, 16],
+    [1, -14],
   ])
     builder.object(`/World/Cube${side < 0 ? 'Left' : 'Right'}`, cube(green), at([8.5 * side, 0, z]));
 }
