@@ -1,6 +1,8 @@
 import { afterEach, beforeEach, expect, it, vi } from 'vitest';
+import { rotate } from '../../math/quat.ts';
 import { type LoadedScene, workerServices } from '../../nodes/services.ts';
-import { makeScene } from '../../scene/defaults.ts';
+import { makeMaterial, makeObject, makeScene, restingAt } from '../../scene/defaults.ts';
+import { box } from '../../scene/mesh/primitives.ts';
 import type { SceneCamera } from '../../scene/types.ts';
 import { createEditor, type Editor, projectOfScene } from '../state/editor.ts';
 import { ObserverController } from './observerController.ts';
@@ -22,6 +24,8 @@ const moving: SceneCamera = {
 const loaded: LoadedScene = {
   scene: makeScene({
     name: 'a',
+    objects: [makeObject({ path: '/Box', mesh: box([6, 2, 6]), motion: restingAt([0, 0, 0]) })],
+    materials: [makeMaterial({ name: 'grey' })],
     endTime: 10,
     cameras: [still('/a', 1), still('/b', 5), moving],
     hints: { speedOfLight: 10, openAt: 2 },
@@ -106,4 +110,24 @@ it('time loops at the end, or stops there', () => {
   expect(editor.store.getState().playing).toBe(false);
   observerController.togglePlaying();
   expect(observerController.observer.t).toBe(0);
+});
+
+it('notices that it has left the scene, and turns back', async () => {
+  expect(observerController.isOutside).toBe(false);
+  const { observer } = observerController;
+  observerController = new ObserverController(editor, {
+    observer: { ...observer, position: [0, 5, 60], u: [0, 0, 2] },
+    lock: 'free',
+    cruise: true,
+  });
+  await follow();
+  expect(observerController.isOutside).toBe(true);
+  observerController.turnBack();
+  const { u, orientation, position } = observerController.observer;
+  expect(position).toEqual([0, 5, 60]);
+  expect(u).toEqual([0, 0, 0]);
+  const [x, y, z] = rotate(orientation, [0, 0, -1]);
+  expect([x, y, z].map((k) => Math.round(1e9 * k) / 1e9 + 0)).toEqual([0, 0, -1]);
+  observerController.restart();
+  expect(observerController.isOutside).toBe(false);
 });
