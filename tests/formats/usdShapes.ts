@@ -205,7 +205,7 @@ const geometry: ClaimGroup = {
     ),
     read(
       '`Cube`, `Sphere`, `Cylinder`, `Cone`, `Capsule`, `Plane`',
-      'meshes; the round ones are exactly round in the reference renderer',
+      'meshes; the round ones are seen as round as they are',
       usd(
         ['Cube', 'Sphere', 'Cylinder', 'Cone', 'Capsule', 'Plane'].map((type) => `def ${type} "${type}" {}`).join('\n'),
       ),

@@ -1,7 +1,9 @@
+import { fromParts } from '../../src/math/mat4.ts';
 import { fromAxisAngle, IDENTITY, multiply, type Quat } from '../../src/math/quat.ts';
 import { normalize, type Vec3 } from '../../src/math/vec3.ts';
 import { makeMaterial, makeObject, makeScene, restingAt } from '../../src/scene/defaults.ts';
-import { box, cylinder, grid, plane } from '../../src/scene/mesh/primitives.ts';
+import { transformMesh } from '../../src/scene/mesh/meshOps.ts';
+import { box, capsule, cone, cylinder, grid, plane, sphere } from '../../src/scene/mesh/primitives.ts';
 import { parabolaVelocities } from '../../src/scene/motion/cubicPoints.ts';
 import { isStreamed } from '../../src/scene/streaming/samplePoints.ts';
 import type { Mesh, Motion, Scene, SceneObject, Texture } from '../../src/scene/types.ts';
@@ -241,4 +243,56 @@ function tumbling(place: Vec3, first: Quat): Motion {
   return { kind: 'sampled', times, poses: Float64Array.from(poses.flat()) };
 }
 
-export const EXTRA_SCENES: readonly ExtraScene[] = [cube, behind, near, far, horizon, wheel, cloth, cubicCloth, crowd];
+/** Round solids of the fewest segments, near the observer: their polygons would be off by pixels. One is stretched, one mirrored, two overlap. */
+const round: ExtraScene = {
+  scene: scene('round solids', [
+    at('/Ball', sphere(1.2, { segments: 20 }), [-1.5, -0.4, -3]),
+    at('/Egg', stretched(sphere(0.8, { segments: 20 }), [0.5, 1.4, 0.7]), [-0.2, 1.2, -3]),
+    at('/Mirrored', stretched(cone(0.7, 1.4, { segments: 20, axis: 'Y' }), [-1, -1, -1]), [0.2, 1.2, -2.8]),
+    makeObject({
+      path: '/Can',
+      mesh: cylinder(0.5, 1.6, { segments: 20, axis: 'Y' }),
+      authoredIn: 'rest',
+      motion: flying([1, -0.6, -2.6], fromAxisAngle([0, 0, 1], 0.6)),
+    }),
+    makeObject({
+      path: '/Pill',
+      mesh: capsule(0.35, 0.9, { segments: 20 }),
+      motion: tumbling([1, 0.9, -2.4], IDENTITY),
+    }),
+    makeObject({
+      path: '/Hat',
+      mesh: cone(0.7, 1.2, { segments: 20 }),
+      authoredIn: 'rest',
+      motion: {
+        kind: 'hyperbolic',
+        pose: { position: [-0.6, -1.6, -3], orientation: IDENTITY },
+        properAcceleration: [20, 0, 5],
+        t0: -0.5,
+      },
+    }),
+    at('/Floor', plane(20, 20, 'Y'), [0, -2.2, 0]),
+  ]),
+  t: 0.1,
+  eye: [0, 0.2, 0],
+  subject: [0, 0, -3],
+  extent: 4,
+  towards: [0.6, 0, -0.8],
+};
+
+function stretched(mesh: Mesh, [x, y, z]: Vec3): Mesh {
+  return transformMesh(mesh, fromParts([x, 0, 0, 0, y, 0, 0, 0, z], [0, 0, 0]));
+}
+
+export const EXTRA_SCENES: readonly ExtraScene[] = [
+  cube,
+  behind,
+  near,
+  far,
+  horizon,
+  wheel,
+  cloth,
+  cubicCloth,
+  crowd,
+  round,
+];

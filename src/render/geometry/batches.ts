@@ -5,6 +5,7 @@ import { deforms } from '../../scene/motion/motion.ts';
 import { motionKind } from '../../scene/motion/motions.ts';
 import type { Material, Motion, Scene, Texture, TextureChannel } from '../../scene/types.ts';
 import { textureKey } from '../gpu/textures.ts';
+import { type BatchSolid, batchSolidOf } from './batchSolids.ts';
 import { type Body, sharesMesh } from './bodies.ts';
 
 /** Objects with more triangles than this get batches of their own, so that culling them saves their work. */
@@ -31,6 +32,8 @@ export interface Batch {
   readonly bodies: readonly Body[];
   /** Set if the arrays are one mesh in its own axes, shared by all bodies; otherwise they hold a copy for each. */
   readonly instancing?: BatchInstancing;
+  /** By body id: the round solids that are drawn, in the coordinates of `arrays`. */
+  readonly solids?: ReadonlyMap<number, BatchSolid>;
   readonly arrays: BatchArrays;
 }
 
@@ -136,7 +139,8 @@ class SharedMeshes {
   }
 
   private keyOf({ object: { mesh, motion } }: Body): string {
-    const arrays = [mesh.positions, mesh.normals, mesh.uvs, mesh.indices, mesh.colors ?? mesh.positions];
+    const { positions, normals, uvs, indices, colors, quadric } = mesh;
+    const arrays = [positions, normals, uvs, indices, colors ?? positions, quadric ?? positions];
     return `${motion.kind} ${mesh.doubleSided} ${arrays.map((array) => this.number(array)).join(' ')}`;
   }
 
@@ -150,6 +154,7 @@ class SharedMeshes {
 /** `firstInstance`: set if all parts share one mesh with instancing. */
 function makeBatch(scene: Scene, parts: readonly BatchPart[], transparent: boolean, firstInstance?: number): Batch {
   const { object } = parts[0].body;
+  const solids = solidsOf(parts, firstInstance === undefined);
   return {
     kind: object.motion.kind,
     transparent,
@@ -159,10 +164,22 @@ function makeBatch(scene: Scene, parts: readonly BatchPart[], transparent: boole
     ...(firstInstance !== undefined && {
       instancing: { first: firstInstance, materials: parts.map((p) => p.material) },
     }),
+    ...(solids.size > 0 && { solids }),
     arrays: deforms(object.motion)
       ? wholeMesh(parts)
       : mergeParts(firstInstance === undefined ? parts : parts.slice(0, 1), firstInstance === undefined),
   };
+}
+
+function solidsOf(parts: readonly BatchPart[], rotated: boolean): ReadonlyMap<number, BatchSolid> {
+  const bodies = new Set(parts.map(({ body }) => body));
+  return new Map(
+    [...bodies].flatMap(({ id, object, center }) => {
+      const orientation = rotated ? motionKind(object.motion).fixedOrientation(object.motion) : undefined;
+      const solid = batchSolidOf(object, center, orientation);
+      return solid ? [[id, solid]] : [];
+    }),
+  );
 }
 
 /** A deforming mesh keeps its vertices in their order, because samples are found by it; it has a batch per material. */

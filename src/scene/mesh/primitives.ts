@@ -143,7 +143,7 @@ const FROM_Z: { readonly [K in Axis]: Mat4 } = {
 const round = (mesh: Mesh, shape: QuadricShape, axis: Axis, segments: number, rings = 1): Mesh =>
   segments >= ROUND_SEGMENTS ? { ...mesh, quadric: { shape, toMesh: FROM_Z[axis], segments, rings } } : mesh;
 
-/** How finely round shapes are divided, and where they point. With fewer than 16 segments they are the prisms and pyramids that their polygons are. */
+/** How finely round shapes are divided, and where they point. With fewer than 20 segments they are the prisms and pyramids that their polygons are. */
 export interface RoundOptions {
   /** Segments around the axis. */
   readonly segments?: number;

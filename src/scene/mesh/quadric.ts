@@ -5,7 +5,7 @@ import type { Mesh, SceneObject } from '../types.ts';
 import type { Quadric, QuadricShape } from './quadricTypes.ts';
 
 /** With fewer segments than this a primitive is meant as the prism that its polygons are. */
-export const ROUND_SEGMENTS = 16;
+export const ROUND_SEGMENTS = 20;
 
 /** The round solid as which an object is seen; undefined if its polygons are, e.g. because they deform. */
 export const quadricOf = ({ mesh, motion }: Pick<SceneObject, 'mesh' | 'motion'>): Quadric | undefined =>

@@ -1,7 +1,7 @@
 import { fileURLToPath } from 'node:url';
 import { afterAll, beforeAll, describe, expect, it } from 'vitest';
 import { IDENTITY } from '../../../src/math/quat.ts';
-import { cross, dot, length, normalize, scale, type Vec3, ZERO } from '../../../src/math/vec3.ts';
+import { addScaled, cross, dot, length, normalize, scale, type Vec3, ZERO } from '../../../src/math/vec3.ts';
 import { properVelocity } from '../../../src/physics/lorentz/boost.ts';
 import { unaberrate } from '../../../src/physics/optics/aberration.ts';
 import { apparentPosition } from '../../../src/physics/optics/apparentPosition.ts';
@@ -10,7 +10,7 @@ import { DEFAULT_SETTINGS, type ViewPoint } from '../../../src/scene/view/view.t
 import { type ModulePage, openModulePage } from '../support/modulePage.ts';
 import { type HeadlessPictures, openPictures } from '../support/openPictures.ts';
 import { type Data, readData } from '../support/readData.ts';
-import { BEHIND, DEPTH_SCENES, DISTANCES, FLOOR, HEIGHT } from './depthScenes.ts';
+import { BALLS, type Ball, BEHIND, DEPTH_SCENES, DISTANCES, FLOOR, HEIGHT } from './depthScenes.ts';
 
 const SIZE = 96;
 const SETTINGS = { ...DEFAULT_SETTINGS, speedOfLight: 1 };
@@ -47,7 +47,38 @@ function onFloor(nPrime: Vec3, u: Vec3): { readonly place: Vec3; readonly inside
   return { place, inside: Math.min(...margins) / length(place) };
 }
 
+/**
+ * How far a place of the picture is outside of a ball's outline [px], for an observer at rest at the origin at t = 0: a cone of directions in the ball's rest
+ * frame, where the light that arrives along n comes from along n′ = unaberrate(n).
+ */
+function pixelsOutside({ center, radius, velocity }: Ball, x: number, y: number): number {
+  const u = properVelocity(velocity);
+  const resting = addScaled(center, u, dot(center, u) / (1 + Math.hypot(1, length(u))));
+  const open = Math.asin(radius / length(resting));
+  const beyond = (i: number, j: number): number => angle(unaberrate(direction(i, j), scale(u, -1)), resting) - open;
+  const slope = [beyond(x + 0.01, y) - beyond(x - 0.01, y), beyond(x, y + 0.01) - beyond(x, y - 0.01)];
+  return (0.02 * beyond(x, y)) / Math.hypot(...slope);
+}
+
 function checks(paint: Paint): void {
+  it.each(BALLS.map((ball) => [ball.name, ball] as const))(
+    'the outline of a %s is right to ¼ pixel',
+    async (name, ball) => {
+      const { object } = await paint(name, ahead(0));
+      const wrong: string[] = [];
+      let [inside, outside] = [0, 0];
+      for (let i = 0; i < SIZE * SIZE; i++) {
+        const pixels = pixelsOutside(ball, i % SIZE, Math.floor(i / SIZE));
+        if (pixels < 0) inside++;
+        else outside++;
+        if (object[i] !== (pixels < 0 ? 1 : 0) && Math.abs(pixels) > 0.25)
+          wrong.push(`${i}: ${object[i]} at ${pixels} px`);
+      }
+      expect(wrong).toEqual([]);
+      expect(Math.min(inside, outside)).toBeGreaterThan(SIZE);
+    },
+  );
+
   it('a speck is drawn 2 mm in front of the observer, but not 2 mm behind', async () => {
     expect((await paint('speck in front', ahead(0))).object[middle]).toBe(1);
     expect(Math.max(...Array.from((await paint('speck behind', ahead(0))).object))).toBe(0);

@@ -52,7 +52,36 @@ const floor = makeMesh({
 /** Behind an observer at the origin looking along −Z, at 120° from the view direction. */
 export const BEHIND: Vec3 = [10 * Math.sin((2 * Math.PI) / 3), 0, 5];
 
+/** A ball of the fewest segments: where its centre is at t = 0, its radius [m], and its velocity [c]. */
+export interface Ball {
+  readonly name: string;
+  readonly center: Vec3;
+  readonly radius: number;
+  readonly velocity: Vec3;
+}
+
+export const BALLS: readonly Ball[] = [
+  { name: 'ball at rest', center: [0.3, 0.2, -5], radius: 1.8, velocity: [0, 0, 0] },
+  { name: 'ball at the nose', center: [0.2, -14, -5], radius: 14, velocity: [0, 0, 0] },
+  { name: 'ball passing at 0.9 c', center: [4, 0, -5], radius: 1.5, velocity: [0.9, 0, 0] },
+  { name: 'ball fleeing at 0.9 c', center: [0.3, 0, -10], radius: 2, velocity: [0, 0.1, -0.89] },
+];
+
+const ballScene = ({ name, center, radius, velocity }: Ball): Scene =>
+  makeScene({
+    name,
+    objects: [
+      makeObject({
+        path: '/ball',
+        mesh: sphere(radius, { segments: 20 }),
+        authoredIn: 'rest',
+        motion: { kind: 'uniform', pose: { position: center, orientation: fromAxisAngle([1, 0, 0], 1) }, velocity },
+      }),
+    ],
+  });
+
 export const DEPTH_SCENES: readonly Scene[] = [
+  ...BALLS.map(ballScene),
   speck('speck in front', 2.25e-3),
   speck('speck behind', -2.25e-3),
   makeScene({

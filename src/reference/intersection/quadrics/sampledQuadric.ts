@@ -1,4 +1,4 @@
-import { cofactors, determinant, invert, type Mat3, multiply, transform } from '../../../math/mat3.ts';
+import { cofactors, determinant, type Mat3, multiply, transform } from '../../../math/mat3.ts';
 import { add, addScaled, dot, length, scale, sub, type Vec3 } from '../../../math/vec3.ts';
 import { properVelocity } from '../../../physics/lorentz/boost.ts';
 import { contraction } from '../../../physics/worldLines/simultaneity.ts';
@@ -122,7 +122,11 @@ function boxAround(p: Vec3, M: Mat3, extent: Vec3): number[] {
 }
 
 /** Frobenius norm, an upper bound of how much a matrix lengthens. */
-const sizeOf = (m: Mat3): number => Math.sqrt(m.reduce((sum, x) => sum + x * x, 0));
+function sizeOf(m: ArrayLike<number>): number {
+  let square = 0;
+  for (let i = 0; i < 9; i++) square += m[i] * m[i];
+  return Math.sqrt(square);
+}
 
 /** The ray o + s d during a piece of motion, which is at the fraction f₀ + s f′ at s. */
 class PieceRay implements CurvedRay {
@@ -141,7 +145,7 @@ class PieceRay implements CurvedRay {
   private readonly fraction: number;
   private readonly rate: number;
   private readonly turning: number;
-  private inverse: Mat3;
+  private readonly inverse = new Float64Array(9);
 
   constructor(o: Vec3, d: Vec3, before: Frame, after: Frame, fraction: number, rate: number) {
     this.before = before;
@@ -153,8 +157,7 @@ class PieceRay implements CurvedRay {
     this.r = sub(sub(o, before.p), scale(this.dp, fraction));
     this.dr = addScaled(d, this.dp, -rate);
     this.turning = sizeOf(this.dM) * Math.abs(rate);
-    this.inverse = before.M;
-    if (this.turning === 0) this.inverse = invert(this.at(0)) ?? before.M;
+    this.invertAt(0);
   }
 
   /** M at s. */
@@ -179,14 +182,43 @@ class PieceRay implements CurvedRay {
   }
 
   evaluate(s: number): void {
-    if (this.turning > 0) this.inverse = invert(this.at(s)) ?? this.inverse;
-    const place = transform(this.inverse, addScaled(this.r, this.dr, s));
-    const turn = transform(this.dM, place);
-    const rate = transform(this.inverse, addScaled(this.dr, turn, -this.rate));
-    for (let i = 0; i < 3; i++) {
-      this.y[i] = place[i];
-      this.dy[i] = rate[i];
-    }
+    if (this.turning > 0) this.invertAt(s);
+    const { inverse: K, dM, r, dr, rate, y, dy } = this;
+    const [rx, ry, rz] = [r[0] + s * dr[0], r[1] + s * dr[1], r[2] + s * dr[2]];
+    const x = K[0] * rx + K[1] * ry + K[2] * rz;
+    const v = K[3] * rx + K[4] * ry + K[5] * rz;
+    const z = K[6] * rx + K[7] * ry + K[8] * rz;
+    const dx = dr[0] - rate * (dM[0] * x + dM[1] * v + dM[2] * z);
+    const dv = dr[1] - rate * (dM[3] * x + dM[4] * v + dM[5] * z);
+    const dz = dr[2] - rate * (dM[6] * x + dM[7] * v + dM[8] * z);
+    y[0] = x;
+    y[1] = v;
+    y[2] = z;
+    dy[0] = K[0] * dx + K[1] * dv + K[2] * dz;
+    dy[1] = K[3] * dx + K[4] * dv + K[5] * dz;
+    dy[2] = K[6] * dx + K[7] * dv + K[8] * dz;
+  }
+
+  /** Sets `inverse` to that of M at s, without allocating; where M is singular the last one is kept. */
+  private invertAt(s: number): void {
+    const f = this.fraction + s * this.rate;
+    const { dM, inverse: K } = this;
+    const { M } = this.before;
+    const [a, b, c] = [M[0] + f * dM[0], M[1] + f * dM[1], M[2] + f * dM[2]];
+    const [d, e, g] = [M[3] + f * dM[3], M[4] + f * dM[4], M[5] + f * dM[5]];
+    const [h, i, j] = [M[6] + f * dM[6], M[7] + f * dM[7], M[8] + f * dM[8]];
+    const [p, q, r] = [e * j - g * i, g * h - d * j, d * i - e * h];
+    const scale = 1 / (a * p + b * q + c * r);
+    if (!Number.isFinite(scale)) return;
+    K[0] = p * scale;
+    K[1] = (c * i - b * j) * scale;
+    K[2] = (b * g - c * e) * scale;
+    K[3] = q * scale;
+    K[4] = (a * j - c * h) * scale;
+    K[5] = (c * d - a * g) * scale;
+    K[6] = r * scale;
+    K[7] = (b * h - a * i) * scale;
+    K[8] = (a * e - b * d) * scale;
   }
 
   /** From y′ = M⁻¹(r′ − M′y) and y″ = −2M⁻¹M′y′, with |M⁻¹| ≤ K₀/(1 − K₀|M′|w) within w of a place where it is K₀. */

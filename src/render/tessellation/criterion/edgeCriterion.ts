@@ -1,4 +1,11 @@
-import { MIN_EDGE_PIXELS, MIN_KINKED_EDGE_PIXELS, POINT_FLOATS, type ProjectedBody } from './projectedBody.ts';
+import {
+  MIN_EDGE_PIXELS,
+  MIN_KINKED_EDGE_PIXELS,
+  MIN_ROUND_EDGE_PIXELS,
+  POINT_FLOATS,
+  type ProjectedBody,
+  ROUND_STRICTNESS,
+} from './projectedBody.ts';
 import type { ScreenMetric } from './tessellationView.ts';
 
 /** Edges along which the distance, or the place that the edge is graded by, changes by more than this fraction of the least distance are split. */
@@ -49,7 +56,7 @@ export class EdgeCriterion {
 
   /** Returns 1 if the edge need not be divided; Infinity if it must be, but the number cannot be estimated. a, b: indices of its ends in `points`. */
   segments(body: ProjectedBody, points: Float64Array, a: number, b: number): number {
-    if (body.needsNoCut(points, a, b) || this.pixelLength(points, a, b) < MIN_EDGE_PIXELS) return 1;
+    if (body.needsNoCut(points, a, b) || this.pixelLength(points, a, b) < minEdgePixels(body)) return 1;
     return this.longEdgeSegments(body, points, a, b);
   }
 
@@ -60,10 +67,11 @@ export class EdgeCriterion {
   decide(body: ProjectedBody, points: Float64Array, a: number, b: number, maxSegments: number): EdgeDecision {
     if (body.needsNoCut(points, a, b)) return KEEP;
     const length = this.pixelLength(points, a, b);
-    if (length < (body.kinked ? MIN_KINKED_EDGE_PIXELS : MIN_EDGE_PIXELS)) return KEEP;
+    const least = minEdgePixels(body);
+    if (length < (body.kinked ? MIN_KINKED_EDGE_PIXELS : least)) return KEEP;
     const segments = this.longEdgeSegments(body, points, a, b);
     if (body.kinked && this.spread > this.metric.tolerance) return SPLIT;
-    if (length < MIN_EDGE_PIXELS || segments <= 1) return KEEP;
+    if (length < least || segments <= 1) return KEEP;
     return segments > maxSegments ? SPLIT : TESSELLATE;
   }
 
@@ -77,7 +85,8 @@ export class EdgeCriterion {
       return step < HORIZON_STEP_PIXELS || extent(points, a, b) <= HORIZON_EXTENT ? 1 : Number.POSITIVE_INFINITY;
     if (step < MIN_STEP_PIXELS) return 1;
     if (!this.isGraded(points, a, b)) return Number.POSITIVE_INFINITY;
-    return Math.max(1, Math.sqrt((2 * this.maxSecondDifference(points, a, b)) / this.metric.tolerance));
+    const difference = (body.isRound ? ROUND_STRICTNESS : 1) * this.maxSecondDifference(points, a, b);
+    return Math.max(1, Math.sqrt((2 * difference) / this.metric.tolerance));
   }
 
   /** Upper estimate of the edge's length [px] from its ends alone, so that the many short edges of fine meshes cost little; NaN if an end does not exist. */
@@ -203,6 +212,8 @@ export class EdgeCriterion {
     return (this.metric.view.focal / r) * Math.sqrt(across * across + depth * depth);
   }
 }
+
+const minEdgePixels = ({ isRound }: ProjectedBody): number => (isRound ? MIN_ROUND_EDGE_PIXELS : MIN_EDGE_PIXELS);
 
 /** Upper bound of an edge's length as a fraction of the longest edge of its mesh triangle. */
 function extent(points: Float64Array, a: number, b: number): number {

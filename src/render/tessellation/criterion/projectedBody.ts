@@ -2,8 +2,16 @@
 export const POINT_FLOATS = 8;
 /** Edges that appear shorter are never split [px]. */
 export const MIN_EDGE_PIXELS = 6;
+/** The same for edges of round solids: an edge of ℓ pixels that turns by θ is off by ℓθ/8. */
+export const MIN_ROUND_EDGE_PIXELS = 3;
 /** The same for curves with kinks. */
 export const MIN_KINKED_EDGE_PIXELS = 2;
+
+/**
+ * Second differences of round solids count this many times: their outlines run through the middles of patches, which are up to this many times as far off as
+ * the patches' edges.
+ */
+export const ROUND_STRICTNESS = 2.5;
 
 /** What a view does with a cluster. */
 export type ClusterState = typeof DRAWN | typeof TESSELLATED | typeof CULLED;
@@ -21,6 +29,8 @@ export interface ClusterBounds {
   readonly z: number;
   readonly radius: number;
   readonly longestEdge: number;
+  /** How far a round solid's surface is from these triangles and their edges; the sphere holds it too. */
+  readonly bulge?: number;
   /** Of deforming bodies: the speed of the fastest vertex between samples, and the largest change of a vertex's velocity at each sample [m/s]. */
   readonly maxSpeed: number;
   readonly velocityJumps?: Float64Array;
@@ -32,6 +42,8 @@ export interface ClusterBounds {
 export interface ProjectedBody {
   /** Whether curves have kinks, because velocities change suddenly. */
   readonly kinked: boolean;
+  /** Whether its triangles stand for a round solid: then second differences count `ROUND_STRICTNESS` times. */
+  readonly isRound: boolean;
   /** Conservative: DRAWN only if the criterion would split no edge, CULLED only if nothing is in the picture. */
   classify(cluster: ClusterBounds): ClusterState;
   /** Selects a triangle by the indices of its vertices in the batch. */

@@ -100,7 +100,12 @@ export class FactorKernels {
           projection,
           triangleTable.interpolate(triangle, weights, { ...sources, colored: false }, instance),
         );
-      const { factors, pattern } = patchFactors(cornerWeights(head, tail), project, metric);
+      const { factors, pattern } = patchFactors(
+        cornerWeights(head, tail),
+        project,
+        metric,
+        triangleTable.isRound(triangle),
+      );
       buffers.append(index, int(tail.w).toVar(), factors, pattern);
     })().compute(1);
     return { node, first };

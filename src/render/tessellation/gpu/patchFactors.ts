@@ -3,7 +3,7 @@ import { Vector3 } from 'three/webgpu';
 import { rotate } from '../../../math/quat.ts';
 import type { Bool, Float, Int, Vec3 } from '../../../shaders/types.ts';
 import { DEPTH_WEIGHT, MIN_STEP_PIXELS } from '../criterion/edgeCriterion.ts';
-import { MIN_EDGE_PIXELS } from '../criterion/projectedBody.ts';
+import { MIN_EDGE_PIXELS, MIN_ROUND_EDGE_PIXELS, ROUND_STRICTNESS } from '../criterion/projectedBody.ts';
 import { cornerMagnification, type TessellationView } from '../criterion/tessellationView.ts';
 import { MAX_LOG2_FACTOR } from '../patches/patch.ts';
 import { baseFactor, maxInt } from './shaderPatch.ts';
@@ -30,11 +30,12 @@ export class EdgeMetricUniforms {
   }
 }
 
-/** The packed tessellation factors of a patch's three edges, and its pattern. `project`: from weights of the triangle's corners to the observer position. */
+/** The packed tessellation factors of a patch's three edges, and its pattern. `project`: from weights of the triangle's corners to the observer position; `isRound`: as in `ProjectedBody`. */
 export function patchFactors(
   corners: readonly [Vec3, Vec3, Vec3],
   project: (weights: Vec3) => ProjectedPoint,
   metric: EdgeMetricUniforms,
+  isRound: Bool,
 ): { factors: Int; pattern: Int } {
   const factors = [int(0).toVar(), int(0).toVar(), int(0).toVar()] as const;
   Loop({ start: int(0), end: int(3), type: 'int', condition: '<' }, ({ i }) => {
@@ -43,7 +44,7 @@ export function patchFactors(
       const at = edge.add(int(k));
       return select(at.equal(int(1)), corners[1], select(at.equal(int(2)), corners[2], corners[0]));
     };
-    const factor = edgeFactor(corner(0).toVar(), corner(1).toVar(), project, metric);
+    const factor = edgeFactor(corner(0).toVar(), corner(1).toVar(), project, metric, isRound);
     factors.forEach((to, k) => {
       to.assign(select(edge.equal(int(k)), factor, to));
     });
@@ -66,7 +67,13 @@ export function patchFactors(
  * As `EdgeCriterion.segments` (edgeCriterion.ts), for edges that are graded already. Depends as little as possible on which end comes first: weights are exact,
  * and only symmetric functions of the five points are used.
  */
-function edgeFactor(from: Vec3, to: Vec3, project: (weights: Vec3) => ProjectedPoint, metric: EdgeMetricUniforms): Int {
+function edgeFactor(
+  from: Vec3,
+  to: Vec3,
+  project: (weights: Vec3) => ProjectedPoint,
+  metric: EdgeMetricUniforms,
+  isRound: Bool,
+): Int {
   const quarter = to.sub(from).mul(0.25).toVar();
   const [before, middle] = [vec3(0).toVar(), vec3(0).toVar()];
   const [begin, end] = [vec3(0).toVar(), vec3(0).toVar()];
@@ -99,9 +106,13 @@ function edgeFactor(from: Vec3, to: Vec3, project: (weights: Vec3) => ProjectedP
   const long = length(end.sub(begin))
     .mul(metric.focal)
     .mul(largest)
-    .greaterThanEqual(least.mul(float(MIN_EDGE_PIXELS)));
+    .greaterThanEqual(least.mul(select(isRound, float(MIN_ROUND_EDGE_PIXELS), float(MIN_EDGE_PIXELS))));
   const wide = turned.mul(metric.focal).mul(largest).greaterThanEqual(MIN_STEP_PIXELS);
-  const square = select(long.and(wide).and(missing.not()), bend.mul(2).div(metric.tolerance), float(0)).toVar();
+  const square = select(
+    long.and(wide).and(missing.not()),
+    bend.mul(select(isRound, float(2 * ROUND_STRICTNESS), float(2))).div(metric.tolerance),
+    float(0),
+  ).toVar();
   const factor = int(0).toVar();
   for (let k = 0; k < MAX_LOG2_FACTOR; k++) factor.addAssign(select(square.greaterThan(4 ** k), int(1), int(0)));
   return factor;

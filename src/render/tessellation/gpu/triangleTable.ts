@@ -1,7 +1,8 @@
-import { int, select, vec3 } from 'three/tsl';
+import { clamp, dot, If, int, length, max, select, vec3 } from 'three/tsl';
 import { deforms } from '../../../scene/motion/motion.ts';
-import type { Float, Int, Vec3, Vec4 } from '../../../shaders/types.ts';
+import type { Bool, Float, Int, Vec3, Vec4 } from '../../../shaders/types.ts';
 import type { Batch, BatchArrays } from '../../geometry/batches.ts';
+import type { BatchSolid } from '../../geometry/batchSolids.ts';
 import { unpackNormal } from '../../geometry/pointSamples/pointStore.ts';
 import { instanceRecord, type PointReader, type VertexInput } from '../../geometry/vertexInput.ts';
 import { FloatTable } from '../../gpu/floatTable.ts';
@@ -10,8 +11,10 @@ import { FloatTable } from '../../gpu/floatTable.ts';
 const MAX_TEXELS = 2 ** 24;
 /** Most texels of vertices that are kept without need: 16 MiB. */
 const MAX_UNNEEDED_TEXELS = 2 ** 20;
-/** Per triangle: (first texels of its corners, in the order of their positions), (object id − 1, material, that order, 0). */
+/** Per triangle: (first texels of its corners, in the order of their positions), (object id − 1, material, that order, solid); solid: 0, or 1 + its first texel. */
 const TRIANGLE_TEXELS = 2;
+/** Of a round solid (batchSolids.ts), among the vertices: the rows of its map with its place, and of the inverse, the first with its reach. */
+const SOLID_TEXELS = 6;
 
 /** How the triangles of a batch are read; `instances`: of batches with instancing. */
 export interface TriangleSources {
@@ -50,7 +53,7 @@ export class TriangleTable {
     if (TRIANGLE_TEXELS * triangles > MAX_TEXELS || texels > MAX_TEXELS) return undefined;
     const first = this.triangleCount;
     this.firstTriangles.set(batch, first);
-    this.addTriangles(batch.arrays);
+    this.addTriangles(batch, this.addSolids(batch.solids ?? new Map()));
     this.addVertices(batch);
     return first;
   }
@@ -76,8 +79,16 @@ export class TriangleTable {
     const firstTexels = cornerTexels.map((_, k) => texel(k, 0).toVar());
     const deforming = deforms({ kind });
     const ids = instances ? instanceRecord(instances, instance) : tail;
+    const offset = deforming ? vec3(0) : blend((k) => firstTexels[k].xyz).toVar();
+    if (!deforming)
+      this.ontoSolid(
+        tail.w,
+        offset,
+        orderedWeights,
+        firstTexels.map((texel) => texel.xyz),
+      );
     return {
-      offset: deforming ? vec3(0) : blend((k) => firstTexels[k].xyz).toVar(),
+      offset,
       get normal() {
         return blend((k) => texel(k, 1).xyz);
       },
@@ -93,12 +104,52 @@ export class TriangleTable {
     };
   }
 
+  /** See `ProjectedBody`. */
+  isRound(triangle: Int): Bool {
+    const tail = this.triangles.texel(triangle.mul(int(TRIANGLE_TEXELS)).add(int(1)));
+    return tail.w.greaterThan(0.5).toVar();
+  }
+
+  /** Moves a point of a triangle onto the surface of its round solid, if it has one; corners stay where they are. See `TrianglePoints` (batchSolids.ts). */
+  private ontoSolid(solid: Float, point: Vec3, weights: Vec3, corners: readonly Vec3[]): void {
+    const isCorner = max(weights.x, max(weights.y, weights.z)).greaterThanEqual(1);
+    If(solid.greaterThan(0.5).and(isCorner.not()), () => {
+      const texel = (k: number): Vec4 => this.vertices.texel(int(solid).add(int(k - 1))).toVar();
+      const rows = [texel(0), texel(1), texel(2)];
+      const [first, second, third] = [texel(3), texel(4), texel(5)];
+      const fromAxis = (p: Vec3): Vec3 => {
+        const [x, y, z] = rows.map((row) => dot(row.xyz, p).add(row.w).toVar());
+        return vec3(x, y, z.sub(clamp(z, first.w.negate(), first.w))).toVar();
+      };
+      const out = fromAxis(point);
+      const distance = length(out).toVar();
+      const [a, b, c] = corners.map((corner) => length(fromAxis(corner)));
+      const wanted = a.mul(weights.x).add(b.mul(weights.y)).add(c.mul(weights.z));
+      const moved = out.mul(wanted.sub(distance).div(max(distance, 1e-30))).toVar();
+      point.addAssign(vec3(dot(first.xyz, moved), dot(second.xyz, moved), dot(third.xyz, moved)));
+    });
+  }
+
   dispose(): void {
     this.triangles.dispose();
     this.vertices.dispose();
   }
 
-  private addTriangles(arrays: BatchArrays): void {
+  /** Returns the first texel of each body's solid. */
+  private addSolids(solids: ReadonlyMap<number, BatchSolid>): ReadonlyMap<number, number> {
+    const places = new Map<number, number>();
+    this.vertices.reserve(this.vertexTexels + SOLID_TEXELS * solids.size);
+    for (const [body, { toSolid: m, fromSolid: n, place, reach }] of solids) {
+      places.set(body, this.vertexTexels);
+      const rows = [0, 3, 6].map((i) => [m[i], m[i + 1], m[i + 2], place[i / 3]]);
+      const inverse = [0, 3, 6].map((i) => [n[i], n[i + 1], n[i + 2], i === 0 ? reach : 0]);
+      this.vertices.values.set([...rows, ...inverse].flat(), 4 * this.vertexTexels);
+      this.vertexTexels += SOLID_TEXELS;
+    }
+    return places;
+  }
+
+  private addTriangles({ arrays, bodies, instancing }: Batch, solids: ReadonlyMap<number, number>): void {
     const { indices, ids } = arrays;
     const size = texelsPerVertex(arrays);
     this.triangles.reserve(TRIANGLE_TEXELS * (this.triangleCount + indices.length / 3));
@@ -110,6 +161,8 @@ export class TriangleTable {
       out[at + 4] = ids[2 * indices[i]];
       out[at + 5] = ids[2 * indices[i] + 1];
       out[at + 6] = order[0] + 4 * order[1] + 16 * order[2];
+      const solid = solids.get(instancing ? bodies[0].id : ids[2 * indices[i]] + 1);
+      out[at + 7] = solid === undefined ? 0 : 1 + solid;
     }
     this.triangles.upload();
   }
@@ -136,7 +189,8 @@ export class TriangleTable {
   }
 }
 
-const texelsOf = ({ arrays }: Batch): number => texelsPerVertex(arrays) * (arrays.positions.length / 3);
+const texelsOf = ({ arrays, solids }: Batch): number =>
+  SOLID_TEXELS * (solids?.size ?? 0) + texelsPerVertex(arrays) * (arrays.positions.length / 3);
 
 const texelsPerVertex = ({ colors }: BatchArrays): number => (colors ? 3 : 2);
 

@@ -1,8 +1,10 @@
+import { type BatchSolid, TrianglePoints } from '../../geometry/batchSolids.ts';
 import type { ClusterBounds } from '../criterion/projectedBody.ts';
 import type { PlannedBatch } from '../projection/projectBody.ts';
 
 /** Most triangles of a cluster. */
 const MAX_CLUSTER_TRIANGLES = 128;
+const BULGE_MARGIN = 1.25;
 
 /** The clusters of one body in a batch: [first, end) among the clusters of all bodies. */
 export interface ClusterRange {
@@ -68,20 +70,38 @@ export class Clusters {
 }
 
 /** The bounds of each cluster, in the coordinates of its batch. */
-export function clusterBoundsOf(clusters: Clusters, { positions, indices }: PlannedBatch['arrays']): ClusterBounds[] {
+export function clusterBoundsOf(
+  clusters: Clusters,
+  { arrays, bodies, instancing, solids }: PlannedBatch,
+): ClusterBounds[] {
+  const { positions, indices, ids } = arrays;
   const sphere = new Float64Array(4);
   return Array.from({ length: clusters.count }, (_, k) => {
     const corners = clusterIndices(clusters, indices, k);
     clusterSphere(positions, corners, sphere, 0);
+    const solid = solids?.get(instancing ? bodies[0].id : ids[2 * corners[0]] + 1);
+    const bulge = solid ? largestBulge(positions, solid, corners) : 0;
     return {
       x: sphere[0],
       y: sphere[1],
       z: sphere[2],
-      radius: sphere[3],
+      radius: sphere[3] + bulge,
+      ...(bulge > 0 && { bulge }),
       longestEdge: longestEdge(positions, corners),
       maxSpeed: 0,
     };
   });
+}
+
+/** Of triangles of a round solid, with a margin for what is between the places where it is measured. */
+function largestBulge(positions: Float32Array, solid: BatchSolid, corners: Uint32Array): number {
+  const points = new TrianglePoints(positions, solid);
+  let largest = 0;
+  for (let i = 0; i + 2 < corners.length; i += 3) {
+    points.select(corners[i], corners[i + 1], corners[i + 2]);
+    largest = Math.max(largest, points.bulge());
+  }
+  return BULGE_MARGIN * largest;
 }
 
 export const clusterIndices = ({ starts }: Clusters, indices: Uint32Array, k: number): Uint32Array =>
@@ -133,6 +153,7 @@ export function mergeBounds(clusters: readonly ClusterBounds[]): ClusterBounds {
     z,
     radius: largest((c) => c.radius + Math.hypot(c.x - x, c.y - y, c.z - z)),
     longestEdge: largest((c) => c.longestEdge),
+    bulge: largest((c) => c.bulge ?? 0),
     maxSpeed: largest((c) => c.maxSpeed),
   };
 }

@@ -45,15 +45,15 @@ export class BatchPlanner {
   private readonly byPattern: readonly PatchList[] = PATTERNS.map(() => new PatchList());
 
   constructor(batch: PlannedBatch) {
-    const { arrays, bodies, instancing } = batch;
+    const { bodies, instancing } = batch;
     this.batch = batch;
     this.bodies = new Map(bodies.map((body) => [body.id, body]));
     this.clusters = new Clusters(batch);
     this.states = new Uint8Array(this.clusters.totalCount);
     const samples = pointSamples(bodies[0].object.motion);
     const deforms = samples !== undefined;
-    this.deformingBounds = samples && new DeformingClusterBounds(this.clusters, arrays.indices, samples);
-    this.bounds = deforms ? [] : clusterBoundsOf(this.clusters, arrays);
+    this.deformingBounds = samples && new DeformingClusterBounds(this.clusters, batch.arrays.indices, samples);
+    this.bounds = deforms ? [] : clusterBoundsOf(this.clusters, batch);
     const wholeOf = ({ firstInMesh: from, first, end }: ClusterRange): ClusterBounds =>
       mergeBounds(this.bounds.slice(from, from + end - first));
     const all = deforms ? [] : this.clusters.ranges.slice(0, instancing ? 1 : undefined).map(wholeOf);

@@ -166,7 +166,7 @@ export const fitsWorker = (parts: readonly PlannedPart[]): boolean => {
 
 /** Parts without the data that planning does not read. Shared objects stay shared, so samples used by two batches are copied once. */
 function withoutMeshes(parts: readonly PlannedPart[]): readonly PlannedPart[] {
-  return parts.map(({ needsFactors, batch: { transparent, doubleSided, instancing, bodies, arrays } }) => {
+  return parts.map(({ needsFactors, batch: { transparent, doubleSided, instancing, solids, bodies, arrays } }) => {
     const { positions, indices, ids } = arrays;
     return {
       needsFactors,
@@ -174,6 +174,7 @@ function withoutMeshes(parts: readonly PlannedPart[]): readonly PlannedPart[] {
         transparent,
         doubleSided,
         ...(instancing && { instancing }),
+        ...(solids && { solids }),
         bodies: bodies.map(withoutMesh),
         arrays: { positions, indices, ids },
       },

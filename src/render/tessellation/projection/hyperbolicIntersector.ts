@@ -1,6 +1,7 @@
 import { add, dot, length, type Vec3 } from '../../../math/vec3.ts';
 import type { HyperbolicLine } from '../../../physics/worldLines/kinds/hyperbolicLine.ts';
 import type { HyperbolicMotion } from '../../../scene/types.ts';
+import type { TrianglePoints } from '../../geometry/batchSolids.ts';
 import { hyperbolicLineOfCenter, type MovingBody } from '../../geometry/bodies.ts';
 import {
   intersect,
@@ -14,28 +15,28 @@ import type { EventBounds, HypersurfaceIntersector } from './projectedAccelerate
 
 /** A body in hyperbolic motion: each point has its own world line, and is not seen behind its horizon (docs/physics.md §4.4). */
 export class HyperbolicIntersector implements HypersurfaceIntersector {
+  readonly isRound: boolean;
   private readonly body: MovingBody;
   private readonly motion: HyperbolicMotion;
-  private readonly positions: Float32Array;
+  private readonly points: TrianglePoints;
   private readonly observation: Observation;
-  private corners: readonly [number, number, number] = [0, 0, 0];
 
-  constructor(body: MovingBody, motion: HyperbolicMotion, positions: Float32Array, observation: Observation) {
+  constructor(body: MovingBody, motion: HyperbolicMotion, points: TrianglePoints, observation: Observation) {
     this.body = body;
     this.motion = motion;
-    this.positions = positions;
+    this.points = points;
+    this.isRound = points.isRound;
     this.observation = observation;
   }
 
   setTriangle(a: number, b: number, c: number): void {
-    this.corners = [3 * a, 3 * b, 3 * c];
+    this.points.select(a, b, c);
   }
 
   intersect(w1: number, w2: number, out: Float64Array, at: number): void {
-    const [p, [a, b, c]] = [this.positions, this.corners];
-    const w0 = 1 - w1 - w2;
-    const blend = (k: number) => w0 * p[a + k] + w1 * p[b + k] + w2 * p[c + k];
-    const event = intersect(this.lineAt([blend(0), blend(1), blend(2)]), this.observation);
+    const { points } = this;
+    points.set(w1, w2);
+    const event = intersect(this.lineAt([points.x, points.y, points.z]), this.observation);
     for (let k = 0; k < 3; k++) out[at + k] = event ? event.offset[k] : Number.NaN;
   }
 

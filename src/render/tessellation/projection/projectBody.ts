@@ -2,6 +2,7 @@ import { asInertial, asPolyline } from '../../../physics/worldLines/worldLine.ts
 import { isCubic } from '../../../scene/motion/cubicPoints.ts';
 import type { Motion, Pose } from '../../../scene/types.ts';
 import type { BatchArrays, BatchInstancing } from '../../geometry/batches.ts';
+import { type BatchSolid, TrianglePoints } from '../../geometry/batchSolids.ts';
 import { type MovingBody, worldLineOfCenter } from '../../geometry/bodies.ts';
 import { sampleWindow, worldTubeSection } from '../../geometry/observation.ts';
 import type { ProjectedBody } from '../criterion/projectedBody.ts';
@@ -18,6 +19,7 @@ export interface PlannedBatch {
   readonly doubleSided: boolean;
   readonly bodies: readonly MovingBody[];
   readonly instancing?: BatchInstancing;
+  readonly solids?: ReadonlyMap<number, BatchSolid>;
   readonly arrays: Pick<BatchArrays, 'positions' | 'indices' | 'ids'>;
 }
 
@@ -28,38 +30,43 @@ interface Projection {
   readonly metric: ScreenMetric;
 }
 
+const pointsOf = ({ body, batch: { arrays, solids } }: Projection): TrianglePoints =>
+  new TrianglePoints(arrays.positions, solids?.get(body.id));
+
 /** The projection of bodies with one kind of motion; returns undefined if nothing of the body is ever seen. */
 interface BodyProjection<M extends Motion> {
   project(motion: M, projection: Projection): ProjectedBody | undefined;
 }
 
-function inertial(pose: Pose, { body, batch, metric }: Projection): ProjectedBody | undefined {
+function inertial(pose: Pose, projection: Projection): ProjectedBody | undefined {
+  const { body, batch, metric } = projection;
   const { observation } = metric.view;
   const line = asInertial(worldLineOfCenter(body, observation.c));
   if (!line) return undefined;
   const map = inertialMap(line, body.object.authoredIn === 'rest', Math.max(body.radius, 1e-6), metric);
   const rotated = batch.instancing ? rotatedMap(map, pose.orientation) : map;
-  return new ProjectedInertialBody(rotated, batch.arrays.positions, batch.doubleSided, metric);
+  return new ProjectedInertialBody(rotated, pointsOf(projection), batch.doubleSided, metric);
 }
 
 const PROJECTIONS: { readonly [K in Motion['kind']]: BodyProjection<Extract<Motion, { readonly kind: K }>> } = {
   static: { project: ({ pose }, projection) => inertial(pose, projection) },
   uniform: { project: ({ pose }, projection) => inertial(pose, projection) },
   hyperbolic: {
-    project: (motion, { body, batch, metric }) =>
+    project: (motion, projection) =>
       new ProjectedAcceleratedBody(
-        new HyperbolicIntersector(body, motion, batch.arrays.positions, metric.view.observation),
+        new HyperbolicIntersector(projection.body, motion, pointsOf(projection), projection.metric.view.observation),
         false,
-        metric,
+        projection.metric,
       ),
   },
   sampled: {
-    project: (motion, { body, batch, metric }) => {
+    project: (motion, projection) => {
+      const { body, metric } = projection;
       const { observation } = metric.view;
       const window = sampleWindowOf(body, metric);
       const line = asPolyline(worldLineOfCenter(body, observation.c));
       if (!line || !window) return undefined;
-      const poses = new SampledPosesIntersector(motion, line, window, batch.arrays.positions, observation);
+      const poses = new SampledPosesIntersector(motion, line, window, pointsOf(projection), observation);
       return new ProjectedAcceleratedBody(poses, true, metric);
     },
   },

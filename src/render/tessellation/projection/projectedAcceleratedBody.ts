@@ -9,7 +9,9 @@ import {
   DRAWN,
   MIN_EDGE_PIXELS,
   MIN_KINKED_EDGE_PIXELS,
+  MIN_ROUND_EDGE_PIXELS,
   type ProjectedBody,
+  ROUND_STRICTNESS,
   TESSELLATED,
 } from '../criterion/projectedBody.ts';
 import type { ScreenMetric } from '../criterion/tessellationView.ts';
@@ -17,6 +19,8 @@ import { ProjectedSphere } from './projectedSphere.ts';
 
 /** Finds where the world lines of the points of an accelerated body meet the hypersurface of a view. */
 export interface HypersurfaceIntersector {
+  /** Whether its triangles stand for a round solid. */
+  readonly isRound: boolean;
   /** Selects a triangle by the indices of its vertices in the batch. */
   setTriangle(a: number, b: number, c: number): void;
   /** Writes observer → event [m] of the point with these weights of the triangle's second and third corner to `out[at …]`; NaN if there is none. */
@@ -42,6 +46,7 @@ export interface EventBounds {
 /** Bodies whose points have no common rest frame: their edges are judged by their events alone. */
 export class ProjectedAcceleratedBody implements ProjectedBody {
   readonly kinked: boolean;
+  readonly isRound: boolean;
   private readonly intersector: HypersurfaceIntersector;
   private readonly metric: ScreenMetric;
   /** From (|Δx|, Δx) to (|Δx′|, Δx′). */
@@ -54,6 +59,7 @@ export class ProjectedAcceleratedBody implements ProjectedBody {
     const { observation, projection } = metric.view;
     this.intersector = intersector;
     this.kinked = kinked;
+    this.isRound = intersector.isRound;
     this.metric = metric;
     this.L = PLACEMENTS[projection.place].boost(observation.u);
     this.sphere = new ProjectedSphere(this.L, metric);
@@ -76,12 +82,13 @@ export class ProjectedAcceleratedBody implements ProjectedBody {
     const longest = cluster.longestEdge / (1 - maxSpeed);
     const image = longest * Math.sqrt(2 * L[0] * sphere.maxStretch);
     const scale = (metric.view.focal * sphere.maxMagnification) / (sphere.minStretch * sphere.minDistance);
-    if (image * scale < (this.kinked ? MIN_KINKED_EDGE_PIXELS : MIN_EDGE_PIXELS)) return DRAWN;
+    const least = this.isRound ? MIN_ROUND_EDGE_PIXELS : MIN_EDGE_PIXELS;
+    if (image * scale < (this.kinked ? MIN_KINKED_EDGE_PIXELS : least)) return DRAWN;
     const grade = sphere.nearCameraPlane ? MAX_GRADE_NEAR_CAMERA_PLANE : MAX_GRADE;
     const graded = image < grade * sphere.minStretch * sphere.minDistance && longest < MAX_GRADE * sphere.minDistance;
-    return graded && 2 * scale * this.secondDifferenceBound(bounds, longest, sphere.minDistance) < metric.tolerance
-      ? DRAWN
-      : TESSELLATED;
+    const round = ((cluster.bulge ?? 0) * Math.sqrt(2 * L[0] * sphere.maxStretch)) / (1 - maxSpeed);
+    const bend = 2 * this.secondDifferenceBound(bounds, longest, sphere.minDistance) + round;
+    return graded && (this.isRound ? ROUND_STRICTNESS : 1) * scale * bend < metric.tolerance ? DRAWN : TESSELLATED;
   }
 
   /**

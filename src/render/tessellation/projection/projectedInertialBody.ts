@@ -7,6 +7,7 @@ import { PLACEMENTS } from '../../../physics/optics/placement.ts';
 import type { HypersurfaceName } from '../../../physics/worldLines/hypersurface.ts';
 import type { InertialLine } from '../../../physics/worldLines/kinds/worldLineKind.ts';
 import { contraction, simultaneitySlice, simultaneousPosition } from '../../../physics/worldLines/simultaneity.ts';
+import type { TrianglePoints } from '../../geometry/batchSolids.ts';
 import type { Observation } from '../../geometry/observation.ts';
 import { DEPTH_WEIGHT, MAX_GRADE_NEAR_CAMERA_PLANE } from '../criterion/edgeCriterion.ts';
 import {
@@ -15,7 +16,9 @@ import {
   CULLED,
   DRAWN,
   MIN_EDGE_PIXELS,
+  MIN_ROUND_EDGE_PIXELS,
   type ProjectedBody,
+  ROUND_STRICTNESS,
   TESSELLATED,
 } from '../criterion/projectedBody.ts';
 import type { ScreenMetric } from '../criterion/tessellationView.ts';
@@ -108,9 +111,10 @@ function matrixOf(f: (p: Vec3) => Vec3): number[] {
 
 export class ProjectedInertialBody implements ProjectedBody {
   readonly kinked = false;
+  readonly isRound: boolean;
   private readonly metric: ScreenMetric;
   private readonly map: InertialMap;
-  private readonly positions: Float32Array;
+  private readonly points: TrianglePoints;
   private readonly doubleSided: boolean;
   /** The picture's sides for (|X|, X): b|X| + a·X ≥ 0 inside. */
   private readonly sides: readonly { readonly a: Vec3; readonly b: number }[];
@@ -123,11 +127,12 @@ export class ProjectedInertialBody implements ProjectedBody {
   /** X of the selected triangle's corners. */
   private readonly corners = new Float64Array(9);
 
-  constructor(map: InertialMap, positions: Float32Array, doubleSided: boolean, metric: ScreenMetric) {
+  constructor(map: InertialMap, points: TrianglePoints, doubleSided: boolean, metric: ScreenMetric) {
     const { L } = map;
     this.map = map;
     this.metric = metric;
-    this.positions = positions;
+    this.points = points;
+    this.isRound = points.isRound;
     this.doubleSided = doubleSided;
     this.gamma = L[0];
     this.u = [L[1], L[2], L[3]];
@@ -147,17 +152,21 @@ export class ProjectedInertialBody implements ProjectedBody {
     const radius = this.maxStretch * cluster.radius;
     this.sphere.set(cx, cy, cz, radius);
     if (this.sphere.isOutside()) return CULLED;
-    return this.mayBend(cx, cy, cz, radius, this.maxStretch * cluster.longestEdge) ? TESSELLATED : DRAWN;
+    const longest = this.maxStretch * cluster.longestEdge;
+    return this.mayBend(cx, cy, cz, radius, longest, this.maxStretch * (cluster.bulge ?? 0)) ? TESSELLATED : DRAWN;
   }
 
   setTriangle(a: number, b: number, c: number): void {
-    this.placeCorner(a, 0);
-    this.placeCorner(b, 3);
-    this.placeCorner(c, 6);
+    const { points } = this;
+    points.select(a, b, c);
+    this.placeCorner(0, 0, 0);
+    this.placeCorner(1, 0, 3);
+    this.placeCorner(0, 1, 6);
   }
 
   isBackFacing(): boolean {
-    if (this.doubleSided) return false;
+    // A round solid may show more than its triangles.
+    if (this.doubleSided || this.isRound) return false;
     const X = this.corners;
     const ex = X[3] - X[0];
     const ey = X[4] - X[1];
@@ -179,9 +188,17 @@ export class ProjectedInertialBody implements ProjectedBody {
     const w1 = out[at + 6];
     const w2 = out[at + 7];
     const w0 = 1 - w1 - w2;
-    const x = w0 * X[0] + w1 * X[3] + w2 * X[6];
-    const y = w0 * X[1] + w1 * X[4] + w2 * X[7];
-    const z = w0 * X[2] + w1 * X[5] + w2 * X[8];
+    let x = w0 * X[0] + w1 * X[3] + w2 * X[6];
+    let y = w0 * X[1] + w1 * X[4] + w2 * X[7];
+    let z = w0 * X[2] + w1 * X[5] + w2 * X[8];
+    if (this.isRound) {
+      const { A, x0 } = this.map;
+      const p = this.points;
+      p.set(w1, w2);
+      x = A[0] * p.x + A[1] * p.y + A[2] * p.z + x0[0];
+      y = A[3] * p.x + A[4] * p.y + A[5] * p.z + x0[1];
+      z = A[6] * p.x + A[7] * p.y + A[8] * p.z + x0[2];
+    }
     const r = Math.sqrt(x * x + y * y + z * z);
     out[at] = L[4] * r + L[5] * x + L[6] * y + L[7] * z;
     out[at + 1] = L[8] * r + L[9] * x + L[10] * y + L[11] * z;
@@ -205,6 +222,7 @@ export class ProjectedInertialBody implements ProjectedBody {
     const mz = points[i + 5] + points[j + 5] + points[k + 5];
     const distance = Math.sqrt(mx * mx + my * my + mz * mz);
     if (distance === 0) return false;
+    if (this.isRound) return this.isBallOutside(points, i, j, k, mx / 3, my / 3, mz / 3);
     for (const { a, b } of this.sides) {
       const convex = b >= 0;
       const ax = convex ? a[0] : a[0] + (b * mx) / distance;
@@ -221,38 +239,47 @@ export class ProjectedInertialBody implements ProjectedBody {
     return false;
   }
 
+  /** A round surface stays within twice the corners' distance from their centroid. */
+  private isBallOutside(p: Float64Array, i: number, j: number, k: number, x: number, y: number, z: number): boolean {
+    const away = (at: number) => Math.hypot(p[at + 3] - x, p[at + 4] - y, p[at + 5] - z);
+    this.sphere.set(x, y, z, 2 * Math.max(away(i), away(j), away(k)));
+    return this.sphere.isOutside();
+  }
+
   needsNoCut(points: Float64Array, a: number, b: number): boolean {
+    if (this.isRound) return false;
     const dx = points[a + 3] - points[b + 3];
     const dy = points[a + 4] - points[b + 4];
     const dz = points[a + 5] - points[b + 5];
     const x = 0.5 * (points[a + 3] + points[b + 3]);
     const y = 0.5 * (points[a + 4] + points[b + 4]);
     const z = 0.5 * (points[a + 5] + points[b + 5]);
-    return !this.mayBend(x, y, z, 0, Math.sqrt(dx * dx + dy * dy + dz * dz));
+    return !this.mayBend(x, y, z, 0, Math.sqrt(dx * dx + dy * dy + dz * dz), 0);
   }
 
-  /** Whether a chord no longer than `longest` in a sphere, or a triangle of three of them, may deviate too much from what is seen. */
-  private mayBend(x: number, y: number, z: number, radius: number, longest: number): boolean {
+  /** Whether a chord no longer than `longest` in a sphere, or a triangle of three of them, may deviate too much from what is seen, which is `bulge` off it. */
+  private mayBend(x: number, y: number, z: number, radius: number, longest: number, bulge: number): boolean {
     const { w, sphere } = this;
     sphere.set(x, y, z, radius + EDGE_REACH * longest);
     if (!(sphere.minDistance > 0)) return true;
     sphere.computeAngles();
     const scale = this.metric.view.focal / (sphere.minStretch * sphere.minDistance);
     const image = longest * Math.sqrt(2 * this.gamma * sphere.maxStretch);
-    if (image * scale * sphere.maxMagnification < MIN_EDGE_PIXELS) return false;
+    const least = this.isRound ? MIN_ROUND_EDGE_PIXELS : MIN_EDGE_PIXELS;
+    if (image * scale * sphere.maxMagnification < least) return false;
     if (sphere.nearCameraPlane && image > MAX_GRADE_NEAR_CAMERA_PLANE * sphere.minStretch * sphere.minDistance)
       return true;
     const across = sphere.maxSine * sphere.maxMagnification;
     const curvature = w * Math.sqrt(across * across + DEPTH_WEIGHT * DEPTH_WEIGHT);
-    return !((curvature * longest * longest * scale) / (8 * sphere.minDistance) < this.metric.tolerance);
+    const round = bulge * Math.sqrt(2 * this.gamma * sphere.maxStretch) * scale * sphere.maxMagnification;
+    const off = (curvature * longest * longest * scale) / (8 * sphere.minDistance) + round;
+    return !((this.isRound ? ROUND_STRICTNESS : 1) * off < this.metric.tolerance);
   }
 
-  private placeCorner(vertex: number, to: number): void {
+  private placeCorner(w1: number, w2: number, to: number): void {
     const { A, x0 } = this.map;
-    const p = this.positions;
-    const x = p[3 * vertex];
-    const y = p[3 * vertex + 1];
-    const z = p[3 * vertex + 2];
+    this.points.set(w1, w2);
+    const { x, y, z } = this.points;
     this.corners[to] = A[0] * x + A[1] * y + A[2] * z + x0[0];
     this.corners[to + 1] = A[3] * x + A[4] * y + A[5] * z + x0[1];
     this.corners[to + 2] = A[6] * x + A[7] * y + A[8] * z + x0[2];

@@ -6,6 +6,7 @@ import type { SampledLine } from '../../../physics/worldLines/samples.ts';
 import { samplePose } from '../../../scene/motion/poses.ts';
 import { pointsAt } from '../../../scene/streaming/samplePoints.ts';
 import type { SampledMotion, SampledPointsMotion } from '../../../scene/types.ts';
+import type { TrianglePoints } from '../../geometry/batchSolids.ts';
 import type { Observation } from '../../geometry/observation.ts';
 import type { ClusterBounds } from '../criterion/projectedBody.ts';
 import type { EventBounds, HypersurfaceIntersector } from './projectedAcceleratedBody.ts';
@@ -24,6 +25,7 @@ interface VelocityChanges {
 
 /** Points that move straight between samples, and are at rest before the first and after the last one. */
 abstract class SampledIntersector implements HypersurfaceIntersector {
+  readonly isRound: boolean = false;
   protected readonly observation: Observation;
   /** Times of the window's samples relative to the observer's event [m of light]. */
   protected readonly times: Float64Array;
@@ -132,27 +134,25 @@ abstract class SampledIntersector implements HypersurfaceIntersector {
 
 /** A rigid body: per sample its centre and its rotation. */
 export class SampledPosesIntersector extends SampledIntersector {
-  private readonly positions: Float32Array;
+  override readonly isRound: boolean;
+  private readonly points: TrianglePoints;
   private readonly centers: Float64Array;
   private readonly rotations: Float64Array;
   /** Of the rotation matrices, by their Frobenius norm, which bounds the motion of a point at distance 1. */
   private readonly rotationChanges: VelocityChanges;
-  private readonly corners = new Float64Array(9);
-  private px = 0;
-  private py = 0;
-  private pz = 0;
 
   /** `line`: of the body's centre. */
   constructor(
     motion: SampledMotion,
     line: SampledLine,
     window: SampleWindow,
-    positions: Float32Array,
+    points: TrianglePoints,
     observation: Observation,
   ) {
     super(motion.times, window, observation);
     const { first, count } = window;
-    this.positions = positions;
+    this.points = points;
+    this.isRound = points.isRound;
     this.centers = line.positions.slice(3 * first, 3 * (first + count)).map((x, i) => x - observation.position[i % 3]);
     this.rotations = new Float64Array(9 * count);
     for (let k = 0; k < count; k++)
@@ -161,12 +161,7 @@ export class SampledPosesIntersector extends SampledIntersector {
   }
 
   setTriangle(a: number, b: number, c: number): void {
-    const p = this.positions;
-    for (let k = 0; k < 3; k++) {
-      this.corners[k] = p[3 * a + k];
-      this.corners[3 + k] = p[3 * b + k];
-      this.corners[6 + k] = p[3 * c + k];
-    }
+    this.points.select(a, b, c);
   }
 
   boundsOf({ x, y, z, radius, longestEdge }: ClusterBounds): EventBounds {
@@ -192,15 +187,11 @@ export class SampledPosesIntersector extends SampledIntersector {
   }
 
   protected setPoint(w1: number, w2: number): void {
-    const p = this.corners;
-    const w0 = 1 - w1 - w2;
-    this.px = w0 * p[0] + w1 * p[3] + w2 * p[6];
-    this.py = w0 * p[1] + w1 * p[4] + w2 * p[7];
-    this.pz = w0 * p[2] + w1 * p[5] + w2 * p[8];
+    this.points.set(w1, w2);
   }
 
   protected evaluateSample(k: number): void {
-    this.transform(k, this.px, this.py, this.pz);
+    this.transform(k, this.points.x, this.points.y, this.points.z);
   }
 
   private transform(k: number, px: number, py: number, pz: number): void {
