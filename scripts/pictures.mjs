@@ -44,6 +44,9 @@ const thumbnails = {
   pendulums: [],
   cradle: [],
   charges: [],
+  'source-speeds': [],
+  'source-corrections': [],
+  'source-ball': [],
   truth: ['--set', 'truth.width=384', '--set', 'truth.height=216', '--set', 'truth.samples=4'],
 };
 const shape = ['--doppler-mix', '0', '--beaming', '0'];

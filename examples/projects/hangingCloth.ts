@@ -13,14 +13,14 @@ const C = 10;
 const SIDE = 2;
 const CELLS = 24;
 
-/** Vertex indices of both ends of the far edge. */
-function farCorners(): string {
-  const { positions } = grid(SIDE, SIDE, CELLS, CELLS, 'Y');
+/** Vertex indices of both ends of a square grid's far edge. */
+export function farCorners(side: number, cells: number): string {
+  const { positions } = grid(side, side, cells, cells, 'Y');
   const at = (x: number): number =>
     Array.from({ length: positions.length / 3 }, (_, v) => v).find(
-      (v) => positions[3 * v] === x && positions[3 * v + 2] === -SIDE / 2,
+      (v) => positions[3 * v] === x && positions[3 * v + 2] === -side / 2,
     )!;
-  return `${at(-SIDE / 2)}, ${at(SIDE / 2)}`;
+  return `${at(-side / 2)}, ${at(side / 2)}`;
 }
 
 /** A cloth that is released level, pinned at the two corners of its far edge. */
@@ -35,7 +35,7 @@ export const hangingCloth = () =>
     },
     cloth: {
       type: 'mass-spring',
-      set: { structural: 200, shear: 100, bending: 10, pins: 'points', pinned: farCorners() },
+      set: { structural: 200, shear: 100, bending: 10, pins: 'points', pinned: farCorners(SIDE, CELLS) },
       from: { geometry: 'hung.geometry' },
     },
     weight: { type: 'field', set: { drag: 0.25 } },

@@ -13,6 +13,7 @@ import { lesson } from './lesson.ts';
 import { letters } from './letters.ts';
 import { pendulums } from './pendulums.ts';
 import { accelerations, plain, rush } from './presets.ts';
+import { sourceBall, sourceCorrections, sourceSpeeds } from './sourceExperiments.ts';
 import { truth } from './truth.ts';
 import { workshop } from './workshop.ts';
 
@@ -36,4 +37,7 @@ export const projects: Readonly<Record<string, () => GraphDocument>> = {
   pendulums,
   cradle,
   charges,
+  'source-speeds': sourceSpeeds,
+  'source-corrections': sourceCorrections,
+  'source-ball': sourceBall,
 };

@@ -36,7 +36,7 @@ export interface EnergyFault {
  * inEnglish(energyFaultMessage({ kind: 'lost', t: 2, share: 0.1 }, 'linearly-implicit-0'));
  */
 export function energyFaultMessage({ kind, t, share }: EnergyFault, method: string): Message {
-  const [time, percent] = [t.toPrecision(4), (100 * share).toPrecision(2)];
+  const [time, percent] = [t.toPrecision(4), Number((100 * share).toPrecision(2))];
   return kind === 'gained'
     ? msg`from t = ${time} s on there is energy without a source, up to ${percent} % of the largest kinetic energy: an error of ${method}; set a shorter step, or another method`
     : msg`from t = ${time} s on energy is missing that nothing took, up to ${percent} % of the largest kinetic energy: an error of ${method}; set a shorter step, or another method`;

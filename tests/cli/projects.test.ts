@@ -76,6 +76,9 @@ test('an archive renders the project in it, with its files', async () => {
 /** Examples that are slow at full size. */
 const small: Readonly<Record<string, readonly string[]>> = {
   truth: ['--set', 'truth.width=32', '--set', 'truth.height=18'],
+  'source-speeds': ['--set', 'span.number=0.02'],
+  'source-corrections': ['--set', 'span.number=0.02'],
+  'source-ball': ['--set', 'span.number=0.02'],
 };
 
 test.each(Object.entries(projects))('the example %s equals its sketch, is valid, and renders', async (name, make) => {
