@@ -1,6 +1,7 @@
 import type { Random } from '../../math/random.ts';
 import { add, addScaled, dot, normalize, scale, type Vec3 } from '../../math/vec3.ts';
-import { mixFilters, neutralFilter, scaleFilter } from '../../spectrum/reflectance/filterAlgebra.ts';
+import { MIN_LOBE_ROUGHNESS, specularLobe as reflectedLobe } from '../../scene/materials/specularLobe.ts';
+import { mixFilters, multiplyFilters, neutralFilter, scaleFilter } from '../../spectrum/reflectance/filterAlgebra.ts';
 import type { SpectralFilter } from '../../spectrum/reflectance/spectralFilter.ts';
 import { cosineDirection, fromLocalBasis, orthonormalBasis, reflect } from '../sampling/directions.ts';
 import type { SurfacePoint } from './surface.ts';
@@ -16,6 +17,8 @@ export interface Brdf {
   readonly F90: number;
   /** For direct light; bounded from below, since the highlight of a point light on a perfect mirror has no size. */
   readonly roughness: number;
+  /** (1 − E)/E, E the share of uniform light that single scattering would reflect of a surface with F = 1. */
+  readonly lost: number;
   readonly N: Vec3;
   readonly V: Vec3;
   readonly NV: number;
@@ -24,15 +27,18 @@ export interface Brdf {
 export function brdfOf({ filter, metallic, roughness, ior, normal: N }: SurfacePoint, V: Vec3): Brdf {
   const dielectricF0 = ((ior - 1) / (ior + 1)) ** 2;
   const F0 = mixFilters(neutralFilter(dielectricF0), 1 - metallic, filter, metallic);
+  const NV = Math.max(dot(N, V), 1e-3);
+  const lobe = reflectedLobe(NV, roughness);
   return {
     diffuse: scaleFilter(filter, 1 - metallic),
     F0,
     // At equal refractive indices nothing is reflected, not even at grazing incidence.
     F90: ior === 1 ? metallic : 1,
-    roughness: Math.min(Math.max(roughness, 0.05), 1),
+    roughness: Math.min(Math.max(roughness, MIN_ROUGHNESS), 1),
+    lost: 1 / (lobe.scale + lobe.bias) - 1,
     N,
     V,
-    NV: Math.max(dot(N, V), 1e-3),
+    NV,
   };
 }
 
@@ -51,7 +57,7 @@ function ggx(brdf: Brdf, L: Vec3, NL: number): { readonly specular: number; read
   const a2 = roughness ** 4;
   const distribution = ggxDistribution(Math.min(dot(N, H), 1), a2);
   const visibility = 0.5 / Math.max(NL * smithTerm(NV, a2) + NV * smithTerm(NL, a2), 1e-4);
-  return { specular: Math.min(distribution * visibility, 1e4), F: fresnel(brdf, dot(V, H)) };
+  return { specular: Math.min(distribution * visibility, 1e4), F: multiple(brdf, fresnel(brdf, dot(V, H))) };
 }
 
 /** √(a² + (1 − a²) x²) */
@@ -63,8 +69,12 @@ function fresnel({ F0, F90 }: Brdf, VH: number): SpectralFilter {
   return mixFilters(F0, 1 - grazing, neutralFilter(F90), grazing);
 }
 
+/** With the light that is scattered several times between microfacets, so that a lossless surface loses none (Turquin 2019; docs/physics.md §6.7). */
+const multiple = ({ F0, lost }: Brdf, F: SpectralFilter): SpectralFilter =>
+  mixFilters(F, 1, multiplyFilters(F, F0), lost);
+
 /** Surfaces of lower roughness reflect as perfectly smooth ones. */
-const MIN_ROUGHNESS = 0.05;
+const MIN_ROUGHNESS = MIN_LOBE_ROUGHNESS;
 
 /** A part of the BRDF with its importance sampling. */
 export interface Lobe {
@@ -82,7 +92,7 @@ export const diffuseLobe = ({ N, diffuse }: Brdf): Lobe => ({
   weight: () => diffuse,
 });
 
-/** GGX. Samples the microfacet normals visible from V, so that the weight is F · G₂/G₁, at most F. */
+/** GGX. Samples the microfacet normals visible from V, so that the weight is F · G₂/G₁, and what several scatterings add. */
 export function specularLobe(brdf: Brdf, roughness: number): Lobe {
   const { N, V, NV } = brdf;
   const toward = (H: Vec3): Vec3 => reflect(scale(V, -1), H);
@@ -93,7 +103,7 @@ export function specularLobe(brdf: Brdf, roughness: number): Lobe {
     const NL = dot(N, L);
     if (NL <= 0) return neutralFilter(0);
     const [v, l] = [NL * smithTerm(NV, a2), NV * smithTerm(NL, a2)];
-    return scaleFilter(fresnel(brdf, dot(V, normalize(add(L, V)))), (NL * hidden) / (v + l));
+    return scaleFilter(multiple(brdf, fresnel(brdf, dot(V, normalize(add(L, V))))), (NL * hidden) / (v + l));
   };
   const direction = (random: Random): Vec3 => toward(sampleVisibleNormal(N, V, roughness * roughness, random));
   // From below the shading normal's horizon, where N·V is clamped, the density of visible normals is not that of the formula.

@@ -1,7 +1,9 @@
-import { clamp, dot, exp2, float, max, min, mix, normalize, select, vec4 } from 'three/tsl';
+import { clamp, dot, float, max, min, mix, normalize, select, vec4 } from 'three/tsl';
+import { MIN_LOBE_ROUGHNESS } from '../../scene/materials/specularLobe.ts';
 import type { Float, Vec3, Vec4 } from '../../shaders/types.ts';
 import type { SpectralFilterNodes } from '../color/radiance.ts';
 import type { SpecularParameters } from '../gbuffer/surfacePacking.ts';
+import type { LobeNodes, LobeTable } from './lobeTable.ts';
 
 // Lambert and GGX with Schlick's Fresnel, all in the surface's rest frame; N, V, L are unit vectors away from the surface (docs/physics.md §6.7).
 
@@ -15,6 +17,11 @@ export interface BrdfNodes {
   readonly N: Vec3;
   readonly V: Vec3;
   readonly NV: Float;
+  /** Of its specular part; `lobes` for more of it. */
+  readonly lobe: LobeNodes;
+  readonly lobes: LobeTable;
+  /** What scattering several times between microfacets multiplies the specular part by (Turquin 2019; docs/physics.md §6.7). */
+  readonly multiple: SpectralFilterNodes;
 }
 
 interface Roughness {
@@ -26,16 +33,25 @@ export function brdfOf(
   { metallic, F0, roughness }: SpecularParameters & Roughness,
   N: Vec3,
   V: Vec3,
+  lobes: LobeTable,
 ): BrdfNodes {
+  const NV = max(dot(N, V), 1e-3).toVar();
+  const clamped = clamp(roughness, MIN_LOBE_ROUGHNESS, 1).toVar();
+  const lobe = lobes.at(NV, clamped);
+  const reflectance = mix(vec4(F0), albedo, metallic).toVar();
+  const lost = lobe.scale.add(lobe.bias).reciprocal().sub(1);
   return {
     diffuse: albedo.mul(metallic.oneMinus()).toVar(),
-    F0: mix(vec4(F0), albedo, metallic).toVar(),
+    F0: reflectance,
     // A surface with the refractive index of its surroundings reflects nothing, not even at grazing incidence.
     F90: select(F0.greaterThan(0), float(1), metallic).toVar(),
-    roughness: clamp(roughness, 0.05, 1).toVar(),
+    roughness: clamped,
     N,
     V,
-    NV: max(dot(N, V), 1e-3).toVar(),
+    NV,
+    lobe,
+    lobes,
+    multiple: reflectance.mul(lost).add(1).toVar(),
   };
 }
 
@@ -57,7 +73,7 @@ export function areaSpecular(brdf: BrdfNodes, L: Vec3, breadth: Float, length: F
 }
 
 /** Cook–Torrance with GGX and the height-correlated Smith term (Heitz 2014, eq. 99). */
-function ggx({ F0, F90, roughness, N, V, NV }: BrdfNodes, L: Vec3, NL: Float): Vec4 {
+function ggx({ F0, F90, roughness, N, V, NV, multiple }: BrdfNodes, L: Vec3, NL: Float): Vec4 {
   const H = normalize(L.add(V)).toVar();
   const a = roughness.mul(roughness).toVar();
   const a2 = a.mul(a).toVar();
@@ -71,19 +87,9 @@ function ggx({ F0, F90, roughness, N, V, NV }: BrdfNodes, L: Vec3, NL: Float): V
   const oneMinusVH = clamp(dot(V, H), 0, 1).oneMinus().toVar();
   const oneMinusVH2 = oneMinusVH.mul(oneMinusVH).toVar();
   const F = mix(F0, vec4(F90), oneMinusVH2.mul(oneMinusVH2).mul(oneMinusVH));
-  return F.mul(min(distribution.mul(visibility), 1e4));
+  return F.mul(multiple).mul(min(distribution.mul(visibility), 1e4));
 }
 
-/** The specular albedo under uniform light: the split-sum fit of Karis (2014, "Physically based shading on mobile"). */
-export function environmentBrdf({ F0, F90, roughness, NV }: BrdfNodes): SpectralFilterNodes {
-  const r = roughness.mul(-1).add(1).toVar();
-  const a = min(r.mul(r), exp2(NV.mul(-9.28)))
-    .mul(r)
-    .add(roughness.mul(0.0225).add(0.0425))
-    .toVar();
-  const scaleF = a.mul(-1.04).add(roughness.mul(-0.572).add(1.04));
-  const bias = a.mul(1.04).add(roughness.mul(0.022).sub(0.04));
-  // A rough surface reflects a wide part of the sky, much of which its surroundings occlude; nothing else here knows of them.
-  const unoccluded = roughness.mul(roughness).mul(-0.75).add(1);
-  return max(F0.mul(scaleF).add(bias.mul(F90)).mul(unoccluded), 0);
-}
+/** The specular albedo under uniform light: its split sum is tabulated (scene/materials/specularLobe.ts). */
+export const environmentBrdf = ({ F0, F90, lobe, multiple }: BrdfNodes): SpectralFilterNodes =>
+  F0.mul(lobe.scale).add(lobe.bias.mul(F90)).mul(multiple);

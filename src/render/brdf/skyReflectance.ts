@@ -1,5 +1,5 @@
-import { clamp, exp2, pow } from 'three/tsl';
-import type { Float } from '../../shaders/types.ts';
+import { clamp, dot, exp2, length, max, mix, normalize, pow, reflect, smoothstep, sqrt } from 'three/tsl';
+import type { Float, Vec3 } from '../../shaders/types.ts';
 import type { SpectralFilterNodes } from '../color/radiance.ts';
 import { type BrdfNodes, environmentBrdf } from './brdf.ts';
 
@@ -30,3 +30,15 @@ const specularOpenness = ({ roughness, NV }: BrdfNodes, openness: Float): Float 
     0,
     1,
   );
+
+/** Roughness between which the axis of the specular lobe goes over from the mirrored ray to the mean direction of what is reflected. */
+const MIRRORED_TO_MEAN = [0.1, 0.3] as const;
+
+/** The direction about which the sky is reflected, whose cosine to the normal is that of the lobe on a rough surface; that of the mirrored ray on a smooth one. */
+export function lobeAxis({ N, V, roughness }: BrdfNodes, cosine: Float): Vec3 {
+  const mirrored = reflect(V.negate(), N).toVar();
+  const across = mirrored.sub(N.mul(dot(N, mirrored))).toVar();
+  const level = sqrt(max(cosine.mul(cosine).oneMinus(), 0)).div(max(length(across), 1e-4));
+  const middle = N.mul(cosine).add(across.mul(level));
+  return normalize(mix(mirrored, middle, smoothstep(...MIRRORED_TO_MEAN, roughness)));
+}

@@ -20,7 +20,7 @@ import type { FloatTable, TablePart } from '../gpu/floatTable.ts';
 import type { FrameUniforms } from '../gpu/frameUniforms.ts';
 import { addDisc, addDistantLight, type DistantLightTexels } from './kinds/distantLight.ts';
 import type { LitSurface } from './kinds/litSurface.ts';
-import type { LightSet } from './lightSet.ts';
+import type { LightSet, SkyPixel } from './lightSet.ts';
 
 interface DistantLightEntry extends DistantLight {
   readonly spectrumParameters: readonly [number, number];
@@ -68,7 +68,7 @@ export class DistantLightTable implements LightSet {
     });
   }
 
-  addBackground(n: gpu.Vec3, _uniforms: FrameUniforms, accumulator: RadianceAccumulator): void {
+  addBackground({ n }: SkyPixel, _uniforms: FrameUniforms, accumulator: RadianceAccumulator): void {
     this.forEach((light) => {
       addDisc(light, n, accumulator);
     });

@@ -3,7 +3,7 @@ import { directLights, sceneDome, sceneNightSky } from '../../scene/lights/scene
 import type { ColorMode } from '../../scene/settings/settings.ts';
 import type { Scene } from '../../scene/types.ts';
 import type { HalfAtlas } from '../../shaders/tables/halfAtlas.ts';
-import type { Vec3 } from '../../shaders/types.ts';
+import { type LobeTable, lobeTable } from '../brdf/lobeTable.ts';
 import { coloredLights } from '../color/lightSpectra.ts';
 import { LineTable } from '../color/lineTable.ts';
 import type { RadianceAccumulator } from '../color/radiance.ts';
@@ -14,13 +14,15 @@ import { DistantLightTable } from './distantLightTable.ts';
 import { DomeSky } from './kinds/domeLight.ts';
 import type { LitSurface } from './kinds/litSurface.ts';
 import { CosmicBackground } from './kinds/nightSky.ts';
-import type { LightReach, LightSet } from './lightSet.ts';
+import type { LightReach, LightSet, SkyPixel } from './lightSet.ts';
 import { LightTable } from './lightTable.ts';
 
 /** All light sources of a scene. */
 export class Environment {
   readonly distantLights: DistantLightTable;
   readonly localLights: LightTable;
+  /** Of the surfaces that they shine on. */
+  readonly lobes: LobeTable;
   /** The scene's dome, or a clear day's. */
   private readonly sky: DomeSky;
   /** In the order in which what surfaces reflect of them is added. */
@@ -28,6 +30,7 @@ export class Environment {
 
   /** `table` and `atlas` are read by the scene's shaders; upload `table` after `update`. */
   constructor(scene: Scene, table: FloatTable, atlas: HalfAtlas) {
+    this.lobes = lobeTable(atlas);
     const lines = new LineTable(table);
     const direct = directLights(scene);
     const colored = coloredLights(scene);
@@ -52,10 +55,10 @@ export class Environment {
     for (const lights of Object.values(this.sets)) lights.addReflected(surface, accumulator);
   }
 
-  /** Adds what is seen behind everything in the world direction `n` (unit): the sky, then the other lights. */
-  addBackground(n: Vec3, uniforms: FrameUniforms, accumulator: RadianceAccumulator): void {
+  /** Adds what is seen behind everything: the sky, then the other lights. */
+  addBackground(pixel: SkyPixel, uniforms: FrameUniforms, accumulator: RadianceAccumulator): void {
     const { sky, ...others } = this.sets;
-    for (const lights of [sky, ...Object.values(others)]) lights.addBackground(n, uniforms, accumulator);
+    for (const lights of [sky, ...Object.values(others)]) lights.addBackground(pixel, uniforms, accumulator);
   }
 
   dispose(): void {

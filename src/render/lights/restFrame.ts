@@ -3,7 +3,7 @@ import { aberrate } from '../../shaders/kinematics/aberrate.ts';
 import { boost } from '../../shaders/kinematics/boost.ts';
 import { observerDoppler } from '../../shaders/kinematics/observerDoppler.ts';
 import { unaberrate } from '../../shaders/kinematics/unaberrate.ts';
-import type { Float, Vec3, Vec4 } from '../../shaders/types.ts';
+import type { Bool, Float, Vec3, Vec4 } from '../../shaders/types.ts';
 import type { IncidentSpectrum } from '../color/radiance.ts';
 import type { FrameUniforms } from '../gpu/frameUniforms.ts';
 
@@ -17,7 +17,19 @@ export interface RestFrameNodes {
   boostOut: (X: Vec4) => Vec4;
   /** ν in the rest frame over ν in the world, for light from `n`; absent at rest. */
   doppler?: (n: Vec3) => Float;
+  /** Absent at rest. */
+  readonly motion?: RestFrameMotion;
 }
+
+/** γβ and γ of a rest frame; `moving`: whether what it sees of the sky differs. */
+export interface RestFrameMotion {
+  readonly u: Vec3;
+  readonly gamma: Float;
+  readonly moving: Bool;
+}
+
+/** Square of the γβ below which the sky's light is that at rest, to 2 · 10⁻⁴. */
+const MIN_SQUARE = 1e-8;
 
 export const WORLD_FRAME: RestFrameNodes = { into: (n) => n, out: (n) => n, boostInto: (X) => X, boostOut: (X) => X };
 
@@ -34,6 +46,7 @@ export function restFrame(velocity: Vec4, uniforms: FrameUniforms): RestFrameNod
     return value;
   };
   return {
+    motion: { u, gamma, moving: dot(u, u).greaterThan(MIN_SQUARE).toVar() },
     into: (n) => where(n, () => aberrate(n, u, gamma)),
     out: (n) => where(n, () => unaberrate(n, u, gamma)),
     boostInto: (X) => boost(X, u, gamma),

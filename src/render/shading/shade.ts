@@ -22,7 +22,7 @@ export type ShadedSurface = Omit<Surface, 'velocity' | 'object' | 'distance'> & 
 /**
  * Radiance that reaches the observer. Shading is in the rest frame of the surface at the emission event: the normal is given there, the directions to lights
  * and observer are aberrated into it, and light arrives with E′ = D_in² E (docs/physics.md §6.2). Lambert and GGX with Schlick's Fresnel; sky light is
- * evaluated along the normal and the mirrored ray alone, times the unoccluded fraction.
+ * multiplied by the unoccluded fraction.
  */
 export const shade = (
   surface: ShadedSurface,
@@ -37,7 +37,7 @@ export const shade = (
     const V = rest.into(normalize(surface.dx)).negate().toVar();
     const accumulator = pipeline(surface.D, uniforms);
     const albedo = accumulator.filter(surface.color.rgb, surface.invisible).toVar();
-    const brdf = brdfOf(albedo, surface, N, V);
+    const brdf = brdfOf(albedo, surface, N, V, environment.lobes);
     const { dx, time, occlusion, openness } = surface;
     const receiver = { dx, time, normal: N, velocity: surface.velocity };
     const visibility: SurfaceVisibility | undefined = shadows && {

@@ -1,4 +1,4 @@
-import { Fn, mix } from 'three/tsl';
+import { cross, dFdx, dFdy, Fn, length, mix, sqrt } from 'three/tsl';
 import { observerDoppler } from '../../shaders/kinematics/observerDoppler.ts';
 import { unaberrate } from '../../shaders/kinematics/unaberrate.ts';
 import type { Float, Vec3 } from '../../shaders/types.ts';
@@ -20,6 +20,7 @@ export const backgroundRadiance = (
       .toVar();
     const D: Float = observerDoppler(n, u, gamma).toVar();
     const accumulator = pipeline(D, uniforms);
-    environment.addBackground(n, uniforms, accumulator);
+    const angle = sqrt(length(cross(dFdx(n), dFdy(n)))).toVar();
+    environment.addBackground({ n, angle }, uniforms, accumulator);
     return accumulator.total();
   })();

@@ -23,6 +23,23 @@ export function mixFilters(a: SpectralFilter, p: number, b: SpectralFilter, q: n
   };
 }
 
+/** The product of the coefficients: of both filters in a row, as far as their bands do not overlap; a residual is scaled by the mean of the other's bands. */
+export function multiplyFilters(a: SpectralFilter, b: SpectralFilter): SpectralFilter {
+  const mean = ({ rgb: [red, green, blue] }: SpectralFilter): number => (red + green + blue) / 3;
+  const rest = a.residual ?? b.residual;
+  return {
+    rgb: [a.rgb[0] * b.rgb[0], a.rgb[1] * b.rgb[1], a.rgb[2] * b.rgb[2]],
+    uv: a.uv * b.uv,
+    ir: a.ir * b.ir,
+    ...(rest && {
+      residual: {
+        base: rest.base,
+        share: (a.residual?.share ?? 0) * mean(b) + (b.residual?.share ?? 0) * mean(a),
+      },
+    }),
+  };
+}
+
 /** An upper bound of the filter over all wavelengths. */
 export const maxOfFilter = ({ rgb: [r, g, b], uv, ir, residual: rest }: SpectralFilter): number =>
   Math.max(r, g, b, uv, ir) + Math.abs(rest?.share ?? 0);

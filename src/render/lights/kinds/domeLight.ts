@@ -1,4 +1,4 @@
-import { clamp, dot, float, mix, normalize, pow, reflect, smoothstep, uniform } from 'three/tsl';
+import { clamp, dot, float, If, int, max, mix, pow, smoothstep, sqrt, tanh, uniform } from 'three/tsl';
 import { Color } from 'three/webgpu';
 import type { Vec3 } from '../../../math/vec3.ts';
 import { SKY_SHAPE, skyIrradiance } from '../../../scene/lights/skyGradient.ts';
@@ -6,7 +6,7 @@ import type { ColorMode } from '../../../scene/settings/settings.ts';
 import type { DomeLight } from '../../../scene/types.ts';
 import type { HalfAtlas } from '../../../shaders/tables/halfAtlas.ts';
 import type * as gpu from '../../../shaders/types.ts';
-import { skyReflectance } from '../../brdf/skyReflectance.ts';
+import { lobeAxis, skyReflectance } from '../../brdf/skyReflectance.ts';
 import { domeSpectrumKind, lightColorsOf, spectralSourceOf, spectrumParametersOf } from '../../color/lightSpectra.ts';
 import type { LineTable } from '../../color/lineTable.ts';
 import {
@@ -18,10 +18,18 @@ import {
 } from '../../color/radiance.ts';
 import type { Observation } from '../../geometry/observation.ts';
 import type { FrameUniforms } from '../../gpu/frameUniforms.ts';
-import { DomeTexture } from '../domeTexture.ts';
-import type { LightSet } from '../lightSet.ts';
-import { incidentSpectrumBetween, WORLD_FRAME } from '../restFrame.ts';
+import { loopTimes } from '../../shadows/atlas/atlasLookups.ts';
+import type { LightSet, SkyPixel } from '../lightSet.ts';
+import { incidentSpectrumBetween, type RestFrameMotion, WORLD_FRAME } from '../restFrame.ts';
+import { DomeTexture } from '../sky/domeTexture.ts';
+import { RINGS, type SkyMeans, skyLobe } from '../sky/skyLobe.ts';
+import { GRADIENT_HEIGHTS, gradientMeans, MEAN_RAPIDITIES } from '../sky/skyMeans.ts';
 import type { LitSurface } from './litSurface.ts';
+
+/** Roughness from which on a moving surface's reflection is a cone of several D, and not one ray. */
+const SHARP_TO_ROUGH = [0.12, 0.3] as const;
+/** Least width of such a cone. */
+const MIN_CONE = 0.1;
 
 /** A dome light on the GPU: of one colour, a gradient from the horizon to the zenith, or a texture. */
 export class DomeSky implements LightSet {
@@ -37,46 +45,87 @@ export class DomeSky implements LightSet {
   private readonly source: SpectralSource;
   private readonly dome: DomeLight;
   private readonly texture: DomeTexture | undefined;
+  private readonly atlas: HalfAtlas;
   private colorMode: ColorMode | undefined;
 
   constructor(dome: DomeLight, lines: LineTable, atlas: HalfAtlas) {
     const [x, y] = spectrumParametersOf(dome, lines);
     this.source = spectralSourceOf(domeSpectrumKind(dome), [float(x), float(y)], lines) ?? SKY_SOURCE;
     this.dome = dome;
+    this.atlas = atlas;
     if (dome.texture) this.texture = new DomeTexture(dome.texture, dome, this.uniforms.zenithColor.rgb, atlas);
   }
 
   /** Diffuse and specular reflection, times ambient occlusion and the material's own occlusion. */
-  addReflected({ brdf, rest, occlusion, openness, uniforms }: LitSurface, accumulator: RadianceAccumulator): void {
+  addReflected(surface: LitSurface, accumulator: RadianceAccumulator): void {
+    const { motion } = surface.rest;
+    const resting = (): void => this.addAtRest(surface, accumulator);
+    if (motion) If(motion.moving, () => this.addMoving(surface, motion, accumulator)).Else(resting);
+    else resting();
+  }
+
+  private addAtRest({ brdf, occlusion, openness, uniforms }: LitSurface, accumulator: RadianceAccumulator): void {
     const { diffuse, specular } = skyReflectance(brdf, openness);
     const { zenith } = uniforms;
-    const { N, V } = brdf;
-    const diffuseRadiance = (n: gpu.Vec3) => this.irradiance(n, zenith);
-    const specularRadiance = (n: gpu.Vec3) => this.specular(n, zenith, brdf.roughness);
-    const addReflection = (
-      nPrime: gpu.Vec3,
-      radiance: (n: gpu.Vec3) => gpu.Vec3,
-      reflectance: SpectralFilterNodes,
-    ): void => {
-      const n = rest.out(nPrime);
-      const spectrum = {
-        ...incidentSpectrumBetween(n, rest, WORLD_FRAME),
-        source: this.source,
-        colored: 'picture',
-      } as const;
-      accumulator.addReflected(radiance(n), reflectance.mul(occlusion), spectrum, RADIANCE_POWER);
-    };
-    addReflection(N, diffuseRadiance, diffuse);
-    addReflection(normalize(reflect(V.negate(), N)).toVar(), specularRadiance, specular);
+    const incident = { source: this.source, colored: 'picture' } as const;
+    const add = (light: gpu.Vec3, reflectance: SpectralFilterNodes): void =>
+      accumulator.addReflected(light, reflectance.mul(occlusion), incident, RADIANCE_POWER);
+    add(this.irradiance(brdf.N, zenith), diffuse);
+    add(this.specular(lobeAxis(brdf, brdf.lobe.cosine), zenith, brdf.roughness), specular);
   }
 
-  addBackground(n: gpu.Vec3, { zenith }: FrameUniforms, accumulator: RadianceAccumulator): void {
-    accumulator.addEmitted(this.radiance(n, zenith), this.source);
+  /** By rings of the sky that each have one D: of the diffuse lobe, of the specular one, and the mirrored ray of smooth surfaces. */
+  private addMoving(
+    { brdf, rest, occlusion, openness, uniforms }: LitSurface,
+    motion: RestFrameMotion,
+    accumulator: RadianceAccumulator,
+  ): void {
+    const { zenith } = uniforms;
+    const reflectance = skyReflectance(brdf, openness);
+    const diffuse = reflectance.diffuse.mul(occlusion).toVar();
+    const specular = reflectance.specular.mul(occlusion).toVar();
+    const means: SkyMeans = (axis, rapidity, direction) => this.means(axis, rapidity, direction, zenith);
+    const parts = brdf.lobes.parts(brdf.NV, brdf.roughness);
+    const axis = lobeAxis(brdf, parts.cosine).toVar();
+    const rough = smoothstep(...SHARP_TO_ROUGH, brdf.roughness).toVar();
+    const wide = specular.mul(rough.mul(parts.wide)).toVar();
+    const narrow = specular.mul(rough.mul(parts.wide.oneMinus())).toVar();
+    const lobes = [
+      skyLobe({ axis: brdf.N, width: float(1) }, motion, means),
+      skyLobe({ axis, width: max(parts.width, MIN_CONE) }, motion, means),
+    ] as const;
+    const mirrored = rest.out(axis).toVar();
+    const mirroredShift = incidentSpectrumBetween(mirrored, rest, WORLD_FRAME).D ?? float(1);
+    // A cone of the rest frame is wider by D in the world, and a cone's angle is 2 roughness².
+    const sharp = this.specular(mirrored, zenith, clamp(brdf.roughness.mul(sqrt(mirroredShift)), 0, 1)).toVar();
+    loopTimes(int(2 * RINGS + 1), (i) => {
+      const [D, radiance, share] = [mirroredShift.toVar(), sharp.toVar(), specular.mul(rough.oneMinus()).toVar()];
+      lobes.forEach((lobe, k) => {
+        const j = i.sub(int(k * RINGS)).toVar();
+        If(j.greaterThanEqual(int(0)).and(j.lessThan(int(RINGS))), () => {
+          const ring = lobe.ring(j);
+          D.assign(ring.D);
+          radiance.assign(ring.radiance);
+          share.assign(
+            k === 0
+              ? diffuse
+                  .add(wide.mul(parts.lambert))
+                  .mul(ring.weight)
+                  .add(wide.mul(parts.lambert.oneMinus()).mul(lobe.evenWeight(j)))
+              : narrow.mul(ring.weight),
+          );
+        });
+      });
+      accumulator.addReflected(radiance, share, { D, source: this.source, colored: 'picture' }, RADIANCE_POWER);
+    });
   }
 
-  /** Radiance from the world direction `n` (skyGradient.ts). */
+  addBackground({ n, angle }: SkyPixel, { zenith }: FrameUniforms, accumulator: RadianceAccumulator): void {
+    accumulator.addEmitted(this.texture ? this.texture.radiance(n, angle) : this.radiance(n, zenith), this.source);
+  }
+
+  /** Radiance from the world direction `n` of a sky without a texture (skyGradient.ts). */
   private radiance(n: gpu.Vec3, zenith: gpu.Vec3): gpu.Vec3 {
-    if (this.texture) return this.texture.radiance(n);
     const { zenithColor, horizonColor, groundColor } = this.uniforms;
     if (!this.dome.gradient) return zenithColor.rgb;
     const { curve, dim, haze, seam } = SKY_SHAPE;
@@ -99,6 +148,36 @@ export class DomeSky implements LightSet {
   private specular(n: gpu.Vec3, zenith: gpu.Vec3, roughness: gpu.Float): gpu.Vec3 {
     if (this.texture) return this.texture.specular(n, roughness);
     return mix(this.radiance(n, zenith), this.irradiance(n, zenith), roughness.sqrt());
+  }
+
+  private means(axis: gpu.Vec3, rapidity: gpu.Float, direction: gpu.Vec3, zenith: gpu.Vec3): ReturnType<SkyMeans> {
+    if (this.texture) return this.texture.meansAbout(axis, rapidity, direction);
+    const { zenithColor, horizonColor, groundColor } = this.uniforms;
+    if (!this.dome.gradient) {
+      // The mean n of a cone is (2 + c)/3 along its axis.
+      const mean = tanh(rapidity).negate().add(2).div(3);
+      return { mean: zenithColor.rgb, along: zenithColor.rgb.mul(mean.mul(dot(axis, direction))) };
+    }
+    const { first, step, count } = MEAN_RAPIDITIES;
+    const table = this.atlas.table('gradient means', gradientMeans);
+    const level = clamp(rapidity.sub(first).div(step), 0, count - 1)
+      .add(0.5)
+      .toVar();
+    const height = clamp(dot(axis, zenith), -1, 1).toVar();
+    const column = height
+      .add(1)
+      .mul((GRADIENT_HEIGHTS - 1) / 2)
+      .add(0.5)
+      .toVar();
+    const moment = (k: number): gpu.Vec3 => {
+      const { x, y, z } = table.sampleLinear(column, level.add(k * count));
+      return zenithColor.rgb.mul(x).add(horizonColor.rgb.mul(y)).add(groundColor.rgb.mul(z));
+    };
+    const up = dot(direction, zenith).toVar();
+    const across = dot(direction, axis)
+      .sub(up.mul(height))
+      .div(max(sqrt(height.mul(height).oneMinus()), 1e-4));
+    return { mean: moment(0), along: moment(1).mul(up).add(moment(2).mul(across)) };
   }
 
   update(_observation: Observation, mode: ColorMode): void {

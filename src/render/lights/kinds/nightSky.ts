@@ -1,10 +1,9 @@
 import { float } from 'three/tsl';
 import { COSMIC_TEMPERATURE, DAYLIGHT_LUMINANCE } from '../../../scene/stars/cosmicBackground.ts';
 import type { NightSky } from '../../../scene/types.ts';
-import type { Vec3 } from '../../../shaders/types.ts';
 import type { RadianceAccumulator } from '../../color/radiance.ts';
 import type { FrameUniforms } from '../../gpu/frameUniforms.ts';
-import type { LightSet } from '../lightSet.ts';
+import type { LightSet, SkyPixel } from '../lightSet.ts';
 
 /** The cosmic background between the stars of a night sky; the stars are drawn as points (shading/starPoints.ts). */
 export class CosmicBackground implements LightSet {
@@ -20,7 +19,7 @@ export class CosmicBackground implements LightSet {
   /** It is too faint to light anything. */
   addReflected(): void {}
 
-  addBackground(_n: Vec3, _uniforms: FrameUniforms, accumulator: RadianceAccumulator): void {
+  addBackground(_pixel: SkyPixel, _uniforms: FrameUniforms, accumulator: RadianceAccumulator): void {
     if (this.sky) accumulator.addBlackbody(COSMIC_TEMPERATURE, float(this.sky.gain * DAYLIGHT_LUMINANCE));
   }
 }

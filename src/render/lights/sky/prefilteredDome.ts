@@ -1,5 +1,5 @@
-import { linearizationTable } from '../../scene/materials/sampleTexture.ts';
-import type { DomeLight } from '../../scene/types.ts';
+import { linearizationTable } from '../../../scene/materials/sampleTexture.ts';
+import type { DomeLight } from '../../../scene/types.ts';
 
 /** Linear sRGB of all directions: rows from the zenith down, columns around the zenith; 3 numbers per pixel. */
 export interface Panorama {
@@ -21,9 +21,11 @@ export const SPECULAR_LOBES = [
 
 /** A dome's prefiltered radiance, one panorama for each of `SPECULAR_LOBES`, and as the last one irradiance/π by normal. */
 export function prefilterDome(picture: NonNullable<DomeLight['texture']>): readonly Panorama[] {
-  const whole = downsample(picture, PREFILTER_SIZE.width, PREFILTER_SIZE.height);
+  const whole = reducedDome(picture, PREFILTER_SIZE);
   const lobes = SPECULAR_LOBES.map(({ roughness, columns }) => convolve(halveTo(whole, columns), ggxLobe(roughness)));
-  return [...lobes, convolve(halveTo(whole, 32), (cosine) => Math.max(cosine, 0))].map((map) => upsample(map));
+  return [...lobes, convolve(halveTo(whole, 32), (cosine) => Math.max(cosine, 0))].map((map) =>
+    resize(map, PREFILTER_SIZE),
+  );
 }
 
 /** GGX about the mirrored direction for N = V = R, times the cosine (Karis 2013, "Real shading in Unreal Engine 4"). */
@@ -37,7 +39,10 @@ const ggxLobe = (roughness: number) => {
 };
 
 /** Means over blocks of the texture; the pixels of a smaller texture repeat. */
-function downsample(picture: NonNullable<DomeLight['texture']>, width: number, height: number): Panorama {
+export function reducedDome(
+  picture: NonNullable<DomeLight['texture']>,
+  { width, height }: Pick<Panorama, 'width' | 'height'>,
+): Panorama {
   const { data } = picture;
   const linear = linearizationTable(picture);
   const rgb = new Float32Array(3 * width * height);
@@ -153,9 +158,8 @@ export function pixelOffset({ width, height }: Panorama, row: number, column: nu
   return 3 * (y * width + ((column + (beyond ? width / 2 : 0) + width) % width));
 }
 
-/** Bilinear, to `PREFILTER_SIZE`. */
-function upsample(map: Panorama): Panorama {
-  const { width, height } = PREFILTER_SIZE;
+/** Bilinear, to a larger size. */
+export function resize(map: Panorama, { width, height }: Pick<Panorama, 'width' | 'height'>): Panorama {
   if (map.width === width) return map;
   const rgb = new Float32Array(3 * width * height);
   for (let y = 0; y < height; y++) {

@@ -15,18 +15,20 @@ import {
   vec2,
 } from 'three/tsl';
 import { type DataTexture, type Node, Vector3 } from 'three/webgpu';
-import { toHalf } from '../../math/half.ts';
-import { domeAxes } from '../../scene/lights/latLong.ts';
-import type { DomeLight } from '../../scene/types.ts';
-import type { HalfAtlas, HalfTable, HalfTexels } from '../../shaders/tables/halfAtlas.ts';
-import type { Float, Vec2, Vec3 } from '../../shaders/types.ts';
-import { uploadTexture } from '../gpu/textures.ts';
+import { toHalf } from '../../../math/half.ts';
+import { domeAxes } from '../../../scene/lights/latLong.ts';
+import type { DomeLight } from '../../../scene/types.ts';
+import type { HalfAtlas, HalfTable, HalfTexels } from '../../../shaders/tables/halfAtlas.ts';
+import type { Float, Vec2, Vec3 } from '../../../shaders/types.ts';
+import { uploadTexture } from '../../gpu/textures.ts';
 import { type Panorama, PREFILTER_SIZE, pixelOffset, prefilterDome, SPECULAR_LOBES } from './prefilteredDome.ts';
+import { MEAN_RAPIDITIES, MEAN_SIZE, pictureMeans } from './skyMeans.ts';
 
 /** A dome's texture on the GPU, with its prefiltered maps for diffuse and glossy surfaces. */
 export class DomeTexture {
   private readonly image: DataTexture;
   private readonly maps: HalfTable;
+  private readonly means: () => HalfTable;
   private readonly layers: number;
   private readonly tint: Node<'vec3'>;
   private readonly axes: readonly Node<'vec3'>[];
@@ -37,13 +39,40 @@ export class DomeTexture {
     const maps = prefilterDome(picture);
     this.layers = maps.length;
     this.maps = atlas.table('dome', () => stacked(maps));
+    // Only what moves needs it.
+    this.means = () => atlas.table('dome means', () => pictureMeans(picture));
     this.tint = tint;
     this.axes = domeAxes(dome).map((axis) => uniform(new Vector3(...axis)));
   }
 
-  /** Radiance from the direction n of the world. */
-  radiance(n: Vec3): Vec3 {
-    return this.sampleImage(this.place(n), float(0));
+  /** Mean radiance from the direction n of the world, within an angle [rad]. */
+  radiance(n: Vec3, angle: Float): Vec3 {
+    const texels = angle.mul(this.image.image.height / Math.PI);
+    return this.sampleImage(this.place(n), log2(max(texels, 1)));
+  }
+
+  /** `SkyMeans` by the tables of skyMeans.ts. */
+  meansAbout(axis: Vec3, rapidity: Float, direction: Vec3): { readonly mean: Vec3; readonly along: Vec3 } {
+    const { first, step, count } = MEAN_RAPIDITIES;
+    const place = this.place(axis).toVar();
+    const level = clamp(rapidity.sub(first).div(step), 0, count - 1).toVar();
+    const lower = min(floor(level), count - 2).toVar();
+    const between = level.sub(lower).toVar();
+    const x = place.x.mul(MEAN_SIZE.width).add(BORDER).toVar();
+    const y = place.y
+      .mul(MEAN_SIZE.height)
+      .add(BORDER)
+      .add(lower.mul(MEAN_SIZE.height + 2 * BORDER))
+      .toVar();
+    const moment = (k: number): Vec3 => {
+      const across = x.add(k * (MEAN_SIZE.width + 2 * BORDER));
+      const [near, next] = [y, y.add(MEAN_SIZE.height + 2 * BORDER)].map((row) =>
+        this.means().sampleLinear(across, row),
+      );
+      return mix(near.xyz, next.xyz, between).mul(this.tint);
+    };
+    const along = this.axes.map((own, k) => moment(k + 1).mul(dot(own, direction)));
+    return { mean: moment(0), along: along[0].add(along[1]).add(along[2]) };
   }
 
   /** Irradiance/π on a surface with the normal n. */

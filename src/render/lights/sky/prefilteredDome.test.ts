@@ -1,6 +1,6 @@
 import { describe, expect, it } from 'vitest';
-import { toHalf } from '../../math/half.ts';
-import type { RadianceTexture } from '../../scene/types.ts';
+import { toHalf } from '../../../math/half.ts';
+import type { RadianceTexture } from '../../../scene/types.ts';
 import { type Panorama, PREFILTER_SIZE, pixelOffset, prefilterDome, SPECULAR_LOBES } from './prefilteredDome.ts';
 
 const [W, H] = [256, 128];

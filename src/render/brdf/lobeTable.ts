@@ -1,0 +1,37 @@
+import { sqrt } from 'three/tsl';
+import { toHalf } from '../../math/half.ts';
+import { LOBE_TABLE_SIZE, type LobeParts, lobeTables, type SpecularLobe } from '../../scene/materials/specularLobe.ts';
+import type { HalfAtlas } from '../../shaders/tables/halfAtlas.ts';
+import type { Float, Vec4 } from '../../shaders/types.ts';
+
+type Nodes<T> = { readonly [K in keyof T]: Float };
+export type LobeNodes = Nodes<SpecularLobe>;
+
+/** Reads what is tabulated for `NV` and a roughness, both at most 1. */
+export interface LobeTable {
+  at(NV: Float, roughness: Float): LobeNodes;
+  parts(NV: Float, roughness: Float): Nodes<LobeParts>;
+}
+
+export function lobeTable(atlas: HalfAtlas): LobeTable {
+  const { columns, rows } = LOBE_TABLE_SIZE;
+  const read = (name: keyof ReturnType<typeof lobeTables>, NV: Float, roughness: Float): Vec4 =>
+    atlas
+      .table(`specular ${name}`, () => ({ data: Uint16Array.from(lobeTables()[name], toHalf), width: columns }))
+      .sampleLinear(
+        sqrt(NV.min(1))
+          .mul(columns - 1)
+          .add(0.5),
+        roughness.mul(rows - 1).add(0.5),
+      );
+  return {
+    at: (NV, roughness) => {
+      const { x, y, z } = read('lobes', NV, roughness);
+      return { scale: x, bias: y, cosine: z };
+    },
+    parts: (NV, roughness) => {
+      const { x, y, z, w } = read('parts', NV, roughness);
+      return { wide: x, lambert: y, cosine: z, width: w };
+    },
+  };
+}

@@ -1,0 +1,157 @@
+import { toHalf } from '../../../math/half.ts';
+import { directionFromLatLong } from '../../../scene/lights/latLong.ts';
+import { gradientAt, type SkyColors } from '../../../scene/lights/skyGradient.ts';
+import type { DomeLight } from '../../../scene/types.ts';
+import type { HalfTexels } from '../../../shaders/tables/halfAtlas.ts';
+import { type Panorama, PREFILTER_SIZE, pixelOffset, reducedDome, resize } from './prefilteredDome.ts';
+
+// Means over the sky, weighted by the cone max(n·a − c, 0) about the axis a: of the radiance L, and of L times the components of n. The rapidity η of a cone
+// has c = −tanh η: a boost along the axis adds to it (docs/physics.md §6.8).
+
+/** The rapidities for which means are tabulated. */
+export const MEAN_RAPIDITIES = { first: -2.1, step: 0.3, count: 15 } as const;
+
+const coneCosine = (level: number): number => -Math.tanh(MEAN_RAPIDITIES.first + level * MEAN_RAPIDITIES.step);
+
+/** Size of the panoramas of means, by axis. */
+export const MEAN_SIZE = { width: 64, height: 32 } as const;
+/** Panoramas for each rapidity: L, then L n by the dome's own axes. */
+const MOMENTS = 4;
+
+/** The means of a dome's picture: those of a rapidity side by side, each with a wrapped border of one pixel, one rapidity below the other. */
+export function pictureMeans(picture: NonNullable<DomeLight['texture']>): HalfTexels {
+  const moments = withMoments(reducedDome(picture, PREFILTER_SIZE));
+  const [columns, rows] = [MEAN_SIZE.width + 2, MEAN_SIZE.height + 2];
+  const width = MOMENTS * columns;
+  const data = new Uint16Array(4 * width * rows * MEAN_RAPIDITIES.count);
+  for (let level = 0; level < MEAN_RAPIDITIES.count; level++) {
+    const c = coneCosine(level);
+    // Means over wide cones need few axes.
+    coneMeans(moments, c > 0.5 ? MEAN_SIZE.width : MEAN_SIZE.width / 2, c).forEach((coarse, k) => {
+      const map = resize(coarse, MEAN_SIZE);
+      for (let y = 0; y < rows; y++)
+        for (let x = 0; x < columns; x++) {
+          const from = pixelOffset(map, y - 1, x - 1);
+          const to = 4 * ((level * rows + y) * width + k * columns + x);
+          for (let i = 0; i < 3; i++) data[to + i] = toHalf(Math.min(map.rgb[from + i], MAX_HALF));
+        }
+    });
+  }
+  return { data, width };
+}
+
+/** The largest finite half-precision number. */
+const MAX_HALF = 65504;
+
+/** Numbers per pixel of L and L n. */
+const CHANNELS = 3 * MOMENTS;
+
+interface MomentMap {
+  readonly width: number;
+  readonly height: number;
+  readonly values: Float32Array;
+}
+
+function withMoments({ width, height, rgb }: Panorama): MomentMap {
+  const values = new Float32Array(CHANNELS * width * height);
+  for (let i = 0; i < width * height; i++) {
+    const n = directionFromLatLong(((i % width) + 0.5) / width, 1 - (Math.floor(i / width) + 0.5) / height);
+    [1, ...n].forEach((factor, k) => {
+      for (let channel = 0; channel < 3; channel++)
+        values[CHANNELS * i + 3 * k + channel] = factor * rgb[3 * i + channel];
+    });
+  }
+  return { width, height, values };
+}
+
+/** The means for the axes of a coarser map: so a bright spot keeps its place. */
+function coneMeans({ width, height, values }: MomentMap, columns: number, c: number): readonly Panorama[] {
+  const stride = width / columns;
+  const rows = height / stride;
+  const maps = Array.from({ length: MOMENTS }, () => new Float32Array(3 * columns * rows));
+  const sums = new Float64Array(rows);
+  const weights = new Float64Array(width);
+  // Two copies, so that neighbours beyond the seam are contiguous.
+  const ring = new Float32Array(2 * CHANNELS * width);
+  const mean = new Float64Array(CHANNELS);
+  // Columns count from this one, relative to the left edge of the axis' own.
+  const first = (stride - width) / 2;
+  for (let v = 0; v < height; v++) {
+    const source = values.subarray(CHANNELS * v * width, CHANNELS * (v + 1) * width);
+    ring.set(source);
+    ring.set(source, CHANNELS * width);
+    const [cv, sv] = [Math.cos((Math.PI * (v + 0.5)) / height), Math.sin((Math.PI * (v + 0.5)) / height)];
+    for (let y = 0; y < rows; y++) {
+      const [cy, sy] = [Math.cos((Math.PI * (y + 0.5)) / rows), Math.sin((Math.PI * (y + 0.5)) / rows)];
+      let [from, to] = [width, 0];
+      for (let d = 0; d < width; d++) {
+        const apart = (2 * Math.PI * (first + d + 0.5 - stride / 2)) / width;
+        weights[d] = sv * Math.max(cy * cv + sy * sv * Math.cos(apart) - c, 0);
+        sums[y] += weights[d];
+        if (weights[d] > 0) [from, to] = [Math.min(from, d), d + 1];
+      }
+      for (let x = 0; x < columns && from < to; x++) {
+        mean.fill(0);
+        const start = (x * stride + first + from + 2 * width) % width;
+        for (let d = from, i = CHANNELS * start; d < to; d++)
+          for (let k = 0; k < CHANNELS; k++, i++) mean[k] += weights[d] * ring[i];
+        for (let k = 0; k < CHANNELS; k++) maps[Math.floor(k / 3)][3 * (y * columns + x) + (k % 3)] += mean[k];
+      }
+    }
+  }
+  return maps.map((rgb) => ({
+    width: columns,
+    height: rows,
+    rgb: rgb.map((value, i) => value / sums[Math.floor(i / (3 * columns))]),
+  }));
+}
+
+/** Steps in the axis' height, and of the integrals along and around the axis. */
+export const GRADIENT_HEIGHTS = 64;
+const STEPS = { along: 16, around: 16 } as const;
+
+/** Each channel is the share of one colour: zenith, horizon, ground. */
+const SHARES: SkyColors = { zenith: [1, 0, 0], horizon: [0, 1, 0], ground: [0, 0, 1] };
+
+let gradient: HalfTexels | undefined;
+
+/**
+ * The means of any sky that is a gradient, as shares of its three colours: by the axis' height −1 … 1 across; down the rapidities of L, then of L times the
+ * height of n, then of L times its component along the horizon towards the axis.
+ */
+export function gradientMeans(): HalfTexels {
+  gradient ??= integrateGradient();
+  return gradient;
+}
+
+function integrateGradient(): HalfTexels {
+  const { count } = MEAN_RAPIDITIES;
+  const data = new Uint16Array(4 * GRADIENT_HEIGHTS * count * 3);
+  for (let level = 0; level < count; level++)
+    for (let i = 0; i < GRADIENT_HEIGHTS; i++)
+      gradientMean((2 * i) / (GRADIENT_HEIGHTS - 1) - 1, coneCosine(level)).forEach((mean, k) => {
+        data.set(mean.map(toHalf), 4 * ((k * count + level) * GRADIENT_HEIGHTS + i));
+      });
+  return { data, width: GRADIENT_HEIGHTS };
+}
+
+/** Of L, L n_up and L n_across, as shares of the colours. */
+function gradientMean(height: number, c: number): readonly number[][] {
+  const sums = Array.from({ length: 3 }, () => [0, 0, 0]);
+  let whole = 0;
+  const level = Math.sqrt(Math.max(1 - height * height, 0));
+  for (let i = 0; i < STEPS.along; i++) {
+    const cosine = c + ((1 - c) * (i + 0.5)) / STEPS.along;
+    const sine = Math.sqrt(1 - cosine * cosine);
+    for (let j = 0; j < STEPS.around; j++) {
+      const turned = sine * Math.cos((Math.PI * (j + 0.5)) / STEPS.around);
+      const [up, across] = [height * cosine + level * turned, level * cosine - height * turned];
+      const shares = gradientAt(up, SHARES);
+      whole += cosine - c;
+      [1, up, across].forEach((factor, k) => {
+        for (let n = 0; n < 3; n++) sums[k][n] += (cosine - c) * factor * shares[n];
+      });
+    }
+  }
+  return sums.map((shares) => shares.map((share) => share / whole));
+}

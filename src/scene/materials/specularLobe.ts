@@ -1,0 +1,160 @@
+/** How a GGX surface reflects light from all round, for one angle of view and one roughness. */
+export interface SpecularLobe {
+  /** Share of uniform light that is reflected: `scale` F₀ + `bias` F₉₀. */
+  readonly scale: number;
+  readonly bias: number;
+  /** Cosine between the normal and the mean direction of the reflected light. */
+  readonly cosine: number;
+}
+
+/** The same lobe as a sum: a cone, and a wide part about the normal. Mean and second moments are the lobe's. */
+export interface LobeParts {
+  /** Share of the wide part, and the share of Lambert's cosine in it; the rest of it is the same in all directions. */
+  readonly wide: number;
+  readonly lambert: number;
+  /** Of the cone max(n·axis − c, 0): cosine between normal and axis, and √(1 − c), 1 for Lambert's cosine, 0 for a mirror. */
+  readonly cosine: number;
+  readonly width: number;
+}
+
+type LobeTables = { readonly lobes: Float64Array; readonly parts: Float64Array };
+
+/** The table's axes: √(N·V) and roughness, both 0 … 1. */
+export const LOBE_TABLE_SIZE = { columns: 24, rows: 20 } as const;
+/** Below this a surface reflects as if it had this roughness. */
+export const MIN_LOBE_ROUGHNESS = 0.05;
+
+/** Numbers per texel, in the order of the interfaces. */
+const CHANNELS = 4;
+/** Steps of the integral over the visible microfacet normals. */
+const STEPS = { radius: 48, angle: 12 } as const;
+
+let tables: LobeTables | undefined;
+
+/** `SpecularLobe` and `LobeParts` row after row of roughness, 4 numbers each; integrated on first use. */
+export function lobeTables(): LobeTables {
+  tables ??= integrateTables();
+  return tables;
+}
+
+/** Interpolated from the table. */
+export function specularLobe(NV: number, roughness: number): SpecularLobe {
+  const { columns, rows } = LOBE_TABLE_SIZE;
+  const all = lobeTables().lobes;
+  const x = Math.sqrt(Math.min(Math.max(NV, 0), 1)) * (columns - 1);
+  const y = Math.min(Math.max(roughness, MIN_LOBE_ROUGHNESS), 1) * (rows - 1);
+  const [i, j] = [Math.min(Math.floor(x), columns - 2), Math.min(Math.floor(y), rows - 2)];
+  const [s, t] = [x - i, y - j];
+  const at = (channel: number): number => {
+    const value = (column: number, row: number): number => all[CHANNELS * (row * columns + column) + channel];
+    return (
+      (1 - t) * ((1 - s) * value(i, j) + s * value(i + 1, j)) +
+      t * ((1 - s) * value(i, j + 1) + s * value(i + 1, j + 1))
+    );
+  };
+  return { scale: at(0), bias: at(1), cosine: at(2) };
+}
+
+function integrateTables(): LobeTables {
+  const { columns, rows } = LOBE_TABLE_SIZE;
+  const [lobes, parts] = [0, 1].map(() => new Float64Array(CHANNELS * columns * rows));
+  for (let row = 0; row < rows; row++)
+    for (let column = 0; column < columns; column++) {
+      const NV = Math.max((column / (columns - 1)) ** 2, 1e-4);
+      const { scale, bias, moments } = integrateLobe(NV, row / (rows - 1));
+      const at = CHANNELS * (row * columns + column);
+      lobes.set([scale, bias, moments.up / Math.hypot(moments.along, moments.up)], at);
+      const { wide, lambert, cosine, width } = partsOf(moments, NV);
+      parts.set([wide, lambert, cosine, width], at);
+    }
+  return { lobes, parts };
+}
+
+/** Means over a lobe of the components of its directions, along the normal (up) and along the mirrored ray across it, and of their products. */
+interface LobeMoments {
+  readonly up: number;
+  readonly along: number;
+  readonly upUp: number;
+  readonly alongAlong: number;
+  readonly upAlong: number;
+}
+
+/**
+ * By even steps over the distribution of visible normals (Heitz 2018), whose weight is F G₂/G₁ with the height-correlated G₂ (Heitz 2014, eq. 99) and
+ * Schlick's F.
+ */
+function integrateLobe(NV: number, roughness: number) {
+  const a = roughness * roughness;
+  const level = Math.sqrt(1 - NV * NV);
+  const smith = (x: number): number => Math.sqrt(x * x * (1 - a * a) + a * a);
+  // V in the space in which the microsurface is a hemisphere, in the plane of N and V.
+  const stretched = Math.hypot(a * level, NV);
+  const [vx, vz] = [(a * level) / stretched, NV / stretched];
+  let [scale, bias, up, along, upUp, alongAlong, upAlong] = [0, 0, 0, 0, 0, 0, 0];
+  for (let i = 0; i < STEPS.radius; i++)
+    for (let j = 0; j < STEPS.angle; j++) {
+      // Dense towards the rim, where light leaves at grazing angles.
+      const rim = (i + 0.5) / STEPS.radius;
+      const r = Math.sqrt(1 - rim * rim);
+      // The other half is its mirror image.
+      const phi = Math.PI * ((j + 0.5) / STEPS.angle - 0.5);
+      const x = r * Math.cos(phi);
+      const y = ((1 - vz) / 2) * Math.sqrt(1 - x * x) + ((1 + vz) / 2) * r * Math.sin(phi);
+      const z = Math.sqrt(Math.max(0, 1 - x * x - y * y));
+      const [hx, hy, hz] = [a * (z * vx - y * vz), a * x, Math.max(z * vz + y * vx, 1e-9)];
+      const length = Math.hypot(hx, hy, hz);
+      const VH = (level * hx + NV * hz) / length;
+      const NL = (2 * VH * hz) / length - NV;
+      if (NL <= 0) continue;
+      const weight = (2 * rim * NL * (NV + smith(NV))) / (NL * smith(NV) + NV * smith(NL));
+      const grazing = (1 - Math.min(Math.max(VH, 0), 1)) ** 5;
+      // V lies on the other side of the normal than the mirrored ray.
+      const across = level - (2 * VH * hx) / length;
+      scale += weight * (1 - grazing);
+      bias += weight * grazing;
+      up += weight * NL;
+      along += weight * across;
+      upUp += weight * NL * NL;
+      alongAlong += weight * across * across;
+      upAlong += weight * NL * across;
+    }
+  const count = STEPS.radius * STEPS.angle;
+  const all = scale + bias;
+  const moments: LobeMoments = {
+    up: up / all,
+    along: along / all,
+    upUp: upUp / all,
+    alongAlong: alongAlong / all,
+    upAlong: upAlong / all,
+  };
+  return { scale: scale / count, bias: bias / count, moments };
+}
+
+/** Shares that are tried for the wide part. */
+const WIDE_STEPS = 100;
+
+/** The wide part is that of the roughest surface, ∝ N·L/(N·L + N·V); as much of it as gives the second moment along the axis of the cone. */
+function partsOf({ up, along, upUp, alongAlong, upAlong }: LobeMoments, NV: number): LobeParts {
+  // Its mean cosine lies between those of an even hemisphere, 1/2, and of Lambert's cosine, 2/3.
+  const whole = 1 - NV * Math.log((1 + NV) / NV);
+  const lambert = Math.min(Math.max(6 * ((0.5 - NV * whole) / whole - 0.5), 0), 1);
+  const [mean, square, level] = [0.5 + lambert / 6, 1 / 3 + lambert / 6, 1 / 3 - lambert / 12];
+  let best: LobeParts | undefined;
+  let least = Infinity;
+  for (let i = 0; i < WIDE_STEPS; i++) {
+    const wide = i / WIDE_STEPS;
+    const [coneUp, coneAlong] = [(up - wide * mean) / (1 - wide), along / (1 - wide)];
+    const length = Math.hypot(coneUp, coneAlong);
+    // The mean cosine of a cone is (2 + c)/3.
+    const c = 3 * length - 2;
+    if (c < 0 || c > 1 || coneUp < 0) continue;
+    const [z, x] = [coneUp / length, coneAlong / length];
+    const lobe = z * z * upUp + x * x * alongAlong + 2 * x * z * upAlong;
+    const sum = ((1 - wide) * (3 + 2 * c + c * c)) / 6 + wide * (z * z * square + x * x * level);
+    if (Math.abs(lobe - sum) < least) {
+      least = Math.abs(lobe - sum);
+      best = { wide, lambert, cosine: z, width: Math.sqrt(1 - c) };
+    }
+  }
+  return best ?? { wide: 1, lambert, cosine: 1, width: 1 };
+}
