@@ -4,13 +4,13 @@ import { LOBE_TABLE_SIZE, type LobeParts, lobeTables, type SpecularLobe } from '
 import type { HalfAtlas } from '../../shaders/tables/halfAtlas.ts';
 import type { Float, Vec4 } from '../../shaders/types.ts';
 
-type Nodes<T> = { readonly [K in keyof T]: Float };
-export type LobeNodes = Nodes<SpecularLobe>;
+type NodesOf<T> = { readonly [K in keyof T]: Float };
+export type LobeNodes = NodesOf<SpecularLobe>;
 
 /** Reads what is tabulated for `NV` and a roughness, both at most 1. */
 export interface LobeTable {
   at(NV: Float, roughness: Float): LobeNodes;
-  parts(NV: Float, roughness: Float): Nodes<LobeParts>;
+  parts(NV: Float, roughness: Float): NodesOf<LobeParts>;
 }
 
 export function lobeTable(atlas: HalfAtlas): LobeTable {

@@ -16,7 +16,7 @@ import { DAYLIGHT } from '../../../src/spectrum/sources/lightSpectrum.ts';
 import { dome, GREY, lambert, lit } from '../../support/lightKit.ts';
 import { type ModulePage, openModulePage } from '../support/modulePage.ts';
 import { type HeadlessPictures, openPictures } from '../support/openPictures.ts';
-import { type Flight, MATERIALS, radianceOf, type SeenPoint, SIZE, seenPoints } from './movingSkyScenes.ts';
+import { MATERIALS, radianceOf, type SeenPoint, SIZE, type SkyFlight, seenPoints } from './movingSkyScenes.ts';
 
 let headless: HeadlessPictures;
 beforeAll(async () => {
@@ -40,7 +40,7 @@ function daylightSeen(D: number): Vec3 {
 }
 
 /** What the observer sees of surface points, by the sum over directions: ∫ f cos θ′ L′ dΩ′ with L′ dΩ′ = D⁴ L dΩ/D², then D_out⁴. */
-function integrals({ sky, material, velocity, spectral }: Flight, points: readonly SeenPoint[]): Vec3[] {
+function integrals({ sky, material, velocity, spectral }: SkyFlight, points: readonly SeenPoint[]): Vec3[] {
   const { baseColor, metallic, roughness, ior = 1.5 } = MATERIALS[material];
   const u = properVelocity(velocity);
   const radiance = radianceOf(sky);
@@ -74,7 +74,7 @@ function integrals({ sky, material, velocity, spectral }: Flight, points: readon
 }
 
 /** Mean difference, relative to the brightest point. */
-function difference(flight: Flight, points: readonly SeenPoint[]): number {
+function difference(flight: SkyFlight, points: readonly SeenPoint[]): number {
   expect(points.length).toBeGreaterThan(40);
   const expected = integrals(flight, points);
   const brightest = Math.max(...expected.flat());
@@ -84,7 +84,7 @@ function difference(flight: Flight, points: readonly SeenPoint[]): number {
   return mean;
 }
 
-const compare = async (flight: Flight): Promise<number> => {
+const compare = async (flight: SkyFlight): Promise<number> => {
   pumpFrame();
   return difference(flight, await seenPoints(headless.renderer, flight));
 };
@@ -117,7 +117,7 @@ const AWAY: Vec3 = [0, -0.5, -0.75];
 const FAST: Vec3 = [0.9, 0, 0];
 
 describe('a ball that flies under a sky', () => {
-  it.each<Flight & { bound: number }>([
+  it.each<SkyFlight & { bound: number }>([
     { sky: 'uniform', material: 'matt', velocity: FAST, bound: 0.005 },
     { sky: 'day', material: 'matt', velocity: ACROSS, bound: 0.01 },
     { sky: 'dark ground', material: 'matt', velocity: AWAY, bound: 0.02 },

@@ -1,10 +1,10 @@
 import { SceneRenderer } from '../../../src/render/renderer.ts';
-import { type Flight, type SeenPoint, SIZE, seenPoints } from './movingSkyScenes.ts';
+import { type SeenPoint, SIZE, type SkyFlight, seenPoints } from './movingSkyScenes.ts';
 
 declare global {
   interface Window {
     /** What is seen of a flying body under a sky, on WebGL2. */
-    seenPoints: (flight: Flight) => Promise<SeenPoint[]>;
+    seenPoints: (flight: SkyFlight) => Promise<SeenPoint[]>;
   }
 }
 

@@ -65,7 +65,7 @@ export const MATERIALS = {
 } as const satisfies Record<string, Material>;
 export type MaterialName = keyof typeof MATERIALS;
 
-export interface Flight {
+export interface SkyFlight {
   readonly sky: SkyName;
   readonly material: MaterialName;
   /** [c] */
@@ -87,7 +87,7 @@ export interface SeenPoint {
 /** Draws what is at the middle of the picture. */
 export async function seenPoints(
   renderer: SceneRenderer,
-  { sky, material, velocity, plate, spectral }: Flight,
+  { sky, material, velocity, plate, spectral }: SkyFlight,
 ): Promise<SeenPoint[]> {
   // Light from the middle has been under way for 3 s.
   const motion = { kind: 'uniform', pose: { position: scale(velocity, 3), orientation: IDENTITY }, velocity } as const;

@@ -6,7 +6,7 @@ import type { RestFrameMotion } from '../restFrame.ts';
 export type SkyMeans = (axis: Vec3, rapidity: Float, direction: Vec3) => { readonly mean: Vec3; readonly along: Vec3 };
 
 /** A cone max(n·axis − c, 0) of directions in the rest frame of a surface; `width` = √(1 − c), 1 for Lambert's cosine. */
-export interface Cone {
+export interface LobeCone {
   readonly axis: Vec3;
   readonly width: Float;
 }
@@ -29,7 +29,7 @@ const WEIGHTS = [0.1739274225687269, 0.3260725774312731, 0.3260725774312731, 0.1
  * four-vector (−c, axis). So on a ring of one D the visible arc, and its integral for a uniform sky, are closed forms. Of other skies the means of
  * L and of L D are tabulated; over the rings radiance is taken as linear in D, with these means.
  */
-export function skyLobe({ axis, width }: Cone, { u, gamma }: RestFrameMotion, means: SkyMeans): SkyLobe {
+export function skyLobe({ axis, width }: LobeCone, { u, gamma }: RestFrameMotion, means: SkyMeans): SkyLobe {
   const speed = length(u).toVar();
   const direction = u.div(speed).toVar();
   const beta = speed.div(gamma).toVar();
