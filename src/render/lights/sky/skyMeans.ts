@@ -33,7 +33,7 @@ export function pictureMeans(picture: NonNullable<DomeLight['texture']>): HalfTe
         for (let x = 0; x < columns; x++) {
           const from = pixelOffset(map, y - 1, x - 1);
           const to = 4 * ((level * rows + y) * width + k * columns + x);
-          for (let i = 0; i < 3; i++) data[to + i] = toHalf(Math.min(map.rgb[from + i], MAX_HALF));
+          for (let i = 0; i < 3; i++) data[to + i] = toHalf(Math.min(Math.max(map.rgb[from + i], -MAX_HALF), MAX_HALF));
         }
     });
   }
