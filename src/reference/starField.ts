@@ -28,8 +28,8 @@ export function starField(scene: TracedScene, request: TileRequest, tile: ImageT
   const stars = starsNear(sky, request, tile);
   const { view, settings } = request;
   const background = (ray: SpacetimeRay): Vec3 => {
-    // Approximate colours have no light that is invisible at rest.
-    if (settings.colors === 'approximate') return ZERO;
+    // Modes without spectra have no light that is invisible at rest.
+    if (settings.colors !== 'spectral') return ZERO;
     const D = VIEWS[settings.view].luminous ? observerDoppler(ray.dx, view.u) : 1;
     return scale(cosmicBackground(D, settings), sky.gain);
   };

@@ -19,7 +19,7 @@ afterAll(() => rmSync(folder, { recursive: true }));
 
 /** The linear sRGB of the sky in a direction. */
 function skyIn(scene: Scene, n: Vec3): Vec3 {
-  const { context: sight, color } = rgbSensor({ dopplerMix: 0, beaming: 1 });
+  const { context: sight, color } = rgbSensor('approximate', { dopplerMix: 0, beaming: 1 });
   return color(skyOf(scene, []).radiance(n, sight));
 }
 

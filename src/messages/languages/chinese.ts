@@ -1532,8 +1532,6 @@ const messages: Translation['messages'] = {
   Aberration: '光行差',
   'The directions of light depend on your velocity.': '光的方向随你的速度改变。',
   Colours: '颜色',
-  'Spectral: light has spectra, and Doppler shift acts on wavelengths. Approximate: a simple tint, for comparison.':
-    '光谱：光以光谱计算，频移按波长作用。近似：简单的色调变化，用于比较。',
   'Doppler mix': '多普勒混合',
   'How strongly the Doppler shift affects colours.': '多普勒频移对颜色的影响程度。',
   Beaming: '聚束',
@@ -1605,6 +1603,12 @@ const messages: Translation['messages'] = {
   'Number 3 (arg3)': '数值 3（arg3）',
   'Number 4 (arg4)': '数值 4（arg4）',
   'Shader text': '着色器文本',
+  'Spectral: light has spectra, and Doppler shift acts on wavelengths. The others are for comparison: a simple tint, and the methods of two earlier programs.':
+    '光谱：光具有光谱，多普勒频移作用于波长。其余供比较：简单的染色，以及两个早期程序的方法。',
+  'how Doppler shifts change colours: by spectra, or for comparison by a simple tint or the methods of two earlier programs':
+    '多普勒频移如何改变颜色：按光谱；或供比较，用简单的染色或两个早期程序的方法',
+  'Two wavelengths (historical)': '两个波长（历史方法）',
+  'Shifted primaries (historical)': '移动基色（历史方法）',
   'this would overwrite {}, the stage that the geometry goes into; choose another file name':
     '这会覆盖 {1}，即要写入的场景文件；请选择其他文件名',
   'Prim path': '基元路径',
@@ -2752,8 +2756,6 @@ const messages: Translation['messages'] = {
   'positions at your own instant (a “god’s eye” view)': '你此刻同时面上的物体位置（“上帝视角”）',
   'as if light arrived instantaneously': '如同光瞬间到达',
   "use directions of the world frame instead of the observer's": '采用世界参考系中的方向，而不是观察者的',
-  'how Doppler shifts change colours: by spectra, or by a simple tint for comparison':
-    '多普勒频移如何改变颜色：按光谱，或用简单的色调变化以供比较',
   'strength of the Doppler shift of colours': '颜色的多普勒频移的强度',
   'strength of the effect of the Doppler shift on brightness': '多普勒频移对亮度影响的强度',
   'no shadows of suns and lamps, for comparison': '不画太阳和灯的阴影，以供比较',

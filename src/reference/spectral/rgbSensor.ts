@@ -1,12 +1,16 @@
 import { scale, type Vec3 } from '../../math/vec3.ts';
 import type { RenderSettings } from '../../scene/view/view.ts';
-import { dopplerTint } from '../../spectrum/doppler/dopplerTint.ts';
+import { RGB_SHIFTS, type RgbColorMode } from '../../spectrum/doppler/rgbShifts.ts';
 import type { SpectralFilter } from '../../spectrum/reflectance/spectralFilter.ts';
 import { NO_LIGHT, type SampledRadiance } from './sampledRadiance.ts';
 import type { Sensor, SpectralContext } from './spectralContext.ts';
 
-/** The approximate mode: light is linear sRGB everywhere, filters multiply each channel, and Doppler shifts are tints (dopplerTint.ts). docs/physics.md §7.10. */
-export function rgbSensor({ dopplerMix, beaming }: Pick<RenderSettings, 'dopplerMix' | 'beaming'>): Sensor {
+/** Modes without spectra: light is linear sRGB everywhere, filters multiply each channel, and so do Doppler shifts (rgbShifts.ts). docs/physics.md §7.10. */
+export function rgbSensor(
+  colors: RgbColorMode,
+  { dopplerMix, beaming }: Pick<RenderSettings, 'dopplerMix' | 'beaming'>,
+): Sensor {
+  const shift = RGB_SHIFTS[colors];
   const context: SpectralContext = {
     emitted: ({ color }) => lightOf(color),
     filtered: (light: SampledRadiance, { rgb: [r, g, b] }: SpectralFilter) => {
@@ -15,7 +19,7 @@ export function rgbSensor({ dopplerMix, beaming }: Pick<RenderSettings, 'doppler
     },
     shifted: () => context,
     received: (light, D, power) =>
-      D === 1 ? light : lightOf(scale(dopplerTint(colorOf(light), D, dopplerMix), D ** (power * beaming))),
+      D === 1 ? light : lightOf(scale(shift(colorOf(light), D, dopplerMix), D ** (power * beaming))),
   };
   return { context, color: colorOf };
 }

@@ -9,8 +9,8 @@ const [WAVELENGTHS_PER_PIXEL, MIN_WAVELENGTHS_PER_PATH] = [64, 16];
 
 /** Returns the factory of the sensor for each sample of a pixel, given the sample's random numbers. */
 export function sensorsOf(settings: RenderSettings, samples = WAVELENGTHS_PER_PIXEL): (random: Random) => Sensor {
-  if (settings.colors === 'approximate') {
-    const sensor = rgbSensor(settings);
+  if (settings.colors !== 'spectral') {
+    const sensor = rgbSensor(settings.colors, settings);
     return () => sensor;
   }
   const count = 2 ** Math.ceil(Math.log2(Math.max(WAVELENGTHS_PER_PIXEL / samples, MIN_WAVELENGTHS_PER_PATH)));

@@ -7,23 +7,24 @@ import { observerTexels } from '../../shaders/tables/observerTable.ts';
 import { spectrumTable } from '../../shaders/tables/spectrumTable.ts';
 import type { DopplerTable } from '../../spectrum/doppler/dopplerTable.ts';
 import { type FilteredBlackbody, filteredBlackbodyTable } from '../../spectrum/doppler/filterPairs.ts';
+import { RGB_COLOR_MODES, type RgbColorMode } from '../../spectrum/doppler/rgbShifts.ts';
 import { thermalTable } from '../../spectrum/doppler/thermalTable.ts';
 import { DaylightColumns, DaylightTable } from './daylightTable.ts';
 import { coloredLights, domeSpectrumKind, spectrumKindOf } from './lightSpectra.ts';
 import type { ColorPipeline } from './radiance.ts';
 import { type SpectralTables, spectralPipeline } from './spectralPipeline.ts';
-import { restPipeline, tintPipeline, unshiftedPipeline } from './srgbPipelines.ts';
+import { restPipeline, rgbShiftPipeline, unshiftedPipeline } from './srgbPipelines.ts';
 
 /**
  * How colours are computed in compiled passes. By spectra: `spectral`; `physical` if the whole shift applies to colours and brightness, which needs no
- * powers; `resting` if nothing is shifted and all light is daylight. By a tint: `approximate`; `plain` if nothing is shifted.
+ * powers; `resting` if nothing is shifted and all light is daylight. Without spectra: by the mode's shift; `plain` if nothing is shifted.
  */
-export type ColorVariant = 'spectral' | 'physical' | 'resting' | 'approximate' | 'plain';
+export type ColorVariant = 'spectral' | 'physical' | 'resting' | RgbColorMode | 'plain';
 
 /** The variant for these settings. Code for shifts is left out where none is shown, because a software GPU pays for it even then. */
 export function colorVariantOf({ view, colors, dopplerMix, beaming }: RenderSettings, scene: Scene): ColorVariant {
   const isShifted = VIEWS[view].luminous && (dopplerMix > 0 || beaming > 0);
-  if (colors === 'approximate') return isShifted ? 'approximate' : 'plain';
+  if (colors !== 'spectral') return isShifted ? colors : 'plain';
   if (isShifted) return dopplerMix === 1 && beaming === 1 ? 'physical' : 'spectral';
   const daylight =
     domeSpectrumKind(sceneDome(scene)) === 'daylight' &&
@@ -31,6 +32,9 @@ export function colorVariantOf({ view, colors, dopplerMix, beaming }: RenderSett
     !scene.materials.some(isGlowing);
   return daylight ? 'resting' : 'spectral';
 }
+
+const isRgbMode = (variant: ColorVariant): variant is RgbColorMode =>
+  (RGB_COLOR_MODES as readonly string[]).includes(variant);
 
 const isGlowing = ({ emissionTemperature }: Scene['materials'][number]): boolean => emissionTemperature !== undefined;
 
@@ -46,7 +50,7 @@ export class ColorPipelines {
   pipeline(variant: ColorVariant, scene: Scene, atlas: HalfAtlas): ColorPipeline {
     const { materials } = scene;
     const glowing = materials.some(isGlowing);
-    if (variant === 'approximate') return tintPipeline(glowing);
+    if (isRgbMode(variant)) return rgbShiftPipeline(variant, glowing);
     if (variant === 'plain' || variant === 'resting')
       return variant === 'plain' ? unshiftedPipeline(glowing) : restPipeline(hasDomeLight(scene));
     const layers = materials.some(({ uv, ir }) => uv !== undefined || ir !== undefined) ? 4 : 3;

@@ -25,11 +25,13 @@ export function domeSpectrumKind(dome: DomeLight): SpectrumKind {
   return dome.spectrum && kind === 'daylight' ? 'thermal' : kind;
 }
 
-/** The factor of a light's spectrum, for each colour mode; in approximate mode its colour at rest. */
+/** The factor of a light's spectrum, for each colour mode; in those without spectra its colour at rest. */
 export type LightColors = Readonly<Record<ColorMode, Vec3>>;
 
 export const lightColorsOf = ({ color, spectrum = DAYLIGHT }: SpectrumLight): LightColors => ({
   approximate: color,
+  'two-wavelengths': color,
+  'shifted-primaries': color,
   spectral: spectrum === DAYLIGHT ? color : lightFilter(color, spectrum).rgb,
 });
 

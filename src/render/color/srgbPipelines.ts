@@ -1,7 +1,9 @@
 import { abs, exp2, If, vec3, vec4 } from 'three/tsl';
 import { dopplerTint } from '../../shaders/color/dopplerTint.ts';
 import { glowColor } from '../../shaders/color/glowColor.ts';
+import { primaryShift, twoWavelengthShift } from '../../shaders/color/historicalShifts.ts';
 import type { Float, Vec3 } from '../../shaders/types.ts';
+import type { RgbColorMode } from '../../spectrum/doppler/rgbShifts.ts';
 import { DAYLIGHT } from '../../spectrum/sources/lightSpectrum.ts';
 import type { FrameUniforms } from '../gpu/frameUniforms.ts';
 import { overlapSum } from './overlapSum.ts';
@@ -62,13 +64,19 @@ export const restPipeline =
 /** For variants without any shift. */
 export const unshiftedPipeline = (glowing: boolean): ColorPipeline => srgbPipeline((rgb) => rgb, glowing);
 
-/** Approximate colours: a shift is a tint (spectrum/doppler/dopplerTint.ts). Colour and brightness follow D by the fractions in the settings. */
-export const tintPipeline = (glowing: boolean): ColorPipeline =>
+const SHIFTS: Readonly<Record<RgbColorMode, (rgb: Vec3, D: Float, amount: Float) => Vec3>> = {
+  approximate: dopplerTint,
+  'two-wavelengths': twoWavelengthShift,
+  'shifted-primaries': primaryShift,
+};
+
+/** Colours without spectra (spectrum/doppler/rgbShifts.ts). Colour and brightness follow D by the fractions in the settings. */
+export const rgbShiftPipeline = (mode: RgbColorMode, glowing: boolean): ColorPipeline =>
   srgbPipeline((rgb, D, power, uniforms) => {
     const light = rgb.toVar();
     const factor = D.toVar();
     If(abs(factor.sub(1)).greaterThan(MIN_SHIFT), () => {
-      light.assign(dopplerTint(light, factor, uniforms.dopplerMix).mul(beamingFactor(factor, power, uniforms)));
+      light.assign(SHIFTS[mode](light, factor, uniforms.dopplerMix).mul(beamingFactor(factor, power, uniforms)));
     });
     return light;
   }, glowing);

@@ -45,17 +45,22 @@ export const SETTINGS = {
     perBuffer: true,
     header: { place: 2, when: 'changed' },
   },
-  /** `spectral`: light has spectra, and Doppler shift acts on wavelengths. `approximate`: light is linear sRGB, and a shift is a tint (dopplerTint.ts). */
+  /** `spectral`: light has spectra, and Doppler shift acts on wavelengths. the others: light is linear sRGB, and a shift changes its three channels (rgbShifts.ts). */
   colors: {
     kind: 'choice',
     title: msg`Colours`,
-    help: msg`Spectral: light has spectra, and Doppler shift acts on wavelengths. Approximate: a simple tint, for comparison.`,
+    help: msg`Spectral: light has spectra, and Doppler shift acts on wavelengths. The others are for comparison: a simple tint, and the methods of two earlier programs.`,
     default: 'spectral',
-    options: { spectral: msg`Spectral`, approximate: msg`Approximate` },
+    options: {
+      spectral: msg`Spectral`,
+      approximate: msg`Approximate`,
+      'two-wavelengths': msg`Two wavelengths (historical)`,
+      'shifted-primaries': msg`Shifted primaries (historical)`,
+    },
     nodes: ['relativity-rasterize'],
     flag: {
       value: 'how',
-      help: msg`how Doppler shifts change colours: by spectra, or by a simple tint for comparison`,
+      help: msg`how Doppler shifts change colours: by spectra, or for comparison by a simple tint or the methods of two earlier programs`,
     },
     perBuffer: true,
     header: { place: 3, when: 'light' },

@@ -3,6 +3,7 @@ import type { ToneMapping } from '../../spectrum/display/toneMap.ts';
 import * as spectrum from '../../spectrum/index.ts';
 import { dopplerTint } from '../color/dopplerTint.ts';
 import { glowColor } from '../color/glowColor.ts';
+import { primaryShift, twoWavelengthShift } from '../color/historicalShifts.ts';
 import { toneMapAgx, toneMapLinear, toneMapNeutral } from '../color/toneMap.ts';
 import { absolute, always } from './checks.ts';
 import { casesOf, logUniform, vec3At } from './inputs.ts';
@@ -65,8 +66,29 @@ const toneMapTwin = (name: string, tone: ToneMapping, gpu: typeof toneMapNeutral
   checks: [absolute('rgb', 0, 3, always(tone === 'agx' ? 5e-5 : 1e-5))],
 });
 
+const historicalTwin = (
+  name: 'twoWavelengthShift' | 'primaryShift',
+  cpu: typeof spectrum.twoWavelengthShift,
+  gpu: typeof twoWavelengthShift,
+  error: number,
+): Twin => ({
+  name,
+  texels: 2,
+  outputs: 1,
+  cases: (random) =>
+    casesOf([{ name: 'D 0.3 … 3', gamma: 1 }], 400, () => [
+      ...[random(), random(), random(), logUniform(random, 0.3, 3)],
+      ...[random(), 0, 0, 0],
+    ]),
+  cpu: (input) => [...cpu(vec3At(input, 0), input[3], input[4]), 0],
+  gpu: (texel) => [vec4(gpu(texel(0).xyz, texel(0).w, texel(1).x), 0)],
+  checks: [absolute('rgb', 0, 3, always(error))],
+});
+
 export const colorTwins: readonly Twin[] = [
   dopplerTintTwin,
+  historicalTwin('twoWavelengthShift', spectrum.twoWavelengthShift, twoWavelengthShift, 1e-3),
+  historicalTwin('primaryShift', spectrum.primaryShift, primaryShift, 1e-4),
   glowColorTwin,
   toneMapTwin('toneMapNeutral', 'neutral', toneMapNeutral),
   toneMapTwin('toneMapAgx', 'agx', toneMapAgx),

@@ -1,0 +1,12 @@
+import type { Vec3 } from '../../math/vec3.ts';
+import { dopplerTint } from './dopplerTint.ts';
+import { primaryShift, twoWavelengthShift } from './historicalShifts.ts';
+
+/** Colour modes without spectra: light is linear sRGB, and a Doppler shift by D^mix changes its colour, without the D⁴ of beaming. */
+export const RGB_SHIFTS = {
+  approximate: dopplerTint,
+  'two-wavelengths': twoWavelengthShift,
+  'shifted-primaries': primaryShift,
+} as const satisfies Readonly<Record<string, (rgb: Vec3, D: number, mix: number) => Vec3>>;
+export type RgbColorMode = keyof typeof RGB_SHIFTS;
+export const RGB_COLOR_MODES = Object.keys(RGB_SHIFTS) as readonly RgbColorMode[];
