@@ -30,12 +30,15 @@ function angles({ scene, view, settings }: NormalScene, normals: ArrayLike<numbe
 /** For 98 % of the pixels, because of seams, and distant or slanted surfaces where mipmaps matter. */
 const MAX_ERROR = 0.025;
 
-function expectSame(scene: NormalScene, normals: ArrayLike<number>): void {
+/** Without anisotropic filtering SwiftShader interpolates texels of 8 bits in 8 bits: half a step of 1/127.5 is 4 mrad. */
+const SWIFTSHADER_ROUNDING = 0.5 / 127.5;
+
+function expectSame(scene: NormalScene, normals: ArrayLike<number>, rounding = 0): void {
   const found = angles(scene, normals);
   expect(found.length).toBeGreaterThan(60);
   const [half, most] = [0.5, 0.98].map((share) => found[Math.floor(share * found.length)]);
   if (process.env.REPORT) console.log(`${scene.name}: ${half.toExponential(1)} ${most.toExponential(1)}`);
-  expect(half).toBeLessThan(scene.tolerance);
+  expect(half).toBeLessThan(Math.max(scene.tolerance, rounding));
   expect(most).toBeLessThan(MAX_ERROR);
 }
 
@@ -60,6 +63,6 @@ describe('on WebGL2', () => {
   it.each(NORMAL_SCENES)('$name', async (scene) => {
     const normals = await chromium.page.evaluate((name) => window.takeNormals(name), scene.name);
     chromium.assertHealthy();
-    expectSame(scene, normals);
+    expectSame(scene, normals, SWIFTSHADER_ROUNDING);
   });
 });

@@ -8,7 +8,7 @@ import type { Mesh, Motion, Scene, SceneObject, Texture } from '../../../src/sce
 import { perspective } from '../../../src/scene/view/lens.ts';
 import { DEFAULT_SETTINGS, type RenderSettings, type ViewPoint } from '../../../src/scene/view/view.ts';
 
-export const SIZE = 96;
+export const SIZE = 128;
 const C = 10;
 
 /** An object with a normal map, viewed along −Z. */
