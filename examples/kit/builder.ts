@@ -1,6 +1,6 @@
 import { fromParts, type Mat4, multiply } from '../../src/math/mat4.ts';
 import { fromAxisAngle, IDENTITY, type Quat, toMatrix } from '../../src/math/quat.ts';
-import { scale, type Vec3, ZERO } from '../../src/math/vec3.ts';
+import { add, scale, type Vec3, ZERO } from '../../src/math/vec3.ts';
 import { mergeMeshes, transformMesh, withMaterial } from '../../src/scene/mesh/meshOps.ts';
 import type {
   DistantLight,
@@ -107,6 +107,14 @@ export class SceneBuilder {
       authoredIn: 'world',
       ...options,
     });
+  }
+
+  /** Adds the last object once more, with the same mesh, elsewhere; it must be at rest. */
+  copy(path: string, by: Vec3): void {
+    const last = this.objects[this.objects.length - 1];
+    if (last.motion.kind !== 'static') throw new Error(`${path}: ${last.path} is not at rest`);
+    const { position, orientation } = last.motion.pose;
+    this.objects.push({ ...last, path, motion: at(add(position, by), orientation) });
   }
 
   finish(

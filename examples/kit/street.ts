@@ -9,6 +9,8 @@ import { block, column, join, moved, quad, turned } from './parts.ts';
 const ROAD = 5;
 const FRONT = 9;
 const LENGTH = 120;
+/** Distance from a house to its repetition [m]: a little longer than the rows, so that a lane crosses there. */
+const PERIOD = 117;
 
 const schemes: readonly Scheme[] = [
   { wall: '#d9b382', trim: '#efe6d3', door: '#3d5a52', shutter: '#5d7a6b' },
@@ -19,39 +21,43 @@ const schemes: readonly Scheme[] = [
   { wall: '#b98f9b', trim: '#efe3df', door: '#39424e' },
 ];
 
-/** What differs between times of day. */
-export interface StreetLighting {
+/** What differs between streets: the time of day, and how long they are. */
+export interface StreetLook {
   /** Materials of the road, whose uv unit is 10 m, and of the glass of the street lamps. */
   readonly road: number;
   readonly lamp: number;
   /** Material of lit windows; absent: none is lit. */
   readonly glow?: number;
+  /** How often the street is repeated towards −z, with the same meshes; default 0. */
+  readonly repeats?: number;
 }
 
 /** A street of town houses along z with columns, lamps and trees on its pavements. */
-export function street(builder: SceneBuilder, { road, lamp, glow }: StreetLighting): void {
-  ground(builder, road);
-  for (const side of [-1, 1]) row(builder, side, glow);
-  avenue(builder, lamp);
+export function street(builder: SceneBuilder, { road, lamp, glow, repeats = 0 }: StreetLook): void {
+  ground(builder, road, repeats);
+  for (const side of [-1, 1]) row(builder, side, glow, repeats);
+  avenue(builder, lamp, repeats);
 }
 
 /** The road, raised pavements, and grass behind the houses. */
-function ground(builder: SceneBuilder, floor: number): void {
+function ground(builder: SceneBuilder, floor: number, repeats: number): void {
   const grass = builder.material('grass', '#7d9160', { roughness: 1, like: 'leaf' });
   const kerb = builder.material('kerb', '#b7b1a6', { roughness: 0.9 });
   const paving = builder.material('paving', '#ffffff', { texture: slabs(), roughness: 0.9 });
-  const end = LENGTH / 2;
+  const begin = LENGTH / 2;
+  const length = LENGTH + repeats * PERIOD;
+  const end = begin - length;
   builder.object('/World/Road', [
-    paint(quad([-ROAD, 0, end], [ROAD, 0, end], [ROAD, 0, -end], [-ROAD, 0, -end], 1, LENGTH / 10), floor),
+    paint(quad([-ROAD, 0, begin], [ROAD, 0, begin], [ROAD, 0, end], [-ROAD, 0, end], 1, length / 10), floor),
   ]);
   for (const side of [-1, 1]) {
     const width = FRONT - ROAD - 0.25;
-    const walk = block(width, 0.15, LENGTH, 0.5, [side * (ROAD + 0.25 + width / 2), 0, 0]);
-    const stone = block(0.25, 0.16, LENGTH, 1, [side * (ROAD + 0.125), 0, 0]);
+    const walk = block(width, 0.15, length, 0.5, [side * (ROAD + 0.25 + width / 2), 0, (begin + end) / 2]);
+    const stone = block(0.25, 0.16, length, 1, [side * (ROAD + 0.125), 0, (begin + end) / 2]);
     builder.object(`/World/Pavement${side < 0 ? 'Left' : 'Right'}`, [paint(walk, paving), paint(stone, kerb)]);
   }
   const lawn = (x0: number, x1: number) =>
-    quad([x0, -0.03, end], [x1, -0.03, end], [x1, -0.03, -end], [x0, -0.03, -end]);
+    quad([x0, -0.03, begin], [x1, -0.03, begin], [x1, -0.03, end], [x0, -0.03, end]);
   builder.object(
     '/World/Grass',
     [lawn(-60, -FRONT), lawn(FRONT, 60)].map((m) => paint(m, grass)),
@@ -67,7 +73,7 @@ function slabs() {
   return canvas.grain(0.03, 2).texture('slabs');
 }
 
-function row(builder: SceneBuilder, side: number, glow: number | undefined): void {
+function row(builder: SceneBuilder, side: number, glow: number | undefined, repeats: number): void {
   const roof = builder.material('roof', '#ffffff', {
     texture: roofTiles(side < 0 ? '#9c5b45' : '#6d6a70', `roof_${side < 0 ? 'left' : 'right'}`),
     roughness: 0.9,
@@ -98,13 +104,19 @@ function row(builder: SceneBuilder, side: number, glow: number | undefined): voi
       100 * (side + 2) + i,
     );
     const m = place([side * FRONT, 0, z - style.width / 2], side < 0 ? Math.PI / 2 : -Math.PI / 2);
-    builder.object(`/World/${name}`, placePart(part, m));
+    repeated(builder, `/World/${name}`, placePart(part, m), repeats);
     z -= style.width + (i % 3 === 2 ? 3.2 : 0.06);
   }
 }
 
+/** An object, and the same again every `PERIOD` along the street. */
+function repeated(builder: SceneBuilder, path: string, part: Part, repeats: number): void {
+  builder.object(path, part);
+  for (let k = 1; k <= repeats; k++) builder.copy(`${path}_${k}`, [0, 0, -PERIOD]);
+}
+
 /** Columns, lamps and trees along both pavements. */
-function avenue(builder: SceneBuilder, lamp: number): void {
+function avenue(builder: SceneBuilder, lamp: number, repeats: number): void {
   const marble = builder.material('marble', '#e9e4d8', { roughness: 0.55 });
   const iron = builder.material('iron', '#2d3234', { roughness: 0.5, metallic: 0.6 });
   const bark = builder.material('bark', '#6b5442', { roughness: 1 });
@@ -118,15 +130,10 @@ function avenue(builder: SceneBuilder, lamp: number): void {
     for (let k = 0; k < 6; k++) {
       const z = 45 - 18 * k;
       const label = `${side < 0 ? 'Left' : 'Right'}${k}`;
-      builder.object(`/World/Column${label}`, placePart(columnPart, place([side * 5.9, 0.15, z])));
-      builder.object(
-        `/World/Lamp${label}`,
-        placePart(lampPart, place([side * 5.7, 0.15, z - 9], side < 0 ? 0 : Math.PI)),
-      );
-      builder.object(
-        `/World/Tree${label}`,
-        placePart(tree(bark, leaf, k + 7 * (side + 1)), place([side * 6.9, 0.15, z - 4.5])),
-      );
+      const put = (name: string, part: Part) => repeated(builder, `/World/${name}${label}`, part, repeats);
+      put('Column', placePart(columnPart, place([side * 5.9, 0.15, z])));
+      put('Lamp', placePart(lampPart, place([side * 5.7, 0.15, z - 9], side < 0 ? 0 : Math.PI)));
+      put('Tree', placePart(tree(bark, leaf, k + 7 * (side + 1)), place([side * 6.9, 0.15, z - 4.5])));
     }
 }
 

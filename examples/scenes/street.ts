@@ -17,7 +17,8 @@ function make(): Scene {
     texture: checker('#c9c2b4', '#6f7377', 'floor', 2, 64),
     roughness: 0.85,
   });
-  street(builder, { road, lamp: builder.material('lamp', '#fff4d6', { emissive: '#ffdf9e' }) });
+  // Half a kilometre: room to fly for a minute at the speed of light.
+  street(builder, { road, lamp: builder.material('lamp', '#fff4d6', { emissive: '#ffdf9e' }), repeats: 4 });
   movers(builder);
   const [from, to] = [0, 14];
   const flight = camera({

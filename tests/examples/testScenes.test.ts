@@ -2,7 +2,7 @@ import { describe, expect, it } from 'vitest';
 import { openScene } from '../../src/formats/open.ts';
 import { isStatic } from '../../src/scene/motion/motion.ts';
 import type { Scene } from '../../src/scene/types.ts';
-import { files, objectAt, speedOfLight } from './open.ts';
+import { files, objectAt, openExample, speedOfLight } from './open.ts';
 
 const triangles = ({ objects }: Scene): number => objects.reduce((sum, { mesh }) => sum + mesh.indices.length / 3, 0);
 
@@ -67,6 +67,23 @@ describe('boxes', () => {
       expect(isStatic(motion)).toBe(true);
       for (let v = 0; v < mesh.normals.length; v += 3)
         expect([...mesh.normals.subarray(v, v + 3)].map(Math.abs).sort()).toEqual([0, 0, 1]);
+    }
+  });
+});
+
+describe('street', () => {
+  it('goes on for half a kilometre with the meshes of its first houses', async () => {
+    const scene = await openExample('street');
+    for (const name of ['HouseLeft0', 'TreeRight3', 'LampLeft2']) {
+      const all = [`/World/${name}`, ...[1, 2, 3, 4].map((k) => `/World/${name}_${k}`)].map(
+        (path) => scene.objects.find((object) => object.path === path || object.path.startsWith(`${path}/`))!,
+      );
+      for (const { mesh } of all) expect(mesh.positions).toEqual(all[0]?.mesh.positions);
+      const places = all.map(({ motion }) => (motion.kind === 'static' ? motion.pose.position[2] : Number.NaN));
+      places.forEach((z, k) => {
+        expect(z).toBeCloseTo(places[0] - 117 * k, 3);
+      });
+      expect(places[4]).toBeLessThan(-400);
     }
   });
 });
