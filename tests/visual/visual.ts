@@ -2,7 +2,7 @@ import { afterAll, beforeAll, expect } from 'vitest';
 import { createTracedScene, type TracedScene } from '../../src/reference/intersection/tracedScene.ts';
 import type { Scene } from '../../src/scene/types.ts';
 import { speedOfLight } from '../examples/open.ts';
-import { type ErrorTally, MEASURES, type Measure, type Spread, tallyErrors } from './errorTally.ts';
+import { ALBEDO_UNFIT, type ErrorTally, MEASURES, type Measure, type Spread, tallyErrors } from './errorTally.ts';
 import type { TestView } from './frames.ts';
 import { PixelOracle } from './pixelOracle.ts';
 import { allPixels, type Size } from './pixels.ts';
@@ -26,8 +26,6 @@ const LIMITS: Record<Measure, Spread> = {
   'changing doppler': { most: 0.1, worst: 0.25 },
   'changing velocity': { most: 0.12, worst: 0.25 },
 };
-/** Fraction of base colours allowed outside their neighbourhood: mipmaps and anisotropic filters differ between GPUs. */
-const ALBEDO_UNFIT = 0.02;
 
 /** Opens both backends for the tests of a file, and closes them. */
 export function withRasterizers(): readonly TestRasterizer[] {
