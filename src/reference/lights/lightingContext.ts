@@ -42,6 +42,8 @@ export interface TracedLight {
 /** The background, for an observer at rest in the world. */
 export interface Sky {
   radiance(n: Vec3, context: SpectralContext): SampledRadiance;
+  /** Whether the camera sees `radiance`; stars are drawn as points instead. */
+  readonly isSeen: boolean;
   /** The discs of distant lights and the glow around them. */
   sunDiscs(n: Vec3, context: SpectralContext): SampledRadiance;
   readonly sampler?: SkySampler;

@@ -111,8 +111,9 @@ function nextHit(lighting: LightingContext, beam: RaySegment, { isCameraPath }: 
 
 function skyLight({ sky }: LightingContext, n: Vec3, path: PathState): SampledRadiance {
   return receivedLight(path, n, WORLD_FRAME, RADIANCE_POWER, ({ context }) => {
-    const light = sky.radiance(n, context);
-    return path.includesSunDiscs ? plus(light, sky.sunDiscs(n, context)) : light;
+    if (!path.includesSunDiscs) return sky.radiance(n, context);
+    const discs = sky.sunDiscs(n, context);
+    return sky.isSeen ? plus(sky.radiance(n, context), discs) : discs;
   });
 }
 

@@ -1,6 +1,12 @@
 import { sqrt } from 'three/tsl';
 import { toHalf } from '../../math/half.ts';
-import { LOBE_TABLE_SIZE, type LobeParts, lobeTables, type SpecularLobe } from '../../scene/materials/specularLobe.ts';
+import {
+  LOBE_TABLE_SIZE,
+  type LobeCore,
+  type LobeParts,
+  lobeTables,
+  type SpecularLobe,
+} from '../../scene/materials/specularLobe.ts';
 import type { HalfAtlas } from '../../shaders/tables/halfAtlas.ts';
 import type { Float, Vec4 } from '../../shaders/types.ts';
 
@@ -10,6 +16,7 @@ export type LobeNodes = NodesOf<SpecularLobe>;
 /** Reads what is tabulated for `NV` and a roughness, both at most 1. */
 export interface LobeTable {
   at(NV: Float, roughness: Float): LobeNodes;
+  core(NV: Float, roughness: Float): NodesOf<LobeCore>;
   parts(NV: Float, roughness: Float): NodesOf<LobeParts>;
 }
 
@@ -28,6 +35,10 @@ export function lobeTable(atlas: HalfAtlas): LobeTable {
     at: (NV, roughness) => {
       const { x, y, z } = read('lobes', NV, roughness);
       return { scale: x, bias: y, cosine: z };
+    },
+    core: (NV, roughness) => {
+      const { x, y, z } = read('core', NV, roughness);
+      return { share: x, cosine: y, width: z };
     },
     parts: (NV, roughness) => {
       const { x, y, z, w } = read('parts', NV, roughness);

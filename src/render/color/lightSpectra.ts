@@ -21,6 +21,7 @@ export const spectrumKindOf = ({ spectrum = DAYLIGHT }: { readonly spectrum?: Li
  * thermal light like others.
  */
 export function domeSpectrumKind(dome: DomeLight): SpectrumKind {
+  if (dome.blackbodies) return 'thermal';
   const kind = spectrumKindOf(dome);
   return dome.spectrum && kind === 'daylight' ? 'thermal' : kind;
 }
@@ -28,7 +29,10 @@ export function domeSpectrumKind(dome: DomeLight): SpectrumKind {
 /** The factor of a light's spectrum, for each colour mode; in those without spectra its colour at rest. */
 export type LightColors = Readonly<Record<ColorMode, Vec3>>;
 
-export const lightColorsOf = ({ color, spectrum = DAYLIGHT }: SpectrumLight): LightColors => ({
+export const lightColorsOf = ({
+  color,
+  spectrum = DAYLIGHT,
+}: Pick<SpectrumLight, 'color' | 'spectrum'>): LightColors => ({
   approximate: color,
   'two-wavelengths': color,
   'shifted-primaries': color,
@@ -79,7 +83,7 @@ export function coloredLightIndex(light: SpectrumLight, lights: readonly Filtere
  * table.
  */
 export function spectrumParametersOf(
-  { spectrum = DAYLIGHT }: SpectrumLight,
+  { spectrum = DAYLIGHT }: Pick<SpectrumLight, 'spectrum'>,
   lines: LineTable,
 ): readonly [number, number] {
   if (spectrum.kind !== 'thermal') return lines.add(spectrum);

@@ -1,5 +1,5 @@
 import { isDistantLight, isLocalLight } from '../../scene/lights/lightKinds.ts';
-import { directLights, sceneDome, sceneNightSky } from '../../scene/lights/sceneLights.ts';
+import { directLights, sceneDome, sceneNightSky, showsDome } from '../../scene/lights/sceneLights.ts';
 import type { ColorMode } from '../../scene/settings/settings.ts';
 import type { Scene } from '../../scene/types.ts';
 import type { HalfAtlas } from '../../shaders/tables/halfAtlas.ts';
@@ -23,8 +23,9 @@ export class Environment {
   readonly localLights: LightTable;
   /** Of the surfaces that they shine on. */
   readonly lobes: LobeTable;
-  /** The scene's dome, or a clear day's. */
+  /** The scene's dome, a clear day's, or that of starlight, which is not seen itself. */
   private readonly sky: DomeSky;
+  private readonly showsDome: boolean;
   /** In the order in which what surfaces reflect of them is added. */
   private readonly sets: { readonly [R in LightReach]: LightSet };
 
@@ -37,6 +38,7 @@ export class Environment {
     this.distantLights = new DistantLightTable(direct.filter(isDistantLight), colored, lines, table);
     this.localLights = new LightTable(direct.filter(isLocalLight), colored, lines, table);
     this.sky = new DomeSky(sceneDome(scene), lines, atlas);
+    this.showsDome = showsDome(scene);
     this.sets = {
       distant: this.distantLights,
       local: this.localLights,
@@ -58,7 +60,8 @@ export class Environment {
   /** Adds what is seen behind everything: the sky, then the other lights. */
   addBackground(pixel: SkyPixel, uniforms: FrameUniforms, accumulator: RadianceAccumulator): void {
     const { sky, ...others } = this.sets;
-    for (const lights of [sky, ...Object.values(others)]) lights.addBackground(pixel, uniforms, accumulator);
+    const seen = Object.values(others);
+    for (const lights of this.showsDome ? [sky, ...seen] : seen) lights.addBackground(pixel, uniforms, accumulator);
   }
 
   dispose(): void {

@@ -1,6 +1,6 @@
 import type { Quat } from '../../math/quat.ts';
 import type { Vec3 } from '../../math/vec3.ts';
-import type { LightSpectrum } from '../../spectrum/sources/lightSpectrum.ts';
+import type { LightSpectrum, ThermalSpectrum } from '../../spectrum/sources/lightSpectrum.ts';
 import type { RadianceTexture, Texture } from '../materials/texture.ts';
 import type { Lifetime, RigidMotion } from '../motion/motionTypes.ts';
 import type { Stars } from '../stars/brightStars.ts';
@@ -96,6 +96,8 @@ export interface DomeLight {
   readonly color: Vec3;
   /** Its spectrum in its own frame; daylight if absent. */
   readonly spectrum?: LightSpectrum;
+  /** Instead of that, blackbodies whose light it is together, as starlight is. Their colours are factors. */
+  readonly blackbodies?: readonly { readonly color: Vec3; readonly spectrum: ThermalSpectrum }[];
   /** Colours at the horizon and below; `color` is that of the zenith. Without gradient and texture the dome is uniform. */
   readonly gradient?: SkyGradient;
   /** Latitude–longitude map of all directions (latLong.ts). */
@@ -110,7 +112,7 @@ export interface SkyGradient {
   /** Linear sRGB radiance. */
   readonly ground: Vec3;
 }
-/** The fixed stars before the cosmic background. They are seen, but too faint to light surfaces. */
+/** The fixed stars before the cosmic background. Where the scene has no dome light, their light shines on surfaces. */
 export interface NightSky {
   readonly kind: 'stars';
   /** Prim path, unique. */

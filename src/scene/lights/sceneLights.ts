@@ -1,6 +1,7 @@
 import { radians } from '../../math/angle.ts';
 import { normalize, type Vec3 } from '../../math/vec3.ts';
 import { spectrumOfColor } from '../../spectrum/color/spectrumOfColor.ts';
+import { starDome } from '../stars/starDome.ts';
 import type { Scene } from '../types.ts';
 import type { DistantLight, DomeLight, Light, LocalLight, NightSky } from './light.ts';
 import { isDistantLight, isDomeLight, isLocalLight, isNightSky } from './lightKinds.ts';
@@ -50,9 +51,15 @@ function withSpectrum(light: DirectLight): DirectLight {
   return made;
 }
 
-/** The dome light; a clear day's sky if there is none, or darkness under a night sky. */
-export const sceneDome = ({ lights }: Pick<Scene, 'lights'>): DomeLight =>
-  lights.find(isDomeLight) ?? (sceneNightSky({ lights }) ? DARKNESS : DAY_SKY);
+/** The dome light; without one the light of the stars under a night sky, or else a clear day's sky. */
+export function sceneDome({ lights }: Pick<Scene, 'lights'>): DomeLight {
+  const night = sceneNightSky({ lights });
+  return lights.find(isDomeLight) ?? (night ? starDome(night) : DAY_SKY);
+}
+
+/** Whether the dome is seen behind everything. That of a night sky only lights things: its stars are drawn as points. */
+export const showsDome = ({ lights }: Pick<Scene, 'lights'>): boolean =>
+  lights.some(isDomeLight) || !sceneNightSky({ lights });
 
 /** The colours of a clear day's sky as a backdrop: those of the scene's own gradient, else of the default sky. */
 export function backdropColors({ lights }: Pick<Scene, 'lights'>): SkyColors {
@@ -62,9 +69,6 @@ export function backdropColors({ lights }: Pick<Scene, 'lights'>): SkyColors {
 
 /** Whether the scene has a dome of its own, which may be reddened as at dusk. */
 export const hasDomeLight = ({ lights }: Pick<Scene, 'lights'>): boolean => lights.some(isDomeLight);
-
-/** The dome under a night sky. */
-const DARKNESS: DomeLight = { kind: 'dome', path: '', color: [0, 0, 0] };
 
 /** The night sky, if the scene has one. */
 export const sceneNightSky = ({ lights }: Pick<Scene, 'lights'>): NightSky | undefined => lights.find(isNightSky);

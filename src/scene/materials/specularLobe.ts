@@ -7,7 +7,14 @@ export interface SpecularLobe {
   readonly cosine: number;
 }
 
-/** The same lobe as a sum: a cone, and a wide part about the normal. Mean and second moments are the lobe's. */
+/** The middle of the same lobe, as a cone: the share of light in it, and the cone as that of `LobeParts`. */
+export interface LobeCore {
+  readonly share: number;
+  readonly cosine: number;
+  readonly width: number;
+}
+
+/** The rest of the lobe as a sum: a cone, and a wide part about the normal. Mean and second moments are those of the rest. */
 export interface LobeParts {
   /** Share of the wide part, and the share of Lambert's cosine in it; the rest of it is the same in all directions. */
   readonly wide: number;
@@ -17,7 +24,7 @@ export interface LobeParts {
   readonly width: number;
 }
 
-type LobeTables = { readonly lobes: Float64Array; readonly parts: Float64Array };
+type LobeTables = { readonly [T in 'lobes' | 'core' | 'parts']: Float64Array };
 
 /** The table's axes: √(N·V) and roughness, both 0 … 1. */
 export const LOBE_TABLE_SIZE = { columns: 24, rows: 20 } as const;
@@ -31,7 +38,7 @@ const STEPS = { radius: 48, angle: 12 } as const;
 
 let tables: LobeTables | undefined;
 
-/** `SpecularLobe` and `LobeParts` row after row of roughness, 4 numbers each; integrated on first use. */
+/** `SpecularLobe`, `LobeCore` and `LobeParts` row after row of roughness, 4 numbers each; integrated on first use. */
 export function lobeTables(): LobeTables {
   tables ??= integrateTables();
   return tables;
@@ -57,21 +64,23 @@ export function specularLobe(NV: number, roughness: number): SpecularLobe {
 
 function integrateTables(): LobeTables {
   const { columns, rows } = LOBE_TABLE_SIZE;
-  const [lobes, parts] = [0, 1].map(() => new Float64Array(CHANNELS * columns * rows));
+  const [lobes, core, parts] = [0, 1, 2].map(() => new Float64Array(CHANNELS * columns * rows));
   for (let row = 0; row < rows; row++)
     for (let column = 0; column < columns; column++) {
       const NV = Math.max((column / (columns - 1)) ** 2, 1e-4);
-      const { scale, bias, moments } = integrateLobe(NV, row / (rows - 1));
+      const { scale, bias, cosine: mean, middle, rest } = integrateLobe(NV, row / (rows - 1));
       const at = CHANNELS * (row * columns + column);
-      lobes.set([scale, bias, moments.up / Math.hypot(moments.along, moments.up)], at);
-      const { wide, lambert, cosine, width } = partsOf(moments, NV);
+      lobes.set([scale, bias, mean], at);
+      core.set(coreOf(middle, rest), at);
+      const { wide, lambert, cosine, width } = partsOf(meanOf(rest), NV);
       parts.set([wide, lambert, cosine, width], at);
     }
-  return { lobes, parts };
+  return { lobes, core, parts };
 }
 
-/** Means over a lobe of the components of its directions, along the normal (up) and along the mirrored ray across it, and of their products. */
+/** Sums over a lobe, or means: of the components of its directions, along the normal (up) and along the mirrored ray across it, and of their products. */
 interface LobeMoments {
+  readonly weight: number;
   readonly up: number;
   readonly along: number;
   readonly upUp: number;
@@ -90,7 +99,9 @@ function integrateLobe(NV: number, roughness: number) {
   // V in the space in which the microsurface is a hemisphere, in the plane of N and V.
   const stretched = Math.hypot(a * level, NV);
   const [vx, vz] = [(a * level) / stretched, NV / stretched];
-  let [scale, bias, up, along, upUp, alongAlong, upAlong] = [0, 0, 0, 0, 0, 0, 0];
+  let [scale, bias, up, along] = [0, 0, 0, 0];
+  const [middle, rest] = [{ ...NOTHING }, { ...NOTHING }];
+  const limit = 1 / Math.max(a, MIN_LOBE_ROUGHNESS ** 2) - 1;
   for (let i = 0; i < STEPS.radius; i++)
     for (let j = 0; j < STEPS.angle; j++) {
       // Dense towards the rim, where light leaves at grazing angles.
@@ -101,7 +112,8 @@ function integrateLobe(NV: number, roughness: number) {
       const x = r * Math.cos(phi);
       const y = ((1 - vz) / 2) * Math.sqrt(1 - x * x) + ((1 + vz) / 2) * r * Math.sin(phi);
       const z = Math.sqrt(Math.max(0, 1 - x * x - y * y));
-      const [hx, hy, hz] = [a * (z * vx - y * vz), a * x, Math.max(z * vz + y * vx, 1e-9)];
+      const [sx, hz] = [z * vx - y * vz, Math.max(z * vz + y * vx, 1e-9)];
+      const [hx, hy] = [a * sx, a * x];
       const length = Math.hypot(hx, hy, hz);
       const VH = (level * hx + NV * hz) / length;
       const NL = (2 * VH * hz) / length - NV;
@@ -114,20 +126,48 @@ function integrateLobe(NV: number, roughness: number) {
       bias += weight * grazing;
       up += weight * NL;
       along += weight * across;
-      upUp += weight * NL * NL;
-      alongAlong += weight * across * across;
-      upAlong += weight * NL * across;
+      const inside = shareOfCones((sx * sx + x * x) / (hz * hz), limit);
+      for (const [sums, share] of [
+        [middle, weight * inside],
+        [rest, weight * (1 - inside)],
+      ] as const) {
+        sums.weight += share;
+        sums.up += share * NL;
+        sums.along += share * across;
+        sums.upUp += share * NL * NL;
+        sums.alongAlong += share * across * across;
+        sums.upAlong += share * NL * across;
+      }
     }
   const count = STEPS.radius * STEPS.angle;
-  const all = scale + bias;
-  const moments: LobeMoments = {
-    up: up / all,
-    along: along / all,
-    upUp: upUp / all,
-    alongAlong: alongAlong / all,
-    upAlong: upAlong / all,
-  };
-  return { scale: scale / count, bias: bias / count, moments };
+  return { scale: scale / count, bias: bias / count, cosine: up / Math.hypot(up, along), middle, rest };
+}
+
+const NOTHING = { weight: 0, up: 0, along: 0, upUp: 0, alongAlong: 0, upAlong: 0 };
+
+/**
+ * GGX, 1/(1 + x)² of x = (slope/a)², is the mean of the cones 2 max(X − x, 0)/X² over the density 3X²/(1 + X)⁴ of X: the share at x of those with X < `limit`.
+ */
+function shareOfCones(x: number, limit: number): number {
+  if (x >= limit) return 0;
+  const whole = (1 + x) / (1 + limit);
+  return 1 - (3 - 2 * whole) * whole * whole;
+}
+
+const meanOf = ({ weight, ...sums }: LobeMoments): LobeMoments => ({
+  weight: 1,
+  up: sums.up / weight,
+  along: sums.along / weight,
+  upUp: sums.upUp / weight,
+  alongAlong: sums.alongAlong / weight,
+  upAlong: sums.upAlong / weight,
+});
+
+/** The numbers of `LobeCore`. The mean cosine of a cone max(n·axis − c, 0) is (2 + c)/3. */
+function coreOf({ weight, up, along }: LobeMoments, rest: LobeMoments): readonly number[] {
+  const length = Math.hypot(up, along);
+  if (!(length > 0)) return [0, 1, 0];
+  return [weight / (weight + rest.weight), up / length, Math.sqrt(Math.min(Math.max(3 - (3 * length) / weight, 0), 1))];
 }
 
 /** Shares that are tried for the wide part. */

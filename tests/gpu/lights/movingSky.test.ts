@@ -2,7 +2,7 @@ import '../../../src/cli/gpu/nodeShim.ts';
 import { fileURLToPath } from 'node:url';
 import { afterAll, beforeAll, describe, expect, it } from 'vitest';
 import { pumpFrame } from '../../../src/cli/gpu/nodeShim.ts';
-import { IDENTITY } from '../../../src/math/quat.ts';
+import { IDENTITY, rotate } from '../../../src/math/quat.ts';
 import { add, dot, negate, scale, type Vec3, ZERO } from '../../../src/math/vec3.ts';
 import { properVelocity } from '../../../src/physics/lorentz/boost.ts';
 import { aberrate } from '../../../src/physics/optics/aberration.ts';
@@ -16,7 +16,7 @@ import { DAYLIGHT } from '../../../src/spectrum/sources/lightSpectrum.ts';
 import { dome, GREY, lambert, lit } from '../../support/lightKit.ts';
 import { type ModulePage, openModulePage } from '../support/modulePage.ts';
 import { type HeadlessPictures, openPictures } from '../support/openPictures.ts';
-import { MATERIALS, radianceOf, type SeenPoint, SIZE, type SkyFlight, seenPoints } from './movingSkyScenes.ts';
+import { MATERIALS, NIGHT, radianceOf, type SeenPoint, SIZE, type SkyFlight, seenPoints } from './movingSkyScenes.ts';
 
 let headless: HeadlessPictures;
 beforeAll(async () => {
@@ -33,19 +33,32 @@ const DIRECTIONS = Array.from({ length: 2 * ROWS * ROWS }, (_, k): Vec3 => {
   return [level * Math.cos(phi), h, level * Math.sin(phi)];
 });
 
-/** What is seen of white daylight, of luminance 1 at rest, with D. */
-function daylightSeen(D: number): Vec3 {
-  const { color, luminance } = blackbody(DAYLIGHT.temperature * D);
-  return scale(color, luminance);
+/** What is seen with D of a blackbody of T [K], of luminance 1 at rest. */
+function lightSeen(T: number, D: number): Vec3 {
+  const { color, luminance } = blackbody(T * D);
+  return scale(color, luminance / blackbody(T).luminance);
 }
 
-/** What the observer sees of surface points, by the sum over directions: ∫ f cos θ′ L′ dΩ′ with L′ dΩ′ = D⁴ L dΩ/D², then D_out⁴. */
+/** Light of a sky, as parallel beams: the irradiance of what faces them. */
+function beams(sky: SkyFlight['sky']): { n: Vec3; E: Vec3; T: number }[] {
+  if (sky !== 'stars') {
+    const radiance = radianceOf(sky);
+    const area = (4 * Math.PI) / DIRECTIONS.length;
+    return DIRECTIONS.map((n) => ({ n, E: scale(radiance(n), area), T: DAYLIGHT.temperature }));
+  }
+  const { directions, illuminances, temperatures } = NIGHT.stars;
+  return Array.from(illuminances, (E, i) => ({
+    n: rotate(NIGHT.orientation, [directions[3 * i], directions[3 * i + 1], directions[3 * i + 2]]),
+    E: scale([1, 1, 1], E * NIGHT.gain),
+    T: temperatures[i],
+  }));
+}
+
+/** What the observer sees of surface points, by the sum over beams: ∫ f cos θ′ L′ dΩ′ with L′ dΩ′ = D⁴ L dΩ/D², then D_out⁴. */
 function integrals({ sky, material, velocity, spectral }: SkyFlight, points: readonly SeenPoint[]): Vec3[] {
   const { baseColor, metallic, roughness, ior = 1.5 } = MATERIALS[material];
   const u = properVelocity(velocity);
-  const radiance = radianceOf(sky);
-  const cells = DIRECTIONS.map((n) => ({ D: observerDoppler(n, u), L: radiance(n), n: aberrate(n, u) }));
-  const area = (4 * Math.PI) / DIRECTIONS.length;
+  const cells = beams(sky).map(({ n, E, T }) => ({ D: observerDoppler(n, u), E, T, n: aberrate(n, u) }));
   return points.map(({ normal, toward, D: seen }) => {
     const brdf = brdfOf(
       {
@@ -63,11 +76,11 @@ function integrals({ sky, material, velocity, spectral }: SkyFlight, points: rea
       negate(aberrate(toward, u)),
     );
     let sum: Vec3 = ZERO;
-    for (const { D, L, n } of cells) {
+    for (const { D, E, T, n } of cells) {
       if (dot(normal, n) <= 0) continue;
-      const weight = ((evaluateBrdf(brdf, n)?.rgb[0] ?? 0) * area) / D ** 2;
-      const color = spectral ? daylightSeen(D * seen) : scale([1, 1, 1], (D * seen) ** 4);
-      sum = add(sum, [weight * L[0] * color[0], weight * L[1] * color[1], weight * L[2] * color[2]]);
+      const weight = (evaluateBrdf(brdf, n)?.rgb[0] ?? 0) / D ** 2;
+      const color = spectral ? lightSeen(T, D * seen) : scale([1, 1, 1], (D * seen) ** 4);
+      sum = add(sum, [weight * E[0] * color[0], weight * E[1] * color[1], weight * E[2] * color[2]]);
     }
     return sum;
   });
@@ -126,10 +139,14 @@ describe('a ball that flies under a sky', () => {
     { sky: 'sun', material: 'matt', velocity: ACROSS, bound: 0.02 },
     { sky: 'white', material: 'matt', velocity: FAST, spectral: true, bound: 0.005 },
     { sky: 'spot', material: 'matt', velocity: ACROSS, spectral: true, bound: 0.02 },
+    { sky: 'stars', material: 'matt', velocity: [0, 0, 0], spectral: true, bound: 0.02 },
+    { sky: 'stars', material: 'matt', velocity: ACROSS, spectral: true, bound: 0.04 },
     { sky: 'uniform', material: 'rough metal', velocity: ACROSS, bound: 0.02 },
     { sky: 'day', material: 'metal', velocity: ACROSS, bound: 0.02 },
-    { sky: 'clouds', material: 'glossy metal', velocity: ACROSS, bound: 0.03 },
-    { sky: 'white', material: 'metal', velocity: FAST, spectral: true, bound: 0.05 },
+    { sky: 'clouds', material: 'glossy metal', velocity: ACROSS, bound: 0.02 },
+    { sky: 'uniform', material: 'glossy metal', velocity: FAST, bound: 0.02 },
+    { sky: 'day', material: 'metal', velocity: FAST, bound: 0.02 },
+    { sky: 'white', material: 'metal', velocity: FAST, spectral: true, bound: 0.035 },
     { sky: 'white', material: 'metal', velocity: ACROSS, spectral: true, bound: 0.02 },
     { sky: 'uniform', material: 'metal', velocity: [0, 0, 0], bound: 0.005 },
     { sky: 'uniform', material: 'rough metal', velocity: [0, 0, 0], bound: 0.005 },

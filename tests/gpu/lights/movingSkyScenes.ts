@@ -7,7 +7,9 @@ import { DAY_SKY } from '../../../src/scene/lights/sceneLights.ts';
 import { gradientAt } from '../../../src/scene/lights/skyGradient.ts';
 import { sampleTexture } from '../../../src/scene/materials/sampleTexture.ts';
 import { plane, sphere } from '../../../src/scene/mesh/primitives.ts';
-import type { DomeLight, Material } from '../../../src/scene/types.ts';
+import { brightStars } from '../../../src/scene/stars/brightStars.ts';
+import { EQUATORIAL } from '../../../src/scene/stars/equatorial.ts';
+import type { DomeLight, Material, NightSky } from '../../../src/scene/types.ts';
 import { perspective } from '../../../src/scene/view/lens.ts';
 import type { RenderSettings, ViewPoint } from '../../../src/scene/view/view.ts';
 import { dome, GREY, lambert, lit, mirror } from '../../support/lightKit.ts';
@@ -57,6 +59,14 @@ export const SKIES = {
 } as const satisfies Record<string, DomeLight>;
 export type SkyName = keyof typeof SKIES;
 
+export const NIGHT: NightSky = {
+  kind: 'stars',
+  path: '/Stars',
+  stars: brightStars(),
+  orientation: EQUATORIAL,
+  gain: 1e4,
+};
+
 export const MATERIALS = {
   matt: lambert(0.8),
   'rough metal': mirror({ roughness: 1 }),
@@ -66,7 +76,7 @@ export const MATERIALS = {
 export type MaterialName = keyof typeof MATERIALS;
 
 export interface SkyFlight {
-  readonly sky: SkyName;
+  readonly sky: SkyName | 'stars';
   readonly material: MaterialName;
   /** [c] */
   readonly velocity: Vec3;
@@ -92,7 +102,8 @@ export async function seenPoints(
   // Light from the middle has been under way for 3 s.
   const motion = { kind: 'uniform', pose: { position: scale(velocity, 3), orientation: IDENTITY }, velocity } as const;
   const mesh = plate ? plane(1.5, 1.5) : sphere(1, { segments: 64, rings: 32 });
-  const { scene } = lit([{ mesh, material: MATERIALS[material], motion }], [SKIES[sky]]);
+  const things = [{ mesh, material: MATERIALS[material], motion }];
+  const { scene } = lit(things, sky === 'stars' ? [] : [SKIES[sky]]);
   const view: ViewPoint = { t: 0, position: [0, 0, 3], u: ZERO, orientation: IDENTITY, lens: perspective(0.8) };
   const settings: RenderSettings = {
     ...GREY,
@@ -100,7 +111,7 @@ export async function seenPoints(
     occlusionRadius: 0,
     ...(spectral && { colors: 'spectral', dopplerMix: 1 }),
   };
-  await renderer.setScene(scene);
+  await renderer.setScene(sky === 'stars' ? { ...scene, lights: [NIGHT] } : scene);
   renderer.render([view], settings, 1);
   const [light, D, normal, position, object] = await Promise.all(
     (['beauty', 'doppler', 'normal', 'position', 'object'] as const).map((name) => renderer.readAov(name)),

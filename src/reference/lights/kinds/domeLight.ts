@@ -13,7 +13,7 @@ import {
   skyParts,
 } from '../../../spectrum/color/scatteredLight.ts';
 import { neutralFilter } from '../../../spectrum/reflectance/filterAlgebra.ts';
-import { plus, type SampledRadiance } from '../../spectral/sampledRadiance.ts';
+import { NO_LIGHT, plus, type SampledRadiance } from '../../spectral/sampledRadiance.ts';
 import { type SourceSpectrum, sourceSpectrumOf } from '../../spectral/sourceSpectrum.ts';
 import type { SpectralContext } from '../../spectral/spectralContext.ts';
 import type { LightTracer } from './lightTracer.ts';
@@ -26,6 +26,7 @@ export const DOME_LIGHT: LightTracer<DomeLight> = {
     const sampler = skySampler(dome);
     return {
       radiance(n, context) {
+        if (dome.blackbodies) return blackbodyLight(color(n)[0], dome.blackbodies, context);
         if (dome.spectrum) return context.emitted(sourceSpectrumOf(color(n), dome.spectrum));
         return isReddened ? reddening(color(n), context) : scattering(color(n), context);
       },
@@ -33,6 +34,17 @@ export const DOME_LIGHT: LightTracer<DomeLight> = {
     };
   },
 };
+
+function blackbodyLight(
+  amount: number,
+  blackbodies: NonNullable<DomeLight['blackbodies']>,
+  context: SpectralContext,
+): SampledRadiance {
+  return blackbodies.reduce(
+    (sum, { color, spectrum }) => plus(sum, context.emitted(sourceSpectrumOf(color, spectrum)), amount),
+    NO_LIGHT,
+  );
+}
 
 /** Daylight plus its blue part scattered by air, so that the filter of the remainder is nearly grey. */
 function scattering(color: Vec3, context: SpectralContext): SampledRadiance {

@@ -22,7 +22,7 @@ import { loopTimes } from '../../shadows/atlas/atlasLookups.ts';
 import type { LightSet, SkyPixel } from '../lightSet.ts';
 import { incidentSpectrumBetween, type RestFrameMotion, WORLD_FRAME } from '../restFrame.ts';
 import { DomeTexture } from '../sky/domeTexture.ts';
-import { RINGS, type SkyMeans, skyLobe } from '../sky/skyLobe.ts';
+import { type LobeCone, type SkyMeans, skyLobe } from '../sky/skyLobe.ts';
 import { GRADIENT_HEIGHTS, gradientMeans, MEAN_RAPIDITIES } from '../sky/skyMeans.ts';
 import type { LitSurface } from './litSurface.ts';
 
@@ -30,6 +30,8 @@ import type { LitSurface } from './litSurface.ts';
 const SHARP_TO_ROUGH = [0.12, 0.3] as const;
 /** Least width of such a cone. */
 const MIN_CONE = 0.1;
+
+const colorUniform = () => uniform(new Color());
 
 /** A dome light on the GPU: of one colour, a gradient from the horizon to the zenith, or a texture. */
 export class DomeSky implements LightSet {
@@ -42,15 +44,24 @@ export class DomeSky implements LightSet {
     skyRise: uniform(new Color()),
     skyBend: uniform(new Color()),
   };
-  private readonly source: SpectralSource;
+  /** With a factor of colour, where there are several. */
+  private readonly sources: readonly {
+    readonly source: SpectralSource;
+    readonly factor?: ReturnType<typeof colorUniform>;
+  }[];
   private readonly dome: DomeLight;
   private readonly texture: DomeTexture | undefined;
   private readonly atlas: HalfAtlas;
   private colorMode: ColorMode | undefined;
 
   constructor(dome: DomeLight, lines: LineTable, atlas: HalfAtlas) {
-    const [x, y] = spectrumParametersOf(dome, lines);
-    this.source = spectralSourceOf(domeSpectrumKind(dome), [float(x), float(y)], lines) ?? SKY_SOURCE;
+    const sourceOf = (light: Pick<DomeLight, 'spectrum'>): SpectralSource => {
+      const [x, y] = spectrumParametersOf(light, lines);
+      return spectralSourceOf(domeSpectrumKind(dome), [float(x), float(y)], lines) ?? SKY_SOURCE;
+    };
+    this.sources = dome.blackbodies?.map((light) => ({ source: sourceOf(light), factor: colorUniform() })) ?? [
+      { source: sourceOf(dome) },
+    ];
     this.dome = dome;
     this.atlas = atlas;
     if (dome.texture) this.texture = new DomeTexture(dome.texture, dome, this.uniforms.zenithColor.rgb, atlas);
@@ -67,9 +78,8 @@ export class DomeSky implements LightSet {
   private addAtRest({ brdf, occlusion, openness, uniforms }: LitSurface, accumulator: RadianceAccumulator): void {
     const { diffuse, specular } = skyReflectance(brdf, openness);
     const { zenith } = uniforms;
-    const incident = { source: this.source, colored: 'picture' } as const;
     const add = (light: gpu.Vec3, reflectance: SpectralFilterNodes): void =>
-      accumulator.addReflected(light, reflectance.mul(occlusion), incident, RADIANCE_POWER);
+      this.addLight(light, reflectance.mul(occlusion), {}, accumulator);
     add(this.irradiance(brdf.N, zenith), diffuse);
     add(this.specular(lobeAxis(brdf, brdf.lobe.cosine), zenith, brdf.roughness), specular);
   }
@@ -85,24 +95,31 @@ export class DomeSky implements LightSet {
     const diffuse = reflectance.diffuse.mul(occlusion).toVar();
     const specular = reflectance.specular.mul(occlusion).toVar();
     const means: SkyMeans = (axis, rapidity, direction) => this.means(axis, rapidity, direction, zenith);
+    const core = brdf.lobes.core(brdf.NV, brdf.roughness);
     const parts = brdf.lobes.parts(brdf.NV, brdf.roughness);
-    const axis = lobeAxis(brdf, parts.cosine).toVar();
+    const axis = lobeAxis(brdf, core.cosine).toVar();
     const rough = smoothstep(...SHARP_TO_ROUGH, brdf.roughness).toVar();
-    const wide = specular.mul(rough.mul(parts.wide)).toVar();
-    const narrow = specular.mul(rough.mul(parts.wide.oneMinus())).toVar();
-    const lobes = [
-      skyLobe({ axis: brdf.N, width: float(1) }, motion, means),
-      skyLobe({ axis, width: max(parts.width, MIN_CONE) }, motion, means),
-    ] as const;
+    const middle = specular.mul(rough.mul(core.share)).toVar();
+    const tails = specular.mul(rough.mul(core.share.oneMinus())).toVar();
+    const wide = tails.mul(parts.wide).toVar();
+    const narrow = tails.sub(wide).toVar();
+    const cones: readonly LobeCone[] = [
+      { axis: brdf.N, width: float(1), rings: 4 },
+      { axis: lobeAxis(brdf, parts.cosine).toVar(), width: max(parts.width, MIN_CONE), rings: 4 },
+      { axis, width: max(core.width, MIN_CONE), rings: 2 },
+    ];
+    const lobes = cones.map((cone) => skyLobe(cone, motion, means));
     const mirrored = rest.out(axis).toVar();
     const mirroredShift = incidentSpectrumBetween(mirrored, rest, WORLD_FRAME).D ?? float(1);
     // A cone of the rest frame is wider by D in the world, and a cone's angle is 2 roughness².
     const sharp = this.specular(mirrored, zenith, clamp(brdf.roughness.mul(sqrt(mirroredShift)), 0, 1)).toVar();
-    loopTimes(int(2 * RINGS + 1), (i) => {
+    const starts = cones.map((_, k) => cones.slice(0, k).reduce((sum, { rings }) => sum + rings, 0));
+    const count = cones.reduce((sum, { rings }) => sum + rings, 1);
+    loopTimes(int(count), (i) => {
       const [D, radiance, share] = [mirroredShift.toVar(), sharp.toVar(), specular.mul(rough.oneMinus()).toVar()];
       lobes.forEach((lobe, k) => {
-        const j = i.sub(int(k * RINGS)).toVar();
-        If(j.greaterThanEqual(int(0)).and(j.lessThan(int(RINGS))), () => {
+        const j = i.sub(int(starts[k])).toVar();
+        If(j.greaterThanEqual(int(0)).and(j.lessThan(int(cones[k].rings))), () => {
           const ring = lobe.ring(j);
           D.assign(ring.D);
           radiance.assign(ring.radiance);
@@ -112,16 +129,29 @@ export class DomeSky implements LightSet {
                   .add(wide.mul(parts.lambert))
                   .mul(ring.weight)
                   .add(wide.mul(parts.lambert.oneMinus()).mul(lobe.evenWeight(j)))
-              : narrow.mul(ring.weight),
+              : (k === 1 ? narrow : middle).mul(ring.weight),
           );
         });
       });
-      accumulator.addReflected(radiance, share, { D, source: this.source, colored: 'picture' }, RADIANCE_POWER);
+      this.addLight(radiance, share, { D }, accumulator);
     });
   }
 
+  private addLight(
+    light: gpu.Vec3,
+    reflectance: SpectralFilterNodes,
+    { D }: { readonly D?: gpu.Float },
+    accumulator: RadianceAccumulator,
+  ): void {
+    for (const { source, factor } of this.sources) {
+      const incident = { ...(D && { D }), source, colored: 'picture' } as const;
+      accumulator.addReflected(factor ? light.mul(factor) : light, reflectance, incident, RADIANCE_POWER);
+    }
+  }
+
   addBackground({ n, angle }: SkyPixel, { zenith }: FrameUniforms, accumulator: RadianceAccumulator): void {
-    accumulator.addEmitted(this.texture ? this.texture.radiance(n, angle) : this.radiance(n, zenith), this.source);
+    const light = (this.texture ? this.texture.radiance(n, angle) : this.radiance(n, zenith)).toVar();
+    for (const { source, factor } of this.sources) accumulator.addEmitted(factor ? light.mul(factor) : light, source);
   }
 
   /** Radiance from the world direction `n` of a sky without a texture (skyGradient.ts). */
@@ -194,6 +224,9 @@ export class DomeSky implements LightSet {
     skyLevel.value.setRGB(...level);
     skyRise.value.setRGB(...rise);
     skyBend.value.setRGB(...bend);
+    this.dome.blackbodies?.forEach(({ color, spectrum }, i) => {
+      this.sources[i].factor?.value.setRGB(...lightColorsOf({ color, spectrum })[mode]);
+    });
   }
 
   dispose(): void {

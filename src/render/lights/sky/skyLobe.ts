@@ -9,9 +9,10 @@ export type SkyMeans = (axis: Vec3, rapidity: Float, direction: Vec3) => { reado
 export interface LobeCone {
   readonly axis: Vec3;
   readonly width: Float;
+  readonly rings: keyof typeof QUADRATURES;
 }
 
-/** A cone's light as it arrives on `RINGS` rings about the direction of motion. */
+/** A cone's light as it arrives on its rings about the direction of motion. */
 export interface SkyLobe {
   /** Its D; its weight in the mean of the rest frame's radiance, D⁴ times that of the world; and the latter. */
   ring(i: Int): { readonly D: Float; readonly weight: Float; readonly radiance: Vec3 };
@@ -19,17 +20,21 @@ export interface SkyLobe {
   evenWeight(i: Int): Float;
 }
 
-export const RINGS = 4;
-/** Gauss–Legendre quadrature of order 4 on 0 … 1. */
-const NODES = [0.0694318442029737, 0.3300094782075719, 0.6699905217924281, 0.9305681557970263] as const;
-const WEIGHTS = [0.1739274225687269, 0.3260725774312731, 0.3260725774312731, 0.1739274225687269] as const;
+/** Gauss–Legendre quadratures on 0 … 1, by the number of rings. */
+const QUADRATURES = {
+  2: { nodes: [0.2113248654051871, 0.7886751345948129, 0.5, 0.5], weights: [0.5, 0.5, 0, 0] },
+  4: {
+    nodes: [0.0694318442029737, 0.3300094782075719, 0.6699905217924281, 0.9305681557970263],
+    weights: [0.1739274225687269, 0.3260725774312731, 0.3260725774312731, 0.1739274225687269],
+  },
+} as const;
 
 /**
  * What a moving surface receives of the sky within a cone (docs/physics.md §6.8). In the world, D(n′·axis − c) is linear in n: N·n + N⁰ with the boosted
  * four-vector (−c, axis). So on a ring of one D the visible arc, and its integral for a uniform sky, are closed forms. Of other skies the means of
  * L and of L D are tabulated; over the rings radiance is taken as linear in D, with these means.
  */
-export function skyLobe({ axis, width }: LobeCone, { u, gamma }: RestFrameMotion, means: SkyMeans): SkyLobe {
+export function skyLobe({ axis, width, rings }: LobeCone, { u, gamma }: RestFrameMotion, means: SkyMeans): SkyLobe {
   const speed = length(u).toVar();
   const direction = u.div(speed).toVar();
   const beta = speed.div(gamma).toVar();
@@ -52,7 +57,7 @@ export function skyLobe({ axis, width }: LobeCone, { u, gamma }: RestFrameMotion
   const root = sqrt(m.add(beta.mul(first))).toVar();
   const sum = root.add(sqrt(m.add(beta.mul(first.add(range))))).toVar();
   const step = beta.mul(range).div(sum).toVar();
-  const nodes = vec4(...NODES);
+  const nodes = vec4(...QUADRATURES[rings].nodes);
   const s = nodes
     .mul(nodes.mul(step).add(root.mul(2)))
     .mul(range.div(sum))
@@ -61,7 +66,7 @@ export function skyLobe({ axis, width }: LobeCone, { u, gamma }: RestFrameMotion
   const ds = nodes
     .mul(step)
     .add(root)
-    .mul(vec4(...WEIGHTS))
+    .mul(vec4(...QUADRATURES[rings].weights))
     .mul(range.mul(2).div(sum))
     .toVar();
   const D = s.mul(beta).add(m).mul(gamma).toVar();
