@@ -152,11 +152,18 @@ function BooleanControl({ spec, set, value, onChange }: ParamProps): ReactNode {
 
 /** More options than this are a list instead of segments. */
 const MAX_SEGMENTS = 5;
+/** So are segments whose titles need more than the narrowest panel has [px]. */
+const SEGMENTS_WIDTH = 270;
+/** Width of a segment [px], estimated from its bold title; Chinese characters are wide. */
+const segmentWidth = (title: string): number =>
+  [...title].reduce((sum, character) => sum + (character > '\u2e80' ? 12 : 6.8), 12);
 
 function ChoiceControl({ spec, set, value, onChange }: ParamProps<ChoiceParam>): ReactNode {
   const { t } = useTexts();
   const id = useId();
-  if (spec.options.length > MAX_SEGMENTS)
+  const data = spec.options.map((option) => ({ value: option.value, label: t(option.title) }));
+  const width = data.reduce((sum, { label }) => sum + segmentWidth(label), 0);
+  if (data.length > MAX_SEGMENTS || width > SEGMENTS_WIDTH)
     return (
       <Stack gap={2}>
         <Group gap={4} wrap="nowrap" justify="space-between">
@@ -167,10 +174,10 @@ function ChoiceControl({ spec, set, value, onChange }: ParamProps<ChoiceParam>):
           size="xs"
           aria-label={t(spec.title)}
           allowDeselect={false}
-          searchable={spec.options.length > 10}
+          searchable={data.length > 10}
           value={String(value)}
           onChange={(chosen) => chosen !== null && onChange(chosen)}
-          data={spec.options.map((option) => ({ value: option.value, label: t(option.title) }))}
+          data={data}
         />
       </Stack>
     );
@@ -183,7 +190,7 @@ function ChoiceControl({ spec, set, value, onChange }: ParamProps<ChoiceParam>):
         aria-labelledby={id}
         value={String(value)}
         onChange={onChange}
-        data={spec.options.map((option) => ({ value: option.value, label: t(option.title) }))}
+        data={data}
       />
     </Stack>
   );

@@ -1,5 +1,5 @@
 import { Button, FileButton, Group, Stack, Textarea, TextInput } from '@mantine/core';
-import { type KeyboardEvent, type ReactNode, useId, useState } from 'react';
+import { type KeyboardEvent, type ReactNode, useId, useRef, useState } from 'react';
 import type { ListParam, TextParam } from '../../graph/nodeType.ts';
 import { msg } from '../../messages/message.ts';
 import { isGlsl } from '../../scene/shaderText/glsl/isGlsl.ts';
@@ -30,14 +30,17 @@ export function TextControl({ spec, set, value, onChange }: ParamProps<TextParam
 /** Loads the text of an effect from a file, and saves it to one. */
 function ShaderFile({ text, take }: Pick<LinesProps, 'text' | 'take'>): ReactNode {
   const { t } = useTexts();
+  const forget = useRef<() => void>(null);
   const load = async (file: File | null) => {
+    // A file that was edited meanwhile can be loaded again: browsers report only another choice.
+    forget.current?.();
     // More than the limit is loaded too, so that the node says what is wrong, but never without end.
     if (file) take(await file.slice(0, 4 * SHADER_TEXT_LIMITS.length).text());
   };
   const save = () => download(new Blob([text], { type: 'text/plain' }), isGlsl(text) ? 'effect.fs' : 'effect.wgsl');
   return (
     <Group gap={4}>
-      <FileButton onChange={load} accept=".wgsl,.glsl,.frag,.fs,.txt">
+      <FileButton onChange={load} resetRef={forget} accept=".wgsl,.glsl,.frag,.fs,.txt">
         {(props) => (
           <Button {...props} size="compact-xs" variant="default">
             {t(msg`Load text…`)}

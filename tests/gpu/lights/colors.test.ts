@@ -12,6 +12,7 @@ import { perspective } from '../../../src/scene/view/lens.ts';
 import { DEFAULT_SETTINGS, type RenderSettings, type ViewPoint } from '../../../src/scene/view/view.ts';
 import { colorOfSpectrum, observedColor } from '../../../src/spectrum/color/observerColor.ts';
 import { skyParts } from '../../../src/spectrum/color/scatteredLight.ts';
+import { RGB_COLOR_MODES } from '../../../src/spectrum/doppler/rgbShifts.ts';
 import { filterFromRgb, WHITE_FILTER } from '../../../src/spectrum/reflectance/spectralFilter.ts';
 import { LIGHT_PRESETS } from '../../../src/spectrum/sources/lightPresets.ts';
 import { DAYLIGHT, type LightSpectrum } from '../../../src/spectrum/sources/lightSpectrum.ts';
@@ -232,13 +233,14 @@ describe('the rasterizer shows the colours of the spectral reference', () => {
     expect(most).toBeLessThan(0.02);
   });
 
-  it('and the reference’s tint in approximate colours', async () => {
+  it.each(RGB_COLOR_MODES)('and the reference’s colours without spectra, %s', async (colors) => {
     const { mean, max: most } = await compared([sun([3, 2, 1])], {
       beta: [0, 0, -0.3],
       velocity: [0, 0.4, 0],
-      settings: { colors: 'approximate' },
+      settings: { colors },
     });
     expect(mean).toBeLessThan(0.002);
-    expect(most).toBeLessThan(0.015);
+    // Shifted lines change by hundredths per nanometre, and SwiftShader's interpolation moves D by up to 0.2 % in so small a picture.
+    expect(most).toBeLessThan(colors === 'approximate' ? 0.015 : 0.08);
   });
 });
