@@ -31,6 +31,7 @@ const GALLERY = [
   'cubes',
   'arcade',
   'boxes',
+  'drops',
   'plain',
   'rush',
   'boxes-892',

@@ -25,6 +25,7 @@ const thumbnails = {
   cubes: ['--beta', '0,0,-0.2'],
   arcade: ['--beta', '0,0,-0.2'],
   boxes: ['--beta', '0,0,-0.2'],
+  drops: [],
   plain: [],
   rush: ['--exposure', '2.5'],
   'boxes-892': [],

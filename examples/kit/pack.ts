@@ -12,12 +12,22 @@ const packed = (prims: PrimSpec['children']): PrimSpec['children'] =>
   new Map([...prims].map(([name, prim]) => [name, packedPrim(prim)]));
 
 function packedPrim(prim: PrimSpec): PrimSpec {
-  const properties = [...withSharedPoints(prim.properties).values()].flatMap(indexedProperty).map(packedSamples);
+  const properties = [...withSharedPoints(asChangingSurface(prim.properties)).values()]
+    .flatMap(indexedProperty)
+    .map(packedSamples);
   return {
     ...prim,
     properties: new Map(properties.map((property) => [property.name, property])),
     children: packed(prim.children),
   };
+}
+
+/** Of a mesh whose topology changes, half of the bytes are normals and uvs: as a subdivision surface it has none, and readers make its normals. */
+function asChangingSurface(properties: PrimSpec['properties']): PrimSpec['properties'] {
+  const [faces, scheme] = ['faceVertexIndices', 'subdivisionScheme'].map((name) => properties.get(name));
+  if (faces?.kind !== 'attribute' || !faces.timeSamples || scheme?.kind !== 'attribute') return properties;
+  const kept = [...properties].filter(([name]) => name !== 'normals' && name !== 'primvars:st');
+  return new Map([...kept, [scheme.name, { ...scheme, value: { type: 'token', data: 'loop' } }]]);
 }
 
 /** Types of transforms in f64, and those in f32. */

@@ -3,6 +3,7 @@ import { scene as arcade } from './arcade.ts';
 import { scene as boxes } from './boxes.ts';
 import { scene as cubes } from './cubes.ts';
 import { scene as dice } from './dice.ts';
+import { scene as drops } from './drops.ts';
 import { scene as gallery } from './gallery.ts';
 import { scene as hall } from './hall.ts';
 import { scene as ladder } from './ladder.ts';
@@ -34,4 +35,5 @@ export const scenes: readonly ExampleScene[] = [
   cubes,
   arcade,
   boxes,
+  drops,
 ];

@@ -1,8 +1,9 @@
 import { describe, expect, it } from 'vitest';
 import { openScene } from '../../src/formats/open.ts';
 import { isStatic } from '../../src/scene/motion/motion.ts';
-import type { Scene } from '../../src/scene/types.ts';
-import { files, objectAt, openExample, speedOfLight } from './open.ts';
+import type { Mesh, Scene } from '../../src/scene/types.ts';
+import { validate } from '../../src/scene/validation/validate.ts';
+import { files, mean, objectAt, openExample, speedOfLight, worldPositions } from './open.ts';
 
 const triangles = ({ objects }: Scene): number => objects.reduce((sum, { mesh }) => sum + mesh.indices.length / 3, 0);
 
@@ -87,3 +88,65 @@ describe('street', () => {
     }
   });
 });
+
+describe('drops', async () => {
+  const scene = await openScene(files, 'drops.usdc');
+  const drops = scene.objects.filter(({ pieceOf }) => pieceOf === '/World/Drops');
+  const c = speedOfLight(scene);
+
+  it('is 24 meshes that take turns, from its birth to its death, slower than light', () => {
+    expect(drops.map(({ lifetime }) => [lifetime.birth, lifetime.death])).toEqual(
+      Array.from({ length: 24 }, (_, k) => [k / 4, (k + 1) / 4]),
+    );
+    expect(new Set(drops.map(({ mesh }) => mesh.indices.length)).size).toBeGreaterThan(5);
+    expect(scene.diagnostics.filter(({ severity }) => severity !== 'info')).toEqual([]);
+    expect(validate(scene, c)).toEqual([]);
+  });
+
+  it('is closed at every time, and one body or two', () => {
+    const bodies = drops.map(({ mesh }) => {
+      const points = weldedTriangles(mesh);
+      const edges = new Map<string, number>();
+      for (const [a, b] of points.flatMap(([a, b, d]) => [
+        [a, b],
+        [b, d],
+        [d, a],
+      ]))
+        edges.set(`${a} ${b}`, (edges.get(`${a} ${b}`) ?? 0) + 1);
+      for (const [edge, count] of edges) expect(edges.get(edge.split(' ').reverse().join(' '))).toBe(count);
+      return bodiesOf(points);
+    });
+    expect(new Set(bodies)).toEqual(new Set([1, 2]));
+  });
+
+  it('goes on at 0.55 c', () => {
+    // Centres of area: of surfaces that change, their own speed is that of the drops to a few per cent.
+    const centers = drops.map((drop) => mean(worldPositions(drop, drop.lifetime.birth, c))[0]);
+    expect((centers[20] - centers[4]) / 4 / c).toBeCloseTo(0.55, 1.5);
+  });
+});
+
+/** Triangles by numbers of places. */
+function weldedTriangles({ positions, indices }: Mesh): readonly (readonly [number, number, number])[] {
+  const places = new Map<string, number>();
+  const placeOf = (vertex: number): number => {
+    const key = positions.subarray(3 * vertex, 3 * vertex + 3).join();
+    if (!places.has(key)) places.set(key, places.size);
+    return places.get(key)!;
+  };
+  return Array.from({ length: indices.length / 3 }, (_, f) => {
+    const [a, b, c] = indices.subarray(3 * f, 3 * f + 3);
+    return [placeOf(a), placeOf(b), placeOf(c)] as const;
+  });
+}
+
+/** How many parts are not connected. */
+function bodiesOf(triangles: readonly (readonly number[])[]): number {
+  const parent = new Map<number, number>();
+  const rootOf = (place: number): number => {
+    const up = parent.get(place) ?? place;
+    return up === place ? place : rootOf(up);
+  };
+  for (const triangle of triangles) for (const place of triangle) parent.set(rootOf(place), rootOf(triangle[0]));
+  return new Set([...parent.keys()].map(rootOf)).size;
+}
