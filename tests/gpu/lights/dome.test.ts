@@ -8,7 +8,8 @@ import { properVelocity } from '../../../src/physics/lorentz/boost.ts';
 import { cameraRay } from '../../../src/reference/camera/cameraRay.ts';
 import { pixelSequence } from '../../../src/reference/sampling/pixelSequence.ts';
 import { radiance } from '../../../src/reference/transport/path.ts';
-import { directionFromLatLong } from '../../../src/scene/lights/latLong.ts';
+import { directionFromLatLong, domeAxes, latLongFromDirection } from '../../../src/scene/lights/latLong.ts';
+import { sampleTexture } from '../../../src/scene/materials/sampleTexture.ts';
 import { sphere } from '../../../src/scene/mesh/primitives.ts';
 import type { DomeLight, Material, Motion } from '../../../src/scene/types.ts';
 import { perspective } from '../../../src/scene/view/lens.ts';
@@ -142,6 +143,36 @@ it('the sky shows the dome’s texture, rotated', async () => {
     const expected = dot(n, BRIGHT) > Math.cos(0.17) ? 40 : 0.6 + 0.4 * n[1];
     expect(Math.abs(drawn[3 * (y * SIZE + x) + 1] - expected)).toBeLessThan(0.01 * expected);
   }
+});
+
+it('at speed a pixel shows the mean of the dome over what it covers, where it is many texels', async () => {
+  // Grains of one texel; ahead, a pixel covers up to four by four.
+  let seed = 1;
+  const data = Uint16Array.from({ length: 4 * W * H }, (_, i) => {
+    if (i % 4 === 0) seed = (seed * 16807) % 2147483647;
+    return toHalf(i % 4 === 3 ? 1 : 0.5 + seed / 2147483647);
+  });
+  const sky = { ...DOME, texture: { ...DOME.texture!, data } };
+  const view = { ...VIEW, u: properVelocity([0, 0, -0.9]) };
+  const settings = { ...SETTINGS, beaming: 0 };
+  await headless.renderer.setScene(lit([], [sky]).scene);
+  pumpFrame();
+  headless.renderer.render([view], settings, 1);
+  const drawn = await headless.renderer.readAov('beauty');
+  const [right, up, front] = domeAxes(sky);
+  const radianceAt = (x: number, y: number): number => {
+    const n = normalize(cameraRay(view, settings, x, y, SIZE, SIZE).dx);
+    return sampleTexture(sky.texture, ...latLongFromDirection([dot(n, right), dot(n, up), dot(n, front)]))[0];
+  };
+  let [error, errorOfPoints] = [0, 0];
+  for (let y = 1; y < SIZE; y += 3)
+    for (let x = 1; x < SIZE; x += 3) {
+      let mean = 0;
+      for (let k = 0; k < 64; k++) mean += radianceAt(x + ((k % 8) + 0.5) / 8, y + (Math.floor(k / 8) + 0.5) / 8) / 64;
+      error += Math.abs(drawn[3 * (y * SIZE + x)] - mean);
+      errorOfPoints += Math.abs(radianceAt(x + 0.5, y + 0.5) - mean);
+    }
+  expect(error).toBeLessThan(0.4 * errorOfPoints);
 });
 
 it('a moving observer sees the ball as in the reference', async () => {

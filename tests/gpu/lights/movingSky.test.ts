@@ -192,6 +192,13 @@ describe('on WebGL2', () => {
       const points = await page.page.evaluate((given) => window.seenPoints(given), flight);
       expect(difference(flight, points)).toBeLessThan(flight.sky === 'day' ? 0.01 : 0.03);
     }
+    for (const way of [-1, 1] as const) {
+      const plate = { sky: 'white', material: 'matt', velocity: [0, 0, 0.9 * way] as Vec3, plate: true } as const;
+      const points = await page.page.evaluate((given) => window.seenPoints(given), plate);
+      expect(points.length).toBeGreaterThan(20);
+      for (const { light, D } of points)
+        expect(Math.abs(light[1] / (0.8 * furnace(0.9, way) * D ** 4) - 1)).toBeLessThan(0.01);
+    }
     page.assertHealthy();
   });
 });
