@@ -179,3 +179,41 @@ it('reports a remedy where the browser cannot encode films, or the device is too
     .waitFor();
   await visit.close();
 });
+
+/** An effect that shows one colour everywhere. */
+const painted = (color: string): string => `#version 430 core
+uniform sampler2D baseColorSampler1;
+layout(location = 0) out vec4 Color;
+void main() {
+  Color = vec4(${color}, 1.0);
+}
+`;
+
+it('the text of an effect is loaded from a file and saved to one; what is wrong with it is told by its line', async () => {
+  const visit = await opened(
+    ...[add('effect', 'post-process'), set('effect', 'effect', 'written')],
+    ...[connect('film.image', 'effect.image'), connect('effect.image', 'output.image')],
+  );
+  const { page } = visit;
+  await node(page, 'effect').focus();
+  await page.keyboard.press('Enter');
+  const panel = page.getByRole('region', { name: 'Post process' });
+  const load = async (text: string): Promise<void> => {
+    const asked = page.waitForEvent('filechooser');
+    await panel.getByRole('button', { name: 'Load text…' }).click();
+    await (await asked).setFiles({ name: 'painted.frag', mimeType: 'text/plain', buffer: Buffer.from(text) });
+  };
+  await load(painted('gain'));
+  await visit.refusals.getByText('line 5, column 16: gain is not declared here').waitFor();
+  await load(painted('0.0, 1.0, 0.0'));
+  await expect.poll(() => visit.middle()).toEqual([0, 255, 0]);
+  expect(await visit.refusals.count()).toBe(0);
+  expect(await panel.getByRole('textbox', { name: 'Shader text' }).inputValue()).toBe(painted('0.0, 1.0, 0.0'));
+
+  const download = page.waitForEvent('download');
+  await panel.getByRole('button', { name: 'Save text' }).click();
+  const saved = await download;
+  expect(saved.suggestedFilename()).toBe('effect.fs');
+  expect(readFileSync(await saved.path(), 'utf8')).toBe(painted('0.0, 1.0, 0.0'));
+  await visit.close();
+});
