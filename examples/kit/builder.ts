@@ -97,7 +97,7 @@ export class SceneBuilder {
   ): void {
     const sorted = [...parts].sort((a, b) => (a.groups[0]?.material ?? 0) - (b.groups[0]?.material ?? 0));
     const lifetime = { birth: -Infinity, death: Infinity };
-    const merged = mergeMeshes(sorted);
+    const merged = sorted.length === 1 ? sorted[0] : mergeMeshes(sorted);
     const { mesh, base } = motion ? { mesh: merged, base: ZERO } : aroundBase(merged);
     this.objects.push({
       path,

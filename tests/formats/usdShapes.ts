@@ -205,7 +205,7 @@ const geometry: ClaimGroup = {
     ),
     read(
       '`Cube`, `Sphere`, `Cylinder`, `Cone`, `Capsule`, `Plane`',
-      'meshes; the round ones are seen as round as they are',
+      'meshes; the round ones are seen as round as they are, and written so',
       usd(
         ['Cube', 'Sphere', 'Cylinder', 'Cone', 'Capsule', 'Plane'].map((type) => `def ${type} "${type}" {}`).join('\n'),
       ),

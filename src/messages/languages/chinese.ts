@@ -72,6 +72,8 @@ const messages: Translation['messages'] = {
     'slowlight:motion 为“{1}”，但没有 vector3d 类型的 slowlight:{2}；它保持静止',
   'slowlight:motion "{}" is not uniform or hyperbolic; it is left out':
     'slowlight:motion“{1}”不是 uniform 或 hyperbolic；已去掉',
+  'slowlight:{} is {}, not a whole number from {} to {}; it is left out':
+    'slowlight:{1} 为 {2}，不是 {3} 到 {4} 之间的整数；已忽略',
   'slowlight:authoredIn "{}" is not world or rest; world is taken':
     'slowlight:authoredIn“{1}”不是 world 或 rest；已采用 world',
   'it is moved by {} samples, and all things of the scene together by more than there is room for; {} of its samples are used (write out fewer, or move fewer things apart)':

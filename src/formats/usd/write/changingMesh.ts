@@ -4,6 +4,7 @@ import { pointSamples, restingPose } from '../../../scene/motion/motion.ts';
 import { pieceAt } from '../../../scene/motion/poses.ts';
 import { normalsAt } from '../../../scene/streaming/samplePoints.ts';
 import type { Mesh, SceneObject } from '../../../scene/types.ts';
+import { gprimContent } from './gprims.ts';
 import { lifeProperties } from './lives.ts';
 import { slowlightMotion, transformOf, type WriteContext } from './motions.ts';
 import { movesUntil, pointTimes, type TurnMotion, type TurnShape, turnMotion, turnsOf } from './pieceMotions.ts';
@@ -27,7 +28,7 @@ export function meshOfPieces(
   const motion = turns.length > 1 ? turnMotion(turns) : undefined;
   return motion
     ? changingMesh(turns, motion, placement, surroundings)
-    : meshContent(pieces[0], placement, surroundings);
+    : (gprimContent(pieces[0], placement, surroundings) ?? meshContent(pieces[0], placement, surroundings));
 }
 
 function changingMesh(

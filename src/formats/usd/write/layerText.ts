@@ -90,6 +90,8 @@ function valueText(value: Value): string {
       return value.data ? '1' : '0';
     case 'float':
       return floatText(value.data);
+    case 'int':
+      return `${value.data}`;
     case 'double':
       return doubleText(value.data);
     case 'string':
@@ -99,6 +101,8 @@ function valueText(value: Value): string {
       return `@${value.data}@`;
     case 'token[]':
       return `[${value.data.map(quoted).join(', ')}]`;
+    case 'matrix4d':
+      return `(${[0, 4, 8, 12].map((row) => tupleText(value.data as NumberArray, row, 4, doubleText)).join(', ')})`;
     case 'int[]':
       return `[${value.data.join(', ')}]`;
     default:

@@ -2,6 +2,7 @@ import type { TupleType, Value } from '../layer/layer.ts';
 
 /** Values of a layer, by their storage types. */
 export const bool = (data: boolean): Value => ({ type: 'bool', data });
+export const int = (data: number): Value => ({ type: 'int', data });
 export const double = (data: number): Value => ({ type: 'double', data });
 export const float = (x: number): Value => ({ type: 'float', data: Math.fround(x) });
 export const string = (data: string): Value => ({ type: 'string', data });
