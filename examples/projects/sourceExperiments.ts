@@ -14,7 +14,7 @@ const STEP = 0.001;
 /** The speed of light of the picture [m/s]: far above that of the experiments, which are seen as they are. */
 const SEEN_AT = 1000;
 /** Distance between cloths [m]. */
-const [ACROSS, DOWN] = [3, 3.4];
+const [ACROSS, DOWN] = [3.4, 3.4];
 
 /** The sources' families, each with its name, and colours of the columns. */
 const FAMILIES = [
@@ -78,7 +78,7 @@ const runs = (all: readonly Run[]): NodeSketches =>
 
 /** A word in front of a column or row. */
 const word = (name: string, text: string, position: readonly [number, number, number]): NodeSketches => ({
-  [name]: { type: 'solid-text', set: { name, text, size: 0.24, depth: 0.03 } },
+  [name]: { type: 'solid-text', set: { name, text, size: 0.3, depth: 0.03 } },
   [`${name}At`]: { type: 'transform', set: { position }, from: { geometry: `${name}.geometry` } },
 });
 
@@ -145,8 +145,8 @@ export const sourceCorrections = () => {
   );
   const all = [...theirs, ...ours];
   const names = [...FAMILIES.map(([, title]) => title), 'Ours'];
-  const titles = names.map((text, column) => [`Column${column}`, text, [ACROSS * column, 1.5, -1]] as const);
-  const rows = CORRECTIONS.map((text, row) => [`Row${row}`, text, [-2.2, -DOWN * row + 0.5, -1]] as const);
+  const titles = names.map((text, column) => [`Column${column}`, text, [ACROSS * column, 1.6, -1]] as const);
+  const rows = CORRECTIONS.map((text, row) => [`Row${row}`, text, [-2.6, -DOWN * row + 0.5, -1]] as const);
   return build(
     {
       title: 'The sources’ methods and corrections',
@@ -160,7 +160,7 @@ export const sourceCorrections = () => {
       ...shown(
         { runs: all.map(({ name }) => name), words: [...titles, ...rows].map(([name]) => name) },
         'source-corrections',
-        { eye: [3.9, -4.2, 22.5], target: [3.9, -4.6, 0], fieldOfView: 40 },
+        { eye: [4.2, -4.2, 22.5], target: [4.2, -4.6, 0], fieldOfView: 40 },
       ),
     },
   );
@@ -174,7 +174,7 @@ const RECOMMENDED = [
   { title: 'Ours', color: OURS_COLOR, set: EXACT },
 ];
 const columnTitles = RECOMMENDED.map(
-  ({ title }, column) => [`Column${column}`, title, [ACROSS * column, 1.5, -1]] as const,
+  ({ title }, column) => [`Column${column}`, title, [ACROSS * column, 1.6, -1]] as const,
 );
 
 /** The methods with the recommended correction at 1, 10 and 100 m/s, beside ours. */
@@ -191,7 +191,7 @@ export const sourceSpeeds = () => {
       }),
     ),
   );
-  const rows = speeds.map((c, row) => [`Row${row}`, `c = ${c} m/s`, [-2.4, -DOWN * row + 0.5, -1]] as const);
+  const rows = speeds.map((c, row) => [`Row${row}`, `c = ${c} m/s`, [-3.1, -DOWN * row + 0.5, -1]] as const);
   return build(
     {
       title: 'The sources’ methods at c = 1, 10, 100',
@@ -206,7 +206,7 @@ export const sourceSpeeds = () => {
         { runs: all.map(({ name }) => name), words: [...columnTitles, ...rows].map(([name]) => name) },
         'source-speeds',
         {
-          ...{ eye: [3.8, -2.4, 16], target: [3.8, -2.9, 0], fieldOfView: 40 },
+          ...{ eye: [3.6, -2.4, 16], target: [3.6, -2.9, 0], fieldOfView: 40 },
         },
       ),
     },
@@ -243,7 +243,7 @@ export const sourceBall = () => {
       ...runs(all),
       ...Object.assign({}, ...columnTitles.map(([name, text, at]) => word(name, text, at))),
       ...shown({ runs: all.map(({ name }) => name), words: columnTitles.map(([name]) => name) }, 'source-ball', {
-        ...{ eye: [4.5, 1.8, 10.5], target: [4.5, 0.1, 0], fieldOfView: 40 },
+        ...{ eye: [5.1, 1.8, 11.5], target: [5.1, 0.1, 0], fieldOfView: 40 },
       }),
     },
   );
