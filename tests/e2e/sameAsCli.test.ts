@@ -21,13 +21,17 @@ const [WIDTH, HEIGHT] = [192, 108];
 /** A parameter for page and command line, and its value as the command line writes it. */
 type Set = readonly [node: string, param: string, value: ParamValue, text: string];
 
-/** Makes the page assume a GPU, since without one it draws coarser shadows and one sample. */
+/**
+ * Makes the page, but not its renderer, assume a GPU: without one the page draws coarser shadows and one sample. The renderer's own canvas
+ * keeps its name, for the command line filters textures as its device does.
+ */
 const asOnGpu = (page: Page): Promise<unknown> =>
   page.addInitScript(() => {
     const of = WebGL2RenderingContext.prototype;
     const { getParameter } = of;
     of.getParameter = function (name) {
-      return name === 0x9246 /* UNMASKED_RENDERER_WEBGL */ ? 'a GPU' : getParameter.call(this, name);
+      const probed = this.canvas instanceof HTMLCanvasElement && !this.canvas.isConnected;
+      return probed && name === 0x9246 /* UNMASKED_RENDERER_WEBGL */ ? 'a GPU' : getParameter.call(this, name);
     };
   });
 
