@@ -70,8 +70,8 @@ async function chainOf(steps: readonly (readonly [EffectId | ShaderProgram, read
   return {
     draw: async () => {
       pumpFrame();
-      for (const [i, [, args]] of steps.entries()) passes[i].render(renderer, targets[i], args);
-      last.render(renderer, targets[steps.length], [0.5]);
+      for (const [i, [, args]] of steps.entries()) passes[i].render(renderer, targets[i], { args });
+      last.render(renderer, targets[steps.length], { args: [0.5] });
       await device.queue.onSubmittedWorkDone();
     },
     dispose: () => {

@@ -2151,6 +2151,12 @@ const messages: Translation['messages'] = {
   Fog: '雾',
   'Fog at rest in the world: attenuates by the path that the light has travelled there, not by the apparent distance.':
     '相对世界静止的雾：按光在世界中走过的路程衰减，而不是按物体看上去的距离。',
+  'Distant things fade into': '远处的物体融入',
+  'Default: the sky in a sky background, grey to haze in fog. The sky: its colours in the same direction, those of a Sky with a gradient, else of a clear day. All are multiplied by the brightness.':
+    '默认：天空背景中为天空，雾中为灰雾到霭。天空：同一方向上天空的颜色，取渐变天空节点的颜色，否则取晴天的颜色。均乘以亮度。',
+  Default: '默认',
+  'The sky': '天空',
+  'Own colour': '自定颜色',
   'Depth of field': '景深',
   'A thin lens carried by the observer: focuses by the distance of an event in the observer’s frame.':
     '观察者携带的薄透镜：按事件在观察者参考系中的距离对焦。',

@@ -43,6 +43,9 @@ function argumentParam(index: 0 | 1 | 2 | 3) {
   return { kind: 'number', ...any, as: { param: 'effect', cases } } as const satisfies NumberParam;
 }
 
+/** Effects that fade distant things. */
+const FADES = { param: 'effect', is: ['sky-background', 'fog'] } as const;
+
 /** An effect over an image, which may read the G-buffer. */
 export const postProcessNode = defineNode({
   id: 'post-process',
@@ -64,6 +67,24 @@ export const postProcessNode = defineNode({
     arg2: argumentParam(1),
     arg3: argumentParam(2),
     arg4: argumentParam(3),
+    fogColor: {
+      kind: 'choice',
+      title: msg`Distant things fade into`,
+      help: msg`Default: the sky in a sky background, grey to haze in fog. The sky: its colours in the same direction, those of a Sky with a gradient, else of a clear day. All are multiplied by the brightness.`,
+      default: 'default',
+      options: [
+        { value: 'default', title: msg`Default` },
+        { value: 'sky', title: msg`The sky` },
+        { value: 'own', title: msg`Own colour` },
+      ],
+      onlyWhen: FADES,
+    },
+    ownFogColor: {
+      kind: 'color',
+      title: msg`Own colour`,
+      default: [0.6, 0.65, 0.7],
+      onlyWhen: { param: 'fogColor', is: 'own' },
+    },
     ...customEffectParams(
       'effect',
       EXAMPLE,
@@ -79,7 +100,7 @@ export const postProcessNode = defineNode({
   outputs: { image: { type: 'image' } },
   async evaluate(
     { image, second, gbuffer = image.gbuffer, mask },
-    { effect, arg1, arg2, arg3, arg4, text, file },
+    { effect, arg1, arg2, arg3, arg4, fogColor, ownFogColor, text, file },
     { node, services },
   ) {
     const isCustom = effect === CUSTOM;
@@ -87,6 +108,8 @@ export const postProcessNode = defineNode({
       kind: 'effect',
       effect: isCustom ? await customEffect({ text, file }, second !== undefined, node, services) : effect,
       args: [arg1, arg2, arg3, arg4],
+      ...(fogColor !== 'default' &&
+        FADES.is.some((id) => id === effect) && { fogColor: fogColor === 'own' ? ownFogColor : fogColor }),
       image,
       buffer: gbuffer,
       ...(second && isCustom && { second }),

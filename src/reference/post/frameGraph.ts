@@ -86,7 +86,11 @@ function evaluatePass(
       return applyEffect(
         of,
         pass.args,
-        { image: image(pass.image), aovs, view, settings, zenith, ...(sky && { sky }) },
+        {
+          ...{ image: image(pass.image), aovs, view, settings, zenith },
+          ...(sky && { sky }),
+          ...(pass.fogColor && { fogColor: pass.fogColor }),
+        },
         optional(pass.mask),
         optional(pass.second),
       );

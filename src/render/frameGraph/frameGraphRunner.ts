@@ -11,7 +11,7 @@ import { FullScreenPass, texelHere } from '../gpu/fullScreenPass.ts';
 import { IMAGE_RANGE } from '../gpu/lightRange.ts';
 import { decodeSrgb } from '../post/display/display.ts';
 import { FalseColorTable, falseColored } from '../post/display/falseColor.ts';
-import { EffectPasses, type PassInputs } from '../post/effectPasses.ts';
+import { EffectPasses, type EffectValues, type PassInputs } from '../post/effectPasses.ts';
 import { StillImage } from './stillImage.ts';
 import { allocateTargets, linearSourceOf } from './targetAllocation.ts';
 
@@ -181,17 +181,17 @@ export class FrameGraphRunner {
     const inputs = this.inputs(image, mask, buffer);
     const both = second === undefined ? inputs : { ...inputs, second: this.texture(second) };
     const passes = EffectPasses.forEffect(source, both);
-    return this.effectRunner(passes, i, (pass) => (pass.kind === 'effect' ? pass.args : []));
+    return this.effectRunner(passes, i, (pass) => (pass.kind === 'effect' ? pass : NO_VALUES));
   }
 
   private mix({ mode, below, above, mask }: Of<'mix'>, i: number): PassRunner {
     const passes = EffectPasses.forMix(mode, this.texture(above), this.inputs(below, mask));
-    return this.effectRunner(passes, i, (pass) => (pass.kind === 'mix' ? [pass.alpha] : []));
+    return this.effectRunner(passes, i, (pass) => (pass.kind === 'mix' ? { args: [pass.alpha] } : NO_VALUES));
   }
 
-  private effectRunner(passes: EffectPasses, i: number, args: (pass: FrameGraphPass) => readonly number[]): PassRunner {
+  private effectRunner(passes: EffectPasses, i: number, values: (pass: FrameGraphPass) => EffectValues): PassRunner {
     return {
-      run: (pass, time) => passes.render(this.gpu.renderer, this.targets[i], args(pass), time),
+      run: (pass, time) => passes.render(this.gpu.renderer, this.targets[i], values(pass), time),
       setSize: (width, height) => passes.setSize(width, height),
       dispose: () => passes.dispose(),
     };
@@ -237,6 +237,8 @@ export class FrameGraphRunner {
     };
   }
 }
+
+const NO_VALUES: EffectValues = { args: [] };
 
 type Of<Kind extends FrameGraphPass['kind']> = Extract<FrameGraphPass, { readonly kind: Kind }>;
 

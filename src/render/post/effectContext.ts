@@ -9,6 +9,7 @@ import {
   mix,
   normalize,
   screenCoordinate,
+  select,
   textureLoad,
   textureSize,
   vec2,
@@ -33,6 +34,9 @@ export interface GBufferTextures {
   texture(name: TargetName): Texture;
 }
 
+/** Colour of the fog, and in w how it is chosen: 0 the effect's own, 1 the sky's, 2 this one (`FogColor`). */
+export type FogUniform = UniformNode<'vec4', Vector4>;
+
 /** Inputs of an effect. */
 export interface EffectSources {
   readonly image: Texture;
@@ -42,6 +46,7 @@ export interface EffectSources {
   readonly buffer?: GBufferTextures;
   readonly uniforms: FrameUniforms;
   readonly args: UniformNode<'vec4', Vector4>;
+  readonly fog: FogUniform;
   /** World time of the observer [s]. */
   readonly time: UniformNode<'float', number>;
 }
@@ -94,6 +99,12 @@ export class EffectContext {
   get args(): readonly [Float, Float, Float, Float] {
     const { x, y, z, w } = this.sources.args;
     return [x, y, z, w];
+  }
+
+  /** What distant things fade into, of the effect's own colour and that of the sky. */
+  fogColor(own: Vec3, sky: Vec3): Vec3 {
+    const { fog } = this.sources;
+    return select(fog.w.lessThan(0.5), own, select(fog.w.lessThan(1.5), sky, fog.xyz));
   }
 
   get time(): Float {

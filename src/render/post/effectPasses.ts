@@ -1,6 +1,6 @@
 import { Fn, uniform } from 'three/tsl';
 import { type RenderTarget, type Texture, type TextureDataType, Vector4, type WebGPURenderer } from 'three/webgpu';
-import { clampEffectArguments, type EffectId, type MixMode } from '../../scene/frameGraph/effects.ts';
+import { clampEffectArguments, type EffectId, type FogColor, type MixMode } from '../../scene/frameGraph/effects.ts';
 import type { ShaderProgram } from '../../scene/shaderText/program.ts';
 import { dataTarget } from '../gbuffer/gbuffer.ts';
 import type { FrameUniforms } from '../gpu/frameUniforms.ts';
@@ -24,6 +24,13 @@ export interface PassInputs {
   readonly type: TextureDataType;
 }
 
+/** What may change with every picture. */
+export interface EffectValues {
+  readonly args: readonly number[];
+  /** Absent: the effect's own. */
+  readonly fogColor?: FogColor;
+}
+
 interface CompiledStep {
   readonly downscale: number;
   readonly pass: FullScreenPass;
@@ -35,6 +42,7 @@ interface CompiledStep {
 export class EffectPasses {
   private readonly passes: readonly CompiledStep[];
   private readonly args = uniform(new Vector4());
+  private readonly fog = uniform(new Vector4());
   private readonly time = uniform(0);
   /** undefined for effects whose arguments have no ranges. */
   private readonly id: EffectId | undefined;
@@ -61,7 +69,7 @@ export class EffectPasses {
     this.passes = effect.map((step, i) => {
       const last = i === effect.length - 1;
       const previousImages = new Map(stepImages);
-      const sources = { ...inputs, args: this.args, time: this.time };
+      const sources = { ...inputs, args: this.args, fog: this.fog, time: this.time };
       const color = last && mask ? masked(step, mask) : step.color;
       const output = Fn(() => color(new EffectContext(sources, previousImages)))();
       const target = last ? undefined : dataTarget(1, type);
@@ -76,9 +84,11 @@ export class EffectPasses {
   }
 
   /** Renders into `target`, which must not be read by the effect. `time`: world time of the observer [s]. */
-  render(renderer: WebGPURenderer, target: RenderTarget, args: readonly number[], time = 0): void {
+  render(renderer: WebGPURenderer, target: RenderTarget, { args, fogColor }: EffectValues, time = 0): void {
     const [x = 0, y = 0, z = 0, w = 0] = this.id ? clampEffectArguments(this.id, args) : args;
     this.args.value.set(x, y, z, w);
+    if (typeof fogColor === 'object') this.fog.value.set(...fogColor, 2);
+    else this.fog.value.set(0, 0, 0, fogColor === 'sky' ? 1 : 0);
     this.time.value = time;
     for (const step of this.passes) step.pass.render(renderer, step.target ?? target);
   }

@@ -1,3 +1,4 @@
+import type { Vec3 } from '../../math/vec3.ts';
 import { type LocalizedText, msg } from '../../messages/message.ts';
 import { SKY_SHAPE } from '../lights/skyGradient.ts';
 
@@ -55,6 +56,9 @@ const metres = (title: LocalizedText, value: number): EffectArgument => ({
   unit: 'm',
   scale: 'log',
 });
+
+/** What distant things fade into, where an effect does not take its own: the sky in the same direction, or a colour, linear sRGB. Its brightness is the effect's argument. */
+export type FogColor = 'sky' | Vec3;
 
 export const EFFECTS = {
   'gaussian-blur': {
@@ -140,7 +144,7 @@ export const EFFECTS = {
       fraction(msg`Grey to haze`, 0.5),
       fraction(msg`Over the sky`, 1),
     ],
-    reads: ['depth', 'event'],
+    reads: ['depth', 'event', 'direction'],
   },
   'hue-shift': {
     title: msg`Hue shift`,
@@ -186,7 +190,7 @@ export const EFFECT_IDS = Object.keys(EFFECTS) as readonly EffectId[];
 export const MIX_MODES = ['normal', 'multiply', 'add', 'screen', 'overlay', 'difference', 'split', 'wipe'] as const;
 export type MixMode = (typeof MIX_MODES)[number];
 
-// Constants that both implementations fraction.
+// Constants that both implementations share.
 
 /** Cutoff of Gaussians, in standard deviations. */
 export const GAUSSIAN_CUTOFF = 3;

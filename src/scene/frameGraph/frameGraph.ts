@@ -1,7 +1,7 @@
 import type { ToneMapping } from '../../spectrum/display/toneMap.ts';
 import type { FalseColorQuantity, ValueRange } from '../../spectrum/falseColor/falseColor.ts';
 import type { BufferSettings } from '../settings/settings.ts';
-import type { EffectId, MixMode } from './effects.ts';
+import type { EffectId, FogColor, MixMode } from './effects.ts';
 import type { StillPixels } from './still.ts';
 
 /*
@@ -33,6 +33,8 @@ export type FrameGraphPassOf<Image, Buffer> =
       readonly effect: EffectId | CustomEffect;
       /** arg1 … arg4 */
       readonly args: readonly number[];
+      /** Of effects that fade distant things; absent: the effect's own. */
+      readonly fogColor?: FogColor;
       readonly image: Image;
       /** What `image2` of a custom effect reads. */
       readonly second?: Image;
@@ -114,7 +116,7 @@ export const frameGraphStructure = ({ extraBuffers, passes }: FrameGraph): strin
 function withoutNumericValues(pass: FrameGraphPass): unknown {
   switch (pass.kind) {
     case 'effect':
-      return { ...pass, args: 0 };
+      return { ...pass, args: 0, fogColor: 0 };
     case 'mix':
       return { ...pass, alpha: 0 };
     case 'tone':

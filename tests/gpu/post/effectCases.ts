@@ -9,7 +9,7 @@ import { type EffectInput, FloatImage } from '../../../src/reference/post/effect
 import { mixImages } from '../../../src/reference/post/effects/mix.ts';
 import { renderTile } from '../../../src/reference/tile.ts';
 import { makeObject, makeScene, restingAt } from '../../../src/scene/defaults.ts';
-import type { EffectId, MixMode } from '../../../src/scene/frameGraph/effects.ts';
+import type { EffectId, FogColor, MixMode } from '../../../src/scene/frameGraph/effects.ts';
 import { plane, sphere } from '../../../src/scene/mesh/primitives.ts';
 import { readShaderText } from '../../../src/scene/shaderText/shaderText.ts';
 import { perspective } from '../../../src/scene/view/lens.ts';
@@ -20,6 +20,7 @@ export interface EffectCase {
   readonly name: string;
   readonly of: EffectId | { readonly mode: MixMode } | { readonly text: string };
   readonly args: readonly number[];
+  readonly fogColor?: FogColor;
   readonly picture: keyof typeof PICTURES;
   readonly masked?: boolean;
 }
@@ -114,10 +115,10 @@ function shapes(): EffectInput {
 const PICTURES = { noise, scene, shapes };
 const taken = new Map<string, EffectInput>();
 
-export function pictureOf({ picture }: EffectCase): EffectInput {
+export function pictureOf({ picture, fogColor }: EffectCase): EffectInput {
   const cached = taken.get(picture) ?? PICTURES[picture]();
   taken.set(picture, cached);
-  return cached;
+  return fogColor ? { ...cached, fogColor } : cached;
 }
 
 /** A ramp from 0 at the left to 1 and beyond at the right. */
@@ -290,6 +291,13 @@ export const EFFECT_CASES: readonly EffectCase[] = [
   ...both('vignette', [0.7, 2, 50]),
   ...both('fog', [8, 0.6, 0.5, 1]),
   ...both('fog', [20, 2, 0, 0.3]),
+  ...(['sky', [0.2, 0.9, 0.4]] as const).flatMap((fogColor) =>
+    [...both('fog', [8, 0.6, 0.5, 0.7]), ...both('sky-background', [0.8, 0.45, 12, 1])].map((of) => ({
+      ...of,
+      name: `${of.name}, into ${fogColor}`,
+      fogColor,
+    })),
+  ),
   ...both('hue-shift', [70, 1]),
   ...both('hue-shift', [-160, 2.5]),
   ...both('depth-of-field', [4, 300, 12]),

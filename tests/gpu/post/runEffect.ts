@@ -29,7 +29,7 @@ export async function runEffect(gpu: Gpu, of: EffectCase): Promise<Float32Array>
   const target = dataTarget(1, FloatType);
   passes.setSize(width, height);
   target.setSize(width, height);
-  passes.render(gpu.renderer, target, of.args, picture.view.t);
+  passes.render(gpu.renderer, target, of, picture.view.t);
   const values = await readFloats(gpu, target, 0, { x: 0, y: 0, width, height });
   passes.dispose();
   target.dispose();

@@ -1,5 +1,6 @@
 import { conjugate, rotate, toMatrix } from '../../../math/quat.ts';
 import { normalize, scale, sub, type Vec3 } from '../../../math/vec3.ts';
+import type { FogColor } from '../../../scene/frameGraph/effects.ts';
 import { backdropColors } from '../../../scene/lights/sceneLights.ts';
 import type { SkyColors } from '../../../scene/lights/skyGradient.ts';
 import { type Frustum, frustumOf } from '../../../scene/view/lens.ts';
@@ -62,6 +63,8 @@ export interface EffectInput {
   readonly zenith: Vec3;
   /** Colours of the sky as a backdrop; those of a clear day if absent. */
   readonly sky?: SkyColors;
+  /** What distant things fade into; absent: the effect's own. */
+  readonly fogColor?: FogColor;
 }
 
 /** Reads a picture's G-buffer at pixels, mirrored beyond the borders. */
@@ -70,12 +73,14 @@ export class GBufferReader {
   readonly frustum: Frustum;
   readonly zenith: Vec3;
   readonly sky: SkyColors;
+  readonly fogColor: FogColor | undefined;
   private readonly input: EffectInput;
 
   constructor(source: EffectInput) {
     this.input = source;
     this.image = source.image;
     this.zenith = source.zenith;
+    this.fogColor = source.fogColor;
     this.sky = source.sky ?? backdropColors({ lights: [] });
     this.frustum = frustumOf(source.view.lens, this.image.width, this.image.height);
   }

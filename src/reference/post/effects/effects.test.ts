@@ -299,6 +299,36 @@ describe('fog', () => {
     expect(effect('fog', [0.1, 2, 0, 0], flat(3, 3, 10), () => 1e3).at(1, 1)).toEqual([2, 2, 2]);
     expect(effect('fog', [10, 2, 0, 0.25], flat(3, 3, 10), () => 0).at(1, 1)).toEqual([8, 8, 8]);
   });
+
+  it('takes a colour of its own, and leaves the sky to the sky background', () => {
+    // I e^(−r/ℓ) + F (1 − e^(−r/ℓ)), by hand: r = ℓ ln 4, so a quarter of the light is left.
+    const input = { ...wall(flat(3, 3, 10), (x) => (x < 2 ? 5 * Math.log(4) : 0)), fogColor: [1, 0.4, 0.2] } as const;
+    const sky = applyEffect('sky-background', [1, 0.45, 0, 1], input).at(2, 1);
+    for (const [k, color] of [1, 0.4, 0.2].entries()) {
+      expect(applyEffect('fog', [5, 2, 0.5, 1], input).at(1, 1)[k]).toBeCloseTo(2.5 + 0.75 * 2 * color, 12);
+      expect(applyEffect('fog', [5, 2, 0.5, 1], input).at(2, 1)[k]).toBeCloseTo(2 * color, 12);
+      expect(applyEffect('sky-background', [2, 0.45, 5, 1], input).at(1, 1)[k]).toBeCloseTo(2.5 + 0.75 * 2 * color, 12);
+      expect(applyEffect('sky-background', [2, 0.45, 5, 1], input).at(2, 1)[k]).toBeCloseTo(2 * sky[k]!, 12);
+    }
+  });
+
+  it('fades into the colours of the scene’s sky: at infinity nothing is seen of a surface', () => {
+    const sky = { zenith: [0.1, 0.2, 0.9], horizon: [0.9, 0.5, 0.3], ground: [0.05, 0.1, 0.02] } as const;
+    const input = { ...wall(flat(9, 9, 10), () => 1e6), sky, fogColor: 'sky' } as const;
+    const fogged = applyEffect('fog', [10, 1, 0.5, 1], input);
+    for (const y of [0, 2, 6, 8]) {
+      // Straight from the shape of the sky: the pixel's height is the sine of its elevation.
+      const tangent = Math.tan(0.5) * (1 - (2 * y + 1) / 9);
+      const height = tangent / Math.hypot(1, tangent);
+      const fade = Math.min(-height / 0.35, 1);
+      for (const [k, value] of fogged.at(4, y).entries()) {
+        const up = sky.horizon[k]! + (sky.zenith[k]! - sky.horizon[k]!) * Math.max(height, 0) ** 0.45;
+        const low = 0.8 * sky.horizon[k]!;
+        const down = low + (sky.ground[k]! - low) * fade ** 2 * (3 - 2 * fade);
+        expect(value).toBeCloseTo(height > 0 ? up : down, 9);
+      }
+    }
+  });
 });
 
 describe('the sky background', () => {
