@@ -1,5 +1,6 @@
 import { type LocalizedText, msg } from '../../messages/message.ts';
-import { checkExpression, constantIndex, convertTo, isReservedName, type ShaderScope } from './expressions.ts';
+import { checkExpression, constantIndex, isReservedName, type ShaderScope } from './expressions.ts';
+import { convertTo } from './operations.ts';
 import type { ShaderExpression, ShaderFunction, ShaderProgram, ShaderStatement } from './program.ts';
 import { refuse, SHADER_TEXT_LIMITS, type SourceLocation } from './sourceLocation.ts';
 import type {
