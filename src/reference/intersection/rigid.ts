@@ -1,50 +1,37 @@
-import { multiply } from '../../math/mat3.ts';
-import { conjugate, rotate, toMatrix } from '../../math/quat.ts';
-import { add, scale, type Vec3 } from '../../math/vec3.ts';
-import { gamma, properVelocity } from '../../physics/lorentz/boost.ts';
-import { contraction } from '../../physics/worldLines/simultaneity.ts';
+import type { Vec3 } from '../../math/vec3.ts';
 import { isEternal } from '../../scene/motion/lifetimes.ts';
-import type { Pose, SceneObject, UniformMotion } from '../../scene/types.ts';
-import { emptyBox, growBox } from '../acceleration/bvh.ts';
+import type { SceneObject, UniformMotion } from '../../scene/types.ts';
 import { BvhTraversal } from '../acceleration/bvhTraversal.ts';
 import type { Hit, SpacetimeRay } from '../acceleration/ray.ts';
 import {
   type Crossing,
   clipToTimes,
-  createHit,
   type MovingBox,
   type ObjectIntersector,
   type RayQuery,
 } from '../acceleration/rayQuery.ts';
 import { type TriangleBvh, triangleNormal } from '../acceleration/triangleBvh.ts';
+import { RigidFrame } from './rigidFrame.ts';
 
 const traversal = new BvhTraversal();
 /** The current ray in the coordinates of the current object: o x y z, d x y z. */
 const line = new Float64Array(6);
 
-/**
- * Intersects rays with an object at rest or in uniform motion. In the coordinates y = M (x − x₀ − v t) its triangles are at rest, and a straight
- * line of events is a straight line: M inverts the object's orientation and, if the object is authored in its rest frame, the contraction.
- */
+/** Intersects rays with an object at rest or in uniform motion. */
 export class RigidIntersector implements ObjectIntersector {
   readonly index: number;
   readonly doubleSided: boolean;
   private readonly object: SceneObject;
   private readonly shape: TriangleBvh;
   private readonly c: number;
-  private readonly pose: Pose;
-  /** Velocity [m/s], β [c] and γβ. */
-  private readonly velocity: Vec3;
-  private readonly beta: Vec3;
-  private readonly u: Vec3;
-  /** M, row-major. */
+  private readonly frame: RigidFrame;
   private readonly toObject: Float64Array;
   private readonly hasLifetime: boolean;
 
   constructor(
     index: number,
     object: SceneObject,
-    { pose, velocity }: Pick<UniformMotion, 'pose' | 'velocity'>,
+    motion: Pick<UniformMotion, 'pose' | 'velocity'>,
     shape: TriangleBvh,
     c: number,
   ) {
@@ -53,30 +40,16 @@ export class RigidIntersector implements ObjectIntersector {
     this.object = object;
     this.shape = shape;
     this.c = c;
-    this.pose = pose;
-    this.velocity = velocity;
-    this.beta = scale(this.velocity, 1 / c);
-    this.u = properVelocity(this.beta);
-    const toOwnAxes = toMatrix(conjugate(pose.orientation));
-    this.toObject = Float64Array.from(
-      object.authoredIn === 'rest' ? multiply(toOwnAxes, lengthening(this.u)) : toOwnAxes,
-    );
+    this.frame = new RigidFrame(object.authoredIn, motion, c);
+    this.toObject = Float64Array.from(this.frame.toObject);
     this.hasLifetime = !isEternal(object.lifetime);
   }
 
   get bounds(): MovingBox | undefined {
     const { bounds } = this.shape.bvh;
     if (bounds.length === 0) return undefined;
-    const box = new Float64Array(6);
-    emptyBox(box, 0);
-    for (let corner = 0; corner < 8; corner++) {
-      const own: Vec3 = [bounds[corner & 1 ? 3 : 0], bounds[corner & 2 ? 4 : 1], bounds[corner & 4 ? 5 : 2]];
-      const rotated = rotate(this.pose.orientation, own);
-      const offset = this.object.authoredIn === 'rest' ? contraction(rotated, this.u) : rotated;
-      const at = add(this.pose.position, offset);
-      growBox(box, 0, [...at, ...at], 0);
-    }
-    return { box: [...box], velocity: this.velocity };
+    const corner = (k: number): Vec3 => [bounds[k & 1 ? 3 : 0], bounds[k & 2 ? 4 : 1], bounds[k & 4 ? 5 : 2]];
+    return this.frame.boxAround([0, 1, 2, 3, 4, 5, 6, 7].map(corner));
   }
 
   intersect(ray: SpacetimeRay, search: RayQuery): void {
@@ -86,28 +59,13 @@ export class RigidIntersector implements ObjectIntersector {
       [begin, end] = clipToTimes(ray, birth, death, this.c, begin, end);
       if (begin > end) return;
     }
-    this.toObjectCoordinates(ray);
+    this.frame.writeLine(ray, this.toObject, line);
     traversal.start(this.shape.bvh, line, begin);
     this.intersectLeaves(begin, end, search);
   }
 
   hitAt(ray: SpacetimeRay, crossing: Crossing): Hit {
-    const { mesh, authoredIn } = this.object;
-    const plane = rotate(this.pose.orientation, triangleNormal(mesh, crossing.corner));
-    const N = authoredIn === 'world' ? contraction(plane, this.u) : plane;
-    return createHit(ray, this.index, crossing, this.c, this.beta, N);
-  }
-
-  /** Writes the ray in the object's coordinates to `line`. */
-  private toObjectCoordinates({ t, x, dt, dx }: SpacetimeRay): void {
-    const { toObject: m, velocity: v, beta } = this;
-    const p = this.pose.position;
-    const [ox, oy, oz] = [x[0] - p[0] - v[0] * t, x[1] - p[1] - v[1] * t, x[2] - p[2] - v[2] * t];
-    const [dX, dY, dZ] = [dx[0] - beta[0] * dt, dx[1] - beta[1] * dt, dx[2] - beta[2] * dt];
-    for (let i = 0; i < 3; i++) {
-      line[i] = m[3 * i] * ox + m[3 * i + 1] * oy + m[3 * i + 2] * oz;
-      line[3 + i] = m[3 * i] * dX + m[3 * i + 1] * dY + m[3 * i + 2] * dZ;
-    }
+    return this.frame.hitAt(ray, this.index, crossing, triangleNormal(this.object.mesh, crossing.corner));
   }
 
   /**
@@ -158,10 +116,4 @@ function longestAxis(line: Float64Array): number {
   const b = Math.abs(line[4]);
   const c = Math.abs(line[5]);
   return a >= b && a >= c ? 0 : b >= c ? 1 : 2;
-}
-
-/** The inverse of `contraction`, x + (u·x) u/(γ + 1), row-major. */
-export function lengthening(u: Vec3): readonly number[] {
-  const k = 1 / (gamma(u) + 1);
-  return [0, 1, 2].flatMap((i) => [0, 1, 2].map((j) => (i === j ? 1 : 0) + k * u[i] * u[j]));
 }
