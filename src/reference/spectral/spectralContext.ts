@@ -7,6 +7,8 @@ import type { SourceSpectrum } from './sourceSpectrum.ts';
 /** Samples light in one frame: at wavelengths of that frame (spectralSensor.ts), or as linear sRGB (rgbSensor.ts). */
 export interface SpectralContext {
   emitted(source: SourceSpectrum): SampledRadiance;
+  /** A sum of several lights as one light. */
+  together(light: SampledRadiance): SampledRadiance;
   /** Light after reflection or transmission by a filter. */
   filtered(light: SampledRadiance, filter: SpectralFilter): SampledRadiance;
   /** The context of a frame whose light arrives in this one with ν = D ν_there. */

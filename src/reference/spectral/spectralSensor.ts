@@ -60,6 +60,10 @@ class WavelengthContext implements SpectralContext {
     return this.filtered({ values: this.wavelengths.radiance(spectrum), lines }, filter);
   }
 
+  together(light: SampledRadiance): SampledRadiance {
+    return light;
+  }
+
   filtered(light: SampledRadiance, filter: SpectralFilter): SampledRadiance {
     if (isDark(light)) return light;
     const pass = ({ wavelength, value }: RadianceLine): RadianceLine => ({

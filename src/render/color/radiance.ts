@@ -66,9 +66,6 @@ export interface RadianceAccumulator {
 /** Makes the accumulator of a pixel that is seen with D. */
 export type ColorPipeline = (D: Float, uniforms: FrameUniforms) => RadianceAccumulator;
 
-/** Shifts below this change no pixel, and most surfaces are at rest: colours are left as they are at rest. */
-export const MIN_SHIFT = 1e-5;
-
 /** D^(power · beaming), with the fraction of beaming in the settings. */
 export const beamingFactor = (D: Float, power: number, { beaming }: FrameUniforms): Float =>
   exp2(log2(max(D, 1e-20)).mul(beaming.mul(power)));

@@ -13,6 +13,7 @@ import {
 import type { Float, Vec3 } from '../../shaders/types.ts';
 import { SHIFT_LIMIT } from '../../spectrum/doppler/dopplerTable.ts';
 import type { FilteredBlackbody } from '../../spectrum/doppler/filterPairs.ts';
+import { MIN_SHIFT } from '../../spectrum/doppler/rgbShifts.ts';
 import { BASIS_ENDS } from '../../spectrum/reflectance/spectralFilter.ts';
 import { DAYLIGHT } from '../../spectrum/sources/lightSpectrum.ts';
 import type { DaylightTable } from './daylightTable.ts';
@@ -21,7 +22,6 @@ import {
   type BeamingPower,
   type ColorPipeline,
   type LineSource,
-  MIN_SHIFT,
   RADIANCE_POWER,
   type SpectralFilterNodes,
   type ThermalSource,

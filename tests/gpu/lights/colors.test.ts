@@ -3,6 +3,9 @@ import { pumpFrame } from '../../../src/cli/gpu/nodeShim.ts';
 import { IDENTITY } from '../../../src/math/quat.ts';
 import { add, normalize, scale, type Vec3, ZERO } from '../../../src/math/vec3.ts';
 import { properVelocity } from '../../../src/physics/lorentz/boost.ts';
+import { cameraRay } from '../../../src/reference/camera/cameraRay.ts';
+import { pixelSequence } from '../../../src/reference/sampling/pixelSequence.ts';
+import { radiance } from '../../../src/reference/transport/path.ts';
 import { SKY_LIGHTS } from '../../../src/render/color/daylightTable.ts';
 import { makeMaterial } from '../../../src/scene/defaults.ts';
 import { DAY_SKY } from '../../../src/scene/lights/sceneLights.ts';
@@ -12,11 +15,11 @@ import { perspective } from '../../../src/scene/view/lens.ts';
 import { DEFAULT_SETTINGS, type RenderSettings, type ViewPoint } from '../../../src/scene/view/view.ts';
 import { colorOfSpectrum, observedColor } from '../../../src/spectrum/color/observerColor.ts';
 import { skyParts } from '../../../src/spectrum/color/scatteredLight.ts';
-import { RGB_COLOR_MODES } from '../../../src/spectrum/doppler/rgbShifts.ts';
+import { RGB_COLOR_MODES, RGB_SHIFTS } from '../../../src/spectrum/doppler/rgbShifts.ts';
 import { filterFromRgb, WHITE_FILTER } from '../../../src/spectrum/reflectance/spectralFilter.ts';
 import { LIGHT_PRESETS } from '../../../src/spectrum/sources/lightPresets.ts';
 import { DAYLIGHT, type LightSpectrum } from '../../../src/spectrum/sources/lightSpectrum.ts';
-import { dome, lamp, lit } from '../../support/lightKit.ts';
+import { DIRECT, dome, lamp, lit } from '../../support/lightKit.ts';
 import { compareWithReference, type Difference } from '../support/agreement.ts';
 import { type HeadlessPictures, openPictures } from '../support/openPictures.ts';
 
@@ -242,5 +245,37 @@ describe('the rasterizer shows the colours of the spectral reference', () => {
     expect(mean).toBeLessThan(0.002);
     // Shifted lines change by hundredths per nanometre, and SwiftShader's interpolation moves D by up to 0.2 % in so small a picture.
     expect(most).toBeLessThan(colors === 'approximate' ? 0.015 : 0.08);
+  });
+
+  it.each(RGB_COLOR_MODES)('a sun and a sky of other colours, shifted each by itself, %s', async (colors) => {
+    const [light, sky] = [sun([2, 1.1, 0.3]), [0.1, 0.25, 0.5] as Vec3];
+    const scene = lit(tiles(undefined, { ior: 1, roughness: 1 }), [light, dome(sky)]);
+    const [settings, u] = [{ ...SETTINGS, colors }, properVelocity([0, 0, -0.2])];
+    await headless.renderer.setScene(scene.scene);
+    pumpFrame();
+    headless.renderer.render([{ ...VIEW, u }], { ...settings, occlusionRadius: 0 }, 1);
+    const [drawn, dopplers] = [await headless.renderer.readAov('beauty'), await headless.renderer.readAov('doppler')];
+    const cosine = -light.direction[2];
+    // Above and below the middle.
+    for (const [row, albedo] of [
+      [SIZE / 2 - 5, COLORS[4]],
+      [SIZE / 2 + 4, COLORS[1]],
+    ] as const) {
+      const at = row * SIZE + SIZE / 2;
+      const D = dopplers[at];
+      const seen = (from: Vec3, share: number): Vec3 =>
+        RGB_SHIFTS[colors](
+          [share * albedo[0] * from[0], share * albedo[1] * from[1], share * albedo[2] * from[2]],
+          D,
+          1,
+        );
+      const exact = scale(add(seen(light.color, cosine / Math.PI), seen(sky, 1)), D ** 4);
+      const ray = cameraRay({ ...VIEW, u }, settings, SIZE / 2 + 0.5, row + 0.5, SIZE, SIZE);
+      const traced = radiance(scene, ray, { u }, settings, { ...DIRECT, bounces: 1 }, pixelSequence(1, 0, 0)(0));
+      exact.forEach((value, k) => {
+        expect(Math.abs(drawn[3 * at + k] - value)).toBeLessThan(0.005 * Math.max(...exact));
+        expect(Math.abs(traced[k] - value)).toBeLessThan(0.005 * Math.max(...exact));
+      });
+    }
   });
 });

@@ -28,7 +28,7 @@ export const DOME_LIGHT: LightTracer<DomeLight> = {
       radiance(n, context) {
         if (dome.blackbodies) return blackbodyLight(color(n)[0], dome.blackbodies, context);
         if (dome.spectrum) return context.emitted(sourceSpectrumOf(color(n), dome.spectrum));
-        return isReddened ? reddening(color(n), context) : scattering(color(n), context);
+        return context.together(isReddened ? reddening(color(n), context) : scattering(color(n), context));
       },
       ...(sampler && { sampler }),
     };
