@@ -22,7 +22,7 @@ import {
 import { MAX_LAYERS } from '../../src/formats/usd/compose/layers/layerStore.ts';
 import { MAX_NODES } from '../../src/formats/usd/compose/primIndex/primIndexer.ts';
 import { MAX_SUBDIVISION_LEVELS, POINT_BUDGET, SAMPLE_MEMORY } from '../../src/formats/usd/read.ts';
-import { FACE_BUDGET } from '../../src/formats/usd/schema/geometry/subdivision.ts';
+import { FACE_BUDGET } from '../../src/formats/usd/schema/geometry/subdivisionLevels.ts';
 import { MAX_UDIM_ATLAS_SIDE as MAX_ATLAS_SIDE } from '../../src/formats/usd/schema/materials/udim.ts';
 import { MAX_INFLUENCES } from '../../src/formats/usd/schema/skel/binding.ts';
 import { MAX_DEPTH as TEXT_DEPTH } from '../../src/formats/usd/text/parser.ts';

@@ -2,7 +2,7 @@ import { listed, msg } from '../../messages/message.ts';
 import { makeMaterial } from '../../scene/defaults.ts';
 import type { Material, Texture } from '../../scene/types.ts';
 import { resolvePath } from '../files/fileSource.ts';
-import { channelMean, withAlphaFrom } from '../image/decodeImage.ts';
+import { channelMean, withAlphaFrom } from '../image/imageChannels.ts';
 import { lineError, numberOf, type ObjContext, type ObjStatement } from './context.ts';
 import type { UvPlacement } from './meshes.ts';
 import { statements } from './statements.ts';

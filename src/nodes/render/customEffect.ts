@@ -1,7 +1,6 @@
 import { NodeRefusal, type ParamSpec, type TextParam } from '../../graph/nodeType.ts';
 import { type Message, msg } from '../../messages/message.ts';
 import type { CustomEffect } from '../../scene/frameGraph/frameGraph.ts';
-import { readShaderText } from '../../scene/shaderText/shaderText.ts';
 import { SHADER_TEXT_LIMITS, ShaderTextError } from '../../scene/shaderText/sourceLocation.ts';
 import { InputError } from '../../scene/types.ts';
 import { nodeRefusal } from '../common/params.ts';
@@ -52,11 +51,12 @@ export async function customEffect(
       message: file === '' ? message : msg`${file}: ${message}`,
     });
   };
+  const { readShaderText } = await import('../../scene/shaderText/shaderText.ts');
   try {
-    const { reads } = readShaderText(source);
-    if (reads.has('image2') && !hasSecond)
+    const program = readShaderText(source);
+    if (program.reads.includes('image2') && !hasSecond)
       refuse(msg`the text reads a second image, and none is connected: connect one to “Second image”`);
-    return { text: source };
+    return { text: source, program };
   } catch (error) {
     return error instanceof ShaderTextError ? refuse(error.text) : rethrow(error);
   }

@@ -2,7 +2,6 @@ import type { Vec3 } from '../../math/vec3.ts';
 import { EFFECTS } from '../../scene/frameGraph/effects.ts';
 import { type FrameGraph, type FrameGraphPass, inputImages } from '../../scene/frameGraph/frameGraph.ts';
 import type { SkyColors } from '../../scene/lights/skyGradient.ts';
-import { readShaderText } from '../../scene/shaderText/shaderText.ts';
 import type { AovName, RenderSettings, ViewPoint } from '../../scene/view/view.ts';
 import { bufferSettings } from '../../scene/view/view.ts';
 import { decodeSrgb } from '../../spectrum/display/srgb.ts';
@@ -50,7 +49,7 @@ function aovsOfPass(pass: Extract<FrameGraphPass, { readonly buffer: number }>):
     case 'effect':
       return typeof pass.effect === 'string'
         ? EFFECTS[pass.effect].reads.flatMap((channel) => AOVS_OF_EFFECT_CHANNEL[channel])
-        : [...readShaderText(pass.effect.text).reads].flatMap((channel) => AOVS_OF_SHADER_CHANNEL[channel]);
+        : pass.effect.program.reads.flatMap((channel) => AOVS_OF_SHADER_CHANNEL[channel]);
   }
 }
 
@@ -82,7 +81,7 @@ function evaluatePass(
     case 'effect': {
       const { aovs, zenith, sky } = captured.buffers[pass.buffer]!;
       const settings = bufferSettings(captured.settings, pass.buffer);
-      const of = typeof pass.effect === 'string' ? pass.effect : readShaderText(pass.effect.text);
+      const of = typeof pass.effect === 'string' ? pass.effect : pass.effect.program;
       return applyEffect(
         of,
         pass.args,

@@ -1,7 +1,6 @@
 import { Fn, uniform, vec3, vec4 } from 'three/tsl';
 import type { PerspectiveCamera, RenderTarget } from 'three/webgpu';
 import type { FrameGraph, FrameGraphPass } from '../../scene/frameGraph/frameGraph.ts';
-import { readShaderText } from '../../scene/shaderText/shaderText.ts';
 import { toneMaps } from '../../shaders/color/toneMap.ts';
 import type { DeferredPass, GBufferView } from '../deferredPass.ts';
 import { dataTarget } from '../gbuffer/gbuffer.ts';
@@ -177,7 +176,7 @@ export class FrameGraphRunner {
   }
 
   private effect({ effect, image, second, buffer, mask }: Of<'effect'>, i: number): PassRunner {
-    const source = typeof effect === 'string' ? effect : readShaderText(effect.text);
+    const source = typeof effect === 'string' ? effect : effect.program;
     const inputs = this.inputs(image, mask, buffer);
     const both = second === undefined ? inputs : { ...inputs, second: this.texture(second) };
     const passes = EffectPasses.forEffect(source, both);

@@ -1,6 +1,7 @@
 import type { ToneMapping } from '../../spectrum/display/toneMap.ts';
 import type { FalseColorQuantity, ValueRange } from '../../spectrum/falseColor/falseColor.ts';
 import type { BufferSettings } from '../settings/settings.ts';
+import type { ShaderProgram } from '../shaderText/program.ts';
 import type { EffectId, FogColor, MixMode } from './effects.ts';
 import type { StillPixels } from './still.ts';
 
@@ -18,6 +19,8 @@ export interface FrameGraphBuffer extends BufferSettings {
 /** A user-written effect (scene/shaderText/). */
 export interface CustomEffect {
   readonly text: string;
+  /** The text as `readShaderText` reads it. Renderers run it, and need no parser. */
+  readonly program: ShaderProgram;
 }
 
 /** A pass, with references to images and G-buffers of the given types. */
@@ -105,18 +108,23 @@ export function inputImages<Image>(pass: FrameGraphPassOf<Image, unknown>): read
 export const includesToneMapping = (frameGraph: FrameGraph | undefined): boolean =>
   frameGraph?.passes.some(({ kind }) => kind === 'tone') ?? false;
 
-/** Settings, frame graphs or passes as text for comparison; a still is identified by its key. */
+/** Settings, frame graphs or passes as text for comparison; a still is identified by its key, a user-written effect by its text. */
 export const contentKey = (data: unknown): string =>
-  JSON.stringify(data, (_, value: unknown) => (ArrayBuffer.isView(value) ? undefined : value));
+  JSON.stringify(data, (name, value: unknown) =>
+    name === ('program' satisfies keyof CustomEffect) || ArrayBuffer.isView(value) ? undefined : value,
+  );
 
 /** A frame graph without its numbers: graphs of equal structure are drawn by the same shaders. */
 export const frameGraphStructure = ({ extraBuffers, passes }: FrameGraph): string =>
   JSON.stringify([extraBuffers.length, passes.map(withoutNumericValues)]);
 
+/** An effect's name, or its text. */
+const idOf = (effect: EffectId | CustomEffect): string => (typeof effect === 'string' ? effect : effect.text);
+
 function withoutNumericValues(pass: FrameGraphPass): unknown {
   switch (pass.kind) {
     case 'effect':
-      return { ...pass, args: 0, fogColor: 0 };
+      return { ...pass, effect: idOf(pass.effect), args: 0, fogColor: 0 };
     case 'mix':
       return { ...pass, alpha: 0 };
     case 'tone':

@@ -19,7 +19,7 @@ const INVERSE_COST = 200;
 export function checkCost(
   { functions, effect }: Pick<ShaderProgram, 'functions' | 'effect'>,
   places: readonly SourceLocation[],
-): ReadonlySet<ShaderChannel> {
+): readonly ShaderChannel[] {
   const reads = new Set<ShaderChannel>();
   const known = new Map<number, ShaderCost>();
   const open = new Set<number>();
@@ -97,5 +97,5 @@ export function checkCost(
   reads.clear();
   known.clear();
   ofFunction(effect);
-  return reads;
+  return [...reads];
 }

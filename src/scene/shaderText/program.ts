@@ -98,12 +98,13 @@ export type ShaderBinaryOperation =
   | 'gt'
   | 'ge';
 
-/** A type-checked program: variables are resolved to indices, types match, and every loop count is known. */
+/** A type-checked program: variables are resolved to indices, types match, and every loop count is known. Plain data. */
 export interface ShaderProgram {
   readonly functions: readonly ShaderFunction[];
   /** Index of `effect`. */
   readonly effect: number;
-  readonly reads: ReadonlySet<ShaderChannel>;
+  /** The channels that it samples, each once. */
+  readonly reads: readonly ShaderChannel[];
 }
 
 export interface ShaderFunction {

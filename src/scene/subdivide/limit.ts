@@ -1,6 +1,7 @@
 import { cornersAround } from '../mesh/polygons.ts';
-import { isLinear, loopWeight, type SubdivisionScheme } from './masks.ts';
+import { loopWeight } from './masks.ts';
 import { creaseRule, creasesAt } from './rules.ts';
+import { isLinear, type SubdivisionScheme } from './scheme.ts';
 import { type SparseMatrix, SparseMatrixBuilder } from './sparseMatrix.ts';
 import { nextCorner, previousCorner, type SubdivisionTopology } from './topology.ts';
 

@@ -1,7 +1,7 @@
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
-import { facesAfter, LimitSurface, limitValues, parentFaces, refineTopology } from './limitSurface.ts';
-import type { SubdivisionScheme } from './masks.ts';
+import { LimitSurface, limitValues, parentFaces, refineTopology } from './limitSurface.ts';
+import { facesAfter, type SubdivisionScheme } from './scheme.ts';
 import { type ControlCage, makeTopology, type SubdivisionTopology } from './topology.ts';
 
 interface Shape {

@@ -1,7 +1,8 @@
 import { cross } from '../../math/vec3.ts';
 import { pointAt } from '../mesh/polygons.ts';
 import { type LimitMatrices, limitMatrices, limitPositions } from './limit.ts';
-import { type RefinementStep, refinementStep, type SubdivisionScheme, splitsTriangles } from './masks.ts';
+import { type RefinementStep, refinementStep } from './masks.ts';
+import { type SubdivisionScheme, splitsTriangles } from './scheme.ts';
 import { multiplySparse, multiplySparseInto, rowCount, type SparseMatrix } from './sparseMatrix.ts';
 import { splitIntoQuads, splitIntoTriangles } from './splitTopology.ts';
 import type { SubdivisionTopology } from './topology.ts';
@@ -28,10 +29,6 @@ export function refineTopology(
   }
   return { topology, scheme, steps };
 }
-
-/** Number of faces after `levels` levels; `corners`: total number of face corners. */
-export const facesAfter = (corners: number, scheme: SubdivisionScheme, levels: number): number =>
-  splitsTriangles(scheme) ? (corners / 3) * 4 ** levels : corners * 4 ** (levels - 1);
 
 /** The cage face that contains each refined face; `faceCounts`: of the cage. */
 export function parentFaces({ topology, scheme, steps }: Refinement, faceCounts: ArrayLike<number>): Uint32Array {

@@ -1,13 +1,8 @@
 import { cornersAround } from '../mesh/polygons.ts';
 import { type CreaseRule, type Creases, creaseRule, creasesAt, decaySharpness, transitions } from './rules.ts';
+import { isLinear, type SubdivisionScheme, splitsTriangles } from './scheme.ts';
 import { type SparseMatrix, SparseMatrixBuilder } from './sparseMatrix.ts';
 import { nextCorner, previousCorner, type SubdivisionTopology } from './topology.ts';
-
-/** `bilinear` splits faces as Catmull–Clark, `linear` as Loop, both without smoothing. */
-export type SubdivisionScheme = 'catmullClark' | 'loop' | 'bilinear' | 'linear';
-
-export const splitsTriangles = (scheme: SubdivisionScheme): boolean => scheme === 'loop' || scheme === 'linear';
-export const isLinear = (scheme: SubdivisionScheme): boolean => scheme === 'bilinear' || scheme === 'linear';
 
 /** One level of refinement: face points from the points, then the next level's points from the points followed by the face points. */
 export interface RefinementStep {

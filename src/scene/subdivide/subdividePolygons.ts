@@ -1,7 +1,7 @@
 import type { Polygons, PolygonValues } from '../mesh/polygons.ts';
 import { type FaceVaryingRule, makeFaceVaryingChannel } from './faceVarying.ts';
 import { LimitSurface, limitValues, parentFaces, refineTopology } from './limitSurface.ts';
-import { type SubdivisionScheme, splitsTriangles } from './masks.ts';
+import { type SubdivisionScheme, splitsTriangles } from './scheme.ts';
 import { INFINITELY_SHARP, type SubdivisionTopology } from './topology.ts';
 
 export interface SubdivisionOptions {

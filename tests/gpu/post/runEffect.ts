@@ -39,7 +39,7 @@ export async function runEffect(gpu: Gpu, of: EffectCase): Promise<Float32Array>
 /** The part of the G-buffer that is read. */
 function readsOf({ of }: EffectCase): number {
   if (typeof of === 'string') return EFFECTS[of].reads.length;
-  return 'text' in of ? readShaderText(of.text).reads.size : 0;
+  return 'text' in of ? readShaderText(of.text).reads.length : 0;
 }
 
 function passesOf(of: EffectCase, picture: EffectInput): EffectPasses {

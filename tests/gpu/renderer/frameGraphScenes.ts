@@ -6,6 +6,7 @@ import { makeObject, makeScene, restingAt } from '../../../src/scene/defaults.ts
 import type { FrameGraph, FrameGraphBuffer, FrameGraphPass } from '../../../src/scene/frameGraph/frameGraph.ts';
 import { makeStillPixels, type StillPixels } from '../../../src/scene/frameGraph/still.ts';
 import { box, plane, sphere } from '../../../src/scene/mesh/primitives.ts';
+import { readShaderText } from '../../../src/scene/shaderText/shaderText.ts';
 import type { DistantLight } from '../../../src/scene/types.ts';
 import { perspective } from '../../../src/scene/view/lens.ts';
 import {
@@ -89,7 +90,14 @@ const EVERYTHING: readonly FrameGraphPass[] = [
   { kind: 'effect', effect: 'bilateral-filter', args: [2], image: 1, buffer: 0 },
   { kind: 'mix', mode: 'multiply', alpha: 1, below: 0, above: 2 },
   { kind: 'light', buffer: 1, shadows: false, occlusion: false },
-  { kind: 'effect', effect: { text: TEXT }, args: [0.5, 0.3], image: 4, buffer: 0, mask: 2 },
+  {
+    kind: 'effect',
+    effect: { text: TEXT, program: readShaderText(TEXT) },
+    args: [0.5, 0.3],
+    image: 4,
+    buffer: 0,
+    mask: 2,
+  },
   { kind: 'tone', tone: 'agx', exposure: -1, metering: 'manual', image: 3 },
   { kind: 'false-colour', of: 'doppler', scale: { from: 0.5, to: 2 }, image: 6, buffer: 0 },
   { kind: 'mix', mode: 'split', alpha: 0.5, below: 7, above: 5 },

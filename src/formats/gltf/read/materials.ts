@@ -11,7 +11,8 @@ import {
   type TextureWrap,
 } from '../../../scene/types.ts';
 import { INVISIBLE_BANDS, parseSpectralHints } from '../../attributes/hints.ts';
-import { channelMean, type DecodedImage, decodeImage } from '../../image/decodeImage.ts';
+import { type DecodedImage, decodeImage } from '../../image/decodeImage.ts';
+import { channelMean } from '../../image/imageChannels.ts';
 import { clampNormalStrength } from '../../read/limits.ts';
 import type { GltfContext } from '../context.ts';
 

@@ -5,7 +5,7 @@ import { commonLifetimes, isAlive, isEternal } from '../../../scene/motion/lifet
 import type { Lifetime, Light, Scene, SceneCamera, SceneObject } from '../../../scene/types.ts';
 import { MAX_OBJECTS } from '../../read/limits.ts';
 import { report } from '../diagnostics.ts';
-import { numbersAt, type TimeCode, textAt } from '../layer/attributes.ts';
+import { type TimeCode, textAt } from '../layer/attributes.ts';
 import type { PrimSpec } from '../layer/layer.ts';
 import { parentOf } from '../layer/primPaths.ts';
 import { ancestorsOf, isActive } from '../layer/query.ts';
@@ -15,13 +15,15 @@ import { gprimGeometry, isGprim } from './geometry/gprims.ts';
 import { meshGeometry } from './geometry/meshes.ts';
 import type { PrimGeometry } from './geometry/primGeometry.ts';
 import { PrimGeometryCache, withMaterialReplaced } from './geometry/primGeometryCache.ts';
-import { collectPrototypePaths, type InstanceContext, Instancers } from './instancer/instancers.ts';
+import type { InstanceContext, Instancers } from './instancer/instancers.ts';
 import type { PlacedInstancer, Prototype, UnplacedGprim } from './instancer/prototype.ts';
+import { collectPrototypePaths } from './instancer/prototypePaths.ts';
 import { isLight, isUnreadLight, lightOf } from './lights/lights.ts';
 import { geometryLights, type MeshLight, meshLightOf, withEmission } from './lights/meshLights.ts';
-import { type MeshPiece, meshPieces, reportPieces } from './lives/meshPieces.ts';
-import { transformInLife } from './lives/pieceGeometry.ts';
+import type { NumberedPiece } from './lives/livingPieces.ts';
+import type { MeshPiece } from './lives/meshPieces.ts';
 import { piecePaths } from './lives/piecePaths.ts';
+import { isTopologySampled } from './lives/topology.ts';
 import { ALWAYS, visibleTimes } from './lives/visibility.ts';
 import {
   type MaterialBinding,
@@ -32,7 +34,8 @@ import {
 import { MaterialTable } from './materials/materialTable.ts';
 import { TextureLoader } from './materials/textureLoader.ts';
 import { placeAtTime, placeGeometry, placeWithVelocity } from './placement/placement.ts';
-import { maybeSkinned, Skeletons } from './skel/binding.ts';
+import { maybeSkinned } from './skel/maybeSkinned.ts';
+import type { Skins } from './skel/skin.ts';
 import {
   authoredInOf,
   checkSlowlightAttributes,
@@ -104,25 +107,37 @@ class StageReader {
   private readonly geometryCache = new PrimGeometryCache();
   /** Paths of prototypes and their ancestors, which need not be defined. */
   private readonly prototypes: ReadonlySet<string>;
-  private readonly skeletons: Skeletons;
+  private instancers: Promise<Instancers> | undefined;
+  private skins: Promise<Skins> | undefined;
 
   constructor(context: StageContext) {
     this.context = context;
     this.textures = new TextureLoader(context);
-    this.skeletons = new Skeletons(context);
     this.table = new MaterialTable(context, this.textures);
     this.geometryLights = geometryLights(context.layer.rootPrims.values());
     this.prototypes = collectPrototypePaths(context.layer.rootPrims, new Set());
-    const instancers = new Instancers(context, {
+    this.scene = {
+      isScene: true,
+      gprim: (part) => this.draw(part),
+      instancer: async (site) => {
+        this.instancers ??= this.loadInstancers();
+        await (await this.instancers).expand(site);
+      },
+    };
+  }
+
+  private async loadInstancers(): Promise<Instancers> {
+    const { Instancers } = await import('./instancer/instancers.ts');
+    return new Instancers(this.context, {
       prototype: (prim) => this.subtree(prim),
       addInstance: (part, path, setting) => this.drawInstance(part, path, setting),
       remainingObjects: () => MAX_OBJECTS - this.objects.length,
     });
-    this.scene = {
-      isScene: true,
-      gprim: (part) => this.draw(part),
-      instancer: (site) => instancers.expand(site),
-    };
+  }
+
+  private async loadSkins(): Promise<Skins> {
+    const { Skins } = await import('./skel/skin.ts');
+    return new Skins(this.context);
   }
 
   async visit(prim: PrimSpec, inherited: Inherited): Promise<void> {
@@ -255,43 +270,26 @@ class StageReader {
   }
 
   private async readGprim(prim: PrimSpec, own: Inherited): Promise<void> {
-    const pieces = prim.typeName === 'Mesh' ? this.piecesOf(prim, own) : undefined;
-    if (!pieces) {
-      await this.readShape(prim, own);
-      return;
-    }
-    const { codesPerSecond } = this.context;
-    const [only] = pieces.length === 1 ? pieces : [];
-    for (const [i, piece] of pieces.entries()) {
-      const number = only ? undefined : i + 1;
-      const life = { birth: piece.from / codesPerSecond, death: piece.until / codesPerSecond };
-      const lives = commonLifetimes(own.lives, [life]);
-      const transform = transformInLife(own.transform, piece);
-      if (lives.length > 0) await this.readShape(prim, { ...own, transform, lives }, { ...piece, number });
-    }
+    const pieces = prim.typeName === 'Mesh' && isTopologySampled(prim) ? await this.piecesOf(prim, own) : undefined;
+    if (!pieces) await this.readShape(prim, own);
+    else for (const { piece, life } of pieces) await this.readShape(prim, { ...own, ...life }, piece);
   }
 
-  /** The pieces of a mesh whose topology changes, without empty ones, with which simulations often begin; undefined if it does not, or if it is skinned. */
-  private piecesOf(prim: PrimSpec, own: Inherited): readonly MeshPiece[] | undefined {
-    const pieces = meshPieces(this.context, prim);
-    if (!pieces) return undefined;
-    if (!own.maybeSkinned) {
-      const drawn = pieces.filter(({ at }) => (numbersAt(prim, 'faceVertexCounts', at)?.length ?? 0) > 0);
-      reportPieces(this.context, prim, drawn);
-      return drawn;
-    }
-    const message = msg`its topology changes with time, and it may be skinned: it is held at the start`;
-    report(this.context, 'warning', 'usd.topology', prim.path, message);
-    return undefined;
+  private async piecesOf(prim: PrimSpec, own: Inherited) {
+    const { livingPieces } = await import('./lives/livingPieces.ts');
+    return livingPieces(this.context, prim, own);
   }
 
   private async readShape(prim: PrimSpec, own: Inherited, piece?: NumberedPiece): Promise<void> {
     const { material, transform, slowlight, sink, lives } = own;
     const context = piece ? { ...this.context, startCode: piece.at } : this.context;
     const surface = await primMaterialsOf(context, this.table, prim, material);
-    const make = (): PrimGeometry | undefined => this.geometryOf(context, prim, surface, piece);
+    if (own.maybeSkinned) this.skins ??= this.loadSkins();
+    const skins = own.maybeSkinned ? await this.skins : undefined;
+    const make = () => this.geometryOf(context, prim, surface, { skins, piece });
     // A skinned mesh's shape depends on more than its own opinions.
-    const shape = own.maybeSkinned ? make() : this.geometryCache.getOrCreate(prim, surface, `${piece?.at ?? ''}`, make);
+    const which = `${piece?.at ?? ''}`;
+    const shape = await (own.maybeSkinned ? make() : this.geometryCache.getOrCreate(prim, surface, which, make));
     if (!shape) return;
     const place =
       shape.transform && !sink.isScene
@@ -362,14 +360,14 @@ class StageReader {
     });
   }
 
-  private geometryOf(
+  private async geometryOf(
     context: StageContext,
     prim: PrimSpec,
     surface: PrimMaterials,
-    piece: MeshPiece | undefined,
-  ): PrimGeometry | undefined {
+    { skins, piece }: { readonly skins: Skins | undefined; readonly piece: MeshPiece | undefined },
+  ): Promise<PrimGeometry | undefined> {
     if (prim.typeName !== 'Mesh') return gprimGeometry(context, prim, surface);
-    const shape = meshGeometry(context, this.skeletons, prim, surface, piece);
+    const shape = await meshGeometry(context, skins, prim, surface, piece);
     if (shape && shape.mesh.indices.length > 0) return shape;
     if (shape) report(context, 'warning', 'usd.empty-mesh', prim.path, msg`the mesh has no faces; it is left out`);
     return undefined;
@@ -393,11 +391,6 @@ class StageReader {
 }
 
 type ObjectGeometry = Pick<SceneObject, 'mesh' | 'motion'>;
-
-interface NumberedPiece extends MeshPiece {
-  /** From 1; undefined if there are no others. */
-  readonly number: number | undefined;
-}
 
 /** The lives within an authored lifetime; that itself if it is empty, for the validation to tell of. */
 const livesIn = (lives: readonly Lifetime[], authored: Lifetime): readonly Lifetime[] => {

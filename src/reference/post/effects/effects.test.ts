@@ -79,7 +79,7 @@ fn effect(p: Pixel) -> vec4f {
   let o = vec2i(1, 0);
   return vec4f(depth(o) * arg2, dot(normal(o), vec3f(1)) + event(o).z, p.direction.x * 0 + image(o).x + p.position.y, 1);
 }`);
-    const names = new Set<AovName>([...program.reads].flatMap((channel) => AOVS_OF_SHADER_CHANNEL[channel]));
+    const names = new Set<AovName>(program.reads.flatMap((channel) => AOVS_OF_SHADER_CHANNEL[channel]));
     const aovs = new Map([...input.aovs].filter(([name]) => names.has(name)));
     const after = applyEffect(program, [0, 10], { ...input, aovs });
     expect(after.at(1, 2)).toEqual([40, 1 - 4, 3.5]);

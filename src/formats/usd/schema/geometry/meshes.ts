@@ -8,15 +8,13 @@ import type { NumberArray, PrimSpec } from '../../layer/layer.ts';
 import { countOf, storedSamples } from '../../layer/storedArray.ts';
 import { isTrue, type StageContext } from '../context.ts';
 import type { MeshPiece } from '../lives/meshPieces.ts';
-import { pieceGeometry } from '../lives/pieceGeometry.ts';
 import type { PrimMaterials } from '../materials/materialBinding.ts';
 import { deformedMesh } from '../placement/deforming.ts';
 import { type MeshElementCounts, type Primvar, primvarOf, valuesOnMesh } from '../primvars.ts';
-import type { Skeletons } from '../skel/binding.ts';
-import { type Skin, skinOf } from '../skel/skin.ts';
+import type { Skin, Skins } from '../skel/skin.ts';
 import { pointBytes, vectorsPerVertex } from './pointSampling.ts';
 import type { DeformedPoints, PrimGeometry, StoredDeformation } from './primGeometry.ts';
-import { levelsOf, subdivideMesh } from './subdivision.ts';
+import { levelsOf } from './subdivisionLevels.ts';
 
 interface FaceArrays {
   readonly points: NumberArray;
@@ -43,16 +41,16 @@ const PROBE_POINTS = 64;
 const POINTS_PER_TRANSFORM = 8;
 
 /**
- * A Mesh prim as triangles with its deformation; undefined, with a diagnostic, if it has no valid faces. `piece`: one of the meshes that it is, if its topology
- * changes; `context` is then that of its time.
+ * A Mesh prim as triangles with its deformation; undefined, with a diagnostic, if it has no valid faces. `skins`: of the stage, if it may be skinned. `piece`: one
+ * of the meshes that it is, if its topology changes; `context` is then that of its time.
  */
-export function meshGeometry(
+export async function meshGeometry(
   context: StageContext,
-  skeletons: Skeletons,
+  skins: Skins | undefined,
   prim: PrimSpec,
   surface: PrimMaterials,
   piece?: MeshPiece,
-): PrimGeometry | undefined {
+): Promise<PrimGeometry | undefined> {
   const faces = facesOf(context, prim);
   if (!faces) return undefined;
   const topology = { points: faces.points.length / 3, corners: faces.indices.length, faces: faces.counts.length };
@@ -73,13 +71,14 @@ export function meshGeometry(
     doubleSided: isTrue(context, prim, 'doubleSided'),
   };
   const moved = piece ? piece.codes : pointTimes(context, prim);
-  const skin = piece ? undefined : skinOf(context, skeletons, prim, { count: topology.points, times: moved });
+  const skin = piece ? undefined : skins?.skinOf(prim, { count: topology.points, times: moved });
   const drawn =
     levels > 0
-      ? subdividedMesh(context, prim, polygons, levels, kept)
+      ? await subdividedMesh(context, prim, polygons, levels, kept)
       : plainMesh(context, prim, polygons, topology, kept, { skin, times: piece?.codes });
-  if (piece) return pieceGeometry(context, prim, drawn.mesh, piece, drawn.pointsFor);
-  return withDeformation(context, prim, moved, drawn, skin);
+  if (!piece) return withDeformation(context, prim, moved, drawn, skin);
+  const { pieceGeometry } = await import('../lives/pieceGeometry.ts');
+  return pieceGeometry(context, prim, drawn.mesh, piece, drawn.pointsFor);
 }
 
 /** Whether the samples of the points exceed memory and can stay in the file; reported, because such a mesh cannot be subdivided. */
@@ -141,13 +140,14 @@ function areSampledNormals({ interpolation, indices, attribute }: Primvar, point
   return needed.every((value) => countOf(value) === 3 * points);
 }
 
-function subdividedMesh(
+async function subdividedMesh(
   context: StageContext,
   prim: PrimSpec,
   cage: Polygons,
   levels: number,
   kept: KeptFaces | undefined,
-): PolygonMesh {
+): Promise<PolygonMesh> {
+  const { subdivideMesh } = await import('./subdivision.ts');
   const { polygons, surface } = subdivideMesh(context, prim, cage, levels, (face) => kept?.holes.has(face) ?? false);
   const { mesh, pointOfVertex } = makeMesh(polygons);
   return {

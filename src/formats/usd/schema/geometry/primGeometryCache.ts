@@ -8,16 +8,16 @@ export class PrimGeometryCache {
   private readonly geometries = new Map<string, PrimGeometry | undefined>();
 
   /** `part`: which part of the prim's geometry, if it has several. */
-  getOrCreate(
+  async getOrCreate(
     prim: PrimSpec,
     surface: PrimMaterials,
     part: string,
-    make: () => PrimGeometry | undefined,
-  ): PrimGeometry | undefined {
+    make: () => Promise<PrimGeometry | undefined>,
+  ): Promise<PrimGeometry | undefined> {
     const whole = keyOf(prim, surface);
     if (whole === undefined) return make();
     const key = `${whole} ${part}`;
-    if (!this.geometries.has(key)) this.geometries.set(key, make());
+    if (!this.geometries.has(key)) this.geometries.set(key, await make());
     return this.geometries.get(key);
   }
 }

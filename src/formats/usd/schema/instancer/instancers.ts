@@ -5,8 +5,7 @@ import { commonLifetimes } from '../../../../scene/motion/lifetimes.ts';
 import type { Lifetime } from '../../../../scene/types.ts';
 import { report } from '../../diagnostics.ts';
 import type { PrimSpec } from '../../layer/layer.ts';
-import { parentOf } from '../../layer/primPaths.ts';
-import { metadataNumber, primAt, targetsOf } from '../../layer/query.ts';
+import { metadataNumber, primAt } from '../../layer/query.ts';
 import type { StageContext } from '../context.ts';
 import { poseTimeOf, type SlowlightAttributes } from '../slowlightAttributes.ts';
 import { nestedTransform, ROOT_TRANSFORM, type StageTransform } from '../transforms/stageTransform.ts';
@@ -193,14 +192,4 @@ export class Instancers {
     report(this.context, 'warning', 'usd.instancer', prim.path, message);
     return undefined;
   }
-}
-
-/** Adds the prototype paths of all instancers below the given prims, with their ancestors. */
-export function collectPrototypePaths(prims: ReadonlyMap<string, PrimSpec>, to: Set<string>): Set<string> {
-  for (const prim of prims.values()) {
-    const own = prim.typeName === 'PointInstancer' ? targetsOf(prim, 'prototypes') : [];
-    for (const path of own) for (let at = path; at !== '' && !to.has(at); at = parentOf(at)) to.add(at);
-    collectPrototypePaths(prim.children, to);
-  }
-  return to;
 }

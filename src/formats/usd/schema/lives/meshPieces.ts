@@ -4,9 +4,9 @@ import { report } from '../../diagnostics.ts';
 import { attributeOf, lowerSample, numbersOf, sampleTimes } from '../../layer/attributes.ts';
 import type { AttributeSpec, NumberArray, PrimSpec, Value } from '../../layer/layer.ts';
 import { metadataNumber } from '../../layer/query.ts';
-import { countOf } from '../../layer/storedArray.ts';
 import type { StageContext } from '../context.ts';
 import { unionOfTimes } from '../transforms/xformOps.ts';
+import { countIn, haveOneCount, topologyArrays } from './topology.ts';
 
 /** One of the meshes that take turns where a topology changes: a run of samples with the same faces of as many points. */
 export interface MeshPiece {
@@ -95,24 +95,10 @@ function pieceStarts(prim: PrimSpec): Float64Array {
   return Float64Array.from(starts);
 }
 
-/** The attributes by which faces and their materials are found. */
-function topologyArrays(prim: PrimSpec): readonly (AttributeSpec | undefined)[] {
-  const own = ['faceVertexCounts', 'faceVertexIndices', 'holeIndices'].map((name) => attributeOf(prim, name));
-  const subsets = [...prim.children.values()].filter(({ typeName }) => typeName === 'GeomSubset');
-  return [...own, ...subsets.map((subset) => attributeOf(subset, 'indices'))];
-}
-
 function heldValue(attribute: AttributeSpec | undefined, code: number): Value | undefined {
   const samples = attribute?.timeSamples;
   return samples && samples.times.length > 0 ? samples.values[lowerSample(samples.times, code)] : attribute?.value;
 }
-
-const countIn = (value: Value | undefined): number => (value && countOf(value)) ?? 0;
-
-const haveOneCount = (attribute: AttributeSpec | undefined): boolean => {
-  const [first, ...others] = attribute?.timeSamples?.values ?? [];
-  return first === undefined || others.every((value) => countIn(value) === countIn(first));
-};
 
 function haveSameNumbers(a: Value | undefined, b: Value | undefined): boolean {
   const [p, q] = [numbersOf(a), numbersOf(b)];

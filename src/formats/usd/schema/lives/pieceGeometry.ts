@@ -5,7 +5,6 @@ import { attributeOf, numbersAt, sampleTimes } from '../../layer/attributes.ts';
 import type { NumberArray, PrimSpec } from '../../layer/layer.ts';
 import type { StageContext } from '../context.ts';
 import type { DeformedPoints, PrimGeometry } from '../geometry/primGeometry.ts';
-import type { StageTransform } from '../transforms/stageTransform.ts';
 import { unionOfTimes } from '../transforms/xformOps.ts';
 import { type MeshPiece, ratesAt } from './meshPieces.ts';
 
@@ -108,19 +107,4 @@ function marginOf({ positions, indices }: Mesh, velocities: NumberArray, codesPe
   if (!(fastest > 0)) return 0;
   const crossing = (MARGIN_EDGES * longest * codesPerSecond) / fastest;
   return Math.min(crossing, MARGIN_LIVES * life);
-}
-
-/** Samples of a transform that are kept before the birth and after the death of a piece. */
-const MARGIN_SAMPLES = 3;
-
-/** A transform as far as a piece needs it: around its life. */
-export function transformInLife(frame: StageTransform, { from, until }: MeshPiece): StageTransform {
-  if (frame.times.length === 0) return frame;
-  const first = frame.times.findIndex((time) => time > from);
-  const begin = first < 0 ? frame.times.length : first;
-  const after = frame.times.findIndex((time) => time >= until);
-  const end = after < 0 ? frame.times.length : after;
-  const within = frame.times.slice(Math.max(0, begin - MARGIN_SAMPLES), end + MARGIN_SAMPLES);
-  const ends = Float64Array.from([from, until].filter(Number.isFinite));
-  return { ...frame, times: unionOfTimes([within, ends]) };
 }

@@ -4,21 +4,12 @@ import { messageOf } from '../../../../messages/messageError.ts';
 import type { DomeLight, Texture, TextureWrap } from '../../../../scene/types.ts';
 import { decodeSrgb } from '../../../../spectrum/display/srgb.ts';
 import { missingTexture } from '../../../diagnostics/missingFiles.ts';
-import { type DecodedImage, decodeImage, looksLikeColor } from '../../../image/decodeImage.ts';
-import { decodeRadiance } from '../../../image/radiance.ts';
 import { report } from '../../diagnostics.ts';
 import { textAt, textOf } from '../../layer/attributes.ts';
 import type { PrimSpec, Value } from '../../layer/layer.ts';
 import type { StageContext } from '../context.ts';
 import { resolveInput } from './shaderInputs.ts';
-import { atlasOf, readTiles } from './udim.ts';
-
-/** A texture, or the tiles of a UDIM set as one. */
-export interface LoadedImage extends DecodedImage {
-  /** sRGB colour data rather than linear numbers, by its content. */
-  readonly looksLikeColor: boolean;
-  readonly tiles?: readonly [columns: number, rows: number];
-}
+import type { LoadedImage } from './textureFiles.ts';
 
 /** Reads and caches textures. */
 export class TextureLoader {
@@ -54,10 +45,8 @@ export class TextureLoader {
   /** The environment map of a dome: HDR or an ordinary texture. */
   async domeTexture(value: Value | undefined, prim: PrimSpec): Promise<DomeLight['texture']> {
     const asked = this.requestFor(value, prim.path);
-    const radiance = await this.nullIfUnreadable(asked, async () => {
-      const found = await this.context.files.findBytes(asked.anchor, asked.asset);
-      return found && decodeRadiance(found.bytes, found.id);
-    });
+    const { readRadiance } = await import('./textureFiles.ts');
+    const radiance = await this.nullIfUnreadable(asked, () => readRadiance(this.context.files, asked));
     if (radiance) return { name: asked.asset, ...radiance, colorSpace: 'linear', filter: 'linear', ...PANORAMA_WRAP };
     if (radiance === null) return undefined;
     const image = await this.file(value, prim.path);
@@ -71,16 +60,10 @@ export class TextureLoader {
   }
 
   private async load(asked: TextureRequest): Promise<LoadedImage | undefined> {
-    const { asset, anchor, user, paths } = asked;
-    const { files } = this.context;
-    const picture = await this.nullIfUnreadable(asked, async () => {
-      if (asset.includes('<UDIM>')) {
-        const tiles = await readTiles((tile) => files.findBytes(anchor, asset.replaceAll('<UDIM>', tile)));
-        return tiles.length > 0 ? { ...atlasOf(tiles), looksLikeColor: looksLikeColor(tiles[0].bytes) } : undefined;
-      }
-      const found = await files.findBytes(anchor, asset);
-      return found && { ...decodeImage(found.bytes, found.id), looksLikeColor: looksLikeColor(found.bytes) };
-    });
+    const { asset, user, paths } = asked;
+    // Codecs are loaded with the first texture.
+    const { readImage } = await import('./textureFiles.ts');
+    const picture = await this.nullIfUnreadable(asked, () => readImage(this.context.files, asked));
     if (picture !== undefined) return picture ?? undefined;
     const { code, message, missing } = missingTexture(asset, paths);
     report(this.context, 'warning', code, user, message, { missing });

@@ -1,13 +1,15 @@
 import type { Vec3 } from '../../../../math/vec3.ts';
 import { msg } from '../../../../messages/message.ts';
 import type { NormalTexture, Texture, TextureChannel } from '../../../../scene/types.ts';
-import { type DecodedImage, withAlphaFrom } from '../../../image/decodeImage.ts';
+import type { DecodedImage } from '../../../image/decodeImage.ts';
+import { withAlphaFrom } from '../../../image/imageChannels.ts';
 import { report } from '../../diagnostics.ts';
 import { numberOf, numbersOf, vec3Of } from '../../layer/attributes.ts';
 import type { PrimSpec, Value } from '../../layer/layer.ts';
 import type { StageContext } from '../context.ts';
 import { isAnimated, type ResolvedInput, resolveInput, shaderId } from './shaderInputs.ts';
-import { colorSpaceOf, type LoadedImage, type TextureLoader, textureOf } from './textureLoader.ts';
+import type { LoadedImage } from './textureFiles.ts';
+import { colorSpaceOf, type TextureLoader, textureOf } from './textureLoader.ts';
 import { adjustedAlpha, adjustedColor, adjustedMean, adjustedNormals, type TexelReading } from './texturePixels.ts';
 import { type UvSource, uvSourceOf, withTiles } from './uvs.ts';
 

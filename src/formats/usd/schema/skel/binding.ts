@@ -3,9 +3,10 @@ import type { SkinInfluences } from '../../../read/skinning.ts';
 import { report } from '../../diagnostics.ts';
 import { attributeOf, numberOf, numbersOf, textAt, tokensAt, valueAt } from '../../layer/attributes.ts';
 import type { AttributeSpec, PrimSpec } from '../../layer/layer.ts';
-import { metadataText, primAt, targetsOf } from '../../layer/query.ts';
+import { metadataText, primAt } from '../../layer/query.ts';
 import type { StageContext } from '../context.ts';
 import { nearestAncestor, nearestTarget } from './inheritedProperties.ts';
+import { SKELETON } from './maybeSkinned.ts';
 import { columnMatrices, readSkeleton, type Skeleton } from './skeleton.ts';
 
 /** Maximum number of influences per point; more is an error in the file. */
@@ -27,10 +28,6 @@ interface JointBinding {
   readonly geomBind: Float64Array;
   readonly method: 'classicLinear' | 'dualQuaternion';
 }
-
-/** Whether meshes at or below a prim may be skinned; `around`: of its parent. */
-export const maybeSkinned = (prim: PrimSpec, around: boolean): boolean =>
-  prim.properties.has(SKELETON) ? targetsOf(prim, SKELETON).length > 0 : around;
 
 /** Reads and caches the skeletons of a stage. */
 export class Skeletons {
@@ -68,7 +65,6 @@ export class Skeletons {
   }
 }
 
-const SKELETON = 'skel:skeleton';
 const INDICES = 'primvars:skel:jointIndices';
 const WEIGHTS = 'primvars:skel:jointWeights';
 

@@ -5,7 +5,7 @@ import type { PrimSpec } from '../../layer/layer.ts';
 import type { StageContext } from '../context.ts';
 import type { StageTransform } from '../transforms/stageTransform.ts';
 import { unionOfTimes } from '../transforms/xformOps.ts';
-import type { SkelBinding, Skeletons } from './binding.ts';
+import { type SkelBinding, Skeletons } from './binding.ts';
 import { type BlendShapes, blendShapesOf } from './blendShapes.ts';
 import { DualQuaternionBlend, inverseTranspose, jointDualQuaternions } from './dualQuaternions.ts';
 
@@ -25,30 +25,37 @@ export interface Skin {
   normalsAt(time: number, rest: Float32Array, pointOfVertex: ArrayLike<number>): Float32Array | undefined;
 }
 
-/** Undefined if nothing deforms the mesh. */
-export function skinOf(
-  context: StageContext,
-  skeletons: Skeletons,
-  mesh: PrimSpec,
-  points: { readonly count: number; readonly times: Float64Array },
-): Skin | undefined {
-  const binding = skeletons.bindingOf(mesh, points.count);
-  if (!binding) return undefined;
-  const { skeleton } = binding;
-  const shapes = blendShapesOf(context, mesh, points.count, skeleton.source);
-  if (!binding.joints && !shapes) return undefined;
-  const jointTimes = binding.joints ? (skeleton.animation?.times ?? []) : [];
-  const bend = new SkinDeformer(context, mesh, points.times.length > 0, binding, shapes);
-  const isLinear = binding.joints?.method === 'classicLinear' || binding.joints?.influences.perPoint === 1;
-  if (binding.joints?.isRigid && isLinear && !shapes && points.times.length === 0) return rigidSkin(bend, binding);
-  return {
-    times: unionOfTimes([points.times, Float64Array.from(jointTimes), shapes?.times ?? new Float64Array(0)]),
-    ...(binding.joints ? { transform: skeleton.transform } : {}),
-    isRigid: false,
-    cost: (binding.joints ? skeleton.joints.length : 0) + (shapes?.cost ?? 0),
-    pointsAt: (time, which) => bend.pointsAt(time, which),
-    normalsAt: (time, rest, pointOfVertex) => bend.normalsAt(time, rest, pointOfVertex),
-  };
+/** Reads the skins of a stage's meshes. */
+export class Skins {
+  private readonly context: StageContext;
+  private readonly skeletons: Skeletons;
+
+  constructor(context: StageContext) {
+    this.context = context;
+    this.skeletons = new Skeletons(context);
+  }
+
+  /** Undefined if nothing deforms the mesh. */
+  skinOf(mesh: PrimSpec, points: { readonly count: number; readonly times: Float64Array }): Skin | undefined {
+    const { context } = this;
+    const binding = this.skeletons.bindingOf(mesh, points.count);
+    if (!binding) return undefined;
+    const { skeleton } = binding;
+    const shapes = blendShapesOf(context, mesh, points.count, skeleton.source);
+    if (!binding.joints && !shapes) return undefined;
+    const jointTimes = binding.joints ? (skeleton.animation?.times ?? []) : [];
+    const bend = new SkinDeformer(context, mesh, points.times.length > 0, binding, shapes);
+    const isLinear = binding.joints?.method === 'classicLinear' || binding.joints?.influences.perPoint === 1;
+    if (binding.joints?.isRigid && isLinear && !shapes && points.times.length === 0) return rigidSkin(bend, binding);
+    return {
+      times: unionOfTimes([points.times, Float64Array.from(jointTimes), shapes?.times ?? new Float64Array(0)]),
+      ...(binding.joints ? { transform: skeleton.transform } : {}),
+      isRigid: false,
+      cost: (binding.joints ? skeleton.joints.length : 0) + (shapes?.cost ?? 0),
+      pointsAt: (time, which) => bend.pointsAt(time, which),
+      normalsAt: (time, rest, pointOfVertex) => bend.normalsAt(time, rest, pointOfVertex),
+    };
+  }
 }
 
 function rigidSkin(bend: SkinDeformer, { skeleton, joints }: SkelBinding): Skin {

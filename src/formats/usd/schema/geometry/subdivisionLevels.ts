@@ -1,0 +1,117 @@
+import { type Message, msg } from '../../../../messages/message.ts';
+import { facesAfter, type SubdivisionScheme } from '../../../../scene/subdivide/scheme.ts';
+import { report } from '../../diagnostics.ts';
+import { attributeOf, numbersAt, textAt } from '../../layer/attributes.ts';
+import type { Layer, PrimSpec } from '../../layer/layer.ts';
+import { isActive } from '../../layer/query.ts';
+import { countOf } from '../../layer/storedArray.ts';
+import type { StageContext, SubdivisionLevels } from '../context.ts';
+
+/** Default levels: the first number, and up to the second until a mesh has enough faces to look round. */
+const [MIN_LEVELS, MAX_LEVELS] = [2, 4];
+const SMOOTH_FACES = 300;
+/** Maximum number of faces of all subdivided meshes of a scene together, unless their cages have more. */
+export const FACE_BUDGET = 500_000;
+
+export type UsdSubdivisionScheme = Exclude<SubdivisionScheme, 'linear'>;
+const SCHEMES: readonly string[] = ['catmullClark', 'loop', 'bilinear'] satisfies UsdSubdivisionScheme[];
+
+/** Undefined for polygonal meshes. Unknown schemes are Catmull–Clark, the default. */
+export function schemeOf(prim: PrimSpec): UsdSubdivisionScheme | undefined {
+  const written = textAt(prim, 'subdivisionScheme', undefined) ?? 'catmullClark';
+  if (written === 'none') return undefined;
+  return SCHEMES.includes(written) ? (written as UsdSubdivisionScheme) : 'catmullClark';
+}
+
+/**
+ * Levels by path: `requested` for each mesh, or by default as many as make it look round. If the scene would exceed its face
+ * budget, the largest meshes get fewer; `wanted` are the levels without the budget.
+ */
+export function subdivisionLevels(layer: Layer, requested?: number): SubdivisionLevels {
+  const all = [...layer.rootPrims.values()].flatMap((prim) => subdividedMeshes(prim));
+  // Instances share a mesh, counted once.
+  const meshes = [...new Map(all.map((mesh) => [mesh.key, mesh])).values()];
+  const levels = new Map(meshes.map((mesh) => [mesh.key, requested ?? automaticLevels(mesh)]));
+  const faces = (mesh: SubdivisionCandidate): number => facesOf(mesh, levels.get(mesh.key)!);
+  let total = meshes.reduce((sum, mesh) => sum + faces(mesh), 0);
+  while (total > FACE_BUDGET && meshes.some(({ key }) => levels.get(key)! > 0)) {
+    // One level less means a quarter of the faces: reduce the largest meshes first.
+    const largestFirst = meshes.filter(({ key }) => levels.get(key)! > 0).sort((a, b) => faces(b) - faces(a));
+    for (const mesh of largestFirst) {
+      if (total <= FACE_BUDGET) break;
+      total -= faces(mesh);
+      levels.set(mesh.key, levels.get(mesh.key)! - 1);
+      total += faces(mesh);
+    }
+  }
+  return new Map(
+    all.map((mesh) => [mesh.path, { levels: levels.get(mesh.key)!, wanted: requested ?? automaticLevels(mesh) }]),
+  );
+}
+
+const facesOf = ({ corners, scheme, copies }: SubdivisionCandidate, levels: number): number =>
+  levels === 0 ? 0 : copies * facesAfter(corners, scheme, levels);
+
+function automaticLevels(mesh: SubdivisionCandidate): number {
+  let levels = MIN_LEVELS;
+  while (levels < MAX_LEVELS && facesOf({ ...mesh, copies: 1 }, levels) < SMOOTH_FACES) levels++;
+  return levels;
+}
+
+interface SubdivisionCandidate {
+  readonly path: string;
+  /** Equal for prims with the same opinions. */
+  readonly key: string;
+  /** Most at any time. */
+  readonly corners: number;
+  /** How often they are sampled. */
+  readonly copies: number;
+  readonly scheme: UsdSubdivisionScheme;
+}
+
+function subdividedMeshes(prim: PrimSpec): SubdivisionCandidate[] {
+  if (prim.specifier !== 'def' || !isActive(prim)) return [];
+  const scheme = prim.typeName === 'Mesh' ? schemeOf(prim) : undefined;
+  const below = [...prim.children.values()].flatMap((child) => subdividedMeshes(child));
+  return scheme ? [{ path: prim.path, key: prim.content ?? prim.path, ...cornersOf(prim), scheme }, ...below] : below;
+}
+
+function cornersOf(prim: PrimSpec): Pick<SubdivisionCandidate, 'corners' | 'copies'> {
+  const indices = attributeOf(prim, 'faceVertexIndices');
+  const samples = indices?.timeSamples?.values ?? [];
+  const counts = (samples.length > 0 ? samples : [indices?.value]).map((value) => (value && countOf(value)) ?? 0);
+  return { corners: counts.reduce((a, b) => Math.max(a, b), 0), copies: counts.length };
+}
+
+/** Subdivision levels of a mesh; 0: drawn as polygons. */
+export function levelsOf(context: StageContext, prim: PrimSpec): number {
+  const scheme = schemeOf(prim);
+  if (!scheme) return 0;
+  context.subdivision.levels ??= subdivisionLevels(context.layer, context.subdivision.wanted);
+  const { levels, wanted } = context.subdivision.levels.get(prim.path) ?? { levels: 0, wanted: 0 };
+  if (levels < wanted)
+    reportSubdivision(
+      context,
+      prim,
+      'info',
+      msg`it is subdivided ${levels} times, not ${wanted}: a scene's surfaces share ${FACE_BUDGET.toLocaleString('en')} faces`,
+    );
+  if (wanted === 0 && context.subdivided.at(-1) !== prim.path) context.subdivided.push(prim.path);
+  if (levels === 0 || scheme !== 'loop') return levels;
+  const counts = numbersAt(prim, 'faceVertexCounts', context.startCode) ?? [];
+  if (counts.every((count) => count === 3)) return levels;
+  reportSubdivision(
+    context,
+    prim,
+    'warning',
+    msg`subdivisionScheme loop takes triangles only; it is drawn as its polygons`,
+  );
+  return 0;
+}
+
+export const reportSubdivision = (
+  context: StageContext,
+  prim: PrimSpec,
+  severity: 'info' | 'warning',
+  message: Message,
+): void => report(context, severity, 'usd.subdivision', prim.path, message);

@@ -1,0 +1,37 @@
+import { type DecodedImage, decodeImage, looksLikeColor } from '../../../image/decodeImage.ts';
+import { decodeRadiance } from '../../../image/radiance.ts';
+import type { DecodedRadiance } from '../../../image/radianceLimits.ts';
+import type { AssetFiles } from '../../assets/assetFiles.ts';
+import { atlasOf, readTiles } from './udim.ts';
+
+/** A texture, or the tiles of a UDIM set as one. */
+export interface LoadedImage extends DecodedImage {
+  /** sRGB colour data rather than linear numbers, by its content. */
+  readonly looksLikeColor: boolean;
+  readonly tiles?: readonly [columns: number, rows: number];
+}
+
+/** An asset path, and the layer that it is relative to. */
+interface TextureFile {
+  readonly asset: string;
+  readonly anchor: string;
+}
+
+/** The picture in a file, or in those of a UDIM set; undefined if there is none. Throws if it cannot be read. */
+export async function readImage(files: AssetFiles, { asset, anchor }: TextureFile): Promise<LoadedImage | undefined> {
+  if (asset.includes('<UDIM>')) {
+    const tiles = await readTiles((tile) => files.findBytes(anchor, asset.replaceAll('<UDIM>', tile)));
+    return tiles.length > 0 ? { ...atlasOf(tiles), looksLikeColor: looksLikeColor(tiles[0].bytes) } : undefined;
+  }
+  const found = await files.findBytes(anchor, asset);
+  return found && { ...decodeImage(found.bytes, found.id), looksLikeColor: looksLikeColor(found.bytes) };
+}
+
+/** The same for pictures of radiance; undefined if the file is of another format. */
+export async function readRadiance(
+  files: AssetFiles,
+  { asset, anchor }: TextureFile,
+): Promise<DecodedRadiance | undefined> {
+  const found = await files.findBytes(anchor, asset);
+  return found && decodeRadiance(found.bytes, found.id);
+}
