@@ -41,8 +41,8 @@ export function lobeTable(atlas: HalfAtlas): LobeTable {
       return { share: x, cosine: y, width: z };
     },
     parts: (NV, roughness) => {
-      const { x, y, z, w } = read('parts', NV, roughness);
-      return { wide: x, lambert: y, cosine: z, width: w };
+      const { x, y, z } = read('parts', NV, roughness);
+      return { wide: x, cosine: y, width: z };
     },
   };
 }

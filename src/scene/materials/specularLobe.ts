@@ -14,11 +14,10 @@ export interface LobeCore {
   readonly width: number;
 }
 
-/** The rest of the lobe as a sum: a cone, and a wide part about the normal. Mean and second moments are those of the rest. */
+/** The rest of the lobe as a sum: a cone, and as much of the lobe of roughness 1. Mean and second moments are those of the rest. */
 export interface LobeParts {
-  /** Share of the wide part, and the share of Lambert's cosine in it; the rest of it is the same in all directions. */
+  /** Share of the lobe of roughness 1, ∝ N·L/(N·L + N·V). */
   readonly wide: number;
-  readonly lambert: number;
   /** Of the cone max(n·axis − c, 0): cosine between normal and axis, and √(1 − c), 1 for Lambert's cosine, 0 for a mirror. */
   readonly cosine: number;
   readonly width: number;
@@ -72,8 +71,8 @@ function integrateTables(): LobeTables {
       const at = CHANNELS * (row * columns + column);
       lobes.set([scale, bias, mean], at);
       core.set(coreOf(middle, rest), at);
-      const { wide, lambert, cosine, width } = partsOf(meanOf(rest), NV);
-      parts.set([wide, lambert, cosine, width], at);
+      const { wide, cosine, width } = partsOf(meanOf(rest), NV);
+      parts.set([wide, cosine, width], at);
     }
   return { lobes, core, parts };
 }
@@ -175,10 +174,11 @@ const WIDE_STEPS = 100;
 
 /** The wide part is that of the roughest surface, ∝ N·L/(N·L + N·V); as much of it as gives the second moment along the axis of the cone. */
 function partsOf({ up, along, upUp, alongAlong, upAlong }: LobeMoments, NV: number): LobeParts {
-  // Its mean cosine lies between those of an even hemisphere, 1/2, and of Lambert's cosine, 2/3.
+  // Moments of N·L and of the component across it.
   const whole = 1 - NV * Math.log((1 + NV) / NV);
-  const lambert = Math.min(Math.max(6 * ((0.5 - NV * whole) / whole - 0.5), 0), 1);
-  const [mean, square, level] = [0.5 + lambert / 6, 1 / 3 + lambert / 6, 1 / 3 - lambert / 12];
+  const mean = (0.5 - NV * whole) / whole;
+  const square = (1 / 3 - NV * (0.5 - NV * whole)) / whole;
+  const level = (1 - square) / 2;
   let best: LobeParts | undefined;
   let least = Infinity;
   for (let i = 0; i < WIDE_STEPS; i++) {
@@ -193,8 +193,8 @@ function partsOf({ up, along, upUp, alongAlong, upAlong }: LobeMoments, NV: numb
     const sum = ((1 - wide) * (3 + 2 * c + c * c)) / 6 + wide * (z * z * square + x * x * level);
     if (Math.abs(lobe - sum) < least) {
       least = Math.abs(lobe - sum);
-      best = { wide, lambert, cosine: z, width: Math.sqrt(1 - c) };
+      best = { wide, cosine: z, width: Math.sqrt(1 - c) };
     }
   }
-  return best ?? { wide: 1, lambert, cosine: 1, width: 1 };
+  return best ?? { wide: 1, cosine: 1, width: 1 };
 }

@@ -142,6 +142,8 @@ describe('a ball that flies under a sky', () => {
     { sky: 'stars', material: 'matt', velocity: [0, 0, 0], spectral: true, bound: 0.02 },
     { sky: 'stars', material: 'matt', velocity: ACROSS, spectral: true, bound: 0.04 },
     { sky: 'uniform', material: 'rough metal', velocity: ACROSS, bound: 0.02 },
+    { sky: 'white', material: 'rough metal', velocity: FAST, spectral: true, bound: 0.01 },
+    { sky: 'spot', material: 'rough metal', velocity: ACROSS, bound: 0.02 },
     { sky: 'day', material: 'metal', velocity: ACROSS, bound: 0.02 },
     { sky: 'clouds', material: 'glossy metal', velocity: ACROSS, bound: 0.02 },
     { sky: 'uniform', material: 'glossy metal', velocity: FAST, bound: 0.02 },

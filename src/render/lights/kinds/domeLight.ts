@@ -109,6 +109,7 @@ export class DomeSky implements LightSet {
       { axis, width: max(core.width, MIN_CONE), rings: 2 },
     ];
     const lobes = cones.map((cone) => skyLobe(cone, motion, means));
+    const wideWeight = lobes[0].wideWeight(brdf.NV);
     const mirrored = rest.out(axis).toVar();
     const mirroredShift = incidentSpectrumBetween(mirrored, rest, WORLD_FRAME).D ?? float(1);
     // A cone of the rest frame is wider by D in the world, and a cone's angle is 2 roughness².
@@ -125,10 +126,7 @@ export class DomeSky implements LightSet {
           radiance.assign(ring.radiance);
           share.assign(
             k === 0
-              ? diffuse
-                  .add(wide.mul(parts.lambert))
-                  .mul(ring.weight)
-                  .add(wide.mul(parts.lambert.oneMinus()).mul(lobe.evenWeight(j)))
+              ? diffuse.mul(ring.weight).add(wide.mul(wideWeight(j)))
               : (k === 1 ? narrow : middle).mul(ring.weight),
           );
         });
@@ -186,7 +184,11 @@ export class DomeSky implements LightSet {
     if (!this.dome.gradient) {
       // The mean n of a cone is (2 + c)/3 along its axis.
       const mean = tanh(rapidity).negate().add(2).div(3);
-      return { mean: zenithColor.rgb, along: zenithColor.rgb.mul(mean.mul(dot(axis, direction))) };
+      return {
+        mean: zenithColor.rgb,
+        along: zenithColor.rgb.mul(mean.mul(dot(axis, direction))),
+        even: () => zenithColor.rgb,
+      };
     }
     const { first, step, count } = MEAN_RAPIDITIES;
     const table = this.atlas.table('gradient means', gradientMeans);
@@ -207,7 +209,7 @@ export class DomeSky implements LightSet {
     const across = dot(direction, axis)
       .sub(up.mul(height))
       .div(max(sqrt(height.mul(height).oneMinus()), 1e-4));
-    return { mean: moment(0), along: moment(1).mul(up).add(moment(2).mul(across)) };
+    return { mean: moment(0), along: moment(1).mul(up).add(moment(2).mul(across)), even: () => moment(3) };
   }
 
   update(_observation: Observation, mode: ColorMode): void {

@@ -22,6 +22,7 @@ import type { HalfAtlas, HalfTable, HalfTexels } from '../../../shaders/tables/h
 import type { Float, Vec2, Vec3 } from '../../../shaders/types.ts';
 import { uploadTexture } from '../../gpu/textures.ts';
 import { type Panorama, PREFILTER_SIZE, pixelOffset, prefilterDome, SPECULAR_LOBES } from './prefilteredDome.ts';
+import type { SkyMeans } from './skyLobe.ts';
 import { MEAN_RAPIDITIES, MEAN_SIZE, pictureMeans } from './skyMeans.ts';
 
 /** A dome's texture on the GPU, with its prefiltered maps for diffuse and glossy surfaces. */
@@ -52,7 +53,7 @@ export class DomeTexture {
   }
 
   /** `SkyMeans` by the tables of skyMeans.ts. */
-  meansAbout(axis: Vec3, rapidity: Float, direction: Vec3): { readonly mean: Vec3; readonly along: Vec3 } {
+  meansAbout(axis: Vec3, rapidity: Float, direction: Vec3): ReturnType<SkyMeans> {
     const { first, step, count } = MEAN_RAPIDITIES;
     const place = this.place(axis).toVar();
     const level = clamp(rapidity.sub(first).div(step), 0, count - 1).toVar();
@@ -72,7 +73,7 @@ export class DomeTexture {
       return mix(near.xyz, next.xyz, between).mul(this.tint);
     };
     const along = this.axes.map((own, k) => moment(k + 1).mul(dot(own, direction)));
-    return { mean: moment(0), along: along[0].add(along[1]).add(along[2]) };
+    return { mean: moment(0), along: along[0].add(along[1]).add(along[2]), even: () => moment(along.length + 1) };
   }
 
   /** Irradiance/π on a surface with the normal n. */

@@ -1,9 +1,35 @@
-import { abs, acos, clamp, dot, float, length, log, max, select, sign, sqrt, vec3, vec4 } from 'three/tsl';
+import {
+  abs,
+  acos,
+  atan,
+  clamp,
+  dot,
+  float,
+  int,
+  length,
+  log,
+  max,
+  min,
+  mix,
+  select,
+  sign,
+  sqrt,
+  step,
+  vec3,
+  vec4,
+} from 'three/tsl';
 import type { Float, Int, Vec3, Vec4 } from '../../../shaders/types.ts';
 import type { RestFrameMotion } from '../restFrame.ts';
 
-/** Means of a sky over the cone of this rapidity about a world axis (skyMeans.ts): of its radiance L, and of L n·direction. All vectors are unit vectors. */
-export type SkyMeans = (axis: Vec3, rapidity: Float, direction: Vec3) => { readonly mean: Vec3; readonly along: Vec3 };
+/**
+ * Means of a sky over the cone of this rapidity about a world axis (skyMeans.ts): of its radiance L, of L n·direction, and of L over all of the cone alike. All
+ * vectors are unit vectors.
+ */
+export type SkyMeans = (
+  axis: Vec3,
+  rapidity: Float,
+  direction: Vec3,
+) => { readonly mean: Vec3; readonly along: Vec3; readonly even: () => Vec3 };
 
 /** A cone max(n·axis − c, 0) of directions in the rest frame of a surface; `width` = √(1 − c), 1 for Lambert's cosine. */
 export interface LobeCone {
@@ -16,8 +42,8 @@ export interface LobeCone {
 export interface SkyLobe {
   /** Its D; its weight in the mean of the rest frame's radiance, D⁴ times that of the world; and the latter. */
   ring(i: Int): { readonly D: Float; readonly weight: Float; readonly radiance: Vec3 };
-  /** The weight in the mean over all directions of the cone alike. */
-  evenWeight(i: Int): Float;
+  /** Of Lambert's cone: the weight in the mean over the lobe of roughness 1 that is seen at the cosine NV, ∝ N·L/(N·L + NV). */
+  wideWeight(NV: Float): (i: Int) => Float;
 }
 
 /** Gauss–Legendre quadratures on 0 … 1, by the number of rings. */
@@ -56,15 +82,15 @@ export function skyLobe({ axis, width, rings }: LobeCone, { u, gamma }: RestFram
   // Steps even in √D.
   const root = sqrt(m.add(beta.mul(first))).toVar();
   const sum = root.add(sqrt(m.add(beta.mul(first.add(range))))).toVar();
-  const step = beta.mul(range).div(sum).toVar();
+  const stride = beta.mul(range).div(sum).toVar();
   const nodes = vec4(...QUADRATURES[rings].nodes);
   const s = nodes
-    .mul(nodes.mul(step).add(root.mul(2)))
+    .mul(nodes.mul(stride).add(root.mul(2)))
     .mul(range.div(sum))
     .add(first)
     .toVar();
   const ds = nodes
-    .mul(step)
+    .mul(stride)
     .add(root)
     .mul(vec4(...QUADRATURES[rings].weights))
     .mul(range.mul(2).div(sum))
@@ -81,7 +107,6 @@ export function skyLobe({ axis, width, rings }: LobeCone, { u, gamma }: RestFram
   const angle = acos(cosine).toVar();
   const visible = max(A.mul(angle).add(B.mul(sqrt(cosine.mul(cosine).oneMinus()))), 0);
   const shares: Vec4 = visible.mul(ds).mul(2).toVar();
-  const even: Vec4 = angle.mul(ds).div(spread.mul(Math.PI)).toVar();
 
   // The cone in the world: N² − N⁰² is that of the rest frame.
   const square = spread.mul(spread.negate().add(2)).toVar();
@@ -112,9 +137,42 @@ export function skyLobe({ axis, width, rings }: LobeCone, { u, gamma }: RestFram
   const perShare = opening.mul(opening).div(size.mul(whole)).toVar();
 
   return {
-    evenWeight: (i) => {
-      const own = component(D, i).toVar();
-      return component(even, i).div(own.mul(own));
+    wideWeight: (NV) => {
+      // ∫ N·L/(N·L + NV) dφ = 2φ − NV D ∫ dφ/(P + B cos φ)
+      const P = D.mul(NV).add(A).toVar();
+      const whole = log(NV.reciprocal().add(1)).mul(NV).oneMinus();
+      const t2 = cosine
+        .oneMinus()
+        .div(max(cosine.add(1), 1e-7))
+        .toVar();
+      const z = P.sub(B).div(P.add(B)).mul(t2).toVar();
+      const root = sqrt(max(abs(z), 1e-8)).toVar();
+      const narrow = clamp(root, 0, 1 - 1e-6);
+      const hyperbolic = log(narrow.add(1).div(narrow.oneMinus())).mul(0.5);
+      const inverse = sqrt(t2)
+        .mul(4)
+        .div(P.add(B))
+        .div(root)
+        .mul(selectEach(z, atan(root), hyperbolic));
+      const arc: Vec4 = max(angle.mul(2).sub(D.mul(NV).mul(inverse)), 0);
+      const weights: Vec4 = arc
+        .mul(ds)
+        .div(D.mul(D))
+        .div(whole.mul(2 * Math.PI))
+        .toVar();
+      // The lobe's mean cosine lies between those of an even hemisphere, 1/2, and of Lambert's cosine, 2/3.
+      const meanCosine = whole.reciprocal().mul(0.5).sub(NV);
+      const lambert = clamp(meanCosine.sub(0.5).mul(6), 0, 1);
+      const rings = angle.mul(ds).toVar();
+      const onRings = [0, 1, 2, 3].reduce<Vec3>(
+        (all, i) => all.add(level.mul(tilt(component(D, int(i)).sub(middle))).mul(component(rings, int(i)))),
+        vec3(0),
+      );
+      const even = luminance(seen.even())
+        .mul(dot(rings, vec4(1)))
+        .div(max(luminance(onRings), 1e-20));
+      const factor = mix(min(even, MAX_EVEN), 1, lambert).toVar();
+      return (i) => component(weights, i).mul(factor);
     },
     ring: (i) => {
       const own = component(D, i).toVar();
@@ -126,6 +184,14 @@ export function skyLobe({ axis, width, rings }: LobeCone, { u, gamma }: RestFram
     },
   };
 }
+
+/** Bound of the light from all of a hemisphere alike over that of its rings, which may be dark. */
+const MAX_EVEN = 10;
+
+const luminance = (rgb: Vec3): Float => dot(rgb, vec3(0.2126, 0.7152, 0.0722));
+
+/** By component: `a` where `sign` is positive, else `b`. */
+const selectEach = (sign: Vec4, a: Vec4, b: Vec4): Vec4 => mix(b, a, step(vec4(0), sign));
 
 /** The component of a vector by its number. */
 const component = (v: Vec4, i: Int): Float =>

@@ -5,8 +5,8 @@ import type { DomeLight } from '../../../scene/types.ts';
 import type { HalfTexels } from '../../../shaders/tables/halfAtlas.ts';
 import { type Panorama, PREFILTER_SIZE, pixelOffset, reducedDome, resize } from './prefilteredDome.ts';
 
-// Means over the sky, weighted by the cone max(n·a − c, 0) about the axis a: of the radiance L, and of L times the components of n. The rapidity η of a cone
-// has c = −tanh η: a boost along the axis adds to it (docs/physics.md §6.8).
+// Means over the sky, weighted by the cone max(n·a − c, 0) about the axis a: of the radiance L, and of L times the components of n; and of L over the whole
+// cone alike. The rapidity η of a cone has c = −tanh η: a boost along the axis adds to it (docs/physics.md §6.8).
 
 /** The rapidities for which means are tabulated. */
 export const MEAN_RAPIDITIES = { first: -2.1, step: 0.3, count: 15 } as const;
@@ -15,14 +15,15 @@ const coneCosine = (level: number): number => -Math.tanh(MEAN_RAPIDITIES.first +
 
 /** Size of the panoramas of means, by axis. */
 export const MEAN_SIZE = { width: 64, height: 32 } as const;
-/** Panoramas for each rapidity: L, then L n by the dome's own axes. */
+/** Panoramas for each rapidity: L, then L n by the dome's own axes, and L over all of the cone alike. */
 const MOMENTS = 4;
+const PANORAMAS = MOMENTS + 1;
 
 /** The means of a dome's picture: those of a rapidity side by side, each with a wrapped border of one pixel, one rapidity below the other. */
 export function pictureMeans(picture: NonNullable<DomeLight['texture']>): HalfTexels {
   const moments = withMoments(reducedDome(picture, PREFILTER_SIZE));
   const [columns, rows] = [MEAN_SIZE.width + 2, MEAN_SIZE.height + 2];
-  const width = MOMENTS * columns;
+  const width = PANORAMAS * columns;
   const data = new Uint16Array(4 * width * rows * MEAN_RAPIDITIES.count);
   for (let level = 0; level < MEAN_RAPIDITIES.count; level++) {
     const c = coneCosine(level);
@@ -68,12 +69,14 @@ function withMoments({ width, height, rgb }: Panorama): MomentMap {
 function coneMeans({ width, height, values }: MomentMap, columns: number, c: number): readonly Panorama[] {
   const stride = width / columns;
   const rows = height / stride;
-  const maps = Array.from({ length: MOMENTS }, () => new Float32Array(3 * columns * rows));
+  const maps = Array.from({ length: PANORAMAS }, () => new Float32Array(3 * columns * rows));
   const sums = new Float64Array(rows);
+  const evenSums = new Float64Array(rows);
   const weights = new Float64Array(width);
   // Two copies, so that neighbours beyond the seam are contiguous.
   const ring = new Float32Array(2 * CHANNELS * width);
   const mean = new Float64Array(CHANNELS);
+  const even = new Float64Array(3);
   // Columns count from this one, relative to the left edge of the axis' own.
   const first = (stride - width) / 2;
   for (let v = 0; v < height; v++) {
@@ -90,19 +93,25 @@ function coneMeans({ width, height, values }: MomentMap, columns: number, c: num
         sums[y] += weights[d];
         if (weights[d] > 0) [from, to] = [Math.min(from, d), d + 1];
       }
+      evenSums[y] += sv * Math.max(to - from, 0);
       for (let x = 0; x < columns && from < to; x++) {
         mean.fill(0);
+        even.fill(0);
         const start = (x * stride + first + from + 2 * width) % width;
         for (let d = from, i = CHANNELS * start; d < to; d++)
-          for (let k = 0; k < CHANNELS; k++, i++) mean[k] += weights[d] * ring[i];
+          for (let k = 0; k < CHANNELS; k++, i++) {
+            mean[k] += weights[d] * ring[i];
+            if (k < 3) even[k] += sv * ring[i];
+          }
         for (let k = 0; k < CHANNELS; k++) maps[Math.floor(k / 3)][3 * (y * columns + x) + (k % 3)] += mean[k];
+        for (let k = 0; k < 3; k++) maps[MOMENTS][3 * (y * columns + x) + k] += even[k];
       }
     }
   }
-  return maps.map((rgb) => ({
+  return maps.map((rgb, k) => ({
     width: columns,
     height: rows,
-    rgb: rgb.map((value, i) => value / sums[Math.floor(i / (3 * columns))]),
+    rgb: rgb.map((value, i) => value / (k < MOMENTS ? sums : evenSums)[Math.floor(i / (3 * columns))]),
   }));
 }
 
@@ -117,7 +126,7 @@ let gradient: HalfTexels | undefined;
 
 /**
  * The means of any sky that is a gradient, as shares of its three colours: by the axis' height −1 … 1 across; down the rapidities of L, then of L times the
- * height of n, then of L times its component along the horizon towards the axis.
+ * height of n, then of L times its component along the horizon towards the axis, then of L over all of the cone alike.
  */
 export function gradientMeans(): HalfTexels {
   gradient ??= integrateGradient();
@@ -126,7 +135,7 @@ export function gradientMeans(): HalfTexels {
 
 function integrateGradient(): HalfTexels {
   const { count } = MEAN_RAPIDITIES;
-  const data = new Uint16Array(4 * GRADIENT_HEIGHTS * count * 3);
+  const data = new Uint16Array(4 * GRADIENT_HEIGHTS * count * 4);
   for (let level = 0; level < count; level++)
     for (let i = 0; i < GRADIENT_HEIGHTS; i++)
       gradientMean((2 * i) / (GRADIENT_HEIGHTS - 1) - 1, coneCosine(level)).forEach((mean, k) => {
@@ -135,9 +144,10 @@ function integrateGradient(): HalfTexels {
   return { data, width: GRADIENT_HEIGHTS };
 }
 
-/** Of L, L n_up and L n_across, as shares of the colours. */
+/** Of L, L n_up, L n_across, and L without weights, as shares of the colours. */
 function gradientMean(height: number, c: number): readonly number[][] {
   const sums = Array.from({ length: 3 }, () => [0, 0, 0]);
+  const even = [0, 0, 0];
   let whole = 0;
   const level = Math.sqrt(Math.max(1 - height * height, 0));
   for (let i = 0; i < STEPS.along; i++) {
@@ -148,10 +158,11 @@ function gradientMean(height: number, c: number): readonly number[][] {
       const [up, across] = [height * cosine + level * turned, level * cosine - height * turned];
       const shares = gradientAt(up, SHARES);
       whole += cosine - c;
+      for (let n = 0; n < 3; n++) even[n] += shares[n] / (STEPS.along * STEPS.around);
       [1, up, across].forEach((factor, k) => {
         for (let n = 0; n < 3; n++) sums[k][n] += (cosine - c) * factor * shares[n];
       });
     }
   }
-  return sums.map((shares) => shares.map((share) => share / whole));
+  return [...sums.map((shares) => shares.map((share) => share / whole)), even];
 }
