@@ -1,4 +1,4 @@
-import { length, normalize, scale, type Vec3 } from '../../src/math/vec3.ts';
+import { add, dot, length, normalize, scale, type Vec3 } from '../../src/math/vec3.ts';
 
 /** A value at each point, positive inside a body, and its gradient [1/m]. */
 export interface Field {
@@ -20,8 +20,8 @@ const EDGES = [0, 1, 2].flatMap((axis) =>
 );
 
 /**
- * The surface at which a field is zero, by surface nets (Gibson 1998): a vertex in each cell that it crosses, at the mean of its crossings of the edges; a
- * quad around each crossed edge. `size`: of a cell [m]; the body lies within the box.
+ * The surface at which a field is zero, by surface nets (Gibson 1998): a vertex in each cell that it crosses, at the mean of its crossings of the edges, moved
+ * onto the surface along the gradient; a quad around each crossed edge. `size`: of a cell [m]; the body lies within the box.
  */
 export function surfaceNet(field: Field, low: Vec3, counts: Vec3, size: number): SurfaceNet {
   const [nx, ny] = [counts[0] + 1, counts[1] + 1];
@@ -47,7 +47,7 @@ export function surfaceNet(field: Field, low: Vec3, counts: Vec3, size: number):
         });
         if (crossings.length === 0) continue;
         const [x, y, z] = [0, 1, 2].map((axis) => crossings.reduce((sum, p) => sum + p[axis], 0) / crossings.length);
-        const p = placeOf(i + x, j + y, k + z);
+        const p = ontoSurface(field, placeOf(i + x, j + y, k + z), size);
         vertexOf.set(indexOf(i, j, k), positions.length / 3);
         positions.push(...p);
         normals.push(...outward(field.gradient(p)));
@@ -80,6 +80,19 @@ export function surfaceNet(field: Field, low: Vec3, counts: Vec3, size: number):
     normals: Float32Array.from(normals),
     indices: Uint32Array.from(indices),
   };
+}
+
+/** By Newton's method, and at most half a cell away, so that neighbours keep their order. */
+function ontoSurface(field: Field, from: Vec3, size: number): Vec3 {
+  let p = from;
+  for (let i = 0; i < 4; i++) {
+    const gradient = field.gradient(p);
+    const square = dot(gradient, gradient);
+    if (square === 0) break;
+    const step = scale(gradient, -field.value(p) / square);
+    p = add(p, scale(step, Math.min(1, size / 4 / Math.max(1e-9, length(step)))));
+  }
+  return Math.hypot(...p.map((x, k) => x - from[k])) > size / 2 ? from : p;
 }
 
 const outward = (gradient: Vec3): Vec3 => (length(gradient) > 0 ? normalize(scale(gradient, -1)) : [0, 1, 0]);

@@ -160,7 +160,7 @@ export const sourceCorrections = () => {
       ...shown(
         { runs: all.map(({ name }) => name), words: [...titles, ...rows].map(([name]) => name) },
         'source-corrections',
-        { eye: [4.2, -4.2, 22.5], target: [4.2, -4.6, 0], fieldOfView: 40 },
+        { eye: [4.2, -3.8, 23.5], target: [4.2, -4.4, 0], fieldOfView: 40 },
       ),
     },
   );
@@ -206,7 +206,7 @@ export const sourceSpeeds = () => {
         { runs: all.map(({ name }) => name), words: [...columnTitles, ...rows].map(([name]) => name) },
         'source-speeds',
         {
-          ...{ eye: [3.6, -2.4, 16], target: [3.6, -2.9, 0], fieldOfView: 40 },
+          ...{ eye: [3.6, -2.2, 18.5], target: [3.6, -2.7, 0], fieldOfView: 40 },
         },
       ),
     },
@@ -215,15 +215,21 @@ export const sourceSpeeds = () => {
 
 /** Cloth and ball at 10 m/s, by the recommended methods and ours. */
 export const sourceBall = () => {
+  // Two by two: that fits a wide and a narrow picture.
+  const places = [0, 1, 2, 3].map((k) => [k % 2, Math.floor(k / 2)] as const);
   const all = RECOMMENDED.map(
-    ({ color, set }, column): Run => ({
-      name: `run${column}`,
-      at: [column, 0],
+    ({ color, set }, k): Run => ({
+      name: `run${k}`,
+      at: places[k],
       color,
       set: { speedOfLight: 10, ...set },
       matter: ['net.matter', 'ball.matter', 'weight.matter'],
     }),
   );
+  const titles = RECOMMENDED.map(({ title }, k) => {
+    const [column, row] = places[k];
+    return [`Title${k}`, title, [ACROSS * column, 1.35 - DOWN * row, -1]] as const;
+  });
   return build(
     {
       title: 'The sources’ cloth and ball',
@@ -241,9 +247,9 @@ export const sourceBall = () => {
         from: { geometry: 'below.geometry' },
       },
       ...runs(all),
-      ...Object.assign({}, ...columnTitles.map(([name, text, at]) => word(name, text, at))),
-      ...shown({ runs: all.map(({ name }) => name), words: columnTitles.map(([name]) => name) }, 'source-ball', {
-        ...{ eye: [5.1, 1.8, 11.5], target: [5.1, 0.1, 0], fieldOfView: 40 },
+      ...Object.assign({}, ...titles.map(([name, text, at]) => word(name, text, at))),
+      ...shown({ runs: all.map(({ name }) => name), words: titles.map(([name]) => name) }, 'source-ball', {
+        ...{ eye: [ACROSS / 2, 0.2, 9.8], target: [ACROSS / 2, -1.7, 0], fieldOfView: 40 },
       }),
     },
   );

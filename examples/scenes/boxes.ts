@@ -47,7 +47,7 @@ function make(): Scene {
     title: 'Boxes',
     lookFor:
       'Nothing but boxes with straight edges and flat faces, so that every bend is the light’s. From 0.9 c on the sides that face away from you come into view, and the rows ahead close to a small bright disc.',
-    openAt: 1.8,
+    openAt: 7,
   };
   return builder.finish('boxes', hints, [from, to], [flight], daylight([0.6, 0.7, 0.35]));
 }

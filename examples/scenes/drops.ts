@@ -9,7 +9,7 @@ import { type Field, surfaceNet } from '../kit/surfaceNet.ts';
 /** How long it lasts [s], and its samples: a mesh each. */
 const [END, SAMPLES] = [6, 24];
 /** Reach of a drop's field [m], the value at its surface, and the size of the cells [m]. */
-const [REACH, LEVEL, CELL] = [2, 0.3, 0.75];
+const [REACH, LEVEL, CELL] = [2, 0.3, 0.5];
 /** Common speed of the drops [m/s]. */
 const SPEED = 5.5;
 /** The fastest that the surface moves relative to what it is of [m/s]; where drops part, its curvature is unbounded. */
@@ -97,8 +97,8 @@ function piece(k: number, material: number): SceneObject {
   const [birth, death] = [(END * k) / SAMPLES, (END * (k + 1)) / SAMPLES];
   const liquid = new Liquid(dropsAt(birth));
   // Cells at rest in the world; twelve metres around the drops.
-  const low: Vec3 = [CELL * Math.floor((SPEED * (birth - END / 2) - 5) / CELL), -0.8, -3];
-  const net = surfaceNet(liquid, low, [14, 11, 8], CELL);
+  const low: Vec3 = [CELL * Math.floor((SPEED * (birth - END / 2) - 5) / CELL), -0.75, -3];
+  const net = surfaceNet(liquid, low, [21, 16, 12], CELL);
   const velocities = velocitiesOf(net.positions, liquid);
   const moved = (dt: number): Float32Array => net.positions.map((x, i) => x + velocities[i] * dt);
   const mesh = {

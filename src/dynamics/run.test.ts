@@ -270,7 +270,7 @@ describe('a run', () => {
     expect(stepSchedule(order).stable).toBe(false);
     const { frames, stop } = recordRun(order);
     expect(stop?.reason).toBe('unstable');
-    expect(english(stop?.message)).toContain('steps of 0.0100 s are longer than leapfrog can take here, ');
+    expect(english(stop?.message)).toContain('steps of 0.0100 s are longer than the method can take here, ');
     const energies = frames.map(({ quantities }) => quantities);
     expect(energies.every(({ total, kinetic }) => total - energies[0].total <= 0.5 * kinetic)).toBe(true);
     expect(frames.length).toBeLessThan(250);

@@ -223,7 +223,7 @@ function assertEnergyBounded(
 ): void {
   if (stable || now.total - first.total <= MAX_ENERGY_GAIN * now.kinetic) return;
   const bound = (2 / maxAngularFrequency(options.system)).toPrecision(3);
-  const gain = (now.total - first.total).toPrecision(3);
-  const message = msg`the energy has grown by ${gain} J: steps of ${h.toPrecision(3)} s are longer than ${options.method.id} can take here, ${bound} s; take shorter ones`;
+  const gain = Number((now.total - first.total).toPrecision(3));
+  const message = msg`the energy has grown by ${gain} J: steps of ${h.toPrecision(3)} s are longer than the method can take here, ${bound} s; take shorter ones`;
   throw new StepFailure('unstable', message);
 }

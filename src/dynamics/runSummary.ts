@@ -31,15 +31,15 @@ export interface EnergyFault {
 }
 
 /**
- * What an energy fault means and what to do about it. `method`: its id.
+ * What an energy fault means and what to do about it.
  * @example
- * inEnglish(energyFaultMessage({ kind: 'lost', t: 2, share: 0.1 }, 'linearly-implicit-0'));
+ * inEnglish(energyFaultMessage({ kind: 'lost', t: 2, share: 0.1 }));
  */
-export function energyFaultMessage({ kind, t, share }: EnergyFault, method: string): Message {
+export function energyFaultMessage({ kind, t, share }: EnergyFault): Message {
   const [time, percent] = [t.toPrecision(4), Number((100 * share).toPrecision(2))];
   return kind === 'gained'
-    ? msg`from t = ${time} s on there is energy without a source, up to ${percent} % of the largest kinetic energy: an error of ${method}; set a shorter step, or another method`
-    : msg`from t = ${time} s on energy is missing that nothing took, up to ${percent} % of the largest kinetic energy: an error of ${method}; set a shorter step, or another method`;
+    ? msg`from t = ${time} s on there is energy without a source, up to ${percent} % of the largest kinetic energy: an error of the method; set a shorter step, or another method`
+    : msg`from t = ${time} s on energy is missing that nothing took, up to ${percent} % of the largest kinetic energy: an error of the method; set a shorter step, or another method`;
 }
 
 /** Slower motion is rounding error [m/s]. */

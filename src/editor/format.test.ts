@@ -8,6 +8,7 @@ it.each([
   [-0.5, '−0.500'],
   [2.294157, '2.29'],
   [1e-5, '1.00e−5'],
+  [-1e-5, '−1.00e−5'],
   [Number.POSITIVE_INFINITY, '∞'],
 ])('%d is formatted as %s', (value, text) => expect(formatNumber(value)).toBe(text));
 

@@ -34,7 +34,7 @@ export function formatLength(x: number): string {
   return `${formatNumber(x / size, 2)} ${unit}`;
 }
 
-const minus = (text: string): string => text.replace('-', '−');
+const minus = (text: string): string => text.replaceAll('-', '−');
 
 /** 299792458 → `299 792 458`; numbers of four digits are not grouped. */
 function group(text: string): string {

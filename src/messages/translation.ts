@@ -2,6 +2,8 @@ import type { Catalogue } from './message.ts';
 
 /** The texts of an example in another language than that of its file, which is English. */
 export interface ExampleTexts {
+  /** Of a project: the title in its file, for which `title` stands; users can give it another. */
+  readonly of?: string;
   /** Its name in the gallery. */
   readonly title: string;
   /** What to look for in it. */

@@ -176,7 +176,7 @@ function report(books: RunRecord, files: readonly string[], { json }: SimulateFl
     /** Steps that the energy correction changed. */
     ...(corrected !== undefined && { corrected }),
     /** The energy went wrong. */
-    ...(fault && { energyFault: { ...fault, message: energyFaultMessage(fault, method) } }),
+    ...(fault && { energyFault: { ...fault, message: energyFaultMessage(fault) } }),
     ...(stop && { stop }),
   };
   if (json) console.log(toJson(summary));

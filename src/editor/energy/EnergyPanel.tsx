@@ -177,13 +177,15 @@ function RunRow({ run, n }: { readonly run: LabeledRun; readonly n: number }): R
   return (
     <tbody>
       <tr>
-        <th scope="row">
+        <th scope="rowgroup" colSpan={4}>
           <span className="sl-energy-name">
             <Swatch n={n} />
             {name}
           </span>
         </th>
-        <td>{now}</td>
+      </tr>
+      <tr>
+        <td colSpan={2}>{now}</td>
         <td>{drift === undefined ? '–' : formatNumber(drift, 2)}</td>
         <td>{Number.isFinite(c) ? `${formatFractionOfC(fastest / c)} c` : `${formatNumber(fastest, 2)} m/s`}</td>
       </tr>
@@ -200,7 +202,7 @@ function RunNotes({ run, figures }: { readonly run: LabeledRun; readonly figures
   const { t } = useTexts();
   const running = useEditorState((state) => state.interim === 'running');
   const { record, interim } = run;
-  const { step, stop, speedOfLight, method } = record;
+  const { step, stop, speedOfLight } = record;
   const { until, fault, dragLoss = 0 } = figures;
   const h = step > 0 ? t(msg`h = ${formatNumber(step * 1000, 2)} ms`) : t(msg`adaptive h`);
   const c = Number.isFinite(speedOfLight) ? `c = ${formatNumber(speedOfLight)} m/s` : t(msg`Newtonian`);
@@ -209,9 +211,9 @@ function RunNotes({ run, figures }: { readonly run: LabeledRun; readonly figures
     interim && t(running ? msg`computed until ${formatSeconds(until)}` : msg`stopped at ${formatSeconds(until)}`);
   return (
     <tr>
-      <td colSpan={4}>
+      <td colSpan={4} className="sl-energy-notes">
         {[c, h, drag, far].filter(Boolean).join(' · ')}
-        {fault && <strong>{t(energyFaultMessage(fault, method))}</strong>}
+        {fault && <strong>{t(energyFaultMessage(fault))}</strong>}
         {stop && <strong>{t(msg`Ended at ${formatSeconds(stop.t)}: ${stop.message}`)}</strong>}
       </td>
     </tr>

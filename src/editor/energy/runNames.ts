@@ -1,5 +1,5 @@
 import type { RunRecord } from '../../dynamics/runRecord.ts';
-import type { LocalizedText } from '../../messages/message.ts';
+import { type LocalizedText, msg } from '../../messages/message.ts';
 import { simulateNode } from '../../nodes/dynamics/simulate.ts';
 import { formatNumber } from '../format.ts';
 import type { SimulationRun } from '../state/simulationRuns.ts';
@@ -14,7 +14,9 @@ export function runNames(
   t: (text: LocalizedText) => string,
 ): string[] {
   const short = runs.map(({ node, record }) => titleOf(node) ?? methodName(record, t));
-  const withSpeedOfLight = runs.map(({ record }, i) => `${short[i]}, c = ${formatNumber(record.speedOfLight, 1)} m/s`);
+  const withSpeedOfLight = runs.map(({ record }, i) =>
+    t(msg`${short[i]!}, c = ${formatNumber(record.speedOfLight, 1)} m/s`),
+  );
   return runs.map(({ node }, i) => {
     const alone = [short, withSpeedOfLight].find((names) => names.indexOf(names[i]!) === names.lastIndexOf(names[i]!));
     return alone?.[i] ?? `${short[i]} (${node})`;

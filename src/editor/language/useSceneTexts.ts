@@ -1,3 +1,4 @@
+import { projectName } from '../projects/projectNames.ts';
 import { useEditorState } from '../state/context.tsx';
 import { useTexts } from './languageStore.ts';
 
@@ -14,7 +15,17 @@ export function useSceneTexts(source: string, own: { readonly title?: string; re
     .replace(/\.slowlight\.json$/, '')
     .replace(/\.\w+$/, '');
   const translated = source.startsWith('examples/') ? example(name) : undefined;
-  return translated ?? { title: own.title ?? name, lookFor: own.lookFor ?? '' };
+  if (!translated) return { title: own.title ?? name, lookFor: own.lookFor ?? '' };
+  const isRenamed = translated.of !== undefined && own.title !== undefined && own.title !== translated.of;
+  return { title: isRenamed ? own.title! : translated.title, lookFor: translated.lookFor };
+}
+
+/** The project's name; of an example in the page's language, until the user gives it another. */
+export function useProjectName(): string {
+  const name = useEditorState(projectName);
+  const { origin, document } = useEditorState(({ history }) => history);
+  const { title } = useSceneTexts(origin, { title: name });
+  return document.title ? title : name;
 }
 
 /** Texts of the opened document: the project's own if it says what to look for, otherwise those of its scene. */

@@ -16,12 +16,12 @@ import { FORMAT_NAMES } from '../../formats/formatLists.ts';
 import { msg } from '../../messages/message.ts';
 import { messageOf } from '../../messages/messageError.ts';
 import { useTexts } from '../language/languageStore.ts';
+import { useProjectName } from '../language/useSceneTexts.ts';
 import { pickedFiles } from '../loading/pickedFiles.ts';
 import { useServices } from '../services.tsx';
 import { useOpenFiles } from '../shell/useOpenFiles.ts';
 import { useEditor, useEditorState } from '../state/context.tsx';
 import { isUnsaved, projectOfScene } from '../state/editor.ts';
-import { projectName } from './projectNames.ts';
 import type { SessionRecord } from './sessionStore.ts';
 import { DEFAULT_SCENE } from './startup.ts';
 import { useSaveProject } from './useSaveProject.ts';
@@ -157,7 +157,7 @@ function useClosedSessions(): readonly [readonly SessionRecord[], () => void] {
 export function ProjectName(): ReactNode {
   const { t } = useTexts();
   const editor = useEditor();
-  const name = useEditorState(projectName);
+  const name = useProjectName();
   const unsaved = useEditorState(isUnsaved);
   const shown = name || t(msg`Unnamed`);
   return (

@@ -1,4 +1,5 @@
 import { createStore, type StoreApi } from 'zustand/vanilla';
+import type { RunRecord } from '../../dynamics/runRecord.ts';
 import { energyFaultMessage, summarizeRun } from '../../dynamics/runSummary.ts';
 import type { GraphDocument, ParamValue } from '../../graph/document/document.ts';
 import { type Command, CommandError } from '../../graph/edits/commands.ts';
@@ -26,7 +27,7 @@ import type { Backend } from '../../render/settings.ts';
 import type { Lock } from '../flight/flight.ts';
 import { coalesce } from './coalesce.ts';
 import { heavyWorkers } from './heavyWorkers.ts';
-import { simulationRuns } from './simulationRuns.ts';
+import { type SimulationRun, simulationRuns } from './simulationRuns.ts';
 
 /** Work in progress. */
 export interface LoadingState {
@@ -354,14 +355,17 @@ function startEvaluation(store: StoreApi<EditorState>, services: Services) {
 const isInterim = ({ results }: Evaluation): boolean =>
   [...results.values()].some((result) => result.status === 'done' && result.interim);
 
+/** Runs whose end has been reported, so that an edit elsewhere does not report them again. */
+const judgedRuns = new WeakSet<RunRecord>();
+
 function applyEvaluation(store: StoreApi<EditorState>, evaluation: Evaluation): void {
   const { document } = store.getState().history;
   const reads = readNodeParams(document);
   const failed = [...evaluation.results].flatMap(([node, result]) =>
     result.status === 'failed' ? [{ node, problem: result.problem }] : [],
   );
-  const known = new Set(simulationRuns(store.getState().results).map(({ record }) => record));
-  const fresh = simulationRuns(evaluation.results).filter(({ record }) => !known.has(record));
+  const fresh = simulationRuns(evaluation.results).filter(({ record }) => !judgedRuns.has(record));
+  for (const { record } of fresh) judgedRuns.add(record);
   const shown = pictureUpdate(store, evaluation);
   store.setState(({ notices }) => ({
     ...shown,
@@ -371,18 +375,24 @@ function applyEvaluation(store: StoreApi<EditorState>, evaluation: Evaluation): 
     results: evaluation.results,
     notices: notices.filter((notice) => !notice.ofDocument),
   }));
-  for (const { node, record } of fresh) {
-    const { stop, method } = record;
-    const { fault } = summarizeRun(record);
-    const texts = [
-      fault && energyFaultMessage(fault, method),
-      stop && msg`it ended at t = ${stop.t.toPrecision(4)} s: ${stop.message}`,
-    ];
-    for (const text of texts) if (text) addNotice(store, { kind: 'warning', text, place: node, ofDocument: true });
-  }
+  for (const notice of simulationNotices(fresh)) addNotice(store, { kind: 'warning', ...notice, ofDocument: true });
   for (const { message, place, remedy } of failed.map(({ problem }) => problem)) {
     addNotice(store, { kind: 'error', text: message, place, remedy, ofDocument: true });
   }
+}
+
+/** What went wrong with runs: of one run all of it, of several how many they are. */
+function simulationNotices(runs: readonly SimulationRun[]): readonly Pick<Notice, 'text' | 'place'>[] {
+  const wrong = runs.flatMap(({ node, record }) => {
+    const { stop } = record;
+    const { fault } = summarizeRun(record);
+    const ended = stop && msg`it ended at t = ${stop.t.toPrecision(4)} s: ${stop.message}`;
+    const texts = [fault && energyFaultMessage(fault), ended].filter((text) => text !== undefined);
+    return texts.length > 0 ? [texts.map((text) => ({ text, place: node }))] : [];
+  });
+  if (wrong.length < 2) return wrong.flat();
+  const text = msg`Simulations that ended early, or whose energy went wrong: ${wrong.length} of ${runs.length}. The Energy panel says of each what and why.`;
+  return [{ text }];
 }
 
 /** Errors that interim results cause downstream are reported only when the work has ended. */

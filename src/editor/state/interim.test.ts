@@ -1,9 +1,10 @@
 import { beforeEach, expect, it, vi } from 'vitest';
 import { saying } from '../../../tests/support/inWords.ts';
+import type { RunRecord } from '../../dynamics/runRecord.ts';
 import { applyCommand, type Command } from '../../graph/edits/commands.ts';
 import { CancelledError, type HeavyRequest } from '../../graph/evaluation/evaluator.ts';
 import type { Outputs } from '../../graph/nodeType.ts';
-import { msg } from '../../messages/message.ts';
+import { inEnglish, msg } from '../../messages/message.ts';
 import { newProject } from '../../nodes/project/projectCommands.ts';
 import { type Services, workerServices } from '../../nodes/services.ts';
 import { makeScene } from '../../scene/defaults.ts';
@@ -55,8 +56,8 @@ const document = applyCommand(newProject('a.usda'), {
 const services: Services = { ...workerServices, readScene: async () => ({ scene: makeScene({ name: 'a' }) }) };
 const settled = () => new Promise((done) => setTimeout(done, 30));
 
-async function open() {
-  const editor = createEditor({ services, project: { document, origin: 'p', unsaved: false }, playing: false });
+async function open(of = document) {
+  const editor = createEditor({ services, project: { document: of, origin: 'p', unsaved: false }, playing: false });
   await settled();
   return {
     editor,
@@ -166,6 +167,51 @@ it('a run that stopped early is reported once', async () => {
   await settled();
   expect(state().notices).toMatchObject([
     { kind: 'warning', place: 'work', text: saying(/^it ended at t = 1\.500 s: too fast$/) },
+  ]);
+  editor.set('toneMap', 'exposure', 1, 'exposure');
+  await settled();
+  expect(state().notices).toEqual([]);
+});
+
+/** A run that lost half of its energy. */
+const fading: RunRecord = {
+  ...{ method: 'leapfrog', speedOfLight: 10, step: 0.1, hasKinematic: false, steps: Float64Array.of(0, 1, 2), corrected: 0 },
+  times: Float64Array.of(0, 1, 2),
+  total: Float64Array.of(10, 7, 5),
+  kinetic: Float64Array.of(0, 10, 5),
+  potential: Float64Array.of(10, 0, 0),
+  dragLoss: new Float64Array(3),
+  fastest: Float64Array.of(0, 1, 1),
+  pace: 1,
+  momentum: new Float64Array(9),
+  angularMomentum: new Float64Array(9),
+};
+
+it('what went wrong with runs is told once: of one at its node, of several in one notice, also where some ended before', async () => {
+  const alone = await open();
+  led[0]!.end('abc', { books: fading });
+  await settled();
+  const { notices } = alone.state();
+  expect(notices.map(({ place }) => place)).toEqual(['work']);
+  expect(inEnglish(notices[0]!.text)).toMatch(/^from t = 1\.000 s on energy is missing/);
+
+  led.length = 0;
+  const more = { kind: 'add-node', node: 'more', type: 'subdivide', at: [0, 0], params: { levels: 2 } } as const;
+  const both = {
+    kind: 'batch',
+    commands: [more, edge('retime', 'more', 'geometry'), edge('more', 'scene', 'geometry.2')],
+  } as const;
+  const { editor, state } = await open(applyCommand(document, both).document);
+  expect(led).toHaveLength(2);
+  led[0]!.end('abc', { books: { ...fading } });
+  await settled();
+  led[1]!.give('ab');
+  await settled();
+  expect(state()).toMatchObject({ interim: 'running', notices: [] });
+  led[1]!.end('abc', { books: { ...fading } });
+  await settled();
+  expect(state().notices.map(({ text }) => inEnglish(text))).toEqual([
+    'Simulations that ended early, or whose energy went wrong: 2 of 2. The Energy panel says of each what and why.',
   ]);
   editor.set('toneMap', 'exposure', 1, 'exposure');
   await settled();

@@ -1196,6 +1196,9 @@ const messages: Translation['messages'] = {
   'too many brackets in one another': '括号嵌套过多',
 
   // Simulations
+  'Simulations that ended early, or whose energy went wrong: {} of {}. The Energy panel says of each what and why.':
+    '{2} 个模拟中有 {1} 个提前结束或能量出错。“能量”面板说明每个的情形与原因。',
+  '{}, c = {} m/s': '{1}，c = {2} m/s',
   'it ended at t = {} s: {}': '于 t = {1} s 结束：{2}',
   'point {}': '点 {1}',
   'vertex {} of {}': '{2} 的顶点 {1}',
@@ -1212,15 +1215,15 @@ const messages: Translation['messages'] = {
   'the equations of an implicit step were not solved; take a smaller step': '隐式步的方程未能求解；请减小步长',
   'the matrix of the step is not positive definite; take a smaller step': '该步的矩阵不正定；请减小步长',
   'even steps of {} s err too much; allow a larger error': '即使步长为 {1} s，误差也太大；请允许更大的误差',
-  'the energy has grown by {} J: steps of {} s are longer than {} can take here, {} s; take shorter ones':
-    '能量增加了 {1} J：步长 {2} s 超过了 {3} 在此可用的 {4} s；请减小步长',
+  'the energy has grown by {} J: steps of {} s are longer than the method can take here, {} s; take shorter ones':
+    '能量增加了 {1} J：步长 {2} s 超过了该方法在此可用的 {3} s；请减小步长',
   'the GPU was lost ({}); go on, or compute it on the processor': 'GPU 已丢失（{1}）；请继续，或在处理器上计算',
-  'steps of {} s are too long for {}: perturbations may grow; set a shorter step, or 0':
-    '步长 {1} s 对 {2} 来说太长：微小的量可能每步增大；请设更短的步长，或设为 0',
-  'from t = {} s on there is energy without a source, up to {} % of the largest kinetic energy: an error of {}; set a shorter step, or another method':
-    '自 t = {1} s 起有能量凭空出现，最多为最大动能的 {2}%：是 {3} 的误差；请缩短步长，或换一种方法',
-  'from t = {} s on energy is missing that nothing took, up to {} % of the largest kinetic energy: an error of {}; set a shorter step, or another method':
-    '自 t = {1} s 起有能量无故消失，最多为最大动能的 {2}%：是 {3} 的误差；请缩短步长，或换一种方法',
+  'steps of {} s are too long for the method: perturbations may grow; set a shorter step, or 0':
+    '步长 {1} s 对该方法来说太长：微小的量可能每步增大；请设更短的步长，或设为 0',
+  'from t = {} s on there is energy without a source, up to {} % of the largest kinetic energy: an error of the method; set a shorter step, or another method':
+    '自 t = {1} s 起有能量凭空出现，最多为最大动能的 {2}%：是该方法的误差；请缩短步长，或换一种方法',
+  'from t = {} s on energy is missing that nothing took, up to {} % of the largest kinetic energy: an error of the method; set a shorter step, or another method':
+    '自 t = {1} s 起有能量无故消失，最多为最大动能的 {2}%：是该方法的误差；请缩短步长，或换一种方法',
   'the correction changed no step: it only holds back steps that gain energy; the correction by the root conserves it':
     '修正没有改变任何一步：它只抑制使能量增加的步；求根修正可使能量守恒',
   'after the step no velocities conserve the energy: {}; take a smaller step':
@@ -1639,7 +1642,7 @@ const messages: Translation['messages'] = {
   'there is no prim {}; below {} there is {}': '没有基元 {1}；{2} 之下有 {3}',
   'there is no prim {}; {} has nothing below it': '没有基元 {1}；{2} 之下没有任何内容',
   'The background of the scene: a uniform sky, a gradient from the horizon to the zenith and to the ground, or the stars. Post process with Sky background lets distant things fade into it.':
-    '场景的背景：均匀的天空、从地平线到天顶和地面的渐变，或星空。用“后处理”的“天空背景”可让远处的物体淡入其中。',
+    '场景的背景：均匀的天空、从地平线到天顶和地面的渐变，或星空。用“后期处理”的“天空背景”可让远处的物体淡入其中。',
   Zenith: '天顶',
   Horizon: '地平线',
   Ground: '地面',
@@ -1730,7 +1733,7 @@ const messages: Translation['messages'] = {
   '{} counts, and should be {}': '{1} 用于计数，应为 {2}',
   Mode: '模式',
   'Blends linear light: values brighter than white are kept.': '对光进行混合：比白更亮的保持其亮度。',
-  Alpha: '透明度',
+  Alpha: '不透明度',
   'Opacity of the upper image; for split and wipe, position of the border.':
     '上层图像在结果中的比例；分屏与擦除时为边界的位置。',
   'Without folders. .png is as displayed; .exr is radiance before exposure and tone curve.':
@@ -2068,7 +2071,7 @@ const messages: Translation['messages'] = {
   Merge: '合并',
   'Merges several inputs. Duplicate names get a number.': '把多个物体合在一起；重复的名称会加上编号。',
   Lifetime: '寿命',
-  'Objects and lights exist only within this time range, and of it when they did before.':
+  'Objects and lights exist only within this time range, and there only when they already did.':
     '物体和光源只在此时间段内存在，并且只在其中它们原本存在的时候。',
   Motion: '运动',
   'Moves objects that are at rest, all as one body.': '让静止的物体作为一个整体运动。',
@@ -2394,7 +2397,7 @@ const messages: Translation['messages'] = {
   Copy: '复制',
   Copied: '已复制',
   'A link cannot contain files, and this project reads some from your device: {}. Save it with its files and send the zip.':
-    '链接无法携带文件，而此项目读取了您设备上的文件：{1}。请连同文件一起保存，然后发送该 zip。',
+    '链接无法携带文件，而此项目读取了你设备上的文件：{1}。请连同文件一起保存，然后发送该 zip。',
 
   // Notices
   'Saved {}. It reads files that it does not contain ({}): keep them beside it, or save with its files.':
@@ -2403,7 +2406,7 @@ const messages: Translation['messages'] = {
   'Its files are {}, more than the {} that the page can pack. Save the project alone, and keep the files beside it.':
     '它的文件共 {1}，超过页面可打包的 {2}。请只保存项目，并把文件放在旁边。',
   'This browser cannot store your work ({}): unsaved changes are lost when the page is closed. Save the project, or free some storage.':
-    '浏览器无法保留您的工作（{1}）：关闭页面后，未保存的内容会丢失。请保存项目，或释放存储空间。',
+    '浏览器无法保留你的工作（{1}）：关闭页面后，未保存的内容会丢失。请保存项目，或释放存储空间。',
   'The files ({}) are too large to be stored in the browser. After a reload they must be opened again; everything else is kept.':
     '文件（{1}）太大，无法保留在浏览器中。重新加载页面后需再次打开它们；其余内容都会保留。',
   'There is unsaved work from {}: {}.': '有 {1} 未保存的工作：{2}。',
@@ -2534,6 +2537,7 @@ const messages: Translation['messages'] = {
   'G-buffer': 'G 缓冲',
   Image: '图像',
   Picture: '画面',
+  Pattern: '图案',
   Mask: '遮罩',
 
   // The page
@@ -2626,7 +2630,7 @@ const messages: Translation['messages'] = {
   'Picture. Drag with one finger to look around, with two to fly, with three to rise and sink.':
     '画面。单指拖动环顾，双指拖动飞行，三指拖动升降。',
   'Look around with one finger, fly with two': '单指环顾，双指飞行',
-  'You have left the scene.': '您已离开场景。',
+  'You have left the scene.': '你已离开场景。',
   'Turn back': '掉头',
   'Fly with W A S D, drag to look, ? for all keys': 'W A S D 飞行，拖动环顾，? 查看全部按键',
   'What to look for': '观察要点',
@@ -3310,6 +3314,7 @@ const examples: Translation['examples'] = {
       '处处是直角，因此弯曲一目了然：画框倾斜，拱顶张开，已经经过的画又转过脸来。它们的颜色说明你以多快的速度迎向它们的光。',
   },
   plain: {
+    of: 'Plain',
     title: '寻常画面',
     lookFor:
       '与其他程序所画的晶格一样：穿行其中，什么都不弯曲。然后逐项恢复，看每一项的作用：把“视图”设为“所见”，杆就弯了；“多普勒混合”设为 1，就有了颜色；“聚束”设为 1，前方变亮，后方变暗。',
@@ -3327,7 +3332,7 @@ const examples: Translation['examples'] = {
   boxes: {
     title: '盒子',
     lookFor:
-      '只有直棱平面的盒子，所以一切弯曲都来自光。从 0.9 c 起，背向您的面进入视野，前方的行列收成一个明亮的小圆盘。',
+      '只有直棱平面的盒子，所以一切弯曲都来自光。从 0.9 c 起，背向你的面进入视野，前方的行列收成一个明亮的小圆盘。',
   },
   drops: {
     title: '液滴',
@@ -3338,6 +3343,7 @@ const examples: Translation['examples'] = {
     [0.892, 0.949, 0.968].map((beta) => [
       `boxes-${1000 * beta}`,
       {
+        of: `Boxes at ${beta} c`,
         title: `盒子，${beta} c`,
         lookFor:
           '加速过程的三个时刻之一：在同一地点分别为 0.892、0.949 与 0.968 c。前方逐次缩小，后方更多的景物进入视野。“多普勒混合”与“聚束”为 0；设为 1 可看到其光色。',
@@ -3345,41 +3351,49 @@ const examples: Translation['examples'] = {
     ]),
   ),
   rush: {
+    of: 'Relativistic street',
     title: '相对论街道',
     lookFor:
       '从第一幅画面起就以 0.9 c 行驶，而你停在原处（“观察”），可以慢慢看：身后的房屋倾斜着进入视野，中央发蓝而遥远，边缘发红而昏暗。按 Tab 切换到“自由”即可前行。',
   },
   workshop: {
+    of: 'Workshop',
     title: '工场',
     lookFor:
       '全部由节点构成，这里光速只有 12 m/s。框架以 7 m/s 驶过，球以 8 m/s 绕圈，圆环自转，飞镖从静止加速，木箱沿弯路前行，砖块翻滚着从一处到另一处。每样东西都显示在光离开它时所在的位置；驶来的偏蓝，离去的偏红。',
   },
   layers: {
+    of: 'Layers',
     title: '分层',
     lookFor:
       '画面由各层组成：不含环境光遮蔽的光照，乘以每处所见天空的比例（平滑但不越过边缘）；再加上对焦于前方几米处的镜头和亮处的光晕。停用一个节点，看看它的作用。',
   },
   comparison: {
+    of: 'Seen and there',
     title: '所见与实在',
     lookFor:
-      '左边是以 0.4 c 行进时的所见，右边是普通渲染器所绘的同一时刻。移动分界线（透明度）：灯柱会跳开，越往前越远，并失去蓝色；移动的箱子先在它曾在的位置，再到它现在的位置。将模式设为正常，两者便互相透出。',
+      '左边是以 0.4 c 行进时的所见，右边是普通渲染器所绘的同一时刻。移动分界线（不透明度）：灯柱会跳开，越往前越远，并失去蓝色；移动的箱子先在它曾在的位置，再到它现在的位置。将模式设为正常，两者便互相透出。',
   },
   lesson: {
+    of: 'Colours and bands',
     title: '颜色与波段',
     lookFor:
       '同一条街两次：右边是 0.4 c 时的所见，左边按光离开时所属的光谱部分着色。正前方看到的光离开时是红外光；越往两侧频移越小，在你前方逃离的物体保持原色。在“伪彩色”中可改选多普勒因子或光离开的时刻。',
   },
   'gods-eye': {
+    of: "God's eye",
     title: '上帝视角',
     lookFor:
       '从上方看某一瞬间：每样东西都在它此刻所在之处，这是没有人能看到的。红色列车以 0.8 c 经过，长度是静止的黄色列车（构造相同）的 0.6 倍。白色小人是一位观察者，周围的圆环相距一光秒：此刻越过第三环的东西，它要 3 秒后才看到。把“视图”设为“所见”，相机选 /Observer，就能看到它的所见：列车在它曾在的位置，驶来时显得更长。',
   },
   letters: {
+    of: 'Letters',
     title: '立体文字',
     lookFor:
       '立体字母组成的词，这里光速是 10 m/s。白色的静止；上方黄色的以 0.8 c 飞过，向你露出它们的侧端，并显出并非自身的颜色。',
   },
   truth: {
+    of: 'Two renderers',
     title: '两种渲染器',
     lookFor:
       '以 0.1 c 进入一个房间，画了两次。左边是精确渲染器的静帧，它追踪光在物体之间的往返，因此墙面给白色物体染色，黄铜球带上房间的颜色。右边是飞行时使用的渲染器。边线从一边接续到另一边。把混合模式设为差值：剩下的就是那部分光，以及噪点，采样越多噪点越少。转动或飞行时，静帧保持不变。',
@@ -3390,56 +3404,67 @@ const examples: Translation['examples'] = {
       '16 米长的梯子以 0.6 c 穿过 14 米长的谷仓。在谷仓的参考系中它长 12.8 米，两扇门有一刻同时关闭，把它全部关在里面。在梯子的参考系中（用“同时面”视图跟随相机 /World/Rider），谷仓长 11.2 米，两扇门从不同时关闭。',
   },
   checkerboards: {
+    of: 'Checkerboards',
     title: '棋盘格',
     lookFor:
       'Slowlight 所遵循的程序（朱雨田、刘子潮、夏子汐，2024，图 14）的完整节点图及其测试场景：方块掠过、球在棋盘格地板上方旋转，光速为 10 m/s。环境光遮蔽经过平滑，由用 GLSL 编写的效果与画面相乘；远处的物体淡入天空；再混入十分之一普通渲染器的画面，显示一切当时在哪里。',
   },
   'hanging-cloth': {
+    of: 'Hanging cloth',
     title: '悬挂的布',
     lookFor:
       '一块由 625 个质点和弹簧组成的布，两角固定，水平放开，此处光速为 10 m/s。下摆像鞭子一样甩动时，有一点达到 0.86 c；但没有一点能达到 c，因为力改变的是动量。靠近时明亮，远离时暗淡，你看到的每一处都是它过去的样子。切换到“同时面”视图，看看它现在在哪里。',
   },
   'source-speeds': {
+    of: 'The sources’ methods at c = 1, 10, 100',
     title: '原报告的方法，c = 1、10、100',
     lookFor:
       '同一块布，所处世界的速度分别不超过 1、10 和 100 m/s；前三列用原报告的方法和它推荐的割线修正，蓝色一列用我们的方法，能量守恒。1 m/s 时布落得很慢，原方法提前终止或爆炸。每个“模拟”节点都有自己的方法、修正、步长和光速：改改看。',
   },
   'source-corrections': {
+    of: 'The sources’ methods and corrections',
     title: '原报告的方法与修正',
     lookFor:
       '本程序所依据的报告中的布，用它的各种方法计算，c = 10 m/s，步长 1 ms。各行：不修正、切线、割线、求根。半隐式的布颤抖并爆裂；隐式的布像在蜂蜜里一样渐渐停下，割线对此不起作用；求根使能量守恒。蓝色是我们的方法，步长减半。琥珀色的节点说明出了什么问题，能量面板把它画出来。',
   },
   'source-ball': {
+    of: 'The sources’ cloth and ball',
     title: '原报告的布与球',
     lookFor:
       '报告中的布荡向半径 40 cm 的球，球以 10⁴ N/m 推开它，c = 10 m/s，步长 1 ms：前三列为原方法加割线修正，蓝色为我们的方法。隐式的布每一步都损失能量，正如报告中的动画。“保存视频”，或只给项目名的 “slowlight render”，会把它存成 GIF。',
   },
   'falling-cloth': {
+    of: 'Cloth on a ball',
     title: '落在球上的布',
     lookFor:
       '一块布落在固定的球上，光速为 10 m/s。中间被挡住，四角继续下落，荡到球下方。球和地面把侵入的部分推出，陷得越深推得越狠，所以猛烈撞击会陷进一些。只有空气带走能量：打开能量面板看看它去了哪里。',
   },
   impact: {
+    of: 'Elastic ball against rigid ball',
     title: '弹性球撞刚性球',
     lookFor:
       '弹簧组成的球以 0.6 c 撞上一个质量相同、可自由运动的刚性球。动量分毫不差地传递，弹簧却留下一部分能量：红球从此颤动不止，蓝球以 0.57 c 离开。若是两个刚性球，能量会全部传递。',
   },
   bouncing: {
+    of: 'Bouncing lattice',
     title: '弹跳的晶格',
     lookFor:
       '弹性杆组成的晶格一角着地后弹起，光速为 10 m/s。撞击以波的形式穿过晶格；上方要晚些才得知，那时还在下落。快速横过视线的直杆看上去是弯的，因为远端的光出发得更早。',
   },
   pendulums: {
+    of: 'Pendulums at c = 1, 10 and 100',
     title: 'c = 1、10 和 100 的单摆',
     lookFor:
       '三个一米长的单摆从水平位置放开，所处世界的光速分别为 1、10 和 100 m/s。10 和 100 的摆动几乎与牛顿力学相同，周期 2.4 s。1 m/s 的那个几乎全程都以接近 1 m/s 运动，来回要 6.7 s。你用 10 m/s 的光看它们。',
   },
   cradle: {
+    of: "Relativistic Newton's cradle",
     title: '相对论牛顿摆',
     lookFor:
       '五个球挂在 3 m 长的杆上，光速为 10 m/s。第一个球落下，以 0.47 c 撞上其余的球；最后一个带走它全部的动量荡出去，其余几乎不动。质量相等的物体接近光速时也像低速时一样交换速度：动量和能量不容许别的结果。迎面而来的球比远去的更亮。',
   },
   charges: {
+    of: 'Two charges',
     title: '两个电荷',
     lookFor:
       '质量相同的一正一负两个电荷互相绕行，最快 0.6 c。按牛顿力学它们永远沿同一个椭圆运动；这里动量比速度增长得更快，使椭圆每圈转过 45°，画出玫瑰花形。桌上的金线是索末菲用公式求出的轨迹，两球始终沿着它走；相距最远时两者都碰到蓝色圆环。你看到的都是各自过去的位置，所以它们看上去并不正对。力是瞬时作用的，没有真实电荷会损失的辐射。',

@@ -7,6 +7,11 @@ const sources = import.meta.glob<string>(
   { query: '?raw', import: 'default', eager: true },
 );
 
+const projects = import.meta.glob<{ readonly title: string }>('../../../examples/*.slowlight.json', {
+  import: 'default',
+  eager: true,
+});
+
 type Syntax = { readonly type?: string } & Readonly<Record<string, unknown>>;
 interface Template {
   readonly quasis: readonly { readonly value: { readonly cooked: string } }[];
@@ -80,6 +85,16 @@ describe('messages', () => {
 
     it('are all in the source', async () => {
       expect(Object.keys(await catalogue()).filter((template) => !templates.has(template))).toEqual([]);
+    });
+
+    it('has the examples’ projects under their own titles', async () => {
+      const { examples } = await LANGUAGES[tag].load();
+      const titles = Object.entries(projects).map(([file, { title }]) => [
+        /(\w[\w-]*)\.slowlight/.exec(file)?.[1],
+        title,
+      ]);
+      expect(titles.length).toBeGreaterThan(20);
+      expect(titles.map(([name]) => [name, examples[name!]?.of])).toEqual(titles);
     });
 
     it('have each value once', async () => {

@@ -170,19 +170,14 @@ export class Simulation {
     const note = (code: string, param: string, message: Message, severity: 'warning' | 'info' = 'warning'): void =>
       void notes.push({ severity, code, place: param ? `${node}.${param}` : node, message });
     if (!stable) {
-      const message = msg`steps of ${h.toPrecision(3)} s are too long for ${options.method.id}: perturbations may grow; set a shorter step, or 0`;
+      const message = msg`steps of ${h.toPrecision(3)} s are too long for the method: perturbations may grow; set a shorter step, or 0`;
       note('simulate.unstable', 'step', message);
     }
     if (onSoftware) {
       const message = msg`the GPU here is a software implementation; without it the simulation is faster`;
       note('simulate.software', 'onGpu', message, 'info');
     }
-    if (fault)
-      note(
-        `simulate.${fault.kind === 'gained' ? 'grows' : 'fades'}`,
-        'method',
-        energyFaultMessage(fault, record.method),
-      );
+    if (fault) note(`simulate.${fault.kind === 'gained' ? 'grows' : 'fades'}`, 'method', energyFaultMessage(fault));
     if (corrected === 0 && record.times.length > 1) {
       const message = msg`the correction changed no step: it only holds back steps that gain energy; the correction by the root conserves it`;
       note('simulate.uncorrected', 'correction', message);

@@ -7,7 +7,7 @@ import { defineNode } from '../defineNode.ts';
 export const lifetimeNode = defineNode({
   id: 'lifetime',
   title: msg`Lifetime`,
-  help: msg`Objects and lights exist only within this time range, and of it when they did before.`,
+  help: msg`Objects and lights exist only within this time range, and there only when they already did.`,
   category: 'geometry',
   params: { which: whichParam, birth: timeParam(msg`Begins at`, 0), death: timeParam(msg`Ends at`, 10) },
   inputs: { geometry: { type: 'geometry' } },

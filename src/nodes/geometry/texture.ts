@@ -22,7 +22,7 @@ export const textureNode = defineNode({
     which: whichParam,
     picture: {
       kind: 'choice',
-      title: msg`Picture`,
+      title: msg`Pattern`,
       default: 'checker',
       options: [
         { value: 'checker', title: msg`Checkerboard` },
