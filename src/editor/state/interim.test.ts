@@ -175,7 +175,14 @@ it('a run that stopped early is reported once', async () => {
 
 /** A run that lost half of its energy. */
 const fading: RunRecord = {
-  ...{ method: 'leapfrog', speedOfLight: 10, step: 0.1, hasKinematic: false, steps: Float64Array.of(0, 1, 2), corrected: 0 },
+  ...{
+    method: 'leapfrog',
+    speedOfLight: 10,
+    step: 0.1,
+    hasKinematic: false,
+    steps: Float64Array.of(0, 1, 2),
+    corrected: 0,
+  },
   times: Float64Array.of(0, 1, 2),
   total: Float64Array.of(10, 7, 5),
   kinetic: Float64Array.of(0, 10, 5),
