@@ -36,7 +36,7 @@ const files: ClaimGroup = {
       (s) => expect(paths(s)).toEqual(['/A', '/Rest']),
     ),
     read(
-      '`upAxis`, `metersPerUnit`, `timeCodesPerSecond` (or `framesPerSecond`), `startTimeCode`, `endTimeCode`',
+      '`upAxis`, `metersPerUnit`, `timeCodesPerSecond` (or `framesPerSecond`), `startTimeCode`, `endTimeCode` (or `startFrame`, `endFrame`)',
       'axes are kept, lengths are converted to metres and times to seconds',
       {
         'a.usda':

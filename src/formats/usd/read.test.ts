@@ -174,6 +174,13 @@ describe('the stage', () => {
     expect([scene.startTime, scene.endTime]).toEqual([0.5, 2]);
   });
 
+  it('has its times under their former names, too; the present ones are stronger', async () => {
+    const former = await readText('', 'startFrame = 12\n endFrame = 48\n timeCodesPerSecond = 24');
+    expect([former.startTime, former.endTime]).toEqual([0.5, 2]);
+    const both = await readText('', 'startFrame = 12\n endFrame = 48\n startTimeCode = 24\n timeCodesPerSecond = 24');
+    expect([both.startTime, both.endTime]).toEqual([1, 2]);
+  });
+
   it('rejects invalid units', async () => {
     await expect(readText('', 'metersPerUnit = 0')).rejects.toThrow('metersPerUnit = 0 is not a positive number');
     await expect(readText('', 'timeCodesPerSecond = -1')).rejects.toThrow(InputError);

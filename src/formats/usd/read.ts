@@ -13,7 +13,7 @@ import { LayerStore } from './compose/layers/layerStore.ts';
 import type { VariantSelection } from './compose/sessionLayer.ts';
 import { report } from './diagnostics.ts';
 import type { Layer } from './layer/layer.ts';
-import { metadataNumber, primAt, primsAlong } from './layer/query.ts';
+import { metadataNumber, primAt, primsAlong, stageTimeCode } from './layer/query.ts';
 import { readLayer } from './readLayer.ts';
 import { type StageContext, upAxisOf } from './schema/context.ts';
 import { SampleBudget } from './schema/sampleBudget.ts';
@@ -109,7 +109,7 @@ function contextOf(
     files,
     unit: number('metersPerUnit') ?? 0.01,
     codesPerSecond: number('timeCodesPerSecond') ?? number('framesPerSecond') ?? 24,
-    startCode: number('startTimeCode') ?? 0,
+    startCode: stageTimeCode(layer.metadata, 'start') ?? 0,
     cubic: options.interpolation === 'cubic',
     ...(options.prim && { prim: `/${options.prim.split('/').filter(Boolean).join('/')}` }),
     chordTolerance: options.chordTolerance ?? CHORD_TOLERANCE,
@@ -149,8 +149,8 @@ function sceneHeader(context: StageContext, entry: string) {
 
 /** As written, else what the samples span, and the times at which one piece follows another [s]. */
 function timeRange(context: StageContext, { objects, cameras }: StageContents) {
-  const start = metadataNumber(context.layer.metadata, 'startTimeCode');
-  const end = metadataNumber(context.layer.metadata, 'endTimeCode');
+  const start = stageTimeCode(context.layer.metadata, 'start');
+  const end = stageTimeCode(context.layer.metadata, 'end');
   let [first, last] = [Infinity, -Infinity];
   const include = (time: number): void => {
     first = Math.min(first, time);

@@ -59,11 +59,14 @@ export function exportObjects(
         'warning',
         'convert.lifetime',
         object.path,
-        msg`it lives from ${birth} to ${death} s; there it always is`,
+        msg`it lives from ${inSeconds(birth)} to ${inSeconds(death)} s; there it always is`,
       );
     return { ...object, ...exportObject(object, scene, losses) };
   });
 }
+
+const inSeconds = (time: number): number | string =>
+  Number.isFinite(time) ? Number(time.toPrecision(6)) : time < 0 ? '−∞' : '∞';
 
 /** Objects, and all pieces of each thing, by the path of the whole. */
 function turnsByPath(objects: readonly SceneObject[]): ReadonlyMap<string, readonly SceneObject[]> {

@@ -6,6 +6,12 @@ export function metadataNumber(metadata: ReadonlyMap<string, MetadataValue>, key
   return value && 'data' in value && typeof value.data === 'number' ? value.data : undefined;
 }
 
+/** Time code at which a stage starts or ends; `startFrame` and `endFrame` are their former names, which OpenUSD reads too. */
+export const stageTimeCode = (
+  metadata: ReadonlyMap<string, MetadataValue>,
+  which: 'start' | 'end',
+): number | undefined => metadataNumber(metadata, `${which}TimeCode`) ?? metadataNumber(metadata, `${which}Frame`);
+
 export function metadataText(metadata: ReadonlyMap<string, MetadataValue>, key: string): string | undefined {
   const value = metadata.get(key);
   return value && 'data' in value && typeof value.data === 'string' ? value.data : undefined;

@@ -25,10 +25,11 @@ const KEY_TYPES: ReadonlyMap<string, string> = new Map(
     int: 'elementSize framePrecision unauthoredValuesIndex',
     int64: 'arraySizeConstraint',
     float: 'weight',
-    double: 'startTimeCode endTimeCode timeCodesPerSecond framesPerSecond metersPerUnit kilogramsPerUnit',
+    double:
+      'startTimeCode endTimeCode startFrame endFrame timeCodesPerSecond framesPerSecond metersPerUnit kilogramsPerUnit',
     token:
       'bindMaterialAs colorManagementSystem colorSpace connectability defaultPrim interpolation kind outputName playbackMode renderType upAxis',
-    string: 'comment displayGroup displayName documentation owner prefix sessionOwner startFrame suffix symmetricPeer',
+    string: 'comment displayGroup displayName documentation owner prefix sessionOwner suffix symmetricPeer',
     'token[]': 'allowedTokens',
     asset: 'colorConfiguration',
     dictionary:

@@ -5,7 +5,7 @@ import type { FileSource } from '../../files/fileSource.ts';
 import { AssetFiles } from '../assets/assetFiles.ts';
 import { composeStage } from '../compose/composeStage.ts';
 import { LayerStore } from '../compose/layers/layerStore.ts';
-import { metadataNumber, metadataText, primAt, primsAlong } from '../layer/query.ts';
+import { metadataNumber, metadataText, primAt, primsAlong, stageTimeCode } from '../layer/query.ts';
 import { readLayer } from '../readLayer.ts';
 
 /** What has to be known of a stage to put something into it. */
@@ -35,7 +35,7 @@ export async function existingStage(source: FileSource, entry: string, path: str
       msg`there is a prim ${path} already, and nothing is overwritten; choose another path`,
     );
   const number = (key: string): number | undefined => metadataNumber(layer.metadata, key);
-  const [start, end] = [number('startTimeCode'), number('endTimeCode')];
+  const [start, end] = [stageTimeCode(layer.metadata, 'start'), stageTimeCode(layer.metadata, 'end')];
   const first = metadataText(layer.metadata, 'defaultPrim');
   return {
     upAxis: metadataText(layer.metadata, 'upAxis') === 'Z' ? 'Z' : 'Y',

@@ -53,12 +53,12 @@ export class InstanceTransforms {
     this.times = unionOfTimes(placed.filter((times) => times.length > 1));
   }
 
-  /** Arrays that do not have `count` elements at a time, with their counts; only positions must exist. */
+  /** Arrays that do not have `count` elements at a time, with their counts; only positions must exist, others may be empty. */
   sizeMismatches(count: number, time: number): [name: string, count: number][] {
     const { positions, orientations, scales } = this;
     const named = Object.entries({ positions, orientations, scales });
     return named.flatMap(([name, track]) => {
-      const has = track.countAt(time) ?? (name === 'positions' ? 0 : count);
+      const has = track.countAt(time) || (name === 'positions' ? 0 : count);
       return has === count ? [] : [[name, has]];
     });
   }

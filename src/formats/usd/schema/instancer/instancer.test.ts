@@ -127,6 +127,19 @@ def PointInstancer "Same" { int[] protoIndices = [0, 0]\n int64[] ids = [4, 4]\n
     ]);
   });
 
+  it('are told once for each array; empty scales and orientations are none, as in USD', async () => {
+    const scene = await stage(`
+def PointInstancer "Empty" { int[] protoIndices = [0]\n point3f[] positions = [(1, 0, 0)]\n float3[] scales = []\n quath[] orientations = []\n rel prototypes = </Kite> }
+def PointInstancer "Fewer" { int[] protoIndices = [0]\n point3f[] positions = [(1, 0, 0)]\n float3[] scales.timeSamples = { 0: [(1, 1, 1), (1, 1, 1)], 5: [(2, 2, 2), (1, 1, 1)], 9: [(1, 1, 1)] }\n rel prototypes = </Kite> }`);
+    expect(said(scene).filter((text) => text.startsWith('usd.instancer'))).toEqual([
+      'usd.instancer a.usda</Fewer>: scales has 2 values at t = 0, for 1 instances; scales are left out',
+    ]);
+    const empty = scene.objects.find(({ path }) => path === '/Empty[0]/Kite')!;
+    const kite = scene.objects.find(({ path }) => path === '/Kite')!;
+    const size = ({ mesh }: typeof kite) => Math.max(...mesh.positions) - Math.min(...mesh.positions);
+    expect(size(empty)).toBeCloseTo(size(kite), 6);
+  });
+
   it('such as 10⁹ instances, or an instancer inside itself, are reported quickly', async () => {
     const nested = (name: string, prototype: string): string =>
       `def PointInstancer "${name}" { int[] protoIndices = ${list(1000, '0')}\n point3f[] positions = ${list(1000, '(0, 0, 0)')}\n rel prototypes = <${prototype}> }`;

@@ -56,7 +56,8 @@ export function pointInstancesOf(context: StageContext, prim: PrimSpec): PointIn
   const times = unionOfTimes([topology, transforms.times]);
   const intervals = topologyIntervals(context, prim, topology);
   const tracker = new InstanceTracker(prototypes.length);
-  for (const interval of intervals) if (fits(context, prim, transforms, interval, times)) tracker.add(interval);
+  const told = new Set<string>();
+  for (const interval of intervals) if (fits(context, prim, transforms, interval, times, told)) tracker.add(interval);
   const { outside } = tracker;
   if (outside) {
     const message = msg`protoIndices[${outside.index}] is ${outside.value}, but there are ${prototypes.length} prototypes; ${outside.count} such instances are left out`;
@@ -117,13 +118,14 @@ function inactiveIds(prim: PrimSpec): string[] {
   return value?.type === 'integers' ? (value.op.explicit ?? []).map(String) : [];
 }
 
-/** Whether the positions have the right length throughout an interval; reports all arrays that do not. */
+/** Whether the positions have the right length throughout an interval; reports arrays that do not, each once. `told`: the names of those so far. */
 function fits(
   context: StageContext,
   prim: PrimSpec,
   transforms: InstanceTransforms,
   { from, to, prototypes }: TopologyInterval,
   times: Float64Array,
+  told: Set<string>,
 ): boolean {
   const count = prototypes.length;
   const first = Number.isFinite(from) ? from : Math.min(context.startCode, times[0] ?? context.startCode);
@@ -132,7 +134,8 @@ function fits(
     for (const [name, has] of transforms.sizeMismatches(count, time)) {
       const left = name === 'positions' ? msg`they are left out` : msg`${name} are left out`;
       const message = msg`${name} has ${has} values at t = ${time}, for ${count} instances; ${left}`;
-      report(context, 'warning', 'usd.instancer', prim.path, message);
+      if (!told.has(name)) report(context, 'warning', 'usd.instancer', prim.path, message);
+      told.add(name);
       if (name === 'positions') fit = false;
     }
     if (!fit) break;
