@@ -514,3 +514,46 @@ function hyperbola(x: Float64Array, p: Float64Array, end: { t: number; x: Float6
   const [fx, fy] = [end.x[3] - end.x[0], end.x[4] - end.x[1]];
   return { off: Math.hypot(fx - wx, fy - wy) / Math.hypot(wx, wy) };
 }
+
+describe('steps beyond the stability limit', () => {
+  // A point on a spring with hω = 2.5, released 10 nm from rest: its amplitude is multiplied by λ with each step, λ² + (h²ω² − 2) λ + 1 = 0.
+  const [mass, stiffness, h] = [1, 100, 0.25];
+  const trace = 2 - h ** 2 * (stiffness / mass);
+  const growth = (Math.abs(trace) + Math.sqrt(trace ** 2 - 4)) / 2;
+  const spring = { ends: Uint32Array.of(0, 1), stiffness: Float64Array.of(stiffness), lengths: Float64Array.of(1) };
+  const masses = Float64Array.of(1e9, mass);
+  const system = makeSystem({ masses, pinned: Uint8Array.of(1, 0), c: 1e6, forces: [springForce(spring)] });
+  const start = stateAtRest(Float64Array.of(0, 0, 0, 1 + 1e-8, 0, 0));
+  const order = { system, start, method: method('semi-implicit-euler-0'), duration: 40 * h, every: 10 * h, step: h };
+
+  function ended(options: RunOptions) {
+    const frames: SimulationFrame[] = [];
+    const run = integrate(options);
+    for (let next = run.next(); ; next = run.next()) {
+      if (next.done) return { frames, stop: next.value };
+      frames.push(next.value);
+    }
+  }
+
+  it('end the run, with the last state before', () => {
+    const { frames, stop } = ended(order);
+    expect(frames).toHaveLength(1);
+    expect(stop).toMatchObject({ reason: 'unstable', last: { t: expect.closeTo(10 * h, 12) } });
+    const [after] = ended({ ...order, duration: 10 * h, evenUnstable: true }).frames.slice(-1);
+    expect([...stop!.last!.x]).toEqual([...after!.state.x]);
+  });
+
+  it('show how it explodes where that is wanted: the amplitude grows by λ with each step', () => {
+    const { frames, stop } = ended({ ...order, every: h, duration: 12 * h, evenUnstable: true });
+    expect(stop).toBeUndefined();
+    const x = frames.map(({ state }) => state.x[3]! - 1);
+    for (let k = 6; k < 10; k++) expect(x[k + 1]! / x[k]!).toBeCloseTo(-growth, 3);
+  });
+
+  it('end where a point would reach c all the same', () => {
+    const { frames, stop } = ended({ ...order, every: h, duration: 40 * h, evenUnstable: true });
+    expect(stop).toMatchObject({ reason: 'light', point: 1 });
+    expect(frames.at(-1)!.quantities.fastest).toBeLessThan(1e6);
+    expect(stop!.last!.t).toBeCloseTo(frames.at(-1)!.state.t, 9);
+  });
+});

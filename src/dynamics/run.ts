@@ -4,7 +4,7 @@ import { type ConservedQuantities, conservedQuantities, MAX_ENERGY_GAIN } from '
 import { assertFinite, Integrator } from './integrator.ts';
 import { type IntegrationMethod, StepFailure, type StepFailureReason } from './methods/method.ts';
 import { maxAngularFrequency } from './stability.ts';
-import { copyState, type State, type System } from './system.ts';
+import { assignState, copyState, momenta, type State, type System, SystemError } from './system.ts';
 
 /** What is to be computed. */
 export interface RunOptions {
@@ -34,6 +34,8 @@ export interface RunOptions {
    * an explicit method.
    */
   readonly tolerance?: number;
+  /** Whether a run goes on whose steps are too long for its method while its energy grows, to show it; until a point would reach c, or no number is finite. */
+  readonly evenUnstable?: boolean;
 }
 
 /** What is counted from the start of a run. */
@@ -67,6 +69,8 @@ export interface EarlyStop {
   readonly message: Message;
   /** The affected point, if there is one. */
   readonly point?: number;
+  /** The last state before, after the last frame; finite, every point slower than light. Absent: there is none. */
+  readonly last?: State;
 }
 
 /** Default step as a fraction of the stability limit 2/ω. */
@@ -125,7 +129,8 @@ function maxStepLength({ method, every, step, tolerance }: RunOptions, omega: nu
  */
 export function* integrate(options: RunOptions): Generator<SimulationFrame, EarlyStop | undefined> {
   const course = new FrameBuilder(options);
-  const advance = advancer(options, course.steps);
+  const last = copyState(options.start);
+  const advance = advancer(options, course.steps, last);
   const state = copyState(options.start);
   yield course.start();
   while (!course.isDone) {
@@ -133,7 +138,7 @@ export function* integrate(options: RunOptions): Generator<SimulationFrame, Earl
     try {
       frame = course.next(state, advance(state));
     } catch (error) {
-      return earlyStopFor(error, state.t);
+      return earlyStopFor(error, state.t, last);
     }
     yield frame;
   }
@@ -181,18 +186,22 @@ export class FrameBuilder {
   }
 }
 
-/** The reason for a run's end at t from a StepFailure; other errors are rethrown. */
-export function earlyStopFor(error: unknown, t: number): EarlyStop {
+/** The reason for a run's end at t from a StepFailure; other errors are rethrown. `last`: the last state before that. */
+export function earlyStopFor(error: unknown, t: number, last?: State): EarlyStop {
   if (!(error instanceof StepFailure)) throw error;
   const { reason, text, point } = error;
-  return { reason, t, message: text, ...(point !== undefined && { point }) };
+  const reached = last && hasFiniteValues(last) ? copyState(last) : undefined;
+  return { reason, t, message: text, ...(point !== undefined && { point }), ...(reached && { last: reached }) };
 }
 
-/** Returns a function that advances a state by one frame and returns the tally. */
-function advancer(options: RunOptions, { h, perFrame }: StepSchedule): (state: State) => RunTally {
-  const { system, method, every, tolerance, since } = options;
+const hasFiniteValues = ({ x, p }: State): boolean => x.every(Number.isFinite) && p.every(Number.isFinite);
+
+/** Returns a function that advances a state by one frame and returns the tally; `last` becomes the last state that points reach below the speed of light. */
+function advancer(options: RunOptions, { h, perFrame, stable }: StepSchedule, last: State): (state: State) => RunTally {
+  const { system, method, every, tolerance, since, evenUnstable } = options;
   const mover = new Integrator(system, method);
   const start = since?.tally ?? NO_STEPS;
+  const from = copyState(options.start);
   let { steps } = start;
   mover.dragLoss = start.dragLoss ?? 0;
   const tally = (): RunTally => ({
@@ -203,15 +212,44 @@ function advancer(options: RunOptions, { h, perFrame }: StepSchedule): (state: S
   if (tolerance !== undefined) {
     const adaptive = new AdaptiveSteps(mover, system, { order: method.order, tolerance, longest: h });
     return (state) => {
+      assignState(last, state);
       steps += adaptive.advance(state, every);
       return tally();
     };
   }
   return (state) => {
-    for (let i = 0; i < perFrame; i++) mover.step(state, h);
+    assignState(from, state);
+    assignState(last, state);
+    for (let i = 0; i < perFrame; i++) {
+      mover.step(state, h);
+      if (isWithinLight(system, from, state)) assignState(last, state);
+    }
+    if (evenUnstable && !stable) assertWithinLight(system, from, state);
     steps += perFrame;
     return tally();
   };
+}
+
+/** Whether every point has moved by less than light goes; not so by methods that correct velocities after the step. */
+function isWithinLight({ c }: System, from: State, to: State): boolean {
+  const reach = (c * (to.t - from.t)) ** 2;
+  for (let j = 0; j < to.x.length; j += 3) {
+    const square = (to.x[j] - from.x[j]) ** 2 + (to.x[j + 1] - from.x[j + 1]) ** 2 + (to.x[j + 2] - from.x[j + 2]) ** 2;
+    if (!(square < reach)) return false;
+  }
+  return true;
+}
+
+function assertWithinLight(system: System, from: State, to: State): void {
+  try {
+    momenta(
+      system,
+      to.x.map((value, j) => (value - from.x[j]) / (to.t - from.t)),
+    );
+  } catch (error) {
+    if (!(error instanceof SystemError)) throw error;
+    throw new StepFailure('light', msg`${error.text}; take a smaller step`, error.point);
+  }
 }
 
 /** Beyond the stability limit, growing energy ends the run. */
@@ -221,7 +259,7 @@ function assertEnergyBounded(
   first: ConservedQuantities,
   now: ConservedQuantities,
 ): void {
-  if (stable || now.total - first.total <= MAX_ENERGY_GAIN * now.kinetic) return;
+  if (stable || options.evenUnstable || now.total - first.total <= MAX_ENERGY_GAIN * now.kinetic) return;
   const bound = (2 / maxAngularFrequency(options.system)).toPrecision(3);
   const gain = Number((now.total - first.total).toPrecision(3));
   const message = msg`the energy has grown by ${gain} J: steps of ${h.toPrecision(3)} s are longer than the method can take here, ${bound} s; take shorter ones`;

@@ -35,7 +35,7 @@ export interface RunRecord {
   /** Maximum speed [m/s]. */
   readonly fastest: Float64Array;
   /** Why it ended early. */
-  readonly stop?: EarlyStop;
+  readonly stop?: Omit<EarlyStop, 'last'>;
 }
 
 /**
@@ -83,10 +83,13 @@ export class RunRecorder {
       momentum: Float64Array.from(rows.flatMap(({ momentum }) => [...momentum])),
       angularMomentum: Float64Array.from(rows.flatMap(({ angularMomentum }) => [...angularMomentum])),
       fastest: column(({ fastest }) => fastest),
-      ...(stop && { stop }),
+      ...(stop && { stop: toldStop(stop) }),
     };
   }
 }
+
+/** Without the state, which is no part of a table. */
+const toldStop = ({ last: _, ...told }: EarlyStop): NonNullable<RunRecord['stop']> => told;
 
 type RunRecordRow = SimulationFrame['quantities'] & RunTally & { readonly t: number };
 

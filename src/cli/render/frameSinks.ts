@@ -8,7 +8,7 @@ import type { Scene } from '../../scene/types.ts';
 import { checkWritable, OutputFile, writeFileAtomically } from '../files/outputFile.ts';
 import { usageError } from '../terminal/exitCodes.ts';
 import type { RenderFlags } from './renderFlags.ts';
-import { VIDEO_EXTENSION, VideoWriter } from './videoWriter.ts';
+import { checkEncoder, VIDEO_EXTENSION, VideoWriter } from './videoWriter.ts';
 
 export interface FrameSink {
   /** Paths of the files written so far. */
@@ -19,39 +19,45 @@ export interface FrameSink {
   discard(): void;
 }
 
-type OpenSink = (flags: RenderFlags, scene: Scene, frames: number) => FrameSink | Promise<FrameSink>;
+type OpenSink = (flags: RenderFlags, scene: Scene) => FrameSink | Promise<FrameSink>;
 
 /** By the extension of the output. */
 const SINKS: ReadonlyMap<string, OpenSink> = new Map<string, OpenSink>([
-  [
-    '.png',
-    ({ output, size }, _, frames) => fileSink(output, frames, (frame) => encodePngPicture(size, frame.rendered, frame)),
-  ],
+  ['.png', ({ output, size }) => fileSink(output, (frame) => encodePngPicture(size, frame.rendered, frame))],
   [
     '.exr',
-    ({ output, size }, scene, frames) =>
-      fileSink(output, frames, (frame) => encodeExrPicture(size, frame.rendered, frame, scene)),
+    ({ output, size }, scene) => fileSink(output, (frame) => encodeExrPicture(size, frame.rendered, frame, scene)),
   ],
   [`.${VIDEO_EXTENSION}`, (flags, scene) => videoSink(flags, flags.fps ?? scene.timeCodesPerSecond)],
   ['.gif', (flags, scene) => gifSink(flags, flags.fps ?? scene.timeCodesPerSecond)],
 ]);
 
 /** Extensions of films, which need several frames. */
-export const isFilm = (output: string): boolean => /\.(mp4|gif)$/i.test(output);
+const isFilm = (output: string): boolean => /\.(mp4|gif)$/i.test(output);
 
-export async function openFrameSink(flags: RenderFlags, scene: Scene, frames: number): Promise<FrameSink> {
-  const open = SINKS.get(extname(flags.output).toLowerCase());
-  if (open) return open(flags, scene, frames);
-  throw usageError(msg`--output ${flags.output}: its name must end in ${anyOf([...SINKS.keys()])}`);
-}
+const sinkOf = (output: string): OpenSink | undefined => SINKS.get(extname(output).toLowerCase());
 
-/** One file per frame; `####` in the name is the frame's number. */
-function fileSink(output: string, frames: number, encode: (frame: PictureFrame) => Uint8Array): FrameSink {
-  if (frames > 1 && !/#/.test(output)) {
+/** Throws if the output does not fit the other flags, or cannot be written; called before the scene is read, which may take minutes. */
+export function checkOutput({ output, frames, time }: RenderFlags): void {
+  if (!sinkOf(output)) throw usageError(msg`--output ${output}: its name must end in ${anyOf([...SINKS.keys()])}`);
+  if (isFilm(output) && !frames) throw usageError(msg`a film, .mp4 or .gif, needs --frames FIRST:LAST`);
+  if (frames && time !== undefined) throw usageError(msg`--time and --frames exclude each other`);
+  if (frames && frames.last > frames.first && !isFilm(output) && !output.includes('#')) {
     const pattern = output.replace(/(\.\w+)$/, '.####$1');
     throw usageError(msg`--output ${output}: several frames need a place for their number, like ${pattern}`);
   }
   checkWritable(output);
+  if (extname(output).toLowerCase() === `.${VIDEO_EXTENSION}`) checkEncoder();
+}
+
+export async function openFrameSink(flags: RenderFlags, scene: Scene): Promise<FrameSink> {
+  const open = sinkOf(flags.output);
+  if (!open) throw new Error(`nothing writes ${flags.output}`);
+  return open(flags, scene);
+}
+
+/** One file per frame; `####` in the name is the frame's number. */
+function fileSink(output: string, encode: (frame: PictureFrame) => Uint8Array): FrameSink {
   const files: string[] = [];
   return {
     files,

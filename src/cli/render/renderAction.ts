@@ -10,13 +10,14 @@ import { usageError } from '../terminal/exitCodes.ts';
 import { toJson } from '../terminal/json.ts';
 import { localized } from '../terminal/language.ts';
 import { Progress } from '../terminal/progress.ts';
-import { isFilm } from './frameSinks.ts';
+import { checkOutput } from './frameSinks.ts';
 import type { RenderFlags } from './renderFlags.ts';
 import { chooseAovs, type RenderReport, renderFrames } from './renderFrames.ts';
 
 export async function render(path: string, flags: RenderFlags, given: ReadonlySet<string>): Promise<void> {
   checkPipeline(flags);
   checkSamples(flags);
+  checkOutput(flags);
   chooseAovs(flags);
   const progress = new Progress();
   progress.show(msg`reading …`);
@@ -44,12 +45,8 @@ function checkSamples({ samples, antialiasing }: RenderFlags): void {
     throw usageError(msg`--no-antialiasing takes one sample, at the centre of each pixel: leave it or --samples out`);
 }
 
-function frameTimes(scene: Scene, { time, frames, fps = scene.timeCodesPerSecond, output }: RenderFlags): FrameTime[] {
-  if (!frames) {
-    if (isFilm(output)) throw usageError(msg`a film, .mp4 or .gif, needs --frames FIRST:LAST`);
-    return [{ t: time ?? scene.hints.openAt ?? scene.startTime }];
-  }
-  if (time !== undefined) throw usageError(msg`--time and --frames exclude each other`);
+function frameTimes(scene: Scene, { time, frames, fps = scene.timeCodesPerSecond }: RenderFlags): FrameTime[] {
+  if (!frames) return [{ t: time ?? scene.hints.openAt ?? scene.startTime }];
   const count = frames.last - frames.first + 1;
   return Array.from({ length: count }, (_, i) => ({ number: frames.first + i, t: (frames.first + i) / fps }));
 }

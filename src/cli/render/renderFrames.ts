@@ -51,7 +51,7 @@ export async function renderFrames(
   const settings = { ...renderSettings(flags, c), ...(frameGraph && { frameGraph }) };
   const views = (t: number): PictureViews => [observer(t)];
   const request = { settings, metering, size, aovs, views, frames, falseColour, falseRange, legend };
-  const sink = await openFrameSink({ ...flags, size: outputSize(flags) }, scene, frames.length);
+  const sink = await openFrameSink({ ...flags, size: outputSize(flags) }, scene);
   try {
     progress.show(msg`getting ready to draw …`);
     const session = await openFlaggedSession([scene, ...others], flags, (text) => progress.note(text));

@@ -2123,6 +2123,10 @@ const messages: Translation['messages'] = {
     '以动量为状态计算物质的运动，任何东西都达不到 c，并记录能量与动量。帧与帧之间沿三次曲线运动。命令行 “slowlight simulate PROJECT” 同样可用。',
   Flight: '飞行',
 
+  'Go on when unstable': '不稳定时继续',
+  'Off: with steps that are too long for an explicit method, the run ends as soon as its energy grows. On: it shows how it explodes, until a point would reach c or go through what is solid.':
+    '关：步长超出显式方法的稳定限度时，能量一增长便结束。开：继续下去，显示它如何爆炸，直到某一点将达到 c 或穿过实体。',
+
   // Interpolation
   Cubic: '三次曲线',
 
@@ -3419,7 +3423,7 @@ const examples: Translation['examples'] = {
     of: 'The sources’ methods at c = 1, 10, 100',
     title: '原报告的方法，c = 1、10、100',
     lookFor:
-      '同一块布，所处世界的速度分别不超过 1、10 和 100 m/s；前三列用原报告的方法和它推荐的割线修正，蓝色一列用我们的方法，能量守恒。1 m/s 时布落得很慢，原方法提前终止或爆炸。每个“模拟”节点都有自己的方法、修正、步长和光速：改改看。',
+      '同一块布，所处世界的速度分别不超过 1、10 和 100 m/s；前三列用原报告的方法和它推荐的割线修正，蓝色一列用我们的方法，能量守恒。1 m/s 时布落得很慢。半隐式的布爆裂，并停在计算终止时的样子：其节点呈琥珀色，说明何时、为何终止。每个“模拟”节点都有自己的方法、修正、步长和光速：改改看。',
   },
   'source-corrections': {
     of: 'The sources’ methods and corrections',
@@ -3428,10 +3432,10 @@ const examples: Translation['examples'] = {
       '本程序所依据的报告中的布，用它的各种方法计算，c = 10 m/s，步长 1 ms。各行：不修正、切线、割线、求根。半隐式的布颤抖并爆裂；隐式的布像在蜂蜜里一样渐渐停下，割线对此不起作用；求根使能量守恒。蓝色是我们的方法，步长减半。琥珀色的节点说明出了什么问题，能量面板把它画出来。',
   },
   'source-ball': {
-    of: 'The sources’ cloth and ball',
-    title: '原报告的布与球',
+    of: 'The sources’ cloth and ball at c = 1, 10, 100',
+    title: '原报告的布与球，c = 1、10、100',
     lookFor:
-      '报告中的布荡向半径 40 cm 的球，球以 10⁴ N/m 推开它，c = 10 m/s，步长 1 ms：前三列为原方法加割线修正，蓝色为我们的方法。隐式的布每一步都损失能量，正如报告中的动画。“保存视频”，或只给项目名的 “slowlight render”，会把它存成 GIF。',
+      '报告中的布荡向半径 40 cm 的球，球以 10⁴ N/m 推开它，所处世界的速度分别不超过 1、10 和 100 m/s，步长 1 ms：前三列为原方法加割线修正，蓝色为我们的方法。隐式的布每一步都损失能量，正如报告中的动画；半隐式的布撞到球便爆裂，并停在那时的样子。“保存视频”，或只给项目名的 “slowlight render”，会把它存成 GIF。',
   },
   'falling-cloth': {
     of: 'Cloth on a ball',

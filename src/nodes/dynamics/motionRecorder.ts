@@ -105,13 +105,16 @@ export class MotionRecorder {
 
   record = (stop?: EarlyStop): RunRecord => this.books.record(stop);
 
-  /** All objects with their motion so far; `notes`: diagnostics to add. */
-  scene(notes: readonly Diagnostic[]): Scene {
+  /** All objects with their motion so far; `notes`: diagnostics to add; `end`: the state after the last frame in which the run ended early. */
+  scene(notes: readonly Diagnostic[], end?: State): Scene {
+    const until = end && end.t > this.timeOf(this.length - 1) ? end : undefined;
+    const tracks = until ? this.tracksUntil(until) : this.tracks;
+    const times = Float64Array.from([...this.rows.map((_, k) => this.timeOf(k)), ...(until ? [until.t] : [])]);
     let i = 0;
     const parts = this.bodyGroups.map(({ scene, bodies }): Scene => {
       const objects = bodies.map((): SceneObject => {
         const at = i++;
-        return this.bodyRecorders[at].toObject(this.tracks[at], this.times(), this.options.system.c);
+        return this.bodyRecorders[at].toObject(tracks[at], times, this.options.system.c);
       });
       return { ...scene, objects };
     });
@@ -119,13 +122,20 @@ export class MotionRecorder {
     return {
       ...merged,
       startTime: this.timeOf(0),
-      endTime: this.timeOf(Math.max(1, this.length - 1)),
+      endTime: Math.max(this.timeOf(Math.max(1, this.length - 1)), until?.t ?? 0),
       timeCodesPerSecond: this.rate,
       diagnostics: [...merged.diagnostics, ...notes],
     };
   }
 
-  private times = (): Float64Array => Float64Array.from(this.rows, (_, k) => this.timeOf(k));
+  /** The tracks with one more sample. */
+  private tracksUntil({ x, p }: State): readonly MotionTrack[] {
+    const v = new Float64Array(x.length);
+    velocities(this.options.system, p, v);
+    const tracks = this.tracks.map(copyTrack);
+    this.bodyRecorders.forEach((recorder, i) => void recorder.addSample(tracks[i], x, v));
+    return tracks;
+  }
 }
 
 const copyTrack = ({ points, velocities, normals }: MotionTrack): MotionTrack => ({

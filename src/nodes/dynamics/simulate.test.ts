@@ -375,6 +375,25 @@ describe('a run', () => {
     expect(validate(scene, 1).filter(({ severity }) => severity === 'error')).toEqual([]);
   });
 
+  it('that fails between frames shows what it came to', async () => {
+    const unstable = { step: 0.01, rate: 10, speedOfLight: 10 };
+    for (const [evenUnstable, method, reason] of [
+      [false, 'leapfrog', 'unstable'],
+      [true, 'semi-implicit-euler', 'light'],
+    ] as const) {
+      const { scene, books: record } = await simulated(...hanging({ ...unstable, method, evenUnstable }));
+      expect(record.stop).toMatchObject({ reason });
+      const { motion } = thing(scene, '/Sheet');
+      if (motion.kind !== 'sampled-points') throw new Error('it does not deform');
+      const end = motion.times.at(-1)!;
+      expect(motion.points).toHaveLength(record.times.length + 1);
+      expect(end).toBeGreaterThan(record.times.at(-1)!);
+      expect(end).toBeLessThanOrEqual(record.stop!.t);
+      expect(scene.endTime).toBeGreaterThanOrEqual(end);
+      expect(validate(scene, 10).filter(({ severity }) => severity === 'error')).toEqual([]);
+    }
+  });
+
   it('that fails reports the object', async () => {
     const parts = [
       ...sheet('Sheet', 2, [0, 0, 0], { pins: 'corners' }),

@@ -22,6 +22,8 @@ const CORRECTED_METHODS = METHODS.slice(6).map(({ value }) => value);
 /** Methods that run on the GPU. */
 const SPLITTING_METHODS = METHODS.slice(2, 6).map(({ value }) => value);
 
+const EXPLICIT_METHODS = [...SPLITTING_METHODS, 'semi-implicit-euler'];
+
 /** Outside of a worker thread: interval at which it yields and checks for cancellation [ms]. */
 const YIELD_INTERVAL = 50;
 
@@ -107,6 +109,13 @@ export const simulateNode = defineNode({
       max: 1e6,
       step: 1e-6,
     }),
+    evenUnstable: {
+      kind: 'boolean',
+      title: msg`Go on when unstable`,
+      help: msg`Off: with steps that are too long for an explicit method, the run ends as soon as its energy grows. On: it shows how it explodes, until a point would reach c or go through what is solid.`,
+      default: false,
+      onlyWhen: { param: 'method', is: EXPLICIT_METHODS },
+    },
     reach: quantityParam({
       title: msg`Contact distance`,
       help: msg`Points of nets that come nearer repel each other: between objects, and within an object that folds if they are farther apart at rest. About the length of an edge; 0: no contact.`,
@@ -143,18 +152,23 @@ export const simulateNode = defineNode({
 
 /** Settings from the parameters; shared with the command line, which runs simulations itself. */
 export function simulationSettings(params: Readonly<Record<string, unknown>>): SimulationSettings {
-  const { method, correction, mechanics, onGpu, reach, stiffness, ...rest } = params as unknown as SimulateParams;
+  const { method, correction, mechanics, onGpu, evenUnstable, reach, stiffness, ...rest } =
+    params as unknown as SimulateParams;
   return {
     ...rest,
     method: CORRECTED_METHODS.includes(method) ? `${method}-${correction}` : method,
     newtonian: mechanics === 'newton',
     onGpu: onGpu && SPLITTING_METHODS.includes(method),
+    evenUnstable: evenUnstable && EXPLICIT_METHODS.includes(method),
     touch: { reach, stiffness },
   };
 }
 
 interface SimulateParams
-  extends Pick<SimulationSettings, 'speedOfLight' | 'duration' | 'rate' | 'step' | 'tolerance' | 'method' | 'onGpu'> {
+  extends Pick<
+    SimulationSettings,
+    'speedOfLight' | 'duration' | 'rate' | 'step' | 'tolerance' | 'method' | 'onGpu' | 'evenUnstable'
+  > {
   readonly correction: string;
   readonly mechanics: string;
   readonly reach: number;

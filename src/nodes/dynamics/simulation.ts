@@ -39,6 +39,8 @@ export interface SimulationSettings {
   readonly step: number;
   /** Error tolerance per second, for adaptive steps [m, m/s]; 0: fixed steps. */
   readonly tolerance: number;
+  /** Goes on while the energy grows because steps are too long. */
+  readonly evenUnstable: boolean;
   /** On a GPU, in 32-bit floats. */
   readonly onGpu: boolean;
   readonly touch: ProximityContact;
@@ -152,7 +154,7 @@ export class Simulation {
   outputs(): SimulationOutputs {
     const { recorder, settings } = this;
     const record: RunRecord = { ...recorder.record(this.stop), ...(settings.onGpu && { onGpu: true }) };
-    const scene = recorder.scene(this.notes(record));
+    const scene = recorder.scene(this.notes(record), this.stop?.last);
     const hints = { ...scene.hints, speedOfLight: settings.speedOfLight };
     return {
       geometry: toLoadedScene({ ...scene, hints }),
@@ -238,7 +240,7 @@ function runOptionsFor(
   settings: SimulationSettings,
   node: string,
 ): RunOptions {
-  const { duration, rate, step, tolerance, onGpu } = settings;
+  const { duration, rate, step, tolerance, onGpu, evenUnstable } = settings;
   const frames = Math.max(1, Math.round(duration * rate));
   const set = (param: string, value: number) => ({ node, param, value });
   if (frames > MAX_FRAMES) {
@@ -261,6 +263,7 @@ function runOptionsFor(
     ...{ system, start, method: METHODS.get(settings.method)!, duration, every: duration / frames },
     ...(step > 0 && { step }),
     ...(tolerance > 0 && { tolerance }),
+    ...(evenUnstable && { evenUnstable }),
   };
   const { h, perFrame } = stepSchedule(options);
   if (perFrame * frames > MAX_STEPS) {
