@@ -428,7 +428,7 @@ describe('a run', () => {
     const [note] = await noted({ method: 'semi-implicit-euler', correction: '2' });
     expect(note).toMatchObject({ code: 'simulate.grows', place: 'run.method', severity: 'warning' });
     expect(inEnglish(note.message)).toMatch(
-      /^from t = [\d.]+ s on there is energy without a source, .* semi-implicit-euler-2; set a shorter/,
+      /^from t = [\d.]+ s on there is energy without a source, .* an error of the method; set a shorter/,
     );
     expect(await noted({ method: 'leapfrog' })).toEqual([]);
     expect(await noted({ method: 'leapfrog', tolerance: 1e-300 })).toMatchObject([{ place: 'run.tolerance' }]);
