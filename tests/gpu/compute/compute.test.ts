@@ -183,8 +183,8 @@ it('a constant force gives hyperbolic motion, up to γ = 50', async () => {
 
 it('is deterministic to the bit, also when resumed from a frame', async () => {
   const whole = await onGpu(sheetsThatTouch(3));
-  expect((await onGpu(sheetsThatTouch(3))).frames).toEqual(whole.frames);
   const from = whole.frames[2];
+  expect((await onGpu({ ...sheetsThatTouch(3), duration: EVERY * 2 })).frames).toEqual(whole.frames.slice(0, 3));
   const rest = await onGpu({ ...sheetsThatTouch(3), start: from.state, duration: EVERY * (FRAMES - 2) });
   rest.frames.forEach(({ state }, k) => {
     expect(state.x).toEqual(whole.frames[k + 2].state.x);

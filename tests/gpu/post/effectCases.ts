@@ -128,8 +128,16 @@ export const maskOf = ({ image }: EffectInput): FloatImage => image.map((x) => [
 export const overOf = ({ image }: EffectInput): FloatImage =>
   image.map((x, y) => image.at(image.width - 1 - x, y).map((value) => 0.3 * value));
 
-/** In f64. */
+const expectations = new WeakMap<EffectCase, FloatImage>();
+
+/** In f64; remembered, since both backends are compared with it. */
 export function expected(of: EffectCase): FloatImage {
+  const image = expectations.get(of) ?? computed(of);
+  expectations.set(of, image);
+  return image;
+}
+
+function computed(of: EffectCase): FloatImage {
   const picture = pictureOf(of);
   const mask = of.masked ? maskOf(picture) : undefined;
   if (typeof of.of === 'string') return applyEffect(of.of, of.args, picture, mask);

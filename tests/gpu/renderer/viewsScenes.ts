@@ -66,8 +66,12 @@ export const LIGHT: RenderSettings = { ...DEFAULT_SETTINGS, speedOfLight: 1, gri
 export const CASES: Readonly<Record<string, { settings: RenderSettings; sampling: Sampling; frames?: number }>> = {
   'with FXAA': { settings: LIGHT, sampling: 1 },
   'with 2 × 2 samples': { settings: LIGHT, sampling: 2 },
-  // As many as there are sample positions, so that the next sequence begins with the same one.
-  'in a sequence, with temporal antialiasing': { settings: LIGHT, sampling: 'temporal', frames: 16 },
+  // As many as there are sample positions, so that the next sequence begins with the same one; shadows are in the others.
+  'in a sequence, with temporal antialiasing': {
+    settings: { ...LIGHT, shadows: false, occlusionRadius: 0 },
+    sampling: 'temporal',
+    frames: 16,
+  },
   'in false colours': {
     settings: { ...LIGHT, falseColors: { kind: 'doppler', from: 0.4, to: 2.5 } },
     sampling: 2,
