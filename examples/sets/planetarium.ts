@@ -68,10 +68,13 @@ function chart(): Texture {
       return near((r - away) / Math.hypot(1, slope / away), 0.014);
     });
     const thin = Math.max(r < RADIUS - 0.12 ? 0.5 * near(ray, 0.009) : 0, near(r - AWAY, 0.012));
-    return mixed(mixed(FIELD, '#8fb0d8', thin), '#e9bf5a', Math.max(...lines));
+    return mixed(mixed(FIELD, '#8fb0d8', stepped(thin)), '#e9bf5a', stepped(Math.max(...lines)));
   });
   return canvas.texture('chart');
 }
+
+/** In steps that nobody sees, so few that the chart has a palette. */
+const stepped = (share: number): number => Math.round(12 * share) / 12;
 
 /** Interpolates two colours, 0 … 1. */
 function mixed(from: string, to: string, share: number): string {

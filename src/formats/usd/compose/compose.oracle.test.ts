@@ -31,7 +31,7 @@ function save(path: string, text: string): void {
 }
 
 describe.skipIf(!available)('usd-core', () => {
-  /** `REFRESH=1 npx vitest run --project oracle src/formats/usd/compose`, then `npx biome format --write .` */
+  /** `REFRESH=1 npx vitest run --project oracle src/formats/usd/compose` */
   it('reproduces the committed compositions of stages.txt', () => {
     const stages = fixtureStages(readFileSync(fixture('stages.txt'), 'utf8'));
     for (const [name, files] of stages) for (const [file, text] of files) save(`stages/${name}/${file}`, text);
@@ -39,7 +39,7 @@ describe.skipIf(!available)('usd-core', () => {
     const fresh: Record<string, Json> = JSON.parse(python(script, join(folder, 'stages'), ...roots));
     const byStage = Object.fromEntries([...stages.keys()].map((name) => [name, fresh[`${name}/root.usda`]]));
     const committed = fixture('stages.expected.json');
-    if (process.env.REFRESH) writeFileSync(committed, `${JSON.stringify(byStage, null, 1)}\n`);
+    if (process.env.REFRESH) writeFileSync(committed, `${JSON.stringify(byStage)}\n`);
     expect(byStage).toEqual(JSON.parse(readFileSync(committed, 'utf8')));
   });
 
@@ -59,7 +59,7 @@ describe.skipIf(!available || !existsSync(data))('usd-core', () => {
       return [path, { '': checkSum(prims), ...Object.fromEntries(chosen) }];
     });
     const committed = fixture('shared.expected.json');
-    if (process.env.REFRESH) writeFileSync(committed, `${JSON.stringify(Object.fromEntries(sums), null, 1)}\n`);
+    if (process.env.REFRESH) writeFileSync(committed, `${JSON.stringify(Object.fromEntries(sums))}\n`);
     expect(Object.fromEntries(sums)).toEqual(JSON.parse(readFileSync(committed, 'utf8')));
   });
 });

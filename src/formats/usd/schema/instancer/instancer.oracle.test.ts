@@ -18,7 +18,7 @@ const folder = mkdtempSync(join(tmpdir(), 'slowlight-instances-'));
 afterAll(() => rmSync(folder, { recursive: true }));
 
 describe.skipIf(!hasUsdCore())('usd-core', () => {
-  /** `REFRESH=1 npx vitest run --project oracle src/formats/usd/instancer`, then `npx biome format --write .` */
+  /** `REFRESH=1 npx vitest run --project oracle src/formats/usd/instancer` */
   it('reproduces the committed instances of instancers.usda', () => {
     const path = fixture('instancers.usda');
     const fresh = placesOf(path)[path];
