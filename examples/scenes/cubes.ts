@@ -51,7 +51,7 @@ function make(): Scene {
     speedOfLight: 10,
     title: 'Cubes and a ball',
     lookFor:
-      'A floor of 5 m squares, cubes at up to 0.9 c and a ball whose equator turns at 0.62 c. A cube that comes is stretched and blue, one that flees is short and red, and one that passes shows its rear. On the ball the squares of the coming side are wide, those of the fleeing side narrow. Fly, and the whole floor bends; the grid (G) stays straight.',
+      'A floor of 5 m squares, cubes at up to 0.9 c and a ball whose equator turns at 0.62 c. A cube that comes is stretched and blue, one that flees short, red and dark, and one that passes shows its rear. On the ball the squares of the coming side are wide, those of the fleeing side narrow. Fly, and the whole floor bends; the grid (G) stays straight.',
     openAt: 1.2,
   };
   return builder.finish(

@@ -26,8 +26,10 @@ interface ParamBase {
   readonly title: LocalizedText;
   /** Explanation. */
   readonly help?: LocalizedText;
-  /** The parameter is active only while another has this value, or one of these. */
-  readonly onlyWhen?: { readonly param: string; readonly is: ParamValue | readonly ParamValue[] };
+  /** The parameter is active only while another has this value, or one of these, or not this one. */
+  readonly onlyWhen?:
+    | { readonly param: string; readonly is: ParamValue | readonly ParamValue[] }
+    | { readonly param: string; readonly isNot: ParamValue };
   /** The physical value; at any other the control is marked as unphysical. */
   readonly physical?: ParamValue;
 }
@@ -260,7 +262,9 @@ export function resolveSpec(
 export function isParamActive(spec: ParamSpec, params: Readonly<Record<string, ParamValue | undefined>>): boolean {
   const { onlyWhen } = spec;
   if (spec.kind === 'number' && spec.as) return Object.hasOwn(spec.as.cases, String(params[spec.as.param]));
-  return onlyWhen === undefined || [onlyWhen.is].flat().includes(params[onlyWhen.param] ?? '');
+  if (onlyWhen === undefined) return true;
+  const value = params[onlyWhen.param] ?? '';
+  return 'isNot' in onlyWhen ? value !== onlyWhen.isNot : [onlyWhen.is].flat().includes(value);
 }
 
 /** Whether the value differs from the physical one. */

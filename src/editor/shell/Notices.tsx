@@ -4,7 +4,7 @@ import { type ReactNode, useEffect } from 'react';
 import { inEnglish, type Message, msg } from '../../messages/message.ts';
 import { useTexts } from '../language/languageStore.ts';
 import { sceneName } from '../loading/localFiles.ts';
-import { displayTitle } from '../panels/nodeTitle.ts';
+import { placeTitle } from '../panels/nodeTitle.ts';
 import { Remedy } from '../panels/Remedy.tsx';
 import { SavingCard } from '../saving/SavingCard.tsx';
 import { useEditor, useEditorState } from '../state/context.tsx';
@@ -126,9 +126,10 @@ function NoticeCard({ notice }: { readonly notice: Notice }): ReactNode {
   );
 }
 
-/** Title of the node that a notice refers to. */
+/** Titles of the node, and its parameter, that a notice refers to. */
 function usePlace({ place }: Notice): string | undefined {
   const { t } = useTexts();
-  const title = useEditorState(({ history }) => (place ? displayTitle(history.document, inEnglish(place)) : undefined));
+  const document = useEditorState(({ history }) => history.document);
+  const title = place && placeTitle(document, inEnglish(place));
   return title ? t(title) : place && t(place);
 }

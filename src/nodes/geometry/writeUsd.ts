@@ -44,6 +44,7 @@ export const writeUsdNode = defineNode({
         { value: 'sublayer', title: msg`Sublayer` },
         { value: 'payload', title: msg`Payload` },
       ],
+      onlyWhen: { param: 'into', isNot: '' },
     },
     motion: {
       kind: 'choice',
