@@ -21,7 +21,7 @@ const SMALL = '?backend=webgl&scene=examples/sphere.usdc';
 describe('scenes', () => {
   it('every scene of the gallery opens, draws something, and shows what to look for', async () => {
     const visit = await (await program.open('?backend=webgl')).ready();
-    await visit.page.addStyleTag({ content: '.sl-picture { inline-size: 360px; block-size: 240px; }' });
+    await visit.page.addStyleTag({ content: '.sl-picture { inline-size: 240px; block-size: 160px; }' });
     const examples = (await (await fetch(`${program.url}/examples/index.json`)).json()) as Example[];
     expect(examples.map(({ name }) => name)).toContain('street');
     for (const { name, source, lookFor } of examples) {
