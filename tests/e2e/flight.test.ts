@@ -8,6 +8,8 @@ beforeAll(async () => {
 afterAll(() => program.stop());
 
 const STREET = '?backend=webgl&scene=examples/street.usdc';
+/** For tests of controls: it opens sooner. */
+const SMALL = '?backend=webgl&scene=examples/sphere.usdc';
 
 async function withKeys(held: MonitoredPage, keys: readonly string[], until: () => Promise<void>): Promise<void> {
   for (const key of keys) await held.page.keyboard.down(key);
@@ -32,7 +34,7 @@ describe('flight', () => {
   });
 
   it('Tab cycles the locks while the picture has focus; after Escape Tab moves the focus again', async () => {
-    const visit = await (await program.open(STREET)).ready();
+    const visit = await (await program.open(SMALL)).ready();
     const lock = visit.page.locator('[data-lock]');
     await visit.viewport.focus();
     for (const name of ['look', 'fly', 'free']) {
@@ -63,7 +65,7 @@ describe('flight', () => {
   });
 
   it('flight keys work everywhere except in text fields', async () => {
-    const visit = await (await program.open(STREET)).ready();
+    const visit = await (await program.open(SMALL)).ready();
     await visit.page.getByRole('textbox', { name: 'Speed of light' }).focus();
     await visit.page.keyboard.press('w');
     expect(await visit.viewport.evaluate((element) => element === document.activeElement)).toBe(false);
@@ -73,7 +75,7 @@ describe('flight', () => {
   });
 
   it('dragging turns the camera', async () => {
-    const visit = await (await program.open(STREET)).ready();
+    const visit = await (await program.open(SMALL)).ready();
     const before = await (await visit.finest()).pixels();
     await visit.viewport.hover({ position: { x: 300, y: 150 } });
     await visit.page.mouse.down();
@@ -84,7 +86,7 @@ describe('flight', () => {
   });
 
   it('time plays, pauses, and can be scrubbed', async () => {
-    const visit = await (await program.open(STREET)).ready();
+    const visit = await (await program.open(SMALL)).ready();
     const time = async () => Number(/([\d.]+) s/.exec(await visit.status('world-time'))?.[1]);
     const begin = await time();
     await visit.page.getByRole('button', { name: 'Play' }).click();
@@ -98,10 +100,10 @@ describe('flight', () => {
   });
 
   it('plays from the start, unless reduced motion is preferred', async () => {
-    const moving = await (await program.open(STREET, { reducedMotion: 'no-preference' })).ready();
+    const moving = await (await program.open(SMALL, { reducedMotion: 'no-preference' })).ready();
     await moving.page.getByRole('button', { name: 'Pause' }).waitFor();
     await moving.close();
-    const calm = await (await program.open(STREET)).ready();
+    const calm = await (await program.open(SMALL)).ready();
     await calm.page.getByRole('button', { name: 'Play' }).waitFor();
     await calm.close();
   });
