@@ -15,7 +15,7 @@ import {
 import { CancelledError, type Evaluation, Evaluator } from '../../graph/evaluation/evaluator.ts';
 import type { NodeResult } from '../../graph/evaluation/resultCache.ts';
 import type { NodeProblem } from '../../graph/nodeType.ts';
-import { type LocalizedText, msg } from '../../messages/message.ts';
+import { inEnglish, type LocalizedText, msg } from '../../messages/message.ts';
 import { MessageError, messageOf } from '../../messages/messageError.ts';
 import { nodeLibrary } from '../../nodes/library.ts';
 import { evaluatedPicture } from '../../nodes/pictures/renderSettings.ts';
@@ -414,9 +414,14 @@ function pictureUpdate(store: StoreApi<EditorState>, evaluation: Evaluation): Pa
     : {};
 }
 
+const saying = ({ kind, text, place = '' }: Omit<Notice, 'id'>): string =>
+  [kind, inEnglish(place), inEnglish(text)].join('\n');
+
 let notices = 0;
 function addNotice(store: StoreApi<EditorState>, notice: Omit<Notice, 'id'>): number {
   const id = ++notices;
-  store.setState((state) => ({ notices: [...state.notices.slice(-3), { ...notice, id }] }));
+  // Said again, it moves to the end.
+  const others = ({ notices }: EditorState) => notices.filter((other) => saying(other) !== saying(notice));
+  store.setState((state) => ({ notices: [...others(state).slice(-3), { ...notice, id }] }));
   return id;
 }
