@@ -368,6 +368,8 @@ const messages: Translation['messages'] = {
   "',' or '}' after a time sample": '时间样本之后的“,”或“}”',
   'a whole number': '整数',
   'an asset path (@…@)': '资源路径（@…@）',
+  'an asset path in quotes': '引号中的资源路径',
+  'this asset path has a control character': '此资源路径含有控制字符',
   'a path (<…>)': '路径（<…>）',
   'before a list': '列表之前',
   "',' or ']' in a list": '列表中的“,”或“]”',
@@ -447,6 +449,7 @@ const messages: Translation['messages'] = {
   // Packages
   '{} files: {}': '{1} 个文件：{2}',
   'the package holds no USD layer ({})': '包中没有 USD 图层（{1}）',
+  'packages are nested more than {} deep in it': '其中的包嵌套超过 {1} 层',
   '{} in it is compressed (method {}), which usdz does not allow; pack it with usdzip':
     '其中的 {1} 经过压缩（方法 {2}），usdz 不允许压缩；请用 usdzip 打包',
   '{} in it has two different sizes': '其中的 {1} 有两个不同的大小',

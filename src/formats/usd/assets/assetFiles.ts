@@ -1,3 +1,5 @@
+import { msg } from '../../../messages/message.ts';
+import { inputError } from '../../diagnostics/inputError.ts';
 import { type FileSource, normalizePath, resolvePath } from '../../files/fileSource.ts';
 import { contentBytes, contentHead, type FileContent } from '../../files/rangedFile.ts';
 import { IDENT_BYTES, isCrate } from '../crate/structure/bootstrap.ts';
@@ -44,9 +46,13 @@ export class AssetFiles {
     return this.source.read(outer);
   }
 
-  /** The layer that an identifier stands for: itself, or the first layer of a package. */
-  async layerIn(id: string, content: FileContent): Promise<string> {
-    return isZip(contentHead(content, 4)) ? `${id}[${this.opened(id, content).layer}]` : id;
+  /** The layer that a file stands for: itself, or the first one of a package, which may be a package again. */
+  async layerIn(id: string, content: FileContent): Promise<{ id: string; content: FileContent }> {
+    if (!isZip(contentHead(content, 4))) return { id, content };
+    const inner = `${id}[${this.opened(id, content).layer}]`;
+    const inside = await this.content(inner);
+    if (inside) return this.layerIn(inner, inside);
+    throw inputError('usd.package', id, msg`packages are nested more than ${MAX_NESTING} deep in it`);
   }
 
   private async package(id: string): Promise<UsdzPackage | undefined> {

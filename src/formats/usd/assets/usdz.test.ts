@@ -33,6 +33,14 @@ describe('packages', () => {
       expect(await refusal(packUsdz(new Map([[path, layer]])))).toContain('leads out of it');
   });
 
+  it('may hold a package that holds the layer, but not without end', async () => {
+    const nested = (depth: number): Uint8Array =>
+      packUsdz(new Map([depth === 0 ? ['a.usda', layer] : ['b.usdz', nested(depth - 1)]]));
+    const scene = await readUsd(memorySource({ 'a.usdz': nested(3) }), 'a.usdz');
+    expect(scene.objects.map((o) => o.path)).toEqual(['/A']);
+    expect(await refusal(nested(9))).toContain('packages are nested more than 4 deep in it');
+  });
+
   it('without a layer are rejected', async () => {
     expect(await refusal(packUsdz(new Map([['a.png', layer]])))).toContain('holds no USD layer');
   });

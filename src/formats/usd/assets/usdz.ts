@@ -4,7 +4,7 @@ import { type FileContent, FileWindow } from '../../files/rangedFile.ts';
 import { dataStart, directoryPlace, entriesIn, LOCAL_SIZE, TAIL, type ZipEntry } from '../../zip/directory.ts';
 
 export interface UsdzPackage {
-  /** The root layer of the package: its first layer file. */
+  /** The root layer of the package: its first layer, or a package with that. */
   readonly layer: string;
   readonly files: ReadonlyMap<string, FileContent>;
 }
@@ -19,7 +19,7 @@ export function openPackage(content: FileContent, name: string): UsdzPackage {
   const { count, start, size } = directoryPlace(window.slice(from, window.size - from), from, name);
   const entries = entriesIn(window.slice(start, size), count, window.size, name);
   const files = new Map(entries.map((entry) => [entry.path, stored(window, entry, name)]));
-  const layer = [...files.keys()].find((path) => /\.usd[ac]?$/i.test(path));
+  const layer = [...files.keys()].find((path) => /\.usd[acz]?$/i.test(path));
   if (layer !== undefined) return { layer, files };
   const held = msg`${files.size} files: ${listed([...files.keys()].slice(0, 5))}`;
   throw inputError('usd.package', name, msg`the package holds no USD layer (${held})`);

@@ -17,7 +17,7 @@ const crates = (...args: string[]): string => python(join(here, 'crates.py'), ..
 const folder = mkdtempSync(join(tmpdir(), 'slowlight-crate-'));
 afterAll(() => rmSync(folder, { recursive: true }));
 
-const OWN = ['values', 'arrays', 'structure', 'splines'];
+const OWN = ['values', 'arrays', 'structure', 'splines', 'empty'];
 const bytesOf = (path: string): Uint8Array => new Uint8Array(readFileSync(path));
 const crateAt = (path: string): Layer => readCrate(bytesOf(path), 'a');
 const textAt = (path: string): Layer => parseLayer(bytesOf(path), 'a');
@@ -37,6 +37,19 @@ function layers(): { source: string; crate: string; text: string }[] {
   return found.map((source, i) => ({ source, crate: join(folder, `${i}.usdc`), text: join(folder, `${i}.usda`) }));
 }
 
+const PRESENT_NAMES: Readonly<Record<string, string>> = {
+  ...{ Vec3f: 'float3', 'Vec3d[]': 'double3[]', Vec4i: 'int4', Point: 'point3d', 'PointFloat[]': 'point3f[]' },
+  ...{ 'NormalFloat[]': 'normal3f[]', Vector: 'vector3d', ColorFloat: 'color3f', Matrix4d: 'matrix4d' },
+  ...{ Quatf: 'quatf', Frame: 'frame4d' },
+};
+
+/** Crates keep the former names of types; the texts that usd-core writes do not. */
+function renameFormerTypes({ rootPrims }: Layer): void {
+  for (const property of rootPrims.get('Former_names')?.properties.values() ?? [])
+    if (property.kind === 'attribute')
+      Object.assign(property, { typeName: PRESENT_NAMES[property.typeName] ?? property.typeName });
+}
+
 describe.skipIf(!hasUsdCore())('usd-core', () => {
   it('reproduces the committed values of the fixtures, text and crate', () => {
     const paths = OWN.flatMap((name) => [join(here, `${name}.usda`), join(here, `${name}.usdc`)]);
@@ -54,12 +67,13 @@ describe.skipIf(!hasUsdCore())('usd-core', () => {
     const expected = JSON.parse(crates('layers', ...all.map(({ crate }) => crate)));
     for (const { source, crate, text } of all) {
       const layer = crateAt(crate);
-      expect(layer, source).toEqual(textAt(text));
       if (!source.endsWith('.usdz')) expect(layer, source).toEqual(textAt(source));
       const actual = layerJson(layer);
       expect(Object.keys(actual).sort(), source).toEqual(Object.keys(expected[crate]).sort());
       for (const [path, entry] of Object.entries<Json>(expected[crate]))
         expect(asListed(actual[path], entry), `${source} ${path}`).toEqual(entry);
+      renameFormerTypes(layer);
+      expect(layer, source).toEqual(textAt(text));
     }
   });
 

@@ -8,7 +8,7 @@ import { readCrate } from './readCrate.ts';
 const bytesOf = (name: string): Uint8Array =>
   new Uint8Array(readFileSync(new URL(`./fixtures/${name}`, import.meta.url)));
 
-const OWN = ['values', 'arrays', 'structure', 'splines'];
+const OWN = ['values', 'arrays', 'structure', 'splines', 'empty'];
 const OTHERS = ['grammar', 'xforms', 'meshes', 'written'];
 const text = (name: string): string => (OWN.includes(name) ? `${name}.usda` : `../../fixtures/${name}.usda`);
 

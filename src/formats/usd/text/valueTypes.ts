@@ -45,27 +45,32 @@ const rolesOf = {
   4: ['color'],
 } as const;
 
-/** Type name without `[]` → storage. Roles are aliases (OpenUSD, Sdf_ValueTypeNames). */
+/** Type name without `[]` → storage. Roles and the names of former versions are aliases (OpenUSD, Sdf_ValueTypeNames). */
 export const valueTypes: ReadonlyMap<string, ValueType> = new Map(allTypes());
 
 function* allTypes(): Generator<[string, ValueType]> {
   yield ['bool', { kind: 'bool', storage: 'bool' }];
   for (const scalar of ['uchar', 'int', 'uint', 'half', 'float', 'double'] as const)
     yield [scalar, { kind: 'number', storage: scalar, scalar }];
+  for (const index of ['PointIndex', 'EdgeIndex', 'FaceIndex'])
+    yield [index, { kind: 'number', storage: 'int', scalar: 'int' }];
   yield ['timecode', { kind: 'number', storage: 'timecode', scalar: 'double' }];
   for (const storage of ['int64', 'uint64'] as const) yield [storage, { kind: 'long', storage }];
   for (const storage of ['string', 'token', 'asset', 'pathExpression'] as const)
     yield [storage, { kind: 'text', storage }];
   yield* vectors();
-  for (const n of [2, 3, 4] as const)
-    yield [
-      `matrix${n}d`,
-      { kind: 'tuple', storage: `matrix${n}d`, scalar: 'double', shape: tupleShape(n, tupleShape(n)) },
-    ];
-  yield ['frame4d', { kind: 'tuple', storage: 'matrix4d', scalar: 'double', shape: tupleShape(4, tupleShape(4)) }];
-  yield ['quath', { kind: 'tuple', storage: 'quath', scalar: 'half', shape: tupleShape(4) }];
-  yield ['quatf', { kind: 'tuple', storage: 'quatf', scalar: 'float', shape: tupleShape(4) }];
-  yield ['quatd', { kind: 'tuple', storage: 'quatd', scalar: 'double', shape: tupleShape(4) }];
+  for (const n of [2, 3, 4] as const) {
+    const shape = tupleShape(n, tupleShape(n));
+    const names = [`matrix${n}d`, `Matrix${n}d`, ...(n === 4 ? ['frame4d', 'Frame', 'Transform'] : [])];
+    for (const name of names) yield [name, { kind: 'tuple', storage: `matrix${n}d`, scalar: 'double', shape }];
+  }
+  for (const [letter, scalar] of [
+    ['h', 'half'],
+    ['f', 'float'],
+    ['d', 'double'],
+  ] as const)
+    for (const name of ['quat', 'Quat'])
+      yield [`${name}${letter}`, { kind: 'tuple', storage: `quat${letter}`, scalar, shape: tupleShape(4) }];
 }
 
 function* vectors(): Generator<[string, ValueType]> {
@@ -73,7 +78,14 @@ function* vectors(): Generator<[string, ValueType]> {
     for (const scalar of ['int', 'half', 'float', 'double'] as const) {
       const type: ValueType = { kind: 'tuple', storage: `${scalar}${n}`, scalar, shape: tupleShape(n) };
       yield [`${scalar}${n}`, type];
+      yield [`Vec${n}${scalar[0]}`, type];
       if (scalar !== 'int') for (const role of rolesOf[n]) yield [`${role}${n}${scalar[0]}`, type];
     }
   }
+  for (const [suffix, scalar] of [
+    ['', 'double'],
+    ['Float', 'float'],
+  ] as const)
+    for (const role of ['Point', 'Normal', 'Vector', 'Color'])
+      yield [`${role}${suffix}`, { kind: 'tuple', storage: `${scalar}3`, scalar, shape: tupleShape(3) }];
 }

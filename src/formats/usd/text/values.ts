@@ -179,7 +179,17 @@ function parseLong(s: Scanner, storage: 'int64' | 'uint64'): bigint {
 }
 
 function parseText(s: Scanner, storage: 'string' | 'token' | 'asset' | 'pathExpression'): string {
-  return storage === 'asset' ? s.asset() : s.string(msg`a ${storage} in quotes`);
+  return storage === 'asset' ? parseAsset(s) : s.string(msg`a ${storage} in quotes`);
+}
+
+/** `@file@` or `"file"`. */
+function parseAsset(s: Scanner): string {
+  const quoted = s.peek() === '"' || s.peek() === "'";
+  const at = s.pos;
+  const path = quoted ? s.string(msg`an asset path in quotes`) : s.asset();
+  // biome-ignore lint/suspicious/noControlCharactersInRegex: these are what must not be there.
+  if (/[\u0000-\u001f\u007f-\u009f]/.test(path)) s.fail(msg`this asset path has a control character`, at);
+  return path;
 }
 
 /** `{ type name = value … }` */
@@ -199,7 +209,7 @@ export function parseDictionary(s: Scanner, depth = 0): Dictionary {
 
 /** `float`, `color3f[]`, `dictionary`. */
 export function parseTypeName(s: Scanner): string {
-  const name = s.joinedName(':', msg`a type`);
+  const name = s.name(msg`a type`);
   if (!s.take('[')) return name;
   s.expect(']', msg`after '${name}['`);
   return `${name}[]`;

@@ -84,10 +84,9 @@ export class LayerStore {
   }
 
   private async layer(file: string, content: FileContent): Promise<LoadedLayer | LayerError> {
-    const id = await this.files.layerIn(file, content);
+    const { id, content: inside } = await this.files.layerIn(file, content);
     const known = this.byId.get(id);
     if (known) return known;
-    const inside = id === file ? content : (await this.files.content(id))!;
     const layer = this.parsed(inside, id);
     this.byId.set(id, layer);
     return layer;
@@ -108,8 +107,7 @@ export class LayerStore {
 
   /** The root layer; throws if it is invalid. */
   async root(entry: string, content: FileContent): Promise<LoadedLayer> {
-    const id = await this.files.layerIn(entry, content);
-    const inside = id === entry ? content : (await this.files.content(id))!;
+    const { id, content: inside } = await this.files.layerIn(entry, content);
     const root = this.counted(loadedLayer(this.parse(inside, id), id));
     this.byId.set(id, root);
     return root;

@@ -68,6 +68,8 @@ function unpack(cursor: Cursor, count: number, width: 4 | 8, what: LocalizedText
   const { source, at } = cursor;
   const length = cursor.count(msg`bytes of compressed ${what}`, 1);
   const from = cursor.pass(length, what);
+  // Of no numbers OpenUSD stores not even the commonest difference.
+  if (count === 0) return { view: new DataView(new ArrayBuffer(width)), codes: 0, from: 0, size: 0 };
   const codeBytes = Math.ceil(count / 4);
   const least = width + codeBytes;
   if (least > MAX_EXPANSION * length)

@@ -58,6 +58,8 @@ function commonest<T>(values: Iterable<T>, otherwise: T): T {
 }
 
 function packed(head: ByteSink, codes: Uint8Array, differences: ByteSink): Uint8Array {
+  // Of no numbers there is not even a commonest difference.
+  if (codes.length === 0) return compress(codes);
   head.append(codes);
   head.append(differences.bytes);
   return compress(head.bytes);

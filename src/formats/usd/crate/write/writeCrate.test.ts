@@ -19,7 +19,7 @@ const refusal = (body: string): unknown => {
 
 const LAYERS = [
   ...['grammar', 'xforms', 'meshes', 'written'].map((name) => `fixtures/${name}`),
-  ...['values', 'arrays', 'structure', 'splines'].map((name) => `crate/fixtures/${name}`),
+  ...['values', 'arrays', 'structure', 'splines', 'empty'].map((name) => `crate/fixtures/${name}`),
   'schema/instancer/fixtures/instancers',
 ];
 

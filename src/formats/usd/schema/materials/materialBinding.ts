@@ -181,7 +181,7 @@ function uvsOf(
 function uvPrimvars(prim: PrimSpec): string[] {
   const names: string[] = [];
   for (const property of prim.properties.values())
-    if (property.kind === 'attribute' && /^(texCoord2[fhd]|float2)\[\]$/.test(property.typeName))
+    if (property.kind === 'attribute' && /^(texCoord2[fhd]|float2|Vec2f)\[\]$/.test(property.typeName))
       if (property.name.startsWith('primvars:')) names.push(property.name.slice('primvars:'.length));
   return names;
 }
