@@ -44,6 +44,12 @@ const files: ClaimGroup = {
       json({ scenes: [{ nodes: [0], extras: { slowlight: { speedOfLight: 10, title: 'Street' } } }] }),
       (s) => expect(s.hints).toEqual({ speedOfLight: 10, title: 'Street' }),
     ),
+    read(
+      'a later version 2, unless its `minVersion` is later, too',
+      'as 2.0',
+      json({ asset: { version: '2.1' } }),
+      triangles(1),
+    ),
     leftOut(
       'every other extension that is not required, or affects only appearance',
       'reported',
@@ -60,7 +66,10 @@ const files: ClaimGroup = {
       'gltf.unsupported-extension',
       json({ extensionsUsed: ['EXT_new'], extensionsRequired: ['EXT_new'] }),
     ),
-    refused('glTF 1', 'with its version', 'gltf.version', json({ asset: { version: '1.0' } })),
+    refused('glTF 1, or what needs more than 2.0', 'with its version', 'gltf.version', [
+      json({ asset: { version: '1.0' }, nodes: { Thing: {} } }),
+      json({ asset: { version: '2.1', minVersion: '2.1' } }),
+    ]),
     refused('damaged JSON', 'with the location', 'gltf.damaged', { 'a.gltf': '{' }),
     refused('JSON that violates the schema', 'with location and value', 'gltf.invalid', json({ nodes: {} })),
     refused(

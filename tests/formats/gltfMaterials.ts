@@ -320,6 +320,25 @@ const motion: ClaimGroup = {
       glb((kit, thing) => kit.animate(thing, 'translation', [0, 1], [0, 0, 0, 4, 0, 0], 'STEP')),
       kinds('sampled'),
     ),
+    approximated(
+      'an interpolation that does not exist, as the 0 that some programs write',
+      'linear, and reported',
+      'gltf.interpolation',
+      json({
+        accessors: [
+          { bufferView: 0, componentType: 5126, count: 3, type: 'VEC3' },
+          { bufferView: 0, byteOffset: 8, componentType: 5126, count: 2, type: 'SCALAR' },
+          { bufferView: 0, componentType: 5126, count: 2, type: 'VEC3' },
+        ],
+        animations: [
+          {
+            samplers: [{ input: 1, output: 2, interpolation: 0 }],
+            channels: [{ sampler: 0, target: { node: 0, path: 'translation' } }],
+          },
+        ],
+      }),
+      (s) => expect(vertexPosition(find(s, '/Thing'), 0, 0.5, C)).toEqual([0.5, 0, 0]),
+    ),
     read(
       'several animations',
       'the first is used unless another is chosen (set `animation`)',

@@ -1,8 +1,9 @@
 import { expect } from 'vitest';
 import { packUsdz } from '../../src/formats/usd/write/packUsdz.ts';
+import { vertexPosition } from '../../src/scene/motion/motion.ts';
 import { volume } from '../support/meshes.ts';
 import { approximated, type ClaimGroup, type Files, leftOut, read, refused } from './claim.ts';
-import { corner, crateFixture, MOVED, ORDER, paths, usd } from './usdKit.ts';
+import { C, corner, crateFixture, MOVED, ORDER, paths, usd } from './usdKit.ts';
 import { materialGroups } from './usdMaterials.ts';
 import { shapeGroups } from './usdShapes.ts';
 
@@ -14,6 +15,8 @@ const crate = (minor: number): Uint8Array =>
 const packageOf = (name: string, text: string): Uint8Array =>
   packUsdz(new Map([[name, new TextEncoder().encode(text)]]));
 
+const inner = packageOf('b.usda', usd('def Cube "A" {}')['a.usda'] as string);
+
 const BOX = '#usda 1.0\n( defaultPrim = "Box" )\ndef Xform "Box" { def Cube "Side" { double size = 1 } }\n';
 const beside = (text: string): Files => ({ ...usd(text), 'box.usda': BOX });
 
@@ -24,6 +27,20 @@ const files: ClaimGroup = {
       expect(paths(s)).toEqual(['/A', '/Rest']),
     ),
     read(
+      'former names of types (`Vec3f`, `PointFloat`, `Transform` …), and asset paths in quotes',
+      'as their successors, and as paths',
+      {
+        'a.usda': `#usda 1.0
+( metersPerUnit = 1 )
+def Cube "A" {
+  Vec3d xformOp:translate = (1, 2, 3)
+  asset picture = "./a.png"
+  uniform token[] xformOpOrder = ["xformOp:translate"]
+}`,
+      },
+      (s) => expect(vertexPosition(s.objects[0], 0, 0, C).map((x, i) => Math.abs(x - 1 - i))).toEqual([1, 1, 1]),
+    ),
+    read(
       'binary “crate” files (`.usdc`, `.usd`), versions 0.4 to 0.15',
       'bit for bit the same as the text layer',
       { 'a.usdc': crateFixture('written.usdc') },
@@ -31,8 +48,8 @@ const files: ClaimGroup = {
     ),
     read(
       '`.usdz`, with the layers and pictures it contains',
-      'its first layer; any file in a package can be addressed, as in `box.usdz[lid.usda]`',
-      { 'a.usdz': packageOf('b.usda', usd('def Cube "A" {}')['a.usda'] as string) },
+      'its first layer, also of a package in it; any file in a package can be addressed, as in `box.usdz[lid.usda]`',
+      [{ 'a.usdz': inner }, { 'a.usdz': packUsdz(new Map([['b.usdz', inner]])) }],
       (s) => expect(paths(s)).toEqual(['/A', '/Rest']),
     ),
     read(

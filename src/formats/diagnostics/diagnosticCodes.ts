@@ -121,6 +121,7 @@ export const DIAGNOSTIC_CODES = {
   'gltf.no-animation': 'a selected animation that does not exist',
   'gltf.no-variant': 'a selected variant that does not exist',
   'gltf.animations': 'several animations, of which one is shown',
+  'gltf.interpolation': 'an interpolation that does not exist',
   'gltf.channel': 'an animation of an unsupported property',
   'gltf.jump': 'a step, which becomes a short ramp',
   'gltf.resampling': 'a path that turns too fast between its keys to be followed',

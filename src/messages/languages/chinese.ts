@@ -643,6 +643,8 @@ const messages: Translation['messages'] = {
   '{} of {}: the file is cut off; copy or export it again': '{1}，而应有 {2}：文件被截断；请重新复制或导出',
   'holds {} of {}: the file is cut off; copy or export it again': '只有 {1}，而应有 {2}：文件被截断；请重新复制或导出',
   'GLB version {}; only 2 is read, export it as glTF 2.0': 'GLB 版本 {1}；只支持版本 2，请导出为 glTF 2.0',
+  'the interpolation {} of {} of {} samplers is not LINEAR, STEP or CUBICSPLINE; it is taken as LINEAR':
+    '{3} 个采样器中有 {2} 个的插值 {1} 不是 LINEAR、STEP 或 CUBICSPLINE；按 LINEAR 处理',
   'glTF {}; only 2.0 is read, export it as 2.0': 'glTF {1}；只支持 2.0，请导出为 2.0',
   'the GLB has no JSON chunk; export it again': 'GLB 中没有 JSON 数据块；请重新导出',
   'a chunk of {} at byte {} runs past the end; export it again':

@@ -20,14 +20,6 @@ export const MAX_DEPTH = 1000;
 
 /** Throws for out-of-range references and offsets, before anything is allocated: glTF-Transform does not check them. */
 export function checkGltf(entry: string, json: GLTF.IGLTF, resources: Readonly<Record<string, Uint8Array>>): void {
-  const version = json.asset?.version;
-  if (version !== '2.0')
-    throw gltfError(
-      entry,
-      'gltf.version',
-      'asset',
-      msg`glTF ${version ?? msg`(none)`}; only 2.0 is read, export it as 2.0`,
-    );
   checkReferences(entry, json);
   checkExtensionIndices(entry, json);
   checkBuffers(entry, json, resources);

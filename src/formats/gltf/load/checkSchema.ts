@@ -197,7 +197,7 @@ const FILE = fields({
     list(
       fields({
         name: optional(text),
-        samplers: list(fields({ input: index, output: index, interpolation: optional(text) })),
+        samplers: list(fields({ input: index, output: index })),
         channels: list(fields({ sampler: index, target: fields({ node: optional(index), path: text }) })),
       }),
     ),

@@ -55,8 +55,11 @@ export async function loadGltf(
   if (binary) resources[GLB_BUFFER] = binary;
   checkExtensions(entry, json, notes);
   dropUnreadTextures(json, notes);
+  dropUnknownInterpolations(json, notes);
   await unpackGeometry(entry, json, resources);
   checkGltf(entry, json, resources);
+  // A later version has been found readable, and glTF-Transform asks for this one.
+  json.asset.version = '2.0';
   const quiet = (): void => {};
   const logger: ILogger = { debug: quiet, info: quiet, warn: quiet, error: quiet };
   const io = new WebIO().setLogger(logger).registerExtensions(EXTENSIONS);
@@ -107,7 +110,31 @@ function parseJson(entry: string, bytes: Uint8Array): GLTF.IGLTF {
   }
   const isGltf = typeof json === 'object' && json !== null && Object.hasOwn(json, 'asset');
   if (!isGltf) throw gltfError(entry, 'gltf.damaged', '', msg`not a glTF: the JSON has no "asset"`);
+  checkVersion(entry, json as { readonly asset: unknown });
   return checkSchema(entry, json);
+}
+
+/** A later version may be read as 2.0 unless it says that it needs more (glTF 2.0, 3.2). Before the schema is checked: that of glTF 1 is another. */
+function checkVersion(entry: string, { asset }: { readonly asset: unknown }): void {
+  const { version, minVersion = '2.0' } = (asset ?? {}) as Record<string, unknown>;
+  if (minVersion === '2.0' && typeof version === 'string' && /^2\.\d+$/.test(version)) return;
+  const needed = minVersion === '2.0' ? version : minVersion;
+  const shown = needed === undefined ? msg`(none)` : String(needed).slice(0, 40);
+  throw gltfError(entry, 'gltf.version', 'asset', msg`glTF ${shown}; only 2.0 is read, export it as 2.0`);
+}
+
+const INTERPOLATIONS: readonly unknown[] = [undefined, 'LINEAR', 'STEP', 'CUBICSPLINE'];
+
+/** Exporters write numbers for names. */
+function dropUnknownInterpolations(json: GLTF.IGLTF, notes: DiagnosticLog): void {
+  for (const [i, { samplers }] of (json.animations ?? []).entries()) {
+    const odd = samplers.filter(({ interpolation }) => !INTERPOLATIONS.includes(interpolation));
+    if (odd.length === 0) continue;
+    const shown = JSON.stringify(odd[0].interpolation).slice(0, 40);
+    for (const sampler of odd) delete sampler.interpolation;
+    const message = msg`the interpolation ${shown} of ${odd.length} of ${samplers.length} samplers is not LINEAR, STEP or CUBICSPLINE; it is taken as LINEAR`;
+    notes.add('warning', 'gltf.interpolation', msg`animation ${i}`, message);
+  }
 }
 
 /** Buffers and images by URI. Data URIs are decoded and replaced by short names in `json`. */
