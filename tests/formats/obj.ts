@@ -55,7 +55,14 @@ const shapes: ClaimGroup = {
     ),
     leftOut('a file without faces', 'reported: there is nothing to see', 'file.no-triangles', obj('v 0 0 0\n')),
     refused('a word in place of a number', 'with line and word', 'obj.number', obj('v 0 x 0\n')),
-    refused('an index out of range', 'with line and index', 'obj.index', obj('v 0 0 0\nf 1 2 3\n')),
+    approximated(
+      'texture coordinates or normals that a face names and the file does not have',
+      'those corners are shown as without, and reported',
+      'obj.missing-attribute',
+      obj('v 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nvn 0 0 1\nf 1/1/1 2/2/1 3/1/9\n'),
+      (s) => expect([...s.objects[0].mesh.normals]).toEqual([0, 0, 1, 0, 0, 1, 0, 0, 1]),
+    ),
+    refused('the index of a point that is not there', 'with line and index', 'obj.index', obj('v 0 0 0\nf 1 2 3\n')),
     refused(
       'a face with fewer than 3 corners or more than the limit',
       'with its line',

@@ -97,6 +97,18 @@ const contents: ClaimGroup = {
     ),
     leftOut('points without faces', 'reported', 'ply.points', ply({ faces: [] })),
     leftOut(
+      'Gaussian splats, as trained or packed',
+      'reported with their number',
+      'ply.splats',
+      ['f_dc_0 opacity scale_0 rot_0', 'packed_position packed_rotation packed_scale packed_color'].map((names) =>
+        ply({
+          vertex: names.replace(/\S+ ?/g, (name) => `property float ${name.trim()}\n`),
+          vertices: ['0 0 0 1 1 1 1'],
+          faces: [],
+        }),
+      ),
+    ),
+    leftOut(
       'faces with fewer than 3 corners',
       'reported with their number',
       'ply.faces',

@@ -137,7 +137,8 @@ export const DIAGNOSTIC_CODES = {
   'gltf.instance-attributes': 'attributes of instances other than translation, rotation and scale',
 
   'obj.number': 'a word where a number is expected',
-  'obj.index': 'an index out of range',
+  'obj.index': 'the index of a point that does not exist',
+  'obj.missing-attribute': 'corners whose texture coordinates or normals do not exist',
   'obj.face': 'a face with fewer than 3 corners, or more than the limit',
   'obj.too-many': 'more groups, materials or files than the limit',
   'obj.not-obj': 'text that is not OBJ',
@@ -152,6 +153,7 @@ export const DIAGNOSTIC_CODES = {
   'ply.truncated': 'a truncated file',
   'ply.no-vertices': 'a file without vertices',
   'ply.points': 'points without faces, which are not shown',
+  'ply.splats': 'Gaussian splats, which are not shown',
   'ply.faces': 'faces with fewer than 3 corners, which are left out',
 
   'stl.syntax': 'a word in the wrong place',

@@ -1,5 +1,6 @@
 import { type LocalizedText, type Message, msg } from '../../messages/message.ts';
 import { decodeSrgb } from '../../spectrum/display/srgb.ts';
+import type { DiagnosticLog } from '../diagnostics/diagnosticLog.ts';
 import {
   type GrowableFloats,
   type GrowableIntegers,
@@ -180,15 +181,38 @@ export class ObjGeometry {
     return index;
   }
 
-  /** Throws if a face refers to a point, uv or normal that the file does not define. */
-  checkIndices(): void {
-    const counts = { point: this.points.length / 3, uv: this.uvs.length / 2, normal: this.normals.length / 3 };
-    for (const list of ['point', 'uv', 'normal'] as const) {
-      const { index, line } = this.highest[list];
-      if (index < counts[list]) continue;
-      const message = msg`a face names ${NAMED[list](index + 1)} of ${counts[list]}; the file is cut off or damaged, export it again`;
-      throw lineError(this.file, line, 'obj.index', message);
+  /** Throws if a face refers to a point that the file does not define; a uv or normal that it does not define is reported and taken as absent. */
+  checkIndices(notes: DiagnosticLog): void {
+    const { point, uv, normal } = this.highest;
+    const count = this.points.length / 3;
+    if (point.index >= count) {
+      const message = msg`a face names ${NAMED.point(point.index + 1)} of ${count}; the file is cut off or damaged, export it again`;
+      throw lineError(this.file, point.line, 'obj.index', message);
     }
+    this.dropMissing(uv, 'uv', 1, this.uvs.length / 2, notes);
+    this.dropMissing(normal, 'normal', 2, this.normals.length / 3, notes);
+  }
+
+  /** `place`: of the index among a corner's three. */
+  private dropMissing(
+    { index, line }: { readonly index: number; readonly line: number },
+    list: ObjAttribute,
+    place: number,
+    count: number,
+    notes: DiagnosticLog,
+  ): void {
+    if (index < count) return;
+    let dropped = 0;
+    for (const { corners } of this.partsByKey.values()) {
+      const values = corners.values();
+      for (let i = place; i < values.length; i += 3) {
+        if (values[i] < count) continue;
+        values[i] = -1;
+        dropped++;
+      }
+    }
+    const message = msg`a face names ${NAMED[list](index + 1)} of ${count}; corners that name one that is not there (${dropped}) are shown as without`;
+    notes.add('warning', 'obj.missing-attribute', msg`line ${line}`, message);
   }
 
   private partFor(line: number): ObjPart {

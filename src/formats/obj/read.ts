@@ -31,7 +31,7 @@ export async function readObj(source: FileSource, entry: string): Promise<Scene>
     const message = msg`it is no Wavefront OBJ: there are more than ${MAX_UNREAD} kinds of statements that are not known`;
     throw lineError(entry, statement.line, 'obj.not-obj', message);
   }
-  geometry.checkIndices();
+  geometry.checkIndices(context.notes);
   noteUnread(context, unread);
   const { materials, faceMaterials } = await readMaterials(geometry, library);
   const meshes = geometry.parts.map((part) => ({ name: part.name, mesh: meshOf(geometry, part, faceMaterials) }));

@@ -10,7 +10,7 @@ import { type FileSource, resolvePath } from '../files/fileSource.ts';
 import { decodeImage } from '../image/decodeImage.ts';
 import { meshScene } from '../read/meshScene.ts';
 import { type PlyContents, readContents } from './contents.ts';
-import { readHeader } from './header.ts';
+import { type Element, readHeader } from './header.ts';
 import { plyValueReader } from './valueReader.ts';
 
 /** Faces without normals are smooth below this angle [rad], as for USD. */
@@ -25,12 +25,27 @@ export async function readPly(source: FileSource, entry: string): Promise<Scene>
   if (!bytes) throw inputError('file.missing', entry, msg`no such file`);
   const notes = new DiagnosticLog(entry);
   const header = readHeader(bytes, entry);
+  const splats = header.elements.find(isSplats);
+  if (splats) {
+    const message = msg`its ${splats.rows} points are Gaussian splats, which are not shown; export it as a mesh`;
+    notes.add('warning', 'ply.splats', '', message);
+    return meshScene(entry, [], [], notes);
+  }
   const contents = readContents(header, plyValueReader(bytes, header, entry), entry);
   const mesh = meshOf(contents, notes);
   if (!mesh) return meshScene(entry, [], [], notes);
   const texture = header.texture === undefined ? undefined : await readTexture(source, entry, header.texture, notes);
   return meshScene(entry, [{ name: '', mesh }], [materialOf(texture, contents)], notes);
 }
+
+/** Properties by which splats are known: as trained (Kerbl et al. 2023), and as SuperSplat packs them. */
+const SPLATS = [
+  ['f_dc_0', 'opacity', 'scale_0', 'rot_0'],
+  ['packed_position', 'packed_rotation', 'packed_scale', 'packed_color'],
+];
+
+const isSplats = ({ properties }: Element): boolean =>
+  SPLATS.some((names) => names.every((name) => properties.some((property) => property.name === name)));
 
 function meshOf(contents: PlyContents, notes: DiagnosticLog): Mesh | undefined {
   const { points, normals, colors, faceColors } = contents;

@@ -948,6 +948,8 @@ const messages: Translation['messages'] = {
   'there are more than {} objects and groups; join some': '物体和组超过 {1} 个；请合并一些',
   'the corner {} names {}; indices count from 1, or back from −1, and there are {} so far':
     '角 {1} 用到{2}；编号从 1 数起，或从 −1 往回数，到此共有 {3} 个',
+  'a face names {} of {}; corners that name one that is not there ({}) are shown as without':
+    '某个面引用了 {1}（共 {2} 个）；引用不存在者的角（{3} 个）按没有处理',
   'a face names {} of {}; the file is cut off or damaged, export it again':
     '有一个面用到{1}，而总数为 {2}；文件被截断或已损坏，请重新导出',
   'uv {}': '纹理坐标 {1}',
@@ -997,6 +999,8 @@ const messages: Translation['messages'] = {
   '{} names vertex {}; there are {}, counted from 0': '{1} 用到顶点 {2}；共有 {3} 个，从 0 数起',
   '{} of vertex {} is {}': '顶点 {2} 的 {1} 为 {3}',
   '{} of face {} is {}': '面 {2} 的 {1} 为 {3}',
+  'its {} points are Gaussian splats, which are not shown; export it as a mesh':
+    '它的 {1} 个点是高斯泼溅，不予显示；请导出为网格',
   'its {} points have no faces; points are not shown': '它的 {1} 个点不构成面；不显示点',
   '{} faces have fewer than 3 corners; they are left out': '{1} 个面的角不足 3 个；已将其去掉',
 
