@@ -11,7 +11,12 @@ interface SavingJob {
   readonly cancel: () => void;
 }
 
-/** The file being made; one at a time. */
-export const savingStore = createStore<{ readonly job?: SavingJob | undefined }>(() => ({}));
-export const useSaving = <T>(select: (state: { readonly job?: SavingJob | undefined }) => T): T =>
-  useStore(savingStore, select);
+interface SavingState {
+  /** The file being made; one at a time. */
+  readonly job?: SavingJob | undefined;
+  /** The notice of why the last one could not be made. */
+  readonly refusal?: number | undefined;
+}
+
+export const savingStore = createStore<SavingState>(() => ({}));
+export const useSaving = <T>(select: (state: SavingState) => T): T => useStore(savingStore, select);

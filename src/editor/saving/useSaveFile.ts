@@ -21,13 +21,15 @@ export function useSaveFile(): (node: string) => Promise<void> {
   const { backend } = useServices();
   return useCallback(
     async (node) => {
-      if (savingStore.getState().job) return;
+      const { job, refusal } = savingStore.getState();
+      if (job) return;
+      if (refusal !== undefined) editor.dismiss(refusal);
       const abort = new AbortController();
       savingStore.setState({ job: { node, name: node, cancel: () => abort.abort() } });
       try {
         await save({ node, editor, backend, signal: abort.signal });
       } catch (error) {
-        if (!(error instanceof CancelledError)) notifyError(editor, error);
+        if (!(error instanceof CancelledError)) savingStore.setState({ refusal: notifyError(editor, error) });
       } finally {
         savingStore.setState({ job: undefined });
       }
@@ -74,28 +76,25 @@ function requireFile({ target, results }: Evaluation, file: RequestedFile | unde
   throw new MessageError(msg`the node asks for no file`);
 }
 
-function notifyError(editor: Editor, error: unknown): void {
-  if (error instanceof UnsupportedInPage) {
-    notifyCommand(editor, error.remedy);
-    return;
-  }
+/** Returns the notice. */
+function notifyError(editor: Editor, error: unknown): number {
+  if (error instanceof UnsupportedInPage) return notifyCommand(editor, error.remedy);
   if (error instanceof PictureTooLargeError) {
-    notifyCommand(
+    return notifyCommand(
       editor,
       (command) => msg`${error.text} Or save the project and run it where a larger device is available: ${command}`,
     );
-    return;
   }
   const { message, place, remedy }: Pick<NodeProblem, 'message' | 'remedy'> & { place?: LocalizedText } =
     error instanceof NodeRefusal ? error.problem : { message: messageOf(error) };
-  editor.notify({ kind: 'error', text: message, ...(place && { place }), ...(remedy && { remedy }) });
+  return editor.notify({ kind: 'error', text: message, ...(place && { place }), ...(remedy && { remedy }) });
 }
 
 /** Shows the equivalent command line. */
-function notifyCommand(editor: Editor, words: (command: string) => Message): void {
+function notifyCommand(editor: Editor, words: (command: string) => Message): number {
   const project = fileName(projectName(editor.store.getState()), '.slowlight.json');
   const command = `slowlight render ${/^[\w.-]+$/.test(project) ? project : `'${project.replaceAll("'", "'\\''")}'`}`;
-  editor.notify({
+  return editor.notify({
     kind: 'error',
     text: words(command),
     action: { text: msg`Copy the command`, act: () => void navigator.clipboard.writeText(command) },
