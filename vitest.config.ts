@@ -32,8 +32,6 @@ export default defineConfig({
           exclude: ['**/*.oracle.test.ts'],
           setupFiles: seeded,
           maxWorkers: 2,
-          // Files of a worker share the modules that they import, which takes a third off their time.
-          isolate: false,
           testTimeout: 120_000,
           expect: { poll: { timeout: 60_000 } },
         },
