@@ -96,8 +96,11 @@ export interface DomeLight {
   readonly color: Vec3;
   /** Its spectrum in its own frame; daylight if absent. */
   readonly spectrum?: LightSpectrum;
-  /** Instead of that, blackbodies whose light it is together, as starlight is. Their colours are factors. */
-  readonly blackbodies?: readonly { readonly color: Vec3; readonly spectrum: ThermalSpectrum }[];
+  /**
+   * Instead of that, blackbodies whose light it is together, as starlight is. The channels of `color` and of the texture are then not red, green and blue,
+   * but the amounts of three groups of blackbodies; their own colours are factors.
+   */
+  readonly blackbodies?: readonly DomeBlackbody[];
   /** Colours at the horizon and below; `color` is that of the zenith. Without gradient and texture the dome is uniform. */
   readonly gradient?: SkyGradient;
   /** Latitude–longitude map of all directions (latLong.ts). */
@@ -105,6 +108,15 @@ export interface DomeLight {
   /** Texture axes → world axes; identity if absent. */
   readonly orientation?: Quat;
 }
+/** A part of a dome's light. */
+export interface DomeBlackbody {
+  /** Of the dome's colour, the one that is its amount: 0, 1 or 2. */
+  readonly channel: number;
+  /** Linear sRGB factor. */
+  readonly color: Vec3;
+  readonly spectrum: ThermalSpectrum;
+}
+
 /** Linear sRGB radiance at the horizon, and of the ground well below it. The zenith is where the scene's up axis points. */
 export interface SkyGradient {
   /** Linear sRGB radiance. */

@@ -26,7 +26,7 @@ export const DOME_LIGHT: LightTracer<DomeLight> = {
     const sampler = skySampler(dome);
     return {
       radiance(n, context) {
-        if (dome.blackbodies) return blackbodyLight(color(n)[0], dome.blackbodies, context);
+        if (dome.blackbodies) return blackbodyLight(color(n), dome.blackbodies, context);
         if (dome.spectrum) return context.emitted(sourceSpectrumOf(color(n), dome.spectrum));
         return context.together(isReddened ? reddening(color(n), context) : scattering(color(n), context));
       },
@@ -36,12 +36,13 @@ export const DOME_LIGHT: LightTracer<DomeLight> = {
 };
 
 function blackbodyLight(
-  amount: number,
+  amounts: Vec3,
   blackbodies: NonNullable<DomeLight['blackbodies']>,
   context: SpectralContext,
 ): SampledRadiance {
   return blackbodies.reduce(
-    (sum, { color, spectrum }) => plus(sum, context.emitted(sourceSpectrumOf(color, spectrum)), amount),
+    (sum, { channel, color, spectrum }) =>
+      plus(sum, context.emitted(sourceSpectrumOf(color, spectrum)), amounts[channel]),
     NO_LIGHT,
   );
 }

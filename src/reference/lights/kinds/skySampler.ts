@@ -98,11 +98,11 @@ interface LuminanceMap {
   readonly values: Float32Array;
 }
 
-function luminances({ texture, color }: DomeLight): LuminanceMap | undefined {
+function luminances({ texture, color, blackbodies }: DomeLight): LuminanceMap | undefined {
   if (!texture) return undefined;
   const block = Math.ceil(texture.width / MAX_COLUMNS);
   const [width, height] = [Math.ceil(texture.width / block), Math.ceil(texture.height / block)];
-  const [r, g, b] = LUMINANCE_WEIGHTS.map((part, k) => part * color[k]);
+  const [r, g, b] = (blackbodies ? [1, 1, 1] : LUMINANCE_WEIGHTS).map((part, k) => part * color[k]);
   const linear = linearizationTable(texture);
   const values = new Float32Array(width * height);
   const { data } = texture;

@@ -44,10 +44,10 @@ export class DomeSky implements LightSet {
     skyRise: uniform(new Color()),
     skyBend: uniform(new Color()),
   };
-  /** With a factor of colour, where there are several. */
+  /** Of blackbodies: of which channel of the dome's light each is, and the factor of its colour. */
   private readonly sources: readonly {
     readonly source: SpectralSource;
-    readonly factor?: ReturnType<typeof colorUniform>;
+    readonly part?: { readonly channel: number; readonly factor: ReturnType<typeof colorUniform> };
   }[];
   private readonly dome: DomeLight;
   private readonly texture: DomeTexture | undefined;
@@ -59,9 +59,10 @@ export class DomeSky implements LightSet {
       const [x, y] = spectrumParametersOf(light, lines);
       return spectralSourceOf(domeSpectrumKind(dome), [float(x), float(y)], lines) ?? SKY_SOURCE;
     };
-    this.sources = dome.blackbodies?.map((light) => ({ source: sourceOf(light), factor: colorUniform() })) ?? [
-      { source: sourceOf(dome) },
-    ];
+    this.sources = dome.blackbodies?.map((light) => ({
+      source: sourceOf(light),
+      part: { channel: light.channel, factor: colorUniform() },
+    })) ?? [{ source: sourceOf(dome) }];
     this.dome = dome;
     this.atlas = atlas;
     if (dome.texture) this.texture = new DomeTexture(dome.texture, dome, this.uniforms.zenithColor.rgb, atlas);
@@ -141,15 +142,24 @@ export class DomeSky implements LightSet {
     { D }: { readonly D?: gpu.Float },
     accumulator: RadianceAccumulator,
   ): void {
-    for (const { source, factor } of this.sources) {
+    for (const { source, color } of this.lightsOf(light)) {
       const incident = { ...(D && { D }), source, colored: 'picture' } as const;
-      accumulator.addReflected(factor ? light.mul(factor) : light, reflectance, incident, RADIANCE_POWER);
+      accumulator.addReflected(color, reflectance, incident, RADIANCE_POWER);
     }
   }
 
   addBackground({ n, angle }: SkyPixel, { zenith }: FrameUniforms, accumulator: RadianceAccumulator): void {
     const light = (this.texture ? this.texture.radiance(n, angle) : this.radiance(n, zenith)).toVar();
-    for (const { source, factor } of this.sources) accumulator.addEmitted(factor ? light.mul(factor) : light, source);
+    for (const { source, color } of this.lightsOf(light)) accumulator.addEmitted(color, source);
+  }
+
+  /** By source: the light itself, or the part of each blackbody. */
+  private lightsOf(light: gpu.Vec3): { source: SpectralSource; color: gpu.Vec3 }[] {
+    const channels = [light.x, light.y, light.z];
+    return this.sources.map(({ source, part }) => ({
+      source,
+      color: part ? part.factor.rgb.mul(channels[part.channel]) : light,
+    }));
   }
 
   /** Radiance from the world direction `n` of a sky without a texture (skyGradient.ts). */
@@ -227,7 +237,7 @@ export class DomeSky implements LightSet {
     skyRise.value.setRGB(...rise);
     skyBend.value.setRGB(...bend);
     this.dome.blackbodies?.forEach(({ color, spectrum }, i) => {
-      this.sources[i].factor?.value.setRGB(...lightColorsOf({ color, spectrum })[mode]);
+      this.sources[i].part?.factor.value.setRGB(...lightColorsOf({ color, spectrum })[mode]);
     });
   }
 
