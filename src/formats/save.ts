@@ -1,7 +1,5 @@
 import { msg } from '../messages/message.ts';
-import { pointSamples } from '../scene/motion/motion.ts';
-import type { Diagnostic, Scene } from '../scene/types.ts';
-import { DiagnosticLog } from './diagnostics/diagnosticLog.ts';
+import type { Scene } from '../scene/types.ts';
 import { inputError } from './diagnostics/inputError.ts';
 import { dotted, extensionOf } from './files/fileSource.ts';
 import type { ExportedScene } from './write/exportMotion.ts';
@@ -9,39 +7,25 @@ import type { ExportedScene } from './write/exportMotion.ts';
 /** Writers by extension, loaded lazily. */
 const writers: Readonly<Record<string, (scene: Scene, name: string) => Promise<ExportedScene>>> = {
   usda: async (scene, name) => {
-    const { writeTextures, writeUsda } = await import('./usd/write/writeUsd.ts');
+    const { usdLosses, writeTextures, writeUsda } = await import('./usd/write/writeUsd.ts');
     const layer = new TextEncoder().encode(writeUsda(scene));
-    return { files: new Map([[name, layer], ...writeTextures(scene)]), diagnostics: cubicNotes(scene, name) };
+    return { files: new Map([[name, layer], ...writeTextures(scene)]), diagnostics: usdLosses(scene, name) };
   },
   usdc: async (scene, name) => {
-    const { writeTextures, writeUsdc } = await import('./usd/write/writeUsd.ts');
+    const { usdLosses, writeTextures, writeUsdc } = await import('./usd/write/writeUsd.ts');
     return {
       files: new Map([[name, writeUsdc(scene)], ...writeTextures(scene)]),
-      diagnostics: cubicNotes(scene, name),
+      diagnostics: usdLosses(scene, name),
     };
   },
   usdz: async (scene, name) => {
-    const { writeUsdz } = await import('./usd/write/writeUsd.ts');
-    return { files: new Map([[name, writeUsdz(scene)]]), diagnostics: cubicNotes(scene, name) };
+    const { usdLosses, writeUsdz } = await import('./usd/write/writeUsd.ts');
+    return { files: new Map([[name, writeUsdz(scene)]]), diagnostics: usdLosses(scene, name) };
   },
   gltf: async (scene, name) => (await import('./gltf/write/write.ts')).writeGltf(scene, name),
   glb: async (scene, name) => (await import('./gltf/write/write.ts')).writeGltf(scene, name),
   obj: async (scene, name) => (await import('./obj/write.ts')).writeObj(scene, name),
 };
-
-/** USD has no cubic point interpolation; velocities are written, from which it is restored. */
-function cubicNotes(scene: Scene, name: string): readonly Diagnostic[] {
-  const losses = new DiagnosticLog(name);
-  for (const { path, motion } of scene.objects)
-    if (pointSamples(motion)?.velocities)
-      losses.add(
-        'info',
-        'convert.interpolation',
-        path,
-        msg`its points go along cubics, which USD does not know: their velocities are written, so that reading with cubic interpolation gives them back; other programs go straight`,
-      );
-  return losses.list();
-}
 
 /** Extensions that `saveScene` takes. */
 export const writtenExtensions: readonly string[] = Object.keys(writers);

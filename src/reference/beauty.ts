@@ -1,10 +1,14 @@
 import { add, lerp, type Vec3 } from '../math/vec3.ts';
-import { toneMap } from '../spectrum/display/toneMap.ts';
-import type { SpacetimeRay } from './acceleration/ray.ts';
+import { VIEWS } from '../scene/views/views.ts';
+import { toneMap, unlitShare } from '../spectrum/display/toneMap.ts';
+import type { Hit, SpacetimeRay } from './acceleration/ray.ts';
+import { dopplerOfHit } from './aov.ts';
 import { cameraRay } from './camera/cameraRay.ts';
 import { groundGrid } from './camera/groundGrid.ts';
 import { visibleHit } from './camera/visibleHit.ts';
 import type { TracedScene } from './intersection/tracedScene.ts';
+import { materialOf } from './materials/material.ts';
+import { surfaceAt } from './materials/surface.ts';
 import { pixelSequence } from './sampling/pixelSequence.ts';
 import { sensorsOf } from './spectral/sensors.ts';
 import { starField } from './starField.ts';
@@ -57,11 +61,24 @@ function displayTransform(
   request: TileRequest,
 ): (light: Vec3, ray: SpacetimeRay, x: number, y: number) => Vec3 {
   const { settings, view, width, height } = request;
-  if (!settings.grid) return (light) => toneMap(light, settings.exposure, settings.tone);
-  const grid = groundGrid(scene, view, width, height);
+  const hasUnlit = scene.scene.materials.some(({ unlit }) => unlit) && settings.tone !== 'linear';
+  const toned = (light: Vec3): Vec3 => toneMap(light, settings.exposure, settings.tone);
+  if (!settings.grid && !hasUnlit) return toned;
+  const grid = settings.grid ? groundGrid(scene, view, width, height) : undefined;
   return (light, ray, x, y) => {
-    const depth = visibleHit(scene, ray)?.s ?? Number.POSITIVE_INFINITY;
-    const { color, cover } = grid(x, y, depth);
-    return lerp(toneMap(light, settings.exposure, settings.tone), color, cover);
+    const hit = visibleHit(scene, ray);
+    const share = hit && materialOf(scene, hit).unlit ? unlitShare(shiftOf(hit, ray, request)) : 0;
+    // Its colour itself, which has no noise of sampled wavelengths.
+    const own = hit && share > 0 ? toneMap(surfaceAt(scene, hit).emissive, settings.exposure, 'linear') : undefined;
+    const shown = own ? lerp(toned(light), own, share) : toned(light);
+    if (!grid) return shown;
+    const { color, cover } = grid(x, y, hit?.s ?? Number.POSITIVE_INFINITY);
+    return lerp(shown, color, cover);
   };
+}
+
+/** D, as far as colours or brightness follow it. */
+function shiftOf(hit: Hit, ray: SpacetimeRay, { settings, view }: TileRequest): number {
+  const { dopplerMix, beaming } = settings;
+  return VIEWS[settings.view].luminous ? dopplerOfHit(hit, ray, view.u) ** Math.max(dopplerMix, beaming) : 1;
 }

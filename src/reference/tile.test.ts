@@ -120,3 +120,21 @@ it('D = 1 in views without light', () => {
   expect(new Set(doppler)).toEqual(new Set([0, 1]));
   expect(doppler?.map((d, i) => d - Math.min(1, object?.[i] ?? 0)).every((x) => x === 0)).toBe(true);
 });
+
+it('an unlit surface shows its colour as it is written, whatever light falls on it, and shifts with the tone curve when it moves', () => {
+  const orange: Vec3 = [1, 128 / 255, 0];
+  const emissive = orange.map((x) => (x <= 0.04045 ? x / 12.92 : ((x + 0.055) / 1.055) ** 2.4)) as unknown as Vec3;
+  const unlit = makeMaterial({ name: 'sign', baseColor: [0, 0, 0], emissive, ior: 1, unlit: true });
+  const sign = makeObject({ path: '/Sign', mesh: plane(20, 20, 'Z'), motion: restingAt([0, 0, -3]) });
+  const signs = createTracedScene(makeScene({ name: 'sign', objects: [sign], materials: [unlit] }), 1);
+  const middle = { x0: width / 2, y0: height / 2, x1: width / 2 + 1, y1: height / 2 + 1 };
+  const shown = (u: Vec3): readonly number[] => {
+    const { picture } = renderTile(signs, { ...request, layers: ['picture'], view: viewFrom({ u }) }, middle);
+    return [...picture!].map((x) => 255 * (x <= 0.0031308 ? 12.92 * x : 1.055 * x ** (1 / 2.4) - 0.055));
+  };
+  shown([0, 0, 0]).forEach((x, k) => {
+    expect(Math.abs(x - 255 * orange[k])).toBeLessThan(0.01);
+  });
+  // Towards it at 0.1 c, ln D = 0.1: the curve alone, below the white that clips.
+  expect(Math.max(...shown([0, 0, -0.1005]))).toBeLessThan(252);
+});

@@ -108,6 +108,7 @@ export class DeferredPass {
       owner,
       region: 'sky',
     });
+    const key = `${projection.event} ${projection.place} ${colorVariant} ${lighting.shadows} ${buffer.depth.id}`;
     if (upload.opaque.children.some((mesh) => mesh.visible)) {
       const openness = lighting.occlusionRadius === 0 ? undefined : this.openness(lighting.occlusionRadius).texture;
       passes.run(
@@ -116,15 +117,22 @@ export class DeferredPass {
         light,
         { owner, region: 'surfaces' },
       );
+      upload.layered?.drawSurfaces(
+        {
+          key: `${key} ${openness !== undefined}`,
+          ...{ projection, buffer, environment, pipeline: optics, range },
+          ...(shadows && { shadows }),
+          ...(openness && { openness }),
+        },
+        (layers) => this.drawOver(light, layers, camera),
+      );
     }
     if (upload.stars) this.drawOver(light, upload.stars.scene, camera);
     if (upload.transparent.children.every((mesh) => !mesh.visible)) return;
     for (const drawCall of upload.drawCalls)
       if (drawCall.batch.transparent)
-        setMaterial(
-          drawCall,
-          `forward ${projection.event} ${projection.place} ${colorVariant} ${lighting.shadows} ${buffer.depth.id}`,
-          () => forwardMaterial(drawCall, projection, buffer, upload.environment, optics, range, shadows),
+        setMaterial(drawCall, `forward ${key}`, () =>
+          forwardMaterial(drawCall, projection, buffer, upload.environment, optics, range, shadows),
         );
     this.drawOver(light, upload.transparent, camera);
   }

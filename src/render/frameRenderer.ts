@@ -41,7 +41,7 @@ export class FrameRenderer {
   private size = { width: 1, height: 1 };
   /** Light of the last sample. */
   private light: RenderTarget;
-  displayState: DisplayState = { tone: 'neutral', grid: false, hasStars: false, antialiasing: true };
+  displayState: DisplayState = { tone: 'neutral', grid: false, hasStars: false, hasUnlit: false, antialiasing: true };
   /** Number of samples whose mean is the light. */
   samples = 1;
 

@@ -1,4 +1,5 @@
 import { contentKey, frameGraphStructure } from '../scene/frameGraph/frameGraph.ts';
+import { isLayered } from '../scene/materials/layered.ts';
 import type { Scene } from '../scene/types.ts';
 import { type LightMeterReadings, mergeReadings } from '../scene/view/metering.ts';
 import {
@@ -18,6 +19,7 @@ import { colorVariantOf } from './color/colorPipelines.ts';
 import { FrameSetup, renderViewOf, spacetimeProjectionOf, type ViewBuffers } from './frameSetup.ts';
 import { type Gpu, openGpu } from './gpu/device.ts';
 import { precompile } from './gpu/precompile.ts';
+import type { LayeredScene } from './layers/layeredScene.ts';
 import type { AntialiasingMode } from './post/resolve/antialiasing.ts';
 import { SceneUpload } from './sceneUpload.ts';
 import { SceneUploads } from './sceneUploads.ts';
@@ -63,6 +65,8 @@ export class SceneRenderer implements RasterRenderer {
   private readonly frameSetup = new FrameSetup();
   private readonly compositor: ViewCompositor;
   private readonly toCanvas: boolean;
+  /** Loaded by the first scene that has layered materials. */
+  private Layered: typeof LayeredScene | undefined;
   private readonly uploads: SceneUploads;
   /** By index of the view in the picture. */
   private readonly viewRenderers: ViewRenderer[];
@@ -90,7 +94,7 @@ export class SceneRenderer implements RasterRenderer {
     this.viewRenderers = [new ViewRenderer(gpu, this.frameSetup)];
     const { uniforms } = this.frameSetup;
     this.uploads = new SceneUploads(
-      (scene, speedOfLight) => new SceneUpload(scene, speedOfLight, uniforms, gpu, options),
+      (scene, speedOfLight) => new SceneUpload(scene, speedOfLight, uniforms, gpu, options, this.Layered),
       (upload) => {
         this.frameSetup.invalidate();
         this.incomplete = undefined;
@@ -120,6 +124,8 @@ export class SceneRenderer implements RasterRenderer {
   }
 
   async setScene(scene: Scene, others: readonly Scene[] = []): Promise<void> {
+    if ([scene, ...others].some(({ materials }) => materials.some(isLayered)))
+      this.Layered = (await import('./layers/layeredScene.ts')).LayeredScene;
     this.uploads.setScenes([scene, ...others]);
   }
 

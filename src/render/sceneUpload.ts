@@ -7,7 +7,14 @@ import type { SampledPointsMotion, Scene, Texture } from '../scene/types.ts';
 import { HalfAtlas } from '../shaders/tables/halfAtlas.ts';
 import { type DrawCall, disposeDrawCall, makeDrawCall } from './gbuffer/drawCall.ts';
 import { MATERIAL_TEXELS, materialTexels, type SurfaceTextures } from './gbuffer/surface.ts';
-import { type Batch, type BatchArrays, type BatchTextures, isPiece, makeBatches } from './geometry/batches.ts';
+import {
+  type Batch,
+  type BatchArrays,
+  type BatchTextures,
+  isPiece,
+  layerKey,
+  makeBatches,
+} from './geometry/batches.ts';
 import { type Body, makeBody } from './geometry/bodies.ts';
 import { ObjectTableWriter } from './geometry/objectTables.ts';
 import type { Observation } from './geometry/observation.ts';
@@ -21,6 +28,7 @@ import type { Gpu } from './gpu/device.ts';
 import { FloatTable, type TablePart } from './gpu/floatTable.ts';
 import type { FrameUniforms } from './gpu/frameUniforms.ts';
 import { textureKey, uploadTexture } from './gpu/textures.ts';
+import type { LayeredScene } from './layers/layeredScene.ts';
 import { Environment } from './lights/environment.ts';
 import type { RendererOptions } from './settings.ts';
 import { StarPoints } from './shading/starPoints.ts';
@@ -44,8 +52,12 @@ export class SceneUpload {
   readonly tessellator: Tessellator;
   readonly environment: Environment;
   readonly stars: StarPoints | undefined;
+  /** Whether any material emits its own colour. */
+  readonly hasUnlit: boolean;
   readonly objectWriter: ObjectTableWriter;
   readonly shadows: ShadowMaps;
+  /** Draws materials with layers; absent if there are none. */
+  readonly layered: LayeredScene | undefined;
   readonly opaque = new ThreeScene();
   readonly transparent = new ThreeScene();
   /** Half the diagonal of the scene [m]. */
@@ -68,14 +80,24 @@ export class SceneUpload {
   private readonly pieceMaterials = new Map<string, DrawCall['materials']>();
   private readonly software: boolean;
 
-  constructor(scene: Scene, speedOfLight: number, uniforms: FrameUniforms, gpu: Gpu, options: RendererOptions) {
+  /** `Layered`: loaded when the scene has layered materials. */
+  constructor(
+    scene: Scene,
+    speedOfLight: number,
+    uniforms: FrameUniforms,
+    gpu: Gpu,
+    options: RendererOptions,
+    Layered?: typeof LayeredScene,
+  ) {
     this.scene = scene;
+    this.hasUnlit = scene.materials.some(({ unlit }) => unlit);
     this.software = gpu.software;
     this.speedOfLight = speedOfLight;
     this.dependsOnSpeedOfLight = scene.objects.some(isSampledAtRest);
     this.bodies = worldObjects(scene, speedOfLight).map((object, i) => makeBody(object, i + 1));
     this.radius = sceneRadius(this.bodies);
     this.materials = this.table.part(scene.materials.length * MATERIAL_TEXELS);
+    this.layered = Layered && new Layered(scene, this.table, (image) => this.texture(image));
     this.environment = new Environment(scene, this.table, this.atlas);
     const nightSky = sceneNightSky(scene);
     this.stars = nightSky && new StarPoints(nightSky, uniforms, gpu);
@@ -169,6 +191,7 @@ export class SceneUpload {
 
   private add(drawCall: DrawCall): void {
     this.drawCalls.push(drawCall);
+    this.layered?.add(drawCall);
     (drawCall.batch.transparent ? this.transparent : this.opaque).add(drawCall.mesh);
   }
 
@@ -196,10 +219,11 @@ export class SceneUpload {
     });
     if (!isPiece(batch) || points || instances) return drawCall;
     const { kind, transparent, doubleSided } = batch;
+    const layered = batch.layered && layerKey(batch.layered);
     const textures = Object.values(batch.textures).map((each) =>
       'texture' in each ? [textureKey(each.texture), 'channel' in each && each.channel] : textureKey(each),
     );
-    const key = [kind, transparent, doubleSided, colored, Object.keys(batch.textures), textures].join(' ');
+    const key = [kind, transparent, doubleSided, colored, Object.keys(batch.textures), textures, layered].join(' ');
     const materials = this.pieceMaterials.get(key) ?? drawCall.materials;
     this.pieceMaterials.set(key, materials);
     return { ...drawCall, materials };

@@ -168,7 +168,11 @@ export class ViewRenderer {
   }
 
   private setDisplay([{ settings, upload }]: ViewBuffers): void {
-    this.frameRenderer.displayState = { ...settings, hasStars: upload.stars !== undefined };
+    this.frameRenderer.displayState = {
+      ...settings,
+      hasStars: upload.stars !== undefined,
+      hasUnlit: upload.hasUnlit && !settings.frameGraph,
+    };
   }
 
   /** Draws n × n samples per pixel. */

@@ -3,11 +3,13 @@ import { type LocalizedText, type Message, msg } from '../messages/message.ts';
 import { MessageError } from '../messages/messageError.ts';
 import type { MeasuredReflectance } from '../spectrum/reflectance/measuredReflectance.ts';
 import type { Light } from './lights/light.ts';
-import type { Texture } from './materials/texture.ts';
+import type { Clearcoat, SpecularReflection } from './materials/layers.ts';
+import type { NormalTexture, Texture, TextureChannel } from './materials/texture.ts';
 import type { Quadric } from './mesh/quadricTypes.ts';
 import type { Lifetime, Motion, SampledMotion, StaticMotion } from './motion/motionTypes.ts';
 
 export type * from './lights/light.ts';
+export type * from './materials/layers.ts';
 export type * from './materials/texture.ts';
 export type * from './mesh/quadricTypes.ts';
 export type * from './motion/motionTypes.ts';
@@ -151,6 +153,12 @@ export interface Material {
   readonly opacityThreshold: number;
   /** Refractive index; absent: that of glass, 1.5. */
   readonly ior?: number;
+  /** Strength and colour of what a dielectric reflects at its surface; absent: 1 and white. */
+  readonly specular?: SpecularReflection;
+  /** A clear varnish over everything else; absent: none. */
+  readonly clearcoat?: Clearcoat;
+  /** It emits its colour, reflects nothing (`baseColor` 0, `ior` 1), and is shown without the tone curve while it is seen unshifted. */
+  readonly unlit?: true;
   /** Reflectance below 360 nm, 0 … 1; absent: that of the visible colour at its end. */
   readonly uv?: number;
   /** Reflectance above 830 nm, 0 … 1; absent: that of the visible colour at its end. */
@@ -165,29 +173,6 @@ export interface Material {
   readonly occlusionTexture?: TextureChannel;
   /** Temperature of a blackbody emitter [K]; then `emissive` determines only its luminance at rest. */
   readonly emissionTemperature?: number;
-}
-
-/** One channel of a texture as a number: `scale` times its linear value plus `bias`, clamped to 0 … 1. */
-export interface TextureChannel {
-  /** Linear. */
-  readonly texture: Texture;
-  /** Red, green, blue, alpha. */
-  readonly channel: 0 | 1 | 2 | 3;
-  /** Factor of the linear value. */
-  readonly scale: number;
-  /** Added after `scale`. */
-  readonly bias: number;
-}
-
-/**
- * Tangent-space normals: x in the direction of rising u, y in that of rising v, both perpendicular to the surface's own normal, and z along it.
- * A texel (r, g, b) means (strength_x (2r − 1), strength_y (2g − 1), 2b − 1), of any length.
- */
-export interface NormalTexture {
-  /** Linear. */
-  readonly texture: Texture;
-  /** Factors of x and y. */
-  readonly strength: readonly [x: number, y: number];
 }
 
 /** A perspective camera that looks down −Z with +Y up; animated by its poses. */

@@ -1,8 +1,11 @@
 import {
   EXTMeshGPUInstancing,
   KHRLightsPunctual,
+  KHRMaterialsClearcoat,
   KHRMaterialsEmissiveStrength,
   KHRMaterialsIOR,
+  KHRMaterialsPBRSpecularGlossiness,
+  KHRMaterialsSpecular,
   KHRMaterialsUnlit,
   KHRMaterialsVariants,
   KHRTextureTransform,
@@ -47,14 +50,51 @@ const looks: ClaimGroup = {
     ),
     read(
       '`KHR_materials_unlit`',
-      'a surface that emits its colour and reflects nothing',
+      'a surface that emits its colour and reflects nothing; seen unshifted, it shows that colour exactly, without the tone curve',
       withMaterial((m, { doc }) => {
         m.setBaseColorFactor([1, 0, 0, 1]).setExtension(
           'KHR_materials_unlit',
           doc.createExtension(KHRMaterialsUnlit).createUnlit(),
         );
       }),
-      (s) => expect(base(s)).toMatchObject({ baseColor: [0, 0, 0], emissive: [1, 0, 0] }),
+      (s) => expect(base(s)).toMatchObject({ baseColor: [0, 0, 0], emissive: [1, 0, 0], ior: 1, unlit: true }),
+    ),
+    read(
+      '`KHR_materials_specular`: strength and colour, with textures',
+      'the reflection of what is no metal',
+      withMaterial((m, kit) => {
+        const specular = kit.doc.createExtension(KHRMaterialsSpecular).createSpecular();
+        specular.setSpecularFactor(0.5).setSpecularColorFactor([2, 1, 0]).setSpecularColorTexture(picture(kit));
+        m.setExtension('KHR_materials_specular', specular);
+      }),
+      (s) =>
+        expect(base(s).specular).toMatchObject({ factor: 0.5, color: [2, 1, 0], colorTexture: { colorSpace: 'srgb' } }),
+    ),
+    read(
+      '`KHR_materials_clearcoat`: strength, roughness, with textures and a normal map',
+      'a varnish over the material',
+      withMaterial((m, kit) => {
+        const coat = kit.doc.createExtension(KHRMaterialsClearcoat).createClearcoat();
+        coat.setClearcoatFactor(0.5).setClearcoatRoughnessFactor(0.25).setClearcoatNormalTexture(picture(kit));
+        m.setExtension('KHR_materials_clearcoat', coat);
+      }),
+      (s) =>
+        expect(base(s).clearcoat).toMatchObject({ factor: 0.5, roughness: 0.25, normalTexture: { strength: [1, 1] } }),
+    ),
+    read(
+      '`KHR_materials_pbrSpecularGlossiness`, with textures',
+      'base colour, metalness and roughness by the rule of the extension’s appendix',
+      withMaterial((m, { doc }) => {
+        const glossy = doc.createExtension(KHRMaterialsPBRSpecularGlossiness).createPBRSpecularGlossiness();
+        glossy.setDiffuseFactor([0, 0, 0, 1]).setSpecularFactor([1, 0.8, 0.3]).setGlossinessFactor(0.75);
+        m.setExtension('KHR_materials_pbrSpecularGlossiness', glossy);
+      }),
+      (s) =>
+        expect(base(s)).toMatchObject({
+          baseColor: [1, 0.8, 0.3].map((x) => expect.closeTo(x, 6)),
+          metallic: expect.closeTo(1, 6),
+          roughness: 0.25,
+        }),
     ),
     read(
       'PNG and JPEG pictures of base colour and emission',

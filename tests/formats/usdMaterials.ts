@@ -127,21 +127,25 @@ const materials: ClaimGroup = {
         expect(s.diagnostics.map(({ message }) => inEnglish(message)).join()).toContain('divide percents by 100');
       },
     ),
-    approximated(
-      '`useSpecularWorkflow`',
-      'the closest metal or glass',
-      'usd.material-input',
-      wears('int inputs:useSpecularWorkflow = 1\ncolor3f inputs:specularColor = (1, 1, 1)'),
-      (s) => expect(base(s).metallic).toBeGreaterThan(0.8),
+    read(
+      '`useSpecularWorkflow` with `specularColor`',
+      'F₀: a metal where the diffuse colour is black, else a tinted reflection of a dielectric',
+      wears(
+        'int inputs:useSpecularWorkflow = 1\ncolor3f inputs:diffuseColor = (1, 0, 0)\ncolor3f inputs:specularColor = (1, 0.5, 0.25)',
+      ),
+      (s) => expect(base(s)).toMatchObject({ metallic: 0, specular: { color: [25, 12.5, 6.25] } }),
+    ),
+    read(
+      '`clearcoat`, `clearcoatRoughness`, with textures',
+      'a varnish over the material',
+      wears('float inputs:clearcoat = 0.5\nfloat inputs:clearcoatRoughness = 0.25'),
+      (s) => expect(base(s).clearcoat).toEqual({ factor: 0.5, roughness: 0.25 }),
     ),
     leftOut(
-      'displacement, clearcoat',
+      'displacement',
       'reported; the rest of the material applies',
       'usd.material-input',
-      [
-        wears('color3f inputs:diffuseColor = (1, 0, 0)\nfloat inputs:clearcoat = 1'),
-        wears('color3f inputs:diffuseColor = (1, 0, 0)\nfloat inputs:displacement = 0.1'),
-      ],
+      wears('color3f inputs:diffuseColor = (1, 0, 0)\nfloat inputs:displacement = 0.1'),
       red,
     ),
     read(

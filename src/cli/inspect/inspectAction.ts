@@ -3,7 +3,7 @@ import { type LocalizedText, listed, type Message, msg } from '../../messages/me
 import type { Light } from '../../scene/lights/light.ts';
 import { fastestVertex, pointSamples, sampleTimes } from '../../scene/motion/motion.ts';
 import type { Lifetime, Motion } from '../../scene/motion/motionTypes.ts';
-import type { Scene, SceneObject, VariantSet } from '../../scene/types.ts';
+import type { Material, Scene, SceneObject, Texture, VariantSet } from '../../scene/types.ts';
 import { validate } from '../../scene/validation/validate.ts';
 import { openSceneWithFlags } from '../flags/openScene.ts';
 import { speedOfLight } from '../flags/viewFlags.ts';
@@ -50,6 +50,7 @@ function summarize(scene: Scene, c: number) {
     pathError: Number.isFinite(scene.pathError) ? scene.pathError : undefined,
     variants: scene.variants ?? [],
     objects,
+    materials: scene.materials.map(summarizeMaterial),
     lights: scene.lights.map((light) => ({
       kind: light.kind,
       path: light.path,
@@ -77,6 +78,20 @@ function summarizeObject({ path, mesh, motion, lifetime, authoredIn, pieceOf }: 
     ...lifeOf(lifetime),
     pieceOf,
   };
+}
+
+/** A material without the texels of its textures. */
+function summarizeMaterial(material: Material): Record<string, unknown> {
+  const plain = (value: unknown): unknown => {
+    if (typeof value !== 'object' || value === null || Array.isArray(value)) return value;
+    if ('data' in value && 'width' in value) {
+      const { name, width, height } = value as Texture;
+      return { name, width, height };
+    }
+    return Object.fromEntries(Object.entries(value).map(([key, part]) => [key, plain(part)]));
+  };
+  const { reflectance, ...rest } = material;
+  return { ...(plain(rest) as Record<string, unknown>), ...(reflectance && { reflectance: true }) };
 }
 
 /** Infinite bounds are omitted: JSON has no infinity. */
@@ -120,6 +135,22 @@ const summaryLines = (s: Summary): readonly LocalizedText[] => [
     : msg`nothing moves (c = ${s.speedOfLight} m/s)`,
   ...(s.pathError === undefined ? [] : [pathErrorLine(s.pathError)]),
   ...s.variants.map(variantLine),
+  ...layerLines(s),
+];
+
+/** The materials that have more than a base. */
+function layerLines({ materials }: Summary): readonly LocalizedText[] {
+  return EXTRAS.flatMap(([field, what]) => {
+    const names = materials.flatMap((m) => (m[field] !== undefined ? [String(m.name)] : []));
+    const more = names.length > 5 ? [msg`${names.length - 5} more`] : [];
+    return names.length > 0 ? [msg`${what}: ${listed([...names.slice(0, 5), ...more])}`] : [];
+  });
+}
+
+const EXTRAS: readonly (readonly [keyof Material, Message])[] = [
+  ['unlit', msg`unlit`],
+  ['specular', msg`strength or colour of reflection`],
+  ['clearcoat', msg`clearcoat`],
 ];
 
 /** Below 1 nm the error is rounding. */

@@ -1,5 +1,6 @@
 import { type Message, msg } from '../../messages/message.ts';
 import { makeMaterial } from '../../scene/defaults.ts';
+import { LAYERS } from '../../scene/materials/layered.ts';
 import { deformedNormals, smoothingGroups } from '../../scene/mesh/normals.ts';
 import { withoutQuadric } from '../../scene/mesh/quadric.ts';
 import { pointSamples } from '../../scene/motion/motion.ts';
@@ -191,11 +192,24 @@ const finite = (numbers: Float32Array): Float32Array =>
 
 function sanitizeMaterial(material: Material, say: ReportIssue): Material {
   const { name, baseColor, emissive, roughness, metallic, opacity, opacityThreshold, ior } = material;
-  const numbers = [...baseColor, ...emissive, roughness, metallic, opacity, opacityThreshold, ior ?? 1];
+  const numbers = [
+    ...baseColor,
+    ...emissive,
+    roughness,
+    metallic,
+    opacity,
+    opacityThreshold,
+    ior ?? 1,
+    ...layerNumbers(material),
+  ];
   if (allFinite(numbers)) return material;
   say(name, msg`a number of the material is ${NOT_FINITE_TEXT}; it is shown in grey`);
   return makeMaterial({ name });
 }
+
+/** All numbers of its layers. */
+const layerNumbers = (material: Material): number[] =>
+  LAYERS.flatMap((name) => Object.values(material[name] ?? {}).flat()).filter((value) => typeof value === 'number');
 
 function isFiniteItem(thing: Light | SceneCamera, say: ReportIssue): boolean {
   if ('motion' in thing && !isMotionFinite(thing, say)) return false;

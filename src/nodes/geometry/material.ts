@@ -20,6 +20,7 @@ const PRESET_TITLES: Readonly<Record<string, Message>> = {
   gold: msg`Gold`,
   copper: msg`Copper`,
 };
+const DEFAULT_IOR = 1.5;
 const CUSTOM_PRESET = { param: 'preset', is: 'own' } as const;
 
 /** A surface material. */
@@ -52,6 +53,20 @@ export const materialNode = defineNode({
     roughness: { ...fractionParam(msg`Roughness`, 0.6), onlyWhen: CUSTOM_PRESET },
     metallic: { ...fractionParam(msg`Metallic`, 0), onlyWhen: CUSTOM_PRESET },
     opacity: fractionParam(msg`Opacity`, 1),
+    ior: {
+      kind: 'number',
+      title: msg`Index of refraction`,
+      help: msg`Determines how much is reflected, and how glass refracts: 1.33 is water, 1.5 glass, 2.42 diamond.`,
+      default: DEFAULT_IOR,
+      min: 1,
+      max: 3,
+      step: 0.01,
+    },
+    clearcoat: { ...fractionParam(msg`Clearcoat`, 0), help: msg`A clear varnish over everything else.` },
+    clearcoatRoughness: {
+      ...fractionParam(msg`Roughness of the clearcoat`, 0.1),
+      onlyWhen: { param: 'clearcoat', isNot: 0 },
+    },
     glow: {
       kind: 'number',
       title: msg`Emission`,
@@ -100,18 +115,36 @@ interface MaterialParams {
   readonly roughness: number;
   readonly metallic: number;
   readonly opacity: number;
+  readonly ior: number;
+  readonly clearcoat: number;
+  readonly clearcoatRoughness: number;
   readonly glow: number;
   readonly temperature: number;
 }
 
 function materialOf(
   name: string,
-  { preset, color, roughness, metallic, opacity, glow, temperature }: MaterialParams,
+  {
+    preset,
+    color,
+    roughness,
+    metallic,
+    opacity,
+    ior,
+    clearcoat,
+    clearcoatRoughness,
+    glow,
+    temperature,
+  }: MaterialParams,
 ): Material {
   const substance = MATERIAL_PRESETS.get(preset);
+  const layers = {
+    ...(ior !== DEFAULT_IOR && { ior }),
+    ...(clearcoat > 0 && { clearcoat: { factor: clearcoat, roughness: clearcoatRoughness } }),
+  };
   const shine = glow > 0 ? { emissive: [glow, glow, glow] as const, emissionTemperature: temperature } : {};
-  if (!substance) return makeMaterial({ name, baseColor: color, roughness, metallic, opacity, ...shine });
+  if (!substance) return makeMaterial({ name, baseColor: color, roughness, metallic, opacity, ...layers, ...shine });
   const { rgb, uv, ir } = substance.filter;
   const surface = { baseColor: rgb, uv, ir, roughness: substance.roughness, metallic: substance.metallic ? 1 : 0 };
-  return makeMaterial({ name, ...surface, opacity, ...shine });
+  return makeMaterial({ name, ...surface, opacity, ...layers, ...shine });
 }

@@ -2,7 +2,7 @@ import type { Random } from '../../math/random.ts';
 import { add, addScaled, dot, normalize, scale, type Vec3 } from '../../math/vec3.ts';
 import { MIN_LOBE_ROUGHNESS, specularLobe as reflectedLobe } from '../../scene/materials/specularLobe.ts';
 import { mixFilters, multiplyFilters, neutralFilter, scaleFilter } from '../../spectrum/reflectance/filterAlgebra.ts';
-import type { SpectralFilter } from '../../spectrum/reflectance/spectralFilter.ts';
+import { filterFromRgb, type SpectralFilter } from '../../spectrum/reflectance/spectralFilter.ts';
 import { cosineDirection, fromLocalBasis, orthonormalBasis, reflect } from '../sampling/directions.ts';
 import type { SurfacePoint } from './surface.ts';
 
@@ -17,33 +17,77 @@ export interface Brdf {
   readonly F90: number;
   /** For direct light; bounded from below, since the highlight of a point light on a perfect mirror has no size. */
   readonly roughness: number;
+  /** Whether it reflects as a mirror when it is followed. */
+  readonly smooth: boolean;
   /** (1 − E)/E, E the share of uniform light that single scattering would reflect of a surface with F = 1. */
   readonly lost: number;
   readonly N: Vec3;
   readonly V: Vec3;
   readonly NV: number;
+  /** The share of light that passes the varnish over it; the diffuse part has it already. */
+  readonly passed: number;
+  /** The varnish over it. */
+  readonly coat?: Brdf;
 }
 
-export function brdfOf({ filter, metallic, roughness, ior, normal: N }: SurfacePoint, V: Vec3): Brdf {
+export function brdfOf(point: SurfacePoint, V: Vec3): Brdf {
+  const { filter, metallic, roughness, ior, specular, clearcoat, normal } = point;
   const dielectricF0 = ((ior - 1) / (ior + 1)) ** 2;
-  const F0 = mixFilters(neutralFilter(dielectricF0), 1 - metallic, filter, metallic);
+  const dielectric = specular ? specularF0(dielectricF0, specular) : neutralFilter(dielectricF0);
+  const F0 = mixFilters(dielectric, 1 - metallic, filter, metallic);
+  // At equal refractive indices nothing is reflected, not even at grazing incidence.
+  const F90 = ior === 1 ? metallic : (specular?.factor ?? 1) * (1 - metallic) + metallic;
+  const coat = clearcoat && coatOf(clearcoat, V);
+  const passed = coat ? 1 - uniformReflectance(coat) : 1;
+  const base = glossy(F0, F90, roughness, normal, V, passed);
+  return { ...base, diffuse: scaleFilter(filter, (1 - metallic) * passed), ...(coat && { coat }) };
+}
+
+/** F₀ of `SpecularReflection` (scene/materials/layers.ts). */
+function specularF0(F0: number, { factor, color }: NonNullable<SurfacePoint['specular']>): SpectralFilter {
+  const [r, g, b] = color.map((x) => Math.min(F0 * x, 1) * factor);
+  return filterFromRgb([r, g, b]);
+}
+
+/** F₀ of a refractive index of 1.5. */
+const COAT_F0 = 0.04;
+
+const coatOf = ({ factor, roughness, normal }: NonNullable<SurfacePoint['clearcoat']>, V: Vec3): Brdf =>
+  glossy(neutralFilter(COAT_F0 * factor), factor, roughness, normal, V, 1);
+
+/** A surface without a diffuse part. */
+function glossy(F0: SpectralFilter, F90: number, roughness: number, N: Vec3, V: Vec3, passed: number): Brdf {
   const NV = Math.max(dot(N, V), 1e-3);
   const lobe = reflectedLobe(NV, roughness);
   return {
-    diffuse: scaleFilter(filter, 1 - metallic),
+    diffuse: neutralFilter(0),
     F0,
-    // At equal refractive indices nothing is reflected, not even at grazing incidence.
-    F90: ior === 1 ? metallic : 1,
+    F90,
     roughness: Math.min(Math.max(roughness, MIN_ROUGHNESS), 1),
+    smooth: roughness < MIN_ROUGHNESS,
     lost: 1 / (lobe.scale + lobe.bias) - 1,
     N,
     V,
     NV,
+    passed,
   };
+}
+
+/** The reflectance of a varnish in uniform light, which the surface below does not get. */
+function uniformReflectance({ F0, F90, NV, roughness, smooth, lost }: Brdf): number {
+  const { scale: share, bias } = reflectedLobe(NV, roughness);
+  const [f0] = F0.rgb;
+  return smooth ? f0 + (F90 - f0) * (1 - NV) ** 5 : (f0 * share + F90 * bias) * (1 + f0 * lost);
 }
 
 /** BRDF · cos for light from L; undefined if L is below the horizon. */
 export function evaluateBrdf(brdf: Brdf, L: Vec3): SpectralFilter | undefined {
+  const base = evaluateLayer(brdf, L);
+  const coat = brdf.coat && evaluateLayer(brdf.coat, L);
+  return base && coat ? mixFilters(base, 1, coat, 1) : (base ?? coat);
+}
+
+function evaluateLayer(brdf: Brdf, L: Vec3): SpectralFilter | undefined {
   const NL = Math.min(dot(brdf.N, L), 1);
   if (NL <= 0) return undefined;
   const { specular, F } = ggx(brdf, L, NL);
@@ -63,10 +107,10 @@ function ggx(brdf: Brdf, L: Vec3, NL: number): { readonly specular: number; read
 /** √(a² + (1 − a²) x²) */
 const smithTerm = (x: number, a2: number): number => Math.sqrt(x * x * (1 - a2) + a2);
 
-/** Schlick 1994. */
-function fresnel({ F0, F90 }: Brdf, VH: number): SpectralFilter {
+/** Schlick 1994; of the light that passes what is above. */
+function fresnel({ F0, F90, passed }: Brdf, VH: number): SpectralFilter {
   const grazing = (1 - Math.min(Math.max(VH, 0), 1)) ** 5;
-  return mixFilters(F0, 1 - grazing, neutralFilter(F90), grazing);
+  return mixFilters(F0, (1 - grazing) * passed, neutralFilter(F90), grazing * passed);
 }
 
 /** With the light that is scattered several times between microfacets, so that a lossless surface loses none (Turquin 2019; docs/physics.md §6.7). */
@@ -93,10 +137,10 @@ export const diffuseLobe = ({ N, diffuse }: Brdf): Lobe => ({
 });
 
 /** GGX. Samples the microfacet normals visible from V, so that the weight is F · G₂/G₁, and what several scatterings add. */
-export function specularLobe(brdf: Brdf, roughness: number): Lobe {
-  const { N, V, NV } = brdf;
+export function specularLobe(brdf: Brdf): Lobe {
+  const { N, V, NV, roughness } = brdf;
   const toward = (H: Vec3): Vec3 => reflect(scale(V, -1), H);
-  if (roughness < MIN_ROUGHNESS) return { sample: () => toward(N), weight: () => fresnel(brdf, NV) };
+  if (brdf.smooth) return { sample: () => toward(N), weight: () => fresnel(brdf, NV) };
   const a2 = roughness ** 4;
   const hidden = NV + smithTerm(NV, a2);
   const weight = (L: Vec3): SpectralFilter => {

@@ -5,7 +5,7 @@ import { contraction } from '../../physics/worldLines/simultaneity.ts';
 import { type Rgba, sampleTexture } from '../../scene/materials/sampleTexture.ts';
 import { pointAt } from '../../scene/mesh/polygons.ts';
 import { quadricOf } from '../../scene/mesh/quadric.ts';
-import type { Material, NormalTexture, SceneObject, TextureChannel } from '../../scene/types.ts';
+import type { Material, NormalTexture, SceneObject, Texture, TextureChannel } from '../../scene/types.ts';
 import { filterOfReflectance } from '../../spectrum/color/filterOfReflectance.ts';
 import { filterFromRgb, type SpectralFilter } from '../../spectrum/reflectance/spectralFilter.ts';
 import type { Hit } from '../acceleration/ray.ts';
@@ -29,6 +29,10 @@ export interface SurfacePoint {
   readonly occlusion: number;
   /** Refractive index; default 1.5. */
   readonly ior: number;
+  /** Strength of its reflection, and the linear sRGB factor of F₀; absent: 1. */
+  readonly specular?: { readonly factor: number; readonly color: Vec3 };
+  /** The varnish over it, with a normal of its own. */
+  readonly clearcoat?: { readonly factor: number; readonly roughness: number; readonly normal: Vec3 };
   /** Unit normal in the rest frame, on the world axes carried there by the pure boost; on the side of the ray. */
   readonly normal: Vec3;
   readonly uv: readonly [u: number, v: number];
@@ -43,17 +47,30 @@ export function surfaceAt(scene: TracedScene, hit: Hit): SurfacePoint {
   const vertexColor = mesh.colors ? interpolate(corners, (i) => pointAt(mesh.colors!, i)) : undefined;
   const [r, g, b, opacity] = base;
   const albedo: Vec3 = vertexColor ? [r * vertexColor[0], g * vertexColor[1], b * vertexColor[2]] : [r, g, b];
-  const { ior = 1.5, emissionTemperature: temperature } = material;
+  const { ior = 1.5, emissionTemperature: temperature, specular, clearcoat } = material;
   return {
     albedo,
     filter: filterAt(material, albedo, vertexColor !== undefined, uv),
     opacity,
-    emissive: emission(material, uv),
+    emissive: colorAt(material.emissive, material.emissiveTexture, uv),
     ...(temperature !== undefined && { temperature }),
     roughness: numberAt(material.roughness, material.roughnessTexture, uv),
     metallic: numberAt(material.metallic, material.metallicTexture, uv),
     occlusion: numberAt(1, material.occlusionTexture, uv),
     ior,
+    ...(specular && {
+      specular: {
+        factor: numberAt(specular.factor, specular.factorTexture, uv),
+        color: colorAt(specular.color, specular.colorTexture, uv),
+      },
+    }),
+    ...(clearcoat && {
+      clearcoat: {
+        factor: numberAt(clearcoat.factor, clearcoat.factorTexture, uv),
+        roughness: numberAt(clearcoat.roughness, clearcoat.roughnessTexture, uv),
+        normal: normalAt(scene, hit, corners, clearcoat.normalTexture, uv),
+      },
+    }),
     normal: normalAt(scene, hit, corners, material.normalTexture, uv),
     uv,
   };
@@ -124,10 +141,10 @@ function baseColor({ baseColor: [r, g, b], opacity, baseColorTexture }: Material
   return [r * tr, g * tg, b * tb, opacity * ta];
 }
 
-function emission({ emissive, emissiveTexture }: Material, uv: readonly [number, number]): Vec3 {
-  if (!emissiveTexture) return emissive;
-  const [r, g, b] = sampleTexture(emissiveTexture, ...uv);
-  return [emissive[0] * r, emissive[1] * g, emissive[2] * b];
+function colorAt(factor: Vec3, texture: Texture | undefined, uv: Uv): Vec3 {
+  if (!texture) return factor;
+  const [r, g, b] = sampleTexture(texture, ...uv);
+  return [factor[0] * r, factor[1] * g, factor[2] * b];
 }
 
 /**

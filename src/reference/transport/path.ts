@@ -141,42 +141,52 @@ function solidLight(
   V: Vec3,
   here: PathState,
 ): SampledRadiance {
-  const emitted = here.context.emitted(emittedSpectrum(point));
-  if (!here.isCameraPath && here.bounces === 0) return emitted;
+  const own = here.context.emitted(emittedSpectrum(point));
+  const coated = point.clearcoat !== undefined;
+  if (!coated && !here.isCameraPath && here.bounces === 0) return own;
   const brdf = brdfOf(point, V);
+  const emitted = coated ? times(own, brdf.passed) : own;
+  if (!here.isCameraPath && here.bounces === 0) return emitted;
   const at = reflectionOrigin(lighting.scene, hit);
   const direct = plus(emitted, directLight(lighting, at, brdf, here));
-  return plus(direct, indirectLight(lighting, at, brdf, point.roughness, here), point.occlusion);
+  return plus(direct, indirectLight(lighting, at, brdf, here), point.occlusion);
 }
 
 /**
  * Light of the sky and of other surfaces. For surfaces seen directly both lobes of the BRDF are traced, weak specular ones by Russian roulette unless
  * their direction was sampled from the sky; after that one lobe is chosen at random.
  */
-function indirectLight(
-  lighting: LightingContext,
-  at: SurfaceOrigin,
-  brdf: Brdf,
-  roughness: number,
-  here: PathState,
-): SampledRadiance {
+function indirectLight(lighting: LightingContext, at: SurfaceOrigin, brdf: Brdf, here: PathState): SampledRadiance {
   const { options, random } = lighting;
   const continuesCameraPath = here.isCameraPath && options.mirrors && here.specularDepth > 0;
   const scatters = here.bounces > 0;
-  const specular = sampleDirection(lighting, specularLobe(brdf, roughness), here);
+  const mirrors = continuesCameraPath || scatters;
+  const glossy = (brdf.coat ? [brdf, brdf.coat] : [brdf]).map((layer) => {
+    const sample = sampleDirection(lighting, specularLobe(layer), here);
+    return { sample, weight: mirrors ? maxOfFilter(sample.lobeWeight) : 0 };
+  });
   const d = scatters ? maxOfFilter(brdf.diffuse) : 0;
-  const m = continuesCameraPath || scatters ? maxOfFilter(specular.lobeWeight) : 0;
   const diffuse = (): SampledRadiance => diffuseLight(lighting, at, brdf, here);
-  const mirror = (): SampledRadiance =>
-    weightedLight(lighting, at, specular, specularPath(here, continuesCameraPath), here);
+  const mirror = (sample: DirectionSample): SampledRadiance =>
+    weightedLight(lighting, at, sample, specularPath(here, continuesCameraPath), here);
+  let sum = NO_LIGHT;
   if (here.isCameraPath && here.specularDepth === MAX_SPECULAR_DEPTH) {
-    let sum = NO_LIGHT;
     if (d > 0) for (let k = 0; k < CAMERA_DIFFUSE_RAYS; k++) sum = plus(sum, diffuse(), 1 / CAMERA_DIFFUSE_RAYS);
-    const chance = specular.fromSky && m > 0 ? 1 : Math.min(1, SPECULAR_PROBABILITY_FACTOR * m);
-    return random() < chance ? plus(sum, mirror(), 1 / chance) : sum;
+    for (const { sample, weight } of glossy) {
+      const chance = sample.fromSky && weight > 0 ? 1 : Math.min(1, SPECULAR_PROBABILITY_FACTOR * weight);
+      if (random() < chance) sum = plus(sum, mirror(sample), 1 / chance);
+    }
+    return sum;
   }
-  if (d + m === 0) return NO_LIGHT;
-  return random() * (d + m) < d ? times(diffuse(), (d + m) / d) : times(mirror(), (d + m) / m);
+  const all = glossy.reduce((total, { weight }) => total + weight, d);
+  if (all === 0) return NO_LIGHT;
+  let left = random() * all - d;
+  if (left < 0) return times(diffuse(), all / d);
+  for (const { sample, weight } of glossy) {
+    if (left < weight) return times(mirror(sample), all / weight);
+    left -= weight;
+  }
+  return NO_LIGHT;
 }
 
 const specularPath = (here: PathState, continuesCameraPath: boolean): PathState =>

@@ -24,13 +24,15 @@ export interface BrdfNodes {
   readonly multiple: SpectralFilterNodes;
 }
 
-interface Roughness {
+interface ReflectionParameters extends SpecularParameters {
   readonly roughness: Float;
+  /** Of its non-metallic part; absent: F₀ without colour, and F₉₀ = 1. */
+  readonly tinted?: { readonly F0: SpectralFilterNodes; readonly F90: Float };
 }
 
 export function brdfOf(
   albedo: SpectralFilterNodes,
-  { metallic, F0, roughness }: SpecularParameters & Roughness,
+  { metallic, F0, roughness, tinted }: ReflectionParameters,
   N: Vec3,
   V: Vec3,
   lobes: LobeTable,
@@ -38,13 +40,13 @@ export function brdfOf(
   const NV = max(dot(N, V), 1e-3).toVar();
   const clamped = clamp(roughness, MIN_LOBE_ROUGHNESS, 1).toVar();
   const lobe = lobes.at(NV, clamped);
-  const reflectance = mix(vec4(F0), albedo, metallic).toVar();
+  const reflectance = mix(tinted?.F0 ?? vec4(F0), albedo, metallic).toVar();
   const lost = lobe.scale.add(lobe.bias).reciprocal().sub(1);
   return {
     diffuse: albedo.mul(metallic.oneMinus()).toVar(),
     F0: reflectance,
     // A surface with the refractive index of its surroundings reflects nothing, not even at grazing incidence.
-    F90: select(F0.greaterThan(0), float(1), metallic).toVar(),
+    F90: (tinted ? mix(tinted.F90, 1, metallic) : select(F0.greaterThan(0), float(1), metallic)).toVar(),
     roughness: clamped,
     N,
     V,

@@ -140,8 +140,7 @@ export function readSurface(sources: SurfaceSources): Surface {
 
   const { u, gamma, boostLight, onLightCone } = sources.uniforms;
   const velocity = vMotion.toVar();
-  // Interpolated events lie beside the light cone; this is the event of the point that the pixel shows (docs/physics.md §4.10).
-  const event = select(onLightCone.greaterThan(0.5), ontoLightCone(vEvent, velocity), vEvent).toVar();
+  const event = seenEvent(velocity, onLightCone);
   const smooth = normalize(vNormal.xyz).toVar();
   const mapSurface = { normal: smooth, event, velocity, uv: vUv };
   // Before any discard, because it needs derivatives between neighbouring fragments.
@@ -155,16 +154,16 @@ export function readSurface(sources: SurfaceSources): Surface {
     color,
     invisible: vec2(
       textures.uv
-        ? channel(textures.uv, invisibleChannels.xy)
+        ? channelValue(textures.uv, invisibleChannels.xy)
         : reflectanceOrEnds(reflectances.y, BASIS_ENDS.uv, color.rgb),
       textures.ir
-        ? channel(textures.ir, invisibleChannels.zw)
+        ? channelValue(textures.ir, invisibleChannels.zw)
         : reflectanceOrEnds(reflectances.z, BASIS_ENDS.ir, color.rgb),
     ),
     emission: emissionOf(emissive, reflectances.w),
-    roughness: channel(textures.roughness, roughnessMetallic.xy),
-    occlusion: channel(textures.occlusion, normalOcclusion.zw),
-    metallic: channel(textures.metallic, roughnessMetallic.zw),
+    roughness: channelValue(textures.roughness, roughnessMetallic.xy),
+    occlusion: channelValue(textures.occlusion, normalOcclusion.zw),
+    metallic: channelValue(textures.metallic, roughnessMetallic.zw),
     F0: reflectances.x,
     normal: normal.mul(faceDirection),
     dx,
@@ -176,11 +175,27 @@ export function readSurface(sources: SurfaceSources): Surface {
   };
 }
 
+/** Interpolated events lie beside the light cone; this is the event of the point that the pixel shows (docs/physics.md §4.10). */
+const seenEvent = (velocity: Vec4, onLightCone: Float): Vec4 =>
+  select(onLightCone.greaterThan(0.5), ontoLightCone(vEvent, velocity), vEvent).toVar();
+
+/** The unit normal in the rest frame on the observer's side, bent by a map of its own. */
+export function frontNormal(
+  { uniforms }: SurfaceSources,
+  map?: { readonly texture: DataTexture; readonly strength: Vec2 },
+): Vec3 {
+  const smooth = normalize(vNormal.xyz).toVar();
+  if (!map) return smooth.mul(faceDirection).toVar();
+  const velocity = vMotion.toVar();
+  const place = { normal: smooth, event: seenEvent(velocity, uniforms.onLightCone), velocity, uv: vUv };
+  return mappedNormal(map.texture, map.strength, place).mul(faceDirection).toVar();
+}
+
 /** A specified reflectance, or the extrapolation of the visible colour. */
 const reflectanceOrEnds = (reflectance: Float, ends: readonly [number, number, number], rgb: Vec3): Float =>
   select(reflectance.lessThan(0), dot(rgb, vec3(...ends)), reflectance);
 
-function channel(from: ChannelTexture | undefined, linear: Vec2): Float {
+export function channelValue(from: ChannelTexture | undefined, linear: Vec2): Float {
   if (!from) return linear.y;
   const texel = sampled(from.texture, vUv);
   const value = [texel.x, texel.y, texel.z, texel.w][from.channel];

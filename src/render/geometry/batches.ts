@@ -1,9 +1,10 @@
 import { rotate } from '../../math/quat.ts';
 import { sub, type Vec3 } from '../../math/vec3.ts';
+import { isLayered, LAYERS } from '../../scene/materials/layered.ts';
 import { isTransparent } from '../../scene/materials/transparency.ts';
 import { deforms } from '../../scene/motion/motion.ts';
 import { motionKind } from '../../scene/motion/motions.ts';
-import type { Material, Motion, Scene, Texture, TextureChannel } from '../../scene/types.ts';
+import type { Material, Motion, NormalTexture, Scene, Texture, TextureChannel } from '../../scene/types.ts';
 import { textureKey } from '../gpu/textures.ts';
 import { type BatchSolid, batchSolidOf } from './batchSolids.ts';
 import { type Body, sharesMesh } from './bodies.ts';
@@ -29,6 +30,8 @@ export interface Batch {
   readonly transparent: boolean;
   readonly doubleSided: boolean;
   readonly textures: BatchTextures;
+  /** One of its materials, if they have layers: all have the same layers with the same textures. */
+  readonly layered?: Material;
   readonly bodies: readonly Body[];
   /** Set if the arrays are one mesh in its own axes, shared by all bodies; otherwise they hold a copy for each. */
   readonly instancing?: BatchInstancing;
@@ -48,6 +51,20 @@ export type BatchTextures = Pick<Material, (typeof TEXTURE_SLOTS)[number]>;
 
 const texturesOf = (m: Material): BatchTextures =>
   Object.fromEntries(TEXTURE_SLOTS.flatMap((name) => (m[name] ? [[name, m[name]]] : [])));
+
+/** Equal for materials with the same layers of the same textures. */
+export const layerKey = (m: Material): string =>
+  LAYERS.flatMap((name) => {
+    const layer = m[name];
+    return layer ? [name, ...Object.entries(layer).map(slotKey)] : [];
+  }).join(' ');
+
+function slotKey([slot, value]: readonly [string, unknown]): string {
+  if (!slot.endsWith('Texture')) return '';
+  const from = value as Texture | TextureChannel | NormalTexture;
+  if (!('texture' in from)) return `${slot} ${textureKey(from)}`;
+  return `${slot} ${textureKey(from.texture)} ${'channel' in from ? from.channel : ''}`;
+}
 
 export interface BatchArrays {
   /** Relative to the body's centre [m]; rotated to the world's axes if the motion has one orientation and the batch has no instancing. */
@@ -78,6 +95,7 @@ export function makeBatches(scene: Scene, bodies: readonly Body[]): Batch[] {
       nameOf(m.emissiveTexture),
       nameOf(m.normalTexture?.texture),
       ...CHANNEL_SLOTS.map((name) => channel(m[name])),
+      layerKey(m),
     ].join(' '),
   );
   const partsByKey = new Map<string, BatchPart[]>();
@@ -154,12 +172,14 @@ class SharedMeshes {
 /** `firstInstance`: set if all parts share one mesh with instancing. */
 function makeBatch(scene: Scene, parts: readonly BatchPart[], transparent: boolean, firstInstance?: number): Batch {
   const { object } = parts[0].body;
+  const material = scene.materials[parts[0].material];
   const solids = solidsOf(parts, firstInstance === undefined);
   return {
     kind: object.motion.kind,
     transparent,
     doubleSided: object.mesh.doubleSided,
-    textures: texturesOf(scene.materials[parts[0].material]),
+    textures: texturesOf(material),
+    ...(isLayered(material) && { layered: material }),
     bodies: [...new Set(parts.map((p) => p.body))],
     ...(firstInstance !== undefined && {
       instancing: { first: firstInstance, materials: parts.map((p) => p.material) },

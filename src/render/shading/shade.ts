@@ -19,6 +19,28 @@ export type ShadedSurface = Omit<Surface, 'velocity' | 'object' | 'distance'> & 
   readonly openness?: Float;
 };
 
+/** What lights a surface at its emission event, in its rest frame; call it inside a `Fn`. */
+export function beginShading(
+  surface: ShadedSurface,
+  uniforms: FrameUniforms,
+  pipeline: ColorPipeline,
+  shadows?: LightVisibility,
+) {
+  const rest = surface.velocity ? restFrame(surface.velocity, uniforms) : WORLD_FRAME;
+  const N = surface.normal.toVar();
+  const V = rest.into(normalize(surface.dx)).negate().toVar();
+  const accumulator = pipeline(surface.D, uniforms);
+  const albedo = accumulator.filter(surface.color.rgb, surface.invisible).toVar();
+  const { dx, time, occlusion, openness } = surface;
+  const receiver = { dx, time, normal: N, velocity: surface.velocity };
+  const visibility: SurfaceVisibility | undefined = shadows && {
+    ofDistantLight: (index) => shadows.ofDistantLight(index, receiver),
+    ofLocalLight: (slot, light, emitter) => shadows.ofLocalLight(slot, receiver, { ...light, ...emitter }),
+  };
+  const lit = { dx, time, rest, occlusion, uniforms, ...(openness && { openness }), ...(visibility && { visibility }) };
+  return { rest, N, V, accumulator, albedo, lit };
+}
+
 /**
  * Radiance that reaches the observer. Shading is in the rest frame of the surface at the emission event: the normal is given there, the directions to lights
  * and observer are aberrated into it, and light arrives with E′ = D_in² E (docs/physics.md §6.2). Lambert and GGX with Schlick's Fresnel; sky light is
@@ -32,20 +54,8 @@ export const shade = (
   shadows?: LightVisibility,
 ): Vec3 =>
   Fn(() => {
-    const rest = surface.velocity ? restFrame(surface.velocity, uniforms) : WORLD_FRAME;
-    const N = surface.normal.toVar();
-    const V = rest.into(normalize(surface.dx)).negate().toVar();
-    const accumulator = pipeline(surface.D, uniforms);
-    const albedo = accumulator.filter(surface.color.rgb, surface.invisible).toVar();
-    const brdf = brdfOf(albedo, surface, N, V, environment.lobes);
-    const { dx, time, occlusion, openness } = surface;
-    const receiver = { dx, time, normal: N, velocity: surface.velocity };
-    const visibility: SurfaceVisibility | undefined = shadows && {
-      ofDistantLight: (index) => shadows.ofDistantLight(index, receiver),
-      ofLocalLight: (slot, light, emitter) => shadows.ofLocalLight(slot, receiver, { ...light, ...emitter }),
-    };
-    const lit = { brdf, dx, time, rest, occlusion, uniforms };
-    environment.addReflected({ ...lit, ...(openness && { openness }), ...(visibility && { visibility }) }, accumulator);
+    const { N, V, accumulator, albedo, lit } = beginShading(surface, uniforms, pipeline, shadows);
+    environment.addReflected({ ...lit, brdf: brdfOf(albedo, surface, N, V, environment.lobes) }, accumulator);
     accumulator.addEmitted(surface.emission.rgb);
     accumulator.addGlow(surface.emission);
     return accumulator.total();

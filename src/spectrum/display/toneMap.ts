@@ -47,3 +47,9 @@ function linear([r, g, b]: Vec3): Vec3 {
   const cut = (value: number) => Math.min(Math.max(value, 0), 1);
   return [cut(r), cut(g), cut(b)];
 }
+
+/** ln D over which a surface that emits its own colour goes over to the tone curve. */
+export const UNLIT_RANGE = 0.1;
+
+/** The share of `linear` in what is shown of a surface that emits its own colour (`Material.unlit`) and is seen with D: all at D = 1, so that it shows its colour. */
+export const unlitShare = (D: number): number => Math.max(0, 1 - Math.abs(Math.log(D)) / UNLIT_RANGE);

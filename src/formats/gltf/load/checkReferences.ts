@@ -2,6 +2,7 @@ import type { GLTF } from '@gltf-transform/core';
 import { type LocalizedText, msg } from '../../../messages/message.ts';
 import { formatBytes } from '../../diagnostics/inputError.ts';
 import { gltfError } from '../context.ts';
+import { textureSlots } from './textureSlots.ts';
 
 const COMPONENT_BYTES: Readonly<Record<number, number>> = { 5120: 1, 5121: 1, 5122: 2, 5123: 2, 5125: 4, 5126: 4 };
 const ELEMENT_SIZE: Readonly<Record<string, number>> = {
@@ -52,7 +53,7 @@ function checkReferences(entry: string, json: GLTF.IGLTF): void {
     check('samplers', msg`texture ${i}`, t.sampler);
   });
   json.materials?.forEach((m, i) => {
-    check('textures', msg`material ${i}`, ...textureIndices(m));
+    check('textures', msg`material ${i}`, ...textureSlots(m).map(({ info }) => info.index));
   });
   json.meshes?.forEach((mesh, i) => {
     for (const p of mesh.primitives) {
@@ -127,14 +128,6 @@ function checkExtensionIndices(entry: string, json: GLTF.IGLTF): void {
     check(msg`node ${i}`, 'lights', lights, [extensionOf<{ light: number }>(node, LIGHTS)?.light]);
   });
 }
-
-const textureIndices = (m: GLTF.IMaterial): (number | undefined)[] => [
-  m.pbrMetallicRoughness?.baseColorTexture?.index,
-  m.pbrMetallicRoughness?.metallicRoughnessTexture?.index,
-  m.emissiveTexture?.index,
-  m.normalTexture?.index,
-  m.occlusionTexture?.index,
-];
 
 function checkBuffers(entry: string, json: GLTF.IGLTF, resources: Readonly<Record<string, Uint8Array>>): void {
   json.buffers?.forEach((buffer, i) => {

@@ -103,6 +103,34 @@ const image: SchemaCheck = (value, place) => {
     throw new SchemaError(place, value, msg`a picture: it needs uri or bufferView`);
 };
 
+const factor = optional(number);
+const color = optional(list(number, 3));
+/** Of those that are read. */
+const MATERIAL_EXTENSIONS: Readonly<Record<string, SchemaCheck>> = {
+  KHR_materials_clearcoat: fields({
+    clearcoatFactor: factor,
+    clearcoatTexture: picture,
+    clearcoatRoughnessFactor: factor,
+    clearcoatRoughnessTexture: picture,
+    clearcoatNormalTexture: picture,
+  }),
+  KHR_materials_emissive_strength: fields({ emissiveStrength: factor }),
+  KHR_materials_ior: fields({ ior: factor }),
+  KHR_materials_pbrSpecularGlossiness: fields({
+    diffuseFactor: optional(list(number, 4)),
+    diffuseTexture: picture,
+    specularFactor: color,
+    glossinessFactor: factor,
+    specularGlossinessTexture: picture,
+  }),
+  KHR_materials_specular: fields({
+    specularFactor: factor,
+    specularTexture: picture,
+    specularColorFactor: color,
+    specularColorTexture: picture,
+  }),
+};
+
 const FILE = fields({
   asset: fields({ version: optional(text) }),
   scene: optional(index),
@@ -163,6 +191,7 @@ const FILE = fields({
         normalTexture: picture,
         occlusionTexture: picture,
         alphaCutoff: optional(number),
+        extensions: extensions(MATERIAL_EXTENSIONS),
       }),
     ),
   ),

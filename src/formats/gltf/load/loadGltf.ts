@@ -2,8 +2,11 @@ import { BufferUtils, type Document, type GLTF, type ILogger, WebIO } from '@glt
 import {
   EXTMeshGPUInstancing,
   KHRLightsPunctual,
+  KHRMaterialsClearcoat,
   KHRMaterialsEmissiveStrength,
   KHRMaterialsIOR,
+  KHRMaterialsPBRSpecularGlossiness,
+  KHRMaterialsSpecular,
   KHRMaterialsUnlit,
   KHRMaterialsVariants,
   KHRMeshQuantization,
@@ -19,6 +22,7 @@ import { COMPRESSIONS, isFallback, unpackGeometry } from '../compression/unpack.
 import { gltfError, type Resources } from '../context.ts';
 import { checkGltf } from './checkReferences.ts';
 import { checkSchema } from './checkSchema.ts';
+import { textureSlots } from './textureSlots.ts';
 
 const GLB_MAGIC = 0x46546c67;
 const JSON_CHUNK = 0x4e4f534a;
@@ -29,8 +33,11 @@ const GLB_BUFFER = '@glb.bin';
 const EXTENSIONS = [
   EXTMeshGPUInstancing,
   KHRLightsPunctual,
+  KHRMaterialsClearcoat,
   KHRMaterialsEmissiveStrength,
   KHRMaterialsIOR,
+  KHRMaterialsPBRSpecularGlossiness,
+  KHRMaterialsSpecular,
   KHRMaterialsUnlit,
   KHRMaterialsVariants,
   KHRMeshQuantization,
@@ -40,7 +47,7 @@ const HANDLED: readonly string[] = [...EXTENSIONS.map((e) => e.EXTENSION_NAME), 
 /** Extensions that affect appearance only. */
 const LOOKS_ONLY =
   /^(KHR_materials_|KHR_xmp|EXT_structural_metadata|EXT_mesh_features|KHR_texture_basisu|EXT_texture_)/;
-const CHANGES_COLOR = /^(KHR_texture_basisu|EXT_texture_|KHR_materials_pbrSpecularGlossiness)/;
+const CHANGES_COLOR = /^(KHR_texture_basisu|EXT_texture_)/;
 
 /** Loads a file with its resources, validates and parses it. */
 export async function loadGltf(
@@ -173,13 +180,11 @@ async function loadResources(
 
 /** Names an image and the materials that use it: `image 3, material Wood`. */
 function usersOf(json: GLTF.IGLTF, image: number): LocalizedText {
-  const shows = (texture: GLTF.ITextureInfo | undefined) =>
-    texture !== undefined && json.textures?.[texture.index]?.source === image;
-  const users = (json.materials ?? []).flatMap((material, i) => {
-    const { baseColorTexture, metallicRoughnessTexture } = material.pbrMetallicRoughness ?? {};
-    const all = [baseColorTexture, metallicRoughnessTexture, material.emissiveTexture, material.normalTexture];
-    return all.some(shows) || shows(material.occlusionTexture) ? [msg`material ${material.name ?? i}`] : [];
-  });
+  const users = (json.materials ?? []).flatMap((material, i) =>
+    textureSlots(material).some(({ info }) => json.textures?.[info.index]?.source === image)
+      ? [msg`material ${material.name ?? i}`]
+      : [],
+  );
   return listed([msg`image ${image}`, ...users.slice(0, 3), ...(users.length > 3 ? ['…'] : [])]);
 }
 
@@ -232,18 +237,10 @@ function checkExtensions(entry: string, json: GLTF.IGLTF, notes: DiagnosticLog):
 
 /** Removes textures only available in unsupported formats (WebP, KTX2) from materials. */
 function dropUnreadTextures(json: GLTF.IGLTF, notes: DiagnosticLog): void {
-  const isUnread = (info: GLTF.ITextureInfo | undefined): boolean =>
-    info !== undefined && json.textures?.[info.index] !== undefined && json.textures[info.index].source === undefined;
   for (const [i, material] of (json.materials ?? []).entries()) {
-    const slots: (readonly [Record<string, unknown>, string])[] = [
-      [material as Record<string, unknown>, 'emissiveTexture'],
-      [material as Record<string, unknown>, 'normalTexture'],
-      [material as Record<string, unknown>, 'occlusionTexture'],
-      [(material.pbrMetallicRoughness ?? {}) as Record<string, unknown>, 'baseColorTexture'],
-      [(material.pbrMetallicRoughness ?? {}) as Record<string, unknown>, 'metallicRoughnessTexture'],
-    ];
-    for (const [holder, name] of slots) {
-      if (!isUnread(holder[name] as GLTF.ITextureInfo | undefined)) continue;
+    for (const { holder, name, info } of textureSlots(material)) {
+      const texture = json.textures?.[info.index];
+      if (texture === undefined || texture.source !== undefined) continue;
       delete holder[name];
       notes.add(
         'warning',

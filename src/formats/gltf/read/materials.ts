@@ -1,5 +1,5 @@
 import type { Material as GltfMaterial, Texture as GltfTexture, TextureInfo } from '@gltf-transform/core';
-import type { EmissiveStrength, IOR, Transform } from '@gltf-transform/extensions';
+import type { EmissiveStrength, IOR, PBRSpecularGlossiness, Transform } from '@gltf-transform/extensions';
 import { scale, type Vec3, ZERO } from '../../../math/vec3.ts';
 import { inEnglish, type LocalizedText, type Message, msg } from '../../../messages/message.ts';
 import {
@@ -15,6 +15,8 @@ import { type DecodedImage, decodeImage } from '../../image/decodeImage.ts';
 import { channelMean } from '../../image/imageChannels.ts';
 import { clampNormalStrength } from '../../read/limits.ts';
 import type { GltfContext } from '../context.ts';
+import { layersOf, layerTextures, type TextureInputs } from './materialLayers.ts';
+import { fromSpecularGlossiness } from './specularGlossiness.ts';
 
 /** How uv coordinates of a primitive are made for its material: (u, v) → offset + rotation · scale · (u, v), v down. */
 export interface GltfUvSource {
@@ -32,6 +34,19 @@ export class GltfMaterialLibrary {
   private readonly context: GltfContext;
   private readonly places = new Map<GltfMaterial | null, number>();
   private readonly images = new Map<GltfTexture, DecodedImage | undefined>();
+  private readonly reader: TextureInputs = {
+    color: (image, info) => this.texture(image, info, true),
+    number: (image, info, channel, scale) => {
+      const texture = this.texture(image, info, false, 'linear');
+      return texture && { texture, channel, scale, bias: 0 };
+    },
+    normal: (image, info, scale) => {
+      const texture = this.texture(image, info, true, 'linear');
+      const strength = clampNormalStrength(scale);
+      return texture && { texture, strength: [strength, strength] };
+    },
+  };
+
   constructor(context: GltfContext) {
     this.context = context;
   }
@@ -48,14 +63,16 @@ export class GltfMaterialLibrary {
 
   private convert(material: GltfMaterial): Material {
     const name = nameOf(this.context, material);
-    const [r, g, b, alpha] = material.getBaseColorFactor();
+    const glossy = material.getExtension<PBRSpecularGlossiness>('KHR_materials_pbrSpecularGlossiness');
+    const [r, g, b, alpha] = glossy?.getDiffuseFactor() ?? material.getBaseColorFactor();
     const mode = material.getAlphaMode();
     const strength = material.getExtension<EmissiveStrength>('KHR_materials_emissive_strength');
     const ior = material.getExtension<IOR>('KHR_materials_ior');
     const baseColor: Vec3 = [r, g, b];
     const baseColorTexture = this.texture(
-      material.getBaseColorTexture(),
-      material.getBaseColorTextureInfo(),
+      ...(glossy
+        ? ([glossy.getDiffuseTexture(), glossy.getDiffuseTextureInfo()] as const)
+        : ([material.getBaseColorTexture(), material.getBaseColorTextureInfo()] as const)),
       mode === 'OPAQUE',
     );
     const emissive = scale(material.getEmissiveFactor(), strength?.getEmissiveStrength() ?? 1);
@@ -63,18 +80,20 @@ export class GltfMaterialLibrary {
     // Unlit surfaces emit their colour and reflect nothing.
     const isUnlit = material.getExtension('KHR_materials_unlit') !== null;
     const light = isUnlit ? { emissive: baseColor, emissiveTexture: baseColorTexture } : { emissive, emissiveTexture };
+    const layers = isUnlit ? UNLIT : layersOf(material, this.reader);
     return {
       name,
       baseColor: isUnlit ? ZERO : baseColor,
       ...(baseColorTexture && { baseColorTexture }),
       emissive: light.emissive,
       ...(light.emissiveTexture && { emissiveTexture: light.emissiveTexture }),
-      ...this.finish(material, isUnlit),
+      ...(glossy && !isUnlit ? this.glossy(glossy, baseColorTexture) : this.finish(material, isUnlit)),
       ...this.normals(material),
       ...this.occlusion(material),
       opacity: mode === 'OPAQUE' ? 1 : alpha,
       opacityThreshold: mode === 'MASK' ? material.getAlphaCutoff() : 0,
       ...(ior && { ior: ior.getIOR() }),
+      ...layers,
       ...this.spectral(material, name),
     };
   }
@@ -95,10 +114,29 @@ export class GltfMaterialLibrary {
     };
   }
 
+  private glossy(
+    from: PBRSpecularGlossiness,
+    diffuseTexture: Texture | undefined,
+  ): Partial<Material> & MetallicRoughness {
+    const [r, g, b] = from.getDiffuseFactor();
+    const [image, info] = [from.getSpecularGlossinessTexture(), from.getSpecularGlossinessTextureInfo()];
+    const specularTexture = this.texture(image, info, false);
+    return fromSpecularGlossiness({
+      diffuse: [r, g, b],
+      specular: from.getSpecularFactor(),
+      glossiness: from.getGlossinessFactor(),
+      ...(diffuseTexture && { diffuseTexture }),
+      ...(specularTexture && { specularTexture }),
+    });
+  }
+
   private normals(material: GltfMaterial): { readonly normalTexture?: NormalTexture } {
-    const texture = this.texture(material.getNormalTexture(), material.getNormalTextureInfo(), true, 'linear');
-    const strength = clampNormalStrength(material.getNormalScale());
-    return texture ? { normalTexture: { texture, strength: [strength, strength] } } : {};
+    const normalTexture = this.reader.normal(
+      material.getNormalTexture(),
+      material.getNormalTextureInfo(),
+      material.getNormalScale(),
+    );
+    return normalTexture ? { normalTexture } : {};
   }
 
   /** Ambient occlusion, 1 + strength · (red − 1). */
@@ -188,6 +226,9 @@ export class GltfMaterialLibrary {
   }
 }
 
+/** It reflects nothing, not even at grazing angles. */
+const UNLIT = { ior: 1, unlit: true } as const;
+
 type MetallicRoughness = Pick<Material, 'roughness' | 'roughnessTexture' | 'metallic' | 'metallicTexture'>;
 
 const NEAREST = 9728;
@@ -231,12 +272,26 @@ export function uvSourceOf(context: GltfContext, material: GltfMaterial | null):
 function uvSources(m: GltfMaterial): { readonly what: Message; readonly source: GltfUvSource }[] {
   const source = (what: Message, texture: GltfTexture | null, info: TextureInfo | null) =>
     texture ? [{ what, source: uvSource(info) }] : [];
+  const glossy = m.getExtension<PBRSpecularGlossiness>('KHR_materials_pbrSpecularGlossiness');
+  const own = glossy
+    ? [
+        ...source(msg`diffuse texture`, glossy.getDiffuseTexture(), glossy.getDiffuseTextureInfo()),
+        ...source(
+          msg`specular-glossiness texture`,
+          glossy.getSpecularGlossinessTexture(),
+          glossy.getSpecularGlossinessTextureInfo(),
+        ),
+      ]
+    : source(msg`base colour texture`, m.getBaseColorTexture(), m.getBaseColorTextureInfo());
   return [
-    ...source(msg`base colour texture`, m.getBaseColorTexture(), m.getBaseColorTextureInfo()),
+    ...own,
     ...source(msg`emissive texture`, m.getEmissiveTexture(), m.getEmissiveTextureInfo()),
     ...source(msg`normal texture`, m.getNormalTexture(), m.getNormalTextureInfo()),
-    ...source(msg`metallic-roughness texture`, m.getMetallicRoughnessTexture(), m.getMetallicRoughnessTextureInfo()),
+    ...(glossy
+      ? []
+      : source(msg`metallic-roughness texture`, m.getMetallicRoughnessTexture(), m.getMetallicRoughnessTextureInfo())),
     ...source(msg`occlusion texture`, m.getOcclusionTexture(), m.getOcclusionTextureInfo()),
+    ...layerTextures(m).flatMap(([what, texture, info]) => source(what, texture, info)),
   ];
 }
 

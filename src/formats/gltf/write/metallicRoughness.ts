@@ -34,3 +34,14 @@ export function occlusionTextureOf(from: TextureChannel): { readonly texture: Te
 
 const isPlain = ({ texture, channel, scale, bias }: TextureChannel, wanted: number): boolean =>
   texture.colorSpace === 'linear' && channel === wanted && bias === 0 && scale >= 0 && scale <= 1;
+
+/** A texture with the numbers in channel `wanted`, and the factor to them. */
+export function inChannel(
+  from: TextureChannel,
+  wanted: number,
+): { readonly texture: Texture; readonly factor: number } {
+  if (isPlain(from, wanted)) return { texture: from.texture, factor: from.scale };
+  const data = new Uint8Array(from.texture.data.length).fill(255);
+  writeChannel(data, from.texture, wanted, from);
+  return { texture: { ...from.texture, data, colorSpace: 'linear' }, factor: 1 };
+}

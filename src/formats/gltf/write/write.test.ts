@@ -255,6 +255,30 @@ describe('a scene written as glTF', () => {
       expect(diagnostics).toEqual([]);
       return (await readGltf(source, 'a.glb')).materials[0];
     };
+    const layered = makeMaterial({
+      name: 'Varnished',
+      specular: {
+        factor: 0.5,
+        color: [3, 1, 0.5],
+        colorTexture: { ...map, colorSpace: 'srgb', data: map.data.slice() },
+      },
+      clearcoat: {
+        factor: 0.25 * (160 / 255),
+        factorTexture: channel(0, 0.25, 0),
+        roughness: 0.125,
+        normalTexture: { texture: { ...map, data: map.data.slice() }, strength: [0.5, 0.5] },
+      },
+    });
+    expect(await reread(layered)).toMatchObject({
+      specular: { factor: 0.5, color: [3, 1, 0.5], colorTexture: { data: map.data, colorSpace: 'srgb' } },
+      clearcoat: {
+        factorTexture: { texture: { data: map.data }, channel: 0, scale: 0.25 },
+        roughness: 0.125,
+        normalTexture: { texture: { data: map.data }, strength: [0.5, 0.5] },
+      },
+    });
+    const unlit = { emissive: [0.5, 0.25, 1], baseColor: [0, 0, 0], ior: 1, unlit: true } as const;
+    expect(await reread(makeMaterial({ name: 'Sign', ...unlit }))).toMatchObject(unlit);
     expect(await reread(material)).toMatchObject({
       uv: 0.125,
       emissionTemperature: 2400,

@@ -1,5 +1,12 @@
 import { Document, type Node as GltfNode, WebIO } from '@gltf-transform/core';
-import { KHRLightsPunctual, KHRMaterialsEmissiveStrength, KHRMaterialsIOR } from '@gltf-transform/extensions';
+import {
+  KHRLightsPunctual,
+  KHRMaterialsClearcoat,
+  KHRMaterialsEmissiveStrength,
+  KHRMaterialsIOR,
+  KHRMaterialsSpecular,
+  KHRMaterialsUnlit,
+} from '@gltf-transform/extensions';
 import { scale } from '../../../math/vec3.ts';
 import { msg } from '../../../messages/message.ts';
 import { poseSamples } from '../../../scene/motion/motion.ts';
@@ -19,6 +26,15 @@ import { punctualLight } from './lights.ts';
 import { AnimationWriter } from './writeAnimation.ts';
 import { MeshWriter } from './writeMeshes.ts';
 
+const EXTENSIONS = [
+  KHRLightsPunctual,
+  KHRMaterialsClearcoat,
+  KHRMaterialsEmissiveStrength,
+  KHRMaterialsIOR,
+  KHRMaterialsSpecular,
+  KHRMaterialsUnlit,
+];
+
 /**
  * A scene as glTF 2.0, in metres with Y up. Rigid samples become animated translations and rotations, deforming points
  * morph targets; all numbers are f32. `name`: of the file, with the extension `glb` (one file) or `gltf`.
@@ -26,7 +42,7 @@ import { MeshWriter } from './writeMeshes.ts';
 export async function writeGltf(scene: Scene, name: string): Promise<ExportedScene> {
   const losses = new DiagnosticLog(name);
   const document = new GltfWriter(scene, losses).write();
-  const io = new WebIO().registerExtensions([KHRLightsPunctual, KHRMaterialsEmissiveStrength, KHRMaterialsIOR]);
+  const io = new WebIO().registerExtensions(EXTENSIONS);
   if (/\.glb$/i.test(name))
     return { files: new Map([[name, await io.writeBinary(document)]]), diagnostics: losses.list() };
   const basename = name.replace(/\.[^.]*$/, '');

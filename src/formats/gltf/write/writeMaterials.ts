@@ -1,13 +1,14 @@
 import type { Document, Material as GltfMaterial, Texture as GltfTexture, TextureInfo } from '@gltf-transform/core';
-import { KHRMaterialsEmissiveStrength, KHRMaterialsIOR } from '@gltf-transform/extensions';
-import { scale, type Vec3 } from '../../../math/vec3.ts';
+import { KHRMaterialsEmissiveStrength, KHRMaterialsIOR, KHRMaterialsUnlit } from '@gltf-transform/extensions';
+import { scale, type Vec3, ZERO } from '../../../math/vec3.ts';
 import { msg } from '../../../messages/message.ts';
 import type { Material, Scene, Texture, TextureChannel } from '../../../scene/types.ts';
 import { INVISIBLE_BANDS, SPECTRAL_ATTRIBUTES } from '../../attributes/hints.ts';
 import type { DiagnosticLog } from '../../diagnostics/diagnosticLog.ts';
 import { redTexture } from '../../image/channelTexture.ts';
 import { encodeTexture } from '../../image/encodeTexture.ts';
-import { metallicRoughnessTexture, occlusionTextureOf } from './metallicRoughness.ts';
+import { addLayers, type TextureOutputs } from './materialLayers.ts';
+import { inChannel, metallicRoughnessTexture, occlusionTextureOf } from './metallicRoughness.ts';
 
 const WRAPS = { repeat: 10497, clamp: 33071, mirror: 33648, black: 33071 } as const;
 const FILTERS = { nearest: { mag: 9728, min: 9728 }, linear: { mag: 9729, min: 9987 } } as const;
@@ -19,6 +20,18 @@ export class GltfMaterialWriter {
   private readonly losses: DiagnosticLog;
   private readonly made = new Map<string, GltfMaterial>();
   private readonly pictures = new Map<Uint8Array, GltfTexture>();
+
+  private readonly writer: TextureOutputs = {
+    color: (texture, set) => {
+      if (texture) sampled(set(this.picture(texture)), texture);
+    },
+    number: (from, channel, set) => {
+      if (!from) return undefined;
+      const { texture, factor } = inChannel(from, channel);
+      sampled(set(this.picture(texture, 'numbers')), texture);
+      return factor;
+    },
+  };
 
   constructor(document: Document, scene: Scene, losses: DiagnosticLog) {
     this.document = document;
@@ -34,6 +47,23 @@ export class GltfMaterialWriter {
   }
 
   private make(m: Material): GltfMaterial {
+    return m.unlit ? this.makeUnlit(m) : this.makeLit(m);
+  }
+
+  /** Its emission is the base colour of glTF. */
+  private makeUnlit(m: Material): GltfMaterial {
+    const { emissiveTexture, unlit: _, ior: __, ...rest } = m;
+    const { baseColorTexture: ___, ...plain } = rest;
+    const made = this.makeLit({
+      ...plain,
+      baseColor: m.emissive,
+      emissive: ZERO,
+      ...(emissiveTexture && { baseColorTexture: emissiveTexture }),
+    });
+    return made.setExtension('KHR_materials_unlit', this.document.createExtension(KHRMaterialsUnlit).createUnlit());
+  }
+
+  private makeLit(m: Material): GltfMaterial {
     const baseColor = this.clamped(m.baseColor, m.name);
     const made = this.document
       .createMaterial(m.name)
@@ -64,6 +94,7 @@ export class GltfMaterialWriter {
     this.addNormalTexture(made, m);
     this.addMetallicRoughness(made, m);
     this.addOcclusion(made, m);
+    addLayers(this.document, made, m, this.writer);
     const numbers = SPECTRAL_ATTRIBUTES.map(({ of, name }) => [name, m[of]] as const);
     const pictures = INVISIBLE_BANDS.map(
       ({ texture, name }) => [name, m[texture] && this.imageOf(m[texture])] as const,

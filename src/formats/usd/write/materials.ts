@@ -9,9 +9,10 @@ import { encodeTexture } from '../../image/encodeTexture.ts';
 import { encodeRadiance } from '../../image/radiance.ts';
 import type { AttributeSpec, Value } from '../layer/layer.ts';
 import { pictureOf, spectrumOf } from './lights/lights.ts';
+import { isSpecularWorkflow } from './losses.ts';
 import type { PrimTree } from './primTree.ts';
 import { attribute, connected, custom, type PrimContent, type Properties, uniform } from './specs.ts';
-import { asset, double, float, string, token, tuple } from './values.ts';
+import { asset, double, float, int, string, token, tuple } from './values.ts';
 
 const texturesOf = (m: Material): readonly Texture[] =>
   [
@@ -23,6 +24,9 @@ const texturesOf = (m: Material): readonly Texture[] =>
     m.occlusionTexture?.texture,
     m.uvTexture?.texture,
     m.irTexture?.texture,
+    m.clearcoat?.factorTexture?.texture,
+    m.clearcoat?.roughnessTexture?.texture,
+    isSpecularWorkflow(m) ? m.specular?.colorTexture : undefined,
   ].filter((texture) => texture !== undefined);
 
 /** The scene's textures and spectra, and the files they are written to: one for each picture, `textures/NAME.png`, `.exr` of radiance, `spectra/spectrum.csv`. */
@@ -147,6 +151,9 @@ export class MaterialWriter {
   private network(path: string, m: Material, byColors: boolean): ShaderNetwork {
     const { baseColorTexture: base, emissiveTexture: emissive, normalTexture: normal } = m;
     const { roughnessTexture: roughness, metallicTexture: metallic, occlusionTexture: occlusion } = m;
+    const { clearcoat: coat } = m;
+    const tint = isSpecularWorkflow(m) ? specularColor(m) : undefined;
+    const { factorTexture: factor, roughnessTexture: coatRoughness } = coat ?? {};
     const cutOut = base?.data.some((x, i) => i % 4 === 3 && x < 255);
     const network = new ShaderNetwork(path, this.tree);
     const from = (shader: string, output: string): string => network.output(shader, output);
@@ -154,6 +161,17 @@ export class MaterialWriter {
     const rgb = (x: Vec3): Value => tuple('float3', x);
     network.add('Surface', [
       uniform('token', 'info:id', token('UsdPreviewSurface')),
+      ...(coat
+        ? [
+            input('float', 'clearcoat', factor && from('Clearcoat', 'rgba'[factor.channel]), float(coat.factor)),
+            input(
+              'float',
+              'clearcoatRoughness',
+              coatRoughness && from('ClearcoatRoughness', 'rgba'[coatRoughness.channel]),
+              float(coat.roughness),
+            ),
+          ]
+        : []),
       input('color3f', 'diffuseColor', diffuse, rgb(m.baseColor)),
       input('color3f', 'emissiveColor', emissive && from('Emissive', 'rgb'), rgb(m.emissive)),
       ...(m.ior === undefined ? [] : [attribute('float', 'inputs:ior', float(m.ior))]),
@@ -163,9 +181,18 @@ export class MaterialWriter {
       input('float', 'opacity', cutOut ? from('BaseColor', 'a') : undefined, float(m.opacity)),
       attribute('float', 'inputs:opacityThreshold', float(m.opacityThreshold)),
       input('float', 'roughness', roughness && from('Roughness', 'rgba'[roughness.channel]), float(m.roughness)),
+      ...(tint
+        ? [
+            input('color3f', 'specularColor', tint.texture && from('Specular', 'rgb'), rgb(tint.color)),
+            attribute('int', 'inputs:useSpecularWorkflow', int(1)),
+          ]
+        : []),
       attribute('token', 'outputs:surface'),
     ]);
+    if (tint?.texture) this.texture(network, 'Specular', tint.texture, [...tint.color, 1]);
     const [x, y] = normal?.strength ?? [1, 1];
+    if (factor) this.channel(network, 'Clearcoat', factor);
+    if (coatRoughness) this.channel(network, 'ClearcoatRoughness', coatRoughness);
     if (base) this.texture(network, 'BaseColor', base, [...m.baseColor, m.opacity]);
     if (emissive) this.texture(network, 'Emissive', emissive, [...m.emissive, 1]);
     if (normal) this.texture(network, 'Normal', normal.texture, [2 * x, 2 * y, 2, 1], [-x, -y, -1, 0]);
@@ -205,6 +232,14 @@ export class MaterialWriter {
       custom('token', 'slowlight:filter', token(texture.filter)),
     ]);
   }
+}
+
+/** F₀ of a dielectric, its colour in the specular workflow. */
+function specularColor({ specular, ior = 1.5 }: Material): { readonly color: Vec3; readonly texture?: Texture } {
+  const F0 = ((ior - 1) / (ior + 1)) ** 2;
+  const { factor, color, colorTexture } = specular!;
+  const [r, g, b] = color.map((x) => Math.min(F0 * x, 1) * factor);
+  return { color: [r, g, b], ...(colorTexture && { texture: colorTexture }) };
 }
 
 /** The shaders of one material, by the names of their prims. */

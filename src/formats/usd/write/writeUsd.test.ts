@@ -98,6 +98,7 @@ const scene: Scene = {
       opacity: 1,
       opacityThreshold: 0,
       ior: 1.75,
+      clearcoat: { factor: 0.5, roughness: 0.25 },
     },
     {
       name: '/Looks/White',

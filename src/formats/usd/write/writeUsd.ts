@@ -5,6 +5,8 @@ import { TextureFiles } from './materials.ts';
 import { packUsdz } from './packUsdz.ts';
 import { sceneLayer } from './sceneLayer.ts';
 
+export { usdLosses } from './losses.ts';
+
 /** A scene as USD text. `writeTextures` gives the files that it names. */
 export const writeUsda = (scene: Scene): string => layerText(sceneLayer(scene, scene.name));
 

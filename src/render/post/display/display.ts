@@ -1,9 +1,11 @@
-import { Fn, float, max, mix, mrt, pow, select, step, vec3, vec4 } from 'three/tsl';
+import { abs, Fn, float, log, max, mix, mrt, pow, select, step, vec3, vec4 } from 'three/tsl';
 import type { Node, Texture, TextureNode } from 'three/webgpu';
 import type { RenderSettings } from '../../../scene/view/view.ts';
 import { toneMaps } from '../../../shaders/color/toneMap.ts';
-import type { Vec3, Vec4 } from '../../../shaders/types.ts';
+import type { Float, Vec3, Vec4 } from '../../../shaders/types.ts';
+import { UNLIT_RANGE } from '../../../spectrum/display/toneMap.ts';
 import type { GBuffer } from '../../gbuffer/gbuffer.ts';
+import { unpackSpecular } from '../../gbuffer/surfacePacking.ts';
 import type { FrameUniforms } from '../../gpu/frameUniforms.ts';
 import { pixelDirection, texelHere } from '../../gpu/fullScreenPass.ts';
 import { interleavedGradientNoise } from '../../gpu/gradientNoise.ts';
@@ -16,14 +18,35 @@ import { gridOver } from './grid.ts';
 export type DisplaySettings = Pick<RenderSettings, 'tone' | 'grid'> & {
   /** Whether there are points of light in the sky, which are no edges to be smoothed. */
   readonly hasStars: boolean;
+  /** Whether there are surfaces that emit their own colour, which are shown without the tone curve while they are seen unshifted. */
+  readonly hasUnlit: boolean;
 };
 
 /** Tone-maps linear light to 0 … 1, and draws the grid over it if enabled. */
-function toneMapped(hdr: Vec3, buffer: GBuffer, uniforms: FrameUniforms, { tone, grid }: DisplaySettings): Vec3 {
+function toneMapped(
+  hdr: Vec3,
+  buffer: GBuffer,
+  uniforms: FrameUniforms,
+  { tone, grid, hasUnlit }: DisplaySettings,
+): Vec3 {
   const picture = toneMaps[tone](hdr, uniforms.exposure).toVar();
+  if (hasUnlit && tone !== 'linear')
+    picture.assign(mix(picture, toneMaps.linear(hdr, uniforms.exposure), unlitShareHere(buffer, uniforms)));
   if (!grid) return picture;
   const lines = gridOver(pixelDirection(uniforms), depthHere(buffer), uniforms).toVar();
   return mix(picture, lines.xyz, lines.w).toVar();
+}
+
+/** `unlitShare` of what is seen here: 0 but on surfaces that reflect nothing and do not glow by their temperature. */
+function unlitShareHere(buffer: GBuffer, { dopplerMix, beaming }: FrameUniforms): Float {
+  const [base, emissive, object, motion] = (['base', 'emissive', 'object', 'motion'] as const).map((name) =>
+    texelHere(buffer.texture(name)).toVar(),
+  );
+  const { metallic, F0 } = unpackSpecular(emissive.w);
+  const reflected = base.x.add(base.y).add(base.z).add(metallic).add(F0);
+  const isUnlit = reflected.lessThanEqual(0).and(emissive.z.greaterThanEqual(0)).and(object.x.greaterThan(0.5));
+  const shift = abs(log(max(motion.w, 1e-20))).mul(max(dopplerMix, beaming));
+  return select(isUnlit, max(shift.div(UNLIT_RANGE).oneMinus(), 0), 0);
 }
 
 /** A single sample: encoded in 8 bits, because FXAA needs perceived contrast; alpha is 0 where pixels are already smooth. */

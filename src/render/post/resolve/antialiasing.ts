@@ -197,7 +197,8 @@ export class Antialiasing {
   }
 }
 
-const keyOf = ({ tone, grid, hasStars }: DisplaySettings): string => `${tone} ${grid} ${hasStars}`;
+const keyOf = ({ tone, grid, hasStars, hasUnlit }: DisplaySettings): string =>
+  `${tone} ${grid} ${hasStars} ${hasUnlit}`;
 
 function filteredTarget(): RenderTarget {
   const target = dataTarget(1, UnsignedByteType);

@@ -259,16 +259,27 @@ describe('a specular workflow', () => {
       `color3f inputs:specularColor = ${specular}`,
     );
 
-  it('becomes metal for high specular reflectance, and a dielectric for low', async () => {
+  it('is a metal that scatters nothing, a refractive index of a grey one, and a tinted reflection of others', async () => {
     const gold = await read(shaders('(0, 0, 0)', '(1, 0.8, 0.3)'));
     expect(gold.material).toMatchObject({ metallic: 1, baseColor: about([1, 0.8, 0.3]) });
-    expect(gold.said).toEqual(['usd.material-input: its specular workflow is drawn as metal and glass']);
+    expect(gold.said).toEqual([]);
     expect((await read(shaders('(0.5, 0, 0)', '(0.04, 0.04, 0.04)'))).material).toMatchObject({
       metallic: 0,
       ior: expect.closeTo(1.5, 5),
       baseColor: [0.5, 0, 0],
     });
+    // F₀ = 0.04 times the tint, at the refractive index 1.5.
+    expect((await read(shaders('(0.5, 0, 0)', '(0.2, 0.4, 1)'))).material).toMatchObject({
+      metallic: 0,
+      baseColor: [0.5, 0, 0],
+      specular: { factor: 1, color: about([5, 10, 25]) },
+    });
   });
+});
+
+it('a varnish is read with its roughness, 0.01 by default', async () => {
+  const { material } = await read(surface('float inputs:clearcoat = 0.5'));
+  expect(material.clearcoat).toEqual({ factor: 0.5, roughness: 0.01 });
 });
 
 describe('materials of other renderers', () => {
@@ -326,14 +337,10 @@ describe('materials of other renderers', () => {
 
 it('unsupported and animated inputs are reported', async () => {
   const { said } = await read(
-    surface(
-      'float inputs:clearcoat = 1',
-      'float inputs:displacement = 1',
-      'float inputs:roughness.timeSamples = { 0: 0, 1: 1 }',
-    ) + texture(),
+    surface('float inputs:displacement = 1', 'float inputs:roughness.timeSamples = { 0: 0, 1: 1 }') + texture(),
   );
   expect(said).toEqual([
-    'usd.material-input: displacement, clearcoat of this material is not drawn',
+    'usd.material-input: displacement of this material is not drawn',
     'usd.animated-material: it changes with time; it is held at the start',
   ]);
 });

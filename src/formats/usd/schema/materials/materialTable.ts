@@ -10,8 +10,8 @@ import type { StageContext } from '../context.ts';
 import { reflectanceOfFile } from '../spectrumFiles.ts';
 import { foreignMaterial, shaderName, surfaceShaders } from './foreignShaders.ts';
 import { isAnimated, type ResolvedInput, resolveInput, shaderId } from './shaderInputs.ts';
-import { metallicFromSpecular } from './specularWorkflow.ts';
-import { meanColor, type TextureLoader, textureOf } from './textureLoader.ts';
+import { fromSpecularWorkflow } from './specularWorkflow.ts';
+import { type TextureLoader, textureOf } from './textureLoader.ts';
 import { type ColorInputValue, type ColorPrimvar, type ScalarInputValue, TextureReader } from './textureReader.ts';
 import { isSameUv, type UvSource, withTiles } from './uvs.ts';
 
@@ -40,7 +40,9 @@ export const withDisplayColor = (material: BoundMaterial, { varies }: DisplayCol
   varies ? { ...material, colors: { name: 'displayColor', fallback: WHITE } } : material;
 
 /** Unsupported inputs of UsdPreviewSurface. */
-const UNSUPPORTED_INPUTS = ['displacement', 'clearcoat'];
+const UNSUPPORTED_INPUTS = ['displacement'];
+/** Of UsdPreviewSurface. */
+const DEFAULT_COAT_ROUGHNESS = 0.01;
 
 /** UsdPreviewSurface and its MaterialX node; both have the same inputs. */
 const PREVIEW_SURFACE_IDS = new Set(['UsdPreviewSurface', 'ND_UsdPreviewSurface_surfaceshader']);
@@ -165,11 +167,22 @@ export class MaterialTable {
     const metallic = await this.inputs.scalar(input('metallic'), DEFAULTS.metallic);
     const occlusion = await this.inputs.scalar(input('occlusion'), 1);
     const { uvs: unseenUvs, ...unseen } = await this.invisibleLight(prim);
-    const finish = await this.finish(input, diffuse, metallic);
+    const { clearcoat, uvs: coatUvs } = await this.clearcoat(input);
+    const isSpecular = numberOf(input('useSpecularWorkflow').value) === 1;
+    const specular = isSpecular ? await this.inputs.color(input('specularColor'), BLACK) : undefined;
+    const ior = numberOf(input('ior').value);
     const material: Material = {
       name: path,
-      ...finish,
-      ...(diffuse.texture && { baseColorTexture: diffuse.texture }),
+      ...(specular
+        ? fromSpecularWorkflow(diffuse, specular)
+        : {
+            baseColor: diffuse.color,
+            ...(diffuse.texture && { baseColorTexture: diffuse.texture }),
+            metallic: metallic.value,
+            ...(metallic.texture && { metallicTexture: metallic.texture }),
+            ...(ior !== undefined && { ior }),
+          }),
+      ...(clearcoat && { clearcoat }),
       emissive: emissive.color,
       ...(emissive.texture && { emissiveTexture: emissive.texture }),
       roughness: roughness.value,
@@ -183,7 +196,7 @@ export class MaterialTable {
       ...unseen,
     };
     this.reportUnsupportedInputs(path, shader, input);
-    const ofNumbers = [roughness.uv, metallic.uv, occlusion.uv, ...unseenUvs];
+    const ofNumbers = [roughness.uv, metallic.uv, occlusion.uv, ...unseenUvs, ...coatUvs, specular?.uv];
     const uv = this.commonUv(path, [diffuse.uv, emissive.uv, opacity.uv, normals?.uv, ...ofNumbers]);
     return this.added(material, { ...(uv && { uv }), ...(diffuse.primvar && { colors: diffuse.primvar }) });
   }
@@ -233,26 +246,22 @@ export class MaterialTable {
     return { index: this.materials.push(material) - 1, ...wants };
   }
 
-  /** Base colour, metallic and ior; converted if the specular workflow is used. */
-  private async finish(
-    input: (name: string) => ResolvedInput,
-    { color, texture }: ColorInputValue,
-    metallic: ScalarInputValue,
-  ): Promise<Pick<Material, 'baseColor' | 'metallic' | 'metallicTexture' | 'ior'>> {
-    const ior = numberOf(input('ior').value);
-    if (numberOf(input('useSpecularWorkflow').value) !== 1)
-      return {
-        baseColor: color,
-        metallic: metallic.value,
-        ...(metallic.texture && { metallicTexture: metallic.texture }),
-        ...(ior !== undefined && { ior }),
-      };
-    const specular = await this.inputs.color(input('specularColor'), BLACK);
-    return metallicFromSpecular(
-      color,
-      specular.texture ? meanColor(specular.texture) : specular.color,
-      texture !== undefined,
-    );
+  private async clearcoat(input: (name: string) => ResolvedInput): Promise<{
+    readonly clearcoat?: NonNullable<Material['clearcoat']>;
+    readonly uvs: readonly ScalarInputValue['uv'][];
+  }> {
+    const factor = await this.inputs.scalar(input('clearcoat'), 0);
+    if (factor.value <= 0 && !factor.texture) return { uvs: [] };
+    const roughness = await this.inputs.scalar(input('clearcoatRoughness'), DEFAULT_COAT_ROUGHNESS);
+    return {
+      clearcoat: {
+        factor: factor.value,
+        ...(factor.texture && { factorTexture: factor.texture }),
+        roughness: roughness.value,
+        ...(roughness.texture && { roughnessTexture: roughness.texture }),
+      },
+      uvs: [factor.uv, roughness.uv],
+    };
   }
 
   /** The uvs of the first texture: a mesh has only one set. */
@@ -273,14 +282,8 @@ export class MaterialTable {
     const isWritten = (name: string): boolean =>
       input(name).shader !== undefined || (numberOf(input(name).value) ?? 0) > 0;
     const left = UNSUPPORTED_INPUTS.filter(isWritten);
-    const notes = [
-      ...(left.length > 0 ? [msg`${listed(left)} of this material is not drawn`] : []),
-      ...(isWritten('useSpecularWorkflow') ? [msg`its specular workflow is drawn as metal and glass`] : []),
-    ];
-    if (notes.length > 0) {
-      const message = notes.reduce((before, note) => msg`${before}; ${note}`);
-      report(this.context, 'info', 'usd.material-input', path, message);
-    }
+    if (left.length > 0)
+      report(this.context, 'info', 'usd.material-input', path, msg`${listed(left)} of this material is not drawn`);
     if (isAnimated(shader))
       report(
         this.context,

@@ -1,25 +1,31 @@
-import { lerp, type Vec3 } from '../../../../math/vec3.ts';
+import { scale } from '../../../../math/vec3.ts';
 import type { Material } from '../../../../scene/types.ts';
+import type { ColorInputValue } from './textureReader.ts';
 
-/** Normal reflectance of a dielectric with n = 1.5. */
+/** F₀ of a refractive index of 1.5. */
 const DIELECTRIC_F0 = 0.04;
-/** Upper bound for dielectrics: diamond has 0.17. */
+/** F₀ up to which a grey reflection is that of a refractive index: n = 3. */
 const MAX_DIELECTRIC_F0 = 0.25;
 
 /**
- * Converts the specular workflow to metalness: reflectances above those of dielectrics are the more metallic the
- * darker the diffuse colour is; others determine the index of refraction by F₀ = ((n − 1)/(n + 1))².
+ * The specular workflow, whose colour is F₀, with F₉₀ = 1: exactly a metal where nothing is scattered, exactly a refractive index where F₀ is grey and low, else
+ * a dielectric with a tinted reflection.
  */
-export function metallicFromSpecular(
-  diffuse: Vec3,
-  specular: Vec3,
-  textured: boolean,
-): Pick<Material, 'baseColor' | 'metallic' | 'ior'> {
-  const most = Math.max(...specular);
-  if (most <= MAX_DIELECTRIC_F0 || textured) {
-    const root = Math.sqrt(Math.min(Math.max((specular[0] + specular[1] + specular[2]) / 3, 0), MAX_DIELECTRIC_F0));
-    return { baseColor: diffuse, metallic: 0, ior: (1 + root) / (1 - root) };
-  }
-  const metallic = (most - DIELECTRIC_F0) / (most - DIELECTRIC_F0 + Math.max(...diffuse, 0));
-  return { baseColor: lerp(diffuse, specular, metallic), metallic };
+export function fromSpecularWorkflow(
+  diffuse: ColorInputValue,
+  { color, texture }: ColorInputValue,
+): Pick<Material, 'baseColor' | 'baseColorTexture' | 'metallic' | 'ior' | 'specular'> {
+  if (!diffuse.texture && !diffuse.primvar && Math.max(...diffuse.color) === 0)
+    return { baseColor: color, ...(texture && { baseColorTexture: texture }), metallic: 1 };
+  const own = {
+    baseColor: diffuse.color,
+    ...(diffuse.texture && { baseColorTexture: diffuse.texture }),
+    metallic: 0,
+  };
+  const [r, g, b] = color;
+  const root = Math.sqrt(r);
+  if (!texture && r === g && g === b && r > 0 && r <= MAX_DIELECTRIC_F0)
+    return { ...own, ior: (1 + root) / (1 - root) };
+  const specular = { factor: 1, color: scale(color, 1 / DIELECTRIC_F0), ...(texture && { colorTexture: texture }) };
+  return { ...own, specular };
 }

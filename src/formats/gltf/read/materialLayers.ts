@@ -1,0 +1,96 @@
+import type { Material as GltfMaterial, Texture as GltfTexture, TextureInfo } from '@gltf-transform/core';
+import type { Clearcoat, Specular } from '@gltf-transform/extensions';
+import type { Vec3 } from '../../../math/vec3.ts';
+import { type Message, msg } from '../../../messages/message.ts';
+import type { Material, NormalTexture, Texture, TextureChannel } from '../../../scene/types.ts';
+import { channelMean } from '../../image/imageChannels.ts';
+
+type Image = GltfTexture | null;
+type Info = TextureInfo | null;
+
+/** How textures of a material are read. */
+export interface TextureInputs {
+  color(image: Image, info: Info): Texture | undefined;
+  number(image: Image, info: Info, channel: TextureChannel['channel'], scale: number): TextureChannel | undefined;
+  normal(image: Image, info: Info, scale: number): NormalTexture | undefined;
+}
+
+/** What extensions add to a material (scene/materials/layers.ts). */
+export const layersOf = (material: GltfMaterial, textures: TextureInputs): Partial<Material> => ({
+  ...specularOf(material.getExtension<Specular>('KHR_materials_specular'), textures),
+  ...clearcoatOf(material.getExtension<Clearcoat>('KHR_materials_clearcoat'), textures),
+});
+
+/** A factor, and its texture: the factor is then the mean. */
+function textured(factor: number, texture: TextureChannel | undefined): readonly [number, TextureChannel | undefined] {
+  return [texture ? factor * channelMean(texture.texture, texture.channel) : factor, texture];
+}
+
+function specularOf(from: Specular | null, { color, number }: TextureInputs): Partial<Material> {
+  if (!from) return {};
+  const given = clamped(from.getSpecularFactor());
+  const [factor, factorTexture] = textured(
+    given,
+    number(from.getSpecularTexture(), from.getSpecularTextureInfo(), 3, given),
+  );
+  const colorTexture = color(from.getSpecularColorTexture(), from.getSpecularColorTextureInfo());
+  const [r, g, b] = from.getSpecularColorFactor().map((x) => Math.max(x, 0));
+  const tint: Vec3 = [r, g, b];
+  return {
+    specular: { factor, ...(factorTexture && { factorTexture }), color: tint, ...(colorTexture && { colorTexture }) },
+  };
+}
+
+function clearcoatOf(from: Clearcoat | null, { number, normal }: TextureInputs): Partial<Material> {
+  if (!from || from.getClearcoatFactor() === 0) return {};
+  const [given, rough] = [clamped(from.getClearcoatFactor()), clamped(from.getClearcoatRoughnessFactor())];
+  const [factor, factorTexture] = textured(
+    given,
+    number(from.getClearcoatTexture(), from.getClearcoatTextureInfo(), 0, given),
+  );
+  const [roughness, roughnessTexture] = textured(
+    rough,
+    number(from.getClearcoatRoughnessTexture(), from.getClearcoatRoughnessTextureInfo(), 1, rough),
+  );
+  const normalTexture = normal(
+    from.getClearcoatNormalTexture(),
+    from.getClearcoatNormalTextureInfo(),
+    from.getClearcoatNormalScale(),
+  );
+  return {
+    clearcoat: {
+      factor,
+      ...(factorTexture && { factorTexture }),
+      roughness,
+      ...(roughnessTexture && { roughnessTexture }),
+      ...(normalTexture && { normalTexture }),
+    },
+  };
+}
+
+const clamped = (x: number): number => Math.min(Math.max(x, 0), 1);
+
+/** Textures of extensions, as messages call them. */
+export function layerTextures(m: GltfMaterial): (readonly [Message, Image, Info])[] {
+  const specular = m.getExtension<Specular>('KHR_materials_specular');
+  const coat = m.getExtension<Clearcoat>('KHR_materials_clearcoat');
+  return [
+    ...(specular
+      ? ([
+          [msg`specular texture`, specular.getSpecularTexture(), specular.getSpecularTextureInfo()],
+          [msg`specular colour texture`, specular.getSpecularColorTexture(), specular.getSpecularColorTextureInfo()],
+        ] as const)
+      : []),
+    ...(coat
+      ? ([
+          [msg`clearcoat texture`, coat.getClearcoatTexture(), coat.getClearcoatTextureInfo()],
+          [
+            msg`clearcoat roughness texture`,
+            coat.getClearcoatRoughnessTexture(),
+            coat.getClearcoatRoughnessTextureInfo(),
+          ],
+          [msg`clearcoat normal texture`, coat.getClearcoatNormalTexture(), coat.getClearcoatNormalTextureInfo()],
+        ] as const)
+      : []),
+  ];
+}

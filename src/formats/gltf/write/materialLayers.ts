@@ -1,0 +1,61 @@
+import type { Document, Material as GltfMaterial, Texture as GltfTexture, TextureInfo } from '@gltf-transform/core';
+import { KHRMaterialsClearcoat, KHRMaterialsSpecular } from '@gltf-transform/extensions';
+import type { Material, Texture, TextureChannel } from '../../../scene/types.ts';
+
+/** Sets a texture, and returns how it is sampled. */
+type SetTexture = (picture: GltfTexture) => TextureInfo | null;
+
+/** How textures of a material are written. */
+export interface TextureOutputs {
+  color(texture: Texture | undefined, set: SetTexture): void;
+  /** The factor to the texture; undefined if there is none. */
+  number(from: TextureChannel | undefined, channel: number, set: SetTexture): number | undefined;
+}
+
+/** Writes what extensions add to a material (scene/materials/layers.ts). */
+export function addLayers(document: Document, made: GltfMaterial, m: Material, textures: TextureOutputs): void {
+  addSpecular(document, made, m, textures);
+  addClearcoat(document, made, m, textures);
+}
+
+function addSpecular(
+  document: Document,
+  made: GltfMaterial,
+  { specular: from }: Material,
+  textures: TextureOutputs,
+): void {
+  if (!from) return;
+  const specular = document.createExtension(KHRMaterialsSpecular).createSpecular();
+  const factor = textures.number(from.factorTexture, 3, (picture) =>
+    specular.setSpecularTexture(picture).getSpecularTextureInfo(),
+  );
+  textures.color(from.colorTexture, (picture) =>
+    specular.setSpecularColorTexture(picture).getSpecularColorTextureInfo(),
+  );
+  specular.setSpecularFactor(factor ?? from.factor).setSpecularColorFactor([...from.color]);
+  made.setExtension('KHR_materials_specular', specular);
+}
+
+function addClearcoat(
+  document: Document,
+  made: GltfMaterial,
+  { clearcoat: from }: Material,
+  textures: TextureOutputs,
+): void {
+  if (!from) return;
+  const coat = document.createExtension(KHRMaterialsClearcoat).createClearcoat();
+  const factor = textures.number(from.factorTexture, 0, (picture) =>
+    coat.setClearcoatTexture(picture).getClearcoatTextureInfo(),
+  );
+  const roughness = textures.number(from.roughnessTexture, 1, (picture) =>
+    coat.setClearcoatRoughnessTexture(picture).getClearcoatRoughnessTextureInfo(),
+  );
+  coat.setClearcoatFactor(factor ?? from.factor).setClearcoatRoughnessFactor(roughness ?? from.roughness);
+  const { normalTexture } = from;
+  if (normalTexture) {
+    const whole = { texture: normalTexture.texture, channel: 0, scale: 1, bias: 0 } as const;
+    textures.number(whole, 0, (picture) => coat.setClearcoatNormalTexture(picture).getClearcoatNormalTextureInfo());
+    coat.setClearcoatNormalScale(normalTexture.strength[0]);
+  }
+  made.setExtension('KHR_materials_clearcoat', coat);
+}

@@ -1,0 +1,119 @@
+import fc from 'fast-check';
+import { describe, expect, it } from 'vitest';
+import { dome, lit, look } from '../../../tests/support/lightKit.ts';
+import { uniform } from '../../../tests/support/physicsArbitraries.ts';
+import { add, dot, normalize, type Vec3 } from '../../math/vec3.ts';
+import { makeMaterial } from '../../scene/defaults.ts';
+import { plane } from '../../scene/mesh/primitives.ts';
+import type { Material } from '../../scene/types.ts';
+import { filterFromRgb } from '../../spectrum/reflectance/spectralFilter.ts';
+import { brdfOf, evaluateBrdf } from './brdf.ts';
+import type { SurfacePoint } from './surface.ts';
+
+const N: Vec3 = [0, 0, 1];
+const above = fc
+  .tuple(uniform(0.3, 0.99), uniform(0, 2 * Math.PI))
+  .map(([z, phi]): Vec3 => [Math.sqrt(1 - z * z) * Math.cos(phi), Math.sqrt(1 - z * z) * Math.sin(phi), z]);
+
+const point = (given: Partial<SurfacePoint>): SurfacePoint => ({
+  albedo: [0.5, 0.5, 0.5],
+  filter: filterFromRgb([0.5, 0.5, 0.5]),
+  opacity: 1,
+  emissive: [0, 0, 0],
+  roughness: 0.5,
+  metallic: 0,
+  occlusion: 1,
+  ior: 1.5,
+  normal: N,
+  uv: [0, 0],
+  ...given,
+});
+
+const red = (given: Partial<SurfacePoint>, V: Vec3, L: Vec3): number =>
+  evaluateBrdf(brdfOf(point(given), V), L)?.rgb[0] ?? 0;
+
+/** Trowbridge–Reitz, Smith's correlated visibility and Schlick's term, as the Khronos sample viewer has them (brdf.glsl). */
+function khronosGgx(a: number, V: Vec3, L: Vec3): { readonly DV: number; readonly grazing: number } {
+  const H = normalize(add(V, L));
+  const f = (H[2] * a * a - H[2]) * H[2] + 1;
+  const D = (a * a) / (Math.PI * f * f);
+  const [v, l] = [V[2], L[2]];
+  const smith = l * Math.sqrt(v * v * (1 - a * a) + a * a) + v * Math.sqrt(l * l * (1 - a * a) + a * a);
+  return { DV: (D * 0.5) / smith, grazing: (1 - dot(V, H)) ** 5 };
+}
+
+const mirrored = { bounces: 0, mirrors: true, glass: false };
+
+/** The light of a surface under a uniform sky of radiance 0.5, seen at an angle. */
+const inFurnace = (material: Partial<Material>, cosine: number, samples: number): number => {
+  const scene = lit(
+    [{ mesh: plane(400, 400), material: makeMaterial({ name: 'm', ...material }) }],
+    [dome([0.5, 0.5, 0.5])],
+  );
+  const toward: Vec3 = [Math.sqrt(1 - cosine ** 2), 0, -cosine];
+  return look(scene, { position: [0, 0, 2] }, toward, mirrored, samples)[0];
+};
+
+describe('a varnish', () => {
+  it('adds its own GGX lobe, and dims what is below by its Fresnel reflectance', () => {
+    fc.assert(
+      fc.property(above, above, uniform(0, 1), uniform(0.06, 0.2), (V, L, factor, roughness) => {
+        const bare = red({}, V, L);
+        const coated = red({ clearcoat: { factor, roughness, normal: N } }, V, L);
+        const { DV, grazing } = khronosGgx(roughness ** 2, V, L);
+        const glint = factor * (0.04 + 0.96 * grazing) * DV * L[2];
+        const fresnel = factor * (0.04 + 0.96 * (1 - V[2]) ** 5);
+        // A rough lobe reflects a little less than Fresnel's share of a smooth one at grazing angles, which the base keeps.
+        const tolerance = 0.003 * glint + 0.08 * fresnel * bare + 1e-6;
+        expect(Math.abs(coated - (bare * (1 - fresnel) + glint))).toBeLessThan(tolerance);
+      }),
+    );
+  });
+
+  it('keeps the energy of a lossless surface, however rough both are, as its angle changes', () => {
+    for (const [roughness, coat] of [
+      [0, 0],
+      [0.5, 0],
+      [0, 0.6],
+      [0.4, 0.4],
+    ])
+      for (const cosine of [0.9, 0.3]) {
+        const clearcoat = { factor: 1, roughness: coat };
+        const light = inFurnace({ baseColor: [1, 1, 1], metallic: 1, roughness, clearcoat }, cosine, 2048);
+        expect(Math.abs(light - 0.5)).toBeLessThan(0.012);
+      }
+  });
+
+  it('reflects in its own normal: 4 % of a lamp in the mirrored direction', () => {
+    const tilted = normalize([0.3, 0, 1]);
+    const V: Vec3 = [0, 0, 1];
+    const L = normalize([2 * tilted[0] * tilted[2], 0, 2 * tilted[2] ** 2 - 1]);
+    const peak = red({ clearcoat: { factor: 1, roughness: 0.1, normal: tilted } }, V, L) - red({}, V, L);
+    const off = red({ clearcoat: { factor: 1, roughness: 0.1, normal: N } }, V, L) - red({}, V, L);
+    // 0.04 D/(4 N·V), D = 1/(π a²).
+    expect(peak).toBeCloseTo(0.04 / (Math.PI * 1e-4) / (4 * tilted[2]), 1);
+    expect(Math.abs(off)).toBeLessThan(0.05);
+  });
+});
+
+describe('the strength and colour of reflection', () => {
+  it('are F₀ = min(0.04 colour, 1) factor and F₉₀ = factor', () => {
+    fc.assert(
+      fc.property(above, above, uniform(0, 1), uniform(0, 30), (V, L, factor, colour) => {
+        const given = { filter: filterFromRgb([0, 0, 0]), roughness: 0.1 };
+        const { DV, grazing } = khronosGgx(0.01, V, L);
+        const F0 = Math.min(0.04 * colour, 1) * factor;
+        const expected = (F0 + (factor - F0) * grazing) * DV * L[2];
+        const got = red({ ...given, specular: { factor, color: [colour, 1, 1] } }, V, L);
+        // Roughness 0.1 scatters a little of it between its microfacets, more than once.
+        expect(Math.abs(got - expected)).toBeLessThan(0.02 * expected + 1e-9);
+      }),
+    );
+  });
+
+  it('leave metals as they are', () => {
+    const [V, L] = [normalize([0.3, 0.1, 1]), normalize([-0.4, 0, 1])];
+    const metal = red({ metallic: 1 }, V, L);
+    expect(red({ metallic: 1, specular: { factor: 0, color: [0, 0, 0] } }, V, L)).toBeCloseTo(metal, 12);
+  });
+});

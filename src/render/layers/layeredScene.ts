@@ -1,0 +1,121 @@
+import { Discard, Fn, vec4 } from 'three/tsl';
+import { type DataTexture, Mesh, NoBlending, NodeMaterial, type Texture, Scene as ThreeScene } from 'three/webgpu';
+import { isStatic } from '../../scene/motion/motion.ts';
+import type { Material, Scene, Texture as ScenePicture } from '../../scene/types.ts';
+import type { ColorPipeline } from '../color/radiance.ts';
+import { type DrawCall, materialSide } from '../gbuffer/drawCall.ts';
+import type { GBuffer } from '../gbuffer/gbuffer.ts';
+import { frontNormal, readSurface, type SurfaceSources } from '../gbuffer/surface.ts';
+import { type SpacetimeProjection, vertexStage } from '../geometry/vertexStage.ts';
+import type { FloatTable } from '../gpu/floatTable.ts';
+import { texelHere } from '../gpu/fullScreenPass.ts';
+import { type LightRange, limitLight } from '../gpu/lightRange.ts';
+import type { Environment } from '../lights/environment.ts';
+import type { LightVisibility } from '../shadows/distant/parallelReceiver.ts';
+import { type SurfaceLayers, shadeLayered } from './layeredShading.ts';
+import { type LayerReader, MaterialLayerTable } from './materialLayerTable.ts';
+
+/** What layered materials are drawn with. */
+export interface LayeredPass {
+  /** Equal for passes that share their shaders. */
+  readonly key: string;
+  readonly projection: SpacetimeProjection;
+  readonly buffer: GBuffer;
+  readonly environment: Environment;
+  readonly pipeline: ColorPipeline;
+  readonly range: LightRange;
+  readonly shadows?: LightVisibility;
+  readonly openness?: Texture;
+}
+
+/** A draw call, and the mesh by which it is drawn over the light. */
+interface OverlayMesh {
+  readonly drawCall: DrawCall;
+  readonly mesh: Mesh;
+}
+
+/** Tolerance of the apparent distance at which a fragment is the one in the G-buffer. */
+const SAME_DISTANCE = 1 + 1e-4;
+
+/** Draws the surfaces of layered materials over the light of the G-buffer, which has only their base. */
+export class LayeredScene {
+  private readonly table: MaterialLayerTable;
+  private readonly scene = new ThreeScene();
+  private readonly overlays: OverlayMesh[] = [];
+  private readonly readers = new Map<Material, LayerReader>();
+
+  constructor({ materials }: Scene, table: FloatTable, upload: (texture: ScenePicture) => DataTexture) {
+    this.table = new MaterialLayerTable(materials, table, upload);
+  }
+
+  add(drawCall: DrawCall): void {
+    if (!drawCall.batch.layered || drawCall.batch.transparent) return;
+    const mesh = new Mesh(drawCall.mesh.geometry);
+    mesh.frustumCulled = false;
+    mesh.matrixAutoUpdate = false;
+    this.overlays.push({ drawCall, mesh });
+    this.scene.add(mesh);
+  }
+
+  /** `draw` draws over the light. */
+  drawSurfaces(pass: LayeredPass, draw: (scene: ThreeScene) => void): void {
+    for (const { drawCall, mesh } of this.overlays) {
+      mesh.visible = drawCall.mesh.visible;
+      mesh.geometry = drawCall.mesh.geometry;
+      const key = `layers ${pass.key}`;
+      const material = drawCall.materials.get(key) ?? this.overlayMaterial(drawCall, drawCall.batch.layered!, pass);
+      drawCall.materials.set(key, material);
+      mesh.material = material;
+    }
+    if (this.overlays.some(({ mesh }) => mesh.visible)) draw(this.scene);
+  }
+
+  private overlayMaterial(drawCall: DrawCall, like: Material, pass: LayeredPass): NodeMaterial {
+    const { uniforms } = drawCall.surface;
+    const { buffer, environment, pipeline, range, shadows, openness } = pass;
+    const material = new NodeMaterial();
+    material.name = `layers ${drawCall.batch.kind}`;
+    material.vertexNode = vertexStage(drawCall.vertex, pass.projection);
+    material.fragmentNode = Fn(() => {
+      const layers = readLayers(this.reader(like), drawCall.surface, like);
+      const surface = readSurface(drawCall.surface);
+      const seen = texelHere(buffer.texture('object')).toVar();
+      Discard(seen.x.notEqual(surface.object).or(surface.distance.greaterThan(seen.y.mul(SAME_DISTANCE))));
+      const velocity = isStatic(drawCall.batch) ? undefined : surface.velocity;
+      const lit = { ...surface, velocity, ...(openness && { openness: texelHere(openness).x.toVar() }) };
+      const light = shadeLayered(lit, layers, environment, uniforms, pipeline, shadows);
+      return vec4(limitLight(light, range.max), 1);
+    })();
+    material.side = materialSide(drawCall.batch);
+    // Drawn after the opaque, in the order of three.js.
+    material.blending = NoBlending;
+    material.depthTest = false;
+    material.depthWrite = false;
+    return material;
+  }
+
+  private reader(like: Material): LayerReader {
+    const known = this.readers.get(like) ?? this.table.reader(like);
+    this.readers.set(like, known);
+    return known;
+  }
+}
+
+/** Before any discard, because normal maps need derivatives between neighbouring fragments. */
+function readLayers(reader: LayerReader, sources: SurfaceSources, { specular, clearcoat }: Material): SurfaceLayers {
+  const color = specular && reader.vector(0).xyz.toVar();
+  if (color && specular.colorTexture) color.mulAssign(reader.sample(specular.colorTexture).rgb);
+  const map = clearcoat?.normalTexture;
+  const coatNormal =
+    clearcoat && frontNormal(sources, map && { texture: reader.texture(map.texture), strength: reader.vector(1).xy });
+  return {
+    ...(color && { specular: { factor: reader.number('specular'), color } }),
+    ...(coatNormal && {
+      coat: {
+        factor: reader.number('clearcoat'),
+        roughness: reader.number('clearcoatRoughness'),
+        normal: coatNormal,
+      },
+    }),
+  };
+}

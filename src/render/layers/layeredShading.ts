@@ -1,0 +1,66 @@
+import { Fn, float, min, vec4 } from 'three/tsl';
+import type { Float, Vec3 } from '../../shaders/types.ts';
+import { type BrdfNodes, brdfOf, environmentBrdf } from '../brdf/brdf.ts';
+import type { LobeTable } from '../brdf/lobeTable.ts';
+import type { ColorPipeline } from '../color/radiance.ts';
+import type { FrameUniforms } from '../gpu/frameUniforms.ts';
+import type { Environment } from '../lights/environment.ts';
+import { beginShading, type ShadedSurface } from '../shading/shade.ts';
+import type { LightVisibility } from '../shadows/distant/parallelReceiver.ts';
+
+/** What layers a surface has at a fragment; the same formulas as in src/reference/materials/brdf.ts. */
+export interface SurfaceLayers {
+  readonly specular?: { readonly factor: Float; readonly color: Vec3 };
+  readonly coat?: { readonly factor: Float; readonly roughness: Float; readonly normal: Vec3 };
+}
+
+/** F₀ of a varnish, of a refractive index of 1.5. */
+const COAT_F0 = 0.04;
+
+/** Radiance of a layered surface that reaches the observer: what `shade` of shading/shade.ts is for a plain one. */
+export const shadeLayered = (
+  surface: ShadedSurface,
+  layers: SurfaceLayers,
+  environment: Environment,
+  uniforms: FrameUniforms,
+  pipeline: ColorPipeline,
+  shadows?: LightVisibility,
+): Vec3 =>
+  Fn(() => {
+    const { N, V, accumulator, albedo, lit } = beginShading(surface, uniforms, pipeline, shadows);
+    const { specular, coat: varnish } = layers;
+    const tinted = specular && {
+      F0: accumulator
+        .filter(min(specular.color.mul(surface.F0), 1))
+        .mul(specular.factor)
+        .toVar(),
+      F90: specular.factor,
+    };
+    const parameters = { ...surface, ...(tinted && { tinted }) };
+    const base = brdfOf(albedo, parameters, N, V, environment.lobes);
+    const coat = varnish && coatOf(varnish, V, environment.lobes);
+    const passed = coat && environmentBrdf(coat).x.oneMinus().toVar();
+    environment.addReflected({ ...lit, brdf: passed ? dimmed(base, passed) : base }, accumulator);
+    if (coat) environment.addReflected({ ...lit, brdf: coat }, accumulator);
+    const { emission } = surface;
+    accumulator.addEmitted(passed ? emission.rgb.mul(passed) : emission.rgb);
+    accumulator.addGlow(passed ? { ...emission, luminance: emission.luminance.mul(passed) } : emission);
+    return accumulator.total();
+  })();
+
+const coatOf = (
+  { factor, roughness, normal }: NonNullable<SurfaceLayers['coat']>,
+  V: Vec3,
+  lobes: LobeTable,
+): BrdfNodes => {
+  const tinted = { F0: vec4(factor.mul(COAT_F0)), F90: factor };
+  return brdfOf(vec4(0), { metallic: float(0), F0: factor, roughness, tinted }, normal, V, lobes);
+};
+
+/** What is below another layer that lets this fraction through. */
+const dimmed = (brdf: BrdfNodes, passed: Float): BrdfNodes => ({
+  ...brdf,
+  diffuse: brdf.diffuse.mul(passed).toVar(),
+  F0: brdf.F0.mul(passed).toVar(),
+  F90: brdf.F90.mul(passed).toVar(),
+});

@@ -1,0 +1,77 @@
+import { int, round } from 'three/tsl';
+import type { DataTexture } from 'three/webgpu';
+import type { Material, Texture, TextureChannel } from '../../scene/types.ts';
+import type { Float, Vec4 } from '../../shaders/types.ts';
+import { type ChannelTexture, channelValue } from '../gbuffer/surface.ts';
+import { vLife, vUv } from '../geometry/vertexStage.ts';
+import { ChannelPacker } from '../gpu/channelPacking.ts';
+import type { FloatTable, TablePart } from '../gpu/floatTable.ts';
+import { sampled } from '../gpu/textures.ts';
+
+/** The channels of layers, in the order of their scales and biases in the table. */
+const CHANNELS = ['specular', 'clearcoat', 'clearcoatRoughness'] as const;
+type Channel = (typeof CHANNELS)[number];
+
+/** A number of a layer: its value, or its texture. */
+type Numbers = Readonly<Record<Channel, readonly [value: number, from: TextureChannel | undefined]>>;
+
+const numbersOf = ({ specular, clearcoat }: Material): Numbers => ({
+  specular: [specular?.factor ?? 1, specular?.factorTexture],
+  clearcoat: [clearcoat?.factor ?? 0, clearcoat?.factorTexture],
+  clearcoatRoughness: [clearcoat?.roughness ?? 0, clearcoat?.roughnessTexture],
+});
+
+/** Vectors of layers, a texel each: (tint of F₀), (strength of the varnish's normal map along u and v). */
+const vectorsOf = ({ specular, clearcoat }: Material): readonly number[] => [
+  ...[...(specular?.color ?? [1, 1, 1]), 0],
+  ...[...(clearcoat?.normalTexture?.strength ?? [0, 0]), 0, 0],
+];
+const VECTOR_TEXELS = 2;
+const LAYER_TEXELS = VECTOR_TEXELS + Math.ceil(CHANNELS.length / 2);
+
+/** The layers of all materials, and their textures. */
+export class MaterialLayerTable {
+  private readonly part: TablePart;
+  private readonly upload: (texture: Texture) => DataTexture;
+  private readonly packer = new ChannelPacker();
+
+  constructor(materials: readonly Material[], table: FloatTable, upload: (texture: Texture) => DataTexture) {
+    this.upload = upload;
+    this.part = table.part(materials.length * LAYER_TEXELS);
+    materials.forEach((material, i) => {
+      const linear = Object.values(numbersOf(material)).flatMap(([value, from]) =>
+        from ? [from.scale, from.bias] : [0, value],
+      );
+      this.part.set([...vectorsOf(material), ...linear], LAYER_TEXELS * i);
+    });
+  }
+
+  /** Reads the layers of a fragment's material; `like` has the textures of all materials that are drawn together. */
+  reader(like: Material): LayerReader {
+    const { part, upload } = this;
+    const given = Object.entries(numbersOf(like)).flatMap(([name, [, from]]) => (from ? [[name, from]] : []));
+    const packed: Partial<Record<Channel, TextureChannel>> = this.packer.pack(Object.fromEntries(given));
+    const textures = Object.fromEntries(
+      Object.entries(packed).map(([name, { texture, channel }]) => [name, { texture: upload(texture), channel }]),
+    ) as Partial<Record<Channel, ChannelTexture>>;
+    const texel = (k: number): Vec4 => part.texel(int(round(vLife.w)).mul(int(LAYER_TEXELS)).add(int(k)));
+    return {
+      vector: (k) => texel(k),
+      number: (name) => {
+        const k = CHANNELS.indexOf(name);
+        const pair = texel(VECTOR_TEXELS + Math.floor(k / 2)).toVar();
+        return channelValue(textures[name], k % 2 === 0 ? pair.xy : pair.zw).toVar();
+      },
+      texture: upload,
+      sample: (picture) => sampled(upload(picture), vUv),
+    };
+  }
+}
+
+export interface LayerReader {
+  vector(texel: number): Vec4;
+  number(name: Channel): Float;
+  texture(picture: Texture): DataTexture;
+  /** The texel at the fragment. */
+  sample(picture: Texture): Vec4;
+}

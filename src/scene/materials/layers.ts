@@ -1,0 +1,31 @@
+import type { Vec3 } from '../../math/vec3.ts';
+import type { NormalTexture, Texture, TextureChannel } from './texture.ts';
+
+/**
+ * What a dielectric reflects at its surface, as of `KHR_materials_specular`: F₀ = min(((n − 1)/(n + 1))² · `color`, 1) · `factor`, F₉₀ = `factor`. Metals
+ * do not depend on it.
+ */
+export interface SpecularReflection {
+  /** 0 … 1; with a texture, the mean of that. */
+  readonly factor: number;
+  /** Factor by place. */
+  readonly factorTexture?: TextureChannel;
+  /** Linear sRGB of F₀, from 0; may exceed 1. */
+  readonly color: Vec3;
+  /** Multiplied with `color`. */
+  readonly colorTexture?: Texture;
+}
+
+/** A clear varnish of refractive index 1.5 over a surface, as of `KHR_materials_clearcoat`. */
+export interface Clearcoat {
+  /** How much of the surface has it, 0 … 1; with a texture, the mean of that. */
+  readonly factor: number;
+  /** Factor by place. */
+  readonly factorTexture?: TextureChannel;
+  /** 0 … 1; with a texture, the mean of that. */
+  readonly roughness: number;
+  /** Roughness by place. */
+  readonly roughnessTexture?: TextureChannel;
+  /** Bends its normals; absent: those of the surface without its normal map. */
+  readonly normalTexture?: NormalTexture;
+}

@@ -1,0 +1,101 @@
+import { afterAll, beforeAll, describe, expect, it } from 'vitest';
+import { IDENTITY } from '../../../src/math/quat.ts';
+import { normalize, type Vec3, ZERO } from '../../../src/math/vec3.ts';
+import { properVelocity } from '../../../src/physics/lorentz/boost.ts';
+import { makeMaterial } from '../../../src/scene/defaults.ts';
+import { plane, sphere } from '../../../src/scene/mesh/primitives.ts';
+import type { DistantLight, Material, Motion } from '../../../src/scene/types.ts';
+import { perspective } from '../../../src/scene/view/lens.ts';
+import { DEFAULT_SETTINGS, type RenderSettings, type ViewPoint } from '../../../src/scene/view/view.ts';
+import { dome, lamp, lit } from '../../support/lightKit.ts';
+import { compareWithReference, type Difference } from '../support/agreement.ts';
+import { type HeadlessPictures, openPictures } from '../support/openPictures.ts';
+
+/* Materials of several layers, drawn over the light of the G-buffer, against the reference renderer. */
+
+const SIZE = 28;
+let headless: HeadlessPictures;
+beforeAll(async () => {
+  headless = await openPictures(SIZE, SIZE);
+});
+afterAll(() => headless?.close());
+
+const SETTINGS: RenderSettings = { ...DEFAULT_SETTINGS, speedOfLight: 1 };
+const VIEW: ViewPoint = { t: 0, position: [0, 0, 4], u: ZERO, orientation: IDENTITY, lens: perspective(0.7) };
+const SUN: DistantLight = {
+  kind: 'distant',
+  path: '/sun',
+  direction: normalize([-0.5, 0.2, -1]),
+  color: [3, 2.7, 2],
+};
+
+/** A layered ball before a plain wall. */
+function compared(material: Partial<Material>, velocity: Vec3, beta: Vec3): Promise<Difference> {
+  const moving = (z: number): Motion => ({
+    kind: 'uniform',
+    pose: { position: [4 * velocity[0], 4 * velocity[1], z + 4 * velocity[2]], orientation: IDENTITY },
+    velocity,
+  });
+  const scene = lit(
+    [
+      {
+        mesh: sphere(1, { segments: 48 }),
+        material: makeMaterial({ name: 'ball', baseColor: [0.7, 0.2, 0.1], roughness: 0.7, ...material }),
+        motion: moving(0),
+      },
+      { mesh: plane(9, 9), material: makeMaterial({ name: 'wall', roughness: 0.9 }), motion: moving(-2) },
+    ],
+    [SUN, lamp([1, 2, 3], { color: [20, 25, 30] })],
+  );
+  return compareWithReference(headless, scene, { ...VIEW, u: properVelocity(beta) }, SETTINGS, 24);
+}
+
+describe('the rasterizer shows as the reference', () => {
+  it.each([
+    ['a varnish', { clearcoat: { factor: 0.8, roughness: 0.3 } }],
+    ['a tinted reflection', { specular: { factor: 0.7, color: [4, 1, 8] } }],
+    [
+      'both over a half metal that glows',
+      {
+        clearcoat: { factor: 1, roughness: 0.4 },
+        specular: { factor: 1, color: [0.1, 3, 3] },
+        metallic: 0.5,
+        emissive: [0.1, 0.2, 0.3],
+      },
+    ],
+  ] as readonly (readonly [string, Partial<Material>])[])('%s, at rest and moving', async (_, material) => {
+    for (const [velocity, beta] of [
+      [ZERO, ZERO],
+      [
+        [0.3, 0.2, 0.1],
+        [0.1, 0, -0.2],
+      ],
+    ] as const) {
+      const { mean, max } = await compared(material, velocity, beta);
+      expect(mean).toBeLessThan(0.006);
+      expect(max).toBeLessThan(0.06);
+    }
+  });
+});
+
+it('an unlit surface shows its colour as it is written, and shifts when it moves', async () => {
+  const orange = [255, 128, 0];
+  const emissive = orange.map((x) => ((x / 255 + 0.055) / 1.055) ** 2.4).map((x) => (x < 0.001 ? 0 : x));
+  const [r, g, b] = emissive;
+  const unlit = makeMaterial({ name: 'sign', baseColor: [0, 0, 0], emissive: [r, g, b], ior: 1, unlit: true });
+  const { scene } = lit([{ mesh: plane(20, 20), material: unlit }], [SUN, dome([1, 1, 1])]);
+  const { renderer } = headless;
+  await renderer.setScene(scene);
+  const shown = async (beta: Vec3, settings: Partial<RenderSettings>): Promise<readonly number[]> => {
+    renderer.render([{ ...VIEW, u: properVelocity(beta) }], { ...SETTINGS, ...settings }, 1);
+    const pixels = await renderer.readPixels();
+    const at = 4 * (SIZE * (SIZE / 2) + SIZE / 2);
+    return [...pixels.subarray(at, at + 3)];
+  };
+  const far = (seen: readonly number[]): number => Math.max(...seen.map((x, k) => Math.abs(x - orange[k])));
+  // The picture is dithered by half a step.
+  expect(far(await shown(ZERO, {}))).toBeLessThanOrEqual(1);
+  // Where nothing is shifted, it may fly.
+  expect(far(await shown([0, 0, -0.5], { dopplerMix: 0, beaming: 0 }))).toBeLessThanOrEqual(1);
+  expect(far(await shown([0, 0, -0.1], {}))).toBeGreaterThan(10);
+});
