@@ -197,7 +197,14 @@ export function ensureBuilt(...names) {
 
 // ── Independent judges of our files and figures, for tests ─────────────────────────────────────────────────────────
 
-const judges = ['usd-core==26.11', 'OpenEXR==3.4.4', 'numpy==2.3.5', 'flip-evaluator==1.7', 'colour-science==0.4.7'];
+const judges = [
+  'usd-core==26.11',
+  'OpenEXR==3.4.4',
+  'numpy==2.3.5',
+  'flip-evaluator==1.7',
+  'colour-science==0.4.7',
+  'MaterialX==1.39.5',
+];
 
 /** Folder of the Python with the oracle packages, in .cache/, never in the system; undefined, with a message, if it cannot be made. */
 export function ensureOracle() {
@@ -208,7 +215,7 @@ export function ensureOracle() {
   const hasJudges = () =>
     existsSync(list) &&
     readFileSync(list, 'utf8') === judges.join('\n') &&
-    ask(python, ['-c', 'import pxr.Usd, OpenEXR, numpy, flip_evaluator, colour']) !== undefined;
+    ask(python, ['-c', 'import pxr.Usd, OpenEXR, numpy, flip_evaluator, colour, MaterialX']) !== undefined;
   if (hasJudges()) return folder;
   try {
     if (ensurePackages(oraclePackages, 'for the optional tests against other programs').length > 0) return undefined;

@@ -24,6 +24,13 @@ const reader = (type: string, lines = ''): string =>
 const base = (scene: Scene): Material => scene.materials[scene.objects[0].mesh.groups[0].material];
 const red = (scene: Scene): void => expect(base(scene).baseColor).toEqual([1, 0, 0]);
 
+/** The material `/M` of look.mtlx. */
+const MATERIALX_SCOPE = 'def "M" ( references = @look.mtlx@</MaterialX/Materials/M> ) {\n}\n';
+/** A document whose material M has the given inputs of standard_surface. */
+const document = (inputs: string, more = ''): string =>
+  `<?xml version="1.0"?><materialx version="1.39">${more}<standard_surface name="S" type="surfaceshader">${inputs}</standard_surface>
+  <surfacematerial name="M" type="material"><input name="surfaceshader" type="surfaceshader" nodename="S" /></surfacematerial></materialx>`;
+
 const ANIMATED = 'color3f inputs:diffuseColor.timeSamples = { 0: (1, 0, 0), 9: (0, 1, 0) }';
 
 const materials: ClaimGroup = {
@@ -164,21 +171,102 @@ const materials: ClaimGroup = {
       ),
       (s) => expect(base(s).roughness).toBe(0.25),
     ),
-    approximated(
-      'materials of other renderers (MaterialX, MDL, RenderMan, Arnold …)',
-      'their `UsdPreviewSurface` if there is one; else base colour or the only picture connected to it, and roughness, metalness, emission and opacity if constant; else the displayColor',
-      'usd.material',
+    read(
+      'MaterialX documents (`.mtlx`, 1.38 and 1.39) by reference, sublayer or payload, with the paths of OpenUSD (`</MaterialX/Materials/NAME>`): node graphs, interface inputs, own definitions made of graphs, `xi:include`, `fileprefix`, colour spaces',
+      'materials, in which layers above may change inputs',
+      {
+        ...usd(worn(MATERIALX_SCOPE)),
+        'look.mtlx': document('<input name="base_color" type="color3" value="1, 0, 0" />'),
+      },
+      red,
+    ),
+    read(
+      '`ND_*` shaders in documents and layers: `standard_surface`, `open_pbr_surface`, `gltf_pbr`, `UsdPreviewSurface`, `disney_principled`, `surface_unlit`',
+      'base colour (weighted), metalness, roughness, ior, strength and colour of reflection, coat, emission, opacity, normal, occlusion',
       usd(
         worn(
           material(
             'M',
-            'color3f inputs:base_color = (1, 0, 0)',
+            'color3f inputs:base_color = (1, 0, 0)\nfloat inputs:base = 1\nfloat inputs:specular = 0',
             '',
             'ND_standard_surface_surfaceshader',
             'outputs:mtlx:surface',
           ),
         ),
       ),
+      (s) => expect(base(s)).toMatchObject({ baseColor: [1, 0, 0], specular: { factor: 0 } }),
+    ),
+    read(
+      'MaterialX pictures (`image`, `tiledimage`, `gltf_image`, `gltf_colorimage`, `UsdUVTexture`), `normalmap`, texture coordinates (`texcoord`, `geompropvalue`, `place2d`, products and sums), and over 60 nodes of arithmetic, channels and colour',
+      'constants are computed; a picture times a factor stays as it is; other computations become a picture of their own',
+      {
+        ...usd(worn(MATERIALX_SCOPE)),
+        'a.png': PIXEL,
+        'look.mtlx': document(
+          '<input name="base_color" type="color3" nodename="p" />',
+          '<image name="i" type="color3"><input name="file" type="filename" value="a.png" /></image><power name="p" type="color3"><input name="in1" type="color3" nodename="i" /><input name="in2" type="float" value="2" /></power>',
+        ),
+      },
+      (s) => expect(base(s).baseColorTexture).toMatchObject({ width: 1, name: 'computed' }),
+    ),
+    approximated(
+      'noise and other patterns of MaterialX, and nodes that are not read',
+      'the mean of a pattern; the default of the input that another node drives',
+      'mtlx.node',
+      {
+        ...usd(worn(MATERIALX_SCOPE)),
+        'look.mtlx': document(
+          '<input name="base_color" type="color3" nodename="p" />',
+          '<noise3d name="n" type="float" /><mix name="p" type="color3"><input name="bg" type="color3" value="1, 0, 0" /><input name="mix" type="float" nodename="n" /></mix>',
+        ),
+      },
+      red,
+    ),
+    approximated(
+      'transmission, subsurface, sheen, thin film and anisotropy of MaterialX surfaces, tint and refractive index of their coat',
+      'transmission is transparency without refraction, subsurface a diffuse colour; the rest is left out',
+      'mtlx.input',
+      {
+        ...usd(worn(MATERIALX_SCOPE)),
+        'look.mtlx': document(
+          '<input name="base_color" type="color3" value="1, 0, 0" /><input name="sheen" type="float" value="1" />',
+        ),
+      },
+      red,
+    ),
+    leftOut(
+      'looks of a MaterialX document, and materials of MaterialX before 1.38',
+      'reported; materials are bound in USD',
+      'mtlx.left-out',
+      {
+        ...usd(worn(MATERIALX_SCOPE)),
+        'look.mtlx': document('<input name="base_color" type="color3" value="1, 0, 0" />', '<look name="l" />'),
+      },
+      red,
+    ),
+    leftOut(
+      'a MaterialX value that does not have the type of its input',
+      'reported with line, node and value',
+      'mtlx.value',
+      {
+        ...usd(worn(MATERIALX_SCOPE)),
+        'look.mtlx': document(
+          '<input name="base_color" type="color3" value="1, 0, 0" /><input name="metalness" type="float" value="much" />',
+        ),
+      },
+      red,
+    ),
+    leftOut(
+      'a MaterialX document that is damaged, larger than 16 MiB, of more than 100,000 elements, nested more than 32 deep, or that includes more than 64 others',
+      'an unreadable layer, with the line',
+      'usd.unreadable-layer',
+      { ...usd(worn(MATERIALX_SCOPE)), 'look.mtlx': '<materialx version="1.39"><nodegraph>' },
+    ),
+    approximated(
+      'materials of other renderers (MDL, RenderMan, Arnold …)',
+      'their `UsdPreviewSurface` if there is one; else base colour or the only picture connected to it, and roughness, metalness, emission and opacity if constant; else the displayColor',
+      'usd.material',
+      usd(worn(material('M', 'color3f inputs:baseColor = (1, 0, 0)', '', 'PxrSurface', 'outputs:ri:surface'))),
       red,
     ),
     approximated(

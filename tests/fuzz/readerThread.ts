@@ -32,7 +32,7 @@ export class ReaderThread {
   async setSeed(seed: Seed): Promise<void> {
     this.seed = seed;
     const worker = this.worker ?? (await startWorker());
-    worker.postMessage({ files: seed.files, entry: seed.entry });
+    worker.postMessage({ files: seed.files, entry: seed.entry, opened: seed.opened ?? seed.entry });
     this.worker = worker;
   }
 

@@ -6,9 +6,10 @@ const { inEnglish } = await import(`${workerData.library}messages/index.js`);
 
 let files = {};
 let entry = '';
+let opened = '';
 parentPort.on('message', async (message) => {
   if (message.files) {
-    ({ files, entry } = message);
+    ({ files, entry, opened } = message);
     return;
   }
   const began = performance.now();
@@ -21,7 +22,7 @@ async function read(bytes) {
   try {
     if (entry.endsWith('.exr')) readExr(bytes, entry);
     else if (/\.(png|jpg)$/.test(entry)) decodeImage(bytes, entry);
-    else return ofScene(await openScene(memorySource({ ...files, [entry]: bytes }), entry));
+    else return ofScene(await openScene(memorySource({ ...files, [entry]: bytes }), opened));
     return {};
   } catch (error) {
     if (error.name !== 'InputError' || !isSaid(error.diagnostic)) return { fault: `threw ${error.stack ?? error}` };
@@ -37,6 +38,8 @@ function ofScene(scene) {
   const polluted = 'polluted' in {} ? 'every object is polluted' : undefined;
   const unsaid = scene.diagnostics.find((diagnostic) => !isSaid(diagnostic));
   if (unsaid) return { fault: `no words for users: ${JSON.stringify(unsaid)}` };
+  const unread = opened !== entry && scene.diagnostics.find(({ code }) => code === 'usd.unreadable-layer');
+  if (unread) return { refusal: inEnglish(unread.message), said: unread.code, fault: polluted };
   const objects = scene.objects.length;
   return { fault: polluted ?? faultOf(scene), objects, said: scene.diagnostics.map(({ code }) => code).join(' ') };
 }

@@ -13,6 +13,8 @@ export interface Seed {
   readonly entry: string;
   /** A text format. */
   readonly text: boolean;
+  /** The file that is opened, if it is another one, which refers to it. */
+  readonly opened?: string;
 }
 
 const corpusFile = (name: string): Uint8Array =>
@@ -42,6 +44,10 @@ export async function seeds(): Promise<Seed[]> {
     seed('grammar.usda', corpusFile('../../../src/formats/usd/fixtures/grammar.usda'), true),
     seed('lives.usda', corpusFile('../../../src/formats/usd/schema/lives/fixtures/lives.usda'), true),
     seed('everything.usdz', corpusFile('everything.usdz'), false),
+    {
+      ...seed('look.mtlx', corpusFile('look.mtlx'), true, { ...PICTURE, 'worn.usda': corpusFile('worn.usda') }),
+      opened: 'worn.usda',
+    },
     seed('everything.gltf', json, true, { 'everything.bin': binary, ...PICTURE }),
     seed('everything.glb', await everything().glb(), false),
     seed('draco.glb', await dracoGlb(everything().doc, 'edgebreaker'), false),

@@ -21,3 +21,5 @@ function has(module: string, packageName: string): boolean {
 export const hasUsdCore = (): boolean => has('pxr.Usd', 'usd-core');
 /** Whether colour-science is installed. */
 export const hasColorScience = (): boolean => has('colour', 'colour-science');
+/** Whether MaterialX is installed. */
+export const hasMaterialX = (): boolean => has('MaterialX', 'MaterialX');

@@ -100,6 +100,15 @@ export const DIAGNOSTIC_CODES = {
   'usd.sample-budget': 'a deforming mesh with more samples than fit into memory, or one with more topologies',
   'usd.slowlight': 'attributes of Slowlight that are contradictory or unknown',
 
+  'mtlx.syntax': 'a MaterialX document that is not well-formed XML, or no MaterialX',
+  'mtlx.version': 'an unsupported version of MaterialX',
+  'mtlx.include': 'a document that includes a missing one, itself, or too many',
+  'mtlx.too-large': 'a MaterialX document that exceeds a limit',
+  'mtlx.value': 'a value that does not have the type of its input; it is left out',
+  'mtlx.left-out': 'elements of a MaterialX document that are not read',
+  'mtlx.node': 'a MaterialX node that is not read, or approximated by one colour',
+  'mtlx.input': 'an input of a MaterialX surface that is ignored or approximated',
+
   'gltf.damaged': 'damaged JSON or data URI',
   'gltf.invalid': 'JSON that is not valid glTF',
   'gltf.truncated': 'a truncated file or buffer',

@@ -14,7 +14,7 @@ import type { VariantSelection } from './compose/sessionLayer.ts';
 import { report } from './diagnostics.ts';
 import type { Layer } from './layer/layer.ts';
 import { metadataNumber, primAt, primsAlong, stageTimeCode } from './layer/query.ts';
-import { readLayer } from './readLayer.ts';
+import { layerParser } from './readLayer.ts';
 import { type StageContext, upAxisOf } from './schema/context.ts';
 import { SampleBudget } from './schema/sampleBudget.ts';
 import { hintsOf } from './schema/slowlightAttributes.ts';
@@ -47,7 +47,7 @@ export async function readUsd(source: FileSource, entry: string, options: ReadOp
   const files = new AssetFiles(source, entry, sampleMemory / MIN_STORED_RATIO);
   const content = await files.content(entry);
   if (!content) throw inputError('file.missing', entry, msg`no such file`);
-  const store = new LayerStore(files, readLayer);
+  const store = new LayerStore(files, layerParser(files, diagnostics));
   const root = await store.root(entry, content);
   const stage = await composeStage(store, root, diagnostics, {
     variants: variantSelections(options.variants),

@@ -143,6 +143,49 @@ const messages: Translation['messages'] = {
   "a shader '{}' is not read; st is used for uv": '不支持读取着色器“{1}”；纹理坐标已采用 st',
   'the texture names no file': '纹理没有指明文件',
 
+  // MaterialX
+  'includes more than {} documents': '包含的文档超过 {1} 个',
+  '{}, line {}': '{1}，第 {2} 行',
+  "includes '{}', which is no path of a file": '包含的“{1}”不是文件路径',
+  "includes '{}', which is not there (looked for {}); open the folder that holds it":
+    '包含的“{1}”不存在（已查找 {2}）；请打开它所在的文件夹',
+  "'{}' includes itself": '“{1}”包含了自身',
+  'its first element is <{}>, so it is no MaterialX document': '其首个元素是 <{1}>，因此不是 MaterialX 文档',
+  "is MaterialX of version '{}'; only 1.x is read": '是版本为“{1}”的 MaterialX；只能读取 1.x',
+  'line {}: its materials and graphs make more than {} prims': '第 {1} 行：其材质和节点图产生的基元超过 {2} 个',
+  "line {}: <surfacematerial> '{}' names the shader '{}', which is not there":
+    '第 {1} 行：<surfacematerial>“{2}”引用的着色器“{3}”不存在',
+  'line {}: its own nodes are nested more than {} deep': '第 {1} 行：其自定义节点的嵌套超过 {2} 层',
+  "{}, line {}: the input '{}' of <{}> '{}' has the value '{}', which is no {}; it is left out":
+    '{1}，第 {2} 行：<{4}>“{5}”的输入“{3}”的值“{6}”不是 {7}；已去掉',
+  'its looks are not read; bind its materials to prims in a USD layer (material:binding)':
+    '不支持读取其 look；请在 USD 图层中把材质绑定到基元（material:binding）',
+  'line {}: <material> is of MaterialX before 1.38, and is not read (save it with MaterialX 1.38 or later)':
+    '第 {1} 行：<material> 属于 1.38 之前的 MaterialX，不支持读取（请用 MaterialX 1.38 或更高版本保存）',
+  'the document has {}; at most {} are read': '文档大小为 {1}；最多读取 {2}',
+  'the XML is not well-formed: {}': 'XML 格式不正确：{1}',
+  'elements are nested more than {} deep': '元素的嵌套超过 {1} 层',
+  'there is no element': '没有任何元素',
+  'its displacement is not drawn': '其置换不会被绘制',
+  "its colour space '{}' is not known; it is taken as linear": '其色彩空间“{1}”未知；已视为线性',
+  'its network has more than {} nodes in a row or {} in all; the rest is left out':
+    '其网络的一条链超过 {1} 个节点，或总数超过 {2} 个；其余已去掉',
+  "the pattern '{}' is not drawn; its mean is": '图案“{1}”不会被绘制；已绘制其平均值',
+  "the node '{}' mixes textures that are placed in different ways, or coordinates, which is not drawn":
+    '节点“{1}”混合了放置方式不同的纹理或坐标，不会被绘制',
+  "the node '{}' gives no finite value; 0 is drawn": '节点“{1}”未给出有限值；已绘制 0',
+  "the node '{}' is not read; the input that it drives keeps its own value":
+    '不支持读取节点“{1}”；它所驱动的输入保留自己的值',
+  'its texture coordinates are sheared, which is not drawn': '其纹理坐标带有切变，切变不会被绘制',
+  "'hextiledimage' is drawn as 'tiledimage'": '“hextiledimage”已按“tiledimage”绘制',
+  'its texture coordinates are computed in a way that is not read; those of the mesh are used':
+    '不支持读取其纹理坐标的计算方式；已使用网格的纹理坐标',
+  '{} is no normal map; it is not drawn': '{1} 不是法线贴图；不会被绘制',
+  '{} is drawn as a diffuse colour, without light that travels below the surface':
+    '{1} 已绘制为漫反射颜色，不含在表面之下传播的光',
+  '{} is drawn as transparency, without refraction': '{1} 已绘制为透明，不含折射',
+  '{} varies over the surface, which is not drawn': '{1} 在表面上的变化不会被绘制',
+
   // Lights
   'the light changes with time; it is held at the start': '光源随时间变化；已保持起始时的值',
   'its multiplier for diffuse light, {}, is taken for specular light too': '其漫反射系数 {1} 也用于镜面反射',

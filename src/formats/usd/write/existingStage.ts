@@ -6,7 +6,7 @@ import { AssetFiles } from '../assets/assetFiles.ts';
 import { composeStage } from '../compose/composeStage.ts';
 import { LayerStore } from '../compose/layers/layerStore.ts';
 import { metadataNumber, metadataText, primAt, primsAlong, stageTimeCode } from '../layer/query.ts';
-import { readLayer } from '../readLayer.ts';
+import { layerParser } from '../readLayer.ts';
 
 /** What has to be known of a stage to put something into it. */
 export interface ExistingStage {
@@ -26,8 +26,9 @@ export async function existingStage(source: FileSource, entry: string, path: str
   const files = new AssetFiles(source, entry);
   const content = await files.content(entry);
   if (!content) throw inputError('file.missing', entry, msg`no such file`);
-  const store = new LayerStore(files, readLayer);
-  const { layer } = await composeStage(store, await store.root(entry, content), new DiagnosticList(), {});
+  const diagnostics = new DiagnosticList();
+  const store = new LayerStore(files, layerParser(files, diagnostics));
+  const { layer } = await composeStage(store, await store.root(entry, content), diagnostics, {});
   if (primAt(layer, path))
     throw inputError(
       'usd.prim-exists',

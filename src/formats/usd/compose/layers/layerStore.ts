@@ -29,7 +29,7 @@ export interface LayerError {
 /** Maximum number of layers of a scene. */
 export const MAX_LAYERS = 4096;
 
-export type ParseLayer = (content: FileContent, id: string) => Layer;
+export type ParseLayer = (content: FileContent, id: string) => Layer | Promise<Layer>;
 
 /** The layers of a stage, each read once. `find` is synchronous: it returns `undefined` for a new layer, which is there after the next `load`. */
 export class LayerStore {
@@ -87,14 +87,14 @@ export class LayerStore {
     const { id, content: inside } = await this.files.layerIn(file, content);
     const known = this.byId.get(id);
     if (known) return known;
-    const layer = this.parsed(inside, id);
+    const layer = await this.parsed(inside, id);
     this.byId.set(id, layer);
     return layer;
   }
 
-  private parsed(content: FileContent, id: string): LoadedLayer | LayerError {
+  private async parsed(content: FileContent, id: string): Promise<LoadedLayer | LayerError> {
     try {
-      return this.counted(loadedLayer(this.parse(content, id), id));
+      return this.counted(loadedLayer(await this.parse(content, id), id));
     } catch (thrown) {
       return unreadable(id, thrown);
     }
@@ -108,7 +108,7 @@ export class LayerStore {
   /** The root layer; throws if it is invalid. */
   async root(entry: string, content: FileContent): Promise<LoadedLayer> {
     const { id, content: inside } = await this.files.layerIn(entry, content);
-    const root = this.counted(loadedLayer(this.parse(inside, id), id));
+    const root = this.counted(loadedLayer(await this.parse(inside, id), id));
     this.byId.set(id, root);
     return root;
   }

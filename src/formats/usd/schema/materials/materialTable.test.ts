@@ -289,7 +289,7 @@ describe('materials of other renderers', () => {
   it('yield base colour, roughness and emission, and are reported once', async () => {
     const { material, said } = await read(
       other(
-        'ND_standard_surface_surfaceshader',
+        'ai_standard_surface',
         'float inputs:base = 0.5',
         'color3f inputs:base_color = (1, 0.5, 0)',
         'float inputs:specular_roughness = 0.3',
@@ -305,15 +305,15 @@ describe('materials of other renderers', () => {
       emissive: [0, 0, 2],
     });
     expect(said).toEqual([
-      "usd.material: it is made of 'ND_standard_surface_surfaceshader', which is not read, and has no UsdPreviewSurface; its base colour and finish are drawn",
+      "usd.material: it is made of 'ai_standard_surface', which is not read, and has no UsdPreviewSurface; its base colour and finish are drawn",
     ]);
   });
 
   it('yield the texture of their base colour', async () => {
     const { material, said } = await read(
-      `${other('ND_open_pbr_surface_surfaceshader', 'color3f inputs:base_color.connect = </M/X.outputs:out>')}
-      def Shader "X" { uniform token info:id = "ND_multiply_color3"\ncolor3f inputs:in1.connect = </M/I.outputs:out>\ncolor3f outputs:out }
-      def Shader "I" { uniform token info:id = "ND_image_color3"\nasset inputs:file = @a.png@\ncolor3f outputs:out }`,
+      `${other('ai_standard_surface', 'color3f inputs:base_color.connect = </M/X.outputs:out>')}
+      def Shader "X" { uniform token info:id = "ai_multiply"\ncolor3f inputs:in1.connect = </M/I.outputs:out>\ncolor3f outputs:out }
+      def Shader "I" { uniform token info:id = "ai_image"\nasset inputs:file = @a.png@\ncolor3f outputs:out }`,
     );
     expect(material.baseColorTexture).toMatchObject({ name: 'a.png', width: 2 });
     expect(said).toEqual([expect.stringMatching(/its picture and finish are drawn$/)]);

@@ -9,10 +9,11 @@ import { primAt, targetsOf } from '../../layer/query.ts';
 import type { StageContext } from '../context.ts';
 import { reflectanceOfFile } from '../spectrumFiles.ts';
 import { foreignMaterial, shaderName, surfaceShaders } from './foreignShaders.ts';
+import type { ShadingNetwork } from './network/network.ts';
 import { isAnimated, type ResolvedInput, resolveInput, shaderId } from './shaderInputs.ts';
 import { fromSpecularWorkflow } from './specularWorkflow.ts';
 import { type TextureLoader, textureOf } from './textureLoader.ts';
-import { type ColorInputValue, type ColorPrimvar, type ScalarInputValue, TextureReader } from './textureReader.ts';
+import { type ColorPrimvar, type ScalarInputValue, type SurfaceInputs, TextureReader } from './textureReader.ts';
 import { isSameUv, type UvSource, withTiles } from './uvs.ts';
 
 /** A material and the primvars it needs. */
@@ -46,6 +47,8 @@ const DEFAULT_COAT_ROUGHNESS = 0.01;
 
 /** UsdPreviewSurface and its MaterialX node; both have the same inputs. */
 const PREVIEW_SURFACE_IDS = new Set(['UsdPreviewSurface', 'ND_UsdPreviewSurface_surfaceshader']);
+
+const isMaterialX = (shader: PrimSpec): boolean => shaderId(shader).startsWith('ND_');
 
 /** A key of a material's content, so that instances share materials; undefined if it is not known. */
 function networkKey({ content, children, properties }: PrimSpec, root: string): string | undefined {
@@ -100,6 +103,8 @@ export class MaterialTable {
       const shaders = prim ? surfaceShaders(this.context, prim) : [];
       const shader = shaders.find((candidate) => PREVIEW_SURFACE_IDS.has(shaderId(candidate)));
       if (prim && shader) return this.preview(prim, shader);
+      const surface = prim && (await this.networkSurface(prim, shaders));
+      if (surface) return surface;
       if (shaders.length > 0) return this.foreign(path, shaders[0], fallback);
       const why = prim ? msg`has no surface that can be read` : msg`is not in this file`;
       report(
@@ -157,19 +162,20 @@ export class MaterialTable {
 
   private async preview(prim: PrimSpec, shader: PrimSpec): Promise<BoundMaterial> {
     const { path } = prim;
+    const inputs = isMaterialX(shader) ? await this.networkInputs(shader) : this.inputs;
     const input = (name: string): ResolvedInput =>
       resolveInput(this.context.layer, shader, `inputs:${name}`, this.context.startCode);
-    const opacity = await this.inputs.opacity(input('opacity'));
-    const diffuse = await this.inputs.color(input('diffuseColor'), DEFAULTS.baseColor, opacity.alphaOf);
-    const emissive = await this.inputs.color(input('emissiveColor'), BLACK);
-    const normals = await this.inputs.normals(input('normal'));
-    const roughness = await this.inputs.scalar(input('roughness'), DEFAULTS.roughness);
-    const metallic = await this.inputs.scalar(input('metallic'), DEFAULTS.metallic);
-    const occlusion = await this.inputs.scalar(input('occlusion'), 1);
+    const opacity = await inputs.opacity(input('opacity'));
+    const diffuse = await inputs.color(input('diffuseColor'), DEFAULTS.baseColor, opacity.alphaOf);
+    const emissive = await inputs.color(input('emissiveColor'), BLACK);
+    const normals = await inputs.normals(input('normal'));
+    const roughness = await inputs.scalar(input('roughness'), DEFAULTS.roughness);
+    const metallic = await inputs.scalar(input('metallic'), DEFAULTS.metallic);
+    const occlusion = await inputs.scalar(input('occlusion'), 1);
     const { uvs: unseenUvs, ...unseen } = await this.invisibleLight(prim);
-    const { clearcoat, uvs: coatUvs } = await this.clearcoat(input);
+    const { clearcoat, uvs: coatUvs } = await this.clearcoat(inputs, input);
     const isSpecular = numberOf(input('useSpecularWorkflow').value) === 1;
-    const specular = isSpecular ? await this.inputs.color(input('specularColor'), BLACK) : undefined;
+    const specular = isSpecular ? await inputs.color(input('specularColor'), BLACK) : undefined;
     const ior = numberOf(input('ior').value);
     const material: Material = {
       name: path,
@@ -192,13 +198,46 @@ export class MaterialTable {
       opacity: opacity.value,
       opacityThreshold: numberOf(input('opacityThreshold').value) ?? 0,
       ...this.spectral(prim),
-      ...(await this.measured(prim, diffuse)),
+      ...(await this.measured(prim, diffuse.texture !== undefined || diffuse.primvar !== undefined)),
       ...unseen,
     };
     this.reportUnsupportedInputs(path, shader, input);
     const ofNumbers = [roughness.uv, metallic.uv, occlusion.uv, ...unseenUvs, ...coatUvs, specular?.uv];
     const uv = this.commonUv(path, [diffuse.uv, emissive.uv, opacity.uv, normals?.uv, ...ofNumbers]);
     return this.added(material, { ...(uv && { uv }), ...(diffuse.primvar && { colors: diffuse.primvar }) });
+  }
+
+  /** A surface of MaterialX that is read; undefined if there is none. */
+  private async networkSurface(prim: PrimSpec, shaders: readonly PrimSpec[]): Promise<BoundMaterial | undefined> {
+    if (!shaders.some(isMaterialX)) return undefined;
+    const { isNetworkSurface, networkMaterial } = await import('./network/surfaces.ts');
+    const shader = shaders.find(isNetworkSurface);
+    if (!shader) return undefined;
+    const found = await networkMaterial(await this.network(), shader);
+    const { path } = prim;
+    const { uvs: unseenUvs, ...unseen } = await this.invisibleLight(prim);
+    const material: Material = {
+      name: path,
+      ...found.material,
+      ...this.spectral(prim),
+      ...(await this.measured(prim, found.isPainted)),
+      ...unseen,
+    };
+    if (targetsOf(prim, 'outputs:mtlx:displacement').length > 0)
+      report(this.context, 'info', 'mtlx.input', path, msg`its displacement is not drawn`);
+    const uv = this.commonUv(path, [...found.uvs, ...unseenUvs]);
+    return this.added(material, { ...(uv && { uv }), ...(found.colors && { colors: found.colors }) });
+  }
+
+  /** Nodes of MaterialX are read by code of their own, which is loaded with the first. */
+  private async network(): Promise<ShadingNetwork> {
+    const { ShadingNetwork } = await import('./network/network.ts');
+    return new ShadingNetwork(this.context, this.textures);
+  }
+
+  private async networkInputs(shader: PrimSpec): Promise<SurfaceInputs> {
+    const { NetworkReader } = await import('./network/networkReader.ts');
+    return new NetworkReader(await this.network(), shader);
   }
 
   /** Ultraviolet and infrared reflectance and emission of the Material's `slowlight:` attributes. */
@@ -213,13 +252,13 @@ export class MaterialTable {
   }
 
   /** A measured reflectance; undefined if a texture or vertex colours determine the colour. */
-  private async measured(prim: PrimSpec, { texture, primvar }: ColorInputValue): Promise<Partial<Material>> {
+  private async measured(prim: PrimSpec, isPainted: boolean): Promise<Partial<Material>> {
     const value = valueAt(attributeOf(prim, REFLECTANCE_ATTRIBUTE), this.context.startCode);
     if (value === undefined) return {};
     const refusal =
       value.type !== 'asset'
         ? msg`${REFLECTANCE_ATTRIBUTE} is no asset, as @leaf.csv@; it is left out`
-        : texture || primvar
+        : isPainted
           ? msg`${REFLECTANCE_ATTRIBUTE} is left out, for the surface is painted by its diffuseColor`
           : undefined;
     if (refusal === undefined) return reflectanceOfFile(this.context, prim, value);
@@ -246,13 +285,16 @@ export class MaterialTable {
     return { index: this.materials.push(material) - 1, ...wants };
   }
 
-  private async clearcoat(input: (name: string) => ResolvedInput): Promise<{
+  private async clearcoat(
+    inputs: SurfaceInputs,
+    input: (name: string) => ResolvedInput,
+  ): Promise<{
     readonly clearcoat?: NonNullable<Material['clearcoat']>;
     readonly uvs: readonly ScalarInputValue['uv'][];
   }> {
-    const factor = await this.inputs.scalar(input('clearcoat'), 0);
+    const factor = await inputs.scalar(input('clearcoat'), 0);
     if (factor.value <= 0 && !factor.texture) return { uvs: [] };
-    const roughness = await this.inputs.scalar(input('clearcoatRoughness'), DEFAULT_COAT_ROUGHNESS);
+    const roughness = await inputs.scalar(input('clearcoatRoughness'), DEFAULT_COAT_ROUGHNESS);
     return {
       clearcoat: {
         factor: factor.value,

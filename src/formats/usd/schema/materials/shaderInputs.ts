@@ -1,10 +1,12 @@
 import { attributeOf, sampleTimes, type TimeCode, textOf, valueAt } from '../../layer/attributes.ts';
 import type { Layer, PrimSpec, Value } from '../../layer/layer.ts';
-import { propertyAt, targetsOf } from '../../layer/query.ts';
+import { metadataText, propertyAt, targetsOf } from '../../layer/query.ts';
 
 /** The value of a shader input, or the shader output that it is connected to. */
 export interface ResolvedInput {
   readonly value?: Value;
+  /** Metadata of the attribute that has the value. */
+  readonly colorSpace?: string;
   readonly shader?: PrimSpec;
   /** `rgb`, `r`, `a` …, without `outputs:`. */
   readonly output?: string;
@@ -28,8 +30,11 @@ export function resolveInput(layer: Layer, prim: PrimSpec, property: string, tim
 }
 
 function valueInput(prim: PrimSpec, name: string, time: TimeCode): ResolvedInput {
-  const value = valueAt(attributeOf(prim, name), time);
-  return value ? { value } : {};
+  const attribute = attributeOf(prim, name);
+  const value = valueAt(attribute, time);
+  if (!attribute || !value) return {};
+  const colorSpace = metadataText(attribute.metadata, 'colorSpace');
+  return { value, ...(colorSpace !== undefined && { colorSpace }) };
 }
 
 /** Whether a shader's inputs change with time. */

@@ -1,6 +1,6 @@
 import type { Vec3 } from '../../../../math/vec3.ts';
 import { msg } from '../../../../messages/message.ts';
-import type { NormalTexture, Texture, TextureChannel } from '../../../../scene/types.ts';
+import type { NormalTexture, Texture, TextureChannel, TextureWrap } from '../../../../scene/types.ts';
 import type { DecodedImage } from '../../../image/decodeImage.ts';
 import { withAlphaFrom } from '../../../image/imageChannels.ts';
 import { report } from '../../diagnostics.ts';
@@ -32,6 +32,8 @@ export interface AlphaSource {
   readonly image: DecodedImage;
   readonly picture: LoadedImage;
   readonly channel: number;
+  /** Outside the picture, if the shader does not say so as a UsdUVTexture does. */
+  readonly wrap?: readonly [s: TextureWrap, t: TextureWrap];
 }
 
 export interface OpacityInputValue {
@@ -47,8 +49,20 @@ export interface ScalarInputValue {
   readonly uv?: UvSource | undefined;
 }
 
+/** Reads the inputs of a surface. */
+export interface SurfaceInputs {
+  color(input: ResolvedInput, fallback: Vec3, alphaOf?: AlphaSource): Promise<ColorInputValue>;
+  opacity(input: ResolvedInput): Promise<OpacityInputValue>;
+  /** A number from 0 to 1, with a texture if it is connected to one. */
+  scalar(input: ResolvedInput, fallback: number): Promise<ScalarInputValue>;
+  /** The normal map; undefined if no texture is connected, since a constant normal has no effect. */
+  normals(
+    input: ResolvedInput,
+  ): Promise<{ readonly texture: NormalTexture; readonly uv?: UvSource | undefined } | undefined>;
+}
+
 /** Resolves shader inputs to values, textures and primvars. */
-export class TextureReader {
+export class TextureReader implements SurfaceInputs {
   private readonly context: StageContext;
   private readonly textures: TextureLoader;
   /** Scalar textures by shader, so that channels of one image share a texture. */
@@ -112,7 +126,6 @@ export class TextureReader {
     return { value: adjusted.gain, alphaOf, uv: this.uvOf(shader, picture) };
   }
 
-  /** A number from 0 to 1, with a texture if it is connected to one. */
   async scalar(input: ResolvedInput, fallback: number): Promise<ScalarInputValue> {
     const found = await this.scalarImage(input);
     if (found === undefined || typeof found === 'number') return { value: found ?? fallback };
@@ -127,7 +140,6 @@ export class TextureReader {
     };
   }
 
-  /** The normal map; undefined if no texture is connected, since a constant normal has no effect. */
   async normals(
     input: ResolvedInput,
   ): Promise<{ readonly texture: NormalTexture; readonly uv?: UvSource | undefined } | undefined> {
