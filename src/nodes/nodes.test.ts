@@ -150,7 +150,18 @@ describe('motion', () => {
 
   it('a flight of an object that deforms too fast is rejected', async () => {
     const { evaluation } = await flying('/Cloth', set('console', 'speedOfLight', 60));
-    expect(evaluation.results.get('fly1')).toMatchObject({ problem: { code: 'motion.superluminal', place: '/Cloth' } });
+    const result = evaluation.results.get('fly1');
+    expect(result).toMatchObject({ problem: { code: 'motion.superluminal', place: '/Cloth' } });
+    const remedy = result?.status === 'failed' ? result.problem.remedy : undefined;
+    // The cloth's own 28 √3 m/s leave 0.19 of 60 m/s.
+    expect(remedy).toMatchObject({
+      node: 'fly1',
+      param: 'speed',
+      value: expect.closeTo(1 - (28 * Math.sqrt(3)) / 60, 2),
+    });
+    const along = [1, 1, 1].map((x) => x / Math.sqrt(3));
+    const slower = [set('fly1', 'direction', along), set('fly1', 'speed', remedy!.value)];
+    expect((await flying('/Cloth', set('console', 'speedOfLight', 60), ...slower)).picture).toBeDefined();
   });
 
   it('a missing object and a zero direction are rejected', async () => {

@@ -2052,8 +2052,8 @@ const messages: Translation['messages'] = {
   Animation: '动画',
   'When the file’s animation begins, and how fast it runs. Motion faster than light is refused.':
     '文件动画何时开始、以多快速度播放。超过光速的运动会被拒绝。',
-  'Makes an object, with everything below it, fly along a straight line. Rigid objects keep their pose and lose their own motion; deforming objects keep deforming, and the two velocities are added relativistically.':
-    '让物体及其下属部分沿直线飞行。刚体保持姿态、不再有原来的运动；形变物体继续形变，两种速度相加。',
+  'Makes an object, with everything below it, fly along a straight line. Rigid objects keep their pose and lose their own motion; deforming objects keep deforming, and its velocity is added to theirs in the world frame.':
+    '让物体及其下属部分沿直线飞行。刚体保持姿态、不再有原来的运动；形变物体继续形变，其速度在世界参考系中与飞行速度相加。',
   Scene: '场景',
   'Composes what is observed.': '组成被观察的场景。',
   'Relativity console': '相对论控制台',
@@ -2760,6 +2760,7 @@ const messages: Translation['messages'] = {
 
   // The scene
   Objects: '物体',
+  'Pieces that take turns': '依次出现的部分',
   Triangles: '三角形',
   Moving: '运动物体',
   '{} at t = {}': '{1}，t = {2}',

@@ -13,7 +13,7 @@ import type { RelativisticScene } from '../socketValues.ts';
 export const flyNode = defineNode({
   id: 'fly',
   title: msg`Flight`,
-  help: msg`Makes an object, with everything below it, fly along a straight line. Rigid objects keep their pose and lose their own motion; deforming objects keep deforming, and the two velocities are added relativistically.`,
+  help: msg`Makes an object, with everything below it, fly along a straight line. Rigid objects keep their pose and lose their own motion; deforming objects keep deforming, and its velocity is added to theirs in the world frame.`,
   category: 'geometry',
   params: {
     object: {
@@ -57,7 +57,7 @@ export const flyNode = defineNode({
       c,
     );
     const fast = fastestAfter(relativity, flown, path);
-    if (fast && fast.speed >= c) throw refusal(superluminalProblem(fast, c, node));
+    if (fast && fast.speed >= c) throw refusal(superluminalProblem(fast, relativity, path, node));
     return { relativity: { ...relativity, scene: flown, fastest: fast } };
   },
 });
@@ -107,10 +107,19 @@ function fastestAfter({ fastest: before, scene, speedOfLight: c }: RelativisticS
 }
 
 function superluminalProblem(
-  { path, speed, time }: FastestScenePoint,
-  c: number,
+  { path: place, speed, time }: FastestScenePoint,
+  { scene, speedOfLight: c }: RelativisticScene,
+  path: string,
   node: string,
 ): Omit<NodeProblem, 'severity'> {
+  const during = [scene.startTime, scene.endTime] as const;
+  const own = scene.objects.reduce(
+    (best, object) =>
+      isAtOrBelow(object.path, path) ? Math.max(best, fastestVertex(object, c, during, best).speed) : best,
+    0,
+  );
+  // Velocities add in the world frame, so this suffices in every direction.
+  const value = Math.max(0, Math.floor(990 * (1 - own / c)) / 1000);
   const message = msg`with its own motion the flight makes it ${(speed / c).toPrecision(3)} c at t = ${time.toFixed(2)} s; fly slower, or raise the speed of light`;
-  return { code: 'motion.superluminal', place: path, message, remedy: { node, param: 'speed', value: 0.5 } };
+  return { code: 'motion.superluminal', place, message, remedy: { node, param: 'speed', value } };
 }

@@ -16,6 +16,7 @@ import { useServices } from '../../services.tsx';
 import { useEditor, useEditorState } from '../../state/context.tsx';
 import { ParamControl } from '../ParamControl.tsx';
 import { Section } from './Section.tsx';
+import { wholes } from './wholes.ts';
 
 /** Time mapping of the file's animation, and a motion added to an object. */
 export function MotionSection({ picture }: { readonly picture: PictureSpec }): ReactNode {
@@ -74,10 +75,10 @@ interface MovablePrim {
   readonly label: string;
 }
 
-/** Objects, and groups of several objects, by prim path. */
+/** Objects, and groups of several objects, by prim path. What consists of pieces is one object. */
 function useMovablePrims({ objects }: Scene): readonly MovablePrim[] {
   const { t } = useTexts();
-  const paths = useMemo(() => objects.map(({ path }) => path).join('\n'), [objects]);
+  const paths = useMemo(() => [...wholes(objects)].join('\n'), [objects]);
   return useMemo(() => {
     const counts = new Map<string, number>();
     for (const path of paths.split('\n')) {

@@ -14,6 +14,7 @@ import { MotionSection } from './MotionSection.tsx';
 import { OtherScenes } from './OtherScenes.tsx';
 import { Section } from './Section.tsx';
 import { Variants } from './Variants.tsx';
+import { wholes } from './wholes.ts';
 
 /** Content of the open scene, its variants and motion, and the reader's diagnostics. */
 export function ScenePanel(): ReactNode {
@@ -62,11 +63,13 @@ function Figures({ picture }: { readonly picture: PictureSpec }): ReactNode {
   const { t } = useTexts();
   const { scene, fastest } = picture;
   const triangles = scene.objects.reduce((sum, { mesh }) => sum + mesh.indices.length / 3, 0);
-  const moving = scene.objects.filter(({ motion }) => !isStatic(motion)).length;
+  const moving = wholes(scene.objects.filter(({ motion }) => !isStatic(motion))).size;
+  const pieces = scene.objects.filter(({ pieceOf }) => pieceOf !== undefined).length;
   const time = fastest && msg`${formatSpeed(fastest.speed)} at t = ${unbroken(formatSeconds(fastest.time))}`;
   const paths = pathsRow(scene.pathError, t);
   const rows: (readonly [string, ReactNode])[] = [
-    [t(msg`Objects`), formatCount(scene.objects.length)],
+    [t(msg`Objects`), formatCount(wholes(scene.objects).size)],
+    ...(pieces > 0 ? [[t(msg`Pieces that take turns`), formatCount(pieces)] as const] : []),
     [t(msg`Moving`), formatCount(moving)],
     [t(msg`Triangles`), formatCount(triangles)],
     [t(msg`Time range`), `${formatSeconds(scene.startTime)} … ${formatSeconds(scene.endTime)}`],
