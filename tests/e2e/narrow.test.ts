@@ -75,6 +75,15 @@ describe('a narrow page', () => {
     const visit = await (await program.open(SMALL, { viewport: { width, height }, locale, colorScheme })).ready();
     const words = WORDS[locale];
     await expectFit(visit, sizes);
+    if (locale === 'en-GB') {
+      const text = visit.page.locator('.sl-caption-text');
+      const hidden = () => text.evaluate((part) => part.scrollHeight - part.clientHeight);
+      expect(await hidden()).toBeGreaterThan(10);
+      await visit.page.getByRole('button', { name: 'More', exact: true }).click();
+      await expect.poll(hidden).toBeLessThan(2);
+      await visit.page.getByRole('button', { name: 'Less', exact: true }).click();
+      await expect.poll(hidden).toBeGreaterThan(10);
+    }
     // The longest numbers possible, and every unphysical setting.
     await type(visit, words.c, '299792458');
     await type(visit, words.beaming, '0.5');

@@ -36,6 +36,9 @@ describe('a file on disk', () => {
 
   it('that is not a regular file is not opened', () => {
     expect(openDiskFile(join(folder, 'none'), 'none')).toBeUndefined();
+    const file = join(folder, 'file');
+    writeFileSync(file, 'x');
+    expect(openDiskFile(join(file, 'scene.usda'), 'scene.usda')).toBeUndefined();
     expect(openDiskFile(folder, 'folder')).toBeUndefined();
   });
 

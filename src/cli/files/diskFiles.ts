@@ -17,10 +17,20 @@ const descriptors = new Map<string, number>();
 
 /** A file whose byte ranges can be read; undefined if it does not exist. `name`: for messages. */
 export function openDiskFile(path: string, name: string): RangedFile | undefined {
-  const stats = statSync(path, { throwIfNoEntry: false });
+  const stats = statsOf(path);
   if (!stats?.isFile()) return undefined;
   const handle: DiskFile = { path, size: stats.size, modified: stats.mtimeMs };
   return new RangedFile({ name, handle }, stats.size);
+}
+
+/** Undefined also below what is a file itself. */
+function statsOf(path: string): Stats | undefined {
+  try {
+    return statSync(path, { throwIfNoEntry: false });
+  } catch (error) {
+    if ((error as NodeJS.ErrnoException).code === 'ENOTDIR') return undefined;
+    throw error;
+  }
 }
 
 /** Reads bytes `at` to `at + length` of a file that `openDiskFile` opened, in any thread; for `setFileReader` of scene/streaming/storedNumbers.ts. Throws if the file has changed. */

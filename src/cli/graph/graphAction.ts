@@ -4,6 +4,7 @@ import type { NodeProblem, NodeType } from '../../graph/nodeType.ts';
 import { listed, type Message, msg } from '../../messages/message.ts';
 import { nodePage, nodeReference } from '../../nodes/docs/nodeReference.ts';
 import { nodeLibrary } from '../../nodes/library.ts';
+import { shaderTextFaults } from '../../nodes/project/shaderTextFaults.ts';
 import { InputError } from '../../scene/types.ts';
 import { checkWritable, writeFileAtomically } from '../files/outputFile.ts';
 import { projectProblems, readProject } from '../project/project.ts';
@@ -45,7 +46,9 @@ export async function check(paths: readonly string[], { json }: { readonly json?
 async function reportOf(project: string): Promise<ProjectReport> {
   try {
     const document = await readProject(project);
-    return { project, nodes: Object.keys(document.nodes).length, faults: projectProblems(document) };
+    const texts = await shaderTextFaults(document);
+    const faults = [...projectProblems(document), ...texts.values()];
+    return { project, nodes: Object.keys(document.nodes).length, faults };
   } catch (error) {
     const isUnreadable = error instanceof InputError || (error instanceof CliError && error.exitCode === EXIT.input);
     if (!isUnreadable) throw error;

@@ -27,7 +27,9 @@ export function Remedy({ remedy }: { readonly remedy: NonNullable<NodeProblem['r
       className="sl-remedy"
       onClick={() => editor.set(remedy.node, remedy.param, remedy.value, msg`the suggested remedy`)}
     >
-      {t(msg`Set ${t(spec?.title ?? remedy.param)} to ${`${shown}${unit}`.trim()}`)}
+      {shown === ''
+        ? t(msg`Clear ${t(spec?.title ?? remedy.param)}`)
+        : t(msg`Set ${t(spec?.title ?? remedy.param)} to ${`${shown}${unit}`.trim()}`)}
     </Button>
   );
 }

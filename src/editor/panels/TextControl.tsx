@@ -1,22 +1,25 @@
-import { Button, FileButton, Group, Stack, Textarea, TextInput } from '@mantine/core';
-import { type KeyboardEvent, type ReactNode, useId, useRef, useState } from 'react';
+import { Button, FileButton, Group, Stack } from '@mantine/core';
+import { type ReactNode, useRef } from 'react';
 import type { ListParam, TextParam } from '../../graph/nodeType.ts';
 import { msg } from '../../messages/message.ts';
 import { isGlsl } from '../../scene/shaderText/glsl/isGlsl.ts';
 import { SHADER_TEXT_LIMITS } from '../../scene/shaderText/sourceLocation.ts';
 import { useTexts } from '../language/languageStore.ts';
 import { download } from '../shell/download.ts';
-import { ParamLabel, ResetButton } from './ParamLabel.tsx';
+import { FileControl } from './FileControl.tsx';
+import { Lines, type LinesProps } from './Lines.tsx';
 import type { ParamProps } from './paramProps.ts';
 
 /** Longer texts get a multiline field [characters]. */
 const LONG = 60;
 
-/** A text field; accepts on blur or Enter (multiline: Ctrl Enter). */
-export function TextControl({ spec, set, value, onChange }: ParamProps<TextParam>): ReactNode {
+/** A text field; of a file with a choice of files. */
+export function TextControl(props: ParamProps<TextParam>): ReactNode {
+  const { spec, set, value, onChange } = props;
   const text = String(value);
   const long =
     spec.shader || spec.lines || [text, spec.default].some((words) => words.includes('\n') || words.length > LONG);
+  if (spec.file) return <FileControl {...props} />;
   const lines = <Lines {...{ spec, set, onChange }} text={text} long={long} take={onChange} />;
   if (!spec.shader) return lines;
   return (
@@ -59,45 +62,4 @@ export function ListControl({ spec, set, value, onChange }: ParamProps<ListParam
   const lines = Array.isArray(value) ? value.map(String) : spec.default;
   const take = (text: string) => onChange(text.split('\n').filter((line) => line.trim() !== ''));
   return <Lines {...{ spec, set, onChange, take }} text={lines.join('\n')} long />;
-}
-
-interface LinesProps extends Pick<ParamProps<TextParam | ListParam>, 'spec' | 'set' | 'onChange'> {
-  readonly text: string;
-  readonly long: boolean;
-  readonly take: (text: string) => void;
-}
-
-function Lines({ spec, set, text, long, onChange, take }: LinesProps): ReactNode {
-  const { t } = useTexts();
-  const id = useId();
-  const [typed, setTyped] = useState<string>();
-  const commit = () => {
-    if (typed !== undefined && typed !== text) take(typed);
-    setTyped(undefined);
-  };
-  const field = {
-    size: 'xs',
-    'aria-label': t(spec.title),
-    value: typed ?? text,
-    spellCheck: false,
-    onBlur: commit,
-    onChange: (event: React.ChangeEvent<HTMLInputElement | HTMLTextAreaElement>) => setTyped(event.currentTarget.value),
-    onKeyDown: (event: KeyboardEvent) => {
-      if (event.key === 'Enter' && (!long || event.ctrlKey || event.metaKey)) commit();
-      if (event.key === 'Escape') setTyped(undefined);
-    },
-  } as const;
-  return (
-    <Stack gap={2}>
-      <Group gap={4} wrap="nowrap" justify="space-between">
-        <ParamLabel spec={spec} id={id} />
-        <ResetButton set={set} onChange={onChange} />
-      </Group>
-      {long ? (
-        <Textarea {...field} autosize minRows={2} maxRows={16} classNames={{ input: 'sl-long' }} />
-      ) : (
-        <TextInput {...field} />
-      )}
-    </Stack>
-  );
 }

@@ -1,5 +1,5 @@
 import { resolvePath } from '../../formats/files/fileSource.ts';
-import { parseLocalName, sceneName } from '../loading/localFiles.ts';
+import { type LocalFiles, parseLocalName, sceneName } from '../loading/localFiles.ts';
 import { type EditorState, sourceOf } from '../state/editor.ts';
 
 const PROJECT_EXTENSION = '.slowlight.json';
@@ -55,3 +55,12 @@ export function exportedName(source: string, origin: string): string {
 /** The inverse: path of the file that a project at `path` calls `name`. */
 export const importedPath = (path: string, name: string): string =>
   resolvePath(path, name.replace(/^(.*?\.zip)\[(.*)\]$/i, '$1/$2'));
+
+/** The file of this session that a name typed into a project means: one beside the project, else one opened under that name; other names stay. */
+export function namedFile(name: string, origin: string, local: LocalFiles): string {
+  const home = parseLocalName(origin)?.rest.slice(1);
+  const beside = home === undefined ? name : importedPath(home, name);
+  return home !== undefined && local.paths(origin).includes(beside)
+    ? local.sibling(origin, beside)
+    : (local.find(importedPath('', name)) ?? name);
+}

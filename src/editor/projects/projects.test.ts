@@ -6,7 +6,7 @@ import { applyCommand } from '../../graph/edits/commands.ts';
 import { newProject, setParamCommand } from '../../nodes/project/projectCommands.ts';
 import { LocalFiles } from '../loading/localFiles.ts';
 import { expandArchives } from '../loading/userFiles.ts';
-import { exportedName, fileName, findProject, projectName } from './projectNames.ts';
+import { exportedName, fileName, findProject, namedFile, projectName } from './projectNames.ts';
 import { openErrorOf, projectFromFiles } from './projectSource.ts';
 import { restoreSession } from './restoreSession.ts';
 import type { SessionRecord } from './sessionStore.ts';
@@ -68,6 +68,30 @@ describe('a project among files', () => {
     const { document, origin } = await projectFromFiles(files, findProject(paths)!, new LocalFiles());
     expect(sourceOf(document)).toBe(found);
     expect(origin).toBe(`local:1/${findProject(paths)}`);
+  });
+
+  it('a name that is typed means a file opened with it, else one opened before', () => {
+    const local = new LocalFiles();
+    local.add(
+      new Map([
+        ['stage.usda', blob('x')],
+        ['blur.fs', blob('x')],
+      ]),
+      'stage.usda',
+    );
+    local.add(
+      new Map([
+        ['p/my.slowlight.json', blob('x')],
+        ['p/stage.usda', blob('x')],
+      ]),
+      'p/my.slowlight.json',
+    );
+    const named = (name: string) => namedFile(name, 'local:2/p/my.slowlight.json', local);
+    expect(named('stage.usda')).toBe('local:2/p/stage.usda');
+    expect(named('blur.fs')).toBe('local:1/blur.fs');
+    expect(named('examples/street.usdc')).toBe('examples/street.usdc');
+    expect(named('')).toBe('');
+    expect(namedFile('stage.usda', '', local)).toBe('local:1/stage.usda');
   });
 
   it('finds files given before, and those packed with it', async () => {

@@ -240,3 +240,15 @@ describe('projects', () => {
     expect(isUnsaved(state())).toBe(true);
   });
 });
+
+it('a faulty shader text of a node that leads nowhere is marked, without a notice', async () => {
+  const { editor, state } = await open('a.usda');
+  const params = { effect: 'written', text: 'fn effect(p: Pixel) -> vec4f { return 1; }' };
+  editor.edit({ kind: 'add-node', node: 'alone', type: 'post-process', at: [0, 0], params }, msg`add`);
+  await expect
+    .poll(() => state().results.get('alone'))
+    .toMatchObject({ status: 'failed', problem: { place: 'alone' } });
+  expect(state().notices).toEqual([]);
+  editor.set('alone', 'effect', 'gaussian-blur', msg`set`);
+  await expect.poll(() => state().results.has('alone')).toBe(false);
+});

@@ -21,6 +21,7 @@ import { nodeLibrary } from '../../nodes/library.ts';
 import { evaluatedPicture } from '../../nodes/pictures/renderSettings.ts';
 import { nearestToOutput, outputNodeId, readNodeParams, readSource } from '../../nodes/project/outputChain.ts';
 import { newProject, openFileCommand, setParamCommand } from '../../nodes/project/projectCommands.ts';
+import { shaderTextFaults } from '../../nodes/project/shaderTextFaults.ts';
 import type { Services } from '../../nodes/services.ts';
 import type { PictureSpec } from '../../nodes/socketValues.ts';
 import type { Backend } from '../../render/settings.ts';
@@ -323,7 +324,8 @@ function startEvaluation(store: StoreApi<EditorState>, services: Services) {
       const evaluation = await result;
       if (turn !== latest) return;
       isStopped &&= isInterim(evaluation);
-      applyEvaluation(store, evaluation);
+      const faults = await shaderTextFaults(document, (node) => evaluation.results.has(node));
+      if (turn === latest) applyEvaluation(store, evaluation, faults);
     } catch (error) {
       if (!(error instanceof CancelledError)) throw error;
       if (turn === latest) store.setState(({ interim }) => ({ loading: undefined, interim: interim && 'stopped' }));
@@ -358,7 +360,12 @@ const isInterim = ({ results }: Evaluation): boolean =>
 /** Runs whose end has been reported, so that an edit elsewhere does not report them again. */
 const judgedRuns = new WeakSet<RunRecord>();
 
-function applyEvaluation(store: StoreApi<EditorState>, evaluation: Evaluation): void {
+/** `faults`: of nodes that were not evaluated; they are marked, without a notice. */
+function applyEvaluation(
+  store: StoreApi<EditorState>,
+  evaluation: Evaluation,
+  faults: ReadonlyMap<string, NodeProblem>,
+): void {
   const { document } = store.getState().history;
   const reads = readNodeParams(document);
   const failed = [...evaluation.results].flatMap(([node, result]) =>
@@ -372,7 +379,7 @@ function applyEvaluation(store: StoreApi<EditorState>, evaluation: Evaluation): 
     loading: undefined,
     interim: isInterim(evaluation) ? 'stopped' : undefined,
     unreadableNode: failed.find(({ node }) => Object.hasOwn(reads, node))?.node,
-    results: evaluation.results,
+    results: withFaults(evaluation.results, faults),
     notices: notices.filter((notice) => !notice.ofDocument),
   }));
   for (const notice of simulationNotices(fresh)) addNotice(store, { kind: 'warning', ...notice, ofDocument: true });
@@ -380,6 +387,11 @@ function applyEvaluation(store: StoreApi<EditorState>, evaluation: Evaluation): 
     addNotice(store, { kind: 'error', text: message, place, remedy, ofDocument: true });
   }
 }
+
+const withFaults = (results: Evaluation['results'], faults: ReadonlyMap<string, NodeProblem>): Evaluation['results'] =>
+  faults.size === 0
+    ? results
+    : new Map([...results, ...[...faults].map(([node, problem]) => [node, { status: 'failed', problem }] as const)]);
 
 /** What went wrong with runs: of one run all of it, of several how many they are. */
 function simulationNotices(runs: readonly SimulationRun[]): readonly Pick<Notice, 'text' | 'place'>[] {

@@ -92,10 +92,34 @@ function Caption(): ReactNode {
           <IconX size={14} />
         </UnstyledButton>
       </Group>
-      <Text size="xs" lh={1.5} className="sl-caption-text">
-        {lookFor}
-      </Text>
+      <LookFor key={lookFor} text={lookFor} />
     </aside>
+  );
+}
+
+/** In a narrow viewport its first lines, until the rest is asked for. */
+function LookFor({ text }: { readonly text: string }): ReactNode {
+  const { t } = useTexts();
+  const part = useRef<HTMLParagraphElement>(null);
+  const [isCut, setCut] = useState(false);
+  const [isWhole, setWhole] = useState(false);
+  useEffect(() => {
+    const element = part.current!;
+    const observer = new ResizeObserver(() => setCut(element.scrollHeight > element.clientHeight + 1));
+    observer.observe(element);
+    return () => observer.disconnect();
+  }, []);
+  return (
+    <>
+      <Text ref={part} size="xs" lh={1.5} className="sl-caption-text" data-whole={isWhole || undefined}>
+        {text}
+      </Text>
+      {(isCut || isWhole) && (
+        <UnstyledButton className="sl-caption-more" aria-expanded={isWhole} onClick={() => setWhole(!isWhole)}>
+          {t(isWhole ? msg`Less` : msg`More`)}
+        </UnstyledButton>
+      )}
+    </>
   );
 }
 

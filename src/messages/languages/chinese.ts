@@ -1741,6 +1741,7 @@ const messages: Translation['messages'] = {
   '{} has no texture coordinates; project the texture instead': '{1} 没有纹理坐标；请改用投影',
   'no image is named; name a PNG or JPEG': '没有指定图像；请指定 PNG 或 JPEG',
   'Load text…': '载入文本…',
+  'Choose a file…': '选择文件…',
   'Save text': '保存文本',
   'Shader file': '着色器文件',
   'A file with the text, in WGSL or GLSL, such as blur.fs; it comes before the text above.':
@@ -2495,6 +2496,7 @@ const messages: Translation['messages'] = {
   'There are no objects in {}, so only the sky is visible. Check what was exported; the Scene panel may say more.':
     '{1} 中没有物体，因此只能看到天空。请检查导出的内容；“场景”面板可能有更多说明。',
   'Set {} to {}': '将{1}设为 {2}',
+  'Clear {}': '清空{1}',
   'Saved {}': '已保存 {1}',
   'This browser cannot encode films of that size. Save frames instead (a name like film.####.png), or save the project and run: {}':
     '此浏览器无法编码该尺寸的影片。请改存逐帧图片（文件名如 film.####.png），或保存项目后运行：{1}',
@@ -2710,6 +2712,8 @@ const messages: Translation['messages'] = {
   'Turn back': '掉头',
   'Fly with W A S D, drag to look, ? for all keys': 'W A S D 飞行，拖动环顾，? 查看全部按键',
   'What to look for': '观察要点',
+  More: '展开',
+  Less: '收起',
   Hide: '隐藏',
   'Opening {}': '正在打开 {1}',
   Simulating: '正在模拟',

@@ -149,6 +149,49 @@ print(json.dumps(list(UsdGeom.Xformable(stage.GetPrimAtPath('/World/Car/Wheel'))
   });
 });
 
+it('a stage among the files of the page is named as it will be beside the result', async () => {
+  const onPage: Services = {
+    ...services,
+    readFile: (name) => services.readFile(name.startsWith('local:1/set/') ? name.slice('local:1/set/'.length) : ''),
+  };
+  const into = (path: string) =>
+    new Evaluator(nodeLibrary).evaluate(
+      edited(project, set('usd', 'into', 'local:1/set/shot.usda'), set('usd', 'prim', path)),
+      ...(['usd', onPage] as const),
+    );
+  expect((await into('/World/geom/geometry')).target).toMatchObject({
+    outputs: {
+      file: { stage: { text: expect.stringContaining('subLayers = [@./shot.usda@, @./out.geometry.usdc@]') } },
+    },
+  });
+  expect((await into('/World/Car')).target).toMatchObject({ problem: { place: 'shot.usda' } });
+});
+
+it('the speed of light that the stage suggests holds, else that of the geometry', async () => {
+  const suggesting = STAGE.replace(
+    'endTimeCode',
+    'customLayerData = { dictionary slowlight = { double speedOfLight = 30 } }\n  endTimeCode',
+  );
+  for (const [stage, expected] of [
+    [STAGE, 10],
+    [suggesting, 30],
+  ] as const) {
+    const readFile = async () => new TextEncoder().encode(stage);
+    const { target } = await new Evaluator(nodeLibrary).evaluate(
+      edited(project, set('usd', 'speedOfLight', 10)),
+      'usd',
+      {
+        ...services,
+        readFile,
+      },
+    );
+    if (target.status !== 'done') throw new Error(JSON.stringify(target));
+    const { files } = await exportSceneFile(target.outputs.file as SceneOutput, 'out.usda');
+    const all = { ...Object.fromEntries(files), 'stage.usda': await readFile() };
+    expect((await openScene(memorySource(all), 'out.usda')).hints.speedOfLight).toBe(expected);
+  }
+});
+
 describe('nothing is overwritten:', () => {
   it.each([
     ['/World/Car', 'usd.prim-exists', /there is a prim \/World\/Car already/],

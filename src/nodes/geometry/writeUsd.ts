@@ -1,4 +1,4 @@
-import { extensionOf, type FileSource } from '../../formats/files/fileSource.ts';
+import { extensionOf, type FileSource, resolvePath } from '../../formats/files/fileSource.ts';
 import type { StageArc } from '../../formats/usd/write/existingStage.ts';
 import { msg } from '../../messages/message.ts';
 import { SPEED_OF_LIGHT } from '../../physics/constants.ts';
@@ -116,34 +116,36 @@ async function inStage(
       node,
       msg`the name ${into} has characters that USD takes for the end of it; rename the file`,
     );
+  const stageFile = besideResult(into);
   try {
     const { existingStage, placedStageText } = await import('../../formats/usd/write/existingStage.ts');
-    const stage = await existingStage(projectFiles(services), into, path);
+    const stage = await existingStage(filesBeside(into, services), stageFile, path);
     if (stage.upAxis !== scene.upAxis)
       throw nodeRefusal(
         'usd.up-axis',
         node,
-        msg`in ${into} ${stage.upAxis} is up, in the geometry ${scene.upAxis}; make the geometry in the axes of the stage`,
+        msg`in ${stageFile} ${stage.upAxis} is up, in the geometry ${scene.upAxis}; make the geometry in the axes of the stage`,
       );
     const { metersPerUnit, timeCodesPerSecond } = stage;
     // A payload has its own root, which becomes the prim.
     const place = arc === 'payload' ? path.slice(path.lastIndexOf('/')) : path;
     const placed = { ...placeUnder(scene, place), metersPerUnit, timeCodesPerSecond };
     const geometryFile = `${name.slice(0, -extensionOf(name).length - 1)}.geometry.usdc`;
-    if ([name, geometryFile].includes(into.slice(into.lastIndexOf('/') + 1)))
+    if ([name, geometryFile].includes(stageFile.slice(stageFile.lastIndexOf('/') + 1)))
       throw nodeRefusal(
         'usd.stage',
         `${node}.name`,
-        msg`this would overwrite ${into}, the stage that the geometry goes into; choose another file name`,
+        msg`this would overwrite ${stageFile}, the stage that the geometry goes into; choose another file name`,
       );
     const [start, end] = [scene.startTime * timeCodesPerSecond, scene.endTime * timeCodesPerSecond];
     const text = placedStageText(stage, {
-      stageFile: `./${into}`,
+      stageFile: `./${stageFile}`,
       geometryFile: `./${geometryFile}`,
       path,
       arc,
       start,
       end,
+      ...(scene.hints.speedOfLight && { speedOfLight: scene.hints.speedOfLight }),
     });
     return { kind: 'scene', name, scene: placed, stage: { text, geometryFile } };
   } catch (error) {
@@ -153,11 +155,14 @@ async function inStage(
   }
 }
 
-/** The project's files, as far as they are there. */
-const projectFiles = ({ readFile }: Services): FileSource => ({
+/** Where the stage will be from the new one: at its path in the project, or, as a file of the page (`local:1/set/stage.usda`) or an address, beside it. */
+const besideResult = (into: string): string => (/^[a-z]+:/i.test(into) ? (into.split(/[/@]/).at(-1) ?? into) : into);
+
+/** The files around the stage, as far as they are there, by their paths from where it will be. */
+const filesBeside = (into: string, { readFile }: Services): FileSource => ({
   read: async (path) => {
     try {
-      return await readFile(path);
+      return await readFile(into === besideResult(into) ? path : resolvePath(into, path));
     } catch (error) {
       if (error instanceof InputError && error.diagnostic.code === 'file.missing') return undefined;
       throw error;

@@ -7,6 +7,7 @@ import { composeStage } from '../compose/composeStage.ts';
 import { LayerStore } from '../compose/layers/layerStore.ts';
 import { metadataNumber, metadataText, primAt, primsAlong, stageTimeCode } from '../layer/query.ts';
 import { layerParser } from '../readLayer.ts';
+import { hintsOf } from '../schema/slowlightAttributes.ts';
 
 /** What has to be known of a stage to put something into it. */
 export interface ExistingStage {
@@ -17,6 +18,8 @@ export interface ExistingStage {
   readonly startTimeCode?: number;
   readonly endTimeCode?: number;
   readonly defaultPrim?: string;
+  /** That it suggests [m/s]. */
+  readonly speedOfLight?: number;
   /** How many prims along the path are there. */
   readonly ancestors: number;
 }
@@ -38,6 +41,7 @@ export async function existingStage(source: FileSource, entry: string, path: str
   const number = (key: string): number | undefined => metadataNumber(layer.metadata, key);
   const [start, end] = [stageTimeCode(layer.metadata, 'start'), stageTimeCode(layer.metadata, 'end')];
   const first = metadataText(layer.metadata, 'defaultPrim');
+  const { speedOfLight: suggested } = hintsOf(layer);
   return {
     upAxis: metadataText(layer.metadata, 'upAxis') === 'Z' ? 'Z' : 'Y',
     metersPerUnit: number('metersPerUnit') ?? 0.01,
@@ -45,6 +49,7 @@ export async function existingStage(source: FileSource, entry: string, path: str
     ...(start !== undefined && { startTimeCode: start }),
     ...(end !== undefined && { endTimeCode: end }),
     ...(first !== undefined && { defaultPrim: first }),
+    ...(suggested !== undefined && { speedOfLight: suggested }),
     ancestors: primsAlong(layer, path).length,
   };
 }
@@ -61,6 +66,8 @@ interface StagePlacement {
   /** Time range of the geometry [time codes]. */
   readonly start: number;
   readonly end: number;
+  /** That of the geometry, where the stage suggests none [m/s]. */
+  readonly speedOfLight?: number;
 }
 
 /**
@@ -69,8 +76,12 @@ interface StagePlacement {
  */
 export function placedStageText(stage: ExistingStage, placement: StagePlacement): string {
   const { stageFile, geometryFile, path, arc, start, end } = placement;
+  const speedOfLight = stage.speedOfLight ?? placement.speedOfLight;
   const layers = arc === 'sublayer' ? [stageFile, geometryFile] : [stageFile];
   const metadata = [
+    ...(speedOfLight === undefined
+      ? []
+      : [`customLayerData = { dictionary slowlight = { double speedOfLight = ${speedOfLight} } }`]),
     ...(stage.defaultPrim === undefined ? [] : [`defaultPrim = ${JSON.stringify(stage.defaultPrim)}`]),
     `endTimeCode = ${Math.max(end, stage.endTimeCode ?? end)}`,
     `metersPerUnit = ${stage.metersPerUnit}`,
