@@ -1,11 +1,12 @@
-import { add, lerp, type Vec3 } from '../math/vec3.ts';
+import { add, scale, type Vec3, ZERO } from '../math/vec3.ts';
 import { VIEWS } from '../scene/views/views.ts';
 import { toneMap, unlitShare } from '../spectrum/display/toneMap.ts';
 import type { Hit, SpacetimeRay } from './acceleration/ray.ts';
 import { dopplerOfHit } from './aov.ts';
 import { cameraRay } from './camera/cameraRay.ts';
-import { groundGrid } from './camera/groundGrid.ts';
+import { groundGrid, type Overlay } from './camera/groundGrid.ts';
 import { visibleHit } from './camera/visibleHit.ts';
+import { DisplayPixel } from './displayPixel.ts';
 import type { TracedScene } from './intersection/tracedScene.ts';
 import { materialOf } from './materials/material.ts';
 import { surfaceAt } from './materials/surface.ts';
@@ -23,19 +24,19 @@ export interface BeautyBuffers {
 
 /**
  * Renders the `beauty` and `picture` layers of a tile: means over n × n samples per pixel; a single sample is at the pixel's centre, where
- * the data are taken. For `picture` samples are tone mapped before they are averaged, as the rasterizer does, which antialiases edges of very
- * bright surfaces too. Each pixel has a random sequence of its own, so the bits do not depend on the division into tiles.
+ * the data are taken. `picture` is the same as `DisplayPixel` shows it. Each pixel has a random sequence of its own, so the bits do not depend on the division into tiles.
  */
 export function fillBeauty(scene: TracedScene, request: TileRequest, tile: ImageTile, means: BeautyBuffers): void {
   const { x0, y0, x1, y1 } = tile;
   const { view, settings, width, height, samples: n, seed, light } = request;
-  const toDisplay = displayTransform(scene, request);
+  const overlays = overlaysOf(scene, request);
   const stars = starField(scene, request, tile);
   const createSensor = sensorsOf(settings, n * n);
   for (let y = y0; y < y1; y++)
     for (let x = x0; x < x1; x++) {
       const sampleSequence = pixelSequence(seed, x, y);
-      const sums = [0, 0, 0, 0, 0, 0];
+      let sum: Vec3 = ZERO;
+      const display = new DisplayPixel(settings);
       for (let i = 0; i < n * n; i++) {
         const random = sampleSequence(i);
         const [right, down] = n === 1 ? [0.5, 0.5] : [random(), random()];
@@ -43,37 +44,31 @@ export function fillBeauty(scene: TracedScene, request: TileRequest, tile: Image
         const ray = cameraRay(view, settings, px, py, width, height);
         const gathered = radiance(scene, ray, view, settings, light, random, createSensor(random));
         const arrived = stars ? add(gathered, stars(ray, px, py)) : gathered;
-        const displayed = toDisplay(arrived, ray, px, py);
-        for (let k = 0; k < 3; k++) {
-          sums[k] += arrived[k] / (n * n);
-          sums[3 + k] += displayed[k] / (n * n);
-        }
+        sum = add(sum, arrived);
+        if (means.picture) display.add(arrived, visibleHit(scene, ray, 'hit')?.object, overlays(ray, px, py));
       }
       const pixel = 3 * ((y - y0) * (x1 - x0) + (x - x0));
-      means.beauty?.set(sums.slice(0, 3), pixel);
-      means.picture?.set(sums.slice(3), pixel);
+      means.beauty?.set(scale(sum, 1 / (n * n)), pixel);
+      means.picture?.set(display.mean(), pixel);
     }
 }
 
-/** Maps the light along a picture point's ray to display values: tone mapped, with the grid drawn over it. */
-function displayTransform(
+/** What is drawn over the light of a picture's point, along this ray: the colours of unlit surfaces, and the grid. */
+function overlaysOf(
   scene: TracedScene,
   request: TileRequest,
-): (light: Vec3, ray: SpacetimeRay, x: number, y: number) => Vec3 {
+): (ray: SpacetimeRay, x: number, y: number) => readonly Overlay[] {
   const { settings, view, width, height } = request;
   const hasUnlit = scene.scene.materials.some(({ unlit }) => unlit) && settings.tone !== 'linear';
-  const toned = (light: Vec3): Vec3 => toneMap(light, settings.exposure, settings.tone);
-  if (!settings.grid && !hasUnlit) return toned;
+  if (!settings.grid && !hasUnlit) return () => [];
   const grid = settings.grid ? groundGrid(scene, view, width, height) : undefined;
-  return (light, ray, x, y) => {
+  return (ray, x, y) => {
     const hit = visibleHit(scene, ray);
     const share = hit && materialOf(scene, hit).unlit ? unlitShare(shiftOf(hit, ray, request)) : 0;
     // Its colour itself, which has no noise of sampled wavelengths.
     const own = hit && share > 0 ? toneMap(surfaceAt(scene, hit).emissive, settings.exposure, 'linear') : undefined;
-    const shown = own ? lerp(toned(light), own, share) : toned(light);
-    if (!grid) return shown;
-    const { color, cover } = grid(x, y, hit?.s ?? Number.POSITIVE_INFINITY);
-    return lerp(shown, color, cover);
+    const drawn = grid?.(x, y, hit?.s ?? Number.POSITIVE_INFINITY);
+    return [...(own ? [{ color: own, cover: share }] : []), ...(drawn ? [drawn] : [])];
   };
 }
 

@@ -138,3 +138,31 @@ it('an unlit surface shows its colour as it is written, whatever light falls on 
   // Towards it at 0.1 c, ln D = 0.1: the curve alone, below the white that clips.
   expect(Math.max(...shown([0, 0, -0.1005]))).toBeLessThan(252);
 });
+
+it('noise does not darken what is displayed: under a sky of 0.9 rough and smooth metals are 0.9', () => {
+  const ball = (roughness: number): TracedScene =>
+    createTracedScene(
+      makeScene({
+        name: 'furnace',
+        objects: [makeObject({ path: '/Ball', mesh: sphere(4, { segments: 12 }), motion: restingAt([0, 0, -6]) })],
+        materials: [makeMaterial({ name: 'metal', baseColor: [1, 1, 1], metallic: 1, roughness })],
+        lights: [{ kind: 'dome', path: '/Sky', color: [0.9, 0.9, 0.9] }],
+      }),
+      1,
+    );
+  const furnace = {
+    ...request,
+    view: viewFrom({}),
+    settings: { ...settingsFor('light-cone'), exposure: 0, tone: 'linear' },
+    layers: ['picture', 'beauty'],
+    width: 8,
+    height: 8,
+    samples: 4,
+  } as const;
+  for (const roughness of [0.2, 1]) {
+    const { picture, beauty } = renderTile(ball(roughness), furnace, { x0: 0, y0: 0, x1: 8, y1: 8 });
+    const mean = (values: Float32Array | undefined): number => values!.reduce((sum, value) => sum + value) / 192;
+    expect(Math.abs(mean(beauty) - 0.9)).toBeLessThan(0.02);
+    expect(Math.abs(mean(picture) - 0.9)).toBeLessThan(0.03);
+  }
+});
