@@ -210,7 +210,7 @@ def "A" ( references = @\`"./\${N}.usda"\`@ ) {}`,
     }),
     leftOut(
       'a missing layer',
-      'reported with the places that were searched; the file can be dropped on the page',
+      'reported with the places that were searched, more than three in one line with their count; the file can be dropped on the page. A stage of which nothing is left (`usd.empty-stage`) is an error: `render` writes no picture and exits with 3',
       'usd.missing-layer',
       usd('def Cube "A" ( references = @./none.usda@ ) {}'),
       (s) => expect(s.diagnostics[0].missing?.lookedFor).toEqual(['none.usda']),

@@ -117,12 +117,14 @@ function fastestPoint(scene: Scene, c: number) {
 }
 
 function describe(s: Summary): string {
+  // Missing files that a line sums up are listed one by one in JSON only.
+  const told = s.diagnostics.filter(({ severity, missing }) => severity !== 'info' || !missing);
   const parts = [
     s.title ? `${s.name} – ${s.title}` : s.name,
     ...[...(s.lookFor ? [s.lookFor] : []), ...summaryLines(s)].map((line) => msg`  ${line}`),
     '',
     ...treeLines(treeEntries(s)),
-    ...(s.diagnostics.length > 0 ? ['', ...s.diagnostics.map(diagnosticLine)] : []),
+    ...(told.length > 0 ? ['', ...told.map(diagnosticLine)] : []),
   ];
   return localized(inLines(parts));
 }

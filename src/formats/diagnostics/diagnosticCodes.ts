@@ -48,6 +48,7 @@ export const DIAGNOSTIC_CODES = {
   'usd.metadata': 'a unit or rate that is not a positive number',
   'usd.units': 'metersPerUnit is missing: one unit is 1 cm',
   'usd.missing-layer': 'a layer is missing; the message lists where it was searched for',
+  'usd.empty-stage': 'a stage that has nothing, since the layers that it refers to are missing',
   'usd.unreadable-layer': 'a layer that cannot be read',
   'usd.too-many-layers': 'more layers than the limit of a stage',
   'usd.too-many-prims': 'more prims than the limit of a stage',

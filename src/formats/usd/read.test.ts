@@ -2,6 +2,7 @@ import { existsSync, readdirSync, readFileSync } from 'node:fs';
 import { dirname, join } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { describe, expect, it } from 'vitest';
+import { inEnglish } from '../../messages/message.ts';
 import { InputError, type Scene } from '../../scene/types.ts';
 import { memorySource } from '../files/fileSource.ts';
 import { said } from './fixtures/said.ts';
@@ -102,10 +103,30 @@ class "_class" {}
       'usd.cycle a.usda</Car>: the inherit of /Car in a.usda to /Car/Part leads back to where it comes from; it is left out',
       'usd.unresolved-prim a.usda</Car>: its reference </Nowhere> leads to /Nowhere, which a.usda does not have',
       "usd.undefined-prim a.usda</Lost>: an 'over' changes this prim, and nothing defines it; it is left out",
+      'usd.empty-stage a.usda: there is nothing to see: 3 references to layers that are not there, and nothing else; open the folder that holds them',
     ]);
     const missing = scene.diagnostics.flatMap((d) => d.missing ?? []);
     expect(missing).toEqual(['base.usda', 'car.usd', 'heavy.usd'].map((name) => ({ name, lookedFor: [name] })));
     expect(scene.variants).toEqual([{ set: '/Car{color}', options: ['blue', 'red'], chosen: '' }]);
+  });
+
+  it('many arcs to missing layers, by their count in one line', async () => {
+    const arcs = Array.from({ length: 40 }, (_, k) => `def "P${k}" ( references = @part${k % 10}.usda@ ) {}`);
+    const scene = await readText(`${arcs.join('\n')}\ndef Cube "C" {}`);
+    const warnings = scene.diagnostics.filter(({ severity }) => severity === 'warning');
+    expect(warnings).toHaveLength(4);
+    expect(inEnglish(warnings[3].message)).toMatch(
+      /^40 references, payloads and sublayers lead to 10 layers that are not there \(part0\.usda.*part7\.usda.*…\)/,
+    );
+    // Every file is still known to those who can supply it.
+    expect(new Set(scene.diagnostics.flatMap(({ missing }) => missing?.name ?? [])).size).toBe(10);
+  });
+
+  it('a stage of which nothing is left, as an error', async () => {
+    const scene = await readText('def "P" ( references = @part.usda@ ) {}');
+    const errors = scene.diagnostics.filter(({ severity }) => severity === 'error');
+    expect(errors.map(({ code }) => code)).toEqual(['usd.empty-stage']);
+    expect((await readText('def Xform "P" {}')).diagnostics).toEqual([]);
   });
 
   it('prims of unsupported types', async () => {

@@ -57,6 +57,14 @@ export async function readUsd(source: FileSource, entry: string, options: ReadOp
   const context = contextOf(stage.layer, files, diagnostics, { ...options, sampleMemory });
   const contents = await readStage(context);
   reportSubdivision(context);
+  if (stage.missingArcs > 0 && contents.objects.length + contents.lights.length === 0)
+    report(
+      context,
+      'error',
+      'usd.empty-stage',
+      '',
+      msg`there is nothing to see: ${stage.missingArcs} references to layers that are not there, and nothing else; open the folder that holds them`,
+    );
   const { error } = context.motionBudget;
   return {
     ...sceneHeader(context, entry),

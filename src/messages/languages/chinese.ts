@@ -143,6 +143,12 @@ const messages: Translation['messages'] = {
   "a shader '{}' is not read; st is used for uv": '不支持读取着色器“{1}”；纹理坐标已采用 st',
   'the texture names no file': '纹理没有指明文件',
 
+  // Missing layers
+  '{} references, payloads and sublayers lead to {} layers that are not there ({}); open the folder that holds them':
+    '{1} 个引用、负载和子图层指向 {2} 个不存在的图层（{3}）；请打开它们所在的文件夹',
+  'there is nothing to see: {} references to layers that are not there, and nothing else; open the folder that holds them':
+    '没有可看的内容：只有 {1} 个指向不存在图层的引用；请打开它们所在的文件夹',
+
   // MaterialX
   'includes more than {} documents': '包含的文档超过 {1} 个',
   '{}, line {}': '{1}，第 {2} 行',
@@ -795,9 +801,9 @@ const messages: Translation['messages'] = {
   'normal texture': '法线纹理',
   'metallic-roughness texture': '金属度与粗糙度纹理',
   '{} more': '另有 {1} 个',
-  'unlit': '无光照',
+  unlit: '无光照',
   'strength or colour of reflection': '反射的强度或颜色',
-  'clearcoat': '清漆',
+  clearcoat: '清漆',
   'specular texture': '镜面反射纹理',
   'specular colour texture': '镜面反射颜色纹理',
   'clearcoat texture': '清漆纹理',
@@ -811,8 +817,9 @@ const messages: Translation['messages'] = {
   'normal map of the clearcoat': '清漆的法线贴图',
   'unlit surface: it emits its colour through the tone curve': '无光照表面：其颜色经色调曲线发出',
   'Index of refraction': '折射率',
-  'Determines how much is reflected, and how glass refracts: 1.33 is water, 1.5 glass, 2.42 diamond.': '决定反射多少以及玻璃如何折射：1.33 是水，1.5 是玻璃，2.42 是钻石。',
-  'Clearcoat': '清漆',
+  'Determines how much is reflected, and how glass refracts: 1.33 is water, 1.5 glass, 2.42 diamond.':
+    '决定反射多少以及玻璃如何折射：1.33 是水，1.5 是玻璃，2.42 是钻石。',
+  Clearcoat: '清漆',
   'A clear varnish over everything else.': '覆盖在其他一切之上的透明清漆。',
   'Roughness of the clearcoat': '清漆的粗糙度',
   'occlusion texture': '遮蔽纹理',

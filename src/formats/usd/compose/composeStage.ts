@@ -39,7 +39,14 @@ export interface ComposedStage {
   /** The composed stage as one layer: prims without arcs, resolved values, stage paths. */
   readonly layer: Layer;
   readonly variantSets: readonly ComposedVariantSet[];
+  /** Number of sublayers, references and payloads whose layers are missing. */
+  readonly missingArcs: number;
 }
+
+/** Arcs to missing layers that are told one by one; all of them are counted in one line. */
+const MAX_TOLD_MISSING = 3;
+/** Maximum number of missing layers that this line names. */
+const MAX_NAMED_LAYERS = 8;
 
 /** A diagnostic deferred until the prim's index is final. */
 interface PendingIssue {
@@ -82,6 +89,9 @@ class StageComposer {
   private noted: PendingIssue[] = [];
   private prims = 0;
   private isFull = false;
+  private missingArcs = 0;
+  /** Names of missing layers, as written. */
+  private readonly missingLayers = new Set<string>();
   private readonly clipBudget = { samples: MAX_CLIP_SAMPLES };
 
   constructor(store: LayerStore, root: LoadedLayer, diagnostics: DiagnosticList, options: ComposeOptions) {
@@ -110,7 +120,9 @@ class StageComposer {
     const root = { index, path: '', depth: 0, isShared: false, clips: [] };
     const rootPrims = await this.children(root, childNames(index));
     this.reportUnknownVariants();
-    return { layer: { name, metadata, rootPrims }, variantSets: this.variantSets };
+    this.reportMissingLayers();
+    const { missingArcs, variantSets } = this;
+    return { layer: { name, metadata, rootPrims }, variantSets, missingArcs };
   }
 
   /** Repeats `build` until all layers are loaded; reports the diagnostics of the last run. */
@@ -128,7 +140,23 @@ class StageComposer {
 
   private report(code: DiagnosticCode, path: string, message: Message, missing?: MissingFile): void {
     const context = { layer: this.root.layer, diagnostics: this.diagnostics };
+    if (code === 'usd.missing-layer' && missing) {
+      const isNew = !this.missingLayers.has(missing.name);
+      this.missingLayers.add(missing.name);
+      if (++this.missingArcs > MAX_TOLD_MISSING) {
+        if (isNew) report(context, 'info', code, path, message, { missing });
+        return;
+      }
+    }
     report(context, 'warning', code, path, message, missing && { missing });
+  }
+
+  private reportMissingLayers(): void {
+    if (this.missingArcs <= MAX_TOLD_MISSING) return;
+    const names = [...this.missingLayers];
+    const named = listed([...names.slice(0, MAX_NAMED_LAYERS), ...(names.length > MAX_NAMED_LAYERS ? ['…'] : [])]);
+    const message = msg`${this.missingArcs} references, payloads and sublayers lead to ${names.length} layers that are not there (${named}); open the folder that holds them`;
+    this.report('usd.missing-layer', '', message);
   }
 
   private async children(parent: ParentPrim, names: readonly string[]): Promise<ReadonlyMap<string, PrimSpec>> {
