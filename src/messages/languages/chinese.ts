@@ -733,7 +733,6 @@ const messages: Translation['messages'] = {
   'with it the file unpacks to more than {}; export it in parts': '连同它，文件解压后超过 {1}；请分成几部分导出',
   'unpacks to {} bytes, not to {}': '解压后为 {1} 字节，而不是 {2} 字节',
   'is compressed as triangles, but drawn in mode {}': '按三角形压缩，却以模式 {1} 绘制',
-  'fills accessor {} a second time': '再次填充访问器 {1}',
   'holds {} values for accessor {}, which has {}': '为访问器 {2} 提供了 {1} 个值，而它有 {3} 个',
   'has {} numbers in each {}, not {}': '每个 {2} 有 {1} 个数，而不是 {3}',
   'wants more memory than its size accounts for': '所需内存超出其大小应有的范围',

@@ -99,6 +99,29 @@ describe('compressed glTF', () => {
     expect([...object.mesh.colors!]).toEqual([1, 0, 0, 0, 1, 0, 0, 0, 1, 1, 0, 0, 0, 1, 0, 0, 0, 1]);
   });
 
+  it('Draco: primitives with data of their own may share accessors', async () => {
+    const kit = new GltfBuilder();
+    const place = [0, 0, 5];
+    const first = kit.triangle().setIndices(kit.ints('SCALAR', [0, 1, 2]));
+    const corners = [...place, 2, 0, 5, 2, 2, 5, 0, 2, 5];
+    const second = kit.triangle(corners).setIndices(kit.ints('SCALAR', [0, 1, 2, 0, 2, 3]));
+    kit.scene.addChild(kit.meshNode('A', first, second));
+    const { json, binary } = partsOf(await dracoGlb(kit.doc, 'sequential'));
+    const [a, b] = json.meshes[0]!.primitives;
+    // As glTF-pipeline writes them: both name the accessors of the first, whose counts are those of one of them.
+    Object.assign(b!, { attributes: a!.attributes, indices: a!.indices });
+    json.buffers = [{ ...json.buffers[0]!, uri: 'a.bin' }];
+    const files = memorySource({ 'a.gltf': encode(json), 'a.bin': binary });
+    const { mesh } = (await readGltf(files, 'a.gltf')).objects[0]!;
+    const used = [...mesh.indices].map((v) => pointAt(mesh.positions, v).map((x) => Math.round(x * 1e3) / 1e3));
+    expect(used.slice(0, 3)).toEqual([
+      [0, 0, 0],
+      [1, 0, 0],
+      [0, 1, 0],
+    ]);
+    expect(used.slice(3)).toEqual([place, [2, 0, 5], [2, 2, 5], place, [2, 2, 5], [0, 2, 5]]);
+  });
+
   it('Draco: a regular grid, the best compressible mesh, is within the limits', async () => {
     const kit = new GltfBuilder();
     const n = 150;
@@ -196,7 +219,13 @@ interface PackedJson {
     extensions: { EXT_meshopt_compression: { count: number; buffer: number } };
   }[];
   accessors: { count: number }[];
-  meshes: { primitives: { extensions: { KHR_draco_mesh_compression: { bufferView: number } } }[] }[];
+  meshes: {
+    primitives: {
+      attributes: object;
+      indices: number;
+      extensions: { KHR_draco_mesh_compression: { bufferView: number } };
+    }[];
+  }[];
 }
 const encode = (json: object): Uint8Array => new TextEncoder().encode(JSON.stringify(json));
 function partsOf(glb: Uint8Array): { json: PackedJson; binary: Uint8Array } {

@@ -50,6 +50,15 @@ interface DracoPrimitive {
 }
 const dracoOf = (p: Primitive): DracoPrimitive | undefined => p.extensions?.[DRACO] as DracoPrimitive | undefined;
 
+interface FilledAccessors {
+  /** Those that each primitive needs one of its own of. */
+  readonly sharing: ReadonlySet<number>;
+  /** What has been filled, by place and data. */
+  readonly own: Map<string, number>;
+}
+
+const dataKey = ({ bufferView }: DracoPrimitive, part: string): string => `${bufferView} ${part}`;
+
 class GeometryUnpacker {
   private readonly entry: string;
   private readonly json: GLTF.IGLTF;
@@ -86,7 +95,7 @@ class GeometryUnpacker {
     const { loadDraco } = await import('./draco.ts');
     const decode = await loadDraco();
     const meshes = new Map<number, DracoMesh>();
-    const filled = new Map<number, string>();
+    const filled: FilledAccessors = { sharing: this.sharedAccessors(), own: new Map() };
     for (const [i, mesh] of (this.json.meshes ?? []).entries()) {
       for (const p of mesh.primitives) {
         const packed = dracoOf(p);
@@ -102,27 +111,55 @@ class GeometryUnpacker {
     }
   }
 
-  /** Points a primitive's accessors to the decoded values. */
-  private fillPrimitive(p: Primitive, packed: DracoPrimitive, mesh: DracoMesh, filled: Map<number, string>): void {
+  /** Accessors that several compressed primitives name, each with data of its own, or that plain ones use too. */
+  private sharedAccessors(): ReadonlySet<number> {
+    const uses = new Map<number, Set<string>>();
+    const use = (place: number | undefined, data: string): void => {
+      if (place !== undefined) uses.set(place, (uses.get(place) ?? new Set()).add(data));
+    };
+    for (const p of (this.json.meshes ?? []).flatMap((mesh) => mesh.primitives)) {
+      const packed = dracoOf(p);
+      use(p.indices, packed ? dataKey(packed, 'indices') : 'plain');
+      for (const [name, place] of Object.entries(p.attributes)) {
+        const id = packed?.attributes[name];
+        use(place, packed && id !== undefined ? dataKey(packed, `${id}`) : 'plain');
+      }
+    }
+    return new Set([...uses].filter(([, data]) => data.size > 1).map(([place]) => place));
+  }
+
+  /** Points a primitive's accessors to the decoded values. Where an accessor is shared, each primitive gets one of its own, as long as its data: primitives need not have the same vertices. */
+  private fillPrimitive(
+    p: Primitive,
+    packed: DracoPrimitive,
+    mesh: DracoMesh,
+    { sharing, own }: FilledAccessors,
+  ): void {
     if (p.mode !== undefined && p.mode !== 4)
       throw new MessageError(msg`is compressed as triangles, but drawn in mode ${p.mode}`);
     p.indices ??= this.json.accessors!.push({ type: 'SCALAR', componentType: 5125, count: mesh.indices.length }) - 1;
-    const fill = (place: number, key: string, count: number, values: () => ArrayBufferView<ArrayBuffer>): void => {
-      const own = `${packed.bufferView} ${key}`;
-      const known = filled.get(place);
-      if (known === own) return;
+    const fill = (
+      place: number,
+      key: string,
+      count: number,
+      values: (place: number) => ArrayBufferView<ArrayBuffer>,
+    ): number => {
       const accessor = this.json.accessors?.[place];
       if (!accessor) throw new MessageError(msg`refers to accessor ${place}`);
-      if (known !== undefined) throw new MessageError(msg`fills accessor ${place} a second time`);
-      if (accessor.count !== count)
+      const data = `${place} ${dataKey(packed, key)}`;
+      const known = own.get(data);
+      if (known !== undefined) return known;
+      const isShared = sharing.has(place);
+      if (accessor.count !== count && !isShared)
         throw new MessageError(msg`holds ${count} values for accessor ${place}, which has ${accessor.count}`);
-      filled.set(place, own);
-      this.replaceValues(place, values());
+      const target = isShared ? this.json.accessors!.push({ ...accessor, count }) - 1 : place;
+      own.set(data, target);
+      this.replaceValues(target, values(target));
+      return target;
     };
-    fill(p.indices, 'indices', mesh.indices.length, () => this.asIndices(p.indices!, mesh.indices));
+    p.indices = fill(p.indices, 'indices', mesh.indices.length, (place) => this.asIndices(place, mesh.indices));
     for (const [name, id] of Object.entries(packed.attributes)) {
-      const place = p.attributes[name];
-      fill(place, `${id}`, mesh.points, () => {
+      p.attributes[name] = fill(p.attributes[name], `${id}`, mesh.points, (place) => {
         const { type, componentType } = this.json.accessors![place];
         const { components, values } = mesh.attribute(id, componentType);
         if (COMPONENTS.get(type) !== components)
