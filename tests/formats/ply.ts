@@ -97,6 +97,19 @@ const contents: ClaimGroup = {
     ),
     leftOut('points without faces', 'reported', 'ply.points', ply({ faces: [] })),
     leftOut(
+      'values beyond the declared ones, in text with a row on each line',
+      'reported with their number',
+      'ply.extra-values',
+      ply({ vertices: ['0 0 0 7 7', '1 0 0', '1 1 0 7', '0 1 0'], faces: ['4 0 1 2 3 255 0 0'] }),
+      (scene) => {
+        triangles(2)(scene);
+        expect([...scene.objects[0].mesh.positions.subarray(0, 6)]).toEqual([0, 0, 0, 1, 0, 0]);
+        expect(scene.diagnostics).toContainEqual(
+          expect.objectContaining({ message: expect.objectContaining({ values: [6] }) }),
+        );
+      },
+    ),
+    leftOut(
       'Gaussian splats, as trained or packed',
       'reported with their number',
       'ply.splats',

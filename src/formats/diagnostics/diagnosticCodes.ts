@@ -163,6 +163,7 @@ export const DIAGNOSTIC_CODES = {
   'ply.truncated': 'a truncated file',
   'ply.no-vertices': 'a file without vertices',
   'ply.points': 'points without faces, which are not shown',
+  'ply.extra-values': 'rows of a text with more values than its header declares',
   'ply.splats': 'Gaussian splats, which are not shown',
   'ply.faces': 'faces with fewer than 3 corners, which are left out',
 

@@ -64,7 +64,11 @@ export function readContents(header: PlyHeader, values: PlyValueReader, entry: s
     if (element.name === 'vertex') reader.readVertices(element);
     else if (element.name === 'face') reader.readFaces(element);
     else if (element.name === 'tristrips') reader.readStrips(element);
-    else for (let row = 0; row < element.rows; row++) reader.skip(element.properties);
+    else
+      for (let row = 0; row < element.rows; row++) {
+        reader.skip(element.properties);
+        values.endRow();
+      }
   }
   return reader.contents();
 }
@@ -104,6 +108,7 @@ class ContentsReader {
     const row = new Float64Array(properties.length);
     for (let i = 0; i < rows; i++) {
       this.readRow(properties, row);
+      this.values.endRow();
       for (const { kind, places, values } of kinds) {
         for (let k = 0; k < places.length; k++) {
           const { name, type } = properties[places[k]];
@@ -151,6 +156,7 @@ class ContentsReader {
         else if (property.count) this.skip([property]);
         else row[k] = this.values.next(property.type);
       }
+      this.values.endRow();
       if (this.cornerUvs) this.pushUvs(uvs, this.cornerUvs, face);
       for (const place of colors ?? []) {
         const value = linear(row[place], properties[place].type);
@@ -180,6 +186,7 @@ class ContentsReader {
         if (isIndices(property)) this.readStrip(property, row);
         else this.skip([property]);
       }
+      this.values.endRow();
     }
   }
 

@@ -31,7 +31,12 @@ export async function readPly(source: FileSource, entry: string): Promise<Scene>
     notes.add('warning', 'ply.splats', '', message);
     return meshScene(entry, [], [], notes);
   }
-  const contents = readContents(header, plyValueReader(bytes, header, entry), entry);
+  const values = plyValueReader(bytes, header, entry);
+  const contents = readContents(header, values, entry);
+  if (values.extraValues > 0) {
+    const message = msg`its rows have ${values.extraValues} values more than its header declares; they are left out`;
+    notes.add('warning', 'ply.extra-values', '', message);
+  }
   const mesh = meshOf(contents, notes);
   if (!mesh) return meshScene(entry, [], [], notes);
   const texture = header.texture === undefined ? undefined : await readTexture(source, entry, header.texture, notes);

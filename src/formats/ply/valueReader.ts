@@ -8,6 +8,10 @@ import { SIZES } from './header.ts';
 export interface PlyValueReader {
   /** The next value; throws an InputError where there is none. */
   next(type: ScalarType): number;
+  /** Ends a row; in a text with a row on each line, what its line has beyond the declared values is left out. */
+  endRow(): void;
+  /** Values left out so far. */
+  readonly extraValues: number;
   /** Location of the last value, for messages: `line 12`, `byte 3400`. */
   place(): Message;
   /** Throws an InputError that names `what` where the rest of the file is too short for `rows` rows of these types. */
@@ -27,6 +31,7 @@ function tooShort(place: LocalizedText, what: Message, wanted: number, left: num
 }
 
 class PlyBinaryReader implements PlyValueReader {
+  readonly extraValues = 0;
   private readonly view: DataView;
   private readonly entry: string;
   private readonly little: boolean;
@@ -43,6 +48,8 @@ class PlyBinaryReader implements PlyValueReader {
   place(): Message {
     return msg`byte ${this.last}`;
   }
+
+  endRow(): void {}
 
   expect(what: () => Message, rows: number, types: readonly ScalarType[]): void {
     const wanted = rows * types.reduce((sum, type) => sum + SIZES[type], 0);
@@ -78,17 +85,38 @@ class PlyBinaryReader implements PlyValueReader {
   }
 }
 
-/** Whitespace-separated values; line breaks are not significant. */
+const NEWLINE = 10;
+const RETURN = 13;
+const LAST_SPACE = 32;
+
+/** Number of lines that are not blank. */
+function filledLines(bytes: Uint8Array): number {
+  let [count, isFilled] = [0, false];
+  for (const byte of bytes) {
+    if (byte === NEWLINE || byte === RETURN) isFilled = false;
+    else if (byte > LAST_SPACE && !isFilled) {
+      isFilled = true;
+      count++;
+    }
+  }
+  return count;
+}
+
+/** Whitespace-separated values; line breaks are not significant, unless there are as many lines as rows. */
 class PlyTextReader implements PlyValueReader {
+  extraValues = 0;
   private readonly entry: string;
   private readonly lines: Iterator<{ number: number; text: string }>;
   private readonly bytes: number;
   private readonly firstLine: number;
+  private readonly isRowALine: boolean;
   private words: string[] = [];
   private word = 0;
   private line: number;
-  constructor(bytes: Uint8Array, { end, endLine }: PlyHeader, entry: string) {
+  constructor(bytes: Uint8Array, { elements, end, endLine }: PlyHeader, entry: string) {
     this.entry = entry;
+    const rows = elements.reduce((sum, { rows, properties }) => sum + (properties.length > 0 ? rows : 0), 0);
+    this.isRowALine = filledLines(bytes.subarray(end)) === rows;
     this.lines = textLines(bytes.subarray(end), entry);
     this.bytes = bytes.length - end;
     this.firstLine = endLine;
@@ -97,6 +125,12 @@ class PlyTextReader implements PlyValueReader {
 
   place(): Message {
     return msg`line ${this.line}`;
+  }
+
+  endRow(): void {
+    if (!this.isRowALine) return;
+    this.extraValues += this.words.length - this.word;
+    this.word = this.words.length;
   }
 
   /** A value takes at least two characters: only counts beyond the whole file's size are detected. */

@@ -1068,6 +1068,8 @@ const messages: Translation['messages'] = {
   '{} names vertex {}; there are {}, counted from 0': '{1} 用到顶点 {2}；共有 {3} 个，从 0 数起',
   '{} of vertex {} is {}': '顶点 {2} 的 {1} 为 {3}',
   '{} of face {} is {}': '面 {2} 的 {1} 为 {3}',
+  'its rows have {} values more than its header declares; they are left out':
+    '其行中的数值比文件头声明的多 {1} 个；已略去',
   'its {} points are Gaussian splats, which are not shown; export it as a mesh':
     '它的 {1} 个点是高斯泼溅，不予显示；请导出为网格',
   'its {} points have no faces; points are not shown': '它的 {1} 个点不构成面；不显示点',
