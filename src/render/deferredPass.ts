@@ -9,8 +9,10 @@ import type { Gpu } from './gpu/device.ts';
 import type { FrameUniforms } from './gpu/frameUniforms.ts';
 import { blendedRange, type LightRange } from './gpu/lightRange.ts';
 import type { PassCache } from './gpu/passCache.ts';
+import type { LayeredPass } from './layers/layeredScene.ts';
 import { AmbientOcclusion } from './occlusion/ambientOcclusion.ts';
 import type { SceneUpload } from './sceneUpload.ts';
+import { backgroundPass, glassBackground } from './shading/glassBackground.ts';
 import { forwardMaterial, geometryMaterial, lightingPass, skyPass } from './shading/passes.ts';
 
 /** Default radius of ambient occlusion, as a fraction of the scene's radius. */
@@ -37,6 +39,8 @@ export class DeferredPass {
   private readonly occlusion: AmbientOcclusion;
   /** One G-buffer may be lit several times, for example with and without shadows. */
   private readonly lightTargets: RenderTarget[] = [];
+  /** Made when something is seen through glass. */
+  private background: RenderTarget | undefined;
   private size = { width: 1, height: 1 };
   private view: GBufferView | undefined;
 
@@ -55,6 +59,7 @@ export class DeferredPass {
     this.buffer.setSize(width, height);
     this.occlusion.setSize(width, height);
     for (const light of this.lightTargets) this.sizeLight(light);
+    this.background?.setSize(width, height);
   }
 
   /** The target of light `index`. Call it before the G-buffer is drawn: `sizeLight` clears the shared depth. */
@@ -109,6 +114,10 @@ export class DeferredPass {
       region: 'sky',
     });
     const key = `${projection.event} ${projection.place} ${colorVariant} ${lighting.shadows} ${buffer.depth.id}`;
+    const layeredPass: LayeredPass = {
+      ...{ key, projection, buffer, environment, pipeline: optics, range },
+      ...(shadows && { shadows }),
+    };
     if (upload.opaque.children.some((mesh) => mesh.visible)) {
       const openness = lighting.occlusionRadius === 0 ? undefined : this.openness(lighting.occlusionRadius).texture;
       passes.run(
@@ -118,23 +127,35 @@ export class DeferredPass {
         { owner, region: 'surfaces' },
       );
       upload.layered?.drawSurfaces(
-        {
-          key: `${key} ${openness !== undefined}`,
-          ...{ projection, buffer, environment, pipeline: optics, range },
-          ...(shadows && { shadows }),
-          ...(openness && { openness }),
-        },
+        { ...layeredPass, key: `${key} ${openness !== undefined}`, ...(openness && { openness }) },
         (layers) => this.drawOver(light, layers, camera),
       );
     }
     if (upload.stars) this.drawOver(light, upload.stars.scene, camera);
     if (upload.transparent.children.every((mesh) => !mesh.visible)) return;
-    for (const drawCall of upload.drawCalls)
-      if (drawCall.batch.transparent)
+    const isGlass = upload.drawCalls.some(({ batch, mesh }) => batch.layered?.transmission && mesh.visible);
+    const background = isGlass ? this.copyBackground(light) : light.texture;
+    for (const drawCall of upload.drawCalls) {
+      const { transparent, layered } = drawCall.batch;
+      if (!transparent) continue;
+      if (layered && upload.layered)
+        setMaterial(drawCall, `glass ${key} ${background.id}`, () =>
+          upload.layered!.glassMaterial(drawCall, layeredPass, background),
+        );
+      else
         setMaterial(drawCall, `forward ${key}`, () =>
           forwardMaterial(drawCall, projection, buffer, upload.environment, optics, range, shadows),
         );
+    }
     this.drawOver(light, upload.transparent, camera);
+  }
+
+  /** The light so far, which is seen through glass. */
+  private copyBackground({ texture }: RenderTarget): Texture {
+    const background = this.background ?? glassBackground(this.size);
+    this.background = background;
+    this.passes.run(`background ${texture.id}`, () => backgroundPass(texture), background);
+    return background.texture;
   }
 
   /** Draws the G-buffer's ambient occlusion: the unoccluded fraction of the sky. `radius`: as `RenderSettings.occlusionRadius`. */
@@ -159,6 +180,7 @@ export class DeferredPass {
     this.buffer.dispose();
     this.occlusion.dispose();
     for (const light of this.lightTargets) light.dispose();
+    this.background?.dispose();
   }
 
   /** Draws without clearing the target. */

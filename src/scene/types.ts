@@ -3,7 +3,7 @@ import { type LocalizedText, type Message, msg } from '../messages/message.ts';
 import { MessageError } from '../messages/messageError.ts';
 import type { MeasuredReflectance } from '../spectrum/reflectance/measuredReflectance.ts';
 import type { Light } from './lights/light.ts';
-import type { Clearcoat, SpecularReflection } from './materials/layers.ts';
+import type { Clearcoat, SpecularReflection, Transmission, Volume } from './materials/layers.ts';
 import type { NormalTexture, Texture, TextureChannel } from './materials/texture.ts';
 import type { Quadric } from './mesh/quadricTypes.ts';
 import type { Lifetime, Motion, SampledMotion, StaticMotion } from './motion/motionTypes.ts';
@@ -157,6 +157,12 @@ export interface Material {
   readonly specular?: SpecularReflection;
   /** A clear varnish over everything else; absent: none. */
   readonly clearcoat?: Clearcoat;
+  /** What passes the surface; absent: nothing but by `opacity`. */
+  readonly transmission?: Transmission;
+  /** The inside of a transmissive body; absent: it is a thin sheet. */
+  readonly volume?: Volume;
+  /** 20 over the Abbe number of its refractive index, which is `ior` at 587.6 nm in its rest frame, as of `KHR_materials_dispersion`; absent: 0. */
+  readonly dispersion?: number;
   /** It emits its colour, reflects nothing (`baseColor` 0, `ior` 1), and is shown without the tone curve while it is seen unshifted. */
   readonly unlit?: true;
   /** Reflectance below 360 nm, 0 … 1; absent: that of the visible colour at its end. */

@@ -2,12 +2,15 @@ import {
   EXTMeshGPUInstancing,
   KHRLightsPunctual,
   KHRMaterialsClearcoat,
+  KHRMaterialsDispersion,
   KHRMaterialsEmissiveStrength,
   KHRMaterialsIOR,
   KHRMaterialsPBRSpecularGlossiness,
   KHRMaterialsSpecular,
+  KHRMaterialsTransmission,
   KHRMaterialsUnlit,
   KHRMaterialsVariants,
+  KHRMaterialsVolume,
   KHRTextureTransform,
 } from '@gltf-transform/extensions';
 import { expect } from 'vitest';
@@ -80,6 +83,24 @@ const looks: ClaimGroup = {
       }),
       (s) =>
         expect(base(s).clearcoat).toMatchObject({ factor: 0.5, roughness: 0.25, normalTexture: { strength: [1, 1] } }),
+    ),
+    read(
+      '`KHR_materials_transmission`, `KHR_materials_volume`, `KHR_materials_dispersion`, with textures',
+      'clear glass: a thin sheet, or a body that refracts and absorbs',
+      withMaterial((m, kit) => {
+        const clear = kit.doc.createExtension(KHRMaterialsTransmission).createTransmission();
+        m.setExtension('KHR_materials_transmission', clear.setTransmissionFactor(0.5));
+        const volume = kit.doc.createExtension(KHRMaterialsVolume).createVolume().setThicknessFactor(0.25);
+        m.setExtension('KHR_materials_volume', volume.setAttenuationColor([1, 0.5, 0]).setAttenuationDistance(2));
+        const spread = kit.doc.createExtension(KHRMaterialsDispersion).createDispersion().setDispersion(0.25);
+        m.setExtension('KHR_materials_dispersion', spread);
+      }),
+      (s) =>
+        expect(base(s)).toMatchObject({
+          transmission: { factor: 0.5 },
+          volume: { thickness: 0.25, attenuationColor: [1, 0.5, 0], attenuationDistance: 2 },
+          dispersion: 0.25,
+        }),
     ),
     read(
       '`KHR_materials_pbrSpecularGlossiness`, with textures',

@@ -153,6 +153,7 @@ const EXTRAS: readonly (readonly [keyof Material, Message])[] = [
   ['unlit', msg`unlit`],
   ['specular', msg`strength or colour of reflection`],
   ['clearcoat', msg`clearcoat`],
+  ['transmission', msg`transmission`],
 ];
 
 /** Below 1 nm the error is rounding. */

@@ -209,7 +209,9 @@ function sanitizeMaterial(material: Material, say: ReportIssue): Material {
 
 /** All numbers of its layers. */
 const layerNumbers = (material: Material): number[] =>
-  LAYERS.flatMap((name) => Object.values(material[name] ?? {}).flat()).filter((value) => typeof value === 'number');
+  LAYERS.flatMap((name) => Object.entries(material[name] ?? {})).flatMap(([slot, value]) =>
+    slot === 'attenuationDistance' ? [] : [value].flat().filter((each) => typeof each === 'number'),
+  );
 
 function isFiniteItem(thing: Light | SceneCamera, say: ReportIssue): boolean {
   if ('motion' in thing && !isMotionFinite(thing, say)) return false;

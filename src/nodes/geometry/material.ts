@@ -1,4 +1,5 @@
 import { readReflectanceCsv } from '../../formats/attributes/spectrumCsv.ts';
+import type { Vec3 } from '../../math/vec3.ts';
 import { type LocalizedText, type Message, msg } from '../../messages/message.ts';
 import { assignMaterial } from '../../scene/compose/assignMaterial.ts';
 import { makeMaterial } from '../../scene/defaults.ts';
@@ -20,6 +21,7 @@ const PRESET_TITLES: Readonly<Record<string, Message>> = {
   gold: msg`Gold`,
   copper: msg`Copper`,
 };
+const GLASS = { param: 'transmission', isNot: 0 } as const;
 const DEFAULT_IOR = 1.5;
 const CUSTOM_PRESET = { param: 'preset', is: 'own' } as const;
 
@@ -61,6 +63,50 @@ export const materialNode = defineNode({
       min: 1,
       max: 3,
       step: 0.01,
+    },
+    transmission: {
+      ...fractionParam(msg`Transmission`, 0),
+      help: msg`Clear glass: what is not reflected passes, tinted by the colour.`,
+    },
+    thickness: {
+      kind: 'number',
+      title: msg`Thickness`,
+      help: msg`0 is a thin sheet; a body refracts and absorbs. The fast renderer refracts by this thickness, the reference renderer by the shape.`,
+      unit: 'm',
+      default: 0,
+      min: 0,
+      max: 1e6,
+      step: 0.01,
+      slider: false,
+      onlyWhen: GLASS,
+    },
+    attenuationColor: {
+      kind: 'color',
+      title: msg`Colour inside`,
+      help: msg`What white light becomes after the absorption length.`,
+      default: [1, 1, 1],
+      onlyWhen: GLASS,
+    },
+    attenuationDistance: {
+      kind: 'number',
+      title: msg`Absorption length`,
+      unit: 'm',
+      default: 1,
+      min: 1e-6,
+      max: 1e6,
+      step: 0.01,
+      slider: false,
+      onlyWhen: GLASS,
+    },
+    dispersion: {
+      kind: 'number',
+      title: msg`Dispersion`,
+      help: msg`20 divided by the Abbe number: crown glass has 0.3, diamond 0.36, flint glass 0.55.`,
+      default: 0,
+      min: 0,
+      max: 5,
+      step: 0.01,
+      onlyWhen: GLASS,
     },
     clearcoat: { ...fractionParam(msg`Clearcoat`, 0), help: msg`A clear varnish over everything else.` },
     clearcoatRoughness: {
@@ -116,35 +162,37 @@ interface MaterialParams {
   readonly metallic: number;
   readonly opacity: number;
   readonly ior: number;
+  readonly transmission: number;
+  readonly thickness: number;
+  readonly attenuationColor: Vec3;
+  readonly attenuationDistance: number;
+  readonly dispersion: number;
   readonly clearcoat: number;
   readonly clearcoatRoughness: number;
   readonly glow: number;
   readonly temperature: number;
 }
 
-function materialOf(
-  name: string,
-  {
-    preset,
-    color,
-    roughness,
-    metallic,
-    opacity,
-    ior,
-    clearcoat,
-    clearcoatRoughness,
-    glow,
-    temperature,
-  }: MaterialParams,
-): Material {
+function materialOf(name: string, params: MaterialParams): Material {
+  const { preset, color, roughness, metallic, opacity, glow, temperature } = params;
   const substance = MATERIAL_PRESETS.get(preset);
-  const layers = {
-    ...(ior !== DEFAULT_IOR && { ior }),
-    ...(clearcoat > 0 && { clearcoat: { factor: clearcoat, roughness: clearcoatRoughness } }),
-  };
   const shine = glow > 0 ? { emissive: [glow, glow, glow] as const, emissionTemperature: temperature } : {};
-  if (!substance) return makeMaterial({ name, baseColor: color, roughness, metallic, opacity, ...layers, ...shine });
+  const common = { name, opacity, ...layersOf(params), ...shine };
+  if (!substance) return makeMaterial({ ...common, baseColor: color, roughness, metallic });
   const { rgb, uv, ir } = substance.filter;
   const surface = { baseColor: rgb, uv, ir, roughness: substance.roughness, metallic: substance.metallic ? 1 : 0 };
-  return makeMaterial({ name, ...surface, opacity, ...layers, ...shine });
+  return makeMaterial({ ...common, ...surface });
+}
+
+function layersOf(params: MaterialParams): Partial<Material> {
+  const { ior, transmission, thickness, dispersion, clearcoat, clearcoatRoughness } = params;
+  const { attenuationColor, attenuationDistance } = params;
+  const isClear = transmission > 0;
+  return {
+    ...(ior !== DEFAULT_IOR && { ior }),
+    ...(isClear && { transmission: { factor: transmission } }),
+    ...(isClear && thickness > 0 && { volume: { thickness, attenuationColor, attenuationDistance } }),
+    ...(isClear && dispersion > 0 && { dispersion }),
+    ...(clearcoat > 0 && { clearcoat: { factor: clearcoat, roughness: clearcoatRoughness } }),
+  };
 }

@@ -33,6 +33,8 @@ export interface SurfacePoint {
   readonly specular?: { readonly factor: number; readonly color: Vec3 };
   /** The varnish over it, with a normal of its own. */
   readonly clearcoat?: { readonly factor: number; readonly roughness: number; readonly normal: Vec3 };
+  /** How much of what it does not reflect passes it, 0 … 1; absent: 0. */
+  readonly transmission?: number;
   /** Unit normal in the rest frame, on the world axes carried there by the pure boost; on the side of the ray. */
   readonly normal: Vec3;
   readonly uv: readonly [u: number, v: number];
@@ -47,7 +49,7 @@ export function surfaceAt(scene: TracedScene, hit: Hit): SurfacePoint {
   const vertexColor = mesh.colors ? interpolate(corners, (i) => pointAt(mesh.colors!, i)) : undefined;
   const [r, g, b, opacity] = base;
   const albedo: Vec3 = vertexColor ? [r * vertexColor[0], g * vertexColor[1], b * vertexColor[2]] : [r, g, b];
-  const { ior = 1.5, emissionTemperature: temperature, specular, clearcoat } = material;
+  const { ior = 1.5, emissionTemperature: temperature, specular, clearcoat, transmission } = material;
   return {
     albedo,
     filter: filterAt(material, albedo, vertexColor !== undefined, uv),
@@ -71,6 +73,7 @@ export function surfaceAt(scene: TracedScene, hit: Hit): SurfacePoint {
         normal: normalAt(scene, hit, corners, clearcoat.normalTexture, uv),
       },
     }),
+    ...(transmission && { transmission: numberAt(transmission.factor, transmission.factorTexture, uv) }),
     normal: normalAt(scene, hit, corners, material.normalTexture, uv),
     uv,
   };

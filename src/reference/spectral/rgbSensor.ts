@@ -23,6 +23,9 @@ export function rgbSensor(
     together: (light) => (single ? lightOf(colorOf(light)) : light),
     filtered: (light, { rgb }: SpectralFilter) =>
       changed(light, (color) => [color[0] * rgb[0], color[1] * rgb[1], color[2] * rgb[2]]),
+    absorbed: (light, { rgb }, x) =>
+      changed(light, (color) => [color[0] * rgb[0] ** x, color[1] * rgb[1] ** x, color[2] * rgb[2] ** x]),
+    samples: single ? [] : PRIMARIES,
     shifted: () => context,
     received: (light, D, power) =>
       Math.abs(D - 1) <= least
@@ -31,6 +34,9 @@ export function rgbSensor(
   };
   return { context, color: colorOf };
 }
+
+/** Wavelengths of the primaries of sRGB [m]. */
+const PRIMARIES = [611e-9, 549e-9, 464e-9];
 
 const colorOf = ({ values: [r = 0, g = 0, b = 0], colors }: SampledRadiance): Vec3 =>
   colors ? colors.reduce(add, ZERO) : [r, g, b];

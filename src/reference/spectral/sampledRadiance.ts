@@ -64,3 +64,9 @@ function sumOf(a: readonly number[], b: readonly number[], s: number): readonly 
   for (let i = 0; i < b.length; i++) result[i] += s * b[i];
   return result;
 }
+
+/** One of `of` sampled values alone, as often as it stands for all; lines keep their share, as often as `of` such lights are added up. */
+export const onlyValue = ({ values, lines }: SampledRadiance, index: number, of: number): SampledRadiance => ({
+  values: values.map((value, i) => (i === index ? of * value : 0)),
+  lines,
+});

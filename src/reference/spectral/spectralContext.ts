@@ -11,6 +11,10 @@ export interface SpectralContext {
   together(light: SampledRadiance): SampledRadiance;
   /** Light after reflection or transmission by a filter. */
   filtered(light: SampledRadiance, filter: SpectralFilter): SampledRadiance;
+  /** Light after absorption: by the filter's value to the power x at every wavelength. */
+  absorbed(light: SampledRadiance, filter: SpectralFilter, x: number): SampledRadiance;
+  /** Its wavelengths [m, this frame], of RGB those of the three channels; empty where lights are no spectra. */
+  readonly samples: readonly number[];
   /** The context of a frame whose light arrives in this one with ν = D ν_there. */
   shifted(D: number): SpectralContext;
   /** Light sampled in `shifted(D)` as it arrives here: integrated over all wavelengths it is multiplied by D^power. */

@@ -73,6 +73,20 @@ class WavelengthContext implements SpectralContext {
     return { values: this.wavelengths.filtered(light.values, filter), lines: eachLine(light.lines, pass) };
   }
 
+  absorbed(light: SampledRadiance, filter: SpectralFilter, x: number): SampledRadiance {
+    if (isDark(light)) return light;
+    const passed = light.values.map((value, i) => value * reflectanceAt(filter, this.samples[i]) ** x);
+    const pass = ({ wavelength, value }: RadianceLine): RadianceLine => ({
+      wavelength,
+      value: value * reflectanceAt(filter, wavelength) ** x,
+    });
+    return { values: passed, lines: eachLine(light.lines, pass) };
+  }
+
+  get samples(): readonly number[] {
+    return this.wavelengths.values;
+  }
+
   shifted(D: number): SpectralContext {
     const shift = D ** this.doppler.dopplerMix;
     return shift === 1 ? this : new WavelengthContext(this.wavelengths.scaled(shift), this.doppler);

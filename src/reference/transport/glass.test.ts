@@ -9,7 +9,7 @@ import { box, plane, sphere } from '../../scene/mesh/primitives.ts';
 import { createLightingContext } from '../lights/createLightingContext.ts';
 import { rayBackInside } from '../lights/lightingContext.ts';
 import { restFrame } from '../spectral/restFrame.ts';
-import { dielectricFresnel, refracted } from './glass.ts';
+import { dielectricFresnel, refracted } from './fresnel.ts';
 
 const options = { bounces: 0, mirrors: false, glass: true };
 const clear = (ior: number) => makeMaterial({ name: 'glass', opacity: 0, roughness: 0, ior });

@@ -1,4 +1,5 @@
 import { addScaled, dot, length, negate, scale, type Vec3 } from '../../math/vec3.ts';
+import { dispersedIndex } from '../../physics/optics/dispersion.ts';
 import type { Hit } from '../acceleration/ray.ts';
 import { nearestHit } from '../intersection/tracedScene.ts';
 import { type LightingContext, rayBackInside } from '../lights/lightingContext.ts';
@@ -7,15 +8,19 @@ import { materialOf } from '../materials/material.ts';
 import { type SurfacePoint, surfaceAt } from '../materials/surface.ts';
 import { reflect, toHemisphere } from '../sampling/directions.ts';
 import type { RestFrame } from '../spectral/restFrame.ts';
-import { NO_LIGHT, plus, type SampledRadiance, times } from '../spectral/sampledRadiance.ts';
+import { NO_LIGHT, onlyValue, plus, type SampledRadiance, times } from '../spectral/sampledRadiance.ts';
+import type { SpectralContext } from '../spectral/spectralContext.ts';
+import { dielectricFresnel, refracted } from './fresnel.ts';
 import { type SurfaceOrigin, transmissionOrigin } from './rayOrigin.ts';
+import { absorbed, clearShare, isThin, isTransmissive } from './transmissive.ts';
 import { coverage, isElsewhere, type RaySegment } from './transmittance.ts';
 
 /** Upper bound of successive reflections inside a body. */
 const MAX_INTERNAL_REFLECTIONS = 16;
 
-/** Whether the hit is on a transparent body; double-sided sheets, which have no inside, are not. */
+/** Whether the hit is on something transmissive, or on a transparent body; double-sided sheets, which have no inside, are no bodies. */
 export function isGlass({ scene, options }: LightingContext, hit: Hit): boolean {
+  if (isTransmissive(scene, hit)) return true;
   if (!options.glass || scene.objects[hit.object].mesh.doubleSided) return false;
   const { opacity, opacityThreshold } = materialOf(scene, hit);
   return opacity < 1 && opacityThreshold === 0;
@@ -25,6 +30,7 @@ export function isGlass({ scene, options }: LightingContext, hit: Hit): boolean 
 export interface GlassBody {
   /** Its rest frame, constant while light is inside. */
   readonly frame: RestFrame;
+  readonly context: SpectralContext;
   readonly point: SurfacePoint;
   /** Follow both the reflected and the refracted ray; otherwise one of them, chosen at random. */
   readonly branches: boolean;
@@ -42,20 +48,52 @@ export function glassRadiance(
   V: Vec3,
   glass: GlassBody,
 ): SampledRadiance {
-  const { ior, normal, opacity, roughness } = glass.point;
+  const { ior, normal, roughness, filter, transmission, specular } = glass.point;
   const H = roughness < 0.05 ? normal : sampleVisibleNormal(normal, V, roughness * roughness, lighting.random);
   const d = negate(V);
-  const F = dielectricFresnel(dot(V, H), ior);
+  const F = dielectricFresnel(dot(V, H), ior) * (specular?.factor ?? 1);
+  const share = clearShare(glass.point);
   const mirror = (): SampledRadiance => glass.outside(at, reflect(d, H));
-  const refract = (): SampledRadiance => {
+  const pass = (n: number): SampledRadiance => {
     const inside = transmissionOrigin(lighting.scene, hit);
-    const inward = refracted(d, H, 1 / ior);
-    return inward
-      ? times(insideRadiance(lighting, inside, toHemisphere(inside.geometricNormal, inward), glass), 1 - opacity)
-      : NO_LIGHT;
+    if (isThin(lighting.scene, hit) && transmission !== undefined) {
+      // What the sheet's mirror image would reflect.
+      const across = reflect(d, H);
+      return glass.outside(inside, addScaled(across, normal, -2 * dot(across, normal)));
+    }
+    const inward = refracted(d, H, 1 / n);
+    if (!inward) return NO_LIGHT;
+    return insideRadiance(lighting, inside, toHemisphere(inside.geometricNormal, inward), glass, n);
+  };
+  const refract = (): SampledRadiance => {
+    const light = times(dispersed(lighting, hit, glass, pass), share);
+    return transmission === undefined ? light : glass.context.filtered(light, filter);
   };
   if (glass.branches) return plus(times(mirror(), F), refract(), 1 - F);
   return lighting.random() < F ? mirror() : refract();
+}
+
+/** Wavelengths that are followed apart where glass is seen directly, and elsewhere. */
+const [SEEN_WAVELENGTHS, OTHER_WAVELENGTHS] = [4, 1];
+
+/** Light that passes glass of the refractive index n; where that depends on the wavelength in the glass's rest frame, of some wavelengths chosen at random. */
+function dispersed(
+  { scene, random }: LightingContext,
+  hit: Hit,
+  { context, point: { ior }, branches }: GlassBody,
+  pass: (n: number) => SampledRadiance,
+): SampledRadiance {
+  const { dispersion = 0 } = materialOf(scene, hit);
+  const { samples } = context;
+  if (dispersion === 0 || samples.length === 0 || isThin(scene, hit)) return pass(ior);
+  const count = Math.min(branches ? SEEN_WAVELENGTHS : OTHER_WAVELENGTHS, samples.length);
+  let sum = NO_LIGHT;
+  for (let k = 0; k < count; k++) {
+    const i = Math.min(Math.floor(((k + random()) / count) * samples.length), samples.length - 1);
+    const light = pass(dispersedIndex(ior, dispersion, samples[i]));
+    sum = plus(sum, onlyValue(light, i, samples.length), 1 / count);
+  }
+  return sum;
 }
 
 /** Radiance from a direction inside the body: of what is hit there, or through the body's sides. */
@@ -64,50 +102,34 @@ function insideRadiance(
   from: SurfaceOrigin,
   direction: Vec3,
   glass: GlassBody,
+  n: number,
   sides = MAX_INTERNAL_REFLECTIONS,
 ): SampledRadiance {
   const { scene, random } = lighting;
-  const { frame, point } = glass;
-  const ray = rayBackInside(lighting, from, direction, frame, point.ior);
+  const { frame, context } = glass;
+  const ray = rayBackInside(lighting, from, direction, frame, n);
   const beam: RaySegment = { ray, begin: from.clearance / length(ray.dx), from: from.hit };
   const hit = nearestHit(scene, ray, {
     begin: beam.begin,
     accepts: (found) => isElsewhere(scene, beam, found) && (coverage(scene, found) > 0 || isGlass(lighting, found)),
   });
   if (!hit) return glass.outside(from, direction);
-  if (hit.object !== from.hit.object || hit.front) return glass.along(beam);
+  // The ray is parametrized by its length in the body's rest frame.
+  const left = (light: SampledRadiance): SampledRadiance =>
+    absorbed(context, light, materialOf(scene, from.hit).volume, hit.s);
+  if (hit.object !== from.hit.object || hit.front) return left(glass.along(beam));
   const N = surfaceAt(scene, hit).normal;
-  const F = dielectricFresnel(-dot(direction, N), 1 / point.ior);
-  const out = refracted(direction, N, point.ior);
+  const F = dielectricFresnel(-dot(direction, N), 1 / n);
+  const out = refracted(direction, N, n);
   if (!out || random() < F) {
     if (sides === 0) return NO_LIGHT;
     const back = {
       ...transmissionOrigin(scene, hit),
       geometricNormal: scale(transmissionOrigin(scene, hit).geometricNormal, -1),
     };
-    return insideRadiance(lighting, back, toHemisphere(back.geometricNormal, reflect(direction, N)), glass, sides - 1);
+    return left(
+      insideRadiance(lighting, back, toHemisphere(back.geometricNormal, reflect(direction, N)), glass, n, sides - 1),
+    );
   }
-  return glass.outside(transmissionOrigin(scene, hit), out);
-}
-
-/**
- * The direction behind a surface with the normal N (on the side that d comes from): t = ηd + (η cos − √(1 − η²(1 − cos²))) N,
- * cos = −d·N, η = n₁/n₂ of the sides. Returns undefined at total internal reflection. Source: Snell's law as a vector.
- */
-export function refracted(d: Vec3, N: Vec3, eta: number): Vec3 | undefined {
-  const cos = -dot(d, N);
-  const rest = 1 - eta * eta * (1 - cos * cos);
-  if (rest < 0) return undefined;
-  return addScaled(scale(d, eta), N, eta * cos - Math.sqrt(rest));
-}
-
-/** Fresnel reflectance of unpolarised light at the incidence cosine `cos`, into a medium of the relative refractive index n. Source: Born & Wolf §1.5. */
-export function dielectricFresnel(cos: number, n: number): number {
-  const c = Math.min(Math.max(cos, 0), 1);
-  const rest = n * n - 1 + c * c;
-  if (rest <= 0) return 1;
-  const g = Math.sqrt(rest);
-  const s = (c - g) / (c + g);
-  const p = (n * n * c - g) / (n * n * c + g);
-  return (s * s + p * p) / 2;
+  return left(glass.outside(transmissionOrigin(scene, hit), out));
 }

@@ -4,7 +4,7 @@ import { surfaceAt } from '../materials/surface.ts';
 import { cosineDirection, toHemisphere } from '../sampling/directions.ts';
 import { pixelSequence } from '../sampling/pixelSequence.ts';
 import { reflectionOrigin } from './rayOrigin.ts';
-import { transmittance } from './transmittance.ts';
+import { visibility } from './transmittance.ts';
 
 const OPENNESS_RAYS = 64;
 
@@ -23,7 +23,7 @@ export function openness(lighting: LightingContext, hit: Hit): number {
   for (let i = 0; i < OPENNESS_RAYS; i++) {
     const L = cosineDirection(normal, sequence(i));
     const ray = rayBack(lighting, at, frame.toWorld(toHemisphere(at.geometricNormal, L)));
-    open += transmittance(scene, { ray, begin: at.clearance, from: hit }, Number.POSITIVE_INFINITY);
+    open += visibility(scene, { ray, begin: at.clearance, from: hit }, Number.POSITIVE_INFINITY).fraction;
   }
   return open / OPENNESS_RAYS;
 }

@@ -21,6 +21,7 @@ import { type LightReceiver, RADIANCE_POWER, receivedLight, type Sensor } from '
 import { directLight } from './directLight.ts';
 import { type GlassBody, glassRadiance, isGlass } from './glass.ts';
 import { reflectionOrigin, type SurfaceOrigin } from './rayOrigin.ts';
+import { absorbed, clearShare, isTransmissive, straightPass } from './transmissive.ts';
 import { coverage, isElsewhere, type RaySegment } from './transmittance.ts';
 
 /** Upper bound of successive specular reflections and refractions. */
@@ -89,8 +90,12 @@ function incidentLight(lighting: LightingContext, start: ScatteredRay, path: Pat
     const hit = nextHit(lighting, beam, path);
     if (!hit) return plus(sum, skyLight(lighting, start.toward, path), throughput);
     const glass = path.isCameraPath && isGlass(lighting, hit);
-    const opacity = glass ? 1 : coverage(scene, hit);
-    sum = plus(sum, surfaceLight(lighting, start, hit, path, glass), throughput * opacity);
+    const straight = !glass && isTransmissive(scene, hit);
+    const opacity = glass || straight ? 1 : coverage(scene, hit);
+    const light = straight
+      ? veilLight(lighting, { ...start, ...beam }, hit, path)
+      : surfaceLight(lighting, start, hit, path, glass);
+    sum = plus(sum, light, throughput * opacity);
     throughput *= 1 - opacity;
     if (throughput < MIN_TRANSMITTANCE) break;
     beam = { ray: beam.ray, begin: hit.s, from: hit };
@@ -131,6 +136,24 @@ function surfaceLight(
   const V = negate(frame.fromWorld(n));
   const sent = glass ? glassLight : solidLight;
   return receivedLight(path, n, frame, RADIANCE_POWER, (here) => sent(lighting, hit, point, V, { ...path, ...here }));
+}
+
+/** Light of a transmissive surface that no camera sees: of what lies straight behind it, and its own. */
+function veilLight(lighting: LightingContext, beam: ScatteredRay, hit: Hit, path: PathState): SampledRadiance {
+  const { scene } = lighting;
+  const n = normalize(beam.ray.dx);
+  const frame = restFrameOf(lighting, hit.velocity);
+  const point = surfaceAt(scene, hit);
+  return receivedLight(path, n, frame, RADIANCE_POWER, (there) => {
+    const here = { ...path, ...there };
+    const own = solidLight(lighting, hit, point, negate(frame.fromWorld(n)), here);
+    if (path.specularDepth === 0) return own;
+    const { filter, volume, way } = straightPass(scene, beam, hit, frame);
+    const onward = { ...here, specularDepth: path.specularDepth - 1 };
+    const behind = incidentLight(lighting, { ...beam, begin: hit.s, from: hit }, onward);
+    const passed = there.context.filtered(absorbed(there.context, behind, volume, way), filter);
+    return plus(passed, own, 1 - clearShare(point));
+  });
 }
 
 /** Radiance of a surface towards V, in its rest frame: emitted, and reflected if the path continues. */
@@ -258,15 +281,22 @@ function glassLight(
   V: Vec3,
   here: PathState,
 ): SampledRadiance {
-  const { opacity } = point;
+  const { opacity, transmission, metallic } = point;
+  if (transmission !== undefined && metallic > 0) {
+    const clear = glassLight(lighting, hit, { ...point, metallic: 0 }, V, here);
+    return plus(times(clear, 1 - metallic), solidLight(lighting, hit, { ...point, metallic: 1 }, V, here), metallic);
+  }
   const solid = brdfOf({ ...point, metallic: 0 }, V);
-  const brdf = { ...solid, diffuse: scaleFilter(solid.diffuse, opacity) };
+  const opaque = 1 - clearShare(point);
+  const brdf = { ...solid, diffuse: scaleFilter(solid.diffuse, opaque) };
   const at = reflectionOrigin(lighting.scene, hit);
-  const own = plus(directLight(lighting, at, brdf, here), here.context.emitted(emittedSpectrum(point)), opacity);
-  const diffuse = opacity > 0 && here.bounces > 0 ? diffuseLight(lighting, at, brdf, here) : NO_LIGHT;
+  const glow = here.context.emitted(emittedSpectrum(point));
+  const own = plus(directLight(lighting, at, brdf, here), glow, transmission === undefined ? opacity : 1);
+  const diffuse = opaque > 0 && here.bounces > 0 ? diffuseLight(lighting, at, brdf, here) : NO_LIGHT;
   const onward = { ...here, includesSunDiscs: true, specularDepth: here.specularDepth - 1 };
   const glass: GlassBody = {
     frame: here.frame,
+    context: here.context,
     point,
     branches: here.specularDepth === MAX_SPECULAR_DEPTH,
     outside: (from, L) => lightFromDirection(lighting, from, L, onward),

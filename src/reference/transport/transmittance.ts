@@ -24,18 +24,30 @@ export interface RaySegment {
 export const isElsewhere = ({ objects }: TracedScene, { from }: RaySegment, { object, corner }: Hit): boolean =>
   !from || object !== from.object || corner !== from.corner || quadricOf(objects[object]) !== undefined;
 
+/** What lies on the way of light: the fraction that transparent surfaces transmit, 0 if an opaque one blocks it, and the transmissive ones that it passes. */
+export interface Visibility {
+  readonly fraction: number;
+  /** From the ray's beginning on. */
+  readonly glass: readonly Hit[];
+}
+
 /** The fraction of light transmitted from s = `end` to the ray's beginning, past all surfaces, each where the light passed it; transparent ones transmit 1 − opacity. */
-export function transmittance(scene: TracedScene, beam: RaySegment, end: number): number {
+export function visibility(scene: TracedScene, beam: RaySegment, end: number): Visibility {
   let transmitted = 1;
+  const glass: Hit[] = [];
   const blocked = nearestHit(scene, beam.ray, {
     begin: beam.begin,
     end,
     accepts: (hit) => {
       if (!isElsewhere(scene, beam, hit)) return false;
+      if (materialOf(scene, hit).transmission) {
+        glass.push(hit);
+        return false;
+      }
       const opacity = coverage(scene, hit);
       transmitted *= 1 - opacity;
       return opacity >= 1;
     },
   });
-  return blocked ? 0 : transmitted;
+  return { fraction: blocked ? 0 : transmitted, glass: glass.sort((a, b) => a.s - b.s) };
 }

@@ -54,6 +54,7 @@ const texturesOf = (m: Material): BatchTextures =>
 
 /** Equal for materials with the same layers of the same textures. */
 export const layerKey = (m: Material): string =>
+  (m.dispersion ? 'dispersion ' : '') +
   LAYERS.flatMap((name) => {
     const layer = m[name];
     return layer ? [name, ...Object.entries(layer).map(slotKey)] : [];

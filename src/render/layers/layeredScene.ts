@@ -1,5 +1,13 @@
-import { Discard, Fn, vec4 } from 'three/tsl';
-import { type DataTexture, Mesh, NoBlending, NodeMaterial, type Texture, Scene as ThreeScene } from 'three/webgpu';
+import { Discard, Fn, float, max, vec4 } from 'three/tsl';
+import {
+  type DataTexture,
+  Mesh,
+  NoBlending,
+  NodeMaterial,
+  NormalBlending,
+  type Texture,
+  Scene as ThreeScene,
+} from 'three/webgpu';
 import { isStatic } from '../../scene/motion/motion.ts';
 import type { Material, Scene, Texture as ScenePicture } from '../../scene/types.ts';
 import type { ColorPipeline } from '../color/radiance.ts';
@@ -11,8 +19,10 @@ import type { FloatTable } from '../gpu/floatTable.ts';
 import { texelHere } from '../gpu/fullScreenPass.ts';
 import { type LightRange, limitLight } from '../gpu/lightRange.ts';
 import type { Environment } from '../lights/environment.ts';
+import { depthHere } from '../shading/passes.ts';
 import type { LightVisibility } from '../shadows/distant/parallelReceiver.ts';
-import { type SurfaceLayers, shadeLayered } from './layeredShading.ts';
+import { type Glass, lightBehind } from './glass.ts';
+import { type GlassView, type SurfaceLayers, shadeLayered } from './layeredShading.ts';
 import { type LayerReader, MaterialLayerTable } from './materialLayerTable.ts';
 
 /** What layered materials are drawn with. */
@@ -94,11 +104,61 @@ export class LayeredScene {
     return material;
   }
 
+  /** The material of a transparent draw call with layers; `background`: the light of what is behind it. */
+  glassMaterial(drawCall: DrawCall, pass: LayeredPass, background: Texture): NodeMaterial {
+    const like = drawCall.batch.layered!;
+    const { uniforms } = drawCall.surface;
+    const { buffer, environment, pipeline, range, shadows, projection } = pass;
+    const material = new NodeMaterial();
+    material.name = `glass ${drawCall.batch.kind}`;
+    material.vertexNode = vertexStage(drawCall.vertex, projection);
+    material.fragmentNode = Fn(() => {
+      const reader = this.reader(like);
+      const layers = readLayers(reader, drawCall.surface, like);
+      const surface = readSurface(drawCall.surface);
+      Discard(surface.distance.greaterThan(depthHere(buffer)));
+      const clear = like.transmission && {
+        share: reader.number('transmission'),
+        behind: (view: GlassView) =>
+          lightBehind(
+            surface,
+            glassOf(reader, like),
+            view,
+            background,
+            buffer.texture('object'),
+            projection.place,
+            pipeline,
+            uniforms,
+          ),
+      };
+      const velocity = isStatic(drawCall.batch) ? undefined : surface.velocity;
+      const lit = { ...surface, velocity };
+      const light = shadeLayered(lit, { ...layers, ...(clear && { clear }) }, environment, uniforms, pipeline, shadows);
+      return vec4(limitLight(light, range.max), clear ? 1 : surface.color.w);
+    })();
+    material.side = materialSide(drawCall.batch);
+    material.transparent = true;
+    material.blending = NormalBlending;
+    material.depthTest = false;
+    material.depthWrite = false;
+    return material;
+  }
+
   private reader(like: Material): LayerReader {
     const known = this.readers.get(like) ?? this.table.reader(like);
     this.readers.set(like, known);
     return known;
   }
+}
+
+function glassOf(reader: LayerReader, { volume, dispersion }: Material): Glass {
+  const { z: ior, w: spread } = reader.vector(1).toVar();
+  return {
+    thickness: volume ? reader.vector(0).w.mul(reader.number('thickness')).toVar() : float(0),
+    ior: max(ior, 1),
+    attenuation: reader.vector(2).toVar(),
+    ...(volume && dispersion && { dispersion: spread }),
+  };
 }
 
 /** Before any discard, because normal maps need derivatives between neighbouring fragments. */

@@ -5,13 +5,23 @@ import type { LobeTable } from '../brdf/lobeTable.ts';
 import type { ColorPipeline } from '../color/radiance.ts';
 import type { FrameUniforms } from '../gpu/frameUniforms.ts';
 import type { Environment } from '../lights/environment.ts';
+import type { RestFrameNodes } from '../lights/restFrame.ts';
 import { beginShading, type ShadedSurface } from '../shading/shade.ts';
 import type { LightVisibility } from '../shadows/distant/parallelReceiver.ts';
 
 /** What layers a surface has at a fragment; the same formulas as in src/reference/materials/brdf.ts. */
 export interface SurfaceLayers {
   readonly specular?: { readonly factor: Float; readonly color: Vec3 };
+  /** The share that passes, and the radiance of what is seen through it by the observer. */
+  readonly clear?: { readonly share: Float; readonly behind: (view: GlassView) => Vec3 };
   readonly coat?: { readonly factor: Float; readonly roughness: Float; readonly normal: Vec3 };
+}
+
+/** A surface that is looked through, in its rest frame. */
+export interface GlassView {
+  readonly rest: RestFrameNodes;
+  readonly N: Vec3;
+  readonly V: Vec3;
 }
 
 /** F₀ of a varnish, of a refractive index of 1.5. */
@@ -27,8 +37,8 @@ export const shadeLayered = (
   shadows?: LightVisibility,
 ): Vec3 =>
   Fn(() => {
-    const { N, V, accumulator, albedo, lit } = beginShading(surface, uniforms, pipeline, shadows);
-    const { specular, coat: varnish } = layers;
+    const { rest, N, V, accumulator, albedo, lit } = beginShading(surface, uniforms, pipeline, shadows);
+    const { specular, coat: varnish, clear } = layers;
     const tinted = specular && {
       F0: accumulator
         .filter(min(specular.color.mul(surface.F0), 1))
@@ -37,7 +47,9 @@ export const shadeLayered = (
       F90: specular.factor,
     };
     const parameters = { ...surface, ...(tinted && { tinted }) };
-    const base = brdfOf(albedo, parameters, N, V, environment.lobes);
+    const whole = brdfOf(albedo, parameters, N, V, environment.lobes);
+    const share = clear?.share.mul(surface.metallic.oneMinus()).toVar();
+    const base = share ? { ...whole, diffuse: whole.diffuse.mul(share.oneMinus()).toVar() } : whole;
     const coat = varnish && coatOf(varnish, V, environment.lobes);
     const passed = coat && environmentBrdf(coat).x.oneMinus().toVar();
     environment.addReflected({ ...lit, brdf: passed ? dimmed(base, passed) : base }, accumulator);
@@ -45,7 +57,9 @@ export const shadeLayered = (
     const { emission } = surface;
     accumulator.addEmitted(passed ? emission.rgb.mul(passed) : emission.rgb);
     accumulator.addGlow(passed ? { ...emission, luminance: emission.luminance.mul(passed) } : emission);
-    return accumulator.total();
+    if (!clear || !share) return accumulator.total();
+    const through = clear.behind({ rest, N, V }).mul(share.mul(environmentBrdf(base).x.oneMinus()));
+    return accumulator.total().add(passed ? through.mul(passed) : through);
   })();
 
 const coatOf = (

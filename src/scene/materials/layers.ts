@@ -29,3 +29,23 @@ export interface Clearcoat {
   /** Bends its normals; absent: those of the surface without its normal map. */
   readonly normalTexture?: NormalTexture;
 }
+
+/** Light passes a surface that scatters none inside, as of `KHR_materials_transmission`: its base colour tints it. Without a volume it is a thin sheet. */
+export interface Transmission {
+  /** How much of what the surface does not reflect passes it, 0 … 1; with a texture, the mean of that. */
+  readonly factor: number;
+  /** Factor by place. */
+  readonly factorTexture?: TextureChannel;
+}
+
+/** The inside of a closed body, as of `KHR_materials_volume`: light is refracted, and absorbed by Beer and Lambert's law. */
+export interface Volume {
+  /** How thick the fast renderer takes it to be [m]; the reference measures it. */
+  readonly thickness: number;
+  /** Thickness over `thickness` by place. */
+  readonly thicknessTexture?: TextureChannel;
+  /** Linear sRGB of white light after `attenuationDistance`. */
+  readonly attenuationColor: Vec3;
+  /** [m]; infinity: nothing is absorbed. */
+  readonly attenuationDistance: number;
+}

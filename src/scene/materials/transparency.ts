@@ -1,7 +1,8 @@
 import type { Material, Texture } from '../types.ts';
 
-/** Whether a material is blended: not opaque, and without an opacity threshold. */
-export function isTransparent({ opacity, opacityThreshold, baseColorTexture }: Material): boolean {
+/** Whether light passes a material: it is not opaque, and has no opacity threshold, or it is transmissive. */
+export function isTransparent({ opacity, opacityThreshold, baseColorTexture, transmission }: Material): boolean {
+  if (transmission) return true;
   if (opacityThreshold > 0) return false;
   return opacity < 1 || (baseColorTexture !== undefined && hasAlpha(baseColorTexture));
 }

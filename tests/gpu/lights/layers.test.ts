@@ -1,9 +1,9 @@
 import { afterAll, beforeAll, describe, expect, it } from 'vitest';
-import { IDENTITY } from '../../../src/math/quat.ts';
+import { fromAxisAngle, IDENTITY } from '../../../src/math/quat.ts';
 import { normalize, type Vec3, ZERO } from '../../../src/math/vec3.ts';
 import { properVelocity } from '../../../src/physics/lorentz/boost.ts';
 import { makeMaterial } from '../../../src/scene/defaults.ts';
-import { plane, sphere } from '../../../src/scene/mesh/primitives.ts';
+import { box, plane, sphere } from '../../../src/scene/mesh/primitives.ts';
 import type { DistantLight, Material, Motion } from '../../../src/scene/types.ts';
 import { perspective } from '../../../src/scene/view/lens.ts';
 import { DEFAULT_SETTINGS, type RenderSettings, type ViewPoint } from '../../../src/scene/view/view.ts';
@@ -74,6 +74,58 @@ describe('the rasterizer shows as the reference', () => {
       const { mean, max } = await compared(material, velocity, beta);
       expect(mean).toBeLessThan(0.006);
       expect(max).toBeLessThan(0.06);
+    }
+  });
+});
+
+describe('glass shows what is behind it as the reference', () => {
+  /** Glass on a wall of four emitting bands, all moving. */
+  function throughGlass(material: Partial<Material>, velocity: Vec3, beta: Vec3): Promise<Difference> {
+    const moving = (x: number, y: number, z: number): Motion => ({
+      kind: 'uniform',
+      pose: { position: [x + 4 * velocity[0], y + 4 * velocity[1], z + 4 * velocity[2]], orientation: IDENTITY },
+      velocity,
+    });
+    const bands = [
+      [0.8, 0.1, 0.1],
+      [0.1, 0.6, 0.2],
+      [0.2, 0.2, 0.9],
+      [0.7, 0.7, 0.6],
+    ].map(([r, g, b], i) => ({
+      mesh: plane(1, 4),
+      material: makeMaterial({ name: 'band', baseColor: [0, 0, 0], ior: 1, emissive: [r, g, b] }),
+      motion: moving(i - 1.5, 0, -1),
+    }));
+    const glass = makeMaterial({ name: 'glass', baseColor: [1, 1, 1], roughness: 0, ...material });
+    const block = { mesh: box([2, 2, 0.98]), material: glass, motion: moving(0, 0, -0.5) };
+    return compareWithReference(
+      headless,
+      lit([...bands, block], []),
+      { ...VIEW, position: [1.5, 1, 4], orientation: fromAxisAngle([0, 1, 0], 0.35), u: properVelocity(beta) },
+      SETTINGS,
+      16,
+    );
+  }
+  it.each([
+    ['a thin tinted sheet', { transmission: { factor: 0.9 }, baseColor: [0.4, 0.8, 0.9] }],
+    [
+      'a thick block that absorbs',
+      {
+        transmission: { factor: 1 },
+        volume: { thickness: 0.98, attenuationColor: [0.9, 0.5, 0.4], attenuationDistance: 0.7 },
+      },
+    ],
+  ] as readonly (readonly [string, Partial<Material>])[])('through %s, at rest and moving', async (_, material) => {
+    for (const [velocity, beta] of [
+      [ZERO, ZERO],
+      [
+        [0.2, 0.1, 0.2],
+        [0.1, 0, -0.1],
+      ],
+    ] as const) {
+      const { mean } = await throughGlass(material, velocity, beta);
+      // The fast renderer takes the thickness for the way of the ray.
+      expect(mean).toBeLessThan(0.035);
     }
   });
 });

@@ -13,7 +13,7 @@ import { createLightingContext } from '../../../src/reference/lights/createLight
 import { rayBack } from '../../../src/reference/lights/lightingContext.ts';
 import { DEFAULT_LIGHT } from '../../../src/reference/lights/lightOptions.ts';
 import { reflectionOrigin } from '../../../src/reference/transport/rayOrigin.ts';
-import { transmittance } from '../../../src/reference/transport/transmittance.ts';
+import { visibility } from '../../../src/reference/transport/transmittance.ts';
 import { FOREVER, restingAt } from '../../../src/scene/defaults.ts';
 import type { Light, Scene } from '../../../src/scene/types.ts';
 import { observerFromCamera } from '../../../src/scene/view/camera.ts';
@@ -40,7 +40,7 @@ function litAt(traced: TracedScene, { view, settings, scene }: ShadowScene, x: n
     const toSun: Vec3 = scale(normalize(light.direction), -1e3);
     if (length(hit.velocity) === 0 && dot(start.geometricNormal, toSun) <= 0) return true;
     const ray = rayBack(lighting, start, toSun);
-    return transmittance(traced, { ray, begin: start.clearance / 1e3, from: hit }, 1) > 0.5;
+    return visibility(traced, { ray, begin: start.clearance / 1e3, from: hit }, 1).fraction > 0.5;
   });
 }
 

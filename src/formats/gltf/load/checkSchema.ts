@@ -123,6 +123,14 @@ const MATERIAL_EXTENSIONS: Readonly<Record<string, SchemaCheck>> = {
     glossinessFactor: factor,
     specularGlossinessTexture: picture,
   }),
+  KHR_materials_dispersion: fields({ dispersion: factor }),
+  KHR_materials_transmission: fields({ transmissionFactor: factor, transmissionTexture: picture }),
+  KHR_materials_volume: fields({
+    thicknessFactor: factor,
+    thicknessTexture: picture,
+    attenuationDistance: factor,
+    attenuationColor: color,
+  }),
   KHR_materials_specular: fields({
     specularFactor: factor,
     specularTexture: picture,

@@ -1,5 +1,5 @@
 import type { Material as GltfMaterial, Texture as GltfTexture, TextureInfo } from '@gltf-transform/core';
-import type { Clearcoat, Specular } from '@gltf-transform/extensions';
+import type { Clearcoat, Dispersion, Specular, Transmission, Volume } from '@gltf-transform/extensions';
 import type { Vec3 } from '../../../math/vec3.ts';
 import { type Message, msg } from '../../../messages/message.ts';
 import type { Material, NormalTexture, Texture, TextureChannel } from '../../../scene/types.ts';
@@ -19,6 +19,7 @@ export interface TextureInputs {
 export const layersOf = (material: GltfMaterial, textures: TextureInputs): Partial<Material> => ({
   ...specularOf(material.getExtension<Specular>('KHR_materials_specular'), textures),
   ...clearcoatOf(material.getExtension<Clearcoat>('KHR_materials_clearcoat'), textures),
+  ...transmissionOf(material, textures),
 });
 
 /** A factor, and its texture: the factor is then the mean. */
@@ -68,13 +69,50 @@ function clearcoatOf(from: Clearcoat | null, { number, normal }: TextureInputs):
   };
 }
 
+function transmissionOf(material: GltfMaterial, { number }: TextureInputs): Partial<Material> {
+  const from = material.getExtension<Transmission>('KHR_materials_transmission');
+  if (!from || from.getTransmissionFactor() <= 0) return {};
+  const given = clamped(from.getTransmissionFactor());
+  const [factor, factorTexture] = textured(
+    given,
+    number(from.getTransmissionTexture(), from.getTransmissionTextureInfo(), 0, given),
+  );
+  const volume = material.getExtension<Volume>('KHR_materials_volume');
+  const dispersion = material.getExtension<Dispersion>('KHR_materials_dispersion')?.getDispersion() ?? 0;
+  return {
+    transmission: { factor, ...(factorTexture && { factorTexture }) },
+    ...(volume && volume.getThicknessFactor() > 0 && { volume: volumeOf(volume, number) }),
+    ...(dispersion > 0 && { dispersion }),
+  };
+}
+
+function volumeOf(from: Volume, number: TextureInputs['number']): NonNullable<Material['volume']> {
+  const thicknessTexture = number(from.getThicknessTexture(), from.getThicknessTextureInfo(), 1, 1);
+  const [r, g, b] = from.getAttenuationColor().map(clamped);
+  const distance = from.getAttenuationDistance();
+  return {
+    thickness: from.getThicknessFactor(),
+    ...(thicknessTexture && { thicknessTexture }),
+    attenuationColor: [r, g, b],
+    attenuationDistance: distance > 0 ? distance : Number.POSITIVE_INFINITY,
+  };
+}
+
 const clamped = (x: number): number => Math.min(Math.max(x, 0), 1);
 
 /** Textures of extensions, as messages call them. */
 export function layerTextures(m: GltfMaterial): (readonly [Message, Image, Info])[] {
   const specular = m.getExtension<Specular>('KHR_materials_specular');
   const coat = m.getExtension<Clearcoat>('KHR_materials_clearcoat');
+  const clear = m.getExtension<Transmission>('KHR_materials_transmission');
+  const volume = m.getExtension<Volume>('KHR_materials_volume');
   return [
+    ...(clear
+      ? ([[msg`transmission texture`, clear.getTransmissionTexture(), clear.getTransmissionTextureInfo()]] as const)
+      : []),
+    ...(volume
+      ? ([[msg`thickness texture`, volume.getThicknessTexture(), volume.getThicknessTextureInfo()]] as const)
+      : []),
     ...(specular
       ? ([
           [msg`specular texture`, specular.getSpecularTexture(), specular.getSpecularTextureInfo()],

@@ -1,5 +1,11 @@
 import type { Document, Material as GltfMaterial, Texture as GltfTexture, TextureInfo } from '@gltf-transform/core';
-import { KHRMaterialsClearcoat, KHRMaterialsSpecular } from '@gltf-transform/extensions';
+import {
+  KHRMaterialsClearcoat,
+  KHRMaterialsDispersion,
+  KHRMaterialsSpecular,
+  KHRMaterialsTransmission,
+  KHRMaterialsVolume,
+} from '@gltf-transform/extensions';
 import type { Material, Texture, TextureChannel } from '../../../scene/types.ts';
 
 /** Sets a texture, and returns how it is sampled. */
@@ -16,6 +22,33 @@ export interface TextureOutputs {
 export function addLayers(document: Document, made: GltfMaterial, m: Material, textures: TextureOutputs): void {
   addSpecular(document, made, m, textures);
   addClearcoat(document, made, m, textures);
+  addTransmission(document, made, m, textures);
+}
+
+function addTransmission(
+  document: Document,
+  made: GltfMaterial,
+  { transmission, volume: inside, dispersion }: Material,
+  textures: TextureOutputs,
+): void {
+  if (!transmission) return;
+  const clear = document.createExtension(KHRMaterialsTransmission).createTransmission();
+  const factor = textures.number(transmission.factorTexture, 0, (picture) =>
+    clear.setTransmissionTexture(picture).getTransmissionTextureInfo(),
+  );
+  made.setExtension('KHR_materials_transmission', clear.setTransmissionFactor(factor ?? transmission.factor));
+  if (dispersion) {
+    const spread = document.createExtension(KHRMaterialsDispersion).createDispersion().setDispersion(dispersion);
+    made.setExtension('KHR_materials_dispersion', spread);
+  }
+  if (!inside) return;
+  const volume = document.createExtension(KHRMaterialsVolume).createVolume();
+  const share = textures.number(inside.thicknessTexture, 1, (picture) =>
+    volume.setThicknessTexture(picture).getThicknessTextureInfo(),
+  );
+  volume.setThicknessFactor(inside.thickness * (share ?? 1)).setAttenuationColor([...inside.attenuationColor]);
+  if (Number.isFinite(inside.attenuationDistance)) volume.setAttenuationDistance(inside.attenuationDistance);
+  made.setExtension('KHR_materials_volume', volume);
 }
 
 function addSpecular(

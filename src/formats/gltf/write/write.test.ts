@@ -277,6 +277,16 @@ describe('a scene written as glTF', () => {
         normalTexture: { texture: { data: map.data }, strength: [0.5, 0.5] },
       },
     });
+    const glass = {
+      ior: 1.25,
+      dispersion: 0.5,
+      transmission: { factor: 0.5 * (160 / 255), factorTexture: channel(0, 0.5, 0) },
+      volume: { thickness: 0.25, attenuationColor: [0.5, 0.25, 1], attenuationDistance: 2 },
+    } as const;
+    expect(await reread(makeMaterial({ name: 'Glass', ...glass }))).toMatchObject({
+      ...glass,
+      transmission: { factorTexture: { texture: { data: map.data }, channel: 0, scale: 0.5 } },
+    });
     const unlit = { emissive: [0.5, 0.25, 1], baseColor: [0, 0, 0], ior: 1, unlit: true } as const;
     expect(await reread(makeMaterial({ name: 'Sign', ...unlit }))).toMatchObject(unlit);
     expect(await reread(material)).toMatchObject({

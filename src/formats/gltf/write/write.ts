@@ -2,10 +2,13 @@ import { Document, type Node as GltfNode, WebIO } from '@gltf-transform/core';
 import {
   KHRLightsPunctual,
   KHRMaterialsClearcoat,
+  KHRMaterialsDispersion,
   KHRMaterialsEmissiveStrength,
   KHRMaterialsIOR,
   KHRMaterialsSpecular,
+  KHRMaterialsTransmission,
   KHRMaterialsUnlit,
+  KHRMaterialsVolume,
 } from '@gltf-transform/extensions';
 import { scale } from '../../../math/vec3.ts';
 import { msg } from '../../../messages/message.ts';
@@ -29,10 +32,13 @@ import { MeshWriter } from './writeMeshes.ts';
 const EXTENSIONS = [
   KHRLightsPunctual,
   KHRMaterialsClearcoat,
+  KHRMaterialsDispersion,
   KHRMaterialsEmissiveStrength,
   KHRMaterialsIOR,
   KHRMaterialsSpecular,
+  KHRMaterialsTransmission,
   KHRMaterialsUnlit,
+  KHRMaterialsVolume,
 ];
 
 /**
