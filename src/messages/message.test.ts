@@ -1,6 +1,6 @@
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
-import { anyOf, inEnglish, type LocalizedText, listed, type Message, msg, translate } from './message.ts';
+import { anyOf, inEnglish, inLines, type LocalizedText, listed, type Message, msg, translate } from './message.ts';
 import { MessageError, messageOf } from './messageError.ts';
 
 describe('a message', () => {
@@ -102,5 +102,11 @@ describe('an error', () => {
     expect(inEnglish(messageOf(new TypeError('x is not iterable')))).toBe('x is not iterable');
     expect(inEnglish(messageOf('{} out of order'))).toBe('{} out of order');
     expect(inEnglish(messageOf(undefined))).toBe('undefined');
+  });
+
+  it('has as many lines or items as there are, however many', () => {
+    const names = Array.from({ length: 30_000 }, (_, k) => `/Part${k}`);
+    expect(inEnglish(inLines(names))).toBe(names.join('\n'));
+    expect(inEnglish(listed(names))).toBe(names.join(', '));
   });
 });

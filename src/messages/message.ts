@@ -64,5 +64,20 @@ export function anyOf(texts: readonly LocalizedText[]): LocalizedText {
 }
 
 /** `a, b, c` */
-export const listed = (texts: readonly LocalizedText[]): LocalizedText =>
-  texts.length === 0 ? '' : texts.reduce((before, text) => msg`${before}, ${text}`);
+export const listed = (texts: readonly LocalizedText[]): LocalizedText => joined(texts, (a, b) => msg`${a}, ${b}`);
+
+/** `a; b; c` */
+export const inClauses = (texts: readonly LocalizedText[]): Message =>
+  asMessage(joined(texts, (a, b) => msg`${a}; ${b}`));
+
+/** Texts below each other. */
+export const inLines = (texts: readonly LocalizedText[]): Message =>
+  asMessage(joined(texts, (a, b) => msg`${a}\n${b}`));
+
+const asMessage = (text: LocalizedText): Message => (typeof text === 'string' ? msg`${text}` : text);
+
+/** By halves, so that a message of ten thousand lines is not ten thousand messages deep. */
+function joined(texts: readonly LocalizedText[], join: (a: LocalizedText, b: LocalizedText) => Message): LocalizedText {
+  const half = texts.length >> 1;
+  return half === 0 ? (texts[0] ?? '') : join(joined(texts.slice(0, half), join), joined(texts.slice(half), join));
+}

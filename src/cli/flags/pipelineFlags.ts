@@ -1,5 +1,5 @@
 import { type Command, Option } from 'commander';
-import { listed, type Message, msg } from '../../messages/message.ts';
+import { inClauses, listed, type Message, msg } from '../../messages/message.ts';
 import {
   type IntegerOption,
   type OptionValues,
@@ -11,7 +11,7 @@ import { AUTOMATIC_PIPELINES, PIPELINES, pipelineNamed } from '../../pipelines/r
 import type { Backend } from '../../render/settings.ts';
 import type { AovName } from '../../scene/view/view.ts';
 import { usageError } from '../terminal/exitCodes.ts';
-import { inClauses, localized } from '../terminal/language.ts';
+import { localized } from '../terminal/language.ts';
 import { parseWithin } from './parse.ts';
 import type { SettingFlags } from './viewFlags.ts';
 

@@ -1,7 +1,7 @@
 import { own } from '../../graph/document/document.ts';
 import { serializeDocument } from '../../graph/document/serialize.ts';
 import type { NodeProblem, NodeType } from '../../graph/nodeType.ts';
-import { listed, type Message, msg } from '../../messages/message.ts';
+import { inLines, listed, type Message, msg } from '../../messages/message.ts';
 import { nodePage, nodeReference } from '../../nodes/docs/nodeReference.ts';
 import { nodeLibrary } from '../../nodes/library.ts';
 import { shaderTextFaults } from '../../nodes/project/shaderTextFaults.ts';
@@ -11,7 +11,7 @@ import { projectProblems, readProject } from '../project/project.ts';
 import { placed } from '../terminal/diagnostics.ts';
 import { CliError, EXIT, inputProblem, usageError } from '../terminal/exitCodes.ts';
 import { toJson } from '../terminal/json.ts';
-import { inLines, localized } from '../terminal/language.ts';
+import { localized } from '../terminal/language.ts';
 
 /** What is wrong with one project; `error`: it cannot be read. */
 interface ProjectReport {

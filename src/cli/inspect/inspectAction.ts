@@ -1,5 +1,5 @@
 import { degrees } from '../../math/angle.ts';
-import { type LocalizedText, listed, type Message, msg } from '../../messages/message.ts';
+import { inLines, type LocalizedText, listed, type Message, msg } from '../../messages/message.ts';
 import type { Light } from '../../scene/lights/light.ts';
 import { fastestVertex, pointSamples, sampleTimes } from '../../scene/motion/motion.ts';
 import type { Lifetime, Motion } from '../../scene/motion/motionTypes.ts';
@@ -10,7 +10,7 @@ import { speedOfLight } from '../flags/viewFlags.ts';
 import { diagnosticLine } from '../terminal/diagnostics.ts';
 import { inputProblem } from '../terminal/exitCodes.ts';
 import { toJson } from '../terminal/json.ts';
-import { inLines, localized } from '../terminal/language.ts';
+import { localized } from '../terminal/language.ts';
 import type { InspectFlags } from './inspectFlags.ts';
 import { treeLines } from './tree.ts';
 

@@ -1,4 +1,4 @@
-import { anyOf, type Message, msg } from '../../messages/message.ts';
+import { anyOf, inLines, type Message, msg } from '../../messages/message.ts';
 import { PictureTooLargeError } from '../../pipelines/maxSize.ts';
 import type { OptionValues } from '../../pipelines/options.ts';
 import type { PictureScenes, Pipeline, PipelineSession, UncheckedRequest } from '../../pipelines/pipeline.ts';
@@ -9,7 +9,6 @@ import { foreignSetting, optionsOf } from '../flags/pipelineFlags.ts';
 import { speedOfLight } from '../flags/viewFlags.ts';
 import type { RenderFlags } from '../render/renderFlags.ts';
 import { CliError, EXIT, unavailable } from '../terminal/exitCodes.ts';
-import { inLines } from '../terminal/language.ts';
 import { nodeHost } from './nodeHost.ts';
 
 /** Opens the named pipeline, or with `auto` the first on each of its backends in turn, then its fallbacks, unless a flag needs the first one. Throws if none works. */

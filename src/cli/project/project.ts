@@ -8,7 +8,7 @@ import { applyCommand, type Command } from '../../graph/edits/commands.ts';
 import { type Evaluation, Evaluator, type RunHeavy } from '../../graph/evaluation/evaluator.ts';
 import { type NodeProblem, type ParamSpec, valueError } from '../../graph/nodeType.ts';
 import { degrees } from '../../math/angle.ts';
-import { listed, msg } from '../../messages/message.ts';
+import { inLines, listed, msg } from '../../messages/message.ts';
 import { messageOf } from '../../messages/messageError.ts';
 import { toLoadedScene } from '../../nodes/common/loadedScene.ts';
 import { nodeLibrary } from '../../nodes/library.ts';
@@ -28,7 +28,6 @@ import { renderStill } from '../pipelines/renderStill.ts';
 import type { RenderFlags } from '../render/renderFlags.ts';
 import { placed } from '../terminal/diagnostics.ts';
 import { inputProblem, usageError } from '../terminal/exitCodes.ts';
-import { inLines } from '../terminal/language.ts';
 import { heavyNodes } from './heavyNodes.ts';
 
 const isArchive = (path: string): boolean => path.toLowerCase().endsWith('.zip');

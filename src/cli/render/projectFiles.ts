@@ -1,7 +1,7 @@
 import { join } from 'node:path';
 import { extensionOf } from '../../formats/files/fileSource.ts';
 import { DocumentError, type GraphDocument } from '../../graph/document/document.ts';
-import { msg } from '../../messages/message.ts';
+import { inLines, msg } from '../../messages/message.ts';
 import { exportSceneFile } from '../../nodes/project/exportSceneFile.ts';
 import { fileNodesIn, requestedFiles } from '../../nodes/project/fileNodes.ts';
 import { frameTimes, type ImageOutput, type RequestedFile, type VideoOutput } from '../../nodes/project/outputFiles.ts';
@@ -20,7 +20,6 @@ import {
 import { placed, reportDiagnostics } from '../terminal/diagnostics.ts';
 import { inputProblem, usageError } from '../terminal/exitCodes.ts';
 import { toJson } from '../terminal/json.ts';
-import { inLines } from '../terminal/language.ts';
 import { Progress } from '../terminal/progress.ts';
 import type { ProjectFilesFlags, RenderFlags } from './renderFlags.ts';
 import { renderFrames } from './renderFrames.ts';

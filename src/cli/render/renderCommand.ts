@@ -1,5 +1,5 @@
 import { Command, Option } from 'commander';
-import { listed, msg } from '../../messages/message.ts';
+import { inClauses, listed, msg } from '../../messages/message.ts';
 import { PIPELINES } from '../../pipelines/registry.ts';
 import { AOVS } from '../../scene/view/view.ts';
 import { FALSE_COLOR_QUANTITIES } from '../../spectrum/falseColor/falseColor.ts';
@@ -17,7 +17,7 @@ import { addSceneFlags, SCENE_ARGUMENT } from '../flags/sceneFlags.ts';
 import { addObserverFlags, addSettingFlags } from '../flags/viewFlags.ts';
 import { usageError } from '../terminal/exitCodes.ts';
 import { examples } from '../terminal/help.ts';
-import { inClauses, localized } from '../terminal/language.ts';
+import { localized } from '../terminal/language.ts';
 import type { ProjectFilesFlags, RenderFlags } from './renderFlags.ts';
 
 type Optional<T, K extends keyof T> = Omit<T, K> & Partial<Pick<T, K>>;

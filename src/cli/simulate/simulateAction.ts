@@ -8,7 +8,7 @@ import { writtenExtensions } from '../../formats/save.ts';
 import { flatten } from '../../graph/analysis/flatten.ts';
 import { DocumentError, type GraphDocument } from '../../graph/document/document.ts';
 import type { HeavyRequest, RunHeavy } from '../../graph/evaluation/evaluator.ts';
-import { listed, msg } from '../../messages/message.ts';
+import { inLines, listed, msg } from '../../messages/message.ts';
 import type { Matter } from '../../nodes/dynamics/matter.ts';
 import { simulationSettings } from '../../nodes/dynamics/simulate.ts';
 import { Simulation, type SimulationOutputs } from '../../nodes/dynamics/simulation.ts';
@@ -28,7 +28,6 @@ import { evaluateNodes, isProject, problemsIn, readProject, withParams } from '.
 import { placed, reportDiagnostics } from '../terminal/diagnostics.ts';
 import { EXIT, inputProblem, usageError } from '../terminal/exitCodes.ts';
 import { toJson } from '../terminal/json.ts';
-import { inLines } from '../terminal/language.ts';
 import { Progress } from '../terminal/progress.ts';
 import { Checkpoint, contentHash, readCheckpoint } from './checkpoint.ts';
 import type { SimulateFlags } from './simulateFlags.ts';

@@ -1,8 +1,7 @@
 import type { Command, CommanderError, Option } from 'commander';
-import { listed, type Message, msg } from '../../messages/message.ts';
+import { inLines, listed, type Message, msg } from '../../messages/message.ts';
 import { MessageError } from '../../messages/messageError.ts';
 import { CliError, EXIT } from './exitCodes.ts';
-import { inLines } from './language.ts';
 
 /** Wrong use of a command. */
 export class CommandLineError extends CliError {

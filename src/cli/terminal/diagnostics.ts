@@ -1,7 +1,7 @@
-import { type LocalizedText, type Message, msg } from '../../messages/message.ts';
+import { inLines, type LocalizedText, type Message, msg } from '../../messages/message.ts';
 import type { Diagnostic } from '../../scene/types.ts';
 import { CliError, EXIT } from './exitCodes.ts';
-import { inLines, localized } from './language.ts';
+import { localized } from './language.ts';
 
 const SEVERITIES: Readonly<Record<Diagnostic['severity'], Message>> = {
   error: msg`error`,

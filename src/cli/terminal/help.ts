@@ -1,6 +1,6 @@
 import { type Command, Help, type Option } from 'commander';
-import { type LocalizedText, listed, type Message, msg } from '../../messages/message.ts';
-import { inLines, localized } from './language.ts';
+import { inLines, type LocalizedText, listed, type Message, msg } from '../../messages/message.ts';
+import { localized } from './language.ts';
 import { displayWidth } from './width.ts';
 
 /** Commander's headings. */

@@ -1,6 +1,6 @@
 import { afterEach, expect, test } from 'vitest';
-import { msg } from '../../messages/message.ts';
-import { chosenLanguage, inLines, localized, setLanguage } from './language.ts';
+import { inLines, msg } from '../../messages/message.ts';
+import { chosenLanguage, localized, setLanguage } from './language.ts';
 
 afterEach(() => setLanguage('en'));
 

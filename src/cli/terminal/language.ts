@@ -1,5 +1,5 @@
 import { isLanguageTag, LANGUAGES, type LanguageTag, preferredLanguage } from '../../messages/languages.ts';
-import { type LocalizedText, type Message, msg, translate } from '../../messages/message.ts';
+import { type LocalizedText, translate } from '../../messages/message.ts';
 import { ENGLISH, type Translation } from '../../messages/translation.ts';
 
 let translation: Translation = ENGLISH;
@@ -26,11 +26,3 @@ function environmentLocales({ LC_ALL, LC_MESSAGES, LANG, LANGUAGE }: NodeJS.Proc
   if (/^(C|POSIX)(\.|$)/.test(locale)) return [];
   return LANGUAGE ? LANGUAGE.split(':') : [locale];
 }
-
-/** Texts below each other. */
-export const inLines = (texts: readonly LocalizedText[]): Message =>
-  texts.slice(1).reduce<Message>((before, text) => msg`${before}\n${text}`, msg`${texts[0] ?? ''}`);
-
-/** `a; b; c` */
-export const inClauses = (texts: readonly LocalizedText[]): LocalizedText =>
-  texts.reduce((before, text) => msg`${before}; ${text}`);

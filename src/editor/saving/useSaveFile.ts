@@ -1,7 +1,7 @@
 import { useCallback } from 'react';
 import { CancelledError, type Evaluation } from '../../graph/evaluation/evaluator.ts';
 import { type NodeProblem, NodeRefusal } from '../../graph/nodeType.ts';
-import { type LocalizedText, type Message, msg } from '../../messages/message.ts';
+import { inClauses, type LocalizedText, type Message, msg } from '../../messages/message.ts';
 import { MessageError, messageOf } from '../../messages/messageError.ts';
 import { fileNodesIn, requestedFiles } from '../../nodes/project/fileNodes.ts';
 import type { RequestedFile } from '../../nodes/project/outputFiles.ts';
@@ -61,10 +61,9 @@ async function save({ node, editor, backend, signal }: SaveFileContext): Promise
 const MAX_LISTED_LOSSES = 4;
 
 function savedText({ name, losses = [] }: MadeFile): Message {
-  const [first, ...others] = losses.slice(0, MAX_LISTED_LOSSES);
-  if (!first) return msg`Saved ${name}`;
+  if (losses.length === 0) return msg`Saved ${name}`;
   const more = losses.length > MAX_LISTED_LOSSES ? ` (+ ${losses.length - MAX_LISTED_LOSSES})` : '';
-  const list = others.reduce<LocalizedText>((before, loss) => msg`${before}; ${loss}`, first);
+  const list = inClauses(losses.slice(0, MAX_LISTED_LOSSES));
   return msg`Saved ${name}, which cannot represent everything: ${list}${more}`;
 }
 

@@ -1,5 +1,13 @@
 import type { NodeType, NumberParam, NumberVariant, ParamSpec, Socket } from '../../graph/nodeType.ts';
-import { inEnglish, type LocalizedText, listed, type Message, msg, type Translate } from '../../messages/message.ts';
+import {
+  inClauses,
+  inEnglish,
+  type LocalizedText,
+  listed,
+  type Message,
+  msg,
+  type Translate,
+} from '../../messages/message.ts';
 import { nodeLibrary } from '../library.ts';
 import { CATEGORY_TITLES } from '../titles.ts';
 
@@ -56,7 +64,7 @@ const tableCell = (text: string): string => text.replaceAll('|', '\\|');
 function allowedValues(spec: ParamSpec): LocalizedText {
   switch (spec.kind) {
     case 'number':
-      return spec.as ? clauses(Object.entries(spec.as.cases).map(variantText)) : rangeText(spec);
+      return spec.as ? inClauses(Object.entries(spec.as.cases).map(variantText)) : rangeText(spec);
     case 'choice':
       return listed(spec.options.map(({ value, title }) => msg`${`\`${value}\``} (${title})`));
     case 'vector':
@@ -69,9 +77,6 @@ function allowedValues(spec: ParamSpec): LocalizedText {
       return spec.kind === 'boolean' ? msg`on, off` : msg`text`;
   }
 }
-
-const clauses = (texts: readonly LocalizedText[]): LocalizedText =>
-  texts.reduce((before, text) => msg`${before}; ${text}`);
 
 function rangeText({ min, max, unit, integer }: NumberVariant & Pick<NumberParam, 'integer'>): LocalizedText {
   const range = `${min} … ${max}${unit ? ` ${unit}` : ''}`;

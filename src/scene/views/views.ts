@@ -1,4 +1,4 @@
-import { type LocalizedText, type Message, msg } from '../../messages/message.ts';
+import { inClauses, type LocalizedText, msg } from '../../messages/message.ts';
 import { HYPERSURFACES, type Hypersurface } from '../../physics/worldLines/hypersurface.ts';
 import { galilean } from './galilean.ts';
 import { lightCone } from './lightCone.ts';
@@ -32,10 +32,6 @@ const [lastView, ...otherViews] = [...records].reverse();
 
 /** What the choice of a view is about, in its control and in `--help`. */
 export const VIEW_HELP = {
-  control: msg`${joined(otherViews.reverse().map(({ help }) => help))}; or ${lastView!.help}.`,
-  flag: joined(VIEW_NAMES.map((name) => msg`${name}: ${VIEWS[name].summary}`)),
+  control: msg`${inClauses(otherViews.reverse().map(({ help }) => help))}; or ${lastView!.help}.`,
+  flag: inClauses(VIEW_NAMES.map((name) => msg`${name}: ${VIEWS[name].summary}`)),
 };
-
-function joined(parts: readonly Message[]): Message {
-  return parts.reduce((before, part) => msg`${before}; ${part}`);
-}
