@@ -25,6 +25,8 @@ import { MAX_SUBDIVISION_LEVELS, POINT_BUDGET, SAMPLE_MEMORY } from '../../src/f
 import { FACE_BUDGET } from '../../src/formats/usd/schema/geometry/subdivisionLevels.ts';
 import { MAX_UDIM_ATLAS_SIDE as MAX_ATLAS_SIDE } from '../../src/formats/usd/schema/materials/udim.ts';
 import { MAX_INFLUENCES } from '../../src/formats/usd/schema/skel/binding.ts';
+import { MAX_SURFACE_POINTS } from '../../src/formats/usd/schema/strands/curves.ts';
+import { MAX_SPHERES } from '../../src/formats/usd/schema/strands/pointSpheres.ts';
 import { MAX_DEPTH as TEXT_DEPTH } from '../../src/formats/usd/text/parser.ts';
 import { MAX_TOTAL } from '../../src/formats/zip/directory.ts';
 import { inEnglish } from '../../src/messages/message.ts';
@@ -48,6 +50,8 @@ export const readerLimits: readonly { readonly what: string; readonly most: stri
   { what: 'USD: samples held in memory that could be streamed from their binary layer', most: bytes(SAMPLE_MEMORY) },
   { what: 'USD: faces of subdivision surfaces', most: `${count(FACE_BUDGET)}, of ${MAX_SUBDIVISION_LEVELS} levels` },
   { what: 'USD: joints that influence one point', most: count(MAX_INFLUENCES) },
+  { what: 'USD: spheres of one Points', most: count(MAX_SPHERES) },
+  { what: 'USD: points of the tubes or ribbons of one prim of curves', most: count(MAX_SURFACE_POINTS) },
   { what: 'USD: side of the picture combined from tiles', most: `${count(MAX_ATLAS_SIDE)} pixels` },
   { what: 'glTF: unpacked size of accessors and compressed data', most: bytes(MAX_UNPACKED) },
   { what: 'glTF: vertices', most: count(MAX_VERTICES) },

@@ -293,7 +293,44 @@ const geometry: ClaimGroup = {
         ) + RED,
       ),
     ),
-    unseen(['BasisCurves', 'NurbsCurves', 'HermiteCurves', 'Points', 'Volume'], 'reported'),
+    read(
+      '`Points` with widths, also over time, and with velocities',
+      'spheres of 8 to 512 triangles, by their number; without widths they are one unit wide. Velocities with one sample of points move them over the time of the stage',
+      usd(def('Points', 'point3f[] points = [(0, 0, 0), (4, 0, 0)]\nfloat[] widths = [1, 2]')),
+      (s) => expect(s.objects[0].mesh.indices.length / 3).toBe(2 * 512),
+    ),
+    read(
+      '`BasisCurves` (linear; bezier, bspline, catmullRom; nonperiodic, periodic, pinned) and `NurbsCurves` (rational), also over time; widths, colours and uvs constant, uniform, varying or per vertex',
+      'tubes with lids; ribbons across their normals where they have some',
+      [
+        usd(
+          def(
+            'BasisCurves',
+            'int[] curveVertexCounts = [4]\npoint3f[] points = [(0, 0, 0), (0, 1, 0), (1, 1, 0), (1, 0, 0)]\nfloat[] widths = [0.1]',
+          ),
+        ),
+        usd(
+          def(
+            'NurbsCurves',
+            'int[] curveVertexCounts = [3]\nint[] order = [3]\ndouble[] knots = [0, 0, 0, 1, 1, 1]\npoint3f[] points = [(0, 0, 0), (0, 1, 0), (1, 1, 0)]\nfloat[] widths = [0.1]',
+          ),
+        ),
+      ],
+      (s) => expect(s.objects[0].mesh.positions.length).toBeGreaterThan(3 * 90),
+    ),
+    approximated(
+      '`Points` or curves whose number changes with time, or that are too many',
+      'held at the start; the first curves, or points evenly',
+      'usd.topology',
+      usd(def('Points', 'point3f[] points.timeSamples = { 0: [(0, 0, 0)], 9: [(0, 0, 0), (1, 0, 0)] }')),
+    ),
+    leftOut(
+      'curves that need more points than they have',
+      'reported with both numbers',
+      'usd.strands',
+      usd(def('BasisCurves', 'int[] curveVertexCounts = [4]\npoint3f[] points = [(0, 0, 0)]')),
+    ),
+    unseen(['HermiteCurves', 'Volume'], 'reported'),
     unseen(['NurbsPatch', 'TetMesh', 'Cylinder_1', 'Capsule_1'], 'reported; export it, or its surface, as a mesh'),
     leftOut(
       'NaN, infinite or overflowing numbers',

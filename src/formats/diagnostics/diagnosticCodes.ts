@@ -77,6 +77,7 @@ export const DIAGNOSTIC_CODES = {
   'prim.missing': 'a prim path where there is nothing',
   'usd.prim-exists': 'a prim to be written where there is one',
   'usd.empty-mesh': 'a mesh without points or faces',
+  'usd.strands': 'points or curves that are too many, or whose counts do not fit',
   'usd.faces': 'faces with fewer than 3 corners, or with indices of missing points',
   'usd.topology':
     'a topology that changes: meshes that take turns, at rest without velocities; of skinned meshes it stays as at the start',

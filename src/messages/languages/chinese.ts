@@ -115,6 +115,16 @@ const messages: Translation['messages'] = {
   '{} has an index outside its {} values; it is left out': '{1} 的某个索引超出其 {2} 个值；已去掉',
   '{} has {} values where {} are needed; it is left out': '{1} 有 {2} 个值，而需要 {3} 个；已去掉',
 
+  // Points and curves
+  'it has {} curves; the first {} are drawn, since their surface has at most {} points':
+    '有 {1} 条曲线；因其表面最多有 {3} 个点，只绘制前 {2} 条',
+  'its curveVertexCounts need {} points, and it has {}': '其 curveVertexCounts 需要 {1} 个点，而只有 {2} 个',
+  'it has {} points; one in {} is drawn, since at most {} are': '有 {1} 个点；最多绘制 {3} 个，因此每 {2} 个绘制一个',
+  'its velocities are not used: they need one for each point, and a stage with startTimeCode and endTimeCode':
+    '未使用其速度：需要每个点各有一个速度，且舞台有 startTimeCode 和 endTimeCode',
+  'the {} have nothing that can be drawn; it is left out': '{1} 没有可绘制的内容；已去掉',
+  'the number of its points changes with time; it is held at the start': '其点数随时间变化；已保持起始时的值',
+
   // Materials and textures
   'its material {} {}; its displayColor is drawn': '其材质 {1} {2}；已绘制其 displayColor',
   'has no surface that can be read': '没有可读取的表面',

@@ -249,7 +249,8 @@ class StageReader {
       report(this.context, 'warning', 'usd.instancer', prim.path, message);
     } else if (prim.typeName === 'Camera') this.cameras.push(cameraOf(this.context, prim, own.transform));
     else if (lights) await this.readLight(prim, own);
-    else if (prim.typeName === 'Mesh' || isGprim(prim.typeName)) await this.readGprim(prim, own);
+    else if (prim.typeName === 'Mesh' || isGprim(prim.typeName) || STRANDS.has(prim.typeName))
+      await this.readGprim(prim, own);
   }
 
   private async readLight(prim: PrimSpec, { transform: frame, slowlight, lives }: Inherited): Promise<void> {
@@ -366,6 +367,10 @@ class StageReader {
     surface: PrimMaterials,
     { skins, piece }: { readonly skins: Skins | undefined; readonly piece: MeshPiece | undefined },
   ): Promise<PrimGeometry | undefined> {
+    if (STRANDS.has(prim.typeName)) {
+      const { strandGeometry } = await import('./strands/strandGeometry.ts');
+      return strandGeometry(context, prim, surface);
+    }
     if (prim.typeName !== 'Mesh') return gprimGeometry(context, prim, surface);
     const shape = await meshGeometry(context, skins, prim, surface, piece);
     if (shape && shape.mesh.indices.length > 0) return shape;
@@ -397,6 +402,9 @@ const livesIn = (lives: readonly Lifetime[], authored: Lifetime): readonly Lifet
   if (isEternal(authored)) return lives;
   return authored.birth < authored.death ? commonLifetimes(lives, [authored]) : [authored];
 };
+
+/** Points and curves, which are drawn as surfaces. */
+const STRANDS = new Set(['Points', 'BasisCurves', 'NurbsCurves']);
 
 /** Whether several of its children have transforms of their own, or children that may have. */
 const hasSeveralTransforms = ({ children }: PrimSpec): boolean =>

@@ -9,11 +9,8 @@ const exportAsMeshMessage = (type: string): Message => msg`${type} is not read; 
 const exportSurfaceMessage = (type: string): Message =>
   msg`${type} is not read; it is left out (export its surface as a mesh)`;
 const UNREAD_TYPES: ReadonlyMap<string, (type: string) => Message> = new Map([
-  ['BasisCurves', leftOutMessage],
-  ['NurbsCurves', leftOutMessage],
   ['HermiteCurves', leftOutMessage],
   ['NurbsPatch', exportAsMeshMessage],
-  ['Points', leftOutMessage],
   ['TetMesh', exportSurfaceMessage],
   ['Volume', leftOutMessage],
   ['Cylinder_1', exportAsMeshMessage],
