@@ -122,7 +122,7 @@ const messages: Translation['messages'] = {
   'it has {} points; one in {} is drawn, since at most {} are': '有 {1} 个点；最多绘制 {3} 个，因此每 {2} 个绘制一个',
   'its velocities are not used: they need one for each point, and a stage with startTimeCode and endTimeCode':
     '未使用其速度：需要每个点各有一个速度，且舞台有 startTimeCode 和 endTimeCode',
-  'the {} have nothing that can be drawn; it is left out': '{1} 没有可绘制的内容；已去掉',
+  'there is nothing to draw in these {}; they are left out': '这些 {1} 没有可绘制的内容；已去掉',
   'the number of its points changes with time; it is held at the start': '其点数随时间变化；已保持起始时的值',
 
   // Materials and textures
@@ -833,16 +833,18 @@ const messages: Translation['messages'] = {
   'Roughness of the clearcoat': '清漆的粗糙度',
   'transmission texture': '透射纹理',
   'thickness texture': '厚度纹理',
-  'transmission': '透射',
+  transmission: '透射',
   'transmission, volume or dispersion': '透射、体积或色散',
-  'Transmission': '透射',
+  Transmission: '透射',
   'Clear glass: what is not reflected passes, tinted by the colour.': '透明玻璃：未被反射的光穿过，并染上颜色。',
-  '0 is a thin sheet; a body refracts and absorbs. The fast renderer refracts by this thickness, the reference renderer by the shape.': '0 是薄片；实体会折射和吸收。快速渲染器按此厚度折射，参考渲染器按形状折射。',
+  '0 is a thin sheet; a body refracts and absorbs. The fast renderer refracts by this thickness, the reference renderer by the shape.':
+    '0 是薄片；实体会折射和吸收。快速渲染器按此厚度折射，参考渲染器按形状折射。',
   'Colour inside': '内部颜色',
   'What white light becomes after the absorption length.': '白光经过吸收长度后的颜色。',
   'Absorption length': '吸收长度',
-  'Dispersion': '色散',
-  '20 divided by the Abbe number: crown glass has 0.3, diamond 0.36, flint glass 0.55.': '20 除以阿贝数：冕牌玻璃为 0.3，钻石为 0.36，火石玻璃为 0.55。',
+  Dispersion: '色散',
+  '20 divided by the Abbe number: crown glass has 0.3, diamond 0.36, flint glass 0.55.':
+    '20 除以阿贝数：冕牌玻璃为 0.3，钻石为 0.36，火石玻璃为 0.55。',
   'occlusion texture': '遮蔽纹理',
   'no variant {} of its materials; {}': '材质没有变体 {1}；{2}',
   'the file has none': '文件中一个也没有',

@@ -23,7 +23,7 @@ export function strandGeometry(
   const points = numbersAt(prim, 'points', context.startCode);
   const strand = points && (prim.typeName === 'Points' ? pointStrand(context, prim) : curveStrand(context, prim));
   if (!strand || strand.faceCounts.length === 0) {
-    const message = msg`the ${prim.typeName} have nothing that can be drawn; it is left out`;
+    const message = msg`there is nothing to draw in these ${prim.typeName}; they are left out`;
     report(context, 'warning', 'usd.empty-mesh', prim.path, message);
     return undefined;
   }
