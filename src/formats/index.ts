@@ -11,6 +11,7 @@ export { type FileSource, memorySource } from './files/fileSource.ts';
 export { type DecodedImage, decodeImage } from './image/decodeImage.ts';
 export { encodePng } from './image/encodePng.ts';
 export { type ExrChannel, type ExrImage, writeExr } from './image/exr.ts';
+export type { DecodePicture, ForeignKind } from './image/foreignPictures.ts';
 export { readExr, type SizeCheck } from './image/readExr.ts';
 export { type OpenOptions, openScene } from './open.ts';
 export type { Interpolation, ReadOptions } from './readOptions.ts';

@@ -1,3 +1,5 @@
+import type { DecodePicture } from './image/foreignPictures.ts';
+
 /** Between time samples: straight, or along cubics. */
 export type Interpolation = 'linear' | 'cubic';
 
@@ -19,6 +21,8 @@ export interface ReadOptions {
   readonly variantFallbacks?: ReadonlyMap<string, readonly string[]>;
   /** USD: memory for samples of deforming meshes [bytes]; larger ones in crate files are streamed from disk. */
   readonly sampleMemory?: number;
+  /** glTF: decodes WebP and AVIF. Absent: what has no other picture is shown without. */
+  readonly decodePicture?: DecodePicture;
   /** Called with the fraction of a long cache that is read. */
   readonly progress?: (part: number) => void;
 }

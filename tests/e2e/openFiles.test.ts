@@ -1,7 +1,10 @@
 import { AxeBuilder } from '@axe-core/playwright';
+import { EXTTextureWebP } from '@gltf-transform/extensions';
 import { zipSync } from 'fflate';
 import type { Page } from 'playwright-core';
 import { afterAll, beforeAll, describe, expect, it } from 'vitest';
+import { PINK_WEBP } from '../formats/pictures.ts';
+import { GltfBuilder } from '../support/gltfBuilder.ts';
 import { difference, type MonitoredPage, Program } from './program.ts';
 import { drop, pinkShare, sceneBytes } from './support.ts';
 
@@ -92,6 +95,21 @@ describe('opening files', () => {
     await visit.page.getByRole('combobox', { name: 'paint' }).waitFor();
     await visit.shot('openFiles-zip');
     expect(await violations(visit.page)).toEqual([]);
+
+    // A texture that the browser decodes.
+    const kit = new GltfBuilder();
+    const pink = kit.doc.createTexture().setImage(PINK_WEBP).setMimeType('image/webp');
+    const square = kit
+      .triangle([-1, -1, 0, 1, -1, 0, 1, 1, 0, -1, 1, 0])
+      .setIndices(kit.ints('SCALAR', [0, 1, 2, 0, 2, 3]))
+      .setAttribute('TEXCOORD_0', kit.values('VEC2', [0, 1, 1, 1, 1, 0, 0, 0]))
+      .setMaterial(kit.doc.createMaterial('Pink').setBaseColorTexture(pink));
+    kit.doc.createExtension(EXTTextureWebP).setRequired(true);
+    kit.scene.addChild(kit.meshNode('Square', square));
+    expect(pinkShare(await visit.pixels())).toBeLessThan(0.01);
+    await drop(visit, [{ name: 'pink.glb', content: Buffer.from(await kit.glb()) }]);
+    await expect.poll(async () => pinkShare(await visit.pixels())).toBeGreaterThan(0.03);
+    await visit.shot('openFiles-webp');
     await visit.close();
   });
 

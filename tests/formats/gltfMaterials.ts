@@ -14,12 +14,13 @@ import {
   KHRTextureTransform,
 } from '@gltf-transform/extensions';
 import { expect } from 'vitest';
+import { decodePicture } from '../../src/cli/files/decodePicture.ts';
 import { vertexPosition } from '../../src/scene/motion/motion.ts';
 import type { Material, Scene } from '../../src/scene/types.ts';
 import { find, type GltfBuilder } from '../support/gltfBuilder.ts';
 import { approximated, type ClaimGroup, leftOut, read, refused } from './claim.ts';
 import { type Fill, glb, json, kinds, withMaterial } from './gltfExamples.ts';
-import { PIXEL, WEBP } from './pictures.ts';
+import { FOUR_PIXELS_WEBP, PIXEL, WEBP } from './pictures.ts';
 import { C } from './usdKit.ts';
 
 const base = (scene: Scene): Material => scene.materials[find(scene, '/Thing').mesh.groups[0].material];
@@ -219,8 +220,17 @@ const looks: ClaimGroup = {
           p.setAttribute('COLOR_0', kit.values('VEC4', [1, 0, 0, 0.5, 1, 0, 0, 0.5, 1, 0, 0, 0.5]));
       }),
     ),
+    read(
+      '`EXT_texture_webp`, `EXT_texture_avif`; WebP and AVIF without them',
+      'decoded by the browser in the page, by libwebp and libavif on the command line; where that fails, the picture beside it. Code gives a decoder (`decodePicture`)',
+      withMaterial((m, kit) => {
+        m.setBaseColorTexture(picture(kit, FOUR_PIXELS_WEBP));
+      }),
+      (s) => expect([...base(s).baseColorTexture!.data.subarray(0, 8)]).toEqual([255, 0, 0, 255, 0, 255, 0, 255]),
+      { options: { decodePicture } },
+    ),
     leftOut(
-      'a picture that is damaged, too large, or neither PNG nor JPEG (WebP, KTX2)',
+      'a picture that is damaged or too large, or KTX2 alone (`KHR_texture_basisu`)',
       'reported with what it is',
       'file.unreadable-texture',
       withMaterial((m, kit) => {

@@ -5,3 +5,15 @@ export const PIXEL: Uint8Array = encodePng(1, 1, Uint8Array.of(255, 0, 0, 255));
 
 /** The first bytes of a WebP. */
 export const WEBP: Uint8Array = new TextEncoder().encode('RIFF0000WEBPVP8 ');
+
+/** Four pixels of WebP without loss, by ffmpeg: red, green; blue, and a brown that is half transparent. */
+export const FOUR_PIXELS_WEBP: Uint8Array = Uint8Array.from(
+  atob('UklGRjYAAABXRUJQVlA4TCoAAAAvAUAAEB8gECB49b9gQyCQ5G821QIBgiX/bwQERdctF/jJUYUbMET0PwQ='),
+  (letter) => letter.charCodeAt(0),
+);
+
+/** 16 × 16 pixels of WebP with loss, by ffmpeg, in one pink. */
+export const PINK_WEBP: Uint8Array = Uint8Array.from(
+  atob('UklGRjgAAABXRUJQVlA4ICwAAABwAQCdASoQABAAAMASJaACdAGIQAD+771RV6vMq//Qof/+hQ//9Ch/88IAAA=='),
+  (letter) => letter.charCodeAt(0),
+);

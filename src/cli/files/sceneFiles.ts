@@ -10,6 +10,7 @@ import { splitArchive, zipSource } from '../../formats/zip/zipSource.ts';
 import { msg } from '../../messages/message.ts';
 import { setFileReader } from '../../scene/streaming/storedNumbers.ts';
 import { InputError, type Scene } from '../../scene/types.ts';
+import { decodePicture } from './decodePicture.ts';
 import { openDiskFile, readDiskFile } from './diskFiles.ts';
 
 /** The files of a folder on disk. `..` and absolute paths are allowed: the user may read those files anyway. */
@@ -65,7 +66,7 @@ export async function locateScene(path: string): Promise<SceneLocation> {
 
 export async function openSceneFile(path: string, options: ReadOptions = {}): Promise<Scene> {
   const { source, entry } = await locateScene(path);
-  return openScene(source, entry, options);
+  return openScene(source, entry, { decodePicture, ...options });
 }
 
 /** A file on disk that is opened for each read; archives need few. */

@@ -9,6 +9,7 @@ import { messageOf } from '../../messages/messageError.ts';
 import type { LoadedScene } from '../../nodes/services.ts';
 import { setFileReader } from '../../scene/streaming/storedNumbers.ts';
 import { InputError } from '../../scene/types.ts';
+import { decodePicture } from './browserPictures.ts';
 import { localSource, urlSource } from './fileSources.ts';
 import { loadedScene } from './loadedScene.ts';
 import type { LoaderReply, LoadRequest } from './protocol.ts';
@@ -41,6 +42,7 @@ async function load(request: LoadRequest, files?: Map<string, Uint8Array>): Prom
     await openScene(source, entry, {
       variants: new Map(request.variants),
       progress,
+      decodePicture,
       ...(request.interpolation && { interpolation: request.interpolation }),
       ...(request.prim && { prim: request.prim }),
     }),

@@ -5,6 +5,7 @@ import type { SampledSpectrum } from '../../spectrum/sources/lightSpectrum.ts';
 import type { DiagnosticCode } from '../diagnostics/diagnosticCodes.ts';
 import type { DiagnosticLog } from '../diagnostics/diagnosticLog.ts';
 import { inputError } from '../diagnostics/inputError.ts';
+import type { DecodedImage } from '../image/decodeImage.ts';
 import type { ReadOptions } from '../readOptions.ts';
 
 /** Context of reading one glTF file. */
@@ -15,12 +16,16 @@ export interface GltfContext {
   readonly json: GLTF.IGLTF;
   readonly document: Document;
   readonly options: ReadOptions;
+  readonly pictures: DecodedPictures;
   /** Material variants, with the selected one. */
   readonly variants: VariantSet | undefined;
   readonly notes: DiagnosticLog;
   /** Spectrum tables named by lights. */
   readonly spectra: ReadonlyMap<string, SampledSpectrum | undefined>;
 }
+
+/** Pictures that the host decodes, by image; undefined: it cannot be read, which has been told. */
+export type DecodedPictures = ReadonlyMap<number, DecodedImage | undefined>;
 
 /** Bytes of buffers and images, by uri. */
 export type Resources = Record<string, Uint8Array<ArrayBuffer>>;

@@ -57,7 +57,8 @@ function unreadableImage(name: LocalizedText, kind: string): InputError {
   return inputError('image.unknown-format', name, msg`the picture is ${what}; convert it to PNG or JPEG`);
 }
 
-function checkSize(width: number, height: number, name: LocalizedText): void {
+/** Throws an InputError that names `name`. */
+export function checkSize(width: number, height: number, name: LocalizedText): void {
   if (width > 0 && height > 0 && width <= MAX_SIDE && height <= MAX_SIDE && width * height <= MAX_PIXELS) return;
   const limit = msg`1 to ${MAX_SIDE} a side and at most ${MAX_PIXELS / 2 ** 20} Mi pixels are read`;
   throw inputError('image.size', name, msg`the picture is ${width} × ${height} pixels, ${limit}; scale it`);

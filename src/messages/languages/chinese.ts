@@ -1092,6 +1092,10 @@ const messages: Translation['messages'] = {
   '{} names vertex {}; there are {}, counted from 0': '{1} 用到顶点 {2}；共有 {3} 个，从 0 数起',
   '{} of vertex {} is {}': '顶点 {2} 的 {1} 为 {3}',
   '{} of face {} is {}': '面 {2} 的 {1} 为 {3}',
+  'no size': '没有尺寸',
+  'the decoder gives no picture': '解码器没有给出图像',
+  'WebGL2 is not available here': '此处没有 WebGL2',
+  '{} × {} pixels are more than this device reads': '{1} × {2} 像素超出此设备所能读取',
   'its rows have {} values more than its header declares; they are left out':
     '其行中的数值比文件头声明的多 {1} 个；已略去',
   'its {} points are Gaussian splats, which are not shown; export it as a mesh':

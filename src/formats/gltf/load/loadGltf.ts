@@ -21,10 +21,12 @@ import type { DiagnosticLog } from '../../diagnostics/diagnosticLog.ts';
 import { formatBytes } from '../../diagnostics/inputError.ts';
 import { missingTexture } from '../../diagnostics/missingFiles.ts';
 import { type FileSource, resolvePath } from '../../files/fileSource.ts';
+import type { DecodePicture } from '../../image/foreignPictures.ts';
 import { COMPRESSIONS, isFallback, unpackGeometry } from '../compression/unpack.ts';
-import { gltfError, type Resources } from '../context.ts';
+import { type DecodedPictures, gltfError, type Resources } from '../context.ts';
 import { checkGltf } from './checkReferences.ts';
 import { checkSchema } from './checkSchema.ts';
+import { decodePictures, PICTURE_EXTENSIONS } from './pictures.ts';
 import { textureSlots } from './textureSlots.ts';
 
 const GLB_MAGIC = 0x46546c67;
@@ -60,13 +62,17 @@ export async function loadGltf(
   source: FileSource,
   entry: string,
   notes: DiagnosticLog,
-): Promise<{ json: GLTF.IGLTF; document: Document }> {
+  decodePicture?: DecodePicture,
+): Promise<{ json: GLTF.IGLTF; document: Document; pictures: DecodedPictures }> {
   const bytes = await source.read(entry);
   if (!bytes) throw gltfError(entry, 'file.missing', '', msg`no such file`);
   const { json, binary } = unpackContainer(entry, bytes);
   const resources = await loadResources(source, entry, json, notes);
   if (binary) resources[GLB_BUFFER] = binary;
-  checkExtensions(entry, json, notes);
+  checkExtensions(entry, json, notes, decodePicture ? [...HANDLED, ...PICTURE_EXTENSIONS] : HANDLED);
+  const pictures: DecodedPictures = decodePicture
+    ? await decodePictures({ json, resources, glb: GLB_BUFFER, notes }, decodePicture)
+    : new Map();
   dropUnreadTextures(json, notes);
   dropUnknownInterpolations(json, notes);
   await unpackGeometry(entry, json, resources);
@@ -76,7 +82,7 @@ export async function loadGltf(
   const quiet = (): void => {};
   const logger: ILogger = { debug: quiet, info: quiet, warn: quiet, error: quiet };
   const io = new WebIO().setLogger(logger).registerExtensions(EXTENSIONS);
-  return { json, document: await io.readJSON({ json, resources }) };
+  return { json, pictures, document: await io.readJSON({ json, resources }) };
 }
 
 function unpackContainer(entry: string, bytes: Uint8Array): { json: GLTF.IGLTF; binary?: Uint8Array<ArrayBuffer> } {
@@ -224,14 +230,14 @@ function unescaped(uri: string): string {
 }
 
 /** Throws for unsupported required extensions, reports ignored ones, and hides both from glTF-Transform. */
-function checkExtensions(entry: string, json: GLTF.IGLTF, notes: DiagnosticLog): void {
+function checkExtensions(entry: string, json: GLTF.IGLTF, notes: DiagnosticLog, handled: readonly string[]): void {
   for (const name of json.extensionsRequired ?? []) {
-    if (HANDLED.includes(name) || LOOKS_ONLY.test(name)) continue;
+    if (handled.includes(name) || LOOKS_ONLY.test(name)) continue;
     const message = msg`it needs the extension ${name}, which is not read; export it without`;
     throw gltfError(entry, 'gltf.unsupported-extension', '', message);
   }
   for (const name of json.extensionsUsed ?? []) {
-    if (HANDLED.includes(name)) continue;
+    if (handled.includes(name)) continue;
     const severity = LOOKS_ONLY.test(name) && !CHANGES_COLOR.test(name) ? 'info' : 'warning';
     const effect = CHANGES_COLOR.test(name) ? msg`; what uses it is shown without its picture or colour` : '';
     notes.add(severity, 'gltf.ignored-extension', '', msg`the extension ${name} is left out${effect}`);
@@ -241,7 +247,7 @@ function checkExtensions(entry: string, json: GLTF.IGLTF, notes: DiagnosticLog):
   );
 }
 
-/** Removes textures only available in unsupported formats (WebP, KTX2) from materials. */
+/** Removes textures only available in unsupported formats (KTX2) from materials. */
 function dropUnreadTextures(json: GLTF.IGLTF, notes: DiagnosticLog): void {
   for (const [i, material] of (json.materials ?? []).entries()) {
     for (const { holder, name, info } of textureSlots(material)) {

@@ -201,6 +201,9 @@ export class GltfMaterialLibrary {
 
   private decode(image: GltfTexture): DecodedImage | undefined {
     if (this.images.has(image)) return this.images.get(image);
+    const { pictures, document } = this.context;
+    const place = document.getRoot().listTextures().indexOf(image);
+    if (pictures.has(place)) return pictures.get(place);
     const bytes = image.getImage();
     const name = this.imageName(image);
     let decoded: DecodedImage | undefined;

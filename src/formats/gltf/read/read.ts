@@ -47,7 +47,7 @@ const TOO_MANY_VERTICES = msg`${MAX_VERTICES} vertices with all sizes of its mes
 export async function readGltf(source: FileSource, entry: string, options: ReadOptions = {}): Promise<Scene> {
   try {
     const notes = new DiagnosticLog(entry);
-    const file = await loadGltf(source, entry, notes);
+    const file = await loadGltf(source, entry, notes, options.decodePicture);
     const variants = variantSet({ entry, json: file.json, options });
     const spectra = await lightSpectra(source, entry, file.json, notes);
     const context: GltfContext = { entry, options, notes, variants, spectra, ...file };
