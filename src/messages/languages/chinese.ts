@@ -912,6 +912,7 @@ const messages: Translation['messages'] = {
   'with this file the scene takes {}, more than the {} that are read; use smaller textures or fewer samples':
     '加上这个文件，场景占 {1}，超过可读取的 {2}；请用更小的纹理或更少的样本',
   '.{} is not a scene format that can be written; {} can': '.{1} 不是可写出的场景格式；可写出的有 {2}',
+  'and {} others like it; the first {} are listed': '另有 {1} 条同类说明；只列出前 {2} 条',
   'there are more of these; the first {} are listed': '还有更多同类说明；只列出前 {1} 条',
   'neither unit nor up axis is written in it; one unit is taken as 1 m, Y as up':
     '其中没有写明单位和朝上的轴；一个单位按 1 m 处理，以 Y 为上',

@@ -138,6 +138,17 @@ describe('validate', () => {
     expect(told({ motion })).toEqual([]);
   });
 
+  it('lists the first hundred warnings of a kind, then how many there are, and every error', () => {
+    const many = (given: Partial<SceneObject>): string[] => {
+      const objects = Array.from({ length: 250 }, (_, k) => object({ ...given, path: `/Part${k}` }));
+      return validate(scene(...objects), 10).map((found) => `${found.severity} ${inEnglish(found.message)}`);
+    };
+    const warnings = many(meshWith({ indices: new Uint32Array(0) }));
+    expect(warnings).toHaveLength(101);
+    expect(warnings[100]).toBe('warning and 150 others like it; the first 100 are listed');
+    expect(many(meshWith({ indices: Uint32Array.of(0, 1, 99) }))).toHaveLength(250);
+  });
+
   it.each<[string, Partial<SceneObject>, string]>([
     ['mesh.empty', meshWith({ indices: new Uint32Array(0) }), 'has no triangle'],
     ['mesh.index', meshWith({ indices: Uint32Array.of(0, 1, 99) }), 'names vertex 99, but there are only 24'],

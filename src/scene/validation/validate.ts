@@ -35,20 +35,39 @@ export function validate(scene: Scene, c: number): Diagnostic[] {
   ];
 }
 
-/** Of the pieces of one thing a warning of each kind is told once: a simulation may have hundreds. */
+/** Maximum number of warnings of one kind that are listed one by one. */
+const MAX_WARNINGS = 100;
+
+/**
+ * Of the pieces of one thing a warning of each kind is told once: a simulation may have hundreds. Of many things, such as instances of a mesh, the first are
+ * told, and how many there are in all.
+ */
 function oncePerThing(
   objects: readonly SceneObject[],
   findingsOf: (object: SceneObject) => readonly Diagnostic[],
 ): Diagnostic[] {
   const told = new Set<string>();
-  return objects.flatMap((object) =>
+  const counts = new Map<string, number>();
+  const found = objects.flatMap((object) =>
     findingsOf(object).filter(({ severity, code }) => {
+      if (severity === 'error') return true;
       const key = `${object.pieceOf} ${code}`;
-      const isNew = object.pieceOf === undefined || severity === 'error' || !told.has(key);
+      if (object.pieceOf !== undefined && told.has(key)) return false;
       told.add(key);
-      return isNew;
+      const count = (counts.get(code) ?? 0) + 1;
+      counts.set(code, count);
+      return count <= MAX_WARNINGS;
     }),
   );
+  const summaries = [...counts].filter(([, count]) => count > MAX_WARNINGS);
+  return [
+    ...found,
+    ...summaries.map(([code, count]): Diagnostic => {
+      const { severity, place } = found.find((each) => each.code === code)!;
+      const message = msg`and ${count - MAX_WARNINGS} others like it; the first ${MAX_WARNINGS} are listed`;
+      return { severity, code, place, message };
+    }),
+  ];
 }
 
 function duplicatePaths({ objects }: Scene): Diagnostic[] {
