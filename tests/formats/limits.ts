@@ -22,7 +22,7 @@ import {
 import { MAX_LAYERS } from '../../src/formats/usd/compose/layers/layerStore.ts';
 import { MAX_NODES } from '../../src/formats/usd/compose/primIndex/primIndexer.ts';
 import { MAX_SUBDIVISION_LEVELS, POINT_BUDGET, SAMPLE_MEMORY } from '../../src/formats/usd/read.ts';
-import { FACE_BUDGET } from '../../src/formats/usd/schema/geometry/subdivisionLevels.ts';
+import { DRAWN_FACE_BUDGET, FACE_BUDGET } from '../../src/formats/usd/schema/geometry/subdivisionLevels.ts';
 import { MAX_UDIM_ATLAS_SIDE as MAX_ATLAS_SIDE } from '../../src/formats/usd/schema/materials/udim.ts';
 import { MAX_INFLUENCES } from '../../src/formats/usd/schema/skel/binding.ts';
 import { MAX_SURFACE_POINTS } from '../../src/formats/usd/schema/strands/curves.ts';
@@ -49,6 +49,10 @@ export const readerLimits: readonly { readonly what: string; readonly most: stri
   { what: 'USD: points of deforming meshes, all samples in memory', most: bytes(POINT_BUDGET) },
   { what: 'USD: samples held in memory that could be streamed from their binary layer', most: bytes(SAMPLE_MEMORY) },
   { what: 'USD: faces of subdivision surfaces', most: `${count(FACE_BUDGET)}, of ${MAX_SUBDIVISION_LEVELS} levels` },
+  {
+    what: 'USD: the same, instances counted, unless levels are requested',
+    most: count(DRAWN_FACE_BUDGET),
+  },
   { what: 'USD: joints that influence one point', most: count(MAX_INFLUENCES) },
   { what: 'USD: spheres of one Points', most: count(MAX_SPHERES) },
   { what: 'USD: points of the tubes or ribbons of one prim of curves', most: count(MAX_SURFACE_POINTS) },

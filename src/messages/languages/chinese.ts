@@ -101,8 +101,8 @@ const messages: Translation['messages'] = {
   '{} is meant as subdivision surface; it is drawn as its polygons': '{1} 本是细分曲面；已按其多边形绘制',
   '{} meshes (the first is {}) are meant as subdivision surface; it is drawn as its polygons':
     '{1} 个网格（第一个是 {2}）本是细分曲面；已按其多边形绘制',
-  "it is subdivided {} times, not {}: a scene's surfaces share {} faces":
-    '它细分了 {1} 次，而不是 {2} 次：场景中的曲面共用 {3} 个面',
+  "it is subdivided {} times, not {}: a scene's surfaces share {} faces, instances counted {}":
+    '它细分了 {1} 次，而不是 {2} 次：场景中的曲面共用 {3} 个面，计入实例则为 {4} 个',
   'subdivisionScheme loop takes triangles only; it is drawn as its polygons':
     'subdivisionScheme loop 只支持三角形；已按其多边形绘制',
   "{} '{}' is not {}; {} is taken": '{1}“{2}”不是 {3}；已采用 {4}',

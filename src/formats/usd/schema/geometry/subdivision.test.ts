@@ -172,8 +172,25 @@ describe('a face budget', () => {
     const scene = await readAsIs(`${large}\n${cube()}`);
     expect(scene.objects.map(({ mesh }) => triangles(mesh))).toEqual([4 * n * n * 2, 768]);
     expect(said(scene)).toEqual([
-      "info usd.subdivision a.usda</Large>: it is subdivided 1 times, not 2: a scene's surfaces share 500,000 faces",
+      "info usd.subdivision a.usda</Large>: it is subdivided 1 times, not 2: a scene's surfaces share 500,000 faces, instances counted 1,000,000",
     ]);
+  });
+});
+
+describe('a budget of faces that are drawn', () => {
+  it('counts instances, unless levels are requested', async () => {
+    const instances = Array.from(
+      { length: 3000 },
+      (_, k) => `def "I${k}" ( instanceable = true; references = </_class> ) {}`,
+    );
+    const stage = `class "_class" { ${cube()} }\n${instances.join('\n')}`;
+    // 3 levels alone: 384 faces of 2 triangles.
+    const scene = await readAsIs(stage);
+    expect(scene.objects).toHaveLength(3000);
+    expect(new Set(scene.objects.map(({ mesh }) => mesh)).size).toBe(1);
+    expect(triangles(scene.objects[0].mesh)).toBe(192);
+    const requested = await readAsIs(stage, { subdivision: 3 });
+    expect(triangles(requested.objects[0].mesh)).toBe(768);
   });
 });
 

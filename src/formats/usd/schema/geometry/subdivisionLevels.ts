@@ -12,6 +12,8 @@ const [MIN_LEVELS, MAX_LEVELS] = [2, 4];
 const SMOOTH_FACES = 300;
 /** Maximum number of faces of all subdivided meshes of a scene together, unless their cages have more. */
 export const FACE_BUDGET = 500_000;
+/** The same of all that is drawn, if no levels are requested: instances share a mesh, but not the work of drawing it. */
+export const DRAWN_FACE_BUDGET = 1_000_000;
 
 export type UsdSubdivisionScheme = Exclude<SubdivisionScheme, 'linear'>;
 const SCHEMES: readonly string[] = ['catmullClark', 'loop', 'bilinear'] satisfies UsdSubdivisionScheme[];
@@ -25,28 +27,41 @@ export function schemeOf(prim: PrimSpec): UsdSubdivisionScheme | undefined {
 
 /**
  * Levels by path: `requested` for each mesh, or by default as many as make it look round. If the scene would exceed its face
- * budget, the largest meshes get fewer; `wanted` are the levels without the budget.
+ * budgets, the largest meshes get fewer; `wanted` are the levels without them.
  */
 export function subdivisionLevels(layer: Layer, requested?: number): SubdivisionLevels {
   const all = [...layer.rootPrims.values()].flatMap((prim) => subdividedMeshes(prim));
-  // Instances share a mesh, counted once.
   const meshes = [...new Map(all.map((mesh) => [mesh.key, mesh])).values()];
   const levels = new Map(meshes.map((mesh) => [mesh.key, requested ?? automaticLevels(mesh)]));
+  const instances = new Map<string, number>();
+  for (const { key } of all) instances.set(key, (instances.get(key) ?? 0) + 1);
   const faces = (mesh: SubdivisionCandidate): number => facesOf(mesh, levels.get(mesh.key)!);
+  const drawn = (mesh: SubdivisionCandidate): number => instances.get(mesh.key)! * faces(mesh);
+  reduceToBudget(meshes, levels, faces, FACE_BUDGET);
+  if (requested === undefined) reduceToBudget(meshes, levels, drawn, DRAWN_FACE_BUDGET);
+  return new Map(
+    all.map((mesh) => [mesh.path, { levels: levels.get(mesh.key)!, wanted: requested ?? automaticLevels(mesh) }]),
+  );
+}
+
+/** Takes levels away until `faces` of all meshes are within the budget. */
+function reduceToBudget(
+  meshes: readonly SubdivisionCandidate[],
+  levels: Map<string, number>,
+  faces: (mesh: SubdivisionCandidate) => number,
+  budget: number,
+): void {
   let total = meshes.reduce((sum, mesh) => sum + faces(mesh), 0);
-  while (total > FACE_BUDGET && meshes.some(({ key }) => levels.get(key)! > 0)) {
+  while (total > budget && meshes.some(({ key }) => levels.get(key)! > 0)) {
     // One level less means a quarter of the faces: reduce the largest meshes first.
     const largestFirst = meshes.filter(({ key }) => levels.get(key)! > 0).sort((a, b) => faces(b) - faces(a));
     for (const mesh of largestFirst) {
-      if (total <= FACE_BUDGET) break;
+      if (total <= budget) break;
       total -= faces(mesh);
       levels.set(mesh.key, levels.get(mesh.key)! - 1);
       total += faces(mesh);
     }
   }
-  return new Map(
-    all.map((mesh) => [mesh.path, { levels: levels.get(mesh.key)!, wanted: requested ?? automaticLevels(mesh) }]),
-  );
 }
 
 const facesOf = ({ corners, scheme, copies }: SubdivisionCandidate, levels: number): number =>
@@ -94,7 +109,7 @@ export function levelsOf(context: StageContext, prim: PrimSpec): number {
       context,
       prim,
       'info',
-      msg`it is subdivided ${levels} times, not ${wanted}: a scene's surfaces share ${FACE_BUDGET.toLocaleString('en')} faces`,
+      msg`it is subdivided ${levels} times, not ${wanted}: a scene's surfaces share ${FACE_BUDGET.toLocaleString('en')} faces, instances counted ${DRAWN_FACE_BUDGET.toLocaleString('en')}`,
     );
   if (wanted === 0 && context.subdivided.at(-1) !== prim.path) context.subdivided.push(prim.path);
   if (levels === 0 || scheme !== 'loop') return levels;
