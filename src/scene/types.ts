@@ -203,6 +203,8 @@ export interface Diagnostic {
   readonly message: Message;
   /** The missing file, if there is one: the user may supply it. */
   readonly missing?: MissingFile;
+  /** By how much something is elsewhere, where it tells of that [m]. */
+  readonly off?: number;
 }
 
 /** A file that another one names and that was not found. */

@@ -16,7 +16,7 @@ import { checkPipeline } from '../flags/pipelineFlags.ts';
 import { renderSettings, speedOfLight } from '../flags/viewFlags.ts';
 import { openFlaggedSession } from '../pipelines/openSession.ts';
 import type { RenderJob } from '../project/project.ts';
-import { reportDiagnostics } from '../terminal/diagnostics.ts';
+import { reportDiagnostics, reportOmissions } from '../terminal/diagnostics.ts';
 import { usageError } from '../terminal/exitCodes.ts';
 import type { Progress } from '../terminal/progress.ts';
 import { type FrameSink, openFrameSink } from './frameSinks.ts';
@@ -46,6 +46,7 @@ export async function renderFrames(
   checkFalseColors(flags, aovs);
   const c = speedOfLight(scene, flags.c);
   reportDiagnostics([...scene.diagnostics, ...validate(scene, c)]);
+  reportOmissions(scene.diagnostics);
   const { size, metering, falseColour, falseRange, legend } = flags;
   const observer = observerPath(scene, flags, c, frames[0]!.t, flags.hold);
   const settings = { ...renderSettings(flags, c), ...(frameGraph && { frameGraph }) };

@@ -29,6 +29,22 @@ describe('diagnostics', () => {
     ]);
   });
 
+  it('of less than a millimetre are one line, which has their number, the most and the first', () => {
+    const notes = new DiagnosticLog('a.glb');
+    const off = [4e-4, 2, 9e-4, 4e-4];
+    for (const [i, metres] of off.entries())
+      notes.add('warning', 'gltf.resampling', `node ${i}`, msg`moves wildly`, { off: metres });
+    notes.add('info', 'usd.between-samples', 'alone', msg`goes straight`, { off: 1e-5 });
+    expect(notes.list().map(({ place, message }) => [inEnglish(place), inEnglish(message)])).toEqual([
+      [
+        'a.glb',
+        '3 things are elsewhere by less than a millimetre, at most 0.90 mm; the first is a.glb: node 0: moves wildly',
+      ],
+      ['a.glb: node 1', 'moves wildly'],
+      ['a.glb: alone', 'goes straight'],
+    ]);
+  });
+
   it('say which part of the file they are of', () => {
     const notes = new DiagnosticLog('a.obj');
     notes.add('info', 'file.units', '/Box', msg`metres`);

@@ -5,15 +5,32 @@ import type { DiagnosticCode } from './diagnosticCodes.ts';
 /** Maximum number of diagnostics listed per code; further ones are summarized in one message. */
 export const MAX_PER_CODE = 100;
 
-/** Diagnostics of a file, without duplicates. */
+/** What is off by less is told in one line [m]. */
+const SMALL = 1e-3;
+
+interface SmallRemarks {
+  readonly first: Diagnostic;
+  /** In the list. */
+  readonly place: number;
+  count: number;
+  /** [m] */
+  most: number;
+}
+
+/** Diagnostics of a file, without duplicates. Those of one code that tell of less than a millimetre are one. */
 export class DiagnosticList {
   readonly list: Diagnostic[] = [];
+  private readonly small = new Map<string, SmallRemarks>();
   private readonly said = new Set<string>();
   private readonly counts = new Map<string, number>();
 
   /** `file`: place of the message that summarizes further ones. */
   add(diagnostic: Diagnostic & { readonly code: DiagnosticCode }, file: LocalizedText): void {
-    const { severity, code, place, message } = diagnostic;
+    const { severity, code, place, message, off } = diagnostic;
+    if (off !== undefined && off < SMALL) {
+      this.addSmall(diagnostic, off, file);
+      return;
+    }
     const count = (this.counts.get(code) ?? 0) + 1;
     if (count > MAX_PER_CODE + 1) return;
     const key = `${code}\n${inEnglish(place)}\n${inEnglish(message)}`;
@@ -22,6 +39,21 @@ export class DiagnosticList {
     this.said.add(key);
     const more = msg`there are more of these; the first ${MAX_PER_CODE} are listed`;
     this.list.push(count <= MAX_PER_CODE ? diagnostic : { severity, code, place: file, message: more });
+  }
+
+  private addSmall(diagnostic: Diagnostic, off: number, file: LocalizedText): void {
+    const { severity, code } = diagnostic;
+    const known = this.small.get(code);
+    if (!known) {
+      this.small.set(code, { first: diagnostic, place: this.list.length, count: 1, most: off });
+      this.list.push(diagnostic);
+      return;
+    }
+    known.count++;
+    known.most = Math.max(known.most, off);
+    const { first, place, count, most } = known;
+    const message = msg`${count} things are elsewhere by less than a millimetre, at most ${(1000 * most).toPrecision(2)} mm; the first is ${first.place}: ${first.message}`;
+    this.list[place] = { severity, code, place: file, message, off: most };
   }
 }
 

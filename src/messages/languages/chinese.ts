@@ -1097,6 +1097,11 @@ const messages: Translation['messages'] = {
   'the decoder gives no picture': '解码器没有给出图像',
   'WebGL2 is not available here': '此处没有 WebGL2',
   '{} × {} pixels are more than this device reads': '{1} × {2} 像素超出此设备所能读取',
+  '{} things are elsewhere by less than a millimetre, at most {} mm; the first is {}: {}':
+    '{1} 个物体的偏差不到一毫米，最多 {2} 毫米；第一个是 {3}：{4}',
+  '{} and {} more: {}': '{1} 及另外 {2} 处：{3}',
+  'info: {} more remarks of what is not drawn; slowlight inspect lists them':
+    '提示：另有 {1} 条关于未绘制内容的说明；slowlight inspect 会全部列出',
   'its rows have {} values more than its header declares; they are left out':
     '其行中的数值比文件头声明的多 {1} 个；已略去',
   'its {} points are Gaussian splats, which are not shown; export it as a mesh':

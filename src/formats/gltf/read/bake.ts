@@ -144,7 +144,7 @@ export class Baker {
     const { times, error, needed } = this.motionBudget.sample(refined, cost);
     if (error > tolerance) {
       const message = msg`moves too wildly between its ${knots.times.length} keys to be followed: about ${needed.toPrecision(2)} samples would be needed, ${times.length} are used, and paths are off by up to ${error.toPrecision(2)} m; export more keys`;
-      this.context.notes.add('warning', 'gltf.resampling', path, message);
+      this.context.notes.add('warning', 'gltf.resampling', path, message, { off: error });
     }
     return [...times];
   }

@@ -236,7 +236,7 @@ function reportGap(context: StageContext, path: string, times: number, { max: mo
   const message = context.cubic
     ? msg`between its ${times} samples its points go along cubics; straight they would be up to ${gap} m elsewhere`
     : msg`between its ${times} samples its points go straight; along cubics they would be up to ${gap} m elsewhere`;
-  report(context, 'info', 'usd.between-samples', path, message);
+  report(context, 'info', 'usd.between-samples', path, message, { off: most });
 }
 
 /** Triangles with flipped winding if M mirrors, so that they face the same side. */

@@ -124,7 +124,7 @@ export function resampledPath(
   const { times, error, needed } = context.motionBudget.sample(refined, cost);
   if (error > tolerance) {
     const message = msg`it jumps or turns too fast between its ${refined.samples.length} samples to be followed: about ${needed.toPrecision(2)} samples would be needed, ${times.length} are used, and paths are off by up to ${error.toPrecision(2)} m; write more samples, or let it turn less between them`;
-    report(context, 'warning', 'usd.resampling', path, message);
+    report(context, 'warning', 'usd.resampling', path, message, { off: error });
   }
   return times;
 }
