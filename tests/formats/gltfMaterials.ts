@@ -5,6 +5,7 @@ import {
   KHRMaterialsDispersion,
   KHRMaterialsEmissiveStrength,
   KHRMaterialsIOR,
+  KHRMaterialsIridescence,
   KHRMaterialsPBRSpecularGlossiness,
   KHRMaterialsSpecular,
   KHRMaterialsTransmission,
@@ -101,6 +102,21 @@ const looks: ClaimGroup = {
           transmission: { factor: 0.5 },
           volume: { thickness: 0.25, attenuationColor: [1, 0.5, 0], attenuationDistance: 2 },
           dispersion: 0.25,
+        }),
+    ),
+    read(
+      '`KHR_materials_iridescence`, with textures',
+      'a thin film whose interference depends on the wavelength in the rest frame',
+      withMaterial((m, kit) => {
+        const film = kit.doc.createExtension(KHRMaterialsIridescence).createIridescence();
+        film.setIridescenceFactor(0.5).setIridescenceIOR(1.25).setIridescenceThicknessMaximum(500);
+        m.setExtension('KHR_materials_iridescence', film);
+      }),
+      (s) =>
+        expect(base(s).iridescence).toMatchObject({
+          factor: 0.5,
+          ior: 1.25,
+          thickness: [expect.closeTo(1e-7, 12), expect.closeTo(5e-7, 12)],
         }),
     ),
     read(

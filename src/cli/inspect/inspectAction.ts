@@ -154,6 +154,7 @@ const EXTRAS: readonly (readonly [keyof Material, Message])[] = [
   ['specular', msg`strength or colour of reflection`],
   ['clearcoat', msg`clearcoat`],
   ['transmission', msg`transmission`],
+  ['iridescence', msg`iridescence`],
 ];
 
 /** Below 1 nm the error is rounding. */

@@ -845,6 +845,14 @@ const messages: Translation['messages'] = {
   Dispersion: '色散',
   '20 divided by the Abbe number: crown glass has 0.3, diamond 0.36, flint glass 0.55.':
     '20 除以阿贝数：冕牌玻璃为 0.3，钻石为 0.36，火石玻璃为 0.55。',
+  'iridescence texture': '虹彩纹理',
+  'iridescence thickness texture': '虹彩薄膜厚度纹理',
+  iridescence: '虹彩',
+  Iridescence: '虹彩',
+  'Thickness of the film': '薄膜厚度',
+  'Index of refraction of the film': '薄膜折射率',
+  "A thin film whose two sides' reflections interfere, as of soap and oil.":
+    '两面的反射相互干涉的薄膜，如肥皂膜和油膜。',
   'occlusion texture': '遮蔽纹理',
   'no variant {} of its materials; {}': '材质没有变体 {1}；{2}',
   'the file has none': '文件中一个也没有',

@@ -5,6 +5,7 @@ import { assignMaterial } from '../../scene/compose/assignMaterial.ts';
 import { makeMaterial } from '../../scene/defaults.ts';
 import { measuredMaterial } from '../../scene/materials/measuredMaterial.ts';
 import { InputError, type Material } from '../../scene/types.ts';
+import { NANOMETRE } from '../../spectrum/observer/standardObserver.ts';
 import { MATERIAL_PRESETS } from '../../spectrum/reflectance/materialPresets.ts';
 import type { MeasuredReflectance } from '../../spectrum/reflectance/measuredReflectance.ts';
 import { assertPathExists, nodeRefusal, whichParam } from '../common/params.ts';
@@ -22,6 +23,7 @@ const PRESET_TITLES: Readonly<Record<string, Message>> = {
   copper: msg`Copper`,
 };
 const GLASS = { param: 'transmission', isNot: 0 } as const;
+const FILM = { param: 'iridescence', isNot: 0 } as const;
 const DEFAULT_IOR = 1.5;
 const CUSTOM_PRESET = { param: 'preset', is: 'own' } as const;
 
@@ -108,6 +110,29 @@ export const materialNode = defineNode({
       step: 0.01,
       onlyWhen: GLASS,
     },
+    iridescence: {
+      ...fractionParam(msg`Iridescence`, 0),
+      help: msg`A thin film whose two sides' reflections interfere, as of soap and oil.`,
+    },
+    filmThickness: {
+      kind: 'number',
+      title: msg`Thickness of the film`,
+      unit: 'nm',
+      default: 400,
+      min: 0,
+      max: 10_000,
+      step: 10,
+      onlyWhen: FILM,
+    },
+    filmIor: {
+      kind: 'number',
+      title: msg`Index of refraction of the film`,
+      default: 1.33,
+      min: 1,
+      max: 3,
+      step: 0.01,
+      onlyWhen: FILM,
+    },
     clearcoat: { ...fractionParam(msg`Clearcoat`, 0), help: msg`A clear varnish over everything else.` },
     clearcoatRoughness: {
       ...fractionParam(msg`Roughness of the clearcoat`, 0.1),
@@ -167,6 +192,9 @@ interface MaterialParams {
   readonly attenuationColor: Vec3;
   readonly attenuationDistance: number;
   readonly dispersion: number;
+  readonly iridescence: number;
+  readonly filmThickness: number;
+  readonly filmIor: number;
   readonly clearcoat: number;
   readonly clearcoatRoughness: number;
   readonly glow: number;
@@ -187,12 +215,16 @@ function materialOf(name: string, params: MaterialParams): Material {
 function layersOf(params: MaterialParams): Partial<Material> {
   const { ior, transmission, thickness, dispersion, clearcoat, clearcoatRoughness } = params;
   const { attenuationColor, attenuationDistance } = params;
+  const { iridescence, filmThickness, filmIor } = params;
   const isClear = transmission > 0;
   return {
     ...(ior !== DEFAULT_IOR && { ior }),
     ...(isClear && { transmission: { factor: transmission } }),
     ...(isClear && thickness > 0 && { volume: { thickness, attenuationColor, attenuationDistance } }),
     ...(isClear && dispersion > 0 && { dispersion }),
+    ...(iridescence > 0 && {
+      iridescence: { factor: iridescence, ior: filmIor, thickness: [0, filmThickness * NANOMETRE] as const },
+    }),
     ...(clearcoat > 0 && { clearcoat: { factor: clearcoat, roughness: clearcoatRoughness } }),
   };
 }

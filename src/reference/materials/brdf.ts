@@ -1,9 +1,11 @@
 import type { Random } from '../../math/random.ts';
 import { add, addScaled, dot, normalize, scale, type Vec3 } from '../../math/vec3.ts';
+import { thinFilmReflectance } from '../../physics/optics/thinFilm.ts';
 import { MIN_LOBE_ROUGHNESS, specularLobe as reflectedLobe } from '../../scene/materials/specularLobe.ts';
 import { mixFilters, multiplyFilters, neutralFilter, scaleFilter } from '../../spectrum/reflectance/filterAlgebra.ts';
-import { filterFromRgb, type SpectralFilter } from '../../spectrum/reflectance/spectralFilter.ts';
+import { filterFromRgb, reflectanceAt, type SpectralFilter } from '../../spectrum/reflectance/spectralFilter.ts';
 import { cosineDirection, fromLocalBasis, orthonormalBasis, reflect } from '../sampling/directions.ts';
+import { PRIMARIES } from '../spectral/rgbSensor.ts';
 import type { SurfacePoint } from './surface.ts';
 
 // Lambert and GGX with Schlick's Fresnel, all in the surface's rest frame; N, V, L unit, away from the surface.
@@ -26,12 +28,14 @@ export interface Brdf {
   readonly NV: number;
   /** The share of light that passes the varnish over it; the diffuse part has it already. */
   readonly passed: number;
+  /** A thin film over it, and F₀ of what is below it. */
+  readonly film?: NonNullable<SurfacePoint['film']>;
   /** The varnish over it. */
   readonly coat?: Brdf;
 }
 
 export function brdfOf(point: SurfacePoint, V: Vec3): Brdf {
-  const { filter, metallic, roughness, ior, specular, clearcoat, normal } = point;
+  const { filter, metallic, roughness, ior, specular, clearcoat, film, normal } = point;
   const dielectricF0 = ((ior - 1) / (ior + 1)) ** 2;
   const dielectric = specular ? specularF0(dielectricF0, specular) : neutralFilter(dielectricF0);
   const F0 = mixFilters(dielectric, 1 - metallic, filter, metallic);
@@ -40,7 +44,8 @@ export function brdfOf(point: SurfacePoint, V: Vec3): Brdf {
   const coat = clearcoat && coatOf(clearcoat, V);
   const passed = coat ? 1 - uniformReflectance(coat) : 1;
   const base = glossy(F0, F90, roughness, normal, V, passed);
-  return { ...base, diffuse: scaleFilter(filter, (1 - metallic) * passed), ...(coat && { coat }) };
+  const diffuse = scaleFilter(filter, (1 - metallic) * passed);
+  return { ...base, diffuse, ...(coat && { coat }), ...(film && { film }) };
 }
 
 /** F₀ of `SpecularReflection` (scene/materials/layers.ts). */
@@ -108,9 +113,27 @@ function ggx(brdf: Brdf, L: Vec3, NL: number): { readonly specular: number; read
 const smithTerm = (x: number, a2: number): number => Math.sqrt(x * x * (1 - a2) + a2);
 
 /** Schlick 1994; of the light that passes what is above. */
-function fresnel({ F0, F90, passed }: Brdf, VH: number): SpectralFilter {
+function fresnel({ F0, F90, passed, film }: Brdf, VH: number): SpectralFilter {
   const grazing = (1 - Math.min(Math.max(VH, 0), 1)) ** 5;
-  return mixFilters(F0, (1 - grazing) * passed, neutralFilter(F90), grazing * passed);
+  const bare = mixFilters(F0, (1 - grazing) * passed, neutralFilter(F90), grazing * passed);
+  if (!film || film.factor === 0) return bare;
+  return mixFilters(bare, 1 - film.factor, filmFilter(film, F0, VH), film.factor * passed);
+}
+
+/** The film's reflectance at every wavelength of the rest frame; that of the three primaries where there are no spectra. */
+function filmFilter({ ior, thickness }: NonNullable<Brdf['film']>, F0: SpectralFilter, VH: number): SpectralFilter {
+  const at = (wavelength: number): number =>
+    thinFilmReflectance(VH, ior, indexOf(reflectanceAt(F0, wavelength)), thickness, wavelength);
+  const [r, g, b] = PRIMARIES.map(at);
+  const bands = filterFromRgb([r, g, b]);
+  const rest = (wavelength: number, width?: number): number => at(wavelength) - reflectanceAt(bands, wavelength, width);
+  return { ...bands, residual: { at: rest, share: 1 } };
+}
+
+/** The real refractive index of a reflectance at normal incidence. */
+function indexOf(F0: number): number {
+  const root = Math.sqrt(Math.min(Math.max(F0, 0), 0.9999));
+  return (1 + root) / (1 - root);
 }
 
 /** With the light that is scattered several times between microfacets, so that a lossless surface loses none (Turquin 2019; docs/physics.md §6.7). */

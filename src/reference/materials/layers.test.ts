@@ -3,10 +3,11 @@ import { describe, expect, it } from 'vitest';
 import { dome, lit, look } from '../../../tests/support/lightKit.ts';
 import { uniform } from '../../../tests/support/physicsArbitraries.ts';
 import { add, dot, normalize, type Vec3 } from '../../math/vec3.ts';
+import { thinFilmReflectance } from '../../physics/optics/thinFilm.ts';
 import { makeMaterial } from '../../scene/defaults.ts';
 import { plane } from '../../scene/mesh/primitives.ts';
 import type { Material } from '../../scene/types.ts';
-import { filterFromRgb } from '../../spectrum/reflectance/spectralFilter.ts';
+import { filterFromRgb, reflectanceAt } from '../../spectrum/reflectance/spectralFilter.ts';
 import { brdfOf, evaluateBrdf } from './brdf.ts';
 import type { SurfacePoint } from './surface.ts';
 
@@ -116,4 +117,17 @@ describe('the strength and colour of reflection', () => {
     const metal = red({ metallic: 1 }, V, L);
     expect(red({ metallic: 1, specular: { factor: 0, color: [0, 0, 0] } }, V, L)).toBeCloseTo(metal, 12);
   });
+});
+
+it('a film shows the reflectance of its interference at each wavelength of the rest frame', () => {
+  const [V, L] = [normalize([0.5, 0.1, 1]), normalize([-0.4, 0, 1])];
+  const film = { factor: 1, ior: 1.33, thickness: 400e-9 };
+  const { DV } = khronosGgx(0.01, V, L);
+  const VH = dot(V, normalize(add(V, L)));
+  const given = { filter: filterFromRgb([0, 0, 0]), roughness: 0.1, film };
+  const seen = evaluateBrdf(brdfOf(point(given), V), L)!;
+  for (const wavelength of [320e-9, 450e-9, 550e-9, 650e-9, 1000e-9]) {
+    const expected = thinFilmReflectance(VH, 1.33, 1.5, 400e-9, wavelength) * DV * L[2];
+    expect(Math.abs(reflectanceAt(seen, wavelength) - expected)).toBeLessThan(0.01 * DV * 0.04);
+  }
 });

@@ -5,7 +5,7 @@ import { contraction } from '../../physics/worldLines/simultaneity.ts';
 import { type Rgba, sampleTexture } from '../../scene/materials/sampleTexture.ts';
 import { pointAt } from '../../scene/mesh/polygons.ts';
 import { quadricOf } from '../../scene/mesh/quadric.ts';
-import type { Material, NormalTexture, SceneObject, Texture, TextureChannel } from '../../scene/types.ts';
+import type { Iridescence, Material, NormalTexture, SceneObject, Texture, TextureChannel } from '../../scene/types.ts';
 import { filterOfReflectance } from '../../spectrum/color/filterOfReflectance.ts';
 import { filterFromRgb, type SpectralFilter } from '../../spectrum/reflectance/spectralFilter.ts';
 import type { Hit } from '../acceleration/ray.ts';
@@ -33,6 +33,8 @@ export interface SurfacePoint {
   readonly specular?: { readonly factor: number; readonly color: Vec3 };
   /** The varnish over it, with a normal of its own. */
   readonly clearcoat?: { readonly factor: number; readonly roughness: number; readonly normal: Vec3 };
+  /** A thin film over it; thickness in metres. */
+  readonly film?: { readonly factor: number; readonly ior: number; readonly thickness: number };
   /** How much of what it does not reflect passes it, 0 … 1; absent: 0. */
   readonly transmission?: number;
   /** Unit normal in the rest frame, on the world axes carried there by the pure boost; on the side of the ray. */
@@ -49,7 +51,7 @@ export function surfaceAt(scene: TracedScene, hit: Hit): SurfacePoint {
   const vertexColor = mesh.colors ? interpolate(corners, (i) => pointAt(mesh.colors!, i)) : undefined;
   const [r, g, b, opacity] = base;
   const albedo: Vec3 = vertexColor ? [r * vertexColor[0], g * vertexColor[1], b * vertexColor[2]] : [r, g, b];
-  const { ior = 1.5, emissionTemperature: temperature, specular, clearcoat, transmission } = material;
+  const { ior = 1.5, emissionTemperature: temperature, specular, clearcoat, iridescence, transmission } = material;
   return {
     albedo,
     filter: filterAt(material, albedo, vertexColor !== undefined, uv),
@@ -73,6 +75,7 @@ export function surfaceAt(scene: TracedScene, hit: Hit): SurfacePoint {
         normal: normalAt(scene, hit, corners, clearcoat.normalTexture, uv),
       },
     }),
+    ...(iridescence && { film: filmAt(iridescence, uv) }),
     ...(transmission && { transmission: numberAt(transmission.factor, transmission.factorTexture, uv) }),
     normal: normalAt(scene, hit, corners, material.normalTexture, uv),
     uv,
@@ -89,6 +92,12 @@ function filterAt(material: Material, albedo: Vec3, hasVertexColor: boolean, uv:
     invisibleReflectance(material.uv, uvTexture, uv),
     invisibleReflectance(material.ir, irTexture, uv),
   );
+}
+
+function filmAt({ factor, factorTexture, ior, thickness, thicknessTexture }: Iridescence, uv: Uv) {
+  const [thinnest, thickest] = thickness;
+  const share = numberAt(1, thicknessTexture, uv);
+  return { factor: numberAt(factor, factorTexture, uv), ior, thickness: thinnest + share * (thickest - thinnest) };
 }
 
 type Uv = readonly [u: number, v: number];

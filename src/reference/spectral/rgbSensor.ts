@@ -36,7 +36,7 @@ export function rgbSensor(
 }
 
 /** Wavelengths of the primaries of sRGB [m]. */
-const PRIMARIES = [611e-9, 549e-9, 464e-9];
+export const PRIMARIES = [611e-9, 549e-9, 464e-9];
 
 const colorOf = ({ values: [r = 0, g = 0, b = 0], colors }: SampledRadiance): Vec3 =>
   colors ? colors.reduce(add, ZERO) : [r, g, b];

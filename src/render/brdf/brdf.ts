@@ -22,6 +22,8 @@ export interface BrdfNodes {
   readonly lobes: LobeTable;
   /** What scattering several times between microfacets multiplies the specular part by (Turquin 2019; docs/physics.md §6.7). */
   readonly multiple: SpectralFilterNodes;
+  /** Specular reflectance at the cosine V·H, if it does not go from F₀ to F₉₀ as Schlick has it. */
+  readonly fresnel?: (VH: Float) => SpectralFilterNodes;
 }
 
 interface ReflectionParameters extends SpecularParameters {
@@ -75,7 +77,7 @@ export function areaSpecular(brdf: BrdfNodes, L: Vec3, breadth: Float, length: F
 }
 
 /** Cook–Torrance with GGX and the height-correlated Smith term (Heitz 2014, eq. 99). */
-function ggx({ F0, F90, roughness, N, V, NV, multiple }: BrdfNodes, L: Vec3, NL: Float): Vec4 {
+function ggx({ F0, F90, roughness, N, V, NV, multiple, fresnel }: BrdfNodes, L: Vec3, NL: Float): Vec4 {
   const H = normalize(L.add(V)).toVar();
   const a = roughness.mul(roughness).toVar();
   const a2 = a.mul(a).toVar();
@@ -86,10 +88,16 @@ function ggx({ F0, F90, roughness, N, V, NV, multiple }: BrdfNodes, L: Vec3, NL:
   const visibility = max(smith(NL, NV).add(smith(NV, NL)), 1e-4)
     .reciprocal()
     .mul(0.5);
-  const oneMinusVH = clamp(dot(V, H), 0, 1).oneMinus().toVar();
-  const oneMinusVH2 = oneMinusVH.mul(oneMinusVH).toVar();
-  const F = mix(F0, vec4(F90), oneMinusVH2.mul(oneMinusVH2).mul(oneMinusVH));
+  const VH = clamp(dot(V, H), 0, 1);
+  const F = fresnel ? fresnel(VH.toVar()) : schlick(F0, F90, VH);
   return F.mul(multiple).mul(min(distribution.mul(visibility), 1e4));
+}
+
+/** Schlick 1994. */
+export function schlick(F0: SpectralFilterNodes, F90: Float, VH: Float): SpectralFilterNodes {
+  const oneMinusVH = VH.oneMinus().toVar();
+  const oneMinusVH2 = oneMinusVH.mul(oneMinusVH).toVar();
+  return mix(F0, vec4(F90), oneMinusVH2.mul(oneMinusVH2).mul(oneMinusVH));
 }
 
 /** The specular albedo under uniform light: its split sum is tabulated (scene/materials/specularLobe.ts). */

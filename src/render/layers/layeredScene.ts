@@ -1,4 +1,4 @@
-import { Discard, Fn, float, max, vec4 } from 'three/tsl';
+import { Discard, Fn, float, max, mix, vec4 } from 'three/tsl';
 import {
   type DataTexture,
   Mesh,
@@ -161,8 +161,14 @@ function glassOf(reader: LayerReader, { volume, dispersion }: Material): Glass {
   };
 }
 
+function filmOf(reader: LayerReader): NonNullable<SurfaceLayers['film']> {
+  const { x: ior, y: thinnest, z: thickest } = reader.vector(3).toVar();
+  return { factor: reader.number('film'), ior, thickness: mix(thinnest, thickest, reader.number('filmThickness')) };
+}
+
 /** Before any discard, because normal maps need derivatives between neighbouring fragments. */
-function readLayers(reader: LayerReader, sources: SurfaceSources, { specular, clearcoat }: Material): SurfaceLayers {
+function readLayers(reader: LayerReader, sources: SurfaceSources, like: Material): SurfaceLayers {
+  const { specular, clearcoat, iridescence } = like;
   const color = specular && reader.vector(0).xyz.toVar();
   if (color && specular.colorTexture) color.mulAssign(reader.sample(specular.colorTexture).rgb);
   const map = clearcoat?.normalTexture;
@@ -170,6 +176,7 @@ function readLayers(reader: LayerReader, sources: SurfaceSources, { specular, cl
     clearcoat && frontNormal(sources, map && { texture: reader.texture(map.texture), strength: reader.vector(1).xy });
   return {
     ...(color && { specular: { factor: reader.number('specular'), color } }),
+    ...(iridescence && { film: filmOf(reader) }),
     ...(coatNormal && {
       coat: {
         factor: reader.number('clearcoat'),

@@ -1,17 +1,19 @@
-import { Fn, float, min, vec4 } from 'three/tsl';
+import { dot, Fn, float, min, mix, vec2, vec3, vec4 } from 'three/tsl';
 import type { Float, Vec3 } from '../../shaders/types.ts';
-import { type BrdfNodes, brdfOf, environmentBrdf } from '../brdf/brdf.ts';
+import { type BrdfNodes, brdfOf, environmentBrdf, schlick } from '../brdf/brdf.ts';
 import type { LobeTable } from '../brdf/lobeTable.ts';
-import type { ColorPipeline } from '../color/radiance.ts';
+import type { ColorPipeline, RadianceAccumulator } from '../color/radiance.ts';
 import type { FrameUniforms } from '../gpu/frameUniforms.ts';
 import type { Environment } from '../lights/environment.ts';
 import type { RestFrameNodes } from '../lights/restFrame.ts';
 import { beginShading, type ShadedSurface } from '../shading/shade.ts';
 import type { LightVisibility } from '../shadows/distant/parallelReceiver.ts';
+import { type FilmNodes, filmReflectance } from './thinFilm.ts';
 
 /** What layers a surface has at a fragment; the same formulas as in src/reference/materials/brdf.ts. */
 export interface SurfaceLayers {
   readonly specular?: { readonly factor: Float; readonly color: Vec3 };
+  readonly film?: FilmNodes & { readonly factor: Float };
   /** The share that passes, and the radiance of what is seen through it by the observer. */
   readonly clear?: { readonly share: Float; readonly behind: (view: GlassView) => Vec3 };
   readonly coat?: { readonly factor: Float; readonly roughness: Float; readonly normal: Vec3 };
@@ -38,7 +40,7 @@ export const shadeLayered = (
 ): Vec3 =>
   Fn(() => {
     const { rest, N, V, accumulator, albedo, lit } = beginShading(surface, uniforms, pipeline, shadows);
-    const { specular, coat: varnish, clear } = layers;
+    const { specular, coat: varnish, film, clear } = layers;
     const tinted = specular && {
       F0: accumulator
         .filter(min(specular.color.mul(surface.F0), 1))
@@ -47,7 +49,8 @@ export const shadeLayered = (
       F90: specular.factor,
     };
     const parameters = { ...surface, ...(tinted && { tinted }) };
-    const whole = brdfOf(albedo, parameters, N, V, environment.lobes);
+    const bare = brdfOf(albedo, parameters, N, V, environment.lobes);
+    const whole = film ? filmed(bare, film, accumulator.filter) : bare;
     const share = clear?.share.mul(surface.metallic.oneMinus()).toVar();
     const base = share ? { ...whole, diffuse: whole.diffuse.mul(share.oneMinus()).toVar() } : whole;
     const coat = varnish && coatOf(varnish, V, environment.lobes);
@@ -71,10 +74,31 @@ const coatOf = (
   return brdfOf(vec4(0), { metallic: float(0), F0: factor, roughness, tinted }, normal, V, lobes);
 };
 
+/** A surface under a thin film. Light from all round is reflected as from the angle of view. */
+function filmed(
+  brdf: BrdfNodes,
+  film: NonNullable<SurfaceLayers['film']>,
+  filter: RadianceAccumulator['filter'],
+): BrdfNodes {
+  const { F0, F90 } = brdf;
+  const reflectance = (cos: Float) => {
+    const { rgb, invisible } = filmReflectance(cos, film, F0);
+    return { seen: filter(rgb, vec2(invisible)), mean: dot(rgb, vec3(1 / 3)) };
+  };
+  const { seen, mean } = reflectance(brdf.NV);
+  return {
+    ...brdf,
+    F0: mix(F0, seen, film.factor).toVar(),
+    F90: mix(F90, mean, film.factor).toVar(),
+    fresnel: (VH) => mix(schlick(F0, F90, VH), reflectance(VH).seen, film.factor),
+  };
+}
+
 /** What is below another layer that lets this fraction through. */
 const dimmed = (brdf: BrdfNodes, passed: Float): BrdfNodes => ({
   ...brdf,
   diffuse: brdf.diffuse.mul(passed).toVar(),
   F0: brdf.F0.mul(passed).toVar(),
   F90: brdf.F90.mul(passed).toVar(),
+  ...(brdf.fresnel && { fresnel: (VH: Float) => brdf.fresnel!(VH).mul(passed) }),
 });

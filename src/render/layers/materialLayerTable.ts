@@ -9,31 +9,50 @@ import type { FloatTable, TablePart } from '../gpu/floatTable.ts';
 import { sampled } from '../gpu/textures.ts';
 
 /** The channels of layers, in the order of their scales and biases in the table. */
-const CHANNELS = ['specular', 'clearcoat', 'clearcoatRoughness', 'transmission', 'thickness'] as const;
+const CHANNELS = [
+  'specular',
+  'clearcoat',
+  'clearcoatRoughness',
+  'transmission',
+  'thickness',
+  'film',
+  'filmThickness',
+] as const;
 type Channel = (typeof CHANNELS)[number];
 
 /** A number of a layer: its value, or its texture. */
 type Numbers = Readonly<Record<Channel, readonly [value: number, from: TextureChannel | undefined]>>;
 
-const numbersOf = ({ specular, clearcoat, transmission, volume }: Material): Numbers => ({
+const numbersOf = ({ specular, clearcoat, transmission, volume, iridescence }: Material): Numbers => ({
   specular: [specular?.factor ?? 1, specular?.factorTexture],
   clearcoat: [clearcoat?.factor ?? 0, clearcoat?.factorTexture],
   clearcoatRoughness: [clearcoat?.roughness ?? 0, clearcoat?.roughnessTexture],
   transmission: [transmission?.factor ?? 0, transmission?.factorTexture],
   // Of the volume's greatest.
   thickness: [1, volume?.thicknessTexture],
+  film: [iridescence?.factor ?? 0, iridescence?.factorTexture],
+  // Between the least and the greatest.
+  filmThickness: [1, iridescence?.thicknessTexture],
 });
 
 /**
  * Vectors of layers, a texel each: (tint of F₀, thickness [m]), (strength of the varnish's normal map along u and v, refractive index, dispersion),
- * (attenuation colour, 1/attenuation distance [1/m]).
+ * (attenuation colour, 1/attenuation distance [1/m]), (refractive index of the film, its least and greatest thickness [µm]).
  */
-const vectorsOf = ({ specular, clearcoat, volume, ior = 1.5, dispersion = 0 }: Material): readonly number[] => [
+const vectorsOf = ({
+  specular,
+  clearcoat,
+  volume,
+  iridescence,
+  ior = 1.5,
+  dispersion = 0,
+}: Material): readonly number[] => [
   ...[...(specular?.color ?? [1, 1, 1]), volume?.thickness ?? 0],
   ...[...(clearcoat?.normalTexture?.strength ?? [0, 0]), ior, dispersion],
   ...[...(volume?.attenuationColor ?? [1, 1, 1]), 1 / (volume?.attenuationDistance ?? Number.POSITIVE_INFINITY)],
+  ...[iridescence?.ior ?? 1, ...(iridescence?.thickness ?? [0, 0]).map((metres) => 1e6 * metres), 0],
 ];
-const VECTOR_TEXELS = 3;
+const VECTOR_TEXELS = 4;
 const LAYER_TEXELS = VECTOR_TEXELS + Math.ceil(CHANNELS.length / 2);
 
 /** The layers of all materials, and their textures. */

@@ -49,3 +49,17 @@ export interface Volume {
   /** [m]; infinity: nothing is absorbed. */
   readonly attenuationDistance: number;
 }
+
+/** A thin transparent film whose two sides' reflections interfere, as of `KHR_materials_iridescence`: soap, oil, oxides. */
+export interface Iridescence {
+  /** How much of the surface has it, 0 … 1; with a texture, the mean of that. */
+  readonly factor: number;
+  /** Factor by place. */
+  readonly factorTexture?: TextureChannel;
+  /** Refractive index of the film. */
+  readonly ior: number;
+  /** [m]; with a texture, where that is 0 and where it is 1. */
+  readonly thickness: readonly [thinnest: number, thickest: number];
+  /** Thickness by place; absent: the greatest. */
+  readonly thicknessTexture?: TextureChannel;
+}

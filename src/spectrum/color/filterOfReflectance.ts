@@ -1,6 +1,6 @@
 import { NANOMETRE, tristimulus } from '../observer/standardObserver.ts';
 import { type MeasuredReflectance, measuredReflectanceAt } from '../reflectance/measuredReflectance.ts';
-import { filterFromRgb, type SpectralFilter } from '../reflectance/spectralFilter.ts';
+import { filterFromRgb, reflectanceAt, type SpectralFilter } from '../reflectance/spectralFilter.ts';
 import { DAYLIGHT, spectralRadiance } from '../sources/lightSpectrum.ts';
 import { toLinearSrgb } from './observerColor.ts';
 
@@ -24,7 +24,9 @@ export function filterOfReflectance(reflectance: MeasuredReflectance): SpectralF
   const [r, g, b] = toLinearSrgb(seen);
   const rgb = [Math.max(r, 0), Math.max(g, 0), Math.max(b, 0)] as const;
   const bands = filterFromRgb(rgb, mean(reflectance, ULTRAVIOLET), mean(reflectance, INFRARED));
-  const made = { ...bands, residual: { base: { reflectance, bands }, share: 1 } };
+  const at = (wavelength: number, width = 0): number =>
+    measuredReflectanceAt(reflectance, wavelength) - reflectanceAt(bands, wavelength, width);
+  const made = { ...bands, residual: { at, share: 1 } };
   known.set(reflectance, made);
   return made;
 }

@@ -1,7 +1,6 @@
 import { dot, type Vec3 } from '../../math/vec3.ts';
 import { interpolateTable, NANOMETRE, VISIBLE } from '../observer/standardObserver.ts';
 import { BLUE, GREEN, RED } from '../tables/mallettYuksel.ts';
-import { type MeasuredReflectance, measuredReflectanceAt } from './measuredReflectance.ts';
 
 /**
  * A spectral filter: the reflectance of a surface, a coloured glass before a light, a texel of a dome. Light is
@@ -16,17 +15,14 @@ export interface SpectralFilter {
   readonly uv: number;
   /** At wavelengths longer than `VISIBLE`, 0 … 1. */
   readonly ir: number;
-  /** The difference of a measured reflectance from its bands, times a factor. */
+  /** The difference of a reflectance that is known at every wavelength from its bands, times a factor. */
   readonly residual?: FilterResidual;
 }
 
-/** What a measured reflectance has besides its bands: share · (reflectance − bands). */
+/** What a reflectance has besides its bands: share · (reflectance − bands). */
 export interface FilterResidual {
-  /** A measured reflectance, and its own bands. */
-  readonly base: {
-    readonly reflectance: MeasuredReflectance;
-    readonly bands: Pick<SpectralFilter, 'rgb' | 'uv' | 'ir'>;
-  };
+  /** The difference at a wavelength [m]; with a `width` [m], steps of the bands are averaged. */
+  readonly at: (wavelength: number, width?: number) => number;
   /** Factor, 0 … 1. */
   readonly share: number;
 }
@@ -85,11 +81,8 @@ export function reflectanceAt({ rgb, uv, ir, residual: rest }: SpectralFilter, w
 }
 
 /** What the residual adds to the bands at a wavelength [m]. */
-export const residualAt = (
-  { base: { reflectance, bands }, share }: FilterResidual,
-  wavelength: number,
-  width = 0,
-): number => share * (measuredReflectanceAt(reflectance, wavelength) - reflectanceAt(bands, wavelength, width));
+export const residualAt = ({ at, share }: FilterResidual, wavelength: number, width = 0): number =>
+  share * at(wavelength, width);
 
 /** The fraction of a step that lies past an edge, if its middle is past it by `beyond`. */
 export function stepFraction(beyond: number, width: number): number {

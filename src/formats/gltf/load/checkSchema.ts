@@ -124,6 +124,14 @@ const MATERIAL_EXTENSIONS: Readonly<Record<string, SchemaCheck>> = {
     specularGlossinessTexture: picture,
   }),
   KHR_materials_dispersion: fields({ dispersion: factor }),
+  KHR_materials_iridescence: fields({
+    iridescenceFactor: factor,
+    iridescenceTexture: picture,
+    iridescenceIor: factor,
+    iridescenceThicknessMinimum: factor,
+    iridescenceThicknessMaximum: factor,
+    iridescenceThicknessTexture: picture,
+  }),
   KHR_materials_transmission: fields({ transmissionFactor: factor, transmissionTexture: picture }),
   KHR_materials_volume: fields({
     thicknessFactor: factor,

@@ -1,5 +1,5 @@
 import type { Material as GltfMaterial, Texture as GltfTexture, TextureInfo } from '@gltf-transform/core';
-import type { Clearcoat, Dispersion, Specular, Transmission, Volume } from '@gltf-transform/extensions';
+import type { Clearcoat, Dispersion, Iridescence, Specular, Transmission, Volume } from '@gltf-transform/extensions';
 import type { Vec3 } from '../../../math/vec3.ts';
 import { type Message, msg } from '../../../messages/message.ts';
 import type { Material, NormalTexture, Texture, TextureChannel } from '../../../scene/types.ts';
@@ -20,6 +20,7 @@ export const layersOf = (material: GltfMaterial, textures: TextureInputs): Parti
   ...specularOf(material.getExtension<Specular>('KHR_materials_specular'), textures),
   ...clearcoatOf(material.getExtension<Clearcoat>('KHR_materials_clearcoat'), textures),
   ...transmissionOf(material, textures),
+  ...iridescenceOf(material.getExtension<Iridescence>('KHR_materials_iridescence'), textures),
 });
 
 /** A factor, and its texture: the factor is then the mean. */
@@ -69,6 +70,32 @@ function clearcoatOf(from: Clearcoat | null, { number, normal }: TextureInputs):
   };
 }
 
+/** Thicknesses of glTF are in nanometres. */
+function iridescenceOf(from: Iridescence | null, { number }: TextureInputs): Partial<Material> {
+  if (!from || from.getIridescenceFactor() <= 0) return {};
+  const given = clamped(from.getIridescenceFactor());
+  const [factor, factorTexture] = textured(
+    given,
+    number(from.getIridescenceTexture(), from.getIridescenceTextureInfo(), 0, given),
+  );
+  const thicknessTexture = number(
+    from.getIridescenceThicknessTexture(),
+    from.getIridescenceThicknessTextureInfo(),
+    1,
+    1,
+  );
+  const metres = (nanometres: number): number => Math.max(nanometres, 0) * 1e-9;
+  return {
+    iridescence: {
+      factor,
+      ...(factorTexture && { factorTexture }),
+      ior: Math.max(from.getIridescenceIOR(), 1),
+      thickness: [metres(from.getIridescenceThicknessMinimum()), metres(from.getIridescenceThicknessMaximum())],
+      ...(thicknessTexture && { thicknessTexture }),
+    },
+  };
+}
+
 function transmissionOf(material: GltfMaterial, { number }: TextureInputs): Partial<Material> {
   const from = material.getExtension<Transmission>('KHR_materials_transmission');
   if (!from || from.getTransmissionFactor() <= 0) return {};
@@ -106,9 +133,20 @@ export function layerTextures(m: GltfMaterial): (readonly [Message, Image, Info]
   const coat = m.getExtension<Clearcoat>('KHR_materials_clearcoat');
   const clear = m.getExtension<Transmission>('KHR_materials_transmission');
   const volume = m.getExtension<Volume>('KHR_materials_volume');
+  const film = m.getExtension<Iridescence>('KHR_materials_iridescence');
   return [
     ...(clear
       ? ([[msg`transmission texture`, clear.getTransmissionTexture(), clear.getTransmissionTextureInfo()]] as const)
+      : []),
+    ...(film
+      ? ([
+          [msg`iridescence texture`, film.getIridescenceTexture(), film.getIridescenceTextureInfo()],
+          [
+            msg`iridescence thickness texture`,
+            film.getIridescenceThicknessTexture(),
+            film.getIridescenceThicknessTextureInfo(),
+          ],
+        ] as const)
       : []),
     ...(volume
       ? ([[msg`thickness texture`, volume.getThicknessTexture(), volume.getThicknessTextureInfo()]] as const)

@@ -2,6 +2,7 @@ import type { Document, Material as GltfMaterial, Texture as GltfTexture, Textur
 import {
   KHRMaterialsClearcoat,
   KHRMaterialsDispersion,
+  KHRMaterialsIridescence,
   KHRMaterialsSpecular,
   KHRMaterialsTransmission,
   KHRMaterialsVolume,
@@ -23,6 +24,27 @@ export function addLayers(document: Document, made: GltfMaterial, m: Material, t
   addSpecular(document, made, m, textures);
   addClearcoat(document, made, m, textures);
   addTransmission(document, made, m, textures);
+  addIridescence(document, made, m, textures);
+}
+
+function addIridescence(
+  document: Document,
+  made: GltfMaterial,
+  { iridescence: from }: Material,
+  textures: TextureOutputs,
+): void {
+  if (!from) return;
+  const film = document.createExtension(KHRMaterialsIridescence).createIridescence().setIridescenceIOR(from.ior);
+  const factor = textures.number(from.factorTexture, 0, (picture) =>
+    film.setIridescenceTexture(picture).getIridescenceTextureInfo(),
+  );
+  textures.number(from.thicknessTexture, 1, (picture) =>
+    film.setIridescenceThicknessTexture(picture).getIridescenceThicknessTextureInfo(),
+  );
+  const [thinnest, thickest] = from.thickness.map((metres) => metres * 1e9);
+  film.setIridescenceFactor(factor ?? from.factor);
+  film.setIridescenceThicknessMinimum(thinnest).setIridescenceThicknessMaximum(thickest);
+  made.setExtension('KHR_materials_iridescence', film);
 }
 
 function addTransmission(

@@ -277,6 +277,11 @@ describe('a scene written as glTF', () => {
         normalTexture: { texture: { data: map.data }, strength: [0.5, 0.5] },
       },
     });
+    const film = { factor: 0.5, ior: 1.25, thickness: [1e-7, 4e-7] } as const;
+    expect((await reread(makeMaterial({ name: 'Soap', iridescence: film }))).iridescence).toMatchObject({
+      ...film,
+      thickness: film.thickness.map((x) => expect.closeTo(x, 12)),
+    });
     const glass = {
       ior: 1.25,
       dispersion: 0.5,
