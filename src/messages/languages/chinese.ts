@@ -199,7 +199,6 @@ const messages: Translation['messages'] = {
   '{} is no normal map; it is not drawn': '{1} 不是法线贴图；不会被绘制',
   '{} is drawn as a diffuse colour, without light that travels below the surface':
     '{1} 已绘制为漫反射颜色，不含在表面之下传播的光',
-  '{} is drawn as transparency, without refraction': '{1} 已绘制为透明，不含折射',
   '{} varies over the surface, which is not drawn': '{1} 在表面上的变化不会被绘制',
 
   // Lights

@@ -99,10 +99,30 @@ describe('a MaterialX document in a USD layer', () => {
     expect([...scene.objects[0].mesh.colors!.subarray(0, 3)]).toEqual([0.5, 0.25, 0.125]);
   });
 
-  it('draws what passes light as transparent, and says so', async () => {
-    const scene = await read('glass');
-    expect(worn(scene)).toMatchObject({ opacity: 0.25, ior: 1.25, roughness: expect.closeTo(0.3, 6) });
-    expect(said(scene).join()).toContain('transmission_weight is drawn as transparency');
+  it('lets light pass: a sheet that is thin, a body that absorbs', async () => {
+    const sheet = worn(await read('glass'));
+    expect(sheet).toMatchObject({ opacity: 1, ior: 1.25, transmission: { factor: 0.75 } });
+    expect(sheet).not.toHaveProperty('volume');
+    // A quarter of the base, three quarters of the tint: 0.8/4 + 0.75.
+    for (const x of sheet.baseColor) expect(x).toBeCloseTo(0.95, 6);
+    const bodyOf = (inputs: string): Promise<Scene> =>
+      readDocument(document(`<input name="transmission" type="float" value="1" />${inputs}`));
+    const tint = '<input name="transmission_color" type="color3" value="0.5, 0.25, 1" />';
+    const dyed = worn(await bodyOf(tint));
+    expect(dyed).toMatchObject({
+      baseColor: [0.5, 0.25, 1],
+      volume: { attenuationDistance: Number.POSITIVE_INFINITY },
+    });
+    const deep = worn(
+      await bodyOf(
+        `${tint}<input name="transmission_depth" type="float" value="2" /><input name="transmission_dispersion" type="float" value="40" />`,
+      ),
+    );
+    expect(deep).toMatchObject({
+      baseColor: [1, 1, 1],
+      volume: { attenuationColor: [0.5, 0.25, 1], attenuationDistance: 2 },
+      dispersion: 0.5,
+    });
   });
 
   it('reads UsdPreviewSurface', async () => {

@@ -53,6 +53,11 @@ export class ShadingNetwork {
     this.textures = textures;
   }
 
+  /** Metres per unit of the stage. */
+  get unit(): number {
+    return this.context.unit;
+  }
+
   /** The input of a shader; undefined if it is not written, or cannot be read. */
   async input(shader: PrimSpec, name: string): Promise<Expression | undefined> {
     return this.of(this.resolve(shader, name), shader);

@@ -7,6 +7,7 @@ import { shaderId } from '../shaderInputs.ts';
 import type { ColorPrimvar } from '../textureReader.ts';
 import type { UvSource } from '../uvs.ts';
 import { computed, constant, type Expression, scaled, sizeOf } from './expression.ts';
+import { type GlassInputs, glassOf, tinted } from './glass.ts';
 import type { ShadingNetwork } from './network.ts';
 import { NetworkReader } from './networkReader.ts';
 
@@ -31,8 +32,9 @@ interface SurfaceModel {
   readonly glowWeight: string;
   readonly defaultGlowWeight: number;
   readonly opacity: string;
-  /** Share of light that passes through, which is drawn as transparency. */
-  readonly transmission: string;
+  readonly glass?: GlassInputs;
+  /** Share of light that passes a surface without reflection: transparency. */
+  readonly clear?: string;
   readonly normal: string;
   readonly occlusion?: string;
   /** Weight and colour of light scattered below the surface, which is drawn as its colour. */
@@ -66,10 +68,24 @@ const STANDARD: SurfaceModel = {
   glowWeight: 'emission',
   defaultGlowWeight: 0,
   opacity: 'opacity',
-  transmission: 'transmission',
+  glass: {
+    weight: 'transmission',
+    color: 'transmission_color',
+    depth: 'transmission_depth',
+    thinWalled: 'thin_walled',
+    thickness: '',
+    dispersion: ['transmission_dispersion', 'transmission_dispersion', 0],
+  },
   normal: 'normal',
   subsurface: ['subsurface', 'subsurface_color', 1],
-  unread: ['diffuse_roughness', 'specular_anisotropy', 'sheen', 'thin_film_thickness'],
+  unread: [
+    'diffuse_roughness',
+    'specular_anisotropy',
+    'sheen',
+    'thin_film_thickness',
+    'transmission_scatter',
+    'transmission_extra_roughness',
+  ],
   coat: {
     weight: 'coat',
     roughness: 'coat_roughness',
@@ -116,7 +132,14 @@ const SURFACES: ReadonlyMap<string, SurfaceModel> = new Map<string, SurfaceModel
       glowWeight: 'emission_luminance',
       defaultGlowWeight: 0,
       opacity: 'geometry_opacity',
-      transmission: 'transmission_weight',
+      glass: {
+        weight: 'transmission_weight',
+        color: 'transmission_color',
+        depth: 'transmission_depth',
+        thinWalled: 'geometry_thin_walled',
+        thickness: '',
+        dispersion: ['transmission_dispersion_scale', 'transmission_dispersion_abbe_number', 20],
+      },
       normal: 'geometry_normal',
       subsurface: ['subsurface_weight', 'subsurface_color', 0.8],
       unread: ['base_diffuse_roughness', 'specular_roughness_anisotropy', 'fuzz_weight', 'thin_film_weight'],
@@ -146,10 +169,17 @@ const SURFACES: ReadonlyMap<string, SurfaceModel> = new Map<string, SurfaceModel
       glowWeight: 'emissive_strength',
       defaultGlowWeight: 1,
       opacity: 'alpha',
-      transmission: 'transmission',
+      glass: {
+        weight: 'transmission',
+        color: '',
+        depth: 'attenuation_distance',
+        thinWalled: '',
+        thickness: 'thickness',
+        dispersion: ['dispersion', '', 20],
+      },
       normal: 'normal',
       occlusion: 'occlusion',
-      unread: ['iridescence', 'sheen_color', 'anisotropy_strength', 'dispersion'],
+      unread: ['iridescence', 'sheen_color', 'anisotropy_strength'],
     },
   ],
   [
@@ -169,7 +199,14 @@ const SURFACES: ReadonlyMap<string, SurfaceModel> = new Map<string, SurfaceModel
       glowWeight: '',
       defaultGlowWeight: 0,
       opacity: '',
-      transmission: 'specTrans',
+      glass: {
+        weight: 'specTrans',
+        color: '',
+        depth: '',
+        thinWalled: '',
+        thickness: '',
+        dispersion: ['', '', 20],
+      },
       normal: '',
       unread: ['anisotropic', 'specularTint', 'sheen', 'clearcoat', 'subsurface'],
     },
@@ -191,7 +228,7 @@ const SURFACES: ReadonlyMap<string, SurfaceModel> = new Map<string, SurfaceModel
       glowWeight: 'emission',
       defaultGlowWeight: 1,
       opacity: 'opacity',
-      transmission: 'transmission',
+      clear: 'transmission',
       normal: '',
       unread: [],
     },
@@ -221,7 +258,8 @@ export async function networkMaterial(network: ShadingNetwork, shader: PrimSpec)
   );
 
   const opacity = reader.opacityOf(await opaqueShare(network, shader, model));
-  const diffuse = reader.colorOf(await colorOf(network, shader, model), grey(model.defaultColor), opacity.alphaOf);
+  const colored = await tinted(network, shader, await colorOf(network, shader, model), model.glass);
+  const diffuse = reader.colorOf(colored, grey(model.defaultColor), opacity.alphaOf);
   const glow = (await input(model.glow)) ?? constant(...grey(model.defaultGlow));
   const glowWeight = (await input(model.glowWeight)) ?? constant(model.defaultGlowWeight);
   const emissive = reader.colorOf(product(glow, glowWeight), BLACK);
@@ -235,6 +273,7 @@ export async function networkMaterial(network: ShadingNetwork, shader: PrimSpec)
   const ior = await iorOf(network, shader, model);
   const specular = await specularOf(reader, shader, model);
   const coat = await coatOf(reader, shader, model);
+  const glass = await glassOf(reader, shader, model.glass, network.unit);
   return {
     material: {
       baseColor: diffuse.color,
@@ -252,6 +291,7 @@ export async function networkMaterial(network: ShadingNetwork, shader: PrimSpec)
       ...(ior !== undefined && { ior }),
       ...(specular.layer && { specular: specular.layer }),
       ...(coat.layer && { clearcoat: coat.layer }),
+      ...glass.material,
     },
     uvs: [
       diffuse.uv,
@@ -263,6 +303,7 @@ export async function networkMaterial(network: ShadingNetwork, shader: PrimSpec)
       occlusion.uv,
       ...specular.uvs,
       ...coat.uvs,
+      ...glass.uvs,
     ],
     colors: diffuse.primvar,
     isPainted: diffuse.texture !== undefined || diffuse.primvar !== undefined,
@@ -294,18 +335,16 @@ async function colorOf(
   );
 }
 
-/** What is not transparent: neither by opacity nor by transmission. */
+/** What is not transparent: neither by opacity nor because light passes. */
 async function opaqueShare(
   network: ShadingNetwork,
   shader: PrimSpec,
   model: SurfaceModel,
 ): Promise<Expression | undefined> {
   const opacity = await alphaOf(network, shader, model);
-  const through = await network.input(shader, model.transmission);
-  if (!through || (through.kind === 'constant' && through.values[0] === 0)) return opacity;
-  network.tell('mtlx.input', shader, msg`${model.transmission} is drawn as transparency, without refraction`);
-  const kept = scaled(through, [-1], [1]);
-  return kept && opacity ? product(opacity, kept) : kept;
+  const through = model.clear ? await network.input(shader, model.clear) : undefined;
+  const kept = through && scaled(through, [-1], [1]);
+  return kept && opacity ? product(opacity, kept) : (kept ?? opacity);
 }
 
 /** The opacity; gltf_pbr ignores its alpha in the mode OPAQUE. */
