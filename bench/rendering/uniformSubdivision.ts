@@ -1,4 +1,4 @@
-import { isStreamed } from '../../src/scene/streaming/samplePoints.ts';
+import { isListed } from '../../src/scene/streaming/samplePoints.ts';
 import type { Mesh, Motion, Scene, SceneObject } from '../../src/scene/types.ts';
 
 /**
@@ -74,7 +74,7 @@ class UniformSubdivision {
   motion(motion: Motion): Motion {
     if (motion.kind !== 'sampled-points') return motion;
     const { points, normals } = motion;
-    if (isStreamed(points)) return motion;
+    if (!isListed(points)) return motion;
     const all = (arrays: readonly Float32Array[]) => arrays.map((array) => this.extended(array, 3));
     return { ...motion, points: all(points), ...(normals && { normals: all(normals) }) };
   }

@@ -1,4 +1,4 @@
-import { setSampleCacheSize } from '../scene/streaming/streamedPoints.ts';
+import { setSampleCacheSize } from '../scene/streaming/sampleCache.ts';
 import { fromPreparedScene, type PreparedScene, type TracedScene } from './intersection/tracedScene.ts';
 import { renderTile } from './tile.ts';
 import type { ImageTile, TileData, TileRequest } from './tileRequest.ts';

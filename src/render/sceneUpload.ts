@@ -2,7 +2,7 @@ import { BufferAttribute, BufferGeometry, type DataTexture, Scene as ThreeScene 
 import { sceneNightSky } from '../scene/lights/sceneLights.ts';
 import { deforms, pointSamples } from '../scene/motion/motion.ts';
 import type { ColorMode } from '../scene/settings/settings.ts';
-import { isStreamed } from '../scene/streaming/samplePoints.ts';
+import { isBlended, isStreamed } from '../scene/streaming/samplePoints.ts';
 import type { SampledPointsMotion, Scene, Texture } from '../scene/types.ts';
 import { HalfAtlas } from '../shaders/tables/halfAtlas.ts';
 import { type DrawCall, disposeDrawCall, makeDrawCall } from './gbuffer/drawCall.ts';
@@ -18,6 +18,7 @@ import {
 import { type Body, makeBody } from './geometry/bodies.ts';
 import { ObjectTableWriter } from './geometry/objectTables.ts';
 import type { Observation } from './geometry/observation.ts';
+import { BlendStore } from './geometry/pointSamples/blendStore.ts';
 import { PointStore } from './geometry/pointSamples/pointStore.ts';
 import { SampleLoader } from './geometry/pointSamples/sampleLoader.ts';
 import { ReleasedPieces } from './geometry/releasedPieces.ts';
@@ -70,7 +71,7 @@ export class SceneUpload {
   private readonly materials: TablePart;
   /** The instance table (vertexInput.ts). */
   private readonly instances = new FloatTable(256);
-  private readonly points = new Map<number, PointStore>();
+  private readonly points = new Map<number, PointStore | BlendStore>();
   private readonly channelPacker = new ChannelPacker();
   private readonly textures = new Map<string, DataTexture>();
   private sampleLoader: SampleLoader | undefined;
@@ -103,7 +104,7 @@ export class SceneUpload {
     this.stars = nightSky && new StarPoints(nightSky, uniforms, gpu);
     this.objectWriter = new ObjectTableWriter({ objects: this.objects, samples: this.samples, points: this.points });
     // Several lives of one thing have one motion.
-    const stores = new Map<SampledPointsMotion, PointStore>();
+    const stores = new Map<SampledPointsMotion, PointStore | BlendStore>();
     for (const { id, object } of this.bodies) {
       const samples = pointSamples(object.motion);
       if (!samples) continue;
@@ -148,7 +149,8 @@ export class SceneUpload {
     meshNormals: Float32Array,
     gpu: Gpu,
     options: RendererOptions,
-  ): PointStore {
+  ): PointStore | BlendStore {
+    if (isBlended(motion.points)) return new BlendStore(motion.points);
     const { sampleWorker, maxPointTexels: texels } = options;
     if (!sampleWorker || !isStreamed(motion.points))
       return new PointStore(motion, meshNormals, gpu.renderer, { maxTexels: texels });

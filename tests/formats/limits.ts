@@ -2,7 +2,7 @@ import { MAX_PER_CODE } from '../../src/formats/diagnostics/diagnosticLog.ts';
 import { formatBytes } from '../../src/formats/diagnostics/inputError.ts';
 import { MAX_LINE } from '../../src/formats/files/textLines.ts';
 import { MAX_UNPACKED, MAX_DEPTH as NODE_DEPTH } from '../../src/formats/gltf/load/checkReferences.ts';
-import { MAX_BAKED } from '../../src/formats/gltf/read/bake.ts';
+import { MAX_BLENDED } from '../../src/formats/gltf/read/bake.ts';
 import { MAX_INSTANCES } from '../../src/formats/gltf/read/instances.ts';
 import { MAX_VERTICES } from '../../src/formats/gltf/read/read.ts';
 import { MAX_MORPH_TARGETS } from '../../src/formats/gltf/write/writeMeshes.ts';
@@ -61,7 +61,7 @@ export const readerLimits: readonly { readonly what: string; readonly most: stri
   { what: 'glTF: vertices', most: count(MAX_VERTICES) },
   { what: 'glTF: depth of the node hierarchy', most: count(NODE_DEPTH) },
   { what: 'glTF: instances of one node', most: count(MAX_INSTANCES) },
-  { what: 'glTF: points of deforming meshes, all samples', most: bytes(MAX_BAKED) },
+  { what: 'glTF: joints of skins at all nodes of their time grids', most: bytes(MAX_BLENDED) },
   { what: 'glTF, written: samples of a deforming mesh', most: count(MAX_MORPH_TARGETS) },
   { what: 'OBJ, PLY: corners of a face', most: count(MAX_CORNERS) },
   {

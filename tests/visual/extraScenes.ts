@@ -5,7 +5,7 @@ import { makeMaterial, makeObject, makeScene, restingAt } from '../../src/scene/
 import { transformMesh } from '../../src/scene/mesh/meshOps.ts';
 import { box, capsule, cone, cylinder, grid, plane, sphere } from '../../src/scene/mesh/primitives.ts';
 import { parabolaVelocities } from '../../src/scene/motion/cubicPoints.ts';
-import { isStreamed } from '../../src/scene/streaming/samplePoints.ts';
+import { isListed } from '../../src/scene/streaming/samplePoints.ts';
 import type { Mesh, Motion, Scene, SceneObject, Texture } from '../../src/scene/types.ts';
 
 /** A scene designed to reveal one kind of error, and its view. */
@@ -185,7 +185,7 @@ function waving(samples: number): SceneObject {
 
 function cubically(object: SceneObject): SceneObject {
   const { motion } = object;
-  if (motion.kind !== 'sampled-points' || isStreamed(motion.points)) return object;
+  if (motion.kind !== 'sampled-points' || !isListed(motion.points)) return object;
   return { ...object, motion: { ...motion, velocities: parabolaVelocities(motion.times, motion.points) } };
 }
 

@@ -5,7 +5,7 @@ import { deformedNormals, smoothingGroups } from '../../scene/mesh/normals.ts';
 import { withoutQuadric } from '../../scene/mesh/quadric.ts';
 import { pointSamples } from '../../scene/motion/motion.ts';
 import { motionKind } from '../../scene/motion/motions.ts';
-import { isStreamed, pointsAt } from '../../scene/streaming/samplePoints.ts';
+import { isBlended, isStreamed, pointsAt } from '../../scene/streaming/samplePoints.ts';
 import { withoutNonFiniteVertices } from '../../scene/streaming/streamedPoints.ts';
 import type {
   Diagnostic,
@@ -15,6 +15,7 @@ import type {
   Material,
   Mesh,
   Motion,
+  SampledPointsMotion,
   Scene,
   SceneCamera,
   SceneObject,
@@ -112,6 +113,7 @@ const NO_POINTS: readonly Float32Array[] = [];
 function nonFiniteVertices({ mesh, motion }: SceneObject): Uint8Array | undefined {
   const points = pointSamples(motion)?.points ?? NO_POINTS;
   if (isStreamed(points)) return points.statistics.nonFiniteVertices;
+  if (isBlended(points)) return points.nonFiniteVertices;
   if (cachedAllFinite(mesh.positions) && cachedAllFinite(points)) return undefined;
   const broken = [mesh.positions, ...points].filter((shape) => !allFinite(shape));
   const lost = new Uint8Array(mesh.positions.length / 3);
@@ -147,8 +149,14 @@ function zeroVertices(lost: Uint8Array, motion: Motion): Motion {
   const { points } = samples;
   return {
     ...samples,
-    points: isStreamed(points) ? withoutNonFiniteVertices(points) : points.map((list) => zeroPoints(list, lost)),
+    points: finitePoints(points, lost),
   };
+}
+
+/** Blended points have their vertices that are not finite at the origin already. */
+function finitePoints(points: SampledPointsMotion['points'], lost: Uint8Array): SampledPointsMotion['points'] {
+  if (isStreamed(points)) return withoutNonFiniteVertices(points);
+  return isBlended(points) ? points : points.map((list) => zeroPoints(list, lost));
 }
 
 const zeroPoints = (points: Float32Array, lost: Uint8Array): Float32Array =>

@@ -2,7 +2,7 @@ import type { Vec3 } from '../../math/vec3.ts';
 import { sampleBoundingBox } from '../../scene/bounds/bounds.ts';
 import { isCubic } from '../../scene/motion/cubicPoints.ts';
 import type { ObjectWith } from '../../scene/motion/kinds/motionKind.ts';
-import { isStreamed, pointsAt } from '../../scene/streaming/samplePoints.ts';
+import { isListed, pointsAt } from '../../scene/streaming/samplePoints.ts';
 import type { SampledPointsMotion } from '../../scene/types.ts';
 import { emptyBox } from '../acceleration/bvh.ts';
 import { buildTriangleBvh, type TriangleBvh } from '../acceleration/triangleBvh.ts';
@@ -22,7 +22,7 @@ export class PointShapes implements ShapeSource {
   constructor({ mesh, motion }: ObjectWith<SampledPointsMotion>, c: number) {
     this.motion = motion;
     this.cubic = isCubic(motion) ? new CubicChords(motion, c) : undefined;
-    this.ownsPoints = isStreamed(motion.points) || this.cubic !== undefined;
+    this.ownsPoints = !isListed(motion.points) || this.cubic !== undefined;
     this.times = this.cubic?.times ?? motion.times;
     this.origin = motion.origin;
     this.topology = buildTriangleBvh({ ...mesh, positions: middlePoints(motion) });

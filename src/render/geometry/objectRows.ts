@@ -4,7 +4,7 @@ import { type SampledLine, samplePosition } from '../../physics/worldLines/sampl
 import { asPolyline, type WorldLine } from '../../physics/worldLines/worldLine.ts';
 import { bendFactor, isCubic } from '../../scene/motion/cubicPoints.ts';
 import { samplePose } from '../../scene/motion/poses.ts';
-import type { Motion } from '../../scene/types.ts';
+import type { Motion, SampledPointsMotion } from '../../scene/types.ts';
 import type { FloatTable } from '../gpu/floatTable.ts';
 import { type Body, hyperbolicLineOfCenter } from './bodies.ts';
 import {
@@ -16,6 +16,7 @@ import {
   trailingPoint,
   type WorldTubeSection,
 } from './observation.ts';
+import { BlendStore } from './pointSamples/blendStore.ts';
 import type { PointStore } from './pointSamples/pointStore.ts';
 
 /** Longest window of samples that a vertex searches. */
@@ -25,7 +26,7 @@ const MAX_SAMPLES = 4096;
 export interface ObjectTables {
   readonly objects: FloatTable;
   readonly samples: FloatTable;
-  readonly points: ReadonlyMap<number, PointStore>;
+  readonly points: ReadonlyMap<number, PointStore | BlendStore>;
 }
 
 /** An object at the event of its anchor, whose rows are to be written. */
@@ -113,11 +114,13 @@ const OBJECT_ROWS: { readonly [K in Motion['kind']]: ObjectRows<Extract<Motion, 
   },
   'sampled-points': {
     trailingPoint: noTrailingPoint,
-    write: (motion, row, { objects, samples, points }, used) => {
+    write: (motion, row, tables, used) => {
+      const { objects, samples, points } = tables;
       const { body, observation, anchor, at } = row;
       const line = asPolyline(row.line);
       const store = points.get(body.id);
       if (!line || !store) return { used, complete: true };
+      if (store instanceof BlendStore) return writeBlended(motion, line, store, row, tables, used);
       const { first, count, after } = windowOf(line, row, Math.min(MAX_SAMPLES, store.capacity));
       objects.values.set([used, count], at + 12);
       const complete = store.ensureResident(first, count);
@@ -134,6 +137,28 @@ const OBJECT_ROWS: { readonly [K in Motion['kind']]: ObjectRows<Extract<Motion, 
     },
   },
 };
+
+/** The joints of the samples that are needed, behind their times. */
+function writeBlended(
+  { origin }: SampledPointsMotion,
+  line: SampledLine,
+  store: BlendStore,
+  row: ObjectRow,
+  { objects, samples, points }: ObjectTables,
+  used: number,
+): Written {
+  const { observation, anchor, at } = row;
+  const { first, count, after } = windowOf(line, row, Math.min(MAX_SAMPLES, store.capacity(points.size)));
+  objects.values.set([...relativeTo(origin, observation, anchor), store.vertices], at + 4);
+  objects.values.set([used, count, 1 / observation.c, store.firstShape], at + 12);
+  let next = used + count;
+  for (let i = 0; i < count; i++) {
+    const written = store.writeSample(first + i, samples, next);
+    samples.values.set([next, written.shapes, 0, after(first + i)], 4 * (used + i));
+    next = written.next;
+  }
+  return { used: next, complete: true };
+}
 
 /** The rows of a motion's kind. */
 export const objectRows = (motion: Motion): ObjectRows<Motion> => OBJECT_ROWS[motion.kind];

@@ -2,7 +2,6 @@ import { attribute, int, vertexIndex } from 'three/tsl';
 import type { Node } from 'three/webgpu';
 import type { Float, Int, Vec3, Vec4 } from '../../shaders/types.ts';
 import type { FloatTable } from '../gpu/floatTable.ts';
-import { unpackNormal } from './pointSamples/pointStore.ts';
 
 /** A vertex before its motion is applied: of a mesh (`indexedVertex`), or a point in one of its triangles (tessellation/gpu/triangleTable.ts). */
 export interface VertexInput {
@@ -15,14 +14,8 @@ export interface VertexInput {
   /** Object id − 1. */
   readonly object: Float;
   readonly material: Float;
-  /** For deforming meshes: reads the vertex from the sample that begins at a texel of its table. */
-  readonly sampled: PointReader;
-}
-
-export interface PointReader {
-  /** From the motion's origin [m]. */
-  place(points: FloatTable, first: Int): Vec3;
-  normal(points: FloatTable, first: Int): Vec3;
+  /** For deforming meshes: what `read` gives for this vertex of the mesh; of a point in a triangle, interpolated from its corners. */
+  readonly ofVertices: (read: (vertex: Int) => Vec3) => Vec3;
 }
 
 /** The instance table's texel for an instance: (object id − 1, material, 0, 0). */
@@ -33,7 +26,6 @@ export function indexedVertex(colored: boolean, instances?: FloatTable): VertexI
   const ids = instances
     ? instanceRecord(instances, attribute<'float'>('instance', 'float')).xy
     : attribute<'vec2'>('ids', 'vec2');
-  const texel = (points: FloatTable, first: Int): Vec4 => points.texel(first.add(int(vertexIndex))).toVar();
   return {
     offset: attribute<'vec3'>('position', 'vec3'),
     normal: attribute<'vec3'>('normal', 'vec3'),
@@ -41,9 +33,6 @@ export function indexedVertex(colored: boolean, instances?: FloatTable): VertexI
     color: colored ? attribute<'vec3'>('color', 'vec3') : undefined,
     object: ids.x,
     material: ids.y,
-    sampled: {
-      place: (points, first) => texel(points, first).xyz,
-      normal: (points, first) => unpackNormal(texel(points, first).w),
-    },
+    ofVertices: (read) => read(int(vertexIndex)),
   };
 }

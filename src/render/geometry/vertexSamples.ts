@@ -4,8 +4,8 @@ import { bisect } from '../../shaders/worldLines/bisect.ts';
 import type { EndVelocities } from '../../shaders/worldLines/cubicPiece.ts';
 import { pieceVelocity } from '../../shaders/worldLines/pieceVelocity.ts';
 import type { FloatTable } from '../gpu/floatTable.ts';
-import type { PointStore } from './pointSamples/pointStore.ts';
-import type { PointReader } from './vertexInput.ts';
+import { type PointStore, unpackNormal } from './pointSamples/pointStore.ts';
+import type { VertexInput } from './vertexInput.ts';
 
 /** One vertex's samples, as objectTables.ts and pointStore.ts wrote them. */
 export interface VertexSamples {
@@ -38,7 +38,7 @@ export function poseSamples(table: FloatTable, first: Int, count: Int, offset: V
 export function pointSamples(
   table: FloatTable,
   { table: points, velocities }: Pick<PointStore, 'table' | 'velocities'>,
-  vertex: PointReader,
+  ofVertices: VertexInput['ofVertices'],
   { first, count, perC }: { readonly first: Int; readonly count: Int; readonly perC: Float },
   motion: Vec4,
 ): VertexSamples {
@@ -46,13 +46,17 @@ export function pointSamples(
   const row = (sample: Float): Int => int(sample).mul(int(motion.w)).toVar();
   const at: SampleTable = (index) => {
     const { x: sample, w: time } = sampleTexel(index);
-    return vec4(vertex.place(points, row(sample)).add(motion.xyz), time);
+    const from = row(sample);
+    return vec4(ofVertices((vertex) => points.texel(from.add(vertex)).xyz).add(motion.xyz), time);
   };
   return {
     count,
     at,
-    ...(velocities && { velocities: endVelocities(at, velocities, sampleTexel, row, vertex, perC) }),
-    normal: (index) => vertex.normal(points, row(sampleTexel(index).x)),
+    ...(velocities && { velocities: endVelocities(at, velocities, sampleTexel, row, ofVertices, perC) }),
+    normal: (index) => {
+      const from = row(sampleTexel(index).x);
+      return ofVertices((vertex) => unpackNormal(points.texel(from.add(vertex)).w));
+    },
     time: (index) => sampleTexel(index).w,
   };
 }
@@ -64,15 +68,17 @@ const endVelocities =
     table: FloatTable,
     sampleTexel: (index: Int) => Vec4,
     row: (sample: Float) => Int,
-    vertex: PointReader,
+    ofVertices: VertexInput['ofVertices'],
     perC: Float,
   ): EndVelocities =>
   (index) => {
     const next = index.add(int(1)).toVar();
     const chord = pieceVelocity(at(index).toVar(), at(next).toVar()).xyz.toVar();
     const bend = sampleTexel(index).y.toVar();
-    const bentVelocity = (i: Int): Vec3 =>
-      mix(chord, vertex.place(table, row(sampleTexel(i).x)).mul(perC), bend).toVar();
+    const bentVelocity = (i: Int): Vec3 => {
+      const from = row(sampleTexel(i).x);
+      return mix(chord, ofVertices((vertex) => table.texel(from.add(vertex)).xyz).mul(perC), bend).toVar();
+    };
     return { begin: bentVelocity(index), end: bentVelocity(next) };
   };
 

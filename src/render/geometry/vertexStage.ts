@@ -41,7 +41,9 @@ import { polylinePlace } from '../../shaders/worldLines/polylinePlace.ts';
 import { uniformPlace } from '../../shaders/worldLines/uniformPlace.ts';
 import type { FloatTable } from '../gpu/floatTable.ts';
 import type { FrameUniforms } from '../gpu/frameUniforms.ts';
+import { blendedSamples } from './blendedSamples.ts';
 import { OBJECT_TEXELS } from './objectTables.ts';
+import { BlendStore } from './pointSamples/blendStore.ts';
 import type { PointStore } from './pointSamples/pointStore.ts';
 import type { VertexInput } from './vertexInput.ts';
 import { pieceAt, pointSamples, poseSamples, type VertexSamples } from './vertexSamples.ts';
@@ -71,7 +73,7 @@ export interface MotionSources {
   readonly kind: Motion['kind'];
   readonly objects: FloatTable;
   readonly samples: FloatTable;
-  readonly points?: PointStore;
+  readonly points?: PointStore | BlendStore;
   /** Set for batches with instancing, whose mesh is in its own axes. */
   readonly instances?: FloatTable;
   readonly uniforms: FrameUniforms;
@@ -327,7 +329,13 @@ function samplesOf({ sources, motion, extra, vertex }: SolverInputs): VertexSamp
   const first = int(extra.x).toVar();
   const count = int(extra.y).toVar();
   const window = { first, count, perC: extra.z };
-  if (sources.points) return pointSamples(sources.samples, sources.points, vertex.sampled, window, motion);
+  const { points, samples } = sources;
+  if (points instanceof BlendStore) {
+    const { table, hasShapes } = points;
+    const source = { table, hasShapes, vertices: int(motion.w).toVar(), firstShape: int(extra.w).toVar() };
+    return blendedSamples(samples, source, vertex.ofVertices, window, motion);
+  }
+  if (points) return pointSamples(samples, points, vertex.ofVertices, window, motion);
   return poseSamples(sources.samples, first, count, vertex.offset, vertex.normal);
 }
 

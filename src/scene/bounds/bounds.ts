@@ -1,6 +1,7 @@
 import { add, distance, scale, type Vec3 } from '../../math/vec3.ts';
 import { pointAt } from '../mesh/polygons.ts';
-import { isStreamed } from '../streaming/samplePoints.ts';
+import { blendedBounds } from '../streaming/blendedBounds.ts';
+import { isListed, isStreamed } from '../streaming/samplePoints.ts';
 import type { Mesh, SampledPointsMotion } from '../types.ts';
 
 /** An axis-aligned box [m]. */
@@ -97,21 +98,23 @@ export function meshBoundingSphere({ positions }: Pick<Mesh, 'positions'>): Boun
   return sphere;
 }
 
-/** The box of sample k, relative to the motion's origin [m]; undefined without points. */
+/** The box of sample k, relative to the motion's origin [m]; undefined without points. That of blended points is not tight. */
 export function sampleBoundingBox({ points }: SampledPointsMotion, k: number): BoundingBox | undefined {
-  if (!isStreamed(points)) return boundingBox(points[k]);
-  const [x, y, z, X, Y, Z] = points.statistics.boxes.subarray(6 * k, 6 * k + 6);
+  if (isListed(points)) return boundingBox(points[k]);
+  const { boxes } = isStreamed(points) ? points.statistics : blendedBounds(points);
+  const [x, y, z, X, Y, Z] = boxes.subarray(6 * k, 6 * k + 6);
   return x <= X ? { min: [x, y, z], max: [X, Y, Z] } : undefined;
 }
 
 /** The bounding sphere of sample k, relative to the motion's origin [m]. */
 export function sampleBoundingSphere(motion: SampledPointsMotion, k: number): BoundingSphere {
   const { points } = motion;
-  if (!isStreamed(points)) return boundingSphere(points[k]);
+  if (isListed(points)) return boundingSphere(points[k]);
+  const { radii } = isStreamed(points) ? points.statistics : blendedBounds(points);
   const box = sampleBoundingBox(motion, k);
   if (!box) return { center: [0, 0, 0], radius: 0 };
   const [x, y, z] = box.min.map((low, i) => (low + box.max[i]) * 0.5);
-  return { center: [x, y, z], radius: points.statistics.radii[k] };
+  return { center: [x, y, z], radius: radii[k] };
 }
 
 /** Half the diagonal of the box of spheres [m]; 1 m without spheres. */

@@ -2,7 +2,7 @@ import { gatherPoints, makeMesh } from '../mesh/makeMesh.ts';
 import { withoutQuadric } from '../mesh/quadric.ts';
 import { normalizeInPlace } from '../mesh/transformPoints.ts';
 import { pointSamples } from '../motion/motion.ts';
-import { isStreamed } from '../streaming/samplePoints.ts';
+import { isBlended, isListed, isStreamed, withListedPoints } from '../streaming/samplePoints.ts';
 import { subdividePolygons } from '../subdivide/subdividePolygons.ts';
 import { makeTopology } from '../subdivide/topology.ts';
 import type { Mesh, SampledPointsMotion, SceneObject } from '../types.ts';
@@ -14,10 +14,14 @@ export const MAX_TRIANGLES = 4_000_000;
 /** Number of triangles after subdivision; each level splits a triangle into four. */
 export const trianglesAfter = ({ indices }: Mesh, levels: number): number => (indices.length / 3) * 4 ** levels;
 
-/** Whether its samples can be subdivided: streamed samples cannot. */
-export function canSubdivide({ motion }: SceneObject): boolean {
+/** Most numbers of the points and normals of a skin that is subdivided, since then all its samples are in memory. */
+const MAX_LISTED_NUMBERS = 2 ** 26;
+
+/** Whether its samples can be subdivided: streamed samples cannot, nor can those of a skin that are too many for memory. */
+export function canSubdivide({ mesh, motion }: SceneObject): boolean {
   const samples = pointSamples(motion);
-  return !samples || !isStreamed(samples.points);
+  if (!samples || isListed(samples.points)) return true;
+  return isBlended(samples.points) && 2 * samples.times.length * mesh.positions.length <= MAX_LISTED_NUMBERS;
 }
 
 /** Splits all triangles `levels` times at the midpoints of their edges, without changing the shape. */
@@ -81,8 +85,8 @@ class MidpointMesh {
 }
 
 function splitSamples(motion: SampledPointsMotion, middles: MidpointMesh): SampledPointsMotion {
-  const { points, velocities, normals } = motion;
-  if (isStreamed(points)) return motion;
+  if (isStreamed(motion.points)) return motion;
+  const { points, velocities, normals } = withListedPoints(motion);
   return {
     ...motion,
     points: points.map((each) => middles.mean(each, 3)),
@@ -110,8 +114,9 @@ export function loopSubdivide(object: SceneObject, levels: number): SceneObject 
     hidden: () => false,
   });
   const { mesh: refined, pointOfVertex } = makeMesh(polygons);
-  const deforming = pointSamples(motion);
-  if (!deforming || isStreamed(deforming.points)) return { ...object, mesh: refined };
+  const moving = pointSamples(motion);
+  if (!moving || isStreamed(moving.points)) return { ...object, mesh: refined };
+  const deforming = withListedPoints(moving);
   const at = (values: Float32Array) => surface.at(gatherPoints(values, vertexOfPoint));
   const samples = deforming.points.map(at);
   const gathered = (values: Float32Array) => gatherPoints(values, pointOfVertex);

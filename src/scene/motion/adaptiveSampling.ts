@@ -209,15 +209,20 @@ class PathPositions {
 
 /**
  * The number of evaluations of a transform that a scene may still spend on adaptive paths: a small file can ask for
- * any number of turns of any number of things. Each motion gets at most half of the rest, so that one extreme motion does
- * not use up the budget of all others.
+ * any number of turns of any number of things. If the number of motions is known, each gets at most an equal share of the rest; otherwise half of it, so
+ * that one extreme motion does not use up the budget of all others.
  */
 export class SamplingBudget {
   private left: number;
   /** Greatest remaining distance from a chord so far [m]; undefined before the first motion. */
   error: number | undefined;
-  constructor(evaluations: number) {
+  /** Motions that are still to come, if known. */
+  private waiting: number | undefined;
+
+  /** `motions`: how many there will be. */
+  constructor(evaluations: number, motions?: number) {
     this.left = evaluations;
+    this.waiting = motions;
   }
 
   /** Records a motion that needs no added times, since it is on its chords. */
@@ -225,10 +230,12 @@ export class SamplingBudget {
     this.error ??= 0;
   }
 
-  /** Samples a path within the budget; `cost`: evaluations that its points at one time take. */
-  sample(path: AdaptivePath, cost: number): SampledTimes {
+  /** Samples a path within the budget; `cost`: evaluations that its points at one time take; `most`: times that there may be, if its own are not more. */
+  sample(path: AdaptivePath, cost: number, most = Number.POSITIVE_INFINITY): SampledTimes {
     const each = path.evaluationsPerTime * cost;
-    const refined = path.sample(Math.floor(this.left / 2 / each));
+    const share = this.waiting === undefined ? 2 : Math.max(1, this.waiting--);
+    const added = Math.floor(Math.min(this.left / share / each, Math.max(0, most - path.samples.length)));
+    const refined = path.sample(added);
     this.error = Math.max(this.error ?? 0, refined.error);
     this.left -= (refined.times.length - path.samples.length) * each;
     return refined;

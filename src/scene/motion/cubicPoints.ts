@@ -1,7 +1,7 @@
 import { slopeRule } from '../../math/hermite.ts';
 import { length, lerp, type Vec3 } from '../../math/vec3.ts';
 import { type CubicPiece, controlVelocities, subluminalBend } from '../../physics/worldLines/cubicPiece.ts';
-import { isStreamed } from '../streaming/samplePoints.ts';
+import { isListed } from '../streaming/samplePoints.ts';
 import type { SampledPointsMotion } from '../types.ts';
 
 /** Points that move along cubic pieces. */
@@ -11,7 +11,7 @@ export interface CubicPointsMotion extends SampledPointsMotion {
 }
 
 export const isCubic = (motion: SampledPointsMotion): motion is CubicPointsMotion =>
-  motion.velocities !== undefined && !isStreamed(motion.points);
+  motion.velocities !== undefined && isListed(motion.points);
 
 /** The velocity of every point at each sample, that of the parabola through its neighbours [m/s]; 3 numbers per point. */
 export const parabolaVelocities = (times: Float64Array, points: readonly Float32Array[]): Float32Array[] =>

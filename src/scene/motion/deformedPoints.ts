@@ -2,7 +2,7 @@ import { add, lerp, type Vec3 } from '../../math/vec3.ts';
 import { cubicAt, withBend } from '../../physics/worldLines/cubicPiece.ts';
 import type { WorldLine } from '../../physics/worldLines/worldLine.ts';
 import { pointAt } from '../mesh/polygons.ts';
-import { pointsAt, vertexAt } from '../streaming/samplePoints.ts';
+import { pointsAt, vertexSamples } from '../streaming/samplePoints.ts';
 import type { SampledPointsMotion } from '../types.ts';
 import { bendFactor, isCubic, pointPiece } from './cubicPoints.ts';
 import { pieceAt } from './poses.ts';
@@ -21,7 +21,8 @@ export function deformedPoints(motion: SampledPointsMotion, t: number, c: number
 export function deformedVertexLine(motion: SampledPointsMotion, i: number, c: number): WorldLine {
   const { times } = motion;
   const positions = new Float64Array(3 * times.length);
-  for (let k = 0; k < times.length; k++) positions.set(add(motion.origin, vertexAt(motion, k, i)), 3 * k);
+  const at = vertexSamples(motion, i);
+  for (let k = 0; k < times.length; k++) positions.set(add(motion.origin, at(k)), 3 * k);
   if (!isCubic(motion)) return { kind: 'polyline', times, positions };
   const velocities = new Float64Array(6 * (times.length - 1));
   for (let k = 0; k + 1 < times.length; k++) {

@@ -2,7 +2,7 @@ import { add, scale, sub, type Vec3, ZERO } from '../../math/vec3.ts';
 import { properVelocity } from '../../physics/lorentz/boost.ts';
 import { contraction } from '../../physics/worldLines/simultaneity.ts';
 import { boundingBox } from '../bounds/bounds.ts';
-import { isStreamed } from '../streaming/samplePoints.ts';
+import { isListed } from '../streaming/samplePoints.ts';
 import type { LocalLight, Scene, SceneObject } from '../types.ts';
 import type { FlightPath } from './kinds/changes.ts';
 import { deforms, pointSamples, poseAt } from './motion.ts';
@@ -26,12 +26,12 @@ const MAX_COPIED_NUMBERS = 2 ** 25;
 /** Whether a path is `root` or below it. */
 export const isAtOrBelow = (path: string, root: string): boolean => path === root || path.startsWith(`${root}/`);
 
-/** Objects with too many samples to fly; streamed samples are never too many. */
+/** Objects with too many samples to fly; those that are not in memory are never too many. */
 export const tooLargeToFly = (scene: Scene, path: string): readonly string[] =>
   scene.objects
     .filter(({ motion, mesh, ...object }) => {
       const samples = pointSamples(motion);
-      if (!samples || isStreamed(samples.points) || !isAtOrBelow(object.path, path)) return false;
+      if (!samples || !isListed(samples.points) || !isAtOrBelow(object.path, path)) return false;
       return samples.times.length * mesh.positions.length > MAX_COPIED_NUMBERS;
     })
     .map((object) => object.path);

@@ -1,5 +1,6 @@
 import type { Quat } from '../../math/quat.ts';
 import type { Vec3 } from '../../math/vec3.ts';
+import type { BlendedPoints } from '../streaming/blendedPoints.ts';
 import type { StreamedPoints } from '../streaming/storedPoints.ts';
 
 /** World times between which the object exists, birth ≤ t < death [s]; ±Infinity without birth or death. */
@@ -71,12 +72,12 @@ export interface SampledPointsMotion {
   readonly origin: Vec3;
   /**
    * One array per sample, 3 per vertex, world-oriented, relative to `origin` [m]; or a reference to files, if they are too
-   * many for memory. Read them with `pointsAt` (samplePoints.ts), which handles both.
+   * many for memory; or joints with their influences. Read them with `pointsAt` (samplePoints.ts), which handles all.
    */
-  readonly points: readonly Float32Array[] | StreamedPoints;
+  readonly points: readonly Float32Array[] | StreamedPoints | BlendedPoints;
   /**
    * Velocity of every vertex at each sample, world-oriented [m/s], 3 per vertex: between samples the vertex moves along the cubic Hermite curve, with its
-   * bend reduced where it would exceed c (`bendFactor`). Absent for straight pieces, which all streamed samples have.
+   * bend reduced where it would exceed c (`bendFactor`). Absent for straight pieces, which all streamed and blended samples have.
    */
   readonly velocities?: readonly Float32Array[];
   /** World-frame normals per sample, if they were given or could be computed; else those of the mesh are used. Read them with `normalsAt`. */

@@ -55,52 +55,6 @@ export function makePoint(
   return transformPointsInPlace(Float32Array.from(own), matrix);
 }
 
-/** Least recently used cache of samples. */
-class SampleCache {
-  private readonly samples = new Map<string, Float32Array>();
-  private readonly ids = new WeakMap<PointRecipe, number>();
-  private lastId = 0;
-  private bytesLeft: number;
-
-  /** `budget` [bytes]. */
-  constructor(budget: number) {
-    this.bytesLeft = budget;
-  }
-
-  /** Evicts the least recently used samples beyond the budget, but keeps two. */
-  get(points: PointRecipe, k: number, make: typeof makePoints): Float32Array {
-    const id = this.ids.get(points) ?? ++this.lastId;
-    this.ids.set(points, id);
-    const key = `${make === makePoints ? 'points' : 'normals'} ${id} ${k}`;
-    const sample = this.samples.get(key) ?? make(points, k);
-    if (!this.samples.delete(key)) this.bytesLeft -= sample.byteLength;
-    this.samples.set(key, sample);
-    for (const [oldest, { byteLength }] of this.samples) {
-      if (this.bytesLeft >= 0 || this.samples.size <= 2) break;
-      this.samples.delete(oldest);
-      this.bytesLeft += byteLength;
-    }
-    return sample;
-  }
-}
-
-/** Default cache size per thread for the samples of all streamed meshes [bytes]. */
-const SAMPLE_MEMORY = 128 * 2 ** 20;
-let sampleCache = new SampleCache(SAMPLE_MEMORY);
-
-/** Sets the size of this thread's sample cache [bytes] and clears it. */
-export function setSampleCacheSize(bytes: number): void {
-  sampleCache = new SampleCache(bytes);
-}
-
-/** As `makePoints`, cached: do not write to it. */
-export const streamedPoints = (points: StreamedPoints, k: number): Float32Array =>
-  sampleCache.get(points, k, makePoints);
-
-/** As `makeNormals`, cached: do not write to it. */
-export const streamedNormals = (points: StreamedPoints, k: number): Float32Array =>
-  sampleCache.get(points, k, makeNormals);
-
 /** Applies a matrix without shear to all samples. New boxes bound the transformed old ones. */
 export function transformStreamedPoints(points: StreamedPoints, linear: Mat4): StreamedPoints {
   const { samples, statistics } = points;

@@ -6,13 +6,21 @@ import { msg } from '../../../messages/message.ts';
 import { boundingBox } from '../../../scene/bounds/bounds.ts';
 import { transformMesh } from '../../../scene/mesh/meshOps.ts';
 import { AdaptivePath, SamplingBudget } from '../../../scene/motion/adaptiveSampling.ts';
+import {
+  type JointPoses,
+  MATRIX,
+  makeBlendedNormals,
+  makeBlendedPoints,
+} from '../../../scene/streaming/blendedPoints.ts';
 import type { Mesh, Motion, Pose, SampledMotion, StaticMotion } from '../../../scene/types.ts';
 import { formatBytes } from '../../diagnostics/inputError.ts';
+import { blendedSkin, jointPoses } from '../../read/blendedSkin.ts';
 import { subsampleEvenly } from '../../read/subsample.ts';
 import type { GltfContext } from '../context.ts';
 import type { Deformer } from './deform.ts';
 import { type KeyTimes, keyTimesOf } from './keyTimes.ts';
 import type { AnimatedTransform, NodeTransform } from './nodes.ts';
+import { type BoundGeometry, deformingOutline } from './outline.ts';
 import type { Geometry } from './primitives.ts';
 
 /** Maximum error of linear pieces, relative to half the object's diagonal. */
@@ -22,23 +30,31 @@ const DEFORMING_TOLERANCE = 1e-3;
 const FRAME_TOLERANCE = 1e-4;
 /** Tolerance for a rotation matrix: files are single precision. */
 const RIGIDITY = 1e-5;
-/** Number of vertices that the sample times of a deforming mesh are chosen by. */
-const MAX_PROBED_POINTS = 256;
 /** Inside a piece a path is looked at here: in the middle and at two places that no periodic motion has in common. */
 const PATH_PROBES = [0.23, 0.5, 0.71];
 /** A piece between two keys is halved at most this many times. */
 const MAX_HALVINGS = 12;
 /** For the paths of all that moves together [curves, each at one time]: about half a second. */
 const MOTION_BUDGET = 2 ** 17;
+/** The same for all that bends: about two seconds. */
+const BLEND_BUDGET = 2 ** 22;
 /** Following so many points takes as long as one curve. */
 const POINTS_PER_CURVE = 8;
-/** Most bytes of baked points in a scene. */
-export const MAX_BAKED = 2 ** 30;
+/** Most bytes of joints in a scene. */
+export const MAX_BLENDED = 2 ** 28;
 
 /** A mesh with its motion, ready for a scene. */
 export interface BakedMesh {
   readonly mesh: Mesh;
   readonly motion: Motion;
+}
+
+/** Joints and weights of morph targets at the nodes of a time grid. */
+interface JointGrid {
+  /** At least one [s]. */
+  readonly times: Float64Array;
+  readonly poses: JointPoses;
+  readonly shapeWeights: Float64Array;
 }
 
 /** Bakes the objects of one scene, within one budget of memory. */
@@ -47,9 +63,15 @@ export class Baker {
   private readonly budget: number;
   private readonly stretches = new Map<Mesh, Map<string, Mesh>>();
   private readonly motionBudget = new SamplingBudget(MOTION_BUDGET);
+  private readonly blendBudget: SamplingBudget;
+  private readonly grids = new Map<string, JointGrid>();
   private left: number;
-  /** `budget`: most bytes of baked points. */
-  constructor(context: GltfContext, budget = MAX_BAKED) {
+  /** Grids that are still to be made. */
+  private bending: number;
+  /** `bending`: number of skins and of meshes that bend by themselves, which share the budgets; `budget`: most bytes of joints. */
+  constructor(context: GltfContext, bending: number, budget = MAX_BLENDED) {
+    this.blendBudget = new SamplingBudget(BLEND_BUDGET, bending);
+    this.bending = bending;
     this.context = context;
     this.budget = budget;
     this.left = budget;
@@ -57,7 +79,8 @@ export class Baker {
 
   /** Largest error of a baked path [m]; undefined where nothing was baked. */
   get pathError(): number | undefined {
-    return this.motionBudget.error;
+    const errors = [this.motionBudget.error, this.blendBudget.error].filter((error) => error !== undefined);
+    return errors.length > 0 ? Math.max(...errors) : undefined;
   }
 
   /** A mesh moved only by its node: rigid for rotation and translation, else deforming. */
@@ -76,21 +99,32 @@ export class Baker {
     return { mesh: this.placed(geometry.mesh, first).mesh, motion: rigidMotion(times, poses) };
   }
 
-  /** A deforming mesh: every vertex at every sample time. */
-  bakePoints(frame: AnimatedTransform, geometry: Geometry, deformer: Deformer): BakedMesh {
-    const knots = keyTimesOf(deformer.curves);
-    this.noteJumps(frame, knots);
-    const start = knots.times[0] ?? 0;
-    const times = this.pointTimes(frame, geometry, deformer, knots);
-    const shapes = times.map((t) => deformer.pointsAt(t));
-    const origin = centerOf(shapes[0] ?? deformer.pointsAt(start));
-    const relative = (shape: Float64Array): Float32Array => Float32Array.from(shape, (x, i) => x - origin[i % 3]);
-    const points = shapes.length > 0 ? shapes.map(relative) : [relative(deformer.pointsAt(start))];
-    const normals = (times.length > 0 ? times : [start]).map((t) => deformer.normalsAt(t));
-    const bent = { ...geometry.mesh, positions: points[0], normals: normals[0] };
-    const mesh = deformer.isMirroredAt(start) ? turnedRound(bent) : bent;
-    if (times.length < 2) return { mesh, motion: resting(origin) };
-    return { mesh, motion: { kind: 'sampled-points', times: Float64Array.from(times), origin, points, normals } };
+  /**
+   * A deforming mesh: its joints at the nodes of a time grid. `peersOf`: all meshes with the same joints, which share it.
+   */
+  bakePoints(
+    frame: AnimatedTransform,
+    geometry: Geometry,
+    deformer: Deformer,
+    peersOf: () => readonly BoundGeometry[] = () => [],
+  ): BakedMesh {
+    const { mesh, morphs: shapes, skin } = geometry;
+    const { times, poses, shapeWeights } = this.gridOf(frame, geometry, deformer, peersOf);
+    const origin = centerOf(deformer.pointsAt(times[0]));
+    const rest = { positions: mesh.positions, normals: mesh.normals };
+    const points = blendedSkin({
+      rest,
+      shapes,
+      shapeWeights,
+      poses,
+      origin,
+      binds: deformer.binds,
+      ...(skin && deformer.isSkinned && { skin }),
+    });
+    const bent = { ...mesh, positions: makeBlendedPoints(points, 0), normals: makeBlendedNormals(points, 0) };
+    const shown = deformer.isMirroredAt(times[0]) ? turnedRound(bent) : bent;
+    if (times.length < 2) return { mesh: shown, motion: resting(origin) };
+    return { mesh: shown, motion: { kind: 'sampled-points', times, origin, points } };
   }
 
   /** Motion of a camera or light; scale is ignored. */
@@ -137,12 +171,14 @@ export class Baker {
     knots: KeyTimes,
     shape: (t: number) => ArrayLike<number>,
     tolerance: number,
+    budget = this.motionBudget,
+    most = Number.POSITIVE_INFINITY,
   ): number[] {
     const cost = 1 + curves.length + shape(knots.times[0]).length / 3 / POINTS_PER_CURVE;
     const how = { tolerance, fractions: PATH_PROBES, maxHalvings: MAX_HALVINGS, ramps: knots.jumps };
     const refined = new AdaptivePath(Float64Array.from(knots.times), shape, how);
-    const { times, error, needed } = this.motionBudget.sample(refined, cost);
-    if (error > tolerance) {
+    const { times, error, needed } = budget.sample(refined, cost, most);
+    if (error > tolerance && times.length < most) {
       const message = msg`moves too wildly between its ${knots.times.length} keys to be followed: about ${needed.toPrecision(2)} samples would be needed, ${times.length} are used, and paths are off by up to ${error.toPrecision(2)} m; export more keys`;
       this.context.notes.add('warning', 'gltf.resampling', path, message, { off: error });
     }
@@ -155,30 +191,62 @@ export class Baker {
     this.context.notes.add('warning', 'gltf.jump', path, message);
   }
 
-  /** Sample times of a deforming mesh; with a larger tolerance, or every n-th, to fit in memory. */
-  private pointTimes(frame: AnimatedTransform, { mesh }: Geometry, deformer: Deformer, knots: KeyTimes): number[] {
-    if (knots.times.length === 0) return [];
-    const vertices = mesh.positions.length / 3;
-    const probes = Array.from({ length: Math.min(MAX_PROBED_POINTS, vertices) }, (_, i) =>
-      Math.floor((i * vertices) / Math.min(MAX_PROBED_POINTS, vertices)),
+  /** The grid that all meshes with the same joints share; others have one of their own. */
+  private gridOf(
+    frame: AnimatedTransform,
+    geometry: Geometry,
+    deformer: Deformer,
+    peersOf: () => readonly BoundGeometry[],
+  ): JointGrid {
+    const known = deformer.skeleton !== undefined && this.grids.get(deformer.skeleton);
+    if (known) return known;
+    const { binds, framesAt, weightsAt } = deformer;
+    const times = this.gridTimes(
+      frame,
+      geometry,
+      deformer,
+      deformer.skeleton === undefined ? [{ geometry, ...deformer }] : peersOf(),
     );
-    const shape = (t: number): Float64Array => deformer.pointsAt(t, probes);
-    const sampleBytes = vertices * 24;
-    const most = Math.max(2, Math.floor(this.left / Math.max(1, sampleBytes)));
-    const wanted = this.tolerance(DEFORMING_TOLERANCE) * radiusOf(shape(knots.times[0]));
-    let tolerance = wanted;
-    let times = this.followed({ path: frame.path, curves: deformer.curves }, knots, shape, tolerance);
-    while (times.length > Math.max(most, knots.times.length)) {
-      tolerance = tolerance > 0 ? tolerance * 4 : radiusOf(shape(knots.times[0])) * 1e-3 || 1;
-      times = this.followed({ path: frame.path, curves: deformer.curves }, knots, shape, tolerance);
-    }
-    if (times.length > most) times = [...subsampleEvenly(times, most)];
-    if (times.length < knots.times.length || tolerance > wanted) {
+    const poses = jointPoses(times.length, binds.length, (k, out) => {
+      for (const [j, matrix] of framesAt(times[k]).entries())
+        for (let i = 0; i < MATRIX; i++) out[MATRIX * j + i] = matrix[i];
+    });
+    const shapes = geometry.morphs.length;
+    const shapeWeights = new Float64Array(shapes * times.length);
+    if (shapes > 0)
+      times.forEach((t, k) => {
+        shapeWeights.set(weightsAt(t).slice(0, shapes), shapes * k);
+      });
+    const grid = { times, poses, shapeWeights };
+    if (deformer.skeleton !== undefined) this.grids.set(deformer.skeleton, grid);
+    return grid;
+  }
+
+  /** Nodes at which the joints are kept; every n-th, to fit in memory. */
+  private gridTimes(
+    frame: AnimatedTransform,
+    geometry: Geometry,
+    deformer: Deformer,
+    peers: readonly BoundGeometry[],
+  ): Float64Array {
+    const knots = keyTimesOf(deformer.curves);
+    this.noteJumps(frame, knots);
+    const [start = 0] = knots.times;
+    if (knots.times.length < 2) return Float64Array.of(start);
+    const nodeBytes = 8 * (MATRIX * (deformer.binds.length + 1) + geometry.morphs.length);
+    const most = Math.max(2, Math.floor(this.left / Math.max(1, this.bending--) / nodeBytes));
+    const outline = deformingOutline(geometry, deformer, peers);
+    const size = radiusOf(peers.flatMap((peer) => boxEnds(peer.pointsAt(start))));
+    const path = { path: frame.path, curves: deformer.curves };
+    const tolerance = this.tolerance(DEFORMING_TOLERANCE) * size;
+    const followed = this.followed(path, knots, outline, tolerance, this.blendBudget, most);
+    const times = subsampleEvenly(followed, most);
+    if (times.length >= most) {
       const message = msg`bends too much to hold in ${formatBytes(this.budget)}; it is sampled at ${times.length} times only`;
       this.context.notes.add('warning', 'gltf.coarse', frame.path, message);
     }
-    this.left -= times.length * sampleBytes;
-    return times;
+    this.left -= times.length * nodeBytes;
+    return Float64Array.from(times);
   }
 }
 
@@ -250,6 +318,12 @@ function radiusOf(points: ArrayLike<number>): number {
 function centerOf(points: ArrayLike<number>): Vec3 {
   const box = boundingBox(points);
   return box ? scale(add(box.min, box.max), 0.5) : ZERO;
+}
+
+/** Opposite corners of the box of points. */
+function boxEnds(points: ArrayLike<number>): number[] {
+  const box = boundingBox(points);
+  return box ? [...box.min, ...box.max] : [];
 }
 
 const resting = (position: Vec3): StaticMotion => ({ kind: 'static', pose: { position, orientation: [0, 0, 0, 1] } });

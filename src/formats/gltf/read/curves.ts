@@ -41,7 +41,9 @@ export function makeCurve(
   });
   const value = (key: number, part = 0): number[] => {
     const from = (isCubic ? key * 3 + part : key) * width;
-    return [...values.subarray(from, from + width)];
+    const out = new Array<number>(width);
+    for (let i = 0; i < width; i++) out[i] = values[from + i];
+    return out;
   };
   const between = isCubic ? cubic(value, isRotation) : linear(value, isRotation);
   const own = isCubic ? 1 : 0;

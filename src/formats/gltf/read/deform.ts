@@ -1,6 +1,6 @@
 import type { Node as GltfNode } from '@gltf-transform/core';
-import { cofactors, determinant, transform } from '../../../math/mat3.ts';
-import { linearPart, type Mat4, multiply } from '../../../math/mat4.ts';
+import { determinant } from '../../../math/mat3.ts';
+import { IDENTITY, linearPart, type Mat4, multiply } from '../../../math/mat4.ts';
 import { normalize } from '../../../math/vec3.ts';
 import { msg } from '../../../messages/message.ts';
 import { blendMatrices } from '../../read/skinning.ts';
@@ -10,14 +10,20 @@ import type { AnimationCurve } from './curves.ts';
 import type { AnimatedTransform, NodeTree } from './nodes.ts';
 import type { Geometry } from './primitives.ts';
 
-/** Deformation of one mesh at one node: its vertices in the world at any time [s]. */
+/** How one mesh at one node moves and bends: its joints and the weights of its morph targets at any time [s]. */
 export interface Deformer {
   /** All curves that affect it. */
   readonly curves: readonly AnimationCurve[];
+  /** From the rest shape to the axes of each joint; one for a mesh that follows its node. */
+  readonly binds: readonly Mat4[];
+  readonly isSkinned: boolean;
+  /** Names its joints, if nothing else moves it, so that it shares their times with other meshes. */
+  readonly skeleton?: string;
+  /** From the axes of each joint to the world. */
+  framesAt(t: number): readonly Mat4[];
+  weightsAt(t: number): readonly number[];
   /** World positions [m], 3 per vertex; of all vertices, or of those given. */
   pointsAt(t: number, vertices?: readonly number[]): Float64Array;
-  /** World normals, 3 per vertex. */
-  normalsAt(t: number): Float32Array;
   /** Whether the node's transform mirrors the mesh at a time. */
   isMirroredAt(t: number): boolean;
 }
@@ -40,15 +46,30 @@ export function makeDeformer(
   const weightsAt = (t: number): readonly number[] => weightsCurve?.at(t) ?? givenWeights(node);
   const movers = new Set(joints ? joints.flatMap((j) => tree.curvesAbove(j.node)) : frame.curves);
   // A skinned mesh follows its joints alone; its own node does not move it (glTF 2.0, 3.7.3.3).
-  const matricesAt = (t: number): Mat4[] =>
-    joints?.map((j) => multiply(tree.transformAt(j.node, t).matrix, j.inverseBind)) ?? [frame.transformAt(t).matrix];
+  const framesAt = (t: number): Mat4[] =>
+    joints?.map((j) => tree.transformAt(j.node, t).matrix) ?? [frame.transformAt(t).matrix];
+  const binds = joints?.map((j) => j.inverseBind) ?? [IDENTITY];
+  const matricesAt = (t: number): Mat4[] => framesAt(t).map((m, j) => multiply(m, binds[j]));
   return {
     curves: [...movers, ...(weightsCurve ? [weightsCurve] : [])],
-    pointsAt: (t, vertices) => points(geometry, matricesAt(t), weightsAt(t), vertices),
-    normalsAt: (t) => normals(geometry, matricesAt(t), weightsAt(t)),
+    binds,
+    isSkinned: joints !== undefined,
+    ...(joints && !weightsCurve && { skeleton: skeletonOf(tree, node) }),
+    framesAt,
+    weightsAt,
+    pointsAt: (t, vertices) =>
+      skinnedPoints(joints ? geometry : withoutSkin(geometry), matricesAt(t), weightsAt(t), vertices),
     isMirroredAt: (t) => determinant(linearPart(matricesAt(t)[0])) < 0,
   };
 }
+
+/** Names the joints of a node's skin: skins with the same joints move together. */
+export const skeletonOf = (tree: NodeTree, node: GltfNode): string =>
+  node
+    .getSkin()
+    ?.listJoints()
+    .map((joint) => tree.placeOf(joint))
+    .join(' ') ?? '';
 
 const givenWeights = (node: GltfNode): readonly number[] =>
   node.getWeights().length > 0 ? node.getWeights() : (node.getMesh()?.getWeights() ?? []);
@@ -88,7 +109,9 @@ function readJoints(context: GltfContext, tree: NodeTree, node: GltfNode, used: 
   return nodes.map((joint, j) => ({ node: joint, inverseBind: bind(j) }));
 }
 
-function points(
+const withoutSkin = ({ mesh, morphs }: Geometry): Geometry => ({ mesh, morphs });
+
+function skinnedPoints(
   { mesh, morphs, skin }: Geometry,
   matrices: readonly Mat4[],
   weights: readonly number[],
@@ -101,27 +124,9 @@ function points(
     const v = vertices ? vertices[i] : i;
     const m = at(v);
     const p = [mesh.positions[v * 3], mesh.positions[v * 3 + 1], mesh.positions[v * 3 + 2]];
-    addMorphs(p, morphs, 'positions', weights, v);
+    addMorphs(p, morphs, weights, v);
     for (let k = 0; k < 3; k++)
       out[i * 3 + k] = m[4 * k] * p[0] + m[4 * k + 1] * p[1] + m[4 * k + 2] * p[2] + m[4 * k + 3];
-  }
-  return out;
-}
-
-/** Normals are transformed by cofactor matrices, and negated by mirrors. */
-function normals(
-  { mesh, morphs, skin }: Geometry,
-  matrices: readonly Mat4[],
-  weights: readonly number[],
-): Float32Array {
-  const out = new Float32Array(mesh.normals.length);
-  const shared = skin ? undefined : normalMatrix(matrices[0]);
-  const at = matrixOfVertex(matrices, skin);
-  for (let v = 0; v < out.length / 3; v++) {
-    const m = shared ?? normalMatrix(at(v));
-    const n = [mesh.normals[v * 3], mesh.normals[v * 3 + 1], mesh.normals[v * 3 + 2]];
-    addMorphs(n, morphs, 'normals', weights, v);
-    out.set(normalize(transform(m, [n[0], n[1], n[2]]), [0, 0, 1]), v * 3);
   }
   return out;
 }
@@ -137,22 +142,11 @@ function matrixOfVertex(matrices: readonly Mat4[], skin: Geometry['skin']): (ver
   };
 }
 
-function normalMatrix(m: Mat4): readonly number[] {
-  const linear = linearPart(m);
-  return determinant(linear) < 0 ? cofactors(linear).map((x) => -x) : cofactors(linear);
-}
-
-function addMorphs(
-  target: number[],
-  morphs: Geometry['morphs'],
-  of: 'positions' | 'normals',
-  weights: readonly number[],
-  v: number,
-): void {
+function addMorphs(target: number[], morphs: Geometry['morphs'], weights: readonly number[], v: number): void {
   for (let m = 0; m < morphs.length; m++) {
     const weight = weights[m] ?? 0;
     if (weight === 0) continue;
-    const values = morphs[m][of];
-    for (let k = 0; k < 3; k++) target[k] += weight * values[v * 3 + k];
+    const { positions } = morphs[m];
+    for (let k = 0; k < 3; k++) target[k] += weight * positions[v * 3 + k];
   }
 }

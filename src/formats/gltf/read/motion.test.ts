@@ -3,7 +3,8 @@ import { find, GltfBuilder } from '../../../../tests/support/gltfBuilder.ts';
 import { fromAxisAngle } from '../../../math/quat.ts';
 import { distance, type Vec3 } from '../../../math/vec3.ts';
 import { inEnglish } from '../../../messages/message.ts';
-import { vertexPosition } from '../../../scene/motion/motion.ts';
+import { pointSamples, vertexPosition } from '../../../scene/motion/motion.ts';
+import { isBlended, normalsAt } from '../../../scene/streaming/samplePoints.ts';
 import type { SceneObject } from '../../../scene/types.ts';
 import { DiagnosticLog } from '../../diagnostics/diagnosticLog.ts';
 import { loadGltf } from '../load/loadGltf.ts';
@@ -179,8 +180,9 @@ describe('glTF motion', () => {
       return [2 + 2 * Math.cos(t), 7 + 2 * Math.sin(t), 0];
     };
     expect(worstError(object, truth, 0, 2)).toBeLessThan(1.05e-3 * 1.6);
-    const normals = object.motion.kind === 'sampled-points' ? object.motion.normals : undefined;
-    expect(normals?.every((n) => Math.abs(n[2] + 1) < 1e-6)).toBe(true);
+    const samples = pointSamples(object.motion)!;
+    for (const k of samples.times.keys()) expect(normalsAt(samples, k)![2]).toBeCloseTo(-1, 6);
+    expect(isBlended(samples.points)).toBe(true);
   });
 
   it('has fewer samples if memory is limited, which is reported', async () => {
@@ -197,18 +199,18 @@ describe('glTF motion', () => {
       const tree = new NodeTree(context, root.listAnimations()[0]);
       const [jelly] = root.listNodes();
       const geometry = readGeometry(context, root.listMeshes()[0], new GltfMaterialLibrary(context))!;
-      const baker = new Baker(context, budget);
+      const baker = new Baker(context, 1, budget);
       const frame = tree.frame(jelly);
       const { motion } = baker.bakeAffine(frame, geometry, makeDeformer(context, tree, jelly, frame, geometry));
       const times = motion.kind === 'sampled-points' ? [...motion.times] : [];
       return [times, notes.list().map((d) => d.code)];
     };
-    // 3 vertices with normals take 72 bytes per sample.
+    // One joint and the world's origin take 192 bytes per node.
     const [all, none] = await bake(1e6);
     expect([all.length > 40, none]).toEqual([true, []]);
-    const [some, coarse] = await bake(72 * 20);
+    const [some, coarse] = await bake(192 * 20);
     expect([some.length <= 20, some.includes(1), coarse]).toEqual([true, true, ['gltf.coarse']]);
-    expect(await bake(72 * 3)).toEqual([[0, 2, 3], ['gltf.coarse']]);
+    expect(await bake(192 * 3)).toEqual([[0, 2, 3], ['gltf.coarse']]);
   });
 
   it('a step becomes a short ramp, which is reported', async () => {

@@ -39,6 +39,9 @@ export interface AnimatedTransform {
 export class NodeTree {
   private readonly nodes = new Map<GltfNode, NodeTreeEntry>();
   private readonly names = new UniquePrimPaths();
+  /** The nodes' frames at the time that was last asked for. */
+  private readonly frames = new Map<NodeTreeEntry, NodeTransform>();
+  private time = Number.NaN;
   constructor(context: GltfContext, animation: Animation | undefined) {
     const all = context.document.getRoot().listNodes();
     const curves = animation
@@ -99,9 +102,20 @@ export class NodeTree {
   }
 
   transformAt(node: GltfNode, t: number): NodeTransform {
-    const chain: NodeTreeEntry[] = [];
-    for (let n: NodeTreeEntry | undefined = this.of(node); n; n = n.parent) chain.push(n);
-    return chain.reduceRight<NodeTransform>((above, n) => composeTransforms(above, localTransformAt(n, t)), WORLD);
+    if (t !== this.time) this.frames.clear();
+    this.time = t;
+    return this.entryTransform(this.of(node), t);
+  }
+
+  private entryTransform(entry: NodeTreeEntry, t: number): NodeTransform {
+    const known = this.frames.get(entry);
+    if (known) return known;
+    const own = localTransformAt(entry, t);
+    const world = entry.parent
+      ? composeTransforms(this.entryTransform(entry.parent, t), own)
+      : composeTransforms(WORLD, own);
+    this.frames.set(entry, world);
+    return world;
   }
 
   private of(node: GltfNode): NodeTreeEntry {

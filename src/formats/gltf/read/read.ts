@@ -25,11 +25,12 @@ import type { ReadOptions } from '../../readOptions.ts';
 import { type GltfContext, gltfError } from '../context.ts';
 import { loadGltf } from '../load/loadGltf.ts';
 import { Baker } from './bake.ts';
-import { makeDeformer, settleMorphs } from './deform.ts';
+import { makeDeformer, settleMorphs, skeletonOf } from './deform.ts';
 import { readInstances } from './instances.ts';
 import { lightSpectra } from './lightSpectra.ts';
 import { GltfMaterialLibrary } from './materials.ts';
 import { type AnimatedTransform, type NodeTransform, NodeTree } from './nodes.ts';
+import type { BoundGeometry } from './outline.ts';
 import { type Geometry, readGeometry } from './primitives.ts';
 import { variantSet } from './variants.ts';
 
@@ -129,6 +130,16 @@ function chooseAnimation(context: GltfContext): Animation | undefined {
   return all[place];
 }
 
+/** Number of sets of joints, and of meshes that bend by themselves. */
+function bendingThings({ document }: GltfContext, tree: NodeTree): number {
+  const nodes = document
+    .getRoot()
+    .listNodes()
+    .filter((node) => node.getMesh());
+  const skeletons = new Set(nodes.filter((node) => node.getSkin()).map((node) => skeletonOf(tree, node)));
+  return skeletons.size + nodes.filter((node) => tree.weightsCurve(node)).length;
+}
+
 /** Traverses the nodes of a scene and collects its contents. */
 class SceneBuilder {
   readonly objects: SceneObject[] = [];
@@ -144,7 +155,7 @@ class SceneBuilder {
   constructor(context: GltfContext, tree: NodeTree) {
     this.context = context;
     this.tree = tree;
-    this.baker = new Baker(context);
+    this.baker = new Baker(context, bendingThings(context, tree));
     this.library = new GltfMaterialLibrary(context);
   }
 
@@ -177,16 +188,33 @@ class SceneBuilder {
   private addMesh(node: GltfNode): void {
     const mesh = node.getMesh();
     if (!mesh) return;
-    if (!this.geometries.has(mesh)) this.geometries.set(mesh, readGeometry(this.context, mesh, this.library));
-    const shared = this.geometries.get(mesh);
-    if (!shared) return;
-    const geometry = this.tree.weightsCurve(node) ? shared : settleMorphs(node, shared);
+    const geometry = this.geometryOf(node, mesh);
+    if (!geometry) return;
     const instances = this.instances(node, geometry);
     if (!instances) this.addObject(node, geometry, this.tree.frame(node), this.pathOf(node, 'Mesh'));
     for (const [i, within] of (instances ?? []).entries()) {
       const path = this.tree.pathBelow(node, `Instance${i}`);
       this.addObject(node, geometry, this.tree.frame(node, within), path);
     }
+  }
+
+  /** The mesh of a node, with its morph targets settled where nothing moves them. */
+  private geometryOf(node: GltfNode, mesh: GltfMesh): Geometry | undefined {
+    if (!this.geometries.has(mesh)) this.geometries.set(mesh, readGeometry(this.context, mesh, this.library));
+    const shared = this.geometries.get(mesh);
+    return shared && !this.tree.weightsCurve(node) ? settleMorphs(node, shared) : shared;
+  }
+
+  /** All meshes that nothing but these joints moves. */
+  private peersOf(skeleton: string | undefined): BoundGeometry[] {
+    const nodes = this.context.document.getRoot().listNodes();
+    return nodes.flatMap((node) => {
+      const mesh = node.getSkin() && skeletonOf(this.tree, node) === skeleton ? node.getMesh() : null;
+      const geometry = mesh && this.geometryOf(node, mesh);
+      if (!geometry?.skin) return [];
+      const deformer = makeDeformer(this.context, this.tree, node, this.tree.frame(node), geometry);
+      return deformer.skeleton === skeleton ? [{ geometry, ...deformer }] : [];
+    });
   }
 
   private instances(node: GltfNode, { skin }: Geometry): NodeTransform[] | undefined {
@@ -203,7 +231,7 @@ class SceneBuilder {
     const deformer = makeDeformer(this.context, this.tree, node, frame, geometry);
     const bends = geometry.morphs.length > 0 || (geometry.skin && node.getSkin());
     const baked = bends
-      ? this.baker.bakePoints(frame, geometry, deformer)
+      ? this.baker.bakePoints(frame, geometry, deformer, () => this.peersOf(deformer.skeleton))
       : this.baker.bakeAffine(frame, geometry, deformer);
     const { positions } = baked.mesh;
     if (!this.counted.has(positions)) this.vertices += positions.length / 3;

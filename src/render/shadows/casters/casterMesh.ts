@@ -58,11 +58,13 @@ export function dividedBatch(drawCall: DrawCall, table: TriangleTable): CasterSo
   const parts = dividedTriangles(batch.arrays, (id) => radii.get(id) ?? 0);
   const first = parts && table.firstTriangle(batch);
   if (!parts || first === undefined) return wholeBatch(drawCall);
+  // Numbered as in the table, so that all batches share one shader.
+  for (let i = 0; i < parts.length; i += PART_FLOATS) parts[i] += first;
   const geometry = new BufferGeometry().setAttribute('position', new BufferAttribute(parts, PART_FLOATS));
   const vertex = (): VertexInput => {
     const { x: triangle, y: second, z: third } = attribute<'vec3'>('position', 'vec3');
     const weights = vec3(second.oneMinus().sub(third), second, third).toVar();
-    return table.interpolate(int(triangle).add(int(first)), weights, cornerSources(drawCall), float(0));
+    return table.interpolate(int(triangle), weights, cornerSources(drawCall), float(0));
   };
   return { batch, surface, geometry, vertex };
 }

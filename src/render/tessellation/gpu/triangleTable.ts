@@ -3,8 +3,7 @@ import { deforms } from '../../../scene/motion/motion.ts';
 import type { Bool, Float, Int, Vec3, Vec4 } from '../../../shaders/types.ts';
 import type { Batch, BatchArrays } from '../../geometry/batches.ts';
 import type { BatchSolid } from '../../geometry/batchSolids.ts';
-import { unpackNormal } from '../../geometry/pointSamples/pointStore.ts';
-import { instanceRecord, type PointReader, type VertexInput } from '../../geometry/vertexInput.ts';
+import { instanceRecord, type VertexInput } from '../../geometry/vertexInput.ts';
 import { FloatTable } from '../../gpu/floatTable.ts';
 
 /** Indices are stored as f32, which is exact up to this. */
@@ -100,7 +99,7 @@ export class TriangleTable {
       },
       object: ids.x,
       material: ids.y,
-      sampled: interpolatedPoints(blend, (k) => int(firstTexels[k].x)),
+      ofVertices: (read) => blend((k) => read(int(firstTexels[k].x))),
     };
   }
 
@@ -193,11 +192,6 @@ const texelsOf = ({ arrays, solids }: Batch): number =>
   SOLID_TEXELS * (solids?.size ?? 0) + texelsPerVertex(arrays) * (arrays.positions.length / 3);
 
 const texelsPerVertex = ({ colors }: BatchArrays): number => (colors ? 3 : 2);
-
-const interpolatedPoints = (blend: (corner: (k: number) => Vec3) => Vec3, vertex: (k: number) => Int): PointReader => ({
-  place: (points, first) => blend((k) => points.texel(first.add(vertex(k))).xyz),
-  normal: (points, first) => blend((k) => unpackNormal(points.texel(first.add(vertex(k))).w)),
-});
 
 /** The triangle's corners in the order of their positions. */
 function positionOrder({ indices, positions }: BatchArrays, i: number): number[] {

@@ -1,7 +1,8 @@
 import { distance } from '../../../math/vec3.ts';
 import { gamma } from '../../../physics/lorentz/boost.ts';
 import { pointSamples } from '../../../scene/motion/motion.ts';
-import { isStreamed } from '../../../scene/streaming/samplePoints.ts';
+import { isListed, isStreamed } from '../../../scene/streaming/samplePoints.ts';
+import type { SampledPointsMotion } from '../../../scene/types.ts';
 import type { Frustum } from '../../../scene/view/lens.ts';
 import type { MovingBody } from '../../geometry/bodies.ts';
 import { DRAWN } from '../criterion/projectedBody.ts';
@@ -157,12 +158,25 @@ export const fitsWorker = (parts: readonly PlannedPart[]): boolean => {
   const points = new Set(
     motions.flatMap((motion) => {
       const samples = pointSamples(motion);
-      return samples && !isStreamed(samples.points) ? [...samples.points, ...(samples.velocities ?? [])] : [];
+      return samples ? arraysOf(samples) : [];
     }),
   );
   const arrays = parts.flatMap(({ batch: { arrays } }) => [arrays.positions, arrays.indices, arrays.ids]);
   return [...points, ...arrays].reduce((sum, { byteLength }) => sum + byteLength, 0) <= MAX_SCENE_BYTES;
 };
+
+/** The arrays of its samples that are copied with it; those of a skin are shared by its meshes. */
+function arraysOf({ points, velocities = [] }: SampledPointsMotion): readonly (Float32Array | Float64Array)[] {
+  if (isStreamed(points)) return [];
+  if (isListed(points)) return [...points, ...velocities];
+  const { poses, weights, rest, shapes, shapeWeights } = points;
+  return [
+    poses.matrices,
+    weights,
+    shapeWeights,
+    ...[rest, ...shapes].flatMap((each) => [each.positions, each.normals]),
+  ];
+}
 
 /** Parts without the data that planning does not read. Shared objects stay shared, so samples used by two batches are copied once. */
 function withoutMeshes(parts: readonly PlannedPart[]): readonly PlannedPart[] {

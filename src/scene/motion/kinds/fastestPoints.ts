@@ -1,6 +1,8 @@
 import { withBend } from '../../../physics/worldLines/cubicPiece.ts';
+import { displacementBounds } from '../../streaming/blendedBounds.ts';
+import { type BlendedPoints, makeBlendedPoints } from '../../streaming/blendedPoints.ts';
 import { longestDisplacement } from '../../streaming/pointStatistics.ts';
-import { isStreamed } from '../../streaming/samplePoints.ts';
+import { isBlended, isStreamed } from '../../streaming/samplePoints.ts';
 import type { SampledPointsMotion } from '../../types.ts';
 import {
   bendFactor,
@@ -18,6 +20,7 @@ export const fastestOfPoints = (motion: SampledPointsMotion, c: number, atLeast:
   isCubic(motion) ? fastestCubic(motion, c, atLeast) : fastestPolyline(motion, atLeast);
 
 function fastestPolyline({ times, points }: SampledPointsMotion, atLeast: number): FastestVertex {
+  if (isBlended(points)) return fastestBlended(times, points, atLeast);
   let best: FastestVertex = { ...REST, speed: atLeast };
   for (let k = 0; k + 1 < times.length; k++) {
     const { length, vertex } = isStreamed(points)
@@ -25,6 +28,21 @@ function fastestPolyline({ times, points }: SampledPointsMotion, atLeast: number
       : longestDisplacement(points[k], points[k + 1]);
     const speed = length / (times[k + 1] - times[k]);
     if (speed > best.speed) best = { speed, vertex, from: times[k], to: times[k + 1] };
+  }
+  return best.from === REST.from ? REST : best;
+}
+
+/** Evaluates pieces in the order of their bounds, until no other can have a faster vertex. */
+function fastestBlended(times: Float64Array, points: BlendedPoints, atLeast: number): FastestVertex {
+  const bounds = displacementBounds(points).map((most, k) => most / (times[k + 1] - times[k]));
+  let best: FastestVertex = { ...REST, speed: atLeast };
+  const candidates = Array.from(bounds.keys()).filter((k) => bounds[k] > atLeast);
+  for (const k of candidates.sort((i, j) => bounds[j] - bounds[i])) {
+    if (bounds[k] < best.speed) break;
+    const { length, vertex } = longestDisplacement(makeBlendedPoints(points, k), makeBlendedPoints(points, k + 1));
+    const speed = length / (times[k + 1] - times[k]);
+    const isFirst = speed === best.speed && times[k] < best.from;
+    if (speed > best.speed || isFirst) best = { speed, vertex, from: times[k], to: times[k + 1] };
   }
   return best.from === REST.from ? REST : best;
 }

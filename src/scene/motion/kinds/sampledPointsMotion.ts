@@ -4,7 +4,8 @@ import { add, lerp, scale, type Vec3 } from '../../../math/vec3.ts';
 import { type Message, msg } from '../../../messages/message.ts';
 import { type BoundingBox, sampleBoundingBox } from '../../bounds/bounds.ts';
 import { transformPointsInPlace } from '../../mesh/transformPoints.ts';
-import { isStreamed, sampleCount } from '../../streaming/samplePoints.ts';
+import { transformBlendedPoints, translateBlendedPoints } from '../../streaming/blendedPoints.ts';
+import { isBlended, isStreamed, sampleCount } from '../../streaming/samplePoints.ts';
 import { transformStreamedPoints, translateStreamedPoints } from '../../streaming/streamedPoints.ts';
 import type { Diagnostic, SampledPointsMotion } from '../../types.ts';
 import { almostC, inUnitsOfC, problem, roundedUp, seconds, validateFastest } from '../../validation/motionFindings.ts';
@@ -32,6 +33,7 @@ const boxOfVertices = boundsOfVertices(vertexPlacer);
 
 function nonFiniteText({ times, points, velocities }: SampledPointsMotion): Message | undefined {
   const broken = (all: readonly Float32Array[]) => all.findIndex((numbers) => numbers.some((x) => !Number.isFinite(x)));
+  if (isBlended(points)) return undefined;
   const k = Math.max(isStreamed(points) ? points.statistics.firstNonFinite : broken(points), broken(velocities ?? []));
   return k < 0 ? undefined : msg`the points or velocities at ${seconds(times[k])} have a number that is not finite`;
 }
@@ -62,10 +64,15 @@ function transform(motion: SampledPointsMotion, by: SimilarityTransform): Sample
   return {
     ...motion,
     origin,
-    points: isStreamed(points) ? transformStreamedPoints(points, linear) : points.map((each) => carried(each, linear)),
+    points: transformedPoints(points, linear),
     ...(velocities && { velocities: velocities.map((each) => carried(each, linear)) }),
     ...(normals && { normals: normals.map((each) => carried(each, turn)) }),
   };
+}
+
+function transformedPoints(points: SampledPointsMotion['points'], linear: Mat4): SampledPointsMotion['points'] {
+  if (isStreamed(points)) return transformStreamedPoints(points, linear);
+  return isBlended(points) ? transformBlendedPoints(points, linear) : points.map((each) => carried(each, linear));
 }
 
 const carried = (vectors: Float32Array, linear: Mat4): Float32Array => transformPointsInPlace(vectors.slice(), linear);
@@ -90,6 +97,7 @@ function fly(motion: SampledPointsMotion, { velocity, at, range }: FlightPath): 
   const moves = (i: number): boolean => i >= before.length && i < before.length + times.length;
   const shifts = Float64Array.from(samples.flatMap((_, i) => scale(velocity, longer[i] - at)));
   if (isStreamed(points)) return { ...motion, times: longer, points: translateStreamedPoints(points, samples, shifts) };
+  if (isBlended(points)) return { ...motion, times: longer, points: translateBlendedPoints(points, samples, shifts) };
   const shifted = samples.map((k, i) => points[k].map((x, j) => x + shifts[3 * i + (j % 3)]));
   return {
     ...motion,
