@@ -1,6 +1,6 @@
 import { fromParts, IDENTITY, type Mat4 } from '../../math/mat4.ts';
 import type { Vec3 } from '../../math/vec3.ts';
-import { type BlendedPoints, type RestShape, type JointPoses, MATRIX } from '../../scene/streaming/blendedPoints.ts';
+import { type BlendedPoints, type JointPoses, MATRIX, type RestShape } from '../../scene/streaming/blendedPoints.ts';
 import type { SkinInfluences } from './skinning.ts';
 
 /** A mesh that follows joints, at the nodes of a time grid. */

@@ -4,7 +4,7 @@ import { properVelocity } from '../../../src/physics/lorentz/boost.ts';
 import type { SceneRenderer } from '../../../src/render/renderer.ts';
 import { makeMaterial, makeObject, makeScene } from '../../../src/scene/defaults.ts';
 import { withListedPoints } from '../../../src/scene/streaming/samplePoints.ts';
-import type { SampledPointsMotion, Scene } from '../../../src/scene/types.ts';
+import type { Scene } from '../../../src/scene/types.ts';
 import { perspective } from '../../../src/scene/view/lens.ts';
 import { DEFAULT_SETTINGS } from '../../../src/scene/view/view.ts';
 import { blendedArm } from '../../support/blendedArm.ts';
@@ -16,32 +16,19 @@ type SkinForm = 'joints' | 'points';
 
 const TIMES = Float64Array.from({ length: 80 }, (_, k) => 0.1 * k);
 
-/** One skin with blend shapes, and one without; light shines along them, so that they cast shadows on each other. */
+/** A skin with a blend shape, under light that makes it cast shadows on itself. */
 function skinScene(form: SkinForm): Scene {
-  const inForm = (motion: SampledPointsMotion) => (form === 'joints' ? motion : withListedPoints(motion));
-  const swelling = blendedArm(TIMES, [-0.5, 0, -5], 12);
-  const { mesh, motion } = blendedArm(TIMES, [0.6, 0, -5.5], 12);
-  const stiff = {
-    ...motion,
-    points: { ...motion.points, shapes: [], shapeWeights: new Float64Array(0), boxes: boxesOf(motion.points.boxes) },
-  };
+  const { mesh, motion } = blendedArm(TIMES, [-0.1, 0, -5], 12);
+  const skin = form === 'joints' ? motion : withListedPoints(motion);
   return makeScene({
     name: form,
     materials: [makeMaterial({ name: 'skin', baseColor: [0.8, 0.5, 0.3] })],
-    objects: [
-      makeObject({ path: '/Swelling', mesh: swelling.mesh, motion: inForm(swelling.motion) }),
-      makeObject({ path: '/Stiff', mesh, motion: inForm(stiff) }),
-    ],
+    objects: [makeObject({ path: '/Skin', mesh, motion: skin })],
     lights: [{ kind: 'distant', path: '/Sun', direction: [-0.8, -0.2, -0.5], color: [2, 2, 2] }],
   });
 }
 
-/** Of two joints with one blend shape, without that. */
-const boxesOf = (boxes: Float64Array): Float64Array =>
-  Float64Array.from([...boxes.subarray(0, 6), ...boxes.subarray(12, 18)]);
-
 const VIEWS = [
-  { t: 6, beta: [0, 0, 0] as Vec3, view: 'light-cone' },
   { t: 9, beta: [0.2, 0, 0.5] as Vec3, view: 'light-cone' },
   { t: 4, beta: [0.3, 0.1, 0.3] as Vec3, view: 'simultaneity' },
 ] as const;
