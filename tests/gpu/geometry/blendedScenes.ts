@@ -28,9 +28,10 @@ function skinScene(form: SkinForm): Scene {
   });
 }
 
+/** When the blend shape has about its greatest weight. */
 const VIEWS = [
-  { t: 9, beta: [0.2, 0, 0.5] as Vec3, view: 'light-cone' },
-  { t: 4, beta: [0.3, 0.1, 0.3] as Vec3, view: 'simultaneity' },
+  { t: 6, beta: [0.2, 0, 0.5] as Vec3, view: 'light-cone' },
+  { t: 5.2, beta: [0.3, 0.1, 0.3] as Vec3, view: 'simultaneity' },
 ] as const;
 
 /** By form and view: positions, emission times, normals, and the picture. */
