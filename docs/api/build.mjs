@@ -37,6 +37,7 @@ const app = await Application.bootstrap({
     'RangedFile',
     'RenderStill',
     'SettingValue',
+    'BlendedPoints',
     'StreamedPoints',
     'VIEW_LIST',
     'graphShape',

@@ -146,17 +146,30 @@ function nonFiniteVertices(points: BlendedPoints): Uint8Array | undefined {
 }
 
 /** Whether what follows a joint is finite, and not too far away, at all nodes. */
-function isFollowable(points: BlendedPoints, joint: number): boolean {
-  const { poses, joints, boxes, shapes, shapeWeights } = points;
-  let most = 0;
-  for (let at = MATRIX * joints[joint]; at < poses.matrices.length; at += MATRIX * poses.joints)
-    for (let i = 0; i < MATRIX; i++) most = Math.max(most, Math.abs(poses.matrices[at + i]));
+function isFollowable({ poses, joints, binds, boxes, shapes, shapeWeights }: BlendedPoints, joint: number): boolean {
   let weight = 1;
   for (let i = 0; i < shapeWeights.length; i++) weight = Math.max(weight, Math.abs(shapeWeights[i]));
   const own = boxes.subarray(6 * joint * (1 + shapes.length), 6 * (joint + 1) * (1 + shapes.length));
   const reach = own.reduce((sum, x) => sum + Math.abs(x), 0);
-  const bind = points.binds.subarray(MATRIX * joint, MATRIX * (joint + 1)).reduce((sum, x) => sum + Math.abs(x), 0);
-  return most * (1 + bind * (1 + weight * reach)) < MAX_COORDINATE;
+  const bind = binds.subarray(MATRIX * joint, MATRIX * (joint + 1)).reduce((sum, x) => sum + Math.abs(x), 0);
+  return largestNumbers(poses)[joints[joint]] * (1 + bind * (1 + weight * reach)) < MAX_COORDINATE;
+}
+
+const LARGEST = new WeakMap<JointPoses, Float64Array>();
+
+/** By joint, the largest absolute number of its frames; NaN if one is not a number. */
+function largestNumbers(poses: JointPoses): Float64Array {
+  const known = LARGEST.get(poses);
+  if (known) return known;
+  const { matrices, joints } = poses;
+  const largest = new Float64Array(joints);
+  for (let i = 0, joint = 0; i < matrices.length; i += MATRIX, joint = (joint + 1) % joints)
+    for (let k = i; k < i + MATRIX; k++) {
+      const size = Math.abs(matrices[k]);
+      if (size > largest[joint] || Number.isNaN(size)) largest[joint] = size;
+    }
+  LARGEST.set(poses, largest);
+  return largest;
 }
 
 /** With these vertices at the world's origin, whatever their joints do. */

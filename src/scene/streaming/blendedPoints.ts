@@ -10,7 +10,9 @@ export interface JointPoses {
 
 /** Places and normals of all vertices at rest, 3 numbers each [m]; of a blend shape, their displacements at weight 1. */
 export interface RestShape {
+  /** 3 per vertex [m]. */
   readonly positions: Float32Array;
+  /** 3 per vertex. */
   readonly normals: Float32Array;
 }
 
@@ -33,10 +35,13 @@ export interface BlendedPoints {
   readonly binds: Float64Array;
   /** Vertex v has the influences from `first[v]` up to `first[v + 1]`. */
   readonly first: Uint32Array;
-  /** By influence: index into `joints`, and weight; the weights of a vertex add up to 1. */
+  /** By influence: index into `joints`. The weights of a vertex add up to 1. */
   readonly influences: Uint16Array;
+  /** By influence: its weight. */
   readonly weights: Float32Array;
+  /** Vertices at rest. */
   readonly rest: RestShape;
+  /** Blend shapes. */
   readonly shapes: readonly RestShape[];
   /** By node: a weight for each shape. */
   readonly shapeWeights: Float64Array;

@@ -25,6 +25,7 @@ export function makeCurve(
   const values = Float64Array.from(floatsOf(sampler.getOutput()!));
   const kind = sampler.getInterpolation();
   const isCubic = kind === 'CUBICSPLINE';
+  if (isRotation && !isCubic) normalizeQuats(values);
   const needed = times.length * width * (isCubic ? 3 : 1);
   if (times.length === 0 || values.length < needed) {
     const message = msg`${values.length} values for ${times.length} keys, ${needed} are needed; export it again`;
@@ -58,6 +59,11 @@ export function makeCurve(
   return { times, jumps: jumpsOf(times, kind === 'STEP', (key) => tidy(value(key, own))), at };
 }
 
+function normalizeQuats(values: Float64Array): void {
+  for (let i = 0; i + 3 < values.length; i += 4)
+    values.set(normalizeQuat([values[i], values[i + 1], values[i + 2], values[i + 3]]), i);
+}
+
 const asQuat = (v: readonly number[]): Quat => [v[0], v[1], v[2], v[3]];
 
 /** The last key at or before `t`; −1 before the first. */
@@ -88,7 +94,7 @@ type KeyValue = (key: number, part?: number) => number[];
 const linear = (value: KeyValue, isRotation: boolean): KeyInterpolation => {
   return (key, s) => {
     const [a, b] = [value(key), value(key + 1)];
-    if (isRotation) return [...slerp(normalizeQuat(asQuat(a)), normalizeQuat(asQuat(b)), s)];
+    if (isRotation) return slerp(asQuat(a), asQuat(b), s) as unknown as number[];
     return a.map((x, i) => x + (b[i] - x) * s);
   };
 };

@@ -1,7 +1,6 @@
 import type { Animation, Node as GltfNode } from '@gltf-transform/core';
-import { decomposeRigid, fromParts, IDENTITY, type Mat4, multiply } from '../../../math/mat4.ts';
+import { decomposeRigid, IDENTITY, type Mat4, multiply } from '../../../math/mat4.ts';
 import { multiply as after, normalizeQuat, type Quat, toMatrix } from '../../../math/quat.ts';
-import type { Vec3 } from '../../../math/vec3.ts';
 import { msg } from '../../../messages/message.ts';
 import { UniquePrimPaths } from '../../read/primPaths.ts';
 import { type GltfContext, gltfError } from '../context.ts';
@@ -14,10 +13,17 @@ interface NodeTreeEntry {
   readonly place: number;
   readonly source: GltfNode;
   readonly parent: NodeTreeEntry | undefined;
-  /** The authored matrix, which may shear, unlike translation, rotation and scale. */
-  readonly matrix: Mat4 | undefined;
   readonly curves: Readonly<Partial<Record<AnimatedProperty, AnimationCurve>>>;
+  /** In its parent, as far as no curve moves it. */
+  readonly rest: RestTransform;
   readonly path: string;
+}
+
+/** A transform with the parts that animation replaces, which cannot shear as a matrix can. */
+interface RestTransform extends NodeTransform {
+  readonly translation: readonly number[];
+  readonly turn: Quat;
+  readonly scale: readonly number[];
 }
 
 /** A frame at a time: its matrix to the world, and the product of the rotations alone. */
@@ -53,7 +59,8 @@ export class NodeTree {
       const written = context.json.nodes?.[place].matrix;
       const path = this.names.of(parent?.path ?? '', source.getName() || `Node${place}`);
       const own = curves.get(source) ?? {};
-      const node = { place, source, parent, matrix: written && rowMajor(written), curves: own, path };
+      const rest = restTransform(source, written && rowMajor(written));
+      const node = { place, source, parent, curves: own, rest, path };
       this.nodes.set(source, node);
       for (const child of source.listChildren()) build(child, node);
     };
@@ -130,15 +137,44 @@ const composeTransforms = (above: NodeTransform, own: NodeTransform): NodeTransf
   rotation: after(above.rotation, own.rotation),
 });
 
-function localTransformAt({ source, matrix, curves }: NodeTreeEntry, t: number): NodeTransform {
-  const isMoved = curves.translation ?? curves.rotation ?? curves.scale;
-  if (matrix && !isMoved) return { matrix, rotation: decomposeRigid(matrix).pose.orientation };
-  const [x, y, z] = curves.translation?.at(t) ?? source.getTranslation();
-  const [qx, qy, qz, qw] = curves.rotation?.at(t) ?? source.getRotation();
-  const s = curves.scale?.at(t) ?? source.getScale();
-  const rotation = normalizeQuat([qx, qy, qz, qw]);
-  const linear = toMatrix(rotation).map((value, i) => value * s[i % 3]);
-  return { matrix: fromParts(linear, [x, y, z] as Vec3), rotation };
+function localTransformAt({ rest, curves }: NodeTreeEntry, t: number): NodeTransform {
+  if (!curves.translation && !curves.rotation && !curves.scale) return rest;
+  const rotation = (curves.rotation?.at(t) as Quat | undefined) ?? rest.turn;
+  const translation = curves.translation?.at(t) ?? rest.translation;
+  const scale = curves.scale?.at(t) ?? rest.scale;
+  return { matrix: matrixOf(translation, rotation, scale), rotation };
+}
+
+/** `matrix`: the authored one. */
+function restTransform(source: GltfNode, matrix: Mat4 | undefined): RestTransform {
+  const [translation, scale] = [source.getTranslation(), source.getScale()];
+  const [x, y, z, w] = source.getRotation();
+  const turn = normalizeQuat([x, y, z, w]);
+  const parts = { translation, turn, scale };
+  if (!matrix) return { matrix: matrixOf(translation, turn, scale), rotation: turn, ...parts };
+  return { matrix, rotation: decomposeRigid(matrix).pose.orientation, ...parts };
+}
+
+function matrixOf(position: readonly number[], rotation: Quat, scale: readonly number[]): Mat4 {
+  const [p, r, s] = [position, toMatrix(rotation), scale];
+  return [
+    r[0] * s[0],
+    r[1] * s[1],
+    r[2] * s[2],
+    p[0],
+    r[3] * s[0],
+    r[4] * s[1],
+    r[5] * s[2],
+    p[1],
+    r[6] * s[0],
+    r[7] * s[1],
+    r[8] * s[2],
+    p[2],
+    0,
+    0,
+    0,
+    1,
+  ];
 }
 
 /** glTF matrices are column-major. */
