@@ -114,6 +114,7 @@ export interface DomeBlackbody {
   readonly channel: number;
   /** Linear sRGB factor. */
   readonly color: Vec3;
+  /** Its temperature. */
   readonly spectrum: ThermalSpectrum;
 }
 

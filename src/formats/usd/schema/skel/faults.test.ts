@@ -153,6 +153,13 @@ describe('blend shapes', () => {
     expect(vertexPosition(object, 5, 0.5, 3e8)).toEqual([1.5, 0.5, 0]);
   });
 
+  it('deform a mesh whose skeleton has no joints', async () => {
+    const scene = await read(arm({ mesh: '', joints: '[]', bind: '[]', rest: '[]', animation: weights, inner: shape }));
+    expect(said(scene)).toEqual([]);
+    // As UsdSkel bakes it.
+    expect(vertexPosition(scene.objects[0], 4, 0.5, 3e8)).toEqual([2, 0, 1]);
+  });
+
   it.each([
     ['offsets = [(0, 0, 2)]', 'offsets = [(0, 0, 2), (0, 0, 1)]', 'offsets has 2 offsets where 1 are needed'],
     ['offsets = [(0, 0, 2)]', 'offsets = [(0, nan, 2)]', 'offsets holds what is no finite number'],

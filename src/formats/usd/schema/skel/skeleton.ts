@@ -84,17 +84,19 @@ export function readSkeleton(context: StageContext, prim: PrimSpec): Skeleton | 
     return undefined;
   };
   const joints = tokensAt(prim, 'joints', undefined) ?? [];
-  if (joints.length === 0) return fail(msg`joints is empty`);
+  const source = animationPrim(context, prim);
+  // A skeleton without joints may bring the weights of blend shapes.
+  const hasShapes = source !== undefined && (tokensAt(source, 'blendShapes', undefined) ?? []).length > 0;
+  if (joints.length === 0 && !hasShapes) return fail(msg`joints is empty`);
   const tree = treeOf(joints);
   if ('template' in tree) return fail(tree);
-  const binds = numbersAt(prim, 'bindTransforms', undefined);
+  const binds = joints.length > 0 ? numbersAt(prim, 'bindTransforms', undefined) : NO_MATRICES;
   if (binds?.length !== 16 * joints.length)
     return fail(msg`bindTransforms has ${(binds?.length ?? 0) / 16} matrices for ${joints.length} joints`);
   const unbind = inverses(binds);
   if (typeof unbind === 'number') return fail(msg`bindTransforms[${unbind}] has no inverse`);
-  const rests = numbersAt(prim, 'restTransforms', undefined);
+  const rests = joints.length > 0 ? numbersAt(prim, 'restTransforms', undefined) : NO_MATRICES;
   const rest = rests?.length === 16 * joints.length && rests.every(Number.isFinite) ? columnMatrices(rests) : undefined;
-  const source = animationPrim(context, prim);
   const animation = source && jointAnimationOf(context, source, joints);
   if (!rest && !animation?.isWhole)
     return fail(
@@ -106,6 +108,8 @@ export function readSkeleton(context: StageContext, prim: PrimSpec): Skeleton | 
     inverseBind: unbind,
   });
 }
+
+const NO_MATRICES = new Float64Array(0);
 
 /** A joint's parent is the nearest path above it that is a joint. */
 function treeOf(joints: readonly string[]): JointTree | Message {
