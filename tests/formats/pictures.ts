@@ -1,4 +1,5 @@
 import { encodePng } from '../../src/formats/image/encodePng.ts';
+import { writeExr } from '../../src/formats/image/exr.ts';
 
 /** A picture of one red pixel. */
 export const PIXEL: Uint8Array = encodePng(1, 1, Uint8Array.of(255, 0, 0, 255));
@@ -17,3 +18,10 @@ export const PINK_WEBP: Uint8Array = Uint8Array.from(
   atob('UklGRjgAAABXRUJQVlA4ICwAAABwAQCdASoQABAAAMASJaACdAGIQAD+771RV6vMq//Qof/+hQ//9Ch/88IAAA=='),
   (letter) => letter.charCodeAt(0),
 );
+
+/** A pixel of OpenEXR, half as bright as white. */
+export const GRAY_EXR: Uint8Array = writeExr({
+  width: 1,
+  height: 1,
+  channels: ['R', 'G', 'B'].map((name) => ({ name, type: 'half', data: Float32Array.of(0.5) })),
+});

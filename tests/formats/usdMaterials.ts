@@ -4,7 +4,7 @@ import { toHalf } from '../../src/math/half.ts';
 import { inEnglish } from '../../src/messages/message.ts';
 import type { Material, Scene } from '../../src/scene/types.ts';
 import { approximated, type ClaimGroup, type Files, leftOut, read } from './claim.ts';
-import { PIXEL, WEBP } from './pictures.ts';
+import { GRAY_EXR, PIXEL, WEBP } from './pictures.ts';
 import { def, FACE, material, usd } from './usdKit.ts';
 
 /** A square bound to the material `/M`. */
@@ -316,8 +316,21 @@ const materials: ClaimGroup = {
       wears(DIFFUSE, texture('T')),
       (s) => expect(s.diagnostics[0].missing?.name).toBe('./a.png'),
     ),
+    read(
+      'a picture as OpenEXR or Radiance',
+      'linear, where no colour space is written; what is beyond 0 … 1 is cut',
+      [
+        { ...wears(DIFFUSE, texture('T')), 'a.png': GRAY_EXR },
+        { ...wears(DIFFUSE, texture('T', 'token inputs:sourceColorSpace = "raw"')), 'a.png': GRAY_EXR },
+      ],
+      (s) => {
+        // 0.5, and 0.7354 encoded.
+        const { data, colorSpace } = base(s).baseColorTexture!;
+        expect([colorSpace, data[0]]).toEqual(colorSpace === 'srgb' ? ['srgb', 188] : ['linear', 128]);
+      },
+    ),
     leftOut(
-      'a picture that is damaged, too large, or neither PNG nor JPEG',
+      'a picture that is damaged, too large, or of another format',
       'reported with what it is',
       'file.unreadable-texture',
       { ...wears(DIFFUSE, texture('T')), 'a.png': WEBP },

@@ -1,4 +1,5 @@
 import { type DecodedImage, decodeImage, looksLikeColor } from '../../../image/decodeImage.ts';
+import { decodeFloatPicture } from '../../../image/floatPicture.ts';
 import { decodeRadiance } from '../../../image/radiance.ts';
 import type { DecodedRadiance } from '../../../image/radianceLimits.ts';
 import type { AssetFiles } from '../../assets/assetFiles.ts';
@@ -9,6 +10,8 @@ export interface LoadedImage extends DecodedImage {
   /** sRGB colour data rather than linear numbers, by its content. */
   readonly looksLikeColor: boolean;
   readonly tiles?: readonly [columns: number, rows: number];
+  /** Of a picture of linear light: its pixels without the sRGB curve. */
+  readonly numbers?: Uint8Array;
 }
 
 /** An asset path, and the layer that it is relative to. */
@@ -24,7 +27,10 @@ export async function readImage(files: AssetFiles, { asset, anchor }: TextureFil
     return tiles.length > 0 ? { ...atlasOf(tiles), looksLikeColor: looksLikeColor(tiles[0].bytes) } : undefined;
   }
   const found = await files.findBytes(anchor, asset);
-  return found && { ...decodeImage(found.bytes, found.id), looksLikeColor: looksLikeColor(found.bytes) };
+  if (!found) return undefined;
+  const light = decodeFloatPicture(found.bytes, found.id);
+  if (light) return { ...light, looksLikeColor: true };
+  return { ...decodeImage(found.bytes, found.id), looksLikeColor: looksLikeColor(found.bytes) };
 }
 
 /** The same for pictures of radiance; undefined if the file is of another format. */

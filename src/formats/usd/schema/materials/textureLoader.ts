@@ -27,7 +27,13 @@ export class TextureLoader {
       report(this.context, 'warning', 'usd.texture', shader.path, msg`the texture names no file`);
       return undefined;
     }
-    return this.file(input.value, shader.path);
+    const picture = await this.file(input.value, shader.path);
+    const written = textOf(
+      resolveInput(this.context.layer, shader, 'inputs:sourceColorSpace', this.context.startCode).value,
+    );
+    return picture?.numbers && (written === 'raw' || written === 'sRGB')
+      ? { ...picture, data: picture.numbers, looksLikeColor: false }
+      : picture;
   }
 
   /** The texture of an asset value. */

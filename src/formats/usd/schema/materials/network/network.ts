@@ -186,7 +186,8 @@ export class ShadingNetwork {
     }
     const written = isPreview ? usdColorSpace(this.text(prim, 'sourceColorSpace')) : undefined;
     const auto = picture.looksLikeColor ? 'srgb_texture' : 'lin_rec709';
-    const space = isColor || isPreview ? (written ?? file.colorSpace ?? auto) : 'raw';
+    const named = isColor || isPreview ? (written ?? file.colorSpace) : 'raw';
+    const space = named ?? auto;
     if (!isColorSpace(space))
       this.tell('mtlx.node', prim, msg`its colour space '${space}' is not known; it is taken as linear`);
     const placed = await this.pictureUv(prim, kind, numbers);
@@ -201,7 +202,8 @@ export class ShadingNetwork {
       wrapT: picture.tiles ? 'clamp' : wrapOf(this.text(prim, wrapT)),
       filter: this.text(prim, 'filtertype') === 'closest' ? 'nearest' : 'linear',
     } as const;
-    const looked = lookedUp(picture, textOf(file.value)!, space, grid);
+    const texels = picture.numbers && named !== undefined ? { ...picture, data: picture.numbers } : picture;
+    const looked = lookedUp(texels, textOf(file.value)!, space, grid);
     const one = picked(looked, wanted);
     if (isPreview) {
       const [scale, bias] = [(await numbers('scale')) ?? [1, 1, 1, 1], (await numbers('bias')) ?? [0, 0, 0, 0]];
