@@ -6,7 +6,7 @@ import { INVISIBLE_BANDS, REFLECTANCE_ATTRIBUTE, SPECTRAL_ATTRIBUTES } from '../
 import { formatSpectrum } from '../../attributes/spectrumAttribute.ts';
 import { writeSpectrumCsv } from '../../attributes/spectrumCsv.ts';
 import { encodeTexture } from '../../image/encodeTexture.ts';
-import { encodeRadiance } from '../../image/radiance.ts';
+import { encodeRadiance } from '../../image/radiance/radiance.ts';
 import type { AttributeSpec, Value } from '../layer/layer.ts';
 import { pictureOf, spectrumOf } from './lights/lights.ts';
 import { isSpecularWorkflow } from './losses.ts';

@@ -1,7 +1,7 @@
 import { type DecodedImage, decodeImage, looksLikeColor } from '../../../image/decodeImage.ts';
-import { decodeFloatPicture } from '../../../image/floatPicture.ts';
-import { decodeRadiance } from '../../../image/radiance.ts';
-import type { DecodedRadiance } from '../../../image/radianceLimits.ts';
+import { decodeFloatPicture } from '../../../image/radiance/floatPicture.ts';
+import { decodeRadiance } from '../../../image/radiance/radiance.ts';
+import type { DecodedRadiance } from '../../../image/radiance/radianceLimits.ts';
 import type { AssetFiles } from '../../assets/assetFiles.ts';
 import { atlasOf, readTiles } from './udim.ts';
 

@@ -1,5 +1,5 @@
 import { expect, it } from 'vitest';
-import { writeExr } from './exr.ts';
+import { writeExr } from '../exr.ts';
 import { decodeFloatPicture } from './floatPicture.ts';
 
 const exr = (channels: Readonly<Record<string, readonly number[]>>): Uint8Array =>

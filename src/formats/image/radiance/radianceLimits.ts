@@ -1,6 +1,6 @@
-import { toHalf } from '../../math/half.ts';
-import { msg } from '../../messages/message.ts';
-import { inputError } from '../diagnostics/inputError.ts';
+import { toHalf } from '../../../math/half.ts';
+import { msg } from '../../../messages/message.ts';
+import { inputError } from '../../diagnostics/inputError.ts';
 
 /** A picture of radiance: RGBA halves of linear sRGB, alpha 1, rows from the top. */
 export interface DecodedRadiance {

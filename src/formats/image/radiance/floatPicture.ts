@@ -1,10 +1,10 @@
-import { fromHalf } from '../../math/half.ts';
-import { listed, msg } from '../../messages/message.ts';
-import { encodeSrgb } from '../../spectrum/display/srgb.ts';
-import { inputError } from '../diagnostics/inputError.ts';
-import { type DecodedImage, imageKind } from './decodeImage.ts';
+import { fromHalf } from '../../../math/half.ts';
+import { listed, msg } from '../../../messages/message.ts';
+import { encodeSrgb } from '../../../spectrum/display/srgb.ts';
+import { inputError } from '../../diagnostics/inputError.ts';
+import { type DecodedImage, imageKind } from '../decodeImage.ts';
+import { readExr } from '../readExr.ts';
 import { checkRadianceSize } from './radianceLimits.ts';
-import { readExr } from './readExr.ts';
 import { readHdr } from './readHdr.ts';
 
 /** A picture of linear light as a texture has it; what is beyond 0 … 1 is cut. */

@@ -1,10 +1,10 @@
-import { fromHalf, toHalf } from '../../math/half.ts';
-import { listed, msg } from '../../messages/message.ts';
-import { inputError } from '../diagnostics/inputError.ts';
-import { imageKind } from './decodeImage.ts';
-import { type ExrChannel, type ExrImage, writeExr } from './exr.ts';
+import { fromHalf, toHalf } from '../../../math/half.ts';
+import { listed, msg } from '../../../messages/message.ts';
+import { inputError } from '../../diagnostics/inputError.ts';
+import { imageKind } from '../decodeImage.ts';
+import { type ExrChannel, type ExrImage, writeExr } from '../exr.ts';
+import { readExr } from '../readExr.ts';
 import { checkRadianceSize, type DecodedRadiance, storeRadiance } from './radianceLimits.ts';
-import { readExr } from './readExr.ts';
 import { readHdr } from './readHdr.ts';
 
 /** A Radiance or OpenEXR picture by its content; undefined where it is neither. Throws an InputError that names `name` where it cannot be read. */

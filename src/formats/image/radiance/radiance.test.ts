@@ -1,8 +1,8 @@
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
-import { fromHalf } from '../../math/half.ts';
-import { InputError } from '../../scene/types.ts';
-import { writeExr } from './exr.ts';
+import { fromHalf } from '../../../math/half.ts';
+import { InputError } from '../../../scene/types.ts';
+import { writeExr } from '../exr.ts';
 import { decodeRadiance, encodeRadiance } from './radiance.ts';
 
 const header = (size: string, lines: readonly string[] = ['FORMAT=32-bit_rle_rgbe']): number[] => [

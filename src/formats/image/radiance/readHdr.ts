@@ -1,8 +1,8 @@
-import { toHalf } from '../../math/half.ts';
-import { msg } from '../../messages/message.ts';
-import { MessageError, messageOf } from '../../messages/messageError.ts';
-import { InputError } from '../../scene/types.ts';
-import { inputError } from '../diagnostics/inputError.ts';
+import { toHalf } from '../../../math/half.ts';
+import { msg } from '../../../messages/message.ts';
+import { MessageError, messageOf } from '../../../messages/messageError.ts';
+import { InputError } from '../../../scene/types.ts';
+import { inputError } from '../../diagnostics/inputError.ts';
 import { checkRadianceSize, type DecodedRadiance, storeRadiance } from './radianceLimits.ts';
 
 /** One byte of a run of the old kind stands for so many pixels at most; of the new kind for fewer. */
