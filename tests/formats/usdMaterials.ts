@@ -182,7 +182,7 @@ const materials: ClaimGroup = {
     ),
     read(
       '`ND_*` shaders in documents and layers: `standard_surface`, `open_pbr_surface`, `gltf_pbr`, `UsdPreviewSurface`, `disney_principled`, `surface_unlit`',
-      'base colour (weighted), metalness, roughness, ior, strength and colour of reflection, coat, transmission with volume and dispersion, emission, opacity, normal, occlusion',
+      'base colour (weighted), metalness, roughness, ior, strength and colour of reflection, coat, transmission with volume and dispersion, thin films, emission, opacity, normal, occlusion',
       usd(
         worn(
           material(
@@ -223,7 +223,7 @@ const materials: ClaimGroup = {
       red,
     ),
     approximated(
-      'subsurface, sheen, thin film, anisotropy, scattering inside, tint and refractive index of the coat of MaterialX surfaces',
+      'subsurface, sheen, anisotropy, scattering inside, tint and refractive index of the coat of MaterialX surfaces',
       'subsurface is a diffuse colour; the rest is left out',
       'mtlx.input',
       {

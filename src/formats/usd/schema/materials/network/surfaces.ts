@@ -7,6 +7,7 @@ import { shaderId } from '../shaderInputs.ts';
 import type { ColorPrimvar } from '../textureReader.ts';
 import type { UvSource } from '../uvs.ts';
 import { computed, constant, type Expression, scaled, sizeOf } from './expression.ts';
+import { type FilmInputs, filmOf } from './film.ts';
 import { type GlassInputs, glassOf, tinted } from './glass.ts';
 import type { ShadingNetwork } from './network.ts';
 import { NetworkReader } from './networkReader.ts';
@@ -33,6 +34,7 @@ interface SurfaceModel {
   readonly defaultGlowWeight: number;
   readonly opacity: string;
   readonly glass?: GlassInputs;
+  readonly film?: FilmInputs;
   /** Share of light that passes a surface without reflection: transparency. */
   readonly clear?: string;
   readonly normal: string;
@@ -68,6 +70,14 @@ const STANDARD: SurfaceModel = {
   glowWeight: 'emission',
   defaultGlowWeight: 0,
   opacity: 'opacity',
+  film: {
+    weight: '',
+    thickness: 'thin_film_thickness',
+    defaultThickness: 0,
+    unit: 1e-9,
+    ior: 'thin_film_IOR',
+    defaultIor: 1.5,
+  },
   glass: {
     weight: 'transmission',
     color: 'transmission_color',
@@ -132,6 +142,14 @@ const SURFACES: ReadonlyMap<string, SurfaceModel> = new Map<string, SurfaceModel
       glowWeight: 'emission_luminance',
       defaultGlowWeight: 0,
       opacity: 'geometry_opacity',
+      film: {
+        weight: 'thin_film_weight',
+        thickness: 'thin_film_thickness',
+        defaultThickness: 0.5,
+        unit: 1e-6,
+        ior: 'thin_film_ior',
+        defaultIor: 1.4,
+      },
       glass: {
         weight: 'transmission_weight',
         color: 'transmission_color',
@@ -169,6 +187,14 @@ const SURFACES: ReadonlyMap<string, SurfaceModel> = new Map<string, SurfaceModel
       glowWeight: 'emissive_strength',
       defaultGlowWeight: 1,
       opacity: 'alpha',
+      film: {
+        weight: 'iridescence',
+        thickness: 'iridescence_thickness',
+        defaultThickness: 100,
+        unit: 1e-9,
+        ior: 'iridescence_ior',
+        defaultIor: 1.3,
+      },
       glass: {
         weight: 'transmission',
         color: '',
@@ -179,7 +205,7 @@ const SURFACES: ReadonlyMap<string, SurfaceModel> = new Map<string, SurfaceModel
       },
       normal: 'normal',
       occlusion: 'occlusion',
-      unread: ['iridescence', 'sheen_color', 'anisotropy_strength'],
+      unread: ['sheen_color', 'anisotropy_strength'],
     },
   ],
   [
@@ -274,6 +300,7 @@ export async function networkMaterial(network: ShadingNetwork, shader: PrimSpec)
   const specular = await specularOf(reader, shader, model);
   const coat = await coatOf(reader, shader, model);
   const glass = await glassOf(reader, shader, model.glass, network.unit);
+  const film = await filmOf(reader, shader, model.film);
   return {
     material: {
       baseColor: diffuse.color,
@@ -292,6 +319,7 @@ export async function networkMaterial(network: ShadingNetwork, shader: PrimSpec)
       ...(specular.layer && { specular: specular.layer }),
       ...(coat.layer && { clearcoat: coat.layer }),
       ...glass.material,
+      ...(film.layer && { iridescence: film.layer }),
     },
     uvs: [
       diffuse.uv,
@@ -304,6 +332,7 @@ export async function networkMaterial(network: ShadingNetwork, shader: PrimSpec)
       ...specular.uvs,
       ...coat.uvs,
       ...glass.uvs,
+      film.uv,
     ],
     colors: diffuse.primvar,
     isPainted: diffuse.texture !== undefined || diffuse.primvar !== undefined,
