@@ -128,7 +128,9 @@ describe('a MaterialX document in a USD layer', () => {
   it('reads thin films, in nanometres', async () => {
     const film =
       '<input name="thin_film_thickness" type="float" value="400" /><input name="thin_film_IOR" type="float" value="1.25" />';
-    const { iridescence } = worn(await readDocument(document(film)));
+    const scene = await readDocument(document(film));
+    expect(said(scene)).toEqual([]);
+    const { iridescence } = worn(scene);
     expect(iridescence).toMatchObject({ factor: 1, ior: 1.25 });
     for (const x of iridescence!.thickness) expect(x).toBeCloseTo(4e-7, 15);
     expect(worn(await readDocument(document('')))).not.toHaveProperty('iridescence');

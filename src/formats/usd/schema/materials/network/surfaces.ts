@@ -88,14 +88,7 @@ const STANDARD: SurfaceModel = {
   },
   normal: 'normal',
   subsurface: ['subsurface', 'subsurface_color', 1],
-  unread: [
-    'diffuse_roughness',
-    'specular_anisotropy',
-    'sheen',
-    'thin_film_thickness',
-    'transmission_scatter',
-    'transmission_extra_roughness',
-  ],
+  unread: ['diffuse_roughness', 'specular_anisotropy', 'sheen', 'transmission_scatter', 'transmission_extra_roughness'],
   coat: {
     weight: 'coat',
     roughness: 'coat_roughness',
@@ -160,7 +153,7 @@ const SURFACES: ReadonlyMap<string, SurfaceModel> = new Map<string, SurfaceModel
       },
       normal: 'geometry_normal',
       subsurface: ['subsurface_weight', 'subsurface_color', 0.8],
-      unread: ['base_diffuse_roughness', 'specular_roughness_anisotropy', 'fuzz_weight', 'thin_film_weight'],
+      unread: ['base_diffuse_roughness', 'specular_roughness_anisotropy', 'fuzz_weight', 'transmission_scatter'],
     },
   ],
   [
