@@ -891,6 +891,8 @@ const messages: Translation['messages'] = {
   'its linear colours are taken as sRGB there': '其线性颜色在写出的文件中被当作 sRGB',
   'its {} points are sampled at {} times, more than the {} that become morph targets; it is written at rest, as it is at its first':
     '其 {1} 个点有 {2} 个时刻的样本，超过可成为变形目标的 {3} 个；按首个时刻的形状静止写出',
+  'the points of its skins at all their times would take {}; they are written at {} % of these times':
+    '其蒙皮的点在所有时刻共需 {1}；只写出其中 {2} % 的时刻',
   'its points go along cubics; there they go straight': '其点沿三次曲线运动；在写出的文件中沿直线运动',
   'all times are {} s later: glTF has none before 0': '所有时刻都推后 {1} s：glTF 没有早于 0 的时刻',
   // ———— Other files ————
