@@ -126,12 +126,20 @@ it('an unlit surface shows its colour as it is written, whatever light falls on 
   const emissive = orange.map((x) => (x <= 0.04045 ? x / 12.92 : ((x + 0.055) / 1.055) ** 2.4)) as unknown as Vec3;
   const unlit = makeMaterial({ name: 'sign', baseColor: [0, 0, 0], emissive, ior: 1, unlit: true });
   const sign = makeObject({ path: '/Sign', mesh: plane(20, 20, 'Z'), motion: restingAt([0, 0, -3]) });
-  const signs = createTracedScene(makeScene({ name: 'sign', objects: [sign], materials: [unlit] }), 1);
+  let signs = createTracedScene(makeScene({ name: 'sign', objects: [sign], materials: [unlit] }), 1);
   const middle = { x0: width / 2, y0: height / 2, x1: width / 2 + 1, y1: height / 2 + 1 };
   const shown = (u: Vec3): readonly number[] => {
     const { picture } = renderTile(signs, { ...request, layers: ['picture'], view: viewFrom({ u }) }, middle);
     return [...picture!].map((x) => 255 * (x <= 0.0031308 ? 12.92 * x : 1.055 * x ** (1 / 2.4) - 0.055));
   };
+  shown([0, 0, 0]).forEach((x, k) => {
+    expect(Math.abs(x - 255 * orange[k])).toBeLessThan(0.01);
+  });
+  // Colours of vertices tint it.
+  const white = makeMaterial({ name: 'white', baseColor: [0, 0, 0], emissive: [1, 1, 1], ior: 1, unlit: true });
+  const colors = Float32Array.from(sign.mesh.positions, (_, i) => emissive[i % 3]);
+  const painted = { ...sign, mesh: { ...sign.mesh, colors } };
+  signs = createTracedScene(makeScene({ name: 'sign', objects: [painted], materials: [white] }), 1);
   shown([0, 0, 0]).forEach((x, k) => {
     expect(Math.abs(x - 255 * orange[k])).toBeLessThan(0.01);
   });

@@ -103,7 +103,7 @@ export interface Mesh {
   readonly normals: Float32Array;
   /** 2 per vertex, v up (v = 0 is the image's bottom row). */
   readonly uvs: Float32Array;
-  /** Linear RGB, 3 per vertex, multiplied with the base colour; absent if all are white. */
+  /** Linear RGB, 3 per vertex, multiplied with the base colour, or the emission of unlit materials; absent if all are white. */
   readonly colors?: Float32Array;
   /** Three vertices per triangle, counterclockwise seen from outside. */
   readonly indices: Uint32Array;

@@ -1,5 +1,6 @@
 import { EXTMeshGPUInstancing } from '@gltf-transform/extensions';
 import { expect } from 'vitest';
+import { MAX_SPHERES } from '../../src/formats/read/strands/pointSpheres.ts';
 import { vertexPosition } from '../../src/scene/motion/motion.ts';
 import { find } from '../support/gltfBuilder.ts';
 import { dracoGlb, meshoptGlb } from '../support/gltfCompress.ts';
@@ -175,14 +176,25 @@ const shapes: ClaimGroup = {
       }),
       (s) => expect(s.objects.length).toBe(1),
     ),
-    leftOut(
-      'points, lines',
-      'reported',
+    read(
+      'points; separate lines, strips and loops, with vertex colours, morph targets and joints',
+      'spheres of 8 to 512 triangles, a 250th of the scene’s size across, and tubes half as wide with 3 to 8 sides; thinner where their mesh is small. Unlit without normals',
+      glb((kit, thing) => {
+        thing.getMesh()!.addPrimitive(kit.triangle().setMode(0)).addPrimitive(kit.triangle().setMode(2));
+      }),
+      // 3 spheres; 3 × 8 quadrilaterals and 4 lids of 2 tubes, which meet where the loop turns back.
+      triangles(1 + 3 * 512 + 3 * 8 * 2 + 4 * 6),
+      { says: 'gltf.primitive' },
+    ),
+    approximated(
+      'too many points or lines in a file',
+      'one in so many is drawn',
       'gltf.primitive',
       glb((kit, thing) => {
-        thing.getMesh()!.addPrimitive(kit.triangle().setMode(1));
+        const many = new Array(3 * (MAX_SPHERES + 1)).fill(0);
+        thing.getMesh()!.addPrimitive(kit.triangle(many).setMode(0));
       }),
-      triangles(1),
+      triangles(1 + 8 * (MAX_SPHERES / 2 + 1)),
     ),
     leftOut(
       'instance attributes other than translation, rotation and scale',

@@ -13,6 +13,8 @@ import { MAX_BYTES } from '../../src/formats/open.ts';
 import { MAX_PROPERTIES } from '../../src/formats/ply/header.ts';
 import { MAX_OBJECTS } from '../../src/formats/read/limits.ts';
 import { MAX_CORNERS } from '../../src/formats/read/meshScene.ts';
+import { MAX_SPHERES } from '../../src/formats/read/strands/pointSpheres.ts';
+import { MAX_SURFACE_POINTS } from '../../src/formats/read/strands/sweep.ts';
 import { MAX_SOLIDS } from '../../src/formats/stl/text.ts';
 import {
   MAX_CLIP_SAMPLES,
@@ -25,8 +27,6 @@ import { MAX_SUBDIVISION_LEVELS, POINT_BUDGET, SAMPLE_MEMORY } from '../../src/f
 import { DRAWN_FACE_BUDGET, FACE_BUDGET } from '../../src/formats/usd/schema/geometry/subdivisionLevels.ts';
 import { MAX_UDIM_ATLAS_SIDE as MAX_ATLAS_SIDE } from '../../src/formats/usd/schema/materials/udim.ts';
 import { MAX_INFLUENCES } from '../../src/formats/usd/schema/skel/binding.ts';
-import { MAX_SURFACE_POINTS } from '../../src/formats/usd/schema/strands/curves.ts';
-import { MAX_SPHERES } from '../../src/formats/usd/schema/strands/pointSpheres.ts';
 import { MAX_DEPTH as TEXT_DEPTH } from '../../src/formats/usd/text/parser.ts';
 import { MAX_TOTAL } from '../../src/formats/zip/directory.ts';
 import { inEnglish } from '../../src/messages/message.ts';
@@ -54,8 +54,11 @@ export const readerLimits: readonly { readonly what: string; readonly most: stri
     most: count(DRAWN_FACE_BUDGET),
   },
   { what: 'USD: joints that influence one point', most: count(MAX_INFLUENCES) },
-  { what: 'USD: spheres of one Points', most: count(MAX_SPHERES) },
-  { what: 'USD: points of the tubes or ribbons of one prim of curves', most: count(MAX_SURFACE_POINTS) },
+  { what: 'spheres of one USD Points, or of all points of a glTF file', most: count(MAX_SPHERES) },
+  {
+    what: 'points of the tubes or ribbons of one USD prim of curves, or of all lines of a glTF file',
+    most: count(MAX_SURFACE_POINTS),
+  },
   { what: 'USD: side of the picture combined from tiles', most: `${count(MAX_ATLAS_SIDE)} pixels` },
   { what: 'glTF: unpacked size of accessors and compressed data', most: bytes(MAX_UNPACKED) },
   { what: 'glTF: vertices', most: count(MAX_VERTICES) },

@@ -137,7 +137,7 @@ export const DIAGNOSTIC_CODES = {
   'gltf.jump': 'a step, which becomes a short ramp',
   'gltf.resampling': 'a path that turns too fast between its keys to be followed',
   'gltf.coarse': 'a deforming mesh with more samples than fit into memory',
-  'gltf.primitive': 'points or lines, which are left out',
+  'gltf.primitive': 'points or lines, which are given a width, or are too many; or a primitive that is left out',
   'gltf.mixed-sides': 'single-sided and double-sided materials on one mesh: all of it is double-sided',
   'gltf.vertex-alpha': 'the opacity of vertex colours, which is ignored',
   'gltf.slowlight': 'invalid extras of Slowlight',

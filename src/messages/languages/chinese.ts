@@ -774,17 +774,18 @@ const messages: Translation['messages'] = {
 
   // Meshes, joints and instances
   'has no positions': '没有顶点位置',
-  'single points': '单独的点',
-  'separate lines': '单独的线段',
-  'a line loop': '闭合的折线',
-  'a line strip': '折线',
-  'mode {}': '{1} 号模式',
-  '{} cannot be shown; only triangles are': '{1}无法显示，只能显示三角形',
+  'mode {} does not exist': '不存在 {1} 号模式',
   '{}; that part is left out': '{1}；已将该部分去掉',
   'has single-sided and double-sided materials; all of it is shown double-sided':
     '既有单面材质也有双面材质；全部按双面显示',
-  'a triangle wants vertex {} of {}; the file is damaged, export it again':
-    '某个三角形用到顶点 {1}，而顶点只有 {2} 个；文件已损坏，请重新导出',
+  'a triangle': '某个三角形',
+  'a point or line': '某个点或某条线',
+  '{} wants vertex {} of {}; the file is damaged, export it again':
+    '{1}用到顶点 {2}，而顶点只有 {3} 个；文件已损坏，请重新导出',
+  'points and lines have no width in glTF; points are shown as spheres {} m across and lines as tubes {} m wide, by the size of the scene, and thinner in small meshes':
+    'glTF 的点和线没有宽度；按场景大小将点显示为直径 {1} 米的球，将线显示为宽 {2} 米的管，小网格中的更细',
+  'it has {} pieces of lines; one in {} is drawn, since their tubes have at most {} points':
+    '有 {1} 段线；其管最多有 {3} 个点，因此每 {2} 段绘制一段',
   '{} has {} values for {} vertices; export it again': '{1} 有 {2} 个值，而顶点有 {3} 个；请重新导出',
   'the opacity of its vertex colours is left out': '其顶点颜色的不透明度已去掉',
   'a vertex follows joint {} of {}; the file is damaged, export it again':

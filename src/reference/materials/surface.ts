@@ -50,13 +50,14 @@ export function surfaceAt(scene: TracedScene, hit: Hit): SurfacePoint {
   const base = baseColor(material, uv);
   const vertexColor = mesh.colors ? interpolate(corners, (i) => pointAt(mesh.colors!, i)) : undefined;
   const [r, g, b, opacity] = base;
-  const albedo: Vec3 = vertexColor ? [r * vertexColor[0], g * vertexColor[1], b * vertexColor[2]] : [r, g, b];
+  const albedo = vertexColor ? tinted([r, g, b], vertexColor) : ([r, g, b] as const);
+  const emissive = colorAt(material.emissive, material.emissiveTexture, uv);
   const { ior = 1.5, emissionTemperature: temperature, specular, clearcoat, iridescence, transmission } = material;
   return {
     albedo,
     filter: filterAt(material, albedo, vertexColor !== undefined, uv),
     opacity,
-    emissive: colorAt(material.emissive, material.emissiveTexture, uv),
+    emissive: material.unlit && vertexColor ? tinted(emissive, vertexColor) : emissive,
     ...(temperature !== undefined && { temperature }),
     roughness: numberAt(material.roughness, material.roughnessTexture, uv),
     metallic: numberAt(material.metallic, material.metallicTexture, uv),
@@ -81,6 +82,8 @@ export function surfaceAt(scene: TracedScene, hit: Hit): SurfacePoint {
     uv,
   };
 }
+
+const tinted = (a: Vec3, b: Vec3): Vec3 => [a[0] * b[0], a[1] * b[1], a[2] * b[2]];
 
 /** The measured reflectance, unless textures or vertex colours override it. */
 function filterAt(material: Material, albedo: Vec3, hasVertexColor: boolean, uv: Uv): SpectralFilter {

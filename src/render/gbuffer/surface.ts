@@ -48,10 +48,12 @@ import {
 
 /**
  * Texels per material in the material table: (base colour, opacity), (emission, opacity threshold), (scale and bias of roughness, of metallic), (F₀,
- * reflectance below 360 nm and beyond 830 nm, temperature of its emission [K]), (strength of its normal map along u and v, scale and bias of its occlusion),
+ * reflectance below 360 nm and beyond 830 nm, temperature of its emission [K] or UNLIT), (strength of its normal map along u and v, scale and bias of its occlusion),
  * (scale and bias of both invisible reflectances).
  */
 export const MATERIAL_TEXELS = 6;
+/** In place of a temperature: vertex colours tint the emission. */
+const UNLIT = -1;
 /** Marks an invisible reflectance that is extrapolated from the visible colour. */
 const UNSPECIFIED = -1;
 
@@ -61,7 +63,7 @@ export function materialTexels(m: Material): readonly number[] {
     ...[...m.baseColor, m.opacity],
     ...[...m.emissive, m.opacityThreshold],
     ...[...linear(m.roughness, m.roughnessTexture), ...linear(m.metallic, m.metallicTexture)],
-    ...[((ior - 1) / (ior + 1)) ** 2, uv, ir, emissionTemperature],
+    ...[((ior - 1) / (ior + 1)) ** 2, uv, ir, m.unlit ? UNLIT : emissionTemperature],
     ...[...(normalTexture?.strength ?? [0, 0]), ...linear(1, m.occlusionTexture)],
     ...[...linear(0, m.uvTexture), ...linear(0, m.irTexture)],
   ].map((x) => Math.max(-MAX_TEXEL, Math.min(MAX_TEXEL, x)));
@@ -137,6 +139,7 @@ export function readSurface(sources: SurfaceSources): Surface {
   if (textures.emissive) emissive.mulAssign(sampled(textures.emissive, vUv).rgb);
   const roughnessMetallic = roughnessMetallicTexel.toVar();
   const reflectances = reflectancesTexel.toVar();
+  if (sources.colored) emissive.mulAssign(select(reflectances.w.lessThan(0), vColor, vec3(1)));
 
   const { u, gamma, boostLight, onLightCone } = sources.uniforms;
   const velocity = vMotion.toVar();

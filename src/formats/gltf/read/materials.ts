@@ -32,7 +32,7 @@ export interface GltfUvSource {
 export class GltfMaterialLibrary {
   readonly materials: Material[] = [];
   private readonly context: GltfContext;
-  private readonly places = new Map<GltfMaterial | null, number>();
+  private readonly places = [new Map<GltfMaterial | null, number>(), new Map<GltfMaterial | null, number>()] as const;
   private readonly images = new Map<GltfTexture, DecodedImage | undefined>();
   private readonly reader: TextureInputs = {
     color: (image, info) => this.texture(image, info, true),
@@ -51,17 +51,21 @@ export class GltfMaterialLibrary {
     this.context = context;
   }
 
-  /** Index of a material in `materials`; null is glTF's default material. */
-  placeOf(material: GltfMaterial | null): number {
-    const known = this.places.get(material);
+  /** Index of a material in `materials`; null is glTF's default material. `unlit`: as one that emits its colour. */
+  placeOf(material: GltfMaterial | null, unlit = false): number {
+    const isUnlit = unlit || material?.getExtension('KHR_materials_unlit') != null;
+    const places = this.places[isUnlit ? 1 : 0];
+    const known = places.get(material);
     if (known !== undefined) return known;
     const place = this.materials.length;
-    this.places.set(material, place);
-    this.materials.push(material ? this.convert(material) : DEFAULT_MATERIAL);
+    places.set(material, place);
+    const byDefault = isUnlit ? UNLIT_DEFAULT : DEFAULT_MATERIAL;
+    this.materials.push(material ? this.convert(material, isUnlit) : byDefault);
     return place;
   }
 
-  private convert(material: GltfMaterial): Material {
+  /** Unlit surfaces emit their colour and reflect nothing. */
+  private convert(material: GltfMaterial, isUnlit: boolean): Material {
     const name = nameOf(this.context, material);
     const glossy = material.getExtension<PBRSpecularGlossiness>('KHR_materials_pbrSpecularGlossiness');
     const [r, g, b, alpha] = glossy?.getDiffuseFactor() ?? material.getBaseColorFactor();
@@ -77,8 +81,6 @@ export class GltfMaterialLibrary {
     );
     const emissive = scale(material.getEmissiveFactor(), strength?.getEmissiveStrength() ?? 1);
     const emissiveTexture = this.texture(material.getEmissiveTexture(), material.getEmissiveTextureInfo(), true);
-    // Unlit surfaces emit their colour and reflect nothing.
-    const isUnlit = material.getExtension('KHR_materials_unlit') !== null;
     const light = isUnlit ? { emissive: baseColor, emissiveTexture: baseColorTexture } : { emissive, emissiveTexture };
     const layers = isUnlit ? UNLIT : layersOf(material, this.reader);
     return {
@@ -246,6 +248,8 @@ const DEFAULT_MATERIAL: Material = {
   opacity: 1,
   opacityThreshold: 0,
 };
+
+const UNLIT_DEFAULT: Material = { ...DEFAULT_MATERIAL, ...UNLIT, baseColor: ZERO, emissive: [1, 1, 1], metallic: 0 };
 
 function nameOf(context: GltfContext, material: GltfMaterial): string {
   return material.getName() || `material ${context.document.getRoot().listMaterials().indexOf(material)}`;

@@ -4,6 +4,8 @@ import { type LocalizedText, msg } from '../../../messages/message.ts';
 import { mergeMeshes } from '../../../scene/mesh/meshOps.ts';
 import type { Mesh } from '../../../scene/types.ts';
 import { type GltfContext, gltfError } from '../context.ts';
+import { isStrand, type StrandFrame } from '../strands/strandPlan.ts';
+import { type StrandSurface, strandSurface } from '../strands/strandSurface.ts';
 import { floatsOf } from './accessors.ts';
 import { type GltfMaterialLibrary, type GltfUvSource, uvSourceOf } from './materials.ts';
 import { materialOf } from './variants.ts';
@@ -30,11 +32,16 @@ interface PrimitiveGeometry extends Geometry {
   readonly mesh: Mesh;
 }
 
-/** All triangle primitives of a mesh as one; undefined where it has none. */
-export function readGeometry(context: GltfContext, mesh: GltfMesh, library: GltfMaterialLibrary): Geometry | undefined {
+/** All primitives of a mesh as one; undefined where there is nothing to see. `strands`: how its points and lines are shown. */
+export function readGeometry(
+  context: GltfContext,
+  mesh: GltfMesh,
+  library: GltfMaterialLibrary,
+  strands?: StrandFrame,
+): Geometry | undefined {
   const place = context.document.getRoot().listMeshes().indexOf(mesh);
   const what = msg`mesh ${mesh.getName() || place}`;
-  const parts = mesh.listPrimitives().flatMap((p) => readPrimitive(context, what, p, library) ?? []);
+  const parts = mesh.listPrimitives().flatMap((p) => readPrimitive(context, what, p, library, strands) ?? []);
   if (parts.length === 0) return undefined;
   if (parts.length === 1) return parts[0];
   if (new Set(parts.map((p) => p.mesh.doubleSided)).size > 1) {
@@ -87,24 +94,25 @@ function readPrimitive(
   what: LocalizedText,
   p: Primitive,
   library: GltfMaterialLibrary,
+  strands: StrandFrame | undefined,
 ): PrimitiveGeometry | undefined {
   const position = p.getAttribute('POSITION');
-  const corners = position && triangleCorners(p, position.getCount());
+  const corners = position && cornersOf(p, position.getCount());
   if (!position || !corners) {
-    const mode = [msg`single points`, msg`separate lines`, msg`a line loop`, msg`a line strip`][p.getMode()];
-    const message = position
-      ? msg`${mode ?? msg`mode ${p.getMode()}`} cannot be shown; only triangles are`
-      : msg`has no positions`;
+    const message = position ? msg`mode ${p.getMode()} does not exist` : msg`has no positions`;
     context.notes.add('warning', 'gltf.primitive', what, msg`${message}; that part is left out`);
     return undefined;
   }
   const bad = corners.find((corner) => corner >= position.getCount());
   if (bad !== undefined) {
-    const message = msg`a triangle wants vertex ${bad} of ${position.getCount()}; the file is damaged, export it again`;
+    const shape = isStrand(p) ? msg`a point or line` : msg`a triangle`;
+    const message = msg`${shape} wants vertex ${bad} of ${position.getCount()}; the file is damaged, export it again`;
     throw gltfError(context.entry, 'gltf.bad-index', what, message);
   }
+  const surface = strands && isStrand(p) ? strandSurface(p.getMode(), corners, floatsOf(position), strands) : undefined;
+  if (surface?.indices.length === 0) return undefined;
   // Flat normals are per triangle, so vertices are not shared.
-  const isFlat = !p.getAttribute('NORMAL');
+  const isFlat = !surface && !p.getAttribute('NORMAL');
   const take: Take = (name, width, of = p) => {
     const accessor = of.getAttribute(name);
     if (!accessor) return undefined;
@@ -112,16 +120,14 @@ function readPrimitive(
       const message = msg`${name} has ${accessor.getCount()} values for ${position.getCount()} vertices; export it again`;
       throw gltfError(context.entry, 'gltf.bad-attribute', what, message);
     }
-    return pick(accessor, width, isFlat ? corners : undefined);
+    return pick(accessor, width, surface?.source ?? (isFlat ? corners : undefined));
   };
   const material = materialOf(context, p);
   noteVertexAlpha(context, what, p, material);
-  const indices = isFlat ? Uint32Array.from(corners.keys()) : corners;
-  return buildPart(p, take, indices, {
-    material,
-    place: library.placeOf(material),
-    uvs: uvSourceOf(context, material),
-  });
+  const indices = surface?.indices ?? (isFlat ? Uint32Array.from(corners.keys()) : corners);
+  const isUnlit = surface !== undefined && !p.getAttribute('NORMAL');
+  const made = { material, place: library.placeOf(material, isUnlit), uvs: uvSourceOf(context, material) };
+  return buildPart(p, take, indices, made, surface);
 }
 
 /** Vertex alpha is not supported. */
@@ -157,31 +163,33 @@ function buildPart(
   take: Take,
   indices: Uint32Array,
   { material, place, uvs }: PrimitiveMaterial,
+  surface: StrandSurface | undefined,
 ): PrimitiveGeometry {
-  const positions = take('POSITION', 3)!;
+  const positions = surface?.positions ?? take('POSITION', 3)!;
   const colors = take('COLOR_0', 3);
   const mesh: Mesh = {
     positions,
-    normals: unitNormals(take('NORMAL', 3)) ?? flatNormals(positions),
+    normals: surface?.normals ?? unitNormals(take('NORMAL', 3)) ?? flatNormals(positions),
     uvs: toUvs(take(`TEXCOORD_${uvs.set}`, 2), uvs, positions.length / 3),
     ...(colors && { colors }),
     indices,
     groups: [{ start: 0, count: indices.length, material: place }],
-    doubleSided: material?.getDoubleSided() ?? false,
+    doubleSided: !surface && (material?.getDoubleSided() ?? false),
   };
   const morphs = p.listTargets().map((target) => ({
     positions: take('POSITION', 3, target) ?? new Float32Array(positions.length),
-    normals: take('NORMAL', 3, target) ?? new Float32Array(positions.length),
+    normals: (!surface && take('NORMAL', 3, target)) || new Float32Array(positions.length),
   }));
   const skin = takeSkin(take, positions.length / 3);
   return skin ? { mesh, morphs, skin } : { mesh, morphs };
 }
 
-/** Indices of triangles, three by three; undefined where the primitive has none. */
-function triangleCorners(p: Primitive, vertices: number): Uint32Array | undefined {
+/** Vertices of triangles, three by three, or of points and lines in order; undefined of an unknown mode. */
+function cornersOf(p: Primitive, vertices: number): Uint32Array | undefined {
   const given = p.getIndices()?.getArray();
   const run = given ? Uint32Array.from(given) : Uint32Array.from({ length: vertices }, (_, i) => i);
   const mode = p.getMode();
+  if (isStrand(p)) return run;
   if (mode === 4) return run.subarray(0, run.length - (run.length % 3));
   if (mode !== 5 && mode !== 6) return undefined;
   const out = new Uint32Array(Math.max(0, run.length - 2) * 3);

@@ -24,6 +24,7 @@ import { MAX_OBJECTS } from '../../read/limits.ts';
 import type { ReadOptions } from '../../readOptions.ts';
 import { type GltfContext, gltfError } from '../context.ts';
 import { loadGltf } from '../load/loadGltf.ts';
+import { StrandPlan } from '../strands/strandPlan.ts';
 import { Baker } from './bake.ts';
 import { makeDeformer, settleMorphs, skeletonOf } from './deform.ts';
 import { readInstances } from './instances.ts';
@@ -63,16 +64,19 @@ function buildScene(context: GltfContext): Scene {
   const root = context.document.getRoot();
   const animation = chooseAnimation(context);
   const tree = new NodeTree(context, animation);
-  const builder = new SceneBuilder(context, tree);
   const shown = root.getDefaultScene() ?? root.listScenes()[0];
-  for (const node of shown?.listChildren() ?? root.listNodes().filter((n) => !n.getParentNode())) builder.add(node);
   const times = [...(animation?.listSamplers() ?? [])].flatMap((s) => [...(s.getInput()?.getArray() ?? [])]);
+  const startTime = times.reduce((a, b) => Math.min(a, b), times[0] ?? 0);
+  const roots = shown?.listChildren() ?? root.listNodes().filter((n) => !n.getParentNode());
+  const nodes = visibleNodes(context, tree, roots);
+  const builder = new SceneBuilder(context, tree, new StrandPlan(context, tree, nodes, startTime));
+  for (const node of nodes) builder.add(node);
   return makeScene({
     name: shown?.getName() || stemOf(context.entry),
     upAxis: 'Y',
     hints: hintsOf(shown),
     metersPerUnit: 1,
-    startTime: times.reduce((a, b) => Math.min(a, b), times[0] ?? 0),
+    startTime,
     endTime: times.reduce((a, b) => Math.max(a, b), 0),
     objects: builder.objects,
     materials: builder.library.materials,
@@ -140,7 +144,24 @@ function bendingThings({ document }: GltfContext, tree: NodeTree): number {
   return skeletons.size + nodes.filter((node) => tree.weightsCurve(node)).length;
 }
 
-/** Traverses the nodes of a scene and collects its contents. */
+/** These nodes and all below them, without those that are hidden. */
+function visibleNodes(
+  context: GltfContext,
+  tree: NodeTree,
+  from: readonly GltfNode[],
+  into: GltfNode[] = [],
+): GltfNode[] {
+  for (const node of from) {
+    const extensions = context.json.nodes?.[tree.placeOf(node)].extensions;
+    const visibility = extensions?.KHR_node_visibility as { readonly visible?: unknown } | undefined;
+    if (visibility?.visible === false) continue;
+    into.push(node);
+    visibleNodes(context, tree, node.listChildren(), into);
+  }
+  return into;
+}
+
+/** Collects the contents of a scene's nodes. */
 class SceneBuilder {
   readonly objects: SceneObject[] = [];
   readonly lights: Light[] = [];
@@ -149,11 +170,13 @@ class SceneBuilder {
   private readonly context: GltfContext;
   private readonly tree: NodeTree;
   private readonly baker: Baker;
-  private readonly geometries = new Map<GltfMesh, Geometry | undefined>();
+  private readonly strands: StrandPlan;
+  private readonly geometries = new Map<GltfMesh, Map<string, Geometry | undefined>>();
   private readonly counted = new Set<Float32Array>();
   private vertices = 0;
-  constructor(context: GltfContext, tree: NodeTree) {
+  constructor(context: GltfContext, tree: NodeTree, strands: StrandPlan) {
     this.context = context;
+    this.strands = strands;
     this.tree = tree;
     this.baker = new Baker(context, bendingThings(context, tree));
     this.library = new GltfMaterialLibrary(context);
@@ -164,18 +187,9 @@ class SceneBuilder {
   }
 
   add(node: GltfNode): void {
-    const visibility = this.raw(node, 'KHR_node_visibility');
-    if (visibility?.visible === false) return;
     this.addMesh(node);
     this.addCamera(node);
     this.addLight(node);
-    for (const child of node.listChildren()) this.add(child);
-  }
-
-  /** The raw JSON of an extension. */
-  private raw(node: GltfNode, extension: string): Record<string, unknown> | undefined {
-    const extensions = this.context.json.nodes?.[this.tree.placeOf(node)].extensions;
-    return extensions?.[extension] as Record<string, unknown> | undefined;
   }
 
   /** The node's path if it has one role and no children; else a unique path below it. */
@@ -200,8 +214,12 @@ class SceneBuilder {
 
   /** The mesh of a node, with its morph targets settled where nothing moves them. */
   private geometryOf(node: GltfNode, mesh: GltfMesh): Geometry | undefined {
-    if (!this.geometries.has(mesh)) this.geometries.set(mesh, readGeometry(this.context, mesh, this.library));
-    const shared = this.geometries.get(mesh);
+    const strands = this.strands.frameOf(node, mesh);
+    const known = this.geometries.get(mesh) ?? new Map<string, Geometry | undefined>();
+    this.geometries.set(mesh, known);
+    const key = strands?.key ?? '';
+    if (!known.has(key)) known.set(key, readGeometry(this.context, mesh, this.library, strands));
+    const shared = known.get(key);
     return shared && !this.tree.weightsCurve(node) ? settleMorphs(node, shared) : shared;
   }
 

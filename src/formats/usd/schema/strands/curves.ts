@@ -1,4 +1,5 @@
 import { msg } from '../../../../messages/message.ts';
+import { MAX_SURFACE_POINTS, ribbonFaces, ribbonPoints, tubeFaces, tubePoints } from '../../../read/strands/sweep.ts';
 import { report } from '../../diagnostics.ts';
 import { numbersAt, type TimeCode, textAt } from '../../layer/attributes.ts';
 import type { PrimSpec } from '../../layer/layer.ts';
@@ -13,10 +14,7 @@ import {
   varyingCount,
 } from './stencils.ts';
 import { DEFAULT_WIDTH, type Strand } from './strand.ts';
-import { ribbonFaces, ribbonPoints, tubeFaces, tubePoints } from './sweep.ts';
 
-/** Maximum number of points of the surfaces of a prim. */
-export const MAX_SURFACE_POINTS = 2 ** 20;
 /** How finely curves are divided: steps per segment and sides of a tube, finest first. */
 const DIVISIONS = [
   [8, 10],
@@ -55,7 +53,7 @@ export function curveStrand(context: StageContext, prim: PrimSpec): Strand | und
       const widths = read(['primvars:widths', 'widths'], 1, 'vertex', time);
       const radii = Float64Array.from(samples, (_, s) => Math.abs(widths ? widths[s] : DEFAULT_WIDTH) / 2);
       const facing = isRibbon && read(['primvars:normals', 'normals'], 3, 'vertex', time);
-      if (!isRibbon) return tubePoints(runs, centres, radii, sides);
+      if (!isRibbon) return tubePoints(runs, centres, radii, sides, curves.kind.basis === 'linear');
       return ribbonPoints(runs, centres, radii, facing || new Float32Array(centres.length));
     },
     valuesOf: (name, size) => {

@@ -1,11 +1,11 @@
 import { msg } from '../../../../messages/message.ts';
+import { MAX_SPHERES, sphereFor } from '../../../read/strands/pointSpheres.ts';
 import { report } from '../../diagnostics.ts';
 import { attributeOf, numbersAt, type TimeCode } from '../../layer/attributes.ts';
 import type { NumberArray, PrimSpec } from '../../layer/layer.ts';
 import { stageTimeCode } from '../../layer/query.ts';
 import type { StageContext } from '../context.ts';
 import { elementValues } from './elementValues.ts';
-import { MAX_SPHERES, sphereFor } from './pointSpheres.ts';
 import { DEFAULT_WIDTH, type Strand } from './strand.ts';
 
 /** The Points of a prim as spheres, `widths` across. */

@@ -1,5 +1,5 @@
+import type { SweptPoints } from '../../../read/strands/sweep.ts';
 import type { TimeCode } from '../../layer/attributes.ts';
-import type { SweptPoints } from './sweep.ts';
 
 /** Points or curves as a surface whose shape is a function of time. */
 export interface Strand {

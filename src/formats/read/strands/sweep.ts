@@ -1,5 +1,8 @@
-import { addScaled, cross, dot, normalize, scale, sub, type Vec3 } from '../../../../math/vec3.ts';
-import { pointAt } from '../../../../scene/mesh/polygons.ts';
+import { add, addScaled, cross, dot, normalize, scale, sub, type Vec3, ZERO } from '../../../math/vec3.ts';
+import { pointAt } from '../../../scene/mesh/polygons.ts';
+
+/** Maximum number of points of surfaces along curves that are made together. */
+export const MAX_SURFACE_POINTS = 2 ** 20;
 
 /** A curve among the samples of a prim. */
 export interface CurveRun {
@@ -47,12 +50,13 @@ export function tubeFaces(runs: readonly CurveRun[], sides: number): SweptFaces 
   return facesOf(counts, indices, samples);
 }
 
-/** Tubes around the samples `centres` with the given radii, in the order of `tubeFaces`. */
+/** Tubes around the samples `centres` with the given radii, in the order of `tubeFaces`. `mitred`: round lines with corners at the samples, instead of smooth curves. */
 export function tubePoints(
   runs: readonly CurveRun[],
   centres: ArrayLike<number>,
   radii: ArrayLike<number>,
   sides: number,
+  mitred: boolean,
 ): SweptPoints {
   const [points, normals]: [number[], number[]] = [[], []];
   const put = (centre: Vec3, radius: number, direction: Vec3, normal: Vec3): void => {
@@ -60,14 +64,17 @@ export function tubePoints(
     normals.push(...normal);
   };
   for (const run of runs) {
-    const tangents = tangentsOf(run, centres);
+    const ways = waysOf(run, centres);
+    const tangents = ways.map(({ tangent }) => tangent);
     const frames = transported(run, tangents);
     const ring = (i: number, normal?: Vec3): void => {
       const [x, y] = frames[i];
+      const { across, mitre } = ways[i];
       for (let k = 0; k < sides; k++) {
         const angle = (2 * Math.PI * k) / sides;
         const direction = addScaled(scale(x, Math.cos(angle)), y, Math.sin(angle));
-        put(pointAt(centres, run.first + i), radii[run.first + i], direction, normal ?? direction);
+        const outward = mitred ? addScaled(direction, across, (mitre - 1) * dot(direction, across)) : direction;
+        put(pointAt(centres, run.first + i), radii[run.first + i], outward, normal ?? direction);
       }
     };
     for (let i = 0; i < run.count; i++) ring(i);
@@ -102,7 +109,7 @@ export function ribbonPoints(
 ): SweptPoints {
   const [points, normals]: [number[], number[]] = [[], []];
   for (const run of runs) {
-    const tangents = tangentsOf(run, centres);
+    const tangents = waysOf(run, centres).map(({ tangent }) => tangent);
     for (let i = 0; i < run.count; i++) {
       const s = run.first + i;
       const side = normalize(cross(tangents[i], pointAt(facing, s)), perpendicular(tangents[i]));
@@ -122,26 +129,43 @@ const facesOf = (counts: number[], indices: number[], samples: number[]): SweptF
   sampleOfPoint: Uint32Array.from(samples),
 });
 
-/** Directions along a curve, by the chord between the neighbours of each sample. */
-function tangentsOf({ first, count, closed }: CurveRun, centres: ArrayLike<number>): Vec3[] {
+/** How a curve goes through a sample. */
+interface CurveWay {
+  /** Halfway between the directions of both chords. */
+  readonly tangent: Vec3;
+  /** In the plane of the bend, perpendicular to the tangent; zero where it is straight. */
+  readonly across: Vec3;
+  /** How much wider a ring is there, for a tube of constant width. */
+  readonly mitre: number;
+}
+
+const MAX_MITRE = 2;
+
+function waysOf({ first, count, closed }: CurveRun, centres: ArrayLike<number>): CurveWay[] {
+  const at = (i: number): Vec3 => pointAt(centres, first + ((i + count) % count));
   let last: Vec3 = [0, 0, 1];
   return Array.from({ length: count }, (_, i) => {
-    const before = closed ? (i + count - 1) % count : Math.max(0, i - 1);
-    const after = closed ? (i + 1) % count : Math.min(count - 1, i + 1);
-    last = normalize(sub(pointAt(centres, first + after), pointAt(centres, first + before)), last);
-    return last;
+    const before = normalize(closed || i > 0 ? sub(at(i), at(i - 1)) : ZERO);
+    const after = normalize(closed || i + 1 < count ? sub(at(i + 1), at(i)) : ZERO);
+    last = normalize(add(before, after), last);
+    const along = dot(after, last);
+    const across = normalize(addScaled(after, last, -along));
+    return { tangent: last, across, mitre: Math.min(MAX_MITRE, 1 / Math.max(along, 1 / MAX_MITRE)) };
   });
 }
 
 /** Two perpendicular directions across a curve at each sample, which turn no more than it does; a closed one meets itself. */
 function transported({ count, closed }: CurveRun, tangents: readonly Vec3[]): (readonly [x: Vec3, y: Vec3])[] {
   const across: Vec3[] = [perpendicular(tangents[0])];
-  const carried = (x: Vec3, tangent: Vec3): Vec3 =>
-    normalize(addScaled(x, tangent, -dot(x, tangent)), perpendicular(tangent));
-  for (let i = 1; i < count; i++) across.push(carried(across[i - 1], tangents[i]));
+  // The smallest rotation from one tangent to the next.
+  const carried = (x: Vec3, from: Vec3, to: Vec3): Vec3 => {
+    const turned = addScaled(x, add(from, to), -dot(x, to) / Math.max(1 + dot(from, to), 1e-9));
+    return normalize(addScaled(turned, to, -dot(turned, to)), perpendicular(to));
+  };
+  for (let i = 1; i < count; i++) across.push(carried(across[i - 1], tangents[i - 1], tangents[i]));
   let twist = 0;
   if (closed) {
-    const back = carried(across[count - 1], tangents[0]);
+    const back = carried(across[count - 1], tangents[count - 1], tangents[0]);
     twist = Math.atan2(dot(cross(back, across[0]), tangents[0]), dot(back, across[0]));
   }
   return across.map((x, i) => {

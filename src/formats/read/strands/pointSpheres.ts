@@ -1,4 +1,4 @@
-import { normalize, type Vec3 } from '../../../../math/vec3.ts';
+import { normalize, type Vec3 } from '../../../math/vec3.ts';
 
 /** A sphere of radius 1 as triangles: 3 numbers per point, and per triangle its points. */
 export interface SphereTemplate {
@@ -34,9 +34,9 @@ function divided({ points, triangles }: SphereTemplate): SphereTemplate {
   return { points: Float32Array.from(all), triangles: Uint32Array.from(out) };
 }
 
-/** Maximum number of triangles of the spheres of a prim. */
+/** Maximum number of triangles of spheres that are made together. */
 const MAX_TRIANGLES = 2 ** 20;
-/** Maximum number of points of a prim: then each is an octahedron. */
+/** Maximum number of such spheres: then each is an octahedron. */
 export const MAX_SPHERES = MAX_TRIANGLES / 8;
 /** 8, 32, 128, 512 triangles. */
 const MAX_DIVISIONS = 3;
