@@ -68,7 +68,7 @@ export async function seeds(): Promise<Seed[]> {
   ];
 }
 
-/** A skinned, morphed, animated, textured mesh with a light and a camera. */
+/** A skinned, morphed, animated, textured mesh with a camera, points and lines. */
 function everything(): GltfBuilder {
   const kit = new GltfBuilder();
   const { doc } = kit;
@@ -87,7 +87,9 @@ function everything(): GltfBuilder {
   const bones = [doc.createNode('Hip'), doc.createNode('Knee').setTranslation([0, 1, 0])];
   const body = kit.meshNode('Body', primitive).setSkin(doc.createSkin().addJoint(bones[0]).addJoint(bones[1]));
   const camera = doc.createNode('Eye').setCamera(doc.createCamera().setType('perspective').setYFov(1));
-  for (const node of [body, bones[0].addChild(bones[1]), camera]) kit.scene.addChild(node);
+  const [dots, wire] = [0, 3].map((mode) => kit.triangle().setMode(mode as 0 | 3));
+  const strokes = kit.meshNode('Strokes', dots, wire);
+  for (const node of [body, bones[0].addChild(bones[1]), camera, strokes]) kit.scene.addChild(node);
   kit.animate(bones[1], 'rotation', [0, 1], [0, 0, 0, 1, 0, 0, 1, 0]);
   kit.animate(body, 'weights', [0, 1], [0, 1], 'STEP');
   return kit;
