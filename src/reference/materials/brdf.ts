@@ -1,6 +1,7 @@
 import type { Random } from '../../math/random.ts';
 import { add, addScaled, dot, normalize, scale, type Vec3 } from '../../math/vec3.ts';
 import { thinFilmReflectance } from '../../physics/optics/thinFilm.ts';
+import { sheenLobe, sheenTerm } from '../../scene/materials/sheenLobe.ts';
 import { MIN_LOBE_ROUGHNESS, specularLobe as reflectedLobe } from '../../scene/materials/specularLobe.ts';
 import { mixFilters, multiplyFilters, neutralFilter, scaleFilter } from '../../spectrum/reflectance/filterAlgebra.ts';
 import { filterFromRgb, reflectanceAt, type SpectralFilter } from '../../spectrum/reflectance/spectralFilter.ts';
@@ -26,26 +27,44 @@ export interface Brdf {
   readonly N: Vec3;
   readonly V: Vec3;
   readonly NV: number;
-  /** The share of light that passes the varnish over it; the diffuse part has it already. */
+  /** The share of light that passes the varnish and the fuzz over it; the diffuse part has it already. */
   readonly passed: number;
   /** A thin film over it, and F₀ of what is below it. */
   readonly film?: NonNullable<SurfacePoint['film']>;
+  /** The fuzz over it. */
+  readonly fuzz?: Fuzz;
   /** The varnish over it. */
   readonly coat?: Brdf;
 }
 
+/** Fibres over a surface: `color` is that of the light that they reflect, as far as the varnish lets it through. */
+interface Fuzz {
+  readonly color: SpectralFilter;
+  readonly roughness: number;
+  /** The share of light that passes them. */
+  readonly passed: number;
+}
+
 export function brdfOf(point: SurfacePoint, V: Vec3): Brdf {
-  const { filter, metallic, roughness, ior, specular, clearcoat, film, normal } = point;
+  const { filter, metallic, roughness, ior, specular, clearcoat, sheen, film, normal } = point;
   const dielectricF0 = ((ior - 1) / (ior + 1)) ** 2;
   const dielectric = specular ? specularF0(dielectricF0, specular) : neutralFilter(dielectricF0);
   const F0 = mixFilters(dielectric, 1 - metallic, filter, metallic);
   // At equal refractive indices nothing is reflected, not even at grazing incidence.
   const F90 = ior === 1 ? metallic : (specular?.factor ?? 1) * (1 - metallic) + metallic;
   const coat = clearcoat && coatOf(clearcoat, V);
-  const passed = coat ? 1 - uniformReflectance(coat) : 1;
+  const varnished = coat ? 1 - uniformReflectance(coat) : 1;
+  const fuzz = sheen && fuzzOf(sheen, Math.max(dot(normal, V), 1e-3), varnished);
+  const passed = varnished * (fuzz?.passed ?? 1);
   const base = glossy(F0, F90, roughness, normal, V, passed);
   const diffuse = scaleFilter(filter, (1 - metallic) * passed);
-  return { ...base, diffuse, ...(coat && { coat }), ...(film && { film }) };
+  return { ...base, diffuse, ...(fuzz && { fuzz }), ...(coat && { coat }), ...(film && { film }) };
+}
+
+function fuzzOf({ color, roughness }: NonNullable<SurfacePoint['sheen']>, NV: number, varnished: number): Fuzz {
+  const { share, gain } = sheenLobe(NV, roughness);
+  const filter = scaleFilter(filterFromRgb(color), gain * varnished);
+  return { color: filter, roughness, passed: 1 - Math.min(Math.max(...color), 1) * share };
 }
 
 /** F₀ of `SpecularReflection` (scene/materials/layers.ts). */
@@ -89,7 +108,18 @@ function uniformReflectance({ F0, F90, NV, roughness, smooth, lost }: Brdf): num
 export function evaluateBrdf(brdf: Brdf, L: Vec3): SpectralFilter | undefined {
   const base = evaluateLayer(brdf, L);
   const coat = brdf.coat && evaluateLayer(brdf.coat, L);
-  return base && coat ? mixFilters(base, 1, coat, 1) : (base ?? coat);
+  const fuzz = brdf.fuzz && evaluateFuzz(brdf, brdf.fuzz, L);
+  return plus(plus(base, fuzz), coat);
+}
+
+const plus = (a: SpectralFilter | undefined, b: SpectralFilter | undefined): SpectralFilter | undefined =>
+  a && b ? mixFilters(a, 1, b, 1) : (a ?? b);
+
+function evaluateFuzz({ N, V, NV }: Brdf, { color, roughness }: Fuzz, L: Vec3): SpectralFilter | undefined {
+  const NL = Math.min(dot(N, L), 1);
+  if (NL <= 0) return undefined;
+  const NH = Math.min(dot(N, normalize(add(L, V))), 1);
+  return scaleFilter(color, NL * sheenTerm(NL, NV, NH, roughness));
 }
 
 function evaluateLayer(brdf: Brdf, L: Vec3): SpectralFilter | undefined {
@@ -157,6 +187,24 @@ export const diffuseLobe = ({ N, diffuse }: Brdf): Lobe => ({
   sample: (random) => cosineDirection(N, random),
   pdf: (L) => Math.max(dot(N, L), 0) / Math.PI,
   weight: () => diffuse,
+});
+
+/** All lobes but the diffuse one. */
+export const glossyLobes = (brdf: Brdf): readonly Lobe[] => [
+  specularLobe(brdf),
+  ...(brdf.fuzz ? [fuzzLobe(brdf, brdf.fuzz)] : []),
+  ...(brdf.coat ? [specularLobe(brdf.coat)] : []),
+];
+
+/** Uniform over the hemisphere, since fibres reflect towards grazing angles. */
+const fuzzLobe = (brdf: Brdf, fuzz: Fuzz): Lobe => ({
+  sample: (random) => {
+    const [up, angle] = [random(), 2 * Math.PI * random()];
+    const flat = Math.sqrt(1 - up * up);
+    return fromLocalBasis(brdf.N, flat * Math.cos(angle), flat * Math.sin(angle), up);
+  },
+  pdf: (L) => (dot(brdf.N, L) > 0 ? 1 / (2 * Math.PI) : 0),
+  weight: (L) => scaleFilter(evaluateFuzz(brdf, fuzz, L) ?? neutralFilter(0), 2 * Math.PI),
 });
 
 /** GGX. Samples the microfacet normals visible from V, so that the weight is F · G₂/G₁, and what several scatterings add. */

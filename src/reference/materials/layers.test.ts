@@ -119,6 +119,80 @@ describe('the strength and colour of reflection', () => {
   });
 });
 
+describe('fuzz', () => {
+  /** D and V of KHR_materials_sheen, written from its text: Charlie's distribution, and Estevez and Kulla's shadowing. */
+  function charlie(roughness: number, V: Vec3, L: Vec3): number {
+    const alpha = roughness ** 2;
+    const H = normalize(add(V, L));
+    const D = ((2 + 1 / alpha) * Math.sqrt(1 - H[2] ** 2) ** (1 / alpha)) / (2 * Math.PI);
+    const s = (1 - alpha) ** 2;
+    const fitted = (x: number): number => {
+      const [a, b, c] = [
+        25.3245 * s + 21.5473 * (1 - s),
+        3.32435 * s + 3.82987 * (1 - s),
+        0.16801 * s + 0.19823 * (1 - s),
+      ];
+      return a / (1 + b * x ** c) - (1.27393 * s + 1.9776 * (1 - s)) * x - (4.85967 * s + 4.32054 * (1 - s));
+    };
+    const lambda = (x: number): number => Math.exp(x < 0.5 ? fitted(x) : 2 * fitted(0.5) - fitted(1 - x));
+    return D / ((1 + lambda(V[2]) + lambda(L[2])) * 4 * V[2] * L[2]);
+  }
+
+  /** ∫ D V N·L dΩ by a grid of its own. */
+  function albedo(roughness: number, V: Vec3): number {
+    let sum = 0;
+    const [rings, turns] = [150, 90];
+    for (let i = 0; i < rings; i++)
+      for (let j = 0; j < turns; j++) {
+        const [NL, phi] = [((i + 0.5) / rings) ** 2, (2 * Math.PI * (j + 0.5)) / turns];
+        const flat = Math.sqrt(1 - NL * NL);
+        const ring = (2 * Math.sqrt(NL) * 2 * Math.PI) / (rings * turns);
+        sum += charlie(roughness, V, [flat * Math.cos(phi), flat * Math.sin(phi), NL]) * NL * ring;
+      }
+    return sum;
+  }
+
+  it('adds its fibres, and dims what is below by what they reflect of uniform light', () => {
+    for (const roughness of [0.25, 0.5, 1])
+      for (const z of [0.2, 0.5, 0.9]) {
+        const V: Vec3 = [Math.sqrt(1 - z * z), 0, z];
+        const share = albedo(roughness, V);
+        for (const L of [normalize([-0.9, 0.3, 0.2]), normalize([0.2, 0.4, 1])]) {
+          const [bare, fuzzy] = [{}, { sheen: { color: [0.6, 0.8, 0.1] as const, roughness } }].map((m) =>
+            red(m, V, L),
+          );
+          const expected = bare * (1 - 0.8 * share) + 0.6 * charlie(roughness, V, L) * L[2];
+          expect(Math.abs(fuzzy - expected)).toBeLessThan(0.01 * expected);
+        }
+      }
+  });
+
+  it('of white on a lossless surface reflects all light, and never more, at all angles', () => {
+    for (const [roughness, cosine] of [
+      [0.07, 0.05],
+      [0.2, 0.1],
+      [0.5, 0.3],
+      [1, 0.8],
+    ]) {
+      const sheen = { color: [1, 1, 1] as const, roughness };
+      const light = inFurnace({ baseColor: [1, 1, 1], metallic: 1, roughness: 0, sheen }, cosine, 1024);
+      expect(Math.abs(light - 0.5)).toBeLessThan(0.02);
+    }
+  });
+
+  it('is seen through a varnish', () => {
+    const V = normalize([0.8, 0, 0.6]);
+    const L = normalize([-0.7, 0.2, 0.5]);
+    const clearcoat = { factor: 1, roughness: 0.05, normal: N };
+    const given = { filter: filterFromRgb([0, 0, 0]), ior: 1 };
+    const [coat, both] = [{}, { sheen: { color: [1, 1, 1] as const, roughness: 0.6 } }].map((m) =>
+      red({ ...given, ...m, clearcoat }, V, L),
+    );
+    const passed = 1 - (0.04 + 0.96 * (1 - V[2]) ** 5);
+    expect((both - coat) / (charlie(0.6, V, L) * L[2])).toBeCloseTo(passed, 2);
+  });
+});
+
 it('a film shows the reflectance of its interference at each wavelength of the rest frame', () => {
   const [V, L] = [normalize([0.5, 0.1, 1]), normalize([-0.4, 0, 1])];
   const film = { factor: 1, ior: 1.33, thickness: 400e-9 };

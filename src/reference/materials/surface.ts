@@ -33,6 +33,8 @@ export interface SurfacePoint {
   readonly specular?: { readonly factor: number; readonly color: Vec3 };
   /** The varnish over it, with a normal of its own. */
   readonly clearcoat?: { readonly factor: number; readonly roughness: number; readonly normal: Vec3 };
+  /** Fuzz over it, under the varnish; linear sRGB. */
+  readonly sheen?: { readonly color: Vec3; readonly roughness: number };
   /** A thin film over it; thickness in metres. */
   readonly film?: { readonly factor: number; readonly ior: number; readonly thickness: number };
   /** How much of what it does not reflect passes it, 0 … 1; absent: 0. */
@@ -52,7 +54,15 @@ export function surfaceAt(scene: TracedScene, hit: Hit): SurfacePoint {
   const [r, g, b, opacity] = base;
   const albedo = vertexColor ? tinted([r, g, b], vertexColor) : ([r, g, b] as const);
   const emissive = colorAt(material.emissive, material.emissiveTexture, uv);
-  const { ior = 1.5, emissionTemperature: temperature, specular, clearcoat, iridescence, transmission } = material;
+  const {
+    ior = 1.5,
+    emissionTemperature: temperature,
+    specular,
+    clearcoat,
+    sheen,
+    iridescence,
+    transmission,
+  } = material;
   return {
     albedo,
     filter: filterAt(material, albedo, vertexColor !== undefined, uv),
@@ -74,6 +84,12 @@ export function surfaceAt(scene: TracedScene, hit: Hit): SurfacePoint {
         factor: numberAt(clearcoat.factor, clearcoat.factorTexture, uv),
         roughness: numberAt(clearcoat.roughness, clearcoat.roughnessTexture, uv),
         normal: normalAt(scene, hit, corners, clearcoat.normalTexture, uv),
+      },
+    }),
+    ...(sheen && {
+      sheen: {
+        color: colorAt(sheen.color, sheen.colorTexture, uv),
+        roughness: numberAt(sheen.roughness, sheen.roughnessTexture, uv),
       },
     }),
     ...(iridescence && { film: filmAt(iridescence, uv) }),

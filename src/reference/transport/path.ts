@@ -10,7 +10,7 @@ import { nearestHit, type TracedScene } from '../intersection/tracedScene.ts';
 import { createLightingContext } from '../lights/createLightingContext.ts';
 import { type LightingContext, rayBack, restFrameOf } from '../lights/lightingContext.ts';
 import type { LightOptions } from '../lights/lightOptions.ts';
-import { type Brdf, brdfOf, diffuseLobe, type Lobe, specularLobe } from '../materials/brdf.ts';
+import { type Brdf, brdfOf, diffuseLobe, glossyLobes, type Lobe } from '../materials/brdf.ts';
 import { type SurfacePoint, surfaceAt } from '../materials/surface.ts';
 import { chooseBranch, toHemisphere } from '../sampling/directions.ts';
 import { restFrame, WORLD_FRAME } from '../spectral/restFrame.ts';
@@ -165,7 +165,7 @@ function solidLight(
   here: PathState,
 ): SampledRadiance {
   const own = here.context.emitted(emittedSpectrum(point));
-  const coated = point.clearcoat !== undefined;
+  const coated = point.clearcoat !== undefined || point.sheen !== undefined;
   if (!coated && !here.isCameraPath && here.bounces === 0) return own;
   const brdf = brdfOf(point, V);
   const emitted = coated ? times(own, brdf.passed) : own;
@@ -184,8 +184,8 @@ function indirectLight(lighting: LightingContext, at: SurfaceOrigin, brdf: Brdf,
   const continuesCameraPath = here.isCameraPath && options.mirrors && here.specularDepth > 0;
   const scatters = here.bounces > 0;
   const mirrors = continuesCameraPath || scatters;
-  const glossy = (brdf.coat ? [brdf, brdf.coat] : [brdf]).map((layer) => {
-    const sample = sampleDirection(lighting, specularLobe(layer), here);
+  const glossy = glossyLobes(brdf).map((lobe) => {
+    const sample = sampleDirection(lighting, lobe, here);
     return { sample, weight: mirrors ? maxOfFilter(sample.lobeWeight) : 0 };
   });
   const d = scatters ? maxOfFilter(brdf.diffuse) : 0;

@@ -24,6 +24,8 @@ export interface BrdfNodes {
   readonly multiple: SpectralFilterNodes;
   /** Specular reflectance at the cosine V·H, if it does not go from F₀ to F₉₀ as Schlick has it. */
   readonly fresnel?: (VH: Float) => SpectralFilterNodes;
+  /** The specular part for light from L, of the cosine NL, if it is not GGX. */
+  readonly specular?: (L: Vec3, NL: Float) => SpectralFilterNodes;
 }
 
 interface ReflectionParameters extends SpecularParameters {
@@ -64,13 +66,17 @@ export function evaluateBrdf(brdf: BrdfNodes, L: Vec3): SpectralFilterNodes {
   const NL = clamp(dot(brdf.N, L), 0, 1).toVar();
   return brdf.diffuse
     .mul(1 / Math.PI)
-    .add(ggx(brdf, L, NL))
+    .add(specularTerm(brdf, L, NL))
     .mul(NL);
 }
+
+const specularTerm = (brdf: BrdfNodes, L: Vec3, NL: Float): SpectralFilterNodes =>
+  brdf.specular ? brdf.specular(L, NL) : ggx(brdf, L, NL);
 
 /** The specular term for a light with a size, which widens a = roughness² in both directions; the peak is lowered as it is broadened. */
 export function areaSpecular(brdf: BrdfNodes, L: Vec3, breadth: Float, length: Float): SpectralFilterNodes {
   const NL = clamp(dot(brdf.N, L), 0, 1).toVar();
+  if (brdf.specular) return brdf.specular(L, NL).mul(NL);
   const a = brdf.roughness.mul(brdf.roughness).toVar();
   const height = a.mul(a).div(a.add(breadth).mul(a.add(length)));
   return ggx(brdf, L, NL).mul(height.mul(NL));

@@ -1,5 +1,6 @@
 import { sqrt } from 'three/tsl';
 import { toHalf } from '../../math/half.ts';
+import { MIN_SHEEN_ROUGHNESS, SHEEN_TABLE_SIZE, type SheenLobe, sheenTable } from '../../scene/materials/sheenLobe.ts';
 import {
   LOBE_TABLE_SIZE,
   type LobeCore,
@@ -18,6 +19,8 @@ export interface LobeTable {
   at(NV: Float, roughness: Float): LobeNodes;
   core(NV: Float, roughness: Float): NodesOf<LobeCore>;
   parts(NV: Float, roughness: Float): NodesOf<LobeParts>;
+  /** Of fuzz, whose roughness is at least MIN_SHEEN_ROUGHNESS. */
+  sheen(NV: Float, roughness: Float): NodesOf<SheenLobe>;
 }
 
 export function lobeTable(atlas: HalfAtlas): LobeTable {
@@ -43,6 +46,21 @@ export function lobeTable(atlas: HalfAtlas): LobeTable {
     parts: (NV, roughness) => {
       const { x, y, z } = read('parts', NV, roughness);
       return { wide: x, cosine: y, width: z };
+    },
+    sheen: (NV, roughness) => {
+      const size = SHEEN_TABLE_SIZE;
+      const { x, y, z } = atlas
+        .table('sheen', () => ({ data: Uint16Array.from(sheenTable(), toHalf), width: size.columns }))
+        .sampleLinear(
+          sqrt(NV.min(1))
+            .mul(size.columns - 1)
+            .add(0.5),
+          roughness
+            .sub(MIN_SHEEN_ROUGHNESS)
+            .mul((size.rows - 1) / (1 - MIN_SHEEN_ROUGHNESS))
+            .add(0.5),
+        );
+      return { share: x, cosine: y, gain: z };
     },
   };
 }

@@ -21,6 +21,7 @@ import { type LightRange, limitLight } from '../gpu/lightRange.ts';
 import type { Environment } from '../lights/environment.ts';
 import { depthHere } from '../shading/passes.ts';
 import type { LightVisibility } from '../shadows/distant/parallelReceiver.ts';
+import type { FuzzNodes } from './fuzz.ts';
 import { type Glass, lightBehind } from './glass.ts';
 import { type GlassView, type SurfaceLayers, shadeLayered } from './layeredShading.ts';
 import { type LayerReader, MaterialLayerTable } from './materialLayerTable.ts';
@@ -166,9 +167,15 @@ function filmOf(reader: LayerReader): NonNullable<SurfaceLayers['film']> {
   return { factor: reader.number('film'), ior, thickness: mix(thinnest, thickest, reader.number('filmThickness')) };
 }
 
+function fuzzAt(reader: LayerReader, { colorTexture }: NonNullable<Material['sheen']>): FuzzNodes {
+  const color = reader.vector(4).xyz.toVar();
+  if (colorTexture) color.mulAssign(reader.sample(colorTexture).rgb);
+  return { color, roughness: reader.number('sheenRoughness') };
+}
+
 /** Before any discard, because normal maps need derivatives between neighbouring fragments. */
 function readLayers(reader: LayerReader, sources: SurfaceSources, like: Material): SurfaceLayers {
-  const { specular, clearcoat, iridescence } = like;
+  const { specular, clearcoat, sheen, iridescence } = like;
   const color = specular && reader.vector(0).xyz.toVar();
   if (color && specular.colorTexture) color.mulAssign(reader.sample(specular.colorTexture).rgb);
   const map = clearcoat?.normalTexture;
@@ -176,6 +183,7 @@ function readLayers(reader: LayerReader, sources: SurfaceSources, like: Material
     clearcoat && frontNormal(sources, map && { texture: reader.texture(map.texture), strength: reader.vector(1).xy });
   return {
     ...(color && { specular: { factor: reader.number('specular'), color } }),
+    ...(sheen && { fuzz: fuzzAt(reader, sheen) }),
     ...(iridescence && { film: filmOf(reader) }),
     ...(coatNormal && {
       coat: {

@@ -8,12 +8,14 @@ import type { Environment } from '../lights/environment.ts';
 import type { RestFrameNodes } from '../lights/restFrame.ts';
 import { beginShading, type ShadedSurface } from '../shading/shade.ts';
 import type { LightVisibility } from '../shadows/distant/parallelReceiver.ts';
+import { type FuzzNodes, fuzzOf } from './fuzz.ts';
 import { type FilmNodes, filmReflectance } from './thinFilm.ts';
 
 /** What layers a surface has at a fragment; the same formulas as in src/reference/materials/brdf.ts. */
 export interface SurfaceLayers {
   readonly specular?: { readonly factor: Float; readonly color: Vec3 };
   readonly film?: FilmNodes & { readonly factor: Float };
+  readonly fuzz?: FuzzNodes;
   /** The share that passes, and the radiance of what is seen through it by the observer. */
   readonly clear?: { readonly share: Float; readonly behind: (view: GlassView) => Vec3 };
   readonly coat?: { readonly factor: Float; readonly roughness: Float; readonly normal: Vec3 };
@@ -40,7 +42,7 @@ export const shadeLayered = (
 ): Vec3 =>
   Fn(() => {
     const { rest, N, V, accumulator, albedo, lit } = beginShading(surface, uniforms, pipeline, shadows);
-    const { specular, coat: varnish, film, clear } = layers;
+    const { specular, coat: varnish, film, fuzz: fibres, clear } = layers;
     const tinted = specular && {
       F0: accumulator
         .filter(min(specular.color.mul(surface.F0), 1))
@@ -54,8 +56,12 @@ export const shadeLayered = (
     const share = clear?.share.mul(surface.metallic.oneMinus()).toVar();
     const base = share ? { ...whole, diffuse: whole.diffuse.mul(share.oneMinus()).toVar() } : whole;
     const coat = varnish && coatOf(varnish, V, environment.lobes);
-    const passed = coat && environmentBrdf(coat).x.oneMinus().toVar();
+    const varnished = coat && environmentBrdf(coat).x.oneMinus().toVar();
+    const fuzz = fibres && fuzzOf(fibres, N, V, environment.lobes, accumulator.filter);
+    const passed = varnished && fuzz ? varnished.mul(fuzz.passed).toVar() : (varnished ?? fuzz?.passed);
     environment.addReflected({ ...lit, brdf: passed ? dimmed(base, passed) : base }, accumulator);
+    if (fuzz)
+      environment.addReflected({ ...lit, brdf: varnished ? dimmed(fuzz.brdf, varnished) : fuzz.brdf }, accumulator);
     if (coat) environment.addReflected({ ...lit, brdf: coat }, accumulator);
     const { emission } = surface;
     accumulator.addEmitted(passed ? emission.rgb.mul(passed) : emission.rgb);
@@ -101,4 +107,5 @@ const dimmed = (brdf: BrdfNodes, passed: Float): BrdfNodes => ({
   F0: brdf.F0.mul(passed).toVar(),
   F90: brdf.F90.mul(passed).toVar(),
   ...(brdf.fresnel && { fresnel: (VH: Float) => brdf.fresnel!(VH).mul(passed) }),
+  ...(brdf.specular && { specular: (L: Vec3, NL: Float) => brdf.specular!(L, NL).mul(passed) }),
 });

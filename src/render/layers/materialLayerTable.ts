@@ -17,13 +17,14 @@ const CHANNELS = [
   'thickness',
   'film',
   'filmThickness',
+  'sheenRoughness',
 ] as const;
 type Channel = (typeof CHANNELS)[number];
 
 /** A number of a layer: its value, or its texture. */
 type Numbers = Readonly<Record<Channel, readonly [value: number, from: TextureChannel | undefined]>>;
 
-const numbersOf = ({ specular, clearcoat, transmission, volume, iridescence }: Material): Numbers => ({
+const numbersOf = ({ specular, clearcoat, transmission, volume, iridescence, sheen }: Material): Numbers => ({
   specular: [specular?.factor ?? 1, specular?.factorTexture],
   clearcoat: [clearcoat?.factor ?? 0, clearcoat?.factorTexture],
   clearcoatRoughness: [clearcoat?.roughness ?? 0, clearcoat?.roughnessTexture],
@@ -33,17 +34,19 @@ const numbersOf = ({ specular, clearcoat, transmission, volume, iridescence }: M
   film: [iridescence?.factor ?? 0, iridescence?.factorTexture],
   // Between the least and the greatest.
   filmThickness: [1, iridescence?.thicknessTexture],
+  sheenRoughness: [sheen?.roughness ?? 0, sheen?.roughnessTexture],
 });
 
 /**
  * Vectors of layers, a texel each: (tint of F₀, thickness [m]), (strength of the varnish's normal map along u and v, refractive index, dispersion),
- * (attenuation colour, 1/attenuation distance [1/m]), (refractive index of the film, its least and greatest thickness [µm]).
+ * (attenuation colour, 1/attenuation distance [1/m]), (refractive index of the film, its least and greatest thickness [µm]), (colour of the fuzz).
  */
 const vectorsOf = ({
   specular,
   clearcoat,
   volume,
   iridescence,
+  sheen,
   ior = 1.5,
   dispersion = 0,
 }: Material): readonly number[] => [
@@ -51,8 +54,9 @@ const vectorsOf = ({
   ...[...(clearcoat?.normalTexture?.strength ?? [0, 0]), ior, dispersion],
   ...[...(volume?.attenuationColor ?? [1, 1, 1]), 1 / (volume?.attenuationDistance ?? Number.POSITIVE_INFINITY)],
   ...[iridescence?.ior ?? 1, ...(iridescence?.thickness ?? [0, 0]).map((metres) => 1e6 * metres), 0],
+  ...[...(sheen?.color ?? [0, 0, 0]), 0],
 ];
-const VECTOR_TEXELS = 4;
+const VECTOR_TEXELS = 5;
 const LAYER_TEXELS = VECTOR_TEXELS + Math.ceil(CHANNELS.length / 2);
 
 /** The layers of all materials, and their textures. */

@@ -30,6 +30,18 @@ export interface Clearcoat {
   readonly normalTexture?: NormalTexture;
 }
 
+/** Upright fibres over a surface, as of velvet and dust, as of `KHR_materials_sheen`: they reflect at grazing angles. */
+export interface Sheen {
+  /** Linear sRGB, 0 … 1. */
+  readonly color: Vec3;
+  /** Multiplied with `color`. */
+  readonly colorTexture?: Texture;
+  /** 0 … 1; with a texture, the mean of that. */
+  readonly roughness: number;
+  /** Roughness by place. */
+  readonly roughnessTexture?: TextureChannel;
+}
+
 /** Light passes a surface that scatters none inside, as of `KHR_materials_transmission`: its base colour tints it. Without a volume it is a thin sheet. */
 export interface Transmission {
   /** How much of what the surface does not reflect passes it, 0 … 1; with a texture, the mean of that. */
