@@ -57,7 +57,10 @@ const files: ClaimGroup = {
       'gltf.ignored-extension',
       [
         json({ extensionsUsed: ['EXT_new'] }),
-        json({ extensionsUsed: ['KHR_materials_sheen'], extensionsRequired: ['KHR_materials_sheen'] }),
+        json({
+          extensionsUsed: ['KHR_materials_diffuse_transmission'],
+          extensionsRequired: ['KHR_materials_diffuse_transmission'],
+        }),
       ],
       triangles(1),
     ),

@@ -7,6 +7,7 @@ import {
   KHRMaterialsIOR,
   KHRMaterialsIridescence,
   KHRMaterialsPBRSpecularGlossiness,
+  KHRMaterialsSheen,
   KHRMaterialsSpecular,
   KHRMaterialsTransmission,
   KHRMaterialsUnlit,
@@ -102,6 +103,21 @@ const looks: ClaimGroup = {
           transmission: { factor: 0.5 },
           volume: { thickness: 0.25, attenuationColor: [1, 0.5, 0], attenuationDistance: 2 },
           dispersion: 0.25,
+        }),
+    ),
+    read(
+      '`KHR_materials_sheen`, with textures',
+      'fuzz that reflects at grazing angles, over the material and under its varnish',
+      withMaterial((m, kit) => {
+        const sheen = kit.doc.createExtension(KHRMaterialsSheen).createSheen();
+        sheen.setSheenColorFactor([0.5, 0.25, 1]).setSheenColorTexture(picture(kit)).setSheenRoughnessFactor(0.25);
+        m.setExtension('KHR_materials_sheen', sheen);
+      }),
+      (s) =>
+        expect(base(s).sheen).toMatchObject({
+          color: [0.5, 0.25, 1],
+          colorTexture: { colorSpace: 'srgb' },
+          roughness: 0.25,
         }),
     ),
     read(

@@ -824,6 +824,14 @@ const messages: Translation['messages'] = {
   'tinted reflection of what is partly metal': '部分为金属的表面的有色反射',
   'texture of the strength of reflection': '反射强度的纹理',
   'normal map of the clearcoat': '清漆的法线贴图',
+  sheen: '绒光',
+  Sheen: '绒光',
+  'Upright fibres over the surface, as of velvet and dust, which reflect at grazing angles.':
+    '表面上直立的细纤维，如天鹅绒和灰尘，在掠射角反射光。',
+  'Colour of the sheen': '绒光颜色',
+  'Roughness of the sheen': '绒光的粗糙度',
+  'sheen colour texture': '绒光颜色纹理',
+  'sheen roughness texture': '绒光粗糙度纹理',
   'unlit surface: it emits its colour through the tone curve': '无光照表面：其颜色经色调曲线发出',
   'Index of refraction': '折射率',
   'Determines how much is reflected, and how glass refracts: 1.33 is water, 1.5 glass, 2.42 diamond.':

@@ -1,5 +1,5 @@
 import { readReflectanceCsv } from '../../formats/attributes/spectrumCsv.ts';
-import type { Vec3 } from '../../math/vec3.ts';
+import { scale, type Vec3 } from '../../math/vec3.ts';
 import { type LocalizedText, type Message, msg } from '../../messages/message.ts';
 import { assignMaterial } from '../../scene/compose/assignMaterial.ts';
 import { makeMaterial } from '../../scene/defaults.ts';
@@ -23,6 +23,7 @@ const PRESET_TITLES: Readonly<Record<string, Message>> = {
   copper: msg`Copper`,
 };
 const GLASS = { param: 'transmission', isNot: 0 } as const;
+const SHEEN = { param: 'sheen', isNot: 0 } as const;
 const FILM = { param: 'iridescence', isNot: 0 } as const;
 const DEFAULT_IOR = 1.5;
 const CUSTOM_PRESET = { param: 'preset', is: 'own' } as const;
@@ -133,6 +134,12 @@ export const materialNode = defineNode({
       step: 0.01,
       onlyWhen: FILM,
     },
+    sheen: {
+      ...fractionParam(msg`Sheen`, 0),
+      help: msg`Upright fibres over the surface, as of velvet and dust, which reflect at grazing angles.`,
+    },
+    sheenColor: { kind: 'color', title: msg`Colour of the sheen`, default: [1, 1, 1], onlyWhen: SHEEN },
+    sheenRoughness: { ...fractionParam(msg`Roughness of the sheen`, 0.5), onlyWhen: SHEEN },
     clearcoat: { ...fractionParam(msg`Clearcoat`, 0), help: msg`A clear varnish over everything else.` },
     clearcoatRoughness: {
       ...fractionParam(msg`Roughness of the clearcoat`, 0.1),
@@ -195,6 +202,9 @@ interface MaterialParams {
   readonly iridescence: number;
   readonly filmThickness: number;
   readonly filmIor: number;
+  readonly sheen: number;
+  readonly sheenColor: Vec3;
+  readonly sheenRoughness: number;
   readonly clearcoat: number;
   readonly clearcoatRoughness: number;
   readonly glow: number;
@@ -215,7 +225,7 @@ function materialOf(name: string, params: MaterialParams): Material {
 function layersOf(params: MaterialParams): Partial<Material> {
   const { ior, transmission, thickness, dispersion, clearcoat, clearcoatRoughness } = params;
   const { attenuationColor, attenuationDistance } = params;
-  const { iridescence, filmThickness, filmIor } = params;
+  const { iridescence, filmThickness, filmIor, sheen, sheenColor, sheenRoughness } = params;
   const isClear = transmission > 0;
   return {
     ...(ior !== DEFAULT_IOR && { ior }),
@@ -225,6 +235,7 @@ function layersOf(params: MaterialParams): Partial<Material> {
     ...(iridescence > 0 && {
       iridescence: { factor: iridescence, ior: filmIor, thickness: [0, filmThickness * NANOMETRE] as const },
     }),
+    ...(sheen > 0 && { sheen: { color: scale(sheenColor, sheen), roughness: sheenRoughness } }),
     ...(clearcoat > 0 && { clearcoat: { factor: clearcoat, roughness: clearcoatRoughness } }),
   };
 }

@@ -132,6 +132,12 @@ const MATERIAL_EXTENSIONS: Readonly<Record<string, SchemaCheck>> = {
     iridescenceThicknessMaximum: factor,
     iridescenceThicknessTexture: picture,
   }),
+  KHR_materials_sheen: fields({
+    sheenColorFactor: color,
+    sheenColorTexture: picture,
+    sheenRoughnessFactor: factor,
+    sheenRoughnessTexture: picture,
+  }),
   KHR_materials_transmission: fields({ transmissionFactor: factor, transmissionTexture: picture }),
   KHR_materials_volume: fields({
     thicknessFactor: factor,

@@ -1,5 +1,13 @@
 import type { Material as GltfMaterial, Texture as GltfTexture, TextureInfo } from '@gltf-transform/core';
-import type { Clearcoat, Dispersion, Iridescence, Specular, Transmission, Volume } from '@gltf-transform/extensions';
+import type {
+  Clearcoat,
+  Dispersion,
+  Iridescence,
+  Sheen,
+  Specular,
+  Transmission,
+  Volume,
+} from '@gltf-transform/extensions';
 import type { Vec3 } from '../../../math/vec3.ts';
 import { type Message, msg } from '../../../messages/message.ts';
 import type { Material, NormalTexture, Texture, TextureChannel } from '../../../scene/types.ts';
@@ -19,6 +27,7 @@ export interface TextureInputs {
 export const layersOf = (material: GltfMaterial, textures: TextureInputs): Partial<Material> => ({
   ...specularOf(material.getExtension<Specular>('KHR_materials_specular'), textures),
   ...clearcoatOf(material.getExtension<Clearcoat>('KHR_materials_clearcoat'), textures),
+  ...sheenOf(material.getExtension<Sheen>('KHR_materials_sheen'), textures),
   ...transmissionOf(material, textures),
   ...iridescenceOf(material.getExtension<Iridescence>('KHR_materials_iridescence'), textures),
 });
@@ -66,6 +75,26 @@ function clearcoatOf(from: Clearcoat | null, { number, normal }: TextureInputs):
       roughness,
       ...(roughnessTexture && { roughnessTexture }),
       ...(normalTexture && { normalTexture }),
+    },
+  };
+}
+
+function sheenOf(from: Sheen | null, { color, number }: TextureInputs): Partial<Material> {
+  if (!from) return {};
+  const [r, g, b] = from.getSheenColorFactor().map(clamped);
+  if (r === 0 && g === 0 && b === 0) return {};
+  const colorTexture = color(from.getSheenColorTexture(), from.getSheenColorTextureInfo());
+  const given = clamped(from.getSheenRoughnessFactor());
+  const [roughness, roughnessTexture] = textured(
+    given,
+    number(from.getSheenRoughnessTexture(), from.getSheenRoughnessTextureInfo(), 3, given),
+  );
+  return {
+    sheen: {
+      color: [r, g, b],
+      ...(colorTexture && { colorTexture }),
+      roughness,
+      ...(roughnessTexture && { roughnessTexture }),
     },
   };
 }
@@ -134,6 +163,7 @@ export function layerTextures(m: GltfMaterial): (readonly [Message, Image, Info]
   const clear = m.getExtension<Transmission>('KHR_materials_transmission');
   const volume = m.getExtension<Volume>('KHR_materials_volume');
   const film = m.getExtension<Iridescence>('KHR_materials_iridescence');
+  const sheen = m.getExtension<Sheen>('KHR_materials_sheen');
   return [
     ...(clear
       ? ([[msg`transmission texture`, clear.getTransmissionTexture(), clear.getTransmissionTextureInfo()]] as const)
@@ -146,6 +176,12 @@ export function layerTextures(m: GltfMaterial): (readonly [Message, Image, Info]
             film.getIridescenceThicknessTexture(),
             film.getIridescenceThicknessTextureInfo(),
           ],
+        ] as const)
+      : []),
+    ...(sheen
+      ? ([
+          [msg`sheen colour texture`, sheen.getSheenColorTexture(), sheen.getSheenColorTextureInfo()],
+          [msg`sheen roughness texture`, sheen.getSheenRoughnessTexture(), sheen.getSheenRoughnessTextureInfo()],
         ] as const)
       : []),
     ...(volume

@@ -3,6 +3,7 @@ import {
   KHRMaterialsClearcoat,
   KHRMaterialsDispersion,
   KHRMaterialsIridescence,
+  KHRMaterialsSheen,
   KHRMaterialsSpecular,
   KHRMaterialsTransmission,
   KHRMaterialsVolume,
@@ -23,6 +24,7 @@ export interface TextureOutputs {
 export function addLayers(document: Document, made: GltfMaterial, m: Material, textures: TextureOutputs): void {
   addSpecular(document, made, m, textures);
   addClearcoat(document, made, m, textures);
+  addSheen(document, made, m, textures);
   addTransmission(document, made, m, textures);
   addIridescence(document, made, m, textures);
 }
@@ -45,6 +47,17 @@ function addIridescence(
   film.setIridescenceFactor(factor ?? from.factor);
   film.setIridescenceThicknessMinimum(thinnest).setIridescenceThicknessMaximum(thickest);
   made.setExtension('KHR_materials_iridescence', film);
+}
+
+function addSheen(document: Document, made: GltfMaterial, { sheen: from }: Material, textures: TextureOutputs): void {
+  if (!from) return;
+  const sheen = document.createExtension(KHRMaterialsSheen).createSheen();
+  const roughness = textures.number(from.roughnessTexture, 3, (picture) =>
+    sheen.setSheenRoughnessTexture(picture).getSheenRoughnessTextureInfo(),
+  );
+  textures.color(from.colorTexture, (picture) => sheen.setSheenColorTexture(picture).getSheenColorTextureInfo());
+  sheen.setSheenColorFactor([...from.color]).setSheenRoughnessFactor(roughness ?? from.roughness);
+  made.setExtension('KHR_materials_sheen', sheen);
 }
 
 function addTransmission(

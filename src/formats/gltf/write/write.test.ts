@@ -277,6 +277,16 @@ describe('a scene written as glTF', () => {
         normalTexture: { texture: { data: map.data }, strength: [0.5, 0.5] },
       },
     });
+    const sheen = {
+      color: [0.5, 0.25, 1],
+      colorTexture: { ...map, colorSpace: 'srgb', data: map.data.slice() },
+      roughness: 0.5,
+    } as const;
+    expect((await reread(makeMaterial({ name: 'Velvet', sheen }))).sheen).toMatchObject({
+      color: sheen.color,
+      colorTexture: { data: map.data, colorSpace: 'srgb' },
+      roughness: 0.5,
+    });
     const film = { factor: 0.5, ior: 1.25, thickness: [1e-7, 4e-7] } as const;
     expect((await reread(makeMaterial({ name: 'Soap', iridescence: film }))).iridescence).toMatchObject({
       ...film,

@@ -136,6 +136,16 @@ describe('a MaterialX document in a USD layer', () => {
     expect(worn(await readDocument(document('')))).not.toHaveProperty('iridescence');
   });
 
+  it('reads sheen, whose roughness is the width of its distribution', async () => {
+    const sheen =
+      '<input name="sheen" type="float" value="0.5" /><input name="sheen_color" type="color3" value="1, 0.5, 0" /><input name="sheen_roughness" type="float" value="0.25" />';
+    const scene = await readDocument(document(sheen));
+    expect(said(scene)).toEqual([]);
+    // α = roughness².
+    expect(worn(scene).sheen).toEqual({ color: [0.5, 0.25, 0], roughness: 0.5 });
+    expect(worn(await readDocument(document('')))).not.toHaveProperty('sheen');
+  });
+
   it('reads UsdPreviewSurface', async () => {
     expect(worn(await read('plain'))).toMatchObject({ baseColor: [0.25, 0.5, 0.75], roughness: 0.125 });
   });
@@ -157,13 +167,13 @@ describe('a MaterialX document in a USD layer', () => {
 
   it('says what it does not draw, with node and value', async () => {
     const text = document(
-      '<input name="base_color" type="color3" nodename="n" /><input name="sheen" type="float" value="0.5" /><input name="metalness" type="float" value="much" />',
+      '<input name="base_color" type="color3" nodename="n" /><input name="specular_anisotropy" type="float" value="0.5" /><input name="metalness" type="float" value="much" />',
       '<wavy name="n" type="color3" />',
     );
     const scene = await readDocument(text);
     const all = said(scene).join('\n');
     expect(all).toContain("mtlx.node a.usda</Looks/M/NodeGraphs/n>: the node 'ND_wavy_color3' is not read");
-    expect(all).toContain('sheen of this material is not drawn');
+    expect(all).toContain('specular_anisotropy of this material is not drawn');
     expect(all).toMatch(
       /mtlx\.value look\.mtlx: look\.mtlx, line 3: .*'metalness' of <standard_surface> 'S' has the value 'much', which is no float/,
     );

@@ -8,6 +8,7 @@ import type { ColorPrimvar } from '../textureReader.ts';
 import type { UvSource } from '../uvs.ts';
 import { computed, constant, type Expression, scaled, sizeOf } from './expression.ts';
 import { type FilmInputs, filmOf } from './film.ts';
+import { type FuzzInputs, fuzzOf } from './fuzz.ts';
 import { type GlassInputs, glassOf, tinted } from './glass.ts';
 import type { ShadingNetwork } from './network.ts';
 import { NetworkReader } from './networkReader.ts';
@@ -35,6 +36,7 @@ interface SurfaceModel {
   readonly opacity: string;
   readonly glass?: GlassInputs;
   readonly film?: FilmInputs;
+  readonly fuzz?: FuzzInputs;
   /** Share of light that passes a surface without reflection: transparency. */
   readonly clear?: string;
   readonly normal: string;
@@ -78,6 +80,14 @@ const STANDARD: SurfaceModel = {
     ior: 'thin_film_IOR',
     defaultIor: 1.5,
   },
+  fuzz: {
+    weight: 'sheen',
+    color: 'sheen_color',
+    defaultColor: 1,
+    roughness: 'sheen_roughness',
+    defaultRoughness: 0.3,
+    isWidth: true,
+  },
   glass: {
     weight: 'transmission',
     color: 'transmission_color',
@@ -88,7 +98,7 @@ const STANDARD: SurfaceModel = {
   },
   normal: 'normal',
   subsurface: ['subsurface', 'subsurface_color', 1],
-  unread: ['diffuse_roughness', 'specular_anisotropy', 'sheen', 'transmission_scatter', 'transmission_extra_roughness'],
+  unread: ['diffuse_roughness', 'specular_anisotropy', 'transmission_scatter', 'transmission_extra_roughness'],
   coat: {
     weight: 'coat',
     roughness: 'coat_roughness',
@@ -143,6 +153,14 @@ const SURFACES: ReadonlyMap<string, SurfaceModel> = new Map<string, SurfaceModel
         ior: 'thin_film_ior',
         defaultIor: 1.4,
       },
+      fuzz: {
+        weight: 'fuzz_weight',
+        color: 'fuzz_color',
+        defaultColor: 1,
+        roughness: 'fuzz_roughness',
+        defaultRoughness: 0.5,
+        isWidth: false,
+      },
       glass: {
         weight: 'transmission_weight',
         color: 'transmission_color',
@@ -153,7 +171,7 @@ const SURFACES: ReadonlyMap<string, SurfaceModel> = new Map<string, SurfaceModel
       },
       normal: 'geometry_normal',
       subsurface: ['subsurface_weight', 'subsurface_color', 0.8],
-      unread: ['base_diffuse_roughness', 'specular_roughness_anisotropy', 'fuzz_weight', 'transmission_scatter'],
+      unread: ['base_diffuse_roughness', 'specular_roughness_anisotropy', 'transmission_scatter'],
     },
   ],
   [
@@ -188,6 +206,14 @@ const SURFACES: ReadonlyMap<string, SurfaceModel> = new Map<string, SurfaceModel
         ior: 'iridescence_ior',
         defaultIor: 1.3,
       },
+      fuzz: {
+        weight: '',
+        color: 'sheen_color',
+        defaultColor: 0,
+        roughness: 'sheen_roughness',
+        defaultRoughness: 0,
+        isWidth: false,
+      },
       glass: {
         weight: 'transmission',
         color: '',
@@ -198,7 +224,7 @@ const SURFACES: ReadonlyMap<string, SurfaceModel> = new Map<string, SurfaceModel
       },
       normal: 'normal',
       occlusion: 'occlusion',
-      unread: ['sheen_color', 'anisotropy_strength'],
+      unread: ['anisotropy_strength'],
     },
   ],
   [
@@ -294,6 +320,7 @@ export async function networkMaterial(network: ShadingNetwork, shader: PrimSpec)
   const coat = await coatOf(reader, shader, model);
   const glass = await glassOf(reader, shader, model.glass, network.unit);
   const film = await filmOf(reader, shader, model.film);
+  const fuzz = await fuzzOf(reader, shader, model.fuzz);
   return {
     material: {
       baseColor: diffuse.color,
@@ -313,6 +340,7 @@ export async function networkMaterial(network: ShadingNetwork, shader: PrimSpec)
       ...(coat.layer && { clearcoat: coat.layer }),
       ...glass.material,
       ...(film.layer && { iridescence: film.layer }),
+      ...(fuzz.layer && { sheen: fuzz.layer }),
     },
     uvs: [
       diffuse.uv,
@@ -326,6 +354,7 @@ export async function networkMaterial(network: ShadingNetwork, shader: PrimSpec)
       ...coat.uvs,
       ...glass.uvs,
       film.uv,
+      ...fuzz.uvs,
     ],
     colors: diffuse.primvar,
     isPainted: diffuse.texture !== undefined || diffuse.primvar !== undefined,
