@@ -188,7 +188,7 @@ const FLATTEST = 1e-3;
 /** The upper triangular A with AᵀA = G (Cholesky), with a positive diagonal, for a G that may be singular; 1 for none. */
 function triangular(G: Mat3): Mat3 {
   const most = Math.max(G[0], G[4], G[8]);
-  if (!(most > 0 && most < Number.POSITIVE_INFINITY)) return [1, 0, 0, 0, 1, 0, 0, 0, 1];
+  if (!(most > 0) || !G.every(Number.isFinite)) return [1, 0, 0, 0, 1, 0, 0, 0, 1];
   const root = (square: number): number => Math.sqrt(Math.max(square, FLATTEST ** 2 * most));
   const xx = root(G[0]);
   const [xy, xz] = [G[1] / xx, G[2] / xx];
