@@ -1,6 +1,7 @@
 import { type Message, msg } from '../../../messages/message.ts';
 import { inputError } from '../../diagnostics/inputError.ts';
 import { type AttributeSpec, EMPTY_MAP, type PrimSpec, type PropertySpec } from '../layer/layer.ts';
+import { attribute, connected, primSpec, uniform } from '../layer/specs.ts';
 import type { DocumentElement } from './documents.ts';
 import { nodeId } from './nodeIds.ts';
 import { parseMaterialXValue, usdName, usdTypeOf } from './values.ts';
@@ -14,16 +15,7 @@ export const MAX_MATERIALX_PRIMS = 50_000;
 /** Maximum depth of custom nodes that are made of custom nodes. */
 const MAX_CUSTOM_DEPTH = 16;
 
-export const primSpec = (path: string, typeName: string): PrimSpec => ({
-  path,
-  name: path.slice(path.lastIndexOf('/') + 1),
-  specifier: 'def',
-  typeName,
-  metadata: EMPTY_MAP,
-  properties: EMPTY_MAP,
-  children: EMPTY_MAP,
-  variantSets: EMPTY_MAP,
-});
+export const emptyPrim = (path: string, type: string): PrimSpec => primSpec(path, { type, properties: [] });
 
 /** Elements that are neither nodes nor graphs. */
 const NO_NODES =
@@ -109,7 +101,7 @@ export class DocumentPrims {
       const id = nodeId(element);
       const name = usdName(id);
       found.set(name, {
-        ...this.counted(primSpec(`/MaterialX/Shaders/${name}`, 'Shader'), element),
+        ...this.counted(emptyPrim(`/MaterialX/Shaders/${name}`, 'Shader'), element),
         properties: propertiesOf([idOf(id), output('surface', 'token')]),
       });
     }
@@ -141,7 +133,7 @@ export class DocumentPrims {
 
   /** A material: its shader, and below it the graphs and nodes that drive it. */
   private material(at: DocumentElement, path: string): PrimSpec {
-    const prim = this.counted(primSpec(path, 'Material'), at.element);
+    const prim = this.counted(emptyPrim(path, 'Material'), at.element);
     const children = new Map<string, PrimSpec>();
     const properties: PropertySpec[] = [];
     const wanted = newWanted();
@@ -152,7 +144,7 @@ export class DocumentPrims {
       const source = inputsOf(at.element).find(({ attributes }) => attributes.get('name') === input);
       if (!source || !(source.attributes.get('nodename') || source.attributes.get('nodegraph'))) continue;
       const target = this.shaderOf(source, at, path, wanted, children, properties);
-      if (target) properties.push({ ...attribute(`outputs:mtlx:${output}`, 'token'), connections: to(target) });
+      if (target) properties.push(connected('token', `outputs:mtlx:${output}`, target));
     }
     this.addWanted(path, wanted, children);
     return { ...prim, children, properties: propertiesOf(properties) };
@@ -218,7 +210,7 @@ export class DocumentPrims {
         this.addNode(nodes, at.element, scope, at);
       }
     }
-    if (nodes.size > 0) children.set('NodeGraphs', { ...primSpec(`${path}/NodeGraphs`, ''), children: nodes });
+    if (nodes.size > 0) children.set('NodeGraphs', { ...emptyPrim(`${path}/NodeGraphs`, ''), children: nodes });
   }
 
   private nodeGraph(at: DocumentElement, path: string, graphs: string, wanted: Wanted): PrimSpec {
@@ -250,7 +242,7 @@ export class DocumentPrims {
       );
       properties.push(target ? { ...made, connections: to(target) } : made);
     }
-    return { ...this.counted(primSpec(path, 'NodeGraph'), element), children, properties: propertiesOf(properties) };
+    return { ...this.counted(emptyPrim(path, 'NodeGraph'), element), children, properties: propertiesOf(properties) };
   }
 
   private addNode(into: Map<string, PrimSpec>, element: XmlElement, scope: NameScope, where: Surroundings): void {
@@ -269,11 +261,11 @@ export class DocumentPrims {
       const type = input.attributes.get('type') ?? '';
       const between = channelsName(name, input);
       into.set(between, {
-        ...this.counted(primSpec(`${scope.nodes}/${between}`, 'Shader'), input),
+        ...this.counted(emptyPrim(`${scope.nodes}/${between}`, 'Shader'), input),
         properties: propertiesOf([
           idOf(`ND_swizzle_${type}`),
-          { ...attribute('inputs:in', 'float4'), connections: to(target) },
-          { ...attribute('inputs:channels', 'string'), value: { type: 'string', data: channels! } },
+          connected('float4', 'inputs:in', target),
+          attribute('string', 'inputs:channels', { type: 'string', data: channels! }),
           output('out', usdTypeOf(type).typeName),
         ]),
       });
@@ -308,7 +300,7 @@ export class DocumentPrims {
         ? [output('surface', 'token'), output('out', 'token')]
         : [output('out', usdTypeOf(type).typeName)];
     return {
-      ...this.counted(primSpec(path, 'Shader'), element),
+      ...this.counted(emptyPrim(path, 'Shader'), element),
       properties: propertiesOf([idOf(nodeId(element)), ...inputs, ...outputs]),
     };
   }
@@ -317,7 +309,7 @@ export class DocumentPrims {
   private input(element: XmlElement, node: XmlElement, scope: NameScope, where: Surroundings): AttributeSpec {
     const { attributes, line } = element;
     const [name, type] = [attributes.get('name') ?? '', attributes.get('type') ?? ''];
-    const made = attribute(`inputs:${usdName(name)}`, usdTypeOf(type).typeName);
+    const made = attribute(usdTypeOf(type).typeName, `inputs:${usdName(name)}`);
     const target =
       attributes.has('channels') && this.targetOf(element, scope)
         ? `${scope.nodes}/${channelsName(usdName(node.attributes.get('name') ?? ''), element)}.outputs:out`
@@ -372,22 +364,9 @@ const around = ({ attributes }: XmlElement, outside: Surroundings): Surroundings
   filePrefix: attributes.get('fileprefix') ?? outside.filePrefix,
 });
 
-const attribute = (name: string, typeName: string): AttributeSpec => ({
-  kind: 'attribute',
-  name,
-  typeName,
-  custom: false,
-  uniform: false,
-  metadata: EMPTY_MAP,
-});
+const output = (name: string, typeName: string): AttributeSpec => attribute(typeName, `outputs:${name}`);
 
-const output = (name: string, typeName: string): AttributeSpec => attribute(`outputs:${name}`, typeName);
-
-const idOf = (id: string): AttributeSpec => ({
-  ...attribute('info:id', 'token'),
-  uniform: true,
-  value: { type: 'token', data: id },
-});
+const idOf = (id: string): AttributeSpec => uniform('token', 'info:id', { type: 'token', data: id });
 
 const to = (path: string) => ({ explicit: [path] });
 

@@ -1,7 +1,7 @@
 import { msg } from '../../../messages/message.ts';
 import type { AssetFiles } from '../assets/assetFiles.ts';
 import { EMPTY_MAP, type Layer, type PrimSpec } from '../layer/layer.ts';
-import { DocumentPrims, type MaterialXRemark, primSpec } from './documentPrims.ts';
+import { DocumentPrims, emptyPrim, type MaterialXRemark } from './documentPrims.ts';
 import { documentElements } from './documents.ts';
 
 /**
@@ -24,7 +24,7 @@ export async function readMaterialX(
   ]);
   const children = new Map<string, PrimSpec>();
   for (const [name, group] of groups)
-    if (group.size > 0) children.set(name, { ...primSpec(`/MaterialX/${name}`, ''), children: group });
+    if (group.size > 0) children.set(name, { ...emptyPrim(`/MaterialX/${name}`, ''), children: group });
   const looks = elements.filter(({ element }) => element.name === 'look').length;
   if (looks > 0)
     remark('mtlx.left-out', msg`its looks are not read; bind its materials to prims in a USD layer (material:binding)`);
@@ -35,6 +35,6 @@ export async function readMaterialX(
       msg`line ${legacy.element.line}: <material> is of MaterialX before 1.38, and is not read (save it with MaterialX 1.38 or later)`,
     );
   const rootPrims = new Map<string, PrimSpec>();
-  if (children.size > 0) rootPrims.set('MaterialX', { ...primSpec('/MaterialX', ''), children });
+  if (children.size > 0) rootPrims.set('MaterialX', { ...emptyPrim('/MaterialX', ''), children });
   return { name: file, metadata: EMPTY_MAP, rootPrims };
 }

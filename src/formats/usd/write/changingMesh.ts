@@ -4,12 +4,20 @@ import { pointSamples, restingPose } from '../../../scene/motion/motion.ts';
 import { pieceAt } from '../../../scene/motion/poses.ts';
 import { normalsAt } from '../../../scene/streaming/samplePoints.ts';
 import type { Mesh, SceneObject } from '../../../scene/types.ts';
+import {
+  PER_VERTEX,
+  type PrimContent,
+  type Properties,
+  relationship,
+  sampled,
+  schemas,
+  uniform,
+} from '../layer/specs.ts';
 import { gprimContent } from './gprims.ts';
 import { lifeProperties } from './lives.ts';
 import { slowlightMotion, transformOf, type WriteContext } from './motions.ts';
 import { movesUntil, pointTimes, type TurnMotion, type TurnShape, turnMotion, turnsOf } from './pieceMotions.ts';
 import { authoringProperties, extentOf, type MeshSurroundings, meshContent, scaledPoints } from './prims.ts';
-import { PER_VERTEX, type PrimContent, type Properties, relationship, sampled, schemas, uniform } from './specs.ts';
 import { bool, ints, LazyTuples, token } from './values.ts';
 
 /** Whether pieces can be written as one prim. */

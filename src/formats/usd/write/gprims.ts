@@ -5,11 +5,19 @@ import { transformMesh } from '../../../scene/mesh/meshOps.ts';
 import { type Axis, capsule, cone, cylinder, type RoundOptions, sphere } from '../../../scene/mesh/primitives.ts';
 import type { Mesh, Quadric, QuadricShape, SceneObject } from '../../../scene/types.ts';
 import type { AttributeSpec } from '../layer/layer.ts';
+import {
+  attribute,
+  custom,
+  type PrimContent,
+  type Properties,
+  relationship,
+  schemas,
+  uniform,
+} from '../layer/specs.ts';
 import { DIVISIONS } from '../schema/geometry/gprims.ts';
 import { lifeProperties } from './lives.ts';
 import { slowlightMotion, transformOf, type WriteContext } from './motions.ts';
 import { authoringProperties, type MeshSurroundings } from './prims.ts';
-import { attribute, custom, type PrimContent, type Properties, relationship, schemas, uniform } from './specs.ts';
 import { bool, double, int, token, tokens, tuple } from './values.ts';
 
 /** How the primitives are made, and what USD has of them. */

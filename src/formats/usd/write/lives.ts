@@ -1,6 +1,6 @@
 import type { Lifetime } from '../../../scene/types.ts';
+import { attribute, custom, type Properties } from '../layer/specs.ts';
 import type { WriteContext } from './motions.ts';
-import { attribute, custom, type Properties } from './specs.ts';
 import { double, token } from './values.ts';
 
 /** When a prim exists: its visibility over time. That would hide prims below it too, so one that has any says it by our own attributes. */

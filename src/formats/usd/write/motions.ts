@@ -1,6 +1,6 @@
 import type { Vec3 } from '../../../math/vec3.ts';
 import type { Lifetime, Motion, Pose, SampledMotion } from '../../../scene/types.ts';
-import { attribute, custom, type Properties, sampled, uniform } from './specs.ts';
+import { attribute, custom, type Properties, sampled, uniform } from '../layer/specs.ts';
 import { double, token, tokens, tuple } from './values.ts';
 
 /** How a prim is written. */

@@ -1,5 +1,5 @@
 import type { PrimSpec } from '../layer/layer.ts';
-import { type PrimContent, primSpec } from './specs.ts';
+import { type PrimContent, primSpec } from '../layer/specs.ts';
 
 interface PrimTreeNode {
   content?: PrimContent;

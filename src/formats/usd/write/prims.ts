@@ -1,9 +1,6 @@
 import { pointSamples } from '../../../scene/motion/motion.ts';
 import { normalsAt, pointsAt } from '../../../scene/streaming/samplePoints.ts';
 import type { Mesh, Motion, SceneCamera, SceneObject } from '../../../scene/types.ts';
-import { boxCorners } from '../schema/geometry/pointSampling.ts';
-import { lifeProperties } from './lives.ts';
-import { slowlightMotion, transformOf, type WriteContext } from './motions.ts';
 import {
   attribute,
   custom,
@@ -14,7 +11,10 @@ import {
   sampled,
   schemas,
   uniform,
-} from './specs.ts';
+} from '../layer/specs.ts';
+import { boxCorners } from '../schema/geometry/pointSampling.ts';
+import { lifeProperties } from './lives.ts';
+import { slowlightMotion, transformOf, type WriteContext } from './motions.ts';
 import { bool, float, floatTuples, ints, LazyTuples, token } from './values.ts';
 
 /** What a mesh needs of the rest of the scene. */

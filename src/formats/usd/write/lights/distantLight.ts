@@ -1,8 +1,8 @@
 import { degrees } from '../../../../math/angle.ts';
 import { shortestRotation } from '../../../../math/quat.ts';
 import type { DistantLight, Pose } from '../../../../scene/types.ts';
+import { attribute } from '../../layer/specs.ts';
 import { poseProperties } from '../motions.ts';
-import { attribute } from '../specs.ts';
 import { float } from '../values.ts';
 import { colorProperties, type LightWriter } from './lightWriter.ts';
 

@@ -1,7 +1,7 @@
 import type { Light, RadianceTexture, Texture } from '../../../../scene/types.ts';
 import type { LightSpectrum } from '../../../../spectrum/sources/lightSpectrum.ts';
+import type { PrimContent } from '../../layer/specs.ts';
 import type { WriteContext } from '../motions.ts';
-import type { PrimContent } from '../specs.ts';
 import { writeDistantLight } from './distantLight.ts';
 import { writeDomeLight } from './domeLight.ts';
 import type { LightFiles, LightWriter } from './lightWriter.ts';

@@ -1,8 +1,8 @@
 import { degrees } from '../../../../math/angle.ts';
 import type { LightShaping, LocalLight } from '../../../../scene/types.ts';
+import { attribute, type Properties, schemas } from '../../layer/specs.ts';
 import { lifeProperties } from '../lives.ts';
 import { slowlightMotion, transformOf } from '../motions.ts';
-import { attribute, type Properties, schemas } from '../specs.ts';
 import { float } from '../values.ts';
 import { colorProperties, type LightWriter } from './lightWriter.ts';
 

@@ -1,8 +1,8 @@
 import { conjugate, multiply } from '../../../../math/quat.ts';
 import { EQUATORIAL } from '../../../../scene/stars/equatorial.ts';
 import type { NightSky } from '../../../../scene/types.ts';
+import { attribute, custom } from '../../layer/specs.ts';
 import { poseProperties } from '../motions.ts';
-import { attribute, custom } from '../specs.ts';
 import { float, token } from '../values.ts';
 import type { LightWriter } from './lightWriter.ts';
 

@@ -5,7 +5,7 @@ import {
   type PropertySpec,
   type RelationshipSpec,
   type Value,
-} from '../layer/layer.ts';
+} from './layer.ts';
 
 export type Properties = readonly PropertySpec[];
 
