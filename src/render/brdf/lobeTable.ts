@@ -24,16 +24,17 @@ export interface LobeTable {
 }
 
 export function lobeTable(atlas: HalfAtlas): LobeTable {
-  const { columns, rows } = LOBE_TABLE_SIZE;
-  const read = (name: keyof ReturnType<typeof lobeTables>, NV: Float, roughness: Float): Vec4 =>
+  const texel = (name: string, size: typeof LOBE_TABLE_SIZE, texels: () => Float64Array, NV: Float, row: Float): Vec4 =>
     atlas
-      .table(`specular ${name}`, () => ({ data: Uint16Array.from(lobeTables()[name], toHalf), width: columns }))
+      .table(name, () => ({ data: Uint16Array.from(texels(), toHalf), width: size.columns }))
       .sampleLinear(
         sqrt(NV.min(1))
-          .mul(columns - 1)
+          .mul(size.columns - 1)
           .add(0.5),
-        roughness.mul(rows - 1).add(0.5),
+        row.mul(size.rows - 1).add(0.5),
       );
+  const read = (name: keyof ReturnType<typeof lobeTables>, NV: Float, roughness: Float): Vec4 =>
+    texel(`specular ${name}`, LOBE_TABLE_SIZE, () => lobeTables()[name], NV, roughness);
   return {
     at: (NV, roughness) => {
       const { x, y, z } = read('lobes', NV, roughness);
@@ -48,18 +49,8 @@ export function lobeTable(atlas: HalfAtlas): LobeTable {
       return { wide: x, cosine: y, width: z };
     },
     sheen: (NV, roughness) => {
-      const size = SHEEN_TABLE_SIZE;
-      const { x, y, z } = atlas
-        .table('sheen', () => ({ data: Uint16Array.from(sheenTable(), toHalf), width: size.columns }))
-        .sampleLinear(
-          sqrt(NV.min(1))
-            .mul(size.columns - 1)
-            .add(0.5),
-          roughness
-            .sub(MIN_SHEEN_ROUGHNESS)
-            .mul((size.rows - 1) / (1 - MIN_SHEEN_ROUGHNESS))
-            .add(0.5),
-        );
+      const row = roughness.sub(MIN_SHEEN_ROUGHNESS).div(1 - MIN_SHEEN_ROUGHNESS);
+      const { x, y, z } = texel('sheen', SHEEN_TABLE_SIZE, sheenTable, NV, row);
       return { share: x, cosine: y, gain: z };
     },
   };

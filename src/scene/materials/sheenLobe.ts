@@ -1,3 +1,5 @@
+import { CHANNELS, lobeTexel } from './lobeTexel.ts';
+
 /** How a layer of fuzz reflects light from all round, for one angle of view and one roughness. */
 export interface SheenLobe {
   /** Share of uniform light that white fuzz reflects, 0 … 1. */
@@ -12,8 +14,6 @@ export interface SheenLobe {
 export const SHEEN_TABLE_SIZE = { columns: 24, rows: 20 } as const;
 /** Below this fuzz reflects as if it had this roughness. */
 export const MIN_SHEEN_ROUGHNESS = 0.07;
-/** Numbers per texel: share, cosine, gain, 0. */
-const CHANNELS = 4;
 
 /**
  * Distribution times visibility of upright fibres, which white fuzz's BRDF is (docs/physics.md §6.7). Source: Estevez and Kulla 2017, "Production friendly
@@ -54,19 +54,8 @@ export function sheenTable(): Float64Array {
 
 /** Interpolated from the table. */
 export function sheenLobe(NV: number, roughness: number): SheenLobe {
-  const { columns, rows } = SHEEN_TABLE_SIZE;
-  const all = sheenTable();
-  const x = Math.sqrt(Math.min(Math.max(NV, 0), 1)) * (columns - 1);
-  const y = sheenRow(Math.min(Math.max(roughness, MIN_SHEEN_ROUGHNESS), 1)) * (rows - 1);
-  const [i, j] = [Math.min(Math.floor(x), columns - 2), Math.min(Math.floor(y), rows - 2)];
-  const [s, t] = [x - i, y - j];
-  const at = (channel: number): number => {
-    const value = (column: number, row: number): number => all[CHANNELS * (row * columns + column) + channel];
-    return (
-      (1 - t) * ((1 - s) * value(i, j) + s * value(i + 1, j)) +
-      t * ((1 - s) * value(i, j + 1) + s * value(i + 1, j + 1))
-    );
-  };
+  const row = sheenRow(Math.min(Math.max(roughness, MIN_SHEEN_ROUGHNESS), 1));
+  const at = lobeTexel(sheenTable(), SHEEN_TABLE_SIZE, NV, row);
   return { share: at(0), cosine: at(1), gain: at(2) };
 }
 

@@ -1,3 +1,5 @@
+import { CHANNELS, lobeTexel } from './lobeTexel.ts';
+
 /** How a GGX surface reflects light from all round, for one angle of view and one roughness. */
 export interface SpecularLobe {
   /** Share of uniform light that is reflected: `scale` F₀ + `bias` F₉₀. */
@@ -30,8 +32,6 @@ export const LOBE_TABLE_SIZE = { columns: 24, rows: 20 } as const;
 /** Below this a surface reflects as if it had this roughness. */
 export const MIN_LOBE_ROUGHNESS = 0.05;
 
-/** Numbers per texel, in the order of the interfaces. */
-const CHANNELS = 4;
 /** Steps of the integral over the visible microfacet normals. */
 const STEPS = { radius: 48, angle: 12 } as const;
 
@@ -45,19 +45,8 @@ export function lobeTables(): LobeTables {
 
 /** Interpolated from the table. */
 export function specularLobe(NV: number, roughness: number): SpecularLobe {
-  const { columns, rows } = LOBE_TABLE_SIZE;
-  const all = lobeTables().lobes;
-  const x = Math.sqrt(Math.min(Math.max(NV, 0), 1)) * (columns - 1);
-  const y = Math.min(Math.max(roughness, MIN_LOBE_ROUGHNESS), 1) * (rows - 1);
-  const [i, j] = [Math.min(Math.floor(x), columns - 2), Math.min(Math.floor(y), rows - 2)];
-  const [s, t] = [x - i, y - j];
-  const at = (channel: number): number => {
-    const value = (column: number, row: number): number => all[CHANNELS * (row * columns + column) + channel];
-    return (
-      (1 - t) * ((1 - s) * value(i, j) + s * value(i + 1, j)) +
-      t * ((1 - s) * value(i, j + 1) + s * value(i + 1, j + 1))
-    );
-  };
+  const row = Math.min(Math.max(roughness, MIN_LOBE_ROUGHNESS), 1);
+  const at = lobeTexel(lobeTables().lobes, LOBE_TABLE_SIZE, NV, row);
   return { scale: at(0), bias: at(1), cosine: at(2) };
 }
 
