@@ -24,7 +24,8 @@ export interface BeautyBuffers {
 
 /**
  * Renders the `beauty` and `picture` layers of a tile: means over n × n samples per pixel; a single sample is at the pixel's centre, where
- * the data are taken. `picture` is the same as `DisplayPixel` shows it. Each pixel has a random sequence of its own, so the bits do not depend on the division into tiles.
+ * the data are taken. `picture` is the same as `DisplayPixel` shows it. Each pixel has a random sequence of its own, so the bits do not depend on the
+ * division into tiles.
  */
 export function fillBeauty(scene: TracedScene, request: TileRequest, tile: ImageTile, means: BeautyBuffers): void {
   const { x0, y0, x1, y1 } = tile;
@@ -45,7 +46,9 @@ export function fillBeauty(scene: TracedScene, request: TileRequest, tile: Image
         const gathered = radiance(scene, ray, view, settings, light, random, createSensor(random));
         const arrived = stars ? add(gathered, stars(ray, px, py)) : gathered;
         sum = add(sum, arrived);
-        if (means.picture) display.add(arrived, visibleHit(scene, ray, 'hit')?.object, overlays(ray, px, py));
+        // One sample has nothing to be averaged with.
+        const object = n > 1 && means.picture ? visibleHit(scene, ray, 'hit')?.object : undefined;
+        if (means.picture) display.add(arrived, object, overlays(ray, px, py));
       }
       const pixel = 3 * ((y - y0) * (x1 - x0) + (x - x0));
       means.beauty?.set(scale(sum, 1 / (n * n)), pixel);
