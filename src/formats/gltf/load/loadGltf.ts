@@ -2,18 +2,8 @@ import { BufferUtils, type Document, type GLTF, type ILogger, WebIO } from '@glt
 import {
   EXTMeshGPUInstancing,
   KHRLightsPunctual,
-  KHRMaterialsClearcoat,
-  KHRMaterialsDispersion,
-  KHRMaterialsEmissiveStrength,
-  KHRMaterialsIOR,
-  KHRMaterialsIridescence,
   KHRMaterialsPBRSpecularGlossiness,
-  KHRMaterialsSheen,
-  KHRMaterialsSpecular,
-  KHRMaterialsTransmission,
-  KHRMaterialsUnlit,
   KHRMaterialsVariants,
-  KHRMaterialsVolume,
   KHRMeshQuantization,
   KHRTextureTransform,
 } from '@gltf-transform/extensions';
@@ -26,6 +16,7 @@ import { type FileSource, resolvePath } from '../../files/fileSource.ts';
 import type { DecodePicture } from '../../image/foreignPictures.ts';
 import { COMPRESSIONS, isFallback, unpackGeometry } from '../compression/unpack.ts';
 import { type DecodedPictures, gltfError, type Resources } from '../context.ts';
+import { KHR_MATERIALS } from '../materialExtensions.ts';
 import { checkGltf } from './checkReferences.ts';
 import { checkSchema } from './checkSchema.ts';
 import { decodePictures, PICTURE_EXTENSIONS } from './pictures.ts';
@@ -40,18 +31,9 @@ const GLB_BUFFER = '@glb.bin';
 const EXTENSIONS = [
   EXTMeshGPUInstancing,
   KHRLightsPunctual,
-  KHRMaterialsClearcoat,
-  KHRMaterialsDispersion,
-  KHRMaterialsEmissiveStrength,
-  KHRMaterialsIOR,
-  KHRMaterialsIridescence,
+  ...KHR_MATERIALS,
   KHRMaterialsPBRSpecularGlossiness,
-  KHRMaterialsSheen,
-  KHRMaterialsSpecular,
-  KHRMaterialsTransmission,
-  KHRMaterialsUnlit,
   KHRMaterialsVariants,
-  KHRMaterialsVolume,
   KHRMeshQuantization,
   KHRTextureTransform,
 ];

@@ -1,17 +1,5 @@
 import { Document, type Node as GltfNode, WebIO } from '@gltf-transform/core';
-import {
-  KHRLightsPunctual,
-  KHRMaterialsClearcoat,
-  KHRMaterialsDispersion,
-  KHRMaterialsEmissiveStrength,
-  KHRMaterialsIOR,
-  KHRMaterialsIridescence,
-  KHRMaterialsSheen,
-  KHRMaterialsSpecular,
-  KHRMaterialsTransmission,
-  KHRMaterialsUnlit,
-  KHRMaterialsVolume,
-} from '@gltf-transform/extensions';
+import { KHRLightsPunctual } from '@gltf-transform/extensions';
 import { scale } from '../../../math/vec3.ts';
 import { msg } from '../../../messages/message.ts';
 import { poseSamples } from '../../../scene/motion/motion.ts';
@@ -27,23 +15,12 @@ import {
   orientationYUp,
   vectorYUp,
 } from '../../write/exportMotion.ts';
+import { KHR_MATERIALS } from '../materialExtensions.ts';
 import { punctualLight } from './lights.ts';
 import { AnimationWriter } from './writeAnimation.ts';
 import { MeshWriter } from './writeMeshes.ts';
 
-const EXTENSIONS = [
-  KHRLightsPunctual,
-  KHRMaterialsClearcoat,
-  KHRMaterialsDispersion,
-  KHRMaterialsEmissiveStrength,
-  KHRMaterialsIOR,
-  KHRMaterialsIridescence,
-  KHRMaterialsSheen,
-  KHRMaterialsSpecular,
-  KHRMaterialsTransmission,
-  KHRMaterialsUnlit,
-  KHRMaterialsVolume,
-];
+const EXTENSIONS = [KHRLightsPunctual, ...KHR_MATERIALS];
 
 /**
  * A scene as glTF 2.0, in metres with Y up. Rigid samples become animated translations and rotations, deforming points

@@ -1,0 +1,26 @@
+import {
+  KHRMaterialsClearcoat,
+  KHRMaterialsDispersion,
+  KHRMaterialsEmissiveStrength,
+  KHRMaterialsIOR,
+  KHRMaterialsIridescence,
+  KHRMaterialsSheen,
+  KHRMaterialsSpecular,
+  KHRMaterialsTransmission,
+  KHRMaterialsUnlit,
+  KHRMaterialsVolume,
+} from '@gltf-transform/extensions';
+
+/** Extensions of materials that are read and written. */
+export const KHR_MATERIALS = [
+  KHRMaterialsClearcoat,
+  KHRMaterialsDispersion,
+  KHRMaterialsEmissiveStrength,
+  KHRMaterialsIOR,
+  KHRMaterialsIridescence,
+  KHRMaterialsSheen,
+  KHRMaterialsSpecular,
+  KHRMaterialsTransmission,
+  KHRMaterialsUnlit,
+  KHRMaterialsVolume,
+];
