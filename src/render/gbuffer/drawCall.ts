@@ -1,4 +1,4 @@
-import { type BufferGeometry, DoubleSide, FrontSide, Mesh, NodeMaterial } from 'three/webgpu';
+import { type BufferGeometry, DoubleSide, FrontSide, Mesh, NodeMaterial, NormalBlending } from 'three/webgpu';
 import type { Batch } from '../geometry/batches.ts';
 import type { VertexSources } from '../geometry/vertexStage.ts';
 import type { SurfaceSources } from './surface.ts';
@@ -36,3 +36,13 @@ export const cornerSources = ({ vertex: { kind, instances }, surface: { colored 
 });
 
 export const materialSide = (batch: Batch) => (batch.doubleSided ? DoubleSide : FrontSide);
+
+/** Sets a material to draw a batch over the opaque picture, whose depth its shader compares itself. */
+export function drawOver(material: NodeMaterial, batch: Batch): NodeMaterial {
+  material.side = materialSide(batch);
+  material.transparent = true;
+  material.blending = NormalBlending;
+  material.depthTest = false;
+  material.depthWrite = false;
+  return material;
+}

@@ -1,17 +1,9 @@
 import { Discard, Fn, float, max, mix, vec4 } from 'three/tsl';
-import {
-  type DataTexture,
-  Mesh,
-  NoBlending,
-  NodeMaterial,
-  NormalBlending,
-  type Texture,
-  Scene as ThreeScene,
-} from 'three/webgpu';
+import { type DataTexture, Mesh, NoBlending, NodeMaterial, type Texture, Scene as ThreeScene } from 'three/webgpu';
 import { isStatic } from '../../scene/motion/motion.ts';
 import type { Material, Scene, Texture as ScenePicture } from '../../scene/types.ts';
 import type { ColorPipeline } from '../color/radiance.ts';
-import { type DrawCall, materialSide } from '../gbuffer/drawCall.ts';
+import { type DrawCall, drawOver, materialSide } from '../gbuffer/drawCall.ts';
 import type { GBuffer } from '../gbuffer/gbuffer.ts';
 import { frontNormal, readSurface, type SurfaceSources } from '../gbuffer/surface.ts';
 import { type SpacetimeProjection, vertexStage } from '../geometry/vertexStage.ts';
@@ -137,12 +129,7 @@ export class LayeredScene {
       const light = shadeLayered(lit, { ...layers, ...(clear && { clear }) }, environment, uniforms, pipeline, shadows);
       return vec4(limitLight(light, range.max), clear ? 1 : surface.color.w);
     })();
-    material.side = materialSide(drawCall.batch);
-    material.transparent = true;
-    material.blending = NormalBlending;
-    material.depthTest = false;
-    material.depthWrite = false;
-    return material;
+    return drawOver(material, drawCall.batch);
   }
 
   private reader(like: Material): LayerReader {

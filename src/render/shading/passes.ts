@@ -1,9 +1,9 @@
 import { Discard, Fn, float, length, select, vec4 } from 'three/tsl';
-import { NoBlending, NodeMaterial, NormalBlending, type Texture } from 'three/webgpu';
+import { NoBlending, NodeMaterial, type Texture } from 'three/webgpu';
 import { isStatic } from '../../scene/motion/motion.ts';
 import type { Float, Vec4 } from '../../shaders/types.ts';
 import type { ColorPipeline } from '../color/radiance.ts';
-import { type DrawCall, materialSide } from '../gbuffer/drawCall.ts';
+import { type DrawCall, drawOver, materialSide } from '../gbuffer/drawCall.ts';
 import type { GBuffer } from '../gbuffer/gbuffer.ts';
 import { readSurface, surfaceOutputs, type TargetName } from '../gbuffer/surface.ts';
 import {
@@ -107,12 +107,7 @@ export function forwardMaterial(
     const light = shade({ ...surface, velocity }, environment, uniforms, pipeline, shadows);
     return vec4(limitLight(light, range.max), surface.color.w);
   })();
-  material.side = materialSide(drawCall.batch);
-  material.transparent = true;
-  material.blending = NormalBlending;
-  material.depthTest = false;
-  material.depthWrite = false;
-  return material;
+  return drawOver(material, drawCall.batch);
 }
 
 /** Apparent distance of the opaque surface under this fragment [m], or a very large number. */
