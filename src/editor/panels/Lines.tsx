@@ -1,8 +1,8 @@
-import { Group, Stack, Textarea, TextInput } from '@mantine/core';
+import { Stack, Textarea, TextInput } from '@mantine/core';
 import { type KeyboardEvent, type ReactNode, useId, useState } from 'react';
 import type { ListParam, TextParam } from '../../graph/nodeType.ts';
 import { useTexts } from '../language/languageStore.ts';
-import { ParamLabel, ResetButton } from './ParamLabel.tsx';
+import { ParamHeader } from './ParamLabel.tsx';
 import type { ParamProps } from './paramProps.ts';
 
 export interface LinesProps extends Pick<ParamProps<TextParam | ListParam>, 'spec' | 'set' | 'onChange'> {
@@ -34,10 +34,7 @@ export function Lines({ spec, set, text, long, onChange, take }: LinesProps): Re
   } as const;
   return (
     <Stack gap={2}>
-      <Group gap={4} wrap="nowrap" justify="space-between">
-        <ParamLabel spec={spec} id={id} />
-        <ResetButton set={set} onChange={onChange} />
-      </Group>
+      <ParamHeader {...{ spec, id, set, onChange }} />
       {long ? (
         <Textarea {...field} autosize minRows={2} maxRows={16} classNames={{ input: 'sl-long' }} />
       ) : (

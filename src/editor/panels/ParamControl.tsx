@@ -13,7 +13,7 @@ import { msg } from '../../messages/message.ts';
 import { useTexts } from '../language/languageStore.ts';
 import { ColorControl } from './ColorControl.tsx';
 import { ExpressionField } from './ExpressionField.tsx';
-import { DrivenParam, ParamLabel, ResetButton } from './ParamLabel.tsx';
+import { DrivenParam, ParamHeader, ParamLabel, ResetButton } from './ParamLabel.tsx';
 import type { ParamProps } from './paramProps.ts';
 import { sliderPosition, sliderValue } from './sliderScale.ts';
 import { ListControl, TextControl } from './TextControl.tsx';
@@ -166,10 +166,7 @@ function ChoiceControl({ spec, set, value, onChange }: ParamProps<ChoiceParam>):
   if (data.length > MAX_SEGMENTS || width > SEGMENTS_WIDTH)
     return (
       <Stack gap={2}>
-        <Group gap={4} wrap="nowrap" justify="space-between">
-          <ParamLabel spec={spec} id={id} />
-          <ResetButton set={set} onChange={onChange} />
-        </Group>
+        <ParamHeader {...{ spec, id, set, onChange }} />
         <Select
           size="xs"
           aria-label={t(spec.title)}

@@ -47,6 +47,19 @@ export function ResetButton({ set, onChange }: ResetProps): ReactNode {
   );
 }
 
+/** Label and reset of a parameter, above a control as wide as the panel. */
+export const ParamHeader = ({
+  spec,
+  id,
+  set,
+  onChange,
+}: ResetProps & { readonly spec: ParamSpec; readonly id: string }): ReactNode => (
+  <Group gap={4} wrap="nowrap" justify="space-between">
+    <ParamLabel spec={spec} id={id} />
+    <ResetButton set={set} onChange={onChange} />
+  </Group>
+);
+
 /** Shown instead of a control when an edge drives the parameter. */
 export function DrivenParam({ spec, by }: { readonly spec: ParamSpec; readonly by: string }): ReactNode {
   const { t } = useTexts();
