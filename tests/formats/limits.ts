@@ -1,4 +1,3 @@
-import { MAX_PER_CODE } from '../../src/formats/diagnostics/diagnosticLog.ts';
 import { formatBytes } from '../../src/formats/diagnostics/inputError.ts';
 import { MAX_LINE } from '../../src/formats/files/textLines.ts';
 import { MAX_UNPACKED, MAX_DEPTH as NODE_DEPTH } from '../../src/formats/gltf/load/checkReferences.ts';
@@ -30,6 +29,7 @@ import { MAX_INFLUENCES } from '../../src/formats/usd/schema/skel/binding.ts';
 import { MAX_DEPTH as TEXT_DEPTH } from '../../src/formats/usd/text/parser.ts';
 import { MAX_TOTAL } from '../../src/formats/zip/directory.ts';
 import { inEnglish } from '../../src/messages/message.ts';
+import { MAX_PER_CODE } from '../../src/scene/validation/diagnosticCodes.ts';
 
 const count = (n: number): string => n.toLocaleString('en');
 const bytes = (n: number): string => inEnglish(formatBytes(n)).replace(/\.0+(?= )/, '');

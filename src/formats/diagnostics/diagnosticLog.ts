@@ -1,9 +1,7 @@
 import { inEnglish, type LocalizedText, type Message, msg } from '../../messages/message.ts';
 import type { Diagnostic } from '../../scene/types.ts';
+import { MAX_PER_CODE } from '../../scene/validation/diagnosticCodes.ts';
 import type { DiagnosticCode } from './diagnosticCodes.ts';
-
-/** Maximum number of diagnostics listed per code; further ones are summarized in one message. */
-export const MAX_PER_CODE = 100;
 
 /** What is off by less is told in one line [m]. */
 const SMALL = 1e-3;

@@ -20,3 +20,6 @@ export const SCENE_CODES = {
 } as const;
 
 export type SceneCode = keyof typeof SCENE_CODES;
+
+/** Maximum number of diagnostics that are listed one by one per code; further ones are summed up in one. */
+export const MAX_PER_CODE = 100;

@@ -5,7 +5,7 @@ import { pointAt } from '../mesh/polygons.ts';
 import { deforms, sampleTimes } from '../motion/motion.ts';
 import { motionKind } from '../motion/motions.ts';
 import type { Diagnostic, LocalLight, Mesh, Motion, Scene, SceneCamera, SceneObject } from '../types.ts';
-import type { SceneCode } from './diagnosticCodes.ts';
+import { MAX_PER_CODE, type SceneCode } from './diagnosticCodes.ts';
 import { problem, seconds } from './motionFindings.ts';
 
 /**
@@ -35,9 +35,6 @@ export function validate(scene: Scene, c: number): Diagnostic[] {
   ];
 }
 
-/** Maximum number of warnings of one kind that are listed one by one. */
-const MAX_WARNINGS = 100;
-
 /**
  * Of the pieces of one thing a warning of each kind is told once: a simulation may have hundreds. Of many things, such as instances of a mesh, the first are
  * told, and how many there are in all.
@@ -56,15 +53,15 @@ function oncePerThing(
       told.add(key);
       const count = (counts.get(code) ?? 0) + 1;
       counts.set(code, count);
-      return count <= MAX_WARNINGS;
+      return count <= MAX_PER_CODE;
     }),
   );
-  const summaries = [...counts].filter(([, count]) => count > MAX_WARNINGS);
+  const summaries = [...counts].filter(([, count]) => count > MAX_PER_CODE);
   return [
     ...found,
     ...summaries.map(([code, count]): Diagnostic => {
       const { severity, place } = found.find((each) => each.code === code)!;
-      const message = msg`and ${count - MAX_WARNINGS} others like it; the first ${MAX_WARNINGS} are listed`;
+      const message = msg`and ${count - MAX_PER_CODE} others like it; the first ${MAX_PER_CODE} are listed`;
       return { severity, code, place, message };
     }),
   ];
