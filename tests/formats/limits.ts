@@ -1,7 +1,6 @@
 import { formatBytes } from '../../src/formats/diagnostics/inputError.ts';
 import { MAX_LINE } from '../../src/formats/files/textLines.ts';
 import { MAX_UNPACKED, MAX_DEPTH as NODE_DEPTH } from '../../src/formats/gltf/load/checkReferences.ts';
-import { MAX_BLENDED } from '../../src/formats/gltf/read/bake.ts';
 import { MAX_INSTANCES } from '../../src/formats/gltf/read/instances.ts';
 import { MAX_VERTICES } from '../../src/formats/gltf/read/read.ts';
 import { MAX_MORPH_TARGETS } from '../../src/formats/gltf/write/writeMeshes.ts';
@@ -10,6 +9,7 @@ import { MAX_PARTS } from '../../src/formats/obj/geometry.ts';
 import { MAX_FILES, MAX_MATERIALS } from '../../src/formats/obj/materials.ts';
 import { MAX_BYTES } from '../../src/formats/open.ts';
 import { MAX_PROPERTIES } from '../../src/formats/ply/header.ts';
+import { MAX_BLENDED } from '../../src/formats/read/blendBudget.ts';
 import { MAX_OBJECTS } from '../../src/formats/read/limits.ts';
 import { MAX_CORNERS } from '../../src/formats/read/meshScene.ts';
 import { MAX_SPHERES } from '../../src/formats/read/strands/pointSpheres.ts';

@@ -24,7 +24,10 @@ const ROUNDED_WEIGHT = 1e-5;
 /** Coordinates beyond this are not numbers that f32 can go on with [m]. */
 const MAX_COORDINATE = 1e30;
 
-/** Joint matrices for `nodes` times, written by `write` at one of them, 12 numbers each; a joint without extent at the world's origin is added at the end. */
+/**
+ * Joint matrices for `nodes` times, written by `write` at one of them, 12 numbers each. A joint without extent is added at the end, for what is missing from the
+ * weights of vertices: at the world's origin unless it is written too.
+ */
 export function jointPoses(
   nodes: number,
   joints: number,
@@ -33,7 +36,7 @@ export function jointPoses(
   const matrices = new Float64Array(MATRIX * (joints + 1) * nodes);
   for (let k = 0; k < nodes; k++) {
     const at = MATRIX * (joints + 1) * k;
-    write(k, matrices.subarray(at, at + MATRIX * joints));
+    write(k, matrices.subarray(at, at + MATRIX * (joints + 1)));
   }
   return { joints: joints + 1, matrices };
 }

@@ -1,11 +1,11 @@
 import { invert, type Mat3, multiply as times3, transpose } from '../../../math/mat3.ts';
-import { fromParts, isRigid, linearPart } from '../../../math/mat4.ts';
+import { fromParts, isRigid, linearPart, type Mat4 } from '../../../math/mat4.ts';
 import { multiply as after, fromMatrix, type Quat, toMatrix } from '../../../math/quat.ts';
 import { add, scale, type Vec3, ZERO } from '../../../math/vec3.ts';
 import { msg } from '../../../messages/message.ts';
 import { boundingBox } from '../../../scene/bounds/bounds.ts';
 import { transformMesh } from '../../../scene/mesh/meshOps.ts';
-import { AdaptivePath, SamplingBudget } from '../../../scene/motion/adaptiveSampling.ts';
+import { AdaptivePath, type SampledTimes, SamplingBudget } from '../../../scene/motion/adaptiveSampling.ts';
 import {
   type JointPoses,
   MATRIX,
@@ -14,13 +14,13 @@ import {
 } from '../../../scene/streaming/blendedPoints.ts';
 import type { Mesh, Motion, Pose, SampledMotion, StaticMotion } from '../../../scene/types.ts';
 import { formatBytes } from '../../diagnostics/inputError.ts';
+import { BlendBudget, MAX_HALVINGS, PATH_PROBES, POINTS_PER_CURVE } from '../../read/blendBudget.ts';
 import { blendedSkin, jointPoses } from '../../read/blendedSkin.ts';
-import { subsampleEvenly } from '../../read/subsample.ts';
+import { blendedPlaces, type OutlinedMesh } from '../../read/jointOutline.ts';
 import type { GltfContext } from '../context.ts';
 import type { Deformer } from './deform.ts';
 import { type KeyTimes, keyTimesOf } from './keyTimes.ts';
 import type { AnimatedTransform, NodeTransform } from './nodes.ts';
-import { type BoundGeometry, deformingOutline } from './outline.ts';
 import type { Geometry } from './primitives.ts';
 
 /** Maximum error of linear pieces, relative to half the object's diagonal. */
@@ -30,18 +30,8 @@ const DEFORMING_TOLERANCE = 1e-3;
 const FRAME_TOLERANCE = 1e-4;
 /** Tolerance for a rotation matrix: files are single precision. */
 const RIGIDITY = 1e-5;
-/** Inside a piece a path is looked at here: in the middle and at two places that no periodic motion has in common. */
-const PATH_PROBES = [0.23, 0.5, 0.71];
-/** A piece between two keys is halved at most this many times. */
-const MAX_HALVINGS = 12;
 /** For the paths of all that moves together [curves, each at one time]: about half a second. */
 const MOTION_BUDGET = 2 ** 17;
-/** The same for all that bends: about two seconds. */
-const BLEND_BUDGET = 2 ** 22;
-/** Following so many points takes as long as one curve. */
-const POINTS_PER_CURVE = 8;
-/** Most bytes of joints in a scene. */
-export const MAX_BLENDED = 2 ** 28;
 
 /** A mesh with its motion, ready for a scene. */
 export interface BakedMesh {
@@ -60,21 +50,14 @@ interface JointGrid {
 /** Bakes the objects of one scene, within one budget of memory. */
 export class Baker {
   private readonly context: GltfContext;
-  private readonly budget: number;
   private readonly stretches = new Map<Mesh, Map<string, Mesh>>();
   private readonly motionBudget = new SamplingBudget(MOTION_BUDGET);
-  private readonly blendBudget: SamplingBudget;
+  private readonly blendBudget: BlendBudget;
   private readonly grids = new Map<string, JointGrid>();
-  private left: number;
-  /** Grids that are still to be made. */
-  private bending: number;
-  /** `bending`: number of skins and of meshes that bend by themselves, which share the budgets; `budget`: most bytes of joints. */
-  constructor(context: GltfContext, bending: number, budget = MAX_BLENDED) {
-    this.blendBudget = new SamplingBudget(BLEND_BUDGET, bending);
-    this.bending = bending;
+  /** `bending`: number of skins and of meshes that bend by themselves, which share the budgets; `bytes`: most of joints. */
+  constructor(context: GltfContext, bending: number, bytes?: number) {
+    this.blendBudget = new BlendBudget(bending, bytes);
     this.context = context;
-    this.budget = budget;
-    this.left = budget;
   }
 
   /** Largest error of a baked path [m]; undefined where nothing was baked. */
@@ -106,11 +89,12 @@ export class Baker {
     frame: AnimatedTransform,
     geometry: Geometry,
     deformer: Deformer,
-    peersOf: () => readonly BoundGeometry[] = () => [],
+    peersOf: () => readonly OutlinedMesh[] = () => [],
   ): BakedMesh {
     const { mesh, morphs: shapes, skin } = geometry;
     const { times, poses, shapeWeights } = this.gridOf(frame, geometry, deformer, peersOf);
-    const origin = centerOf(deformer.pointsAt(times[0]));
+    const start = flatFrames(deformer.framesAt(times[0]));
+    const origin = centerOf(blendedPlaces(outlined(geometry, deformer), start, times[0]));
     const rest = { positions: mesh.positions, normals: mesh.normals };
     const points = blendedSkin({
       rest,
@@ -171,18 +155,18 @@ export class Baker {
     knots: KeyTimes,
     shape: (t: number) => ArrayLike<number>,
     tolerance: number,
-    budget = this.motionBudget,
-    most = Number.POSITIVE_INFINITY,
   ): number[] {
     const cost = 1 + curves.length + shape(knots.times[0]).length / 3 / POINTS_PER_CURVE;
     const how = { tolerance, fractions: PATH_PROBES, maxHalvings: MAX_HALVINGS, ramps: knots.jumps };
     const refined = new AdaptivePath(Float64Array.from(knots.times), shape, how);
-    const { times, error, needed } = budget.sample(refined, cost, most);
-    if (error > tolerance && times.length < most) {
-      const message = msg`moves too wildly between its ${knots.times.length} keys to be followed: about ${needed.toPrecision(2)} samples would be needed, ${times.length} are used, and paths are off by up to ${error.toPrecision(2)} m; export more keys`;
-      this.context.notes.add('warning', 'gltf.resampling', path, message, { off: error });
-    }
-    return [...times];
+    const sampled = this.motionBudget.sample(refined, cost);
+    if (sampled.error > tolerance) this.noteWild(path, knots, sampled);
+    return [...sampled.times];
+  }
+
+  private noteWild(path: string, knots: KeyTimes, { times, error, needed }: SampledTimes): void {
+    const message = msg`moves too wildly between its ${knots.times.length} keys to be followed: about ${needed.toPrecision(2)} samples would be needed, ${times.length} are used, and paths are off by up to ${error.toPrecision(2)} m; export more keys`;
+    this.context.notes.add('warning', 'gltf.resampling', path, message, { off: error });
   }
 
   private noteJumps({ path }: AnimatedTransform, { jumps }: KeyTimes): void {
@@ -196,21 +180,15 @@ export class Baker {
     frame: AnimatedTransform,
     geometry: Geometry,
     deformer: Deformer,
-    peersOf: () => readonly BoundGeometry[],
+    peersOf: () => readonly OutlinedMesh[],
   ): JointGrid {
     const known = deformer.skeleton !== undefined && this.grids.get(deformer.skeleton);
     if (known) return known;
-    const { binds, framesAt, weightsAt } = deformer;
-    const times = this.gridTimes(
-      frame,
-      geometry,
-      deformer,
-      deformer.skeleton === undefined ? [{ geometry, ...deformer }] : peersOf(),
-    );
-    const poses = jointPoses(times.length, binds.length, (k, out) => {
-      for (const [j, matrix] of framesAt(times[k]).entries())
-        for (let i = 0; i < MATRIX; i++) out[MATRIX * j + i] = matrix[i];
-    });
+    const { binds, weightsAt } = deformer;
+    const framesAt = (t: number): Float64Array => flatFrames(deformer.framesAt(t));
+    const peers = deformer.skeleton === undefined ? [outlined(geometry, deformer)] : peersOf();
+    const times = this.gridTimes(frame, deformer, peers, framesAt);
+    const poses = jointPoses(times.length, binds.length, (k, out) => out.set(framesAt(times[k])));
     const shapes = geometry.morphs.length;
     const shapeWeights = new Float64Array(shapes * times.length);
     if (shapes > 0)
@@ -222,32 +200,44 @@ export class Baker {
     return grid;
   }
 
-  /** Nodes at which the joints are kept; every n-th, to fit in memory. */
+  /** Nodes at which the joints are kept. */
   private gridTimes(
     frame: AnimatedTransform,
-    geometry: Geometry,
     deformer: Deformer,
-    peers: readonly BoundGeometry[],
+    meshes: readonly OutlinedMesh[],
+    framesAt: (t: number) => Float64Array,
   ): Float64Array {
     const knots = keyTimesOf(deformer.curves);
     this.noteJumps(frame, knots);
-    const [start = 0] = knots.times;
-    if (knots.times.length < 2) return Float64Array.of(start);
-    const nodeBytes = 8 * (MATRIX * (deformer.binds.length + 1) + geometry.morphs.length);
-    const most = Math.max(2, Math.floor(this.left / Math.max(1, this.bending--) / nodeBytes));
-    const outline = deformingOutline(geometry, deformer, peers);
-    const size = radiusOf(peers.flatMap((peer) => boxEnds(peer.pointsAt(start))));
-    const path = { path: frame.path, curves: deformer.curves };
-    const tolerance = this.tolerance(DEFORMING_TOLERANCE) * size;
-    const followed = this.followed(path, knots, outline, tolerance, this.blendBudget, most);
-    const times = subsampleEvenly(followed, most);
-    if (times.length >= most) {
-      const message = msg`bends too much to hold in ${formatBytes(this.budget)}; it is sampled at ${times.length} times only`;
+    if (knots.times.length < 2) return Float64Array.of(knots.times[0] ?? 0);
+    const grid = this.blendBudget.follow({
+      meshes,
+      knots: knots.times,
+      ramps: knots.jumps,
+      cost: deformer.curves.length,
+      tolerance: this.tolerance(DEFORMING_TOLERANCE),
+      framesAt,
+    });
+    if (!grid.isFollowed) this.noteWild(frame.path, knots, grid);
+    if (grid.isCoarse) {
+      const message = msg`bends too much to hold in ${formatBytes(this.blendBudget.bytes)}; it is sampled at ${grid.times.length} times only`;
       this.context.notes.add('warning', 'gltf.coarse', frame.path, message);
     }
-    this.left -= times.length * nodeBytes;
-    return Float64Array.from(times);
+    return grid.times;
   }
+}
+
+/** A mesh as its joints see it. */
+export const outlined = (
+  { mesh, morphs: shapes, skin }: Geometry,
+  { binds, isSkinned, weightsAt }: Deformer,
+): OutlinedMesh => ({ positions: mesh.positions, shapes, binds, weightsAt, ...(skin && isSkinned && { skin }) });
+
+/** The first three rows of matrices; and none at the end, which is the world's origin. */
+function flatFrames(frames: readonly Mat4[]): Float64Array {
+  const out = new Float64Array(MATRIX * (frames.length + 1));
+  for (const [j, matrix] of frames.entries()) for (let i = 0; i < MATRIX; i++) out[MATRIX * j + i] = matrix[i];
+  return out;
 }
 
 const poseOf = ({ matrix, rotation }: NodeTransform): Pose => ({
@@ -318,12 +308,6 @@ function radiusOf(points: ArrayLike<number>): number {
 function centerOf(points: ArrayLike<number>): Vec3 {
   const box = boundingBox(points);
   return box ? scale(add(box.min, box.max), 0.5) : ZERO;
-}
-
-/** Opposite corners of the box of points. */
-function boxEnds(points: ArrayLike<number>): number[] {
-  const box = boundingBox(points);
-  return box ? [...box.min, ...box.max] : [];
 }
 
 const resting = (position: Vec3): StaticMotion => ({ kind: 'static', pose: { position, orientation: [0, 0, 0, 1] } });

@@ -3,7 +3,6 @@ import { determinant } from '../../../math/mat3.ts';
 import { IDENTITY, linearPart, type Mat4, multiply } from '../../../math/mat4.ts';
 import { normalize } from '../../../math/vec3.ts';
 import { msg } from '../../../messages/message.ts';
-import { blendMatrices } from '../../read/skinning.ts';
 import { type GltfContext, gltfError } from '../context.ts';
 import { floatsOf } from './accessors.ts';
 import type { AnimationCurve } from './curves.ts';
@@ -22,8 +21,6 @@ export interface Deformer {
   /** From the axes of each joint to the world. */
   framesAt(t: number): readonly Mat4[];
   weightsAt(t: number): readonly number[];
-  /** World positions [m], 3 per vertex; of all vertices, or of those given. */
-  pointsAt(t: number, vertices?: readonly number[]): Float64Array;
   /** Whether the node's transform mirrors the mesh at a time. */
   isMirroredAt(t: number): boolean;
 }
@@ -49,7 +46,6 @@ export function makeDeformer(
   const framesAt = (t: number): Mat4[] =>
     joints?.map((j) => tree.transformAt(j.node, t).matrix) ?? [frame.transformAt(t).matrix];
   const binds = joints?.map((j) => j.inverseBind) ?? [IDENTITY];
-  const matricesAt = (t: number): Mat4[] => framesAt(t).map((m, j) => multiply(m, binds[j]));
   return {
     curves: [...movers, ...(weightsCurve ? [weightsCurve] : [])],
     binds,
@@ -57,9 +53,7 @@ export function makeDeformer(
     ...(joints && !weightsCurve && { skeleton: skeletonOf(tree, node) }),
     framesAt,
     weightsAt,
-    pointsAt: (t, vertices) =>
-      skinnedPoints(joints ? geometry : withoutSkin(geometry), matricesAt(t), weightsAt(t), vertices),
-    isMirroredAt: (t) => determinant(linearPart(matricesAt(t)[0])) < 0,
+    isMirroredAt: (t) => determinant(linearPart(multiply(framesAt(t)[0], binds[0]))) < 0,
   };
 }
 
@@ -107,46 +101,4 @@ function readJoints(context: GltfContext, tree: NodeTree, node: GltfNode, used: 
   const bind = (j: number): Mat4 =>
     Array.from({ length: 16 }, (_, i) => (binds ? binds[j * 16 + (i % 4) * 4 + (i >> 2)] : i % 5 === 0 ? 1 : 0));
   return nodes.map((joint, j) => ({ node: joint, inverseBind: bind(j) }));
-}
-
-const withoutSkin = ({ mesh, morphs }: Geometry): Geometry => ({ mesh, morphs });
-
-function skinnedPoints(
-  { mesh, morphs, skin }: Geometry,
-  matrices: readonly Mat4[],
-  weights: readonly number[],
-  vertices?: readonly number[],
-): Float64Array {
-  const count = vertices?.length ?? mesh.positions.length / 3;
-  const out = new Float64Array(count * 3);
-  const at = matrixOfVertex(matrices, skin);
-  for (let i = 0; i < count; i++) {
-    const v = vertices ? vertices[i] : i;
-    const m = at(v);
-    const p = [mesh.positions[v * 3], mesh.positions[v * 3 + 1], mesh.positions[v * 3 + 2]];
-    addMorphs(p, morphs, weights, v);
-    for (let k = 0; k < 3; k++)
-      out[i * 3 + k] = m[4 * k] * p[0] + m[4 * k + 1] * p[1] + m[4 * k + 2] * p[2] + m[4 * k + 3];
-  }
-  return out;
-}
-
-/** Matrix of a vertex: the node's, or the blend of its joints, valid until the next call. */
-function matrixOfVertex(matrices: readonly Mat4[], skin: Geometry['skin']): (vertex: number) => Mat4 {
-  if (!skin) return () => matrices[0];
-  const flat = Float64Array.from(matrices.flatMap((m) => m.slice(0, 12)));
-  const out = new Array<number>(16).fill(0);
-  return (vertex) => {
-    blendMatrices(out, flat, 12, skin, vertex);
-    return out;
-  };
-}
-
-function addMorphs(target: number[], morphs: Geometry['morphs'], weights: readonly number[], v: number): void {
-  for (let m = 0; m < morphs.length; m++) {
-    const weight = weights[m] ?? 0;
-    if (weight === 0) continue;
-    const { positions } = morphs[m];
-    for (let k = 0; k < 3; k++) target[k] += weight * positions[v * 3 + k];
-  }
 }

@@ -20,18 +20,18 @@ import { parseSceneHints } from '../../attributes/hints.ts';
 import { parseSpectrum, SPECTRUM_ATTRIBUTE, unknownSpectrumMessage } from '../../attributes/spectrumAttribute.ts';
 import { DiagnosticLog } from '../../diagnostics/diagnosticLog.ts';
 import { type FileSource, stemOf } from '../../files/fileSource.ts';
+import type { OutlinedMesh } from '../../read/jointOutline.ts';
 import { MAX_OBJECTS } from '../../read/limits.ts';
 import type { ReadOptions } from '../../readOptions.ts';
 import { type GltfContext, gltfError } from '../context.ts';
 import { loadGltf } from '../load/loadGltf.ts';
 import { StrandPlan } from '../strands/strandPlan.ts';
-import { Baker } from './bake.ts';
+import { Baker, outlined } from './bake.ts';
 import { makeDeformer, settleMorphs, skeletonOf } from './deform.ts';
 import { readInstances } from './instances.ts';
 import { lightSpectra } from './lightSpectra.ts';
 import { GltfMaterialLibrary } from './materials.ts';
 import { type AnimatedTransform, type NodeTransform, NodeTree } from './nodes.ts';
-import type { BoundGeometry } from './outline.ts';
 import { type Geometry, readGeometry } from './primitives.ts';
 import { variantSet } from './variants.ts';
 
@@ -224,14 +224,14 @@ class SceneBuilder {
   }
 
   /** All meshes that nothing but these joints moves. */
-  private peersOf(skeleton: string | undefined): BoundGeometry[] {
+  private peersOf(skeleton: string | undefined): OutlinedMesh[] {
     const nodes = this.context.document.getRoot().listNodes();
     return nodes.flatMap((node) => {
       const mesh = node.getSkin() && skeletonOf(this.tree, node) === skeleton ? node.getMesh() : null;
       const geometry = mesh && this.geometryOf(node, mesh);
       if (!geometry?.skin) return [];
       const deformer = makeDeformer(this.context, this.tree, node, this.tree.frame(node), geometry);
-      return deformer.skeleton === skeleton ? [{ geometry, ...deformer }] : [];
+      return deformer.skeleton === skeleton ? [outlined(geometry, deformer)] : [];
     });
   }
 
