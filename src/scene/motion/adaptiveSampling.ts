@@ -225,9 +225,9 @@ export class SamplingBudget {
     this.waiting = motions;
   }
 
-  /** Records a motion that needs no added times, since it is on its chords. */
-  markExact(): void {
-    this.error ??= 0;
+  /** Records the greatest distance of a motion from its chords [m]: 0 if it is on them. */
+  record(error: number): void {
+    this.error = Math.max(this.error ?? 0, error);
   }
 
   /** Samples a path within the budget; `cost`: evaluations that its points at one time take; `most`: times that there may be, if its own are not more. */
@@ -236,7 +236,7 @@ export class SamplingBudget {
     const share = this.waiting === undefined ? 2 : Math.max(1, this.waiting--);
     const added = Math.floor(Math.min(this.left / share / each, Math.max(0, most - path.samples.length)));
     const refined = path.sample(added);
-    this.error = Math.max(this.error ?? 0, refined.error);
+    this.record(refined.error);
     this.left -= (refined.times.length - path.samples.length) * each;
     return refined;
   }

@@ -1,6 +1,7 @@
 import { anyOf, msg } from '../../../../messages/message.ts';
 import { gatherPoints, makeMesh } from '../../../../scene/mesh/makeMesh.ts';
 import type { Polygons, PolygonValues } from '../../../../scene/mesh/polygons.ts';
+import { withoutQuadric } from '../../../../scene/mesh/quadric.ts';
 import type { Mesh } from '../../../../scene/types.ts';
 import { report } from '../../diagnostics.ts';
 import { attributeOf, lowerSample, numbersAt, sampleTimes, textAt } from '../../layer/attributes.ts';
@@ -11,7 +12,7 @@ import type { MeshPiece } from '../lives/meshPieces.ts';
 import type { PrimMaterials } from '../materials/materialBinding.ts';
 import { deformedMesh } from '../placement/deforming.ts';
 import { type MeshElementCounts, type Primvar, primvarOf, valuesOnMesh } from '../primvars.ts';
-import type { Skin, Skins } from '../skel/skin.ts';
+import type { Skin, Skins, VertexOrigins } from '../skel/skin.ts';
 import { pointBytes, vectorsPerVertex } from './pointSampling.ts';
 import type { DeformedPoints, PrimGeometry, StoredDeformation } from './primGeometry.ts';
 import { levelsOf } from './subdivisionLevels.ts';
@@ -95,6 +96,8 @@ function staysInFile(context: StageContext, prim: PrimSpec, points: number): boo
 interface PolygonMesh {
   readonly mesh: Mesh;
   pointsFor(points: ArrayLike<number>, time: number): DeformedPoints;
+  /** Present if vertices are points of the prim. */
+  readonly vertices?: VertexOrigins;
   /** Present if vertices, and sampled normals, can be read directly from the file. */
   readonly stored?: Omit<StoredDeformation, 'points'>;
 }
@@ -124,6 +127,7 @@ function plainMesh(
   };
   return {
     mesh,
+    vertices: { pointOfVertex, areNormalsAuthored: authored !== undefined },
     ...(sampled === undefined || normals ? { stored: { pointOfVertex, normals } } : {}),
     pointsFor: (points, time) => {
       const normals = normalsAt(time);
@@ -185,6 +189,8 @@ function withDeformation(
   if (skin.isRigid) return { mesh, ...transform };
   const at = (time: number): DeformedPoints => drawn.pointsFor(skin.pointsAt(time), time);
   if (skin.times.length === 0) return { mesh: deformedMesh(mesh, at(context.startCode)), ...transform };
+  const blend = drawn.vertices && !context.cubic ? skin.blendOf(mesh, drawn.vertices) : undefined;
+  if (blend) return { mesh: withoutQuadric(mesh), deformation: { times: skin.times, at, blend }, ...transform };
   const points = numbersAt(prim, 'points', context.startCode)!.length / 3;
   const some = Uint32Array.from({ length: Math.min(PROBE_POINTS, points) }, (_, i) =>
     Math.floor((i * points) / Math.min(PROBE_POINTS, points)),

@@ -240,10 +240,10 @@ function reportGap(context: StageContext, path: string, times: number, { max: mo
 }
 
 /** Triangles with flipped winding if M mirrors, so that they face the same side. */
-const facingIndices = (indices: Uint32Array, m: mat4.Mat4): Uint32Array =>
+export const facingIndices = (indices: Uint32Array, m: mat4.Mat4): Uint32Array =>
   determinant(mat4.linearPart(m)) < 0 ? flippedWinding(indices) : indices;
 
-const relativeTo = (origin: Vec3, m: mat4.Mat4): mat4.Mat4 =>
+export const relativeTo = (origin: Vec3, m: mat4.Mat4): mat4.Mat4 =>
   m.map((x, i) => (i % 4 === 3 && i < 12 ? x - origin[(i - 3) / 4] : x));
 
 function flippedWinding(indices: Uint32Array): Uint32Array {

@@ -8,6 +8,7 @@ import type { PlacedMesh, PrimGeometry } from '../geometry/primGeometry.ts';
 import { Memo } from '../transforms/memo.ts';
 import { type StageTransform, transformInMeters } from '../transforms/stageTransform.ts';
 import { unionOfTimes } from '../transforms/xformOps.ts';
+import { placeBlended } from './blended.ts';
 import { deformedMesh, placeDeforming, sampledPoints } from './deforming.ts';
 import { boundingBoxCorners, budgetedSamples, resampledTimes, sampledPoses } from './resampling.ts';
 
@@ -44,7 +45,9 @@ export function placeGeometry(
   frame: StageTransform,
 ): PlacedMesh {
   const world = transformInMeters(frame, context.unit);
-  if (shape.deformation) return placeDeforming(context, path, shape, world);
+  const { deformation } = shape;
+  if (deformation?.blend) return placeBlended(context, path, shape, deformation.blend, world);
+  if (deformation) return placeDeforming(context, path, shape, world);
   if (world.times.length === 0) return staticPlacement(shape.mesh, world.matrixAt(context.startCode));
   if (world.isStraight) return alongPath(shape.mesh, straightPath(context, path, world));
   const times = resampledTimes(context, path, world, boundingBoxCorners(shape.mesh));
@@ -73,7 +76,7 @@ function rigidPath(context: StageContext, times: Float64Array, { matrixAt }: Sta
 
 function straightPath(context: StageContext, path: string, frame: StageTransform): RigidPath {
   const times = frame.isBudgeted ? frame.times : budgetedSamples(context, path, frame.times, frame.cost);
-  context.motionBudget.markExact();
+  context.motionBudget.record(0);
   return STRAIGHT_PATHS.getOrCreate(frame, [times], () => {
     const { pose, stretch } = mat4.decomposeRigid(frame.matrixAt(times[0]));
     const poseAt = (time: number): mat4.RigidPose => {

@@ -1,6 +1,6 @@
 import * as mat4 from '../../../../math/mat4.ts';
 import { msg } from '../../../../messages/message.ts';
-import { AdaptivePath, type ChordCriterion } from '../../../../scene/motion/adaptiveSampling.ts';
+import { AdaptivePath, type ChordCriterion, type SampledTimes } from '../../../../scene/motion/adaptiveSampling.ts';
 import type { SampledMotion, StaticMotion } from '../../../../scene/types.ts';
 import { subsampleEvenly } from '../../../read/subsample.ts';
 import { report } from '../../diagnostics.ts';
@@ -121,12 +121,20 @@ export function resampledPath(
   cost: number,
   tolerance: number,
 ): Float64Array {
-  const { times, error, needed } = context.motionBudget.sample(refined, cost);
-  if (error > tolerance) {
-    const message = msg`it jumps or turns too fast between its ${refined.samples.length} samples to be followed: about ${needed.toPrecision(2)} samples would be needed, ${times.length} are used, and paths are off by up to ${error.toPrecision(2)} m; write more samples, or let it turn less between them`;
-    report(context, 'warning', 'usd.resampling', path, message, { off: error });
-  }
-  return times;
+  const found = context.motionBudget.sample(refined, cost);
+  if (found.error > tolerance) reportUnfollowed(context, path, refined.samples.length, found);
+  return found.times;
+}
+
+/** Reports a path with so many samples that is not followed to its tolerance. */
+export function reportUnfollowed(
+  context: StageContext,
+  path: string,
+  samples: number,
+  { times, error, needed }: SampledTimes,
+): void {
+  const message = msg`it jumps or turns too fast between its ${samples} samples to be followed: about ${needed.toPrecision(2)} samples would be needed, ${times.length} are used, and paths are off by up to ${error.toPrecision(2)} m; write more samples, or let it turn less between them`;
+  report(context, 'warning', 'usd.resampling', path, message, { off: error });
 }
 
 /**

@@ -19,7 +19,7 @@ export interface SkelBinding {
   readonly joints?: JointBinding;
 }
 
-interface JointBinding {
+export interface JointBinding {
   /** Joint indices are those of the skeleton. */
   readonly influences: SkinInfluences;
   /** All points have the same influences. */
@@ -65,7 +65,7 @@ export class Skeletons {
   }
 }
 
-const INDICES = 'primvars:skel:jointIndices';
+export const INDICES = 'primvars:skel:jointIndices';
 const WEIGHTS = 'primvars:skel:jointWeights';
 
 function nearestAttribute({ layer }: StageContext, mesh: PrimSpec, name: string): AttributeSpec | undefined {
@@ -74,7 +74,12 @@ function nearestAttribute({ layer }: StageContext, mesh: PrimSpec, name: string)
 }
 
 /** The binding, or an error message that begins with the attribute's name. */
-function jointsOf(context: StageContext, mesh: PrimSpec, skeleton: Skeleton, points: number): JointBinding | Message {
+export function jointsOf(
+  context: StageContext,
+  mesh: PrimSpec,
+  skeleton: Skeleton,
+  points: number,
+): JointBinding | Message {
   const geomBind = geomBindOf(context, mesh);
   const places = jointPlaces(context, mesh, skeleton);
   if ('template' in geomBind) return geomBind;

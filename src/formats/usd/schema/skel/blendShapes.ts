@@ -11,8 +11,20 @@ export interface BlendShapes {
   readonly cost: number;
   /** Every shape has normal offsets. */
   readonly haveNormals: boolean;
+  /** The offsets of which those at any time are a sum: of shapes that ever have a weight, and of their inbetweens. */
+  readonly parts: readonly ShapeOffsets[];
+  /** A weight for each of `parts`. */
+  partWeightsAt(time: number): Float64Array;
   /** Adds the offsets of points or normals at a time to `values`, 3 numbers for each of `points`, or for all points. */
   addTo(values: Float64Array, of: 'points' | 'normals', time: number, points?: ArrayLike<number>): void;
+}
+
+/** Offsets of points, 3 numbers each. */
+export interface ShapeOffsets {
+  readonly points: NumberArray;
+  readonly normals: NumberArray | undefined;
+  /** Index of each point's offset, −1 if none. Absent: point i has offset i. */
+  readonly rows: Int32Array | undefined;
 }
 
 /** Offsets at one weight: the shape itself at 1, or an inbetween. */
@@ -24,8 +36,7 @@ interface SubShape {
 interface BlendShape {
   /** Index of its weight in the animation. */
   readonly source: number;
-  /** Index of each point's offset, −1 if none. Absent: point i has offset i. */
-  readonly rows?: Int32Array;
+  readonly rows: ShapeOffsets['rows'];
   /** By increasing weight; null at 0. */
   readonly subShapes: readonly (SubShape | null)[];
   readonly weights: readonly number[];
@@ -55,15 +66,41 @@ export function blendShapesOf(
   const weightsAt = (time: number): NumberArray | undefined => numbersAt(animation, 'blendShapeWeights', time);
   const steady = allFinite(context, animation, animated.length);
   if (shapes.length === 0 || !steady) return undefined;
+  const times = sampleTimes(attributeOf(animation, 'blendShapeWeights'));
+  const used = shapesWithWeight(times.length > 0 ? times : [context.startCode], weightsAt);
+  const shown = shapes.filter(({ source }) => used.has(source));
   return {
-    times: sampleTimes(attributeOf(animation, 'blendShapeWeights')),
+    times,
     cost: 1 + shapes.length,
     haveNormals: shapes.every((shape) => shape.subShapes.every((sub) => !sub || sub.normals)),
     addTo: (values, of, time, which) => {
       const weights = weightsAt(time);
       for (const shape of shapes) addShape(values, of, shape, weights?.[shape.source] ?? 0, which);
     },
+    parts: shown.flatMap(({ subShapes, rows }) => subShapes.flatMap((sub) => (sub ? { ...sub, rows } : []))),
+    partWeightsAt: (time) => {
+      const weights = weightsAt(time);
+      return Float64Array.from(
+        shown.flatMap((shape) => {
+          const shares = sharesOf(shape, weights?.[shape.source] ?? 0);
+          return shape.subShapes.flatMap((sub, i) => (sub ? shares(i) : []));
+        }),
+      );
+    },
   };
+}
+
+/** Indices of the weights that are not always 0. */
+function shapesWithWeight(
+  times: ArrayLike<number>,
+  weightsAt: (time: number) => NumberArray | undefined,
+): ReadonlySet<number> {
+  const used = new Set<number>();
+  for (let k = 0; k < times.length; k++)
+    weightsAt(times[k])?.forEach((w, i) => {
+      if (w !== 0) used.add(i);
+    });
+  return used;
 }
 
 function allFinite(context: StageContext, animation: PrimSpec, count: number): boolean {
@@ -111,7 +148,7 @@ function shapeOf(
   const all = [null, full, ...inner].sort((a, b) => (a?.weight ?? 0) - (b?.weight ?? 0));
   const weights = all.map((sub) => sub?.weight ?? 0);
   if (new Set(weights).size < weights.length) return fail(msg`two inbetweens have the same weight`);
-  return { source, subShapes: all, weights, ...(indices ? { rows: rowsOf(indices, points) } : {}) };
+  return { source, subShapes: all, weights, rows: indices && rowsOf(indices, points) };
 }
 
 const inbetweens = (prim: PrimSpec): AttributeSpec[] =>
@@ -144,24 +181,28 @@ function rowsOf(indices: NumberArray, points: number): Int32Array {
   return rows;
 }
 
-/** Interpolates linearly between the sub-shapes around `weight`; extrapolates from the outermost two. */
-function addShape(
-  values: Float64Array,
-  of: 'points' | 'normals',
-  { subShapes, weights, rows }: BlendShape,
-  weight: number,
-  which: ArrayLike<number> | undefined,
-): void {
-  if (weight === 0) return;
+/** By sub-shape its share at a weight: linear between those around it, extrapolated from the outermost two. */
+function sharesOf({ weights }: BlendShape, weight: number): (subShape: number) => number {
+  if (weight === 0) return () => 0;
   let upper = weights.findIndex((w) => w > weight);
   if (upper < 0) upper = weights.length - 1;
   if (upper === 0) upper = 1;
   const part = (weight - weights[upper - 1]) / (weights[upper] - weights[upper - 1]);
-  for (const [sub, fraction] of [
-    [subShapes[upper - 1], 1 - part],
-    [subShapes[upper], part],
-  ] as const) {
+  return (i) => (i === upper ? part : i === upper - 1 ? 1 - part : 0);
+}
+
+function addShape(
+  values: Float64Array,
+  of: 'points' | 'normals',
+  shape: BlendShape,
+  weight: number,
+  which: ArrayLike<number> | undefined,
+): void {
+  const { subShapes, rows } = shape;
+  const shares = sharesOf(shape, weight);
+  for (const [index, sub] of subShapes.entries()) {
     const offsets = sub?.[of];
+    const fraction = shares(index);
     if (!offsets || fraction === 0) continue;
     for (let i = 0; i < values.length / 3; i++) {
       const point = which ? which[i] : i;

@@ -25,7 +25,8 @@ export class Skeleton {
   /** Joint indices, parents before children. */
   private readonly order: readonly number[];
   private readonly rest: Float64Array | undefined;
-  private readonly inverseBind: Float64Array;
+  /** Bind space to the axes of each joint, three rows of four. */
+  readonly inverseBind: Float64Array;
   private readonly poseCache = new Map<number, Float64Array>();
 
   constructor(
@@ -54,16 +55,22 @@ export class Skeleton {
     return made;
   }
 
-  private computed(time: number): Float64Array {
+  /** From the axes of each joint to skeleton space, three rows of four; in a new array. */
+  framesAt(time: number): Float64Array {
     const local = this.animation?.localsAt(time, this.rest) ?? this.rest!;
     const out = new Float64Array(local.length);
-    const space = new Float64Array(local.length);
     for (const joint of this.order) {
       const parent = this.parents[joint];
-      if (parent < 0) space.set(local.subarray(12 * joint, 12 * joint + 12), 12 * joint);
-      else multiplyInto(space, joint, space, parent, local, joint);
-      multiplyInto(out, joint, space, joint, this.inverseBind, joint);
+      if (parent < 0) out.set(local.subarray(12 * joint, 12 * joint + 12), 12 * joint);
+      else multiplyInto(out, joint, out, parent, local, joint);
     }
+    return out;
+  }
+
+  private computed(time: number): Float64Array {
+    const frames = this.framesAt(time);
+    const out = new Float64Array(frames.length);
+    for (const joint of this.order) multiplyInto(out, joint, frames, joint, this.inverseBind, joint);
     return out;
   }
 }

@@ -1,13 +1,17 @@
 import * as mat4 from '../../../../math/mat4.ts';
+import type { Mesh } from '../../../../scene/types.ts';
 import { blendMatrices, type SkinInfluences } from '../../../read/skinning.ts';
 import { numbersAt } from '../../layer/attributes.ts';
 import type { PrimSpec } from '../../layer/layer.ts';
 import type { StageContext } from '../context.ts';
+import type { LinearBlend } from '../geometry/primGeometry.ts';
 import type { StageTransform } from '../transforms/stageTransform.ts';
 import { unionOfTimes } from '../transforms/xformOps.ts';
 import { type SkelBinding, Skeletons } from './binding.ts';
 import { type BlendShapes, blendShapesOf } from './blendShapes.ts';
 import { DualQuaternionBlend, inverseTranspose, jointDualQuaternions } from './dualQuaternions.ts';
+import { JointGrids } from './jointGrids.ts';
+import { bindsOf, influencesOf, isLinearBlend, restShapes } from './linearBlend.ts';
 
 /** Deformation of a mesh by a skeleton and blend shapes. */
 export interface Skin {
@@ -21,17 +25,28 @@ export interface Skin {
   readonly cost: number;
   /** 3 numbers for each of the requested points, or for all. */
   pointsAt(time: number, which?: ArrayLike<number>): Float64Array;
+  /** The same by its joints, for vertices that are points of the mesh; undefined if it is no linear blend, or too large. */
+  blendOf(mesh: Mesh, vertices: VertexOrigins): LinearBlend | undefined;
   /** Vertex normals deformed from `rest` (3 per vertex); undefined if they have to be computed from the points. */
   normalsAt(time: number, rest: Float32Array, pointOfVertex: ArrayLike<number>): Float32Array | undefined;
+}
+
+/** Where the vertices of a mesh come from. */
+export interface VertexOrigins {
+  readonly pointOfVertex: ArrayLike<number>;
+  /** If not, their normals are those of the faces. */
+  readonly areNormalsAuthored: boolean;
 }
 
 /** Reads the skins of a stage's meshes. */
 export class Skins {
   private readonly context: StageContext;
   private readonly skeletons: Skeletons;
+  private readonly grids: JointGrids;
 
   constructor(context: StageContext) {
     this.context = context;
+    this.grids = new JointGrids(context);
     this.skeletons = new Skeletons(context);
   }
 
@@ -47,13 +62,26 @@ export class Skins {
     const bend = new SkinDeformer(context, mesh, points.times.length > 0, binding, shapes);
     const isLinear = binding.joints?.method === 'classicLinear' || binding.joints?.influences.perPoint === 1;
     if (binding.joints?.isRigid && isLinear && !shapes && points.times.length === 0) return rigidSkin(bend, binding);
+    const times = unionOfTimes([points.times, Float64Array.from(jointTimes), shapes?.times ?? new Float64Array(0)]);
     return {
-      times: unionOfTimes([points.times, Float64Array.from(jointTimes), shapes?.times ?? new Float64Array(0)]),
+      times,
       ...(binding.joints ? { transform: skeleton.transform } : {}),
       isRigid: false,
       cost: (binding.joints ? skeleton.joints.length : 0) + (shapes?.cost ?? 0),
       pointsAt: (time, which) => bend.pointsAt(time, which),
       normalsAt: (time, rest, pointOfVertex) => bend.normalsAt(time, rest, pointOfVertex),
+      blendOf: (drawn, { pointOfVertex, areNormalsAuthored }) => {
+        if (points.times.length > 0 || !isLinearBlend(binding, shapes, pointOfVertex.length)) return undefined;
+        const skin = influencesOf(binding, pointOfVertex);
+        return {
+          rest: { positions: drawn.positions, normals: drawn.normals },
+          shapes: restShapes(drawn, shapes, pointOfVertex, areNormalsAuthored),
+          binds: bindsOf(binding),
+          ...(skin && { skin }),
+          shapeWeightsAt: (time) => shapes?.partWeightsAt(time) ?? [],
+          gridIn: (path, frame) => this.grids.gridIn(path, { ...binding, mesh }, times, frame),
+        };
+      },
     };
   }
 }
@@ -79,6 +107,7 @@ function rigidSkin(bend: SkinDeformer, { skeleton, joints }: SkelBinding): Skin 
     cost: 0,
     pointsAt: () => Float64Array.from(numbersAt(bend.mesh, 'points', start)!),
     normalsAt: (_, rest) => rest,
+    blendOf: () => undefined,
   };
 }
 
