@@ -8,7 +8,7 @@ import type { PlacedMesh, PrimGeometry } from '../geometry/primGeometry.ts';
 import { Memo } from '../transforms/memo.ts';
 import { type StageTransform, transformInMeters } from '../transforms/stageTransform.ts';
 import { unionOfTimes } from '../transforms/xformOps.ts';
-import { placeBlended } from './blended.ts';
+import { placeAffine, placeBlended } from './blended.ts';
 import { deformedMesh, placeDeforming, sampledPoints } from './deforming.ts';
 import { boundingBoxCorners, budgetedSamples, resampledTimes, sampledPoses } from './resampling.ts';
 
@@ -36,7 +36,7 @@ const STRAIGHT_PATHS = new Memo<RigidPath>();
 
 /**
  * Places a mesh in the scene. Without time samples it is static, with its scale and shear applied to the mesh; if it moves
- * without changing its shape it gets sampled poses; otherwise sampled points.
+ * without changing its shape it gets sampled poses; otherwise its frame, or its joints, as blended points, or sampled points.
  */
 export function placeGeometry(
   context: StageContext,
@@ -52,7 +52,10 @@ export function placeGeometry(
   if (world.isStraight) return alongPath(shape.mesh, straightPath(context, path, world));
   const times = resampledTimes(context, path, world, boundingBoxCorners(shape.mesh));
   const rigid = RIGID_PATHS.getOrCreate(world, [times], () => rigidPath(context, times, world));
-  return rigid ? alongPath(shape.mesh, rigid) : sampledPoints(context, path, shape, world, times);
+  if (rigid) return alongPath(shape.mesh, rigid);
+  return context.cubic
+    ? sampledPoints(context, path, shape, world, times)
+    : placeAffine(context, shape.mesh, world, times);
 }
 
 const alongPath = (mesh: Mesh, { stretch, motion }: RigidPath): PlacedMesh => ({

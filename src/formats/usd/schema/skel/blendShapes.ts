@@ -4,9 +4,11 @@ import { attributeOf, numberOf, numbersAt, sampleTimes, tokensAt } from '../../l
 import type { AttributeSpec, NumberArray, PrimSpec } from '../../layer/layer.ts';
 import { primAt, targetsOf } from '../../layer/query.ts';
 import type { StageContext } from '../context.ts';
+import { unionOfTimes } from '../transforms/xformOps.ts';
 
 /** The blend shapes of a mesh with their animated weights. */
 export interface BlendShapes {
+  /** Time codes between which the points are linear in time: of the weights' samples, and where a weight passes an inbetween. */
   readonly times: Float64Array;
   readonly cost: number;
   /** Every shape has normal offsets. */
@@ -66,11 +68,11 @@ export function blendShapesOf(
   const weightsAt = (time: number): NumberArray | undefined => numbersAt(animation, 'blendShapeWeights', time);
   const steady = allFinite(context, animation, animated.length);
   if (shapes.length === 0 || !steady) return undefined;
-  const times = sampleTimes(attributeOf(animation, 'blendShapeWeights'));
-  const used = shapesWithWeight(times.length > 0 ? times : [context.startCode], weightsAt);
+  const samples = sampleTimes(attributeOf(animation, 'blendShapeWeights'));
+  const used = shapesWithWeight(samples.length > 0 ? samples : [context.startCode], weightsAt);
   const shown = shapes.filter(({ source }) => used.has(source));
   return {
-    times,
+    times: unionOfTimes([samples, inbetweenTimes(shown, samples, weightsAt)]),
     cost: 1 + shapes.length,
     haveNormals: shapes.every((shape) => shape.subShapes.every((sub) => !sub || sub.normals)),
     addTo: (values, of, time, which) => {
@@ -88,6 +90,27 @@ export function blendShapesOf(
       );
     },
   };
+}
+
+/** Most times at which weights pass inbetweens; where they do so more often, paths are followed as any others. */
+const MAX_PASSES = 4096;
+
+/** Times between samples at which a weight passes that of an inbetween. */
+function inbetweenTimes(
+  shapes: readonly BlendShape[],
+  samples: Float64Array,
+  weightsAt: (time: number) => NumberArray | undefined,
+): Float64Array {
+  const found: number[] = [];
+  for (let k = 0; k + 1 < samples.length && found.length < MAX_PASSES; k++) {
+    const [before, after] = [weightsAt(samples[k]), weightsAt(samples[k + 1])];
+    for (const { source, weights } of shapes) {
+      const [a, b] = [before?.[source] ?? 0, after?.[source] ?? 0];
+      for (const w of weights.slice(1, -1))
+        if ((w - a) * (w - b) < 0) found.push(samples[k] + ((w - a) / (b - a)) * (samples[k + 1] - samples[k]));
+    }
+  }
+  return Float64Array.from(found).sort();
 }
 
 /** Indices of the weights that are not always 0. */

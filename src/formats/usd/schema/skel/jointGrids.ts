@@ -30,6 +30,11 @@ export interface BoundMesh extends SkelBinding {
   readonly mesh: PrimSpec;
 }
 
+interface TimedMesh extends OutlinedMesh {
+  /** Time codes of its blend shapes. */
+  readonly times: Float64Array;
+}
+
 /** The time grids of a stage's joints: one for each skeleton, or for a mesh that only blend shapes bend, and for each frame that moves them. */
 export class JointGrids {
   private readonly context: StageContext;
@@ -55,10 +60,8 @@ export class JointGrids {
     const joints = bound.joints && skeleton;
     const set = this.sets.get(joints ? skeleton.path : mesh.path) ?? [];
     const peers = set.flatMap((peer) => this.outlined(peer, skeleton, joints !== undefined) ?? []);
-    const shapes = peers.reduce((sum, peer) => sum + peer.shapes.length, 0);
-    const cost = frame.cost + (joints?.joints.length ?? 0) + shapes;
-    const weights = shapes > 0 ? skeleton.source && attributeOf(skeleton.source, 'blendShapeWeights') : undefined;
-    const times = [own, frame.times, joints?.animation?.times ?? NO_TIMES, sampleTimes(weights)];
+    const cost = frame.cost + (joints?.joints.length ?? 0) + peers.reduce((sum, { shapes }) => sum + shapes.length, 0);
+    const times = [own, frame.times, joints?.animation?.times ?? NO_TIMES, ...peers.map((peer) => peer.times)];
     const knots = budgetedSamples(context, path, unionOfTimes(times), cost);
     const localsAt = (t: number): Float64Array => joints?.framesAt(t) ?? AT_REST;
     const framesAt = (t: number): Float64Array => carried(localsAt(t), frame.matrixAt(t));
@@ -78,7 +81,7 @@ export class JointGrids {
   }
 
   /** A mesh as its joints see it; undefined if it is baked, or invalid. */
-  private outlined(mesh: PrimSpec, skeleton: Skeleton, followsJoints: boolean): OutlinedMesh | undefined {
+  private outlined(mesh: PrimSpec, skeleton: Skeleton, followsJoints: boolean): TimedMesh | undefined {
     // What is wrong with it is told where it is read.
     const context = { ...this.context, diagnostics: new DiagnosticList() };
     const points = numbersAt(mesh, 'points', context.startCode);
@@ -88,7 +91,8 @@ export class JointGrids {
     const shapes = blendShapesOf(context, mesh, points.length / 3, skeleton.source);
     if (joints?.isRigid && !shapes) return undefined;
     const binding = { skeleton, ...(joints && { joints }) };
-    return isLinearBlend(binding, shapes, points.length / 3) ? outlinedPoints(points, binding, shapes) : undefined;
+    if (!isLinearBlend(binding, shapes, points.length / 3)) return undefined;
+    return { ...outlinedPoints(points, binding, shapes), times: shapes?.times ?? NO_TIMES };
   }
 
   /** Meshes by the path of their skeleton, or by their own if they have only blend shapes. */

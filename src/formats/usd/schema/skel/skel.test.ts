@@ -11,4 +11,7 @@ describe('random skeletons', () => {
   it.each(expected)('agree with points and normals baked by usd-core (seed $seed)', async (stage) => {
     await expectBaked(stage);
   });
+  it.each(expected)('agree where points are baked, for cubic interpolation (seed $seed)', async (stage) => {
+    await expectBaked(stage, 'cubic');
+  });
 });

@@ -111,6 +111,9 @@ function rigidSkin(bend: SkinDeformer, { skeleton, joints }: SkelBinding): Skin 
   };
 }
 
+/** One matrix for all points. */
+const ALONE: SkinInfluences = { perPoint: 1, joints: [0], weights: [1] };
+
 class SkinDeformer {
   readonly context: StageContext;
   readonly mesh: PrimSpec;
@@ -166,7 +169,7 @@ class SkinDeformer {
 
   private carryDual(out: Float64Array, time: number, influences: SkinInfluences, pointOf: (i: number) => number): void {
     const { skeleton, joints } = this.binding;
-    skinPoints(out, joints!.geomBind, { perPoint: 1, joints: [0], weights: [1] }, () => 0);
+    skinPoints(out, joints!.geomBind, ALONE, () => 0);
     const blend = new DualQuaternionBlend(jointDualQuaternions(skeleton.matricesAt(time)), influences, 'points');
     for (let i = 0; i < out.length / 3; i++) {
       blend.at(pointOf(i));
@@ -181,10 +184,14 @@ class SkinDeformer {
     this.shapes?.addTo(out, 'normals', time, pointOfVertex);
     if (!joints) return normalized(out);
     const pointOf = joints.isRigid ? () => 0 : (i: number) => pointOfVertex[i];
-    if (joints.method === 'classicLinear') {
+    if (joints.method === 'classicLinear' && joints.isRigid) {
+      const matrix = new Float64Array(12);
+      blendMatrices(matrix, this.boundAt(time), 12, joints.influences, 0);
+      skinNormals(out, inverseTransposes(matrix), ALONE, pointOf);
+    } else if (joints.method === 'classicLinear') {
       skinNormals(out, inverseTransposes(this.boundAt(time)), joints.influences, pointOf);
     } else {
-      skinNormals(out, inverseTransposes(joints.geomBind), { perPoint: 1, joints: [0], weights: [1] }, () => 0);
+      skinNormals(out, inverseTransposes(joints.geomBind), ALONE, () => 0);
       const blend = new DualQuaternionBlend(
         jointDualQuaternions(this.binding.skeleton.matricesAt(time)),
         joints.influences,
@@ -215,7 +222,7 @@ function skinPoints(
   }
 }
 
-/** As UsdSkel: blends the joints' inverse transposes instead of inverting the blend. */
+/** As UsdSkel: blends the joints' inverse transposes instead of inverting the blend, unless all points follow the same. */
 function skinNormals(
   normals: Float64Array,
   matrices: Float64Array,
