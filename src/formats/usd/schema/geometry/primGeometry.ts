@@ -32,11 +32,11 @@ export interface LinearBlend extends Pick<SkinnedShape, 'rest' | 'shapes' | 'ski
   /** A weight for each shape at a time code. */
   shapeWeightsAt(time: number): ArrayLike<number>;
   /** Its joints in a frame [m], at times that all meshes with the same joints share. */
-  gridIn(path: string, frame: StageTransform): JointGrid;
+  gridIn(path: string, frame: StageTransform): PoseGrid;
 }
 
 /** Joints at the nodes of a time grid. */
-export interface JointGrid {
+export interface PoseGrid {
   /** Time codes. */
   readonly times: Float64Array;
   readonly poses: JointPoses;

@@ -11,7 +11,7 @@ import {
 import type { Mesh } from '../../../../scene/types.ts';
 import { blendedSkin, jointPoses } from '../../../read/blendedSkin.ts';
 import type { StageContext } from '../context.ts';
-import type { JointGrid, LinearBlend, PlacedMesh, PrimGeometry } from '../geometry/primGeometry.ts';
+import type { LinearBlend, PlacedMesh, PoseGrid, PrimGeometry } from '../geometry/primGeometry.ts';
 import { Memo } from '../transforms/memo.ts';
 import type { StageTransform } from '../transforms/stageTransform.ts';
 import { facingIndices, relativeTo } from './deforming.ts';
@@ -73,7 +73,7 @@ export function placeAffine(context: StageContext, mesh: Mesh, world: StageTrans
 
 const NO_WEIGHTS = new Float64Array(0);
 
-function pointsOf(blend: LinearBlend, { times, poses }: JointGrid): BlendedPoints {
+function pointsOf(blend: LinearBlend, { times, poses }: PoseGrid): BlendedPoints {
   const count = blend.shapes.length;
   const shapeWeights = new Float64Array(count * times.length);
   if (count > 0)

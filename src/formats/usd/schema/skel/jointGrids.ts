@@ -11,7 +11,7 @@ import { attributeOf, numbersAt, sampleTimes } from '../../layer/attributes.ts';
 import type { PrimSpec } from '../../layer/layer.ts';
 import { isActive, targetsOf } from '../../layer/query.ts';
 import type { StageContext } from '../context.ts';
-import type { JointGrid } from '../geometry/primGeometry.ts';
+import type { PoseGrid } from '../geometry/primGeometry.ts';
 import { budgetedSamples, reportUnfollowed } from '../placement/resampling.ts';
 import { Memo } from '../transforms/memo.ts';
 import type { StageTransform } from '../transforms/stageTransform.ts';
@@ -22,12 +22,18 @@ import { isLinearBlend, outlinedPoints } from './linearBlend.ts';
 import { SKELETON } from './maybeSkinned.ts';
 import type { Skeleton } from './skeleton.ts';
 
-/** Digits to which spaces that differ by a rotation have the same sizes. */
-const SIZE_DIGITS = 9;
+/** Digits to which spaces have the same proportions: instances may be rotated in f16. */
+const SIZE_DIGITS = 3;
 
 /** A mesh that is bound to a skeleton. */
 export interface BoundMesh extends SkelBinding {
   readonly mesh: PrimSpec;
+}
+
+interface FollowedGrid extends PoseGrid {
+  /** Greatest distance from a chord [m], in a frame of this size. */
+  readonly error: number;
+  readonly size: number;
 }
 
 interface TimedMesh extends OutlinedMesh {
@@ -38,7 +44,7 @@ interface TimedMesh extends OutlinedMesh {
 /** The time grids of a stage's joints: one for each skeleton, or for a mesh that only blend shapes bend, and for each frame that moves them. */
 export class JointGrids {
   private readonly context: StageContext;
-  private readonly grids = new Memo<JointGrid>();
+  private readonly grids = new Memo<FollowedGrid>();
   private meshes: ReadonlyMap<string, readonly PrimSpec[]> | undefined;
   private budget: BlendBudget | undefined;
 
@@ -47,14 +53,22 @@ export class JointGrids {
   }
 
   /** `times`: of the mesh that asks; `path`: its place in the scene. */
-  gridIn(path: string, bound: BoundMesh, times: Float64Array, frame: StageTransform): JointGrid {
+  gridIn(path: string, bound: BoundMesh, times: Float64Array, frame: StageTransform): PoseGrid {
     const isFixed = frame.times.length === 0;
-    const place = isFixed ? sizesOf(frame.matrixAt(this.context.startCode)) : frame;
+    const { size, proportions } = sizeOf(frame.matrixAt(times[0]));
     const owner = bound.joints ? bound.skeleton : bound.mesh;
-    return this.grids.getOrCreate(owner, [place], () => this.makeGrid(path, bound, times, frame));
+    const place = isFixed ? proportions : frame;
+    const made = this.grids.getOrCreate(owner, [place], () => ({ ...this.makeGrid(path, bound, times, frame), size }));
+    this.context.motionBudget.record(isFixed ? (made.error * size) / made.size : made.error);
+    return made;
   }
 
-  private makeGrid(path: string, bound: BoundMesh, own: Float64Array, frame: StageTransform): JointGrid {
+  private makeGrid(
+    path: string,
+    bound: BoundMesh,
+    own: Float64Array,
+    frame: StageTransform,
+  ): Omit<FollowedGrid, 'size'> {
     const { context } = this;
     const { skeleton, mesh } = bound;
     const joints = bound.joints && skeleton;
@@ -67,7 +81,6 @@ export class JointGrids {
     const framesAt = (t: number): Float64Array => carried(localsAt(t), frame.matrixAt(t));
     this.budget ??= new BlendBudget(this.sets.size);
     const grid = this.budget.follow({ meshes: peers, knots, cost, tolerance: context.bendTolerance, framesAt });
-    context.motionBudget.record(grid.error);
     if (!grid.isFollowed) reportUnfollowed(context, path, knots.length, grid);
     if (grid.isCoarse) {
       const message = msg`bends too much to hold in ${formatBytes(this.budget.bytes)}; it is sampled at ${grid.times.length} times only`;
@@ -77,7 +90,7 @@ export class JointGrids {
     const count = joints?.joints.length ?? 1;
     const at = isInWorld ? framesAt : localsAt;
     const poses = jointPoses(grid.times.length, count, (k, out) => out.set(at(grid.times[k])));
-    return { times: grid.times, poses, isInWorld };
+    return { times: grid.times, poses, isInWorld, error: grid.error };
   }
 
   /** A mesh as its joints see it; undefined if it is baked, or invalid. */
@@ -150,11 +163,12 @@ function carried(frames: Float64Array, by: Mat4): Float64Array {
   return out;
 }
 
-/** Equal for spaces in which things have the same sizes: the products of their axes. */
-function sizesOf(m: Mat4): string {
+/** The greatest length of an axis; and a text that is the same for spaces which differ by a rotation and by their size. */
+function sizeOf(m: Mat4): { readonly size: number; readonly proportions: string } {
   const l = linearPart(m);
   const product = (a: number, b: number): number => l[a] * l[b] + l[3 + a] * l[3 + b] + l[6 + a] * l[6 + b];
   const products = [product(0, 0), product(1, 1), product(2, 2), product(0, 1), product(0, 2), product(1, 2)];
-  const size = Math.max(...products.map(Math.abs)) || 1;
-  return [size.toPrecision(SIZE_DIGITS), ...products.map((x) => Math.round((x / size) * 10 ** SIZE_DIGITS))].join(' ');
+  const square = Math.max(...products.map(Math.abs)) || 1;
+  const proportions = products.map((x) => Math.round((x / square) * 10 ** SIZE_DIGITS)).join(' ');
+  return { size: Math.sqrt(square), proportions };
 }
