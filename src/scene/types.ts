@@ -3,7 +3,15 @@ import { type LocalizedText, type Message, msg } from '../messages/message.ts';
 import { MessageError } from '../messages/messageError.ts';
 import type { MeasuredReflectance } from '../spectrum/reflectance/measuredReflectance.ts';
 import type { Light } from './lights/light.ts';
-import type { Clearcoat, Iridescence, Sheen, SpecularReflection, Transmission, Volume } from './materials/layers.ts';
+import type {
+  Anisotropy,
+  Clearcoat,
+  Iridescence,
+  Sheen,
+  SpecularReflection,
+  Transmission,
+  Volume,
+} from './materials/layers.ts';
 import type { NormalTexture, Texture, TextureChannel } from './materials/texture.ts';
 import type { Quadric } from './mesh/quadricTypes.ts';
 import type { Lifetime, Motion, SampledMotion, StaticMotion } from './motion/motionTypes.ts';
@@ -157,6 +165,8 @@ export interface Material {
   readonly specular?: SpecularReflection;
   /** A clear varnish over everything else; absent: none. */
   readonly clearcoat?: Clearcoat;
+  /** Grooves that widen its reflection along one direction; absent: none. */
+  readonly anisotropy?: Anisotropy;
   /** Fuzz over it, under the varnish; absent: none. */
   readonly sheen?: Sheen;
   /** A thin film over it, under the varnish; absent: none. */

@@ -1,5 +1,5 @@
 import type { Random } from '../../math/random.ts';
-import { add, addScaled, dot, normalize, scale, type Vec3 } from '../../math/vec3.ts';
+import { add, addScaled, cross, dot, normalize, scale, type Vec3 } from '../../math/vec3.ts';
 import { thinFilmReflectance } from '../../physics/optics/thinFilm.ts';
 import { sheenLobe, sheenTerm } from '../../scene/materials/sheenLobe.ts';
 import { MIN_LOBE_ROUGHNESS, specularLobe as reflectedLobe } from '../../scene/materials/specularLobe.ts';
@@ -24,6 +24,8 @@ export interface Brdf {
   readonly smooth: boolean;
   /** (1 − E)/E, E the share of uniform light that single scattering would reflect of a surface with F = 1. */
   readonly lost: number;
+  /** Its microfacets, if they have a direction. */
+  readonly grooves?: Grooves;
   readonly N: Vec3;
   readonly V: Vec3;
   readonly NV: number;
@@ -37,6 +39,14 @@ export interface Brdf {
   readonly coat?: Brdf;
 }
 
+/** Unit directions in the surface, along which the widths of the distribution of normals are `a` and `b`. */
+interface Grooves {
+  readonly T: Vec3;
+  readonly B: Vec3;
+  readonly a: number;
+  readonly b: number;
+}
+
 /** Fibres over a surface: `color` is that of the light that they reflect, as far as the varnish lets it through. */
 interface Fuzz {
   readonly color: SpectralFilter;
@@ -46,7 +56,7 @@ interface Fuzz {
 }
 
 export function brdfOf(point: SurfacePoint, V: Vec3): Brdf {
-  const { filter, metallic, roughness, ior, specular, clearcoat, sheen, film, normal } = point;
+  const { filter, metallic, roughness, ior, specular, grooves, clearcoat, sheen, film, normal } = point;
   const dielectricF0 = ((ior - 1) / (ior + 1)) ** 2;
   const dielectric = specular ? specularF0(dielectricF0, specular) : neutralFilter(dielectricF0);
   const F0 = mixFilters(dielectric, 1 - metallic, filter, metallic);
@@ -56,7 +66,8 @@ export function brdfOf(point: SurfacePoint, V: Vec3): Brdf {
   const varnished = coat ? 1 - uniformReflectance(coat) : 1;
   const fuzz = sheen && fuzzOf(sheen, Math.max(dot(normal, V), 1e-3), varnished);
   const passed = varnished * (fuzz?.passed ?? 1);
-  const base = glossy(F0, F90, roughness, normal, V, passed);
+  const even = glossy(F0, F90, roughness, normal, V, passed);
+  const base = grooves && grooves.strength > 0 ? grooved(even, grooves) : even;
   const diffuse = scaleFilter(filter, (1 - metallic) * passed);
   return { ...base, diffuse, ...(fuzz && { fuzz }), ...(coat && { coat }), ...(film && { film }) };
 }
@@ -97,6 +108,38 @@ function glossy(F0: SpectralFilter, F90: number, roughness: number, N: Vec3, V: 
   };
 }
 
+/** The same with grooves: α widened along them (KHR_materials_anisotropy). */
+function grooved(even: Brdf, { along: T, strength }: NonNullable<SurfacePoint['grooves']>): Brdf {
+  const b = even.roughness ** 2;
+  const grooves = { T, B: cross(even.N, T), a: b + (1 - b) * Math.min(strength, 1) ** 2, b };
+  const brdf = { ...even, smooth: false, grooves };
+  return { ...brdf, lost: 1 / reflectedShare(brdf) - 1 };
+}
+
+/** Steps of the integral over the visible normals. */
+const SHARE_STEPS = { radius: 8, angle: 12 } as const;
+
+/** The share of uniform light that single scattering reflects where F = 1: the mean of G₂/G₁ over the visible normals. */
+function reflectedShare(brdf: Brdf): number {
+  const { radius, angle } = SHARE_STEPS;
+  let sum = 0;
+  for (let i = 0; i < radius; i++)
+    for (let j = 0; j < angle; j++) {
+      const H = visibleNormal(brdf, (i + 0.5) / radius, (j + 0.5) / angle);
+      sum += keptOf(brdf, reflect(scale(brdf.V, -1), H));
+    }
+  return Math.min(sum / (radius * angle), 1);
+}
+
+/** G₂/G₁ (Heitz 2014, eq. 99). */
+function keptOf(brdf: Brdf, L: Vec3): number {
+  const { N, V, NV } = brdf;
+  const NL = dot(N, L);
+  if (NL <= 0) return 0;
+  const seen = smithTerm(brdf, V, NV);
+  return (NL * (NV + seen)) / (NL * seen + NV * smithTerm(brdf, L, NL));
+}
+
 /** The reflectance of a varnish in uniform light, which the surface below does not get. */
 function uniformReflectance({ F0, F90, NV, roughness, smooth, lost }: Brdf): number {
   const { scale: share, bias } = reflectedLobe(NV, roughness);
@@ -131,16 +174,21 @@ function evaluateLayer(brdf: Brdf, L: Vec3): SpectralFilter | undefined {
 
 /** Cook–Torrance with GGX and the height-correlated Smith term (Heitz 2014, eq. 99). */
 function ggx(brdf: Brdf, L: Vec3, NL: number): { readonly specular: number; readonly F: SpectralFilter } {
-  const { N, V, NV, roughness } = brdf;
+  const { V, NV } = brdf;
   const H = normalize(add(L, V));
-  const a2 = roughness ** 4;
-  const distribution = ggxDistribution(Math.min(dot(N, H), 1), a2);
-  const visibility = 0.5 / Math.max(NL * smithTerm(NV, a2) + NV * smithTerm(NL, a2), 1e-4);
-  return { specular: Math.min(distribution * visibility, 1e4), F: multiple(brdf, fresnel(brdf, dot(V, H))) };
+  const visibility = 0.5 / Math.max(NL * smithTerm(brdf, V, NV) + NV * smithTerm(brdf, L, NL), 1e-4);
+  return {
+    specular: Math.min(ggxDistribution(brdf, H) * visibility, 1e4),
+    F: multiple(brdf, fresnel(brdf, dot(V, H))),
+  };
 }
 
-/** √(a² + (1 − a²) x²) */
-const smithTerm = (x: number, a2: number): number => Math.sqrt(x * x * (1 - a2) + a2);
+/** √(a² + (1 − a²) x²) of the cosine x of a direction X to the normal; with grooves √((a X·T)² + (b X·B)² + x²). */
+function smithTerm({ grooves, roughness }: Brdf, X: Vec3, x: number): number {
+  if (grooves) return Math.sqrt((grooves.a * dot(grooves.T, X)) ** 2 + (grooves.b * dot(grooves.B, X)) ** 2 + x * x);
+  const a2 = roughness ** 4;
+  return Math.sqrt(x * x * (1 - a2) + a2);
+}
 
 /** Schlick 1994; of the light that passes what is above. */
 function fresnel({ F0, F90, passed, film }: Brdf, VH: number): SpectralFilter {
@@ -209,46 +257,66 @@ const fuzzLobe = (brdf: Brdf, fuzz: Fuzz): Lobe => ({
 
 /** GGX. Samples the microfacet normals visible from V, so that the weight is F · G₂/G₁, and what several scatterings add. */
 export function specularLobe(brdf: Brdf): Lobe {
-  const { N, V, NV, roughness } = brdf;
+  const { N, V, NV } = brdf;
   const toward = (H: Vec3): Vec3 => reflect(scale(V, -1), H);
   if (brdf.smooth) return { sample: () => toward(N), weight: () => fresnel(brdf, NV) };
-  const a2 = roughness ** 4;
-  const hidden = NV + smithTerm(NV, a2);
+  const hidden = NV + smithTerm(brdf, V, NV);
   const weight = (L: Vec3): SpectralFilter => {
-    const NL = dot(N, L);
-    if (NL <= 0) return neutralFilter(0);
-    const [v, l] = [NL * smithTerm(NV, a2), NV * smithTerm(NL, a2)];
-    return scaleFilter(multiple(brdf, fresnel(brdf, dot(V, normalize(add(L, V))))), (NL * hidden) / (v + l));
+    const kept = keptOf(brdf, L);
+    if (kept === 0) return neutralFilter(0);
+    return scaleFilter(multiple(brdf, fresnel(brdf, dot(V, normalize(add(L, V))))), kept);
   };
-  const direction = (random: Random): Vec3 => toward(sampleVisibleNormal(N, V, roughness * roughness, random));
+  const direction = (random: Random): Vec3 => toward(visibleNormal(brdf, random(), random()));
   // From below the shading normal's horizon, where N·V is clamped, the density of visible normals is not that of the formula.
   if (dot(N, V) < NV) return { sample: direction, weight };
   return {
     sample: direction,
     weight,
-    pdf: (L) => ggxDistribution(dot(N, normalize(add(L, V))), a2) / (2 * hidden),
+    pdf: (L) => ggxDistribution(brdf, normalize(add(L, V))) / (2 * hidden),
   };
 }
 
-/** The Trowbridge–Reitz (GGX) distribution of microfacet normals, by the cosine to N. */
-function ggxDistribution(cosine: number, a2: number): number {
+/** The Trowbridge–Reitz (GGX) distribution of microfacet normals. */
+function ggxDistribution({ N, roughness, grooves }: Brdf, H: Vec3): number {
+  const cosine = Math.min(dot(N, H), 1);
+  if (cosine <= 0) return 0;
+  if (grooves) {
+    const spread = (dot(grooves.T, H) / grooves.a) ** 2 + (dot(grooves.B, H) / grooves.b) ** 2 + cosine * cosine;
+    return 1 / (Math.PI * grooves.a * grooves.b * spread * spread);
+  }
+  const a2 = roughness ** 4;
   const spread = cosine * cosine * (a2 - 1) + 1;
-  return cosine > 0 ? a2 / (spread * spread * Math.PI) : 0;
+  return a2 / (spread * spread * Math.PI);
 }
 
+/** A microfacet normal visible from V, by two numbers 0 … 1. */
+function visibleNormal({ N, V, roughness, grooves }: Brdf, u: number, v: number): Vec3 {
+  if (grooves) return stretchedNormal(N, [grooves.T, grooves.B], V, [grooves.a, grooves.b], u, v);
+  return stretchedNormal(N, orthonormalBasis(N), V, [roughness ** 2, roughness ** 2], u, v);
+}
+
+export const sampleVisibleNormal = (N: Vec3, V: Vec3, a: number, random: Random): Vec3 =>
+  stretchedNormal(N, orthonormalBasis(N), V, [a, a], random(), random());
+
 /** Source: Heitz 2018, "Sampling the GGX distribution of visible normals", JCGT 7(4). */
-export function sampleVisibleNormal(N: Vec3, V: Vec3, a: number, random: Random): Vec3 {
-  const [s, t] = orthonormalBasis(N);
-  const Vh = normalize([a * dot(V, s), a * dot(V, t), Math.max(dot(V, N), 1e-3)]);
+function stretchedNormal(
+  N: Vec3,
+  [s, t]: readonly [Vec3, Vec3],
+  V: Vec3,
+  [a, b]: readonly [number, number],
+  u: number,
+  v: number,
+): Vec3 {
+  const Vh = normalize([a * dot(V, s), b * dot(V, t), Math.max(dot(V, N), 1e-3)]);
   const flat = Vh[0] ** 2 + Vh[1] ** 2;
   const T1: Vec3 = flat > 0 ? scale([-Vh[1], Vh[0], 0], 1 / Math.sqrt(flat)) : [1, 0, 0];
   const T2: Vec3 = [Vh[1] * T1[2] - Vh[2] * T1[1], Vh[2] * T1[0] - Vh[0] * T1[2], Vh[0] * T1[1] - Vh[1] * T1[0]];
-  const r = Math.sqrt(random());
-  const phi = 2 * Math.PI * random();
+  const r = Math.sqrt(u);
+  const phi = 2 * Math.PI * v;
   const x = r * Math.cos(phi);
   const half = (1 + Vh[2]) / 2;
   const y = (1 - half) * Math.sqrt(1 - x * x) + half * r * Math.sin(phi);
   const z = Math.sqrt(Math.max(0, 1 - x * x - y * y));
   const Nh = addScaled(addScaled(scale(T1, x), T2, y), Vh, z);
-  return normalize(fromLocalBasis(N, a * Nh[0], a * Nh[1], Math.max(1e-6, Nh[2])));
+  return normalize(add(addScaled(scale(s, a * Nh[0]), t, b * Nh[1]), scale(N, Math.max(1e-6, Nh[2]))));
 }

@@ -119,6 +119,49 @@ describe('the strength and colour of reflection', () => {
   });
 });
 
+describe('grooves', () => {
+  /** D V of KHR_materials_anisotropy, with T = (cos φ, sin φ, 0). */
+  function grooved(roughness: number, strength: number, phi: number, V: Vec3, L: Vec3): number {
+    const [b, H] = [roughness ** 2, normalize(add(V, L))];
+    const a = b + (1 - b) * strength ** 2;
+    const [T, B]: Vec3[] = [
+      [Math.cos(phi), Math.sin(phi), 0],
+      [-Math.sin(phi), Math.cos(phi), 0],
+    ];
+    const [x, y, z] = [b * dot(T, H), a * dot(B, H), a * b * H[2]];
+    const w = (a * b) / (x * x + y * y + z * z);
+    const shadow = (one: Vec3, other: Vec3): number => other[2] * Math.hypot(a * dot(T, one), b * dot(B, one), one[2]);
+    return ((a * b * w * w) / Math.PI) * (0.5 / (shadow(V, L) + shadow(L, V)));
+  }
+
+  it('widen the reflection along their direction', () => {
+    const along = (phi: number): Vec3 => [Math.cos(phi), Math.sin(phi), 0];
+    fc.assert(
+      fc.property(above, above, uniform(0, 7), uniform(0.15, 0.4), uniform(0, 1), (V, L, phi, roughness, strength) => {
+        const black = { filter: filterFromRgb([0, 0, 0]), roughness };
+        const got = red({ ...black, grooves: { along: along(phi), strength } }, V, L);
+        const grazing = (1 - dot(V, normalize(add(V, L)))) ** 5;
+        const expected = (0.04 + 0.96 * grazing) * grooved(roughness, strength, phi, V, L) * L[2];
+        // What is scattered several times adds F₀ (1 − E)/E.
+        expect(got).toBeGreaterThan(expected * (1 - 1e-9));
+        expect(got).toBeLessThan(expected * 1.04 + 1e-12);
+      }),
+    );
+  });
+
+  it('keep the energy of a lossless surface', () => {
+    for (const [roughness, strength, rotation, cosine] of [
+      [0.05, 1, 0, 0.8],
+      [0.2, 0.8, Math.PI / 2, 0.3],
+      [0.2, 0.8, 0, 0.3],
+    ]) {
+      const metal = { baseColor: [1, 1, 1] as const, metallic: 1, roughness };
+      const light = inFurnace({ ...metal, anisotropy: { strength, rotation } }, cosine, 1024);
+      expect(Math.abs(light - 0.5)).toBeLessThan(0.01);
+    }
+  });
+});
+
 describe('fuzz', () => {
   /** D and V of KHR_materials_sheen, written from its text: Charlie's distribution, and Estevez and Kulla's shadowing. */
   function charlie(roughness: number, V: Vec3, L: Vec3): number {

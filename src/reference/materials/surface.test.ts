@@ -1,6 +1,6 @@
 import { describe, expect, it } from 'vitest';
 import { IDENTITY } from '../../math/quat.ts';
-import { normalize, type Vec3 } from '../../math/vec3.ts';
+import { distance, normalize, type Vec3 } from '../../math/vec3.ts';
 import { makeMaterial, makeObject, makeScene } from '../../scene/defaults.ts';
 import { plane } from '../../scene/mesh/primitives.ts';
 import type { Material, Mesh, SceneObject, Texture } from '../../scene/types.ts';
@@ -84,4 +84,28 @@ it('roughness and metalness come from the texel, clamped to 0 … 1', () => {
 it('reflectance of invisible light is the material’s `uv` and `ir`, or continues the colour', () => {
   const { filter } = below({ baseColor: [0.5, 0.5, 0.5], ir: 0.875 });
   expect(filter).toMatchObject({ rgb: [0.5, 0.5, 0.5], uv: expect.closeTo(0.5, 6), ir: 0.875 });
+});
+
+it('grooves lie along u, turned towards v by their rotation and their texture, in the rest frame', () => {
+  // About v, and no strength beyond a half.
+  const directionTexture = one(128, 255, 128, 255);
+  const along = (anisotropy: Material['anisotropy'], object: Partial<SceneObject> = {}): Vec3 =>
+    below({ anisotropy: anisotropy! }, object).grooves!.along;
+  const isNear = (a: Vec3, b: Vec3): void => {
+    expect(distance(a, b)).toBeLessThan(0.01);
+  };
+  isNear(along({ strength: 1, rotation: 0 }), [1, 0, 0]);
+  isNear(along({ strength: 1, rotation: Math.PI / 3 }), [0.5, Math.sqrt(0.75), 0]);
+  isNear(along({ strength: 1, rotation: 0, directionTexture }), [0, 1, 0]);
+  isNear(along({ strength: 1, rotation: Math.PI / 2, directionTexture }), [-1, 0, 0]);
+  expect(below({ anisotropy: { strength: 0.5, rotation: 0, directionTexture } }).grooves!.strength).toBeCloseTo(
+    0.25,
+    2,
+  );
+  // The angle is that of the rest frame.
+  isNear(along({ strength: 1, rotation: Math.PI / 4 }, FLYING), [Math.SQRT1_2, Math.SQRT1_2, 0]);
+  // Without uvs there is no direction.
+  const mesh = plane(4, 4);
+  const bare = { ...mesh, uvs: new Float32Array(mesh.uvs.length) };
+  expect(below({ anisotropy: { strength: 1, rotation: 0 } }, {}, bare).grooves).toBeUndefined();
 });

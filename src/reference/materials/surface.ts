@@ -5,7 +5,15 @@ import { contraction } from '../../physics/worldLines/simultaneity.ts';
 import { type Rgba, sampleTexture } from '../../scene/materials/sampleTexture.ts';
 import { pointAt } from '../../scene/mesh/polygons.ts';
 import { quadricOf } from '../../scene/mesh/quadric.ts';
-import type { Iridescence, Material, NormalTexture, SceneObject, Texture, TextureChannel } from '../../scene/types.ts';
+import type {
+  Anisotropy,
+  Iridescence,
+  Material,
+  NormalTexture,
+  SceneObject,
+  Texture,
+  TextureChannel,
+} from '../../scene/types.ts';
 import { filterOfReflectance } from '../../spectrum/color/filterOfReflectance.ts';
 import { filterFromRgb, type SpectralFilter } from '../../spectrum/reflectance/spectralFilter.ts';
 import type { Hit } from '../acceleration/ray.ts';
@@ -31,6 +39,8 @@ export interface SurfacePoint {
   readonly ior: number;
   /** Strength of its reflection, and the linear sRGB factor of F₀; absent: 1. */
   readonly specular?: { readonly factor: number; readonly color: Vec3 };
+  /** Its grooves: the direction in which they widen its reflection, of unit length in the rest frame, and how much, 0 … 1. */
+  readonly grooves?: { readonly along: Vec3; readonly strength: number };
   /** The varnish over it, with a normal of its own. */
   readonly clearcoat?: { readonly factor: number; readonly roughness: number; readonly normal: Vec3 };
   /** Fuzz over it, under the varnish; linear sRGB. */
@@ -58,11 +68,14 @@ export function surfaceAt(scene: TracedScene, hit: Hit): SurfacePoint {
     ior = 1.5,
     emissionTemperature: temperature,
     specular,
+    anisotropy,
     clearcoat,
     sheen,
     iridescence,
     transmission,
   } = material;
+  const normal = normalAt(scene, hit, corners, material.normalTexture, uv);
+  const grooves = anisotropy && groovesAt(anisotropy, normal, tangentFrame(scene, hit, corners), uv);
   return {
     albedo,
     filter: filterAt(material, albedo, vertexColor !== undefined, uv),
@@ -79,6 +92,7 @@ export function surfaceAt(scene: TracedScene, hit: Hit): SurfacePoint {
         color: colorAt(specular.color, specular.colorTexture, uv),
       },
     }),
+    ...(grooves && { grooves }),
     ...(clearcoat && {
       clearcoat: {
         factor: numberAt(clearcoat.factor, clearcoat.factorTexture, uv),
@@ -94,7 +108,7 @@ export function surfaceAt(scene: TracedScene, hit: Hit): SurfacePoint {
     }),
     ...(iridescence && { film: filmAt(iridescence, uv) }),
     ...(transmission && { transmission: numberAt(transmission.factor, transmission.factorTexture, uv) }),
-    normal: normalAt(scene, hit, corners, material.normalTexture, uv),
+    normal,
     uv,
   };
 }
@@ -111,6 +125,24 @@ function filterAt(material: Material, albedo: Vec3, hasVertexColor: boolean, uv:
     invisibleReflectance(material.uv, uvTexture, uv),
     invisibleReflectance(material.ir, irTexture, uv),
   );
+}
+
+/** Undefined where uvs give no direction. */
+function groovesAt(
+  { strength, rotation, directionTexture: texture }: Anisotropy,
+  N: Vec3,
+  [alongU, alongV]: TangentFrame,
+  uv: Uv,
+): SurfacePoint['grooves'] {
+  const T = normalize(addScaled(alongU, N, -dot(N, alongU)), ZERO);
+  if (dot(T, T) === 0) return undefined;
+  const across = cross(N, T);
+  const B = scale(across, dot(across, alongV) < 0 ? -1 : 1);
+  const [r, g, b] = texture ? sampleTexture(texture, ...uv) : [1, 0.5, 1];
+  const [x, y] = [2 * r - 1, 2 * g - 1];
+  const [c, s] = [Math.cos(rotation), Math.sin(rotation)];
+  const along = normalize(addScaled(scale(T, c * x - s * y), B, s * x + c * y), T);
+  return { along, strength: strength * b };
 }
 
 function filmAt({ factor, factorTexture, ior, thickness, thicknessTexture }: Iridescence, uv: Uv) {

@@ -1,4 +1,4 @@
-import { clamp, dot, float, max, min, mix, normalize, select, vec4 } from 'three/tsl';
+import { clamp, dot, float, length, max, min, mix, normalize, select, vec3, vec4 } from 'three/tsl';
 import { MIN_LOBE_ROUGHNESS } from '../../scene/materials/specularLobe.ts';
 import type { Float, Vec3, Vec4 } from '../../shaders/types.ts';
 import type { SpectralFilterNodes } from '../color/radiance.ts';
@@ -14,6 +14,8 @@ export interface BrdfNodes {
   readonly F0: SpectralFilterNodes;
   readonly F90: Float;
   readonly roughness: Float;
+  /** Its microfacets, if they have a direction; `roughness` is then a mean, for light from all round. */
+  readonly grooves?: GrooveNodes;
   readonly N: Vec3;
   readonly V: Vec3;
   readonly NV: Float;
@@ -26,6 +28,14 @@ export interface BrdfNodes {
   readonly fresnel?: (VH: Float) => SpectralFilterNodes;
   /** The specular part for light from L, of the cosine NL, if it is not GGX. */
   readonly specular?: (L: Vec3, NL: Float) => SpectralFilterNodes;
+}
+
+/** Unit directions in the surface, along which the widths of the distribution of normals are `a` and `b`. */
+export interface GrooveNodes {
+  readonly T: Vec3;
+  readonly B: Vec3;
+  readonly a: Float;
+  readonly b: Float;
 }
 
 interface ReflectionParameters extends SpecularParameters {
@@ -74,17 +84,26 @@ const specularTerm = (brdf: BrdfNodes, L: Vec3, NL: Float): SpectralFilterNodes 
   brdf.specular ? brdf.specular(L, NL) : ggx(brdf, L, NL);
 
 /** The specular term for a light with a size, which widens a = roughness² in both directions; the peak is lowered as it is broadened. */
-export function areaSpecular(brdf: BrdfNodes, L: Vec3, breadth: Float, length: Float): SpectralFilterNodes {
+export function areaSpecular(brdf: BrdfNodes, L: Vec3, breadth: Float, depth: Float): SpectralFilterNodes {
   const NL = clamp(dot(brdf.N, L), 0, 1).toVar();
   if (brdf.specular) return brdf.specular(L, NL).mul(NL);
-  const a = brdf.roughness.mul(brdf.roughness).toVar();
-  const height = a.mul(a).div(a.add(breadth).mul(a.add(length)));
+  const even = brdf.roughness.mul(brdf.roughness).toVar();
+  const { a, b } = brdf.grooves ?? { a: even, b: even };
+  const height = a.mul(b).div(a.add(breadth).mul(b.add(depth)));
   return ggx(brdf, L, NL).mul(height.mul(NL));
 }
 
 /** Cook–Torrance with GGX and the height-correlated Smith term (Heitz 2014, eq. 99). */
-function ggx({ F0, F90, roughness, N, V, NV, multiple, fresnel }: BrdfNodes, L: Vec3, NL: Float): Vec4 {
+function ggx(brdf: BrdfNodes, L: Vec3, NL: Float): Vec4 {
+  const { F0, F90, V, multiple, fresnel, grooves } = brdf;
   const H = normalize(L.add(V)).toVar();
+  const VH = clamp(dot(V, H), 0, 1);
+  const F = fresnel ? fresnel(VH.toVar()) : schlick(F0, F90, VH);
+  return F.mul(multiple).mul(min(grooves ? grooved(brdf, grooves, L, H, NL) : even(brdf, H, NL), 1e4));
+}
+
+/** Distribution times visibility. */
+function even({ roughness, N, NV }: BrdfNodes, H: Vec3, NL: Float): Float {
   const a = roughness.mul(roughness).toVar();
   const a2 = a.mul(a).toVar();
   const NH = clamp(dot(N, H), 0, 1).toVar();
@@ -94,9 +113,17 @@ function ggx({ F0, F90, roughness, N, V, NV, multiple, fresnel }: BrdfNodes, L: 
   const visibility = max(smith(NL, NV).add(smith(NV, NL)), 1e-4)
     .reciprocal()
     .mul(0.5);
-  const VH = clamp(dot(V, H), 0, 1);
-  const F = fresnel ? fresnel(VH.toVar()) : schlick(F0, F90, VH);
-  return F.mul(multiple).mul(min(distribution.mul(visibility), 1e4));
+  return distribution.mul(visibility);
+}
+
+/** The same with grooves, as of KHR_materials_anisotropy. */
+function grooved({ N, V, NV }: BrdfNodes, { T, B, a, b }: GrooveNodes, L: Vec3, H: Vec3, NL: Float): Float {
+  const stretched = vec3(dot(T, H).div(a), dot(B, H).div(b), clamp(dot(N, H), 0, 1)).toVar();
+  const spread = dot(stretched, stretched).toVar();
+  const distribution = a.mul(b).mul(spread).mul(spread).mul(Math.PI).reciprocal();
+  const smith = (X: Vec3, x: Float): Float => length(vec3(dot(T, X).mul(a), dot(B, X).mul(b), x));
+  const hidden = max(NL.mul(smith(V, NV)).add(NV.mul(smith(L, NL))), 1e-4);
+  return distribution.mul(0.5).div(hidden);
 }
 
 /** Schlick 1994. */

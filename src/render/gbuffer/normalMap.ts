@@ -27,25 +27,37 @@ export function mappedNormal(
   strength: Vec2,
   { normal: N, event, velocity, uv }: NormalMapSurface,
 ): Vec3 {
+  const { T, B, exists } = tangentFrame(N, uvDirections({ event, velocity, uv }));
+  const texel = sampled(map, uv).xyz.mul(2).sub(1).toVar();
+  const slope = texel.xy.mul(strength).toVar();
+  const mapped = T.mul(slope.x).add(B.mul(slope.y)).add(N.mul(texel.z)).toVar();
+  return select(exists.and(dot(mapped, mapped).greaterThan(MIN_LENGTH2)), normalize(mapped), N);
+}
+
+/** Directions of increasing u, and of increasing v upwards, in the rest frame, of any length. */
+export interface UvDirections {
+  readonly alongU: Vec3;
+  readonly alongV: Vec3;
+}
+
+/** By differences between neighbouring fragments, so call it before any discard. */
+export function uvDirections({ event, velocity, uv }: Omit<NormalMapSurface, 'normal'>): UvDirections {
   const [right, down] = [dFdx, dFdy].map((d) => restOffset(d(event).toVar(), velocity).toVar());
   const [uvRight, uvDown] = [dFdx, dFdy].map((d) => d(uv).toVar());
   const side = sign(uvRight.x.mul(uvDown.y).sub(uvRight.y.mul(uvDown.x))).toVar();
-  const alongU = right.mul(uvDown.y).sub(down.mul(uvRight.y)).mul(side).toVar();
-  const alongV = right.mul(uvDown.x).sub(down.mul(uvRight.x)).mul(side);
+  return {
+    alongU: right.mul(uvDown.y).sub(down.mul(uvRight.y)).mul(side).toVar(),
+    alongV: right.mul(uvDown.x).sub(down.mul(uvRight.x)).mul(side).toVar(),
+  };
+}
+
+/** Unit vectors across N, along u and towards v; `exists`: whether there are any. */
+export function tangentFrame(N: Vec3, { alongU, alongV }: UvDirections) {
   const across = alongU.sub(N.mul(dot(N, alongU))).toVar();
   const T = across.mul(inverseSqrt(dot(across, across).max(MIN_LENGTH2))).toVar();
-  const B = cross(N, T).toVar();
-  const texel = sampled(map, uv).xyz.mul(2).sub(1).toVar();
-  const slope = texel.xy.mul(strength).toVar();
-  const mapped = T.mul(slope.x)
-    .add(B.mul(slope.y.mul(sign(dot(B, alongV)))))
-    .add(N.mul(texel.z))
-    .toVar();
-  return select(
-    dot(across, across).greaterThan(MIN_LENGTH2).and(dot(mapped, mapped).greaterThan(MIN_LENGTH2)),
-    normalize(mapped),
-    N,
-  );
+  const third = cross(N, T).toVar();
+  const B = third.mul(sign(dot(third, alongV))).toVar();
+  return { T, B, exists: dot(across, across).greaterThan(MIN_LENGTH2) };
 }
 
 /** The spatial part, in the frame that moves with `velocity`, of the separation of two events in the world. */

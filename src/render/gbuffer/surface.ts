@@ -35,7 +35,7 @@ import {
 import type { Texels } from '../gpu/floatTable.ts';
 import type { FrameUniforms } from '../gpu/frameUniforms.ts';
 import { sampled } from '../gpu/textures.ts';
-import { mappedNormal } from './normalMap.ts';
+import { mappedNormal, type UvDirections, uvDirections } from './normalMap.ts';
 import {
   type Emission,
   emissionOf,
@@ -192,6 +192,12 @@ export function frontNormal(
   const velocity = vMotion.toVar();
   const place = { normal: smooth, event: seenEvent(velocity, uniforms.onLightCone), velocity, uv: vUv };
   return mappedNormal(map.texture, map.strength, place).mul(faceDirection).toVar();
+}
+
+/** Directions of the texture coordinates at the fragment; call it before any discard. */
+export function uvDirectionsHere({ uniforms }: SurfaceSources): UvDirections {
+  const velocity = vMotion.toVar();
+  return uvDirections({ event: seenEvent(velocity, uniforms.onLightCone), velocity, uv: vUv });
 }
 
 /** A specified reflectance, or the extrapolation of the visible colour. */

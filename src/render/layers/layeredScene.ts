@@ -1,11 +1,11 @@
-import { Discard, Fn, float, max, mix, vec4 } from 'three/tsl';
+import { Discard, Fn, float, max, mix, vec2, vec4 } from 'three/tsl';
 import { type DataTexture, Mesh, NoBlending, NodeMaterial, type Texture, Scene as ThreeScene } from 'three/webgpu';
 import { isStatic } from '../../scene/motion/motion.ts';
 import type { Material, Scene, Texture as ScenePicture } from '../../scene/types.ts';
 import type { ColorPipeline } from '../color/radiance.ts';
 import { type DrawCall, drawOver, materialSide } from '../gbuffer/drawCall.ts';
 import type { GBuffer } from '../gbuffer/gbuffer.ts';
-import { frontNormal, readSurface, type SurfaceSources } from '../gbuffer/surface.ts';
+import { frontNormal, readSurface, type SurfaceSources, uvDirectionsHere } from '../gbuffer/surface.ts';
 import { type SpacetimeProjection, vertexStage } from '../geometry/vertexStage.ts';
 import type { FloatTable } from '../gpu/floatTable.ts';
 import { texelHere } from '../gpu/fullScreenPass.ts';
@@ -15,6 +15,7 @@ import { depthHere } from '../shading/passes.ts';
 import type { LightVisibility } from '../shadows/distant/parallelReceiver.ts';
 import type { FuzzNodes } from './fuzz.ts';
 import { type Glass, lightBehind } from './glass.ts';
+import type { GroovesHere } from './grooves.ts';
 import { type GlassView, type SurfaceLayers, shadeLayered } from './layeredShading.ts';
 import { type LayerReader, MaterialLayerTable } from './materialLayerTable.ts';
 
@@ -160,9 +161,23 @@ function fuzzAt(reader: LayerReader, { colorTexture }: NonNullable<Material['she
   return { color, roughness: reader.number('sheenRoughness') };
 }
 
+function groovesAt(
+  reader: LayerReader,
+  sources: SurfaceSources,
+  { directionTexture: texture }: NonNullable<Material['anisotropy']>,
+): GroovesHere {
+  const { x: strength, y: c, z: s } = reader.vector(5).toVar();
+  const uv = uvDirectionsHere(sources);
+  if (!texture) return { uv, direction: vec2(c, s), strength };
+  const texel = reader.sample(texture).toVar();
+  const { x, y } = texel.xy.mul(2).sub(1).toVar();
+  const direction = vec2(c.mul(x).sub(s.mul(y)), s.mul(x).add(c.mul(y))).toVar();
+  return { uv, direction, strength: strength.mul(texel.z).toVar() };
+}
+
 /** Before any discard, because normal maps need derivatives between neighbouring fragments. */
 function readLayers(reader: LayerReader, sources: SurfaceSources, like: Material): SurfaceLayers {
-  const { specular, clearcoat, sheen, iridescence } = like;
+  const { specular, anisotropy, clearcoat, sheen, iridescence } = like;
   const color = specular && reader.vector(0).xyz.toVar();
   if (color && specular.colorTexture) color.mulAssign(reader.sample(specular.colorTexture).rgb);
   const map = clearcoat?.normalTexture;
@@ -170,6 +185,7 @@ function readLayers(reader: LayerReader, sources: SurfaceSources, like: Material
     clearcoat && frontNormal(sources, map && { texture: reader.texture(map.texture), strength: reader.vector(1).xy });
   return {
     ...(color && { specular: { factor: reader.number('specular'), color } }),
+    ...(anisotropy && { grooves: groovesAt(reader, sources, anisotropy) }),
     ...(sheen && { fuzz: fuzzAt(reader, sheen) }),
     ...(iridescence && { film: filmOf(reader) }),
     ...(coatNormal && {

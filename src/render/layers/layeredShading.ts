@@ -9,6 +9,7 @@ import type { RestFrameNodes } from '../lights/restFrame.ts';
 import { beginShading, type ShadedSurface } from '../shading/shade.ts';
 import type { LightVisibility } from '../shadows/distant/parallelReceiver.ts';
 import { type FuzzNodes, fuzzOf } from './fuzz.ts';
+import { type GroovesHere, groovesOf } from './grooves.ts';
 import { type FilmNodes, filmReflectance } from './thinFilm.ts';
 
 /** What layers a surface has at a fragment; the same formulas as in src/reference/materials/brdf.ts. */
@@ -16,6 +17,7 @@ export interface SurfaceLayers {
   readonly specular?: { readonly factor: Float; readonly color: Vec3 };
   readonly film?: FilmNodes & { readonly factor: Float };
   readonly fuzz?: FuzzNodes;
+  readonly grooves?: GroovesHere;
   /** The share that passes, and the radiance of what is seen through it by the observer. */
   readonly clear?: { readonly share: Float; readonly behind: (view: GlassView) => Vec3 };
   readonly coat?: { readonly factor: Float; readonly roughness: Float; readonly normal: Vec3 };
@@ -42,7 +44,7 @@ export const shadeLayered = (
 ): Vec3 =>
   Fn(() => {
     const { rest, N, V, accumulator, albedo, lit } = beginShading(surface, uniforms, pipeline, shadows);
-    const { specular, coat: varnish, film, fuzz: fibres, clear } = layers;
+    const { specular, coat: varnish, film, fuzz: fibres, grooves, clear } = layers;
     const tinted = specular && {
       F0: accumulator
         .filter(min(specular.color.mul(surface.F0), 1))
@@ -50,8 +52,9 @@ export const shadeLayered = (
         .toVar(),
       F90: specular.factor,
     };
-    const parameters = { ...surface, ...(tinted && { tinted }) };
-    const bare = brdfOf(albedo, parameters, N, V, environment.lobes);
+    const grooved = grooves && groovesOf(grooves, surface.roughness, N);
+    const parameters = { ...surface, ...(tinted && { tinted }), ...(grooved && { roughness: grooved.mean }) };
+    const bare = { ...brdfOf(albedo, parameters, N, V, environment.lobes), ...(grooved && { grooves: grooved }) };
     const whole = film ? filmed(bare, film, accumulator.filter) : bare;
     const share = clear?.share.mul(surface.metallic.oneMinus()).toVar();
     const base = share ? { ...whole, diffuse: whole.diffuse.mul(share.oneMinus()).toVar() } : whole;

@@ -39,7 +39,7 @@ const numbersOf = ({ specular, clearcoat, transmission, volume, iridescence, she
 
 /**
  * Vectors of layers, a texel each: (tint of F₀, thickness [m]), (strength of the varnish's normal map along u and v, refractive index, dispersion),
- * (attenuation colour, 1/attenuation distance [1/m]), (refractive index of the film, its least and greatest thickness [µm]), (colour of the fuzz).
+ * (attenuation colour, 1/attenuation distance [1/m]), (refractive index of the film, its least and greatest thickness [µm]), (colour of the fuzz), (strength of the grooves, cosine and sine of their rotation).
  */
 const vectorsOf = ({
   specular,
@@ -47,6 +47,7 @@ const vectorsOf = ({
   volume,
   iridescence,
   sheen,
+  anisotropy,
   ior = 1.5,
   dispersion = 0,
 }: Material): readonly number[] => [
@@ -55,8 +56,9 @@ const vectorsOf = ({
   ...[...(volume?.attenuationColor ?? [1, 1, 1]), 1 / (volume?.attenuationDistance ?? Number.POSITIVE_INFINITY)],
   ...[iridescence?.ior ?? 1, ...(iridescence?.thickness ?? [0, 0]).map((metres) => 1e6 * metres), 0],
   ...[...(sheen?.color ?? [0, 0, 0]), 0],
+  ...[anisotropy?.strength ?? 0, Math.cos(anisotropy?.rotation ?? 0), Math.sin(anisotropy?.rotation ?? 0), 0],
 ];
-const VECTOR_TEXELS = 5;
+const VECTOR_TEXELS = 6;
 const LAYER_TEXELS = VECTOR_TEXELS + Math.ceil(CHANNELS.length / 2);
 
 /** The layers of all materials, and their textures. */

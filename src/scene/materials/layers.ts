@@ -42,6 +42,16 @@ export interface Sheen {
   readonly roughnessTexture?: TextureChannel;
 }
 
+/** Fine parallel grooves, as of brushed metal, that widen its highlight along one direction, as of `KHR_materials_anisotropy`: α there goes from roughness² to 1 with `strength`². */
+export interface Anisotropy {
+  /** 0 … 1; with a texture, its factor. */
+  readonly strength: number;
+  /** From the direction of increasing u towards that of increasing v [rad]. */
+  readonly rotation: number;
+  /** Red and green: the direction along u and v, −1 … 1, which is rotated; blue: factor of `strength`. */
+  readonly directionTexture?: Texture;
+}
+
 /** Light passes a surface that scatters none inside, as of `KHR_materials_transmission`: its base colour tints it. Without a volume it is a thin sheet. */
 export interface Transmission {
   /** How much of what the surface does not reflect passes it, 0 … 1; with a texture, the mean of that. */
