@@ -1,6 +1,7 @@
 import {
   EXTMeshGPUInstancing,
   KHRLightsPunctual,
+  KHRMaterialsAnisotropy,
   KHRMaterialsClearcoat,
   KHRMaterialsDispersion,
   KHRMaterialsEmissiveStrength,
@@ -103,6 +104,21 @@ const looks: ClaimGroup = {
           transmission: { factor: 0.5 },
           volume: { thickness: 0.25, attenuationColor: [1, 0.5, 0], attenuationDistance: 2 },
           dispersion: 0.25,
+        }),
+    ),
+    read(
+      '`KHR_materials_anisotropy`, with texture',
+      'grooves that widen the reflection along one direction of the uvs',
+      withMaterial((m, kit) => {
+        const grooves = kit.doc.createExtension(KHRMaterialsAnisotropy).createAnisotropy();
+        grooves.setAnisotropyStrength(0.5).setAnisotropyRotation(0.25).setAnisotropyTexture(picture(kit));
+        m.setExtension('KHR_materials_anisotropy', grooves);
+      }),
+      (s) =>
+        expect(base(s).anisotropy).toMatchObject({
+          strength: 0.5,
+          rotation: 0.25,
+          directionTexture: { colorSpace: 'linear' },
         }),
     ),
     read(

@@ -153,6 +153,7 @@ const EXTRAS: readonly (readonly [keyof Material, Message])[] = [
   ['unlit', msg`unlit`],
   ['specular', msg`strength or colour of reflection`],
   ['clearcoat', msg`clearcoat`],
+  ['anisotropy', msg`anisotropy`],
   ['sheen', msg`sheen`],
   ['transmission', msg`transmission`],
   ['iridescence', msg`iridescence`],

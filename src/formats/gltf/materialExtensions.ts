@@ -1,4 +1,5 @@
 import {
+  KHRMaterialsAnisotropy,
   KHRMaterialsClearcoat,
   KHRMaterialsDispersion,
   KHRMaterialsEmissiveStrength,
@@ -13,6 +14,7 @@ import {
 
 /** Extensions of materials that are read and written. */
 export const KHR_MATERIALS = [
+  KHRMaterialsAnisotropy,
   KHRMaterialsClearcoat,
   KHRMaterialsDispersion,
   KHRMaterialsEmissiveStrength,

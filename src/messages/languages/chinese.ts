@@ -825,6 +825,12 @@ const messages: Translation['messages'] = {
   'texture of the strength of reflection': '反射强度的纹理',
   'normal map of the clearcoat': '清漆的法线贴图',
   sheen: '绒光',
+  anisotropy: '各向异性',
+  Anisotropy: '各向异性',
+  'Fine parallel grooves, as of brushed metal, which widen reflections along them.':
+    '细密的平行沟纹，如拉丝金属，使反射沿沟纹方向变宽。',
+  'Direction of the anisotropy': '各向异性的方向',
+  'anisotropy texture': '各向异性纹理',
   Sheen: '绒光',
   'Upright fibres over the surface, as of velvet and dust, which reflect at grazing angles.':
     '表面上直立的细纤维，如天鹅绒和灰尘，在掠射角反射光。',

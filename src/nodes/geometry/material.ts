@@ -23,6 +23,7 @@ const PRESET_TITLES: Readonly<Record<string, Message>> = {
   copper: msg`Copper`,
 };
 const GLASS = { param: 'transmission', isNot: 0 } as const;
+const GROOVES = { param: 'anisotropy', isNot: 0 } as const;
 const SHEEN = { param: 'sheen', isNot: 0 } as const;
 const FILM = { param: 'iridescence', isNot: 0 } as const;
 const DEFAULT_IOR = 1.5;
@@ -134,6 +135,20 @@ export const materialNode = defineNode({
       step: 0.01,
       onlyWhen: FILM,
     },
+    anisotropy: {
+      ...fractionParam(msg`Anisotropy`, 0),
+      help: msg`Fine parallel grooves, as of brushed metal, which widen reflections along them.`,
+    },
+    anisotropyRotation: {
+      kind: 'number',
+      title: msg`Direction of the anisotropy`,
+      unit: '°',
+      default: 0,
+      min: 0,
+      max: 360,
+      step: 1,
+      onlyWhen: GROOVES,
+    },
     sheen: {
       ...fractionParam(msg`Sheen`, 0),
       help: msg`Upright fibres over the surface, as of velvet and dust, which reflect at grazing angles.`,
@@ -202,6 +217,8 @@ interface MaterialParams {
   readonly iridescence: number;
   readonly filmThickness: number;
   readonly filmIor: number;
+  readonly anisotropy: number;
+  readonly anisotropyRotation: number;
   readonly sheen: number;
   readonly sheenColor: Vec3;
   readonly sheenRoughness: number;
@@ -225,7 +242,8 @@ function materialOf(name: string, params: MaterialParams): Material {
 function layersOf(params: MaterialParams): Partial<Material> {
   const { ior, transmission, thickness, dispersion, clearcoat, clearcoatRoughness } = params;
   const { attenuationColor, attenuationDistance } = params;
-  const { iridescence, filmThickness, filmIor, sheen, sheenColor, sheenRoughness } = params;
+  const { iridescence, filmThickness, filmIor, anisotropy, anisotropyRotation, sheen, sheenColor, sheenRoughness } =
+    params;
   const isClear = transmission > 0;
   return {
     ...(ior !== DEFAULT_IOR && { ior }),
@@ -234,6 +252,9 @@ function layersOf(params: MaterialParams): Partial<Material> {
     ...(isClear && dispersion > 0 && { dispersion }),
     ...(iridescence > 0 && {
       iridescence: { factor: iridescence, ior: filmIor, thickness: [0, filmThickness * NANOMETRE] as const },
+    }),
+    ...(anisotropy > 0 && {
+      anisotropy: { strength: anisotropy, rotation: (anisotropyRotation * Math.PI) / 180 },
     }),
     ...(sheen > 0 && { sheen: { color: scale(sheenColor, sheen), roughness: sheenRoughness } }),
     ...(clearcoat > 0 && { clearcoat: { factor: clearcoat, roughness: clearcoatRoughness } }),

@@ -107,6 +107,11 @@ const factor = optional(number);
 const color = optional(list(number, 3));
 /** Of those that are read. */
 const MATERIAL_EXTENSIONS: Readonly<Record<string, SchemaCheck>> = {
+  KHR_materials_anisotropy: fields({
+    anisotropyStrength: factor,
+    anisotropyRotation: factor,
+    anisotropyTexture: picture,
+  }),
   KHR_materials_clearcoat: fields({
     clearcoatFactor: factor,
     clearcoatTexture: picture,

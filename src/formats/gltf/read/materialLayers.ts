@@ -1,5 +1,6 @@
 import type { Material as GltfMaterial, Texture as GltfTexture, TextureInfo } from '@gltf-transform/core';
 import type {
+  Anisotropy,
   Clearcoat,
   Dispersion,
   Iridescence,
@@ -18,6 +19,8 @@ type Info = TextureInfo | null;
 
 /** How textures of a material are read. */
 export interface TextureInputs {
+  /** A picture of numbers. */
+  data(image: Image, info: Info): Texture | undefined;
   color(image: Image, info: Info): Texture | undefined;
   number(image: Image, info: Info, channel: TextureChannel['channel'], scale: number): TextureChannel | undefined;
   normal(image: Image, info: Info, scale: number): NormalTexture | undefined;
@@ -27,6 +30,7 @@ export interface TextureInputs {
 export const layersOf = (material: GltfMaterial, textures: TextureInputs): Partial<Material> => ({
   ...specularOf(material.getExtension<Specular>('KHR_materials_specular'), textures),
   ...clearcoatOf(material.getExtension<Clearcoat>('KHR_materials_clearcoat'), textures),
+  ...anisotropyOf(material.getExtension<Anisotropy>('KHR_materials_anisotropy'), textures),
   ...sheenOf(material.getExtension<Sheen>('KHR_materials_sheen'), textures),
   ...transmissionOf(material, textures),
   ...iridescenceOf(material.getExtension<Iridescence>('KHR_materials_iridescence'), textures),
@@ -75,6 +79,18 @@ function clearcoatOf(from: Clearcoat | null, { number, normal }: TextureInputs):
       roughness,
       ...(roughnessTexture && { roughnessTexture }),
       ...(normalTexture && { normalTexture }),
+    },
+  };
+}
+
+function anisotropyOf(from: Anisotropy | null, { data }: TextureInputs): Partial<Material> {
+  if (!from || from.getAnisotropyStrength() <= 0) return {};
+  const directionTexture = data(from.getAnisotropyTexture(), from.getAnisotropyTextureInfo());
+  return {
+    anisotropy: {
+      strength: clamped(from.getAnisotropyStrength()),
+      rotation: from.getAnisotropyRotation(),
+      ...(directionTexture && { directionTexture }),
     },
   };
 }
@@ -164,6 +180,7 @@ export function layerTextures(m: GltfMaterial): (readonly [Message, Image, Info]
   const volume = m.getExtension<Volume>('KHR_materials_volume');
   const film = m.getExtension<Iridescence>('KHR_materials_iridescence');
   const sheen = m.getExtension<Sheen>('KHR_materials_sheen');
+  const grooves = m.getExtension<Anisotropy>('KHR_materials_anisotropy');
   return [
     ...(clear
       ? ([[msg`transmission texture`, clear.getTransmissionTexture(), clear.getTransmissionTextureInfo()]] as const)
@@ -177,6 +194,9 @@ export function layerTextures(m: GltfMaterial): (readonly [Message, Image, Info]
             film.getIridescenceThicknessTextureInfo(),
           ],
         ] as const)
+      : []),
+    ...(grooves
+      ? ([[msg`anisotropy texture`, grooves.getAnisotropyTexture(), grooves.getAnisotropyTextureInfo()]] as const)
       : []),
     ...(sheen
       ? ([

@@ -36,6 +36,7 @@ export class GltfMaterialLibrary {
   private readonly images = new Map<GltfTexture, DecodedImage | undefined>();
   private readonly reader: TextureInputs = {
     color: (image, info) => this.texture(image, info, true),
+    data: (image, info) => this.texture(image, info, true, 'linear'),
     number: (image, info, channel, scale) => {
       const texture = this.texture(image, info, false, 'linear');
       return texture && { texture, channel, scale, bias: 0 };

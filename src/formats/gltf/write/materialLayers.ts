@@ -1,5 +1,6 @@
 import type { Document, Material as GltfMaterial, Texture as GltfTexture, TextureInfo } from '@gltf-transform/core';
 import {
+  KHRMaterialsAnisotropy,
   KHRMaterialsClearcoat,
   KHRMaterialsDispersion,
   KHRMaterialsIridescence,
@@ -24,6 +25,7 @@ export interface TextureOutputs {
 export function addLayers(document: Document, made: GltfMaterial, m: Material, textures: TextureOutputs): void {
   addSpecular(document, made, m, textures);
   addClearcoat(document, made, m, textures);
+  addAnisotropy(document, made, m, textures);
   addSheen(document, made, m, textures);
   addTransmission(document, made, m, textures);
   addIridescence(document, made, m, textures);
@@ -47,6 +49,23 @@ function addIridescence(
   film.setIridescenceFactor(factor ?? from.factor);
   film.setIridescenceThicknessMinimum(thinnest).setIridescenceThicknessMaximum(thickest);
   made.setExtension('KHR_materials_iridescence', film);
+}
+
+function addAnisotropy(
+  document: Document,
+  made: GltfMaterial,
+  { anisotropy: from }: Material,
+  textures: TextureOutputs,
+): void {
+  if (!from) return;
+  const grooves = document.createExtension(KHRMaterialsAnisotropy).createAnisotropy();
+  const { directionTexture } = from;
+  if (directionTexture) {
+    const whole = { texture: directionTexture, channel: 0, scale: 1, bias: 0 } as const;
+    textures.number(whole, 0, (picture) => grooves.setAnisotropyTexture(picture).getAnisotropyTextureInfo());
+  }
+  grooves.setAnisotropyStrength(from.strength).setAnisotropyRotation(from.rotation);
+  made.setExtension('KHR_materials_anisotropy', grooves);
 }
 
 function addSheen(document: Document, made: GltfMaterial, { sheen: from }: Material, textures: TextureOutputs): void {

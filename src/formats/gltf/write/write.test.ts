@@ -287,6 +287,16 @@ describe('a scene written as glTF', () => {
       colorTexture: { data: map.data, colorSpace: 'srgb' },
       roughness: 0.5,
     });
+    const grooves = {
+      strength: 0.5,
+      rotation: 0.75,
+      directionTexture: { ...map, data: map.data.slice() },
+    } as const;
+    expect((await reread(makeMaterial({ name: 'Brushed', anisotropy: grooves }))).anisotropy).toMatchObject({
+      strength: 0.5,
+      rotation: 0.75,
+      directionTexture: { data: map.data, colorSpace: 'linear' },
+    });
     const film = { factor: 0.5, ior: 1.25, thickness: [1e-7, 4e-7] } as const;
     expect((await reread(makeMaterial({ name: 'Soap', iridescence: film }))).iridescence).toMatchObject({
       ...film,

@@ -38,6 +38,7 @@ function lostLayers(m: Material): Message[] {
     [m.specular?.factorTexture, msg`texture of the strength of reflection`],
     [m.clearcoat?.normalTexture, msg`normal map of the clearcoat`],
     [m.transmission, msg`transmission, volume or dispersion`],
+    [m.anisotropy, msg`anisotropy`],
     [m.sheen, msg`sheen`],
     [m.iridescence, msg`iridescence`],
     [m.unlit, msg`unlit surface: it emits its colour through the tone curve`],
