@@ -196,7 +196,7 @@ const geometry: ClaimGroup = {
     ),
     read(
       '`subdivisionScheme` `catmullClark`, `loop`, `bilinear`; creases, corners, holes, boundaries',
-      'the limit surface, at two levels (up to four for meshes of few faces) unless set otherwise',
+      'the limit surface, at two levels (up to four for meshes of few faces, fewer for fine ones) unless set otherwise',
       usd(def('Mesh', `${PYRAMID}\nuniform token subdivisionScheme = "loop"`)),
       (s) => {
         expect(s.objects[0].mesh.indices.length).toBe(3 * 4 * 4 ** 4);

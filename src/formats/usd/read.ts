@@ -1,4 +1,4 @@
-import { listed, msg } from '../../messages/message.ts';
+import { listed, type Message, msg } from '../../messages/message.ts';
 import { FOREVER } from '../../scene/defaults.ts';
 import { SamplingBudget } from '../../scene/motion/adaptiveSampling.ts';
 import { sampleTimes } from '../../scene/motion/motion.ts';
@@ -16,6 +16,7 @@ import type { Layer } from './layer/layer.ts';
 import { metadataNumber, primAt, primsAlong, stageTimeCode } from './layer/query.ts';
 import { layerParser } from './readLayer.ts';
 import { type StageContext, upAxisOf } from './schema/context.ts';
+import { SMOOTH_ROWS } from './schema/geometry/subdivisionLevels.ts';
 import { SampleBudget } from './schema/sampleBudget.ts';
 import { hintsOf } from './schema/slowlightAttributes.ts';
 import { readStage, type StageContents } from './schema/stageReader.ts';
@@ -130,6 +131,7 @@ function contextOf(
     motionBudget: new SamplingBudget(MOTION_BUDGET),
     subdivision: options.subdivision === undefined ? {} : { wanted: levelsWanted(options.subdivision) },
     subdivided: [],
+    smooth: new Map(),
   };
   for (const key of ['unit', 'codesPerSecond'] as const) {
     const value = context[key];
@@ -181,11 +183,19 @@ function timeRange(context: StageContext, { objects, cameras }: StageContents) {
 }
 
 function reportSubdivision(context: StageContext): void {
+  const tell = (message: Message): void => report(context, 'info', 'usd.subdivision', '', message);
   const [first, ...rest] = context.subdivided;
-  if (first === undefined) return;
-  const message =
-    rest.length > 0
-      ? msg`${rest.length + 1} meshes (the first is ${first}) are meant as subdivision surface; it is drawn as its polygons`
-      : msg`${first} is meant as subdivision surface; it is drawn as its polygons`;
-  report(context, 'info', 'usd.subdivision', '', message);
+  if (rest.length > 0)
+    tell(
+      msg`${rest.length + 1} meshes (the first is ${first}) are meant as subdivision surface; it is drawn as its polygons`,
+    );
+  else if (first !== undefined) tell(msg`${first} is meant as subdivision surface; it is drawn as its polygons`);
+  const [smooth] = context.smooth.keys();
+  if (smooth === undefined) return;
+  const most = Math.max(...context.smooth.values());
+  tell(
+    context.smooth.size > 1
+      ? msg`${context.smooth.size} subdivision surfaces (the first is ${smooth}) are subdivided at most ${most} times: more would change about a pixel or less where one fills a picture of ${SMOOTH_ROWS} rows`
+      : msg`${smooth} is subdivided ${most} times: more would change about a pixel or less where it fills a picture of ${SMOOTH_ROWS} rows`,
+  );
 }

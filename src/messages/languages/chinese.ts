@@ -101,6 +101,10 @@ const messages: Translation['messages'] = {
   '{} is meant as subdivision surface; it is drawn as its polygons': '{1} 本是细分曲面；已按其多边形绘制',
   '{} meshes (the first is {}) are meant as subdivision surface; it is drawn as its polygons':
     '{1} 个网格（第一个是 {2}）本是细分曲面；已按其多边形绘制',
+  '{} subdivision surfaces (the first is {}) are subdivided at most {} times: more would change about a pixel or less where one fills a picture of {} rows':
+    '{1} 个细分曲面（第一个是 {2}）最多细分 {3} 次：当其中一个充满 {4} 行的画面时，再细分只会改变约一个像素或更少',
+  '{} is subdivided {} times: more would change about a pixel or less where it fills a picture of {} rows':
+    '{1} 细分 {2} 次：当它充满 {3} 行的画面时，再细分只会改变约一个像素或更少',
   "it is subdivided {} times, not {}: a scene's surfaces share {} faces, instances counted {}":
     '它细分了 {1} 次，而不是 {2} 次：场景中的曲面共用 {3} 个面，计入实例则为 {4} 个',
   'subdivisionScheme loop takes triangles only; it is drawn as its polygons':

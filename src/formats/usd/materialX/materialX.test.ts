@@ -3,6 +3,7 @@ import { describe, expect, it } from 'vitest';
 import { inEnglish } from '../../../messages/message.ts';
 import type { Material, Scene } from '../../../scene/types.ts';
 import { memorySource } from '../../files/fileSource.ts';
+import { decodeImage } from '../../image/decodeImage.ts';
 import { encodePng } from '../../image/encodePng.ts';
 import { readUsd } from '../read.ts';
 import { MAX_DOCUMENTS } from './documents.ts';
@@ -163,6 +164,29 @@ describe('a MaterialX document in a USD layer', () => {
       [0, 0.8, 0.6],
     ].map((rgb) => rgb.map((x) => srgb(x * x)));
     expect([...baseColorTexture!.data]).toEqual([...a, 255, ...b, 255]);
+  });
+
+  it('takes a picture as it is where it is mixed with itself', async () => {
+    const image = (name: string): string =>
+      `<image name="${name}" type="color3"><input name="file" type="filename" value="two.png" /></image>`;
+    const of = (node: string): Promise<Scene> =>
+      readDocument(
+        document(
+          `<input name="base_color" type="color3" nodename="i" /><input name="subsurface" type="float" nodename="w" />
+           <input name="subsurface_color" type="color3" nodename="${node}" />`,
+          `${image('i')}${image('same')}<invert name="other" type="color3"><input name="in" type="color3" nodename="i" /></invert>
+           <image name="w" type="float"><input name="file" type="filename" value="two.png" /></image>`,
+        ),
+        { 'two.png': TWO },
+      );
+    for (const node of ['i', 'same'])
+      expect(worn(await of(node)).baseColorTexture).toMatchObject({ name: 'two.png', data: decodeImage(TWO, '').data });
+    // x (1 − w) + (1 − x) w, with w the first number of each texel, 0.2 and 0.
+    const { data } = worn(await of('other')).baseColorTexture!;
+    const linear = (byte: number): number =>
+      byte / 255 <= 0.04045 ? byte / 3294.6 : ((byte / 255 + 0.055) / 1.055) ** 2.4;
+    const expected = [0.32, 0.44, 0.8, 0, 0.8, 0.6];
+    for (const [k, x] of expected.entries()) expect(linear(data[k + Math.floor(k / 3)])).toBeCloseTo(x, 2);
   });
 
   it('says what it does not draw, with node and value', async () => {

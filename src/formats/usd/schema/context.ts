@@ -40,6 +40,8 @@ export interface StageContext {
   readonly subdivision: { readonly wanted?: number; levels?: SubdivisionLevels };
   /** Paths of subdivision surfaces loaded as polygons because no levels are requested. */
   readonly subdivided: string[];
+  /** The same of those that look smooth with fewer levels than are affordable, with these levels. */
+  readonly smooth: Map<string, number>;
 }
 
 /** Whether an attribute is `true` at the stage's start. */
@@ -50,5 +52,11 @@ export const isTrue = (context: StageContext, prim: PrimSpec, name: string): boo
 export const upAxisOf = (context: Pick<StageContext, 'layer'>): 'Y' | 'Z' =>
   metadataText(context.layer.metadata, 'upAxis') === 'Z' ? 'Z' : 'Y';
 
-/** Subdivision levels per mesh path, and those without the budget. */
-export type SubdivisionLevels = ReadonlyMap<string, { readonly levels: number; readonly wanted: number }>;
+/** Subdivision levels of a mesh, and those without the budget. */
+export interface AffordableLevels {
+  readonly levels: number;
+  readonly wanted: number;
+}
+
+/** By path of the mesh. */
+export type SubdivisionLevels = ReadonlyMap<string, AffordableLevels>;

@@ -160,16 +160,72 @@ def Material "Red" { token outputs:surface.connect = </Red/S.outputs:surface>
   });
 });
 
+/** A sheet of n × n squares, 1 wide each, with heights by place. */
+function sheet(n: number, height: (x: number, y: number) => number, more = ''): string {
+  const points = Array.from({ length: (n + 1) ** 2 }, (_, p) => [p % (n + 1), Math.floor(p / (n + 1))]);
+  const indices = Array.from({ length: n * n }, (_, f) => {
+    const p = (f % n) + (n + 1) * Math.floor(f / n);
+    return [p, p + 1, p + n + 2, p + n + 1];
+  });
+  return `def Mesh "Large" { int[] faceVertexCounts = [${Array(n * n).fill(4)}]; int[] faceVertexIndices = [${indices.flat()}]
+  point3f[] points = [${points.map(([x, y]) => `(${x}, ${y}, ${height(x, y)})`)}]; ${more} }`;
+}
+
+describe('levels by default', () => {
+  const hill = (x: number, y: number): number => 2 * Math.sin(x / 8) * Math.cos(y / 8);
+
+  it('are those that a picture of 1080 rows shows; 0 has the faces of the cage on the limit surface', async () => {
+    const scene = await readAsIs(sheet(24, hill));
+    const [{ mesh }] = scene.objects;
+    expect(triangles(mesh)).toBe(24 * 24 * 2);
+    expect(said(scene)).toEqual([
+      'info usd.subdivision a.usda: /Large is subdivided 0 times: more would change about a pixel or less where it fills a picture of 1080 rows',
+    ]);
+    // Each of its vertices is one of the surface that is subdivided once, with its normal; the cage's points are not.
+    const once = (await readAsIs(sheet(24, hill), { subdivision: 1 })).objects[0].mesh;
+    const key = (of: Float32Array, v: number): string => [0, 1, 2].map((k) => of[3 * v + k].toFixed(4)).join();
+    const normals = new Map(
+      Array.from({ length: once.positions.length / 3 }, (_, v) => [key(once.positions, v), key(once.normals, v)]),
+    );
+    for (let v = 0; v < mesh.positions.length / 3; v++)
+      expect(normals.get(key(mesh.positions, v))).toBe(key(mesh.normals, v));
+    const cage = new Set(Array.from({ length: 25 * 25 }, (_, p) => hill(p % 25, Math.floor(p / 25)).toFixed(4)));
+    const heights = Array.from({ length: mesh.positions.length / 3 }, (_, v) => mesh.positions[3 * v + 2].toFixed(4));
+    expect(heights.filter((z) => cage.has(z)).length).toBeLessThan(heights.length / 2);
+  });
+
+  it('are none for what is flat, which is not worth a word', async () => {
+    const scene = await readAsIs(sheet(3, (x, y) => x + 3 * y));
+    expect(triangles(scene.objects[0].mesh)).toBe(3 * 3 * 2);
+    expect(said(scene)).toEqual([]);
+  });
+
+  it('are more for points that move, which may bend more later, and as many as are requested', async () => {
+    const [, points] = /point3f\[\] points = (.*?\]);/.exec(sheet(8, hill))!;
+    const moving = `point3f[] points.timeSamples = { 0: ${points}, 24: ${points.replaceAll('(', '(1')} }`;
+    const [object] = (await readAsIs(sheet(8, hill).replace(/point3f.*?\];/, moving))).objects;
+    expect(object.motion.kind).toBe('sampled-points');
+    expect(triangles(object.mesh)).toBe(8 * 8 * 16 * 2);
+    expect(triangles((await readAsIs(sheet(8, hill), { subdivision: 1 })).objects[0].mesh)).toBe(8 * 8 * 4 * 2);
+  });
+
+  it('keep creases: a cage with them has both normals there', async () => {
+    const folded = sheet(
+      8,
+      (x) => Math.abs(x - 4),
+      'int[] creaseIndices = [4, 13, 22, 31, 40, 49, 58, 67, 76]; int[] creaseLengths = [9]; float[] creaseSharpnesses = [10]',
+    );
+    const [{ mesh }] = (await readAsIs(folded)).objects;
+    expect(triangles(mesh)).toBe(8 * 8 * 2);
+    expect(mesh.positions.length / 3).toBe(9 * 9 + 9);
+    expect(mesh.positions.filter((_, i) => i % 3 === 2).reduce((a, b) => Math.min(a, b))).toBe(0);
+  });
+});
+
 describe('a face budget', () => {
   it('is shared: the largest meshes have fewer levels, which is reported', async () => {
     const n = 200;
-    const points = Array.from({ length: (n + 1) ** 2 }, (_, p) => `(${p % (n + 1)}, ${Math.floor(p / (n + 1))}, 0)`);
-    const indices = Array.from({ length: n * n }, (_, f) => {
-      const p = (f % n) + (n + 1) * Math.floor(f / n);
-      return [p, p + 1, p + n + 2, p + n + 1];
-    });
-    const large = `def Mesh "Large" { int[] faceVertexCounts = [${Array(n * n).fill(4)}]; int[] faceVertexIndices = [${indices.flat()}]\n point3f[] points = [${points}] }`;
-    const scene = await readAsIs(`${large}\n${cube()}`);
+    const scene = await readAsIs(`${sheet(n, (x, y) => 20 * ((x + y) % 2))}\n${cube()}`);
     expect(scene.objects.map(({ mesh }) => triangles(mesh))).toEqual([4 * n * n * 2, 768]);
     expect(said(scene)).toEqual([
       "info usd.subdivision a.usda</Large>: it is subdivided 1 times, not 2: a scene's surfaces share 500,000 faces, instances counted 1,000,000",

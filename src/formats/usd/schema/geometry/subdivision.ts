@@ -1,44 +1,82 @@
 import { listed, msg } from '../../../../messages/message.ts';
 import type { Polygons } from '../../../../scene/mesh/polygons.ts';
 import type { FaceVaryingRule } from '../../../../scene/subdivide/faceVarying.ts';
+import { distanceFromLimit } from '../../../../scene/subdivide/flatness.ts';
 import {
   boundaryFaces,
   type SubdividedPolygons,
   subdividePolygons,
 } from '../../../../scene/subdivide/subdividePolygons.ts';
-import { makeTopology } from '../../../../scene/subdivide/topology.ts';
+import { makeTopology, type SubdivisionTopology } from '../../../../scene/subdivide/topology.ts';
 import { numbersAt, textAt } from '../../layer/attributes.ts';
 import type { PrimSpec } from '../../layer/layer.ts';
 import type { StageContext } from '../context.ts';
-import { reportSubdivision, schemeOf } from './subdivisionLevels.ts';
+import { reportSubdivision, SMOOTH_ROWS, schemeOf } from './subdivisionLevels.ts';
 
-/** @param cage the valid polygons; `isHole` by their index */
-export function subdivideMesh(
-  context: StageContext,
-  prim: PrimSpec,
-  cage: Polygons,
-  levels: number,
-  isHole: (face: number) => boolean,
-): SubdividedPolygons {
-  const points = cage.points.length / 3;
+/** A control cage with the sharpness that its prim writes. */
+export interface PrimCage {
+  /** Valid. */
+  readonly polygons: Polygons;
+  readonly topology: SubdivisionTopology;
+  /** By face, whether it shapes the surface without being drawn, because boundaries are not interpolated. */
+  readonly open?: Uint8Array;
+}
+
+export function primCage(context: StageContext, prim: PrimSpec, polygons: Polygons): PrimCage {
+  const points = polygons.points.length / 3;
   const creases = creasesOf(context, prim, points);
   const boundary = tokenChoice(context, prim, 'interpolateBoundary', BOUNDARIES, 'edgeAndCorner');
   const topology = makeTopology({
     points,
-    faceCounts: cage.faceCounts,
-    faceIndices: cage.faceIndices,
+    faceCounts: polygons.faceCounts,
+    faceIndices: polygons.faceIndices,
     sharpCorners: boundary === 'edgeAndCorner',
     pointSharpness: cornerSharpness(context, prim, points),
     ...(creases ? { creaseSharpness: creases } : {}),
   });
   const open = boundary === 'none' ? boundaryFaces(topology, creases ?? (() => 0)) : undefined;
-  return subdividePolygons(cage, topology, {
+  return { polygons, topology, ...(open && { open }) };
+}
+
+/** @param isHole by the face's index in the cage */
+export function subdivideMesh(
+  context: StageContext,
+  prim: PrimSpec,
+  { polygons, topology, open }: PrimCage,
+  levels: number,
+  isHole: (face: number) => boolean,
+): SubdividedPolygons {
+  return subdividePolygons(polygons, topology, {
     scheme: schemeOf(prim)!,
     levels,
     faceVarying: tokenChoice(context, prim, 'faceVaryingLinearInterpolation', FACE_VARYING, 'cornersPlus1'),
     smoothTriangles: textAt(prim, 'triangleSubdivisionRule', context.startCode) === 'smooth',
     hidden: (face) => isHole(face) || open?.[face] === 1,
   });
+}
+
+/** Levels with which a mesh looks smooth; unlimited for surfaces that are not. `exact`: it is the limit surface, or nearly. */
+export function levelsToLookSmooth(
+  prim: PrimSpec,
+  { polygons, topology }: PrimCage,
+): { levels: number; exact: boolean } {
+  if (schemeOf(prim) === 'bilinear') return { levels: Infinity, exact: false };
+  const { points } = polygons;
+  const pixels = (SMOOTH_ROWS * distanceFromLimit(topology, points)) / extentOf(points, topology.corners);
+  return { levels: pixels > 1 ? Math.ceil(Math.log2(pixels) / 2) : 0, exact: !(pixels > EXACT_PIXELS) };
+}
+const EXACT_PIXELS = 1e-3;
+
+/** The longest side of the box about the points of some corners. */
+function extentOf(points: ArrayLike<number>, corners: Uint32Array): number {
+  const low = [Infinity, Infinity, Infinity];
+  const high = [-Infinity, -Infinity, -Infinity];
+  for (const p of corners)
+    for (let k = 0; k < 3; k++) {
+      low[k] = Math.min(low[k], points[3 * p + k]);
+      high[k] = Math.max(high[k], points[3 * p + k]);
+    }
+  return Math.max(...high.map((x, k) => x - low[k]));
 }
 
 const BOUNDARIES = ['none', 'edgeOnly', 'edgeAndCorner'] as const;

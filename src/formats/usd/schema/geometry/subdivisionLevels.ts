@@ -5,7 +5,7 @@ import { attributeOf, numbersAt, textAt } from '../../layer/attributes.ts';
 import type { Layer, PrimSpec } from '../../layer/layer.ts';
 import { isActive } from '../../layer/query.ts';
 import { countOf } from '../../layer/storedArray.ts';
-import type { StageContext, SubdivisionLevels } from '../context.ts';
+import type { AffordableLevels, StageContext, SubdivisionLevels } from '../context.ts';
 
 /** Default levels: the first number, and up to the second until a mesh has enough faces to look round. */
 const [MIN_LEVELS, MAX_LEVELS] = [2, 4];
@@ -14,6 +14,9 @@ const SMOOTH_FACES = 300;
 export const FACE_BUDGET = 500_000;
 /** The same of all that is drawn, if no levels are requested: instances share a mesh, but not the work of drawing it. */
 export const DRAWN_FACE_BUDGET = 1_000_000;
+
+/** Rows of a picture that a mesh may fill without being more than about a pixel from its limit surface, if no levels are requested. */
+export const SMOOTH_ROWS = 1080;
 
 export type UsdSubdivisionScheme = Exclude<SubdivisionScheme, 'linear'>;
 const SCHEMES: readonly string[] = ['catmullClark', 'loop', 'bilinear'] satisfies UsdSubdivisionScheme[];
@@ -98,30 +101,31 @@ function cornersOf(prim: PrimSpec): Pick<SubdivisionCandidate, 'corners' | 'copi
   return { corners: counts.reduce((a, b) => Math.max(a, b), 0), copies: counts.length };
 }
 
-/** Subdivision levels of a mesh; 0: drawn as polygons. */
-export function levelsOf(context: StageContext, prim: PrimSpec): number {
+/** Subdivision levels of a mesh within the budget, and those that it is worth; 0: drawn as polygons. */
+export function levelsOf(context: StageContext, prim: PrimSpec): AffordableLevels {
   const scheme = schemeOf(prim);
-  if (!scheme) return 0;
+  if (!scheme) return { levels: 0, wanted: 0 };
   context.subdivision.levels ??= subdivisionLevels(context.layer, context.subdivision.wanted);
-  const { levels, wanted } = context.subdivision.levels.get(prim.path) ?? { levels: 0, wanted: 0 };
-  if (levels < wanted)
-    reportSubdivision(
-      context,
-      prim,
-      'info',
-      msg`it is subdivided ${levels} times, not ${wanted}: a scene's surfaces share ${FACE_BUDGET.toLocaleString('en')} faces, instances counted ${DRAWN_FACE_BUDGET.toLocaleString('en')}`,
-    );
-  if (wanted === 0 && context.subdivided.at(-1) !== prim.path) context.subdivided.push(prim.path);
-  if (levels === 0 || scheme !== 'loop') return levels;
+  const found = context.subdivision.levels.get(prim.path) ?? { levels: 0, wanted: 0 };
+  if (found.wanted === 0 && context.subdivided.at(-1) !== prim.path) context.subdivided.push(prim.path);
+  if (found.levels === 0) reportFewer(context, prim, found);
+  if (found.levels === 0 || scheme !== 'loop') return found;
   const counts = numbersAt(prim, 'faceVertexCounts', context.startCode) ?? [];
-  if (counts.every((count) => count === 3)) return levels;
+  if (counts.every((count) => count === 3)) return found;
   reportSubdivision(
     context,
     prim,
     'warning',
     msg`subdivisionScheme loop takes triangles only; it is drawn as its polygons`,
   );
-  return 0;
+  return { levels: 0, wanted: 0 };
+}
+
+/** Tells of a mesh that has fewer levels than it is worth. */
+export function reportFewer(context: StageContext, prim: PrimSpec, { levels, wanted }: AffordableLevels): void {
+  if (levels >= wanted) return;
+  const message = msg`it is subdivided ${levels} times, not ${wanted}: a scene's surfaces share ${FACE_BUDGET.toLocaleString('en')} faces, instances counted ${DRAWN_FACE_BUDGET.toLocaleString('en')}`;
+  reportSubdivision(context, prim, 'info', message);
 }
 
 export const reportSubdivision = (

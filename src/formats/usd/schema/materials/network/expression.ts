@@ -145,6 +145,29 @@ export function picked(from: Expression, indices: readonly number[]): Constant |
   };
 }
 
+/** Whether two expressions are known to have the same values: the same node, or the same use of one picture. */
+export function isSame(a: Expression, b: Expression): boolean {
+  if (a === b) return true;
+  if (a.kind === 'constant' && b.kind === 'constant') return areEqual(a.values, b.values);
+  if (a.kind !== 'texels' || b.kind !== 'texels' || !a.picture || !b.picture) return false;
+  const [p, q] = [a.picture, b.picture];
+  const lists = [
+    [p.channels, q.channels],
+    [p.scale, q.scale],
+    [p.bias, q.bias],
+  ] as const;
+  return (
+    p.image === q.image &&
+    p.colorSpace === q.colorSpace &&
+    lists.every(([x, y]) => areEqual(x, y)) &&
+    commonGrid([a, b]) !== undefined &&
+    a.grid.filter === b.grid.filter
+  );
+}
+
+const areEqual = (a: readonly number[], b: readonly number[]): boolean =>
+  a.length === b.length && a.every((x, k) => x === b[k]);
+
 export function sizeOf(from: Expression): number {
   if (from.kind === 'constant') return from.values.length;
   if (from.kind === 'texels') return from.size;

@@ -6,7 +6,7 @@ import type { PrimSpec } from '../../../layer/layer.ts';
 import { shaderId } from '../shaderInputs.ts';
 import type { ColorPrimvar } from '../textureReader.ts';
 import type { UvSource } from '../uvs.ts';
-import { computed, constant, type Expression, scaled, sizeOf } from './expression.ts';
+import { computed, constant, type Expression, isSame, scaled, sizeOf } from './expression.ts';
 import { filmOf } from './film.ts';
 import { fuzzOf } from './fuzz.ts';
 import { glassOf, tinted } from './glass.ts';
@@ -114,6 +114,7 @@ async function colorOf(
   );
   const belowColor = (await network.input(shader, colorName!)) ?? constant(...grey(otherwise!));
   if (below.kind === 'constant' && below.values[0] === 1) return belowColor;
+  if (color && isSame(color, belowColor)) return color;
   if (!color) return belowColor;
   return (
     computed([color, belowColor, below], 3, ([a, b, [t]]) => [0, 1, 2].map((k) => a[k] * (1 - t) + b[k] * t)) ?? color
