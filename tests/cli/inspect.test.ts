@@ -101,7 +101,7 @@ test('a subdivision surface has the requested levels', async () => {
   const path = join(folder, 'sheet.usda');
   writeFileSync(
     path,
-    '#usda 1.0\ndef Mesh "Sheet" { int[] faceVertexCounts = [4]; int[] faceVertexIndices = [0, 1, 2, 3]; point3f[] points = [(0, 0, 0), (1, 0, 0), (1, 1, 0), (0, 1, 0)] }\n',
+    '#usda 1.0\ndef Mesh "Sheet" { int[] faceVertexCounts = [4]; int[] faceVertexIndices = [0, 1, 2, 3]; point3f[] points = [(0, 0, 0), (1, 0, 0), (1, 1, 1), (0, 1, 0)] }\n',
   );
   const triangles = async (...flags: string[]): Promise<number | undefined> =>
     (await slowlightJson<Inspection>('inspect', path, ...flags)).counts.triangles;
