@@ -1,9 +1,9 @@
-import { decode as decodeJpegFile } from 'jpeg-js';
 import { type LocalizedText, msg } from '../../messages/message.ts';
 import { MessageError, messageOf } from '../../messages/messageError.ts';
 import { InputError } from '../../scene/types.ts';
 import { inputError } from '../diagnostics/inputError.ts';
 import { decodePngPixels } from './decodePng.ts';
+import { decodeJpeg } from './jpeg/decodeJpeg.ts';
 
 /** A texture image: RGBA8, rows from the top, straight alpha. */
 export interface DecodedImage {
@@ -29,7 +29,7 @@ export function decodeImage(bytes: Uint8Array, name: LocalizedText): DecodedImag
   const kind = imageKind(bytes);
   if (kind !== 'PNG' && kind !== 'JPEG') throw unreadableImage(name, kind);
   try {
-    return kind === 'PNG' ? decodePng(bytes, name) : decodeJpeg(bytes, name);
+    return kind === 'PNG' ? decodePng(bytes, name) : decodeJpegFile(bytes, name);
   } catch (thrown) {
     if (thrown instanceof InputError) throw thrown;
     const message = msg`the ${kind} is damaged or cut off (${messageOf(thrown)}); export it again`;
@@ -64,20 +64,10 @@ export function checkSize(width: number, height: number, name: LocalizedText): v
   throw inputError('image.size', name, msg`the picture is ${width} × ${height} pixels, ${limit}; scale it`);
 }
 
-function decodeJpeg(bytes: Uint8Array, name: LocalizedText): DecodedImage {
+function decodeJpegFile(bytes: Uint8Array, name: LocalizedText): DecodedImage {
   const end = bytes.lastIndexOf(0xd9);
   if (end < 1 || bytes[end - 1] !== 0xff) throw new MessageError(msg`no end marker`);
-  const { width, height } = jpegSize(bytes);
-  checkSize(width, height, name);
-  const image = decodeJpegFile(bytes, { useTArray: true, maxResolutionInMP: 100, maxMemoryUsageInMB: 2048 });
-  return { width: image.width, height: image.height, data: image.data };
-}
-
-/** Size from the frame header (SOF marker, ITU T.81 B.2.2), before anything is allocated for it. */
-function jpegSize(bytes: Uint8Array): { width: number; height: number } {
-  const at = jpegFrame(bytes);
-  if (at < 0) throw new MessageError(msg`no frame header`);
-  return { height: (bytes[at + 5] << 8) | bytes[at + 6], width: (bytes[at + 7] << 8) | bytes[at + 8] };
+  return decodeJpeg(bytes, (width, height) => checkSize(width, height, name));
 }
 
 /** Offset of the frame header's marker; −1: none. */

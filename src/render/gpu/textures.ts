@@ -43,10 +43,9 @@ const ANISOTROPY = 8;
  */
 export function uploadTexture(image: Texture | RadianceTexture, anisotropic: boolean): DataTexture {
   const { data, width, height } = image;
-  const uploaded =
-    data instanceof Uint16Array
-      ? new DataTexture(new Uint16Array(data), width, height, RGBAFormat, HalfFloatType)
-      : new DataTexture(new Uint8Array(data), width, height, RGBAFormat, UnsignedByteType);
+  const type = data instanceof Uint16Array ? HalfFloatType : UnsignedByteType;
+  // Not a copy, which would double the memory of a scene's pictures. Threads that share memory do not draw.
+  const uploaded = new DataTexture(data as typeof data & ArrayBufferView<ArrayBuffer>, width, height, RGBAFormat, type);
   uploaded.colorSpace = image.colorSpace === 'srgb' ? SRGBColorSpace : NoColorSpace;
   uploaded.wrapS = wrap(image.wrapS);
   uploaded.wrapT = wrap(image.wrapT);
