@@ -175,8 +175,8 @@ def Material "M" {
       'usd.faces a.usda</Changing>: 1 of 1 faces have fewer than 3 corners or name points that are not there; they are left out',
       'usd.empty-mesh a.usda</Changing>: the mesh has no faces; it is left out',
     ]);
-    // One triangle, which subdivision would not change.
-    expect(scene.objects[0].mesh.indices.length).toBe(3);
+    // One triangle, subdivided twice.
+    expect(scene.objects[0].mesh.indices.length).toBe(12 * 6 * 4 ** 2);
   });
 });
 

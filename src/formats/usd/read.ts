@@ -16,7 +16,7 @@ import type { Layer } from './layer/layer.ts';
 import { metadataNumber, primAt, primsAlong, stageTimeCode } from './layer/query.ts';
 import { layerParser } from './readLayer.ts';
 import { type StageContext, upAxisOf } from './schema/context.ts';
-import { SMOOTH_ROWS } from './schema/geometry/subdivisionLevels.ts';
+import { SMOOTH_ROWS } from './schema/geometry/subdivisionScheme.ts';
 import { SampleBudget } from './schema/sampleBudget.ts';
 import { hintsOf } from './schema/slowlightAttributes.ts';
 import { readStage, type StageContents } from './schema/stageReader.ts';

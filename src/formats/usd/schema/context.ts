@@ -37,10 +37,10 @@ export interface StageContext {
   /** Remaining work for adaptive sampling. */
   readonly motionBudget: SamplingBudget;
   /** Requested subdivision levels, and per mesh those within the face budget, once known. */
-  readonly subdivision: { readonly wanted?: number; levels?: SubdivisionLevels };
+  readonly subdivision: { readonly wanted?: number; levels?: Promise<SubdivisionLevels> };
   /** Paths of subdivision surfaces loaded as polygons because no levels are requested. */
   readonly subdivided: string[];
-  /** The same of those that look smooth with fewer levels than are affordable, with these levels. */
+  /** By path of subdivision surfaces that look smooth with fewer levels than others get: these levels. */
   readonly smooth: Map<string, number>;
 }
 
@@ -52,11 +52,14 @@ export const isTrue = (context: StageContext, prim: PrimSpec, name: string): boo
 export const upAxisOf = (context: Pick<StageContext, 'layer'>): 'Y' | 'Z' =>
   metadataText(context.layer.metadata, 'upAxis') === 'Z' ? 'Z' : 'Y';
 
-/** Subdivision levels of a mesh, and those without the budget. */
-export interface AffordableLevels {
+/** How a mesh is subdivided. */
+export interface MeshLevels {
   readonly levels: number;
+  /** Without the budget. */
   readonly wanted: number;
+  /** Set if more levels would be seen, but hardly. */
+  readonly fewer?: true;
 }
 
 /** By path of the mesh. */
-export type SubdivisionLevels = ReadonlyMap<string, AffordableLevels>;
+export type SubdivisionLevels = ReadonlyMap<string, MeshLevels>;

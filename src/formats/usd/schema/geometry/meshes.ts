@@ -7,7 +7,7 @@ import { report } from '../../diagnostics.ts';
 import { attributeOf, lowerSample, numbersAt, sampleTimes, textAt } from '../../layer/attributes.ts';
 import type { NumberArray, PrimSpec } from '../../layer/layer.ts';
 import { countOf, storedSamples } from '../../layer/storedArray.ts';
-import { type AffordableLevels, isTrue, type StageContext } from '../context.ts';
+import { isTrue, type StageContext } from '../context.ts';
 import type { MeshPiece } from '../lives/meshPieces.ts';
 import type { PrimMaterials } from '../materials/materialBinding.ts';
 import { deformedMesh } from '../placement/deforming.ts';
@@ -15,7 +15,7 @@ import { type MeshElementCounts, type Primvar, primvarOf, valuesOnMesh } from '.
 import type { Skin, Skins, VertexOrigins } from '../skel/skin.ts';
 import { pointBytes, vectorsPerVertex } from './pointSampling.ts';
 import type { DeformedPoints, PrimGeometry, StoredDeformation } from './primGeometry.ts';
-import { levelsOf, reportFewer } from './subdivisionLevels.ts';
+import { levelsOf } from './subdivisionLevels.ts';
 
 interface FaceArrays {
   readonly points: NumberArray;
@@ -55,9 +55,9 @@ export async function meshGeometry(
   const faces = facesOf(context, prim);
   if (!faces) return undefined;
   const topology = { points: faces.points.length / 3, corners: faces.indices.length, faces: faces.counts.length };
-  const affordable = levelsOf(context, prim);
-  const levels = affordable.levels > 0 && !piece && staysInFile(context, prim, topology.points) ? 0 : affordable.levels;
-  const kept = keptFaces(context, prim, faces, levels > 0);
+  const wanted = await levelsOf(context, prim);
+  const levels = wanted !== undefined && !piece && staysInFile(context, prim, topology.points) ? undefined : wanted;
+  const kept = keptFaces(context, prim, faces, levels !== undefined);
   const uvs = surface.uvs(prim, topology);
   const colors = surface.colors(prim, topology);
   const materials = surface.faceMaterials(topology.faces);
@@ -74,9 +74,9 @@ export async function meshGeometry(
   const moved = piece ? piece.codes : pointTimes(context, prim);
   const skin = piece ? undefined : skins?.skinOf(prim, { count: topology.points, times: moved });
   const drawn =
-    levels > 0
-      ? await subdividedMesh(context, prim, polygons, { ...affordable, rests: moved.length === 0 && !skin, kept })
-      : plainMesh(context, prim, polygons, topology, kept, { skin, times: piece?.codes });
+    levels === undefined
+      ? plainMesh(context, prim, polygons, topology, kept, { skin, times: piece?.codes })
+      : await subdividedMesh(context, prim, polygons, levels, kept);
   if (!piece) return withDeformation(context, prim, moved, drawn, skin);
   const { pieceGeometry } = await import('../lives/pieceGeometry.ts');
   return pieceGeometry(context, prim, drawn.mesh, piece, drawn.pointsFor);
@@ -144,26 +144,16 @@ function areSampledNormals({ interpolation, indices, attribute }: Primvar, point
   return needed.every((value) => countOf(value) === 3 * points);
 }
 
-interface Refining extends AffordableLevels {
-  /** Whether the points stay where they are, so that what looks smooth always does. */
-  readonly rests: boolean;
-  readonly kept: KeptFaces | undefined;
-}
-
 async function subdividedMesh(
   context: StageContext,
   prim: PrimSpec,
   cage: Polygons,
-  { levels: affordable, wanted, rests, kept }: Refining,
+  levels: number,
+  kept: KeptFaces | undefined,
 ): Promise<PolygonMesh> {
-  const { levelsToLookSmooth, primCage, subdivideMesh } = await import('./subdivision.ts');
-  const sharpened = primCage(context, prim, cage);
-  const enough = context.subdivision.wanted === undefined && rests ? levelsToLookSmooth(prim, sharpened) : undefined;
-  const levels = Math.min(affordable, enough?.levels ?? affordable);
-  reportFewer(context, prim, { levels, wanted: Math.min(wanted, enough?.levels ?? wanted) });
-  if (levels < affordable && !enough?.exact) context.smooth.set(prim.path, levels);
+  const { primCage, subdivideMesh } = await import('./subdivision.ts');
   const isHole = (face: number): boolean => kept?.holes.has(face) ?? false;
-  const { polygons, surface } = subdivideMesh(context, prim, sharpened, levels, isHole);
+  const { polygons, surface } = subdivideMesh(context, prim, primCage(context, prim, cage), levels, isHole);
   const { mesh, pointOfVertex } = makeMesh(polygons);
   return {
     mesh,

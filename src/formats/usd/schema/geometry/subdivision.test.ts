@@ -250,6 +250,21 @@ describe('a budget of faces that are drawn', () => {
   });
 });
 
+describe('the budget of meshes that are fine already', () => {
+  it('is left to others', async () => {
+    const instances = (of: string): string[] =>
+      Array.from({ length: 100 }, (_, k) => `def "${of}${k}" ( instanceable = true; references = </${of}> ) {}`);
+    // Of 24 × 24 faces, 100 times: with two levels of both there would be 1.8 million.
+    const [fine, rough] = [sheet(24, (x) => Math.sin(x / 9)), sheet(24, (x, y) => 2 * ((x + y) % 2))];
+    const stage = `class "_fine" { ${fine} }\nclass "_rough" { ${rough} }\n${[...instances('_fine'), ...instances('_rough')].join('\n')}`;
+    const { objects } = await readAsIs(stage);
+    expect(objects.map(({ mesh }) => triangles(mesh))).toEqual([
+      ...Array(100).fill(2 * 24 * 24),
+      ...Array(100).fill(2 * 16 * 24 * 24),
+    ]);
+  });
+});
+
 describe('faults', () => {
   it('of creases, corners and tokens are reported, and the surface is still built', async () => {
     const scene = await read(

@@ -8,10 +8,11 @@ import {
   subdividePolygons,
 } from '../../../../scene/subdivide/subdividePolygons.ts';
 import { makeTopology, type SubdivisionTopology } from '../../../../scene/subdivide/topology.ts';
+import { DiagnosticList } from '../../../diagnostics/diagnosticLog.ts';
 import { numbersAt, textAt } from '../../layer/attributes.ts';
 import type { PrimSpec } from '../../layer/layer.ts';
 import type { StageContext } from '../context.ts';
-import { reportSubdivision, SMOOTH_ROWS, schemeOf } from './subdivisionLevels.ts';
+import { reportSubdivision, SMOOTH_ROWS, schemeOf } from './subdivisionScheme.ts';
 
 /** A control cage with the sharpness that its prim writes. */
 export interface PrimCage {
@@ -55,15 +56,35 @@ export function subdivideMesh(
   });
 }
 
-/** Levels with which a mesh looks smooth; unlimited for surfaces that are not. `exact`: it is the limit surface, or nearly. */
+/**
+ * Levels with which a mesh looks smooth; undefined if it is not a smooth surface, or has faults. `exact`: it is the limit
+ * surface then, or nearly.
+ */
 export function levelsToLookSmooth(
+  context: StageContext,
   prim: PrimSpec,
-  { polygons, topology }: PrimCage,
-): { levels: number; exact: boolean } {
-  if (schemeOf(prim) === 'bilinear') return { levels: Infinity, exact: false };
-  const { points } = polygons;
+): { levels: number; exact: boolean } | undefined {
+  const at = (name: string) => numbersAt(prim, name, context.startCode) ?? [];
+  const [points, faceCounts, faceIndices] = [at('points'), at('faceVertexCounts'), at('faceVertexIndices')];
+  if (schemeOf(prim) === 'bilinear' || !areFaces(faceCounts, faceIndices, points.length / 3)) return undefined;
+  // Faults are reported when the mesh is made.
+  const silent = { ...context, diagnostics: new DiagnosticList() };
+  const { topology } = primCage(silent, prim, { points, faceCounts, faceIndices });
   const pixels = (SMOOTH_ROWS * distanceFromLimit(topology, points)) / extentOf(points, topology.corners);
   return { levels: pixels > 1 ? Math.ceil(Math.log2(pixels) / 2) : 0, exact: !(pixels > EXACT_PIXELS) };
+}
+
+/** Whether all faces have three corners or more, at points that exist, each at another than the one before. */
+function areFaces(counts: ArrayLike<number>, indices: ArrayLike<number>, points: number): boolean {
+  let first = 0;
+  for (let face = 0; face < counts.length; face++) {
+    const end = first + counts[face];
+    if (!(counts[face] >= 3 && end <= indices.length)) return false;
+    for (let c = first, before = indices[end - 1]; c < end; before = indices[c++])
+      if (!(indices[c] >= 0 && indices[c] < points) || indices[c] === before) return false;
+    first = end;
+  }
+  return first === indices.length;
 }
 const EXACT_PIXELS = 1e-3;
 

@@ -1,11 +1,12 @@
-import { type Message, msg } from '../../../../messages/message.ts';
-import { facesAfter, type SubdivisionScheme } from '../../../../scene/subdivide/scheme.ts';
-import { report } from '../../diagnostics.ts';
-import { attributeOf, numbersAt, textAt } from '../../layer/attributes.ts';
-import type { Layer, PrimSpec } from '../../layer/layer.ts';
+import { msg } from '../../../../messages/message.ts';
+import { facesAfter } from '../../../../scene/subdivide/scheme.ts';
+import { attributeOf, numbersAt, sampleTimes } from '../../layer/attributes.ts';
+import type { PrimSpec } from '../../layer/layer.ts';
 import { isActive } from '../../layer/query.ts';
 import { countOf } from '../../layer/storedArray.ts';
-import type { AffordableLevels, StageContext, SubdivisionLevels } from '../context.ts';
+import type { MeshLevels, StageContext, SubdivisionLevels } from '../context.ts';
+import { maybeSkinned } from '../skel/maybeSkinned.ts';
+import { reportSubdivision, schemeOf, type UsdSubdivisionScheme } from './subdivisionScheme.ts';
 
 /** Default levels: the first number, and up to the second until a mesh has enough faces to look round. */
 const [MIN_LEVELS, MAX_LEVELS] = [2, 4];
@@ -15,36 +16,25 @@ export const FACE_BUDGET = 500_000;
 /** The same of all that is drawn, if no levels are requested: instances share a mesh, but not the work of drawing it. */
 export const DRAWN_FACE_BUDGET = 1_000_000;
 
-/** Rows of a picture that a mesh may fill without being more than about a pixel from its limit surface, if no levels are requested. */
-export const SMOOTH_ROWS = 1080;
-
-export type UsdSubdivisionScheme = Exclude<SubdivisionScheme, 'linear'>;
-const SCHEMES: readonly string[] = ['catmullClark', 'loop', 'bilinear'] satisfies UsdSubdivisionScheme[];
-
-/** Undefined for polygonal meshes. Unknown schemes are Catmull–Clark, the default. */
-export function schemeOf(prim: PrimSpec): UsdSubdivisionScheme | undefined {
-  const written = textAt(prim, 'subdivisionScheme', undefined) ?? 'catmullClark';
-  if (written === 'none') return undefined;
-  return SCHEMES.includes(written) ? (written as UsdSubdivisionScheme) : 'catmullClark';
-}
-
 /**
- * Levels by path: `requested` for each mesh, or by default as many as make it look round. If the scene would exceed its face
- * budgets, the largest meshes get fewer; `wanted` are the levels without them.
+ * Levels by path: as requested for each mesh, or by default as many as make it look round or smooth. If the scene would
+ * exceed its face budgets, the largest meshes get fewer; `wanted` are the levels without them.
  */
-export function subdivisionLevels(layer: Layer, requested?: number): SubdivisionLevels {
-  const all = [...layer.rootPrims.values()].flatMap((prim) => subdividedMeshes(prim));
+async function subdivisionLevels(context: StageContext): Promise<SubdivisionLevels> {
+  const requested = context.subdivision.wanted;
+  const all = [...context.layer.rootPrims.values()].flatMap((prim) => subdividedMeshes(prim, false));
   const meshes = [...new Map(all.map((mesh) => [mesh.key, mesh])).values()];
-  const levels = new Map(meshes.map((mesh) => [mesh.key, requested ?? automaticLevels(mesh)]));
+  const wanted = new Map<string, WantedLevels>();
+  for (const mesh of meshes)
+    wanted.set(mesh.key, requested === undefined ? await automaticLevels(context, mesh) : { wanted: requested });
+  const levels = new Map([...wanted].map(([key, of]) => [key, of.wanted]));
   const instances = new Map<string, number>();
   for (const { key } of all) instances.set(key, (instances.get(key) ?? 0) + 1);
   const faces = (mesh: SubdivisionCandidate): number => facesOf(mesh, levels.get(mesh.key)!);
   const drawn = (mesh: SubdivisionCandidate): number => instances.get(mesh.key)! * faces(mesh);
   reduceToBudget(meshes, levels, faces, FACE_BUDGET);
   if (requested === undefined) reduceToBudget(meshes, levels, drawn, DRAWN_FACE_BUDGET);
-  return new Map(
-    all.map((mesh) => [mesh.path, { levels: levels.get(mesh.key)!, wanted: requested ?? automaticLevels(mesh) }]),
-  );
+  return new Map(all.map(({ path, key }) => [path, { levels: levels.get(key)!, ...wanted.get(key)! }]));
 }
 
 /** Takes levels away until `faces` of all meshes are within the budget. */
@@ -70,13 +60,20 @@ function reduceToBudget(
 const facesOf = ({ corners, scheme, copies }: SubdivisionCandidate, levels: number): number =>
   levels === 0 ? 0 : copies * facesAfter(corners, scheme, levels);
 
-function automaticLevels(mesh: SubdivisionCandidate): number {
-  let levels = MIN_LEVELS;
-  while (levels < MAX_LEVELS && facesOf({ ...mesh, copies: 1 }, levels) < SMOOTH_FACES) levels++;
-  return levels;
+type WantedLevels = Pick<MeshLevels, 'wanted' | 'fewer'>;
+
+async function automaticLevels(context: StageContext, mesh: SubdivisionCandidate): Promise<WantedLevels> {
+  let round = MIN_LEVELS;
+  while (round < MAX_LEVELS && facesOf({ ...mesh, copies: 1 }, round) < SMOOTH_FACES) round++;
+  if (!mesh.rests || mesh.corners > FACE_BUDGET) return { wanted: round };
+  const { levelsToLookSmooth } = await import('./subdivision.ts');
+  const smooth = levelsToLookSmooth(context, mesh.prim);
+  if (!smooth || smooth.levels >= round) return { wanted: round };
+  return { wanted: smooth.levels, ...(!smooth.exact && { fewer: true }) };
 }
 
 interface SubdivisionCandidate {
+  readonly prim: PrimSpec;
   readonly path: string;
   /** Equal for prims with the same opinions. */
   readonly key: string;
@@ -85,13 +82,20 @@ interface SubdivisionCandidate {
   /** How often they are sampled. */
   readonly copies: number;
   readonly scheme: UsdSubdivisionScheme;
+  /** Whether its points stay where they are, so that what looks smooth always does. */
+  readonly rests: boolean;
 }
 
-function subdividedMeshes(prim: PrimSpec): SubdivisionCandidate[] {
+/** `skinned`: whether what is around the prim may be. */
+function subdividedMeshes(prim: PrimSpec, skinned: boolean): SubdivisionCandidate[] {
   if (prim.specifier !== 'def' || !isActive(prim)) return [];
+  const bends = maybeSkinned(prim, skinned);
   const scheme = prim.typeName === 'Mesh' ? schemeOf(prim) : undefined;
-  const below = [...prim.children.values()].flatMap((child) => subdividedMeshes(child));
-  return scheme ? [{ path: prim.path, key: prim.content ?? prim.path, ...cornersOf(prim), scheme }, ...below] : below;
+  const below = [...prim.children.values()].flatMap((child) => subdividedMeshes(child, bends));
+  if (!scheme) return below;
+  const { path, content: key = path } = prim;
+  const rests = !bends && sampleTimes(attributeOf(prim, 'points')).length === 0;
+  return [{ prim, path, key, ...cornersOf(prim), scheme, rests }, ...below];
 }
 
 function cornersOf(prim: PrimSpec): Pick<SubdivisionCandidate, 'corners' | 'copies'> {
@@ -101,36 +105,31 @@ function cornersOf(prim: PrimSpec): Pick<SubdivisionCandidate, 'corners' | 'copi
   return { corners: counts.reduce((a, b) => Math.max(a, b), 0), copies: counts.length };
 }
 
-/** Subdivision levels of a mesh within the budget, and those that it is worth; 0: drawn as polygons. */
-export function levelsOf(context: StageContext, prim: PrimSpec): AffordableLevels {
+/** Subdivision levels of a mesh; undefined: drawn as polygons. */
+export async function levelsOf(context: StageContext, prim: PrimSpec): Promise<number | undefined> {
   const scheme = schemeOf(prim);
-  if (!scheme) return { levels: 0, wanted: 0 };
-  context.subdivision.levels ??= subdivisionLevels(context.layer, context.subdivision.wanted);
-  const found = context.subdivision.levels.get(prim.path) ?? { levels: 0, wanted: 0 };
-  if (found.wanted === 0 && context.subdivided.at(-1) !== prim.path) context.subdivided.push(prim.path);
-  if (found.levels === 0) reportFewer(context, prim, found);
-  if (found.levels === 0 || scheme !== 'loop') return found;
-  const counts = numbersAt(prim, 'faceVertexCounts', context.startCode) ?? [];
-  if (counts.every((count) => count === 3)) return found;
-  reportSubdivision(
-    context,
-    prim,
-    'warning',
-    msg`subdivisionScheme loop takes triangles only; it is drawn as its polygons`,
-  );
-  return { levels: 0, wanted: 0 };
+  if (!scheme) return undefined;
+  context.subdivision.levels ??= subdivisionLevels(context);
+  const found = (await context.subdivision.levels).get(prim.path);
+  const isRequested = context.subdivision.wanted !== undefined;
+  if (!found || (isRequested && found.wanted === 0)) {
+    if (context.subdivided.at(-1) !== prim.path) context.subdivided.push(prim.path);
+    return undefined;
+  }
+  const { levels, wanted, fewer } = found;
+  if (levels < wanted)
+    reportSubdivision(
+      context,
+      prim,
+      'info',
+      msg`it is subdivided ${levels} times, not ${wanted}: a scene's surfaces share ${FACE_BUDGET.toLocaleString('en')} faces, instances counted ${DRAWN_FACE_BUDGET.toLocaleString('en')}`,
+    );
+  if (levels === 0 && wanted > 0) return undefined;
+  if (scheme === 'loop' && !(numbersAt(prim, 'faceVertexCounts', context.startCode) ?? []).every((n) => n === 3)) {
+    const message = msg`subdivisionScheme loop takes triangles only; it is drawn as its polygons`;
+    reportSubdivision(context, prim, 'warning', message);
+    return undefined;
+  }
+  if (fewer) context.smooth.set(prim.path, levels);
+  return levels;
 }
-
-/** Tells of a mesh that has fewer levels than it is worth. */
-export function reportFewer(context: StageContext, prim: PrimSpec, { levels, wanted }: AffordableLevels): void {
-  if (levels >= wanted) return;
-  const message = msg`it is subdivided ${levels} times, not ${wanted}: a scene's surfaces share ${FACE_BUDGET.toLocaleString('en')} faces, instances counted ${DRAWN_FACE_BUDGET.toLocaleString('en')}`;
-  reportSubdivision(context, prim, 'info', message);
-}
-
-export const reportSubdivision = (
-  context: StageContext,
-  prim: PrimSpec,
-  severity: 'info' | 'warning',
-  message: Message,
-): void => report(context, severity, 'usd.subdivision', prim.path, message);
