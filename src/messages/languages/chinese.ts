@@ -211,6 +211,7 @@ const messages: Translation['messages'] = {
   '{} is no normal map; it is not drawn': '{1} 不是法线贴图；不会被绘制',
   '{} is drawn as a diffuse colour, without light that travels below the surface':
     '{1} 已绘制为漫反射颜色，不含在表面之下传播的光',
+  '{} and what it acts on lie on the surface in different ways; it is not drawn': '{1} 与它所作用的量在表面上的贴法不同，不会被绘制',
   '{} varies over the surface, which is not drawn': '{1} 在表面上的变化不会被绘制',
 
   // Lights

@@ -191,17 +191,81 @@ describe('a MaterialX document in a USD layer', () => {
 
   it('says what it does not draw, with node and value', async () => {
     const text = document(
-      '<input name="base_color" type="color3" nodename="n" /><input name="specular_anisotropy" type="float" value="0.5" /><input name="metalness" type="float" value="much" />',
+      '<input name="base_color" type="color3" nodename="n" /><input name="diffuse_roughness" type="float" value="0.5" /><input name="metalness" type="float" value="much" />',
       '<wavy name="n" type="color3" />',
     );
     const scene = await readDocument(text);
     const all = said(scene).join('\n');
     expect(all).toContain("mtlx.node a.usda</Looks/M/NodeGraphs/n>: the node 'ND_wavy_color3' is not read");
-    expect(all).toContain('specular_anisotropy of this material is not drawn');
+    expect(all).toContain('diffuse_roughness of this material is not drawn');
     expect(all).toMatch(
       /mtlx\.value look\.mtlx: look\.mtlx, line 3: .*'metalness' of <standard_surface> 'S' has the value 'much', which is no float/,
     );
     expect(worn(scene)).toMatchObject({ metallic: 0, roughness: expect.closeTo(0.2, 6) });
+  });
+
+  describe('anisotropy has the widths of GGX along and across its direction', () => {
+    const number = (name: string, value: number): string => `<input name="${name}" type="float" value="${value}" />`;
+    const widths = ({ anisotropy, roughness }: Material): number[] => {
+      const across = roughness ** 2;
+      return [across + (1 - across) * anisotropy!.strength ** 2, across];
+    };
+
+    // As MaterialX's pbrlib and bxdf libraries have them.
+    it.each([
+      [
+        'standard_surface',
+        ['specular_roughness', 'specular_anisotropy', 'specular_rotation'],
+        [0.25 / Math.SQRT1_2, 0.25 * Math.SQRT1_2],
+        -Math.PI,
+      ],
+      [
+        'open_pbr_surface',
+        ['specular_roughness', 'specular_roughness_anisotropy'],
+        [0.25 * Math.sqrt(1.6), 0.125 * Math.sqrt(1.6)],
+        0,
+      ],
+      ['gltf_pbr', ['roughness', 'anisotropy_strength', 'anisotropy_rotation'], [0.25 + 0.75 * 0.25, 0.25], 0.5],
+      ['disney_principled', ['roughness', 'anisotropic'], [0.25 / Math.SQRT1_2, 0.25 * Math.SQRT1_2], 0],
+    ] as const)('of %s', async (surface, inputs, expected, rotation) => {
+      const text = document(inputs.map((name) => number(name, 0.5)).join('')).replaceAll('standard_surface', surface);
+      const material = worn(await readDocument(text));
+      for (const [k, width] of widths(material).entries()) expect(width).toBeCloseTo(expected[k], 6);
+      expect(material.anisotropy!.rotation).toBeCloseTo(rotation, 6);
+    });
+
+    it('and varies with pictures', async () => {
+      const image = '<image name="i" type="float"><input name="file" type="filename" value="two.png" /></image>';
+      const of = (input: string, other: string): string =>
+        document(`<input name="${input}" type="float" nodename="i" />${number(other, 0.5)}`, image);
+      const rough = worn(await readDocument(of('specular_roughness', 'specular_anisotropy'), { 'two.png': TWO }));
+      const directed = worn(await readDocument(of('specular_anisotropy', 'specular_roughness'), { 'two.png': TWO }));
+      // The first numbers of the texels: 0.2 and 0, of roughness and then of anisotropy.
+      for (const [{ anisotropy, roughnessTexture: texture }, texels] of [
+        [
+          rough,
+          [
+            [0.2, 0.5],
+            [0, 0.5],
+          ],
+        ],
+        [
+          directed,
+          [
+            [0.5, 0.2],
+            [0.5, 0],
+          ],
+        ],
+      ] as const)
+        for (const [k, [r, s]] of texels.entries()) {
+          const direction = anisotropy!.directionTexture!.data;
+          const drawn = texture!.scale * (texture!.texture.data[4 * k + texture!.channel] / 255) + texture!.bias;
+          const strength = anisotropy!.strength * (direction[4 * k + 2] / 255);
+          expect([direction[4 * k], direction[4 * k + 1]]).toEqual([255, 128]);
+          expect(drawn).toBeCloseTo(r * (1 - s) ** 0.25, 2);
+          expect(drawn ** 2 + (1 - drawn ** 2) * strength ** 2).toBeCloseTo(r ** 2 / Math.sqrt(1 - s), 2);
+        }
+    });
   });
 
   it('includes documents', async () => {

@@ -95,6 +95,12 @@ export class NetworkReader implements SurfaceInputs {
     };
   }
 
+  /** Numbers 0 … 1 of red, green and blue. */
+  dataOf(texels: TexelField): { readonly texture: Texture; readonly uv: UvSource | undefined } {
+    const picture = pictureOf(texels);
+    return { texture: textureOn(texels, picture.image, picture.colorSpace), uv: texels.grid.uv };
+  }
+
   async normals(input: ResolvedInput) {
     const found = await this.network.of(input, this.shader);
     // UsdPreviewSurface takes −1 … 1, a normalmap 0 … 1.

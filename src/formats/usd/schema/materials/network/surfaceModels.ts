@@ -1,6 +1,7 @@
 import type { FilmInputs } from './film.ts';
 import type { FuzzInputs } from './fuzz.ts';
 import type { GlassInputs } from './glass.ts';
+import type { GrooveInputs, Widths } from './grooves.ts';
 
 /** Which inputs of a surface mean what; values are those of the definitions where nothing is written. */
 export interface SurfaceModel {
@@ -25,6 +26,7 @@ export interface SurfaceModel {
   readonly opacity: string;
   readonly glass?: GlassInputs;
   readonly film?: FilmInputs;
+  readonly grooves?: GrooveInputs;
   readonly fuzz?: FuzzInputs;
   /** Share of light that passes a surface without reflection: transparency. */
   readonly clear?: string;
@@ -44,6 +46,12 @@ interface Coat {
   /** Inputs that are left out where they are not white, and not 1.5. */
   readonly unread: readonly (readonly [name: string, otherwise: number])[];
 }
+
+/** MaterialX's node `roughness_anisotropy`. */
+const ROUGHNESS_ANISOTROPY: Widths = (roughness, anisotropy) => {
+  const aspect = Math.sqrt(1 - Math.min(anisotropy, 0.98));
+  return [roughness ** 2 / aspect, roughness ** 2 * aspect];
+};
 
 const STANDARD: SurfaceModel = {
   color: 'base_color',
@@ -69,6 +77,13 @@ const STANDARD: SurfaceModel = {
     ior: 'thin_film_IOR',
     defaultIor: 1.5,
   },
+  grooves: {
+    anisotropy: 'specular_anisotropy',
+    rotation: 'specular_rotation',
+    // Its vectors are rows, which `rotate3d` turns the other way.
+    turn: -2 * Math.PI,
+    widths: ROUGHNESS_ANISOTROPY,
+  },
   fuzz: {
     weight: 'sheen',
     color: 'sheen_color',
@@ -87,7 +102,7 @@ const STANDARD: SurfaceModel = {
   },
   normal: 'normal',
   subsurface: ['subsurface', 'subsurface_color', 1],
-  unread: ['diffuse_roughness', 'specular_anisotropy', 'transmission_scatter', 'transmission_extra_roughness'],
+  unread: ['diffuse_roughness', 'transmission_scatter', 'transmission_extra_roughness'],
   coat: {
     weight: 'coat',
     roughness: 'coat_roughness',
@@ -142,6 +157,15 @@ export const SURFACES: ReadonlyMap<string, SurfaceModel> = new Map<string, Surfa
         ior: 'thin_film_ior',
         defaultIor: 1.4,
       },
+      grooves: {
+        anisotropy: 'specular_roughness_anisotropy',
+        rotation: '',
+        turn: 0,
+        widths: (roughness, anisotropy) => {
+          const along = roughness ** 2 * Math.sqrt(2 / ((1 - anisotropy) ** 2 + 1));
+          return [along, (1 - anisotropy) * along];
+        },
+      },
       fuzz: {
         weight: 'fuzz_weight',
         color: 'fuzz_color',
@@ -160,7 +184,7 @@ export const SURFACES: ReadonlyMap<string, SurfaceModel> = new Map<string, Surfa
       },
       normal: 'geometry_normal',
       subsurface: ['subsurface_weight', 'subsurface_color', 0.8],
-      unread: ['base_diffuse_roughness', 'specular_roughness_anisotropy', 'transmission_scatter'],
+      unread: ['base_diffuse_roughness', 'transmission_scatter'],
     },
   ],
   [
@@ -195,6 +219,12 @@ export const SURFACES: ReadonlyMap<string, SurfaceModel> = new Map<string, Surfa
         ior: 'iridescence_ior',
         defaultIor: 1.3,
       },
+      grooves: {
+        anisotropy: 'anisotropy_strength',
+        rotation: 'anisotropy_rotation',
+        turn: 1,
+        widths: (roughness, anisotropy) => [roughness ** 2 + (1 - roughness ** 2) * anisotropy ** 2, roughness ** 2],
+      },
       fuzz: {
         weight: '',
         color: 'sheen_color',
@@ -213,7 +243,7 @@ export const SURFACES: ReadonlyMap<string, SurfaceModel> = new Map<string, Surfa
       },
       normal: 'normal',
       occlusion: 'occlusion',
-      unread: ['anisotropy_strength'],
+      unread: [],
     },
   ],
   [
@@ -241,8 +271,14 @@ export const SURFACES: ReadonlyMap<string, SurfaceModel> = new Map<string, Surfa
         thickness: '',
         dispersion: ['', '', 20],
       },
+      grooves: {
+        anisotropy: 'anisotropic',
+        rotation: '',
+        turn: 0,
+        widths: ROUGHNESS_ANISOTROPY,
+      },
       normal: '',
-      unread: ['anisotropic', 'specularTint', 'sheen', 'clearcoat', 'subsurface'],
+      unread: ['specularTint', 'sheen', 'clearcoat', 'subsurface'],
     },
   ],
   [

@@ -10,6 +10,7 @@ import { computed, constant, type Expression, isSame, scaled, sizeOf } from './e
 import { filmOf } from './film.ts';
 import { fuzzOf } from './fuzz.ts';
 import { glassOf, tinted } from './glass.ts';
+import { groovesOf } from './grooves.ts';
 import type { ShadingNetwork } from './network.ts';
 import { NetworkReader } from './networkReader.ts';
 import { SURFACES, type SurfaceModel } from './surfaceModels.ts';
@@ -42,7 +43,9 @@ export async function networkMaterial(network: ShadingNetwork, shader: PrimSpec)
   const glow = (await input(model.glow)) ?? constant(...grey(model.defaultGlow));
   const glowWeight = (await input(model.glowWeight)) ?? constant(model.defaultGlowWeight);
   const emissive = reader.colorOf(product(glow, glowWeight), BLACK);
-  const roughness = reader.scalarOf(await input(model.roughness), model.defaultRoughness);
+  const written = await input(model.roughness);
+  const grooves = await groovesOf(reader, shader, written, model.defaultRoughness, model.grooves);
+  const roughness = reader.scalarOf(grooves.roughness, model.defaultRoughness);
   const metallic = reader.scalarOf(await input(model.metalness), model.defaultMetalness);
   const occlusion = reader.scalarOf(await input(model.occlusion ?? ''), 1);
   const bent = await input(model.normal);
@@ -72,6 +75,7 @@ export async function networkMaterial(network: ShadingNetwork, shader: PrimSpec)
       ...(ior !== undefined && { ior }),
       ...(specular.layer && { specular: specular.layer }),
       ...(coat.layer && { clearcoat: coat.layer }),
+      ...(grooves.layer && { anisotropy: grooves.layer }),
       ...glass.material,
       ...(film.layer && { iridescence: film.layer }),
       ...(fuzz.layer && { sheen: fuzz.layer }),
@@ -86,6 +90,7 @@ export async function networkMaterial(network: ShadingNetwork, shader: PrimSpec)
       occlusion.uv,
       ...specular.uvs,
       ...coat.uvs,
+      grooves.uv,
       ...glass.uvs,
       film.uv,
       ...fuzz.uvs,
