@@ -64,7 +64,6 @@ export async function seeds(): Promise<Seed[]> {
     seed('binary.stl', binaryStl(), false),
     seed('wood.png', PICTURE['wood.png'], false),
     seed('wood.jpg', jpeg(), false),
-    seed('progressive.jpg', progressiveJpeg(), false),
     seed('channels.exr', exr(), false),
   ];
 }
@@ -129,9 +128,6 @@ function binaryStl(): Uint8Array {
     });
   return new Uint8Array(view.buffer);
 }
-
-const progressiveJpeg = (): Uint8Array =>
-  new Uint8Array(readFileSync(new URL('../../src/formats/image/testdata/squares-progressive.jpg', import.meta.url)));
 
 function jpeg(): Uint8Array {
   const [width, height] = [24, 17];

@@ -1,5 +1,6 @@
 import { readFileSync } from 'node:fs';
 import { crc32, deflateSync } from 'node:zlib';
+import { encode } from 'jpeg-js';
 import { describe, expect, it } from 'vitest';
 import { InputError } from '../../scene/types.ts';
 import { decodeImage } from './decodeImage.ts';
@@ -172,5 +173,49 @@ describe('an unreadable picture', () => {
     expect(say(wide)).toBe(
       'wood: the picture is 70000 × 1 pixels, 1 to 16384 a side and at most 64 Mi pixels are read; scale it',
     );
+  });
+});
+
+describe('JPEG of red, green and blue, or of luma and chroma', () => {
+  /** Written as Y, Cb and Cr (ITU T.871), behind the segments that are given in place of JFIF's. */
+  const jpeg = (color: readonly number[], segments: readonly number[], ids?: string): Uint8Array => {
+    const size = 8;
+    const data = Uint8Array.from({ length: 4 * size * size }, (_, k) => color[k % 4] ?? 255);
+    const bytes = [...encode({ width: size, height: size, data }, 100).data];
+    bytes.splice(2, 2 + ((bytes[4] << 8) | bytes[5]), ...segments);
+    const frame = bytes.findIndex((byte, k) => byte === 0xff && bytes[k + 1] === 0xc0);
+    const scan = bytes.findIndex((byte, k) => byte === 0xff && bytes[k + 1] === 0xda);
+    for (const [k, id] of [...(ids ?? '')].entries())
+      bytes[frame + 10 + 3 * k] = bytes[scan + 5 + 2 * k] = id.charCodeAt(0);
+    return Uint8Array.from(bytes);
+  };
+  const adobe = (transform: number): number[] => [
+    0xff,
+    0xee,
+    0,
+    14,
+    ...Buffer.from('Adobe'),
+    0,
+    100,
+    0,
+    0,
+    0,
+    0,
+    transform,
+  ];
+  const [r, g, b] = [200, 120, 40];
+  const luma = 0.299 * r + 0.587 * g + 0.114 * b;
+  const stored = [luma, 128 + (b - luma) / 1.772, 128 + (r - luma) / 1.402];
+
+  it.each([
+    ['without a word', [], undefined, [r, g, b]],
+    ['that say so', adobe(1), undefined, [r, g, b]],
+    ['of components R, G and B', [], 'RGB', stored],
+    ['that say that they are RGB', adobe(0), undefined, stored],
+  ] as const)('colours of files %s', (_, segments, ids, expected) => {
+    for (const [k, value] of decodeImage(jpeg([r, g, b], segments, ids), 'a.jpg')
+      .data.subarray(0, 3)
+      .entries())
+      expect(Math.abs(value - expected[k])).toBeLessThan(2);
   });
 });

@@ -101,14 +101,6 @@ const messages: Translation['messages'] = {
   '{} is meant as subdivision surface; it is drawn as its polygons': '{1} 本是细分曲面；已按其多边形绘制',
   '{} meshes (the first is {}) are meant as subdivision surface; it is drawn as its polygons':
     '{1} 个网格（第一个是 {2}）本是细分曲面；已按其多边形绘制',
-  'its codes end too early or are in none of its tables': '其编码过早结束，或不在任何编码表中',
-  'it has {} bits a channel; 8 are read': '每个通道有 {1} 位；只能读取 8 位',
-  'its frame header is damaged': '其帧头已损坏',
-  'it has {} channels; 1, 3 or 4 are read': '有 {1} 个通道；只能读取 1、3 或 4 个',
-  'it has two frame headers': '有两个帧头',
-  'it is compressed in a way that is not read (lossless, hierarchical or arithmetic)':
-    '其压缩方式（无损、分层或算术编码）无法读取',
-  'it has more than {} scans': '其扫描多于 {1} 次',
   '{} subdivision surfaces (the first is {}) are subdivided at most {} times: more would change about a pixel or less where one fills a picture of {} rows':
     '{1} 个细分曲面（第一个是 {2}）最多细分 {3} 次：当其中一个充满 {4} 行的画面时，再细分只会改变约一个像素或更少',
   '{} is subdivided {} times: more would change about a pixel or less where it fills a picture of {} rows':
@@ -211,7 +203,8 @@ const messages: Translation['messages'] = {
   '{} is no normal map; it is not drawn': '{1} 不是法线贴图；不会被绘制',
   '{} is drawn as a diffuse colour, without light that travels below the surface':
     '{1} 已绘制为漫反射颜色，不含在表面之下传播的光',
-  '{} and what it acts on lie on the surface in different ways; it is not drawn': '{1} 与它所作用的量在表面上的贴法不同，不会被绘制',
+  '{} and what it acts on lie on the surface in different ways; it is not drawn':
+    '{1} 与它所作用的量在表面上的贴法不同，不会被绘制',
   '{} varies over the surface, which is not drawn': '{1} 在表面上的变化不会被绘制',
 
   // Lights
