@@ -2,6 +2,7 @@ import { existsSync, readFileSync, writeFileSync } from 'node:fs';
 import { cpus, totalmem } from 'node:os';
 import { fileURLToPath } from 'node:url';
 import { formats } from './formats/formats.ts';
+import { load } from './formats/load.ts';
 import { bundle } from './page/bundle.ts';
 import { graph } from './page/graph.ts';
 import { graphPage } from './page/graphPage.ts';
@@ -35,6 +36,7 @@ const benches: readonly Bench[] = [
   effects,
   memory,
   formats,
+  load,
   instances,
   cache,
   reference,
@@ -49,7 +51,10 @@ const benches: readonly Bench[] = [
 const file = fileURLToPath(new URL('../../../docs/performance.md', import.meta.url));
 const [BEGIN, END] = ['<!-- measured: npm run bench -->', '<!-- end -->'];
 
-const names = process.argv.slice(2);
+const words = process.argv.slice(2);
+/** Files of the person's own, which `load` opens. */
+const files = words.filter((word) => existsSync(word));
+const names = words.filter((word) => !existsSync(word));
 const unknown = names.filter((name) => !benches.some((bench) => bench.name === name));
 if (unknown.length > 0) {
   console.error(`no benchmark ${unknown.join(', ')}; there are:`);
@@ -61,7 +66,7 @@ const parts = [await machine()];
 for (const bench of benches) {
   if (names.length > 0 && !names.includes(bench.name)) continue;
   console.error(`${bench.title} …`);
-  const tables = await bench.run();
+  const tables = await bench.run(files);
   const part = [`### ${bench.title}`, bench.about, ...tables.map(markdown)].join('\n\n');
   console.log(`\n${part}`);
   parts.push(part);

@@ -1,5 +1,7 @@
 """`python3 formats.py write FOLDER`: stages by usd-core, and FOLDER/million.usda as a crate and as a package.
-`python3 formats.py read FILE`: what usd-core takes to open it and to tell the values that a picture needs [s, bytes], as JSON."""
+`python3 formats.py load FOLDER`: stages like some of other people, for `npm run bench -- load`.
+`python3 formats.py read FILE`: what usd-core takes to open it and to tell the values that a picture needs [s, bytes], as JSON.
+`python3 formats.py check`: fails without usd-core."""
 import json
 import os
 import sys
@@ -10,8 +12,9 @@ from pxr import Gf, Sdf, Usd, UsdGeom, UsdSkel, UsdUtils, Vt
 
 VERTICES_ASIDE = 316
 FRAMES, SKINNED_FRAMES = 250, 100
-INSTANCES = 1000
+INSTANCES, CROWD = 1000, 10000
 JOINTS = 20
+DANCER_MESHES, DANCER_FRAMES = 60, 1300
 
 
 def stage_at(folder, name, frames=1):
@@ -51,11 +54,10 @@ def write_moving(folder):
     stage.Save()
 
 
-def write_skinned(folder):
+def write_skinned(folder, name="skinned.usdc", frames=SKINNED_FRAMES, sheets=1, side=VERTICES_ASIDE):
     """A chain of joints along x, each turning; every vertex follows the two nearest."""
-    stage = stage_at(folder, "skinned.usdc", SKINNED_FRAMES)
+    stage = stage_at(folder, name, frames)
     UsdSkel.Root.Define(stage, "/Root")
-    mesh, points = define_mesh(stage, "/Root/Sheet", VERTICES_ASIDE)
     names = ["/".join(f"j{k}" for k in range(i + 1)) for i in range(JOINTS)]
     step = Gf.Matrix4d().SetTranslate((2 / JOINTS, 0, 0))
     first = Gf.Matrix4d().SetTranslate((-1, 0, 0))
@@ -68,23 +70,25 @@ def write_skinned(folder):
     animation.CreateTranslationsAttr([Gf.Vec3f(-1, 0, 0)] + [Gf.Vec3f(2 / JOINTS, 0, 0)] * (JOINTS - 1))
     animation.CreateScalesAttr([Gf.Vec3h(1, 1, 1)] * JOINTS)
     rotations = animation.CreateRotationsAttr()
-    for frame in range(SKINNED_FRAMES):
+    for frame in range(frames):
         half = 0.05 * np.sin(2 * np.pi * frame / SKINNED_FRAMES)
         rotations.Set([Gf.Quatf(float(np.cos(half)), 0, 0, float(np.sin(half)))] * JOINTS, frame)
     UsdSkel.BindingAPI.Apply(skeleton.GetPrim()).CreateAnimationSourceRel().SetTargets(["/Root/Animation"])
-    binding = UsdSkel.BindingAPI.Apply(mesh.GetPrim())
-    binding.CreateSkeletonRel().SetTargets(["/Root/Skeleton"])
-    along = (points[:, 0] + 1) / 2 * JOINTS
-    joint = np.clip(along.astype(np.int32), 0, JOINTS - 2)
-    weight = np.clip(along - joint, 0, 1).astype(np.float32)
-    joints, weights = np.stack([joint, joint + 1], axis=1).astype(np.int32), np.stack([1 - weight, weight], axis=1)
-    binding.CreateJointIndicesPrimvar(False, 2).Set(Vt.IntArrayFromBuffer(joints.ravel()))
-    binding.CreateJointWeightsPrimvar(False, 2).Set(Vt.FloatArrayFromBuffer(weights.ravel()))
+    for k in range(sheets):
+        mesh, points = define_mesh(stage, f"/Root/Sheet{k}", side)
+        binding = UsdSkel.BindingAPI.Apply(mesh.GetPrim())
+        binding.CreateSkeletonRel().SetTargets(["/Root/Skeleton"])
+        along = (points[:, 0] + 1) / 2 * JOINTS
+        joint = np.clip(along.astype(np.int32), 0, JOINTS - 2)
+        weight = np.clip(along - joint, 0, 1).astype(np.float32)
+        joints, weights = np.stack([joint, joint + 1], axis=1).astype(np.int32), np.stack([1 - weight, weight], axis=1)
+        binding.CreateJointIndicesPrimvar(False, 2).Set(Vt.IntArrayFromBuffer(joints.ravel()))
+        binding.CreateJointWeightsPrimvar(False, 2).Set(Vt.FloatArrayFromBuffer(weights.ravel()))
     stage.Save()
 
 
-def places():
-    k = np.arange(INSTANCES)
+def places(count=INSTANCES):
+    k = np.arange(count)
     return np.stack([k % 10, k // 10 % 10, k // 100], axis=1).astype(np.float32) * 3
 
 
@@ -155,6 +159,30 @@ def write(folder):
     stage.Save()
 
 
+def write_load(folder):
+    """A character of many meshes with a long animation; instances of a cage and of a mesh, each with a scale of its own."""
+    write_skinned(folder, "dancer.usdc", DANCER_FRAMES, DANCER_MESHES, 24)
+    stage = stage_at(folder, "pots.usdc")
+    stage.CreateClassPrim("/Kept")
+    define_mesh(stage, "/Kept/Sheet", 32, "catmullClark")
+    for i, place in enumerate(places().tolist()):
+        prim = UsdGeom.Xform.Define(stage, f"/Pot{i}")
+        prim.AddTranslateOp().Set(tuple(place))
+        prim.AddScaleOp().Set((1 + i / INSTANCES,) * 3)
+        prim.GetPrim().GetReferences().AddInternalReference("/Kept")
+        prim.GetPrim().SetInstanceable(True)
+    stage.Save()
+    for name, scales in (("alike.usdc", np.ones(CROWD)), ("own.usdc", 1 + np.arange(CROWD) / CROWD)):
+        stage = stage_at(folder, name)
+        instancer = UsdGeom.PointInstancer.Define(stage, "/Crowd")
+        define_mesh(stage, "/Crowd/Sheet", 23)
+        instancer.CreatePrototypesRel().SetTargets(["/Crowd/Sheet"])
+        instancer.CreateProtoIndicesAttr([0] * CROWD)
+        instancer.CreatePositionsAttr(Vt.Vec3fArrayFromBuffer(places(CROWD)))
+        instancer.CreateScalesAttr([Gf.Vec3f(float(s)) for s in scales])
+        stage.Save()
+
+
 def tell(stage):
     """Points and normals at all their times, faces, uvs, world matrices; instances once, and their matrices."""
     kept = []
@@ -193,8 +221,10 @@ def read(path):
 
 
 if __name__ == "__main__":
-    command, place = sys.argv[1:]
+    command, *place = sys.argv[1:]
     if command == "write":
-        write(place)
-    else:
-        print(json.dumps(read(place)))
+        write(*place)
+    elif command == "load":
+        write_load(*place)
+    elif command == "read":
+        print(json.dumps(read(*place)))

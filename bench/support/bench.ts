@@ -5,7 +5,8 @@ export interface Bench {
   readonly title: string;
   /** What is measured and how, what it is compared with, and why the comparison is fair. */
   readonly about: string;
-  run(): Promise<readonly Table[]>;
+  /** `files`: those named behind the benchmark's name. */
+  run(files: readonly string[]): Promise<readonly Table[]>;
 }
 
 export interface Table {

@@ -6,7 +6,7 @@ import { memorySource } from '../../src/formats/files/fileSource.ts';
 import { sceneFormats } from '../../src/formats/registry.ts';
 import { properVelocity } from '../../src/physics/lorentz/boost.ts';
 import { perspective } from '../../src/scene/view/lens.ts';
-import type { LoadTask } from '../formats/formats.ts';
+import type { LoadTask } from '../formats/readers.ts';
 import type { CachePlayback, CacheTask } from '../simulation/cache.ts';
 import { type ClothTask, fallingBy } from '../simulation/dynamics.ts';
 import { interleaved, median, timed } from './bench.ts';
@@ -29,11 +29,15 @@ else if (task === 'memory') await memory(Number(argument));
 else if (task === 'dynamics') await clothMemory(JSON.parse(argument) as ClothTask);
 else throw new Error(`no task ${task}`);
 
-/** Subdivision surfaces get one level. */
-async function load({ file, inMemory }: LoadTask): Promise<void> {
+async function load({ file, inMemory, subdivision }: LoadTask): Promise<void> {
   const empty = memorySource({});
   await Promise.allSettled(sceneFormats.map(({ read }) => read(empty, 'none', {})));
-  await tell(() => openSceneFile(file, { subdivision: 1, ...(inMemory && { sampleMemory: 2 ** 40 }) }));
+  await tell(() =>
+    openSceneFile(file, {
+      ...(subdivision !== undefined && { subdivision }),
+      ...(inMemory && { sampleMemory: 2 ** 40 }),
+    }),
+  );
 }
 
 async function three(path: string): Promise<void> {
