@@ -1,8 +1,9 @@
-import { add, distance, scale, type Vec3 } from '../../math/vec3.ts';
+import { add, distance, dot, scale, type Vec3 } from '../../math/vec3.ts';
 import { pointAt } from '../mesh/polygons.ts';
 import { blendedBounds } from '../streaming/blendedBounds.ts';
 import { isListed, isStreamed } from '../streaming/samplePoints.ts';
 import type { Mesh, SampledPointsMotion } from '../types.ts';
+import type { Support } from './supportMap.ts';
 
 /** An axis-aligned box [m]. */
 export interface BoundingBox {
@@ -26,6 +27,14 @@ export interface BoundingSphere {
  */
 export const boundingBox = (points: ArrayLike<number>): BoundingBox | undefined =>
   finiteBox(points) ?? boxOfFinite(points);
+
+/** How far a box reaches. */
+export const boxSupport =
+  (box: BoundingBox | undefined): Support =>
+  (d) =>
+    box
+      ? dot(d, [0, 1, 2].map((k) => (d[k] < 0 ? box.min[k] : box.max[k])) as unknown as Vec3)
+      : Number.NEGATIVE_INFINITY;
 
 /** The same, but undefined if any value is not finite. A single pass, because long caches call it thousands of times. */
 export function finiteBox(points: ArrayLike<number>): BoundingBox | undefined {

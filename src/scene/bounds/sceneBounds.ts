@@ -2,9 +2,11 @@ import type { ObserverEvent } from '../../physics/worldLines/kinds/worldLineKind
 import { emissionTime } from '../../physics/worldLines/lightCone.ts';
 import type { WorldLine } from '../../physics/worldLines/worldLine.ts';
 import { isAlive } from '../motion/lifetimes.ts';
+import { deforms, isStatic } from '../motion/motion.ts';
 import { motionKind } from '../motion/motions.ts';
 import type { Scene, SceneObject } from '../types.ts';
 import { type BoundingBox, boundingBox } from './bounds.ts';
+import type { Support } from './supportMap.ts';
 
 /**
  * The box of an object at world time t [s]; with streamed samples, interpolated between the boxes of the samples.
@@ -33,6 +35,25 @@ export function sceneBounds(scene: Scene, t: number, c: number): BoundingBox | u
     if (box) corners.push(...box.min, ...box.max);
   }
   return boundingBox(corners);
+}
+
+/** Moments of an animation at which a silhouette is looked at. */
+const MOMENTS = 24;
+/** Maximum number of places of deforming points that are computed for a silhouette; fewer moments serve larger ones. */
+const MAX_PLACES = 4_000_000;
+
+/** How far all objects reach, at whatever times of the animation they exist, and at `t` [s]; −∞ if there are none. c [m/s]. */
+export function animationSupport(scene: Scene, t: number, c: number): Support {
+  const { startTime, endTime, objects } = scene;
+  const places = objects.reduce((n, { mesh, motion }) => n + (deforms(motion) ? mesh.positions.length / 3 : 0), 0);
+  const count = Math.max(2, Math.min(MOMENTS, Math.floor(MAX_PLACES / Math.max(places, 1))));
+  const moments = Array.from({ length: count }, (_, k) => startTime + (k / (count - 1)) * (endTime - startTime));
+  const reaches = objects.flatMap((object) =>
+    (isStatic(object.motion) ? [t] : [...new Set([t, ...moments])])
+      .filter((time) => isStatic(object.motion) || isAlive(object.lifetime, time))
+      .map((time) => motionKind(object.motion).support(object, time, c)),
+  );
+  return (d) => reaches.reduce((most, reach) => Math.max(most, reach(d)), Number.NEGATIVE_INFINITY);
 }
 
 /**

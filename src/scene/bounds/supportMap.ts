@@ -1,5 +1,8 @@
 import type { Vec3 } from '../../math/vec3.ts';
 
+/** The largest d · x over the points x of something; −∞ without points. */
+export type Support = (d: Vec3) => number;
+
 /** Points per cluster; consecutive points of a mesh are usually close to each other. */
 const CLUSTER_POINTS = 64;
 /** Floats per cluster: centre and radius. */

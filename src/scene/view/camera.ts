@@ -1,9 +1,11 @@
-import { fromMatrix, type Quat } from '../../math/quat.ts';
-import { add, addScaled, cross, length, negate, normalize, scale, sub, type Vec3 } from '../../math/vec3.ts';
+import { fromMatrix, type Quat, rotate } from '../../math/quat.ts';
+import { addScaled, cross, length, negate, normalize, scale, type Vec3 } from '../../math/vec3.ts';
 import { SPEED_OF_LIGHT } from '../../physics/constants.ts';
 import { properVelocity } from '../../physics/lorentz/boost.ts';
 import { velocityAt } from '../../physics/worldLines/worldLine.ts';
-import { sceneBounds } from '../bounds/sceneBounds.ts';
+import { boxSupport } from '../bounds/bounds.ts';
+import { animationSupport } from '../bounds/sceneBounds.ts';
+import type { Support } from '../bounds/supportMap.ts';
 import { restingAt } from '../defaults.ts';
 import { originWorldLine, poseAt, sampleTimes } from '../motion/motion.ts';
 import type { Scene, SceneCamera } from '../types.ts';
@@ -58,25 +60,34 @@ export function lookAtOrientation(forward: Vec3, up: Vec3): Quat {
 }
 
 const FRAMING_FOV = Math.PI / 3;
+/** The part of half the picture's height to which things reach. */
+const FRAMED = 0.9;
+/** Least distance to what is nearest [m]. */
+const MIN_DISTANCE = 2e-3;
 
 /**
- * A camera for scenes without one: at rest outside the scene and slightly above, with all objects that exist at the opening time in view.
+ * A camera for scenes without one: at rest and slightly above, as near as the outline of all objects, during the whole animation, allows that fills 9/10 of a square picture. A point (x, y, z) on the camera's axes is in a picture of half-width k per distance
+ * if |x − x₀| ≤ k(z₀ − z), so that 2kz₀ ≥ max(x + kz) + max(kz − x), with the camera midway.
  * @example
  * const scene = makeScene({ name: 'one', objects: [makeObject({ path: '/Ball', mesh: sphere(1) })] });
  * framingCamera(scene).fovY; // 1.0472 rad
  */
 export function framingCamera(scene: Scene): SceneCamera {
   const c = scene.hints.speedOfLight ?? SPEED_OF_LIGHT;
-  const box = sceneBounds(scene, scene.hints.openAt ?? scene.startTime, c) ?? { min: [-1, -1, -1], max: [1, 1, 1] };
   const up: Vec3 = scene.upAxis === 'Z' ? [0, 0, 1] : [0, 1, 0];
   const aside: Vec3 = scene.upAxis === 'Z' ? [0.55, -1, 0] : [0.55, 0, 1];
-  const center = scale(add(box.min, box.max), 0.5);
-  const radius = Math.max(1e-3, length(sub(box.max, box.min)) / 2);
-  const offset = scale(normalize(addScaled(aside, up, 0.45)), radius / Math.sin(FRAMING_FOV / 2));
-  const { pose } = restingAt(add(center, offset));
-  return {
-    path: '/FramingCamera',
-    motion: { kind: 'static', pose: { ...pose, orientation: lookAtOrientation(negate(offset), up) } },
-    fovY: FRAMING_FOV,
+  const back = normalize(addScaled(aside, up, 0.45));
+  const orientation = lookAtOrientation(negate(back), up);
+  const [right, top] = [rotate(orientation, [1, 0, 0]), rotate(orientation, [0, 1, 0])];
+  const reach = animationSupport(scene, scene.hints.openAt ?? scene.startTime, c);
+  const support: Support = Number.isFinite(reach(back)) ? reach : boxSupport({ min: [-1, -1, -1], max: [1, 1, 1] });
+  const k = FRAMED * Math.tan(FRAMING_FOV / 2);
+  const fitted = (axis: Vec3): readonly [at: number, distance: number] => {
+    const [one, other] = [1, -1].map((sign) => support(addScaled(scale(back, k), axis, sign)));
+    return [(one - other) / 2, (one + other) / (2 * k)];
   };
+  const [[x, forX], [y, forY]] = [fitted(right), fitted(top)];
+  const z = Math.max(forX, forY, support(back) + MIN_DISTANCE);
+  const { pose } = restingAt(addScaled(addScaled(scale(back, z), right, x), top, y));
+  return { path: '/FramingCamera', motion: { kind: 'static', pose: { ...pose, orientation } }, fovY: FRAMING_FOV };
 }

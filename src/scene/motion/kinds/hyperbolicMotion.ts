@@ -7,7 +7,7 @@ import type { Diagnostic, HyperbolicMotion, Pose } from '../../types.ts';
 import { motionPlace, problem, roundedUp } from '../../validation/motionFindings.ts';
 import { flyPose, toWorldTime, transformPose, transformVelocity } from './changes.ts';
 import { type FastestVertex, type ObjectWith, REST, type RigidMotionKind } from './motionKind.ts';
-import { boundsOfVertices, nonFinitePoseText, POSED, placeByWorldLine, poseNumbers } from './rigidMotion.ts';
+import { nonFinitePoseText, ofVertices, POSED, placeByWorldLine, poseNumbers } from './rigidMotion.ts';
 
 const originWorldLine = (motion: HyperbolicMotion): WorldLine => ({ ...motion, position: motion.pose.position });
 
@@ -74,7 +74,7 @@ export const HYPERBOLIC_MOTION: RigidMotionKind<HyperbolicMotion> = {
   originWorldLine,
   vertexWorldLine,
   vertexPlacer,
-  bounds: boundsOfVertices(vertexPlacer),
+  ...ofVertices(vertexPlacer),
   fastestVertex,
   nonFiniteText: (motion) => nonFinitePoseText(motion, motion.properAcceleration),
   validateSpeed: validateHorizon,

@@ -3,6 +3,7 @@ import type { Vec3 } from '../../../math/vec3.ts';
 import type { Message } from '../../../messages/message.ts';
 import type { WorldLine } from '../../../physics/worldLines/worldLine.ts';
 import type { BoundingBox } from '../../bounds/bounds.ts';
+import type { Support } from '../../bounds/supportMap.ts';
 import type {
   Diagnostic,
   Motion,
@@ -72,6 +73,8 @@ export interface MotionKind<M extends Motion> {
   vertexPlacer(object: ObjectWith<M>, t: number, c: number): (vertex: number) => Vec3;
   /** Bounding box at t; with streamed samples interpolated between the boxes of the samples. */
   bounds(object: ObjectWith<M>, t: number, c: number): BoundingBox | undefined;
+  /** How far it reaches at t; with streamed samples, what the box reaches. */
+  support(object: ObjectWith<M>, t: number, c: number): Support;
   /** As `fastestVertex` of motion.ts. */
   fastestVertex(object: ObjectWith<M>, c: number, range: readonly [number, number], atLeast: number): FastestVertex;
   /** Whether its fastest vertex is independent of c, and expensive to find, so that it is cached. */

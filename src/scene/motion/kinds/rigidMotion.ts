@@ -1,8 +1,8 @@
-import type { Vec3 } from '../../../math/vec3.ts';
+import { dot, sub, type Vec3 } from '../../../math/vec3.ts';
 import { type Message, msg } from '../../../messages/message.ts';
 import { positionAt, type WorldLine } from '../../../physics/worldLines/worldLine.ts';
-import { type BoundingBox, boundingBox, meshBoundingSphere } from '../../bounds/bounds.ts';
-import { SupportMap } from '../../bounds/supportMap.ts';
+import { type BoundingBox, boundingBox, finiteBox, meshBoundingSphere } from '../../bounds/bounds.ts';
+import { type Support, SupportMap } from '../../bounds/supportMap.ts';
 import { pointAt } from '../../mesh/polygons.ts';
 import type { Mesh, Motion, Pose, RigidMotion, SceneObject } from '../../types.ts';
 import { composePoses } from './changes.ts';
@@ -49,11 +49,21 @@ export function placeVertices({ positions }: Pick<Mesh, 'positions'>, at: (verte
 
 type Placer<M extends Motion> = (object: ObjectWith<M>, t: number, c: number) => (vertex: number) => Vec3;
 
-/** The bounding box of all vertices. */
-export const boundsOfVertices =
-  <M extends Motion>(place: Placer<M>) =>
-  (object: ObjectWith<M>, t: number, c: number): BoundingBox | undefined =>
-    boundingBox(placeVertices(object.mesh, place(object, t, c)));
+/** Those without a number that is not finite. */
+const finitePoints = (points: Float64Array): Float64Array =>
+  points.filter((_, i) => pointAt(points, Math.floor(i / 3)).every(Number.isFinite));
+
+/** The bounding box of all vertices, and how far they reach. */
+export const ofVertices = <M extends Motion>(place: Placer<M>) => ({
+  bounds: (object: ObjectWith<M>, t: number, c: number): BoundingBox | undefined =>
+    boundingBox(placeVertices(object.mesh, place(object, t, c))),
+  support: (object: ObjectWith<M>, t: number, c: number): Support => {
+    const placed = placeVertices(object.mesh, place(object, t, c));
+    const points = finiteBox(placed) ? placed : finitePoints(placed);
+    const extremes = new SupportMap(points);
+    return (d) => extremes.support(d);
+  },
+});
 
 /** The origin, and the tips of the axes. */
 const AXES = Float32Array.of(0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1);
@@ -62,18 +72,30 @@ const AXES = Float32Array.of(0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1);
 const SUPPORT_MAPS = new WeakMap<Float32Array, SupportMap>();
 
 /** The same for motions that map the object affinely to the world, from the mesh's extreme points. */
-export const affineBounds =
-  <M extends Motion>(place: Placer<M>) =>
-  (object: ObjectWith<M>, t: number, c: number): BoundingBox | undefined => {
+export const ofAffineMap = <M extends Motion>(place: Placer<M>) => {
+  const vertices = ofVertices(place);
+  const isSimple = ({ mesh }: ObjectWith<M>): boolean =>
+    mesh.positions.length > 0 && Number.isFinite(meshBoundingSphere(mesh).radius);
+  const support = (object: ObjectWith<M>, t: number, c: number): Support => {
+    if (!isSimple(object)) return vertices.support(object, t, c);
     const { positions } = object.mesh;
-    if (positions.length === 0 || !Number.isFinite(meshBoundingSphere(object.mesh).radius))
-      return boundsOfVertices(place)(object, t, c);
     const axes = { ...object, mesh: { ...object.mesh, positions: AXES } };
     const placed = placeVertices(axes.mesh, place(axes, t, c));
     const [o, x, y, z] = [0, 1, 2, 3].map((i) => pointAt(placed, i));
+    const [ax, ay, az] = [sub(x, o), sub(y, o), sub(z, o)];
     const extremes = SUPPORT_MAPS.get(positions) ?? new SupportMap(positions);
     SUPPORT_MAPS.set(positions, extremes);
-    const reach = (k: number, sign: number): number =>
-      o[k] + sign * extremes.support([sign * (x[k] - o[k]), sign * (y[k] - o[k]), sign * (z[k] - o[k])]);
-    return { min: [reach(0, -1), reach(1, -1), reach(2, -1)], max: [reach(0, 1), reach(1, 1), reach(2, 1)] };
+    return (d) => dot(d, o) + extremes.support([dot(d, ax), dot(d, ay), dot(d, az)]);
   };
+  return {
+    support,
+    bounds: (object: ObjectWith<M>, t: number, c: number): BoundingBox | undefined => {
+      if (!isSimple(object)) return vertices.bounds(object, t, c);
+      const reach = support(object, t, c);
+      return {
+        min: [-reach([-1, 0, 0]), -reach([0, -1, 0]), -reach([0, 0, -1])],
+        max: [reach([1, 0, 0]), reach([0, 1, 0]), reach([0, 0, 1])],
+      };
+    },
+  };
+};

@@ -14,7 +14,7 @@ import { composePoses, flyPose, toWorldTime, transformPose } from './changes.ts'
 import { fastestOfPoints } from './fastestPoints.ts';
 import { fastestOfPoses } from './fastestPoses.ts';
 import type { FastestVertex, ObjectWith, RigidMotionKind } from './motionKind.ts';
-import { affineBounds, placeVertices } from './rigidMotion.ts';
+import { ofAffineMap, placeVertices } from './rigidMotion.ts';
 
 function poseAt({ times, poses }: SampledMotion, t: number): Pose {
   const { before, after, s } = pieceAt(times, t);
@@ -122,7 +122,7 @@ export const SAMPLED_MOTION: RigidMotionKind<SampledMotion> = {
     return lineThrough(motion, (k) => placeAtSample(motion, k, authoredIn === 'rest' ? c : undefined)(x));
   },
   vertexPlacer,
-  bounds: affineBounds(vertexPlacer),
+  ...ofAffineMap(vertexPlacer),
   fastestVertex: (object, c, _range, atLeast) => fastestVertex(object, c, atLeast),
   keepsFastest: () => false,
   restToWorld,

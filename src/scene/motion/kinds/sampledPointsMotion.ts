@@ -2,7 +2,7 @@ import type { Mat4 } from '../../../math/mat4.ts';
 import { IDENTITY } from '../../../math/quat.ts';
 import { add, lerp, scale, type Vec3 } from '../../../math/vec3.ts';
 import { type Message, msg } from '../../../messages/message.ts';
-import { type BoundingBox, sampleBoundingBox } from '../../bounds/bounds.ts';
+import { type BoundingBox, boxSupport, sampleBoundingBox } from '../../bounds/bounds.ts';
 import { transformPointsInPlace } from '../../mesh/transformPoints.ts';
 import { transformBlendedPoints, translateBlendedPoints } from '../../streaming/blendedPoints.ts';
 import { isBlended, isStreamed, sampleCount } from '../../streaming/samplePoints.ts';
@@ -15,7 +15,7 @@ import { pieceAt } from '../poses.ts';
 import { type FlightPath, linearOf, type SimilarityTransform, toWorldTime, transformPose } from './changes.ts';
 import { fastestOfPoints } from './fastestPoints.ts';
 import type { MotionKind, ObjectWith } from './motionKind.ts';
-import { boundsOfVertices } from './rigidMotion.ts';
+import { ofVertices } from './rigidMotion.ts';
 
 function vertexPlacer({ motion }: ObjectWith<SampledPointsMotion>, t: number, c: number) {
   const at = deformedPoints(motion, t, c);
@@ -29,7 +29,7 @@ function interpolatedBox(motion: SampledPointsMotion, t: number): BoundingBox | 
   return a && b && { min: between(a.min, b.min), max: between(a.max, b.max) };
 }
 
-const boxOfVertices = boundsOfVertices(vertexPlacer);
+const vertices = ofVertices(vertexPlacer);
 
 function nonFiniteText({ times, points, velocities }: SampledPointsMotion): Message | undefined {
   const broken = (all: readonly Float32Array[]) => all.findIndex((numbers) => numbers.some((x) => !Number.isFinite(x)));
@@ -126,7 +126,9 @@ export const SAMPLED_POINTS_MOTION: MotionKind<SampledPointsMotion> = {
   vertexWorldLine: ({ motion }, i, c) => deformedVertexLine(motion, i, c),
   vertexPlacer,
   bounds: (object, t, c) =>
-    isStreamed(object.motion.points) ? interpolatedBox(object.motion, t) : boxOfVertices(object, t, c),
+    isStreamed(object.motion.points) ? interpolatedBox(object.motion, t) : vertices.bounds(object, t, c),
+  support: (object, t, c) =>
+    isStreamed(object.motion.points) ? boxSupport(interpolatedBox(object.motion, t)) : vertices.support(object, t, c),
   fastestVertex: ({ motion }, c, _range, atLeast) => fastestOfPoints(motion, c, atLeast),
   keepsFastest: ({ velocities }) => velocities === undefined,
   restToWorld: (object) => object,

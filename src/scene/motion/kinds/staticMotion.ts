@@ -4,7 +4,7 @@ import type { StaticMotion } from '../../types.ts';
 import { applyPose } from '../poses.ts';
 import { flyPose, transformPose } from './changes.ts';
 import { type ObjectWith, REST, type RigidMotionKind } from './motionKind.ts';
-import { affineBounds, nonFinitePoseText, POSED, placeByWorldLine, poseNumbers } from './rigidMotion.ts';
+import { nonFinitePoseText, ofAffineMap, POSED, placeByWorldLine, poseNumbers } from './rigidMotion.ts';
 
 const vertexWorldLine = ({ mesh, motion }: ObjectWith<StaticMotion>, i: number): WorldLine => ({
   kind: 'static',
@@ -23,7 +23,7 @@ export const STATIC_MOTION: RigidMotionKind<StaticMotion> = {
   originWorldLine: ({ pose }) => ({ kind: 'static', position: pose.position }),
   vertexWorldLine,
   vertexPlacer,
-  bounds: affineBounds(vertexPlacer),
+  ...ofAffineMap(vertexPlacer),
   fastestVertex: () => REST,
   nonFiniteText: (motion) => nonFinitePoseText(motion, [0, 0, 0]),
   validateSpeed: () => [],

@@ -8,7 +8,7 @@ import type { Pose, UniformMotion } from '../../types.ts';
 import { validateFastest } from '../../validation/motionFindings.ts';
 import { flyPose, transformPose, transformVelocity } from './changes.ts';
 import { type ObjectWith, REST, type RigidMotionKind } from './motionKind.ts';
-import { affineBounds, nonFinitePoseText, POSED, placeByWorldLine, poseNumbers } from './rigidMotion.ts';
+import { nonFinitePoseText, ofAffineMap, POSED, placeByWorldLine, poseNumbers } from './rigidMotion.ts';
 
 const originWorldLine = ({ pose, velocity }: UniformMotion): WorldLine => ({
   kind: 'uniform',
@@ -40,7 +40,7 @@ export const UNIFORM_MOTION: RigidMotionKind<UniformMotion> = {
   originWorldLine,
   vertexWorldLine,
   vertexPlacer,
-  bounds: affineBounds(vertexPlacer),
+  ...ofAffineMap(vertexPlacer),
   fastestVertex: ({ motion }) => ({ ...REST, speed: length(motion.velocity) }),
   nonFiniteText: (motion) => nonFinitePoseText(motion, motion.velocity),
   validateSpeed: ({ path, motion }, c) => validateFastest(path, { ...REST, speed: length(motion.velocity) }, c),
