@@ -182,7 +182,7 @@ const materials: ClaimGroup = {
     ),
     read(
       '`ND_*` shaders in documents and layers: `standard_surface`, `open_pbr_surface`, `gltf_pbr`, `UsdPreviewSurface`, `disney_principled`, `surface_unlit`',
-      'base colour (weighted), metalness, roughness, ior, strength and colour of reflection, coat, transmission with volume and dispersion, thin films, sheen, emission, opacity, normal, occlusion',
+      'base colour (weighted), metalness, roughness, ior, strength, colour and anisotropy of reflection, coat, transmission with volume and dispersion, thin films, sheen, emission, opacity, normal, occlusion',
       usd(
         worn(
           material(
@@ -223,13 +223,13 @@ const materials: ClaimGroup = {
       red,
     ),
     approximated(
-      'subsurface, anisotropy, scattering inside, tint and refractive index of the coat of MaterialX surfaces',
+      'subsurface, scattering inside, tint and refractive index of the coat of MaterialX surfaces',
       'subsurface is a diffuse colour; the rest is left out',
       'mtlx.input',
       {
         ...usd(worn(MATERIALX_SCOPE)),
         'look.mtlx': document(
-          '<input name="base_color" type="color3" value="1, 0, 0" /><input name="specular_anisotropy" type="float" value="1" />',
+          '<input name="base_color" type="color3" value="1, 0, 0" /><input name="coat" type="float" value="0.5" /><input name="coat_color" type="color3" value="1, 0, 0" />',
         ),
       },
       red,
