@@ -38,7 +38,8 @@ export function parseMaterialXValue(type: string, text: string): Value | undefin
     const word = text.trim();
     return word === 'true' || word === 'false' ? { type: 'bool', data: word === 'true' } : undefined;
   }
-  const numbers = text.split(',').map((part) => (part.trim() === '' ? Number.NaN : Number(part)));
+  // MaterialX separates by commas, by spaces, or by both.
+  const numbers = (text.match(/[^,\s]+/g) ?? []).map(Number);
   if (numbers.length !== size || !numbers.every(Number.isFinite)) return undefined;
   if (stored === 'float') return { type: 'float', data: Math.fround(numbers[0]) };
   if (stored === 'int') return Number.isInteger(numbers[0]) ? { type: 'int', data: numbers[0] | 0 } : undefined;
