@@ -37,16 +37,25 @@ function stereo(t: number): PictureViews {
 
 async function row(kind: MotionKind): Promise<(string | number)[]> {
   console.error(`  views, ${kind}`);
-  const { renderer } = await openRenderer(SIZE.width, SIZE.height);
-  await renderer.setScene(sphereScene(TRIANGLES, kind));
+  const scene = sphereScene(TRIANGLES, kind);
   let t = VIEW.t;
-  const works = [(): PictureViews => [{ ...VIEW, t }], () => stereo(t)].map((viewsNow) => async () => {
-    t += 0.02;
-    pumpFrame();
-    renderer.render(viewsNow(), SETTINGS);
-    await renderer.readPixels();
-  });
-  const [one, two] = await interleaved(works, ROUNDS);
-  renderer.dispose();
+  const drawing = async (viewsNow: () => PictureViews) => {
+    // A renderer of its own: changing the number of views makes targets anew, and drivers then compile the shaders again.
+    const { renderer } = await openRenderer(SIZE.width, SIZE.height);
+    await renderer.setScene(scene);
+    const draw = async () => {
+      t += 0.02;
+      pumpFrame();
+      renderer.render(viewsNow(), SETTINGS);
+      await renderer.readPixels();
+    };
+    return { renderer, draw };
+  };
+  const both = [await drawing(() => [{ ...VIEW, t }]), await drawing(() => stereo(t))];
+  const [one, two] = await interleaved(
+    both.map(({ draw }) => draw),
+    ROUNDS,
+  );
+  for (const { renderer } of both) renderer.dispose();
   return [kind, one, two, two / one];
 }
