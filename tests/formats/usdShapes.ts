@@ -18,6 +18,9 @@ function deforming({ objects: [{ motion }] }: Scene): SampledPointsMotion {
   return motion;
 }
 
+const modelDrawnAs = (mode: string, more = ''): string =>
+  `def Xform "M" ( kind = "component" ) { uniform token model:drawMode = "${mode}"\n${more}\ndef Cube "A" {} }`;
+
 const motion: ClaimGroup = {
   title: 'Placement and motion',
   rows: [
@@ -329,6 +332,18 @@ const geometry: ClaimGroup = {
       'reported with both numbers',
       'usd.strands',
       usd(def('BasisCurves', 'int[] curveVertexCounts = [4]\npoint3f[] points = [(0, 0, 0)]')),
+    ),
+    read(
+      '`model:drawMode` of components, and where `model:applyDrawMode` says so',
+      'instead of the model: lines along its axes (`origin`), the edges of its box (`bounds`; by `extentsHint`, else by what is below), or pictures on `cards` (`cross`, `box`)',
+      usd(modelDrawnAs('bounds')),
+      (s) => expect(paths(s)).toEqual(['/M/bounds', '/Rest']),
+    ),
+    approximated(
+      'cards that are placed by their pictures (`model:cardGeometry = "fromTexture"`)',
+      'a cross; reported',
+      'usd.draw-mode',
+      usd(modelDrawnAs('cards', 'uniform token model:cardGeometry = "fromTexture"')),
     ),
     unseen(['HermiteCurves', 'Volume'], 'reported'),
     unseen(['NurbsPatch', 'TetMesh', 'Cylinder_1', 'Capsule_1'], 'reported; export it, or its surface, as a mesh'),

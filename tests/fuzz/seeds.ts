@@ -43,6 +43,7 @@ export async function seeds(): Promise<Seed[]> {
     seed('written.usdc', writeCrate(parseLayer(corpusFile('everything.usda'), 'everything.usda')), false, USD),
     seed('grammar.usda', corpusFile('../../../src/formats/usd/fixtures/grammar.usda'), true),
     seed('strands.usda', corpusFile('strands.usda'), true),
+    seed('models.usda', corpusFile('models.usda'), true, PICTURE),
     seed('lives.usda', corpusFile('../../../src/formats/usd/schema/lives/fixtures/lives.usda'), true),
     seed('everything.usdz', corpusFile('everything.usdz'), false),
     {

@@ -67,6 +67,7 @@ export const DIAGNOSTIC_CODES = {
   'usd.unsupported-arc': 'unsupported values: splines',
   'usd.unsupported-prim': 'an unsupported type of prim',
   'usd.undefined-prim': 'a prim that is only an over: it is not defined',
+  'usd.draw-mode': 'a model:drawMode that cannot be drawn as written',
   'usd.xform-op': 'an unknown transform op, or one without a value',
   'usd.animated-visibility': 'animated visibility of a light without a lifetime, which keeps its value at the start',
   'usd.animated-size': 'an animated size, which keeps its value at the start',

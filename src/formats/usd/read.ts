@@ -16,6 +16,7 @@ import type { Layer } from './layer/layer.ts';
 import { metadataNumber, primAt, primsAlong, stageTimeCode } from './layer/query.ts';
 import { layerParser } from './readLayer.ts';
 import { type StageContext, upAxisOf } from './schema/context.ts';
+import { withDrawModes } from './schema/drawModes/drawModes.ts';
 import { SMOOTH_ROWS } from './schema/geometry/subdivisionScheme.ts';
 import { SampleBudget } from './schema/sampleBudget.ts';
 import { hintsOf } from './schema/slowlightAttributes.ts';
@@ -55,7 +56,8 @@ export async function readUsd(source: FileSource, entry: string, options: ReadOp
     fallbacks: options.variantFallbacks,
   });
   if (options.prim) assertPrim(stage.layer, options.prim, entry);
-  const context = contextOf(stage.layer, files, diagnostics, { ...options, sampleMemory });
+  const composed = contextOf(stage.layer, files, diagnostics, { ...options, sampleMemory });
+  const context = { ...composed, layer: withDrawModes(composed) };
   const contents = await readStage(context);
   reportSubdivision(context);
   if (stage.missingArcs > 0 && contents.objects.length + contents.lights.length === 0)

@@ -40,6 +40,10 @@ const messages: Translation['messages'] = {
   '{} changes with time; it is held at the start': '{1} 随时间变化；已保持起始时的值',
   'it changes with time; it is held at the start': '它随时间变化；已保持起始时的值',
   'an orthographic camera is read as a perspective one': '正交相机已按透视相机读取',
+  'model:drawMode is {}, and nothing tells its size (extentsHint, or points below it); the model itself is drawn':
+    'model:drawMode 为 {1}，但无从得知其大小（extentsHint 或其下的点）；已绘制模型本身',
+  'model:cardGeometry is {}, which is not read ({} are); its cards are a cross':
+    '不支持 model:cardGeometry 的值 {1}（支持 {2}）；其卡片按 cross 放置',
   '{} is not read; it is left out': '不支持读取 {1}；已去掉',
   '{} is not read; it is left out (export it as a mesh)': '不支持读取 {1}；已去掉（请导出为网格）',
   '{} is not read; it is left out (export its surface as a mesh)': '不支持读取 {1}；已去掉（请将其表面导出为网格）',

@@ -13,12 +13,12 @@ import {
   schemas,
   uniform,
 } from '../layer/specs.ts';
+import { bool, ints, LazyTuples, token } from '../layer/values.ts';
 import { gprimContent } from './gprims.ts';
 import { lifeProperties } from './lives.ts';
 import { slowlightMotion, transformOf, type WriteContext } from './motions.ts';
 import { movesUntil, pointTimes, type TurnMotion, type TurnShape, turnMotion, turnsOf } from './pieceMotions.ts';
 import { authoringProperties, extentOf, type MeshSurroundings, meshContent, scaledPoints } from './prims.ts';
-import { bool, ints, LazyTuples, token } from './values.ts';
 
 /** Whether pieces can be written as one prim. */
 export const isOneMesh = (pieces: readonly SceneObject[]): boolean => {

@@ -14,11 +14,11 @@ import {
   schemas,
   uniform,
 } from '../layer/specs.ts';
+import { bool, double, int, token, tokens, tuple } from '../layer/values.ts';
 import { DIVISIONS } from '../schema/geometry/gprims.ts';
 import { lifeProperties } from './lives.ts';
 import { slowlightMotion, transformOf, type WriteContext } from './motions.ts';
 import { authoringProperties, type MeshSurroundings } from './prims.ts';
-import { bool, double, int, token, tokens, tuple } from './values.ts';
 
 /** How the primitives are made, and what USD has of them. */
 interface RoundGprim<S extends QuadricShape> {

@@ -1,7 +1,7 @@
 import type { Lifetime } from '../../../scene/types.ts';
 import { attribute, custom, type Properties } from '../layer/specs.ts';
+import { double, token } from '../layer/values.ts';
 import type { WriteContext } from './motions.ts';
-import { double, token } from './values.ts';
 
 /** When a prim exists: its visibility over time. That would hide prims below it too, so one that has any says it by our own attributes. */
 export function lifeProperties({ lives, isParent, inheritsLife, ...placement }: WriteContext): Properties {

@@ -9,10 +9,10 @@ import { encodeTexture } from '../../image/encodeTexture.ts';
 import { encodeRadiance } from '../../image/radiance/radiance.ts';
 import type { AttributeSpec, Value } from '../layer/layer.ts';
 import { attribute, connected, custom, type PrimContent, type Properties, uniform } from '../layer/specs.ts';
+import { asset, double, float, int, string, token, tuple } from '../layer/values.ts';
 import { pictureOf, spectrumOf } from './lights/lights.ts';
 import { isSpecularWorkflow } from './losses.ts';
 import type { PrimTree } from './primTree.ts';
-import { asset, double, float, int, string, token, tuple } from './values.ts';
 
 const texturesOf = (m: Material): readonly Texture[] =>
   [

@@ -1,7 +1,7 @@
 import type { Vec3 } from '../../../math/vec3.ts';
 import type { Lifetime, Motion, Pose, SampledMotion } from '../../../scene/types.ts';
 import { attribute, custom, type Properties, sampled, uniform } from '../layer/specs.ts';
-import { double, token, tokens, tuple } from './values.ts';
+import { double, token, tokens, tuple } from '../layer/values.ts';
 
 /** How a prim is written. */
 export interface WriteContext {

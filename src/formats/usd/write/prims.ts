@@ -12,10 +12,10 @@ import {
   schemas,
   uniform,
 } from '../layer/specs.ts';
+import { bool, float, floatTuples, ints, LazyTuples, token } from '../layer/values.ts';
 import { boxCorners } from '../schema/geometry/pointSampling.ts';
 import { lifeProperties } from './lives.ts';
 import { slowlightMotion, transformOf, type WriteContext } from './motions.ts';
-import { bool, float, floatTuples, ints, LazyTuples, token } from './values.ts';
 
 /** What a mesh needs of the rest of the scene. */
 export interface MeshSurroundings {

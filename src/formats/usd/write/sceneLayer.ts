@@ -1,6 +1,7 @@
 import { isEternal } from '../../../scene/motion/lifetimes.ts';
 import type { Lifetime, Light, LocalLight, Scene } from '../../../scene/types.ts';
 import type { Dictionary, Layer, MetadataValue, Value } from '../layer/layer.ts';
+import { double, string, token, tuple } from '../layer/values.ts';
 import { isOneMesh, meshOfPieces } from './changingMesh.ts';
 import { lightContent, pictureOf, spectrumOf } from './lights/lights.ts';
 import { MaterialWriter, TextureFiles } from './materials.ts';
@@ -8,7 +9,6 @@ import type { WriteContext } from './motions.ts';
 import { cameraContent } from './prims.ts';
 import { PrimTree } from './primTree.ts';
 import { thingsOf, type WrittenThing } from './things.ts';
-import { double, string, token, tuple } from './values.ts';
 
 /**
  * A scene as a layer. Samples are written as they are: points stay the same f32, poses doubles. Textures are named

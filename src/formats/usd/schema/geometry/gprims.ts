@@ -32,7 +32,12 @@ const cube = (size: number): Mesh => box([size, size, size]);
 
 export const isGprim = (typeName: string): boolean => BUILDERS.has(typeName);
 
-export function gprimGeometry(context: StageContext, prim: PrimSpec, surface: PrimMaterials): PrimGeometry {
+export const gprimGeometry = (context: StageContext, prim: PrimSpec, surface: PrimMaterials): PrimGeometry => ({
+  mesh: withMaterial(gprimMesh(context, prim), surface.base.index),
+});
+
+/** A parametric shape as triangles. */
+export function gprimMesh(context: StageContext, prim: PrimSpec): Mesh {
   const size = (name: string, fallback: number): number => {
     if (sampleTimes(attributeOf(prim, name)).length > 0)
       report(
@@ -49,7 +54,7 @@ export function gprimGeometry(context: StageContext, prim: PrimSpec, surface: Pr
   const axis: Axis = written === 'X' || written === 'Y' ? written : 'Z';
   const count = (name: 'segments' | 'rings') => divisionAt(context, prim, name);
   const mesh = BUILDERS.get(prim.typeName)!(size, { axis, segments: count('segments'), rings: count('rings') });
-  return { mesh: withMaterial(withSides(prim, mesh), surface.base.index) };
+  return withSides(prim, mesh);
 }
 
 /** The fewest and the most polygons along a way that a file may ask for. */

@@ -2,8 +2,8 @@ import { degrees } from '../../../../math/angle.ts';
 import { shortestRotation } from '../../../../math/quat.ts';
 import type { DistantLight, Pose } from '../../../../scene/types.ts';
 import { attribute } from '../../layer/specs.ts';
+import { float } from '../../layer/values.ts';
 import { poseProperties } from '../motions.ts';
-import { float } from '../values.ts';
 import { colorProperties, type LightWriter } from './lightWriter.ts';
 
 export const writeDistantLight: LightWriter<DistantLight> = (light, placement, files) => {

@@ -2,8 +2,8 @@ import { IDENTITY } from '../../../../math/quat.ts';
 import type { DomeLight } from '../../../../scene/types.ts';
 import { SKY_ATTRIBUTES } from '../../../attributes/hints.ts';
 import { attribute, custom, type Properties } from '../../layer/specs.ts';
+import { asset, token, tuple } from '../../layer/values.ts';
 import { poseProperties, type WriteContext } from '../motions.ts';
-import { asset, token, tuple } from '../values.ts';
 import { colorProperties, type LightWriter } from './lightWriter.ts';
 
 export const writeDomeLight: LightWriter<DomeLight> = (light, placement, files) => {

@@ -1,8 +1,8 @@
 import type { Light, SpectrumLight } from '../../../../scene/types.ts';
 import { formatSpectrum, SPECTRUM_ATTRIBUTE } from '../../../attributes/spectrumAttribute.ts';
 import { attribute, custom, type PrimContent, type Properties } from '../../layer/specs.ts';
+import { asset, float, token, tuple } from '../../layer/values.ts';
 import type { WriteContext } from '../motions.ts';
-import { asset, float, token, tuple } from '../values.ts';
 
 /** How lights of a kind are written as prims of UsdLux (docs/adr/0024-light-kinds.md). */
 export type LightWriter<L extends Light> = (light: L, placement: WriteContext, files: LightFiles) => PrimContent;

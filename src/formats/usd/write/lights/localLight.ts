@@ -1,9 +1,9 @@
 import { degrees } from '../../../../math/angle.ts';
 import type { LightShaping, LocalLight } from '../../../../scene/types.ts';
 import { attribute, type Properties, schemas } from '../../layer/specs.ts';
+import { float } from '../../layer/values.ts';
 import { lifeProperties } from '../lives.ts';
 import { slowlightMotion, transformOf } from '../motions.ts';
-import { float } from '../values.ts';
 import { colorProperties, type LightWriter } from './lightWriter.ts';
 
 /** `sizes` [m], by the names of their inputs in the order of the alphabet. */

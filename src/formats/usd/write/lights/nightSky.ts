@@ -2,8 +2,8 @@ import { conjugate, multiply } from '../../../../math/quat.ts';
 import { EQUATORIAL } from '../../../../scene/stars/equatorial.ts';
 import type { NightSky } from '../../../../scene/types.ts';
 import { attribute, custom } from '../../layer/specs.ts';
+import { float, token } from '../../layer/values.ts';
 import { poseProperties } from '../motions.ts';
-import { float, token } from '../values.ts';
 import type { LightWriter } from './lightWriter.ts';
 
 export const writeNightSky: LightWriter<NightSky> = ({ gain, orientation }, placement) => {

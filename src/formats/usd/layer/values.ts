@@ -1,4 +1,4 @@
-import type { TupleType, Value } from '../layer/layer.ts';
+import type { TupleType, Value } from './layer.ts';
 
 /** Values of a layer, by their storage types. */
 export const bool = (data: boolean): Value => ({ type: 'bool', data });
