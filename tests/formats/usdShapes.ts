@@ -415,6 +415,29 @@ const instances: ClaimGroup = {
       (s) => expect(vertexPosition(s.objects[0], 0, 0.5, C)[2]).toBeCloseTo(1, 5),
     ),
     read(
+      'spheres, cubes, cylinders, cones, capsules, points and curves with constant influences of joints',
+      'follow the joints as a whole',
+      usd(
+        body(`${BOUND}\nrel skel:skeleton = </A/S>`, SLIDE)
+          .replace(`def Mesh "M" { ${FACE}`, 'def Cube "M" {')
+          .replaceAll('"vertex"', '"constant"')
+          .replace('[0, 0, 0, 0]', '[0]')
+          .replace('[1, 1, 1, 1]', '[1]'),
+      ),
+      (s) => expect(corner(s, '/A/M', 0, 0.5)[2] - corner(s, '/A/M', 0, 0)[2]).toBeCloseTo(1, 5),
+    ),
+    leftOut(
+      'points and curves whose points follow different joints',
+      'reported; they stay as they are written',
+      'usd.skin',
+      usd(
+        body(`${BOUND}\nrel skel:skeleton = </A/S>`, SLIDE).replace(
+          `def Mesh "M" { ${FACE}`,
+          'def Points "M" { point3f[] points = [(0, 0, 0), (1, 0, 0), (2, 0, 0), (3, 0, 0)]',
+        ),
+      ),
+    ),
+    read(
       '`BlendShape`, with inbetween shapes',
       'deforms its mesh',
       usd(body(SHAPE(UP), `${SLIDE.replace(/float3\[\] tr.*\n/, 'float3[] translations = [(0, 0, 0)]\n')}\n${WEIGHT}`)),

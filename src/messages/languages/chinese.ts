@@ -44,6 +44,9 @@ const messages: Translation['messages'] = {
     'model:drawMode 为 {1}，但无从得知其大小（extentsHint 或其下的点）；已绘制模型本身',
   'model:cardGeometry is {}, which is not read ({} are); its cards are a cross':
     '不支持 model:cardGeometry 的值 {1}（支持 {2}）；其卡片按 cross 放置',
+  'its points follow different joints, which is read of meshes only; these {} stay as they are written':
+    '其各点跟随不同的关节，这仅支持网格；这些 {1} 保持原样',
+  '{} is not constant, and a {} has no points': '{1} 不是 constant，而 {2} 没有点',
   '{} is not read; it is left out': '不支持读取 {1}；已去掉',
   '{} is not read; it is left out (export it as a mesh)': '不支持读取 {1}；已去掉（请导出为网格）',
   '{} is not read; it is left out (export its surface as a mesh)': '不支持读取 {1}；已去掉（请将其表面导出为网格）',

@@ -369,9 +369,9 @@ class StageReader {
   ): Promise<PrimGeometry | undefined> {
     if (STRANDS.has(prim.typeName)) {
       const { strandGeometry } = await import('./strands/strandGeometry.ts');
-      return strandGeometry(context, prim, surface);
+      return carriedBy(skins, prim, strandGeometry(context, prim, surface));
     }
-    if (prim.typeName !== 'Mesh') return gprimGeometry(context, prim, surface);
+    if (prim.typeName !== 'Mesh') return carriedBy(skins, prim, gprimGeometry(context, prim, surface));
     const shape = await meshGeometry(context, skins, prim, surface, piece);
     if (shape && shape.mesh.indices.length > 0) return shape;
     if (shape) report(context, 'warning', 'usd.empty-mesh', prim.path, msg`the mesh has no faces; it is left out`);
@@ -393,6 +393,16 @@ class StageReader {
     const still = placeAtTime(this.context, shape, frame, poseTime * this.context.codesPerSecond);
     return { mesh: still.mesh, motion: closedFormMotion(this.context, path, still.motion.pose, directions) };
   }
+}
+
+/** A shape where the joints that it follows as a whole bring it. */
+function carriedBy<Shape extends PrimGeometry | undefined>(
+  skins: Skins | undefined,
+  prim: PrimSpec,
+  shape: Shape,
+): Shape {
+  const transform = shape && skins?.frameOf(prim);
+  return transform ? { ...shape, transform } : shape;
 }
 
 type ObjectGeometry = Pick<SceneObject, 'mesh' | 'motion'>;

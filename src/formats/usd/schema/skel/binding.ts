@@ -38,8 +38,8 @@ export class Skeletons {
     this.context = context;
   }
 
-  /** Undefined if the mesh is not bound, or, with a diagnostic, if its binding is invalid. */
-  bindingOf(mesh: PrimSpec, points: number): SkelBinding | undefined {
+  /** Undefined if the mesh, or a shape without `points`, is not bound, or, with a diagnostic, if its binding is invalid. */
+  bindingOf(mesh: PrimSpec, points: number | undefined): SkelBinding | undefined {
     const { layer } = this.context;
     if (!nearestAncestor(layer, mesh.path, (prim) => prim.typeName === 'SkelRoot')) return undefined;
     const path = nearestTarget(layer, mesh.path, SKELETON);
@@ -78,7 +78,7 @@ export function jointsOf(
   context: StageContext,
   mesh: PrimSpec,
   skeleton: Skeleton,
-  points: number,
+  points: number | undefined,
 ): JointBinding | Message {
   const geomBind = geomBindOf(context, mesh);
   const places = jointPlaces(context, mesh, skeleton);
@@ -94,7 +94,8 @@ export function jointsOf(
   const isRigid = (metadataText(indices!.metadata, 'interpolation') ?? 'constant') === 'constant';
   if (!(Number.isInteger(perPoint) && perPoint > 0 && perPoint <= MAX_INFLUENCES))
     return msg`${INDICES} has elementSize ${perPoint}, not 1 to ${MAX_INFLUENCES}`;
-  const needed = (isRigid ? 1 : points) * perPoint;
+  if (!isRigid && points === undefined) return msg`${INDICES} is not constant, and a ${mesh.typeName} has no points`;
+  const needed = (isRigid ? 1 : points!) * perPoint;
   if (joints.length !== needed)
     return msg`${INDICES} has ${joints.length} values; with elementSize ${perPoint} and interpolation ${isRigid ? 'constant' : 'vertex'} it needs ${needed}`;
   const bad = joints.findIndex((j) => !(j >= 0 && j < places.length));

@@ -1,6 +1,8 @@
 import * as mat4 from '../../../../math/mat4.ts';
+import { msg } from '../../../../messages/message.ts';
 import type { Mesh } from '../../../../scene/types.ts';
 import { blendMatrices, type SkinInfluences } from '../../../read/skinning.ts';
+import { report } from '../../diagnostics.ts';
 import { numbersAt } from '../../layer/attributes.ts';
 import type { PrimSpec } from '../../layer/layer.ts';
 import type { StageContext } from '../context.ts';
@@ -50,6 +52,19 @@ export class Skins {
     this.skeletons = new Skeletons(context);
   }
 
+  /** The transform of a shape that follows joints as a whole; undefined if it follows none, or, with a diagnostic, if its points would follow different ones. */
+  frameOf(shape: PrimSpec): StageTransform | undefined {
+    const points = numbersAt(shape, 'points', this.context.startCode);
+    const binding = this.skeletons.bindingOf(shape, points && points.length / 3);
+    if (!binding?.joints) return undefined;
+    const { context } = this;
+    if (binding.joints.isRigid)
+      return commonFrame(new SkinDeformer(context, shape, false, binding, undefined), binding);
+    const message = msg`its points follow different joints, which is read of meshes only; these ${shape.typeName} stay as they are written`;
+    report(context, 'warning', 'usd.skin', shape.path, message);
+    return undefined;
+  }
+
   /** Undefined if nothing deforms the mesh. */
   skinOf(mesh: PrimSpec, points: { readonly count: number; readonly times: Float64Array }): Skin | undefined {
     const { context } = this;
@@ -86,23 +101,25 @@ export class Skins {
   }
 }
 
-function rigidSkin(bend: SkinDeformer, { skeleton, joints }: SkelBinding): Skin {
+/** Where all points are, if they move alike. */
+function commonFrame(bend: SkinDeformer, { skeleton }: SkelBinding): StageTransform {
   const { transform, animation } = skeleton;
-  const matrix: number[] = [...mat4.IDENTITY];
-  const matrixAt = (time: number): mat4.Mat4 => {
-    blendMatrices(matrix, bend.boundAt(time), 12, joints!.influences, 0);
-    return mat4.multiply(transform.matrixAt(time), matrix);
-  };
+  const matrixAt = (time: number): mat4.Mat4 => mat4.multiply(transform.matrixAt(time), bend.frameAt(time));
   const times = unionOfTimes([transform.times, animation?.times ?? new Float64Array(0)]);
   const start = bend.context.startCode;
   const fixed = times.length === 0 ? matrixAt(start) : undefined;
   return {
+    times,
+    cost: transform.cost + skeleton.joints.length,
+    matrixAt: (time) => fixed ?? matrixAt(time ?? start),
+  };
+}
+
+function rigidSkin(bend: SkinDeformer, binding: SkelBinding): Skin {
+  const start = bend.context.startCode;
+  return {
     times: new Float64Array(0),
-    transform: {
-      times,
-      cost: transform.cost + skeleton.joints.length,
-      matrixAt: (time) => fixed ?? matrixAt(time ?? start),
-    },
+    transform: commonFrame(bend, binding),
     isRigid: true,
     cost: 0,
     pointsAt: () => Float64Array.from(numbersAt(bend.mesh, 'points', start)!),
@@ -159,12 +176,22 @@ class SkinDeformer {
       for (let i = 0; i < which.length; i++) for (let k = 0; k < 3; k++) out[3 * i + k] = all[3 * which[i] + k];
     this.shapes?.addTo(out, 'points', time, which);
     const { joints } = this.binding;
-    if (!joints) return out;
-    const { influences } = joints;
-    const pointOf = joints.isRigid ? () => 0 : (i: number) => (which ? which[i] : i);
-    if (joints.method === 'classicLinear') skinPoints(out, this.boundAt(time), influences, pointOf);
-    else this.carryDual(out, time, influences, pointOf);
+    if (joints) this.carry(out, time, joints.isRigid ? () => 0 : (i) => (which ? which[i] : i));
     return out;
+  }
+
+  /** Mesh space to skeleton space of points that have all the same influences: where the origin and the tips of the axes are. */
+  frameAt(time: number): mat4.Mat4 {
+    const at = Float64Array.of(0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1);
+    this.carry(at, time, () => 0);
+    const row = (k: number): number[] => [at[3 + k] - at[k], at[6 + k] - at[k], at[9 + k] - at[k], at[k]];
+    return [...row(0), ...row(1), ...row(2), 0, 0, 0, 1];
+  }
+
+  private carry(out: Float64Array, time: number, pointOf: (i: number) => number): void {
+    const { influences, method } = this.binding.joints!;
+    if (method === 'classicLinear') skinPoints(out, this.boundAt(time), influences, pointOf);
+    else this.carryDual(out, time, influences, pointOf);
   }
 
   private carryDual(out: Float64Array, time: number, influences: SkinInfluences, pointOf: (i: number) => number): void {
