@@ -51,7 +51,7 @@ export function blendedArm(times: Float64Array, origin: Vec3 = [0, 0, 0], segmen
       weights: Float32Array.from({ length: 2 * vertices }, (_, i) => (i % 2 ? bend[i >> 1] : 1 - bend[i >> 1])),
     },
     binds,
-    poses: jointPoses(times.length, 2, (k, out) => {
+    poses: jointPoses(times.length, { names: ['Upper', 'Lower'], parents: [-1, 0] }, (k, out) => {
       frames(times[k]).forEach((m, j) => {
         out.set(m.slice(0, MATRIX), MATRIX * j);
       });

@@ -12,7 +12,7 @@ import { motionKind } from '../../scene/motion/motions.ts';
 import { displacementBounds } from '../../scene/streaming/blendedBounds.ts';
 import { normalsAt, pointsAt, vertexSamples, withListedPoints } from '../../scene/streaming/samplePoints.ts';
 import type { SampledPointsMotion, SceneObject } from '../../scene/types.ts';
-import { blendedSkin, jointPoses } from './blendedSkin.ts';
+import { blendedSkin, jointPoses, ONE_JOINT } from './blendedSkin.ts';
 
 const C = 1e9;
 const TIMES = Float64Array.from({ length: 12 }, (_, k) => 0.3 * k + 0.02 * k * k);
@@ -109,7 +109,7 @@ describe('blended points', () => {
       shapes: [],
       shapeWeights: new Float64Array(0),
       skin: { perPoint: weights.length, joints: weights.map(() => 0), weights },
-      poses: jointPoses(1, 1, (_, out) => out.set(matrix)),
+      poses: jointPoses(1, ONE_JOINT, (_, out) => out.set(matrix)),
       origin: [10, 0, 0],
     });
   const SHIFT = [1, 0, 0, 5, 0, 1, 0, 0, 0, 0, 1, 0];

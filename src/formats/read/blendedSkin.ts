@@ -1,6 +1,12 @@
 import { fromParts, IDENTITY, type Mat4 } from '../../math/mat4.ts';
 import type { Vec3 } from '../../math/vec3.ts';
-import { type BlendedPoints, type JointPoses, MATRIX, type RestShape } from '../../scene/streaming/blendedPoints.ts';
+import {
+  type BlendedPoints,
+  type JointPoses,
+  type JointTree,
+  MATRIX,
+  type RestShape,
+} from '../../scene/streaming/blendedPoints.ts';
 import type { SkinInfluences } from './skinning.ts';
 
 /** A mesh that follows joints, at the nodes of a time grid. */
@@ -30,16 +36,20 @@ const MAX_COORDINATE = 1e30;
  */
 export function jointPoses(
   nodes: number,
-  joints: number,
+  tree: JointTree,
   write: (node: number, out: Float64Array) => void,
 ): JointPoses {
+  const joints = tree.names.length;
   const matrices = new Float64Array(MATRIX * (joints + 1) * nodes);
   for (let k = 0; k < nodes; k++) {
     const at = MATRIX * (joints + 1) * k;
     write(k, matrices.subarray(at, at + MATRIX * (joints + 1)));
   }
-  return { joints: joints + 1, matrices };
+  return { tree, joints: joints + 1, matrices };
 }
+
+/** Of a mesh that moves as a whole: one frame. */
+export const ONE_JOINT: JointTree = { names: ['Joint'], parents: [-1] };
 
 /** The points of a skin at all nodes. Weights that do not add up to 1 leave the rest of a vertex at the world's origin, as a plain sum does. */
 export function blendedSkin(shape: SkinnedShape): BlendedPoints {

@@ -79,11 +79,12 @@ export function transformMesh(mesh: Mesh, m: Mat4): Mesh {
     positions.set(transformPoint(m, pointAt(mesh.positions, v)), 3 * v);
     normals.set(normalize(transform(normalMatrix, normal), normal), 3 * v);
   }
-  const indices = mirrored ? turned(mesh.indices) : mesh.indices;
+  const indices = mirrored ? flippedWinding(mesh.indices) : mesh.indices;
   return { ...withoutQuadric(mesh), positions, normals, indices, ...transformedQuadric(mesh.quadric, m) };
 }
 
-function turned(indices: Uint32Array): Uint32Array {
+/** Triangles with the other side as their front. */
+export function flippedWinding(indices: Uint32Array): Uint32Array {
   const out = indices.slice();
   for (let i = 0; i + 2 < out.length; i += 3) {
     out[i + 1] = indices[i + 2];

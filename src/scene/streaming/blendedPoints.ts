@@ -1,7 +1,16 @@
 import { type Mat4, multiply } from '../../math/mat4.ts';
 
+/** How joints hang together. */
+export interface JointTree {
+  readonly names: readonly string[];
+  /** By joint the index of its parent, which need not come first; −1 for those without. */
+  readonly parents: ArrayLike<number>;
+}
+
 /** Frames of joints at the nodes of a time grid; shared by all meshes that follow them. */
 export interface JointPoses {
+  /** Of all joints but the last, which is where the rest of incomplete weights is. */
+  readonly tree: JointTree;
   /** Number of joints. */
   readonly joints: number;
   /** By node and joint 12 numbers: the rows of the 3 × 4 matrix from the joint's axes to the world [m]. */

@@ -4,7 +4,7 @@ import { multiply as after, fromMatrix, type Quat, toMatrix } from '../../../mat
 import { add, scale, type Vec3, ZERO } from '../../../math/vec3.ts';
 import { msg } from '../../../messages/message.ts';
 import { boundingBox } from '../../../scene/bounds/bounds.ts';
-import { transformMesh } from '../../../scene/mesh/meshOps.ts';
+import { flippedWinding, transformMesh } from '../../../scene/mesh/meshOps.ts';
 import { AdaptivePath, type SampledTimes, SamplingBudget } from '../../../scene/motion/adaptiveSampling.ts';
 import {
   type JointPoses,
@@ -106,7 +106,7 @@ export class Baker {
       ...(skin && deformer.isSkinned && { skin }),
     });
     const bent = { ...mesh, positions: makeBlendedPoints(points, 0), normals: makeBlendedNormals(points, 0) };
-    const shown = deformer.isMirroredAt(times[0]) ? turnedRound(bent) : bent;
+    const shown = deformer.isMirroredAt(times[0]) ? { ...bent, indices: flippedWinding(bent.indices) } : bent;
     if (times.length < 2) return { mesh: shown, motion: resting(origin) };
     return { mesh: shown, motion: { kind: 'sampled-points', times, origin, points } };
   }
@@ -184,11 +184,11 @@ export class Baker {
   ): JointGrid {
     const known = deformer.skeleton !== undefined && this.grids.get(deformer.skeleton);
     if (known) return known;
-    const { binds, weightsAt } = deformer;
+    const { weightsAt } = deformer;
     const framesAt = (t: number): Float64Array => flatFrames(deformer.framesAt(t));
     const peers = deformer.skeleton === undefined ? [outlined(geometry, deformer)] : peersOf();
     const times = this.gridTimes(frame, deformer, peers, framesAt);
-    const poses = jointPoses(times.length, binds.length, (k, out) => out.set(framesAt(times[k])));
+    const poses = jointPoses(times.length, deformer.tree, (k, out) => out.set(framesAt(times[k])));
     const shapes = geometry.morphs.length;
     const shapeWeights = new Float64Array(shapes * times.length);
     if (shapes > 0)
@@ -311,9 +311,3 @@ function centerOf(points: ArrayLike<number>): Vec3 {
 }
 
 const resting = (position: Vec3): StaticMotion => ({ kind: 'static', pose: { position, orientation: [0, 0, 0, 1] } });
-
-function turnedRound(mesh: Mesh): Mesh {
-  const indices = mesh.indices.slice();
-  for (let i = 0; i + 2 < indices.length; i += 3) [indices[i + 1], indices[i + 2]] = [indices[i + 2], indices[i + 1]];
-  return { ...mesh, indices };
-}

@@ -3,6 +3,8 @@ import { determinant } from '../../../math/mat3.ts';
 import { IDENTITY, linearPart, type Mat4, multiply } from '../../../math/mat4.ts';
 import { normalize } from '../../../math/vec3.ts';
 import { msg } from '../../../messages/message.ts';
+import type { JointTree } from '../../../scene/streaming/blendedPoints.ts';
+import { ONE_JOINT } from '../../read/blendedSkin.ts';
 import { type GltfContext, gltfError } from '../context.ts';
 import { floatsOf } from './accessors.ts';
 import type { AnimationCurve } from './curves.ts';
@@ -16,6 +18,7 @@ export interface Deformer {
   /** From the rest shape to the axes of each joint; one for a mesh that follows its node. */
   readonly binds: readonly Mat4[];
   readonly isSkinned: boolean;
+  readonly tree: JointTree;
   /** Names its joints, if nothing else moves it, so that it shares their times with other meshes. */
   readonly skeleton?: string;
   /** From the axes of each joint to the world. */
@@ -50,11 +53,25 @@ export function makeDeformer(
     curves: [...movers, ...(weightsCurve ? [weightsCurve] : [])],
     binds,
     isSkinned: joints !== undefined,
+    tree: joints ? jointTree(joints.map((j) => j.node)) : ONE_JOINT,
     ...(joints && !weightsCurve && { skeleton: skeletonOf(tree, node) }),
     framesAt,
     weightsAt,
     isMirroredAt: (t) => determinant(linearPart(multiply(framesAt(t)[0], binds[0]))) < 0,
   };
+}
+
+/** A joint's parent is the nearest node above it that is a joint. */
+function jointTree(joints: readonly GltfNode[]): JointTree {
+  const places = new Map(joints.map((node, j) => [node, j]));
+  const parentOf = (joint: GltfNode): number => {
+    for (let node = joint.getParentNode(); node; node = node.getParentNode()) {
+      const place = places.get(node);
+      if (place !== undefined) return place;
+    }
+    return -1;
+  };
+  return { names: joints.map((node, j) => node.getName() || `Joint${j}`), parents: joints.map(parentOf) };
 }
 
 /** Names the joints of a node's skin: skins with the same joints move together. */

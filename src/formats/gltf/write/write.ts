@@ -15,16 +15,19 @@ import {
   orientationYUp,
   vectorYUp,
 } from '../../write/exportMotion.ts';
+import { ancestors, commonAncestor } from '../../write/paths.ts';
+import { skeletonsOf, type WrittenSkeleton } from '../../write/skeletons.ts';
 import { KHR_MATERIALS } from '../materialExtensions.ts';
 import { punctualLight } from './lights.ts';
 import { AnimationWriter } from './writeAnimation.ts';
 import { MeshWriter } from './writeMeshes.ts';
+import { isGltfSkeleton, SkinWriter } from './writeSkins.ts';
 
 const EXTENSIONS = [KHRLightsPunctual, ...KHR_MATERIALS];
 
 /**
- * A scene as glTF 2.0, in metres with Y up. Rigid samples become animated translations and rotations, deforming points
- * morph targets; all numbers are f32. `name`: of the file, with the extension `glb` (one file) or `gltf`.
+ * A scene as glTF 2.0, in metres with Y up. Rigid samples become animated translations and rotations, joints skins, other
+ * deforming points morph targets; all numbers are f32. `name`: of the file, with the extension `glb` (one file) or `gltf`.
  */
 export async function writeGltf(scene: Scene, name: string): Promise<ExportedScene> {
   const losses = new DiagnosticLog(name);
@@ -48,6 +51,7 @@ class GltfWriter {
   private readonly losses: DiagnosticLog;
   private readonly meshes: MeshWriter;
   private readonly animations: AnimationWriter;
+  private readonly skins: SkinWriter;
 
   constructor(scene: Scene, losses: DiagnosticLog) {
     this.scene = scene;
@@ -59,12 +63,15 @@ class GltfWriter {
     this.document.getRoot().setDefaultScene(this.root);
     this.meshes = new MeshWriter(this.document, buffer, scene, losses);
     this.animations = new AnimationWriter(this.document, buffer, scene, losses);
+    this.skins = new SkinWriter({ document: this.document, buffer, scene, losses }, this.meshes, this.animations);
   }
 
   write(): Document {
     const { scene, losses } = this;
     this.addHints();
-    for (const object of exportObjects(scene, losses)) {
+    const { skeletons, others } = skeletonsOf(exportObjects(scene, losses), isGltfSkeleton);
+    for (const skeleton of skeletons) this.addSkeleton(skeleton);
+    for (const object of others) {
       const node = this.placed(object.path, 'Mesh', object.motion);
       const weights = this.meshes.addTo(node, object);
       if (weights) this.animations.addWeights(node, weights);
@@ -116,12 +123,29 @@ class GltfWriter {
     this.losses.add('info', 'convert.light', light.path, message);
   }
 
-  /** A node of its own, at its place in the world at each time: the nodes above it only name it. */
-  private placed(path: string, kind: string, motion: ExportMotion): GltfNode {
+  /** Joints are below what all their meshes are below. */
+  private addSkeleton(skeleton: WrittenSkeleton): void {
+    const meshNode = (path: string): GltfNode => this.nodeAt(path, 'Mesh');
+    if (this.skins.writeCarried(skeleton, meshNode)) return;
+    const root = this.document.createNode('Skeleton');
+    const above = commonAncestor(skeleton.skins.map(({ object }) => object.path));
+    if (above) this.group(above).addChild(root);
+    else this.root.addChild(root);
+    this.skins.write(skeleton, root, meshNode);
+  }
+
+  /** A node of its own for the thing at a path. */
+  private nodeAt(path: string, kind: string): GltfNode {
     const group = this.group(path);
     const node = this.taken.has(path) ? this.document.createNode(kind) : group;
     this.taken.add(path);
     if (node !== group) group.addChild(node);
+    return node;
+  }
+
+  /** At its place in the world at each time: the nodes above it only name it. */
+  private placed(path: string, kind: string, motion: ExportMotion): GltfNode {
+    const node = this.nodeAt(path, kind);
     const [first] = exportPoses(motion);
     node
       .setTranslation([...vectorYUp(this.scene, first.position)])
@@ -141,12 +165,6 @@ class GltfWriter {
     else this.root.addChild(node);
     return node;
   }
-}
-
-/** `/A/B/C` → `/A/B`, `/A` */
-function ancestors(path: string): string[] {
-  const end = path.lastIndexOf('/');
-  return end > 0 ? [path.slice(0, end), ...ancestors(path.slice(0, end))] : [];
 }
 
 /** Said of a spectrum that has no name. */

@@ -5,6 +5,9 @@ import type { Motion, SampledMotion, Scene } from '../../../scene/types.ts';
 import type { DiagnosticLog } from '../../diagnostics/diagnosticLog.ts';
 import { exportPoses, orientationYUp, vectorYUp } from '../../write/exportMotion.ts';
 
+type KeyedProperty = 'translation' | 'rotation' | 'scale' | 'weights';
+const TYPES = { translation: 'VEC3', rotation: 'VEC4', scale: 'VEC3', weights: 'SCALAR' } as const;
+
 /** Keys of glTF are f32 and not before 0: the scene's times, moved where they are, and those that f32 tells apart. */
 export class AnimationWriter {
   private readonly document: Document;
@@ -13,6 +16,7 @@ export class AnimationWriter {
   /** How much later all is [s]. */
   readonly shift: number;
   private made: Animation | undefined;
+  private readonly times = new Map<string, Accessor>();
 
   constructor(document: Document, buffer: Buffer, scene: Scene, losses: DiagnosticLog) {
     this.document = document;
@@ -31,49 +35,61 @@ export class AnimationWriter {
   }
 
   addPoses(node: GltfNode, motion: SampledMotion): void {
-    const { keys, times } = this.keysOf(motion.times);
     const poses = exportPoses(motion);
-    const positions = keys.flatMap((i) => vectorYUp(this.scene, poses[i].position));
-    const orientations = keys.flatMap((i) => orientationYUp(this.scene, poses[i].orientation));
-    if (moves(positions, 3)) this.channel(node, 'translation', times, this.values('VEC3', positions));
-    if (moves(orientations, 4)) this.channel(node, 'rotation', times, this.values('VEC4', orientations));
+    this.addKeys(node, motion.times, {
+      translation: poses.map(({ position }) => vectorYUp(this.scene, position)),
+      rotation: poses.map(({ orientation }) => orientationYUp(this.scene, orientation)),
+    });
   }
 
   /** At each time one morph target alone counts, at the first none: between times the points move straight. */
   addWeights(node: GltfNode, motion: { readonly times: Float64Array }): void {
-    const { keys, times } = this.keysOf(motion.times);
     const targets = motion.times.length - 1;
-    const weights = keys.flatMap((key) => Array.from({ length: targets }, (_, i) => (i + 1 === key ? 1 : 0)));
-    this.channel(node, 'weights', times, this.values('SCALAR', weights));
+    const weights = Array.from(motion.times, (_, key) =>
+      Array.from({ length: targets }, (_, i) => (i + 1 === key ? 1 : 0)),
+    );
+    this.addKeys(node, motion.times, { weights });
   }
 
-  private keysOf(all: Float64Array): { keys: number[]; times: Accessor } {
+  /** Values of a node at rising times [s], linear between them; what is the same at all times is left out. */
+  addKeys(
+    node: GltfNode,
+    allTimes: ArrayLike<number>,
+    values: Partial<Record<KeyedProperty, readonly (readonly number[])[]>>,
+  ): void {
+    const { keys, times } = this.keysOf(allTimes);
+    for (const [path, all] of Object.entries(values) as [KeyedProperty, readonly (readonly number[])[]][]) {
+      if (!all.some((value) => value.some((x, i) => x !== all[0][i]))) continue;
+      const output = this.values(
+        TYPES[path],
+        keys.flatMap((i) => all[i]),
+      );
+      this.channel(node, path, times(), output);
+    }
+  }
+
+  /** The keys that f32 tells apart; equal times are one accessor. */
+  private keysOf(all: ArrayLike<number>): { keys: number[]; times: () => Accessor } {
     const rounded = Float32Array.from(all, (t) => t + this.shift);
     const keys = [...rounded.keys()].filter((i) => i === 0 || rounded[i] > rounded[i - 1]);
-    return {
-      keys,
-      times: this.values(
-        'SCALAR',
-        keys.map((i) => rounded[i]),
-      ),
+    const kept = keys.map((i) => rounded[i]);
+    const name = kept.join(' ');
+    const times = (): Accessor => {
+      const known = this.times.get(name) ?? this.values('SCALAR', kept);
+      this.times.set(name, known);
+      return known;
     };
+    return { keys, times };
   }
 
   private values(type: 'SCALAR' | 'VEC3' | 'VEC4', numbers: readonly number[]): Accessor {
     return this.document.createAccessor().setType(type).setArray(Float32Array.from(numbers)).setBuffer(this.buffer);
   }
 
-  private channel(
-    node: GltfNode,
-    path: 'translation' | 'rotation' | 'weights',
-    times: Accessor,
-    output: Accessor,
-  ): void {
+  private channel(node: GltfNode, path: KeyedProperty, times: Accessor, output: Accessor): void {
     this.made ??= this.document.createAnimation('Motion');
     const sampler = this.document.createAnimationSampler().setInput(times).setOutput(output).setInterpolation('LINEAR');
     const channel = this.document.createAnimationChannel().setTargetNode(node).setTargetPath(path).setSampler(sampler);
     this.made.addSampler(sampler).addChannel(channel);
   }
 }
-
-const moves = (values: readonly number[], width: number): boolean => values.some((x, i) => x !== values[i % width]);

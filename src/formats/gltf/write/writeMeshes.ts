@@ -1,6 +1,7 @@
 import type { Accessor, Buffer, Document, Node as GltfNode, Primitive } from '@gltf-transform/core';
 import { msg } from '../../../messages/message.ts';
 import { pointSamples } from '../../../scene/motion/motion.ts';
+import type { RestShape } from '../../../scene/streaming/blendedPoints.ts';
 import { normalsAt, pointsAt } from '../../../scene/streaming/samplePoints.ts';
 import type { Mesh, MeshGroup, SampledPointsMotion, Scene, SceneObject } from '../../../scene/types.ts';
 import type { DiagnosticLog } from '../../diagnostics/diagnosticLog.ts';
@@ -11,6 +12,22 @@ import { GltfMaterialWriter } from './writeMaterials.ts';
 export const MAX_MORPH_TARGETS = 128;
 
 type ExportObject = SceneObject & { readonly motion: ExportMotion };
+
+/** What the vertices of a mesh are, in the axes of its node, and how they bend. */
+export interface WrittenShape {
+  readonly rest: RestShape;
+  /** Displacements at weight 1. */
+  readonly targets: readonly RestShape[];
+  readonly influences?: VertexInfluences;
+}
+
+/** Joints and weights by vertex, the heaviest first; attributes hold four each. */
+export interface VertexInfluences {
+  /** A multiple of 4. */
+  readonly perVertex: number;
+  readonly joints: Uint16Array;
+  readonly weights: Float32Array;
+}
 
 /** Writes the meshes of a scene: a primitive for each run of a material, with the vertices that it uses. */
 export class MeshWriter {
@@ -41,23 +58,26 @@ export class MeshWriter {
         path,
         msg`its points go along cubics; there they go straight`,
       );
-    const made = this.document.createMesh(node.getName());
-    for (const group of mesh.groups) made.addPrimitive(this.primitive(mesh, group, deforming, isWritten));
-    node.setMesh(made);
+    const rest = deforming ? sampleOf(mesh, deforming, 0) : mesh;
+    const later = isWritten ? [...deforming.times.keys()].slice(1) : [];
+    const targets = later.map((k) => difference(sampleOf(mesh, deforming!, k), rest));
+    this.addShape(node, mesh, { rest, targets });
     return isWritten ? deforming : undefined;
   }
 
-  private primitive(mesh: Mesh, group: MeshGroup, motion: SampledPointsMotion | undefined, moves: boolean): Primitive {
+  addShape(node: GltfNode, mesh: Mesh, shape: WrittenShape): void {
+    const made = this.document.createMesh(node.getName());
+    for (const group of mesh.groups) made.addPrimitive(this.primitive(mesh, group, shape));
+    node.setMesh(made);
+  }
+
+  private primitive(mesh: Mesh, group: MeshGroup, { rest, targets, influences }: WrittenShape): Primitive {
     const { indices, vertices } = compact(mesh.indices.subarray(group.start, group.start + group.count));
-    const own = (values: Float32Array): Float32Array => taken(values, vertices, 3);
-    const times = motion && (moves ? motion.times : motion.times.subarray(0, 1));
-    const points = times ? Array.from(times, (_, k) => own(pointsAt(motion, k))) : [own(mesh.positions)];
-    const shaded = motion !== undefined && normalsAt(motion, 0) !== undefined;
-    const normals = shaded ? points.map((_, k) => own(normalsAt(motion, k)!)) : [own(mesh.normals)];
+    const vectors = (values: Float32Array): Accessor => this.values('VEC3', taken(values, vertices, 3));
     const primitive = this.document
       .createPrimitive()
-      .setAttribute('POSITION', this.values('VEC3', points[0]))
-      .setAttribute('NORMAL', this.values('VEC3', normals[0]))
+      .setAttribute('POSITION', vectors(rest.positions))
+      .setAttribute('NORMAL', vectors(rest.normals))
       // v counts down from the top.
       .setAttribute(
         'TEXCOORD_0',
@@ -66,24 +86,51 @@ export class MeshWriter {
           taken(mesh.uvs, vertices, 2).map((x, i) => (i % 2 ? 1 - x : x)),
         ),
       )
-      .setIndices(this.document.createAccessor().setType('SCALAR').setArray(indices).setBuffer(this.buffer))
+      .setIndices(this.values('SCALAR', indices))
       .setMaterial(this.materials.of(group.material, mesh.doubleSided));
-    if (mesh.colors) primitive.setAttribute('COLOR_0', this.values('VEC3', taken(mesh.colors, vertices, 3)));
-    for (let k = 1; moves && k < points.length; k++) {
-      const target = this.document.createPrimitiveTarget();
-      target.setAttribute('POSITION', this.values('VEC3', difference(points[k], points[0])));
-      if (normals[k]) target.setAttribute('NORMAL', this.values('VEC3', difference(normals[k], normals[0])));
-      primitive.addTarget(target);
-    }
+    if (mesh.colors) primitive.setAttribute('COLOR_0', vectors(mesh.colors));
+    if (influences) this.addInfluences(primitive, influences, vertices);
+    for (const { positions, normals } of targets)
+      primitive.addTarget(
+        this.document
+          .createPrimitiveTarget()
+          .setAttribute('POSITION', vectors(positions))
+          .setAttribute('NORMAL', vectors(normals)),
+      );
     return primitive;
   }
 
-  private values(type: 'VEC2' | 'VEC3', array: Float32Array): Accessor {
-    return this.document.createAccessor().setType(type).setArray(Float32Array.from(array)).setBuffer(this.buffer);
+  private addInfluences(
+    primitive: Primitive,
+    { perVertex, joints, weights }: VertexInfluences,
+    vertices: Uint32Array,
+  ): void {
+    const fours = perVertex / 4;
+    for (let set = 0; set < fours; set++) {
+      const own = vertices.map((v) => fours * v + set);
+      primitive
+        .setAttribute(`JOINTS_${set}`, this.values('VEC4', taken(joints, own, 4)))
+        .setAttribute(`WEIGHTS_${set}`, this.values('VEC4', taken(weights, own, 4)));
+    }
+  }
+
+  private values(type: 'SCALAR' | 'VEC2' | 'VEC3' | 'VEC4', array: VertexNumbers): Accessor {
+    return this.document.createAccessor().setType(type).setArray(array).setBuffer(this.buffer);
   }
 }
 
-const difference = (a: Float32Array, b: Float32Array): Float32Array => a.map((x, i) => x - b[i]);
+type VertexNumbers = Float32Array<ArrayBuffer> | Uint16Array<ArrayBuffer> | Uint32Array<ArrayBuffer>;
+
+/** A deforming mesh at one of its samples. */
+const sampleOf = ({ normals }: Mesh, motion: SampledPointsMotion, k: number): RestShape => ({
+  positions: pointsAt(motion, k),
+  normals: normalsAt(motion, k) ?? normals,
+});
+
+const difference = (a: RestShape, b: RestShape): RestShape => ({
+  positions: a.positions.map((x, i) => x - b.positions[i]),
+  normals: a.normals.map((x, i) => x - b.normals[i]),
+});
 
 /** The vertices that triangles use, rising, and the triangles of them. */
 function compact(indices: Uint32Array): { indices: Uint32Array<ArrayBuffer>; vertices: Uint32Array } {
@@ -92,8 +139,9 @@ function compact(indices: Uint32Array): { indices: Uint32Array<ArrayBuffer>; ver
   return { indices: Uint32Array.from(indices, (v) => places.get(v)!), vertices };
 }
 
-function taken(values: Float32Array, vertices: Uint32Array, width: number): Float32Array {
-  const out = new Float32Array(vertices.length * width);
+function taken<T extends Float32Array | Uint16Array>(values: T, vertices: Uint32Array, width: number) {
+  const size = vertices.length * width;
+  const out = values instanceof Float32Array ? new Float32Array(size) : new Uint16Array(size);
   vertices.forEach((v, i) => {
     out.set(values.subarray(width * v, width * v + width), width * i);
   });

@@ -1,5 +1,6 @@
 import { isEternal } from '../../../scene/motion/lifetimes.ts';
 import type { Lifetime, Light, LocalLight, Scene } from '../../../scene/types.ts';
+import { ancestors } from '../../write/paths.ts';
 import type { Dictionary, Layer, MetadataValue, Value } from '../layer/layer.ts';
 import { double, string, token, tuple } from '../layer/values.ts';
 import { isOneMesh, meshOfPieces } from './changingMesh.ts';
@@ -76,12 +77,6 @@ function lightThings(lights: readonly Light[], around: ReadonlySet<string>): Wri
 }
 
 const pathOfWhole = (item: { readonly path: string; readonly pieceOf?: string }): string => item.pieceOf ?? item.path;
-
-/** `/A/B/C` → `/A/B`, `/A` */
-function ancestors(path: string): string[] {
-  const end = path.lastIndexOf('/');
-  return end > 0 ? [path.slice(0, end), ...ancestors(path.slice(0, end))] : [];
-}
 
 function metadataOf(scene: Scene, [first]: readonly string[]): Map<string, MetadataValue> {
   const code = (t: number): Value => double(t * scene.timeCodesPerSecond);

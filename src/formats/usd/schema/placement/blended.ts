@@ -9,7 +9,7 @@ import {
   makeBlendedPoints,
 } from '../../../../scene/streaming/blendedPoints.ts';
 import type { Mesh } from '../../../../scene/types.ts';
-import { blendedSkin, jointPoses } from '../../../read/blendedSkin.ts';
+import { blendedSkin, jointPoses, ONE_JOINT } from '../../../read/blendedSkin.ts';
 import type { StageContext } from '../context.ts';
 import type { LinearBlend, PlacedMesh, PoseGrid, PrimGeometry } from '../geometry/primGeometry.ts';
 import { Memo } from '../transforms/memo.ts';
@@ -60,7 +60,7 @@ const AFFINE_MESHES = new Memo<PlacedMesh>();
 /** A mesh whose frame scales or shears it along the way: of one joint, the frame. */
 export function placeAffine(context: StageContext, mesh: Mesh, world: StageTransform, times: Float64Array): PlacedMesh {
   return AFFINE_MESHES.getOrCreate(mesh, [world, times], () => {
-    const poses = jointPoses(times.length, 1, (k, out) => {
+    const poses = jointPoses(times.length, ONE_JOINT, (k, out) => {
       const m = world.matrixAt(times[k]);
       for (let i = 0; i < MATRIX; i++) out[i] = m[i];
     });

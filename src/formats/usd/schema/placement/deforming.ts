@@ -4,6 +4,7 @@ import * as mat4 from '../../../../math/mat4.ts';
 import { distance, type Vec3 } from '../../../../math/vec3.ts';
 import { msg } from '../../../../messages/message.ts';
 import { gatherPoints } from '../../../../scene/mesh/makeMesh.ts';
+import { flippedWinding } from '../../../../scene/mesh/meshOps.ts';
 import { deformedNormals, smoothingGroups } from '../../../../scene/mesh/normals.ts';
 import { withoutQuadric } from '../../../../scene/mesh/quadric.ts';
 import { transformNormalsInPlace, transformPointsInPlace } from '../../../../scene/mesh/transformPoints.ts';
@@ -245,12 +246,6 @@ export const facingIndices = (indices: Uint32Array, m: mat4.Mat4): Uint32Array =
 
 export const relativeTo = (origin: Vec3, m: mat4.Mat4): mat4.Mat4 =>
   m.map((x, i) => (i % 4 === 3 && i < 12 ? x - origin[(i - 3) / 4] : x));
-
-function flippedWinding(indices: Uint32Array): Uint32Array {
-  const out = indices.slice();
-  for (let i = 0; i < out.length; i += 3) [out[i + 1], out[i + 2]] = [indices[i + 2], indices[i + 1]];
-  return out;
-}
 
 /** The mesh with deformed points. */
 export function deformedMesh(mesh: Mesh, { positions, normals }: DeformedPoints): Mesh {

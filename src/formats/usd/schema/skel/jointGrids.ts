@@ -4,7 +4,7 @@ import { MATRIX } from '../../../../scene/streaming/blendedPoints.ts';
 import { DiagnosticList } from '../../../diagnostics/diagnosticLog.ts';
 import { formatBytes } from '../../../diagnostics/inputError.ts';
 import { BlendBudget } from '../../../read/blendBudget.ts';
-import { jointPoses } from '../../../read/blendedSkin.ts';
+import { jointPoses, ONE_JOINT } from '../../../read/blendedSkin.ts';
 import type { OutlinedMesh } from '../../../read/jointOutline.ts';
 import { report } from '../../diagnostics.ts';
 import { attributeOf, numbersAt, sampleTimes } from '../../layer/attributes.ts';
@@ -87,9 +87,8 @@ export class JointGrids {
       report(context, 'warning', 'usd.sample-budget', path, message);
     }
     const isInWorld = frame.times.length > 0;
-    const count = joints?.joints.length ?? 1;
     const at = isInWorld ? framesAt : localsAt;
-    const poses = jointPoses(grid.times.length, count, (k, out) => out.set(at(grid.times[k])));
+    const poses = jointPoses(grid.times.length, joints?.tree ?? ONE_JOINT, (k, out) => out.set(at(grid.times[k])));
     return { times: grid.times, poses, isInWorld, error: grid.error };
   }
 

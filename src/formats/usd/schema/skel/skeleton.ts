@@ -1,5 +1,6 @@
 import * as mat4 from '../../../../math/mat4.ts';
 import { type Message, msg } from '../../../../messages/message.ts';
+import type { JointTree } from '../../../../scene/streaming/blendedPoints.ts';
 import { report } from '../../diagnostics.ts';
 import { numbersAt, tokensAt } from '../../layer/attributes.ts';
 import type { NumberArray, PrimSpec } from '../../layer/layer.ts';
@@ -31,7 +32,7 @@ export class Skeleton {
 
   constructor(
     parts: Pick<Skeleton, 'path' | 'joints' | 'transform' | 'animation' | 'source'>,
-    tree: JointTree,
+    tree: JointOrder,
     binds: BindPose,
   ) {
     this.path = parts.path;
@@ -67,6 +68,11 @@ export class Skeleton {
     return out;
   }
 
+  /** The joints by the last parts of their paths. */
+  get tree(): JointTree {
+    return { names: this.joints.map((joint) => joint.slice(joint.lastIndexOf('/') + 1)), parents: this.parents };
+  }
+
   private computed(time: number): Float64Array {
     const frames = this.framesAt(time);
     const out = new Float64Array(frames.length);
@@ -75,7 +81,7 @@ export class Skeleton {
   }
 }
 
-interface JointTree {
+interface JointOrder {
   readonly parents: Int32Array;
   readonly order: readonly number[];
 }
@@ -119,7 +125,7 @@ export function readSkeleton(context: StageContext, prim: PrimSpec): Skeleton | 
 const NO_MATRICES = new Float64Array(0);
 
 /** A joint's parent is the nearest path above it that is a joint. */
-function treeOf(joints: readonly string[]): JointTree | Message {
+function treeOf(joints: readonly string[]): JointOrder | Message {
   const places = new Map<string, number>();
   const depths = joints.map((joint) => joint.split('/', MAX_DEPTH + 1).length);
   for (const [j, joint] of joints.entries()) {
