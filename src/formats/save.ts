@@ -1,10 +1,8 @@
 import { msg } from '../messages/message.ts';
 import type { Scene } from '../scene/types.ts';
-import { DiagnosticLog } from './diagnostics/diagnosticLog.ts';
 import { inputError } from './diagnostics/inputError.ts';
 import { dotted, extensionOf } from './files/fileSource.ts';
 import type { ExportedScene } from './write/exportMotion.ts';
-import { thinSkins } from './write/thinSkins.ts';
 
 /** Writers by extension, loaded lazily. */
 const writers: Readonly<Record<string, (scene: Scene, name: string) => Promise<ExportedScene>>> = {
@@ -42,17 +40,7 @@ export const writtenExtensions: readonly string[] = Object.keys(writers);
  */
 export async function saveScene(scene: Scene, name: string): Promise<ExportedScene> {
   const extension = extensionOf(name);
-  if (writtenExtensions.includes(extension)) return writeThinned(scene, name, extension);
+  if (writtenExtensions.includes(extension)) return writers[extension](scene, name);
   const message = msg`.${extension} is not a scene format that can be written; ${dotted(writtenExtensions)} can`;
   throw inputError('file.unknown-format', name, message);
-}
-
-/** USD gets the points of skins, as many as fit; glTF's and OBJ's writers have limits of their own. */
-async function writeThinned(scene: Scene, name: string, extension: string): Promise<ExportedScene> {
-  const { scene: written, lost } = extension.startsWith('usd') ? thinSkins(scene) : { scene, lost: undefined };
-  const made = await writers[extension](written, name);
-  if (!lost) return made;
-  const losses = new DiagnosticLog(name);
-  losses.add('warning', 'convert.points', '', lost);
-  return { ...made, diagnostics: [...losses.list(), ...made.diagnostics] };
 }

@@ -25,7 +25,7 @@ import {
 } from './jointTracks.ts';
 
 /** Greatest distance between what is kept and what keys give, relative to half the diagonal of all that a skeleton moves: a tenth of what reading may be off. */
-const KEY_TOLERANCE = 1e-4;
+export const KEY_TOLERANCE = 1e-4;
 
 /** A mesh that follows the joints of a skeleton. */
 export interface Skin<T extends SceneObject = SceneObject> {
@@ -168,6 +168,13 @@ function bindsOf({ joints, binds }: BlendedPoints, count: number): (Mat4 | undef
     out[joint] = [...binds.subarray(MATRIX * i, MATRIX * (i + 1)), 0, 0, 0, 1];
   });
   return out;
+}
+
+/** A joint's frame at the first sample. */
+export function frameAtStart(tracks: WrittenSkeleton['tracks'], parents: ArrayLike<number>, joint: number): Mat4 {
+  let frame = IDENTITY;
+  for (let j = joint; j >= 0; j = parents[j]) frame = multiply(matrixOfParts(tracks[j][0]), frame);
+  return frame;
 }
 
 /** Half the diagonal of all that follows the joints, at the first sample and in their axes. */

@@ -8,7 +8,7 @@ import type { Scene } from '../../../scene/types.ts';
 import type { DiagnosticLog } from '../../diagnostics/diagnosticLog.ts';
 import { orientationYUp, vectorYUp } from '../../write/exportMotion.ts';
 import { distanceOf, matrixOfParts, partsOf, type TransformParts } from '../../write/jointTracks.ts';
-import { areClose, type Skin, type WrittenSkeleton } from '../../write/skeletons.ts';
+import { areClose, frameAtStart, type Skin, type WrittenSkeleton } from '../../write/skeletons.ts';
 import type { AnimationWriter } from './writeAnimation.ts';
 import type { MeshWriter, VertexInfluences } from './writeMeshes.ts';
 
@@ -213,13 +213,6 @@ function carriedParts(
     parts.push(own);
   }
   return parts;
-}
-
-/** A joint's frame at the first sample. */
-function frameAtStart(tracks: WrittenSkeleton['tracks'], parents: ArrayLike<number>, joint: number): Mat4 {
-  let frame = IDENTITY;
-  for (let j = joint; j >= 0; j = parents[j]) frame = multiply(matrixOfParts(tracks[j][0]), frame);
-  return frame;
 }
 
 function setParts(node: GltfNode, { translation, rotation, scale }: TransformParts): void {

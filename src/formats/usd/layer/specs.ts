@@ -50,17 +50,24 @@ export const sampled = (
     metadata,
   });
 
-export const relationship = (name: string, target: string): RelationshipSpec => ({
+export const relationship = (name: string, ...explicit: readonly string[]): RelationshipSpec => ({
   kind: 'relationship',
   name,
   custom: false,
   uniform: true,
-  targets: { explicit: [target] },
+  targets: { explicit },
   metadata: EMPTY_MAP,
 });
 
 /** `interpolation = "vertex"` */
 export const PER_VERTEX: PrimSpec['metadata'] = new Map([['interpolation', { type: 'token', data: 'vertex' }]]);
+
+/** `interpolation = "vertex"`, with `elementSize` values for each vertex. */
+export const perVertexOf = (elementSize: number): PrimSpec['metadata'] =>
+  new Map<string, Value>([
+    ['elementSize', { type: 'int', data: elementSize }],
+    ['interpolation', { type: 'token', data: 'vertex' }],
+  ]);
 
 /** `prepend apiSchemas = ["…"]` */
 export const schemas = (...prepended: readonly string[]): PrimSpec['metadata'] =>

@@ -9,6 +9,11 @@ export const string = (data: string): Value => ({ type: 'string', data });
 export const token = (data: string): Value => ({ type: 'token', data });
 export const tokens = (data: readonly string[]): Value => ({ type: 'token[]', data });
 export const asset = (data: string): Value => ({ type: 'asset', data });
+export const matrices = (data: Float64Array): Value => ({ type: 'matrix4d[]', data });
+export const floats = (data: Float32Array): Value => ({ type: 'float[]', data });
+export const halfTuples = (data: Float32Array): Value => ({ type: 'half3[]', data });
+/** Quaternions x y z w. */
+export const quaternions = (data: Float32Array): Value => ({ type: 'quatf[]', data });
 export const ints = (data: Int32Array): Value => ({ type: 'int[]', data });
 
 /** A vector, or a quaternion x y z w. */

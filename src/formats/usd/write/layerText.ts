@@ -40,7 +40,7 @@ function metadataEntry(key: string, value: MetadataValue): Lines {
   if (value.type === 'texts' && value.op.prepended)
     return [`prepend ${key} = [${value.op.prepended.map(quoted).join(', ')}]`];
   if (value.type === 'dictionary') return dictionaryLines(`${key} = `, value.data);
-  if ('data' in value && ['token', 'string', 'double'].includes(value.type))
+  if ('data' in value && ['token', 'string', 'double', 'int'].includes(value.type))
     return [`${key} = ${valueText(value as Value)}`];
   throw new Error(`no text of the metadata ${key} of type ${value.type}`);
 }
@@ -63,7 +63,8 @@ function propertyLines(property: PropertySpec): Lines {
   if (property.kind === 'attribute')
     return attributeLines(`${before}${uniform ? 'uniform ' : ''}${property.typeName} ${name}`, property);
   const targets = property.targets?.explicit?.map((path) => `<${path}>`);
-  return withMetadata(`${before}rel ${name}${targets ? ` = ${targets.join()}` : ''}`, metadata);
+  const list = targets?.length === 1 ? targets[0] : targets && `[${targets.join(', ')}]`;
+  return withMetadata(`${before}rel ${name}${list === undefined ? '' : ` = ${list}`}`, metadata);
 }
 
 /** Each of its opinions is a statement of its own. */
@@ -102,7 +103,13 @@ function valueText(value: Value): string {
     case 'token[]':
       return `[${value.data.map(quoted).join(', ')}]`;
     case 'matrix4d':
-      return `(${[0, 4, 8, 12].map((row) => tupleText(value.data as NumberArray, row, 4, doubleText)).join(', ')})`;
+      return matrixText(value.data as NumberArray, 0);
+    case 'matrix4d[]': {
+      const { data } = value;
+      return `[${Array.from({ length: data.length / 16 }, (_, i) => matrixText(data, 16 * i)).join(', ')}]`;
+    }
+    case 'float[]':
+      return `[${Array.from(value.data, floatText).join(', ')}]`;
     case 'int[]':
       return `[${value.data.join(', ')}]`;
     default:
@@ -112,16 +119,26 @@ function valueText(value: Value): string {
 
 /** `(x, y, z)` of floats or doubles, or a list of them. Quaternions are written w first. */
 function tuplesText(value: Value): string {
-  const [, base, width = '4', list] = /^(float|double|quat)([234d])?(\[\])?$/.exec(value.type) ?? [];
+  const [, base, width = '4', list] = /^(float|half|double|quat)([234df])?(\[\])?$/.exec(value.type) ?? [];
   if (base === undefined) throw new Error(`no text of a value of type ${value.type}`);
   const { data } = value as { readonly data: NumberArray };
-  const text = base === 'float' ? floatText : doubleText;
-  if (base === 'quat') return tupleText(Float64Array.of(data[3], data[0], data[1], data[2]), 0, 4, text);
+  const isFloat = base === 'float' || base === 'half' || width === 'f';
+  const text = isFloat ? floatText : doubleText;
+  if (base === 'quat') {
+    const quaternion = (at: number): string =>
+      tupleText(Float64Array.of(data[at + 3], data[at], data[at + 1], data[at + 2]), 0, 4, text);
+    return list
+      ? `[${Array.from({ length: data.length / 4 }, (_, i) => quaternion(4 * i)).join(', ')}]`
+      : quaternion(0);
+  }
   if (!list) return tupleText(data, 0, data.length, text);
   const tuples: string[] = [];
   for (let i = 0; i < data.length; i += Number(width)) tuples.push(tupleText(data, i, Number(width), text));
   return `[${tuples.join(', ')}]`;
 }
+
+const matrixText = (data: NumberArray, from: number): string =>
+  `(${[0, 4, 8, 12].map((row) => tupleText(data, from + row, 4, doubleText)).join(', ')})`;
 
 function tupleText(data: NumberArray, from: number, size: number, text: (x: number) => string): string {
   let tuple = '(';

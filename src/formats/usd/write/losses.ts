@@ -2,10 +2,13 @@ import { listed, type Message, msg } from '../../../messages/message.ts';
 import { pointSamples } from '../../../scene/motion/motion.ts';
 import type { Diagnostic, Material, Scene } from '../../../scene/types.ts';
 import { DiagnosticLog } from '../../diagnostics/diagnosticLog.ts';
+import { usdObjects } from './skeletons/usdObjects.ts';
 
 /** What a scene loses as USD. */
 export function usdLosses(scene: Scene, name: string): readonly Diagnostic[] {
   const losses = new DiagnosticLog(name);
+  const { lost } = usdObjects(scene);
+  if (lost) losses.add('warning', 'convert.points', '', lost);
   // USD has no cubic point interpolation; velocities are written, from which it is restored.
   for (const { path, motion } of scene.objects)
     if (pointSamples(motion)?.velocities)

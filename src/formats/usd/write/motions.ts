@@ -34,10 +34,10 @@ const perUnit = (v: Vec3 | readonly number[], { metersPerUnit }: WriteContext) =
   );
 
 /** Poses are the stage's: inside a prim with a transform, that one's does not count. */
-const orderOf = ({ nested }: WriteContext, ...ops: string[]) =>
+export const orderOf = ({ nested }: WriteContext, ...ops: string[]) =>
   uniform('token[]', 'xformOpOrder', tokens(nested ? ['!resetXformStack!', ...ops] : ops));
 
-const TRANSLATE = 'xformOp:translate';
+export const TRANSLATE = 'xformOp:translate';
 const ORIENT = 'xformOp:orient';
 
 export const poseProperties = ({ position, orientation }: Pose, placement: WriteContext): Properties => [

@@ -1,4 +1,5 @@
 import { pointSamples } from '../../../scene/motion/motion.ts';
+import type { RestShape } from '../../../scene/streaming/blendedPoints.ts';
 import { normalsAt, pointsAt } from '../../../scene/streaming/samplePoints.ts';
 import type { Mesh, Motion, SceneCamera, SceneObject } from '../../../scene/types.ts';
 import {
@@ -23,35 +24,53 @@ export interface MeshSurroundings {
   materialOf(index: number): string;
   /** A free name for a prim within the mesh's. */
   innerName(wanted: string): string;
+  /** How a mesh is written that follows joints; undefined for all others. */
+  formOf(object: SceneObject, placement: WriteContext): MeshForm | undefined;
+}
+
+/** What a mesh has instead of points at all times. */
+export interface MeshForm {
+  /** Triangles as the front of the shape at rest has them. */
+  readonly indices: Uint32Array;
+  /** The shape at rest, in the axes of the prim. */
+  readonly rest: RestShape;
+  readonly transform: Properties;
+  /** What says how it bends. */
+  readonly bindings?: Properties;
+  readonly schemas?: readonly string[];
+  readonly inner?: ReadonlyMap<string, PrimContent>;
 }
 
 export function meshContent(
   object: SceneObject,
   placement: WriteContext,
-  { materialOf, innerName }: MeshSurroundings,
+  { materialOf, innerName, formOf }: MeshSurroundings,
 ): PrimContent {
   const { mesh, motion } = object;
-  const { groups, indices } = mesh;
+  const { groups } = mesh;
+  const form = formOf(object, placement);
+  const { indices } = form ?? mesh;
   const single = groups.length === 1 ? [relationship('material:binding', materialOf(groups[0].material))] : [];
   const subsets = groups.length > 1 ? groups.map((_, i) => subsetContent(mesh, i, materialOf)) : [];
   return {
     type: 'Mesh',
-    metadata: schemas('MaterialBindingAPI'),
+    metadata: schemas('MaterialBindingAPI', ...(form?.schemas ?? [])),
     properties: [
       uniform('bool', 'doubleSided', bool(mesh.doubleSided)),
-      ...pointProperties(mesh, motion, placement),
+      ...(form ? restProperties(form.rest) : pointProperties(mesh, motion, placement)),
       attribute('int[]', 'faceVertexCounts', ints(new Int32Array(indices.length / 3).fill(3))),
       attribute('int[]', 'faceVertexIndices', ints(new Int32Array(indices))),
       ...single,
       ...(mesh.colors ? [perVertex('color3f[]', 'primvars:displayColor', mesh.colors)] : []),
       perVertex('texCoord2f[]', 'primvars:st', mesh.uvs),
+      ...(form?.bindings ?? []),
       ...authoringProperties(object),
       ...slowlightMotion(motion, placement),
       uniform('token', 'subdivisionScheme', token('none')),
       ...lifeProperties(placement),
-      ...transformOf(motion, placement),
+      ...(form?.transform ?? transformOf(motion, placement)),
     ],
-    inner: new Map(subsets.map((content, i) => [innerName(`Part${i}`), content])),
+    inner: new Map([...subsets.map((content, i) => [innerName(`Part${i}`), content] as const), ...(form?.inner ?? [])]),
   };
 }
 
@@ -87,15 +106,17 @@ export function extentOf(values: Float32Array, metersPerUnit: number): Float32Ar
   return Float32Array.from([...corners[0], ...corners.at(-1)!], (x) => x * scale);
 }
 
+/** `positions`: in units of the prim. */
+const restProperties = ({ positions, normals }: RestShape): Properties => [
+  attribute('float3[]', 'extent', { type: 'float3[]', data: extentOf(positions, 1) }),
+  perVertex('normal3f[]', 'normals', normals),
+  attribute('point3f[]', 'points', { type: 'float3[]', data: positions }),
+];
+
 function pointProperties(mesh: Mesh, motion: Motion, { metersPerUnit, codesPerSecond }: WriteContext): Properties {
   const scaled = (values: Float32Array): Float32Array => scaledPoints(values, metersPerUnit);
   const samples = pointSamples(motion);
-  if (!samples)
-    return [
-      attribute('float3[]', 'extent', { type: 'float3[]', data: extentOf(mesh.positions, metersPerUnit) }),
-      perVertex('normal3f[]', 'normals', mesh.normals),
-      attribute('point3f[]', 'points', { type: 'float3[]', data: scaled(mesh.positions) }),
-    ];
+  if (!samples) return restProperties({ positions: scaled(mesh.positions), normals: mesh.normals });
   const codes = samples.times.map((t) => t * codesPerSecond);
   const moving = (typeName: string, name: string, at: (i: number) => Float32Array, metadata?: typeof PER_VERTEX) =>
     sampled(typeName, name, codes, (i) => new LazyTuples(() => at(i)), metadata);

@@ -1,5 +1,5 @@
 import { isEternal } from '../../../scene/motion/lifetimes.ts';
-import type { Lifetime, Light, LocalLight, Scene } from '../../../scene/types.ts';
+import type { Lifetime, Light, LocalLight, Scene, SceneObject } from '../../../scene/types.ts';
 import { ancestors } from '../../write/paths.ts';
 import type { Dictionary, Layer, MetadataValue, Value } from '../layer/layer.ts';
 import { double, string, token, tuple } from '../layer/values.ts';
@@ -9,6 +9,9 @@ import { MaterialWriter, TextureFiles } from './materials.ts';
 import type { WriteContext } from './motions.ts';
 import { cameraContent } from './prims.ts';
 import { PrimTree } from './primTree.ts';
+import { carriedForm } from './skeletons/carriedMesh.ts';
+import { SkeletonPrims } from './skeletons/skeletonPrims.ts';
+import { usdObjects } from './skeletons/usdObjects.ts';
 import { thingsOf, type WrittenThing } from './things.ts';
 
 /**
@@ -19,15 +22,20 @@ export function sceneLayer(scene: Scene, name: string): Layer {
   const tree = new PrimTree();
   const files = new TextureFiles(scene);
   const materials = new MaterialWriter(scene, tree, files);
-  const own = [...scene.objects, ...scene.cameras, ...scene.lights].map(pathOfWhole);
+  const { objects: sceneObjects, skeletons } = usdObjects(scene);
+  const own = [...sceneObjects, ...scene.cameras, ...scene.lights].map(pathOfWhole);
   const around = new Set(own.flatMap(ancestors));
   // All paths are claimed before any is used, so that a clash changes the same names wherever they stand.
   const claimed = <T extends { readonly path: string }>(items: readonly T[]) =>
     items.map((item) => ({ item, path: tree.claim(item.path) }));
-  const objects = claimed(thingsOf(scene.objects, (pieces, path) => !around.has(path) && isOneMesh(pieces)));
+  const objects = claimed(thingsOf(sceneObjects, (pieces, path) => !around.has(path) && isOneMesh(pieces)));
   const cameras = claimed(scene.cameras);
   const lights = claimed(lightThings(scene.lights, around));
   const placed = new Set([...objects, ...cameras, ...lights].map(({ path }) => path));
+  const pathsOfObjects = new Map(
+    objects.flatMap(({ item, path }) => item.pieces.map((piece) => [piece, path] as const)),
+  );
+  const skeletonPrims = new SkeletonPrims(tree, skeletons, pathsOfObjects, placed);
   const parents = new Set([...placed].flatMap(ancestors));
   const mortalParents = new Set(
     objects.flatMap(({ item, path }) => (parents.has(path) && !isEternal(item.pieces[0].lifetime) ? [path] : [])),
@@ -41,11 +49,15 @@ export function sceneLayer(scene: Scene, name: string): Layer {
     inheritsLife: ancestors(path).some((ancestor) => mortalParents.has(ancestor)),
     lives: pieces.map(({ lifetime }) => lifetime),
   });
-  for (const { item, path } of objects) {
+  skeletonPrims.write((path) => placement(path, []));
+  for (const { item, path: claimedPath } of objects) {
+    const path = skeletonPrims.pathOf(item.pieces[0]) ?? claimedPath;
     const colored = item.pieces.some(({ mesh }) => mesh.colors !== undefined);
     const surroundings = {
       materialOf: (index: number) => materials.path(index, colored),
       innerName: (wanted: string) => tree.innerName(path, wanted),
+      formOf: (object: SceneObject, context: WriteContext) =>
+        skeletonPrims.formOf(object, context) ?? carriedForm(object, context),
     };
     tree.set(path, meshOfPieces(item.pieces, placement(path, item.pieces), surroundings));
   }

@@ -1,25 +1,30 @@
-import { type Message, msg } from '../../messages/message.ts';
-import { pointSamples } from '../../scene/motion/motion.ts';
-import { isBlended } from '../../scene/streaming/samplePoints.ts';
-import type { Motion, Scene, SceneObject } from '../../scene/types.ts';
-import { formatBytes } from '../diagnostics/inputError.ts';
+import { type Message, msg } from '../../../../messages/message.ts';
+import { pointSamples } from '../../../../scene/motion/motion.ts';
+import { isBlended } from '../../../../scene/streaming/samplePoints.ts';
+import type { Motion, SceneObject } from '../../../../scene/types.ts';
+import { formatBytes } from '../../../diagnostics/inputError.ts';
 
 /** Most bytes of points and normals that skins become. */
 const MAX_WRITTEN = 2 ** 30;
 const BYTES_PER_VERTEX = 24;
 
 /**
- * The scene with so many samples of its skins that they can be written as points of all vertices, and what that loses. All skins lose the same part of their
- * samples; the first and the last are kept. `most`: bytes of points and normals.
+ * Objects with so many samples of their skins that they can be written as points of all vertices, and what that loses. All skins lose the same part of their
+ * samples; the first and the last are kept. `keepsJoints`: objects that need no points. `most`: bytes of points and normals.
  */
-export function thinSkins(scene: Scene, most = MAX_WRITTEN): { readonly scene: Scene; readonly lost?: Message } {
-  const total = scene.objects.reduce((sum, object) => sum + bytesOf(object), 0);
-  if (total <= most) return { scene };
+export function thinSkins(
+  objects: readonly SceneObject[],
+  keepsJoints: (object: SceneObject) => boolean,
+  most = MAX_WRITTEN,
+): { readonly objects: readonly SceneObject[]; readonly lost?: Message } {
+  const total = objects.reduce((sum, object) => sum + (keepsJoints(object) ? 0 : bytesOf(object)), 0);
+  if (total <= most) return { objects };
   const part = most / total;
-  const objects = scene.objects.map((object) => ({ ...object, motion: thinned(object.motion, part) }));
   const percent = Math.max(1, Math.floor(100 * part));
   return {
-    scene: { ...scene, objects },
+    objects: objects.map((object) =>
+      keepsJoints(object) ? object : { ...object, motion: thinned(object.motion, part) },
+    ),
     lost: msg`the points of its skins at all their times would take ${formatBytes(total)}; they are written at ${percent} % of these times`,
   };
 }
