@@ -1,6 +1,15 @@
 import { determinant, type Mat3 } from '../../math/mat3.ts';
 import { fromParts, invert, linearPart, type Mat4, multiply } from '../../math/mat4.ts';
-import { fromMatrix, IDENTITY as NO_TURN, type Quat, slerp, toMatrix } from '../../math/quat.ts';
+import {
+  fromMatrix,
+  multiply as multiplyQuat,
+  IDENTITY as NO_TURN,
+  type Quat,
+  rotate,
+  shortestRotation,
+  slerp,
+  toMatrix,
+} from '../../math/quat.ts';
 import { cross, dot, length, lerp, normalize, scale, type Vec3 } from '../../math/vec3.ts';
 
 /** x′ = translation + rotation · (scale x): what formats have for joints and nodes. */
@@ -19,26 +28,38 @@ export function matrixOfParts({ translation, rotation, scale: [x, y, z] }: Trans
   );
 }
 
+/** Columns shorter than this, relative to the longest, have no direction. */
+const FLAT = 1e-9;
+
 /**
  * The parts of a matrix without shear; of one with shear, parts whose matrix has columns of the same lengths. A mirror is a negative scale along x.
- * `before`: the rotation where the matrix has none.
+ * `before`: the rotation where the matrix flattens space, as far as it leaves that open.
  */
 export function partsOf(m: Mat4, before: Quat = NO_TURN): TransformParts {
   const l = linearPart(m);
   const columns = [0, 1, 2].map((c): Vec3 => [l[c], l[3 + c], l[6 + c]]);
-  const lengths = columns.map(length);
-  const most = Math.max(...lengths);
-  const flat = lengths.filter((x) => !(x > most * 1e-9)).length;
+  const [x, y, z] = columns.map(length);
+  const most = Math.max(x, y, z);
+  const known = [x, y, z].flatMap((size, c) => (size > most * FLAT ? [c] : []));
   const translation: Vec3 = [m[3], m[7], m[11]];
-  if (flat > 1 || !(most > 0)) return { translation, rotation: before, scale: scaleAlong(l, before) };
+  if (known.length < 2) {
+    const [c] = known;
+    const turn = c === undefined ? NO_TURN : shortestRotation(rotate(before, AXES[c]), normalize(columns[c]));
+    return { translation, rotation: multiplyQuat(turn, before), scale: [x, y, z] };
+  }
   const axes = columns.map((column) => normalize(column));
-  const missing = lengths.findIndex((x) => !(x > most * 1e-9));
-  if (missing >= 0) axes[missing] = cross(axes[(missing + 1) % 3], axes[(missing + 2) % 3]);
+  const missing = [0, 1, 2].find((c) => !known.includes(c));
+  if (missing !== undefined) axes[missing] = cross(axes[(missing + 1) % 3], axes[(missing + 2) % 3]);
   const isMirror = determinant(fromColumns(axes)) < 0;
   if (isMirror) axes[0] = scale(axes[0], -1);
-  const rotation = fromMatrix(fromColumns(orthonormal(axes)));
-  return { translation, rotation, scale: [isMirror ? -lengths[0] : lengths[0], lengths[1], lengths[2]] };
+  return { translation, rotation: fromMatrix(fromColumns(orthonormal(axes))), scale: [isMirror ? -x : x, y, z] };
 }
+
+const AXES: readonly Vec3[] = [
+  [1, 0, 0],
+  [0, 1, 0],
+  [0, 0, 1],
+];
 
 const fromColumns = ([a, b, c]: readonly Vec3[]): Mat3 => [a[0], b[0], c[0], a[1], b[1], c[1], a[2], b[2], c[2]];
 
@@ -46,12 +67,6 @@ const fromColumns = ([a, b, c]: readonly Vec3[]): Mat3 => [a[0], b[0], c[0], a[1
 function orthonormal([a, b]: readonly Vec3[]): readonly Vec3[] {
   const second = normalize([0, 1, 2].map((i) => b[i] - dot(a, b) * a[i]) as unknown as Vec3);
   return [a, second, cross(a, second)];
-}
-
-/** What a matrix that flattens space scales along the axes of a rotation. */
-function scaleAlong(l: Mat3, rotation: Quat): Vec3 {
-  const r = toMatrix(rotation);
-  return [0, 1, 2].map((c) => r[c] * l[c] + r[3 + c] * l[3 + c] + r[6 + c] * l[6 + c]) as unknown as Vec3;
 }
 
 /** Between two: translation and scale linear, the rotation along the shorter arc, as glTF and UsdSkel interpolate them. */

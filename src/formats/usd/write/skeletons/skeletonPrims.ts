@@ -122,13 +122,13 @@ export class SkeletonPrims {
     placed: ReadonlySet<string>,
   ): readonly RootedSkeleton[] {
     const skins = skeleton.skins.map((skin) => ({ skin, path: claimed.get(skin.object)! }));
+    const inside = ({ skin, path }: PlacedSkin): PlacedSkin => ({ skin, path: this.tree.claim(`${path}/Mesh`) });
     const common = commonAncestor(skins.map(({ path }) => path));
     const root = [common, ...ancestors(common)].find((path) => path !== '' && !placed.has(path));
-    if (root !== undefined) return [{ skeleton, skins, root }];
-    return skins.map(({ skin, path }) => {
-      const inner = this.tree.claim(`${path}/Mesh`);
-      return { skeleton, skins: [{ skin, path: inner }], root: path };
-    });
+    if (root === undefined) return skins.map((each) => ({ skeleton, skins: [inside(each)], root: each.path }));
+    // What follows joints is inherited by all that is below.
+    const parents = new Set([...placed].flatMap(ancestors));
+    return [{ skeleton, skins: skins.map((each) => (parents.has(each.path) ? inside(each) : each)), root }];
   }
 
   /** Meshes whose bind matrices do not go together have Skeleton prims of their own, which share the animation. */
