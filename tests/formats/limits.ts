@@ -65,7 +65,7 @@ export const readerLimits: readonly { readonly what: string; readonly most: stri
   { what: 'glTF: depth of the node hierarchy', most: count(NODE_DEPTH) },
   { what: 'glTF: instances of one node', most: count(MAX_INSTANCES) },
   { what: 'USD, glTF: joints of skins at all nodes of their time grids', most: bytes(MAX_BLENDED) },
-  { what: 'glTF, written: samples of a deforming mesh', most: count(MAX_MORPH_TARGETS) },
+  { what: 'glTF, written: samples of a deforming mesh that is no skin', most: count(MAX_MORPH_TARGETS) },
   { what: 'OBJ, PLY: corners of a face', most: count(MAX_CORNERS) },
   {
     what: 'OBJ: objects and groups; materials; material files',

@@ -28,7 +28,7 @@ import {
 export const KEY_TOLERANCE = 1e-4;
 
 /** A mesh that follows the joints of a skeleton. */
-export interface Skin<T extends SceneObject = SceneObject> {
+export interface WrittenSkin<T extends SceneObject = SceneObject> {
   readonly object: T;
   readonly points: BlendedPoints;
   /** By joint of the skeleton the matrix from the rest shape to the joint's axes; undefined for those that it does not follow. */
@@ -52,7 +52,7 @@ export interface WrittenSkeleton<T extends SceneObject = SceneObject> {
   readonly placement: Mat4;
   /** By sample 3 numbers: translation after that [m]; absent if there is none. */
   readonly shifts?: Float64Array;
-  readonly skins: readonly Skin<T>[];
+  readonly skins: readonly WrittenSkin<T>[];
 }
 
 /** Objects of which some follow joints. */

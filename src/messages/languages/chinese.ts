@@ -44,6 +44,8 @@ const messages: Translation['messages'] = {
     'model:drawMode 为 {1}，但无从得知其大小（extentsHint 或其下的点）；已绘制模型本身',
   'model:cardGeometry is {}, which is not read ({} are); its cards are a cross':
     '不支持 model:cardGeometry 的值 {1}（支持 {2}）；其卡片按 cross 放置',
+  'vertices follow more than 4 joints; programs that read only the first 4 show it otherwise':
+    '有顶点跟随 4 个以上的关节；只读取前 4 个关节的程序会显示得不同',
   'its points follow different joints, which is read of meshes only; these {} stay as they are written':
     '其各点跟随不同的关节，这仅支持网格；这些 {1} 保持原样',
   '{} is not constant, and a {} has no points': '{1} 不是 constant，而 {2} 没有点',

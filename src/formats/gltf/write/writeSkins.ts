@@ -8,7 +8,7 @@ import type { Scene } from '../../../scene/types.ts';
 import type { DiagnosticLog } from '../../diagnostics/diagnosticLog.ts';
 import { orientationYUp, vectorYUp } from '../../write/exportMotion.ts';
 import { distanceOf, matrixOfParts, partsOf, type TransformParts } from '../../write/jointTracks.ts';
-import { areClose, frameAtStart, type Skin, type WrittenSkeleton } from '../../write/skeletons.ts';
+import { areClose, frameAtStart, type WrittenSkeleton, type WrittenSkin } from '../../write/skeletons.ts';
 import type { AnimationWriter } from './writeAnimation.ts';
 import type { MeshWriter, VertexInfluences } from './writeMeshes.ts';
 
@@ -134,7 +134,7 @@ export class SkinWriter {
   /** `start`: from the rest shape to the world, at the first sample. */
   private addMesh(
     node: GltfNode,
-    { object, points, shapeKeys }: Skin,
+    { object, points, shapeKeys }: WrittenSkin,
     start: Mat4,
     times: Float64Array,
     influences?: VertexInfluences,
@@ -184,7 +184,7 @@ interface SharedSkin {
 }
 
 /** The first of skins that has the same inverse bind matrices for all joints that both have, with those of the mesh added. */
-function sharedSkin(skins: SharedSkin[], binds: Skin['binds'], create: () => GltfSkin): SharedSkin {
+function sharedSkin(skins: SharedSkin[], binds: WrittenSkin['binds'], create: () => GltfSkin): SharedSkin {
   const fits = (known: SharedSkin): boolean =>
     binds.every((bind, j) => !bind || !known.binds[j] || areClose(bind, known.binds[j], SAME_BIND));
   let found = skins.find(fits);

@@ -15,7 +15,7 @@ import type { BlendedPoints, RestShape } from '../../../../scene/streaming/blend
 import type { SceneObject } from '../../../../scene/types.ts';
 import { matrixOfParts, type TransformParts } from '../../../write/jointTracks.ts';
 import { ancestors, commonAncestor } from '../../../write/paths.ts';
-import { areClose, frameAtStart, type Skin, type WrittenSkeleton } from '../../../write/skeletons.ts';
+import { areClose, frameAtStart, type WrittenSkeleton, type WrittenSkin } from '../../../write/skeletons.ts';
 import {
   attribute,
   type PrimContent,
@@ -36,7 +36,7 @@ const SAME_BIND = 1e-5;
 
 /** A mesh with the path of its prim. */
 interface PlacedSkin {
-  readonly skin: Skin;
+  readonly skin: WrittenSkin;
   readonly path: string;
 }
 
