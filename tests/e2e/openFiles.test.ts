@@ -1,10 +1,11 @@
 import { AxeBuilder } from '@axe-core/playwright';
-import { EXTTextureWebP } from '@gltf-transform/extensions';
+import { EXTTextureWebP, KHRTextureBasisu } from '@gltf-transform/extensions';
 import { zipSync } from 'fflate';
 import type { Page } from 'playwright-core';
 import { afterAll, beforeAll, describe, expect, it } from 'vitest';
 import { PINK_WEBP } from '../formats/pictures.ts';
 import { GltfBuilder } from '../support/gltfBuilder.ts';
+import { solidKtx2 } from '../support/ktx2Kit.ts';
 import { difference, type MonitoredPage, Program } from './program.ts';
 import { drop, pinkShare, sceneBytes } from './support.ts';
 
@@ -110,6 +111,16 @@ describe('opening files', () => {
     await drop(visit, [{ name: 'pink.glb', content: Buffer.from(await kit.glb()) }]);
     await expect.poll(async () => pinkShare(await visit.pixels())).toBeGreaterThan(0.03);
     await visit.shot('openFiles-webp');
+
+    // And one that our own code decodes, loaded under the page's policy.
+    await drop(visit, [{ name: 'sphere.usdc', content: sceneBytes('../../../examples/sphere.usdc') }]);
+    await expect.poll(async () => pinkShare(await visit.pixels())).toBeLessThan(0.01);
+    pink.setImage(solidKtx2(200, 60, 120, 255)).setMimeType('image/ktx2');
+    kit.doc.createExtension(EXTTextureWebP).dispose();
+    kit.doc.createExtension(KHRTextureBasisu).setRequired(true);
+    await drop(visit, [{ name: 'pink-ktx2.glb', content: Buffer.from(await kit.glb()) }]);
+    await expect.poll(async () => pinkShare(await visit.pixels())).toBeGreaterThan(0.03);
+    await visit.shot('openFiles-ktx2');
     await visit.close();
   });
 

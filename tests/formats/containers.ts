@@ -41,7 +41,7 @@ const pictures: ClaimGroup = {
       (s) => expect(s.materials[0].baseColorTexture?.width).toBe(8),
     ),
     leftOut(
-      'KTX2; OpenEXR and Radiance except in USD, WebP and AVIF except in glTF',
+      'OpenEXR and Radiance except in USD, KTX2, WebP and AVIF except in glTF',
       'reported with what it is',
       'file.unreadable-texture',
       STRANGE.map(shown),

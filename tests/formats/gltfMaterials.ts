@@ -21,6 +21,7 @@ import { decodePicture } from '../../src/cli/files/decodePicture.ts';
 import { vertexPosition } from '../../src/scene/motion/motion.ts';
 import type { Material, Scene } from '../../src/scene/types.ts';
 import { find, type GltfBuilder } from '../support/gltfBuilder.ts';
+import { solidKtx2 } from '../support/ktx2Kit.ts';
 import { approximated, type ClaimGroup, leftOut, read, refused } from './claim.ts';
 import { type Fill, glb, json, kinds, withMaterial } from './gltfExamples.ts';
 import { FOUR_PIXELS_WEBP, PIXEL, WEBP } from './pictures.ts';
@@ -277,8 +278,16 @@ const looks: ClaimGroup = {
       (s) => expect([...base(s).baseColorTexture!.data.subarray(0, 8)]).toEqual([255, 0, 0, 255, 0, 255, 0, 255]),
       { options: { decodePicture } },
     ),
+    read(
+      '`KHR_texture_basisu`; KTX2 without it: Basis Universal (ETC1S, UASTC), 8 bits a channel, with or without Zstandard',
+      'the largest level, to the byte as Basis Universal’s own transcoder decodes it; the same in the page and on the command line',
+      withMaterial((m, kit) => {
+        m.setBaseColorTexture(picture(kit, solidKtx2(200, 10, 20, 255), 'image/ktx2'));
+      }),
+      (s) => expect([...base(s).baseColorTexture!.data.subarray(0, 4)]).toEqual([200, 10, 20, 255]),
+    ),
     leftOut(
-      'a picture that is damaged or too large, or KTX2 alone (`KHR_texture_basisu`)',
+      'a picture that is damaged or too large, or KTX2 with several pictures or other formats (BC7, ASTC, floats)',
       'reported with what it is',
       'file.unreadable-texture',
       withMaterial((m, kit) => {

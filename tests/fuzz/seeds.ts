@@ -66,7 +66,31 @@ export async function seeds(): Promise<Seed[]> {
     seed('wood.png', PICTURE['wood.png'], false),
     seed('wood.jpg', jpeg(), false),
     seed('channels.exr', exr(), false),
+    ktx2Seed('etc1s.ktx2', 'rgba-mipmap-reference-basis.ktx2'),
+    ktx2Seed('uastc.ktx2', 'luminance_alpha_reference_uastc.ktx2'),
   ];
+}
+
+/** A picture of the codec's tests, on a triangle. */
+function ktx2Seed(name: string, file: string): Seed {
+  const points = Buffer.from(Float32Array.of(0, 0, 0, 1, 0, 0, 0, 1, 0).buffer).toString('base64');
+  const uri = `data:application/octet-stream;base64,${points}`;
+  const gltf = {
+    asset: { version: '2.0' },
+    images: [{ uri: name }],
+    textures: [{ extensions: { KHR_texture_basisu: { source: 0 } } }],
+    extensionsUsed: ['KHR_texture_basisu'],
+    materials: [{ pbrMetallicRoughness: { baseColorTexture: { index: 0 } } }],
+    buffers: [{ uri, byteLength: 36 }],
+    bufferViews: [{ buffer: 0, byteLength: 36 }],
+    accessors: [{ bufferView: 0, componentType: 5126, count: 3, type: 'VEC3', min: [0, 0, 0], max: [1, 1, 0] }],
+    meshes: [{ primitives: [{ attributes: { POSITION: 0 }, material: 0 }] }],
+    nodes: [{ mesh: 0 }],
+    scenes: [{ nodes: [0] }],
+  };
+  const bytes = corpusFile(`../../../src/formats/image/ktx2/testdata/${file}`);
+  const opened = 'picture.gltf';
+  return { ...seed(name, bytes, false, { [opened]: new TextEncoder().encode(JSON.stringify(gltf)) }), opened };
 }
 
 /** A skinned, morphed, animated, textured mesh with a camera, points and lines. */

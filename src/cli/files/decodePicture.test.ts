@@ -1,6 +1,7 @@
 import { describe, expect, it } from 'vitest';
 import { FOUR_PIXELS_WEBP, PINK_WEBP } from '../../../tests/formats/pictures.ts';
 import { GltfBuilder } from '../../../tests/support/gltfBuilder.ts';
+import { solidKtx2 } from '../../../tests/support/ktx2Kit.ts';
 import { memorySource } from '../../formats/files/fileSource.ts';
 import { readGltf } from '../../formats/gltf/index.ts';
 import { encodePng } from '../../formats/image/encodePng.ts';
@@ -105,6 +106,27 @@ describe('glTF textures', () => {
 
   it('a WebP that no extension names is read too', async () => {
     expect([...texture(await scene({ 'a.webp': LOSSLESS }, {}, 0))!.data.subarray(0, 3)]).toEqual([255, 0, 0]);
+  });
+
+  it('KTX2 needs no host, and is what an extension, or nothing, names', async () => {
+    const ktx2 = { 'a.ktx2': solidKtx2(200, 10, 20, 255) };
+    for (const read of [
+      await scene(ktx2, { KHR_texture_basisu: { source: 0 } }, undefined, false),
+      await scene({ ...ktx2, 'a.png': BLUE }, { KHR_texture_basisu: { source: 0 } }, 1),
+      await scene(ktx2, {}, 0, false),
+    ]) {
+      expect(read.diagnostics).toEqual([]);
+      expect([...texture(read)!.data.subarray(0, 4)]).toEqual([200, 10, 20, 255]);
+    }
+  });
+
+  it('a KTX2 that is damaged leaves the picture beside it, and is told', async () => {
+    const images = { 'a.png': BLUE, 'a.ktx2': solidKtx2(200, 10, 20, 255).slice(0, 200) };
+    const read = await scene(images, { KHR_texture_basisu: { source: 1 } }, 0, false);
+    expect([...texture(read)!.data.subarray(0, 3)]).toEqual([0, 0, 255]);
+    expect(read.diagnostics).toMatchObject([
+      { code: 'file.unreadable-texture', place: { values: ['a.gltf', 'a.ktx2'] } },
+    ]);
   });
 
   it('without a host that decodes, it is told what is missing', async () => {

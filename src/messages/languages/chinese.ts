@@ -44,6 +44,17 @@ const messages: Translation['messages'] = {
     'model:drawMode 为 {1}，但无从得知其大小（extentsHint 或其下的点）；已绘制模型本身',
   'model:cardGeometry is {}, which is not read ({} are); its cards are a cross':
     '不支持 model:cardGeometry 的值 {1}（支持 {2}）；其卡片按 cross 放置',
+  'it ends too early': '结束得过早',
+  'its codes are damaged': '编码已损坏',
+  'its code books are damaged': '码本已损坏',
+  'a block is damaged': '有数据块已损坏',
+  'too many levels': '层级过多',
+  'several pictures': '多幅图片',
+  'supercompression {}': '超级压缩方式 {1}',
+  'VkFormat {}': 'VkFormat {1}',
+  'the KTX2 is damaged or cut off ({}); export it again': 'KTX2 已损坏或被截断（{1}）；请重新导出',
+  'the picture is a KTX2 with {}, which is not read; convert it to Basis Universal, PNG or JPEG':
+    '图片是含{1}的 KTX2，不能读取；请转换为 Basis Universal、PNG 或 JPEG',
   'vertices follow more than 4 joints; programs that read only the first 4 show it otherwise':
     '有顶点跟随 4 个以上的关节；只读取前 4 个关节的程序会显示得不同',
   'its points follow different joints, which is read of meshes only; these {} stay as they are written':

@@ -19,7 +19,7 @@ import { type DecodedPictures, gltfError, type Resources } from '../context.ts';
 import { KHR_MATERIALS } from '../materialExtensions.ts';
 import { checkGltf } from './checkReferences.ts';
 import { checkSchema } from './checkSchema.ts';
-import { decodePictures, PICTURE_EXTENSIONS } from './pictures.ts';
+import { decodePictures, HOST_EXTENSIONS, KTX2_EXTENSION } from './pictures.ts';
 import { textureSlots } from './textureSlots.ts';
 
 const GLB_MAGIC = 0x46546c67;
@@ -37,11 +37,15 @@ const EXTENSIONS = [
   KHRMeshQuantization,
   KHRTextureTransform,
 ];
-const HANDLED: readonly string[] = [...EXTENSIONS.map((e) => e.EXTENSION_NAME), ...COMPRESSIONS, 'KHR_node_visibility'];
+const HANDLED: readonly string[] = [
+  ...EXTENSIONS.map((e) => e.EXTENSION_NAME),
+  ...COMPRESSIONS,
+  KTX2_EXTENSION,
+  'KHR_node_visibility',
+];
 /** Extensions that affect appearance only. */
-const LOOKS_ONLY =
-  /^(KHR_materials_|KHR_xmp|EXT_structural_metadata|EXT_mesh_features|KHR_texture_basisu|EXT_texture_)/;
-const CHANGES_COLOR = /^(KHR_texture_basisu|EXT_texture_)/;
+const LOOKS_ONLY = /^(KHR_materials_|KHR_xmp|EXT_structural_metadata|EXT_mesh_features|EXT_texture_)/;
+const CHANGES_COLOR = /^EXT_texture_/;
 
 /** Loads a file with its resources, validates and parses it. */
 export async function loadGltf(
@@ -55,10 +59,8 @@ export async function loadGltf(
   const { json, binary } = unpackContainer(entry, bytes);
   const resources = await loadResources(source, entry, json, notes);
   if (binary) resources[GLB_BUFFER] = binary;
-  checkExtensions(entry, json, notes, decodePicture ? [...HANDLED, ...PICTURE_EXTENSIONS] : HANDLED);
-  const pictures: DecodedPictures = decodePicture
-    ? await decodePictures({ json, resources, glb: GLB_BUFFER, notes }, decodePicture)
-    : new Map();
+  checkExtensions(entry, json, notes, decodePicture ? [...HANDLED, ...HOST_EXTENSIONS] : HANDLED);
+  const pictures = await decodePictures({ json, resources, glb: GLB_BUFFER, notes }, decodePicture);
   dropUnreadTextures(json, notes);
   dropUnknownInterpolations(json, notes);
   await unpackGeometry(entry, json, resources);
@@ -233,7 +235,7 @@ function checkExtensions(entry: string, json: GLTF.IGLTF, notes: DiagnosticLog, 
   );
 }
 
-/** Removes textures only available in unsupported formats (KTX2) from materials. */
+/** Removes textures only available in unsupported formats from materials. */
 function dropUnreadTextures(json: GLTF.IGLTF, notes: DiagnosticLog): void {
   for (const [i, material] of (json.materials ?? []).entries()) {
     for (const { holder, name, info } of textureSlots(material)) {

@@ -1,14 +1,15 @@
 import type { GLTF } from '@gltf-transform/core';
-import { msg } from '../../../messages/message.ts';
+import { type LocalizedText, msg } from '../../../messages/message.ts';
 import { InputError } from '../../../scene/types.ts';
 import type { DiagnosticLog } from '../../diagnostics/diagnosticLog.ts';
-import type { DecodedImage } from '../../image/decodeImage.ts';
+import { type DecodedImage, imageKind } from '../../image/decodeImage.ts';
 import { type DecodePicture, decodeForeign, foreignKind } from '../../image/foreignPictures.ts';
 import type { DecodedPictures, Resources } from '../context.ts';
 import { textureSlots } from './textureSlots.ts';
 
-/** Extensions that name a picture beside that of the texture; the smaller comes first. */
-export const PICTURE_EXTENSIONS = ['EXT_texture_avif', 'EXT_texture_webp'] as const;
+/** Extensions that name a picture beside that of the texture; the smaller comes first. Those of the host need its decoder. */
+export const HOST_EXTENSIONS = ['EXT_texture_avif', 'EXT_texture_webp'] as const;
+export const KTX2_EXTENSION = 'KHR_texture_basisu';
 
 interface GltfPictures {
   readonly json: GLTF.IGLTF;
@@ -19,24 +20,24 @@ interface GltfPictures {
 }
 
 /**
- * Decodes the pictures of textures in use that the host decodes, by image, and makes each the texture's own. Where one
+ * Decodes the pictures of textures in use that are KTX2, or that the host decodes if it can, by image, and makes each the texture's own. Where one
  * cannot be read, the texture keeps the picture that it has beside.
  */
-export async function decodePictures(file: GltfPictures, decode: DecodePicture): Promise<DecodedPictures> {
+export async function decodePictures(file: GltfPictures, decode: DecodePicture | undefined): Promise<DecodedPictures> {
   const { json, notes } = file;
   const pictures = new Map<number, DecodedImage | undefined>();
   const slots = (json.materials ?? []).flatMap((material) => textureSlots(material));
   for (const index of new Set(slots.map(({ info }) => info.index))) {
     const texture = json.textures?.[index];
     if (!texture) continue;
-    for (const image of [...alternatives(texture), texture.source]) {
+    for (const image of [...alternatives(texture, decode !== undefined), texture.source]) {
       if (image === undefined) continue;
       const bytes = imageBytes(file, image);
-      const kind = bytes && foreignKind(bytes);
-      if (!pictures.has(image) && kind) {
+      const decoder = bytes && decoderOf(bytes, decode);
+      if (!pictures.has(image) && decoder) {
         const name = json.images?.[image]?.uri ?? json.images?.[image]?.name ?? msg`image ${image}`;
         try {
-          pictures.set(image, await decodeForeign(bytes, kind, name, decode));
+          pictures.set(image, await decoder(name));
         } catch (thrown) {
           if (!(thrown instanceof InputError)) throw thrown;
           const message = msg`${thrown.diagnostic.message}; shown without it`;
@@ -52,8 +53,21 @@ export async function decodePictures(file: GltfPictures, decode: DecodePicture):
   return pictures;
 }
 
-const alternatives = ({ extensions }: GLTF.ITexture): readonly (number | undefined)[] =>
-  PICTURE_EXTENSIONS.map((name) => (extensions?.[name] as { source?: number } | undefined)?.source);
+/** Decodes a picture that is neither PNG nor JPEG; undefined for these, and for what cannot be decoded. */
+function decoderOf(
+  bytes: Uint8Array,
+  decode: DecodePicture | undefined,
+): ((name: LocalizedText) => Promise<DecodedImage>) | undefined {
+  if (imageKind(bytes) === 'KTX2')
+    return async (name) => (await import('../../image/ktx2/readKtx2.ts')).decodeKtx2(bytes, name);
+  const kind = foreignKind(bytes);
+  return kind && decode && ((name) => decodeForeign(bytes, kind, name, decode));
+}
+
+const alternatives = ({ extensions }: GLTF.ITexture, isHosted: boolean): readonly (number | undefined)[] =>
+  [...(isHosted ? HOST_EXTENSIONS : []), KTX2_EXTENSION].map(
+    (name) => (extensions?.[name] as { source?: number } | undefined)?.source,
+  );
 
 /** Undefined where the file does not have them, which its checks tell. */
 function imageBytes({ json, resources, glb }: GltfPictures, image: number): Uint8Array | undefined {
