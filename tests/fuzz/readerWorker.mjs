@@ -30,6 +30,8 @@ async function read(bytes) {
   }
 }
 
+const UNREAD = ['usd.unreadable-layer', 'file.unreadable-texture'];
+
 /** Whether place and message are words, and no value of theirs was put into a string as an object. */
 const isSaid = ({ place, message }) =>
   [place, message].map(inEnglish).every((words) => words !== '' && !words.includes('[object'));
@@ -38,7 +40,8 @@ function ofScene(scene) {
   const polluted = 'polluted' in {} ? 'every object is polluted' : undefined;
   const unsaid = scene.diagnostics.find((diagnostic) => !isSaid(diagnostic));
   if (unsaid) return { fault: `no words for users: ${JSON.stringify(unsaid)}` };
-  const unread = opened !== entry && scene.diagnostics.find(({ code }) => code === 'usd.unreadable-layer');
+  // What is opened goes without a file beside it.
+  const unread = opened !== entry && scene.diagnostics.find(({ code }) => UNREAD.includes(code));
   if (unread) return { refusal: inEnglish(unread.message), said: unread.code, fault: polluted };
   const objects = scene.objects.length;
   return { fault: polluted ?? faultOf(scene), objects, said: scene.diagnostics.map(({ code }) => code).join(' ') };
