@@ -107,3 +107,26 @@ it('a prim inside of a model is read as it is, when it is asked for', async () =
   expect(await pathsOf('/M/S')).toEqual(['/M/S']);
   expect(await pathsOf('/M')).toEqual(['/M/bounds']);
 });
+
+it('native instances of a model, and prototypes of an instancer, each have their stand-in', async () => {
+  const chair = `class "Chair" ( kind = "component" ) { uniform token model:drawMode = "bounds"\ndef Cube "Seat" { double size = 2 } }`;
+  const place = (at: string) =>
+    `double3 xformOp:translate = ${at}\nuniform token[] xformOpOrder = ["xformOp:translate"]`;
+  const instance = (name: string, at: string) =>
+    `def Xform "${name}" ( instanceable = true\nprepend inherits = </Chair> ) { ${place(at)} }`;
+  const crowd = `def PointInstancer "Crowd" ( kind = "group" ) {
+    int[] protoIndices = [0, 0]
+    point3f[] positions = [(0, 9, 0), (5, 9, 0)]
+    rel prototypes = </Crowd/Kind>
+    ${instance('Kind', '(0, 0, 0)')}
+  }`;
+  const { objects } = await read([chair, instance('A', '(1, 0, 0)'), instance('B', '(7, 0, 0)'), crowd].join('\n'));
+  const places = objects.map(({ path, motion }) => [path, motion.kind === 'static' && motion.pose.position]);
+  expect(places).toEqual([
+    ['/A/bounds', [1, 0, 0]],
+    ['/B/bounds', [7, 0, 0]],
+    [expect.stringContaining('Crowd'), [0, 9, 0]],
+    [expect.stringContaining('Crowd'), [5, 9, 0]],
+  ]);
+  expect(new Set(objects.map(({ mesh }) => mesh.positions.length)).size).toBe(1);
+});
