@@ -5,6 +5,7 @@ import { SPEED_OF_LIGHT } from '../../physics/constants.ts';
 import { boundingSphere } from '../../scene/bounds/bounds.ts';
 import { deformedNormals, smoothingGroups } from '../../scene/mesh/normals.ts';
 import { withoutQuadric } from '../../scene/mesh/quadric.ts';
+import { bakedObject } from '../../scene/mesh/stretch.ts';
 import { isAlive, isEternal } from '../../scene/motion/lifetimes.ts';
 import { poseAt, poseSamples, restToWorld, vertexPositions } from '../../scene/motion/motion.ts';
 import { samplePose } from '../../scene/motion/poses.ts';
@@ -61,7 +62,7 @@ export function exportObjects(
         object.path,
         msg`it lives from ${inSeconds(birth)} to ${inSeconds(death)} s; there it always is`,
       );
-    return { ...object, ...exportObject(object, scene, losses) };
+    return { ...bakedObject(object), ...exportObject(object, scene, losses) };
   });
 }
 
@@ -82,7 +83,7 @@ function turnsByPath(objects: readonly SceneObject[]): ReadonlyMap<string, reado
 
 function exportObject(object: SceneObject, scene: Scene, losses: DiagnosticLog) {
   const c = scene.hints.speedOfLight ?? SPEED_OF_LIGHT;
-  const own = restToWorld(object, c);
+  const own = restToWorld(bakedObject(object), c);
   const { motion } = own;
   if (isExportable(motion)) return { mesh: own.mesh, motion };
   const { radius, center } = boundingSphere(own.mesh.positions);
@@ -150,7 +151,7 @@ export function exportSampledScene(scene: Scene, notes: DiagnosticLog): Scene {
     ...scene,
     endTime: Math.max(scene.endTime, scene.startTime + 1),
     objects: scene.objects.map((object) => ({
-      ...object,
+      ...bakedObject(object),
       ...exportObject(object, scene, notes),
       authoredIn: 'world',
     })),

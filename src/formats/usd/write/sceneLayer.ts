@@ -1,3 +1,4 @@
+import { bakedObject } from '../../../scene/mesh/stretch.ts';
 import { isEternal } from '../../../scene/motion/lifetimes.ts';
 import type { Lifetime, Light, LocalLight, Scene, SceneObject } from '../../../scene/types.ts';
 import { ancestors } from '../../write/paths.ts';
@@ -22,7 +23,7 @@ export function sceneLayer(scene: Scene, name: string): Layer {
   const tree = new PrimTree();
   const files = new TextureFiles(scene);
   const materials = new MaterialWriter(scene, tree, files);
-  const { objects: sceneObjects, skeletons } = usdObjects(scene);
+  const { objects: sceneObjects, skeletons } = usdObjects({ ...scene, objects: scene.objects.map(bakedObject) });
   const own = [...sceneObjects, ...scene.cameras, ...scene.lights].map(pathOfWhole);
   const around = new Set(own.flatMap(ancestors));
   // All paths are claimed before any is used, so that a clash changes the same names wherever they stand.
