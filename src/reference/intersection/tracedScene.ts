@@ -40,7 +40,7 @@ export interface PreparedScene {
 }
 
 export function prepareScene(scene: Scene, c: number): PreparedScene {
-  const objects = scene.objects.map((object) => (quadricOf(object) ? object : restToWorld(bakedObject(object), c)));
+  const objects = scene.objects.map((object) => (quadricOf(object) ? object : tracedObject(object, c)));
   const trees = new Map<Mesh, TriangleBvh>();
   for (const object of objects) {
     const { mesh, motion } = object;
@@ -48,6 +48,9 @@ export function prepareScene(scene: Scene, c: number): PreparedScene {
   }
   return { scene, c, objects, trees };
 }
+
+const tracedObject = (object: SceneObject, c: number): SceneObject =>
+  motionTracer(object.motion).mapsToMesh ? object : restToWorld(bakedObject(object), c);
 
 /** Budget of `ShapeCache` [bytes]. */
 const SHAPE_CACHE_BYTES = 256 * 2 ** 20;

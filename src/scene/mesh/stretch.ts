@@ -1,6 +1,6 @@
 import { cofactors, determinant, type Mat3, transform } from '../../math/mat3.ts';
 import { fromParts } from '../../math/mat4.ts';
-import { type Vec3, ZERO } from '../../math/vec3.ts';
+import { normalize, type Vec3, ZERO } from '../../math/vec3.ts';
 import type { Mesh, SceneObject } from '../types.ts';
 import { transformMesh } from './meshOps.ts';
 import { pointAt } from './polygons.ts';
@@ -25,10 +25,14 @@ export function objectPoint({ mesh, stretch }: StretchedPoints, i: number): Vec3
   return stretch ? transform(stretch, point) : point;
 }
 
-/** The normal of vertex i in the object's own frame, not normalized: S⁻ᵀ n up to the factor det S > 0. */
+/** A normal n of the mesh in the object's own frame, of any length: S⁻ᵀ n, up to the factor det S > 0. */
+export const stretchedNormal = (n: Vec3, stretch: Mat3 | undefined): Vec3 =>
+  stretch ? transform(cofactors(stretch), n) : n;
+
+/** The normal of vertex i in the object's own frame, of unit length. */
 export function objectNormal({ mesh, stretch }: StretchedMesh, i: number): Vec3 {
   const normal = pointAt(mesh.normals, i);
-  return stretch ? transform(cofactors(stretch), normal) : normal;
+  return stretch ? normalize(stretchedNormal(normal, stretch), normal) : normal;
 }
 
 /** A mesh of its own, with the stretch applied to its vertices. */
