@@ -1,11 +1,6 @@
 import fc from 'fast-check';
 import { expect, it } from 'vitest';
-import {
-  direction,
-  expectClose,
-  properVelocityUpTo,
-  uniform,
-} from '../../../tests/support/physicsArbitraries.ts';
+import { direction, expectClose, properVelocityUpTo, uniform } from '../../../tests/support/physicsArbitraries.ts';
 import { probePoint, settingsFor, tracedScene, viewFrom } from '../../../tests/support/rays.ts';
 import { determinant, type Mat3 } from '../../math/mat3.ts';
 import { fromAxisAngle } from '../../math/quat.ts';
@@ -47,11 +42,13 @@ const motions: fc.Arbitrary<Motion> = fc.oneof(
     properAcceleration: fc.tuple(direction, uniform(0, 5)).map(([n, a]) => scale(n, a)),
     t0: uniform(-3, 3),
   }),
-  fc.tuple(pose, pose).map(([a, b]): Motion => ({
-    kind: 'sampled',
-    times: Float64Array.of(-30, 30),
-    poses: Float64Array.of(...a.position, ...a.orientation, ...b.position, ...b.orientation),
-  })),
+  fc.tuple(pose, pose).map(
+    ([a, b]): Motion => ({
+      kind: 'sampled',
+      times: Float64Array.of(-30, 30),
+      poses: Float64Array.of(...a.position, ...a.orientation, ...b.position, ...b.orientation),
+    }),
+  ),
 );
 
 it('a stretched body is hit where a body with that shape as its mesh is, with the same normals', () => {

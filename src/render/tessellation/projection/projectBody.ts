@@ -10,7 +10,7 @@ import type { ScreenMetric } from '../criterion/tessellationView.ts';
 import { CubicPointsIntersector } from './cubicPointsIntersector.ts';
 import { HyperbolicIntersector } from './hyperbolicIntersector.ts';
 import { ProjectedAcceleratedBody } from './projectedAcceleratedBody.ts';
-import { inertialMap, ProjectedInertialBody, mapOfMesh } from './projectedInertialBody.ts';
+import { inertialMap, mapOfMesh, ProjectedInertialBody } from './projectedInertialBody.ts';
 import { SampledPointsIntersector, SampledPosesIntersector, type SampleWindow } from './sampledIntersector.ts';
 
 /** The part of a batch (batches.ts) that its plans are made from. */
