@@ -101,8 +101,7 @@ function oracle(name: string, content: string | Uint8Array): Places {
   return JSON.parse(python('-c', ORACLE, path, ...TIMES.map(String))) as Places;
 }
 
-const nearest = (points: readonly Vec3[], to: Vec3): number =>
-  Math.min(...points.map((point) => distance(point, to)));
+const nearest = (points: readonly Vec3[], to: Vec3): number => Math.min(...points.map((point) => distance(point, to)));
 
 /** Farthest of all vertices from where the oracle has them [m]. */
 function worstOf(scene: Scene, places: Places, pathOf: (path: string) => string): number {
