@@ -22,7 +22,7 @@ import { BlendStore } from './geometry/pointSamples/blendStore.ts';
 import { PointStore } from './geometry/pointSamples/pointStore.ts';
 import { SampleLoader } from './geometry/pointSamples/sampleLoader.ts';
 import { ReleasedPieces } from './geometry/releasedPieces.ts';
-import { indexedVertex } from './geometry/vertexInput.ts';
+import { INSTANCE_TEXELS, indexedVertex, instanceTexels } from './geometry/vertexInput.ts';
 import { isSampledAtRest, sceneRadius, worldObjects } from './geometry/worldObjects.ts';
 import { ChannelPacker } from './gpu/channelPacking.ts';
 import type { Gpu } from './gpu/device.ts';
@@ -183,9 +183,10 @@ export class SceneUpload {
   private fillInstances(batches: readonly Batch[]): void {
     for (const { bodies, instancing } of batches) {
       if (!instancing) continue;
-      this.instances.reserve(instancing.first + bodies.length);
-      bodies.forEach(({ id }, i) => {
-        this.instances.values.set([id - 1, instancing.materials[i], 0, 0], 4 * (instancing.first + i));
+      this.instances.reserve(INSTANCE_TEXELS * (instancing.first + bodies.length));
+      bodies.forEach(({ id, object }, i) => {
+        const texels = instanceTexels(id - 1, instancing.materials[i], object.stretch);
+        this.instances.values.set(texels, 4 * INSTANCE_TEXELS * (instancing.first + i));
       });
     }
     this.instances.upload();

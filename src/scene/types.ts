@@ -1,3 +1,4 @@
+import type { Mat3 } from '../math/mat3.ts';
 import type { Vec3 } from '../math/vec3.ts';
 import { type LocalizedText, type Message, msg } from '../messages/message.ts';
 import { MessageError } from '../messages/messageError.ts';
@@ -85,8 +86,13 @@ export interface SceneHints {
 export interface SceneObject {
   /** Prim path, unique: `/World/Cube`. Its index in `objects` plus one is the id in the object AOV (0 is background). */
   readonly path: string;
-  /** Its shape, in its own frame. */
+  /** Its shape, in its own frame; with `stretch` before that. */
   readonly mesh: Mesh;
+  /**
+   * Constant linear map S from the mesh's axes to those of the object's own frame, so that bodies of other sizes and proportions share a mesh: a point x of the
+   * mesh is at R(t) S x + T(t). Finite, with a positive determinant. Absent: the identity. Deforming objects and round solids have none.
+   */
+  readonly stretch?: Mat3;
   /** How it moves. */
   readonly motion: Motion;
   /** When it exists. */

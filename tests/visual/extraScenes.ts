@@ -1,9 +1,11 @@
+import type { Mat3 } from '../../src/math/mat3.ts';
 import { fromParts } from '../../src/math/mat4.ts';
 import { fromAxisAngle, IDENTITY, multiply, type Quat } from '../../src/math/quat.ts';
 import { normalize, type Vec3 } from '../../src/math/vec3.ts';
 import { makeMaterial, makeObject, makeScene, restingAt } from '../../src/scene/defaults.ts';
 import { transformMesh } from '../../src/scene/mesh/meshOps.ts';
 import { box, capsule, cone, cylinder, grid, plane, sphere } from '../../src/scene/mesh/primitives.ts';
+import { withoutQuadric } from '../../src/scene/mesh/quadric.ts';
 import { parabolaVelocities } from '../../src/scene/motion/cubicPoints.ts';
 import { isListed } from '../../src/scene/streaming/samplePoints.ts';
 import type { Mesh, Motion, Scene, SceneObject, Texture } from '../../src/scene/types.ts';
@@ -280,6 +282,26 @@ const round: ExtraScene = {
   towards: [0.6, 0, -0.8],
 };
 
+/** One mesh in bodies of other sizes and proportions, sheared too: at rest, moving, and turning, which are drawn from copies of it. */
+const proportions: ExtraScene = {
+  scene: {
+    ...crowd.scene,
+    name: 'one mesh in many proportions',
+    objects: crowd.scene.objects.map((object, i) =>
+      object.path === '/Floor' ? object : { ...object, mesh: withoutQuadric(object.mesh), stretch: proportion(i) },
+    ),
+  },
+  t: crowd.t,
+  eye: crowd.eye,
+  subject: crowd.subject,
+  extent: crowd.extent,
+  towards: crowd.towards,
+};
+
+function proportion(i: number): Mat3 {
+  return [0.6 + 0.1 * (i % 7), 0.15 * (i % 3), 0, 0, 1.3 - 0.1 * (i % 5), 0, 0.1, 0, 0.7];
+}
+
 function stretched(mesh: Mesh, [x, y, z]: Vec3): Mesh {
   return transformMesh(mesh, fromParts([x, 0, 0, 0, y, 0, 0, 0, z], [0, 0, 0]));
 }
@@ -295,4 +317,5 @@ export const EXTRA_SCENES: readonly ExtraScene[] = [
   cubicCloth,
   crowd,
   round,
+  proportions,
 ];

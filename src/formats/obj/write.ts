@@ -1,6 +1,7 @@
 import { rotate } from '../../math/quat.ts';
 import { add, type Vec3 } from '../../math/vec3.ts';
 import { msg } from '../../messages/message.ts';
+import { bakedMesh } from '../../scene/mesh/stretch.ts';
 import { sampleTimes } from '../../scene/motion/motion.ts';
 import type { Material, Mesh, Pose, Scene, Texture, TextureChannel } from '../../scene/types.ts';
 import { DiagnosticLog } from '../diagnostics/diagnosticLog.ts';
@@ -19,7 +20,9 @@ export function writeObj(scene: Scene, name: string): ExportedScene {
   // Indices count from 1, across all objects.
   let first = 1;
   const parts = [['# Y up, metres', `mtllib ${base}.mtl`]];
-  for (const { path, mesh, motion } of exportObjects(scene, losses)) {
+  for (const object of exportObjects(scene, losses)) {
+    const { path, motion } = object;
+    const mesh = bakedMesh(object);
     const times = sampleTimes(motion);
     if (times)
       losses.add('warning', 'convert.motion', path, msg`OBJ has no motion: it is written where it is at ${times[0]} s`);

@@ -2,7 +2,7 @@ import { fromAxisAngle, multiply, type Quat } from '../../math/quat.ts';
 import type { Vec3 } from '../../math/vec3.ts';
 import { type Message, msg } from '../../messages/message.ts';
 import { SPEED_OF_LIGHT } from '../../physics/constants.ts';
-import { boundingSphere } from '../../scene/bounds/bounds.ts';
+import { objectBoundingSphere } from '../../scene/bounds/bounds.ts';
 import { deformedNormals, smoothingGroups } from '../../scene/mesh/normals.ts';
 import { withoutQuadric } from '../../scene/mesh/quadric.ts';
 import { isAlive, isEternal } from '../../scene/motion/lifetimes.ts';
@@ -61,7 +61,8 @@ export function exportObjects(
         object.path,
         msg`it lives from ${inSeconds(birth)} to ${inSeconds(death)} s; there it always is`,
       );
-    return { ...object, ...exportObject(object, scene, losses) };
+    const { stretch: _, ...rest } = object;
+    return { ...rest, ...exportObject(object, scene, losses) };
   });
 }
 
@@ -83,14 +84,15 @@ function turnsByPath(objects: readonly SceneObject[]): ReadonlyMap<string, reado
 function exportObject(object: SceneObject, scene: Scene, losses: DiagnosticLog) {
   const c = scene.hints.speedOfLight ?? SPEED_OF_LIGHT;
   const own = restToWorld(object, c);
-  const { motion } = own;
-  if (isExportable(motion)) return { mesh: own.mesh, motion };
-  const { radius, center } = boundingSphere(own.mesh.positions);
+  const { motion, mesh, stretch } = own;
+  const shape = { mesh, ...(stretch && { stretch }) };
+  if (isExportable(motion)) return { ...shape, motion };
+  const { radius, center } = objectBoundingSphere(own);
   const reach = radius + Math.hypot(...center);
   const range = [scene.startTime, Math.max(scene.endTime, scene.startTime + 1)];
   losses.add('warning', 'convert.motion', own.path, sampledFrom(motion, range));
   const { times, poses } = sampleMotion((t) => poseAt(motion, t, c), range, reach, CHORD_TOLERANCE * reach);
-  if (own.authoredIn === 'world') return { mesh: own.mesh, motion: { kind: 'sampled', times, poses } as const };
+  if (own.authoredIn === 'world') return { ...shape, motion: { kind: 'sampled', times, poses } as const };
   return contracted(own, times, samplePose(poses, 0).position, c);
 }
 
@@ -149,11 +151,10 @@ export function exportSampledScene(scene: Scene, notes: DiagnosticLog): Scene {
   return {
     ...scene,
     endTime: Math.max(scene.endTime, scene.startTime + 1),
-    objects: scene.objects.map((object) => ({
-      ...object,
-      ...exportObject(object, scene, notes),
-      authoredIn: 'world',
-    })),
+    objects: scene.objects.map((object) => {
+      const { stretch: _, ...rest } = object;
+      return { ...rest, ...exportObject(object, scene, notes), authoredIn: 'world' };
+    }),
     lights: scene.lights.map((light) =>
       'motion' in light ? { ...light, motion: exportRigidMotion(light.motion, scene, light.path, notes) } : light,
     ),

@@ -1526,6 +1526,10 @@ const messages: Translation['messages'] = {
   'ends at {}, not after it begins at {}; it is never there': '结束于 {1}，不晚于开始的 {2}；它从不存在',
   'deforming points are authored in the rest frame, which they do not share; they are taken as the world’s':
     '变形的点按静止系给出，但它们没有共同的静止系；已按世界系处理',
+  'its stretch is {}; give it finite numbers and a positive determinant, or apply it to the mesh':
+    '其伸缩矩阵为 {1}；请给出有限的数和正的行列式，或将其应用于网格',
+  'it deforms, or is a round solid, and has a stretch; apply it to the mesh':
+    '它会变形或是圆体，却带有伸缩矩阵；请将其应用于网格',
   'vertex {} is at {}': '顶点 {1} 位于 {2}',
   'the pose at {} has {} in it': '{1} 时的姿态含有 {2}',
   'the points or velocities at {} have a number that is not finite': '{1} 时的点或速度含有非有限的数',

@@ -1,6 +1,7 @@
 import { add, scale, type Vec3 } from '../../math/vec3.ts';
 import { msg } from '../../messages/message.ts';
 import { boundingBox } from '../../scene/bounds/bounds.ts';
+import { bakedMesh } from '../../scene/mesh/stretch.ts';
 import { isStatic, poseAt } from '../../scene/motion/motion.ts';
 import { applyPose } from '../../scene/motion/poses.ts';
 import type { Pose, SceneObject } from '../../scene/types.ts';
@@ -30,8 +31,8 @@ export function meshCenter(object: SceneObject): Vec3 {
 export const isMoving = ({ motion }: SceneObject): boolean => !isStatic(motion);
 
 /** Bounds of its mesh, in its own frame. */
-export function meshBounds({ mesh, path }: SceneObject) {
-  const bounds = boundingBox(mesh.positions);
-  if (!bounds) throw nodeRefusal('matter.empty', path, msg`it has no points; leave it out`);
+export function meshBounds(object: SceneObject) {
+  const bounds = boundingBox(bakedMesh(object).positions);
+  if (!bounds) throw nodeRefusal('matter.empty', object.path, msg`it has no points; leave it out`);
   return bounds;
 }

@@ -3,6 +3,7 @@ import { conjugate, multiply, rotate, rotationAngle } from '../../math/quat.ts';
 import { addScaled, length, normalize, sub, type Vec3 } from '../../math/vec3.ts';
 import { msg } from '../../messages/message.ts';
 import { pointAt } from '../../scene/mesh/polygons.ts';
+import { bakedMesh } from '../../scene/mesh/stretch.ts';
 import { poseSamples } from '../../scene/motion/motion.ts';
 import { applyPose, samplePose } from '../../scene/motion/poses.ts';
 import type { SceneObject } from '../../scene/types.ts';
@@ -16,7 +17,7 @@ export function obstacleOf(object: SceneObject, part: ColliderMatter, c: number)
   const pose = initialPose(object, c);
   const middle = meshCenter(object);
   if (part.shape === 'box') return box(applyPose(pose, middle), sub(max, min), pose.orientation);
-  const { normals, positions } = object.mesh;
+  const { normals, positions } = bakedMesh(object);
   const sum = [0, 1, 2].map((k) => normals.reduce((all, x, i) => (i % 3 === k ? all + x : all), 0));
   const front = normalize(sum as unknown as Vec3);
   const depths = Array.from({ length: positions.length / 3 }, (_, i) => {

@@ -8,6 +8,7 @@ import { boundingBox } from '../../scene/bounds/bounds.ts';
 import { recoverQuads } from '../../scene/compose/recoverQuads.ts';
 import { weld } from '../../scene/compose/weld.ts';
 import { pointAt } from '../../scene/mesh/polygons.ts';
+import { bakedObject } from '../../scene/mesh/stretch.ts';
 import { originWorldLine, vertexWorldLine } from '../../scene/motion/motion.ts';
 import type { RigidMotion, Scene, SceneObject } from '../../scene/types.ts';
 import { nodeRefusal } from '../common/params.ts';
@@ -82,7 +83,8 @@ class SystemBuilder implements PointCollection {
   net(part: MassSpringMatter): SimulatedBody[] {
     const up = part.scene.upAxis === 'Y' ? 1 : 2;
     let held = 0;
-    const bodies = part.scene.objects.map((object): SimulatedBody => {
+    const bodies = part.scene.objects.map((given): SimulatedBody => {
+      const object = bakedObject(given);
       const { points, velocities, pointOfVertex, net, lineOf } = massSpringMesh(object, part, this.c);
       const count = points.length / 3;
       const filled = part.stiffness.filling > 0;

@@ -1,7 +1,8 @@
 import { rotate } from '../../math/quat.ts';
 import { add, lerp, type Vec3, ZERO } from '../../math/vec3.ts';
-import { type BoundingSphere, boundingSphere, sampleBoundingSphere } from '../../scene/bounds/bounds.ts';
+import { type BoundingSphere, objectBoundingSphere, sampleBoundingSphere } from '../../scene/bounds/bounds.ts';
 import { pointAt } from '../../scene/mesh/polygons.ts';
+import { objectNormal, objectPoint } from '../../scene/mesh/stretch.ts';
 import { deformedPoints } from '../../scene/motion/deformedPoints.ts';
 import type { ObjectWith } from '../../scene/motion/kinds/motionKind.ts';
 import { applyPose, pieceAt, samplePose } from '../../scene/motion/poses.ts';
@@ -37,6 +38,8 @@ export interface TracerInputs {
 interface MotionTracer<M extends Motion> {
   /** Whether one BVH of the mesh serves all times and all objects that share it. */
   readonly keepsShape: boolean;
+  /** Whether its intersector maps rays to the axes of the mesh, so that bodies of other proportions share that BVH; for others stretches are baked. */
+  readonly mapsToMesh: boolean;
   createIntersector(object: ObjectWith<M>, inputs: TracerInputs): ObjectIntersector;
   /** Whether shape and normals are those on a slice of world time, where the object moves, and not those at rest. */
   isAuthoredMoving(object: ObjectWith<M>): boolean;
@@ -48,8 +51,8 @@ interface MotionTracer<M extends Motion> {
   startSphere(object: ObjectWith<M>): BoundingSphere;
 }
 
-const sphereAt = (pose: Pose, { mesh }: SceneObject): BoundingSphere => {
-  const { center, radius } = boundingSphere(mesh.positions);
+const sphereAt = (pose: Pose, object: SceneObject): BoundingSphere => {
+  const { center, radius } = objectBoundingSphere(object);
   return { center: applyPose(pose, center), radius };
 };
 
@@ -58,14 +61,15 @@ type WithPose = SceneObject & { readonly motion: { readonly pose: Pose } };
 /** Common to kinds with constant orientation. */
 const POSED = {
   keepsShape: true,
+  mapsToMesh: true,
   vertexPlaces:
-    ({ mesh, motion }: WithPose) =>
+    (object: WithPose) =>
     (i: number): Vec3 =>
-      rotate(motion.pose.orientation, pointAt(mesh.positions, i)),
+      rotate(object.motion.pose.orientation, objectPoint(object, i)),
   vertexNormals:
-    ({ mesh, motion }: WithPose) =>
+    (object: WithPose) =>
     (i: number): Vec3 =>
-      rotate(motion.pose.orientation, pointAt(mesh.normals, i)),
+      rotate(object.motion.pose.orientation, objectNormal(object, i)),
   startSphere: (object: WithPose): BoundingSphere => sphereAt(object.motion.pose, object),
 };
 
@@ -100,6 +104,7 @@ const MOTION_TRACERS: { readonly [K in Motion['kind']]: MotionTracer<Extract<Mot
   },
   hyperbolic: {
     ...POSED,
+    mapsToMesh: false,
     createIntersector: (object, { index, tree, solid, c }) =>
       solid
         ? new HyperbolicQuadricIntersector(index, object, solid, c)
@@ -108,6 +113,7 @@ const MOTION_TRACERS: { readonly [K in Motion['kind']]: MotionTracer<Extract<Mot
   },
   sampled: {
     keepsShape: false,
+    mapsToMesh: false,
     createIntersector: (object, { index, c, solid, store }) =>
       solid
         ? new SampledQuadricIntersector(index, object, solid, c)
@@ -119,6 +125,7 @@ const MOTION_TRACERS: { readonly [K in Motion['kind']]: MotionTracer<Extract<Mot
   },
   'sampled-points': {
     keepsShape: false,
+    mapsToMesh: false,
     createIntersector: (object, { index, c, store }) =>
       new SampledRayIntersector(index, object, c, new SampledShapes(object.mesh, new PointShapes(object, c), store)),
     isAuthoredMoving: () => true,

@@ -1,4 +1,6 @@
+import { IDENTITY, invert, multiply, transform } from '../../math/mat3.ts';
 import type { Vec3 } from '../../math/vec3.ts';
+import { stretchedNormal } from '../../scene/mesh/stretch.ts';
 import { isEternal } from '../../scene/motion/lifetimes.ts';
 import type { SceneObject, UniformMotion } from '../../scene/types.ts';
 import { BvhTraversal } from '../acceleration/bvhTraversal.ts';
@@ -14,7 +16,7 @@ import { type TriangleBvh, triangleNormal } from '../acceleration/triangleBvh.ts
 import { RigidFrame } from './rigidFrame.ts';
 
 const traversal = new BvhTraversal();
-/** The current ray in the coordinates of the current object: o x y z, d x y z. */
+/** The current ray in the axes of the current object's mesh: o x y z, d x y z. */
 const line = new Float64Array(6);
 
 /** Intersects rays with an object at rest or in uniform motion. */
@@ -25,7 +27,8 @@ export class RigidIntersector implements ObjectIntersector {
   private readonly shape: TriangleBvh;
   private readonly c: number;
   private readonly frame: RigidFrame;
-  private readonly toObject: Float64Array;
+  /** The frame's map, and from the object's axes to those of the mesh. */
+  private readonly toMesh: Float64Array;
   private readonly hasLifetime: boolean;
 
   constructor(
@@ -41,14 +44,17 @@ export class RigidIntersector implements ObjectIntersector {
     this.shape = shape;
     this.c = c;
     this.frame = new RigidFrame(object.authoredIn, motion, c);
-    this.toObject = Float64Array.from(this.frame.toObject);
+    const toMesh = object.stretch && invert(object.stretch);
+    this.toMesh = Float64Array.from(toMesh ? multiply(toMesh, this.frame.toObject) : this.frame.toObject);
     this.hasLifetime = !isEternal(object.lifetime);
   }
 
   get bounds(): MovingBox | undefined {
     const { bounds } = this.shape.bvh;
     if (bounds.length === 0) return undefined;
-    const corner = (k: number): Vec3 => [bounds[k & 1 ? 3 : 0], bounds[k & 2 ? 4 : 1], bounds[k & 4 ? 5 : 2]];
+    const { stretch = IDENTITY } = this.object;
+    const corner = (k: number): Vec3 =>
+      transform(stretch, [bounds[k & 1 ? 3 : 0], bounds[k & 2 ? 4 : 1], bounds[k & 4 ? 5 : 2]]);
     return this.frame.boxAround([0, 1, 2, 3, 4, 5, 6, 7].map(corner));
   }
 
@@ -59,13 +65,15 @@ export class RigidIntersector implements ObjectIntersector {
       [begin, end] = clipToTimes(ray, birth, death, this.c, begin, end);
       if (begin > end) return;
     }
-    this.frame.writeLine(ray, this.toObject, line);
+    this.frame.writeLine(ray, this.toMesh, line);
     traversal.start(this.shape.bvh, line, begin);
     this.intersectLeaves(begin, end, search);
   }
 
   hitAt(ray: SpacetimeRay, crossing: Crossing): Hit {
-    return this.frame.hitAt(ray, this.index, crossing, triangleNormal(this.object.mesh, crossing.corner));
+    const { mesh, stretch } = this.object;
+    const normal = stretchedNormal(triangleNormal(mesh, crossing.corner), stretch);
+    return this.frame.hitAt(ray, this.index, crossing, normal);
   }
 
   /**

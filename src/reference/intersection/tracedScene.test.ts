@@ -13,6 +13,7 @@ import { add, distance, length, normalize, scale, type Vec3 } from '../../math/v
 import { velocity } from '../../physics/lorentz/boost.ts';
 import { makeObject, makeScene } from '../../scene/defaults.ts';
 import { box, sphere } from '../../scene/mesh/primitives.ts';
+import { withoutQuadric } from '../../scene/mesh/quadric.ts';
 import type { Mesh, Motion, SceneObject } from '../../scene/types.ts';
 import type { View } from '../../scene/views/views.ts';
 import { dopplerOfHit } from '../aov.ts';
@@ -73,10 +74,13 @@ const object: fc.Arbitrary<SceneObject> = fc.constantFrom(ball, block).chain((me
     .record({
       motion: fc.oneof({ weight: 3, arbitrary: closed }, wandering, deforming(mesh)),
       authoredIn: fc.constantFrom<'world' | 'rest'>('world', 'rest'),
+      stretch: fc.constantFrom(undefined, [0.5, 0.2, 0, 0, 1.2, 0.3, 0, 0, 0.8]),
     })
-    .map(({ motion, authoredIn }) => {
+    .map(({ motion, authoredIn, stretch }) => {
       const sampled = motion.kind === 'sampled' || motion.kind === 'sampled-points';
-      return makeObject({ path: '/It', mesh, motion, authoredIn: sampled ? 'world' : authoredIn });
+      const maps = motion.kind === 'static' || motion.kind === 'uniform';
+      const shape = stretch && maps ? { mesh: withoutQuadric(mesh), stretch } : { mesh };
+      return makeObject({ path: '/It', ...shape, motion, authoredIn: sampled ? 'world' : authoredIn });
     }),
 );
 

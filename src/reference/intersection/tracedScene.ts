@@ -1,5 +1,6 @@
 import { isTransparent } from '../../scene/materials/transparency.ts';
 import { quadricOf } from '../../scene/mesh/quadric.ts';
+import { bakedObject } from '../../scene/mesh/stretch.ts';
 import { restToWorld } from '../../scene/motion/motion.ts';
 import type { Material, Mesh, Quadric, Scene, SceneObject } from '../../scene/types.ts';
 import type { Hit, RayFilter, SpacetimeRay } from '../acceleration/ray.ts';
@@ -39,7 +40,7 @@ export interface PreparedScene {
 }
 
 export function prepareScene(scene: Scene, c: number): PreparedScene {
-  const objects = scene.objects.map((object) => (quadricOf(object) ? object : restToWorld(object, c)));
+  const objects = scene.objects.map((object) => (quadricOf(object) ? object : tracedObject(object, c)));
   const trees = new Map<Mesh, TriangleBvh>();
   for (const object of objects) {
     const { mesh, motion } = object;
@@ -47,6 +48,9 @@ export function prepareScene(scene: Scene, c: number): PreparedScene {
   }
   return { scene, c, objects, trees };
 }
+
+const tracedObject = (object: SceneObject, c: number): SceneObject =>
+  motionTracer(object.motion).mapsToMesh ? object : restToWorld(bakedObject(object), c);
 
 /** Budget of `ShapeCache` [bytes]. */
 const SHAPE_CACHE_BYTES = 256 * 2 ** 20;

@@ -1,8 +1,8 @@
 import { add, addScaled, dot, length, negate, scale, sub, type Vec3 } from '../../math/vec3.ts';
 import { properVelocity } from '../../physics/lorentz/boost.ts';
 import { contraction } from '../../physics/worldLines/simultaneity.ts';
-import { pointAt } from '../../scene/mesh/polygons.ts';
 import { quadricOf } from '../../scene/mesh/quadric.ts';
+import { objectPoint } from '../../scene/mesh/stretch.ts';
 import type { Hit } from '../acceleration/ray.ts';
 import { motionTracer } from '../intersection/motionTracers.ts';
 import type { TracedScene } from '../intersection/tracedScene.ts';
@@ -58,8 +58,8 @@ export const transmissionOrigin = (scene: TracedScene, hit: Hit): SurfaceOrigin 
 
 /** Well above the f64 rounding of positions, and of times multiplied by the surface's speed [m]. */
 function clearanceAt({ objects, c }: TracedScene, { object, corner, position, time, velocity }: Hit): number {
-  const { positions, indices } = objects[object].mesh;
-  const [a, b] = [pointAt(positions, indices[corner]), pointAt(positions, indices[corner + 1])];
+  const { indices } = objects[object].mesh;
+  const [a, b] = [indices[corner], indices[corner + 1]].map((vertex) => objectPoint(objects[object], vertex));
   const size = length(position) + length(a) + length(b);
   return 1e-10 * size + 1e-13 * c * Math.abs(time) * length(velocity);
 }

@@ -1,13 +1,15 @@
 import { rotate } from '../../math/quat.ts';
 import { sub, type Vec3 } from '../../math/vec3.ts';
+import { meshBoundingSphere } from '../../scene/bounds/bounds.ts';
 import { isLayered, LAYERS } from '../../scene/materials/layered.ts';
 import { isTransparent } from '../../scene/materials/transparency.ts';
+import { objectNormal, objectPoint } from '../../scene/mesh/stretch.ts';
 import { deforms } from '../../scene/motion/motion.ts';
 import { motionKind } from '../../scene/motion/motions.ts';
 import type { Material, Motion, NormalTexture, Scene, Texture, TextureChannel } from '../../scene/types.ts';
 import { textureKey } from '../gpu/textures.ts';
 import { type BatchSolid, batchSolidOf } from './batchSolids.ts';
-import { type Body, sharesMesh } from './bodies.ts';
+import { type Body, isSolvedPerVertex, sharesMesh } from './bodies.ts';
 
 /** Objects with more triangles than this get batches of their own, so that culling them saves their work. */
 const MAX_MERGED_TRIANGLES = 20_000;
@@ -68,7 +70,7 @@ function slotKey([slot, value]: readonly [string, unknown]): string {
 }
 
 export interface BatchArrays {
-  /** Relative to the body's centre [m]; rotated to the world's axes if the motion has one orientation and the batch has no instancing. */
+  /** Relative to the body's centre [m]; rotated to the world's axes if the motion has one orientation. With instancing as the mesh has them, relative to its centre. */
   readonly positions: Float32Array;
   readonly normals: Float32Array;
   /** v downwards, as the rows of images. */
@@ -150,8 +152,8 @@ class SharedMeshes {
   }
 
   sharedKey(body: Body): string | undefined {
-    const { mesh, motion } = body.object;
-    if (!sharesMesh(motion)) return undefined;
+    const { mesh, motion, stretch } = body.object;
+    if (!sharesMesh(motion) || (stretch && isSolvedPerVertex(motion))) return undefined;
     if (mesh.indices.length < 3 * MIN_INSTANCED_TRIANGLES) return undefined;
     const key = this.keyOf(body);
     return (this.users.get(key) ?? 0) >= MIN_INSTANCES ? key : undefined;
@@ -227,7 +229,7 @@ function wholeMesh(parts: readonly BatchPart[]): BatchArrays {
   };
 }
 
-/** `rotated`: to the world's axes, if a part has one orientation. */
+/** `rotated`: stretched, and rotated to the world's axes, if a part has one orientation; otherwise in the mesh's axes. */
 function mergeParts(parts: readonly BatchPart[], rotated: boolean): BatchArrays {
   const used = parts.map(usedVertices);
   const vertices = used.reduce((n, u) => n + u.vertices.length, 0);
@@ -275,13 +277,15 @@ function copyVertices(
   rotated: boolean,
 ): void {
   const { mesh, motion } = body.object;
+  const own = rotated ? body.object : { mesh };
+  const center = rotated ? body.center : meshBoundingSphere(mesh).center;
   const orientation = rotated ? motionKind(motion).fixedOrientation(motion) : undefined;
   const rotateToWorld = (v: Vec3): Vec3 => (orientation ? rotate(orientation, v) : v);
   const read = (a: Float32Array, v: number): Vec3 => [a[3 * v], a[3 * v + 1], a[3 * v + 2]];
   from.forEach((v, k) => {
     const to = first + k;
-    out.positions.set(rotateToWorld(sub(read(mesh.positions, v), body.center)), 3 * to);
-    out.normals.set(rotateToWorld(read(mesh.normals, v)), 3 * to);
+    out.positions.set(rotateToWorld(sub(objectPoint(own, v), center)), 3 * to);
+    out.normals.set(rotateToWorld(objectNormal(own, v)), 3 * to);
     out.uvs[2 * to] = mesh.uvs[2 * v];
     out.uvs[2 * to + 1] = 1 - mesh.uvs[2 * v + 1];
     if (mesh.colors) out.colors?.set(read(mesh.colors, v), 3 * to);

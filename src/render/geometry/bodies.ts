@@ -4,7 +4,7 @@ import { properVelocity } from '../../physics/lorentz/boost.ts';
 import type { HyperbolicLine } from '../../physics/worldLines/kinds/hyperbolicLine.ts';
 import { contraction } from '../../physics/worldLines/simultaneity.ts';
 import type { WorldLine } from '../../physics/worldLines/worldLine.ts';
-import { meshBoundingSphere, sampleBoundingSphere } from '../../scene/bounds/bounds.ts';
+import { objectBoundingSphere, sampleBoundingSphere } from '../../scene/bounds/bounds.ts';
 import { type CubicPointsMotion, innerControlPoints, isCubic } from '../../scene/motion/cubicPoints.ts';
 import type { ObjectWith } from '../../scene/motion/kinds/motionKind.ts';
 import { applyPose, samplePose } from '../../scene/motion/poses.ts';
@@ -23,11 +23,11 @@ export interface Body extends MovingBody {
   readonly object: SceneObject;
 }
 
-/** The part of a body that determines where it is. Of its object only the motion, because meshes are large. */
+/** The part of a body that determines where it is. Of its object only the motion and the stretch, because meshes are large. */
 export interface MovingBody {
   /** Index in Scene.objects plus one. */
   readonly id: number;
-  readonly object: Pick<SceneObject, 'motion' | 'authoredIn'>;
+  readonly object: Pick<SceneObject, 'motion' | 'authoredIn' | 'stretch'>;
   /** Centre of the bounding sphere in the object's own frame [m]; vertices are uploaded relative to it. */
   readonly center: Vec3;
   /** Radius of the bounding sphere [m]. */
@@ -66,9 +66,9 @@ const rotatedBy =
 
 const rigid =
   <M extends RigidMotion>(lineOf: (motion: M, center: Vec3) => WorldLine) =>
-  ({ mesh, motion }: ObjectWith<M>): Pick<Body, 'center' | 'radius' | 'line'> => {
-    const { center, radius } = meshBoundingSphere(mesh);
-    return { center, radius, line: lineOf(motion, center) };
+  (object: ObjectWith<M>): Pick<Body, 'center' | 'radius' | 'line'> => {
+    const { center, radius } = objectBoundingSphere(object);
+    return { center, radius, line: lineOf(object.motion, center) };
   };
 
 const BODY_MOTIONS: { readonly [K in Motion['kind']]: BodyMotion<Extract<Motion, { readonly kind: K }>> } = {

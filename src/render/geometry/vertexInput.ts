@@ -1,6 +1,7 @@
-import { attribute, int, vertexIndex } from 'three/tsl';
+import { attribute, cross, dot, int, length, max, vec2, vec3, vertexIndex } from 'three/tsl';
 import type { Node } from 'three/webgpu';
-import type { Float, Int, Vec3, Vec4 } from '../../shaders/types.ts';
+import { IDENTITY, type Mat3 } from '../../math/mat3.ts';
+import type { Float, Int, Vec3 } from '../../shaders/types.ts';
 import type { FloatTable } from '../gpu/floatTable.ts';
 
 /** A vertex before its motion is applied: of a mesh (`indexedVertex`), or a point in one of its triangles (tessellation/gpu/triangleTable.ts). */
@@ -18,17 +19,51 @@ export interface VertexInput {
   readonly ofVertices: (read: (vertex: Int) => Vec3) => Vec3;
 }
 
-/** The instance table's texel for an instance: (object id − 1, material, 0, 0). */
-export const instanceRecord = (instances: FloatTable, instance: Float): Vec4 => instances.texel(int(instance)).toVar();
+/** Texels per instance in the instance table: the rows of its stretch, the first with the object's id − 1, the second with its material. */
+export const INSTANCE_TEXELS = 3;
+
+/** The texels of an instance. */
+export const instanceTexels = (object: number, material: number, stretch: Mat3 = IDENTITY): readonly number[] => [
+  ...[...stretch.slice(0, 3), object],
+  ...[...stretch.slice(3, 6), material],
+  ...[...stretch.slice(6, 9), 0],
+];
+
+/** A body that shares its mesh with others: what it is, and how it stretches the mesh. */
+interface Instance extends Pick<VertexInput, 'object' | 'material'> {
+  readonly offset: (x: Vec3) => Vec3;
+  /** Of unit length. */
+  readonly normal: (n: Vec3) => Vec3;
+}
+
+export function instanceOf(instances: FloatTable, instance: Float): Instance {
+  const first = int(instance).mul(int(INSTANCE_TEXELS)).toVar();
+  const rows = [0, 1, 2].map((k) => instances.texel(first.add(int(k))).toVar());
+  const [x, y, z] = rows.map((row) => row.xyz);
+  return {
+    object: rows[0].w,
+    material: rows[1].w,
+    offset: (v) => vec3(dot(x, v), dot(y, v), dot(z, v)).toVar(),
+    normal: (n) => {
+      // Products of small numbers vanish in f32.
+      const size = max(length(x), max(length(y), length(z)));
+      const [a, b, c] = [x, y, z].map((row) => row.div(size).toVar());
+      const turned = vec3(dot(cross(b, c), n), dot(cross(c, a), n), dot(cross(a, b), n)).toVar();
+      return turned.div(max(length(turned), 1e-30)).toVar();
+    },
+  };
+}
 
 /** The vertex that the index buffer names; `instances`: set for batches with instancing. */
 export function indexedVertex(colored: boolean, instances?: FloatTable): VertexInput {
-  const ids = instances
-    ? instanceRecord(instances, attribute<'float'>('instance', 'float')).xy
-    : attribute<'vec2'>('ids', 'vec2');
+  const instance = instances && instanceOf(instances, attribute<'float'>('instance', 'float'));
+  const [position, normal] = ['position', 'normal'].map((name) => attribute<'vec3'>(name, 'vec3'));
+  const ids = instance ? vec2(instance.object, instance.material) : attribute<'vec2'>('ids', 'vec2');
   return {
-    offset: attribute<'vec3'>('position', 'vec3'),
-    normal: attribute<'vec3'>('normal', 'vec3'),
+    offset: instance ? instance.offset(position) : position,
+    get normal() {
+      return instance ? instance.normal(normal) : normal;
+    },
     uv: attribute<'vec2'>('uv', 'vec2'),
     color: colored ? attribute<'vec3'>('color', 'vec3') : undefined,
     object: ids.x,

@@ -1,5 +1,7 @@
+import { type Mat3, transform } from '../../math/mat3.ts';
 import { add, distance, dot, scale, type Vec3 } from '../../math/vec3.ts';
 import { pointAt } from '../mesh/polygons.ts';
+import type { StretchedPoints } from '../mesh/stretch.ts';
 import { blendedBounds } from '../streaming/blendedBounds.ts';
 import { isListed, isStreamed } from '../streaming/samplePoints.ts';
 import type { Mesh, SampledPointsMotion } from '../types.ts';
@@ -105,6 +107,27 @@ export function meshBoundingSphere({ positions }: Pick<Mesh, 'positions'>): Boun
   const sphere = MESH_SPHERES.get(positions) ?? boundingSphere(positions);
   MESH_SPHERES.set(positions, sphere);
   return sphere;
+}
+
+/** The bounding sphere of an object in its own frame [m]. */
+export function objectBoundingSphere({ mesh, stretch }: StretchedPoints): BoundingSphere {
+  const sphere = meshBoundingSphere(mesh);
+  return stretch ? stretchedSphere(mesh.positions, stretch, transform(stretch, sphere.center)) : sphere;
+}
+
+/** The sphere around a centre that contains all points S x. */
+function stretchedSphere(points: Float32Array, stretch: Mat3, center: Vec3): BoundingSphere {
+  const [xx, xy, xz, yx, yy, yz, zx, zy, zz] = stretch;
+  const [cx, cy, cz] = center;
+  let square = 0;
+  for (let i = 0; i + 2 < points.length; i += 3) {
+    const [x, y, z] = [points[i], points[i + 1], points[i + 2]];
+    const dx = xx * x + xy * y + xz * z - cx;
+    const dy = yx * x + yy * y + yz * z - cy;
+    const dz = zx * x + zy * y + zz * z - cz;
+    square = Math.max(square, dx * dx + dy * dy + dz * dz);
+  }
+  return { center, radius: Math.sqrt(square) };
 }
 
 /** The box of sample k, relative to the motion's origin [m]; undefined without points. That of blended points is not tight. */

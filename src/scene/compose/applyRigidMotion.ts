@@ -1,5 +1,5 @@
 import { length } from '../../math/vec3.ts';
-import { meshBoundingSphere } from '../bounds/bounds.ts';
+import { objectBoundingSphere } from '../bounds/bounds.ts';
 import { isStatic, restingPose } from '../motion/motion.ts';
 import { motionKind } from '../motion/motions.ts';
 import { applyPose } from '../motion/poses.ts';
@@ -39,9 +39,9 @@ export const composeMotion = (frame: RigidMotion, pose: Pose): RigidMotion => mo
 export function reachFromOrigin(scene: Scene, path: string): number {
   return scene.objects
     .filter((object) => matchesPath(object.path, path))
-    .reduce((max, { mesh, motion }) => {
-      const { center, radius } = meshBoundingSphere(mesh);
-      const pose = restingPose(motion);
+    .reduce((max, object) => {
+      const { center, radius } = objectBoundingSphere(object);
+      const pose = restingPose(object.motion);
       return Math.max(max, length(pose ? applyPose(pose, center) : center) + radius);
     }, 0);
 }

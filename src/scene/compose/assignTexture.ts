@@ -1,4 +1,5 @@
 import type { Texture } from '../materials/texture.ts';
+import { bakedObject } from '../mesh/stretch.ts';
 import type { Material, Mesh, Scene, SceneObject } from '../types.ts';
 import { withObjects } from './assignMaterial.ts';
 
@@ -36,10 +37,10 @@ export function assignTexture(scene: Scene, path: string, how: TexturePlacement)
     meshes.set(of, { ...plain, groups });
     return { ...plain, groups };
   };
-  const objects = withObjects(scene, path, (object) => ({
-    ...object,
-    mesh: meshes.get(object.mesh) ?? mesh(object.mesh),
-  }));
+  const objects = withObjects(scene, path, (object) => {
+    const plain = how.projected === undefined ? object : bakedObject(object);
+    return { ...plain, mesh: meshes.get(plain.mesh) ?? mesh(plain.mesh) };
+  });
   return { ...scene, objects, materials };
 }
 

@@ -24,10 +24,10 @@ export const transformScene = (scene: Scene, by: SimilarityTransform): Scene => 
 });
 
 export function transformObject(object: SceneObject, by: SimilarityTransform): SceneObject {
-  const { motion } = object;
+  const { mesh, motion, stretch } = object;
   return {
     ...object,
-    mesh: transformedMesh(object.mesh, motion, by),
+    ...(stretch ? { stretch: stretch.map((x) => by.scale * x) } : { mesh: transformedMesh(mesh, motion, by) }),
     motion: motionKind(motion).transform(motion, by),
   };
 }

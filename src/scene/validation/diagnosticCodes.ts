@@ -14,6 +14,8 @@ export const SCENE_CODES = {
   'motion.cubic': 'a cubic path that could be faster than light: its bend is reduced there',
   'motion.superluminal': 'something moves faster than light',
   'motion.horizon': 'part of an accelerated body lies beyond its horizon, where nothing can keep up with it',
+  'object.stretch':
+    'a stretch that is not finite, flattens or mirrors, or that of something that has none: a round solid, or deforming points',
   'object.lifetime': 'an object that dies before it is born',
   'light.size': 'a lamp whose size is negative or not finite',
   'light.color': 'a lamp whose colour is not finite',

@@ -2,6 +2,7 @@ import { listed, type Message, msg } from '../../messages/message.ts';
 import { makeObject } from '../defaults.ts';
 import { isLocalLight, lightKind } from '../lights/lightKinds.ts';
 import { pointAt } from '../mesh/polygons.ts';
+import { isProperStretch } from '../mesh/stretch.ts';
 import { deforms, sampleTimes } from '../motion/motion.ts';
 import { motionKind } from '../motion/motions.ts';
 import type { Diagnostic, LocalLight, Mesh, Motion, Scene, SceneCamera, SceneObject } from '../types.ts';
@@ -82,6 +83,7 @@ function validateObject(object: SceneObject, mesh: MeshFindings, c: number): Dia
     ...validateTimes(motion, path),
     ...validateLifetime(object),
     ...validateAuthoring(object),
+    ...validateStretch(object),
   ];
   if (hasError(found)) return found;
   found.push(...finiteness(object, mesh));
@@ -185,6 +187,23 @@ function validateAuthoring({ authoredIn, motion, path }: SceneObject): Diagnosti
   if (authoredIn === 'world' || !deforms(motion)) return [];
   const message = msg`deforming points are authored in the rest frame, which they do not share; they are taken as the world’s`;
   return [problem('info', 'motion.rest-points', path, message)];
+}
+
+function validateStretch({ path, mesh, stretch, motion }: SceneObject): Diagnostic[] {
+  if (!stretch) return [];
+  if (!isProperStretch(stretch)) {
+    const message = msg`its stretch is ${stretch.join(', ')}; give it finite numbers and a positive determinant, or apply it to the mesh`;
+    return [problem('error', 'object.stretch', path, message)];
+  }
+  if (!deforms(motion) && !mesh.quadric) return [];
+  return [
+    problem(
+      'error',
+      'object.stretch',
+      path,
+      msg`it deforms, or is a round solid, and has a stretch; apply it to the mesh`,
+    ),
+  ];
 }
 
 function finiteness({ path, mesh, motion }: SceneObject, { notFinite }: MeshFindings): Diagnostic[] {

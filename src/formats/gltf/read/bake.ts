@@ -1,10 +1,11 @@
-import { invert, type Mat3, multiply as times3, transpose } from '../../../math/mat3.ts';
+import { invert, multiply as times3, transpose } from '../../../math/mat3.ts';
 import { fromParts, isRigid, linearPart, type Mat4 } from '../../../math/mat4.ts';
 import { multiply as after, fromMatrix, type Quat, toMatrix } from '../../../math/quat.ts';
 import { add, scale, type Vec3, ZERO } from '../../../math/vec3.ts';
 import { msg } from '../../../messages/message.ts';
 import { boundingBox } from '../../../scene/bounds/bounds.ts';
-import { flippedWinding, transformMesh } from '../../../scene/mesh/meshOps.ts';
+import { flippedWinding } from '../../../scene/mesh/meshOps.ts';
+import type { StretchedMesh } from '../../../scene/mesh/stretch.ts';
 import { AdaptivePath, type SampledTimes, SamplingBudget } from '../../../scene/motion/adaptiveSampling.ts';
 import {
   type JointPoses,
@@ -17,6 +18,7 @@ import { formatBytes } from '../../diagnostics/inputError.ts';
 import { BlendBudget, MAX_HALVINGS, PATH_PROBES, POINTS_PER_CURVE } from '../../read/blendBudget.ts';
 import { blendedSkin, jointPoses } from '../../read/blendedSkin.ts';
 import { blendedPlaces, type OutlinedMesh } from '../../read/jointOutline.ts';
+import { stretchedMesh } from '../../read/stretches.ts';
 import type { GltfContext } from '../context.ts';
 import type { Deformer } from './deform.ts';
 import { type KeyTimes, keyTimesOf } from './keyTimes.ts';
@@ -34,8 +36,7 @@ const RIGIDITY = 1e-5;
 const MOTION_BUDGET = 2 ** 17;
 
 /** A mesh with its motion, ready for a scene. */
-export interface BakedMesh {
-  readonly mesh: Mesh;
+export interface BakedMesh extends StretchedMesh {
   readonly motion: Motion;
 }
 
@@ -50,7 +51,6 @@ interface JointGrid {
 /** Bakes the objects of one scene, within one budget of memory. */
 export class Baker {
   private readonly context: GltfContext;
-  private readonly stretches = new Map<Mesh, Map<string, Mesh>>();
   private readonly motionBudget = new SamplingBudget(MOTION_BUDGET);
   private readonly blendBudget: BlendBudget;
   private readonly grids = new Map<string, JointGrid>();
@@ -79,7 +79,7 @@ export class Baker {
     const times = this.followed({ path: frame.path, curves: deformer.curves }, knots, shape, tolerance);
     const poses = rigidPoses(transformAt, first, times);
     if (!poses) return this.bakePoints(frame, geometry, deformer);
-    return { mesh: this.placed(geometry.mesh, first).mesh, motion: rigidMotion(times, poses) };
+    return { ...this.placed(geometry.mesh, first), motion: rigidMotion(times, poses) };
   }
 
   /**
@@ -126,23 +126,11 @@ export class Baker {
     return rigidMotion(times, times.map(poseAt));
   }
 
-  /** The mesh in a frame with the node's rotation; scale, shear and mirror are applied to the mesh. */
+  /** The mesh in a frame with the node's rotation; scale, shear and mirror are its stretch. */
   private placed(mesh: Mesh, placement: NodeTransform): BakedMesh {
     const linear = linearPart(placement.matrix);
     const stretch = times3(transpose(toMatrix(placement.rotation)), linear);
-    const isPlain = stretch.every((x, i) => Math.abs(x - (i % 4 === 0 ? 1 : 0)) < 1e-12);
-    const own = isPlain ? mesh : this.stretched(mesh, stretch);
-    return { mesh: own, motion: { kind: 'static', pose: poseOf(placement) } };
-  }
-
-  /** Instances of equal scale share one mesh. */
-  private stretched(mesh: Mesh, stretch: Mat3): Mesh {
-    const known = this.stretches.get(mesh) ?? new Map<string, Mesh>();
-    this.stretches.set(mesh, known);
-    const key = stretch.map((x) => x.toPrecision(12)).join(' ');
-    const made = known.get(key) ?? transformMesh(mesh, fromParts(stretch, ZERO));
-    known.set(key, made);
-    return made;
+    return { ...stretchedMesh(mesh, stretch), motion: { kind: 'static', pose: poseOf(placement) } };
   }
 
   private tolerance(byDefault: number): number {

@@ -22,6 +22,7 @@ import { DiagnosticLog } from '../../diagnostics/diagnosticLog.ts';
 import { type FileSource, stemOf } from '../../files/fileSource.ts';
 import type { OutlinedMesh } from '../../read/jointOutline.ts';
 import { MAX_OBJECTS } from '../../read/limits.ts';
+import { settleStretches } from '../../read/stretches.ts';
 import type { ReadOptions } from '../../readOptions.ts';
 import { type GltfContext, gltfError } from '../context.ts';
 import { loadGltf } from '../load/loadGltf.ts';
@@ -78,7 +79,7 @@ function buildScene(context: GltfContext): Scene {
     metersPerUnit: 1,
     startTime,
     endTime: times.reduce((a, b) => Math.max(a, b), 0),
-    objects: builder.objects,
+    objects: settleStretches(builder.objects),
     materials: builder.library.materials,
     lights: builder.lights,
     cameras: builder.cameras,

@@ -1,5 +1,7 @@
-import type { Accessor, Buffer, Document, Node as GltfNode, Primitive } from '@gltf-transform/core';
+import type { Accessor, Buffer, Document, Mesh as GltfMesh, Node as GltfNode, Primitive } from '@gltf-transform/core';
+import type { Mat3 } from '../../../math/mat3.ts';
 import { msg } from '../../../messages/message.ts';
+import { bakedMesh, type StretchedMesh } from '../../../scene/mesh/stretch.ts';
 import { pointSamples } from '../../../scene/motion/motion.ts';
 import type { RestShape } from '../../../scene/streaming/blendedPoints.ts';
 import { normalsAt, pointsAt } from '../../../scene/streaming/samplePoints.ts';
@@ -35,6 +37,7 @@ export class MeshWriter {
   private readonly buffer: Buffer;
   private readonly losses: DiagnosticLog;
   private readonly materials: GltfMaterialWriter;
+  private readonly shared = new Map<Mesh, GltfMesh>();
 
   constructor(document: Document, buffer: Buffer, scene: Scene, losses: DiagnosticLog) {
     this.document = document;
@@ -44,10 +47,16 @@ export class MeshWriter {
   }
 
   /** Gives back the motion that needs weights of morph targets. */
-  addTo(node: GltfNode, { path, mesh, motion }: ExportObject): SampledPointsMotion | undefined {
+  addTo(node: GltfNode, object: ExportObject): SampledPointsMotion | undefined {
+    const { path, motion } = object;
     const deforming = pointSamples(motion);
-    const isWritten = deforming !== undefined && deforming.times.length <= MAX_MORPH_TARGETS;
-    if (deforming && !isWritten) {
+    if (!deforming) {
+      node.setMesh(this.sharedMesh(node, object));
+      return undefined;
+    }
+    const { mesh } = object;
+    const isWritten = deforming.times.length <= MAX_MORPH_TARGETS;
+    if (!isWritten) {
       const message = msg`its ${mesh.positions.length / 3} points are sampled at ${deforming.times.length} times, more than the ${MAX_MORPH_TARGETS} that become morph targets; it is written at rest, as it is at its first`;
       this.losses.add('warning', 'convert.points', path, message);
     }
@@ -58,17 +67,32 @@ export class MeshWriter {
         path,
         msg`its points go along cubics; there they go straight`,
       );
-    const rest = deforming ? sampleOf(mesh, deforming, 0) : mesh;
+    const rest = sampleOf(mesh, deforming, 0);
     const later = isWritten ? [...deforming.times.keys()].slice(1) : [];
-    const targets = later.map((k) => difference(sampleOf(mesh, deforming!, k), rest));
+    const targets = later.map((k) => difference(sampleOf(mesh, deforming, k), rest));
     this.addShape(node, mesh, { rest, targets });
     return isWritten ? deforming : undefined;
   }
 
   addShape(node: GltfNode, mesh: Mesh, shape: WrittenShape): void {
-    const made = this.document.createMesh(node.getName());
+    node.setMesh(this.mesh(node.getName(), mesh, shape));
+  }
+
+  /** Objects with one mesh share it. A node has a scale; other stretches, which glTF has no place for, are baked. */
+  private sharedMesh(node: GltfNode, object: StretchedMesh): GltfMesh {
+    const { mesh, stretch } = object;
+    const scale = stretch && scaleOf(stretch);
+    if (scale) node.setScale(scale);
+    if (stretch && !scale) return this.mesh(node.getName(), ...rested(bakedMesh(object)));
+    const made = this.shared.get(mesh) ?? this.mesh(node.getName(), ...rested(mesh));
+    this.shared.set(mesh, made);
+    return made;
+  }
+
+  private mesh(name: string, mesh: Mesh, shape: WrittenShape): GltfMesh {
+    const made = this.document.createMesh(name);
     for (const group of mesh.groups) made.addPrimitive(this.primitive(mesh, group, shape));
-    node.setMesh(made);
+    return made;
   }
 
   private primitive(mesh: Mesh, group: MeshGroup, { rest, targets, influences }: WrittenShape): Primitive {
@@ -120,6 +144,14 @@ export class MeshWriter {
 }
 
 type VertexNumbers = Float32Array<ArrayBuffer> | Uint16Array<ArrayBuffer> | Uint32Array<ArrayBuffer>;
+
+const rested = (mesh: Mesh): [Mesh, WrittenShape] => [mesh, { rest: mesh, targets: [] }];
+
+/** The scale that a stretch is; undefined if it shears. */
+function scaleOf([x, xy, xz, yx, y, yz, zx, zy, z]: Mat3): [number, number, number] | undefined {
+  const most = 1e-9 * Math.max(Math.abs(x), Math.abs(y), Math.abs(z));
+  return [xy, xz, yx, yz, zx, zy].every((shear) => Math.abs(shear) <= most) ? [x, y, z] : undefined;
+}
 
 /** A deforming mesh at one of its samples. */
 const sampleOf = ({ normals }: Mesh, motion: SampledPointsMotion, k: number): RestShape => ({

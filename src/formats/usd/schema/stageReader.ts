@@ -1,9 +1,11 @@
 import { IDENTITY, invert } from '../../../math/mat4.ts';
 import { msg } from '../../../messages/message.ts';
+import { bakedObject } from '../../../scene/mesh/stretch.ts';
 import { isAtOrBelow } from '../../../scene/motion/fly.ts';
 import { commonLifetimes, isAlive, isEternal } from '../../../scene/motion/lifetimes.ts';
 import type { Lifetime, Light, Scene, SceneCamera, SceneObject } from '../../../scene/types.ts';
 import { MAX_OBJECTS } from '../../read/limits.ts';
+import { settleStretches } from '../../read/stretches.ts';
 import { report } from '../diagnostics.ts';
 import { type TimeCode, textAt } from '../layer/attributes.ts';
 import type { PrimSpec } from '../layer/layer.ts';
@@ -92,7 +94,12 @@ export type StageContents = Pick<Scene, 'objects' | 'materials' | 'lights' | 'ca
 export async function readStage(context: StageContext): Promise<StageContents> {
   const reader = new StageReader(context);
   for (const prim of context.layer.rootPrims.values()) await reader.visit(prim, { ...AT_ROOT, sink: reader.scene });
-  return { objects: reader.objects, materials: reader.table.materials, lights: reader.lights, cameras: reader.cameras };
+  return {
+    objects: settleStretches(reader.objects),
+    materials: reader.table.materials,
+    lights: reader.lights,
+    cameras: reader.cameras,
+  };
 }
 
 class StageReader {
@@ -341,14 +348,17 @@ class StageReader {
   }
 
   private withMeshLight(made: ObjectGeometry, light: MeshLight | undefined): ObjectGeometry {
-    return light ? { ...made, mesh: withEmission(this.context, this.table, light, made.mesh) } : made;
+    if (!light) return made;
+    // What a square metre of it emits depends on its size.
+    const baked = bakedObject(made);
+    return { ...baked, mesh: withEmission(this.context, this.table, light, baked.mesh) };
   }
 
   private add(
     path: string,
     { piece }: Pick<UnplacedGprim, 'piece'>,
     directions: SlowlightAttributes,
-    { mesh, motion }: ObjectGeometry,
+    geometry: ObjectGeometry,
     lives: readonly Lifetime[],
   ): void {
     const room = Math.max(1, MAX_OBJECTS - this.objects.length);
@@ -357,7 +367,7 @@ class StageReader {
       report(this.context, 'warning', 'usd.too-many-instances', path, message);
     }
     piecePaths(path, piece, Math.min(lives.length, room)).forEach((named, i) => {
-      this.objects.push({ ...named, mesh, motion, lifetime: lives[i], authoredIn: authoredInOf(directions) });
+      this.objects.push({ ...named, ...geometry, lifetime: lives[i], authoredIn: authoredInOf(directions) });
     });
   }
 
@@ -391,7 +401,7 @@ class StageReader {
       report(this.context, 'warning', 'usd.slowlight', path, message);
     }
     const still = placeAtTime(this.context, shape, frame, poseTime * this.context.codesPerSecond);
-    return { mesh: still.mesh, motion: closedFormMotion(this.context, path, still.motion.pose, directions) };
+    return { ...still, motion: closedFormMotion(this.context, path, still.motion.pose, directions) };
   }
 }
 
@@ -405,7 +415,7 @@ function carriedBy<Shape extends PrimGeometry | undefined>(
   return transform ? { ...shape, transform } : shape;
 }
 
-type ObjectGeometry = Pick<SceneObject, 'mesh' | 'motion'>;
+type ObjectGeometry = Pick<SceneObject, 'mesh' | 'stretch' | 'motion'>;
 
 /** The lives within an authored lifetime; that itself if it is empty, for the validation to tell of. */
 const livesIn = (lives: readonly Lifetime[], authored: Lifetime): readonly Lifetime[] => {

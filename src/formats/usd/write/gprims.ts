@@ -4,7 +4,6 @@ import { length } from '../../../math/vec3.ts';
 import { transformMesh } from '../../../scene/mesh/meshOps.ts';
 import { type Axis, capsule, cone, cylinder, type RoundOptions, sphere } from '../../../scene/mesh/primitives.ts';
 import type { Mesh, Quadric, QuadricShape, SceneObject } from '../../../scene/types.ts';
-import type { AttributeSpec } from '../layer/layer.ts';
 import {
   attribute,
   custom,
@@ -14,10 +13,10 @@ import {
   schemas,
   uniform,
 } from '../layer/specs.ts';
-import { bool, double, int, token, tokens, tuple } from '../layer/values.ts';
+import { bool, double, int, token } from '../layer/values.ts';
 import { DIVISIONS } from '../schema/geometry/gprims.ts';
 import { lifeProperties } from './lives.ts';
-import { slowlightMotion, transformOf, type WriteContext } from './motions.ts';
+import { slowlightMotion, transformOf, type WriteContext, withMap } from './motions.ts';
 import { authoringProperties, type MeshSurroundings } from './prims.ts';
 
 /** How the primitives are made, and what USD has of them. */
@@ -150,20 +149,3 @@ const isStretch = (map: Mat4): boolean => {
   const [x, y, z, w] = pose.orientation;
   return length([x, y, z]) <= 1e-9 * Math.abs(w) && length(pose.position) === 0 && determinant(stretch) > 0;
 };
-
-/** The transform of a prim, within which a map [m] is applied to its solid. */
-function withMap(properties: Properties, map: Mat4, { metersPerUnit }: WriteContext): Properties {
-  if (map.every((x, i) => Math.abs(x - IDENTITY[i]) < 1e-12)) return properties;
-  const rows = transpose(map).map((x, i) => (i >= 12 && i < 15 ? x / metersPerUnit : x));
-  const op = 'xformOp:transform:shape';
-  return [
-    ...properties.flatMap((property) =>
-      property.kind === 'attribute' && property.name === ORDER
-        ? [attribute('matrix4d', op, tuple('matrix4d', rows)), { ...property, value: tokens([...opsOf(property), op]) }]
-        : [property],
-    ),
-  ];
-}
-
-const ORDER = 'xformOpOrder';
-const opsOf = ({ value }: AttributeSpec): readonly string[] => (value as { readonly data: readonly string[] }).data;

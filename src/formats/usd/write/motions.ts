@@ -1,5 +1,7 @@
+import { IDENTITY, type Mat4, transpose } from '../../../math/mat4.ts';
 import type { Vec3 } from '../../../math/vec3.ts';
 import type { Lifetime, Motion, Pose, SampledMotion } from '../../../scene/types.ts';
+import type { AttributeSpec } from '../layer/layer.ts';
 import { attribute, custom, type Properties, sampled, uniform } from '../layer/specs.ts';
 import { double, token, tokens, tuple } from '../layer/values.ts';
 
@@ -94,3 +96,20 @@ export const slowlightMotion = (motion: Motion, placement: WriteContext): Proper
 
 export const transformOf = (motion: Motion, placement: WriteContext): Properties =>
   usdMotion(motion).transformProperties(motion, placement);
+
+/** The transform of a prim, within which a map [m] is applied to its shape. */
+export function withMap(properties: Properties, map: Mat4, { metersPerUnit }: WriteContext): Properties {
+  if (map.every((x, i) => Math.abs(x - IDENTITY[i]) < 1e-12)) return properties;
+  const rows = transpose(map).map((x, i) => (i >= 12 && i < 15 ? x / metersPerUnit : x));
+  const op = 'xformOp:transform:shape';
+  return [
+    ...properties.flatMap((property) =>
+      property.kind === 'attribute' && property.name === ORDER
+        ? [attribute('matrix4d', op, tuple('matrix4d', rows)), { ...property, value: tokens([...opsOf(property), op]) }]
+        : [property],
+    ),
+  ];
+}
+
+const ORDER = 'xformOpOrder';
+const opsOf = ({ value }: AttributeSpec): readonly string[] => (value as { readonly data: readonly string[] }).data;

@@ -1,3 +1,6 @@
+import { IDENTITY } from '../../../math/mat3.ts';
+import { fromParts } from '../../../math/mat4.ts';
+import { ZERO } from '../../../math/vec3.ts';
 import { pointSamples } from '../../../scene/motion/motion.ts';
 import type { RestShape } from '../../../scene/streaming/blendedPoints.ts';
 import { normalsAt, pointsAt } from '../../../scene/streaming/samplePoints.ts';
@@ -16,7 +19,7 @@ import {
 import { bool, float, floatTuples, ints, LazyTuples, token } from '../layer/values.ts';
 import { boxCorners } from '../schema/geometry/pointSampling.ts';
 import { lifeProperties } from './lives.ts';
-import { slowlightMotion, transformOf, type WriteContext } from './motions.ts';
+import { slowlightMotion, transformOf, type WriteContext, withMap } from './motions.ts';
 
 /** What a mesh needs of the rest of the scene. */
 export interface MeshSurroundings {
@@ -46,7 +49,7 @@ export function meshContent(
   placement: WriteContext,
   { materialOf, innerName, formOf }: MeshSurroundings,
 ): PrimContent {
-  const { mesh, motion } = object;
+  const { mesh, motion, stretch = IDENTITY } = object;
   const { groups } = mesh;
   const form = formOf(object, placement);
   const { indices } = form ?? mesh;
@@ -58,8 +61,7 @@ export function meshContent(
     properties: [
       uniform('bool', 'doubleSided', bool(mesh.doubleSided)),
       ...(form ? restProperties(form.rest) : pointProperties(mesh, motion, placement)),
-      attribute('int[]', 'faceVertexCounts', ints(new Int32Array(indices.length / 3).fill(3))),
-      attribute('int[]', 'faceVertexIndices', ints(new Int32Array(indices))),
+      ...faceProperties(indices),
       ...single,
       ...(mesh.colors ? [perVertex('color3f[]', 'primvars:displayColor', mesh.colors)] : []),
       perVertex('texCoord2f[]', 'primvars:st', mesh.uvs),
@@ -68,10 +70,31 @@ export function meshContent(
       ...slowlightMotion(motion, placement),
       uniform('token', 'subdivisionScheme', token('none')),
       ...lifeProperties(placement),
-      ...(form?.transform ?? transformOf(motion, placement)),
+      ...(form?.transform ?? withMap(transformOf(motion, placement), fromParts(stretch, ZERO), placement)),
     ],
     inner: new Map([...subsets.map((content, i) => [innerName(`Part${i}`), content] as const), ...(form?.inner ?? [])]),
   };
+}
+
+/** By the mesh's indices and positions, so that objects with one mesh share what is written of it. */
+const FACES = new WeakMap<Uint32Array, Properties>();
+const POINTS = new WeakMap<Float32Array, { readonly metersPerUnit: number; readonly points: Float32Array }>();
+
+function faceProperties(indices: Uint32Array): Properties {
+  const known = FACES.get(indices) ?? [
+    attribute('int[]', 'faceVertexCounts', ints(new Int32Array(indices.length / 3).fill(3))),
+    attribute('int[]', 'faceVertexIndices', ints(new Int32Array(indices))),
+  ];
+  FACES.set(indices, known);
+  return known;
+}
+
+function unitPoints(positions: Float32Array, metersPerUnit: number): Float32Array {
+  const known = POINTS.get(positions);
+  if (known?.metersPerUnit === metersPerUnit) return known.points;
+  const points = scaledPoints(positions, metersPerUnit);
+  POINTS.set(positions, { metersPerUnit, points });
+  return points;
 }
 
 const perVertex = (typeName: string, name: string, values: Float32Array) =>
@@ -116,7 +139,7 @@ const restProperties = ({ positions, normals }: RestShape): Properties => [
 function pointProperties(mesh: Mesh, motion: Motion, { metersPerUnit, codesPerSecond }: WriteContext): Properties {
   const scaled = (values: Float32Array): Float32Array => scaledPoints(values, metersPerUnit);
   const samples = pointSamples(motion);
-  if (!samples) return restProperties({ positions: scaled(mesh.positions), normals: mesh.normals });
+  if (!samples) return restProperties({ positions: unitPoints(mesh.positions, metersPerUnit), normals: mesh.normals });
   const codes = samples.times.map((t) => t * codesPerSecond);
   const moving = (typeName: string, name: string, at: (i: number) => Float32Array, metadata?: typeof PER_VERTEX) =>
     sampled(typeName, name, codes, (i) => new LazyTuples(() => at(i)), metadata);

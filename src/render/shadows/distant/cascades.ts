@@ -1,3 +1,4 @@
+import { IDENTITY, transform } from '../../../math/mat3.ts';
 import { addScaled, dot, sub, type Vec3 } from '../../../math/vec3.ts';
 import { boundingBox } from '../../../scene/bounds/bounds.ts';
 import { restingPose } from '../../../scene/motion/motion.ts';
@@ -45,14 +46,16 @@ export function lightSpaceBox(bodies: readonly Body[], axes: LightAxes): LightSp
 
 const boxes = new WeakMap<Float32Array, ReturnType<typeof boundingBox>>();
 
-function cornersOf({ object: { mesh, motion } }: Body): readonly Vec3[] {
+function cornersOf({ object: { mesh, motion, stretch = IDENTITY } }: Body): readonly Vec3[] {
   const pose = restingPose(motion);
   if (!pose) return [];
   if (!boxes.has(mesh.positions)) boxes.set(mesh.positions, boundingBox(mesh.positions));
   const box = boxes.get(mesh.positions);
   if (!box) return [];
   const ends = [box.min, box.max];
-  return [0, 1, 2, 3, 4, 5, 6, 7].map((k) => applyPose(pose, [ends[k & 1][0], ends[(k >> 1) & 1][1], ends[k >> 2][2]]));
+  return [0, 1, 2, 3, 4, 5, 6, 7].map((k) =>
+    applyPose(pose, transform(stretch, [ends[k & 1][0], ends[(k >> 1) & 1][1], ends[k >> 2][2]])),
+  );
 }
 
 /** Half sides of the cascades, smallest first [m]; the last holds the whole box. */

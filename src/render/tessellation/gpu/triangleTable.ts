@@ -3,7 +3,7 @@ import { deforms } from '../../../scene/motion/motion.ts';
 import type { Bool, Float, Int, Vec3, Vec4 } from '../../../shaders/types.ts';
 import type { Batch, BatchArrays } from '../../geometry/batches.ts';
 import type { BatchSolid } from '../../geometry/batchSolids.ts';
-import { instanceRecord, type VertexInput } from '../../geometry/vertexInput.ts';
+import { instanceOf, type VertexInput } from '../../geometry/vertexInput.ts';
 import { FloatTable } from '../../gpu/floatTable.ts';
 
 /** Indices are stored as f32, which is exact up to this. */
@@ -77,7 +77,7 @@ export class TriangleTable {
     const texel = (k: number, part: number): Vec4 => this.vertices.texel(cornerTexels[k].add(int(part)));
     const firstTexels = cornerTexels.map((_, k) => texel(k, 0).toVar());
     const deforming = deforms({ kind });
-    const ids = instances ? instanceRecord(instances, instance) : tail;
+    const body = instances && instanceOf(instances, instance);
     const offset = deforming ? vec3(0) : blend((k) => firstTexels[k].xyz).toVar();
     if (!deforming)
       this.ontoSolid(
@@ -87,9 +87,10 @@ export class TriangleTable {
         firstTexels.map((texel) => texel.xyz),
       );
     return {
-      offset,
+      offset: body ? body.offset(offset) : offset,
       get normal() {
-        return blend((k) => texel(k, 1).xyz);
+        const normal = blend((k) => texel(k, 1).xyz);
+        return body ? body.normal(normal) : normal;
       },
       get uv() {
         return blend((k) => vec3(firstTexels[k].w, texel(k, 1).w, 0)).xy;
@@ -97,8 +98,8 @@ export class TriangleTable {
       get color() {
         return colored ? blend((k) => texel(k, 2).xyz) : undefined;
       },
-      object: ids.x,
-      material: ids.y,
+      object: body?.object ?? tail.x,
+      material: body?.material ?? tail.y,
       ofVertices: (read) => blend((k) => read(int(firstTexels[k].x))),
     };
   }

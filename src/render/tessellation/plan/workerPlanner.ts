@@ -196,9 +196,15 @@ function withoutMeshes(parts: readonly PlannedPart[]): readonly PlannedPart[] {
   });
 }
 
-const withoutMesh = ({ id, object: { motion, authoredIn }, center, radius, line }: MovingBody): MovingBody => ({
+const withoutMesh = ({
   id,
-  object: { motion, authoredIn },
+  object: { motion, authoredIn, stretch },
+  center,
+  radius,
+  line,
+}: MovingBody): MovingBody => ({
+  id,
+  object: { motion, authoredIn, ...(stretch && { stretch }) },
   center,
   radius,
   line,

@@ -10,7 +10,7 @@ import type { ScreenMetric } from '../criterion/tessellationView.ts';
 import { CubicPointsIntersector } from './cubicPointsIntersector.ts';
 import { HyperbolicIntersector } from './hyperbolicIntersector.ts';
 import { ProjectedAcceleratedBody } from './projectedAcceleratedBody.ts';
-import { inertialMap, ProjectedInertialBody, rotatedMap } from './projectedInertialBody.ts';
+import { inertialMap, mapOfMesh, ProjectedInertialBody } from './projectedInertialBody.ts';
 import { SampledPointsIntersector, SampledPosesIntersector, type SampleWindow } from './sampledIntersector.ts';
 
 /** The part of a batch (batches.ts) that its plans are made from. */
@@ -44,7 +44,7 @@ function inertial(pose: Pose, projection: Projection): ProjectedBody | undefined
   const line = asInertial(worldLineOfCenter(body, observation.c));
   if (!line) return undefined;
   const map = inertialMap(line, body.object.authoredIn === 'rest', Math.max(body.radius, 1e-6), metric);
-  const rotated = batch.instancing ? rotatedMap(map, pose.orientation) : map;
+  const rotated = batch.instancing ? mapOfMesh(map, pose.orientation, body.object.stretch) : map;
   return new ProjectedInertialBody(rotated, pointsOf(projection), batch.doubleSided, metric);
 }
 

@@ -1,4 +1,4 @@
-import { multiply as times } from '../../../math/mat3.ts';
+import { type Mat3, multiply as times } from '../../../math/mat3.ts';
 import { IDENTITY, type Mat4, multiply } from '../../../math/mat4.ts';
 import { type Quat, toMatrix } from '../../../math/quat.ts';
 import { add, addScaled, dot, length, scale, sub, type Vec3, ZERO } from '../../../math/vec3.ts';
@@ -94,11 +94,13 @@ const MAPS: Readonly<Record<HypersurfaceName, (inputs: MapInputs) => InertialMap
   },
 };
 
-/** The map for points in rotated axes. */
-export const rotatedMap = (map: InertialMap, orientation: Quat): InertialMap => ({
-  ...map,
-  A: times(map.A, toMatrix(orientation)),
-});
+/** The map for points in the axes of a mesh that is stretched and rotated. */
+export function mapOfMesh(map: InertialMap, orientation: Quat, stretch?: Mat3): InertialMap {
+  const A = times(map.A, toMatrix(orientation));
+  if (!stretch) return { ...map, A };
+  const stretched = times(A, stretch);
+  return { ...map, A: stretched, maxStretch: normBound(stretched) };
+}
 
 /** From the world's slice to the rest frame: the inverse of the contraction (docs/physics.md §5.5). */
 const uncontracted = (x: Vec3, u: Vec3): Vec3 => addScaled(x, u, dot(u, x) / (gamma(u) + 1));

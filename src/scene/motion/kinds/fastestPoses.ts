@@ -1,19 +1,19 @@
-import { transform } from '../../../math/mat3.ts';
+import { IDENTITY, multiply as times, transform } from '../../../math/mat3.ts';
 import { conjugate, multiply, rotationAngle, toMatrix } from '../../../math/quat.ts';
 import { add, length, sub, type Vec3 } from '../../../math/vec3.ts';
-import { type BoundingSphere, meshBoundingSphere } from '../../bounds/bounds.ts';
-import type { Mesh, SampledMotion } from '../../types.ts';
+import { type BoundingSphere, objectBoundingSphere } from '../../bounds/bounds.ts';
+import type { StretchedPoints } from '../../mesh/stretch.ts';
+import type { SampledMotion } from '../../types.ts';
 import { samplePose } from '../poses.ts';
 import { type FastestVertex, REST } from './motionKind.ts';
 
 /** The fastest vertex of a rigid body between samples. */
-export function fastestOfPoses(mesh: Pick<Mesh, 'positions'>, motion: SampledMotion, atLeast: number): FastestVertex {
-  const { positions } = mesh;
-  const sphere = meshBoundingSphere(mesh);
+export function fastestOfPoses(object: StretchedPoints, motion: SampledMotion, atLeast: number): FastestVertex {
+  const sphere = objectBoundingSphere(object);
   let best: FastestVertex = { ...REST, speed: atLeast };
   for (let k = 0; k + 1 < motion.times.length; k++) {
     const piece = rigidPiece(motion, k);
-    if (piece.bound(sphere) > best.speed) best = fastestOfPiece(piece, positions, best);
+    if (piece.bound(sphere) > best.speed) best = fastestOfPiece(piece, object, best);
   }
   return best.from === REST.from ? REST : best;
 }
@@ -42,10 +42,11 @@ function rigidPiece({ times, poses }: SampledMotion, k: number): RigidPiece {
 }
 
 function fastestOfPiece(
-  { from, to, moved, turned: m }: RigidPiece,
-  positions: Float32Array,
+  { from, to, moved, turned }: RigidPiece,
+  { mesh: { positions }, stretch = IDENTITY }: StretchedPoints,
   best: FastestVertex,
 ): FastestVertex {
+  const m = times(turned, stretch);
   let longest = best.speed * (to - from);
   let vertex = -1;
   for (let i = 0; i < positions.length; i += 3) {

@@ -2,7 +2,7 @@ import { rotate } from '../../../math/quat.ts';
 import { add, dot, length, scale, type Vec3 } from '../../../math/vec3.ts';
 import { msg } from '../../../messages/message.ts';
 import { positionAt, velocityAt, type WorldLine } from '../../../physics/worldLines/worldLine.ts';
-import { pointAt } from '../../mesh/polygons.ts';
+import { objectPoint } from '../../mesh/stretch.ts';
 import type { Diagnostic, HyperbolicMotion, Pose } from '../../types.ts';
 import { motionPlace, problem, roundedUp } from '../../validation/motionFindings.ts';
 import { flyPose, toWorldTime, transformPose, transformVelocity } from './changes.ts';
@@ -24,8 +24,9 @@ export const bornRigidAcceleration = (motion: HyperbolicMotion, o: Vec3, c: numb
   scale(motion.properAcceleration, 1 / (1 + dot(motion.properAcceleration, o) / (c * c)));
 
 /** A mesh authored in its rest frame is Born rigid, so each vertex has its own acceleration. */
-function vertexWorldLine({ mesh, motion, authoredIn }: ObjectWith<HyperbolicMotion>, i: number, c: number): WorldLine {
-  const o = rotate(motion.pose.orientation, pointAt(mesh.positions, i));
+function vertexWorldLine(object: ObjectWith<HyperbolicMotion>, i: number, c: number): WorldLine {
+  const { motion, authoredIn } = object;
+  const o = rotate(motion.pose.orientation, objectPoint(object, i));
   const { t0 } = motion;
   const properAcceleration = authoredIn === 'rest' ? bornRigidAcceleration(motion, o, c) : motion.properAcceleration;
   return { kind: 'hyperbolic', position: add(motion.pose.position, o), properAcceleration, t0 };
@@ -51,12 +52,13 @@ function fastestVertex(
 }
 
 /** All of a Born-rigid body must be in front of its horizon, c²/a behind the origin of its frame. */
-function validateHorizon({ path, mesh, authoredIn, motion }: ObjectWith<HyperbolicMotion>, c: number): Diagnostic[] {
+function validateHorizon(object: ObjectWith<HyperbolicMotion>, c: number): Diagnostic[] {
+  const { path, mesh, authoredIn, motion } = object;
   if (authoredIn !== 'rest') return [];
   const a = motion.properAcceleration;
   let depth = 0;
   for (let i = 0; i < mesh.positions.length / 3; i++) {
-    depth = Math.max(depth, -dot(a, rotate(motion.pose.orientation, pointAt(mesh.positions, i))));
+    depth = Math.max(depth, -dot(a, rotate(motion.pose.orientation, objectPoint(object, i))));
   }
   if (depth < c * c) return [];
   const [behind, horizon] = [depth, c * c].map((of) => (of / length(a)).toPrecision(3));

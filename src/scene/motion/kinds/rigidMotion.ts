@@ -1,3 +1,4 @@
+import { IDENTITY, transform, transpose } from '../../../math/mat3.ts';
 import { dot, sub, type Vec3 } from '../../../math/vec3.ts';
 import { type Message, msg } from '../../../messages/message.ts';
 import { positionAt, type WorldLine } from '../../../physics/worldLines/worldLine.ts';
@@ -79,13 +80,15 @@ export const ofAffineMap = <M extends Motion>(place: Placer<M>) => {
   const support = (object: ObjectWith<M>, t: number, c: number): Support => {
     if (!isSimple(object)) return vertices.support(object, t, c);
     const { positions } = object.mesh;
-    const axes = { ...object, mesh: { ...object.mesh, positions: AXES } };
+    const { stretch = IDENTITY, ...rest } = object;
+    const axes = { ...rest, mesh: { ...object.mesh, positions: AXES } } as ObjectWith<M>;
     const placed = placeVertices(axes.mesh, place(axes, t, c));
     const [o, x, y, z] = [0, 1, 2, 3].map((i) => pointAt(placed, i));
     const [ax, ay, az] = [sub(x, o), sub(y, o), sub(z, o)];
     const extremes = SUPPORT_MAPS.get(positions) ?? new SupportMap(positions);
     SUPPORT_MAPS.set(positions, extremes);
-    return (d) => dot(d, o) + extremes.support([dot(d, ax), dot(d, ay), dot(d, az)]);
+    const inMesh = transpose(stretch);
+    return (d) => dot(d, o) + extremes.support(transform(inMesh, [dot(d, ax), dot(d, ay), dot(d, az)]));
   };
   return {
     support,

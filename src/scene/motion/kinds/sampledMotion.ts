@@ -6,7 +6,7 @@ import { properVelocity } from '../../../physics/lorentz/boost.ts';
 import { contraction } from '../../../physics/worldLines/simultaneity.ts';
 import type { WorldLine } from '../../../physics/worldLines/worldLine.ts';
 import { deformedNormals, smoothingGroups } from '../../mesh/normals.ts';
-import { pointAt } from '../../mesh/polygons.ts';
+import { bakedObject, objectPoint } from '../../mesh/stretch.ts';
 import type { Pose, SampledMotion, SampledPointsMotion, SceneObject } from '../../types.ts';
 import { almostC, seconds, validateFastest } from '../../validation/motionFindings.ts';
 import { applyPose, mapPoses, pieceAt, samplePose } from '../poses.ts';
@@ -62,11 +62,15 @@ function sampleVelocity({ times, poses }: SampledMotion, k: number, c: number): 
   return properVelocity(scale(moved, 1 / (c * (times[b] - times[a]))));
 }
 
-function vertexPlacer({ motion, mesh, authoredIn }: ObjectWith<SampledMotion>, t: number, c: number) {
+function vertexPlacer(object: ObjectWith<SampledMotion>, t: number, c: number) {
+  const { motion, authoredIn } = object;
   const { before, after, s } = pieceAt(motion.times, t);
   const contractedFor = authoredIn === 'rest' ? c : undefined;
   const [a, b] = [before, after].map((k) => placeAtSample(motion, k, contractedFor));
-  return (i: number): Vec3 => lerp(a(pointAt(mesh.positions, i)), b(pointAt(mesh.positions, i)), s);
+  return (i: number): Vec3 => {
+    const x = objectPoint(object, i);
+    return lerp(a(x), b(x), s);
+  };
 }
 
 /**
@@ -86,17 +90,18 @@ function contractedPoints(object: ObjectWith<SampledMotion>, c: number): Sampled
 
 function restToWorld(object: ObjectWith<SampledMotion>, c: number): SceneObject {
   if (object.authoredIn !== 'rest') return object;
-  return { ...object, authoredIn: 'world', motion: contractedPoints(object, c) };
+  const baked = bakedObject(object);
+  return { ...baked, authoredIn: 'world', motion: contractedPoints(baked, c) };
 }
 
 const ORIGIN = { positions: new Float32Array(3) };
 
 /** If the frame itself reaches c, there is no contraction, and the speed of the frame is returned. */
 function fastestVertex(object: ObjectWith<SampledMotion>, c: number, atLeast: number): FastestVertex {
-  const { mesh, motion } = object;
-  if (object.authoredIn !== 'rest') return fastestOfPoses(mesh, motion, atLeast);
-  const frame = fastestOfPoses(ORIGIN, motion, 0);
-  return frame.speed < c ? fastestOfPoints(contractedPoints(object, c), c, atLeast) : frame;
+  const { motion } = object;
+  if (object.authoredIn !== 'rest') return fastestOfPoses(object, motion, atLeast);
+  const frame = fastestOfPoses({ mesh: ORIGIN }, motion, 0);
+  return frame.speed < c ? fastestOfPoints(contractedPoints(bakedObject(object), c), c, atLeast) : frame;
 }
 
 function nonFiniteText({ times, poses }: SampledMotion): Message | undefined {
@@ -117,8 +122,9 @@ export const SAMPLED_MOTION: RigidMotionKind<SampledMotion> = {
   numbers: ({ times, poses }) => [times, poses],
   poseAt,
   originWorldLine: (motion) => lineThrough(motion, (k) => samplePose(motion.poses, k).position),
-  vertexWorldLine: ({ mesh, motion, authoredIn }, i, c) => {
-    const x = pointAt(mesh.positions, i);
+  vertexWorldLine: (object, i, c) => {
+    const { motion, authoredIn } = object;
+    const x = objectPoint(object, i);
     return lineThrough(motion, (k) => placeAtSample(motion, k, authoredIn === 'rest' ? c : undefined)(x));
   },
   vertexPlacer,

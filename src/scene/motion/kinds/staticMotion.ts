@@ -1,14 +1,14 @@
 import type { WorldLine } from '../../../physics/worldLines/worldLine.ts';
-import { pointAt } from '../../mesh/polygons.ts';
+import { objectPoint } from '../../mesh/stretch.ts';
 import type { StaticMotion } from '../../types.ts';
 import { applyPose } from '../poses.ts';
 import { flyPose, transformPose } from './changes.ts';
 import { type ObjectWith, REST, type RigidMotionKind } from './motionKind.ts';
 import { nonFinitePoseText, ofAffineMap, POSED, placeByWorldLine, poseNumbers } from './rigidMotion.ts';
 
-const vertexWorldLine = ({ mesh, motion }: ObjectWith<StaticMotion>, i: number): WorldLine => ({
+const vertexWorldLine = (object: ObjectWith<StaticMotion>, i: number): WorldLine => ({
   kind: 'static',
-  position: applyPose(motion.pose, pointAt(mesh.positions, i)),
+  position: applyPose(object.motion.pose, objectPoint(object, i)),
 });
 
 const vertexPlacer = placeByWorldLine(vertexWorldLine);

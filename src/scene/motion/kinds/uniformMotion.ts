@@ -3,7 +3,7 @@ import { add, addScaled, length, scale } from '../../../math/vec3.ts';
 import { properVelocity } from '../../../physics/lorentz/boost.ts';
 import { contraction } from '../../../physics/worldLines/simultaneity.ts';
 import { positionAt, type WorldLine } from '../../../physics/worldLines/worldLine.ts';
-import { pointAt } from '../../mesh/polygons.ts';
+import { objectPoint } from '../../mesh/stretch.ts';
 import type { Pose, UniformMotion } from '../../types.ts';
 import { validateFastest } from '../../validation/motionFindings.ts';
 import { flyPose, transformPose, transformVelocity } from './changes.ts';
@@ -22,8 +22,9 @@ const poseAt = (motion: UniformMotion, t: number, c: number): Pose => ({
 });
 
 /** A mesh authored in its rest frame is contracted along its velocity. */
-function vertexWorldLine({ mesh, motion, authoredIn }: ObjectWith<UniformMotion>, i: number, c: number): WorldLine {
-  const o = rotate(motion.pose.orientation, pointAt(mesh.positions, i));
+function vertexWorldLine(object: ObjectWith<UniformMotion>, i: number, c: number): WorldLine {
+  const { motion, authoredIn } = object;
+  const o = rotate(motion.pose.orientation, objectPoint(object, i));
   const offset = authoredIn === 'rest' ? contraction(o, properVelocity(scale(motion.velocity, 1 / c))) : o;
   return { kind: 'uniform', position: add(motion.pose.position, offset), velocity: motion.velocity };
 }

@@ -1,3 +1,4 @@
+import type { StretchedMesh } from '../../../../scene/mesh/stretch.ts';
 import type { JointPoses } from '../../../../scene/streaming/blendedPoints.ts';
 import type { StoredSample } from '../../../../scene/streaming/storedNumbers.ts';
 import type { Mesh, SampledMotion, SampledPointsMotion, StaticMotion } from '../../../../scene/types.ts';
@@ -57,7 +58,6 @@ export interface DeformedPoints {
   readonly normals?: Float32Array;
 }
 
-export interface PlacedMesh {
-  readonly mesh: Mesh;
+export interface PlacedMesh extends StretchedMesh {
   readonly motion: StaticMotion | SampledMotion | SampledPointsMotion;
 }

@@ -1,8 +1,9 @@
 import { invert } from '../../../../math/mat3.ts';
 import * as mat4 from '../../../../math/mat4.ts';
 import { scale, type Vec3 } from '../../../../math/vec3.ts';
-import { transformMesh } from '../../../../scene/mesh/meshOps.ts';
+import type { StretchedMesh } from '../../../../scene/mesh/stretch.ts';
 import type { Mesh, StaticMotion, UniformMotion } from '../../../../scene/types.ts';
+import { stretchedMesh } from '../../../read/stretches.ts';
 import type { StageContext } from '../context.ts';
 import type { PlacedMesh, PrimGeometry } from '../geometry/primGeometry.ts';
 import { Memo } from '../transforms/memo.ts';
@@ -12,8 +13,7 @@ import { placeAffine, placeBlended } from './blended.ts';
 import { deformedMesh, placeDeforming, sampledPoints } from './deforming.ts';
 import { boundingBoxCorners, budgetedSamples, resampledTimes, sampledPoses } from './resampling.ts';
 
-interface MovingPlacement {
-  readonly mesh: Mesh;
+interface MovingPlacement extends StretchedMesh {
   readonly motion: PlacedMesh['motion'] | UniformMotion;
 }
 
@@ -35,7 +35,7 @@ const RIGID_PATHS = new Memo<RigidPath | undefined>();
 const STRAIGHT_PATHS = new Memo<RigidPath>();
 
 /**
- * Places a mesh in the scene. Without time samples it is static, with its scale and shear applied to the mesh; if it moves
+ * Places a mesh in the scene. Without time samples it is static, with its scale and shear as its stretch; if it moves
  * without changing its shape it gets sampled poses; otherwise its frame, or its joints, as blended points, or sampled points.
  */
 export function placeGeometry(
@@ -59,7 +59,7 @@ export function placeGeometry(
 }
 
 const alongPath = (mesh: Mesh, { stretch, motion }: RigidPath): PlacedMesh => ({
-  mesh: stretched(mesh, stretch),
+  ...stretchedMesh(mesh, stretch),
   motion,
 });
 
@@ -111,8 +111,8 @@ export function placeWithVelocity(
   velocity: Vec3,
 ): MovingPlacement {
   if (frame.times.length === 0 && !shape.deformation) {
-    const { mesh, motion } = placeAtTime(context, shape, frame, 0);
-    return { mesh, motion: { kind: 'uniform', pose: motion.pose, velocity: scale(velocity, context.unit) } };
+    const { motion, ...still } = placeAtTime(context, shape, frame, 0);
+    return { ...still, motion: { kind: 'uniform', pose: motion.pose, velocity: scale(velocity, context.unit) } };
   }
   const carried = (time: number): mat4.Mat4 => {
     const [x, y, z] = scale(velocity, time / context.codesPerSecond);
@@ -124,38 +124,5 @@ export function placeWithVelocity(
 
 function staticPlacement(mesh: Mesh, matrix: mat4.Mat4): StaticPlacement {
   const { pose, stretch } = mat4.decomposeRigid(matrix);
-  return { mesh: stretched(mesh, stretch), motion: { kind: 'static', pose } };
-}
-
-/** Stretched copies of a mesh by key. The last one is compared first, because most meshes have only one. */
-interface StretchedMeshes {
-  last: { readonly stretch: readonly number[]; readonly mesh: Mesh };
-  readonly byKey: Map<string, Mesh>;
-}
-
-const STRETCHED = new WeakMap<Mesh, StretchedMeshes>();
-
-/** Resolution of the keys relative to the largest element: products of f64 matrices differ by less. */
-const STRETCH_RESOLUTION = 1e-9;
-
-function stretched(mesh: Mesh, stretch: readonly number[]): Mesh {
-  const identity = stretch.every((x, i) => Math.abs(x - (i % 4 === 0 ? 1 : 0)) < 1e-12);
-  if (identity) return mesh;
-  const forms = STRETCHED.get(mesh);
-  if (!forms) {
-    const last = { stretch, mesh: transformMesh(mesh, mat4.fromParts(stretch, [0, 0, 0])) };
-    STRETCHED.set(mesh, { last, byKey: new Map() });
-    return last.mesh;
-  }
-  const { last, byKey } = forms;
-  if (stretch.every((x, i) => x === last.stretch[i])) return last.mesh;
-  byKey.set(stretchKey(last.stretch), last.mesh);
-  const key = stretchKey(stretch);
-  forms.last = { stretch, mesh: byKey.get(key) ?? transformMesh(mesh, mat4.fromParts(stretch, [0, 0, 0])) };
-  return forms.last.mesh;
-}
-
-function stretchKey(stretch: readonly number[]): string {
-  const size = Math.max(...stretch.map(Math.abs));
-  return [size.toPrecision(9), ...stretch.map((x) => Math.round(x / (STRETCH_RESOLUTION * size)))].join(' ');
+  return { ...stretchedMesh(mesh, stretch), motion: { kind: 'static', pose } };
 }
