@@ -51,7 +51,7 @@ const messages: Translation['messages'] = {
   'too many levels': '层级过多',
   'several pictures': '多幅图片',
   'supercompression {}': '超级压缩方式 {1}',
-  'VkFormat {}': 'VkFormat {1}',
+  'format {} of Vulkan': 'Vulkan 格式 {1}',
   'the KTX2 is damaged or cut off ({}); export it again': 'KTX2 已损坏或被截断（{1}）；请重新导出',
   'the picture is a KTX2 with {}, which is not read; convert it to Basis Universal, PNG or JPEG':
     '图片是含{1}的 KTX2，不能读取；请转换为 Basis Universal、PNG 或 JPEG',

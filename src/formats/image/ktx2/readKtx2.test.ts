@@ -92,7 +92,7 @@ describe('what is not read', () => {
   it.each([
     ['a cube', changed(FACES, 6), /a KTX2 with several pictures/],
     ['an array', changed(LAYERS, 3), /a KTX2 with several pictures/],
-    ['BC7', changed(FORMAT, 145), /a KTX2 with VkFormat 145, which is not read/],
+    ['BC7', changed(FORMAT, 145), /a KTX2 with format 145 of Vulkan, which is not read/],
     ['zlib', changed(SCHEME, 3), /a KTX2 with supercompression 3, which is not read/],
     ['a huge one', changed(WIDTH, 60000), /it: the picture is 60000 × 4 pixels/],
     ['a short one', changed(WIDTH, 5), /it: the KTX2 is damaged or cut off/],

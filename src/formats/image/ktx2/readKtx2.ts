@@ -76,7 +76,7 @@ function pixelsOf(file: KTX2Container, name: LocalizedText): DecodedImage {
   if (scheme !== NO_COMPRESSION && scheme !== ZSTD) throw unread(name, msg`supercompression ${scheme}`);
   if (model === UASTC) return uastcPixels(file);
   const places = PLAIN_FORMATS[vkFormat];
-  if (!places) throw unread(name, msg`VkFormat ${vkFormat}`);
+  if (!places) throw unread(name, msg`format ${vkFormat} of Vulkan`);
   return plainPixels(file, places);
 }
 
