@@ -2,6 +2,7 @@ import { expect, it } from 'vitest';
 import { fromAxisAngle } from '../../math/quat.ts';
 import { makeMaterial, makeObject, makeScene, restingAt } from '../../scene/defaults.ts';
 import { box, sphere } from '../../scene/mesh/primitives.ts';
+import { withoutQuadric } from '../../scene/mesh/quadric.ts';
 import type { Material, Mesh, SceneObject } from '../../scene/types.ts';
 import { makeBatches } from './batches.ts';
 import { makeBody } from './bodies.ts';
@@ -91,4 +92,17 @@ it('a mesh shared by many objects is stored once, with the object and the materi
   expect(batch.arrays.positions).toEqual(mesh.positions);
   expect(batch.bodies.map(({ id }) => id)).toEqual(objects.map((_, i) => i + 1));
   expect(batch.instancing).toEqual({ first: 0, materials: objects.map((_, i) => i % 2) });
+});
+
+it('bodies with stretches of their own are instances of their mesh, uploaded in its axes', () => {
+  const mesh = withoutQuadric(sphere(1));
+  const objects = Array.from({ length: 20 }, (_, i) =>
+    makeObject({ path: `/${i}`, mesh, motion: restingAt([i, 0, 0]), stretch: [1 + i, 0, 0, 0, 1, 0, 0, 0, 2] }),
+  );
+  const [batch, ...others] = batchesOf(objects);
+  expect(others).toEqual([]);
+  expect(batch.instancing?.materials).toHaveLength(20);
+  expect(batch.arrays.positions).toHaveLength(mesh.positions.length);
+  expect(Math.max(...batch.arrays.positions)).toBeCloseTo(1, 5);
+  expect(Math.max(...batch.bodies.map(({ radius }) => radius))).toBeCloseTo(20, 5);
 });
