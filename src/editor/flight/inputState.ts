@@ -1,5 +1,5 @@
+import type { FlightControls } from '../../flight/seek.ts';
 import { length, type Vec3 } from '../../math/vec3.ts';
-import type { FlightControls } from './flight.ts';
 import { TouchFlight } from './touchFlight.ts';
 
 /** Thrust of each key in camera axes, by physical key (`KeyboardEvent.code`), the same on every layout. */

@@ -1,4 +1,7 @@
+import { type FlightState, flightOf, observerOf } from '../../flight/flightState.ts';
+import { LOCKS, type Lock, stepFlight, turnView, wrapTime } from '../../flight/seek.ts';
 import { IDENTITY } from '../../math/quat.ts';
+import { sumOf } from '../../math/sum.ts';
 import { add, addScaled, dot, length, scale, sub, ZERO } from '../../math/vec3.ts';
 import { pictureCamera } from '../../nodes/pictures/renderSettings.ts';
 import type { PictureSpec } from '../../nodes/socketValues.ts';
@@ -9,7 +12,6 @@ import { sceneKey } from '../loading/localFiles.ts';
 import { leaveCamera } from '../shell/actions.ts';
 import type { Editor, PictureSource } from '../state/editor.ts';
 import { initialObserver, observerOnCamera, sceneUpVector, viewPointOf } from '../state/observer.ts';
-import { LOCKS, type Lock, stepFlight, turnView, wrapTime } from './flight.ts';
 import { InputState } from './inputState.ts';
 import { isOutside, type SceneLimits, sceneLimits } from './sceneLimits.ts';
 
@@ -29,7 +31,7 @@ export class ObserverController {
   private scene = '';
   private until: number | undefined;
   private limits: SceneLimits | undefined;
-  private state: ObserverState = { t: 0, position: ZERO, u: ZERO, orientation: IDENTITY, properTime: 0 };
+  private flight: FlightState = flightOf({ t: 0, position: ZERO, u: ZERO, orientation: IDENTITY, properTime: 0 });
 
   /** For the first picture: the state to restore after a page reload. */
   private restored: RestoredObserver | undefined;
@@ -41,6 +43,12 @@ export class ObserverController {
 
   get observer(): ObserverState {
     return this.state;
+  }
+  private get state(): ObserverState {
+    return observerOf(this.flight);
+  }
+  private set state(observer: ObserverState) {
+    this.flight = flightOf(observer);
   }
   get picture(): PictureSpec | undefined {
     return this.currentPicture;
@@ -111,7 +119,7 @@ export class ObserverController {
   }
 
   seek(t: number): void {
-    this.state = { ...this.state, t };
+    this.flight = { ...this.flight, t: sumOf(t) };
   }
 
   /** dt [s] of real time. */
@@ -160,8 +168,9 @@ export class ObserverController {
     const playing = this.timeRuns;
     const { scene, speedOfLight: c, maxSpeed } = picture;
     const up = sceneUpVector(scene);
-    const orientation = yaw || pitch ? turnView(this.state.orientation, yaw, pitch, up) : this.state.orientation;
-    this.state = stepFlight({ ...this.state, orientation }, controls, dt, {
+    const { orientation: ahead } = this.flight;
+    const orientation = yaw || pitch ? turnView(ahead, yaw, pitch, up) : ahead;
+    this.flight = stepFlight({ ...this.flight, orientation }, controls, dt, {
       c,
       maxSpeed,
       lock,

@@ -1,11 +1,11 @@
 import { Group, Text, Tooltip, UnstyledButton } from '@mantine/core';
 import { IconEye, IconGauge, IconLockOpen, IconPlane } from '@tabler/icons-react';
 import type { ReactNode } from 'react';
+import type { Lock } from '../../flight/seek.ts';
 import { type GraphDocument, own } from '../../graph/document/document.ts';
 import { isParamActive, isUnphysical, resolveParams } from '../../graph/nodeType.ts';
 import { type LocalizedText, listed, type Message, msg } from '../../messages/message.ts';
 import { nodeLibrary } from '../../nodes/library.ts';
-import type { Lock } from '../flight/flight.ts';
 import { formatBeta, formatCount, formatNumber, formatSeconds, formatSpeed } from '../format.ts';
 import { useTexts } from '../language/languageStore.ts';
 import { useServices } from '../services.tsx';

@@ -1,6 +1,7 @@
 import { createStore, type StoreApi } from 'zustand/vanilla';
 import type { RunRecord } from '../../dynamics/runRecord.ts';
 import { energyFaultMessage, summarizeRun } from '../../dynamics/runSummary.ts';
+import type { Lock } from '../../flight/seek.ts';
 import type { GraphDocument, ParamValue } from '../../graph/document/document.ts';
 import { type Command, CommandError } from '../../graph/edits/commands.ts';
 import {
@@ -25,7 +26,6 @@ import { shaderTextFaults } from '../../nodes/project/shaderTextFaults.ts';
 import type { Services } from '../../nodes/services.ts';
 import type { PictureSpec } from '../../nodes/socketValues.ts';
 import type { Backend } from '../../render/settings.ts';
-import type { Lock } from '../flight/flight.ts';
 import { coalesce } from './coalesce.ts';
 import { heavyWorkers } from './heavyWorkers.ts';
 import { type SimulationRun, simulationRuns } from './simulationRuns.ts';

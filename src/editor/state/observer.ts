@@ -1,3 +1,4 @@
+import type { Lock } from '../../flight/seek.ts';
 import { type Vec3, ZERO } from '../../math/vec3.ts';
 import { pictureCamera } from '../../nodes/pictures/renderSettings.ts';
 import type { PictureSpec } from '../../nodes/socketValues.ts';
@@ -7,7 +8,6 @@ import type { Scene, SceneCamera } from '../../scene/types.ts';
 import { observerFromCamera } from '../../scene/view/camera.ts';
 import { perspective } from '../../scene/view/lens.ts';
 import type { ViewPoint } from '../../scene/view/view.ts';
-import type { Lock } from '../flight/flight.ts';
 
 export const sceneUpVector = (scene: Scene): Vec3 => (scene.upAxis === 'Y' ? [0, 1, 0] : [0, 0, 1]);
 

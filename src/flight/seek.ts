@@ -1,8 +1,8 @@
-import { fromAxisAngle, multiply, normalizeQuat, type Quat, rotate } from '../../math/quat.ts';
-import { addScaled, dot, length, normalize, scale, type Vec3, ZERO } from '../../math/vec3.ts';
-import { gamma, properVelocity, rapidity } from '../../physics/lorentz/boost.ts';
-import { accelerate, coast, type ObserverState } from '../../physics/lorentz/observer.ts';
-import { relativeVelocity } from '../../physics/lorentz/velocity.ts';
+import { fromAxisAngle, multiply, normalizeQuat, type Quat, rotate } from '../math/quat.ts';
+import { plus } from '../math/sum.ts';
+import { addScaled, dot, length, normalize, scale, type Vec3, ZERO } from '../math/vec3.ts';
+import { type Boost, relativeBoost } from './boost.ts';
+import { accelerateFlight, coastFlight, type FlightState, shifted } from './flightState.ts';
 
 /**
  * `free`: the observer flies. `look`: has a velocity but stays in place, to see the effect of speed at one point.
@@ -42,54 +42,52 @@ const WALK_TIME = 0.5;
 export const walkingSpeed = ({ c, maxSpeed }: Pick<FlightRules, 'c' | 'maxSpeed'>): number =>
   Math.min(maxSpeed / 2, WALKING_SPEED / c);
 
-/** Proper velocity that the controls ask for, world frame; undefined: keep the current one. */
-export function targetVelocity(state: ObserverState, controls: FlightControls, rules: FlightRules): Vec3 | undefined {
+/** Velocity that the controls ask for, world frame; undefined: keep the current one. */
+function targetVelocity(state: FlightState, controls: FlightControls, rules: FlightRules): Boost | undefined {
   const [right, up, back] = controls.thrust;
   const push = length(controls.thrust);
-  if (push === 0) return rules.cruise ? undefined : ZERO;
-  const direction = normalize(addScaled(rotate(state.orientation, [right, 0, back]), rules.up, up));
+  if (push === 0) return rules.cruise ? undefined : { ...state.velocity, rapidity: 0 };
+  const wanted = addScaled(rotate(state.orientation, [right, 0, back]), rules.up, up);
   const speed = controls.fullSpeed ? rules.maxSpeed : walkingSpeed(rules);
-  return properVelocity(scale(direction, speed * Math.min(1, push)));
+  return {
+    direction: normalize(wanted, state.velocity.direction),
+    rapidity: length(wanted) > 0 ? Math.atanh(speed * Math.min(1, push)) : 0,
+  };
 }
 
 /**
  * The observer after dt [s] of real time, which equals the observer's proper time: constant proper acceleration towards
  * the target velocity, integrated exactly. With world time paused the observer still moves, through a frozen instant.
  */
-export function stepFlight(
-  state: ObserverState,
-  controls: FlightControls,
-  dt: number,
-  rules: FlightRules,
-): ObserverState {
+export function stepFlight(state: FlightState, controls: FlightControls, dt: number, rules: FlightRules): FlightState {
   const moved = thrust(state, targetVelocity(state, controls, rules), dt, rules);
   if (rules.lock === 'free') return rules.playing ? moved : { ...moved, t: state.t, properTime: state.properTime };
-  const held = { ...moved, ...lockedClocks(state, moved.u, dt, rules) };
+  const speed = Math.tanh(moved.velocity.rapidity);
+  const held = { ...moved, ...lockedClocks(state, moved.velocity, dt, rules) };
   if (rules.lock === 'look') return { ...held, position: state.position };
-  const position = addScaled(state.position, moved.u, (rules.c * dt) / gamma(moved.u));
+  const position = shifted(state.position, scale(moved.velocity.direction, speed * rules.c * dt));
   return { ...held, position, orientation: state.orientation };
 }
 
 /** With a lock, world time runs as real time: `look` stays in place, and `fly` is at rest for the picture. */
-function lockedClocks(state: ObserverState, u: Vec3, dt: number, { lock, playing }: FlightRules) {
+function lockedClocks(state: FlightState, { rapidity }: Boost, dt: number, { lock, playing }: FlightRules) {
   if (!playing) return { t: state.t, properTime: state.properTime };
-  return { t: state.t + dt, properTime: state.properTime + (lock === 'look' ? dt / gamma(u) : dt) };
+  return { t: plus(state.t, dt), properTime: plus(state.properTime, lock === 'look' ? dt / Math.cosh(rapidity) : dt) };
 }
 
-function thrust(state: ObserverState, target: Vec3 | undefined, dt: number, rules: FlightRules): ObserverState {
-  const missing = target && relativeVelocity(target, state.u);
-  const change = missing ? rapidity(missing) : 0;
-  if (!target || !missing || change === 0) return coast(state, dt, rules.c);
-  const a = properAcceleration(state.u, target, rules);
-  const burn = Math.min(dt, (change * rules.c) / a);
-  const burnt = accelerate(state, scale(normalize(missing), a), burn, rules.c);
-  return burn < dt ? coast({ ...burnt, u: target }, dt - burn, rules.c) : burnt;
+function thrust(state: FlightState, target: Boost | undefined, dt: number, rules: FlightRules): FlightState {
+  const missing = target && relativeBoost(target, state.velocity);
+  if (!target || !missing || missing.rapidity === 0) return coastFlight(state, dt, rules.c);
+  const size = properAcceleration(state.velocity, target, rules);
+  const burn = Math.min(dt, (missing.rapidity * rules.c) / size);
+  const burnt = accelerateFlight(state, { direction: missing.direction, size }, burn, rules.c);
+  return burn < dt ? coastFlight({ ...burnt, velocity: target }, dt - burn, rules.c) : burnt;
 }
 
 /** Proper acceleration [m/s²]: a stronger one where the current or the target speed exceeds the walking speed. */
-function properAcceleration(u: Vec3, target: Vec3, rules: FlightRules): number {
+function properAcceleration(velocity: Boost, target: Boost, rules: FlightRules): number {
   const walk = Math.atanh(walkingSpeed(rules));
-  const fast = Math.max(rapidity(u), rapidity(target)) > walk * 1.001;
+  const fast = Math.max(velocity.rapidity, target.rapidity) > walk * 1.001;
   return rules.c * (fast ? Math.atanh(rules.maxSpeed) / SPRINT_TIME : walk / WALK_TIME);
 }
 
