@@ -16,7 +16,7 @@ import type { Layer } from './layer/layer.ts';
 import { metadataNumber, primAt, primsAlong, stageTimeCode } from './layer/query.ts';
 import { layerParser } from './readLayer.ts';
 import { type StageContext, upAxisOf } from './schema/context.ts';
-import { withDrawModes } from './schema/drawModes/drawModes.ts';
+import { saysDrawModes } from './schema/drawModes/saysDrawModes.ts';
 import { SMOOTH_ROWS } from './schema/geometry/subdivisionScheme.ts';
 import { SampleBudget } from './schema/sampleBudget.ts';
 import { hintsOf } from './schema/slowlightAttributes.ts';
@@ -57,7 +57,7 @@ export async function readUsd(source: FileSource, entry: string, options: ReadOp
   });
   if (options.prim) assertPrim(stage.layer, options.prim, entry);
   const composed = contextOf(stage.layer, files, diagnostics, { ...options, sampleMemory });
-  const context = { ...composed, layer: withDrawModes(composed) };
+  const context = saysDrawModes(composed.layer) ? await modelsDrawn(composed) : composed;
   const contents = await readStage(context);
   reportSubdivision(context);
   if (stage.missingArcs > 0 && contents.objects.length + contents.lights.length === 0)
@@ -77,6 +77,11 @@ export async function readUsd(source: FileSource, entry: string, options: ReadOp
     ...variantsIn(stage),
     ...(error !== undefined && { pathError: error }),
   };
+}
+
+async function modelsDrawn(context: StageContext): Promise<StageContext> {
+  const { withDrawModes } = await import('./schema/drawModes/drawModes.ts');
+  return { ...context, layer: withDrawModes(context) };
 }
 
 function assertPrim(layer: Layer, path: string, entry: string): void {
