@@ -2,8 +2,9 @@ import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
 import { fromParts, type Mat4, multiply } from '../../math/mat4.ts';
 import { fromAxisAngle, type Quat, toMatrix } from '../../math/quat.ts';
+import { matrixOfParts, partsOf } from '../../math/transformParts.ts';
 import type { Vec3 } from '../../math/vec3.ts';
-import { distanceOf, keptKeys, matrixOfParts, partsOf } from './jointTracks.ts';
+import { distanceOf, keptKeys } from './jointTracks.ts';
 
 const number = fc.double({ min: -3, max: 3, noNaN: true });
 const vector = fc.tuple(number, number, number) as fc.Arbitrary<Vec3>;

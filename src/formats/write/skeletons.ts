@@ -7,22 +7,20 @@ import {
   transformPoint,
   transformVector,
 } from '../../math/mat4.ts';
+import { matrixOfParts, mixParts, type TransformParts } from '../../math/transformParts.ts';
 import { length } from '../../math/vec3.ts';
-import { boundingBox } from '../../scene/bounds/bounds.ts';
+import { boundingBox, boxRadius } from '../../scene/bounds/bounds.ts';
 import { pointSamples } from '../../scene/motion/motion.ts';
-import { type BlendedPoints, type JointTree, MATRIX, makeBlendedPoints } from '../../scene/streaming/blendedPoints.ts';
+import {
+  type BlendedPoints,
+  type JointTree,
+  makeBlendedPoints,
+  matrixAt,
+  shapeWeightsAt,
+} from '../../scene/streaming/blendedPoints.ts';
 import { isBlended } from '../../scene/streaming/samplePoints.ts';
 import type { SceneObject } from '../../scene/types.ts';
-import {
-  depthsOf,
-  distanceOf,
-  jointTracks,
-  keptKeys,
-  matrixOfParts,
-  mixParts,
-  parentsFirst,
-  type TransformParts,
-} from './jointTracks.ts';
+import { depthsOf, distanceOf, jointTracks, keptKeys, parentsFirst } from './jointTracks.ts';
 
 /** Greatest distance between what is kept and what keys give, relative to half the diagonal of all that a skeleton moves: a tenth of what reading may be off. */
 export const KEY_TOLERANCE = 1e-4;
@@ -129,10 +127,7 @@ function skeletonOf<T extends SceneObject>(group: SameJoints<T>): WrittenSkeleto
   const isWhole = group.every((each) => !each.points.joints.includes(last));
   const tree = isWhole ? poses.tree : withOrigin(poses.tree);
   const { parents } = tree;
-  const frameOf = (j: number, k: number): Mat4 => {
-    const at = MATRIX * (poses.joints * nodes[k] + j);
-    return [...poses.matrices.subarray(at, at + MATRIX), 0, 0, 0, 1];
-  };
+  const frameOf = (j: number, k: number): Mat4 => matrixAt(poses.matrices, poses.joints * nodes[k] + j);
   const tolerance = KEY_TOLERANCE * radiusOf(group);
   const binds = group.map((each) => bindsOf(each.points, parents.length));
   const reaches = Float64Array.from(parents, (_, j) => Math.max(...group.map(({ points: own }) => reachOf(own, j))));
@@ -165,7 +160,7 @@ const withOrigin = ({ names, parents }: JointTree): JointTree => ({
 function bindsOf({ joints, binds }: BlendedPoints, count: number): (Mat4 | undefined)[] {
   const out = new Array<Mat4 | undefined>(count).fill(undefined);
   joints.forEach((joint, i) => {
-    out[joint] = [...binds.subarray(MATRIX * i, MATRIX * (i + 1)), 0, 0, 0, 1];
+    out[joint] = matrixAt(binds, i);
   });
   return out;
 }
@@ -183,19 +178,14 @@ function radiusOf<T extends SceneObject>(group: SameJoints<T>): number {
     const box = boundingBox(makeBlendedPoints({ ...points, outer: IDENTITY }, 0));
     return box ? [...box.min, ...box.max] : [];
   });
-  return halfDiagonal(ends);
-}
-
-function halfDiagonal(positions: ArrayLike<number>): number {
-  const box = boundingBox(positions);
-  return box ? Math.hypot(...box.max.map((x, i) => x - box.min[i])) / 2 : 0;
+  return boxRadius(ends);
 }
 
 /** A bound of how far from a joint's origin is what follows it, in its axes: by the corners of the box of its vertices and of their displacements. */
 function reachOf({ joints, binds, boxes, shapes, shapeWeights }: BlendedPoints, joint: number): number {
   const i = joints.indexOf(joint);
   if (i < 0) return 0;
-  const m = [...binds.subarray(MATRIX * i, MATRIX * (i + 1)), 0, 0, 0, 1];
+  const m = matrixAt(binds, i);
   const box = (s: number): Float64Array =>
     boxes.subarray(6 * (i * (1 + shapes.length) + s), 6 * (i * (1 + shapes.length) + s + 1));
   const extent = (own: Float64Array): number => Math.hypot(...own.subarray(3)) * frobenius(m);
@@ -253,18 +243,18 @@ function closeness({ tracks, parents, times, reaches, tolerance }: FollowedTrack
 }
 
 /** The samples whose weights are kept: between them no vertex is off by more than the tolerance for shapes of this size. */
-function shapeKeysOf({ nodes, rest, shapes, shapeWeights }: BlendedPoints, times: Float64Array): readonly number[] {
-  const count = shapes.length;
-  if (count === 0) return [0];
-  const tolerance = KEY_TOLERANCE * halfDiagonal(rest.positions);
+function shapeKeysOf(points: BlendedPoints, times: Float64Array): readonly number[] {
+  const { rest, shapes } = points;
+  if (shapes.length === 0) return [0];
+  const tolerance = KEY_TOLERANCE * boxRadius(rest.positions);
   const sizes = shapes.map(({ positions }) => longest(positions));
-  const weight = (k: number, s: number): number => shapeWeights[count * nodes[k] + s];
   return keptKeys(times.length, (from, to) => {
+    const [first, last] = [shapeWeightsAt(points, from), shapeWeightsAt(points, to)];
     for (let k = from + 1; k < to; k++) {
       const at = (times[k] - times[from]) / (times[to] - times[from]);
+      const own = shapeWeightsAt(points, k);
       const off = sizes.reduce(
-        (sum, size, s) =>
-          sum + size * Math.abs(weight(from, s) + at * (weight(to, s) - weight(from, s)) - weight(k, s)),
+        (sum, size, s) => sum + size * Math.abs(first[s] + at * (last[s] - first[s]) - own[s]),
         0,
       );
       if (!(off <= tolerance)) return false;
@@ -278,4 +268,36 @@ function longest(vectors: Float32Array): number {
   for (let i = 0; i < vectors.length; i += 3)
     most = Math.max(most, Math.hypot(vectors[i], vectors[i + 1], vectors[i + 2]));
   return most;
+}
+
+/** Joints and weights by vertex, equally many for each. */
+export interface VertexInfluences {
+  readonly perVertex: number;
+  /** Of the skeleton; 0 where there is no weight. */
+  readonly joints: Uint16Array<ArrayBuffer>;
+  readonly weights: Float32Array<ArrayBuffer>;
+}
+
+/** The influences of all vertices, a multiple of `multiple` for each, those without weight at the end. `heaviestFirst`: else in their order. */
+export function vertexInfluences(
+  { joints, first, influences, weights }: BlendedPoints,
+  multiple = 1,
+  heaviestFirst = false,
+): VertexInfluences {
+  const vertices = first.length - 1;
+  let most = 1;
+  for (let v = 0; v < vertices; v++) most = Math.max(most, first[v + 1] - first[v]);
+  const perVertex = multiple * Math.ceil(most / multiple);
+  const size = perVertex * vertices;
+  const out = { perVertex, joints: new Uint16Array(size), weights: new Float32Array(size) };
+  for (let v = 0; v < vertices; v++) {
+    const own = Array.from({ length: first[v + 1] - first[v] }, (_, i) => first[v] + i);
+    if (heaviestFirst) own.sort((a, b) => weights[b] - weights[a]);
+    own.forEach((i, n) => {
+      if (weights[i] === 0) return;
+      out.joints[perVertex * v + n] = joints[influences[i]];
+      out.weights[perVertex * v + n] = weights[i];
+    });
+  }
+  return out;
 }

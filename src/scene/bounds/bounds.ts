@@ -109,6 +109,12 @@ export function meshBoundingSphere({ positions }: Pick<Mesh, 'positions'>): Boun
   return sphere;
 }
 
+/** Half the diagonal of the box of points, 3 numbers each; 0 without any. */
+export function boxRadius(points: ArrayLike<number>): number {
+  const box = boundingBox(points);
+  return box ? Math.hypot(...box.max.map((x, k) => x - box.min[k])) / 2 : 0;
+}
+
 /** The bounding sphere of an object in its own frame [m]. */
 export function objectBoundingSphere({ mesh, stretch }: StretchedPoints): BoundingSphere {
   const sphere = meshBoundingSphere(mesh);

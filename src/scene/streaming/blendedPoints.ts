@@ -65,6 +65,12 @@ export interface BlendedPoints {
 /** Numbers in a 3 × 4 matrix. */
 export const MATRIX = 12;
 
+/** One of 3 × 4 matrices, by its index. */
+export const matrixAt = (matrices: Float64Array, index: number): Mat4 => [
+  ...matrices.subarray(MATRIX * index, MATRIX * (index + 1)),
+  ...[0, 0, 0, 1],
+];
+
 /** Matrices from the rest shape to the motion's axes and origin at sample k, of the joints that the mesh follows: 12 numbers each. */
 export function jointMatrices(
   { poses, nodes, shifts, outer, joints, binds }: BlendedPoints,

@@ -3,7 +3,7 @@ import { fromParts, isRigid, linearPart, type Mat4 } from '../../../math/mat4.ts
 import { multiply as after, fromMatrix, type Quat, toMatrix } from '../../../math/quat.ts';
 import { add, scale, type Vec3, ZERO } from '../../../math/vec3.ts';
 import { msg } from '../../../messages/message.ts';
-import { boundingBox } from '../../../scene/bounds/bounds.ts';
+import { boundingBox, boxRadius } from '../../../scene/bounds/bounds.ts';
 import { flippedWinding } from '../../../scene/mesh/meshOps.ts';
 import type { StretchedMesh } from '../../../scene/mesh/stretch.ts';
 import { AdaptivePath, type SampledTimes, SamplingBudget } from '../../../scene/motion/adaptiveSampling.ts';
@@ -75,7 +75,7 @@ export class Baker {
     this.noteJumps(frame, knots);
     const corners = boxCorners(geometry.mesh.positions);
     const shape = cornerPaths(corners, transformAt);
-    const tolerance = this.tolerance(RIGID_TOLERANCE) * radiusOf(shape(knots.times[0]));
+    const tolerance = this.tolerance(RIGID_TOLERANCE) * boxRadius(shape(knots.times[0]));
     const times = this.followed({ path: frame.path, curves: deformer.curves }, knots, shape, tolerance);
     const poses = rigidPoses(transformAt, first, times);
     if (!poses) return this.bakePoints(frame, geometry, deformer);
@@ -286,11 +286,6 @@ function boxCorners(positions: Float32Array): number[] {
   const box = boundingBox(positions) ?? { min: ZERO, max: ZERO };
   const ends = [box.min, box.max];
   return [0, 1, 2, 3, 4, 5, 6, 7].flatMap((i) => [ends[i & 1][0], ends[(i >> 1) & 1][1], ends[i >> 2][2]]);
-}
-
-function radiusOf(points: ArrayLike<number>): number {
-  const box = boundingBox(points);
-  return box ? Math.hypot(...box.max.map((x, k) => x - box.min[k])) / 2 : 0;
 }
 
 function centerOf(points: ArrayLike<number>): Vec3 {

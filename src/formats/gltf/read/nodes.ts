@@ -1,6 +1,8 @@
 import type { Animation, Node as GltfNode } from '@gltf-transform/core';
 import { decomposeRigid, IDENTITY, type Mat4, multiply } from '../../../math/mat4.ts';
-import { multiply as after, normalizeQuat, type Quat, toMatrix } from '../../../math/quat.ts';
+import { multiply as after, normalizeQuat, type Quat } from '../../../math/quat.ts';
+import { matrixOfParts, type TransformParts } from '../../../math/transformParts.ts';
+import type { Vec3 } from '../../../math/vec3.ts';
 import { msg } from '../../../messages/message.ts';
 import { UniquePrimPaths } from '../../read/primPaths.ts';
 import { type GltfContext, gltfError } from '../context.ts';
@@ -21,9 +23,7 @@ interface NodeTreeEntry {
 
 /** A transform with the parts that animation replaces, which cannot shear as a matrix can. */
 interface RestTransform extends NodeTransform {
-  readonly translation: readonly number[];
-  readonly turn: Quat;
-  readonly scale: readonly number[];
+  readonly parts: TransformParts;
 }
 
 /** A frame at a time: its matrix to the world, and the product of the rotations alone. */
@@ -139,42 +139,21 @@ const composeTransforms = (above: NodeTransform, own: NodeTransform): NodeTransf
 
 function localTransformAt({ rest, curves }: NodeTreeEntry, t: number): NodeTransform {
   if (!curves.translation && !curves.rotation && !curves.scale) return rest;
-  const rotation = (curves.rotation?.at(t) as Quat | undefined) ?? rest.turn;
-  const translation = curves.translation?.at(t) ?? rest.translation;
-  const scale = curves.scale?.at(t) ?? rest.scale;
-  return { matrix: matrixOf(translation, rotation, scale), rotation };
+  const parts = {
+    translation: (curves.translation?.at(t) as Vec3 | undefined) ?? rest.parts.translation,
+    rotation: (curves.rotation?.at(t) as Quat | undefined) ?? rest.parts.rotation,
+    scale: (curves.scale?.at(t) as Vec3 | undefined) ?? rest.parts.scale,
+  };
+  return { matrix: matrixOfParts(parts), rotation: parts.rotation };
 }
 
 /** `matrix`: the authored one. */
 function restTransform(source: GltfNode, matrix: Mat4 | undefined): RestTransform {
-  const [translation, scale] = [source.getTranslation(), source.getScale()];
   const [x, y, z, w] = source.getRotation();
-  const turn = normalizeQuat([x, y, z, w]);
-  const parts = { translation, turn, scale };
-  if (!matrix) return { matrix: matrixOf(translation, turn, scale), rotation: turn, ...parts };
-  return { matrix, rotation: decomposeRigid(matrix).pose.orientation, ...parts };
-}
-
-function matrixOf(position: readonly number[], rotation: Quat, scale: readonly number[]): Mat4 {
-  const [p, r, s] = [position, toMatrix(rotation), scale];
-  return [
-    r[0] * s[0],
-    r[1] * s[1],
-    r[2] * s[2],
-    p[0],
-    r[3] * s[0],
-    r[4] * s[1],
-    r[5] * s[2],
-    p[1],
-    r[6] * s[0],
-    r[7] * s[1],
-    r[8] * s[2],
-    p[2],
-    0,
-    0,
-    0,
-    1,
-  ];
+  const rotation = normalizeQuat([x, y, z, w]);
+  const parts = { translation: source.getTranslation(), rotation, scale: source.getScale() };
+  if (!matrix) return { matrix: matrixOfParts(parts), rotation, parts };
+  return { matrix, rotation: decomposeRigid(matrix).pose.orientation, parts };
 }
 
 /** glTF matrices are column-major. */

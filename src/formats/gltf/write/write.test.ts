@@ -1,7 +1,7 @@
 import fc from 'fast-check';
-import { AnimationMixer, type Mesh as ThreeMesh, Vector3 } from 'three';
-import { GLTFLoader } from 'three/addons/loaders/GLTFLoader.js';
+import { Vector3 } from 'three';
 import { describe, expect, it } from 'vitest';
+import { openInThree } from '../../../../tests/support/threeViewer.ts';
 import { fromAxisAngle } from '../../../math/quat.ts';
 import { distance, type Vec3 } from '../../../math/vec3.ts';
 import { inEnglish } from '../../../messages/message.ts';
@@ -130,13 +130,7 @@ describe('a scene written as glTF', () => {
     await fc.assert(
       fc.asyncProperty(scenes, async (scene) => {
         const { files } = await written(scene);
-        const gltf = await new GLTFLoader().parseAsync(files.get('a.glb')!.slice().buffer, '');
-        const mixer = new AnimationMixer(gltf.scene);
-        for (const clip of gltf.animations) mixer.clipAction(clip).play();
-        const meshes: ThreeMesh[] = [];
-        gltf.scene.traverse((o) => {
-          if ('isMesh' in o) meshes.push(o as ThreeMesh);
-        });
+        const { meshes, showAt } = await openInThree(files.get('a.glb')!);
         // Vertices are matched by position: three.js renames objects with duplicate names.
         const end = Math.max(...scene.objects.flatMap(samplesOf)) + shiftOf(scene);
         let most = 0;
@@ -145,8 +139,7 @@ describe('a scene written as glTF', () => {
             const later = t + shiftOf(scene);
             // At exactly its end an action restarts.
             if (later >= end) continue;
-            mixer.setTime(later);
-            gltf.scene.updateMatrixWorld(true);
+            showAt(later);
             const vertex = object.mesh.positions.length / 3 - 1;
             const place = up(scene, vertexPosition(object, vertex, t, C));
             const off = meshes.map((mesh) => {

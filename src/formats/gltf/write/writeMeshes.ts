@@ -8,6 +8,7 @@ import { normalsAt, pointsAt } from '../../../scene/streaming/samplePoints.ts';
 import type { Mesh, MeshGroup, SampledPointsMotion, Scene, SceneObject } from '../../../scene/types.ts';
 import type { DiagnosticLog } from '../../diagnostics/diagnosticLog.ts';
 import type { ExportMotion } from '../../write/exportMotion.ts';
+import type { VertexInfluences } from '../../write/skeletons.ts';
 import { GltfMaterialWriter } from './writeMaterials.ts';
 
 /** Most samples of a deforming mesh: each is a morph target, and each has a weight at the time of every other. */
@@ -20,15 +21,8 @@ export interface WrittenShape {
   readonly rest: RestShape;
   /** Displacements at weight 1. */
   readonly targets: readonly RestShape[];
+  /** Multiples of 4 for each vertex, the heaviest first: attributes hold four each. */
   readonly influences?: VertexInfluences;
-}
-
-/** Joints and weights by vertex, the heaviest first; attributes hold four each. */
-export interface VertexInfluences {
-  /** A multiple of 4. */
-  readonly perVertex: number;
-  readonly joints: Uint16Array;
-  readonly weights: Float32Array;
 }
 
 /** Writes the meshes of a scene: a primitive for each run of a material, with the vertices that it uses. */

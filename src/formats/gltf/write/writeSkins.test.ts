@@ -1,7 +1,7 @@
-import { AnimationMixer, type Mesh as ThreeMesh, Vector3 } from 'three';
-import { GLTFLoader } from 'three/addons/loaders/GLTFLoader.js';
+import { Vector3 } from 'three';
 import { expect, it } from 'vitest';
 import { skinnedScene } from '../../../../tests/support/skinnedScene.ts';
+import { openInThree } from '../../../../tests/support/threeViewer.ts';
 import { distance } from '../../../math/vec3.ts';
 import { pointSamples, vertexPosition } from '../../../scene/motion/motion.ts';
 import { isBlended } from '../../../scene/streaming/samplePoints.ts';
@@ -10,13 +10,7 @@ import { writeGltf } from './write.ts';
 it('three.js shows written skins where they are', async () => {
   const scene = skinnedScene({ upAxis: 'Y' });
   const { files } = await writeGltf(scene, 'a.glb');
-  const gltf = await new GLTFLoader().parseAsync(files.get('a.glb')!.slice().buffer, '');
-  const mixer = new AnimationMixer(gltf.scene);
-  for (const clip of gltf.animations) mixer.clipAction(clip).play();
-  const meshes: ThreeMesh[] = [];
-  gltf.scene.traverse((o) => {
-    if ('isMesh' in o) meshes.push(o as ThreeMesh);
-  });
+  const { meshes, showAt } = await openInThree(files.get('a.glb')!);
   // three.js renames objects with duplicate names: a mesh is the one that is where the object is at all times.
   const skins = scene.objects.filter(({ motion }) => {
     const samples = pointSamples(motion);
@@ -26,8 +20,7 @@ it('three.js shows written skins where they are', async () => {
   const worst = skins.map(() => meshes.map(() => 0));
   for (const t of [0, 0.4, 1, 1.7, 2.9]) {
     // glTF has no times before 0.
-    mixer.setTime(t);
-    gltf.scene.updateMatrixWorld(true);
+    showAt(t);
     const places = meshes.map((mesh) =>
       Array.from({ length: mesh.geometry.getAttribute('position').count }, (_, v) => {
         const { x, y, z } = mesh.localToWorld(mesh.getVertexPosition(v, new Vector3()));

@@ -1,16 +1,24 @@
 import type { Accessor, Buffer, Document, Node as GltfNode, Skin as GltfSkin } from '@gltf-transform/core';
 import { determinant } from '../../../math/mat3.ts';
 import { fromPose, IDENTITY, invert, linearPart, type Mat4, multiply, transpose } from '../../../math/mat4.ts';
+import { matrixOfParts, partsOf, type TransformParts } from '../../../math/transformParts.ts';
 import { msg } from '../../../messages/message.ts';
 import { flippedWinding } from '../../../scene/mesh/meshOps.ts';
-import type { BlendedPoints } from '../../../scene/streaming/blendedPoints.ts';
+import { shapeWeightsAt } from '../../../scene/streaming/blendedPoints.ts';
 import type { Scene } from '../../../scene/types.ts';
 import type { DiagnosticLog } from '../../diagnostics/diagnosticLog.ts';
 import { orientationYUp, vectorYUp } from '../../write/exportMotion.ts';
-import { distanceOf, matrixOfParts, partsOf, type TransformParts } from '../../write/jointTracks.ts';
-import { areClose, frameAtStart, type WrittenSkeleton, type WrittenSkin } from '../../write/skeletons.ts';
+import { distanceOf } from '../../write/jointTracks.ts';
+import {
+  areClose,
+  frameAtStart,
+  type VertexInfluences,
+  vertexInfluences,
+  type WrittenSkeleton,
+  type WrittenSkin,
+} from '../../write/skeletons.ts';
 import type { AnimationWriter } from './writeAnimation.ts';
-import type { MeshWriter, VertexInfluences } from './writeMeshes.ts';
+import type { MeshWriter } from './writeMeshes.ts';
 
 /** Inverse bind matrices that differ less are the same: files have f32. */
 const SAME_BIND = 1e-6;
@@ -92,7 +100,7 @@ export class SkinWriter {
         skin,
         multiply(start, skin.binds[first] ?? IDENTITY),
         skeleton.times,
-        influencesOf(skin.points),
+        vertexInfluences(skin.points, 4, true),
       );
       node.setSkin(made.skin);
     }
@@ -149,7 +157,7 @@ export class SkinWriter {
     const shape = { rest: points.rest, targets: points.shapes, ...(influences && { influences }) };
     this.meshes.addShape(node, { ...mesh, indices }, shape);
     if (points.shapes.length === 0) return;
-    const weights = shapeKeys.map((k) => weightsOf(points, k));
+    const weights = shapeKeys.map((k) => [...shapeWeightsAt(points, k)]);
     node.getMesh()?.setWeights(weights[0]);
     this.animations.addKeys(
       node,
@@ -220,31 +228,4 @@ function setParts(node: GltfNode, { translation, rotation, scale }: TransformPar
     .setTranslation([...translation])
     .setRotation([...rotation])
     .setScale([...scale]);
-}
-
-const weightsOf = ({ nodes, shapes, shapeWeights }: BlendedPoints, k: number): number[] => [
-  ...shapeWeights.subarray(shapes.length * nodes[k], shapes.length * (nodes[k] + 1)),
-];
-
-/** Influences of all vertices by joints of the skeleton, the heaviest first, each vertex with the same multiple of 4. */
-function influencesOf({ joints, first, influences, weights }: BlendedPoints): VertexInfluences {
-  const vertices = first.length - 1;
-  let most = 1;
-  for (let v = 0; v < vertices; v++) most = Math.max(most, first[v + 1] - first[v]);
-  const perVertex = 4 * Math.ceil(most / 4);
-  const out = {
-    perVertex,
-    joints: new Uint16Array(perVertex * vertices),
-    weights: new Float32Array(perVertex * vertices),
-  };
-  for (let v = 0; v < vertices; v++) {
-    const own = Array.from({ length: first[v + 1] - first[v] }, (_, i) => first[v] + i);
-    own.sort((a, b) => weights[b] - weights[a]);
-    own.forEach((i, n) => {
-      if (weights[i] === 0) return;
-      out.joints[perVertex * v + n] = joints[influences[i]];
-      out.weights[perVertex * v + n] = weights[i];
-    });
-  }
-  return out;
 }

@@ -17,7 +17,7 @@ export class BitReader {
     this.bytes = bytes;
   }
 
-  /** The next bits, without taking them; beyond the end they are 0. At most 16. */
+  /** The next bits, without taking them; beyond the end they are 0. At most 24. */
   peek(bits: number): number {
     while (this.count < bits) {
       this.held |= (this.bytes[this.at++] ?? 0) << this.count;
@@ -26,13 +26,14 @@ export class BitReader {
     return this.held & ((1 << bits) - 1);
   }
 
+  /** Takes bits that have been looked at. */
   skip(bits: number): void {
     this.held >>>= bits;
     this.count -= bits;
     if (this.at - (this.count >> 3) > this.bytes.length) throw new MessageError(msg`it ends too early`);
   }
 
-  /** At most 16. */
+  /** At most 24. */
   read(bits: number): number {
     const value = this.peek(bits);
     this.skip(bits);

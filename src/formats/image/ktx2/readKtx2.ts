@@ -10,7 +10,7 @@ import { decodeUastc } from './uastc.ts';
 
 /** Where the width and the height stand [bytes]. */
 const [WIDTH_AT, HEIGHT_AT] = [20, 24];
-/** Most mip levels, layers and faces: of the largest picture, and of a single one. */
+/** Most mip levels: more than the largest picture that is read has. */
 const MAX_LEVELS = 16;
 
 /** Names in KTX 2.0: super-compression, and colour models and channels of data format descriptors. */

@@ -1,5 +1,6 @@
 import { msg } from '../../../messages/message.ts';
 import { MessageError } from '../../../messages/messageError.ts';
+import { BitReader } from './bits.ts';
 
 // UASTC LDR 4 × 4: a subset of ASTC with modes of its own. Khronos Data Format Specification 1.3, "UASTC Compressed Texture Image Format" and "ASTC".
 
@@ -100,36 +101,17 @@ export function decodeUastc(
     }
 }
 
-/** Reads bits of a block, the lowest first. */
-class BlockBits {
-  private readonly block: Uint8Array;
-  private at = 0;
-  constructor(block: Uint8Array) {
-    this.block = block;
-  }
-
-  skip(bits: number): void {
-    this.at += bits;
-  }
-
-  read(bits: number): number {
-    let value = 0;
-    for (let i = 0; i < bits; i++, this.at++) value |= ((this.block[this.at >> 3] >> (this.at & 7)) & 1) << i;
-    return value;
-  }
-}
-
 function decodeBlock(block: Uint8Array, out: Uint8Array): void {
   const mode = MODE_OF_PREFIX[block[0] & ((1 << PREFIX) - 1)];
   if (!mode) throw new MessageError(msg`a block is damaged`);
-  const bits = new BlockBits(block);
-  bits.skip(mode.codeLength);
+  const bits = new BitReader(block);
+  bits.read(mode.codeLength);
   if (mode === MODES[SOLID]) {
     const color = [bits.read(8), bits.read(8), bits.read(8), bits.read(8)];
     for (let i = 0; i < 4 * PIXELS; i++) out[i] = color[i % 4];
     return;
   }
-  bits.skip(mode.hints);
+  bits.read(mode.hints);
   const { partitions, plane, components } = mode;
   const part = partitions && partitionOf(partitions, bits.read(partitions.bits));
   const separate = plane === 'said' ? bits.read(2) : plane === 'alpha' ? 3 : -1;
@@ -159,15 +141,21 @@ function componentAt(endpoints: Uint8Array, from: number, components: number, c:
   return ((low * (64 - weight) + high * weight + 32) >> 6) >> 8;
 }
 
-/** 0 to 64: the bits are repeated to six, of which the upper half is moved up by 1. */
+/** 0 to 64: six bits, of which the upper half is moved up by 1. */
 function expandedWeight(value: number, bits: number): number {
-  let six = 0;
-  for (let shift = 6 - bits; shift > -bits; shift -= bits) six |= shift >= 0 ? value << shift : value >> -shift;
+  const six = repeated(value, bits, 6);
   return six > 32 ? six + 1 : six;
 }
 
+/** The bits of a number over and over, as many as are wanted, from the highest. */
+function repeated(value: number, bits: number, wanted: number): number {
+  let out = 0;
+  for (let shift = wanted - bits; shift > -bits; shift -= bits) out |= shift >= 0 ? value << shift : value >> -shift;
+  return out;
+}
+
 /** Endpoints to 0 … 255. Digits of base 3 or 5, five or three together, come before the bits of all. */
-function readEndpoints(bits: BlockBits, { endpoints: { bits: low, digits } }: BlockMode, count: number): Uint8Array {
+function readEndpoints(bits: BitReader, { endpoints: { bits: low, digits } }: BlockMode, count: number): Uint8Array {
   const together = digits === 3 ? 5 : 3;
   const groups: number[] = [];
   if (digits > 1)
@@ -192,11 +180,7 @@ const DIGIT_ENDPOINTS: Readonly<Record<string, { readonly factor: number; readon
 
 /** ASTC, "Endpoint Unquantization". */
 function expandedEndpoint(value: number, digit: number, bits: number, digits: number): number {
-  if (digits === 1) {
-    let out = 0;
-    for (let shift = 8 - bits; shift > -bits; shift -= bits) out |= shift >= 0 ? value << shift : value >> -shift;
-    return out;
-  }
+  if (digits === 1) return repeated(value, bits, 8);
   const { factor, places } = DIGIT_ENDPOINTS[`${bits} ${digits}`];
   const all = (value & 1) * 511;
   const b = places.reduce((sum, place) => (sum << 1) | (place > 0 ? (value >> (place - 1)) & 1 : 0), 0);

@@ -1,4 +1,3 @@
-import { bakedObject } from '../../../scene/mesh/stretch.ts';
 import { isEternal } from '../../../scene/motion/lifetimes.ts';
 import type { Lifetime, Light, LocalLight, Scene, SceneObject } from '../../../scene/types.ts';
 import { ancestors } from '../../write/paths.ts';
@@ -15,10 +14,6 @@ import { SkeletonPrims } from './skeletons/skeletonPrims.ts';
 import { usdObjects } from './skeletons/usdObjects.ts';
 import { thingsOf, type WrittenThing } from './things.ts';
 
-/** Pieces that take turns are one mesh there, with one transform. */
-const writtenObject = (object: SceneObject): SceneObject =>
-  object.pieceOf === undefined ? object : bakedObject(object);
-
 /**
  * A scene as a layer. Samples are written as they are: points stay the same f32, poses doubles. Textures are named
  * `textures/NAME.png`, and made by the `TextureFiles`.
@@ -27,7 +22,7 @@ export function sceneLayer(scene: Scene, name: string): Layer {
   const tree = new PrimTree();
   const files = new TextureFiles(scene);
   const materials = new MaterialWriter(scene, tree, files);
-  const { objects: sceneObjects, skeletons } = usdObjects({ ...scene, objects: scene.objects.map(writtenObject) });
+  const { objects: sceneObjects, skeletons } = usdObjects(scene);
   const own = [...sceneObjects, ...scene.cameras, ...scene.lights].map(pathOfWhole);
   const around = new Set(own.flatMap(ancestors));
   // All paths are claimed before any is used, so that a clash changes the same names wherever they stand.

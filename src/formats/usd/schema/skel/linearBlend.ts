@@ -1,7 +1,7 @@
 import { IDENTITY, type Mat4, multiply } from '../../../../math/mat4.ts';
 import { gatherPoints } from '../../../../scene/mesh/makeMesh.ts';
 import { deformedNormals, smoothingGroups } from '../../../../scene/mesh/normals.ts';
-import type { RestShape } from '../../../../scene/streaming/blendedPoints.ts';
+import { matrixAt, type RestShape } from '../../../../scene/streaming/blendedPoints.ts';
 import type { Mesh } from '../../../../scene/types.ts';
 import type { OutlinedMesh } from '../../../read/jointOutline.ts';
 import type { SkinInfluences } from '../../../read/skinning.ts';
@@ -33,7 +33,7 @@ export function bindsOf({ skeleton, joints }: SkelBinding): readonly Mat4[] {
   if (!joints) return [IDENTITY];
   const { inverseBind } = skeleton;
   const geomBind = [...joints.geomBind, 0, 0, 0, 1];
-  return skeleton.joints.map((_, j) => multiply([...inverseBind.subarray(12 * j, 12 * j + 12), 0, 0, 0, 1], geomBind));
+  return skeleton.joints.map((_, j) => multiply(matrixAt(inverseBind, j), geomBind));
 }
 
 /** The influences of vertices, of which each is one of the mesh's points; undefined for a mesh without joints. */

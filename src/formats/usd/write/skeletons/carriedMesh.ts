@@ -1,9 +1,10 @@
 import { determinant } from '../../../../math/mat3.ts';
-import { linearPart, type Mat4, scaledUniformly, transpose } from '../../../../math/mat4.ts';
+import { fromParts, linearPart, type Mat4, scaledUniformly, transpose } from '../../../../math/mat4.ts';
+import { add } from '../../../../math/vec3.ts';
 import { boundingSphere } from '../../../../scene/bounds/bounds.ts';
 import { flippedWinding } from '../../../../scene/mesh/meshOps.ts';
 import { pointSamples } from '../../../../scene/motion/motion.ts';
-import { type BlendedPoints, jointMatrices } from '../../../../scene/streaming/blendedPoints.ts';
+import { type BlendedPoints, jointMatrices, matrixAt } from '../../../../scene/streaming/blendedPoints.ts';
 import { isBlended } from '../../../../scene/streaming/samplePoints.ts';
 import type { Motion, SceneObject } from '../../../../scene/types.ts';
 import { distanceOf, keptKeys } from '../../../write/jointTracks.ts';
@@ -31,9 +32,8 @@ export function carriedForm(object: SceneObject, placement: WriteContext): MeshF
   const { times, origin, points } = motion;
   const { mesh } = object;
   const matrices = Array.from(times, (_, k): Mat4 => {
-    const m = [...jointMatrices(points, k), 0, 0, 0, 1];
-    for (const i of [0, 1, 2]) m[4 * i + 3] += origin[i];
-    return m;
+    const m = matrixAt(jointMatrices(points, k), 0);
+    return fromParts(linearPart(m), add(origin, [m[3], m[7], m[11]]));
   });
   const { center, radius } = boundingSphere(points.rest.positions);
   const reach = radius + Math.hypot(...center);

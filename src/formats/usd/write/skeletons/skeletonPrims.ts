@@ -9,13 +9,19 @@ import {
   scaledUniformly,
   transpose,
 } from '../../../../math/mat4.ts';
+import { matrixOfParts, type TransformParts } from '../../../../math/transformParts.ts';
 import { scale } from '../../../../math/vec3.ts';
 import { flippedWinding } from '../../../../scene/mesh/meshOps.ts';
-import type { BlendedPoints, RestShape } from '../../../../scene/streaming/blendedPoints.ts';
+import { type RestShape, shapeWeightsAt } from '../../../../scene/streaming/blendedPoints.ts';
 import type { SceneObject } from '../../../../scene/types.ts';
-import { matrixOfParts, type TransformParts } from '../../../write/jointTracks.ts';
 import { ancestors, commonAncestor } from '../../../write/paths.ts';
-import { areClose, frameAtStart, type WrittenSkeleton, type WrittenSkin } from '../../../write/skeletons.ts';
+import {
+  areClose,
+  frameAtStart,
+  vertexInfluences,
+  type WrittenSkeleton,
+  type WrittenSkin,
+} from '../../../write/skeletons.ts';
 import {
   attribute,
   type PrimContent,
@@ -293,12 +299,7 @@ function shapeWeights(skins: readonly BoundSkin[], times: Float64Array, codesPer
   ].sort((a, b) => a - b);
   const codes = Float64Array.from(keys, (k) => times[k] * codesPerSecond);
   const weights = (k: number): Float32Array =>
-    Float32Array.from(
-      skins.flatMap(({ skin: { points } }) => {
-        const from = points.shapes.length * points.nodes[k];
-        return [...points.shapeWeights.subarray(from, from + points.shapes.length)];
-      }),
-    );
+    Float32Array.from(skins.flatMap(({ skin: { points } }) => [...shapeWeightsAt(points, k)]));
   return [
     uniform('token[]', 'blendShapes', tokens(names)),
     sampled('float[]', 'blendShapeWeights', codes, (i) => floats(weights(keys[i]))),
@@ -308,7 +309,7 @@ function shapeWeights(skins: readonly BoundSkin[], times: Float64Array, codesPer
 function skinForm(bound: BoundSkin, placement: WriteContext, innerName: (wanted: string) => string): MeshForm {
   const { skin, prim, geomBind, shapeNames, path } = bound;
   const { points, object } = skin;
-  const { influences, weights, perVertex } = paddedInfluences(points);
+  const { joints, weights, perVertex } = vertexInfluences(points);
   const shapes = points.shapes.map((shape, s) => [innerName(`Shape${s}`), blendShape(shape)] as const);
   const isMirrored = determinant(linearPart(prim.skeleton.placement)) < 0;
   return {
@@ -317,7 +318,9 @@ function skinForm(bound: BoundSkin, placement: WriteContext, innerName: (wanted:
     schemas: ['SkelBindingAPI'],
     bindings: [
       attribute('matrix4d', 'primvars:skel:geomBindTransform', tuple('matrix4d', transpose(geomBind))),
-      attribute('int[]', 'primvars:skel:jointIndices', ints(influences), { metadata: perVertexOf(perVertex) }),
+      attribute('int[]', 'primvars:skel:jointIndices', ints(Int32Array.from(joints)), {
+        metadata: perVertexOf(perVertex),
+      }),
       attribute('float[]', 'primvars:skel:jointWeights', floats(weights), { metadata: perVertexOf(perVertex) }),
       ...(shapes.length > 0
         ? [
@@ -330,24 +333,6 @@ function skinForm(bound: BoundSkin, placement: WriteContext, innerName: (wanted:
     transform: transformOfAll(prim.skeleton, placement),
     inner: new Map(shapes),
   };
-}
-
-/** By vertex equally many joints of the skeleton, those without weight at the end. */
-function paddedInfluences({ joints, first, influences, weights }: BlendedPoints) {
-  const vertices = first.length - 1;
-  let perVertex = 1;
-  for (let v = 0; v < vertices; v++) perVertex = Math.max(perVertex, first[v + 1] - first[v]);
-  const out = {
-    perVertex,
-    influences: new Int32Array(perVertex * vertices),
-    weights: new Float32Array(perVertex * vertices),
-  };
-  for (let v = 0; v < vertices; v++)
-    for (let i = first[v]; i < first[v + 1]; i++) {
-      out.influences[perVertex * v + i - first[v]] = joints[influences[i]];
-      out.weights[perVertex * v + i - first[v]] = weights[i];
-    }
-  return out;
 }
 
 /** The points that a shape moves, and how far. */

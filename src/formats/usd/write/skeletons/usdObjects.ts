@@ -1,5 +1,6 @@
 import { invert } from '../../../../math/mat4.ts';
 import type { Message } from '../../../../messages/message.ts';
+import { bakedObject } from '../../../../scene/mesh/stretch.ts';
 import type { Scene, SceneObject } from '../../../../scene/types.ts';
 import { skeletonsOf, type WrittenSkeleton } from '../../../write/skeletons.ts';
 import { carriedMotion } from './carriedMesh.ts';
@@ -16,16 +17,21 @@ export interface UsdObjects {
 
 const KNOWN = new WeakMap<Scene, UsdObjects>();
 
-/** Which objects of a scene keep their joints; the others, if they follow any, have as many samples as their points may be written at. */
+/** Which objects of a scene keep their joints, found once for all that is written and told of it; the others, if they follow any, have as many samples as their points may be written at. */
 export function usdObjects(scene: Scene): UsdObjects {
   const known = KNOWN.get(scene);
   if (known) return known;
-  const { skeletons } = skeletonsOf(scene.objects.filter(isWhole), isUsdSkeleton);
+  const objects = scene.objects.map(writtenObject);
+  const { skeletons } = skeletonsOf(objects.filter(isWhole), isUsdSkeleton);
   const kept = new Set(skeletons.flatMap(({ skins }) => skins.map(({ object }) => object)));
-  const made = { skeletons, ...thinSkins(scene.objects, (object) => kept.has(object) || isCarried(object)) };
+  const made = { skeletons, ...thinSkins(objects, (object) => kept.has(object) || isCarried(object)) };
   KNOWN.set(scene, made);
   return made;
 }
+
+/** Pieces that take turns are one mesh there, with one transform. */
+const writtenObject = (object: SceneObject): SceneObject =>
+  object.pieceOf === undefined ? object : bakedObject(object);
 
 /** Pieces that take turns are one prim, whose points change. */
 const isWhole = (object: SceneObject): boolean => object.pieceOf === undefined && !isCarried(object);
