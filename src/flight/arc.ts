@@ -33,7 +33,12 @@ export interface FlightConditions {
 }
 
 /** The state after `dTau` [s] of an arc, by default after all of it. */
-export function flyArc(before: FlightState, arc: FlightArc, conditions: FlightConditions, dTau = arc.dTau): FlightState {
+export function flyArc(
+  before: FlightState,
+  arc: FlightArc,
+  conditions: FlightConditions,
+  dTau = arc.dTau,
+): FlightState {
   const state = arc.orientation ? { ...before, orientation: arc.orientation } : before;
   const moved = freely(state, arc, conditions.c, dTau);
   const { c, lock, playing } = conditions;

@@ -70,7 +70,10 @@ describe('a trip at 1 g', () => {
 
   it('stops first where it flies away or too fast, and then comes back', () => {
     const rules = { c: 1, acceleration: 1, limit: 300 };
-    const [u, direction]: [Vec3, Vec3] = [[3, 0, 0], [1, 0, 0]];
+    const [u, direction]: [Vec3, Vec3] = [
+      [3, 0, 0],
+      [1, 0, 0],
+    ];
     const start = flightOf({ ...rest, u });
     // (γ − 1)c²/a
     const stop = Math.hypot(1, 3) - 1;

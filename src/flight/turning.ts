@@ -1,4 +1,13 @@
-import { fromAxisAngle, IDENTITY, multiply, normalizeQuat, type Quat, rotate, shortestRotation, slerp } from '../math/quat.ts';
+import {
+  fromAxisAngle,
+  IDENTITY,
+  multiply,
+  normalizeQuat,
+  type Quat,
+  rotate,
+  shortestRotation,
+  slerp,
+} from '../math/quat.ts';
 import { dot, length, type Vec3 } from '../math/vec3.ts';
 
 const RIGHT: Vec3 = [1, 0, 0];

@@ -1,19 +1,24 @@
-import { MAX_RAPIDITY } from '../../flight/controls.ts';
 import { type FlightArc, flyArc, flyArcs } from '../../flight/arc.ts';
+import { MAX_RAPIDITY } from '../../flight/controls.ts';
 import { flightOf, observerOf } from '../../flight/flightState.ts';
 import { cutFlight, spliceFlights } from '../../flight/recording/edit.ts';
 import { FlightPlayback } from '../../flight/recording/playback.ts';
-import { type FlightLeg, type FlightRecording, legDuration, recordingDuration } from '../../flight/recording/recording.ts';
+import {
+  type FlightLeg,
+  type FlightRecording,
+  legDuration,
+  recordingDuration,
+} from '../../flight/recording/recording.ts';
 import { planTrip } from '../../flight/trip.ts';
 import { length, sub, ZERO } from '../../math/vec3.ts';
 import { inLines, type Message, msg } from '../../messages/message.ts';
 import { lookAtOrientation } from '../../scene/view/camera.ts';
-import { checkWritable } from '../files/outputFile.ts';
 import { readFlightFile, writeFlightFile } from '../files/flightFiles.ts';
+import { checkWritable } from '../files/outputFile.ts';
 import { usageError } from '../terminal/exitCodes.ts';
 import { toJson } from '../terminal/json.ts';
 import { localized } from '../terminal/language.ts';
-import type { CutFlags, TripFlags } from './flightCommand.ts';
+import type { CutFlags, TripFlags } from './flightFlags.ts';
 
 export function trip(flags: TripFlags): void {
   const { output, from, to, acceleration, c, start, maxSpeed } = flags;

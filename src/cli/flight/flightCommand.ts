@@ -1,30 +1,10 @@
 import { Command } from 'commander';
-import type { Vec3 } from '../../math/vec3.ts';
 import { msg } from '../../messages/message.ts';
 import { SPEED_OF_LIGHT, STANDARD_GRAVITY } from '../../physics/constants.ts';
 import { parseNotNegative, parseNumber, parsePositive, parseVec3, parseWithin } from '../flags/parse.ts';
 import { examples } from '../terminal/help.ts';
 import { localized } from '../terminal/language.ts';
-
-/** Flags of `slowlight flight trip`. */
-export interface TripFlags {
-  readonly output: string;
-  readonly from: Vec3;
-  readonly to: Vec3;
-  readonly acceleration: number;
-  readonly c: number;
-  readonly start: number;
-  readonly maxSpeed?: number;
-  readonly return?: boolean;
-  readonly json?: boolean;
-}
-
-/** Flags of `slowlight flight cut`. */
-export interface CutFlags {
-  readonly output: string;
-  readonly from?: number;
-  readonly to?: number;
-}
+import type { CutFlags, TripFlags } from './flightFlags.ts';
 
 const EXAMPLES = [
   'slowlight flight trip --to 0,0,-4.07e16 -o star.flight.json        # 4.3 light-years at 1 g',
@@ -64,7 +44,9 @@ export function flightCommand(): Command {
     .action(async (flags: TripFlags) => (await import('./flightAction.ts')).trip(flags));
   command
     .command('inspect')
-    .description(localized(msg`Says how long a flight lasts on both clocks, how fast it is, and of what legs it is made.`))
+    .description(
+      localized(msg`Says how long a flight lasts on both clocks, how fast it is, and of what legs it is made.`),
+    )
     .argument('<flight>', FILE)
     .option('--json', localized(msg`print a report as JSON`))
     .action(async (path: string, flags: { json?: boolean }) =>

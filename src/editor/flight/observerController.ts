@@ -175,7 +175,16 @@ export class ObserverController {
   private fly(picture: PictureSpec, dt: number, controls: FlightControls): void {
     const { lock, cruise } = this.editor.store.getState();
     const { scene, speedOfLight: c, maxSpeed } = picture;
-    const rules = { c, maxSpeed, cruise, up: sceneUpVector(scene), along: c, across: c, level: false, attitude: 'hand' } as const;
+    const rules = {
+      c,
+      maxSpeed,
+      cruise,
+      up: sceneUpVector(scene),
+      along: c,
+      across: c,
+      level: false,
+      attitude: 'hand',
+    } as const;
     const before = this.flight;
     const moment = { state: before, controls, dt, rules };
     const arcs = this.pilot?.arcs(moment, picture) ?? arcsOf(velocityMode, moment);

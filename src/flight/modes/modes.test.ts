@@ -86,7 +86,11 @@ describe('thrust', () => {
   const orientation = fromAxisAngle([1, 2, -1], 0.8);
 
   it('is a constant proper acceleration along the axes of the ship, along and across apart', () => {
-    for (const [thrust, size] of [[[0, 0, -1], 5], [[1, 0, 0], 2], [[0, -0.5, 0], 1]] as [Vec3, number][]) {
+    for (const [thrust, size] of [
+      [[0, 0, -1], 5],
+      [[1, 0, 0], 2],
+      [[0, -0.5, 0], 1],
+    ] as [Vec3, number][]) {
       const push = scale(rotate(orientation, normalize(thrust)), size);
       const expected = accelerate({ ...rest, orientation }, push, 0.7, 10);
       const end = observerOf(fly('thrust', flightOf({ ...rest, orientation }), { thrust }, 0.7));
@@ -123,7 +127,9 @@ describe('thrust', () => {
     // At constant speed a push a across turns the course by a/(γβc) per proper time; gyroscopes hardly turn in so short a time.
     const course = Math.atan2(turned.velocity.direction[0], -turned.velocity.direction[2]);
     const { c, across } = rules;
-    expect(Math.abs(course / (across / (gamma(observerOf(fast).u) * rules.maxSpeed * c)) / 0.05 - 1)).toBeLessThan(0.02);
+    expect(Math.abs(course / (across / (gamma(observerOf(fast).u) * rules.maxSpeed * c)) / 0.05 - 1)).toBeLessThan(
+      0.02,
+    );
   });
 
   it('turns about all axes of the ship, and keeps its horizon only when asked to', () => {
@@ -209,7 +215,9 @@ describe('autopilot', () => {
 
   it('turns around half way, if its nose points where its engine pushes', () => {
     const by = { destination: [0, 0, -400] as Vec3, attitude: 'push' as const };
-    expect(dot(rotate(fly('autopilot', flightOf(rest), {}, 2, by).orientation, NOSE), [0, 0, -1])).toBeGreaterThan(0.99);
+    expect(dot(rotate(fly('autopilot', flightOf(rest), {}, 2, by).orientation, NOSE), [0, 0, -1])).toBeGreaterThan(
+      0.99,
+    );
     expect(dot(rotate(fly('autopilot', flightOf(rest), {}, 12, by).orientation, NOSE), [0, 0, -1])).toBeLessThan(-0.9);
   });
 });

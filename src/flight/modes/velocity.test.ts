@@ -4,11 +4,11 @@ import { IDENTITY } from '../../math/quat.ts';
 import { length, sub } from '../../math/vec3.ts';
 import { gamma, velocity } from '../../physics/lorentz/boost.ts';
 import type { ObserverState } from '../../physics/lorentz/observer.ts';
-import { flightOf, observerOf } from '../flightState.ts';
 import { type FlightConditions, flyArcs } from '../arc.ts';
 import { type FlightControls, type FlightRules, NO_CONTROLS } from '../controls.ts';
-import { velocityMode, walkingSpeed } from './velocity.ts';
+import { flightOf, observerOf } from '../flightState.ts';
 import { arcsOf } from '../step.ts';
+import { velocityMode, walkingSpeed } from './velocity.ts';
 
 const rest: ObserverState = { t: 0, position: [0, 0, 0], u: [0, 0, 0], orientation: IDENTITY, properTime: 0 };
 const resting: FlightRules = {

@@ -38,7 +38,8 @@ function partOf(arc: FlightArc, { velocity }: FlightState, from: number, to: num
   return {
     ...rest,
     dTau: to - from,
-    ...(push && before && { push: { ...push, direction: from === 0 ? push.direction : rotate(before, push.direction) } }),
+    ...(push &&
+      before && { push: { ...push, direction: from === 0 ? push.direction : rotate(before, push.direction) } }),
     ...(reached && to === arc.dTau && { reached }),
   };
 }

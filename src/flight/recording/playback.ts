@@ -1,5 +1,5 @@
-import { brent } from '../../math/roots.ts';
 import { slerp } from '../../math/quat.ts';
+import { brent } from '../../math/roots.ts';
 import { flyArc } from '../arc.ts';
 import type { FlightState } from '../flightState.ts';
 import type { FlightLeg, FlightRecording } from './recording.ts';

@@ -40,10 +40,22 @@ describe('a file of a flight', () => {
     ['of a later version', text.replace('"version":1', '"version":2'), /^version: .*it is 2/],
     ['without legs', '{"slowlight":"flight","version":1,"legs":[]}', /^legs: fewer than 1 entries/],
     ['backwards in time', text.replace(/"dTau":[\d.e+]+/, '"dTau":-1'), /^legs\.0\.arcs\.0\.dTau: .*it is -1/],
-    ['that never ends', text.replace(/"dTau":[\d.e+]+/, '"dTau":1e300'), /^legs\.0\.arcs\.0: it pushes beyond rapidity 300/],
-    ['with light as its ship', text.replace('"rapidity":0', '"rapidity":301'), /^legs\.0\.start\.rapidity: more than 300/],
+    [
+      'that never ends',
+      text.replace(/"dTau":[\d.e+]+/, '"dTau":1e300'),
+      /^legs\.0\.arcs\.0: it pushes beyond rapidity 300/,
+    ],
+    [
+      'with light as its ship',
+      text.replace('"rapidity":0', '"rapidity":301'),
+      /^legs\.0\.start\.rapidity: more than 300/,
+    ],
     ['with a lock of its own', text.replace('"free"', '"loose"'), /^legs\.0\.lock: .*"free", "look" or "fly"/],
-    ['with a bent direction', text.replace('"direction":[1,0,0]', '"direction":[1,1,0]'), /^legs\.0\.start\.direction: its length/],
+    [
+      'with a bent direction',
+      text.replace('"direction":[1,0,0]', '"direction":[1,1,0]'),
+      /^legs\.0\.start\.direction: its length/,
+    ],
     ['with something more', text.replace('"c":1', '"c":1,"warp":9'), /^legs\.0: unknown: "warp"/],
   ])('%s is refused, and says where', (_, bad, message) => {
     expect(() => parseFlight(bad)).toThrow(message);

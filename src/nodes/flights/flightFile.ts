@@ -1,10 +1,9 @@
 import * as z from 'zod/mini';
-import { LOCKS } from '../../flight/arc.ts';
+import { flyArc, LOCKS } from '../../flight/arc.ts';
 import type { Boost } from '../../flight/boost.ts';
 import { MAX_RAPIDITY } from '../../flight/controls.ts';
 import { MAX_ARCS } from '../../flight/recording/recorder.ts';
 import type { FlightRecording } from '../../flight/recording/recording.ts';
-import { flyArc } from '../../flight/arc.ts';
 import { DocumentError } from '../../graph/document/document.ts';
 import { parseWithSchema } from '../../graph/document/parse.ts';
 import type { Sum } from '../../math/sum.ts';

@@ -79,7 +79,10 @@ export class FlightDeck {
       this.recorder.add(before, arcs, conditions, after);
       if (!this.recorder.isFull) return;
       this.stop();
-      this.editor.notify({ kind: 'warning', text: msg`The recording is full, and has ended. Save it, and start another.` });
+      this.editor.notify({
+        kind: 'warning',
+        text: msg`The recording is full, and has ended. Save it, and start another.`,
+      });
     },
     replayed: (dt, busy) => {
       const { shown, replaying, duration } = this.store.getState();
@@ -109,9 +112,11 @@ export class FlightDeck {
   }
 
   toggleRecording(): void {
-    if (this.recorder) return this.stop();
-    this.recorder = new FlightRecorder();
-    this.store.setState({ recording: true, shown: undefined, replaying: false });
+    if (this.recorder) this.stop();
+    else {
+      this.recorder = new FlightRecorder();
+      this.store.setState({ recording: true, shown: undefined, replaying: false });
+    }
   }
 
   private stop(): void {

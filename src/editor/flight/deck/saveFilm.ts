@@ -1,5 +1,5 @@
-import { recordingDuration } from '../../../flight/recording/recording.ts';
 import type { FlightRecording } from '../../../flight/recording/recording.ts';
+import { recordingDuration } from '../../../flight/recording/recording.ts';
 import { msg } from '../../../messages/message.ts';
 import { MessageError } from '../../../messages/messageError.ts';
 import { saveFile } from '../../saving/useSaveFile.ts';
