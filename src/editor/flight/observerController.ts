@@ -6,7 +6,7 @@ import { arcsOf } from '../../flight/step.ts';
 import { IDENTITY } from '../../math/quat.ts';
 import { sumOf } from '../../math/sum.ts';
 import { add, addScaled, dot, length, scale, sub, ZERO } from '../../math/vec3.ts';
-import { flightViewPoint } from '../../nodes/flights/flightPath.ts';
+import { flightViewPoint } from '../../nodes/flights/flightViewPoint.ts';
 import { pictureCamera } from '../../nodes/pictures/renderSettings.ts';
 import type { PictureSpec } from '../../nodes/socketValues.ts';
 import type { ObserverState } from '../../physics/lorentz/observer.ts';

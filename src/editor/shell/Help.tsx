@@ -70,7 +70,7 @@ const COLUMNS: readonly (readonly KeyGroup[])[] = [
 ];
 
 /** All keyboard shortcuts, over the picture. */
-export function Help(): ReactNode {
+export default function Help(): ReactNode {
   const { t } = useTexts();
   const editor = useEditor();
   const opened = useEditorState((state) => state.dialog === 'help');

@@ -87,7 +87,7 @@ function FlightButton(): ReactNode {
   const title = useEditorState(({ flightMode }) => flightMode);
   const [opened, setOpened] = useState(false);
   return (
-    <Popover opened={opened} onChange={setOpened} position="top-start" shadow="md" trapFocus withRoles>
+    <Popover opened={opened} onChange={setOpened} position="top-start" shadow="md" trapFocus>
       <Popover.Target>
         <UnstyledButton
           className="sl-status-item sl-status-button"
