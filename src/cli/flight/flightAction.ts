@@ -59,7 +59,7 @@ const tell = (recording: FlightRecording, { json }: { readonly json?: boolean })
   console.log(json ? toJson(summary) : describe(summary));
 };
 
-type Summary = ReturnType<typeof summarize>;
+type FlightSummary = ReturnType<typeof summarize>;
 
 function summarize(recording: FlightRecording) {
   return {
@@ -98,7 +98,7 @@ function greatestRapidity({ conditions, start, arcs }: FlightLeg): number {
   return greatest;
 }
 
-const describe = ({ pilotTime, legs }: Summary): string =>
+const describe = ({ pilotTime, legs }: FlightSummary): string =>
   localized(
     inLines([
       msg`${time(pilotTime)} of the pilot's time, legs: ${legs.length}`,

@@ -1,0 +1,89 @@
+import { AxeBuilder } from '@axe-core/playwright';
+import type { Page } from 'playwright-core';
+import { afterAll, beforeAll, describe, expect, it } from 'vitest';
+import { type MonitoredPage, Program } from './program.ts';
+
+let program: Program;
+beforeAll(async () => {
+  program = await Program.start();
+});
+afterAll(() => program.stop());
+
+const SMALL = '?backend=webgl&scene=examples/sphere.usdc';
+
+const hold = async (page: Page, keys: readonly string[], until: () => Promise<void>): Promise<void> => {
+  for (const key of keys) await page.keyboard.down(key);
+  await until();
+  for (const key of keys) await page.keyboard.up(key);
+};
+
+async function openDeck({ page }: MonitoredPage) {
+  await page.getByRole('button', { name: /^Flight: / }).click();
+  const deck = page.locator('[data-flight-deck]');
+  await deck.waitFor();
+  return deck;
+}
+
+describe('the flight deck', () => {
+  it('thrust: one coasts when the key is released, and Z brakes; T goes on to the next way of flying', async () => {
+    const visit = await (await program.open(SMALL)).ready();
+    const { page } = visit;
+    await visit.viewport.focus();
+    for (const name of ['Drive', 'Thrust']) {
+      await page.keyboard.press('t');
+      await page.getByRole('button', { name: `Flight: ${name}` }).waitFor();
+    }
+    await hold(page, ['w'], () => expect.poll(() => visit.speed()).toBeGreaterThan(0.1));
+    const drifting = await visit.speed();
+    expect(drifting).toBeGreaterThan(0.1);
+    await visit.finest();
+    expect(await visit.speed()).toBeGreaterThanOrEqual(drifting);
+    await hold(page, ['z'], () => expect.poll(() => visit.speed()).toBe(0));
+    await visit.close();
+  });
+
+  it('the autopilot flies before an object and stops there; by the keyboard alone', async () => {
+    const visit = await (await program.open(SMALL)).ready();
+    const { page } = visit;
+    await page.getByRole('button', { name: /^Flight: / }).focus();
+    await page.keyboard.press('Enter');
+    const mode = page.getByRole('combobox', { name: 'Way of flying' });
+    await mode.focus();
+    // The last of the list is before the first.
+    for (const key of ['ArrowDown', 'ArrowUp', 'ArrowUp', 'Enter']) await page.keyboard.press(key);
+    await page.getByRole('button', { name: 'Flight: Autopilot' }).waitFor();
+    const z = page.getByRole('textbox', { name: 'z [m]' });
+    await z.fill('0.5');
+    await page.keyboard.press('Escape');
+    await expect.poll(() => visit.speed()).toBeGreaterThan(0.05);
+    await expect.poll(() => visit.speed()).toBe(0);
+    await visit.close();
+  });
+
+  it('records, replays and scrubs; a key takes over; nothing for axe to complain about', async () => {
+    const visit = await (await program.open(SMALL)).ready();
+    const { page } = visit;
+    await visit.viewport.focus();
+    await page.keyboard.press('k');
+    const deck = await openDeck(visit);
+    await deck.getByRole('button', { name: /^Stop/ }).waitFor();
+    await page.keyboard.press('Escape');
+    await visit.viewport.focus();
+    await hold(page, ['w', 'ArrowLeft'], () => expect.poll(() => visit.speed()).toBeGreaterThan(0.1));
+    await page.keyboard.press('k');
+    const seen = await openDeck(visit);
+    await seen.getByRole('button', { name: 'Replay' }).click();
+    const time = seen.getByRole('slider', { name: 'Time of the flight' });
+    await expect.poll(async () => Number(await time.getAttribute('aria-valuenow'))).toBeGreaterThan(0);
+    await time.focus();
+    await page.keyboard.press('Home');
+    await expect.poll(() => visit.speed()).toBe(0);
+    await visit.shot('flight-deck');
+    const { violations } = await new AxeBuilder({ page }).include('[data-flight-deck]').analyze();
+    expect(violations).toEqual([]);
+    await page.keyboard.press('Escape');
+    await visit.viewport.focus();
+    await hold(page, ['w'], () => expect.poll(() => visit.speed()).toBeGreaterThan(0.05));
+    await visit.close();
+  });
+});
