@@ -84,6 +84,43 @@ it.each([
   await visit.close();
 });
 
+it('a flight that is recorded in the page is rendered by the command line to the same pixels', async () => {
+  const visit = await shown('plain', 'webgl', []);
+  const { page } = visit;
+  await visit.viewport.focus();
+  await page.keyboard.press('t');
+  await page.keyboard.press('t');
+  await page.getByRole('button', { name: 'Flight: Thrust' }).waitFor();
+  await page.keyboard.press('k');
+  for (const key of ['w', 'd', 'ArrowLeft', ',']) await page.keyboard.down(key);
+  await expect.poll(() => visit.speed()).toBeGreaterThan(0.1);
+  for (const key of ['w', 'd', 'ArrowLeft', ',']) await page.keyboard.up(key);
+  await page.keyboard.press('k');
+  await page.getByRole('button', { name: /^Flight: / }).click();
+  await page.getByRole('slider', { name: 'Time of the flight' }).focus();
+  await page.keyboard.press('End');
+  const [download] = await Promise.all([
+    page.waitForEvent('download'),
+    page.getByRole('button', { name: 'Save the flight' }).click(),
+  ]);
+  const flight = join(shots, 'page.flight.json');
+  await download.saveAs(flight);
+  await page.keyboard.press('Escape');
+
+  const inspected = await slowlight('flight', 'inspect', flight, '--json');
+  const { pilotTime, legs } = JSON.parse(inspected.out);
+  expect(legs.at(-1).gamma).toBeGreaterThan(1.004);
+  const file = join(shots, 'flown.png');
+  const how = ['--size', `${WIDTH}x${HEIGHT}`, '--backend', 'webgl', '--samples', '8'];
+  const time = ['--flight', flight, '--time', String(pilotTime)];
+  const { code, err } = await slowlight('render', example('plain'), '-o', file, ...time, ...how);
+  expect(code, err).toBe(0);
+  const expected = rgbOf(file);
+  await expect.poll(async () => differing(await visit.pixels(), expected)).toEqual([0, 0]);
+  expect(colorCount(expected)).toBeGreaterThan(50);
+  await visit.close();
+});
+
 it('the headless page reports its device’s maximum size before rendering', async () => {
   const visit = await program.open('headless.html', {}, async (page) => {
     await page.addInitScript(() => {
