@@ -2243,7 +2243,10 @@ const messages: Translation['messages'] = {
   'Objects and lights exist only within this time range, and there only when they already did.':
     '物体和光源只在此时间段内存在，并且只在其中它们原本存在的时候。',
   Motion: '运动',
-  'Moves objects that are at rest, all as one body.': '让静止的物体作为一个整体运动。',
+  'Moves objects, lights and cameras that are at rest, all as one body. Ride a camera to see what it sees.':
+    '让静止的物体、灯光和相机作为一个整体运动。乘坐相机即可看到它所见的画面。',
+  'it moves already and keeps its own motion; only cameras at rest are moved':
+    '它已在运动，保持自身的运动；只有静止的相机会被带动',
   'Uniform motion': '匀速运动',
   'Constant velocity along a straight line, for all time.': '以恒定速度沿直线运动，无始无终。',
   'Hyperbolic motion': '双曲运动',
