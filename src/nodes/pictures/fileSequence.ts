@@ -1,6 +1,7 @@
 import { extensionOf } from '../../formats/files/fileSource.ts';
 import { observerPathFrom } from '../../scene/view/observerPath.ts';
 import { frameTimes, type ImageOutput, type VideoOutput } from '../project/outputFiles.ts';
+import { spacedFrames } from './frameSpacing.ts';
 import { initialBeta, pictureCamera, renderSettings } from './renderSettings.ts';
 import type { PictureSequence } from './sequence.ts';
 
@@ -8,7 +9,6 @@ import type { PictureSequence } from './sequence.ts';
 export function pictureSequence(file: ImageOutput | VideoOutput): PictureSequence {
   const { name, picture, width, height, samples } = file;
   const { fovY, falseColor, metering, speedOfLight } = picture;
-  const frames = frameTimes(file);
   const beta = initialBeta(picture, file.kind === 'video');
   const standpoint = {
     camera: pictureCamera(picture),
@@ -16,6 +16,8 @@ export function pictureSequence(file: ImageOutput | VideoOutput): PictureSequenc
     ...(beta && { beta }),
     ...(fovY !== undefined && { fovY }),
   };
+  const spacing = file.kind === 'video' ? file.spacing : 'world';
+  const frames = spacedFrames(frameTimes(file), spacing, standpoint, speedOfLight);
   const observer = observerPathFrom(standpoint, speedOfLight, frames[0]!.t);
   return {
     settings: renderSettings(picture, 0),

@@ -1,3 +1,4 @@
+import type { FrameSpacing } from '../../flight/spacing.ts';
 import { dotted, extensionOf } from '../../formats/files/fileSource.ts';
 import { msg } from '../../messages/message.ts';
 import type { Scene } from '../../scene/types.ts';
@@ -44,6 +45,8 @@ export interface VideoOutput extends PictureOutput {
   readonly to: number;
   /** Frames per second. */
   readonly fps: number;
+  /** Whose clock `from`, `to` and `fps` are of. */
+  readonly spacing: FrameSpacing;
   /** Whether the observer stays in place despite a velocity. */
   readonly hold: boolean;
 }
