@@ -8,6 +8,7 @@ import { InputError } from '../scene/types.ts';
 import { compareCommand } from './compare/compareCommand.ts';
 import { convertCommand } from './convert/convertCommand.ts';
 import { requestedExitCode } from './files/outputFile.ts';
+import { flightCommand } from './flight/flightCommand.ts';
 import { graphCommand } from './graph/graphCommand.ts';
 import { inspectCommand } from './inspect/inspectCommand.ts';
 import { probeCommand } from './probe/probeCommand.ts';
@@ -28,6 +29,7 @@ export const commands = (): readonly Command[] => [
   convertCommand(),
   simulateCommand(),
   graphCommand(),
+  flightCommand(),
   serveCommand(),
 ];
 

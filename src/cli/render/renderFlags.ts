@@ -13,6 +13,8 @@ export interface RenderFlags extends SceneFlags, ObserverFlags, SettingFlags, Pi
   readonly fps?: number;
   readonly spacing?: FrameSpacing;
   readonly hold?: boolean;
+  /** File of a flight to film. */
+  readonly flight?: string;
   readonly aov?: readonly AovName[];
   readonly samples?: number;
   readonly json?: boolean;

@@ -1,6 +1,7 @@
 import { extname } from 'node:path';
 import { msg } from '../../messages/message.ts';
 import { MessageError } from '../../messages/messageError.ts';
+import { flightPath } from '../../nodes/flights/flightPath.ts';
 import { outputSize } from '../../nodes/pictures/falseColor.ts';
 import { spacedFrames } from '../../nodes/pictures/frameSpacing.ts';
 import { type PictureSequence, renderPictureSequence } from '../../nodes/pictures/sequence.ts';
@@ -22,6 +23,7 @@ import type { RenderJob } from '../project/project.ts';
 import { reportDiagnostics, reportOmissions } from '../terminal/diagnostics.ts';
 import { usageError } from '../terminal/exitCodes.ts';
 import type { Progress } from '../terminal/progress.ts';
+import type { FilmedFlight } from './flightFilm.ts';
 import { type FrameSink, openFrameSink } from './frameSinks.ts';
 import type { RenderFlags } from './renderFlags.ts';
 
@@ -29,6 +31,7 @@ export interface RenderReport {
   readonly files: readonly string[];
   readonly frames: readonly FrameTime[];
   readonly first: ViewPoint;
+  readonly last: ViewPoint;
   readonly info: PipelineSession['info'];
   readonly samples: number;
   /** [m/s] */
@@ -43,17 +46,19 @@ export async function renderFrames(
   { scene, others, frameGraph, flags }: RenderJob<RenderFlags>,
   instants: readonly FrameTime[],
   progress: Progress,
+  flight?: FilmedFlight,
 ): Promise<RenderReport> {
   checkPipeline(flags);
   const aovs = chooseAovs(flags);
   checkFalseColors(flags, aovs);
-  const c = speedOfLight(scene, flags.c);
+  const c = flight?.speedOfLight ?? speedOfLight(scene, flags.c);
   reportDiagnostics([...scene.diagnostics, ...validate(scene, c)]);
   reportOmissions(scene.diagnostics);
   const { size, metering, falseColour, falseRange, legend } = flags;
   const setup = observerSetup(scene, flags, c, instants[0]!.t, flags.hold);
-  const frames = framesOf(instants, flags, setup, c);
-  const observer = observerPathFrom(setup, c, frames[0]!.t);
+  const frames = flight ? instants : framesOf(instants, flags, setup, c);
+  const standing = observerPathFrom(setup, c, frames[0]!.t);
+  const observer = flight ? flightPath(flight.playback, standing(scene.startTime).lens) : standing;
   const settings = { ...renderSettings(flags, c), ...(frameGraph && { frameGraph }) };
   const views = (t: number): PictureViews => [observer(t)];
   const request = { settings, metering, size, aovs, views, frames, falseColour, falseRange, legend };
@@ -68,7 +73,8 @@ export async function renderFrames(
     progress.show(msg`finishing …`);
     await sink.finish();
     const { files } = sink;
-    return { files, frames, first: observer(frames[0]!.t), info, samples, speedOfLight: c, ...made };
+    const [first, last] = [observer(frames[0]!.t), observer(frames.at(-1)!.t)];
+    return { files, frames, first, last, info, samples, speedOfLight: c, ...made };
   } finally {
     progress.clear();
     sink.discard();
