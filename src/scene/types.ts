@@ -15,7 +15,7 @@ import type {
 } from './materials/layers.ts';
 import type { NormalTexture, Texture, TextureChannel } from './materials/texture.ts';
 import type { Quadric } from './mesh/quadricTypes.ts';
-import type { Lifetime, Motion, SampledMotion, StaticMotion } from './motion/motionTypes.ts';
+import type { Lifetime, Motion, RigidMotion } from './motion/motionTypes.ts';
 
 export type * from './lights/light.ts';
 export type * from './materials/layers.ts';
@@ -205,8 +205,7 @@ export interface Material {
 export interface SceneCamera {
   /** Prim path, unique. */
   readonly path: string;
-  /** Static or sampled. */
-  readonly motion: StaticMotion | SampledMotion;
+  readonly motion: RigidMotion;
   /** Vertical field of view [rad]. */
   readonly fovY: number;
 }

@@ -3,7 +3,8 @@ import type { Vec3 } from '../../math/vec3.ts';
 import { velocity } from '../../physics/lorentz/boost.ts';
 import { makeScene } from '../../scene/defaults.ts';
 import type { SceneCamera } from '../../scene/types.ts';
-import { observerPath } from './observerPath.ts';
+import { observerPathFrom } from '../../scene/view/observerPath.ts';
+import { observerPath, observerSetup } from './observerPath.ts';
 
 const c = 10;
 const straight = [0, 0, 0, 1];
@@ -39,7 +40,7 @@ describe('the observer', () => {
     const flags = { beta: [0, 0.5, 0] as Vec3, position: [1, 1, 1] as Vec3 };
     close(observerPath(scene, flags, c, 3)(3).position, [1, 1, 1]);
     close(observerPath(scene, flags, c, 3)(5).position, [1, 11, 1]);
-    close(observerPath(scene, flags, c, 3, true)(5).position, [1, 1, 1]);
+    close(observerPathFrom(observerSetup(scene, flags, c, 3, true), c, 3)(5).position, [1, 1, 1]);
   });
 
   test('is at rest at a given position without a velocity', () => {

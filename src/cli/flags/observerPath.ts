@@ -4,19 +4,30 @@ import { listed, msg } from '../../messages/message.ts';
 import { isStatic } from '../../scene/motion/motion.ts';
 import type { Scene, SceneCamera } from '../../scene/types.ts';
 import { framingCamera, lookAtOrientation, observerFromCamera } from '../../scene/view/camera.ts';
-import { type ObserverPath, observerPathFrom } from '../../scene/view/observerPath.ts';
+import { type ObserverPath, type ObserverSetup, observerPathFrom } from '../../scene/view/observerPath.ts';
 import type { ViewPoint } from '../../scene/view/view.ts';
 import { usageError } from '../terminal/exitCodes.ts';
 import type { ObserverFlags } from './viewFlags.ts';
 
 /** The observer that the flags describe, from world time `start` [s]. A moving camera's own velocity takes precedence over the scene's hint. */
-export function observerPath(scene: Scene, flags: ObserverFlags, c: number, start: number, hold = false): ObserverPath {
+export function observerPath(scene: Scene, flags: ObserverFlags, c: number, start: number): ObserverPath {
+  return observerPathFrom(observerSetup(scene, flags, c, start), c, start);
+}
+
+/** As `observerPath`, before a path is made of it. */
+export function observerSetup(
+  scene: Scene,
+  flags: ObserverFlags,
+  c: number,
+  start: number,
+  hold = false,
+): ObserverSetup {
   const camera = chooseCamera(scene, flags.camera);
   const { position, lookAt, fov } = flags;
   const up: Vec3 = scene.upAxis === 'Z' ? [0, 0, 1] : [0, 1, 0];
   const moves = !isStatic(camera.motion) && position === undefined;
   const beta = flags.beta ?? (moves ? undefined : scene.hints.beta);
-  const standpoint = {
+  return {
     camera,
     hold,
     ...(beta && { beta }),
@@ -26,7 +37,6 @@ export function observerPath(scene: Scene, flags: ObserverFlags, c: number, star
     }),
     ...(fov !== undefined && { fovY: radians(fov) }),
   };
-  return observerPathFrom(standpoint, c, start);
 }
 
 function chooseCamera(scene: Scene, path: string | undefined): SceneCamera {

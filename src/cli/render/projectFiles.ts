@@ -45,7 +45,7 @@ const WRITERS: {
     return writeExportedFiles(folder, written);
   },
   image: writeRendered,
-  video: (file, place) => writeRendered(file, place, { fps: file.fps, hold: file.hold }),
+  video: (file, place) => writeRendered(file, place, { fps: file.fps, spacing: file.spacing, hold: file.hold }),
 };
 
 /** Renders to a file as `render -o` does. */
@@ -85,7 +85,7 @@ const write = (file: RequestedFile, place: WriteTarget): Promise<readonly string
   (WRITERS[file.kind] as (file: RequestedFile, place: WriteTarget) => Promise<readonly string[]>)(file, place);
 
 /** Flags that are parameters of each node that writes a file. */
-const NODE_FLAGS = ['time', 'frames', 'fps', 'hold', 'size', 'samples', 'aov'];
+const NODE_FLAGS = ['time', 'frames', 'fps', 'spacing', 'hold', 'size', 'samples', 'aov'];
 
 function checkFlags(flags: ProjectFilesFlags, given: ReadonlySet<string>): void {
   refuseSceneFlags(given);

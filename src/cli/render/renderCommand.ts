@@ -1,4 +1,5 @@
 import { Command, Option } from 'commander';
+import { FRAME_SPACINGS } from '../../flight/spacing.ts';
 import { inClauses, listed, msg } from '../../messages/message.ts';
 import { PIPELINES } from '../../pipelines/registry.ts';
 import { AOVS } from '../../scene/view/view.ts';
@@ -70,6 +71,14 @@ export function renderCommand(): Command {
         msg`frames per second (default: the scene's time codes per second); a .gif has at most 50, of whole hundredths of a second: at 24, four or five each`,
       ),
       parsePositive,
+    )
+    .addOption(
+      new Option(
+        '--spacing <clock>',
+        localized(
+          msg`with --frames: whether n/fps is world time or proper time, of the observer's own clock; the clock on a moving camera shows 0 at world time 0, that of one who coasts starts with the first frame (default: world)`,
+        ),
+      ).choices(FRAME_SPACINGS),
     );
   addObserverFlags(addSceneFlags(command)).option(
     '--hold',

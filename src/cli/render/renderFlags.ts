@@ -1,3 +1,4 @@
+import type { FrameSpacing } from '../../flight/spacing.ts';
 import type { FalseColorOptions } from '../../nodes/pictures/falseColor.ts';
 import type { AovName } from '../../scene/view/view.ts';
 import type { FrameRange } from '../flags/parse.ts';
@@ -10,6 +11,7 @@ export interface RenderFlags extends SceneFlags, ObserverFlags, SettingFlags, Pi
   readonly time?: number;
   readonly frames?: FrameRange;
   readonly fps?: number;
+  readonly spacing?: FrameSpacing;
   readonly hold?: boolean;
   /** File of a flight to film. */
   readonly flight?: string;

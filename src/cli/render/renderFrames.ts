@@ -1,18 +1,21 @@
 import { extname } from 'node:path';
 import { msg } from '../../messages/message.ts';
+import { MessageError } from '../../messages/messageError.ts';
 import { flightPath } from '../../nodes/flights/flightPath.ts';
 import { outputSize } from '../../nodes/pictures/falseColor.ts';
+import { spacedFrames } from '../../nodes/pictures/frameSpacing.ts';
 import { type PictureSequence, renderPictureSequence } from '../../nodes/pictures/sequence.ts';
 import type { FrameTime } from '../../nodes/project/outputFiles.ts';
 import type { PictureRenderer } from '../../pipelines/pictureRenderer.ts';
 import type { PipelineSession } from '../../pipelines/pipeline.ts';
 import { pipelineNamed } from '../../pipelines/registry.ts';
 import { validate } from '../../scene/validation/validate.ts';
+import { type ObserverSetup, observerPathFrom } from '../../scene/view/observerPath.ts';
 import type { PictureViews } from '../../scene/view/pictureViews.ts';
 import type { AovName, ViewPoint } from '../../scene/view/view.ts';
 import type { FalseColorScale } from '../../spectrum/falseColor/falseColor.ts';
 import { throwIfStopped } from '../files/outputFile.ts';
-import { observerPath } from '../flags/observerPath.ts';
+import { observerSetup } from '../flags/observerPath.ts';
 import { checkPipeline } from '../flags/pipelineFlags.ts';
 import { renderSettings, speedOfLight } from '../flags/viewFlags.ts';
 import { openFlaggedSession } from '../pipelines/openSession.ts';
@@ -41,7 +44,7 @@ export interface RenderReport {
 /** Renders frames and writes them to the output; unfinished files are removed on errors. */
 export async function renderFrames(
   { scene, others, frameGraph, flags }: RenderJob<RenderFlags>,
-  frames: readonly FrameTime[],
+  instants: readonly FrameTime[],
   progress: Progress,
   flight?: FilmedFlight,
 ): Promise<RenderReport> {
@@ -52,7 +55,9 @@ export async function renderFrames(
   reportDiagnostics([...scene.diagnostics, ...validate(scene, c)]);
   reportOmissions(scene.diagnostics);
   const { size, metering, falseColour, falseRange, legend } = flags;
-  const standing = observerPath(scene, flags, c, frames[0]!.t, flags.hold);
+  const setup = observerSetup(scene, flags, c, instants[0]!.t, flags.hold);
+  const frames = flight ? instants : framesOf(instants, flags, setup, c);
+  const standing = observerPathFrom(setup, c, frames[0]!.t);
   const observer = flight ? flightPath(flight.playback, standing(scene.startTime).lens) : standing;
   const settings = { ...renderSettings(flags, c), ...(frameGraph && { frameGraph }) };
   const views = (t: number): PictureViews => [observer(t)];
@@ -73,6 +78,19 @@ export async function renderFrames(
   } finally {
     progress.clear();
     sink.discard();
+  }
+}
+
+function framesOf(
+  instants: readonly FrameTime[],
+  { spacing = 'world' }: RenderFlags,
+  setup: ObserverSetup,
+  c: number,
+): readonly FrameTime[] {
+  try {
+    return spacedFrames(instants, spacing, setup, c);
+  } catch (error) {
+    throw error instanceof MessageError ? usageError(error.text) : error;
   }
 }
 

@@ -2243,7 +2243,21 @@ const messages: Translation['messages'] = {
   'Objects and lights exist only within this time range, and there only when they already did.':
     '物体和光源只在此时间段内存在，并且只在其中它们原本存在的时候。',
   Motion: '运动',
-  'Moves objects that are at rest, all as one body.': '让静止的物体作为一个整体运动。',
+  'Moves objects, lights and cameras that are at rest, all as one body. Ride a camera to see what it sees.':
+    '让静止的物体、灯光和相机作为一个整体运动。乘坐相机即可看到它所见的画面。',
+  'Times are': '时间为',
+  'Proper: of the clock of the observer, who rides a moving camera or coasts.':
+    '固有时：观察者所带时钟的时间；观察者乘坐运动的相机或滑行。',
+  'frames in proper time need an observer who moves: let him ride a moving camera with its own velocity, or coast without being held in place':
+    '按固有时取帧需要运动的观察者：请乘坐运动的相机并使用其自身速度，或不固定位置地滑行',
+  "the observer's clock never shows {} s: he is as fast as light": '观察者的时钟永远不会显示 {1} s：他与光一样快',
+  "with --frames: whether n/fps is world time or proper time, of the observer's own clock; the clock on a moving camera shows 0 at world time 0, that of one who coasts starts with the first frame (default: world)":
+    '与 --frames 合用：n/fps 是世界时间还是固有时（观察者自己的时钟）；运动相机上的时钟在世界时间 0 时显示 0，滑行者的时钟从第一帧开始（默认：world）',
+  "--spacing and --flight exclude each other: a flight is filmed by the pilot's time":
+    '--spacing 与 --flight 不能同用：飞行按飞行员的时间拍摄',
+  '--spacing is for several frames: add --frames FIRST:LAST': '--spacing 用于多帧：请添加 --frames FIRST:LAST',
+  'it moves already and keeps its own motion; only cameras at rest are moved':
+    '它已在运动，保持自身的运动；只有静止的相机会被带动',
   'Uniform motion': '匀速运动',
   'Constant velocity along a straight line, for all time.': '以恒定速度沿直线运动，无始无终。',
   'Hyperbolic motion': '双曲运动',

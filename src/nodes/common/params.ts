@@ -67,9 +67,9 @@ export const nodeRefusal = (
   remedy?: NodeRefusal['problem']['remedy'],
 ) => new NodeRefusal({ severity: 'error', code, place, message, ...(remedy && { remedy }) });
 
-/** Throws a NodeRefusal if the scene has nothing at a path, instead of changing nothing silently. */
-export function assertPathExists(scene: Scene, path: string, node: string): void {
-  const paths = [...scene.objects, ...scene.lights].map((each) => each.path);
+/** Throws a NodeRefusal if the scene has no object or light, and none of `others`, at a path, instead of changing nothing silently. */
+export function assertPathExists(scene: Scene, path: string, node: string, others: Scene['cameras'] = []): void {
+  const paths = [...scene.objects, ...scene.lights, ...others].map((each) => each.path);
   if (path === '' || paths.some((each) => matchesPath(each, path))) return;
   const few = listed([...paths.slice(0, 8), ...(paths.length > 8 ? ['…'] : [])]);
   const message = msg`there is nothing at "${path}"; there is ${few || msg`nothing at all`}`;

@@ -8,6 +8,7 @@ import { type ObserverPath, observerPathFrom } from '../../scene/view/observerPa
 import { flightPath, flightSpeedOfLight } from '../flights/flightPath.ts';
 import { frameTimes, type ImageOutput, type VideoOutput } from '../project/outputFiles.ts';
 import type { PictureSpec } from '../socketValues.ts';
+import { spacedFrames } from './frameSpacing.ts';
 import { initialBeta, pictureCamera, renderSettings } from './renderSettings.ts';
 import type { PictureSequence } from './sequence.ts';
 
@@ -25,7 +26,6 @@ function flownPath(flight: FlightRecording, picture: PictureSpec): ObserverPath 
 export function pictureSequence(file: ImageOutput | VideoOutput): PictureSequence {
   const { name, picture, width, height, samples } = file;
   const { fovY, falseColor, metering, speedOfLight } = picture;
-  const frames = frameTimes(file);
   const beta = initialBeta(picture, file.kind === 'video');
   const standpoint = {
     camera: pictureCamera(picture),
@@ -34,6 +34,8 @@ export function pictureSequence(file: ImageOutput | VideoOutput): PictureSequenc
     ...(fovY !== undefined && { fovY }),
   };
   const { flight } = { flight: undefined, ...file };
+  const spacing = file.kind === 'video' && !flight ? file.spacing : 'world';
+  const frames = spacedFrames(frameTimes(file), spacing, standpoint, speedOfLight);
   const standing = observerPathFrom(standpoint, speedOfLight, frames[0]!.t);
   const observer = flight ? flownPath(flight, picture) : standing;
   return {

@@ -1,4 +1,5 @@
 import type { FlightRecording } from '../../flight/recording/recording.ts';
+import type { FrameSpacing } from '../../flight/spacing.ts';
 import { dotted, extensionOf } from '../../formats/files/fileSource.ts';
 import { msg } from '../../messages/message.ts';
 import type { Scene } from '../../scene/types.ts';
@@ -45,6 +46,8 @@ export interface VideoOutput extends PictureOutput {
   readonly to: number;
   /** Frames per second. */
   readonly fps: number;
+  /** Whose clock `from`, `to` and `fps` are of, unless a flight is filmed. */
+  readonly spacing: FrameSpacing;
   /** Whether the observer stays in place despite a velocity. */
   readonly hold: boolean;
   /** What is filmed instead of the project's observer: `from` and `to` are then of the pilot's time. */

@@ -36,6 +36,16 @@ export const saveVideoNode = defineNode({
       slider: false,
       suggestion: 'timeCodesPerSecond',
     },
+    spacing: {
+      kind: 'choice',
+      title: msg`Times are`,
+      help: msg`Proper: of the clock of the observer, who rides a moving camera or coasts.`,
+      default: 'world',
+      options: [
+        { value: 'world', title: msg`World time` },
+        { value: 'proper', title: msg`Proper time` },
+      ],
+    },
     hold: {
       kind: 'boolean',
       title: msg`Observer stays in place`,
@@ -46,7 +56,7 @@ export const saveVideoNode = defineNode({
   },
   inputs: { image: { type: 'image' } },
   outputs: { image: { type: 'image' }, file: { type: 'file', title: msg`File` } },
-  evaluate({ image }, { name, width, height, from, to, fps, hold, samples }, { node }) {
+  evaluate({ image }, { name, width, height, from, to, fps, spacing, hold, samples }, { node }) {
     const called = checkedFileName(name, ['mp4', 'gif', 'png', 'exr'], node);
     const picture = pictureToSave(image, called, node);
     const { startTime, endTime, timeCodesPerSecond } = picture.scene;
@@ -56,7 +66,7 @@ export const saveVideoNode = defineNode({
     if (kind === 'mp4') assertEvenSize({ width, height }, node);
     else if (kind === 'gif') assertGif({ width, height, fps: span.fps }, node);
     else assertFrameNumber(called, node);
-    return { image, file: { kind: 'video', name: called, picture, width, height, samples, hold, ...span } };
+    return { image, file: { kind: 'video', name: called, picture, width, height, samples, spacing, hold, ...span } };
   },
 });
 

@@ -1,7 +1,10 @@
 import { NodeRefusal } from '../../graph/nodeType.ts';
 import { radians } from '../../math/angle.ts';
 import { listed, msg } from '../../messages/message.ts';
+import { validate } from '../../scene/validation/validate.ts';
+import { nodeRefusal } from '../common/params.ts';
 import { defineNode } from '../defineNode.ts';
+import type { RelativisticScene } from '../socketValues.ts';
 
 /** The camera that the scene is observed from. */
 export const sceneCameraNode = defineNode({
@@ -38,7 +41,17 @@ export const sceneCameraNode = defineNode({
       const remedy = { node, param: 'camera', value: '' };
       throw new NodeRefusal({ severity: 'error', code: 'camera.missing', place: node, message, remedy });
     }
+    if (ride) assertRideable(relativity, camera);
     const fovY = fieldOfView === undefined ? undefined : radians(fieldOfView);
     return { view: { ...relativity, camera, ride, fovY } };
   },
 });
+
+/** Throws if the camera that is ridden moves faster than light. */
+function assertRideable({ scene, speedOfLight }: RelativisticScene, camera: string): void {
+  const cameras = scene.cameras.filter(({ path }) => path === camera);
+  const ridden = cameras[0] ?? scene.cameras[0]!;
+  const found = validate({ ...scene, objects: [], lights: [], cameras: [ridden] }, speedOfLight);
+  const fault = found.find(({ severity }) => severity === 'error');
+  if (fault) throw nodeRefusal(fault.code, fault.place, fault.message);
+}

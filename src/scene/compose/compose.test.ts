@@ -224,8 +224,8 @@ describe('moved objects', () => {
     ];
     const carried = applyRigidMotion(scene, '/It', keyframedMotion(keys), 'world');
     expectClose([...at(carried.objects[0]!, 3, 1)], add([2, 0, 0], rotate(turn, at(object, 3, 0))), 1e-12);
-    expect(movingPaths(carried, '')).toEqual(['/It']);
-    expect(movingPaths(scene, '')).toEqual([]);
+    expect(movingPaths(carried.objects, '')).toEqual(['/It']);
+    expect(movingPaths(scene.objects, '')).toEqual([]);
   });
 });
 

@@ -1,8 +1,7 @@
 import { fromMatrix, type Quat, rotate } from '../../math/quat.ts';
 import { addScaled, cross, length, negate, normalize, scale, type Vec3 } from '../../math/vec3.ts';
 import { SPEED_OF_LIGHT } from '../../physics/constants.ts';
-import { properVelocity } from '../../physics/lorentz/boost.ts';
-import { velocityAt } from '../../physics/worldLines/worldLine.ts';
+import { properVelocityAt } from '../../physics/worldLines/worldLine.ts';
 import { boxSupport } from '../bounds/bounds.ts';
 import { animationSupport } from '../bounds/sceneBounds.ts';
 import type { Support } from '../bounds/supportMap.ts';
@@ -35,8 +34,7 @@ export function observerFromCamera({ motion, fovY }: SceneCamera, t: number, c: 
   const line = originWorldLine(motion);
   const times = sampleTimes(motion);
   const inside = times && times[times.length - 1] === t ? times[times.length - 2] : t;
-  const v = velocityAt(line, inside, c);
-  return { ...pose, u: properVelocity(scale(v, 1 / c)), lens: perspective(fovY) };
+  return { ...pose, u: properVelocityAt(line, inside, c), lens: perspective(fovY) };
 }
 
 /**

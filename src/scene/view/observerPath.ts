@@ -1,7 +1,8 @@
 import type { Quat } from '../../math/quat.ts';
-import { addScaled, type Vec3, ZERO } from '../../math/vec3.ts';
+import { addScaled, length, scale, type Vec3, ZERO } from '../../math/vec3.ts';
 import { properVelocity } from '../../physics/lorentz/boost.ts';
-import { isStatic } from '../motion/motion.ts';
+import type { WorldLine } from '../../physics/worldLines/worldLine.ts';
+import { isStatic, originWorldLine } from '../motion/motion.ts';
 import type { SceneCamera } from '../types.ts';
 import { observerFromCamera } from './camera.ts';
 import { perspective } from './lens.ts';
@@ -43,4 +44,16 @@ export function observerPathFrom(setup: ObserverSetup, c: number, start: number)
       lens: fovY === undefined ? carried.lens : perspective(fovY),
     };
   };
+}
+
+/**
+ * The world line along which the observer of a setup carries his clock, up to its place; undefined for one who is at rest, or whose velocity is not
+ * that of his path: he is held in place, or rides with a velocity that is not the camera's.
+ */
+export function observerWorldLine(setup: ObserverSetup, c: number): WorldLine | undefined {
+  const { camera, beta, position, hold } = setup;
+  const rides = !isStatic(camera.motion) && position === undefined;
+  if (rides) return beta ? undefined : originWorldLine(camera.motion);
+  if (hold || !beta || length(beta) === 0) return undefined;
+  return { kind: 'uniform', position: ZERO, velocity: scale(beta, c) };
 }

@@ -24,6 +24,16 @@ export const saveFilm = ({ editor, backend, flight, name }: FilmOptions): Promis
     request: () => {
       const { picture } = editor.store.getState();
       if (!picture) throw new MessageError(msg`there is no picture to film`);
-      return { kind: 'video', name, picture, ...FILM, from: 0, to: recordingDuration(flight), hold: false, flight };
+      return {
+        kind: 'video',
+        name,
+        picture,
+        ...FILM,
+        from: 0,
+        to: recordingDuration(flight),
+        spacing: 'proper',
+        hold: false,
+        flight,
+      };
     },
   });

@@ -78,7 +78,8 @@ class GltfWriter {
     }
     for (const { path, motion, fovY } of scene.cameras) {
       const camera = this.document.createCamera().setType('perspective').setYFov(fovY).setZNear(0.01);
-      this.placed(path, 'Camera', motion).setCamera(camera);
+      const placed = exportRigidMotion(motion, this.scene, path, this.losses);
+      this.placed(path, 'Camera', placed).setCamera(camera);
     }
     for (const light of scene.lights) this.addLight(light);
     const root = this.document.getRoot();
