@@ -86,4 +86,4 @@ export {
   simultaneousTimes,
 } from './worldLines/simultaneity.ts';
 export { circularSlice, hyperbolicSlice, type SimultaneousEvent, uniformSlice } from './worldLines/slice.ts';
-export { positionAt, velocityAt, type WorldLine } from './worldLines/worldLine.ts';
+export { positionAt, properTimeBetween, velocityAt, type WorldLine } from './worldLines/worldLine.ts';

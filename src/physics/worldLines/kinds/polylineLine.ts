@@ -1,4 +1,5 @@
 import { lerp, scale, sub, type Vec3 } from '../../../math/vec3.ts';
+import { oneMinusBetaSquared } from '../../lorentz/boost.ts';
 import { polylineEmission } from '../emission.ts';
 import { type SampledLine, samplePosition, samplesUntil } from '../samples.ts';
 import { uniformSlice } from '../slice.ts';
@@ -25,6 +26,11 @@ export const POLYLINE_LINE: WorldLineKind<PolylineLine> = {
       return lerp(samplePosition(w, i), samplePosition(w, i + 1), (t - t0) / (t1 - t0));
     },
     velocityAt: (w, i) => scale(sub(samplePosition(w, i + 1), samplePosition(w, i)), 1 / (w.times[i + 1] - w.times[i])),
+    properTime(w, i, from, to, c) {
+      const moved = sub(samplePosition(w, i + 1), samplePosition(w, i));
+      const beta = scale(moved, 1 / (c * (w.times[i + 1] - w.times[i])));
+      return (to - from) * Math.sqrt(oneMinusBetaSquared(beta));
+    },
     pastLightCone: (w, i, observer, c) =>
       polylineEmission(
         relativePosition(w, i, observer),
