@@ -1,9 +1,13 @@
-import { lerp, type Vec3, ZERO } from '../math/vec3.ts';
-import type { WorldLine } from '../physics/worldLines/worldLine.ts';
+import { length, lerp, type Vec3, ZERO } from '../math/vec3.ts';
+import { msg } from '../messages/message.ts';
+import { properVelocityAt, type WorldLine } from '../physics/worldLines/worldLine.ts';
 import { boundingBox } from '../scene/bounds/bounds.ts';
+import { isAlive } from '../scene/motion/lifetimes.ts';
 import { deforms, vertexWorldLine } from '../scene/motion/motion.ts';
 import type { Lifetime } from '../scene/motion/motionTypes.ts';
 import type { Scene, SceneObject } from '../scene/types.ts';
+import type { ProbeObserver } from '../scene/views/viewRecord.ts';
+import type { DiagramBody } from './energyDiagram.ts';
 
 /** A world line of the scene that a diagram shows. */
 export interface DiagramLine {
@@ -42,6 +46,19 @@ export function diagramLine(object: SceneObject, c: number): DiagramLine {
     ? vertexWorldLine(object, nearestVertex(mesh.positions, middle), c)
     : vertexWorldLine({ ...object, mesh: { ...mesh, positions: Float32Array.from(middle) } }, 0, c);
   return { name: pieceOf ?? path, line, lifetime };
+}
+
+/** The observer, and those of the lines that move and exist at world time t [s], with their speeds. c [m/s]. */
+export function diagramBodies(
+  lines: readonly DiagramLine[],
+  { t, u }: Pick<ProbeObserver, 't' | 'u'>,
+  c: number,
+): readonly DiagramBody[] {
+  const moving = lines
+    .filter(({ lifetime }) => isAlive(lifetime, t))
+    .map(({ name, line }) => ({ name, properSpeed: length(properVelocityAt(line, t, c)) }))
+    .filter(({ properSpeed }) => properSpeed > 0);
+  return [{ name: msg`Observer`, properSpeed: length(u) }, ...moving];
 }
 
 function middleOf(positions: Float32Array): Vec3 {

@@ -4,7 +4,7 @@ import { energyDiagram } from './energyDiagram.ts';
 import type { Mark, PixelPoint } from './marks.ts';
 
 /** The pixels of β = 0 … 1 and of the values 0 … 4. */
-const [LEFT, RIGHT, BOTTOM, TOP] = [48, 982, 1156, 24];
+const [LEFT, RIGHT, BOTTOM, TOP] = [58, 976, 1156, 24];
 const beta = ([x]: PixelPoint) => (x - LEFT) / (RIGHT - LEFT);
 const value = ([, y]: PixelPoint) => ((BOTTOM - y) / (BOTTOM - TOP)) * 4;
 

@@ -1,5 +1,6 @@
 import { scaleLinear } from 'd3-scale';
 import { type LocalizedText, listed, msg } from '../messages/message.ts';
+import { figureOf } from './figure.ts';
 import { type LegendRow, legendMarks } from './legend.ts';
 import type { Diagram, Mark, PixelPoint } from './marks.ts';
 import { betaText, plainNumber } from './units.ts';
@@ -23,8 +24,6 @@ export interface EnergyDiagramSpec {
 const TOP = 4;
 /** Points of a curve: on a picture 4000 px wide a chord is still nearer than a quarter of a pixel. */
 const POINTS = 512;
-const MARGIN = { left: 48, right: 18, top: 24, bottom: 44 } as const; // [px]
-const LEGEND_WIDTH = 218; // [px]
 const NAMED = 10;
 
 /** The curves over u = γβ, with m = c = 1; docs/physics.md §2.1. */
@@ -39,14 +38,13 @@ const CURVES = [
  * Kinetic energy γ − 1 and momentum γβ over β, with m = c = 1, against the classical β²/2 and β; and where bodies are.
  */
 export function energyDiagram({ bodies, width, height }: EnergyDiagramSpec): Diagram {
-  const legend = width >= 560;
-  const right = width - (legend ? LEGEND_WIDTH : MARGIN.right);
+  const plot = figureOf(width, height);
   const x = scaleLinear()
     .domain([0, 1])
-    .range([MARGIN.left, Math.max(MARGIN.left + 40, right)]);
+    .range([plot.left, plot.left + plot.width]);
   const y = scaleLinear()
     .domain([0, TOP])
-    .range([Math.max(MARGIN.top + 40, height - MARGIN.bottom), MARGIN.top]);
+    .range([plot.top + plot.height, plot.top]);
   const [left, bottom] = [x(0), y(0)];
   const text = (at: PixelPoint, what: LocalizedText, anchor: 'start' | 'middle' | 'end'): Mark => ({
     kind: 'text',
@@ -126,7 +124,7 @@ export function energyDiagram({ bodies, width, height }: EnergyDiagramSpec): Dia
         );
         return [{ kind: 'lines', role: n + 2, lines: [line], width: 1 }, ...dots];
       }),
-      ...(legend ? legendMarks(rows, [x(1) + 18, MARGIN.top], height) : []),
+      ...legendMarks(rows, plot.legendAt, height),
     ],
   };
 }

@@ -1,6 +1,7 @@
 import { scaleLinear } from 'd3-scale';
 import type { ChartEvent, ChartWindow } from './chart.ts';
 import { clipped } from './chart.ts';
+import { figureOf } from './figure.ts';
 import type { Mark, MarkRole, PixelPoint } from './marks.ts';
 import { type AxisUnit, plainNumber } from './units.ts';
 
@@ -15,7 +16,7 @@ export interface AxisTexts {
 /** How a diagram is laid out: its window, and what lies under the world lines. */
 export interface ChartLayout {
   readonly window: ChartWindow;
-  readonly legendAt: PixelPoint;
+  readonly legendAt: PixelPoint | undefined;
   frameMarks(texts: AxisTexts): readonly Mark[];
   coneMarks(): readonly Mark[];
   /** Events ct = β·(x, y) of the drawn frame. */
@@ -26,23 +27,15 @@ export interface ChartLayout {
   eventAt(pixel: PixelPoint): ChartEvent;
 }
 
-const MARGIN = { left: 58, right: 16, top: 24, bottom: 44 } as const; // [px]
-const LEGEND_WIDTH = 224; // [px]
 /** Height and turn of the eye of 2+1 [rad]. */
 const [ELEVATION, TURN] = [0.42, 0.5];
 const CIRCLE_PARTS = 96;
 
-/** Below this width the legend goes. */
-const hasLegend = (width: number): boolean => width >= 560;
-const plotWidth = (width: number): number =>
-  Math.max(40, width - MARGIN.left - (hasLegend(width) ? LEGEND_WIDTH : MARGIN.right));
-const legendAt = (width: number): PixelPoint => (hasLegend(width) ? [width - LEGEND_WIDTH + 18, MARGIN.top] : [0, 1e6]);
-
 /** ct upwards, x to the right, in one scale. `span`: half the x axis [m]. */
 export function planeLayout(width: number, height: number, span: number): ChartLayout {
-  const [w, h] = [plotWidth(width), Math.max(40, height - MARGIN.top - MARGIN.bottom)];
+  const { left, top, width: w, height: h, legendAt } = figureOf(width, height);
   const scale = w / (2 * span);
-  const [centerX, centerY] = [MARGIN.left + w / 2, MARGIN.top + h / 2];
+  const [centerX, centerY] = [left + w / 2, top + h / 2];
   const half = h / (2 * scale);
   const toPixel = ([ct, x]: ChartEvent): PixelPoint => [centerX + scale * x, centerY - scale * ct];
   const window: ChartWindow = { height: half, width: span, depth: Number.POSITIVE_INFINITY, toPixel };
@@ -50,7 +43,7 @@ export function planeLayout(width: number, height: number, span: number): ChartL
   const corner = Math.min(half, span);
   return {
     window,
-    legendAt: legendAt(width),
+    legendAt,
     eventAt: ([x, y]) => [(centerY - y) / scale, (x - centerX) / scale, 0],
     frameMarks: (texts) => planeFrame(window, texts),
     coneMarks: () =>
@@ -87,7 +80,7 @@ export function planeLayout(width: number, height: number, span: number): ChartL
       return {
         kind: 'text',
         role,
-        at: [Math.min(end[0] - 6, centerX + w / 2 - 6), Math.max(end[1] - 6, MARGIN.top - 6)],
+        at: [Math.min(end[0] - 6, centerX + w / 2 - 6), Math.max(end[1] - 6, top - 6)],
         text,
         anchor: 'end',
       };
@@ -129,11 +122,11 @@ function planeFrame({ height, width, toPixel }: ChartWindow, { x, ct, unit }: Ax
 
 /** ct upwards, the plane seen obliquely from above, without perspective. */
 export function obliqueLayout(width: number, height: number, span: number): ChartLayout {
-  const [w, h] = [plotWidth(width), Math.max(40, height - MARGIN.top - MARGIN.bottom)];
+  const { left, top, width: w, height: h, legendAt } = figureOf(width, height);
   const [sinE, cosE, sinT, cosT] = [Math.sin(ELEVATION), Math.cos(ELEVATION), Math.sin(TURN), Math.cos(TURN)];
   const reach = cosT + sinT;
   const scale = Math.min(w / (2 * span * reach), h / (2 * span * (cosE + reach * sinE)));
-  const [centerX, centerY] = [MARGIN.left + w / 2, MARGIN.top + h / 2];
+  const [centerX, centerY] = [left + w / 2, top + h / 2];
   const toPixel = ([ct, x, y]: ChartEvent): PixelPoint => [
     centerX + scale * (x * cosT - y * sinT),
     centerY - scale * (ct * cosE + (x * sinT + y * cosT) * sinE),
@@ -157,7 +150,7 @@ export function obliqueLayout(width: number, height: number, span: number): Char
     });
   return {
     window,
-    legendAt: legendAt(width),
+    legendAt,
     eventAt([x, y]) {
       const [across, up] = [(x - centerX) / scale, (centerY - y) / (scale * sinE)];
       return [0, across * cosT + up * sinT, up * cosT - across * sinT];
@@ -237,6 +230,6 @@ function obliqueFrame({ width: span, toPixel }: ChartWindow, { x, y, ct, unit }:
     ...numbered((at) => [at, 0, 0], [-14, 4]),
     name(x, [0, span, -span], [-10, 34]),
     name(y, [0, span, span], [0, -12]),
-    name(ct, [span, 0, 0], [0, -8]),
+    name(ct, [span, 0, 0], [-34, 0]),
   ];
 }

@@ -12,8 +12,13 @@ const [ROW, SAMPLE] = [18, 22]; // [px]
 /** Characters of a name that have room; of longer ones the end is kept, which tells prims apart. */
 const MAX_NAME = 24;
 
-/** Rows below each other from a corner on; those without room are left out. */
-export function legendMarks(rows: readonly LegendRow[], [x, y]: PixelPoint, height: number): readonly Mark[] {
+/** Height of a legend of so many rows [px]. */
+export const legendHeight = (rows: number): number => rows * ROW;
+
+/** Rows below each other from a corner on, if there is one; those without room are left out. */
+export function legendMarks(rows: readonly LegendRow[], at: PixelPoint | undefined, height: number): readonly Mark[] {
+  if (!at) return [];
+  const [x, y] = at;
   const room = Math.max(0, Math.floor((height - y) / ROW));
   return rows.slice(0, room).flatMap((row, i) => rowMarks(row, x, y + i * ROW + ROW / 2));
 }

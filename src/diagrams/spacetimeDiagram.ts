@@ -10,6 +10,7 @@ import { isAlive } from '../scene/motion/lifetimes.ts';
 import type { ProbeObserver } from '../scene/views/viewRecord.ts';
 import { type ChartEvent, type ChartFrame, type ChartWindow, clipped, inFrame, restFrame } from './chart.ts';
 import type { DiagramLine } from './diagramLines.ts';
+import { figureOf } from './figure.ts';
 import { type ChartLayout, obliqueLayout, planeLayout } from './layouts.ts';
 import { type LegendRow, legendMarks } from './legend.ts';
 import type { Diagram, Mark, MarkRole, PixelPoint } from './marks.ts';
@@ -44,6 +45,10 @@ export interface SpacetimeDiagramSpec {
 
 /** A drawn spacetime diagram, and how to read events from it. */
 export interface SpacetimeDiagram extends Diagram {
+  /** Half the length of the x axis [m]. */
+  readonly span: number;
+  /** The direction of the x axis. */
+  readonly axis: Vec3;
   /** The world's separation (cΔt [m], Δx [m]) from the observer's event of the event at a pixel; in 2+1 at ct = 0 of the drawn frame. */
   eventAtPixel(pixel: PixelPoint): { readonly ct: number; readonly x: Vec3 };
 }
@@ -64,7 +69,7 @@ export function spacetimeDiagram(spec: SpacetimeDiagramSpec): SpacetimeDiagram {
     u: spec.frame === 'observer' ? observer.u : ZERO,
   };
   const events = lines.map((line) => eventsOf(line, observer, c, frame));
-  const span = spec.span ?? suggestedSpan(events, spec.secondAxis !== undefined);
+  const span = spec.span ?? suggestedSpan(events, spec);
   const layout = (spec.secondAxis ? obliqueLayout : planeLayout)(spec.width, spec.height, span);
   const { window } = layout;
   const step = clockStep(window, c);
@@ -85,6 +90,8 @@ export function spacetimeDiagram(spec: SpacetimeDiagramSpec): SpacetimeDiagram {
     title: msg`Spacetime diagram`,
     description: description(spec, events, beside),
     marks,
+    span,
+    axis: axes[0],
     eventAtPixel: (pixel) => worldSeparation(frame, layout.eventAt(pixel)),
   };
 }
@@ -129,11 +136,13 @@ function suggestedAxis({ observer, lines, speedOfLight: c }: SpacetimeDiagramSpe
   return longest(lines.map(({ line }) => simultaneitySlice(line, observer, observer.u, c).offset));
 }
 
-/** A little more than the most distant of the events; 1 m where there is none. */
-function suggestedSpan(events: readonly LineEvents[], plane: boolean): number {
-  const reach = ([ct, x, y]: ChartEvent) => Math.max(Math.abs(ct), Math.abs(x), plane ? Math.abs(y) : 0);
+/** So that all the events are in the picture, whose height is `1/aspect` of its width; 1 m where there is none. */
+function suggestedSpan(events: readonly LineEvents[], { secondAxis, width, height }: SpacetimeDiagramSpec): number {
+  const plot = figureOf(width, height);
+  const aspect = secondAxis ? 1 : plot.width / plot.height;
+  const reach = ([ct, x, y]: ChartEvent) => Math.max(Math.abs(ct) * aspect, Math.abs(x), secondAxis ? Math.abs(y) : 0);
   const far = events.flatMap(({ seen, present }) => [seen, present].flatMap((event) => (event ? [reach(event)] : [])));
-  return 1.2 * Math.max(...far.filter(Number.isFinite), 0) || 1;
+  return 1.1 * Math.max(...far.filter(Number.isFinite), 0) || 1;
 }
 
 /** Of proper time between ticks [s]: about ten of the observer's in the picture. */
