@@ -1,6 +1,5 @@
-import { dot, type Vec3, ZERO } from '../math/vec3.ts';
-import { boost, gamma } from '../physics/lorentz/boost.ts';
-import { fourVector, spatial } from '../physics/lorentz/fourVector.ts';
+import { addScaled, dot, type Vec3 } from '../math/vec3.ts';
+import { gamma } from '../physics/lorentz/boost.ts';
 import type { ObserverEvent } from '../physics/worldLines/kinds/worldLineKind.ts';
 import { simultaneousTime } from '../physics/worldLines/simultaneity.ts';
 import type { WorldLine } from '../physics/worldLines/worldLine.ts';
@@ -18,7 +17,11 @@ export interface ChartFrame {
   readonly axes: readonly [x: Vec3, y: Vec3];
   /** [m/s] */
   readonly c: number;
+  /** ct, x and y of the drawn frame, of (cΔt, Δx, Δy, Δz) of the world. */
+  readonly forms: readonly [ct: Form, x: Form, y: Form];
 }
+
+type Form = readonly [ct: number, x: number, y: number, z: number];
 
 /** What is shown: |ct| ≤ height, |x| ≤ width, |y| ≤ depth [m]; and where, by a linear map. */
 export interface ChartWindow {
@@ -29,18 +32,21 @@ export interface ChartWindow {
   toPixel(event: ChartEvent): PixelPoint;
 }
 
-export const restFrame = (origin: ObserverEvent, axes: ChartFrame['axes'], c: number): ChartFrame => ({
-  origin,
-  u: ZERO,
-  axes,
-  c,
-});
+/** The frame with its axes as linear forms of a separation of the world. */
+export function chartFrame(origin: ObserverEvent, u: Vec3, axes: ChartFrame['axes'], c: number): ChartFrame {
+  const g = gamma(u);
+  // ct′ = γ ct − u·x, and e·x′ = e·x + (u·e)[u·x/(γ + 1) − ct]; docs/physics.md §2.2.
+  const place = (e: Vec3): Form => [-dot(u, e), ...addScaled(e, u, dot(u, e) / (g + 1))];
+  return { origin, u, axes, c, forms: [[g, -u[0], -u[1], -u[2]], place(axes[0]), place(axes[1])] };
+}
 
-/** A separation (cΔt, Δx) [m] of the world in the drawn frame; docs/physics.md §2.2. */
-export function inFrame({ u, axes }: ChartFrame, ct: number, x: Vec3): ChartEvent {
-  const moved = boost(fourVector(ct, x), u);
-  const place = spatial(moved);
-  return [moved[0], dot(place, axes[0]), dot(place, axes[1])];
+/** A separation (cΔt, Δx, Δy, Δz) [m] of the world in the drawn frame. */
+export function inFrame({ forms: [f, g, h] }: ChartFrame, ct: number, x: number, y: number, z: number): ChartEvent {
+  return [
+    f[0] * ct + f[1] * x + f[2] * y + f[3] * z,
+    g[0] * ct + g[1] * x + g[2] * y + g[3] * z,
+    h[0] * ct + h[1] * x + h[2] * y + h[3] * z,
+  ];
 }
 
 /** World time [s] at which a line is at the time ct [m] of the drawn frame: the slice of an event further along that frame's clock. */
@@ -53,12 +59,17 @@ export function worldTimeAt({ origin, u, c }: ChartFrame, line: WorldLine, ct: n
   return simultaneousTime(line, later, u, c);
 }
 
+export const isInside = ({ height, width, depth }: ChartWindow, [ct, x, y]: ChartEvent): boolean =>
+  Math.abs(ct) <= height && Math.abs(x) <= width && Math.abs(y) <= depth;
+
 /** The part of a straight piece within the window (Liang, Barsky 1984); undefined if there is none. */
 export function clipped(
-  { height, width, depth }: ChartWindow,
+  window: ChartWindow,
   from: ChartEvent,
   to: ChartEvent,
 ): readonly [ChartEvent, ChartEvent] | undefined {
+  if (isInside(window, from) && isInside(window, to)) return [from, to];
+  const { height, width, depth } = window;
   let [begin, end] = [0, 1];
   const half = [height, width, depth];
   for (let k = 0; k < 3; k++) {

@@ -8,7 +8,7 @@ import { simultaneitySlice } from '../physics/worldLines/simultaneity.ts';
 import { velocityAt } from '../physics/worldLines/worldLine.ts';
 import { isAlive } from '../scene/motion/lifetimes.ts';
 import type { ProbeObserver } from '../scene/views/viewRecord.ts';
-import { type ChartEvent, type ChartFrame, type ChartWindow, clipped, inFrame, restFrame } from './chart.ts';
+import { type ChartEvent, type ChartFrame, type ChartWindow, chartFrame, clipped, inFrame, isInside } from './chart.ts';
 import type { DiagramLine } from './diagramLines.ts';
 import { figureOf } from './figure.ts';
 import { type ChartLayout, obliqueLayout, planeLayout } from './layouts.ts';
@@ -64,10 +64,7 @@ const BESIDE = 0.02;
 export function spacetimeDiagram(spec: SpacetimeDiagramSpec): SpacetimeDiagram {
   const { observer, speedOfLight: c, lines } = spec;
   const axes = chartAxes(spec);
-  const frame: ChartFrame = {
-    ...restFrame(observer, axes, c),
-    u: spec.frame === 'observer' ? observer.u : ZERO,
-  };
+  const frame = chartFrame(observer, spec.frame === 'observer' ? observer.u : ZERO, axes, c);
   const events = lines.map((line) => eventsOf(line, observer, c, frame));
   const span = spec.span ?? suggestedSpan(events, spec);
   const layout = (spec.secondAxis ? obliqueLayout : planeLayout)(spec.width, spec.height, span);
@@ -111,8 +108,8 @@ function eventsOf({ line, lifetime }: DiagramLine, observer: ProbeObserver, c: n
   const present = isAlive(lifetime, observer.t + slice.ahead / c) ? slice : undefined;
   const across = ({ offset }: { readonly offset: Vec3 }) => length(cross(offset, frame.axes[0]));
   return {
-    seen: seen && inFrame(frame, -seen.delay, seen.offset),
-    present: present && inFrame(frame, present.ahead, present.offset),
+    seen: seen && inFrame(frame, -seen.delay, ...seen.offset),
+    present: present && inFrame(frame, present.ahead, ...present.offset),
     beside: Math.max(seen ? across(seen) : 0, present ? across(present) : 0),
   };
 }
@@ -177,7 +174,7 @@ function lineMarks(
 
 function eventMarks({ name }: DiagramLine, { seen, present }: LineEvents, role: MarkRole, window: ChartWindow): Mark[] {
   const dot = (event: ChartEvent | undefined, filled: boolean, title: Message): Mark[] =>
-    event && clipped(window, event, event) ? [{ kind: 'dot', role, at: window.toPixel(event), filled, title }] : [];
+    event && isInside(window, event) ? [{ kind: 'dot', role, at: window.toPixel(event), filled, title }] : [];
   return [...dot(present, false, msg`${name}, now for the observer`), ...dot(seen, true, msg`${name}, as seen`)];
 }
 
@@ -226,7 +223,7 @@ function multiples(direction: ChartEvent, step: number, window: ChartWindow): Pi
   for (let k = -count; k <= count; k++) {
     const s = k * step;
     const event: ChartEvent = [s * direction[0], s * direction[1], s * direction[2]];
-    if (k !== 0 && clipped(window, event, event)) ticks.push(tick(window, event, direction));
+    if (k !== 0 && isInside(window, event)) ticks.push(tick(window, event, direction));
   }
   return ticks;
 }

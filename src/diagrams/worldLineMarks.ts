@@ -1,10 +1,24 @@
 import { safeguardedNewton } from '../math/roots.ts';
-import { sub } from '../math/vec3.ts';
 import { gamma } from '../physics/lorentz/boost.ts';
+import type { PolylineLine } from '../physics/worldLines/kinds/polylineLine.ts';
 import { samplesUntil } from '../physics/worldLines/samples.ts';
-import { positionAt, properTimeBetween, properVelocityAt, type WorldLine } from '../physics/worldLines/worldLine.ts';
+import {
+  asInertial,
+  positionAt,
+  properTimeBetween,
+  properVelocityAt,
+  type WorldLine,
+} from '../physics/worldLines/worldLine.ts';
 import type { Lifetime } from '../scene/motion/motionTypes.ts';
-import { type ChartEvent, type ChartFrame, type ChartWindow, clipped, inFrame, worldTimeAt } from './chart.ts';
+import {
+  type ChartEvent,
+  type ChartFrame,
+  type ChartWindow,
+  clipped,
+  inFrame,
+  isInside,
+  worldTimeAt,
+} from './chart.ts';
 import type { PixelPoint } from './marks.ts';
 
 /** A curve is at most this far from its chords [px]. */
@@ -19,8 +33,15 @@ const PARTS_OF_TURN = 8;
 const MAX_KNOTS = 4096;
 
 /** The event of a line at world time t [s] in the drawn frame. */
-export const eventAt = (frame: ChartFrame, line: WorldLine, t: number): ChartEvent =>
-  inFrame(frame, frame.c * (t - frame.origin.t), sub(positionAt(line, t, frame.c), frame.origin.position));
+export function eventAt(frame: ChartFrame, line: WorldLine, t: number): ChartEvent {
+  const [x, y, z] = positionAt(line, t, frame.c);
+  return atPlace(frame, t, x, y, z);
+}
+
+function atPlace(frame: ChartFrame, t: number, x: number, y: number, z: number): ChartEvent {
+  const { t: t0, position } = frame.origin;
+  return inFrame(frame, frame.c * (t - t0), x - position[0], y - position[1], z - position[2]);
+}
 
 /** World times [s] between which a line is in the window's height and alive; undefined if it never is. */
 export function timesInWindow(
@@ -41,6 +62,7 @@ export function worldLinePath(
   line: WorldLine,
   [from, to]: readonly [number, number],
 ): PixelPoint[][] {
+  if (line.kind === 'polyline') return cutToWindow(window, polylineEvents(frame, line, from, to));
   const knots = knotsOf(line, from, to);
   const events: ChartEvent[] = [eventAt(frame, line, knots[0]!)];
   const bends = line.kind === 'hyperbolic' || line.kind === 'cubic' || line.kind === 'circular';
@@ -52,7 +74,18 @@ export function worldLinePath(
   return cutToWindow(window, events);
 }
 
-/** World times between which the line is straight or bends one way. */
+/** The ends and the samples between them. */
+function polylineEvents(frame: ChartFrame, line: PolylineLine, from: number, to: number): readonly ChartEvent[] {
+  const { times, positions } = line;
+  const events = [eventAt(frame, line, from)];
+  const end = samplesUntil(times, to);
+  for (let i = samplesUntil(times, from); i < end; i++)
+    events.push(atPlace(frame, times[i]!, positions[3 * i]!, positions[3 * i + 1]!, positions[3 * i + 2]!));
+  events.push(eventAt(frame, line, to));
+  return events;
+}
+
+/** World times between which the line bends one way. */
 function knotsOf(line: WorldLine, from: number, to: number): readonly number[] {
   if (line.kind === 'hyperbolic') return line.t0 > from && line.t0 < to ? [from, line.t0, to] : [from, to];
   if (line.kind === 'circular') {
@@ -60,7 +93,7 @@ function knotsOf(line: WorldLine, from: number, to: number): readonly number[] {
     const count = Math.min(MAX_KNOTS, Math.max(1, parts));
     return Array.from({ length: count + 1 }, (_, i) => (i === count ? to : from + (i / count) * (to - from)));
   }
-  if (line.kind !== 'polyline' && line.kind !== 'cubic') return [from, to];
+  if (line.kind !== 'cubic') return [from, to];
   const first = samplesUntil(line.times, from);
   const end = samplesUntil(line.times, to);
   const every = Math.ceil(Math.max(1, end - first) / MAX_KNOTS);
@@ -89,10 +122,9 @@ function refine(
   refine(frame, window, line, middle, event, t1, to, depth - 1, out);
 }
 
-function isBeyond({ width, depth }: ChartWindow, ...events: readonly ChartEvent[]): boolean {
-  return [width, depth].some((half, k) =>
-    [-1, 1].some((sign) => events.every((event) => sign * event[k === 0 ? 1 : 2] > half)),
-  );
+function isBeyond({ width, depth }: ChartWindow, a: ChartEvent, b: ChartEvent, d: ChartEvent): boolean {
+  const [x, y] = [Math.min(a[1], b[1], d[1]), Math.min(a[2], b[2], d[2])];
+  return x > width || y > depth || Math.max(a[1], b[1], d[1]) < -width || Math.max(a[2], b[2], d[2]) < -depth;
 }
 
 /** How far a point is from the chord between two others. */
@@ -138,8 +170,14 @@ export function clockTimes(
   const end = begin + properTimeBetween(line, from, to, c);
   const first = Math.ceil(begin / step - 1e-9);
   const times: number[] = [];
+  const constant = asInertial(line) !== undefined || line.kind === 'circular';
+  const dilation = (to - from) / (end - begin);
   let [last, shown] = [from, begin];
   for (let k = first; k * step <= end * (1 + 1e-12) && times.length < MAX_TICKS; k++) {
+    if (constant) {
+      times.push(from + (k * step - begin) * dilation);
+      continue;
+    }
     const wanted = k * step - shown;
     const slope = (t: number) => 1 / gamma(properVelocityAt(line, t, c));
     const start = last;
@@ -164,9 +202,9 @@ export function ticksAt(
 ): PixelPoint[][] {
   return times.flatMap((t) => {
     const event = eventAt(frame, line, t);
-    if (!clipped(window, event, event)) return [];
+    if (!isInside(window, event)) return [];
     const u = properVelocityAt(line, t, frame.c);
-    return [tick(window, event, inFrame(frame, gamma(u), u))];
+    return [tick(window, event, inFrame(frame, gamma(u), ...u))];
   });
 }
 

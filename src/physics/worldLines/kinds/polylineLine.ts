@@ -1,5 +1,4 @@
-import { lerp, scale, sub, type Vec3 } from '../../../math/vec3.ts';
-import { oneMinusBetaSquared } from '../../lorentz/boost.ts';
+import { distance, lerp, scale, sub, type Vec3 } from '../../../math/vec3.ts';
 import { polylineEmission } from '../emission.ts';
 import { type SampledLine, samplePosition, samplesUntil } from '../samples.ts';
 import { uniformSlice } from '../slice.ts';
@@ -27,9 +26,9 @@ export const POLYLINE_LINE: WorldLineKind<PolylineLine> = {
     },
     velocityAt: (w, i) => scale(sub(samplePosition(w, i + 1), samplePosition(w, i)), 1 / (w.times[i + 1] - w.times[i])),
     properTime(w, i, from, to, c) {
-      const moved = sub(samplePosition(w, i + 1), samplePosition(w, i));
-      const beta = scale(moved, 1 / (c * (w.times[i + 1] - w.times[i])));
-      return (to - from) * Math.sqrt(oneMinusBetaSquared(beta));
+      const moved = distance(samplePosition(w, i + 1), samplePosition(w, i));
+      const beta = moved / (c * (w.times[i + 1] - w.times[i]));
+      return (to - from) * Math.sqrt((1 - beta) * (1 + beta));
     },
     pastLightCone: (w, i, observer, c) =>
       polylineEmission(
