@@ -9,6 +9,7 @@ import { compareCommand } from './compare/compareCommand.ts';
 import { convertCommand } from './convert/convertCommand.ts';
 import { diagramCommand } from './diagram/diagramCommand.ts';
 import { requestedExitCode } from './files/outputFile.ts';
+import { flightCommand } from './flight/flightCommand.ts';
 import { graphCommand } from './graph/graphCommand.ts';
 import { inspectCommand } from './inspect/inspectCommand.ts';
 import { probeCommand } from './probe/probeCommand.ts';
@@ -30,6 +31,7 @@ export const commands = (): readonly Command[] => [
   convertCommand(),
   simulateCommand(),
   graphCommand(),
+  flightCommand(),
   serveCommand(),
 ];
 

@@ -1,15 +1,12 @@
 import { lazy, type ReactNode, Suspense, useEffect, useState } from 'react';
 import { msg } from '../messages/message.ts';
 import { useTexts } from './language/languageStore.ts';
-import { ProjectDialogs } from './projects/ProjectDialogs.tsx';
 import { projectName } from './projects/projectNames.ts';
 import { useSaveProject } from './projects/useSaveProject.ts';
 import { useSessionRecovery } from './projects/useSessionRecovery.ts';
 import { Dock } from './shell/Dock.tsx';
 import { DropZone } from './shell/DropZone.tsx';
-import { Gallery } from './shell/Gallery.tsx';
 import { Header } from './shell/Header.tsx';
-import { Help } from './shell/Help.tsx';
 import { Notices } from './shell/Notices.tsx';
 import { StatusBar } from './shell/StatusBar.tsx';
 import { Timeline } from './shell/Timeline.tsx';
@@ -17,7 +14,13 @@ import { useSavePicture } from './shell/useSavePicture.ts';
 import { useEditor, useEditorState } from './state/context.tsx';
 import { isUnsaved } from './state/editor.ts';
 
-const Palette = lazy(() => import('./graph/search/CommandPalette.tsx'));
+/** Each is loaded when it is first opened. */
+const DIALOGS = [
+  { names: ['gallery'], Content: lazy(() => import('./shell/Gallery.tsx')) },
+  { names: ['help'], Content: lazy(() => import('./shell/Help.tsx')) },
+  { names: ['share', 'name'], Content: lazy(() => import('./projects/ProjectDialogs.tsx')) },
+  { names: ['palette'], Content: lazy(() => import('./graph/search/CommandPalette.tsx')) },
+] as const;
 
 export function EditorApp(): ReactNode {
   const { t } = useTexts();
@@ -37,11 +40,10 @@ export function EditorApp(): ReactNode {
       <Timeline />
       <StatusBar />
       <Notices />
-      <Gallery />
-      <Help />
-      <ProjectDialogs />
       <DropZone />
-      <LazyCommandPalette />
+      {DIALOGS.map((dialog) => (
+        <Dialog key={dialog.names[0]} {...dialog} />
+      ))}
     </div>
   );
 }
@@ -56,14 +58,14 @@ function useTitle(): void {
   }, [name, unsaved, t]);
 }
 
-/** The command palette, loaded when it is first opened. */
-function LazyCommandPalette(): ReactNode {
-  const asked = useEditorState((state) => state.dialog === 'palette');
+/** A dialog, from when it is first opened. */
+function Dialog({ names, Content }: (typeof DIALOGS)[number]): ReactNode {
+  const asked = useEditorState(({ dialog }) => names.some((name) => name === dialog));
   const [wanted, setWanted] = useState(false);
   if (asked && !wanted) setWanted(true);
   return wanted ? (
     <Suspense>
-      <Palette />
+      <Content />
     </Suspense>
   ) : null;
 }

@@ -42,6 +42,13 @@ export const observerOf = ({ t, position: [x, y, z], velocity, ...state }: Fligh
   properTime: state.properTime.value,
 });
 
+/** Pictures are drawn up to this γ: beyond it, directions ahead differ by less than the 32 bits of a GPU hold. */
+export const MAX_PICTURE_GAMMA = 1e4;
+
+/** The proper velocity with which a picture is drawn. */
+export const pictureVelocity = ({ direction, rapidity }: Boost): Vec3 =>
+  properVelocityOf({ direction, rapidity: Math.min(rapidity, Math.acosh(MAX_PICTURE_GAMMA)) });
+
 /** The position after a displacement [m]. */
 export const shifted = ([x, y, z]: FlightState['position'], by: Vec3): FlightState['position'] => [
   plus(x, by[0]),

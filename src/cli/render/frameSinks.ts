@@ -38,9 +38,10 @@ const isFilm = (output: string): boolean => /\.(mp4|gif)$/i.test(output);
 const sinkOf = (output: string): OpenSink | undefined => SINKS.get(extname(output).toLowerCase());
 
 /** Throws if the output does not fit the other flags, or cannot be written; called before the scene is read, which may take minutes. */
-export function checkOutput({ output, frames, time }: RenderFlags): void {
+export function checkOutput({ output, frames, time, flight }: RenderFlags): void {
   if (!sinkOf(output)) throw usageError(msg`--output ${output}: its name must end in ${anyOf([...SINKS.keys()])}`);
-  if (isFilm(output) && !frames) throw usageError(msg`a film, .mp4 or .gif, needs --frames FIRST:LAST`);
+  if (isFilm(output) && !frames && flight === undefined)
+    throw usageError(msg`a film, .mp4 or .gif, needs --frames FIRST:LAST`);
   if (frames && time !== undefined) throw usageError(msg`--time and --frames exclude each other`);
   if (frames && frames.last > frames.first && !isFilm(output) && !output.includes('#')) {
     const pattern = output.replace(/(\.\w+)$/, '.####$1');

@@ -10,6 +10,7 @@ import { usageError } from '../terminal/exitCodes.ts';
 import { toJson } from '../terminal/json.ts';
 import { localized } from '../terminal/language.ts';
 import { Progress } from '../terminal/progress.ts';
+import { filmedFlight, flightFrames } from './flightFilm.ts';
 import { checkOutput } from './frameSinks.ts';
 import type { RenderFlags } from './renderFlags.ts';
 import { chooseAovs, type RenderReport, renderFrames } from './renderFrames.ts';
@@ -21,10 +22,13 @@ export async function render(path: string, flags: RenderFlags, given: ReadonlySe
   chooseAovs(flags);
   const progress = new Progress();
   progress.show(msg`reading …`);
+  const flight = flags.flight === undefined ? undefined : filmedFlight(flags.flight, flags, given);
   const job = await openJob(path, flags, given, progress);
   progress.clear();
-  const frames = frameTimes(job.scene, job.flags);
-  report(job, await renderFrames(job, frames, progress));
+  const frames = flight
+    ? flightFrames(flight, job.flags, job.flags.fps ?? job.scene.timeCodesPerSecond)
+    : frameTimes(job.scene, job.flags);
+  report(job, await renderFrames(job, frames, progress, flight));
 }
 
 /** Opens a scene file or a project as a render job. */
@@ -52,7 +56,7 @@ function frameTimes(scene: Scene, { time, frames, fps = scene.timeCodesPerSecond
 }
 
 function report({ scene, flags }: RenderJob<RenderFlags>, drawn: RenderReport): void {
-  const { files, frames, first } = drawn;
+  const { files, frames, first, last: end } = drawn;
   if (!flags.json) {
     const last = files.at(-1) ?? '';
     console.log(localized(files.length > 1 ? msg`${files.length} files, the last ${last}` : last));
@@ -63,7 +67,7 @@ function report({ scene, flags }: RenderJob<RenderFlags>, drawn: RenderReport): 
     files,
     ...flags.size,
     frames: frames.length,
-    times: [frames[0]!.t, frames.at(-1)!.t],
+    times: [first.t, end.t],
     speedOfLight: drawn.speedOfLight,
     observer: { position: first.position, beta, speed: length(beta), gamma: gamma(first.u) },
     ...drawn.info,

@@ -36,6 +36,7 @@ const EXAMPLES = [
   'slowlight render street.usdc -o street.mp4 --frames 1:96 --fps 24',
   'slowlight render street.usdc -o street.gif --frames 1:96 --fps 25 --size 480x270',
   "slowlight render street.usdc -o 'street.####.png' --frames 1:96",
+  'slowlight render street.usdc -o flown.mp4 --flight street.flight.json --fps 24',
   'slowlight render street.usdc -o truth.png --pipeline reference --samples 8',
   'slowlight render street.usdc -o shift.png --false-colour doppler --legend --beta 0,0,-0.5',
   'slowlight render workshop.slowlight.json -o workshop.png --set console.speedOfLight=10',
@@ -75,6 +76,12 @@ export function renderCommand(): Command {
     '--hold',
     localized(msg`with --frames: keep the observer in place instead of moving it with its velocity`),
   );
+  command.option(
+    '--flight <file>',
+    localized(
+      msg`film a recorded flight, NAME.flight.json: frame n is at n/fps of the pilot's time from its beginning, --time likewise (default: all of it)`,
+    ),
+  );
   addSettingFlags(command)
     .option('--samples <n>', localized(msg`n × n samples per pixel (default: ${DEFAULT_SAMPLES})`), parseSamples)
     .addOption(
@@ -110,6 +117,8 @@ export function renderCommand(): Command {
       // Imported lazily: the renderer is large.
       .action(async (scene: string, { output, ...flags }: Optional<RenderFlags, 'output'> & ProjectFilesFlags) => {
         const given = explicitFlags(command);
+        if (output === undefined && flags.flight !== undefined)
+          throw usageError(msg`--flight films with -o; nodes of a project film on their own`);
         if (output === undefined) return (await import('./projectFiles.ts')).writeProjectFiles(scene, flags, given);
         if (flags.folder !== undefined) throw usageError(msg`--folder is for the files of a project; -o names its own`);
         return (await import('./renderAction.ts')).render(scene, { output, ...flags }, given);

@@ -11,6 +11,8 @@ export interface RenderFlags extends SceneFlags, ObserverFlags, SettingFlags, Pi
   readonly frames?: FrameRange;
   readonly fps?: number;
   readonly hold?: boolean;
+  /** File of a flight to film. */
+  readonly flight?: string;
   readonly aov?: readonly AovName[];
   readonly samples?: number;
   readonly json?: boolean;

@@ -1,5 +1,6 @@
 import { extname } from 'node:path';
 import { msg } from '../../messages/message.ts';
+import { flightPath } from '../../nodes/flights/flightPath.ts';
 import { outputSize } from '../../nodes/pictures/falseColor.ts';
 import { type PictureSequence, renderPictureSequence } from '../../nodes/pictures/sequence.ts';
 import type { FrameTime } from '../../nodes/project/outputFiles.ts';
@@ -19,6 +20,7 @@ import type { RenderJob } from '../project/project.ts';
 import { reportDiagnostics, reportOmissions } from '../terminal/diagnostics.ts';
 import { usageError } from '../terminal/exitCodes.ts';
 import type { Progress } from '../terminal/progress.ts';
+import type { FilmedFlight } from './flightFilm.ts';
 import { type FrameSink, openFrameSink } from './frameSinks.ts';
 import type { RenderFlags } from './renderFlags.ts';
 
@@ -26,6 +28,7 @@ export interface RenderReport {
   readonly files: readonly string[];
   readonly frames: readonly FrameTime[];
   readonly first: ViewPoint;
+  readonly last: ViewPoint;
   readonly info: PipelineSession['info'];
   readonly samples: number;
   /** [m/s] */
@@ -40,15 +43,17 @@ export async function renderFrames(
   { scene, others, frameGraph, flags }: RenderJob<RenderFlags>,
   frames: readonly FrameTime[],
   progress: Progress,
+  flight?: FilmedFlight,
 ): Promise<RenderReport> {
   checkPipeline(flags);
   const aovs = chooseAovs(flags);
   checkFalseColors(flags, aovs);
-  const c = speedOfLight(scene, flags.c);
+  const c = flight?.speedOfLight ?? speedOfLight(scene, flags.c);
   reportDiagnostics([...scene.diagnostics, ...validate(scene, c)]);
   reportOmissions(scene.diagnostics);
   const { size, metering, falseColour, falseRange, legend } = flags;
-  const observer = observerPath(scene, flags, c, frames[0]!.t, flags.hold);
+  const standing = observerPath(scene, flags, c, frames[0]!.t, flags.hold);
+  const observer = flight ? flightPath(flight.playback, standing(scene.startTime).lens) : standing;
   const settings = { ...renderSettings(flags, c), ...(frameGraph && { frameGraph }) };
   const views = (t: number): PictureViews => [observer(t)];
   const request = { settings, metering, size, aovs, views, frames, falseColour, falseRange, legend };
@@ -63,7 +68,8 @@ export async function renderFrames(
     progress.show(msg`finishing …`);
     await sink.finish();
     const { files } = sink;
-    return { files, frames, first: observer(frames[0]!.t), info, samples, speedOfLight: c, ...made };
+    const [first, last] = [observer(frames[0]!.t), observer(frames.at(-1)!.t)];
+    return { files, frames, first, last, info, samples, speedOfLight: c, ...made };
   } finally {
     progress.clear();
     sink.discard();

@@ -1,4 +1,4 @@
-import type { FlightControls } from '../../flight/seek.ts';
+import type { FlightControls } from '../../flight/controls.ts';
 import { length, type Vec3 } from '../../math/vec3.ts';
 import { TouchFlight } from './touchFlight.ts';
 
@@ -18,16 +18,20 @@ const LOOK_KEYS: Readonly<Record<string, readonly [number, number]>> = {
   ArrowUp: [0, 1],
   ArrowDown: [0, -1],
 };
+/** Roll directions of each key. */
+const ROLL_KEYS: Readonly<Record<string, number>> = { Comma: 1, Period: -1 };
+const BRAKE_KEY = 'KeyZ';
 /** [rad/s] */
 const LOOK_SPEED = 1.2;
 const DEAD_ZONE = 0.15;
 
 /** Flight keys, active unless the focused element takes text. */
 export const isThrustKey = (code: string): boolean => code in THRUST_KEYS;
-export const isFlightKey = (code: string): boolean => code in THRUST_KEYS || code in LOOK_KEYS;
+export const isFlightKey = (code: string): boolean =>
+  code in THRUST_KEYS || code in LOOK_KEYS || code in ROLL_KEYS || code === BRAKE_KEY;
 
 /** Button indices of the W3C standard gamepad. */
-const GAMEPAD_BUTTONS = { play: 0, lock: 3, down: 4, up: 5, full: 7 } as const;
+const GAMEPAD_BUTTONS = { play: 0, lock: 3, down: 4, up: 5, brake: 6, full: 7, rollLeft: 14, rollRight: 15 } as const;
 
 /** Keys, drags, fingers and gamepad as they are held now. */
 export class InputState {
@@ -57,7 +61,8 @@ export class InputState {
     this.pendingTurn[1] += pitch;
   }
 
-  controls(): FlightControls {
+  /** Those of the next dt [s]. What has been turned since the last call is taken. */
+  controls(dt: number): FlightControls {
     const thrust: [number, number, number] = [0, 0, 0];
     for (const key of this.keys) {
       const push = THRUST_KEYS[key];
@@ -74,14 +79,17 @@ export class InputState {
     }
     const l = Math.max(1, length(thrust));
     const fullSpeed = this.fullSpeed || (pad !== undefined && buttonValue(pad, GAMEPAD_BUTTONS.full) > 0);
-    return { thrust: [thrust[0] / l, thrust[1] / l, thrust[2] / l], fullSpeed };
+    const brake = this.keys.has(BRAKE_KEY) || (pad !== undefined && buttonValue(pad, GAMEPAD_BUTTONS.brake) > 0);
+    return { thrust: [thrust[0] / l, thrust[1] / l, thrust[2] / l], turn: this.takeTurn(dt), fullSpeed, brake };
   }
 
-  /** Yaw and pitch since the last call [rad]; dt [s]. */
-  takeTurn(dt: number): readonly [number, number] {
+  /** Pitch, yaw and roll since the last call [rad]; dt [s]. */
+  private takeTurn(dt: number): Vec3 {
     let [yaw, pitch] = this.pendingTurn;
     this.pendingTurn = [0, 0];
+    let roll = this.touch.takeRoll();
     for (const key of this.keys) {
+      roll += (ROLL_KEYS[key] ?? 0) * LOOK_SPEED * dt;
       yaw += (LOOK_KEYS[key]?.[0] ?? 0) * LOOK_SPEED * dt;
       pitch += (LOOK_KEYS[key]?.[1] ?? 0) * LOOK_SPEED * dt;
     }
@@ -89,8 +97,10 @@ export class InputState {
     if (pad) {
       yaw -= stickValue(pad, 2) * 2 * LOOK_SPEED * dt;
       pitch -= stickValue(pad, 3) * 2 * LOOK_SPEED * dt;
+      roll +=
+        (buttonValue(pad, GAMEPAD_BUTTONS.rollLeft) - buttonValue(pad, GAMEPAD_BUTTONS.rollRight)) * LOOK_SPEED * dt;
     }
-    return [yaw, pitch];
+    return [pitch, yaw, roll];
   }
 
   /** Gamepad buttons that went down since the last call. */

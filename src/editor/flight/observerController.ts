@@ -1,8 +1,12 @@
+import { flyArcs, LOCKS, type Lock } from '../../flight/arc.ts';
+import type { FlightControls } from '../../flight/controls.ts';
 import { type FlightState, flightOf, observerOf } from '../../flight/flightState.ts';
-import { LOCKS, type Lock, stepFlight, turnView, wrapTime } from '../../flight/seek.ts';
+import { velocityMode } from '../../flight/modes/velocity.ts';
+import { arcsOf } from '../../flight/step.ts';
 import { IDENTITY } from '../../math/quat.ts';
 import { sumOf } from '../../math/sum.ts';
 import { add, addScaled, dot, length, scale, sub, ZERO } from '../../math/vec3.ts';
+import { flightViewPoint } from '../../nodes/flights/flightViewPoint.ts';
 import { pictureCamera } from '../../nodes/pictures/renderSettings.ts';
 import type { PictureSpec } from '../../nodes/socketValues.ts';
 import type { ObserverState } from '../../physics/lorentz/observer.ts';
@@ -11,9 +15,11 @@ import type { ViewPoint } from '../../scene/view/view.ts';
 import { sceneKey } from '../loading/localFiles.ts';
 import { leaveCamera } from '../shell/actions.ts';
 import type { Editor, PictureSource } from '../state/editor.ts';
-import { initialObserver, observerOnCamera, sceneUpVector, viewPointOf } from '../state/observer.ts';
+import { initialObserver, observerOnCamera, pictureLens, sceneUpVector } from '../state/observer.ts';
 import { InputState } from './inputState.ts';
+import type { Pilot } from './pilot.ts';
 import { isOutside, type SceneLimits, sceneLimits } from './sceneLimits.ts';
+import { wrapTime } from './wrapTime.ts';
 
 /** State from which a restored session resumes. */
 export interface RestoredObserver {
@@ -25,6 +31,8 @@ export interface RestoredObserver {
 /** Moves the observer and world time by user input. This state is in no document. */
 export class ObserverController {
   readonly inputs = new InputState();
+  /** Absent until the flight deck is opened. */
+  pilot: Pilot | undefined;
   private readonly editor: Editor;
   private currentPicture: PictureSpec | undefined;
   /** Key of the shown scene; it stays the same when files are added to the scene. */
@@ -133,17 +141,23 @@ export class ObserverController {
     this.takeButtons();
     const picture = this.currentPicture;
     if (!picture) return;
-    const turn = this.inputs.takeTurn(dt);
-    const controls = this.inputs.controls();
-    const busy = turn[0] !== 0 || turn[1] !== 0 || length(controls.thrust) > 0;
+    const controls = this.inputs.controls(dt);
+    const busy = controls.brake || length(controls.turn) + length(controls.thrust) > 0;
+    const replayed = this.pilot?.replayed(dt, busy);
+    if (replayed) {
+      this.flight = replayed.state;
+      this.editor.update({ lock: replayed.leg.conditions.lock });
+      return;
+    }
     if (picture.ride && busy) leaveCamera(this.editor);
     if (picture.ride && !busy) this.ride(picture, dt);
-    else this.fly(picture, dt, turn, controls);
+    else this.fly(picture, dt, controls);
     this.keepTime(picture);
   }
 
   viewPoint(): ViewPoint | undefined {
-    return this.currentPicture && viewPointOf(this.state, this.currentPicture, this.editor.store.getState().lock);
+    const picture = this.currentPicture;
+    return picture && flightViewPoint(this.flight, this.editor.store.getState(), pictureLens(picture));
   }
 
   cycleLock(): void {
@@ -164,26 +178,25 @@ export class ObserverController {
     if (buttons.play) this.togglePlaying();
   }
 
-  private fly(
-    picture: PictureSpec,
-    dt: number,
-    [yaw, pitch]: readonly [number, number],
-    controls: Parameters<typeof stepFlight>[1],
-  ) {
+  private fly(picture: PictureSpec, dt: number, controls: FlightControls): void {
     const { lock, cruise } = this.editor.store.getState();
-    const playing = this.timeRuns;
     const { scene, speedOfLight: c, maxSpeed } = picture;
-    const up = sceneUpVector(scene);
-    const { orientation: ahead } = this.flight;
-    const orientation = yaw || pitch ? turnView(ahead, yaw, pitch, up) : ahead;
-    this.flight = stepFlight({ ...this.flight, orientation }, controls, dt, {
+    const rules = {
       c,
       maxSpeed,
-      lock,
       cruise,
-      playing,
-      up,
-    });
+      up: sceneUpVector(scene),
+      along: c,
+      across: c,
+      level: false,
+      attitude: 'hand',
+    } as const;
+    const before = this.flight;
+    const moment = { state: before, controls, dt, rules };
+    const arcs = this.pilot?.arcs(moment, picture) ?? arcsOf(velocityMode, moment);
+    const conditions = { c, lock, playing: this.timeRuns };
+    this.flight = flyArcs(before, arcs, conditions);
+    this.pilot?.flown(before, arcs, conditions, this.flight);
   }
 
   private ride(picture: PictureSpec, dt: number): void {

@@ -95,6 +95,7 @@ function runKeyAction(
   editor: Editor,
 ): boolean {
   const { cruise, maximized } = editor.store.getState();
+  const deck = async () => (await import('./deck/openDeck.ts')).openDeck(editor, observerController);
   switch (code) {
     case 'Tab':
       observerController.cycleLock();
@@ -104,6 +105,12 @@ function runKeyAction(
       return true;
     case 'Space':
       observerController.togglePlaying();
+      return true;
+    case 'KeyT':
+      void deck().then((loaded) => loaded.next());
+      return true;
+    case 'KeyK':
+      void deck().then((loaded) => loaded.toggleRecording());
       return true;
     case 'KeyC':
       editor.update({ cruise: !cruise });

@@ -1,7 +1,6 @@
 import { inputError } from '../../formats/diagnostics/inputError.ts';
 import { extensionOf } from '../../formats/files/fileSource.ts';
 import { type RandomAccessFile, readZipDirectory, type ZipEntry } from '../../formats/zip/directory.ts';
-import { unpack } from '../../formats/zip/unpack.ts';
 import { msg } from '../../messages/message.ts';
 
 /** A file from the user, or an entry of an archive, decompressed on read in the worker. */
@@ -28,7 +27,11 @@ export async function readUserFile(
   file: UserFile,
   report: (received: number, total: number) => void,
 ): Promise<Uint8Array> {
-  if (!(file instanceof Blob)) return unpack(partedBlob(file.archive), file.entry, file.name);
+  if (!(file instanceof Blob)) {
+    // Loaded with the first archive.
+    const { unpack } = await import('../../formats/zip/unpack.ts');
+    return unpack(partedBlob(file.archive), file.entry, file.name);
+  }
   const bytes = new Uint8Array(file.size);
   let received = 0;
   const reader = file.stream().getReader();

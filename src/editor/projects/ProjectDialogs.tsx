@@ -15,7 +15,7 @@ import { exportedName, projectName } from './projectNames.ts';
 import { useSaveProject } from './useSaveProject.ts';
 
 /** Dialogues about the whole project. */
-export function ProjectDialogs(): ReactNode {
+export default function ProjectDialogs(): ReactNode {
   const { t } = useTexts();
   const editor = useEditor();
   const dialog = useEditorState((state) => state.dialog);

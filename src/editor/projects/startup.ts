@@ -1,4 +1,4 @@
-import { decodeShareLink, isShareLink } from '../../graph/document/shareLink.ts';
+import { isShareLink } from '../../graph/document/shareFragment.ts';
 import type { Message } from '../../messages/message.ts';
 import { messageOf } from '../../messages/messageError.ts';
 import type { LocalFiles } from '../loading/localFiles.ts';
@@ -68,7 +68,7 @@ async function openRequested(
   local: LocalFiles,
 ): Promise<Pick<StartupState, 'project' | 'problem'>> {
   try {
-    if (isShareLink(location.hash)) return { project: projectFromLink(location.hash) };
+    if (isShareLink(location.hash)) return { project: await projectFromLink(location.hash) };
     if (project !== undefined) return { project: await projectFromAddress(project, local) };
     return { project: projectOfScene(scene) };
   } catch (error) {
@@ -77,10 +77,9 @@ async function openRequested(
   }
 }
 
-/** The project in a link. Throws a DocumentError if it is damaged. */
-export const projectFromLink = (fragment: string): LoadedProject => ({
-  document: decodeShareLink(fragment),
+/** The project in a link. Throws a DocumentError if it is damaged. Unpacking is loaded when there is a link. */
+export async function projectFromLink(fragment: string): Promise<LoadedProject> {
+  const { decodeShareLink } = await import('../../graph/document/shareLink.ts');
   // The end identifies the link: links of different projects differ there.
-  origin: `#${fragment.slice(-24)}`,
-  unsaved: false,
-});
+  return { document: decodeShareLink(fragment), origin: `#${fragment.slice(-24)}`, unsaved: false };
+}

@@ -1,5 +1,5 @@
 import { useCallback, useEffect, useRef } from 'react';
-import { isShareLink } from '../../graph/document/shareLink.ts';
+import { isShareLink } from '../../graph/document/shareFragment.ts';
 import { LANGUAGES, type LanguageTag } from '../../messages/languages.ts';
 import { msg } from '../../messages/message.ts';
 import { messageOf } from '../../messages/messageError.ts';
@@ -49,11 +49,9 @@ export function useSessionRecovery(): void {
   useEffect(() => {
     const onFollowed = (): void => {
       if (!isShareLink(location.hash)) return;
-      try {
-        editor.openProject(projectFromLink(location.hash));
-      } catch (error) {
-        editor.notify({ kind: 'error', ...linkErrorOf(error) });
-      }
+      projectFromLink(location.hash)
+        .then(editor.openProject)
+        .catch((error: unknown) => editor.notify({ kind: 'error', ...linkErrorOf(error) }));
     };
     addEventListener('hashchange', onFollowed);
     return () => removeEventListener('hashchange', onFollowed);

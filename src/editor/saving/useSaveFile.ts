@@ -20,34 +20,43 @@ export function useSaveFile(): (node: string) => Promise<void> {
   const editor = useEditor();
   const { backend } = useServices();
   return useCallback(
-    async (node) => {
-      const { job, refusal } = savingStore.getState();
-      if (job) return;
-      if (refusal !== undefined) editor.dismiss(refusal);
-      const abort = new AbortController();
-      savingStore.setState({ job: { node, name: node, cancel: () => abort.abort() } });
-      try {
-        await save({ node, editor, backend, signal: abort.signal });
-      } catch (error) {
-        if (!(error instanceof CancelledError)) savingStore.setState({ refusal: notifyError(editor, error) });
-      } finally {
-        savingStore.setState({ job: undefined });
-      }
-    },
+    (node) => saveFile({ node, editor, backend, request: (signal) => requestOf(editor, node, signal) }),
     [editor, backend],
   );
 }
 
 interface SaveFileContext extends Pick<EditorServices, 'backend'> {
+  /** Who requests the file. */
   readonly node: string;
   readonly editor: Editor;
-  readonly signal: AbortSignal;
+  readonly request: (signal: AbortSignal) => RequestedFile | Promise<RequestedFile>;
 }
 
-async function save({ node, editor, backend, signal }: SaveFileContext): Promise<void> {
+/** Makes a file with progress, and downloads it; does nothing while another is made. */
+export async function saveFile(context: SaveFileContext): Promise<void> {
+  const { node, editor } = context;
+  const { job, refusal } = savingStore.getState();
+  if (job) return;
+  if (refusal !== undefined) editor.dismiss(refusal);
+  const abort = new AbortController();
+  savingStore.setState({ job: { node, name: node, cancel: () => abort.abort() } });
+  try {
+    await save(context, abort.signal);
+  } catch (error) {
+    if (!(error instanceof CancelledError)) savingStore.setState({ refusal: notifyError(editor, error) });
+  } finally {
+    savingStore.setState({ job: undefined });
+  }
+}
+
+async function requestOf(editor: Editor, node: string, signal: AbortSignal): Promise<RequestedFile> {
   const { document } = editor.store.getState().history;
   const evaluation = await editor.evaluate(node, signal);
-  const file = requireFile(evaluation, requestedFiles(evaluation, fileNodesIn(document)).get(node));
+  return requireFile(evaluation, requestedFiles(evaluation, fileNodesIn(document)).get(node));
+}
+
+async function save({ editor, backend, request }: SaveFileContext, signal: AbortSignal): Promise<void> {
+  const file = await request(signal);
   const told = (change: { name?: string; part?: number }): void =>
     savingStore.setState(({ job }) => ({ job: job && { ...job, ...change } }));
   told({ name: file.name });

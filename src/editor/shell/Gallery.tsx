@@ -11,7 +11,7 @@ import { useOpenAddress } from '../projects/useOpenAddress.ts';
 import { useEditor, useEditorState } from '../state/context.tsx';
 
 /** Example scenes and projects, each with a thumbnail and what to look for. */
-export function Gallery(): ReactNode {
+export default function Gallery(): ReactNode {
   const { t } = useTexts();
   const editor = useEditor();
   const opened = useEditorState((state) => state.dialog === 'gallery');

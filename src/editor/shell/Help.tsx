@@ -17,6 +17,7 @@ const TOUCH: KeyGroup = [
     [[msg`One finger`], msg`Look around`],
     [[msg`Two fingers`], msg`Accelerate: up for forwards; lift one to brake`],
     [[msg`Three fingers`], msg`Rise and sink`],
+    [[msg`Twist two fingers`], msg`Roll, as the way of flying allows`],
     [[msg`The bar below`], msg`Lock and cruise`],
   ],
 ];
@@ -33,6 +34,10 @@ const COLUMNS: readonly (readonly KeyGroup[])[] = [
         [[msg`Double-click`], msg`Capture the mouse; Esc releases it`],
         [['Tab'], msg`Next lock: free, look, fly`],
         [['C'], msg`Cruise: keep the velocity`],
+        [['T'], msg`Next way of flying: velocity, drive, thrust …`],
+        [['Z'], msg`Brake`],
+        [[',', '.'], msg`Roll left, right`],
+        [['K'], msg`Record the flight, or stop`],
         [['R'], msg`Back to the start of the scene`],
         [['B'], msg`Stop, and turn back to the scene`],
       ],
@@ -65,7 +70,7 @@ const COLUMNS: readonly (readonly KeyGroup[])[] = [
 ];
 
 /** All keyboard shortcuts, over the picture. */
-export function Help(): ReactNode {
+export default function Help(): ReactNode {
   const { t } = useTexts();
   const editor = useEditor();
   const opened = useEditorState((state) => state.dialog === 'help');
@@ -93,7 +98,7 @@ export function Help(): ReactNode {
       </Suspense>
       <Text size="xs" c="dimmed" mt="lg">
         {t(
-          msg`Gamepad: left stick flies, right stick looks, bumpers go down and up, right trigger is full speed, A plays, Y changes the lock.`,
+          msg`Gamepad: left stick flies, right stick looks, bumpers go down and up, triggers brake and allow full speed, left and right roll, A plays, Y changes the lock.`,
         )}
       </Text>
     </Modal>

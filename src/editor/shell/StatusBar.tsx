@@ -1,7 +1,7 @@
-import { Group, Text, Tooltip, UnstyledButton } from '@mantine/core';
-import { IconEye, IconGauge, IconLockOpen, IconPlane } from '@tabler/icons-react';
-import type { ReactNode } from 'react';
-import type { Lock } from '../../flight/seek.ts';
+import { Group, Popover, Text, Tooltip, UnstyledButton } from '@mantine/core';
+import { IconEye, IconGauge, IconLockOpen, IconPlane, IconSteeringWheel } from '@tabler/icons-react';
+import { lazy, type ReactNode, Suspense, useState } from 'react';
+import type { Lock } from '../../flight/arc.ts';
 import { type GraphDocument, own } from '../../graph/document/document.ts';
 import { isParamActive, isUnphysical, resolveParams } from '../../graph/nodeType.ts';
 import { type LocalizedText, listed, type Message, msg } from '../../messages/message.ts';
@@ -19,6 +19,9 @@ const LOCK_TEXTS: Readonly<Record<Lock, { readonly title: Message; readonly help
   fly: { title: msg`Fly`, help: msg`You move, but the picture is that of someone at rest.` },
 };
 
+/** Loaded when it is opened. */
+const FlightDeck = lazy(() => import('../flight/deck/FlightDeck.tsx'));
+
 /** Lock, speed, γ and speed of light; then backend, quality and the observer's proper time. */
 export function StatusBar(): ReactNode {
   const { t } = useTexts();
@@ -26,6 +29,7 @@ export function StatusBar(): ReactNode {
     <Group component="footer" className="sl-status" gap={0} wrap="nowrap" aria-label={t(msg`Status`)}>
       <LockButton />
       <CruiseButton />
+      <FlightButton />
       <Unphysical />
       <Speed />
       <div className="sl-spring" />
@@ -74,6 +78,32 @@ function CruiseButton(): ReactNode {
         </Text>
       </UnstyledButton>
     </Tooltip>
+  );
+}
+
+/** Opens the flight deck: modes, recording, replay. */
+function FlightButton(): ReactNode {
+  const { t } = useTexts();
+  const title = useEditorState(({ flightMode }) => flightMode);
+  const [opened, setOpened] = useState(false);
+  return (
+    <Popover opened={opened} onChange={setOpened} position="top-start" shadow="md" trapFocus>
+      <Popover.Target>
+        <UnstyledButton
+          className="sl-status-item sl-status-button"
+          aria-label={`${t(msg`Flight`)}: ${t(title)}`}
+          onClick={() => setOpened(!opened)}
+        >
+          <IconSteeringWheel size={14} />
+          <Text size="xs">{t(title)}</Text>
+        </UnstyledButton>
+      </Popover.Target>
+      <Popover.Dropdown>
+        <Suspense>
+          <FlightDeck />
+        </Suspense>
+      </Popover.Dropdown>
+    </Popover>
   );
 }
 

@@ -1,7 +1,8 @@
 import { createStore, type StoreApi } from 'zustand/vanilla';
 import type { RunRecord } from '../../dynamics/runRecord.ts';
 import { energyFaultMessage, summarizeRun } from '../../dynamics/runSummary.ts';
-import type { Lock } from '../../flight/seek.ts';
+import type { Lock } from '../../flight/arc.ts';
+import { velocityMode } from '../../flight/modes/velocity.ts';
 import type { GraphDocument, ParamValue } from '../../graph/document/document.ts';
 import { type Command, CommandError } from '../../graph/edits/commands.ts';
 import {
@@ -16,7 +17,7 @@ import {
 import { CancelledError, type Evaluation, Evaluator } from '../../graph/evaluation/evaluator.ts';
 import type { NodeResult } from '../../graph/evaluation/resultCache.ts';
 import type { NodeProblem } from '../../graph/nodeType.ts';
-import { inEnglish, type LocalizedText, msg } from '../../messages/message.ts';
+import { inEnglish, type LocalizedText, type Message, msg } from '../../messages/message.ts';
 import { MessageError, messageOf } from '../../messages/messageError.ts';
 import { nodeLibrary } from '../../nodes/library.ts';
 import { evaluatedPicture } from '../../nodes/pictures/renderSettings.ts';
@@ -91,6 +92,8 @@ export interface EditorState {
   readonly graphics: GraphicsStatus;
   readonly lock: Lock;
   readonly cruise: boolean;
+  /** What the way of flying is called. */
+  readonly flightMode: Message;
   readonly playing: boolean;
   readonly loop: boolean;
   readonly dialog?: 'gallery' | 'help' | 'share' | 'name' | 'palette';
@@ -173,6 +176,7 @@ export function createEditor({ services, project, playing }: EditorOptions): Edi
     graphics: 'starting',
     lock: 'free',
     cruise: false,
+    flightMode: velocityMode.title,
     playing,
     loop: true,
     maximized: false,

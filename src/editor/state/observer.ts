@@ -1,4 +1,3 @@
-import type { Lock } from '../../flight/seek.ts';
 import { type Vec3, ZERO } from '../../math/vec3.ts';
 import { pictureCamera } from '../../nodes/pictures/renderSettings.ts';
 import type { PictureSpec } from '../../nodes/socketValues.ts';
@@ -6,8 +5,7 @@ import { properVelocity } from '../../physics/lorentz/boost.ts';
 import type { ObserverState } from '../../physics/lorentz/observer.ts';
 import type { Scene, SceneCamera } from '../../scene/types.ts';
 import { observerFromCamera } from '../../scene/view/camera.ts';
-import { perspective } from '../../scene/view/lens.ts';
-import type { ViewPoint } from '../../scene/view/view.ts';
+import { type Lens, perspective } from '../../scene/view/lens.ts';
 
 export const sceneUpVector = (scene: Scene): Vec3 => (scene.upAxis === 'Y' ? [0, 1, 0] : [0, 0, 1]);
 
@@ -25,9 +23,5 @@ export function observerOnCamera(camera: SceneCamera, state: ObserverState, c: n
   return { ...state, position, orientation, u };
 }
 
-/** View point for the renderer. With the `fly` lock it is at rest. */
-export function viewPointOf(state: ObserverState, picture: PictureSpec, lock: Lock): ViewPoint {
-  const lens = perspective(picture.fovY ?? pictureCamera(picture).fovY);
-  const { t, position, orientation } = state;
-  return { t, position, orientation, u: lock === 'fly' ? ZERO : state.u, lens };
-}
+/** The lens of a picture: its own field of view, or its camera's. */
+export const pictureLens = (picture: PictureSpec): Lens => perspective(picture.fovY ?? pictureCamera(picture).fovY);

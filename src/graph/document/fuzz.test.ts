@@ -9,7 +9,8 @@ import { Evaluator } from '../evaluation/evaluator.ts';
 import { DocumentError, emptyDocument, type GraphDocument } from './document.ts';
 import { parseDocument } from './parse.ts';
 import { serializeDocument } from './serialize.ts';
-import { decodeShareLink, encodeShareLink, isShareLink } from './shareLink.ts';
+import { isShareLink } from './shareFragment.ts';
+import { decodeShareLink, encodeShareLink } from './shareLink.ts';
 
 /** Every input gives a document or a DocumentError with a place. */
 function readOrRefuse<T>(read: () => T): T | undefined {

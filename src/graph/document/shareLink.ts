@@ -3,6 +3,7 @@ import { type LocalizedText, msg } from '../../messages/message.ts';
 import { DocumentError, type GraphDocument } from './document.ts';
 import { parseDocument } from './parse.ts';
 import { sortKeys } from './serialize.ts';
+import { FRAGMENT_PREFIX, withoutHash } from './shareFragment.ts';
 
 /** Maximum length of a link: what browsers, mail and chat programs pass on in full [characters]. */
 const MAX_LINK_LENGTH = 2 ** 15;
@@ -10,7 +11,6 @@ const MAX_LINK_LENGTH = 2 ** 15;
 const MAX_UNPACKED = 2 ** 20;
 /** Inflation chunk size [bytes]: output never exceeds the limit by much, whatever the link says. */
 const CHUNK_SIZE = 2 ** 10;
-const FRAGMENT_PREFIX = 'project=';
 
 /**
  * A project as the fragment of a link, `project=…`: its text, deflated, as base64url (RFC 4648 § 5). Browsers do not
@@ -26,8 +26,6 @@ export function encodeShareLink(document: GraphDocument): string {
   throw new DocumentError(msg`the link: the project is too large (${sizes}); save it to a file and send that`);
 }
 
-export const isShareLink = (fragment: string): boolean => withoutHash(fragment).startsWith(FRAGMENT_PREFIX);
-
 /**
  * Reads a link's fragment, with or without `#`; validated like a file. Throws a DocumentError.
  * @example
@@ -42,8 +40,6 @@ export function decodeShareLink(fragment: string): GraphDocument {
     );
   return parseDocument(decodeText(inflateBounded(fromBase64Url(text.slice(FRAGMENT_PREFIX.length)))));
 }
-
-const withoutHash = (fragment: string): string => fragment.replace(/^#/, '');
 
 const damagedLink = (what: LocalizedText): DocumentError =>
   new DocumentError(msg`the link: ${what}; it was cut off or changed on its way, ask for it again`);

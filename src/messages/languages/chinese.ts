@@ -2909,8 +2909,6 @@ const messages: Translation['messages'] = {
   'Next false colour': '下一种伪彩色',
   'Only the picture': '只显示画面',
   'Leave the picture': '离开画面',
-  'Gamepad: left stick flies, right stick looks, bumpers go down and up, right trigger is full speed, A plays, Y changes the lock.':
-    '手柄：左摇杆飞行，右摇杆环顾，肩键升降，右扳机全速，A 播放，Y 切换锁定。',
   Drag: '拖动',
   'Double-click': '双击',
 
@@ -3493,6 +3491,95 @@ const messages: Translation['messages'] = {
   'what the scene suggests, else {}': '场景建议的值，否则为 {1}',
   'by {}': '取决于 {1}',
   'an example': '示例',
+
+  // ———— Flights ————
+  '--to is where the trip begins: there is nothing to fly': '--to 就是旅程的起点：无处可飞',
+  '--from {}, --to {}: nothing lies between; {} lasts from 0 to {} s':
+    '--from {1}、--to {2}：其间什么也没有；{3} 从 0 持续到 {4} 秒',
+  "{} of the pilot's time, legs: {}": '驾驶者时间 {1}，航段数：{2}',
+  '  {}: own clock {}, world {}, greatest γ {}, from {} to {} m, c = {} m/s{}{}':
+    '  {1}：自己的时钟 {2}，世界 {3}，最大 γ {4}，从 {5} 到 {6} 米，c = {7} m/s{8}{9}',
+  ', lock {}': '，锁定 {1}',
+  ', world time paused': '，世界时间暂停',
+  '{} s ({} years)': '{1} 秒（{2} 年）',
+  'Plans trips, and inspects, cuts and joins recorded flights.': '规划旅程，并检查、剪切和连接录下的飞行。',
+  'Plans the fastest trip to a place at rest with a constant proper acceleration: half the way forwards, half the way back.':
+    '以恒定的固有加速度规划到一个静止地点的最快旅程：前一半加速，后一半减速。',
+  'where it ends, world frame [m]': '终点，世界参考系 [m]',
+  'where it begins, at rest, world frame [m]': '起点（静止），世界参考系 [m]',
+  'proper acceleration': '固有加速度',
+  'speed of light': '光速',
+  'world time of the beginning': '起点的世界时间',
+  'coast at this part of c (default: none)': '达到 c 的这一比例后滑行（默认：不限）',
+  'and back again': '再返回',
+  'Says how long a flight lasts on both clocks, how fast it is, and of what legs it is made.':
+    '说明一次飞行在两个时钟上各持续多久、有多快、由哪些航段组成。',
+  "Writes the part of a flight between two of the pilot's times.": '写出飞行在驾驶者两个时刻之间的部分。',
+  "pilot's time from the beginning (default: the beginning)": '从起点算起的驾驶者时间（默认：起点）',
+  "pilot's time from the beginning (default: the end)": '从起点算起的驾驶者时间（默认：终点）',
+  'Writes flights one after the other as one.': '把几次飞行前后相接写成一次。',
+  '--{} says where the observer is, and so does --flight: leave one of them out':
+    '--{1} 说明观察者在哪里，--flight 也说明：请去掉其中之一',
+  '--c {}: {} was flown at {} m/s; leave --c out, or fly it again':
+    '--c {1}：{2} 是在 {3} m/s 下飞的；请去掉 --c，或重新飞一次',
+  '{}: the flight lasts from 0 to {} s': '{1}：飞行从 0 持续到 {2} 秒',
+  "film a recorded flight, NAME.flight.json: frame n is at n/fps of the pilot's time from its beginning, --time likewise (default: all of it)":
+    '拍摄录下的飞行 NAME.flight.json：第 n 帧位于从起点算起的驾驶者时间 n/fps，--time 亦然（默认：全部）',
+  '--flight films with -o; nodes of a project film on their own': '--flight 与 -o 一起使用；项目的节点自行拍摄',
+  'By hand': '由手控制',
+  'Into the motion': '朝运动方向',
+  'Against the motion': '背对运动方向',
+  'Where the engine pushes': '朝发动机推动的方向',
+  'Way of flying': '飞行方式',
+  'Thrust along the nose': '沿船头的推力',
+  'Thrust across': '横向推力',
+  'The nose points': '船头指向',
+  'Keep the horizon level': '保持地平线水平',
+  'Nothing in this scene moves as a whole.': '这个场景中没有整体运动的物体。',
+  'What you follow': '跟随的物体',
+  'Fly to an object': '飞到一个物体',
+  Recording: '录制',
+  Record: '录制',
+  'Open a flight': '打开飞行',
+  Replay: '重放',
+  'Fly on from here': '从这里继续飞',
+  'Time of the flight': '飞行的时间',
+  'Cut off before': '剪掉之前',
+  'Cut off after': '剪掉之后',
+  'Save the flight': '保存飞行',
+  'Save a film': '保存影片',
+  'The recording is full, and has ended. Save it, and start another.': '录制已满，已经结束。请保存它，再开始一次。',
+  'there is no picture to film': '没有可拍摄的画面',
+  'Twist two fingers': '两指扭转',
+  'Roll, as the way of flying allows': '滚转（视飞行方式而定）',
+  'Next way of flying: velocity, drive, thrust …': '下一种飞行方式：速度、行驶、推力……',
+  Brake: '制动',
+  'Roll left, right': '向左、右滚转',
+  'Record the flight, or stop': '录制飞行，或停止',
+  'Gamepad: left stick flies, right stick looks, bumpers go down and up, triggers brake and allow full speed, left and right roll, A plays, Y changes the lock.':
+    '手柄：左摇杆飞行，右摇杆环视，肩键下降和上升，扳机制动和全速，左右方向键滚转，A 播放，Y 切换锁定。',
+  Autopilot: '自动驾驶',
+  'Flies to the place that you choose and stops there: half the way it accelerates, half the way it brakes.':
+    '飞到你选的地点并停在那里：前一半路加速，后一半路制动。',
+  Drive: '行驶',
+  'As Velocity, at one height: the keys go where you look, along the ground.':
+    '与“速度”相同，但高度不变：按键使你沿地面朝所看的方向前进。',
+  Follow: '跟随',
+  'Takes the velocity of what you follow, and stays in its rest frame. The keys move you there.':
+    '取所跟随物体的速度，留在它的静止系中。按键使你在其中移动。',
+  Thrust: '推力',
+  "The keys are engines: a constant proper acceleration along the ship's own axes. Let go, and you coast.":
+    '按键是发动机：沿飞船自己的轴的恒定固有加速度。松开后滑行。',
+  Vehicle: '飞行器',
+  'As Thrust, and the nose turns into the motion.': '与“推力”相同，并且船头转向运动方向。',
+  'The keys ask for a velocity. Let go to brake.': '按键要求一个速度。松开即制动。',
+  'the file: more than the {} MiB of a flight': '文件：超过飞行文件的 {1} MiB 上限',
+  '{}: it pushes beyond rapidity {}, or lasts for ever; let it be shorter': '{1}：推动超过快度 {2}，或永不结束；请缩短',
+  '{}: its length is {}; it must be 1': '{1}：长度是 {2}，必须是 1',
+  'leg {} flies at c = {} m/s, those before at {} m/s; a film has one speed of light: cut the flight there':
+    '航段 {1} 在 c = {2} m/s 下飞行，之前的在 {3} m/s；一部影片只有一个光速：请在那里剪开',
+  'the flight was flown at {} m/s, and light has {} m/s now; set it back to that for the film':
+    '这次飞行是在 {1} m/s 下飞的，而现在光速是 {2} m/s；拍影片前请改回去',
 };
 
 const examples: Translation['examples'] = {

@@ -1,3 +1,4 @@
+import type { FlightRecording } from '../../flight/recording/recording.ts';
 import { dotted, extensionOf } from '../../formats/files/fileSource.ts';
 import { msg } from '../../messages/message.ts';
 import type { Scene } from '../../scene/types.ts';
@@ -46,6 +47,8 @@ export interface VideoOutput extends PictureOutput {
   readonly fps: number;
   /** Whether the observer stays in place despite a velocity. */
   readonly hold: boolean;
+  /** What is filmed instead of the project's observer: `from` and `to` are then of the pilot's time. */
+  readonly flight?: FlightRecording;
 }
 
 /** A frame's number, if there are several, and its world time [s]. */

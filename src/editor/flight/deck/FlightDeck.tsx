@@ -1,0 +1,184 @@
+import { NumberInput, Select, Slider, Stack, Switch, Text } from '@mantine/core';
+import { type ReactNode, useMemo } from 'react';
+import { useStore } from 'zustand';
+import { ATTITUDES, type Attitude } from '../../../flight/controls.ts';
+import { FLIGHT_MODES, type FlightModeName } from '../../../flight/modes/modes.ts';
+import type { Vec3 } from '../../../math/vec3.ts';
+import { type Message, msg } from '../../../messages/message.ts';
+import { STANDARD_GRAVITY } from '../../../physics/constants.ts';
+import { formatNumber } from '../../format.ts';
+import { useTexts } from '../../language/languageStore.ts';
+import { useServices } from '../../services.tsx';
+import { useEditor, useEditorState } from '../../state/context.tsx';
+import type { FlightDeck as Deck, DeckState } from './deck.ts';
+import { FlightRecorderControls } from './FlightRecorderControls.tsx';
+import { openDeck } from './openDeck.ts';
+import { followable, placeBefore } from './targets.ts';
+
+const ATTITUDE_TITLES: Readonly<Record<Attitude, Message>> = {
+  hand: msg`By hand`,
+  motion: msg`Into the motion`,
+  against: msg`Against the motion`,
+  push: msg`Where the engine pushes`,
+};
+
+/** Greatest thrust [c per second]. */
+const MAX_THRUST = 3;
+
+/** Modes of flying with their settings, and the recorder. */
+export default function FlightDeck(): ReactNode {
+  const { t } = useTexts();
+  const editor = useEditor();
+  const { observerController } = useServices();
+  const deck = useMemo(() => openDeck(editor, observerController), [editor, observerController]);
+  const state = useStore(deck.store);
+  const { mode } = state;
+  return (
+    <Stack gap="xs" w={290} data-flight-deck>
+      <Select
+        size="xs"
+        label={t(msg`Way of flying`)}
+        description={t(FLIGHT_MODES[mode].help)}
+        data={Object.entries(FLIGHT_MODES).map(([value, { title }]) => ({ value, label: t(title) }))}
+        allowDeselect={false}
+        comboboxProps={{ withinPortal: false }}
+        value={mode}
+        onChange={(value) => deck.choose(value as FlightModeName)}
+      />
+      {mode === 'follow' && <Followed deck={deck} state={state} />}
+      {mode === 'autopilot' && <Destination deck={deck} state={state} />}
+      {(mode === 'thrust' || mode === 'vehicle' || mode === 'autopilot') && (
+        <Thrust title={msg`Thrust along the nose`} value={state.along} onChange={(along) => deck.set({ along })} />
+      )}
+      {(mode === 'thrust' || mode === 'vehicle') && (
+        <Thrust title={msg`Thrust across`} value={state.across} onChange={(across) => deck.set({ across })} />
+      )}
+      {(mode === 'thrust' || mode === 'follow' || mode === 'autopilot') && (
+        <Select
+          size="xs"
+          label={t(msg`The nose points`)}
+          data={ATTITUDES.map((value) => ({ value, label: t(ATTITUDE_TITLES[value]) }))}
+          allowDeselect={false}
+          comboboxProps={{ withinPortal: false }}
+          value={state.attitude}
+          onChange={(attitude) => deck.set({ attitude: attitude as Attitude })}
+        />
+      )}
+      <Switch
+        size="xs"
+        label={t(msg`Keep the horizon level`)}
+        checked={state.level}
+        onChange={({ currentTarget }) => deck.set({ level: currentTarget.checked })}
+      />
+      <FlightRecorderControls deck={deck} state={state} />
+    </Stack>
+  );
+}
+
+interface ThrustProps {
+  readonly title: Message;
+  /** [c/s] */
+  readonly value: number;
+  readonly onChange: (value: number) => void;
+}
+
+function Thrust({ title, value, onChange }: ThrustProps): ReactNode {
+  const { t } = useTexts();
+  const c = useEditorState((state) => state.picture?.speedOfLight ?? 0);
+  const size = value * c;
+  const text = t(msg`${formatNumber(size, 3)} m/s² (${formatNumber(size / STANDARD_GRAVITY, 3)} g)`);
+  return (
+    <div>
+      <Text size="xs">
+        {t(title)}: <span className="sl-figure">{text}</span>
+      </Text>
+      <Slider
+        size="xs"
+        min={0.01}
+        max={MAX_THRUST}
+        step={0.01}
+        label={null}
+        thumbLabel={t(title)}
+        thumbValueText={text}
+        value={value}
+        onChange={onChange}
+      />
+    </div>
+  );
+}
+
+interface DeckProps {
+  readonly deck: Deck;
+  readonly state: DeckState;
+}
+
+function Followed({ deck, state }: DeckProps): ReactNode {
+  const { t } = useTexts();
+  const scene = useEditorState(({ picture }) => picture?.scene);
+  const paths = useMemo(() => (scene ? followable(scene) : []), [scene]);
+  if (paths.length === 0)
+    return (
+      <Text size="xs" c="dimmed">
+        {t(msg`Nothing in this scene moves as a whole.`)}
+      </Text>
+    );
+  return (
+    <Select
+      size="xs"
+      label={t(msg`What you follow`)}
+      placeholder={t(msg`Search objects…`)}
+      nothingFoundMessage={t(msg`No object has this name`)}
+      data={paths}
+      searchable
+      limit={50}
+      comboboxProps={{ withinPortal: false }}
+      value={state.followed ?? null}
+      onChange={(path) => deck.set({ followed: path ?? undefined })}
+    />
+  );
+}
+
+function Destination({ deck, state }: DeckProps): ReactNode {
+  const { t } = useTexts();
+  const { observerController } = useServices();
+  const picture = useEditorState((editor) => editor.picture);
+  const paths = useMemo(() => [...new Set(picture?.scene.objects.map(({ path }) => path))], [picture?.scene]);
+  const place = state.destination ?? [0, 0, 0];
+  const goTo = (path: string | null): void => {
+    if (!picture || !path) return;
+    const destination = placeBefore(picture.scene, path, observerController.observer, picture.speedOfLight);
+    if (destination) deck.set({ destination });
+  };
+  return (
+    <>
+      <Select
+        size="xs"
+        label={t(msg`Fly to an object`)}
+        placeholder={t(msg`Search objects…`)}
+        nothingFoundMessage={t(msg`No object has this name`)}
+        data={paths}
+        searchable
+        limit={50}
+        comboboxProps={{ withinPortal: false }}
+        value={null}
+        onChange={goTo}
+      />
+      <div className="sl-flight-place">
+        {(['x', 'y', 'z'] as const).map((axis, k) => (
+          <NumberInput
+            key={axis}
+            size="xs"
+            label={t(msg`${axis} [m]`)}
+            hideControls
+            decimalScale={3}
+            value={state.destination ? place[k] : ''}
+            onChange={(value) => {
+              const next = place.with(k, Number(value) || 0);
+              deck.set({ destination: next as unknown as Vec3 });
+            }}
+          />
+        ))}
+      </div>
+    </>
+  );
+}

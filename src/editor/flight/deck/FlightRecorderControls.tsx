@@ -1,0 +1,152 @@
+import { Button, FileButton, Group, Kbd, Slider, Stack, Text } from '@mantine/core';
+import {
+  IconCut,
+  IconDownload,
+  IconFolderOpen,
+  IconMovie,
+  IconPlayerPauseFilled,
+  IconPlayerPlayFilled,
+  IconPlayerRecordFilled,
+  IconPlayerStopFilled,
+} from '@tabler/icons-react';
+import type { ReactNode } from 'react';
+import { cutFlight } from '../../../flight/recording/edit.ts';
+import { msg } from '../../../messages/message.ts';
+import { messageOf } from '../../../messages/messageError.ts';
+import { FLIGHT_EXTENSION, parseFlight, serializeFlight } from '../../../nodes/flights/flightFile.ts';
+import { formatSeconds } from '../../format.ts';
+import { useTexts } from '../../language/languageStore.ts';
+import { fileName, projectName } from '../../projects/projectNames.ts';
+import { useSaving } from '../../saving/savingState.ts';
+import { useServices } from '../../services.tsx';
+import { download } from '../../shell/download.ts';
+import { useEditor } from '../../state/context.tsx';
+import type { DeckState, FlightDeck } from './deck.ts';
+import { saveFilm } from './saveFilm.ts';
+
+interface RecorderProps {
+  readonly deck: FlightDeck;
+  readonly state: DeckState;
+}
+
+/** Records, replays, scrubs, cuts, saves and opens flights. */
+export function FlightRecorderControls({ deck, state }: RecorderProps): ReactNode {
+  const { t } = useTexts();
+  const editor = useEditor();
+  const { recording, flight } = state;
+  const open = async (file: File | null): Promise<void> => {
+    if (!file) return;
+    try {
+      deck.open(parseFlight(await file.text()));
+    } catch (error) {
+      editor.notify({ kind: 'error', place: msg`${file.name}`, text: messageOf(error) });
+    }
+  };
+  return (
+    <Stack gap={6} component="section" aria-label={t(msg`Recording`)}>
+      <Group gap={6}>
+        <Button
+          size="compact-xs"
+          variant={recording ? 'filled' : 'light'}
+          color="red"
+          leftSection={recording ? <IconPlayerStopFilled size={13} /> : <IconPlayerRecordFilled size={13} />}
+          rightSection={<Kbd size="xs">K</Kbd>}
+          onClick={() => deck.toggleRecording()}
+        >
+          {recording ? t(msg`Stop`) : t(msg`Record`)}
+        </Button>
+        <FileButton accept=".json,application/json" onChange={(file) => void open(file)}>
+          {(props) => (
+            <Button {...props} size="compact-xs" variant="default" leftSection={<IconFolderOpen size={13} />}>
+              {t(msg`Open a flight`)}
+            </Button>
+          )}
+        </FileButton>
+      </Group>
+      {flight && !recording && <Replay deck={deck} state={state} />}
+    </Stack>
+  );
+}
+
+function Replay({ deck, state }: RecorderProps): ReactNode {
+  const { t } = useTexts();
+  const editor = useEditor();
+  const { backend } = useServices();
+  const busy = useSaving(({ job }) => job !== undefined);
+  const { flight, duration, shown, replaying } = state;
+  if (!flight) return null;
+  const at = shown ?? 0;
+  const name = (extension: string): string => fileName(projectName(editor.store.getState()), extension);
+  return (
+    <>
+      <Group gap={6} wrap="nowrap">
+        <Button
+          size="compact-xs"
+          variant="light"
+          leftSection={replaying ? <IconPlayerPauseFilled size={13} /> : <IconPlayerPlayFilled size={13} />}
+          onClick={() => deck.toggleReplay()}
+        >
+          {replaying ? t(msg`Pause`) : t(msg`Replay`)}
+        </Button>
+        <Text size="xs" className="sl-figure">
+          {t(msg`${formatSeconds(at)} of ${formatSeconds(duration)}`)}
+        </Text>
+        {shown !== undefined && (
+          <Button size="compact-xs" variant="default" onClick={() => deck.leave()}>
+            {t(msg`Fly on from here`)}
+          </Button>
+        )}
+      </Group>
+      <Slider
+        size="xs"
+        min={0}
+        max={duration}
+        step={duration / 1000}
+        label={null}
+        thumbLabel={t(msg`Time of the flight`)}
+        thumbValueText={formatSeconds(at)}
+        value={at}
+        onChange={(time) => deck.show(time)}
+      />
+      <Group gap={6}>
+        <Button
+          size="compact-xs"
+          variant="default"
+          leftSection={<IconCut size={13} />}
+          disabled={at <= 0 || at >= duration}
+          onClick={() => deck.open(cutFlight(flight, at, duration))}
+        >
+          {t(msg`Cut off before`)}
+        </Button>
+        <Button
+          size="compact-xs"
+          variant="default"
+          leftSection={<IconCut size={13} />}
+          disabled={at <= 0 || at >= duration}
+          onClick={() => deck.open(cutFlight(flight, 0, at))}
+        >
+          {t(msg`Cut off after`)}
+        </Button>
+        <Button
+          size="compact-xs"
+          variant="default"
+          leftSection={<IconDownload size={13} />}
+          onClick={() =>
+            download(new Blob([serializeFlight(flight)], { type: 'application/json' }), name(FLIGHT_EXTENSION))
+          }
+        >
+          {t(msg`Save the flight`)}
+        </Button>
+        <Button
+          size="compact-xs"
+          variant="default"
+          leftSection={<IconMovie size={13} />}
+          disabled={busy}
+          onClick={() => void saveFilm({ editor, backend, flight, name: name('.mp4') })}
+        >
+          {t(msg`Save a film`)}
+        </Button>
+      </Group>
+    </>
+  );
+}

@@ -1,0 +1,157 @@
+import { createStore } from 'zustand/vanilla';
+import type { Attitude, FlightRules } from '../../../flight/controls.ts';
+import { observerOf } from '../../../flight/flightState.ts';
+import { FLIGHT_MODES, type FlightModeName } from '../../../flight/modes/modes.ts';
+import { FlightPlayback } from '../../../flight/recording/playback.ts';
+import { FlightRecorder } from '../../../flight/recording/recorder.ts';
+import type { FlightRecording } from '../../../flight/recording/recording.ts';
+import { arcsOf } from '../../../flight/step.ts';
+import { length, type Vec3 } from '../../../math/vec3.ts';
+import { msg } from '../../../messages/message.ts';
+import type { Editor } from '../../state/editor.ts';
+import type { Pilot } from '../pilot.ts';
+import { bodyVelocity } from './targets.ts';
+
+/** What the deck shows. */
+export interface DeckState {
+  readonly mode: FlightModeName;
+  /** Proper acceleration along the nose and across it, in units of c per second. */
+  readonly along: number;
+  readonly across: number;
+  /** Whether the horizon is kept level. */
+  readonly level: boolean;
+  readonly attitude: Attitude;
+  /** Path of the object that is followed. */
+  readonly followed?: string | undefined;
+  /** Of the autopilot, world frame [m]. */
+  readonly destination?: Vec3 | undefined;
+  readonly recording: boolean;
+  /** The latest recording. */
+  readonly flight?: FlightRecording | undefined;
+  /** Its length [s]. */
+  readonly duration: number;
+  /** The pilot's time [s] that is shown, while it is replayed or held. */
+  readonly shown?: number | undefined;
+  readonly replaying: boolean;
+}
+
+/** The pilot of the page: settings of the modes, recorder and playback. */
+export class FlightDeck {
+  readonly store = createStore<DeckState>(() => ({
+    mode: 'velocity',
+    along: 0.5,
+    across: 0.25,
+    level: false,
+    attitude: 'hand',
+    recording: false,
+    duration: 0,
+    replaying: false,
+  }));
+  private readonly editor: Editor;
+  private recorder: FlightRecorder | undefined;
+  private playback: FlightPlayback | undefined;
+
+  constructor(editor: Editor) {
+    this.editor = editor;
+  }
+
+  readonly pilot: Pilot = {
+    arcs: (moment, picture) => {
+      const { mode, along, across, level, attitude, followed, destination } = this.store.getState();
+      const { c } = moment.rules;
+      const body = picture.scene.objects.find(({ path }) => path === followed);
+      const velocity = body && bodyVelocity(body, observerOf(moment.state), c);
+      const rules: FlightRules = {
+        ...moment.rules,
+        along: along * c,
+        across: across * c,
+        level,
+        attitude,
+        ...(velocity && { followed: velocity }),
+        ...(destination && { destination }),
+      };
+      // Who takes the controls flies on by hand.
+      if (mode === 'autopilot' && length(moment.controls.thrust) > 0) this.choose('thrust');
+      return arcsOf(FLIGHT_MODES[this.store.getState().mode], { ...moment, rules });
+    },
+    flown: (before, arcs, conditions, after) => {
+      if (!this.recorder) return;
+      this.recorder.add(before, arcs, conditions, after);
+      if (!this.recorder.isFull) return;
+      this.stop();
+      this.editor.notify({
+        kind: 'warning',
+        text: msg`The recording is full, and has ended. Save it, and start another.`,
+      });
+    },
+    replayed: (dt, busy) => {
+      const { shown, replaying, duration } = this.store.getState();
+      if (shown === undefined || !this.playback) return undefined;
+      if (busy) {
+        this.store.setState({ shown: undefined, replaying: false });
+        return undefined;
+      }
+      const time = replaying ? Math.min(duration, shown + dt) : shown;
+      if (time !== shown) this.store.setState({ shown: time, replaying: time < duration });
+      return { state: this.playback.stateAt(time), leg: this.playback.legAt(time) };
+    },
+  };
+
+  choose(mode: FlightModeName): void {
+    this.store.setState({ mode });
+    this.editor.update({ flightMode: FLIGHT_MODES[mode].title });
+  }
+
+  next(): void {
+    const names = Object.keys(FLIGHT_MODES) as FlightModeName[];
+    this.choose(names[(names.indexOf(this.store.getState().mode) + 1) % names.length]!);
+  }
+
+  set(change: Partial<Pick<DeckState, 'along' | 'across' | 'level' | 'attitude' | 'followed' | 'destination'>>): void {
+    this.store.setState(change);
+  }
+
+  toggleRecording(): void {
+    if (this.recorder) this.stop();
+    else {
+      this.recorder = new FlightRecorder();
+      this.store.setState({ recording: true, shown: undefined, replaying: false });
+    }
+  }
+
+  private stop(): void {
+    const flight = this.recorder?.recording();
+    this.recorder = undefined;
+    this.store.setState({ recording: false });
+    if (flight && flight.legs.length > 0) this.open(flight);
+  }
+
+  /** Takes a recording to be replayed. */
+  open(flight: FlightRecording): void {
+    this.playback = new FlightPlayback(flight);
+    this.store.setState({ flight, duration: this.playback.duration, shown: undefined, replaying: false });
+  }
+
+  /** Shows a time of the recording [s], and holds it. */
+  show(time: number): void {
+    this.store.setState({ shown: time, replaying: false });
+  }
+
+  toggleReplay(): void {
+    const { shown, replaying, duration } = this.store.getState();
+    this.store.setState({ shown: shown === undefined || shown >= duration ? 0 : shown, replaying: !replaying });
+  }
+
+  /** Ends a replay where it is: one flies on from there. */
+  leave(): void {
+    this.store.setState({ shown: undefined, replaying: false });
+  }
+}
+
+let deck: FlightDeck | undefined;
+
+/** The deck of the page. */
+export const flightDeck = (editor: Editor): FlightDeck => {
+  deck ??= new FlightDeck(editor);
+  return deck;
+};

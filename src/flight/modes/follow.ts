@@ -1,0 +1,24 @@
+import { rotate } from '../../math/quat.ts';
+import { addScaled, length } from '../../math/vec3.ts';
+import { msg } from '../../messages/message.ts';
+import { compose } from '../boost.ts';
+import type { FlightMode } from './flightMode.ts';
+import { turnsAsHeld } from './turns.ts';
+import { velocityArcs, wantedVelocity } from './velocity.ts';
+
+/** Takes a body's velocity, to sit in its rest frame; controls move one there, as they do at rest in the world. */
+export const followMode: FlightMode = {
+  title: msg`Follow`,
+  help: msg`Takes the velocity of what you follow, and stays in its rest frame. The keys move you there.`,
+  orientation: (moment) => turnsAsHeld(moment),
+  arcs(moment) {
+    const { state, controls, dt, rules } = moment;
+    const { followed } = rules;
+    if (!followed) return [{ dTau: dt }];
+    const [right, up, back] = controls.thrust;
+    if (length(controls.thrust) === 0) return velocityArcs(moment, followed);
+    const wanted = addScaled(rotate(state.orientation, [right, 0, back]), rules.up, up);
+    const there = wantedVelocity(wanted, state.velocity.direction, controls, rules);
+    return velocityArcs(moment, compose(followed, there));
+  },
+};
