@@ -1,14 +1,9 @@
 import { safeguardedNewton } from '../math/roots.ts';
 import { gamma } from '../physics/lorentz/boost.ts';
 import type { PolylineLine } from '../physics/worldLines/kinds/polylineLine.ts';
+import { properTimeBetween } from '../physics/worldLines/properTime.ts';
 import { samplesUntil } from '../physics/worldLines/samples.ts';
-import {
-  asInertial,
-  positionAt,
-  properTimeBetween,
-  properVelocityAt,
-  type WorldLine,
-} from '../physics/worldLines/worldLine.ts';
+import { asInertial, positionAt, properVelocityAt, type WorldLine } from '../physics/worldLines/worldLine.ts';
 import type { Lifetime } from '../scene/motion/motionTypes.ts';
 import {
   type ChartEvent,

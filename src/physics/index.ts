@@ -75,6 +75,7 @@ export {
   newtonEmissionTime,
   pastLightCone,
 } from './worldLines/lightCone.ts';
+export { properTimeBetween } from './worldLines/properTime.ts';
 export type { SampledLine } from './worldLines/samples.ts';
 export {
   contraction,
@@ -86,4 +87,4 @@ export {
   simultaneousTimes,
 } from './worldLines/simultaneity.ts';
 export { circularSlice, hyperbolicSlice, type SimultaneousEvent, uniformSlice } from './worldLines/slice.ts';
-export { positionAt, properTimeBetween, velocityAt, type WorldLine } from './worldLines/worldLine.ts';
+export { positionAt, velocityAt, type WorldLine } from './worldLines/worldLine.ts';

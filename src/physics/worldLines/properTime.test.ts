@@ -1,7 +1,8 @@
 import fc from 'fast-check';
 import { describe, expect, test } from 'vitest';
 import { length, scale } from '../../math/vec3.ts';
-import { properTimeBetween, velocityAt, type WorldLine } from './worldLine.ts';
+import { properTimeBetween } from './properTime.ts';
+import { velocityAt, type WorldLine } from './worldLine.ts';
 
 const c = 10;
 const cubic: WorldLine = {

@@ -47,16 +47,6 @@ export const velocityAt = (w: WorldLine, t: number, c: number): Vec3 => worldLin
 export const properVelocityAt = (w: WorldLine, t: number, c: number): Vec3 =>
   worldLineKind(w).properVelocityAt?.(w, t, c) ?? properVelocity(scale(velocityAt(w, t, c), 1 / c));
 
-/**
- * Proper time ∫ √(1 − β²) dt between two world times [s]: what a clock carried along counts. Negative where to < from. c [m/s].
- * docs/physics.md §4.13.
- * @example
- * const line: WorldLine = { kind: 'uniform', position: [0, 0, 0], velocity: [8, 0, 0] };
- * properTimeBetween(line, 0, 5, 10); // 3 s
- */
-export const properTimeBetween = (w: WorldLine, from: number, to: number, c: number): number =>
-  worldLineKind(w).properTime(w, from, to, c);
-
 export const asInertial = (w: WorldLine): InertialLine | undefined => worldLineKind(w).asInertial(w);
 export const asPolyline = (w: WorldLine): SampledLine | undefined => worldLineKind(w).asPolyline(w);
 export const referencePosition = (w: WorldLine): Vec3 => worldLineKind(w).referencePosition(w);

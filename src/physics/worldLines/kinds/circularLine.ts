@@ -1,6 +1,5 @@
 import { fromAxisAngle, rotate } from '../../../math/quat.ts';
 import { add, addScaled, cross, dot, scale, sub, type Vec3 } from '../../../math/vec3.ts';
-import { oneMinusBetaSquared } from '../../lorentz/boost.ts';
 import { circularEmission } from '../emission.ts';
 import { circularSlice } from '../slice.ts';
 import type { WorldLineKind } from './worldLineKind.ts';
@@ -39,10 +38,6 @@ function squareCorners(w: CircularLine): readonly Vec3[] {
 export const CIRCULAR_LINE: WorldLineKind<CircularLine> = {
   positionAt: (w, t) => add(w.center, armAt(w, t)),
   velocityAt: (w, t) => scale(cross(w.axis, armAt(w, t)), w.angularVelocity),
-  properTime(w, from, to, c) {
-    const beta = scale(cross(w.axis, w.arm), w.angularVelocity / c);
-    return (to - from) * Math.sqrt(oneMinusBetaSquared(beta));
-  },
   pastLightCone(w, { t, position }, c) {
     const { center, arm } = circleAt(w, t);
     return circularEmission(sub(center, position), w.axis, arm, w.angularVelocity / c);

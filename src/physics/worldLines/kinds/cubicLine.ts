@@ -1,5 +1,4 @@
 import { addScaled, scale, sub, type Vec3 } from '../../../math/vec3.ts';
-import { oneMinusBetaSquared } from '../../lorentz/boost.ts';
 import { type CubicPiece, cubicAt, cubicCrossing, cubicEmission } from '../cubicPiece.ts';
 import { type SampledLine, samplePosition, samplesUntil } from '../samples.ts';
 import { relativeTime, sampledLine } from './sampledLine.ts';
@@ -41,28 +40,10 @@ function controlPoints(w: CubicLine, from: number, to: number): readonly Vec3[] 
   return points;
 }
 
-/** Gauss–Legendre nodes ±x and their weights, 10 points on −1 … 1. Abramowitz & Stegun, table 25.4. */
-const GAUSS: readonly (readonly [x: number, weight: number])[] = [
-  [0.14887433898163122, 0.2955242247147529],
-  [0.4333953941292472, 0.26926671930999635],
-  [0.6794095682990244, 0.21908636251598204],
-  [0.8650633666889845, 0.1494513491505806],
-  [0.9739065285171717, 0.06667134430868814],
-];
-
 export const CUBIC_LINE: WorldLineKind<CubicLine> = {
   ...sampledLine<CubicLine>({
     positionAt: (w, i, t) => cubicAt(cubicPiece(w, i), t - w.times[i]).x,
     velocityAt: (w, i, t) => cubicAt(cubicPiece(w, i), t - w.times[i]).v,
-    properTime(w, i, from, to, c) {
-      const piece = cubicPiece(w, i);
-      const half = (to - from) / 2;
-      const middle = (from + to) / 2 - w.times[i];
-      const rate = (t: number) => Math.sqrt(oneMinusBetaSquared(scale(cubicAt(piece, t).v, 1 / c)));
-      const node = ([x, weight]: readonly [number, number]) =>
-        weight * (rate(middle - x * half) + rate(middle + x * half));
-      return half * GAUSS.reduce((sum, pair) => sum + node(pair), 0);
-    },
     pastLightCone: (w, i, observer, c) =>
       cubicEmission(relativePiece(w, i, observer, c), relativeTime(w, i, observer, c)),
     simultaneitySlice(w, i, observer, u, c) {

@@ -1,4 +1,4 @@
-import { addScaled, length, scale, sub, type Vec3 } from '../../../math/vec3.ts';
+import { addScaled, scale, sub, type Vec3 } from '../../../math/vec3.ts';
 import { hyperbolicEmission } from '../emission.ts';
 import { hyperbolicSlice } from '../slice.ts';
 import type { WorldLineKind } from './worldLineKind.ts';
@@ -29,10 +29,6 @@ export const HYPERBOLIC_LINE: WorldLineKind<HyperbolicLine> = {
     return scale(a, s / Math.hypot(1, (Math.hypot(...a) * s) / c));
   },
   properVelocityAt: ({ properAcceleration, t0 }, t, c) => scale(properAcceleration, (t - t0) / c),
-  properTime({ properAcceleration, t0 }, from, to, c) {
-    const a = length(properAcceleration);
-    return a === 0 ? to - from : (c / a) * (Math.asinh((a * (to - t0)) / c) - Math.asinh((a * (from - t0)) / c));
-  },
   pastLightCone: (w, { t, position }, c) =>
     hyperbolicEmission(sub(w.position, position), c * (t - w.t0), scale(w.properAcceleration, 1 / (c * c))),
   simultaneitySlice: (w, { t, position }, u, c) =>

@@ -1,4 +1,4 @@
-import { distance, lerp, scale, sub, type Vec3 } from '../../../math/vec3.ts';
+import { lerp, scale, sub, type Vec3 } from '../../../math/vec3.ts';
 import { polylineEmission } from '../emission.ts';
 import { type SampledLine, samplePosition, samplesUntil } from '../samples.ts';
 import { uniformSlice } from '../slice.ts';
@@ -25,11 +25,6 @@ export const POLYLINE_LINE: WorldLineKind<PolylineLine> = {
       return lerp(samplePosition(w, i), samplePosition(w, i + 1), (t - t0) / (t1 - t0));
     },
     velocityAt: (w, i) => scale(sub(samplePosition(w, i + 1), samplePosition(w, i)), 1 / (w.times[i + 1] - w.times[i])),
-    properTime(w, i, from, to, c) {
-      const moved = distance(samplePosition(w, i + 1), samplePosition(w, i));
-      const beta = moved / (c * (w.times[i + 1] - w.times[i]));
-      return (to - from) * Math.sqrt((1 - beta) * (1 + beta));
-    },
     pastLightCone: (w, i, observer, c) =>
       polylineEmission(
         relativePosition(w, i, observer),

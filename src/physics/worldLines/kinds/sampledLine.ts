@@ -9,8 +9,6 @@ import type { ObserverEvent, WorldLineKind } from './worldLineKind.ts';
 export interface PieceKind<W extends SampledLine> {
   positionAt(w: W, i: number, t: number): Vec3;
   velocityAt(w: W, i: number, t: number): Vec3;
-  /** Between two times of the piece. */
-  properTime(w: W, i: number, from: number, to: number, c: number): number;
   /** Given that the piece crosses the past light cone. */
   pastLightCone(w: W, i: number, observer: ObserverEvent, c: number): RetardedEvent;
   /** Given that the piece crosses the slice. */
@@ -23,30 +21,7 @@ export const relativePosition = (w: SampledLine, i: number, { position }: Observ
 export const relativeTime = (w: SampledLine, i: number, { t }: ObserverEvent, c: number): number =>
   c * (w.times[i] - t);
 
-type Shared =
-  | 'positionAt'
-  | 'velocityAt'
-  | 'properTime'
-  | 'pastLightCone'
-  | 'simultaneitySlice'
-  | 'asInertial'
-  | 'referencePosition';
-
-/** From ≤ to: at rest outside the samples, piece by piece between them. */
-function properTimeForward<W extends SampledLine>(
-  w: W,
-  from: number,
-  to: number,
-  c: number,
-  { properTime }: PieceKind<W>,
-): number {
-  const [first, last] = [w.times[0], w.times[w.times.length - 1]];
-  let sum = Math.max(0, Math.min(to, first) - from) + Math.max(0, to - Math.max(from, last));
-  const [begin, end] = [Math.max(from, first), Math.min(to, last)];
-  for (let i = samplesUntil(w.times, begin) - 1; begin < end && w.times[i] < end; i++)
-    sum += properTime(w, i, Math.max(begin, w.times[i]), Math.min(end, w.times[i + 1]), c);
-  return sum;
-}
+type Shared = 'positionAt' | 'velocityAt' | 'pastLightCone' | 'simultaneitySlice' | 'asInertial' | 'referencePosition';
 
 /** What kinds of sampled lines have in common: bisection finds the piece, which is solved by itself. docs/physics.md §4.7. */
 export const sampledLine = <W extends SampledLine>(piece: PieceKind<W>): Pick<WorldLineKind<W>, Shared> => ({
@@ -57,10 +32,6 @@ export const sampledLine = <W extends SampledLine>(piece: PieceKind<W>): Pick<Wo
     return piece.positionAt(w, i - 1, t);
   },
   velocityAt: (w, t) => (restsOutsideSamples(w, t) ? ZERO : piece.velocityAt(w, samplesUntil(w.times, t) - 1, t)),
-  properTime(w, from, to, c) {
-    if (to < from) return -properTimeForward(w, to, from, c, piece);
-    return properTimeForward(w, from, to, c, piece);
-  },
   /** f(t) = |x(t) − x_o| − c(t_o − t) increases while the speed is below c. */
   pastLightCone(w, observer, c) {
     const offset = (i: number) => relativePosition(w, i, observer);

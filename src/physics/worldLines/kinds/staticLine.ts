@@ -13,7 +13,6 @@ export interface StaticLine {
 export const STATIC_LINE: WorldLineKind<StaticLine> = {
   positionAt: (w) => w.position,
   velocityAt: () => ZERO,
-  properTime: (_, from, to) => to - from,
   pastLightCone: (w, { position }) => staticEmission(sub(w.position, position)),
   simultaneitySlice: (w, { position }, u) => uniformSlice(sub(w.position, position), 0, ZERO, u),
   asInertial: ({ position }) => ({ position, velocity: ZERO }),

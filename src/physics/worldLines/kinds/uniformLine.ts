@@ -18,7 +18,6 @@ const positionAt = (w: UniformLine, t: number): Vec3 => addScaled(w.position, w.
 export const UNIFORM_LINE: WorldLineKind<UniformLine> = {
   positionAt,
   velocityAt: (w) => w.velocity,
-  properTime: (w, from, to, c) => (to - from) * Math.sqrt(oneMinusBetaSquared(scale(w.velocity, 1 / c))),
   pastLightCone(w, { t, position }, c) {
     const v = scale(w.velocity, 1 / c);
     return presentEmission(sub(positionAt(w, t), position), v, oneMinusBetaSquared(v));

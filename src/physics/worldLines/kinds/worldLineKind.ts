@@ -27,8 +27,6 @@ export interface WorldLineKind<W> {
   velocityAt(w: W, t: number, c: number): Vec3;
   /** γβ, where it is known to more digits than the velocity gives. */
   properVelocityAt?(w: W, t: number, c: number): Vec3;
-  /** ∫ dt/γ between two world times [s]: what its own clock counts; negative where to < from. docs/physics.md §4.13. */
-  properTime(w: W, from: number, to: number, c: number): number;
   /** Its event on the past light cone of the observer's event; undefined if no light of it reaches that event. docs/physics.md §4. */
   pastLightCone(w: W, observer: ObserverEvent, c: number): RetardedEvent | undefined;
   /** Its event with Δt′ = 0 for an observer with proper velocity u. docs/physics.md §5. */
