@@ -12,9 +12,6 @@ const [ROW, SAMPLE] = [18, 22]; // [px]
 /** Characters of a name that have room; of longer ones the end is kept, which tells prims apart. */
 const MAX_NAME = 24;
 
-/** Height of a legend of so many rows [px]. */
-export const legendHeight = (rows: number): number => rows * ROW;
-
 /** Rows below each other from a corner on, if there is one; those without room are left out. */
 export function legendMarks(rows: readonly LegendRow[], at: PixelPoint | undefined, height: number): readonly Mark[] {
   if (!at) return [];

@@ -5,19 +5,19 @@ import type { SpacetimeDiagram } from '../../diagrams/spacetimeDiagram.ts';
 import { diagramSvg } from '../../diagrams/svg.ts';
 import { msg } from '../../messages/message.ts';
 import type { ObserverState } from '../../physics/lorentz/observer.ts';
+import type { PictureSize } from '../../scene/view/pictureViews.ts';
 import { formatSeconds } from '../format.ts';
 import { useTexts } from '../language/languageStore.ts';
 import { useServices } from '../services.tsx';
 import { useTelemetry } from '../state/context.tsx';
 import { movedBy } from './observerMoves.ts';
 
-interface Size {
-  readonly width: number;
-  readonly height: number;
-}
-
 /** The diagram for an observer; `span`: half its x axis [m], absent: what shows all events. */
-export type DrawDiagram = (observer: ObserverState, size: Size, span: number | undefined) => Diagram | SpacetimeDiagram;
+export type DrawDiagram = (
+  observer: ObserverState,
+  size: PictureSize,
+  span: number | undefined,
+) => Diagram | SpacetimeDiagram;
 
 interface ViewProps {
   readonly draw: DrawDiagram;
