@@ -4,6 +4,7 @@ import { fileURLToPath } from 'node:url';
 import { formats } from './formats/formats.ts';
 import { load } from './formats/load.ts';
 import { bundle } from './page/bundle.ts';
+import { diagram } from './page/diagram.ts';
 import { graph } from './page/graph.ts';
 import { graphPage } from './page/graphPage.ts';
 import { page } from './page/page.ts';
@@ -44,6 +45,7 @@ const benches: readonly Bench[] = [
   computing,
   graph,
   graphPage,
+  diagram,
   page,
   bundle,
 ];

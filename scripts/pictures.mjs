@@ -70,6 +70,33 @@ const pictures = [
   ['dice', 'dice-seen', []],
   ['dice', 'dice-there', ['--view', 'simultaneity']],
 ];
+/** Scene, name of the diagram, flags; of docs/guide/diagrams.md. */
+const diagrams = [
+  [
+    'ladder',
+    'spacetime-ladder',
+    [
+      '--time',
+      '10',
+      '--position',
+      '0,2,0',
+      '--beta',
+      '0.6,0,0',
+      '--span',
+      '16',
+      '--prim',
+      '/World/Ladder',
+      '--prim',
+      '/World/Doors',
+    ],
+  ],
+  [
+    'dice',
+    'spacetime-dice',
+    ['--prim', '/World/Ivory0', '--prim', '/World/Blue4', '--second-axis', '1,0,0', '--beta', '0,0,-0.5'],
+  ],
+  ['boxes-892', 'energy-over-speed', ['--of', 'energy']],
+];
 /** Scene, name of the picture, compared format, flags of both, flags of the rasterizer and of `compare`. */
 const there = ['--aov', 'position,object'];
 const comparisons = [
@@ -98,6 +125,9 @@ try {
     if (chosen(scene)) draw(scene, `examples/thumbnails/${scene}.webp`, ['--size', '480x270', ...flags]);
   for (const [scene, name, flags] of pictures)
     if (chosen(scene)) draw(scene, `docs/pictures/${name}.webp`, ['--size', '960x540', ...flags]);
+  for (const [scene, name, flags] of diagrams)
+    if (chosen(scene))
+      slowlight('diagram', fileOf(scene), '-o', `docs/pictures/${name}.svg`, '--size', '960x540', ...flags);
   if (chosen('graph')) await shootGraph();
   for (const comparison of comparisons)
     if (names.includes('compare') || names.includes(comparison[1])) compare(...comparison);
@@ -114,11 +144,12 @@ function draw(scene, out, flags) {
   toWebp(png, out, { exact: flags.includes('--false-colour') });
 }
 
+function fileOf(scene) {
+  return [`examples/${scene}.usdc`, `examples/${scene}.slowlight.json`].find((path) => existsSync(join(root, path)));
+}
+
 function render(scene, out, flags) {
-  const file = [`examples/${scene}.usdc`, `examples/${scene}.slowlight.json`].find((path) =>
-    existsSync(join(root, path)),
-  );
-  slowlight('render', file, '-o', out, '--samples', '3', ...flags);
+  slowlight('render', fileOf(scene), '-o', out, '--samples', '3', ...flags);
 }
 
 /** Compares the rasterizer's picture with that of the reference renderer. */

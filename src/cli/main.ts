@@ -7,6 +7,7 @@ import { PipelineRefusal } from '../pipelines/pipeline.ts';
 import { InputError } from '../scene/types.ts';
 import { compareCommand } from './compare/compareCommand.ts';
 import { convertCommand } from './convert/convertCommand.ts';
+import { diagramCommand } from './diagram/diagramCommand.ts';
 import { requestedExitCode } from './files/outputFile.ts';
 import { flightCommand } from './flight/flightCommand.ts';
 import { graphCommand } from './graph/graphCommand.ts';
@@ -25,6 +26,7 @@ export const commands = (): readonly Command[] => [
   renderCommand(),
   probeCommand(),
   inspectCommand(),
+  diagramCommand(),
   compareCommand(),
   convertCommand(),
   simulateCommand(),

@@ -75,6 +75,7 @@ export {
   newtonEmissionTime,
   pastLightCone,
 } from './worldLines/lightCone.ts';
+export { properTimeBetween } from './worldLines/properTime.ts';
 export type { SampledLine } from './worldLines/samples.ts';
 export {
   contraction,

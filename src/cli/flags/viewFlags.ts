@@ -17,17 +17,21 @@ import type { RenderSettings } from '../../scene/view/view.ts';
 import { localized } from '../terminal/language.ts';
 import { parseBeta, parseFov, parseNumber, parsePositive, parseVec3, parseWithin } from './parse.ts';
 
-export interface ObserverFlags {
+/** Where the observer is and how he moves. */
+export interface StandpointFlags {
   readonly camera?: string;
   readonly beta?: Vec3;
   readonly position?: Vec3;
-  readonly lookAt?: Vec3;
-  readonly fov?: number;
   readonly c?: number;
 }
 
-export function addObserverFlags(command: Command): Command {
-  return command
+export interface ObserverFlags extends StandpointFlags {
+  readonly lookAt?: Vec3;
+  readonly fov?: number;
+}
+
+export const addStandpointFlags = (command: Command): Command =>
+  command
     .option(
       '--camera <prim>',
       localized(msg`prim path of the camera (default: the scene's first; if it has none, a view of the whole scene)`),
@@ -37,7 +41,10 @@ export function addObserverFlags(command: Command): Command {
       localized(msg`the observer's velocity in units of c, world axes (default: the camera's)`),
       parseBeta,
     )
-    .option('--position <x,y,z>', localized(msg`position of the observer, world frame [m]`), parseVec3)
+    .option('--position <x,y,z>', localized(msg`position of the observer, world frame [m]`), parseVec3);
+
+export const addObserverFlags = (command: Command): Command =>
+  addStandpointFlags(command)
     .option(
       '--look-at <x,y,z>',
       localized(msg`direction of the camera: from its position towards this point, world axes [m]`),
@@ -45,7 +52,6 @@ export function addObserverFlags(command: Command): Command {
     )
     .option('--fov <degrees>', localized(msg`vertical field of view in the observer's frame`), parseFov)
     .addOption(speedOfLightOption());
-}
 
 export const speedOfLightOption = (): Option =>
   new Option(

@@ -189,9 +189,19 @@ export async function openProjectJob<Flags extends RenderFlags>(
   given: ReadonlySet<string>,
   progress: (node: string, part: number | undefined) => void,
 ): Promise<RenderJob<Flags>> {
+  const picture = await openProjectPicture(path, flags.set ?? [], given, progress);
+  return renderJobOf(picture, flags, given, flags.frames !== undefined);
+}
+
+/** A project's picture, with parameters that are set by `node.param=value`. */
+export async function openProjectPicture(
+  path: string,
+  sets: readonly string[],
+  given: ReadonlySet<string>,
+  progress: (node: string, part: number | undefined) => void,
+): Promise<PictureSpec> {
   refuseSceneFlags(given);
-  const document = withParams(await readProject(path), flags.set ?? []);
-  return renderJobOf(await evaluateProject(path, document, progress), flags, given, flags.frames !== undefined);
+  return evaluateProject(path, withParams(await readProject(path), sets), progress);
 }
 
 /** A picture as a render job; explicitly given flags take precedence. As in the page, an observer who does not ride the scene's moving camera is at rest in it; in a film the camera is followed. */

@@ -4,6 +4,7 @@ import { inClauses, listed, msg } from '../../messages/message.ts';
 import { PIPELINES } from '../../pipelines/registry.ts';
 import { AOVS } from '../../scene/view/view.ts';
 import { FALSE_COLOR_QUANTITIES } from '../../spectrum/falseColor/falseColor.ts';
+import { explicitFlags } from '../flags/explicitFlags.ts';
 import {
   parseAovs,
   parseFrames,
@@ -133,7 +134,3 @@ export function renderCommand(): Command {
       })
   );
 }
-
-/** Names of the explicitly given flags. */
-const explicitFlags = (command: Command): ReadonlySet<string> =>
-  new Set(Object.keys(command.opts()).filter((name) => command.getOptionValueSource(name) === 'cli'));

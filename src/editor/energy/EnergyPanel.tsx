@@ -2,6 +2,7 @@ import { listed, type Message, msg } from '../../messages/message.ts';
 import './energy.css';
 import { ScrollArea, Select, Stack, Switch, Text, useComputedColorScheme } from '@mantine/core';
 import { type ReactNode, useMemo, useState } from 'react';
+import { lineStyle } from '../../diagrams/lineStyle.ts';
 import { energyFaultMessage, type RunSummary, summarizeRun } from '../../dynamics/runSummary.ts';
 import { formatBeta, formatNumber, formatSeconds } from '../format.ts';
 import { useTexts } from '../language/languageStore.ts';
@@ -9,7 +10,6 @@ import { userTitle } from '../panels/nodeTitle.ts';
 import { useEditorState, useTelemetry } from '../state/context.tsx';
 import { type SimulationRun, simulationRuns, unevaluatedSimulations } from '../state/simulationRuns.ts';
 import { LinePlot, type PlotLine } from './LinePlot.tsx';
-import { lineStyle } from './lineStyle.ts';
 import { runNames } from './runNames.ts';
 import { frameIndexAt, QUANTITIES, type RunQuantity, unitOf, valuesOf } from './series.ts';
 

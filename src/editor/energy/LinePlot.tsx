@@ -2,10 +2,10 @@ import 'uplot/dist/uPlot.min.css';
 import { useComputedColorScheme } from '@mantine/core';
 import { type KeyboardEvent, type PointerEvent, type ReactNode, useEffect, useMemo, useRef, useState } from 'react';
 import uPlot from 'uplot';
+import { type ColorScheme, lineStyle } from '../../diagrams/lineStyle.ts';
 import { formatSeconds } from '../format.ts';
 import { useServices } from '../services.tsx';
 import { useTelemetry } from '../state/context.tsx';
-import { type ColorScheme, lineStyle } from './lineStyle.ts';
 import { onLinearAxis, onLogarithmicAxis } from './series.ts';
 import { tick, ticksWidth } from './ticks.ts';
 

@@ -1,10 +1,10 @@
 import { describe, expect, it } from 'vitest';
 import { add, build } from '../../../tests/support/graphKit.ts';
+import { lineStyle } from '../../diagrams/lineStyle.ts';
 import type { RunRecord } from '../../dynamics/runRecord.ts';
 import type { NodeResult } from '../../graph/evaluation/resultCache.ts';
 import { inEnglish } from '../../messages/message.ts';
 import { computedUntil, simulationRuns, unevaluatedSimulations } from '../state/simulationRuns.ts';
-import { lineStyle } from './lineStyle.ts';
 import { runNames } from './runNames.ts';
 import { frameIndexAt, onLinearAxis, onLogarithmicAxis, unitOf, valuesOf } from './series.ts';
 import { tick } from './ticks.ts';

@@ -15,11 +15,14 @@ const GraphPanel = lazy(() => import('../graph/GraphPanel.tsx'));
 const Inspector = lazy(() => import('../graph/inspector/Inspector.tsx'));
 /** Loaded when the project has simulations. */
 const EnergyPanel = lazy(() => import('../energy/EnergyPanel.tsx'));
+/** Loaded when its tab is first opened. */
+const DiagramPanel = lazy(() => import('../diagrams/DiagramPanel.tsx'));
 
 const PANELS = {
   picture: { title: msg`Picture`, content: <Viewport /> },
   controls: { title: msg`Controls`, content: <ControlsPanel /> },
   scene: { title: msg`Scene`, content: <ScenePanel /> },
+  diagram: { title: msg`Diagram`, content: <DiagramPanel /> },
   energy: { title: msg`Energy`, content: <EnergyPanel /> },
   graph: { title: msg`Graph`, content: <GraphPanel /> },
   node: { title: msg`Node`, content: <Inspector /> },
@@ -77,7 +80,11 @@ function useDockview(host: React.RefObject<HTMLDivElement | null>, setElements: 
         element.className = 'sl-dock-panel';
         return {
           element,
-          init: () => setElements((known) => ({ ...known, [name]: element })),
+          init: ({ api }) => {
+            const show = () => setElements((known) => ({ ...known, [name]: element }));
+            if (name === 'diagram') api.onDidVisibilityChange(({ isVisible }) => isVisible && show());
+            else show();
+          },
           dispose: () => setElements(({ [name as PanelName]: _gone, ...left }) => left),
         };
       },
@@ -199,6 +206,7 @@ function layOut(api: DockviewApi, narrow: boolean): void {
   const size = narrow ? { initialHeight: 260 } : { initialWidth: SIDE_WIDTH };
   const controls = api.addPanel({ id: 'controls', component: 'controls', position: { direction }, ...size });
   api.addPanel({ id: 'scene', component: 'scene', position: { referencePanel: controls }, inactive: true });
+  api.addPanel({ id: 'diagram', component: 'diagram', position: { referencePanel: controls }, inactive: true });
   if (!narrow) controls.group.api.setConstraints({ minimumWidth: 264, maximumWidth: 480 });
   picture.group.header.hidden = true;
   picture.group.locked = 'no-drop-target';

@@ -3213,6 +3213,72 @@ const messages: Translation['messages'] = {
   '{}: there is no folder {} to write into; make it first': '{1}：没有可写入的文件夹 {2}；请先创建它',
   '{} is a folder; name a file': '{1} 是文件夹；请指定文件',
   '{} is there already and is another file; write into a folder of its own': '{1} 已存在且内容不同；请写入单独的文件夹',
+  // diagram
+  'Draws as .svg a spacetime diagram of an observer’s event, with world lines, light cone and simultaneity; or energy and momentum over speed.':
+    '以 .svg 绘制观察者事件处的时空图，含世界线、光锥和同时面；或绘制能量和动量随速度的变化。',
+  'output file, .svg': '输出文件，.svg',
+  'what is drawn': '绘制的内容',
+  'an object whose world line is drawn, with those below it; repeatable (default: what moves, else everything; the first 12 things)':
+    '绘制其世界线的物体，连同其下的物体；可重复（默认：运动的物体，没有则全部；前 12 个）',
+  'the frame that is drawn: the world’s, or the observer’s rest frame': '所绘的参考系：世界系，或观察者静止系',
+  'direction of the x axis (default: the observer’s velocity; at rest that of the fastest object, else towards the most distant one)':
+    'x 轴的方向（默认：观察者的速度方向；静止时取最快物体的速度方向，否则指向最远的物体）',
+  'a second direction: the diagram has two dimensions of space': '第二个方向：图中有两个空间维',
+  'half the length of the x axis [m] (default: as far as the events that are seen)':
+    'x 轴长度的一半 [m]（默认：容纳所见的事件）',
+  'colours on a light or a dark ground': '浅色或深色背景上的配色',
+  '-o {}: diagrams are written as .svg; the page also saves them as .png': '-o {1}：图以 .svg 写出；页面也可存为 .png',
+  '--axis 0,0,0 is no direction': '--axis 0,0,0 不是方向',
+  '--second-axis 0,0,0 is no direction': '--second-axis 0,0,0 不是方向',
+  '--second-axis lies along --axis: give another direction': '--second-axis 与 --axis 平行：请给出另一方向',
+  '--prim {}: the scene has no such thing; it has {}': '--prim {1}：场景中没有该物体；有 {2}',
+  '{} world lines are too many; choose up to {} by --prim': '{1} 条世界线过多；请用 --prim 选择至多 {2} 条',
+  // Diagrams
+  Diagram: '图',
+  'Kind of diagram': '图的种类',
+  Spacetime: '时空',
+  'Energy over β': '能量–β',
+  'Frame of the diagram': '图的参考系',
+  'World’s frame': '世界系',
+  'Observer’s frame': '观察者系',
+  'Two dimensions of space': '两个空间维',
+  'Observer’s velocity: {} c': '观察者的速度：{1} c',
+  'Observer’s velocity': '观察者的速度',
+  'Objects: {} of {}': '物体：{2} 个中的 {1} 个',
+  'Objects of the diagram': '图中的物体',
+  'Save SVG': '保存 SVG',
+  'Save PNG': '保存 PNG',
+  Closer: '放大',
+  Farther: '缩小',
+  'Show all events': '显示所有事件',
+  'Observer’s event in the diagram: arrow keys move it in time and place, plus and minus zoom':
+    '图中观察者的事件：方向键移动其时间和位置，加减键缩放',
+  'Spacetime diagram': '时空图',
+  '{}, now for the observer': '{1}，观察者的此刻',
+  '{}, as seen': '{1}，所见',
+  'Observer, β = {}': '观察者，β = {1}',
+  'Now for the observer': '观察者的此刻（同时面）',
+  'Past light cone': '过去光锥',
+  'Future light cone': '未来光锥',
+  'Emission of the light seen': '所见之光的发出事件',
+  'Event of the observer’s now': '观察者此刻的事件',
+  'Ticks: {} {} of own time': '刻度：固有时 {1} {2}',
+  'Time against place in the frame of the world, about the observer’s event. The observer moves with β = {}.':
+    '世界系中以观察者事件为原点的时间—位置图。观察者以 β = {1} 运动。',
+  'Time against place in the rest frame of the observer, about the observer’s event. The world moves with β = {}.':
+    '观察者静止系中以其事件为原点的时间—位置图。世界以 β = {1} 运动。',
+  'World lines: {}. Of {} of {} the observer sees light.': '世界线：{1}。其中 {3} 条中有 {2} 条的光为观察者所见。',
+  '{} {} Beside the axis, so that their events lie within the drawn cone: {}.':
+    '{1}{2}不在轴上、故其事件位于所绘光锥之内：{3}。',
+  'Energy and momentum over β': '能量和动量随 β 的变化',
+  'Kinetic energy / mc²': '动能 / mc²',
+  'classical: β²/2': '经典：β²/2',
+  'Momentum / mc': '动量 / mc',
+  'classical: β': '经典：β',
+  'Relativistic kinetic energy and momentum grow without bound towards β = 1; the classical ones reach 1/2 and 1.':
+    '趋近 β = 1 时，相对论动能和动量无限增长；经典值只到 1/2 和 1。',
+  'Relativistic kinetic energy and momentum grow without bound towards β = 1; the classical ones reach 1/2 and 1. Bodies: {}.':
+    '趋近 β = 1 时，相对论动能和动量无限增长；经典值只到 1/2 和 1。物体：{1}。',
   // probe
   'Computes in double precision what the observer sees of each vertex of an object, or at a pixel.':
     '以双精度计算观察者所见的物体各顶点，或某一像素处的景物。',
