@@ -48,6 +48,16 @@ const CONE_TOLERANCE = 1e-3;
  * What an observer sees of the point of an object's surface that is at an event of a picture, in any view; c [m/s]. undefined if no light of it arrives.
  * A point whose motion is not known (samples that stay in files) is inspected at the event itself, which then must be on the observer's light cone.
  * docs/physics.md §3.
+ * @example
+ * // It recedes at 0.6 c and is 16 m away: seen where it was a second ago, at 10 m.
+ * const motion: Motion = { kind: 'uniform', pose: { ...IDENTITY_POSE, position: [16, 0, 0] }, velocity: [6, 0, 0] };
+ * const ball = makeObject({ path: '/Ball', mesh: sphere(1), motion });
+ * const event = { time: -1, position: [10, 0, 0], velocity: [0.6, 0, 0] } as const;
+ * const seen = inspectEvent(ball, event, { t: 0, position: [0, 0, 0], u: [0, 0, 0] }, 10)!;
+ * seen.distanceThen; // 10 m
+ * seen.distanceNow; // 16 m
+ * seen.doppler; // 0.5
+ * seen.apparentRadialSpeed; // 0.375 c
  */
 export function inspectEvent(
   object: SceneObject,

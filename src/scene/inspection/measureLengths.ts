@@ -20,6 +20,12 @@ export interface MeasuredLengths {
 /**
  * Three lengths between points with these world lines: as seen, in the observer's slice of simultaneity, and at rest. c [m/s]. undefined if the light of
  * one does not arrive. For points of a rigid body, uniform or Born rigid, the rest length is that of the body. docs/physics.md §3.3, §5.5.
+ * @example
+ * // The ends of a rod of 5 m that flies past at 0.6 c.
+ * const end = (x: number) => ({ kind: 'uniform', position: [x, 8, 0], velocity: [6, 0, 0] }) as const;
+ * const lengths = measureLengths(end(4), end(8), { t: 0, position: [0, 0, 0], u: [0, 0, 0] }, 10)!;
+ * lengths.slice; // 4 m
+ * lengths.rest; // 5 m
  */
 export function measureLengths(
   a: WorldLine,

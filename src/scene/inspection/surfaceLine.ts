@@ -25,6 +25,9 @@ const AXES = Float32Array.of(0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1);
  *
  * In rigid motion, points of the world and of the body are related by an affine map at each time; in a deforming mesh the point keeps its place in the
  * triangle nearest to the event. A Born-rigid body is the exception: its points keep their distance to the horizon (docs/physics.md §4.5).
+ * @example
+ * const ball = makeObject({ path: '/Ball', mesh: sphere(1), motion: restingAt([5, 0, 0]) });
+ * surfaceLine(ball, { time: 2, position: [4, 0, 0], velocity: [0, 0, 0] }, 10); // { kind: 'static', position: [4, 0, 0] }
  */
 export function surfaceLine(object: SceneObject, event: SurfaceEvent, c: number): WorldLine | undefined {
   const { motion, authoredIn } = object;
