@@ -30,9 +30,10 @@ export {
   type Poincare,
 } from './lorentz/poincare.ts';
 export { addVelocities, fourAcceleration, relativeVelocity, wignerRotation } from './lorentz/velocity.ts';
-export { aberrate, unaberrate } from './optics/aberration.ts';
+export { aberrate, terrellRotation, unaberrate } from './optics/aberration.ts';
 export { apparentPosition, apparentPositions, inverseApparentPosition } from './optics/apparentPosition.ts';
 export {
+  apparentRadialSpeed,
   apparentSpeedAcross,
   dopplerAtPixel,
   dopplerFactor,

@@ -8,6 +8,8 @@ import { ColorPipelines } from './color/colorPipelines.ts';
 import { DeferredPass } from './deferredPass.ts';
 import { type BoundRenderView, FrameGraphRunner, type PassListener } from './frameGraph/frameGraphRunner.ts';
 import { dataTarget, type GBuffer } from './gbuffer/gbuffer.ts';
+import { PixelReader } from './gbuffer/pixelReader.ts';
+import type { PixelTexels } from './gbuffer/readback.ts';
 import type { SpacetimeProjection } from './geometry/vertexStage.ts';
 import type { Gpu } from './gpu/device.ts';
 import type { FrameUniforms } from './gpu/frameUniforms.ts';
@@ -33,6 +35,7 @@ export class FrameRenderer {
   private readonly passes: PassCache;
   private readonly colorPipelines = new ColorPipelines();
   private readonly lightMeter: LightMeter;
+  private readonly pixelReader: PixelReader;
   /** By G-buffer; the first is that of the picture's own settings. */
   private readonly deferredPasses: DeferredPass[] = [];
   /** By the structure of their frame graphs; the most recently used is the last. */
@@ -58,6 +61,7 @@ export class FrameRenderer {
       runPass: this.passes.run.bind(this.passes),
     });
     this.lightMeter = new LightMeter(gpu, this.buffer, uniforms);
+    this.pixelReader = new PixelReader(gpu, this.buffer, this.passes);
   }
 
   get buffer(): GBuffer {
@@ -152,6 +156,12 @@ export class FrameRenderer {
     return this.samples > 1 ? this.antialiasing.lightMean : { target: this.light, index: 0 };
   }
 
+  /** What a pixel holds; x and y from the top left. */
+  readPixel(x: number, y: number): Promise<PixelTexels> {
+    const { target, index } = this.beauty();
+    return this.pixelReader.read(target.textures[index], x, y);
+  }
+
   /** Samples the picture at positions spread over it; c [m/s]. */
   measureLight(c: number): Promise<LightMeterReadings> {
     const { target, index } = includesToneMapping(this.displayState.frameGraph)
@@ -167,7 +177,13 @@ export class FrameRenderer {
   }
 
   dispose(): void {
-    for (const owned of [...this.deferredPasses, ...this.runners.values(), this.passes, this.lightMeter])
+    for (const owned of [
+      ...this.deferredPasses,
+      ...this.runners.values(),
+      this.passes,
+      this.lightMeter,
+      this.pixelReader,
+    ])
       owned.dispose();
     this.falseColors.dispose();
     for (const target of [this.screen, this.antialiasing]) target.dispose();

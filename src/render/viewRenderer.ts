@@ -4,7 +4,7 @@ import type { PixelRect } from '../scene/view/pictureViews.ts';
 import type { AovName, RenderSettings } from '../scene/view/view.ts';
 import { FrameRenderer } from './frameRenderer.ts';
 import { type FrameSetup, frustumIn, type RenderView, type ViewBuffers } from './frameSetup.ts';
-import { readBytes, readData, readFloats, readSurfaceAt } from './gbuffer/readback.ts';
+import { pickedPixel, readBytes, readData, readFloats } from './gbuffer/readback.ts';
 import type { Observation } from './geometry/observation.ts';
 import type { Gpu } from './gpu/device.ts';
 import type { AntialiasingMode } from './post/resolve/antialiasing.ts';
@@ -122,12 +122,8 @@ export class ViewRenderer {
   async pick(upload: SceneUpload, x: number, y: number): Promise<PickResult> {
     this.drawPixelCenters();
     const pathOf = (id: number) => upload.bodies[id - 1].object.path;
-    const { target, index } = this.frameRenderer.beauty();
-    const [light, surface] = await Promise.all([
-      readFloats(this.gpu, target, index, { x, y, width: 1, height: 1 }),
-      readSurfaceAt(this.gpu, this.frameRenderer, this.requireObservation(), pathOf, x, y),
-    ]);
-    return { light: [light[0], light[1], light[2]], ...(surface && { surface }) };
+    const observation = this.requireObservation();
+    return pickedPixel(await this.frameRenderer.readPixel(x, y), observation, pathOf);
   }
 
   measureLight(): Promise<LightMeterReadings> {

@@ -205,6 +205,7 @@ export interface Material {
 export interface SceneCamera {
   /** Prim path, unique. */
   readonly path: string;
+  /** The path on which an observer rides. */
   readonly motion: RigidMotion;
   /** Vertical field of view [rad]. */
   readonly fovY: number;

@@ -1,6 +1,7 @@
 import { length, type Vec3 } from '../../math/vec3.ts';
 import { type LocalizedText, listed, type Message, msg } from '../../messages/message.ts';
 import { gamma, velocity } from '../../physics/lorentz/boost.ts';
+import { inspectEvent } from '../../scene/inspection/inspectEvent.ts';
 import type { Scene, SceneObject } from '../../scene/types.ts';
 import { validate } from '../../scene/validation/validate.ts';
 import { probeVertices, type VertexProbe } from '../../scene/view/probe.ts';
@@ -29,7 +30,9 @@ export async function probe(path: string, flags: ProbeFlags): Promise<void> {
   const about = { scene: scene.name, time: t, speedOfLight: c, view: flags.view, observer: describeObserver(view) };
   if (flags.pixel) {
     const observed = probePixel(scene, view, c, flags.view, flags.size, flags.pixel);
-    return print(flags, { ...about, pixel: flags.pixel, size: flags.size, seen: observed ?? null });
+    const inspected = observed && inspectEvent(scene.objects[observed.object - 1]!, observed, view, c);
+    const { pixel, size } = flags;
+    return print(flags, { ...about, pixel, size, seen: observed ?? null, inspection: inspected ?? null });
   }
   const seenVertices = (piece: SceneObject): number =>
     probeVertices(piece, view, c, flags.view, newton).filter((event) => event?.visible).length;
@@ -87,6 +90,17 @@ const LABELS: Readonly<Record<string, Message>> = {
   normal: msg`normal`,
   albedo: msg`albedo`,
   occlusion: msg`occlusion`,
+  inspection: msg`inspection`,
+  emissionTime: msg`emissionTime`,
+  emissionPosition: msg`emissionPosition`,
+  properTime: msg`properTime`,
+  distanceThen: msg`distanceThen`,
+  distanceNow: msg`distanceNow`,
+  relativeVelocity: msg`relativeVelocity`,
+  apparentSpeedAcross: msg`apparentSpeedAcross`,
+  apparentRadialSpeed: msg`apparentRadialSpeed`,
+  superluminal: msg`superluminal`,
+  rotation: msg`rotation`,
 };
 
 /** Prints `name value` lines or JSON. */

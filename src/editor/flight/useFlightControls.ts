@@ -1,6 +1,6 @@
 import { type RefObject, useEffect, useState } from 'react';
 import { useServices } from '../services.tsx';
-import { nextFalseColor, nextView, toggleGrid } from '../shell/actions.ts';
+import { nextFalseColor, nextView, toggleGrid, toggleTool } from '../shell/actions.ts';
 import { useEditor } from '../state/context.tsx';
 import type { Editor } from '../state/editor.ts';
 import { setPointer, toggleCrosshair } from '../viewport/legend/legendState.ts';
@@ -132,6 +132,12 @@ function runKeyAction(
       return true;
     case 'KeyP':
       toggleCrosshair();
+      return true;
+    case 'KeyI':
+      toggleTool(editor, 'inspect');
+      return true;
+    case 'KeyM':
+      toggleTool(editor, 'measure');
       return true;
     case 'KeyF':
       editor.update({ maximized: !maximized });

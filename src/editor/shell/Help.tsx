@@ -52,6 +52,8 @@ const COLUMNS: readonly (readonly KeyGroup[])[] = [
         [['G'], msg`Reference grid`],
         [['X'], msg`Next false colour`],
         [['P'], msg`Value at the crosshair`],
+        [['I'], msg`Inspect what is seen`],
+        [['M'], msg`Measure lengths`],
         [['F'], msg`Only the picture`],
         [[msg`Esc`], msg`Leave the picture`],
       ],

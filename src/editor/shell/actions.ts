@@ -4,7 +4,7 @@ import { nodeLibrary } from '../../nodes/library.ts';
 import { nearestToOutput } from '../../nodes/project/outputChain.ts';
 import { VIEW_NAMES } from '../../scene/views/views.ts';
 import { FALSE_COLOR_QUANTITIES } from '../../spectrum/falseColor/falseColor.ts';
-import type { Editor } from '../state/editor.ts';
+import type { Editor, EditorState } from '../state/editor.ts';
 
 /** Actions shared by keys and buttons; without the node they do nothing. */
 export const nextView = (editor: Editor): void =>
@@ -15,6 +15,10 @@ export const toggleGrid = (editor: Editor): void =>
 
 export const nextFalseColor = (editor: Editor): void =>
   change(editor, 'false-colour', 'of', (now) => next(['none', ...FALSE_COLOR_QUANTITIES], now));
+
+/** Takes a tool over the picture, or puts it away. */
+export const toggleTool = (editor: Editor, tool: NonNullable<EditorState['tool']>): void =>
+  editor.update({ tool: editor.store.getState().tool === tool ? undefined : tool });
 
 /** Detaches the observer from the camera it rides on. */
 export const leaveCamera = (editor: Editor): void => change(editor, 'scene-camera', 'ride', () => false);

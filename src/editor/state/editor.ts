@@ -97,6 +97,8 @@ export interface EditorState {
   readonly playing: boolean;
   readonly loop: boolean;
   readonly dialog?: 'gallery' | 'help' | 'share' | 'name' | 'palette';
+  /** The tool that is used over the picture. */
+  readonly tool?: 'inspect' | 'measure';
   /** Whether only the picture is shown, without panels. */
   readonly maximized: boolean;
   /** Whether the node graph is shown. */

@@ -1,6 +1,6 @@
 import { Button, Group, Progress, Stack, Text, UnstyledButton } from '@mantine/core';
 import { IconX } from '@tabler/icons-react';
-import { type ReactNode, type RefObject, useEffect, useRef, useState } from 'react';
+import { lazy, type ReactNode, type RefObject, Suspense, useEffect, useRef, useState } from 'react';
 import { msg } from '../../messages/message.ts';
 import { useInputDevice, useLastInput } from '../flight/inputDevice.ts';
 import { useFlightControls } from '../flight/useFlightControls.ts';
@@ -14,6 +14,8 @@ import { loadPreferences, savePreferences } from '../state/preferences.ts';
 import { Legend } from './legend/Legend.tsx';
 import { useViewportRenderer } from './useViewportRenderer.ts';
 
+const PictureTools = lazy(() => import('../inspect/PictureTools.tsx'));
+
 /** The picture and its overlays. */
 export function Viewport(): ReactNode {
   const { t } = useTexts();
@@ -23,6 +25,7 @@ export function Viewport(): ReactNode {
   const focused = useFlightControls(host);
   useLastInput();
   const device = useInputDevice();
+  const tool = useEditorState((state) => state.tool);
   const shown = useEditorState(({ pictureSource }) => pictureSource.origin || pictureSource.source);
   return (
     <div className="sl-viewport" data-opened={shown}>
@@ -42,6 +45,11 @@ export function Viewport(): ReactNode {
       </div>
       {!focused && <StartHint />}
       <Legend />
+      {tool && (
+        <Suspense>
+          <PictureTools key={tool} tool={tool} picture={host} />
+        </Suspense>
+      )}
       <Caption />
       <CompilingHint />
       <OutsideCard picture={host} />

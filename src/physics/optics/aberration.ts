@@ -1,4 +1,4 @@
-import { negate, normalize, type Vec3 } from '../../math/vec3.ts';
+import { cross, dot, length, negate, normalize, type Vec3 } from '../../math/vec3.ts';
 import { inverseBoostSpatial } from '../lorentz/boost.ts';
 
 /**
@@ -17,3 +17,16 @@ export const aberrate = (n: Vec3, u: Vec3): Vec3 => normalize(inverseBoostSpatia
  * unaberrate([0.6, 0, 0.8], properVelocity([0, 0, 0.8])); // [1, 0, 0]
  */
 export const unaberrate = (nPrime: Vec3, u: Vec3): Vec3 => normalize(inverseBoostSpatial(nPrime, 0, negate(u)));
+
+/**
+ * Terrell–Penrose rotation: the angle by which a small body appears turned, between the direction in which it is seen and that from which its light
+ * leaves it in its rest frame [rad]. arcsin β for what is seen at right angles to its motion. n: unit, observer → source, u: the source's γβ, both in the
+ * observer's frame. docs/physics.md §3.8; Terrell 1959, Phys. Rev. 116, 1041.
+ * @example
+ * terrellRotation([1, 0, 0], properVelocity([0, 0, 0.6])); // 0.6435: arcsin 0.6
+ * terrellRotation([0, 0, 1], properVelocity([0, 0, 0.6])); // 0: what recedes straight away is not turned
+ */
+export function terrellRotation(n: Vec3, u: Vec3): number {
+  const inRestFrame = aberrate(n, u);
+  return Math.atan2(length(cross(n, inRestFrame)), dot(n, inRestFrame));
+}

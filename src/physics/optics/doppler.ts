@@ -99,3 +99,17 @@ export function apparentSpeedAcross(n: Vec3, beta: Vec3): number {
   const across = length(cross(beta, n));
   return bn >= 0 ? across / (1 + bn) : (across * (1 - bn)) / (oneMinusBetaSquared(beta) + across * across);
 }
+
+/**
+ * Apparent radial speed of a source with velocity β (units of c), in units of c, positive for what recedes: β·n/(1 + β·n), the rate at which the light's way
+ * grows by the clock of who sees it. It never exceeds 1/2 for what recedes, and exceeds 1 for what approaches faster than c/2.
+ * n: unit, observer → source at the emission event; both in one frame. docs/physics.md §3.5.
+ * @example
+ * apparentRadialSpeed([0, 0, 1], [0, 0, 0.6]); // 0.375
+ * apparentRadialSpeed([0, 0, 1], [0, 0, -0.6]); // -1.5 c: superluminal
+ */
+export function apparentRadialSpeed(n: Vec3, beta: Vec3): number {
+  const bn = dot(beta, n);
+  const across = cross(beta, n);
+  return bn >= 0 ? bn / (1 + bn) : (bn * (1 - bn)) / (oneMinusBetaSquared(beta) + dot(across, across));
+}

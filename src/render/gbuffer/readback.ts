@@ -1,10 +1,11 @@
 import { DataUtils, type RenderTarget } from 'three/webgpu';
+import type { Vec3 } from '../../math/vec3.ts';
 import type { PixelRect } from '../../scene/view/pictureViews.ts';
 import type { DataAov } from '../../scene/view/view.ts';
 import type { Observation } from '../geometry/observation.ts';
 import type { Gpu } from '../gpu/device.ts';
 import { unpackGBufferNormal } from '../gpu/packNormal.ts';
-import type { PickedSurface } from '../settings.ts';
+import type { PickedSurface, PickResult } from '../settings.ts';
 import type { GBuffer } from './gbuffer.ts';
 import type { TargetName } from './surface.ts';
 import { unpackFine } from './surfacePacking.ts';
@@ -99,28 +100,32 @@ export async function readData(
   return out;
 }
 
-/** The surface in one pixel; undefined if there is none. */
-export async function readSurfaceAt(
-  gpu: Gpu,
-  targets: DataTargets,
+/** What is read of a pixel: the targets of the G-buffer that say which surface it is and at which event, and the light. */
+export const PIXEL_SOURCES = ['object', 'event', 'motion', 'light'] as const;
+export type PixelSource = (typeof PIXEL_SOURCES)[number];
+/** Four floats of each. */
+export type PixelTexels = Readonly<Record<PixelSource, Float32Array>>;
+
+/** What one pixel shows, from the texels of `PIXEL_SOURCES`. `pathOf`: object number → path. */
+export function pickedPixel(
+  texels: PixelTexels,
   observation: Observation,
   pathOf: (objectId: number) => string,
-  x: number,
-  y: number,
-): Promise<PickedSurface | undefined> {
-  const region = { x, y, width: 1, height: 1 };
-  const read = (name: DataAov) => readData(gpu, targets, name, observation, region);
-  const names = ['object', 'emission_time', 'position', 'velocity', 'doppler', 'depth'] as const;
-  const [object, time, position, velocity, doppler, depth] = await Promise.all(names.map(read));
-  const objectId = object[0];
-  if (objectId === 0) return undefined;
-  return {
+): PickResult {
+  const value = (name: DataAov) =>
+    AOV_SOURCES[name].values(texels[AOV_SOURCES[name].target as PixelSource], observation);
+  const [r, g, b] = texels.light;
+  const light: Vec3 = [r, g, b];
+  const [objectId] = value('object');
+  if (objectId < 0.5) return { light };
+  const surface: PickedSurface = {
     objectId,
     path: pathOf(objectId),
-    emissionTime: time[0],
-    position: [position[0], position[1], position[2]],
-    velocity: [velocity[0], velocity[1], velocity[2]],
-    doppler: doppler[0],
-    depth: depth[0],
+    emissionTime: value('emission_time')[0],
+    position: value('position') as unknown as Vec3,
+    velocity: value('velocity') as unknown as Vec3,
+    doppler: value('doppler')[0],
+    depth: value('depth')[0],
   };
+  return { light, surface };
 }

@@ -11,6 +11,7 @@ import {
   CROP,
   EYES,
   LIGHT,
+  pickBoth,
   type RenderedViews,
   renderTogetherAndAlone,
   renderWholeAndCrop,
@@ -38,6 +39,22 @@ function expectSame(together: RenderedViews, alone: readonly RenderedViews[]): v
   expect(together.depth).toEqual(composed(of('depth'), 1));
   expect(together.beauty).toEqual(composed(of('beauty'), 3));
   expect(together.pixels).toEqual(composed(of('pixels'), 4));
+}
+
+/** Each picked pixel has the values of the whole channels there, which are 32 bits wide. */
+function expectPicked({ picked, channels }: Awaited<ReturnType<typeof pickBoth>>): void {
+  for (const [i, found] of picked.entries()) {
+    const { object, emission_time: time, position, velocity, doppler, depth, beauty } = channels[i];
+    expect(found?.light).toEqual(beauty);
+    expect(found?.surface?.objectId ?? 0).toBe(object[0]);
+    if (!found?.surface) continue;
+    const { surface } = found;
+    expect(surface.path).toBe(SCENE.objects[object[0] - 1].path);
+    const values = [[surface.emissionTime], surface.position, surface.velocity, [surface.doppler], [surface.depth]];
+    expect(values.flat().map(Math.fround)).toEqual([time, position, velocity, doppler, depth].flat());
+  }
+  const paths = picked.map((found) => found?.surface?.path);
+  for (const path of ['/Floor', '/Crate', '/Ball', undefined]) expect(paths).toContain(path);
 }
 
 describe('two views in one picture are, to the bit, the pictures of each', () => {
@@ -77,6 +94,13 @@ describe('two views in one picture are, to the bit, the pictures of each', () =>
     expect(luminance[0]).toBeNaN();
     expect(Array.from(luminance).filter((value) => value > 0).length).toBeGreaterThan(1000);
   });
+
+  it.each([1, 2])(
+    'a picked pixel has the values of the channels, of a picture with n × n samples, n = %s',
+    async (n) => {
+      expectPicked(await pickBoth(headless.renderer, n, pumpFrame));
+    },
+  );
 
   it('a lens off the axis shows the same part of a larger picture', async () => {
     const { whole, crop } = await renderWholeAndCrop(headless.renderer, pumpFrame);
@@ -138,6 +162,11 @@ describe('on WebGL2', () => {
     expectSame(together, alone);
     const { shown, read } = await browser.page.evaluate(() => window.presentViews());
     expect(shown).toEqual(read);
+    browser.assertHealthy();
+  });
+
+  it.each([1, 2])('a picked pixel has the values of the channels, n = %s', async (n) => {
+    expectPicked(await browser.page.evaluate((samples) => window.pickViews(samples), n));
     browser.assertHealthy();
   });
 });

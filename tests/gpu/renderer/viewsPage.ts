@@ -1,10 +1,13 @@
 import { SceneRenderer } from '../../../src/render/renderer.ts';
-import { EYES, LIGHT, renderTogetherAndAlone, SCENE, SIZE } from './viewsScenes.ts';
+import type { Sampling } from '../../../src/render/settings.ts';
+import { EYES, LIGHT, pickBoth, renderTogetherAndAlone, SCENE, SIZE } from './viewsScenes.ts';
 
 declare global {
   interface Window {
     /** One case of viewsScenes.ts on WebGL2. */
     drawViews: (name: string) => ReturnType<typeof renderTogetherAndAlone>;
+    /** What is picked, and whole channels, on WebGL2. */
+    pickViews: (sampling: Sampling) => ReturnType<typeof pickBoth>;
     /** What the canvas shows of both eyes, and what is read back. */
     presentViews: () => Promise<{ readonly shown: number[]; readonly read: number[] }>;
   }
@@ -17,6 +20,12 @@ window.drawViews = async (name) => {
   renderer ??= await SceneRenderer.create({ canvas, backend: 'webgl' });
   await renderer.setScene(SCENE);
   return renderTogetherAndAlone(renderer, name, () => {});
+};
+
+window.pickViews = async (sampling) => {
+  renderer ??= await SceneRenderer.create({ canvas, backend: 'webgl' });
+  await renderer.setScene(SCENE);
+  return pickBoth(renderer, sampling, () => {});
 };
 
 window.presentViews = async () => {

@@ -2,7 +2,7 @@ import { fromAxisAngle, IDENTITY } from '../../../src/math/quat.ts';
 import { normalize } from '../../../src/math/vec3.ts';
 import { properVelocity } from '../../../src/physics/lorentz/boost.ts';
 import type { SceneRenderer } from '../../../src/render/renderer.ts';
-import type { Sampling } from '../../../src/render/settings.ts';
+import type { PickResult, Sampling } from '../../../src/render/settings.ts';
 import { makeMaterial, makeObject, makeScene, restingAt } from '../../../src/scene/defaults.ts';
 import { withMaterial } from '../../../src/scene/mesh/meshOps.ts';
 import { box, plane, sphere } from '../../../src/scene/mesh/primitives.ts';
@@ -185,4 +185,39 @@ export async function renderWholeAndCrop(renderer: SceneRenderer, nextFrame: () 
   };
   const { viewport: _, ...view } = eye;
   return { whole: await read([{ ...view, lens }], SIZE), crop: await read([{ ...view, lens: crop }], CROP) };
+}
+
+/** Pixels spread over both eyes, with their corners. */
+const PICKED: readonly (readonly [number, number])[] = [LEFT, RIGHT].flatMap(({ x, y, width, height }) =>
+  [0, 0.2, 0.4, 0.6, 0.8, 1].flatMap((across) =>
+    [0, 0.4, 0.6, 1].map(
+      (down) => [x + Math.floor(across * (width - 1)), y + Math.floor(down * (height - 1))] as const,
+    ),
+  ),
+);
+
+/** Channels of the picture that a picked pixel has too. */
+const PICKED_AOVS = ['object', 'emission_time', 'position', 'velocity', 'doppler', 'depth', 'beauty'] as const;
+
+/** What is picked in both eyes, and the same pixels of whole channels. `sampling`: of the picture before. */
+export async function pickBoth(
+  renderer: SceneRenderer,
+  sampling: Sampling,
+  nextFrame: () => void,
+): Promise<{ readonly picked: (PickResult | undefined)[]; readonly channels: Record<string, number[]>[] }> {
+  renderer.setSize(SIZE.width, SIZE.height);
+  nextFrame();
+  renderer.render(EYES, LIGHT, sampling);
+  const picked: (PickResult | undefined)[] = [];
+  for (const [x, y] of PICKED) picked.push(await renderer.pick(x, y));
+  const channels: Record<string, number[]>[] = PICKED.map(() => ({}));
+  for (const name of PICKED_AOVS) {
+    const values = await renderer.readAov(name);
+    const size = values.length / (SIZE.width * SIZE.height);
+    for (const [i, [x, y]] of PICKED.entries()) {
+      const at = size * (y * SIZE.width + x);
+      channels[i]![name] = Array.from(values.subarray(at, at + size));
+    }
+  }
+  return { picked, channels };
 }

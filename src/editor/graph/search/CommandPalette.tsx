@@ -5,7 +5,7 @@ import { Modal } from '@mantine/core';
 import { type ReactNode, useMemo } from 'react';
 import { useTexts } from '../../language/languageStore.ts';
 import { useSaveProject } from '../../projects/useSaveProject.ts';
-import { nextFalseColor, nextView, toggleGrid } from '../../shell/actions.ts';
+import { nextFalseColor, nextView, toggleGrid, toggleTool } from '../../shell/actions.ts';
 import { useSavePicture } from '../../shell/useSavePicture.ts';
 import { useEditor, useEditorState } from '../../state/context.tsx';
 import type { Editor } from '../../state/editor.ts';
@@ -143,6 +143,8 @@ function usePageCommands(editor: Editor): readonly PageCommand[] {
     { title: msg`Next view`, run: () => nextView(editor) },
     { title: msg`Reference grid`, run: () => toggleGrid(editor) },
     { title: msg`Next false colour`, run: () => nextFalseColor(editor) },
+    { title: msg`Inspect what is seen`, keys: 'I', run: () => toggleTool(editor, 'inspect') },
+    { title: msg`Measure lengths`, keys: 'M', run: () => toggleTool(editor, 'measure') },
     { title: msg`Only the picture`, run: () => editor.update({ maximized: !maximized }) },
     { title: msg`Keys and help`, keys: '?', run: () => editor.update({ dialog: 'help' }) },
   ];

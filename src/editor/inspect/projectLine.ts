@@ -1,0 +1,24 @@
+import { conjugate, rotate } from '../../math/quat.ts';
+import { PLACEMENTS } from '../../physics/optics/placement.ts';
+import type { WorldLine } from '../../physics/worldLines/worldLine.ts';
+import { frustumOf } from '../../scene/view/lens.ts';
+import type { PictureSize } from '../../scene/view/pictureViews.ts';
+import type { RenderSettings, ViewPoint } from '../../scene/view/view.ts';
+import { hypersurfaceOf, VIEWS } from '../../scene/views/views.ts';
+import type { PicturePosition } from '../viewport/legend/legendState.ts';
+
+/** Where a picture shows a point, in front of the camera or not; undefined where it does not: behind the camera or a horizon. */
+export function projectLine(
+  line: WorldLine,
+  { u, orientation, lens, ...observer }: ViewPoint,
+  settings: RenderSettings,
+  { width, height }: PictureSize,
+): PicturePosition | undefined {
+  const event = hypersurfaceOf(settings).intersect(line, observer, u, settings.speedOfLight);
+  if (!event) return undefined;
+  const place = PLACEMENTS[VIEWS[settings.view].placement(settings)].position(event.offset, u);
+  const [x, y, z] = rotate(conjugate(orientation), place);
+  if (!(z < 0)) return undefined;
+  const { tanX, tanY, center } = frustumOf(lens, width, height);
+  return [(1 + (x / -z - center[0]) / tanX) / 2, (1 - (y / -z - center[1]) / tanY) / 2];
+}
