@@ -5,7 +5,6 @@ import './fonts/fonts.css';
 import './mantine.css';
 import 'dockview/dist/styles/dockview.css';
 import './editor.css';
-import './viewport/legend/legend.css';
 import { MantineProvider } from '@mantine/core';
 import { type ReactNode, StrictMode, useEffect } from 'react';
 import type { Root } from 'react-dom/client';

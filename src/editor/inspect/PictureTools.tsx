@@ -18,7 +18,7 @@ import { projectLine } from './projectLine.ts';
 /** How long figures stay the same before they are read aloud [ms]. */
 const SPOKEN_AFTER = 600;
 
-interface ToolProps {
+interface PictureToolProps {
   readonly picture: RefObject<HTMLElement | null>;
 }
 
@@ -26,7 +26,7 @@ interface ToolProps {
 export default function PictureTools({
   tool,
   picture,
-}: ToolProps & { readonly tool: NonNullable<EditorState['tool']> }): ReactNode {
+}: PictureToolProps & { readonly tool: NonNullable<EditorState['tool']> }): ReactNode {
   return tool === 'inspect' ? <Inspect picture={picture} /> : <Measure picture={picture} />;
 }
 
@@ -46,7 +46,7 @@ function useFrames(each: (picture: ReadPicture, now: number) => void): void {
 }
 
 /** What is known of the point at the aim. */
-function Inspect({ picture }: ToolProps): ReactNode {
+function Inspect({ picture }: PictureToolProps): ReactNode {
   const { t } = useTexts();
   const editor = useEditor();
   const [reading, setReading] = useState<AimReading>();
@@ -76,7 +76,7 @@ function Inspect({ picture }: ToolProps): ReactNode {
 }
 
 /** Two points are chosen by clicks, or by Enter at the middle; then their lengths are shown, of every picture anew. */
-function Measure({ picture }: ToolProps): ReactNode {
+function Measure({ picture }: PictureToolProps): ReactNode {
   const { t } = useTexts();
   const editor = useEditor();
   const { viewport } = useServices();

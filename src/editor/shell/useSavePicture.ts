@@ -1,22 +1,9 @@
 import { useCallback } from 'react';
-import { withPngText } from '../../formats/image/pngText.ts';
-import { msg, type Translate } from '../../messages/message.ts';
-import { MessageError } from '../../messages/messageError.ts';
-import { pictureMetadata } from '../../scene/view/pictureMetadata.ts';
-import { formatBeta } from '../format.ts';
 import { useTexts } from '../language/languageStore.ts';
-import { projectName } from '../projects/projectNames.ts';
 import { useServices } from '../services.tsx';
 import { useEditor } from '../state/context.tsx';
-import type { EditorState } from '../state/editor.ts';
-import { telemetry } from '../state/telemetry.ts';
-import { drawCrosshair, drawLegend, legendStyleOf } from '../viewport/legend/drawLegend.ts';
-import { legendStore } from '../viewport/legend/legendState.ts';
-import { legendTexts, pickedPosition, pickedTexts } from '../viewport/legend/legendTexts.ts';
-import type { CapturedPicture } from '../viewport/viewportRenderer.ts';
-import { download } from './download.ts';
 
-/** Saves the displayed picture with the visible legend, under a name with scene, time and speed. */
+/** Saves the displayed picture; loaded with the first. */
 export function useSavePicture(): () => Promise<void> {
   const editor = useEditor();
   const { viewport: stage } = useServices();
@@ -24,42 +11,7 @@ export function useSavePicture(): () => Promise<void> {
   return useCallback(async () => {
     const captured = await stage.capture?.();
     if (!captured) return;
-    const { viewPoint, settings } = captured;
-    const png = new Uint8Array(await (await composePng(captured, t)).arrayBuffer());
-    const name = pictureName(editor.store.getState());
-    download(new Blob([withPngText(png, pictureMetadata(viewPoint, settings))], { type: 'image/png' }), name);
-    editor.notify({ kind: 'info', text: msg`Saved ${name}` });
+    const { savePicture } = await import('./savePicture.ts');
+    await savePicture(captured, editor, t);
   }, [editor, stage, t]);
-}
-
-/** As PNG. Drawn on a canvas of the document, which has the page's fonts. */
-async function composePng({ image, settings: { falseColors } }: CapturedPicture, t: Translate): Promise<Blob> {
-  const canvas = document.createElement('canvas');
-  canvas.width = image.width;
-  canvas.height = image.height;
-  const context = canvas.getContext('2d')!;
-  context.putImageData(image, 0, 0);
-  const element = document.querySelector<HTMLElement>('[data-legend]');
-  const picture = document.querySelector<HTMLElement>('[data-viewport]');
-  if (element && picture && falseColors) {
-    const { crosshair, picked } = legendStore.getState();
-    const scale = image.width / picture.clientWidth;
-    context.scale(scale, scale);
-    const told = crosshair &&
-      picked && { ...pickedTexts(falseColors.kind, picked, t), part: pickedPosition(falseColors, picked) };
-    if (crosshair) drawCrosshair(context, picture.clientWidth, picture.clientHeight);
-    drawLegend(context, legendTexts(falseColors, t), legendStyleOf(element, picture), told || undefined);
-  }
-  return new Promise((resolve, reject) => {
-    canvas.toBlob(
-      (blob) => (blob ? resolve(blob) : reject(new MessageError(msg`the browser made no PNG`))),
-      'image/png',
-    );
-  });
-}
-
-function pictureName(state: EditorState): string {
-  const { t, beta } = telemetry.getState();
-  const scene = projectName(state) || 'slowlight';
-  return `${scene} t=${t.toFixed(2)}s v=${formatBeta(beta)}c.png`;
 }

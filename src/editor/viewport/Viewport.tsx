@@ -8,12 +8,13 @@ import { useTexts } from '../language/languageStore.ts';
 import { useOpenedTexts } from '../language/useSceneTexts.ts';
 import { sceneName } from '../loading/localFiles.ts';
 import { useServices } from '../services.tsx';
-import { useEditor, useEditorState, useTelemetry } from '../state/context.tsx';
+import { useEditor, useEditorState, useLegend, useTelemetry } from '../state/context.tsx';
 import { STAGE_TITLES } from '../state/editor.ts';
 import { loadPreferences, savePreferences } from '../state/preferences.ts';
-import { Legend } from './legend/Legend.tsx';
 import { useViewportRenderer } from './useViewportRenderer.ts';
 
+/** Loaded with the first false colours, and with the first tool. */
+const Legend = lazy(() => import('./legend/Legend.tsx'));
 const PictureTools = lazy(() => import('../inspect/PictureTools.tsx'));
 
 /** The picture and its overlays. */
@@ -26,6 +27,7 @@ export function Viewport(): ReactNode {
   useLastInput();
   const device = useInputDevice();
   const tool = useEditorState((state) => state.tool);
+  const colors = useLegend((state) => state.colors);
   const shown = useEditorState(({ pictureSource }) => pictureSource.origin || pictureSource.source);
   return (
     <div className="sl-viewport" data-opened={shown}>
@@ -44,7 +46,11 @@ export function Viewport(): ReactNode {
         <canvas key={generation} ref={canvas} className="sl-canvas" />
       </div>
       {!focused && <StartHint />}
-      <Legend />
+      {colors && (
+        <Suspense>
+          <Legend colors={colors} />
+        </Suspense>
+      )}
       {tool && (
         <Suspense>
           <PictureTools key={tool} tool={tool} picture={host} />

@@ -7,15 +7,14 @@ import { useInputDevice } from '../../flight/inputDevice.ts';
 import { useTexts } from '../../language/languageStore.ts';
 import { useLegend } from '../../state/context.tsx';
 import { setLegendVisible, toggleCrosshair } from './legendState.ts';
+import './legend.css';
 import { type LegendTexts, legendTexts, pickedPosition, pickedTexts } from './legendTexts.ts';
 
 /** Legend of false colours, with the value at the pointer. */
-export function Legend(): ReactNode {
+export default function Legend({ colors }: { readonly colors: FalseColorScale }): ReactNode {
   const { t } = useTexts();
-  const colors = useLegend((state) => state.colors);
   const crosshair = useLegend((state) => state.crosshair);
   const shown = useLegend((state) => state.visible);
-  if (!colors) return null;
   if (!shown)
     return (
       <UnstyledButton className="sl-legend sl-legend-closed" onClick={() => setLegendVisible(true)}>
