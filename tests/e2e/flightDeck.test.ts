@@ -36,7 +36,7 @@ describe('the flight deck', () => {
     await hold(page, ['w'], () => expect.poll(() => visit.speed()).toBeGreaterThan(0.1));
     const drifting = await visit.speed();
     expect(drifting).toBeGreaterThan(0.1);
-    await visit.finest();
+    await visit.shot('flight-thrust');
     expect(await visit.speed()).toBeGreaterThanOrEqual(drifting);
     await hold(page, ['z'], () => expect.poll(() => visit.speed()).toBe(0));
     await visit.close();
@@ -50,7 +50,7 @@ describe('the flight deck', () => {
     const mode = page.getByRole('combobox', { name: 'Way of flying' });
     await mode.focus();
     // The last of the list is before the first.
-    for (const key of ['ArrowDown', 'ArrowUp', 'ArrowUp', 'Enter']) await page.keyboard.press(key);
+    for (const key of ['ArrowDown', 'ArrowUp', 'Enter']) await page.keyboard.press(key);
     await page.getByRole('button', { name: 'Flight: Autopilot' }).waitFor();
     const z = page.getByRole('textbox', { name: 'z [m]' });
     await z.fill('0.5');
