@@ -94,6 +94,9 @@ describe('slowlight flight', () => {
       'manual',
       ...size,
     );
+    const film = ['render', SPHERE, '--flight', at('sphere.flight.json'), '-o', at('w.##.png'), '--spacing', 'world'];
+    const world = JSON.parse(await done(...film, '--frames', '1:2', '--fps', '2', '--json', ...size));
+    for (const [k, t] of [1.5, 2].entries()) expect(world.times[k]).toBeCloseTo(t, 9);
     for (const frame of [1, 3]) {
       const zeta = (a * frame) / 2 / c;
       const z = 8 - (c * c * (Math.cosh(zeta) - 1)) / a;

@@ -1,7 +1,9 @@
+import type { FilmClock } from '../../flight/recording/filmClock.ts';
 import { FlightPlayback } from '../../flight/recording/playback.ts';
+import type { FrameSpacing } from '../../flight/spacing.ts';
 import { msg } from '../../messages/message.ts';
 import { messageOf } from '../../messages/messageError.ts';
-import { flightSpeedOfLight } from '../../nodes/flights/flightPath.ts';
+import { filmClockOf, flightSpeedOfLight } from '../../nodes/flights/flightPath.ts';
 import type { FrameTime } from '../../nodes/project/outputFiles.ts';
 import { readFlightFile } from '../files/flightFiles.ts';
 import { inputProblem, usageError } from '../terminal/exitCodes.ts';
@@ -36,15 +38,16 @@ export function filmedFlight(path: string, flags: RenderFlags, given: ReadonlySe
   return { playback: new FlightPlayback(recording), speedOfLight };
 }
 
-/** Frame n is at n/fps of the flight's time [s], from its beginning: all of it, or the frames that are asked for. */
+/** Frame n is at n/fps of the flight's own time [s], or of the world's, from its beginning: all of it, or the frames that are asked for. */
 export function flightFrames(
   { playback }: FilmedFlight,
-  { time, frames, output }: RenderFlags,
+  { time, frames, output, spacing = 'proper' }: RenderFlags,
   fps: number,
 ): FrameTime[] {
-  const { duration } = playback;
+  const clock = clockOf(playback, spacing);
+  const { duration } = clock;
   const inside = (t: number, flag: string): number => {
-    if (t >= 0 && t <= duration * (1 + 1e-12)) return Math.min(t, duration);
+    if (t >= 0 && t <= duration * (1 + 1e-12)) return clock.pilotTime(Math.min(t, duration));
     throw usageError(msg`${flag}: the flight lasts from 0 to ${duration} s`);
   };
   if (!frames && !/#|\.(mp4|gif)$/i.test(output)) return [{ t: inside(time ?? 0, `--time ${time}`) }];
@@ -53,4 +56,12 @@ export function flightFrames(
     number: first + i,
     t: inside((first + i) / fps, `--frames ${first}:${last}`),
   }));
+}
+
+function clockOf(playback: FlightPlayback, spacing: FrameSpacing): FilmClock {
+  try {
+    return filmClockOf(playback, spacing);
+  } catch (error) {
+    throw usageError(msg`--spacing ${spacing}: ${messageOf(error)}`);
+  }
 }

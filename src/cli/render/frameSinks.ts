@@ -42,9 +42,8 @@ export function checkOutput({ output, frames, time, flight, spacing }: RenderFla
   if (!sinkOf(output)) throw usageError(msg`--output ${output}: its name must end in ${anyOf([...SINKS.keys()])}`);
   if (isFilm(output) && !frames && flight === undefined)
     throw usageError(msg`a film, .mp4 or .gif, needs --frames FIRST:LAST`);
-  if (spacing && flight !== undefined)
-    throw usageError(msg`--spacing and --flight exclude each other: a flight is filmed by the pilot's time`);
-  if (spacing && !frames) throw usageError(msg`--spacing is for several frames: add --frames FIRST:LAST`);
+  if (spacing && !frames && flight === undefined)
+    throw usageError(msg`--spacing is for several frames: add --frames FIRST:LAST`);
   if (frames && time !== undefined) throw usageError(msg`--time and --frames exclude each other`);
   if (frames && frames.last > frames.first && !isFilm(output) && !output.includes('#')) {
     const pattern = output.replace(/(\.\w+)$/, '.####$1');

@@ -77,7 +77,7 @@ export function renderCommand(): Command {
       new Option(
         '--spacing <clock>',
         localized(
-          msg`with --frames: whether n/fps is world time or proper time, of the observer's own clock; the clock on a moving camera shows 0 at world time 0, that of one who coasts starts with the first frame (default: world)`,
+          msg`with --frames: whether n/fps is world time or proper time, of the observer's own clock; the clock on a moving camera shows 0 at world time 0, that of one who coasts starts with the first frame, and both begin with a flight (default: world, of a flight proper)`,
         ),
       ).choices(FRAME_SPACINGS),
     );
@@ -88,7 +88,7 @@ export function renderCommand(): Command {
   command.option(
     '--flight <file>',
     localized(
-      msg`film a recorded flight, NAME.flight.json: frame n is at n/fps of the pilot's time from its beginning, --time likewise (default: all of it)`,
+      msg`film a recorded flight, NAME.flight.json: frame n is at n/fps of the pilot's time from its beginning, or of world time (--spacing), --time likewise (default: all of it)`,
     ),
   );
   addSettingFlags(command)

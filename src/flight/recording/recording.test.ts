@@ -9,6 +9,7 @@ import { type FlightState, flightOf, observerOf } from '../flightState.ts';
 import { FLIGHT_MODES } from '../modes/modes.ts';
 import { arcsOf } from '../step.ts';
 import { cutFlight, spliceFlights } from './edit.ts';
+import { filmClock } from './filmClock.ts';
 import { FlightPlayback } from './playback.ts';
 import { FlightRecorder } from './recorder.ts';
 import { type FlightRecording, recordingDuration } from './recording.ts';
@@ -103,6 +104,9 @@ describe('a recorded flight', () => {
         const playback = new FlightPlayback({ legs: [{ conditions, start: rest, arcs }] });
         const tau = 6 * share;
         expectClose(playback.timeAtWorld(1 + 2 * Math.sinh(tau / 2)), tau, 1e-12);
+        expectClose(filmClock(playback, 'world')!.pilotTime(2 * Math.sinh(tau / 2)), tau, 1e-12);
+        expectClose(filmClock(playback, 'world')!.duration, 2 * Math.sinh(3) + Math.cosh(3), 1e-12);
+        expect(filmClock(playback, 'proper')!.pilotTime(tau)).toBe(tau);
         expect(playback.worldSpan()![0]).toBe(1);
         expectClose(playback.worldSpan()![1], 1 + 2 * Math.sinh(3) + Math.cosh(3), 1e-12);
       }),
@@ -112,7 +116,10 @@ describe('a recorded flight', () => {
     const arcs: FlightArc[] = [{ dTau: 1 }];
     const leg = { conditions, start: rest, arcs };
     const early = flightOf({ ...observerOf(rest), t: 0 });
-    expect(new FlightPlayback({ legs: [leg, { ...leg, start: early }] }).worldSpan()).toBeUndefined();
+    const back = new FlightPlayback({ legs: [leg, { ...leg, start: early }] });
+    expect(back.worldSpan()).toBeUndefined();
+    expect(filmClock(back, 'world')).toBeUndefined();
+    expect(filmClock(back, 'proper')!.duration).toBe(2);
     const paused = { ...leg, conditions: { ...conditions, playing: false } };
     expect(new FlightPlayback({ legs: [paused] }).worldSpan()).toBeUndefined();
     const later = flightOf({ ...observerOf(rest), t: 5 });

@@ -2251,10 +2251,6 @@ const messages: Translation['messages'] = {
   'frames in proper time need an observer who moves: let him ride a moving camera with its own velocity, or coast without being held in place':
     '按固有时取帧需要运动的观察者：请乘坐运动的相机并使用其自身速度，或不固定位置地滑行',
   "the observer's clock never shows {} s: he is as fast as light": '观察者的时钟永远不会显示 {1} s：他与光一样快',
-  "with --frames: whether n/fps is world time or proper time, of the observer's own clock; the clock on a moving camera shows 0 at world time 0, that of one who coasts starts with the first frame (default: world)":
-    '与 --frames 合用：n/fps 是世界时间还是固有时（观察者自己的时钟）；运动相机上的时钟在世界时间 0 时显示 0，滑行者的时钟从第一帧开始（默认：world）',
-  "--spacing and --flight exclude each other: a flight is filmed by the pilot's time":
-    '--spacing 与 --flight 不能同用：飞行按飞行员的时间拍摄',
   '--spacing is for several frames: add --frames FIRST:LAST': '--spacing 用于多帧：请添加 --frames FIRST:LAST',
   'it moves already and keeps its own motion; only cameras at rest are moved':
     '它已在运动，保持自身的运动；只有静止的相机会被带动',
@@ -3543,6 +3539,16 @@ const messages: Translation['messages'] = {
   'an example': '示例',
 
   // ———— Flights ————
+  "film a recorded flight, NAME.flight.json: frame n is at n/fps of the pilot's time from its beginning, or of world time (--spacing), --time likewise (default: all of it)":
+    '拍摄录下的飞行 NAME.flight.json：第 n 帧位于从起点算起的驾驶者时间（或世界时间，见 --spacing）n/fps，--time 亦然（默认：全部）',
+  "world time stands still or goes back in the flight, so that frames cannot follow it; let them follow the pilot's time":
+    '飞行中世界时间停住或倒退，帧无法跟随它；请让帧跟随驾驶者时间',
+  '--spacing {}: {}': '--spacing {1}：{2}',
+  'even in your time': '按您的时间均匀',
+  'even in world time': '按世界时间均匀',
+  'Frames of the film follow': '影片各帧的间隔',
+  "with --frames: whether n/fps is world time or proper time, of the observer's own clock; the clock on a moving camera shows 0 at world time 0, that of one who coasts starts with the first frame, and both begin with a flight (default: world, of a flight proper)":
+    '与 --frames 合用：n/fps 是世界时间还是固有时（观察者自己的时钟）；运动相机上的时钟在世界时间 0 时显示 0，滑行者的时钟从第一帧开始，而飞行的两个时钟都从其起点开始（默认：world，飞行为 proper）',
   '--to is where the trip begins: there is nothing to fly': '--to 就是旅程的起点：无处可飞',
   '--from {}, --to {}: nothing lies between; {} lasts from 0 to {} s':
     '--from {1}、--to {2}：其间什么也没有；{3} 从 0 持续到 {4} 秒',
@@ -3573,8 +3579,6 @@ const messages: Translation['messages'] = {
   '--c {}: {} was flown at {} m/s; leave --c out, or fly it again':
     '--c {1}：{2} 是在 {3} m/s 下飞的；请去掉 --c，或重新飞一次',
   '{}: the flight lasts from 0 to {} s': '{1}：飞行从 0 持续到 {2} 秒',
-  "film a recorded flight, NAME.flight.json: frame n is at n/fps of the pilot's time from its beginning, --time likewise (default: all of it)":
-    '拍摄录下的飞行 NAME.flight.json：第 n 帧位于从起点算起的驾驶者时间 n/fps，--time 亦然（默认：全部）',
   '--flight films with -o; nodes of a project film on their own': '--flight 与 -o 一起使用；项目的节点自行拍摄',
   'By hand': '由手控制',
   'Into the motion': '朝运动方向',

@@ -1,5 +1,7 @@
+import { type FilmClock, filmClock } from '../../flight/recording/filmClock.ts';
 import type { FlightPlayback } from '../../flight/recording/playback.ts';
 import type { FlightRecording } from '../../flight/recording/recording.ts';
+import type { FrameSpacing } from '../../flight/spacing.ts';
 import { msg } from '../../messages/message.ts';
 import { MessageError } from '../../messages/messageError.ts';
 import type { Lens } from '../../scene/view/lens.ts';
@@ -11,6 +13,15 @@ export const flightPath =
   (playback: FlightPlayback, lens: Lens) =>
   (time: number): ViewPoint =>
     flightViewPoint(playback.stateAt(time), playback.legAt(time).conditions, lens);
+
+/** The clock of a film of a flight. Throws where it is the world's, and that stands still or goes back. */
+export function filmClockOf(playback: FlightPlayback, spacing: FrameSpacing): FilmClock {
+  const clock = filmClock(playback, spacing);
+  if (clock) return clock;
+  throw new MessageError(
+    msg`world time stands still or goes back in the flight, so that frames cannot follow it; let them follow the pilot's time`,
+  );
+}
 
 /** The speed of light of a flight [m/s]. Throws where its legs have different ones: a film has one. */
 export function flightSpeedOfLight({ legs }: FlightRecording): number {

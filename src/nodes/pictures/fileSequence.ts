@@ -4,22 +4,26 @@ import { extensionOf } from '../../formats/files/fileSource.ts';
 import { msg } from '../../messages/message.ts';
 import { MessageError } from '../../messages/messageError.ts';
 import { perspective } from '../../scene/view/lens.ts';
-import { type ObserverPath, observerPathFrom } from '../../scene/view/observerPath.ts';
-import { flightPath, flightSpeedOfLight } from '../flights/flightPath.ts';
+import { observerPathFrom } from '../../scene/view/observerPath.ts';
+import { filmClockOf, flightPath, flightSpeedOfLight } from '../flights/flightPath.ts';
 import { frameTimes, type ImageOutput, type VideoOutput } from '../project/outputFiles.ts';
-import type { PictureSpec } from '../socketValues.ts';
 import { spacedFrames } from './frameSpacing.ts';
 import { initialBeta, pictureCamera, renderSettings } from './renderSettings.ts';
 import type { PictureSequence } from './sequence.ts';
 
-/** The path of a flight. Throws if it was flown at another speed of light than the picture's. */
-function flownPath(flight: FlightRecording, picture: PictureSpec): ObserverPath {
+/** What of a sequence a flight determines: frames in the pilot's time, and the path. Throws if it was flown at another speed of light than the picture's. */
+function flown(file: VideoOutput, flight: FlightRecording): Pick<PictureSequence, 'frames' | 'views'> {
+  const { picture } = file;
   const c = flightSpeedOfLight(flight);
   if (c !== picture.speedOfLight)
     throw new MessageError(
       msg`the flight was flown at ${c} m/s, and light has ${picture.speedOfLight} m/s now; set it back to that for the film`,
     );
-  return flightPath(new FlightPlayback(flight), perspective(picture.fovY ?? pictureCamera(picture).fovY));
+  const playback = new FlightPlayback(flight);
+  const clock = filmClockOf(playback, file.spacing);
+  const observer = flightPath(playback, perspective(picture.fovY ?? pictureCamera(picture).fovY));
+  const frames = frameTimes(file).map((frame) => ({ ...frame, t: clock.pilotTime(frame.t) }));
+  return { frames, views: (t) => [observer(t)] };
 }
 
 /** The pictures to render for a file, with the observer that its project describes. */
@@ -33,11 +37,10 @@ export function pictureSequence(file: ImageOutput | VideoOutput): PictureSequenc
     ...(beta && { beta }),
     ...(fovY !== undefined && { fovY }),
   };
-  const { flight } = { flight: undefined, ...file };
+  const flight = file.kind === 'video' ? file.flight : undefined;
   const spacing = file.kind === 'video' && !flight ? file.spacing : 'world';
   const frames = spacedFrames(frameTimes(file), spacing, standpoint, speedOfLight);
-  const standing = observerPathFrom(standpoint, speedOfLight, frames[0]!.t);
-  const observer = flight ? flownPath(flight, picture) : standing;
+  const observer = observerPathFrom(standpoint, speedOfLight, frames[0]!.t);
   return {
     settings: renderSettings(picture, 0),
     metering,
@@ -47,5 +50,6 @@ export function pictureSequence(file: ImageOutput | VideoOutput): PictureSequenc
     ...(falseColor !== 'none' && { falseColour: falseColor }),
     views: (t) => [observer(t)],
     frames,
+    ...(file.kind === 'video' && flight && flown(file, flight)),
   };
 }

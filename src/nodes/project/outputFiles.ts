@@ -50,7 +50,7 @@ export interface VideoOutput extends PictureOutput {
   readonly spacing: FrameSpacing;
   /** Whether the observer stays in place despite a velocity. */
   readonly hold: boolean;
-  /** What is filmed instead of the project's observer: `from` and `to` are then of the pilot's time. */
+  /** What is filmed instead of the project's observer: `from` and `to` are then of the clock that `spacing` names, from its beginning. */
   readonly flight?: FlightRecording;
 }
 

@@ -1,4 +1,4 @@
-import { Button, FileButton, Group, Kbd, Slider, Stack, Text } from '@mantine/core';
+import { Button, FileButton, Group, Kbd, Select, Slider, Stack, Text } from '@mantine/core';
 import {
   IconCut,
   IconDownload,
@@ -9,9 +9,10 @@ import {
   IconPlayerRecordFilled,
   IconPlayerStopFilled,
 } from '@tabler/icons-react';
-import type { ReactNode } from 'react';
+import { type ReactNode, useState } from 'react';
 import { cutFlight } from '../../../flight/recording/edit.ts';
-import { msg } from '../../../messages/message.ts';
+import { FRAME_SPACINGS, type FrameSpacing } from '../../../flight/spacing.ts';
+import { type Message, msg } from '../../../messages/message.ts';
 import { messageOf } from '../../../messages/messageError.ts';
 import { FLIGHT_EXTENSION, parseFlight, serializeFlight } from '../../../nodes/flights/flightFile.ts';
 import { formatSeconds } from '../../format.ts';
@@ -23,6 +24,11 @@ import { download } from '../../shell/download.ts';
 import { useEditor } from '../../state/context.tsx';
 import type { DeckState, FlightDeck } from './deck.ts';
 import { saveFilm } from './saveFilm.ts';
+
+const SPACING_TITLES: Readonly<Record<FrameSpacing, Message>> = {
+  proper: msg`even in your time`,
+  world: msg`even in world time`,
+};
 
 interface RecorderProps {
   readonly deck: FlightDeck;
@@ -73,6 +79,7 @@ function Replay({ deck, state }: RecorderProps): ReactNode {
   const editor = useEditor();
   const { backend } = useServices();
   const busy = useSaving(({ job }) => job !== undefined);
+  const [spacing, setSpacing] = useState<FrameSpacing>('proper');
   const { flight, duration, shown, replaying } = state;
   if (!flight) return null;
   const at = shown ?? 0;
@@ -142,10 +149,19 @@ function Replay({ deck, state }: RecorderProps): ReactNode {
           variant="default"
           leftSection={<IconMovie size={13} />}
           disabled={busy}
-          onClick={() => void saveFilm({ editor, backend, flight, name: name('.mp4') })}
+          onClick={() => void saveFilm({ editor, backend, flight, spacing, name: name('.mp4') })}
         >
           {t(msg`Save a film`)}
         </Button>
+        <Select
+          size="xs"
+          aria-label={t(msg`Frames of the film follow`)}
+          data={FRAME_SPACINGS.map((value) => ({ value, label: t(SPACING_TITLES[value]) }))}
+          allowDeselect={false}
+          comboboxProps={{ withinPortal: false }}
+          value={spacing}
+          onChange={(value) => setSpacing(value as FrameSpacing)}
+        />
       </Group>
     </>
   );

@@ -1,7 +1,9 @@
+import { FlightPlayback } from '../../../flight/recording/playback.ts';
 import type { FlightRecording } from '../../../flight/recording/recording.ts';
-import { recordingDuration } from '../../../flight/recording/recording.ts';
+import type { FrameSpacing } from '../../../flight/spacing.ts';
 import { msg } from '../../../messages/message.ts';
 import { MessageError } from '../../../messages/messageError.ts';
+import { filmClockOf } from '../../../nodes/flights/flightPath.ts';
 import { saveFile } from '../../saving/useSaveFile.ts';
 import type { EditorServices } from '../../services.tsx';
 import type { Editor } from '../../state/editor.ts';
@@ -12,11 +14,13 @@ const FILM = { width: 1280, height: 720, samples: 2, fps: 24 } as const;
 interface FilmOptions extends Pick<EditorServices, 'backend'> {
   readonly editor: Editor;
   readonly flight: FlightRecording;
+  /** By which clock its frames follow each other. */
+  readonly spacing: FrameSpacing;
   readonly name: string;
 }
 
 /** Films a flight through the scene that is shown, and downloads it. */
-export const saveFilm = ({ editor, backend, flight, name }: FilmOptions): Promise<void> =>
+export const saveFilm = ({ editor, backend, flight, spacing, name }: FilmOptions): Promise<void> =>
   saveFile({
     node: name,
     editor,
@@ -30,8 +34,8 @@ export const saveFilm = ({ editor, backend, flight, name }: FilmOptions): Promis
         picture,
         ...FILM,
         from: 0,
-        to: recordingDuration(flight),
-        spacing: 'proper',
+        to: filmClockOf(new FlightPlayback(flight), spacing).duration,
+        spacing,
         hold: false,
         flight,
       };
