@@ -104,7 +104,7 @@ const describe = ({ pilotTime, legs }: FlightSummary): string =>
       msg`${time(pilotTime)} of the pilot's time, legs: ${legs.length}`,
       ...legs.map(
         ({ speedOfLight, lock, worldTimeRuns, properTime, worldTime, gamma, from, to }, i): Message =>
-          msg`  ${i + 1}: own clock ${time(properTime)}, world ${time(worldTime)}, greatest γ ${digits(gamma)}, from ${place(from)} to ${place(to)} m, c = ${digits(speedOfLight)} m/s${lock === 'free' ? '' : msg`, lock ${lock}`}${worldTimeRuns ? '' : msg`, world time paused`}`,
+          msg`  ${i + 1}: own clock ${time(properTime)}, world ${time(worldTime)}, greatest γ ${digits(gamma)}, from ${place(from)} to ${place(to)} m, c = ${String(speedOfLight)} m/s${lock === 'free' ? '' : msg`, lock ${lock}`}${worldTimeRuns ? '' : msg`, world time paused`}`,
       ),
     ]),
   );
