@@ -15,6 +15,8 @@ const EXAMPLES = [
 
 const OUTPUT = '-o, --output <file>';
 const FILE = 'NAME.flight.json';
+const READ = () => localized(msg`file of a flight, ${FILE}`);
+const WRITTEN = () => localized(msg`file to write, ${FILE}`);
 
 /** `slowlight flight trip|inspect|cut|splice` */
 export function flightCommand(): Command {
@@ -39,7 +41,7 @@ export function flightCommand(): Command {
       parseWithin({ above: 0, max: 1 - 2 ** -53 }),
     )
     .option('--return', localized(msg`and back again`))
-    .requiredOption(OUTPUT, FILE)
+    .requiredOption(OUTPUT, WRITTEN())
     .option('--json', localized(msg`print a report as JSON`))
     .action(async (flags: TripFlags) => (await import('./flightAction.ts')).trip(flags));
   command
@@ -47,7 +49,7 @@ export function flightCommand(): Command {
     .description(
       localized(msg`Says how long a flight lasts on both clocks, how fast it is, and of what legs it is made.`),
     )
-    .argument('<flight>', FILE)
+    .argument('<flight>', READ())
     .option('--json', localized(msg`print a report as JSON`))
     .action(async (path: string, flags: { json?: boolean }) =>
       (await import('./flightAction.ts')).inspectFlight(path, flags),
@@ -55,16 +57,16 @@ export function flightCommand(): Command {
   command
     .command('cut')
     .description(localized(msg`Writes the part of a flight between two of the pilot's times.`))
-    .argument('<flight>', FILE)
+    .argument('<flight>', READ())
     .option('--from <s>', localized(msg`pilot's time from the beginning (default: the beginning)`), parseNotNegative)
     .option('--to <s>', localized(msg`pilot's time from the beginning (default: the end)`), parseNotNegative)
-    .requiredOption(OUTPUT, FILE)
+    .requiredOption(OUTPUT, WRITTEN())
     .action(async (path: string, flags: CutFlags) => (await import('./flightAction.ts')).cut(path, flags));
   command
     .command('splice')
     .description(localized(msg`Writes flights one after the other as one.`))
-    .argument('<flights...>', FILE)
-    .requiredOption(OUTPUT, FILE)
+    .argument('<flights...>', READ())
+    .requiredOption(OUTPUT, WRITTEN())
     .action(async (paths: string[], flags: { output: string }) =>
       (await import('./flightAction.ts')).splice(paths, flags),
     );

@@ -3539,6 +3539,8 @@ const messages: Translation['messages'] = {
   'an example': '示例',
 
   // ———— Flights ————
+  'file of a flight, {}': '飞行文件，{1}',
+  'file to write, {}': '要写的文件，{1}',
   "film a recorded flight, NAME.flight.json: frame n is at n/fps of the pilot's time from its beginning, or of world time (--spacing), --time likewise (default: all of it)":
     '拍摄录下的飞行 NAME.flight.json：第 n 帧位于从起点算起的驾驶者时间（或世界时间，见 --spacing）n/fps，--time 亦然（默认：全部）',
   "world time stands still or goes back in the flight, so that frames cannot follow it; let them follow the pilot's time":
