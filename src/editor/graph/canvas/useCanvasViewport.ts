@@ -1,6 +1,7 @@
 import { useReactFlow, useStoreApi } from '@xyflow/react';
 import { useEffect, useRef } from 'react';
 import type { CanvasPoint } from '../../../graph/edits/commands.ts';
+import { useEditorState } from '../../state/context.tsx';
 import { prefersReducedMotion } from '../../state/preferences.ts';
 import { type CanvasRect, cardSize } from '../cards/cardGeometry.ts';
 import type { CardModel } from '../cards/cardModel.ts';
@@ -114,4 +115,12 @@ export function useCanvasViewport(shown: ShownGraph, panel: React.RefObject<HTML
       canvas.setState({ viewport: undefined, adding: undefined, editing: undefined });
     };
   }, [flow, store, panel]);
+  // Another project is another graph.
+  const origin = useEditorState(({ history }) => history.origin);
+  const fitted = useRef(origin);
+  useEffect(() => {
+    if (fitted.current === origin) return;
+    fitted.current = origin;
+    canvas.getState().viewport?.fit(undefined, 0);
+  }, [origin]);
 }
