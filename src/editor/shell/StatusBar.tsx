@@ -95,7 +95,9 @@ function FlightButton(): ReactNode {
           onClick={() => setOpened(!opened)}
         >
           <IconSteeringWheel size={14} />
-          <Text size="xs">{t(title)}</Text>
+          <Text size="xs" className="sl-status-more">
+            {t(title)}
+          </Text>
         </UnstyledButton>
       </Popover.Target>
       <Popover.Dropdown>
