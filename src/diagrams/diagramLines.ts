@@ -3,7 +3,7 @@ import { msg } from '../messages/message.ts';
 import { properVelocityAt, type WorldLine } from '../physics/worldLines/worldLine.ts';
 import { boundingBox } from '../scene/bounds/bounds.ts';
 import { isAlive } from '../scene/motion/lifetimes.ts';
-import { deforms, vertexWorldLine } from '../scene/motion/motion.ts';
+import { deforms, isStatic, vertexWorldLine } from '../scene/motion/motion.ts';
 import type { Lifetime } from '../scene/motion/motionTypes.ts';
 import type { Scene, SceneObject } from '../scene/types.ts';
 import type { ProbeObserver } from '../scene/views/viewRecord.ts';
@@ -25,14 +25,18 @@ const isChosen = ({ path, pieceOf }: SceneObject, chosen: string): boolean =>
 export const chosenObjects = (scene: Scene, paths: readonly string[]): readonly SceneObject[] =>
   scene.objects.filter((object) => paths.some((path) => isChosen(object, path)));
 
+/** Paths of things, pieces of one thing counted once. */
+export const thingPaths = (objects: readonly SceneObject[]): readonly string[] => [
+  ...new Set(objects.map(({ path, pieceOf }) => pieceOf ?? path)),
+];
+
 /**
  * Paths that a diagram shows unless others are chosen: what moves, else everything; at most `limit` things, pieces of one
  * thing counted once.
  */
 export function suggestedPaths(scene: Scene, limit: number): readonly string[] {
-  const moving = scene.objects.filter(({ motion }) => motion.kind !== 'static');
-  const things = moving.length > 0 ? moving : scene.objects;
-  return [...new Set(things.map(({ path, pieceOf }) => pieceOf ?? path))].slice(0, limit);
+  const moving = scene.objects.filter(({ motion }) => !isStatic(motion));
+  return thingPaths(moving.length > 0 ? moving : scene.objects).slice(0, limit);
 }
 
 /**

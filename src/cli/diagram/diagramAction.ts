@@ -1,13 +1,6 @@
-import {
-  chosenObjects,
-  type DiagramLine,
-  diagramBodies,
-  diagramLine,
-  suggestedPaths,
-} from '../../diagrams/diagramLines.ts';
-import { energyDiagram } from '../../diagrams/energyDiagram.ts';
-import type { Diagram } from '../../diagrams/marks.ts';
-import { spacetimeDiagram } from '../../diagrams/spacetimeDiagram.ts';
+import { chosenObjects, type DiagramLine, diagramLine, suggestedPaths } from '../../diagrams/diagramLines.ts';
+import { sceneDiagram } from '../../diagrams/sceneDiagram.ts';
+import type { SpacetimeDiagramSpec } from '../../diagrams/spacetimeDiagram.ts';
 import { diagramSvg } from '../../diagrams/svg.ts';
 import { cross, length } from '../../math/vec3.ts';
 import { listed, msg } from '../../messages/message.ts';
@@ -19,7 +12,7 @@ import { writeFileAtomically } from '../files/outputFile.ts';
 import { observerPath } from '../flags/observerPath.ts';
 import { openSceneWithFlags } from '../flags/openScene.ts';
 import { speedOfLight } from '../flags/viewFlags.ts';
-import { isProject, openProjectPicture } from '../project/project.ts';
+import { isProject, openProjectPicture, refuseSets } from '../project/project.ts';
 import { reportDiagnostics } from '../terminal/diagnostics.ts';
 import { usageError } from '../terminal/exitCodes.ts';
 import { localized } from '../terminal/language.ts';
@@ -36,7 +29,7 @@ export async function diagram(path: string, given: DiagramFlags, names: Readonly
   reportDiagnostics([...scene.diagnostics, ...validate(scene, c)]);
   const t = flags.time ?? scene.hints.openAt ?? scene.startTime;
   const observer = observerPath(scene, flags, c, t)(t);
-  const drawn = draw(scene, diagramLines(scene, flags, c), observer, flags);
+  const drawn = sceneDiagram(flags.of, specOf(flags, diagramLines(scene, flags, c), observer, c));
   writeFileAtomically(flags.output, new TextEncoder().encode(diagramSvg(drawn, flags.theme, localized)));
   console.log(flags.output);
 }
@@ -57,8 +50,7 @@ async function openDiagramScene(
   given: ReadonlySet<string>,
 ): Promise<{ readonly scene: Scene; readonly flags: DiagramFlags }> {
   if (!(await isProject(path))) {
-    if (flags.set)
-      throw usageError(msg`--set is for projects, .slowlight.json; of a scene file there are no nodes to set`);
+    refuseSets(flags.set);
     return { scene: await openSceneWithFlags(path, flags), flags };
   }
   const progress = new Progress();
@@ -81,11 +73,13 @@ function diagramLines(scene: Scene, { prim }: DiagramFlags, c: number): readonly
   return objects.map((object) => diagramLine(object, c));
 }
 
-function draw(scene: Scene, lines: readonly DiagramLine[], observer: ProbeObserver, flags: DiagramFlags): Diagram {
-  const { axis, secondAxis, span, frame, size } = flags;
-  const c = speedOfLight(scene, flags.c);
-  if (flags.of === 'energy') return energyDiagram({ bodies: diagramBodies(lines, observer, c), ...size });
-  return spacetimeDiagram({
+function specOf(
+  { axis, secondAxis, span, frame, size }: DiagramFlags,
+  lines: readonly DiagramLine[],
+  observer: ProbeObserver,
+  c: number,
+): SpacetimeDiagramSpec {
+  return {
     observer,
     speedOfLight: c,
     lines,
@@ -94,5 +88,5 @@ function draw(scene: Scene, lines: readonly DiagramLine[], observer: ProbeObserv
     ...(secondAxis && { secondAxis }),
     ...(span !== undefined && { span }),
     ...size,
-  });
+  };
 }

@@ -1,13 +1,14 @@
 import { Command, Option } from 'commander';
+import { DIAGRAM_KINDS } from '../../diagrams/sceneDiagram.ts';
 import { DIAGRAM_FRAMES } from '../../diagrams/spacetimeDiagram.ts';
 import { msg } from '../../messages/message.ts';
 import { explicitFlags } from '../flags/explicitFlags.ts';
-import { parseNumber, parsePositive, parseVec3, sizeOption } from '../flags/parse.ts';
+import { addText, parsePositive, parseVec3, sizeOption } from '../flags/parse.ts';
 import { addSceneFlags, SCENE_ARGUMENT } from '../flags/sceneFlags.ts';
-import { addStandpointFlags, speedOfLightOption } from '../flags/viewFlags.ts';
+import { addStandpointFlags, observerTimeOption, speedOfLightOption } from '../flags/viewFlags.ts';
 import { examples } from '../terminal/help.ts';
 import { localized } from '../terminal/language.ts';
-import { DIAGRAM_KINDS, type DiagramFlags } from './diagramFlags.ts';
+import type { DiagramFlags } from './diagramFlags.ts';
 
 const EXAMPLES = [
   'slowlight diagram street.usdc -o street.svg --time 5 --beta 0,0,-0.6',
@@ -15,8 +16,6 @@ const EXAMPLES = [
   'slowlight diagram dice.usdc -o cone.svg --second-axis 1,0,0',
   'slowlight diagram boxes.usdc -o energy.svg --of energy',
 ];
-
-const repeated = (text: string, before: readonly string[] = []): readonly string[] => [...before, text];
 
 export function diagramCommand(): Command {
   const command = new Command('diagram')
@@ -33,13 +32,9 @@ export function diagramCommand(): Command {
       localized(
         msg`an object whose world line is drawn, with those below it; repeatable (default: what moves, else everything; the first 12 things)`,
       ),
-      repeated,
+      addText,
     )
-    .option(
-      '--time <s>',
-      localized(msg`world time of the observer's event [s] (default: suggested by the scene, else its start)`),
-      parseNumber,
-    )
+    .addOption(observerTimeOption())
     .addOption(
       new Option('--frame <frame>', localized(msg`the frame that is drawn: the world’s, or the observer’s rest frame`))
         .choices(DIAGRAM_FRAMES)
@@ -73,7 +68,7 @@ export function diagramCommand(): Command {
     .option(
       '--set <node.param=value>',
       localized(msg`for a project: set a parameter of a node; repeatable; vectors as x,y,z`),
-      repeated,
+      addText,
     )
     .addHelpText('after', examples(EXAMPLES))
     .action(async (scene: string, flags: DiagramFlags) =>

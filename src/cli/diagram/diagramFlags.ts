@@ -1,16 +1,14 @@
 import type { ColorScheme } from '../../diagrams/lineStyle.ts';
+import type { DiagramKind } from '../../diagrams/sceneDiagram.ts';
 import type { DiagramFrame } from '../../diagrams/spacetimeDiagram.ts';
 import type { Vec3 } from '../../math/vec3.ts';
 import type { PictureSize } from '../../scene/view/pictureViews.ts';
 import type { SceneFlags } from '../flags/sceneFlags.ts';
 import type { StandpointFlags } from '../flags/viewFlags.ts';
 
-/** What a diagram is of. */
-export const DIAGRAM_KINDS = ['spacetime', 'energy'] as const;
-
 export interface DiagramFlags extends SceneFlags, StandpointFlags {
   readonly output: string;
-  readonly of: (typeof DIAGRAM_KINDS)[number];
+  readonly of: DiagramKind;
   readonly prim?: readonly string[];
   readonly time?: number;
   readonly frame: DiagramFrame;

@@ -1,10 +1,9 @@
 import { readFileSync } from 'node:fs';
 import type { FlightRecording } from '../../flight/recording/recording.ts';
-import { DocumentError } from '../../graph/document/document.ts';
 import { msg } from '../../messages/message.ts';
 import { messageOf } from '../../messages/messageError.ts';
 import { FLIGHT_EXTENSION, parseFlight, serializeFlight } from '../../nodes/flights/flightFile.ts';
-import { inputProblem, usageError } from '../terminal/exitCodes.ts';
+import { inputProblem, orRefuse, usageError } from '../terminal/exitCodes.ts';
 import { writeFileAtomically } from './outputFile.ts';
 
 /** Reads a file of a flight that a user names. */
@@ -15,12 +14,10 @@ export function readFlightFile(path: string): FlightRecording {
   } catch (error) {
     throw inputProblem(msg`${path}: ${messageOf(error)}`);
   }
-  try {
-    return parseFlight(text);
-  } catch (error) {
-    if (error instanceof DocumentError) throw inputProblem(msg`${path}: ${error.text}`);
-    throw error;
-  }
+  return orRefuse(
+    () => parseFlight(text),
+    (problem) => inputProblem(msg`${path}: ${problem}`),
+  );
 }
 
 export function writeFlightFile(path: string, recording: FlightRecording): void {

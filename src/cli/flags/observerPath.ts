@@ -1,10 +1,9 @@
 import { radians } from '../../math/angle.ts';
 import { addScaled, length, type Vec3 } from '../../math/vec3.ts';
 import { listed, msg } from '../../messages/message.ts';
-import { isStatic } from '../../scene/motion/motion.ts';
 import type { Scene, SceneCamera } from '../../scene/types.ts';
 import { framingCamera, lookAtOrientation, observerFromCamera } from '../../scene/view/camera.ts';
-import { type ObserverPath, type ObserverSetup, observerPathFrom } from '../../scene/view/observerPath.ts';
+import { type ObserverPath, type ObserverSetup, observerPathFrom, ridesCamera } from '../../scene/view/observerPath.ts';
 import type { ViewPoint } from '../../scene/view/view.ts';
 import { usageError } from '../terminal/exitCodes.ts';
 import type { ObserverFlags } from './viewFlags.ts';
@@ -25,8 +24,8 @@ export function observerSetup(
   const camera = chooseCamera(scene, flags.camera);
   const { position, lookAt, fov } = flags;
   const up: Vec3 = scene.upAxis === 'Z' ? [0, 0, 1] : [0, 1, 0];
-  const moves = !isStatic(camera.motion) && position === undefined;
-  const beta = flags.beta ?? (moves ? undefined : scene.hints.beta);
+  const rides = ridesCamera({ camera, ...(position && { position }) });
+  const beta = flags.beta ?? (rides ? undefined : scene.hints.beta);
   return {
     camera,
     hold,

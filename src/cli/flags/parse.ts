@@ -55,6 +55,9 @@ export function parseVec3(text: string): Vec3 {
   return [x, y, z];
 }
 
+/** Adds a text to those of the previous uses of a repeatable flag. */
+export const addText = (text: string, before: readonly string[] = []): readonly string[] => [...before, text];
+
 /** A velocity in units of c. */
 export function parseBeta(text: string): Vec3 {
   const beta = parseVec3(text);

@@ -53,6 +53,12 @@ export const addObserverFlags = (command: Command): Command =>
     .option('--fov <degrees>', localized(msg`vertical field of view in the observer's frame`), parseFov)
     .addOption(speedOfLightOption());
 
+export const observerTimeOption = (): Option =>
+  new Option(
+    '--time <s>',
+    localized(msg`world time of the observer's event [s] (default: suggested by the scene, else its start)`),
+  ).argParser(parseNumber);
+
 export const speedOfLightOption = (): Option =>
   new Option(
     '--c <m/s>',

@@ -1,8 +1,7 @@
 import { type FlightArc, flyArc, flyArcs } from '../../flight/arc.ts';
 import { MAX_RAPIDITY } from '../../flight/controls.ts';
-import { flightOf, observerOf } from '../../flight/flightState.ts';
+import { type FlightState, flightOf, observerOf } from '../../flight/flightState.ts';
 import { cutFlight, spliceFlights } from '../../flight/recording/edit.ts';
-import { FlightPlayback } from '../../flight/recording/playback.ts';
 import {
   type FlightLeg,
   type FlightRecording,
@@ -70,8 +69,7 @@ function summarize(recording: FlightRecording) {
 
 function summarizeLeg(leg: FlightLeg) {
   const { conditions, start, arcs } = leg;
-  const end = new FlightPlayback({ legs: [leg] }).stateAt(legDuration(leg));
-  const fastest = greatestRapidity(leg);
+  const { end, fastest } = flown(leg);
   const [first, last] = [observerOf(start), observerOf(end)];
   return {
     speedOfLight: conditions.c,
@@ -88,14 +86,14 @@ function summarizeLeg(leg: FlightLeg) {
   };
 }
 
-/** The greatest rapidity at the beginning or after an arc: between them it may dip, but not rise above both. */
-function greatestRapidity({ conditions, start, arcs }: FlightLeg): number {
-  let [state, greatest] = [start, start.velocity.rapidity];
+/** Where a leg ends, and the greatest rapidity at its beginning or after an arc: between them it may dip, but not rise above both. */
+function flown({ conditions, start, arcs }: FlightLeg): { readonly end: FlightState; readonly fastest: number } {
+  let [end, fastest] = [start, start.velocity.rapidity];
   for (const arc of arcs) {
-    state = flyArc(state, arc, conditions);
-    greatest = Math.max(greatest, state.velocity.rapidity);
+    end = flyArc(end, arc, conditions);
+    fastest = Math.max(fastest, end.velocity.rapidity);
   }
-  return greatest;
+  return { end, fastest };
 }
 
 const describe = ({ pilotTime, legs }: FlightSummary): string =>

@@ -1,8 +1,8 @@
 import { Command } from 'commander';
 import { msg } from '../../messages/message.ts';
-import { parseNumber, parsePixel, sizeOption } from '../flags/parse.ts';
+import { parsePixel, sizeOption } from '../flags/parse.ts';
 import { addSceneFlags, SCENE_ARGUMENT } from '../flags/sceneFlags.ts';
-import { addObserverFlags, settingOption } from '../flags/viewFlags.ts';
+import { addObserverFlags, observerTimeOption, settingOption } from '../flags/viewFlags.ts';
 import { examples } from '../terminal/help.ts';
 import { localized } from '../terminal/language.ts';
 import { PROBE_SETTINGS, type ProbeFlags } from './probeFlags.ts';
@@ -29,11 +29,7 @@ export function probeCommand(): Command {
       parsePixel,
     )
     .addOption(sizeOption(msg`size of the picture that contains the pixel`))
-    .option(
-      '--time <s>',
-      localized(msg`world time of the observer's event [s] (default: suggested by the scene, else its start)`),
-      parseNumber,
-    );
+    .addOption(observerTimeOption());
   addSceneFlags(addObserverFlags(command));
   for (const name of PROBE_SETTINGS) command.addOption(settingOption(name));
   return command

@@ -193,6 +193,11 @@ export async function openProjectJob<Flags extends RenderFlags>(
   return renderJobOf(picture, flags, given, flags.frames !== undefined);
 }
 
+/** Throws if parameters of nodes are set for a scene file. */
+export function refuseSets(sets: readonly string[] | undefined): void {
+  if (sets) throw usageError(msg`--set is for projects, .slowlight.json; of a scene file there are no nodes to set`);
+}
+
 /** A project's picture, with parameters that are set by `node.param=value`. */
 export async function openProjectPicture(
   path: string,

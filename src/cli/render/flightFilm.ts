@@ -1,12 +1,9 @@
-import type { FilmClock } from '../../flight/recording/filmClock.ts';
 import { FlightPlayback } from '../../flight/recording/playback.ts';
-import type { FrameSpacing } from '../../flight/spacing.ts';
 import { msg } from '../../messages/message.ts';
-import { messageOf } from '../../messages/messageError.ts';
 import { filmClockOf, flightSpeedOfLight } from '../../nodes/flights/flightPath.ts';
 import type { FrameTime } from '../../nodes/project/outputFiles.ts';
 import { readFlightFile } from '../files/flightFiles.ts';
-import { inputProblem, usageError } from '../terminal/exitCodes.ts';
+import { inputProblem, orRefuse, usageError } from '../terminal/exitCodes.ts';
 import type { RenderFlags } from './renderFlags.ts';
 
 /** A recorded flight, to be filmed. */
@@ -27,12 +24,10 @@ export function filmedFlight(path: string, flags: RenderFlags, given: ReadonlySe
     throw usageError(msg`--${flag} says where the observer is, and so does --flight: leave one of them out`);
   }
   const recording = readFlightFile(path);
-  let speedOfLight: number;
-  try {
-    speedOfLight = flightSpeedOfLight(recording);
-  } catch (error) {
-    throw inputProblem(msg`${path}: ${messageOf(error)}`);
-  }
+  const speedOfLight = orRefuse(
+    () => flightSpeedOfLight(recording),
+    (problem) => inputProblem(msg`${path}: ${problem}`),
+  );
   if (flags.c !== undefined && flags.c !== speedOfLight)
     throw usageError(msg`--c ${flags.c}: ${path} was flown at ${speedOfLight} m/s; leave --c out, or fly it again`);
   return { playback: new FlightPlayback(recording), speedOfLight };
@@ -44,7 +39,10 @@ export function flightFrames(
   { time, frames, output, spacing = 'proper' }: RenderFlags,
   fps: number,
 ): FrameTime[] {
-  const clock = clockOf(playback, spacing);
+  const clock = orRefuse(
+    () => filmClockOf(playback, spacing),
+    (problem) => usageError(msg`${`--spacing ${spacing}`}: ${problem}`),
+  );
   const { duration } = clock;
   const inside = (t: number, flag: string): number => {
     if (t >= 0 && t <= duration * (1 + 1e-12)) return clock.pilotTime(Math.min(t, duration));
@@ -56,12 +54,4 @@ export function flightFrames(
     number: first + i,
     t: inside((first + i) / fps, `--frames ${first}:${last}`),
   }));
-}
-
-function clockOf(playback: FlightPlayback, spacing: FrameSpacing): FilmClock {
-  try {
-    return filmClockOf(playback, spacing);
-  } catch (error) {
-    throw usageError(msg`--spacing ${spacing}: ${messageOf(error)}`);
-  }
 }

@@ -5,7 +5,7 @@ import { gamma, velocity } from '../../physics/lorentz/boost.ts';
 import type { Scene } from '../../scene/types.ts';
 import { openSceneWithFlags } from '../flags/openScene.ts';
 import { checkPipeline } from '../flags/pipelineFlags.ts';
-import { isProject, openProjectJob, type RenderJob } from '../project/project.ts';
+import { isProject, openProjectJob, type RenderJob, refuseSets } from '../project/project.ts';
 import { usageError } from '../terminal/exitCodes.ts';
 import { toJson } from '../terminal/json.ts';
 import { localized } from '../terminal/language.ts';
@@ -39,8 +39,7 @@ async function openJob(
   progress: Progress,
 ): Promise<RenderJob<RenderFlags>> {
   if (await isProject(path)) return openProjectJob(path, flags, given, progress.node);
-  if (flags.set)
-    throw usageError(msg`--set is for projects, .slowlight.json; of a scene file there are no nodes to set`);
+  refuseSets(flags.set);
   return { scene: await openSceneWithFlags(path, flags), others: [], flags };
 }
 

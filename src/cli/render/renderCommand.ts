@@ -6,9 +6,9 @@ import { AOVS } from '../../scene/view/view.ts';
 import { FALSE_COLOR_QUANTITIES } from '../../spectrum/falseColor/falseColor.ts';
 import { explicitFlags } from '../flags/explicitFlags.ts';
 import {
+  addText,
   parseAovs,
   parseFrames,
-  parseNumber,
   parsePositive,
   parseRange,
   parseSamples,
@@ -16,7 +16,7 @@ import {
 } from '../flags/parse.ts';
 import { addPipelineFlags } from '../flags/pipelineFlags.ts';
 import { addSceneFlags, SCENE_ARGUMENT } from '../flags/sceneFlags.ts';
-import { addObserverFlags, addSettingFlags } from '../flags/viewFlags.ts';
+import { addObserverFlags, addSettingFlags, observerTimeOption } from '../flags/viewFlags.ts';
 import { usageError } from '../terminal/exitCodes.ts';
 import { examples } from '../terminal/help.ts';
 import { localized } from '../terminal/language.ts';
@@ -60,11 +60,7 @@ export function renderCommand(): Command {
       localized(msg`for a project, without -o: folder that its files are written to (default: the current one)`),
     )
     .addOption(sizeOption(msg`picture size in pixels`))
-    .option(
-      '--time <s>',
-      localized(msg`world time of the observer's event [s] (default: suggested by the scene, else its start)`),
-      parseNumber,
-    )
+    .addOption(observerTimeOption())
     .option('--frames <A:B>', localized(msg`first and last frame; frame n is at world time n/fps`), parseFrames)
     .option(
       '--fps <n>',
@@ -119,7 +115,7 @@ export function renderCommand(): Command {
       .option(
         '--set <node.param=value>',
         localized(msg`for a project: set a parameter of a node; repeatable; vectors as x,y,z`),
-        (text: string, before: readonly string[] = []) => [...before, text],
+        addText,
       )
       .option('--json', localized(msg`print a report as JSON`))
       .addHelpText('after', examples(EXAMPLES))

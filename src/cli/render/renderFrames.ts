@@ -1,6 +1,5 @@
 import { extname } from 'node:path';
 import { msg } from '../../messages/message.ts';
-import { MessageError } from '../../messages/messageError.ts';
 import { flightPath } from '../../nodes/flights/flightPath.ts';
 import { outputSize } from '../../nodes/pictures/falseColor.ts';
 import { spacedFrames } from '../../nodes/pictures/frameSpacing.ts';
@@ -10,7 +9,7 @@ import type { PictureRenderer } from '../../pipelines/pictureRenderer.ts';
 import type { PipelineSession } from '../../pipelines/pipeline.ts';
 import { pipelineNamed } from '../../pipelines/registry.ts';
 import { validate } from '../../scene/validation/validate.ts';
-import { type ObserverSetup, observerPathFrom } from '../../scene/view/observerPath.ts';
+import { observerPathFrom } from '../../scene/view/observerPath.ts';
 import type { PictureViews } from '../../scene/view/pictureViews.ts';
 import type { AovName, ViewPoint } from '../../scene/view/view.ts';
 import type { FalseColorScale } from '../../spectrum/falseColor/falseColor.ts';
@@ -21,7 +20,7 @@ import { renderSettings, speedOfLight } from '../flags/viewFlags.ts';
 import { openFlaggedSession } from '../pipelines/openSession.ts';
 import type { RenderJob } from '../project/project.ts';
 import { reportDiagnostics, reportOmissions } from '../terminal/diagnostics.ts';
-import { usageError } from '../terminal/exitCodes.ts';
+import { orRefuse, usageError } from '../terminal/exitCodes.ts';
 import type { Progress } from '../terminal/progress.ts';
 import type { FilmedFlight } from './flightFilm.ts';
 import { type FrameSink, openFrameSink } from './frameSinks.ts';
@@ -56,7 +55,8 @@ export async function renderFrames(
   reportOmissions(scene.diagnostics);
   const { size, metering, falseColour, falseRange, legend } = flags;
   const setup = observerSetup(scene, flags, c, instants[0]!.t, flags.hold);
-  const frames = flight ? instants : framesOf(instants, flags, setup, c);
+  const spaced = () => spacedFrames(instants, flags.spacing ?? 'world', setup, c);
+  const frames = flight ? instants : orRefuse(spaced, usageError);
   const standing = observerPathFrom(setup, c, frames[0]!.t);
   const observer = flight ? flightPath(flight.playback, standing(scene.startTime).lens) : standing;
   const settings = { ...renderSettings(flags, c), ...(frameGraph && { frameGraph }) };
@@ -78,19 +78,6 @@ export async function renderFrames(
   } finally {
     progress.clear();
     sink.discard();
-  }
-}
-
-function framesOf(
-  instants: readonly FrameTime[],
-  { spacing = 'world' }: RenderFlags,
-  setup: ObserverSetup,
-  c: number,
-): readonly FrameTime[] {
-  try {
-    return spacedFrames(instants, spacing, setup, c);
-  } catch (error) {
-    throw error instanceof MessageError ? usageError(error.text) : error;
   }
 }
 

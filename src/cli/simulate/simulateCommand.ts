@@ -1,5 +1,6 @@
 import { Command } from 'commander';
 import { msg } from '../../messages/message.ts';
+import { addText } from '../flags/parse.ts';
 import { examples } from '../terminal/help.ts';
 import { localized } from '../terminal/language.ts';
 import type { SimulateFlags } from './simulateFlags.ts';
@@ -23,7 +24,7 @@ export const simulateCommand = (): Command =>
     .option(
       '--set <node.param=value>',
       localized(msg`set a parameter of a node; repeatable; vectors as x,y,z`),
-      (text: string, before: readonly string[] = []) => [...before, text],
+      addText,
     )
     .option('--json', localized(msg`print the result as JSON`))
     .addHelpText('after', examples(EXAMPLES))

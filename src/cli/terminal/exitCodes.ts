@@ -37,4 +37,13 @@ export class CliError extends MessageError {
 
 export const usageError = (text: Message): CliError => new CliError(EXIT.usage, text);
 export const inputProblem = (text: Message): CliError => new CliError(EXIT.input, text);
+/** What is made; what users are told of it by others is told as `refusal` does. Faults of our own stay what they are. */
+export function orRefuse<T>(make: () => T, refusal: (text: Message) => CliError): T {
+  try {
+    return make();
+  } catch (error) {
+    throw error instanceof MessageError ? refusal(error.text) : error;
+  }
+}
+
 export const unavailable = (text: Message): CliError => new CliError(EXIT.unavailable, text);

@@ -11,7 +11,8 @@ import {
   useComputedColorScheme,
 } from '@mantine/core';
 import { type ReactNode, useMemo, useRef, useState } from 'react';
-import { chosenObjects, diagramLine, suggestedPaths } from '../../diagrams/diagramLines.ts';
+import { chosenObjects, diagramLine, suggestedPaths, thingPaths } from '../../diagrams/diagramLines.ts';
+import type { DiagramKind } from '../../diagrams/sceneDiagram.ts';
 import type { DiagramFrame } from '../../diagrams/spacetimeDiagram.ts';
 import { diagramSvg } from '../../diagrams/svg.ts';
 import { msg } from '../../messages/message.ts';
@@ -21,7 +22,7 @@ import { useServices } from '../services.tsx';
 import { download } from '../shell/download.ts';
 import { useEditor, useEditorState, useTelemetry } from '../state/context.tsx';
 import { DiagramView, type DrawDiagram } from './DiagramView.tsx';
-import { type DiagramKind, diagramDrawer } from './diagramDrawer.ts';
+import { diagramDrawer } from './diagramDrawer.ts';
 import { alongAxis, betaAlong, keptAxis, MAX_BETA } from './observerMoves.ts';
 import { pngFile, svgFile } from './saveDiagram.ts';
 
@@ -42,10 +43,7 @@ export default function DiagramPanel(): ReactNode {
   const [chosen, setChosen] = useState<readonly string[]>();
   const scene = picture?.scene;
   const c = picture?.speedOfLight ?? 1;
-  const things = useMemo(
-    () => [...new Set((scene?.objects ?? []).map(({ path, pieceOf }) => pieceOf ?? path))],
-    [scene],
-  );
+  const things = useMemo(() => thingPaths(scene?.objects ?? []), [scene]);
   const paths = useMemo(
     () => chosen?.filter((path) => things.includes(path)) ?? (scene ? suggestedPaths(scene, SUGGESTED) : []),
     [chosen, things, scene],

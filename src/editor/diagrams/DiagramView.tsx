@@ -47,7 +47,7 @@ export function DiagramView({ draw, movable }: ViewProps): ReactNode {
   const move = (diagram: SpacetimeDiagram, observer: ObserverState, from: PixelPoint, to: PixelPoint) => {
     const [a, b] = [diagram.eventAtPixel(from), diagram.eventAtPixel(to)];
     // The picture follows the pointer: the observer goes the other way.
-    observerController.place(movedBy(movedBy(observerAt(observer), b, -1, c), a, 1, c));
+    observerController.place(movedBy(movedBy(observer, b, -1, c), a, 1, c));
   };
   const onPointerDown = (event: PointerEvent<HTMLDivElement>) => {
     const diagram = spacetime();
@@ -117,8 +117,6 @@ export function DiagramView({ draw, movable }: ViewProps): ReactNode {
     </>
   );
 }
-
-const observerAt = ({ t, position }: ObserverState): Pick<ObserverState, 't' | 'position'> => ({ t, position });
 
 /** To the right and up, in steps. */
 const STEPS: Readonly<Record<string, PixelPoint>> = {

@@ -1,12 +1,9 @@
-import { type DiagramLine, diagramBodies } from '../../diagrams/diagramLines.ts';
-import { energyDiagram } from '../../diagrams/energyDiagram.ts';
-import type { Diagram } from '../../diagrams/marks.ts';
-import { type DiagramFrame, type SpacetimeDiagram, spacetimeDiagram } from '../../diagrams/spacetimeDiagram.ts';
+import type { DiagramLine } from '../../diagrams/diagramLines.ts';
+import { type DiagramKind, sceneDiagram } from '../../diagrams/sceneDiagram.ts';
+import type { DiagramFrame } from '../../diagrams/spacetimeDiagram.ts';
 import { cross, type Vec3 } from '../../math/vec3.ts';
 import type { DrawDiagram } from './DiagramView.tsx';
 import { keptAxis } from './observerMoves.ts';
-
-export type DiagramKind = 'spacetime' | 'energy';
 
 export interface DrawerOptions {
   readonly kind: DiagramKind;
@@ -21,10 +18,9 @@ export interface DrawerOptions {
 /** Draws the chosen diagram for an observer. The sense of its axis stays while he moves along it. */
 export function diagramDrawer({ kind, frame, plane, lines, speedOfLight }: DrawerOptions): DrawDiagram {
   let axis: Vec3 | undefined;
-  return (observer, size, span): Diagram | SpacetimeDiagram => {
-    if (kind === 'energy') return energyDiagram({ bodies: diagramBodies(lines, observer, speedOfLight), ...size });
+  return (observer, size, span) => {
     axis = keptAxis(axis, observer.u);
-    const drawn = spacetimeDiagram({
+    return sceneDiagram(kind, {
       observer,
       speedOfLight,
       lines,
@@ -34,7 +30,6 @@ export function diagramDrawer({ kind, frame, plane, lines, speedOfLight }: Drawe
       ...(span !== undefined && { span }),
       ...size,
     });
-    return drawn;
   };
 }
 

@@ -1,4 +1,4 @@
-import { addScaled, dot, length, negate, type Vec3 } from '../../math/vec3.ts';
+import { addScaled, dot, length, negate, scale, type Vec3 } from '../../math/vec3.ts';
 import { properVelocity, velocity } from '../../physics/lorentz/boost.ts';
 import type { ObserverState } from '../../physics/lorentz/observer.ts';
 
@@ -24,7 +24,7 @@ export const movedBy = (
 
 /** γβ of a velocity along an axis, β within ± `MAX_BETA`. */
 export const alongAxis = (axis: Vec3, beta: number): Vec3 =>
-  properVelocity([0, 1, 2].map((k) => axis[k]! * Math.max(-MAX_BETA, Math.min(MAX_BETA, beta))) as unknown as Vec3);
+  properVelocity(scale(axis, Math.max(-MAX_BETA, Math.min(MAX_BETA, beta))));
 
 /** β of a velocity along an axis. */
 export const betaAlong = (axis: Vec3, u: Vec3): number => dot(velocity(u), axis);
@@ -36,7 +36,7 @@ export const betaAlong = (axis: Vec3, u: Vec3): number => dot(velocity(u), axis)
 export function keptAxis(before: Vec3 | undefined, u: Vec3): Vec3 | undefined {
   const speed = length(u);
   if (speed === 0) return before;
-  const direction: Vec3 = [u[0] / speed, u[1] / speed, u[2] / speed];
+  const direction = scale(u, 1 / speed);
   const cosine = before ? dot(before, direction) : 0;
   if (Math.abs(cosine) > 1 - 1e-9) return before;
   return before && cosine < 0 ? negate(direction) : direction;

@@ -1,5 +1,4 @@
-import { msg } from '../../messages/message.ts';
-import { MessageError } from '../../messages/messageError.ts';
+import { canvasPng } from '../shell/canvasPng.ts';
 
 /** Pixels of a saved PNG for each of the diagram's. */
 const DENSITY = 2;
@@ -17,12 +16,7 @@ export async function pngFile(svg: string, { width, height }: { width: number; h
     canvas.width = DENSITY * width;
     canvas.height = DENSITY * height;
     canvas.getContext('2d')!.drawImage(image, 0, 0, canvas.width, canvas.height);
-    return await new Promise((resolve, reject) => {
-      canvas.toBlob(
-        (blob) => (blob ? resolve(blob) : reject(new MessageError(msg`the browser made no PNG`))),
-        'image/png',
-      );
-    });
+    return await canvasPng(canvas);
   } finally {
     URL.revokeObjectURL(address);
   }

@@ -1,3 +1,4 @@
+import { degrees } from '../../math/angle.ts';
 import { length } from '../../math/vec3.ts';
 import { type Message, msg, type Translate } from '../../messages/message.ts';
 import type { Inspection } from '../../scene/inspection/inspectEvent.ts';
@@ -10,8 +11,7 @@ export interface FigureRow {
   readonly value: string;
 }
 
-const DEGREES = 180 / Math.PI;
-const degrees = (angle: number): string => `${formatNumber(DEGREES * angle)}°`;
+const inDegrees = (angle: number): string => `${formatNumber(degrees(angle))}°`;
 const speed = (beta: number): string => `${formatBeta(beta)} c`;
 /** Apparent speeds have no bound. */
 const apparentSpeed = (beta: number): string => `${formatNumber(beta)} c`;
@@ -38,19 +38,19 @@ export function inspectionRows(found: Inspection, now: number, t: Translate): re
       title: found.apparentRadialSpeed < 0 ? msg`Seems to approach` : msg`Seems to recede`,
       value: apparentSpeed(radial),
     },
-    { title: msg`Looks turned by`, value: degrees(found.rotation) },
+    { title: msg`Looks turned by`, value: inDegrees(found.rotation) },
   ];
 }
 
 /** One sentence for screen readers. */
 export const inspectionSentence = (path: string, found: Inspection, t: Translate): string =>
   t(
-    msg`${path}: ${formatLength(found.distanceThen)} away when its light left, ${speed(length(found.relativeVelocity))} relative to you, D = ${formatNumber(found.doppler)}, looks turned by ${degrees(found.rotation)}`,
+    msg`${path}: ${formatLength(found.distanceThen)} away when its light left, ${speed(length(found.relativeVelocity))} relative to you, D = ${formatNumber(found.doppler)}, looks turned by ${inDegrees(found.rotation)}`,
   );
 
 /** The lengths between two measured points. */
 export const lengthRows = (lengths: MeasuredLengths): readonly FigureRow[] => [
-  { title: msg`Apparent length`, value: `${formatLength(lengths.apparent)} · ${degrees(lengths.angle)}` },
+  { title: msg`Apparent length`, value: `${formatLength(lengths.apparent)} · ${inDegrees(lengths.angle)}` },
   { title: msg`Length at your moment`, value: formatLength(lengths.slice) },
   { title: msg`Rest length`, value: formatLength(lengths.rest) },
 ];

@@ -1,6 +1,5 @@
 import { withPngText } from '../../formats/image/pngText.ts';
 import { msg, type Translate } from '../../messages/message.ts';
-import { MessageError } from '../../messages/messageError.ts';
 import { pictureMetadata } from '../../scene/view/pictureMetadata.ts';
 import { formatBeta } from '../format.ts';
 import { projectName } from '../projects/projectNames.ts';
@@ -10,6 +9,7 @@ import { drawCrosshair, drawLegend, legendStyleOf } from '../viewport/legend/dra
 import { legendStore } from '../viewport/legend/legendState.ts';
 import { legendTexts, pickedPosition, pickedTexts } from '../viewport/legend/legendTexts.ts';
 import type { CapturedPicture } from '../viewport/viewportRenderer.ts';
+import { canvasPng } from './canvasPng.ts';
 import { download } from './download.ts';
 
 /** Saves a displayed picture with the visible legend, under a name with scene, time and speed. */
@@ -39,12 +39,7 @@ async function composePng({ image, settings: { falseColors } }: CapturedPicture,
     if (crosshair) drawCrosshair(context, picture.clientWidth, picture.clientHeight);
     drawLegend(context, legendTexts(falseColors, t), legendStyleOf(element, picture), told || undefined);
   }
-  return new Promise((resolve, reject) => {
-    canvas.toBlob(
-      (blob) => (blob ? resolve(blob) : reject(new MessageError(msg`the browser made no PNG`))),
-      'image/png',
-    );
-  });
+  return canvasPng(canvas);
 }
 
 function pictureName(state: EditorState): string {

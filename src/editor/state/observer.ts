@@ -5,7 +5,6 @@ import { properVelocity } from '../../physics/lorentz/boost.ts';
 import type { ObserverState } from '../../physics/lorentz/observer.ts';
 import type { Scene, SceneCamera } from '../../scene/types.ts';
 import { observerFromCamera } from '../../scene/view/camera.ts';
-import { type Lens, perspective } from '../../scene/view/lens.ts';
 
 export const sceneUpVector = (scene: Scene): Vec3 => (scene.upAxis === 'Y' ? [0, 1, 0] : [0, 0, 1]);
 
@@ -22,6 +21,3 @@ export function observerOnCamera(camera: SceneCamera, state: ObserverState, c: n
   const { position, orientation, u } = observerFromCamera(camera, state.t, c);
   return { ...state, position, orientation, u };
 }
-
-/** The lens of a picture: its own field of view, or its camera's. */
-export const pictureLens = (picture: PictureSpec): Lens => perspective(picture.fovY ?? pictureCamera(picture).fovY);

@@ -1,5 +1,5 @@
 import { rotate } from '../../math/quat.ts';
-import { addScaled, dot, length, normalize, type Vec3 } from '../../math/vec3.ts';
+import { add, addScaled, dot, length, normalize, scale, type Vec3, ZERO } from '../../math/vec3.ts';
 import { msg } from '../../messages/message.ts';
 import { properVelocityOf } from '../boost.ts';
 import type { FlightMode } from './flightMode.ts';
@@ -24,13 +24,8 @@ export const driveMode: FlightMode = {
       return velocityArcs(moment, { direction: normalize(level, velocity.direction), rapidity: kept });
     }
     // Where one looks up or down, ahead is still ahead.
-    const right0 = withoutUp(rotate(state.orientation, [1, 0, 0]), rules.up);
-    const back0 = withoutUp(rotate(state.orientation, [0, 0, 1]), rules.up);
-    const wanted = addScaled(
-      addScaled([0, 0, 0], normalize(right0, [0, 0, 0]), right),
-      normalize(back0, [0, 0, 0]),
-      back,
-    );
+    const level = (axis: Vec3): Vec3 => normalize(withoutUp(rotate(state.orientation, axis), rules.up), ZERO);
+    const wanted = add(scale(level([1, 0, 0]), right), scale(level([0, 0, 1]), back));
     return velocityArcs(moment, wantedVelocity(wanted, velocity.direction, { ...controls, thrust }, rules));
   },
 };

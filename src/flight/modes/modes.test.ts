@@ -1,5 +1,6 @@
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
+import { AT_REST, FLIGHT_RULES, FREELY } from '../../../tests/support/flightFixtures.ts';
 import {
   direction,
   expectClose,
@@ -7,12 +8,12 @@ import {
   properVelocityUpTo,
   uniform,
 } from '../../../tests/support/physicsArbitraries.ts';
-import { fromAxisAngle, IDENTITY, rotate } from '../../math/quat.ts';
+import { fromAxisAngle, rotate } from '../../math/quat.ts';
 import { addScaled, dot, length, normalize, scale, sub, type Vec3 } from '../../math/vec3.ts';
 import { gamma } from '../../physics/lorentz/boost.ts';
-import { accelerate, coast, type ObserverState } from '../../physics/lorentz/observer.ts';
+import { accelerate, coast } from '../../physics/lorentz/observer.ts';
 import { relativeVelocity } from '../../physics/lorentz/velocity.ts';
-import { type FlightConditions, flyArcs } from '../arc.ts';
+import { flyArcs } from '../arc.ts';
 import { boostOf, properVelocityOf } from '../boost.ts';
 import { type FlightControls, type FlightRules, NO_CONTROLS } from '../controls.ts';
 import { type FlightState, flightOf, observerOf } from '../flightState.ts';
@@ -20,18 +21,7 @@ import { arcsOf } from '../step.ts';
 import { NOSE } from '../turning.ts';
 import { FLIGHT_MODES, type FlightModeName } from './modes.ts';
 
-const rest: ObserverState = { t: 0, position: [0, 0, 0], u: [0, 0, 0], orientation: IDENTITY, properTime: 0 };
-const rules: FlightRules = {
-  c: 10,
-  maxSpeed: 0.99,
-  cruise: false,
-  up: [0, 1, 0],
-  along: 5,
-  across: 2,
-  level: false,
-  attitude: 'hand',
-};
-const freely: FlightConditions = { c: rules.c, lock: 'free', playing: true };
+const [rest, rules] = [AT_REST, FLIGHT_RULES];
 
 function fly(
   mode: FlightModeName,
@@ -45,7 +35,7 @@ function fly(
   const dt = seconds / steps;
   for (let i = 0; i < steps; i++) {
     const moment = { state, controls: { ...NO_CONTROLS, ...controls }, dt, rules: { ...rules, ...by } };
-    state = flyArcs(state, arcsOf(FLIGHT_MODES[mode], moment), freely);
+    state = flyArcs(state, arcsOf(FLIGHT_MODES[mode], moment), FREELY);
   }
   return state;
 }
@@ -74,7 +64,7 @@ describe('every mode', () => {
             expect(dTau).toBeGreaterThanOrEqual(0);
             if (push) expectClose(length(push.direction), 1, 1e-14);
           }
-          const { rapidity } = flyArcs(state, arcs, freely).velocity;
+          const { rapidity } = flyArcs(state, arcs, FREELY).velocity;
           expect(rapidity).toBeLessThanOrEqual(Math.max(Math.atanh(rules.maxSpeed), state.velocity.rapidity) + 1e-12);
         },
       ),

@@ -8,10 +8,15 @@ const LEVEL_RATE = 1.5;
 /** How fast a nose turns to where it belongs [1/s]: the angle falls as e^(−rate·τ). */
 const NOSE_RATE = 3;
 
+/** Rolls out where the horizon is kept. */
+const rollsOut = ({ dt, rules }: FlightMoment, orientation: Quat): Quat =>
+  rules.level ? levelled(orientation, rules.up, LEVEL_RATE * dt) : orientation;
+
 /** As a walker looks around: yaw about the scene's up, no roll. */
-export function turnsLevel({ state, controls, dt, rules }: FlightMoment): Quat {
+export function turnsLevel(moment: FlightMoment): Quat {
+  const { state, controls, rules } = moment;
   const turned = length(controls.turn) > 0 ? turnLevel(state.orientation, controls.turn, rules.up) : state.orientation;
-  return rules.level ? levelled(turned, rules.up, LEVEL_RATE * dt) : turned;
+  return rollsOut(moment, turned);
 }
 
 /** About the ship's own axes, unless the horizon is kept. */
@@ -20,8 +25,7 @@ export const turnsFreely = (moment: FlightMoment): Quat =>
 
 /** By hand, and then the nose turns to a direction. */
 function turnsTowards(moment: FlightMoment, direction: Vec3): Quat {
-  const nosed = noseTowards(turnsFreely(moment), direction, -Math.expm1(-NOSE_RATE * moment.dt));
-  return moment.rules.level ? levelled(nosed, moment.rules.up, LEVEL_RATE * moment.dt) : nosed;
+  return rollsOut(moment, noseTowards(turnsFreely(moment), direction, -Math.expm1(-NOSE_RATE * moment.dt)));
 }
 
 /** The nose turns into the motion; while one flies backwards, the tail does. */

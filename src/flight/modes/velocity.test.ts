@@ -1,5 +1,6 @@
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
+import { AT_REST, FLIGHT_RULES } from '../../../tests/support/flightFixtures.ts';
 import { IDENTITY } from '../../math/quat.ts';
 import { length, sub } from '../../math/vec3.ts';
 import { gamma, velocity } from '../../physics/lorentz/boost.ts';
@@ -10,19 +11,9 @@ import { flightOf, observerOf } from '../flightState.ts';
 import { arcsOf } from '../step.ts';
 import { velocityMode, walkingSpeed } from './velocity.ts';
 
-const rest: ObserverState = { t: 0, position: [0, 0, 0], u: [0, 0, 0], orientation: IDENTITY, properTime: 0 };
-const resting: FlightRules = {
-  c: 30,
-  maxSpeed: 0.9,
-  cruise: false,
-  up: [0, 1, 0],
-  along: 15,
-  across: 15,
-  level: false,
-  attitude: 'hand',
-};
+const rest = AT_REST;
 type Rules = FlightRules & FlightConditions;
-const rules: Rules = { ...resting, lock: 'free', playing: true };
+const rules: Rules = { ...FLIGHT_RULES, c: 30, maxSpeed: 0.9, lock: 'free', playing: true };
 const forward: FlightControls = { ...NO_CONTROLS, thrust: [0, 0, -1] };
 const sprint: FlightControls = { ...forward, fullSpeed: true };
 

@@ -1,9 +1,10 @@
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
+import { AT_REST, FLIGHT_RULES, FREELY } from '../../../tests/support/flightFixtures.ts';
 import { direction, expectClose, properVelocityUpTo, uniform } from '../../../tests/support/physicsArbitraries.ts';
-import { fromAxisAngle, IDENTITY, rotate } from '../../math/quat.ts';
+import { fromAxisAngle, rotate } from '../../math/quat.ts';
 import { scale, type Vec3 } from '../../math/vec3.ts';
-import { type FlightArc, type FlightConditions, flyArcs } from '../arc.ts';
+import { type FlightArc, flyArcs } from '../arc.ts';
 import { NO_CONTROLS } from '../controls.ts';
 import { type FlightState, flightOf, observerOf } from '../flightState.ts';
 import { FLIGHT_MODES } from '../modes/modes.ts';
@@ -14,18 +15,8 @@ import { FlightPlayback } from './playback.ts';
 import { FlightRecorder } from './recorder.ts';
 import { type FlightRecording, recordingDuration } from './recording.ts';
 
-const conditions: FlightConditions = { c: 10, lock: 'free', playing: true };
-const rules = {
-  c: 10,
-  maxSpeed: 0.99,
-  cruise: false,
-  up: [0, 1, 0] as Vec3,
-  along: 5,
-  across: 2,
-  level: false,
-  attitude: 'hand' as const,
-};
-const rest = flightOf({ t: 1, position: [1, 2, 3], u: [0, 0, 0], orientation: IDENTITY, properTime: 0 });
+const [conditions, rules] = [FREELY, FLIGHT_RULES];
+const rest = flightOf({ ...AT_REST, t: 1, position: [1, 2, 3] });
 
 interface Flown {
   readonly recording: FlightRecording;

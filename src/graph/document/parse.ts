@@ -57,6 +57,11 @@ export function parseJson(text: string): unknown {
       msg`the file: ${size} MiB is more than the ${MAX_PROJECT_LENGTH / 2 ** 20} MiB of a project`,
     );
   }
+  return jsonOf(text);
+}
+
+/** Throws a DocumentError if a text is not JSON. */
+export function jsonOf(text: string): unknown {
   try {
     return JSON.parse(text);
   } catch (error) {

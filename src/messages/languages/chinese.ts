@@ -3545,7 +3545,6 @@ const messages: Translation['messages'] = {
     '拍摄录下的飞行 NAME.flight.json：第 n 帧位于从起点算起的驾驶者时间（或世界时间，见 --spacing）n/fps，--time 亦然（默认：全部）',
   "world time stands still or goes back in the flight, so that frames cannot follow it; let them follow the pilot's time":
     '飞行中世界时间停住或倒退，帧无法跟随它；请让帧跟随驾驶者时间',
-  '--spacing {}: {}': '--spacing {1}：{2}',
   'even in your time': '按您的时间均匀',
   'even in world time': '按世界时间均匀',
   'Frames of the film follow': '影片各帧的间隔',

@@ -1,14 +1,12 @@
 import * as z from 'zod/mini';
 import { flyArc, LOCKS } from '../../flight/arc.ts';
-import type { Boost } from '../../flight/boost.ts';
 import { MAX_RAPIDITY } from '../../flight/controls.ts';
 import { MAX_ARCS } from '../../flight/recording/recorder.ts';
-import type { FlightRecording } from '../../flight/recording/recording.ts';
+import type { FlightLeg, FlightRecording } from '../../flight/recording/recording.ts';
 import { DocumentError } from '../../graph/document/document.ts';
-import { parseWithSchema } from '../../graph/document/parse.ts';
+import { jsonOf, parseWithSchema } from '../../graph/document/parse.ts';
 import type { Sum } from '../../math/sum.ts';
 import { msg } from '../../messages/message.ts';
-import { messageOf } from '../../messages/messageError.ts';
 
 /** How names of files of flights end. */
 export const FLIGHT_EXTENSION = '.flight.json';
@@ -69,7 +67,7 @@ const writeSum = ({ value, rest }: Sum): z.infer<typeof sum> => (rest === 0 ? va
 export function parseFlight(text: string): FlightRecording {
   if (text.length > MAX_LENGTH)
     throw new DocumentError(msg`the file: more than the ${MAX_LENGTH / 2 ** 20} MiB of a flight`);
-  const { legs } = parseWithSchema(flightSchema, parsed(text));
+  const { legs } = parseWithSchema(flightSchema, jsonOf(text));
   return {
     legs: legs.map(({ c, lock, playing, start, arcs }, i) => {
       const { t, position, direction, rapidity, orientation, properTime } = start;
@@ -77,11 +75,11 @@ export function parseFlight(text: string): FlightRecording {
       unit(`${place}.start.direction`, direction);
       unit(`${place}.start.orientation`, orientation);
       const [x, y, z] = position;
-      const leg = {
+      const leg: FlightLeg = {
         conditions: { c, lock, playing },
         start: {
           t: readSum(t),
-          position: [readSum(x), readSum(y), readSum(z)] as const,
+          position: [readSum(x), readSum(y), readSum(z)],
           velocity: { direction, rapidity },
           orientation,
           properTime: readSum(properTime),
@@ -94,7 +92,7 @@ export function parseFlight(text: string): FlightRecording {
         if (arc.push) unit(`${at}.push.direction`, arc.push.direction);
         if (arc.orientation) unit(`${at}.orientation`, arc.orientation);
         if (arc.reached) unit(`${at}.reached.direction`, arc.reached.direction);
-        state = flyArc(state, arc, leg.conditions) as typeof state;
+        state = flyArc(state, arc, leg.conditions);
         if (!(state.velocity.rapidity <= MAX_RAPIDITY && Number.isFinite(state.t.value)))
           throw new DocumentError(
             msg`${at}: it pushes beyond rapidity ${MAX_RAPIDITY}, or lasts for ever; let it be shorter`,
@@ -103,14 +101,6 @@ export function parseFlight(text: string): FlightRecording {
       return leg;
     }),
   };
-}
-
-function parsed(text: string): unknown {
-  try {
-    return JSON.parse(text);
-  } catch (error) {
-    throw new DocumentError(msg`not JSON: ${messageOf(error)}`);
-  }
 }
 
 function unit(place: string, values: readonly number[]): void {
@@ -127,18 +117,13 @@ export function serializeFlight({ legs }: FlightRecording): string {
     const state = {
       t: writeSum(t),
       position: [writeSum(x), writeSum(y), writeSum(z)],
-      ...plainBoost(velocity),
+      ...velocity,
       orientation,
       properTime: writeSum(properTime),
     };
-    const lines = arcs.map(
-      ({ dTau, orientation, push, reached }) =>
-        `\n  ${JSON.stringify({ dTau, orientation, push, ...(reached && { reached: plainBoost(reached) }) })}`,
-    );
+    const lines = arcs.map((arc) => `\n  ${JSON.stringify(arc)}`);
     const head = JSON.stringify({ c, lock, playing, start: state });
     return `${head.slice(0, -1)},"arcs":[${lines.join(',')}\n ]}`;
   });
   return `{"slowlight":"flight","version":1,"legs":[\n ${texts.join(',\n ')}\n]}\n`;
 }
-
-const plainBoost = ({ direction, rapidity }: Boost): Boost => ({ direction, rapidity });

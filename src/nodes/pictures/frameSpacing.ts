@@ -2,8 +2,7 @@ import { type FrameSpacing, worldTimesOf } from '../../flight/spacing.ts';
 import { msg } from '../../messages/message.ts';
 import { MessageError } from '../../messages/messageError.ts';
 import { properTimeBetween } from '../../physics/worldLines/properTime.ts';
-import { isStatic } from '../../scene/motion/motion.ts';
-import { type ObserverSetup, observerWorldLine } from '../../scene/view/observerPath.ts';
+import { type ObserverSetup, observerWorldLine, ridesCamera } from '../../scene/view/observerPath.ts';
 import type { FrameTime } from '../project/outputFiles.ts';
 
 /**
@@ -22,7 +21,7 @@ export function spacedFrames(
     throw new MessageError(
       msg`frames in proper time need an observer who moves: let him ride a moving camera with its own velocity, or coast without being held in place`,
     );
-  const setAt = isStatic(setup.camera.motion) || setup.position ? frames[0]!.t : 0;
+  const setAt = ridesCamera(setup) ? 0 : frames[0]!.t;
   const elapsed = (from: number, to: number): number => properTimeBetween(line, from, to, c);
   const times = worldTimesOf(
     { setAt, elapsed },

@@ -3,6 +3,7 @@ import { type Vec3, ZERO } from '../../math/vec3.ts';
 import { type FrameGraph, includesToneMapping } from '../../scene/frameGraph/frameGraph.ts';
 import { pickSettings, RENDERER_SETTINGS, type RendererSettings } from '../../scene/settings/settings.ts';
 import type { SceneCamera } from '../../scene/types.ts';
+import { type Lens, perspective } from '../../scene/view/lens.ts';
 import type { RenderSettings } from '../../scene/view/view.ts';
 import type { FalseColorQuantity, ValueRange } from '../../spectrum/falseColor/falseColor.ts';
 import type { PictureSpec } from '../socketValues.ts';
@@ -22,6 +23,9 @@ export const evaluatedPicture = ({ target }: Evaluation): PictureSpec | undefine
 /** Camera of a picture; the Scene node ensures that there is one. */
 export const pictureCamera = ({ scene, camera }: PictureSpec): SceneCamera =>
   scene.cameras.find(({ path }) => path === camera) ?? scene.cameras[0]!;
+
+/** The lens of a picture: its own field of view, or its camera's. */
+export const pictureLens = (picture: PictureSpec): Lens => perspective(picture.fovY ?? pictureCamera(picture).fovY);
 
 /**
  * The observer's initial velocity [c] where the camera does not determine it: as in the page, an observer who does not

@@ -26,13 +26,17 @@ export interface ObserverSetup {
   readonly hold?: boolean;
 }
 
+/** Whether the observer rides on his camera: it moves, and no position replaces its path. */
+export const ridesCamera = ({ camera, position }: Pick<ObserverSetup, 'camera' | 'position'>): boolean =>
+  !isStatic(camera.motion) && position === undefined;
+
 /**
  * The path of an observer who starts at world time `start` [s]; c [m/s]. He rides on a moving camera; otherwise he coasts from his position with his velocity, or
  * holds it.
  */
 export function observerPathFrom(setup: ObserverSetup, c: number, start: number): ObserverPath {
   const { camera, beta, position, orientation, fovY, hold } = setup;
-  const moves = !isStatic(camera.motion) && position === undefined;
+  const moves = ridesCamera(setup);
   return (t) => {
     const carried = observerFromCamera(camera, t, c);
     const drift = moves || hold || !beta ? 0 : c * (t - start);
@@ -51,9 +55,8 @@ export function observerPathFrom(setup: ObserverSetup, c: number, start: number)
  * that of his path: he is held in place, or rides with a velocity that is not the camera's.
  */
 export function observerWorldLine(setup: ObserverSetup, c: number): WorldLine | undefined {
-  const { camera, beta, position, hold } = setup;
-  const rides = !isStatic(camera.motion) && position === undefined;
-  if (rides) return beta ? undefined : originWorldLine(camera.motion);
+  const { camera, beta, hold } = setup;
+  if (ridesCamera(setup)) return beta ? undefined : originWorldLine(camera.motion);
   if (hold || !beta || length(beta) === 0) return undefined;
   return { kind: 'uniform', position: ZERO, velocity: scale(beta, c) };
 }

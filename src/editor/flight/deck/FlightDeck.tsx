@@ -8,6 +8,7 @@ import { type Message, msg } from '../../../messages/message.ts';
 import { STANDARD_GRAVITY } from '../../../physics/constants.ts';
 import { formatNumber } from '../../format.ts';
 import { useTexts } from '../../language/languageStore.ts';
+import { ObjectSelect } from '../../panels/ObjectSelect.tsx';
 import { useServices } from '../../services.tsx';
 import { useEditor, useEditorState } from '../../state/context.tsx';
 import type { FlightDeck as Deck, DeckState } from './deck.ts';
@@ -34,7 +35,7 @@ export default function FlightDeck(): ReactNode {
   const state = useStore(deck.store);
   const { mode } = state;
   return (
-    <Stack gap="xs" w={290} data-flight-deck>
+    <Stack gap="xs" w="min(290px, calc(100vw - 64px))" data-flight-deck>
       <Select
         size="xs"
         label={t(msg`Way of flying`)}
@@ -123,14 +124,9 @@ function Followed({ deck, state }: DeckProps): ReactNode {
       </Text>
     );
   return (
-    <Select
-      size="xs"
+    <ObjectSelect
       label={t(msg`What you follow`)}
-      placeholder={t(msg`Search objects…`)}
-      nothingFoundMessage={t(msg`No object has this name`)}
       data={paths}
-      searchable
-      limit={50}
       comboboxProps={{ withinPortal: false }}
       value={state.followed ?? null}
       onChange={(path) => deck.set({ followed: path ?? undefined })}
@@ -142,7 +138,7 @@ function Destination({ deck, state }: DeckProps): ReactNode {
   const { t } = useTexts();
   const { observerController } = useServices();
   const picture = useEditorState((editor) => editor.picture);
-  const paths = useMemo(() => [...new Set(picture?.scene.objects.map(({ path }) => path))], [picture?.scene]);
+  const paths = useMemo(() => picture?.scene.objects.map(({ path }) => path) ?? [], [picture?.scene]);
   const place = state.destination ?? [0, 0, 0];
   const goTo = (path: string | null): void => {
     if (!picture || !path) return;
@@ -151,14 +147,9 @@ function Destination({ deck, state }: DeckProps): ReactNode {
   };
   return (
     <>
-      <Select
-        size="xs"
+      <ObjectSelect
         label={t(msg`Fly to an object`)}
-        placeholder={t(msg`Search objects…`)}
-        nothingFoundMessage={t(msg`No object has this name`)}
         data={paths}
-        searchable
-        limit={50}
         comboboxProps={{ withinPortal: false }}
         value={null}
         onChange={goTo}

@@ -1,4 +1,4 @@
-import { Button, FileButton, Group, Kbd, Select, Slider, Stack, Text } from '@mantine/core';
+import { Button, type ButtonProps, FileButton, Group, Kbd, Select, Slider, Stack, Text } from '@mantine/core';
 import {
   IconCut,
   IconDownload,
@@ -29,6 +29,11 @@ const SPACING_TITLES: Readonly<Record<FrameSpacing, Message>> = {
   proper: msg`even in your time`,
   world: msg`even in world time`,
 };
+
+/** One of the deck's lesser actions. */
+const DeckButton = (
+  props: ButtonProps & { readonly onClick?: () => void; readonly children: ReactNode },
+): ReactNode => <Button size="compact-xs" variant="default" {...props} />;
 
 interface RecorderProps {
   readonly deck: FlightDeck;
@@ -63,9 +68,9 @@ export function FlightRecorderControls({ deck, state }: RecorderProps): ReactNod
         </Button>
         <FileButton accept=".json,application/json" onChange={(file) => void open(file)}>
           {(props) => (
-            <Button {...props} size="compact-xs" variant="default" leftSection={<IconFolderOpen size={13} />}>
+            <DeckButton {...props} leftSection={<IconFolderOpen size={13} />}>
               {t(msg`Open a flight`)}
-            </Button>
+            </DeckButton>
           )}
         </FileButton>
       </Group>
@@ -98,11 +103,7 @@ function Replay({ deck, state }: RecorderProps): ReactNode {
         <Text size="xs" className="sl-figure">
           {t(msg`${formatSeconds(at)} of ${formatSeconds(duration)}`)}
         </Text>
-        {shown !== undefined && (
-          <Button size="compact-xs" variant="default" onClick={() => deck.leave()}>
-            {t(msg`Fly on from here`)}
-          </Button>
-        )}
+        {shown !== undefined && <DeckButton onClick={() => deck.leave()}>{t(msg`Fly on from here`)}</DeckButton>}
       </Group>
       <Slider
         size="xs"
@@ -116,43 +117,35 @@ function Replay({ deck, state }: RecorderProps): ReactNode {
         onChange={(time) => deck.show(time)}
       />
       <Group gap={6}>
-        <Button
-          size="compact-xs"
-          variant="default"
+        <DeckButton
           leftSection={<IconCut size={13} />}
           disabled={at <= 0 || at >= duration}
           onClick={() => deck.open(cutFlight(flight, at, duration))}
         >
           {t(msg`Cut off before`)}
-        </Button>
-        <Button
-          size="compact-xs"
-          variant="default"
+        </DeckButton>
+        <DeckButton
           leftSection={<IconCut size={13} />}
           disabled={at <= 0 || at >= duration}
           onClick={() => deck.open(cutFlight(flight, 0, at))}
         >
           {t(msg`Cut off after`)}
-        </Button>
-        <Button
-          size="compact-xs"
-          variant="default"
+        </DeckButton>
+        <DeckButton
           leftSection={<IconDownload size={13} />}
           onClick={() =>
             download(new Blob([serializeFlight(flight)], { type: 'application/json' }), name(FLIGHT_EXTENSION))
           }
         >
           {t(msg`Save the flight`)}
-        </Button>
-        <Button
-          size="compact-xs"
-          variant="default"
+        </DeckButton>
+        <DeckButton
           leftSection={<IconMovie size={13} />}
           disabled={busy}
           onClick={() => void saveFilm({ editor, backend, flight, spacing, name: name('.mp4') })}
         >
           {t(msg`Save a film`)}
-        </Button>
+        </DeckButton>
         <Select
           size="xs"
           aria-label={t(msg`Frames of the film follow`)}

@@ -59,7 +59,7 @@ export class FlightDeck {
     arcs: (moment, picture) => {
       const { mode, along, across, level, attitude, followed, destination } = this.store.getState();
       const { c } = moment.rules;
-      const body = picture.scene.objects.find(({ path }) => path === followed);
+      const body = mode === 'follow' ? picture.scene.objects.find(({ path }) => path === followed) : undefined;
       const velocity = body && bodyVelocity(body, observerOf(moment.state), c);
       const rules: FlightRules = {
         ...moment.rules,
@@ -147,11 +147,3 @@ export class FlightDeck {
     this.store.setState({ shown: undefined, replaying: false });
   }
 }
-
-let deck: FlightDeck | undefined;
-
-/** The deck of the page. */
-export const flightDeck = (editor: Editor): FlightDeck => {
-  deck ??= new FlightDeck(editor);
-  return deck;
-};

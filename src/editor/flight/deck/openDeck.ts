@@ -1,10 +1,12 @@
 import type { Editor } from '../../state/editor.ts';
 import type { ObserverController } from '../observerController.ts';
-import { type FlightDeck, flightDeck } from './deck.ts';
+import { FlightDeck } from './deck.ts';
+
+let deck: FlightDeck | undefined;
 
 /** The deck of the page, with its pilot in charge. */
 export function openDeck(editor: Editor, observerController: ObserverController): FlightDeck {
-  const deck = flightDeck(editor);
+  deck ??= new FlightDeck(editor);
   observerController.pilot = deck.pilot;
   return deck;
 }

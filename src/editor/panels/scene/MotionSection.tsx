@@ -1,4 +1,4 @@
-import { ActionIcon, Group, Paper, Select, Stack, Tooltip } from '@mantine/core';
+import { ActionIcon, Group, Paper, Stack, Tooltip } from '@mantine/core';
 import { IconPlaneDeparture, IconTrash } from '@tabler/icons-react';
 import { type ReactNode, useMemo, useState } from 'react';
 import type { FlatNode } from '../../../graph/analysis/flatten.ts';
@@ -14,6 +14,7 @@ import type { Scene } from '../../../scene/types.ts';
 import { useTexts } from '../../language/languageStore.ts';
 import { useServices } from '../../services.tsx';
 import { useEditor, useEditorState } from '../../state/context.tsx';
+import { ObjectSelect } from '../ObjectSelect.tsx';
 import { ParamControl } from '../ParamControl.tsx';
 import { Section } from './Section.tsx';
 import { wholes } from './wholes.ts';
@@ -40,15 +41,10 @@ export function MotionSection({ picture }: { readonly picture: PictureSpec }): R
       {flights.map((node) => (
         <FlyParams key={node} node={node} things={things} />
       ))}
-      <Select
-        size="xs"
+      <ObjectSelect
         label={t(msg`Make something fly`)}
         disabled={!nearestToOutput(document, 'scene-camera')}
         leftSection={<IconPlaneDeparture size={15} />}
-        placeholder={t(msg`Search objects…`)}
-        nothingFoundMessage={t(msg`No object has this name`)}
-        searchable
-        limit={50}
         searchValue={search}
         onSearchChange={setSearch}
         value={null}
@@ -103,14 +99,10 @@ function FlyParams({ node, things }: { readonly node: string; readonly things: r
     <Paper withBorder p="xs" component="fieldset" aria-label={`${t(msg`Flight`)}: ${object}`} className="sl-flight">
       <Stack gap={10}>
         <Group gap={6} wrap="nowrap" align="end">
-          <Select
-            size="xs"
+          <ObjectSelect
             flex={1}
             label={t(msg`What flies`)}
-            nothingFoundMessage={t(msg`No object has this name`)}
-            searchable
             allowDeselect={false}
-            limit={50}
             value={object}
             data={things.some(({ value }) => value === object) ? things : [{ value: object, label: object }, ...things]}
             onChange={(path) => path && editor.set(node, 'object', path, msg`make it fly`)}
