@@ -14,7 +14,7 @@ it('I tells of the point under the pointer: a ball at 0.5 c, by closed forms', a
   await visit.viewport.focus();
   await page.keyboard.press('i');
   const card = page.locator('[data-inspection]');
-  await expect.poll(() => card.textContent()).toContain('/World/HalfLight');
+  await expect.poll(() => card.textContent()).toContain('/World/Half');
   const figure = async (title: string): Promise<number> => {
     const text = await card.locator('dt', { hasText: title }).locator('xpath=following-sibling::dd[1]').textContent();
     return Number(/[\d.]+/.exec(text ?? '')?.[0]);
@@ -27,6 +27,33 @@ it('I tells of the point under the pointer: a ball at 0.5 c, by closed forms', a
   expect(await figure('Seems to move across')).toBeCloseTo(Math.sqrt((0.5 * k) ** 2 - approach ** 2), 2);
   await visit.shot('inspect');
   await page.keyboard.press('i');
+  await card.waitFor({ state: 'detached' });
+  await visit.close();
+});
+
+it('M measures between two points: of a ball at 0.5 c what is seen, what is now, and what it is at rest', async () => {
+  const visit = await (await program.open('?backend=webgl&scene=examples/sphere.usdc')).ready();
+  const { page } = visit;
+  await visit.viewport.focus();
+  await page.keyboard.press('m');
+  const card = page.locator('[data-inspection]');
+  await expect.poll(() => card.textContent()).toContain('Choose a point');
+  const box = (await visit.viewport.boundingBox())!;
+  const click = (dx: number) => page.mouse.click(box.x + box.width / 2 + dx, box.y + box.height / 2);
+  await click(40);
+  await expect.poll(() => card.textContent()).toContain('Choose the other point');
+  await click(90);
+  await expect.poll(() => card.textContent()).toContain('Rest length');
+  const length = async (title: string): Promise<number> => {
+    const text = await card.locator('dt', { hasText: title }).locator('xpath=following-sibling::dd[1]').textContent();
+    return Number(/^([\d.]+)\smm/.exec(text ?? '')?.[1]);
+  };
+  const [slice, rest] = [await length('Length at your moment'), await length('Rest length')];
+  // It is contracted by γ along its motion, and not across.
+  expect(slice).toBeGreaterThan(rest * Math.sqrt(0.75) * 0.99);
+  expect(slice).toBeLessThan(rest * 1.01);
+  await visit.shot('measure');
+  await page.keyboard.press('Escape');
   await card.waitFor({ state: 'detached' });
   await visit.close();
 });
