@@ -18,6 +18,7 @@ const drawn = (luminance: number, more: Partial<MeteredPicture> = {}): MeteredPi
   views: [{ ...viewPoint, t: luminance }],
   settings: DEFAULT_SETTINGS,
   size: { width: 3, height: 2 },
+  resolution: { width: 3, height: 2 },
   measureLight: async () => light(luminance),
   ...more,
 });
@@ -110,6 +111,23 @@ describe('auto exposure', () => {
       drawn(2, { measureLight: readings, settings: { ...DEFAULT_SETTINGS, exposure: 3, tone: 'agx' } }),
     );
     expect(autoExposure.advance(0, 300)).toBeUndefined();
+  });
+
+  it('measures a still picture again at another resolution, and when more of the scene is drawn', async () => {
+    const autoExposure = new AutoExposure(true);
+    const seen = async (picture: MeteredPicture, isBetter: boolean, now: number): Promise<number> => {
+      autoExposure.observe(picture, isBetter);
+      await autoExposure.advance(0, now);
+      void autoExposure.advance(0, now + 1);
+      return autoExposure.exposure(picture.picture);
+    };
+    const still = drawn(1);
+    const coarse = { ...still, resolution: { width: 2, height: 1 }, measureLight: async () => light(2) };
+    const better = { ...still, measureLight: async () => light(4) };
+    expect(await seen(coarse, false, 0)).toBeCloseTo(wanted(2), 12);
+    expect(await seen(still, false, 100)).toBeCloseTo(wanted(1), 12);
+    expect(await seen(better, false, 200)).toBeCloseTo(wanted(1), 12);
+    expect(await seen(better, true, 300)).toBeCloseTo(wanted(4), 12);
   });
 
   it('finds the scale of false colours, also with manual exposure', async () => {

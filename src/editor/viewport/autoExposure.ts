@@ -18,6 +18,8 @@ export interface MeteredPicture {
   readonly views: PictureViews;
   readonly settings: RenderSettings;
   readonly size: PictureSize;
+  /** Pixels that are drawn, fewer than `size` while there is no time for more. */
+  readonly resolution: PictureSize;
   readonly measureLight: () => Promise<LightMeterReadings>;
 }
 
@@ -76,15 +78,16 @@ export class AutoExposure {
     this.measuredContent = '';
   }
 
-  /** Call with every drawn picture. */
-  observe(drawn: MeteredPicture): void {
+  /** Call with every drawn picture. `isBetter`: the same view as before, drawn again with more of the scene. */
+  observe(drawn: MeteredPicture, isBetter = false): void {
     const { metering, falseColor, frameGraph } = drawn.picture;
     if (metering === 'manual' && falseColor === 'none' && !frameGraph) return;
     // Luminance does not depend on display settings, except through frame graphs.
     const { exposure: _, tone: __, falseColors: ___, frameGraph: ____, ...lit } = drawn.settings;
     const { width, height } = drawn.size;
-    const what = contentKey([metering, falseColor === 'none', drawn.views, lit, frameGraph, width / height]);
-    if (what === this.measuredContent) return;
+    const shape = [width / height, drawn.resolution];
+    const what = contentKey([metering, falseColor === 'none', drawn.views, lit, frameGraph, shape]);
+    if (what === this.measuredContent && !isBetter) return;
     this.measuredContent = what;
     this.unmeasured = drawn;
   }

@@ -300,6 +300,7 @@ export class ViewportRenderer {
     const drawing = this.preparedFrame(viewPoint, wanted, moves);
     if (!drawing) return false;
     if (!always && !this.stale && this.displayed && sameView(this.displayed, drawing)) return false;
+    const isBetter = this.stale;
     this.displayed = drawing;
     this.stale = false;
     this.canvas.removeAttribute('data-finest');
@@ -313,13 +314,16 @@ export class ViewportRenderer {
       this.uploadStart = undefined;
     }
     setLegendColors(settings.falseColors);
-    this.autoExposure.observe({
+    const { width, height } = this.renderer;
+    const metered = {
       picture,
       views: [viewPoint],
       settings,
       size: { width: clientWidth, height: Math.max(1, clientHeight) },
+      resolution: { width, height },
       measureLight: () => this.renderer.measureLight(),
-    });
+    } as const;
+    this.autoExposure.observe(metered, isBetter);
     return changes;
   }
 
