@@ -1,6 +1,6 @@
 import type { FrameGraph, FrameGraphPassOf } from '../scene/frameGraph/frameGraph.ts';
 import type { SettingOfNode, ValuesOf } from '../scene/settings/settings.ts';
-import type { Scene } from '../scene/types.ts';
+import type { CameraCourse, Scene } from '../scene/types.ts';
 import type { FalseColorQuantity } from '../spectrum/falseColor/falseColor.ts';
 import type { LoadedScene } from './services.ts';
 
@@ -18,6 +18,8 @@ export interface CameraView extends RelativisticScene {
   readonly camera: string;
   /** Whether the observer rides on the file's camera with its velocity instead of flying freely. */
   readonly ride: boolean;
+  /** The smooth way of that camera through its samples; absent: straight pieces. */
+  readonly course?: CameraCourse;
   /** Vertical field of view [rad]; undefined: the camera's. */
   readonly fovY: number | undefined;
 }

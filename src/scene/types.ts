@@ -15,6 +15,7 @@ import type {
 } from './materials/layers.ts';
 import type { NormalTexture, Texture, TextureChannel } from './materials/texture.ts';
 import type { Quadric } from './mesh/quadricTypes.ts';
+import type { CubicLine } from '../physics/worldLines/kinds/cubicLine.ts';
 import type { Lifetime, Motion, RigidMotion } from './motion/motionTypes.ts';
 
 export type * from './lights/light.ts';
@@ -207,8 +208,19 @@ export interface SceneCamera {
   readonly path: string;
   /** The path on which an observer rides. */
   readonly motion: RigidMotion;
+  /** Where one who rides on it goes instead, between the samples of its motion; absent: along straight pieces. */
+  readonly course?: CameraCourse;
   /** Vertical field of view [rad]. */
   readonly fovY: number;
+}
+
+/** A smooth way through the samples of a camera (view/cameraCourse.ts): between straight pieces the velocity of one who rides on it would jump, and with it all that he sees. */
+export interface CameraCourse {
+  readonly line: CubicLine;
+  /** Greatest distance from the straight pieces at the same time, at eight times of every piece [m]. */
+  readonly strayed: number;
+  /** World times of the samples at which the velocity still jumps, since no curve there stays slower than light [s]. */
+  readonly jumps: readonly number[];
 }
 
 /** Something users should know about the file: severity, code, place, and what to do. */

@@ -56,9 +56,10 @@ async function openDiagramScene(
   const progress = new Progress();
   const picture = await openProjectPicture(path, flags.set ?? [], given, progress.node);
   progress.clear();
-  const { scene, speedOfLight: c, camera } = picture;
+  const { scene, speedOfLight: c, camera, course } = picture;
   const beta = flags.position ? undefined : initialBeta(picture, false);
-  return { scene, flags: { c, ...(camera && { camera }), ...(beta && { beta }), ...flags } };
+  const cameraPath = given.has('cameraPath') || course ? flags.cameraPath : 'straight';
+  return { scene, flags: { c, ...(camera && { camera }), ...(beta && { beta }), ...flags, cameraPath } };
 }
 
 function diagramLines(scene: Scene, { prim }: DiagramFlags, c: number): readonly DiagramLine[] {

@@ -18,44 +18,61 @@ const flying: SceneCamera = {
   },
 };
 const scene = makeScene({ name: 'test', cameras: [flying] });
+const cameraPath = 'smooth' as const;
 const close = (a: Vec3, b: Vec3) => {
   for (const k of [0, 1, 2]) expect(a[k]).toBeCloseTo(b[k], 12);
 };
 
 describe('the observer', () => {
   test('follows the moving camera with its velocity', () => {
-    const at = observerPath(scene, {}, c, 0)(1);
+    const at = observerPath(scene, { cameraPath }, c, 0)(1);
     close(at.position, [6, 0, 0]);
     close(velocity(at.u), [0.6, 0, 0]);
     expect(at.lens.fovY).toBe(1);
   });
 
   test('keeps the path and takes a given velocity', () => {
-    const at = observerPath(scene, { beta: [0, 0, -0.8] }, c, 0)(1);
+    const at = observerPath(scene, { cameraPath, beta: [0, 0, -0.8] }, c, 0)(1);
     close(at.position, [6, 0, 0]);
     close(velocity(at.u), [0, 0, -0.8]);
   });
 
   test('coasts from a given position, unless held', () => {
-    const flags = { beta: [0, 0.5, 0] as Vec3, position: [1, 1, 1] as Vec3 };
+    const flags = { cameraPath, beta: [0, 0.5, 0] as Vec3, position: [1, 1, 1] as Vec3 };
     close(observerPath(scene, flags, c, 3)(3).position, [1, 1, 1]);
     close(observerPath(scene, flags, c, 3)(5).position, [1, 11, 1]);
     close(observerPathFrom(observerSetup(scene, flags, c, 3, true), c, 3)(5).position, [1, 1, 1]);
   });
 
   test('is at rest at a given position without a velocity', () => {
-    const at = observerPath(scene, { position: [1, 1, 1] }, c, 0)(1);
+    const at = observerPath(scene, { cameraPath, position: [1, 1, 1] }, c, 0)(1);
     close(at.position, [1, 1, 1]);
     close(at.u, [0, 0, 0]);
   });
 
+  test('rides on a smooth path through more than two samples, or in straight lines', () => {
+    const poses = Float64Array.of(0, 0, 0, ...straight, 1, 0, 0, ...straight, 3, 0, 0, ...straight);
+    const camera = { ...flying, motion: { kind: 'sampled', times: Float64Array.of(0, 1, 2), poses } as const };
+    const turning = makeScene({ name: 'test', cameras: [camera] });
+    const speeds = (cameraPath: 'smooth' | 'straight', times: readonly number[]) =>
+      times.map((t) => c * velocity(observerPath(turning, { cameraPath }, c, 0)(t).u)[0]);
+    // The natural cubic spline through 0, 1, 3 has the slopes 3/4, 3/2, 9/4.
+    const [start, middle, end] = speeds('smooth', [0, 1, 2]);
+    expect(start).toBeCloseTo(0.75, 12);
+    expect(middle).toBeCloseTo(1.5, 12);
+    expect(end).toBeCloseTo(2.25, 12);
+    const [one, two] = speeds('straight', [0.5, 1.5]);
+    expect(one).toBeCloseTo(1, 12);
+    expect(two).toBeCloseTo(2, 12);
+  });
+
   test('looks along target − position', () => {
-    const at = observerPath(scene, { position: [0, 0, 5], lookAt: [0, 0, -5], fov: 90 }, c, 0)(0);
+    const at = observerPath(scene, { cameraPath, position: [0, 0, 5], lookAt: [0, 0, -5], fov: 90 }, c, 0)(0);
     close([at.orientation[0], at.orientation[1], at.orientation[2]], [0, 0, 0]);
     expect(at.lens.fovY).toBeCloseTo(Math.PI / 2, 15);
   });
 
   test('lists the existing cameras', () => {
-    expect(() => observerPath(scene, { camera: '/Nothing' }, c, 0)).toThrow('/Flying');
+    expect(() => observerPath(scene, { cameraPath, camera: '/Nothing' }, c, 0)).toThrow('/Flying');
   });
 });

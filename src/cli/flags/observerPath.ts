@@ -4,6 +4,7 @@ import { listed, msg } from '../../messages/message.ts';
 import type { Scene, SceneCamera } from '../../scene/types.ts';
 import { framingCamera, lookAtOrientation, observerFromCamera } from '../../scene/view/camera.ts';
 import { type ObserverPath, type ObserverSetup, observerPathFrom, ridesCamera } from '../../scene/view/observerPath.ts';
+import { smoothCourse } from '../../scene/view/cameraCourse.ts';
 import type { ViewPoint } from '../../scene/view/view.ts';
 import { usageError } from '../terminal/exitCodes.ts';
 import type { ObserverFlags } from './viewFlags.ts';
@@ -21,7 +22,7 @@ export function observerSetup(
   start: number,
   hold = false,
 ): ObserverSetup {
-  const camera = chooseCamera(scene, flags.camera);
+  const camera = coursed(chooseCamera(scene, flags.camera), flags, c);
   const { position, lookAt, fov } = flags;
   const up: Vec3 = scene.upAxis === 'Z' ? [0, 0, 1] : [0, 1, 0];
   const rides = ridesCamera({ camera, ...(position && { position }) });
@@ -36,6 +37,12 @@ export function observerSetup(
     }),
     ...(fov !== undefined && { fovY: radians(fov) }),
   };
+}
+
+/** The camera with the way that one who rides on it takes. */
+function coursed(camera: SceneCamera, { cameraPath }: ObserverFlags, c: number): SceneCamera {
+  const course = cameraPath === 'smooth' ? smoothCourse(camera.motion, c) : undefined;
+  return { ...camera, ...(course && { course }) };
 }
 
 function chooseCamera(scene: Scene, path: string | undefined): SceneCamera {

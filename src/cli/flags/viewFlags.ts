@@ -17,9 +17,14 @@ import type { RenderSettings } from '../../scene/view/view.ts';
 import { localized } from '../terminal/language.ts';
 import { parseBeta, parseFov, parseNumber, parsePositive, parseVec3, parseWithin } from './parse.ts';
 
+/** How one who rides on a moving camera goes from sample to sample. */
+const CAMERA_PATHS = ['smooth', 'straight'] as const;
+type CameraPath = (typeof CAMERA_PATHS)[number];
+
 /** Where the observer is and how he moves. */
 export interface StandpointFlags {
   readonly camera?: string;
+  readonly cameraPath: CameraPath;
   readonly beta?: Vec3;
   readonly position?: Vec3;
   readonly c?: number;
@@ -35,6 +40,16 @@ export const addStandpointFlags = (command: Command): Command =>
     .option(
       '--camera <prim>',
       localized(msg`prim path of the camera (default: the scene's first; if it has none, a view of the whole scene)`),
+    )
+    .addOption(
+      new Option(
+        '--camera-path <path>',
+        localized(
+          msg`through the samples of a moving camera: smooth, so that the velocity does not jump at them, or in straight lines`,
+        ),
+      )
+        .choices(CAMERA_PATHS)
+        .default('smooth'),
     )
     .option(
       '--beta <x,y,z>',

@@ -9,7 +9,8 @@ import type { PictureRenderer } from '../../pipelines/pictureRenderer.ts';
 import type { PipelineSession } from '../../pipelines/pipeline.ts';
 import { pipelineNamed } from '../../pipelines/registry.ts';
 import { validate } from '../../scene/validation/validate.ts';
-import { observerPathFrom } from '../../scene/view/observerPath.ts';
+import { sampleTimes } from '../../scene/motion/motion.ts';
+import { type ObserverSetup, observerPathFrom, ridesCamera } from '../../scene/view/observerPath.ts';
 import type { PictureViews } from '../../scene/view/pictureViews.ts';
 import type { AovName, ViewPoint } from '../../scene/view/view.ts';
 import type { FalseColorScale } from '../../spectrum/falseColor/falseColor.ts';
@@ -57,6 +58,7 @@ export async function renderFrames(
   const setup = observerSetup(scene, flags, c, instants[0]!.t, flags.hold);
   const spaced = () => spacedFrames(instants, flags.spacing ?? 'world', setup, c);
   const frames = flight ? instants : orRefuse(spaced, usageError);
+  if (!flight) noteCourse(setup, progress);
   const standing = observerPathFrom(setup, c, frames[0]!.t);
   const observer = flight ? flightPath(flight.playback, standing(scene.startTime).lens) : standing;
   const settings = { ...renderSettings(flags, c), ...(frameGraph && { frameGraph }) };
@@ -79,6 +81,20 @@ export async function renderFrames(
     progress.clear();
     sink.discard();
   }
+}
+
+/** Says that the camera's path is not the file's to the letter. */
+function noteCourse(setup: ObserverSetup, progress: Progress): void {
+  const { path, motion, course } = setup.camera;
+  if (!course || !ridesCamera(setup)) return;
+  const samples = sampleTimes(motion)?.length ?? 0;
+  const strayed = `${Number(course.strayed.toPrecision(2))} m`;
+  progress.note(
+    msg`${path}: a smooth path through its ${samples} samples, up to ${strayed} beside the straight lines between them (--camera-path straight)`,
+  );
+  const jumps = `${course.jumps.slice(0, 3).map((t) => `${t} s`).join(', ')}${course.jumps.length > 3 ? ', …' : ''}`;
+  if (course.jumps.length > 0)
+    progress.note(msg`${path}: its velocity still jumps at ${jumps}: no curve there is slower than light`);
 }
 
 async function renderIntoSink(

@@ -2246,6 +2246,15 @@ const messages: Translation['messages'] = {
   'Moves objects, lights and cameras that are at rest, all as one body. Ride a camera to see what it sees.':
     '让静止的物体、灯光和相机作为一个整体运动。乘坐相机即可看到它所见的画面。',
   'Times are': '时间为',
+  'through the samples of a moving camera: smooth, so that the velocity does not jump at them, or in straight lines':
+    '如何经过运动相机的各个采样点：smooth 为平滑曲线，速度在采样点处不跳变；straight 为直线段',
+  '{}: a smooth path through its {} samples, up to {} beside the straight lines between them (--camera-path straight)':
+    '{1}：沿平滑路径经过其 {2} 个采样点，与采样点间的直线相距最多 {3}（--camera-path straight 保留直线）',
+  '{}: its velocity still jumps at {}: no curve there is slower than light':
+    '{1}：其速度在 {2} 仍有跳变：那里没有慢于光的曲线',
+  'Smooth path': '平滑路径',
+  'The ride goes through the camera’s keyframes on a curve, so that your velocity does not jump there, and with it all that you see. Off: along straight lines.':
+    '乘坐时沿曲线经过相机的关键帧，你的速度以及所见的一切在那里不会跳变。关闭：沿直线段。',
   'Proper: of the clock of the observer, who rides a moving camera or coasts.':
     '固有时：观察者所带时钟的时间；观察者乘坐运动的相机或滑行。',
   'frames in proper time need an observer who moves: let him ride a moving camera with its own velocity, or coast without being held in place':

@@ -13,7 +13,7 @@ import { workerServices } from '../services.ts';
 const C = 10;
 
 /** A project without a file: a camera at (3, 2, 6) that looks along −Z, moved by a node of a type, and ridden. */
-async function ridden(type: string, params: Readonly<Record<string, ParamValue>>, which = '', twice = false) {
+async function ridden(type: string, params: Readonly<Record<string, ParamValue>>, which = '', twice = false, smooth = true) {
   const setAll = (node: string, values: Readonly<Record<string, ParamValue>>) =>
     Object.entries(values).map(([param, value]) => ({ kind: 'set-param', node, param, value }) as const);
   const project = edited(
@@ -25,7 +25,7 @@ async function ridden(type: string, params: Readonly<Record<string, ParamValue>>
     ...setAll('eye', { target: [3, 2, 0] }),
     ...setAll('course', params),
     ...setAll('console', { speedOfLight: C }),
-    ...setAll('camera', { ride: true }),
+    ...setAll('camera', { ride: true, smooth }),
     connect('eye.geometry', 'mover.geometry'),
     connect('course.motion', 'mover.motion'),
     set('mover', 'which', which),
@@ -79,6 +79,20 @@ describe('a camera in a Motion node, ridden', () => {
       expect(Math.hypot(...path!(t).u)).toBeCloseTo(0.75, 3);
       expect(path!(t).position[1]).toBeCloseTo(2, 9);
     }
+  });
+
+  it('does not jump from sample to sample of its circle, unless that is asked for', async () => {
+    const circle = { radius: 4, speed: 6, to: 6, facing: false };
+    const turn = async (smooth: boolean): Promise<readonly number[]> => {
+      const { path } = await ridden('motion-circular', circle, '', false, smooth);
+      // The direction of motion turns by 1.5 rad/s.
+      return Array.from({ length: 400 }, (_, i) => {
+        const [a, b] = [path!(2 + 0.002 * i).u, path!(2 + 0.002 * (i + 1)).u];
+        return Math.atan2(a[2] * b[0] - a[0] * b[2], a[0] * b[0] + a[2] * b[2]);
+      });
+    };
+    for (const angle of await turn(true)) expect(Math.abs(angle)).toBeCloseTo(0.003, 4);
+    expect(Math.max(...(await turn(false)).map(Math.abs))).toBeGreaterThan(0.006);
   });
 
   it('named alone works; a second motion is told', async () => {

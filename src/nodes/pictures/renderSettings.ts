@@ -6,7 +6,7 @@ import type { SceneCamera } from '../../scene/types.ts';
 import { type Lens, perspective } from '../../scene/view/lens.ts';
 import type { RenderSettings } from '../../scene/view/view.ts';
 import type { FalseColorQuantity, ValueRange } from '../../spectrum/falseColor/falseColor.ts';
-import type { PictureSpec } from '../socketValues.ts';
+import type { CameraView, PictureSpec } from '../socketValues.ts';
 
 /**
  * The picture of an evaluated output node; undefined if it failed.
@@ -21,8 +21,10 @@ export const evaluatedPicture = ({ target }: Evaluation): PictureSpec | undefine
   target.status === 'done' ? (target.outputs.picture as PictureSpec) : undefined;
 
 /** Camera of a picture; the Scene node ensures that there is one. */
-export const pictureCamera = ({ scene, camera }: PictureSpec): SceneCamera =>
-  scene.cameras.find(({ path }) => path === camera) ?? scene.cameras[0]!;
+export const pictureCamera = ({ scene, camera, course }: CameraView): SceneCamera => ({
+  ...(scene.cameras.find(({ path }) => path === camera) ?? scene.cameras[0]!),
+  ...(course && { course }),
+});
 
 /** The lens of a picture: its own field of view, or its camera's. */
 export const pictureLens = (picture: PictureSpec): Lens => perspective(picture.fovY ?? pictureCamera(picture).fovY);

@@ -1,6 +1,7 @@
 import { NodeRefusal } from '../../graph/nodeType.ts';
 import { radians } from '../../math/angle.ts';
 import { listed, msg } from '../../messages/message.ts';
+import { pictureCamera } from '../pictures/renderSettings.ts';
 import { validate } from '../../scene/validation/validate.ts';
 import { nodeRefusal } from '../common/params.ts';
 import { defineNode } from '../defineNode.ts';
@@ -20,6 +21,12 @@ export const sceneCameraNode = defineNode({
       help: msg`Follow the scene’s animated camera with its velocity. Any movement key detaches you.`,
       default: false,
     },
+    smooth: {
+      kind: 'boolean',
+      title: msg`Smooth path`,
+      help: msg`The ride goes through the camera’s keyframes on a curve, so that your velocity does not jump there, and with it all that you see. Off: along straight lines.`,
+      default: true,
+    },
     fieldOfView: {
       kind: 'number',
       title: msg`Field of view`,
@@ -34,7 +41,7 @@ export const sceneCameraNode = defineNode({
   },
   inputs: { relativity: { type: 'relativity' } },
   outputs: { view: { type: 'view' } },
-  evaluate({ relativity }, { camera, ride, fieldOfView }, { node }) {
+  async evaluate({ relativity }, { camera, ride, smooth, fieldOfView }, { node }) {
     const { cameras } = relativity.scene;
     if (camera && !cameras.some(({ path }) => path === camera)) {
       const message = msg`there is no camera ${camera}; the scene has ${listed(cameras.map(({ path }) => path)) || msg`none`}`;
@@ -43,7 +50,12 @@ export const sceneCameraNode = defineNode({
     }
     if (ride) assertRideable(relativity, camera);
     const fovY = fieldOfView === undefined ? undefined : radians(fieldOfView);
-    return { view: { ...relativity, camera, ride, fovY } };
+    const view = { ...relativity, camera, ride, fovY };
+    const { motion } = pictureCamera(view);
+    if (!smooth || motion.kind !== 'sampled') return { view };
+    const { smoothCourse } = await import('../../scene/view/cameraCourse.ts');
+    const course = smoothCourse(motion, relativity.speedOfLight);
+    return { view: { ...view, ...(course && { course }) } };
   },
 });
 

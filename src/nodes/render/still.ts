@@ -6,7 +6,8 @@ import type { Pipeline, StillLimits } from '../../pipelines/pipeline.ts';
 import { PIPELINES } from '../../pipelines/registry.ts';
 import { makeStillPixels } from '../../scene/frameGraph/still.ts';
 import { BUFFER_SETTINGS } from '../../scene/settings/settings.ts';
-import { framingCamera, observerFromCamera } from '../../scene/view/camera.ts';
+import { pictureCamera } from '../pictures/renderSettings.ts';
+import { observerFromCamera } from '../../scene/view/camera.ts';
 import { perspective } from '../../scene/view/lens.ts';
 import type { PictureSize, PictureViews } from '../../scene/view/pictureViews.ts';
 import { DEFAULT_SETTINGS, type RenderSettings, type ViewPoint } from '../../scene/view/view.ts';
@@ -119,12 +120,12 @@ function assertSize(
 }
 
 /** View point at time t [s] of the initial observer: at the camera, with its velocity or that of the scene's hint. */
-function initialViewPoint({ scene, camera, fovY, speedOfLight }: GBufferSpec, t: number): ViewPoint {
-  const found = scene.cameras.find(({ path }) => path === camera) ?? scene.cameras[0] ?? framingCamera(scene);
+function initialViewPoint(gbuffer: GBufferSpec, t: number): ViewPoint {
+  const { scene, fovY, speedOfLight } = gbuffer;
   const { beta } = scene.hints;
   return {
     t,
-    ...observerFromCamera(found, t, speedOfLight),
+    ...observerFromCamera(pictureCamera(gbuffer), t, speedOfLight),
     ...(beta && { u: properVelocity(beta) }),
     ...(fovY !== undefined && { lens: perspective(fovY) }),
   };

@@ -1,7 +1,9 @@
 import { fromMatrix, type Quat, rotate } from '../../math/quat.ts';
 import { addScaled, cross, length, negate, normalize, scale, type Vec3 } from '../../math/vec3.ts';
 import { SPEED_OF_LIGHT } from '../../physics/constants.ts';
-import { properVelocityAt } from '../../physics/worldLines/worldLine.ts';
+import { properVelocity } from '../../physics/lorentz/boost.ts';
+import { cubicPiece } from '../../physics/worldLines/kinds/cubicLine.ts';
+import { positionAt, properVelocityAt } from '../../physics/worldLines/worldLine.ts';
 import { boxSupport } from '../bounds/bounds.ts';
 import { animationSupport } from '../bounds/sceneBounds.ts';
 import type { Support } from '../bounds/supportMap.ts';
@@ -29,12 +31,20 @@ export interface CameraState {
  * const observer = observerFromCamera({ path: '/Eye', motion: restingAt([0, 1, 5]), fovY: 1 }, 0, 10);
  * observer; // { position: [0, 1, 5], u: [0, 0, 0] }
  */
-export function observerFromCamera({ motion, fovY }: SceneCamera, t: number, c: number): CameraState {
-  const pose = poseAt(motion, t, c);
-  const line = originWorldLine(motion);
+export function observerFromCamera(camera: SceneCamera, t: number, c: number): CameraState {
+  const { motion, course, fovY } = camera;
+  const pose = { ...poseAt(motion, t, c), ...(course && { position: positionAt(course.line, t, c) }) };
+  return { ...pose, u: riddenVelocity(camera, t, c), lens: perspective(fovY) };
+}
+
+/** γβ */
+function riddenVelocity({ motion, course }: SceneCamera, t: number, c: number): Vec3 {
   const times = sampleTimes(motion);
-  const inside = times && times[times.length - 1] === t ? times[times.length - 2] : t;
-  return { ...pose, u: properVelocityAt(line, inside, c), lens: perspective(fovY) };
+  const atEnd = times && times[times.length - 1] === t;
+  if (!course) return properVelocityAt(originWorldLine(motion), atEnd ? times[times.length - 2] : t, c);
+  if (!atEnd) return properVelocityAt(course.line, t, c);
+  const { vb } = cubicPiece(course.line, times.length - 2);
+  return properVelocity(scale(vb, 1 / c));
 }
 
 /**

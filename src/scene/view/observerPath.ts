@@ -56,7 +56,7 @@ export function observerPathFrom(setup: ObserverSetup, c: number, start: number)
  */
 export function observerWorldLine(setup: ObserverSetup, c: number): WorldLine | undefined {
   const { camera, beta, hold } = setup;
-  if (ridesCamera(setup)) return beta ? undefined : originWorldLine(camera.motion);
+  if (ridesCamera(setup)) return beta ? undefined : (camera.course?.line ?? originWorldLine(camera.motion));
   if (hold || !beta || length(beta) === 0) return undefined;
   return { kind: 'uniform', position: ZERO, velocity: scale(beta, c) };
 }
