@@ -2,6 +2,7 @@ import type { Mat3 } from '../math/mat3.ts';
 import type { Vec3 } from '../math/vec3.ts';
 import { type LocalizedText, type Message, msg } from '../messages/message.ts';
 import { MessageError } from '../messages/messageError.ts';
+import type { CubicLine } from '../physics/worldLines/kinds/cubicLine.ts';
 import type { MeasuredReflectance } from '../spectrum/reflectance/measuredReflectance.ts';
 import type { Light } from './lights/light.ts';
 import type {
@@ -15,7 +16,6 @@ import type {
 } from './materials/layers.ts';
 import type { NormalTexture, Texture, TextureChannel } from './materials/texture.ts';
 import type { Quadric } from './mesh/quadricTypes.ts';
-import type { CubicLine } from '../physics/worldLines/kinds/cubicLine.ts';
 import type { Lifetime, Motion, RigidMotion } from './motion/motionTypes.ts';
 
 export type * from './lights/light.ts';

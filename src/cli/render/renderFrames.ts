@@ -8,8 +8,8 @@ import type { FrameTime } from '../../nodes/project/outputFiles.ts';
 import type { PictureRenderer } from '../../pipelines/pictureRenderer.ts';
 import type { PipelineSession } from '../../pipelines/pipeline.ts';
 import { pipelineNamed } from '../../pipelines/registry.ts';
-import { validate } from '../../scene/validation/validate.ts';
 import { sampleTimes } from '../../scene/motion/motion.ts';
+import { validate } from '../../scene/validation/validate.ts';
 import { type ObserverSetup, observerPathFrom, ridesCamera } from '../../scene/view/observerPath.ts';
 import type { PictureViews } from '../../scene/view/pictureViews.ts';
 import type { AovName, ViewPoint } from '../../scene/view/view.ts';
@@ -92,7 +92,10 @@ function noteCourse(setup: ObserverSetup, progress: Progress): void {
   progress.note(
     msg`${path}: a smooth path through its ${samples} samples, up to ${strayed} beside the straight lines between them (--camera-path straight)`,
   );
-  const jumps = `${course.jumps.slice(0, 3).map((t) => `${t} s`).join(', ')}${course.jumps.length > 3 ? ', …' : ''}`;
+  const jumps = `${course.jumps
+    .slice(0, 3)
+    .map((t) => `${t} s`)
+    .join(', ')}${course.jumps.length > 3 ? ', …' : ''}`;
   if (course.jumps.length > 0)
     progress.note(msg`${path}: its velocity still jumps at ${jumps}: no curve there is slower than light`);
 }

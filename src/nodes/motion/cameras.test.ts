@@ -13,7 +13,13 @@ import { workerServices } from '../services.ts';
 const C = 10;
 
 /** A project without a file: a camera at (3, 2, 6) that looks along −Z, moved by a node of a type, and ridden. */
-async function ridden(type: string, params: Readonly<Record<string, ParamValue>>, which = '', twice = false, smooth = true) {
+async function ridden(
+  type: string,
+  params: Readonly<Record<string, ParamValue>>,
+  which = '',
+  twice = false,
+  smooth = true,
+) {
   const setAll = (node: string, values: Readonly<Record<string, ParamValue>>) =>
     Object.entries(values).map(([param, value]) => ({ kind: 'set-param', node, param, value }) as const);
   const project = edited(

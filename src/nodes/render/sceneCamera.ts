@@ -1,10 +1,10 @@
 import { NodeRefusal } from '../../graph/nodeType.ts';
 import { radians } from '../../math/angle.ts';
 import { listed, msg } from '../../messages/message.ts';
-import { pictureCamera } from '../pictures/renderSettings.ts';
 import { validate } from '../../scene/validation/validate.ts';
 import { nodeRefusal } from '../common/params.ts';
 import { defineNode } from '../defineNode.ts';
+import { pictureCamera } from '../pictures/renderSettings.ts';
 import type { RelativisticScene } from '../socketValues.ts';
 
 /** The camera that the scene is observed from. */

@@ -6,12 +6,12 @@ import type { Pipeline, StillLimits } from '../../pipelines/pipeline.ts';
 import { PIPELINES } from '../../pipelines/registry.ts';
 import { makeStillPixels } from '../../scene/frameGraph/still.ts';
 import { BUFFER_SETTINGS } from '../../scene/settings/settings.ts';
-import { pictureCamera } from '../pictures/renderSettings.ts';
 import { observerFromCamera } from '../../scene/view/camera.ts';
 import { perspective } from '../../scene/view/lens.ts';
 import type { PictureSize, PictureViews } from '../../scene/view/pictureViews.ts';
 import { DEFAULT_SETTINGS, type RenderSettings, type ViewPoint } from '../../scene/view/view.ts';
 import { defineNode } from '../defineNode.ts';
+import { pictureCamera } from '../pictures/renderSettings.ts';
 import type { GBufferSpec } from '../socketValues.ts';
 
 const integerParam = (title: LocalizedText, preset: number, min: number, max: number) =>

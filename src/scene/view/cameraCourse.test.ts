@@ -130,7 +130,13 @@ describe('the course of a camera', () => {
 
   it('rests where the camera rests, and stays beside a cut', () => {
     const places: Vec3[] = [0, 0.1, 0.2, 0.2, 0.2, 0.3, 50, 50.1, 50.2].map((x) => [x, 0, 0]);
-    const { line } = smoothCourse(through(places.map((_, k) => k), places), 1e6)!;
+    const { line } = smoothCourse(
+      through(
+        places.map((_, k) => k),
+        places,
+      ),
+      1e6,
+    )!;
     for (let t = 2; t <= 4; t += 0.1) expect(positionAt(line, t, 1e6)[0]).toBeCloseTo(0.2, 12);
     for (let t = 0; t < 8; t += 0.05) {
       const [x] = positionAt(line, t, 1e6);
@@ -150,11 +156,25 @@ describe('the course of a camera', () => {
   });
 
   it('keeps what is uniform, and is for samples only', () => {
-    const uniform = through([0, 1, 3, 4], [0, 1, 3, 4].map((t): Vec3 => [9.99 * t, 0, 0]));
+    const uniform = through(
+      [0, 1, 3, 4],
+      [0, 1, 3, 4].map((t): Vec3 => [9.99 * t, 0, 0]),
+    );
     const course = smoothCourse(uniform, C)!;
     expect(course.strayed).toBeLessThan(1e-12);
     expect(course.jumps).toEqual([]);
-    expect(smoothCourse(through([0, 1], [[0, 0, 0], [1, 0, 0]]), C)).toBeUndefined();
+    expect(
+      smoothCourse(
+        through(
+          [0, 1],
+          [
+            [0, 0, 0],
+            [1, 0, 0],
+          ],
+        ),
+        C,
+      ),
+    ).toBeUndefined();
     const pose = { position: [0, 0, 0], orientation: [0, 0, 0, 1] } as const;
     expect(smoothCourse({ kind: 'uniform', pose, velocity: [1, 0, 0] }, C)).toBeUndefined();
   });

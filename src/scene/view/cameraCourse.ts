@@ -1,5 +1,11 @@
 import { addScaled, distance, length, lerp, scale, sub, type Vec3, ZERO } from '../../math/vec3.ts';
-import { type CubicPiece, controlVelocities, cubicAt, subluminalBend, withBend } from '../../physics/worldLines/cubicPiece.ts';
+import {
+  type CubicPiece,
+  controlVelocities,
+  cubicAt,
+  subluminalBend,
+  withBend,
+} from '../../physics/worldLines/cubicPiece.ts';
 import { samplePosition } from '../../physics/worldLines/samples.ts';
 import { originWorldLine } from '../motion/motion.ts';
 import type { CameraCourse, RigidMotion } from '../types.ts';
