@@ -60,6 +60,22 @@ describe('slowlight flight', () => {
     expect(await refused(...film, '-o', at('x.png'), '--time', '-1')).toContain('the flight lasts from 0 to');
   });
 
+  it('tells of a flight that is faster than pictures', async () => {
+    const trip = (d: number) => done('flight', 'trip', '--to', `0,0,${-d}`, '--c', '10', '-o', at('fast.flight.json'));
+    const middle = async (): Promise<string> => {
+      const { pilotTime } = JSON.parse(await done('flight', 'inspect', at('fast.flight.json'), '--json'));
+      const film = ['render', SPHERE, '--flight', at('fast.flight.json'), '--time', String(pilotTime / 2)];
+      const { code, err } = await slowlight(...film, '-o', at('fast.png'), '--size', '16x9', '--pipeline', 'reference');
+      expect(code, err).toBe(0);
+      return err;
+    };
+    // γ half way is 1 + ad/2c².
+    await trip(1.9e4 * (100 / 9.80665));
+    expect(await middle()).not.toContain('faster than pictures');
+    await trip(2.1e4 * (100 / 9.80665));
+    expect(await middle()).toContain('drawn as at γ = 10000');
+  });
+
   it('films a flight: each frame is the picture of an observer there, with that velocity', async () => {
     const [a, c] = [5, 10];
     await done(

@@ -1,6 +1,7 @@
 import { extname } from 'node:path';
 import { msg } from '../../messages/message.ts';
 import { flightPath } from '../../nodes/flights/flightPath.ts';
+import { FASTER_THAN_PICTURES, isFasterThanPictures } from '../../nodes/flights/pictureLimit.ts';
 import { outputSize } from '../../nodes/pictures/falseColor.ts';
 import { spacedFrames } from '../../nodes/pictures/frameSpacing.ts';
 import { type PictureSequence, renderPictureSequence } from '../../nodes/pictures/sequence.ts';
@@ -59,6 +60,8 @@ export async function renderFrames(
   const spaced = () => spacedFrames(instants, flags.spacing ?? 'world', setup, c);
   const frames = flight ? instants : orRefuse(spaced, usageError);
   if (!flight) noteCourse(setup, progress);
+  else if (frames.some(({ t }) => isFasterThanPictures(flight.playback.stateAt(t))))
+    progress.note(FASTER_THAN_PICTURES);
   const standing = observerPathFrom(setup, c, frames[0]!.t);
   const observer = flight ? flightPath(flight.playback, standing(scene.startTime).lens) : standing;
   const settings = { ...renderSettings(flags, c), ...(frameGraph && { frameGraph }) };

@@ -88,7 +88,16 @@ it('waits at the end of an unfinished simulation, and continues when there is mo
 it('follows a camera with its velocity and its dilated time, until a key takes over', async () => {
   editor.set('camera', 'camera', '/ride', 'camera');
   editor.set('camera', 'ride', true, 'ride');
-  await follow();
+  const { t } = observerController.observer;
+  // The ride begins when its path and its clock are loaded.
+  await expect
+    .poll(async () => {
+      await follow();
+      observerController.advance(0);
+      return observerController.observer.u[0];
+    })
+    .not.toBe(0);
+  expect(observerController.observer.t).toBe(t);
   observerController.advance(1);
   expect(observerController.observer.position[0]).toBeCloseTo(18, 9);
   expect(observerController.observer.u[0]).toBeCloseTo(0.75, 9);

@@ -10,6 +10,8 @@ import { flightViewPoint } from '../../nodes/flights/flightViewPoint.ts';
 import { pictureCamera, pictureLens } from '../../nodes/pictures/renderSettings.ts';
 import type { PictureSpec } from '../../nodes/socketValues.ts';
 import type { ObserverState } from '../../physics/lorentz/observer.ts';
+import type { properTimeBetween as ProperTimeBetween } from '../../physics/worldLines/properTime.ts';
+import { originWorldLine } from '../../scene/motion/motion.ts';
 import { lookAtOrientation } from '../../scene/view/camera.ts';
 import type { ViewPoint } from '../../scene/view/view.ts';
 import { sceneKey } from '../loading/localFiles.ts';
@@ -43,6 +45,8 @@ export class ObserverController {
 
   /** For the first picture: the state to restore after a page reload. */
   private restored: RestoredObserver | undefined;
+  /** What a clock on a world line counts; loaded when a camera is ridden, which begins then. */
+  private properTimeBetween: typeof ProperTimeBetween | undefined;
 
   constructor(editor: Editor, restored?: RestoredObserver) {
     this.editor = editor;
@@ -82,6 +86,7 @@ export class ObserverController {
     const scene = sceneIdentity(origin, source);
     this.currentPicture = picture;
     this.until = until;
+    if (picture.ride) void this.loadClock();
     if (scene !== this.scene) {
       this.scene = scene;
       this.restart();
@@ -150,7 +155,7 @@ export class ObserverController {
       return;
     }
     if (picture.ride && busy) leaveCamera(this.editor);
-    if (picture.ride && !busy) this.ride(picture, dt);
+    if (picture.ride && !busy) this.ride(picture, this.timeRuns ? dt : 0);
     else this.fly(picture, dt, controls);
     this.keepTime(picture);
   }
@@ -199,15 +204,20 @@ export class ObserverController {
     this.pilot?.flown(before, arcs, conditions, this.flight);
   }
 
+  private async loadClock(): Promise<void> {
+    this.properTimeBetween ??= (await import('../../physics/worldLines/properTime.ts')).properTimeBetween;
+  }
+
+  /** dt [s] of world time. */
   private ride(picture: PictureSpec, dt: number): void {
+    if (!this.properTimeBetween) return;
     const before = this.state;
-    const after = observerOnCamera(
-      pictureCamera(picture),
-      { ...before, t: before.t + (this.timeRuns ? dt : 0) },
-      picture.speedOfLight,
-    );
-    const slow = Math.hypot(1, length(after.u));
-    this.state = { ...after, properTime: before.properTime + (after.t - before.t) / slow };
+    const camera = pictureCamera(picture);
+    const { course, motion } = camera;
+    const c = picture.speedOfLight;
+    const t = before.t + dt;
+    const elapsed = this.properTimeBetween(course?.line ?? originWorldLine(motion), before.t, t, c);
+    this.state = observerOnCamera(camera, { ...before, t, properTime: before.properTime + elapsed }, c);
   }
 
   /** Whether world time runs. */

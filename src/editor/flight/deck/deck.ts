@@ -1,6 +1,6 @@
 import { createStore } from 'zustand/vanilla';
 import type { Attitude, FlightRules } from '../../../flight/controls.ts';
-import { observerOf } from '../../../flight/flightState.ts';
+import { type FlightState, observerOf } from '../../../flight/flightState.ts';
 import { FLIGHT_MODES, type FlightModeName } from '../../../flight/modes/modes.ts';
 import { FlightPlayback } from '../../../flight/recording/playback.ts';
 import { FlightRecorder } from '../../../flight/recording/recorder.ts';
@@ -8,6 +8,7 @@ import type { FlightRecording } from '../../../flight/recording/recording.ts';
 import { arcsOf } from '../../../flight/step.ts';
 import { length, type Vec3 } from '../../../math/vec3.ts';
 import { msg } from '../../../messages/message.ts';
+import { FASTER_THAN_PICTURES, isFasterThanPictures } from '../../../nodes/flights/pictureLimit.ts';
 import type { Editor } from '../../state/editor.ts';
 import type { Pilot } from '../pilot.ts';
 import { bodyVelocity } from './targets.ts';
@@ -50,6 +51,8 @@ export class FlightDeck {
   private readonly editor: Editor;
   private recorder: FlightRecorder | undefined;
   private playback: FlightPlayback | undefined;
+  /** Whether the replay is faster than what is drawn. */
+  private isFaster = false;
 
   constructor(editor: Editor) {
     this.editor = editor;
@@ -93,9 +96,18 @@ export class FlightDeck {
       }
       const time = replaying ? Math.min(duration, shown + dt) : shown;
       if (time !== shown) this.store.setState({ shown: time, replaying: time < duration });
-      return { state: this.playback.stateAt(time), leg: this.playback.legAt(time) };
+      const state = this.playback.stateAt(time);
+      this.tellOfSpeed(state);
+      return { state, leg: this.playback.legAt(time) };
     },
   };
+
+  /** Tells once that a flight is faster than what is drawn. */
+  private tellOfSpeed(state: FlightState): void {
+    const { isFaster } = this;
+    this.isFaster = isFasterThanPictures(state);
+    if (this.isFaster && !isFaster) this.editor.notify({ kind: 'warning', text: FASTER_THAN_PICTURES });
+  }
 
   choose(mode: FlightModeName): void {
     this.store.setState({ mode });
