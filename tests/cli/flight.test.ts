@@ -3,6 +3,9 @@ import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { decode } from 'fast-png';
 import { describe, expect, it } from 'vitest';
+import { serializeDocument } from '../../src/graph/document/serialize.ts';
+import { edited, set } from '../support/graphKit.ts';
+import { savingProject } from '../support/savingGraph.ts';
 import { slowlight } from './program.ts';
 
 const folder = mkdtempSync(join(tmpdir(), 'slowlight-flight-'));
@@ -74,6 +77,24 @@ describe('slowlight flight', () => {
     expect(await middle()).not.toContain('faster than pictures');
     await trip(2.1e4 * (100 / 9.80665));
     expect(await middle()).toContain('drawn as at γ = 10000');
+  });
+
+  it('is filmed by a project whose node names it, as by render --flight', async () => {
+    const how = ['--acceleration', '5', '--c', '10', '-o', at('across.flight.json')];
+    await done('flight', 'trip', '--from', '0,1,6', '--to', '1,1,4', ...how);
+    const film = [
+      ...[set('film', 'flight', 'across.flight.json'), set('film', 'spacing', 'proper')],
+      ...[set('film', 'name', 'made.##.png'), set('film', 'fps', 2)],
+    ];
+    const project = at('film.slowlight.json');
+    writeFileSync(project, serializeDocument(edited(savingProject(), ...film)));
+    const { files } = JSON.parse(await done('render', project, '--folder', folder, '--json'));
+    const made = files.filter((file: string) => /made\.\d\d\.png$/.test(file));
+    expect(made.length).toBeGreaterThan(1);
+    const flown = ['--flight', at('across.flight.json'), '--fps', '2', '--size', '64x48', '--samples', '1'];
+    await done('render', project, '-o', at('flown.##.png'), ...flown);
+    for (const file of made)
+      expect(readFileSync(file).equals(readFileSync(file.replace('made', 'flown'))), file).toBe(true);
   });
 
   it('films a flight: each frame is the picture of an observer there, with that velocity', async () => {

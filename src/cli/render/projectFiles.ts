@@ -1,10 +1,18 @@
 import { join } from 'node:path';
+import { FlightPlayback } from '../../flight/recording/playback.ts';
 import { extensionOf } from '../../formats/files/fileSource.ts';
 import { DocumentError, type GraphDocument } from '../../graph/document/document.ts';
 import { inLines, msg } from '../../messages/message.ts';
+import { flownFrames } from '../../nodes/pictures/fileSequence.ts';
 import { exportSceneFile } from '../../nodes/project/exportSceneFile.ts';
 import { fileNodesIn, requestedFiles } from '../../nodes/project/fileNodes.ts';
-import { frameTimes, type ImageOutput, type RequestedFile, type VideoOutput } from '../../nodes/project/outputFiles.ts';
+import {
+  type FrameTime,
+  frameTimes,
+  type ImageOutput,
+  type RequestedFile,
+  type VideoOutput,
+} from '../../nodes/project/outputFiles.ts';
 import { writeExportedFiles } from '../files/exportScene.ts';
 import { checkWritable, throwIfStopped } from '../files/outputFile.ts';
 import { checkPipeline } from '../flags/pipelineFlags.ts';
@@ -21,6 +29,7 @@ import { placed, reportDiagnostics } from '../terminal/diagnostics.ts';
 import { inputProblem, usageError } from '../terminal/exitCodes.ts';
 import { toJson } from '../terminal/json.ts';
 import { Progress } from '../terminal/progress.ts';
+import type { FilmedFlight } from './flightFilm.ts';
 import type { ProjectFilesFlags, RenderFlags } from './renderFlags.ts';
 import { renderFrames } from './renderFrames.ts';
 import { checkEncoder, VIDEO_EXTENSION } from './videoWriter.ts';
@@ -45,7 +54,12 @@ const WRITERS: {
     return writeExportedFiles(folder, written);
   },
   image: writeRendered,
-  video: (file, place) => writeRendered(file, place, { fps: file.fps, spacing: file.spacing, hold: file.hold }),
+  video: (file, place) => {
+    const how = { fps: file.fps, spacing: file.spacing, hold: file.hold };
+    if (!file.flight) return writeRendered(file, place, how);
+    const flight = { playback: new FlightPlayback(file.flight), speedOfLight: file.picture.speedOfLight };
+    return writeRendered(file, place, how, flownFrames(file, flight.playback), flight);
+  },
 };
 
 /** Renders to a file as `render -o` does. */
@@ -53,12 +67,14 @@ async function writeRendered(
   file: ImageOutput | VideoOutput,
   { folder, flags, given }: WriteTarget,
   more: Partial<RenderFlags> = {},
+  frames: readonly FrameTime[] = frameTimes(file),
+  flight?: FilmedFlight,
 ): Promise<readonly string[]> {
   const { name, width, height, samples, picture } = file;
   const own = { output: join(folder, name), size: { width, height }, ...more };
   const opened = renderJobOf(picture, { ...flags, ...own }, given, file.kind === 'video');
   const sampled = opened.flags.antialiasing ? { ...opened, flags: { ...opened.flags, samples } } : opened;
-  return (await renderFrames(sampled, frameTimes(file), new Progress(name))).files;
+  return (await renderFrames(sampled, frames, new Progress(name), flight)).files;
 }
 
 /** Writes every file that the nodes of a project request; writes none if one of them cannot be written. */

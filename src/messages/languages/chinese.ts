@@ -2257,8 +2257,10 @@ const messages: Translation['messages'] = {
   'Smooth path': '平滑路径',
   'The ride goes through the camera’s keyframes on a curve, so that your velocity does not jump there, and with it all that you see. Off: along straight lines.':
     '乘坐时沿曲线经过相机的关键帧，你的速度以及所见的一切在那里不会跳变。关闭：沿直线段。',
-  'Proper: of the clock of the observer, who rides a moving camera or coasts.':
-    '固有时：观察者所带时钟的时间；观察者乘坐运动的相机或滑行。',
+  'Proper: of the clock of the observer, who rides a moving camera, coasts, or flies a flight.':
+    '固有时：观察者所带时钟的时间；观察者乘坐运动的相机、滑行，或沿飞行记录飞行。',
+  'A recorded flight, .flight.json: all of it is filmed, instead of what the camera sees.':
+    '一段飞行记录，.flight.json：拍摄其全程，而不是相机所见。',
   'frames in proper time need an observer who moves: let him ride a moving camera with its own velocity, or coast without being held in place':
     '按固有时取帧需要运动的观察者：请乘坐运动的相机并使用其自身速度，或不固定位置地滑行',
   "the observer's clock never shows {} s: he is as fast as light": '观察者的时钟永远不会显示 {1} s：他与光一样快',

@@ -11,7 +11,7 @@ import { fromAxisAngle, IDENTITY, multiply, type Quat } from '../../math/quat.ts
 import type { Vec3 } from '../../math/vec3.ts';
 import { type LocalizedText, listed, type Message, msg } from '../../messages/message.ts';
 import { matchesPath } from '../../scene/compose/mergeScenes.ts';
-import type { Scene } from '../../scene/types.ts';
+import { InputError, type Scene } from '../../scene/types.ts';
 
 /** Path of the objects that a node applies to. */
 export const whichParam: TextParam = {
@@ -66,6 +66,17 @@ export const nodeRefusal = (
   message: Message,
   remedy?: NodeRefusal['problem']['remedy'],
 ) => new NodeRefusal({ severity: 'error', code, place, message, ...(remedy && { remedy }) });
+
+/** What is read from a file that the parameter `file` names. Throws a NodeRefusal where an InputError is thrown, with its place; the remedy is to name no file. */
+export async function readOrRefuse<T>(node: string, param: string, read: () => Promise<T>): Promise<T> {
+  try {
+    return await read();
+  } catch (error) {
+    if (!(error instanceof InputError)) throw error;
+    const { code, place, message } = error.diagnostic;
+    throw nodeRefusal(code, place, message, { node, param, value: '' });
+  }
+}
 
 /** Throws a NodeRefusal if the scene has no object or light, and none of `others`, at a path, instead of changing nothing silently. */
 export function assertPathExists(scene: Scene, path: string, node: string, others: Scene['cameras'] = []): void {

@@ -1,6 +1,5 @@
 import { msg } from '../../messages/message.ts';
-import { InputError } from '../../scene/types.ts';
-import { nodeRefusal } from '../common/params.ts';
+import { nodeRefusal, readOrRefuse } from '../common/params.ts';
 import { defineNode } from '../defineNode.ts';
 
 /** Reads a simulation's results from the file that they were written to, instead of computing them again. */
@@ -30,12 +29,7 @@ export const cacheNode = defineNode({
         msg`it passes on what comes in; connect something, or name a file to read instead`,
       );
     }
-    try {
-      return { geometry: await services.readScene(file, { interpolation: 'cubic', signal, progress }) };
-    } catch (error) {
-      if (!(error instanceof InputError)) throw error;
-      const { code, place, message } = error.diagnostic;
-      throw nodeRefusal(code, place, message, { node, param: 'file', value: '' });
-    }
+    const how = { interpolation: 'cubic', signal, progress } as const;
+    return { geometry: await readOrRefuse(node, 'file', () => services.readScene(file, how)) };
   },
 });

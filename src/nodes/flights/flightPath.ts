@@ -23,6 +23,15 @@ export function filmClockOf(playback: FlightPlayback, spacing: FrameSpacing): Fi
   );
 }
 
+/** Throws if a flight was flown at another speed of light [m/s] than a picture's. */
+export function assertFlownAt(flight: FlightRecording, c: number): void {
+  const flown = flightSpeedOfLight(flight);
+  if (flown === c) return;
+  throw new MessageError(
+    msg`the flight was flown at ${flown} m/s, and light has ${c} m/s now; set it back to that for the film`,
+  );
+}
+
 /** The speed of light of a flight [m/s]. Throws where its legs have different ones: a film has one. */
 export function flightSpeedOfLight({ legs }: FlightRecording): number {
   const { c } = legs[0]!.conditions;

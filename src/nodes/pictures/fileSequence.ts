@@ -1,11 +1,9 @@
 import { FlightPlayback } from '../../flight/recording/playback.ts';
 import type { FlightRecording } from '../../flight/recording/recording.ts';
 import { extensionOf } from '../../formats/files/fileSource.ts';
-import { msg } from '../../messages/message.ts';
-import { MessageError } from '../../messages/messageError.ts';
 import { observerPathFrom } from '../../scene/view/observerPath.ts';
-import { filmClockOf, flightPath, flightSpeedOfLight } from '../flights/flightPath.ts';
-import { frameTimes, type ImageOutput, type VideoOutput } from '../project/outputFiles.ts';
+import { assertFlownAt, filmClockOf, flightPath } from '../flights/flightPath.ts';
+import { type FrameTime, frameTimes, type ImageOutput, type VideoOutput } from '../project/outputFiles.ts';
 import { spacedFrames } from './frameSpacing.ts';
 import { initialBeta, pictureCamera, pictureLens, renderSettings } from './renderSettings.ts';
 import type { PictureSequence } from './sequence.ts';
@@ -43,17 +41,17 @@ function observed(file: ImageOutput | VideoOutput): FramesAndViews {
   return { frames, views: (t) => [observer(t)] };
 }
 
-/** Frames in the pilot's time. Throws if the flight was flown at another speed of light than the picture's. */
+/** Throws if the flight was flown at another speed of light than the picture's. */
 function flown(file: VideoOutput, flight: FlightRecording): FramesAndViews {
   const { picture } = file;
-  const c = flightSpeedOfLight(flight);
-  if (c !== picture.speedOfLight)
-    throw new MessageError(
-      msg`the flight was flown at ${c} m/s, and light has ${picture.speedOfLight} m/s now; set it back to that for the film`,
-    );
+  assertFlownAt(flight, picture.speedOfLight);
   const playback = new FlightPlayback(flight);
-  const clock = filmClockOf(playback, file.spacing);
   const observer = flightPath(playback, pictureLens(picture));
-  const frames = frameTimes(file).map((frame) => ({ ...frame, t: clock.pilotTime(frame.t) }));
-  return { frames, views: (t) => [observer(t)] };
+  return { frames: flownFrames(file, playback), views: (t) => [observer(t)] };
+}
+
+/** Frames of a filmed flight, in the pilot's time. */
+export function flownFrames(file: VideoOutput, playback: FlightPlayback): readonly FrameTime[] {
+  const clock = filmClockOf(playback, file.spacing);
+  return frameTimes(file).map((frame) => ({ ...frame, t: clock.pilotTime(frame.t) }));
 }

@@ -2,8 +2,7 @@ import { NodeRefusal, type ParamSpec, type TextParam } from '../../graph/nodeTyp
 import { type Message, msg } from '../../messages/message.ts';
 import type { CustomEffect } from '../../scene/frameGraph/frameGraph.ts';
 import { SHADER_TEXT_LIMITS, ShaderTextError } from '../../scene/shaderText/sourceLocation.ts';
-import { InputError } from '../../scene/types.ts';
-import { nodeRefusal } from '../common/params.ts';
+import { nodeRefusal, readOrRefuse } from '../common/params.ts';
 import type { Services } from '../services.ts';
 
 /** The choice that stands for a user's own text. */
@@ -67,19 +66,13 @@ const rethrow = (error: unknown): never => {
 };
 
 async function readText(file: string, node: string, services: Services): Promise<string> {
-  try {
-    const bytes = await services.readFile(file);
-    // Every character has a byte at least; more is refused before it is decoded.
-    if (bytes.length > 4 * SHADER_TEXT_LIMITS.length)
-      throw nodeRefusal(
-        'shader.text',
-        node,
-        msg`${file} has ${bytes.length} bytes; a shader text has ${SHADER_TEXT_LIMITS.length} characters at most`,
-      );
-    return new TextDecoder().decode(bytes);
-  } catch (error) {
-    if (!(error instanceof InputError)) throw error;
-    const { code, place, message } = error.diagnostic;
-    throw nodeRefusal(code, place, message, { node, param: 'file', value: '' });
-  }
+  const bytes = await readOrRefuse(node, 'file', () => services.readFile(file));
+  // Every character has a byte at least; more is refused before it is decoded.
+  if (bytes.length > 4 * SHADER_TEXT_LIMITS.length)
+    throw nodeRefusal(
+      'shader.text',
+      node,
+      msg`${file} has ${bytes.length} bytes; a shader text has ${SHADER_TEXT_LIMITS.length} characters at most`,
+    );
+  return new TextDecoder().decode(bytes);
 }

@@ -1,10 +1,17 @@
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
+import { AT_REST } from '../../../tests/support/flightFixtures.ts';
 import { edited, set } from '../../../tests/support/graphKit.ts';
+import { saying } from '../../../tests/support/inWords.ts';
 import { savingProject } from '../../../tests/support/savingGraph.ts';
+import { flightOf } from '../../flight/flightState.ts';
+import { planTrip } from '../../flight/trip.ts';
 import type { Command } from '../../graph/edits/commands.ts';
 import { Evaluator } from '../../graph/evaluation/evaluator.ts';
 import type { NodeResult } from '../../graph/evaluation/resultCache.ts';
+import { msg } from '../../messages/message.ts';
+import { InputError } from '../../scene/types.ts';
+import { serializeFlight } from '../flights/flightFile.ts';
 import { nodeLibrary } from '../library.ts';
 import { evaluatedPicture } from '../pictures/renderSettings.ts';
 import { fileNodesIn, requestedFiles } from '../project/fileNodes.ts';
@@ -81,6 +88,40 @@ describe('the nodes that save pictures', () => {
       problem: { code, remedy: { node: 'film', param, value: remedy } },
     });
     expect(await refusalOf('film', ...gif, bad, set('film', param, remedy))).toMatchObject({ status: 'done' });
+  });
+
+  it('film all of a flight, whose clock and speed of light are its own', async () => {
+    // 20 m from rest to rest with 5 m/s²: τ = (2c/a) acosh(1 + ad/2c²), t = √((d/c)² + 4d/a).
+    const [d, a] = [20, 5];
+    const flightAt = (c: number): string => {
+      const start = flightOf(AT_REST);
+      const arcs = planTrip(start, [d, 0, 0], { c, acceleration: a, limit: 10 });
+      return serializeFlight({ legs: [{ conditions: { c, lock: 'free', playing: true }, start, arcs }] });
+    };
+    const film = async (text: string, ...commands: readonly Command[]): Promise<NodeResult> => {
+      const readFile = async (name: string) => {
+        if (name === 'a.flight.json') return new TextEncoder().encode(text);
+        throw new InputError({ severity: 'error', code: 'file.missing', place: name, message: msg`it does not exist` });
+      };
+      const document = edited(savingProject(), set('film', 'flight', 'a.flight.json'), ...commands);
+      const evaluator = new Evaluator(nodeLibrary);
+      const evaluation = await evaluator.evaluate(document, ['film'], { ...workerServices, readFile });
+      return evaluation.results.get('film')!;
+    };
+    const fileOf = (result: NodeResult) =>
+      result.status === 'done' ? (result.outputs.file as VideoOutput) : undefined;
+    const world = fileOf(await film(flightAt(10)))!;
+    expect(world.from).toBe(0);
+    expect(world.to).toBeCloseTo(Math.sqrt((d / 10) ** 2 + (4 * d) / a), 9);
+    const proper = fileOf(await film(flightAt(10), set('film', 'spacing', 'proper')))!;
+    expect(proper.to).toBeCloseTo((20 / a) * Math.acosh(1 + (a * d) / 200), 9);
+    expect(await film(flightAt(20))).toMatchObject({
+      problem: { code: 'file.flight', message: saying(/flown at 20 m\/s/) },
+    });
+    expect(await film('{}')).toMatchObject({ problem: { message: saying(/a\.flight\.json: slowlight/) } });
+    expect(await film('{}', set('film', 'flight', 'b.flight.json'))).toMatchObject({
+      problem: { place: 'b.flight.json', remedy: { param: 'flight', value: '' } },
+    });
   });
 
   it('false colours cannot be saved as light', async () => {

@@ -1,13 +1,20 @@
+import type { FlightRecording } from '../../flight/recording/recording.ts';
+import type { FrameSpacing } from '../../flight/spacing.ts';
 import { extensionOf } from '../../formats/files/fileSource.ts';
 import { gifProblem, MAX_GIF_RATE, MAX_GIF_SIDE, MIN_GIF_RATE } from '../../formats/image/gif/gifLimits.ts';
 import { msg } from '../../messages/message.ts';
-import { nodeRefusal, timeParam } from '../common/params.ts';
+import { MessageError, messageOf } from '../../messages/messageError.ts';
+import { nodeRefusal, readOrRefuse, timeParam } from '../common/params.ts';
 import { defineNode } from '../defineNode.ts';
 import { checkedFileName, frameCount, type VideoOutput } from '../project/outputFiles.ts';
+import type { Services } from '../services.ts';
 import { pictureSizeParams, pictureToSave, samplesParam } from './saveParams.ts';
 
 /** Maximum number of frames: three quarters of an hour at 24 frames per second. */
 const MAX_FRAMES = 65_536;
+
+/** For what a flight says itself. */
+const UNFLOWN = { param: 'flight', is: '' } as const;
 
 /** Requests that an image is saved over a time range, as a film or as frames; passes it through. */
 export const saveVideoNode = defineNode({
@@ -23,8 +30,15 @@ export const saveVideoNode = defineNode({
       default: 'film.mp4',
     },
     ...pictureSizeParams,
-    from: { ...timeParam(msg`From`, 0), suggestion: 'startTime' },
-    to: { ...timeParam(msg`To`, 0), suggestion: 'endTime' },
+    flight: {
+      kind: 'text',
+      title: msg`Flight`,
+      help: msg`A recorded flight, .flight.json: all of it is filmed, instead of what the camera sees.`,
+      default: '',
+      file: true,
+    },
+    from: { ...timeParam(msg`From`, 0), suggestion: 'startTime', onlyWhen: UNFLOWN },
+    to: { ...timeParam(msg`To`, 0), suggestion: 'endTime', onlyWhen: UNFLOWN },
     fps: {
       kind: 'number',
       title: msg`Frames per second`,
@@ -39,7 +53,7 @@ export const saveVideoNode = defineNode({
     spacing: {
       kind: 'choice',
       title: msg`Times are`,
-      help: msg`Proper: of the clock of the observer, who rides a moving camera or coasts.`,
+      help: msg`Proper: of the clock of the observer, who rides a moving camera, coasts, or flies a flight.`,
       default: 'world',
       options: [
         { value: 'world', title: msg`World time` },
@@ -51,24 +65,50 @@ export const saveVideoNode = defineNode({
       title: msg`Observer stays in place`,
       help: msg`On: the picture has the observer’s velocity, from a fixed position. Off: the observer coasts.`,
       default: false,
+      onlyWhen: UNFLOWN,
     },
     samples: samplesParam(2),
   },
   inputs: { image: { type: 'image' } },
   outputs: { image: { type: 'image' }, file: { type: 'file', title: msg`File` } },
-  evaluate({ image }, { name, width, height, from, to, fps, spacing, hold, samples }, { node }) {
+  async evaluate({ image }, { name, width, height, flight, spacing, hold, samples, ...range }, { node, services }) {
     const called = checkedFileName(name, ['mp4', 'gif', 'png', 'exr'], node);
     const picture = pictureToSave(image, called, node);
     const { startTime, endTime, timeCodesPerSecond } = picture.scene;
-    const span = { from: from ?? startTime, to: to ?? endTime, fps: fps ?? timeCodesPerSecond };
+    const flown = flight === '' ? undefined : await flownSpan(flight, spacing, picture.speedOfLight, node, services);
+    const { from, to } = flown ?? { from: range.from ?? startTime, to: range.to ?? endTime };
+    const span = { from, to, fps: range.fps ?? timeCodesPerSecond };
     assertFrameRange(span, node);
     const kind = extensionOf(called);
     if (kind === 'mp4') assertEvenSize({ width, height }, node);
     else if (kind === 'gif') assertGif({ width, height, fps: span.fps }, node);
     else assertFrameNumber(called, node);
-    return { image, file: { kind: 'video', name: called, picture, width, height, samples, spacing, hold, ...span } };
+    const film = { kind: 'video', name: called, picture, width, height, samples, spacing, hold, ...span } as const;
+    return { image, file: { ...film, ...(flown && { flight: flown.flight }) } };
   },
 });
+
+/** A flight of a file, and the times of the clock that a film of it follows [s]. */
+async function flownSpan(
+  file: string,
+  spacing: FrameSpacing,
+  c: number,
+  node: string,
+  services: Services,
+): Promise<Pick<VideoOutput, 'from' | 'to'> & { readonly flight: FlightRecording }> {
+  const { parseFlight } = await import('../flights/flightFile.ts');
+  const { FlightPlayback } = await import('../../flight/recording/playback.ts');
+  const { assertFlownAt, filmClockOf } = await import('../flights/flightPath.ts');
+  const bytes = await readOrRefuse(node, 'flight', () => services.readFile(file));
+  try {
+    const flight = parseFlight(new TextDecoder().decode(bytes));
+    assertFlownAt(flight, c);
+    return { flight, from: 0, to: filmClockOf(new FlightPlayback(flight), spacing).duration };
+  } catch (error) {
+    if (!(error instanceof MessageError)) throw error;
+    throw nodeRefusal('file.flight', `${node}.flight`, msg`${file}: ${messageOf(error)}`);
+  }
+}
 
 function assertFrameRange(span: Pick<VideoOutput, 'from' | 'to' | 'fps'>, node: string): void {
   const { from, to, fps } = span;
