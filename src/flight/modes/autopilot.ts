@@ -18,6 +18,7 @@ function autopilotArcs(moment: FlightMoment): readonly FlightArc[] {
 export const autopilotMode: FlightMode = {
   title: msg`Autopilot`,
   help: msg`Flies to the place that you choose and stops there: half the way it accelerates, half the way it brakes.`,
+  strength: ({ along }) => along,
   orientation: (moment) => turnsAsHeld(moment, autopilotArcs(moment)[0]?.push?.direction),
   arcs: autopilotArcs,
 };

@@ -4,7 +4,7 @@ import { msg } from '../../messages/message.ts';
 import { properVelocityOf } from '../boost.ts';
 import type { FlightMode } from './flightMode.ts';
 import { turnsLevel } from './turns.ts';
-import { velocityArcs, wantedVelocity } from './velocity.ts';
+import { velocityArcs, velocityStrength, wantedVelocity } from './velocity.ts';
 
 const withoutUp = (v: Vec3, up: Vec3): Vec3 => addScaled(v, up, -dot(v, up));
 
@@ -12,6 +12,7 @@ const withoutUp = (v: Vec3, up: Vec3): Vec3 => addScaled(v, up, -dot(v, up));
 export const driveMode: FlightMode = {
   title: msg`Drive`,
   help: msg`As Velocity, at one height: the keys go where you look, along the ground.`,
+  strength: velocityStrength,
   orientation: turnsLevel,
   arcs(moment) {
     const { state, controls, rules } = moment;

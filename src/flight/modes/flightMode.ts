@@ -17,6 +17,8 @@ export interface FlightMoment {
 export interface FlightMode {
   readonly title: Message;
   readonly help: Message;
+  /** The greatest proper acceleration with which it brakes [m/s²]. */
+  readonly strength: (rules: FlightRules) => number;
   /** To which the ship turns at the beginning of a moment. */
   readonly orientation: (moment: FlightMoment) => Quat;
   /** What it flies in a moment, turned already. They take `dt` in all. */

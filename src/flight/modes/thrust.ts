@@ -21,6 +21,7 @@ function thrustArcs(moment: FlightMoment): readonly FlightArc[] {
 export const thrustMode: FlightMode = {
   title: msg`Thrust`,
   help: msg`The keys are engines: a constant proper acceleration along the ship's own axes. Let go, and you coast.`,
+  strength: ({ along }) => along,
   orientation: (moment) => turnsAsHeld(moment),
   arcs: thrustArcs,
 };
@@ -29,6 +30,7 @@ export const thrustMode: FlightMode = {
 export const vehicleMode: FlightMode = {
   title: msg`Vehicle`,
   help: msg`As Thrust, and the nose turns into the motion.`,
+  strength: ({ along }) => along,
   orientation: turnsIntoMotion,
   arcs: thrustArcs,
 };

@@ -26,11 +26,17 @@ export function wantedVelocity(wanted: Vec3, before: Vec3, controls: FlightContr
   };
 }
 
+const fastPush = ({ c, maxSpeed }: FlightRules): number => (c * Math.atanh(maxSpeed)) / SPRINT_TIME;
+const walkingPush = (rules: FlightRules): number => (rules.c * Math.atanh(walkingSpeed(rules))) / WALK_TIME;
+
+/** The greatest proper acceleration of modes that fly to velocities [m/s²]. */
+export const velocityStrength = (rules: FlightRules): number => Math.max(fastPush(rules), walkingPush(rules));
+
 /** Flies to a velocity, stronger where that or the present one exceeds the walking speed. */
 export function velocityArcs({ state, dt, rules }: FlightMoment, target: Boost): readonly FlightArc[] {
   const walk = Math.atanh(walkingSpeed(rules));
   const fast = Math.max(state.velocity.rapidity, target.rapidity) > walk * 1.001;
-  const size = rules.c * (fast ? Math.atanh(rules.maxSpeed) / SPRINT_TIME : walk / WALK_TIME);
+  const size = fast ? fastPush(rules) : walkingPush(rules);
   return seekArcs(state.velocity, target, size, dt, rules.c);
 }
 
@@ -38,6 +44,7 @@ export function velocityArcs({ state, dt, rules }: FlightMoment, target: Boost):
 export const velocityMode: FlightMode = {
   title: msg`Velocity`,
   help: msg`The keys ask for a velocity. Let go to brake.`,
+  strength: velocityStrength,
   orientation: turnsLevel,
   arcs(moment) {
     const { state, controls, dt, rules } = moment;
