@@ -34,7 +34,7 @@ export interface StartOptions extends StartupRequest {
 
 /** Starts the editor in a page. */
 export async function startEditor(root: Root, { backend: wanted, ...asked }: StartOptions): Promise<void> {
-  const { language, legend: withLegend } = loadPreferences();
+  const { language, legend: withLegend, collision } = loadPreferences();
   legendStore.setState({ visible: withLegend });
   const [backend] = await Promise.all([chooseBackend(wanted), setLanguage(language).catch(() => setLanguage('en'))]);
   if (!backend) {
@@ -63,6 +63,7 @@ export async function startEditor(root: Root, { backend: wanted, ...asked }: Sta
   if (view) editor.update({ loop: view.loop });
   if (problem) editor.notify({ kind: 'error', ...problem });
   const observerController = new ObserverController(editor, view);
+  if (collision) void import('./flight/deck/openDeck.ts').then(({ openDeck }) => openDeck(editor, observerController));
   const autosave = new Autosave({ ...session, editor, observerController, localFiles, address: pageAddress });
   // A duplicated tab has nothing stored yet.
   void autosave.saveNow();

@@ -86,4 +86,30 @@ describe('the flight deck', () => {
     await hold(page, ['w'], () => expect.poll(() => visit.speed()).toBeGreaterThan(0.05));
     await visit.close();
   });
+
+  it('flying at a wall one stops before it, and the page remembers the choice', async () => {
+    const visit = await (await program.open(SMALL)).ready();
+    const { page } = visit;
+    const deck = await openDeck(visit);
+    await deck.getByRole('combobox', { name: 'Collisions' }).click();
+    await page.getByRole('option', { name: 'Stop before walls' }).click();
+    await deck.getByRole('textbox', { name: 'Distance from walls [m]' }).waitFor();
+    await expect.poll(() => deck.locator('[data-contact=preparing]').count()).toBe(0);
+    await visit.shot('flight-walls');
+    const { violations } = await new AxeBuilder({ page }).include('[data-flight-deck]').analyze();
+    expect(violations).toEqual([]);
+    await page.keyboard.press('Escape');
+    await visit.viewport.focus();
+    await page.keyboard.down('w');
+    await expect.poll(() => visit.speed()).toBeGreaterThan(0.1);
+    await expect.poll(() => visit.speed()).toBe(0);
+    await page.keyboard.up('w');
+    await openDeck(visit);
+    await visit.shot('flight-at-wall');
+    await page.reload();
+    await visit.ready();
+    await openDeck(visit);
+    expect(await deck.getByRole('combobox', { name: 'Collisions' }).inputValue()).toBe('Stop before walls');
+    await visit.close();
+  });
 });

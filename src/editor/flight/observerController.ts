@@ -198,10 +198,9 @@ export class ObserverController {
     } as const;
     const before = this.flight;
     const moment = { state: before, controls, dt, rules };
-    const arcs = this.pilot?.arcs(moment, picture) ?? arcsOf(velocityMode, moment);
     const conditions = { c, lock, playing: this.timeRuns };
-    this.flight = flyArcs(before, arcs, conditions);
-    this.pilot?.flown(before, arcs, conditions, this.flight);
+    this.flight =
+      this.pilot?.fly(moment, conditions, picture) ?? flyArcs(before, arcsOf(velocityMode, moment), conditions);
   }
 
   private async loadClock(): Promise<void> {

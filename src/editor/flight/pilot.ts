@@ -1,4 +1,4 @@
-import type { FlightArc, FlightConditions } from '../../flight/arc.ts';
+import type { FlightConditions } from '../../flight/arc.ts';
 import type { FlightState } from '../../flight/flightState.ts';
 import type { FlightMoment } from '../../flight/modes/flightMode.ts';
 import type { FlightLeg } from '../../flight/recording/recording.ts';
@@ -10,17 +10,10 @@ export interface ReplayedMoment {
   readonly leg: FlightLeg;
 }
 
-/** Who flies in other modes than the first, records and replays; loaded with the flight deck. */
+/** Who flies in other modes than the first, minds walls, records and replays; loaded with the flight deck. */
 export interface Pilot {
-  /** What is flown in a moment of which the rules are the page's. */
-  readonly arcs: (moment: FlightMoment, picture: PictureSpec) => readonly FlightArc[];
-  /** Told of all arcs. */
-  readonly flown: (
-    before: FlightState,
-    arcs: readonly FlightArc[],
-    conditions: FlightConditions,
-    after: FlightState,
-  ) => void;
+  /** The state after a moment of which the rules are the page's. */
+  readonly fly: (moment: FlightMoment, conditions: FlightConditions, picture: PictureSpec) => FlightState;
   /** While a recording is replayed, its moment after `dt` [s]. `busy`: whether the user flies, which ends it. */
   readonly replayed: (dt: number, busy: boolean) => ReplayedMoment | undefined;
 }

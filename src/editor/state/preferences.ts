@@ -1,3 +1,4 @@
+import type { CollisionKind } from '../../flight/collision/collide.ts';
 import { isLanguageTag, type LanguageTag, preferredLanguage } from '../../messages/languages.ts';
 
 /** The user's settings of the page itself; stored in the browser, not in the document. */
@@ -8,6 +9,8 @@ export interface Preferences {
   readonly legend: boolean;
   /** Whether nodes of the graph show pictures. */
   readonly nodePictures: boolean;
+  /** What happens at walls; absent: one flies through them. */
+  readonly collision?: CollisionKind | undefined;
 }
 
 const PREFERENCES_KEY = 'slowlight.preferences';
@@ -21,6 +24,7 @@ export function loadPreferences(): Preferences {
     captions: kept.captions !== false,
     legend: kept.legend !== false,
     nodePictures: kept.nodePictures !== false,
+    collision: kept.collision === 'stop' || kept.collision === 'slide' ? kept.collision : undefined,
   };
 }
 

@@ -1,17 +1,19 @@
 import { NumberInput, Select, Slider, Stack, Switch, Text } from '@mantine/core';
 import { type ReactNode, useMemo } from 'react';
 import { useStore } from 'zustand';
+import type { CollisionKind } from '../../../flight/collision/collide.ts';
 import { ATTITUDES, type Attitude } from '../../../flight/controls.ts';
 import { FLIGHT_MODES, type FlightModeName } from '../../../flight/modes/modes.ts';
 import type { Vec3 } from '../../../math/vec3.ts';
 import { type Message, msg } from '../../../messages/message.ts';
+import { isSolid } from '../../../nodes/flights/sceneObstacles.ts';
 import { STANDARD_GRAVITY } from '../../../physics/constants.ts';
 import { formatNumber } from '../../format.ts';
 import { useTexts } from '../../language/languageStore.ts';
 import { ObjectSelect } from '../../panels/ObjectSelect.tsx';
 import { useServices } from '../../services.tsx';
 import { useEditor, useEditorState } from '../../state/context.tsx';
-import type { FlightDeck as Deck, DeckState } from './deck.ts';
+import { CONTACT_TEXTS, type FlightDeck as Deck, type DeckState } from './deck.ts';
 import { FlightRecorderControls } from './FlightRecorderControls.tsx';
 import { openDeck } from './openDeck.ts';
 import { followable, placeBefore } from './targets.ts';
@@ -71,8 +73,55 @@ export default function FlightDeck(): ReactNode {
         checked={state.level}
         onChange={({ currentTarget }) => deck.set({ level: currentTarget.checked })}
       />
+      <WallControls deck={deck} state={state} />
       <FlightRecorderControls deck={deck} state={state} />
     </Stack>
+  );
+}
+
+const COLLISION_TITLES: Readonly<Record<CollisionKind | 'off', Message>> = {
+  off: msg`Fly through walls`,
+  stop: msg`Stop before walls`,
+  slide: msg`Slide along walls`,
+};
+
+/** What happens at walls, and what does just now. */
+function WallControls({ deck, state }: DeckProps): ReactNode {
+  const { t } = useTexts();
+  const deforms = useEditorState(({ picture }) => picture?.scene.objects.some((object) => !isSolid(object)));
+  const { collision, clearance, contact } = state;
+  return (
+    <>
+      <Select
+        size="xs"
+        label={t(msg`Collisions`)}
+        data={Object.entries(COLLISION_TITLES).map(([value, title]) => ({ value, label: t(title) }))}
+        allowDeselect={false}
+        comboboxProps={{ withinPortal: false }}
+        value={collision ?? 'off'}
+        onChange={(value) => deck.collide(value === 'off' ? undefined : (value as CollisionKind))}
+      />
+      {collision && (
+        <NumberInput
+          size="xs"
+          label={t(msg`Distance from walls [m]`)}
+          hideControls
+          min={0.001}
+          decimalScale={3}
+          value={clearance}
+          onChange={(value) => Number(value) > 0 && deck.set({ clearance: Number(value) })}
+        />
+      )}
+      {/* The region is there before its text, else screen readers do not read it. */}
+      <div role="status" data-contact={contact}>
+        {contact && <Text size="xs">{t(CONTACT_TEXTS[contact])}</Text>}
+      </div>
+      {collision && deforms && (
+        <Text size="xs" c="dimmed">
+          {t(msg`What deforms is no wall.`)}
+        </Text>
+      )}
+    </>
   );
 }
 

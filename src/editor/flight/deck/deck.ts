@@ -1,17 +1,31 @@
 import { createStore } from 'zustand/vanilla';
+import { type FlightConditions, flyArcs } from '../../../flight/arc.ts';
+import { type CollisionKind, type Contact, type FlownMoment, flyAmong } from '../../../flight/collision/collide.ts';
 import type { Attitude, FlightRules } from '../../../flight/controls.ts';
 import { type FlightState, observerOf } from '../../../flight/flightState.ts';
+import type { FlightMoment } from '../../../flight/modes/flightMode.ts';
 import { FLIGHT_MODES, type FlightModeName } from '../../../flight/modes/modes.ts';
 import { FlightPlayback } from '../../../flight/recording/playback.ts';
 import { FlightRecorder } from '../../../flight/recording/recorder.ts';
 import type { FlightRecording } from '../../../flight/recording/recording.ts';
 import { arcsOf } from '../../../flight/step.ts';
 import { length, type Vec3 } from '../../../math/vec3.ts';
-import { msg } from '../../../messages/message.ts';
+import { type Message, msg } from '../../../messages/message.ts';
 import { FASTER_THAN_PICTURES, isFasterThanPictures } from '../../../nodes/flights/pictureLimit.ts';
+import type { PictureSpec } from '../../../nodes/socketValues.ts';
 import type { Editor } from '../../state/editor.ts';
+import { loadPreferences, savePreferences } from '../../state/preferences.ts';
 import type { Pilot } from '../pilot.ts';
 import { bodyVelocity } from './targets.ts';
+import { Walls } from './walls.ts';
+
+/** What a wall does to a flight. */
+export const CONTACT_TEXTS: Readonly<Record<Contact | 'preparing', Message>> = {
+  preparing: msg`Preparing the walls…`,
+  braking: msg`Braking for a wall`,
+  'too-fast': msg`Too fast: cannot stop before the wall`,
+  touching: msg`At a wall`,
+};
 
 /** What the deck shows. */
 export interface DeckState {
@@ -26,6 +40,12 @@ export interface DeckState {
   readonly followed?: string | undefined;
   /** Of the autopilot, world frame [m]. */
   readonly destination?: Vec3 | undefined;
+  /** What happens at walls; absent: one flies through them. */
+  readonly collision?: CollisionKind | undefined;
+  /** How far one stays from walls [m]. */
+  readonly clearance: number;
+  /** What a wall does just now; `preparing`: they are not ready yet. */
+  readonly contact?: Contact | 'preparing' | undefined;
   readonly recording: boolean;
   /** The latest recording. */
   readonly flight?: FlightRecording | undefined;
@@ -44,11 +64,14 @@ export class FlightDeck {
     across: 0.25,
     level: false,
     attitude: 'hand',
+    collision: loadPreferences().collision,
+    clearance: 0.3,
     recording: false,
     duration: 0,
     replaying: false,
   }));
   private readonly editor: Editor;
+  private readonly walls = new Walls();
   private recorder: FlightRecorder | undefined;
   private playback: FlightPlayback | undefined;
   /** Whether the replay is faster than what is drawn. */
@@ -59,33 +82,20 @@ export class FlightDeck {
   }
 
   readonly pilot: Pilot = {
-    arcs: (moment, picture) => {
-      const { mode, along, across, level, attitude, followed, destination } = this.store.getState();
-      const { c } = moment.rules;
-      const body = mode === 'follow' ? picture.scene.objects.find(({ path }) => path === followed) : undefined;
-      const velocity = body && bodyVelocity(body, observerOf(moment.state), c);
-      const rules: FlightRules = {
-        ...moment.rules,
-        along: along * c,
-        across: across * c,
-        level,
-        attitude,
-        ...(velocity && { followed: velocity }),
-        ...(destination && { destination }),
-      };
+    fly: (moment, conditions, picture) => {
       // Who takes the controls flies on by hand.
+      const { mode } = this.store.getState();
       if (mode === 'autopilot' && length(moment.controls.thrust) > 0) this.choose('thrust');
-      return arcsOf(FLIGHT_MODES[this.store.getState().mode], { ...moment, rules });
-    },
-    flown: (before, arcs, conditions, after) => {
-      if (!this.recorder) return;
-      this.recorder.add(before, arcs, conditions, after);
-      if (!this.recorder.isFull) return;
-      this.stop();
-      this.editor.notify({
-        kind: 'warning',
-        text: msg`The recording is full, and has ended. Save it, and start another.`,
-      });
+      const { pieces, after } = this.flown({ ...moment, rules: this.rules(moment, picture) }, conditions, picture);
+      for (const piece of pieces) this.recorder?.add(piece.before, piece.arcs, conditions, piece.after);
+      if (this.recorder?.isFull) {
+        this.stop();
+        this.editor.notify({
+          kind: 'warning',
+          text: msg`The recording is full, and has ended. Save it, and start another.`,
+        });
+      }
+      return after;
     },
     replayed: (dt, busy) => {
       const { shown, replaying, duration } = this.store.getState();
@@ -109,6 +119,46 @@ export class FlightDeck {
     if (this.isFaster && !isFaster) this.editor.notify({ kind: 'warning', text: FASTER_THAN_PICTURES });
   }
 
+  /** The page's rules with those of the deck. */
+  private rules({ state, rules }: FlightMoment, { scene }: PictureSpec): FlightRules {
+    const { mode, along, across, level, attitude, followed, destination } = this.store.getState();
+    const { c } = rules;
+    const body = mode === 'follow' ? scene.objects.find(({ path }) => path === followed) : undefined;
+    const velocity = body && bodyVelocity(body, observerOf(state), c);
+    return {
+      ...rules,
+      along: along * c,
+      across: across * c,
+      level,
+      attitude,
+      ...(velocity && { followed: velocity }),
+      ...(destination && { destination }),
+    };
+  }
+
+  private flown(moment: FlightMoment, conditions: FlightConditions, picture: PictureSpec): FlownMoment {
+    const { mode, collision: kind, clearance: radius, contact } = this.store.getState();
+    const obstacles = kind && this.walls.of(picture);
+    if (kind && obstacles) {
+      const flown = flyAmong(FLIGHT_MODES[mode], moment, conditions, { obstacles, kind, radius });
+      if (flown.contact !== contact) this.store.setState({ contact: flown.contact });
+      if (flown.contact === 'too-fast' && contact !== 'too-fast')
+        this.editor.notify({ kind: 'warning', text: CONTACT_TEXTS['too-fast'] });
+      return flown;
+    }
+    const preparing = kind && 'preparing';
+    if (preparing !== contact) this.store.setState({ contact: preparing });
+    const { state: before } = moment;
+    const arcs = arcsOf(FLIGHT_MODES[mode], moment);
+    const after = flyArcs(before, arcs, conditions);
+    return { pieces: [{ before, arcs, after }], after };
+  }
+
+  collide(collision: CollisionKind | undefined): void {
+    this.store.setState({ collision });
+    savePreferences({ ...loadPreferences(), collision });
+  }
+
   choose(mode: FlightModeName): void {
     this.store.setState({ mode });
     this.editor.update({ flightMode: FLIGHT_MODES[mode].title });
@@ -119,7 +169,11 @@ export class FlightDeck {
     this.choose(names[(names.indexOf(this.store.getState().mode) + 1) % names.length]!);
   }
 
-  set(change: Partial<Pick<DeckState, 'along' | 'across' | 'level' | 'attitude' | 'followed' | 'destination'>>): void {
+  set(
+    change: Partial<
+      Pick<DeckState, 'along' | 'across' | 'level' | 'attitude' | 'followed' | 'destination' | 'clearance'>
+    >,
+  ): void {
     this.store.setState(change);
   }
 
