@@ -2254,6 +2254,7 @@ const messages: Translation['messages'] = {
     '{1}：其速度在 {2} 仍有跳变：那里没有慢于光的曲线',
   'The flight is faster than pictures can show: they are drawn as at γ = {}. Place and clocks go on exactly.':
     '飞行速度超出画面所能显示的范围：画面按 γ = {1} 绘制。位置和时钟仍精确推进。',
+  'One flies through walls again: {}': '现在又会穿墙飞行：{1}',
   'Smooth path': '平滑路径',
   'The ride goes through the camera’s keyframes on a curve, so that your velocity does not jump there, and with it all that you see. Off: along straight lines.':
     '乘坐时沿曲线经过相机的关键帧，你的速度以及所见的一切在那里不会跳变。关闭：沿直线段。',

@@ -11,6 +11,7 @@ import type { FlightRecording } from '../../../flight/recording/recording.ts';
 import { arcsOf } from '../../../flight/step.ts';
 import { length, type Vec3 } from '../../../math/vec3.ts';
 import { type Message, msg } from '../../../messages/message.ts';
+import { messageOf } from '../../../messages/messageError.ts';
 import { FASTER_THAN_PICTURES, isFasterThanPictures } from '../../../nodes/flights/pictureLimit.ts';
 import type { PictureSpec } from '../../../nodes/socketValues.ts';
 import type { Editor } from '../../state/editor.ts';
@@ -71,7 +72,10 @@ export class FlightDeck {
     replaying: false,
   }));
   private readonly editor: Editor;
-  private readonly walls = new Walls();
+  private readonly walls = new Walls((error) => {
+    this.collide(undefined);
+    this.editor.notify({ kind: 'error', text: msg`One flies through walls again: ${messageOf(error)}` });
+  });
   private recorder: FlightRecorder | undefined;
   private playback: FlightPlayback | undefined;
   /** Whether the replay is faster than what is drawn. */

@@ -13,6 +13,12 @@ export class Walls {
   private scene: Scene | undefined;
   private c = 0;
   private obstacles: Obstacles | undefined;
+  private readonly onFailure: (error: unknown) => void;
+
+  /** `onFailure`: of a scene of which no walls can be made. */
+  constructor(onFailure: (error: unknown) => void) {
+    this.onFailure = onFailure;
+  }
 
   /** Undefined while they are prepared. */
   of({ scene, speedOfLight }: PictureSpec): Obstacles | undefined {
@@ -20,7 +26,7 @@ export class Walls {
       this.scene = scene;
       this.c = speedOfLight;
       this.obstacles = undefined;
-      void this.prepare(scene, speedOfLight);
+      this.prepare(scene, speedOfLight).catch(this.onFailure);
     }
     return this.obstacles;
   }
