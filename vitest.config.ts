@@ -27,6 +27,7 @@ export default defineConfig({
             'src/**/*.test.{ts,tsx}',
             'tests/examples/**/*.test.ts',
             'tests/formats/**/*.test.ts',
+            'tests/lessons/**/*.test.ts',
             'tests/docs/**/*.test.ts',
           ],
           exclude: ['**/*.oracle.test.ts'],

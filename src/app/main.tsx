@@ -3,13 +3,15 @@ import { startEditor } from '../editor/start.tsx';
 
 const parameters = new URLSearchParams(location.search);
 const wanted = parameters.get('backend');
+const lesson = parameters.get('lesson');
 
 /**
  * `?scene=examples/dice.usdc` opens that scene, `?project=examples/workshop.slowlight.json` that project;
- * `?backend=webgl` or `webgpu` forces a backend.
+ * `?lesson=aberration&step=3` opens a step of a lesson; `?backend=webgl` or `webgpu` forces a backend.
  */
 void startEditor(createRoot(document.getElementById('root')!), {
   scene: parameters.get('scene') ?? undefined,
   project: parameters.get('project') ?? undefined,
+  lesson: lesson === null ? undefined : { name: lesson, step: Number(parameters.get('step') ?? 1) },
   backend: wanted === 'webgl' || wanted === 'webgpu' ? wanted : 'auto',
 });

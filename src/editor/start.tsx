@@ -22,7 +22,7 @@ import { openStartupProject, pageAddress, type StartupRequest } from './projects
 import { type EditorServices, ServicesProvider } from './services.tsx';
 import { Unsupported } from './shell/Unsupported.tsx';
 import { EditorProvider } from './state/context.tsx';
-import { createEditor } from './state/editor.ts';
+import { createEditor, type LessonPlace } from './state/editor.ts';
 import { loadPreferences, prefersReducedMotion } from './state/preferences.ts';
 import { theme } from './theme.ts';
 import { chooseBackend } from './viewport/chooseBackend.ts';
@@ -30,10 +30,11 @@ import { legendStore } from './viewport/legend/legendState.ts';
 
 export interface StartOptions extends StartupRequest {
   readonly backend: Backend | 'auto';
+  readonly lesson: LessonPlace | undefined;
 }
 
 /** Starts the editor in a page. */
-export async function startEditor(root: Root, { backend: wanted, ...asked }: StartOptions): Promise<void> {
+export async function startEditor(root: Root, { backend: wanted, lesson, ...asked }: StartOptions): Promise<void> {
   const { language, legend: withLegend, collision } = loadPreferences();
   legendStore.setState({ visible: withLegend });
   const [backend] = await Promise.all([chooseBackend(wanted), setLanguage(language).catch(() => setLanguage('en'))]);
@@ -61,6 +62,7 @@ export async function startEditor(root: Root, { backend: wanted, ...asked }: Sta
     playing,
   });
   if (view) editor.update({ loop: view.loop });
+  editor.update({ lesson });
   if (problem) editor.notify({ kind: 'error', ...problem });
   const observerController = new ObserverController(editor, view);
   if (collision) void import('./flight/deck/openDeck.ts').then(({ openDeck }) => openDeck(editor, observerController));

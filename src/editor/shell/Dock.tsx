@@ -15,6 +15,7 @@ const GraphPanel = lazy(() => import('../graph/GraphPanel.tsx'));
 const Inspector = lazy(() => import('../graph/inspector/Inspector.tsx'));
 /** Loaded when the project has simulations. */
 const EnergyPanel = lazy(() => import('../energy/EnergyPanel.tsx'));
+const LessonPanel = lazy(() => import('../lessons/LessonPanel.tsx'));
 /** Loaded when its tab is first opened. */
 const DiagramPanel = lazy(() => import('../diagrams/DiagramPanel.tsx'));
 
@@ -26,6 +27,7 @@ const PANELS = {
   energy: { title: msg`Energy`, content: <EnergyPanel /> },
   graph: { title: msg`Graph`, content: <GraphPanel /> },
   node: { title: msg`Node`, content: <Inspector /> },
+  lesson: { title: msg`Lessons`, content: <LessonPanel /> },
 } as const satisfies Record<string, { title: Message; content: ReactNode }>;
 type PanelName = keyof typeof PANELS;
 
@@ -35,6 +37,9 @@ const THEMES = {
 } as const satisfies Record<string, DockviewTheme>;
 
 const SIDE_WIDTH = 308;
+const LESSON_WIDTH = 350;
+/** Below this width [px] the lessons are a tab beside the controls. */
+const MIN_LESSON_BESIDE_WIDTH = 1080;
 /** Below this width [px], in a portrait window, the side panel goes under the picture. */
 const MIN_SIDE_BY_SIDE_WIDTH = 700;
 /** Fraction of the viewport's height that the graph takes. */
@@ -48,6 +53,7 @@ export function Dock(): ReactNode {
   const api = useDockview(host, setElements);
   useGraph(api, host);
   useEnergy(api);
+  useLessonPanel(api, host);
   useTitles(api);
   const maximized = useEditorState((state) => state.maximized);
   useEffect(() => {
@@ -180,6 +186,25 @@ function useEnergy(api: DockviewApi | undefined): void {
   }, [api, shown]);
 }
 
+/** Shows the lessons beside the picture; where there is no room, in front of the controls. */
+function useLessonPanel(api: DockviewApi | undefined, host: React.RefObject<HTMLDivElement | null>): void {
+  const shown = useEditorState((state) => state.lesson !== undefined);
+  useEffect(() => {
+    if (!api || !host.current || !shown) return;
+    const beside = host.current.clientWidth >= MIN_LESSON_BESIDE_WIDTH;
+    const panel = api.addPanel({
+      id: 'lesson',
+      component: 'lesson',
+      ...(beside
+        ? { position: { referencePanel: 'picture', direction: 'left' }, initialWidth: LESSON_WIDTH }
+        : { position: { referencePanel: 'controls' } }),
+    });
+    return () => {
+      if (api.getPanel('lesson')) api.removePanel(panel);
+    };
+  }, [api, host, shown]);
+}
+
 const simulates = ({ history: { document } }: EditorState): boolean =>
   [document, ...Object.values(document.groups)].some(({ nodes }) =>
     Object.values(nodes).some(({ type }) => type === 'simulate'),
@@ -217,8 +242,9 @@ function useTitles(api: DockviewApi | undefined): void {
   const { t } = useTexts();
   const graph = useEditorState((state) => state.graph);
   const energy = useEditorState(simulates);
+  const lesson = useEditorState((state) => state.lesson !== undefined);
   // biome-ignore lint/correctness/useExhaustiveDependencies: these add panels
   useEffect(() => {
     for (const [name, panel] of Object.entries(PANELS)) api?.getPanel(name)?.api.setTitle(t(panel.title));
-  }, [api, t, graph, energy]);
+  }, [api, t, graph, energy, lesson]);
 }

@@ -1,4 +1,5 @@
-import { Badge, Group, Modal, SimpleGrid, Stack, Text, UnstyledButton } from '@mantine/core';
+import { Badge, Button, Group, Modal, SimpleGrid, Stack, Text, UnstyledButton } from '@mantine/core';
+import { IconSchool } from '@tabler/icons-react';
 import { type ReactNode, useEffect, useState } from 'react';
 import { msg } from '../../messages/message.ts';
 import { messageOf } from '../../messages/messageError.ts';
@@ -25,9 +26,19 @@ export default function Gallery(): ReactNode {
       title={t(msg`Scenes`)}
       closeButtonProps={{ 'aria-label': t(msg`Close`) }}
     >
-      <Text size="sm" c="dimmed" mb="md">
-        {t(msg`Each shows one relativistic effect.`)}
-      </Text>
+      <Group justify="space-between" mb="md">
+        <Text size="sm" c="dimmed">
+          {t(msg`Each shows one relativistic effect.`)}
+        </Text>
+        <Button
+          size="compact-sm"
+          variant="light"
+          leftSection={<IconSchool size={15} />}
+          onClick={() => editor.update({ dialog: undefined, lesson: { step: 1 } })}
+        >
+          {t(msg`Lessons`)}
+        </Button>
+      </Group>
       {opened && <Cards onChosen={close} />}
     </Modal>
   );

@@ -1,4 +1,4 @@
-import { Modal, SimpleGrid, Stack, Text } from '@mantine/core';
+import { Button, Modal, SimpleGrid, Stack, Text } from '@mantine/core';
 import { lazy, type ReactNode, Suspense } from 'react';
 import { type Message, msg } from '../../messages/message.ts';
 import { useInputDevice } from '../flight/inputDevice.ts';
@@ -98,6 +98,14 @@ export default function Help(): ReactNode {
       <Suspense>
         <GraphKeys />
       </Suspense>
+      <Button
+        size="compact-sm"
+        variant="light"
+        mt="lg"
+        onClick={() => editor.update({ dialog: undefined, lesson: { step: 1 } })}
+      >
+        {t(msg`Lessons: guided pages beside the picture`)}
+      </Button>
       <Text size="xs" c="dimmed" mt="lg">
         {t(
           msg`Gamepad: left stick flies, right stick looks, bumpers go down and up, triggers brake and allow full speed, left and right roll, A plays, Y changes the lock.`,

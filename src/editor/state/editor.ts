@@ -107,6 +107,14 @@ export interface EditorState {
   readonly graphEnlarged: boolean;
   /** Whether the inspector is to be brought to the front. */
   readonly inspecting: boolean;
+  /** The lessons, while they are shown. */
+  readonly lesson?: LessonPlace | undefined;
+}
+
+/** A step of a lesson, from 1, as an address has it; without a name, the list of lessons. */
+export interface LessonPlace {
+  readonly name?: string;
+  readonly step: number;
 }
 
 export interface Editor {

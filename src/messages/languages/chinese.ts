@@ -3268,6 +3268,33 @@ const messages: Translation['messages'] = {
   '--second-axis lies along --axis: give another direction': '--second-axis 与 --axis 平行：请给出另一方向',
   '--prim {}: the scene has no such thing; it has {}': '--prim {1}：场景中没有该物体；有 {2}',
   '{} world lines are too many; choose up to {} by --prim': '{1} 条世界线过多；请用 --prim 选择至多 {2} 条',
+  // Lessons
+  Lessons: '课程',
+  'Lessons: guided pages beside the picture': '课程：画面旁的引导页',
+  'Step {} of {}': '第 {1} 步，共 {2} 步',
+  'All lessons': '全部课程',
+  'Close lessons': '关闭课程',
+  'Each step sets the picture. Say first what you will see, then look.':
+    '每一步都会设置画面。先说出你会看到什么，然后再看。',
+  '{} steps, about {} minutes': '{1} 步，约 {2} 分钟',
+  'The link asks for the lesson “{}”, which is not there. Choose one of the list.':
+    '链接要打开课程“{1}”，但没有这个课程。请从列表中选择。',
+  'The link asks for step {}; this lesson has the steps 1 to {}. It begins with the first.':
+    '链接要打开第 {1} 步；本课程只有第 1 到 {2} 步，现从第一步开始。',
+  Back: '上一步',
+  Next: '下一步',
+  'Start again': '重新开始',
+  'Copy link to this step': '复制这一步的链接',
+  'Print the lesson': '打印本课',
+  'The link is copied: {}': '链接已复制：{1}',
+  'Link to this step: {}': '这一步的链接：{1}',
+  See: '看一看',
+  'Choose an answer first.': '请先选择一个答案。',
+  'Right.': '正确。',
+  'Not so.': '不是这样。',
+  'Right is:': '正确答案：',
+  Answers: '答案',
+  'step of a lesson': '课程的一步',
   // Diagrams
   Diagram: '图',
   'Kind of diagram': '图的种类',

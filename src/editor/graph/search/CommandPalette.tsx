@@ -133,6 +133,7 @@ function usePageCommands(editor: Editor): readonly PageCommand[] {
       run: () => editor.update({ graph: !graph }),
     },
     { title: msg`Scenes`, run: () => editor.update({ dialog: 'gallery' }) },
+    { title: msg`Lessons`, run: () => editor.update({ lesson: { step: 1 } }) },
     { title: msg`Save project`, keys: 'Mod+S', run: project.save },
     { title: msg`Save with its files`, run: () => void project.saveWithFiles() },
     { title: msg`Share by a link…`, run: () => editor.update({ dialog: 'share' }) },

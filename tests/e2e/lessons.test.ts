@@ -1,0 +1,81 @@
+import { AxeBuilder } from '@axe-core/playwright';
+import type { Page } from 'playwright-core';
+import { afterAll, beforeAll, expect, it } from 'vitest';
+import { Program } from './program.ts';
+
+let program: Program;
+beforeAll(async () => {
+  program = await Program.start();
+});
+afterAll(() => program.stop());
+
+const violations = async (page: Page) =>
+  (await new AxeBuilder({ page }).analyze()).violations.map(({ id, nodes }) => [id, nodes[0]?.html]);
+
+it('a link opens a step; its question is answered by keyboard, then seen; it prints whole, in both languages', async () => {
+  const options = { viewport: { width: 1280, height: 800 } };
+  const visit = await (await program.open('?backend=webgl&lesson=aberration&step=2', options)).ready();
+  const { page } = visit;
+  const panel = page.locator('[data-lessons]');
+  await panel.getByRole('heading', { name: 'The same place at 0.9 c' }).waitFor();
+  expect(await panel.textContent()).toContain('Step 2 of 5');
+  const speed = () => visit.status('speed');
+  const before = await speed();
+  const see = panel.getByRole('button', { name: 'See' });
+  expect(await see.isDisabled()).toBe(true);
+
+  const answers = panel.getByRole('radio');
+  await answers.first().focus();
+  await page.keyboard.press('Space');
+  await page.keyboard.press('ArrowDown');
+  expect(await answers.nth(1).isChecked()).toBe(true);
+  await page.keyboard.press('Tab');
+  await page.keyboard.press('Enter');
+  await panel.getByRole('status').getByText('Right.').waitFor();
+  await expect.poll(speed).toContain('0.9');
+  expect(before).not.toContain('0.9');
+  await answers.first().check();
+  await panel.getByRole('status').getByText('Not so.').waitFor();
+  await visit.shot('lesson');
+  expect(await violations(page)).toEqual([]);
+
+  await panel.getByRole('button', { name: 'Next' }).press('Enter');
+  const heading = panel.getByRole('heading', { name: 'How far a star moves' });
+  await expect.poll(() => heading.evaluate((element) => element === document.activeElement)).toBe(true);
+  await expect.poll(() => page.locator('.sl-caption').textContent()).toContain('Starfield');
+  await page.getByRole('button', { name: /^Undo/ }).click();
+  await expect.poll(() => page.locator('.sl-caption').textContent()).toContain('Street');
+
+  await page.emulateMedia({ media: 'print' });
+  const printed = page.locator('.sl-lesson-print');
+  expect(await printed.isVisible()).toBe(true);
+  expect(await page.locator('#root').isVisible()).toBe(false);
+  expect(await printed.locator('section > h2').count()).toBe(6);
+  await page.emulateMedia({ media: 'screen' });
+  expect(await printed.isVisible()).toBe(false);
+
+  await visit.chooseLanguage('中文');
+  await panel.getByRole('heading', { name: '一颗星移动多远' }).waitFor();
+  await visit.close();
+});
+
+it('the list opens from the gallery; wrong links are told; on a narrow page lessons are a tab', async () => {
+  const visit = await (
+    await program.open('?backend=webgl&lesson=nothing', { viewport: { width: 360, height: 780 } })
+  ).ready();
+  const { page } = visit;
+  await page.getByText('The link asks for the lesson “nothing”').waitFor();
+  const panel = page.locator('[data-lessons]');
+  await panel.locator('[data-lesson="doppler"]').waitFor();
+  expect(await violations(page)).toEqual([]);
+  await panel.getByRole('button', { name: 'Close lessons' }).click();
+  await expect.poll(() => panel.count()).toBe(0);
+  await page.getByRole('button', { name: 'Scenes' }).click();
+  await page.getByRole('dialog').getByRole('button', { name: 'Lessons' }).click();
+  await panel.locator('[data-lesson="terrell"]').click();
+  await panel.getByRole('heading', { name: 'Dice at rest' }).waitFor();
+  await expect.poll(() => page.locator('.sl-caption').textContent()).toContain('Dice');
+  await visit.settled();
+  await visit.shot('lesson-narrow');
+  await visit.close();
+});
