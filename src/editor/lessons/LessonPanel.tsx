@@ -24,7 +24,7 @@ export default function LessonPanel(): ReactNode {
   }, [editor, lessons, place]);
   const isPlaced = open !== undefined && place !== undefined && isStepOf(open, place.step);
   return (
-    <section className="sl-panel sl-lessons" aria-label={t(msg`Lessons`)} data-lessons>
+    <div className="sl-panel sl-lessons" data-lessons>
       <Group gap={4} wrap="nowrap" className="sl-lessons-bar">
         <Text size="xs" c="dimmed" className="sl-spring">
           {isPlaced && t(msg`Step ${place.step} of ${open.lesson.steps.length}`)}
@@ -57,7 +57,7 @@ export default function LessonPanel(): ReactNode {
           lessons && <LessonList lessons={lessons} />
         )}
       </div>
-    </section>
+    </div>
   );
 }
 
