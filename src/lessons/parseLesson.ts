@@ -77,7 +77,7 @@ function readStep(items: readonly LessonItem[], file: string): LessonStep {
     body.filter((item) => !isPart(item, 'set') && !isPart(item, 'claim')),
     file,
   );
-  if (text.length === 0) throw new LessonError(file, heading.line, 'a step has a text');
+  if (text.length === 0 && !question) throw new LessonError(file, heading.line, 'a step has a text, or a question');
   return {
     title: heading.text,
     line: heading.line,
