@@ -50,9 +50,10 @@ export default function LessonPanel(): ReactNode {
           <IconX size={16} />
         </ActionIcon>
       </Group>
-      <div className="sl-lessons-page">
+      {/* A list that was scrolled does not leave the lesson scrolled. */}
+      <div className="sl-lessons-page" key={isPlaced ? open.name : ''}>
         {isPlaced ? (
-          <LessonView key={open.name} name={open.name} lesson={open.lesson} step={place.step} />
+          <LessonView name={open.name} lesson={open.lesson} step={place.step} />
         ) : (
           lessons && <LessonList lessons={lessons} />
         )}
