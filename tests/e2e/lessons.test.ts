@@ -64,10 +64,13 @@ it('the list opens from the gallery; wrong links are told; on a narrow page less
     await program.open('?backend=webgl&lesson=nothing', { viewport: { width: 360, height: 780 } })
   ).ready();
   const { page } = visit;
-  await page.getByText('The link asks for the lesson “nothing”').waitFor();
+  const notice = page.getByRole('alert').filter({ hasText: 'The link asks for the lesson “nothing”' });
+  await notice.waitFor();
   const panel = page.locator('[data-lessons]');
   await panel.locator('[data-lesson="doppler"]').waitFor();
   expect(await violations(page)).toEqual([]);
+  // On so narrow a page it lies over dialogues.
+  await notice.getByRole('button', { name: 'Close' }).click();
   await panel.getByRole('button', { name: 'Close lessons' }).click();
   await expect.poll(() => panel.count()).toBe(0);
   await page.getByRole('button', { name: 'Scenes' }).click();
