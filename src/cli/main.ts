@@ -5,6 +5,7 @@ import { LANGUAGE_TAGS } from '../messages/languages.ts';
 import { type Message, msg } from '../messages/message.ts';
 import { PipelineRefusal } from '../pipelines/pipeline.ts';
 import { InputError } from '../scene/types.ts';
+import { clocksCommand } from './clocks/clocksCommand.ts';
 import { compareCommand } from './compare/compareCommand.ts';
 import { convertCommand } from './convert/convertCommand.ts';
 import { diagramCommand } from './diagram/diagramCommand.ts';
@@ -27,6 +28,7 @@ export const commands = (): readonly Command[] => [
   probeCommand(),
   inspectCommand(),
   diagramCommand(),
+  clocksCommand(),
   compareCommand(),
   convertCommand(),
   simulateCommand(),

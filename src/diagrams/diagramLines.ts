@@ -1,9 +1,9 @@
-import { length, lerp, type Vec3, ZERO } from '../math/vec3.ts';
+import { length } from '../math/vec3.ts';
 import { msg } from '../messages/message.ts';
 import { properVelocityAt, type WorldLine } from '../physics/worldLines/worldLine.ts';
-import { boundingBox } from '../scene/bounds/bounds.ts';
 import { isAlive } from '../scene/motion/lifetimes.ts';
-import { deforms, isStatic, vertexWorldLine } from '../scene/motion/motion.ts';
+import { middleWorldLine } from '../scene/motion/middleWorldLine.ts';
+import { isStatic } from '../scene/motion/motion.ts';
 import type { Lifetime } from '../scene/motion/motionTypes.ts';
 import type { Scene, SceneObject } from '../scene/types.ts';
 import type { ProbeObserver } from '../scene/views/viewRecord.ts';
@@ -39,18 +39,12 @@ export function suggestedPaths(scene: Scene, limit: number): readonly string[] {
   return thingPaths(moving.length > 0 ? moving : scene.objects).slice(0, limit);
 }
 
-/**
- * The world line that stands for an object: of the middle of its bounding box, carried by its frame; of a deforming object of
- * the vertex nearest to that middle. c [m/s].
- */
-export function diagramLine(object: SceneObject, c: number): DiagramLine {
-  const { path, pieceOf, mesh, lifetime } = object;
-  const middle = middleOf(mesh.positions);
-  const line = deforms(object.motion)
-    ? vertexWorldLine(object, nearestVertex(mesh.positions, middle), c)
-    : vertexWorldLine({ ...object, mesh: { ...mesh, positions: Float32Array.from(middle) } }, 0, c);
-  return { name: pieceOf ?? path, line, lifetime };
-}
+/** The world line that stands for an object. c [m/s]. */
+export const diagramLine = (object: SceneObject, c: number): DiagramLine => ({
+  name: object.pieceOf ?? object.path,
+  line: middleWorldLine(object, c),
+  lifetime: object.lifetime,
+});
 
 /** The observer, and those of the lines that move and exist at world time t [s], with their speeds. c [m/s]. */
 export function diagramBodies(
@@ -63,18 +57,4 @@ export function diagramBodies(
     .map(({ name, line }) => ({ name, properSpeed: length(properVelocityAt(line, t, c)) }))
     .filter(({ properSpeed }) => properSpeed > 0);
   return [{ name: msg`Observer`, properSpeed: length(u) }, ...moving];
-}
-
-function middleOf(positions: Float32Array): Vec3 {
-  const box = boundingBox(positions);
-  return box ? lerp(box.min, box.max, 0.5) : ZERO;
-}
-
-function nearestVertex(positions: Float32Array, [x, y, z]: Vec3): number {
-  let [best, least] = [0, Number.POSITIVE_INFINITY];
-  for (let i = 0; i < positions.length / 3; i++) {
-    const d = Math.hypot(positions[3 * i]! - x, positions[3 * i + 1]! - y, positions[3 * i + 2]! - z);
-    if (d < least) [best, least] = [i, d];
-  }
-  return best;
 }

@@ -8,6 +8,8 @@
 export type { BoundingBox, BoundingSphere } from './bounds/bounds.ts';
 export { boundingBox, boundingSphere } from './bounds/bounds.ts';
 export { objectBounds, sceneBounds } from './bounds/sceneBounds.ts';
+export { type Clock, type ClockCarrier, objectClocks } from './clocks/clock.ts';
+export { type ClockAbsence, type ClockReading, type ClockReadings, readClock } from './clocks/readClock.ts';
 export { FOREVER, IDENTITY_POSE, makeMaterial, makeObject, makeScene, restingAt } from './defaults.ts';
 export { type Inspection, inspectEvent } from './inspection/inspectEvent.ts';
 export { type MeasuredLengths, measureLengths } from './inspection/measureLengths.ts';

@@ -1,8 +1,8 @@
 import { type LocalizedText, listed, msg } from '../../messages/message.ts';
 import type { ChannelDifference } from '../../reference/compare/aovDifference.ts';
 import type { ErrorSummary } from '../../reference/compare/statistics.ts';
+import { columns, type Row } from '../terminal/columns.ts';
 import { localized } from '../terminal/language.ts';
-import { displayWidth, padColumns } from '../terminal/width.ts';
 import type { AovFindings, Findings, FlipFindings, PixelFindings } from './metrics.ts';
 
 interface ComparisonHeader {
@@ -32,8 +32,6 @@ const TITLES: Readonly<Record<Findings['metric'], LocalizedText>> = {
   pixels: msg`Difference of pixels`,
   aov: msg`Difference of channels`,
 };
-
-type Row = readonly LocalizedText[];
 
 const exposureLines = ({ exposures }: FlipFindings): Row[] =>
   exposures
@@ -99,12 +97,3 @@ const number = (value: number | undefined): string =>
   value === undefined ? '–' : String(Number(value.toPrecision(4)));
 /** 0.0123 → `1.23 %` */
 export const percent = (share: number): string => `${Number((100 * share).toPrecision(3))} %`;
-
-/** Pads the cells of rows into columns. */
-function columns(rows: readonly Row[], indent: number): string[] {
-  const cells = rows.map((row) => row.map(localized));
-  const width = (k: number) => Math.max(...cells.map((row) => displayWidth(row[k] ?? '')));
-  return cells.map((row) =>
-    (' '.repeat(indent) + row.map((cell, k) => padColumns(cell, width(k))).join('  ')).trimEnd(),
-  );
-}

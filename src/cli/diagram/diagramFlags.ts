@@ -3,10 +3,9 @@ import type { DiagramKind } from '../../diagrams/sceneDiagram.ts';
 import type { DiagramFrame } from '../../diagrams/spacetimeDiagram.ts';
 import type { Vec3 } from '../../math/vec3.ts';
 import type { PictureSize } from '../../scene/view/pictureViews.ts';
-import type { SceneFlags } from '../flags/sceneFlags.ts';
-import type { StandpointFlags } from '../flags/viewFlags.ts';
+import type { SceneOrProjectFlags } from '../project/sceneOrProject.ts';
 
-export interface DiagramFlags extends SceneFlags, StandpointFlags {
+export interface DiagramFlags extends SceneOrProjectFlags {
   readonly output: string;
   readonly of: DiagramKind;
   readonly prim?: readonly string[];
@@ -17,6 +16,4 @@ export interface DiagramFlags extends SceneFlags, StandpointFlags {
   readonly span?: number;
   readonly theme: ColorScheme;
   readonly size: PictureSize;
-  /** For projects: `node.param=value`. */
-  readonly set?: readonly string[];
 }

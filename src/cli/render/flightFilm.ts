@@ -17,7 +17,7 @@ export interface FilmedFlight {
 const OBSERVER_FLAGS = ['camera', 'cameraPath', 'beta', 'position', 'lookAt', 'hold'] as const;
 
 /** The flight that `--flight` names. Throws if other flags contradict it. */
-export function filmedFlight(path: string, flags: RenderFlags, given: ReadonlySet<string>): FilmedFlight {
+export function filmedFlight(path: string, { c }: Pick<RenderFlags, 'c'>, given: ReadonlySet<string>): FilmedFlight {
   const contradicting = OBSERVER_FLAGS.find((name) => given.has(name));
   if (contradicting !== undefined) {
     const flag = contradicting.replace(/[A-Z]/g, (letter) => `-${letter.toLowerCase()}`);
@@ -28,8 +28,8 @@ export function filmedFlight(path: string, flags: RenderFlags, given: ReadonlySe
     () => flightSpeedOfLight(recording),
     (problem) => inputProblem(msg`${path}: ${problem}`),
   );
-  if (flags.c !== undefined && flags.c !== speedOfLight)
-    throw usageError(msg`--c ${flags.c}: ${path} was flown at ${speedOfLight} m/s; leave --c out, or fly it again`);
+  if (c !== undefined && c !== speedOfLight)
+    throw usageError(msg`--c ${c}: ${path} was flown at ${speedOfLight} m/s; leave --c out, or fly it again`);
   return { playback: new FlightPlayback(recording), speedOfLight };
 }
 

@@ -3014,6 +3014,27 @@ const messages: Translation['messages'] = {
   "of raster: radius of ambient occlusion [m]; 0: none (default: a quarter of the scene's size)":
     '用于 raster：环境光遮蔽的作用距离 [m]；0：无（默认：场景尺寸的四分之一）',
 
+  // ———— Clocks ————
+  'Says what clocks of the observer, of the world and of objects show: as seen, in the observer’s slice of simultaneity, and at his world time; and at what rates.':
+    '列出观察者、世界和物体的时钟读数：所见的、观察者同时面上的，以及其世界时间处的；并列出各自的快慢。',
+  'an object whose clock is read, with those below it; repeatable (default: what moves, else everything; the first 12 things)':
+    '读取其时钟的物体，连同其下的物体；可重复（默认：运动的物体，没有则全部；前 12 个）',
+  "the observer is the pilot of a recorded flight, NAME.flight.json, and --time the pilot's time from its beginning (default: its end)":
+    '观察者是所录飞行（NAME.flight.json）的驾驶员，--time 为从飞行起点算起的驾驶员时间（默认：飞行终点）',
+  '{} clocks are too many; choose up to {} by --prim': '{1} 个时钟太多；请用 --prim 选择至多 {2} 个',
+  'observer: world time {} s, own clock {} s, at {} m': '观察者：世界时间 {1} s，自身时钟 {2} s，位于 {3} m',
+  ship: '飞船',
+  world: '世界',
+  'clock [s]': '时钟 [s]',
+  'as seen': '所见',
+  'rate (D)': '快慢（D）',
+  'in the slice': '同时面上',
+  rate: '快慢',
+  'at world time': '同一世界时间',
+  'not yet there': '尚未出现',
+  'no longer there': '已不存在',
+  'behind a horizon': '在视界之后',
+
   // ———— Command line ————
   // Joins of clauses
   '{}: {}.': '{1}：{2}。',

@@ -8,6 +8,7 @@ import { emissionEvent } from '../../physics/worldLines/lightCone.ts';
 import { properTimeBetween } from '../../physics/worldLines/properTime.ts';
 import { simultaneitySlice, simultaneousPosition } from '../../physics/worldLines/simultaneity.ts';
 import { properVelocityAt, velocityAt, type WorldLine } from '../../physics/worldLines/worldLine.ts';
+import { clockStart } from '../clocks/clock.ts';
 import { isAlive } from '../motion/lifetimes.ts';
 import type { SceneObject } from '../types.ts';
 import type { ProbeObserver } from '../views/viewRecord.ts';
@@ -19,7 +20,7 @@ export interface Inspection {
   readonly emissionTime: number;
   /** Where it left, world frame [m]. */
   readonly emissionPosition: Vec3;
-  /** What a clock of the point, set to 0 at world time 0, showed then [s]; undefined where its motion has no closed form. */
+  /** What a clock of the point showed then [s], set to 0 at its birth, or at world time 0 if it always existed; undefined where its motion has no closed form. */
   readonly properTime: number | undefined;
   /** How far the light has travelled, in the observer's frame: the apparent distance [m]. */
   readonly distanceThen: number;
@@ -79,7 +80,7 @@ export function inspectEvent(
   return {
     emissionTime: seen.t,
     emissionPosition: seen.position,
-    properTime: known && properTimeBetween(known, 0, seen.t, c),
+    properTime: known && properTimeBetween(known, clockStart(object.lifetime), seen.t, c),
     distanceThen: length(apparent),
     distanceNow: known && distanceNow(object, known, observer, c),
     velocity: scale(velocityAt(line, seen.t, c), 1 / c),

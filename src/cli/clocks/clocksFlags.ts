@@ -1,0 +1,9 @@
+import type { SceneOrProjectFlags } from '../project/sceneOrProject.ts';
+
+export interface ClocksFlags extends SceneOrProjectFlags {
+  readonly prim?: readonly string[];
+  readonly time?: number;
+  /** File of a recorded flight, whose pilot is the observer. */
+  readonly flight?: string;
+  readonly json?: boolean;
+}

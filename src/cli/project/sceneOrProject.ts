@@ -1,0 +1,43 @@
+import { chosenObjects } from '../../diagrams/diagramLines.ts';
+import { listed, msg } from '../../messages/message.ts';
+import { initialBeta } from '../../nodes/pictures/renderSettings.ts';
+import type { Scene } from '../../scene/types.ts';
+import { openSceneWithFlags } from '../flags/openScene.ts';
+import type { SceneFlags } from '../flags/sceneFlags.ts';
+import type { StandpointFlags } from '../flags/viewFlags.ts';
+import { usageError } from '../terminal/exitCodes.ts';
+import { Progress } from '../terminal/progress.ts';
+import { isProject, openProjectPicture, refuseSets } from './project.ts';
+
+/** Flags of commands that look at a scene, or at that of a project, without drawing a picture. */
+export interface SceneOrProjectFlags extends SceneFlags, StandpointFlags {
+  /** For projects: `node.param=value`. */
+  readonly set?: readonly string[];
+}
+
+/** A scene file, or a project's scene with its picture's observer and speed of light where the flags do not say them. */
+export async function openSceneOrProject<Flags extends SceneOrProjectFlags>(
+  path: string,
+  flags: Flags,
+  given: ReadonlySet<string>,
+): Promise<{ readonly scene: Scene; readonly flags: Flags }> {
+  if (!(await isProject(path))) {
+    refuseSets(flags.set);
+    return { scene: await openSceneWithFlags(path, flags), flags };
+  }
+  const progress = new Progress();
+  const picture = await openProjectPicture(path, flags.set ?? [], given, progress.node);
+  progress.clear();
+  const { scene, speedOfLight: c, camera, course } = picture;
+  const beta = flags.position ? undefined : initialBeta(picture, false);
+  const cameraPath = given.has('cameraPath') || course ? flags.cameraPath : 'straight';
+  return { scene, flags: { c, ...(camera && { camera }), ...(beta && { beta }), ...flags, cameraPath } };
+}
+
+/** The paths of `--prim`, if the scene has something at or below each. */
+export function knownThings(scene: Scene, paths: readonly string[]): readonly string[] {
+  const unknown = paths.find((path) => chosenObjects(scene, [path]).length === 0);
+  if (unknown === undefined) return paths;
+  const near = scene.objects.map((object) => object.path).slice(0, 8);
+  throw usageError(msg`--prim ${unknown}: the scene has no such thing; it has ${listed(near) || msg`none`}`);
+}
