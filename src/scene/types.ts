@@ -216,6 +216,7 @@ export interface SceneCamera {
 
 /** A smooth way through the samples of a camera (view/cameraCourse.ts): between straight pieces the velocity of one who rides on it would jump, and with it all that he sees. */
 export interface CameraCourse {
+  /** World frame. */
   readonly line: CubicLine;
   /** Greatest distance from the straight pieces at the same time, at eight times of every piece [m]. */
   readonly strayed: number;

@@ -1,4 +1,4 @@
-import type { Obstacles, Segment, Wall } from '../../src/flight/collision/obstacles.ts';
+import type { Obstacles, Wall, WorldSegment } from '../../src/flight/collision/obstacles.ts';
 import { addScaled, dot, normalize, type Vec3 } from '../../src/math/vec3.ts';
 
 /** A plane through `at` [m] at world time 0, with any normal, that moves with `beta` [c] in its own direction. */
@@ -19,7 +19,7 @@ export const planes = (all: readonly Plane[], c: number): Obstacles => ({
 /** n·x = n·x₀ + βct. A boost along the normal leaves it as it is. */
 function meeting(
   { at, normal, beta }: Plane,
-  { start, dt, dx }: Segment,
+  { start, dt, dx }: WorldSegment,
   end: number,
   c: number,
 ): { readonly part: number; readonly wall: Wall } | undefined {

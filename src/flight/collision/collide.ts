@@ -9,10 +9,10 @@ import {
   frozen,
   inWallFrame,
   type Obstacles,
-  type Segment,
   segmentTo,
   type Wall,
   type WorldEvent,
+  type WorldSegment,
   worldNormal,
 } from './obstacles.ts';
 import { alongWall, slideAlong } from './slide.ts';
@@ -173,7 +173,7 @@ class Course {
 }
 
 /** How far along a line of events one of its events is. */
-function partTo({ start, dt, dx }: Segment, event: WorldEvent, c: number): number {
+function partTo({ start, dt, dx }: WorldSegment, event: WorldEvent, c: number): number {
   const way = segmentTo(start, event);
   return Math.hypot(c * way.dt, length(way.dx)) / Math.hypot(c * dt, length(dx));
 }

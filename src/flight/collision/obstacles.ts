@@ -13,7 +13,7 @@ export interface WorldEvent {
 }
 
 /** A straight line of events: from `start` on, by (dt, dx) for each part of it. With dt = 0 it is in a frozen instant. */
-export interface Segment {
+export interface WorldSegment {
   readonly start: WorldEvent;
   /** [s] */
   readonly dt: number;
@@ -34,7 +34,7 @@ export interface Wall {
 /** What a flight may meet. */
 export interface Obstacles {
   /** The first surface that a line of events meets, from its start to `end` times its length. */
-  readonly first: (segment: Segment, end: number) => Wall | undefined;
+  readonly first: (segment: WorldSegment, end: number) => Wall | undefined;
 }
 
 export function eventOf(state: FlightState): WorldEvent {
@@ -42,14 +42,14 @@ export function eventOf(state: FlightState): WorldEvent {
   return { t, x: position };
 }
 
-export const segmentTo = (start: WorldEvent, end: WorldEvent): Segment => ({
+export const segmentTo = (start: WorldEvent, end: WorldEvent): WorldSegment => ({
   start,
   dt: end.t - start.t,
   dx: addScaled(end.x, start.x, -1),
 });
 
 /** A displacement (dt [s], dx [m]), in the frame where a wall rests [m]. c [m/s]. */
-export const inWallFrame = ({ velocity }: Wall, { dt, dx }: Pick<Segment, 'dt' | 'dx'>, c: number): Vec3 =>
+export const inWallFrame = ({ velocity }: Wall, { dt, dx }: Pick<WorldSegment, 'dt' | 'dx'>, c: number): Vec3 =>
   velocity.rapidity === 0 ? dx : spatial(boost(fourVector(c * dt, dx), properVelocityOf(velocity)));
 
 /** How far an event is before the plane of a wall, in the frame where the wall rests [m]; negative behind it. */
