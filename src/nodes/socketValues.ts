@@ -18,7 +18,9 @@ export interface CameraView extends RelativisticScene {
   readonly camera: string;
   /** Whether the observer rides on the file's camera with its velocity instead of flying freely. */
   readonly ride: boolean;
-  /** The smooth way of that camera through its samples; absent: straight pieces. */
+  /** Whether one who rides goes through the camera's samples on a smooth way; else along straight pieces. */
+  readonly smooth: boolean;
+  /** That way, if he rides in the page. Films, which follow the camera in any case, make it themselves. */
   readonly course?: CameraCourse;
   /** Vertical field of view [rad]; undefined: the camera's. */
   readonly fovY: number | undefined;

@@ -255,11 +255,11 @@ export function refuseSceneFlags(given: ReadonlySet<string>): void {
 }
 
 function flagsOf(picture: PictureSpec, film: boolean): Partial<RenderFlags> {
-  const { speedOfLight, camera, course, fovY, falseColor, occlusion } = picture;
+  const { speedOfLight, camera, smooth, fovY, falseColor, occlusion } = picture;
   const beta = initialBeta(picture, film);
   return {
     ...pickSettings(SETTING_NAMES, picture),
-    cameraPath: course ? 'smooth' : 'straight',
+    cameraPath: smooth ? 'smooth' : 'straight',
     ...(!occlusion && { occlusionRadius: 0 }),
     c: speedOfLight,
     ...(camera && { camera }),

@@ -28,9 +28,9 @@ export async function openSceneOrProject<Flags extends SceneOrProjectFlags>(
   const progress = new Progress();
   const picture = await openProjectPicture(path, flags.set ?? [], given, progress.node);
   progress.clear();
-  const { scene, speedOfLight: c, camera, course } = picture;
+  const { scene, speedOfLight: c, camera, smooth } = picture;
   const beta = flags.position ? undefined : initialBeta(picture, false);
-  const cameraPath = given.has('cameraPath') || course ? flags.cameraPath : 'straight';
+  const cameraPath = given.has('cameraPath') || smooth ? flags.cameraPath : 'straight';
   return { scene, flags: { c, ...(camera && { camera }), ...(beta && { beta }), ...flags, cameraPath } };
 }
 

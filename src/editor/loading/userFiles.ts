@@ -1,6 +1,6 @@
 import { inputError } from '../../formats/diagnostics/inputError.ts';
 import { extensionOf } from '../../formats/files/fileSource.ts';
-import { type RandomAccessFile, readZipDirectory, type ZipEntry } from '../../formats/zip/directory.ts';
+import type { RandomAccessFile, ZipEntry } from '../../formats/zip/directory.ts';
 import { msg } from '../../messages/message.ts';
 
 /** A file from the user, or an entry of an archive, decompressed on read in the worker. */
@@ -56,6 +56,7 @@ export async function expandArchives(files: ReadonlyMap<string, Blob>): Promise<
 }
 
 async function filesInArchive(path: string, archive: Blob): Promise<[string, ArchivedFile][]> {
+  const { readZipDirectory } = await import('../../formats/zip/directory.ts');
   const entries = await readZipDirectory(partedBlob(archive), path);
   return entries.map((entry) => [`${path}/${entry.path}`, { archive, name: path, entry }]);
 }

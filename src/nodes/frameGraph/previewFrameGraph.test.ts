@@ -13,6 +13,7 @@ const gbuffer = (over: Partial<GBufferSpec> = {}): GBufferSpec => ({
   maxSpeed: 0.9,
   camera: '',
   ride: false,
+  smooth: true,
   fovY: undefined,
   ...over,
 });

@@ -50,11 +50,10 @@ export const sceneCameraNode = defineNode({
     }
     if (ride) assertRideable(relativity, camera);
     const fovY = fieldOfView === undefined ? undefined : radians(fieldOfView);
-    const view = { ...relativity, camera, ride, fovY };
-    const { motion } = pictureCamera(view);
-    if (!smooth || motion.kind !== 'sampled') return { view };
+    const view = { ...relativity, camera, ride, smooth, fovY };
+    if (!smooth || !ride) return { view };
     const { smoothCourse } = await import('../../scene/view/cameraCourse.ts');
-    const course = smoothCourse(motion, relativity.speedOfLight);
+    const course = smoothCourse(pictureCamera(view).motion, relativity.speedOfLight);
     return { view: { ...view, ...(course && { course }) } };
   },
 });
