@@ -16,14 +16,16 @@ const Inspector = lazy(() => import('../graph/inspector/Inspector.tsx'));
 /** Loaded when the project has simulations. */
 const EnergyPanel = lazy(() => import('../energy/EnergyPanel.tsx'));
 const LessonPanel = lazy(() => import('../lessons/LessonPanel.tsx'));
-/** Loaded when its tab is first opened. */
+/** Loaded when their tabs are first opened. */
 const DiagramPanel = lazy(() => import('../diagrams/DiagramPanel.tsx'));
+const ClocksPanel = lazy(() => import('../clocks/ClocksPanel.tsx'));
 
 const PANELS = {
   picture: { title: msg`Picture`, content: <Viewport /> },
   controls: { title: msg`Controls`, content: <ControlsPanel /> },
   scene: { title: msg`Scene`, content: <ScenePanel /> },
   diagram: { title: msg`Diagram`, content: <DiagramPanel /> },
+  clocks: { title: msg`Clocks`, content: <ClocksPanel /> },
   energy: { title: msg`Energy`, content: <EnergyPanel /> },
   graph: { title: msg`Graph`, content: <GraphPanel /> },
   node: { title: msg`Node`, content: <Inspector /> },
@@ -88,7 +90,8 @@ function useDockview(host: React.RefObject<HTMLDivElement | null>, setElements: 
           element,
           init: ({ api }) => {
             const show = () => setElements((known) => ({ ...known, [name]: element }));
-            if (name === 'diagram') api.onDidVisibilityChange(({ isVisible }) => isVisible && show());
+            if (name === 'diagram' || name === 'clocks')
+              api.onDidVisibilityChange(({ isVisible }) => isVisible && show());
             else show();
           },
           dispose: () => setElements(({ [name as PanelName]: _gone, ...left }) => left),
@@ -230,8 +233,8 @@ function layOut(api: DockviewApi, narrow: boolean): void {
   const direction = narrow ? 'below' : 'right';
   const size = narrow ? { initialHeight: 260 } : { initialWidth: SIDE_WIDTH };
   const controls = api.addPanel({ id: 'controls', component: 'controls', position: { direction }, ...size });
-  api.addPanel({ id: 'scene', component: 'scene', position: { referencePanel: controls }, inactive: true });
-  api.addPanel({ id: 'diagram', component: 'diagram', position: { referencePanel: controls }, inactive: true });
+  for (const id of ['scene', 'diagram', 'clocks'] as const)
+    api.addPanel({ id, component: id, position: { referencePanel: controls }, inactive: true });
   if (!narrow) controls.group.api.setConstraints({ minimumWidth: 264, maximumWidth: 480 });
   picture.group.header.hidden = true;
   picture.group.locked = 'no-drop-target';

@@ -1,0 +1,87 @@
+import { AxeBuilder } from '@axe-core/playwright';
+import { afterAll, beforeAll, expect, it } from 'vitest';
+import { type MonitoredPage, Program } from './program.ts';
+import { drop } from './support.ts';
+
+let program: Program;
+beforeAll(async () => {
+  program = await Program.start();
+});
+afterAll(() => program.stop());
+
+/** A ball that recedes at 0.5 c from the observer, with whom it was at −3 s. */
+const RECEDING = `#usda 1.0
+( customLayerData = { dictionary slowlight = { double speedOfLight = 10 } }
+  metersPerUnit = 1
+  upAxis = "Y" )
+def Camera "Eye" {}
+def Sphere "Ball"
+{
+    double3 xformOp:translate = (0, 0, -15)
+    uniform token[] xformOpOrder = ["xformOp:translate"]
+    uniform token slowlight:motion = "uniform"
+    vector3d slowlight:velocity = (0, 0, -5)
+}
+def Cube "Post"
+{
+    double3 xformOp:translate = (0, 3, -20)
+    uniform token[] xformOpOrder = ["xformOp:translate"]
+}
+`;
+
+/** Opens the panel by keys alone. */
+async function clocksPanel(locale: string, tab: string): Promise<MonitoredPage> {
+  const options = { viewport: { width: 1100, height: 900 }, locale };
+  const visit = await (await program.open('?backend=webgl&scene=examples/boxes.usdc', options)).ready();
+  await drop(visit, [{ name: 'receding.usda', content: Buffer.from(RECEDING) }]);
+  await visit.page.getByRole('tab', { name: tab }).focus();
+  await visit.page.keyboard.press('Enter');
+  await visit.page.locator('.sl-clocks-name', { hasText: '/Ball' }).waitFor();
+  return visit;
+}
+
+const violations = async ({ page }: MonitoredPage) =>
+  (await new AxeBuilder({ page }).analyze()).violations.map(({ id, nodes }) => [id, nodes[0]?.html]);
+
+it('shows clocks as they are seen and as they are, and compares events that are marked', async () => {
+  const visit = await clocksPanel('en-GB', 'Clocks');
+  const { page } = visit;
+  const pause = page.getByRole('button', { name: 'Pause' });
+  if (await pause.isVisible()) await pause.click();
+  const cells = async (name: string): Promise<string[]> =>
+    page.locator('tbody', { hasText: name }).first().locator('td').allTextContents();
+  const numbers = (texts: readonly string[]) => texts.map((text) => Number.parseFloat(text.replace('−', '-')));
+  const [, , t] = numbers(await cells('World')) as [number, number, number];
+  const ball = await cells('/Ball');
+  const [seen, slice, world] = numbers(ball) as [number, number, number];
+  // 5 (t_e + 3) = 10 (t − t_e), and γ = 2/√3; 1/√3 and √3/2 are its rates.
+  expect(seen).toBeCloseTo((Math.sqrt(0.75) * (2 * t - 3)) / 3, 1);
+  expect([slice, world]).toEqual([expect.closeTo(Math.sqrt(0.75) * t, 1), slice]);
+  expect(ball.map((text) => text.replace(/^.* s/, ''))).toEqual(['D 0.577', '× 0.866', '× 0.866']);
+
+  await page.getByRole('button', { name: 'Mark: /Ball' }).press('Enter');
+  await page.getByRole('button', { name: 'Mark: Ship' }).press('Enter');
+  await page.getByText('lightlike: light goes from one to the other').waitFor();
+  await page.getByRole('button', { name: 'Mark: Ship' }).press('Enter');
+  await page.getByRole('button', { name: 'Remove: 2' }).press('Enter');
+  await expect.poll(() => page.getByRole('button', { name: /^Remove: \d$/ }).count()).toBe(2);
+
+  await page.getByRole('combobox', { name: 'Add the clock of an object' }).click();
+  await page.getByRole('option', { name: '/Post' }).click();
+  expect((await cells('/Post')).map((text) => text.replace(/^.* s/, ''))).toEqual(['D 1.00', '× 1.00', '× 1.00']);
+  await visit.shot('clocks');
+  expect(await violations(visit)).toEqual([]);
+  await page.getByRole('button', { name: 'Remove: /Ball' }).press('Enter');
+  await expect.poll(() => page.locator('th[scope=rowgroup]').allTextContents()).not.toContain('/Ball⚑×');
+  await visit.close();
+});
+
+it('speaks Chinese', async () => {
+  const visit = await clocksPanel('zh-CN', '时钟');
+  await visit.page.getByRole('columnheader', { name: '同时面' }).waitFor();
+  await visit.page.getByRole('button', { name: '标记：飞船' }).press('Enter');
+  await visit.page.getByText('已标记的事件').waitFor();
+  await visit.shot('clocks-zh');
+  expect(await violations(visit)).toEqual([]);
+  await visit.close();
+});
