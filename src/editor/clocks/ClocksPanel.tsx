@@ -150,7 +150,7 @@ function ClockRows({ name, readings, onMark, onRemove }: RowsProps): ReactNode {
         </th>
       </tr>
       <tr>
-        <ClockCell shown={readings.seen} sign="D" />
+        <ClockCell shown={readings.seen} sign={onRemove ? 'D' : '×'} />
         <ClockCell shown={readings.slice} sign="×" />
         <ClockCell shown={readings.world} sign="×" />
       </tr>
