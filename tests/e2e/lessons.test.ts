@@ -42,9 +42,9 @@ it('a link opens a step; its question is answered by keyboard, then seen; it pri
   await panel.getByRole('button', { name: 'Next' }).press('Enter');
   const heading = panel.getByRole('heading', { name: 'How far a star moves' });
   await expect.poll(() => heading.evaluate((element) => element === document.activeElement)).toBe(true);
-  await expect.poll(() => page.title()).toContain('starfield');
+  await expect.poll(() => page.locator('.sl-caption').textContent()).toContain('Starfield');
   await page.getByRole('button', { name: /^Undo/ }).click();
-  await expect.poll(() => page.title()).toContain('street');
+  await expect.poll(() => page.locator('.sl-caption').textContent()).toContain('Street');
 
   await page.emulateMedia({ media: 'print' });
   const printed = page.locator('.sl-lesson-print');
@@ -77,7 +77,7 @@ it('the list opens from the gallery; wrong links are told; on a narrow page less
   await page.getByRole('dialog').getByRole('button', { name: 'Lessons' }).click();
   await panel.locator('[data-lesson="terrell"]').click();
   await panel.getByRole('heading', { name: 'Dice at rest' }).waitFor();
-  await expect.poll(() => page.title()).toContain('dice');
+  await expect.poll(() => page.locator('.sl-caption').textContent()).toContain('Dice');
   await visit.settled();
   await visit.shot('lesson-narrow');
   await visit.close();

@@ -79,17 +79,16 @@ function StartHint(): ReactNode {
   ) : null;
 }
 
-/** The scene's description: what to look for. A lesson asks first, and then tells. */
+/** The scene's description: what to look for. */
 function Caption(): ReactNode {
   const { t } = useTexts();
   const [shown, setShown] = useState(() => loadPreferences().captions);
   const { title, lookFor } = useOpenedTexts();
-  const inLesson = useEditorState(({ lesson }) => lesson?.name !== undefined);
   const show = (captions: boolean) => {
     setShown(captions);
     savePreferences({ ...loadPreferences(), captions });
   };
-  if (!lookFor || inLesson) return null;
+  if (!lookFor) return null;
   if (!shown) {
     return (
       <UnstyledButton className="sl-caption sl-caption-closed" onClick={() => show(true)}>
