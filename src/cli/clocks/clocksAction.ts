@@ -1,4 +1,3 @@
-import { chosenObjects, suggestedPaths } from '../../diagrams/diagramLines.ts';
 import { observerOf } from '../../flight/flightState.ts';
 import { length, type Vec3, ZERO } from '../../math/vec3.ts';
 import { inLines, type LocalizedText, msg } from '../../messages/message.ts';
@@ -20,7 +19,7 @@ import { validate } from '../../scene/validation/validate.ts';
 import { observerPathFrom, observerWorldLine } from '../../scene/view/observerPath.ts';
 import { observerSetup } from '../flags/observerPath.ts';
 import { speedOfLight } from '../flags/viewFlags.ts';
-import { knownThings, openSceneOrProject } from '../project/sceneOrProject.ts';
+import { openSceneOrProject, thingsOf } from '../project/sceneOrProject.ts';
 import { type FilmedFlight, filmedFlight } from '../render/flightFilm.ts';
 import { columns, type Row } from '../terminal/columns.ts';
 import { reportDiagnostics } from '../terminal/diagnostics.ts';
@@ -29,8 +28,8 @@ import { toJson } from '../terminal/json.ts';
 import { localized } from '../terminal/language.ts';
 import type { ClocksFlags } from './clocksFlags.ts';
 
-/** Things whose clocks are read unless they are chosen, and clocks of one table. */
-const [SUGGESTED, MAX_CLOCKS] = [12, 2000];
+/** Of one table. */
+const MAX_CLOCKS = 2000;
 
 interface NamedReadings {
   readonly name: LocalizedText;
@@ -74,8 +73,7 @@ function objectReadings(
   observer: ClockObserver,
   c: number,
 ): readonly NamedReadings[] {
-  const objects = chosenObjects(scene, prim ? knownThings(scene, prim) : suggestedPaths(scene, SUGGESTED));
-  const found = objectClocks(objects, c);
+  const found = objectClocks(thingsOf(scene, prim), c);
   if (found.length > MAX_CLOCKS)
     throw usageError(msg`${found.length} clocks are too many; choose up to ${MAX_CLOCKS} by --prim`);
   return found.map((clock) => ({ name: clock.path, readings: readClock(clock, observer, c) }));

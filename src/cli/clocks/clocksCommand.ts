@@ -2,8 +2,9 @@ import { Command } from 'commander';
 import { msg } from '../../messages/message.ts';
 import { explicitFlags } from '../flags/explicitFlags.ts';
 import { addText } from '../flags/parse.ts';
-import { addSceneFlags, SCENE_ARGUMENT } from '../flags/sceneFlags.ts';
-import { addStandpointFlags, observerTimeOption, speedOfLightOption } from '../flags/viewFlags.ts';
+import { SCENE_ARGUMENT } from '../flags/sceneFlags.ts';
+import { addSceneOrProjectFlags } from '../flags/sceneOrProjectFlags.ts';
+import { observerTimeOption } from '../flags/viewFlags.ts';
 import { examples } from '../terminal/help.ts';
 import { localized } from '../terminal/language.ts';
 import type { ClocksFlags } from './clocksFlags.ts';
@@ -35,13 +36,7 @@ export function clocksCommand(): Command {
         msg`the observer is the pilot of a recorded flight, NAME.flight.json, and --time the pilot's time from its beginning (default: its end)`,
       ),
     );
-  addStandpointFlags(addSceneFlags(command)).addOption(speedOfLightOption());
-  return command
-    .option(
-      '--set <node.param=value>',
-      localized(msg`for a project: set a parameter of a node; repeatable; vectors as x,y,z`),
-      addText,
-    )
+  return addSceneOrProjectFlags(command)
     .option('--json', localized(msg`print as JSON`))
     .addHelpText('after', examples(EXAMPLES))
     .action(async (scene: string, flags: ClocksFlags) =>

@@ -1,4 +1,4 @@
-import type { SceneOrProjectFlags } from '../project/sceneOrProject.ts';
+import type { SceneOrProjectFlags } from '../flags/sceneOrProjectFlags.ts';
 
 export interface ClocksFlags extends SceneOrProjectFlags {
   readonly prim?: readonly string[];

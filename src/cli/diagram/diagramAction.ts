@@ -1,4 +1,4 @@
-import { chosenObjects, type DiagramLine, diagramLine, suggestedPaths } from '../../diagrams/diagramLines.ts';
+import { type DiagramLine, diagramLine } from '../../diagrams/diagramLines.ts';
 import { sceneDiagram } from '../../diagrams/sceneDiagram.ts';
 import type { SpacetimeDiagramSpec } from '../../diagrams/spacetimeDiagram.ts';
 import { diagramSvg } from '../../diagrams/svg.ts';
@@ -10,14 +10,14 @@ import type { ProbeObserver } from '../../scene/views/viewRecord.ts';
 import { writeFileAtomically } from '../files/outputFile.ts';
 import { observerPath } from '../flags/observerPath.ts';
 import { speedOfLight } from '../flags/viewFlags.ts';
-import { knownThings, openSceneOrProject } from '../project/sceneOrProject.ts';
+import { openSceneOrProject, thingsOf } from '../project/sceneOrProject.ts';
 import { reportDiagnostics } from '../terminal/diagnostics.ts';
 import { usageError } from '../terminal/exitCodes.ts';
 import { localized } from '../terminal/language.ts';
 import type { DiagramFlags } from './diagramFlags.ts';
 
-/** Things that are drawn unless they are chosen, and lines of one picture. */
-const [SUGGESTED, MAX_LINES] = [12, 2000];
+/** Of one picture. */
+const MAX_LINES = 2000;
 
 export async function diagram(path: string, given: DiagramFlags, names: ReadonlySet<string>): Promise<void> {
   checkFlags(given);
@@ -41,7 +41,7 @@ function checkFlags({ output, axis, secondAxis }: DiagramFlags): void {
 }
 
 function diagramLines(scene: Scene, { prim }: DiagramFlags, c: number): readonly DiagramLine[] {
-  const objects = chosenObjects(scene, prim ? knownThings(scene, prim) : suggestedPaths(scene, SUGGESTED));
+  const objects = thingsOf(scene, prim);
   if (objects.length > MAX_LINES)
     throw usageError(msg`${objects.length} world lines are too many; choose up to ${MAX_LINES} by --prim`);
   return objects.map((object) => diagramLine(object, c));

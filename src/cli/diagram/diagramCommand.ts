@@ -4,8 +4,9 @@ import { DIAGRAM_FRAMES } from '../../diagrams/spacetimeDiagram.ts';
 import { msg } from '../../messages/message.ts';
 import { explicitFlags } from '../flags/explicitFlags.ts';
 import { addText, parsePositive, parseVec3, sizeOption } from '../flags/parse.ts';
-import { addSceneFlags, SCENE_ARGUMENT } from '../flags/sceneFlags.ts';
-import { addStandpointFlags, observerTimeOption, speedOfLightOption } from '../flags/viewFlags.ts';
+import { SCENE_ARGUMENT } from '../flags/sceneFlags.ts';
+import { addSceneOrProjectFlags } from '../flags/sceneOrProjectFlags.ts';
+import { observerTimeOption } from '../flags/viewFlags.ts';
 import { examples } from '../terminal/help.ts';
 import { localized } from '../terminal/language.ts';
 import type { DiagramFlags } from './diagramFlags.ts';
@@ -63,13 +64,7 @@ export function diagramCommand(): Command {
         .default('light'),
     )
     .addOption(sizeOption(msg`picture size in pixels`));
-  addStandpointFlags(addSceneFlags(command)).addOption(speedOfLightOption());
-  return command
-    .option(
-      '--set <node.param=value>',
-      localized(msg`for a project: set a parameter of a node; repeatable; vectors as x,y,z`),
-      addText,
-    )
+  return addSceneOrProjectFlags(command)
     .addHelpText('after', examples(EXAMPLES))
     .action(async (scene: string, flags: DiagramFlags) =>
       (await import('./diagramAction.ts')).diagram(scene, flags, explicitFlags(command)),

@@ -3,7 +3,7 @@ import { addScaled, length, type Vec3 } from '../../math/vec3.ts';
 import { listed, msg } from '../../messages/message.ts';
 import type { Scene, SceneCamera } from '../../scene/types.ts';
 import { framingCamera, lookAtOrientation, observerFromCamera } from '../../scene/view/camera.ts';
-import { smoothCourse } from '../../scene/view/cameraCourse.ts';
+import { withCourse } from '../../scene/view/cameraCourse.ts';
 import { type ObserverPath, type ObserverSetup, observerPathFrom, ridesCamera } from '../../scene/view/observerPath.ts';
 import type { ViewPoint } from '../../scene/view/view.ts';
 import { usageError } from '../terminal/exitCodes.ts';
@@ -22,7 +22,8 @@ export function observerSetup(
   start: number,
   hold = false,
 ): ObserverSetup {
-  const camera = coursed(chooseCamera(scene, flags.camera), flags, c);
+  const chosen = chooseCamera(scene, flags.camera);
+  const camera = flags.cameraPath === 'smooth' ? withCourse(chosen, c) : chosen;
   const { position, lookAt, fov } = flags;
   const up: Vec3 = scene.upAxis === 'Z' ? [0, 0, 1] : [0, 1, 0];
   const rides = ridesCamera({ camera, ...(position && { position }) });
@@ -37,12 +38,6 @@ export function observerSetup(
     }),
     ...(fov !== undefined && { fovY: radians(fov) }),
   };
-}
-
-/** The camera with the way that one who rides on it takes. */
-function coursed(camera: SceneCamera, { cameraPath }: ObserverFlags, c: number): SceneCamera {
-  const course = cameraPath === 'smooth' ? smoothCourse(camera.motion, c) : undefined;
-  return { ...camera, ...(course && { course }) };
 }
 
 function chooseCamera(scene: Scene, path: string | undefined): SceneCamera {

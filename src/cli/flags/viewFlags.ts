@@ -91,12 +91,15 @@ export function addSettingFlags(command: Command): Command {
   return command;
 }
 
+/** `lightDelay` → `light-delay` */
+export const flagName = (name: string): string => name.replace(/[A-Z]/g, (letter) => `-${letter.toLowerCase()}`);
+
 /** `lightDelay`, default true: `--no-light-delay`; `dopplerMix`: `--doppler-mix <0…1>`. */
 export function settingOption(name: SettingName): Option {
   const setting = settingNamed(name);
   const { value } = setting.flag;
   const help = localized(setting.flag.help);
-  const flag = name.replace(/[A-Z]/g, (letter) => `-${letter.toLowerCase()}`);
+  const flag = flagName(name);
   if (setting.kind === 'boolean')
     return setting.default ? new Option(`--no-${flag}`, help) : new Option(`--${flag}`, help).default(false);
   const option = new Option(`--${flag} <${value}>`, help);

@@ -23,6 +23,7 @@ import type { Scene } from '../../scene/types.ts';
 import { renderableScene } from '../../scene/validation/renderableScene.ts';
 import { readFont } from '../files/fonts.ts';
 import { locateScene, openSceneFile } from '../files/sceneFiles.ts';
+import { flagName } from '../flags/viewFlags.ts';
 import { openDevice } from '../gpu/device.ts';
 import { renderStill } from '../pipelines/renderStill.ts';
 import type { RenderFlags } from '../render/renderFlags.ts';
@@ -250,7 +251,7 @@ const SCENE_FLAGS = [
 export function refuseSceneFlags(given: ReadonlySet<string>): void {
   const odd = SCENE_FLAGS.find((name) => given.has(name));
   if (odd === undefined) return;
-  const flag = `--${odd.replace(/[A-Z]/g, (letter) => `-${letter.toLowerCase()}`)}`;
+  const flag = `--${flagName(odd)}`;
   throw usageError(msg`${flag} is for scene files; a project says so in its nodes: use --set node.param=value`);
 }
 

@@ -1,19 +1,12 @@
-import { chosenObjects } from '../../diagrams/diagramLines.ts';
+import { chosenObjects, suggestedPaths } from '../../diagrams/diagramLines.ts';
 import { listed, msg } from '../../messages/message.ts';
 import { initialBeta } from '../../nodes/pictures/renderSettings.ts';
-import type { Scene } from '../../scene/types.ts';
+import type { Scene, SceneObject } from '../../scene/types.ts';
 import { openSceneWithFlags } from '../flags/openScene.ts';
-import type { SceneFlags } from '../flags/sceneFlags.ts';
-import type { StandpointFlags } from '../flags/viewFlags.ts';
+import type { SceneOrProjectFlags } from '../flags/sceneOrProjectFlags.ts';
 import { usageError } from '../terminal/exitCodes.ts';
 import { Progress } from '../terminal/progress.ts';
 import { isProject, openProjectPicture, refuseSets } from './project.ts';
-
-/** Flags of commands that look at a scene, or at that of a project, without drawing a picture. */
-export interface SceneOrProjectFlags extends SceneFlags, StandpointFlags {
-  /** For projects: `node.param=value`. */
-  readonly set?: readonly string[];
-}
 
 /** A scene file, or a project's scene with its picture's observer and speed of light where the flags do not say them. */
 export async function openSceneOrProject<Flags extends SceneOrProjectFlags>(
@@ -34,10 +27,13 @@ export async function openSceneOrProject<Flags extends SceneOrProjectFlags>(
   return { scene, flags: { c, ...(camera && { camera }), ...(beta && { beta }), ...flags, cameraPath } };
 }
 
-/** The paths of `--prim`, if the scene has something at or below each. */
-export function knownThings(scene: Scene, paths: readonly string[]): readonly string[] {
-  const unknown = paths.find((path) => chosenObjects(scene, [path]).length === 0);
-  if (unknown === undefined) return paths;
+/** Things that are looked at unless they are chosen. */
+const SUGGESTED = 12;
+
+/** The objects of `--prim`, or what moves. Throws if the scene has nothing at or below a path. */
+export function thingsOf(scene: Scene, paths: readonly string[] | undefined): readonly SceneObject[] {
+  const unknown = paths?.find((path) => chosenObjects(scene, [path]).length === 0);
+  if (unknown === undefined) return chosenObjects(scene, paths ?? suggestedPaths(scene, SUGGESTED));
   const near = scene.objects.map((object) => object.path).slice(0, 8);
   throw usageError(msg`--prim ${unknown}: the scene has no such thing; it has ${listed(near) || msg`none`}`);
 }

@@ -3,6 +3,7 @@ import { msg } from '../../messages/message.ts';
 import { filmClockOf, flightSpeedOfLight } from '../../nodes/flights/flightPath.ts';
 import type { FrameTime } from '../../nodes/project/outputFiles.ts';
 import { readFlightFile } from '../files/flightFiles.ts';
+import { flagName } from '../flags/viewFlags.ts';
 import { inputProblem, orRefuse, usageError } from '../terminal/exitCodes.ts';
 import type { RenderFlags } from './renderFlags.ts';
 
@@ -20,7 +21,7 @@ const OBSERVER_FLAGS = ['camera', 'cameraPath', 'beta', 'position', 'lookAt', 'h
 export function filmedFlight(path: string, { c }: Pick<RenderFlags, 'c'>, given: ReadonlySet<string>): FilmedFlight {
   const contradicting = OBSERVER_FLAGS.find((name) => given.has(name));
   if (contradicting !== undefined) {
-    const flag = contradicting.replace(/[A-Z]/g, (letter) => `-${letter.toLowerCase()}`);
+    const flag = flagName(contradicting);
     throw usageError(msg`--${flag} says where the observer is, and so does --flight: leave one of them out`);
   }
   const recording = readFlightFile(path);

@@ -5,17 +5,10 @@ import { PIPELINES } from '../../pipelines/registry.ts';
 import { AOVS } from '../../scene/view/view.ts';
 import { FALSE_COLOR_QUANTITIES } from '../../spectrum/falseColor/falseColor.ts';
 import { explicitFlags } from '../flags/explicitFlags.ts';
-import {
-  addText,
-  parseAovs,
-  parseFrames,
-  parsePositive,
-  parseRange,
-  parseSamples,
-  sizeOption,
-} from '../flags/parse.ts';
+import { parseAovs, parseFrames, parsePositive, parseRange, parseSamples, sizeOption } from '../flags/parse.ts';
 import { addPipelineFlags } from '../flags/pipelineFlags.ts';
 import { addSceneFlags, SCENE_ARGUMENT } from '../flags/sceneFlags.ts';
+import { projectSetOption } from '../flags/sceneOrProjectFlags.ts';
 import { addObserverFlags, addSettingFlags, observerTimeOption } from '../flags/viewFlags.ts';
 import { usageError } from '../terminal/exitCodes.ts';
 import { examples } from '../terminal/help.ts';
@@ -112,11 +105,7 @@ export function renderCommand(): Command {
     );
   return (
     addPipelineFlags(command)
-      .option(
-        '--set <node.param=value>',
-        localized(msg`for a project: set a parameter of a node; repeatable; vectors as x,y,z`),
-        addText,
-      )
+      .addOption(projectSetOption())
       .option('--json', localized(msg`print a report as JSON`))
       .addHelpText('after', examples(EXAMPLES))
       // Imported lazily: the renderer is large.

@@ -11,8 +11,7 @@ import { pictureCamera, pictureLens } from '../../nodes/pictures/renderSettings.
 import type { PictureSpec } from '../../nodes/socketValues.ts';
 import type { ObserverState } from '../../physics/lorentz/observer.ts';
 import type { properTimeBetween as ProperTimeBetween } from '../../physics/worldLines/properTime.ts';
-import { originWorldLine } from '../../scene/motion/motion.ts';
-import { lookAtOrientation } from '../../scene/view/camera.ts';
+import { lookAtOrientation, riddenLine } from '../../scene/view/camera.ts';
 import type { ViewPoint } from '../../scene/view/view.ts';
 import { sceneKey } from '../loading/localFiles.ts';
 import { leaveCamera } from '../shell/actions.ts';
@@ -212,10 +211,9 @@ export class ObserverController {
     if (!this.properTimeBetween) return;
     const before = this.state;
     const camera = pictureCamera(picture);
-    const { course, motion } = camera;
     const c = picture.speedOfLight;
     const t = before.t + dt;
-    const elapsed = this.properTimeBetween(course?.line ?? originWorldLine(motion), before.t, t, c);
+    const elapsed = this.properTimeBetween(riddenLine(camera), before.t, t, c);
     this.state = observerOnCamera(camera, { ...before, t, properTime: before.properTime + elapsed }, c);
   }
 

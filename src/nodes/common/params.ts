@@ -60,21 +60,19 @@ export const authoredInParam = (value: 'rest' | 'world'): ChoiceParam<'rest' | '
   ],
 });
 
-export const nodeRefusal = (
-  code: string,
-  place: LocalizedText,
-  message: Message,
-  remedy?: NodeRefusal['problem']['remedy'],
-) => new NodeRefusal({ severity: 'error', code, place, message, ...(remedy && { remedy }) });
+type Remedy = NodeRefusal['problem']['remedy'];
 
-/** What is read from a file that the parameter `file` names. Throws a NodeRefusal where an InputError is thrown, with its place; the remedy is to name no file. */
-export async function readOrRefuse<T>(node: string, param: string, read: () => Promise<T>): Promise<T> {
+export const nodeRefusal = (code: string, place: LocalizedText, message: Message, remedy?: Remedy) =>
+  new NodeRefusal({ severity: 'error', code, place, message, ...(remedy && { remedy }) });
+
+/** What is read from a file that a parameter names. Throws a NodeRefusal where an InputError is thrown, with its place. */
+export async function readOrRefuse<T>(read: () => Promise<T>, remedy?: Remedy): Promise<T> {
   try {
     return await read();
   } catch (error) {
     if (!(error instanceof InputError)) throw error;
     const { code, place, message } = error.diagnostic;
-    throw nodeRefusal(code, place, message, { node, param, value: '' });
+    throw nodeRefusal(code, place, message, remedy);
   }
 }
 

@@ -30,6 +30,6 @@ export const cacheNode = defineNode({
       );
     }
     const how = { interpolation: 'cubic', signal, progress } as const;
-    return { geometry: await readOrRefuse(node, 'file', () => services.readScene(file, how)) };
+    return { geometry: await readOrRefuse(() => services.readScene(file, how), { node, param: 'file', value: '' }) };
   },
 });

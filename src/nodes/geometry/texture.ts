@@ -2,8 +2,8 @@ import { msg } from '../../messages/message.ts';
 import { assignTexture, canProject, hasUvs } from '../../scene/compose/assignTexture.ts';
 import { matchesPath } from '../../scene/compose/mergeScenes.ts';
 import { checkerTexture } from '../../scene/materials/checker.ts';
-import { InputError, type Scene, type Texture } from '../../scene/types.ts';
-import { assertPathExists, nodeRefusal, whichParam } from '../common/params.ts';
+import type { Scene, Texture } from '../../scene/types.ts';
+import { assertPathExists, nodeRefusal, readOrRefuse, whichParam } from '../common/params.ts';
 import { defineNode } from '../defineNode.ts';
 import type { Services } from '../services.ts';
 import { lengthParam } from './primitives/definePrimitive.ts';
@@ -108,13 +108,7 @@ function assertMappable({ objects }: Scene, which: string, isProjected: boolean,
 
 async function readImage(file: string, filter: Texture['filter'], node: string, services: Services): Promise<Texture> {
   if (file === '') throw nodeRefusal('texture.none', node, msg`no image is named; name a PNG or JPEG`);
-  try {
-    const { decodeImage } = await import('../../formats/image/decodeImage.ts');
-    const image = decodeImage(await services.readFile(file), file);
-    return { name: file, ...image, colorSpace: 'srgb', filter, wrapS: 'repeat', wrapT: 'repeat' };
-  } catch (error) {
-    if (!(error instanceof InputError)) throw error;
-    const { code, place, message } = error.diagnostic;
-    throw nodeRefusal(code, place, message);
-  }
+  const { decodeImage } = await import('../../formats/image/decodeImage.ts');
+  const image = await readOrRefuse(async () => decodeImage(await services.readFile(file), file));
+  return { name: file, ...image, colorSpace: 'srgb', filter, wrapS: 'repeat', wrapT: 'repeat' };
 }

@@ -1,7 +1,7 @@
 import { FlightPlayback } from '../../flight/recording/playback.ts';
 import type { FlightRecording } from '../../flight/recording/recording.ts';
 import { extensionOf } from '../../formats/files/fileSource.ts';
-import { smoothCourse } from '../../scene/view/cameraCourse.ts';
+import { withCourse } from '../../scene/view/cameraCourse.ts';
 import { observerPathFrom } from '../../scene/view/observerPath.ts';
 import { assertFlownAt, filmClockOf, flightPath } from '../flights/flightPath.ts';
 import { type FrameTime, frameTimes, type ImageOutput, type VideoOutput } from '../project/outputFiles.ts';
@@ -32,9 +32,8 @@ function observed(file: ImageOutput | VideoOutput): FramesAndViews {
   const isFilm = file.kind === 'video';
   const beta = initialBeta(picture, isFilm);
   const camera = pictureCamera(picture);
-  const course = picture.smooth ? smoothCourse(camera.motion, speedOfLight) : undefined;
   const standpoint = {
-    camera: { ...camera, ...(course && { course }) },
+    camera: picture.smooth ? withCourse(camera, speedOfLight) : camera,
     hold: isFilm && file.hold,
     ...(beta && { beta }),
     ...(fovY !== undefined && { fovY }),

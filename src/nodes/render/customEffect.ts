@@ -66,7 +66,7 @@ const rethrow = (error: unknown): never => {
 };
 
 async function readText(file: string, node: string, services: Services): Promise<string> {
-  const bytes = await readOrRefuse(node, 'file', () => services.readFile(file));
+  const bytes = await readOrRefuse(() => services.readFile(file), { node, param: 'file', value: '' });
   // Every character has a byte at least; more is refused before it is decoded.
   if (bytes.length > 4 * SHADER_TEXT_LIMITS.length)
     throw nodeRefusal(

@@ -99,7 +99,7 @@ async function flownSpan(
   const { parseFlight } = await import('../flights/flightFile.ts');
   const { FlightPlayback } = await import('../../flight/recording/playback.ts');
   const { assertFlownAt, filmClockOf } = await import('../flights/flightPath.ts');
-  const bytes = await readOrRefuse(node, 'flight', () => services.readFile(file));
+  const bytes = await readOrRefuse(() => services.readFile(file), { node, param: 'flight', value: '' });
   try {
     const flight = parseFlight(new TextDecoder().decode(bytes));
     assertFlownAt(flight, c);

@@ -1,5 +1,5 @@
-import { distance, scale, sub, type Vec3 } from '../../math/vec3.ts';
-import { boost } from '../../physics/lorentz/boost.ts';
+import { distance, sub, type Vec3 } from '../../math/vec3.ts';
+import { boost, velocity } from '../../physics/lorentz/boost.ts';
 import { type FourVector, fourVector, interval } from '../../physics/lorentz/fourVector.ts';
 import type { Clock } from './clock.ts';
 import { type ClockAbsence, type ClockObserver, readClock } from './readClock.ts';
@@ -100,8 +100,7 @@ export const marksCsv = (marks: readonly ClockMark[]): string =>
   [COLUMNS, ...marks.map(rowOf)].map((line) => `${line}\n`).join('');
 
 function rowOf({ name, thing = '', time, position, properTime, ownTime, u }: ClockMark): string {
-  const beta = scale(u, 1 / Math.hypot(1, ...u));
-  return [quoted(name), quoted(thing), time, ...position, properTime, ownTime, ...beta].join();
+  return [quoted(name), quoted(thing), time, ...position, properTime, ownTime, ...velocity(u)].join();
 }
 
 /** RFC 4180, §2.6. */

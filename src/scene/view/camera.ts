@@ -3,7 +3,7 @@ import { addScaled, cross, length, negate, normalize, scale, type Vec3 } from '.
 import { SPEED_OF_LIGHT } from '../../physics/constants.ts';
 import { properVelocity } from '../../physics/lorentz/boost.ts';
 import { cubicPiece } from '../../physics/worldLines/kinds/cubicLine.ts';
-import { positionAt, properVelocityAt } from '../../physics/worldLines/worldLine.ts';
+import { positionAt, properVelocityAt, type WorldLine } from '../../physics/worldLines/worldLine.ts';
 import { boxSupport } from '../bounds/bounds.ts';
 import { animationSupport } from '../bounds/sceneBounds.ts';
 import type { Support } from '../bounds/supportMap.ts';
@@ -37,14 +37,18 @@ export function observerFromCamera(camera: SceneCamera, t: number, c: number): C
   return { ...pose, u: riddenVelocity(camera, t, c), lens: perspective(fovY) };
 }
 
+/** The world line of one who rides on a camera. */
+export const riddenLine = ({ motion, course }: SceneCamera): WorldLine => course?.line ?? originWorldLine(motion);
+
 /** γβ */
-function riddenVelocity({ motion, course }: SceneCamera, t: number, c: number): Vec3 {
+function riddenVelocity(camera: SceneCamera, t: number, c: number): Vec3 {
+  const { motion, course } = camera;
   const times = sampleTimes(motion);
-  const atEnd = times && times[times.length - 1] === t;
-  if (!course) return properVelocityAt(originWorldLine(motion), atEnd ? times[times.length - 2] : t, c);
-  if (!atEnd) return properVelocityAt(course.line, t, c);
-  const { vb } = cubicPiece(course.line, times.length - 2);
-  return properVelocity(scale(vb, 1 / c));
+  if (!times || times[times.length - 1] !== t) return properVelocityAt(riddenLine(camera), t, c);
+  const last = times.length - 2;
+  return course
+    ? properVelocity(scale(cubicPiece(course.line, last).vb, 1 / c))
+    : properVelocityAt(riddenLine(camera), times[last], c);
 }
 
 /**

@@ -8,7 +8,7 @@ import {
 } from '../../physics/worldLines/cubicPiece.ts';
 import { samplePosition } from '../../physics/worldLines/samples.ts';
 import { originWorldLine } from '../motion/motion.ts';
-import type { CameraCourse, RigidMotion } from '../types.ts';
+import type { CameraCourse, RigidMotion, SceneCamera } from '../types.ts';
 
 /** A knot's velocity is at most so many times the slower of the straight pieces that meet there: the curve never turns back where they do not. Source: Fritsch and Carlson 1980, in one dimension. */
 const MAX_OVER_CHORD = 3;
@@ -22,7 +22,7 @@ const MAX_ROUNDS = 40;
  * times that of a piece beside it (rests, cuts), or reach c, the velocity there is less, and only it is continuous (C¹). undefined for other motions, and for fewer than
  * three samples, between which nothing jumps. c [m/s]. docs/physics.md §4.14.
  * @example
- * // Two thirds of the way at 1 m/s, then at 2 m/s: 1.5 m/s between them.
+ * // 1 m in the first second and 2 m in the next: 1.5 m/s between them.
  * const path = { kind: 'sampled', times: Float64Array.of(0, 1, 2), poses: Float64Array.of(0, 0, 0, 0, 0, 0, 1, 1, 0, 0, 0, 0, 0, 1, 3, 0, 0, 0, 0, 0, 1) } as const;
  * smoothCourse(path, 10)?.line.velocities[3]; // 1.5 m/s
  */
@@ -42,6 +42,12 @@ export function smoothCourse(motion: RigidMotion, c: number): CameraCourse | und
   const jumps = [...times].filter((_, k) => k > 0 && k < count && jumpsBetween(pieces[k - 1], pieces[k]));
   const strayed = pieces.reduce((most, piece) => Math.max(most, strayedIn(piece)), 0);
   return { line: { kind: 'cubic', times, positions, velocities }, strayed, jumps };
+}
+
+/** The camera with its course, if there is one. c [m/s]. */
+export function withCourse(camera: SceneCamera, c: number): SceneCamera {
+  const course = smoothCourse(camera.motion, c);
+  return course ? { ...camera, course } : camera;
 }
 
 const slowerThanLight = (piece: CubicPiece, limit: number): CubicPiece =>

@@ -2,9 +2,9 @@ import type { Quat } from '../../math/quat.ts';
 import { addScaled, length, scale, type Vec3, ZERO } from '../../math/vec3.ts';
 import { properVelocity } from '../../physics/lorentz/boost.ts';
 import type { WorldLine } from '../../physics/worldLines/worldLine.ts';
-import { isStatic, originWorldLine } from '../motion/motion.ts';
+import { isStatic } from '../motion/motion.ts';
 import type { SceneCamera } from '../types.ts';
-import { observerFromCamera } from './camera.ts';
+import { observerFromCamera, riddenLine } from './camera.ts';
 import { perspective } from './lens.ts';
 import type { ViewPoint } from './view.ts';
 
@@ -56,7 +56,7 @@ export function observerPathFrom(setup: ObserverSetup, c: number, start: number)
  */
 export function observerWorldLine(setup: ObserverSetup, c: number): WorldLine | undefined {
   const { camera, beta, hold } = setup;
-  if (ridesCamera(setup)) return beta ? undefined : (camera.course?.line ?? originWorldLine(camera.motion));
+  if (ridesCamera(setup)) return beta ? undefined : riddenLine(camera);
   if (hold || !beta || length(beta) === 0) return undefined;
   return { kind: 'uniform', position: ZERO, velocity: scale(beta, c) };
 }
