@@ -61,6 +61,9 @@ describe('the observer', () => {
     expect(start).toBeCloseTo(0.75, 12);
     expect(middle).toBeCloseTo(1.5, 12);
     expect(end).toBeCloseTo(2.25, 12);
+    // With a velocity of his own he is where the page's observer is, who does not ride.
+    const beta = [0, 0, 0] as const;
+    close(observerPath(turning, { cameraPath: 'smooth', beta }, c, 0)(1.5).position, [2, 0, 0]);
     const [one, two] = speeds('straight', [0.5, 1.5]);
     expect(one).toBeCloseTo(1, 12);
     expect(two).toBeCloseTo(2, 12);

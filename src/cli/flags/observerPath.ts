@@ -23,11 +23,12 @@ export function observerSetup(
   hold = false,
 ): ObserverSetup {
   const chosen = chooseCamera(scene, flags.camera);
-  const camera = flags.cameraPath === 'smooth' ? withCourse(chosen, c) : chosen;
   const { position, lookAt, fov } = flags;
   const up: Vec3 = scene.upAxis === 'Z' ? [0, 0, 1] : [0, 1, 0];
-  const rides = ridesCamera({ camera, ...(position && { position }) });
+  const rides = ridesCamera({ camera: chosen, ...(position && { position }) });
   const beta = flags.beta ?? (rides ? undefined : scene.hints.beta);
+  // A course is for its velocity: with another one the camera is a place only.
+  const camera = flags.cameraPath === 'smooth' && !beta ? withCourse(chosen, c) : chosen;
   return {
     camera,
     hold,

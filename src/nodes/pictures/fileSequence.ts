@@ -33,7 +33,8 @@ function observed(file: ImageOutput | VideoOutput): FramesAndViews {
   const beta = initialBeta(picture, isFilm);
   const camera = pictureCamera(picture);
   const standpoint = {
-    camera: picture.smooth ? withCourse(camera, speedOfLight) : camera,
+    // A course is for its velocity: with another one the camera is a place only.
+    camera: picture.smooth && !beta ? withCourse(camera, speedOfLight) : camera,
     hold: isFilm && file.hold,
     ...(beta && { beta }),
     ...(fovY !== undefined && { fovY }),
