@@ -18,7 +18,8 @@ const drawn = (luminance: number, more: Partial<MeteredPicture> = {}): MeteredPi
   views: [{ ...viewPoint, t: luminance }],
   settings: DEFAULT_SETTINGS,
   size: { width: 3, height: 2 },
-  resolution: { width: 3, height: 2 },
+  wanted: DEFAULT_SETTINGS,
+  detail: 6,
   measureLight: async () => light(luminance),
   ...more,
 });
@@ -108,12 +109,12 @@ describe('auto exposure', () => {
     await autoExposure.advance(0, 200);
     expect(count).toBe(2);
     autoExposure.observe(
-      drawn(2, { measureLight: readings, settings: { ...DEFAULT_SETTINGS, exposure: 3, tone: 'agx' } }),
+      drawn(2, { measureLight: readings, wanted: { ...DEFAULT_SETTINGS, exposure: 3, tone: 'agx' } }),
     );
     expect(autoExposure.advance(0, 300)).toBeUndefined();
   });
 
-  it('measures a still picture again at another resolution, and when more of the scene is drawn', async () => {
+  it('measures a still picture again in more detail, and when more of the scene is drawn, but not in less detail', async () => {
     const autoExposure = new AutoExposure(true);
     const seen = async (picture: MeteredPicture, isBetter: boolean, now: number): Promise<number> => {
       autoExposure.observe(picture, isBetter);
@@ -122,12 +123,39 @@ describe('auto exposure', () => {
       return autoExposure.exposure(picture.picture);
     };
     const still = drawn(1);
-    const coarse = { ...still, resolution: { width: 2, height: 1 }, measureLight: async () => light(2) };
+    const hurried = { ...DEFAULT_SETTINGS, occlusionRadius: 0 };
+    const coarse = { ...still, settings: hurried, detail: 2, measureLight: async () => light(2) };
     const better = { ...still, measureLight: async () => light(4) };
     expect(await seen(coarse, false, 0)).toBeCloseTo(wanted(2), 12);
     expect(await seen(still, false, 100)).toBeCloseTo(wanted(1), 12);
-    expect(await seen(better, false, 200)).toBeCloseTo(wanted(1), 12);
-    expect(await seen(better, true, 300)).toBeCloseTo(wanted(4), 12);
+    expect(await seen(coarse, false, 200)).toBeCloseTo(wanted(1), 12);
+    expect(await seen(better, false, 300)).toBeCloseTo(wanted(1), 12);
+    expect(await seen(better, true, 400)).toBeCloseTo(wanted(4), 12);
+  });
+
+  it('measures only what is still drawn: a fine picture that gave way to a coarse one is measured when it is back', async () => {
+    const autoExposure = new AutoExposure(true);
+    let read = 0;
+    const still = drawn(1);
+    const [coarse, fine] = [2, 6].map((detail) => ({
+      ...still,
+      detail,
+      measureLight: async () => {
+        read = detail;
+        return light(detail);
+      },
+    })) as [MeteredPicture, MeteredPicture];
+    const draw = async (picture: MeteredPicture, now: number): Promise<void> => {
+      autoExposure.observe(picture);
+      await autoExposure.advance(0, now);
+    };
+    await draw(coarse, 0);
+    autoExposure.observe(fine);
+    await draw(coarse, 100);
+    expect(read).toBe(2);
+    expect(autoExposure.isSettled).toBe(true);
+    await draw(fine, 200);
+    expect(read).toBe(6);
   });
 
   it('finds the scale of false colours, also with manual exposure', async () => {

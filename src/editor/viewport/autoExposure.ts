@@ -16,17 +16,20 @@ const SETTLED_DIFFERENCE = 0.004;
 export interface MeteredPicture {
   readonly picture: PictureSpec;
   readonly views: PictureViews;
+  /** As it is drawn. */
   readonly settings: RenderSettings;
+  /** As it is asked for, of which there may be time for less. */
+  readonly wanted: RenderSettings;
+  /** How much of that is drawn; it rises with pixels and quality. */
+  readonly detail: number;
   readonly size: PictureSize;
-  /** Pixels that are drawn, fewer than `size` while there is no time for more. */
-  readonly resolution: PictureSize;
   readonly measureLight: () => Promise<LightMeterReadings>;
 }
 
 /**
  * Automatic exposure of the page. The luminance of drawn pictures is measured asynchronously at intervals, and the
  * exposure adapts like an eye in real time, also with world time paused. A picture that does not change is measured
- * once, so that it settles.
+ * once, and again only when it is drawn in more detail, so that it settles.
  */
 export class AutoExposure {
   /** Whether exposure jumps instead of adapting, with prefers-reduced-motion. */
@@ -38,9 +41,10 @@ export class AutoExposure {
   private rangesOfReadings:
     | { readonly readings: LightMeterReadings | undefined; readonly scales: Map<FalseColorQuantity, ValueRange> }
     | undefined;
-  /** The drawn picture that is not measured yet. */
-  private unmeasured: MeteredPicture | undefined;
-  private measuredContent = '';
+  /** What is drawn, if it is not measured yet. */
+  private unmeasured: (MeteredPicture & { readonly content: string }) | undefined;
+  /** The last picture whose measurement has begun. */
+  private measured = { content: '', detail: 0 };
   private isMeasuring = false;
   /** Generation, incremented by `reset`. */
   private generation = 0;
@@ -75,7 +79,7 @@ export class AutoExposure {
     this.generation++;
     this.value = undefined;
     this.unmeasured = undefined;
-    this.measuredContent = '';
+    this.measured = { content: '', detail: 0 };
   }
 
   /** Call with every drawn picture. `isBetter`: the same view as before, drawn again with more of the scene. */
@@ -83,13 +87,12 @@ export class AutoExposure {
     const { metering, falseColor, frameGraph } = drawn.picture;
     if (metering === 'manual' && falseColor === 'none' && !frameGraph) return;
     // Luminance does not depend on display settings, except through frame graphs.
-    const { exposure: _, tone: __, falseColors: ___, frameGraph: ____, ...lit } = drawn.settings;
+    const { exposure: _, tone: __, falseColors: ___, frameGraph: ____, ...lit } = drawn.wanted;
     const { width, height } = drawn.size;
-    const shape = [width / height, drawn.resolution];
-    const what = contentKey([metering, falseColor === 'none', drawn.views, lit, frameGraph, shape]);
-    if (what === this.measuredContent && !isBetter) return;
-    this.measuredContent = what;
-    this.unmeasured = drawn;
+    const content = contentKey([metering, falseColor === 'none', drawn.views, lit, frameGraph, width / height]);
+    if (isBetter) this.measured = { content: '', detail: 0 };
+    const isMeasured = content === this.measured.content && drawn.detail <= this.measured.detail;
+    this.unmeasured = isMeasured ? undefined : { ...drawn, content };
   }
 
   /** Advances by dt [s] of real time; `now` [ms]. Returns the running measurement, if any. */
@@ -108,9 +111,10 @@ export class AutoExposure {
     return this.measure(this.unmeasured);
   }
 
-  private async measure(drawn: MeteredPicture): Promise<void> {
-    const { picture, views, settings, size, measureLight: readings } = drawn;
+  private async measure(drawn: NonNullable<AutoExposure['unmeasured']>): Promise<void> {
+    const { picture, views, settings, size, content, detail, measureLight: readings } = drawn;
     const generation = this.generation;
+    this.measured = { content, detail };
     this.isMeasuring = true;
     this.unmeasured = undefined;
     try {

@@ -294,9 +294,11 @@ export class ViewportRenderer {
       this.autoExposure.scale(kind),
     );
     const before = this.requestedView;
-    this.requestedView = { viewPoint, settings: wanted };
-    const changes = before !== undefined && !sameView(before, this.requestedView);
-    const moves = changes && !sameView({ ...before, settings: wanted }, this.requestedView);
+    // Metering follows the picture: that it adapts is no change of what is asked for.
+    const asked = { viewPoint, settings: renderSettings(picture, 0) };
+    this.requestedView = asked;
+    const changes = before !== undefined && !sameView(before, asked);
+    const moves = changes && !sameView({ ...before, settings: asked.settings }, asked);
     const drawing = this.preparedFrame(viewPoint, wanted, moves);
     if (!drawing) return false;
     if (!always && !this.stale && this.displayed && sameView(this.displayed, drawing)) return false;
@@ -319,8 +321,9 @@ export class ViewportRenderer {
       picture,
       views: [viewPoint],
       settings,
+      wanted,
+      detail: width * height + (settings.occlusionRadius === wanted.occlusionRadius ? 0.5 : 0),
       size: { width: clientWidth, height: Math.max(1, clientHeight) },
-      resolution: { width, height },
       measureLight: () => this.renderer.measureLight(),
     } as const;
     this.autoExposure.observe(metered, isBetter);
