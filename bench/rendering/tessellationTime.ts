@@ -35,7 +35,7 @@ function tessellationViewOf(
 ): TessellationView {
   const frustum = frustumOf(lens, width, height);
   return {
-    observation: { t, position, u, c, hypersurface: 'past-light-cone' },
+    observation: { t, position, u, c, hypersurface: 'past-light-cone', coneSlope: 1 },
     projection: { event: 'emission', place: 'apparent' },
     orientation,
     frustum,

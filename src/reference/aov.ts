@@ -2,7 +2,7 @@ import type { Vec3 } from '../math/vec3.ts';
 import { properVelocity } from '../physics/lorentz/boost.ts';
 import { dopplerFactor } from '../physics/optics/doppler.ts';
 import type { DataAov, RenderSettings } from '../scene/view/view.ts';
-import { VIEWS } from '../scene/views/views.ts';
+import { isLuminous } from '../scene/views/views.ts';
 import type { Hit, SpacetimeRay } from './acceleration/ray.ts';
 import type { TracedScene } from './intersection/tracedScene.ts';
 import { createLightingContext } from './lights/createLightingContext.ts';
@@ -28,7 +28,7 @@ export function aovReader(name: DataAov, scene: TracedScene, u: Vec3, settings: 
     case 'emission_time_relative':
       return ({ time }, ray) => [time - ray.t];
     case 'doppler':
-      return VIEWS[settings.view].luminous ? (hit, ray) => [dopplerOfHit(hit, ray, u)] : () => [1];
+      return isLuminous(settings) ? (hit, ray) => [dopplerOfHit(hit, ray, u)] : () => [1];
     case 'position':
       return ({ position }) => position;
     case 'normal':

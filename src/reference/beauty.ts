@@ -1,5 +1,5 @@
 import { add, scale, type Vec3, ZERO } from '../math/vec3.ts';
-import { VIEWS } from '../scene/views/views.ts';
+import { isLuminous } from '../scene/views/views.ts';
 import { toneMap, unlitShare } from '../spectrum/display/toneMap.ts';
 import type { Hit, SpacetimeRay } from './acceleration/ray.ts';
 import { dopplerOfHit } from './aov.ts';
@@ -78,5 +78,5 @@ function overlaysOf(
 /** D, as far as colours or brightness follow it. */
 function shiftOf(hit: Hit, ray: SpacetimeRay, { settings, view }: TileRequest): number {
   const { dopplerMix, beaming } = settings;
-  return VIEWS[settings.view].luminous ? dopplerOfHit(hit, ray, view.u) ** Math.max(dopplerMix, beaming) : 1;
+  return isLuminous(settings) ? dopplerOfHit(hit, ray, view.u) ** Math.max(dopplerMix, beaming) : 1;
 }

@@ -5,7 +5,7 @@ import { cosmicBackground } from '../scene/stars/cosmicBackground.ts';
 import { pointSpread } from '../scene/stars/pointSpread.ts';
 import { projectStars } from '../scene/stars/projectStars.ts';
 import type { NightSky } from '../scene/types.ts';
-import { VIEWS } from '../scene/views/views.ts';
+import { isLuminous } from '../scene/views/views.ts';
 import type { SpacetimeRay } from './acceleration/ray.ts';
 import { nearestHit, type TracedScene } from './intersection/tracedScene.ts';
 import type { ImageTile, TileRequest } from './tileRequest.ts';
@@ -30,7 +30,7 @@ export function starField(scene: TracedScene, request: TileRequest, tile: ImageT
   const background = (ray: SpacetimeRay): Vec3 => {
     // Modes without spectra have no light that is invisible at rest.
     if (settings.colors !== 'spectral') return ZERO;
-    const D = VIEWS[settings.view].luminous ? observerDoppler(ray.dx, view.u) : 1;
+    const D = isLuminous(settings) ? observerDoppler(ray.dx, view.u) : 1;
     return scale(cosmicBackground(D, settings), sky.gain);
   };
   return (ray, x, y) => {

@@ -2,13 +2,14 @@ import { Matrix4, PerspectiveCamera, Quaternion } from 'three/webgpu';
 import { degrees } from '../math/angle.ts';
 import { toMatrix } from '../math/quat.ts';
 import { gamma } from '../physics/lorentz/boost.ts';
-import { HYPERSURFACES } from '../physics/worldLines/hypersurface.ts';
+import { hypersurfaceOf } from '../physics/worldLines/hypersurface.ts';
+import { slowed } from '../physics/worldLines/shallowCone.ts';
 import { backdropColors } from '../scene/lights/sceneLights.ts';
 import type { SkyColors } from '../scene/lights/skyGradient.ts';
 import { type Frustum, frustumOf, pixelsPerTangent } from '../scene/view/lens.ts';
 import type { PictureSize } from '../scene/view/pictureViews.ts';
 import type { RenderSettings, ViewPoint } from '../scene/view/view.ts';
-import { VIEWS } from '../scene/views/views.ts';
+import { hypersurfaceChoice, isLuminous, VIEWS } from '../scene/views/views.ts';
 import type { GBufferView } from './deferredPass.ts';
 import { frustumSides } from './geometry/culling.ts';
 import type { Observation } from './geometry/observation.ts';
@@ -103,16 +104,22 @@ export class FrameSetup {
   setView({ viewPoint: view, observation, settings, projection, upload }: RenderView, size: PictureSize): void {
     const { uniforms, camera } = this;
     const { tanX, tanY, aspect, center } = frustumIn(size, view);
-    const luminous = VIEWS[settings.view].luminous ? 1 : 0;
+    const luminous = isLuminous(settings) ? 1 : 0;
     uniforms.halfTangents.value.set(tanX, tanY);
     uniforms.frustumCenter.value.set(...center);
     uniforms.u.value.set(...observation.u);
     uniforms.gamma.value = gamma(observation.u);
+    const { coneSlope } = observation;
+    const slowedU = slowed(observation.u, coneSlope);
+    uniforms.coneSlope.value = coneSlope;
+    uniforms.slowedU.value.set(...slowedU);
+    uniforms.slowedGamma.value = gamma(slowedU);
     uniforms.iterations.value = settings.iterations;
     uniforms.damping.value = settings.damping;
     uniforms.onLightCone.value = projection.event === 'emission' ? 1 : 0;
+    uniforms.onShallowCone.value = projection.event === 'shallow' ? 1 : 0;
     uniforms.boosted.value = projection.place === 'apparent' ? 1 : 0;
-    uniforms.lightTravels.value = HYPERSURFACES[observation.hypersurface].isLightCone ? 1 : 0;
+    uniforms.lightTravels.value = hypersurfaceOf(observation).isLightCone ? 1 : 0;
     uniforms.boostLight.value = luminous;
     uniforms.dopplerMix.value = luminous * settings.dopplerMix;
     uniforms.beaming.value = luminous * settings.beaming;
@@ -169,8 +176,7 @@ export function spacetimeProjectionOf(settings: RenderSettings): SpacetimeProjec
 }
 
 function observationOf({ t, position, u }: ViewPoint, settings: RenderSettings): Observation {
-  const hypersurface = VIEWS[settings.view].hypersurface(settings);
-  return { t, position, u, c: settings.speedOfLight, hypersurface };
+  return { t, position, u, c: settings.speedOfLight, ...hypersurfaceChoice(settings) };
 }
 
 /** The ground is the plane at height 0 perpendicular to the up axis; its grid step is a power of ten chosen by the scene's radius. */

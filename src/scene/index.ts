@@ -52,5 +52,5 @@ export {
   type RenderSettings,
   type ViewPoint,
 } from './view/view.ts';
-export type { ProbeObserver } from './views/viewRecord.ts';
+export type { ProbeObserver, ProbeOptions } from './views/viewRecord.ts';
 export type { View } from './views/views.ts';

@@ -1,8 +1,6 @@
 import { rotate } from '../../src/math/quat.ts';
 import { length, normalize, scale, sub, type Vec3 } from '../../src/math/vec3.ts';
 import { properVelocity } from '../../src/physics/lorentz/boost.ts';
-import { apparentPosition } from '../../src/physics/optics/apparentPosition.ts';
-import { simultaneousPosition } from '../../src/physics/worldLines/simultaneity.ts';
 import type { Scene } from '../../src/scene/types.ts';
 import { framingCamera, lookAtOrientation, observerFromCamera } from '../../src/scene/view/camera.ts';
 import { perspective } from '../../src/scene/view/lens.ts';
@@ -10,6 +8,7 @@ import { DEFAULT_SETTINGS, type RenderSettings, type ViewPoint } from '../../src
 import type { View } from '../../src/scene/views/views.ts';
 import { type ExampleName, speedOfLight } from '../examples/open.ts';
 import type { ExtraScene } from './extraScenes.ts';
+import { shownAt } from './pixelOracle.ts';
 
 /** Only data are compared, so lighting is off. */
 export const DATA_SETTINGS: RenderSettings = { ...DEFAULT_SETTINGS, shadows: false, occlusionRadius: 0 };
@@ -48,15 +47,16 @@ export function extraFrame(
   { scene, t, eye, subject, extent, towards }: ExtraScene,
   view: View,
   beta: number,
+  coneSlope = DEFAULT_SETTINGS.coneSlope,
 ): TestView {
   const u = properVelocity(scale(towards, beta));
   const dx = sub(subject, eye);
-  const shown =
-    view === 'light-cone' ? apparentPosition(dx, u) : view === 'simultaneity' ? simultaneousPosition(dx, u) : dx;
+  const settings = { ...DATA_SETTINGS, view, coneSlope, speedOfLight: speedOfLight(scene) };
+  const shown = shownAt(dx, u, settings);
   const fovY = Math.min(1.9, 2 * Math.atan(extent / 2 / length(shown)));
   const orientation = lookAtOrientation(shown, [0, 1, 0]);
   return {
     view: { t, position: eye, u, orientation, lens: perspective(fovY) },
-    settings: { ...DATA_SETTINGS, view, speedOfLight: speedOfLight(scene) },
+    settings,
   };
 }

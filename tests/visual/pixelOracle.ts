@@ -1,4 +1,5 @@
 import { conjugate, rotate } from '../../src/math/quat.ts';
+import { bisect } from '../../src/math/roots.ts';
 import { dot, length, sub, type Vec3 } from '../../src/math/vec3.ts';
 import { boost, properVelocity, velocity } from '../../src/physics/lorentz/boost.ts';
 import { fourVector, spatial } from '../../src/physics/lorentz/fourVector.ts';
@@ -208,13 +209,26 @@ export class PixelOracle {
 }
 
 /** c(t − t_o) of an event at Δx on the view's light cone or slice [m]. */
-function delayOf(dx: Vec3, u: Vec3, { view, lightDelay }: RenderSettings): number {
+function delayOf(dx: Vec3, u: Vec3, { view, lightDelay, coneSlope }: RenderSettings): number {
   if (view === 'simultaneity') return dot(velocity(u), dx);
+  if (view === 'slice-to-cone') return timeOnCone(dx, u, coneSlope);
   return view === 'light-cone' && lightDelay ? -length(dx) : 0;
 }
 
+/** The time at which ct′ = −λr′ for an event at Δx, between the light cone and the slice. */
+const timeOnCone = (dx: Vec3, u: Vec3, slope: number): number =>
+  bisect(
+    (ct) => {
+      const [later, ...place] = boost(fourVector(ct, dx), u);
+      return later + slope * length(place);
+    },
+    -length(dx),
+    dot(velocity(u), dx),
+  );
+
 /** Position relative to the observer, on the world axes carried by the boost [m]. */
-function shownAt(dx: Vec3, u: Vec3, { view, aberration }: RenderSettings): Vec3 {
+export function shownAt(dx: Vec3, u: Vec3, { view, aberration, coneSlope }: RenderSettings): Vec3 {
   if (view === 'simultaneity') return simultaneousPosition(dx, u);
+  if (view === 'slice-to-cone') return spatial(boost(fourVector(timeOnCone(dx, u, coneSlope), dx), u));
   return view === 'light-cone' && aberration ? apparentPosition(dx, u) : dx;
 }

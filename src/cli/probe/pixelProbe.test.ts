@@ -26,7 +26,14 @@ describe('the probe of a pixel', () => {
     const floor = makeObject({ path: '/Floor', mesh: plane(400, 400, 'Y') });
     const scene = makeScene({ name: 'floor', objects: [floor] });
     // The middle of the picture is the corner between four pixels.
-    const seen = probePixel(scene, view([0.3, 0.2, -0.6]), 10, 'light-cone', size, [99.5, 49.5]);
+    const seen = probePixel(
+      scene,
+      view([0.3, 0.2, -0.6]),
+      10,
+      { view: 'light-cone', coneSlope: 0.5 },
+      size,
+      [99.5, 49.5],
+    );
     const nPrime = scale(down, Math.SQRT1_2);
     const n = unaberrate(nPrime, properVelocity([0.3, 0.2, -0.6]));
     const distance = -2 / n[1];
@@ -42,7 +49,7 @@ describe('the probe of a pixel', () => {
   test("of a floor in the slice of simultaneity is an event of the observer's own moment: c Δt = β·Δx", () => {
     const scene = makeScene({ name: 'floor', objects: [makeObject({ path: '/Floor', mesh: plane(400, 400, 'Y') })] });
     const beta: Vec3 = [0.3, 0.2, -0.6];
-    const seen = probePixel(scene, view(beta), 10, 'simultaneity', size, [99.5, 49.5]);
+    const seen = probePixel(scene, view(beta), 10, { view: 'simultaneity', coneSlope: 0.5 }, size, [99.5, 49.5]);
     if (!seen) throw new Error('the floor is not hit');
     expect(10 * (seen.time - 3)).toBeCloseTo(dot(beta, sub(seen.position, [0, 2, 0])), 10);
     expect(seen.position[1]).toBeCloseTo(0, 10);
@@ -64,7 +71,7 @@ describe('the probe of a pixel', () => {
         makeScene({ name: 'foot', objects, materials: [material] }),
         view([0, 0, 0]),
         10,
-        'light-cone',
+        { view: 'light-cone', coneSlope: 0.5 },
         size,
         [99.5, 49.5],
       );
@@ -85,7 +92,11 @@ describe('the probe of a pixel', () => {
         motion: { kind: 'static', pose: { position: addScaled([0, 2, 0], down, along), orientation: [0, 0, 0, 1] } },
       });
     const scene = makeScene({ name: 'balls', objects: [ball('/Far', 5), ball('/Near', 2)] });
-    expect(probePixel(scene, view([0, 0, 0]), 10, 'light-cone', size, [99.5, 49.5])?.prim).toBe('/Near');
-    expect(probePixel(scene, view([0, 0, 0]), 10, 'light-cone', size, [0, 0])).toBeUndefined();
+    expect(
+      probePixel(scene, view([0, 0, 0]), 10, { view: 'light-cone', coneSlope: 0.5 }, size, [99.5, 49.5])?.prim,
+    ).toBe('/Near');
+    expect(
+      probePixel(scene, view([0, 0, 0]), 10, { view: 'light-cone', coneSlope: 0.5 }, size, [0, 0]),
+    ).toBeUndefined();
   });
 });

@@ -1,7 +1,6 @@
 import { sub } from '../../math/vec3.ts';
 import { properVelocity } from '../../physics/lorentz/boost.ts';
 import { dopplerFactor } from '../../physics/optics/doppler.ts';
-import { PLACEMENTS } from '../../physics/optics/placement.ts';
 import { aovReader } from '../../reference/aov.ts';
 import { cameraRay } from '../../reference/camera/cameraRay.ts';
 import { visibleHit } from '../../reference/camera/visibleHit.ts';
@@ -10,7 +9,7 @@ import type { Scene } from '../../scene/types.ts';
 import type { PictureSize } from '../../scene/view/pictureViews.ts';
 import type { VertexProbe } from '../../scene/view/probe.ts';
 import { type DataAov, DEFAULT_SETTINGS, type ViewPoint } from '../../scene/view/view.ts';
-import { VIEWS, type View } from '../../scene/views/views.ts';
+import { isLuminous, placementIn, type ViewSettings } from '../../scene/views/views.ts';
 
 /** The surface point and emission event that an observer sees at a pixel. */
 export interface PixelProbe extends Omit<VertexProbe, 'vertex' | 'visible'> {
@@ -25,6 +24,9 @@ export interface PixelProbe extends Omit<VertexProbe, 'vertex' | 'visible'> {
   readonly occlusion: number;
 }
 
+/** A view and, for the one from slice to cone, where it is. */
+type ShownView = Pick<ViewSettings, 'view' | 'coneSlope'>;
+
 /**
  * The nearest opaque surface on the ray through a pixel (0, 0: the centre of the first one), as in the data channels of a picture:
  * the ray runs along the past light cone and intersects each triangle where it was at that time.
@@ -33,11 +35,11 @@ export function probePixel(
   scene: Scene,
   view: ViewPoint,
   c: number,
-  how: View,
+  how: ShownView,
   size: PictureSize,
   [x, y]: readonly [number, number],
 ): PixelProbe | undefined {
-  const settings = { ...DEFAULT_SETTINGS, view: how, speedOfLight: c };
+  const settings = { ...DEFAULT_SETTINGS, ...how, speedOfLight: c };
   const ray = cameraRay(view, settings, x + 0.5, y + 0.5, size.width, size.height);
   const traced = createTracedScene(scene, c);
   const hit = visibleHit(traced, ray);
@@ -45,9 +47,8 @@ export function probePixel(
   const read = (name: DataAov) => aovReader(name, traced, view.u, settings)(hit, ray);
   const { object, time, position, velocity, s: distance } = hit;
   const offset = sub(position, view.position);
-  const shown = VIEWS[how];
-  const apparent = PLACEMENTS[shown.placement(settings)].position(offset, view.u);
-  const doppler = shown.luminous ? dopplerFactor(offset, view.u, properVelocity(velocity)) : 1;
+  const apparent = placementIn(settings).position(offset, view.u);
+  const doppler = isLuminous(settings) ? dopplerFactor(offset, view.u, properVelocity(velocity)) : 1;
   return {
     prim: scene.objects[object].path,
     object: object + 1,

@@ -19,7 +19,9 @@ import type { ProbeFlags } from './probeFlags.ts';
 export async function probe(path: string, flags: ProbeFlags): Promise<void> {
   if ((flags.prim === undefined) === (flags.pixel === undefined)) throw usageError(msg`give either --prim or --pixel`);
   const { solver, iterations, damping } = flags;
+  const { view: name, coneSlope } = flags;
   const newton = solver === 'newton' ? { iterations, damping } : undefined;
+  const how = { newton, coneSlope };
   if (newton && flags.pixel)
     throw usageError(msg`--solver newton is for --prim: a pixel is probed by a ray, which needs no solver`);
   const scene = await openSceneWithFlags(path, flags);
@@ -27,17 +29,24 @@ export async function probe(path: string, flags: ProbeFlags): Promise<void> {
   reportDiagnostics([...scene.diagnostics, ...validate(scene, c)]);
   const t = flags.time ?? scene.hints.openAt ?? scene.startTime;
   const view = observerPath(scene, flags, c, t)(t);
-  const about = { scene: scene.name, time: t, speedOfLight: c, view: flags.view, observer: describeObserver(view) };
+  const about = {
+    scene: scene.name,
+    time: t,
+    speedOfLight: c,
+    view: name,
+    ...(name === 'slice-to-cone' && { coneSlope }),
+    observer: describeObserver(view),
+  };
   if (flags.pixel) {
-    const observed = probePixel(scene, view, c, flags.view, flags.size, flags.pixel);
+    const observed = probePixel(scene, view, c, { view: name, coneSlope }, flags.size, flags.pixel);
     const inspected = observed && inspectEvent(scene.objects[observed.object - 1]!, observed, view, c);
     const { pixel, size } = flags;
     return print(flags, { ...about, pixel, size, seen: observed ?? null, inspection: inspected ?? null });
   }
   const seenVertices = (piece: SceneObject): number =>
-    probeVertices(piece, view, c, flags.view, newton).filter((event) => event?.visible).length;
+    probeVertices(piece, view, c, name, how).filter((event) => event?.visible).length;
   const object = findObject(scene, flags.prim ?? '', seenVertices);
-  const probed = probeVertices(object, view, c, flags.view, newton);
+  const probed = probeVertices(object, view, c, name, how);
   const vertices = probed.map((event, i) => event ?? { vertex: i, visible: false });
   if (flags.json) print(flags, { ...about, prim: object.path, vertices });
   else printTable(probed);
@@ -71,6 +80,7 @@ const LABELS: Readonly<Record<string, Message>> = {
   time: msg`time`,
   speedOfLight: msg`speedOfLight`,
   view: msg`view`,
+  coneSlope: msg`coneSlope`,
   observer: msg`observer`,
   position: msg`position`,
   beta: msg`beta`,

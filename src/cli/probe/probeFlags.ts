@@ -4,7 +4,13 @@ import type { SceneFlags } from '../flags/sceneFlags.ts';
 import type { ObserverFlags, SettingFlags } from '../flags/viewFlags.ts';
 
 /** The settings that change what is probed. */
-export const PROBE_SETTINGS = ['view', 'solver', 'iterations', 'damping'] as const satisfies readonly SettingName[];
+export const PROBE_SETTINGS = [
+  'view',
+  'coneSlope',
+  'solver',
+  'iterations',
+  'damping',
+] as const satisfies readonly SettingName[];
 
 export interface ProbeFlags extends ObserverFlags, SceneFlags, Pick<SettingFlags, (typeof PROBE_SETTINGS)[number]> {
   readonly prim?: string;

@@ -1,10 +1,10 @@
 import { conjugate, rotate } from '../../math/quat.ts';
-import { PLACEMENTS } from '../../physics/optics/placement.ts';
+import { hypersurfaceOf } from '../../physics/worldLines/hypersurface.ts';
 import type { WorldLine } from '../../physics/worldLines/worldLine.ts';
 import { frustumOf } from '../../scene/view/lens.ts';
 import type { PictureSize } from '../../scene/view/pictureViews.ts';
 import type { RenderSettings, ViewPoint } from '../../scene/view/view.ts';
-import { hypersurfaceOf, VIEWS } from '../../scene/views/views.ts';
+import { hypersurfaceChoice, placementIn } from '../../scene/views/views.ts';
 import type { PicturePosition } from '../viewport/legend/legendState.ts';
 
 /** Where a picture shows a point, in front of the camera or not; undefined where it does not: behind the camera or a horizon. */
@@ -14,9 +14,9 @@ export function projectLine(
   settings: RenderSettings,
   { width, height }: PictureSize,
 ): PicturePosition | undefined {
-  const event = hypersurfaceOf(settings).intersect(line, observer, u, settings.speedOfLight);
+  const event = hypersurfaceOf(hypersurfaceChoice(settings)).intersect(line, observer, u, settings.speedOfLight);
   if (!event) return undefined;
-  const place = PLACEMENTS[VIEWS[settings.view].placement(settings)].position(event.offset, u);
+  const place = placementIn(settings).position(event.offset, u);
   const [x, y, z] = rotate(conjugate(orientation), place);
   if (!(z < 0)) return undefined;
   const { tanX, tanY, center } = frustumOf(lens, width, height);

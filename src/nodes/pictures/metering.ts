@@ -3,7 +3,7 @@ import type { MeteringMode } from '../../scene/settings/settings.ts';
 import { type LightMeterReadings, METER_CELLS, relativeLuminance } from '../../scene/view/metering.ts';
 import { type PictureSize, type PictureViews, scaleViewports } from '../../scene/view/pictureViews.ts';
 import type { RenderSettings } from '../../scene/view/view.ts';
-import { VIEWS } from '../../scene/views/views.ts';
+import { isLuminous } from '../../scene/views/views.ts';
 import { dopplerTint } from '../../spectrum/doppler/dopplerTint.ts';
 import type { FalseColorQuantity, ValueRange } from '../../spectrum/falseColor/falseColor.ts';
 import { fitScale } from '../../spectrum/falseColor/falseColorScale.ts';
@@ -67,7 +67,7 @@ function restFrameLuminance(
   settings: RenderSettings,
   { width, height }: PictureSize,
 ): Float32Array {
-  if (!VIEWS[settings.view].luminous) return luminance;
+  if (!isLuminous(settings)) return luminance;
   const aspect = width / height;
   const picture = { width: aspect * METER_CELLS, height: METER_CELLS };
   const scaled = scaleViewports(views, METER_CELLS / height);

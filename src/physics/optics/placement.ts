@@ -1,6 +1,7 @@
 import { IDENTITY, type Mat4 } from '../../math/mat4.ts';
 import { negate, type Vec3 } from '../../math/vec3.ts';
 import { boostMatrix, gamma } from '../lorentz/boost.ts';
+import { shallowPosition, slowed, slowedContraction } from '../worldLines/shallowCone.ts';
 import { simultaneousPosition } from '../worldLines/simultaneity.ts';
 import { apparentPosition } from './apparentPosition.ts';
 
@@ -10,10 +11,10 @@ export interface Placement {
   position(dx: Vec3, u: Vec3): Vec3;
   /** Direction of the world's sky behind what is at Δx; any length. */
   skyDirection(dx: Vec3, u: Vec3): Vec3;
-  /** From (|Δx|, Δx) to (|Δx′|, Δx′), where that is linear. */
-  boost(u: Vec3): Mat4;
-  /** Δx′ = Δx − contraction · u (u·Δx), where it is not. */
+  /** The factor k of Y = Δx − k u (u·Δx), from which `boost` leads to Δx′. */
   contraction(u: Vec3): number;
+  /** From (|Y|, Y) to (|Δx′|, Δx′). */
+  boost(u: Vec3): Mat4;
 }
 
 /** As light brings it to the observer. docs/physics.md §3.3. */
@@ -44,7 +45,20 @@ const PLAIN: Placement = {
   contraction: () => 0,
 };
 
-export const PLACEMENTS = { apparent: APPARENT, contracted: CONTRACTED, plain: PLAIN } as const satisfies Readonly<
+/** On the cone ct′ = −λr′. docs/physics.md §5.8. */
+const shallow = (slope: number): Placement => ({
+  position: (dx, u) => shallowPosition(dx, u, slope),
+  // Infinitely far away is infinitely long ago, as in a moment.
+  skyDirection: (dx, u) => shallowPosition(dx, u, slope),
+  boost: (u) => boostMatrix(negate(slowed(u, slope))),
+  contraction: (u) => slowedContraction(u, slope),
+});
+
+const PLACEMENTS = { apparent: APPARENT, contracted: CONTRACTED, plain: PLAIN } as const satisfies Readonly<
   Record<string, Placement>
 >;
-export type PlacementName = keyof typeof PLACEMENTS;
+export type PlacementName = keyof typeof PLACEMENTS | 'shallow';
+
+/** `coneSlope`: λ of the cone that `shallow` places on. */
+export const placementOf = (name: PlacementName, coneSlope: number): Placement =>
+  name === 'shallow' ? shallow(coneSlope) : PLACEMENTS[name];

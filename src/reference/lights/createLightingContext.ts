@@ -1,9 +1,10 @@
 import type { Random } from '../../math/random.ts';
 import type { Vec3 } from '../../math/vec3.ts';
+import { lightSurfaceOf } from '../../physics/worldLines/hypersurface.ts';
 import { isDistantLight, isLocalLight } from '../../scene/lights/lightKinds.ts';
 import { directLights } from '../../scene/lights/sceneLights.ts';
 import type { RenderSettings } from '../../scene/view/view.ts';
-import { hypersurfaceOf } from '../../scene/views/views.ts';
+import { hypersurfaceChoice } from '../../scene/views/views.ts';
 import type { TracedScene } from '../intersection/tracedScene.ts';
 import type { LightingContext, LightPropagation } from './lightingContext.ts';
 import type { LightOptions } from './lightOptions.ts';
@@ -35,6 +36,6 @@ export function createLightingContext(
   u: Vec3,
   random: Random,
 ): LightingContext {
-  const propagation: LightPropagation = { hypersurface: hypersurfaceOf(settings), u };
+  const propagation: LightPropagation = { hypersurface: lightSurfaceOf(hypersurfaceChoice(settings)), u };
   return { scene, settings, options, random, propagation, ...sceneLights(scene) };
 }

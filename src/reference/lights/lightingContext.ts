@@ -1,9 +1,9 @@
 import type { Random } from '../../math/random.ts';
 import { type Vec3, ZERO } from '../../math/vec3.ts';
 import { inverseBoost, properVelocity } from '../../physics/lorentz/boost.ts';
-import type { Hypersurface } from '../../physics/worldLines/hypersurface.ts';
+import type { Hypersurface } from '../../physics/worldLines/lightSurfaces.ts';
 import type { RenderSettings } from '../../scene/view/view.ts';
-import { VIEWS } from '../../scene/views/views.ts';
+import { isLuminous } from '../../scene/views/views.ts';
 import type { SpacetimeRay } from '../acceleration/ray.ts';
 import type { TracedScene } from '../intersection/tracedScene.ts';
 import { type RestFrame, restFrame } from '../spectral/restFrame.ts';
@@ -71,7 +71,7 @@ export interface LightPropagation {
 
 /** The rest frame of a velocity [c]; in views without light everything counts as at rest. */
 export const restFrameOf = ({ settings }: LightingContext, velocity: Vec3): RestFrame =>
-  restFrame(VIEWS[settings.view].luminous ? properVelocity(velocity) : ZERO);
+  restFrame(isLuminous(settings) ? properVelocity(velocity) : ZERO);
 
 /** The event at which a ray begins, and the length at its beginning in which hits are ignored [m], because rounding can put them on the ray's own surface. */
 export interface RayOrigin {

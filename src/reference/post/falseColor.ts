@@ -3,7 +3,7 @@ import { dopplerFactor } from '../../physics/optics/doppler.ts';
 import { relativeLuminance } from '../../scene/view/metering.ts';
 import { type PictureSize, type PictureViews, viewPixelAt } from '../../scene/view/pictureViews.ts';
 import type { AovName, RenderSettings } from '../../scene/view/view.ts';
-import { VIEWS } from '../../scene/views/views.ts';
+import { isLuminous } from '../../scene/views/views.ts';
 import { encodeSrgb } from '../../spectrum/display/srgb.ts';
 import { toneMap } from '../../spectrum/display/toneMap.ts';
 import {
@@ -72,7 +72,7 @@ export function skyDoppler(
   x: number,
   y: number,
 ): number {
-  if (!VIEWS[settings.view].luminous) return 1;
+  if (!isLuminous(settings)) return 1;
   const found = viewPixelAt(views, size, x, y);
   if (!found) return Number.NaN;
   const { view, width, height } = found;

@@ -1,8 +1,7 @@
 import type { Random } from '../../math/random.ts';
 import { negate, normalize, type Vec3, ZERO } from '../../math/vec3.ts';
-import { PLACEMENTS } from '../../physics/optics/placement.ts';
 import type { RenderSettings } from '../../scene/view/view.ts';
-import { VIEWS } from '../../scene/views/views.ts';
+import { isLuminous, placementIn } from '../../scene/views/views.ts';
 import { maxOfFilter, neutralFilter, scaleFilter } from '../../spectrum/reflectance/filterAlgebra.ts';
 import type { SpectralFilter } from '../../spectrum/reflectance/spectralFilter.ts';
 import type { Hit, SpacetimeRay } from '../acceleration/ray.ts';
@@ -60,10 +59,9 @@ export function radiance(
   { context, color }: Sensor = sensorsOf(settings)(random),
 ): Vec3 {
   const lighting = createLightingContext(scene, settings, options, receiver.u, random);
-  const view = VIEWS[settings.view];
-  const frame = restFrame(view.luminous ? receiver.u : ZERO);
+  const frame = restFrame(isLuminous(settings) ? receiver.u : ZERO);
   // In a slice, rays meet the sky in the observer's own directions.
-  const toward = PLACEMENTS[view.placement(settings)].skyDirection(ray.dx, receiver.u);
+  const toward = placementIn(settings).skyDirection(ray.dx, receiver.u);
   const path = {
     frame,
     context,

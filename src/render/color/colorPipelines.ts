@@ -1,7 +1,7 @@
 import { directLights, hasDomeLight, sceneDome } from '../../scene/lights/sceneLights.ts';
 import type { Scene } from '../../scene/types.ts';
 import type { RenderSettings } from '../../scene/view/view.ts';
-import { VIEWS } from '../../scene/views/views.ts';
+import { isLuminous } from '../../scene/views/views.ts';
 import type { HalfAtlas } from '../../shaders/tables/halfAtlas.ts';
 import { observerTexels } from '../../shaders/tables/observerTable.ts';
 import { spectrumTable } from '../../shaders/tables/spectrumTable.ts';
@@ -22,8 +22,9 @@ import { restPipeline, rgbShiftPipeline, unshiftedPipeline } from './srgbPipelin
 export type ColorVariant = 'spectral' | 'physical' | 'resting' | RgbColorMode | 'plain';
 
 /** The variant for these settings. Code for shifts is left out where none is shown, because a software GPU pays for it even then. */
-export function colorVariantOf({ view, colors, dopplerMix, beaming }: RenderSettings, scene: Scene): ColorVariant {
-  const isShifted = VIEWS[view].luminous && (dopplerMix > 0 || beaming > 0);
+export function colorVariantOf(settings: RenderSettings, scene: Scene): ColorVariant {
+  const { colors, dopplerMix, beaming } = settings;
+  const isShifted = isLuminous(settings) && (dopplerMix > 0 || beaming > 0);
   if (colors !== 'spectral') return isShifted ? colors : 'plain';
   if (isShifted) return dopplerMix === 1 && beaming === 1 ? 'physical' : 'spectral';
   const daylight =

@@ -4,6 +4,7 @@ import {
   dot,
   Fn,
   faceDirection,
+  If,
   int,
   length,
   mix,
@@ -20,6 +21,8 @@ import type { DataTexture, MRTNode } from 'three/webgpu';
 import type { Material, TextureChannel } from '../../scene/types.ts';
 import { ontoLightCone } from '../../shaders/emission/ontoLightCone.ts';
 import { dopplerFactor } from '../../shaders/kinematics/dopplerFactor.ts';
+import { ontoShallowCone } from '../../shaders/shallowCone/ontoShallowCone.ts';
+import { shallowPosition } from '../../shaders/shallowCone/shallowPosition.ts';
 import type { Float, Vec2, Vec3, Vec4 } from '../../shaders/types.ts';
 import { BASIS_ENDS } from '../../spectrum/reflectance/spectralFilter.ts';
 import {
@@ -141,9 +144,9 @@ export function readSurface(sources: SurfaceSources): Surface {
   const reflectances = reflectancesTexel.toVar();
   if (sources.colored) emissive.mulAssign(select(reflectances.w.lessThan(0), vColor, vec3(1)));
 
-  const { u, gamma, boostLight, onLightCone } = sources.uniforms;
+  const { u, gamma, boostLight } = sources.uniforms;
   const velocity = vMotion.toVar();
-  const event = seenEvent(velocity, onLightCone);
+  const event = seenEvent(velocity, sources.uniforms);
   const smooth = normalize(vNormal.xyz).toVar();
   const mapSurface = { normal: smooth, event, velocity, uv: vUv };
   // Before any discard, because it needs derivatives between neighbouring fragments.
@@ -178,9 +181,14 @@ export function readSurface(sources: SurfaceSources): Surface {
   };
 }
 
-/** Interpolated events lie beside the light cone; this is the event of the point that the pixel shows (docs/physics.md §4.10). */
-const seenEvent = (velocity: Vec4, onLightCone: Float): Vec4 =>
-  select(onLightCone.greaterThan(0.5), ontoLightCone(vEvent, velocity), vEvent).toVar();
+/** Interpolated events lie beside the cone; this is the event of the point that the pixel shows (docs/physics.md §4.10). */
+function seenEvent(velocity: Vec4, uniforms: SurfaceSources['uniforms']): Vec4 {
+  const event = select(uniforms.onLightCone.greaterThan(0.5), ontoLightCone(vEvent, velocity), vEvent).toVar();
+  If(uniforms.onShallowCone.greaterThan(0.5), () => {
+    event.assign(ontoShallowCone(vEvent, velocity, uniforms));
+  });
+  return event;
+}
 
 /** The unit normal in the rest frame on the observer's side, bent by a map of its own. */
 export function frontNormal(
@@ -190,14 +198,14 @@ export function frontNormal(
   const smooth = normalize(vNormal.xyz).toVar();
   if (!map) return smooth.mul(faceDirection).toVar();
   const velocity = vMotion.toVar();
-  const place = { normal: smooth, event: seenEvent(velocity, uniforms.onLightCone), velocity, uv: vUv };
+  const place = { normal: smooth, event: seenEvent(velocity, uniforms), velocity, uv: vUv };
   return mappedNormal(map.texture, map.strength, place).mul(faceDirection).toVar();
 }
 
 /** Directions of the texture coordinates at the fragment; call it before any discard. */
 export function uvDirectionsHere({ uniforms }: SurfaceSources): UvDirections {
   const velocity = vMotion.toVar();
-  return uvDirections({ event: seenEvent(velocity, uniforms.onLightCone), velocity, uv: vUv });
+  return uvDirections({ event: seenEvent(velocity, uniforms), velocity, uv: vUv });
 }
 
 /** A specified reflectance, or the extrapolation of the visible colour. */
@@ -212,10 +220,19 @@ export function channelValue(from: ChannelTexture | undefined, linear: Vec2): Fl
 }
 
 /** |Δx′| = (γ + u·n)|Δx| of the event itself; where directions are not boosted, its own distance, or that of the interpolated position. */
-function distanceOf(dx: Vec3, { u, gamma, boosted, onLightCone }: SurfaceSources['uniforms']): Float {
+function distanceOf(dx: Vec3, uniforms: SurfaceSources['uniforms']): Float {
+  const { u, gamma, boosted, onLightCone, onShallowCone } = uniforms;
   const r = length(dx).toVar();
   const unboosted = select(onLightCone.greaterThan(0.5), r, length(vObserverPosition));
-  return select(boosted.greaterThan(0.5), r.mul(dopplerFactor(dx, u, gamma, ZERO_VELOCITY)), unboosted);
+  const distance = select(
+    boosted.greaterThan(0.5),
+    r.mul(dopplerFactor(dx, u, gamma, ZERO_VELOCITY)),
+    unboosted,
+  ).toVar();
+  If(onShallowCone.greaterThan(0.5), () => {
+    distance.assign(length(shallowPosition(dx, uniforms)));
+  });
+  return distance;
 }
 
 /** The G-buffer's targets, in the order of their attachments, with bytes per sample as WebGPU counts them. */

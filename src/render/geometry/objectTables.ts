@@ -1,5 +1,6 @@
-import { length, type Vec3, ZERO } from '../../math/vec3.ts';
+import { addScaled, dot, length, type Vec3, ZERO } from '../../math/vec3.ts';
 import type { PlacementName } from '../../physics/optics/placement.ts';
+import { slowed, slowedContraction } from '../../physics/worldLines/shallowCone.ts';
 import { simultaneousPosition } from '../../physics/worldLines/simultaneity.ts';
 import type { BoundingSphere } from '../../scene/bounds/bounds.ts';
 import { motionKind } from '../../scene/motion/motions.ts';
@@ -119,17 +120,24 @@ function overlapsLifetime({ object }: Body, { from, to }: WorldTubeSection, obse
 
 /** Conservative: false only if no pixel can show any of it. */
 function maybeVisible(sphere: BoundingSphere, observation: Observation, frustum: ViewFrustum): boolean {
-  const cone = CONES[frustum.place](sphere, observation.u);
+  const cone = CONES[frustum.place](sphere, observation);
   return !cone || coneMayIntersectFrustum(cone, frustum.sides);
 }
 
 /** The cone of directions in which a picture shows what is in a sphere; undefined: all directions. */
-const CONES: Readonly<Record<PlacementName, (sphere: BoundingSphere, u: Vec3) => Cone | undefined>> = {
-  apparent(sphere, u) {
+const CONES: Readonly<Record<PlacementName, (sphere: BoundingSphere, observation: Observation) => Cone | undefined>> = {
+  apparent(sphere, { u }) {
     const cone = coneAround(sphere);
     return cone && aberrateCone(cone, u);
   },
-  contracted: (sphere, u) => coneAround(contracted(sphere, u)),
+  contracted: (sphere, { u }) => coneAround(contracted(sphere, u)),
+  shallow({ center, radius }, { u, coneSlope }) {
+    const cone = coneAround({
+      center: addScaled(center, u, -slowedContraction(u, coneSlope) * dot(u, center)),
+      radius,
+    });
+    return cone && aberrateCone(cone, slowed(u, coneSlope));
+  },
   plain: coneAround,
 };
 

@@ -33,10 +33,10 @@ const line: fc.Arbitrary<BodyLine> = fc.oneof(
     .map(([position, properAcceleration, t0]): BodyLine => ({ kind: 'hyperbolic', position, properAcceleration, t0 })),
   polyline,
 );
-const hypersurfaceName = fc.constantFrom<HypersurfaceName>('past-light-cone', 'slice', 'now');
+const hypersurfaceName = fc.constantFrom<HypersurfaceName>('past-light-cone', 'shallow-cone', 'slice', 'now');
 const observation = fc
   .tuple(number(9), vector(9), vector(3), hypersurfaceName)
-  .map(([t, position, u, hypersurface]): Observation => ({ t, position, u, c: C, hypersurface }));
+  .map(([t, position, u, hypersurface]): Observation => ({ t, position, u, c: C, hypersurface, coneSlope: 0.6 }));
 
 /** The same line, shifted. */
 function shifted(worldLine: BodyLine, by: Vec3): BodyLine {

@@ -1,5 +1,5 @@
 import { add, distance, length, scale, sub, type Vec3, ZERO } from '../../math/vec3.ts';
-import { HYPERSURFACES, type HypersurfaceName } from '../../physics/worldLines/hypersurface.ts';
+import { type HypersurfaceChoice, hypersurfaceOf } from '../../physics/worldLines/hypersurface.ts';
 import type { ObserverEvent } from '../../physics/worldLines/kinds/worldLineKind.ts';
 import { type SampledLine, samplesUntil } from '../../physics/worldLines/samples.ts';
 import { asInertial, hullPoints, type WorldLine } from '../../physics/worldLines/worldLine.ts';
@@ -12,10 +12,9 @@ export interface RelativeEvent {
 }
 
 /** The observer's event and proper velocity u, c [m/s], and the hypersurface that the picture shows. */
-export interface Observation extends ObserverEvent {
+export interface Observation extends ObserverEvent, HypersurfaceChoice {
   readonly u: Vec3;
   readonly c: number;
-  readonly hypersurface: HypersurfaceName;
 }
 
 /** Bounds of the intersection of the hypersurface with a world tube: all points within a radius of a world line. */
@@ -31,14 +30,14 @@ export interface WorldTubeSection {
 /** Where the world line meets the hypersurface; undefined behind a horizon. `lag` [m of light] shifts the hypersurface towards the future. */
 export function intersect(line: WorldLine, observation: Observation, lag = 0): RelativeEvent | undefined {
   const observer = lag === 0 ? observation : { t: observation.t + lag / observation.c, position: observation.position };
-  const { u, c, hypersurface } = observation;
-  const event = HYPERSURFACES[hypersurface].intersect(line, observer, u, c);
+  const { u, c } = observation;
+  const event = hypersurfaceOf(observation).intersect(line, observer, u, c);
   return event && { offset: event.offset, ahead: lag + event.ahead };
 }
 
 /**
  * A point within `radius` of the line is at most `radius` nearer or farther than the line itself, so it meets the hypersurface between the times at
- * which the line meets the hypersurface shifted by ± radius (± β·radius for a slice). undefined if no part of the tube meets it.
+ * which the line meets the hypersurface shifted by ± radius (± steepness·radius). undefined if no part of the tube meets it.
  */
 export function worldTubeSection(
   line: WorldLine,
@@ -47,8 +46,7 @@ export function worldTubeSection(
 ): WorldTubeSection | undefined {
   const inertial = asInertial(line);
   if (inertial) return inertialSection(intersect(line, observation), radius, length(inertial.velocity) / observation.c);
-  const gradient = HYPERSURFACES[observation.hypersurface].timeGradient(observation.u);
-  const reach = (length(gradient.linear) + Math.abs(gradient.radial)) * radius;
+  const reach = hypersurfaceOf(observation).steepness(observation.u) * radius;
   const last = intersect(line, observation, reach);
   if (!last) return undefined;
   const anchor = intersect(line, observation);

@@ -29,6 +29,12 @@ import { staticEmission } from '../../shaders/emission/staticEmission.ts';
 import { uniformEmission } from '../../shaders/emission/uniformEmission.ts';
 import { apparentPosition } from '../../shaders/kinematics/apparentPosition.ts';
 import { simultaneousPosition } from '../../shaders/kinematics/simultaneousPosition.ts';
+import { cubicShallow } from '../../shaders/shallowCone/cubicShallow.ts';
+import { hyperbolicShallow } from '../../shaders/shallowCone/hyperbolicShallow.ts';
+import { polylineShallow } from '../../shaders/shallowCone/polylineShallow.ts';
+import type { ShallowObserver } from '../../shaders/shallowCone/shallowObserver.ts';
+import { shallowPosition } from '../../shaders/shallowCone/shallowPosition.ts';
+import { uniformShallow } from '../../shaders/shallowCone/uniformShallow.ts';
 import { cubicSlice } from '../../shaders/simultaneity/cubicSlice.ts';
 import { hyperbolicSlice } from '../../shaders/simultaneity/hyperbolicSlice.ts';
 import { newtonSlice } from '../../shaders/simultaneity/newtonSlice.ts';
@@ -50,15 +56,16 @@ import { pieceAt, pointSamples, poseSamples, type VertexSamples } from './vertex
 
 /** How a vertex finds its event, and where it is drawn; a shader is compiled for each pair that is used. */
 export interface SpacetimeProjection {
-  readonly event: 'emission' | 'newtonEmission' | 'slice' | 'newtonSlice' | 'now';
+  readonly event: 'emission' | 'newtonEmission' | 'slice' | 'newtonSlice' | 'shallow' | 'now';
   readonly place: PlacementName;
 }
 
-/** The solvers of events on each hypersurface. The world's own time needs no search: Newton's would start and end there. */
+/** The solvers of events on each hypersurface. Newton's, for comparison, is for the two that its formulas are known for. */
 const VERTEX_SOLVERS: Readonly<Record<HypersurfaceName, Readonly<Record<Solver, SpacetimeProjection['event']>>>> = {
   'past-light-cone': { exact: 'emission', newton: 'newtonEmission' },
   slice: { exact: 'slice', newton: 'newtonSlice' },
   now: { exact: 'now', newton: 'now' },
+  'shallow-cone': { exact: 'shallow', newton: 'shallow' },
 };
 
 export const vertexSolverOf = (surface: HypersurfaceName, solver: Solver): SpacetimeProjection['event'] =>
@@ -81,7 +88,7 @@ export interface MotionSources {
 
 /** The part of the sources that determines a vertex's event. */
 export interface EventSources extends Omit<MotionSources, 'uniforms'> {
-  readonly uniforms: Pick<FrameUniforms, 'u' | 'gamma' | 'iterations' | 'damping'>;
+  readonly uniforms: ShallowObserver & Pick<FrameUniforms, 'iterations' | 'damping'>;
 }
 
 export interface VertexSources extends MotionSources {
@@ -204,20 +211,16 @@ function rotated(q: Vec4, v: Vec3): Vec3 {
 }
 
 /** The GPU's twins of `PLACEMENTS` (src/physics/optics/placement.ts). */
-const PLACES: Readonly<Record<PlacementName, (dx: Vec3, u: Vec3, gamma: Float) => Vec3>> = {
-  apparent: apparentPosition,
-  contracted: simultaneousPosition,
+const PLACES: Readonly<Record<PlacementName, (dx: Vec3, observer: ShallowObserver) => Vec3>> = {
+  apparent: (dx, { u, gamma }) => apparentPosition(dx, u, gamma),
+  contracted: (dx, { u, gamma }) => simultaneousPosition(dx, u, gamma),
+  shallow: shallowPosition,
   plain: (dx) => dx,
 };
 
 /** Where an event at Δx is drawn, relative to the observer, on the world axes carried by the boost [m]. */
-export function observerPosition(
-  dx: Vec3,
-  placement: SpacetimeProjection['place'],
-  { u, gamma }: Pick<FrameUniforms, 'u' | 'gamma'>,
-): Vec3 {
-  return PLACES[placement](dx, u, gamma);
-}
+export const observerPosition = (dx: Vec3, placement: SpacetimeProjection['place'], observer: ShallowObserver): Vec3 =>
+  PLACES[placement](dx, observer);
 
 /** How a vertex finds its event, by the kind of its body's motion. */
 interface VertexMotion {
@@ -244,6 +247,8 @@ interface WorldLineSolvers<Solved extends VertexEvent> {
   readonly emission: () => Solved;
   /** The event on the slice of simultaneity of the frame with γβ = u. */
   readonly slice: (u: Vec3, gamma: Float) => Solved;
+  /** The event on the cone ct′ = −λr′. */
+  readonly shallow: (observer: ShallowObserver) => Solved;
 }
 
 type EventSolver = <Solved extends VertexEvent>(
@@ -252,13 +257,14 @@ type EventSolver = <Solved extends VertexEvent>(
   uniforms: EventSources['uniforms'],
 ) => Solved | VertexEvent;
 
-/** By what a vertex's event is found on; the GPU's twins of `HYPERSURFACES` (src/physics/worldLines/hypersurface.ts). */
+/** By what a vertex's event is found on; the GPU's twins of `Hypersurface` (src/physics/worldLines/hypersurface.ts). */
 const EVENT_SOLVERS: Readonly<Record<SpacetimeProjection['event'], EventSolver>> = {
   newtonEmission: ({ place }, anchor, { iterations, damping }) => newtonEmission(anchor, place(), iterations, damping),
   newtonSlice: ({ place }, anchor, { u, gamma, iterations, damping }) =>
     newtonSlice(anchor, place(), u, gamma, iterations, damping),
   emission: ({ emission }) => emission(),
   slice: ({ slice }, _, { u, gamma }) => slice(u, gamma),
+  shallow: ({ shallow }, _, observer) => shallow(observer),
   now: ({ slice }) => slice(vec3(0), float(1)),
 };
 
@@ -280,6 +286,7 @@ const linear = (
       place: () => uniformPlace(velocity, offset),
       emission,
       slice: (u, gamma) => uniformSlice(anchor, velocity, offset, u, gamma),
+      shallow: (observer) => uniformShallow(anchor, velocity, offset, observer),
     },
     anchor,
     sources.uniforms,
@@ -304,6 +311,7 @@ function hyperbolicVertex(inputs: SolverInputs, event: SpacetimeProjection['even
     place: () => hyperbolicPlace(...hyperbola),
     emission: () => hyperbolicEmission(anchor, ...hyperbola),
     slice: (u: Vec3, gamma: Float) => hyperbolicSlice(anchor, ...hyperbola, u, gamma),
+    shallow: (observer: ShallowObserver) => hyperbolicShallow(anchor, ...hyperbola, observer),
   };
   const solved = EVENT_SOLVERS[event](solvers, anchor, sources.uniforms);
   const velocity = solved.velocity.toVar();
@@ -350,11 +358,13 @@ function sampled(
         place: () => cubicPlace(at, velocities, count),
         emission: () => cubicEmission(anchor, at, velocities, count),
         slice: (u: Vec3, gamma: Float) => cubicSlice(anchor, at, velocities, count, u, gamma),
+        shallow: (observer: ShallowObserver) => cubicShallow(anchor, at, velocities, count, observer),
       }
     : {
         place: () => polylinePlace(at, count),
         emission: () => polylineEmission(anchor, at, count),
         slice: (u: Vec3, gamma: Float) => polylineSlice(anchor, at, count, u, gamma),
+        shallow: (observer: ShallowObserver) => polylineShallow(anchor, at, count, observer),
       };
   return EVENT_SOLVERS[event](solvers, anchor, uniforms);
 }

@@ -10,11 +10,17 @@ export function makeFrameUniforms() {
     /** γβ and γ of the observer. */
     u: uniform(new Vector3()),
     gamma: uniform(1),
+    /** λ of the cone ct′ = −λr′, and γβ and γ of the velocity λβ, in the view from slice to cone. */
+    coneSlope: uniform(1),
+    slowedU: uniform(new Vector3()),
+    slowedGamma: uniform(1),
     iterations: uniform(1, 'int'),
     damping: uniform(1),
     /** 1 in views that show events on the past light cone, otherwise 0. */
     onLightCone: uniform(1),
-    /** 1 if directions are aberrated, 0 if they are the world's. */
+    /** 1 in the view from slice to cone between its ends, otherwise 0. */
+    onShallowCone: uniform(0),
+    /** 1 if distances are those of light, |Δx′| = D|Δx|, otherwise 0. */
     boosted: uniform(1),
     /** 1 if surfaces are lit in their rest frame, 0 in views that are not luminous. */
     boostLight: uniform(1),

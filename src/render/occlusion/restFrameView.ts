@@ -36,11 +36,11 @@ export function restFrameViewOf(
   const rest = velocity ? restFrameBoostOf(velocity, uniforms) : undefined;
   const place = (rest ? boosted(event.xyz, length(event.xyz), rest) : event.xyz).toVar();
   const distance2 = dot(place, place).toVar();
-  const { u, gamma } = uniforms;
+  const observer = placingObserver(event.xyz, uniforms);
   const projectPlace = (x: Vec3, distance: Float): Vec3 => {
-    if (!rest) return PLACED[projection](x, distance, u, gamma);
+    if (!rest) return PLACED[projection](x, distance, observer);
     const back = { u: rest.u.negate(), gamma: rest.gamma };
-    return PLACED[projection](boosted(x, distance, back), rest.gamma.mul(distance).sub(dot(rest.u, x)), u, gamma);
+    return PLACED[projection](boosted(x, distance, back), rest.gamma.mul(distance).sub(dot(rest.u, x)), observer);
   };
   return {
     position: place,
@@ -85,15 +85,38 @@ function restFrameBoostOf(velocity: Vec4, { boostLight }: FrameUniforms): RestFr
 const boosted = (x: Vec3, ago: Float, { u, gamma }: RestFrameBoost): Vec3 =>
   x.add(u.mul(dot(u, x).div(gamma.add(1)).add(ago)));
 
+/** The observer, and how places in the world are to those of the slowed world (docs/physics.md §5.8). */
+interface PlacingObserver extends Pick<FrameUniforms, 'u' | 'gamma' | 'slowedU' | 'slowedGamma'> {
+  /** Y = x − c (c·x). */
+  readonly contraction: Vec3;
+  /** |Y|/|x| of the point that is seen. */
+  readonly nearness: Float;
+}
+
+function placingObserver(x: Vec3, { u, gamma, slowedU, slowedGamma }: FrameUniforms): PlacingObserver {
+  const share = max(float(1).sub(slowedGamma.div(gamma)), 0);
+  const contraction = u
+    .div(max(length(u), 1e-20))
+    .mul(sqrt(share))
+    .toVar();
+  const along = dot(contraction, x);
+  const nearness = length(x.sub(contraction.mul(along)))
+    .div(max(length(x), 1e-20))
+    .toVar();
+  return { u, gamma, slowedU, slowedGamma, contraction, nearness };
+}
+
 /**
  * The observer position of a place in the world at a distance, linear in both (docs/physics.md §3.3, §5.5; `PLACES` of vertexStage.ts takes the distance
  * from the place).
  */
 const PLACED: Readonly<
-  Record<SpacetimeProjection['place'], (x: Vec3, distance: Float, u: Vec3, gamma: Float) => Vec3>
+  Record<SpacetimeProjection['place'], (x: Vec3, distance: Float, observer: PlacingObserver) => Vec3>
 > = {
-  apparent: (x, distance, u, gamma) => boosted(x, distance, { u, gamma }),
-  contracted: (x, _, u, gamma) => x.sub(u.mul(dot(u, x).div(gamma.mul(gamma.add(1))))),
+  apparent: (x, distance, { u, gamma }) => boosted(x, distance, { u, gamma }),
+  contracted: (x, _, { u, gamma }) => x.sub(u.mul(dot(u, x).div(gamma.mul(gamma.add(1))))),
+  shallow: (x, distance, { slowedU, slowedGamma, contraction, nearness }) =>
+    boosted(x.sub(contraction.mul(dot(contraction, x))), distance.mul(nearness), { u: slowedU, gamma: slowedGamma }),
   plain: (x) => x,
 };
 

@@ -2,7 +2,7 @@ import { dot, length, max, uniform, vec3 } from 'three/tsl';
 import { Vector3 } from 'three/webgpu';
 import { normalize, scale } from '../../math/vec3.ts';
 import { gamma } from '../../physics/lorentz/boost.ts';
-import { HYPERSURFACES } from '../../physics/worldLines/hypersurface.ts';
+import { lightSurfaceOf } from '../../physics/worldLines/hypersurface.ts';
 import { distantLightRadius } from '../../scene/lights/sceneLights.ts';
 import type { Float, Int } from '../../shaders/types.ts';
 import type { Observation } from '../geometry/observation.ts';
@@ -34,7 +34,7 @@ export class ShadowMaps implements LightVisibility {
   private readonly staticDistant: StaticDistantShadows;
   private readonly dynamicDistant: DynamicDistantShadows;
   private readonly local: LocalShadows;
-  /** Of the hypersurface that is shown. */
+  /** Of the hypersurface on which light travels. */
   private readonly timeGradient = { linear: uniform(new Vector3()), radial: uniform(-1) };
   private readonly observerU = uniform(new Vector3());
   private readonly observerGamma = uniform(1);
@@ -84,7 +84,7 @@ export class ShadowMaps implements LightVisibility {
 
   /** Updates the maps for a picture. Returns false if samples of a deforming mesh are not loaded yet. */
   update(observation: Observation): boolean {
-    const { linear, radial } = HYPERSURFACES[observation.hypersurface].timeGradient(observation.u);
+    const { linear, radial } = lightSurfaceOf(observation).timeGradient(observation.u);
     this.timeGradient.linear.value.set(...linear);
     this.timeGradient.radial.value = radial;
     this.observerU.value.set(...observation.u);

@@ -1,5 +1,6 @@
 import { type LocalizedText, msg } from '../../messages/message.ts';
 import type { ToneMapping } from '../../spectrum/display/toneMap.ts';
+import { DEFAULT_CONE_SLOPE } from '../views/sliceToCone.ts';
 import { VIEW_HELP, VIEW_TITLES } from '../views/views.ts';
 import type { ChoiceSetting, Setting } from './setting.ts';
 
@@ -18,6 +19,20 @@ export const SETTINGS = {
     flag: { value: 'name', help: VIEW_HELP.flag },
     perBuffer: true,
     header: { place: 0, when: 'always' },
+  },
+  /** λ of the events ct′ = −λr′ of the observer's frame: 0, his moment, to 1, his past light cone. Its own view only. */
+  coneSlope: {
+    kind: 'number',
+    title: msg`From slice to cone`,
+    help: msg`0: everything at your own instant. 1: everything as long ago as its light took to you. Between, as long ago as this share of that time.`,
+    default: DEFAULT_CONE_SLOPE,
+    range: { min: 0, max: 1 },
+    control: { min: 0, max: 1, step: 0.01 },
+    nodes: CONSOLE,
+    onlyWhen: { param: 'view', is: 'slice-to-cone' },
+    flag: { value: '0…1', help: msg`of the view slice-to-cone: 0 your own instant, 1 what is seen` },
+    perBuffer: true,
+    header: { place: 1, when: 'changed' },
   },
   /** Off: every point is shown at the observer's world time, as if light were instantaneous. Light-cone view only. */
   lightDelay: {

@@ -5,7 +5,7 @@ import { observerDoppler } from '../../physics/optics/doppler.ts';
 import type { NightSky } from '../types.ts';
 import { frustumOf } from '../view/lens.ts';
 import type { RenderSettings, ViewPoint } from '../view/view.ts';
-import { VIEWS } from '../views/views.ts';
+import { isLuminous, VIEWS } from '../views/views.ts';
 import { MAX_SPREAD_RADIUS, spreadRadius } from './pointSpread.ts';
 import { starlight } from './starlight.ts';
 
@@ -26,9 +26,8 @@ export function projectStars(
   height: number,
   out: ProjectedStars,
 ): number {
-  const shown = VIEWS[settings.view];
-  const boosted = shown.placement(settings) === 'apparent';
-  const u = shown.luminous ? view.u : ZERO;
+  const boosted = VIEWS[settings.view].placement(settings) === 'apparent';
+  const u = isLuminous(settings) ? view.u : ZERO;
   const { tanX, tanY, center } = frustumOf(view.lens, width, height);
   const pixel = (4 * tanX * tanY) / (width * height);
   const toCamera = conjugate(view.orientation);

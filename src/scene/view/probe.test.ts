@@ -120,7 +120,7 @@ describe('probe, against closed forms', () => {
     const observer = { t: 0, position: ZERO, u: [0, 0, -0.75] } as const;
     const newton = { iterations: 1, damping: 0.3 };
     // Seen: f = 8 m at the observer's time, f′ = c − 5 m/s. In the slice: 0.3 of c Δt = 4.8/1.3 m.
-    expect(probeVertex(wall, 0, observer, c, 'light-cone', newton)!.time).toBeCloseTo((-0.3 * 8) / 5, 12);
-    expect(probeVertex(wall, 0, observer, c, 'simultaneity', newton)!.time).toBeCloseTo((0.3 * 4.8) / 1.3 / c, 12);
+    expect(probeVertex(wall, 0, observer, c, 'light-cone', { newton })!.time).toBeCloseTo((-0.3 * 8) / 5, 12);
+    expect(probeVertex(wall, 0, observer, c, 'simultaneity', { newton })!.time).toBeCloseTo((0.3 * 4.8) / 1.3 / c, 12);
   });
 });

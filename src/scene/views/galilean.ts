@@ -8,7 +8,7 @@ export const galilean: ViewRecord = {
   title: 'c = ∞',
   summary: 'c = ∞',
   help: msg`the world with infinite c`,
-  luminous: false,
+  luminous: () => false,
   relativistic: false,
   hypersurface: () => 'now',
   placement: () => 'plain',

@@ -18,7 +18,7 @@ export const lightCone: ViewRecord = {
   title: msg`Seen`,
   summary: msg`what is seen`,
   help: msg`What you see`,
-  luminous: true,
+  luminous: () => true,
   relativistic: true,
   hypersurface: ({ lightDelay }) => (lightDelay ? 'past-light-cone' : 'now'),
   placement: ({ aberration }) => (aberration ? 'apparent' : 'plain'),
@@ -26,7 +26,7 @@ export const lightCone: ViewRecord = {
     const dx = aberration ? inverseApparentPosition(n, u) : n;
     return [lightDelay ? -length(dx) : 0, ...dx];
   },
-  probe(line, observer, c, newton) {
+  probe(line, observer, c, { newton }) {
     const event = newton ? newtonEvent(line, observer, c, newton) : emissionEvent(line, observer, c);
     if (!event) return undefined;
     const { t: time, position, offset } = event;

@@ -25,13 +25,13 @@ export const simultaneity: ViewRecord = {
   title: msg`Simultaneity`,
   summary: msg`positions at one instant of the observer`,
   help: msg`positions at your own instant (a “god’s eye” view)`,
-  luminous: false,
+  luminous: () => false,
   relativistic: true,
   hypersurface: () => 'slice',
   placement: () => 'contracted',
   // The events (0, s n′) of the observer's frame.
   rayToward: (n, u) => inverseBoost([0, ...n], u),
-  probe(line, observer, c, newton) {
+  probe(line, observer, c, { newton }) {
     const { offset, time } = newton ? newtonEvent(line, observer, c, newton) : exactEvent(line, observer, c);
     const velocity = scale(velocityAt(line, time, c), 1 / c);
     const apparent = simultaneousPosition(offset, observer.u);

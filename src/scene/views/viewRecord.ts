@@ -27,10 +27,21 @@ export interface ProbedEvent {
   readonly doppler: number;
 }
 
-/** Effects of light that a view can omit. */
+/** How the event of a view is found. */
+export interface ProbeOptions {
+  /** Where these steps of the Newton solver, for comparison, end instead; a view that needs no search ignores it. */
+  readonly newton?: NewtonOptions | undefined;
+  /** λ of `slice-to-cone`, 0 … 1, by default that of its setting. */
+  readonly coneSlope?: number;
+}
+
+/** Settings of views. */
 export interface ViewToggles {
+  /** Effects of light that `light-cone` can omit. */
   readonly lightDelay: boolean;
   readonly aberration: boolean;
+  /** λ of `slice-to-cone`, 0 … 1. */
+  readonly coneSlope: number;
 }
 
 /** A view of spacetime: which events a picture shows, and where. */
@@ -41,16 +52,13 @@ export interface ViewRecord {
   /** Part of the sentence that lists the views. */
   readonly help: Message;
   /** Whether it shows light, with Doppler shift and beaming. */
-  readonly luminous: boolean;
+  luminous(toggles: ViewToggles): boolean;
   /** Whether it depends on the observer's velocity. */
   readonly relativistic: boolean;
   hypersurface(toggles: ViewToggles): HypersurfaceName;
   placement(toggles: ViewToggles): PlacementName;
   /** (c dt, dx) per metre of the observer's frame, in the world frame, of the ray on which the events in the unit direction n′ lie. u: the observer's γβ. */
   rayToward(n: Vec3, u: Vec3, toggles: ViewToggles): FourVector;
-  /**
-   * The event without omitting any effect; undefined if its light never arrives (beyond a horizon). c [m/s]. `newton`: where these steps of the Newton solver,
-   * for comparison, end instead; a view that needs no search ignores it.
-   */
-  probe(line: WorldLine, observer: ProbeObserver, c: number, newton?: NewtonOptions): ProbedEvent | undefined;
+  /** The event without omitting any effect; undefined if its light never arrives (beyond a horizon). c [m/s]. */
+  probe(line: WorldLine, observer: ProbeObserver, c: number, options: ProbeOptions): ProbedEvent | undefined;
 }

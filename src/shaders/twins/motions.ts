@@ -6,6 +6,11 @@ import { cubicEmission } from '../emission/cubicEmission.ts';
 import { hyperbolicEmission } from '../emission/hyperbolicEmission.ts';
 import { polylineEmission } from '../emission/polylineEmission.ts';
 import { uniformEmission } from '../emission/uniformEmission.ts';
+import { cubicShallow } from '../shallowCone/cubicShallow.ts';
+import { hyperbolicShallow } from '../shallowCone/hyperbolicShallow.ts';
+import { polylineShallow } from '../shallowCone/polylineShallow.ts';
+import type { ShallowObserver } from '../shallowCone/shallowObserver.ts';
+import { uniformShallow } from '../shallowCone/uniformShallow.ts';
 import { cubicSlice } from '../simultaneity/cubicSlice.ts';
 import { hyperbolicSlice } from '../simultaneity/hyperbolicSlice.ts';
 import { polylineSlice } from '../simultaneity/polylineSlice.ts';
@@ -39,6 +44,7 @@ export interface MotionInput {
   readonly worldLine: (input: readonly number[], time: number) => WorldLine;
   readonly emission: (texel: Texel) => VertexEvent;
   readonly slice: (texel: Texel, u: Vec3Node, gamma: Float) => VertexEvent;
+  readonly shallow: (texel: Texel, observer: ShallowObserver) => VertexEvent;
   readonly place: (texel: Texel) => WorldLineAt;
 }
 
@@ -60,6 +66,7 @@ const uniform: MotionInput = {
   },
   emission: (texel) => uniformEmission(texel(0), texel(1), texel(2).xyz),
   slice: (texel, u, gamma) => uniformSlice(texel(0), texel(1), texel(2).xyz, u, gamma),
+  shallow: (texel, observer) => uniformShallow(texel(0), texel(1), texel(2).xyz, observer),
   place: (texel) => uniformPlace(texel(1), texel(2).xyz),
 };
 
@@ -89,6 +96,8 @@ const hyperbolic: MotionInput = {
   },
   emission: (texel) => hyperbolicEmission(texel(0), texel(1), texel(3).x, texel(2).w, texel(2).xyz),
   slice: (texel, u, gamma) => hyperbolicSlice(texel(0), texel(1), texel(3).x, texel(2).w, texel(2).xyz, u, gamma),
+  shallow: (texel, observer) =>
+    hyperbolicShallow(texel(0), texel(1), texel(3).x, texel(2).w, texel(2).xyz, observer),
   place: (texel) => hyperbolicPlace(texel(1), texel(3).x, texel(2).w, texel(2).xyz),
 };
 
@@ -124,6 +133,7 @@ const polyline: MotionInput = {
   },
   emission: (texel) => polylineEmission(texel(0), samplesOf(texel), int(SAMPLES)),
   slice: (texel, u, gamma) => polylineSlice(texel(0), samplesOf(texel), int(SAMPLES), u, gamma),
+  shallow: (texel, observer) => polylineShallow(texel(0), samplesOf(texel), int(SAMPLES), observer),
   place: (texel) => polylinePlace(samplesOf(texel), int(SAMPLES)),
 };
 
@@ -161,6 +171,8 @@ const cubic: MotionInput = {
   },
   emission: (texel) => cubicEmission(texel(0), samplesOf(texel), endVelocities(texel), int(SAMPLES)),
   slice: (texel, u, gamma) => cubicSlice(texel(0), samplesOf(texel), endVelocities(texel), int(SAMPLES), u, gamma),
+  shallow: (texel, observer) =>
+    cubicShallow(texel(0), samplesOf(texel), endVelocities(texel), int(SAMPLES), observer),
   place: (texel) => cubicPlace(samplesOf(texel), endVelocities(texel), int(SAMPLES)),
 };
 

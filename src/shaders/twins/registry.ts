@@ -1,6 +1,7 @@
 import { colorTwins } from './color.ts';
 import { emissionTwins } from './emission.ts';
 import { kinematicsTwins } from './kinematics.ts';
+import { shallowConeTwins } from './shallowCone.ts';
 import { simultaneityTwins } from './simultaneity.ts';
 import { spectrumTwins } from './spectrum.ts';
 import type { Twin } from './twin.ts';
@@ -13,6 +14,7 @@ export const twinRegistry: readonly Twin[] = [
   ...kinematicsTwins,
   ...emissionTwins,
   ...simultaneityTwins,
+  ...shallowConeTwins,
   ...colorTwins,
   ...spectrumTwins,
 ];

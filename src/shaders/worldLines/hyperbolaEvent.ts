@@ -18,7 +18,7 @@ interface HyperbolaEvent {
  * The least e^φ. Light from the edge of the horizon was emitted at e^φ → 0, infinitely far away and long ago; an event at e^φ = 1e-5 is 50,000 c²/a away, within
  * 1e-5 rad of it, and still has digits in f32. Vertices behind the horizon are there too, so that no interpolation meets infinity.
  */
-const MIN_RAPIDITY_FACTOR = 1e-5;
+export const MIN_RAPIDITY_FACTOR = 1e-5;
 
 /** The event of the vertex at the parameter `eta` of its hyperbola (see hyperbola.ts). */
 export function hyperbolaEvent(motion: Vec4, w: Float, vertex: HyperbolaVertex, eta: Float): HyperbolaEvent {

@@ -28,6 +28,7 @@ import { type Texture, type TextureNode, Vector3 } from 'three/webgpu';
 import { ontoLightCone } from '../../../shaders/emission/ontoLightCone.ts';
 import { dopplerFactor } from '../../../shaders/kinematics/dopplerFactor.ts';
 import { unaberrate } from '../../../shaders/kinematics/unaberrate.ts';
+import { ontoShallowCone } from '../../../shaders/shallowCone/ontoShallowCone.ts';
 import type { Bool, Float, Vec2, Vec3, Vec4 } from '../../../shaders/types.ts';
 import type { GBuffer } from '../../gbuffer/gbuffer.ts';
 import { observerPosition, type SpacetimeProjection } from '../../geometry/vertexStage.ts';
@@ -235,6 +236,7 @@ function projected(
 const SKY_DIRECTION: Readonly<Record<SpacetimeProjection['place'], (nPrime: Vec3, u: Vec3, gamma: Float) => Vec3>> = {
   apparent: (nPrime, u, gamma) => unaberrate(nPrime, u, gamma),
   contracted: (nPrime) => nPrime,
+  shallow: (nPrime) => nPrime,
   plain: (nPrime) => nPrime,
 };
 
@@ -246,6 +248,7 @@ const PREVIOUS_EVENT: Readonly<
   newtonEmission: (event, velocity) => ontoLightCone(event, velocity),
   slice: (event, velocity, { u, gamma }) => ontoSlice(event, velocity, u.div(gamma)),
   newtonSlice: (event, velocity, { u, gamma }) => ontoSlice(event, velocity, u.div(gamma)),
+  shallow: (event, velocity, previous) => ontoShallowCone(event, velocity, previous),
   now: (event, velocity) => ontoSlice(event, velocity, vec3(0)),
 };
 

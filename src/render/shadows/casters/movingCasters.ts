@@ -2,7 +2,7 @@ import { If, int, select, uniform, vec3 } from 'three/tsl';
 import { type Mesh, Vector3 } from 'three/webgpu';
 import { addScaled, distance, length, scale, sub, type Vec3, ZERO } from '../../../math/vec3.ts';
 import { gamma } from '../../../physics/lorentz/boost.ts';
-import { HYPERSURFACES } from '../../../physics/worldLines/hypersurface.ts';
+import { hypersurfaceOf } from '../../../physics/worldLines/hypersurface.ts';
 import { positionAt, velocityAt, type WorldLine } from '../../../physics/worldLines/worldLine.ts';
 import { pointSamples } from '../../../scene/motion/motion.ts';
 import { pointsAt } from '../../../scene/streaming/samplePoints.ts';
@@ -120,7 +120,7 @@ export class MovingCasters {
   ): string {
     this.poses.clear();
     const { onLightCone, u, gamma: observerGamma } = this.events;
-    const hypersurface = HYPERSURFACES[observation.hypersurface];
+    const hypersurface = hypersurfaceOf(observation);
     const observerU = hypersurface.momentVelocity(observation.u);
     onLightCone.value = hypersurface.isLightCone ? 1 : 0;
     u.value.set(...observerU);
@@ -131,7 +131,7 @@ export class MovingCasters {
       const linearMap = linearMapOf(body, this.instanced.has(body), t, observation.c);
       if (!linearMap) deforming.push(body);
       this.poses.set(body, linearMap ?? [ZERO, ZERO, ZERO], ZERO, slot, beta);
-      return `${body.id} ${linearMap ?? [observation.hypersurface, t, ...offset, ...observerU]}`;
+      return `${body.id} ${linearMap ?? [observation.hypersurface, observation.coneSlope, t, ...offset, ...observerU]}`;
     });
     for (const body of surroundings?.bodies ?? []) {
       const linearMap = linearMapOf(body, this.instanced.has(body), observation.t, observation.c);

@@ -1,6 +1,6 @@
 import type { Vec3 } from '../../../math/vec3.ts';
 import { addScaled, dot, ZERO } from '../../../math/vec3.ts';
-import { HYPERSURFACES } from '../../../physics/worldLines/hypersurface.ts';
+import { lightSurfaceOf } from '../../../physics/worldLines/hypersurface.ts';
 import type { Float } from '../../../shaders/types.ts';
 import { type Body, isSolvedPerVertex } from '../../geometry/bodies.ts';
 import type { Observation } from '../../geometry/observation.ts';
@@ -139,7 +139,7 @@ function layerOf(
 }
 
 /** Change of time per metre along the ray to the light [m of light]: into the past, or within the slice of simultaneity. */
-function timePerMeter({ hypersurface, u }: Observation, direction: Vec3): number {
-  const { linear, radial } = HYPERSURFACES[hypersurface].timeGradient(u);
+function timePerMeter(observation: Observation, direction: Vec3): number {
+  const { linear, radial } = lightSurfaceOf(observation).timeGradient(observation.u);
   return dot(linear, direction) + radial;
 }

@@ -1,6 +1,6 @@
 import { dot, length, uniform } from 'three/tsl';
 import { Vector4 } from 'three/webgpu';
-import { HYPERSURFACES } from '../../../physics/worldLines/hypersurface.ts';
+import { lightSurfaceOf } from '../../../physics/worldLines/hypersurface.ts';
 import { isStatic } from '../../../scene/motion/motion.ts';
 import type { Float, Int } from '../../../shaders/types.ts';
 import type { Observation } from '../../geometry/observation.ts';
@@ -65,7 +65,7 @@ export class LocalShadows {
   }
 }
 
-function emissionDelayPerMeter({ hypersurface, u }: Observation): readonly [number, number, number, number] {
-  const { linear, radial } = HYPERSURFACES[hypersurface].timeGradient(u);
+function emissionDelayPerMeter(observation: Observation): readonly [number, number, number, number] {
+  const { linear, radial } = lightSurfaceOf(observation).timeGradient(observation.u);
   return [...linear, radial];
 }

@@ -19,6 +19,7 @@ const VIEW: TessellationView = {
     u: properVelocity([0.2, 0, -0.9]),
     c: 1,
     hypersurface: 'past-light-cone',
+    coneSlope: 1,
   },
   projection: { event: 'emission', place: 'apparent' },
   orientation: IDENTITY,

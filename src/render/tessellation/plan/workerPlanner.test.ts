@@ -12,7 +12,14 @@ import { type PlannerMessage, type PlannerReply, servePlans } from './planServer
 import { WorkerPlanner } from './workerPlanner.ts';
 
 const VIEW: TessellationView = {
-  observation: { t: 0, position: [0, 1.5, 0], u: properVelocity([0, 0, -0.9]), c: 1, hypersurface: 'past-light-cone' },
+  observation: {
+    t: 0,
+    position: [0, 1.5, 0],
+    u: properVelocity([0, 0, -0.9]),
+    c: 1,
+    hypersurface: 'past-light-cone',
+    coneSlope: 1,
+  },
   projection: { event: 'emission', place: 'apparent' },
   orientation: IDENTITY,
   frustum: { tanX: 1, tanY: 0.6, aspect: 1 / 0.6, center: [0, 0] },

@@ -243,6 +243,7 @@ function isNearlyEqual(from: TessellationView, to: TessellationView): boolean {
 
 const exactPart = ({ observation, projection, tolerance, maxPatches }: TessellationView) => [
   observation.hypersurface,
+  observation.coneSlope,
   observation.c,
   projection,
   tolerance,

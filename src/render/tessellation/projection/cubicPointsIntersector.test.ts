@@ -16,10 +16,13 @@ import { DeformingClusterBounds } from '../plan/deformingClusterBounds.ts';
 import { CubicPointsIntersector } from './cubicPointsIntersector.ts';
 
 const C = 10;
+/** Of the view from slice to cone, by default. */
+const CONE_SLOPE = 0.5;
 const mesh = grid(3, 3, 2, 2);
 const HYPERSURFACES: readonly (readonly [View, HypersurfaceName])[] = [
   ['light-cone', 'past-light-cone'],
   ['simultaneity', 'slice'],
+  ['slice-to-cone', 'shallow-cone'],
   ['galilean', 'now'],
 ];
 
@@ -54,6 +57,7 @@ it('points between vertices are found where the formulas for single points place
             u,
             c: C,
             hypersurface: surface,
+            coneSlope: CONE_SLOPE,
           });
           intersector.setTriangle(
             ...([0, 1, 2].map((k) => mesh.indices[at + k]) as unknown as [number, number, number]),
@@ -121,7 +125,13 @@ it.each([
 );
 
 it('curves are smooth except where the motion begins and ends, or its bend is reduced', () => {
-  const observation = { t: 0, position: [0, 0, 0] as Vec3, u: [0, 0, 0] as Vec3, hypersurface: 'now' as const };
+  const observation = {
+    t: 0,
+    position: [0, 0, 0] as Vec3,
+    u: [0, 0, 0] as Vec3,
+    hypersurface: 'now' as const,
+    coneSlope: 1,
+  };
   const smooth = (window: { first: number; count: number }, c: number) =>
     new CubicPointsIntersector(motionOf(1, 0.4), window, { ...observation, c }).smooth;
   expect(smooth({ first: 3, count: 5 }, C)).toBe(true);

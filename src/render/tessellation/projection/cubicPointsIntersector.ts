@@ -49,7 +49,7 @@ export class CubicPointsIntersector extends SampledPointsIntersector {
       const lateness = this.lateness(from + s);
       if (lateness <= 0) lo = s;
       else hi = s;
-      const newton = s - lateness / this.latenessRate();
+      const newton = s - lateness / this.latenessRate(from + s);
       const next = newton >= lo && newton <= hi ? newton : (lo + hi) / 2;
       const step = Math.abs(next - s);
       s = next;
@@ -97,8 +97,8 @@ export class CubicPointsIntersector extends SampledPointsIntersector {
   }
 
   /** How fast `lateness` rises along the world line. */
-  private latenessRate(): number {
+  private latenessRate(t: number): number {
     const [vx, vy, vz] = this.velocity;
-    return this.surface.latenessRate(this.x, this.y, this.z, vx, vy, vz, this.observation.u, this.gamma);
+    return this.surface.latenessRate(this.x, this.y, this.z, t, vx, vy, vz, this.observation.u, this.gamma);
   }
 }

@@ -1,6 +1,6 @@
 import type { Mat4 } from '../../../math/mat4.ts';
 import type { Vec3 } from '../../../math/vec3.ts';
-import { PLACEMENTS } from '../../../physics/optics/placement.ts';
+import { placementOf } from '../../../physics/optics/placement.ts';
 import { MAX_GRADE, MAX_GRADE_NEAR_CAMERA_PLANE } from '../criterion/edgeCriterion.ts';
 import {
   type ClusterBounds,
@@ -49,10 +49,10 @@ export class ProjectedAcceleratedBody implements ProjectedBody {
   readonly isRound: boolean;
   private readonly intersector: HypersurfaceIntersector;
   private readonly metric: ScreenMetric;
-  /** From (|Δx|, Δx) to (|Δx′|, Δx′). */
+  /** From (|Y|, Y) to (|Δx′|, Δx′). */
   private readonly L: Mat4;
   private readonly sphere: ProjectedSphere;
-  /** Factor of the contraction Δx′ = Δx − u (u·Δx)/(γ(γ + 1)); 0 where positions are not contracted. */
+  /** Factor of the contraction Y = Δx − k u (u·Δx). */
   private readonly contraction: number;
 
   constructor(intersector: HypersurfaceIntersector, kinked: boolean, metric: ScreenMetric) {
@@ -61,9 +61,10 @@ export class ProjectedAcceleratedBody implements ProjectedBody {
     this.kinked = kinked;
     this.isRound = intersector.isRound;
     this.metric = metric;
-    this.L = PLACEMENTS[projection.place].boost(observation.u);
+    const placement = placementOf(projection.place, observation.coneSlope);
+    this.L = placement.boost(observation.u);
     this.sphere = new ProjectedSphere(this.L, metric);
-    this.contraction = PLACEMENTS[projection.place].contraction(observation.u);
+    this.contraction = placement.contraction(observation.u);
   }
 
   classify(cluster: ClusterBounds): ClusterState {
@@ -121,14 +122,14 @@ export class ProjectedAcceleratedBody implements ProjectedBody {
     const { L } = this;
     const { u } = this.metric.view.observation;
     this.intersector.intersect(out[at + 6], out[at + 7], out, at + 3);
-    const x = out[at + 3];
-    const y = out[at + 4];
-    const z = out[at + 5];
+    const contracted = this.contraction * (u[0] * out[at + 3] + u[1] * out[at + 4] + u[2] * out[at + 5]);
+    const x = out[at + 3] - contracted * u[0];
+    const y = out[at + 4] - contracted * u[1];
+    const z = out[at + 5] - contracted * u[2];
     const r = Math.sqrt(x * x + y * y + z * z);
-    const contracted = this.contraction * (u[0] * x + u[1] * y + u[2] * z);
-    out[at] = L[4] * r + L[5] * x + L[6] * y + L[7] * z - contracted * u[0];
-    out[at + 1] = L[8] * r + L[9] * x + L[10] * y + L[11] * z - contracted * u[1];
-    out[at + 2] = L[12] * r + L[13] * x + L[14] * y + L[15] * z - contracted * u[2];
+    out[at] = L[4] * r + L[5] * x + L[6] * y + L[7] * z;
+    out[at + 1] = L[8] * r + L[9] * x + L[10] * y + L[11] * z;
+    out[at + 2] = L[12] * r + L[13] * x + L[14] * y + L[15] * z;
   }
 
   /** Between graded edges the surface stays well within twice the corners' distance from their centroid. */

@@ -1,11 +1,13 @@
-import { type Mat3, multiply as times } from '../../../math/mat3.ts';
+import { type Mat3, multiply as times, transform } from '../../../math/mat3.ts';
 import { IDENTITY, type Mat4, multiply } from '../../../math/mat4.ts';
 import { type Quat, toMatrix } from '../../../math/quat.ts';
 import { add, addScaled, dot, length, scale, sub, type Vec3, ZERO } from '../../../math/vec3.ts';
 import { boostMatrix, gamma, properVelocity } from '../../../physics/lorentz/boost.ts';
-import { PLACEMENTS } from '../../../physics/optics/placement.ts';
+import { relativeVelocity } from '../../../physics/lorentz/velocity.ts';
+import { placementOf } from '../../../physics/optics/placement.ts';
 import type { HypersurfaceName } from '../../../physics/worldLines/hypersurface.ts';
 import type { InertialLine } from '../../../physics/worldLines/kinds/worldLineKind.ts';
+import { slowed } from '../../../physics/worldLines/shallowCone.ts';
 import { contraction, simultaneitySlice, simultaneousPosition } from '../../../physics/worldLines/simultaneity.ts';
 import type { TrianglePoints } from '../../geometry/batchSolids.ts';
 import type { Observation } from '../../geometry/observation.ts';
@@ -49,7 +51,7 @@ export interface InertialMap {
 export function inertialMap(line: InertialLine, bornRigid: boolean, size: number, { view }: ScreenMetric): InertialMap {
   const { observation, projection } = view;
   const v = properVelocity(scale(line.velocity, 1 / observation.c));
-  const toObserver = PLACEMENTS[projection.place].boost(observation.u);
+  const toObserver = placementOf(projection.place, observation.coneSlope).boost(observation.u);
   const now = sub(addScaled(line.position, line.velocity, observation.t), observation.position);
   return MAPS[observation.hypersurface]({ line, bornRigid, size, v, toObserver, now, observation });
 }
@@ -69,24 +71,35 @@ interface MapInputs {
 
 const worldOffset = ({ bornRigid, v }: MapInputs, p: Vec3): Vec3 => (bornRigid ? contraction(p, v) : p);
 
+/** A and x₀ of the places in the observer's slice. */
+function sliceMap(inputs: MapInputs): Omit<InertialMap, 'L'> {
+  const { line, size, observation } = inputs;
+  const place = (p: Vec3): Vec3 => {
+    const position = add(line.position, worldOffset(inputs, p));
+    const shifted = { kind: 'uniform', position, velocity: line.velocity } as const;
+    return simultaneousPosition(
+      simultaneitySlice(shifted, observation, observation.u, observation.c).offset,
+      observation.u,
+    );
+  };
+  const x0 = place(ZERO);
+  const A = matrixOf((p) => scale(sub(place(scale(p, size)), x0), 1 / size));
+  return { A, x0, maxStretch: normBound(A) };
+}
+
 const MAPS: Readonly<Record<HypersurfaceName, (inputs: MapInputs) => InertialMap>> = {
   'past-light-cone'({ bornRigid, v, now, toObserver }) {
     const A = bornRigid ? matrixOf((p) => p) : matrixOf((p) => uncontracted(p, v));
     return { A, x0: uncontracted(now, v), L: multiply(toObserver, boostMatrix(v)), maxStretch: normBound(A) };
   },
-  slice(inputs) {
-    const { line, size, observation } = inputs;
-    const place = (p: Vec3): Vec3 => {
-      const position = add(line.position, worldOffset(inputs, p));
-      const shifted = { kind: 'uniform', position, velocity: line.velocity } as const;
-      return simultaneousPosition(
-        simultaneitySlice(shifted, observation, observation.u, observation.c).offset,
-        observation.u,
-      );
-    };
-    const x0 = place(ZERO);
-    const A = matrixOf((p) => scale(sub(place(scale(p, size)), x0), 1 / size));
-    return { A, x0, L: IDENTITY, maxStretch: normBound(A) };
+  slice: (inputs) => ({ ...sliceMap(inputs), L: IDENTITY }),
+  // In the slowed world: from the slice to the rest frame of the slowed velocity, and on to the observer.
+  'shallow-cone'(inputs) {
+    const { v, observation } = inputs;
+    const w = slowed(relativeVelocity(v, observation.u), observation.coneSlope);
+    const slice = sliceMap(inputs);
+    const A = matrixOf((p) => uncontracted(transform(slice.A, p), w));
+    return { A, x0: uncontracted(slice.x0, w), L: boostMatrix(w), maxStretch: normBound(A) };
   },
   now(inputs) {
     const A = matrixOf((p) => worldOffset(inputs, p));

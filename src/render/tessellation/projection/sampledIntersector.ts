@@ -1,7 +1,8 @@
 import { toMatrix } from '../../../math/quat.ts';
 import { add, length, scale, sub, type Vec3 } from '../../../math/vec3.ts';
 import { gamma } from '../../../physics/lorentz/boost.ts';
-import { HYPERSURFACES, type Hypersurface } from '../../../physics/worldLines/hypersurface.ts';
+import { hypersurfaceOf } from '../../../physics/worldLines/hypersurface.ts';
+import type { Hypersurface } from '../../../physics/worldLines/lightSurfaces.ts';
 import type { SampledLine } from '../../../physics/worldLines/samples.ts';
 import { samplePose } from '../../../scene/motion/poses.ts';
 import { pointsAt } from '../../../scene/streaming/samplePoints.ts';
@@ -45,7 +46,7 @@ abstract class SampledIntersector implements HypersurfaceIntersector {
     this.includesEnd = first + count === times.length;
     this.times = times.slice(first, first + count).map((t) => observation.c * (t - observation.t));
     this.gamma = gamma(observation.u);
-    this.surface = HYPERSURFACES[observation.hypersurface];
+    this.surface = hypersurfaceOf(observation);
   }
 
   abstract setTriangle(a: number, b: number, c: number): void;
