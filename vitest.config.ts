@@ -95,6 +95,7 @@ export default defineConfig({
           pool: 'forks',
           maxWorkers: 2,
           testTimeout: 900_000,
+          hookTimeout: 300_000,
           expect: { poll: { timeout: PATIENCE } },
         },
       },
