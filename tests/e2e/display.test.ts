@@ -1,7 +1,7 @@
 import { AxeBuilder } from '@axe-core/playwright';
 import { afterAll, beforeAll, describe, expect, it } from 'vitest';
 import { falseColor } from '../../src/spectrum/falseColor/falseColor.ts';
-import { colorCount, difference, type MonitoredPage, Program } from './program.ts';
+import { colorCount, difference, type MonitoredPage, Program, sharedPage } from './program.ts';
 
 let program: Program;
 beforeAll(async () => {
@@ -9,8 +9,11 @@ beforeAll(async () => {
 });
 afterAll(() => program.stop());
 
-/** At 0.5 c, looking ahead. */
-const MOVING = '?backend=webgl&scene=examples/sphere.usdc';
+const WIDE = { width: 1280, height: 720 };
+/** A ball that passes at 0.5 c; without false colours. */
+const moving = sharedPage(async () =>
+  (await program.open('?backend=webgl&scene=examples/sphere.usdc', { viewport: WIDE })).ready(),
+);
 
 const choose = (visit: MonitoredPage, group: string, option: string) =>
   visit.page.getByRole('radiogroup', { name: group }).getByText(option, { exact: true }).click();
@@ -54,7 +57,7 @@ describe('exposure and tone', () => {
 
 describe('false colours', () => {
   it('have an accessible legend, in dark and light colours', async () => {
-    const visit = await (await program.open(MOVING, { viewport: { width: 1280, height: 720 } })).ready();
+    const visit = await moving();
     for (const [option, title] of [
       ['Doppler', 'Doppler factor D'],
       ['Time', 'Happened, from now'],
@@ -69,7 +72,7 @@ describe('false colours', () => {
       await expect.poll(() => reading(visit)).toMatch(/\d/);
       await visit.shot(`false-${option.toLowerCase()}`);
     }
-    for (const colorScheme of ['dark', 'light'] as const) {
+    for (const colorScheme of ['light', 'dark'] as const) {
       await visit.page.emulateMedia({ colorScheme });
       await visit.page.locator(`[data-mantine-color-scheme="${colorScheme}"]`).waitFor({ state: 'attached' });
       await visit.shot(`false-band-${colorScheme}`);
@@ -77,11 +80,10 @@ describe('false colours', () => {
     }
     await choose(visit, 'False colours', 'Off');
     await legendOf(visit).waitFor({ state: 'detached' });
-    await visit.close();
   });
 
   it('can be set and read by keyboard only', async () => {
-    const visit = await (await program.open(MOVING)).ready();
+    const visit = await moving();
     await visit.viewport.focus();
     await visit.page.keyboard.press('x');
     await legendOf(visit).waitFor();
@@ -96,23 +98,29 @@ describe('false colours', () => {
     // Another value is to the side.
     await visit.page.keyboard.press('ArrowRight', { delay: 800 });
     await expect.poll(() => reading(visit)).not.toBe(before);
-    await visit.close();
+    await visit.page.keyboard.press('p');
+    await choose(visit, 'False colours', 'Off');
+    await legendOf(visit).waitFor({ state: 'detached' });
   });
 
   it('fit a phone', async () => {
-    const visit = await (await program.open(MOVING, { viewport: { width: 390, height: 844 } })).ready();
+    const visit = await moving();
+    await visit.page.setViewportSize({ width: 390, height: 844 });
+    await expect.poll(() => visit.page.evaluate(() => innerWidth)).toBe(390);
     await visit.viewport.focus();
     for (let i = 0; i < 4; i++) await visit.page.keyboard.press('x');
     await legendOf(visit).waitFor();
     await visit.settled();
     await visit.shot('false-band-phone');
     expect(await visit.page.evaluate(() => document.documentElement.scrollWidth - innerWidth)).toBeLessThanOrEqual(0);
-    await visit.close();
+    await visit.page.keyboard.press('x');
+    await legendOf(visit).waitFor({ state: 'detached' });
+    await visit.page.setViewportSize(WIDE);
   });
 });
 
 it('unphysical settings are marked at their controls and in the status bar', async () => {
-  const visit = await (await program.open(MOVING, { viewport: { width: 1280, height: 720 } })).ready();
+  const visit = await moving();
   const note = visit.page.locator('[data-status="unphysical"]');
   expect(await note.count()).toBe(0);
   const field = visit.page.getByRole('textbox', { name: 'Beaming' });
@@ -131,5 +139,4 @@ it('unphysical settings are marked at their controls and in the status bar', asy
   await expect.poll(() => note.textContent()).toBe('非物理：光的延迟');
   await visit.page.getByText('c = ∞', { exact: true }).click();
   await expect.poll(() => note.count(), { message: 'where it does not matter' }).toBe(0);
-  await visit.close();
 });

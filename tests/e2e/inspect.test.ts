@@ -1,14 +1,15 @@
 import { afterAll, beforeAll, expect, it } from 'vitest';
-import { Program } from './program.ts';
+import { Program, sharedPage } from './program.ts';
 
 let program: Program;
 beforeAll(async () => {
   program = await Program.start();
 });
 afterAll(() => program.stop());
+const opened = sharedPage(async () => (await program.open('?backend=webgl&scene=examples/sphere.usdc')).ready());
 
 it('I tells of the point under the pointer: a ball at 0.5 c, by closed forms', async () => {
-  const visit = await (await program.open('?backend=webgl&scene=examples/sphere.usdc')).ready();
+  const visit = await opened();
   const { page } = visit;
   await visit.viewport.hover();
   await visit.viewport.focus();
@@ -28,11 +29,10 @@ it('I tells of the point under the pointer: a ball at 0.5 c, by closed forms', a
   await visit.shot('inspect');
   await page.keyboard.press('i');
   await card.waitFor({ state: 'detached' });
-  await visit.close();
 });
 
 it('M measures between two points: of a ball at 0.5 c what is seen, what is now, and what it is at rest', async () => {
-  const visit = await (await program.open('?backend=webgl&scene=examples/sphere.usdc')).ready();
+  const visit = await opened();
   const { page } = visit;
   await visit.viewport.focus();
   await page.keyboard.press('m');
@@ -55,5 +55,4 @@ it('M measures between two points: of a ball at 0.5 c what is seen, what is now,
   await visit.shot('measure');
   await page.keyboard.press('Escape');
   await card.waitFor({ state: 'detached' });
-  await visit.close();
 });

@@ -6,7 +6,7 @@ import { afterAll, beforeAll, describe, expect, it } from 'vitest';
 import { PINK_WEBP } from '../formats/pictures.ts';
 import { GltfBuilder } from '../support/gltfBuilder.ts';
 import { solidKtx2 } from '../support/ktx2Kit.ts';
-import { difference, type MonitoredPage, Program } from './program.ts';
+import { difference, type MonitoredPage, Program, sharedPage, WINDOW } from './program.ts';
 import { drop, pinkShare, sceneBytes } from './support.ts';
 
 let program: Program;
@@ -15,7 +15,7 @@ beforeAll(async () => {
 });
 afterAll(() => program.stop());
 
-const SMALL = '?backend=webgl&scene=examples/sphere.usdc';
+const opened = sharedPage(async () => (await program.open('?backend=webgl&scene=examples/sphere.usdc')).ready());
 const text = (words: string) => new TextEncoder().encode(words);
 const TEXTURED = { name: 'textured.usda', content: sceneBytes('textured.usda') };
 const CHECKER = { name: 'checker.png', content: sceneBytes('textures/checker.png') };
@@ -73,14 +73,14 @@ def Xform "World"
 
 /** Drops a scene, and waits until the panel shows it instead of the previous one. */
 async function openCar(visit: MonitoredPage): Promise<void> {
-  await drop(visit, [{ name: 'car.usda', content: Buffer.from(VARIANTS) }]);
+  await visit.opens(() => drop(visit, [{ name: 'car.usda', content: Buffer.from(VARIANTS) }]));
   await visitScenePanel(visit);
   await visit.page.getByRole('combobox', { name: 'paint' }).waitFor();
 }
 
 describe('opening files', () => {
   it('a zip opens with its texture; other scenes in it can be chosen', async () => {
-    const visit = await (await program.open(SMALL)).ready();
+    const visit = await opened();
     const packed = zipSync({
       'set/textured.usda': new Uint8Array(TEXTURED.content),
       'set/textures/checker.png': new Uint8Array(CHECKER.content),
@@ -121,22 +121,20 @@ describe('opening files', () => {
     await drop(visit, [{ name: 'pink-ktx2.glb', content: Buffer.from(await kit.glb()) }]);
     await expect.poll(async () => pinkShare(await visit.pixels())).toBeGreaterThan(0.03);
     await visit.shot('openFiles-ktx2');
-    await visit.close();
   });
 
   it('a zip with references outside of itself is rejected, and the scene stays', async () => {
-    const visit = await (await program.open(SMALL)).ready();
+    const visit = await opened();
     await drop(visit, [{ name: 'bad.zip', content: Buffer.from(zipSync({ '../x.usda': text('#usda 1.0') })) }]);
     await visit.refusals.waitFor();
     expect(await visit.refusals.textContent()).toMatch(/bad\.zip.*leads out of it/);
     expect(await visit.triangles()).toBeGreaterThan(0);
-    await visit.close();
+    await visit.refusals.getByRole('button', { name: 'Close' }).click();
   });
 
   it('missing files are listed with their referrers, and can be supplied; the observer stays', async () => {
-    const visit = await (await program.open(SMALL)).ready();
-    await drop(visit, [TEXTURED]);
-    await visit.page.getByText('The square wears the picture').waitFor();
+    const visit = await opened();
+    await visit.opens(() => drop(visit, [TEXTURED]));
     const warning = visit.page.getByText(/^Missing files: 1 \(\.\/textures\/checker\.png\)/);
     await warning.waitFor();
     await visitScenePanel(visit);
@@ -154,29 +152,25 @@ describe('opening files', () => {
     await expect.poll(async () => pinkShare(await visit.pixels())).toBeGreaterThan(0.01);
     await expect.poll(() => item.count()).toBe(0);
     await expect.poll(() => warning.count()).toBe(0);
-    expect(own).toMatch(/^local:1\//);
+    expect(own).toMatch(/^local:\d+\/textured\.usda$/);
     await visit.page.getByRole('button', { name: /^Undo: add missing files/ }).click();
     await item.waitFor();
-    await visit.close();
   });
 
   it('a file without objects is reported, until another is opened', async () => {
-    const visit = await (await program.open(SMALL)).ready();
+    const visit = await opened();
     await drop(visit, [{ name: 'empty.usda', content: Buffer.from('#usda 1.0\n') }]);
     const warning = visit.page.getByText(/^There are no objects in empty\.usda/);
     await warning.waitFor();
     await openCar(visit);
     await expect.poll(() => warning.count()).toBe(0);
-    await visit.close();
   });
 
   it('missing files of a scene on the server can be supplied too', async () => {
-    const visit = await program.open(SMALL, {}, async (page) => {
+    const visit = await program.open('?backend=webgl&scene=examples/asked.usda', {}, async (page) => {
       await page.route('**/examples/asked.usda', (route) => route.fulfill({ body: TEXTURED.content }));
       await page.route('**/examples/textures/checker.png', (route) => route.fulfill({ status: 404 }));
     });
-    await visit.ready();
-    await visit.page.goto(`${program.url}/?backend=webgl&scene=examples/asked.usda`);
     await visit.page.getByText('The square wears the picture').waitFor();
     await visit.ready();
     await drop(visit, [CHECKER]);
@@ -185,9 +179,8 @@ describe('opening files', () => {
   });
 
   it('a variant can be chosen, is stored in the document and undone; the view stays', async () => {
-    const visit = await (await program.open(SMALL)).ready();
+    const visit = await opened();
     await openCar(visit);
-    await expect.poll(() => visit.triangles()).toBeLessThan(100); // The previous scene has thousands.
     const gray = await (await visit.finest()).pixels();
     expect(pinkShare(gray)).toBe(0);
     await choose(visit.page, 'paint', 'pink');
@@ -196,7 +189,6 @@ describe('opening files', () => {
     await visit.page.getByRole('button', { name: /^Undo: choose a variant/ }).click();
     await visit.page.mouse.move(0, 0); // The button's tooltip covers the picture.
     await expect.poll(async () => difference(await visit.pixels(), gray)).toBeLessThan(0.5);
-    await visit.close();
   });
 
   it('reading reports its stage and progress, and can be stopped at once', async () => {
@@ -204,14 +196,11 @@ describe('opening files', () => {
     const released = new Promise<void>((done) => {
       release = done;
     });
-    const visit = await (
-      await program.open(SMALL, {}, async (page) => {
-        await page.route('**/examples/street.usdc', async (route) => {
-          await released;
-          await route.continue().catch(() => {});
-        });
-      })
-    ).ready();
+    const visit = await opened();
+    await visit.page.route('**/examples/street.usdc', async (route) => {
+      await released;
+      await route.continue().catch(() => {});
+    });
     const before = await (await visit.finest()).pixels();
     await visit.page.getByRole('button', { name: 'Scenes' }).click();
     await visit.page.locator('[data-example="street"]').click();
@@ -224,7 +213,6 @@ describe('opening files', () => {
     expect(difference(await visit.pixels(), before)).toBeLessThan(1);
     expect(visit.page.workers().filter((worker) => worker.url().includes('loader.worker'))).toEqual([]);
     release();
-    await visit.close();
   });
 });
 
@@ -247,7 +235,7 @@ describe('motion', () => {
   }
 
   it('an animation can run faster, and is rejected where it would exceed c', async () => {
-    const visit = await (await program.open(SMALL)).ready();
+    const visit = await opened();
     await openCar(visit);
     const speed = motion(visit).getByRole('textbox', { name: 'Animation speed' });
     await speed.fill('2');
@@ -261,11 +249,10 @@ describe('motion', () => {
     await visit.refusals.getByRole('button', { name: /Set Speed of light to/ }).waitFor();
     await visit.page.getByRole('button', { name: /^Undo/ }).click();
     await expect.poll(() => visit.refusals.count()).toBe(0);
-    await visit.close();
   });
 
   it('an object is found by keyboard and given a flight at 0.8 c; direction and end can be chosen', async () => {
-    const visit = await (await program.open(SMALL)).ready();
+    const visit = await opened();
     await openCar(visit);
     await findThing(visit, 'Body');
     const flight = visit.page.getByRole('group', { name: 'Flight: /World/Car/Body' });
@@ -282,11 +269,10 @@ describe('motion', () => {
     await flight.getByRole('button', { name: 'Move as in the file again' }).click();
     await expect.poll(() => flight.count()).toBe(0);
     await visit.page.getByText('2.00 m/s at t =').waitFor();
-    await visit.close();
   });
 
   it('the panel fits its width, in light and dark colours', async () => {
-    const visit = await (await program.open(SMALL)).ready();
+    const visit = await opened();
     await openCar(visit);
     await findThing(visit, 'Wall');
     for (const [colorScheme, viewport] of [
@@ -302,6 +288,6 @@ describe('motion', () => {
       await expect.poll(overflow).toBeLessThanOrEqual(0);
       expect(await violations(visit.page)).toEqual([]);
     }
-    await visit.close();
+    await visit.page.setViewportSize(WINDOW);
   });
 });

@@ -6,13 +6,16 @@ import { join } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { type DecodedPng, decode } from 'fast-png';
 import { type Browser, type BrowserContextOptions, chromium, type Page } from 'playwright-core';
-import { expect } from 'vitest';
+import { afterAll, afterEach, expect } from 'vitest';
 import { SOFTWARE_GPU_FLAGS } from '../../src/cli/gpu/gpuDrivers.ts';
 
 const bin = fileURLToPath(new URL('../../bin/slowlight.js', import.meta.url));
 
 /** As the polls' (vitest.config.ts) [ms]. */
 const PATIENCE = 180_000;
+
+/** Size of the window, where a test asks for no other. */
+export const WINDOW = { width: 960, height: 600 };
 
 /** Folder of screenshots of a run, for inspection. */
 export const shots = process.env.E2E_SHOTS ?? mkdtempSync(join(tmpdir(), 'slowlight-e2e-'));
@@ -50,7 +53,7 @@ export class Program {
     prepare?: (page: Page) => Promise<void>,
   ): Promise<MonitoredPage> {
     const context = await this.browser.newContext({
-      viewport: { width: 960, height: 600 },
+      viewport: WINDOW,
       reducedMotion: 'reduce',
       colorScheme: 'dark',
       locale: 'en-GB',
@@ -83,6 +86,26 @@ export class Program {
   }
 }
 
+/**
+ * A page that several tests use one after another, because opening one takes longer than most tests. Each leaves
+ * dialogues, notices, modes and window as it found them, not the scene; after one that fails, or causes complaints, the
+ * next gets a new page. Returns what opens the page the first time.
+ */
+export function sharedPage(open: () => Promise<MonitoredPage>): () => Promise<MonitoredPage> {
+  let shared: MonitoredPage | undefined;
+  afterEach(async ({ task }) => {
+    const used = shared;
+    if (!used || (task.result?.state !== 'fail' && used.complaints.length === 0)) return;
+    shared = undefined;
+    await used.close();
+  });
+  afterAll(() => shared?.close());
+  return async () => {
+    shared ??= await open();
+    return shared;
+  };
+}
+
 /** A page whose errors and requests to other origins are recorded. */
 export class MonitoredPage {
   readonly page: Page;
@@ -102,8 +125,9 @@ export class MonitoredPage {
 
   /** Closes the page, and expects no errors and no requests to other origins. */
   async close(): Promise<void> {
-    expect(this.complaints).toEqual([]);
+    const complaints = [...this.complaints];
     await this.page.context().close();
+    expect(complaints).toEqual([]);
   }
 
   /** Expects a complaint that matches `about`, and removes all that match. */
@@ -141,6 +165,14 @@ export class MonitoredPage {
         .every(({ playState, effect }) => playState !== 'running' || effect?.getTiming().iterations === Infinity),
     );
     return this;
+  }
+
+  /** Opens a scene or project by `act`, and waits until it is the one that the page shows. */
+  async opens(act: () => Promise<void>): Promise<void> {
+    const opened = () => this.page.locator('[data-opened]').getAttribute('data-opened');
+    const before = await opened();
+    await act();
+    await expect.poll(opened).not.toBe(before);
   }
 
   async status(id: string): Promise<string> {

@@ -10,8 +10,8 @@ import type { Command } from '../../src/graph/edits/commands.ts';
 import { add, connect, edited, set } from '../support/graphKit.ts';
 import { savingProject } from '../support/savingGraph.ts';
 import { videoStream } from '../support/videoStream.ts';
-import { difference, type MonitoredPage, Program, shots } from './program.ts';
-import { drop } from './support.ts';
+import { difference, type MonitoredPage, Program, sharedPage, shots } from './program.ts';
+import { ASKED, drop, serveAsked } from './support.ts';
 
 let program: Program;
 beforeAll(async () => {
@@ -19,16 +19,21 @@ beforeAll(async () => {
 });
 afterAll(() => program.stop());
 
-/** The saving project in the page, with its graph. */
-async function opened(...commands: readonly Command[]): Promise<MonitoredPage> {
-  const visit = await program.open('?backend=webgl&scene=examples/sphere.usdc', {
-    viewport: { width: 1280, height: 900 },
-  });
-  await visit.ready();
+async function withGraph(): Promise<MonitoredPage> {
+  const options = { viewport: { width: 1280, height: 900 } };
+  const visit = await (await program.open(`?backend=webgl&scene=${ASKED}`, options, serveAsked)).ready();
   await visit.page.keyboard.press('Control+Shift+G');
   await node(visit.page, 'output').waitFor();
+  return visit;
+}
+const shared = sharedPage(withGraph);
+
+/** The saving project in the shared page, with its graph. */
+const opened = async (...commands: readonly Command[]): Promise<MonitoredPage> => openIn(await shared(), commands);
+
+async function openIn(visit: MonitoredPage, commands: readonly Command[]): Promise<MonitoredPage> {
   const content = Buffer.from(serializeDocument(edited(savingProject(), ...commands)));
-  await drop(visit, [{ name: 'passing.slowlight.json', content }]);
+  await visit.opens(() => drop(visit, [{ name: 'passing.slowlight.json', content }]));
   await node(visit.page, 'still').waitFor();
   return visit.ready();
 }
@@ -77,7 +82,6 @@ it('a saved picture equals that of the command line, and a film has all its fram
   const jump = ['-v', 'error', '-ss', '0.25', '-i', path, '-frames:v', '1', '-f', 'rawvideo', '-pix_fmt', 'rgba', '-'];
   const raw = execFileSync('ffmpeg', jump);
   expect(difference(Uint8Array.from(raw), Uint8Array.from(picture.data))).toBeLessThan(6);
-  await visit.close();
 });
 
 it('a film is VP9 where no other codec is available, and a GIF needs none', async () => {
@@ -85,12 +89,16 @@ it('a film is VP9 where no other codec is available, and a GIF needs none', asyn
     ...[add('gif', 'save-video'), set('gif', 'name', 'film.gif'), set('gif', 'width', 63), set('gif', 'height', 48)],
     ...[set('gif', 'from', 0.25), set('gif', 'to', 0.75), set('gif', 'fps', 8), connect('tone.image', 'gif.image')],
   );
-  await visit.page.evaluate(() => {
-    const real = VideoEncoder.isConfigSupported.bind(VideoEncoder);
+  const restore = await visit.page.evaluateHandle(() => {
+    const real = VideoEncoder.isConfigSupported;
     VideoEncoder.isConfigSupported = (config) =>
-      config.codec.startsWith('avc1') ? Promise.resolve({ supported: false, config }) : real(config);
+      config.codec.startsWith('avc1') ? Promise.resolve({ supported: false, config }) : real.call(VideoEncoder, config);
+    return () => {
+      VideoEncoder.isConfigSupported = real;
+    };
   });
   await downloaded(visit, 'film');
+  await restore.evaluate((act) => act());
   const path = join(shots, 'download-film.mp4');
   expect(videoStream(path, 'codec_name,width,height,color_space,r_frame_rate,nb_read_frames')).toBe(
     'stream,vp9,64,48,bt709,8/1,5',
@@ -101,7 +109,6 @@ it('a film is VP9 where no other codec is available, and a GIF needs none', asyn
   const saved = join(shots, 'download-film.gif');
   expect(videoStream(saved, 'codec_name,width,height,nb_read_frames')).toBe('stream,gif,63,48,5');
   expect(frameTimes(saved)).toEqual([0, 0.13, 0.25, 0.38, 0.5]);
-  await visit.close();
 });
 
 it('frames are saved as a zip, scenes as files, binary too; also by keyboard', async () => {
@@ -141,7 +148,6 @@ it('frames are saved as a zip, scenes as files, binary too; also by keyboard', a
       .subarray(0, 8)
       .toString(),
   ).toBe('PXR-USDC');
-  await visit.close();
 });
 
 it('a long film reports progress, and can be cancelled', async () => {
@@ -156,13 +162,21 @@ it('a long film reports progress, and can be cancelled', async () => {
   await card.getByRole('button', { name: 'Cancel' }).click();
   await card.waitFor({ state: 'detached' });
   expect(await visit.refusals.count()).toBe(0);
-  await visit.close();
 });
 
 it('reports a remedy where the browser cannot encode films, or the device is too small', async () => {
   const visit = await opened();
   const { page } = visit;
-  await page.evaluate(() => Reflect.deleteProperty(window, 'VideoEncoder'));
+  const restore = await page.evaluateHandle(() => {
+    const { VideoEncoder: encoder } = window;
+    const { prototype } = WebGL2RenderingContext;
+    const { getParameter } = prototype;
+    Reflect.deleteProperty(window, 'VideoEncoder');
+    return () => {
+      Object.assign(window, { VideoEncoder: encoder });
+      prototype.getParameter = getParameter;
+    };
+  });
   await node(page, 'film').getByRole('button', { name: 'Download the file' }).click();
   await visit.refusals.getByText('slowlight render passing.slowlight.json').waitFor();
   await visit.refusals.getByRole('button', { name: 'Copy the command' }).waitFor();
@@ -179,7 +193,8 @@ it('reports a remedy where the browser cannot encode films, or the device is too
     .waitFor();
   // Why the film before was not made is past.
   expect(await visit.refusals.count()).toBe(1);
-  await visit.close();
+  await visit.refusals.getByRole('button', { name: 'Close' }).click();
+  await restore.evaluate((act) => act());
 });
 
 /** An effect that shows one colour everywhere. */
@@ -192,10 +207,10 @@ void main() {
 `;
 
 it('the text of an effect is loaded from a file and saved to one; what is wrong with it is told by its line', async () => {
-  const visit = await opened(
+  const visit = await openIn(await withGraph(), [
     ...[add('effect', 'post-process'), set('effect', 'effect', 'written')],
     ...[connect('film.image', 'effect.image'), connect('effect.image', 'output.image')],
-  );
+  ]);
   const { page } = visit;
   await node(page, 'effect').focus();
   await page.keyboard.press('Enter');
