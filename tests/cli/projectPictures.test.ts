@@ -41,8 +41,7 @@ test('frames and EXR files are written one by one, and flags override parameters
     '--folder',
     here,
     ...sets,
-    '--tone',
-    'agx',
+    ...['--tone', 'agx', '--pipeline', 'reference'],
   );
   expect(files.map((file) => file.slice(here.length + 1))).toEqual([
     'f_002.png',
