@@ -6,7 +6,7 @@ import { afterAll, beforeAll, describe, expect, it } from 'vitest';
 import type { Example } from '../../src/editor/loading/examples.ts';
 import { GltfBuilder } from '../support/gltfBuilder.ts';
 import { dracoGlb, meshoptGlb } from '../support/gltfCompress.ts';
-import { colorCount, difference, Program } from './program.ts';
+import { colorCount, difference, type MonitoredPage, Program, sharedPage } from './program.ts';
 import { drop, pinkShare } from './support.ts';
 
 let program: Program;
@@ -16,7 +16,14 @@ beforeAll(async () => {
 afterAll(() => program.stop());
 
 const path = (name: string) => fileURLToPath(new URL(`scenes/${name}`, import.meta.url));
-const SMALL = '?backend=webgl&scene=examples/sphere.usdc';
+/** Each test leaves it with the scene of its address: a ball that passes at half the speed of light. */
+const opened = sharedPage(async () => (await program.open('?backend=webgl&scene=examples/sphere.usdc')).ready());
+
+/** Undoes what was opened; the pointer leaves the button, whose tooltip would cover the picture. */
+async function undo({ page }: MonitoredPage): Promise<void> {
+  await page.getByRole('button', { name: /^Undo/ }).click();
+  await page.mouse.move(0, 0);
+}
 
 describe('scenes', () => {
   it('every scene of the gallery opens, draws something, and shows what to look for', async () => {
@@ -41,7 +48,7 @@ describe('scenes', () => {
   });
 
   it('a dropped scene opens with its texture, and undo returns to the previous one', async () => {
-    const visit = await (await (await program.open(SMALL)).ready()).finest();
+    const visit = await (await opened()).finest();
     const before = await visit.pixels();
     await drop(visit, [
       { name: 'textured.usda', content: readFileSync(path('textured.usda')) },
@@ -50,18 +57,19 @@ describe('scenes', () => {
     await visit.page.getByText('The square wears the picture').waitFor();
     await expect.poll(async () => pinkShare(await visit.pixels())).toBeGreaterThan(0.03);
     await visit.shot('dropped');
-    await visit.page.getByRole('button', { name: /^Undo/ }).click();
+    await undo(visit);
     await expect.poll(async () => difference(await visit.pixels(), before)).toBeLessThan(1);
-    await visit.close();
   });
 
   it('a chosen file opens; missing files are reported', async () => {
-    const visit = await (await program.open(SMALL)).ready();
+    const visit = await opened();
     await visit.page.locator('input[type=file]').first().setInputFiles(path('textured.usda'));
     await visit.page.getByText('The square wears the picture').waitFor();
     await visit.page.getByRole('tab', { name: 'Scene' }).click();
     await visit.page.getByText('checker.png').first().waitFor();
-    await visit.close();
+    await visit.page.getByRole('tab', { name: 'Controls' }).click();
+    await undo(visit);
+    await visit.page.getByText('The square wears the picture').waitFor({ state: 'detached' });
   });
 
   it.each([
@@ -74,28 +82,30 @@ describe('scenes', () => {
     const square = kit.triangle([0, 0, 0, 1, 0, 0, 0, 1, 0, 1, 1, 0]).setMaterial(pink);
     kit.scene.addChild(kit.meshNode('Square', square.setIndices(kit.ints('SCALAR', [0, 1, 2, 2, 1, 3]))));
     const buffer = Buffer.from(await write(kit));
-    const visit = await (await program.open(SMALL)).ready();
+    const visit = await opened();
     // Moving globes are a little pink themselves.
     expect(pinkShare(await visit.pixels())).toBeLessThan(0.01);
     const file = { name: 'square.glb', mimeType: 'model/gltf-binary', buffer };
     await visit.page.locator('input[type=file]').first().setInputFiles(file);
     await expect.poll(async () => pinkShare(await visit.pixels())).toBeGreaterThan(0.03);
-    await visit.close();
+    await undo(visit);
+    await expect.poll(async () => pinkShare(await visit.pixels())).toBeLessThan(0.01);
   });
 
   it('a dropped OBJ opens with its materials', async () => {
-    const visit = await (await program.open(SMALL)).ready();
+    const visit = await opened();
     const obj = 'mtllib square.mtl\nv 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nusemtl pink\nf 1 2 3 4\n';
     await drop(visit, [
       { name: 'square.mtl', content: Buffer.from('newmtl pink\nKd 0 0 0\nKs 0 0 0\nKe 1 0 1\n') },
       { name: 'square.obj', content: Buffer.from(obj) },
     ]);
     await expect.poll(async () => pinkShare(await visit.pixels())).toBeGreaterThan(0.03);
-    await visit.close();
+    await undo(visit);
+    await expect.poll(async () => pinkShare(await visit.pixels())).toBeLessThan(0.01);
   });
 
   it('an unreadable file is rejected with file and place, and the scene stays', async () => {
-    const visit = await (await (await program.open(SMALL)).ready()).finest();
+    const visit = await (await opened()).finest();
     const before = await visit.pixels();
     await visit.page
       .locator('input[type=file]')
@@ -112,13 +122,12 @@ describe('scenes', () => {
     expect(said).toMatch(/last valid scene/);
     await visit.shot('refused');
     expect(difference(await visit.pixels(), before)).toBeLessThan(1);
-    await visit.page.getByRole('button', { name: /^Undo/ }).click();
+    await undo(visit);
     await expect.poll(() => notice.count()).toBe(0);
-    await visit.close();
   });
 
   it('a speed of light below the scene’s speeds is rejected with a remedy that works', async () => {
-    const visit = await (await program.open('?backend=webgl&scene=examples/dice.usdc')).ready();
+    const visit = await opened();
     const field = visit.page.getByRole('textbox', { name: 'Speed of light' });
     await field.fill('0.2');
     await field.press('Enter');
@@ -126,11 +135,10 @@ describe('scenes', () => {
     await remedy.click();
     await expect.poll(() => visit.refusals.count()).toBe(0);
     expect(await visit.status('c')).not.toContain('0.2');
-    await visit.close();
   });
 
   it('the picture is saved as a PNG of the displayed size', async () => {
-    const visit = await (await program.open(SMALL)).ready();
+    const visit = await opened();
     const size = await visit.page.locator('canvas').evaluate((canvas) => [canvas.clientWidth, canvas.clientHeight]);
     const download = visit.page.waitForEvent('download');
     await visit.page.keyboard.press('Control+Shift+s');
@@ -139,6 +147,5 @@ describe('scenes', () => {
     const picture = decode(readFileSync(await file.path()));
     expect([picture.width, picture.height]).toEqual(size);
     expect(colorCount(Uint8Array.from(picture.data))).toBeGreaterThan(50);
-    await visit.close();
   });
 });
