@@ -5,7 +5,7 @@ import { gzipSync } from 'node:zlib';
 import { AxeBuilder } from '@axe-core/playwright';
 import type { Page } from 'playwright-core';
 import { afterAll, beforeAll, describe, expect, it } from 'vitest';
-import { colorCount, difference, Program } from './program.ts';
+import { colorCount, difference, Program, sharedPage, WINDOW } from './program.ts';
 import { drop } from './support.ts';
 
 let program: Program;
@@ -24,6 +24,7 @@ const built = (ending: string): string =>
     .join('\n');
 
 const SMALL = '?backend=webgl&scene=examples/sphere.usdc';
+const shared = sharedPage(async () => (await program.open(SMALL)).ready());
 
 async function seriousViolations(page: Page): Promise<string[]> {
   const { violations } = await new AxeBuilder({ page }).analyze();
@@ -32,10 +33,13 @@ async function seriousViolations(page: Page): Promise<string[]> {
     .map(({ id, nodes }) => `${id}: ${nodes.map(({ html }) => html.slice(0, 120)).join(' | ')}`);
 }
 
+const dice = sharedPage(async () => (await program.open('?backend=webgl&scene=examples/dice.usdc')).ready());
+
 describe('the page', () => {
   it('has no serious accessibility violation, in dark and light colours', async () => {
-    const visit = await (await program.open(SMALL, { viewport: { width: 1280, height: 720 } })).ready();
-    for (const colorScheme of ['dark', 'light'] as const) {
+    const visit = await shared();
+    await visit.page.setViewportSize({ width: 1280, height: 720 });
+    for (const colorScheme of ['light', 'dark'] as const) {
       await visit.page.emulateMedia({ colorScheme });
       await visit.page.locator(`html[data-mantine-color-scheme=${colorScheme}]`).waitFor();
       await visit.shot(`page-${colorScheme}`);
@@ -56,11 +60,11 @@ describe('the page', () => {
       await visit.page.keyboard.press('Escape');
       await visit.page.getByRole('dialog').waitFor({ state: 'detached' });
     }
-    await visit.close();
+    await visit.page.setViewportSize(WINDOW);
   });
 
   it('fits large and small windows, also when resized', async () => {
-    const visit = await (await program.open(SMALL, { viewport: { width: 1920, height: 1080 } })).ready();
+    const visit = await shared();
     for (const [width, height] of [
       [1920, 1080],
       [800, 600],
@@ -77,7 +81,7 @@ describe('the page', () => {
       };
       await expect.poll(pictureFraction).toBeGreaterThan(0.3);
     }
-    await visit.close();
+    await visit.page.setViewportSize(WINDOW);
   });
 
   it('can be switched to Chinese, which is remembered', async () => {
@@ -122,25 +126,23 @@ describe('the page', () => {
   });
 
   it('a worker plans the tessellation, and the status bar counts what is drawn', async () => {
-    const visit = await (await program.open('?backend=webgl&scene=examples/street.usdc')).ready();
+    const visit = await dice();
     expect(visit.page.workers().filter((worker) => worker.url().includes('tessellation.worker'))).toHaveLength(1);
     await expect.poll(() => visit.status('triangles')).toMatch(/^[1-9][\d\s]* triangles$/);
-    await visit.close();
   });
 
   it('views differ, and switching back restores the picture', async () => {
-    const visit = await (await (await program.open('?backend=webgl&scene=examples/dice.usdc')).ready()).finest();
+    const visit = await (await dice()).finest();
     const seen = await visit.pixels();
     await visit.page.getByText('Simultaneity', { exact: true }).click();
     await expect.poll(async () => difference(await visit.pixels(), seen)).toBeGreaterThan(0.5);
     await visit.shot('view-simultaneity');
     await visit.page.getByText('Seen', { exact: true }).click();
     await expect.poll(async () => difference(await visit.pixels(), seen)).toBeLessThan(0.5);
-    await visit.close();
   });
 
   it('recovers its state after the loss of the WebGL context', async () => {
-    const visit = await (await (await program.open(SMALL)).ready()).finest();
+    const visit = await (await shared()).finest();
     const before = await visit.pixels();
     await visit.page.locator('canvas').evaluate((canvas: HTMLCanvasElement) => {
       canvas.getContext('webgl2')?.getExtension('WEBGL_lose_context')?.loseContext();
@@ -149,7 +151,6 @@ describe('the page', () => {
     await expect.poll(async () => difference(await visit.pixels(), before)).toBeLessThan(1);
     expect(await visit.status('backend')).toBe('WebGL 2');
     visit.expectComplaint(/Device Lost/);
-    await visit.close();
   });
 
   it('draws with WebGPU where available, and recovers from the loss of its device', async () => {
