@@ -1,8 +1,15 @@
 import { normalizeQuat, type Quat } from '../math/quat.ts';
 import { plus } from '../math/sum.ts';
-import { scale } from '../math/vec3.ts';
+import { scale, type Vec3, ZERO } from '../math/vec3.ts';
 import { type Boost, relativeBoost } from './boost.ts';
-import { accelerateFlight, coastFlight, type FlightState, type ProperAcceleration, shifted } from './flightState.ts';
+import {
+  accelerateFlight,
+  coastFlight,
+  type FlightState,
+  type ProperAcceleration,
+  shifted,
+  wayAtSpeed,
+} from './flightState.ts';
 
 /**
  * `free`: the observer flies. `look`: has a velocity but stays in place, to see the effect of speed at one point.
@@ -10,6 +17,9 @@ import { accelerateFlight, coastFlight, type FlightState, type ProperAcceleratio
  */
 export type Lock = 'free' | 'look' | 'fly';
 export const LOCKS: readonly Lock[] = ['free', 'look', 'fly'];
+
+/** The proper velocity γβ with which one sees, where one has `u`: with the lock `fly` the picture is that of one at rest. */
+export const seenVelocity = (lock: Lock, u: Vec3): Vec3 => (lock === 'fly' ? ZERO : u);
 
 /** A piece of a flight with one constant proper acceleration. */
 export interface FlightArc {
@@ -43,14 +53,17 @@ export function flyArc(
   const moved = freely(state, arc, conditions.c, dTau);
   const { c, lock, playing } = conditions;
   if (lock === 'free') return playing ? moved : { ...moved, t: state.t, properTime: state.properTime };
-  const { rapidity, direction } = moved.velocity;
   // With a lock, world time runs as the pilot's: `look` stays in place, and `fly` is at rest for the picture.
-  const own = lock === 'look' ? dTau / Math.cosh(rapidity) : dTau;
+  const own = lock === 'look' ? dTau / Math.cosh(moved.velocity.rapidity) : dTau;
   const clocks = playing
     ? { t: plus(state.t, dTau), properTime: plus(state.properTime, own) }
     : { t: state.t, properTime: state.properTime };
   if (lock === 'look') return { ...moved, ...clocks, position: state.position };
-  const way = scale(direction, Math.tanh(rapidity) * c * dTau);
+  const { rapidity, direction } = state.velocity;
+  const way =
+    arc.push && dTau > 0
+      ? wayAtSpeed(state.velocity, arc.push, dTau, c)
+      : scale(direction, Math.tanh(rapidity) * c * dTau);
   return { ...moved, ...clocks, position: shifted(state.position, way), orientation: state.orientation };
 }
 

@@ -14,7 +14,7 @@ import { gamma } from '../physics/lorentz/boost.ts';
 import { accelerate, coast, type ObserverState } from '../physics/lorentz/observer.ts';
 import { relativeVelocity } from '../physics/lorentz/velocity.ts';
 import { boostOf, compose, properVelocityOf, relativeBoost } from './boost.ts';
-import { accelerateFlight, coastFlight, type FlightState, flightOf, observerOf } from './flightState.ts';
+import { accelerateFlight, coastFlight, type FlightState, flightOf, observerOf, wayAtSpeed } from './flightState.ts';
 
 const c = 299_792_458;
 const g = 9.80665;
@@ -184,5 +184,42 @@ describe('coasting', () => {
     for (let i = 0; i < 1000; i++) ship = coastFlight(ship, 0.04, 1);
     // Steps of 0.05 s and 0.03 m, where neighbouring numbers are 2 apart.
     expectClose([ship.t.value - 1e16, ship.position[0].value - 1e16], [50, 30], 1e-9);
+  });
+});
+
+describe('the way of one who moves by his speed in his own time', () => {
+  it('is the integral of cβ, along any motion', () =>
+    fc.assert(
+      fc.property(properVelocityUpTo(20), direction, uniform(0.01, 4), (u, n, gained) => {
+        const push = { direction: n, size: 5 };
+        const [duration, steps] = [(gained * 10) / 5, 400];
+        const beta = (tau: number): Vec3 => {
+          const { velocity } = accelerateFlight(flightOf({ ...atRest, u }), push, tau, 10);
+          return scale(velocity.direction, Math.tanh(velocity.rapidity));
+        };
+        // Simpson's rule.
+        let sum: Vec3 = [0, 0, 0];
+        for (let i = 0; i <= steps; i++) {
+          const weight = i === 0 || i === steps ? 1 : i % 2 === 1 ? 4 : 2;
+          sum = addScaled(sum, beta((duration * i) / steps), (weight * 10 * duration) / steps / 3);
+        }
+        expectClose(wayAtSpeed(boostOf(u), push, duration, 10), sum, 1e-5 * duration);
+      }),
+      { numRuns: 50 },
+    ));
+
+  it('from rest and back is (c²/a) ln cosh φ, also at 1 g in a sixtieth of a second and to rapidity 300', () => {
+    const along: Vec3 = [0, 0, 1];
+    for (const phi of [g / 60 / c, 1e-3, 1, 30, 300]) {
+      const push = { direction: along, size: g };
+      // ln cosh φ = ½ ln(1 + sinh²φ), which is φ − ln 2 where sinh²φ has no room for the 1.
+      const expected = ((c * c) / g) * (phi < 20 ? Math.log1p(Math.sinh(phi) ** 2) / 2 : phi - Math.LN2);
+      const there = wayAtSpeed({ direction: along, rapidity: 0 }, push, (phi * c) / g, c);
+      expect(relative(there[2], expected)).toBeLessThan(1e-12);
+      const back = { direction: negate(along), size: g };
+      expect(
+        relative(wayAtSpeed({ direction: along, rapidity: phi }, back, (phi * c) / g, c)[2], expected),
+      ).toBeLessThan(1e-12);
+    }
   });
 });

@@ -1,6 +1,6 @@
 import { multiply, normalizeQuat, type Quat } from '../math/quat.ts';
 import { plus, type Sum, sumOf } from '../math/sum.ts';
-import { addScaled, scale, type Vec3 } from '../math/vec3.ts';
+import { addScaled, dot, scale, type Vec3 } from '../math/vec3.ts';
 import type { ObserverState } from '../physics/lorentz/observer.ts';
 import { type Boost, bearing, boostOf, compose, gyroscopeRotation, properVelocityOf } from './boost.ts';
 
@@ -90,6 +90,32 @@ export function accelerateFlight(
     orientation: normalizeQuat(multiply(gyroscopeRotation(state.velocity, gained), state.orientation)),
     properTime: plus(state.properTime, dTau),
   };
+}
+
+/** ln cosh φ for φ ≥ 0, without overflow. */
+const lnCosh = (phi: number): number => phi + Math.log1p(Math.exp(-2 * phi)) - Math.LN2;
+
+/**
+ * The way ∫cβ dτ [m] of one who moves by his speed in his own time, as with the lock `fly`: over Δτ [s] of constant proper
+ * acceleration a from the rapidity φ to φ′, with σ = aΔτ/c and Λ = ln(cosh φ′/cosh φ),
+ *
+ *     c²/a {[sinh φ cosh φ sin²θ σ + cos θ Λ] n̂ + [cosh φ Λ − sinh φ cos θ σ] (â − (â·n̂) n̂)} / (1 + sinh²φ sin²θ)
+ *
+ * which from rest is (c²/a) ln cosh σ. c [m/s].
+ */
+export function wayAtSpeed(velocity: Boost, { direction, size }: ProperAcceleration, dTau: number, c: number): Vec3 {
+  const { direction: n, rapidity: phi } = velocity;
+  const gained = (size * dTau) / c;
+  const { cosHalfSquared, across } = bearing(n, direction);
+  const cos = 2 * cosHalfSquared - 1;
+  const [sinh, cosh, sinSquared] = [Math.sinh(phi), Math.cosh(phi), dot(across, across)];
+  // cosh φ′/cosh φ − 1 keeps its digits in a short arc, and a difference of logarithms in a long one.
+  const more = 2 * Math.sinh(gained / 2) ** 2 + Math.tanh(phi) * cos * Math.sinh(gained);
+  const rise =
+    gained < 0.5 ? Math.log1p(more) : lnCosh(compose(velocity, { direction, rapidity: gained }).rapidity) - lnCosh(phi);
+  const part = (c * c) / (size * (1 + sinh * sinh * sinSquared));
+  const along = part * (sinh * cosh * sinSquared * gained + cos * rise);
+  return addScaled(scale(n, along), across, part * (cosh * rise - sinh * cos * gained));
 }
 
 /** Free motion over the proper time Δτ [s]: t grows by Δτ cosh φ, x by cΔτ sinh φ n̂. c [m/s]. */

@@ -1,5 +1,6 @@
+import { seenVelocity } from '../../flight/arc.ts';
 import { observerOf } from '../../flight/flightState.ts';
-import { length, type Vec3, ZERO } from '../../math/vec3.ts';
+import { length, type Vec3 } from '../../math/vec3.ts';
 import { inLines, type LocalizedText, msg } from '../../messages/message.ts';
 import { gamma, velocity } from '../../physics/lorentz/boost.ts';
 import { properTimeBetween } from '../../physics/worldLines/properTime.ts';
@@ -58,13 +59,13 @@ function standing(scene: Scene, flags: ClocksFlags, c: number): ClockObserver {
   return { t, position, u, properTime: line ? properTimeBetween(line, 0, t, c) : t / gamma(u) };
 }
 
-/** At full speed, where pictures stop at γ = 10⁴; with the lock `fly` the picture is that of one at rest. */
+/** At full speed, where pictures stop at γ = 10⁴. */
 function pilot({ playback }: FilmedFlight, time = playback.duration): ClockObserver {
   if (!(time >= 0 && time <= playback.duration))
     throw usageError(msg`${`--time ${time}`}: the flight lasts from 0 to ${playback.duration} s`);
   const { t, position, u, properTime } = observerOf(playback.stateAt(time));
   const { lock } = playback.legAt(time).conditions;
-  return { t, position, u: lock === 'fly' ? ZERO : u, properTime };
+  return { t, position, u: seenVelocity(lock, u), properTime };
 }
 
 function objectReadings(

@@ -2,7 +2,7 @@ import './clocks.css';
 import { ScrollArea, Stack, Text } from '@mantine/core';
 import { type ReactNode, useMemo, useState } from 'react';
 import { chosenObjects, suggestedPaths, thingPaths } from '../../diagrams/diagramLines.ts';
-import { ZERO } from '../../math/vec3.ts';
+import { seenVelocity } from '../../flight/arc.ts';
 import { type LocalizedText, msg } from '../../messages/message.ts';
 import { CLOCK_ABSENCES } from '../../scene/clocks/absences.ts';
 import { type Clock, objectClocks } from '../../scene/clocks/clock.ts';
@@ -99,10 +99,9 @@ function ClockTable({ clocks, speedOfLight, onMark, onRemove }: TableProps): Rea
   const { observerController } = useServices();
   const lock = useEditorState((state) => state.lock);
   useTelemetry((live) => live);
-  // With the lock `fly` the picture is that of one at rest.
   const observed = (): ClockObserver => {
     const { observer } = observerController;
-    return lock === 'fly' ? { ...observer, u: ZERO } : observer;
+    return { ...observer, u: seenVelocity(lock, observer.u) };
   };
   const observer = observed();
   return (

@@ -4,7 +4,7 @@ import { AT_REST, FLIGHT_RULES, FREELY } from '../../../tests/support/flightFixt
 import { direction, expectClose, properVelocityUpTo, uniform } from '../../../tests/support/physicsArbitraries.ts';
 import { fromAxisAngle, rotate } from '../../math/quat.ts';
 import { scale, type Vec3 } from '../../math/vec3.ts';
-import { type FlightArc, flyArcs } from '../arc.ts';
+import { type FlightArc, type FlightConditions, flyArcs } from '../arc.ts';
 import { NO_CONTROLS } from '../controls.ts';
 import { type FlightState, flightOf, observerOf } from '../flightState.ts';
 import { FLIGHT_MODES } from '../modes/modes.ts';
@@ -146,6 +146,25 @@ describe('editing', () => {
       expectClose([...mine.position, ...mine.u], [...theirs.position, ...theirs.u], 1e-10);
     }
   });
+});
+
+it('with the lock fly, pictures that were joined to one burn lead as far as they did apart', () => {
+  const recorder = new FlightRecorder();
+  const held: FlightConditions = { c: 10, lock: 'fly', playing: true };
+  const burn: FlightArc = { dTau: 1 / 60, push: { direction: [0, 0, -1], size: 5 } };
+  let state = flightOf({ ...observerOf(rest), u: [0, 0, 0] });
+  const start = observerOf(state).position[2];
+  for (let i = 0; i < 120; i++) {
+    const after = flyArcs(state, [burn], held);
+    recorder.add(state, [burn], held, after);
+    state = after;
+  }
+  const recording = recorder.recording();
+  expect(recording.legs[0]?.arcs).toHaveLength(1);
+  // (c²/a) ln cosh(aτ/c), with τ = 2 s.
+  const end = start - 20 * Math.log(Math.cosh(1));
+  expectClose(observerOf(new FlightPlayback(recording).stateAt(2)).position[2], end, 1e-12);
+  expectClose(observerOf(state).position[2], end, 1e-12);
 });
 
 it('is the same in other conditions: a velocity in place, and a world that stands still', () => {
