@@ -144,7 +144,69 @@ describe('stop', () => {
   });
 });
 
+describe('with the lock fly', () => {
+  it('one brakes too, from (c²/a) ln cosh φ before, and is not stopped at once', () => {
+    const [rapidity, more] = [1.5, 6];
+    const gap = ((c * c) / a) * Math.log(Math.cosh(rapidity)) + more;
+    const recorder = new FlightRecorder();
+    let begun: number | undefined;
+    const end = fly({
+      start: moving([0, 0, -Math.sinh(rapidity)]),
+      obstacles: wallAt(gap + radius),
+      seconds: 12,
+      conditions: { ...FREELY, lock: 'fly' },
+      recorder,
+      seen: (state, contact) => {
+        if (contact === 'braking') begun ??= -observerOf(state).position[2];
+      },
+    });
+    expectClose(-observerOf(end).position[2], gap, 1e-9 * gap);
+    expect(end.velocity.rapidity).toBe(0);
+    expect(recorder.recording().legs).toHaveLength(1);
+    expect(begun!).toBeGreaterThan(more - 1e-9);
+    expect(begun!).toBeLessThan(more + (c * Math.tanh(rapidity)) / 60 + 1e-9);
+  });
+});
+
 describe('slide', () => {
+  it('begins to brake (c²/a) tanh(δ/2) γβ_⊥ before, keeps the speed along the wall all the time, and is not stopped at once', () =>
+    fc.assert(
+      fc.property(uniform(-2, 2), uniform(0.3, 1.5), uniform(0.1, 5), fc.boolean(), (along, into, more, isHeld) => {
+        const u: Vec3 = [along, 0, -into];
+        const beta = velocity(u);
+        // cosh δ = γ₀/γ₁, since the speed along the wall is the same.
+        const gammas = [1 / Math.sqrt(1 - dot(beta, beta)), 1 / Math.sqrt(1 - beta[0] ** 2)] as const;
+        const delta = Math.acosh(gammas[0] / gammas[1]);
+        const way = isHeld ? Math.log(Math.cosh(delta)) / gammas[1] : Math.tanh(delta / 2) * into;
+        const gap = ((c * c) / a) * way + more;
+        const recorder = new FlightRecorder();
+        let begun: number | undefined;
+        const end = fly({
+          start: moving(u),
+          obstacles: wallAt(gap + radius),
+          kind: 'slide',
+          seconds: 10,
+          conditions: isHeld ? { ...FREELY, lock: 'fly' } : FREELY,
+          recorder,
+          seen: (state, contact) => {
+            expectClose(velocity(observerOf(state).u)[0], beta[0], 1e-9);
+            if (contact === 'braking') begun ??= -observerOf(state).position[2];
+          },
+        });
+        expectClose(-observerOf(end).position[2], gap, 1e-8 * gap);
+        expectClose(velocity(observerOf(end).u), [beta[0], 0, 0], 1e-7);
+        // What is left where the distance is rounding: √(2as)/c, which is 1e-8 for s = 1e-15 m.
+        const { legs } = recorder.recording();
+        expect(legs.length).toBeLessThanOrEqual(2);
+        const first = new FlightPlayback({ legs: legs.slice(0, 1) });
+        const left = relativeBoost(first.stateAt(first.duration).velocity, end.velocity);
+        expect(left.rapidity).toBeLessThan(1e-7);
+        expect(begun!).toBeGreaterThan(more - 1e-9);
+        expect(begun!).toBeLessThan(more + (c * into) / 60 + 1e-9);
+      }),
+      { numRuns: 8 },
+    ));
+
   it('goes on along a wall at the speed that it had along it, and stays at the clearance', () => {
     const u: Vec3 = [0.6, 0, -0.8];
     const end = observerOf(fly({ start: moving(u), obstacles: wallAt(3), kind: 'slide', seconds: 3 }));

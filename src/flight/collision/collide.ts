@@ -1,6 +1,6 @@
 import { addScaled, dot, length, negate } from '../../math/vec3.ts';
-import { type FlightArc, type FlightConditions, firstArcs, flyArcs, seekArcs, turnedFirst } from '../arc.ts';
-import { relativeBoost } from '../boost.ts';
+import { type FlightArc, type FlightConditions, firstArcs, flyArcs, type Lock, seekArcs, turnedFirst } from '../arc.ts';
+import { type Boost, relativeBoost } from '../boost.ts';
 import type { FlightState } from '../flightState.ts';
 import type { FlightMode, FlightMoment } from '../modes/flightMode.ts';
 import {
@@ -49,6 +49,10 @@ const TOLERANCE = 1e-9;
 const SAME_RAPIDITY = 1e-12;
 /** How much more than the greatest proper acceleration one may need for a stop that was planned with just that. */
 const PLANNED = 1e-6;
+/** Who slides has no more rapidity into the wall than that. */
+const SLIDING = 1e-9;
+/** One slides along a wall that is no farther than that beyond the clearance [parts of it]. */
+const BESIDE = 1e-6;
 /** Walls in a moment, after which one stops: in a sharp corner. */
 const MOST_WALLS = 4;
 /** Where a wall is met at a small angle, one comes nearer: its plane may go on where the wall does not. The cosine of that angle. */
@@ -59,9 +63,9 @@ const BISECTIONS = 60;
  * Flies a moment of a mode among obstacles.
  *
  * *Stop*: one brakes with the mode's greatest proper acceleration a such that one is at rest, in the frame where the wall rests,
- * at the clearance before it: from the distance (γ − 1)c²/a on, along the motion. Who is too fast brakes as well, and is
- * stopped at once at the clearance. *Slide*: at the clearance the velocity's part into the wall is taken away (`slideAlong`).
- * docs/physics.md §2.7.
+ * at the clearance before it: from the distance (γ − 1)c²/a on, along the motion. *Slide*: one brakes such that the velocity's
+ * part into the wall is gone there, and the speed along it stays (`slideAlong`). Who is too fast brakes as well, and loses what is
+ * left of it at once at the clearance. docs/physics.md §2.7.
  */
 export function flyAmong(
   mode: FlightMode,
@@ -90,10 +94,12 @@ export function flyAmong(
   for (;;) {
     const free = new Course(now, plan(), left, conditions);
     const wall = conditions.lock === 'look' ? undefined : free.wallAhead(rules);
-    const braked = wall && rules.kind === 'stop' && conditions.lock === 'free' && braking(free, wall, mode, moment);
+    const braked = wall && braking(free, wall, rules.kind, mode.strength(moment.rules));
     const course = braked ? new Course(now, turned(braked.arcs), left, conditions) : free;
     if (braked) contact = braked.contact;
-    const until = wall && course.timeTo(wall, rules.radius * TOLERANCE);
+    const until =
+      wall &&
+      course.timeTo(wall, rules.radius * TOLERANCE, rules.radius * (rules.kind === 'slide' ? BESIDE : TOLERANCE));
     if (!wall || until === undefined) {
       fly(course.arcs);
       return { pieces, after: now, ...(contact && { contact }) };
@@ -133,6 +139,10 @@ class Course {
     this.conditions = conditions;
   }
 
+  get lock(): Lock {
+    return this.conditions.lock;
+  }
+
   get c(): number {
     return this.conditions.c;
   }
@@ -164,11 +174,11 @@ class Course {
     return { wall, clearance: rules.radius * steepness };
   }
 
-  /** When one comes to where one stays from a wall [s]; undefined if not in this moment. */
-  timeTo(ahead: WallAhead, tolerance: number): number | undefined {
+  /** When one comes to where one stays from a wall [s], at once if it is no farther than `beside` [m]; undefined if not in this moment. */
+  timeTo(ahead: WallAhead, tolerance: number, beside: number): number | undefined {
     const [first, last] = [this.gapAt(0, ahead), this.gapAt(this.duration, ahead)];
     if (last >= Math.min(0, first) - tolerance) return undefined;
-    return first <= tolerance ? 0 : bisect((dTau) => this.gapAt(dTau, ahead) > 0, this.duration);
+    return first <= beside ? 0 : bisect((dTau) => this.gapAt(dTau, ahead) > 0, this.duration);
   }
 }
 
@@ -187,7 +197,7 @@ function footOf(wall: Wall, here: WorldEvent, away: number, c: number): Wall {
   return { ...wall, event: { t: here.t - (away * ct) / c, x: addScaled(here.x, [x, y, z], -away) } };
 }
 
-/** Whether a wall is beside an event, not only its plane: a probe across meets it. */
+/** Whether a wall is beside an event, not only its plane: a probe across, however long, meets it. */
 function isBeside(
   wall: Wall,
   here: WorldEvent,
@@ -195,7 +205,6 @@ function isBeside(
   { obstacles, radius }: CollisionRules,
   c: number,
 ): boolean {
-  if (away > radius * (1 + PLANNED)) return false;
   const across = footOf(wall, here, Math.max(away, radius * PLANNED), c);
   return obstacles.first(segmentTo(here, across.event), 1 + PLANNED) !== undefined;
 }
@@ -212,33 +221,51 @@ function bisect(holds: (dTau: number) => boolean, end: number): number {
 }
 
 /**
- * The arcs of a moment in which one has to brake for a wall; undefined if there is time left. In the frame where it rests the
- * motion of rapidity φ, at the angle α to its normal, takes (cosh φ − 1)(c²/a) cos α of the distance to its plane.
+ * The distance to a wall's plane times the proper acceleration, that it takes to lose the velocity into it [m²/s²]. With δ from the
+ * present velocity to that at the wall, of γ₁ there, it is in the frame where the wall rests
+ *
+ *     c² tanh(δ/2) γβ_⊥,  of a stop c² (cosh φ − 1) cos α;  with the lock `fly` c² ln cosh δ cos α/γ₁
+ *
+ * On this arc the speed along the wall does not change, nor does the aim of a slide: a plan that is made anew is the same.
+ */
+function effortOf(velocity: Boost, aim: Boost, wall: Wall, lock: Lock, c: number): number {
+  const { direction, rapidity } = relativeBoost(velocity, wall.velocity);
+  const into = Math.max(0, -dot(direction, wall.normal));
+  const lost = relativeBoost(aim, velocity).rapidity;
+  if (lock === 'free') return c * c * Math.tanh(lost / 2) * Math.sinh(rapidity) * into;
+  const along = relativeBoost(aim, wall.velocity).rapidity;
+  // A stop loses all of the motion, at the angle α to the normal; a slide loses what is straight into the wall.
+  return (c * c * Math.log1p(2 * Math.sinh(lost / 2) ** 2) * (along === 0 ? into : 1)) / Math.cosh(along);
+}
+
+/**
+ * The arcs of a moment in which one has to brake for a wall with a proper acceleration of at most `greatest` [m/s²]; undefined if
+ * there is time left. With the lock `fly`, where clocks are the world's, only walls at rest are braked for.
  */
 function braking(
   course: Course,
   ahead: WallAhead,
-  mode: FlightMode,
-  { rules }: FlightMoment,
+  kind: CollisionKind,
+  greatest: number,
 ): { readonly arcs: readonly FlightArc[]; readonly contact: Contact } | undefined {
-  const { c, duration } = course;
+  const { c, duration, lock } = course;
   const { wall } = ahead;
-  const greatest = mode.strength(rules);
-  /** c² (cosh φ − 1) cos α */
-  const effort = ({ velocity }: FlightState): number => {
-    const { direction, rapidity } = relativeBoost(velocity, wall.velocity);
-    return 2 * (c * Math.sinh(rapidity / 2)) ** 2 * Math.max(0, -dot(direction, wall.normal));
-  };
+  if (lock === 'fly' && wall.velocity.rapidity > 0) return undefined;
+  const aimOf = ({ velocity }: FlightState): Boost => (kind === 'stop' ? wall.velocity : slideAlong(velocity, wall));
+  const effort = (state: FlightState): number => effortOf(state.velocity, aimOf(state), wall, lock, c);
   const canStop = (dTau: number, tolerance = 0): boolean =>
     course.gapAt(dTau, ahead) * (1 - tolerance) >= effort(course.stateAt(dTau)) / greatest;
   if (canStop(duration)) return undefined;
+  const { start } = course;
+  const isSliding = kind === 'slide' && relativeBoost(aimOf(start), start.velocity).rapidity <= SLIDING;
+  if (isSliding && course.gapAt(0, ahead) <= ahead.clearance * BESIDE) return undefined;
   const begin = canStop(0, TOLERANCE) ? bisect(canStop, duration) : 0;
   const state = course.stateAt(begin);
   const gap = course.gapAt(begin, ahead);
   const needed = gap > 0 ? effort(state) / gap : 0;
   if (needed === 0) return undefined;
-  const tooFast = needed > greatest * (1 + PLANNED);
-  const brake = seekArcs(state.velocity, wall.velocity, Math.min(needed, greatest), duration - begin, c);
+  const tooFast = kind === 'stop' && needed > greatest * (1 + PLANNED);
+  const brake = seekArcs(state.velocity, aimOf(state), Math.min(needed, greatest), duration - begin, c);
   const before = begin > 0 ? firstArcs(course.arcs, begin) : [];
   return { arcs: [...before, ...brake], contact: tooFast ? 'too-fast' : 'braking' };
 }
