@@ -35,7 +35,7 @@ export interface StartOptions extends StartupRequest {
 
 /** Starts the editor in a page. */
 export async function startEditor(root: Root, { backend: wanted, lesson, ...asked }: StartOptions): Promise<void> {
-  const { language, legend: withLegend, collision } = loadPreferences();
+  const { language, legend: withLegend, flight, comfort } = loadPreferences();
   legendStore.setState({ visible: withLegend });
   const [backend] = await Promise.all([chooseBackend(wanted), setLanguage(language).catch(() => setLanguage('en'))]);
   if (!backend) {
@@ -65,7 +65,9 @@ export async function startEditor(root: Root, { backend: wanted, lesson, ...aske
   editor.update({ lesson });
   if (problem) editor.notify({ kind: 'error', ...problem });
   const observerController = new ObserverController(editor, view);
-  if (collision) void import('./flight/deck/openDeck.ts').then(({ openDeck }) => openDeck(editor, observerController));
+  if (flight) void import('./flight/deck/openDeck.ts').then(({ openDeck }) => openDeck(editor, observerController));
+  if (comfort || prefersReducedMotion())
+    void import('./flight/comfort/comfort.ts').then(({ openComfort }) => openComfort(editor, observerController));
   const autosave = new Autosave({ ...session, editor, observerController, localFiles, address: pageAddress });
   // A duplicated tab has nothing stored yet.
   void autosave.saveNow();

@@ -18,6 +18,14 @@ export const NO_CONTROLS: FlightControls = { thrust: ZERO, turn: ZERO, fullSpeed
 export const ATTITUDES = ['hand', 'motion', 'against', 'push'] as const;
 export type Attitude = (typeof ATTITUDES)[number];
 
+/** The ground of one who drives. */
+export interface Ground {
+  /** Of the frame where it rests, in the world. */
+  readonly velocity: Boost;
+  /** Its unit normal in that frame, on the world's axes carried by the pure boost; upwards. */
+  readonly normal: Vec3;
+}
+
 /** What the ship can do, and where. */
 export interface FlightRules {
   /** [m/s] */
@@ -36,6 +44,8 @@ export interface FlightRules {
   readonly attitude: Attitude;
   /** Velocity of the body that is followed, in the world; absent: none is. */
   readonly followed?: Boost;
+  /** What one drives on; absent: level, at rest in the world. */
+  readonly ground?: Ground;
   /** Where the autopilot goes, world frame [m]; absent: nowhere. */
   readonly destination?: Vec3;
 }

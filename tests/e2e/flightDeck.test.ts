@@ -1,7 +1,7 @@
 import { AxeBuilder } from '@axe-core/playwright';
 import type { Page } from 'playwright-core';
 import { afterAll, beforeAll, describe, expect, it } from 'vitest';
-import { type MonitoredPage, Program } from './program.ts';
+import { difference, type MonitoredPage, Program } from './program.ts';
 
 let program: Program;
 beforeAll(async () => {
@@ -25,7 +25,7 @@ async function openDeck({ page }: MonitoredPage) {
 }
 
 describe('the flight deck', () => {
-  it('thrust: one coasts when the key is released, and Z brakes; T goes on to the next way of flying', async () => {
+  it('thrust: one coasts when the key is released, and Z brakes; T goes on to the next way of flying, which a reload keeps', async () => {
     const visit = await (await program.open(SMALL)).ready();
     const { page } = visit;
     await visit.viewport.focus();
@@ -39,6 +39,10 @@ describe('the flight deck', () => {
     await visit.shot('flight-thrust');
     expect(await visit.speed()).toBeGreaterThanOrEqual(drifting);
     await hold(page, ['z'], () => expect.poll(() => visit.speed()).toBe(0));
+    await page.reload();
+    await visit.ready();
+    // As it was left.
+    await page.getByRole('button', { name: 'Flight: Thrust' }).waitFor();
     await visit.close();
   });
 
@@ -57,6 +61,72 @@ describe('the flight deck', () => {
     await page.keyboard.press('Escape');
     await expect.poll(() => visit.speed()).toBeGreaterThan(0.05);
     await expect.poll(() => visit.speed()).toBe(0);
+    await visit.close();
+  });
+
+  it('comfort: the rim darkens in fast motion, one turns in steps, and both are remembered', async () => {
+    const visit = await (await program.open(SMALL)).ready();
+    const { page } = visit;
+    const vignette = page.locator('[data-vignette]');
+    // As who wishes reduced motion has it at first.
+    await vignette.waitFor({ state: 'attached' });
+    expect(await vignette.getAttribute('data-vignette')).toBe('mild');
+    const deck = await openDeck(visit);
+    const choose = async (what: string, choice: string): Promise<void> => {
+      await deck.getByRole('combobox', { name: what }).click();
+      await page.getByRole('option', { name: choice }).click();
+    };
+    await choose('Turning', 'In steps of 90°');
+    await choose('In fast motion', 'No vignette');
+    await vignette.waitFor({ state: 'detached' });
+    await choose('In fast motion', 'Strong vignette');
+    await visit.shot('flight-comfort');
+    const { violations } = await new AxeBuilder({ page }).include('[data-flight-deck]').analyze();
+    expect(violations).toEqual([]);
+    await page.keyboard.press('Escape');
+    await visit.viewport.focus();
+    const closing = async () => Number(await vignette.getAttribute('data-closing'));
+    const ahead = await (await visit.finest()).pixels();
+    // A turn in one step is no motion that is seen.
+    await hold(page, ['ArrowLeft'], () =>
+      expect.poll(async () => difference(await visit.pixels(), ahead)).toBeGreaterThan(1),
+    );
+    expect(await closing()).toBe(0);
+    await hold(page, ['Shift', 'w'], async () => {
+      await expect.poll(closing).toBeGreaterThan(0.5);
+      await visit.shot('flight-vignette');
+    });
+    await expect.poll(closing).toBe(0);
+    await page.reload();
+    await visit.ready();
+    await vignette.waitFor({ state: 'attached' });
+    expect(await vignette.getAttribute('data-vignette')).toBe('strong');
+    await openDeck(visit);
+    expect(await deck.getByRole('combobox', { name: 'Turning' }).inputValue()).toBe('In steps of 90°');
+    await visit.close();
+  });
+
+  it('drives over the ground at the height that was chosen, which is remembered', async () => {
+    const visit = await (await program.open(SMALL)).ready();
+    const { page } = visit;
+    await visit.viewport.focus();
+    await page.keyboard.press('t');
+    const deck = await openDeck(visit);
+    await deck.getByRole('switch', { name: 'Follow the ground' }).press('Space');
+    await deck.getByRole('textbox', { name: 'Height of the eye above it [m]' }).fill('1.5');
+    await expect.poll(() => deck.locator('[data-contact=preparing]').count()).toBe(0);
+    const { violations } = await new AxeBuilder({ page }).include('[data-flight-deck]').analyze();
+    expect(violations).toEqual([]);
+    await page.keyboard.press('Escape');
+    await visit.viewport.focus();
+    await hold(page, ['w'], () => expect.poll(() => visit.speed()).toBeGreaterThan(0.1));
+    await expect.poll(() => visit.speed()).toBe(0);
+    await visit.shot('flight-ground');
+    await page.reload();
+    await visit.ready();
+    await page.getByRole('button', { name: 'Flight: Drive' }).waitFor();
+    await openDeck(visit);
+    expect(await deck.getByRole('textbox', { name: 'Height of the eye above it [m]' }).inputValue()).toBe('1.5');
     await visit.close();
   });
 

@@ -1,3 +1,4 @@
+import type { AskedYaw, SnapTurn } from '../../flight/comfort/snapTurn.ts';
 import type { FlightControls } from '../../flight/controls.ts';
 import { length, type Vec3 } from '../../math/vec3.ts';
 import { TouchFlight } from './touchFlight.ts';
@@ -40,6 +41,8 @@ export class InputState {
   private pressed = new Set<number>();
   private fullSpeed = false;
   readonly touch = new TouchFlight();
+  /** Absent: one turns continuously. */
+  snapTurn: SnapTurn | undefined;
 
   press(code: string): void {
     this.keys.add(code);
@@ -85,22 +88,27 @@ export class InputState {
 
   /** Pitch, yaw and roll since the last call [rad]; dt [s]. */
   private takeTurn(dt: number): Vec3 {
-    let [yaw, pitch] = this.pendingTurn;
+    const [dragged, draggedUp] = this.pendingTurn;
+    let [held, pitch] = [0, draggedUp];
     this.pendingTurn = [0, 0];
     let roll = this.touch.takeRoll();
     for (const key of this.keys) {
       roll += (ROLL_KEYS[key] ?? 0) * LOOK_SPEED * dt;
-      yaw += (LOOK_KEYS[key]?.[0] ?? 0) * LOOK_SPEED * dt;
+      held += LOOK_KEYS[key]?.[0] ?? 0;
       pitch += (LOOK_KEYS[key]?.[1] ?? 0) * LOOK_SPEED * dt;
     }
     const pad = gamepad();
     if (pad) {
-      yaw -= stickValue(pad, 2) * 2 * LOOK_SPEED * dt;
+      held -= stickValue(pad, 2) * 2;
       pitch -= stickValue(pad, 3) * 2 * LOOK_SPEED * dt;
       roll +=
         (buttonValue(pad, GAMEPAD_BUTTONS.rollLeft) - buttonValue(pad, GAMEPAD_BUTTONS.rollRight)) * LOOK_SPEED * dt;
     }
-    return [pitch, yaw, roll];
+    return [pitch, this.yaw({ dragged, held }, dt), roll];
+  }
+
+  private yaw(asked: AskedYaw, dt: number): number {
+    return this.snapTurn?.yaw(asked, dt) ?? asked.dragged + asked.held * LOOK_SPEED * dt;
   }
 
   /** Gamepad buttons that went down since the last call. */

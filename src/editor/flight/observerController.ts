@@ -1,4 +1,5 @@
 import { flyArcs, LOCKS, type Lock } from '../../flight/arc.ts';
+import type { WatchedMoment } from '../../flight/comfort/flow.ts';
 import type { FlightControls } from '../../flight/controls.ts';
 import { type FlightState, flightOf, observerOf } from '../../flight/flightState.ts';
 import { velocityMode } from '../../flight/modes/velocity.ts';
@@ -29,11 +30,16 @@ export interface RestoredObserver {
   readonly cruise: boolean;
 }
 
+/** Watches what the observer sees of his motion. */
+export type Watcher = (moment: Omit<WatchedMoment, 'distance'>, limits: SceneLimits | undefined) => void;
+
 /** Moves the observer and world time by user input. This state is in no document. */
 export class ObserverController {
   readonly inputs = new InputState();
   /** Absent until the flight deck is opened. */
   pilot: Pilot | undefined;
+  /** Absent unless something is done for comfort. */
+  watcher: Watcher | undefined;
   private readonly editor: Editor;
   private currentPicture: PictureSpec | undefined;
   /** Key of the shown scene; it stays the same when files are added to the scene. */
@@ -143,6 +149,13 @@ export class ObserverController {
   /** dt [s] of real time. */
   advance(dt: number): void {
     this.takeButtons();
+    const before = this.flight;
+    this.move(dt);
+    const { lock } = this.editor.store.getState();
+    this.watcher?.({ before, after: this.flight, dt, lock }, this.limits);
+  }
+
+  private move(dt: number): void {
     const picture = this.currentPicture;
     if (!picture) return;
     const controls = this.inputs.controls(dt);

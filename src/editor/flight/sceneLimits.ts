@@ -27,5 +27,5 @@ export function sceneLimits(scene: Scene, start: Vec3, c: number): SceneLimits |
 export const isOutside = ({ box, margin }: SceneLimits, position: Vec3): boolean => distanceTo(box, position) > margin;
 
 /** From a place to the nearest point of a box [m]; 0 within. */
-const distanceTo = ({ min, max }: BoundingBox, position: Vec3): number =>
+export const distanceTo = ({ min, max }: BoundingBox, position: Vec3): number =>
   Math.hypot(...position.map((x, k) => Math.max(min[k] - x, 0, x - max[k])));

@@ -94,6 +94,8 @@ export interface EditorState {
   readonly cruise: boolean;
   /** What the way of flying is called. */
   readonly flightMode: Message;
+  /** Whether the rim of the picture darkens while it flows fast. */
+  readonly vignette?: boolean;
   readonly playing: boolean;
   readonly loop: boolean;
   readonly dialog?: 'gallery' | 'help' | 'share' | 'name' | 'palette';

@@ -1,4 +1,3 @@
-import type { CollisionKind } from '../../flight/collision/collide.ts';
 import { isLanguageTag, type LanguageTag, preferredLanguage } from '../../messages/languages.ts';
 
 /** The user's settings of the page itself; stored in the browser, not in the document. */
@@ -9,8 +8,9 @@ export interface Preferences {
   readonly legend: boolean;
   /** Whether nodes of the graph show pictures. */
   readonly nodePictures: boolean;
-  /** What happens at walls; absent: one flies through them. */
-  readonly collision?: CollisionKind | undefined;
+  /** How the user flies, and in what comfort, as the code of the flight deck reads it; absent: as at first. */
+  readonly flight?: unknown;
+  readonly comfort?: unknown;
 }
 
 const PREFERENCES_KEY = 'slowlight.preferences';
@@ -24,7 +24,8 @@ export function loadPreferences(): Preferences {
     captions: kept.captions !== false,
     legend: kept.legend !== false,
     nodePictures: kept.nodePictures !== false,
-    collision: kept.collision === 'stop' || kept.collision === 'slide' ? kept.collision : undefined,
+    flight: kept.flight,
+    comfort: kept.comfort,
   };
 }
 

@@ -13,8 +13,9 @@ import { STAGE_TITLES } from '../state/editor.ts';
 import { loadPreferences, savePreferences } from '../state/preferences.ts';
 import { useViewportRenderer } from './useViewportRenderer.ts';
 
-/** Loaded with the first false colours, and with the first tool. */
+/** Loaded with the first false colours, with the first vignette, and with the first tool. */
 const Legend = lazy(() => import('./legend/Legend.tsx'));
+const Vignette = lazy(() => import('../flight/comfort/Vignette.tsx'));
 const PictureTools = lazy(() => import('../inspect/PictureTools.tsx'));
 
 /** The picture and its overlays. */
@@ -27,6 +28,7 @@ export function Viewport(): ReactNode {
   useLastInput();
   const device = useInputDevice();
   const tool = useEditorState((state) => state.tool);
+  const vignette = useEditorState((state) => state.vignette);
   const colors = useLegend((state) => state.colors);
   const shown = useEditorState(({ pictureSource }) => pictureSource.origin || pictureSource.source);
   return (
@@ -44,6 +46,11 @@ export function Viewport(): ReactNode {
       >
         {/* A canvas whose context was lost cannot be reused: each generation gets a new one. */}
         <canvas key={generation} ref={canvas} className="sl-canvas" />
+        {vignette && (
+          <Suspense>
+            <Vignette />
+          </Suspense>
+        )}
       </div>
       {!focused && <StartHint />}
       {colors && (

@@ -49,8 +49,11 @@ export const segmentTo = (start: WorldEvent, end: WorldEvent): WorldSegment => (
 });
 
 /** A displacement (dt [s], dx [m]), in the frame where a wall rests [m]. c [m/s]. */
-export const inWallFrame = ({ velocity }: Wall, { dt, dx }: Pick<WorldSegment, 'dt' | 'dx'>, c: number): Vec3 =>
-  velocity.rapidity === 0 ? dx : spatial(boost(fourVector(c * dt, dx), properVelocityOf(velocity)));
+export const inWallFrame = (
+  { velocity }: Pick<Wall, 'velocity'>,
+  { dt, dx }: Pick<WorldSegment, 'dt' | 'dx'>,
+  c: number,
+): Vec3 => (velocity.rapidity === 0 ? dx : spatial(boost(fourVector(c * dt, dx), properVelocityOf(velocity))));
 
 /** How far an event is before the plane of a wall, in the frame where the wall rests [m]; negative behind it. */
 export const distanceTo = (wall: Wall, event: WorldEvent, c: number): number =>

@@ -2254,7 +2254,7 @@ const messages: Translation['messages'] = {
     '{1}：其速度在 {2} 仍有跳变：那里没有慢于光的曲线',
   'The flight is faster than pictures can show: they are drawn as at γ = {}. Place and clocks go on exactly.':
     '飞行速度超出画面所能显示的范围：画面按 γ = {1} 绘制。位置和时钟仍精确推进。',
-  'One flies through walls again: {}': '现在又会穿墙飞行：{1}',
+  'One flies through walls and ground again: {}': '现在又会穿过墙面和地面：{1}',
   'Smooth path': '平滑路径',
   'The ride goes through the camera’s keyframes on a curve, so that your velocity does not jump there, and with it all that you see. Off: along straight lines.':
     '乘坐时沿曲线经过相机的关键帧，你的速度以及所见的一切在那里不会跳变。关闭：沿直线段。',
@@ -3688,10 +3688,19 @@ const messages: Translation['messages'] = {
   'Thrust across': '横向推力',
   'The nose points': '船头指向',
   'Keep the horizon level': '保持地平线水平',
+  'In fast motion': '快速运动时',
+  'No vignette': '不加暗角',
+  'Mild vignette': '轻微暗角',
+  'Strong vignette': '强暗角',
+  Turning: '转向',
+  Continuously: '连续转动',
+  'In steps of {}°': '每步 {1}°',
   'Fly through walls': '穿墙飞行',
   'Stop before walls': '在墙前停下',
   'Slide along walls': '沿墙滑行',
-  'Preparing the walls…': '正在准备墙面……',
+  'Preparing walls and ground…': '正在准备墙面和地面……',
+  'Follow the ground': '沿地面行驶',
+  'Height of the eye above it [m]': '眼睛离地高度 [m]',
   'Braking for a wall': '正在为墙制动',
   'Too fast: cannot stop before the wall': '太快：无法在墙前停下',
   'At a wall': '已到墙边',
@@ -3725,8 +3734,8 @@ const messages: Translation['messages'] = {
   'Flies to the place that you choose and stops there: half the way it accelerates, half the way it brakes.':
     '飞到你选的地点并停在那里：前一半路加速，后一半路制动。',
   Drive: '行驶',
-  'As Velocity, at one height: the keys go where you look, along the ground.':
-    '与“速度”相同，但高度不变：按键使你沿地面朝所看的方向前进。',
+  'As Velocity, along the ground wherever you look, or at one height where there is none.':
+    '与“速度”相同，但无论看向哪里都沿地面前进；没有地面时高度不变。',
   Follow: '跟随',
   'Takes the velocity of what you follow, and stays in its rest frame. The keys move you there.':
     '取所跟随物体的速度，留在它的静止系中。按键使你在其中移动。',

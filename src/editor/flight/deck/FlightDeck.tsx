@@ -13,8 +13,10 @@ import { useTexts } from '../../language/languageStore.ts';
 import { ObjectSelect } from '../../panels/ObjectSelect.tsx';
 import { useServices } from '../../services.tsx';
 import { useEditor, useEditorState } from '../../state/context.tsx';
+import { ComfortControls } from '../comfort/ComfortControls.tsx';
 import { CONTACT_TEXTS, type FlightDeck as Deck, type DeckState } from './deck.ts';
 import { FlightRecorderControls } from './FlightRecorderControls.tsx';
+import { MAX_THRUST } from './flightSettings.ts';
 import { openDeck } from './openDeck.ts';
 import { followable, placeBefore } from './targets.ts';
 
@@ -24,9 +26,6 @@ const ATTITUDE_TITLES: Readonly<Record<Attitude, Message>> = {
   against: msg`Against the motion`,
   push: msg`Where the engine pushes`,
 };
-
-/** Greatest thrust [c per second]. */
-const MAX_THRUST = 3;
 
 /** Modes of flying with their settings, and the recorder. */
 export default function FlightDeck(): ReactNode {
@@ -73,9 +72,37 @@ export default function FlightDeck(): ReactNode {
         checked={state.level}
         onChange={({ currentTarget }) => deck.set({ level: currentTarget.checked })}
       />
+      {mode === 'drive' && <GroundControls deck={deck} state={state} />}
+      <ComfortControls />
       <WallControls deck={deck} state={state} />
       <FlightRecorderControls deck={deck} state={state} />
     </Stack>
+  );
+}
+
+/** Whether one keeps to the ground, and how high. */
+function GroundControls({ deck, state: { ground, eyeHeight } }: DeckProps): ReactNode {
+  const { t } = useTexts();
+  return (
+    <>
+      <Switch
+        size="xs"
+        label={t(msg`Follow the ground`)}
+        checked={ground}
+        onChange={({ currentTarget }) => deck.set({ ground: currentTarget.checked })}
+      />
+      {ground && (
+        <NumberInput
+          size="xs"
+          label={t(msg`Height of the eye above it [m]`)}
+          hideControls
+          min={0.001}
+          decimalScale={3}
+          value={eyeHeight}
+          onChange={(value) => Number(value) > 0 && deck.set({ eyeHeight: Number(value) })}
+        />
+      )}
+    </>
   );
 }
 
@@ -99,7 +126,7 @@ function WallControls({ deck, state }: DeckProps): ReactNode {
         allowDeselect={false}
         comboboxProps={{ withinPortal: false }}
         value={collision ?? 'off'}
-        onChange={(value) => deck.collide(value === 'off' ? undefined : (value as CollisionKind))}
+        onChange={(value) => deck.set({ collision: value === 'off' ? undefined : (value as CollisionKind) })}
       />
       {collision && (
         <NumberInput

@@ -1,7 +1,8 @@
 import { createStore } from 'zustand/vanilla';
 import { type FlightConditions, flyArcs } from '../../../flight/arc.ts';
-import { type CollisionKind, type Contact, type FlownMoment, flyAmong } from '../../../flight/collision/collide.ts';
-import type { Attitude, FlightRules } from '../../../flight/controls.ts';
+import { type Contact, type FlownMoment, flyAmong } from '../../../flight/collision/collide.ts';
+import { flyOnGround, withoutGround } from '../../../flight/collision/ground.ts';
+import type { FlightRules } from '../../../flight/controls.ts';
 import { type FlightState, observerOf } from '../../../flight/flightState.ts';
 import type { FlightMoment } from '../../../flight/modes/flightMode.ts';
 import { FLIGHT_MODES, type FlightModeName } from '../../../flight/modes/modes.ts';
@@ -17,34 +18,24 @@ import type { PictureSpec } from '../../../nodes/socketValues.ts';
 import type { Editor } from '../../state/editor.ts';
 import { loadPreferences, savePreferences } from '../../state/preferences.ts';
 import type { Pilot } from '../pilot.ts';
+import { type FlightSettings, keptSettings, MODE_NAMES, settingsOf } from './flightSettings.ts';
 import { bodyVelocity } from './targets.ts';
 import { Walls } from './walls.ts';
 
 /** What a wall does to a flight. */
 export const CONTACT_TEXTS: Readonly<Record<Contact | 'preparing', Message>> = {
-  preparing: msg`Preparing the walls…`,
+  preparing: msg`Preparing walls and ground…`,
   braking: msg`Braking for a wall`,
   'too-fast': msg`Too fast: cannot stop before the wall`,
   touching: msg`At a wall`,
 };
 
 /** What the deck shows. */
-export interface DeckState {
-  readonly mode: FlightModeName;
-  /** Proper acceleration along the nose and across it, in units of c per second. */
-  readonly along: number;
-  readonly across: number;
-  /** Whether the horizon is kept level. */
-  readonly level: boolean;
-  readonly attitude: Attitude;
+export interface DeckState extends FlightSettings {
   /** Path of the object that is followed. */
   readonly followed?: string | undefined;
   /** Of the autopilot, world frame [m]. */
   readonly destination?: Vec3 | undefined;
-  /** What happens at walls; absent: one flies through them. */
-  readonly collision?: CollisionKind | undefined;
-  /** How far one stays from walls [m]. */
-  readonly clearance: number;
   /** What a wall does just now; `preparing`: they are not ready yet. */
   readonly contact?: Contact | 'preparing' | undefined;
   readonly recording: boolean;
@@ -60,21 +51,15 @@ export interface DeckState {
 /** The pilot of the page: settings of the modes, recorder and playback. */
 export class FlightDeck {
   readonly store = createStore<DeckState>(() => ({
-    mode: 'velocity',
-    along: 0.5,
-    across: 0.25,
-    level: false,
-    attitude: 'hand',
-    collision: loadPreferences().collision,
-    clearance: 0.3,
+    ...keptSettings(loadPreferences().flight),
     recording: false,
     duration: 0,
     replaying: false,
   }));
   private readonly editor: Editor;
   private readonly walls = new Walls((error) => {
-    this.collide(undefined);
-    this.editor.notify({ kind: 'error', text: msg`One flies through walls again: ${messageOf(error)}` });
+    this.set({ collision: undefined, ground: false });
+    this.editor.notify({ kind: 'error', text: msg`One flies through walls and ground again: ${messageOf(error)}` });
   });
   private recorder: FlightRecorder | undefined;
   private playback: FlightPlayback | undefined;
@@ -83,6 +68,7 @@ export class FlightDeck {
 
   constructor(editor: Editor) {
     this.editor = editor;
+    this.tellMode();
   }
 
   readonly pilot: Pilot = {
@@ -141,44 +127,49 @@ export class FlightDeck {
   }
 
   private flown(moment: FlightMoment, conditions: FlightConditions, picture: PictureSpec): FlownMoment {
-    const { mode, collision: kind, clearance: radius, contact } = this.store.getState();
-    const obstacles = kind && this.walls.of(picture);
-    if (kind && obstacles) {
-      const flown = flyAmong(FLIGHT_MODES[mode], moment, conditions, { obstacles, kind, radius });
-      if (flown.contact !== contact) this.store.setState({ contact: flown.contact });
-      if (flown.contact === 'too-fast' && contact !== 'too-fast')
-        this.editor.notify({ kind: 'warning', text: CONTACT_TEXTS['too-fast'] });
-      return flown;
+    const { mode, collision, ground, eyeHeight: height, clearance: radius, contact } = this.store.getState();
+    const isDriving = mode === 'drive' && ground;
+    const obstacles = (collision || isDriving) && this.walls.of(picture);
+    const flyFreely = (asked: FlightMoment): FlownMoment => {
+      const { state: before } = asked;
+      const arcs = arcsOf(FLIGHT_MODES[mode], asked);
+      const after = flyArcs(before, arcs, conditions);
+      return { pieces: [{ before, arcs, after }], after };
+    };
+    if (!obstacles) {
+      const preparing = collision || isDriving ? 'preparing' : undefined;
+      if (preparing !== contact) this.store.setState({ contact: preparing });
+      return flyFreely(moment);
     }
-    const preparing = kind && 'preparing';
-    if (preparing !== contact) this.store.setState({ contact: preparing });
-    const { state: before } = moment;
-    const arcs = arcsOf(FLIGHT_MODES[mode], moment);
-    const after = flyArcs(before, arcs, conditions);
-    return { pieces: [{ before, arcs, after }], after };
-  }
-
-  collide(collision: CollisionKind | undefined): void {
-    this.store.setState({ collision });
-    savePreferences({ ...loadPreferences(), collision });
+    const walls = isDriving ? withoutGround(obstacles, moment.rules.up) : obstacles;
+    const fly = (asked: FlightMoment): FlownMoment =>
+      collision
+        ? flyAmong(FLIGHT_MODES[mode], asked, conditions, { obstacles: walls, kind: collision, radius })
+        : flyFreely(asked);
+    const flown = isDriving ? flyOnGround(moment, conditions, { obstacles, height }, fly) : fly(moment);
+    if (flown.contact !== contact) this.store.setState({ contact: flown.contact });
+    if (flown.contact === 'too-fast' && contact !== 'too-fast')
+      this.editor.notify({ kind: 'warning', text: CONTACT_TEXTS['too-fast'] });
+    return flown;
   }
 
   choose(mode: FlightModeName): void {
-    this.store.setState({ mode });
-    this.editor.update({ flightMode: FLIGHT_MODES[mode].title });
+    this.set({ mode });
+    this.tellMode();
+  }
+
+  private tellMode(): void {
+    this.editor.update({ flightMode: FLIGHT_MODES[this.store.getState().mode].title });
   }
 
   next(): void {
-    const names = Object.keys(FLIGHT_MODES) as FlightModeName[];
-    this.choose(names[(names.indexOf(this.store.getState().mode) + 1) % names.length]!);
+    this.choose(MODE_NAMES[(MODE_NAMES.indexOf(this.store.getState().mode) + 1) % MODE_NAMES.length]!);
   }
 
-  set(
-    change: Partial<
-      Pick<DeckState, 'along' | 'across' | 'level' | 'attitude' | 'followed' | 'destination' | 'clearance'>
-    >,
-  ): void {
+  /** Changes how one flies, which the page remembers, and where to, which it does not. */
+  set(change: Partial<FlightSettings & Pick<DeckState, 'followed' | 'destination'>>): void {
     this.store.setState(change);
+    savePreferences({ ...loadPreferences(), flight: settingsOf(this.store.getState()) });
   }
 
   toggleRecording(): void {

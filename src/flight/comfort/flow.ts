@@ -1,0 +1,40 @@
+import { conjugate, multiply, rotationAngle } from '../../math/quat.ts';
+import { length, sub } from '../../math/vec3.ts';
+import type { Lock } from '../arc.ts';
+import { type Boost, gyroscopeRotation, relativeBoost } from '../boost.ts';
+import { type FlightState, observerOf } from '../flightState.ts';
+
+/** What turns or speeds up by more in one moment [rad, rapidity] is a cut, which no eye follows: a turn in steps, a stop at a wall. */
+const CUT = 0.2;
+
+/** A moment of a flight, as it is watched. */
+export interface WatchedMoment {
+  readonly before: FlightState;
+  readonly after: FlightState;
+  /** How long it lasts for who watches [s]. */
+  readonly dt: number;
+  readonly lock: Lock;
+  /** How far away what is passed is [m]. */
+  readonly distance: number;
+}
+
+const STILL: Boost = { direction: [1, 0, 0], rapidity: 0 };
+
+/**
+ * How fast directions move in the picture at most [rad/s]: by the turn of the ship against gyroscopes, by aberration, and by the way past things.
+ *
+ *     ω + |a|/c + |Δx|/(d Δτ)
+ *
+ * Aberration at constant proper acceleration moves the direction at θ′ to it by dθ′/dτ = −(a/c) sin θ′.
+ */
+export function pictureFlow({ before, after, dt, lock, distance }: WatchedMoment): number {
+  if (!(dt > 0)) return 0;
+  // With the lock `fly` the picture is that of one at rest.
+  const gained: Boost = lock === 'fly' ? STILL : relativeBoost(after.velocity, before.velocity);
+  const gyroscopes = multiply(gyroscopeRotation(before.velocity, gained), before.orientation);
+  const turned = rotationAngle(multiply(after.orientation, conjugate(gyroscopes)));
+  const way = length(sub(observerOf(after).position, observerOf(before).position));
+  return (smooth(turned) + smooth(gained.rapidity) + way / distance) / dt;
+}
+
+const smooth = (change: number): number => (change > CUT ? 0 : change);
