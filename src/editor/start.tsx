@@ -66,8 +66,12 @@ export async function startEditor(root: Root, { backend: wanted, lesson, ...aske
   if (problem) editor.notify({ kind: 'error', ...problem });
   const observerController = new ObserverController(editor, view);
   if (flight) void import('./flight/deck/openDeck.ts').then(({ openDeck }) => openDeck(editor, observerController));
-  if (comfort || prefersReducedMotion())
+  const loadComfort = (): void =>
     void import('./flight/comfort/comfort.ts').then(({ openComfort }) => openComfort(editor, observerController));
+  if (comfort) loadComfort();
+  // Who wishes reduced motion needs it when he flies, not before the first picture.
+  else if (prefersReducedMotion())
+    for (const input of ['keydown', 'pointerdown']) addEventListener(input, loadComfort, { once: true });
   const autosave = new Autosave({ ...session, editor, observerController, localFiles, address: pageAddress });
   // A duplicated tab has nothing stored yet.
   void autosave.saveNow();

@@ -68,10 +68,10 @@ describe('the flight deck', () => {
     const visit = await (await program.open(SMALL)).ready();
     const { page } = visit;
     const vignette = page.locator('[data-vignette]');
+    const deck = await openDeck(visit);
     // As who wishes reduced motion has it at first.
     await vignette.waitFor({ state: 'attached' });
     expect(await vignette.getAttribute('data-vignette')).toBe('mild');
-    const deck = await openDeck(visit);
     const choose = async (what: string, choice: string): Promise<void> => {
       await deck.getByRole('combobox', { name: what }).click();
       await page.getByRole('option', { name: choice }).click();
