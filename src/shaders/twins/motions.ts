@@ -96,8 +96,7 @@ const hyperbolic: MotionInput = {
   },
   emission: (texel) => hyperbolicEmission(texel(0), texel(1), texel(3).x, texel(2).w, texel(2).xyz),
   slice: (texel, u, gamma) => hyperbolicSlice(texel(0), texel(1), texel(3).x, texel(2).w, texel(2).xyz, u, gamma),
-  shallow: (texel, observer) =>
-    hyperbolicShallow(texel(0), texel(1), texel(3).x, texel(2).w, texel(2).xyz, observer),
+  shallow: (texel, observer) => hyperbolicShallow(texel(0), texel(1), texel(3).x, texel(2).w, texel(2).xyz, observer),
   place: (texel) => hyperbolicPlace(texel(1), texel(3).x, texel(2).w, texel(2).xyz),
 };
 
@@ -171,8 +170,7 @@ const cubic: MotionInput = {
   },
   emission: (texel) => cubicEmission(texel(0), samplesOf(texel), endVelocities(texel), int(SAMPLES)),
   slice: (texel, u, gamma) => cubicSlice(texel(0), samplesOf(texel), endVelocities(texel), int(SAMPLES), u, gamma),
-  shallow: (texel, observer) =>
-    cubicShallow(texel(0), samplesOf(texel), endVelocities(texel), int(SAMPLES), observer),
+  shallow: (texel, observer) => cubicShallow(texel(0), samplesOf(texel), endVelocities(texel), int(SAMPLES), observer),
   place: (texel) => cubicPlace(samplesOf(texel), endVelocities(texel), int(SAMPLES)),
 };
 

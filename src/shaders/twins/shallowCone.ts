@@ -1,7 +1,7 @@
 import { length, vec4 } from 'three/tsl';
 import { length as lengthOf, normalize, scale, sub, type Vec3, ZERO } from '../../math/vec3.ts';
 import { gamma as gammaFactor } from '../../physics/index.ts';
-import { shallowCone, shallowPosition as positionOf, slowed } from '../../physics/worldLines/shallowCone.ts';
+import { shallowPosition as positionOf, shallowCone, slowed } from '../../physics/worldLines/shallowCone.ts';
 import { ontoShallowCone } from '../shallowCone/ontoShallowCone.ts';
 import type { ShallowObserver } from '../shallowCone/shallowObserver.ts';
 import { shallowPosition } from '../shallowCone/shallowPosition.ts';
@@ -25,7 +25,13 @@ const strata = (speeds: readonly number[]) =>
       speeds
         .filter((beta) => beta <= 0.999)
         .flatMap((beta) =>
-          SLOPES.map((slope) => ({ ...observer, beta, slope, size: 1, name: `${observer.name}, β ${beta}, λ ${slope}` })),
+          SLOPES.map((slope) => ({
+            ...observer,
+            beta,
+            slope,
+            size: 1,
+            name: `${observer.name}, β ${beta}, λ ${slope}`,
+          })),
         ),
     );
 
