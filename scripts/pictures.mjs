@@ -22,6 +22,7 @@ const thumbnails = {
   saturn: ['--time', '7.7', '--beta', '0,0,-0.1', '--fov', '44'],
   gallery: ['--time', '4.6', '--beta', '0,0,-0.2'],
   ladder: [],
+  twins: [],
   cubes: ['--beta', '0,0,-0.2'],
   arcade: ['--beta', '0,0,-0.2'],
   boxes: ['--beta', '0,0,-0.2'],

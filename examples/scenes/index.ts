@@ -15,6 +15,7 @@ import { scene as sphere } from './sphere.ts';
 import { scene as starfield } from './starfield.ts';
 import { scene as street } from './street.ts';
 import { scene as sunset } from './sunset.ts';
+import { scene as twins } from './twins.ts';
 import { scene as wheel } from './wheel.ts';
 
 /** All scenes, in the order of the gallery. */
@@ -32,6 +33,7 @@ export const scenes: readonly ExampleScene[] = [
   saturn,
   gallery,
   ladder,
+  twins,
   cubes,
   arcade,
   boxes,

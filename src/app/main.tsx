@@ -1,9 +1,9 @@
 import { createRoot } from 'react-dom/client';
 import { startEditor } from '../editor/start.tsx';
+import { lessonPlaceOf } from '../lessons/lessonAddress.ts';
 
 const parameters = new URLSearchParams(location.search);
 const wanted = parameters.get('backend');
-const lesson = parameters.get('lesson');
 
 /**
  * `?scene=examples/dice.usdc` opens that scene, `?project=examples/workshop.slowlight.json` that project;
@@ -12,6 +12,6 @@ const lesson = parameters.get('lesson');
 void startEditor(createRoot(document.getElementById('root')!), {
   scene: parameters.get('scene') ?? undefined,
   project: parameters.get('project') ?? undefined,
-  lesson: lesson === null ? undefined : { name: lesson, step: Number(parameters.get('step') ?? 1) },
+  lesson: lessonPlaceOf(parameters),
   backend: wanted === 'webgl' || wanted === 'webgpu' ? wanted : 'auto',
 });

@@ -9,6 +9,7 @@ import { MantineProvider } from '@mantine/core';
 import { type ReactNode, StrictMode, useEffect } from 'react';
 import type { Root } from 'react-dom/client';
 import { openWebGpu } from '../compute/computeDevice.ts';
+import type { LessonPlace } from '../lessons/lessonAddress.ts';
 import type { Backend } from '../render/settings.ts';
 import { EditorApp } from './EditorApp.tsx';
 import { ObserverController } from './flight/observerController.ts';
@@ -22,7 +23,7 @@ import { openStartupProject, pageAddress, type StartupRequest } from './projects
 import { type EditorServices, ServicesProvider } from './services.tsx';
 import { Unsupported } from './shell/Unsupported.tsx';
 import { EditorProvider } from './state/context.tsx';
-import { createEditor, type LessonPlace } from './state/editor.ts';
+import { createEditor } from './state/editor.ts';
 import { loadPreferences, prefersReducedMotion } from './state/preferences.ts';
 import { theme } from './theme.ts';
 import { chooseBackend } from './viewport/chooseBackend.ts';

@@ -1,8 +1,12 @@
 import type { Vec3 } from '../math/vec3.ts';
+import { parseFlightPlan } from './flightPlan.ts';
+import { parseInstrument } from './instruments.ts';
 import type { Lesson, LessonClaim, LessonSetting, LessonValue } from './lesson.ts';
 import { LessonError } from './lessonError.ts';
 
 export const isVector = (value: LessonValue): value is Vec3 => Array.isArray(value);
+
+const isDuration = (value: LessonValue): boolean => typeof value === 'number' && value >= 0;
 
 /** What steps set besides parameters of nodes, and whether a value is fit for it. */
 const PAGE_SETTINGS: Readonly<
@@ -23,6 +27,16 @@ const PAGE_SETTINGS: Readonly<
   'observer.look': {
     is: (value) => isVector(value) && Math.hypot(...value) > 0,
     wants: 'a direction x, y, z',
+  },
+  flight: {
+    is: (value) => typeof value === 'string' && parseFlightPlan(value) !== undefined,
+    wants: 'none, or as coast 0.6, 0, 0 for 8; trip 90, 0, 0 at 5',
+  },
+  'flight.from': { is: isDuration, wants: 'own seconds of the flight' },
+  'flight.to': { is: isDuration, wants: 'own seconds of the flight' },
+  panel: {
+    is: (value) => typeof value === 'string' && parseInstrument(value) !== undefined,
+    wants: 'a panel, as clocks, or with what it shows, as diagram energy',
   },
 };
 

@@ -1,9 +1,12 @@
 import { existsSync, readdirSync, readFileSync } from 'node:fs';
 import { describe, expect, it } from 'vitest';
+import { DIAGRAM_KINDS } from '../../src/diagrams/sceneDiagram.ts';
+import { QUANTITIES as RUN_QUANTITIES } from '../../src/editor/energy/series.ts';
 import { withParameters } from '../../src/editor/lessons/showState.ts';
 import { parseDocument } from '../../src/graph/document/parse.ts';
 import { resolveSpec, valueError } from '../../src/graph/nodeType.ts';
 import { textOfStep } from '../../src/lessons/inlines.ts';
+import { INSTRUMENTS } from '../../src/lessons/instruments.ts';
 import type { Lesson } from '../../src/lessons/lesson.ts';
 import { parseLesson } from '../../src/lessons/parseLesson.ts';
 import { isParameter, type LessonState, stateAtStep } from '../../src/lessons/settings.ts';
@@ -35,6 +38,11 @@ const skeleton = ({ place, minutes, steps }: Lesson) => ({
     right: question?.answers.map(({ right }) => right),
     see: question?.see.map(({ key, value }) => [key, value]),
   })),
+});
+
+it('steps may show all that panels show', () => {
+  expect([...INSTRUMENTS.energy].sort()).toEqual([...RUN_QUANTITIES].sort());
+  expect(INSTRUMENTS.diagram).toEqual(DIAGRAM_KINDS);
 });
 
 it('there are lessons, each in its own place', () => {

@@ -21,6 +21,7 @@ import { useTexts } from '../language/languageStore.ts';
 import { useServices } from '../services.tsx';
 import { download } from '../shell/download.ts';
 import { useEditor, useEditorState, useTelemetry } from '../state/context.tsx';
+import { useInstrumentView } from '../state/useInstrumentView.ts';
 import { DiagramView, type DrawDiagram } from './DiagramView.tsx';
 import { diagramDrawer } from './diagramDrawer.ts';
 import { alongAxis, betaAlong, keptAxis, MAX_BETA } from './observerMoves.ts';
@@ -38,6 +39,7 @@ export default function DiagramPanel(): ReactNode {
   const { t } = useTexts();
   const picture = useEditorState((state) => state.picture);
   const [kind, setKind] = useState<DiagramKind>('spacetime');
+  useInstrumentView('diagram', setKind);
   const [frame, setFrame] = useState<DiagramFrame>('world');
   const [plane, setPlane] = useState(false);
   const [chosen, setChosen] = useState<readonly string[]>();

@@ -9,6 +9,7 @@ import { useTexts } from '../language/languageStore.ts';
 import { userTitle } from '../panels/nodeTitle.ts';
 import { useEditorState, useTelemetry } from '../state/context.tsx';
 import { type SimulationRun, simulationRuns, unevaluatedSimulations } from '../state/simulationRuns.ts';
+import { useInstrumentView } from '../state/useInstrumentView.ts';
 import { LinePlot, type PlotLine } from './LinePlot.tsx';
 import { runNames } from './runNames.ts';
 import { frameIndexAt, QUANTITIES, type RunQuantity, unitOf, valuesOf } from './series.ts';
@@ -36,6 +37,7 @@ export default function EnergyPanel(): ReactNode {
   const { t } = useTexts();
   const [quantity, setQuantity] = useState<RunQuantity>('change');
   const [logarithmic, setLogarithmic] = useState(false);
+  useInstrumentView('energy', setQuantity);
   const results = useEditorState((state) => state.results);
   const runs = useMemo(() => simulationRuns(results), [results]);
   const unit = unitOf(quantity, runs);

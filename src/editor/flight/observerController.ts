@@ -136,8 +136,8 @@ export class ObserverController {
     if (length(ahead) > 0) this.state = { ...this.state, u: ZERO, orientation: lookAtOrientation(ahead, up) };
   }
 
-  /** Puts the observer at another event, or gives him another velocity or axes; on a moving camera he no longer rides. */
-  place(to: Partial<Pick<ObserverState, 't' | 'position' | 'u' | 'orientation'>>): void {
+  /** Puts the observer at another event, or gives him another velocity, axes or clock; on a moving camera he no longer rides. */
+  place(to: Partial<ObserverState>): void {
     if (this.currentPicture?.ride) leaveCamera(this.editor);
     this.state = { ...this.state, ...to };
   }

@@ -1,5 +1,6 @@
 import type { ReactNode } from 'react';
 import type { LessonBlock, LessonInline } from '../../lessons/lesson.ts';
+import { lessonPlaceOf } from '../../lessons/lessonAddress.ts';
 import { useEditor } from '../state/context.tsx';
 
 interface TextProps {
@@ -62,14 +63,12 @@ function Inline({ part }: { readonly part: LessonInline }): ReactNode {
             {text}
           </a>
         );
-      const asked = new URLSearchParams(address);
-      const lesson = { name: asked.get('lesson') ?? '', step: Number(asked.get('step') ?? 1) };
       return (
         <a
           href={address}
           onClick={(event) => {
             event.preventDefault();
-            editor.update({ lesson });
+            editor.update({ lesson: lessonPlaceOf(address) });
           }}
         >
           {text}

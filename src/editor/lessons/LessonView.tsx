@@ -8,6 +8,7 @@ import { useTexts } from '../language/languageStore.ts';
 import { openErrorOf } from '../projects/projectSource.ts';
 import { useServices } from '../services.tsx';
 import { useEditor } from '../state/context.tsx';
+import { type Answered, loadAnswers, NOTHING, saveAnswers } from './answers.ts';
 import { LessonPrint } from './LessonPrint.tsx';
 import { Inlines, LessonText } from './LessonText.tsx';
 import { showState } from './showState.ts';
@@ -19,20 +20,11 @@ interface LessonProps {
   readonly step: number;
 }
 
-/** What has been answered. */
-interface Answered {
-  /** The chosen answer by step. */
-  readonly chosen: Readonly<Record<number, number>>;
-  /** Steps whose answer has been looked at. */
-  readonly seen: readonly number[];
-}
-const NOTHING: Answered = { chosen: {}, seen: [] };
-
 /** The open lesson at one of its steps. */
 export function LessonView({ name, lesson, step }: LessonProps): ReactNode {
   const { t } = useTexts();
   const editor = useEditor();
-  const [{ chosen, seen }, setAnswered] = useState(NOTHING);
+  const [{ chosen, seen }, setAnswered] = useAnswers(name, lesson);
   const { set, text, title, question } = lesson.steps[step - 1]!;
   const isSeen = seen.includes(step);
   useShownStep(name, lesson, step, isSeen);
@@ -89,6 +81,21 @@ export function LessonView({ name, lesson, step }: LessonProps): ReactNode {
       {createPortal(<LessonPrint lesson={lesson} />, document.body)}
     </>
   );
+}
+
+/** What is answered, as it was before the page was left. */
+function useAnswers(name: string, { steps }: Lesson): readonly [Answered, (answered: Answered) => void] {
+  const [answered, setAnswered] = useState(() =>
+    loadAnswers(
+      name,
+      steps.map(({ question }) => question?.answers.length ?? 0),
+    ),
+  );
+  const answer = (now: Answered) => {
+    setAnswered(now);
+    saveAnswers(name, now);
+  };
+  return [answered, answer];
 }
 
 /** Keeps project and observer at the state of the step. */

@@ -1,5 +1,11 @@
+import { type FlightState, flightOf, observerOf } from '../../flight/flightState.ts';
+import { cutFlight } from '../../flight/recording/edit.ts';
+import { FlightPlayback } from '../../flight/recording/playback.ts';
+import { type FlightRecording, recordingDuration } from '../../flight/recording/recording.ts';
 import { type GraphDocument, own } from '../../graph/document/document.ts';
 import { applyCommand, type Command } from '../../graph/edits/commands.ts';
+import { type FlightPlan, parseFlightPlan } from '../../lessons/flightPlan.ts';
+import { parseInstrument } from '../../lessons/instruments.ts';
 import type { LessonValue } from '../../lessons/lesson.ts';
 import { isParameter, isVector, type LessonState } from '../../lessons/settings.ts';
 import { length } from '../../math/vec3.ts';
@@ -13,6 +19,8 @@ import type { EditorServices } from '../services.tsx';
 import { type Editor, isUnsaved, type LoadedProject, projectOfScene, sourceOf } from '../state/editor.ts';
 import { sceneUpVector } from '../state/observer.ts';
 import { prefersReducedMotion } from '../state/preferences.ts';
+import { plannedFlight } from './plannedFlight.ts';
+import { replayFlight } from './replayFlight.ts';
 
 type LessonHost = Pick<EditorServices, 'observerController' | 'localFiles'> & { readonly editor: Editor };
 
@@ -41,7 +49,9 @@ export async function showState(
     await new Promise(requestAnimationFrame);
     signal.throwIfAborted();
   }
-  placeObserver(settings, host);
+  placeObserver(settings, host, signal);
+  const panel = settings.get('panel');
+  if (typeof panel === 'string') host.editor.update({ instrument: parseInstrument(panel) });
 }
 
 /** The example as a project of its own. */
@@ -90,7 +100,8 @@ function parameterChanges(from: GraphDocument, to: GraphDocument): Command {
 }
 
 /** The observer as the scene begins, but for what the state says. One who moves keeps velocity and place. */
-function placeObserver(settings: LessonState['settings'], { editor, observerController }: LessonHost): void {
+function placeObserver(settings: LessonState['settings'], host: LessonHost, signal: AbortSignal): void {
+  const { observerController } = host;
   const { picture } = observerController;
   if (!picture) return;
   observerController.restart();
@@ -108,6 +119,36 @@ function placeObserver(settings: LessonState['settings'], { editor, observerCont
     ...(u && { u }),
     ...(look && { orientation: lookAtOrientation(look, sceneUpVector(picture.scene)) }),
   });
+  const flight = settings.get('flight');
+  const plan = typeof flight === 'string' ? parseFlightPlan(flight)! : [];
+  if (plan.length === 0) settle(settings, host);
+  else fly(plan, settings, host, signal);
+}
+
+/** The part of a flight from the observer's place that the state says; where no motion is wanted, where it ends. */
+function fly(plan: FlightPlan, settings: LessonState['settings'], host: LessonHost, signal: AbortSignal): void {
+  const { observerController: controller } = host;
+  const whole = plannedFlight(plan, flightOf(controller.observer), controller.picture!.speedOfLight);
+  const duration = recordingDuration(whole);
+  const moment = (key: string, otherwise: number) => Math.min(Number(settings.get(key) ?? otherwise), duration);
+  const [from, to] = [moment('flight.from', 0), moment('flight.to', duration)];
+  const end = (last: FlightState): void => {
+    controller.place(observerOf(last));
+    settle(settings, host);
+  };
+  if (from >= to || prefersReducedMotion()) end(stateAtEnd(whole, from, to));
+  else
+    replayFlight(cutFlight(whole, from, to), controller, signal, (last) => {
+      if (last) end(last);
+    });
+}
+
+/** The last state of a part. A part without duration begins what comes next: after a turn, not before it. */
+const stateAtEnd = (whole: FlightRecording, from: number, to: number): FlightState =>
+  new FlightPlayback(from < to ? cutFlight(whole, from, to) : whole).stateAt(from < to ? to - from : from);
+
+/** Whether time runs, and who has a velocity keeps it. */
+function settle(settings: LessonState['settings'], { editor, observerController }: LessonHost): void {
   const isMoving = length(observerController.observer.u) > 0;
   const lock = settings.get('lock');
   editor.update({

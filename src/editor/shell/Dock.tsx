@@ -56,6 +56,7 @@ export function Dock(): ReactNode {
   useGraph(api, host);
   useEnergy(api);
   useLessonPanel(api, host);
+  useInstrument(api);
   useTitles(api);
   const maximized = useEditorState((state) => state.maximized);
   useEffect(() => {
@@ -206,6 +207,15 @@ function useLessonPanel(api: DockviewApi | undefined, host: React.RefObject<HTML
       if (api.getPanel('lesson')) api.removePanel(panel);
     };
   }, [api, host, shown]);
+}
+
+/** Brings the panel to the front that a lesson asks for, but not over the lesson. */
+function useInstrument(api: DockviewApi | undefined): void {
+  const instrument = useEditorState((state) => state.instrument);
+  useEffect(() => {
+    const panel = instrument && api?.getPanel(instrument.panel);
+    if (panel && panel.group !== api?.getPanel('lesson')?.group) panel.api.setActive();
+  }, [api, instrument]);
 }
 
 const simulates = ({ history: { document } }: EditorState): boolean =>

@@ -17,6 +17,8 @@ import {
 import { CancelledError, type Evaluation, Evaluator } from '../../graph/evaluation/evaluator.ts';
 import type { NodeResult } from '../../graph/evaluation/resultCache.ts';
 import type { NodeProblem } from '../../graph/nodeType.ts';
+import type { Instrument } from '../../lessons/instruments.ts';
+import type { LessonPlace } from '../../lessons/lessonAddress.ts';
 import { inEnglish, type LocalizedText, type Message, msg } from '../../messages/message.ts';
 import { MessageError, messageOf } from '../../messages/messageError.ts';
 import { nodeLibrary } from '../../nodes/library.ts';
@@ -111,12 +113,8 @@ export interface EditorState {
   readonly inspecting: boolean;
   /** The lessons, while they are shown. */
   readonly lesson?: LessonPlace | undefined;
-}
-
-/** A step of a lesson, from 1, as an address has it; without a name, the list of lessons. */
-export interface LessonPlace {
-  readonly name?: string;
-  readonly step: number;
+  /** A panel that a lesson brought to the front, and what it shows. */
+  readonly instrument?: Instrument | undefined;
 }
 
 export interface Editor {

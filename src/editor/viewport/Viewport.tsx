@@ -86,16 +86,17 @@ function StartHint(): ReactNode {
   ) : null;
 }
 
-/** The scene's description: what to look for. */
+/** The scene's description: what to look for. A lesson asks first, and this may hold the answer. */
 function Caption(): ReactNode {
   const { t } = useTexts();
   const [shown, setShown] = useState(() => loadPreferences().captions);
   const { title, lookFor } = useOpenedTexts();
+  const asked = useEditorState((state) => state.lesson?.name !== undefined);
   const show = (captions: boolean) => {
     setShown(captions);
     savePreferences({ ...loadPreferences(), captions });
   };
-  if (!lookFor) return null;
+  if (!lookFor || asked) return null;
   if (!shown) {
     return (
       <UnstyledButton className="sl-caption sl-caption-closed" onClick={() => show(true)}>
