@@ -13,3 +13,8 @@ declare function atob(data: string): string;
 declare function btoa(data: string): string;
 /** [ms], from some time on. */
 declare const performance: { now(): number };
+/** The parameters of an address. */
+declare class URLSearchParams {
+  constructor(init?: string | URLSearchParams);
+  get(name: string): string | null;
+}
