@@ -86,15 +86,19 @@ export async function renderFrames(
   }
 }
 
+/** A path that is this near to the file's is the same [m]. */
+const MIN_TOLD_STRAY = 1e-6;
+
 /** Says that the camera's path is not the file's to the letter. */
 function noteCourse(setup: ObserverSetup, progress: Progress): void {
   const { path, motion, course } = setup.camera;
   if (!course || !ridesCamera(setup)) return;
   const samples = sampleTimes(motion)?.length ?? 0;
   const strayed = `${Number(course.strayed.toPrecision(2))} m`;
-  progress.note(
-    msg`${path}: a smooth path through its ${samples} samples, up to ${strayed} beside the straight lines between them (--camera-path straight)`,
-  );
+  if (course.strayed > MIN_TOLD_STRAY)
+    progress.note(
+      msg`${path}: a smooth path through its ${samples} samples, up to ${strayed} beside the straight lines between them (--camera-path straight)`,
+    );
   const jumps = `${course.jumps
     .slice(0, 3)
     .map((t) => `${t} s`)

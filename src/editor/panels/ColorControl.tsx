@@ -8,7 +8,7 @@ import { ParamLabel, ResetButton } from './ParamLabel.tsx';
 import type { ParamProps } from './paramProps.ts';
 
 /** A colour, edited in display sRGB; the document stores linear values. */
-export function ColorControl({ spec, set, value, onChange, onGestureEnd }: ParamProps<ColorParam>): ReactNode {
+export default function ColorControl({ spec, set, value, onChange, onGestureEnd }: ParamProps<ColorParam>): ReactNode {
   const { t } = useTexts();
   const id = useId();
   const shown = cssColor(Array.isArray(value) ? value.map(Number) : spec.default);

@@ -1,5 +1,5 @@
 import { Badge, Group, SegmentedControl, Select, Slider, Stack, Switch, Tooltip } from '@mantine/core';
-import { type ReactNode, useId } from 'react';
+import { lazy, type ReactNode, Suspense, useId } from 'react';
 import type { ParamValue } from '../../graph/document/document.ts';
 import {
   type ChoiceParam,
@@ -11,16 +11,21 @@ import {
 } from '../../graph/nodeType.ts';
 import { msg } from '../../messages/message.ts';
 import { useTexts } from '../language/languageStore.ts';
-import { ColorControl } from './ColorControl.tsx';
 import { ExpressionField } from './ExpressionField.tsx';
 import { DrivenParam, ParamHeader, ParamLabel, ResetButton } from './ParamLabel.tsx';
 import type { ParamProps } from './paramProps.ts';
 import { sliderPosition, sliderValue } from './sliderScale.ts';
-import { ListControl, TextControl } from './TextControl.tsx';
 import { VectorControl } from './VectorControl.tsx';
 
+/** Loaded on demand: only nodes of the graph have colours, texts and lists. */
+const ColorControl = lazy(() => import('./ColorControl.tsx'));
+const TextControl = lazy(async () => ({ default: (await import('./TextControl.tsx')).TextControl }));
+const ListControl = lazy(async () => ({ default: (await import('./TextControl.tsx')).ListControl }));
+
 /** Control of one parameter, chosen by its description. */
-export function ParamControl(props: ParamProps): ReactNode {
+export const ParamControl = (props: ParamProps): ReactNode => <Suspense>{controlOf(props)}</Suspense>;
+
+function controlOf(props: ParamProps): ReactNode {
   const { spec, drivenBy } = props;
   if (drivenBy !== undefined) return <DrivenParam spec={spec} by={drivenBy} />;
   switch (spec.kind) {

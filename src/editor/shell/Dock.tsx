@@ -5,7 +5,6 @@ import { createPortal } from 'react-dom';
 import { type Message, msg, type Translate } from '../../messages/message.ts';
 import { useTexts } from '../language/languageStore.ts';
 import { ControlsPanel } from '../panels/ControlsPanel.tsx';
-import { ScenePanel } from '../panels/scene/ScenePanel.tsx';
 import { useEditor, useEditorState } from '../state/context.tsx';
 import type { EditorState } from '../state/editor.ts';
 import { Viewport } from '../viewport/Viewport.tsx';
@@ -17,6 +16,7 @@ const Inspector = lazy(() => import('../graph/inspector/Inspector.tsx'));
 const EnergyPanel = lazy(() => import('../energy/EnergyPanel.tsx'));
 const LessonPanel = lazy(() => import('../lessons/LessonPanel.tsx'));
 /** Loaded when their tabs are first opened. */
+const ScenePanel = lazy(() => import('../panels/scene/ScenePanel.tsx'));
 const DiagramPanel = lazy(() => import('../diagrams/DiagramPanel.tsx'));
 const ClocksPanel = lazy(() => import('../clocks/ClocksPanel.tsx'));
 
@@ -32,6 +32,10 @@ const PANELS = {
   lesson: { title: msg`Lessons`, content: <LessonPanel /> },
 } as const satisfies Record<string, { title: Message; content: ReactNode }>;
 type PanelName = keyof typeof PANELS;
+
+/** The panels behind the controls, which are made when they are first seen. */
+const BEHIND = ['scene', 'diagram', 'clocks'] as const satisfies readonly PanelName[];
+const isBehind = (name: string): boolean => (BEHIND as readonly string[]).includes(name);
 
 const THEMES = {
   light: { name: 'slowlight', className: 'sl-dock', colorScheme: 'light' },
@@ -91,8 +95,7 @@ function useDockview(host: React.RefObject<HTMLDivElement | null>, setElements: 
           element,
           init: ({ api }) => {
             const show = () => setElements((known) => ({ ...known, [name]: element }));
-            if (name === 'diagram' || name === 'clocks')
-              api.onDidVisibilityChange(({ isVisible }) => isVisible && show());
+            if (isBehind(name)) api.onDidVisibilityChange(({ isVisible }) => isVisible && show());
             else show();
           },
           dispose: () => setElements(({ [name as PanelName]: _gone, ...left }) => left),
@@ -243,8 +246,7 @@ function layOut(api: DockviewApi, narrow: boolean): void {
   const direction = narrow ? 'below' : 'right';
   const size = narrow ? { initialHeight: 260 } : { initialWidth: SIDE_WIDTH };
   const controls = api.addPanel({ id: 'controls', component: 'controls', position: { direction }, ...size });
-  for (const id of ['scene', 'diagram', 'clocks'] as const)
-    api.addPanel({ id, component: id, position: { referencePanel: controls }, inactive: true });
+  for (const id of BEHIND) api.addPanel({ id, component: id, position: { referencePanel: controls }, inactive: true });
   if (!narrow) controls.group.api.setConstraints({ minimumWidth: 264, maximumWidth: 480 });
   picture.group.header.hidden = true;
   picture.group.locked = 'no-drop-target';

@@ -17,7 +17,7 @@ import { Variants } from './Variants.tsx';
 import { wholes } from './wholes.ts';
 
 /** Content of the open scene, its variants and motion, and the reader's diagnostics. */
-export function ScenePanel(): ReactNode {
+export default function ScenePanel(): ReactNode {
   const { t } = useTexts();
   const picture = useEditorState((state) => state.picture);
   const source = useEditorState((state) => state.pictureSource.source);
