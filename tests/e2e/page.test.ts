@@ -137,6 +137,17 @@ describe('the page', () => {
     await visit.page.getByText('Simultaneity', { exact: true }).click();
     await expect.poll(async () => difference(await visit.pixels(), seen)).toBeGreaterThan(0.5);
     await visit.shot('view-simultaneity');
+    const moment = await visit.finest().then(() => visit.pixels());
+    await visit.page.getByText('Between', { exact: true }).click();
+    await expect.poll(async () => difference(await visit.pixels(), moment)).toBeGreaterThan(0.5);
+    // At its ends it is one of the others, reached by the keyboard.
+    const slider = visit.page.getByRole('slider', { name: 'From slice to cone' });
+    await slider.press('ArrowLeft');
+    expect(await slider.getAttribute('aria-valuetext')).toBe('0.49');
+    await slider.press('Home');
+    await expect.poll(async () => difference(await visit.pixels(), moment)).toBeLessThan(0.5);
+    await slider.press('End');
+    await expect.poll(async () => difference(await visit.pixels(), seen)).toBeLessThan(0.5);
     await visit.page.getByText('Seen', { exact: true }).click();
     await expect.poll(async () => difference(await visit.pixels(), seen)).toBeLessThan(0.5);
   });

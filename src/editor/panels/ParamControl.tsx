@@ -14,7 +14,7 @@ import { useTexts } from '../language/languageStore.ts';
 import { ExpressionField } from './ExpressionField.tsx';
 import { DrivenParam, ParamHeader, ParamLabel, ResetButton } from './ParamLabel.tsx';
 import type { ParamProps } from './paramProps.ts';
-import { sliderPosition, sliderValue } from './sliderScale.ts';
+import { sliderPosition, sliderStep, sliderValue } from './sliderScale.ts';
 import { VectorControl } from './VectorControl.tsx';
 
 /** Loaded on demand: only nodes of the graph have colours, texts and lists. */
@@ -76,7 +76,7 @@ function NumberControl({ spec, set, value, onChange, onGestureEnd }: ParamProps<
           size="xs"
           min={0}
           max={1}
-          step={spec.integer ? 1 / (spec.max - spec.min) : 0.002}
+          step={sliderStep(spec)}
           label={null}
           value={sliderPosition(spec, number)}
           onChange={(position) => onChange(sliderValue(spec, position), `slider ${id}`)}

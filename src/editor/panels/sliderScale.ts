@@ -13,6 +13,21 @@ export function sliderValue(spec: NumberParam, position: number): number {
   return Math.min(spec.max, Math.max(spec.min, roundToStep(spec, value)));
 }
 
+/** The step of the slider's position: no smaller than that of the value, which an arrow key would otherwise round back. */
+export function sliderStep(spec: NumberParam): number {
+  const whole = STEPS[spec.scale ?? 'linear'](spec) / (toScale(spec, spec.max) - toScale(spec, spec.min));
+  return Math.max(FINEST_STEP, whole);
+}
+
+const FINEST_STEP = 0.002;
+
+/** The least step on each scale that is not rounded back. Of two digits of 1 − v, 10 % apart at most, that is ln 1.1/2 of atanh v. */
+const STEPS: Readonly<Record<NonNullable<NumberParam['scale']>, (spec: NumberParam) => number>> = {
+  linear: ({ step, integer }) => (integer ? 1 : step),
+  log: () => Math.log(1.01),
+  approach: () => Math.log(1.1) / 2,
+};
+
 /** A logarithmic scale cannot reach 0: a range that starts there is shifted by one step. */
 const logOffset = ({ min, step }: NumberParam): number => (min > 0 ? 0 : step);
 
