@@ -1,10 +1,10 @@
 import type { Vec3 } from '../math/vec3.ts';
 
 /** A part of a flight that a lesson shows: at one velocity [c] for so long by the own clock [s], or a trip from rest to rest. */
-type PlannedPart =
+type FlightPart =
   | { readonly kind: 'coast'; readonly beta: Vec3; readonly lasts: number }
   | { readonly kind: 'trip'; readonly by: Vec3; readonly acceleration: number };
-export type FlightPlan = readonly PlannedPart[];
+export type FlightPlan = readonly FlightPart[];
 
 const COAST = /^coast (.+) for (\d+(?:\.\d+)?)$/;
 const TRIP = /^trip (.+) at (\d+(?:\.\d+)?)$/;
@@ -19,7 +19,7 @@ export function parseFlightPlan(text: string): FlightPlan | undefined {
   return parts.every((part) => part !== undefined) ? parts : undefined;
 }
 
-function parsePart(text: string): PlannedPart | undefined {
+function parsePart(text: string): FlightPart | undefined {
   const [, velocity = '', lasts] = COAST.exec(text) ?? [];
   const beta = parseVector(velocity);
   if (beta && Math.hypot(...beta) < 1) return { kind: 'coast', beta, lasts: Number(lasts) };
