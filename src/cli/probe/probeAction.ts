@@ -18,8 +18,7 @@ import type { ProbeFlags } from './probeFlags.ts';
 
 export async function probe(path: string, flags: ProbeFlags): Promise<void> {
   if ((flags.prim === undefined) === (flags.pixel === undefined)) throw usageError(msg`give either --prim or --pixel`);
-  const { solver, iterations, damping } = flags;
-  const { view: name, coneSlope } = flags;
+  const { view: name, coneSlope, solver, iterations, damping } = flags;
   const newton = solver === 'newton' ? { iterations, damping } : undefined;
   const how = { newton, coneSlope };
   if (newton && flags.pixel)

@@ -17,11 +17,11 @@ export interface TimeGradient {
  * Times are relative to the observer's event, c(t − t_o) [m of light]; places are observer → event, world frame [m]; u is the observer's γβ.
  */
 export interface Hypersurface {
-  /** Whether it is the past light cone, else one moment of an inertial frame. */
+  /** Whether it is the past light cone, else it is spacelike. */
   readonly isLightCone: boolean;
   /** What light travels on from lamps to the events that are shown: each other's past light cones, or one moment. */
   readonly lightSurface: LightSurfaceName;
-  /** γβ of that frame; 0 for the light cone. */
+  /** γβ of the frame whose moment it is, or, of a cone between, begins as; 0 for the light cone. */
   momentVelocity(u: Vec3): Vec3;
   /** Its intersection with a world line; undefined behind a horizon. c [m/s]. */
   intersect(line: WorldLine, observer: ObserverEvent, u: Vec3, c: number): SimultaneousEvent | undefined;

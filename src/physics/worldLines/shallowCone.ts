@@ -1,5 +1,5 @@
 import { brent } from '../../math/roots.ts';
-import { add, addScaled, dot, length, scale, sub, type Vec3 } from '../../math/vec3.ts';
+import { addScaled, dot, length, scale, sub, type Vec3 } from '../../math/vec3.ts';
 import { gamma, properVelocity, velocity } from '../lorentz/boost.ts';
 import { apparentPosition } from '../optics/apparentPosition.ts';
 import type { ObserverEvent } from './kinds/worldLineKind.ts';
@@ -27,6 +27,10 @@ export function slowedContraction(u: Vec3, slope: number): number {
   return u2 > 0 ? (1 - gamma(slowed(u, slope)) / gamma(u)) / u2 : 0;
 }
 
+/** Y. */
+export const slowedPlace = (dx: Vec3, u: Vec3, slope: number): Vec3 =>
+  addScaled(dx, u, -slowedContraction(u, slope) * dot(u, dx));
+
 /**
  * Observer-frame position Δx′ of the event at Δx on the cone ct′ = −λr′: the apparent position in the slowed world. λ = 0: `simultaneousPosition`;
  * λ = 1: `apparentPosition`. Δx [m]: world frame, observer → event; u: the observer's γβ. docs/physics.md §5.8.
@@ -35,7 +39,7 @@ export function slowedContraction(u: Vec3, slope: number): number {
  * shallowPosition([5, 0, 0], [0.75, 0, 0], 0.5); // [5.714, 0, 0] m
  */
 export const shallowPosition = (dx: Vec3, u: Vec3, slope: number): Vec3 =>
-  apparentPosition(addScaled(dx, u, -slowedContraction(u, slope) * dot(u, dx)), slowed(u, slope));
+  apparentPosition(slowedPlace(dx, u, slope), slowed(u, slope));
 
 /**
  * Time [m of light] that a point with velocity v [c] takes from its place a at the time T before the observer's to the cone: the smaller root of
@@ -44,24 +48,24 @@ export const shallowPosition = (dx: Vec3, u: Vec3, slope: number): Vec3 =>
  */
 function crossingTime(slope: number, T: number, a: Vec3, v: Vec3, u: Vec3, g: number): number {
   const [square, mu] = [slope * slope, (1 - slope) * (1 + slope)];
-  const uv = dot(u, v);
-  const b = g - uv;
+  const b = g - dot(u, v);
   const tau = -g * T - dot(u, a);
   const M = square * (1 - dot(v, v)) + mu * b * b;
   const q = square * (T * T - dot(a, a)) + mu * tau * tau;
   const half = square * (T + dot(a, v)) - mu * b * tau;
   const e = addScaled(a, v, -tau / b);
   const S = addScaled(e, u, -dot(u, e) / (g * (g + 1)));
-  const Sq = dot(S, v) + dot(S, u) * (uv / (g + 1) - 1);
+  const Sq = dot(S, inObserverFrame(1, v, u, g));
   const root = slope * Math.sqrt(M * dot(S, S) + square * Sq * Sq);
   return half > 0 ? q / (half + root) : (half - root) / M;
 }
 
-/** ct′ + λr′ of the event (x, T′ = −t) relative to the observer. */
-function lateness(slope: number, x: Vec3, t: number, u: Vec3, g: number): number {
-  const ux = dot(u, x);
-  return g * t - ux + slope * length(addScaled(x, u, ux / (g + 1) - t));
-}
+/** The spatial part of a displacement (t, x) in the observer's frame, as `boost`; `g`: γ of u. */
+const inObserverFrame = (t: number, x: Vec3, u: Vec3, g: number): Vec3 => addScaled(x, u, dot(u, x) / (g + 1) - t);
+
+/** ct′ + λr′ of the event (t, x) relative to the observer. */
+const lateness = (slope: number, x: Vec3, t: number, u: Vec3, g: number): number =>
+  g * t - dot(u, x) + slope * length(inObserverFrame(t, x, u, g));
 
 /** The crossing of a line that is straight between samples, and at rest outside them. */
 function onPolyline(
@@ -125,11 +129,11 @@ export const shallowCone = (slope: number): Hypersurface => ({
   },
   lateness: (x, y, z, t, u, g) => lateness(slope, [x, y, z], t, u, g),
   latenessRate(x, y, z, t, vx, vy, vz, u, g) {
-    const place = addScaled([x, y, z], u, (u[0] * x + u[1] * y + u[2] * z) / (g + 1) - t);
+    const place = inObserverFrame(t, [x, y, z], u, g);
     const away = length(place);
-    const uv = u[0] * vx + u[1] * vy + u[2] * vz;
-    const recession = dot(place, add([vx, vy, vz], scale(u, uv / (g + 1) - 1)));
-    return g - uv + (away > 0 ? (slope * recession) / away : 0);
+    const v: Vec3 = [vx, vy, vz];
+    const recession = dot(place, inObserverFrame(1, v, u, g));
+    return g - dot(u, v) + (away > 0 ? (slope * recession) / away : 0);
   },
   crossingTime: (T, ax, ay, az, vx, vy, vz, u, g) => crossingTime(slope, T, [ax, ay, az], [vx, vy, vz], u, g),
 });

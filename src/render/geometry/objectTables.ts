@@ -1,6 +1,6 @@
-import { addScaled, dot, length, type Vec3, ZERO } from '../../math/vec3.ts';
+import { length, type Vec3, ZERO } from '../../math/vec3.ts';
 import type { PlacementName } from '../../physics/optics/placement.ts';
-import { slowed, slowedContraction } from '../../physics/worldLines/shallowCone.ts';
+import { slowed, slowedPlace } from '../../physics/worldLines/shallowCone.ts';
 import { simultaneousPosition } from '../../physics/worldLines/simultaneity.ts';
 import type { BoundingSphere } from '../../scene/bounds/bounds.ts';
 import { motionKind } from '../../scene/motion/motions.ts';
@@ -132,10 +132,7 @@ const CONES: Readonly<Record<PlacementName, (sphere: BoundingSphere, observation
   },
   contracted: (sphere, { u }) => coneAround(contracted(sphere, u)),
   shallow({ center, radius }, { u, coneSlope }) {
-    const cone = coneAround({
-      center: addScaled(center, u, -slowedContraction(u, coneSlope) * dot(u, center)),
-      radius,
-    });
+    const cone = coneAround({ center: slowedPlace(center, u, coneSlope), radius });
     return cone && aberrateCone(cone, slowed(u, coneSlope));
   },
   plain: coneAround,

@@ -1,19 +1,14 @@
 import { uniform } from 'three/tsl';
 import { Matrix3, Vector2, Vector3 } from 'three/webgpu';
 import { backdropColors } from '../../scene/lights/sceneLights.ts';
+import { makeObserverUniforms } from './observerUniforms.ts';
 
 const DAY = backdropColors({ lights: [] });
 
 /** Uniforms that all passes of a picture read, written once per picture. */
 export function makeFrameUniforms() {
   return {
-    /** γβ and γ of the observer. */
-    u: uniform(new Vector3()),
-    gamma: uniform(1),
-    /** λ of the cone ct′ = −λr′, and γβ and γ of the velocity λβ, in the view from slice to cone. */
-    coneSlope: uniform(1),
-    slowedU: uniform(new Vector3()),
-    slowedGamma: uniform(1),
+    ...makeObserverUniforms(),
     iterations: uniform(1, 'int'),
     damping: uniform(1),
     /** 1 in views that show events on the past light cone, otherwise 0. */

@@ -12,7 +12,6 @@ const at = <T>(slope: number, [moment, between, seen]: readonly [T, T, T]): T =>
   slope <= 0 ? moment : slope >= 1 ? seen : between;
 
 export const DEFAULT_CONE_SLOPE = 0.5;
-const WHOLE = { lightDelay: true, aberration: true } as const;
 
 /** From what is to what is seen: the events ct′ = −λr′ of the observer's frame, from his moment (λ = 0) to his past light cone (λ = 1). docs/physics.md §5.8. */
 export const sliceToCone: ViewRecord = {
@@ -23,12 +22,12 @@ export const sliceToCone: ViewRecord = {
   relativistic: true,
   hypersurface: ({ coneSlope }) => at(coneSlope, ['slice', 'shallow-cone', 'past-light-cone']),
   placement: ({ coneSlope }) => at(coneSlope, ['contracted', 'shallow', 'apparent']),
-  rayToward: (n, u, toggles) =>
-    at<() => ReturnType<ViewRecord['rayToward']>>(toggles.coneSlope, [
-      () => simultaneity.rayToward(n, u, toggles),
-      () => inverseBoost([-toggles.coneSlope, ...n], u),
-      () => lightCone.rayToward(n, u, { ...toggles, ...WHOLE }),
-    ])(),
+  rayToward(n, u, toggles) {
+    const { coneSlope } = toggles;
+    if (coneSlope >= 1) return lightCone.rayToward(n, u, { ...toggles, lightDelay: true, aberration: true });
+    if (coneSlope <= 0) return simultaneity.rayToward(n, u, toggles);
+    return inverseBoost([-coneSlope, ...n], u);
+  },
   probe(line, observer, c, options) {
     const { coneSlope = DEFAULT_CONE_SLOPE } = options;
     if (coneSlope >= 1) return lightCone.probe(line, observer, c, options);

@@ -1,8 +1,8 @@
-import { abs, Break, dot, float, If, int, Loop, max, select, sqrt } from 'three/tsl';
+import { abs, Break, float, If, int, Loop, max, select, sqrt } from 'three/tsl';
 import type { Float, HyperbolicVertexEvent, Vec3, Vec4 } from '../types.ts';
 import { hyperbolaVertex } from '../worldLines/hyperbola.ts';
-import { hyperbolaCrossing } from '../worldLines/hyperbolaCrossing.ts';
 import { hyperbolaEvent, MIN_RAPIDITY_FACTOR } from '../worldLines/hyperbolaEvent.ts';
+import { momentCrossing } from '../worldLines/momentCrossing.ts';
 import { shallowAnchor, shallowRate, shallowTime } from './linearShallow.ts';
 import type { ShallowObserver } from './shallowObserver.ts';
 
@@ -28,16 +28,8 @@ export function hyperbolicShallow(
   const vertex = hyperbolaVertex(motion, w, bornRigid, offset);
   const a = vertex.acceleration;
 
-  // The slice: u·x = γt + λr′ relative to the anchor, as in hyperbolicSlice.
-  const along = dot(u, motion.xyz).toVar();
-  const across = u.sub(motion.xyz.mul(along)).toVar();
-  const larger = gamma.add(along.abs()).toVar();
-  const smaller = dot(across, across).add(1).div(larger).toVar();
-  const ahead = along.greaterThan(0);
-  const plus = select(ahead, smaller, larger).mul(w).mul(0.5).toVar();
-  const minus = select(ahead, larger, smaller).div(w).mul(0.5).toVar();
-  const high = hyperbolaCrossing(vertex, plus, minus, dot(across, vertex.across).add(coneSlope.mul(from.w))).toVar();
-
+  // The slice is λr′ later than the anchor.
+  const high = momentCrossing(vertex, motion, w, u, gamma, coneSlope.mul(from.w)).toVar();
   const highGrowth = max(a.mul(high).add(1), w.reciprocal().mul(MIN_RAPIDITY_FACTOR)).toVar();
   const lowGrowth = w.reciprocal().mul(MIN_RAPIDITY_FACTOR).toVar();
   const eta = select(high.lessThan(0), high, float(0)).toVar();

@@ -9,6 +9,9 @@ import { shallowPosition } from './shallowPosition.ts';
 export const shallowAnchor = (anchor: Vec4, observer: ShallowObserver): Vec4 =>
   vec4(anchor.xyz, length(shallowPosition(anchor.xyz, observer))).toVar();
 
+/** dx′/dct in the observer's frame of what moves with v in the world. */
+const driftOf = (v: Vec3, u: Vec3, gamma: Float): Vec3 => v.add(u.mul(dot(u, v).div(gamma.add(1)).sub(1)));
+
 /**
  * Time after `start` = (x, y, z, t), relative to the anchor, at which a point that continues from there with constant velocity meets the cone: the smaller
  * root of −Ms² + 2gs − q = 0 (`crossingTime` of src/physics/worldLines/shallowCone.ts). For f32, q is computed from the anchor, for which it is 0, and
@@ -50,8 +53,7 @@ const crossing = Fn(
     const M = square.mul(velocity.w).add(mu.mul(b).mul(b)).toVar();
 
     const S = simultaneousPosition(d.sub(v.mul(tau.add(later).div(b))), u, gamma).toVar();
-    const drift = v.add(u.mul(dot(u, v).div(gamma.add(1)).sub(1)));
-    const Sq = dot(S, drift).toVar();
+    const Sq = dot(S, driftOf(v, u, gamma)).toVar();
     const root = slope.mul(sqrt(M.mul(dot(S, S)).add(square.mul(Sq).mul(Sq)))).toVar();
     return select(g.greaterThan(0), q.div(max(g.add(root), 1e-30)), g.sub(root).div(M));
   },
@@ -74,7 +76,6 @@ export function shallowRate(dx: Vec3, velocity: Vec4, observer: ShallowObserver)
   const { u, gamma, coneSlope } = observer;
   const place = shallowPosition(dx, observer).toVar();
   const n = place.div(max(length(place), 1e-20)).toVar();
-  const drift = velocity.xyz.add(u.mul(dot(u, velocity.xyz).div(gamma.add(1)).sub(1)));
-  const rate = lorentzFactorRatio(u, gamma, velocity).add(coneSlope.mul(dot(n, drift)));
+  const rate = lorentzFactorRatio(u, gamma, velocity).add(coneSlope.mul(dot(n, driftOf(velocity.xyz, u, gamma))));
   return rate.div(gamma.sub(coneSlope.mul(dot(n, u))));
 }

@@ -1,8 +1,7 @@
-import { dot, select } from 'three/tsl';
 import type { Float, HyperbolicVertexEvent, Vec3, Vec4 } from '../types.ts';
 import { hyperbolaVertex } from '../worldLines/hyperbola.ts';
-import { hyperbolaCrossing } from '../worldLines/hyperbolaCrossing.ts';
 import { hyperbolaEvent } from '../worldLines/hyperbolaEvent.ts';
+import { momentCrossing } from '../worldLines/momentCrossing.ts';
 
 /**
  * The event of a vertex in hyperbolic motion on the observer's slice Δt′ = 0 (docs/physics.md §5.3): u·x = γt, that is
@@ -30,17 +29,7 @@ export function hyperbolicSlice(
   gamma: Float,
 ): HyperbolicVertexEvent {
   const vertex = hyperbolaVertex(motion, w, bornRigid, offset);
-  const along = dot(u, motion.xyz).toVar();
-  const across = u.sub(motion.xyz.mul(along)).toVar();
-
-  // γ ± u∥, the smaller one in the conjugate form (1 + u⊥²)/(γ + |u∥|)
-  const larger = gamma.add(along.abs()).toVar();
-  const smaller = dot(across, across).add(1).div(larger).toVar();
-  const ahead = along.greaterThan(0);
-  const plus = select(ahead, smaller, larger).mul(w).mul(0.5).toVar();
-  const minus = select(ahead, larger, smaller).div(w).mul(0.5).toVar();
-
-  const eta = hyperbolaCrossing(vertex, plus, minus, dot(across, vertex.across));
+  const eta = momentCrossing(vertex, motion, w, u, gamma, 0);
   const { x, ...event } = hyperbolaEvent(motion, w, vertex, eta);
   return { dx: anchor.xyz.add(x), ...event };
 }

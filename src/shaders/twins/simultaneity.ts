@@ -75,7 +75,7 @@ export const simultaneityTwins: readonly Twin[] = [
   newtonTwin(motionInputs.polyline),
 
   sliceTwin(motionInputs.uniform, ['lorentzFactorRatio']),
-  sliceTwin(motionInputs.hyperbolic, ['hyperbolaVertex', 'hyperbolaCrossing', 'hyperbolaEvent']),
+  sliceTwin(motionInputs.hyperbolic, ['hyperbolaVertex', 'hyperbolaCrossing', 'hyperbolaEvent', 'momentCrossing']),
   sliceTwin(motionInputs.polyline, ['bisect', 'pieceVelocity']),
   sliceTwin(motionInputs.cubic, ['bisect', 'cubicPiece', 'cubicRoot', 'evaluateCubic']),
 ];

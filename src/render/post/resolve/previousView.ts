@@ -1,13 +1,12 @@
 import { uniform } from 'three/tsl';
-import { Matrix3, Vector2, Vector3, Vector4 } from 'three/webgpu';
+import { Matrix3, Vector2, Vector4 } from 'three/webgpu';
 import { toMatrix } from '../../../math/quat.ts';
 import { sub } from '../../../math/vec3.ts';
-import { gamma } from '../../../physics/lorentz/boost.ts';
-import { slowed } from '../../../physics/worldLines/shallowCone.ts';
 import type { Frustum } from '../../../scene/view/lens.ts';
 import type { ViewPoint } from '../../../scene/view/view.ts';
 import type { Observation } from '../../geometry/observation.ts';
 import type { SpacetimeProjection } from '../../geometry/vertexStage.ts';
+import { makeObserverUniforms, setObserverUniforms } from '../../gpu/observerUniforms.ts';
 
 /** The observation, camera and projection that a picture was drawn with. */
 export interface ViewState {
@@ -19,11 +18,7 @@ export interface ViewState {
 
 /** Uniforms of the previous picture's view, which temporalAntialiasing.ts reads beside those of the current picture. */
 export class PreviousView {
-  readonly u = uniform(new Vector3());
-  readonly gamma = uniform(1);
-  readonly coneSlope = uniform(1);
-  readonly slowedU = uniform(new Vector3());
-  readonly slowedGamma = uniform(1);
+  readonly observer = makeObserverUniforms();
   /** World axes carried by its boost → camera axes. */
   readonly toCamera = uniform(new Matrix3());
   readonly halfTangents = uniform(new Vector2(1, 1));
@@ -47,12 +42,7 @@ export class PreviousView {
   }
 
   private store({ observation, viewPoint, frustum }: ViewState, now: Observation): void {
-    this.u.value.set(...observation.u);
-    this.gamma.value = gamma(observation.u);
-    const slowedU = slowed(observation.u, observation.coneSlope);
-    this.coneSlope.value = observation.coneSlope;
-    this.slowedU.value.set(...slowedU);
-    this.slowedGamma.value = gamma(slowedU);
+    setObserverUniforms(this.observer, observation);
     this.toCamera.value.fromArray([...toMatrix(viewPoint.orientation)]);
     this.halfTangents.value.set(frustum.tanX, frustum.tanY);
     this.frustumCenter.value.set(...frustum.center);

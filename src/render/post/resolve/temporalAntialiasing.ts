@@ -29,6 +29,7 @@ import { ontoLightCone } from '../../../shaders/emission/ontoLightCone.ts';
 import { dopplerFactor } from '../../../shaders/kinematics/dopplerFactor.ts';
 import { unaberrate } from '../../../shaders/kinematics/unaberrate.ts';
 import { ontoShallowCone } from '../../../shaders/shallowCone/ontoShallowCone.ts';
+import type { ShallowObserver } from '../../../shaders/shallowCone/shallowObserver.ts';
 import type { Bool, Float, Vec2, Vec3, Vec4 } from '../../../shaders/types.ts';
 import type { GBuffer } from '../../gbuffer/gbuffer.ts';
 import { observerPosition, type SpacetimeProjection } from '../../geometry/vertexStage.ts';
@@ -207,15 +208,20 @@ function reproject(
   const sky = SKY_DIRECTION[projection.place](n, uniforms.u, uniforms.gamma);
   const now = select(hasSurface, clampedTexel(buffer.texture('event'), pixel), vec4(sky, -1)).toVar();
   const passed = now.add(select(hasSurface, previousView.displacement, vec4(0))).toVar();
-  const previousEvent = PREVIOUS_EVENT[projection.event](passed, velocity, previousView).toVar();
+  const previousEvent = PREVIOUS_EVENT[projection.event](passed, velocity, previousView.observer).toVar();
 
   const [p, q] = [
     observerPosition(now.xyz, projection.place, uniforms),
-    observerPosition(previousEvent.xyz, projection.place, previousView).toVar(),
+    observerPosition(previousEvent.xyz, projection.place, previousView.observer).toVar(),
   ];
   const here = projected(transpose(uniforms.orientation).mul(p), uniforms);
   const D = dopplerFactor(now.xyz, uniforms.u, uniforms.gamma, velocity).toVar();
-  const previousD = dopplerFactor(previousEvent.xyz, previousView.u, previousView.gamma, velocity).toVar();
+  const previousD = dopplerFactor(
+    previousEvent.xyz,
+    previousView.observer.u,
+    previousView.observer.gamma,
+    velocity,
+  ).toVar();
   return {
     shift: projected(previousView.toCamera.mul(q), previousView).sub(here),
     nearness: select(hasSurface, max(length(q), 1e-4).reciprocal(), 0).toVar(),
@@ -242,7 +248,7 @@ const SKY_DIRECTION: Readonly<Record<SpacetimeProjection['place'], (nPrime: Vec3
 
 /** The event at which a point, which passes `event` with `velocity`, is on the hypersurface of the previous picture. */
 const PREVIOUS_EVENT: Readonly<
-  Record<SpacetimeProjection['event'], (event: Vec4, velocity: Vec4, previous: PreviousView) => Vec4>
+  Record<SpacetimeProjection['event'], (event: Vec4, velocity: Vec4, previous: ShallowObserver) => Vec4>
 > = {
   emission: (event, velocity) => ontoLightCone(event, velocity),
   newtonEmission: (event, velocity) => ontoLightCone(event, velocity),
