@@ -6,6 +6,15 @@ import { box, revolve, type SurfaceBand } from '../../src/scene/mesh/primitives.
 import { withoutQuadric } from '../../src/scene/mesh/quadric.ts';
 import type { Mesh } from '../../src/scene/types.ts';
 
+/** A cone-shaped or level band of a solid of revolution, from and to (radius, height), with one normal. */
+export const flatBand = (from: [number, number], to: [number, number], normal: [number, number]): SurfaceBand => ({
+  from,
+  to,
+  fromNormal: normal,
+  toNormal: normal,
+  v: [0, 1],
+});
+
 /** A flat quadrilateral, corners counterclockwise seen from the front; uv from 0 at the first corner to su, sv. */
 export function quad(a: Vec3, b: Vec3, c: Vec3, d: Vec3, su = 1, sv = 1): Mesh {
   const uvs = { per: 'corner' as const, values: [0, 0, su, 0, su, sv, 0, sv] };

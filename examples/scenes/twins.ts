@@ -1,12 +1,12 @@
 import { fromParts } from '../../src/math/mat4.ts';
 import { fromAxisAngle, IDENTITY, toMatrix } from '../../src/math/quat.ts';
 import { transformMesh } from '../../src/scene/mesh/meshOps.ts';
-import { cone, revolve, type SurfaceBand, torus } from '../../src/scene/mesh/primitives.ts';
+import { cone, revolve, torus } from '../../src/scene/mesh/primitives.ts';
 import type { Mesh, Scene } from '../../src/scene/types.ts';
 import { at, daylight, type Part, paint, place, placePart, SceneBuilder } from '../kit/builder.ts';
 import type { ExampleScene } from '../kit/example.ts';
 import { camera, sampled } from '../kit/flight.ts';
-import { block, join, quad, sized } from '../kit/parts.ts';
+import { block, flatBand, join, quad, sized } from '../kit/parts.ts';
 import { poplar } from '../kit/trees.ts';
 
 const C = 10;
@@ -84,17 +84,9 @@ const ownTime = (t: number): number => {
   return t - under + under * Math.sqrt(1 - BETA ** 2);
 };
 
-const flat = (from: [number, number], to: [number, number], normal: [number, number]): SurfaceBand => ({
-  from,
-  to,
-  fromNormal: normal,
-  toNormal: normal,
-  v: [0, 1],
-});
-
 /** The plate of a dial in the plane across x, with a hole to fly through. */
 const face = (): Mesh =>
-  revolve([flat([INNER, -0.04], [OUTER, -0.04], [0, -1]), flat([OUTER, 0.04], [INNER, 0.04], [0, 1])], 64, 'X');
+  revolve([flatBand([INNER, -0.04], [OUTER, -0.04], [0, -1]), flatBand([OUTER, 0.04], [INNER, 0.04], [0, 1])], 64, 'X');
 
 const ring = (): Mesh =>
   join([OUTER, INNER].map((radius) => torus(radius, 0.09, { segments: 64, rings: 8, axis: 'X' })));

@@ -9,7 +9,7 @@ import { daylight, type Part, paint, place, placePart, SceneBuilder } from '../k
 import type { ExampleScene } from '../kit/example.ts';
 import { camera, sampled } from '../kit/flight.ts';
 import { bricks, Canvas, tone } from '../kit/paint.ts';
-import { block, join, moved, quad, turned } from '../kit/parts.ts';
+import { block, flatBand, join, moved, quad, turned } from '../kit/parts.ts';
 import { poplar } from '../kit/trees.ts';
 
 const C = 10;
@@ -83,26 +83,18 @@ function rolledTo(t: number, [x0, y0, z]: ArrayLike<number> & Iterable<number>):
   return [x, y, z];
 }
 
-const flat = (from: [number, number], to: [number, number], normal: [number, number]): SurfaceBand => ({
-  from,
-  to,
-  fromNormal: normal,
-  toNormal: normal,
-  v: [0, 1],
-});
-
 /** The wooden ring, without its outer face. */
 function felloe(): Mesh {
   const [inner, z] = [RADIUS - 0.24, WIDTH / 2];
   const bands = [
-    flat([inner, -z], [RADIUS, -z], [0, -1]),
-    flat([RADIUS, z], [inner, z], [0, 1]),
-    flat([inner, z], [inner, -z], [-1, 0]),
+    flatBand([inner, -z], [RADIUS, -z], [0, -1]),
+    flatBand([RADIUS, z], [inner, z], [0, 1]),
+    flatBand([inner, z], [inner, -z], [-1, 0]),
   ];
   return revolve(bands, 44, 'Z');
 }
 
-const tyre = (): Mesh => revolve([flat([RADIUS, -WIDTH / 2], [RADIUS, WIDTH / 2], [1, 0])], 44, 'Z');
+const tyre = (): Mesh => revolve([flatBand([RADIUS, -WIDTH / 2], [RADIUS, WIDTH / 2], [1, 0])], 44, 'Z');
 
 /** Spokes, thickest near the hub, subdivided so that they can bend. */
 function spokes(): Mesh {
@@ -136,7 +128,7 @@ function spokes(): Mesh {
 function hub(): Mesh {
   const slant = (from: [number, number], to: [number, number]): SurfaceBand => {
     const l = Math.hypot(to[0] - from[0], to[1] - from[1]);
-    return flat(from, to, [(to[1] - from[1]) / l, (from[0] - to[0]) / l]);
+    return flatBand(from, to, [(to[1] - from[1]) / l, (from[0] - to[0]) / l]);
   };
   const bands = [
     slant([0, -0.32], [0.13, -0.32]),

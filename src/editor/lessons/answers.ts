@@ -1,3 +1,5 @@
+import { loadObject, saveObject } from '../state/storedObject.ts';
+
 /** What has been answered in a lesson. */
 export interface Answered {
   /** The chosen answer by step. */
@@ -11,7 +13,7 @@ const KEY = 'slowlight.lessons';
 
 /** What was answered in a lesson before, in this browser. `answers`: how many each step has. */
 export function loadAnswers(lesson: string, answers: readonly number[]): Answered {
-  const kept = readAll()[lesson];
+  const kept = loadObject(KEY)[lesson];
   if (typeof kept !== 'object' || kept === null) return NOTHING;
   const { chosen, seen } = kept as Partial<Record<keyof Answered, unknown>>;
   const known = Object.entries(typeof chosen === 'object' && chosen !== null ? chosen : {}).filter(
@@ -24,19 +26,5 @@ export function loadAnswers(lesson: string, answers: readonly number[]): Answere
   };
 }
 
-export function saveAnswers(lesson: string, answered: Answered): void {
-  try {
-    localStorage.setItem(KEY, JSON.stringify({ ...readAll(), [lesson]: answered }));
-  } catch {
-    // Without storage they last for this visit.
-  }
-}
-
-function readAll(): Readonly<Record<string, unknown>> {
-  try {
-    const kept: unknown = JSON.parse(localStorage.getItem(KEY) ?? '{}');
-    return typeof kept === 'object' && kept !== null ? (kept as Record<string, unknown>) : {};
-  } catch {
-    return {};
-  }
-}
+export const saveAnswers = (lesson: string, answered: Answered): void =>
+  saveObject(KEY, { ...loadObject(KEY), [lesson]: answered });

@@ -145,7 +145,9 @@ function fly(plan: FlightPlan, settings: LessonState['settings'], host: LessonHo
 
 /** The last state of a part. A part without duration begins what comes next: after a turn, not before it. */
 const stateAtEnd = (whole: FlightRecording, from: number, to: number): FlightState =>
-  new FlightPlayback(from < to ? cutFlight(whole, from, to) : whole).stateAt(from < to ? to - from : from);
+  from < to
+    ? new FlightPlayback(cutFlight(whole, from, to)).stateAt(to - from)
+    : new FlightPlayback(whole).stateAt(from);
 
 /** Whether time runs, and who has a velocity keeps it. */
 function settle(settings: LessonState['settings'], { editor, observerController }: LessonHost): void {

@@ -1,4 +1,5 @@
 import { isLanguageTag, type LanguageTag, preferredLanguage } from '../../messages/languages.ts';
+import { loadObject, saveObject } from './storedObject.ts';
 
 /** The user's settings of the page itself; stored in the browser, not in the document. */
 export interface Preferences {
@@ -17,7 +18,7 @@ const PREFERENCES_KEY = 'slowlight.preferences';
 
 /** Without readable preferences (private window, full disk) the browser's settings apply. */
 export function loadPreferences(): Preferences {
-  const kept = readStoredPreferences();
+  const kept: Partial<Record<keyof Preferences, unknown>> = loadObject(PREFERENCES_KEY);
   const language = isLanguageTag(kept.language) ? kept.language : preferredLanguage(navigator.languages);
   return {
     language,
@@ -29,21 +30,6 @@ export function loadPreferences(): Preferences {
   };
 }
 
-export function savePreferences(preferences: Preferences): void {
-  try {
-    localStorage.setItem(PREFERENCES_KEY, JSON.stringify(preferences));
-  } catch {
-    // Without storage the choice lasts for this visit.
-  }
-}
-
-function readStoredPreferences(): Partial<Record<keyof Preferences, unknown>> {
-  try {
-    const kept: unknown = JSON.parse(localStorage.getItem(PREFERENCES_KEY) ?? '{}');
-    return typeof kept === 'object' && kept !== null ? kept : {};
-  } catch {
-    return {};
-  }
-}
+export const savePreferences = (preferences: Preferences): void => saveObject(PREFERENCES_KEY, preferences);
 
 export const prefersReducedMotion = (): boolean => matchMedia('(prefers-reduced-motion: reduce)').matches;

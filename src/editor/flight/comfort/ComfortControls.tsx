@@ -1,4 +1,3 @@
-import { Select } from '@mantine/core';
 import { type ReactNode, useMemo } from 'react';
 import { useStore } from 'zustand';
 import { VIGNETTES, type VignetteStrength } from '../../../flight/comfort/vignette.ts';
@@ -6,6 +5,7 @@ import { type Message, msg } from '../../../messages/message.ts';
 import { useTexts } from '../../language/languageStore.ts';
 import { useServices } from '../../services.tsx';
 import { useEditor } from '../../state/context.tsx';
+import { DeckSelect } from '../deck/DeckSelect.tsx';
 import { openComfort, SNAP_ANGLES, vignetteOf } from './comfort.ts';
 
 const VIGNETTE_TITLES: Readonly<Record<VignetteStrength, Message>> = {
@@ -24,24 +24,18 @@ export function ComfortControls(): ReactNode {
   const strength = useStore(comfort.store, vignetteOf);
   return (
     <>
-      <Select
-        size="xs"
+      <DeckSelect
         label={t(msg`In fast motion`)}
-        data={VIGNETTES.map((value) => ({ value, label: t(VIGNETTE_TITLES[value]) }))}
-        allowDeselect={false}
-        comboboxProps={{ withinPortal: false }}
+        options={VIGNETTES.map((value) => [value, VIGNETTE_TITLES[value]])}
         value={strength}
-        onChange={(vignette) => comfort.set({ vignette: vignette as VignetteStrength })}
+        onChange={(vignette) => comfort.set({ vignette })}
       />
-      <Select
-        size="xs"
+      <DeckSelect
         label={t(msg`Turning`)}
-        data={[
-          { value: '', label: t(msg`Continuously`) },
-          ...SNAP_ANGLES.map((angle) => ({ value: `${angle}`, label: t(msg`In steps of ${angle}°`) })),
+        options={[
+          ['', msg`Continuously`],
+          ...SNAP_ANGLES.map((angle) => [`${angle}`, msg`In steps of ${angle}°`] as const),
         ]}
-        allowDeselect={false}
-        comboboxProps={{ withinPortal: false }}
         value={`${snapAngle ?? ''}`}
         onChange={(value) => comfort.set({ snapAngle: SNAP_ANGLES.find((angle) => `${angle}` === value) })}
       />

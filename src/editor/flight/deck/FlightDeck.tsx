@@ -1,9 +1,9 @@
-import { NumberInput, Select, Slider, Stack, Switch, Text } from '@mantine/core';
+import { NumberInput, Slider, Stack, Switch, Text } from '@mantine/core';
 import { type ReactNode, useMemo } from 'react';
 import { useStore } from 'zustand';
 import type { CollisionKind } from '../../../flight/collision/collide.ts';
 import { ATTITUDES, type Attitude } from '../../../flight/controls.ts';
-import { FLIGHT_MODES, type FlightModeName } from '../../../flight/modes/modes.ts';
+import { FLIGHT_MODES } from '../../../flight/modes/modes.ts';
 import type { Vec3 } from '../../../math/vec3.ts';
 import { type Message, msg } from '../../../messages/message.ts';
 import { isSolid } from '../../../nodes/flights/sceneObstacles.ts';
@@ -14,9 +14,10 @@ import { ObjectSelect } from '../../panels/ObjectSelect.tsx';
 import { useServices } from '../../services.tsx';
 import { useEditor, useEditorState } from '../../state/context.tsx';
 import { ComfortControls } from '../comfort/ComfortControls.tsx';
+import { DeckSelect } from './DeckSelect.tsx';
 import { CONTACT_TEXTS, type FlightDeck as Deck, type DeckState } from './deck.ts';
 import { FlightRecorderControls } from './FlightRecorderControls.tsx';
-import { MAX_THRUST } from './flightSettings.ts';
+import { MAX_THRUST, MODE_NAMES } from './flightSettings.ts';
 import { openDeck } from './openDeck.ts';
 import { followable, placeBefore } from './targets.ts';
 
@@ -37,15 +38,12 @@ export default function FlightDeck(): ReactNode {
   const { mode } = state;
   return (
     <Stack gap="xs" w="min(290px, calc(100vw - 64px))" data-flight-deck>
-      <Select
-        size="xs"
+      <DeckSelect
         label={t(msg`Way of flying`)}
         description={t(FLIGHT_MODES[mode].help)}
-        data={Object.entries(FLIGHT_MODES).map(([value, { title }]) => ({ value, label: t(title) }))}
-        allowDeselect={false}
-        comboboxProps={{ withinPortal: false }}
+        options={MODE_NAMES.map((value) => [value, FLIGHT_MODES[value].title])}
         value={mode}
-        onChange={(value) => deck.choose(value as FlightModeName)}
+        onChange={(value) => deck.choose(value)}
       />
       {mode === 'follow' && <Followed deck={deck} state={state} />}
       {mode === 'autopilot' && <Destination deck={deck} state={state} />}
@@ -56,14 +54,11 @@ export default function FlightDeck(): ReactNode {
         <Thrust title={msg`Thrust across`} value={state.across} onChange={(across) => deck.set({ across })} />
       )}
       {(mode === 'thrust' || mode === 'follow' || mode === 'autopilot') && (
-        <Select
-          size="xs"
+        <DeckSelect
           label={t(msg`The nose points`)}
-          data={ATTITUDES.map((value) => ({ value, label: t(ATTITUDE_TITLES[value]) }))}
-          allowDeselect={false}
-          comboboxProps={{ withinPortal: false }}
+          options={ATTITUDES.map((value) => [value, ATTITUDE_TITLES[value]])}
           value={state.attitude}
-          onChange={(attitude) => deck.set({ attitude: attitude as Attitude })}
+          onChange={(attitude) => deck.set({ attitude })}
         />
       )}
       <Switch
@@ -106,6 +101,7 @@ function GroundControls({ deck, state: { ground, eyeHeight } }: DeckProps): Reac
   );
 }
 
+const COLLISIONS = ['off', 'stop', 'slide'] as const satisfies readonly (CollisionKind | 'off')[];
 const COLLISION_TITLES: Readonly<Record<CollisionKind | 'off', Message>> = {
   off: msg`Fly through walls`,
   stop: msg`Stop before walls`,
@@ -119,14 +115,11 @@ function WallControls({ deck, state }: DeckProps): ReactNode {
   const { collision, clearance, contact } = state;
   return (
     <>
-      <Select
-        size="xs"
+      <DeckSelect
         label={t(msg`Collisions`)}
-        data={Object.entries(COLLISION_TITLES).map(([value, title]) => ({ value, label: t(title) }))}
-        allowDeselect={false}
-        comboboxProps={{ withinPortal: false }}
+        options={COLLISIONS.map((value) => [value, COLLISION_TITLES[value]])}
         value={collision ?? 'off'}
-        onChange={(value) => deck.set({ collision: value === 'off' ? undefined : (value as CollisionKind) })}
+        onChange={(value) => deck.set({ collision: value === 'off' ? undefined : value })}
       />
       {collision && (
         <NumberInput

@@ -1,4 +1,4 @@
-import { Button, type ButtonProps, FileButton, Group, Kbd, Select, Slider, Stack, Text } from '@mantine/core';
+import { Button, type ButtonProps, FileButton, Group, Kbd, Slider, Stack, Text } from '@mantine/core';
 import {
   IconCut,
   IconDownload,
@@ -22,6 +22,7 @@ import { useSaving } from '../../saving/savingState.ts';
 import { useServices } from '../../services.tsx';
 import { download } from '../../shell/download.ts';
 import { useEditor } from '../../state/context.tsx';
+import { DeckSelect } from './DeckSelect.tsx';
 import type { DeckState, FlightDeck } from './deck.ts';
 import { saveFilm } from './saveFilm.ts';
 
@@ -146,14 +147,11 @@ function Replay({ deck, state }: RecorderProps): ReactNode {
         >
           {t(msg`Save a film`)}
         </DeckButton>
-        <Select
-          size="xs"
+        <DeckSelect
           aria-label={t(msg`Frames of the film follow`)}
-          data={FRAME_SPACINGS.map((value) => ({ value, label: t(SPACING_TITLES[value]) }))}
-          allowDeselect={false}
-          comboboxProps={{ withinPortal: false }}
+          options={FRAME_SPACINGS.map((value) => [value, SPACING_TITLES[value]])}
           value={spacing}
-          onChange={(value) => setSpacing(value as FrameSpacing)}
+          onChange={setSpacing}
         />
       </Group>
     </>
