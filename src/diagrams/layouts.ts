@@ -88,11 +88,17 @@ export function planeLayout(width: number, height: number, span: number): ChartL
   };
 }
 
+/** Room for a number below the axis of places [px]. */
+const LABEL_WIDTH = 44;
+
 /** Grid, axes and numbers. */
 function planeFrame({ height, width, toPixel }: ChartWindow, { x, ct, unit }: AxisTexts): readonly Mark[] {
   const ticksTo = (half: number) => scaleLinear().domain([-half / unit.size, half / unit.size]);
-  const [xs, cts] = [ticksTo(width).ticks(8), ticksTo(height).ticks(8)];
   const at = (value: number) => value * unit.size;
+  const [left, bottom] = toPixel([-height, -width, 0]);
+  const [right, top] = toPixel([height, width, 0]);
+  const most = Math.max(3, Math.floor((right - left) / LABEL_WIDTH));
+  const [xs, cts] = [ticksTo(width).ticks(Math.min(8, most)), ticksTo(height).ticks(8)];
   const grid = [
     ...xs.map((value) => [toPixel([-height, at(value), 0]), toPixel([height, at(value), 0])]),
     ...cts.map((value) => [toPixel([at(value), -width, 0]), toPixel([at(value), width, 0])]),
@@ -101,8 +107,6 @@ function planeFrame({ height, width, toPixel }: ChartWindow, { x, ct, unit }: Ax
     [toPixel([-height, 0, 0]), toPixel([height, 0, 0])],
     [toPixel([0, -width, 0]), toPixel([0, width, 0])],
   ];
-  const [left, bottom] = toPixel([-height, -width, 0]);
-  const [right, top] = toPixel([height, width, 0]);
   const label = (text: string, place: PixelPoint, anchor: 'middle' | 'end' | 'start'): Mark => ({
     kind: 'text',
     role: 'axis',

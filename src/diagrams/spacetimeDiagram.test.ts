@@ -56,6 +56,22 @@ describe('a spacetime diagram of 1+1 dimensions', () => {
     }
   });
 
+  it('has numbers below its axis that do not touch, however narrow it is', () => {
+    for (const width of [200, 230, 270, 320, 500])
+      for (const span of [0.35, 10, 99, 1000]) {
+        const { marks } = drawn({ width, span });
+        const texts = marks.filter((mark) => mark.kind === 'text' && mark.anchor === 'middle' && mark.role === 'axis');
+        const numbers = texts as Extract<Mark, { kind: 'text' }>[];
+        expect(numbers.length).toBeGreaterThan(1);
+        for (const [i, { at, text }] of numbers.entries()) {
+          const before = numbers[i - 1];
+          // A digit of 12 px is 7.5 px wide.
+          const halves = before ? (7.5 * (inEnglish(text).length + inEnglish(before.text).length)) / 2 : 0;
+          if (before) expect(at[0] - before.at[0]).toBeGreaterThan(halves);
+        }
+      }
+  });
+
   it('has the axes of the observer at the angle arctan β to those of the world', () => {
     const diagram = drawn({ observer: withBeta(0.6) });
     const [clock] = linesOf(diagram, 'observer', 2.5);

@@ -23,6 +23,7 @@ it.each([
 it('times and speeds have their units', () => {
   expect(formatSeconds(2.345)).toBe('2.35 s');
   expect(formatSeconds(-1)).toBe('−1.00 s');
+  expect(formatSeconds(-0.001)).toBe('0.00 s');
   expect(formatSeconds(3725)).toBe('62 min 05 s');
   expect(formatSpeed(8)).toBe('8.00 m/s');
   expect(formatCount(1_234_567)).toBe('1\u202f234\u202f567');

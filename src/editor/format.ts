@@ -34,7 +34,8 @@ export function formatLength(x: number): string {
   return `${formatNumber(x / size, 2)} ${unit}`;
 }
 
-const minus = (text: string): string => text.replaceAll('-', '−');
+/** What is rounded to 0 has no sign. */
+const minus = (text: string): string => (/^-[0.]+$/.test(text) ? text.slice(1) : text.replaceAll('-', '−'));
 
 /** 299792458 → `299 792 458`; numbers of four digits are not grouped. */
 function group(text: string): string {
