@@ -1,6 +1,8 @@
 import { Matrix4, PerspectiveCamera, Quaternion } from 'three/webgpu';
 import { degrees } from '../math/angle.ts';
 import { toMatrix } from '../math/quat.ts';
+import { add, distance, ZERO } from '../math/vec3.ts';
+import { placementOf } from '../physics/optics/placement.ts';
 import { hypersurfaceOf } from '../physics/worldLines/hypersurface.ts';
 import { backdropColors } from '../scene/lights/sceneLights.ts';
 import type { SkyColors } from '../scene/lights/skyGradient.ts';
@@ -9,6 +11,7 @@ import type { PictureSize } from '../scene/view/pictureViews.ts';
 import type { RenderSettings, ViewPoint } from '../scene/view/view.ts';
 import { hypersurfaceChoice, isLuminous, VIEWS } from '../scene/views/views.ts';
 import type { GBufferView } from './deferredPass.ts';
+import type { Body } from './geometry/bodies.ts';
 import { frustumSides } from './geometry/culling.ts';
 import type { Observation } from './geometry/observation.ts';
 import { type SpacetimeProjection, startsAtNow, vertexSolverOf } from './geometry/vertexStage.ts';
@@ -86,7 +89,8 @@ export class FrameSetup {
     const visible = upload.objectWriter.fill(
       upload.bodies,
       observation,
-      { sides: frustumSides(viewPoint.orientation, frustum), place: projection.place },
+      // Cones of directions are the observer's: from elsewhere everything may be seen.
+      { sides: viewPoint.vantage ? [] : frustumSides(viewPoint.orientation, frustum), place: projection.place },
       startsAtNow(projection),
     );
     if (!upload.objectWriter.isComplete) return undefined;
@@ -106,7 +110,7 @@ export class FrameSetup {
     const luminous = isLuminous(settings) ? 1 : 0;
     uniforms.halfTangents.value.set(tanX, tanY);
     uniforms.frustumCenter.value.set(...center);
-    setObserverUniforms(uniforms, observation);
+    setObserverUniforms(uniforms, observation, view.vantage);
     uniforms.iterations.value = settings.iterations;
     uniforms.damping.value = settings.damping;
     uniforms.onLightCone.value = projection.event === 'emission' ? 1 : 0;
@@ -148,11 +152,17 @@ export class FrameSetup {
   ): void {
     const { drawCalls, objectWriter, shadows, tessellator } = upload;
     const focal = pixelsPerTangent(frustum, size.width, size.height);
-    const view = { observation, projection, orientation: viewPoint.orientation, frustum, focal };
+    const { orientation, vantage } = viewPoint;
+    const view = { observation, projection, orientation, frustum, focal, ...(vantage && { vantage }) };
     tessellator.update(view, viewIndex, ({ bodies }) => bodies.some(({ id }) => visible[id - 1]));
     shadows.allowFor((MAX_DEPTH_ERROR * tessellator.achievedTolerance) / focal);
+    const placement = placementOf(projection.place, observation.coneSlope);
+    const distanceOf = ({ id }: Body): number => {
+      const anchor = objectWriter.anchor(id);
+      return anchor ? distance(placement.position(anchor, observation.u), vantage ?? ZERO) : Number.POSITIVE_INFINITY;
+    };
     for (const { batch, mesh } of drawCalls)
-      if (batch.transparent) mesh.renderOrder = -Math.min(...batch.bodies.map(({ id }) => objectWriter.distance(id)));
+      if (batch.transparent) mesh.renderOrder = -Math.min(...batch.bodies.map(distanceOf));
   }
 }
 
@@ -173,7 +183,8 @@ function observationOf({ t, position, u }: ViewPoint, settings: RenderSettings):
 }
 
 /** The ground is the plane at height 0 perpendicular to the up axis; its grid step is a power of ten chosen by the scene's radius. */
-function setGroundUniforms(uniforms: FrameUniforms, { position }: ViewPoint, { scene, radius }: SceneUpload): void {
+function setGroundUniforms(uniforms: FrameUniforms, view: ViewPoint, { scene, radius }: SceneUpload): void {
+  const position = add(view.position, view.vantage ?? ZERO);
   const step = 10 ** Math.floor(Math.log10(Math.max(radius, 1e-6) / 15));
   const [up, north] = scene.upAxis === 'Y' ? [1, 2] : [2, 1];
   const wrap = (x: number) => x - 10 * step * Math.floor(x / (10 * step));

@@ -106,6 +106,32 @@ describe('the flight deck', () => {
     await visit.close();
   });
 
+  it('holds what is seen: one walks about in it, comes back to one’s eye, and sees what was there', async () => {
+    const visit = await (await program.open(SMALL)).ready();
+    const { page } = visit;
+    await visit.viewport.focus();
+    await hold(page, ['w'], () => expect.poll(() => visit.speed()).toBeGreaterThan(0.3));
+    await expect.poll(() => visit.speed()).toBe(0);
+    await page.keyboard.press('h');
+    const card = page.locator('[data-held]');
+    await card.waitFor();
+    const seen = await (await visit.finest()).pixels();
+    await hold(page, ['d', 'e'], () => expect.poll(() => card.innerText()).toMatch(/[1-9]\.?\d* m from your eye/));
+    expect(await visit.speed()).toBe(0);
+    const aside = await (await visit.finest()).pixels();
+    expect(difference(aside, seen)).toBeGreaterThan(1);
+    await visit.shot('flight-hold');
+    const { violations } = await new AxeBuilder({ page }).include('[data-held]').analyze();
+    expect(violations).toEqual([]);
+    await card.getByRole('button', { name: 'Back to your eye' }).click();
+    await card.waitFor({ state: 'detached' });
+    expect(difference(await (await visit.finest()).pixels(), seen)).toBeLessThan(0.02);
+    const deck = await openDeck(visit);
+    await deck.getByRole('switch', { name: 'Hold what you see' }).press('Space');
+    await card.waitFor();
+    await visit.close();
+  });
+
   it('drives over the ground at the height that was chosen, which is remembered', async () => {
     const visit = await (await program.open(SMALL)).ready();
     const { page } = visit;

@@ -1,4 +1,5 @@
 import { describe, expect, test } from 'vitest';
+import { rotate } from '../../math/quat.ts';
 import type { Vec3 } from '../../math/vec3.ts';
 import { velocity } from '../../physics/lorentz/boost.ts';
 import { makeScene } from '../../scene/defaults.ts';
@@ -41,7 +42,19 @@ describe('the observer', () => {
     const flags = { cameraPath, beta: [0, 0.5, 0] as Vec3, position: [1, 1, 1] as Vec3 };
     close(observerPath(scene, flags, c, 3)(3).position, [1, 1, 1]);
     close(observerPath(scene, flags, c, 3)(5).position, [1, 11, 1]);
-    close(observerPathFrom(observerSetup(scene, flags, c, 3, true), c, 3)(5).position, [1, 1, 1]);
+    close(observerPathFrom(observerSetup(scene, { ...flags, hold: true }, c, 3), c, 3)(5).position, [1, 1, 1]);
+  });
+
+  test('has a camera that stands elsewhere and looks at a point from there', () => {
+    const vantage: Vec3 = [0, 0, -6];
+    const flags = { cameraPath, position: [1, 1, 1] as Vec3, lookAt: [1, 1, -9] as Vec3, vantage };
+    const view = observerPathFrom(observerSetup(scene, flags, c, 0), c, 0)(0);
+    close(view.position, [1, 1, 1]);
+    expect(view.vantage).toEqual(vantage);
+    close(rotate(view.orientation, [0, 0, -1]), [0, 0, -1]);
+    const behind = observerSetup(scene, { ...flags, vantage: [0, 0, -20] }, c, 0);
+    close(rotate(observerPathFrom(behind, c, 0)(0).orientation, [0, 0, -1]), [0, 0, 1]);
+    expect(() => observerSetup(scene, { ...flags, vantage: [0, 0, -10] }, c, 0)).toThrow(/where the camera is/);
   });
 
   test('is at rest at a given position without a velocity', () => {

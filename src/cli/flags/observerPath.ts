@@ -1,11 +1,12 @@
 import { radians } from '../../math/angle.ts';
-import { addScaled, length, type Vec3 } from '../../math/vec3.ts';
+import { length, sub, type Vec3, ZERO } from '../../math/vec3.ts';
 import { listed, msg } from '../../messages/message.ts';
 import type { Scene, SceneCamera } from '../../scene/types.ts';
 import { framingCamera, lookAtOrientation, observerFromCamera } from '../../scene/view/camera.ts';
 import { withCourse } from '../../scene/view/cameraCourse.ts';
 import { type ObserverPath, type ObserverSetup, observerPathFrom, ridesCamera } from '../../scene/view/observerPath.ts';
 import type { ViewPoint } from '../../scene/view/view.ts';
+import type { RenderFlags } from '../render/renderFlags.ts';
 import { usageError } from '../terminal/exitCodes.ts';
 import type { ObserverFlags } from './viewFlags.ts';
 
@@ -17,13 +18,12 @@ export function observerPath(scene: Scene, flags: ObserverFlags, c: number, star
 /** As `observerPath`, before a path is made of it. */
 export function observerSetup(
   scene: Scene,
-  flags: ObserverFlags,
+  flags: ObserverFlags & Pick<RenderFlags, 'hold' | 'vantage'>,
   c: number,
   start: number,
-  hold = false,
 ): ObserverSetup {
   const chosen = chooseCamera(scene, flags.camera);
-  const { position, lookAt, fov } = flags;
+  const { position, lookAt, fov, hold, vantage } = flags;
   const up: Vec3 = scene.upAxis === 'Z' ? [0, 0, 1] : [0, 1, 0];
   const rides = ridesCamera({ camera: chosen, ...(position && { position }) });
   const beta = flags.beta ?? (rides ? undefined : scene.hints.beta);
@@ -31,12 +31,13 @@ export function observerSetup(
   const camera = flags.cameraPath === 'smooth' && !beta ? withCourse(chosen, c) : chosen;
   return {
     camera,
-    hold,
+    ...(hold && { hold }),
     ...(beta && { beta }),
     ...(position && { position }),
     ...(lookAt && {
-      orientation: lookOrientation(flags, lookAt, observerFromCamera(camera, start, c).position, up),
+      orientation: lookOrientation(lookAt, position ?? observerFromCamera(camera, start, c).position, vantage, up),
     }),
+    ...(vantage && { vantage }),
     ...(fov !== undefined && { fovY: radians(fov) }),
   };
 }
@@ -49,10 +50,10 @@ function chooseCamera(scene: Scene, path: string | undefined): SceneCamera {
   throw usageError(msg`--camera ${path}: the scene has no such camera; it has ${known}`);
 }
 
-/** target − position, used unchanged in the observer's frame, whose axes are the world's carried by the pure boost. */
-function lookOrientation(flags: ObserverFlags, target: Vec3, from: Vec3, up: Vec3): ViewPoint['orientation'] {
-  const forward = addScaled(target, flags.position ?? from, -1);
+/** target − position, and − vantage, used unchanged in the observer's frame, whose axes are the world's carried by the pure boost. */
+function lookOrientation(target: Vec3, from: Vec3, vantage: Vec3 | undefined, up: Vec3): ViewPoint['orientation'] {
+  const forward = sub(sub(target, from), vantage ?? ZERO);
   if (length(forward) === 0)
-    throw usageError(msg`--look-at names the place where the observer is: there is no direction to look in`);
+    throw usageError(msg`--look-at names the place where the camera is: there is no direction to look in`);
   return lookAtOrientation(forward, up);
 }

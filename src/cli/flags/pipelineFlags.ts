@@ -1,4 +1,5 @@
 import { type Command, Option } from 'commander';
+import type { Vec3 } from '../../math/vec3.ts';
 import { inClauses, listed, type Message, msg } from '../../messages/message.ts';
 import {
   type IntegerOption,
@@ -75,13 +76,14 @@ export const optionsOf = ({ options }: Pipeline, flags: PipelineFlags): OptionVa
 
 /** Throws if flags exclude each other, before any work is done. */
 export function checkPipeline(
-  flags: PipelineFlags & Pick<SettingFlags, 'solver'> & { readonly aov?: readonly AovName[] },
+  flags: PipelineFlags & Pick<SettingFlags, 'solver'> & Vantage & { readonly aov?: readonly AovName[] },
 ): void {
   const idle = unusedOption(flags);
   if (idle)
     throw usageError(msg`${idle.flag} is for the ${idle.owner.name}: add --pipeline ${idle.owner.id}, or leave it out`);
   if (flags.pipeline === 'auto') return;
   const pipeline = pipelineNamed(flags.pipeline);
+  assertLooksAside(pipeline, flags);
   const foreign = foreignSetting(flags, pipeline);
   if (foreign) {
     const why = pipeline.constraint ?? msg`does not have it`;
@@ -89,6 +91,18 @@ export function checkPipeline(
   }
   const odd = flags.aov?.find((name) => !pipeline.aovs.includes(name));
   if (odd) throw usageError(msg`--aov ${odd}: --pipeline ${pipeline.id} gives ${listed(pipeline.aovs) || msg`none`}`);
+}
+
+interface Vantage {
+  readonly vantage?: Vec3;
+}
+
+/** Throws if a picture is of a vantage, and the pipeline follows the light to the observer's eye. */
+export function assertLooksAside({ id, vantages }: Pipeline, { vantage }: Vantage): void {
+  if (vantage && !vantages)
+    throw usageError(
+      msg`--vantage is for the ${first.name}: --pipeline ${id} follows light, which meets at the observer's eye only`,
+    );
 }
 
 /** A backend or setting value that a pipeline does not support; undefined if none. */

@@ -5,7 +5,15 @@ import { PIPELINES } from '../../pipelines/registry.ts';
 import { AOVS } from '../../scene/view/view.ts';
 import { FALSE_COLOR_QUANTITIES } from '../../spectrum/falseColor/falseColor.ts';
 import { explicitFlags } from '../flags/explicitFlags.ts';
-import { parseAovs, parseFrames, parsePositive, parseRange, parseSamples, sizeOption } from '../flags/parse.ts';
+import {
+  parseAovs,
+  parseFrames,
+  parsePositive,
+  parseRange,
+  parseSamples,
+  parseVec3,
+  sizeOption,
+} from '../flags/parse.ts';
 import { addPipelineFlags } from '../flags/pipelineFlags.ts';
 import { addSceneFlags, SCENE_ARGUMENT } from '../flags/sceneFlags.ts';
 import { projectSetOption } from '../flags/sceneOrProjectFlags.ts';
@@ -73,6 +81,13 @@ export function renderCommand(): Command {
   addObserverFlags(addSceneFlags(command)).option(
     '--hold',
     localized(msg`with --frames: keep the observer in place instead of moving it with its velocity`),
+  );
+  command.option(
+    '--vantage <x,y,z>',
+    localized(
+      msg`where the camera stands, from the observer's eye, on his axes [m]: everything stays as and where he sees it, and is looked at from there`,
+    ),
+    parseVec3,
   );
   command.option(
     '--flight <file>',

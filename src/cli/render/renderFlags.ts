@@ -1,4 +1,5 @@
 import type { FrameSpacing } from '../../flight/spacing.ts';
+import type { Vec3 } from '../../math/vec3.ts';
 import type { FalseColorOptions } from '../../nodes/pictures/falseColor.ts';
 import type { AovName } from '../../scene/view/view.ts';
 import type { FrameRange } from '../flags/parse.ts';
@@ -13,6 +14,7 @@ export interface RenderFlags extends SceneFlags, ObserverFlags, SettingFlags, Pi
   readonly fps?: number;
   readonly spacing?: FrameSpacing;
   readonly hold?: boolean;
+  readonly vantage?: Vec3;
   /** File of a flight to film. */
   readonly flight?: string;
   readonly aov?: readonly AovName[];

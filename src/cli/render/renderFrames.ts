@@ -17,7 +17,7 @@ import type { AovName, ViewPoint } from '../../scene/view/view.ts';
 import type { FalseColorScale } from '../../spectrum/falseColor/falseColor.ts';
 import { throwIfStopped } from '../files/outputFile.ts';
 import { observerSetup } from '../flags/observerPath.ts';
-import { checkPipeline } from '../flags/pipelineFlags.ts';
+import { assertLooksAside, checkPipeline } from '../flags/pipelineFlags.ts';
 import { renderSettings, speedOfLight } from '../flags/viewFlags.ts';
 import { openFlaggedSession } from '../pipelines/openSession.ts';
 import type { RenderJob } from '../project/project.ts';
@@ -56,7 +56,7 @@ export async function renderFrames(
   reportDiagnostics([...scene.diagnostics, ...validate(scene, c)]);
   reportOmissions(scene.diagnostics);
   const { size, metering, falseColour, falseRange, legend } = flags;
-  const setup = observerSetup(scene, flags, c, instants[0]!.t, flags.hold);
+  const setup = observerSetup(scene, flags, c, instants[0]!.t);
   const spaced = () => spacedFrames(instants, flags.spacing ?? 'world', setup, c);
   const frames = flight ? instants : orRefuse(spaced, usageError);
   if (!flight) noteCourse(setup, progress);
@@ -72,6 +72,7 @@ export async function renderFrames(
     progress.show(msg`getting ready to draw …`);
     const session = await openFlaggedSession([scene, ...others], flags, (text) => progress.note(text));
     const { info } = session;
+    assertLooksAside(pipelineNamed(info.pipeline), flags);
     const samples = flags.samples ?? (flags.antialiasing ? pipelineNamed(info.pipeline).samples.default : 1);
     const made = await renderIntoSink(session, { ...request, samples }, sink, progress).finally(() => session.close());
     throwIfStopped();

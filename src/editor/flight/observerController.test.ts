@@ -121,6 +121,30 @@ it('time loops at the end, or stops there', () => {
   expect(observerController.observer.t).toBe(0);
 });
 
+it('held: the keys move the camera, and neither the observer nor, unless it plays, time; then it goes on', async () => {
+  const { toggleHold } = await import('./hold/hold.ts');
+  const before = observerController.observer;
+  const eye = observerController.viewPoint()!;
+  toggleHold(editor, observerController);
+  expect(observerController.viewPoint()).toEqual({ ...eye, vantage: [0, 0, 0] });
+  observerController.inputs.press('KeyW');
+  observerController.advance(0.5);
+  const there = observerController.viewPoint()!;
+  expect(observerController.observer).toEqual(before);
+  expect(there).toMatchObject({ t: before.t, position: before.position, u: before.u });
+  expect(Math.hypot(...there.vantage!)).toBeGreaterThan(1);
+  editor.update({ playing: true });
+  observerController.advance(0.5);
+  expect(observerController.observer).toEqual({ ...before, t: before.t + 0.5 });
+  observerController.inputs.releaseAll();
+  toggleHold(editor, observerController);
+  expect(observerController.viewPoint()!.vantage).toBeUndefined();
+  expect(editor.store.getState()).toMatchObject({ held: false, playing: true });
+  toggleHold(editor, observerController);
+  observerController.restart();
+  expect(observerController.held).toBeUndefined();
+});
+
 it('notices that it has left the scene, and turns back', async () => {
   expect(observerController.isOutside).toBe(false);
   const { observer } = observerController;

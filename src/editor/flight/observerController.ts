@@ -18,6 +18,7 @@ import { sceneKey } from '../loading/localFiles.ts';
 import { leaveCamera } from '../shell/actions.ts';
 import type { Editor, PictureSource } from '../state/editor.ts';
 import { initialObserver, observerOnCamera, sceneUpVector } from '../state/observer.ts';
+import type { HeldWalk } from './held.ts';
 import { InputState } from './inputState.ts';
 import type { Pilot } from './pilot.ts';
 import { isOutside, type SceneLimits, sceneLimits } from './sceneLimits.ts';
@@ -40,6 +41,8 @@ export class ObserverController {
   pilot: Pilot | undefined;
   /** Absent unless something is done for comfort. */
   watcher: Watcher | undefined;
+  /** Absent unless what is seen is held still. */
+  held: HeldWalk | undefined;
   private readonly editor: Editor;
   private currentPicture: PictureSpec | undefined;
   /** Key of the shown scene; it stays the same when files are added to the scene. */
@@ -105,6 +108,7 @@ export class ObserverController {
   /** Back to the initial state that the scene defines. */
   restart(): void {
     if (!this.currentPicture) return;
+    this.held?.end();
     this.state = initialObserver(this.currentPicture);
     const moving = this.currentPicture.scene.hints.beta !== undefined;
     this.editor.update({ lock: moving ? 'look' : 'free', cruise: moving });
@@ -120,12 +124,13 @@ export class ObserverController {
 
   /** Whether the observer has left the scene. */
   get isOutside(): boolean {
-    return this.limits !== undefined && isOutside(this.limits, this.state.position);
+    return this.limits !== undefined && !this.held && isOutside(this.limits, this.state.position);
   }
 
   /** Stops, and looks back to where the scene is. */
   turnBack(): void {
     if (!this.limits || !this.currentPicture) return;
+    this.held?.end();
     const { min, max } = this.limits.box;
     const { position } = this.state;
     const up = sceneUpVector(this.currentPicture.scene);
@@ -160,6 +165,12 @@ export class ObserverController {
     if (!picture) return;
     const controls = this.inputs.controls(dt);
     const busy = controls.brake || length(controls.turn) + length(controls.thrust) > 0;
+    if (this.held) {
+      this.held.walk(controls, dt, picture);
+      if (this.timeRuns) this.seek(this.state.t + dt);
+      this.keepTime(picture);
+      return;
+    }
     const replayed = this.pilot?.replayed(dt, busy);
     if (replayed) {
       this.flight = replayed.state;
@@ -174,7 +185,8 @@ export class ObserverController {
 
   viewPoint(): ViewPoint | undefined {
     const picture = this.currentPicture;
-    return picture && flightViewPoint(this.flight, this.editor.store.getState(), pictureLens(picture));
+    const eye = picture && flightViewPoint(this.flight, this.editor.store.getState(), pictureLens(picture));
+    return eye && { ...eye, ...this.held?.camera };
   }
 
   cycleLock(): void {

@@ -112,6 +112,9 @@ function runKeyAction(
     case 'KeyK':
       void deck().then((loaded) => loaded.toggleRecording());
       return true;
+    case 'KeyH':
+      void import('./hold/hold.ts').then(({ toggleHold }) => toggleHold(editor, observerController));
+      return true;
     case 'KeyC':
       editor.update({ cruise: !cruise });
       return true;

@@ -1,4 +1,5 @@
 import { conjugate, rotate } from '../../math/quat.ts';
+import { sub, ZERO } from '../../math/vec3.ts';
 import { hypersurfaceOf } from '../../physics/worldLines/hypersurface.ts';
 import type { WorldLine } from '../../physics/worldLines/worldLine.ts';
 import { frustumOf } from '../../scene/view/lens.ts';
@@ -10,13 +11,13 @@ import type { PicturePosition } from '../viewport/legend/legendState.ts';
 /** Where a picture shows a point, in front of the camera or not; undefined where it does not: behind the camera or a horizon. */
 export function projectLine(
   line: WorldLine,
-  { u, orientation, lens, ...observer }: ViewPoint,
+  { u, orientation, lens, vantage, ...observer }: ViewPoint,
   settings: RenderSettings,
   { width, height }: PictureSize,
 ): PicturePosition | undefined {
   const event = hypersurfaceOf(hypersurfaceChoice(settings)).intersect(line, observer, u, settings.speedOfLight);
   if (!event) return undefined;
-  const place = placementIn(settings).position(event.offset, u);
+  const place = sub(placementIn(settings).position(event.offset, u), vantage ?? ZERO);
   const [x, y, z] = rotate(conjugate(orientation), place);
   if (!(z < 0)) return undefined;
   const { tanX, tanY, center } = frustumOf(lens, width, height);

@@ -37,6 +37,7 @@ const COLUMNS: readonly (readonly KeyGroup[])[] = [
         [['T'], msg`Next way of flying: velocity, drive, thrust …`],
         [['Z'], msg`Brake`],
         [[',', '.'], msg`Roll left, right`],
+        [['H'], msg`Hold what you see, and walk about in it`],
         [['K'], msg`Record the flight, or stop`],
         [['R'], msg`Back to the start of the scene`],
         [['B'], msg`Stop, and turn back to the scene`],

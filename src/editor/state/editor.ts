@@ -96,6 +96,8 @@ export interface EditorState {
   readonly cruise: boolean;
   /** What the way of flying is called. */
   readonly flightMode: Message;
+  /** Whether what is seen is held still. */
+  readonly held?: boolean;
   /** Whether the rim of the picture darkens while it flows fast. */
   readonly vignette?: boolean;
   readonly playing: boolean;

@@ -13,9 +13,10 @@ import { STAGE_TITLES } from '../state/editor.ts';
 import { loadPreferences, savePreferences } from '../state/preferences.ts';
 import { useViewportRenderer } from './useViewportRenderer.ts';
 
-/** Loaded with the first false colours, with the first vignette, and with the first tool. */
+/** Loaded with the first false colours, with the first vignette, with what is first held, and with the first tool. */
 const Legend = lazy(() => import('./legend/Legend.tsx'));
 const Vignette = lazy(() => import('../flight/comfort/Vignette.tsx'));
+const HeldCard = lazy(() => import('../flight/hold/HeldCard.tsx'));
 const PictureTools = lazy(() => import('../inspect/PictureTools.tsx'));
 
 /** The picture and its overlays. */
@@ -29,6 +30,7 @@ export function Viewport(): ReactNode {
   const device = useInputDevice();
   const tool = useEditorState((state) => state.tool);
   const vignette = useEditorState((state) => state.vignette);
+  const held = useEditorState((state) => state.held);
   const colors = useLegend((state) => state.colors);
   const shown = useEditorState(({ pictureSource }) => pictureSource.origin || pictureSource.source);
   return (
@@ -56,6 +58,11 @@ export function Viewport(): ReactNode {
       {colors && (
         <Suspense>
           <Legend colors={colors} />
+        </Suspense>
+      )}
+      {held && (
+        <Suspense>
+          <HeldCard picture={host} />
         </Suspense>
       )}
       {tool && (

@@ -2854,6 +2854,10 @@ const messages: Translation['messages'] = {
     '画面。单指拖动环顾，双指拖动飞行，三指拖动升降。',
   'Look around with one finger, fly with two': '单指环顾，双指飞行',
   'You have left the scene.': '你已离开场景。',
+  'Hold what you see, and walk about in it': '定住所见，并在其中走动',
+  'What you see is held still: walk about in it.': '所见已定住：可在其中走动。',
+  '{} m from your eye': '离你的眼睛 {1} 米',
+  'Back to your eye': '回到你的眼睛',
   'Turn back': '掉头',
   'Fly with W A S D, drag to look, ? for all keys': 'W A S D 飞行，拖动环顾，? 查看全部按键',
   'What to look for': '观察要点',
@@ -3188,8 +3192,8 @@ const messages: Translation['messages'] = {
   "vertical field of view in the observer's frame": '在观察者参考系中的垂直视角',
   'speed of light (default: suggested by the scene, else {})': '光速（默认：场景建议的值，否则为 {1}）',
   '--camera {}: the scene has no such camera; it has {}': '--camera {1}：场景中没有此相机；现有 {2}',
-  '--look-at names the place where the observer is: there is no direction to look in':
-    '--look-at 指定的正是观察者所在之处：没有可看的方向',
+  '--look-at names the place where the camera is: there is no direction to look in':
+    '--look-at 指定的正是相机所在之处：没有可看的方向',
   "world time of the observer's event [s] (default: suggested by the scene, else its start)":
     '观察者所在事件的世界时间 [s]（默认：场景建议的时间，否则为其起始时间）',
   // Pipelines and GPUs
@@ -3246,6 +3250,10 @@ const messages: Translation['messages'] = {
     '每秒帧数（默认：场景每秒的时间码数）；.gif 至多 50 帧，每帧为百分之一秒的整数倍：24 帧时每帧百分之四或五秒',
   'with --frames: keep the observer in place instead of moving it with its velocity':
     '与 --frames 同用：让观察者留在原处，而不按其速度移动',
+  "where the camera stands, from the observer's eye, on his axes [m]: everything stays as and where he sees it, and is looked at from there":
+    '相机相对观察者眼睛的位置（沿其坐标轴，米）：一切保持他所见的样子和位置，从那里观看',
+  "--vantage is for the {}: --pipeline {} follows light, which meets at the observer's eye only":
+    '--vantage 用于{1}：--pipeline {2} 追踪光线，而光只在观察者的眼睛处相会',
   '{} of {}': '{2} 为 {1}',
   'n × n samples per pixel (default: {})': '每像素 n × n 个采样（默认：{1}）',
   'false colours: the Doppler factor, emission time relative to the observer, luminance before exposure, or the emitted wavelength that is visible':

@@ -7,7 +7,7 @@ import type { SpacetimeRay } from '../acceleration/ray.ts';
 
 /**
  * The camera ray of the point (x, y) of a picture [px from its top left corner; the first pixel's centre is at (½, ½)]. Its `s` is the apparent
- * distance in the observer's frame [m], the depth in pictures. The solver setting, which is for comparisons in the rasterizer, is ignored.
+ * distance in the observer's frame [m], the depth in pictures. Throws a RangeError if the view has a vantage. The solver setting, which is for comparisons in the rasterizer, is ignored.
  * docs/physics.md §3.7.
  * @example
  * import { DEFAULT_SETTINGS, perspective } from 'slowlight/scene';
@@ -29,6 +29,7 @@ export function cameraRay(
   width: number,
   height: number,
 ): SpacetimeRay {
+  if (view.vantage) throw new RangeError('rays meet at the eye of the observer: a vantage is for the rasterizer');
   return rayToward(view, settings, directionAt(view, x, y, width, height));
 }
 

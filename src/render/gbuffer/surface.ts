@@ -20,6 +20,7 @@ import {
 import type { DataTexture, MRTNode } from 'three/webgpu';
 import type { Material, TextureChannel } from '../../scene/types.ts';
 import { ontoLightCone } from '../../shaders/emission/ontoLightCone.ts';
+import { apparentPosition } from '../../shaders/kinematics/apparentPosition.ts';
 import { dopplerFactor } from '../../shaders/kinematics/dopplerFactor.ts';
 import { ontoShallowCone } from '../../shaders/shallowCone/ontoShallowCone.ts';
 import { shallowPosition } from '../../shaders/shallowCone/shallowPosition.ts';
@@ -27,12 +28,12 @@ import type { Float, Vec2, Vec3, Vec4 } from '../../shaders/types.ts';
 import { BASIS_ENDS } from '../../spectrum/reflectance/spectralFilter.ts';
 import {
   triangleExists,
+  vCameraPosition,
   vColor,
   vEvent,
   vLife,
   vMotion,
   vNormal,
-  vObserverPosition,
   vUv,
 } from '../geometry/vertexStage.ts';
 import type { Texels } from '../gpu/floatTable.ts';
@@ -219,18 +220,25 @@ export function channelValue(from: ChannelTexture | undefined, linear: Vec2): Fl
   return clamp(value.mul(linear.x).add(linear.y), 0, 1);
 }
 
-/** |Δx′| = (γ + u·n)|Δx| of the event itself; where directions are not boosted, its own distance, or that of the interpolated position. */
+/**
+ * From the camera. At the observer's eye: |Δx′| = (γ + u·n)|Δx| of the event itself; where directions are not boosted, its own distance, or that of the
+ * interpolated position.
+ */
 function distanceOf(dx: Vec3, uniforms: SurfaceSources['uniforms']): Float {
-  const { u, gamma, boosted, onLightCone, onShallowCone } = uniforms;
+  const { u, gamma, boosted, onLightCone, onShallowCone, stepsAside, vantage } = uniforms;
   const r = length(dx).toVar();
-  const unboosted = select(onLightCone.greaterThan(0.5), r, length(vObserverPosition));
+  const unboosted = select(onLightCone.greaterThan(0.5), r, length(vCameraPosition));
   const distance = select(
     boosted.greaterThan(0.5),
     r.mul(dopplerFactor(dx, u, gamma, ZERO_VELOCITY)),
     unboosted,
   ).toVar();
+  If(stepsAside.greaterThan(0.5).and(onLightCone.greaterThan(0.5)), () => {
+    const place = select(boosted.greaterThan(0.5), apparentPosition(dx, u, gamma), dx);
+    distance.assign(length(place.sub(vantage)));
+  });
   If(onShallowCone.greaterThan(0.5), () => {
-    distance.assign(length(shallowPosition(dx, uniforms)));
+    distance.assign(length(shallowPosition(dx, uniforms).sub(vantage)));
   });
   return distance;
 }

@@ -58,9 +58,11 @@ export class ObjectTableWriter {
     return this.complete;
   }
 
-  /** |Δx| of an object's anchor in the last frame [m]; negative if it cannot be seen. */
-  distance(id: number): number {
-    return this.tables.objects.values[4 * OBJECT_TEXELS * (id - 1) + 3];
+  /** Δx of an object's anchor in the last frame [m]; undefined if it cannot be seen. */
+  anchor(id: number): Vec3 | undefined {
+    const at = 4 * OBJECT_TEXELS * (id - 1);
+    const [x, y, z, r] = this.tables.objects.values.subarray(at, at + 4);
+    return r < 0 ? undefined : [x, y, z];
   }
 
   private writeObject(body: Body, observation: Observation, frustum: ViewFrustum, withNow: boolean): boolean {

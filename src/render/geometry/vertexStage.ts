@@ -91,6 +91,12 @@ export interface EventSources extends Omit<MotionSources, 'uniforms'> {
   readonly uniforms: ShallowObserver & Pick<FrameUniforms, 'iterations' | 'damping'>;
 }
 
+/** An observer and the camera in his space. */
+export interface CameraObserver extends ShallowObserver {
+  /** From him to the camera [m]. */
+  readonly vantage: Vec3;
+}
+
 export interface VertexSources extends MotionSources {
   /** Reads the vertex, inside the vertex stage's Fn. */
   readonly vertex: () => VertexInput;
@@ -98,8 +104,8 @@ export interface VertexSources extends MotionSources {
 
 /** Observer → event [m] and c(t − t_o) [m of light]. */
 export const vEvent = varyingProperty('vec4', 'v_event');
-/** Observer position: where the event is drawn, relative to the observer, on the world axes carried by the boost [m]. */
-export const vObserverPosition = varyingProperty('vec3', 'v_shown');
+/** Camera position: where the event is drawn, relative to the camera, on the world axes carried by the boost [m]. */
+export const vCameraPosition = varyingProperty('vec3', 'v_shown');
 /** (v, 1 − v²) of the surface in the world, in units of c. */
 export const vMotion = varyingProperty('vec4', 'v_motion');
 /** Normal in the surface's rest frame, and 1 where all vertices of the triangle exist (`triangleExists`). */
@@ -157,22 +163,22 @@ export function vertexStage(sources: VertexSources, projection: SpacetimeProject
       vUv.assign(input.uv);
       if (input.color) vColor.assign(input.color);
       // Vertices behind a horizon are drawn on its edge: far from there they would make splinters, which software GPUs draw wrong.
-      const position = observerPosition(dx, projection.place, sources.uniforms).toVar();
-      vObserverPosition.assign(position);
+      const position = cameraPosition(dx, projection.place, sources.uniforms).toVar();
+      vCameraPosition.assign(position);
       clip.assign(cameraProjectionMatrix.mul(cameraViewMatrix.mul(vec4(position, 1))));
     });
     return clip;
   })();
 }
 
-/** The observer position of a vertex [m], and whether it exists. */
-export function vertexObserverPosition(
+/** The camera position of a vertex [m], and whether it exists. */
+export function vertexCameraPosition(
   sources: MotionSources,
   projection: SpacetimeProjection,
   vertex: VertexInput,
 ): { position: Vec3; exists: Bool } {
   const { dx, exists } = vertexEvent(sources, projection, vertex);
-  return { position: observerPosition(dx, projection.place, sources.uniforms), exists };
+  return { position: cameraPosition(dx, projection.place, sources.uniforms), exists };
 }
 
 /** The event of a vertex: relative to the observer [m], and its time after that of its object's anchor [m of light]. */
@@ -221,6 +227,10 @@ const PLACES: Readonly<Record<PlacementName, (dx: Vec3, observer: ShallowObserve
 /** Where an event at Δx is drawn, relative to the observer, on the world axes carried by the boost [m]. */
 export const observerPosition = (dx: Vec3, placement: SpacetimeProjection['place'], observer: ShallowObserver): Vec3 =>
   PLACES[placement](dx, observer);
+
+/** The same relative to the camera, which may have stepped aside. */
+export const cameraPosition = (dx: Vec3, placement: SpacetimeProjection['place'], observer: CameraObserver): Vec3 =>
+  observerPosition(dx, placement, observer).sub(observer.vantage);
 
 /** How a vertex finds its event, by the kind of its body's motion. */
 interface VertexMotion {

@@ -6,8 +6,8 @@ export const NEAR = 1e-3;
 export const FAR = 1e9;
 
 /**
- * Depth if the buffer cannot be reversed (WebGL2 without EXT_clip_control): log(r/NEAR)/log(FAR/NEAR) of the distance r = |observerPosition| [m], which resolves 2e-6 of
+ * Depth if the buffer cannot be reversed (WebGL2 without EXT_clip_control): log(r/NEAR)/log(FAR/NEAR) of the distance r = |cameraPosition| [m], which resolves 2e-6 of
  * it. Written per fragment, which disables the GPU's early depth test: a fallback only.
  */
-export const logarithmicDepth = (observerPosition: Vec3): Float =>
-  log2(length(observerPosition).div(NEAR)).div(Math.log2(FAR / NEAR));
+export const logarithmicDepth = (cameraPosition: Vec3): Float =>
+  log2(length(cameraPosition).div(NEAR)).div(Math.log2(FAR / NEAR));

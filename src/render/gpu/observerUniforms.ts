@@ -1,6 +1,6 @@
 import { uniform } from 'three/tsl';
 import { Vector3 } from 'three/webgpu';
-import type { Vec3 } from '../../math/vec3.ts';
+import { type Vec3, ZERO } from '../../math/vec3.ts';
 import { gamma } from '../../physics/lorentz/boost.ts';
 import { slowed } from '../../physics/worldLines/shallowCone.ts';
 
@@ -14,14 +14,18 @@ export function makeObserverUniforms() {
     coneSlope: uniform(1),
     slowedU: uniform(new Vector3()),
     slowedGamma: uniform(1),
+    /** From him to the camera (`ViewPoint.vantage`) [m], and 1 if it is set, otherwise 0. */
+    vantage: uniform(new Vector3()),
+    stepsAside: uniform(0),
   };
 }
 
-type ObserverUniforms = ReturnType<typeof makeObserverUniforms>;
+export type ObserverUniforms = ReturnType<typeof makeObserverUniforms>;
 
 export function setObserverUniforms(
   uniforms: ObserverUniforms,
   { u, coneSlope }: { readonly u: Vec3; readonly coneSlope: number },
+  vantage: Vec3 | undefined,
 ): void {
   const slow = slowed(u, coneSlope);
   uniforms.u.value.set(...u);
@@ -29,4 +33,6 @@ export function setObserverUniforms(
   uniforms.coneSlope.value = coneSlope;
   uniforms.slowedU.value.set(...slow);
   uniforms.slowedGamma.value = gamma(slow);
+  uniforms.vantage.value.set(...(vantage ?? ZERO));
+  uniforms.stepsAside.value = vantage ? 1 : 0;
 }

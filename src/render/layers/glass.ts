@@ -20,7 +20,7 @@ import { ontoLightCone } from '../../shaders/emission/ontoLightCone.ts';
 import type { Float, Vec2, Vec3, Vec4 } from '../../shaders/types.ts';
 import type { ColorPipeline } from '../color/radiance.ts';
 import type { Surface } from '../gbuffer/surface.ts';
-import { observerPosition, type SpacetimeProjection } from '../geometry/vertexStage.ts';
+import { cameraPosition, type SpacetimeProjection } from '../geometry/vertexStage.ts';
 import type { FrameUniforms } from '../gpu/frameUniforms.ts';
 import type { GlassView } from './layeredShading.ts';
 
@@ -118,7 +118,7 @@ function ndcOf(dx: Vec3, place: SpacetimeProjection['place'], uniforms: FrameUni
   const { orientation, halfTangents, frustumCenter } = uniforms;
   const p = orientation
     .transpose()
-    .mul(observerPosition(dx, place, uniforms))
+    .mul(cameraPosition(dx, place, uniforms))
     .toVar();
   return p.xy.div(max(p.z.negate(), 1e-6)).sub(frustumCenter).div(halfTangents);
 }

@@ -12,15 +12,16 @@ export interface GBufferPoint {
 /**
  * The view of an observer at the camera's event who is at rest relative to a point that is seen (docs/physics.md §9.5). In it the surroundings of the point
  * are an ordinary picture: what moves with the point has its own shape, and straight lines are straight. Vectors are in the point's rest frame [m].
+ * A camera that has stepped aside is where a point that is seen there would be.
  */
 export interface RestFrameView {
-  /** From this observer to the point. */
+  /** From the camera to the point. */
   readonly position: Vec3;
   /** From the point to a neighbour that moves with it. */
   comovingOffset(neighbour: Vec4): Vec3;
   /** From the point to a surface that is seen elsewhere, at the event where the light that now meets the point passed it. */
   retardedOffset(other: GBufferPoint): Vec3;
-  /** The direction in the camera's picture of place + ρ·across, with `across` ⊥ place: on the world axes carried by the boost, of any length. */
+  /** The direction in the camera's picture of the point + ρ·across, a unit vector: on the world axes carried by the boost, of any length. */
   projectAlong(across: Vec3): (rho: Float) => Vec3;
 }
 
@@ -34,16 +35,19 @@ export function restFrameViewOf(
   uniforms: FrameUniforms,
 ): RestFrameView {
   const rest = velocity ? restFrameBoostOf(velocity, uniforms) : undefined;
-  const place = (rest ? boosted(event.xyz, length(event.xyz), rest) : event.xyz).toVar();
+  const atRest = (x: Vec3): Vec3 => (rest ? boosted(x, length(x), rest) : x);
+  const place = atRest(event.xyz).toVar();
   const distance2 = dot(place, place).toVar();
   const observer = placingObserver(event.xyz, uniforms);
+  const { vantage } = uniforms;
+  const camera = atRest(UNPLACED[projection](vantage, observer)).toVar();
   const projectPlace = (x: Vec3, distance: Float): Vec3 => {
     if (!rest) return PLACED[projection](x, distance, observer);
     const back = { u: rest.u.negate(), gamma: rest.gamma };
     return PLACED[projection](boosted(x, distance, back), rest.gamma.mul(distance).sub(dot(rest.u, x)), observer);
   };
   return {
-    position: place,
+    position: place.sub(camera),
     comovingOffset: (neighbour) => {
       const separation = neighbour.sub(event).toVar();
       return rest ? boosted(separation.xyz, separation.w.negate(), rest) : separation.xyz;
@@ -61,7 +65,13 @@ export function restFrameViewOf(
         projectPlace(across, float(0)),
         projectPlace(vec3(0), float(1)),
       ].map((x) => x.toVar());
-      return (rho) => from.add(step.mul(rho)).add(far.mul(sqrt(rho.mul(rho).add(distance2))));
+      const along = dot(place, across).mul(2).toVar();
+      const square = (rho: Float): Float => max(rho.add(along).mul(rho).add(distance2), 0);
+      return (rho) =>
+        from
+          .sub(vantage)
+          .add(step.mul(rho))
+          .add(far.mul(sqrt(square(rho))));
     },
   };
 }
@@ -117,6 +127,17 @@ const PLACED: Readonly<
   contracted: (x, _, { u, gamma }) => x.sub(u.mul(dot(u, x).div(gamma.mul(gamma.add(1))))),
   shallow: (x, distance, { slowedU, slowedGamma, contraction, nearness }) =>
     boosted(x.sub(contraction.mul(dot(contraction, x))), distance.mul(nearness), { u: slowedU, gamma: slowedGamma }),
+  plain: (x) => x,
+};
+
+/** The inverse of `PLACED` at its own distance. */
+const UNPLACED: Readonly<Record<SpacetimeProjection['place'], (x: Vec3, observer: PlacingObserver) => Vec3>> = {
+  apparent: (x, { u, gamma }) => boosted(x, length(x).negate(), { u, gamma }),
+  contracted: (x, { u, gamma }) => boosted(x, float(0), { u, gamma }),
+  shallow(x, { slowedU, slowedGamma, contraction }) {
+    const Y = boosted(x, length(x).negate(), { u: slowedU, gamma: slowedGamma }).toVar();
+    return Y.add(contraction.mul(dot(contraction, Y).div(float(1).sub(dot(contraction, contraction)))));
+  },
   plain: (x) => x,
 };
 

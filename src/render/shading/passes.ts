@@ -12,7 +12,7 @@ import {
   unpackRoughnessAndOcclusion,
   unpackSpecular,
 } from '../gbuffer/surfacePacking.ts';
-import { type SpacetimeProjection, vertexStage, vObserverPosition } from '../geometry/vertexStage.ts';
+import { type SpacetimeProjection, vCameraPosition, vertexStage } from '../geometry/vertexStage.ts';
 import { logarithmicDepth } from '../gpu/depth.ts';
 import type { FrameUniforms } from '../gpu/frameUniforms.ts';
 import { pixelDirection, texelHere } from '../gpu/fullScreenPass.ts';
@@ -33,7 +33,7 @@ export function geometryMaterial(
   material.name = `${drawCall.batch.kind} ${projection.event} ${projection.place}`;
   material.vertexNode = vertexStage(drawCall.vertex, projection);
   material.fragmentNode = surfaceOutputs(drawCall.surface, names);
-  if (!reversed) material.depthNode = logarithmicDepth(vObserverPosition);
+  if (!reversed) material.depthNode = logarithmicDepth(vCameraPosition);
   material.side = materialSide(drawCall.batch);
   material.blending = NoBlending;
   return material;

@@ -24,6 +24,8 @@ export interface ObserverSetup {
   readonly fovY?: number;
   /** Keeps the position in spite of the velocity, as the lock `look`. */
   readonly hold?: boolean;
+  /** As in `ViewPoint` [m]. */
+  readonly vantage?: Vec3;
 }
 
 /** Whether the observer rides on his camera: it moves, and no position replaces its path. */
@@ -35,7 +37,7 @@ export const ridesCamera = ({ camera, position }: Pick<ObserverSetup, 'camera' |
  * holds it.
  */
 export function observerPathFrom(setup: ObserverSetup, c: number, start: number): ObserverPath {
-  const { camera, beta, position, orientation, fovY, hold } = setup;
+  const { camera, beta, position, orientation, fovY, hold, vantage } = setup;
   const moves = ridesCamera(setup);
   return (t) => {
     const carried = observerFromCamera(camera, t, c);
@@ -46,6 +48,7 @@ export function observerPathFrom(setup: ObserverSetup, c: number, start: number)
       u: beta ? properVelocity(beta) : moves ? carried.u : ZERO,
       orientation: orientation ?? carried.orientation,
       lens: fovY === undefined ? carried.lens : perspective(fovY),
+      ...(vantage && { vantage }),
     };
   };
 }

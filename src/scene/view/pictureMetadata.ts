@@ -8,7 +8,7 @@ import type { RenderSettings, ViewPoint } from './view.ts';
 // Header metadata of picture files, named as in docs/conventions.md. It describes the picture only, not the machine or the files that it comes from.
 
 /** The observer's event, so that the picture can be reproduced. */
-export function observerMetadata({ t, position, u }: ViewPoint, speedOfLight: number): Record<string, string> {
+export function observerMetadata({ t, position, u, vantage }: ViewPoint, speedOfLight: number): Record<string, string> {
   const beta = velocity(u);
   return {
     worldTime: `${t} s`,
@@ -16,6 +16,7 @@ export function observerMetadata({ t, position, u }: ViewPoint, speedOfLight: nu
     observerPosition: `${vector(position)} m`,
     observerBeta: vector(beta),
     observerSpeed: `${length(beta)} c`,
+    ...(vantage && { vantage: `${vector(vantage)} m` }),
   };
 }
 

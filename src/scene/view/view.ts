@@ -48,6 +48,11 @@ export interface ViewPoint {
   readonly orientation: Quat;
   /** In the observer's frame. */
   readonly lens: Lens;
+  /**
+   * From the observer to the camera that looks at what he sees, in his space: world axes carried by the boost [m]. Absent: the camera is at his eye. The
+   * picture of a vantage is that of a snapshot: everything stays where, and as, the observer sees it, and is looked at from elsewhere.
+   */
+  readonly vantage?: Vec3;
 }
 
 /** The names of the data channels; docs/conventions.md explains each. */

@@ -14,6 +14,7 @@ import { ObjectSelect } from '../../panels/ObjectSelect.tsx';
 import { useServices } from '../../services.tsx';
 import { useEditor, useEditorState } from '../../state/context.tsx';
 import { ComfortControls } from '../comfort/ComfortControls.tsx';
+import { toggleHold } from '../hold/hold.ts';
 import { DeckSelect } from './DeckSelect.tsx';
 import { CONTACT_TEXTS, type FlightDeck as Deck, type DeckState } from './deck.ts';
 import { FlightRecorderControls } from './FlightRecorderControls.tsx';
@@ -35,6 +36,7 @@ export default function FlightDeck(): ReactNode {
   const { observerController } = useServices();
   const deck = useMemo(() => openDeck(editor, observerController), [editor, observerController]);
   const state = useStore(deck.store);
+  const held = useEditorState((editorState) => editorState.held);
   const { mode } = state;
   return (
     <Stack gap="xs" w="min(290px, calc(100vw - 64px))" data-flight-deck>
@@ -68,6 +70,12 @@ export default function FlightDeck(): ReactNode {
         onChange={({ currentTarget }) => deck.set({ level: currentTarget.checked })}
       />
       {mode === 'drive' && <GroundControls deck={deck} state={state} />}
+      <Switch
+        size="xs"
+        label={t(msg`Hold what you see, and walk about in it`)}
+        checked={held ?? false}
+        onChange={() => toggleHold(editor, observerController)}
+      />
       <ComfortControls />
       <WallControls deck={deck} state={state} />
       <FlightRecorderControls deck={deck} state={state} />

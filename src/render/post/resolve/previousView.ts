@@ -42,7 +42,7 @@ export class PreviousView {
   }
 
   private store({ observation, viewPoint, frustum }: ViewState, now: Observation): void {
-    setObserverUniforms(this.observer, observation);
+    setObserverUniforms(this.observer, observation, viewPoint.vantage);
     this.toCamera.value.fromArray([...toMatrix(viewPoint.orientation)]);
     this.halfTangents.value.set(frustum.tanX, frustum.tanY);
     this.frustumCenter.value.set(...frustum.center);

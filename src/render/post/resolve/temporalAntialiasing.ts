@@ -203,7 +203,7 @@ function reproject(
   const v = clampedTexel(buffer.texture('motion'), pixel).xyz.toVar();
   const speed = length(v).toVar();
   const velocity = select(hasSurface, vec4(v, speed.oneMinus().mul(speed.add(1))), vec4(0, 0, 0, 1)).toVar();
-  // The background is at rest, and so far away that the observer's displacement does not matter.
+  // The background is at rest, and so far away that the observer's displacement does not matter, nor the camera's.
   const n = pixelDirection(uniforms).toVar();
   const sky = SKY_DIRECTION[projection.place](n, uniforms.u, uniforms.gamma);
   const now = select(hasSurface, clampedTexel(buffer.texture('event'), pixel), vec4(sky, -1)).toVar();
@@ -211,8 +211,10 @@ function reproject(
   const previousEvent = PREVIOUS_EVENT[projection.event](passed, velocity, previousView.observer).toVar();
 
   const [p, q] = [
-    observerPosition(now.xyz, projection.place, uniforms),
-    observerPosition(previousEvent.xyz, projection.place, previousView.observer).toVar(),
+    observerPosition(now.xyz, projection.place, uniforms).sub(select(hasSurface, uniforms.vantage, vec3(0))),
+    observerPosition(previousEvent.xyz, projection.place, previousView.observer)
+      .sub(select(hasSurface, previousView.observer.vantage, vec3(0)))
+      .toVar(),
   ];
   const here = projected(transpose(uniforms.orientation).mul(p), uniforms);
   const D = dopplerFactor(now.xyz, uniforms.u, uniforms.gamma, velocity).toVar();

@@ -1,5 +1,5 @@
 import { type Quat, rotate } from '../../../math/quat.ts';
-import type { Vec3 } from '../../../math/vec3.ts';
+import { type Vec3, ZERO } from '../../../math/vec3.ts';
 import { type Frustum, farthestCorner } from '../../../scene/view/lens.ts';
 import { frustumSides } from '../../geometry/culling.ts';
 import type { Observation } from '../../geometry/observation.ts';
@@ -11,6 +11,8 @@ export interface TessellationView {
   readonly projection: SpacetimeProjection;
   /** Camera axes (−Z forward, +Y up) against the world axes carried by the pure boost. */
   readonly orientation: Quat;
+  /** As in `ViewPoint`: from the observer to the camera [m]. */
+  readonly vantage?: Vec3;
   readonly frustum: Frustum;
   /** Pixels per unit tangent. */
   readonly focal: number;
@@ -26,6 +28,8 @@ export interface ScreenMetric {
   /** Inward normals of the frustum's sides and the forward direction, and that direction by itself. */
   readonly sides: readonly Vec3[];
   readonly forward: Vec3;
+  /** From the observer to the camera [m]. */
+  readonly vantage: Vec3;
   /** The view's, or more to stay within the patch budget [px]. */
   readonly tolerance: number;
   /** 1 + tan² of the angle to the picture's corner. */
@@ -33,10 +37,10 @@ export interface ScreenMetric {
 }
 
 export function screenMetricOf(view: TessellationView, tolerance: number): ScreenMetric {
-  const { orientation, frustum } = view;
+  const { orientation, frustum, vantage = ZERO } = view;
   const forward = rotate(orientation, [0, 0, -1]);
   const sides = [...frustumSides(orientation, frustum), forward];
-  return { view, sides, forward, tolerance, cornerMagnification: cornerMagnification(frustum) };
+  return { view, sides, forward, vantage, tolerance, cornerMagnification: cornerMagnification(frustum) };
 }
 
 /** 1 + tan² of the angle between the forward axis and the corner farthest from it. */

@@ -1,7 +1,7 @@
 import { Fn, instanceIndex, int, uniform } from 'three/tsl';
 import type { ComputeNode, WebGPURenderer } from 'three/webgpu';
 import type { Vec3 } from '../../../shaders/types.ts';
-import { type MotionSources, type SpacetimeProjection, vertexObserverPosition } from '../../geometry/vertexStage.ts';
+import { type MotionSources, type SpacetimeProjection, vertexCameraPosition } from '../../geometry/vertexStage.ts';
 import type { TessellationView } from '../criterion/tessellationView.ts';
 import type { TessellationPlan } from '../plan/tessellationPlan.ts';
 import type { PatchBuffers, PatchRange } from './patchBuffers.ts';
@@ -95,7 +95,7 @@ export class FactorKernels {
       const { head, tail, instance } = buffers.patch(index);
       const triangle = int(head.x).toVar();
       const project = (weights: Vec3) =>
-        vertexObserverPosition(
+        vertexCameraPosition(
           sources,
           projection,
           triangleTable.interpolate(triangle, weights, { ...sources, colored: false }, instance),

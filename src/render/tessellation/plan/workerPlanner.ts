@@ -241,7 +241,8 @@ function isNearlyEqual(from: TessellationView, to: TessellationView): boolean {
   );
 }
 
-const exactPart = ({ observation, projection, tolerance, maxPatches }: TessellationView) => [
+const exactPart = ({ observation, projection, vantage, tolerance, maxPatches }: TessellationView) => [
+  vantage !== undefined,
   observation.hypersurface,
   observation.coneSlope,
   observation.c,

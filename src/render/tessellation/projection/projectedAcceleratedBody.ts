@@ -78,15 +78,15 @@ export class ProjectedAcceleratedBody implements ProjectedBody {
     const { sphere } = this;
     sphere.set(x, y, z, radius);
     if (sphere.isOutside()) return CULLED;
-    if (!(sphere.minDistance > 0) || !(maxSpeed < 1)) return TESSELLATED;
+    if (!(sphere.nearest > 0) || !(maxSpeed < 1)) return TESSELLATED;
     sphere.computeAngles();
     const longest = cluster.longestEdge / (1 - maxSpeed);
     const image = longest * Math.sqrt(2 * L[0] * sphere.maxStretch);
-    const scale = (metric.view.focal * sphere.maxMagnification) / (sphere.minStretch * sphere.minDistance);
+    const scale = (metric.view.focal * sphere.maxMagnification) / sphere.nearest;
     const least = this.isRound ? MIN_ROUND_EDGE_PIXELS : MIN_EDGE_PIXELS;
     if (image * scale < (this.kinked ? MIN_KINKED_EDGE_PIXELS : least)) return DRAWN;
     const grade = sphere.nearCameraPlane ? MAX_GRADE_NEAR_CAMERA_PLANE : MAX_GRADE;
-    const graded = image < grade * sphere.minStretch * sphere.minDistance && longest < MAX_GRADE * sphere.minDistance;
+    const graded = image < grade * sphere.nearest && longest < MAX_GRADE * sphere.minDistance;
     const round = ((cluster.bulge ?? 0) * Math.sqrt(2 * L[0] * sphere.maxStretch)) / (1 - maxSpeed);
     const bend = 2 * this.secondDifferenceBound(bounds, longest, sphere.minDistance) + round;
     return graded && (this.isRound ? ROUND_STRICTNESS : 1) * scale * bend < metric.tolerance ? DRAWN : TESSELLATED;
@@ -127,9 +127,10 @@ export class ProjectedAcceleratedBody implements ProjectedBody {
     const y = out[at + 4] - contracted * u[1];
     const z = out[at + 5] - contracted * u[2];
     const r = Math.sqrt(x * x + y * y + z * z);
-    out[at] = L[4] * r + L[5] * x + L[6] * y + L[7] * z;
-    out[at + 1] = L[8] * r + L[9] * x + L[10] * y + L[11] * z;
-    out[at + 2] = L[12] * r + L[13] * x + L[14] * y + L[15] * z;
+    const [vx, vy, vz] = this.metric.vantage;
+    out[at] = L[4] * r + L[5] * x + L[6] * y + L[7] * z - vx;
+    out[at + 1] = L[8] * r + L[9] * x + L[10] * y + L[11] * z - vy;
+    out[at + 2] = L[12] * r + L[13] * x + L[14] * y + L[15] * z - vz;
   }
 
   /** Between graded edges the surface stays well within twice the corners' distance from their centroid. */

@@ -131,8 +131,8 @@ export class ProjectedInertialBody implements ProjectedBody {
   private readonly map: InertialMap;
   private readonly points: TrianglePoints;
   private readonly doubleSided: boolean;
-  /** The picture's sides for (|X|, X): b|X| + a·X ≥ 0 inside. */
-  private readonly sides: readonly { readonly a: Vec3; readonly b: number }[];
+  /** The picture's sides for (|X|, X): b|X| + a·X ≥ k inside. */
+  private readonly sides: readonly { readonly a: Vec3; readonly b: number; readonly k: number }[];
   /** γ and u = γβ of the observer in the frame of X, and |u|. */
   private readonly gamma: number;
   private readonly u: Vec3;
@@ -155,7 +155,11 @@ export class ProjectedInertialBody implements ProjectedBody {
     this.sphere = new ProjectedSphere(L, metric);
     this.maxStretch = map.maxStretch;
     const row = (i: number): Vec3 => [L[4 + i], L[8 + i], L[12 + i]];
-    this.sides = metric.sides.map((s) => ({ a: [dot(s, row(1)), dot(s, row(2)), dot(s, row(3))], b: dot(s, row(0)) }));
+    this.sides = metric.sides.map((s) => ({
+      a: [dot(s, row(1)), dot(s, row(2)), dot(s, row(3))],
+      b: dot(s, row(0)),
+      k: dot(s, metric.vantage),
+    }));
   }
 
   classify(cluster: ClusterBounds): ClusterState {
@@ -180,8 +184,8 @@ export class ProjectedInertialBody implements ProjectedBody {
   }
 
   isBackFacing(): boolean {
-    // A round solid may show more than its triangles.
-    if (this.doubleSided || this.isRound) return false;
+    // A round solid may show more than its triangles, and so may what is seen from elsewhere.
+    if (this.doubleSided || this.isRound || this.metric.view.vantage) return false;
     const X = this.corners;
     const ex = X[3] - X[0];
     const ey = X[4] - X[1];
@@ -215,9 +219,10 @@ export class ProjectedInertialBody implements ProjectedBody {
       z = A[6] * p.x + A[7] * p.y + A[8] * p.z + x0[2];
     }
     const r = Math.sqrt(x * x + y * y + z * z);
-    out[at] = L[4] * r + L[5] * x + L[6] * y + L[7] * z;
-    out[at + 1] = L[8] * r + L[9] * x + L[10] * y + L[11] * z;
-    out[at + 2] = L[12] * r + L[13] * x + L[14] * y + L[15] * z;
+    const [vx, vy, vz] = this.metric.vantage;
+    out[at] = L[4] * r + L[5] * x + L[6] * y + L[7] * z - vx;
+    out[at + 1] = L[8] * r + L[9] * x + L[10] * y + L[11] * z - vy;
+    out[at + 2] = L[12] * r + L[13] * x + L[14] * y + L[15] * z - vz;
     out[at + 3] = x;
     out[at + 4] = y;
     out[at + 5] = z;
@@ -238,7 +243,7 @@ export class ProjectedInertialBody implements ProjectedBody {
     const distance = Math.sqrt(mx * mx + my * my + mz * mz);
     if (distance === 0) return false;
     if (this.isRound) return this.isBallOutside(points, i, j, k, mx / 3, my / 3, mz / 3);
-    for (const { a, b } of this.sides) {
+    for (const { a, b, k: least } of this.sides) {
       const convex = b >= 0;
       const ax = convex ? a[0] : a[0] + (b * mx) / distance;
       const ay = convex ? a[1] : a[1] + (b * my) / distance;
@@ -249,7 +254,7 @@ export class ProjectedInertialBody implements ProjectedBody {
         side(points, j, ax, ay, az, bend),
         side(points, k, ax, ay, az, bend),
       );
-      if (maxSide < -1e-9 * distance * this.gamma) return true;
+      if (maxSide < least - 1e-9 * distance * this.gamma) return true;
     }
     return false;
   }
@@ -276,14 +281,13 @@ export class ProjectedInertialBody implements ProjectedBody {
   private mayBend(x: number, y: number, z: number, radius: number, longest: number, bulge: number): boolean {
     const { w, sphere } = this;
     sphere.set(x, y, z, radius + EDGE_REACH * longest);
-    if (!(sphere.minDistance > 0)) return true;
+    if (!(sphere.nearest > 0)) return true;
     sphere.computeAngles();
-    const scale = this.metric.view.focal / (sphere.minStretch * sphere.minDistance);
+    const scale = this.metric.view.focal / sphere.nearest;
     const image = longest * Math.sqrt(2 * this.gamma * sphere.maxStretch);
     const least = this.isRound ? MIN_ROUND_EDGE_PIXELS : MIN_EDGE_PIXELS;
     if (image * scale * sphere.maxMagnification < least) return false;
-    if (sphere.nearCameraPlane && image > MAX_GRADE_NEAR_CAMERA_PLANE * sphere.minStretch * sphere.minDistance)
-      return true;
+    if (sphere.nearCameraPlane && image > MAX_GRADE_NEAR_CAMERA_PLANE * sphere.nearest) return true;
     const across = sphere.maxSine * sphere.maxMagnification;
     const curvature = w * Math.sqrt(across * across + DEPTH_WEIGHT * DEPTH_WEIGHT);
     const round = bulge * Math.sqrt(2 * this.gamma * sphere.maxStretch) * scale * sphere.maxMagnification;

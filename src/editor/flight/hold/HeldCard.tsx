@@ -1,0 +1,49 @@
+import './held.css';
+import { Button, Group, Text } from '@mantine/core';
+import { type ReactNode, type RefObject, useEffect, useState } from 'react';
+import { length } from '../../../math/vec3.ts';
+import { msg } from '../../../messages/message.ts';
+import { formatNumber } from '../../format.ts';
+import { useTexts } from '../../language/languageStore.ts';
+import { useServices } from '../../services.tsx';
+import { useInputDevice } from '../inputDevice.ts';
+
+/** Interval at which the distance is shown anew [ms]. */
+const SHOWN_EVERY = 150;
+
+/** Says that what is seen is held still, how far one has walked, and how to come back. */
+export default function HeldCard({ picture }: { readonly picture: RefObject<HTMLElement | null> }): ReactNode {
+  const { t } = useTexts();
+  const { observerController } = useServices();
+  const device = useInputDevice();
+  const [walked, setWalked] = useState(0);
+  useEffect(() => {
+    const timer = setInterval(() => {
+      const { held } = observerController;
+      if (held) setWalked(length(held.camera.vantage));
+    }, SHOWN_EVERY);
+    return () => clearInterval(timer);
+  }, [observerController]);
+  const back = t(msg`Back to your eye`);
+  return (
+    <Group className="sl-held" gap="xs" data-held>
+      <Text size="xs" role="status">
+        {t(msg`What you see is held still: walk about in it.`)}
+      </Text>
+      <Text size="xs" c="dimmed" className="sl-figure">
+        {t(msg`${formatNumber(walked, 3)} m from your eye`)}
+      </Text>
+      <Button
+        size="compact-xs"
+        variant="default"
+        aria-keyshortcuts="H"
+        onClick={() => {
+          observerController.held?.end();
+          picture.current?.focus();
+        }}
+      >
+        {device === 'touch' ? back : `${back} (H)`}
+      </Button>
+    </Group>
+  );
+}
