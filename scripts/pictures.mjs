@@ -52,10 +52,13 @@ const thumbnails = {
   truth: ['--set', 'truth.width=384', '--set', 'truth.height=216', '--set', 'truth.samples=4'],
 };
 const shape = ['--doppler-mix', '0', '--beaming', '0'];
+/** The street at 0.9 c, looked at from behind and above. */
+const held = ['--time', '6.5', '--beta', '0,0,-0.9', '--vantage', '0,25,30', '--look-at', '0,0,-20'];
 const pictures = [
   ['street', 'street-rest', ['--time', '6.5', '--beta', '0,0,0']],
   ['street', 'street-shape', ['--time', '6.5', '--beta', '0,0,-0.9', ...shape]],
   ['street', 'street-light', ['--time', '6.5', '--beta', '0,0,-0.9']],
+  ['street', 'street-held', [...held, ...shape]],
   ...['doppler', 'emission-time', 'radiance', 'band'].map((what) => [
     'sphere',
     `false-${what}`,

@@ -112,11 +112,11 @@ describe('the flight deck', () => {
     await visit.viewport.focus();
     await hold(page, ['w'], () => expect.poll(() => visit.speed()).toBeGreaterThan(0.3));
     await expect.poll(() => visit.speed()).toBe(0);
+    const seen = await (await visit.finest()).pixels();
     await page.keyboard.press('h');
     const card = page.locator('[data-held]');
     await card.waitFor();
-    const seen = await (await visit.finest()).pixels();
-    await hold(page, ['d', 'e'], () => expect.poll(() => card.innerText()).toMatch(/[1-9]\.?\d* m from your eye/));
+    await hold(page, ['d', 'e'], () => expect.poll(() => card.textContent()).toMatch(/[1-9]\.?\d* m from your eye/));
     expect(await visit.speed()).toBe(0);
     const aside = await (await visit.finest()).pixels();
     expect(difference(aside, seen)).toBeGreaterThan(1);
