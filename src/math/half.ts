@@ -22,11 +22,13 @@ export function toHalf(value: number): number {
   return sign | (kept + (rest > tie || (rest === tie && kept & 1) ? 1 : 0));
 }
 
+/** The unit in the last place by the exponent's bits; those of subnormal halves have that of the smallest normal ones. */
+const UNITS = Float64Array.from({ length: 31 }, (_, exponent) => 2 ** (Math.max(exponent, 1) - 25));
+
 export function fromHalf(bits: number): number {
   const sign = bits & 0x8000 ? -1 : 1;
   const exponent = (bits >> 10) & 31;
   const mantissa = bits & 0x3ff;
-  if (exponent === 0) return sign * mantissa * 2 ** -24;
   if (exponent === 31) return mantissa ? Number.NaN : sign * Number.POSITIVE_INFINITY;
-  return sign * (1 + mantissa / 1024) * 2 ** (exponent - 15);
+  return sign * (exponent === 0 ? mantissa : mantissa | 0x400) * UNITS[exponent];
 }

@@ -21,6 +21,8 @@ import {
   bandTransmission,
   type FilteredBlackbody,
   filteredBlackbodyAtRest,
+  type PairedBands,
+  pairedBands,
   sampledSpectrumAtRest,
 } from '../../spectrum/doppler/filterPairs.ts';
 import { rowOf } from '../../spectrum/doppler/thermalTable.ts';
@@ -64,8 +66,8 @@ export class DaylightColumns {
   private readonly blackbodies: DopplerTable;
   private readonly cache = new Map<string, Uint16Array>();
   private readonly skies = new Map<number, (D: number) => Layers>();
-  /** Transmissions of the bands at `shifts`. */
-  private bands: readonly Parameters<typeof filteredBlackbodyAtRest>[2][] | undefined;
+  /** Of the bands at `shifts`. */
+  private bands: readonly PairedBands[] | undefined;
 
   constructor(blackbodies: DopplerTable) {
     this.blackbodies = blackbodies;
@@ -77,7 +79,7 @@ export class DaylightColumns {
     const { blackbodies } = this;
     const integrate = () => (D: number) => {
       const [row, column] = [rowOf(blackbodies, DAYLIGHT.temperature * D), columnOf(blackbodies, D)];
-      return Array.from({ length: this.layers }, (_, layer) => tableTexel(blackbodies, layer, row, column).slice(0, 3));
+      return Array.from({ length: this.layers }, (_, layer) => tableTexel(blackbodies, layer, row, column));
     };
     return this.cached('daylight', integrate, this.shapeOf(DAYLIGHT.temperature));
   }
@@ -131,8 +133,8 @@ export class DaylightColumns {
     return sky;
   }
 
-  private bandsAtShifts(): readonly Parameters<typeof filteredBlackbodyAtRest>[2][] {
-    this.bands ??= shifts().map((D) => ({ surface: bandTransmission(D, this.layers), light: bandTransmission(D, 3) }));
+  private bandsAtShifts(): readonly PairedBands[] {
+    this.bands ??= shifts().map((D) => pairedBands(D, this.layers));
     return this.bands;
   }
 

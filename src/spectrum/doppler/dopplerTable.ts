@@ -206,22 +206,32 @@ export function tableColor(table: DopplerTable, row: number, column: number, { r
 
 /** G at `row`, interpolated by a parabola. */
 export function tableShape(table: DopplerTable, row: number): number {
-  const [high, low, curvature] = [0, 1, 2].map((layer) => tableTexel(table, layer, row, 0)[3]);
+  const [high, low, curvature] = [0, 1, 2].map((layer) => interpolated(table, layer, row, 0, 3));
   const fraction = row - Math.floor(row);
   return high + low - (fraction * (1 - fraction) * curvature) / 2;
 }
 
-/** The four channels of a layer at `row` and `column`, bilinearly interpolated. */
-export function tableTexel(
+/** The colour of a layer at `row` and `column`, bilinearly interpolated. */
+export const tableTexel = (table: DopplerTable, layer: number, row: number, column: number): Vec3 => [
+  interpolated(table, layer, row, column, 0),
+  interpolated(table, layer, row, column, 1),
+  interpolated(table, layer, row, column, 2),
+];
+
+/** A channel of a layer at `row` and `column`, bilinearly interpolated. */
+function interpolated(
   { data, rows, columns }: DopplerTable,
   layer: number,
   row: number,
   column: number,
-): number[] {
-  const [i, j] = [Math.min(Math.floor(row), rows - 2), Math.min(Math.floor(column), columns - 2)];
+  channel: number,
+): number {
+  const i = Math.min(Math.floor(row), rows - 2);
+  const j = Math.min(Math.floor(column), columns - 2);
   const [s, t] = [row - i, column - j];
-  const texel = (di: number, dj: number, k: number) =>
-    fromHalf(data[4 * ((layer * rows + i + di) * columns + j + dj) + k]);
-  const alongRow = (di: number, k: number) => (1 - t) * texel(di, 0, k) + t * texel(di, 1, k);
-  return [0, 1, 2, 3].map((k) => (1 - s) * alongRow(0, k) + s * alongRow(1, k));
+  const first = 4 * ((layer * rows + i) * columns + j) + channel;
+  const second = first + 4 * columns;
+  const [a, b] = [fromHalf(data[first]), fromHalf(data[first + 4])];
+  const [c, d] = [fromHalf(data[second]), fromHalf(data[second + 4])];
+  return (1 - s) * ((1 - t) * a + t * b) + s * ((1 - t) * c + t * d);
 }

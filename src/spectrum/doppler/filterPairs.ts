@@ -23,13 +23,32 @@ export function bandTransmission(D: number, layers: 3 | 4): readonly Float64Arra
   return bands;
 }
 
+/** Transmissions of the bands of a surface's filter and of a light's, which has three, at the same shift. */
+export interface PairedBands {
+  readonly surface: readonly Float64Array[];
+  readonly light: readonly Float64Array[];
+}
+
+/** `bandTransmission` of a surface and of a light. */
+export function pairedBands(D: number, layers: 3 | 4): PairedBands {
+  const surface = bandTransmission(D, layers);
+  return { surface, light: layers === 3 ? surface : bandTransmission(D, 3) };
+}
+
 const BEYOND: SpectralFilter = { rgb: [0, 0, 0], uv: 1, ir: 1 };
 
 /** The linear sRGB channels of a blackbody of luminance 1 at every nanometre. */
 function observedBlackbody(temperature: number): readonly Float64Array[] {
   const spectrum = { kind: 'thermal', temperature } as const;
-  const radiance = Float64Array.from(WAVELENGTHS, (wavelength) => spectralRadiance(spectrum, wavelength));
-  return OBSERVER_SRGB.map((channel) => channel.map((value, i) => value * radiance[i]));
+  const radiance = new Float64Array(WAVELENGTHS.length);
+  for (let n = 0; n < radiance.length; n++) radiance[n] = spectralRadiance(spectrum, WAVELENGTHS[n]);
+  return OBSERVER_SRGB.map((channel) => product(channel, radiance));
+}
+
+function product(a: Float64Array, b: Float64Array): Float64Array {
+  const products = new Float64Array(a.length);
+  for (let n = 0; n < a.length; n++) products[n] = a[n] * b[n];
+  return products;
 }
 
 function sumOf(a: Float64Array, b: Float64Array): number {
@@ -44,9 +63,9 @@ function sumOf(a: Float64Array, b: Float64Array): number {
  */
 export function bandOverlaps(T: number, D: number, layers: 3 | 4): readonly [rg: Vec3, gb: Vec3, br: Vec3] {
   const light = observedBlackbody(T);
-  const [surface, bands] = [bandTransmission(D, layers), bandTransmission(D, 3)];
+  const { surface, light: bands } = pairedBands(D, layers);
   const overlap = (i: number, j: number): Vec3 => {
-    const both = surface[i].map((value, n) => value * bands[j][n]);
+    const both = product(surface[i], bands[j]);
     return [sumOf(both, light[0]), sumOf(both, light[1]), sumOf(both, light[2])];
   };
   return [overlap(0, 1), overlap(1, 2), overlap(2, 0)];
@@ -62,15 +81,15 @@ export interface FilteredBlackbody {
 
 /**
  * The observed colour of one coloured light reflected by a surface at rest, for each band of the surface's filter, both observed with the shift D.
- * `bands`: `bandTransmission` of the surface and of the light. Layer after layer.
+ * `bands`: at that shift. Layer after layer.
  */
 export function filteredBlackbodyAtRest(
   { temperature, filter }: FilteredBlackbody,
   D: number,
-  bands: { readonly surface: readonly Float64Array[]; readonly light: readonly Float64Array[] },
+  bands: PairedBands,
 ): readonly Vec3[] {
   const through = throughFilter(filter, bands.light);
-  const light = observedBlackbody(temperature * D).map((channel) => channel.map((value, n) => value * through[n]));
+  const light = observedBlackbody(temperature * D).map((channel) => product(channel, through));
   return bands.surface.map((band) => [sumOf(band, light[0]), sumOf(band, light[1]), sumOf(band, light[2])]);
 }
 
@@ -83,13 +102,17 @@ export function sampledSpectrumAtRest(
   D: number,
   surface: readonly Float64Array[],
 ): readonly Vec3[] {
-  const radiance = WAVELENGTHS.map((wavelength) => D * meanRadiance(spectrum, D * wavelength, D * NANOMETRE));
-  const [red, green, blue] = OBSERVER_SRGB.map((channel) => channel.map((value, n) => value * radiance[n]));
+  const radiance = new Float64Array(WAVELENGTHS.length);
+  for (let n = 0; n < radiance.length; n++) radiance[n] = D * meanRadiance(spectrum, D * WAVELENGTHS[n], D * NANOMETRE);
+  const [red, green, blue] = OBSERVER_SRGB.map((channel) => product(channel, radiance));
   return surface.map((band) => [sumOf(band, red), sumOf(band, green), sumOf(band, blue)]);
 }
 
-const throughFilter = ([r, g, b]: Vec3, [red, green, blue]: readonly Float64Array[]): Float64Array =>
-  red.map((value, n) => r * value + g * green[n] + b * blue[n]);
+function throughFilter([r, g, b]: Vec3, [red, green, blue]: readonly Float64Array[]): Float64Array {
+  const through = new Float64Array(red.length);
+  for (let n = 0; n < red.length; n++) through[n] = r * red[n] + g * green[n] + b * blue[n];
+  return through;
+}
 
 /** Steps of the table: 8 nm apart in the middle of the visible, with an error of 0.1 % of white's luminance. Odd, so that D = 1 is a step. */
 const TABLE_STEPS = 97;
@@ -105,24 +128,27 @@ export function filteredBlackbodyTable(
 ): DopplerTable {
   const data = new Uint16Array(4 * layers * steps * steps);
   const shifts = Array.from({ length: steps }, (_, step) => shiftAt(step, steps));
-  const surfaces = shifts.map((D) => bandTransmission(D, layers));
+  const bands = shifts.map((D) => pairedBands(D, layers));
   const luminanceShapes = shapeChannels(
     shifts.map((D) => luminanceShape(temperature * D)),
     secondDifference,
   );
   shifts.forEach((D, row) => {
-    const through = throughFilter(filter, bandTransmission(D, 3));
-    const light = observedBlackbody(temperature * D).map((channel) => channel.map((value, n) => value * through[n]));
-    light.forEach((channel, k) => {
-      const total = sumOf(ONES, channel);
-      surfaces.forEach((parts, column) => {
-        const at = (layer: number) => 4 * ((layer * steps + row) * steps + column);
-        const [r, g, x] = [parts[0], parts[1], parts[3]].map((part) => (part ? sumOf(part, channel) : 0));
-        data[at(0) + k] = toHalf(r);
-        data[at(1) + k] = toHalf(g);
-        data[at(2) + k] = toHalf(total - r - g - x);
-        if (layers === 4) data[at(3) + k] = toHalf(x);
-        for (let layer = 0; layer < 3; layer++) data[at(layer) + 3] = toHalf(luminanceShapes[row][layer]);
+    const through = throughFilter(filter, bands[row].light);
+    const light = observedBlackbody(temperature * D).map((channel) => product(channel, through));
+    const totals = light.map((channel) => sumOf(ONES, channel));
+    const shape = luminanceShapes[row].map(toHalf);
+    const at = (layer: number, column: number): number => 4 * ((layer * steps + row) * steps + column);
+    bands.forEach(({ surface }, column) => {
+      for (let layer = 0; layer < 3; layer++) data[at(layer, column) + 3] = shape[layer];
+      light.forEach((channel, k) => {
+        const r = sumOf(surface[0], channel);
+        const g = sumOf(surface[1], channel);
+        const x = layers === 4 ? sumOf(surface[3], channel) : 0;
+        data[at(0, column) + k] = toHalf(r);
+        data[at(1, column) + k] = toHalf(g);
+        data[at(2, column) + k] = toHalf(totals[k] - r - g - x);
+        if (layers === 4) data[at(3, column) + k] = toHalf(x);
       });
     });
   });
