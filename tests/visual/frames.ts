@@ -7,11 +7,9 @@ import { perspective } from '../../src/scene/view/lens.ts';
 import { DEFAULT_SETTINGS, type RenderSettings, type ViewPoint } from '../../src/scene/view/view.ts';
 import type { View } from '../../src/scene/views/views.ts';
 import { type ExampleName, speedOfLight } from '../examples/open.ts';
+import { DATA_SETTINGS } from '../gpu/support/dataSettings.ts';
 import type { ExtraScene } from './extraScenes.ts';
 import { shownAt } from './pixelOracle.ts';
-
-/** Only data are compared, so lighting is off. */
-export const DATA_SETTINGS: RenderSettings = { ...DEFAULT_SETTINGS, shadows: false, occlusionRadius: 0 };
 
 export const BETAS = [0, 0.5, 0.9, 0.99] as const;
 

@@ -4,7 +4,8 @@ import { length, type Vec3 } from '../../src/math/vec3.ts';
 import { properVelocity } from '../../src/physics/lorentz/boost.ts';
 import { perspective } from '../../src/scene/view/lens.ts';
 import type { RenderSettings } from '../../src/scene/view/view.ts';
-import { DATA_SETTINGS, type TestView } from './frames.ts';
+import { DATA_SETTINGS } from '../gpu/support/dataSettings.ts';
+import type { TestView } from './frames.ts';
 import { C, EYE, NOW, PIECE_STARTS, PIECES, WALL_DISTANCE, WALL_LIVES } from './pieceScenes.ts';
 import { allPixels, pixelSampleAt } from './pixels.ts';
 import {

@@ -6,14 +6,15 @@ import { properVelocity } from '../../../src/physics/lorentz/boost.ts';
 import { unaberrate } from '../../../src/physics/optics/aberration.ts';
 import { apparentPosition } from '../../../src/physics/optics/apparentPosition.ts';
 import { perspective } from '../../../src/scene/view/lens.ts';
-import { DEFAULT_SETTINGS, type ViewPoint } from '../../../src/scene/view/view.ts';
+import type { ViewPoint } from '../../../src/scene/view/view.ts';
+import { DATA_SETTINGS } from '../support/dataSettings.ts';
 import { type ModulePage, openModulePage } from '../support/modulePage.ts';
 import { type HeadlessPictures, openPictures } from '../support/openPictures.ts';
 import { type Data, readData } from '../support/readData.ts';
 import { BALLS, type Ball, BEHIND, DEPTH_SCENES, DISTANCES, FLOOR, HEIGHT } from './depthScenes.ts';
 
 const SIZE = 96;
-const SETTINGS = { ...DEFAULT_SETTINGS, speedOfLight: 1 };
+const SETTINGS = { ...DATA_SETTINGS, speedOfLight: 1 };
 const FOV = 1;
 /** Angle of a pixel in the middle of the picture [rad]. */
 const PIXEL = (2 * Math.tan(FOV / 2)) / SIZE;

@@ -9,7 +9,7 @@ import { makeObject, makeScene, restingAt } from '../../../src/scene/defaults.ts
 import { plane } from '../../../src/scene/mesh/primitives.ts';
 import { perspective } from '../../../src/scene/view/lens.ts';
 import type { RenderSettings, ViewPoint } from '../../../src/scene/view/view.ts';
-import { DEFAULT_SETTINGS } from '../../../src/scene/view/view.ts';
+import { DATA_SETTINGS } from '../support/dataSettings.ts';
 import { type HeadlessPictures, openPictures } from '../support/openPictures.ts';
 
 const [SIZE, C] = [9, 10];
@@ -41,11 +41,9 @@ it.each([
   ['newton', 1, 1, EXACT],
 ] as const)('in simultaneity the solver %s takes %s steps of %s', async (solver, iterations, damping, ahead) => {
   const settings: RenderSettings = {
-    ...DEFAULT_SETTINGS,
+    ...DATA_SETTINGS,
     view: 'simultaneity',
     speedOfLight: C,
-    shadows: false,
-    occlusionRadius: 0,
     solver,
     iterations,
     damping,
@@ -64,7 +62,7 @@ it('10⁷ s after the world’s zero, times relative to the observer’s keep th
   const wall = makeObject({ path: '/wall', mesh: plane(80, 80), motion: restingAt([0, 0, -8]) });
   const scene = makeScene({ name: 'late', objects: [wall] });
   const view: ViewPoint = { ...VIEW, t: 1e7, u: [0, 0, 0] };
-  const settings: RenderSettings = { ...DEFAULT_SETTINGS, speedOfLight: C, shadows: false, occlusionRadius: 0 };
+  const settings: RenderSettings = { ...DATA_SETTINGS, speedOfLight: C };
   await headless.renderer.setScene(scene);
   pumpFrame();
   headless.renderer.render([view], settings, 1);

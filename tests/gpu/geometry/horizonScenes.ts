@@ -4,10 +4,11 @@ import { makeObject, makeScene } from '../../../src/scene/defaults.ts';
 import { box, sphere } from '../../../src/scene/mesh/primitives.ts';
 import type { Mesh, Scene } from '../../../src/scene/types.ts';
 import { perspective } from '../../../src/scene/view/lens.ts';
-import { DEFAULT_SETTINGS, type RenderSettings, type ViewPoint } from '../../../src/scene/view/view.ts';
+import type { RenderSettings, ViewPoint } from '../../../src/scene/view/view.ts';
+import { DATA_SETTINGS } from '../support/dataSettings.ts';
 
 export const SIZE = { width: 64, height: 48 };
-export const SETTINGS: RenderSettings = { ...DEFAULT_SETTINGS, speedOfLight: 1, shadows: false, occlusionRadius: 0 };
+export const SETTINGS: RenderSettings = { ...DATA_SETTINGS, speedOfLight: 1 };
 
 /**
  * Bodies of proper acceleration `a` towards +z that turn at z = −3: a point at z₀ is seen by observers at z + t > z₀ − 1/a. Seen from the world at t = −1, u along

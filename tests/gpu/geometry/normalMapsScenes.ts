@@ -6,7 +6,8 @@ import { makeMaterial, makeObject, makeScene } from '../../../src/scene/defaults
 import { grid, plane, sphere } from '../../../src/scene/mesh/primitives.ts';
 import type { Mesh, Motion, Scene, SceneObject, Texture } from '../../../src/scene/types.ts';
 import { perspective } from '../../../src/scene/view/lens.ts';
-import { DEFAULT_SETTINGS, type RenderSettings, type ViewPoint } from '../../../src/scene/view/view.ts';
+import type { RenderSettings, ViewPoint } from '../../../src/scene/view/view.ts';
+import { DATA_SETTINGS } from '../support/dataSettings.ts';
 
 export const SIZE = 128;
 const C = 10;
@@ -51,7 +52,7 @@ function normalScene(
     materials: [makeMaterial({ name: 'waves', normalTexture: { texture: WAVES, strength: [1, -0.8] } })],
   });
   const view = { t: 0, position: ZERO, u: given.u ?? ZERO, orientation: IDENTITY, lens: perspective(1) };
-  const settings = { ...DEFAULT_SETTINGS, speedOfLight: C, ...given.settings };
+  const settings = { ...DATA_SETTINGS, speedOfLight: C, ...given.settings };
   return { name, scene, view, settings, tolerance: given.tolerance ?? 2e-3 };
 }
 
