@@ -29,6 +29,12 @@ import {
   SIZE,
 } from './shadowsScenes.ts';
 
+let headless: HeadlessPictures;
+beforeAll(async () => {
+  headless = await openPictures(SIZE, SIZE);
+});
+afterAll(() => headless?.close());
+
 /** Whether the reference has the light of all suns at a point of the picture; undefined for the background. */
 function litAt(traced: TracedScene, { view, settings, scene }: ShadowScene, x: number, y: number): boolean | undefined {
   const hit = visibleHit(traced, cameraRay(view, settings, x, y, SIZE, SIZE));
@@ -120,11 +126,6 @@ function exampleScene({ opened, scene }: Awaited<ReturnType<typeof sunlitExample
 const EXAMPLES = ['street', 'dice', 'sunset'];
 
 describe('shadows of suns agree with the reference, on WebGPU', () => {
-  let headless: HeadlessPictures;
-  beforeAll(async () => {
-    headless = await openPictures(SIZE, SIZE);
-  });
-  afterAll(() => headless?.close());
   describe.each(EXAMPLES)('in the example %s', (name) => {
     let example: Awaited<ReturnType<typeof sunlitExample>>;
     beforeAll(async () => {
@@ -167,11 +168,6 @@ const LAMP: Light = {
 };
 
 describe('under a local light', () => {
-  let headless: HeadlessPictures;
-  beforeAll(async () => {
-    headless = await openPictures(SIZE, SIZE);
-  });
-  afterAll(() => headless?.close());
   // Both are convex: surfaces that face the light are lit.
   it.each(PROJECTILE_SCENES)('$name does not shadow itself', async ({ scene, ...seen }) => {
     pumpFrame();
@@ -190,11 +186,6 @@ describe('edges of shadows', () => {
   /** Fraction of a disc of radius 1 on one side of a line at distance d from its centre. */
   const segment = (d: number): number =>
     Math.abs(d) >= 1 ? Number(d > 0) : 0.5 + (d * Math.sqrt(1 - d * d) + Math.asin(d)) / Math.PI;
-  let headless: HeadlessPictures;
-  beforeAll(async () => {
-    headless = await openPictures(SIZE, SIZE);
-  });
-  afterAll(() => headless?.close());
   it.each([
     [0.02, 1],
     [0.05, 1.5],
