@@ -8,6 +8,8 @@ const folder = outputFolder();
 const out = (name: string): string => join(folder, name);
 const movers = scene('movers.usda');
 const still = ['--size', '160x90', '--time', '1'];
+/** What is the same in both pipelines is asked of this one, which starts in a third of the other's time where there is no GPU. */
+const rays = ['--pipeline', 'reference', '--samples', '1'];
 
 interface Rendered {
   readonly width: number;
@@ -31,7 +33,7 @@ describe('exposure and tone', () => {
     const fast = [...still, '--beta', '0,0,-0.9'];
     const manual = await render('manual.png', ...fast, '--metering', 'manual', '--exposure', '-1');
     const automatic = await render('automatic.png', ...fast);
-    const eye = await render('eye.png', ...fast, '--metering', 'resting-eye');
+    const eye = await render('eye.png', ...fast, ...rays, '--metering', 'resting-eye');
     expect(manual.exposure).toEqual([-1, -1]);
     expect(automatic.exposure[0]).toBeLessThan(-2);
     expect(eye.exposure[0]).toBeGreaterThan(automatic.exposure[0] + 1);
@@ -43,10 +45,13 @@ describe('exposure and tone', () => {
     expect(readFileSync(out('again.png'))).toEqual(readFileSync(out('automatic.png')));
   });
 
-  test('both pipelines have the same exposure, to a twentieth of a stop', async () => {
+  test('both pipelines have the same exposure, to a twentieth of a stop; the tone curve changes only the picture', async () => {
     const raster = await render('raster.png', ...still);
-    const reference = await render('reference.png', ...still, '--pipeline', 'reference', '--samples', '1');
+    const reference = await render('reference.png', ...still, ...rays);
     expect(Math.abs(raster.exposure[0] - reference.exposure[0])).toBeLessThan(0.05);
+    const agx = await render('agx.png', ...still, '--tone', 'agx');
+    expect(agx.exposure).toEqual(raster.exposure);
+    expect(readFileSync(out('agx.png'))).not.toEqual(readFileSync(out('raster.png')));
   });
 
   test('in a film the exposure adapts smoothly, like an eye', async () => {
@@ -56,12 +61,6 @@ describe('exposure and tone', () => {
     expect(Math.abs(exposure[1] - exposure[0])).toBeLessThanOrEqual(
       0.1 * Math.abs(alone.exposure[0] - exposure[0]) + 1e-3,
     );
-  });
-
-  test('the tone curve changes the picture', async () => {
-    const [neutral, agx] = [await render('neutral.png', ...still), await render('agx.png', ...still, '--tone', 'agx')];
-    expect(agx.exposure).toEqual(neutral.exposure);
-    expect(readFileSync(out('agx.png'))).not.toEqual(readFileSync(out('neutral.png')));
   });
 });
 
