@@ -26,7 +26,7 @@ interface ParamBase {
   readonly title: LocalizedText;
   /** Explanation. */
   readonly help?: LocalizedText;
-  /** The parameter is active only while another has this value, or one of these, or not this one. */
+  /** The parameter is active only while another is active and has this value, or one of these, or not this one. */
   readonly onlyWhen?:
     | { readonly param: string; readonly is: ParamValue | readonly ParamValue[] }
     | { readonly param: string; readonly isNot: ParamValue };
@@ -258,12 +258,18 @@ export function resolveSpec(
   return { ...spec, ...(typeof value === 'string' && Object.hasOwn(cases, value) ? cases[value] : undefined) };
 }
 
-/** Whether a parameter is active at the values of the others. */
-export function isParamActive(spec: ParamSpec, params: Readonly<Record<string, ParamValue | undefined>>): boolean {
+/** Whether a parameter of a type is active at the values of the others. */
+export function isParamActive(
+  type: Pick<NodeType, 'params'>,
+  spec: ParamSpec,
+  params: Readonly<Record<string, ParamValue | undefined>>,
+): boolean {
   const { onlyWhen } = spec;
   if (spec.kind === 'number' && spec.as) return Object.hasOwn(spec.as.cases, String(params[spec.as.param]));
   if (onlyWhen === undefined) return true;
   const value = params[onlyWhen.param] ?? '';
+  const governs = type.params[onlyWhen.param];
+  if (governs && !isParamActive(type, governs, params)) return false;
   return 'isNot' in onlyWhen ? value !== onlyWhen.isNot : [onlyWhen.is].flat().includes(value);
 }
 

@@ -18,7 +18,7 @@ export function visibleParams(
 ): readonly (readonly [name: string, spec: ParamSpec])[] {
   const resolved = resolveParams(type, set);
   return Object.entries(type.params).flatMap(([name, spec]) =>
-    always[name] || isParamActive(spec, resolved) ? [[name, resolveSpec(type, spec, resolved)] as const] : [],
+    always[name] || isParamActive(type, spec, resolved) ? [[name, resolveSpec(type, spec, resolved)] as const] : [],
   );
 }
 

@@ -170,7 +170,7 @@ const unphysical = ({ nodes }: GraphDocument): LocalizedText[] =>
     if (!type) return [];
     const params = resolveParams(type, node.params);
     return Object.entries(type.params).flatMap(([name, spec]) =>
-      isUnphysical(spec, params[name]!) && isParamActive(spec, params) ? [spec.title] : [],
+      isUnphysical(spec, params[name]!) && isParamActive(type, spec, params) ? [spec.title] : [],
     );
   });
 

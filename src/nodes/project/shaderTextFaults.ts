@@ -32,7 +32,7 @@ function textsOf(document: GraphDocument): readonly { readonly node: string; rea
     if (!type) return [];
     const params = resolveParams(type, set);
     return Object.entries(type.params).flatMap(([param, spec]) => {
-      const counts = spec.kind === 'text' && spec.shader && isParamActive(spec, params) && params.file === '';
+      const counts = spec.kind === 'text' && spec.shader && isParamActive(type, spec, params) && params.file === '';
       const isDriven = [param, 'file', spec.onlyWhen?.param ?? ''].some((input) => inputs.has(input));
       return counts && !isDriven ? [{ node: id, text: String(params[param]) }] : [];
     });

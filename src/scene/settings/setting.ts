@@ -7,8 +7,8 @@ interface SettingBase {
   readonly help?: Message;
   /** Ids of the node types with this parameter. */
   readonly nodes?: readonly string[];
-  /** Relevant only while another parameter has this value, as `onlyWhen` of `ParamSpec`. */
-  readonly onlyWhen?: { readonly param: string; readonly is: string };
+  /** Relevant only while another parameter, which is relevant itself, has this value or one of these, as `onlyWhen` of `ParamSpec`. */
+  readonly onlyWhen?: { readonly param: string; readonly is: string | readonly string[] };
   readonly flag: {
     /** Placeholder of the value: `<how>`; absent for booleans. */
     readonly value?: string;

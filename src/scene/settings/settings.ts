@@ -173,6 +173,7 @@ export const SETTINGS = {
     default: 'exact',
     options: { exact: msg`Exact`, newton: msg`Newton` },
     nodes: CONSOLE,
+    onlyWhen: { param: 'view', is: ['light-cone', 'simultaneity'] },
     flag: {
       value: 'name',
       help: msg`solver for events on the light cone or in the slice of simultaneity; newton: for comparison`,

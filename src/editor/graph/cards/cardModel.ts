@@ -259,7 +259,7 @@ function paramRows(node: GraphNode, type: NodeType, ends: ConnectedSockets, type
   const shown = Object.entries(type.params).filter(
     ([name, spec]) =>
       isDriven(name) ||
-      (isParamActive(spec, values) && (type.category === 'utility' || Object.hasOwn(node.params, name))),
+      (isParamActive(type, spec, values) && (type.category === 'utility' || Object.hasOwn(node.params, name))),
   );
   const kept = shown.filter(([name], i) => i < MAX_SET_PARAMS || isDriven(name));
   const rows = kept.map(([name, described]): CardRow => {
