@@ -77,6 +77,16 @@ export function planeLayout(width: number, height: number, span: number): ChartL
     endLabel(direction, role, text) {
       const far = 4 * Math.max(half, span);
       const end = segment([0, 0, 0], [far * direction[0], far * direction[1], 0]).at(-1) ?? [centerX, centerY];
+      const [ct, x] = direction;
+      if (Math.abs(ct) < Math.abs(x)) {
+        // On the side of an axis of places that is away from the light cone, where the axis of time has its own.
+        const side = ct < 0 ? -1 : 1;
+        const [alongX, alongY] = [x / Math.hypot(ct, x), -ct / Math.hypot(ct, x)];
+        const middle = end[0] - LABEL_GAP * (alongX + side * alongY);
+        const baseline = end[1] - LABEL_GAP * (alongY - side * alongX) + 4;
+        const rightmost = centerX + w / 2 - LABEL_GAP / 2;
+        return { kind: 'text', role, at: [Math.min(middle, rightmost), baseline], text, anchor: 'middle' };
+      }
       return {
         kind: 'text',
         role,
@@ -88,6 +98,8 @@ export function planeLayout(width: number, height: number, span: number): ChartL
   };
 }
 
+/** Between an axis, and its end, and the middle of its name [px]. */
+const LABEL_GAP = 16;
 /** Room for a number below the axis of places [px]. */
 const LABEL_WIDTH = 44;
 

@@ -72,6 +72,32 @@ describe('a spacetime diagram of 1+1 dimensions', () => {
       }
   });
 
+  it('has names of the other frame’s axes that do not touch, in the picture, however near to c it is', () => {
+    for (const frame of ['world', 'observer'] as const)
+      for (const beta of [0.1, 0.6, 0.9, 0.99, 0.999999, -0.1, -0.6, -0.99, -0.999999])
+        for (const size of [
+          { width: 500, height: 600 },
+          { width: 1200, height: 800 },
+          { width: 270, height: 300 },
+        ]) {
+          const { marks } = drawn({ frame, observer: withBeta(beta), ...size });
+          const texts = marks.filter((mark) => mark.kind === 'text' && mark.role === 'otherAxis');
+          const [ct, x] = (texts as Extract<Mark, { kind: 'text' }>[]).map(({ at, text, anchor }) => {
+            // 12 px high, and no letter is wider than 7 px.
+            const width = 7 * inEnglish(text).length;
+            const left = at[0] - width * { start: 0, middle: 0.5, end: 1 }[anchor];
+            return { left, right: left + width, top: at[1] - 10, bottom: at[1] + 2 };
+          });
+          const apart = ct!.right < x!.left || x!.right < ct!.left || ct!.bottom < x!.top || x!.bottom < ct!.top;
+          expect(apart).toBe(true);
+          for (const { left, right, top, bottom } of [ct!, x!]) {
+            expect(Math.min(left, top)).toBeGreaterThan(0);
+            expect(right).toBeLessThan(size.width);
+            expect(bottom).toBeLessThan(size.height);
+          }
+        }
+  });
+
   it('has the axes of the observer at the angle arctan β to those of the world', () => {
     const diagram = drawn({ observer: withBeta(0.6) });
     const [clock] = linesOf(diagram, 'observer', 2.5);
