@@ -3,7 +3,6 @@ import { msg } from '../messages/message.ts';
 import { properVelocityAt, type WorldLine } from '../physics/worldLines/worldLine.ts';
 import { isAlive } from '../scene/motion/lifetimes.ts';
 import { middleWorldLine } from '../scene/motion/middleWorldLine.ts';
-import { isStatic } from '../scene/motion/motion.ts';
 import type { Lifetime } from '../scene/motion/motionTypes.ts';
 import type { Scene, SceneObject } from '../scene/types.ts';
 import type { ProbeObserver } from '../scene/views/viewRecord.ts';
@@ -29,15 +28,6 @@ export const chosenObjects = (scene: Scene, paths: readonly string[]): readonly 
 export const thingPaths = (objects: readonly SceneObject[]): readonly string[] => [
   ...new Set(objects.map(({ path, pieceOf }) => pieceOf ?? path)),
 ];
-
-/**
- * Paths that a diagram shows unless others are chosen: what moves, else everything; at most `limit` things, pieces of one
- * thing counted once.
- */
-export function suggestedPaths(scene: Scene, limit: number): readonly string[] {
-  const moving = scene.objects.filter(({ motion }) => !isStatic(motion));
-  return thingPaths(moving.length > 0 ? moving : scene.objects).slice(0, limit);
-}
 
 /** The world line that stands for an object. c [m/s]. */
 export const diagramLine = (object: SceneObject, c: number): DiagramLine => ({

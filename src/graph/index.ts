@@ -8,6 +8,7 @@
 export { validateDocument } from './analysis/validate.ts';
 export {
   DocumentError,
+  type EventMark,
   emptyDocument,
   type FileReference,
   type Graph,

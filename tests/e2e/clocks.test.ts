@@ -9,18 +9,29 @@ beforeAll(async () => {
 });
 afterAll(() => program.stop());
 
-/** A ball that recedes at 0.5 c from the observer, with whom it was at −3 s. */
+/** A ball that recedes at 0.5 c from the observer, with whom it was at −3 s, and one that crosses 60 m before him at −8 s. */
 const RECEDING = `#usda 1.0
 ( customLayerData = { dictionary slowlight = { double speedOfLight = 10 } }
   metersPerUnit = 1
   upAxis = "Y" )
-def Camera "Eye" {}
+def Camera "Eye"
+{
+    float focalLength = 10
+    float verticalAperture = 20
+}
 def Sphere "Ball"
 {
     double3 xformOp:translate = (0, 0, -15)
     uniform token[] xformOpOrder = ["xformOp:translate"]
     uniform token slowlight:motion = "uniform"
     vector3d slowlight:velocity = (0, 0, -5)
+}
+def Sphere "Other"
+{
+    double3 xformOp:translate = (40, 0, -60)
+    uniform token[] xformOpOrder = ["xformOp:translate"]
+    uniform token slowlight:motion = "uniform"
+    vector3d slowlight:velocity = (5, 0, 0)
 }
 def Cube "Post"
 {
@@ -59,6 +70,19 @@ it('shows clocks as they are seen and as they are, and compares events that are 
   expect([slice, world]).toEqual([expect.closeTo(Math.sqrt(0.75) * t, 1), slice]);
   expect(ball.map((text) => text.replace(/^.* s/, ''))).toEqual(['D 0.577', '× 0.866', '× 0.866']);
 
+  await page.getByRole('switch', { name: 'Show them in the picture' }).press('Space');
+  const label = page.locator('[data-clock="/Other"]');
+  await label.locator('b').waitFor();
+  // 10 (t − s) = √(60² + (40 + 5s)²): its light left at s. The picture is 2 high at distance 1.
+  const s = (20 * t + 40 - Math.sqrt((20 * t + 40) ** 2 - 3 * (100 * t ** 2 - 5200))) / 15;
+  const picture = (await visit.viewport.boundingBox())!;
+  const point = (await label.locator('i').boundingBox())!;
+  const across = picture.width / 2 + (((40 + 5 * s) / 60) * picture.height) / 2;
+  expect(Math.abs(point.x + point.width / 2 - picture.x - across)).toBeLessThan(3);
+  expect(Math.abs(point.y + point.height / 2 - picture.y - picture.height / 2)).toBeLessThan(1);
+  expect(await label.innerText()).toMatch(/^Other −?\d+\.\d\d s$/);
+  expect(numbers([(await label.locator('b').textContent())!])[0]).toBeCloseTo(Math.sqrt(0.75) * s, 1);
+
   await page.getByRole('button', { name: 'Mark: /Ball' }).press('Enter');
   await page.getByRole('button', { name: 'Mark: Ship' }).press('Enter');
   await page.getByText('lightlike: light goes from one to the other').waitFor();
@@ -66,13 +90,27 @@ it('shows clocks as they are seen and as they are, and compares events that are 
   await page.getByRole('button', { name: 'Remove: 2' }).press('Enter');
   await expect.poll(() => page.getByRole('button', { name: /^Remove: \d$/ }).count()).toBe(2);
 
+  // A name is kept in the project: it is unlike the others, and there after a reload.
+  const name = (of: string) => page.getByRole('textbox', { name: `Name of the event ${of}`, exact: true });
+  await name('3').fill('arrival');
+  await name('3').press('Enter');
+  await name('arrival').waitFor();
+  await name('1').fill('arrival');
+  await name('1').press('Enter');
+  await visit.refusals.filter({ hasText: 'there are two of the name "arrival"' }).waitFor();
+
   await page.getByRole('combobox', { name: 'Add the clock of an object' }).click();
   await page.getByRole('option', { name: '/Post' }).click();
   expect((await cells('/Post')).map((text) => text.replace(/^.* s/, ''))).toEqual(['D 1.00', '× 1.00', '× 1.00']);
   await visit.shot('clocks');
   expect(await violations(visit)).toEqual([]);
+  await page.getByRole('switch', { name: 'Show them in the picture' }).press('Space');
+  await label.waitFor({ state: 'detached' });
   await page.getByRole('button', { name: 'Remove: /Ball' }).press('Enter');
   await expect.poll(() => page.locator('th[scope=rowgroup]').allTextContents()).not.toContain('/Ball⚑×');
+  await page.reload();
+  await page.getByRole('tab', { name: 'Clocks' }).press('Enter');
+  await name('arrival').waitFor();
   await visit.close();
 });
 

@@ -1,6 +1,12 @@
 import fc from 'fast-check';
 import { edgeError } from '../../src/graph/analysis/validate.ts';
-import { emptyDocument, type GraphDocument, type GraphEdge, graphIn } from '../../src/graph/document/document.ts';
+import {
+  type EventMark,
+  emptyDocument,
+  type GraphDocument,
+  type GraphEdge,
+  graphIn,
+} from '../../src/graph/document/document.ts';
 import { GROUP } from '../../src/graph/document/structuralTypes.ts';
 import { applyCommand, type CanvasPoint, type Command, CommandError } from '../../src/graph/edits/commands.ts';
 import { copyFragment, duplicateSelection, insideGroup, pasteFragment } from '../../src/graph/edits/fragment.ts';
@@ -60,13 +66,23 @@ export const toys = {
     id: 'length',
     inputs: { vector: { type: 'vector', optional: true } },
     outputs: { number },
-    evaluate: ({ vector = [0, 0, 0] }) => ({ number: Math.hypot(...(vector as number[])) }),
+    // An unconnected `pick` gives 0 to inputs of every type.
+    evaluate: ({ vector = [0, 0, 0] }) => ({ number: Math.hypot(...[vector as number | number[]].flat()) }),
   },
   reroute: { ...base, id: 'reroute', inputs: { in: any }, outputs: { out: { type: 'any' } }, evaluate: passes },
   group: { ...base, id: 'group', params: { group: { kind: 'text', title: 'group', default: '' } }, evaluate: passes },
   'group-input': { ...base, id: 'group-input', evaluate: passes },
   'group-output': { ...base, id: 'group-output', evaluate: passes },
 } as const satisfies Record<string, NodeType>;
+
+const markNamed = (name: string): EventMark => ({
+  name,
+  time: 1,
+  position: [0, 0, 0],
+  properTime: 1,
+  ownTime: 1,
+  u: [0, 0, 0],
+});
 
 export const add = (node: string, type: string, at: CanvasPoint = [0, 0]): Command => ({
   kind: 'add-node',
@@ -143,6 +159,7 @@ export function commandFrom(document: GraphDocument, { op, a, b, c }: Seed): Com
         ...(b % 3 ? { value: { title: `${b}`, nodes: chosen } } : {}),
       }),
     () => ({ kind: 'describe', what: a % 2 ? 'title' : 'lookFor', ...(b % 2 ? { value: `about ${b}` } : {}) }),
+    () => ({ kind: 'set-marks', marks: [markNamed(`m${a}`), markNamed(`m${a + 1}`)].slice(0, b % 3) }),
     () => ({ kind: 'set-file', file: `f${a % 2}.usda`, ...(b % 2 ? { value: { size: b } } : {}) }),
     () => groupCommand(document, { nodes: chosen, group }, `g${a}`, toys).command,
     () => duplicateSelection(document, { nodes: chosen, group }).command,

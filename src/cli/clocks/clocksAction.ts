@@ -74,7 +74,7 @@ function objectReadings(
   observer: ClockObserver,
   c: number,
 ): readonly NamedReadings[] {
-  const found = objectClocks(thingsOf(scene, prim), c);
+  const found = objectClocks(thingsOf(scene, prim, c), c);
   if (found.length > MAX_CLOCKS)
     throw usageError(msg`${found.length} clocks are too many; choose up to ${MAX_CLOCKS} by --prim`);
   return found.map((clock) => ({ name: clock.path, readings: readClock(clock, observer, c) }));

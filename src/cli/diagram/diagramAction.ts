@@ -41,7 +41,7 @@ function checkFlags({ output, axis, secondAxis }: DiagramFlags): void {
 }
 
 function diagramLines(scene: Scene, { prim }: DiagramFlags, c: number): readonly DiagramLine[] {
-  const objects = thingsOf(scene, prim);
+  const objects = thingsOf(scene, prim, c);
   if (objects.length > MAX_LINES)
     throw usageError(msg`${objects.length} world lines are too many; choose up to ${MAX_LINES} by --prim`);
   return objects.map((object) => diagramLine(object, c));

@@ -1,4 +1,5 @@
-import { chosenObjects, suggestedPaths } from '../../diagrams/diagramLines.ts';
+import { chosenObjects } from '../../diagrams/diagramLines.ts';
+import { suggestedPaths } from '../../diagrams/suggestedPaths.ts';
 import { listed, msg } from '../../messages/message.ts';
 import { initialBeta } from '../../nodes/pictures/renderSettings.ts';
 import type { Scene, SceneObject } from '../../scene/types.ts';
@@ -30,10 +31,10 @@ export async function openSceneOrProject<Flags extends SceneOrProjectFlags>(
 /** Things that are looked at unless they are chosen. */
 const SUGGESTED = 12;
 
-/** The objects of `--prim`, or what moves. Throws if the scene has nothing at or below a path. */
-export function thingsOf(scene: Scene, paths: readonly string[] | undefined): readonly SceneObject[] {
+/** The objects of `--prim`, or what moves. Throws if the scene has nothing at or below a path. c [m/s]. */
+export function thingsOf(scene: Scene, paths: readonly string[] | undefined, c: number): readonly SceneObject[] {
   const unknown = paths?.find((path) => chosenObjects(scene, [path]).length === 0);
-  if (unknown === undefined) return chosenObjects(scene, paths ?? suggestedPaths(scene, SUGGESTED));
+  if (unknown === undefined) return chosenObjects(scene, paths ?? suggestedPaths(scene, SUGGESTED, c));
   const near = scene.objects.map((object) => object.path).slice(0, 8);
   throw usageError(msg`--prim ${unknown}: the scene has no such thing; it has ${listed(near) || msg`none`}`);
 }

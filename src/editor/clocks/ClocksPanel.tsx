@@ -1,8 +1,10 @@
 import './clocks.css';
-import { ScrollArea, Stack, Text } from '@mantine/core';
-import { type ReactNode, useMemo, useState } from 'react';
-import { chosenObjects, suggestedPaths, thingPaths } from '../../diagrams/diagramLines.ts';
+import { ScrollArea, Stack, Switch, Text } from '@mantine/core';
+import { lazy, type ReactNode, Suspense, useMemo, useState } from 'react';
+import { chosenObjects, thingPaths } from '../../diagrams/diagramLines.ts';
+import { suggestedPaths } from '../../diagrams/suggestedPaths.ts';
 import { seenVelocity } from '../../flight/arc.ts';
+import { MAX_MARKS } from '../../graph/document/document.ts';
 import { type LocalizedText, msg } from '../../messages/message.ts';
 import { CLOCK_ABSENCES } from '../../scene/clocks/absences.ts';
 import { type Clock, objectClocks } from '../../scene/clocks/clock.ts';
@@ -24,8 +26,12 @@ import { useEditor, useEditorState, useTelemetry } from '../state/context.tsx';
 import { SignButton } from './SignButton.tsx';
 import { Stopwatch } from './Stopwatch.tsx';
 
+/** Loaded when the labels are first shown. */
+const ClockLabels = lazy(() => import('./ClockLabels.tsx'));
+
 /** Things whose clocks are shown unless others are chosen, and clocks of one table. */
 const [SUGGESTED, MAX_CLOCKS] = [4, 40];
+const NO_MARKS: readonly ClockMark[] = [];
 
 /** Clocks of the ship, of the world and of chosen objects, and a stopwatch. */
 export default function ClocksPanel(): ReactNode {
@@ -33,21 +39,27 @@ export default function ClocksPanel(): ReactNode {
   const editor = useEditor();
   const picture = useEditorState((state) => state.picture);
   const [chosen, setChosen] = useState<readonly string[]>();
-  const [marks, setMarks] = useState<readonly ClockMark[]>([]);
+  const [labelled, setLabelled] = useState(false);
+  const marks = useEditorState((state) => state.history.document.marks) ?? NO_MARKS;
   const scene = picture?.scene;
   const c = picture?.speedOfLight ?? 1;
   const things = useMemo(() => thingPaths(scene?.objects ?? []), [scene]);
   const paths = useMemo(
-    () => chosen?.filter((path) => things.includes(path)) ?? (scene ? suggestedPaths(scene, SUGGESTED) : []),
-    [chosen, things, scene],
+    () => chosen?.filter((path) => things.includes(path)) ?? (scene ? suggestedPaths(scene, SUGGESTED, c) : []),
+    [chosen, things, scene, c],
   );
   const clocks = useMemo(() => {
     const all = scene ? objectClocks(chosenObjects(scene, paths), c) : [];
     return all.filter(({ path }) => paths.includes(path));
   }, [scene, paths, c]);
+  const setMarks = (changed: readonly ClockMark[]) =>
+    editor.edit({ kind: 'set-marks', marks: changed }, msg`change the marked events`);
   const keep = (mark: ClockMark | ClockAbsence) => {
-    if (typeof mark === 'object') setMarks((before) => [...before, mark]);
-    else editor.notify({ kind: 'info', text: msg`Nothing is marked: the clock is ${CLOCK_ABSENCES[mark]}` });
+    if (typeof mark === 'string')
+      editor.notify({ kind: 'info', text: msg`Nothing is marked: the clock is ${CLOCK_ABSENCES[mark]}` });
+    else if (marks.length >= MAX_MARKS)
+      editor.notify({ kind: 'error', text: msg`${MAX_MARKS} events are marked; remove one first` });
+    else setMarks([...marks, mark]);
   };
   return (
     <ScrollArea h="100%" type="auto" scrollbarSize={8} className="sl-panel">
@@ -69,6 +81,17 @@ export default function ClocksPanel(): ReactNode {
           value={null}
           onChange={(path) => path && setChosen([...paths, path])}
         />
+        <Switch
+          size="xs"
+          label={t(msg`Show them in the picture`)}
+          checked={labelled}
+          onChange={(event) => setLabelled(event.currentTarget.checked)}
+        />
+        {labelled && (
+          <Suspense>
+            <ClockLabels clocks={clocks} />
+          </Suspense>
+        )}
         <Text size="xs" c="dimmed" lh={1.5}>
           {t(
             msg`Seen: as light shows it now, with D. Slice: at your moment, in your frame. World: at the world’s moment, by its time. ⚑ marks an event for the stopwatch.`,
@@ -80,7 +103,7 @@ export default function ClocksPanel(): ReactNode {
   );
 }
 
-/** The number after the greatest that is used. */
+/** The number after the greatest that is a name. */
 const nextName = (marks: readonly ClockMark[]): string =>
   String(1 + Math.max(0, ...marks.map(({ name }) => Number(name) || 0)));
 

@@ -1,5 +1,6 @@
 import { Button, Group, Select, Text } from '@mantine/core';
 import { type ReactNode, useState } from 'react';
+import { MAX_MARK_NAME_LENGTH } from '../../graph/document/document.ts';
 import { type Message, msg } from '../../messages/message.ts';
 import { type ClockMark, compareMarks, type MarkDifference, marksCsv } from '../../scene/clocks/stopwatch.ts';
 import { formatLength, formatNumber, formatSeconds } from '../format.ts';
@@ -27,13 +28,18 @@ export function Stopwatch({ marks, speedOfLight, onChange }: StopwatchProps): Re
             <th scope="col">{t(msg`Event`)}</th>
             <th scope="col">{t(msg`Its clock`)}</th>
             <th scope="col">{t(msg`World time`)}</th>
+            <td />
           </tr>
         </thead>
         <tbody>
           {marks.map((mark) => (
             <tr key={mark.name}>
               <th scope="row">
-                {mark.name}. {mark.thing ?? t(msg`Ship`)}
+                <MarkName
+                  name={mark.name}
+                  onChange={(name) => onChange(marks.map((other) => (other === mark ? { ...mark, name } : other)))}
+                />
+                <small>{mark.thing ?? t(msg`Ship`)}</small>
               </th>
               <td>{formatSeconds(mark.properTime)}</td>
               <td>{formatSeconds(mark.time)}</td>
@@ -51,6 +57,33 @@ export function Stopwatch({ marks, speedOfLight, onChange }: StopwatchProps): Re
       {marks.length > 1 && <Between marks={marks} speedOfLight={speedOfLight} />}
       <CopyButtons marks={marks} />
     </>
+  );
+}
+
+/** A name that can be written over: leaving the field or Enter accepts it, Escape cancels. */
+function MarkName({ name, onChange }: { readonly name: string; readonly onChange: (name: string) => void }): ReactNode {
+  const { t } = useTexts();
+  const [typed, setTyped] = useState<string>();
+  const commit = () => {
+    const written = typed?.trim();
+    if (written && written !== name) onChange(written);
+    setTyped(undefined);
+  };
+  return (
+    <input
+      className="sl-clocks-rename"
+      aria-label={t(msg`Name of the event ${name}`)}
+      maxLength={MAX_MARK_NAME_LENGTH}
+      size={1}
+      spellCheck={false}
+      value={typed ?? name}
+      onChange={(event) => setTyped(event.currentTarget.value)}
+      onBlur={commit}
+      onKeyDown={({ key }) => {
+        if (key === 'Enter') commit();
+        if (key === 'Escape') setTyped(undefined);
+      }}
+    />
   );
 }
 
@@ -79,7 +112,7 @@ function Between({ marks, speedOfLight }: Omit<StopwatchProps, 'onChange'>): Rea
     [msg`Between them in your frame`, formatSeconds(dtObserver)],
     [msg`Interval Δx² − c²Δt²`, `${formatNumber(interval)} m²`],
   ];
-  const data = marks.map(({ name, thing }) => ({ value: name, label: `${name}. ${thing ?? t(msg`Ship`)}` }));
+  const data = marks.map(({ name, thing }) => ({ value: name, label: `${name} · ${thing ?? t(msg`Ship`)}` }));
   return (
     <>
       <Group gap="xs" grow wrap="nowrap">

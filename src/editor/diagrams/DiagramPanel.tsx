@@ -11,9 +11,10 @@ import {
   useComputedColorScheme,
 } from '@mantine/core';
 import { type ReactNode, useMemo, useRef, useState } from 'react';
-import { chosenObjects, diagramLine, suggestedPaths, thingPaths } from '../../diagrams/diagramLines.ts';
+import { chosenObjects, diagramLine, thingPaths } from '../../diagrams/diagramLines.ts';
 import type { DiagramKind } from '../../diagrams/sceneDiagram.ts';
 import type { DiagramFrame } from '../../diagrams/spacetimeDiagram.ts';
+import { suggestedPaths } from '../../diagrams/suggestedPaths.ts';
 import { diagramSvg } from '../../diagrams/svg.ts';
 import { msg } from '../../messages/message.ts';
 import { formatBeta } from '../format.ts';
@@ -47,8 +48,8 @@ export default function DiagramPanel(): ReactNode {
   const c = picture?.speedOfLight ?? 1;
   const things = useMemo(() => thingPaths(scene?.objects ?? []), [scene]);
   const paths = useMemo(
-    () => chosen?.filter((path) => things.includes(path)) ?? (scene ? suggestedPaths(scene, SUGGESTED) : []),
-    [chosen, things, scene],
+    () => chosen?.filter((path) => things.includes(path)) ?? (scene ? suggestedPaths(scene, SUGGESTED, c) : []),
+    [chosen, things, scene, c],
   );
   const lines = useMemo(() => {
     const objects = scene ? chosenObjects(scene, paths) : [];

@@ -10,6 +10,7 @@ import { useServices } from '../services.tsx';
 import { useEditor } from '../state/context.tsx';
 import type { EditorState } from '../state/editor.ts';
 import type { PicturePosition } from '../viewport/legend/legendState.ts';
+import { useFrames } from '../viewport/useFrames.ts';
 import { isCenter, useAim } from './aim.ts';
 import { type FigureRow, inspectionRows, inspectionSentence, lengthRows } from './inspectionTexts.ts';
 import { type AimReading, lineOf, PointReader, pickPoint, type ReadPicture } from './pointReader.ts';
@@ -28,21 +29,6 @@ export default function PictureTools({
   picture,
 }: PictureToolProps & { readonly tool: NonNullable<EditorState['tool']> }): ReactNode {
   return tool === 'inspect' ? <Inspect picture={picture} /> : <Measure picture={picture} />;
-}
-
-/** Calls `each` for the displayed picture before every paint. */
-function useFrames(each: (picture: ReadPicture, now: number) => void): void {
-  const { viewport } = useServices();
-  const latest = useRef(each);
-  latest.current = each;
-  useEffect(() => {
-    let frame = requestAnimationFrame(function tick(now) {
-      frame = requestAnimationFrame(tick);
-      const shown = viewport.besides?.();
-      if (shown) latest.current(shown, now);
-    });
-    return () => cancelAnimationFrame(frame);
-  }, [viewport]);
 }
 
 /** What is known of the point at the aim. */

@@ -9,6 +9,10 @@ import { CURRENT_VERSION } from './migrations.ts';
  */
 /** Maximum number of nodes of a project, as stored and with its groups expanded. */
 export const MAX_NODES = 10_000;
+/** Maximum number of marked events of a project. */
+export const MAX_MARKS = 1000;
+/** Maximum length of their names [characters]. */
+export const MAX_MARK_NAME_LENGTH = 80;
 /** Maximum nesting of groups. */
 export const MAX_GROUP_DEPTH = 16;
 const MAX_ARRAY_LENGTH = 100_000;
@@ -37,6 +41,7 @@ const color = z.string().check(z.regex(COLOR));
 const shortText = (longest: number) => z.string().check(z.minLength(1), z.maxLength(longest));
 const arrayUpTo = <T extends z.ZodMiniType>(most: number, of: T) => z.readonly(z.array(of).check(z.maxLength(most)));
 const point = z.readonly(z.tuple([z.number(), z.number()]));
+const vector = z.readonly(z.tuple([z.number(), z.number(), z.number()]));
 
 const paramValueSchema = z.union([
   z.number(),
@@ -116,6 +121,23 @@ const groupSchema = z.strictObject({
   outputs: arrayUpTo(256, groupSocketSchema),
 });
 
+const markSchema = z.strictObject({
+  /** Unique in its list. */
+  name: shortText(MAX_MARK_NAME_LENGTH),
+  /** Path of the thing at which it happened; absent: at the observer. */
+  thing: z.optional(text),
+  /** World time [s]. */
+  time: z.number(),
+  /** World frame [m]. */
+  position: vector,
+  /** What the clock that was there showed [s]. */
+  properTime: z.number(),
+  /** What the observer's own clock showed when it was marked [s]. */
+  ownTime: z.number(),
+  /** The observer's γβ then, world frame. */
+  u: vector,
+});
+
 const fileSchema = z.strictObject({
   /** SHA-256 of its content, if known. */
   hash: z.optional(z.string().check(z.regex(HASH))),
@@ -137,6 +159,8 @@ export const documentSchema = z.strictObject({
   groups: z.record(identifier, groupSchema),
   /** Files that the project references, by the names under which nodes read them. */
   files: z.record(shortText(1000), fileSchema),
+  /** Events that were marked with the stopwatch of the clocks, in that order. */
+  marks: z.optional(arrayUpTo(MAX_MARKS, markSchema)),
 });
 
 /** The value of a parameter: a number, a switch, a text, or a list of numbers or texts. */
@@ -149,6 +173,8 @@ export interface GraphEdge extends z.infer<typeof edgeSchema> {}
 export interface GraphNote extends z.infer<typeof noteSchema> {}
 /** A titled frame around nodes. */
 export interface GraphFrame extends z.infer<typeof frameSchema> {}
+/** An event of spacetime that was marked, at a thing as it was seen, or at the observer. */
+export interface EventMark extends z.infer<typeof markSchema> {}
 /** What is known of a file that a project reads: hash and size [bytes]. */
 export interface FileReference extends z.infer<typeof fileSchema> {}
 /** An input or output of a group. */

@@ -18,7 +18,7 @@ export function findFault(document: GraphDocument): Message | undefined {
         findDuplicate(group.outputs, `${place}outputs`)
       );
     });
-  return inLevel ?? findRecursion(document);
+  return inLevel ?? findDuplicate(document.marks ?? [], 'marks') ?? findRecursion(document);
 }
 
 function findGraphFault(graph: Graph, place: string): Message | undefined {

@@ -10,6 +10,7 @@ const withEdge = (input: string) => ({
   edges: { e: { from: { node: 'n', output: 'geometry' }, to: { node: 'n', input } } },
 });
 const withFile = (name: string, parts: object) => ({ ...whole, files: { [name]: parts } });
+const mark = { name: '1', time: 0, position: [0, 0, 0], properTime: 0, ownTime: 0, u: [0, 0, 0] };
 const NAME = 'a name is a letter and at most 63 more letters, digits, - or _';
 const VALUE = 'a value is a number, true or false, a text, or a list of numbers or of texts';
 
@@ -34,6 +35,9 @@ describe('a project that breaks the schema is refused with place, rule and value
     ['a value', withNode({ params: { a: { no: 'value' } } }), `nodes.n.params.a: ${VALUE}`],
     ['a mixed list', withNode({ params: { a: [1, 'b'] } }), `nodes.n.params.a: ${VALUE}`],
     ['a colour', withNote({ color: 'red' }), 'notes.a.color: a colour is # and six digits of 0…9, a…f; it is "red"'],
+    ['two marks of one name', { ...whole, marks: [mark, mark] }, 'marks: there are two of the name "1"'],
+    ['a mark without name', { ...whole, marks: [{ ...mark, name: '' }] }, 'marks.0.name: an empty text; it is ""'],
+    ['a mark in a plane', { ...whole, marks: [{ ...mark, u: [0, 0] }] }, 'marks.0.u: fewer than 3 entries'],
     ['a point', withNote({ at: ['1', 2] }), 'notes.a.at.0: expected a number, received a text; it is "1"'],
     ['a long point', withNote({ at: [1, 2, 3] }), 'notes.a.at: more than 2 entries'],
     ['a short point', withNote({ at: [1] }), 'notes.a.at: fewer than 2 entries'],

@@ -2,6 +2,7 @@ import { current, enablePatches, type Patch, produceWithPatches } from 'immer';
 import { type Message, msg } from '../../messages/message.ts';
 import { MessageError } from '../../messages/messageError.ts';
 import {
+  type EventMark,
   edgeKey,
   type FileReference,
   type Graph,
@@ -49,6 +50,8 @@ export type Command =
   /** Title or description of the project. */
   | { readonly kind: 'describe'; readonly what: 'title' | 'lookFor'; readonly value?: string }
   | { readonly kind: 'set-file'; readonly file: string; readonly value?: FileReference }
+  /** All marked events of the project. */
+  | { readonly kind: 'set-marks'; readonly marks: readonly EventMark[] }
   /** Adds many nodes at once with everything that belongs to them; all keys must be free. */
   | { readonly kind: 'insert'; readonly graph: Graph }
   | { readonly kind: 'inside'; readonly group: string; readonly command: Command }
@@ -104,12 +107,12 @@ export function applyCommand(document: GraphDocument, command: Command): Edit {
   return { document: next, patches, inverse };
 }
 
-/** Whether the whole document must be checked after a command: number of nodes, and cycles of groups. */
+/** Whether the whole document must be checked after a command: number of nodes, cycles of groups, and names. */
 function needsIntegrityCheck(command: Command): boolean {
   if (command.kind === 'batch') return command.commands.some(needsIntegrityCheck);
   if (command.kind === 'inside') return needsIntegrityCheck(command.command);
   if (command.kind === 'set-param') return command.param === 'group';
-  return ['add-node', 'insert', 'set-group', 'set-frame'].includes(command.kind);
+  return ['add-node', 'insert', 'set-group', 'set-frame', 'set-marks'].includes(command.kind);
 }
 
 function applyToDocument(document: GraphDocument, level: Graph, command: Command): void {
@@ -132,12 +135,18 @@ function applyToDocument(document: GraphDocument, level: Graph, command: Command
     case 'set-file':
       setEntry(document.files, command.file, command.value);
       break;
+    case 'set-marks':
+      setEntry(document, 'marks', command.marks.length > 0 ? command.marks : undefined);
+      break;
     default:
       applyToLevel(level, command);
   }
 }
 
-type LevelCommand = Exclude<Command, { readonly kind: 'batch' | 'inside' | 'set-group' | 'describe' | 'set-file' }>;
+type LevelCommand = Exclude<
+  Command,
+  { readonly kind: 'batch' | 'inside' | 'set-group' | 'describe' | 'set-file' | 'set-marks' }
+>;
 
 function applyToLevel(level: Graph, command: LevelCommand): void {
   switch (command.kind) {

@@ -22,7 +22,7 @@ import { layoutCenter, rekeyGraph, subgraphOf } from './subgraph.ts';
 
 /** Nodes of a document with the groups that they use: the clipboard format. */
 const fragmentSchema = z.strictObject({
-  ...z.omit(documentSchema, { files: true, title: true, lookFor: true }).shape,
+  ...z.omit(documentSchema, { files: true, title: true, lookFor: true, marks: true }).shape,
   format: z.literal('slowlight-nodes'),
 });
 export type Fragment = z.infer<typeof fragmentSchema>;

@@ -74,15 +74,24 @@ describe('project edits by node type', () => {
   const grouped = edited(standard, command);
 
   it('opening another scene removes settings and texts of the last one, also in groups', () => {
-    const before = edited(grouped, setParamCommand(grouped, 'group/console', 'speedOfLight', 5), {
-      kind: 'describe',
-      what: 'lookFor',
-      value: 'the street',
-    });
+    const before = edited(
+      grouped,
+      setParamCommand(grouped, 'group/console', 'speedOfLight', 5),
+      {
+        kind: 'describe',
+        what: 'lookFor',
+        value: 'the street',
+      },
+      {
+        kind: 'set-marks',
+        marks: [{ name: '1', time: 2, position: [0, 0, 0], properTime: 2, ownTime: 2, u: [0, 0, 0] }],
+      },
+    );
+    expect(before.marks).toHaveLength(1);
     expect(before.groups.group?.nodes.console?.params).toEqual({ speedOfLight: 5 });
     const after = edited(before, openFileCommand(before, 'b.usda')!);
     expect(after.groups.group?.nodes.console?.params).toEqual({});
-    expect(after.lookFor).toBeUndefined();
+    expect([after.lookFor, after.marks]).toEqual([undefined, undefined]);
     expect(openFileCommand(edited(standard, { kind: 'remove-nodes', nodes: ['read'] }), 'b.usda')).toBeUndefined();
   });
 

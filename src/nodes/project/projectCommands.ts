@@ -101,6 +101,7 @@ export function openFileCommand(document: GraphDocument, source: string): Comman
       setParamCommand(document, reader.id, 'source', source),
       ...cleared,
       { kind: 'describe', what: 'lookFor' },
+      { kind: 'set-marks', marks: [] },
       ...removeFlightCommands(document),
     ],
   };

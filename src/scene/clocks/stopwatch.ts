@@ -7,8 +7,8 @@ import { type ClockAbsence, type ClockObserver, readClock } from './readClock.ts
 /** An event that an observer has marked: of his own, or of a thing as he sees it. */
 export interface ClockMark {
   readonly name: string;
-  /** Path of the thing at which it happened; undefined: at the observer. */
-  readonly thing: string | undefined;
+  /** Path of the thing at which it happened; absent: at the observer. */
+  readonly thing?: string | undefined;
   /** World time [s]. */
   readonly time: number;
   /** World frame [m]. */
@@ -24,7 +24,6 @@ export interface ClockMark {
 /** Marks the observer's own event. */
 export const markOwn = (name: string, { t, position, properTime, u }: ClockObserver): ClockMark => ({
   name,
-  thing: undefined,
   time: t,
   position,
   properTime,
