@@ -71,8 +71,15 @@ export async function startEditor(root: Root, { backend: wanted, lesson, ...aske
     void import('./flight/comfort/comfort.ts').then(({ openComfort }) => openComfort(editor, observerController));
   if (comfort) loadComfort();
   // Who wishes reduced motion needs it when he flies, not before the first picture.
-  else if (prefersReducedMotion())
+  else if (prefersReducedMotion()) {
     for (const input of ['keydown', 'pointerdown']) addEventListener(input, loadComfort, { once: true });
+    // A ridden camera moves by itself.
+    const stop = editor.store.subscribe(({ picture }) => {
+      if (!picture?.ride) return;
+      stop();
+      loadComfort();
+    });
+  }
   const autosave = new Autosave({ ...session, editor, observerController, localFiles, address: pageAddress });
   // A duplicated tab has nothing stored yet.
   void autosave.saveNow();

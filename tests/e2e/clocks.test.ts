@@ -80,7 +80,7 @@ it('shows clocks as they are seen and as they are, and compares events that are 
   const across = picture.width / 2 + (((40 + 5 * s) / 60) * picture.height) / 2;
   expect(Math.abs(point.x + point.width / 2 - picture.x - across)).toBeLessThan(3);
   expect(Math.abs(point.y + point.height / 2 - picture.y - picture.height / 2)).toBeLessThan(1);
-  expect(await label.innerText()).toMatch(/^Other −?\d+\.\d\d s$/);
+  expect(await label.textContent()).toMatch(/^Other −?\d+\.\d\d s$/);
   expect(numbers([(await label.locator('b').textContent())!])[0]).toBeCloseTo(Math.sqrt(0.75) * s, 1);
 
   await page.getByRole('button', { name: 'Mark: /Ball' }).press('Enter');

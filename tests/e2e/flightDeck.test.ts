@@ -1,6 +1,9 @@
 import { AxeBuilder } from '@axe-core/playwright';
 import type { Page } from 'playwright-core';
 import { afterAll, beforeAll, describe, expect, it } from 'vitest';
+import { encodeShareLink } from '../../src/graph/document/shareLink.ts';
+import { applyCommand } from '../../src/graph/edits/commands.ts';
+import { newProject } from '../../src/nodes/project/projectCommands.ts';
 import { difference, type MonitoredPage, Program } from './program.ts';
 
 let program: Program;
@@ -132,6 +135,14 @@ describe('the flight deck', () => {
     await visit.close();
   });
 
+  it('comfort: who wishes reduced motion has a vignette on a ridden camera before he touches anything', async () => {
+    const ridden = { kind: 'set-param', node: 'camera', param: 'ride', value: true } as const;
+    const { document } = applyCommand(newProject('examples/street.usdc'), ridden);
+    const visit = await (await program.open(`?backend=webgl#${encodeShareLink(document)}`)).ready();
+    await visit.page.locator('[data-vignette=mild]').waitFor({ state: 'attached' });
+    await visit.close();
+  });
+
   it('drives over the ground at the height that was chosen, which is remembered', async () => {
     const visit = await (await program.open(SMALL)).ready();
     const { page } = visit;
@@ -141,6 +152,9 @@ describe('the flight deck', () => {
     await deck.getByRole('switch', { name: 'Follow the ground' }).press('Space');
     await deck.getByRole('textbox', { name: 'Height of the eye above it [m]' }).fill('1.5');
     await expect.poll(() => deck.locator('[data-contact=preparing]').count()).toBe(0);
+    const before = await (await visit.finest()).pixels();
+    await deck.getByRole('button', { name: 'Come down to the ground' }).press('Enter');
+    await expect.poll(async () => difference(await visit.pixels(), before)).toBeGreaterThan(1);
     const { violations } = await new AxeBuilder({ page }).include('[data-flight-deck]').analyze();
     expect(violations).toEqual([]);
     await page.keyboard.press('Escape');

@@ -17,7 +17,7 @@ import { FlightPlayback } from '../recording/playback.ts';
 import { FlightRecorder } from '../recording/recorder.ts';
 import { arcsOf } from '../step.ts';
 import { type FlownMoment, flyAmong } from './collide.ts';
-import { flyOnGround, withoutGround } from './ground.ts';
+import { comeDown, flyOnGround, withoutGround } from './ground.ts';
 import type { Obstacles } from './obstacles.ts';
 
 const { c } = FLIGHT_RULES;
@@ -174,6 +174,33 @@ describe('where the ground bends', () => {
       });
       expectClose(place(end), [0, height, -0.3 * c * 3], 1e-6);
     }
+  });
+});
+
+describe('coming down', () => {
+  const down = (obstacles: Obstacles) => comeDown(at(3, 300, -4, [0.2, 0, 0.1]), { obstacles, height }, UP, FREELY);
+  const plane = (normal: Vec3, beta = 0): Obstacles => planes([{ at: [0, 0, 0], normal, beta }], c);
+
+  it('ends at rest, at the height of the eye above what is straight below', () => {
+    // y = z/2 there.
+    expectClose(down(plane([0, 2, -1]))!.position, [3, -2 + height, -4], 1e-9);
+    expectClose(down(plane([0, 2, -1]))!.u, [0, 0, 0], 0);
+  });
+
+  it('on what rises at 0.6 c ends at that height of its own frame, and is carried along', () => {
+    const { position, u } = down(plane([0, 1, 0], 0.6))!;
+    expectClose(position, [3, height * 0.8, -4], 1e-9);
+    expectClose(u, [0, 0.75, 0], 1e-12);
+    const start = flightOf({ ...AT_REST, position, u });
+    const end = drive({ start, obstacles: plane([0, 1, 0], 0.6), seconds: 2 });
+    const { t, position: after } = observerOf(end);
+    expectClose(after[1] - 0.6 * c * t, height * 0.8, 1e-6);
+  });
+
+  it('is not possible over nothing, over a steep slope, and below the ground', () => {
+    expect(down(planes([], c))).toBeUndefined();
+    expect(down(plane([0, 1, -1.2]))).toBeUndefined();
+    expect(comeDown(at(0, -1, 0), { obstacles: plane([0, 1, 0]), height }, UP, FREELY)).toBeUndefined();
   });
 });
 

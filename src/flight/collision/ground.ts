@@ -1,12 +1,21 @@
-import { addScaled, cross, dot, length, negate, normalize, scale, type Vec3, ZERO } from '../../math/vec3.ts';
+import { addScaled, cross, distance, dot, length, negate, normalize, scale, type Vec3, ZERO } from '../../math/vec3.ts';
 import type { FlightConditions } from '../arc.ts';
-import { type Boost, compose, relativeBoost } from '../boost.ts';
+import { type Boost, compose, properVelocityOf, relativeBoost } from '../boost.ts';
 import type { Ground } from '../controls.ts';
 import type { FlightState } from '../flightState.ts';
 import type { FlightMoment } from '../modes/flightMode.ts';
 import { onSlope, withoutUp } from '../modes/slope.ts';
 import type { FlownMoment, FlownPiece } from './collide.ts';
-import { distanceTo, eventOf, frozen, inWallFrame, type Obstacles, segmentTo, type WorldEvent } from './obstacles.ts';
+import {
+  distanceTo,
+  eventOf,
+  frozen,
+  inWallFrame,
+  type Obstacles,
+  segmentTo,
+  type Wall,
+  type WorldEvent,
+} from './obstacles.ts';
 
 export interface GroundRules {
   readonly obstacles: Obstacles;
@@ -16,6 +25,8 @@ export interface GroundRules {
 
 /** The steepest slope that is followed, as the cosine of its angle, 45°, and its rise over its way. */
 const [STEEPEST, MAX_SLOPE] = [Math.SQRT1_2 * (1 - 1e-9), 1];
+/** How far below one looks for ground to come down to [parts of the height]. */
+const REACH = 10_000;
 /** The highest step that is climbed, up or down [parts of the height]. */
 const STEP = 0.25;
 /** One looks for the ground again after that way [parts of the height], … */
@@ -39,24 +50,53 @@ export const withoutGround = (obstacles: Obstacles, up: Vec3): Obstacles => ({
 
 const isClimbed = (normal: Vec3, up: Vec3): boolean => Math.abs(dot(normal, up)) >= STEEPEST;
 
-interface GroundBelow extends Ground {
-  /** How far the eye is above it [m]. */
+interface GroundBelow extends Wall {
+  /** How far the eye is above it, along the vertical of the frame where it rests [m]. */
   readonly above: number;
 }
 
-/** What one stands on at an event: the surface straight below in the world, at about the height of the eye and not too steep. */
+/** The surface straight below an event in the world, within a distance [m], unless it is too steep; its normal is upwards. */
+function surfaceBelow(
+  event: WorldEvent,
+  obstacles: Obstacles,
+  reach: number,
+  up: Vec3,
+  { c, playing }: FlightConditions,
+): GroundBelow | undefined {
+  const met = obstacles.first({ start: event, dt: 0, dx: scale(up, -reach) }, 1);
+  if (!met || !isClimbed(met.normal, up)) return undefined;
+  const wall = playing ? met : frozen(met);
+  const normal = dot(wall.normal, up) < 0 ? negate(wall.normal) : wall.normal;
+  return { ...wall, normal, above: distanceTo({ ...wall, normal }, event, c) / dot(normal, up) };
+}
+
+/** What one stands on at an event: the surface below, at about the height of the eye. */
 function groundBelow(
   event: WorldEvent,
   { obstacles, height }: GroundRules,
   up: Vec3,
-  { c, playing }: FlightConditions,
+  conditions: FlightConditions,
 ): GroundBelow | undefined {
-  const met = obstacles.first({ start: event, dt: 0, dx: scale(up, -height * (1 + STEP)) }, 1);
-  if (!met || !isClimbed(met.normal, up)) return undefined;
-  const wall = playing ? met : frozen(met);
-  const normal = dot(wall.normal, up) < 0 ? negate(wall.normal) : wall.normal;
-  const above = distanceTo({ ...wall, normal }, event, c) / dot(normal, up);
-  return Math.abs(above - height) <= height * STEP ? { velocity: wall.velocity, normal, above } : undefined;
+  const below = surfaceBelow(event, obstacles, height * (1 + STEP), up, conditions);
+  return below && Math.abs(below.above - height) <= height * STEP ? below : undefined;
+}
+
+/**
+ * Where one comes down to from however high, at rest on the surface that is straight below in the world: at the height of the eye above
+ * it, along the vertical of the frame where it rests. World frame: place [m] and γβ. Undefined where there is none, or it is too steep.
+ */
+export function comeDown(
+  state: FlightState,
+  { obstacles, height }: GroundRules,
+  up: Vec3,
+  conditions: FlightConditions,
+): { readonly position: Vec3; readonly u: Vec3 } | undefined {
+  const from = eventOf(state);
+  const below = surfaceBelow(from, obstacles, height * REACH, up, conditions);
+  if (!below || !(below.above > 0)) return undefined;
+  // A plane in uniform motion: heights of one moment of the world are proportional to those of its frame.
+  const inWorld = distance(from.x, below.event.x) / below.above;
+  return { position: addScaled(below.event.x, up, height * inWorld), u: properVelocityOf(below.velocity) };
 }
 
 /**

@@ -1,4 +1,4 @@
-import { NumberInput, Slider, Stack, Switch, Text } from '@mantine/core';
+import { Button, NumberInput, Slider, Stack, Switch, Text } from '@mantine/core';
 import { type ReactNode, useMemo } from 'react';
 import { useStore } from 'zustand';
 import type { CollisionKind } from '../../../flight/collision/collide.ts';
@@ -84,8 +84,9 @@ export default function FlightDeck(): ReactNode {
 }
 
 /** Whether one keeps to the ground, and how high. */
-function GroundControls({ deck, state: { ground, eyeHeight } }: DeckProps): ReactNode {
+function GroundControls({ deck, state: { ground, eyeHeight, contact } }: DeckProps): ReactNode {
   const { t } = useTexts();
+  const { observerController } = useServices();
   return (
     <>
       <Switch
@@ -95,15 +96,25 @@ function GroundControls({ deck, state: { ground, eyeHeight } }: DeckProps): Reac
         onChange={({ currentTarget }) => deck.set({ ground: currentTarget.checked })}
       />
       {ground && (
-        <NumberInput
-          size="xs"
-          label={t(msg`Height of the eye above it [m]`)}
-          hideControls
-          min={0.001}
-          decimalScale={3}
-          value={eyeHeight}
-          onChange={(value) => Number(value) > 0 && deck.set({ eyeHeight: Number(value) })}
-        />
+        <>
+          <NumberInput
+            size="xs"
+            label={t(msg`Height of the eye above it [m]`)}
+            hideControls
+            min={0.001}
+            decimalScale={3}
+            value={eyeHeight}
+            onChange={(value) => Number(value) > 0 && deck.set({ eyeHeight: Number(value) })}
+          />
+          <Button
+            size="compact-xs"
+            variant="default"
+            disabled={contact === 'preparing'}
+            onClick={() => deck.comeDown(observerController)}
+          >
+            {t(msg`Come down to the ground`)}
+          </Button>
+        </>
       )}
     </>
   );

@@ -1,9 +1,9 @@
 import { createStore } from 'zustand/vanilla';
 import { type FlightConditions, flyArcs } from '../../../flight/arc.ts';
 import { type Contact, type FlownMoment, flyAmong } from '../../../flight/collision/collide.ts';
-import { flyOnGround, withoutGround } from '../../../flight/collision/ground.ts';
+import { comeDown, flyOnGround, withoutGround } from '../../../flight/collision/ground.ts';
 import type { FlightRules } from '../../../flight/controls.ts';
-import { type FlightState, observerOf } from '../../../flight/flightState.ts';
+import { type FlightState, flightOf, observerOf } from '../../../flight/flightState.ts';
 import type { FlightMoment } from '../../../flight/modes/flightMode.ts';
 import { FLIGHT_MODES, type FlightModeName } from '../../../flight/modes/modes.ts';
 import { FlightPlayback } from '../../../flight/recording/playback.ts';
@@ -16,7 +16,9 @@ import { messageOf } from '../../../messages/messageError.ts';
 import { FASTER_THAN_PICTURES, isFasterThanPictures } from '../../../nodes/flights/pictureLimit.ts';
 import type { PictureSpec } from '../../../nodes/socketValues.ts';
 import type { Editor } from '../../state/editor.ts';
+import { sceneUpVector } from '../../state/observer.ts';
 import { loadPreferences, savePreferences } from '../../state/preferences.ts';
+import type { ObserverController } from '../observerController.ts';
 import type { Pilot } from '../pilot.ts';
 import { type FlightSettings, keptSettings, MODE_NAMES, settingsOf } from './flightSettings.ts';
 import { bodyVelocity } from './targets.ts';
@@ -170,6 +172,19 @@ export class FlightDeck {
   set(change: Partial<FlightSettings & Pick<DeckState, 'followed' | 'destination'>>): void {
     this.store.setState(change);
     savePreferences({ ...loadPreferences(), flight: settingsOf(this.store.getState()) });
+  }
+
+  /** Puts the observer on what is below at the height of the eye, at rest there; or says that nothing is. */
+  comeDown(observerController: ObserverController): void {
+    const { picture, observer } = observerController;
+    const obstacles = picture && this.walls.of(picture);
+    if (!obstacles) return;
+    const { lock, playing } = this.editor.store.getState();
+    const rules = { obstacles, height: this.store.getState().eyeHeight };
+    const conditions = { c: picture.speedOfLight, lock, playing };
+    const there = comeDown(flightOf(observer), rules, sceneUpVector(picture.scene), conditions);
+    if (there) observerController.place(there);
+    else this.editor.notify({ kind: 'info', text: msg`There is no ground below.` });
   }
 
   toggleRecording(): void {
