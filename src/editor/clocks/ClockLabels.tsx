@@ -1,5 +1,4 @@
-import { type ReactNode, useRef } from 'react';
-import { createPortal } from 'react-dom';
+import { type ReactNode, useEffect, useRef } from 'react';
 import { type Clock, clockTime } from '../../scene/clocks/clock.ts';
 import { formatSeconds } from '../format.ts';
 import { useFrames } from '../viewport/useFrames.ts';
@@ -9,28 +8,38 @@ import { picturedClock } from './picturedClock.ts';
 
 /** What clocks show, beside the things in the picture; the table says the same to those who cannot see it. */
 export default function ClockLabels({ clocks }: { readonly clocks: readonly Clock[] }): ReactNode {
-  const layer = useRef<HTMLDivElement>(null);
+  const layer = useRef<HTMLElement>(undefined);
   const drawn = useRef<readonly [view: PreviewContext['view'], clocks: readonly Clock[]]>(undefined);
+  // Past React: it changes with every picture, and is in another part of the page.
+  useEffect(() => {
+    const element = document.createElement('div');
+    element.className = 'sl-clock-labels';
+    element.ariaHidden = 'true';
+    document.querySelector('[data-viewport]')?.append(element);
+    layer.current = element;
+    return () => {
+      element.remove();
+      drawn.current = undefined;
+    };
+  }, []);
   useFrames(({ view, renderer }) => {
-    if (!layer.current || (drawn.current?.[0] === view && drawn.current[1] === clocks)) return;
+    const [lastView, lastClocks] = drawn.current ?? [];
+    if (!layer.current || (lastView === view && lastClocks === clocks)) return;
+    if (lastClocks !== clocks) layer.current.replaceChildren(...clocks.map(newLabel));
     drawn.current = [view, clocks];
     drawLabels(layer.current, clocks, view, renderer);
   });
-  const picture = document.querySelector('[data-viewport]');
-  if (!picture) return null;
-  return createPortal(
-    <div ref={layer} className="sl-clock-labels" aria-hidden>
-      {clocks.map(({ path }) => (
-        <div key={path} data-clock={path} hidden>
-          <i />
-          <span>
-            {path.slice(path.lastIndexOf('/') + 1)} <b />
-          </span>
-        </div>
-      ))}
-    </div>,
-    picture,
-  );
+  return null;
+}
+
+/** A point, and a text with the last part of the path and the time. */
+function newLabel({ path }: Clock): HTMLElement {
+  const label = document.createElement('div');
+  label.dataset.clock = path;
+  const text = document.createElement('span');
+  text.append(`${path.slice(path.lastIndexOf('/') + 1)} `, document.createElement('b'));
+  label.append(document.createElement('i'), text);
+  return label;
 }
 
 /** Moves the labels, which are the children of `layer` in the order of `clocks`, to where a picture shows these. */

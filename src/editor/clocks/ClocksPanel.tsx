@@ -4,7 +4,6 @@ import { lazy, type ReactNode, Suspense, useMemo, useState } from 'react';
 import { chosenObjects, thingPaths } from '../../diagrams/diagramLines.ts';
 import { suggestedPaths } from '../../diagrams/suggestedPaths.ts';
 import { seenVelocity } from '../../flight/arc.ts';
-import { MAX_MARKS } from '../../graph/document/document.ts';
 import { type LocalizedText, msg } from '../../messages/message.ts';
 import { CLOCK_ABSENCES } from '../../scene/clocks/absences.ts';
 import { type Clock, objectClocks } from '../../scene/clocks/clock.ts';
@@ -29,8 +28,8 @@ import { Stopwatch } from './Stopwatch.tsx';
 /** Loaded when the labels are first shown. */
 const ClockLabels = lazy(() => import('./ClockLabels.tsx'));
 
-/** Things whose clocks are shown unless others are chosen, and clocks of one table. */
-const [SUGGESTED, MAX_CLOCKS] = [4, 40];
+/** Things whose clocks are shown unless others are chosen, and clocks and marked events of one table. */
+const [SUGGESTED, MAX_CLOCKS, MAX_MARKS] = [4, 40, 200];
 const NO_MARKS: readonly ClockMark[] = [];
 
 /** Clocks of the ship, of the world and of chosen objects, and a stopwatch. */

@@ -1,6 +1,5 @@
 import { Button, Group, Select, Text } from '@mantine/core';
 import { type ReactNode, useState } from 'react';
-import { MAX_MARK_NAME_LENGTH } from '../../graph/document/document.ts';
 import { type Message, msg } from '../../messages/message.ts';
 import { type ClockMark, compareMarks, type MarkDifference, marksCsv } from '../../scene/clocks/stopwatch.ts';
 import { formatLength, formatNumber, formatSeconds } from '../format.ts';
@@ -60,6 +59,9 @@ export function Stopwatch({ marks, speedOfLight, onChange }: StopwatchProps): Re
   );
 }
 
+/** [characters] */
+const LONGEST_NAME = 40;
+
 /** A name that can be written over: leaving the field or Enter accepts it, Escape cancels. */
 function MarkName({ name, onChange }: { readonly name: string; readonly onChange: (name: string) => void }): ReactNode {
   const { t } = useTexts();
@@ -73,7 +75,7 @@ function MarkName({ name, onChange }: { readonly name: string; readonly onChange
     <input
       className="sl-clocks-rename"
       aria-label={t(msg`Name of the event ${name}`)}
-      maxLength={MAX_MARK_NAME_LENGTH}
+      maxLength={LONGEST_NAME}
       size={1}
       spellCheck={false}
       value={typed ?? name}

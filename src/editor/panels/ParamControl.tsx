@@ -1,4 +1,4 @@
-import { Badge, Group, SegmentedControl, Select, Slider, Stack, Switch, Tooltip } from '@mantine/core';
+import { Group, SegmentedControl, Select, Slider, Stack, Switch, Tooltip } from '@mantine/core';
 import { lazy, type ReactNode, Suspense, useId } from 'react';
 import type { ParamValue } from '../../graph/document/document.ts';
 import {
@@ -102,9 +102,7 @@ function Unphysical({ spec, value, nature }: UnphysicalProps): ReactNode {
   if (!isUnphysical(spec, value)) return null;
   return (
     <Tooltip label={t(msg`For teaching and comparison: in nature this is ${nature}.`)} openDelay={400}>
-      <Badge size="xs" variant="light" color="orange" autoContrast className="sl-unphysical">
-        {t(msg`not physical`)}
-      </Badge>
+      <span className="sl-unphysical sl-badge">{t(msg`not physical`)}</span>
     </Tooltip>
   );
 }

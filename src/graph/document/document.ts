@@ -9,10 +9,6 @@ import { CURRENT_VERSION } from './migrations.ts';
  */
 /** Maximum number of nodes of a project, as stored and with its groups expanded. */
 export const MAX_NODES = 10_000;
-/** Maximum number of marked events of a project. */
-export const MAX_MARKS = 1000;
-/** Maximum length of their names [characters]. */
-export const MAX_MARK_NAME_LENGTH = 80;
 /** Maximum nesting of groups. */
 export const MAX_GROUP_DEPTH = 16;
 const MAX_ARRAY_LENGTH = 100_000;
@@ -123,7 +119,7 @@ const groupSchema = z.strictObject({
 
 const markSchema = z.strictObject({
   /** Unique in its list. */
-  name: shortText(MAX_MARK_NAME_LENGTH),
+  name: shortText(80),
   /** Path of the thing at which it happened; absent: at the observer. */
   thing: z.optional(text),
   /** World time [s]. */
@@ -160,7 +156,7 @@ export const documentSchema = z.strictObject({
   /** Files that the project references, by the names under which nodes read them. */
   files: z.record(shortText(1000), fileSchema),
   /** Events that were marked with the stopwatch of the clocks, in that order. */
-  marks: z.optional(arrayUpTo(MAX_MARKS, markSchema)),
+  marks: z.optional(arrayUpTo(1000, markSchema)),
 });
 
 /** The value of a parameter: a number, a switch, a text, or a list of numbers or texts. */

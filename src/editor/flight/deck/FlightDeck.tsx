@@ -110,7 +110,11 @@ function GroundControls({ deck, state: { ground, eyeHeight, contact } }: DeckPro
             size="compact-xs"
             variant="default"
             disabled={contact === 'preparing'}
-            onClick={() => deck.comeDown(observerController)}
+            onClick={() => {
+              // Who rides a camera leaves it.
+              observerController.place({});
+              deck.comeDown();
+            }}
           >
             {t(msg`Come down to the ground`)}
           </Button>

@@ -1,7 +1,7 @@
 import { createStore } from 'zustand/vanilla';
 import { type FlightConditions, flyArcs } from '../../../flight/arc.ts';
 import { type Contact, type FlownMoment, flyAmong } from '../../../flight/collision/collide.ts';
-import { comeDown, flyOnGround, withoutGround } from '../../../flight/collision/ground.ts';
+import { comeDown, flyOnGround, type GroundRules, withoutGround } from '../../../flight/collision/ground.ts';
 import type { FlightRules } from '../../../flight/controls.ts';
 import { type FlightState, flightOf, observerOf } from '../../../flight/flightState.ts';
 import type { FlightMoment } from '../../../flight/modes/flightMode.ts';
@@ -16,9 +16,7 @@ import { messageOf } from '../../../messages/messageError.ts';
 import { FASTER_THAN_PICTURES, isFasterThanPictures } from '../../../nodes/flights/pictureLimit.ts';
 import type { PictureSpec } from '../../../nodes/socketValues.ts';
 import type { Editor } from '../../state/editor.ts';
-import { sceneUpVector } from '../../state/observer.ts';
 import { loadPreferences, savePreferences } from '../../state/preferences.ts';
-import type { ObserverController } from '../observerController.ts';
 import type { Pilot } from '../pilot.ts';
 import { type FlightSettings, keptSettings, MODE_NAMES, settingsOf } from './flightSettings.ts';
 import { bodyVelocity } from './targets.ts';
@@ -65,6 +63,8 @@ export class FlightDeck {
   });
   private recorder: FlightRecorder | undefined;
   private playback: FlightPlayback | undefined;
+  /** Whether the next moment is that of coming down to the ground. */
+  private isComingDown = false;
   /** Whether the replay is faster than what is drawn. */
   private isFaster = false;
 
@@ -143,6 +143,10 @@ export class FlightDeck {
       if (preparing !== contact) this.store.setState({ contact: preparing });
       return flyFreely(moment);
     }
+    if (this.isComingDown) {
+      this.isComingDown = false;
+      return { pieces: [], after: this.cameDown(moment, conditions, { obstacles, height }) };
+    }
     const walls = isDriving ? withoutGround(obstacles, moment.rules.up) : obstacles;
     const fly = (asked: FlightMoment): FlownMoment =>
       collision
@@ -174,17 +178,16 @@ export class FlightDeck {
     savePreferences({ ...loadPreferences(), flight: settingsOf(this.store.getState()) });
   }
 
-  /** Puts the observer on what is below at the height of the eye, at rest there; or says that nothing is. */
-  comeDown(observerController: ObserverController): void {
-    const { picture, observer } = observerController;
-    const obstacles = picture && this.walls.of(picture);
-    if (!obstacles) return;
-    const { lock, playing } = this.editor.store.getState();
-    const rules = { obstacles, height: this.store.getState().eyeHeight };
-    const conditions = { c: picture.speedOfLight, lock, playing };
-    const there = comeDown(flightOf(observer), rules, sceneUpVector(picture.scene), conditions);
-    if (there) observerController.place(there);
-    else this.editor.notify({ kind: 'info', text: msg`There is no ground below.` });
+  /** Puts the pilot with the next moment on what is below at the height of the eye, at rest there; or says that nothing is. */
+  comeDown(): void {
+    this.leave();
+    this.isComingDown = true;
+  }
+
+  private cameDown({ state, rules }: FlightMoment, conditions: FlightConditions, ground: GroundRules): FlightState {
+    const there = comeDown(state, ground, rules.up, conditions);
+    if (!there) this.editor.notify({ kind: 'info', text: msg`There is no ground below.` });
+    return there ? flightOf({ ...observerOf(state), ...there }) : state;
   }
 
   toggleRecording(): void {
