@@ -38,6 +38,10 @@ export function openReferenceSession(
         picture,
         size,
         ({ view, width, height, settings, samples, pixels, aovs }, onPart) => {
+          if (settings.ghost !== 'none' || settings.pastFuture)
+            throw new PipelineRefusal(
+              msg`a ghost, and past and future apart, are drawn by the rasterizer only: switch them off`,
+            );
           const request = { view, width, height, samples, seed, light };
           const draw: TraceLayers = (scene, own, layers, onLayers) =>
             renderWithPool(pools.of(scene, own.speedOfLight), { ...request, settings: own, layers }, onLayers);

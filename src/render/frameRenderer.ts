@@ -14,7 +14,7 @@ import type { SpacetimeProjection } from './geometry/vertexStage.ts';
 import type { Gpu } from './gpu/device.ts';
 import type { FrameUniforms } from './gpu/frameUniforms.ts';
 import { PassCache } from './gpu/passCache.ts';
-import type { DisplaySettings } from './post/display/display.ts';
+import { type DisplaySettings, displayKey } from './post/display/display.ts';
 import { FalseColorTable, falseColored } from './post/display/falseColor.ts';
 import { LightMeter } from './post/display/lightMeter.ts';
 import { Antialiasing, type AntialiasingMode } from './post/resolve/antialiasing.ts';
@@ -85,12 +85,17 @@ export class FrameRenderer {
     time: number,
     onPass?: PassListener,
   ): void {
-    const [first] = views;
+    const [first, ...others] = views;
     const { frameGraph } = first.view.settings;
     if (frameGraph) {
       this.light = this.runnerFor(frameGraph).draw(frameGraph, { views, camera, time }, onPass);
       return;
     }
+    for (const [i, { view, bind }] of others.entries()) {
+      bind();
+      this.deferredPass(i + 1).drawGeometry(view, camera);
+    }
+    if (others.length > 0) first.bind();
     const pass = this.deferredPass(0);
     pass.drawGeometry(first.view, camera);
     pass.drawLight(first.view, camera, first.view.settings);
@@ -147,7 +152,7 @@ export class FrameRenderer {
     const { target: lit, index } = this.beauty();
     const light = lit.textures[index];
     falseColors.use(colors);
-    const name = `false ${colors.kind} ${displayState.tone} ${displayState.grid} ${light.id}`;
+    const name = `false ${colors.kind} ${displayKey(displayState)} ${light.id}`;
     this.passes.run(name, () => falseColored(colors.kind, light, buffer, uniforms, falseColors, displayState), target);
   }
 

@@ -20,6 +20,7 @@ import { FrameSetup, renderViewOf, spacetimeProjectionOf, type ViewBuffers } fro
 import { type Gpu, openGpu } from './gpu/device.ts';
 import { precompile } from './gpu/precompile.ts';
 import type { LayeredScene } from './layers/layeredScene.ts';
+import { Overlays } from './post/display/overlays.ts';
 import type { AntialiasingMode } from './post/resolve/antialiasing.ts';
 import { SceneUpload } from './sceneUpload.ts';
 import { SceneUploads } from './sceneUploads.ts';
@@ -63,6 +64,7 @@ const NOTHING_DRAWN = { viewsDrawn: 0, objectsDrawn: 0 };
 export class SceneRenderer implements RasterRenderer {
   private readonly gpu: Gpu;
   private readonly frameSetup = new FrameSetup();
+  private readonly overlays: Overlays;
   private readonly compositor: ViewCompositor;
   private readonly toCanvas: boolean;
   /** Loaded by the first scene that has layered materials. */
@@ -91,8 +93,9 @@ export class SceneRenderer implements RasterRenderer {
     this.gpu = gpu;
     this.toCanvas = options.canvas !== undefined;
     this.compositor = new ViewCompositor(gpu.renderer);
-    this.viewRenderers = [new ViewRenderer(gpu, this.frameSetup)];
     const { uniforms } = this.frameSetup;
+    this.overlays = new Overlays(uniforms, options);
+    this.viewRenderers = [new ViewRenderer(gpu, this.frameSetup, this.overlays)];
     this.uploads = new SceneUploads(
       (scene, speedOfLight) => new SceneUpload(scene, speedOfLight, uniforms, gpu, options, this.Layered),
       (upload) => {
@@ -104,7 +107,7 @@ export class SceneRenderer implements RasterRenderer {
   }
 
   get info(): RendererInfo {
-    const { lastDraw, gpu, uploads } = this;
+    const { lastDraw, gpu, uploads, overlays } = this;
     const { first } = uploads;
     return {
       backend: gpu.backend,
@@ -112,7 +115,7 @@ export class SceneRenderer implements RasterRenderer {
       objects: first?.bodies.length ?? 0,
       triangles: first?.tessellator.triangleCount ?? 0,
       tolerance: first?.tessellator.achievedTolerance ?? 0,
-      waiting: !uploads.isComplete,
+      waiting: !uploads.isComplete || overlays.isLoading,
       ...lastDraw,
     };
   }
@@ -145,6 +148,7 @@ export class SceneRenderer implements RasterRenderer {
     const { uploads } = this;
     // Another speed of light may need another upload first.
     if (!uploads.first || uploads.wouldReplace(settings)) return undefined;
+    if (!this.overlays.isReady(settings)) return this.overlays.loaded;
     const mode = antialiasingModeOf(settings, sampling);
     if (this.compiled.has(shaderKey(settings, mode, uploads.of(settings), views.length))) return undefined;
     this.precompiling ??= this.compile(views, settings, mode).finally(() => {
@@ -172,6 +176,7 @@ export class SceneRenderer implements RasterRenderer {
   render(views: PictureViews, settings: RenderSettings, sampling: Sampling = 1): void {
     const start = performance.now();
     assertViewports(views, this.requestedSize);
+    if (!this.overlays.isReady(settings)) return;
     const pictures = this.buffersOf(views, settings);
     const rects = this.viewportsOf(views);
     if (pictures.length === 0) return;
@@ -225,7 +230,8 @@ export class SceneRenderer implements RasterRenderer {
   }
 
   private viewRenderer(index: number): ViewRenderer {
-    while (this.viewRenderers.length <= index) this.viewRenderers.push(new ViewRenderer(this.gpu, this.frameSetup));
+    while (this.viewRenderers.length <= index)
+      this.viewRenderers.push(new ViewRenderer(this.gpu, this.frameSetup, this.overlays));
     return this.viewRenderers[index];
   }
 
@@ -324,12 +330,13 @@ function shaderKey(
   uploads: readonly SceneUpload[],
   views: number,
 ): string {
-  const { tone, grid, falseColors, shadows, occlusionRadius, frameGraph } = settings;
+  const { tone, grid, falseColors, shadows, occlusionRadius, frameGraph, ghost, pastFuture } = settings;
   const buffers = uploads.map(({ serial, scene }, i) => {
     const own = bufferSettings(settings, i);
     const { event, place } = spacetimeProjectionOf(own);
     return [serial, event, place, colorVariantOf(own, scene)].join(' ');
   });
   const shape = frameGraph && frameGraphStructure(frameGraph);
-  return [...buffers, views, shadows, occlusionRadius !== 0, tone, grid, falseColors?.kind ?? mode, shape].join(' ');
+  const display = [tone, grid, ghost !== 'none', pastFuture, falseColors?.kind ?? mode];
+  return [...buffers, views, shadows, occlusionRadius !== 0, ...display, shape].join(' ');
 }

@@ -1,6 +1,6 @@
 import type { FrameGraphBuffer } from '../scene/frameGraph/frameGraph.ts';
 import type { Scene } from '../scene/types.ts';
-import { DEFAULT_SETTINGS, type RenderSettings } from '../scene/view/view.ts';
+import { DEFAULT_SETTINGS, extraBuffers, type RenderSettings } from '../scene/view/view.ts';
 import type { SceneUpload } from './sceneUpload.ts';
 
 /**
@@ -82,10 +82,7 @@ export class SceneUploads {
   }
 }
 
-const buffersOf = ({
-  speedOfLight,
-  frameGraph,
-}: RenderSettings): readonly Pick<FrameGraphBuffer, 'scene' | 'speedOfLight'>[] => [
-  { scene: 0, speedOfLight },
-  ...(frameGraph?.extraBuffers ?? []),
+const buffersOf = (settings: RenderSettings): readonly Pick<FrameGraphBuffer, 'scene' | 'speedOfLight'>[] => [
+  { scene: 0, speedOfLight: settings.speedOfLight },
+  ...extraBuffers(settings),
 ];

@@ -1730,6 +1730,15 @@ const messages: Translation['messages'] = {
   Antialiasing: '抗锯齿',
   'Smooth edges, stable in motion; a still picture becomes finer over time. Off: every pixel shows what is at its centre.':
     '边缘平滑，运动时也稳定；静止画面会自动变得更精细。关：每个像素只显示其中心所见。',
+  Ghost: '重影',
+  'Contours of another view over the picture: where things are, over where they are seen, or the other way round.':
+    '在画面上叠画另一视图的轮廓：在所见之处上显示物体实际所在，或反过来。',
+  'Past and future': '过去与未来',
+  'Draws apart what is in the world’s past and in its future, by its clocks, in slices of your own time and in their ghosts.':
+    '在你自己时刻的同时面及其重影中，按世界的时钟区分属于世界过去与未来的部分。',
+  'Ghost: {}': '重影：{1}',
+  'Past, by the world’s clocks': '过去（按世界的时钟）',
+  'Future, by the world’s clocks': '未来（按世界的时钟）',
   'Reference grid': '参考网格',
   'A grid on the ground that is not affected by relativity.': '不受相对论变形影响的地面网格。',
   'Animation speed': '动画速度',
@@ -3023,6 +3032,11 @@ const messages: Translation['messages'] = {
     '每个像素只在中心采样一次，以供比较；不能与 --samples 同用',
   'draw the reference grid on the ground, which is not affected by relativity':
     '在地面上画参考网格，它不受相对论效应影响',
+  'of raster: draw the contours of another view over the picture': '用于 raster：在画面上叠画另一视图的轮廓',
+  "of raster: in slices of the observer's time, draw apart what is in the world's past and in its future":
+    '用于 raster：在观察者时刻的同时面中，区分属于世界过去与未来的部分',
+  'a ghost, and past and future apart, are drawn by the rasterizer only: switch them off':
+    '重影以及过去与未来的区分只能由光栅渲染器绘制：请将其关闭',
   "of raster: radius of ambient occlusion [m]; 0: none (default: a quarter of the scene's size)":
     '用于 raster：环境光遮蔽的作用距离 [m]；0：无（默认：场景尺寸的四分之一）',
 

@@ -34,11 +34,11 @@ function paramSpec(name: SettingName): ParamSpec {
     ...(setting.help && { help: setting.help }),
     ...(setting.onlyWhen && { onlyWhen: setting.onlyWhen }),
   };
+  const physical = setting.physical !== undefined && { physical: setting.physical };
   if (setting.kind === 'choice') {
     const options = Object.entries(setting.options).map(([value, title]) => ({ value, title }));
-    return { kind: 'choice', ...common, default: setting.default, options };
+    return { kind: 'choice', ...common, default: setting.default, options, ...physical };
   }
-  const physical = setting.physical !== undefined && { physical: setting.physical };
   if (setting.kind === 'boolean') return { kind: 'boolean', ...common, default: setting.default, ...physical };
   const { control, default: value } = setting;
   return { kind: 'number', ...common, default: value ?? 0, ...(control ?? UNBOUNDED), ...physical };

@@ -38,6 +38,8 @@ export interface BooleanSetting extends SettingBase {
 export interface ChoiceSetting<Value extends string = string> extends SettingBase {
   readonly kind: 'choice';
   readonly default: Value;
+  /** As of `BooleanSetting`. */
+  readonly physical?: Value;
   /** Titles of the values. */
   readonly options: Readonly<Record<Value, LocalizedText>>;
 }

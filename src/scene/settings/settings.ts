@@ -34,6 +34,31 @@ export const SETTINGS = {
     perBuffer: true,
     header: { place: 1, when: 'changed' },
   },
+  /** The view whose contours are drawn over the picture, of its first G-buffer's scene, for the same observer; with `coneSlope`, and nothing omitted of what is seen. */
+  ghost: {
+    kind: 'choice',
+    title: msg`Ghost`,
+    help: msg`Contours of another view over the picture: where things are, over where they are seen, or the other way round.`,
+    default: 'none',
+    physical: 'none',
+    options: { none: msg`None`, ...VIEW_TITLES },
+    nodes: CONSOLE,
+    flag: { value: 'view', help: msg`of raster: draw the contours of another view over the picture` },
+    header: { place: 8, when: 'changed' },
+  },
+  /** Whether what happens before the observer's world time t, and after it, is drawn apart. In pictures of the past light cone only a ghost's contours are. */
+  pastFuture: {
+    kind: 'boolean',
+    title: msg`Past and future`,
+    help: msg`Draws apart what is in the world’s past and in its future, by its clocks, in slices of your own time and in their ghosts.`,
+    default: false,
+    physical: false,
+    nodes: CONSOLE,
+    flag: {
+      help: msg`of raster: in slices of the observer's time, draw apart what is in the world's past and in its future`,
+    },
+    header: { place: 9, when: 'changed' },
+  },
   /** Off: every point is shown at the observer's world time, as if light were instantaneous. Light-cone view only. */
   lightDelay: {
     kind: 'boolean',

@@ -2,8 +2,9 @@ import type { Quat } from '../../math/quat.ts';
 import type { Vec3 } from '../../math/vec3.ts';
 import { SPEED_OF_LIGHT } from '../../physics/constants.ts';
 import type { FalseColorScale } from '../../spectrum/falseColor/falseColor.ts';
-import type { FrameGraph } from '../frameGraph/frameGraph.ts';
+import type { FrameGraph, FrameGraphBuffer } from '../frameGraph/frameGraph.ts';
 import { RENDERER_SETTINGS, type RendererSettings, settingNamed } from '../settings/settings.ts';
+import type { View } from '../views/views.ts';
 import type { Lens } from './lens.ts';
 
 /** Settings of a picture. Plain data, so that documents, flags and sockets can hold them. */
@@ -32,9 +33,22 @@ const DEFAULTS = Object.fromEntries(
  */
 export const DEFAULT_SETTINGS: RenderSettings = { ...DEFAULTS, speedOfLight: SPEED_OF_LIGHT };
 
-/** The settings of a frame graph's G-buffer; 0 is that of `settings` themselves. */
+/** The G-buffers of a picture but for the first, which is that of `settings` themselves: those of its frame graph, then that of its ghost. */
+export function extraBuffers(settings: RenderSettings): readonly FrameGraphBuffer[] {
+  const { frameGraph, ghost } = settings;
+  const own = frameGraph?.extraBuffers ?? [];
+  return ghost === 'none' ? own : [...own, ghostBuffer(settings, ghost)];
+}
+
+/** Contours have no light. */
+const ghostBuffer = (settings: RenderSettings, view: View): FrameGraphBuffer => ({
+  ...settings,
+  ...{ scene: 0, view, lightDelay: true, aberration: true, shadows: false, occlusionRadius: 0 },
+});
+
+/** The settings of a picture's G-buffer; 0 is that of `settings` themselves. */
 export const bufferSettings = (settings: RenderSettings, buffer: number): RenderSettings =>
-  buffer === 0 ? settings : { ...settings, ...settings.frameGraph?.extraBuffers[buffer - 1] };
+  buffer === 0 ? settings : { ...settings, ...extraBuffers(settings)[buffer - 1] };
 
 /** The observer's event, velocity and camera. */
 export interface ViewPoint {

@@ -13,6 +13,7 @@ import { depthHere } from '../../shading/passes.ts';
 import { fxaa } from '../resolve/fxaa.ts';
 import { fromYCoCg, toYCoCg } from '../resolve/temporalAntialiasing.ts';
 import { gridOver } from './grid.ts';
+import type { Overlay } from './overlay.ts';
 
 /** The settings that change the compiled passes of this file, rather than only their uniforms. */
 export type DisplaySettings = Pick<RenderSettings, 'tone' | 'grid'> & {
@@ -20,18 +21,25 @@ export type DisplaySettings = Pick<RenderSettings, 'tone' | 'grid'> & {
   readonly hasStars: boolean;
   /** Whether there are surfaces that emit their own colour, which are shown without the tone curve while they are seen unshifted. */
   readonly hasUnlit: boolean;
+  /** Absent: none. */
+  readonly overlay?: Overlay;
 };
 
-/** Tone-maps linear light to 0 … 1, and draws the grid over it if enabled. */
+/** Identifies the shaders of display settings. */
+export const displayKey = ({ tone, grid, hasStars, hasUnlit, overlay }: DisplaySettings): string =>
+  `${tone} ${grid} ${hasStars} ${hasUnlit} ${overlay?.key}`;
+
+/** Tone-maps linear light to 0 … 1, and draws the overlay and the grid over it if enabled. */
 function toneMapped(
   hdr: Vec3,
   buffer: GBuffer,
   uniforms: FrameUniforms,
-  { tone, grid, hasUnlit }: DisplaySettings,
+  { tone, grid, hasUnlit, overlay }: DisplaySettings,
 ): Vec3 {
   const picture = toneMaps[tone](hdr, uniforms.exposure).toVar();
   if (hasUnlit && tone !== 'linear')
     picture.assign(mix(picture, toneMaps.linear(hdr, uniforms.exposure), unlitShareHere(buffer, uniforms)));
+  for (const layer of overlay?.layers() ?? []) picture.assign(mix(picture, layer.xyz, layer.w));
   if (!grid) return picture;
   const lines = gridOver(pixelDirection(uniforms), depthHere(buffer), uniforms).toVar();
   return mix(picture, lines.xyz, lines.w).toVar();

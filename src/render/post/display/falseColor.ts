@@ -1,6 +1,5 @@
 import { clamp, Fn, float, floor, int, log2, max, min, mix, select, uniform, vec3, vec4 } from 'three/tsl';
 import type { Texture } from 'three/webgpu';
-import type { RenderSettings } from '../../../scene/view/view.ts';
 import { toneMaps } from '../../../shaders/color/toneMap.ts';
 import { observerDoppler } from '../../../shaders/kinematics/observerDoppler.ts';
 import { unaberrate } from '../../../shaders/kinematics/unaberrate.ts';
@@ -21,7 +20,7 @@ import { FloatTable } from '../../gpu/floatTable.ts';
 import type { FrameUniforms } from '../../gpu/frameUniforms.ts';
 import { pixelDirection, texelHere } from '../../gpu/fullScreenPass.ts';
 import { depthHere } from '../../shading/passes.ts';
-import { encodeSrgb } from './display.ts';
+import { type DisplaySettings, encodeSrgb } from './display.ts';
 import { gridOver } from './grid.ts';
 
 const STEPS = 256;
@@ -64,7 +63,7 @@ export const falseColored = (
   buffer: GBuffer,
   uniforms: FrameUniforms,
   table: FalseColorTable,
-  { tone, grid }: Pick<RenderSettings, 'tone' | 'grid'>,
+  { tone, grid, overlay }: Pick<DisplaySettings, 'tone' | 'grid' | 'overlay'>,
 ): Vec4 =>
   Fn(() => {
     const hasSurface = texelHere(buffer.texture('object')).x.greaterThan(0.5).toVar();
@@ -76,6 +75,7 @@ export const falseColored = (
       const gray = encodeSrgb(vec3(relativeLuminance(toneMapped))).x;
       color.mulAssign(mix(float(MIN_SHADE), float(1), gray));
     }
+    for (const layer of overlay?.contours() ?? []) color.assign(mix(color, encodeSrgb(layer.xyz), layer.w));
     if (!grid) return vec4(color, 1);
     const lines = gridOver(pixelDirection(uniforms), depthHere(buffer), uniforms).toVar();
     return vec4(mix(color, encodeSrgb(lines.xyz), lines.w), 1);

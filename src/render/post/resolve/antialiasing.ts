@@ -17,6 +17,7 @@ import {
   accumulatedSample,
   antialiased,
   type DisplaySettings,
+  displayKey,
   sampleMean,
   singleSample,
   temporalResult,
@@ -136,7 +137,11 @@ export class Antialiasing {
   private drawSingle(settings: AntialiasingSettings): void {
     const { buffer, uniforms, runPass: run } = this.inputs;
     const light = this.inputs.light();
-    run(`single ${light.id} ${keyOf(settings)}`, () => singleSample(light, buffer, uniforms, settings), this.single);
+    run(
+      `single ${light.id} ${displayKey(settings)}`,
+      () => singleSample(light, buffer, uniforms, settings),
+      this.single,
+    );
   }
 
   /** Writes the last sum plus the weighted sample. */
@@ -147,7 +152,7 @@ export class Antialiasing {
     [picture.value, sum.value] = this.sums[1 - this.sum].textures;
     const previous = { picture, light: sum };
     run(
-      `add ${light.id} ${keyOf(settings)}`,
+      `add ${light.id} ${displayKey(settings)}`,
       () => accumulatedSample(light, previous, buffer, uniforms, settings),
       this.sums[this.sum],
     );
@@ -158,7 +163,7 @@ export class Antialiasing {
     const light = this.inputs.light();
     const { previousView, filter, current, now, former, history } = this;
     run(
-      `fresh ${light.id} ${keyOf(settings)}`,
+      `fresh ${light.id} ${displayKey(settings)}`,
       () => temporalSample(light, buffer, uniforms, settings),
       this.temporalSamples[current],
     );
@@ -196,9 +201,6 @@ export class Antialiasing {
     return [this.single, ...this.sums, ...this.temporalSamples, ...this.histories];
   }
 }
-
-const keyOf = ({ tone, grid, hasStars, hasUnlit }: DisplaySettings): string =>
-  `${tone} ${grid} ${hasStars} ${hasUnlit}`;
 
 function filteredTarget(): RenderTarget {
   const target = dataTarget(1, UnsignedByteType);
