@@ -116,6 +116,13 @@ test('the bits depend on the seed, not on the number of threads', async () => {
   expect(one.equals(again)).toBe(false);
 });
 
+test.each([['--ghost', 'simultaneity'], ['--past-future']])('it has no %s', async (...flags) => {
+  const { code, err } = await slowlight('render', movers, '-o', out('ghost.png'), ...size, ...reference, ...flags);
+  expect(code).not.toBe(0);
+  expect(err).toContain('a ghost, and past and future apart, are drawn by the rasterizer only');
+  expect(existsSync(out('ghost.png'))).toBe(false);
+});
+
 test('without a GPU the reference renderer is the fallback, with a message; but not if a GPU was requested', async () => {
   const render = (name: string, ...flags: string[]): Promise<ProgramResult> =>
     without(noGpu, 'render', movers, '-o', out(name), '--size', '32x18', '--json', ...flags);

@@ -55,6 +55,35 @@ describe('exposure and tone', () => {
   });
 });
 
+describe('a ghost', () => {
+  it('is drawn over the picture, with a legend, and marked as not physical', async () => {
+    const visit = await (await program.open('?backend=webgl&scene=examples/sphere.usdc', { viewport: WIDE })).ready();
+    const before = await (await visit.finest()).pixels();
+    await visit.page.getByRole('combobox', { name: 'Ghost' }).click();
+    await visit.page.getByRole('option', { name: 'Simultaneity' }).click();
+    const legend = visit.page.locator('[data-overlay-legend]');
+    await legend.getByText('Ghost: Simultaneity').waitFor();
+    await expect.poll(async () => difference(await visit.pixels(), before)).toBeGreaterThan(0.2);
+    await visit.page.getByText('Past and future', { exact: true }).waitFor();
+    await visit.page.getByRole('switch', { name: 'Past and future' }).click({ force: true });
+    await legend.getByText('Future, by the world’s clocks').waitFor();
+    const status = visit.page.locator('[data-status="unphysical"]');
+    await expect.poll(() => status.textContent()).toContain('Ghost and Past and future');
+    expect(await seriousViolations(visit)).toEqual([]);
+    await visit.shot('ghost');
+    await visit.page.setViewportSize({ width: 420, height: 760 });
+    await visit.shot('ghost-narrow');
+    await visit.page.setViewportSize(WIDE);
+    await visit.page.getByRole('switch', { name: 'Past and future' }).click({ force: true });
+    await visit.page.getByRole('combobox', { name: 'Ghost' }).click();
+    await visit.page.getByRole('option', { name: 'None' }).click();
+    await legend.waitFor({ state: 'detached' });
+    await visit.finest();
+    await expect.poll(async () => difference(await visit.pixels(), before)).toBeLessThan(0.5);
+    await visit.close();
+  });
+});
+
 describe('false colours', () => {
   it('have an accessible legend, in dark and light colours', async () => {
     const visit = await moving();
