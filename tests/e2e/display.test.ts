@@ -68,7 +68,7 @@ describe('a ghost', () => {
     await visit.page.getByRole('switch', { name: 'Past and future' }).click({ force: true });
     await legend.getByText('Future, by the world’s clocks').waitFor();
     const status = visit.page.locator('[data-status="unphysical"]');
-    await expect.poll(() => status.textContent()).toContain('Ghost and Past and future');
+    await expect.poll(() => status.textContent()).toContain('Ghost, Past and future');
     expect(await seriousViolations(visit)).toEqual([]);
     await visit.shot('ghost');
     await visit.page.setViewportSize({ width: 420, height: 760 });
