@@ -21,7 +21,6 @@ import { renderStillInWorker } from './pipelines/renderStill.ts';
 import { Autosave } from './projects/autosave.ts';
 import { openStartupProject, pageAddress, type StartupRequest } from './projects/startup.ts';
 import { type EditorServices, ServicesProvider } from './services.tsx';
-import { Unsupported } from './shell/Unsupported.tsx';
 import { EditorProvider } from './state/context.tsx';
 import { createEditor } from './state/editor.ts';
 import { loadPreferences, prefersReducedMotion } from './state/preferences.ts';
@@ -40,6 +39,7 @@ export async function startEditor(root: Root, { backend: wanted, lesson, ...aske
   legendStore.setState({ visible: withLegend });
   const [backend] = await Promise.all([chooseBackend(wanted), setLanguage(language).catch(() => setLanguage('en'))]);
   if (!backend) {
+    const { Unsupported } = await import('./shell/Unsupported.tsx');
     root.render(
       <Page>
         <Unsupported />

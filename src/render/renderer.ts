@@ -1,5 +1,4 @@
 import { contentKey, frameGraphStructure } from '../scene/frameGraph/frameGraph.ts';
-import { isLayered } from '../scene/materials/layered.ts';
 import type { Scene } from '../scene/types.ts';
 import { type LightMeterReadings, mergeReadings } from '../scene/view/metering.ts';
 import {
@@ -19,9 +18,9 @@ import { colorVariantOf } from './color/colorPipelines.ts';
 import { FrameSetup, renderViewOf, spacetimeProjectionOf, type ViewBuffers } from './frameSetup.ts';
 import { type Gpu, openGpu } from './gpu/device.ts';
 import { precompile } from './gpu/precompile.ts';
-import type { LayeredScene } from './layers/layeredScene.ts';
 import { Overlays } from './post/display/overlays.ts';
 import type { AntialiasingMode } from './post/resolve/antialiasing.ts';
+import { loadSceneParts, type SceneParts } from './sceneParts.ts';
 import { SceneUpload } from './sceneUpload.ts';
 import { SceneUploads } from './sceneUploads.ts';
 import type { PickResult, RendererInfo, RendererOptions, Sampling } from './settings.ts';
@@ -67,8 +66,7 @@ export class SceneRenderer implements RasterRenderer {
   private readonly overlays: Overlays;
   private readonly compositor: ViewCompositor;
   private readonly toCanvas: boolean;
-  /** Loaded by the first scene that has layered materials. */
-  private Layered: typeof LayeredScene | undefined;
+  private parts: SceneParts = {};
   private readonly uploads: SceneUploads;
   /** By index of the view in the picture. */
   private readonly viewRenderers: ViewRenderer[];
@@ -97,7 +95,7 @@ export class SceneRenderer implements RasterRenderer {
     this.overlays = new Overlays(uniforms, options);
     this.viewRenderers = [new ViewRenderer(gpu, this.frameSetup, this.overlays)];
     this.uploads = new SceneUploads(
-      (scene, speedOfLight) => new SceneUpload(scene, speedOfLight, uniforms, gpu, options, this.Layered),
+      (scene, speedOfLight) => new SceneUpload(scene, speedOfLight, uniforms, gpu, options, this.parts),
       (upload) => {
         this.frameSetup.invalidate();
         this.incomplete = undefined;
@@ -127,8 +125,7 @@ export class SceneRenderer implements RasterRenderer {
   }
 
   async setScene(scene: Scene, others: readonly Scene[] = []): Promise<void> {
-    if ([scene, ...others].some(({ materials }) => materials.some(isLayered)))
-      this.Layered = (await import('./layers/layeredScene.ts')).LayeredScene;
+    this.parts = await loadSceneParts([scene, ...others], this.parts);
     this.uploads.setScenes([scene, ...others]);
   }
 

@@ -31,8 +31,9 @@ import type { FrameUniforms } from './gpu/frameUniforms.ts';
 import { textureKey, uploadTexture } from './gpu/textures.ts';
 import type { LayeredScene } from './layers/layeredScene.ts';
 import { Environment } from './lights/environment.ts';
+import type { SceneParts } from './sceneParts.ts';
 import type { RendererOptions } from './settings.ts';
-import { StarPoints } from './shading/starPoints.ts';
+import type { StarPoints } from './shading/starPoints.ts';
 import { SHADOW_DETAILS } from './shadows/shadowDetail.ts';
 import { ShadowMaps } from './shadows/shadowMaps.ts';
 import { Tessellator } from './tessellation/tessellator.ts';
@@ -81,14 +82,14 @@ export class SceneUpload {
   private readonly pieceMaterials = new Map<string, DrawCall['materials']>();
   private readonly software: boolean;
 
-  /** `Layered`: loaded when the scene has layered materials. */
+  /** `parts`: those that the scene needs, at least. */
   constructor(
     scene: Scene,
     speedOfLight: number,
     uniforms: FrameUniforms,
     gpu: Gpu,
     options: RendererOptions,
-    Layered?: typeof LayeredScene,
+    { Layered, StarPoints: Stars }: SceneParts,
   ) {
     this.scene = scene;
     this.hasUnlit = scene.materials.some(({ unlit }) => unlit);
@@ -101,7 +102,7 @@ export class SceneUpload {
     this.layered = Layered && new Layered(scene, this.table, (image) => this.texture(image));
     this.environment = new Environment(scene, this.table, this.atlas);
     const nightSky = sceneNightSky(scene);
-    this.stars = nightSky && new StarPoints(nightSky, uniforms, gpu);
+    this.stars = nightSky && Stars && new Stars(nightSky, uniforms, gpu);
     this.objectWriter = new ObjectTableWriter({ objects: this.objects, samples: this.samples, points: this.points });
     // Several lives of one thing have one motion.
     const stores = new Map<SampledPointsMotion, PointStore | BlendStore>();

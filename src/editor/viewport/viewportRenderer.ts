@@ -17,7 +17,7 @@ import { AutoExposure } from './autoExposure.ts';
 import { isSoftwareRenderer } from './chooseBackend.ts';
 import { DynamicResolution } from './dynamicResolution.ts';
 import { setLegendColors } from './legend/legendState.ts';
-import { ValuePicker } from './legend/valuePicker.ts';
+import type { ValuePicker } from './legend/valuePicker.ts';
 
 /** Maximum flight step of a frame [s], so that the observer does not jump after the page was suspended. */
 const MAX_FLIGHT_STEP = 0.25;
@@ -68,7 +68,9 @@ export class ViewportRenderer {
   private readonly observer: ResizeObserver;
   private readonly resolution = new DynamicResolution();
   private readonly autoExposure = new AutoExposure(prefersReducedMotion());
-  private readonly valuePicker = new ValuePicker();
+  /** Loaded with the first false colours. */
+  private valuePicker: ValuePicker | undefined;
+  private loadingPicker: Promise<void> | undefined;
   /**
    * Samples per pixel side that still pictures accumulate; undefined on software renderers, which do not accumulate.
    */
@@ -220,9 +222,18 @@ export class ViewportRenderer {
   /** Picks the value for the legend. */
   private pickValue(now: number): void {
     if (!this.displayed || this.uploading) return;
+    const { valuePicker } = this;
+    if (!valuePicker) {
+      if (this.displayed.settings.falseColors) this.loadingPicker ??= this.loadPicker();
+      return;
+    }
     const { width, height } = this.renderer;
     const pick = async (x: number, y: number) => this.renderer.pick?.(x, y);
-    this.valuePicker.update({ ...this.displayed, width, height, pick }, now)?.catch(() => {});
+    valuePicker.update({ ...this.displayed, width, height, pick }, now)?.catch(() => {});
+  }
+
+  private async loadPicker(): Promise<void> {
+    this.valuePicker = new (await import('./legend/valuePicker.ts')).ValuePicker();
   }
 
   /** Takes over a new picture; another scene is uploaded first, and the last picture stays until then. */

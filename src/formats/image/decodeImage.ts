@@ -1,4 +1,4 @@
-import { decode as decodeJpegFile } from 'jpeg-js';
+import decodeJpegFile from 'jpeg-js/lib/decoder.js';
 import { type LocalizedText, msg } from '../../messages/message.ts';
 import { MessageError, messageOf } from '../../messages/messageError.ts';
 import { InputError } from '../../scene/types.ts';
