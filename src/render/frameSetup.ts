@@ -43,7 +43,7 @@ export function renderViewOf(
   return { upload, viewPoint, viewIndex, settings, projection, observation: observationOf(viewPoint, settings) };
 }
 
-/** Largest error along the line of sight over that across it: edges are measured with half of it, and a triangle may sag twice as far as its edges. */
+/** Largest error along the line of sight over that across it: edges are measured with `DEPTH_WEIGHT` of it, and a triangle may sag twice as far as its edges. */
 const MAX_DEPTH_ERROR = 2 / DEPTH_WEIGHT;
 
 /** Prepares uploaded scenes for one view at a time, and sets the uniforms and the camera that all passes read. */

@@ -17,8 +17,8 @@ export const MAX_GRADE = 0.75;
 export const MAX_GRADE_NEAR_CAMERA_PLANE = 0.25;
 /** Cosine of the angle from the line of sight at which that begins. */
 export const CAMERA_PLANE_COSINE = 0.15;
-/** Weight of errors in depth against those across the line of sight. */
-export const DEPTH_WEIGHT = 0.5;
+/** Weight of errors in depth against those across the line of sight: inside triangles, which sag up to twice as far as their edges, depth is still within a pixel. */
+export const DEPTH_WEIGHT = 0.6;
 /** An edge whose quarters all appear shorter than this is never split, however far apart its ends are along the line of sight [px]. */
 export const MIN_STEP_PIXELS = 0.25;
 /** Edges with ends that do not exist are split until what is left appears shorter than this [px], … */
