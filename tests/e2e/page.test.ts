@@ -133,12 +133,14 @@ describe('the page', () => {
 
   it('views differ, and switching back restores the picture', async () => {
     const visit = await (await dice()).finest();
+    const show = (view: string) =>
+      visit.page.getByRole('radiogroup', { name: 'View' }).getByText(view, { exact: true }).click();
     const seen = await visit.pixels();
-    await visit.page.getByText('Simultaneity', { exact: true }).click();
+    await show('Simultaneity');
     await expect.poll(async () => difference(await visit.pixels(), seen)).toBeGreaterThan(0.5);
     await visit.shot('view-simultaneity');
     const moment = await visit.finest().then(() => visit.pixels());
-    await visit.page.getByText('Between', { exact: true }).click();
+    await show('Between');
     await expect.poll(async () => difference(await visit.pixels(), moment)).toBeGreaterThan(0.5);
     // At its ends it is one of the others, reached by the keyboard.
     const slider = visit.page.getByRole('slider', { name: 'From slice to cone' });
@@ -148,7 +150,7 @@ describe('the page', () => {
     await expect.poll(async () => difference(await visit.pixels(), moment)).toBeLessThan(0.5);
     await slider.press('End');
     await expect.poll(async () => difference(await visit.pixels(), seen)).toBeLessThan(0.5);
-    await visit.page.getByText('Seen', { exact: true }).click();
+    await show('Seen');
     await expect.poll(async () => difference(await visit.pixels(), seen)).toBeLessThan(0.5);
   });
 
