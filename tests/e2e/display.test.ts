@@ -166,6 +166,6 @@ it('unphysical settings are marked at their controls and in the status bar', asy
   await expect.poll(() => note.count()).toBe(0);
   await visit.page.getByRole('switch', { name: '光的延迟' }).press('Space');
   await expect.poll(() => note.textContent()).toBe('非物理：光的延迟');
-  await choose(visit, 'View', 'c = ∞');
+  await choose(visit, '视图', 'c = ∞');
   await expect.poll(() => note.count(), { message: 'where it does not matter' }).toBe(0);
 });
