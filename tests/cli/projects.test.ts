@@ -22,18 +22,8 @@ function projectOf(file: string, name: string): string {
 }
 
 /** A small picture in one thread, because each thread has to load the program. */
-const picture = [
-  '--size',
-  '32x18',
-  '--pipeline',
-  'reference',
-  '--threads',
-  '1',
-  '--samples',
-  '1',
-  '--beta',
-  '0,0,-0.5',
-];
+const sized = ['--size', '32x18', '--pipeline', 'reference', '--threads', '1', '--beta', '0,0,-0.5'];
+const picture = [...sized, '--samples', '1'];
 
 test('a project renders as its scene with the same flags, and a set parameter acts as its flag', async () => {
   const project = projectOf(scene('movers.usda'), 'movers.slowlight.json');
@@ -45,7 +35,7 @@ test('a project renders as its scene with the same flags, and a set parameter ac
   ];
   const made: Buffer[] = [];
   for (const [i, run] of runs.entries()) {
-    const { code, err } = await slowlight('render', ...run, ...picture, '-o', at(`${i}.png`));
+    const { code, err } = await slowlight('render', ...run, ...sized, '-o', at(`${i}.png`));
     expect(code, err).toBe(0);
     made.push(readFileSync(at(`${i}.png`)));
   }
