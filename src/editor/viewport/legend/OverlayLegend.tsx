@@ -8,14 +8,14 @@ import { useTexts } from '../../language/languageStore.ts';
 import { useEditorState } from '../../state/context.tsx';
 import './overlayLegend.css';
 
-type Mark = keyof typeof OVERLAY_COLORS;
+type LegendMark = keyof typeof OVERLAY_COLORS;
 
 /** Legend of what is drawn over the picture: a ghost's contours, past and future. */
 export default function OverlayLegend(): ReactNode {
   const { t } = useTexts();
   const ghost = useEditorState(({ picture }) => picture?.ghost ?? 'none');
   const parts = useEditorState(({ picture }) => picture?.pastFuture === true);
-  const rows: readonly (readonly [Mark, Message])[] = [
+  const rows: readonly (readonly [LegendMark, Message])[] = [
     ...(ghost === 'none' ? [] : ([['contour', msg`Ghost: ${VIEWS[ghost].title}`]] as const)),
     ...(parts
       ? ([

@@ -13,7 +13,7 @@ import { depthHere } from '../../shading/passes.ts';
 import { fxaa } from '../resolve/fxaa.ts';
 import { fromYCoCg, toYCoCg } from '../resolve/temporalAntialiasing.ts';
 import { gridOver } from './grid.ts';
-import type { Overlay } from './overlay.ts';
+import type { PictureOverlay } from './overlay.ts';
 
 /** The settings that change the compiled passes of this file, rather than only their uniforms. */
 export type DisplaySettings = Pick<RenderSettings, 'tone' | 'grid'> & {
@@ -22,7 +22,7 @@ export type DisplaySettings = Pick<RenderSettings, 'tone' | 'grid'> & {
   /** Whether there are surfaces that emit their own colour, which are shown without the tone curve while they are seen unshifted. */
   readonly hasUnlit: boolean;
   /** Absent: none. */
-  readonly overlay?: Overlay;
+  readonly overlay?: PictureOverlay;
 };
 
 /** Identifies the shaders of display settings. */

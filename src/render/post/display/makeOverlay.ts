@@ -27,7 +27,7 @@ import type { GBuffer } from '../../gbuffer/gbuffer.ts';
 import { unpackNormals } from '../../gbuffer/surfacePacking.ts';
 import type { FrameUniforms } from '../../gpu/frameUniforms.ts';
 import { texelHere } from '../../gpu/fullScreenPass.ts';
-import type { Overlay } from './overlay.ts';
+import type { PictureOverlay } from './overlay.ts';
 
 interface OverlaySources {
   readonly picture: GBuffer;
@@ -39,7 +39,7 @@ interface OverlaySources {
 }
 
 /** The overlay of a picture: its past and future parts, and the contours of its ghost. */
-export function makeOverlay({ picture, uniforms, pastFuture, ghost }: OverlaySources): Overlay {
+export function makeOverlay({ picture, uniforms, pastFuture, ghost }: OverlaySources): PictureOverlay {
   const contours = () => (ghost ? [contoursOf(ghost, pastFuture).toVar()] : []);
   return {
     key: `${ghost?.depth.id} ${pastFuture}`,

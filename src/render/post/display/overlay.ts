@@ -1,7 +1,7 @@
 import type { Vec4 } from '../../../shaders/types.ts';
 
 /** What is drawn over a tone-mapped picture: layers of (linear colour, coverage), the lowest first. For use within a shader function. */
-export interface Overlay {
+export interface PictureOverlay {
   /** Identifies its shaders within one view. */
   readonly key: string;
   /** All layers. */

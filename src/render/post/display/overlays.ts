@@ -2,7 +2,7 @@ import type { RenderSettings } from '../../../scene/view/view.ts';
 import type { GBuffer } from '../../gbuffer/gbuffer.ts';
 import type { FrameUniforms } from '../../gpu/frameUniforms.ts';
 import type { RendererOptions } from '../../settings.ts';
-import type { Overlay } from './overlay.ts';
+import type { PictureOverlay } from './overlay.ts';
 
 type OverlaySettings = Pick<RenderSettings, 'ghost' | 'pastFuture'>;
 
@@ -50,7 +50,7 @@ export class Overlays {
   }
 
   /** The overlay of a picture; undefined if it has none. `ghost`: the G-buffer of its ghost. */
-  of(settings: OverlaySettings, picture: GBuffer, ghost: () => GBuffer): Overlay | undefined {
+  of(settings: OverlaySettings, picture: GBuffer, ghost: () => GBuffer): PictureOverlay | undefined {
     if (isPlain(settings) || !this.makeOverlay) return undefined;
     const { pastFuture } = settings;
     return this.makeOverlay({
