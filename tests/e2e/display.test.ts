@@ -65,7 +65,7 @@ describe('a ghost', () => {
     await legend.getByText('Ghost: Simultaneity').waitFor();
     await expect.poll(async () => difference(await visit.pixels(), before)).toBeGreaterThan(0.2);
     await visit.page.getByText('Past and future', { exact: true }).waitFor();
-    await visit.page.getByRole('switch', { name: 'Past and future' }).click({ force: true });
+    await visit.page.getByRole('switch', { name: 'Past and future' }).press('Space');
     await legend.getByText('Future, by the world’s clocks').waitFor();
     const status = visit.page.locator('[data-status="unphysical"]');
     await expect.poll(() => status.textContent()).toContain('Ghost, Past and future');
@@ -74,7 +74,7 @@ describe('a ghost', () => {
     await visit.page.setViewportSize({ width: 420, height: 760 });
     await visit.shot('ghost-narrow');
     await visit.page.setViewportSize(WIDE);
-    await visit.page.getByRole('switch', { name: 'Past and future' }).click({ force: true });
+    await visit.page.getByRole('switch', { name: 'Past and future' }).press('Space');
     await visit.page.getByRole('combobox', { name: 'Ghost' }).click();
     await visit.page.getByRole('option', { name: 'None' }).click();
     await legend.waitFor({ state: 'detached' });
