@@ -1,7 +1,7 @@
-import { type Quat, rotate } from '../math/quat.ts';
-import { add, addScaled, length, scale, type Vec3 } from '../math/vec3.ts';
+import type { Quat } from '../math/quat.ts';
+import { addScaled, length, type Vec3 } from '../math/vec3.ts';
 import type { FlightControls, FlightRules } from './controls.ts';
-import { walkingSpeed } from './modes/velocity.ts';
+import { askedSpeed, pushDirection } from './modes/velocity.ts';
 import { turnLevel } from './turning.ts';
 
 /** The camera of one who walks about in what an observer sees at one event, which is held still: his past light cone as a thing in space. */
@@ -18,13 +18,12 @@ export interface HeldCamera {
  */
 export function walkAbout(
   { vantage, orientation }: HeldCamera,
-  { thrust, turn, fullSpeed }: Pick<FlightControls, 'thrust' | 'turn' | 'fullSpeed'>,
+  controls: Pick<FlightControls, 'thrust' | 'turn' | 'fullSpeed'>,
   dt: number,
   rules: Pick<FlightRules, 'c' | 'maxSpeed' | 'up'>,
 ): HeldCamera {
+  const { turn, thrust } = controls;
   const turned = length(turn) > 0 ? turnLevel(orientation, turn, rules.up) : orientation;
-  const [right, up, back] = thrust;
-  const direction = addScaled(rotate(turned, [right, 0, back]), rules.up, up);
-  const speed = rules.c * (fullSpeed ? rules.maxSpeed : walkingSpeed(rules));
-  return { vantage: add(vantage, scale(direction, speed * dt)), orientation: turned };
+  const way = rules.c * askedSpeed(controls, rules) * dt;
+  return { vantage: addScaled(vantage, pushDirection(turned, thrust, rules.up), way), orientation: turned };
 }

@@ -6,7 +6,6 @@ import { framingCamera, lookAtOrientation, observerFromCamera } from '../../scen
 import { withCourse } from '../../scene/view/cameraCourse.ts';
 import { type ObserverPath, type ObserverSetup, observerPathFrom, ridesCamera } from '../../scene/view/observerPath.ts';
 import type { ViewPoint } from '../../scene/view/view.ts';
-import type { RenderFlags } from '../render/renderFlags.ts';
 import { usageError } from '../terminal/exitCodes.ts';
 import type { ObserverFlags } from './viewFlags.ts';
 
@@ -18,7 +17,7 @@ export function observerPath(scene: Scene, flags: ObserverFlags, c: number, star
 /** As `observerPath`, before a path is made of it. */
 export function observerSetup(
   scene: Scene,
-  flags: ObserverFlags & Pick<RenderFlags, 'hold' | 'vantage'>,
+  flags: ObserverFlags & Pick<ObserverSetup, 'hold' | 'vantage'>,
   c: number,
   start: number,
 ): ObserverSetup {

@@ -1,5 +1,4 @@
 import { type Command, Option } from 'commander';
-import type { Vec3 } from '../../math/vec3.ts';
 import { inClauses, listed, type Message, msg } from '../../messages/message.ts';
 import {
   type IntegerOption,
@@ -10,6 +9,7 @@ import {
 import type { Pipeline } from '../../pipelines/pipeline.ts';
 import { AUTOMATIC_PIPELINES, PIPELINES, pipelineNamed } from '../../pipelines/registry.ts';
 import type { Backend } from '../../render/settings.ts';
+import type { ObserverSetup } from '../../scene/view/observerPath.ts';
 import type { AovName } from '../../scene/view/view.ts';
 import { usageError } from '../terminal/exitCodes.ts';
 import { localized } from '../terminal/language.ts';
@@ -76,7 +76,9 @@ export const optionsOf = ({ options }: Pipeline, flags: PipelineFlags): OptionVa
 
 /** Throws if flags exclude each other, before any work is done. */
 export function checkPipeline(
-  flags: PipelineFlags & Pick<SettingFlags, 'solver'> & Vantage & { readonly aov?: readonly AovName[] },
+  flags: PipelineFlags &
+    Pick<SettingFlags, 'solver'> &
+    Pick<ObserverSetup, 'vantage'> & { readonly aov?: readonly AovName[] },
 ): void {
   const idle = unusedOption(flags);
   if (idle)
@@ -93,12 +95,8 @@ export function checkPipeline(
   if (odd) throw usageError(msg`--aov ${odd}: --pipeline ${pipeline.id} gives ${listed(pipeline.aovs) || msg`none`}`);
 }
 
-interface Vantage {
-  readonly vantage?: Vec3;
-}
-
 /** Throws if a picture is of a vantage, and the pipeline follows the light to the observer's eye. */
-export function assertLooksAside({ id, vantages }: Pipeline, { vantage }: Vantage): void {
+export function assertLooksAside({ id, vantages }: Pipeline, { vantage }: Pick<ObserverSetup, 'vantage'>): void {
   if (vantage && !vantages)
     throw usageError(
       msg`--vantage is for the ${first.name}: --pipeline ${id} follows light, which meets at the observer's eye only`,

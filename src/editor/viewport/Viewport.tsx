@@ -173,7 +173,7 @@ function OutsideCard({ picture }: { readonly picture: RefObject<HTMLElement | nu
   return (
     <div role="status">
       {outside && (
-        <Group className="sl-outside" gap="xs" data-outside>
+        <Group className="sl-top-card" gap="xs" data-outside>
           <Text size="xs">{t(msg`You have left the scene.`)}</Text>
           {ways.map(([title, key, go]) => (
             <Button

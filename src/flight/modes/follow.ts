@@ -1,10 +1,9 @@
-import { rotate } from '../../math/quat.ts';
-import { addScaled, length } from '../../math/vec3.ts';
+import { length } from '../../math/vec3.ts';
 import { msg } from '../../messages/message.ts';
 import { compose } from '../boost.ts';
 import type { FlightMode } from './flightMode.ts';
 import { turnsAsHeld } from './turns.ts';
-import { velocityArcs, velocityStrength, wantedVelocity } from './velocity.ts';
+import { pushDirection, velocityArcs, velocityStrength, wantedVelocity } from './velocity.ts';
 
 /** Takes a body's velocity, to sit in its rest frame; controls move one there, as they do at rest in the world. */
 export const followMode: FlightMode = {
@@ -16,9 +15,8 @@ export const followMode: FlightMode = {
     const { state, controls, dt, rules } = moment;
     const { followed } = rules;
     if (!followed) return [{ dTau: dt }];
-    const [right, up, back] = controls.thrust;
     if (length(controls.thrust) === 0) return velocityArcs(moment, followed);
-    const wanted = addScaled(rotate(state.orientation, [right, 0, back]), rules.up, up);
+    const wanted = pushDirection(state.orientation, controls.thrust, rules.up);
     const there = wantedVelocity(wanted, state.velocity.direction, controls, rules);
     return velocityArcs(moment, compose(followed, there));
   },

@@ -1,4 +1,4 @@
-import { rotate } from '../../math/quat.ts';
+import { type Quat, rotate } from '../../math/quat.ts';
 import { addScaled, length, normalize, type Vec3 } from '../../math/vec3.ts';
 import { msg } from '../../messages/message.ts';
 import { type FlightArc, seekArcs } from '../arc.ts';
@@ -17,9 +17,19 @@ const WALK_TIME = 0.5;
 export const walkingSpeed = ({ c, maxSpeed }: Pick<FlightRules, 'c' | 'maxSpeed'>): number =>
   Math.min(maxSpeed / 2, WALKING_SPEED / c);
 
+/** The speed that a full push asks for, as a fraction of c. */
+export const askedSpeed = (
+  { fullSpeed }: Pick<FlightControls, 'fullSpeed'>,
+  rules: Pick<FlightRules, 'c' | 'maxSpeed'>,
+): number => (fullSpeed ? rules.maxSpeed : walkingSpeed(rules));
+
+/** Where a push points: right and back as the nose is turned, up along the scene's axis. As long as the push where both are perpendicular. */
+export const pushDirection = (orientation: Quat, [right, up, back]: Vec3, axis: Vec3): Vec3 =>
+  addScaled(rotate(orientation, [right, 0, back]), axis, up);
+
 /** The velocity that a push of the controls asks for, with `wanted` its direction in the world. */
 export function wantedVelocity(wanted: Vec3, before: Vec3, controls: FlightControls, rules: FlightRules): Boost {
-  const speed = controls.fullSpeed ? rules.maxSpeed : walkingSpeed(rules);
+  const speed = askedSpeed(controls, rules);
   return {
     direction: normalize(wanted, before),
     rapidity: length(wanted) > 0 ? Math.atanh(speed * Math.min(1, length(controls.thrust))) : 0,
@@ -48,12 +58,11 @@ export const velocityMode: FlightMode = {
   orientation: turnsLevel,
   arcs(moment) {
     const { state, controls, dt, rules } = moment;
-    const [right, up, back] = controls.thrust;
     const { velocity } = state;
     const idle = length(controls.thrust) === 0 || controls.brake;
     if (idle && rules.cruise && !controls.brake) return [{ dTau: dt }];
     if (idle) return velocityArcs(moment, { ...velocity, rapidity: 0 });
-    const wanted = addScaled(rotate(state.orientation, [right, 0, back]), rules.up, up);
+    const wanted = pushDirection(state.orientation, controls.thrust, rules.up);
     return velocityArcs(moment, wantedVelocity(wanted, velocity.direction, controls, rules));
   },
 };

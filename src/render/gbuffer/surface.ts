@@ -225,7 +225,7 @@ export function channelValue(from: ChannelTexture | undefined, linear: Vec2): Fl
  * interpolated position.
  */
 function distanceOf(dx: Vec3, uniforms: SurfaceSources['uniforms']): Float {
-  const { u, gamma, boosted, onLightCone, onShallowCone, stepsAside, vantage } = uniforms;
+  const { u, gamma, boosted, onLightCone, onShallowCone, vantage } = uniforms;
   const r = length(dx).toVar();
   const unboosted = select(onLightCone.greaterThan(0.5), r, length(vCameraPosition));
   const distance = select(
@@ -233,7 +233,7 @@ function distanceOf(dx: Vec3, uniforms: SurfaceSources['uniforms']): Float {
     r.mul(dopplerFactor(dx, u, gamma, ZERO_VELOCITY)),
     unboosted,
   ).toVar();
-  If(stepsAside.greaterThan(0.5).and(onLightCone.greaterThan(0.5)), () => {
+  If(dot(vantage, vantage).greaterThan(0).and(onLightCone.greaterThan(0.5)), () => {
     const place = select(boosted.greaterThan(0.5), apparentPosition(dx, u, gamma), dx);
     distance.assign(length(place.sub(vantage)));
   });

@@ -14,13 +14,12 @@ export function makeObserverUniforms() {
     coneSlope: uniform(1),
     slowedU: uniform(new Vector3()),
     slowedGamma: uniform(1),
-    /** From him to the camera (`ViewPoint.vantage`) [m], and 1 if it is set, otherwise 0. */
+    /** From him to the camera (`ViewPoint.vantage`) [m]. */
     vantage: uniform(new Vector3()),
-    stepsAside: uniform(0),
   };
 }
 
-export type ObserverUniforms = ReturnType<typeof makeObserverUniforms>;
+type ObserverUniforms = ReturnType<typeof makeObserverUniforms>;
 
 export function setObserverUniforms(
   uniforms: ObserverUniforms,
@@ -34,5 +33,4 @@ export function setObserverUniforms(
   uniforms.slowedU.value.set(...slow);
   uniforms.slowedGamma.value = gamma(slow);
   uniforms.vantage.value.set(...(vantage ?? ZERO));
-  uniforms.stepsAside.value = vantage ? 1 : 0;
 }

@@ -22,6 +22,7 @@ import {
   vec3,
   vec4,
 } from 'three/tsl';
+import { fullVelocity } from '../../shaders/kinematics/fullVelocity.ts';
 import type { Bool, Float, Vec2, Vec3, Vec4 } from '../../shaders/types.ts';
 import type { GBuffer } from '../gbuffer/gbuffer.ts';
 import type { SpacetimeProjection } from '../geometry/vertexStage.ts';
@@ -93,8 +94,7 @@ function reader(buffer: GBuffer, view: OcclusionView): GBufferSampler {
     const event = textureLoad(buffer.texture('event'), at).toVar();
     if (!moving) return { event };
     const motion = textureLoad(buffer.texture('motion'), at).toVar();
-    const speed = length(motion.xyz).toVar();
-    return { event, velocity: vec4(motion.xyz, speed.oneMinus().mul(speed.add(1))).toVar() };
+    return { event, velocity: fullVelocity(motion.xyz).toVar() };
   };
 }
 

@@ -1,6 +1,7 @@
-import { Discard, Fn, float, length, select, vec4 } from 'three/tsl';
+import { Discard, Fn, float, select, vec4 } from 'three/tsl';
 import { NoBlending, NodeMaterial, type Texture } from 'three/webgpu';
 import { isStatic } from '../../scene/motion/motion.ts';
+import { fullVelocity } from '../../shaders/kinematics/fullVelocity.ts';
 import type { Float, Vec4 } from '../../shaders/types.ts';
 import type { ColorPipeline } from '../color/radiance.ts';
 import { type DrawCall, drawOver, materialSide } from '../gbuffer/drawCall.ts';
@@ -70,8 +71,7 @@ function readGBuffer(buffer: GBuffer, moving: boolean, openness: Texture | undef
   const [base, emissive, normal, event, motion] = (['base', 'emissive', 'normal', 'event', 'motion'] as const).map(
     (name) => texelHere(buffer.texture(name)).toVar(),
   );
-  const speed = length(motion.xyz).toVar();
-  const velocity = vec4(motion.xyz, speed.oneMinus().mul(speed.add(1)));
+  const velocity = fullVelocity(motion.xyz);
   return {
     color: vec4(base.rgb, 1),
     ...unpackRoughnessAndOcclusion(base.w),

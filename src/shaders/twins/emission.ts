@@ -297,6 +297,7 @@ export const emissionTwins: readonly Twin[] = [
     'cubicPiece',
     'cubicRoot',
     'evaluateCubic',
+    'fullVelocity',
   ]),
   longestTable,
   newtonTwin(motionInputs.uniform),

@@ -1,4 +1,5 @@
-import { abs, Break, clamp, float, If, int, Loop, length, select, vec4 } from 'three/tsl';
+import { abs, Break, clamp, float, If, int, Loop, select } from 'three/tsl';
+import { fullVelocity } from '../kinematics/fullVelocity.ts';
 import type { Float, Int, Vec3, Vec4 } from '../types.ts';
 
 /** The velocities [c] at the start and the end of the piece after a sample. */
@@ -43,8 +44,7 @@ export function evaluateCubic(piece: ShaderCubic, s: Float): { readonly x: Vec3;
         .mul(w),
     )
     .toVar();
-  const speed = length(v).toVar();
-  return { x, velocity: vec4(v, speed.oneMinus().mul(speed.add(1))).toVar() };
+  return { x, velocity: fullVelocity(v).toVar() };
 }
 
 /** Newton's iteration ends at a step below this fraction of the piece, or after `MAX_STEPS`. */

@@ -1,15 +1,12 @@
-import './held.css';
 import { Button, Group, Text } from '@mantine/core';
-import { type ReactNode, type RefObject, useEffect, useState } from 'react';
-import { length } from '../../../math/vec3.ts';
+import { type ReactNode, type RefObject, useState } from 'react';
+import { length, ZERO } from '../../../math/vec3.ts';
 import { msg } from '../../../messages/message.ts';
 import { formatNumber } from '../../format.ts';
 import { useTexts } from '../../language/languageStore.ts';
 import { useServices } from '../../services.tsx';
+import { useFrames } from '../../viewport/useFrames.ts';
 import { useInputDevice } from '../inputDevice.ts';
-
-/** Interval at which the distance is shown anew [ms]. */
-const SHOWN_EVERY = 150;
 
 /** Says that what is seen is held still, how far one has walked, and how to come back. */
 export default function HeldCard({ picture }: { readonly picture: RefObject<HTMLElement | null> }): ReactNode {
@@ -17,16 +14,10 @@ export default function HeldCard({ picture }: { readonly picture: RefObject<HTML
   const { observerController } = useServices();
   const device = useInputDevice();
   const [walked, setWalked] = useState(0);
-  useEffect(() => {
-    const timer = setInterval(() => {
-      const { held } = observerController;
-      if (held) setWalked(length(held.camera.vantage));
-    }, SHOWN_EVERY);
-    return () => clearInterval(timer);
-  }, [observerController]);
+  useFrames(({ view }) => setWalked(length(view.viewPoint.vantage ?? ZERO)));
   const back = t(msg`Back to your eye`);
   return (
-    <Group className="sl-held" gap="xs" data-held>
+    <Group className="sl-top-card" gap="xs" data-held>
       <Text size="xs" role="status">
         {t(msg`What you see is held still: walk about in it.`)}
       </Text>

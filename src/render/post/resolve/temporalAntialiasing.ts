@@ -27,6 +27,7 @@ import {
 import { type Texture, type TextureNode, Vector3 } from 'three/webgpu';
 import { ontoLightCone } from '../../../shaders/emission/ontoLightCone.ts';
 import { dopplerFactor } from '../../../shaders/kinematics/dopplerFactor.ts';
+import { fullVelocity } from '../../../shaders/kinematics/fullVelocity.ts';
 import { unaberrate } from '../../../shaders/kinematics/unaberrate.ts';
 import { ontoShallowCone } from '../../../shaders/shallowCone/ontoShallowCone.ts';
 import type { ShallowObserver } from '../../../shaders/shallowCone/shallowObserver.ts';
@@ -201,8 +202,7 @@ function reproject(
 ): Reprojection {
   const hasSurface = near.greaterThan(0);
   const v = clampedTexel(buffer.texture('motion'), pixel).xyz.toVar();
-  const speed = length(v).toVar();
-  const velocity = select(hasSurface, vec4(v, speed.oneMinus().mul(speed.add(1))), vec4(0, 0, 0, 1)).toVar();
+  const velocity = select(hasSurface, fullVelocity(v), vec4(0, 0, 0, 1)).toVar();
   // The background is at rest, and so far away that the observer's displacement does not matter, nor the camera's.
   const n = pixelDirection(uniforms).toVar();
   const sky = SKY_DIRECTION[projection.place](n, uniforms.u, uniforms.gamma);

@@ -127,10 +127,10 @@ export class ProjectedAcceleratedBody implements ProjectedBody {
     const y = out[at + 4] - contracted * u[1];
     const z = out[at + 5] - contracted * u[2];
     const r = Math.sqrt(x * x + y * y + z * z);
-    const [vx, vy, vz] = this.metric.vantage;
-    out[at] = L[4] * r + L[5] * x + L[6] * y + L[7] * z - vx;
-    out[at + 1] = L[8] * r + L[9] * x + L[10] * y + L[11] * z - vy;
-    out[at + 2] = L[12] * r + L[13] * x + L[14] * y + L[15] * z - vz;
+    const { vantage } = this.metric;
+    out[at] = L[4] * r + L[5] * x + L[6] * y + L[7] * z - vantage[0];
+    out[at + 1] = L[8] * r + L[9] * x + L[10] * y + L[11] * z - vantage[1];
+    out[at + 2] = L[12] * r + L[13] * x + L[14] * y + L[15] * z - vantage[2];
   }
 
   /** Between graded edges the surface stays well within twice the corners' distance from their centroid. */

@@ -219,10 +219,10 @@ export class ProjectedInertialBody implements ProjectedBody {
       z = A[6] * p.x + A[7] * p.y + A[8] * p.z + x0[2];
     }
     const r = Math.sqrt(x * x + y * y + z * z);
-    const [vx, vy, vz] = this.metric.vantage;
-    out[at] = L[4] * r + L[5] * x + L[6] * y + L[7] * z - vx;
-    out[at + 1] = L[8] * r + L[9] * x + L[10] * y + L[11] * z - vy;
-    out[at + 2] = L[12] * r + L[13] * x + L[14] * y + L[15] * z - vz;
+    const { vantage } = this.metric;
+    out[at] = L[4] * r + L[5] * x + L[6] * y + L[7] * z - vantage[0];
+    out[at + 1] = L[8] * r + L[9] * x + L[10] * y + L[11] * z - vantage[1];
+    out[at + 2] = L[12] * r + L[13] * x + L[14] * y + L[15] * z - vantage[2];
     out[at + 3] = x;
     out[at + 4] = y;
     out[at + 5] = z;
