@@ -8,8 +8,9 @@ import { renderWithPool, TracerPool, tilesOf } from '../reference/tracerPool.ts'
 import type { TracerMessage, TracerReply } from '../reference/tracerServer.ts';
 import { backdropColors, upVector } from '../scene/lights/sceneLights.ts';
 import type { Scene } from '../scene/types.ts';
+import { drawnFrom } from '../scene/view/outsideCamera.ts';
 import type { PictureSize } from '../scene/view/pictureViews.ts';
-import type { AovName, RenderSettings, ViewPoint } from '../scene/view/view.ts';
+import { type AovName, bufferSettings, type RenderSettings, type ViewPoint } from '../scene/view/view.ts';
 import { toneMap } from '../spectrum/display/toneMap.ts';
 import type { PipelineHost, ThreadHost } from './host.ts';
 import { renderOneViewAtATime } from './oneViewAtATime.ts';
@@ -42,9 +43,12 @@ export function openReferenceSession(
             throw new PipelineRefusal(
               msg`a ghost, and past and future apart, are drawn by the rasterizer only: switch them off`,
             );
-          const request = { view, width, height, samples, seed, light };
-          const draw: TraceLayers = (scene, own, layers, onLayers) =>
-            renderWithPool(pools.of(scene, own.speedOfLight), { ...request, settings: own, layers }, onLayers);
+          const request = { width, height, samples, seed, light };
+          const draw: TraceLayers = (scene, own, layers, onLayers) => {
+            const from = tracedFrom(view, own);
+            const pool = pools.of(scene, own.speedOfLight);
+            return renderWithPool(pool, { ...request, view: from, settings: own, layers }, onLayers);
+          };
           return settings.frameGraph
             ? renderFrameGraph(settings, { view, width, height, scenes, pixels, aovs, draw }, onPart)
             : renderLayers(settings, { width, height, pixels, aovs, draw }, onPart);
@@ -54,6 +58,16 @@ export function openReferenceSession(
     stop: (error) => pools.stop(error),
     close: () => pools.close(),
   };
+}
+
+/** The view point of a G-buffer. Throws a PipelineRefusal if no rays lead there: an outside camera is on the observer's light cone only in the world's moment. */
+function tracedFrom(view: ViewPoint, settings: RenderSettings): ViewPoint {
+  const from = drawnFrom(view, settings);
+  if (settings.outside && from.vantage)
+    throw new PipelineRefusal(
+      msg`what an observer sees is drawn from outside by the rasterizer only: light leads to his eye. Show the world as it is now instead, or use another pipeline`,
+    );
+  return from;
 }
 
 /** Starts threads that render a scene with one speed of light [m/s] and share its prepared data. */
@@ -132,7 +146,7 @@ async function renderFrameGraph(
   }: LayerRequest & { readonly view: ViewPoint; readonly scenes: PictureScenes },
   onPart: (part: number) => void = () => {},
 ): Promise<RenderedPicture> {
-  const { frameGraph, ...first } = settings;
+  const { frameGraph } = settings;
   if (!frameGraph) throw new Error('there is no frame graph to evaluate');
   if (settings.grid)
     throw new PipelineRefusal(
@@ -143,7 +157,7 @@ async function renderFrameGraph(
   const needed = aovsOfFrameGraph(frameGraph).map((names, i) => (i === 0 ? [...new Set([...names, ...data])] : names));
   const captured: CapturedBuffers['buffers'][number][] = [];
   for (const [i, names] of needed.entries()) {
-    const own = i === 0 ? first : { ...first, ...frameGraph.extraBuffers[i - 1] };
+    const { frameGraph: _, ...own } = bufferSettings(settings, i);
     const scene = frameGraph.extraBuffers[i - 1]?.scene ?? 0;
     const images = await draw(scene, own, names, (part) => onPart((i + part) / needed.length));
     const of = scenes[scene] ?? scenes[0];

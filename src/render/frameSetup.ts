@@ -1,12 +1,13 @@
 import { Matrix4, PerspectiveCamera, Quaternion } from 'three/webgpu';
 import { degrees } from '../math/angle.ts';
 import { toMatrix } from '../math/quat.ts';
-import { add, distance, ZERO } from '../math/vec3.ts';
+import { add, distance, type Vec3, ZERO } from '../math/vec3.ts';
 import { placementOf } from '../physics/optics/placement.ts';
 import { hypersurfaceOf } from '../physics/worldLines/hypersurface.ts';
 import { backdropColors } from '../scene/lights/sceneLights.ts';
 import type { SkyColors } from '../scene/lights/skyGradient.ts';
 import { type Frustum, frustumOf, pixelsPerTangent } from '../scene/view/lens.ts';
+import { drawnFrom, toObserver } from '../scene/view/outsideCamera.ts';
 import type { PictureSize } from '../scene/view/pictureViews.ts';
 import type { RenderSettings, ViewPoint } from '../scene/view/view.ts';
 import { hypersurfaceChoice, isLuminous, VIEWS } from '../scene/views/views.ts';
@@ -24,7 +25,10 @@ import { DEPTH_WEIGHT } from './tessellation/criterion/edgeCriterion.ts';
 
 /** Everything that drawing a G-buffer needs. */
 export interface RenderView extends GBufferView {
+  /** What it is drawn from. */
   readonly viewPoint: ViewPoint;
+  /** From its camera to the observer [m]. */
+  readonly observer: Vec3;
   /** Index of the view in its picture. */
   readonly viewIndex: number;
   readonly observation: Observation;
@@ -33,14 +37,20 @@ export interface RenderView extends GBufferView {
 /** The G-buffers of one view of a picture; the first is that of the picture's own settings. */
 export type ViewBuffers = readonly [RenderView, ...RenderView[]];
 
+/** `view`: the observer's. */
 export function renderViewOf(
   upload: SceneUpload,
-  viewPoint: ViewPoint,
+  view: ViewPoint,
   viewIndex: number,
   settings: RenderSettings,
 ): RenderView {
-  const projection = spacetimeProjectionOf(settings);
-  return { upload, viewPoint, viewIndex, settings, projection, observation: observationOf(viewPoint, settings) };
+  const viewPoint = drawnFrom(view, settings);
+  return {
+    ...{ upload, viewPoint, viewIndex, settings },
+    projection: spacetimeProjectionOf(settings),
+    observation: observationOf(viewPoint, settings),
+    observer: toObserver(view, settings),
+  };
 }
 
 /** Largest error along the line of sight over that across it: edges are measured with `DEPTH_WEIGHT` of it, and a triangle may sag twice as far as its edges. */
@@ -104,13 +114,17 @@ export class FrameSetup {
   }
 
   /** Sets the uniforms and the camera, which all samples of a view share but for jitter. */
-  setView({ viewPoint: view, observation, settings, projection, upload }: RenderView, size: PictureSize): void {
+  setView(
+    { viewPoint: view, observation, observer, settings, projection, upload }: RenderView,
+    size: PictureSize,
+  ): void {
     const { uniforms, camera } = this;
     const { tanX, tanY, aspect, center } = frustumIn(size, view);
     const luminous = isLuminous(settings) ? 1 : 0;
     uniforms.halfTangents.value.set(tanX, tanY);
     uniforms.frustumCenter.value.set(...center);
     setObserverUniforms(uniforms, observation, view.vantage);
+    uniforms.toObserver.value.set(...observer);
     uniforms.iterations.value = settings.iterations;
     uniforms.damping.value = settings.damping;
     uniforms.onLightCone.value = projection.event === 'emission' ? 1 : 0;

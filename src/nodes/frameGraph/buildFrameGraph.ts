@@ -92,8 +92,15 @@ function buildFrameGraph(
   return { plan: { extraBuffers: buffers.items.slice(1), passes: steps.items }, scenes: scenes.items };
 }
 
-export const frameGraphBuffer = (settings: BufferSettings, scene: number): FrameGraphBuffer =>
-  ({ scene, ...Object.fromEntries(BUFFER_SETTINGS.map((name) => [name, settings[name]])) }) as FrameGraphBuffer;
+export const frameGraphBuffer = (
+  settings: BufferSettings & Pick<FrameGraphBuffer, 'outside'>,
+  scene: number,
+): FrameGraphBuffer =>
+  ({
+    scene,
+    ...Object.fromEntries(BUFFER_SETTINGS.map((name) => [name, settings[name]])),
+    ...(settings.outside && { outside: settings.outside }),
+  }) as FrameGraphBuffer;
 
 /** Adds the missing passes of an image; returns where each of its images is. */
 export function addPasses(

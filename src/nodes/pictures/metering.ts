@@ -67,7 +67,7 @@ function restFrameLuminance(
   settings: RenderSettings,
   { width, height }: PictureSize,
 ): Float32Array {
-  if (!isLuminous(settings)) return luminance;
+  if (!isLuminous(settings) || settings.outside) return luminance;
   const aspect = width / height;
   const picture = { width: aspect * METER_CELLS, height: METER_CELLS };
   const scaled = scaleViewports(views, METER_CELLS / height);

@@ -58,6 +58,7 @@ export function renderSettings(
     ...(!picture.occlusion && { occlusionRadius: 0 }),
     ...(scale && picture.falseColor !== 'none' && { falseColors: { kind: picture.falseColor, ...scale } }),
     ...(picture.frameGraph && { frameGraph: exposedFrameGraph(picture.frameGraph, metered, scaleOf) }),
+    ...(picture.outside && { outside: picture.outside }),
     speedOfLight: picture.speedOfLight,
   };
 }

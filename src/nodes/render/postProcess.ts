@@ -15,6 +15,7 @@ const BUILTIN_EFFECTS = [
   'vignette',
   'fog',
   'hue-shift',
+  'observer-marks',
 ] as const satisfies readonly EffectId[];
 
 const EXAMPLE = `// Darker lines, as on an old screen.

@@ -32,6 +32,8 @@ export function makeFrameUniforms() {
     frustumCenter: uniform(new Vector2()),
     /** Offset of this sample within its pixel, in half-pictures (NDC). */
     jitter: uniform(new Vector2()),
+    /** From the camera to the observer, on its axes (`OutsideCamera`) [m]. */
+    toObserver: uniform(new Vector3()),
     /** Camera axes → world axes carried by the boost. */
     orientation: uniform(new Matrix3()),
     /** Unit, world frame. */

@@ -1,4 +1,5 @@
 import {
+  dot,
   floor,
   int,
   ivec2,
@@ -169,10 +170,23 @@ export class EffectContext {
     return unpackSpecular(this.surface('emissive', pixel).w).metallic;
   }
 
+  /** Direction of the pixel in the picture's space, the observer's frame on world axes carried by the boost: unit. */
+  apparentDirection(pixel: Vec2): Vec3 {
+    return this.uniforms.orientation.mul(normalize(vec3(this.tangents(pixel), -1)));
+  }
+
   /** Observer → apparent position, observer's frame on world axes carried by the boost [m]. */
   apparentPosition(pixel: Vec2): Vec3 {
-    const direction = normalize(vec3(this.tangents(pixel), -1));
-    return this.uniforms.orientation.mul(direction).mul(this.depth(pixel).y);
+    return this.apparentDirection(pixel).mul(this.depth(pixel).y);
+  }
+
+  /** Place in the picture [px from its top left corner] of a point in the camera's space, on those axes [m]; z: its distance along the camera's axis, positive in front. */
+  pixelOf(point: Vec3): Vec3 {
+    const { halfTangents, frustumCenter } = this.uniforms;
+    const axes = this.uniforms.orientation as unknown as Matrix;
+    const [right, up, back] = [0, 1, 2].map((k) => dot(axes.element(int(k)), point));
+    const ndc = vec2(right, up).div(back.negate()).sub(frustumCenter).div(halfTangents);
+    return vec3(vec2(ndc.x, ndc.y.negate()).add(1).div(2).mul(this.image.size), back.negate());
   }
 
   /** z/w of the apparent position under `projectionMatrix`. */

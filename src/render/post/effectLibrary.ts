@@ -8,6 +8,7 @@ import type { Effect } from './effect.ts';
 import { fog } from './fog.ts';
 import { gaussianBlur } from './gaussianBlur.ts';
 import { hueShift } from './hueShift.ts';
+import { observerMarks } from './observerMarks.ts';
 import { sharpen } from './sharpen.ts';
 import { skyBackground } from './skyBackground.ts';
 import { vignette } from './vignette.ts';
@@ -23,6 +24,7 @@ export const effectLibrary: Readonly<Record<EffectId, Effect>> = {
   vignette,
   fog,
   'hue-shift': hueShift,
+  'observer-marks': observerMarks,
   'depth-of-field': depthOfField,
   antialiasing,
 };

@@ -156,6 +156,17 @@ export const EFFECTS = {
     ],
     reads: [],
   },
+  'observer-marks': {
+    title: msg`Observer and light rings`,
+    help: msg`In a picture from outside: where the observer is, how far he comes while light goes from one ring to the next, and rings on which all is that he sees that many seconds old.`,
+    category: 'lines',
+    args: [
+      { title: msg`Rings every`, default: 1, min: 1e-12, max: 1e9, step: 0.1, unit: 's', scale: 'log' },
+      fraction(msg`Opacity of the rings`, 0.7),
+      { title: msg`Size of the observer`, default: 6, min: 0, max: 40, step: 1, unit: 'px' },
+    ],
+    reads: ['depth', 'direction'],
+  },
   'depth-of-field': {
     title: msg`Depth of field`,
     help: msg`A thin lens carried by the observer: focuses by the distance of an event in the observer’s frame.`,
@@ -202,6 +213,23 @@ export const FOG = { gray: [1, 1, 1], haze: [0.55, 0.75, 1] } as const;
 export const DEPTH_OF_FIELD_SAMPLING = { samples: 256, cell: 4 } as const;
 /** Contrast compares square roots of luminance and is relative to the brighter of the two, but at least to this root, that of 1/100 of white. */
 export const MIN_CONTRAST_BASE = 0.1;
+/** How the observer and the rings about him are drawn: lines [px], linear colours, and share of opacity behind surfaces. */
+export const OBSERVER_MARKS = {
+  ringWidth: 1.5,
+  ring: [1, 0.62, 0.1],
+  /** Rings are left out where they are closer than the first, and full from the second [px]. */
+  ringGap: [5, 12],
+  /** Beyond the first they fade, up to the second: numbers of rings. */
+  farthest: [9, 12],
+  arrowWidth: 2.5,
+  /** Length of the arrow's barbs over the observer's size, and tan of their angle to the shaft. */
+  barb: { length: 2, slope: 0.5 },
+  arrow: [1, 1, 1],
+  body: [0.1, 0.75, 1],
+  border: 1.5,
+  edge: [0.01, 0.02, 0.04],
+  hidden: 0.4,
+} as const;
 /** Width of the border of a wipe, as a fraction of the picture. */
 export const WIPE_WIDTH = 0.1;
 

@@ -2,6 +2,7 @@ import type { ToneMapping } from '../../spectrum/display/toneMap.ts';
 import type { FalseColorQuantity, ValueRange } from '../../spectrum/falseColor/falseColor.ts';
 import type { BufferSettings } from '../settings/settings.ts';
 import type { ShaderProgram } from '../shaderText/program.ts';
+import type { OutsideCamera } from '../view/outsideCamera.ts';
 import type { EffectId, FogColor, MixMode } from './effects.ts';
 import type { StillPixels } from './still.ts';
 
@@ -12,6 +13,8 @@ import type { StillPixels } from './still.ts';
 
 /** A G-buffer in addition to that of the picture's own settings, for the same observer. */
 export interface FrameGraphBuffer extends BufferSettings {
+  /** Looks at it from outside; absent: it is seen with the observer's eye. */
+  readonly outside?: OutsideCamera;
   /** Index among the renderer's scenes. */
   readonly scene: number;
 }

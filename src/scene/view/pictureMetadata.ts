@@ -22,13 +22,14 @@ export function observerMetadata({ t, position, u, vantage }: ViewPoint, speedOf
 
 /** The same, with the display settings. `settings` include the metered exposure. */
 export function pictureMetadata(view: ViewPoint, settings: RenderSettings): Record<string, string> {
-  const { falseColors } = settings;
+  const { falseColors, outside } = settings;
   const showsLight = falseColors === undefined || falseColors.kind === 'band';
   return {
     Software: 'Slowlight',
     ...observerMetadata(view, settings.speedOfLight),
     fieldOfView: `${degrees(view.lens.fovY)} degrees`,
     ...settingsMetadata(settings, showsLight),
+    ...(outside && { outsideCamera: `${vector(outside.place)} m from the ${outside.follows ? 'observer' : 'origin'}` }),
     ...(falseColors && { falseColors: falseColorRange(falseColors) }),
   };
 }

@@ -6,6 +6,7 @@ import type { FrameGraph, FrameGraphBuffer } from '../frameGraph/frameGraph.ts';
 import { RENDERER_SETTINGS, type RendererSettings, settingNamed } from '../settings/settings.ts';
 import type { View } from '../views/views.ts';
 import type { Lens } from './lens.ts';
+import type { OutsideCamera } from './outsideCamera.ts';
 
 /** Settings of a picture. Plain data, so that documents, flags and sockets can hold them. */
 export interface RenderSettings extends RendererSettings {
@@ -13,6 +14,8 @@ export interface RenderSettings extends RendererSettings {
   readonly falseColors?: FalseColorScale;
   /** The frame graph applied to linear light before exposure; absent: none. */
   readonly frameGraph?: FrameGraph;
+  /** Looks at the picture's first G-buffer from outside; absent: it is seen with the observer's eye. */
+  readonly outside?: OutsideCamera;
   /** [m/s] */
   readonly speedOfLight: number;
 }
@@ -40,15 +43,18 @@ export function extraBuffers(settings: RenderSettings): readonly FrameGraphBuffe
   return ghost === 'none' ? own : [...own, ghostBuffer(settings, ghost)];
 }
 
-/** Contours have no light. */
+/** Contours have no light. From outside, what is seen is shown where it was in the world. */
 const ghostBuffer = (settings: RenderSettings, view: View): FrameGraphBuffer => ({
   ...settings,
-  ...{ scene: 0, view, lightDelay: true, aberration: true, shadows: false, occlusionRadius: 0 },
+  ...{ scene: 0, view, lightDelay: true, aberration: !settings.outside, shadows: false, occlusionRadius: 0 },
 });
 
 /** The settings of a picture's G-buffer; 0 is that of `settings` themselves. */
-export const bufferSettings = (settings: RenderSettings, buffer: number): RenderSettings =>
-  buffer === 0 ? settings : { ...settings, ...extraBuffers(settings)[buffer - 1] };
+export function bufferSettings(settings: RenderSettings, buffer: number): RenderSettings {
+  if (buffer === 0) return settings;
+  const { outside: _, ...shared } = settings;
+  return { ...shared, ...extraBuffers(settings)[buffer - 1] };
+}
 
 /** The observer's event, velocity and camera. */
 export interface ViewPoint {

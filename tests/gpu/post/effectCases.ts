@@ -1,6 +1,6 @@
 import { IDENTITY } from '../../../src/math/quat.ts';
 import { random } from '../../../src/math/random.ts';
-import { normalize } from '../../../src/math/vec3.ts';
+import { normalize, type Vec3 } from '../../../src/math/vec3.ts';
 import { properVelocity } from '../../../src/physics/lorentz/boost.ts';
 import { createTracedScene } from '../../../src/reference/intersection/tracedScene.ts';
 import { DEFAULT_LIGHT } from '../../../src/reference/lights/lightOptions.ts';
@@ -23,6 +23,8 @@ export interface EffectCase {
   readonly fogColor?: FogColor;
   readonly picture: keyof typeof PICTURES;
   readonly masked?: boolean;
+  /** From the camera to the observer [m]; absent: it is at his eye. */
+  readonly observer?: Vec3;
 }
 
 const VIEW: ViewPoint = {
@@ -115,10 +117,10 @@ function shapes(): EffectInput {
 const PICTURES = { noise, scene, shapes };
 const taken = new Map<string, EffectInput>();
 
-export function pictureOf({ picture, fogColor }: EffectCase): EffectInput {
+export function pictureOf({ picture, fogColor, observer }: EffectCase): EffectInput {
   const cached = taken.get(picture) ?? PICTURES[picture]();
   taken.set(picture, cached);
-  return fogColor ? { ...cached, fogColor } : cached;
+  return { ...cached, ...(fogColor && { fogColor }), ...(observer && { observer }) };
 }
 
 /** A ramp from 0 at the left to 1 and beyond at the right. */
@@ -308,6 +310,19 @@ export const EFFECT_CASES: readonly EffectCase[] = [
   ),
   ...both('hue-shift', [70, 1]),
   ...both('hue-shift', [-160, 2.5]),
+  ...['noise', 'scene'].flatMap((picture) =>
+    [
+      [2, 0.8, 5],
+      [0.7, 1, 0],
+    ].map((args) => ({
+      name: `observer-marks ${args}, ${picture}, from outside`,
+      of: 'observer-marks' as const,
+      args,
+      picture: picture as keyof typeof PICTURES,
+      observer: [-1.5, -2, -5] as const,
+    })),
+  ),
+  ...both('observer-marks', [2, 0.8, 5]),
   ...both('depth-of-field', [4, 300, 12]),
   ...both('depth-of-field', [6, 2000, 24]),
   ...both('antialiasing', [0.1, 16, 0.5]),

@@ -57,7 +57,7 @@ function passesOf(of: EffectCase, picture: EffectInput): EffectPasses {
 }
 
 /** The uniforms that the renderer sets per picture. */
-export function uniformsOf({ view, image, zenith, sky, settings }: EffectInput) {
+export function uniformsOf({ view, image, zenith, sky, settings, observer }: EffectInput) {
   const uniforms = makeFrameUniforms();
   const { tanX, tanY, center } = frustumOf(view.lens, image.width, image.height);
   uniforms.u.value.set(...view.u);
@@ -67,6 +67,7 @@ export function uniformsOf({ view, image, zenith, sky, settings }: EffectInput) 
   uniforms.frustumCenter.value.set(...center);
   uniforms.orientation.value.fromArray([...toMatrix(view.orientation)]).transpose();
   uniforms.zenith.value.set(...zenith);
+  if (observer) uniforms.toObserver.value.set(...observer);
   if (sky) setSkyColors(uniforms, sky);
   return uniforms;
 }

@@ -11,6 +11,7 @@ import { fog } from './fog.ts';
 import { gaussianBlur } from './gaussianBlur.ts';
 import { hueShift } from './hueShift.ts';
 import { mixImages } from './mix.ts';
+import { observerMarks } from './observerMarks.ts';
 import { applyShaderText } from './shaderText.ts';
 import { sharpen } from './sharpen.ts';
 import { skyBackground } from './skyBackground.ts';
@@ -28,6 +29,7 @@ const EFFECT_FUNCTIONS: Readonly<Record<EffectId, EffectFunction>> = {
   vignette,
   fog,
   'hue-shift': hueShift,
+  'observer-marks': observerMarks,
   'depth-of-field': depthOfField,
   antialiasing,
 };

@@ -1,5 +1,6 @@
 import { conjugate, rotate, toMatrix } from '../../../math/quat.ts';
-import { normalize, scale, sub, type Vec3 } from '../../../math/vec3.ts';
+import { normalize, scale, sub, type Vec3, ZERO } from '../../../math/vec3.ts';
+import { velocity } from '../../../physics/lorentz/boost.ts';
 import type { FogColor } from '../../../scene/frameGraph/effects.ts';
 import { backdropColors } from '../../../scene/lights/sceneLights.ts';
 import type { SkyColors } from '../../../scene/lights/skyGradient.ts';
@@ -65,6 +66,8 @@ export interface EffectInput {
   readonly sky?: SkyColors;
   /** What distant things fade into; absent: the effect's own. */
   readonly fogColor?: FogColor;
+  /** From the camera to the observer [m]; absent: it is at his eye. */
+  readonly observer?: Vec3;
 }
 
 /** Reads a picture's G-buffer at pixels, mirrored beyond the borders. */
@@ -74,6 +77,12 @@ export class GBufferReader {
   readonly zenith: Vec3;
   readonly sky: SkyColors;
   readonly fogColor: FogColor | undefined;
+  /** From the camera to the observer [m]. */
+  readonly observer: Vec3;
+  /** His velocity, world frame, units of c. */
+  readonly beta: Vec3;
+  /** [m/s] */
+  readonly speedOfLight: number;
   private readonly input: EffectInput;
 
   constructor(source: EffectInput) {
@@ -81,6 +90,9 @@ export class GBufferReader {
     this.image = source.image;
     this.zenith = source.zenith;
     this.fogColor = source.fogColor;
+    this.observer = source.observer ?? ZERO;
+    this.beta = velocity(source.view.u);
+    this.speedOfLight = source.settings.speedOfLight;
     this.sky = source.sky ?? backdropColors({ lights: [] });
     this.frustum = frustumOf(source.view.lens, this.image.width, this.image.height);
   }
@@ -118,10 +130,26 @@ export class GBufferReader {
     return [right * tanX + center[0], up * tanY + center[1]];
   }
 
+  /** Direction of the pixel in the picture's space, the observer's frame on world axes carried by the boost: unit. */
+  apparentDirection(x: number, y: number): Vec3 {
+    return rotate(this.input.view.orientation, normalize([...this.tangents(x, y), -1]));
+  }
+
   /** Observer → apparent position, observer's frame on world axes carried by the boost [m]. */
   apparentPosition(x: number, y: number): Vec3 {
-    const direction = normalize([...this.tangents(x, y), -1]);
-    return scale(rotate(this.input.view.orientation, direction), this.depth(x, y));
+    return scale(this.apparentDirection(x, y), this.depth(x, y));
+  }
+
+  /** Place in the picture [px from its top left corner] of a point in the camera's space, on those axes [m]; undefined unless it is in front of the camera. */
+  pixelOf(point: Vec3): readonly [number, number] | undefined {
+    const [right, up, back] = rotate(conjugate(this.input.view.orientation), point);
+    if (!(back < 0)) return undefined;
+    const { tanX, tanY, center } = this.frustum;
+    const { width, height } = this.image;
+    return [
+      (((right / -back - center[0]) / tanX + 1) / 2) * width,
+      ((1 - (up / -back - center[1]) / tanY) / 2) * height,
+    ];
   }
 
   /** Distance of the apparent position along the camera's axis [m]. */
