@@ -46,6 +46,7 @@ import { falseColorNode } from './render/falseColor.ts';
 import { mixColorNode } from './render/mixColor.ts';
 import { rasterizeNode } from './render/ordinaryRasterize.ts';
 import { outputNode } from './render/output.ts';
+import { outsideViewNode } from './render/outsideView.ts';
 import { postProcessNode } from './render/postProcess.ts';
 import { relativityRasterizeNode } from './render/relativityRasterize.ts';
 import { saveImageNode } from './render/saveImage.ts';
@@ -110,6 +111,7 @@ const types = [
   timeNode,
   relativityConsoleNode,
   sceneCameraNode,
+  outsideViewNode,
   relativityRasterizeNode,
   rasterizeNode,
   ...stillNodes,

@@ -8,7 +8,7 @@ import { renderWithPool, TracerPool, tilesOf } from '../reference/tracerPool.ts'
 import type { TracerMessage, TracerReply } from '../reference/tracerServer.ts';
 import { backdropColors, upVector } from '../scene/lights/sceneLights.ts';
 import type { Scene } from '../scene/types.ts';
-import { drawnFrom } from '../scene/view/outsideCamera.ts';
+import { drawnFrom } from '../scene/view/drawnFrom.ts';
 import type { PictureSize } from '../scene/view/pictureViews.ts';
 import { type AovName, bufferSettings, type RenderSettings, type ViewPoint } from '../scene/view/view.ts';
 import { toneMap } from '../spectrum/display/toneMap.ts';

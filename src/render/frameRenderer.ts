@@ -6,7 +6,7 @@ import type { RenderSettings } from '../scene/view/view.ts';
 import type { FalseColorScale } from '../spectrum/falseColor/falseColor.ts';
 import { ColorPipelines } from './color/colorPipelines.ts';
 import { DeferredPass } from './deferredPass.ts';
-import { type BoundRenderView, FrameGraphRunner, type PassListener } from './frameGraph/frameGraphRunner.ts';
+import type { BoundRenderView, FrameGraphRunner, PassListener } from './frameGraph/frameGraphRunner.ts';
 import { dataTarget, type GBuffer } from './gbuffer/gbuffer.ts';
 import { PixelReader } from './gbuffer/pixelReader.ts';
 import type { PixelTexels } from './gbuffer/readback.ts';
@@ -14,6 +14,7 @@ import type { SpacetimeProjection } from './geometry/vertexStage.ts';
 import type { Gpu } from './gpu/device.ts';
 import type { FrameUniforms } from './gpu/frameUniforms.ts';
 import { PassCache } from './gpu/passCache.ts';
+import type { PictureParts } from './pictureParts.ts';
 import { type DisplaySettings, displayKey } from './post/display/display.ts';
 import { FalseColorTable, falseColored } from './post/display/falseColor.ts';
 import { LightMeter } from './post/display/lightMeter.ts';
@@ -32,6 +33,7 @@ export class FrameRenderer {
   private readonly screen = dataTarget(1, UnsignedByteType);
   private readonly gpu: Gpu;
   private readonly uniforms: FrameUniforms;
+  private readonly parts: PictureParts;
   private readonly passes: PassCache;
   private readonly colorPipelines = new ColorPipelines();
   private readonly lightMeter: LightMeter;
@@ -48,8 +50,9 @@ export class FrameRenderer {
   /** Number of samples whose mean is the light. */
   samples = 1;
 
-  constructor(gpu: Gpu, uniforms: FrameUniforms) {
+  constructor(gpu: Gpu, uniforms: FrameUniforms, parts: PictureParts) {
     this.gpu = gpu;
+    this.parts = parts;
     this.uniforms = uniforms;
     this.passes = new PassCache(gpu.renderer);
     this.light = this.deferredPass(0).light();
@@ -106,7 +109,8 @@ export class FrameRenderer {
   runnerFor(frameGraph: FrameGraph): FrameGraphRunner {
     const structure = frameGraphStructure(frameGraph);
     const cached = this.runners.get(structure);
-    const runner = cached ?? new FrameGraphRunner(frameGraph, this.gpu, this.uniforms, (i) => this.deferredPass(i));
+    const runner =
+      cached ?? new this.parts.FrameGraphRunner(frameGraph, this.gpu, this.uniforms, (i) => this.deferredPass(i));
     if (!cached) runner.setSize(this.size.width, this.size.height);
     this.runners.delete(structure);
     this.runners.set(structure, runner);

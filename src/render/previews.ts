@@ -14,6 +14,7 @@ import type { FrameUniforms } from './gpu/frameUniforms.ts';
 import { texelHere } from './gpu/fullScreenPass.ts';
 import { PassCache } from './gpu/passCache.ts';
 import { precompile } from './gpu/precompile.ts';
+import type { PictureParts } from './pictureParts.ts';
 import { encodeSrgb } from './post/display/display.ts';
 import { LightMeter } from './post/display/lightMeter.ts';
 import { PIXEL_CENTER } from './post/resolve/pixelSamples.ts';
@@ -55,6 +56,7 @@ export class PreviewRenderer {
     requests: readonly PreviewRequest[],
     size: PictureSize,
   ): Promise<readonly Preview[] | undefined> {
+    await this.renderer.loadFrameGraphs(frameGraph);
     await this.renderer.withLastView((context) =>
       this.precompiled(frameGraph, requests, this.targetsFor(context, size), context),
     );
@@ -72,8 +74,8 @@ export class PreviewRenderer {
     this.targets?.dispose();
   }
 
-  private targetsFor({ gpu, frameSetup, buffers }: RenderContext, size: PictureSize): PreviewTargets {
-    this.targets ??= new PreviewTargets(gpu, frameSetup.uniforms);
+  private targetsFor({ gpu, frameSetup, parts, buffers }: RenderContext, size: PictureSize): PreviewTargets {
+    this.targets ??= new PreviewTargets(gpu, frameSetup.uniforms, parts);
     this.targets.prepare(
       size,
       buffers.map(({ upload }) => upload),
@@ -110,10 +112,10 @@ class PreviewTargets {
   private size = { width: 1, height: 1 };
   private uploads: readonly SceneUpload[] = [];
 
-  constructor(gpu: Gpu, uniforms: FrameUniforms) {
+  constructor(gpu: Gpu, uniforms: FrameUniforms, parts: PictureParts) {
     this.gpu = gpu;
     this.uniforms = uniforms;
-    this.frameRenderer = new FrameRenderer(gpu, uniforms);
+    this.frameRenderer = new FrameRenderer(gpu, uniforms, parts);
     this.passes = new PassCache(gpu.renderer);
     this.lightMeter = new LightMeter(gpu, this.frameRenderer.buffer, uniforms);
   }

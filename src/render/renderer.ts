@@ -1,4 +1,4 @@
-import { contentKey, frameGraphStructure } from '../scene/frameGraph/frameGraph.ts';
+import { contentKey, type FrameGraph, frameGraphStructure } from '../scene/frameGraph/frameGraph.ts';
 import type { Scene } from '../scene/types.ts';
 import { type LightMeterReadings, mergeReadings } from '../scene/view/metering.ts';
 import {
@@ -18,7 +18,7 @@ import { colorVariantOf } from './color/colorPipelines.ts';
 import { FrameSetup, renderViewOf, spacetimeProjectionOf, type ViewBuffers } from './frameSetup.ts';
 import { type Gpu, openGpu } from './gpu/device.ts';
 import { precompile } from './gpu/precompile.ts';
-import { Overlays } from './post/display/overlays.ts';
+import { PictureParts } from './pictureParts.ts';
 import type { AntialiasingMode } from './post/resolve/antialiasing.ts';
 import { loadSceneParts, type SceneParts } from './sceneParts.ts';
 import { SceneUpload } from './sceneUpload.ts';
@@ -31,6 +31,7 @@ import { canAccumulate, ViewRenderer } from './viewRenderer.ts';
 export interface RenderContext {
   readonly gpu: Gpu;
   readonly frameSetup: FrameSetup;
+  readonly parts: PictureParts;
   readonly buffers: ViewBuffers;
 }
 
@@ -63,10 +64,10 @@ const NOTHING_DRAWN = { viewsDrawn: 0, objectsDrawn: 0 };
 export class SceneRenderer implements RasterRenderer {
   private readonly gpu: Gpu;
   private readonly frameSetup = new FrameSetup();
-  private readonly overlays: Overlays;
+  private readonly pictureParts: PictureParts;
   private readonly compositor: ViewCompositor;
   private readonly toCanvas: boolean;
-  private parts: SceneParts = {};
+  private sceneParts: SceneParts = {};
   private readonly uploads: SceneUploads;
   /** By index of the view in the picture. */
   private readonly viewRenderers: ViewRenderer[];
@@ -84,7 +85,10 @@ export class SceneRenderer implements RasterRenderer {
 
   /** Opens a GPU. Throws an error that says why where there is none. */
   static async create(options: RendererOptions = {}): Promise<SceneRenderer> {
-    return new SceneRenderer(await openGpu(options), options);
+    const renderer = new SceneRenderer(await openGpu(options), options);
+    // Only a page waits for its first picture.
+    if (!options.canvas) await renderer.pictureParts.loadAll();
+    return renderer;
   }
 
   private constructor(gpu: Gpu, options: RendererOptions) {
@@ -92,10 +96,10 @@ export class SceneRenderer implements RasterRenderer {
     this.toCanvas = options.canvas !== undefined;
     this.compositor = new ViewCompositor(gpu.renderer);
     const { uniforms } = this.frameSetup;
-    this.overlays = new Overlays(uniforms, options);
-    this.viewRenderers = [new ViewRenderer(gpu, this.frameSetup, this.overlays)];
+    this.pictureParts = new PictureParts(uniforms, options);
+    this.viewRenderers = [new ViewRenderer(gpu, this.frameSetup, this.pictureParts)];
     this.uploads = new SceneUploads(
-      (scene, speedOfLight) => new SceneUpload(scene, speedOfLight, uniforms, gpu, options, this.parts),
+      (scene, speedOfLight) => new SceneUpload(scene, speedOfLight, uniforms, gpu, options, this.sceneParts),
       (upload) => {
         this.frameSetup.invalidate();
         this.incomplete = undefined;
@@ -105,7 +109,7 @@ export class SceneRenderer implements RasterRenderer {
   }
 
   get info(): RendererInfo {
-    const { lastDraw, gpu, uploads, overlays } = this;
+    const { lastDraw, gpu, uploads, pictureParts } = this;
     const { first } = uploads;
     return {
       backend: gpu.backend,
@@ -113,7 +117,7 @@ export class SceneRenderer implements RasterRenderer {
       objects: first?.bodies.length ?? 0,
       triangles: first?.tessellator.triangleCount ?? 0,
       tolerance: first?.tessellator.achievedTolerance ?? 0,
-      waiting: !uploads.isComplete || overlays.isLoading,
+      waiting: !uploads.isComplete || pictureParts.isLoading,
       ...lastDraw,
     };
   }
@@ -125,7 +129,7 @@ export class SceneRenderer implements RasterRenderer {
   }
 
   async setScene(scene: Scene, others: readonly Scene[] = []): Promise<void> {
-    this.parts = await loadSceneParts([scene, ...others], this.parts);
+    this.sceneParts = await loadSceneParts([scene, ...others], this.sceneParts);
     this.uploads.setScenes([scene, ...others]);
   }
 
@@ -145,7 +149,7 @@ export class SceneRenderer implements RasterRenderer {
     const { uploads } = this;
     // Another speed of light may need another upload first.
     if (!uploads.first || uploads.wouldReplace(settings)) return undefined;
-    if (!this.overlays.isReady(settings)) return this.overlays.loaded;
+    if (!this.pictureParts.isReady(settings)) return this.pictureParts.load(settings);
     const mode = antialiasingModeOf(settings, sampling);
     if (this.compiled.has(shaderKey(settings, mode, uploads.of(settings), views.length))) return undefined;
     this.precompiling ??= this.compile(views, settings, mode).finally(() => {
@@ -173,7 +177,7 @@ export class SceneRenderer implements RasterRenderer {
   render(views: PictureViews, settings: RenderSettings, sampling: Sampling = 1): void {
     const start = performance.now();
     assertViewports(views, this.requestedSize);
-    if (!this.overlays.isReady(settings)) return;
+    if (!this.pictureParts.isReady(settings)) return;
     const pictures = this.buffersOf(views, settings);
     const rects = this.viewportsOf(views);
     if (pictures.length === 0) return;
@@ -228,7 +232,7 @@ export class SceneRenderer implements RasterRenderer {
 
   private viewRenderer(index: number): ViewRenderer {
     while (this.viewRenderers.length <= index)
-      this.viewRenderers.push(new ViewRenderer(this.gpu, this.frameSetup, this.overlays));
+      this.viewRenderers.push(new ViewRenderer(this.gpu, this.frameSetup, this.pictureParts));
     return this.viewRenderers[index];
   }
 
@@ -290,6 +294,14 @@ export class SceneRenderer implements RasterRenderer {
   }
 
   /**
+   * Loads what runs frame graphs.
+   * @internal
+   */
+  loadFrameGraphs(frameGraph: FrameGraph): Promise<void> {
+    return this.pictureParts.load({ ghost: 'none', pastFuture: false, frameGraph });
+  }
+
+  /**
    * Prepares the last picture of the first view, calls `use` with it, which may draw on the same device (previews.ts), and restores the uniforms
    * afterwards. Returns undefined if there is no picture.
    * @internal
@@ -300,7 +312,7 @@ export class SceneRenderer implements RasterRenderer {
     const buffers = view.restore();
     if (!buffers) return undefined;
     try {
-      return use({ gpu, frameSetup, buffers });
+      return use({ gpu, frameSetup, parts: this.pictureParts, buffers });
     } finally {
       frameSetup.setView(buffers[0], view.viewport);
     }

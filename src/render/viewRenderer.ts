@@ -7,7 +7,7 @@ import { type FrameSetup, frustumIn, type RenderView, type ViewBuffers } from '.
 import { pickedPixel, readBytes, readData, readFloats } from './gbuffer/readback.ts';
 import type { Observation } from './geometry/observation.ts';
 import type { Gpu } from './gpu/device.ts';
-import type { Overlays } from './post/display/overlays.ts';
+import type { PictureParts } from './pictureParts.ts';
 import type { AntialiasingMode } from './post/resolve/antialiasing.ts';
 import { gridPositions, haltonPosition, PIXEL_CENTER, type SamplePosition } from './post/resolve/pixelSamples.ts';
 import type { SceneUpload } from './sceneUpload.ts';
@@ -21,7 +21,7 @@ export class ViewRenderer {
   private readonly gpu: Gpu;
   private readonly frameSetup: FrameSetup;
   private readonly frameRenderer: FrameRenderer;
-  private readonly overlays: Overlays;
+  private readonly parts: PictureParts;
   private rect: PixelRect = { x: 0, y: 0, width: 1, height: 1 };
   /** The G-buffers of the last picture; undefined if it cannot be drawn again. */
   private lastBuffers: ViewBuffers | undefined;
@@ -31,11 +31,11 @@ export class ViewRenderer {
   private addedSamples = 0;
   private frameCount = 0;
 
-  constructor(gpu: Gpu, frameSetup: FrameSetup, overlays: Overlays) {
+  constructor(gpu: Gpu, frameSetup: FrameSetup, parts: PictureParts) {
     this.gpu = gpu;
-    this.overlays = overlays;
+    this.parts = parts;
     this.frameSetup = frameSetup;
-    this.frameRenderer = new FrameRenderer(gpu, frameSetup.uniforms);
+    this.frameRenderer = new FrameRenderer(gpu, frameSetup.uniforms, parts);
   }
 
   get viewport(): PixelRect {
@@ -168,7 +168,7 @@ export class ViewRenderer {
 
   private setDisplay({ 0: { settings, upload }, length }: ViewBuffers): void {
     const { frameRenderer } = this;
-    const overlay = this.overlays.of(settings, frameRenderer.buffer, () => frameRenderer.bufferOf(length - 1));
+    const overlay = this.parts.overlayOf(settings, frameRenderer.buffer, () => frameRenderer.bufferOf(length - 1));
     frameRenderer.displayState = {
       ...settings,
       ...(overlay && { overlay }),

@@ -41,6 +41,8 @@ export { framingCamera, lookAtOrientation, observerFromCamera } from './view/cam
 export type { FrustumSides, Lens, PerspectiveLens } from './view/lens.ts';
 export { offAxisLens, perspective } from './view/lens.ts';
 export type { LightMeterReadings } from './view/metering.ts';
+export type { Orbit, OutsideCamera } from './view/outsideCamera.ts';
+export { orbitCamera } from './view/outsideCamera.ts';
 export type { PictureSize, PictureView, PictureViews, PixelRect } from './view/pictureViews.ts';
 export type { VertexProbe } from './view/probe.ts';
 export { probeVertex, probeVertices } from './view/probe.ts';

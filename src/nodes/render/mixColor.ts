@@ -13,7 +13,7 @@ fn effect(p: Pixel) -> vec4f {
 export const mixColorNode = defineNode({
   id: 'mix-color',
   title: msg`Mix colour`,
-  help: msg`Blends two images. Split shows them side by side, wipe moves the border between them, and a custom mode is what you write.`,
+  help: msg`Blends two images. Split shows them side by side, wipe moves the border between them, inset shows the upper one small in a corner, and a custom mode is what you write.`,
   category: 'render',
   params: {
     mode: {
@@ -30,13 +30,14 @@ export const mixColorNode = defineNode({
         { value: 'difference', title: msg`Difference` },
         { value: 'split', title: msg`Split` },
         { value: 'wipe', title: msg`Wipe` },
+        { value: 'inset', title: msg`Inset` },
         { value: CUSTOM, title: msg`Custom` },
       ],
     },
     alpha: {
       kind: 'number',
       title: msg`Alpha`,
-      help: msg`Opacity of the upper image; for split and wipe, position of the border.`,
+      help: msg`Opacity of the upper image; for split and wipe, position of the border; for inset, its share of the picture’s width.`,
       default: 0.5,
       min: 0,
       max: 1,

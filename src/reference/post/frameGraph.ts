@@ -2,7 +2,7 @@ import type { Vec3 } from '../../math/vec3.ts';
 import { EFFECTS } from '../../scene/frameGraph/effects.ts';
 import { type FrameGraph, type FrameGraphPass, inputImages } from '../../scene/frameGraph/frameGraph.ts';
 import type { SkyColors } from '../../scene/lights/skyGradient.ts';
-import { drawnFrom, toObserver } from '../../scene/view/outsideCamera.ts';
+import { drawnFrom, toObserver } from '../../scene/view/drawnFrom.ts';
 import type { AovName, RenderSettings, ViewPoint } from '../../scene/view/view.ts';
 import { bufferSettings } from '../../scene/view/view.ts';
 import { decodeSrgb } from '../../spectrum/display/srgb.ts';

@@ -196,9 +196,19 @@ export const EFFECT_IDS = Object.keys(EFFECTS) as readonly EffectId[];
 
 /**
  * Modes that blend two images: `a` below, `b` above. `alpha` is the weight of the blended image in the result; for `split` and `wipe` it is the position of the
- * border. Modes that are defined for 0 … 1 (`screen`, `overlay`) blend that range and add what exceeds 1 unchanged, because their formulas would darken it.
+ * border, for `inset` the share of the width and height that `b`, made smaller, takes in the lower right corner. Modes that are defined for 0 … 1 (`screen`, `overlay`) blend that range and add what exceeds 1 unchanged, because their formulas would darken it.
  */
-export const MIX_MODES = ['normal', 'multiply', 'add', 'screen', 'overlay', 'difference', 'split', 'wipe'] as const;
+export const MIX_MODES = [
+  'normal',
+  'multiply',
+  'add',
+  'screen',
+  'overlay',
+  'difference',
+  'split',
+  'wipe',
+  'inset',
+] as const;
 export type MixMode = (typeof MIX_MODES)[number];
 
 // Constants that both implementations share.
@@ -230,6 +240,8 @@ export const OBSERVER_MARKS = {
   edge: [0.01, 0.02, 0.04],
   hidden: 0.4,
 } as const;
+/** Of an inset: its distance from the edges of the picture and its border [px of 1080 rows], and samples per pixel along each axis. */
+export const INSET = { margin: 24, border: 3, color: [0.02, 0.02, 0.02], samples: 4 } as const;
 /** Width of the border of a wipe, as a fraction of the picture. */
 export const WIPE_WIDTH = 0.1;
 

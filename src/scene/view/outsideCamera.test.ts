@@ -2,8 +2,9 @@ import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
 import { IDENTITY, rotate } from '../../math/quat.ts';
 import { add, distance, dot, length, scale, sub, type Vec3 } from '../../math/vec3.ts';
+import { drawnFrom, toObserver } from './drawnFrom.ts';
 import { perspective } from './lens.ts';
-import { drawnFrom, orbitCamera, toObserver } from './outsideCamera.ts';
+import { orbitCamera } from './outsideCamera.ts';
 import { bufferSettings, DEFAULT_SETTINGS, extraBuffers, type ViewPoint } from './view.ts';
 
 const real = (min: number, max: number) => fc.double({ min, max, noNaN: true });

@@ -337,6 +337,7 @@ export const EFFECT_CASES: readonly EffectCase[] = [
   ...both({ mode: 'difference' }, [1]),
   ...both({ mode: 'split' }, [0.35]),
   ...both({ mode: 'wipe' }, [0.5]),
+  ...both({ mode: 'inset' }, [0.37]),
   { name: 'blur under a mask', of: 'gaussian-blur', args: [3, 0], picture: 'scene', masked: true },
   { name: 'bloom under a mask', of: 'bloom', args: [1, 0.5], picture: 'noise', masked: true },
   { name: 'add under a mask', of: { mode: 'add' }, args: [1], picture: 'noise', masked: true },
