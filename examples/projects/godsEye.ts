@@ -3,7 +3,7 @@ import { build, type NodeSketch } from './buildProject.ts';
 const ABOUT = {
   title: "God's eye",
   lookFor:
-    'From above, at one instant: everything is where it is now, as nobody sees it. The red train passes at 0.8 c and is 0.6 times as long as the yellow one, which is built alike and rests. The white figure is an observer; the rings around it are one light-second apart: what crosses the third ring now it will see in 3 s. Set View to Seen, and the camera to /Observer, to see what it sees: the train where it was, and stretched while it comes.',
+    'The world at one instant from above, and in the corner what the observer, the blue disc, sees at that instant. The red train passes him at 0.8 c and is 0.6 times as long as the yellow one, which is built alike and rests. What crosses the third ring now he will see in 3 s. Compare where the red train is with where he sees it. Fly: the disc is you, and its arrow is how far you come in a second; at c it would reach the first ring.',
 };
 
 /** [m/s] */
@@ -32,39 +32,6 @@ const train = (
   [`${name}Paint`]: { type: 'material', set: { color, roughness: 0.5 }, from: { geometry: `${name}Row.geometry` } },
   [name]: { type: 'transform', set: { position: [0, 1.8, z] }, from: { geometry: `${name}Paint.geometry` } },
 });
-
-/** A circle of a number of light-seconds around the observer: a disc darker than the inner one, a ring at its edge, and its number on the ground. */
-const SECONDS = [1, 2, 3] as const;
-const ZONES = [
-  [0.07, 0.19, 0.33],
-  [0.035, 0.11, 0.21],
-  [0.018, 0.06, 0.125],
-] as const;
-const around = (seconds: (typeof SECONDS)[number]): Readonly<Record<string, NodeSketch>> => ({
-  [`disc${seconds}`]: {
-    type: 'cylinder',
-    set: { name: `Zone${seconds}`, radius: seconds * C, height: 0.2 * (4 - seconds), segments: 192 },
-  },
-  [`zone${seconds}`]: {
-    type: 'material',
-    set: { color: ZONES[seconds - 1]!, roughness: 0.9 },
-    from: { geometry: `disc${seconds}.geometry` },
-  },
-  [`ring${seconds}`]: {
-    type: 'torus',
-    set: { name: `LightSecond${seconds}`, ring: seconds * C, tube: 0.3, segments: 192, rings: 8 },
-  },
-  [`number${seconds}`]: {
-    type: 'solid-text',
-    set: { name: `Number${seconds}`, text: `${seconds} s`, size: 2, depth: 0.1 },
-  },
-  [`written${seconds}`]: {
-    type: 'transform',
-    set: { position: [-0.92 * (seconds * C - 2.6), 0.4, 0.4 * (seconds * C - 2.6)], rotation: [-90, 0, 0] },
-    from: { geometry: `number${seconds}.geometry` },
-  },
-});
-const rings: Readonly<Record<string, NodeSketch>> = Object.assign({}, ...SECONDS.map(around));
 
 /** Two tracks along x, with two rails on sleepers each. */
 const tracks: Readonly<Record<string, NodeSketch>> = {
@@ -98,20 +65,7 @@ export const godsEye = () =>
       set: { color: [0.012, 0.03, 0.06], roughness: 0.9 },
       from: { geometry: 'ground.geometry' },
     },
-    ...rings,
-    zones: { type: 'merge', from: { geometry: SECONDS.map((n) => `zone${n}.geometry`) } },
-    shells: {
-      type: 'merge',
-      from: { geometry: SECONDS.flatMap((n) => [`ring${n}.geometry`, `written${n}.geometry`]) },
-    },
-    lightBlue: { type: 'material', set: { color: [0.55, 0.8, 1], glow: 1 }, from: { geometry: 'shells.geometry' } },
     ...tracks,
-    body: { type: 'cylinder', set: { name: 'Figure', radius: 1.1, height: 3, pointed: true } },
-    standing: { type: 'transform', set: { position: [0, 1.8, 0] }, from: { geometry: 'body.geometry' } },
-    head: { type: 'sphere', set: { name: 'Head', radius: 0.7 } },
-    upright: { type: 'transform', set: { position: [0, 3.3, 0] }, from: { geometry: 'head.geometry' } },
-    figure: { type: 'merge', from: { geometry: ['standing.geometry', 'upright.geometry'] } },
-    white: { type: 'material', set: { color: [0.9, 0.9, 0.85] }, from: { geometry: 'figure.geometry' } },
     ...train('Passing', [0.75, 0.07, 0.05], -NEAR, CONTRACTED),
     flight: { type: 'motion-uniform', set: { velocity: [0.8 * C, 0, 0], at: 3 } },
     express: {
@@ -120,7 +74,6 @@ export const godsEye = () =>
       from: { geometry: 'Passing.geometry', motion: 'flight.motion' },
     },
     ...train('Resting', [0.8, 0.6, 0.05], -FAR, 1),
-    above: { type: 'camera', set: { name: 'Above', position: [5, 28, 31], target: [-0.5, 0, 0.5], fieldOfView: 47 } },
     own: { type: 'camera', set: { name: 'Observer', position: [0, 1.7, -1.4], target: [0, 1.2, -9], fieldOfView: 90 } },
     sun: { type: 'sun', set: { brightness: 2, direction: [-0.4, -0.8, -0.4] } },
     sky: { type: 'sky' },
@@ -128,23 +81,37 @@ export const godsEye = () =>
     scene: {
       type: 'scene',
       from: {
-        geometry: ['above', 'own', 'stone', 'zones', 'tracks', 'lightBlue', 'white', 'express', 'Resting'].map(
-          (id) => `${id}.geometry`,
-        ),
+        geometry: ['own', 'stone', 'tracks', 'express', 'Resting'].map((id) => `${id}.geometry`),
         lights: ['sun.lights', 'sky.lights'],
         time: 'time.time',
       },
     },
-    console: {
-      type: 'relativity-console',
-      set: { speedOfLight: C, view: 'simultaneity' },
-      from: { scene: 'scene.scene' },
-    },
+    console: { type: 'relativity-console', set: { speedOfLight: C }, from: { scene: 'scene.scene' } },
     camera: { type: 'scene-camera', from: { relativity: 'console.relativity' } },
+    // What is.
+    outside: {
+      type: 'outside-view',
+      set: { shows: 'now', distance: 42, azimuth: 9, elevation: 39, fieldOfView: 47 },
+      from: { view: 'camera.view' },
+    },
+    map: { type: 'relativity-rasterize', from: { view: 'outside.view' } },
+    mapLight: { type: 'deferred-lighting', from: { gbuffer: 'map.gbuffer' } },
+    outlined: { type: 'post-process', set: { effect: 'edge', arg2: 4, arg3: 1.5 }, from: { image: 'mapLight.image' } },
+    mapTone: { type: 'tone-map', set: { metering: 'manual', exposure: 0.2 }, from: { image: 'outlined.image' } },
+    marked: {
+      type: 'post-process',
+      set: { effect: 'observer-marks', arg1: 1, arg2: 0.8, arg3: 8 },
+      from: { image: 'mapTone.image', gbuffer: 'map.gbuffer' },
+    },
+    // What he sees.
     rasterize: { type: 'relativity-rasterize', from: { view: 'camera.view' } },
     lighting: { type: 'deferred-lighting', from: { gbuffer: 'rasterize.gbuffer' } },
-    outlined: { type: 'post-process', set: { effect: 'edge', arg2: 4, arg3: 1.5 }, from: { image: 'lighting.image' } },
-    toneMap: { type: 'tone-map', set: { exposure: 0.7 }, from: { image: 'outlined.image' } },
-    smooth: { type: 'antialiasing', from: { image: 'toneMap.image' } },
+    toneMap: { type: 'tone-map', from: { image: 'lighting.image' } },
+    inset: {
+      type: 'mix-color',
+      set: { mode: 'inset', alpha: 0.36 },
+      from: { below: 'marked.image', above: 'toneMap.image' },
+    },
+    smooth: { type: 'antialiasing', from: { image: 'inset.image' } },
     output: { type: 'output', from: { image: 'smooth.image' } },
   });

@@ -145,8 +145,14 @@ export class FrameSetup {
     camera.updateMatrixWorld();
   }
 
+  /** Sets the view for samples at this position within their pixels. */
+  setSample(view: RenderView, position: SamplePosition, size: PictureSize): void {
+    this.setView(view, size);
+    this.jitter(position, size);
+  }
+
   /** Shifts the picture of the current view so that its samples are at this position within their pixels. */
-  jitter([dx, dy]: SamplePosition, { width, height }: PictureSize): void {
+  private jitter([dx, dy]: SamplePosition, { width, height }: PictureSize): void {
     const { halfTangents, frustumCenter } = this.uniforms;
     const { x, y } = frustumCenter.value.clone().divide(halfTangents.value);
     const { aspect } = this.camera;

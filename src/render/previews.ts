@@ -150,11 +150,10 @@ class PreviewTargets {
     const settings = { ...first.settings, frameGraph };
     const boundView = (view: typeof first, i: number): BoundRenderView => ({
       view: { ...view, settings: bufferSettings(settings, i) },
-      bind: () => frameSetup.setView(view, size),
+      bind: () => frameSetup.setSample(view, PIXEL_CENTER, size),
     });
     const [firstView, ...others] = buffers.map(boundView);
-    frameSetup.setView(first, size);
-    frameSetup.jitter(PIXEL_CENTER, size);
+    frameSetup.setSample(first, PIXEL_CENTER, size);
     this.frameRenderer.draw([firstView, ...others], frameSetup.camera, first.viewPoint.t, (pass, image) => {
       requests.forEach((request, i) => {
         if (request.kind === 'image' && request.step === pass) onPreview(i, this.image(image, request.exposure));

@@ -147,8 +147,7 @@ export class ViewRenderer {
     const { frameSetup, lastBuffers } = this;
     if (!lastBuffers) return;
     this.setDisplay(lastBuffers);
-    frameSetup.setView(lastBuffers[0], this.rect);
-    frameSetup.jitter(this.samplePosition, this.rect);
+    frameSetup.setSample(lastBuffers[0], this.samplePosition, this.rect);
   }
 
   /** Releases the passes that read a scene; the last picture cannot be drawn again until `keep`. */
@@ -208,8 +207,8 @@ export class ViewRenderer {
   /** Draws the prepared buffers, sampled at one position within each pixel. */
   private drawBuffers([first, ...others]: ViewBuffers, position: SamplePosition): void {
     const { frameSetup, rect } = this;
-    frameSetup.jitter(position, rect);
-    const bound = (view: RenderView) => ({ view, bind: () => frameSetup.setView(view, rect) });
+    frameSetup.setSample(first, position, rect);
+    const bound = (view: RenderView) => ({ view, bind: () => frameSetup.setSample(view, position, rect) });
     this.frameRenderer.draw([bound(first), ...others.map(bound)], frameSetup.camera, first.viewPoint.t);
   }
 
