@@ -117,6 +117,6 @@ export const workshop = () =>
     lighting: { type: 'deferred-lighting', from: { gbuffer: 'rasterize.gbuffer' } },
     toneMap: { type: 'tone-map', from: { image: 'lighting.image' } },
     still: { type: 'save-image', set: { name: 'workshop.png' }, from: { image: 'toneMap.image' } },
-    film: { type: 'save-video', set: { name: 'workshop.mp4', hold: true }, from: { image: 'toneMap.image' } },
+    film: { type: 'save-video', set: { name: 'workshop.mp4', stayInPlace: true }, from: { image: 'toneMap.image' } },
     output: { type: 'output', from: { image: 'toneMap.image' } },
   });

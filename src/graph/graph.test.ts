@@ -166,6 +166,30 @@ describe('the document', () => {
     }
   });
 
+  it('a project of version 4 keeps the observer of its films in place, also in groups and by edges', () => {
+    const edge = (to: string) => ({ from: { node: 'on', output: 'boolean' }, to: { node: to, input: 'hold' } });
+    const level = {
+      nodes: {
+        on: { type: 'boolean', params: {} },
+        film: { type: 'save-video', params: { hold: true, name: 'film.mp4' } },
+        driven: { type: 'save-video', params: {} },
+        other: { type: 'other', params: { hold: true } },
+      },
+      edges: { 'driven.hold': edge('driven'), 'other.hold': edge('other') },
+      layout: {},
+      notes: {},
+      frames: {},
+    };
+    const group = { ...level, title: 'Films', inputs: [], outputs: [] };
+    const now = readDocument({ format: 'slowlight', version: 4, ...level, groups: { group }, files: {} });
+    for (const { nodes, edges } of [now, now.groups.group!]) {
+      expect(nodes.film!.params).toEqual({ stayInPlace: true, name: 'film.mp4' });
+      expect(nodes.other!.params).toEqual({ hold: true });
+      expect(Object.keys(edges).sort()).toEqual(['driven.stayInPlace', 'other.hold']);
+      expect(edges['driven.stayInPlace']!.to).toEqual({ node: 'driven', input: 'stayInPlace' });
+    }
+  });
+
   it('migrates step by step', () => {
     const steps = {
       1: (data: Record<string, unknown>) => ({ ...data, trace: '1' }),

@@ -72,6 +72,7 @@ test.each([
   ['a film of odd size', ['--set', 'film.width=63'], 3, /film\.width: .*even/],
   ['frames without numbers', ['--set', 'film.name=a.png'], 3, /film\.name: .*a\.####\.png/],
   ['a time of one’s own', ['--time', '1'], 2, /--time is for -o/],
+  ['an observer who stays in place', ['--stay-in-place'], 2, /--stay-in-place is for -o/],
   ['a scene’s flag', ['--variant', 'a=b'], 2, /--variant is for scene files/],
 ])('nothing is written: %s', async (_, args, expectedCode, message) => {
   const here = join(folder, 'refused');

@@ -55,7 +55,7 @@ describe('exposure and tone', () => {
   });
 
   test('in a film the exposure adapts smoothly, like an eye', async () => {
-    const film = ['--size', '64x36', '--frames', '0:1', '--fps', '100', '--beta', '0,0,-0.9', '--hold'];
+    const film = ['--size', '64x36', '--frames', '0:1', '--fps', '100', '--beta', '0,0,-0.9', '--stay-in-place'];
     const { exposure } = await render('film.##.png', ...film);
     const alone = await render('alone.png', '--size', '64x36', '--time', '0.01', '--beta', '0,0,-0.9');
     expect(Math.abs(exposure[1] - exposure[0])).toBeLessThanOrEqual(

@@ -38,11 +38,11 @@ describe('the observer', () => {
     close(velocity(at.u), [0, 0, -0.8]);
   });
 
-  test('coasts from a given position, unless held', () => {
+  test('coasts from a given position, unless it stays in place', () => {
     const flags = { cameraPath, beta: [0, 0.5, 0] as Vec3, position: [1, 1, 1] as Vec3 };
     close(observerPath(scene, flags, c, 3)(3).position, [1, 1, 1]);
     close(observerPath(scene, flags, c, 3)(5).position, [1, 11, 1]);
-    close(observerPathFrom(observerSetup(scene, { ...flags, hold: true }, c, 3), c, 3)(5).position, [1, 1, 1]);
+    close(observerPathFrom(observerSetup(scene, { ...flags, stayInPlace: true }, c, 3), c, 3)(5).position, [1, 1, 1]);
   });
 
   test('has a camera that stands elsewhere and looks at a point from there', () => {

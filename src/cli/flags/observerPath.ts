@@ -17,12 +17,12 @@ export function observerPath(scene: Scene, flags: ObserverFlags, c: number, star
 /** As `observerPath`, before a path is made of it. */
 export function observerSetup(
   scene: Scene,
-  flags: ObserverFlags & Pick<ObserverSetup, 'hold' | 'vantage'>,
+  flags: ObserverFlags & Pick<ObserverSetup, 'stayInPlace' | 'vantage'>,
   c: number,
   start: number,
 ): ObserverSetup {
   const chosen = chooseCamera(scene, flags.camera);
-  const { position, lookAt, fov, hold, vantage } = flags;
+  const { position, lookAt, fov, stayInPlace, vantage } = flags;
   const up: Vec3 = scene.upAxis === 'Z' ? [0, 0, 1] : [0, 1, 0];
   const rides = ridesCamera({ camera: chosen, ...(position && { position }) });
   const beta = flags.beta ?? (rides ? undefined : scene.hints.beta);
@@ -30,7 +30,7 @@ export function observerSetup(
   const camera = flags.cameraPath === 'smooth' && !beta ? withCourse(chosen, c) : chosen;
   return {
     camera,
-    ...(hold && { hold }),
+    ...(stayInPlace && { stayInPlace }),
     ...(beta && { beta }),
     ...(position && { position }),
     ...(lookAt && {

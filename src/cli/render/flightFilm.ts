@@ -15,7 +15,7 @@ export interface FilmedFlight {
 }
 
 /** Flags that say where the observer is, which a flight says itself. */
-const OBSERVER_FLAGS = ['camera', 'cameraPath', 'beta', 'position', 'lookAt', 'hold', 'vantage'] as const;
+const OBSERVER_FLAGS = ['camera', 'cameraPath', 'beta', 'position', 'lookAt', 'stayInPlace', 'vantage'] as const;
 
 /** The flight that `--flight` names. Throws if other flags contradict it. */
 export function filmedFlight(path: string, { c }: Pick<RenderFlags, 'c'>, given: ReadonlySet<string>): FilmedFlight {

@@ -16,6 +16,7 @@ import {
 import { writeExportedFiles } from '../files/exportScene.ts';
 import { checkWritable, throwIfStopped } from '../files/outputFile.ts';
 import { checkPipeline } from '../flags/pipelineFlags.ts';
+import { flagName } from '../flags/viewFlags.ts';
 import {
   evaluateNodes,
   isProject,
@@ -55,7 +56,7 @@ const WRITERS: {
   },
   image: writeRendered,
   video: (file, place) => {
-    const how = { fps: file.fps, spacing: file.spacing, hold: file.hold };
+    const how = { fps: file.fps, spacing: file.spacing, stayInPlace: file.stayInPlace };
     if (!file.flight) return writeRendered(file, place, how);
     const flight = { playback: new FlightPlayback(file.flight), speedOfLight: file.picture.speedOfLight };
     return writeRendered(file, place, how, flownFrames(file, flight.playback), flight);
@@ -101,7 +102,7 @@ const write = (file: RequestedFile, place: WriteTarget): Promise<readonly string
   (WRITERS[file.kind] as (file: RequestedFile, place: WriteTarget) => Promise<readonly string[]>)(file, place);
 
 /** Flags that are parameters of each node that writes a file. */
-const NODE_FLAGS = ['time', 'frames', 'fps', 'spacing', 'hold', 'size', 'samples', 'aov'];
+const NODE_FLAGS = ['time', 'frames', 'fps', 'spacing', 'stayInPlace', 'size', 'samples', 'aov'];
 
 function checkFlags(flags: ProjectFilesFlags, given: ReadonlySet<string>): void {
   refuseSceneFlags(given);
@@ -109,7 +110,7 @@ function checkFlags(flags: ProjectFilesFlags, given: ReadonlySet<string>): void 
   const odd = NODE_FLAGS.find((name) => given.has(name));
   if (odd !== undefined)
     throw usageError(
-      msg`--${odd} is for -o; without it each node that writes says so itself: use --set node.param=value`,
+      msg`--${flagName(odd)} is for -o; without it each node that writes says so itself: use --set node.param=value`,
     );
 }
 

@@ -79,7 +79,7 @@ export function renderCommand(): Command {
       ).choices(FRAME_SPACINGS),
     );
   addObserverFlags(addSceneFlags(command)).option(
-    '--hold',
+    '--stay-in-place',
     localized(msg`with --frames: keep the observer in place instead of moving it with its velocity`),
   );
   command.option(

@@ -13,7 +13,7 @@ export interface RenderFlags extends SceneFlags, ObserverFlags, SettingFlags, Pi
   readonly frames?: FrameRange;
   readonly fps?: number;
   readonly spacing?: FrameSpacing;
-  readonly hold?: boolean;
+  readonly stayInPlace?: boolean;
   readonly vantage?: Vec3;
   /** File of a flight to film. */
   readonly flight?: string;

@@ -186,7 +186,7 @@ export type Graph = Pick<GraphDocument, keyof typeof graphShape>;
  * A document that cannot be read, with the place of the error.
  * @example
  * try {
- *   parseDocument('{ "format": "slowlight", "version": 4, "nodes": 7 }');
+ *   parseDocument('{ "format": "slowlight", "version": 5, "nodes": 7 }');
  * } catch (error) {
  *   error instanceof DocumentError && error.message.startsWith('nodes:'); // true
  * }
@@ -203,7 +203,7 @@ export const emptyGraph = (): Graph => ({ nodes: {}, edges: {}, layout: {}, note
 /**
  * A project without nodes.
  * @example
- * emptyDocument(); // { format: 'slowlight', version: 4 }
+ * emptyDocument(); // { format: 'slowlight', version: 5 }
  */
 export const emptyDocument = (): GraphDocument => ({
   format: 'slowlight',

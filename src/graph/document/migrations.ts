@@ -1,4 +1,4 @@
-export const CURRENT_VERSION = 4;
+export const CURRENT_VERSION = 5;
 
 type Migration = (data: Record<string, unknown>) => Record<string, unknown>;
 
@@ -6,7 +6,8 @@ type Migration = (data: Record<string, unknown>) => Record<string, unknown>;
 const MIGRATIONS: Readonly<Record<number, Migration>> = {
   1: migrateAdaptToMetering,
   2: migrateToGroupsAndGeometry,
-  3: migrateToDeferredLighting,
+  3: (data) => migrateLevels(data, withDeferredLighting),
+  4: (data) => migrateLevels(data, withStayInPlace),
 };
 
 /** Migrates parsed JSON to the current version; anything that is not a document is left for the schema to refuse. */
@@ -70,16 +71,16 @@ function migrateToGroupsAndGeometry(data: Record<string, unknown>): Record<strin
   return { ...data, edges: all, notes: {}, frames: {}, groups: {}, files: {} };
 }
 
-/** 3 → 4: a G-buffer is shaded by a node before its tone map, and false colours are a node after it. */
-function migrateToDeferredLighting(data: Record<string, unknown>): Record<string, unknown> {
+/** Migrates the document's own level and those of its groups. */
+function migrateLevels(data: Record<string, unknown>, migrated: Migration): Record<string, unknown> {
   const { groups } = data;
-  if (!isRecord(groups)) return migrateLevel(data);
-  const inside = Object.entries(groups).map(([id, group]) => [id, isRecord(group) ? migrateLevel(group) : group]);
-  return { ...migrateLevel(data), groups: Object.fromEntries(inside) };
+  if (!isRecord(groups)) return migrated(data);
+  const inside = Object.entries(groups).map(([id, group]) => [id, isRecord(group) ? migrated(group) : group]);
+  return { ...migrated(data), groups: Object.fromEntries(inside) };
 }
 
-/** One level of a document. */
-function migrateLevel(level: Record<string, unknown>): Record<string, unknown> {
+/** 3 → 4: a G-buffer is shaded by a node before its tone map, and false colours are a node after it. */
+function withDeferredLighting(level: Record<string, unknown>): Record<string, unknown> {
   if (!isRecord(level.nodes) || !isRecord(level.edges)) return level;
   let made: LevelData = { nodes: level.nodes, edges: level.edges, layout: isRecord(level.layout) ? level.layout : {} };
   for (const [id, node] of Object.entries(level.nodes)) if (isToneMap(node)) made = withLighting(made, id, node);
@@ -156,6 +157,26 @@ function withoutShadows({ params, ...node }: { readonly params: Record<string, u
   const { shadows: _, ...rest } = params;
   return { ...node, params: rest };
 }
+
+/** 4 → 5: the parameter `hold` of films became `stayInPlace`, because *Hold* is something else. */
+function withStayInPlace(level: Record<string, unknown>): Record<string, unknown> {
+  const { nodes, edges } = level;
+  if (!isRecord(nodes) || !isRecord(edges)) return level;
+  const renamed = Object.entries(nodes).map(([id, node]) => {
+    if (!isFilm(node) || !Object.hasOwn(node.params, 'hold')) return [id, node];
+    const { hold, ...params } = node.params;
+    return [id, { ...node, params: { ...params, stayInPlace: hold } }];
+  });
+  const led = Object.entries(edges).map(([key, edge]) => {
+    if (!isRecord(edge) || !isRecord(edge.to) || edge.to.input !== 'hold') return [key, edge];
+    const node = stringOrEmpty(edge.to.node);
+    return isFilm(nodes[node]) ? edgeEntry(edge.from, node, 'stayInPlace') : [key, edge];
+  });
+  return { ...level, nodes: Object.fromEntries(renamed), edges: Object.fromEntries(led) };
+}
+
+const isFilm = (node: unknown): node is { params: Record<string, unknown> } =>
+  isRecord(node) && node.type === 'save-video' && isRecord(node.params);
 
 /** Non-strings are left for the schema to refuse. */
 const stringOrEmpty = (value: unknown): string => (typeof value === 'string' ? value : '');

@@ -2271,7 +2271,7 @@ const messages: Translation['messages'] = {
     '固有时：观察者所带时钟的时间；观察者乘坐运动的相机、滑行，或沿飞行记录飞行。',
   'A recorded flight, .flight.json: all of it is filmed, instead of what the camera sees.':
     '一段飞行记录，.flight.json：拍摄其全程，而不是相机所见。',
-  'frames in proper time need an observer who moves: let him ride a moving camera with its own velocity, or coast without being held in place':
+  'frames in proper time need an observer who moves: let him ride a moving camera with its own velocity, or coast without staying in place':
     '按固有时取帧需要运动的观察者：请乘坐运动的相机并使用其自身速度，或不固定位置地滑行',
   "the observer's clock never shows {} s: he is as fast as light": '观察者的时钟永远不会显示 {1} s：他与光一样快',
   '--spacing is for several frames: add --frames FIRST:LAST': '--spacing 用于多帧：请添加 --frames FIRST:LAST',

@@ -40,13 +40,13 @@ describe('pictures for a file', () => {
     expect(await sequence('still', set('still', 'name', 'a.exr'))).toMatchObject({ aovs: ['beauty'] });
   });
 
-  it('are seen by an observer who coasts from the first frame on, unless held', async () => {
+  it('are seen by an observer who coasts from the first frame on, unless he stays in place', async () => {
     const isFilm = await sequence('film', ...fast);
     expect(isFilm.frames.map(({ t }) => t)).toEqual([0.25, 0.375, 0.5, 0.625, 0.75]);
     expect(isFilm.views(0.25)[0].position).toEqual([0, 1, 6]);
     expect(isFilm.views(0.75)[0].position[2]).toBeCloseTo(3, 12);
-    const held = await sequence('film', ...fast, set('film', 'hold', true));
-    expect(held.views(0.75)[0].position).toEqual([0, 1, 6]);
-    expect(velocity(held.views(0.75)[0].u)[2]).toBeCloseTo(-0.6, 12);
+    const staying = await sequence('film', ...fast, set('film', 'stayInPlace', true));
+    expect(staying.views(0.75)[0].position).toEqual([0, 1, 6]);
+    expect(velocity(staying.views(0.75)[0].u)[2]).toBeCloseTo(-0.6, 12);
   });
 });

@@ -35,7 +35,7 @@ function observed(file: ImageOutput | VideoOutput): FramesAndViews {
   const standpoint = {
     // A course is for its velocity: with another one the camera is a place only.
     camera: picture.smooth && !beta ? withCourse(camera, speedOfLight) : camera,
-    hold: isFilm && file.hold,
+    stayInPlace: isFilm && file.stayInPlace,
     ...(beta && { beta }),
     ...(fovY !== undefined && { fovY }),
   };

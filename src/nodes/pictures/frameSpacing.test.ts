@@ -59,7 +59,7 @@ describe('frames in proper time', () => {
     const times = spacedFrames([{ t: 3 }, { t: 7 }], 'proper', setup, C).map(({ t }) => t);
     expect(times[0]).toBeCloseTo(3, 12);
     expect(times[1]).toBeCloseTo(8, 12);
-    expect(() => spaced({ ...setup, hold: true })).toThrow(/who moves/);
+    expect(() => spaced({ ...setup, stayInPlace: true })).toThrow(/who moves/);
     expect(() => spaced({ ...riding(TWIN), beta: [0.1, 0, 0] })).toThrow(/who moves/);
     expect(() => spaced(riding(restingAt([0, 0, 0])))).toThrow(/who moves/);
   });

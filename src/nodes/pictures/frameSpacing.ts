@@ -19,7 +19,7 @@ export function spacedFrames(
   const line = observerWorldLine(setup, c);
   if (!line)
     throw new MessageError(
-      msg`frames in proper time need an observer who moves: let him ride a moving camera with its own velocity, or coast without being held in place`,
+      msg`frames in proper time need an observer who moves: let him ride a moving camera with its own velocity, or coast without staying in place`,
     );
   const setAt = ridesCamera(setup) ? 0 : frames[0]!.t;
   const elapsed = (from: number, to: number): number => properTimeBetween(line, from, to, c);

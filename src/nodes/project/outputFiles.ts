@@ -49,7 +49,7 @@ export interface VideoOutput extends PictureOutput {
   /** Whose clock `from`, `to` and `fps` are of, unless a flight is filmed. */
   readonly spacing: FrameSpacing;
   /** Whether the observer stays in place despite a velocity. */
-  readonly hold: boolean;
+  readonly stayInPlace: boolean;
   /** What is filmed instead of the project's observer: `from` and `to` are then of the clock that `spacing` names, from its beginning. */
   readonly flight?: FlightRecording;
 }

@@ -42,7 +42,7 @@ describe('the nodes that save pictures', () => {
     expect(picture.speedOfLight).toBe(10);
     const size = { width: 64, height: 48 };
     expect(files.get('still')).toEqual({ kind: 'image', name: 'picture.png', picture, ...size, samples: 2, time: 0.5 });
-    const span = { from: 0.25, to: 0.75, fps: 8, spacing: 'world', hold: false };
+    const span = { from: 0.25, to: 0.75, fps: 8, spacing: 'world', stayInPlace: false };
     expect(files.get('film')).toEqual({ kind: 'video', name: 'film.mp4', picture, ...size, samples: 1, ...span });
   });
 

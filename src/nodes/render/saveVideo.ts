@@ -60,7 +60,7 @@ export const saveVideoNode = defineNode({
         { value: 'proper', title: msg`Proper time` },
       ],
     },
-    hold: {
+    stayInPlace: {
       kind: 'boolean',
       title: msg`Observer stays in place`,
       help: msg`On: the picture has the observer’s velocity, from a fixed position. Off: the observer coasts.`,
@@ -71,7 +71,11 @@ export const saveVideoNode = defineNode({
   },
   inputs: { image: { type: 'image' } },
   outputs: { image: { type: 'image' }, file: { type: 'file', title: msg`File` } },
-  async evaluate({ image }, { name, width, height, flight, spacing, hold, samples, ...range }, { node, services }) {
+  async evaluate(
+    { image },
+    { name, width, height, flight, spacing, stayInPlace, samples, ...range },
+    { node, services },
+  ) {
     const called = checkedFileName(name, ['mp4', 'gif', 'png', 'exr'], node);
     const picture = pictureToSave(image, called, node);
     const { startTime, endTime, timeCodesPerSecond } = picture.scene;
@@ -83,7 +87,17 @@ export const saveVideoNode = defineNode({
     if (kind === 'mp4') assertEvenSize({ width, height }, node);
     else if (kind === 'gif') assertGif({ width, height, fps: span.fps }, node);
     else assertFrameNumber(called, node);
-    const film = { kind: 'video', name: called, picture, width, height, samples, spacing, hold, ...span } as const;
+    const film = {
+      kind: 'video',
+      name: called,
+      picture,
+      width,
+      height,
+      samples,
+      spacing,
+      stayInPlace,
+      ...span,
+    } as const;
     return { image, file: { ...film, ...(flown && { flight: flown.flight }) } };
   },
 });

@@ -23,7 +23,7 @@ export interface ObserverSetup {
   /** [rad] */
   readonly fovY?: number;
   /** Keeps the position in spite of the velocity, as the lock `look`. */
-  readonly hold?: boolean;
+  readonly stayInPlace?: boolean;
   /** As in `ViewPoint` [m]. */
   readonly vantage?: Vec3;
 }
@@ -34,14 +34,14 @@ export const ridesCamera = ({ camera, position }: Pick<ObserverSetup, 'camera' |
 
 /**
  * The path of an observer who starts at world time `start` [s]; c [m/s]. He rides on a moving camera; otherwise he coasts from his position with his velocity, or
- * holds it.
+ * stays there.
  */
 export function observerPathFrom(setup: ObserverSetup, c: number, start: number): ObserverPath {
-  const { camera, beta, position, orientation, fovY, hold, vantage } = setup;
+  const { camera, beta, position, orientation, fovY, stayInPlace, vantage } = setup;
   const moves = ridesCamera(setup);
   return (t) => {
     const carried = observerFromCamera(camera, t, c);
-    const drift = moves || hold || !beta ? 0 : c * (t - start);
+    const drift = moves || stayInPlace || !beta ? 0 : c * (t - start);
     return {
       t,
       position: addScaled(position ?? carried.position, beta ?? ZERO, drift),
@@ -55,11 +55,11 @@ export function observerPathFrom(setup: ObserverSetup, c: number, start: number)
 
 /**
  * The world line along which the observer of a setup carries his clock, up to its place; undefined for one who is at rest, or whose velocity is not
- * that of his path: he is held in place, or rides with a velocity that is not the camera's.
+ * that of his path: he stays in place, or rides with a velocity that is not the camera's.
  */
 export function observerWorldLine(setup: ObserverSetup, c: number): WorldLine | undefined {
-  const { camera, beta, hold } = setup;
+  const { camera, beta, stayInPlace } = setup;
   if (ridesCamera(setup)) return beta ? undefined : riddenLine(camera);
-  if (hold || !beta || length(beta) === 0) return undefined;
+  if (stayInPlace || !beta || length(beta) === 0) return undefined;
   return { kind: 'uniform', position: ZERO, velocity: scale(beta, c) };
 }

@@ -36,7 +36,7 @@ export const saveFilm = ({ editor, backend, flight, spacing, name }: FilmOptions
         from: 0,
         to: filmClockOf(new FlightPlayback(flight), spacing).duration,
         spacing,
-        hold: false,
+        stayInPlace: false,
         flight,
       };
     },
