@@ -153,7 +153,12 @@ describe('the flight deck', () => {
     await deck.getByRole('textbox', { name: 'Height of the eye above it [m]' }).fill('1.5');
     await expect.poll(() => deck.locator('[data-contact=preparing]').count()).toBe(0);
     const before = await (await visit.finest()).pixels();
+    // What is held is let go.
+    await deck.getByRole('switch', { name: 'Hold what you see' }).press('Space');
+    const held = page.locator('[data-held]');
+    await held.waitFor();
     await deck.getByRole('button', { name: 'Come down to the ground' }).press('Enter');
+    await held.waitFor({ state: 'detached' });
     await expect.poll(async () => difference(await visit.pixels(), before)).toBeGreaterThan(1);
     const { violations } = await new AxeBuilder({ page }).include('[data-flight-deck]').analyze();
     expect(violations).toEqual([]);
@@ -182,7 +187,10 @@ describe('the flight deck', () => {
     await hold(page, ['w', 'ArrowLeft'], () => expect.poll(() => visit.speed()).toBeGreaterThan(0.1));
     await page.keyboard.press('k');
     const seen = await openDeck(visit);
+    await deck.getByRole('switch', { name: 'Hold what you see' }).press('Space');
+    await page.locator('[data-held]').waitFor();
     await seen.getByRole('button', { name: 'Replay' }).click();
+    await page.locator('[data-held]').waitFor({ state: 'detached' });
     const time = seen.getByRole('slider', { name: 'Time of the flight' });
     await expect.poll(async () => Number(await time.getAttribute('aria-valuenow'))).toBeGreaterThan(0);
     await time.focus();

@@ -111,7 +111,8 @@ function GroundControls({ deck, state: { ground, eyeHeight, contact } }: DeckPro
             variant="default"
             disabled={contact === 'preparing'}
             onClick={() => {
-              // Who rides a camera leaves it.
+              // Who holds what he sees goes on from his eye, and who rides a camera leaves it.
+              observerController.held?.end();
               observerController.place({});
               deck.comeDown();
             }}

@@ -83,12 +83,14 @@ export function FlightRecorderControls({ deck, state }: RecorderProps): ReactNod
 function Replay({ deck, state }: RecorderProps): ReactNode {
   const { t } = useTexts();
   const editor = useEditor();
-  const { backend } = useServices();
+  const { backend, observerController } = useServices();
   const busy = useSaving(({ job }) => job !== undefined);
   const [spacing, setSpacing] = useState<FrameSpacing>('proper');
   const { flight, duration, shown, replaying } = state;
   if (!flight) return null;
   const at = shown ?? 0;
+  /** What is held is let go: a replay shows what its pilot saw. */
+  const letGo = (): void => observerController.held?.end();
   const name = (extension: string): string => fileName(projectName(editor.store.getState()), extension);
   return (
     <>
@@ -97,7 +99,10 @@ function Replay({ deck, state }: RecorderProps): ReactNode {
           size="compact-xs"
           variant="light"
           leftSection={replaying ? <IconPlayerPauseFilled size={13} /> : <IconPlayerPlayFilled size={13} />}
-          onClick={() => deck.toggleReplay()}
+          onClick={() => {
+            letGo();
+            deck.toggleReplay();
+          }}
         >
           {replaying ? t(msg`Pause`) : t(msg`Replay`)}
         </Button>
@@ -115,7 +120,10 @@ function Replay({ deck, state }: RecorderProps): ReactNode {
         thumbLabel={t(msg`Time of the flight`)}
         thumbValueText={formatSeconds(at)}
         value={at}
-        onChange={(time) => deck.show(time)}
+        onChange={(time) => {
+          letGo();
+          deck.show(time);
+        }}
       />
       <Group gap={6}>
         <DeckButton
