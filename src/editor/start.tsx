@@ -8,7 +8,6 @@ import './editor.css';
 import { MantineProvider } from '@mantine/core';
 import { type ReactNode, StrictMode, useEffect } from 'react';
 import type { Root } from 'react-dom/client';
-import { openWebGpu } from '../compute/computeDevice.ts';
 import type { LessonPlace } from '../lessons/lessonAddress.ts';
 import type { Backend } from '../render/settings.ts';
 import { EditorApp } from './EditorApp.tsx';
@@ -57,7 +56,7 @@ export async function startEditor(root: Root, { backend: wanted, lesson, ...aske
       readFont,
       readFile: fileReader(localFiles),
       renderStill: renderStillInWorker,
-      openGpu: openWebGpu,
+      openGpu: async () => (await import('../compute/computeDevice.ts')).openWebGpu(),
     },
     project,
     playing,

@@ -96,8 +96,15 @@ it('shows clocks as they are seen and as they are, and compares events that are 
   await name('3').press('Enter');
   await name('arrival').waitFor();
   await name('1').fill('arrival');
+  await page.getByText('Another event has this name').waitFor();
+  expect(await name('1').getAttribute('aria-invalid')).toBe('true');
+  expect(await violations(visit)).toEqual([]);
   await name('1').press('Enter');
-  await visit.refusals.filter({ hasText: 'there are two of the name "arrival"' }).waitFor();
+  expect(await name('1').inputValue()).toBe('arrival');
+  await name('1').press('Escape');
+  expect(await name('1').inputValue()).toBe('1');
+  expect(await name('1').getAttribute('aria-invalid')).toBe('false');
+  expect(await visit.refusals.count()).toBe(0);
 
   await page.getByRole('combobox', { name: 'Add the clock of an object' }).click();
   await page.getByRole('option', { name: '/Post' }).click();

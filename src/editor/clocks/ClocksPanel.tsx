@@ -4,6 +4,7 @@ import { lazy, type ReactNode, Suspense, useMemo, useState } from 'react';
 import { chosenObjects, thingPaths } from '../../diagrams/diagramLines.ts';
 import { suggestedPaths } from '../../diagrams/suggestedPaths.ts';
 import { seenVelocity } from '../../flight/arc.ts';
+import type { EventMark } from '../../graph/document/document.ts';
 import { type LocalizedText, msg } from '../../messages/message.ts';
 import { CLOCK_ABSENCES } from '../../scene/clocks/absences.ts';
 import { type Clock, objectClocks } from '../../scene/clocks/clock.ts';
@@ -16,7 +17,6 @@ import {
   readClock,
   worldReadings,
 } from '../../scene/clocks/readClock.ts';
-import { type ClockMark, markOwn, markSeen } from '../../scene/clocks/stopwatch.ts';
 import { formatNumber, formatSeconds } from '../format.ts';
 import { useTexts } from '../language/languageStore.ts';
 import { ObjectSelect } from '../panels/ObjectSelect.tsx';
@@ -24,13 +24,14 @@ import { useServices } from '../services.tsx';
 import { useEditor, useEditorState, useTelemetry } from '../state/context.tsx';
 import { SignButton } from './SignButton.tsx';
 import { Stopwatch } from './Stopwatch.tsx';
+import { markOwn, markSeen } from './stopwatch.ts';
 
 /** Loaded when the labels are first shown. */
 const ClockLabels = lazy(() => import('./ClockLabels.tsx'));
 
 /** Things whose clocks are shown unless others are chosen, and clocks and marked events of one table. */
 const [SUGGESTED, MAX_CLOCKS, MAX_MARKS] = [4, 40, 200];
-const NO_MARKS: readonly ClockMark[] = [];
+const NO_MARKS: readonly EventMark[] = [];
 
 /** Clocks of the ship, of the world and of chosen objects, and a stopwatch. */
 export default function ClocksPanel(): ReactNode {
@@ -51,9 +52,9 @@ export default function ClocksPanel(): ReactNode {
     const all = scene ? objectClocks(chosenObjects(scene, paths), c) : [];
     return all.filter(({ path }) => paths.includes(path));
   }, [scene, paths, c]);
-  const setMarks = (changed: readonly ClockMark[]) =>
+  const setMarks = (changed: readonly EventMark[]) =>
     editor.edit({ kind: 'set-marks', marks: changed }, msg`change the marked events`);
-  const keep = (mark: ClockMark | ClockAbsence) => {
+  const keep = (mark: EventMark | ClockAbsence) => {
     if (typeof mark === 'string')
       editor.notify({ kind: 'info', text: msg`Nothing is marked: the clock is ${CLOCK_ABSENCES[mark]}` });
     else if (marks.length >= MAX_MARKS)
@@ -103,7 +104,7 @@ export default function ClocksPanel(): ReactNode {
 }
 
 /** The number after the greatest that is a name. */
-const nextName = (marks: readonly ClockMark[]): string =>
+const nextName = (marks: readonly EventMark[]): string =>
   String(1 + Math.max(0, ...marks.map(({ name }) => Number(name) || 0)));
 
 interface TableProps {

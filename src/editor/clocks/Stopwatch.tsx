@@ -1,17 +1,18 @@
 import { Button, Group, Select, Text } from '@mantine/core';
-import { type ReactNode, useState } from 'react';
+import { type ReactNode, useId, useState } from 'react';
+import type { EventMark } from '../../graph/document/document.ts';
 import { type Message, msg } from '../../messages/message.ts';
-import { type ClockMark, compareMarks, type MarkDifference, marksCsv } from '../../scene/clocks/stopwatch.ts';
 import { formatLength, formatNumber, formatSeconds } from '../format.ts';
 import { useTexts } from '../language/languageStore.ts';
 import { useEditor } from '../state/context.tsx';
 import { SignButton } from './SignButton.tsx';
+import { compareMarks, type MarkDifference, marksCsv } from './stopwatch.ts';
 
 interface StopwatchProps {
-  readonly marks: readonly ClockMark[];
+  readonly marks: readonly EventMark[];
   /** [m/s] */
   readonly speedOfLight: number;
-  readonly onChange: (marks: readonly ClockMark[]) => void;
+  readonly onChange: (marks: readonly EventMark[]) => void;
 }
 
 /** Marked events, and what lies between two of them. */
@@ -36,6 +37,7 @@ export function Stopwatch({ marks, speedOfLight, onChange }: StopwatchProps): Re
               <th scope="row">
                 <MarkName
                   name={mark.name}
+                  taken={(name) => marks.some((other) => other !== mark && other.name === name)}
                   onChange={(name) => onChange(marks.map((other) => (other === mark ? { ...mark, name } : other)))}
                 />
                 <small>{mark.thing ?? t(msg`Ship`)}</small>
@@ -62,30 +64,48 @@ export function Stopwatch({ marks, speedOfLight, onChange }: StopwatchProps): Re
 /** [characters] */
 const LONGEST_NAME = 40;
 
-/** A name that can be written over: leaving the field or Enter accepts it, Escape cancels. */
-function MarkName({ name, onChange }: { readonly name: string; readonly onChange: (name: string) => void }): ReactNode {
+interface MarkNameProps {
+  readonly name: string;
+  /** Whether another event has a name. */
+  readonly taken: (name: string) => boolean;
+  readonly onChange: (name: string) => void;
+}
+
+/** A name that can be written over: leaving the field or Enter accepts it, Escape cancels. A name of another event is not accepted, and left with the field. */
+function MarkName({ name, taken, onChange }: MarkNameProps): ReactNode {
   const { t } = useTexts();
+  const problem = useId();
   const [typed, setTyped] = useState<string>();
+  const written = typed?.trim();
+  const isTaken = written !== undefined && taken(written);
   const commit = () => {
-    const written = typed?.trim();
-    if (written && written !== name) onChange(written);
+    if (written && written !== name && !isTaken) onChange(written);
     setTyped(undefined);
   };
   return (
-    <input
-      className="sl-clocks-rename"
-      aria-label={t(msg`Name of the event ${name}`)}
-      maxLength={LONGEST_NAME}
-      size={1}
-      spellCheck={false}
-      value={typed ?? name}
-      onChange={(event) => setTyped(event.currentTarget.value)}
-      onBlur={commit}
-      onKeyDown={({ key }) => {
-        if (key === 'Enter') commit();
-        if (key === 'Escape') setTyped(undefined);
-      }}
-    />
+    <>
+      <input
+        className="sl-clocks-rename"
+        aria-label={t(msg`Name of the event ${name}`)}
+        aria-invalid={isTaken}
+        aria-describedby={isTaken ? problem : undefined}
+        maxLength={LONGEST_NAME}
+        size={1}
+        spellCheck={false}
+        value={typed ?? name}
+        onChange={(event) => setTyped(event.currentTarget.value)}
+        onBlur={commit}
+        onKeyDown={({ key }) => {
+          if (key === 'Enter' && !isTaken) commit();
+          if (key === 'Escape') setTyped(undefined);
+        }}
+      />
+      {isTaken && (
+        <span id={problem} className="sl-clocks-problem" role="alert">
+          {t(msg`Another event has this name`)}
+        </span>
+      )}
+    </>
   );
 }
 

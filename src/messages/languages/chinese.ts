@@ -3062,6 +3062,7 @@ const messages: Translation['messages'] = {
   'change the marked events': '更改已标记的事件',
   '{} events are marked; remove one first': '已标记 {1} 个事件；请先移除一个',
   'Name of the event {}': '事件 {1} 的名称',
+  'Another event has this name': '另一个事件已用此名称',
   'Add the clock of an object': '添加物体的时钟',
   'Add the clock of an object…': '添加物体的时钟…',
   'Nothing is marked: the clock is {}': '没有标记：该时钟{1}',

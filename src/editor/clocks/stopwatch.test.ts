@@ -1,12 +1,13 @@
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
 import { properVelocityUpTo, uniform } from '../../../tests/support/physicsArbitraries.ts';
+import type { EventMark } from '../../graph/document/document.ts';
 import { scale, type Vec3, ZERO } from '../../math/vec3.ts';
 import { gamma, properVelocity, velocity } from '../../physics/lorentz/boost.ts';
-import { FOREVER, restingAt } from '../defaults.ts';
-import { originWorldLine } from '../motion/motion.ts';
-import type { Clock } from './clock.ts';
-import { type ClockMark, compareMarks, markOwn, markSeen, marksCsv } from './stopwatch.ts';
+import type { Clock } from '../../scene/clocks/clock.ts';
+import { FOREVER, restingAt } from '../../scene/defaults.ts';
+import { originWorldLine } from '../../scene/motion/motion.ts';
+import { compareMarks, markOwn, markSeen, marksCsv } from './stopwatch.ts';
 
 const c = 10;
 const still = (position: Vec3): Clock => ({
@@ -19,7 +20,7 @@ const coasting = (u: Vec3, tau: number) => ({
   u,
   properTime: tau,
 });
-const seen = (name: string, clock: Clock, observer: ReturnType<typeof coasting>): ClockMark => {
+const seen = (name: string, clock: Clock, observer: ReturnType<typeof coasting>): EventMark => {
   const mark = markSeen(name, clock, observer, c);
   if (typeof mark === 'string') throw new Error(mark);
   return mark;
@@ -54,7 +55,7 @@ describe('two marked events', () => {
 
   it('that are spacelike follow each other one way or the other, as the observer moves', () => {
     const u = properVelocity([0.6, 0, 0]);
-    const mark = (time: number, x: number): ClockMark => ({
+    const mark = (time: number, x: number): EventMark => ({
       ...markOwn('', { t: time, position: [x, 0, 0], u, properTime: 0 }),
     });
     // Δt′ = γ(Δt − βΔx/c) = 1.25 (0.1 − 0.3) s.

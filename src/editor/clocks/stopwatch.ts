@@ -1,28 +1,12 @@
-import { distance, sub, type Vec3 } from '../../math/vec3.ts';
+import type { EventMark } from '../../graph/document/document.ts';
+import { distance, sub } from '../../math/vec3.ts';
 import { boost, velocity } from '../../physics/lorentz/boost.ts';
 import { type FourVector, fourVector, interval } from '../../physics/lorentz/fourVector.ts';
-import type { Clock } from './clock.ts';
-import { type ClockAbsence, type ClockObserver, readClock } from './readClock.ts';
-
-/** An event that an observer has marked: of his own, or of a thing as he sees it. */
-export interface ClockMark {
-  readonly name: string;
-  /** Path of the thing at which it happened; absent: at the observer. */
-  readonly thing?: string | undefined;
-  /** World time [s]. */
-  readonly time: number;
-  /** World frame [m]. */
-  readonly position: Vec3;
-  /** What the clock that was there showed [s]. */
-  readonly properTime: number;
-  /** What the observer's own clock showed when he marked it [s]. */
-  readonly ownTime: number;
-  /** His γβ then, world frame. */
-  readonly u: Vec3;
-}
+import type { Clock } from '../../scene/clocks/clock.ts';
+import { type ClockAbsence, type ClockObserver, readClock } from '../../scene/clocks/readClock.ts';
 
 /** Marks the observer's own event. */
-export const markOwn = (name: string, { t, position, properTime, u }: ClockObserver): ClockMark => ({
+export const markOwn = (name: string, { t, position, properTime, u }: ClockObserver): EventMark => ({
   name,
   time: t,
   position,
@@ -32,7 +16,7 @@ export const markOwn = (name: string, { t, position, properTime, u }: ClockObser
 });
 
 /** Marks what the observer sees of a thing: the event that its light left; or says why nothing is seen. c [m/s]. */
-export function markSeen(name: string, clock: Clock, observer: ClockObserver, c: number): ClockMark | ClockAbsence {
+export function markSeen(name: string, clock: Clock, observer: ClockObserver, c: number): EventMark | ClockAbsence {
   const { seen } = readClock(clock, observer, c);
   if (typeof seen === 'string') return seen;
   const { time, position, properTime } = seen;
@@ -66,7 +50,7 @@ const ROUNDINGS = 64;
  * What lies between two marked events. Whether light goes from one to the other is told within the rounding of their coordinates.
  * c [m/s]. docs/physics.md §5.7.
  */
-export function compareMarks(a: ClockMark, b: ClockMark, c: number): MarkDifference {
+export function compareMarks(a: EventMark, b: EventMark, c: number): MarkDifference {
   const offset = sub(b.position, a.position);
   const X = fourVector(c * (b.time - a.time), offset);
   const between = interval([0, 0, 0, 0], X);
@@ -90,15 +74,15 @@ function separateness([ct, ...x]: FourVector, between: number, error: number): S
 }
 
 /** The size of the numbers that say where a mark is [m]. */
-const extent = ({ time, position }: ClockMark, c: number): number => c * Math.abs(time) + Math.hypot(...position);
+const extent = ({ time, position }: EventMark, c: number): number => c * Math.abs(time) + Math.hypot(...position);
 
 const COLUMNS = 'name,thing,world time [s],x [m],y [m],z [m],its clock [s],own clock [s],vx [c],vy [c],vz [c]';
 
 /** Marked events as a table of comma-separated values, in the words of programs; the last columns are the observer's velocity. */
-export const marksCsv = (marks: readonly ClockMark[]): string =>
+export const marksCsv = (marks: readonly EventMark[]): string =>
   [COLUMNS, ...marks.map(rowOf)].map((line) => `${line}\n`).join('');
 
-function rowOf({ name, thing = '', time, position, properTime, ownTime, u }: ClockMark): string {
+function rowOf({ name, thing = '', time, position, properTime, ownTime, u }: EventMark): string {
   return [quoted(name), quoted(thing), time, ...position, properTime, ownTime, ...velocity(u)].join();
 }
 
