@@ -33,6 +33,16 @@ def Sphere "Other"
     uniform token slowlight:motion = "uniform"
     vector3d slowlight:velocity = (5, 0, 0)
 }
+def Cube "Wall"
+{
+    double3 xformOp:translate = (-10, 0, -20)
+    uniform token[] xformOpOrder = ["xformOp:translate"]
+}
+def Sphere "Hidden"
+{
+    double3 xformOp:translate = (-20, 0, -40)
+    uniform token[] xformOpOrder = ["xformOp:translate"]
+}
 def Cube "Post"
 {
     double3 xformOp:translate = (0, 3, -20)
@@ -106,18 +116,27 @@ it('shows clocks as they are seen and as they are, and compares events that are 
   expect(await name('1').getAttribute('aria-invalid')).toBe('false');
   expect(await visit.refusals.count()).toBe(0);
 
-  await page.getByRole('combobox', { name: 'Add the clock of an object' }).click();
-  await page.getByRole('option', { name: '/Post' }).click();
+  const add = async (path: string) => {
+    await page.getByRole('combobox', { name: 'Add the clock of an object' }).click();
+    await page.getByRole('option', { name: path }).click();
+  };
+  // Behind the wall.
+  await add('/Hidden');
+  await page.locator('[data-clock="/Hidden"][data-behind] b').waitFor();
+  expect(await page.locator('[data-behind]').count()).toBe(1);
+  await add('/Post');
   expect((await cells('/Post')).map((text) => text.replace(/^.* s/, ''))).toEqual(['D 1.00', '× 1.00', '× 1.00']);
   await visit.shot('clocks');
   expect(await violations(visit)).toEqual([]);
-  await page.getByRole('switch', { name: 'Show them in the picture' }).press('Space');
-  await label.waitFor({ state: 'detached' });
   await page.getByRole('button', { name: 'Remove: /Ball' }).press('Enter');
   await expect.poll(() => page.locator('th[scope=rowgroup]').allTextContents()).not.toContain('/Ball⚑×');
   await page.reload();
+  // The picture shows clocks again, before the panel is opened.
+  await label.locator('b').waitFor();
   await page.getByRole('tab', { name: 'Clocks' }).press('Enter');
   await name('arrival').waitFor();
+  await page.getByRole('switch', { name: 'Show them in the picture' }).press('Space');
+  await label.waitFor({ state: 'detached' });
   await visit.close();
 });
 

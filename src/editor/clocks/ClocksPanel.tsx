@@ -22,6 +22,7 @@ import { useTexts } from '../language/languageStore.ts';
 import { ObjectSelect } from '../panels/ObjectSelect.tsx';
 import { useServices } from '../services.tsx';
 import { useEditor, useEditorState, useTelemetry } from '../state/context.tsx';
+import { loadPreferences, savePreferences } from '../state/preferences.ts';
 import { SignButton } from './SignButton.tsx';
 import { Stopwatch } from './Stopwatch.tsx';
 import { markOwn, markSeen } from './stopwatch.ts';
@@ -39,7 +40,7 @@ export default function ClocksPanel(): ReactNode {
   const editor = useEditor();
   const picture = useEditorState((state) => state.picture);
   const [chosen, setChosen] = useState<readonly string[]>();
-  const [labelled, setLabelled] = useState(false);
+  const [labelled, setLabelled] = useState(() => loadPreferences().clockLabels);
   const marks = useEditorState((state) => state.history.document.marks) ?? NO_MARKS;
   const scene = picture?.scene;
   const c = picture?.speedOfLight ?? 1;
@@ -85,7 +86,10 @@ export default function ClocksPanel(): ReactNode {
           size="xs"
           label={t(msg`Show them in the picture`)}
           checked={labelled}
-          onChange={(event) => setLabelled(event.currentTarget.checked)}
+          onChange={({ currentTarget: { checked: clockLabels } }) => {
+            setLabelled(clockLabels);
+            savePreferences({ ...loadPreferences(), clockLabels });
+          }}
         />
         {labelled && (
           <Suspense>

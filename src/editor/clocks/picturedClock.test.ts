@@ -35,16 +35,24 @@ function crossing(ahead = 12, lifetime?: Lifetime): Clock {
 describe('a clock in the picture, of a ball that crosses at 0.5 c', () => {
   it('is where its light comes from', () => {
     // At 1 s it is at (5, −12), 13 m away, and its light needs 1.3 s.
-    const { place, time } = picturedClock(crossing(), view(2.3), settings, size)!;
+    const { place, time, distance } = picturedClock(crossing(), view(2.3), settings, size)!;
     expect(time).toBeCloseTo(1, 12);
+    expect(distance).toBeCloseTo(13, 12);
     expect(place[0]).toBeCloseTo((1 + 5 / 12 / 2) / 2, 12);
     expect(place[1]).toBeCloseTo(0.5, 12);
   });
 
   it('is nearer to the middle for one who flies at 0.6 c: half the tangent of half the angle', () => {
     // tan(θ/2) = (1 − 12/13)/(5/13) = 1/5; tan θ′ = 2 · 0.1/(1 − 0.01).
-    const { place, time } = picturedClock(crossing(), view(2.3, properVelocity([0, 0, -0.6])), settings, size)!;
+    const { place, time, distance } = picturedClock(
+      crossing(),
+      view(2.3, properVelocity([0, 0, -0.6])),
+      settings,
+      size,
+    )!;
     expect(time).toBeCloseTo(1, 12);
+    // γ(13 + 0.6 · 12): what D = γ(1 + 0.6 · 12/13) makes bluer it puts farther away.
+    expect(distance).toBeCloseTo(1.25 * 20.2, 12);
     expect(place[0]).toBeCloseTo((1 + 20 / 99 / 2) / 2, 12);
   });
 

@@ -2,7 +2,7 @@ import type { Clock } from '../../scene/clocks/clock.ts';
 import { isAlive } from '../../scene/motion/lifetimes.ts';
 import type { PictureSize } from '../../scene/view/pictureViews.ts';
 import type { RenderSettings, ViewPoint } from '../../scene/view/view.ts';
-import { picturedEvent, projectOffset } from '../inspect/projectLine.ts';
+import { picturedDepth, picturedEvent, projectOffset } from '../inspect/projectLine.ts';
 import type { PicturePosition } from '../viewport/legend/legendState.ts';
 
 /** A clock in a picture. */
@@ -11,6 +11,8 @@ export interface PicturedClock {
   readonly place: PicturePosition;
   /** World time of the event that is shown [s]: when its light left, or in a slice when it is there. */
   readonly time: number;
+  /** How far from the camera it is shown [m]. */
+  readonly distance: number;
 }
 
 /**
@@ -31,5 +33,6 @@ export function picturedClock(
     })
     .sort((a, b) => b.time - a.time);
   const place = last && projectOffset(last.offset, viewPoint, settings, size);
-  return place?.every((share) => share >= 0 && share <= 1) ? { place, time: last!.time } : undefined;
+  if (!place?.every((share) => share >= 0 && share <= 1)) return undefined;
+  return { place, time: last!.time, distance: picturedDepth(last!.offset, viewPoint, settings) };
 }

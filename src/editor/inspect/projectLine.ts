@@ -1,5 +1,5 @@
 import { conjugate, rotate } from '../../math/quat.ts';
-import { sub, type Vec3, ZERO } from '../../math/vec3.ts';
+import { length, sub, type Vec3, ZERO } from '../../math/vec3.ts';
 import { hypersurfaceOf } from '../../physics/worldLines/hypersurface.ts';
 import type { SimultaneousEvent } from '../../physics/worldLines/slice.ts';
 import type { WorldLine } from '../../physics/worldLines/worldLine.ts';
@@ -20,16 +20,26 @@ export const picturedEvent = (
 /** Where a picture shows an event that is observer → event `offset`, world frame [m]; undefined behind the camera. */
 export function projectOffset(
   offset: Vec3,
-  { u, orientation, lens, vantage = ZERO }: Omit<ViewPoint, 't' | 'position'>,
+  viewPoint: Omit<ViewPoint, 't' | 'position'>,
   settings: RenderSettings,
   { width, height }: PictureSize,
 ): PicturePosition | undefined {
-  const place = sub(placementIn(settings).position(offset, u), vantage);
-  const [x, y, z] = rotate(conjugate(orientation), place);
+  const { orientation, lens } = viewPoint;
+  const [x, y, z] = rotate(conjugate(orientation), fromCamera(offset, viewPoint, settings));
   if (!(z < 0)) return undefined;
   const { tanX, tanY, center } = frustumOf(lens, width, height);
   return [(1 + (x / -z - center[0]) / tanX) / 2, (1 - (y / -z - center[1]) / tanY) / 2];
 }
+
+/** How far from the camera a picture shows an event that is observer → event `offset`, world frame: its depth [m]. */
+export const picturedDepth = (...shown: Parameters<typeof fromCamera>): number => length(fromCamera(...shown));
+
+/** From the camera, on the axes of the world that the observer's boost carries [m]. */
+const fromCamera = (
+  offset: Vec3,
+  { u, vantage = ZERO }: Pick<ViewPoint, 'u' | 'vantage'>,
+  settings: RenderSettings,
+): Vec3 => sub(placementIn(settings).position(offset, u), vantage);
 
 /** Where a picture shows a point, in front of the camera or not; undefined where it does not: behind the camera or a horizon. */
 export function projectLine(

@@ -7,6 +7,7 @@ import { useTexts } from '../language/languageStore.ts';
 import { ControlsPanel } from '../panels/ControlsPanel.tsx';
 import { useEditor, useEditorState } from '../state/context.tsx';
 import type { EditorState } from '../state/editor.ts';
+import { loadPreferences } from '../state/preferences.ts';
 import { Viewport } from '../viewport/Viewport.tsx';
 
 /** Loaded on demand, so that opening the page does not wait for it. */
@@ -33,9 +34,11 @@ const PANELS = {
 } as const satisfies Record<string, { title: Message; content: ReactNode }>;
 type PanelName = keyof typeof PANELS;
 
-/** The panels behind the controls, which are made when they are first seen. */
+/** The panels behind the controls. */
 const BEHIND = ['scene', 'diagram', 'clocks'] as const satisfies readonly PanelName[];
-const isBehind = (name: string): boolean => (BEHIND as readonly string[]).includes(name);
+/** Whether a panel is made when it is first seen. Clocks that the picture shows are the panel's. */
+const isLate = (name: string): boolean =>
+  (BEHIND as readonly string[]).includes(name) && !(name === 'clocks' && loadPreferences().clockLabels);
 
 const THEMES = {
   light: { name: 'slowlight', className: 'sl-dock', colorScheme: 'light' },
@@ -95,7 +98,7 @@ function useDockview(host: React.RefObject<HTMLDivElement | null>, setElements: 
           element,
           init: ({ api }) => {
             const show = () => setElements((known) => ({ ...known, [name]: element }));
-            if (isBehind(name)) api.onDidVisibilityChange(({ isVisible }) => isVisible && show());
+            if (isLate(name)) api.onDidVisibilityChange(({ isVisible }) => isVisible && show());
             else show();
           },
           dispose: () => setElements(({ [name as PanelName]: _gone, ...left }) => left),

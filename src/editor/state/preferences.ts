@@ -9,6 +9,8 @@ export interface Preferences {
   readonly legend: boolean;
   /** Whether nodes of the graph show pictures. */
   readonly nodePictures: boolean;
+  /** Whether the picture shows clocks. */
+  readonly clockLabels: boolean;
   /** How the user flies, and in what comfort, as the code of the flight deck reads it; absent: as at first. */
   readonly flight?: unknown;
   readonly comfort?: unknown;
@@ -25,6 +27,7 @@ export function loadPreferences(): Preferences {
     captions: kept.captions !== false,
     legend: kept.legend !== false,
     nodePictures: kept.nodePictures !== false,
+    clockLabels: kept.clockLabels === true,
     flight: kept.flight,
     comfort: kept.comfort,
   };
