@@ -127,9 +127,16 @@ it('held: the keys move the camera, and neither the observer nor, unless it play
   const eye = observerController.viewPoint()!;
   toggleHold(editor, observerController);
   expect(observerController.viewPoint()).toEqual({ ...eye, vantage: [0, 0, 0] });
+  const watcher = vi.fn();
+  observerController.watcher = watcher;
   observerController.inputs.press('KeyW');
   observerController.advance(0.5);
   const there = observerController.viewPoint()!;
+  const { vantage, orientation } = there;
+  expect(watcher.mock.lastCall![0].walked).toEqual({
+    before: { vantage: [0, 0, 0], orientation: eye.orientation },
+    after: { vantage, orientation },
+  });
   expect(observerController.observer).toEqual(before);
   expect(there).toMatchObject({ t: before.t, position: before.position, u: before.u });
   expect(Math.hypot(...there.vantage!)).toBeGreaterThan(1);
@@ -139,6 +146,8 @@ it('held: the keys move the camera, and neither the observer nor, unless it play
   observerController.inputs.releaseAll();
   toggleHold(editor, observerController);
   expect(observerController.viewPoint()!.vantage).toBeUndefined();
+  observerController.advance(0.01);
+  expect(watcher.mock.lastCall![0].walked).toBeUndefined();
   expect(editor.store.getState()).toMatchObject({ held: false, playing: true });
   toggleHold(editor, observerController);
   observerController.restart();

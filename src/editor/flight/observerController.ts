@@ -154,10 +154,12 @@ export class ObserverController {
   /** dt [s] of real time. */
   advance(dt: number): void {
     this.takeButtons();
-    const before = this.flight;
+    const { flight: before, held } = this;
+    const from = held?.camera;
     this.move(dt);
     const { lock } = this.editor.store.getState();
-    this.watcher?.({ before, after: this.flight, dt, lock }, this.limits);
+    const walked = from && { before: from, after: held.camera };
+    this.watcher?.({ before, after: this.flight, dt, lock, walked }, this.limits);
   }
 
   private move(dt: number): void {

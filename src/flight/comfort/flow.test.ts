@@ -46,6 +46,21 @@ describe('the flow of a picture', () => {
     expect(pictureFlow({ before: rest, after: pushed, dt, lock: 'fly', distance: far })).toBe(0);
   });
 
+  it('is, for one who walks about in what is held, the rate of his turns and his way past it', () => {
+    const from = { vantage: [1, 0, 0], orientation: fromAxisAngle([0, 1, 0], 2) } as const;
+    const walked = (vantage: Vec3, angle: number) => ({
+      before: from,
+      after: { vantage, orientation: fromAxisAngle([0, 1, 0], 2 + angle) },
+    });
+    const moment = { before: rest, after: rest, dt, lock: 'free', distance: 5 } as const;
+    // 0.5 m of 5 m.
+    expect(pictureFlow({ ...moment, walked: walked([1.3, 0, 0.4], 0) })).toBeCloseTo(0.1 * 60, 12);
+    expect(pictureFlow({ ...moment, walked: walked([1, 0, 0], 0.02) })).toBeCloseTo(1.2, 12);
+    expect(pictureFlow({ ...moment, walked: walked([1, 0, 0], Math.PI / 12) })).toBe(0);
+    const away = { ...rest, orientation: fromAxisAngle([0, 1, 0], 0.1) };
+    expect(pictureFlow({ ...moment, after: away, walked: walked([1, 0, 0], 0) })).toBe(0);
+  });
+
   it('is none while nothing moves', () => {
     expect(pictureFlow({ before: rest, after: rest, dt, lock: 'free', distance: 1 })).toBe(0);
     expect(pictureFlow({ before: rest, after: rest, dt: 0, lock: 'free', distance: 1 })).toBe(0);

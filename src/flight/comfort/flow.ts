@@ -3,6 +3,7 @@ import { length, sub } from '../../math/vec3.ts';
 import type { Lock } from '../arc.ts';
 import { type Boost, gyroscopeRotation, relativeBoost } from '../boost.ts';
 import { type FlightState, observerOf } from '../flightState.ts';
+import type { HeldCamera } from '../hold.ts';
 
 /** What turns or speeds up by more in one moment [rad, rapidity] is a cut, which no eye follows: a turn in steps, a stop at a wall. */
 const CUT = 0.2;
@@ -14,6 +15,8 @@ export interface WatchedMoment {
   /** How long it lasts for who watches [s]. */
   readonly dt: number;
   readonly lock: Lock;
+  /** The camera of one who walks about in what is held, before and after. */
+  readonly walked?: { readonly before: HeldCamera; readonly after: HeldCamera } | undefined;
   /** How far away what is passed is [m]. */
   readonly distance: number;
 }
@@ -25,10 +28,16 @@ const STILL: Boost = { direction: [1, 0, 0], rapidity: 0 };
  *
  *     ω + |a|/c + |Δx|/(d Δτ)
  *
- * Aberration at constant proper acceleration moves the direction at θ′ to it by dθ′/dτ = −(a/c) sin θ′.
+ * Aberration at constant proper acceleration moves the direction at θ′ to it by dθ′/dτ = −(a/c) sin θ′. In what is held it is ω + |Δvantage|/(d Δt):
+ * things stay where they are seen.
  */
-export function pictureFlow({ before, after, dt, lock, distance }: WatchedMoment): number {
+export function pictureFlow({ before, after, dt, lock, walked, distance }: WatchedMoment): number {
   if (!(dt > 0)) return 0;
+  if (walked) {
+    const { before: from, after: to } = walked;
+    const turned = rotationAngle(multiply(to.orientation, conjugate(from.orientation)));
+    return (smooth(turned) + length(sub(to.vantage, from.vantage)) / distance) / dt;
+  }
   // With the lock `fly` the picture is that of one at rest.
   const gained: Boost = lock === 'fly' ? STILL : relativeBoost(after.velocity, before.velocity);
   const gyroscopes = multiply(gyroscopeRotation(before.velocity, gained), before.orientation);

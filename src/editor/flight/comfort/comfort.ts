@@ -3,7 +3,7 @@ import { pictureFlow } from '../../../flight/comfort/flow.ts';
 import { SnapTurn } from '../../../flight/comfort/snapTurn.ts';
 import { nextClosing, VIGNETTES, type VignetteStrength } from '../../../flight/comfort/vignette.ts';
 import { observerOf } from '../../../flight/flightState.ts';
-import { length, sub, type Vec3 } from '../../../math/vec3.ts';
+import { add, length, sub, type Vec3, ZERO } from '../../../math/vec3.ts';
 import type { Editor } from '../../state/editor.ts';
 import { loadPreferences, prefersReducedMotion, savePreferences } from '../../state/preferences.ts';
 import type { ObserverController, Watcher } from '../observerController.ts';
@@ -56,7 +56,8 @@ export class Comfort {
 
   private readonly watch: Watcher = (moment, limits) => {
     if (vignetteOf(this.store.getState()) === 'off') return;
-    const distance = surroundings(limits, observerOf(moment.before).position);
+    const eye = observerOf(moment.before).position;
+    const distance = surroundings(limits, add(eye, moment.walked?.before.vantage ?? ZERO));
     this.closing = nextClosing(this.closing, pictureFlow({ ...moment, distance }), moment.dt);
     const shown = this.closing < LEAST_CHANGE ? 0 : this.closing;
     if (shown === 0 || Math.abs(shown - this.store.getState().closing) > LEAST_CHANGE)
