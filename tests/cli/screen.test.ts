@@ -2,6 +2,8 @@ import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { decode } from 'fast-png';
 import { describe, expect, test } from 'vitest';
+import { OVERLAY_COLORS } from '../../src/spectrum/display/overlayColors.ts';
+import { encodeSrgb } from '../../src/spectrum/display/srgb.ts';
 import { outputFolder, scene, slowlight, slowlightJson } from './program.ts';
 
 const folder = outputFolder();
@@ -82,6 +84,20 @@ describe('false colours', () => {
     expect(differing / a.data.length).toBeLessThan(0.01);
   });
 
+  test('a ghost, past and future have a legend too, below the picture', async () => {
+    const flags = [...still, '--ghost', 'simultaneity', '--past-future', '--beta', '0,0,-0.5'];
+    await render('ghost.png', ...flags);
+    await render('ghost-legend.png', ...flags, '--legend');
+    const [plain, told] = [pictureOf('ghost.png'), pictureOf('ghost-legend.png')];
+    expect(told.height).toBeGreaterThan(plain.height + 30);
+    const { length } = plain.data;
+    expect(told.data.slice(0, length)).toEqual(plain.data);
+    const below = new Set<string>();
+    for (let i = length; i < told.data.length; i += told.channels) below.add(String([...told.data.slice(i, i + 3)]));
+    const colors = Object.values(OVERLAY_COLORS).map((linear) => linear.map((x) => Math.round(255 * encodeSrgb(x))));
+    expect(colors.filter((color) => !below.has(String(color)))).toEqual([]);
+  });
+
   test('are recorded in the file with the observer', async () => {
     const flags = [...still, '--beta', '0,0,-0.5', '--false-colour', 'doppler', '--false-range', '0.5:2'];
     await render('told.png', ...flags, '--pipeline', 'reference');
@@ -100,7 +116,7 @@ describe('false colours', () => {
   });
 
   test.each([
-    [['--legend'], /--legend is for false colours/],
+    [['--legend'], /--legend is for false colours, a ghost, and past and future/],
     [['--false-colour', 'radiance', '--false-range', '0:1'], /logarithmic/],
     [['--false-colour', 'doppler', '--false-range', '2:1'], /the smaller one first/],
     [['--false-colour', 'taste'], /doppler, emission-time, radiance, band/],

@@ -69,6 +69,7 @@ describe('a ghost', () => {
     await legend.getByText('Future, by the world’s clocks').waitFor();
     const status = visit.page.locator('[data-status="unphysical"]');
     await expect.poll(() => status.textContent()).toContain('Ghost, Past and future');
+    expect(await visit.page.getByText('not physical', { exact: true }).count()).toBe(2);
     expect(await seriousViolations(visit)).toEqual([]);
     await visit.shot('ghost');
     await visit.page.setViewportSize({ width: 420, height: 760 });

@@ -2,6 +2,8 @@ import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { type DecodedPng, decode } from 'fast-png';
 import { afterAll, beforeAll, expect, it } from 'vitest';
+import { OVERLAY_COLORS } from '../../src/spectrum/display/overlayColors.ts';
+import { encodeSrgb } from '../../src/spectrum/display/srgb.ts';
 import { colorAt } from '../../src/spectrum/falseColor/falseColor.ts';
 import { type MonitoredPage, Program, shots } from './program.ts';
 
@@ -42,6 +44,11 @@ function differing(a: DecodedPng, b: DecodedPng, { x, y, width, height }: Box): 
 }
 type Box = { x: number; y: number; width: number; height: number };
 
+function pixelsIn(picture: DecodedPng, { x, y, width, height }: Box): readonly Rgb[] {
+  const [columns, rows] = [Math.floor(width), Math.floor(height)];
+  return Array.from({ length: columns * rows }, (_, i) => at(picture, x + (i % columns), y + Math.floor(i / columns)));
+}
+
 it('a saved picture has the displayed legend, at its place, and metadata', async () => {
   const visit = await (await program.open(MOVING, { viewport: { width: WIDTH, height: 600 } })).ready();
   const plain = await save(visit, 'saved-light');
@@ -79,6 +86,33 @@ it('a saved picture has the displayed legend, at its place, and metadata', async
     colorAt('doppler', part, { from: from!, to: to! }).forEach((value, k) => {
       expect(Math.abs(value - shown[k]!)).toBeLessThanOrEqual(6);
     });
+  }
+  await visit.close();
+});
+
+it('a saved picture has the displayed legend of a ghost, and of past and future, at its place', async () => {
+  const visit = await (await program.open(MOVING, { viewport: { width: WIDTH, height: 600 } })).ready();
+  await visit.page.getByRole('combobox', { name: 'Ghost' }).click();
+  await visit.page.getByRole('option', { name: 'Simultaneity' }).click();
+  await visit.page.getByRole('switch', { name: 'Past and future' }).press('Space');
+  const legend = visit.page.locator('[data-overlay-legend]');
+  await legend.getByText('Future').waitFor();
+  await visit.finest();
+  const under = (await visit.viewport.boundingBox())!;
+  const boxOf = async (part: typeof legend): Promise<Box> => {
+    const box = (await part.boundingBox())!;
+    return { ...box, x: box.x - under.x, y: box.y - under.y };
+  };
+  const picture = await save(visit, 'saved-overlay-legend');
+  // Each sign has its colour, and the text beside it is there.
+  for (const [mark, linear] of Object.entries(OVERLAY_COLORS)) {
+    const row = legend.locator('li', { has: visit.page.locator(`[data-mark=${mark}]`) });
+    const sign = await boxOf(row.locator('[data-mark]'));
+    const color = linear.map((x) => Math.round(255 * encodeSrgb(x)));
+    const near = pixelsIn(picture, sign).filter((pixel) => pixel.every((x, k) => Math.abs(x - color[k]!) < 30));
+    expect(near.length, mark).toBeGreaterThan(0.1 * sign.width * sign.height);
+    const text = pixelsIn(picture, await boxOf(row.locator(':scope > :last-child')));
+    expect(new Set(text.map(String)).size, mark).toBeGreaterThan(10);
   }
   await visit.close();
 });

@@ -112,7 +112,7 @@ export function renderCommand(): Command {
       ),
       parseRange,
     )
-    .option('--legend', localized(msg`with --false-colour: add a legend below the picture`))
+    .option('--legend', localized(msg`with --false-colour, --ghost or --past-future: add a legend below the picture`))
     .option(
       '--aov <names>',
       localized(msg`for .exr: data channels to write, comma-separated: ${listed(Object.keys(AOVS))}`),

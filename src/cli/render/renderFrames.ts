@@ -2,9 +2,8 @@ import { extname } from 'node:path';
 import { msg } from '../../messages/message.ts';
 import { flightPath } from '../../nodes/flights/flightPath.ts';
 import { FASTER_THAN_PICTURES, isFasterThanPictures } from '../../nodes/flights/pictureLimit.ts';
-import { outputSize } from '../../nodes/pictures/falseColor.ts';
 import { spacedFrames } from '../../nodes/pictures/frameSpacing.ts';
-import { type PictureSequence, renderPictureSequence } from '../../nodes/pictures/sequence.ts';
+import { outputSize, type PictureSequence, renderPictureSequence } from '../../nodes/pictures/sequence.ts';
 import type { FrameTime } from '../../nodes/project/outputFiles.ts';
 import type { PictureRenderer } from '../../pipelines/pictureRenderer.ts';
 import type { PipelineSession } from '../../pipelines/pipeline.ts';
@@ -67,7 +66,7 @@ export async function renderFrames(
   const settings = { ...renderSettings(flags, c), ...(frameGraph && { frameGraph }) };
   const views = (t: number): PictureViews => [observer(t)];
   const request = { settings, metering, size, aovs, views, frames, falseColour, falseRange, legend };
-  const sink = await openFrameSink({ ...flags, size: outputSize(flags) }, scene);
+  const sink = await openFrameSink({ ...flags, size: outputSize(request) }, scene);
   try {
     progress.show(msg`getting ready to draw …`);
     const session = await openFlaggedSession([scene, ...others], flags, (text) => progress.note(text));
@@ -134,10 +133,16 @@ export function chooseAovs({ output, aov }: RenderFlags): readonly AovName[] {
   return [];
 }
 
-function checkFalseColors({ falseColour, falseRange, legend }: RenderFlags, aovs: readonly AovName[]): void {
+function checkFalseColors(flags: RenderFlags, aovs: readonly AovName[]): void {
+  const { falseColour, falseRange, legend, ghost, pastFuture } = flags;
   if (falseColour === undefined) {
-    const idle = falseRange ? '--false-range' : legend ? '--legend' : undefined;
-    if (idle) throw usageError(msg`${idle} is for false colours: add --false-colour, or leave it out`);
+    if (falseRange) throw usageError(msg`--false-range is for false colours: add --false-colour, or leave it out`);
+    if (legend && ghost === 'none' && !pastFuture)
+      throw usageError(
+        msg`--legend is for false colours, a ghost, and past and future: add --false-colour, --ghost or --past-future, or leave it out`,
+      );
+    if (legend && aovs.length > 0)
+      throw usageError(msg`--legend is below a picture for a screen; an .exr has data instead: leave it out`);
   } else if (aovs.length > 0) {
     throw usageError(msg`--false-colour makes pictures for a screen; an .exr holds the numbers themselves: use --aov`);
   } else if (falseRange && falseColour !== 'emission-time' && falseRange.from <= 0) {

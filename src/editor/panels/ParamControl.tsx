@@ -169,7 +169,12 @@ function ChoiceControl({ spec, set, value, onChange }: ParamProps<ChoiceParam>):
   if (data.length > MAX_SEGMENTS || width > SEGMENTS_WIDTH)
     return (
       <Stack gap={2}>
-        <ParamHeader {...{ spec, id, set, onChange }} />
+        <ParamHeader {...{ spec, id, set, onChange }}>
+          <Unphysical
+            {...{ spec, value }}
+            nature={data.find((option) => option.value === spec.physical)?.label ?? ''}
+          />
+        </ParamHeader>
         <Select
           size="xs"
           aria-label={t(spec.title)}

@@ -47,16 +47,21 @@ export function ResetButton({ set, onChange }: ResetProps): ReactNode {
   );
 }
 
+interface HeaderProps extends ResetProps {
+  readonly spec: ParamSpec;
+  readonly id: string;
+  /** Beside the reset. */
+  readonly children?: ReactNode;
+}
+
 /** Label and reset of a parameter, above a control as wide as the panel. */
-export const ParamHeader = ({
-  spec,
-  id,
-  set,
-  onChange,
-}: ResetProps & { readonly spec: ParamSpec; readonly id: string }): ReactNode => (
+export const ParamHeader = ({ spec, id, children, ...reset }: HeaderProps): ReactNode => (
   <Group gap={4} wrap="nowrap" justify="space-between">
     <ParamLabel spec={spec} id={id} />
-    <ResetButton set={set} onChange={onChange} />
+    <Group gap={6} wrap="nowrap">
+      {children}
+      <ResetButton {...reset} />
+    </Group>
   </Group>
 );
 

@@ -6,13 +6,14 @@ import { projectName } from '../projects/projectNames.ts';
 import type { Editor, EditorState } from '../state/editor.ts';
 import { telemetry } from '../state/telemetry.ts';
 import { drawCrosshair, drawLegend, legendStyleOf } from '../viewport/legend/drawLegend.ts';
+import { drawOverlayLegend } from '../viewport/legend/drawOverlayLegend.ts';
 import { legendStore } from '../viewport/legend/legendState.ts';
 import { legendTexts, pickedPosition, pickedTexts } from '../viewport/legend/legendTexts.ts';
 import type { CapturedPicture } from '../viewport/viewportRenderer.ts';
 import { canvasPng } from './canvasPng.ts';
 import { download } from './download.ts';
 
-/** Saves a displayed picture with the visible legend, under a name with scene, time and speed. */
+/** Saves a displayed picture with the visible legends, under a name with scene, time and speed. */
 export async function savePicture(captured: CapturedPicture, editor: Editor, t: Translate): Promise<void> {
   const { viewPoint, settings } = captured;
   const png = new Uint8Array(await (await composePng(captured, t)).arrayBuffer());
@@ -29,16 +30,18 @@ async function composePng({ image, settings: { falseColors } }: CapturedPicture,
   const context = canvas.getContext('2d')!;
   context.putImageData(image, 0, 0);
   const element = document.querySelector<HTMLElement>('[data-legend]');
-  const picture = document.querySelector<HTMLElement>('[data-viewport]');
-  if (element && picture && falseColors) {
+  const overlays = document.querySelector<HTMLElement>('[data-overlay-legend]');
+  const picture = document.querySelector<HTMLElement>('[data-viewport]')!;
+  const scale = image.width / picture.clientWidth;
+  context.scale(scale, scale);
+  if (element && falseColors) {
     const { crosshair, picked } = legendStore.getState();
-    const scale = image.width / picture.clientWidth;
-    context.scale(scale, scale);
     const told = crosshair &&
       picked && { ...pickedTexts(falseColors.kind, picked, t), part: pickedPosition(falseColors, picked) };
     if (crosshair) drawCrosshair(context, picture.clientWidth, picture.clientHeight);
     drawLegend(context, legendTexts(falseColors, t), legendStyleOf(element, picture), told || undefined);
   }
+  if (overlays) drawOverlayLegend(context, overlays, picture);
   return canvasPng(canvas);
 }
 

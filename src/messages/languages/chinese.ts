@@ -3279,7 +3279,8 @@ const messages: Translation['messages'] = {
     '伪彩色：多普勒因子、相对于观察者的发光时刻、曝光前的亮度，或变为可见光的发射波长',
   'values at both ends of the colour scale; emission-time in seconds, band in metres (default: round numbers that enclose the values of the first picture)':
     '色标两端的值；emission-time 以秒计，band 以米计（默认：包含第一幅图像所有值的整齐数）',
-  'with --false-colour: add a legend below the picture': '与 --false-colour 同用：在图像下方加图例',
+  'with --false-colour, --ghost or --past-future: add a legend below the picture':
+    '与 --false-colour、--ghost 或 --past-future 同用：在图像下方加图例',
   'for .exr: data channels to write, comma-separated: {}': '用于 .exr：要写入的数据通道，以逗号分隔：{1}',
   'for a project: set a parameter of a node; repeatable; vectors as x,y,z':
     '用于项目：设定节点的参数；可重复；向量写为 x,y,z',
@@ -3295,7 +3296,12 @@ const messages: Translation['messages'] = {
     '--no-antialiasing 只在每个像素的中心取一个采样：请去掉它或 --samples',
   '--aov needs a file that can hold data channels: write an .exr, not {}':
     '--aov 需要能保存数据通道的文件：请写为 .exr，而不是 {1}',
-  '{} is for false colours: add --false-colour, or leave it out': '{1} 用于伪彩色：请加上 --false-colour，或去掉它',
+  '--false-range is for false colours: add --false-colour, or leave it out':
+    '--false-range 用于伪彩色：请加上 --false-colour，或去掉它',
+  '--legend is for false colours, a ghost, and past and future: add --false-colour, --ghost or --past-future, or leave it out':
+    '--legend 用于伪彩色、重影以及过去与未来：请加上 --false-colour、--ghost 或 --past-future，或去掉它',
+  '--legend is below a picture for a screen; an .exr has data instead: leave it out':
+    '--legend 位于供屏幕显示的图像下方；.exr 中是数据：请去掉它',
   '--false-colour makes pictures for a screen; an .exr holds the numbers themselves: use --aov':
     '--false-colour 生成供屏幕显示的图像；.exr 保存数值本身：请用 --aov',
   '--false-range: the scale of {} is logarithmic, so that both ends must be above 0':

@@ -1,5 +1,5 @@
 import type { PictureRenderer, PictureRequest, RenderedPicture } from '../../pipelines/pictureRenderer.ts';
-import { falseColorLegendHeight, withFalseColorLegend } from '../../reference/figures/falseColorLegend.ts';
+import { withFalseColorLegend } from '../../reference/figures/falseColorLegend.ts';
 import { AOVS_OF_FALSE_COLOR, falseColorPicture, falseColorValues } from '../../reference/post/falseColor.ts';
 import type { PictureSize } from '../../scene/view/pictureViews.ts';
 import type { FalseColorQuantity, FalseColorScale, ValueRange } from '../../spectrum/falseColor/falseColor.ts';
@@ -12,12 +12,9 @@ export interface FalseColorOptions {
   readonly falseColour?: FalseColorQuantity;
   /** Values at the ends of the colour scale; otherwise round numbers that enclose the first picture's values. */
   readonly falseRange?: ValueRange;
+  /** Whether legends are below the picture: of its false colours, and of what is drawn over it. */
   readonly legend?: boolean;
 }
-
-/** Size of written files, with the legend if there is one. */
-export const outputSize = ({ size, falseColour, legend }: FalseColorOptions): PictureSize =>
-  falseColour && legend ? { ...size, height: size.height + falseColorLegendHeight(size.width, falseColour) } : size;
 
 /** Maps data to false colours for renderers that do not. All frames of a film share the scale of the first. */
 export class FalseColorRenderer {

@@ -1,12 +1,14 @@
 import type { PictureRenderer, PictureRequest, RenderedPicture } from '../../pipelines/pictureRenderer.ts';
+import { falseColorLegendHeight } from '../../reference/figures/falseColorLegend.ts';
 import type { MeteringMode } from '../../scene/settings/settings.ts';
-import type { PictureViews } from '../../scene/view/pictureViews.ts';
+import type { PictureSize, PictureViews } from '../../scene/view/pictureViews.ts';
 import type { AovName, RenderSettings } from '../../scene/view/view.ts';
 import type { FrameTime } from '../project/outputFiles.ts';
 import type { PictureInfo } from './encode.ts';
 import { ExposureMeter } from './exposureMeter.ts';
 import { type FalseColorOptions, FalseColorRenderer } from './falseColor.ts';
 import { FrameGraphSettings } from './frameGraphSettings.ts';
+import { overlayLegendHeight, withOverlayLegend } from './overlayLegend.ts';
 import { PictureMeter } from './pictureMeter.ts';
 
 /** Consecutive pictures of one scene. */
@@ -31,6 +33,16 @@ export interface PictureFrame extends PictureInfo {
   readonly exposure: number;
 }
 
+/** Size of written files, with the legends that are asked for. */
+export function outputSize({ size, falseColour, legend, settings }: LegendOptions): PictureSize {
+  if (!legend) return size;
+  const { width, height } = size;
+  const bar = falseColour ? falseColorLegendHeight(width, falseColour) : 0;
+  return { width, height: height + bar + overlayLegendHeight(width, settings) };
+}
+
+type LegendOptions = Pick<PictureSequence, 'size' | 'falseColour' | 'legend' | 'settings'>;
+
 /**
  * Renders a sequence frame by frame: each frame is metered, and its exposure eased from the previous one's;
  * false-colour scales are those of the first frame. `onPart` gets the number of finished frames, with fractions. Ending
@@ -54,13 +66,18 @@ export async function* renderPictureSequence(
     const metered = request.pixels && showsLight(sequence) ? await exposureMeter.read(request) : 0;
     const exposure = plain.exposure + metered;
     const settings = frameGraphSettings ? await frameGraphSettings.read(request, metered) : { ...plain, exposure };
-    const rendered = await (falseColorRenderer ?? renderer).render({ ...request, settings }, (part) =>
-      onPart(i + part),
-    );
+    const drawn = await (falseColorRenderer ?? renderer).render({ ...request, settings }, (part) => onPart(i + part));
+    const rendered = sequence.legend && request.pixels ? withOverlaysTold(drawn, sequence) : drawn;
     const colors = falseColorRenderer?.colors;
     const finalSettings = colors ? { ...settings, falseColors: colors } : settings;
     yield { ...(number !== undefined && { number }), views, settings: finalSettings, exposure, rendered };
   }
+}
+
+/** With the legend of what is drawn over the picture. */
+function withOverlaysTold(drawn: RenderedPicture, { size: { width }, settings }: LegendOptions): RenderedPicture {
+  const picture = { width, height: drawn.pixels.length / (4 * width), pixels: drawn.pixels };
+  return { ...drawn, pixels: withOverlayLegend(picture, settings).pixels };
 }
 
 /** All others show numbers, which do not depend on exposure. */

@@ -51,6 +51,9 @@ const GLYPHS: Readonly<Record<string, string>> = {
   '(': '2488842',
   ')': '8422248',
   '>': '8421248',
+  '=': '00v0v00',
+  '∞': '00ala00',
+  '’': '4480000',
 };
 
 /** The rows of a letter from the top, each a number of `GLYPH_WIDTH` bits. Lower case is drawn as upper case, unknown letters as blanks. */

@@ -96,7 +96,8 @@ export function drawLegend(context: Context, words: LegendTexts, look: LegendSty
 const clampTo = (value: number, from: number, to: number): number =>
   Math.min(Math.max(value, from), Math.max(from, to));
 
-function drawFrame(context: Context, { x, y, width, ground, line }: LegendStyle, height: number): void {
+/** Ground and border of a legend. */
+export function drawFrame(context: Context, { x, y, width, ground, line }: LegendStyle, height: number): void {
   context.beginPath();
   context.roundRect(x + 0.5, y + 0.5, width - 1, height - 1, 4);
   context.fillStyle = ground;
@@ -106,7 +107,8 @@ function drawFrame(context: Context, { x, y, width, ground, line }: LegendStyle,
   context.stroke();
 }
 
-type Rectangle = readonly [x: number, y: number, width: number, height: number];
+/** [CSS px] */
+export type Rectangle = readonly [x: number, y: number, width: number, height: number];
 
 function drawBar(context: Context, stops: readonly string[], line: string, box: Rectangle): void {
   const [x, , width] = box;
