@@ -13,8 +13,8 @@ const hasOverlay = ({ ghost, pastFuture }: PartSettings): boolean => ghost !== '
 export class PictureParts {
   private readonly uniforms: FrameUniforms;
   private readonly callbacks: Pick<RendererOptions, 'onSamples' | 'onError'>;
-  private readonly overlay = new Part(async () => (await import('./post/display/makeOverlay.ts')).makeOverlay);
-  private readonly runner = new Part(async () => (await import('./frameGraph/frameGraphRunner.ts')).FrameGraphRunner);
+  private readonly overlay = new LazyPart(async () => (await import('./post/display/makeOverlay.ts')).makeOverlay);
+  private readonly runner = new LazyPart(async () => (await import('./frameGraph/frameGraphRunner.ts')).FrameGraphRunner);
 
   /** `onSamples` is called when code is there, `onError` if it cannot be loaded. */
   constructor(uniforms: FrameUniforms, callbacks: Pick<RendererOptions, 'onSamples' | 'onError'>) {
@@ -57,11 +57,11 @@ export class PictureParts {
     return this.overlay.code({ ...own, ...(settings.ghost !== 'none' && { ghost: ghost() }) });
   }
 
-  private neededBy(settings: PartSettings): readonly Part<unknown>[] {
+  private neededBy(settings: PartSettings): readonly LazyPart<unknown>[] {
     return [...(hasOverlay(settings) ? [this.overlay] : []), ...(settings.frameGraph ? [this.runner] : [])];
   }
 
-  private async announced(part: Part<unknown>): Promise<void> {
+  private async announced(part: LazyPart<unknown>): Promise<void> {
     try {
       await part.load();
       this.callbacks.onSamples?.();
@@ -73,7 +73,7 @@ export class PictureParts {
 }
 
 /** Code that is loaded once. */
-class Part<Code> {
+class LazyPart<Code> {
   code: Code | undefined;
   error: unknown;
   loading: Promise<void> | undefined;

@@ -94,7 +94,7 @@ function runKeyAction(
   observerController: ObserverController,
   editor: Editor,
 ): boolean {
-  const { cruise, maximized } = editor.store.getState();
+  const { cruise, maximized, outsideView } = editor.store.getState();
   const deck = async () => (await import('./deck/openDeck.ts')).openDeck(editor, observerController);
   switch (code) {
     case 'Tab':
@@ -114,6 +114,9 @@ function runKeyAction(
       return true;
     case 'KeyH':
       void import('./hold/hold.ts').then(({ toggleHold }) => toggleHold(editor, observerController));
+      return true;
+    case 'KeyO':
+      editor.update({ outsideView: !outsideView });
       return true;
     case 'KeyC':
       editor.update({ cruise: !cruise });

@@ -38,6 +38,7 @@ const COLUMNS: readonly (readonly KeyGroup[])[] = [
         [['Z'], msg`Brake`],
         [[',', '.'], msg`Roll left, right`],
         [['H'], msg`Hold what you see, and walk about in it`],
+        [['O'], msg`Look at yourself and the world from outside`],
         [['K'], msg`Record the flight, or stop`],
         [['R'], msg`Back to the start of the scene`],
         [['B'], msg`Stop, and turn back to the scene`],

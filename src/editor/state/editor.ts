@@ -98,6 +98,8 @@ export interface EditorState {
   readonly flightMode: Message;
   /** Whether what is seen is held still. */
   readonly held?: boolean;
+  /** Whether the world is shown from outside, beside the picture. */
+  readonly outsideView?: boolean;
   /** Whether the rim of the picture darkens while it flows fast. */
   readonly vignette?: boolean;
   readonly playing: boolean;

@@ -13,11 +13,12 @@ import { STAGE_TITLES } from '../state/editor.ts';
 import { loadPreferences, savePreferences } from '../state/preferences.ts';
 import { useViewportRenderer } from './useViewportRenderer.ts';
 
-/** Loaded with the first false colours, with the first ghost, with the first vignette, with what is first held, and with the first tool. */
+/** Loaded when they are first shown. */
 const Legend = lazy(() => import('./legend/Legend.tsx'));
 const OverlayLegend = lazy(() => import('./legend/OverlayLegend.tsx'));
 const Vignette = lazy(() => import('../flight/comfort/Vignette.tsx'));
 const HeldCard = lazy(() => import('../flight/hold/HeldCard.tsx'));
+const OutsideView = lazy(() => import('../outside/OutsideView.tsx'));
 const PictureTools = lazy(() => import('../inspect/PictureTools.tsx'));
 
 /** The picture and its overlays. */
@@ -32,6 +33,7 @@ export function Viewport(): ReactNode {
   const tool = useEditorState((state) => state.tool);
   const vignette = useEditorState((state) => state.vignette);
   const held = useEditorState((state) => state.held);
+  const outsideView = useEditorState((state) => state.outsideView);
   const colors = useLegend((state) => state.colors);
   const overlaid = useEditorState(({ picture }) => picture && (picture.pastFuture || picture.ghost !== 'none'));
   const shown = useEditorState(({ pictureSource }) => pictureSource.origin || pictureSource.source);
@@ -65,6 +67,11 @@ export function Viewport(): ReactNode {
       {held && (
         <Suspense>
           <HeldCard picture={host} />
+        </Suspense>
+      )}
+      {outsideView && (
+        <Suspense>
+          <OutsideView />
         </Suspense>
       )}
       {overlaid && (

@@ -1855,8 +1855,8 @@ const messages: Translation['messages'] = {
     '文本读取第二幅图像，但没有连接：请将一幅图像连到“第二幅图像”',
   'Second image': '第二幅图像',
   '{} has {} bytes; a shader text has {} characters at most': '{1} 有 {2} 字节；着色器文本最多 {3} 个字符',
-  'Blends two images. Split shows them side by side, wipe moves the border between them, and a custom mode is what you write.':
-    '将两幅图像合为一幅。分屏左右并列显示，擦除以移动的边界切换，自定义模式由你编写。',
+  'Blends two images. Split shows them side by side, wipe moves the border between them, inset shows the upper one small in a corner, and a custom mode is what you write.':
+    '将两幅图像合为一幅。分屏左右并列显示，擦除以移动的边界切换，小窗把上层图像缩小后放在角上，自定义模式由你编写。',
   'WGSL: fn effect(p: Pixel) -> vec4f returns the colour of a pixel, from image(offset), which is below, image2(offset), which is above, and arg1, which is alpha. Or GLSL with a void main().':
     'WGSL：fn effect(p: Pixel) -> vec4f 返回像素的颜色，可用下层 image(offset)、上层 image2(offset) 和 arg1（即 alpha）。也可用带 void main() 的 GLSL。',
   'An effect over an image: a built-in one or your own. It can read a second image and the visible surfaces; a mask limits it to where the mask is bright.':
@@ -1912,8 +1912,8 @@ const messages: Translation['messages'] = {
   Mode: '模式',
   'Blends linear light: values brighter than white are kept.': '对光进行混合：比白更亮的保持其亮度。',
   Alpha: '不透明度',
-  'Opacity of the upper image; for split and wipe, position of the border.':
-    '上层图像在结果中的比例；分屏与擦除时为边界的位置。',
+  'Opacity of the upper image; for split and wipe, position of the border; for inset, its share of the picture’s width.':
+    '上层图像在结果中的比例；分屏与擦除时为边界的位置；小窗时为它占画面宽度的比例。',
   'Without folders. .png is as displayed; .exr is radiance before exposure and tone curve.':
     '不含文件夹。.png 如屏幕所示，.exr 为曝光与色调曲线之前的光。',
   'Without folders. .mp4 and .gif are films; .png and .exr are frames, whose numbers replace ####: film.####.png. A .gif repeats for ever, has 256 colours, and frames of whole hundredths of a second, right on average.':
@@ -2863,6 +2863,37 @@ const messages: Translation['messages'] = {
     '画面。单指拖动环顾，双指拖动飞行，三指拖动升降。',
   'Look around with one finger, fly with two': '单指环顾，双指飞行',
   'You have left the scene.': '你已离开场景。',
+  'Look at yourself and the world from outside': '从外部观看自己与世界',
+  'Outside view': '外部视图',
+  Shows: '显示内容',
+  'The world now': '此刻的世界',
+  'What is seen': '看到的东西',
+  Nearer: '靠近',
+  'The world from outside. Arrow keys turn it, + and − come nearer and go away.':
+    '从外部看到的世界。方向键转动，+ 与 − 靠近和远离。',
+  'You, and how far you come from ring to ring': '你，以及光从一环到下一环时你前进的距离',
+  'Rings: {} s of light apart': '圆环：间距为光走 {1} 秒的路程',
+  'Contours of what is seen, where it was': '轮廓线：所见之物当时所在之处',
+  'Contours of the world now': '轮廓线：此刻的世界',
+  Inset: '小窗',
+  'Looks at the world from outside, from beside the observer or from a fixed place: as it is now, or where all that he sees was when its light left. It follows the observer live. The effect “Observer and light rings” draws him.':
+    '从外部观看世界，可在观察者旁边或固定的位置：显示世界此刻的样子，或观察者所见的一切在光离开时的所在。它实时跟随观察者。效果“观察者与光环”把他画出来。',
+  'The world now: where everything is at this moment of the world’s clocks. What is seen: each point where it was when the light left that the observer sees now. Use Relativity rasterize for it.':
+    '此刻的世界：按世界时钟，一切此刻所在之处。看到的东西：每一点都在观察者此刻所见的光离开它时的位置；请配合“相对论光栅化”使用。',
+  Distance: '距离',
+  Azimuth: '方位角',
+  '0: behind one who looks ahead. Positive: to the right of him.': '0：在向前看的人身后。正值：在他右侧。',
+  Elevation: '仰角',
+  'Follows the observer': '跟随观察者',
+  'Off: it stays where it is, and looks at a place of the world.': '关闭：它停在原处，注视世界中的一个位置。',
+  'what an observer sees is drawn from outside by the rasterizer only: light leads to his eye. Show the world as it is now instead, or use another pipeline':
+    '从外部画观察者所见，只有光栅化器能做到：光线通向他的眼睛。请改为显示此刻的世界，或改用别的管线',
+  'Observer and light rings': '观察者与光环',
+  'In a picture from outside: where the observer is, how far he comes while light goes from one ring to the next, and rings on which all is that he sees that many seconds old.':
+    '用于外部视图：观察者所在之处，光从一环走到下一环时他前进的距离，以及圆环：环上的一切，他看到的是相应秒数之前的样子。',
+  'Rings every': '圆环间隔',
+  'Opacity of the rings': '圆环不透明度',
+  'Size of the observer': '观察者大小',
   'Hold what you see, and walk about in it': '定住所见，并在其中走动',
   'What you see is held still: walk about in it.': '所见已定住：可在其中走动。',
   '{} m from your eye': '离你的眼睛 {1} 米',
@@ -3921,7 +3952,7 @@ const examples: Translation['examples'] = {
     of: "God's eye",
     title: '上帝视角',
     lookFor:
-      '从上方看某一瞬间：每样东西都在它此刻所在之处，这是没有人能看到的。红色列车以 0.8 c 经过，长度是静止的黄色列车（构造相同）的 0.6 倍。白色小人是一位观察者，周围的圆环相距一光秒：此刻越过第三环的东西，它要 3 秒后才看到。把“视图”设为“所见”，相机选 /Observer，就能看到它的所见：列车在它曾在的位置，驶来时显得更长。',
+      '从上方看世界的一个瞬间；角上的小窗是观察者（蓝色圆点）在同一瞬间所见。红色列车以 0.8 c 从他身旁驶过，长度是静止的黄色列车（构造相同）的 0.6 倍。此刻越过第三环的东西，他要 3 秒后才看到。比较红色列车实际所在与他所见的位置。飞行时，圆点就是你，箭头是你一秒内前进的距离；若达到 c，它会触到第一环。',
   },
   letters: {
     of: 'Letters',

@@ -29,6 +29,10 @@ export interface Orbit {
 /**
  * A camera on a sphere about the observer (`centre` absent), or about a place of the world [m], that looks at it. At azimuth 0 it is behind one who looks the way
  * in which cameras of files look, −Z, or +Y where Z is up. `up`: the scene's upward direction, unit.
+ * @example
+ * // Ten metres straight behind the observer.
+ * const camera = orbitCamera({ distance: 10, azimuth: 0, elevation: 0, fovY: 1 }, [0, 1, 0]);
+ * camera; // { place: [0, 0, 10], follows: true, orientation: [0, 0, 0, 1] }
  */
 export function orbitCamera({ distance, azimuth, elevation, fovY }: Orbit, up: Vec3, centre?: Vec3): OutsideCamera {
   const back: Vec3 = up[1] === 1 ? [0, 0, 1] : [0, -1, 0];

@@ -37,6 +37,7 @@ export default function FlightDeck(): ReactNode {
   const deck = useMemo(() => openDeck(editor, observerController), [editor, observerController]);
   const state = useStore(deck.store);
   const held = useEditorState((editorState) => editorState.held);
+  const outsideView = useEditorState((editorState) => editorState.outsideView);
   const { mode } = state;
   return (
     <Stack gap="xs" w="min(290px, calc(100vw - 64px))" data-flight-deck>
@@ -75,6 +76,12 @@ export default function FlightDeck(): ReactNode {
         label={t(msg`Hold what you see, and walk about in it`)}
         checked={held ?? false}
         onChange={() => toggleHold(editor, observerController)}
+      />
+      <Switch
+        size="xs"
+        label={t(msg`Look at yourself and the world from outside`)}
+        checked={outsideView ?? false}
+        onChange={({ currentTarget }) => editor.update({ outsideView: currentTarget.checked })}
       />
       <ComfortControls />
       <WallControls deck={deck} state={state} />

@@ -2,7 +2,7 @@ import { addScaled, dot, length, lerp, scale, sub, type Vec3 } from '../../../ma
 import { OBSERVER_MARKS } from '../../../scene/frameGraph/effects.ts';
 import type { FloatImage, GBufferReader } from './effectInput.ts';
 
-type Point = readonly [number, number];
+type PicturePoint = readonly [number, number];
 
 /**
  * The observer in a picture from outside (`OutsideCamera`): a disc where he is, and an arrow to where he will be when light has gone from one ring to the next, βcT;
@@ -19,7 +19,7 @@ export function observerMarks(
   const at = frame.pixelOf(observer);
   const tip = frame.pixelOf(addScaled(observer, frame.beta, spacing));
   return image.map((x, y) => {
-    const here: Point = [x + 0.5, y + 0.5];
+    const here: PicturePoint = [x + 0.5, y + 0.5];
     let color = lerp(image.at(x, y) as unknown as Vec3, OBSERVER_MARKS.ring, opacity * ringCover(frame, x, y, spacing));
     if (!at || size === 0) return color;
     const hidden = frame.isCovered(x, y) && frame.depth(x, y) < length(observer);
@@ -32,11 +32,11 @@ export function observerMarks(
 }
 
 const within = (x: number): number => Math.min(Math.max(x, 0), 1);
-const smoothstep = ([from, to]: Point, x: number): number => {
+const smoothstep = ([from, to]: PicturePoint, x: number): number => {
   const t = within((x - from) / (to - from));
   return t * t * (3 - 2 * t);
 };
-const distanceTo = (a: Point, b: Point): number => Math.hypot(a[0] - b[0], a[1] - b[1]);
+const distanceTo = (a: PicturePoint, b: PicturePoint): number => Math.hypot(a[0] - b[0], a[1] - b[1]);
 
 /** Coverage by rings; a pixel's distance from one is that in space over the change of distance from pixel to pixel. */
 function ringCover(frame: GBufferReader, x: number, y: number, spacing: number): number {
@@ -69,13 +69,13 @@ function planeDistance(frame: GBufferReader, x: number, y: number): number | und
 }
 
 /** Coverage by a shaft from `from` to `to` with two barbs; none if it is shorter than the disc. */
-function arrowCover(here: Point, from: Point, to: Point, size: number): number {
+function arrowCover(here: PicturePoint, from: PicturePoint, to: PicturePoint, size: number): number {
   const long = distanceTo(from, to);
   if (!(long > size)) return 0;
   const { arrowWidth, barb } = OBSERVER_MARKS;
   const [dx, dy] = [(to[0] - from[0]) / long, (to[1] - from[1]) / long];
   const back = size * barb.length;
-  const barbTip = (side: number): Point => [
+  const barbTip = (side: number): PicturePoint => [
     to[0] - back * (dx - side * barb.slope * dy),
     to[1] - back * (dy + side * barb.slope * dx),
   ];
@@ -83,7 +83,7 @@ function arrowCover(here: Point, from: Point, to: Point, size: number): number {
   return within(arrowWidth / 2 + 0.5 - nearest);
 }
 
-function distanceToSegment(p: Point, a: Point, b: Point): number {
+function distanceToSegment(p: PicturePoint, a: PicturePoint, b: PicturePoint): number {
   const [x, y] = [b[0] - a[0], b[1] - a[1]];
   const t = within(((p[0] - a[0]) * x + (p[1] - a[1]) * y) / Math.max(x * x + y * y, 1e-12));
   return Math.hypot(p[0] - a[0] - t * x, p[1] - a[1] - t * y);
