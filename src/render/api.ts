@@ -2,7 +2,7 @@ import type { Scene } from '../scene/types.ts';
 import type { LightMeterReadings } from '../scene/view/metering.ts';
 import type { PictureViews } from '../scene/view/pictureViews.ts';
 import type { AovName, RenderSettings } from '../scene/view/view.ts';
-import type { PickResult, RendererInfo, Sampling } from './settings.ts';
+import type { BesideOptions, PickResult, RendererInfo, Sampling } from './settings.ts';
 
 /**
  * The renderer as a page, a command line and a benchmark use it; `SceneRenderer` (renderer.ts) implements it:
@@ -42,6 +42,11 @@ export interface RasterRenderer {
   measureLight(): Promise<LightMeterReadings>;
   /** What the last picture shows at a pixel (from the top left); undefined outside its views. */
   pick(x: number, y: number): Promise<PickResult | undefined>;
-  /** Gives back all that it holds on the GPU. */
+  /**
+   * Makes a further renderer on the same device, without a canvas, with scenes, size, picture, samples and history of its own; neither changes the other's. What they
+   * show of the same `Scene` is on the GPU once: vertices, instances and textures. It can be used until this one is disposed of.
+   */
+  beside(options?: BesideOptions): RasterRenderer;
+  /** Gives back all that it holds on the GPU; the device too, unless another renderer made this one `beside` itself. */
   dispose(): void;
 }

@@ -6,4 +6,12 @@
 
 export type { RasterRenderer } from './api.ts';
 export { SceneRenderer } from './renderer.ts';
-export type { Backend, PickedSurface, PickResult, RendererInfo, RendererOptions, Sampling } from './settings.ts';
+export type {
+  Backend,
+  BesideOptions,
+  PickedSurface,
+  PickResult,
+  RendererInfo,
+  RendererOptions,
+  Sampling,
+} from './settings.ts';

@@ -20,10 +20,11 @@ import { type Gpu, openGpu } from './gpu/device.ts';
 import { precompile } from './gpu/precompile.ts';
 import { PictureParts } from './pictureParts.ts';
 import type { AntialiasingMode } from './post/resolve/antialiasing.ts';
+import { SceneBufferPool } from './sceneBuffers.ts';
 import { loadSceneParts, type SceneParts } from './sceneParts.ts';
 import { SceneUpload } from './sceneUpload.ts';
 import { SceneUploads } from './sceneUploads.ts';
-import type { PickResult, RendererInfo, RendererOptions, Sampling } from './settings.ts';
+import type { BesideOptions, PickResult, RendererInfo, RendererOptions, Sampling } from './settings.ts';
 import { ViewCompositor } from './viewCompositor.ts';
 import { canAccumulate, ViewRenderer } from './viewRenderer.ts';
 
@@ -63,6 +64,8 @@ const NOTHING_DRAWN = { viewsDrawn: 0, objectsDrawn: 0 };
  */
 export class SceneRenderer implements RasterRenderer {
   private readonly gpu: Gpu;
+  private readonly bufferPool: SceneBufferPool;
+  private readonly ownsGpu: boolean;
   private readonly frameSetup = new FrameSetup();
   private readonly pictureParts: PictureParts;
   private readonly compositor: ViewCompositor;
@@ -78,6 +81,7 @@ export class SceneRenderer implements RasterRenderer {
   /** Keys of pictures whose shaders are compiled. */
   private readonly compiled = new Set<string>();
   private precompiling: Promise<void> | undefined;
+  private readonly disposal = new AbortController();
   /** Of the last picture, and of the next one: the canvas is resized only when that is drawn, because resizing clears it. */
   private size: PictureSize = { width: 1, height: 1 };
   private requestedSize = this.size;
@@ -91,21 +95,29 @@ export class SceneRenderer implements RasterRenderer {
     return renderer;
   }
 
-  private constructor(gpu: Gpu, options: RendererOptions) {
+  /** `first`: the renderer that it is beside. */
+  private constructor(gpu: Gpu, options: RendererOptions, first?: SceneRenderer) {
     this.gpu = gpu;
+    this.ownsGpu = first === undefined;
+    this.bufferPool = first?.bufferPool ?? new SceneBufferPool(gpu);
     this.toCanvas = options.canvas !== undefined;
     this.compositor = new ViewCompositor(gpu.renderer);
     const { uniforms } = this.frameSetup;
     this.pictureParts = new PictureParts(uniforms, options);
     this.viewRenderers = [new ViewRenderer(gpu, this.frameSetup, this.pictureParts)];
     this.uploads = new SceneUploads(
-      (scene, speedOfLight) => new SceneUpload(scene, speedOfLight, uniforms, gpu, options, this.sceneParts),
+      this.bufferPool,
+      (buffers) => new SceneUpload(buffers, uniforms, gpu, options, this.sceneParts),
       (upload) => {
         this.frameSetup.invalidate();
         this.incomplete = undefined;
         for (const view of this.viewRenderers) view.releaseScene(upload);
       },
     );
+  }
+
+  beside(options: BesideOptions = {}): SceneRenderer {
+    return new SceneRenderer(this.gpu, options, this);
   }
 
   get info(): RendererInfo {
@@ -142,7 +154,7 @@ export class SceneRenderer implements RasterRenderer {
     const { width, height } = this.requestedSize;
     if (width === this.width && height === this.height) return;
     this.size = this.requestedSize;
-    this.gpu.renderer.setSize(width, height, false);
+    if (this.toCanvas) this.gpu.renderer.setSize(width, height, false);
   }
 
   precompile(views: PictureViews, settings: RenderSettings, sampling: Sampling = 1): Promise<void> | undefined {
@@ -171,7 +183,7 @@ export class SceneRenderer implements RasterRenderer {
     };
     const shaders = shaderKey(settings, mode, this.uploads.of(settings), views.length);
     // Also after a failure: a shader that does not compile is reported when it is used.
-    await precompile(this.gpu.renderer, draw).finally(() => this.compiled.add(shaders));
+    await precompile(this.gpu.renderer, draw, this.disposal.signal).finally(() => this.compiled.add(shaders));
   }
 
   render(views: PictureViews, settings: RenderSettings, sampling: Sampling = 1): void {
@@ -319,10 +331,11 @@ export class SceneRenderer implements RasterRenderer {
   }
 
   dispose(): void {
+    this.disposal.abort();
     this.uploads.trim(0);
     for (const view of this.viewRenderers) view.dispose();
     this.compositor.dispose();
-    this.gpu.renderer.dispose();
+    if (this.ownsGpu) this.gpu.renderer.dispose();
   }
 }
 

@@ -1,36 +1,28 @@
-import { BufferAttribute, BufferGeometry, type DataTexture, Scene as ThreeScene } from 'three/webgpu';
+import { Scene as ThreeScene } from 'three/webgpu';
 import { sceneNightSky } from '../scene/lights/sceneLights.ts';
 import { deforms, pointSamples } from '../scene/motion/motion.ts';
 import type { ColorMode } from '../scene/settings/settings.ts';
 import { isBlended, isStreamed } from '../scene/streaming/samplePoints.ts';
-import type { SampledPointsMotion, Scene, Texture } from '../scene/types.ts';
+import type { SampledPointsMotion, Scene } from '../scene/types.ts';
 import { HalfAtlas } from '../shaders/tables/halfAtlas.ts';
 import { type DrawCall, disposeDrawCall, makeDrawCall } from './gbuffer/drawCall.ts';
-import { MATERIAL_TEXELS, materialTexels, type SurfaceTextures } from './gbuffer/surface.ts';
-import {
-  type Batch,
-  type BatchArrays,
-  type BatchTextures,
-  isPiece,
-  layerKey,
-  makeBatches,
-} from './geometry/batches.ts';
-import { type Body, makeBody } from './geometry/bodies.ts';
+import { MATERIAL_TEXELS, materialTexels } from './gbuffer/surface.ts';
+import { type Batch, isPiece, layerKey } from './geometry/batches.ts';
+import type { Body } from './geometry/bodies.ts';
 import { ObjectTableWriter } from './geometry/objectTables.ts';
 import type { Observation } from './geometry/observation.ts';
 import { BlendStore } from './geometry/pointSamples/blendStore.ts';
 import { PointStore } from './geometry/pointSamples/pointStore.ts';
 import { SampleLoader } from './geometry/pointSamples/sampleLoader.ts';
 import { ReleasedPieces } from './geometry/releasedPieces.ts';
-import { INSTANCE_TEXELS, indexedVertex, instanceTexels } from './geometry/vertexInput.ts';
-import { isSampledAtRest, sceneRadius, worldObjects } from './geometry/worldObjects.ts';
-import { ChannelPacker } from './gpu/channelPacking.ts';
+import { indexedVertex } from './geometry/vertexInput.ts';
 import type { Gpu } from './gpu/device.ts';
 import { FloatTable, type TablePart } from './gpu/floatTable.ts';
 import type { FrameUniforms } from './gpu/frameUniforms.ts';
-import { textureKey, uploadTexture } from './gpu/textures.ts';
+import { textureKey } from './gpu/textures.ts';
 import type { LayeredScene } from './layers/layeredScene.ts';
 import { Environment } from './lights/environment.ts';
+import type { SceneBuffers } from './sceneBuffers.ts';
 import type { SceneParts } from './sceneParts.ts';
 import type { RendererOptions } from './settings.ts';
 import type { StarPoints } from './shading/starPoints.ts';
@@ -44,11 +36,8 @@ let uploads = 0;
 export class SceneUpload {
   /** Serial number, unique among uploads. */
   readonly serial = uploads++;
-  readonly scene: Scene;
-  /** The speed of light that the upload was made for; only objects that are authored in the rest frame and sampled depend on it. */
-  readonly speedOfLight: number;
-  readonly dependsOnSpeedOfLight: boolean;
-  readonly bodies: readonly Body[];
+  /** Shared with other uploads of the scene; released by who gave them. */
+  readonly buffers: SceneBuffers;
   /** First one for every batch, then those of their patches, as they are created. */
   readonly drawCalls: DrawCall[] = [];
   readonly tessellator: Tessellator;
@@ -62,44 +51,32 @@ export class SceneUpload {
   readonly layered: LayeredScene | undefined;
   readonly opaque = new ThreeScene();
   readonly transparent = new ThreeScene();
-  /** Half the diagonal of the scene [m]. */
-  readonly radius: number;
   private readonly objects = new FloatTable(256);
   private readonly samples = new FloatTable(1024);
   /** Texels of materials and lights, which fragment shaders read. */
   private readonly table = new FloatTable(256);
   readonly atlas = new HalfAtlas();
   private readonly materials: TablePart;
-  /** The instance table (vertexInput.ts). */
-  private readonly instances = new FloatTable(256);
   private readonly points = new Map<number, PointStore | BlendStore>();
-  private readonly channelPacker = new ChannelPacker();
-  private readonly textures = new Map<string, DataTexture>();
   private sampleLoader: SampleLoader | undefined;
   /** Draw calls of pieces that take turns. */
   private readonly pieces: ReleasedPieces<DrawCall>;
   /** By what shaders read: pieces without textures of their own share their materials, which are expensive to compile. */
   private readonly pieceMaterials = new Map<string, DrawCall['materials']>();
-  private readonly software: boolean;
 
   /** `parts`: those that the scene needs, at least. */
   constructor(
-    scene: Scene,
-    speedOfLight: number,
+    buffers: SceneBuffers,
     uniforms: FrameUniforms,
     gpu: Gpu,
     options: RendererOptions,
     { Layered, StarPoints: Stars }: SceneParts,
   ) {
-    this.scene = scene;
+    const { scene } = buffers;
+    this.buffers = buffers;
     this.hasUnlit = scene.materials.some(({ unlit }) => unlit);
-    this.software = gpu.software;
-    this.speedOfLight = speedOfLight;
-    this.dependsOnSpeedOfLight = scene.objects.some(isSampledAtRest);
-    this.bodies = worldObjects(scene, speedOfLight).map((object, i) => makeBody(object, i + 1));
-    this.radius = sceneRadius(this.bodies);
     this.materials = this.table.part(scene.materials.length * MATERIAL_TEXELS);
-    this.layered = Layered && new Layered(scene, this.table, (image) => this.texture(image));
+    this.layered = Layered && new Layered(scene, this.table, buffers.textures);
     this.environment = new Environment(scene, this.table, this.atlas);
     const nightSky = sceneNightSky(scene);
     this.stars = nightSky && Stars && new Stars(nightSky, uniforms, gpu);
@@ -114,17 +91,28 @@ export class SceneUpload {
       this.points.set(id, store);
     }
     this.fillMaterials();
-    const batches = makeBatches({ ...scene, objects: this.bodies.map((b) => b.object) }, this.bodies);
-    this.fillInstances(batches);
-    for (const batch of batches) this.add(this.drawBatch(batch, uniforms));
+    for (const batch of buffers.batches) this.add(this.drawBatch(batch, uniforms));
     this.pieces = new ReleasedPieces(this.drawCalls.filter(({ batch }) => isPiece(batch)));
     // Before the tessellator changes the draw calls' geometry: shadow maps draw whole batches.
-    const { bodies, drawCalls, points } = this;
+    const { bodies, points, radius } = this;
+    const drawCalls = [...this.drawCalls];
     const detail = SHADOW_DETAILS[options.shadowDetail ?? 'fine'];
-    const { radius } = this;
-    const occluders = { bodies, drawCalls: [...drawCalls], materials: scene.materials, points, detail, radius };
+    const occluders = { bodies, drawCalls, materials: scene.materials, points, detail, radius };
     this.shadows = new ShadowMaps(occluders, this.environment, gpu);
-    this.tessellator = new Tessellator(gpu, [...this.drawCalls], (drawCall) => this.add(drawCall), options);
+    this.tessellator = new Tessellator(gpu, drawCalls, buffers.triangles, (drawCall) => this.add(drawCall), options);
+  }
+
+  get scene(): Scene {
+    return this.buffers.scene;
+  }
+
+  get bodies(): readonly Body[] {
+    return this.buffers.bodies;
+  }
+
+  /** Half the diagonal of the scene [m]. */
+  get radius(): number {
+    return this.buffers.radius;
   }
 
   /** Whether samples of its motions are left in files. */
@@ -134,12 +122,12 @@ export class SceneUpload {
 
   dispose(): void {
     this.drawCalls.forEach(disposeDrawCall);
+    for (const { batch } of this.pieces.kept) this.buffers.geometry(batch).dispose();
     this.tessellator.dispose();
     this.shadows.dispose();
     this.sampleLoader?.dispose();
     for (const store of new Set(this.points.values())) store.dispose();
-    for (const image of this.textures.values()) image.dispose();
-    for (const table of [this.objects, this.samples, this.table, this.instances]) table.dispose();
+    for (const table of [this.objects, this.samples, this.table]) table.dispose();
     this.atlas.dispose();
     this.environment.dispose();
     this.stars?.dispose();
@@ -160,10 +148,10 @@ export class SceneUpload {
     return new PointStore(motion, meshNormals, gpu.renderer, { maxTexels: texels, samples });
   }
 
-  /** Frees the memory on the GPU of pieces that have not been in the picture for a while. `visible`: by body, whether it may be in this one. */
+  /** Frees the memory on the GPU of pieces that have not been in the picture for a while; other uploads that show one upload it again. `visible`: by body, whether it may be in this one. */
   releasePieces(visible: readonly boolean[]): void {
     for (const { batch, mesh } of this.pieces.next(({ batch }) => batch.bodies.some(({ id }) => visible[id - 1]))) {
-      mesh.geometry.dispose();
+      for (const geometry of [mesh.geometry, this.buffers.geometry(batch)]) geometry.dispose();
       for (const { id } of batch.bodies) this.points.get(id)?.release();
     }
   }
@@ -181,18 +169,6 @@ export class SceneUpload {
     });
   }
 
-  private fillInstances(batches: readonly Batch[]): void {
-    for (const { bodies, instancing } of batches) {
-      if (!instancing) continue;
-      this.instances.reserve(INSTANCE_TEXELS * (instancing.first + bodies.length));
-      bodies.forEach(({ id, object }, i) => {
-        const texels = instanceTexels(id - 1, instancing.materials[i], object.stretch);
-        this.instances.values.set(texels, 4 * INSTANCE_TEXELS * (instancing.first + i));
-      });
-    }
-    this.instances.upload();
-  }
-
   private add(drawCall: DrawCall): void {
     this.drawCalls.push(drawCall);
     this.layered?.add(drawCall);
@@ -202,8 +178,9 @@ export class SceneUpload {
   private drawBatch(batch: Batch, uniforms: FrameUniforms): DrawCall {
     const points = deforms(batch) ? this.points.get(batch.bodies[0].id) : undefined;
     const colored = batch.arrays.colors !== undefined;
-    const instances = batch.instancing ? this.instances : undefined;
-    const drawCall = makeDrawCall(makeGeometry(batch.arrays), {
+    const { buffers } = this;
+    const instances = batch.instancing ? buffers.instances : undefined;
+    const drawCall = makeDrawCall(buffers.geometry(batch), {
       batch,
       vertex: {
         kind: batch.kind,
@@ -218,7 +195,7 @@ export class SceneUpload {
         materials: this.materials,
         uniforms,
         colored,
-        textures: this.surfaceTextures(batch.textures),
+        textures: buffers.textures.ofSurface(batch.textures),
       },
     });
     if (!isPiece(batch) || points || instances) return drawCall;
@@ -232,46 +209,4 @@ export class SceneUpload {
     this.pieceMaterials.set(key, materials);
     return { ...drawCall, materials };
   }
-
-  private surfaceTextures(batchTextures: BatchTextures): SurfaceTextures {
-    const { baseColorTexture, emissiveTexture, normalTexture } = batchTextures;
-    const channels = this.channelPacker.pack({
-      ...(batchTextures.roughnessTexture && { roughness: batchTextures.roughnessTexture }),
-      ...(batchTextures.metallicTexture && { metallic: batchTextures.metallicTexture }),
-      ...(batchTextures.occlusionTexture && { occlusion: batchTextures.occlusionTexture }),
-      ...(batchTextures.uvTexture && { uv: batchTextures.uvTexture }),
-      ...(batchTextures.irTexture && { ir: batchTextures.irTexture }),
-    });
-    return {
-      ...(baseColorTexture && { baseColor: this.texture(baseColorTexture) }),
-      ...(emissiveTexture && { emissive: this.texture(emissiveTexture) }),
-      ...(normalTexture && { normal: this.texture(normalTexture.texture) }),
-      ...Object.fromEntries(
-        Object.entries(channels).map(([name, { texture, channel }]) => [
-          name,
-          { texture: this.texture(texture), channel },
-        ]),
-      ),
-    };
-  }
-
-  private texture(image: Texture): DataTexture {
-    const key = textureKey(image);
-    const uploaded = this.textures.get(key) ?? uploadTexture(image, !this.software);
-    this.textures.set(key, uploaded);
-    return uploaded;
-  }
-}
-
-function makeGeometry(arrays: BatchArrays): BufferGeometry {
-  const geometry = new BufferGeometry();
-  const set = (name: string, array: Float32Array, size: number) =>
-    geometry.setAttribute(name, new BufferAttribute(array, size));
-  set('position', arrays.positions, 3);
-  set('normal', arrays.normals, 3);
-  set('uv', arrays.uvs, 2);
-  set('ids', arrays.ids, 2);
-  if (arrays.colors) set('color', arrays.colors, 3);
-  geometry.setIndex(new BufferAttribute(arrays.indices, 1));
-  return geometry;
 }

@@ -1,21 +1,28 @@
 import type { FrameGraphBuffer } from '../scene/frameGraph/frameGraph.ts';
 import type { Scene } from '../scene/types.ts';
 import { DEFAULT_SETTINGS, extraBuffers, type RenderSettings } from '../scene/view/view.ts';
+import type { SceneBufferPool, SceneBuffers } from './sceneBuffers.ts';
 import type { SceneUpload } from './sceneUpload.ts';
+
+/** What a G-buffer shows, as far as uploads depend on it. */
+type BufferScene = Pick<FrameGraphBuffer, 'scene' | 'speedOfLight'>;
+type MakeUpload = (buffers: SceneBuffers) => SceneUpload;
 
 /**
  * The scenes of a picture on the GPU, one upload per G-buffer, even if two show the same scene: object tables, tessellation, loaded samples and shadow
- * maps belong to one observation and one set of settings at a time. The views of a picture use them one after another.
+ * maps belong to one observation and one set of settings at a time. The views of a picture use them one after another. What depends on none is shared, in a pool.
  */
 export class SceneUploads {
-  private readonly make: (scene: Scene, speedOfLight: number) => SceneUpload;
+  private readonly pool: SceneBufferPool;
+  private readonly makeUpload: MakeUpload;
   private readonly released: (upload: SceneUpload) => void;
   private scenes: readonly Scene[] = [];
   /** By G-buffer. */
   private readonly uploads: SceneUpload[] = [];
 
-  constructor(make: (scene: Scene, speedOfLight: number) => SceneUpload, released: (upload: SceneUpload) => void) {
-    this.make = make;
+  constructor(pool: SceneBufferPool, makeUpload: MakeUpload, released: (upload: SceneUpload) => void) {
+    this.pool = pool;
+    this.makeUpload = makeUpload;
     this.released = released;
   }
 
@@ -68,21 +75,28 @@ export class SceneUploads {
     for (const upload of this.uploads.splice(count)) this.release(upload);
   }
 
+  private make(scene: Scene, speedOfLight: number): SceneUpload {
+    const buffers = this.pool.acquire(scene, speedOfLight);
+    try {
+      return this.makeUpload(buffers);
+    } catch (error) {
+      this.pool.release(buffers);
+      throw error;
+    }
+  }
+
   private release(upload: SceneUpload): void {
     this.released(upload);
     upload.dispose();
+    this.pool.release(upload.buffers);
   }
 
-  private fits(
-    upload: SceneUpload,
-    { scene, speedOfLight }: Pick<FrameGraphBuffer, 'scene' | 'speedOfLight'>,
-  ): boolean {
-    if (upload.scene !== this.scenes[scene]) return false;
-    return !upload.dependsOnSpeedOfLight || upload.speedOfLight === speedOfLight;
+  private fits({ buffers }: SceneUpload, { scene, speedOfLight }: BufferScene): boolean {
+    return buffers.fits(this.scenes[scene], speedOfLight);
   }
 }
 
-const buffersOf = (settings: RenderSettings): readonly Pick<FrameGraphBuffer, 'scene' | 'speedOfLight'>[] => [
+const buffersOf = (settings: RenderSettings): readonly BufferScene[] => [
   { scene: 0, speedOfLight: settings.speedOfLight },
   ...extraBuffers(settings),
 ];

@@ -72,9 +72,12 @@ export interface RendererOptions {
   readonly onSamples?: () => void;
   /** Called once when samples cannot be read any more, because the file was deleted or changed. The last picture stays. */
   readonly onError?: (error: Error) => void;
-  /** Called once when the device or the context is lost; dispose this renderer and create another on a new canvas. */
+  /** Called once when the device or the context is lost, also for renderers beside this one; dispose them all and create others on a new canvas. */
   readonly onLost?: (reason: string) => void;
 }
+
+/** How a further renderer on the same device draws. Tolerance, workers and callbacks are its own. */
+export type BesideOptions = Omit<RendererOptions, 'canvas' | 'device' | 'backend' | 'onLost'>;
 
 /** What draws, and what the last frame cost. */
 export interface RendererInfo {

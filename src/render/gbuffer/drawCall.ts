@@ -1,5 +1,6 @@
 import { type BufferGeometry, DoubleSide, FrontSide, Mesh, NodeMaterial, NormalBlending } from 'three/webgpu';
 import type { Batch } from '../geometry/batches.ts';
+import { disposeGeometry } from '../geometry/sharedGeometry.ts';
 import type { VertexSources } from '../geometry/vertexStage.ts';
 import type { SurfaceSources } from './surface.ts';
 
@@ -24,8 +25,8 @@ export function makeDrawCall(
 }
 
 export function disposeDrawCall({ mesh, materials }: DrawCall): void {
-  mesh.geometry.dispose();
   for (const material of materials.values()) material.dispose();
+  disposeGeometry(mesh.geometry);
 }
 
 /** How shaders read the corners of its triangles. */

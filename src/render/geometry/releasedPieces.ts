@@ -11,6 +11,11 @@ export class ReleasedPieces<T> {
     this.pieces = pieces;
   }
 
+  /** Those that have been in a picture and are not released. */
+  get kept(): readonly T[] {
+    return [...this.lastSeen.keys()];
+  }
+
   /** Takes what the next picture shows; returns what is to be released. */
   next(isVisible: (piece: T) => boolean): readonly T[] {
     this.pictures++;

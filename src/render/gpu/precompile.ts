@@ -20,12 +20,21 @@ interface RenderCall {
   readonly quad: { readonly material: NodeMaterial; readonly vertexNode: NodeMaterial['vertexNode'] } | undefined;
 }
 
+/** What each renderer of three.js compiles last. */
+const queues = new WeakMap<WebGPURenderer, Promise<void>>();
+
 /**
  * Records everything that draws a picture without drawing it, and then compiles its shaders asynchronously, one pass after another, while frames are drawn in
- * between. Rejects if the device is lost.
+ * between, and after what is being compiled already. What is left when `signal` is aborted is not compiled. Rejects if the device is lost.
  */
-export async function precompile(renderer: WebGPURenderer, draw: () => void): Promise<void> {
-  for (const call of recordCalls(renderer, draw)) await compile(renderer, call);
+export function precompile(renderer: WebGPURenderer, draw: () => void, signal?: AbortSignal): Promise<void> {
+  const calls = recordCalls(renderer, draw);
+  const compileAll = async (): Promise<void> => {
+    for (const call of calls) if (!signal?.aborted) await compile(renderer, call);
+  };
+  const compiled = (queues.get(renderer) ?? Promise.resolve()).then(compileAll, compileAll);
+  queues.set(renderer, compiled);
+  return compiled;
 }
 
 function recordCalls(renderer: WebGPURenderer, draw: () => void): RenderCall[] {

@@ -1,10 +1,11 @@
 import { Discard, Fn, float, max, mix, vec2, vec4 } from 'three/tsl';
-import { type DataTexture, Mesh, NoBlending, NodeMaterial, type Texture, Scene as ThreeScene } from 'three/webgpu';
+import { Mesh, NoBlending, NodeMaterial, type Texture, Scene as ThreeScene } from 'three/webgpu';
 import { isStatic } from '../../scene/motion/motion.ts';
-import type { Material, Scene, Texture as ScenePicture } from '../../scene/types.ts';
+import type { Material, Scene } from '../../scene/types.ts';
 import type { ColorPipeline } from '../color/radiance.ts';
 import { type DrawCall, drawOver, materialSide } from '../gbuffer/drawCall.ts';
 import type { GBuffer } from '../gbuffer/gbuffer.ts';
+import type { SceneTextures } from '../gbuffer/sceneTextures.ts';
 import { frontNormal, readSurface, type SurfaceSources, uvDirectionsHere } from '../gbuffer/surface.ts';
 import { type SpacetimeProjection, vertexStage } from '../geometry/vertexStage.ts';
 import type { FloatTable } from '../gpu/floatTable.ts';
@@ -48,8 +49,8 @@ export class LayeredScene {
   private readonly overlays: OverlayMesh[] = [];
   private readonly readers = new Map<Material, LayerReader>();
 
-  constructor({ materials }: Scene, table: FloatTable, upload: (texture: ScenePicture) => DataTexture) {
-    this.table = new MaterialLayerTable(materials, table, upload);
+  constructor({ materials }: Scene, table: FloatTable, textures: SceneTextures) {
+    this.table = new MaterialLayerTable(materials, table, textures);
   }
 
   add(drawCall: DrawCall): void {

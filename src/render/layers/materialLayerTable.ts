@@ -2,9 +2,9 @@ import { int, round } from 'three/tsl';
 import type { DataTexture } from 'three/webgpu';
 import type { Material, Texture, TextureChannel } from '../../scene/types.ts';
 import type { Float, Vec4 } from '../../shaders/types.ts';
-import { type ChannelTexture, channelValue } from '../gbuffer/surface.ts';
+import type { SceneTextures } from '../gbuffer/sceneTextures.ts';
+import { channelValue } from '../gbuffer/surface.ts';
 import { vLife, vUv } from '../geometry/vertexStage.ts';
-import { ChannelPacker } from '../gpu/channelPacking.ts';
 import type { FloatTable, TablePart } from '../gpu/floatTable.ts';
 import { sampled } from '../gpu/textures.ts';
 
@@ -64,11 +64,10 @@ const LAYER_TEXELS = VECTOR_TEXELS + Math.ceil(CHANNELS.length / 2);
 /** The layers of all materials, and their textures. */
 export class MaterialLayerTable {
   private readonly part: TablePart;
-  private readonly upload: (texture: Texture) => DataTexture;
-  private readonly packer = new ChannelPacker();
+  private readonly textures: SceneTextures;
 
-  constructor(materials: readonly Material[], table: FloatTable, upload: (texture: Texture) => DataTexture) {
-    this.upload = upload;
+  constructor(materials: readonly Material[], table: FloatTable, textures: SceneTextures) {
+    this.textures = textures;
     this.part = table.part(materials.length * LAYER_TEXELS);
     materials.forEach((material, i) => {
       const linear = Object.values(numbersOf(material)).flatMap(([value, from]) =>
@@ -80,22 +79,19 @@ export class MaterialLayerTable {
 
   /** Reads the layers of a fragment's material; `like` has the textures of all materials that are drawn together. */
   reader(like: Material): LayerReader {
-    const { part, upload } = this;
+    const { part, textures } = this;
     const given = Object.entries(numbersOf(like)).flatMap(([name, [, from]]) => (from ? [[name, from]] : []));
-    const packed: Partial<Record<Channel, TextureChannel>> = this.packer.pack(Object.fromEntries(given));
-    const textures = Object.fromEntries(
-      Object.entries(packed).map(([name, { texture, channel }]) => [name, { texture: upload(texture), channel }]),
-    ) as Partial<Record<Channel, ChannelTexture>>;
+    const channels = textures.channels<Channel>(Object.fromEntries(given));
     const texel = (k: number): Vec4 => part.texel(int(round(vLife.w)).mul(int(LAYER_TEXELS)).add(int(k)));
     return {
       vector: (k) => texel(k),
       number: (name) => {
         const k = CHANNELS.indexOf(name);
         const pair = texel(VECTOR_TEXELS + Math.floor(k / 2)).toVar();
-        return channelValue(textures[name], k % 2 === 0 ? pair.xy : pair.zw).toVar();
+        return channelValue(channels[name], k % 2 === 0 ? pair.xy : pair.zw).toVar();
       },
-      texture: upload,
-      sample: (picture) => sampled(upload(picture), vUv),
+      texture: (picture) => textures.of(picture),
+      sample: (picture) => sampled(textures.of(picture), vUv),
     };
   }
 }

@@ -44,7 +44,9 @@ export class Tessellator {
   private readonly parts: readonly TessellatedBatch[];
   private readonly planner: Planner;
   private readonly addDrawCall: (drawCall: DrawCall) => void;
-  private readonly triangleTable = new TriangleTable();
+  private readonly triangles: TriangleTable;
+  /** Of pieces, which take turns. */
+  private readonly pieceTriangles = new TriangleTable();
   private readonly patterns = patternGeometry(ALL_PATTERNS);
   private readonly buffers: PatchBuffers;
   private readonly kernels: FactorKernels;
@@ -54,9 +56,16 @@ export class Tessellator {
   private frames = 0;
   private achieved = 0;
 
-  /** `add` is called with draw calls as they are created; the caller disposes of them. */
-  constructor(gpu: Gpu, indexed: readonly DrawCall[], add: (drawCall: DrawCall) => void, options: TessellatorOptions) {
+  /** `triangles`: of all batches that are not pieces. `add` is called with draw calls as they are created; the caller disposes of them. */
+  constructor(
+    gpu: Gpu,
+    indexed: readonly DrawCall[],
+    triangles: TriangleTable,
+    add: (drawCall: DrawCall) => void,
+    options: TessellatorOptions,
+  ) {
     this.gpu = gpu;
+    this.triangles = triangles;
     this.tolerance = options.tolerance ?? DEFAULT_TOLERANCE;
     this.addDrawCall = add;
     this.planner = makePlanner(
@@ -71,7 +80,7 @@ export class Tessellator {
       return { slot, indexed: drawCall, clusters };
     });
     this.buffers = new PatchBuffers(indexed.length, this.patterns.runs);
-    this.kernels = new FactorKernels(gpu.renderer, this.triangleTable, this.buffers);
+    this.kernels = new FactorKernels(gpu.renderer, this.buffers);
   }
 
   /** Triangles drawn in the last picture; on WebGPU up to date after `count`. */
@@ -100,7 +109,7 @@ export class Tessellator {
       maxPatches: MAX_PATCHES[this.gpu.backend],
     };
     const visible = this.parts.map(({ indexed }) => isVisible(indexed.batch));
-    this.triangleTable.trim((batch) => !isPiece(batch) || isVisible(batch));
+    this.pieceTriangles.trim(isVisible);
     const plans = this.planner.plan({ viewIndex, view: requested, visible });
     const requests: IndirectRequest[] = [];
     this.cpuTriangles = 0;
@@ -131,7 +140,7 @@ export class Tessellator {
     this.planner.dispose();
     this.kernels.dispose();
     this.buffers.dispose();
-    this.triangleTable.dispose();
+    this.pieceTriangles.dispose();
     this.patterns.geometry.dispose();
   }
 
@@ -145,7 +154,7 @@ export class Tessellator {
   private showPart(part: TessellatedBatch, plan: BatchPlan, requests: IndirectRequest[]): void {
     const { clusters, indexed, slot } = part;
     const firstInstance = indexed.batch.instancing?.first ?? 0;
-    const firstTriangle = plan.count > 0 ? this.triangleTable.firstTriangle(indexed.batch) : undefined;
+    const firstTriangle = plan.count > 0 ? this.tableOf(indexed).firstTriangle(indexed.batch) : undefined;
     if (firstTriangle === undefined) {
       part.patches?.hide();
       this.cpuTriangles += plan.count > 0 ? clusters.showAll() : clusters.show(plan.clusterStates);
@@ -157,6 +166,7 @@ export class Tessellator {
       requests.push({
         slot,
         kernelKey: kernelKeyOf(indexed),
+        triangles: this.tableOf(indexed),
         sources: indexed.vertex,
         plan,
         firstTriangle,
@@ -168,8 +178,13 @@ export class Tessellator {
     else this.cpuTriangles += clusters.show(plan.clusterStates);
   }
 
+  private tableOf({ batch }: DrawCall): TriangleTable {
+    return isPiece(batch) ? this.pieceTriangles : this.triangles;
+  }
+
   private makePatches({ indexed, slot }: TessellatedBatch): IndirectPatches | InstancedPatches | OrderedPatches {
-    const { triangleTable, patterns, buffers } = this;
+    const { patterns, buffers } = this;
+    const triangleTable = this.tableOf(indexed);
     const patches = indexed.batch.transparent
       ? new OrderedPatches(indexed, triangleTable)
       : this.gpu.backend === 'webgpu'
@@ -194,5 +209,8 @@ function hidePart({ clusters, patches }: TessellatedBatch): void {
 }
 
 /** Equal for batches whose factors one kernel computes. Deforming bodies have a kernel each, because their samples are in tables of their own. */
-const kernelKeyOf = ({ batch: { kind, bodies, instancing } }: DrawCall): string =>
-  deforms({ kind }) ? `${kind} ${bodies[0].id}` : instancing ? `${kind} instanced` : kind;
+function kernelKeyOf({ batch }: DrawCall): string {
+  const { kind, bodies, instancing } = batch;
+  if (deforms({ kind })) return `${kind} ${bodies[0].id}`;
+  return [kind, instancing && 'instanced', isPiece(batch) && 'piece'].filter(Boolean).join(' ');
+}

@@ -1,6 +1,7 @@
 import { float, uniform, vec2 } from 'three/tsl';
 import { type Mesh, PerspectiveCamera, Scene, type Texture, Vector2 } from 'three/webgpu';
 import type { Float, Int, Vec2 } from '../../../shaders/types.ts';
+import { disposeGeometry } from '../../geometry/sharedGeometry.ts';
 import type { Gpu } from '../../gpu/device.ts';
 import { type EdgeLayout, EdgeMap } from './edgeMap.ts';
 import { shadowAtlasTarget } from './shadowAtlasTarget.ts';
@@ -84,8 +85,8 @@ export class ShadowAtlas {
 
   dispose(): void {
     for (const { geometry, material } of this.scene.children as Mesh[]) {
-      geometry.dispose();
       for (const each of [material].flat()) each.dispose();
+      disposeGeometry(geometry);
     }
     this.target.dispose();
     this.edgeMap.dispose();

@@ -1,14 +1,5 @@
 import { attribute, Discard, Fn, float, If, int, round, varyingProperty, vec3, vec4 } from 'three/tsl';
-import {
-  BufferAttribute,
-  BufferGeometry,
-  DoubleSide,
-  InstancedBufferAttribute,
-  InstancedBufferGeometry,
-  Mesh,
-  NoBlending,
-  NodeMaterial,
-} from 'three/webgpu';
+import { BufferAttribute, BufferGeometry, DoubleSide, Mesh, NoBlending, NodeMaterial } from 'three/webgpu';
 import type { Material } from '../../../scene/types.ts';
 import type { Bool, Float, Int, Vec3, Vec4 } from '../../../shaders/types.ts';
 import { cornerSources, type DrawCall } from '../../gbuffer/drawCall.ts';
@@ -44,7 +35,7 @@ export type CasterSource = Pick<DrawCall, 'batch' | 'surface'> & {
 export const wholeBatch = ({ batch, surface, mesh, vertex }: DrawCall): CasterSource => ({
   batch,
   surface,
-  geometry: casterGeometry({ batch, mesh }),
+  geometry: mesh.geometry,
   vertex: vertex.vertex,
 });
 
@@ -86,24 +77,6 @@ export function makeCaster(
   mesh.frustumCulled = false;
   mesh.matrixAutoUpdate = false;
   return mesh;
-}
-
-/** Shares the vertex attributes; has its own indices and instances, because those of the picture change from frame to frame. */
-function casterGeometry({ batch, mesh }: Pick<DrawCall, 'batch' | 'mesh'>): BufferGeometry {
-  const geometry = batch.instancing ? instancedGeometry(batch.instancing) : new BufferGeometry();
-  for (const name of ['position', 'normal', 'uv', 'ids', 'color']) {
-    const attribute = mesh.geometry.getAttribute(name);
-    if (attribute) geometry.setAttribute(name, attribute);
-  }
-  geometry.setIndex(new BufferAttribute(batch.arrays.indices, 1));
-  return geometry;
-}
-
-function instancedGeometry({ first, materials }: NonNullable<Batch['instancing']>): InstancedBufferGeometry {
-  const geometry = new InstancedBufferGeometry();
-  geometry.instanceCount = materials.length;
-  const numbers = Float32Array.from(materials, (_, i) => first + i);
-  return geometry.setAttribute('instance', new InstancedBufferAttribute(numbers, 1));
 }
 
 function casterVertexNode({ vertex }: CasterSource, placement: CasterPlacement, projection: LayerProjection): Vec4 {

@@ -13,9 +13,10 @@ import type { TriangleTable } from './triangleTable.ts';
 export interface PatchRequest {
   /** The batch's index in the buffers. */
   readonly slot: number;
-  /** The same for batches that can share a kernel: their bodies have one kind of motion and one set of sources. */
+  /** The same for batches that can share a kernel: their bodies have one kind of motion, one set of sources, and one table of triangles. */
   readonly kernelKey: string;
   readonly sources: MotionSources;
+  readonly triangles: TriangleTable;
   readonly plan: TessellationPlan;
   /** Added to the triangle and instance indices of the patches. */
   readonly firstTriangle: number;
@@ -34,15 +35,13 @@ interface FactorKernel {
  */
 export class FactorKernels {
   private readonly renderer: WebGPURenderer;
-  private readonly triangleTable: TriangleTable;
   private readonly buffers: PatchBuffers;
   private readonly metric = new EdgeMetricUniforms();
   private readonly kernels = new Map<string, FactorKernel>();
   private used = 0;
 
-  constructor(renderer: WebGPURenderer, table: TriangleTable, buffers: PatchBuffers) {
+  constructor(renderer: WebGPURenderer, buffers: PatchBuffers) {
     this.renderer = renderer;
-    this.triangleTable = table;
     this.buffers = buffers;
   }
 
@@ -57,8 +56,8 @@ export class FactorKernels {
     this.buffers.begin(requests.reduce((sum, { plan }) => sum + plan.count, 0));
     const kernelNodes: ComputeNode[] = [];
     this.used = 0;
-    for (const [kernelKey, group] of byKernel(requests)) {
-      const kernel = this.kernel(kernelKey, group[0].sources, view.projection);
+    for (const group of byKernel(requests).values()) {
+      const kernel = this.kernel(group[0], view.projection);
       kernel.first.value = this.used;
       for (const request of group) {
         const range = { first: this.used, count: request.plan.count };
@@ -80,15 +79,15 @@ export class FactorKernels {
     for (const { node } of this.kernels.values()) node.dispose();
   }
 
-  private kernel(kernelKey: string, sources: MotionSources, projection: SpacetimeProjection): FactorKernel {
-    const name = `${kernelKey} ${projection.event} ${projection.place}`;
-    const kernel = this.kernels.get(name) ?? this.makeKernel(sources, projection);
+  private kernel(request: PatchRequest, projection: SpacetimeProjection): FactorKernel {
+    const name = `${request.kernelKey} ${projection.event} ${projection.place}`;
+    const kernel = this.kernels.get(name) ?? this.makeKernel(request, projection);
     this.kernels.set(name, kernel);
     return kernel;
   }
 
-  private makeKernel(sources: MotionSources, projection: SpacetimeProjection): FactorKernel {
-    const { buffers, triangleTable, metric } = this;
+  private makeKernel({ sources, triangles }: PatchRequest, projection: SpacetimeProjection): FactorKernel {
+    const { buffers, metric } = this;
     const first = uniform(0, 'uint');
     const node = Fn(() => {
       const index = instanceIndex.add(first).toVar();
@@ -98,13 +97,13 @@ export class FactorKernels {
         vertexCameraPosition(
           sources,
           projection,
-          triangleTable.interpolate(triangle, weights, { ...sources, colored: false }, instance),
+          triangles.interpolate(triangle, weights, { ...sources, colored: false }, instance),
         );
       const { factors, pattern } = patchFactors(
         cornerWeights(head, tail),
         project,
         metric,
-        triangleTable.isRound(triangle),
+        triangles.isRound(triangle),
       );
       buffers.append(index, int(tail.w).toVar(), factors, pattern);
     })().compute(1);

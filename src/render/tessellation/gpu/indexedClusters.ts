@@ -1,5 +1,6 @@
-import type { BufferAttribute } from 'three/webgpu';
+import { BufferAttribute, BufferGeometry, type TypedArray } from 'three/webgpu';
 import type { DrawCall } from '../../gbuffer/drawCall.ts';
+import { shareVertices } from '../../geometry/sharedGeometry.ts';
 import { DRAWN } from '../criterion/projectedBody.ts';
 
 /**
@@ -10,15 +11,12 @@ export class IndexedClusters {
   private readonly drawCall: DrawCall;
   private readonly starts: Uint32Array;
   private readonly drawn: Uint8Array;
-  private readonly index: BufferAttribute;
-  private ownArray: Uint32Array | undefined;
+  /** Of its own since the first cluster was collapsed: the batch's is shared, and plans and the triangle table are made from it. */
+  private index: BufferAttribute | undefined;
 
   /** `starts`: first triangle of each cluster, then the number of triangles. */
   constructor(drawCall: DrawCall, starts: Uint32Array) {
-    const { index } = drawCall.mesh.geometry;
-    if (!index) throw new Error('a batch has indices');
     this.drawCall = drawCall;
-    this.index = index;
     this.starts = starts;
     this.drawn = new Uint8Array(starts.length - 1).fill(1);
   }
@@ -49,30 +47,25 @@ export class IndexedClusters {
     for (let k = 0; k < clusters.length; k++) {
       if (!changed(k)) continue;
       const first = k;
-      for (; k < clusters.length && changed(k); k++) this.set(k, clusters[k] === DRAWN);
-      this.upload(this.starts[first], this.starts[k]);
+      this.index ??= this.makeIndex();
+      for (; k < clusters.length && changed(k); k++) this.set(this.index.array, k, clusters[k] === DRAWN);
+      this.index.addUpdateRange(3 * this.starts[first], 3 * (this.starts[k] - this.starts[first]));
+      this.index.needsUpdate = true;
     }
   }
 
-  private set(cluster: number, drawn: boolean): void {
+  private set(array: TypedArray, cluster: number, drawn: boolean): void {
     const allIndices = this.drawCall.batch.arrays.indices;
     const [from, to] = [3 * this.starts[cluster], 3 * this.starts[cluster + 1]];
-    const array = this.ownIndices();
     if (drawn) array.set(allIndices.subarray(from, to), from);
     else array.fill(allIndices[from], from, to);
     this.drawn[cluster] = drawn ? 1 : 0;
   }
 
-  private upload(fromTriangle: number, toTriangle: number): void {
-    this.index.addUpdateRange(3 * fromTriangle, 3 * (toTriangle - fromTriangle));
-    this.index.needsUpdate = true;
-  }
-
-  /** A copy on first use, because plans and the triangle table are made from the batch's own indices. */
-  private ownIndices(): Uint32Array {
-    const { indices } = this.drawCall.batch.arrays;
-    this.ownArray ??= indices.slice();
-    this.index.array = this.ownArray;
-    return this.ownArray;
+  private makeIndex(): BufferAttribute {
+    const { mesh, batch } = this.drawCall;
+    const index = new BufferAttribute(batch.arrays.indices.slice(), 1);
+    mesh.geometry = shareVertices(mesh.geometry, new BufferGeometry()).setIndex(index);
+    return index;
   }
 }

@@ -1,10 +1,8 @@
 import { BufferAttribute, InstancedBufferAttribute, InstancedBufferGeometry } from 'three/webgpu';
 import { type DrawCall, makeDrawCall } from '../../gbuffer/drawCall.ts';
 import type { BatchInstancing } from '../../geometry/batches.ts';
+import { shareVertices } from '../../geometry/sharedGeometry.ts';
 import { DRAWN } from '../criterion/projectedBody.ts';
-
-/** Vertex attributes, which all draws of a mesh share. */
-const VERTEX_ATTRIBUTES = ['position', 'normal', 'uv', 'color'];
 
 /**
  * The clusters of a mesh that many bodies share. Bodies with all clusters DRAWN are drawn together as instances; each body with only some of them, by an
@@ -28,8 +26,9 @@ export class InstancedClusters {
     this.starts = starts;
     this.add = add;
     this.instances = new InstancedBufferAttribute(new Float32Array(instancing.materials.length), 1);
-    this.geometry = sharedGeometry(drawCall);
-    this.geometry.setIndex(drawCall.mesh.geometry.index);
+    const { geometry: whole } = drawCall.mesh;
+    this.geometry = shareVertices(whole, new InstancedBufferGeometry());
+    this.geometry.setIndex(whole.index);
     this.geometry.setAttribute('instance', this.instances);
     drawCall.mesh.geometry = this.geometry;
   }
@@ -116,7 +115,7 @@ class SingleBody {
     this.starts = starts;
     this.index = new BufferAttribute(new Uint32Array(this.whole.length), 1);
     this.instance = new InstancedBufferAttribute(new Float32Array(1), 1);
-    const geometry = sharedGeometry(drawCall);
+    const geometry = shareVertices(drawCall.mesh.geometry, new InstancedBufferGeometry());
     geometry.setIndex(this.index);
     geometry.setAttribute('instance', this.instance);
     geometry.instanceCount = 1;
@@ -155,13 +154,4 @@ class SingleBody {
   hide(): void {
     this.drawCall.mesh.visible = false;
   }
-}
-
-function sharedGeometry({ mesh }: DrawCall): InstancedBufferGeometry {
-  const geometry = new InstancedBufferGeometry();
-  for (const name of VERTEX_ATTRIBUTES) {
-    const attribute = mesh.geometry.getAttribute(name);
-    if (attribute) geometry.setAttribute(name, attribute);
-  }
-  return geometry;
 }
