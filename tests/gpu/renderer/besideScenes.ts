@@ -72,6 +72,19 @@ export const SCENE: Scene = makeScene({
   lights: [{ kind: 'distant', path: '/Sun', direction: normalize([0.4, -1, -0.3]), color: [2, 1.9, 1.7] }],
 });
 
+/** With a mesh that is large beside what each picture needs of its own: patches, and casters of shadows. */
+export const LARGE: Scene = {
+  ...SCENE,
+  objects: [
+    ...SCENE.objects,
+    makeObject({
+      path: '/Large',
+      mesh: sphere(0.4, { segments: 192, rings: 130 }),
+      motion: restingAt([-1.4, -0.2, -4]),
+    }),
+  ],
+};
+
 /** Another scene, to put in the place of the first. */
 export const OTHER: Scene = makeScene({
   name: 'other',
