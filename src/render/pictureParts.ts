@@ -5,7 +5,7 @@ import type { FrameUniforms } from './gpu/frameUniforms.ts';
 import type { PictureOverlay } from './post/display/overlay.ts';
 import type { RendererOptions } from './settings.ts';
 
-type PartSettings = Pick<RenderSettings, 'ghost' | 'pastFuture' | 'frameGraph'>;
+type PartSettings = Pick<RenderSettings, 'ghost' | 'pastFuture' | 'frameGraph' | 'outside'>;
 
 const hasOverlay = ({ ghost, pastFuture }: PartSettings): boolean => ghost !== 'none' || pastFuture;
 
@@ -14,7 +14,9 @@ export class PictureParts {
   private readonly uniforms: FrameUniforms;
   private readonly callbacks: Pick<RendererOptions, 'onSamples' | 'onError'>;
   private readonly overlay = new LazyPart(async () => (await import('./post/display/makeOverlay.ts')).makeOverlay);
-  private readonly runner = new LazyPart(async () => (await import('./frameGraph/frameGraphRunner.ts')).FrameGraphRunner);
+  private readonly runner = new LazyPart(
+    async () => (await import('./frameGraph/frameGraphRunner.ts')).FrameGraphRunner,
+  );
 
   /** `onSamples` is called when code is there, `onError` if it cannot be loaded. */
   constructor(uniforms: FrameUniforms, callbacks: Pick<RendererOptions, 'onSamples' | 'onError'>) {
@@ -53,7 +55,7 @@ export class PictureParts {
   overlayOf(settings: PartSettings, picture: GBuffer, ghost: () => GBuffer): PictureOverlay | undefined {
     if (!hasOverlay(settings) || !this.overlay.code) return undefined;
     const { pastFuture } = settings;
-    const own = { picture, uniforms: this.uniforms, pastFuture };
+    const own = { picture, uniforms: this.uniforms, pastFuture, onlyMoving: settings.outside !== undefined };
     return this.overlay.code({ ...own, ...(settings.ghost !== 'none' && { ghost: ghost() }) });
   }
 

@@ -36,13 +36,15 @@ interface OverlaySources {
   readonly pastFuture: boolean;
   /** Of the ghost; absent: there is none. */
   readonly ghost?: GBuffer;
+  /** Whether only contours of what moves are drawn: from outside, what rests is in one place in all views. */
+  readonly onlyMoving: boolean;
 }
 
 /** The overlay of a picture: its past and future parts, and the contours of its ghost. */
-export function makeOverlay({ picture, uniforms, pastFuture, ghost }: OverlaySources): PictureOverlay {
-  const contours = () => (ghost ? [contoursOf(ghost, pastFuture).toVar()] : []);
+export function makeOverlay({ picture, uniforms, pastFuture, ghost, onlyMoving }: OverlaySources): PictureOverlay {
+  const contours = () => (ghost ? [contoursOf(ghost, pastFuture, onlyMoving).toVar()] : []);
   return {
-    key: `${ghost?.depth.id} ${pastFuture}`,
+    key: `${ghost?.depth.id} ${pastFuture} ${onlyMoving}`,
     contours,
     layers: () => [...(pastFuture ? [partsOf(picture, uniforms).toVar()] : []), ...contours()],
   };
@@ -91,6 +93,8 @@ const CREASE = [0.12, 0.25] as const;
 const CREASE_COVER = 0.7;
 /** Second differences of 1/|Δx′|, as a share of it, at which steps within one object begin, and are full. */
 const STEP = [0.05, 0.1] as const;
+/** Least speed of what moves, of c. */
+const MIN_SPEED = 1e-5;
 /** Rows of a picture for each pixel of half the width of a contour. */
 const ROWS_PER_PIXEL = 1080;
 
@@ -106,7 +110,7 @@ const secondDifference = (a: Side, b: Side): Float => a.change.add(b.change).abs
  * Contours of a G-buffer: where the object changes, and at creases and steps within one. Two pixels wide, half of them on either side; the colour is that of
  * the part of time which the nearer side belongs to, if these are told apart.
  */
-const contoursOf = (ghost: GBuffer, pastFuture: boolean): Vec4 =>
+const contoursOf = (ghost: GBuffer, pastFuture: boolean, onlyMoving: boolean): Vec4 =>
   Fn(() => {
     const [objects, normals] = [ghost.texture('object'), ghost.texture('normal')];
     // The cast corrects the declared type of `textureSize`.
@@ -122,6 +126,8 @@ const contoursOf = (ghost: GBuffer, pastFuture: boolean): Vec4 =>
     const nearest = nearness.toVar();
     const outline = float(0).toVar();
     const crease = float(0).toVar();
+    const speedOf = (pixel: Node<'ivec2'>) => length(textureLoad(ghost.texture('motion'), pixel).xyz);
+    const fastest = (onlyMoving ? speedOf(ivec2(screenCoordinate)) : float(1)).toVar();
     const side = (i: number, j: number): Side => {
       const pixel = beside(i, j).toVar();
       const surface = textureLoad(objects, pixel).toVar();
@@ -130,6 +136,7 @@ const contoursOf = (ghost: GBuffer, pastFuture: boolean): Vec4 =>
       outline.assign(max(outline, same.oneMinus()));
       const turn = dot(normal, unpackNormals(textureLoad(normals, pixel)).normal).oneMinus();
       crease.assign(max(crease, smoothstep(...CREASE, turn).mul(same)));
+      if (onlyMoving) fastest.assign(max(fastest, speedOf(pixel)));
       if (pastFuture)
         If(other.greaterThan(nearest), () => {
           nearest.assign(other);
@@ -145,11 +152,13 @@ const contoursOf = (ghost: GBuffer, pastFuture: boolean): Vec4 =>
       .mul(step(0.5, here.x));
     const line = max(outline, inner).toVar();
     const seam = float(0).toVar();
-    for (const [i, j] of AROUND)
+    for (const [i, j] of AROUND) {
       seam.assign(max(seam, step(0.5, textureLoad(objects, beside(i, j)).x.sub(here.x).abs())));
+      if (onlyMoving) fastest.assign(max(fastest, speedOf(beside(i, j))));
+    }
     const now = vec3(...OVERLAY_COLORS.contour);
     const color = pastFuture ? partColor(partOf(event), now) : now;
     const dark = seam.mul(SEAM_COVER).mul(line.oneMinus());
-    const cover = line.add(dark).toVar();
+    const cover = line.add(dark).mul(step(MIN_SPEED, fastest)).toVar();
     return vec4(color.mul(line).div(max(cover, 1e-6)), cover);
   })();
