@@ -189,7 +189,7 @@ export class MonitoredPage {
   }
 
   get viewport() {
-    return this.page.getByRole('application');
+    return this.page.locator('[data-viewport]');
   }
 
   /** Notices of errors. */
