@@ -109,7 +109,7 @@ export default function OutsideView(): ReactNode {
       <Mark color={OBSERVER_MARKS.body}>{t(msg`You, and how far you come from ring to ring`)}</Mark>
       {look && c && (
         <Mark color={OBSERVER_MARKS.ring}>
-          {t(msg`Rings: ${formatNumber(ringSeconds(look.distance, c), 3)} s of light apart`)}
+          {t(msg`Rings: ${formatNumber(ringSeconds(look.distance, c), 1)} s of light apart`)}
         </Mark>
       )}
       <Switch

@@ -2,6 +2,7 @@ import { ActionIcon, Group, Slider, Text, Tooltip } from '@mantine/core';
 import { IconPlayerPauseFilled, IconPlayerPlayFilled, IconPlayerSkipBackFilled, IconRepeat } from '@tabler/icons-react';
 import type { ReactNode } from 'react';
 import { msg } from '../../messages/message.ts';
+import { isStatic } from '../../scene/motion/motion.ts';
 import { formatSeconds } from '../format.ts';
 import { useTexts } from '../language/languageStore.ts';
 import { useServices } from '../services.tsx';
@@ -51,6 +52,7 @@ function Scrubber(): ReactNode {
   const time = useTelemetry((live) => live.t);
   const start = useEditorState((state) => state.picture?.scene.startTime ?? 0);
   const end = useEditorState((state) => state.picture?.scene.endTime ?? 0);
+  const moves = useEditorState(({ picture }) => picture?.scene.objects.some(({ motion }) => !isStatic(motion)));
   // End of the computed part, if the motion is incomplete.
   const until = useEditorState(({ interim, results }) => (interim ? computedUntil(results) : end));
   return (
@@ -74,7 +76,7 @@ function Scrubber(): ReactNode {
         />
       ) : (
         <Text size="xs" c="dimmed" className="sl-scrubber">
-          {t(msg`Nothing moves in this scene`)}
+          {t(moves ? msg`Time goes on without an end in this scene` : msg`Nothing moves in this scene`)}
         </Text>
       )}
       {end > start && (

@@ -2854,6 +2854,7 @@ const messages: Translation['messages'] = {
   Loop: '循环',
   'Back to the start': '回到开头',
   'World time': '世界时间',
+  'Time goes on without an end in this scene': '此场景的时间没有终点',
   'Nothing moves in this scene': '此场景没有运动',
 
   // The viewport
