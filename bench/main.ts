@@ -17,6 +17,7 @@ import { frame } from './rendering/frame.ts';
 import { immersive } from './rendering/immersive.ts';
 import { instances } from './rendering/instances.ts';
 import { memory } from './rendering/memory.ts';
+import { outside } from './rendering/outside.ts';
 import { tessellation } from './rendering/tessellation.ts';
 import { views } from './rendering/views.ts';
 import { cache } from './simulation/cache.ts';
@@ -30,6 +31,7 @@ const benches: readonly Bench[] = [
   frame,
   immersive,
   views,
+  outside,
   antialiasing,
   cubic,
   tessellation,

@@ -126,13 +126,13 @@ export default function OutsideView(): ReactNode {
   );
 }
 
-interface ToolProps {
+interface OutsideToolProps {
   readonly title: string;
   readonly act: () => void;
   readonly icon: ReactNode;
 }
 
-const Tool = ({ title, act, icon }: ToolProps): ReactNode => (
+const Tool = ({ title, act, icon }: OutsideToolProps): ReactNode => (
   <ActionIcon size="sm" variant="subtle" color="gray" aria-label={title} title={title} onClick={act}>
     {icon}
   </ActionIcon>
