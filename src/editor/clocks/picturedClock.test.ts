@@ -7,6 +7,7 @@ import { IDENTITY_POSE, makeObject } from '../../scene/defaults.ts';
 import { sphere } from '../../scene/mesh/primitives.ts';
 import type { Lifetime } from '../../scene/motion/motionTypes.ts';
 import { perspective } from '../../scene/view/lens.ts';
+import { orbitCamera } from '../../scene/view/outsideCamera.ts';
 import { DEFAULT_SETTINGS, type RenderSettings, type ViewPoint } from '../../scene/view/view.ts';
 import { picturedClock } from './picturedClock.ts';
 
@@ -54,6 +55,20 @@ describe('a clock in the picture, of a ball that crosses at 0.5 c', () => {
     // γ(13 + 0.6 · 12): what D = γ(1 + 0.6 · 12/13) makes bluer it puts farther away.
     expect(distance).toBeCloseTo(1.25 * 20.2, 12);
     expect(place[0]).toBeCloseTo((1 + 20 / 99 / 2) / 2, 12);
+  });
+
+  it('from outside is where the ball is in the world, now or when its light left', () => {
+    // A camera 20 m above the observer looks down; −Z is up in its picture, 90° high.
+    const outside = orbitCamera({ distance: 20, azimuth: 0, elevation: Math.PI / 2, fovY: Math.PI / 2 }, [0, 1, 0]);
+    const fast = view(2.3, properVelocity([0, 0, -0.6]));
+    const from = { ...settings, outside, aberration: false };
+    const now = picturedClock(crossing(), fast, { ...from, view: 'galilean' }, size)!;
+    expect(now.place[0]).toBeCloseTo((1 + 11.5 / 20 / 2) / 2, 9);
+    expect(now.place[1]).toBeCloseTo((1 - 12 / 20) / 2, 9);
+    const seen = picturedClock(crossing(), fast, from, size)!;
+    expect(seen.time).toBeCloseTo(1, 12);
+    expect(seen.place[0]).toBeCloseTo((1 + 5 / 20 / 2) / 2, 9);
+    expect(seen.place[1]).toBeCloseTo((1 - 12 / 20) / 2, 9);
   });
 
   it('is where the ball is at that moment, where the picture shows that', () => {

@@ -1,5 +1,6 @@
 import type { Clock } from '../../scene/clocks/clock.ts';
 import { isAlive } from '../../scene/motion/lifetimes.ts';
+import { drawnFrom } from '../../scene/view/drawnFrom.ts';
 import type { PictureSize } from '../../scene/view/pictureViews.ts';
 import type { RenderSettings, ViewPoint } from '../../scene/view/view.ts';
 import { picturedDepth, picturedEvent, projectOffset } from '../inspect/projectLine.ts';
@@ -21,10 +22,11 @@ export interface PicturedClock {
  */
 export function picturedClock(
   { carriers }: Clock,
-  viewPoint: ViewPoint,
+  observer: ViewPoint,
   settings: RenderSettings,
   size: PictureSize,
 ): PicturedClock | undefined {
+  const viewPoint = drawnFrom(observer, settings);
   const [last] = carriers
     .flatMap(({ line, lifetime }) => {
       const event = picturedEvent(line, viewPoint, settings);

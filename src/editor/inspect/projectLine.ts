@@ -3,6 +3,7 @@ import { length, sub, type Vec3, ZERO } from '../../math/vec3.ts';
 import { hypersurfaceOf } from '../../physics/worldLines/hypersurface.ts';
 import type { SimultaneousEvent } from '../../physics/worldLines/slice.ts';
 import type { WorldLine } from '../../physics/worldLines/worldLine.ts';
+import { drawnFrom } from '../../scene/view/drawnFrom.ts';
 import { frustumOf } from '../../scene/view/lens.ts';
 import type { PictureSize } from '../../scene/view/pictureViews.ts';
 import type { RenderSettings, ViewPoint } from '../../scene/view/view.ts';
@@ -44,10 +45,11 @@ const fromCamera = (
 /** Where a picture shows a point, in front of the camera or not; undefined where it does not: behind the camera or a horizon. */
 export function projectLine(
   line: WorldLine,
-  viewPoint: ViewPoint,
+  observer: ViewPoint,
   settings: RenderSettings,
   size: PictureSize,
 ): PicturePosition | undefined {
+  const viewPoint = drawnFrom(observer, settings);
   const event = picturedEvent(line, viewPoint, settings);
   return event && projectOffset(event.offset, viewPoint, settings, size);
 }
