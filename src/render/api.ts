@@ -20,7 +20,8 @@ export interface RasterRenderer {
   /** Size of the picture in device pixels. */
   setSize(width: number, height: number): void;
   /**
-   * Draws one picture of all views, and presents it if there is a canvas. Returns before the GPU has finished. `sampling`: default 1.
+   * Draws one picture of all views, and presents it if there is a canvas. Returns before the GPU has finished. `sampling`: default 1. Draws nothing if `info.waiting`
+   * afterwards: samples of motions, or code that few pictures need, are still being loaded; call it again.
    * Throws a RangeError if viewports overlap or extend beyond the picture.
    */
   render(views: PictureViews, settings: RenderSettings, sampling?: Sampling): void;

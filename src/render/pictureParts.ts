@@ -40,6 +40,11 @@ export class PictureParts {
     await Promise.all(this.neededBy(settings).map((part) => part.load()));
   }
 
+  /** Loads what runs frame graphs. */
+  loadFrameGraphs(): Promise<void> {
+    return this.runner.load();
+  }
+
   /** Loads everything. */
   async loadAll(): Promise<void> {
     await Promise.all([this.overlay.load(), this.runner.load()]);

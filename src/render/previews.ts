@@ -56,7 +56,7 @@ export class PreviewRenderer {
     requests: readonly PreviewRequest[],
     size: PictureSize,
   ): Promise<readonly Preview[] | undefined> {
-    await this.renderer.loadFrameGraphs(frameGraph);
+    await this.renderer.loadFrameGraphs();
     await this.renderer.withLastView((context) =>
       this.precompiled(frameGraph, requests, this.targetsFor(context, size), context),
     );

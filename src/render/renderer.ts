@@ -1,4 +1,4 @@
-import { contentKey, type FrameGraph, frameGraphStructure } from '../scene/frameGraph/frameGraph.ts';
+import { contentKey, frameGraphStructure } from '../scene/frameGraph/frameGraph.ts';
 import type { Scene } from '../scene/types.ts';
 import { type LightMeterReadings, mergeReadings } from '../scene/view/metering.ts';
 import {
@@ -309,8 +309,8 @@ export class SceneRenderer implements RasterRenderer {
    * Loads what runs frame graphs.
    * @internal
    */
-  loadFrameGraphs(frameGraph: FrameGraph): Promise<void> {
-    return this.pictureParts.load({ ghost: 'none', pastFuture: false, frameGraph });
+  loadFrameGraphs(): Promise<void> {
+    return this.pictureParts.loadFrameGraphs();
   }
 
   /**

@@ -93,7 +93,7 @@ export interface RendererInfo {
   readonly objectsDrawn: number;
   /** Of the scene. */
   readonly objects: number;
-  /** Whether the last requested picture was not drawn because samples of a deforming mesh are being loaded. */
+  /** Whether the last requested picture was not drawn because samples of a deforming mesh, or code that few pictures need, are being loaded. */
   readonly waiting: boolean;
   /** CPU time of the last `render` call [ms], without the GPU's. */
   readonly milliseconds: number;

@@ -14,5 +14,6 @@ let renderer: SceneRenderer;
 
 window.middleLight = async (...given) => {
   renderer ??= await SceneRenderer.create({ canvas: document.createElement('canvas'), backend: 'webgl' });
+  await renderer.loadFrameGraphs();
   return middleLight(renderer, ...given, () => {});
 };

@@ -11,7 +11,11 @@ declare global {
   }
 }
 
-const renderer = () => SceneRenderer.create({ canvas: document.createElement('canvas'), backend: 'webgl' });
+async function renderer(): Promise<SceneRenderer> {
+  const made = await SceneRenderer.create({ canvas: document.createElement('canvas'), backend: 'webgl' });
+  await made.loadFrameGraphs();
+  return made;
+}
 
 window.drawPlan = async (needed) => renderFrameGraph(await renderer(), needed);
 window.drawStills = async () => renderStillImages(await renderer());
