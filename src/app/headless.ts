@@ -17,9 +17,11 @@ declare global {
 
 let renderer: InteractiveRenderer | undefined;
 
-/** Each call from outside begins a new frame by itself. */
+/** Between frames the page takes in what arrives: code that few pictures need, and files. */
+const nextFrame = () => new Promise<void>((next) => void setTimeout(next));
+
 const pictures = (opened: InteractiveRenderer) =>
-  picturesOf(opened, { nextFrame: async () => {}, isShared: false, guard: (work) => work, assertHealthy: () => {} });
+  picturesOf(opened, { nextFrame, isShared: false, guard: (work) => work, assertHealthy: () => {} });
 
 window.slowlight = {
   async start(id) {
